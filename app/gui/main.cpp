@@ -22,6 +22,7 @@
 #include "gui/program/DisplayProbe.h"
 #include "gui/program/Languages.h"
 #include "gui/program/Logging.h"
+#include "gui/program/PlanReporting.h"
 #include "gui/program/ScreenLock.h"
 #include "gui/program/StartupActions.h"
 #include "gui/program/TerminationSignals.h"
@@ -161,14 +162,26 @@ void leaveThreads(int status)
   std::_Exit(status);
 }
 
+/// Writes a plan's report: no display, no window.
+int runReport(int argc, char** argv, const gui::CommandLine& options)
+{
+  const auto content = gui::reportedPlan(options);
+  if (!content) return refuse(content.error().message);
+  gui::drawWithoutDisplay();
+  gui::Application application(argc, argv);
+  applyChoices(application, options);
+  const auto written = gui::writeReport(*content, options);
+  return written ? 0 : refuse(written.error().message);
+}
+
 int run(int argc, char** argv, const gui::CommandLine& options)
 {
+  if (options.plan) return runReport(argc, argv, options);
   auto scenario = session::loadScenario(
       options.scenario.value_or(options.isKiosk ? "booth" : "contour-published"));
   if (!scenario) return refuse(scenario.error().message);
   if (const auto display = gui::probeDisplay(); !display) return refuse(display.error().message);
 
-  declareThread(ThreadRole::window);
   gui::prepareQt();
   gui::Application application(argc, argv);
   const gui::TerminationSignals signals(nullptr);
@@ -201,6 +214,7 @@ int main(int argc, char** argv)
 {
   const auto text = gui::parseCommandLine(argc, argv);
   if (const auto* end = std::get_if<gui::Exit>(&text)) return end->status;
+  declareThread(ThreadRole::window);
   try {
     return run(argc, argv, std::get<gui::CommandLine>(text));
   } catch (const std::exception& thrown) {

@@ -667,6 +667,90 @@
         <source>Todd and Naghdy: the second rib is at the opening at full insertion, %1 mm of travel after a start %2 to %3 mm inside, so it touches %4 to %5 mm from the tip; with the latest start of the validation, %6 mm, at %7 mm, its middle %8 mm behind. The first rib touches where the forces rise between %9 and %10 mm of travel: %11 to %12 mm from the tip. Height above the carrier: chosen such that entering a passage %13 mm wide takes the %14 mN by which the raw record rises at the first rib; length along it: a choice. Low confidence.</source>
         <translation>Todd und Naghdy: Die zweite Rippe liegt bei voller Insertion an der Öffnung, %1 mm Vorschub nach einem Beginn %2 bis %3 mm innen; sie berührt also %4 bis %5 mm hinter der Spitze; beim spätesten Beginn der Validierung, %6 mm, bei %7 mm, ihre Mitte %8 mm dahinter. Die erste Rippe berührt, wo die Kräfte zwischen %9 und %10 mm Vorschub steigen: %11 bis %12 mm hinter der Spitze. Höhe über dem Träger: so gewählt, dass der Eintritt in einen %13 mm weiten Kanal die %14 mN braucht, um die die Rohaufzeichnung an der ersten Rippe steigt; Länge: Wahl. Geringe Konfidenz.</translation>
     </message>
+    <message>
+        <source>approach tilt</source>
+        <translation>Neigung des Zugangs</translation>
+    </message>
+    <message>
+        <source>approach turn</source>
+        <translation>Drehung des Zugangs</translation>
+    </message>
+    <message>
+        <source>stiffness</source>
+        <translation>Steifigkeit</translation>
+    </message>
+    <message>
+        <source>force limit</source>
+        <translation>Kraftgrenze</translation>
+    </message>
+    <message>
+        <source>The shape of the cochlea is the mean one, scaled to A, B and H: what is individual beyond them is not drawn.</source>
+        <translation>Die Form der Cochlea ist die mittlere, skaliert auf A, B und H: Was darüber hinaus individuell ist, wird nicht gezogen.</translation>
+    </message>
+    <message>
+        <source>Without a measured H the height is that of the mean shape; its spread is not drawn.</source>
+        <translation>Ohne gemessenes H ist die Höhe die der mittleren Form; ihre Streuung wird nicht gezogen.</translation>
+    </message>
+    <message>
+        <source>The strength of the cochlear partition and the surgeon&apos;s force limit rest on few publications; see sources.</source>
+        <translation>Festigkeit der Scheidewand und Kraftgrenze des Chirurgen beruhen auf wenigen Veröffentlichungen; siehe Quellen.</translation>
+    </message>
+    <message>
+        <source>Ends are those of the model: a probability is not a clinical risk.</source>
+        <translation>Die Ausgänge sind die des Modells: Eine Wahrscheinlichkeit ist kein klinisches Risiko.</translation>
+    </message>
+    <message>
+        <source>Clinical and Experimental Otorhinolaryngology, nine neurotologists in cadaver heads: %1 +- %2 mm/s; a robot&apos;s %3 as the lower limit.</source>
+        <translation>Clinical and Experimental Otorhinolaryngology, neun Neurootologen an Kopfpräparaten: %1 +- %2 mm/s; die %3 eines Roboters als untere Grenze.</translation>
+    </message>
+    <message>
+        <source>Microsurgeons: %1 mm in vivo, %2 at rest, %3 while actuating; that these are distances in three axes is an assumption. %4 Hz: otosurgery (Muerbe %5).</source>
+        <translation>Mikrochirurgen: %1 mm in vivo, %2 in Ruhe, %3 beim Betätigen; dass es Abstände in drei Achsen sind, ist eine Annahme. %4 Hz: Ohrchirurgie (Muerbe %5).</translation>
+    </message>
+    <message>
+        <source>Choice: forceps take the array a few millimeters in front of the opening and advance it in strokes.</source>
+        <translation>Wahl: Die Pinzette fasst den Elektrodenträger wenige Millimeter vor der Öffnung und schiebt ihn in Hüben vor.</translation>
+    </message>
+    <message>
+        <source>Peak forces in vivo, %1 to %2 mN (Rau et al. %3, Front Neurol %4:%5), read as the forces at which surgeons stop: the predicted peak rests on it.</source>
+        <translation>Maximalkräfte in vivo, %1 bis %2 mN (Rau et al. %3, Front Neurol %4:%5), gelesen als die Kräfte, bei denen Chirurgen anhalten: Die vorhergesagte Maximalkraft beruht darauf.</translation>
+    </message>
+    <message>
+        <source>Choice. Relaxation of the silicone itself is not computed.</source>
+        <translation>Wahl. Die Relaxation des Silikons selbst wird nicht berechnet.</translation>
+    </message>
+    <message>
+        <source>Choice: a bow of %1 mm on %2 mm.</source>
+        <translation>Wahl: ein Bogen von %1 mm auf %2 mm.</translation>
+    </message>
+    <message>
+        <source>Dohr et al. %1, Appl. Sci. %2:%3: %4 +- %5 and %6 +- %7, a fifth to a quarter; %8 +- %9 at %10 mm/s is wider.</source>
+        <translation>Dohr et al. %1, Appl. Sci. %2:%3: %4 +- %5 und %6 +- %7, ein Fünftel bis ein Viertel; %8 +- %9 bei %10 mm/s ist breiter.</translation>
+    </message>
+    <message>
+        <source>Schuster et al. %1, Otol Neurotol %2:%3, fresh human partition: %4 to %5 mN, mean %6, as recalled, not read; the standard deviation is a choice.</source>
+        <translation>Schuster et al. %1, Otol Neurotol %2:%3, frische menschliche Scheidewand: %4 bis %5 mN, Mittel %6, aus der Erinnerung, nicht gelesen; die Standardabweichung ist eine Wahl.</translation>
+    </message>
+    <message>
+        <source>Choice by the confidence that the array&apos;s file gives its bending stiffness: no maker publishes a stiffness or its tolerance.</source>
+        <translation>Wahl nach der Verlässlichkeit, die die Datei des Elektrodenträgers seiner Biegesteifigkeit gibt: Kein Hersteller veröffentlicht eine Steifigkeit oder ihre Toleranz.</translation>
+    </message>
+    <message>
+        <source>Choice: what the view through the facial recess leaves to correct. No source states it for insertions by hand.</source>
+        <translation>Wahl: was die Sicht durch die posteriore Tympanotomie zu korrigieren lässt. Keine Quelle nennt es für Insertionen von Hand.</translation>
+    </message>
+    <message>
+        <source>%1 to %2 Hz on %3 channels, the default of MAESTRO for fine-structure strategies, as listed in public fitting-research code that cites the MAESTRO user manual.</source>
+        <translation>%1 bis %2 Hz auf %3 Kanälen, die Vorgabe von MAESTRO für Feinstruktur-Strategien, wie in öffentlichem Forschungscode zur Anpassung, der das Handbuch von MAESTRO zitiert.</translation>
+    </message>
+    <message>
+        <source>%1 to %2 Hz on %3 channels: CI Select App manual (NYU Langone) and PMC11493529, as listed in public fitting-research code that cites both.</source>
+        <translation>%1 bis %2 Hz auf %3 Kanälen: Handbuch der CI Select App (NYU Langone) und PMC11493529, wie in öffentlichem Forschungscode zur Anpassung, der beide zitiert.</translation>
+    </message>
+    <message>
+        <source>%1 to %2 Hz on %3 channels (extended low): SoundWave %4 quick reference, as listed in public fitting-research code that cites it.</source>
+        <translation>%1 bis %2 Hz auf %3 Kanälen (extended low): Kurzanleitung von SoundWave %4, wie in öffentlichem Forschungscode zur Anpassung, der sie zitiert.</translation>
+    </message>
 </context>
 <context>
     <name>Display</name>
@@ -2481,10 +2565,6 @@
         <translation>Geändert (%1): %2</translation>
     </message>
     <message>
-        <source>CT, insert, compare, validate, sessions, studies</source>
-        <translation>CT, Insertion, Vergleich, Validierung, Sitzungen, Studien</translation>
-    </message>
-    <message>
         <source>Stopped by resistance at %1 mm, %2 mN. Press Withdraw or Reset.</source>
         <translation>Bei %1 mm und %2 mN durch Widerstand gestoppt. „Zurückziehen“ oder „Zurücksetzen“ drücken.</translation>
     </message>
@@ -2503,6 +2583,354 @@
     <message>
         <source>The array jammed at %1 mm. The force is off. Press Withdraw or Reset.</source>
         <translation>Der Träger ist bei %1 mm verklemmt. Die Kraft ist aus. „Zurückziehen“ oder „Zurücksetzen“ drücken.</translation>
+    </message>
+    <message>
+        <source>Fraction of the organ of Corti that is basal to the most apical contact.</source>
+        <translation>Anteil des Corti-Organs, der basal des apikalsten Kontakts liegt.</translation>
+    </message>
+    <message>
+        <source>Outlined: %1 to %2 %, for orientation; studies differ. %3</source>
+        <translation>Umrandet: %1 bis %2 %, zur Orientierung; Studien widersprechen sich. %3</translation>
+    </message>
+    <message>
+        <source>Array</source>
+        <translation>Träger</translation>
+    </message>
+    <message>
+        <source>Peak force</source>
+        <translation>Spitzenkraft</translation>
+    </message>
+    <message>
+        <source>End force</source>
+        <translation>Endkraft</translation>
+    </message>
+    <message>
+        <source>Force over depth</source>
+        <translation>Kraft über der Tiefe</translation>
+    </message>
+    <message>
+        <source>Force on the partition</source>
+        <translation>Kraft auf die Trennwand</translation>
+    </message>
+    <message>
+        <source>Full insertion</source>
+        <translation>Volle Insertion</translation>
+    </message>
+    <message>
+        <source>Stopped by resistance</source>
+        <translation>Durch Widerstand gestoppt</translation>
+    </message>
+    <message>
+        <source>Buckling</source>
+        <translation>Ausknicken</translation>
+    </message>
+    <message>
+        <source>Tip fold-over</source>
+        <translation>Umschlagen der Spitze</translation>
+    </message>
+    <message>
+        <source>Partition strength reached</source>
+        <translation>Festigkeit der Trennwand erreicht</translation>
+    </message>
+    <message>
+        <source>Every array is inserted in the same drawn cochleae by the same drawn surgeons. Models follow published data; they are not manufacturer data.</source>
+        <translation>Jeder Träger wird in dieselben gezogenen Cochleae von denselben gezogenen Chirurgen eingeführt. Die Modelle beruhen auf veröffentlichten Daten und sind keine Herstellerangaben.</translation>
+    </message>
+    <message>
+        <source>Angle of the most apical contact from the round window at the end of each insertion. Median and 5 to 95 % of the draws.</source>
+        <translation>Winkel des apikalsten Kontakts vom runden Fenster am Ende jeder Insertion. Median und 5 bis 95 % der Ziehungen.</translation>
+    </message>
+    <message>
+        <source>Maximum axial force on the surgeon’s hand. Median and 5 to 95 % of the draws.</source>
+        <translation>Größte axiale Kraft auf die Hand des Chirurgen. Median und 5 bis 95 % der Ziehungen.</translation>
+    </message>
+    <message>
+        <source>Mean axial force on the hand while it rests after the insertion. Median and 5 to 95 % of the draws.</source>
+        <translation>Mittlere axiale Kraft auf die Hand, während sie nach der Insertion ruht. Median und 5 bis 95 % der Ziehungen.</translation>
+    </message>
+    <message>
+        <source>Axial force over the depth of the tip past the opening. Line: median; area: 5 to 95 % of the draws whose tip came that deep. All rows have the same axes.</source>
+        <translation>Axiale Kraft über der Tiefe der Spitze hinter der Öffnung. Linie: Median; Fläche: 5 bis 95 % der Ziehungen, deren Spitze so tief kam. Alle Zeilen haben dieselben Achsen.</translation>
+    </message>
+    <message>
+        <source>Maximum force on the cochlear partition. Median and 5 to 95 % of the draws.</source>
+        <translation>Größte Kraft auf die cochleäre Trennwand. Median und 5 bis 95 % der Ziehungen.</translation>
+    </message>
+    <message>
+        <source>Fraction of the insertions that reach the array’s full depth, with its 95 % interval (Wilson 1927).</source>
+        <translation>Anteil der Insertionen, die die volle Tiefe des Trägers erreichen, mit 95-%-Intervall (Wilson 1927).</translation>
+    </message>
+    <message>
+        <source>Fraction in which the force reaches the limit at which the drawn surgeon stops, with its 95 % interval (Wilson 1927).</source>
+        <translation>Anteil, in dem die Kraft die Grenze erreicht, bei der der gezogene Chirurg anhält, mit 95-%-Intervall (Wilson 1927).</translation>
+    </message>
+    <message>
+        <source>Fraction in which the array bows in front of the opening, with its 95 % interval (Wilson 1927).</source>
+        <translation>Anteil, in dem der Träger sich vor der Öffnung ausbiegt, mit 95-%-Intervall (Wilson 1927).</translation>
+    </message>
+    <message>
+        <source>Fraction in which the tip folds over, with its 95 % interval (Wilson 1927).</source>
+        <translation>Anteil, in dem die Spitze umschlägt, mit 95-%-Intervall (Wilson 1927).</translation>
+    </message>
+    <message>
+        <source>Fraction in which the force on the cochlear partition reaches its drawn strength, with its 95 % interval (Wilson 1927). The strength rests on few publications.</source>
+        <translation>Anteil, in dem die Kraft auf die cochleäre Trennwand deren gezogene Festigkeit erreicht, mit 95-%-Intervall (Wilson 1927). Die Festigkeit beruht auf wenigen Veröffentlichungen.</translation>
+    </message>
+    <message>
+        <source>%1 (%2–%3)°</source>
+        <translation>%1 (%2–%3)°</translation>
+    </message>
+    <message>
+        <source>%1 (%2–%3) %</source>
+        <translation>%1 (%2–%3) %</translation>
+    </message>
+    <message>
+        <source>%1 (%2–%3) mN</source>
+        <translation>%1 (%2–%3) mN</translation>
+    </message>
+    <message>
+        <source>%1–%2 %</source>
+        <translation>%1–%2 %</translation>
+    </message>
+    <message>
+        <source>%1 mm (%2–%3)</source>
+        <translation>%1 mm (%2–%3)</translation>
+    </message>
+    <message>
+        <source>CT, plan, insert, compare, validate, sessions, studies</source>
+        <translation>CT, Plan, Insertion, Vergleich, Validierung, Sitzungen, Studien</translation>
+    </message>
+    <message>
+        <source>Insertion force over depth</source>
+        <translation>Insertionskraft über der Tiefe</translation>
+    </message>
+    <message>
+        <source>insertion depth, mm</source>
+        <translation>Insertionstiefe, mm</translation>
+    </message>
+    <message>
+        <source>axial insertion force, mN</source>
+        <translation>axiale Insertionskraft, mN</translation>
+    </message>
+    <message>
+        <source>Lines: median; areas: 5 to 95 % of the draws that came that deep.</source>
+        <translation>Linien: Median; Flächen: 5 bis 95 % der Ziehungen, die so tief kamen.</translation>
+    </message>
+    <message>
+        <source>Depth of the tip: %1 (%2–%3) mm.</source>
+        <translation>Tiefe der Spitze: %1 (%2–%3) mm.</translation>
+    </message>
+    <message>
+        <source>First resistance that surgeons feel (%1 mN): at %2 (%3–%4) mm, in %5 of the insertions.</source>
+        <translation>Erster Widerstand, den Chirurgen spüren (%1 mN): bei %2 (%3–%4) mm, in %5 der Insertionen.</translation>
+    </message>
+    <message>
+        <source>Force on the partition reaches %1 mN, the weakest published, in %2, and %3 mN, the strongest, in %4.</source>
+        <translation>Die Kraft auf die Trennwand erreicht %1 mN, die schwächste veröffentlichte Festigkeit, in %2 und %3 mN, die größte, in %4.</translation>
+    </message>
+    <message>
+        <source>%1 · draw %2, nearest to the medians: %3°, peak %4 mN</source>
+        <translation>%1 · Ziehung %2, den Medianen am nächsten: %3°, Spitze %4 mN</translation>
+    </message>
+    <message>
+        <source>plan, %1: median and 5–95 %</source>
+        <translation>Plan, %1: Median und 5–95 %</translation>
+    </message>
+    <message>
+        <source>Modiolus, mm</source>
+        <translation>Modiolus, mm</translation>
+    </message>
+    <message>
+        <source>GW</source>
+        <translation>GW</translation>
+    </message>
+    <message>
+        <source>SG</source>
+        <translation>SG</translation>
+    </message>
+    <message>
+        <source>st</source>
+        <translation>HT</translation>
+    </message>
+    <message>
+        <source>Not inserted: %1</source>
+        <translation>Nicht inseriert: %1</translation>
+    </message>
+    <message>
+        <source>Contacts, numbered from the tip: median (5–95 %)</source>
+        <translation>Kontakte, von der Spitze gezählt: Median (5–95 %)</translation>
+    </message>
+    <message>
+        <source>Angle from the center of the round window. Modiolus: distance from the center line of the array to the inner wall. GW: frequency by Greenwood (1990), Hz, at the place on the organ of Corti. SG: frequency of the spiral ganglion, Hz, at the angle; st: its semitones above the center of the default filter.</source>
+        <translation>Winkel ab der Mitte des runden Fensters. Modiolus: Abstand der Mittellinie des Elektrodenträgers von der Innenwand. GW: Frequenz nach Greenwood (1990), Hz, am Ort auf dem Corti-Organ. SG: Frequenz des Spiralganglions, Hz, beim Winkel; HT: ihre Halbtöne über der Mitte des Standardfilters.</translation>
+    </message>
+    <message>
+        <source>%1 %2 / %3</source>
+        <translation>%1 %2 / %3</translation>
+    </message>
+    <message>
+        <source>Influence of the inputs on angle / peak force, % of the variance</source>
+        <translation>Einfluss der Eingangsgrößen auf Winkel / Maximalkraft, % der Varianz</translation>
+    </message>
+    <message>
+        <source>Insertion speed</source>
+        <translation>Insertionsgeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Tremor</source>
+        <translation>Tremor</translation>
+    </message>
+    <message>
+        <source>Grip: length before the opening</source>
+        <translation>Griff: Länge vor der Öffnung</translation>
+    </message>
+    <message>
+        <source>Force limit of the surgeon</source>
+        <translation>Kraftgrenze des Chirurgen</translation>
+    </message>
+    <message>
+        <source>Rest before the final force</source>
+        <translation>Ruhe vor der Endkraft</translation>
+    </message>
+    <message>
+        <source>Visible buckling</source>
+        <translation>Sichtbares Ausknicken</translation>
+    </message>
+    <message>
+        <source>Friction</source>
+        <translation>Reibung</translation>
+    </message>
+    <message>
+        <source>Strength of the cochlear partition</source>
+        <translation>Festigkeit der Scheidewand</translation>
+    </message>
+    <message>
+        <source>Stiffness of the array</source>
+        <translation>Steifigkeit des Elektrodenträgers</translation>
+    </message>
+    <message>
+        <source>Approach to the opening</source>
+        <translation>Zugang zur Öffnung</translation>
+    </message>
+    <message>
+        <source>Default filters: %1</source>
+        <translation>Standardfilter: %1</translation>
+    </message>
+    <message>
+        <source>What is drawn, and from where</source>
+        <translation>Was gezogen wird, und woher</translation>
+    </message>
+    <message>
+        <source>Plan, SHA-256</source>
+        <translation>Plan, SHA-256</translation>
+    </message>
+    <message>
+        <source>Planned by</source>
+        <translation>Geplant mit</translation>
+    </message>
+    <message>
+        <source>CT series, SHA-256</source>
+        <translation>CT-Serie, SHA-256</translation>
+    </message>
+    <message>
+        <source>Appendix: contacts and sources</source>
+        <translation>Anhang: Kontakte und Quellen</translation>
+    </message>
+    <message>
+        <source>Insertion force</source>
+        <translation>Insertionskraft</translation>
+    </message>
+    <message>
+        <source>mN over insertion depth in mm: median, 25–75 %, 5–95 %</source>
+        <translation>mN über Insertionstiefe in mm: Median, 25–75 %, 5–95 %</translation>
+    </message>
+    <message>
+        <source>Measured with</source>
+        <translation>Gemessen mit</translation>
+    </message>
+    <message>
+        <source>Draws</source>
+        <translation>Ziehungen</translation>
+    </message>
+    <message>
+        <source>%1 of each array</source>
+        <translation>%1 je Elektrodenträger</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>Arrays in this cochlea</source>
+        <translation>Elektrodenträger in dieser Cochlea</translation>
+    </message>
+    <message>
+        <source>Angular depth</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Coverage</source>
+        <translation>Abdeckung</translation>
+    </message>
+    <message>
+        <source>%</source>
+        <translation>%</translation>
+    </message>
+    <message>
+        <source>mN</source>
+        <translation>mN</translation>
+    </message>
+    <message>
+        <source>On partition</source>
+        <translation>Scheidewand</translation>
+    </message>
+    <message>
+        <source>Full</source>
+        <translation>Ganz</translation>
+    </message>
+    <message>
+        <source>Resistance</source>
+        <translation>Widerstand</translation>
+    </message>
+    <message>
+        <source>Buckled</source>
+        <translation>Geknickt</translation>
+    </message>
+    <message>
+        <source>Tip fold</source>
+        <translation>Spitze um</translation>
+    </message>
+    <message>
+        <source>Rupture</source>
+        <translation>Ruptur</translation>
+    </message>
+    <message>
+        <source>probability, %</source>
+        <translation>Wahrscheinlichkeit, %</translation>
+    </message>
+    <message>
+        <source>Median (5–95 % of the draws); angle and coverage of the most apical contact. Probabilities with 95 % intervals: full insertion, stop by resistance, buckling in front of the opening, tip fold-over, a force that reaches the strength of the cochlear partition.</source>
+        <translation>Median (5–95 % der Ziehungen); Winkel und Abdeckung des apikalsten Kontakts. Wahrscheinlichkeiten mit 95-%-Intervallen: vollständige Insertion, Abbruch bei Widerstand, Ausknicken vor der Öffnung, Umschlagen der Spitze, eine Kraft, die die Festigkeit der Scheidewand erreicht.</translation>
+    </message>
+    <message>
+        <source>Method: each array is inserted by a simulated hand %1 times. Every time A, B and H within their errors, speed, tremor, grip, force limit, friction, approach and stiffness are drawn again; see the appendix.</source>
+        <translation>Methode: Jeder Elektrodenträger wird %1-mal von einer simulierten Hand inseriert. Jedes Mal werden A, B und H innerhalb ihrer Fehler, Geschwindigkeit, Tremor, Griff, Kraftgrenze, Reibung, Zugang und Steifigkeit neu gezogen; siehe Anhang.</translation>
+    </message>
+    <message>
+        <source>Insertion plan</source>
+        <translation>Insertionsplan</translation>
+    </message>
+    <message>
+        <source>Method and limits</source>
+        <translation>Methode und Grenzen</translation>
+    </message>
+    <message>
+        <source>%1 cannot be used as a logo; choose a PNG or JPEG of at most %2 × %2 pixels.</source>
+        <translation>%1 ist als Logo nicht verwendbar; wählen Sie ein PNG oder JPEG mit höchstens %2 × %2 Pixeln.</translation>
     </message>
 </context>
 <context>
@@ -2526,6 +2954,21 @@
     <message>
         <source>Close</source>
         <translation>Schließen</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::AngleRing</name>
+    <message>
+        <source>Angles of the contacts from the round window</source>
+        <translation>Winkel der Kontakte vom runden Fenster</translation>
+    </message>
+    <message>
+        <source>Contacts at their median angles from the round window, seen from the apex; arcs: 5 to 95 % of the draws. The radius is not to scale.</source>
+        <translation>Kontakte an ihren mittleren Winkeln vom runden Fenster, vom Apex gesehen; Bögen: 5 bis 95 % der Ziehungen. Der Radius ist nicht maßstäblich.</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
     </message>
 </context>
 <context>
@@ -3007,6 +3450,140 @@
     </message>
 </context>
 <context>
+    <name>perilymph::gui::ContactTable</name>
+    <message>
+        <source>Contacts</source>
+        <translation>Kontakte</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>Nr.</translation>
+    </message>
+    <message>
+        <source>Number of the contact; 1 at the tip</source>
+        <translation>Nummer des Kontakts; 1 an der Spitze</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>From the round window. Median and 5 to 95 % of the draws.</source>
+        <translation>Vom runden Fenster. Median und 5 bis 95 % der Ziehungen.</translation>
+    </message>
+    <message>
+        <source>To modiolus</source>
+        <translation>Zum Modiolus</translation>
+    </message>
+    <message>
+        <source>From the center line of the array to the inner wall. Median and 5 to 95 % of the draws.</source>
+        <translation>Von der Mittellinie des Trägers zur Innenwand. Median und 5 bis 95 % der Ziehungen.</translation>
+    </message>
+    <message>
+        <source>Greenwood</source>
+        <translation>Greenwood</translation>
+    </message>
+    <message>
+        <source>Frequency of the place along the organ of Corti (Greenwood 1990)</source>
+        <translation>Frequenz des Ortes entlang des Corti-Organs (Greenwood 1990)</translation>
+    </message>
+    <message>
+        <source>Spiral ganglion</source>
+        <translation>Spiral-ganglion</translation>
+    </message>
+    <message>
+        <source>Frequency of the spiral ganglion at the angle (Stakhovskaya et al. 2007)</source>
+        <translation>Frequenz des Spiralganglions am Winkel (Stakhovskaya et al. 2007)</translation>
+    </message>
+    <message>
+        <source>Default filter</source>
+        <translation>Standard-filter</translation>
+    </message>
+    <message>
+        <source>Center of the filter that the contact gets by default; – if no allocation is known</source>
+        <translation>Mitte des Filters, den der Kontakt standardmäßig erhält; – wenn keine Zuordnung bekannt ist</translation>
+    </message>
+    <message>
+        <source>Mismatch</source>
+        <translation>Abweichung</translation>
+    </message>
+    <message>
+        <source>Frequency of its place on the spiral ganglion above its default filter, in semitones; positive: it hears a lower frequency than its place</source>
+        <translation>Frequenz seines Ortes am Spiralganglion über seinem Standardfilter, in Halbtönen; positiv: Er hört eine tiefere Frequenz als sein Ort</translation>
+    </message>
+    <message>
+        <source>–</source>
+        <translation>–</translation>
+    </message>
+    <message>
+        <source>%1 Hz</source>
+        <translation>%1 Hz</translation>
+    </message>
+    <message>
+        <source>%1 kHz</source>
+        <translation>%1 kHz</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 st</source>
+        <translation>%1 HT</translation>
+    </message>
+    <message>
+        <source>Inside</source>
+        <translation>Innen</translation>
+    </message>
+    <message>
+        <source>Draws in which the contact is inserted; the other columns are over these</source>
+        <translation>Ziehungen, in denen der Kontakt eingeführt ist; die anderen Spalten gelten für diese</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::CtOnward</name>
+    <message>
+        <source>Insert into this cochlea</source>
+        <translation>In diese Cochlea inserieren</translation>
+    </message>
+    <message>
+        <source>Compare arrays for it</source>
+        <translation>Träger dafür vergleichen</translation>
+    </message>
+    <message>
+        <source>Save surface…</source>
+        <translation>Oberfläche speichern …</translation>
+    </message>
+    <message>
+        <source>Patient code</source>
+        <translation>Patientencode</translation>
+    </message>
+    <message>
+        <source>Patient code (no names)</source>
+        <translation>Patientencode (kein Name)</translation>
+    </message>
+    <message>
+        <source>The fitted wall in the CT’s own frame (LPS): STL, PLY, glTF, OBJ, VTP</source>
+        <translation>Angepasste Wand im Koordinatensystem des CT (LPS): STL, PLY, glTF, OBJ, VTP</translation>
+    </message>
+    <message>
+        <source>Type a patient code first.</source>
+        <translation>Zuerst einen Patientencode eingeben.</translation>
+    </message>
+    <message>
+        <source>Angular depth, coverage and forces of electrode arrays in this cochlea, before one is inserted</source>
+        <translation>Insertionswinkel, Abdeckung und Kräfte von Elektrodenträgern in dieser Cochlea, bevor einer eingeführt wird</translation>
+    </message>
+</context>
+<context>
     <name>perilymph::gui::CtPage</name>
     <message>
         <source>A patient’s CT</source>
@@ -3192,28 +3769,8 @@
         <translation>Markups von 3D Slicer mit Punkten namens RW, C, A …</translation>
     </message>
     <message>
-        <source>Patient code</source>
-        <translation>Patientencode</translation>
-    </message>
-    <message>
-        <source>Patient code (no names)</source>
-        <translation>Patientencode (kein Name)</translation>
-    </message>
-    <message>
-        <source>Insert into this cochlea</source>
-        <translation>In diese Cochlea inserieren</translation>
-    </message>
-    <message>
-        <source>Save surface…</source>
-        <translation>Oberfläche speichern …</translation>
-    </message>
-    <message>
         <source>Measure from the landmarks</source>
         <translation>Aus den Landmarken messen</translation>
-    </message>
-    <message>
-        <source>Type a patient code first.</source>
-        <translation>Zuerst einen Patientencode eingeben.</translation>
     </message>
     <message>
         <source>Left ear</source>
@@ -3226,10 +3783,6 @@
     <message>
         <source>Markups for 3D Slicer (.mrk.json, LPS): landmarks, axis, and the inserted array with its contacts</source>
         <translation>Markups für 3D Slicer (.mrk.json, LPS): Landmarken, Achse und der eingeführte Träger mit seinen Kontakten</translation>
-    </message>
-    <message>
-        <source>The fitted wall in the CT’s own frame (LPS): STL, PLY, glTF, OBJ, VTP</source>
-        <translation>Angepasste Wand im Koordinatensystem des CT (LPS): STL, PLY, glTF, OBJ, VTP</translation>
     </message>
 </context>
 <context>
@@ -4028,10 +4581,6 @@
         <translation>Patienten suchen</translation>
     </message>
     <message>
-        <source>Find by code or ear</source>
-        <translation>Suche nach Code oder Ohr</translation>
-    </message>
-    <message>
         <source>Back</source>
         <translation>Zurück</translation>
     </message>
@@ -4050,6 +4599,66 @@
     <message>
         <source>%1 of %2</source>
         <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Show archived</source>
+        <translation>Archivierte zeigen</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exportieren…</translation>
+    </message>
+    <message>
+        <source>Find by code, ear or tag</source>
+        <translation>Nach Code, Ohr oder Schlagwort suchen</translation>
+    </message>
+    <message>
+        <source>Tags</source>
+        <translation>Schlagwörter</translation>
+    </message>
+    <message>
+        <source>Tags, separated by commas; no names</source>
+        <translation>Schlagwörter, durch Kommas getrennt; keine Namen</translation>
+    </message>
+    <message>
+        <source>Import…</source>
+        <translation>Importieren…</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>Zurückholen</translation>
+    </message>
+    <message>
+        <source>Archive</source>
+        <translation>Archivieren</translation>
+    </message>
+    <message>
+        <source>The tags of %1 are saved.</source>
+        <translation>Die Schlagwörter von %1 sind gespeichert.</translation>
+    </message>
+    <message>
+        <source>%1 is archived; nothing is deleted.</source>
+        <translation>%1 ist archiviert; nichts wird gelöscht.</translation>
+    </message>
+    <message>
+        <source>%1 is in the list again.</source>
+        <translation>%1 ist wieder in der Liste.</translation>
+    </message>
+    <message>
+        <source>Folder for the export</source>
+        <translation>Ordner für den Export</translation>
+    </message>
+    <message>
+        <source>%1 is exported to %2.</source>
+        <translation>%1 ist nach %2 exportiert.</translation>
+    </message>
+    <message>
+        <source>Folder of an exported patient</source>
+        <translation>Ordner eines exportierten Patienten</translation>
+    </message>
+    <message>
+        <source>The patient is imported.</source>
+        <translation>Der Patient ist importiert.</translation>
     </message>
 </context>
 <context>
@@ -4220,6 +4829,274 @@
     <message>
         <source>The array is fully inserted.</source>
         <translation>Der Träger ist vollständig inseriert.</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::PlanHead</name>
+    <message>
+        <source>A %1</source>
+        <translation>A %1</translation>
+    </message>
+    <message>
+        <source>B %1</source>
+        <translation>B %1</translation>
+    </message>
+    <message>
+        <source>H %1</source>
+        <translation>H %1</translation>
+    </message>
+    <message>
+        <source>H not measured: mean height</source>
+        <translation>H nicht gemessen: mittlere Höhe</translation>
+    </message>
+    <message>
+        <source>in brackets 95 %, errors as measured</source>
+        <translation>in Klammern 95 %, Fehler wie gemessen</translation>
+    </message>
+    <message>
+        <source>in brackets 95 %, errors assumed: %1 mm</source>
+        <translation>in Klammern 95 %, Fehler angenommen: %1 mm</translation>
+    </message>
+    <message>
+        <source>A: basal-turn diameter; B: basal-turn width, perpendicular to A; H: height. Every draw takes other values within these errors.</source>
+        <translation>A: Durchmesser der basalen Windung; B: Breite der basalen Windung, senkrecht zu A; H: Höhe. Jede Ziehung nimmt andere Werte innerhalb dieser Fehler.</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::PlanList</name>
+    <message>
+        <source>Arrays of the plan</source>
+        <translation>Träger des Plans</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::PlanNotes</name>
+    <message>
+        <source>Notes on this plan</source>
+        <translation>Notizen zu diesem Plan</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::PlanPage</name>
+    <message>
+        <source>Plan an insertion</source>
+        <translation>Eine Insertion planen</translation>
+    </message>
+    <message>
+        <source>Choose a patient with the measures A and B, or measure a CT on the page CT. Choose the arrays to be compared and press Compute. Each array is inserted many times; the table shows what to expect, as bands.</source>
+        <translation>Einen Patienten mit den Maßen A und B wählen oder auf der Seite CT ein CT vermessen. Die Träger wählen, die verglichen werden, und „Berechnen“ drücken. Jeder Träger wird viele Male eingeführt; die Tabelle zeigt in Bändern, was zu erwarten ist.</translation>
+    </message>
+    <message>
+        <source>This plan was interrupted before its first bands; Compute continues it.</source>
+        <translation>Dieser Plan wurde vor seinen ersten Bändern unterbrochen; „Berechnen“ setzt ihn fort.</translation>
+    </message>
+    <message>
+        <source>Opening the plan…</source>
+        <translation>Der Plan wird geöffnet …</translation>
+    </message>
+    <message>
+        <source>Preparing…</source>
+        <translation>Vorbereitung …</translation>
+    </message>
+    <message>
+        <source>Canceled. What is done is kept; Compute continues there.</source>
+        <translation>Abgebrochen. Was fertig ist, bleibt; „Berechnen“ setzt dort fort.</translation>
+    </message>
+    <message>
+        <source>%1 draws, %2 insertions</source>
+        <translation>%1 Ziehungen, %2 Insertionen</translation>
+    </message>
+    <message>
+        <source>%1 of at most %2 insertions. Another page can be shown meanwhile.</source>
+        <translation>%1 von höchstens %2 Insertionen. Währenddessen kann eine andere Seite gezeigt werden.</translation>
+    </message>
+    <message>
+        <source>Back to the table</source>
+        <translation>Zurück zur Tabelle</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Enter, or a double click on a row. Ctrl and Shift select several rows.</source>
+        <translation>Eingabetaste oder Doppelklick auf eine Zeile. Strg und Umschalt wählen mehrere Zeilen.</translation>
+    </message>
+    <message>
+        <source>Compare %1 arrays</source>
+        <translation>%1 Träger vergleichen</translation>
+    </message>
+    <message>
+        <source>Open array</source>
+        <translation>Träger öffnen</translation>
+    </message>
+    <message>
+        <source>Insert this array</source>
+        <translation>Diesen Träger inserieren</translation>
+    </message>
+    <message>
+        <source>Sets patient and array on the page Insert, where the force is compared with this plan.</source>
+        <translation>Stellt Patient und Träger auf der Seite Insertion ein, wo die Kraft mit diesem Plan verglichen wird.</translation>
+    </message>
+    <message>
+        <source>Report…</source>
+        <translation>Bericht …</translation>
+    </message>
+    <message>
+        <source>Report of this plan as PDF: a page for the record and an appendix</source>
+        <translation>Bericht dieses Plans als PDF: eine Seite für die Akte und ein Anhang</translation>
+    </message>
+    <message>
+        <source>The report was saved as %1.</source>
+        <translation>Der Bericht wurde als %1 gespeichert.</translation>
+    </message>
+    <message>
+        <source>Report of the plan</source>
+        <translation>Bericht des Plans</translation>
+    </message>
+    <message>
+        <source>Preparing the report…</source>
+        <translation>Der Bericht wird vorbereitet …</translation>
+    </message>
+    <message>
+        <source>Median (5–95 % of the draws). Values of the model, with little of what is individual beyond A, B and H; translocation is not computed, and the angles are some degrees small.</source>
+        <translation>Median (5–95 % der Ziehungen). Werte des Modells mit wenig von dem, was über A, B und H hinaus individuell ist; eine Translokation wird nicht gerechnet, und die Winkel sind einige Grad zu klein.</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::PlanPanel</name>
+    <message>
+        <source>Patient</source>
+        <translation>Patient</translation>
+    </message>
+    <message>
+        <source>Saved plans</source>
+        <translation>Gespeicherte Pläne</translation>
+    </message>
+    <message>
+        <source>Draws, at most</source>
+        <translation>Ziehungen, höchstens</translation>
+    </message>
+    <message>
+        <source>Compute</source>
+        <translation>Berechnen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>PATIENT</source>
+        <translation>PATIENT</translation>
+    </message>
+    <message>
+        <source>SAVED PLANS</source>
+        <translation>GESPEICHERTE PLÄNE</translation>
+    </message>
+    <message>
+        <source>ARRAYS</source>
+        <translation>TRÄGER</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Alle</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>Choose all arrays</source>
+        <translation>Alle Träger wählen</translation>
+    </message>
+    <message>
+        <source>Choose no array</source>
+        <translation>Keinen Träger wählen</translation>
+    </message>
+    <message>
+        <source>%1 draws at most</source>
+        <translation>höchstens %1 Ziehungen</translation>
+    </message>
+    <message>
+        <source>A draw is a cochlea within the errors of the measures, an approach, a stiffness and a surgeon. Fewer are run if the median angle is known to 5° and the median peak force to 5 %.</source>
+        <translation>Eine Ziehung ist eine Cochlea innerhalb der Fehler der Maße, ein Zugang, eine Steifigkeit und ein Chirurg. Es werden weniger gerechnet, wenn der mittlere Winkel auf 5° und die mittlere Spitzenkraft auf 5 % bekannt sind.</translation>
+    </message>
+    <message>
+        <source>Esc. What is done is kept, and Compute continues there.</source>
+        <translation>Esc. Was fertig ist, bleibt, und „Berechnen“ setzt dort fort.</translation>
+    </message>
+    <message>
+        <source>none yet</source>
+        <translation>noch keiner</translation>
+    </message>
+    <message>
+        <source>choose a plan</source>
+        <translation>einen Plan wählen</translation>
+    </message>
+    <message>
+        <source>1 array</source>
+        <translation>1 Träger</translation>
+    </message>
+    <message>
+        <source>%1 arrays</source>
+        <translation>%1 Träger</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>%1 · %2 · interrupted</source>
+        <translation>%1 · %2 · unterbrochen</translation>
+    </message>
+    <message>
+        <source>Choose a patient with A and B first.</source>
+        <translation>Zuerst einen Patienten mit A und B wählen.</translation>
+    </message>
+    <message>
+        <source>Choose an array first.</source>
+        <translation>Zuerst einen Träger wählen.</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::PlanScene</name>
+    <message>
+        <source>Drag to rotate, wheel to zoom.</source>
+        <translation>Ziehen dreht, das Rad vergrößert.</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::PlanTable</name>
+    <message>
+        <source>peak %1</source>
+        <translation>Spitze %1</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1, %2: %3. %4 draws</source>
+        <translation>%1, %2: %3. %4 Ziehungen</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::PlanView</name>
+    <message>
+        <source>Unrolled scala tympani</source>
+        <translation>Abgewickelte Scala tympani</translation>
+    </message>
+    <message>
+        <source>Insertion force over depth</source>
+        <translation>Insertionskraft über der Tiefe</translation>
+    </message>
+    <message>
+        <source>%1 · computing the picture…</source>
+        <translation>%1 · das Bild wird gerechnet …</translation>
+    </message>
+    <message>
+        <source>%1 in the cochlea, 3D</source>
+        <translation>%1 in der Cochlea, 3D</translation>
     </message>
 </context>
 <context>
@@ -4963,6 +5840,26 @@
         <source>off</source>
         <translation>aus</translation>
     </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Wählen…</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Logo for reports</source>
+        <translation>Logo für Berichte</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg)</source>
+        <translation>Bilder (*.png *.jpg *.jpeg)</translation>
+    </message>
+    <message>
+        <source>Logo, for reports</source>
+        <translation>Logo, für Berichte</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::SetupHistory</name>
@@ -5350,6 +6247,10 @@
     <message>
         <source>ended · no force</source>
         <translation>beendet · keine Kraft</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Plan</translation>
     </message>
 </context>
 <context>

@@ -130,6 +130,8 @@ class CommandsOfTheDocuments(unittest.TestCase):
         for file, text in documents():
             # One folder per document, because its commands depend on each other.
             with tempfile.TemporaryDirectory() as folder:
+                if "--ct ct" in text:  # a patient's CT, as the reader has one
+                    subprocess.run([PROGRAMS / "perilymph-ct-phantom", "1", Path(folder) / "ct", "clinical"], check=True)
                 if file.suffix == ".1":
                     self.run_line("perilymph-cli simulate --scenario contour-published --record session.insertion", folder)
                 for line in commands(text):

@@ -238,7 +238,7 @@ class Window(CheckCase):
 
     def test_markup_in_its_places_is_welcome(self):
         self.assertEqual(self.complaints(window.check, {
-            "app/gui/run/Report.cpp": "document.setHtml(text);\n", "app/gui/run/Report.h": "#pragma once\n"}), [])
+            "app/gui/run/ReportPages.cpp": "document.setHtml(text);\n", "app/gui/run/ReportPages.h": "#pragma once\n"}), [])
 
 
     def test_a_main_window_that_does_everything_is_found(self):

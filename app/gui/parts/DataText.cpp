@@ -125,6 +125,19 @@ constexpr const char* shipped[] = {
     QT_TRANSLATE_NOOP(
         "Data",
         "%1 of %2 insertions reached the end; %3 stopped with a fault (numbers %4, %5 and %6)."),
+    // plans
+    QT_TRANSLATE_NOOP("Data", "approach tilt"), QT_TRANSLATE_NOOP("Data", "approach turn"),
+    QT_TRANSLATE_NOOP("Data", "stiffness"), QT_TRANSLATE_NOOP("Data", "force limit"),
+    QT_TRANSLATE_NOOP("Data",
+                      "The shape of the cochlea is the mean one, scaled to A, B and H: what is "
+                      "individual beyond them is not drawn."),
+    QT_TRANSLATE_NOOP(
+        "Data",
+        "Without a measured H the height is that of the mean shape; its spread is not drawn."),
+    QT_TRANSLATE_NOOP("Data",
+                      "The strength of the cochlear partition and the surgeon's force limit rest "
+                      "on few publications; see sources."),
+    QT_TRANSLATE_NOOP("Data", "Ends are those of the model: a probability is not a clinical risk."),
     QT_TRANSLATE_NOOP("Data", "Simulator minus experiment"),
     QT_TRANSLATE_NOOP("Data", "this simulator, %1 % confidence interval"),
     QT_TRANSLATE_NOOP(

@@ -10,6 +10,44 @@ namespace {
 // Sources of values in shipped files, with their numbers replaced by %1, %2 and so on. lupdate reads
 // them here.
 constexpr const char* sources[] = {
+    // resources/clinical, resources/planning
+    QT_TRANSLATE_NOOP("Data",
+                      "Clinical and Experimental Otorhinolaryngology, nine neurotologists in "
+                      "cadaver heads: %1 +- %2 mm/s; a robot's %3 as the lower limit."),
+    QT_TRANSLATE_NOOP(
+        "Data",
+        "Microsurgeons: %1 mm in vivo, %2 at rest, %3 while actuating; that these are distances in "
+        "three axes is an assumption. %4 Hz: otosurgery (Muerbe %5)."),
+    QT_TRANSLATE_NOOP("Data",
+                      "Choice: forceps take the array a few millimeters in front of the opening "
+                      "and advance it in strokes."),
+    QT_TRANSLATE_NOOP("Data",
+                      "Peak forces in vivo, %1 to %2 mN (Rau et al. %3, Front Neurol %4:%5), read "
+                      "as the forces at which surgeons stop: the predicted peak rests on it."),
+    QT_TRANSLATE_NOOP("Data", "Choice. Relaxation of the silicone itself is not computed."),
+    QT_TRANSLATE_NOOP("Data", "Choice: a bow of %1 mm on %2 mm."),
+    QT_TRANSLATE_NOOP("Data",
+                      "Dohr et al. %1, Appl. Sci. %2:%3: %4 +- %5 and %6 +- %7, a fifth to a "
+                      "quarter; %8 +- %9 at %10 mm/s is wider."),
+    QT_TRANSLATE_NOOP("Data",
+                      "Schuster et al. %1, Otol Neurotol %2:%3, fresh human partition: %4 to %5 "
+                      "mN, mean %6, as recalled, not read; the standard deviation is a choice."),
+    QT_TRANSLATE_NOOP("Data",
+                      "Choice by the confidence that the array's file gives its bending stiffness: "
+                      "no maker publishes a stiffness or its tolerance."),
+    QT_TRANSLATE_NOOP("Data",
+                      "Choice: what the view through the facial recess leaves to correct. No "
+                      "source states it for insertions by hand."),
+    QT_TRANSLATE_NOOP(
+        "Data",
+        "%1 to %2 Hz on %3 channels, the default of MAESTRO for fine-structure strategies, as "
+        "listed in public fitting-research code that cites the MAESTRO user manual."),
+    QT_TRANSLATE_NOOP("Data",
+                      "%1 to %2 Hz on %3 channels: CI Select App manual (NYU Langone) and "
+                      "PMC11493529, as listed in public fitting-research code that cites both."),
+    QT_TRANSLATE_NOOP("Data",
+                      "%1 to %2 Hz on %3 channels (extended low): SoundWave %4 quick reference, as "
+                      "listed in public fitting-research code that cites it."),
     // plugins/electrodes
     QT_TRANSLATE_NOOP(
         "Data",

@@ -131,6 +131,9 @@ QScrollBar::handle:vertical:hover { background: %pressed%; }
 QScrollBar::add-line:vertical, QScrollBar::sub-line:vertical { height: 0; }
 QScrollBar::add-page:vertical, QScrollBar::sub-page:vertical { background: transparent; }
 QLineEdit:disabled { color: %quietText%; background: %panel%; }
+QPlainTextEdit { background: %ground%; border: 1px solid %border%; border-radius: 4px; padding: 2px 4px; }
+QPlainTextEdit[hint="true"] { color: %quietText%; }
+QPlainTextEdit:focus { border: 2px solid %text%; padding: 1px 3px; }
 QLineEdit {
   background: %ground%; border: 1px solid %border%; border-radius: 4px; padding: 0 8px;
   selection-background-color: %accent%; selection-color: %onAccent%;

@@ -18,6 +18,14 @@ std::string checkPicture(const std::string& file)
   return file + " cannot be the name of a screenshot: it must end in .png.";
 }
 
+/// Error for an unsupported report file; empty if it is supported.
+std::string checkReport(const std::string& file)
+{
+  const auto extension = std::filesystem::path(file).extension();
+  if (extension == ".pdf" || extension == ".dcm") return {};
+  return file + " cannot be the name of a report: it must end in .pdf or .dcm.";
+}
+
 /// Error for an invalid delay of the screenshot; empty if valid.
 std::string checkDelay(const std::string& text)
 {
@@ -61,7 +69,7 @@ std::variant<CommandLine, Exit> parseCommandLine(int argc, const char* const* ar
                "perilymph");
   app.set_version_flag("--version", "perilymph " + buildId());
 
-  std::string record, plugin, screenshot, study;
+  std::string record, plugin, screenshot, study, plan, report, ct;
   app.add_option("--scenario", options.scenario,
                  "Scenario: shipped name or TOML file (default: start page)")
       ->type_name("FILE|NAME");
@@ -77,6 +85,23 @@ std::variant<CommandLine, Exit> parseCommandLine(int argc, const char* const* ar
   auto* studyOption = app.add_option("--study", study, "Open the result of a study")
                           ->type_name("FILE.sqlite")
                           ->excludes(demoOption);
+  auto* planOption = app.add_option("--plan", plan, "Folder or plan.json of a plan to report")
+                         ->type_name("FILE")
+                         ->excludes(demoOption)
+                         ->excludes(studyOption);
+  auto* reportOption =
+      app.add_option("--report", report, "Write the plan's report, then exit; needs no display")
+          ->type_name("FILE.pdf|FILE.dcm")
+          ->needs(planOption)
+          ->check(checkReport);
+  planOption->needs(reportOption);
+  auto* ctOption =
+      app.add_option(
+             "--ct", ct,
+             "CT of the patient: FILE.dcm becomes part of its study, with the patient's name "
+             "and number (default: the code alone)")
+          ->type_name("PATH")
+          ->needs(reportOption);
   auto* screenshotOption =
       app.add_option("--screenshot", screenshot, "Save a screenshot of the window, then exit")
           ->type_name("FILE.png")
@@ -122,6 +147,9 @@ std::variant<CommandLine, Exit> parseCommandLine(int argc, const char* const* ar
   }
   if (recordOption->count() > 0) options.record = record;
   if (studyOption->count() > 0) options.study = study;
+  if (planOption->count() > 0) options.plan = plan;
+  if (reportOption->count() > 0) options.report = report;
+  if (ctOption->count() > 0) options.ct = ct;
   if (pluginOption->count() > 0) options.plugin = plugin;
   if (screenshotOption->count() > 0) options.screenshot = screenshot;
   return options;

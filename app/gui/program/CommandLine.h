@@ -18,6 +18,9 @@ struct CommandLine {
   bool isDemo = false;                          ///< Starts an insertion automatically.
   std::optional<std::filesystem::path> record;  ///< File of the recording.
   std::optional<std::filesystem::path> study;   ///< A study's result to open.
+  std::optional<std::filesystem::path> plan;    ///< A plan to report, without a window.
+  std::optional<std::filesystem::path> report;  ///< The report's file, PDF or DICOM.
+  std::optional<std::filesystem::path> ct;      ///< CT of whose study a DICOM report is a part.
   std::optional<std::filesystem::path> plugin;  ///< A device plug-in to use as input device.
   std::optional<std::filesystem::path> screenshot;
   std::optional<std::string> language;  ///< "en", "de" or "system", for this call only.

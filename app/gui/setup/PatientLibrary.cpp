@@ -41,7 +41,10 @@ std::vector<SavedPatient> savedPatients()
     if (entry.path().extension() != ".toml") continue;
     const auto patient = anatomy::loadPatient(entry.path());
     const auto time = entry.last_write_time(failure);
-    if (patient && !failure) found.push_back({time, {*patient, entry.path()}});
+    const auto record = session::loadPatientRecord(entry.path());
+    if (patient && !failure)
+      found.push_back(
+          {time, {*patient, entry.path(), record ? *record : session::PatientRecord()}});
   }
   std::stable_sort(found.begin(), found.end(),
                    [](const auto& one, const auto& other) { return one.first > other.first; });
@@ -77,7 +80,10 @@ Result<fs::path> savePatientInLibrary(const anatomy::Patient& patient,
   std::error_code ignored;  // an error is reported when the file is written
   fs::create_directories(file.parent_path(), ignored);
   if (const auto saved = anatomy::savePatient(patient, file); !saved) return saved.error();
-  if (replaced && *replaced != file) fs::remove(*replaced, ignored);
+  if (replaced && *replaced != file) {
+    fs::rename(session::recordFileOf(*replaced), session::recordFileOf(file), ignored);
+    fs::remove(*replaced, ignored);
+  }
   return file;
 }
 

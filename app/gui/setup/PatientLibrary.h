@@ -10,12 +10,14 @@
 
 #include "perilymph/anatomy/Patient.h"
 #include "perilymph/foundation/Result.h"
+#include "perilymph/session/PatientRecord.h"
 
 namespace perilymph::gui {
 
 struct SavedPatient {
   anatomy::Patient patient;
   std::filesystem::path file;
+  session::PatientRecord record = {};  ///< Empty if it cannot be read.
 };
 
 /// The readable patients of the patient folder, the last used first.

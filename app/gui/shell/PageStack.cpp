@@ -6,6 +6,7 @@
 
 #include "gui/pages/compare/ComparePage.h"
 #include "gui/pages/ct/CtPage.h"
+#include "gui/pages/plan/PlanPage.h"
 #include "gui/pages/sessions/SessionsPage.h"
 #include "gui/pages/start/StartPage.h"
 #include "gui/pages/studies/StudiesPage.h"
@@ -21,16 +22,17 @@ PageStack::PageStack(InsertPage& insert, QWidget* parent)
       insert_(insert),
       start_(new StartPage(this)),
       ct_(new CtPage(this)),
+      plan_(new PlanPage(this)),
       compare_(new ComparePage(this)),
       validate_(new ValidatePage(this)),
       sessions_(new SessionsPage(this)),
       studies_(new StudiesPage(this))
 {
   // in the order of Page
-  for (QWidget* page :
-       {static_cast<QWidget*>(start_), static_cast<QWidget*>(ct_), static_cast<QWidget*>(&insert_),
-        static_cast<QWidget*>(compare_), static_cast<QWidget*>(validate_),
-        static_cast<QWidget*>(sessions_), static_cast<QWidget*>(studies_)})
+  for (QWidget* page : {static_cast<QWidget*>(start_), static_cast<QWidget*>(ct_),
+                        static_cast<QWidget*>(plan_), static_cast<QWidget*>(&insert_),
+                        static_cast<QWidget*>(compare_), static_cast<QWidget*>(validate_),
+                        static_cast<QWidget*>(sessions_), static_cast<QWidget*>(studies_)})
     addWidget(page);
   setCurrentWidget(&insert_);
   connectPages();
@@ -42,6 +44,15 @@ void PageStack::connectPages()
   connectRecordings();
   connect(ct_, &CtPage::setupChosen, this, [this](const Setup& setup) {
     Q_EMIT setupChosen(setup, SetupOrigin::Kind::own, InsertPage::AfterLoading::rest);
+  });
+  connect(plan_, &PlanPage::insertAsked, this,
+          [this](const Setup& setup, const PlannedForce& planned) {
+            insert_.setPlan(planned);
+            Q_EMIT setupChosen(setup, SetupOrigin::Kind::own, InsertPage::AfterLoading::rest);
+          });
+  connect(ct_, &CtPage::planAsked, this, [this](const anatomy::Patient& patient) {
+    plan_->planFor(patient);
+    Q_EMIT pageAsked(Page::plan);
   });
 }
 
@@ -99,6 +110,7 @@ void PageStack::showPage(Page page)
   setCurrentIndex(static_cast<int>(page));
   if (page == Page::start) start_->showCards({currentWork(insert_), insert_.control().recording()});
   if (page == Page::ct) showInsertionInCt();
+  if (page == Page::plan) plan_->refresh();
   if (page != Page::sessions) return;
   sessions_->refresh(insert_.control().recording(), insert_.control().isRunning());
   sessions_->setFocus();
@@ -116,6 +128,8 @@ bool PageStack::cancel()
   switch (page()) {
     case Page::ct:
       return ct_->cancel();
+    case Page::plan:
+      return plan_->cancel();
     case Page::compare:
       compare_->cancel();
       return false;

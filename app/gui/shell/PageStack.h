@@ -12,13 +12,14 @@ namespace perilymph::gui {
 
 class ComparePage;
 class CtPage;
+class PlanPage;
 class SessionsPage;
 class StartPage;
 class StudiesPage;
 class ValidatePage;
 
 /// The pages, in the order of their buttons.
-enum class Page { start, ct, insert, compare, validate, sessions, studies };
+enum class Page { start, ct, plan, insert, compare, validate, sessions, studies };
 
 /// Makes the pages and connects them, as they do not know each other.
 class PageStack : public QStackedWidget {
@@ -35,6 +36,7 @@ public:
   /// Shows a message on the page of recordings.
   void showSessionsError(const QString& sentence);
   CtPage& ct() { return *ct_; }
+  PlanPage& plan() { return *plan_; }
   StudiesPage& studies() { return *studies_; }
   /// Shows a study's result on its page.
   void openStudy(const std::filesystem::path& file);
@@ -59,6 +61,7 @@ private:
   InsertPage& insert_;
   StartPage* start_;
   CtPage* ct_;
+  PlanPage* plan_;
   ComparePage* compare_;
   ValidatePage* validate_;
   SessionsPage* sessions_;

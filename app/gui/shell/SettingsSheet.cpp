@@ -2,6 +2,7 @@
 #include "gui/shell/SettingsSheet.h"
 
 #include <QButtonGroup>
+#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -16,6 +17,7 @@
 #include "gui/parts/Theme.h"
 #include "gui/parts/UserSettings.h"
 #include "gui/parts/WrappedLabel.h"
+#include "gui/report/ReportIssuer.h"
 
 namespace perilymph::gui {
 
@@ -83,6 +85,7 @@ SettingsSheet::SettingsSheet(QWidget* parent) : QFrame(parent), note_(label({}, 
   column->addWidget(note_);
   addLine(*column, tr("Institution, for reports"), QStringLiteral("report/institution"));
   addLine(*column, tr("Operator, for reports"), QStringLiteral("report/operator"));
+  addLogo(*column);
   column->addWidget(label(
       tr("Log file: %1").arg(QString::fromStdString((stateFolder() / "perilymph.log").string())),
       12, true, this));
@@ -146,6 +149,42 @@ void SettingsSheet::addLine(QVBoxLayout& column, const QString& title, const QSt
   row->addWidget(caption, 1);
   row->addWidget(field, 1);
   column.addLayout(row);
+}
+
+void SettingsSheet::addLogo(QVBoxLayout& column)
+{
+  const QString key = QStringLiteral("report/logo");
+  auto* row = new QHBoxLayout;
+  row->setSpacing(spacing);
+  auto* choose = new QPushButton(this);
+  choose->setObjectName(key);
+  choose->setFont(typeface(13));
+  choose->setFixedHeight(sized(26));
+  choose->setFocusPolicy(Qt::TabFocus);
+  auto* error = label({}, 12, true, this);
+  error->setProperty("error", true);
+  error->hide();
+  const auto show = [choose, key] {
+    const QString file = UserSettings().value(key).toString();
+    choose->setText(file.isEmpty() ? tr("Choose…") : tr("Remove"));
+    choose->setToolTip(file);
+  };
+  show();
+  connect(choose, &QPushButton::clicked, this, [this, show, error, key] {
+    const bool isSet = !UserSettings().value(key).toString().isEmpty();
+    const QString file = isSet ? QString()
+                               : QFileDialog::getOpenFileName(this, tr("Logo for reports"), {},
+                                                              tr("Pictures (*.png *.jpg *.jpeg)"));
+    const auto logo = file.isEmpty() ? Result<QImage>(QImage()) : readLogo(file);
+    error->setText(logo ? QString() : QString::fromStdString(logo.error().message));
+    error->setVisible(!logo);
+    if (logo && (isSet || !file.isEmpty())) UserSettings().setValue(key, file);
+    show();
+  });
+  row->addWidget(label(tr("Logo, for reports"), 13, false, this), 1);
+  row->addWidget(choose);
+  column.addLayout(row);
+  column.addWidget(error);
 }
 
 void SettingsSheet::setChangeable(bool isChangeable)

@@ -33,6 +33,7 @@ private:
   void addGroup(QVBoxLayout& column, const QString& title, const QString& key,
                 const QStringList& caption, const QStringList& names, Effect effect);
   void addLine(QVBoxLayout& column, const QString& title, const QString& key);
+  void addLogo(QVBoxLayout& column);
 
   QLabel* note_;
 };

@@ -188,6 +188,7 @@ TopBar::TopBar(QWidget* parent)
   auto* pages = new QHBoxLayout;
   pages->setSpacing(spacing);
   pages->addWidget(addPage(Page::ct, tr("CT"), "ctPageButton"));
+  pages->addWidget(addPage(Page::plan, tr("Plan"), "planPageButton"));
   pages->addWidget(addPage(Page::insert, tr("Insert"), "insertPageButton"));
   pages->addWidget(addPage(Page::compare, tr("Compare"), "comparePageButton"));
   pages->addWidget(addPage(Page::validate, tr("Validate"), "validatePageButton"));
@@ -266,7 +267,7 @@ QPushButton* TopBar::addPage(Page page, const QString& text, const char* name)
   button->setFixedHeight(sized(28));
   // the style sheet, which defines the size hint, is applied later
   const int caption = QFontMetrics(button->font()).horizontalAdvance(text);
-  button->setMinimumWidth(std::max(64, caption + 2 * spacing + 4));
+  button->setMinimumWidth(std::max(44, caption + 2 * spacing + 2));
   button->setCheckable(true);
   button->setFocusPolicy(Qt::TabFocus);
   connect(button, &QPushButton::clicked, this, [this, page] { Q_EMIT pageChosen(page); });

@@ -50,13 +50,14 @@ void addWindowKeys(KeyActions& keys, MainWindow& window, InsertPage& page)
       {section, {with(Qt::AltModifier, Qt::Key_Home)}, tr("start page"), always([&window](int) {
          window.showPage(Page::start);
        })});
-  static constexpr std::array pages{Page::ct,       Page::insert,   Page::compare,
+  static constexpr std::array pages{Page::ct,       Page::plan,     Page::insert, Page::compare,
                                     Page::validate, Page::sessions, Page::studies};
   keys.add({section,
             {with(Qt::AltModifier, Qt::Key_1), with(Qt::AltModifier, Qt::Key_2),
              with(Qt::AltModifier, Qt::Key_3), with(Qt::AltModifier, Qt::Key_4),
-             with(Qt::AltModifier, Qt::Key_5), with(Qt::AltModifier, Qt::Key_6)},
-            tr("CT, insert, compare, validate, sessions, studies"),
+             with(Qt::AltModifier, Qt::Key_5), with(Qt::AltModifier, Qt::Key_6),
+             with(Qt::AltModifier, Qt::Key_7)},
+            tr("CT, plan, insert, compare, validate, sessions, studies"),
             always([&window](int which) { window.showPage(pages[std::size_t(which)]); })});
   keys.add({section,
             {Qt::Key_H},

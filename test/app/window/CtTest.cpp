@@ -143,6 +143,21 @@ TEST(MeasuredCochleae, OfBothEarsOfAPatientHaveAFileEach)
   EXPECT_EQ(gui::savedPatients().size(), 2U);
 }
 
+TEST_F(TheCtPage, GoesToAPlanForThatCochleaWithItsErrors)
+{
+  measure();
+  EXPECT_FALSE(rig_.button("planCtButton").isEnabled());  // no code yet
+  rig_.type("ctPatientCode", "CT-204");
+  rig_.click("planCtButton");
+  EXPECT_EQ(rig_.window().page(), gui::Page::plan);
+  EXPECT_TRUE(rig_.label("planPatient").contains("CT-204"));
+  const QString measures = rig_.label("planMeasures");
+  const auto a_mm = QString::number(study().measures()->a.value, 'f', 2);
+  EXPECT_TRUE(measures.contains("A " + a_mm + " mm")) << measures.toStdString();
+  EXPECT_TRUE(measures.contains("errors as measured")) << measures.toStdString();
+  EXPECT_TRUE(rig_.button("computePlanButton").isEnabled());
+}
+
 TEST_F(TheCtPage, ShowsTheInsertedArrayInTheScan)
 {
   measure();

@@ -142,7 +142,7 @@ TEST(WindowHabits, KeysAloneGoFromTheFirstScreenThroughAnInsertionAndBack)
   const double paused_mm = rig.travel_mm();
   press(Qt::Key_Backspace);
   ASSERT_TRUE(WindowRig::comes([&] { return rig.travel_mm() < 0.5 * paused_mm; }));
-  press(Qt::Key_4, Qt::AltModifier);
+  press(Qt::Key_5, Qt::AltModifier);
   EXPECT_EQ(rig.window().page(), gui::Page::validate);
   press(Qt::Key_Home, Qt::AltModifier);
   EXPECT_EQ(rig.window().page(), gui::Page::start);

@@ -91,6 +91,8 @@ bool isName(const QString& text, WindowRig& rig)
                           QStringLiteral("Deutsch")};
   for (const gui::CatalogFriction& friction : gui::catalogFrictions())
     if (text == friction.title || text == friction.source) return true;
+  for (const gui::CatalogArray& array : gui::catalogArrays())
+    if (text == array.title || text == array.maker) return true;
   // a scenario's title and sources come from its file, in English
   const QString title = QString::fromStdString(scenario.title());
   const bool isOfScenario = text == title || text.startsWith(QLatin1String("Todd and Naghdy, "));
@@ -119,9 +121,10 @@ void expectFits(WindowRig& rig, const char* where)
 }
 
 constexpr std::pair<gui::Page, const char*> pages[] = {
-    {gui::Page::start, "start"},       {gui::Page::insert, "insert"},
-    {gui::Page::compare, "compare"},   {gui::Page::validate, "validate"},
-    {gui::Page::sessions, "sessions"}, {gui::Page::studies, "studies"}};
+    {gui::Page::start, "start"},       {gui::Page::plan, "plan"},
+    {gui::Page::insert, "insert"},     {gui::Page::compare, "compare"},
+    {gui::Page::validate, "validate"}, {gui::Page::sessions, "sessions"},
+    {gui::Page::studies, "studies"}};
 
 TEST(PseudoLanguage, EveryWordOfEveryPageComesFromATranslation)
 {

@@ -78,7 +78,8 @@ TEST(WindowLook, WordsOfPictureAndChartsAreScaledOnceOnAScreenOfManyPixels)
 {
   WindowRig rig;
   const auto views = rig.window().findChildren<QVTKOpenGLNativeWidget*>();
-  EXPECT_EQ(views.size(), 5);  // array, two charts, the cochlea measured in a CT, a study
+  // array, two charts, the cochlea measured in a CT, a study, up to four arrays of a plan
+  EXPECT_EQ(views.size(), 9);
   // scenes and charts get the device pixel ratio; VTK's own scaling would be applied on top
   for (const QVTKOpenGLNativeWidget* view : views) EXPECT_FALSE(view->enableHiDPI());
 }

@@ -143,9 +143,9 @@ TEST_P(AWindowWithTextOf150Percent, CutsNoText)
   gui::MainWindow& window = *rig.window;
   for (const auto& [page, name] :
        {std::pair{gui::Page::start, "start"}, std::pair{gui::Page::ct, "ct"},
-        std::pair{gui::Page::insert, "insert"}, std::pair{gui::Page::compare, "compare"},
-        std::pair{gui::Page::validate, "validate"}, std::pair{gui::Page::sessions, "sessions"},
-        std::pair{gui::Page::studies, "studies"}}) {
+        std::pair{gui::Page::plan, "plan"}, std::pair{gui::Page::insert, "insert"},
+        std::pair{gui::Page::compare, "compare"}, std::pair{gui::Page::validate, "validate"},
+        std::pair{gui::Page::sessions, "sessions"}, std::pair{gui::Page::studies, "studies"}}) {
     window.showPage(page);
     expectWhole(window, name);
   }

@@ -18,9 +18,9 @@
 namespace perilymph::test {
 namespace {
 
-constexpr gui::Page everyPage[] = {gui::Page::start,   gui::Page::ct,       gui::Page::insert,
-                                   gui::Page::compare, gui::Page::validate, gui::Page::sessions,
-                                   gui::Page::studies};
+constexpr gui::Page everyPage[] = {gui::Page::start,    gui::Page::ct,      gui::Page::plan,
+                                   gui::Page::insert,   gui::Page::compare, gui::Page::validate,
+                                   gui::Page::sessions, gui::Page::studies};
 
 /// The pixels whose color differs by a contrast of 3:1 or more between two pictures.
 struct RingPixels {
@@ -76,10 +76,10 @@ TEST(TabKey, GoesThroughThePageThenTheBarWithTheLinksToPagesLast)
     rig.window().showPage(page);
     QStringList stops;
     for (const QWidget* stop : walkTab(rig, {})) stops << stop->objectName();
-    const QStringList bar{"startPageButton",   "keysButton",         "settingsButton",
-                          "menuButton",        "ctPageButton",       "insertPageButton",
-                          "comparePageButton", "validatePageButton", "sessionsPageButton",
-                          "studiesPageButton"};
+    const QStringList bar{"startPageButton",    "keysButton",        "settingsButton",
+                          "menuButton",         "ctPageButton",      "planPageButton",
+                          "insertPageButton",   "comparePageButton", "validatePageButton",
+                          "sessionsPageButton", "studiesPageButton"};
     ASSERT_GT(stops.size(), bar.size()) << int(page);
     EXPECT_EQ(stops.mid(stops.size() - bar.size()), bar) << stops.join(' ').toStdString();
   }

@@ -10,6 +10,7 @@
 
 #include "Contrast.h"
 #include "WindowRig.h"
+#include "gui/pages/validate/ValidatePage.h"
 #include "gui/parts/DrawingView.h"
 #include "gui/parts/Theme.h"
 
@@ -120,7 +121,7 @@ TEST_P(EveryColorScheme, IsThatOfTheStartCardsAndOfTheFigures)
     EXPECT_EQ(qGray(card.pixel(card.width() / 2, 8)) > 128, isLight) << name;
   }
   rig.click("validatePageButton");
-  auto* figure = rig.window().findChild<gui::DrawingView*>();
+  auto* figure = rig.window().findChild<gui::ValidatePage*>()->findChild<gui::DrawingView*>();
   const QImage sheet = figure->grab().toImage();
   EXPECT_EQ(sheet.pixelColor(sheet.rect().center()), gui::themeOf(GetParam()).ground);
 }

@@ -31,7 +31,7 @@ protected:
   /// The text of a figure.
   bool figureSays(const std::string& caption)
   {
-    for (const figures::Mark& mark : rig_.window().findChild<gui::DrawingView*>()->drawing().marks)
+    for (const figures::Mark& mark : page().findChild<gui::DrawingView*>()->drawing().marks)
       if (const auto* said = std::get_if<figures::Label>(&mark))
         if (said->text.find(caption) != std::string::npos) return true;
     return false;

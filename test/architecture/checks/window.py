@@ -13,7 +13,7 @@ PAGE = f"{GUI}/README.md"
 # external text escaped.
 MARKUP = re.compile(r"\b(?:RichText|AutoText|setHtml|insertHtml|setMarkdown|QStaticText|QMessageBox|"
                     r"QTextEdit|QTextBrowser|QTextDocument)\b")
-MARKUP_PLACES = {"Application.cpp", "GuideSheet.cpp", "Report.cpp"}
+MARKUP_PLACES = {"Application.cpp", "GuideSheet.cpp", "ReportPages.cpp"}
 
 # Works without a display, and so without widgets.
 WITHOUT_WIDGETS = f"{GUI}/run"

@@ -131,6 +131,12 @@ void CtPage::connectPanel()
     patient_ = setup->scenario.patient().label;
     Q_EMIT setupChosen(*setup);
   });
+  connect(panel_, &CtPanel::planAsked, this, [this](const QString& code) {
+    if (!study_.measures()) return;
+    const auto patient = patientOfMeasures(*study_.measures(), code);
+    if (!patient) return panel_->showIdle(QString::fromStdString(patient.error().message), true);
+    Q_EMIT planAsked(*patient);
+  });
   connect(panel_, &CtPanel::saveSurfaceAsked, this, &CtPage::saveSurface);
   connect(panel_, &CtPanel::saveMarksAsked, this, &CtPage::saveMarks);
   connect(panel_, &CtPanel::loadMarksAsked, this, &CtPage::loadMarks);

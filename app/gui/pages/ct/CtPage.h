@@ -39,6 +39,8 @@ public:
 Q_SIGNALS:
   /// An insertion into the measured cochlea was asked for.
   void setupChosen(const perilymph::gui::Setup& setup);
+  /// A plan for the measured cochlea was asked for. The patient is saved.
+  void planAsked(const perilymph::anatomy::Patient& patient);
 
 protected:
   void dragEnterEvent(QDragEnterEvent* event) override;

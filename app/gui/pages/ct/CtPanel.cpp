@@ -8,16 +8,15 @@
 #include <QIcon>
 #include <QImage>
 #include <QLabel>
-#include <QLineEdit>
 #include <QListWidget>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QRegularExpressionValidator>
 #include <QScrollArea>
 #include <QStringList>
 #include <QVBoxLayout>
 #include <QVariant>
 
+#include "gui/pages/ct/CtOnward.h"
 #include "gui/pages/ct/CtText.h"
 #include "gui/pages/ct/MarkGuide.h"
 #include "gui/parts/CheckBoxes.h"
@@ -29,8 +28,7 @@ namespace perilymph::gui {
 
 namespace {
 
-constexpr int panelWidth_px = 300, seriesHeight_px = 66, buttonHeight_px = 28, maxCodeLength = 24,
-              thumbnail_px = 48;
+constexpr int panelWidth_px = 300, seriesHeight_px = 66, buttonHeight_px = 28, thumbnail_px = 48;
 
 QLabel* panelText(const QString& caption, int size_px, QWidget* parent, bool isQuiet = false)
 {
@@ -272,27 +270,10 @@ void CtPanel::addMarks(QVBoxLayout& column)
 
 void CtPanel::addOnward(QVBoxLayout& column)
 {
-  code_ = new QLineEdit(this);
-  code_->setObjectName(QStringLiteral("ctPatientCode"));
-  code_->setFont(typeface(13));
-  code_->setFixedHeight(sized(buttonHeight_px));
-  code_->setMaxLength(maxCodeLength);
-  code_->setAccessibleName(tr("Patient code"));
-  code_->setPlaceholderText(tr("Patient code (no names)"));
-  // codes become file names
-  code_->setValidator(new QRegularExpressionValidator(
-      QRegularExpression(QStringLiteral("[A-Za-z0-9][A-Za-z0-9-]*")), code_));
-  insert_ = panelButton(tr("Insert into this cochlea"), "insertCtButton", this);
-  insert_->setProperty("primary", true);
-  saveSurface_ = panelButton(tr("Save surface…"), "saveCtSurfaceButton", this);
-  saveSurface_->setToolTip(
-      tr("The fitted wall in the CT’s own frame (LPS): STL, PLY, glTF, OBJ, VTP"));
-  column.addWidget(code_);
-  column.addWidget(insert_);
-  column.addWidget(saveSurface_);
-  connect(code_, &QLineEdit::textChanged, this, &CtPanel::refresh);
-  connect(insert_, &QPushButton::clicked, this, [this] { Q_EMIT insertAsked(code_->text()); });
-  connect(saveSurface_, &QPushButton::clicked, this, &CtPanel::saveSurfaceAsked);
+  column.addWidget(onward_ = new CtOnward(this));
+  connect(onward_, &CtOnward::insertAsked, this, &CtPanel::insertAsked);
+  connect(onward_, &CtOnward::planAsked, this, &CtPanel::planAsked);
+  connect(onward_, &CtOnward::saveSurfaceAsked, this, &CtPanel::saveSurfaceAsked);
 }
 
 void CtPanel::showSeries(const imaging::CtSeriesList& list)
@@ -363,9 +344,7 @@ void CtPanel::refresh()
   for (QPushButton* button : marks_) button->setEnabled(study_.hasCt());
   undo_->setEnabled(study_.canUndo());
   redo_->setEnabled(study_.canRedo());
-  insert_->setEnabled(isMeasured && !isBusy_ && !code_->text().isEmpty());
-  insert_->setToolTip(code_->text().isEmpty() ? tr("Type a patient code first.") : QString());
-  saveSurface_->setEnabled(isMeasured);
+  onward_->show(isMeasured, !isBusy_);
   saveMarks_->setEnabled(!study_.marks().isEmpty());
   loadMarks_->setEnabled(study_.hasCt());
   window_->setEnabled(study_.hasCt());

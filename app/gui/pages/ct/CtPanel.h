@@ -12,7 +12,6 @@
 
 class QComboBox;
 class QLabel;
-class QLineEdit;
 class QListWidget;
 class QProgressBar;
 class QPushButton;
@@ -21,6 +20,7 @@ class QVBoxLayout;
 namespace perilymph::gui {
 
 class Choice;
+class CtOnward;
 class MarkGuide;
 
 /// Shows a study's numbers and asks for what the buttons say.
@@ -50,6 +50,7 @@ Q_SIGNALS:
   void cancelAsked();
   void markAsked(perilymph::ct::Mark mark);
   void insertAsked(const QString& code);
+  void planAsked(const QString& code);
   void saveSurfaceAsked();
   void saveMarksAsked();
   void loadMarksAsked();
@@ -74,8 +75,8 @@ private:
   std::array<QPushButton*, ct::markCount> marks_{};
   MarkGuide* guide_;
   QPushButton *undo_, *redo_;
-  QLineEdit* code_;
-  QPushButton *insert_, *saveSurface_, *saveMarks_, *loadMarks_;
+  CtOnward* onward_;
+  QPushButton *saveMarks_, *loadMarks_;
   bool isBusy_ = false;
 };
 

@@ -10,7 +10,7 @@
 
 namespace perilymph::gui {
 
-Result<Setup> setupOfMeasures(const ct::CochleaMeasures& measures, const QString& code)
+Result<anatomy::Patient> patientOfMeasures(const ct::CochleaMeasures& measures, const QString& code)
 {
   anatomy::Patient named = imaging::measuredPatient(measures);
   named.label = code.toStdString();
@@ -21,7 +21,12 @@ Result<Setup> setupOfMeasures(const ct::CochleaMeasures& measures, const QString
   if (const auto saved = imaging::writeMeasuredPatient(measures, named.label, file); !saved)
     return saved.error();
   // the scenario carries the measures and not the path of the file
-  const auto patient = anatomy::loadPatient(file);
+  return anatomy::loadPatient(file);
+}
+
+Result<Setup> setupOfMeasures(const ct::CochleaMeasures& measures, const QString& code)
+{
+  const auto patient = patientOfMeasures(measures, code);
   if (!patient) return patient.error();
   return setupOfPatient(*patient);
 }

@@ -4,9 +4,9 @@
 #include <algorithm>
 
 #include "gui/pages/insert/Pane.h"
-#include "gui/pages/insert/PlotView.h"
 #include "gui/parts/ChartLabels.h"
 #include "gui/parts/Numbers.h"
+#include "gui/parts/PlotView.h"
 #include "gui/run/SnapshotDifference.h"
 #include "perilymph/charts/ContactDistances.h"
 

@@ -91,6 +91,22 @@ void ForceCharts::setGhost(const std::optional<ReferenceInsertion>& reference)
     overTravel_.setGhost({}, {});
 }
 
+void ForceCharts::setPlan(const std::optional<PlannedForce>& plan) { plan_ = plan; }
+
+bool ForceCharts::showPlanIn(const session::Scenario& scenario)
+{
+  std::vector<charts::ExpectedForce> points;
+  if (plan_ && plan_->isFor(scenario))
+    for (const PlannedForce::Point& each : plan_->points) {
+      const double travel_mm = each.depth_mm - inMillimeters(scenario.startInside());
+      if (travel_mm >= 0.0)
+        points.push_back({travel_mm, each.low_mN, each.median_mN, each.high_mN});
+    }
+  const bool isShown = !points.empty();
+  overTravel_.setExpected(std::move(points), isShown ? plan_->label.toStdString() : std::string());
+  return isShown;
+}
+
 void ForceCharts::begin(const anatomy::Entry& entry)
 {
   entry_ = entry;

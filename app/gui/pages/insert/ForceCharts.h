@@ -6,6 +6,7 @@
 #include <QObject>
 #include <optional>
 
+#include "gui/run/PlannedForce.h"
 #include "gui/run/ReferenceInsertion.h"
 #include "perilymph/anatomy/Lumen.h"
 #include "perilymph/charts/ForceDepthChart.h"
@@ -34,6 +35,12 @@ public:
   /// Sets an earlier run drawn behind this one; an empty curve removes it.
   void setGhost(const std::optional<ReferenceInsertion>& reference);
   const std::optional<ReferenceInsertion>& ghost() const { return ghost_; }
+
+  /// Sets the force expected by a plan. It is drawn behind insertions of its array into its cochlea.
+  void setPlan(const std::optional<PlannedForce>& plan);
+  const std::optional<PlannedForce>& plan() const { return plan_; }
+  /// Another scenario is shown. True if the plan is drawn behind it.
+  bool showPlanIn(const session::Scenario& scenario);
 
   /// Starts a new insertion: clears the curves, but not the earlier run. Forces are resolved along
   /// the axes of `entry`.
@@ -66,6 +73,7 @@ private:
   bool travelIsDirty_ = true, timeIsDirty_ = true;
   anatomy::Entry entry_;
   std::optional<ReferenceInsertion> ghost_;
+  std::optional<PlannedForce> plan_;
 };
 
 }  // namespace perilymph::gui

@@ -157,13 +157,15 @@ Result<Done> InsertPage::open()
 InsertPage::Memory InsertPage::memory() const
 {
   return {setup().memory(), views_->charts()->ghost(),
-          replay_->isOpen() ? inputBefore_ : control_.hand(), control_.chosen()};
+          replay_->isOpen() ? inputBefore_ : control_.hand(), control_.chosen(),
+          views_->charts()->plan()};
 }
 
 void InsertPage::resume(const Memory& memory)
 {
   setup_->history().resume(memory.setup);
   setReference(memory.ghost);
+  setPlan(memory.plan);
   control_.choose(memory.device);
   inputBefore_ = memory.input;
   Q_EMIT subjectChanged();

@@ -50,6 +50,7 @@ public:
     std::optional<ReferenceInsertion> ghost;
     InputSource input = InputSource::scripted;
     InsertionControl::DeviceFactory device;
+    std::optional<PlannedForce> plan = {};
   };
   Memory memory() const;
   /// Before open(), which uses the input.
@@ -84,6 +85,9 @@ public:
   const ReplayControl& replay() const { return *replay_; }
   /// Sets an earlier insertion drawn behind the next ones; empty to remove it.
   void setReference(const std::optional<ReferenceInsertion>& reference);
+
+  /// Sets the force expected by a plan, drawn behind insertions of its array into its cochlea.
+  void setPlan(const std::optional<PlannedForce>& plan) { presenter_.setPlan(plan); }
 
   /// Key actions. Functions that are not always possible return whether they were.
   bool takeReplayKey(const QKeyEvent& event);

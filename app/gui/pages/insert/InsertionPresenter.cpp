@@ -42,6 +42,12 @@ void InsertionPresenter::setReference(const std::optional<ReferenceInsertion>& r
   ghost_.setReference(reference);
 }
 
+void InsertionPresenter::setPlan(const std::optional<PlannedForce>& plan)
+{
+  zones_.views->charts()->setPlan(plan);
+  zones_.views->charts()->showPlanIn(control_.scenario());
+}
+
 void InsertionPresenter::showPrepared()
 {
   showInput();
@@ -50,6 +56,7 @@ void InsertionPresenter::showPrepared()
   const bool isComparable = analysis::hasPublishedConditions(scenario);
   zones_.side->setComparable(isComparable);
   zones_.views->charts()->setComparable(isComparable);
+  zones_.views->charts()->showPlanIn(scenario);
   zones_.views->charts()->begin(control_.anatomy().entry());
   zones_.views->operation()->setPartial(outsideAtStop(scenario).si() > 0.0);
   zones_.views->operation()->showArray(control_.now());

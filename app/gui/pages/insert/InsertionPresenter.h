@@ -45,6 +45,8 @@ public:
   void showState(const FrameMeter& meter, bool maySetUp);
   void showInput();
   /// Shows a reference insertion in chart, panel and 3D view, or none.
+  /// Force expected by a plan, behind the insertions that it is for.
+  void setPlan(const std::optional<PlannedForce>& plan);
   void setReference(const std::optional<ReferenceInsertion>& reference);
 
   /// Shows an error until it is cleared.

@@ -5,7 +5,7 @@
 // numbers of its contacts.
 
 #include "gui/pages/sessions/ReportContent.h"
-#include "gui/pages/sessions/ReportSheet.h"
+#include "gui/report/ReportSheet.h"
 
 namespace perilymph::gui {
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "gui/pages/sessions/ReportAnatomy.h"
+#include "gui/pages/sessions/ReportHead.h"
 #include "gui/pages/sessions/ReportPicture.h"
 #include "gui/parts/Numbers.h"
 
@@ -14,7 +15,6 @@ namespace perilymph::gui {
 
 namespace {
 
-constexpr double row_mm = 4.7;
 constexpr double gap_mm = 3.0;     // between blocks
 constexpr double gutter_mm = 6.0;  // between columns
 constexpr double picture_mm = 84.0;
@@ -23,10 +23,6 @@ constexpr double picture_mm = 84.0;
 QString tr(const char* text) { return QCoreApplication::translate("perilymph::gui", text); }
 
 QString mN(double force_N) { return tr("%1 mN").arg(numberText(force_N * 1e3, 0)); }
-
-struct Entry {
-  QString name, value;
-};
 
 /// "Standard, 2.0 mm/s, scripted insertion"
 QString techniqueText(const ReportContent& content)
@@ -42,23 +38,6 @@ QString techniqueText(const ReportContent& content)
   const QString input =
       device == "Mouse and keyboard" ? tr("mouse and keyboard") : QString::fromStdString(device);
   return tr("%1; %2").arg(technique, input);
-}
-
-/// Names and values, one below the other; an empty value leaves a line to write on.
-double paintEntries(ReportSheet& sheet, const std::vector<Entry>& entries, double x_mm, double y_mm,
-                    double width_mm)
-{
-  constexpr double name_mm = 27.0;
-  for (const Entry& entry : entries) {
-    sheet.line({x_mm, y_mm, name_mm, row_mm}, entry.name, ReportFace::quiet);
-    const double left_mm = x_mm + name_mm;
-    if (entry.value.isEmpty())
-      sheet.rule(left_mm, y_mm + row_mm - 0.8, width_mm - name_mm);
-    else
-      sheet.line({left_mm, y_mm, width_mm - name_mm, row_mm}, entry.value, ReportFace::text);
-    y_mm += row_mm;
-  }
-  return y_mm;
 }
 
 double paintIdentification(ReportSheet& sheet, const ReportContent& content,
@@ -193,30 +172,14 @@ double paintContacts(ReportSheet& sheet, const ReportContent& content, double y_
              ReportFace::quiet);
 }
 
-double paintSignature(ReportSheet& sheet, double y_mm, double width_mm)
-{
-  const double line_mm = 0.29 * width_mm, step_mm = 0.355 * width_mm;
-  const QString names[] = {tr("Date"), tr("Name"), tr("Signature")};
-  for (int i = 0; i < 3; ++i) {
-    sheet.rule(i * step_mm, y_mm, line_mm);
-    sheet.line({i * step_mm, y_mm + 0.6, line_mm, 4.0}, names[i], ReportFace::quiet);
-  }
-  return y_mm + 5.0;
-}
-
 }  // namespace
 
 void paintRecord(ReportSheet& sheet, const ReportContent& content, const ReportIssuer& issuer,
-                 double top_mm, double bottom_mm, double width_mm)
+                 const ReportArea& area)
 {
-  double y_mm = top_mm;
-  sheet.line({0.0, y_mm, width_mm, 8.0}, tr("Insertion report"), ReportFace::title);
-  y_mm += 8.6;
-  sheet.line({0.0, y_mm, width_mm, 4.0},
-             tr("Simulation for research and training. Not a medical device; must not be used for "
-                "patient care."),
-             ReportFace::quiet);
-  y_mm = paintIdentification(sheet, content, issuer, y_mm + 6.0, width_mm) + gap_mm;
+  const double width_mm = area.width_mm;
+  double y_mm = paintReportTitle(sheet, tr("Insertion report"), area);
+  y_mm = paintIdentification(sheet, content, issuer, y_mm, width_mm) + gap_mm;
   y_mm = paintAnatomy(sheet, content, y_mm, width_mm) + gap_mm;
 
   paintReportPicture(sheet, {0.0, y_mm, picture_mm, picture_mm}, content);
@@ -229,7 +192,7 @@ void paintRecord(ReportSheet& sheet, const ReportContent& content, const ReportI
       tr("Limits: computed with a model based on published data, not measured in an ear and not "
          "manufacturer data; no value shows that an insertion is atraumatic."),
       ReportFace::text);
-  paintSignature(sheet, std::max(y_mm + 10.0, bottom_mm - 6.0), width_mm);
+  paintSignature(sheet, y_mm, area);
 }
 
 }  // namespace perilymph::gui

@@ -4,17 +4,12 @@
 // The first page of a report, for the patient's record.
 
 #include "gui/pages/sessions/ReportContent.h"
-#include "gui/pages/sessions/ReportHead.h"
-#include "gui/pages/sessions/ReportSheet.h"
+#include "gui/report/ReportPages.h"
 
 namespace perilymph::gui {
 
-/// Paints the record below a header.
-///
-/// @param top_mm    Where it begins.
-/// @param bottom_mm Where it ends: the signature is there.
-/// @param width_mm  Of the page's text.
+/// Paints the record, with the signature at its lower end.
 void paintRecord(ReportSheet& sheet, const ReportContent& content, const ReportIssuer& issuer,
-                 double top_mm, double bottom_mm, double width_mm);
+                 const ReportArea& area);
 
 }  // namespace perilymph::gui

@@ -4,8 +4,8 @@
 #include <QImage>
 #include <algorithm>
 
-#include "gui/pages/sessions/SessionPicture.h"
 #include "gui/parts/Theme.h"
+#include "gui/report/InsertionPicture.h"
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/session/Playback.h"
 

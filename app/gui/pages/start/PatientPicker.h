@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// List of the saved patients, with a search.
+// List of the saved patients, with a search, tags, archive, export and import.
 
 #include <QWidget>
 #include <vector>
@@ -14,6 +14,8 @@ class QListWidget;
 class QPushButton;
 
 namespace perilymph::gui {
+
+class CheckBox;
 
 /// Selection of a saved patient, to open or to edit.
 class PatientPicker : public QWidget {
@@ -36,13 +38,21 @@ private:
   void showMatches();
   const SavedPatient* selected() const;
   void openSelected();
+  void showRecord();
+  void keepTags();
+  void changeArchived();
+  void exportSelected();
+  void importPatient();
+  void show(const Result<Done>& done, const QString& sentence);
 
   std::vector<SavedPatient> patients_;
   std::vector<std::size_t> shown_;  ///< Indices of `patients_`, one a row.
   QLineEdit* search_;
   QListWidget* list_;
   QLabel* status_;
-  QPushButton *open_, *edit_;
+  QLineEdit* tags_;
+  CheckBox* archived_;
+  QPushButton *open_, *edit_, *archive_, *export_;
 };
 
 }  // namespace perilymph::gui

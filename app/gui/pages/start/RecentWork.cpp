@@ -119,7 +119,8 @@ void RecentWork::refresh(const QString& current, const std::optional<fs::path>& 
 {
   clear(*patients_);
   clear(*recordings_);
-  const auto patients = savedPatients();
+  auto patients = savedPatients();
+  std::erase_if(patients, [](const SavedPatient& each) { return each.record.isArchived; });
   QWidget* left = patients_->parentWidget();
   QWidget* right = recordings_->parentWidget();
   if (!patients.empty()) patients_->addWidget(columnHeading(tr("RECENT PATIENTS"), left));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/pages/insert/PlotView.h"
+#include "gui/parts/PlotView.h"
 
 #include <QPainter>
 

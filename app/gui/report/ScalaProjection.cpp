@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/pages/sessions/ScalaProjection.h"
+#include "gui/report/ScalaProjection.h"
 
 #include <cmath>
 

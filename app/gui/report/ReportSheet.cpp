@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/pages/sessions/ReportSheet.h"
+#include "gui/report/ReportSheet.h"
 
 #include <cmath>
 

@@ -5,7 +5,7 @@
 
 #include <QPainter>
 
-#include "gui/pages/sessions/ScalaProjection.h"
+#include "gui/report/ScalaProjection.h"
 #include "perilymph/anatomy/Patient.h"
 #include "perilymph/anatomy/ScalaTympani.h"
 #include "perilymph/electrode/ArrayDesign.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/pages/sessions/SessionPicture.h"
+#include "gui/report/InsertionPicture.h"
 
 #include <QPainterPath>
 #include <algorithm>

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/pages/ct/CtOnward.h"
+
+#include <QLineEdit>
+#include <QPushButton>
+#include <QRegularExpressionValidator>
+#include <QVBoxLayout>
+#include <QVariant>
+
+#include "gui/parts/Theme.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+constexpr int onwardHeight_px = 28, maxCodeLength = 24;
+
+QPushButton* onwardButton(const QString& caption, const char* name, QWidget* parent)
+{
+  auto* button = new QPushButton(caption, parent);
+  button->setObjectName(QLatin1String(name));
+  button->setFont(typeface(13, QFont::Medium));
+  button->setFixedHeight(sized(onwardHeight_px));
+  button->setFocusPolicy(Qt::TabFocus);
+  return button;
+}
+
+}  // namespace
+
+CtOnward::CtOnward(QWidget* parent)
+    : QWidget(parent),
+      code_(new QLineEdit(this)),
+      insert_(onwardButton(tr("Insert into this cochlea"), "insertCtButton", this)),
+      plan_(onwardButton(tr("Compare arrays for it"), "planCtButton", this)),
+      saveSurface_(onwardButton(tr("Save surface…"), "saveCtSurfaceButton", this))
+{
+  code_->setObjectName(QStringLiteral("ctPatientCode"));
+  code_->setFont(typeface(13));
+  code_->setFixedHeight(sized(onwardHeight_px));
+  code_->setMaxLength(maxCodeLength);
+  code_->setAccessibleName(tr("Patient code"));
+  code_->setPlaceholderText(tr("Patient code (no names)"));
+  // codes become file names
+  code_->setValidator(new QRegularExpressionValidator(
+      QRegularExpression(QStringLiteral("[A-Za-z0-9][A-Za-z0-9-]*")), code_));
+  insert_->setProperty("primary", true);
+  saveSurface_->setToolTip(
+      tr("The fitted wall in the CT’s own frame (LPS): STL, PLY, glTF, OBJ, VTP"));
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(spacing);
+  for (QWidget* each : {static_cast<QWidget*>(code_), static_cast<QWidget*>(insert_),
+                        static_cast<QWidget*>(plan_), static_cast<QWidget*>(saveSurface_)})
+    column->addWidget(each);
+  connect(code_, &QLineEdit::textChanged, this, &CtOnward::showState);
+  connect(insert_, &QPushButton::clicked, this, [this] { Q_EMIT insertAsked(code_->text()); });
+  connect(plan_, &QPushButton::clicked, this, [this] { Q_EMIT planAsked(code_->text()); });
+  connect(saveSurface_, &QPushButton::clicked, this, &CtOnward::saveSurfaceAsked);
+}
+
+void CtOnward::show(bool isMeasured, bool isFree)
+{
+  isMeasured_ = isMeasured;
+  isFree_ = isFree;
+  showState();
+}
+
+void CtOnward::showState()
+{
+  const bool hasCode = !code_->text().isEmpty();
+  insert_->setEnabled(isMeasured_ && isFree_ && hasCode);
+  plan_->setEnabled(isMeasured_ && isFree_ && hasCode);
+  const QString missing = hasCode ? QString() : tr("Type a patient code first.");
+  insert_->setToolTip(missing);
+  plan_->setToolTip(hasCode ? tr("Angular depth, coverage and forces of electrode arrays in this "
+                                 "cochlea, before one is inserted")
+                            : missing);
+  saveSurface_->setEnabled(isMeasured_);
+}
+
+}  // namespace perilymph::gui

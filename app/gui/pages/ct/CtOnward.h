@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// What follows the measurement of a cochlea: an insertion, a plan, its surface as a file.
+
+#include <QWidget>
+
+class QLineEdit;
+class QPushButton;
+
+namespace perilymph::gui {
+
+/// The patient's code, under which the measures are saved, and the buttons that need it.
+class CtOnward : public QWidget {
+  Q_OBJECT
+public:
+  explicit CtOnward(QWidget* parent);
+
+  /// @param isFree  No task runs.
+  void show(bool isMeasured, bool isFree);
+
+Q_SIGNALS:
+  void insertAsked(const QString& code);
+  void planAsked(const QString& code);
+  void saveSurfaceAsked();
+
+private:
+  void showState();
+
+  bool isMeasured_ = false, isFree_ = false;
+  QLineEdit* code_;
+  QPushButton *insert_, *plan_, *saveSurface_;
+};
+
+}  // namespace perilymph::gui

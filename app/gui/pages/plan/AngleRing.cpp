@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/pages/plan/AngleRing.h"
+
+#include <QPainter>
+#include <QPolygonF>
+#include <algorithm>
+#include <cmath>
+
+#include "gui/parts/Numbers.h"
+#include "gui/parts/Theme.h"
+#include "perilymph/foundation/Units.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+constexpr double turns = 2.5, innerRadius = 0.25, step_deg = 3.0, dot_px = 3.5,
+                 ringMargin_px = 24.0;
+
+}  // namespace
+
+AngleRing::AngleRing(QWidget* parent) : QWidget(parent)
+{
+  setObjectName(QStringLiteral("angleRing"));
+  setAccessibleName(tr("Angles of the contacts from the round window"));
+  setToolTip(
+      tr("Contacts at their median angles from the round window, seen from the apex; arcs: 5 "
+         "to 95 % of the draws. The radius is not to scale."));
+}
+
+void AngleRing::show(const std::vector<planning::ContactBand>& contacts, anatomy::Side side)
+{
+  contacts_ = contacts;
+  side_ = side;
+  update();
+}
+
+void AngleRing::paintEvent(QPaintEvent*)
+{
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.fillRect(rect(), groundColor);
+  const QPointF center(0.5 * width(), 0.5 * height());
+  const double outer = 0.5 * std::min(width(), height()) - ringMargin_px * textScale();
+  const double hand = side_ == anatomy::Side::left ? -1.0 : 1.0;
+  // 0 degrees at the left of a right ear, further ones clockwise
+  const auto at = [&](double angle_deg, double radius) {
+    const double angle = degrees(angle_deg).si();
+    return center + QPointF(-hand * std::cos(angle), -std::sin(angle)) * radius;
+  };
+  const auto radiusAt = [&](double angle_deg) {
+    return outer * (1.0 - (1.0 - innerRadius) * std::clamp(angle_deg / (360.0 * turns), 0.0, 1.0));
+  };
+  const auto arc = [&](double from_deg, double to_deg) {
+    QPolygonF line;
+    for (double angle = from_deg; angle < to_deg; angle += step_deg)
+      line << at(angle, radiusAt(angle));
+    return line << at(to_deg, radiusAt(to_deg));
+  };
+  painter.setFont(typeface(11));
+  const QFontMetricsF metrics(painter.font());
+  for (const int angle : {0, 90, 180, 270}) {
+    painter.setPen(QPen(lineColor, 1.0));
+    painter.drawLine(at(angle, 0.15 * outer), at(angle, outer));
+    painter.setPen(quietTextColor);
+    const QString text = tr("%1°").arg(angle);
+    const QPointF place = at(angle, outer + 0.6 * ringMargin_px * textScale());
+    const QRectF around(place.x() - 30.0, place.y() - 10.0, 60.0, 20.0);
+    painter.drawText(around, Qt::AlignCenter, text);
+  }
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(borderColor, 1.0));
+  painter.drawPolyline(arc(0.0, 360.0 * turns));
+  QColor band = ghostColor;
+  band.setAlphaF(0.4f);
+  for (const planning::ContactBand& each : contacts_) {
+    if (each.draws == 0) continue;
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(band, 5.0, Qt::SolidLine, Qt::FlatCap));
+    painter.drawPolyline(arc(std::max(each.angle_deg.low, 0.0), each.angle_deg.high));
+  }
+  for (const planning::ContactBand& each : contacts_) {
+    if (each.draws == 0) continue;
+    painter.setPen(QPen(groundColor, 1.0));
+    painter.setBrush(textColor);
+    painter.drawEllipse(at(each.angle_deg.median, radiusAt(each.angle_deg.median)), dot_px, dot_px);
+  }
+  if (contacts_.empty() || contacts_.front().draws == 0) return;
+  painter.setPen(textColor);
+  painter.setFont(typeface(13, QFont::DemiBold));
+  painter.drawText(rect(), Qt::AlignCenter,
+                   tr("%1°").arg(numberText(contacts_.front().angle_deg.median, 0)));
+}
+
+}  // namespace perilymph::gui

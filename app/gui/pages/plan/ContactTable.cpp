@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/pages/plan/ContactTable.h"
+
+#include <QHeaderView>
+
+#include "gui/parts/Numbers.h"
+#include "gui/parts/Theme.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+constexpr int contactRow_px = 24, contactHeader_px = 40;
+constexpr int contactWidths_px[] = {36, 58, 110, 132, 78, 72, 64, 94};
+
+QString spanText(const planning::Band& band, int decimals)
+{
+  return QStringLiteral("%1 (%2–%3)")
+      .arg(numberText(band.median, decimals), numberText(band.low, decimals),
+           numberText(band.high, decimals));
+}
+
+}  // namespace
+
+ContactTable::ContactTable(QWidget* parent)
+    : QTableWidget(0, int(std::size(contactWidths_px)), parent)
+{
+  setObjectName(QStringLiteral("planContacts"));
+  setAccessibleName(tr("Contacts"));
+  setFont(typeface(11));
+  setShowGrid(false);
+  setEditTriggers(QAbstractItemView::NoEditTriggers);
+  setSelectionBehavior(QAbstractItemView::SelectRows);
+  setSelectionMode(QAbstractItemView::SingleSelection);
+  setTabKeyNavigation(false);
+  setWordWrap(false);
+  setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+  setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+  verticalHeader()->hide();
+  verticalHeader()->setDefaultSectionSize(sized(contactRow_px));
+  horizontalHeader()->setFont(typeface(11));
+  horizontalHeader()->setFixedHeight(sized(contactHeader_px));
+  horizontalHeader()->setHighlightSections(false);
+  horizontalHeader()->setMinimumSectionSize(24);
+  horizontalHeader()->setDefaultAlignment(
+      Qt::Alignment(int(Qt::AlignLeft | Qt::AlignBottom) | int(Qt::TextWordWrap)));
+  const std::pair<QString, QString> columns[] = {
+      {tr("No."), tr("Number of the contact; 1 at the tip")},
+      {tr("Inside"),
+       tr("Draws in which the contact is inserted; the other columns are over these")},
+      {tr("Angle"), tr("From the round window. Median and 5 to 95 % of the draws.")},
+      {tr("To modiolus"), tr("From the center line of the array to the inner wall. Median and 5 to "
+                             "95 % of the draws.")},
+      {tr("Greenwood"), tr("Frequency of the place along the organ of Corti (Greenwood 1990)")},
+      {tr("Spiral ganglion"),
+       tr("Frequency of the spiral ganglion at the angle (Stakhovskaya et al. 2007)")},
+      {tr("Default filter"), tr("Center of the filter that the contact gets by default; – if no "
+                                "allocation is known")},
+      {tr("Mismatch"), tr("Frequency of its place on the spiral ganglion above its default filter, "
+                          "in semitones; positive: it hears a lower frequency than its place")}};
+  for (int column = 0; column < int(std::size(columns)); ++column) {
+    auto* head = new QTableWidgetItem(columns[column].first);
+    head->setToolTip(columns[column].second);
+    setHorizontalHeaderItem(column, head);
+    horizontalHeader()->resizeSection(column, sized(contactWidths_px[column]));
+  }
+}
+
+void ContactTable::show(const std::vector<planning::ContactBand>& contacts, std::size_t draws)
+{
+  setRowCount(int(contacts.size()));
+  const auto hertz = [](double value) {
+    if (value <= 0.0) return tr("–");
+    return value < 1000.0 ? tr("%1 Hz").arg(numberText(value, 0))
+                          : tr("%1 kHz").arg(numberText(value / 1000.0, 1));
+  };
+  for (int row = 0; row < int(contacts.size()); ++row) {
+    const planning::ContactBand& each = contacts[std::size_t(row)];
+    QStringList texts{QString::number(each.number), tr("%1 of %2").arg(each.draws).arg(draws)};
+    if (each.draws == 0)
+      texts << tr("–") << tr("–") << tr("–") << tr("–") << tr("–") << tr("–");
+    else
+      texts << tr("%1°").arg(spanText(each.angle_deg, 0))
+            << (each.toModiolus_mm.high > 0.0 ? tr("%1 mm").arg(spanText(each.toModiolus_mm, 2))
+                                              : tr("–"))
+            << hertz(each.greenwood_Hz) << hertz(each.spiralGanglion_Hz) << hertz(each.filter_Hz)
+            << (each.filter_Hz > 0.0 ? tr("%1 st").arg(spanText(each.mismatch_semitones, 0))
+                                     : tr("–"));
+    for (int column = 0; column < texts.size(); ++column)
+      setItem(row, column, new QTableWidgetItem(texts[column]));
+  }
+}
+
+}  // namespace perilymph::gui

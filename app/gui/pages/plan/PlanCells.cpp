@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/pages/plan/PlanCells.h"
+
+#include <QPainter>
+#include <QPolygonF>
+#include <algorithm>
+
+#include "gui/parts/FocusRing.h"
+#include "gui/parts/Theme.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+constexpr int margin_px = 6, bar_px = 8, quartileBar_px = 4;
+
+QColor faded(QColor color, double opacity)
+{
+  color.setAlphaF(float(opacity));
+  return color;
+}
+
+/// A line from left to right of a place, on which bands lie.
+void paintTrack(QPainter& painter, const QRectF& place)
+{
+  painter.fillRect(QRectF(place.left(), place.center().y() - 0.5, place.width(), 1.0), lineColor);
+}
+
+void paintSpan(QPainter& painter, const QRectF& place, double from, double to, double height,
+               const QColor& color)
+{
+  const double left = place.left() + std::clamp(from, 0.0, 1.0) * place.width();
+  const double right = place.left() + std::clamp(to, 0.0, 1.0) * place.width();
+  painter.fillRect(
+      QRectF(left, place.center().y() - 0.5 * height, std::max(right - left, 1.0), height), color);
+}
+
+}  // namespace
+
+PlanCells::PlanCells(const PlanTable& table, const QSortFilterProxyModel& sorted, QObject* parent)
+    : QStyledItemDelegate(parent), table_(table), sorted_(sorted)
+{
+  if (const auto reference = coverageReference()) coverage_ = *reference;
+}
+
+double PlanCells::limitOf(PlanColumn column) const
+{
+  const PlanTable::Axes& axes = table_.axes();
+  switch (column) {
+    case PlanColumn::angle:
+      return axes.angle_deg;
+    case PlanColumn::coverage:
+      return 100.0;
+    case PlanColumn::partition:
+      return axes.partition_mN;
+    default:
+      return axes.force_mN;
+  }
+}
+
+void PlanCells::paint(QPainter* painter, const QStyleOptionViewItem& option,
+                      const QModelIndex& index) const
+{
+  const bool isSelected = (option.state & QStyle::State_Selected) != 0;
+  painter->save();
+  painter->setRenderHint(QPainter::Antialiasing);
+  painter->fillRect(option.rect, isSelected ? raisedColor : groundColor);
+  painter->fillRect(QRect(option.rect.left(), option.rect.bottom(), option.rect.width(), 1),
+                    lineColor);
+  const auto column = static_cast<PlanColumn>(index.column());
+  const planning::ArrayPlan& array = table_.array(sorted_.mapToSource(index).row());
+  const QRectF inside = QRectF(option.rect).adjusted(margin_px, 4, -margin_px, -5);
+  const PlanCellKind kind = kindOf(column);
+  painter->setFont(kind == PlanCellKind::name ? typeface(12, QFont::Medium) : typeface(12));
+  painter->setPen(textColor);
+  const QString text = index.data().toString();
+  const QFontMetricsF metrics(painter->font());
+  if (kind == PlanCellKind::name) {
+    painter->drawText(inside, int(Qt::AlignVCenter | Qt::AlignLeft) | int(Qt::TextWordWrap), text);
+  } else if (kind == PlanCellKind::curve) {
+    paintCurve(*painter, inside, array.force);
+  } else if (kind == PlanCellKind::probability) {
+    paintProbability(*painter, inside, estimateOf(array, column));
+  } else {
+    painter->drawText(inside, Qt::AlignTop | Qt::AlignLeft,
+                      metrics.elidedText(text, Qt::ElideRight, inside.width()));
+    const QRectF below(inside.left(), inside.bottom() - 14.0, inside.width(), 12.0);
+    paintBand(*painter, below, bandOf(array, column), column);
+  }
+  painter->restore();
+}
+
+void PlanCells::paintBand(QPainter& painter, const QRectF& place, const planning::Band& band,
+                          PlanColumn column) const
+{
+  const double limit = limitOf(column);
+  paintTrack(painter, place);
+  if (column == PlanColumn::coverage && coverage_) {
+    const double left = place.left() + coverage_->low_percent / 100.0 * place.width();
+    const double right = place.left() + coverage_->high_percent / 100.0 * place.width();
+    painter.setPen(QPen(quietTextColor, 1.0, Qt::DotLine));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRect(QRectF(left, place.top() - 1.0, right - left, place.height() + 2.0));
+  }
+  paintSpan(painter, place, band.low / limit, band.high / limit, bar_px, faded(ghostColor, 0.4));
+  paintSpan(painter, place, band.lowerQuartile / limit, band.upperQuartile / limit, quartileBar_px,
+            ghostColor);
+  const double x = place.left() + std::clamp(band.median / limit, 0.0, 1.0) * place.width();
+  painter.fillRect(QRectF(x - 1.0, place.top(), 2.0, place.height()), textColor);
+}
+
+void PlanCells::paintProbability(QPainter& painter, const QRectF& place,
+                                 const analysis::Estimate& estimate) const
+{
+  painter.drawText(place, Qt::AlignTop | Qt::AlignLeft, percentText(estimate));
+  painter.setFont(typeface(11));
+  painter.setPen(quietTextColor);
+  painter.drawText(place.adjusted(0, sized(15), 0, 0), Qt::AlignTop | Qt::AlignLeft,
+                   intervalText(estimate));
+  const QRectF bar(place.left(), place.bottom() - 7.0, place.width(), 7.0);
+  paintTrack(painter, bar);
+  paintSpan(painter, bar, estimate.low, estimate.high, quartileBar_px, faded(quietTextColor, 0.7));
+  const double x = bar.left() + std::clamp(estimate.value, 0.0, 1.0) * bar.width();
+  painter.fillRect(QRectF(x - 1.0, bar.top(), 2.0, bar.height()), textColor);
+}
+
+void PlanCells::paintCurve(QPainter& painter, const QRectF& place,
+                           const std::vector<planning::ForceBand>& force) const
+{
+  const PlanTable::Axes& axes = table_.axes();
+  const auto at = [&](double depth_mm, double force_mN) {
+    return QPointF(
+        place.left() + depth_mm / axes.depth_mm * place.width(),
+        place.bottom() - std::clamp(force_mN / axes.force_mN, 0.0, 1.0) * place.height());
+  };
+  painter.fillRect(QRectF(place.left(), place.bottom(), place.width(), 1.0), lineColor);
+  QPolygonF area, median;
+  for (const planning::ForceBand& each : force) {
+    area << at(each.depth_mm, each.force_mN.high);
+    median << at(each.depth_mm, each.force_mN.median);
+  }
+  for (auto each = force.rbegin(); each != force.rend(); ++each)
+    area << at(each->depth_mm, each->force_mN.low);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(faded(ghostColor, 0.4));
+  painter.drawPolygon(area);
+  painter.setPen(QPen(textColor, 1.5));
+  painter.drawPolyline(median);
+}
+
+}  // namespace perilymph::gui

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/pages/plan/PlanHead.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QVBoxLayout>
+#include <QVariant>
+
+#include "gui/pages/plan/PlanText.h"
+#include "gui/parts/DataText.h"
+#include "gui/parts/ElidedLabel.h"
+#include "gui/parts/Numbers.h"
+#include "gui/parts/Theme.h"
+#include "gui/parts/WrappedLabel.h"
+#include "gui/setup/PatientLibrary.h"
+#include "perilymph/analysis/ErrorBand.h"
+
+namespace perilymph::gui {
+
+PlanHead::PlanHead(QWidget* parent)
+    : QWidget(parent),
+      name_(new ElidedLabel(this)),
+      measures_(new WrappedLabel({}, this)),
+      note_(new QLabel(this))
+{
+  name_->setObjectName(QStringLiteral("planPatient"));
+  name_->setFont(typeface(15, QFont::DemiBold));
+  measures_->setObjectName(QStringLiteral("planMeasures"));
+  measures_->setFont(typeface(13));
+  note_->setObjectName(QStringLiteral("planNote"));
+  note_->setFont(typeface(12));
+  note_->setProperty("quiet", true);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(2 * spacing);
+  row->addWidget(name_, 1);
+  row->addWidget(note_);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(4);
+  column->addLayout(row);
+  column->addWidget(measures_);
+}
+
+void PlanHead::show(const anatomy::Patient& patient)
+{
+  name_->setText(nameOfPatient(patient));
+  if (!patient.basalTurn) return measures_->clear();
+  const anatomy::BasalTurn& turn = *patient.basalTurn;
+  const anatomy::BasalTurnErrors errors = analysis::errorsOf(patient);
+  QStringList parts{tr("A %1").arg(measureText(turn.a, errors.a)),
+                    tr("B %1").arg(measureText(turn.b, errors.b))};
+  parts << (turn.h
+                ? tr("H %1").arg(measureText(*turn.h, errors.h.value_or(analysis::measuringError)))
+                : tr("H not measured: mean height"));
+  const QString assumed = numberText(inMillimeters(analysis::measuringError), 1);
+  parts << (patient.errors ? tr("in brackets 95 %, errors as measured")
+                           : tr("in brackets 95 %, errors assumed: %1 mm").arg(assumed));
+  measures_->setText(parts.join(QStringLiteral("   ·   ")));
+  QStringList unusual;
+  for (const std::string& sentence : anatomy::unusualMeasures(patient))
+    unusual << dataText(sentence);
+  measures_->setToolTip(
+      (QStringList{tr("A: basal-turn diameter; B: basal-turn width, perpendicular to A; H: height. "
+                      "Every draw takes other values within these errors.")} +
+       unusual)
+          .join(QLatin1Char('\n')));
+}
+
+void PlanHead::setNote(const QString& note) { note_->setText(note); }
+
+}  // namespace perilymph::gui

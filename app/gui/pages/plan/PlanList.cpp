@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/pages/plan/PlanList.h"
+
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <algorithm>
+#include <numeric>
+
+#include "gui/pages/plan/PlanCells.h"
+#include "gui/parts/Theme.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+constexpr int rowHeight_px = 50, headerHeight_px = 52;
+
+// In the order of PlanColumn; they fit beside the panel on a screen of 1366 pixels.
+constexpr int widths_px[] = {94, 112, 104, 112, 106, 84, 108, 66, 76, 66, 66, 78};
+static_assert(std::size(widths_px) == std::size_t(planColumns));
+
+}  // namespace
+
+PlanList::PlanList(QWidget* parent) : QTableView(parent), table_(nullptr)
+{
+  setObjectName(QStringLiteral("planTable"));
+  setAccessibleName(tr("Arrays of the plan"));
+  sorted_.setSourceModel(&table_);
+  sorted_.setSortRole(PlanTable::sortRole);
+  setModel(&sorted_);
+  setItemDelegate(new PlanCells(table_, sorted_, this));
+  setFont(typeface(12));
+  setSelectionBehavior(QAbstractItemView::SelectRows);
+  setSelectionMode(QAbstractItemView::ExtendedSelection);
+  setEditTriggers(QAbstractItemView::NoEditTriggers);
+  setShowGrid(false);
+  setTabKeyNavigation(false);
+  setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+  setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+  verticalHeader()->hide();
+  verticalHeader()->setDefaultSectionSize(sized(rowHeight_px));
+  verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+  QHeaderView* header = horizontalHeader();
+  header->setFont(typeface(11));
+  header->setFixedHeight(sized(headerHeight_px));
+  header->setHighlightSections(false);
+  header->setSectionsClickable(true);
+  header->setMinimumSectionSize(44);
+  connect(header, &QHeaderView::sortIndicatorChanged, &table_, &PlanTable::showSorting);
+  setSortingEnabled(true);
+  sortByColumn(int(PlanColumn::angle), Qt::DescendingOrder);
+  connect(selectionModel(), &QItemSelectionModel::selectionChanged, this,
+          &PlanList::selectionMoved);
+  connect(this, &QTableView::doubleClicked, this, &PlanList::openAsked);
+  fitColumns();
+}
+
+void PlanList::show(const PlanWork::SharedPlan& plan)
+{
+  table_.setPlan(plan);
+  if (plan && selected().empty() && !plan->arrays.empty()) selectRow(0);
+}
+
+std::vector<std::size_t> PlanList::selected() const
+{
+  std::vector<int> rows;
+  for (const QModelIndex& index : selectionModel()->selectedRows()) rows.push_back(index.row());
+  std::sort(rows.begin(), rows.end());
+  std::vector<std::size_t> arrays;
+  for (const int row : rows)
+    arrays.push_back(std::size_t(sorted_.mapToSource(sorted_.index(row, 0)).row()));
+  return arrays;
+}
+
+void PlanList::keyPressEvent(QKeyEvent* event)
+{
+  if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) return openAsked();
+  QTableView::keyPressEvent(event);
+}
+
+void PlanList::resizeEvent(QResizeEvent* event)
+{
+  QTableView::resizeEvent(event);
+  fitColumns();
+}
+
+/// Columns share additional width.
+void PlanList::fitColumns()
+{
+  const int whole = sized(std::accumulate(std::begin(widths_px), std::end(widths_px), 0));
+  const double factor = std::max(1.0, double(viewport()->width()) / whole);
+  for (int column = 0; column < planColumns; ++column)
+    horizontalHeader()->resizeSection(column, int(factor * sized(widths_px[column])));
+}
+
+}  // namespace perilymph::gui

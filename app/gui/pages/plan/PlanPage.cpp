@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/pages/plan/PlanPage.h"
+
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QPushButton>
+#include <QStackedWidget>
+#include <QVBoxLayout>
+#include <QVariant>
+
+#include "gui/pages/plan/PlanHead.h"
+#include "gui/pages/plan/PlanList.h"
+#include "gui/pages/plan/PlanNotes.h"
+#include "gui/pages/plan/PlanPanel.h"
+#include "gui/pages/plan/PlanView.h"
+#include "gui/pages/plan/PlannedSetup.h"
+#include "gui/parts/EmptyPage.h"
+#include "gui/parts/StatusLine.h"
+#include "gui/parts/Theme.h"
+#include "gui/parts/WrappedLabel.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+constexpr int emptyStage = 0, planStage = 1, arraysStage = 2;
+
+}  // namespace
+
+PlanPage::PlanPage(QWidget* parent)
+    : QWidget(parent),
+      work_(this),
+      reporting_(this),
+      scenario_(planning::PlanRequest{}.scenario),
+      panel_(new PlanPanel(this)),
+      stages_(new QStackedWidget(this)),
+      empty_(new EmptyPage(tr("Plan an insertion"),
+                           tr("Choose a patient with the measures A and B, or measure a CT on the "
+                              "page CT. Choose the arrays to be compared and press Compute. Each "
+                              "array is inserted many times; the table shows what to expect, as "
+                              "bands."),
+                           this)),
+      head_(new PlanHead(this)),
+      list_(new PlanList(this)),
+      view_(new PlanView(this)),
+      open_(new QPushButton(this)),
+      insert_(new QPushButton(tr("Insert this array"), this)),
+      report_(new QPushButton(tr("Report…"), this)),
+      back_(new QPushButton(tr("Back to the table"), this)),
+      notes_(new PlanNotes(this)),
+      status_(new StatusLine("planStatus", this))
+{
+  setObjectName(QStringLiteral("planPage"));
+  stages_->addWidget(empty_);
+  stages_->addWidget(addPlan());
+  stages_->addWidget(addArrays());
+  auto* right = new QVBoxLayout;
+  right->setContentsMargins(2 * spacing, 2 * spacing, 2 * spacing, spacing);
+  right->setSpacing(spacing);
+  right->addWidget(head_);
+  right->addWidget(stages_, 1);
+  right->addWidget(status_);
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(0);
+  row->addWidget(panel_);
+  row->addLayout(right, 1);
+  connectPanel();
+  connectWork();
+  forgetPlan();
+}
+
+QWidget* PlanPage::addPlan()
+{
+  auto* page = new QWidget(this);
+  auto* limits = new WrappedLabel(
+      tr("Median (5–95 % of the draws). Values of the model, with little of what is individual "
+         "beyond "
+         "A, B and H; translocation is not computed, and the angles are some degrees small."),
+      page);
+  limits->setObjectName(QStringLiteral("planLimits"));
+  limits->setFont(typeface(11));
+  limits->setProperty("quiet", true);
+  auto* column = new QVBoxLayout(page);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(spacing);
+  column->addWidget(list_, 1);
+  auto* verbs = new QHBoxLayout;
+  addVerbs(*verbs);
+  column->addLayout(verbs);
+  column->addWidget(limits);
+  column->addWidget(notes_);
+  return page;
+}
+
+QWidget* PlanPage::addArrays()
+{
+  auto* page = new QWidget(this);
+  back_->setObjectName(QStringLiteral("planTableButton"));
+  back_->setFont(typeface(13, QFont::Medium));
+  back_->setFixedHeight(sized(28));
+  back_->setFocusPolicy(Qt::TabFocus);
+  back_->setToolTip(tr("Esc"));
+  auto* head = new QHBoxLayout;
+  head->addWidget(back_);
+  head->addStretch();
+  auto* column = new QVBoxLayout(page);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(spacing);
+  column->addLayout(head);
+  column->addWidget(view_, 1);
+  connect(back_, &QPushButton::clicked, this, &PlanPage::leaveArrays);
+  connect(view_, &PlanView::failed, this, [this](const QString& sentence) { say(sentence, true); });
+  return page;
+}
+
+void PlanPage::addVerbs(QHBoxLayout& row)
+{
+  open_->setObjectName(QStringLiteral("openPlanArrayButton"));
+  open_->setFont(typeface(13, QFont::Medium));
+  open_->setFixedHeight(sized(28));
+  open_->setFocusPolicy(Qt::TabFocus);
+  open_->setToolTip(tr("Enter, or a double click on a row. Ctrl and Shift select several rows."));
+  row.setSpacing(spacing);
+  row.addWidget(open_);
+  insert_->setObjectName(QStringLiteral("insertPlanArrayButton"));
+  insert_->setFont(typeface(13, QFont::Medium));
+  insert_->setFixedHeight(sized(28));
+  insert_->setFocusPolicy(Qt::TabFocus);
+  insert_->setToolTip(
+      tr("Sets patient and array on the page Insert, where the force is compared "
+         "with this plan."));
+  row.addWidget(insert_);
+  report_->setObjectName(QStringLiteral("planReportButton"));
+  report_->setFont(typeface(13, QFont::Medium));
+  report_->setFixedHeight(sized(28));
+  report_->setFocusPolicy(Qt::TabFocus);
+  report_->setToolTip(tr("Report of this plan as PDF: a page for the record and an appendix"));
+  row.addWidget(report_);
+  row.addStretch();
+  connect(report_, &QPushButton::clicked, this, &PlanPage::askReport);
+  connect(&reporting_, &PlanReportWork::failed, this,
+          [this](const QString& sentence) { say(sentence, true); });
+  connect(&reporting_, &PlanReportWork::written, this, [this](const std::filesystem::path& pdf) {
+    const QString name = QString::fromStdString(pdf.filename().string());
+    status_->sayWritten(tr("The report was saved as %1.").arg(name), pdf.parent_path());
+  });
+  connect(insert_, &QPushButton::clicked, this, &PlanPage::insertArray);
+  connect(open_, &QPushButton::clicked, this, &PlanPage::openArrays);
+  connect(list_, &PlanList::openAsked, this, &PlanPage::openArrays);
+  connect(list_, &PlanList::selectionMoved, this, &PlanPage::showVerbs);
+  showVerbs();
+}
+
+void PlanPage::showVerbs()
+{
+  const std::size_t count = list_->selected().size();
+  open_->setText(count > 1 ? tr("Compare %1 arrays").arg(count) : tr("Open array"));
+  insert_->setEnabled(count == 1);
+  open_->setEnabled(count >= 1 && count <= PlanView::maxArrays);
+}
+
+void PlanPage::openArrays()
+{
+  if (!plan_ || !open_->isEnabled()) return;
+  say({});
+  view_->show(plan_, list_->selected());
+  stages_->setCurrentIndex(arraysStage);
+  panel_->hide();
+  back_->setFocus();
+}
+
+void PlanPage::insertArray()
+{
+  const std::vector<std::size_t> rows = list_->selected();
+  if (!plan_ || rows.size() != 1) return;
+  const auto setup = plannedSetup(*plan_, rows.front());
+  if (!setup) return say(QString::fromStdString(setup.error().message), true);
+  Q_EMIT insertAsked(*setup, plannedForce(*plan_, rows.front()));
+}
+
+void PlanPage::askReport()
+{
+  if (!plan_) return;
+  const QString name = QString::fromStdString(fileNameOf(plan_->request.patient.label));
+  const QString file = QFileDialog::getSaveFileName(
+      this, tr("Report of the plan"), documentsFolder() + QStringLiteral("/%1-plan.pdf").arg(name),
+      QStringLiteral("PDF (*.pdf)"));
+  if (!file.isEmpty()) writeReport(file.toStdString());
+}
+
+void PlanPage::writeReport(const std::filesystem::path& pdf)
+{
+  if (!plan_) return;
+  say(tr("Preparing the report…"));
+  reporting_.write(plan_, pdf);
+}
+
+bool PlanPage::leaveArrays()
+{
+  if (stages_->currentIndex() != arraysStage) return false;
+  view_->cancel();
+  panel_->show();
+  stages_->setCurrentIndex(planStage);
+  list_->setFocus();
+  return true;
+}
+
+void PlanPage::connectPanel()
+{
+  connect(panel_, &PlanPanel::patientChosen, this, &PlanPage::forgetPlan);
+  connect(panel_, &PlanPanel::computeAsked, this, &PlanPage::compute);
+  connect(panel_, &PlanPanel::cancelAsked, this, &PlanPage::stop);
+  connect(notes_, &PlanNotes::failed, this,
+          [this](const QString& sentence) { say(sentence, true); });
+  connect(panel_, &PlanPanel::planChosen, this, [this](const StoredPlan& stored) {
+    panel_->showPlan(stored);
+    if (stored.shownDraws == 0) {
+      forgetPlan();
+      return say(tr("This plan was interrupted before its first bands; Compute continues it."));
+    }
+    say(tr("Opening the plan…"));
+    panel_->showProgress(0.0);
+    work_.open(stored);
+  });
+}
+
+void PlanPage::connectWork()
+{
+  connect(&work_, &PlanWork::progressed, this, &PlanPage::showProgress);
+  connect(&work_, &PlanWork::shown, this, &PlanPage::showPlan);
+  connect(&work_, &PlanWork::ended, this, [this](const QString& sentence) {
+    panel_->showProgress(std::nullopt);
+    panel_->refresh();
+    say(sentence, !sentence.isEmpty());
+  });
+}
+
+void PlanPage::compute()
+{
+  planning::PlanRequest request = panel_->request();
+  request.scenario = scenario_;
+  request.resolution = resolution_;
+  if (plan_ &&
+      (plan_->request.arrays != request.arrays ||
+       anatomy::patientText(plan_->request.patient) != anatomy::patientText(request.patient)))
+    forgetPlan();
+  say(tr("Preparing…"));
+  panel_->showProgress(0.0);
+  work_.compute(request);
+}
+
+bool PlanPage::cancel() { return leaveArrays() || stop(); }
+
+bool PlanPage::stop()
+{
+  if (!work_.isBusy()) return false;
+  work_.cancel();
+  panel_->showProgress(std::nullopt);
+  panel_->refresh();
+  say(tr("Canceled. What is done is kept; Compute continues there."));
+  return true;
+}
+
+void PlanPage::planFor(const anatomy::Patient& patient)
+{
+  stop();
+  panel_->refresh();
+  panel_->setPatient(patient);
+  forgetPlan();
+}
+
+void PlanPage::refresh()
+{
+  if (!work_.isBusy()) panel_->refresh();
+  if (panel_->patient()) head_->show(*panel_->patient());
+}
+
+void PlanPage::showPlan(const PlanWork::SharedPlan& plan, const StoredPlan& stored)
+{
+  plan_ = plan;
+  head_->show(plan->request.patient);
+  const auto draws = plan->arrays.empty() ? 0 : int(plan->arrays.front().draws);
+  head_->setNote(tr("%1 draws, %2 insertions").arg(draws).arg(plan->insertions.size()));
+  list_->show(plan);
+  showVerbs();
+  panel_->showPlan(stored);
+  notes_->show(stored.folder);
+  if (stages_->currentIndex() == emptyStage) stages_->setCurrentIndex(planStage);
+}
+
+void PlanPage::showProgress(std::size_t done, std::size_t all)
+{
+  if (!work_.isBusy()) return;
+  panel_->showProgress(double(done) / double(all));
+  say(tr("%1 of at most %2 insertions. Another page can be shown meanwhile.").arg(done).arg(all));
+}
+
+void PlanPage::forgetPlan()
+{
+  leaveArrays();
+  plan_.reset();
+  list_->show(nullptr);
+  head_->setNote({});
+  notes_->show({});
+  stages_->setCurrentIndex(emptyStage);
+  if (panel_->patient()) head_->show(*panel_->patient());
+  say({});
+}
+
+void PlanPage::say(const QString& sentence, bool isError) { status_->say(sentence, isError); }
+
+}  // namespace perilymph::gui

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// The page Plan: electrode arrays compared in one patient's cochlea before surgery.
+
+#include <QWidget>
+#include <optional>
+#include <string>
+
+#include "gui/pages/plan/PlanReportWork.h"
+#include "gui/pages/plan/PlanWork.h"
+#include "gui/run/PlannedForce.h"
+#include "gui/setup/Setup.h"
+
+class QHBoxLayout;
+class QPushButton;
+class QStackedWidget;
+
+namespace perilymph::gui {
+
+class EmptyPage;
+class PlanHead;
+class PlanList;
+class PlanNotes;
+class PlanPanel;
+class PlanView;
+class StatusLine;
+
+/// Makes a plan, lists its arrays with their bands, and carries one of them to an insertion.
+class PlanPage : public QWidget {
+  Q_OBJECT
+public:
+  explicit PlanPage(QWidget* parent);
+
+  /// Plans for a patient with A and B, as measured in a CT.
+  void planFor(const anatomy::Patient& patient);
+  /// Reads patients and plans from the disk again.
+  void refresh();
+  /// Leaves the view of an array, or ends the computation, of which is kept what is done. False if
+  /// there was neither.
+  bool cancel();
+  /// Writes the report of the plan that is shown.
+  void writeReport(const std::filesystem::path& pdf);
+  bool isBusy() const { return work_.isBusy(); }
+  /// The plan that is shown; null before.
+  const PlanWork::SharedPlan& plan() const { return plan_; }
+  /// A scenario that defines everything that is neither drawn nor chosen; "surgery-flex28" unless
+  /// set.
+  void setScenario(std::string scenario)
+  {
+    scenario_ = std::move(scenario);
+    resolution_.reset();  // its own
+  }
+  PlanList& list() { return *list_; }
+  PlanView& view() { return *view_; }
+
+Q_SIGNALS:
+  /// An insertion of an array of the plan was asked for.
+  void insertAsked(const perilymph::gui::Setup& setup, const perilymph::gui::PlannedForce& planned);
+
+private:
+  QWidget* addPlan();
+  QWidget* addArrays();
+  void addVerbs(QHBoxLayout& row);
+  void openArrays();
+  void insertArray();
+  void askReport();
+  bool leaveArrays();
+  void showVerbs();
+  void connectPanel();
+  void connectWork();
+  void compute();
+  bool stop();
+  void showPlan(const PlanWork::SharedPlan& plan, const StoredPlan& stored);
+  void showProgress(std::size_t done, std::size_t all);
+  void forgetPlan();
+  void say(const QString& sentence, bool isError = false);
+
+  PlanWork work_;
+  PlanReportWork reporting_;
+  PlanWork::SharedPlan plan_;
+  std::string scenario_;
+  std::optional<planning::Resolution> resolution_ = planning::Resolution{};
+  PlanPanel* panel_;
+  QStackedWidget* stages_;
+  EmptyPage* empty_;
+  PlanHead* head_;
+  PlanList* list_;
+  PlanView* view_;
+  QPushButton *open_, *insert_, *report_, *back_;
+  PlanNotes* notes_;
+  StatusLine* status_;
+};
+
+}  // namespace perilymph::gui

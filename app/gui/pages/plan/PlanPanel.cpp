@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/pages/plan/PlanPanel.h"
+
+#include <QDateTime>
+#include <QHBoxLayout>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QVBoxLayout>
+#include <QVariant>
+#include <algorithm>
+
+#include "gui/parts/CheckBoxes.h"
+#include "gui/parts/Theme.h"
+#include "gui/parts/WrappedLabel.h"
+#include "gui/setup/Catalog.h"
+#include "gui/setup/PatientLibrary.h"
+#include "gui/setup/Selector.h"
+#include "perilymph/analysis/ClinicalPrediction.h"
+#include "perilymph/foundation/Resources.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+constexpr int panelWidth_px = 264;
+constexpr int drawCounts[] = {8, 16, 32, 64, 128, 256};
+constexpr int usualDraws = 64;
+
+WrappedLabel* heading(const QString& text, QWidget* parent)
+{
+  auto* label = new WrappedLabel(text, parent);
+  label->setFont(typeface(11, QFont::DemiBold));
+  label->setProperty("quiet", true);
+  return label;
+}
+
+QPushButton* panelButton(const QString& text, const char* name, QWidget* parent)
+{
+  auto* button = new QPushButton(text, parent);
+  button->setObjectName(QLatin1String(name));
+  button->setFont(typeface(13, QFont::Medium));
+  button->setFixedHeight(sized(28));
+  button->setFocusPolicy(Qt::TabFocus);
+  button->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // rows share the panel's width
+  return button;
+}
+
+/// Saved patients and shipped ones, those with A and B.
+std::vector<anatomy::Patient> plannablePatients()
+{
+  std::vector<anatomy::Patient> patients;
+  for (const SavedPatient& each : savedPatients())
+    if (each.patient.basalTurn) patients.push_back(each.patient);
+  for (const std::string& name : shippedNames("resources/patients")) {
+    const auto file = findByName("patient", "resources/patients", name);
+    if (!file) continue;
+    const auto patient = anatomy::loadPatient(*file);
+    if (patient && patient->basalTurn) patients.push_back(*patient);
+  }
+  return patients;
+}
+
+QString keyOf(const anatomy::Patient& patient)
+{
+  return QString::fromStdString(anatomy::patientText(patient));
+}
+
+/// Arrays that are planned unless others are chosen: those with published angular depths.
+bool isUsual(const std::string& array)
+{
+  return std::find(std::begin(analysis::clinicalArrays), std::end(analysis::clinicalArrays),
+                   array) != std::end(analysis::clinicalArrays);
+}
+
+}  // namespace
+
+PlanPanel::PlanPanel(QWidget* parent)
+    : QWidget(parent),
+      patientList_(new Selector("planPatientSelector", tr("Patient"), this)),
+      planList_(new Selector("planSelector", tr("Saved plans"), this)),
+      draws_(new Selector("planDraws", tr("Draws, at most"), this)),
+      compute_(panelButton(tr("Compute"), "computePlanButton", this)),
+      cancel_(panelButton(tr("Cancel"), "cancelPlanButton", this)),
+      progress_(new QProgressBar(this))
+{
+  setFixedWidth(sized(panelWidth_px));
+  auto* content = new QWidget(this);
+  auto* column = new QVBoxLayout(content);
+  column->setContentsMargins(2 * spacing, 2 * spacing, 2 * spacing, spacing);
+  column->setSpacing(spacing);
+  addPatient(*column);
+  addPlans(*column);
+  addArrays(*column);
+  column->addStretch();
+  auto* scroll = new QScrollArea(this);
+  scroll->setWidget(content);
+  scroll->setWidgetResizable(true);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setFocusPolicy(Qt::NoFocus);  // it follows the focus of its fields
+  auto* foot = new QVBoxLayout;
+  foot->setContentsMargins(2 * spacing, spacing, 2 * spacing, 2 * spacing);
+  foot->setSpacing(spacing);
+  addFoot(*foot);
+  auto* whole = new QVBoxLayout(this);
+  whole->setContentsMargins(0, 0, 0, 0);
+  whole->setSpacing(0);
+  whole->addWidget(scroll, 1);
+  whole->addLayout(foot);
+  showProgress(std::nullopt);
+  refresh();
+}
+
+void PlanPanel::addPatient(QVBoxLayout& column)
+{
+  column.addWidget(heading(tr("PATIENT"), this));
+  column.addWidget(patientList_);
+  connect(patientList_, &Selector::chosen, this, &PlanPanel::choosePatient);
+}
+
+void PlanPanel::addPlans(QVBoxLayout& column)
+{
+  column.addWidget(heading(tr("SAVED PLANS"), this));
+  column.addWidget(planList_);
+  connect(planList_, &Selector::chosen, this, [this](const QString& folder) {
+    const auto found = std::find_if(plans_.begin(), plans_.end(), [&](const StoredPlan& each) {
+      return folder == QString::fromStdString(each.folder.string());
+    });
+    if (found == plans_.end()) return;
+    const StoredPlan chosen = *found;  // the list is read again meanwhile
+    Q_EMIT planChosen(chosen);
+  });
+}
+
+void PlanPanel::addArrays(QVBoxLayout& column)
+{
+  column.addWidget(heading(tr("ARRAYS"), this));
+  auto* buttons = new QHBoxLayout;
+  buttons->setSpacing(spacing);
+  auto* all = panelButton(tr("All"), "planAllArraysButton", this);
+  auto* none = panelButton(tr("None"), "planNoArraysButton", this);
+  all->setAccessibleName(tr("Choose all arrays"));
+  none->setAccessibleName(tr("Choose no array"));
+  buttons->addWidget(all);
+  buttons->addWidget(none);
+  column.addLayout(buttons);
+  connect(all, &QPushButton::clicked, this, [this] { check(true); });
+  connect(none, &QPushButton::clicked, this, [this] { check(false); });
+  QString maker;
+  for (const CatalogArray& each : catalogArrays()) {
+    if (each.maker != maker) column.addWidget(heading(maker = each.maker, this));
+    auto* box = new CheckBox(each.title, this);
+    box->setObjectName(QStringLiteral("plan-array-%1").arg(each.name));
+    box->setToolTip(each.summary);
+    box->setChecked(isUsual(each.name.toStdString()));
+    connect(box, &QAbstractButton::toggled, this, &PlanPanel::showState);
+    column.addWidget(box);
+    arrays_.push_back({box, each.name.toStdString()});
+  }
+}
+
+void PlanPanel::addFoot(QVBoxLayout& column)
+{
+  for (const int count : drawCounts)
+    draws_->addChoice(tr("%1 draws at most").arg(count), QString::number(count));
+  draws_->show(QString::number(usualDraws), {});
+  draws_->setToolTip(
+      tr("A draw is a cochlea within the errors of the measures, an approach, a stiffness and a "
+         "surgeon. Fewer are run if the median angle is known to 5° and the median peak force to "
+         "5 %."));
+  column.addWidget(draws_);
+  compute_->setProperty("primary", true);
+  cancel_->setToolTip(tr("Esc. What is done is kept, and Compute continues there."));
+  progress_->setTextVisible(false);
+  progress_->setFixedHeight(6);
+  progress_->setRange(0, 1000);
+  column.addWidget(progress_);
+  column.addWidget(compute_);
+  column.addWidget(cancel_);
+  connect(compute_, &QPushButton::clicked, this, &PlanPanel::computeAsked);
+  connect(cancel_, &QPushButton::clicked, this, &PlanPanel::cancelAsked);
+}
+
+void PlanPanel::refresh()
+{
+  const std::optional<anatomy::Patient> before = patient_;
+  patients_ = plannablePatients();
+  patientList_->clear();
+  for (const anatomy::Patient& each : patients_)
+    patientList_->addChoice(nameOfPatient(each), keyOf(each), numbersOfPatient(each));
+  if (before) return setPatient(*before);
+  if (!patients_.empty()) setPatient(patients_.front());
+}
+
+void PlanPanel::setPatient(const anatomy::Patient& patient)
+{
+  const QString key = keyOf(patient);
+  if (patientList_->findData(key) < 0) {
+    patients_.push_back(patient);
+    patientList_->addChoice(nameOfPatient(patient), key, numbersOfPatient(patient));
+  }
+  patientList_->show(key, {});
+  patient_ = patient;
+  listPlans();
+  showState();
+}
+
+void PlanPanel::choosePatient(const QString& key)
+{
+  const auto found = std::find_if(patients_.begin(), patients_.end(),
+                                  [&key](const auto& each) { return keyOf(each) == key; });
+  if (found == patients_.end()) return;
+  const anatomy::Patient patient = *found;
+  setPatient(patient);
+  Q_EMIT patientChosen();
+}
+
+void PlanPanel::listPlans()
+{
+  const QString before = planList_->value();
+  plans_ = storedPlans();
+  std::erase_if(plans_, [this](const StoredPlan& each) {
+    return each.request.patient.label != patient_->label ||
+           each.request.patient.side != patient_->side;
+  });
+  planList_->clear();
+  planList_->addChoice(plans_.empty() ? tr("none yet") : tr("choose a plan"), QString());
+  for (const StoredPlan& each : plans_) {
+    const auto utc = QDateTime::fromString(QString::fromStdString(each.madeUtc), Qt::ISODate);
+    const QString when = utc.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm"));
+    const QString arrays = each.request.arrays.size() == 1
+                               ? tr("1 array")
+                               : tr("%1 arrays").arg(each.request.arrays.size());
+    planList_->addChoice(each.isComplete ? tr("%1 · %2").arg(when, arrays)
+                                         : tr("%1 · %2 · interrupted").arg(when, arrays),
+                         QString::fromStdString(each.folder.string()),
+                         QString::fromStdString(each.folder.string()));
+  }
+  planList_->show(planList_->findData(before) >= 0 ? before : QString(), {});
+  planList_->setEnabled(!plans_.empty() && !isBusy_);
+}
+
+planning::PlanRequest PlanPanel::request() const
+{
+  planning::PlanRequest request;
+  if (patient_) request.patient = *patient_;
+  for (const Row& row : arrays_)
+    if (row.box->isChecked()) request.arrays.push_back(row.array);
+  request.draws = draws_->value().toUInt();
+  return request;
+}
+
+void PlanPanel::showPlan(const StoredPlan& plan)
+{
+  setPatient(plan.request.patient);
+  const std::vector<std::string>& arrays = plan.request.arrays;
+  for (const Row& row : arrays_)
+    row.box->setChecked(std::find(arrays.begin(), arrays.end(), row.array) != arrays.end());
+  draws_->show(QString::number(plan.request.draws), tr("%1 draws at most").arg(plan.request.draws));
+  const QString folder = QString::fromStdString(plan.folder.string());
+  if (planList_->findData(folder) >= 0) planList_->show(folder, {});
+}
+
+void PlanPanel::check(bool isChecked)
+{
+  for (const Row& row : arrays_) row.box->setChecked(isChecked);
+}
+
+void PlanPanel::showProgress(std::optional<double> fraction)
+{
+  isBusy_ = fraction.has_value();
+  progress_->setVisible(isBusy_);
+  progress_->setValue(int(1000.0 * fraction.value_or(0.0)));
+  showState();
+}
+
+void PlanPanel::showState()
+{
+  const bool hasArray = std::any_of(arrays_.begin(), arrays_.end(),
+                                    [](const Row& row) { return row.box->isChecked(); });
+  compute_->setVisible(!isBusy_);
+  cancel_->setVisible(isBusy_);
+  compute_->setEnabled(patient_ && hasArray);
+  compute_->setToolTip(!patient_  ? tr("Choose a patient with A and B first.")
+                       : hasArray ? QString()
+                                  : tr("Choose an array first."));
+  for (QWidget* field : {static_cast<QWidget*>(patientList_), static_cast<QWidget*>(draws_)})
+    field->setEnabled(!isBusy_);
+  planList_->setEnabled(!isBusy_ && !plans_.empty());
+  for (const Row& row : arrays_) row.box->setEnabled(!isBusy_);
+}
+
+}  // namespace perilymph::gui

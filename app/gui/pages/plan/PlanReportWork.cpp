@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/pages/plan/PlanReportWork.h"
+
+#include "gui/report/PlanReportPdf.h"
+#include "perilymph/planning/PlanReport.h"
+
+namespace perilymph::gui {
+
+void PlanReportWork::write(const PlanWork::SharedPlan& plan, const std::filesystem::path& pdf)
+{
+  background_.run(
+      "The report",
+      [plan](const std::atomic<bool>&) -> Result<PlanReportContent> {
+        // the report states the numbers of plan.json
+        const auto json = planning::planJson(*plan);
+        if (!json) return json.error();
+        auto stored = planning::planIn(*json, "plan.json");
+        if (!stored) return stored.error();
+        return planReportContent(*std::move(stored));
+      },
+      [this, pdf](const Result<PlanReportContent>& content) {
+        if (!content) return failed(QString::fromStdString(content.error().message));
+        const auto done = writePlanReport(*content, pdf);
+        if (!done) return failed(QString::fromStdString(done.error().message));
+        Q_EMIT written(pdf);
+      });
+}
+
+}  // namespace perilymph::gui

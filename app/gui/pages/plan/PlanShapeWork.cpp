@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/pages/plan/PlanShapeWork.h"
+
+#include <optional>
+#include <utility>
+
+#include "perilymph/analysis/InParallel.h"
+
+namespace perilymph::gui {
+
+void PlanShapeWork::run(const PlanWork::SharedPlan& plan, std::vector<std::size_t> arrays)
+{
+  plan_ = plan;
+  arrays_ = std::move(arrays);
+  runNext(0);
+}
+
+void PlanShapeWork::runNext(std::size_t place)
+{
+  if (place >= arrays_.size()) return;
+  background_.run(
+      "The view of the array",
+      [plan = plan_, array = arrays_[place]](const std::atomic<bool>& isCanceled) -> Result<Shape> {
+        std::optional<Result<planning::PlannedShape>> shape;
+        const auto work = [&](std::size_t, const std::atomic<bool>& isAsked) -> Result<Done> {
+          shape = planning::shapeOf(*plan, array, planning::medianDraw(*plan, array), isAsked);
+          return Done{};
+        };
+        // insertions run in threads of their own
+        const auto ran =
+            analysis::doInParallel(1, 1, work, [&](std::size_t) { return !isCanceled; });
+        if (!ran) return ran.error();
+        if (!*shape) return shape->error();
+        return std::make_shared<const planning::PlannedShape>(**std::move(shape));
+      },
+      [this, place](const Result<Shape>& shape) {
+        if (!shape) return failed(QString::fromStdString(shape.error().message));
+        Q_EMIT shapeRun(place, *shape);
+        runNext(place + 1);
+      });
+}
+
+}  // namespace perilymph::gui

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/pages/plan/PlanText.h"
+
+#include <QCoreApplication>
+
+#include "gui/pages/plan/CoverageReference.h"
+#include "gui/parts/DataText.h"
+#include "gui/parts/Numbers.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+constexpr double deviatesOf95 = 1.96;  // of a normal distribution
+
+// lupdate assigns texts of free functions to their namespace.
+QString tr(const char* text) { return QCoreApplication::translate("perilymph::gui", text); }
+
+QString coverageMethod()
+{
+  const QString method =
+      tr("Fraction of the organ of Corti that is basal to the most apical contact.");
+  const auto reference = coverageReference();
+  if (!reference)
+    return method + QLatin1Char(' ') + QString::fromStdString(reference.error().message);
+  return method + QLatin1Char('\n') +
+         tr("Outlined: %1 to %2 %, for orientation; studies differ. %3")
+             .arg(numberText(reference->low_percent, 0), numberText(reference->high_percent, 0),
+                  dataText(reference->source));
+}
+
+}  // namespace
+
+PlanCellKind kindOf(PlanColumn column)
+{
+  switch (column) {
+    case PlanColumn::array:
+      return PlanCellKind::name;
+    case PlanColumn::force:
+      return PlanCellKind::curve;
+    case PlanColumn::full:
+    case PlanColumn::resisted:
+    case PlanColumn::buckled:
+    case PlanColumn::foldedTip:
+    case PlanColumn::ruptured:
+      return PlanCellKind::probability;
+    default:
+      return PlanCellKind::band;
+  }
+}
+
+QString titleOf(PlanColumn column)
+{
+  switch (column) {
+    case PlanColumn::array:
+      return tr("Array");
+    case PlanColumn::angle:
+      return tr("Angular insertion depth");
+    case PlanColumn::coverage:
+      return tr("Cochlear coverage");
+    case PlanColumn::peak:
+      return tr("Peak force");
+    case PlanColumn::end:
+      return tr("End force");
+    case PlanColumn::force:
+      return tr("Force over depth");
+    case PlanColumn::partition:
+      return tr("Force on the partition");
+    case PlanColumn::full:
+      return tr("Full insertion");
+    case PlanColumn::resisted:
+      return tr("Stopped by resistance");
+    case PlanColumn::buckled:
+      return tr("Buckling");
+    case PlanColumn::foldedTip:
+      return tr("Tip fold-over");
+    case PlanColumn::ruptured:
+      return tr("Partition strength reached");
+  }
+  return {};
+}
+
+QString methodOf(PlanColumn column)
+{
+  switch (column) {
+    case PlanColumn::array:
+      return tr(
+          "Every array is inserted in the same drawn cochleae by the same drawn surgeons. "
+          "Models follow published data; they are not manufacturer data.");
+    case PlanColumn::angle:
+      return tr(
+          "Angle of the most apical contact from the round window at the end of each "
+          "insertion. Median and 5 to 95 % of the draws.");
+    case PlanColumn::coverage:
+      return coverageMethod();
+    case PlanColumn::peak:
+      return tr("Maximum axial force on the surgeon’s hand. Median and 5 to 95 % of the draws.");
+    case PlanColumn::end:
+      return tr(
+          "Mean axial force on the hand while it rests after the insertion. Median and 5 to "
+          "95 % of the draws.");
+    case PlanColumn::force:
+      return tr(
+          "Axial force over the depth of the tip past the opening. Line: median; area: 5 to "
+          "95 % of the draws whose tip came that deep. All rows have the same axes.");
+    case PlanColumn::partition:
+      return tr("Maximum force on the cochlear partition. Median and 5 to 95 % of the draws.");
+    case PlanColumn::full:
+      return tr(
+          "Fraction of the insertions that reach the array’s full depth, with its 95 % "
+          "interval (Wilson 1927).");
+    case PlanColumn::resisted:
+      return tr(
+          "Fraction in which the force reaches the limit at which the drawn surgeon stops, "
+          "with its 95 % interval (Wilson 1927).");
+    case PlanColumn::buckled:
+      return tr(
+          "Fraction in which the array bows in front of the opening, with its 95 % interval "
+          "(Wilson 1927).");
+    case PlanColumn::foldedTip:
+      return tr("Fraction in which the tip folds over, with its 95 % interval (Wilson 1927).");
+    case PlanColumn::ruptured:
+      return tr(
+          "Fraction in which the force on the cochlear partition reaches its drawn strength, "
+          "with its 95 % interval (Wilson 1927). The strength rests on few publications.");
+  }
+  return {};
+}
+
+const planning::Band& bandOf(const planning::ArrayPlan& plan, PlanColumn column)
+{
+  switch (column) {
+    case PlanColumn::coverage:
+      return plan.coverage_percent;
+    case PlanColumn::peak:
+      return plan.peak_mN;
+    case PlanColumn::end:
+      return plan.end_mN;
+    case PlanColumn::partition:
+      return plan.partition_mN;
+    default:
+      return plan.angle_deg;
+  }
+}
+
+const analysis::Estimate& estimateOf(const planning::ArrayPlan& plan, PlanColumn column)
+{
+  switch (column) {
+    case PlanColumn::resisted:
+      return plan.resisted;
+    case PlanColumn::buckled:
+      return plan.buckled;
+    case PlanColumn::foldedTip:
+      return plan.foldedTip;
+    case PlanColumn::ruptured:
+      return plan.ruptured;
+    default:
+      return plan.full;
+  }
+}
+
+QString bandText(const planning::Band& band, PlanColumn column)
+{
+  const int decimals = column == PlanColumn::partition ? 1 : 0;
+  const QString median = numberText(band.median, decimals), low = numberText(band.low, decimals),
+                high = numberText(band.high, decimals);
+  if (column == PlanColumn::angle) return tr("%1 (%2–%3)°").arg(median, low, high);
+  if (column == PlanColumn::coverage) return tr("%1 (%2–%3) %").arg(median, low, high);
+  return tr("%1 (%2–%3) mN").arg(median, low, high);
+}
+
+QString probabilityText(const analysis::Estimate& estimate)
+{
+  return tr("%1 (%2–%3) %")
+      .arg(numberText(100.0 * estimate.value, 0), numberText(100.0 * estimate.low, 0),
+           numberText(100.0 * estimate.high, 0));
+}
+
+QString percentText(const analysis::Estimate& estimate)
+{
+  return tr("%1 %").arg(numberText(100.0 * estimate.value, 0));
+}
+
+QString intervalText(const analysis::Estimate& estimate)
+{
+  return tr("%1–%2 %").arg(numberText(100.0 * estimate.low, 0),
+                           numberText(100.0 * estimate.high, 0));
+}
+
+QString factsOf(const planning::ArrayPlan& array, const planning::Thresholds& thresholds)
+{
+  const auto newton = [](Force force) { return numberText(inMillinewtons(force), 0); };
+  const planning::Band& felt = array.firstResistance_mm;
+  const QStringList facts{
+      tr("Depth of the tip: %1 (%2–%3) mm.")
+          .arg(numberText(array.depth_mm.median, 1), numberText(array.depth_mm.low, 1),
+               numberText(array.depth_mm.high, 1)),
+      tr("First resistance that surgeons feel (%1 mN): at %2 (%3–%4) mm, in %5 of the insertions.")
+          .arg(newton(thresholds.felt), numberText(felt.median, 1), numberText(felt.low, 1),
+               numberText(felt.high, 1), percentText(array.felt)),
+      tr("Force on the partition reaches %1 mN, the weakest published, in %2, and %3 mN, the "
+         "strongest, in %4.")
+          .arg(newton(thresholds.ruptureLow), percentText(array.reachesWeakest),
+               newton(thresholds.ruptureHigh), percentText(array.reachesStrongest))};
+  return facts.join(QLatin1Char(' '));
+}
+
+QString shapeTitle(const planning::ArrayPlan& array, const planning::PlannedInsertion& insertion)
+{
+  return tr("%1 · draw %2, nearest to the medians: %3°, peak %4 mN")
+      .arg(QString::fromStdString(array.name))
+      .arg(insertion.draw)
+      .arg(numberText(inDegrees(insertion.insertion.apical), 0),
+           numberText(inMillinewtons(insertion.insertion.peak), 0));
+}
+
+QString measureText(Length value, Length standardDeviation)
+{
+  const double middle = inMillimeters(value),
+               half = deviatesOf95 * inMillimeters(standardDeviation);
+  return tr("%1 mm (%2–%3)")
+      .arg(numberText(middle, 2), numberText(middle - half, 2), numberText(middle + half, 2));
+}
+
+}  // namespace perilymph::gui

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// Texts of a plan: columns of its table, bands and probabilities with their units.
+
+#include <QString>
+
+#include "perilymph/planning/Plan.h"
+
+namespace perilymph::gui {
+
+/// Columns of a plan's table.
+enum class PlanColumn {
+  array,
+  angle,
+  coverage,
+  peak,
+  end,
+  force,
+  partition,
+  full,
+  resisted,
+  buckled,
+  foldedTip,
+  ruptured
+};
+inline constexpr int planColumns = 12;
+
+/// What a column's cells show.
+enum class PlanCellKind { name, band, curve, probability };
+PlanCellKind kindOf(PlanColumn column);
+
+/// "Angular insertion depth"
+QString titleOf(PlanColumn column);
+/// How the values are obtained, and from which sources.
+QString methodOf(PlanColumn column);
+
+/// The band of a column of bands.
+const planning::Band& bandOf(const planning::ArrayPlan& plan, PlanColumn column);
+/// The estimate of a column of probabilities.
+const analysis::Estimate& estimateOf(const planning::ArrayPlan& plan, PlanColumn column);
+
+/// "421 (380–455)°": median, and 5 to 95 %.
+QString bandText(const planning::Band& band, PlanColumn column);
+/// "94 (85–98) %": fraction of the draws with its 95 % interval.
+QString probabilityText(const analysis::Estimate& estimate);
+/// "94 %" and "85–98 %".
+QString percentText(const analysis::Estimate& estimate);
+QString intervalText(const analysis::Estimate& estimate);
+/// Sentences on an array: first resistance, strength of the partition, full depth.
+QString factsOf(const planning::ArrayPlan& array, const planning::Thresholds& thresholds);
+/// "FLEX28 · draw 13: 421°, peak 80 mN"
+QString shapeTitle(const planning::ArrayPlan& array, const planning::PlannedInsertion& insertion);
+/// "8.94 to 9.52 mm" around a length with a normal error: 95 %.
+QString measureText(Length value, Length standardDeviation);
+
+}  // namespace perilymph::gui

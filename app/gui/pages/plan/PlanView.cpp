@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/pages/plan/PlanView.h"
+
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QStackedWidget>
+#include <QVBoxLayout>
+#include <QVariant>
+
+#include "gui/pages/plan/AngleRing.h"
+#include "gui/pages/plan/ContactTable.h"
+#include "gui/pages/plan/ForceBands.h"
+#include "gui/pages/plan/PlanScene.h"
+#include "gui/pages/plan/PlanText.h"
+#include "gui/parts/ChartLabels.h"
+#include "gui/parts/DrawingView.h"
+#include "gui/parts/ElidedLabel.h"
+#include "gui/parts/Numbers.h"
+#include "gui/parts/PlotView.h"
+#include "gui/parts/Theme.h"
+#include "gui/parts/WrappedLabel.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+constexpr int asideWidth_px = 650, ringHeight_px = 190, unrolledHeight_px = 150;
+constexpr int detailsStage = 0, forcesStage = 1;
+
+}  // namespace
+
+/// What the unrolled view draws; it refers to the shape's cochlea.
+struct PlanView::Unrolled {
+  explicit Unrolled(PlanShapeWork::Shape given)
+      : shape(std::move(given)),
+        array(*shape->anatomy, shape->parameters.array),
+        scala(*shape->anatomy, chartStyle())
+  {
+    array.follow(shape->end);
+  }
+  PlanShapeWork::Shape shape;
+  charts::ArrayInScala array;
+  charts::UnrolledScala scala;
+};
+
+PlanView::PlanView(QWidget* parent)
+    : QWidget(parent),
+      work_(this),
+      grid_(new QGridLayout),
+      unrolledView_(new PlotView(
+          [this](double width, double height) {
+            return unrolled_ ? unrolled_->scala.draw(unrolled_->array, width, height)
+                             : figures::Drawing{};
+          },
+          this)),
+      aside_(new QStackedWidget(this)),
+      ring_(new AngleRing(this)),
+      contacts_(new ContactTable(this)),
+      facts_(new WrappedLabel({}, this)),
+      forces_(new DrawingView(this))
+{
+  setObjectName(QStringLiteral("planView"));
+  for (Pane& pane : panes_) pane = addPane();
+  unrolledView_->setObjectName(QStringLiteral("planUnrolled"));
+  unrolledView_->setAccessibleName(tr("Unrolled scala tympani"));
+  unrolledView_->setFixedHeight(sized(unrolledHeight_px));
+  forces_->setObjectName(QStringLiteral("planForces"));
+  forces_->setAccessibleName(tr("Insertion force over depth"));
+  forces_->setMinimumSize(sized(asideWidth_px) - 2 * spacing, sized(200));
+  aside_->addWidget(addDetails());
+  aside_->addWidget(forces_);
+  aside_->setFixedWidth(sized(asideWidth_px));
+  grid_->setContentsMargins(0, 0, 0, 0);
+  grid_->setSpacing(spacing);
+  auto* left = new QVBoxLayout;
+  left->setSpacing(spacing);
+  left->addLayout(grid_, 1);
+  left->addWidget(unrolledView_);
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(spacing);
+  row->addLayout(left, 1);
+  row->addWidget(aside_);
+  connect(&work_, &PlanShapeWork::shapeRun, this, &PlanView::showShape);
+  connect(&work_, &PlanShapeWork::failed, this, &PlanView::failed);
+}
+
+PlanView::~PlanView() = default;
+
+PlanView::Pane PlanView::addPane()
+{
+  Pane pane{new QWidget(this), nullptr, nullptr};
+  pane.title = new ElidedLabel(pane.frame);
+  pane.title->setFont(typeface(13, QFont::DemiBold));
+  pane.scene = new PlanScene(pane.frame);
+  auto* column = new QVBoxLayout(pane.frame);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(2);
+  column->addWidget(pane.title);
+  column->addWidget(pane.scene, 1);
+  connect(pane.scene, &PlanScene::cameraMoved, this, [this, scene = pane.scene] {
+    for (const Pane& other : panes_)
+      if (other.scene != scene) other.scene->lookAs(*scene);
+  });
+  return pane;
+}
+
+QWidget* PlanView::addDetails()
+{
+  auto* details = new QWidget(this);
+  ring_->setFixedHeight(sized(ringHeight_px));
+  facts_->setObjectName(QStringLiteral("planFacts"));
+  facts_->setFont(typeface(12));
+  auto* column = new QVBoxLayout(details);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(spacing);
+  column->addWidget(ring_);
+  column->addWidget(facts_);
+  column->addWidget(contacts_, 1);
+  return details;
+}
+
+void PlanView::arrange(std::size_t count)
+{
+  for (std::size_t i = 0; i < panes_.size(); ++i) {
+    grid_->removeWidget(panes_[i].frame);
+    panes_[i].frame->setVisible(i < count);
+    panes_[i].scene->forget();
+    // two lie one over the other: the pictures are wider than high
+    const std::size_t columns = count > 2 ? 2 : 1;
+    if (i < count) grid_->addWidget(panes_[i].frame, int(i / columns), int(i % columns));
+  }
+  const bool isOne = count == 1;
+  unrolledView_->setVisible(isOne);
+  aside_->setCurrentIndex(isOne ? detailsStage : forcesStage);
+}
+
+void PlanView::show(const PlanWork::SharedPlan& plan, std::vector<std::size_t> arrays)
+{
+  plan_ = plan;
+  arrays_ = std::move(arrays);
+  if (arrays_.size() > maxArrays) arrays_.resize(maxArrays);
+  unrolled_.reset();
+  unrolledView_->refresh();
+  arrange(arrays_.size());
+  std::vector<const planning::ArrayPlan*> chosen;
+  for (std::size_t i = 0; i < arrays_.size(); ++i) {
+    chosen.push_back(&plan->arrays[arrays_[i]]);
+    panes_[i].title->setText(
+        tr("%1 · computing the picture…").arg(QString::fromStdString(chosen[i]->name)));
+    panes_[i].scene->setAccessibleName(
+        tr("%1 in the cochlea, 3D").arg(QString::fromStdString(chosen[i]->name)));
+  }
+  if (chosen.size() == 1) {
+    const planning::ArrayPlan& array = *chosen.front();
+    ring_->show(array.contacts, plan->request.patient.side);
+    contacts_->show(array.contacts, array.draws);
+    facts_->setText(factsOf(array, plan->thresholds));
+  } else {
+    forces_->show(figures::draw(forceBands(chosen)));
+  }
+  work_.run(plan, arrays_);
+}
+
+void PlanView::showShape(std::size_t place, const PlanShapeWork::Shape& shape)
+{
+  panes_[place].title->setText(shapeTitle(plan_->arrays[arrays_[place]], shape->insertion));
+  panes_[place].scene->show(shape);
+  panes_[place].scene->showForces(arrays_.size() == 1);
+  if (place > 0) panes_[place].scene->lookAs(*panes_[0].scene);
+  if (arrays_.size() > 1) return;
+  unrolled_ = std::make_unique<Unrolled>(shape);
+  unrolledView_->refresh();
+}
+
+std::size_t PlanView::shownScenes() const
+{
+  std::size_t count = 0;
+  for (const Pane& pane : panes_) count += pane.scene->isShown() ? 1 : 0;
+  return count;
+}
+
+}  // namespace perilymph::gui

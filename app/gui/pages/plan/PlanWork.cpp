@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/pages/plan/PlanWork.h"
+
+#include <QDateTime>
+#include <algorithm>
+#include <thread>
+#include <utility>
+
+#include "perilymph/foundation/AtomicFile.h"
+#include "perilymph/planning/PlanReport.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+constexpr int reportInterval_ms = 250;
+constexpr std::size_t firstDraws = 8;
+
+/// All processors but one, which the window and a haptic loop share.
+unsigned jobsBesideWindow() { return std::max(2u, std::thread::hardware_concurrency()) - 1; }
+
+}  // namespace
+
+PlanWork::PlanWork(QObject* parent) : QObject(parent), background_(this)
+{
+  timer_.setInterval(reportInterval_ms);
+  connect(&timer_, &QTimer::timeout, this, &PlanWork::report);
+}
+
+void PlanWork::compute(const planning::PlanRequest& request)
+{
+  shared_ = std::make_shared<Shared>();
+  StoredPlan stored{folderOfPlan(request), request, 0, false,
+                    QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString()};
+  stored.request.jobs = jobsBesideWindow();
+  background_.run(
+      "The plan",
+      [shared = shared_, stored](const std::atomic<bool>& isCanceled) {
+        return make(*shared, stored, isCanceled);
+      },
+      [this](const Result<Done>& done) {
+        timer_.stop();
+        report();
+        Q_EMIT ended(done ? QString() : QString::fromStdString(done.error().message));
+      });
+  timer_.start();
+}
+
+Result<Done> PlanWork::make(Shared& shared, StoredPlan stored, const std::atomic<bool>& isCanceled)
+{
+  if (const auto saved = savePlan(stored); !saved) return saved;
+  const planning::PlanRequest& all = stored.request;
+  const auto progress = [&](std::size_t done, std::size_t) {
+    const std::lock_guard lock(shared.mutex);
+    shared.done = done;
+    shared.all = all.draws * all.arrays.size();
+    return !isCanceled;
+  };
+  // the plan of some draws, or of all; true if its bands stand
+  const auto show = [&](const planning::PlanRequest& part) -> Result<bool> {
+    auto plan = planning::makePlan(part, stored.folder / planDrawsFile, progress);
+    if (!plan) return plan.error();
+    plan->request = all;
+    stored.shownDraws = plan->insertions.size() / all.arrays.size();
+    if (const auto saved = savePlan(stored); !saved) return saved.error();
+    const auto json = planning::planJson(*plan);
+    if (!json) return json.error();
+    if (const auto saved = writeWhole(stored.folder / planJsonFile, *json); !saved)
+      return saved.error();
+    const bool areStanding = planning::bandsStand(plan->arrays);
+    const std::lock_guard lock(shared.mutex);
+    shared.plan = std::make_shared<const planning::Plan>(*std::move(plan));
+    shared.stored = stored;
+    return areStanding;
+  };
+  for (std::size_t draws = firstDraws; draws < all.draws; draws *= 2) {
+    planning::PlanRequest part = all;
+    part.draws = draws;
+    part.stopsEarly = false;
+    const auto areStanding = show(part);
+    if (!areStanding) return areStanding.error();
+    if (*areStanding && draws > firstDraws && all.stopsEarly) break;
+  }
+  stored.isComplete = true;
+  const auto last = show(all);
+  if (!last) return last.error();
+  return Done{};
+}
+
+void PlanWork::open(const StoredPlan& stored)
+{
+  timer_.stop();
+  background_.run(
+      "The plan",
+      [stored](const std::atomic<bool>&) -> Result<SharedPlan> {
+        planning::PlanRequest kept = stored.request;
+        kept.draws = stored.shownDraws;
+        kept.stopsEarly = false;
+        // Nothing is left to compute; were there something, it would be refused.
+        auto plan = planning::makePlan(kept, stored.folder / planDrawsFile,
+                                       [](std::size_t, std::size_t) { return false; });
+        if (!plan) return plan.error();
+        plan->request = stored.request;
+        return std::make_shared<const planning::Plan>(*std::move(plan));
+      },
+      [this, stored](const Result<SharedPlan>& plan) {
+        if (!plan) return ended(QString::fromStdString(plan.error().message));
+        Q_EMIT shown(*plan, stored);
+        Q_EMIT ended({});
+      });
+}
+
+void PlanWork::cancel()
+{
+  background_.forget();
+  timer_.stop();
+  if (shared_) report();
+}
+
+void PlanWork::report()
+{
+  SharedPlan plan;
+  StoredPlan stored;
+  std::size_t done = 0, all = 0;
+  {
+    const std::lock_guard lock(shared_->mutex);
+    plan = std::exchange(shared_->plan, nullptr);
+    stored = shared_->stored;
+    done = shared_->done;
+    all = shared_->all;
+  }
+  if (plan) Q_EMIT shown(plan, stored);
+  if (all > 0) Q_EMIT progressed(done, all);
+}
+
+}  // namespace perilymph::gui

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/pages/plan/PlannedSetup.h"
+
+#include <QCoreApplication>
+
+#include "gui/setup/PatientSetup.h"
+#include "perilymph/session/Csv.h"
+#include "perilymph/session/InsertionParameters.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+/// Travel that every array allows, until the array's full one is known.
+constexpr const char* anyTravel_mm = "0.1";
+
+}  // namespace
+
+Result<Setup> plannedSetup(const planning::Plan& plan, std::size_t array)
+{
+  const auto load = [&](const std::string& travel_mm) {
+    return session::loadScenario(plan.request.scenario, {{"array", plan.request.arrays[array]},
+                                                         {"stop_travel_mm", travel_mm}});
+  };
+  const auto any = load(anyTravel_mm);
+  if (!any) return any.error();
+  const Length full = session::fullTravel(any->array(), any->startInside());
+  const auto scenario = load(session::shortestDecimal(inMillimeters(full)));
+  if (!scenario) return scenario.error();
+  return setupOfPatient(plan.request.patient, &*scenario);
+}
+
+PlannedForce plannedForce(const planning::Plan& plan, std::size_t array)
+{
+  const planning::ArrayPlan& planned = plan.arrays[array];
+  PlannedForce force;
+  force.label = QCoreApplication::translate("perilymph::gui", "plan, %1: median and 5–95 %")
+                    .arg(QString::fromStdString(planned.name));
+  force.patient = plan.request.patient;
+  force.array = plan.request.arrays[array];
+  for (const planning::ForceBand& each : planned.force)
+    force.points.push_back(
+        {each.depth_mm, each.force_mN.low, each.force_mN.median, each.force_mN.high});
+  return force;
+}
+
+}  // namespace perilymph::gui

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/report/MeasureTable.h"
+
+#include <QCoreApplication>
+#include <cmath>
+
+#include "gui/parts/Numbers.h"
+#include "perilymph/analysis/ErrorBand.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+constexpr double row_mm = 4.4;
+
+// lupdate assigns texts of free functions to their namespace.
+QString tr(const char* text) { return QCoreApplication::translate("perilymph::gui", text); }
+
+QString withError(double value_mm, double error_mm, int decimals)
+{
+  return tr("%1 ± %2 mm").arg(numberText(value_mm, decimals), numberText(error_mm, decimals));
+}
+
+/// "1.2 SD above population mean (9.2 ± 0.4 mm)"
+QString placeOf(Length value, const Population& population)
+{
+  if (!population.mean || !population.standardDeviation) return tr("no population mean available");
+  const double off = (value - *population.mean) / *population.standardDeviation;
+  const QString mean = numberText(inMillimeters(*population.mean), 2);
+  const QString spread = numberText(inMillimeters(*population.standardDeviation), 2);
+  if (std::fabs(off) < 0.05) return tr("at population mean (%1 ± %2 mm)").arg(mean, spread);
+  return (off < 0.0 ? tr("%1 SD below population mean (%2 ± %3 mm)")
+                    : tr("%1 SD above population mean (%2 ± %3 mm)"))
+      .arg(numberText(std::fabs(off), 1), mean, spread);
+}
+
+}  // namespace
+
+MeasureRow measuredRow(const QString& name, Length value, const Population& population,
+                       const QString& source, Length error)
+{
+  return {name, withError(inMillimeters(value), inMillimeters(error), 2),
+          placeOf(value, population), source};
+}
+
+std::vector<MeasureRow> basalTurnRows(const anatomy::Patient& patient)
+{
+  const QString source = tr("Pietsch et al. 2017, n = 138");
+  const anatomy::BasalTurnErrors errors = analysis::errorsOf(patient);
+  std::vector<MeasureRow> rows = {measuredRow(tr("A: basal-turn diameter"), patient.basalTurn->a,
+                                              lengthAPopulation(), source, errors.a),
+                                  measuredRow(tr("B: basal-turn width"), patient.basalTurn->b,
+                                              widthBPopulation(), source, errors.b)};
+  if (patient.basalTurn->h)
+    rows.push_back(measuredRow(tr("H: cochlear height"), *patient.basalTurn->h, heightHPopulation(),
+                               {}, errors.h.value_or(analysis::measuringError)));
+  return rows;
+}
+
+QString measureText(const std::vector<analysis::Measure>& measures,
+                    const std::vector<double>& bands, const char* key)
+{
+  for (std::size_t i = 0; i < measures.size(); ++i) {
+    if (measures[i].key != key) continue;
+    if (i < bands.size()) return withError(measures[i].value, bands[i], 1);
+    return tr("%1 mm").arg(numberText(measures[i].value, 1));
+  }
+  return QStringLiteral("–");
+}
+
+MeasureRow ductLengthRow(const QString& value)
+{
+  return {tr("Cochlear duct length (CDL)"), value, tr("estimated from A: 4.16 A − 4 mm"),
+          tr("Alexiades et al. 2015")};
+}
+
+double paintMeasures(ReportSheet& sheet, const QString& title, const std::vector<MeasureRow>& rows,
+                     double y_mm, double width_mm)
+{
+  y_mm = sheet.heading(0.0, y_mm, width_mm, title);
+  const double ends[] = {0.0, 0.28 * width_mm, 0.43 * width_mm, 0.77 * width_mm, width_mm};
+  for (const MeasureRow& row : rows) {
+    const QString cells[] = {row.name, row.value, row.place, row.source};
+    const ReportFace faces[] = {ReportFace::text, ReportFace::bold, ReportFace::quiet,
+                                ReportFace::quiet};
+    for (int i = 0; i < 4; ++i)
+      sheet.line({ends[i], y_mm, ends[i + 1] - ends[i] - 1.0, row_mm}, cells[i], faces[i]);
+    y_mm += row_mm;
+  }
+  return y_mm;
+}
+
+}  // namespace perilymph::gui

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/report/PlanAppendix.h"
+
+#include <QCoreApplication>
+
+#include "gui/parts/DataText.h"
+#include "gui/parts/Numbers.h"
+#include "perilymph/foundation/Version.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+constexpr std::size_t blocksPerRow = 3;
+
+// lupdate assigns texts of free functions to their namespace.
+QString tr(const char* text) { return QCoreApplication::translate("perilymph::gui", text); }
+
+QString heading(const QString& text) { return QStringLiteral("<h2>%1</h2>").arg(text); }
+
+QString table(const QString& rows)
+{
+  return QStringLiteral("<table cellspacing=\"0\" width=\"100%\">%1</table>").arg(rows);
+}
+
+/// A row of a contact, in columns of fixed width: text would break within its brackets.
+QString contactRow(const QStringList& texts, const char* kind)
+{
+  static constexpr int percents[] = {7, 28, 32, 13, 13, 7};
+  QString row;
+  for (int i = 0; i < texts.size(); ++i)
+    row += QStringLiteral("<td width=\"%1%\" class=\"%2\">%3</td>")
+               .arg(percents[i])
+               .arg(QLatin1String(kind), texts[i]);
+  return QStringLiteral("<tr>%1</tr>").arg(row);
+}
+
+/// Median mismatch in semitones; "–" without a default filter.
+QString mismatchText(const planning::ContactBand& contact)
+{
+  return contact.filter_Hz > 0.0 ? numberText(contact.mismatch_semitones.median, 0)
+                                 : QStringLiteral("–");
+}
+
+/// The contacts of one array, from the tip; those that are inserted in no draw in one row.
+QString contactsOf(const planning::ArrayPlan& array, std::size_t place)
+{
+  QString rows = contactRow(
+      {QStringLiteral("#"), tr("Angle, °"), tr("Modiolus, mm"), tr("GW"), tr("SG"), tr("st")},
+      "quiet tiny");
+  QStringList absent;
+  for (const planning::ContactBand& each : array.contacts) {
+    const QString number = QString::number(each.number);
+    if (each.draws == 0)
+      absent << number;
+    else
+      rows += contactRow({number, medianText(each.angle_deg, 0), medianText(each.toModiolus_mm, 2),
+                          numberText(each.greenwood_Hz, 0), numberText(each.spiralGanglion_Hz, 0),
+                          mismatchText(each)},
+                         "tiny");
+  }
+  QString text =
+      QStringLiteral("<b>%1</b>").arg(numberedName(array, place).toHtmlEscaped()) + table(rows);
+  if (!absent.isEmpty())
+    text += QStringLiteral("<span class=\"quiet tiny\">%1</span>")
+                .arg(tr("Not inserted: %1").arg(absent.join(QStringLiteral(", "))));
+  return text;
+}
+
+QString contacts(const PlanReportContent& content)
+{
+  const auto& arrays = content.plan().arrays;
+  QString rows;
+  for (std::size_t i = 0; i < arrays.size(); i += blocksPerRow) {
+    QString row;
+    for (std::size_t k = i; k < std::min(arrays.size(), i + blocksPerRow); ++k)
+      row +=
+          QStringLiteral("<td width=\"33%\" class=\"block\">%1</td>").arg(contactsOf(arrays[k], k));
+    rows += QStringLiteral("<tr>%1</tr>").arg(row);
+  }
+  return heading(tr("Contacts, numbered from the tip: median (5–95 %)")) + table(rows) +
+         QStringLiteral("<p class=\"quiet tiny\">%1</p>")
+             .arg(
+                 tr("Angle from the center of the round window. Modiolus: distance from the center "
+                    "line of the array to the inner wall. GW: frequency by Greenwood (1990), Hz, "
+                    "at the "
+                    "place on the organ of Corti. SG: frequency of the spiral ganglion, Hz, at the "
+                    "angle; st: its semitones above the center of the default filter."));
+}
+
+/// A row with a name, a text, and a short remark if there is one.
+QString row(const QString& name, const QString& text, const QString& remark = {})
+{
+  const QString last = QStringLiteral("<td width=\"13%\" class=\"quiet tiny\">%1</td>").arg(remark);
+  return QStringLiteral(
+             "<tr><td width=\"18%\" class=\"quiet tiny\">%1</td><td class=\"tiny\">%2</td>%3</tr>")
+      .arg(name, text, remark.isEmpty() ? QString() : last);
+}
+
+/// The influences on angle and peak force.
+QString influences(const PlanReportContent& content)
+{
+  const auto& arrays = content.plan().arrays;
+  const auto percent = [](double fraction) { return numberText(100.0 * fraction, 0); };
+  QString rows;
+  for (std::size_t i = 0; i < arrays.size(); ++i) {
+    QStringList inputs;
+    for (const planning::Influence& each : arrays[i].influences)
+      inputs << tr("%1 %2 / %3")
+                    .arg(dataText(each.input).toHtmlEscaped(), percent(each.onAngle),
+                         percent(each.onPeak));
+    rows += row(numberedName(arrays[i], i).toHtmlEscaped(), inputs.join(QStringLiteral(" · ")));
+  }
+  return heading(tr("Influence of the inputs on angle / peak force, % of the variance")) +
+         table(rows);
+}
+
+QString confidenceText(const std::string& confidence)
+{
+  if (confidence == "high") return tr("confidence high");
+  if (confidence == "medium") return tr("confidence medium");
+  return tr("confidence low");
+}
+
+/// A table of a distribution's file, for people.
+QString inputName(const std::string& name)
+{
+  static constexpr const char* names[][2] = {
+      {"speed", QT_TRANSLATE_NOOP("perilymph::gui", "Insertion speed")},
+      {"tremor", QT_TRANSLATE_NOOP("perilymph::gui", "Tremor")},
+      {"free_length", QT_TRANSLATE_NOOP("perilymph::gui", "Grip: length before the opening")},
+      {"stop", QT_TRANSLATE_NOOP("perilymph::gui", "Force limit of the surgeon")},
+      {"rest", QT_TRANSLATE_NOOP("perilymph::gui", "Rest before the final force")},
+      {"buckling", QT_TRANSLATE_NOOP("perilymph::gui", "Visible buckling")},
+      {"friction", QT_TRANSLATE_NOOP("perilymph::gui", "Friction")},
+      {"rupture", QT_TRANSLATE_NOOP("perilymph::gui", "Strength of the cochlear partition")},
+      {"stiffness", QT_TRANSLATE_NOOP("perilymph::gui", "Stiffness of the array")},
+      {"approach", QT_TRANSLATE_NOOP("perilymph::gui", "Approach to the opening")}};
+  for (const auto& [key, text] : names)
+    if (name == key) return tr(text);
+  return tr("Default filters: %1").arg(QString::fromStdString(name));
+}
+
+QString sources(const PlanReportContent& content)
+{
+  QString rows;
+  for (const planning::PlanSource& each : content.stored.sources)
+    rows += row(inputName(each.table).toHtmlEscaped(), dataText(each.source).toHtmlEscaped(),
+                confidenceText(each.confidence));
+  return heading(tr("What is drawn, and from where")) + table(rows);
+}
+
+QString marks(const PlanReportContent& content)
+{
+  const planning::Plan& plan = content.plan();
+  const anatomy::MeasurementOrigin& origin = plan.request.patient.origin;
+  const auto from = [](const std::string& text) {
+    return QString::fromStdString(text).toHtmlEscaped();
+  };
+  QString rows = row(tr("Plan, SHA-256"), from(plan.fingerprint)) +
+                 row(tr("Planned by"), from(content.stored.program)) +
+                 row(tr("Report by"), from(buildId())) +
+                 row(tr("Scenario"), from(plan.request.scenario)) +
+                 row(tr("Seed"), QString::number(plan.request.seed));
+  if (!origin.seriesKey.empty()) rows += row(tr("CT series, SHA-256"), from(origin.seriesKey));
+  return heading(tr("Traceability")) + table(rows);
+}
+
+}  // namespace
+
+QString planAppendixText(const PlanReportContent& content)
+{
+  return QStringLiteral("<h1>%1</h1>").arg(tr("Appendix: contacts and sources")) +
+         contacts(content) + influences(content) + sources(content) + marks(content);
+}
+
+}  // namespace perilymph::gui

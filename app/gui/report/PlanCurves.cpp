@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/report/PlanCurves.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <cmath>
+
+#include "gui/parts/Numbers.h"
+#include "perilymph/figures/Figure.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+constexpr double axis_mm = 7.0;   // left of a chart, for its numbers
+constexpr double label_mm = 3.2;  // height of a line of text
+
+const QColor gridInk(0xD8, 0xDE, 0xE2);
+
+// lupdate assigns texts of free functions to their namespace.
+QString tr(const char* text) { return QCoreApplication::translate("perilymph::gui", text); }
+
+struct Axes {
+  figures::FigureAxis depth, force;
+};
+
+Axes axesOf(const std::vector<planning::ArrayPlan>& arrays, std::size_t count)
+{
+  double deepest = 1.0, highest = 1.0;
+  for (std::size_t i = 0; i < count; ++i)
+    for (const planning::ForceBand& each : arrays[i].force) {
+      deepest = std::max(deepest, each.depth_mm);
+      highest = std::max(highest, each.force_mN.high);
+    }
+  return {figures::axisOver({}, 0.0, deepest), figures::axisOver({}, 0.0, highest)};
+}
+
+/// One chart in its place.
+class Chart {
+public:
+  Chart(ReportSheet& sheet, const QRectF& place_mm, const Axes& axes)
+      : sheet_(sheet),
+        plot_mm_(place_mm.adjusted(axis_mm, label_mm + 0.6, -2.0, -label_mm - 1.2)),
+        place_mm_(place_mm),
+        axes_(axes)
+  {
+  }
+
+  void paint(const planning::ArrayPlan& array, std::size_t place) const
+  {
+    sheet_.line({place_mm_.left() + axis_mm, place_mm_.top(), plot_mm_.width(), label_mm},
+                numberedName(array, place), ReportFace::label);
+    paintGrid();
+    QPainter& painter = sheet_.painter();
+    painter.save();
+    painter.setClipRect(sheet_.dots(plot_mm_));
+    const QColor ink = inkOfArray(place);
+    paintBand(array, &planning::Band::low, &planning::Band::high, ink, 0.18);
+    paintBand(array, &planning::Band::lowerQuartile, &planning::Band::upperQuartile, ink, 0.35);
+    QPolygonF median;
+    for (const planning::ForceBand& each : array.force)
+      median << at(each.depth_mm, each.force_mN.median);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(ink, sheet_.dots({0, 0, 0.35, 0}).width()));
+    painter.drawPolyline(median);
+    painter.restore();
+  }
+
+private:
+  QPointF at(double depth_mm, double force_mN) const
+  {
+    const QRectF plot = sheet_.dots(plot_mm_);
+    return {plot.left() + plot.width() * depth_mm / axes_.depth.high,
+            plot.bottom() - plot.height() * force_mN / axes_.force.high};
+  }
+
+  void paintGrid() const
+  {
+    QPainter& painter = sheet_.painter();
+    const QPen pen(gridInk, sheet_.dots({0, 0, 0.12, 0}).width());
+    for (double force = 0.0; force <= axes_.force.high * 1.001; force += axes_.force.tick) {
+      painter.setPen(pen);
+      painter.drawLine(at(0.0, force), at(axes_.depth.high, force));
+      const double y_mm =
+          plot_mm_.bottom() - plot_mm_.height() * force / axes_.force.high - 0.5 * label_mm;
+      sheet_.line({place_mm_.left(), y_mm, axis_mm - 1.0, label_mm},
+                  numberText(force, axes_.force.decimals), ReportFace::label, Qt::AlignRight);
+    }
+    for (double depth = 0.0; depth <= axes_.depth.high * 1.001; depth += axes_.depth.tick) {
+      painter.setPen(pen);
+      painter.drawLine(at(depth, 0.0), at(depth, axes_.force.high));
+      const double x_mm = plot_mm_.left() + plot_mm_.width() * depth / axes_.depth.high;
+      sheet_.line({x_mm - 5.0, plot_mm_.bottom(), 10.0, label_mm},
+                  numberText(depth, axes_.depth.decimals), ReportFace::label, Qt::AlignHCenter);
+    }
+  }
+
+  void paintBand(const planning::ArrayPlan& array, double planning::Band::*low,
+                 double planning::Band::*high, QColor ink, double opacity) const
+  {
+    QPolygonF area;
+    for (const planning::ForceBand& each : array.force)
+      area << at(each.depth_mm, each.force_mN.*low);
+    for (auto each = array.force.rbegin(); each != array.force.rend(); ++each)
+      area << at(each->depth_mm, each->force_mN.*high);
+    ink.setAlphaF(opacity);
+    QPainter& painter = sheet_.painter();
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(ink);
+    painter.drawPolygon(area);
+  }
+
+  ReportSheet& sheet_;
+  QRectF plot_mm_, place_mm_;
+  const Axes& axes_;
+};
+
+}  // namespace
+
+void paintPlanCurves(ReportSheet& sheet, const QRectF& place_mm, const PlanReportContent& content)
+{
+  const auto& arrays = content.plan().arrays;
+  const std::size_t count = std::min(arrays.size(), maxDrawnArrays);
+  const Axes axes = axesOf(arrays, count);
+  const double top_mm =
+      sheet.heading(place_mm.left(), place_mm.top(), place_mm.width(), tr("Insertion force"));
+  sheet.line({place_mm.left(), top_mm, place_mm.width(), label_mm},
+             tr("mN over insertion depth in mm: median, 25–75 %, 5–95 %"), ReportFace::label);
+  const int columns = count > 2 ? 2 : 1;
+  const int rows = int((count + std::size_t(columns) - 1) / std::size_t(columns));
+  const double first_mm = top_mm + label_mm + 1.0;
+  const double width_mm = place_mm.width() / columns;
+  const double height_mm = (place_mm.bottom() - first_mm) / rows;
+  sheet.painter().save();
+  sheet.painter().setRenderHint(QPainter::Antialiasing);
+  for (std::size_t i = 0; i < count; ++i) {
+    const int row = int(i) / columns, column = int(i) % columns;
+    const QRectF place(place_mm.left() + column * width_mm, first_mm + row * height_mm, width_mm,
+                       height_mm);
+    Chart(sheet, place, axes).paint(arrays[i], i);
+  }
+  sheet.painter().restore();
+}
+
+}  // namespace perilymph::gui

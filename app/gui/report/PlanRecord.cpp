@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/report/PlanRecord.h"
+
+#include <QCoreApplication>
+#include <QDateTime>
+#include <algorithm>
+
+#include "gui/parts/DataText.h"
+#include "gui/parts/Numbers.h"
+#include "gui/report/MeasureTable.h"
+#include "gui/report/PlanCurves.h"
+#include "gui/report/PlanPicture.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+constexpr double gap_mm = 3.0;     // between blocks
+constexpr double gutter_mm = 6.0;  // between columns
+constexpr double maxPicture_mm = 92.0, minPicture_mm = 28.0;
+constexpr std::size_t manyArrays = 18;  // more have lower rows
+constexpr double row_mm = 4.3, lowRow_mm = 3.3;
+
+// lupdate assigns texts of free functions to their namespace.
+QString tr(const char* text) { return QCoreApplication::translate("perilymph::gui", text); }
+
+double paintIdentification(ReportSheet& sheet, const PlanReportContent& content,
+                           const ReportIssuer& issuer, double y_mm, double width_mm)
+{
+  const planning::Plan& plan = content.plan();
+  const std::string& software = plan.request.patient.origin.software;
+  const double left_mm = 0.43 * width_mm;
+  const double left =
+      paintEntries(sheet,
+                   {{tr("Patient code"), content.code()},
+                    {tr("Ear"), content.ear()},
+                    {tr("Measured with"),
+                     software.empty() ? QStringLiteral("–") : QString::fromStdString(software)},
+                    {tr("Draws"), tr("%1 of each array").arg(plan.arrays.front().draws)}},
+                   0.0, y_mm, left_mm);
+  const double right = paintEntries(
+      sheet,
+      {{tr("Institution"), issuer.institution},
+       {tr("Operator"), issuer.operatorName},
+       {tr("Date and time"),
+        localTimeOf(QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString())},
+       {tr("Plan"), QString::fromStdString(plan.fingerprint.substr(0, 16))}},
+      left_mm + gutter_mm, y_mm, width_mm - left_mm - gutter_mm);
+  return std::max(left, right);
+}
+
+struct Column {
+  QString title, unit;
+  double width_mm;
+};
+
+/// Cells of an array in the order of the columns.
+QStringList cellsOf(const planning::ArrayPlan& array, std::size_t place)
+{
+  return {numberedName(array, place),
+          medianText(array.angle_deg, 0),
+          medianText(array.coverage_percent, 0),
+          medianText(array.peak_mN, 0),
+          medianText(array.partition_mN, 2),
+          chanceText(array.full),
+          chanceText(array.resisted),
+          chanceText(array.buckled),
+          chanceText(array.foldedTip),
+          chanceText(array.ruptured)};
+}
+
+double paintArrays(ReportSheet& sheet, const PlanReportContent& content, double y_mm,
+                   double width_mm)
+{
+  y_mm = sheet.heading(0.0, y_mm, width_mm, tr("Arrays in this cochlea"));
+  const Column columns[] = {{tr("Array"), {}, 29.0},
+                            {tr("Angular depth"), tr("°"), 20.0},
+                            {tr("Coverage"), tr("%"), 15.0},
+                            {tr("Peak force"), tr("mN"), 16.0},
+                            {tr("On partition"), tr("mN"), 22.0},
+                            {tr("Full"), {}, 15.6},
+                            {tr("Resistance"), {}, 15.6},
+                            {tr("Buckled"), {}, 15.6},
+                            {tr("Tip fold"), {}, 15.6},
+                            {tr("Rupture"), {}, 15.6}};
+  const auto& arrays = content.plan().arrays;
+  const bool isLong = arrays.size() > manyArrays;
+  const double high_mm = isLong ? lowRow_mm : row_mm;
+  const auto paintRow = [&](const QStringList& cells) {
+    double x_mm = 0.0;
+    for (int i = 0; i < cells.size(); ++i) {
+      sheet.line({x_mm, y_mm, columns[i].width_mm - 0.2, high_mm}, cells[i], ReportFace::label,
+                 i == 0 ? Qt::AlignLeft : Qt::AlignRight);
+      x_mm += columns[i].width_mm;
+    }
+    y_mm += high_mm;
+  };
+  QStringList titles, units;
+  for (const Column& column : columns) titles << column.title, units << column.unit;
+  paintRow(titles);
+  y_mm -= 0.9;
+  constexpr double chances_mm = 5 * 15.6;
+  sheet.line({width_mm - chances_mm, y_mm, chances_mm, high_mm}, tr("probability, %"),
+             ReportFace::label, Qt::AlignHCenter);
+  paintRow(units);
+  sheet.rule(0.0, y_mm, width_mm);
+  for (std::size_t i = 0; i < arrays.size(); ++i) paintRow(cellsOf(arrays[i], i));
+  y_mm += 0.6;
+  return y_mm + sheet.paragraph(
+                    0.0, y_mm, width_mm,
+                    tr("Median (5–95 % of the draws); angle and coverage of the most apical "
+                       "contact. Probabilities with 95 % intervals: full insertion, stop by "
+                       "resistance, buckling in front of the opening, tip fold-over, a force that "
+                       "reaches the strength of the cochlear partition."),
+                    ReportFace::quiet);
+}
+
+/// Method and limits at the lower end of the page.
+QStringList linesOf(const PlanReportContent& content)
+{
+  QStringList lines = {
+      tr("Method: each array is inserted by a simulated hand %1 times. Every time A, B and H "
+         "within "
+         "their errors, speed, tremor, grip, force limit, friction, approach and stiffness are "
+         "drawn again; see the appendix.")
+          .arg(content.plan().arrays.front().draws)};
+  for (const std::string& limit : content.stored.limits) lines << dataText(limit);
+  return lines;
+}
+
+/// Height of paragraphs [mm], measured outside of the page.
+double heightOf(ReportSheet& sheet, const QStringList& lines, double width_mm)
+{
+  constexpr double outside_mm = 1000.0;
+  double height_mm = 0.0;
+  for (const QString& line : lines)
+    height_mm += sheet.paragraph(0.0, outside_mm, width_mm, line, ReportFace::quiet) + 0.4;
+  return height_mm;
+}
+
+}  // namespace
+
+void paintPlanRecord(ReportSheet& sheet, const PlanReportContent& content,
+                     const ReportIssuer& issuer, const ReportArea& area)
+{
+  const double width_mm = area.width_mm;
+  double y_mm = paintReportTitle(sheet, tr("Insertion plan"), area);
+  y_mm = paintIdentification(sheet, content, issuer, y_mm, width_mm) + gap_mm;
+  std::vector<MeasureRow> rows = basalTurnRows(content.plan().request.patient);
+  rows.push_back(ductLengthRow(measureText(content.measures, content.bands, "cdl_oc_mm")));
+  y_mm =
+      paintMeasures(sheet, tr("Cochlea, CT measurements ± measuring error"), rows, y_mm, width_mm) +
+      gap_mm;
+  y_mm = paintArrays(sheet, content, y_mm, width_mm) + gap_mm;
+
+  constexpr double heading_mm = 7.0, signature_mm = 17.0;
+  const QStringList lines = linesOf(content);
+  const double limits_mm = heading_mm + heightOf(sheet, lines, width_mm);
+  const double free_mm = area.bottom_mm - signature_mm - limits_mm - gap_mm - y_mm;
+  const double picture_mm = std::clamp(free_mm, minPicture_mm, maxPicture_mm);
+  paintPlanPicture(sheet, {0.0, y_mm, picture_mm, picture_mm}, content);
+  const double right_mm = picture_mm + gutter_mm;
+  paintPlanCurves(sheet, {right_mm, y_mm, width_mm - right_mm, picture_mm}, content);
+  y_mm = sheet.heading(0.0, y_mm + picture_mm + gap_mm, width_mm, tr("Method and limits"));
+  for (const QString& line : lines)
+    y_mm += sheet.paragraph(0.0, y_mm, width_mm, line, ReportFace::quiet) + 0.4;
+  paintSignature(sheet, y_mm, area);
+}
+
+}  // namespace perilymph::gui

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/report/PlanReportContent.h"
+
+#include <QCoreApplication>
+#include <array>
+
+#include "gui/parts/Numbers.h"
+#include "perilymph/analysis/ErrorBand.h"
+#include "perilymph/session/Scenario.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+// lupdate assigns texts of free functions to their namespace.
+QString tr(const char* text) { return QCoreApplication::translate("perilymph::gui", text); }
+
+QString earText(anatomy::Side side)
+{
+  return side == anatomy::Side::left ? tr("left ear") : tr("right ear");
+}
+
+}  // namespace
+
+QString PlanReportContent::code() const
+{
+  const std::string& label = plan().request.patient.label;
+  return anatomy::checkPatientCode(label) ? QString::fromStdString(label) : QStringLiteral("–");
+}
+
+QString PlanReportContent::ear() const { return earText(plan().request.patient.side); }
+
+QColor inkOfArray(std::size_t place)
+{
+  // distinguishable without red and green (Okabe and Ito 2008)
+  static const std::array<QColor, maxDrawnArrays> inks = {
+      QColor(0x00, 0x72, 0xB2), QColor(0xD5, 0x5E, 0x00), QColor(0x00, 0x9E, 0x73),
+      QColor(0xCC, 0x79, 0xA7), QColor(0x5A, 0x4F, 0x1E), QColor(0x3D, 0x9B, 0xD1)};
+  return inks[place % inks.size()];
+}
+
+QString numberedName(const planning::ArrayPlan& array, std::size_t place)
+{
+  const QString name = QString::fromStdString(array.name).section(QStringLiteral(" ("), 0, 0);
+  return QStringLiteral("%1  %2").arg(place + 1).arg(name);
+}
+
+QString medianText(const planning::Band& band, int decimals)
+{
+  return QStringLiteral("%1 (%2–%3)")
+      .arg(numberText(band.median, decimals), numberText(band.low, decimals),
+           numberText(band.high, decimals));
+}
+
+QString chanceText(const analysis::Estimate& estimate)
+{
+  return QStringLiteral("%1 (%2–%3)")
+      .arg(numberText(100.0 * estimate.value, 0), numberText(100.0 * estimate.low, 0),
+           numberText(100.0 * estimate.high, 0));
+}
+
+Result<PlanReportContent> planReportContent(planning::StoredPlan stored)
+{
+  PlanReportContent content;
+  content.stored = std::move(stored);
+  const auto scenario = session::loadScenario(content.plan().request.scenario);
+  if (!scenario) return scenario.error();
+  anatomy::Cochlea cochlea = scenario->parameters().cochlea;
+  cochlea.source = anatomy::AnatomySource::mean;
+  cochlea.patient = content.plan().request.patient;
+  const auto built = anatomy::buildAnatomy(cochlea, content.code().toStdString());
+  if (!built) return built.error();
+  content.anatomy = *built;
+  content.measures = analysis::measure(*content.anatomy);
+  const auto bands = analysis::errorBands(cochlea, content.measures);
+  if (bands) content.bands = *bands;
+  return content;
+}
+
+}  // namespace perilymph::gui

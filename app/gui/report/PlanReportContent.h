@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// Content of the report of a plan: the plan as stored, and the cochlea it is for.
+
+#include <QColor>
+#include <QString>
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "perilymph/analysis/AnatomyMeasures.h"
+#include "perilymph/anatomy/ScalaTympani.h"
+#include "perilymph/foundation/Result.h"
+#include "perilymph/planning/PlanReading.h"
+
+namespace perilymph::gui {
+
+struct PlanReportContent {
+  planning::StoredPlan stored;
+  std::shared_ptr<const anatomy::ScalaTympani>
+      anatomy;  ///< Built from the measures without errors.
+  std::vector<analysis::Measure> measures;
+  std::vector<double> bands;  ///< Their uncertainty, or empty.
+
+  const planning::Plan& plan() const { return stored.plan; }
+  /// The patient's code; "–" if the label is none: it may be a name, which no report states.
+  QString code() const;
+  QString ear() const;
+};
+
+/// Number of arrays whose curves and depths are drawn, the first ones of the plan.
+inline constexpr std::size_t maxDrawnArrays = 6;
+
+/// Color of an array in the drawings, by its place in the plan.
+QColor inkOfArray(std::size_t place);
+
+/// "3  Nucleus Slim Straight": an array's place in the plan and its name without the models.
+QString numberedName(const planning::ArrayPlan& array, std::size_t place);
+
+/// Median and band in brackets: "523 (490–560)".
+QString medianText(const planning::Band& band, int decimals);
+
+/// A probability in percent with its interval: "3 (0–8)".
+QString chanceText(const analysis::Estimate& estimate);
+
+/// Builds the cochlea of a plan, in about a second. Any thread.
+Result<PlanReportContent> planReportContent(planning::StoredPlan stored);
+
+}  // namespace perilymph::gui

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/report/PlanReportPdf.h"
+
+#include <QCoreApplication>
+#include <QDateTime>
+
+#include "gui/report/PlanAppendix.h"
+#include "gui/report/PlanRecord.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+// lupdate assigns texts of free functions to their namespace.
+QString tr(const char* text) { return QCoreApplication::translate("perilymph::gui", text); }
+
+}  // namespace
+
+Result<Done> writePlanReport(const PlanReportContent& content, const std::filesystem::path& file)
+{
+  ReportPages pages;
+  pages.title = tr("Insertion plan");
+  pages.subject = tr("Patient %1 · %2").arg(content.code(), content.ear());
+  pages.time = localTimeOf(QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString());
+  pages.paintRecord = [&content](ReportSheet& sheet, const ReportIssuer& issuer,
+                                 const ReportArea& area) {
+    paintPlanRecord(sheet, content, issuer, area);
+  };
+  pages.appendix = planAppendixText(content);
+  return writeReportPages(pages, file);
+}
+
+}  // namespace perilymph::gui

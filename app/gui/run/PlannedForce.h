@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// The force that a plan expects of one array in one patient's cochlea.
+
+#include <QString>
+#include <string>
+#include <vector>
+
+#include "perilymph/anatomy/Patient.h"
+#include "perilymph/session/Scenario.h"
+
+namespace perilymph::gui {
+
+/// Shown behind insertions of this array into this cochlea.
+struct PlannedForce {
+  /// The axial force at a depth of the tip past the opening.
+  struct Point {
+    double depth_mm = 0.0, low_mN = 0.0, median_mN = 0.0, high_mN = 0.0;
+  };
+  QString label;
+  anatomy::Patient patient;
+  std::string array;  ///< As in a scenario.
+  std::vector<Point> points;
+
+  /// Whether a scenario inserts this array into this cochlea.
+  bool isFor(const session::Scenario& scenario) const;
+};
+
+}  // namespace perilymph::gui

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The PDF report of a plan, written without a display and read by poppler, against its plan.json.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <QFile>
+#include <QImage>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QString>
+#include <fstream>
+#include <iterator>
+#include <regex>
+#include <system_error>
+
+#include "SyntheticPlan.h"
+#include "gui/parts/UserSettings.h"
+#include "gui/report/PlanReportPdf.h"
+#include "gui/report/ReportIssuer.h"
+#include "perilymph/planning/PlanReport.h"
+#include "perilymph/test/ChildProcess.h"
+#include "perilymph/test/TemporaryFolder.h"
+
+namespace perilymph::test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::Not;
+
+std::string textOf(const fs::path& pdf)
+{
+  return run({"pdftotext", {"-layout", pdf.string(), "-"}, {}, {}}).out;
+}
+
+std::size_t countImages(const fs::path& pdf)
+{
+  const std::string list = run({"pdfimages", {"-list", pdf.string()}, {}, {}}).out;
+  return std::size_t(std::count(list.begin(), list.end(), '\n'));
+}
+
+/// A word of the report as a regular expression, any number of spaces before it.
+std::string spaced(const QString& text)
+{
+  std::string escaped = " +";
+  for (const char c : text.toStdString()) {
+    if (c == '(' || c == ')' || c == '.') escaped += '\\';
+    escaped += c;
+  }
+  return escaped;
+}
+
+QString number(const QJsonValue& value, int decimals, double factor = 1.0)
+{
+  return QString::number(factor * value.toDouble(), 'f', decimals);
+}
+
+/// "523 (490–560)" as plan.json states it.
+std::string band(const QJsonObject& parent, const char* key, int decimals)
+{
+  const QJsonObject values = parent[QLatin1String(key)].toObject();
+  return spaced(QStringLiteral("%1 (%2–%3)")
+                    .arg(number(values[QLatin1String("median")], decimals),
+                         number(values[QLatin1String("p5")], decimals),
+                         number(values[QLatin1String("p95")], decimals)));
+}
+
+std::string percent(const QJsonObject& chances, const char* key)
+{
+  const QJsonObject chance = chances[QLatin1String(key)].toObject();
+  const QJsonArray interval = chance[QLatin1String("ci95")].toArray();
+  return spaced(QStringLiteral("%1 (%2–%3)")
+                    .arg(number(chance[QLatin1String("value")], 0, 100.0),
+                         number(interval[0], 0, 100.0), number(interval[1], 0, 100.0)));
+}
+
+class PlanReportPdf : public testing::Test {
+protected:
+  void SetUp() override
+  {
+    try {
+      run({"pdftotext", {"-v"}, {}, {}});
+    } catch (const std::system_error&) {
+      GTEST_SKIP() << "Install the package poppler-utils.";
+    }
+  }
+  void TearDown() override { gui::UserSettings().remove(QStringLiteral("report")); }
+
+  /// Writes a plan's folder.
+  void store(const planning::Plan& plan)
+  {
+    const auto json = planning::planJson(plan);
+    ASSERT_TRUE(json) << json.error().message;
+    std::ofstream(folder_ / "plan.json") << *json;
+  }
+
+  /// The program, called where there is no display.
+  ProgramOutcome report(const fs::path& plan, const fs::path& file) const
+  {
+    ProgramCall call;
+    call.program = std::string(PERILYMPH_PROGRAMS) + "/perilymph";
+    call.arguments = {"--plan", plan.string(), "--report", file.string(), "--language", "en"};
+    call.environment = {{"DISPLAY", std::nullopt}};
+    return run(call);
+  }
+
+  fs::path pdf() const { return folder_ / "plan.pdf"; }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(PlanReportPdf, StatesTheNumbersOfThePlanFileWithoutADisplay)
+{
+  store(syntheticPlan(20));
+  const auto outcome = report(folder_.path(), pdf());
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const std::string text = textOf(pdf());
+
+  QFile file(QString::fromStdString((folder_ / "plan.json").string()));
+  ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+  const QJsonObject plan = QJsonDocument::fromJson(file.readAll()).object();
+  const QJsonArray arrays = plan[QLatin1String("arrays")].toArray();
+  ASSERT_EQ(arrays.size(), 2);
+  for (const QJsonValue& each : arrays) {
+    const QJsonObject array = each.toObject();
+    const QJsonObject chances = array[QLatin1String("probability")].toObject();
+    const std::string row =
+        array[QLatin1String("name")].toString().toStdString() + band(array, "angle_deg", 0) +
+        band(array, "coverage_percent", 0) + band(array, "peak_mN", 0) +
+        band(array, "partition_mN", 2) + percent(chances, "full_insertion") +
+        percent(chances, "stopped_by_resistance") + percent(chances, "buckled") +
+        percent(chances, "folded_tip") + percent(chances, "partition_ruptured");
+    EXPECT_TRUE(std::regex_search(text, std::regex(row))) << row << "\n" << text;
+    for (const QJsonValue& contact : array[QLatin1String("contacts")].toArray()) {
+      const std::string cells =
+          band(contact.toObject(), "angle_deg", 0) + band(contact.toObject(), "to_modiolus_mm", 2) +
+          spaced(number(contact.toObject()[QLatin1String("greenwood_Hz")], 0));
+      EXPECT_TRUE(std::regex_search(text, std::regex(cells))) << cells;
+    }
+  }
+  for (const QJsonValue& limit : plan[QLatin1String("limits")].toArray())
+    EXPECT_THAT(text, HasSubstr(limit.toString().left(40).toStdString()));
+  const QJsonArray sources = plan[QLatin1String("sources")].toArray();
+  EXPECT_GT(sources.size(), 5);
+  for (const QJsonValue& source : sources)
+    EXPECT_THAT(
+        text,
+        HasSubstr(source[QLatin1String("source")].toString().section(' ', 0, 2).toStdString()));
+  for (const QString& words :
+       {plan[QLatin1String("program")].toString(), plan[QLatin1String("plan")].toString(),
+        QStringLiteral("9.20 ± 0.10 mm"), QStringLiteral("6.80 ± 0.20 mm"),
+        QStringLiteral("4.00 ± 0.30 mm"), QStringLiteral("Signature"), QStringLiteral("P-17"),
+        QStringLiteral("right ear"), QStringLiteral("Page 1 of 2")})
+    EXPECT_THAT(text, HasSubstr(words.toStdString()));
+}
+
+TEST_F(PlanReportPdf, StatesNoLabelThatMayBeAName)
+{
+  planning::Plan plan = syntheticPlan(8);
+  plan.request.patient.label = "Doe, Jane";
+  store(plan);
+  ASSERT_EQ(report(folder_ / "plan.json", pdf()).status, 0);
+  EXPECT_THAT(textOf(pdf()), Not(HasSubstr("Doe")));
+  EXPECT_THAT(run({"strings", {pdf().string()}, {}, {}}).out, Not(HasSubstr("Jane")));
+}
+
+TEST_F(PlanReportPdf, HasOnePageForTheRecordWithThirtyTwoArrays)
+{
+  planning::Plan plan = syntheticPlan(8);
+  while (plan.arrays.size() < planning::maxStoredArrays) plan.arrays.push_back(plan.arrays[0]);
+  store(plan);
+  ASSERT_EQ(report(folder_.path(), pdf()).status, 0);
+  const std::string first =
+      run({"pdftotext", {"-layout", "-l", "1", pdf().string(), "-"}, {}, {}}).out;
+  EXPECT_TRUE(std::regex_search(first, std::regex("32 +FLEX24 +30")));
+  EXPECT_THAT(first, HasSubstr("Signature"));
+  EXPECT_THAT(first, HasSubstr("Ends are those of the model"));
+}
+
+TEST_F(PlanReportPdf, CarriesInstitutionAndLogoOfTheSettings)
+{
+  store(syntheticPlan(8));
+  auto stored = planning::readPlan(folder_.path());
+  ASSERT_TRUE(stored);
+  const auto content = gui::planReportContent(*stored);
+  ASSERT_TRUE(content) << content.error().message;
+  ASSERT_TRUE(gui::writePlanReport(*content, pdf()));
+  const std::size_t before = countImages(pdf());
+
+  const fs::path logo = folder_ / "logo.png";
+  QImage image(200, 50, QImage::Format_RGB32);
+  image.fill(Qt::darkBlue);
+  ASSERT_TRUE(image.save(QString::fromStdString(logo.string())));
+  gui::UserSettings().setValue(QStringLiteral("report/institution"), "ENT Clinic, Booth 7");
+  gui::UserSettings().setValue(QStringLiteral("report/logo"),
+                               QString::fromStdString(logo.string()));
+  ASSERT_TRUE(gui::writePlanReport(*content, pdf()));
+  EXPECT_THAT(textOf(pdf()), HasSubstr("ENT Clinic, Booth 7"));
+  EXPECT_EQ(countImages(pdf()), before + 1);
+
+  std::ofstream(logo) << "no picture";
+  EXPECT_FALSE(gui::readLogo(QString::fromStdString(logo.string())));
+  EXPECT_TRUE(gui::writePlanReport(*content, pdf()));  // without the logo
+  EXPECT_EQ(countImages(pdf()), before);
+}
+
+TEST_F(PlanReportPdf, IsHeldByADicomObject)
+{
+  store(syntheticPlan(8));
+  const fs::path file = folder_ / "plan.dcm";
+  ASSERT_EQ(report(folder_.path(), file).status, 0);
+  std::ifstream stream(file, std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+  EXPECT_EQ(bytes.substr(128, 4), "DICM");
+  EXPECT_THAT(bytes, HasSubstr("%PDF-"));
+  EXPECT_THAT(bytes, HasSubstr("P-17"));
+}
+
+TEST_F(PlanReportPdf, RefusesInOneLineWhatItCannotReport)
+{
+  store(syntheticPlan(8));
+  const std::pair<fs::path, const char*> plans[] = {{folder_ / "absent", "absent"},
+                                                    {"/etc/passwd", "is not a plan"}};
+  for (const auto& [plan, reason] : plans) {
+    const auto outcome = report(plan, pdf());
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_THAT(outcome.err, HasSubstr(reason));
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    EXPECT_FALSE(fs::exists(pdf()));
+  }
+  EXPECT_EQ(report(folder_.path(), "/no/such/folder/plan.pdf").status, 1);
+  EXPECT_EQ(report(folder_.path(), folder_ / "plan.doc").status, 2);
+}
+
+}  // namespace
+}  // namespace perilymph::test

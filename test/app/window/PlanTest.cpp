@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The page Plan, with small plans of a coarse model.
+
+#include <gtest/gtest.h>
+#include <vtkCamera.h>
+#include <vtkRenderer.h>
+
+#include <QAbstractButton>
+#include <QAbstractItemModel>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QHeaderView>
+#include <QLabel>
+#include <QMouseEvent>
+#include <QPlainTextEdit>
+#include <QTableWidget>
+#include <QTest>
+#include <algorithm>
+#include <fstream>
+
+#include "DataFolder.h"
+#include "KeptPicture.h"
+#include "StateFolderOfTest.h"
+#include "Walk.h"
+#include "WindowRig.h"
+#include "gui/pages/insert/ForceCharts.h"
+#include "gui/pages/insert/InsertionViews.h"
+#include "gui/pages/plan/PlanList.h"
+#include "gui/pages/plan/PlanPage.h"
+#include "gui/pages/plan/PlanScene.h"
+#include "gui/pages/plan/PlanView.h"
+#include "gui/setup/PatientLibrary.h"
+#include "perilymph/planning/PlanReport.h"
+#include "perilymph/test/TemporaryFolder.h"
+
+namespace perilymph::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Folders of its own for patients and plans, and a scenario whose insertions take little time.
+class APlan : public testing::Test {
+protected:
+  static gui::PlanPage& pageOf(WindowRig& rig)
+  {
+    auto& page = *rig.window().findChild<gui::PlanPage*>();
+    return page;
+  }
+  /// Shows the page with these arrays chosen.
+  gui::PlanPage& show(WindowRig& rig, const std::vector<std::string>& arrays, const char* draws)
+  {
+    rig.click("planPageButton");
+    gui::PlanPage& page = pageOf(rig);
+    // the guide's pictures show the shipped scenario
+    if (!qEnvironmentVariableIsSet("PERILYMPH_GUIDE_PICTURES")) page.setScenario(scenario());
+    rig.click("planNoArraysButton");
+    for (const std::string& array : arrays) rig.click(("plan-array-" + array).c_str());
+    rig.choose("planDraws", draws);
+    return page;
+  }
+  /// Every number of the table has its unit, and every column says how its values are obtained.
+  static void expectUnits(const QAbstractItemModel& rows)
+  {
+    ASSERT_EQ(rows.rowCount(), 2);
+    const QStringList units{"", "°", "%", "mN", "mN", "mN", "mN", "%", "%", "%", "%", "%"};
+    for (int column = 0; column < units.size(); ++column) {
+      EXPECT_GT(rows.headerData(column, Qt::Horizontal, Qt::ToolTipRole).toString().size(), 40);
+      for (int row = 0; row < rows.rowCount(); ++row) {
+        const QString text = rows.index(row, column).data().toString();
+        EXPECT_TRUE(text.endsWith(units[column])) << text.toStdString();
+      }
+    }
+    EXPECT_TRUE(rows.headerData(2, Qt::Horizontal, Qt::ToolTipRole).toString().contains("differ"));
+  }
+  static void expectSorting(gui::PlanList& list)
+  {
+    const QAbstractItemModel& rows = *list.model();
+    const auto value = [&](int row, int column) {
+      return rows.index(row, column).data(gui::PlanTable::sortRole).toDouble();
+    };
+    for (const int column : {1, 3, 6, 7}) {
+      list.sortByColumn(column, Qt::AscendingOrder);
+      EXPECT_LE(value(0, column), value(1, column)) << column;
+      list.sortByColumn(column, Qt::DescendingOrder);
+      EXPECT_GE(value(0, column), value(1, column)) << column;
+    }
+  }
+  static bool isDone(gui::PlanPage& page)
+  {
+    return WindowRig::comes([&] { return page.plan() && !page.isBusy(); });
+  }
+  std::string scenario() const
+  {
+    const fs::path file = folder_.path() / "coarse.toml";
+    std::ofstream(file) << "title = 'coarse'\narray = 'flex28'\nanatomy = 'mean'\n"
+                           "friction = 'tissue'\nnodes = 20\ndt_ms = 10.0\n"
+                           "start_inside_mm = 1.0\nstop_travel_mm = 20.0\n";
+    return file.string();
+  }
+  /// Carries an array to the page Insert, whose chart shows the plan behind it.
+  static void expectInsertion(WindowRig& rig, gui::PlanPage& page, Walk& walk)
+  {
+    page.list().selectRow(0);
+    const std::string name = page.list().model()->index(0, 0).data().toString().toStdString();
+    rig.click("insertPlanArrayButton");
+    ASSERT_TRUE(WindowRig::comes([&] {
+      return rig.window().page() == gui::Page::insert &&
+             rig.window().control().scenario().array().name == name &&
+             rig.button("startButton").isEnabled();
+    }));
+    const session::Scenario& scenario = rig.window().control().scenario();
+    EXPECT_EQ(scenario.patient().basalTurn->a, page.plan()->request.patient.basalTurn->a);
+    gui::ForceCharts& charts = *rig.window().views().charts();
+    ASSERT_TRUE(charts.plan());
+    EXPECT_TRUE(charts.showPlanIn(scenario));
+    EXPECT_FALSE(charts.plan()->points.empty());
+    settle();
+    keepPicture(rig.window(), "plan-inserted");
+    walk.step(4, rig.window());
+    rig.choose("arraySelector", "medel-standard");  // the plan is of another array
+    ASSERT_TRUE(WindowRig::comes(
+        [&] { return rig.window().control().scenario().arrayName() == "medel-standard"; }));
+    EXPECT_FALSE(charts.showPlanIn(rig.window().control().scenario()));
+    rig.click("planPageButton");
+  }
+  /// Opens one array, then both, with the keyboard.
+  static void expectArrayAndComparison(WindowRig& rig, gui::PlanPage& page, Walk& walk)
+  {
+    page.list().selectRow(0);
+    QTest::keyClick(&page.list(), Qt::Key_Return);
+    ASSERT_TRUE(WindowRig::comes([&] { return page.view().shownScenes() == 1; }))
+        << rig.label("planStatus").toStdString();
+    const auto& contacts = *page.findChild<QTableWidget*>("planContacts");
+    EXPECT_EQ(contacts.rowCount(), 12);
+    EXPECT_TRUE(contacts.item(0, 2)->text().endsWith("°"));
+    EXPECT_TRUE(contacts.item(0, 3)->text().endsWith(" mm"));
+    EXPECT_TRUE(contacts.item(0, 4)->text().endsWith("Hz"));
+    EXPECT_TRUE(contacts.item(0, 7)->text().endsWith(" st"));
+    settle();
+    keepPicture(rig.window(), "plan-array");
+    walk.step(3, rig.window());
+    rig.click("planTableButton");
+    page.list().selectAll();
+    EXPECT_EQ(rig.button("openPlanArrayButton").text(), "Compare 2 arrays");
+    rig.click("openPlanArrayButton");
+    ASSERT_TRUE(WindowRig::comes([&] { return page.view().shownScenes() == 2; }));
+    expectLinked(page.view());
+    settle();
+    keepPicture(rig.window(), "plan-compared");
+    EXPECT_TRUE(page.cancel());  // Esc leads back to the table
+    EXPECT_TRUE(page.list().isVisible());
+  }
+  /// A turn of the first picture turns the second.
+  static void expectLinked(gui::PlanView& view)
+  {
+    const auto axis = [&view](std::size_t place) {
+      double away[3];
+      view.scene(place).scene()->renderer().GetActiveCamera()->GetDirectionOfProjection(away);
+      return Eigen::Vector3d(away[0], away[1], away[2]);
+    };
+    const Eigen::Vector3d before = axis(1);
+    gui::PlanScene& first = view.scene(0);
+    QTest::mousePress(&first, Qt::LeftButton, Qt::NoModifier, QPoint(40, 40));
+    QMouseEvent move(QEvent::MouseMove, QPointF(40, 90), Qt::NoButton, Qt::LeftButton,
+                     Qt::NoModifier);
+    QCoreApplication::sendEvent(&first, &move);
+    QTest::mouseRelease(&first, Qt::LeftButton, Qt::NoModifier, QPoint(40, 90));
+    EXPECT_GT((axis(1) - before).norm(), 0.1);
+    EXPECT_LT((axis(1) - axis(0)).norm(), 1e-9);
+  }
+  static void settle()
+  {
+    for (int i = 0; i < 8; ++i) QCoreApplication::processEvents();
+  }
+  static std::string jsonOf(gui::PlanPage& page)
+  {
+    const auto json = planning::planJson(*page.plan());
+    return json ? *json : json.error().message;
+  }
+
+  DataFolder data_;
+  StateFolderOfTest state_;
+  TemporaryFolder folder_;
+};
+
+TEST_F(APlan, IsExplainedBeforeOneIsMade)
+{
+  WindowRig rig;
+  rig.click("planPageButton");
+  EXPECT_EQ(rig.window().page(), gui::Page::plan);
+  const auto labels = pageOf(rig).findChildren<QLabel*>();
+  EXPECT_TRUE(std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
+    return label->isVisible() && label->text().contains("press Compute");
+  }));
+  rig.click("planNoArraysButton");
+  EXPECT_FALSE(rig.button("computePlanButton").isEnabled());
+  EXPECT_EQ(rig.button("computePlanButton").toolTip(), "Choose an array first.");
+}
+
+TEST_F(APlan, ShowsThePatientsMeasuresWithTheirErrors)
+{
+  anatomy::Patient patient;
+  patient.label = "P-031";
+  patient.side = anatomy::Side::left;
+  patient.basalTurn = anatomy::BasalTurn{millimeters(9.0), millimeters(6.6), std::nullopt};
+  patient.errors = anatomy::BasalTurnErrors{millimeters(0.1), millimeters(0.2)};
+  ASSERT_TRUE(gui::savePatientInLibrary(patient));
+  WindowRig rig;
+  rig.click("planPageButton");
+  pageOf(rig).planFor(patient);
+  EXPECT_TRUE(rig.label("planPatient").contains("P-031"));
+  const QString measures = rig.label("planMeasures");
+  EXPECT_TRUE(measures.contains("A 9.00 mm (8.80–9.20)")) << measures.toStdString();
+  EXPECT_TRUE(measures.contains("B 6.60 mm (6.21–6.99)")) << measures.toStdString();
+  EXPECT_TRUE(measures.contains("H not measured")) << measures.toStdString();
+}
+
+TEST_F(APlan, IsMadeSeenInsertedAndOpenedAgainInSteps)
+{
+  Walk walk("planning");
+  std::string made;
+  {
+    WindowRig rig;
+    gui::PlanPage& page = show(rig, {"flex24", "flex28"}, "8");
+    walk.step(1, rig.window());
+    rig.click("computePlanButton");
+    ASSERT_TRUE(isDone(page)) << rig.label("planStatus").toStdString();
+    settle();
+    keepPicture(rig.window(), "plan-table");
+    walk.step(2, rig.window());
+    expectUnits(*page.list().model());
+    expectSorting(page.list());
+    const planning::ArrayPlan& first = page.plan()->arrays[0];
+    EXPECT_EQ(first.draws, 8u);
+    EXPECT_LT(first.angle_deg.low, first.angle_deg.high);
+    made = jsonOf(page);
+    const fs::path pdf = folder_.path() / "plan.pdf";
+    page.writeReport(pdf);
+    ASSERT_TRUE(WindowRig::comes([&] { return rig.label("planStatus").contains("plan.pdf"); }));
+    EXPECT_GT(fs::file_size(pdf), 20'000u);
+    expectArrayAndComparison(rig, page, walk);
+    expectInsertion(rig, page, walk);
+    auto* notes = page.findChild<QPlainTextEdit*>("planNotes");
+    ASSERT_TRUE(notes->isEnabled());
+    QTest::keyClicks(notes, "Steep approach.");
+  }
+  WindowRig rig;
+  rig.click("planPageButton");
+  gui::PlanPage& page = pageOf(rig);
+  auto* plans = page.findChild<QComboBox*>("planSelector");
+  ASSERT_EQ(plans->count(), 2);
+  rig.choose("planSelector", plans->itemData(1).toString().toUtf8());
+  ASSERT_TRUE(isDone(page)) << rig.label("planStatus").toStdString();
+  EXPECT_EQ(jsonOf(page), made);
+  EXPECT_EQ(page.findChild<QPlainTextEdit*>("planNotes")->toPlainText(), "Steep approach.");
+  EXPECT_TRUE(page.findChild<QCheckBox*>("plan-array-flex24")->isChecked());
+  EXPECT_FALSE(page.findChild<QCheckBox*>("plan-array-medel-standard")->isChecked());
+  EXPECT_EQ(walk.left(), "");
+}
+
+TEST_F(APlan, GoesOnBehindAnotherPageAndContinuesAfterItWasCanceled)
+{
+  WindowRig rig;
+  gui::PlanPage& page = show(rig, {"flex24"}, "16");
+  rig.click("computePlanButton");
+  ASSERT_TRUE(page.isBusy());
+  rig.click("startPageButton");
+  ASSERT_TRUE(WindowRig::comes([&] { return page.plan() != nullptr; }));  // the first 8 draws
+  rig.click("planPageButton");
+  rig.click("cancelPlanButton");
+  EXPECT_FALSE(page.isBusy());
+  const auto first = page.plan();
+  EXPECT_EQ(first->arrays[0].draws, 8u);
+  EXPECT_TRUE(rig.label("planStatus").contains("Canceled"));
+  rig.click("computePlanButton");
+  ASSERT_TRUE(isDone(page)) << rig.label("planStatus").toStdString();
+  EXPECT_EQ(page.plan()->arrays[0].draws, 16u);
+  ASSERT_EQ(page.plan()->insertions.size(), 16u);
+  for (std::size_t i = 0; i < first->insertions.size(); ++i) {
+    EXPECT_EQ(page.plan()->insertions[i].insertion.peak, first->insertions[i].insertion.peak) << i;
+    EXPECT_EQ(page.plan()->insertions[i].insertion.apical, first->insertions[i].insertion.apical);
+  }
+}
+
+TEST_F(APlan, ThatCannotBeKeptSaysSoInOneSentence)
+{
+  WindowRig rig;
+  gui::PlanPage& page = show(rig, {"flex24"}, "8");
+  std::ofstream(state_.path() / "perilymph") << "a file in place of the folder";
+  rig.click("computePlanButton");
+  ASSERT_TRUE(WindowRig::comes([&] { return !page.isBusy(); }));
+  EXPECT_TRUE(rig.label("planStatus").contains("cannot be created"))
+      << rig.label("planStatus").toStdString();
+  EXPECT_TRUE(rig.button("computePlanButton").isEnabled());
+}
+
+}  // namespace
+}  // namespace perilymph::test

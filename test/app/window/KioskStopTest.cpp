@@ -28,6 +28,7 @@ struct Leave {
   const char* name;
   KioskStage stage;
   void (*go)(gui::KioskWindow&);
+  bool goesOn = false;  // with a following insertion
 };
 
 void press(gui::KioskWindow& window, const char* button)
@@ -40,7 +41,7 @@ const Leave leaves[] = {
      [](gui::KioskWindow& window) { QTest::keyClick(&window, Qt::Key_Escape); }},
     {"StopButton", KioskStage::turn, [](gui::KioskWindow& window) { press(window, "stopButton"); }},
     {"StartOver", KioskStage::turn,
-     [](gui::KioskWindow& window) { press(window, "startOverButton"); }},
+     [](gui::KioskWindow& window) { press(window, "startOverButton"); }, true},
     {"EndOfTheBooth", KioskStage::turn,
      [](gui::KioskWindow& window) {
        QTest::keyClick(&window, Qt::Key_Q, Qt::ControlModifier | Qt::AltModifier);
@@ -72,6 +73,9 @@ protected:
     });
     ASSERT_EQ(window_->control().handName(), "Pushed device");
     log_->isPushed = true;
+    ASSERT_TRUE(WindowRig::comes([&] { return log_->isAtDepth.load(); }));
+    // It holds the array there, and does not push that of a following insertion.
+    log_->isPushed = false;
     ASSERT_TRUE(WindowRig::comes([&] { return log_->newest() > 0.99 * PushedDevice::maxForce; }));
   }
 
@@ -88,17 +92,20 @@ TEST_P(EveryWayToLeave, TakesTheForceAwayWithinFiveTicks)
   if (HasFatalFailure()) return;
   const std::size_t before = log_->size();
   GetParam().go(*window_);
-  log_->isPushed = false;
-  // a following insertion begins at rest
-  ASSERT_TRUE(WindowRig::comes([&] { return log_->newest() == 0.0; }));
+  // A following insertion renders the force of an array at its start: the log is searched for the
+  // first zero, because the newest force is zero only for some ticks.
   std::size_t zero = before;
-  while (zero < log_->size() && (*log_)[zero].magnitude > 0.0) ++zero;
-  ASSERT_LT(zero, log_->size());
+  ASSERT_TRUE(WindowRig::comes([&] {
+    while (zero < log_->size() && (*log_)[zero].magnitude > 0.0) ++zero;
+    return zero < log_->size();
+  }));
   // The event reaches the window some ticks after it is sent: the force falls from there on.
   std::size_t last = zero;
   while (last > before && (*log_)[last - 1].magnitude < 0.99 * PushedDevice::maxForce) --last;
   EXPECT_LE(zero - last + 1, 5u);
-  for (std::size_t i = zero; i < log_->size(); ++i) ASSERT_EQ((*log_)[i].magnitude, 0.0) << i;
+  ASSERT_TRUE(WindowRig::comes([&] { return log_->size() > zero + 50 || !GetParam().goesOn; }));
+  const double atStart = GetParam().goesOn ? 0.01 : 0.0;  // [N], twenty times the physical force
+  for (std::size_t i = zero; i < log_->size(); ++i) ASSERT_LE((*log_)[i].magnitude, atStart) << i;
   EXPECT_EQ(window_->stage(), GetParam().stage);
 }
 
@@ -118,7 +125,6 @@ TEST_F(BoothDevice, HasAStopButtonWithWholeTextOnASmallGermanScreen)
   EXPECT_GE(stop->width(), 400);  // half the booth's width: found without looking for it
   keepPicture(*window_, "kiosk-stop-de");
   for (const std::string& text : cutTextsOf(*window_)) ADD_FAILURE() << text;
-  log_->isPushed = false;
   press(*window_, "stopButton");
   ASSERT_TRUE(WindowRig::comes([&] { return log_->newest() == 0.0; }));
   keepPicture(*window_, "kiosk-stopped-de");

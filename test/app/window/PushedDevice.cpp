@@ -57,6 +57,7 @@ device::DeviceSample PushedDevice::read() noexcept
   sample_.isValid = 1;
   sample_.buttons = device::graspButton;
   if (log_->isPushed && sample_.position_D[2] > -depth) sample_.position_D[2] -= step;
+  log_->isAtDepth = sample_.position_D[2] <= -depth;
   return sample_;
 }
 

@@ -25,6 +25,8 @@ public:
 
   /// The hand begins to push.
   std::atomic<bool> isPushed{false};
+  /// It holds the device at the depth to which it pushes.
+  std::atomic<bool> isAtDepth{false};
 
   /// While it is held up, the device answers no read, and its loop takes no command.
   void holdUp(bool isOn);

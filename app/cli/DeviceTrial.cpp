@@ -139,7 +139,9 @@ Result<TrialOutcome> tryPlugin(const std::filesystem::path& library)
 {
   auto loaded = device::loadPluginDevice(library);
   if (!loaded) return loaded.error();
-  return tryOpened(**loaded);
+  auto trial = tryOpened(**loaded);
+  if (trial) trial->isPlugin = true;
+  return trial;
 }
 
 }  // namespace perilymph::cli

@@ -15,9 +15,9 @@
 namespace perilymph::cli {
 
 struct TrialOutcome {
-  std::optional<device::DeviceHealth> health;  ///< Empty for a plug-in, which measures nothing
-                                               ///< itself.
-  device::DeviceTraits traits;                 ///< With the measured values.
+  std::optional<device::DeviceHealth> health;
+  bool isPlugin = false;        ///< The device of a plug-in.
+  device::DeviceTraits traits;  ///< With the measured values.
   double stiffness = 0.0;  ///< Maximum stiffness of the coupling at 1 kHz [N/m]; 0 without force.
   int axes = 0;            ///< Number of axes that render a force.
   double greatest = 0.0;   ///< Intended maximum force of the test [N].

@@ -125,7 +125,9 @@ Json describedForces(const TrialOutcome& trial)
   return axes;
 }
 
-/// Results of a plug-in's device, which measures nothing itself.
+std::string errorOf(const TrialOutcome& trial) { return trial.health ? trial.health->error : ""; }
+
+/// Results of a plug-in's device, whose connection is unknown.
 Json describedPlugin(const TrialOutcome& trial)
 {
   return {{"name", trial.traits.name},
@@ -139,12 +141,13 @@ Json describedPlugin(const TrialOutcome& trial)
           {"force_axes_shown", trial.axesShown()},
           {"force_intended_N", trial.greatest},
           {"forces", describedForces(trial)},
-          {"untested", trial.untested}};
+          {"untested", trial.untested},
+          {"error", errorOf(trial)}};
 }
 
 Json described(const TrialOutcome& trial)
 {
-  if (!trial.health) return describedPlugin(trial);
+  if (trial.isPlugin || !trial.health) return describedPlugin(trial);
   const device::DeviceHealth& health = *trial.health;
   return {{"period_s", health.period},
           {"period_measured", health.isPeriodMeasured},
@@ -198,6 +201,7 @@ void printPlugin(const TrialOutcome& trial)
 {
   print("{}: {}\n", trial.traits.name, ability(trial.traits));
   print("{:18} {} of {} were fresh and valid\n", "samples", trial.fresh, trial.samples);
+  if (!errorOf(trial).empty()) print("{:18} {}\n", "", errorOf(trial));
   if (trial.axes == 0) return;
   print("{:18} stiffest coupling {} N/m\n", "by its traits", fixed(trial.stiffness, 0));
   printForce(trial);
@@ -205,7 +209,7 @@ void printPlugin(const TrialOutcome& trial)
 
 void printTrial(const TrialOutcome& trial)
 {
-  if (!trial.health) return printPlugin(trial);
+  if (trial.isPlugin || !trial.health) return printPlugin(trial);
   const device::DeviceHealth& health = *trial.health;
   const device::ReadingFigures& reading = health.reading;
   const auto ms = [](double time) { return fixed(time * 1e3, 3); };

@@ -42,6 +42,8 @@ const char* threadName(ThreadRole role) noexcept
       return "device-watch";
     case ThreadRole::tapeWriter:
       return "tape-writer";
+    case ThreadRole::pluginWatch:
+      return "plugin-watch";
     case ThreadRole::sound:
       return "sound";
   }

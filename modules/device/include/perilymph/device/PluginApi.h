@@ -57,10 +57,19 @@ typedef struct PerilymphDeviceWrenchV1 {
   double torque_D_N_m[3];
 } PerilymphDeviceWrenchV1;
 
-/* The functions of a plug-in; all are required. `device` is the result of create(). create,
- * destroy, traits, open and close may block and are called by one thread. read and write are called
- * by the haptic thread, a thousand times a second or more: they must not block, lock, allocate or
- * log. 0 means success, any other result failure. */
+/* The functions of a plug-in; all are required. `device` is the result of create(). 0 means success,
+ * any other result failure.
+ *
+ * A plug-in runs in a process of its own, where one thread calls all functions. create, destroy,
+ * traits, open and close may take seconds. While the device is open, read is called once per
+ * nominal_period_s and write after each time step of the program: they must not block, lock,
+ * allocate or log. Values that are not finite are no sample. write is called with zero before close,
+ * and when no force came for 50 ms or three periods.
+ *
+ * If read or write does not return within 50 ms, the process ends. After a read that hangs, write is
+ * called once more, with zero, and then close, from another thread; after a crash outside write and
+ * open, write with zero. A device should drop its force when its file is closed: the end of the
+ * process closes it whatever happened. */
 typedef struct PerilymphDeviceV1 {
   uint32_t size;    /* sizeof(PerilymphDeviceV1), set by the plug-in. */
   uint32_t version; /* 1 */

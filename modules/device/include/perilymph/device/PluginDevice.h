@@ -12,8 +12,11 @@
 
 namespace perilymph::device {
 
-/// Loads a plug-in and wraps its device; the library stays loaded as long as the device exists. The
-/// error states why a library is refused: not found, not a plug-in, another version, incomplete,
+/// Loads a plug-in in a process of its own and wraps its device; the process lives as long as the
+/// device. A plug-in that crashes or hangs ends with its process, and its force with it: samples are
+/// invalid from then on, health() states why, and open() loads it again.
+///
+/// The error states why a library is refused: not found, not a plug-in, another version, incomplete,
 /// invalid traits. Loading executes the library's code: load only trusted libraries.
 Result<std::unique_ptr<HapticDevice>> loadPluginDevice(const std::filesystem::path& library);
 

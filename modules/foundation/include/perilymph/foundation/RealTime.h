@@ -25,6 +25,7 @@ enum class ThreadRole {
   deviceWriter,      ///< Writes forces to a HID device.
   deviceSupervisor,  ///< Opens a HID device and reconnects it.
   tapeWriter,        ///< Writes the reports of a HID device to a tape.
+  pluginWatch,       ///< Ends the process of a device plug-in that hangs.
   sound,             ///< Plays the force as a tone.
 };
 

@@ -14,11 +14,20 @@
 
 namespace perilymph::realtime {
 
-/// One thread sleeps until another rings. Rings while nobody sleeps count as one. A ring never
-/// blocks and enters the kernel only to wake a sleeper.
+/// Whose memory a channel is in.
+enum class Sharing {
+  threads,    ///< One process.
+  processes,  ///< Memory that two processes share.
+};
+
+/// One thread sleeps until another rings. Rings while nobody sleeps count as
+/// one. A ring never blocks and enters the kernel only to wake a sleeper.
 class Doorbell {
 public:
-  Doorbell() noexcept { sem_init(&bell_, 0, 0); }
+  explicit Doorbell(Sharing sharing = Sharing::threads) noexcept
+  {
+    sem_init(&bell_, sharing == Sharing::processes ? 1 : 0, 0);
+  }
   ~Doorbell() { sem_destroy(&bell_); }
   Doorbell(const Doorbell&) = delete;
   Doorbell& operator=(const Doorbell&) = delete;
@@ -29,8 +38,8 @@ public:
     if (!isRung_.exchange(true, std::memory_order_acq_rel)) sem_post(&bell_);
   }
 
-  /// Sleeps until a ring, at most until `deadline` on the monotonic clock [ns]. False on timeout.
-  /// One thread only.
+  /// Sleeps until a ring, at most until `deadline` on the monotonic clock [ns].
+  /// False on timeout. One thread only.
   bool waitUntil(std::int64_t deadline) noexcept
   {
     constexpr std::int64_t second = 1'000'000'000;

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// A second process of this program, started with files of its own: the guard of a device, the host
+// of a plug-in.
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace perilymph::device {
+
+/// A file descriptor with ownership.
+class OwnedFile {
+public:
+  explicit OwnedFile(int file = -1) noexcept : file_(file) {}
+  OwnedFile(OwnedFile&& other) noexcept : file_(std::exchange(other.file_, -1)) {}
+  OwnedFile& operator=(OwnedFile&& other) noexcept
+  {
+    std::swap(file_, other.file_);
+    return *this;
+  }
+  ~OwnedFile();
+
+  int get() const noexcept { return file_; }
+  /// A copy of the descriptor whose number none of a companion's own descriptors has.
+  OwnedFile copyForCompanion() const noexcept;
+
+private:
+  int file_;
+};
+
+/// Where the output of a companion goes.
+enum class CompanionOutput {
+  nowhere,        ///< To /dev/null.
+  standardError,  ///< To the standard error of this program.
+};
+
+/// How a companion is started.
+struct CompanionCall {
+  std::filesystem::path program;
+  std::vector<std::string> arguments;
+  /// Descriptors here (copyForCompanion()) and there.
+  std::vector<std::pair<int, int>> files;
+  CompanionOutput output = CompanionOutput::nowhere;
+};
+
+/// Path of a companion program: beside this program, where packages install it, or in the build
+/// tree. Empty if it is in none of these places.
+std::filesystem::path companionProgram(const char* name);
+
+/// Starts a companion in a session of its own, so that it does not receive the signals of a
+/// terminal's process group. 0 if that fails.
+pid_t startCompanion(const CompanionCall& call);
+
+/// Waits until a process has ended, at most `patience_ms`, then kills it.
+void endCompanion(pid_t id, int patience_ms) noexcept;
+
+}  // namespace perilymph::device

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plugin/PluginProcess.h"
+
+#include <poll.h>
+#include <sys/mman.h>
+#include <sys/socket.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <new>
+
+namespace perilymph::device::plugin {
+
+namespace {
+
+constexpr const char* programName = "perilymph-plugin-host";
+// Devices that load their firmware when opened take seconds.
+constexpr int patienceForOpen_ms = 30'000;
+constexpr int patienceForClose_ms = 2000;
+constexpr int patienceForEnd_ms = 500;
+constexpr const char* remedy =
+    " The force is off. Reset loads it again; if that recurs, tell its maker.";
+
+std::string textOf(const std::array<char, 512>& sentence)
+{
+  return std::string(sentence.data(), ::strnlen(sentence.data(), sentence.size()));
+}
+
+}  // namespace
+
+PluginProcess::PluginProcess(std::string name, pid_t id, OwnedFile wire, Channel* channel) noexcept
+    : name_(std::move(name)),
+      id_(id),
+      life_(static_cast<int>(::syscall(SYS_pidfd_open, id, 0))),
+      wire_(std::move(wire)),
+      channel_(channel)
+{
+}
+
+PluginProcess::~PluginProcess()
+{
+  if (!hasEnded()) ask(goodbye);
+  endCompanion(id_, isKilled_ ? 0 : patienceForEnd_ms);
+  ::munmap(channel_, sizeof *channel_);
+}
+
+Result<std::unique_ptr<PluginProcess>> PluginProcess::start(const std::filesystem::path& library)
+{
+  const auto failed = [] {
+    return Error{std::string("no process can be made for it: ") + std::strerror(errno) + "."};
+  };
+  const std::filesystem::path program = companionProgram(programName);
+  if (program.empty())
+    return Error{"the program " + std::string(programName) +
+                 ", in which plug-ins run, is not installed. Install the package again."};
+  int ends[2] = {-1, -1};
+  if (::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends) != 0) return failed();
+  OwnedFile wire(ends[0]);
+  const OwnedFile hostsWire = OwnedFile(ends[1]).copyForCompanion();
+  const OwnedFile memory(::memfd_create("perilymph plug-in", MFD_CLOEXEC));
+  const OwnedFile hostsMemory = memory.copyForCompanion();
+  if (hostsWire.get() < 0 || hostsMemory.get() < 0 ||
+      ::ftruncate(memory.get(), sizeof(Channel)) != 0)
+    return failed();
+  void* const place =
+      ::mmap(nullptr, sizeof(Channel), PROT_READ | PROT_WRITE, MAP_SHARED, memory.get(), 0);
+  if (place == MAP_FAILED) return failed();
+  auto* const channel = new (place) Channel;
+  const pid_t id =
+      startCompanion({program,
+                      {library.string()},
+                      {{hostsWire.get(), plugin::wire}, {hostsMemory.get(), plugin::channel}},
+                      CompanionOutput::standardError});
+  if (id == 0) {
+    ::munmap(place, sizeof(Channel));
+    return Error{program.string() + " could not be started."};
+  }
+  std::unique_ptr<PluginProcess> process(
+      new PluginProcess(library.filename().string(), id, std::move(wire), channel));
+  const auto loaded = process->await(patienceForOpen_ms);
+  if (!loaded) return loaded.error();
+  if (loaded->version != plugin::version)
+    return Error{program.string() + " is of another version. Install the package again."};
+  if (loaded->isDone == 0) return Error{textOf(loaded->sentence)};
+  process->traits_ = loaded->traits;
+  return process;
+}
+
+bool PluginProcess::ask(Request request) noexcept
+{
+  const char letter = request;
+  return ::send(wire_.get(), &letter, 1, MSG_NOSIGNAL | MSG_DONTWAIT) == 1;
+}
+
+Result<Reply> PluginProcess::await(int patience_ms)
+{
+  std::array<pollfd, 2> waits{{{wire_.get(), POLLIN, 0}, {life_.get(), POLLIN, 0}}};
+  while (::poll(waits.data(), waits.size(), patience_ms) < 0 && errno == EINTR) {
+  }
+  Reply reply;
+  if (::recv(wire_.get(), &reply, sizeof reply, MSG_DONTWAIT) == sizeof reply) return reply;
+  if (waits[0].revents != 0) {
+    // The host's end is closed: it is about to end.
+    ::poll(&waits[1], 1, patienceForEnd_ms);
+  }
+  if (!hasEnded()) kill();
+  return Error{obituary()};
+}
+
+Result<Done> PluginProcess::open()
+{
+  if (!ask(plugin::open)) return Error{obituary()};
+  const auto reply = await(patienceForOpen_ms);
+  if (!reply) return reply.error();
+  if (reply->isDone == 0) return Error{textOf(reply->sentence)};
+  return Done{};
+}
+
+void PluginProcess::close() noexcept
+{
+  channel_->isClosing = 1;
+  channel_->forHost.ring();
+  pollfd waits{wire_.get(), POLLIN, 0};
+  Reply reply;
+  const bool isClosed = ask(plugin::close) && ::poll(&waits, 1, patienceForClose_ms) == 1 &&
+                        ::recv(wire_.get(), &reply, sizeof reply, MSG_DONTWAIT) == sizeof reply;
+  if (!isClosed && !hasEnded()) kill();
+}
+
+bool PluginProcess::hasEnded() const noexcept
+{
+  pollfd end{life_.get(), POLLIN, 0};
+  return ::poll(&end, 1, 0) > 0;
+}
+
+void PluginProcess::kill() noexcept
+{
+  isKilled_ = true;
+  // By the descriptor: the number could be another process's by now.
+  ::syscall(SYS_pidfd_send_signal, life_.get(), SIGKILL, nullptr, 0);
+}
+
+std::string PluginProcess::obituary() const
+{
+  const std::string plugin = "The plug-in " + name_;
+  if (isKilled_) return plugin + " did not answer and was ended." + remedy;
+  if (!hasEnded()) return {};
+  siginfo_t end{};
+  // Without burying it: the destructor does.
+  ::waitid(P_PID, static_cast<id_t>(id_), &end, WEXITED | WNOHANG | WNOWAIT);
+  if (end.si_code == CLD_KILLED || end.si_code == CLD_DUMPED)
+    return plugin + " crashed (signal " + std::to_string(end.si_status) + ")." + remedy;
+  if (end.si_status == hungInRead)
+    return plugin + " did not return from read() and was ended." + remedy;
+  if (end.si_status == hungInWrite)
+    return plugin + " did not return from write() and was ended." + remedy;
+  return plugin + " ended its process (status " + std::to_string(end.si_status) + ")." + remedy;
+}
+
+}  // namespace perilymph::device::plugin

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// The process that hosts a device plug-in, as seen by the program.
+
+#include <atomic>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "guard/CompanionProcess.h"
+#include "perilymph/foundation/RealTime.h"
+#include "perilymph/foundation/Result.h"
+#include "plugin/PluginChannel.h"
+
+namespace perilymph::device::plugin {
+
+/// A running host. UI thread, if nothing else is stated.
+class PluginProcess {
+public:
+  /// Starts a host and loads the library in it.
+  ///
+  /// @param library  Absolute path.
+  /// @return The error continues "The plug-in is not taken:".
+  static Result<std::unique_ptr<PluginProcess>> start(const std::filesystem::path& library);
+  ~PluginProcess();  ///< Ends the host, at the latest by SIGKILL.
+  PluginProcess(const PluginProcess&) = delete;
+  PluginProcess& operator=(const PluginProcess&) = delete;
+
+  /// The traits stated by the plug-in, unchecked.
+  const PerilymphDeviceTraitsV1& traits() const noexcept { return traits_; }
+
+  /// Opens the device; waits 30 s at most. Then the exchange runs until close().
+  Result<Done> open();
+  /// Sets the force to zero and closes the device; kills a host that does not answer within 2 s.
+  void close() noexcept;
+
+  Channel& channel() noexcept { return *channel_; }
+
+  /// The process has ended. Any thread; real-time safe.
+  PERILYMPH_REALTIME bool hasEnded() const noexcept;
+  /// Kills the process, so that the system closes the device's file. Any thread; real-time safe.
+  PERILYMPH_REALTIME void kill() noexcept;
+
+  /// A sentence: how the process ended, or that it was killed; empty while it runs.
+  std::string obituary() const;
+
+private:
+  PluginProcess(std::string name, pid_t id, OwnedFile wire, Channel* channel) noexcept;
+  Result<Reply> await(int patience_ms);
+  bool ask(Request request) noexcept;
+
+  std::string name_;
+  pid_t id_;
+  OwnedFile life_;  // becomes readable when the process ends
+  OwnedFile wire_;
+  Channel* channel_;
+  PerilymphDeviceTraitsV1 traits_{};
+  std::atomic<bool> isKilled_{false};
+};
+
+}  // namespace perilymph::device::plugin

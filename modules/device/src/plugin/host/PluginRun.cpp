@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plugin/host/PluginRun.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "perilymph/foundation/Units.h"
+#include "perilymph/realtime/Pacer.h"
+
+namespace perilymph::device::plugin {
+
+namespace {
+
+// As for the guard of a HID device: longer than any delay of a program that runs.
+constexpr double patience = 50e-3;  // [s]
+// Limits of the traits (PluginDevice): here against a period of nothing.
+constexpr double minPeriod = 1e-4, maxPeriod = 0.1;  // [s]
+
+bool isFinite(const PerilymphDeviceSampleV1& sample) noexcept
+{
+  const auto finite = [](double value) { return std::isfinite(value); };
+  return std::all_of(std::begin(sample.position_D_m), std::end(sample.position_D_m), finite) &&
+         std::all_of(std::begin(sample.rotation_D), std::end(sample.rotation_D), finite);
+}
+
+double periodOf(const Library& library) noexcept
+{
+  const double period = library.traits().nominal_period_s;
+  return period >= minPeriod ? std::min(period, maxPeriod) : minPeriod;
+}
+
+}  // namespace
+
+PluginRun::PluginRun(Channel& channel, const Library& library, const std::atomic<bool>& isAlone,
+                     const std::atomic<bool>& isDoomed) noexcept
+    : channel_(channel),
+      library_(library),
+      isAlone_(isAlone),
+      isDoomed_(isDoomed),
+      period_(std::llround(periodOf(library) * 1e9)),
+      patience_(static_cast<std::uint64_t>(
+          std::ceil(std::max(patience, 3.0 * periodOf(library)) / periodOf(library))))
+{
+}
+
+void PluginRun::run() noexcept
+{
+  // Forces of an earlier exchange are not for this one.
+  Force old;
+  channel_.forces.take(old, seen_);
+  write({});
+  realtime::Pacer pacer(Duration::fromSi(static_cast<double>(period_) * 1e-9));
+  pacer.start(realtime::monotonicNanoseconds());
+  while (channel_.isClosing == 0 && !isAlone_) {
+    channel_.forHost.waitUntil(pacer.due());
+    takeForce();
+    const std::int64_t now = realtime::monotonicNanoseconds();
+    if (now < pacer.due()) continue;
+    pacer.begin(now);
+    if (++readsWithout_ >= patience_ && isPushing_) write({});
+    read();
+    channel_.samples.publish(newest_);
+    channel_.forProgram.ring();
+  }
+  write({});
+}
+
+void PluginRun::takeForce() noexcept
+{
+  Force force;
+  if (!channel_.forces.take(force, seen_)) return;
+  readsWithout_ = 0;
+  write(force);
+  if (force.isMeasured == 0) return;
+  channel_.samples.publish(newest_);
+  channel_.forProgram.ring();
+}
+
+void PluginRun::write(const Force& force) noexcept
+{
+  if (isDoomed_) return;
+  const double limit = library_.traits().renders_force != 0 ? library_.traits().max_force_N : 0.0;
+  const auto& f = force.force_D;
+  const double squared = f[0] * f[0] + f[1] * f[1] + f[2] * f[2];
+  // Also without a force: values that are not numbers, or overflow.
+  double scale = std::isfinite(squared) ? 1.0 : 0.0;
+  if (squared > limit * limit && scale > 0.0) scale = limit / std::sqrt(squared);
+  PerilymphDeviceWrenchV1 wrench{};
+  wrench.size = sizeof wrench;
+  for (std::size_t i = 0; i < 3 && scale > 0.0; ++i) wrench.force_D_N[i] = scale * f[i];
+  isPushing_ = scale > 0.0 && squared > 0.0;
+
+  const CallMark mark(channel_, Function::write);
+  newest_.isRefusing = library_.functions().write(library_.device(), &wrench) != 0 ? 1 : 0;
+  if (newest_.isRefusing == 0 && force.number != 0) newest_.written = force.number;
+}
+
+void PluginRun::read() noexcept
+{
+  if (isDoomed_) return;
+  PerilymphDeviceSampleV1 stated{};
+  stated.size = sizeof stated;
+  stated.rotation_D[0] = 1.0;
+  bool isRead = false;
+  {
+    const CallMark mark(channel_, Function::read);
+    isRead = library_.functions().read(library_.device(), &stated) == 0;
+  }
+  newest_.isFaulty = isRead && !isFinite(stated) ? 1 : 0;
+  newest_.faulty += newest_.isFaulty;
+  // A sample that is not finite is none: the last one stays, and is stale after three periods.
+  if (newest_.isFaulty != 0) return;
+  DeviceSample& sample = newest_.sample;
+  sample.isValid = isRead && stated.is_valid != 0 && newest_.isRefusing == 0 ? 1 : 0;
+  if (!isRead) return;
+  sample.sequence = stated.sequence;
+  std::copy_n(stated.position_D_m, 3, sample.position_D.begin());
+  std::copy_n(stated.rotation_D, 4, sample.rotation_D.begin());
+  sample.buttons = stated.buttons;
+}
+
+}  // namespace perilymph::device::plugin

@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+// What is left of the force when a plug-in, its process or the program fails.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "ListeningDevice.h"
+#include "perilymph/device/PluginDevice.h"
+#include "perilymph/test/AllocationGuard.h"
+#include "perilymph/test/ChildProcess.h"
+#include "perilymph/test/waitUntil.h"
+
+namespace perilymph::test {
+namespace {
+
+using device::HapticDevice;
+using std::chrono::seconds;
+using testing::HasSubstr;
+
+constexpr double push = 0.5;  // [N]
+
+/// Child processes of this one.
+std::vector<pid_t> children()
+{
+  std::vector<pid_t> found;
+  for (const auto& task : std::filesystem::directory_iterator("/proc/self/task")) {
+    std::ifstream file(task.path() / "children");
+    for (pid_t id = 0; file >> id;) found.push_back(id);
+  }
+  return found;
+}
+
+class PluginFault : public testing::Test {
+protected:
+  void SetUp() override
+  {
+    ASSERT_TRUE(listener_.isThere()) << "No socket to be had.";
+    ::setenv("PERILYMPH_TEST_SOCKET", name_.c_str(), 1);
+  }
+  void TearDown() override { ::unsetenv("PERILYMPH_TEST_FAULT"); }
+
+  void load(const std::string& fault = "none")
+  {
+    ::setenv("PERILYMPH_TEST_FAULT", fault.c_str(), 1);
+    auto loaded = device::loadPluginDevice(PERILYMPH_SOCKET_PLUGIN);
+    ASSERT_TRUE(loaded) << loaded.error().message;
+    device_ = *std::move(loaded);
+  }
+
+  /// One tick of a program that pushes.
+  device::DeviceSample tick()
+  {
+    device_->await(milliseconds(2));
+    const device::DeviceSample sample = device_->read();
+    device_->write({{0.0, 0.0, push}, {}});
+    return sample;
+  }
+  template <class Condition>
+  void tickUntil(Condition holds)
+  {
+    EXPECT_TRUE(waitUntil([&] {
+      tick();
+      return holds();
+    }));
+  }
+
+  /// Runs a plug-in with a fault from its first force on, until the device is lost.
+  void runUntilLost(const std::string& fault)
+  {
+    load(fault);
+    const auto opened = device_->open();
+    ASSERT_TRUE(opened) << opened.error().message;
+    tickUntil([this] { return listener_.hasReceived(push); });
+    tickUntil([this] { return !device_->health()->isConnected; });
+    EXPECT_EQ(tick().isValid, 0u);
+    EXPECT_TRUE(waitUntil([this] { return listener_.isLeft(); }));
+    EXPECT_EQ(listener_.force(), 0.0);
+  }
+  std::string error() { return device_->health()->error; }
+
+  const std::string name_ = "perilymph-plugin-test-" + std::to_string(::getpid());
+  ListeningDevice listener_{name_};
+  std::unique_ptr<HapticDevice> device_;
+};
+
+TEST_F(PluginFault, HangingInReadEndsWithZeroWritten)
+{
+  runUntilLost("hang in read");
+  EXPECT_EQ(listener_.forces().back(), 0.0);
+  EXPECT_THAT(error(), HasSubstr("socket_device.so did not return from read()"));
+  EXPECT_THAT(error(), HasSubstr("The force is off."));
+}
+
+TEST_F(PluginFault, SpinningInReadEndsWithZeroWritten)
+{
+  runUntilLost("spin in read");
+  EXPECT_EQ(listener_.forces().back(), 0.0);
+  EXPECT_THAT(error(), HasSubstr("did not return from read()"));
+}
+
+TEST_F(PluginFault, HangingInWriteEndsTheProcessAndItsConnection)
+{
+  runUntilLost("hang in write");
+  EXPECT_EQ(listener_.forces().back(), push);
+  EXPECT_THAT(error(), HasSubstr("did not return from write()"));
+}
+
+TEST_F(PluginFault, BlockedByTheDeviceInWriteEndsTheProcessAndItsConnection)
+{
+  runUntilLost("block in write");
+  EXPECT_THAT(error(), HasSubstr("did not return from write()"));
+}
+
+TEST_F(PluginFault, CrashingInReadEndsWithZeroWritten)
+{
+  runUntilLost("crash in read");
+  EXPECT_EQ(listener_.forces().back(), 0.0);
+  EXPECT_THAT(error(), HasSubstr("crashed (signal 11)"));
+}
+
+TEST_F(PluginFault, AbortingInReadEndsWithZeroWritten)
+{
+  runUntilLost("abort in read");
+  EXPECT_EQ(listener_.forces().back(), 0.0);
+  EXPECT_THAT(error(), HasSubstr("crashed (signal 6)"));
+}
+
+TEST_F(PluginFault, CrashingInWriteEndsTheProcessAndItsConnection)
+{
+  runUntilLost("crash in write");
+  EXPECT_THAT(error(), HasSubstr("crashed (signal 11)"));
+}
+
+TEST_F(PluginFault, EndingItsProcessIsNoticed)
+{
+  runUntilLost("exit in read");
+  EXPECT_THAT(error(), HasSubstr("ended its process (status 7)"));
+}
+
+TEST_F(PluginFault, ReturningNaNLeavesNoForceAndNoFreshSample)
+{
+  load("NaN from read");
+  ASSERT_TRUE(device_->open());
+  tickUntil([this] { return listener_.hasReceived(push); });
+  tickUntil([this] { return listener_.force() == 0.0 && !error().empty(); });
+  EXPECT_THAT(error(), HasSubstr("Socket handle sends values that are not numbers"));
+  const std::uint64_t sequence = device_->read().sequence;
+  for (int i = 0; i < 20; ++i) EXPECT_EQ(tick().sequence, sequence);
+  EXPECT_EQ(listener_.force(), 0.0);
+  EXPECT_TRUE(device_->health()->isConnected);
+}
+
+TEST_F(PluginFault, StoppedAsAWholeIsEndedByTheProgram)
+{
+  load();
+  ASSERT_TRUE(device_->open());
+  tickUntil([this] { return listener_.hasReceived(push); });
+  const auto hosts = children();
+  ASSERT_EQ(hosts.size(), 1u);
+  ::kill(hosts[0], SIGSTOP);
+  tickUntil([this] { return !device_->health()->isConnected; });
+  EXPECT_TRUE(waitUntil([this] { return listener_.isLeft(); }));
+  EXPECT_THAT(error(), HasSubstr("did not answer and was ended"));
+}
+
+TEST_F(PluginFault, LostIsLoadedAgainWhenItIsOpened)
+{
+  runUntilLost("crash in read");
+  ::setenv("PERILYMPH_TEST_FAULT", "none", 1);
+  const auto opened = device_->open();
+  ASSERT_TRUE(opened) << opened.error().message;
+  tickUntil([this] { return listener_.force() == push; });
+  EXPECT_EQ(error(), "");
+}
+
+TEST_F(PluginFault, CrashingWhileItIsLoadedIsARefusal)
+{
+  ::setenv("PERILYMPH_TEST_FAULT", "crash in create", 1);
+  const auto loaded = device::loadPluginDevice(PERILYMPH_SOCKET_PLUGIN);
+  ASSERT_FALSE(loaded);
+  EXPECT_THAT(loaded.error().message, HasSubstr("crashed (signal 11)"));
+}
+
+TEST_F(PluginFault, CrashingWhileItIsOpenedIsAnError)
+{
+  load("crash in open");
+  const auto opened = device_->open();
+  ASSERT_FALSE(opened);
+  EXPECT_THAT(opened.error().message, HasSubstr("crashed (signal 11)"));
+}
+
+TEST_F(PluginFault, ThatIsNoneEndsWithZeroWhenItIsClosed)
+{
+  load();
+  ASSERT_TRUE(device_->open());
+  tickUntil([this] { return listener_.force() == push; });
+  device_->close();
+  EXPECT_EQ(listener_.forces().back(), 0.0);
+  EXPECT_TRUE(waitUntil([this] { return listener_.isLeft(); }));
+  device_.reset();
+  EXPECT_TRUE(children().empty());
+}
+
+TEST_F(PluginFault, OfTheProgramThatSendsNaNIsNoForce)
+{
+  load();
+  ASSERT_TRUE(device_->open());
+  tickUntil([this] { return listener_.force() == push; });
+  const auto sent = listener_.forces().size();
+  EXPECT_TRUE(waitUntil([&] {
+    device_->await(milliseconds(2));
+    device_->read();
+    device_->write({{0.0, 0.0, std::nan("")}, {}});
+    return listener_.forces().size() > sent + 20;
+  }));
+  EXPECT_EQ(listener_.force(), 0.0);
+}
+
+TEST_F(PluginFault, OfTheProgramThatSendsTooMuchIsLimited)
+{
+  load();
+  ASSERT_TRUE(device_->open());
+  EXPECT_TRUE(waitUntil([&] {
+    device_->await(milliseconds(2));
+    device_->read();
+    device_->write({{0.0, 0.0, -80.0}, {}});
+    return listener_.hasReceived(-1.0);
+  }));
+  const auto forces = listener_.forces();
+  EXPECT_EQ(*std::min_element(forces.begin(), forces.end()), -1.0);
+}
+
+TEST_F(PluginFault, WithoutOneAllocatesNothingInTheTick)
+{
+  if (!AllocationGuard::isAvailable()) GTEST_SKIP() << AllocationGuard::whyNot();
+  load();
+  ASSERT_TRUE(device_->open());
+  tick();
+  const AllocationGuard guard;
+  for (int i = 0; i < 300; ++i) tick();
+  EXPECT_EQ(guard.allocations(), 0u);
+}
+
+/// A program that pushes through the plug-in until something ends it.
+class PluginOfAProgram : public PluginFault {
+protected:
+  void startPushing(const std::string& fault = "none")
+  {
+    program_ = std::make_unique<ChildProcess>(ProgramCall{PERILYMPH_PLUGIN_HAND,
+                                                          {PERILYMPH_SOCKET_PLUGIN},
+                                                          {{"PERILYMPH_TEST_FAULT", fault}},
+                                                          std::nullopt});
+    ASSERT_TRUE(waitUntil([this] { return listener_.hasReceived(push); }));
+  }
+  std::unique_ptr<ChildProcess> program_;
+};
+
+TEST_F(PluginOfAProgram, WritesZeroAndEndsWhenTheProgramIsKilled)
+{
+  startPushing();
+  program_->send(SIGKILL);
+  EXPECT_TRUE(waitUntil([this] { return listener_.isLeft(); }));
+  EXPECT_EQ(listener_.forces().back(), 0.0);
+}
+
+TEST_F(PluginOfAProgram, EndsWhenTheProgramIsKilledWhileItHangs)
+{
+  startPushing("hang in write");
+  program_->send(SIGKILL);
+  EXPECT_TRUE(waitUntil([this] { return listener_.isLeft(); }));
+}
+
+TEST_F(PluginOfAProgram, WritesZeroButStaysWhileTheProgramIsStopped)
+{
+  startPushing();
+  program_->send(SIGSTOP);
+  EXPECT_TRUE(waitUntil([this] { return listener_.force() == 0.0; }));
+  EXPECT_FALSE(listener_.isLeft());
+  const auto received = listener_.forces().size();
+  program_->send(SIGCONT);
+  EXPECT_TRUE(waitUntil([&] { return listener_.forces().size() > received; }));
+}
+
+}  // namespace
+}  // namespace perilymph::test

@@ -16,7 +16,7 @@
 #include <algorithm>
 #include <system_error>
 
-#include "DataFolder.h"
+#include "OwnFolders.h"
 #include "WindowRig.h"
 #include "gui/pages/compare/ComparePage.h"
 #include "gui/pages/compare/ComparisonPlot.h"

@@ -11,7 +11,7 @@
 #include <QTest>
 #include <algorithm>
 
-#include "DataFolder.h"
+#include "OwnFolders.h"
 #include "Walk.h"
 #include "WindowRig.h"
 #include "gui/pages/ct/CtPage.h"

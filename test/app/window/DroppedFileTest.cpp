@@ -9,7 +9,7 @@
 #include <QMimeData>
 #include <QUrl>
 
-#include "DataFolder.h"
+#include "OwnFolders.h"
 #include "WindowRig.h"
 #include "gui/pages/insert/ReplayBar.h"
 #include "perilymph/foundation/Resources.h"

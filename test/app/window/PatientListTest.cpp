@@ -8,7 +8,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 
-#include "DataFolder.h"
+#include "OwnFolders.h"
 #include "WindowRig.h"
 #include "gui/setup/PatientLibrary.h"
 

@@ -9,7 +9,7 @@
 #include <QToolTip>
 #include <fstream>
 
-#include "DataFolder.h"
+#include "OwnFolders.h"
 #include "WindowRig.h"
 #include "gui/pages/sessions/ReportContent.h"
 #include "gui/pages/sessions/ReportText.h"

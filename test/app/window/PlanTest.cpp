@@ -19,9 +19,8 @@
 #include <algorithm>
 #include <fstream>
 
-#include "DataFolder.h"
 #include "KeptPicture.h"
-#include "StateFolderOfTest.h"
+#include "OwnFolders.h"
 #include "Walk.h"
 #include "WindowRig.h"
 #include "gui/pages/insert/ForceCharts.h"
@@ -180,7 +179,7 @@ protected:
   }
 
   DataFolder data_;
-  StateFolderOfTest state_;
+  StateFolder state_;
   TemporaryFolder folder_;
 };
 

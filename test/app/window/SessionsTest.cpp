@@ -15,7 +15,7 @@
 #include <fstream>
 #include <future>
 
-#include "DataFolder.h"
+#include "OwnFolders.h"
 #include "WindowRig.h"
 #include "gui/pages/insert/ReplayBar.h"
 #include "gui/pages/insert/ReplayPlayer.h"

@@ -11,7 +11,7 @@
 #include <QTest>
 #include <tuple>
 
-#include "DataFolder.h"
+#include "OwnFolders.h"
 #include "WindowRig.h"
 #include "gui/pages/start/PatientForm.h"
 #include "perilymph/foundation/Resources.h"

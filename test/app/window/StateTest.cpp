@@ -15,7 +15,7 @@
 #include <future>
 #include <new>
 
-#include "DataFolder.h"
+#include "OwnFolders.h"
 #include "WindowRig.h"
 #include "gui/parts/Notice.h"
 #include "gui/parts/Numbers.h"

@@ -13,7 +13,7 @@
 #include <memory>
 #include <optional>
 
-#include "DataFolder.h"
+#include "OwnFolders.h"
 #include "Walk.h"
 #include "WindowRig.h"
 #include "gui/pages/insert/ReplayControl.h"

@@ -14,7 +14,7 @@
 #include <QTest>
 #include <algorithm>
 
-#include "DataFolder.h"
+#include "OwnFolders.h"
 #include "Walk.h"
 #include "WindowRig.h"
 #include "gui/kiosk/KioskWindow.h"

@@ -7,36 +7,27 @@
 #include <QVBoxLayout>
 #include <QVariant>
 
+#include "gui/parts/PanelParts.h"
 #include "gui/parts/Theme.h"
 
 namespace perilymph::gui {
 
 namespace {
 
-constexpr int onwardHeight_px = 28, maxCodeLength = 24;
-
-QPushButton* onwardButton(const QString& caption, const char* name, QWidget* parent)
-{
-  auto* button = new QPushButton(caption, parent);
-  button->setObjectName(QLatin1String(name));
-  button->setFont(typeface(13, QFont::Medium));
-  button->setFixedHeight(sized(onwardHeight_px));
-  button->setFocusPolicy(Qt::TabFocus);
-  return button;
-}
+constexpr int codeHeight_px = 28, maxCodeLength = 24;
 
 }  // namespace
 
 CtOnward::CtOnward(QWidget* parent)
     : QWidget(parent),
       code_(new QLineEdit(this)),
-      insert_(onwardButton(tr("Insert into this cochlea"), "insertCtButton", this)),
-      plan_(onwardButton(tr("Compare arrays for it"), "planCtButton", this)),
-      saveSurface_(onwardButton(tr("Save surface…"), "saveCtSurfaceButton", this))
+      insert_(panelButton(tr("Insert into this cochlea"), "insertCtButton", this)),
+      plan_(panelButton(tr("Compare arrays for it"), "planCtButton", this)),
+      saveSurface_(panelButton(tr("Save surface…"), "saveCtSurfaceButton", this))
 {
   code_->setObjectName(QStringLiteral("ctPatientCode"));
   code_->setFont(typeface(13));
-  code_->setFixedHeight(sized(onwardHeight_px));
+  code_->setFixedHeight(sized(codeHeight_px));
   code_->setMaxLength(maxCodeLength);
   code_->setAccessibleName(tr("Patient code"));
   code_->setPlaceholderText(tr("Patient code (no names)"));

@@ -21,6 +21,7 @@
 #include "gui/pages/ct/MarkGuide.h"
 #include "gui/parts/CheckBoxes.h"
 #include "gui/parts/DataText.h"
+#include "gui/parts/PanelParts.h"
 #include "gui/parts/Theme.h"
 #include "gui/parts/WrappedLabel.h"
 
@@ -28,25 +29,13 @@ namespace perilymph::gui {
 
 namespace {
 
-constexpr int panelWidth_px = 300, seriesHeight_px = 66, buttonHeight_px = 28, thumbnail_px = 48;
+constexpr int panelWidth_px = 300, seriesHeight_px = 66, thumbnail_px = 48;
 
-QLabel* panelText(const QString& caption, int size_px, QWidget* parent, bool isQuiet = false)
+QLabel* panelText(const QString& caption, int size_px, QWidget* parent)
 {
   auto* label = new WrappedLabel(caption, parent);
-  label->setFont(typeface(size_px, isQuiet && size_px == 11 ? QFont::DemiBold : QFont::Normal));
-  label->setProperty("quiet", isQuiet);
+  label->setFont(typeface(size_px));
   return label;
-}
-
-QPushButton* panelButton(const QString& caption, const char* name, QWidget* parent)
-{
-  auto* button = new QPushButton(caption, parent);
-  button->setObjectName(QLatin1String(name));
-  button->setFont(typeface(13, QFont::Medium));
-  button->setFixedHeight(sized(buttonHeight_px));
-  button->setFocusPolicy(Qt::TabFocus);
-  button->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // rows share the panel's width
-  return button;
 }
 
 struct Slab {
@@ -73,12 +62,6 @@ CtPanel::CtPanel(CtStudy& study, QWidget* parent) : QWidget(parent), study_(stud
   addMeasurement(*column);
   addMarks(*column);
   column->addStretch();
-  auto* scroll = new QScrollArea(this);
-  scroll->setWidget(upper);
-  scroll->setWidgetResizable(true);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setFocusPolicy(Qt::NoFocus);  // it follows the focus of its fields
   // what follows the measurement stays in view
   auto* foot = new QVBoxLayout;
   foot->setContentsMargins(2 * spacing, spacing, 2 * spacing, 2 * spacing);
@@ -87,7 +70,7 @@ CtPanel::CtPanel(CtStudy& study, QWidget* parent) : QWidget(parent), study_(stud
   auto* whole = new QVBoxLayout(this);
   whole->setContentsMargins(0, 0, 0, 0);
   whole->setSpacing(0);
-  whole->addWidget(scroll, 1);
+  whole->addWidget(verticalScroll(upper, this), 1);
   whole->addLayout(foot);
   connect(&study_, &CtStudy::changed, this, &CtPanel::refresh);
   showIdle({});
@@ -95,10 +78,10 @@ CtPanel::CtPanel(CtStudy& study, QWidget* parent) : QWidget(parent), study_(stud
 
 void CtPanel::addSource(QVBoxLayout& column)
 {
-  column.addWidget(panelText(tr("CT"), 11, this, true));
+  column.addWidget(panelHeading(tr("CT"), this));
   auto* row = new QHBoxLayout;
-  auto* folder = panelButton(tr("Open folder…"), "openCtFolderButton", this);
-  auto* file = panelButton(tr("Open file…"), "openCtFileButton", this);
+  auto* folder = rowButton(tr("Open folder…"), "openCtFolderButton", this);
+  auto* file = rowButton(tr("Open file…"), "openCtFileButton", this);
   folder->setToolTip(tr("A folder with DICOM files, or the folder of a DICOMDIR"));
   file->setToolTip(tr("DICOMDIR, enhanced DICOM, NIfTI (.nii, .nii.gz) or NRRD (.nrrd)"));
   row->addWidget(folder);
@@ -123,7 +106,7 @@ void CtPanel::addSource(QVBoxLayout& column)
 void CtPanel::addView(QVBoxLayout& column)
 {
   column.addSpacing(spacing);
-  column.addWidget(panelText(tr("VIEW"), 11, this, true));
+  column.addWidget(panelHeading(tr("VIEW"), this));
   patientPlanes_ = new Choice(tr("Axial, coronal, sagittal"), this);
   cochleaPlanes_ = new Choice(tr("Cochlear view"), this);
   patientPlanes_->setObjectName(QStringLiteral("patientPlanes"));
@@ -178,12 +161,12 @@ void CtPanel::addView(QVBoxLayout& column)
 void CtPanel::addMeasurement(QVBoxLayout& column)
 {
   column.addSpacing(spacing);
-  column.addWidget(panelText(tr("MEASURES"), 11, this, true));
-  search_ = panelButton(tr("Find and measure the cochlea"), "measureCtButton", this);
-  measureHere_ = panelButton(tr("Measure at the crosshair"), "measureHereButton", this);
+  column.addWidget(panelHeading(tr("MEASURES"), this));
+  search_ = rowButton(tr("Find and measure the cochlea"), "measureCtButton", this);
+  measureHere_ = rowButton(tr("Measure at the crosshair"), "measureHereButton", this);
   search_->setProperty("primary", true);
   measureHere_->setToolTip(tr("Click into the cochlea first."));
-  cancel_ = panelButton(tr("Cancel"), "cancelCtButton", this);
+  cancel_ = rowButton(tr("Cancel"), "cancelCtButton", this);
   progress_ = new QProgressBar(this);
   progress_->setTextVisible(false);
   progress_->setFixedHeight(6);
@@ -204,8 +187,8 @@ void CtPanel::addMeasurement(QVBoxLayout& column)
   column.addWidget(side_);
   auto* table = new QGridLayout;
   table->setVerticalSpacing(4);
-  table->addWidget(panelText(tr("fitted, 95 %"), 11, this, true), 0, 1);
-  table->addWidget(panelText(tr("landmarks"), 11, this, true), 0, 2);
+  table->addWidget(panelHeading(tr("fitted, 95 %"), this), 0, 1);
+  table->addWidget(panelHeading(tr("landmarks"), this), 0, 2);
   const std::array names{QStringLiteral("A"), QStringLiteral("B"), QStringLiteral("H"), tr("CDL")};
   constexpr std::array keys{"A", "B", "H", "Cdl"};
   for (std::size_t k = 0; k < names.size(); ++k) {
@@ -233,12 +216,12 @@ void CtPanel::addMeasurement(QVBoxLayout& column)
 void CtPanel::addMarks(QVBoxLayout& column)
 {
   column.addSpacing(spacing);
-  column.addWidget(panelText(tr("LANDMARKS"), 11, this, true));
+  column.addWidget(panelHeading(tr("LANDMARKS"), this));
   auto* grid = new QGridLayout;
   grid->setSpacing(4);
   for (std::size_t k = 0; k < ct::markCount; ++k) {
     const auto mark = static_cast<ct::Mark>(k);
-    auto* button = panelButton(markLabel(mark), "", this);
+    auto* button = rowButton(markLabel(mark), "", this);
     button->setObjectName(QStringLiteral("mark%1").arg(QLatin1String(ct::nameOf(mark))));
     button->setAccessibleName(markName(mark));
     button->setToolTip(
@@ -251,10 +234,10 @@ void CtPanel::addMarks(QVBoxLayout& column)
   column.addWidget(guide_ = new MarkGuide(study_, this));
   auto* verbs = new QGridLayout;
   verbs->setSpacing(4);
-  undo_ = panelButton(tr("Undo"), "undoMarkButton", this);
-  redo_ = panelButton(tr("Redo"), "redoMarkButton", this);
-  saveMarks_ = panelButton(tr("Save…"), "saveMarksButton", this);
-  loadMarks_ = panelButton(tr("Load…"), "loadMarksButton", this);
+  undo_ = rowButton(tr("Undo"), "undoMarkButton", this);
+  redo_ = rowButton(tr("Redo"), "redoMarkButton", this);
+  saveMarks_ = rowButton(tr("Save…"), "saveMarksButton", this);
+  loadMarks_ = rowButton(tr("Load…"), "loadMarksButton", this);
   saveMarks_->setToolTip(
       tr("Markups for 3D Slicer (.mrk.json, LPS): landmarks, axis, and the inserted array with its "
          "contacts"));

@@ -15,6 +15,7 @@
 #include "gui/pages/plan/PlanView.h"
 #include "gui/pages/plan/PlannedSetup.h"
 #include "gui/parts/EmptyPage.h"
+#include "gui/parts/PanelParts.h"
 #include "gui/parts/StatusLine.h"
 #include "gui/parts/Theme.h"
 #include "gui/parts/WrappedLabel.h"
@@ -43,10 +44,10 @@ PlanPage::PlanPage(QWidget* parent)
       head_(new PlanHead(this)),
       list_(new PlanList(this)),
       view_(new PlanView(this)),
-      open_(new QPushButton(this)),
-      insert_(new QPushButton(tr("Insert this array"), this)),
-      report_(new QPushButton(tr("Report…"), this)),
-      back_(new QPushButton(tr("Back to the table"), this)),
+      open_(panelButton({}, "openPlanArrayButton", this)),
+      insert_(panelButton(tr("Insert this array"), "insertPlanArrayButton", this)),
+      report_(panelButton(tr("Report…"), "planReportButton", this)),
+      back_(panelButton(tr("Back to the table"), "planTableButton", this)),
       notes_(new PlanNotes(this)),
       status_(new StatusLine("planStatus", this))
 {
@@ -96,10 +97,6 @@ QWidget* PlanPage::addPlan()
 QWidget* PlanPage::addArrays()
 {
   auto* page = new QWidget(this);
-  back_->setObjectName(QStringLiteral("planTableButton"));
-  back_->setFont(typeface(13, QFont::Medium));
-  back_->setFixedHeight(sized(28));
-  back_->setFocusPolicy(Qt::TabFocus);
   back_->setToolTip(tr("Esc"));
   auto* head = new QHBoxLayout;
   head->addWidget(back_);
@@ -116,25 +113,13 @@ QWidget* PlanPage::addArrays()
 
 void PlanPage::addVerbs(QHBoxLayout& row)
 {
-  open_->setObjectName(QStringLiteral("openPlanArrayButton"));
-  open_->setFont(typeface(13, QFont::Medium));
-  open_->setFixedHeight(sized(28));
-  open_->setFocusPolicy(Qt::TabFocus);
   open_->setToolTip(tr("Enter, or a double click on a row. Ctrl and Shift select several rows."));
   row.setSpacing(spacing);
   row.addWidget(open_);
-  insert_->setObjectName(QStringLiteral("insertPlanArrayButton"));
-  insert_->setFont(typeface(13, QFont::Medium));
-  insert_->setFixedHeight(sized(28));
-  insert_->setFocusPolicy(Qt::TabFocus);
   insert_->setToolTip(
       tr("Sets patient and array on the page Insert, where the force is compared "
          "with this plan."));
   row.addWidget(insert_);
-  report_->setObjectName(QStringLiteral("planReportButton"));
-  report_->setFont(typeface(13, QFont::Medium));
-  report_->setFixedHeight(sized(28));
-  report_->setFocusPolicy(Qt::TabFocus);
   report_->setToolTip(tr("Report of this plan as PDF: a page for the record and an appendix"));
   row.addWidget(report_);
   row.addStretch();

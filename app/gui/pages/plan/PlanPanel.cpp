@@ -11,6 +11,7 @@
 #include <algorithm>
 
 #include "gui/parts/CheckBoxes.h"
+#include "gui/parts/PanelParts.h"
 #include "gui/parts/Theme.h"
 #include "gui/parts/WrappedLabel.h"
 #include "gui/setup/Catalog.h"
@@ -26,25 +27,6 @@ namespace {
 constexpr int panelWidth_px = 264;
 constexpr int drawCounts[] = {8, 16, 32, 64, 128, 256};
 constexpr int usualDraws = 64;
-
-WrappedLabel* heading(const QString& text, QWidget* parent)
-{
-  auto* label = new WrappedLabel(text, parent);
-  label->setFont(typeface(11, QFont::DemiBold));
-  label->setProperty("quiet", true);
-  return label;
-}
-
-QPushButton* panelButton(const QString& text, const char* name, QWidget* parent)
-{
-  auto* button = new QPushButton(text, parent);
-  button->setObjectName(QLatin1String(name));
-  button->setFont(typeface(13, QFont::Medium));
-  button->setFixedHeight(sized(28));
-  button->setFocusPolicy(Qt::TabFocus);
-  button->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // rows share the panel's width
-  return button;
-}
 
 /// Saved patients and shipped ones, those with A and B.
 std::vector<anatomy::Patient> plannablePatients()
@@ -80,8 +62,8 @@ PlanPanel::PlanPanel(QWidget* parent)
       patientList_(new Selector("planPatientSelector", tr("Patient"), this)),
       planList_(new Selector("planSelector", tr("Saved plans"), this)),
       draws_(new Selector("planDraws", tr("Draws, at most"), this)),
-      compute_(panelButton(tr("Compute"), "computePlanButton", this)),
-      cancel_(panelButton(tr("Cancel"), "cancelPlanButton", this)),
+      compute_(rowButton(tr("Compute"), "computePlanButton", this)),
+      cancel_(rowButton(tr("Cancel"), "cancelPlanButton", this)),
       progress_(new QProgressBar(this))
 {
   setFixedWidth(sized(panelWidth_px));
@@ -93,12 +75,6 @@ PlanPanel::PlanPanel(QWidget* parent)
   addPlans(*column);
   addArrays(*column);
   column->addStretch();
-  auto* scroll = new QScrollArea(this);
-  scroll->setWidget(content);
-  scroll->setWidgetResizable(true);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setFocusPolicy(Qt::NoFocus);  // it follows the focus of its fields
   auto* foot = new QVBoxLayout;
   foot->setContentsMargins(2 * spacing, spacing, 2 * spacing, 2 * spacing);
   foot->setSpacing(spacing);
@@ -106,7 +82,7 @@ PlanPanel::PlanPanel(QWidget* parent)
   auto* whole = new QVBoxLayout(this);
   whole->setContentsMargins(0, 0, 0, 0);
   whole->setSpacing(0);
-  whole->addWidget(scroll, 1);
+  whole->addWidget(verticalScroll(content, this), 1);
   whole->addLayout(foot);
   showProgress(std::nullopt);
   refresh();
@@ -114,14 +90,14 @@ PlanPanel::PlanPanel(QWidget* parent)
 
 void PlanPanel::addPatient(QVBoxLayout& column)
 {
-  column.addWidget(heading(tr("PATIENT"), this));
+  column.addWidget(panelHeading(tr("PATIENT"), this));
   column.addWidget(patientList_);
   connect(patientList_, &Selector::chosen, this, &PlanPanel::choosePatient);
 }
 
 void PlanPanel::addPlans(QVBoxLayout& column)
 {
-  column.addWidget(heading(tr("SAVED PLANS"), this));
+  column.addWidget(panelHeading(tr("SAVED PLANS"), this));
   column.addWidget(planList_);
   connect(planList_, &Selector::chosen, this, [this](const QString& folder) {
     const auto found = std::find_if(plans_.begin(), plans_.end(), [&](const StoredPlan& each) {
@@ -135,11 +111,11 @@ void PlanPanel::addPlans(QVBoxLayout& column)
 
 void PlanPanel::addArrays(QVBoxLayout& column)
 {
-  column.addWidget(heading(tr("ARRAYS"), this));
+  column.addWidget(panelHeading(tr("ARRAYS"), this));
   auto* buttons = new QHBoxLayout;
   buttons->setSpacing(spacing);
-  auto* all = panelButton(tr("All"), "planAllArraysButton", this);
-  auto* none = panelButton(tr("None"), "planNoArraysButton", this);
+  auto* all = rowButton(tr("All"), "planAllArraysButton", this);
+  auto* none = rowButton(tr("None"), "planNoArraysButton", this);
   all->setAccessibleName(tr("Choose all arrays"));
   none->setAccessibleName(tr("Choose no array"));
   buttons->addWidget(all);
@@ -149,7 +125,7 @@ void PlanPanel::addArrays(QVBoxLayout& column)
   connect(none, &QPushButton::clicked, this, [this] { check(false); });
   QString maker;
   for (const CatalogArray& each : catalogArrays()) {
-    if (each.maker != maker) column.addWidget(heading(maker = each.maker, this));
+    if (each.maker != maker) column.addWidget(panelHeading(maker = each.maker, this));
     auto* box = new CheckBox(each.title, this);
     box->setObjectName(QStringLiteral("plan-array-%1").arg(each.name));
     box->setToolTip(each.summary);

@@ -17,6 +17,7 @@
 #include "gui/pages/start/PatientPicker.h"
 #include "gui/pages/start/RecentWork.h"
 #include "gui/parts/FocusRing.h"
+#include "gui/parts/PanelParts.h"
 #include "gui/parts/Theme.h"
 #include "gui/setup/PatientLibrary.h"
 #include "gui/setup/PatientSetup.h"
@@ -135,7 +136,7 @@ void StartCard::paintEvent(QPaintEvent*)
 StartPage::StartPage(QWidget* parent) : QWidget(parent), stages_(new QStackedWidget(this))
 {
   setObjectName(QStringLiteral("startPage"));
-  stages_->addWidget(scrolled(cards()));
+  stages_->addWidget(verticalScroll(cards(), stages_));
   form_ = new PatientForm(stages_);
   stages_->addWidget(centered(form_));
   picker_ = new PatientPicker(stages_);
@@ -164,17 +165,6 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent), stages_(new QStackedWid
   connect(recent_, &RecentWork::allRecordingsAsked, this, &StartPage::allRecordingsAsked);
 }
 
-QWidget* StartPage::scrolled(QWidget* page)
-{
-  auto* scroll = new QScrollArea(stages_);
-  scroll->setWidgetResizable(true);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setFocusPolicy(Qt::NoFocus);  // it follows the focus of its fields
-  scroll->setWidget(page);
-  return scroll;
-}
-
 QWidget* StartPage::centered(QWidget* content)
 {
   auto* page = new QWidget(stages_);
@@ -182,7 +172,7 @@ QWidget* StartPage::centered(QWidget* content)
   row->addStretch(1);
   row->addWidget(content, 1000);  // up to its maximum width
   row->addStretch(1);
-  return scrolled(page);
+  return verticalScroll(page, stages_);
 }
 
 void StartPage::addKey(QWidget& page, Qt::Key key, StartCard& card)

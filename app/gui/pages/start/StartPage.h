@@ -81,7 +81,6 @@ protected:
 private:
   QWidget* cards();
   QWidget* centered(QWidget* content);
-  QWidget* scrolled(QWidget* page);
   void showCards() { showCards(current_); }
   void addKey(QWidget& page, Qt::Key key, StartCard& card);
   void savePatient(const anatomy::Patient& patient);

@@ -9,6 +9,7 @@
 #include <QVariant>
 
 #include "gui/pages/studies/StudyText.h"
+#include "gui/parts/PanelParts.h"
 #include "gui/parts/Theme.h"
 #include "gui/parts/WrappedLabel.h"
 
@@ -51,16 +52,10 @@ StudyDetails::StudyDetails(QWidget* parent)
   stack->addWidget(hint_);
   stack->addWidget(list_);
   stack->addStretch();
-  auto* scroll = new QScrollArea(this);
-  scroll->setWidget(inside);
-  scroll->setWidgetResizable(true);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setFocusPolicy(Qt::NoFocus);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(2 * spacing, 2 * spacing, 2 * spacing, 2 * spacing);
   column->setSpacing(spacing);
-  column->addWidget(scroll, 1);
+  column->addWidget(verticalScroll(inside, this), 1);
   column->addWidget(replay_);
   connect(replay_, &QPushButton::clicked, this, &StudyDetails::replayAsked);
   showNone();

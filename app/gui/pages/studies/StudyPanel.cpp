@@ -13,6 +13,7 @@
 #include "gui/pages/studies/StudyText.h"
 #include "gui/parts/CheckBoxes.h"
 #include "gui/parts/Numbers.h"
+#include "gui/parts/PanelParts.h"
 #include "gui/parts/Theme.h"
 #include "gui/parts/WrappedLabel.h"
 #include "gui/setup/Selector.h"
@@ -22,24 +23,6 @@ namespace perilymph::gui {
 namespace {
 
 constexpr int panelWidth_px = 264;
-
-WrappedLabel* heading(const QString& text, QWidget* parent)
-{
-  auto* label = new WrappedLabel(text, parent);
-  label->setFont(typeface(11, QFont::DemiBold));
-  label->setProperty("quiet", true);
-  return label;
-}
-
-QPushButton* panelButton(const QString& text, const char* name, QWidget* parent)
-{
-  auto* button = new QPushButton(text, parent);
-  button->setObjectName(QLatin1String(name));
-  button->setFont(typeface(13, QFont::Medium));
-  button->setFixedHeight(sized(28));
-  button->setFocusPolicy(Qt::TabFocus);
-  return button;
-}
 
 /// Selects a value, or the first one that a study has.
 void select(Selector& list, const QString& wanted, const QString& usual)
@@ -74,22 +57,16 @@ StudyPanel::StudyPanel(QWidget* parent)
   connect(all, &QPushButton::clicked, this, &StudyPanel::reset);
   column->addWidget(all);
   column->addStretch();
-  auto* scroll = new QScrollArea(this);
-  scroll->setWidget(content);
-  scroll->setWidgetResizable(true);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setFocusPolicy(Qt::NoFocus);  // it follows the focus of its fields
   auto* whole = new QVBoxLayout(this);
   whole->setContentsMargins(0, 0, 0, 0);
-  whole->addWidget(scroll);
+  whole->addWidget(verticalScroll(content, this));
 }
 
 void StudyPanel::addAxes(QVBoxLayout& column)
 {
   for (const auto& [list, title] : {std::pair{y_, tr("VERTICAL")}, std::pair{x_, tr("HORIZONTAL")},
                                     std::pair{group_, tr("COLOR BY")}}) {
-    column.addWidget(heading(title, this));
+    column.addWidget(panelHeading(title, this));
     column.addWidget(list);
     connect(list, &Selector::chosen, this, &StudyPanel::axesChanged);
   }
@@ -110,7 +87,7 @@ QLineEdit* StudyPanel::addLimit(const char* name, const QString& title)
 
 void StudyPanel::addSize(QVBoxLayout& column)
 {
-  column.addWidget(heading(tr("COCHLEAR SIZE: A, MM"), this));
+  column.addWidget(panelHeading(tr("COCHLEAR SIZE: A, MM"), this));
   auto* row = new QHBoxLayout;
   row->setSpacing(spacing);
   row->addWidget(minA_ = addLimit("studyMinA", tr("from")));
@@ -145,7 +122,7 @@ void StudyPanel::offerFilters(const study::StudyColumns& columns)
   column->setSpacing(2);
   for (const study::StudyFactor& factor : columns.factors()) {
     column->addSpacing(spacing);
-    column->addWidget(heading(settingTitle(factor.key).toUpper(), boxesOfStudy_));
+    column->addWidget(panelHeading(settingTitle(factor.key).toUpper(), boxesOfStudy_));
     boxes_.emplace_back();
     for (std::size_t i = 0; i < factor.levels.size(); ++i) {
       auto* box = new CheckBox(levelText(factor.levels[i]), boxesOfStudy_);

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <cmath>
 #include <fstream>
 #include <optional>
 
 #include "CallFiles.h"
 #include "Commands.h"
 #include "Interruption.h"
-#include "SimulationJson.h"
 #include "Terminal.h"
-#include "perilymph/analysis/ForceProfile.h"
-#include "perilymph/analysis/Phase.h"
+#include "perilymph/analysis/SimulatedInsertion.h"
 #include "perilymph/device/ScriptedDevice.h"
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/haptics/InsertionEnd.h"
@@ -25,18 +22,6 @@ struct CsvRows {
   std::ofstream stream;
   session::CsvPeriod period{0.0};
 };
-
-// A tip less deep than this has not entered; tremor moves one at the opening by less (choice, high).
-constexpr Length minDepth = millimeters(0.1);
-
-/// "at 9.31 mm of depth, 2.013 N on the hand".
-std::string where(const haptics::TickOutput& now)
-{
-  const auto& f = now.force_W;
-  const double force = std::sqrt(f[0] * f[0] + f[1] * f[1] + f[2] * f[2]);
-  return "at " + fixed(inMillimeters(meters(now.depth)), 2) + " mm of depth, " + fixed(force, 3) +
-         " N on the hand";
-}
 
 /// What the user can change after an early end.
 const char* adviceFor(haptics::InsertionEnd end)
@@ -55,34 +40,18 @@ const char* adviceFor(haptics::InsertionEnd end)
   }
 }
 
-/// Result of the run.
-struct Outcome {
-  analysis::ForceProfile profile;
-  haptics::TickOutput last;
-};
+using Outcome = analysis::SimulatedInsertion;
 
 Result<Outcome> run(session::Insertion& insertion, CsvRows* rows)
 {
-  Outcome outcome;
-  analysis::ForceProfiler profiler;
-  const auto ran = insertion.runToEnd(
-      [&](const haptics::TickRecord& record) {
-        profiler.add(record);
-        outcome.last = record.output;
-        if (rows && rows->period.keeps(record.output.time)) rows->stream << session::csvRow(record);
-        return !isInterrupted();
-      },
-      session::maxTicks(insertion.parameters(), insertion.model()));
+  const auto outcome = analysis::simulate(insertion, [&](const haptics::TickRecord& record) {
+    if (rows && rows->period.keeps(record.output.time)) rows->stream << session::csvRow(record);
+    return !isInterrupted();
+  });
   if (isInterrupted())
     return Error{insertion.recording()
                      ? "Interrupted; only the recording was kept, as far as it came."
                      : "Interrupted; nothing was written."};
-  if (!ran) return ran.error();
-  outcome.profile = profiler.profile();
-  if (outcome.profile.deepest < minDepth.si())
-    return Error{"The tip did not enter the opening: " + where(outcome.last) +
-                 ". Aim at the opening (approach_tilt_deg, approach_turn_deg), or start deeper "
-                 "inside (start_inside_mm)."};
   return outcome;
 }
 
@@ -119,8 +88,8 @@ void printSummary(const session::Scenario& scenario, const Outcome& outcome)
   for (const std::string& note : scenario.notes()) print("{}\n", note);
   const haptics::InsertionEnd end = endOf(outcome.last);
   if (end != haptics::InsertionEnd::finished)
-    print("{:18} the array {}, {}.{}\n", nameOf(end), clauseOf(end), where(outcome.last),
-          adviceFor(end));
+    print("{:18} the array {}, {}.{}\n", nameOf(end), clauseOf(end),
+          analysis::placeOf(outcome.last), adviceFor(end));
   printPoint("peak force", profile.peak);
   printPoint("basal-turn peak", profile.basalTurnPeak);
   printPoint("following dip", profile.basalTurnDip);
@@ -154,10 +123,9 @@ Result<Done> simulate(const SimulateOptions& options, const CallFiles& files)
       options.csv.empty() ? run(**insertion, nullptr) : runIntoCsv(**insertion, options);
   if (!outcome) return outcome.error();
   if (!options.json.empty()) {
-    const auto phase = analysis::phaseOf(outcome->last, scenario->stopTravel());
-    const auto done =
-        writeWhole(options.json, simulationJson(*scenario, outcome->profile, endOf(outcome->last),
-                                                phase, (*insertion)->loop().statistics()));
+    const auto done = writeWhole(
+        options.json,
+        analysis::simulationJson(*scenario, *outcome, (*insertion)->loop().statistics()));
     if (!done) return done.error();
   }
   printSummary(*scenario, *outcome);

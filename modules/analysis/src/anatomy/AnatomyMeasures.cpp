@@ -272,38 +272,53 @@ std::vector<SectionRow> sectionRows(const anatomy::ScalaTympani& scala, Angle ma
   return rows;
 }
 
+std::vector<std::pair<const char*, std::vector<double>>> sectionColumns(
+    const std::vector<SectionRow>& rows)
+{
+  using Value = double (*)(const SectionRow&);
+  static constexpr auto mm = [](double length) { return inMillimeters(meters(length)); };
+  constexpr std::pair<const char*, Value> measured[] = {
+      {"angle_deg", [](const SectionRow& row) { return inDegrees(radians(row.angle)); }},
+      {"center_r_mm", [](const SectionRow& row) { return mm(row.section.centerRadius); }},
+      {"center_z_mm", [](const SectionRow& row) { return mm(row.section.centerHeight); }},
+      {"inner_r_mm", [](const SectionRow& row) { return mm(row.section.innerRadius); }},
+      {"outer_r_mm", [](const SectionRow& row) { return mm(row.section.outerRadius); }},
+      {"width_mm",
+       [](const SectionRow& row) { return mm(row.section.outerRadius - row.section.innerRadius); }},
+      {"floor_z_mm", [](const SectionRow& row) { return mm(row.section.floorHeight); }},
+      {"roof_z_mm", [](const SectionRow& row) { return mm(row.section.roofHeight); }},
+      {"height_mm",
+       [](const SectionRow& row) { return mm(row.section.roofHeight - row.section.floorHeight); }},
+      {"area_mm2", [](const SectionRow& row) { return row.section.area * 1e6; }},
+      {"outer_wall_length_mm", [](const SectionRow& row) { return mm(row.outerWallLength); }},
+      {"center_length_mm", [](const SectionRow& row) { return mm(row.centerLength); }},
+      {"inner_wall_length_mm", [](const SectionRow& row) { return mm(row.innerWallLength); }},
+      {"organ_of_corti_mm", [](const SectionRow& row) { return mm(row.organOfCortiLength); }}};
+  std::vector<std::pair<const char*, std::vector<double>>> columns;
+  for (const auto& [name, value] : measured) {
+    columns.emplace_back(name, std::vector<double>());
+    for (const SectionRow& row : rows) columns.back().second.push_back(value(row));
+  }
+  const double organ = rows.empty() ? 1.0 : rows.back().organOfCortiLength;
+  std::vector<double> greenwood, spiralGanglion;
+  for (const SectionRow& row : rows) {
+    greenwood.push_back(greenwoodFrequency(1.0 - row.organOfCortiLength / organ));
+    spiralGanglion.push_back(spiralGanglionFrequency(radians(row.angle)));
+  }
+  columns.emplace_back("greenwood_Hz", std::move(greenwood));
+  columns.emplace_back("spiral_ganglion_Hz", std::move(spiralGanglion));
+  return columns;
+}
+
 std::string sectionsCsv(const std::vector<SectionRow>& rows)
 {
-  std::string csv =
-      "angle_deg,center_r_mm,center_z_mm,inner_r_mm,outer_r_mm,width_mm,floor_z_mm,roof_z_mm,"
-      "height_mm,area_mm2,outer_wall_length_mm,center_length_mm,inner_wall_length_mm,"
-      "organ_of_corti_mm,greenwood_Hz,spiral_ganglion_Hz\n";
-  const auto mm = [](double length) { return inMillimeters(meters(length)); };
-  const double organ = rows.empty() ? 1.0 : rows.back().organOfCortiLength;
-  for (const SectionRow& row : rows) {
-    const anatomy::Section& s = row.section;
-    const double values[] = {inDegrees(radians(row.angle)),
-                             mm(s.centerRadius),
-                             mm(s.centerHeight),
-                             mm(s.innerRadius),
-                             mm(s.outerRadius),
-                             mm(s.outerRadius - s.innerRadius),
-                             mm(s.floorHeight),
-                             mm(s.roofHeight),
-                             mm(s.roofHeight - s.floorHeight),
-                             s.area * 1e6,
-                             mm(row.outerWallLength),
-                             mm(row.centerLength),
-                             mm(row.innerWallLength),
-                             mm(row.organOfCortiLength),
-                             greenwoodFrequency(1.0 - row.organOfCortiLength / organ),
-                             spiralGanglionFrequency(radians(row.angle))};
-    bool isFirst = true;
-    for (const double value : values) {
-      if (!isFirst) csv += ',';
-      isFirst = false;
-      csv += session::shortestDecimal(value);
-    }
+  const auto columns = sectionColumns(rows);
+  std::string csv;
+  for (const auto& [name, values] : columns) csv += (csv.empty() ? "" : ",") + std::string(name);
+  csv += '\n';
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    for (std::size_t k = 0; k < columns.size(); ++k)
+      csv += (k > 0 ? "," : "") + session::shortestDecimal(columns[k].second[i]);
     csv += '\n';
   }
   return csv;

@@ -4,6 +4,7 @@
 // Clinical measures of a cochlea, computed from the lumen used by the mechanics.
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "perilymph/anatomy/ScalaTympani.h"
@@ -63,9 +64,13 @@ struct SectionRow {
 /// @param maxStep  Maximum angle between two sections; reduced so that the last one is at the apex.
 std::vector<SectionRow> sectionRows(const anatomy::ScalaTympani& scala, Angle maxStep);
 
-/// "angle_deg,center_r_mm,...\n" and a row per section, with its characteristic frequency by
-/// Greenwood (from the fraction of the path's length to the last row) and by the spiral ganglion
-/// (from the angle).
+/// The sections as columns by name with unit, in the order of a table, with the characteristic
+/// frequency by Greenwood (from the fraction of the path's length to the last row) and by the spiral
+/// ganglion (from the angle).
+std::vector<std::pair<const char*, std::vector<double>>> sectionColumns(
+    const std::vector<SectionRow>& rows);
+
+/// "angle_deg,center_r_mm,...\n" and a row per section: sectionColumns() as text.
 std::string sectionsCsv(const std::vector<SectionRow>& rows);
 
 }  // namespace perilymph::analysis

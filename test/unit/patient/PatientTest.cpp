@@ -231,6 +231,21 @@ TEST_F(PatientFile, WithHalfOfTheErrorsOrImpossibleOnesIsRefused)
 
 TEST(Patient, OfThePaperIsAllowed) { EXPECT_TRUE(checkPatient(Patient{})); }
 
+TEST(Patient, WithAnErrorThatLeavesNoMeasurementIsRefusedByItsKey)
+{
+  Patient patient;
+  patient.basalTurn = BasalTurn{millimeters(9.2), millimeters(6.8), std::nullopt};
+  patient.errors = BasalTurnErrors{millimeters(0.0), millimeters(2.0), millimeters(0.1)};
+  EXPECT_TRUE(checkPatient(patient));
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  for (const double error_mm : {-0.01, 2.01, none}) {
+    patient.errors->h = millimeters(error_mm);
+    const auto checked = checkPatient(patient);
+    ASSERT_FALSE(checked) << error_mm;
+    EXPECT_THAT(checked.error().message, HasSubstr("h_sd_mm"));
+  }
+}
+
 TEST(Patient, AtTheLimitsIsAllowedAndJustBeyondIsNot)
 {
   const PatientLimits limits = patientLimits();

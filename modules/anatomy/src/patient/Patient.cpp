@@ -110,6 +110,19 @@ Result<Done> checkBasalTurn(const BasalTurn& turn)
   return Done{};
 }
 
+// Larger errors would leave no measurement: A and B are 5 to 11 mm.
+constexpr Range error_mm{0.0, 2.0};
+
+Result<Done> checkErrors(const BasalTurnErrors& errors)
+{
+  for (const std::string& sentence :
+       {complaint("The standard deviation of A", "a_sd_mm", errors.a, error_mm),
+        complaint("The standard deviation of B", "b_sd_mm", errors.b, error_mm),
+        complaint("The standard deviation of H", "h_sd_mm", errors.h.value_or(Length()), error_mm)})
+    if (!sentence.empty()) return Error{sentence};
+  return Done{};
+}
+
 /// Keys of the origin of measures in a patient file.
 struct OriginKey {
   const char* key;
@@ -119,9 +132,6 @@ constexpr OriginKey originKeys[] = {{"measured_with", &MeasurementOrigin::softwa
                                     {"series_sha256", &MeasurementOrigin::seriesKey},
                                     {"landmarks_by_hand", &MeasurementOrigin::landmarksByHand},
                                     {"landmarks_proposed", &MeasurementOrigin::landmarksProposed}};
-
-// Larger errors would leave no measurement: A and B are 5 to 11 mm.
-constexpr Range error_mm{0.0, 2.0};
 
 /// Reads the errors of A, B and optionally H; empty if there are none.
 std::optional<BasalTurnErrors> readErrors(TomlReader& reader)
@@ -214,6 +224,8 @@ Result<Done> savePatient(const Patient& patient, const std::filesystem::path& fi
 
 Result<Done> checkPatient(const Patient& patient)
 {
+  if (patient.basalTurn && patient.errors)
+    if (const auto done = checkErrors(*patient.errors); !done) return done;
   if (patient.basalTurn) return checkBasalTurn(*patient.basalTurn);
   for (const std::string& sentence :
        {complaint("The length of the scala tympani", "st_length_mm", patient.scalaTympaniLength,

@@ -3,6 +3,9 @@
 # The sets of precompiled headers (see precompile.cmake). None contains CLI11, whose definitions
 # would be compiled into every source.
 #
+# Modules are also linked into the Python package, a shared library: position-independent, and nothing
+# of them is visible to others, so that calls within a module are as direct as in a program.
+set(module_options -fPIC -fvisibility=hidden -fvisibility-inlines-hidden)
 # The window waits for people and for the modules: its own code is optimized less.
 set(window_options -O1)
 set(standard
@@ -11,9 +14,9 @@ set(standard
 set(eigen Eigen/Cholesky Eigen/Core Eigen/Geometry)
 
 perilymph_precompiled_headers(engine
-  LINKS Eigen3::Eigen HEADERS ${standard} ${eigen})
+  LINKS Eigen3::Eigen OPTIONS ${module_options} HEADERS ${standard} ${eigen})
 perilymph_precompiled_headers(documents
-  LINKS Eigen3::Eigen nlohmann_json::nlohmann_json HEADERS ${standard} ${eigen} nlohmann/json.hpp)
+  LINKS Eigen3::Eigen nlohmann_json::nlohmann_json OPTIONS ${module_options} HEADERS ${standard} ${eigen} nlohmann/json.hpp)
 if(PERILYMPH_TESTS)
   set(gtest gmock/gmock.h gtest/gtest.h)
   perilymph_precompiled_headers(tests

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pybind11/stl.h>
+
+#include <cmath>
+#include <limits>
+
+#include "Bindings.h"
+#include "NumberArrays.h"
+#include "perilymph/analysis/AnatomyMeasures.h"
+#include "perilymph/analysis/ErrorBand.h"
+
+namespace perilymph::python {
+
+namespace {
+
+using anatomy::ScalaTympani;
+
+BuiltCochlea built(const anatomy::Cochlea& cochlea)
+{
+  auto scala =
+      valueOf(withoutLock([&] { return anatomy::buildAnatomy(cochlea, cochlea.patient.label); }));
+  return {cochlea, std::move(scala)};
+}
+
+BuiltCochlea fromPatient(const anatomy::Patient& patient)
+{
+  anatomy::Cochlea cochlea;
+  cochlea.patient = patient;
+  cochlea.source = sourceScaledBy(measuresOf(patient));
+  return built(cochlea);
+}
+
+BuiltCochlea fromName(const std::string& name)
+{
+  const auto source = anatomy::anatomySourceNamed(name);
+  if (!source) {
+    std::string known;
+    for (const std::string& each : anatomy::anatomySourceNames())
+      known += (known.empty() ? "'" : ", '") + each + "'";
+    throw EngineError("There is no anatomy '" + name + "'; there are " + known + ". Name one.");
+  }
+  anatomy::Cochlea cochlea;
+  cochlea.source = *source;
+  cochlea.patient.label = name;
+  return built(cochlea);
+}
+
+BuiltCochlea fromScenario(const session::Scenario& scenario)
+{
+  return built(scenario.parameters().cochlea);
+}
+
+GivenNumbers anglesOf(const py::object& given, const ScalaTympani& scala)
+{
+  return numbersOf(given, "angle_deg", "deg", 0.0, inDegrees(scala.lastAngle()));
+}
+
+py::array axis(const BuiltCochlea& one, const py::object& angle_deg)
+{
+  return mappedPoints(anglesOf(angle_deg, *one.scala),
+                      [&](double angle) { return one.scala->center_W(degrees(angle).si()); });
+}
+
+py::array wall(const BuiltCochlea& one, const py::object& angle_deg, const py::object& around_deg)
+{
+  const GivenNumbers angles = anglesOf(angle_deg, *one.scala);
+  const GivenNumbers around = numbersOf(around_deg, "around_deg", "deg", -360.0, 360.0);
+  if (around.values.size() != 0 && angles.values.size() > maxValues / around.values.size())
+    throw EngineError("angle_deg and around_deg ask for more than " + std::to_string(maxValues) +
+                      " points. Divide them.");
+  std::vector<double> values = withoutLock([&] {
+    std::vector<double> found;
+    found.reserve(3 * angles.values.size() * around.values.size());
+    for (const double angle : angles.values)
+      for (const double direction : around.values) {
+        const Eigen::Vector3d point =
+            one.scala->wall_W(degrees(angle).si(), degrees(direction).si());
+        for (int k = 0; k < 3; ++k) found.push_back(point[k] * 1e3);
+      }
+    return found;
+  });
+  std::vector<py::ssize_t> shape = angles.shape;
+  shape.insert(shape.end(), around.shape.begin(), around.shape.end());
+  shape.push_back(3);
+  return arrayOf(std::move(values), std::move(shape));
+}
+
+py::array membrane(const BuiltCochlea& one, const py::object& angle_deg, double across)
+{
+  numberOf(across, "across", "of the width", 0.0, 1.0);
+  return mappedPoints(anglesOf(angle_deg, *one.scala), [&](double angle) {
+    return one.scala->membrane_W(degrees(angle).si(), across);
+  });
+}
+
+py::dict sections(const BuiltCochlea& one, double max_step_deg)
+{
+  numberOf(max_step_deg, "max_step_deg", "deg", 0.1, 90.0);
+  const auto rows =
+      withoutLock([&] { return analysis::sectionRows(*one.scala, degrees(max_step_deg)); });
+  py::dict columns;
+  for (auto& [name, values] : analysis::sectionColumns(rows))
+    columns[name] = arrayOf(std::move(values));
+  return columns;
+}
+
+py::dict opening(const BuiltCochlea& one)
+{
+  const anatomy::Entry entry = one.scala->entry();
+  py::dict found;
+  found["origin_mm"] = vectorOf(entry.origin_W, 1e3);
+  found["out"] = vectorOf(entry.out_W, 1.0);
+  found["outward"] = vectorOf(entry.outward_W, 1.0);
+  found["vertical"] = vectorOf(entry.vertical_W, 1.0);
+  return found;
+}
+
+/// Place of a point in the duct: of the turns at its angle, and the lead-in, the one in which its
+/// signed distance to the wall is the largest. A point in the lumen is in one turn only.
+struct LumenPlace {
+  double distance = std::numeric_limits<double>::quiet_NaN();
+  double angle = std::numeric_limits<double>::quiet_NaN();
+  Eigen::Vector3d normal_W = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+};
+
+LumenPlace placeIn(const ScalaTympani& scala, const Eigen::Vector3d& point_W)
+{
+  constexpr double anywhere = 1.0;  // [m]: however far the wall is
+  LumenPlace place;
+  const auto look = [&](anatomy::LumenTrack track) {
+    anatomy::WallPoint wall;
+    scala.nearestWall({&point_W, 1}, {&anywhere, 1}, {&track, 1}, {&wall, 1});
+    if (!wall.isNear || wall.distance <= place.distance) return;
+    place = {wall.distance, track.inLeadIn ? 0.0 : track.angle, wall.normal_W};
+  };
+  const double r = std::hypot(point_W.x(), point_W.y());
+  if (!(r > 0.0)) return place;  // on the modiolar axis no angle is defined
+  const double theta = std::atan2(point_W.y(), point_W.x());
+  const double last = scala.lastAngle().si();
+  for (double angle = theta < 0.0 ? theta + 2.0 * pi : theta; angle <= last; angle += 2.0 * pi)
+    look({false, angle, {point_W.x() / r, point_W.y() / r}});
+  if (point_W.x() > 0.0 && point_W.y() < 0.0) look(scala.startTrack());
+  return place;
+}
+
+py::dict distance(const BuiltCochlea& one, const py::object& points_mm)
+{
+  const GivenPoints given = pointsOf(points_mm, "points_mm");
+  std::vector<double> distances, angles, normals;
+  withoutLock([&] {
+    for (const Eigen::Vector3d& point : given.points) {
+      const LumenPlace place = placeIn(*one.scala, point);
+      distances.push_back(place.distance * 1e3);
+      angles.push_back(inDegrees(radians(place.angle)));
+      for (int k = 0; k < 3; ++k) normals.push_back(place.normal_W[k]);
+    }
+    return true;
+  });
+  std::vector<py::ssize_t> normalShape = given.shape;
+  normalShape.push_back(3);
+  py::dict found;
+  found["distance_mm"] = arrayOf(std::move(distances), given.shape);
+  found["angle_deg"] = arrayOf(std::move(angles), given.shape);
+  found["normal"] = arrayOf(std::move(normals), std::move(normalShape));
+  return found;
+}
+
+py::dict measures(const BuiltCochlea& one)
+{
+  const auto all = withoutLock([&] { return analysis::measure(*one.scala); });
+  py::dict found;
+  for (const analysis::Measure& each : all) found[each.key.c_str()] = each.value;
+  return found;
+}
+
+py::dict measureErrors(const BuiltCochlea& one)
+{
+  std::vector<analysis::Measure> all;
+  const auto bands = valueOf(withoutLock([&] {
+    all = analysis::measure(*one.scala);
+    return analysis::errorBands(one.cochlea, all);
+  }));
+  py::dict found;
+  for (std::size_t i = 0; i < bands.size(); ++i) found[all[i].key.c_str()] = bands[i];
+  return found;
+}
+
+}  // namespace
+
+void defineCochlea(py::module_& module)
+{
+  module.def("anatomies", &anatomy::anatomySourceNames,
+             "Names of the anatomies that need no patient: 'published', 'mean', 'clark'.");
+  py::class_<BuiltCochlea>(
+      module, "Cochlea",
+      "The scala tympani of one cochlea. Points are in mm in its frame: z along the modiolus "
+      "toward "
+      "the apex, angle zero at the center of the round window on the x axis, right ear (a left one "
+      "is mirrored). Angles are in degrees from the round window, full turns included.")
+      .def(
+          py::init(&fromPatient), py::arg("patient"),
+          "Builds a patient's cochlea: the mean anatomy scaled by A, B and H, or the published one "
+          "by three lengths. Takes some tenths of a second.")
+      .def_static("named", &fromName, py::arg("anatomy"),
+                  "Builds an anatomy by its name (see anatomies()).")
+      .def_static("of_scenario", &fromScenario, py::arg("scenario"),
+                  "Builds the cochlea of a scenario.")
+      .def_property_readonly(
+          "anatomy", [](const BuiltCochlea& one) { return nameOf(one.cochlea.source); },
+          "Name of the anatomy that was scaled.")
+      .def_property_readonly(
+          "patient", [](const BuiltCochlea& one) { return one.cochlea.patient; },
+          "The patient it was built from.")
+      .def_property_readonly(
+          "last_angle_deg",
+          [](const BuiltCochlea& one) { return inDegrees(one.scala->lastAngle()); },
+          "Angle of the apex [deg].")
+      .def_property_readonly(
+          "measured_angle_deg",
+          [](const BuiltCochlea& one) { return inDegrees(one.scala->measuredAngle()); },
+          "Angle at which measured sections end and extrapolation begins [deg].")
+      .def_property_readonly(
+          "lead_in_mm", [](const BuiltCochlea& one) { return inMillimeters(one.scala->leadIn()); },
+          "Straight length before the round window [mm].")
+      .def("axis", &axis, py::arg("angle_deg"),
+           "Centers of the sections at angles of shape (...): points (..., 3) [mm].")
+      .def("wall", &wall, py::arg("angle_deg"), py::arg("around_deg"),
+           "Points of the wall at angles (...) and directions around the section (---), 0 outward, "
+           "90 toward the apex [deg]: points (..., ---, 3) [mm].")
+      .def("membrane", &membrane, py::arg("angle_deg"), py::arg("across") = 0.5,
+           "Points of the basilar membrane at angles (...), across from 0 (inner edge) to 1 (outer "
+           "edge): points (..., 3) [mm].")
+      .def("sections", &sections, py::arg("max_step_deg") = 5.0,
+           "Sections at equal angles to the apex, as columns of shape (n,): angle, radii, heights, "
+           "area, lengths along walls, center and organ of Corti, frequencies; units in the names.")
+      .def("opening", &opening,
+           "The opening: 'origin_mm' (3,), and the unit vectors (3,) 'out' of the cochlea, "
+           "'outward' "
+           "to the outer wall and 'vertical'.")
+      .def("distance", &distance, py::arg("points_mm"),
+           "The lumen at points (..., 3) [mm]: 'distance_mm' (...) to the wall, negative outside; "
+           "'angle_deg' (...); 'normal' (..., 3), from the wall into the lumen. NaN where there is "
+           "no wall: outside of the opening and on the modiolar axis.")
+      .def("measures", &measures,
+           "Clinical measures by name with unit: 'A_mm', 'B_mm', ..., as 'perilymph-cli anatomy' "
+           "prints them.")
+      .def("measure_errors", &measureErrors,
+           "Uncertainty (plus or minus) of each measure by the errors of A, B and H, 0.1 mm where "
+           "the patient states none; not that of the model. Empty without a patient's measures.")
+      .def("__repr__", [](const BuiltCochlea& one) {
+        return textOf("<perilymph.Cochlea '" + one.cochlea.patient.label + "', " +
+                      nameOf(one.cochlea.source) + ">");
+      });
+}
+
+}  // namespace perilymph::python

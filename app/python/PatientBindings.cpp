@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pybind11/stl.h>
+
+#include "Bindings.h"
+#include "perilymph/foundation/Resources.h"
+#include "perilymph/session/ScenarioChoices.h"
+
+namespace perilymph::python {
+
+namespace {
+
+using anatomy::Patient;
+using OptionalNumber = std::optional<double>;
+
+anatomy::Side sideOf(const std::string& name)
+{
+  const auto side = session::valueIn(session::sides, name);
+  if (!side) throw EngineError("side is '" + name + "'; allowed are 'right' and 'left'.");
+  return *side;
+}
+
+std::optional<anatomy::BasalTurnErrors> errorsOf(const OptionalNumber& a, const OptionalNumber& b,
+                                                 const OptionalNumber& h, bool hasH)
+{
+  if (!a && !b && !h) return std::nullopt;
+  if (!a || !b || (h && !hasH))
+    throw EngineError(
+        "a_sd_mm and b_sd_mm belong together, and h_sd_mm to h_mm. Give all of them or none.");
+  anatomy::BasalTurnErrors errors{millimeters(*a), millimeters(*b)};
+  if (h) errors.h = millimeters(*h);
+  return errors;
+}
+
+Patient patientOf(double a_mm, double b_mm, OptionalNumber h_mm, OptionalNumber a_sd_mm,
+                  OptionalNumber b_sd_mm, OptionalNumber h_sd_mm, const std::string& side,
+                  const std::string& label)
+{
+  Patient patient;
+  patient.label = label;
+  patient.side = sideOf(side);
+  patient.basalTurn = {millimeters(a_mm), millimeters(b_mm), std::nullopt};
+  if (h_mm) patient.basalTurn->h = millimeters(*h_mm);
+  patient.errors = errorsOf(a_sd_mm, b_sd_mm, h_sd_mm, h_mm.has_value());
+  valueOf(anatomy::checkPatient(patient));
+  return patient;
+}
+
+Patient patientOfLengths(double length_mm, double width_mm, double height_mm,
+                         const std::string& side, const std::string& label)
+{
+  Patient patient;
+  patient.label = label;
+  patient.side = sideOf(side);
+  patient.scalaTympaniLength = millimeters(length_mm);
+  patient.roundWindowWidth = millimeters(width_mm);
+  patient.roundWindowHeight = millimeters(height_mm);
+  valueOf(anatomy::checkPatient(patient));
+  return patient;
+}
+
+Patient readPatient(const py::object& given)
+{
+  const std::string name = nameOrFileOf(given, "patient");
+  return valueOf(withoutLock([&]() -> Result<Patient> {
+    const auto file = findByName("patient", "resources/patients", name);
+    if (!file) return file.error();
+    return anatomy::loadPatient(*file);
+  }));
+}
+
+/// One of A, B and H, or of their errors.
+template <class Table>
+OptionalNumber lengthIn(const std::optional<Table>& table, Length Table::*member)
+{
+  if (!table) return std::nullopt;
+  return inMillimeters((*table).*member);
+}
+template <class Table>
+OptionalNumber lengthIn(const std::optional<Table>& table, std::optional<Length> Table::*member)
+{
+  if (!table || !((*table).*member)) return std::nullopt;
+  return inMillimeters(*((*table).*member));
+}
+
+}  // namespace
+
+void definePatient(py::module_& module)
+{
+  using anatomy::BasalTurn;
+  using anatomy::BasalTurnErrors;
+  py::class_<Patient>(
+      module, "Patient",
+      "A patient's cochlea as measured: diameters A and B and height H of the basal turn [mm], "
+      "with "
+      "the standard deviations of their errors; or three lengths of the scala tympani.")
+      .def(
+          py::init(&patientOf), py::kw_only(), py::arg("a_mm"), py::arg("b_mm"),
+          py::arg("h_mm") = py::none(), py::arg("a_sd_mm") = py::none(),
+          py::arg("b_sd_mm") = py::none(), py::arg("h_sd_mm") = py::none(),
+          py::arg("side") = "right", py::arg("label") = "patient",
+          "Diameters A and B [mm], height H [mm] if measured, and the standard deviations of their "
+          "errors [mm] if known. Refuses values out of the population's range.")
+      .def_static("from_lengths", &patientOfLengths, py::kw_only(), py::arg("st_length_mm"),
+                  py::arg("rw_width_mm"), py::arg("rw_height_mm"), py::arg("side") = "right",
+                  py::arg("label") = "patient",
+                  "The published anatomy: length of the scala tympani along the organ of Corti, "
+                  "width and height of its section at the round window [mm].")
+      .def_property_readonly(
+          "label", [](const Patient& one) { return textOf(one.label); }, "Name for display.")
+      .def_property_readonly(
+          "side",
+          [](const Patient& one) { return one.side == anatomy::Side::left ? "left" : "right"; },
+          "'right' or 'left'.")
+      .def_property_readonly(
+          "a_mm", [](const Patient& one) { return lengthIn(one.basalTurn, &BasalTurn::a); },
+          "Diameter A of the basal turn [mm], or None.")
+      .def_property_readonly(
+          "b_mm", [](const Patient& one) { return lengthIn(one.basalTurn, &BasalTurn::b); },
+          "Diameter B of the basal turn [mm], or None.")
+      .def_property_readonly(
+          "h_mm", [](const Patient& one) { return lengthIn(one.basalTurn, &BasalTurn::h); },
+          "Height H of the cochlea [mm], or None.")
+      .def_property_readonly(
+          "a_sd_mm", [](const Patient& one) { return lengthIn(one.errors, &BasalTurnErrors::a); },
+          "Standard deviation of the error of A [mm], or None.")
+      .def_property_readonly(
+          "b_sd_mm", [](const Patient& one) { return lengthIn(one.errors, &BasalTurnErrors::b); },
+          "Standard deviation of the error of B [mm], or None.")
+      .def_property_readonly(
+          "h_sd_mm", [](const Patient& one) { return lengthIn(one.errors, &BasalTurnErrors::h); },
+          "Standard deviation of the error of H [mm], or None.")
+      .def("unusual", &anatomy::unusualMeasures,
+           "A sentence for each measure that is rare in the population, or does not match another.")
+      .def(
+          "text", [](const Patient& one) { return textOf(anatomy::patientText(one)); },
+          "The patient's file (TOML), as the programs read it.")
+      .def("__repr__",
+           [](const Patient& one) { return textOf("<perilymph.Patient '" + one.label + "'>"); });
+
+  module.def(
+      "patients", [] { return shippedNames("resources/patients"); },
+      "Names of the shipped patients.");
+  module.def("read_patient", &readPatient, py::arg("name_or_file"),
+             "Reads a patient: a shipped name, or a TOML file such as 'ct measure' writes.");
+}
+
+}  // namespace perilymph::python

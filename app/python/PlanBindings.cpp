@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pybind11/stl.h>
+
+#include "Bindings.h"
+#include "NumberArrays.h"
+#include "perilymph/foundation/Resources.h"
+#include "perilymph/planning/PlanReading.h"
+#include "perilymph/planning/PlanReport.h"
+
+namespace perilymph::python {
+
+namespace {
+
+using planning::ArrayPlan;
+using planning::Band;
+using planning::StoredPlan;
+
+constexpr unsigned maxJobs = 256;
+
+/// Quantiles of bands, a row each: shape (n, 5).
+template <class Row>
+py::array bandsOf(const std::vector<Row>& rows, Band Row::*band)
+{
+  std::vector<double> values;
+  values.reserve(5 * rows.size());
+  for (const Row& row : rows) {
+    const Band& each = row.*band;
+    values.insert(values.end(),
+                  {each.low, each.lowerQuartile, each.median, each.upperQuartile, each.high});
+  }
+  return arrayOf(std::move(values), {static_cast<py::ssize_t>(rows.size()), 5});
+}
+
+py::array bandOf(const Band& band)
+{
+  return arrayOf(std::vector<double>{band.low, band.lowerQuartile, band.median, band.upperQuartile,
+                                     band.high});
+}
+
+template <class Row, class Value>
+py::array columnOf(const std::vector<Row>& rows, const Value& value)
+{
+  std::vector<double> values;
+  values.reserve(rows.size());
+  for (const Row& row : rows) values.push_back(value(row));
+  return arrayOf(std::move(values));
+}
+
+py::dict bands(const ArrayPlan& plan)
+{
+  py::dict found;
+  found["angle_deg"] = bandOf(plan.angle_deg);
+  found["coverage_percent"] = bandOf(plan.coverage_percent);
+  found["depth_mm"] = bandOf(plan.depth_mm);
+  found["peak_mN"] = bandOf(plan.peak_mN);
+  found["end_mN"] = bandOf(plan.end_mN);
+  found["partition_mN"] = bandOf(plan.partition_mN);
+  found["first_resistance_mm"] = bandOf(plan.firstResistance_mm);
+  return found;
+}
+
+py::dict probabilities(const ArrayPlan& plan)
+{
+  py::dict found;
+  const auto add = [&](const char* name, const analysis::Estimate& estimate) {
+    found[name] = arrayOf(std::vector<double>{estimate.value, estimate.low, estimate.high});
+  };
+  add("full_insertion", plan.full);
+  add("stopped_by_resistance", plan.resisted);
+  add("buckled", plan.buckled);
+  add("folded_tip", plan.foldedTip);
+  add("other_end", plan.other);
+  add("partition_ruptured", plan.ruptured);
+  add("partition_reaches_weakest", plan.reachesWeakest);
+  add("partition_reaches_strongest", plan.reachesStrongest);
+  add("resistance_felt", plan.felt);
+  return found;
+}
+
+py::dict force(const ArrayPlan& plan)
+{
+  using Row = planning::ForceBand;
+  py::dict found;
+  found["depth_mm"] = columnOf(plan.force, [](const Row& row) { return row.depth_mm; });
+  found["draws"] =
+      columnOf(plan.force, [](const Row& row) { return static_cast<double>(row.draws); });
+  found["force_mN"] = bandsOf(plan.force, &Row::force_mN);
+  return found;
+}
+
+py::dict contacts(const ArrayPlan& plan)
+{
+  using Row = planning::ContactBand;
+  py::dict found;
+  found["number"] = columnOf(plan.contacts, [](const Row& row) { return double(row.number); });
+  found["draws"] =
+      columnOf(plan.contacts, [](const Row& row) { return static_cast<double>(row.draws); });
+  found["angle_deg"] = bandsOf(plan.contacts, &Row::angle_deg);
+  found["to_modiolus_mm"] = bandsOf(plan.contacts, &Row::toModiolus_mm);
+  found["greenwood_Hz"] = columnOf(plan.contacts, [](const Row& row) { return row.greenwood_Hz; });
+  found["spiral_ganglion_Hz"] =
+      columnOf(plan.contacts, [](const Row& row) { return row.spiralGanglion_Hz; });
+  found["filter_Hz"] = columnOf(plan.contacts, [](const Row& row) { return row.filter_Hz; });
+  found["mismatch_semitones"] = bandsOf(plan.contacts, &Row::mismatch_semitones);
+  return found;
+}
+
+py::dict influence(const ArrayPlan& plan)
+{
+  using Row = planning::Influence;
+  std::vector<std::string> inputs;
+  for (const Row& row : plan.influences) inputs.push_back(row.input);
+  py::dict found;
+  found["input"] = arrayOf(inputs);
+  found["on_angle"] = columnOf(plan.influences, [](const Row& row) { return row.onAngle; });
+  found["on_peak_force"] = columnOf(plan.influences, [](const Row& row) { return row.onPeak; });
+  found["angle_width_if_known_deg"] =
+      columnOf(plan.influences, [](const Row& row) { return row.angleWidth_deg; });
+  found["peak_width_if_known_mN"] =
+      columnOf(plan.influences, [](const Row& row) { return row.peakWidth_mN; });
+  return found;
+}
+
+py::dict insertions(const StoredPlan& stored)
+{
+  using Row = planning::PlannedInsertion;
+  const std::vector<Row>& rows = stored.plan.insertions;
+  py::dict found;
+  if (rows.empty()) return found;
+  std::vector<std::string> arrays, ends;
+  for (const Row& row : rows) {
+    arrays.push_back(stored.plan.request.arrays[row.array]);
+    ends.push_back(haptics::nameOf(row.insertion.end));
+  }
+  const auto add = [&](const char* name, const auto& value) {
+    found[name] = columnOf(rows, value);
+  };
+  add("draw", [](const Row& row) { return static_cast<double>(row.draw); });
+  found["array"] = arrayOf(arrays);
+  add("A_mm", [](const Row& row) { return row.a_mm; });
+  add("B_mm", [](const Row& row) { return row.b_mm; });
+  add("tilt_deg", [](const Row& row) { return row.tilt_deg; });
+  add("turn_deg", [](const Row& row) { return row.turn_deg; });
+  add("stiffness", [](const Row& row) { return row.stiffness; });
+  add("friction", [](const Row& row) { return row.friction; });
+  add("speed_mm_s", [](const Row& row) { return row.speed_mm_s; });
+  add("stop_mN", [](const Row& row) { return row.stop_mN; });
+  found["end"] = arrayOf(ends);
+  add("depth_mm", [](const Row& row) { return inMillimeters(row.insertion.depth); });
+  add("angle_deg", [](const Row& row) { return inDegrees(row.insertion.apical); });
+  add("peak_mN", [](const Row& row) { return inMillinewtons(row.insertion.peak); });
+  add("partition_mN", [](const Row& row) { return inMillinewtons(row.insertion.membrane); });
+  return found;
+}
+
+planning::PlanRequest requestOf(const py::object& patient, const py::object& arrays, long samples,
+                                bool allSamples, long seed, long jobs, const std::string& scenario)
+{
+  planning::PlanRequest request;
+  if (py::isinstance<anatomy::Patient>(patient)) {
+    request.patient = patient.cast<anatomy::Patient>();
+  } else {
+    const std::string name = nameOrFileOf(patient, "patient");
+    const auto file = valueOf(findByName("patient", "resources/patients", name));
+    request.patient = valueOf(withoutLock([&] { return anatomy::loadPatient(file); }));
+  }
+  if (arrays.is_none())
+    request.arrays = shippedNames("plugins/electrodes");
+  else if (py::isinstance<py::str>(arrays))
+    throw py::type_error("arrays must be a list of names or paths");
+  else
+    for (const py::handle each : py::iter(arrays))
+      request.arrays.push_back(nameOrFileOf(py::reinterpret_borrow<py::object>(each), "arrays"));
+  if (request.arrays.size() > planning::maxStoredArrays)
+    throw EngineError(std::to_string(request.arrays.size()) +
+                      " arrays are too many; a plan compares " +
+                      std::to_string(planning::maxStoredArrays) + " at most. Name fewer.");
+  const auto whole = [](long value, const char* name, double high) {
+    return numberOf(static_cast<double>(value), name, "(whole numbers)", 0.0, high);
+  };
+  whole(samples, "samples", double(planning::maxDraws));
+  whole(jobs, "jobs", maxJobs);
+  whole(seed, "seed", 9e15);
+  request.draws = static_cast<std::size_t>(samples);
+  request.stopsEarly = !allSamples;
+  request.seed = static_cast<std::uint64_t>(seed);
+  request.jobs = static_cast<unsigned>(jobs);
+  request.scenario = scenario;
+  return request;
+}
+
+StoredPlan plan(const py::object& patient, const py::object& arrays, long samples, bool allSamples,
+                long seed, long jobs, const std::string& scenario, const py::object& draws,
+                const py::object& progress)
+{
+  const planning::PlanRequest request =
+      requestOf(patient, arrays, samples, allSamples, seed, jobs, scenario);
+  std::filesystem::path file;
+  if (!draws.is_none()) file = nameOrFileOf(draws, "draws_file");
+  PendingException pending;
+  const auto made = withoutLock([&] {
+    return planning::makePlan(request, file, [&](std::size_t done, std::size_t all) {
+      return !pending.isRaisedBy([&] {
+        if (!progress.is_none()) progress(done, all);
+      });
+    });
+  });
+  pending.raise();
+  planning::Plan whole = valueOf(made);
+  // To the digits of a plan.json, with its sources and limits; and the insertions, which it lacks.
+  StoredPlan stored = valueOf(withoutLock([&]() -> Result<StoredPlan> {
+    const auto json = planning::planJson(whole);
+    if (!json) return json.error();
+    return planning::planIn(*json, "plan");
+  }));
+  stored.plan.request = whole.request;
+  stored.plan.fingerprint = whole.fingerprint;
+  stored.plan.insertions = std::move(whole.insertions);
+  return stored;
+}
+
+StoredPlan readPlan(const py::object& given)
+{
+  const std::string place = nameOrFileOf(given, "path");
+  return valueOf(withoutLock([&] { return planning::readPlan(place); }));
+}
+
+}  // namespace
+
+void definePlan(py::module_& module)
+{
+  py::class_<ArrayPlan>(module, "PlannedArray",
+                        "One array over all draws of a plan. A band is the quantiles 5, 25, 50, 75 "
+                        "and 95 %, shape (5,); of n rows, shape (n, 5).")
+      .def_property_readonly(
+          "array", [](const ArrayPlan& one) { return textOf(one.array); }, "As it was asked for.")
+      .def_property_readonly(
+          "name", [](const ArrayPlan& one) { return textOf(one.name); }, "\"FLEX28\".")
+      .def_readonly("draws", &ArrayPlan::draws, "Number of draws.")
+      .def("bands", &bands,
+           "Bands by name: 'angle_deg', 'coverage_percent', 'depth_mm', 'peak_mN', 'end_mN', "
+           "'partition_mN', 'first_resistance_mm'; each of shape (5,).")
+      .def("probabilities", &probabilities,
+           "Probabilities by name, each (value, low, high) with its 95 % interval: "
+           "'full_insertion', 'stopped_by_resistance', 'buckled', ...")
+      .def("force", &force, "Force over depth: 'depth_mm' (n,), 'draws' (n,), 'force_mN' (n, 5).")
+      .def("contacts", &contacts,
+           "The contacts from the tip: 'number' (n,), 'draws' (n,), 'angle_deg' (n, 5), "
+           "'to_modiolus_mm' (n, 5), frequencies (n,) [Hz], 'mismatch_semitones' (n, 5).")
+      .def("influence", &influence,
+           "How much of the variance of angle and peak force each input explains, 0 to 1, and the "
+           "widths of their bands if it were known: columns of shape (inputs,).")
+      .def("__repr__", [](const ArrayPlan& one) {
+        return textOf("<perilymph.PlannedArray '" + one.name + "'>");
+      });
+
+  py::class_<StoredPlan>(
+      module, "Plan",
+      "Arrays in one patient's cochlea, with bands for what measures, hand, "
+      "approach and stiffness leave open. Values are those of the model, none is "
+      "a recommendation.")
+      .def_property_readonly(
+          "patient", [](const StoredPlan& one) { return one.plan.request.patient; }, "The patient.")
+      .def_property_readonly(
+          "arrays", [](const StoredPlan& one) { return one.plan.arrays; },
+          "The arrays, in the order of the request.")
+      .def_property_readonly(
+          "seed", [](const StoredPlan& one) { return one.plan.request.seed; }, "Of the draws.")
+      .def_property_readonly(
+          "program", [](const StoredPlan& one) { return textOf(one.program); },
+          "Version of the program that made it.")
+      .def_readonly("limits", &StoredPlan::limits, "What it leaves open, a sentence each.")
+      .def_property_readonly(
+          "sources",
+          [](const StoredPlan& one) {
+            py::list rows;
+            for (const planning::PlanSource& each : one.sources)
+              rows.append(
+                  py::make_tuple(textOf(each.table), textOf(each.source), textOf(each.confidence)));
+            return rows;
+          },
+          "(table, source, confidence) of what was drawn.")
+      .def("insertions", &insertions,
+           "Every insertion of a plan that plan() made, as columns: 'draw', 'array', 'A_mm', ..., "
+           "'angle_deg', 'peak_mN', 'partition_mN'. Empty for one that was read.")
+      .def("__repr__", [](const StoredPlan& one) {
+        return textOf("<perilymph.Plan for '" + one.plan.request.patient.label + "'>");
+      });
+
+  module.def(
+      "plan", &plan, py::arg("patient"), py::arg("arrays") = py::none(), py::kw_only(),
+      py::arg("samples") = 64, py::arg("all_samples") = false, py::arg("seed") = 1,
+      py::arg("jobs") = 0, py::arg("scenario") = "surgery-flex28",
+      py::arg("draws_file") = py::none(), py::arg("progress") = py::none(),
+      "Makes a plan, as 'perilymph-cli plan' does.\n\n"
+      "patient: a Patient, or the name or file of one, with A and B.\narrays: names or files; "
+      "all shipped ones if None.\nsamples: draws at most; fewer if the bands stand, unless "
+      "all_samples.\nseed: of the draws. jobs: threads, 0: one per processor; does not affect "
+      "the plan.\nscenario: what is neither drawn nor named.\ndraws_file: keeps the draws "
+      "(.sqlite), so that an interrupted plan continues.\nprogress: called with the numbers "
+      "of done and of all insertions; an exception in it ends the plan.\n\n"
+      "The interpreter's lock is released while it computes; Ctrl+C ends it.");
+  module.def("read_plan", &readPlan, py::arg("path"),
+             "Reads a plan: its folder, or the plan.json or draws.sqlite in it.");
+}
+
+}  // namespace perilymph::python

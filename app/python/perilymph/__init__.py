@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Perilymph: insertion of cochlear-implant electrode arrays, computed.
+
+Every name of a value states its unit: mm, deg, N, mN, s, Hz. Points are in the cochlea's frame (see Cochlea).
+An operation that fails raises perilymph.Error, a ValueError, whose text says what to do.
+
+For research and training; not a medical device.
+"""
+
+from perilymph._ct import CtMeasures, read_measures
+from perilymph._engine import (
+    Array,
+    Cochlea,
+    Error,
+    Patient,
+    Plan,
+    PlannedArray,
+    Recording,
+    Scenario,
+    Simulation,
+    Study,
+    __version__,
+    anatomies,
+    arrays,
+    build_id,
+    patients,
+    plan,
+    read_array,
+    read_patient,
+    read_plan,
+    read_recording,
+    read_scenario,
+    read_study,
+    scenarios,
+    simulate,
+)
+
+__all__ = [
+    "Array",
+    "Cochlea",
+    "CtMeasures",
+    "Error",
+    "Patient",
+    "Plan",
+    "PlannedArray",
+    "Recording",
+    "Scenario",
+    "Simulation",
+    "Study",
+    "__version__",
+    "anatomies",
+    "arrays",
+    "build_id",
+    "patients",
+    "plan",
+    "read_array",
+    "read_measures",
+    "read_patient",
+    "read_plan",
+    "read_recording",
+    "read_scenario",
+    "read_study",
+    "scenarios",
+    "simulate",
+]

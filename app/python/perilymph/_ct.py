@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The result of 'perilymph-cli ct measure --json'."""
+
+import json
+import math
+import os
+
+import numpy as np
+
+from perilymph._engine import Error, Patient
+
+_MEASURES = ("A_mm", "B_mm", "H_mm", "cdl_oc_mm")
+_LARGEST = 1 << 20  # bytes: a hundred times what the command writes
+
+
+class CtMeasures:
+    """A cochlea measured in a CT: 'A_mm', 'B_mm', 'H_mm' and 'cdl_oc_mm', the cochlear duct length along the organ of
+    Corti, with their errors. Points are in the patient's frame (LPS)."""
+
+    def __init__(self, page, name):
+        try:
+            self.values_mm = {key: _number(page[key]["value"]) for key in _MEASURES}
+            self.sds_mm = {key: _number(page[key]["sd"]) for key in _MEASURES}
+            self.intervals95_mm = {key: (_number(page[key]["ci95"][0]), _number(page[key]["ci95"][1])) for key in _MEASURES}
+            self.side = _text(page["side"])
+            self.flags = [_text(each) for each in page["flags"]]
+            self.warnings = [_text(each) for each in page["warnings"]]
+            self.round_window_lps_mm = _vector(page["round_window_lps_mm"])
+            self.center_lps_mm = _vector(page["center_lps_mm"])
+            self.axis_lps = _vector(page["axis_lps"])
+            self.provenance = dict(page["provenance"])
+        except (KeyError, IndexError, TypeError, ValueError) as error:
+            raise Error(f"{name} is not what 'perilymph-cli ct measure --json' writes ({type(error).__name__}: {error}). "
+                        "Measure again.") from None
+
+    def patient(self, label="measured"):
+        """The patient with these measures and their standard deviations."""
+        return Patient(a_mm=self.values_mm["A_mm"], b_mm=self.values_mm["B_mm"], h_mm=self.values_mm["H_mm"],
+                       a_sd_mm=self.sds_mm["A_mm"], b_sd_mm=self.sds_mm["B_mm"], h_sd_mm=self.sds_mm["H_mm"],
+                       side=self.side, label=label)
+
+
+def _number(value):
+    if isinstance(value, bool) or not isinstance(value, (int, float)) or not math.isfinite(value):
+        raise ValueError(f"{value!r} is no finite number")
+    return float(value)
+
+
+def _text(value):
+    if not isinstance(value, str):
+        raise ValueError(f"{value!r} is no text")
+    return value
+
+
+def _vector(values):
+    if len(values) != 3:
+        raise ValueError(f"{values!r} is no point")
+    return np.array([_number(value) for value in values])
+
+
+def read_measures(file):
+    """Reads the result of 'perilymph-cli ct measure --json'."""
+    name = os.fspath(file)
+    try:
+        with open(name, "rb") as stream:
+            text = stream.read(_LARGEST + 1)
+    except OSError as error:
+        raise Error(f"{name} cannot be read: {error.strerror}. Give the file of 'ct measure --json'.") from None
+    if len(text) > _LARGEST:
+        raise Error(f"{name} is larger than 1 MB. Give the file of 'ct measure --json'.")
+    try:
+        page = json.loads(text)
+    except (ValueError, RecursionError):
+        raise Error(f"{name} is no JSON. Give the file of 'ct measure --json'.") from None
+    return CtMeasures(page, name)

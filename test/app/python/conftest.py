@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the tests of the Python package share: the command line to compare with, and a fast scenario."""
+
+import csv
+import os
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import perilymph
+
+ROOT = Path(__file__).resolve().parents[3]
+# Half a millimeter of the published insertion with a coarse rod: some hundred steps.
+SHORT = {"nodes": 30, "stop_travel_mm": 0.5}
+
+
+@pytest.fixture(scope="session")
+def cli():
+    """Runs perilymph-cli; returns its standard output."""
+    program = Path(os.environ["PERILYMPH_PROGRAMS"]) / "perilymph-cli"
+
+    def run(*words):
+        done = subprocess.run([program, *map(str, words)], capture_output=True, text=True, timeout=240, check=False)
+        assert done.returncode == 0, done.stderr
+        return done.stdout
+
+    return run
+
+
+@pytest.fixture(scope="session")
+def mean():
+    return perilymph.Cochlea.named("mean")
+
+
+def table(file):
+    """Columns of a CSV file; text reads back as the bits that wrote it, because it is the shortest decimal."""
+    with open(file, encoding="utf-8", newline="") as stream:
+        rows = list(csv.reader(stream))
+    return {name: np.array([float(row[i]) for row in rows[1:]]) for i, name in enumerate(rows[0])}
+
+
+def same_bits(a, b):
+    """Whether two columns of numbers agree in every bit, but for the sign of zero."""
+    return a.shape == b.shape and a.dtype == b.dtype and np.array_equal(a, b, equal_nan=True)

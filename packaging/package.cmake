@@ -1,15 +1,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 # Installation of the programs, and the Debian packages built by `packaging/deb`:
-#   perilymph      both programs and what they need
-#   perilymph-dev  the header of device plug-ins and its CMake package
+#   perilymph          both programs and what they need
+#   perilymph-dev      the header of device plug-ins and its CMake package
+#   python3-perilymph  the Python package, with its examples
 include(CMakePackageConfigHelpers)
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME program)
 set(share "${CMAKE_INSTALL_DATADIR}")
 
 # Data of the programs, without the pictures of the documents.
 install(DIRECTORY resources DESTINATION "${share}/perilymph" COMPONENT program
-  PATTERN "*.md" EXCLUDE PATTERN OFL.txt EXCLUDE PATTERN pictures EXCLUDE PATTERN icons EXCLUDE PATTERN guide EXCLUDE)
+  PATTERN "*.md" EXCLUDE PATTERN OFL.txt EXCLUDE PATTERN pictures EXCLUDE PATTERN icons EXCLUDE PATTERN guide EXCLUDE PATTERN examples EXCLUDE)
 install(DIRECTORY plugins DESTINATION "${share}/perilymph" COMPONENT program FILES_MATCHING PATTERN "*.toml"
   PATTERN example EXCLUDE)
 # udev rule: the user at the machine may open the haptic devices known by number.
@@ -71,6 +72,14 @@ install(FILES packaging/debian/copyright DESTINATION "${share}/doc/perilymph" CO
 install(FILES packaging/debian/lintian-overrides RENAME perilymph DESTINATION "${share}/lintian/overrides" COMPONENT program)
 install(FILES packaging/debian/copyright DESTINATION "${share}/doc/perilymph-dev" COMPONENT sdk)
 
+# The Python package; app/python installs its module.
+if(TARGET perilymph_python)
+  install(DIRECTORY resources/examples/python/ DESTINATION "${share}/doc/python3-perilymph/examples" COMPONENT python
+    PATTERN __pycache__ EXCLUDE)
+  install(FILES packaging/debian/copyright DESTINATION "${share}/doc/python3-perilymph" COMPONENT python)
+  compressed(packaging/debian/changelog changelog "${share}/doc/python3-perilymph" python)
+endif()
+
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME perilymph)
 set(CPACK_PACKAGE_CONTACT "The Perilymph authors <maintainers@perilymph.example>")
@@ -79,6 +88,9 @@ set(CPACK_STRIP_FILES ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
   OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 set(CPACK_COMPONENTS_ALL program sdk)
+if(TARGET perilymph_python)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+endif()
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
@@ -101,4 +113,19 @@ set(CPACK_DEBIAN_SDK_PACKAGE_SUGGESTS "perilymph, cmake")
 set(CPACK_DEBIAN_SDK_DESCRIPTION "The C header of Perilymph's device plug-ins, a CMake package that finds it, and
 an example: a shared library built with these lets the workstation use a haptic
 device of a kind it does not know.")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-perilymph)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
+# The module is for one version of Python; scenarios, arrays and patients are in the package perilymph.
+if(Python_FOUND)
+  math(EXPR next "${Python_VERSION_MINOR} + 1")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "perilymph (= ${PROJECT_VERSION}), python3-numpy, \
+python3 (>= ${Python_VERSION_MAJOR}.${Python_VERSION_MINOR}), python3 (<< ${Python_VERSION_MAJOR}.${next})")
+endif()
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-matplotlib")
+set(CPACK_DEBIAN_PYTHON_DESCRIPTION "Perilymph's computations for Python 3 with NumPy: cochleae from a patient's
+measures, electrode arrays, simulated insertions, plans, and the reading of
+studies and recordings.
+.
+For research and training. It is not a medical device.")
 include(CPack)

@@ -30,8 +30,10 @@ class DebianPackages(unittest.TestCase):
             raise AssertionError(made.stdout + made.stderr)
         cls.program = next(cls.folder.glob("perilymph_*.deb"))
         cls.sdk = next(cls.folder.glob("perilymph-dev_*.deb"))
+        # In a build without pybind11 there is none.
+        cls.python = next(cls.folder.glob("python3-perilymph_*.deb"), None)
         cls.unpacked = cls.folder / "unpacked"
-        for package in (cls.program, cls.sdk):
+        for package in filter(None, (cls.program, cls.sdk, cls.python)):
             run("dpkg-deb", "-x", package, cls.unpacked, check=True)
 
     @classmethod
@@ -42,7 +44,8 @@ class DebianPackages(unittest.TestCase):
         return run("dpkg-deb", "-f", package, name, check=True).stdout.strip()
 
     def test_lintian_accepts_them(self):
-        checked = run("lintian", "--fail-on", "error,warning", "--allow-root", "--no-cfg", self.program, self.sdk)
+        checked = run("lintian", "--fail-on", "error,warning", "--allow-root", "--no-cfg", self.program, self.sdk,
+                      *filter(None, [self.python]))
         self.assertEqual((checked.returncode, checked.stdout), (0, ""), checked.stderr)
 
     def test_what_the_programs_link_is_what_the_package_depends_on(self):
@@ -50,6 +53,23 @@ class DebianPackages(unittest.TestCase):
         for name in ("libc6", "libvtk9.1", "libqt5widgets5", "libhidapi-hidraw0", "libsqlite3-0", "fonts-inter"):
             self.assertIn(name, depends)
         self.assertNotIn("-dev", depends)
+
+    def test_the_python_package_runs_from_the_data_of_the_programs_and_needs_neither_vtk_nor_qt(self):
+        if self.python is None:
+            self.skipTest("this build has no Python package")
+        depends = self.field(self.python, "Depends")
+        for name in ("perilymph (=", "python3-numpy", "python3 (<<", "libc6"):
+            self.assertIn(name, depends)
+        self.assertNotRegex(depends, "vtk|qt")
+        env = {**os.environ, "PYTHONPATH": str(self.unpacked / "usr/lib/python3/dist-packages"), "PYTHONDONTWRITEBYTECODE": "1",
+               "PERILYMPH_RESOURCES": str(self.unpacked / "usr/share/perilymph")}
+        said = run("/usr/bin/python3", "-c", "import perilymph; print(perilymph.read_array('flex28').name, perilymph.__file__)",
+                   env=env, cwd="/")
+        self.assertEqual((said.returncode, said.stderr), (0, ""))
+        self.assertEqual(said.stdout.split(), ["FLEX28", str(self.unpacked / "usr/lib/python3/dist-packages/perilymph/__init__.py")])
+        examples = self.unpacked / "usr/share/doc/python3-perilymph/examples"
+        self.assertEqual(sorted(file.name for file in examples.iterdir()),
+                         sorted(file.name for file in (ROOT / "resources/examples/python").glob("*.py")))
 
     def test_the_desktop_entry_and_its_description_are_accepted(self):
         share = self.unpacked / "usr/share"

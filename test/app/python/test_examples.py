@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The guide's program and the three examples run, and each example draws what it computed."""
+
+import re
+import subprocess
+import sys
+
+import matplotlib.image
+import numpy as np
+import pytest
+from conftest import ROOT
+
+EXAMPLES = ROOT / "resources/examples/python"
+# Fewer draws and cochleae than in the guide's pictures: the calls are tested. A band needs eight draws.
+FEWER = {"force_over_depth": [], "plan_bands": ["8"], "depth_over_size": ["2"]}
+
+
+def run(tmp_path, *words):
+    done = subprocess.run([sys.executable, *map(str, words)], cwd=tmp_path, capture_output=True, text=True, timeout=240, check=False)
+    assert (done.returncode, done.stderr) == (0, "")
+    return done.stdout
+
+
+def test_every_example_is_run_here():
+    assert {file.stem for file in EXAMPLES.glob("*.py")} == set(FEWER)
+
+
+@pytest.mark.parametrize("name", sorted(FEWER))
+def test_an_example_prints_its_numbers_and_draws_a_picture(tmp_path, name):
+    said = run(tmp_path, EXAMPLES / f"{name}.py", "out.png", *FEWER[name])
+    assert len(said.splitlines()) >= 2 and "deg" in said
+    picture = matplotlib.image.imread(tmp_path / "out.png")[:, :, :3]
+    assert picture.shape[1] == 640
+    # Axes and text are gray; curves and bands are colored.
+    assert (np.ptp(picture, axis=2) > 0.3).mean() > 0.002
+
+
+def test_the_guide_s_program_runs_as_written(tmp_path):
+    programs = re.findall(r"^```python\n(.*?)^```", (ROOT / "resources/guide/python.md").read_text(), re.MULTILINE | re.DOTALL)
+    assert programs
+    for program in programs:
+        (tmp_path / "guide.py").write_text(program)
+        assert run(tmp_path, "guide.py")

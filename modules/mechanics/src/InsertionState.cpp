@@ -13,6 +13,24 @@ void addVector(Hash& hash, const Eigen::Vector3d& vector)
   for (int k = 0; k < 3; ++k) hash.add(vector[k]);
 }
 
+void addSeen(Hash& hash, const ContactSet& contacts)
+{
+  for (std::size_t i = 0; i < contacts.seen.size(); ++i) {
+    const SeenWall& seen = contacts.seen[i];
+    if (!(seen.trustRadius > 0.0)) continue;
+    hash.add(i);
+    addVector(hash, seen.from_W);
+    hash.add(seen.distance);
+    addVector(hash, seen.normal_W);
+    hash.add(seen.trustRadius);
+    hash.add(contacts.wall[i].onMembrane);
+    for (int k = 0; k < 3; ++k) {
+      addVector(hash, seen.hessian_W.col(k));
+      addVector(hash, contacts.wall[i].shapeOperator_W.col(k));
+    }
+  }
+}
+
 }  // namespace
 
 WorkspaceHandle::WorkspaceHandle(std::size_t rodNodes)
@@ -92,6 +110,7 @@ void InsertionState::reset(const InsertionModel& model) noexcept
   // nodes farther from the wall than this cannot touch it
   for (std::size_t i = 0; i < rod.contacts.reach.size(); ++i)
     rod.contacts.reach[i] = model.radius[i];
+  for (SeenWall& seen : rod.contacts.seen) seen.trustRadius = 0.0;
   rod.system.factors.forget();
   if (model.points) resetPoints(model, *this, workspace->points);
   readings = Readings{};
@@ -125,6 +144,7 @@ std::uint64_t InsertionState::fingerprint() const noexcept
       hash.add(section[i].rate);
     }
   }
+  addSeen(hash, workspace->rod.contacts);
   workspace->rod.system.factors.addTo(hash);
   addVector(hash, rim.spring_W);
   hash.add(rim.isSliding);

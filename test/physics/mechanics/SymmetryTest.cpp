@@ -37,6 +37,7 @@ public:
                           walls.subspan(i, 1));
       walls[i].normal_W = turn_ * walls[i].normal_W;
       walls[i].shapeOperator_W = turn_ * walls[i].shapeOperator_W * turn_.transpose();
+      walls[i].hessian_W = turn_ * walls[i].hessian_W * turn_.transpose();
     }
   }
   void addTo(Hash&) const noexcept override {}

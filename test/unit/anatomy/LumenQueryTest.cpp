@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <random>
 #include <stdexcept>
 #include <string>
@@ -139,6 +140,79 @@ TEST_P(LumenOf, GivesTheGradientOfItsDistance)
   // Where an inner wall is 0.2 mm from the axis, the nearest wall is 20 degrees away and the table
   // is coarse: one point in a hundred may deviate.
   EXPECT_LE(tooLong, 3);
+}
+
+TEST_P(LumenOf, GivesTheHessianOfItsDistance)
+{
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> angles(degrees(2).si(), degrees(800).si());
+  std::uniform_real_distribution<double> directions(0.0, 2.0 * pi);
+  std::uniform_real_distribution<double> fractions(0.4, 1.1);
+  constexpr double nudge = 1e-8;
+  int compared = 0;
+  for (int i = 0; i < 300; ++i) {
+    const double angle = angles(random);
+    // every tenth in the lead-in
+    const bool isBefore = i % 10 == 0;
+    const Eigen::Vector3d point =
+        inside(isBefore ? 0.0 : angle, directions(random), fractions(random)) +
+        (isBefore ? Eigen::Vector3d(0.5e-3 * scala->entry().out_W) : Eigen::Vector3d::Zero());
+    const LumenTrack track = isBefore ? LumenTrack{} : trackAt(angle);
+    const WallPoint wall = ask(*scala, point, track);
+    if (!wall.isNear || !(wall.trustRadius > 0.0)) continue;
+    ++compared;
+    const double size = wall.hessian_W.norm() + 100.0;
+    EXPECT_LT((wall.hessian_W - wall.hessian_W.transpose()).norm(), 1e-9 * size);
+    for (int axis = 0; axis < 3; ++axis) {
+      const Eigen::Vector3d step = nudge * Eigen::Vector3d::Unit(axis);
+      const Eigen::Vector3d change =
+          (ask(*scala, point + step, track).normal_W - ask(*scala, point - step, track).normal_W) /
+          (2.0 * nudge);
+      EXPECT_LT((wall.hessian_W.col(axis) - change).norm(), 2e-3 * size)
+          << inDegrees(Angle::fromSi(angle)) << " deg, axis " << axis;
+    }
+  }
+  EXPECT_GT(compared, 200);
+}
+
+TEST_P(LumenOf, IsKnownToSecondOrderWithinItsTrustRadius)
+{
+  std::mt19937 random(17);
+  std::uniform_real_distribution<double> angles(degrees(1).si(), degrees(800).si());
+  std::uniform_real_distribution<double> directions(0.0, 2.0 * pi);
+  std::uniform_real_distribution<double> fractions(0.3, 1.05);
+  std::normal_distribution<double> component(0.0, 1.0);
+  std::vector<double> errors, slopes, radii;
+  for (int i = 0; i < 20000; ++i) {
+    const double angle = angles(random);
+    const Eigen::Vector3d point = inside(angle, directions(random), fractions(random));
+    const WallPoint wall = ask(*scala, point, trackAt(angle), 0.4e-3);
+    if (!wall.isNear) continue;
+    radii.push_back(wall.trustRadius);
+    const Eigen::Vector3d way(component(random), component(random), component(random));
+    const Eigen::Vector3d moved = wall.trustRadius * way.normalized();
+    const WallPoint there = ask(*scala, point + moved, trackAt(angle), 0.4e-3 + wall.trustRadius);
+    ASSERT_TRUE(there.isNear);
+    const Eigen::Vector3d turned = wall.hessian_W * moved;
+    errors.push_back(
+        std::fabs(there.distance - (wall.distance + (wall.normal_W + 0.5 * turned).dot(moved))));
+    slopes.push_back((there.normal_W - wall.normal_W - turned).norm());
+  }
+  for (std::vector<double>* list : {&errors, &slopes, &radii})
+    std::sort(list->begin(), list->end());
+  const auto at = [](const std::vector<double>& list, double part) {
+    return list[static_cast<std::size_t>(part * static_cast<double>(list.size() - 1))];
+  };
+  std::printf(
+      "%s: radius %.1f um (median), %.1f um (tenth); error %.2f nm (median), %.2f nm (99 %%), "
+      "%.2f nm (largest); of the normal %.1e (99 %%), %.1e (largest)\n",
+      scala->name().c_str(), 1e6 * at(radii, 0.5), 1e6 * at(radii, 0.1), 1e9 * at(errors, 0.5),
+      1e9 * at(errors, 0.99), 1e9 * errors.back(), at(slopes, 0.99), slopes.back());
+  EXPECT_GT(errors.size(), 5000u);
+  EXPECT_LT(at(errors, 0.99), 10e-9);
+  // next to a ridge of the mean anatomy, where the third derivative jumps between cells
+  EXPECT_LT(errors.back(), test::tolerance(40e-9, "one point in thousands"));
+  EXPECT_GT(at(radii, 0.5), 2e-6);
 }
 
 TEST_P(LumenOf, ChangesSmoothlyAlongTheDuct)

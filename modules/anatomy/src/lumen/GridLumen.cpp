@@ -21,6 +21,9 @@ constexpr double deepest = 0.9e-3;  // the largest circle in a mean section has 
 constexpr double nearLid = 2.5e-3;  // within this distance of the opening its lid may be nearest
                                     // [m]
 
+// Far within one grid step: the third derivatives are bounded by D's slope over the step squared.
+constexpr double trusted = 0.2e-6;  // [m]
+
 /// The negative of a second derivative, projected onto its positive semidefinite part.
 Eigen::Matrix3d positivePart(const Eigen::Matrix3d& bend) noexcept
 {
@@ -78,16 +81,13 @@ void GridLumen::nearestWall(std::span<const Eigen::Vector3d> points_W,
     locate(points_W[i], reach[i], tracks[i], walls[i]);
 }
 
-void GridLumen::locate(const Eigen::Vector3d& point_W, double reach, LumenTrack& track,
-                       WallPoint& wall) const noexcept
+bool GridLumen::track(const Eigen::Vector3d& point_W, LumenTrack& track) const noexcept
 {
-  wall.isNear = false;
-  wall.onMembrane = false;
   const bool isFirstQuarter = track.angle < 0.5 * pi;
   const double behind = (point_W - entry_.origin_W).dot(entry_.out_W);
   if (!(behind <= 0.0) && (isFirstQuarter || !std::isfinite(behind))) {  // outside or not finite
     track = LumenTrack{};
-    return;
+    return false;
   }
 
   // the angle, in the turn stored in the track
@@ -105,6 +105,20 @@ void GridLumen::locate(const Eigen::Vector3d& point_W, double reach, LumenTrack&
       track.inLeadIn = false;
     }
   }
+  return true;
+}
+
+void GridLumen::follow(const Eigen::Vector3d& point_W, LumenTrack& track) const noexcept
+{
+  this->track(point_W, track);
+}
+
+void GridLumen::locate(const Eigen::Vector3d& point_W, double reach, LumenTrack& memory,
+                       WallPoint& wall) const noexcept
+{
+  wall.isNear = false;
+  wall.onMembrane = false;
+  if (!track(point_W, memory)) return;
 
   // the spline's value, gradient and second derivatives by the indices
   std::size_t first[3];
@@ -143,7 +157,9 @@ void GridLumen::locate(const Eigen::Vector3d& point_W, double reach, LumenTrack&
   wall.normal_W = slope / spacing;
   Eigen::Matrix3d bend;
   bend << xx, xy, xz, xy, yy, yz, xz, yz, zz;
-  wall.shapeOperator_W = positivePart(bend / (spacing * spacing));
+  wall.hessian_W = bend / (spacing * spacing);
+  wall.shapeOperator_W = positivePart(wall.hessian_W);
+  wall.trustRadius = trusted;
 }
 
 void GridLumen::addTo(Hash& hash) const noexcept

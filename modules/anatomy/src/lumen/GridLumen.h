@@ -33,10 +33,13 @@ public:
   void nearestWall(std::span<const Eigen::Vector3d> points_W, std::span<const double> reach,
                    std::span<LumenTrack> tracks,
                    std::span<WallPoint> walls) const noexcept override;
+  void follow(const Eigen::Vector3d& point_W, LumenTrack& track) const noexcept override;
   void addTo(Hash& hash) const noexcept override;
 
 private:
-  void locate(const Eigen::Vector3d& point_W, double reach, LumenTrack& track,
+  /// Updates the track. False outside.
+  bool track(const Eigen::Vector3d& point_W, LumenTrack& track) const noexcept;
+  void locate(const Eigen::Vector3d& point_W, double reach, LumenTrack& memory,
               WallPoint& wall) const noexcept;
 
   Entry entry_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lumen/TrustRadius.h"
 #include "numerics/CubicBlock.h"
 #include "numerics/CubicTable.h"
 #include "perilymph/foundation/Math.h"
@@ -58,6 +59,10 @@ struct LumenField::Unrolled {
 
   std::size_t section = 0;   // first of four coefficients over the angle
   CubicWeights weights;      // of those four
+  double slope[4] = {};      // of center, half width and half height, by the angle [m]
+  std::size_t cell = 0;      // first coefficient of the block around the point
+  bool isInTable = false;    // otherwise extrapolated
+  double r = 0;              // from the modiolar axis; 0 in the lead-in [m]
   double u = 0, v = 0;       // from the section's center, outward and apical [m]
   double p = 0, q = 0;       // the same relative to half width and half height
   double width = 0;          // half width of the section [m]
@@ -98,14 +103,14 @@ LumenField::Unrolled LumenField::unroll(const Eigen::Vector3d& point_W,
 
   // center, half width and half height of the section, and their slopes by the angle
   double value[4] = {0.0, 0.0, 0.0, 0.0};
-  double slope[4] = {0.0, 0.0, 0.0, 0.0};
   for (std::size_t k = 0; k < 4; ++k) {
     const double* row = along_[section + k].data();
     for (std::size_t c = 0; c < 4; ++c) {
       value[c] += at.weights.value[k] * row[c];
-      slope[c] += at.weights.slope[k] * row[c];
+      at.slope[c] += at.weights.slope[k] * row[c];
     }
   }
+  for (double& slope : at.slope) slope *= perSection_;
   at.width = value[halfWidth];
   at.height = value[halfHeight];
   const double perWidth = 1.0 / at.width;
@@ -127,21 +132,22 @@ LumenField::Unrolled LumenField::unroll(const Eigen::Vector3d& point_W,
   // the section rotates and changes with the angle
   const double* outward = track.direction;
   const double r = point_W.x() * outward[0] + point_W.y() * outward[1];
+  at.r = r;
   at.u = r - value[centerRadius];
   at.v = point_W.z() - value[centerHeight];
   at.p = at.u * perWidth;
   at.q = at.v * perHeight;
   const double perAngle = track.angle > lastAngle_ ? 0.0 : 1.0 / std::max(r, 1e-5);
   at.byAngle = {-outward[1] * perAngle, outward[0] * perAngle, 0.0};
-  const double alongP = -(slope[centerRadius] + at.p * slope[halfWidth]) * perSection_ * perWidth;
-  const double alongQ = -(slope[centerHeight] + at.q * slope[halfHeight]) * perSection_ * perHeight;
+  const double alongP = -(at.slope[centerRadius] + at.p * at.slope[halfWidth]) * perWidth;
+  const double alongQ = -(at.slope[centerHeight] + at.q * at.slope[halfHeight]) * perHeight;
   at.byP = {outward[0] * perWidth + alongP * at.byAngle[0],
             outward[1] * perWidth + alongP * at.byAngle[1], 0.0};
   at.byQ = {alongQ * at.byAngle[0], alongQ * at.byAngle[1], perHeight};
   return at;
 }
 
-CubicBlock LumenField::distanceAt(const Unrolled& at) const noexcept
+CubicBlock LumenField::distanceAt(Unrolled& at) const noexcept
 {
   const double pAsked = (at.p + margin) * samplesPerUnit;
   const double qAsked = (at.q + margin) * samplesPerUnit;
@@ -152,11 +158,20 @@ CubicBlock LumenField::distanceAt(const Unrolled& at) const noexcept
   const CubicWeights p(pIndex - static_cast<double>(pFirst));
   const CubicWeights q(qIndex - static_cast<double>(qFirst));
 
-  CubicBlock spline(distance_.data() + (at.section * across + pFirst) * across + qFirst, page,
-                    across, at.weights, p, q);
+  at.cell = (at.section * across + pFirst) * across + qFirst;
+  at.isInTable = pAsked == pIndex && qAsked == qIndex;
+  CubicBlock spline(distance_.data() + at.cell, page, across, at.weights, p, q);
   // beyond the table: linear extrapolation
   spline.value += (pAsked - pIndex) * spline.byP + (qAsked - qIndex) * spline.byQ;
   return spline;
+}
+
+void LumenField::follow(const Eigen::Vector3d& point_W, LumenTrack& memory) const noexcept
+{
+  if ((point_W - entry_.origin_W).dot(inward_W_) >= 0.0)
+    track(point_W, memory);
+  else
+    memory = LumenTrack{};
 }
 
 void LumenField::locate(const Eigen::Vector3d& point_W, double reach, LumenTrack& memory,
@@ -171,7 +186,7 @@ void LumenField::locate(const Eigen::Vector3d& point_W, double reach, LumenTrack
     return;
   }
   if (!track(point_W, memory)) return;  // no wall is near the axis
-  const Unrolled here = unroll(point_W, memory);
+  Unrolled here = unroll(point_W, memory);
 
   // farther than `reach` from every wall of the section: only the clearance is needed
   const double toEnd = (lastAngle_ - memory.angle) *
@@ -197,6 +212,9 @@ void LumenField::locate(const Eigen::Vector3d& point_W, double reach, LumenTrack
                   (spline.byP * samplesPerUnit) * here.byP +
                   (spline.byQ * samplesPerUnit) * here.byQ;
   setTurning(point_W, memory, here, spline, wall);
+  setHessian(memory, here, spline, wall);
+  // the wall across the duct is out of reach for as long
+  wall.trustRadius = std::min(wall.trustRadius, std::max((toEnd - spline.value) / 3.0, 0.0));
   wall.onMembrane = isOnMembrane(memory, here, wall);
 
   // the apex: the last section is a wall across the duct
@@ -204,6 +222,7 @@ void LumenField::locate(const Eigen::Vector3d& point_W, double reach, LumenTrack
     wall.distance = toEnd;
     wall.normal_W = Eigen::Vector3d(memory.direction[1], -memory.direction[0], 0.0);
     wall.shapeOperator_W.setZero();
+    wall.trustRadius = 0.0;
     wall.onMembrane = false;
   }
 }
@@ -237,6 +256,71 @@ void LumenField::setTurning(const Eigen::Vector3d& point_W, const LumenTrack& tr
       wall.shapeOperator_W(i, j) = operatorAt;
       wall.shapeOperator_W(j, i) = operatorAt;
     }
+}
+
+// Sets the Hessian by the chain rule in cylindrical coordinates (r, angle, z), in which the section's
+// coordinates p and q depend on the angle with its center and size; in the lead-in it is constant
+// along the axis.
+void LumenField::setHessian(const LumenTrack& track, const Unrolled& at, const CubicBlock& spline,
+                            WallPoint& wall) const noexcept
+{
+  const double perWidth = 1.0 / at.width, perHeight = 1.0 / at.height;
+  const double s = samplesPerUnit;
+  const double fp = s * spline.byP, fq = s * spline.byQ;
+  const double fpp = s * s * spline.byPp, fpq = s * s * spline.byPq, fqq = s * s * spline.byQq;
+  Eigen::Matrix3d& hessian = wall.hessian_W;
+  double perRadius = 0.0;
+  if (track.inLeadIn) {
+    hessian = fpp * at.byP * at.byP.transpose() + fqq * at.byQ * at.byQ.transpose() +
+              fpq * (at.byP * at.byQ.transpose() + at.byQ * at.byP.transpose());
+  } else {
+    double bend[4] = {};  // second derivatives of center, half width and half height
+    for (std::size_t k = 0; k < 4; ++k)
+      for (std::size_t c = 0; c < 4; ++c) bend[c] += at.weights.bend[k] * along_[at.section + k][c];
+    for (double& value : bend) value *= perSection_ * perSection_;
+    const double fa = perSection_ * spline.byA;
+    const double fap = perSection_ * s * spline.byAp, faq = perSection_ * s * spline.byAq;
+    const double faa = perSection_ * perSection_ * spline.byAa;
+
+    // derivatives of p and q by the angle
+    const double p1 = -(at.slope[centerRadius] + at.p * at.slope[halfWidth]) * perWidth;
+    const double q1 = -(at.slope[centerHeight] + at.q * at.slope[halfHeight]) * perHeight;
+    const double p2 =
+        -(bend[centerRadius] + 2.0 * p1 * at.slope[halfWidth] + at.p * bend[halfWidth]) * perWidth;
+    const double q2 =
+        -(bend[centerHeight] + 2.0 * q1 * at.slope[halfHeight] + at.q * bend[halfHeight]) *
+        perHeight;
+
+    const double byR = fp * perWidth;
+    double byAngle = fa + fp * p1 + fq * q1;
+    double angleR = (fap + fpp * p1 + fpq * q1 - fp * at.slope[halfWidth] * perWidth) * perWidth;
+    double angleZ = (faq + fpq * p1 + fqq * q1 - fq * at.slope[halfHeight] * perHeight) * perHeight;
+    double angleAngle = faa + 2.0 * (fap * p1 + faq * q1) + fpp * p1 * p1 + 2.0 * fpq * p1 * q1 +
+                        fqq * q1 * q1 + fp * p2 + fq * q2;
+    if (track.angle > lastAngle_) byAngle = angleR = angleZ = angleAngle = 0.0;
+
+    perRadius = 1.0 / std::max(at.r, 1e-5);
+    const double rr = fpp * perWidth * perWidth;
+    const double zz = fqq * perHeight * perHeight;
+    const double rz = fpq * perWidth * perHeight;
+    const double ra = (angleR - byAngle * perRadius) * perRadius;
+    const double az = angleZ * perRadius;
+    const double aa = (angleAngle * perRadius + byR) * perRadius;
+    const double x = track.direction[0], y = track.direction[1];
+    hessian(0, 0) = rr * x * x - 2.0 * ra * x * y + aa * y * y;
+    hessian(1, 1) = rr * y * y + 2.0 * ra * x * y + aa * x * x;
+    hessian(0, 1) = hessian(1, 0) = (rr - aa) * x * y + ra * (x * x - y * y);
+    hessian(0, 2) = hessian(2, 0) = rz * x - az * y;
+    hessian(1, 2) = hessian(2, 1) = rz * y + az * x;
+    hessian(2, 2) = zz;
+  }
+  if (!at.isInTable) {
+    wall.trustRadius = 0.0;
+    return;
+  }
+  // the directions of the Hessian rotate with the angle
+  const std::uint8_t level = trustLevel(3.0 * perRadius * hessian.norm());
+  wall.trustRadius = trustRadii[std::min(trust_[at.cell], level)];
 }
 
 // True if the nearest point of the wall lies on the basilar membrane.

@@ -5,6 +5,7 @@
 // all three, read in the tick.
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include "perilymph/anatomy/ScalaTympani.h"
@@ -27,6 +28,9 @@ public:
   /// Finds the wall nearest to one point. Real-time safe.
   void locate(const Eigen::Vector3d& point_W, double reach, LumenTrack& track,
               WallPoint& wall) const noexcept;
+
+  /// Updates the track of a point. Real-time safe.
+  void follow(const Eigen::Vector3d& point_W, LumenTrack& memory) const noexcept;
 
 private:
   // The columns of the table along the duct: the section's center, its half width and half height,
@@ -53,7 +57,10 @@ private:
   bool track(const Eigen::Vector3d& point_W, LumenTrack& track) const noexcept;
   Unrolled unroll(const Eigen::Vector3d& point_W, const LumenTrack& track) const noexcept;
   /// The distance and its derivatives by the index of the angle and by those of p and q [m].
-  CubicBlock distanceAt(const Unrolled& at) const noexcept;
+  CubicBlock distanceAt(Unrolled& at) const noexcept;
+  /// The Hessian of the distance, and how far it may be used.
+  void setHessian(const LumenTrack& track, const Unrolled& at, const CubicBlock& spline,
+                  WallPoint& wall) const noexcept;
   void setTurning(const Eigen::Vector3d& point_W, const LumenTrack& track, const Unrolled& at,
                   const CubicBlock& spline, WallPoint& wall) const noexcept;
   bool isOnMembrane(const LumenTrack& track, const Unrolled& at,
@@ -76,6 +83,7 @@ private:
       minSlant_;                 ///< Per section: minimum ratio of the distance in space to that in
                                  ///< the section.
   std::vector<float> distance_;  ///< [section][radial][axial], [m].
+  std::vector<std::uint8_t> trust_;  ///< The same cells: indices into trustRadii.
 };
 
 }  // namespace perilymph::anatomy

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "lumen/SectionWall.h"
+#include "lumen/TrustRadius.h"
 #include "lumen/WallLines.h"
 #include "numerics/CubicTable.h"
 #include "perilymph/foundation/Math.h"
@@ -78,6 +79,14 @@ LumenField::LumenField(const ScalaTympani& scala) : entry_(scala.entry()), inwar
   float* last = distance_.data() + (static_cast<std::size_t>(sections_) + 1) * page;
   for (std::size_t k = 0; k < page; ++k)
     last[k] = 3.0f * ((last - page)[k] - (last - 2 * page)[k]) + (last - 3 * page)[k];
+
+  std::vector<double> cellWidth, cellHeight;
+  for (int i = -1; i <= sections_; ++i) {
+    const auto section = static_cast<std::size_t>(std::clamp(i, 0, sections_ - 1));
+    cellWidth.push_back(widths[section] / samplesPerUnit);
+    cellHeight.push_back(heights[section] / samplesPerUnit);
+  }
+  trust_ = trustLevels(distance_, across, cellWidth, cellHeight);
 }
 
 // The page before the first section, chosen so that the derivative by the angle there equals that

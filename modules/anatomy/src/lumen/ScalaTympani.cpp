@@ -104,6 +104,11 @@ void ScalaTympani::nearestWall(std::span<const Eigen::Vector3d> points_W,
     field_->locate(points_W[i], reach[i], tracks[i], walls[i]);
 }
 
+void ScalaTympani::follow(const Eigen::Vector3d& point_W, LumenTrack& track) const noexcept
+{
+  field_->follow(point_W, track);
+}
+
 void ScalaTympani::addTo(Hash& hash) const noexcept
 {
   // Names all members, so that this does not compile once a member is added.

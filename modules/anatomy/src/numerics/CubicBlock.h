@@ -39,7 +39,7 @@ struct FourNeighbors {
 
 /// Value and derivatives of the spline by the indices of its axes: a, p and q, the last contiguous.
 struct CubicBlock {
-  double value, byA, byP, byQ, byPp, byPq, byQq;
+  double value, byA, byP, byQ, byAa, byAp, byAq, byPp, byPq, byQq;
 
   /// @param corner  The first coefficient.
   /// @param aStep   Stride along a.
@@ -47,23 +47,29 @@ struct CubicBlock {
   CubicBlock(const float* corner, std::size_t aStep, std::size_t pStep, const CubicWeights& a,
              const CubicWeights& p, const CubicWeights& q) noexcept
   {
-    FourNeighbors sum, sumByA, sumByP, sumByPp;
+    FourNeighbors sum, sumByA, sumByP, sumByAa, sumByAp, sumByPp;
     for (std::size_t j = 0; j < 4; ++j) {
-      FourNeighbors here, slope;
+      FourNeighbors here, slope, bend;
       for (std::size_t i = 0; i < 4; ++i) {
         const FourNeighbors row = FourNeighbors::load(corner + i * aStep + j * pStep);
         here.add(a.value[i], row);
         slope.add(a.slope[i], row);
+        bend.add(a.bend[i], row);
       }
       sum.add(p.value[j], here);
       sumByP.add(p.slope[j], here);
       sumByPp.add(p.bend[j], here);
       sumByA.add(p.value[j], slope);
+      sumByAp.add(p.slope[j], slope);
+      sumByAa.add(p.value[j], bend);
     }
     value = sum.weighted(q.value);
     byA = sumByA.weighted(q.value);
     byP = sumByP.weighted(q.value);
     byQ = sum.weighted(q.slope);
+    byAa = sumByAa.weighted(q.value);
+    byAp = sumByAp.weighted(q.value);
+    byAq = sumByA.weighted(q.slope);
     byPp = sumByPp.weighted(q.value);
     byPq = sumByP.weighted(q.slope);
     byQq = sum.weighted(q.bend);

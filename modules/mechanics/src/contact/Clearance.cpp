@@ -8,12 +8,6 @@
 namespace perilymph::mechanics {
 namespace {
 
-// Maximum displacement over which the stored wall is extrapolated by its curvature; smaller for
-// larger forces. On a convex wall with a radius of about 0.5 mm, the normal is off by the
-// displacement over the radius, the force by 1 uN.
-constexpr double farthestSeen = 0.2e-6;  // [m]
-constexpr double maxSeen = 5e-10;        // force times displacement [N.m]
-
 // A node farther outside than this cannot enter within a step (faster than any hand).
 constexpr double farthestOutside = 2e-3;  // [m]
 constexpr double justBehind = 1e-6;       // [m]
@@ -40,26 +34,38 @@ void seeBone(const InsertionModel& model, const InsertionState& state, std::size
   wall.normal_W = model.entry.out_W;
   wall.shapeOperator_W.setZero();
   contacts.isKnown[i] = 0;
+  contacts.seen[i].trustRadius = 0.0;
 }
 
-/// Whether the wall found earlier in this step is still valid at a position, updated by its
-/// curvature: for a node near the wall, if it has hardly moved; for a distant one, while it cannot
+/// Whether the wall that was found earlier holds at a position, to which it is extrapolated: for a
+/// node near the wall within its trust radius, for one that was distant in this step while it cannot
 /// touch.
-bool isStillSeen(const Eigen::Vector3d& at_W, double force, ContactSet& contacts,
-                 std::size_t i) noexcept
+bool isStillSeen(const Eigen::Vector3d& at_W, ContactSet& contacts, std::size_t i) noexcept
 {
   anatomy::WallPoint& wall = contacts.wall[i];
-  const Eigen::Vector3d moved = at_W - contacts.seenFrom_W[i];
-  const double squared = moved.squaredNorm();
-  if (!wall.isNear) return squared < wall.clearance * wall.clearance && wall.clearance > 0.0;
-  if (!(squared < farthestSeen * farthestSeen)) return false;
-  contacts.walked[i] += std::sqrt(squared);
-  if (!(contacts.walked[i] < farthestSeen && contacts.walked[i] * force < maxSeen)) return false;
-  const Eigen::Vector3d turned = wall.shapeOperator_W * moved;
-  wall.distance += wall.normal_W.dot(moved) - 0.5 * turned.dot(moved);
-  wall.normal_W -= turned;
-  contacts.seenFrom_W[i] = at_W;
+  const SeenWall& seen = contacts.seen[i];
+  const Eigen::Vector3d moved = at_W - seen.from_W;
+  const double squared = moved[0] * moved[0] + moved[1] * moved[1] + moved[2] * moved[2];
+  if (!(seen.trustRadius > 0.0))
+    return contacts.isKnown[i] != 0 && !wall.isNear && wall.clearance > 0.0 &&
+           squared < wall.clearance * wall.clearance;
+  if (!(squared < seen.trustRadius * seen.trustRadius)) return false;
+  const Eigen::Vector3d turned = seen.hessian_W * moved;
+  wall.distance = seen.distance + (seen.normal_W + 0.5 * turned).dot(moved);
+  wall.normal_W = seen.normal_W + turned;
+  contacts.isKnown[i] = 1;
   return true;
+}
+
+/// Keeps what a query found.
+void keepSeen(const Eigen::Vector3d& at_W, const anatomy::WallPoint& wall, SeenWall& seen) noexcept
+{
+  seen.from_W = at_W;
+  seen.trustRadius = wall.isNear ? wall.trustRadius : 0.0;
+  if (!(seen.trustRadius > 0.0)) return;
+  seen.distance = wall.distance;
+  seen.normal_W = wall.normal_W;
+  seen.hessian_W = wall.hessian_W;
 }
 
 }  // namespace
@@ -80,15 +86,16 @@ void findWall(const InsertionModel& model, const StepStart& start, InsertionStat
       contacts.isKnown[i] = 0;
       continue;
     }
-    const bool isTip = i + 1 == n;  // always queried: its angle is a reading
-    if (!isTip && contacts.isKnown[i] != 0 &&
-        isStillSeen(state.position_W[i], state.normalForce[i], contacts, i))
+    if (isStillSeen(state.position_W[i], contacts, i)) {
+      // the tip's angle is a reading, and the place of a membrane depends on it
+      if (i + 1 == n || model.membrane)
+        model.parts.lumen->follow(state.position_W[i], state.track[i]);
       continue;
+    }
     contacts.isAsked[i] = 1;
     contacts.isKnown[i] = 1;
-    contacts.walked[i] = 0.0;
-    contacts.seenFrom_W[i] = state.position_W[i];
     contacts.wall[i].isNear = false;
+    contacts.wall[i].trustRadius = 0.0;
   }
 
   // neighboring nodes in one query
@@ -100,6 +107,8 @@ void findWall(const InsertionModel& model, const StepStart& start, InsertionStat
                                      std::span(contacts.reach).subspan(first, count),
                                      std::span(state.track).subspan(first, count),
                                      std::span(contacts.wall).subspan(first, count));
+    for (std::size_t i = first; i < first + count; ++i)
+      keepSeen(state.position_W[i], contacts.wall[i], contacts.seen[i]);
     first += count + 1;
   }
 }
@@ -144,7 +153,7 @@ void keepClearance(const StepStart& start, const ContactSet& contacts,
       left -= std::sqrt(squaredMotion(start, state, i));
       continue;
     }
-    const double since = (state.position_W[i] - contacts.seenFrom_W[i]).norm();
+    const double since = (state.position_W[i] - contacts.seen[i].from_W).norm();
     left = contacts.wall[i].isNear ? 0.0 : std::max(contacts.wall[i].clearance - since, 0.0);
   }
 }

@@ -24,14 +24,23 @@ struct RimStiffness {
   SymmetricBlock<double> stiffness;  ///< [N/m]
 };
 
-/// The contacts of the current iteration.
+/// The wall near a node where the lumen was last queried, kept over many steps: while the node stays
+/// in the trust radius, the distance and its gradient follow from the second derivatives.
+struct SeenWall {
+  Eigen::Vector3d from_W = Eigen::Vector3d::Zero();     ///< Position of the node at the query [m].
+  double distance = 0.0;                                ///< There [m].
+  Eigen::Vector3d normal_W = Eigen::Vector3d::Zero();   ///< Gradient of the distance there.
+  Eigen::Matrix3d hessian_W = Eigen::Matrix3d::Zero();  ///< [1/m]
+  double trustRadius = 0.0;                             ///< [m]; 0: none is kept.
+};
+
+/// The contacts of the current iteration. `seen` and `wall` are kept between steps.
 struct ContactSet {
   explicit ContactSet(std::size_t nodes = 0)
       : reach(nodes),
         isAsked(nodes),
         isKnown(nodes),
-        seenFrom_W(nodes, Eigen::Vector3d::Zero()),
-        walked(nodes),
+        seen(nodes),
         wall(nodes),
         section(nodes),
         touching(nodes),
@@ -39,16 +48,14 @@ struct ContactSet {
   {
   }
 
-  std::vector<double> reach;                ///< Reach of the lumen query at each node [m].
-  std::vector<unsigned char> isAsked;       ///< Whether the lumen was queried for each node.
-  std::vector<unsigned char> isKnown;       ///< Whether `wall` is from this step.
-  std::vector<Eigen::Vector3d> seenFrom_W;  ///< Position for which `wall` is valid at each node
-                                            ///< [m].
-  std::vector<double> walked;               ///< Displacement of each node since the last query [m].
-  std::vector<anatomy::WallPoint> wall;     ///< Wall at each node.
-  std::vector<SectionReach> section;        ///< Section of each node, if it is oval.
-  std::size_t touches = 0;                  ///< Number of nodes that touch the wall.
-  std::vector<std::size_t> touching;        ///< Indices of those nodes, from the base on.
+  std::vector<double> reach;             ///< Reach of the lumen query at each node [m].
+  std::vector<unsigned char> isAsked;    ///< Whether the lumen was queried for each node.
+  std::vector<unsigned char> isKnown;    ///< Whether `wall` was found in this step.
+  std::vector<SeenWall> seen;            ///< What it was found from.
+  std::vector<anatomy::WallPoint> wall;  ///< Wall at each node.
+  std::vector<SectionReach> section;     ///< Section of each node, if it is oval.
+  std::size_t touches = 0;               ///< Number of nodes that touch the wall.
+  std::vector<std::size_t> touching;     ///< Indices of those nodes, from the base on.
   std::vector<SymmetricBlock<double>>
       wallStiffness;          ///< Stiffness of the wall at each of them [N/m].
   RimContact rim;             ///< State of the rim contact after this iteration.

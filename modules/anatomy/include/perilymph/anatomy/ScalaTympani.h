@@ -69,6 +69,7 @@ public:
   void nearestWall(std::span<const Eigen::Vector3d> points_W, std::span<const double> reach,
                    std::span<LumenTrack> tracks,
                    std::span<WallPoint> walls) const noexcept override;
+  void follow(const Eigen::Vector3d& point_W, LumenTrack& track) const noexcept override;
   void addTo(Hash& hash) const noexcept override;
 
   Angle lastAngle() const noexcept { return Angle::fromSi(lastAngle_); }

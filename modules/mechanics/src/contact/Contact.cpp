@@ -33,7 +33,7 @@ SectionReach meanReachToward(double a, double b, double x, double y, double squa
 /// Extent of an oval section toward a wall: its support function along the wall's normal. With a
 /// delay, it follows the wall's direction from one step to the next.
 SectionReach reachToward(const InsertionModel& model, const InsertionState& state,
-                         const StepStart& start, const RodKinematics& rod, std::size_t i,
+                         const RodKinematics& rod, std::size_t i,
                          const Eigen::Vector3d& normal_W) noexcept
 {
   const double within = model.halfWithin[i], across = model.halfAcross[i];
@@ -54,7 +54,7 @@ SectionReach reachToward(const InsertionModel& model, const InsertionState& stat
   reach = meanReachToward(within, across, x, y, size);
   const SectionReach& before = state.section[i];
   if (!before.isKnown) return reach;
-  const double fraction = start.timeStep / (start.timeStep + delay);
+  const double fraction = model.timeStep / (model.timeStep + delay);
   reach.length = before.length + fraction * (reach.length - before.length);
   reach.rate = before.rate + fraction * (reach.rate - before.rate);
   return reach;
@@ -66,8 +66,8 @@ SymmetricBlock<double> asBlock(const Eigen::Matrix3d& m) noexcept
 }
 
 /// Normal force of the wall on a node near it, and its stiffness. False if they do not touch.
-bool normalContact(const InsertionModel& model, InsertionState& state, const StepStart& start,
-                   const RodKinematics& rod, std::size_t i, ContactSet& contacts) noexcept
+bool normalContact(const InsertionModel& model, InsertionState& state, const RodKinematics& rod,
+                   std::size_t i, ContactSet& contacts) noexcept
 {
   const Eigen::Vector3d& at_W = state.position_W[i];
   const anatomy::WallPoint& wall = contacts.wall[i];
@@ -77,7 +77,7 @@ bool normalContact(const InsertionModel& model, InsertionState& state, const Ste
   const bool isOval = model.isOval && state.isBeside[i] == 0;
   if (isOval) {
     SectionReach& reach = contacts.section[i];
-    if (!reach.isKnown) reach = reachToward(model, state, start, rod, i, wall.normal_W);
+    if (!reach.isKnown) reach = reachToward(model, state, rod, i, wall.normal_W);
     half = reach.length;
   }
   const double penetration = half - wall.distance;
@@ -138,7 +138,7 @@ void friction(const InsertionModel& model, InsertionState& state, const StepStar
   const FrictionStep friction =
       frictionStep(slip + spring - normal_W * normal_W.dot(spring), history.pressedBefore[i],
                    model.wallTangential[i], {state.isSliding[i] != 0, state.slipSpeed[i]}, normal_W,
-                   model.parts.friction, start.timeStep);
+                   model.parts.friction, model.timeStep);
   state.wallForce_W[i] += friction.force_W;
   SymmetricBlock<double>& stiffness = contacts.wallStiffness[contacts.touches];
   if (!isPressed) stiffness = {};
@@ -204,8 +204,7 @@ void addWallForces(const InsertionModel& model, InsertionState& state, const Ste
     history.spring_W[i].setZero();
     history.isSliding[i] = 0;
     history.slip[i] = 0.0;
-    const bool isPressed =
-        contacts.wall[i].isNear && normalContact(model, state, start, rod, i, contacts);
+    const bool isPressed = contacts.wall[i].isNear && normalContact(model, state, rod, i, contacts);
     const bool hasFriction = history.pressedBefore[i] > 0.0;
     if (hasFriction) friction(model, state, start, i, isPressed, contacts, history);
     if (!isPressed && !hasFriction) continue;

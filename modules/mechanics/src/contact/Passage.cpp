@@ -130,7 +130,7 @@ FrictionStep frictionAlong(const InsertionModel& model, const InsertionState& st
   friction = frictionStep(stretch * n_W, history.rimPressedBefore,
                           model.parts.wall.tangentialPerSamplePoint.si(),
                           {state.rim.isSliding, state.rim.slipSpeed}, model.entry.outward_W,
-                          model.passage->friction, start.timeStep);
+                          model.passage->friction, model.timeStep);
   friction.stiffness = n_W.dot(friction.stiffness * n_W) * n_W * n_W.transpose();
   return friction;
 }
@@ -232,7 +232,7 @@ void addPassageForces(const InsertionModel& model, const InsertionState& state,
   if (normal > 0.0) {
     contacts.rim.spring_W = friction.spring_W;
     contacts.rim.isSliding = friction.isSliding;
-    contacts.rim.slipSpeed = std::fabs(slip) / start.timeStep;
+    contacts.rim.slipSpeed = std::fabs(slip) / model.timeStep;
     contacts.rim.normal_W = model.entry.outward_W;
   }
   contacts.rim.normalForce = normal;

@@ -54,7 +54,7 @@ void rimContact(const InsertionModel& model, const InsertionState& state, const 
     friction = frictionStep(
         slip + spring - across_W * across_W.dot(spring), history.rimPressedBefore,
         model.parts.wall.tangentialPerSamplePoint.si(), {state.rim.isSliding, state.rim.slipSpeed},
-        across_W, model.parts.friction, start.timeStep);
+        across_W, model.parts.friction, model.timeStep);
 
   const Eigen::Vector3d pushed_W = -near.law.force * near.gradient_W -
                                    opposite.law.force * opposite.gradient_W + friction.force_W;
@@ -74,7 +74,7 @@ void rimContact(const InsertionModel& model, const InsertionState& state, const 
   if (normal > 0.0) {
     contacts.rim.spring_W = friction.spring_W;
     contacts.rim.isSliding = friction.isSliding;
-    contacts.rim.slipSpeed = slip.norm() / start.timeStep;
+    contacts.rim.slipSpeed = slip.norm() / model.timeStep;
     contacts.rim.normal_W = contact.normal_W;
   }
   contacts.rim.normalForce = normal;

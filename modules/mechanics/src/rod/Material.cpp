@@ -256,22 +256,21 @@ void turnMaterial(const InsertionModel& model, const Vector3d& curl_W,
   if (model.isOval) rod.twistTorque += state.wallTorque[1].torque;
 }
 
-Vector3d ovalStress(const InsertionModel& model, double timeStep, const SectionStiffness& section,
+Vector3d ovalStress(const InsertionModel& model, const SectionStiffness& section,
                     const RodKinematics& rod, std::size_t i, const Vector3d& bend_W) noexcept
 {
-  const double damping = dampingTime / timeStep;
+  const double damping = dampingTime / model.timeStep;
   const Vector3d& way = rod.stiffer_W[i];
   const double along =
       way.dot(bend_W - rod.restBend_W[i]) + damping * way.dot(bend_W - rod.bendBefore_W[i]);
   return (section.bendingExcess[i] / model.spacing * along) * way;
 }
 
-void addMaterialStiffness(const InsertionModel& model, double timeStep,
-                          const SectionStiffness& section, const RodKinematics& rod,
-                          BandMatrix& matrix) noexcept
+void addMaterialStiffness(const InsertionModel& model, const SectionStiffness& section,
+                          const RodKinematics& rod, BandMatrix& matrix) noexcept
 {
   const auto n = static_cast<std::size_t>(model.nodes);
-  const double damping = dampingTime / timeStep;
+  const double damping = dampingTime / model.timeStep;
   for (std::size_t i = 1; i + 1 < n; ++i) {
     addTwist(matrix, i, rod.twistRate_W[i], model.twisting[i] / model.spacing);
     if (!(model.bendingExcess[i] > 0.0)) continue;

@@ -30,13 +30,12 @@ void turnMaterial(const InsertionModel& model, const Eigen::Vector3d& curl_W,
                   TwistSystem& turns) noexcept;
 
 /// Additional bending moment at node i of an oval section that is stiffer in one direction [N.m].
-Eigen::Vector3d ovalStress(const InsertionModel& model, double timeStep,
-                           const SectionStiffness& section, const RodKinematics& rod, std::size_t i,
+Eigen::Vector3d ovalStress(const InsertionModel& model, const SectionStiffness& section,
+                           const RodKinematics& rod, std::size_t i,
                            const Eigen::Vector3d& bend_W) noexcept;
 
 /// Adds the stiffness of twist and oval sections to the matrix.
-void addMaterialStiffness(const InsertionModel& model, double timeStep,
-                          const SectionStiffness& section, const RodKinematics& rod,
-                          BandMatrix& matrix) noexcept;
+void addMaterialStiffness(const InsertionModel& model, const SectionStiffness& section,
+                          const RodKinematics& rod, BandMatrix& matrix) noexcept;
 
 }  // namespace perilymph::mechanics

@@ -216,12 +216,12 @@ void setEdges(const std::vector<Vector3d>& position_W, RodKinematics& rod) noexc
 }
 
 void addRodForces(const InsertionModel& model, const std::vector<Vector3d>& position_W,
-                  double timeStep, const SectionStiffness& section, RodKinematics& rod,
+                  const SectionStiffness& section, RodKinematics& rod,
                   std::vector<Vector3d>& force_W) noexcept
 {
   const auto n = static_cast<std::size_t>(model.nodes);
   const double h = model.spacing;
-  const double damping = dampingTime / timeStep;
+  const double damping = dampingTime / model.timeStep;
   setEdges(position_W, rod);
 
   // the first edge is in the tweezers: it neither stretches nor bends
@@ -234,7 +234,7 @@ void addRodForces(const InsertionModel& model, const std::vector<Vector3d>& posi
     const Vector3d w = joint.bend_W();
     Vector3d stress =
         (section.bending[i] / h) * ((w - rod.restBend_W[i]) + damping * (w - rod.bendBefore_W[i]));
-    if (model.bendingExcess[i] > 0.0) stress += ovalStress(model, timeStep, section, rod, i, w);
+    if (model.bendingExcess[i] > 0.0) stress += ovalStress(model, section, rod, i, w);
     JointForces bending = forcesOf(joint, w, stress);
     if (model.twists) {
       const Vector3d& b = rod.twistRate_W[i];
@@ -250,12 +250,12 @@ void addRodForces(const InsertionModel& model, const std::vector<Vector3d>& posi
   }
 }
 
-void addRodStiffness(const InsertionModel& model, Compression compression, double timeStep,
+void addRodStiffness(const InsertionModel& model, Compression compression,
                      const SectionStiffness& section, const RodKinematics& rod,
                      BandMatrix& matrix) noexcept
 {
   const auto n = static_cast<std::size_t>(model.nodes);
-  const double damping = dampingTime / timeStep;
+  const double damping = dampingTime / model.timeStep;
   for (std::size_t i = 1; i + 1 < n; ++i) {
     addStretching(model, i, damping, compression, rod, matrix);
     addBending(model, i, damping, section, rod, matrix);

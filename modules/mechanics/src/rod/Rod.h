@@ -44,11 +44,11 @@ void setEdges(const std::vector<Eigen::Vector3d>& position_W, RodKinematics& rod
 
 /// Adds the rod's forces to force_W, and stores its edges and their tension in `rod`.
 void addRodForces(const InsertionModel& model, const std::vector<Eigen::Vector3d>& position_W,
-                  double timeStep, const SectionStiffness& section, RodKinematics& rod,
+                  const SectionStiffness& section, RodKinematics& rod,
                   std::vector<Eigen::Vector3d>& force_W) noexcept;
 
 /// Adds the rod's stiffness to the matrix, at the edges stored by addRodForces().
-void addRodStiffness(const InsertionModel& model, Compression compression, double timeStep,
+void addRodStiffness(const InsertionModel& model, Compression compression,
                      const SectionStiffness& section, const RodKinematics& rod,
                      BandMatrix& matrix) noexcept;
 

@@ -6,19 +6,13 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "perilymph/anatomy/Lumen.h"
-
 namespace perilymph::mechanics {
 
-/// The start of a time step, to which a rejected step returns and relative to which motion is
-/// computed.
+/// The start of a time step, relative to which motion is computed.
 struct StepStart {
-  explicit StepStart(std::size_t nodes = 0) : position_W(nodes), curl_W(nodes), track(nodes) {}
+  explicit StepStart(std::size_t nodes = 0) : position_W(nodes) {}
 
-  double timeStep = 0.0;                    ///< Duration of this step or substep [s].
   std::vector<Eigen::Vector3d> position_W;  ///< Position of each node [m].
-  std::vector<Eigen::Vector3d> curl_W;      ///< Unit, of each edge.
-  std::vector<anatomy::LumenTrack> track;   ///< The turn of the duct each node is in.
 };
 
 /// Bending stiffness and rest curvature at each node for the position of the stylet in this step.

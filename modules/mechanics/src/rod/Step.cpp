@@ -19,12 +19,12 @@ void predict(const InsertionModel& model, InsertionState& state, const Drive& dr
     to_W = (base.inertia * base.free_W + base.effectiveStiffness * base.couplingTarget_W) /
            (base.inertia + base.effectiveStiffness);
   const double forward = (to_W - work.start.position_W[0]).dot(drive.handAxis_W);
-  const double lastForward = work.start.timeStep * state.baseVelocity_W.dot(drive.handAxis_W);
+  const double lastForward = model.timeStep * state.baseVelocity_W.dot(drive.handAxis_W);
   const double fraction = forward / lastForward;
   const bool goesOn = !state.isSettling && fraction > 0.25 && fraction < 4.0;
   for (std::size_t i = 2; i < n; ++i) {
     const Eigen::Vector3d motion =
-        goesOn ? Eigen::Vector3d(fraction * work.start.timeStep * state.velocity_W[i])
+        goesOn ? Eigen::Vector3d(fraction * model.timeStep * state.velocity_W[i])
                : Eigen::Vector3d(forward * work.rod.edge[i - 1].tangent_W);
     state.position_W[i] = work.start.position_W[i] + motion;
   }
@@ -37,8 +37,6 @@ void remember(const InsertionState& state, RodWorkspace& work) noexcept
 {
   for (std::size_t i = 0; i < state.position_W.size(); ++i) {
     work.start.position_W[i] = state.position_W[i];
-    work.start.track[i] = state.track[i];
-    work.start.curl_W[i] = state.curl_W[i];
     work.friction.pressedBefore[i] = state.normalForce[i];
     work.friction.normalBefore_W[i] = state.wallNormal_W[i];
     work.contacts.section[i].isKnown = false;
@@ -53,14 +51,13 @@ void remember(const InsertionState& state, RodWorkspace& work) noexcept
 Step takeStep(const InsertionModel& model, InsertionState& state, const Drive& drive,
               RodWorkspace& work) noexcept
 {
-  work.start.timeStep = model.timeStep;
   remember(state, work);
   findBone(model, state);
   setGuide(drive, state.base_W, work.guide);
   setRestShape(model, state.position_W, drive.handCurl_W, work.section, work.rod);
   if (model.twists)
     turnMaterial(model, drive.handCurl_W, work.section, state, work.rod, work.twist);
-  const Base base = baseOf(model, state, drive, model.timeStep);
+  const Base base = baseOf(model, state, drive);
   setHold(model, state, work.start, work.inertia);
   predict(model, state, drive, base, work);
   return {base, solveNewton(model, state, base, work)};
@@ -70,7 +67,7 @@ void commitStep(const InsertionModel& model, InsertionState& state,
                 const RodWorkspace& work) noexcept
 {
   const bool keepsSections = model.isOval && model.parts.wall.sectionDelay.si() > 0.0;
-  const double inverseTimeStep = 1.0 / work.start.timeStep;
+  const double inverseTimeStep = 1.0 / model.timeStep;
   state.baseVelocity_W = inverseTimeStep * (state.position_W[0] - work.start.position_W[0]);
   state.base_W = state.position_W[0];
   for (std::size_t i = 0; i < state.position_W.size(); ++i) {

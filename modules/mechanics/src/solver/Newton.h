@@ -17,9 +17,9 @@ struct SolveResult {
 };
 
 /// Moves the nodes from state.position_W until the forces are balanced: Newton's method with a line
-/// search on the residual. The factors of the stiffness are kept from step to step and renewed only
+/// search for lower energy. The factors of the stiffness are kept from step to step and renewed only
 /// when they give bad steps. Stops if no force exceeds 2 uN and no node would move by 0.2 nm, if
-/// contact toggles and nothing moves by 1 nm, or after a third of the work that a step allows.
+/// contact toggles and nothing moves by 1 nm, or with the work that a step allows.
 SolveResult solveNewton(const InsertionModel& model, InsertionState& state, const Base& base,
                         RodWorkspace& work) noexcept;
 

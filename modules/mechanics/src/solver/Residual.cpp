@@ -34,10 +34,9 @@ Residual normsOf(const std::vector<Eigen::Vector3d>& right) noexcept
 
 }  // namespace
 
-Base baseOf(const InsertionModel& model, const InsertionState& state, const Drive& drive,
-            double timeStep) noexcept
+Base baseOf(const InsertionModel& model, const InsertionState& state, const Drive& drive) noexcept
 {
-  const double dt = timeStep;
+  const double dt = model.timeStep;
   Base base{};
   base.isHeld = drive.coupling == Coupling::rigid;
   base.inertia = model.baseMass / (dt * dt);
@@ -54,7 +53,7 @@ Base baseOf(const InsertionModel& model, const InsertionState& state, const Driv
 void setHold(const InsertionModel& model, const InsertionState& state, const StepStart& start,
              NodeInertia& inertia) noexcept
 {
-  const double inverseTimeStep = 1.0 / start.timeStep;
+  const double inverseTimeStep = 1.0 / model.timeStep;
   for (std::size_t i = 2; i < state.position_W.size(); ++i) {
     const double momentum = model.mass[i] * inverseTimeStep;
     inertia.hold[i] = (momentum + model.drag[i]) * inverseTimeStep;
@@ -69,7 +68,7 @@ Residual residual(const InsertionModel& model, InsertionState& state, const Base
   const auto n = static_cast<std::size_t>(model.nodes);
   ++work.done.evaluations;
   for (std::size_t i = 0; i < n; ++i) work.force_W[i].setZero();
-  addRodForces(model, state.position_W, work.start.timeStep, work.section, work.rod, work.force_W);
+  addRodForces(model, state.position_W, work.section, work.rod, work.force_W);
   addWallForces(model, state, work.start, work.rod, work.contacts, work.friction, work.force_W);
   addRimForces(model, state, work.start, work.friction, work.contacts, work.force_W);
   addGuideForces(model, state.position_W, work.guide, work.force_W);
@@ -94,9 +93,8 @@ void assembleStiffness(const InsertionModel& model, const Base& base, Compressio
   const auto n = static_cast<std::size_t>(model.nodes);
   work.system.matrix.clear();
   BandMatrix& matrix = work.system.matrix;
-  addRodStiffness(model, compression, work.start.timeStep, work.section, work.rod, matrix);
-  if (model.twists)
-    addMaterialStiffness(model, work.start.timeStep, work.section, work.rod, matrix);
+  addRodStiffness(model, compression, work.section, work.rod, matrix);
+  if (model.twists) addMaterialStiffness(model, work.section, work.rod, matrix);
   addWallStiffness(work.contacts, matrix);
   addRimStiffness(model, work.contacts, matrix);
   addGuideStiffness(model, work.guide, matrix);

@@ -21,9 +21,7 @@ struct Base {
   Eigen::Vector3d couplingTarget_W;  ///< Position to which the coupling pulls it [m].
 };
 
-/// @param timeStep  Of the step or substep [s].
-Base baseOf(const InsertionModel& model, const InsertionState& state, const Drive& drive,
-            double timeStep) noexcept;
+Base baseOf(const InsertionModel& model, const InsertionState& state, const Drive& drive) noexcept;
 
 /// Sets inertia and drag of each node for this step.
 void setHold(const InsertionModel& model, const InsertionState& state, const StepStart& start,

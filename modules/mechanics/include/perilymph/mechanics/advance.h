@@ -17,11 +17,10 @@ inline constexpr int maxFactorizations = 10;
 /// Advances the state by one time step of backward Euler: predicts the rod, finds contacts, solves
 /// for normal force and friction, and computes the reaction at the base (into state.readings).
 ///
-/// If Newton's method leaves a residual of more than 2 uN, an energy minimization continues from
-/// there; if more than 1 mN, as when an array snaps, the step is rolled back and the minimization
-/// starts from its beginning. The work is bounded: a step that still has more than 0.1 mN goes on in
-/// the next one, downhill from where it is, without momentum (state.isSettling). Meanwhile the
-/// readings hold the gradient of the energy where the array is.
+/// Every iteration lowers the energy, until no force exceeds 2 uN. The work is bounded: a step that
+/// still has more than 0.1 mN, as when an array snaps, goes on in the next one, from where it is and
+/// without momentum (state.isSettling). Meanwhile the readings hold the gradient of the energy where
+/// the array is.
 ///
 /// Pure: no clock, no file, no randomness, bounded work. The same model, state and drive give the
 /// same bits on every x86-64 machine. Real-time safe.

@@ -34,7 +34,8 @@ def documents():
 
 
 # Paths in the package, and in the tree.
-PLACES = [("/usr/share/doc/perilymph-dev/examples", ROOT / "plugins/devices"), ("/usr/share/perilymph", ROOT)]
+PLACES = [("/usr/share/doc/perilymph-dev/examples/template", ROOT / "packaging/sdk/template"),
+          ("/usr/share/doc/perilymph-dev/examples", ROOT / "plugins/devices"), ("/usr/share/perilymph", ROOT)]
 # Commands of a tutorial, run as written.
 RUN = ("perilymph-cli ", "perilymph ", "cp ", "sed ", "cmake -S ", "cmake --build build")
 # Commands that take long or change the machine: only checked for existing files.

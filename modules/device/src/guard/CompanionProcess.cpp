@@ -8,7 +8,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <csignal>
+#include <ctime>
 
 namespace perilymph::device {
 
@@ -65,6 +67,21 @@ pid_t startCompanion(const CompanionCall& call)
   ::posix_spawnattr_destroy(&attributes);
   ::posix_spawn_file_actions_destroy(&actions);
   return failure == 0 ? id : 0;
+}
+
+bool say(const OwnedFile& pipe, std::uint8_t letter) noexcept
+{
+  sigset_t broken, before;
+  ::sigemptyset(&broken);
+  ::sigaddset(&broken, SIGPIPE);
+  ::pthread_sigmask(SIG_BLOCK, &broken, &before);
+  const bool isSaid = ::write(pipe.get(), &letter, 1) == 1;
+  if (!isSaid && errno == EPIPE) {
+    const timespec now{};
+    ::sigtimedwait(&broken, nullptr, &now);
+  }
+  ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  return isSaid;
 }
 
 void endCompanion(pid_t id, int patience_ms) noexcept

@@ -6,6 +6,7 @@
 
 #include <sys/types.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -55,6 +56,9 @@ std::filesystem::path companionProgram(const char* name);
 /// Starts a companion in a session of its own, so that it does not receive the signals of a
 /// terminal's process group. 0 if that fails.
 pid_t startCompanion(const CompanionCall& call);
+
+/// Writes one letter into a pipe to a companion; false, and no SIGPIPE, if it is gone.
+bool say(const OwnedFile& pipe, std::uint8_t letter) noexcept;
 
 /// Waits until a process has ended, at most `patience_ms`, then kills it.
 void endCompanion(pid_t id, int patience_ms) noexcept;

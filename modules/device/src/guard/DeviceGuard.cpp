@@ -47,16 +47,7 @@ public:
   Guard& operator=(const Guard&) = delete;
   ~Guard()
   {
-    // If the guard is gone, writing to the pipe must not raise SIGPIPE.
-    sigset_t broken, before;
-    ::sigemptyset(&broken);
-    ::sigaddset(&broken, SIGPIPE);
-    ::pthread_sigmask(SIG_BLOCK, &broken, &before);
-    if (::write(wire_.get(), &guard::goodbye, 1) < 0 && errno == EPIPE) {
-      const timespec now{};
-      ::sigtimedwait(&broken, nullptr, &now);
-    }
-    ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
+    say(wire_, guard::goodbye);
     wire_ = OwnedFile();
     endCompanion(id_, patienceForEnd_ms);
     ::munmap(pulse_, sizeof *pulse_);

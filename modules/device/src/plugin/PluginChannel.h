@@ -17,8 +17,9 @@ namespace perilymph::device::plugin {
 
 /// The host's file descriptors at its start.
 enum File : int {
-  wire = 0,     ///< A socket to the program: requests and replies. It closes when the program ends.
-  channel = 3,  ///< Memory shared with the program: a Channel.
+  requests = 0,  ///< A pipe from the program. It closes when the program ends.
+  channel = 3,   ///< Memory shared with the program: a Channel.
+  replies = 4,   ///< A pipe to the program.
 };
 
 /// Version of this header: a host of another version is refused.
@@ -38,6 +39,7 @@ struct Reply {
   PerilymphDeviceTraitsV1 traits{};
   std::array<char, 512> sentence{};
 };
+static_assert(sizeof(Reply) <= 4096, "a pipe takes it whole (PIPE_BUF)");
 
 /// The functions of a plug-in that a host calls after loading it.
 enum class Function : std::uint32_t { none, load, open, close, read, write };
@@ -72,7 +74,7 @@ struct Channel {
   realtime::SharedValue<HostedSample> samples;  ///< From the host.
   realtime::Doorbell forHost{realtime::Sharing::processes};
   realtime::Doorbell forProgram{realtime::Sharing::processes};
-  std::atomic<std::uint32_t> isClosing{0};  ///< Program: a request to close follows on the wire.
+  std::atomic<std::uint32_t> isClosing{0};         ///< Program: a request to close follows.
   std::atomic<Function> function{Function::none};  ///< Host: the function that runs now.
   std::atomic<std::uint64_t> calls{0};             ///< Host: number of calls that returned.
 };

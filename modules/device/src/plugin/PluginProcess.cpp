@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plugin/PluginProcess.h"
 
+#include <fcntl.h>
 #include <poll.h>
 #include <sys/mman.h>
-#include <sys/socket.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -32,18 +32,20 @@ std::string textOf(const std::array<char, 512>& sentence)
 
 }  // namespace
 
-PluginProcess::PluginProcess(std::string name, pid_t id, OwnedFile wire, Channel* channel) noexcept
+PluginProcess::PluginProcess(std::string name, pid_t id, OwnedFile requests, OwnedFile replies,
+                             Channel* channel) noexcept
     : name_(std::move(name)),
       id_(id),
       life_(static_cast<int>(::syscall(SYS_pidfd_open, id, 0))),
-      wire_(std::move(wire)),
+      requests_(std::move(requests)),
+      replies_(std::move(replies)),
       channel_(channel)
 {
 }
 
 PluginProcess::~PluginProcess()
 {
-  if (!hasEnded()) ask(goodbye);
+  say(requests_, goodbye);
   endCompanion(id_, isKilled_ ? 0 : patienceForEnd_ms);
   ::munmap(channel_, sizeof *channel_);
 }
@@ -57,30 +59,35 @@ Result<std::unique_ptr<PluginProcess>> PluginProcess::start(const std::filesyste
   if (program.empty())
     return Error{"the program " + std::string(programName) +
                  ", in which plug-ins run, is not installed. Install the package again."};
-  int ends[2] = {-1, -1};
-  if (::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends) != 0) return failed();
-  OwnedFile wire(ends[0]);
-  const OwnedFile hostsWire = OwnedFile(ends[1]).copyForCompanion();
+  int toHost[2] = {-1, -1}, fromHost[2] = {-1, -1};
+  if (::pipe2(toHost, O_CLOEXEC) != 0) return failed();
+  OwnedFile requests(toHost[1]);
+  const OwnedFile hostsRequests = OwnedFile(toHost[0]).copyForCompanion();
+  // Not waiting for a host that died while it wrote.
+  if (::pipe2(fromHost, O_CLOEXEC | O_NONBLOCK) != 0) return failed();
+  OwnedFile replies(fromHost[0]);
+  const OwnedFile hostsReplies = OwnedFile(fromHost[1]).copyForCompanion();
   const OwnedFile memory(::memfd_create("perilymph plug-in", MFD_CLOEXEC));
   const OwnedFile hostsMemory = memory.copyForCompanion();
-  if (hostsWire.get() < 0 || hostsMemory.get() < 0 ||
+  if (hostsRequests.get() < 0 || hostsReplies.get() < 0 || hostsMemory.get() < 0 ||
       ::ftruncate(memory.get(), sizeof(Channel)) != 0)
     return failed();
   void* const place =
       ::mmap(nullptr, sizeof(Channel), PROT_READ | PROT_WRITE, MAP_SHARED, memory.get(), 0);
   if (place == MAP_FAILED) return failed();
   auto* const channel = new (place) Channel;
-  const pid_t id =
-      startCompanion({program,
-                      {library.string()},
-                      {{hostsWire.get(), plugin::wire}, {hostsMemory.get(), plugin::channel}},
-                      CompanionOutput::standardError});
+  const pid_t id = startCompanion({program,
+                                   {library.string()},
+                                   {{hostsRequests.get(), plugin::requests},
+                                    {hostsMemory.get(), plugin::channel},
+                                    {hostsReplies.get(), plugin::replies}},
+                                   CompanionOutput::standardError});
   if (id == 0) {
     ::munmap(place, sizeof(Channel));
     return Error{program.string() + " could not be started."};
   }
-  std::unique_ptr<PluginProcess> process(
-      new PluginProcess(library.filename().string(), id, std::move(wire), channel));
+  std::unique_ptr<PluginProcess> process(new PluginProcess(
+      library.filename().string(), id, std::move(requests), std::move(replies), channel));
   const auto loaded = process->await(patienceForOpen_ms);
   if (!loaded) return loaded.error();
   if (loaded->version != plugin::version)
@@ -90,19 +97,13 @@ Result<std::unique_ptr<PluginProcess>> PluginProcess::start(const std::filesyste
   return process;
 }
 
-bool PluginProcess::ask(Request request) noexcept
-{
-  const char letter = request;
-  return ::send(wire_.get(), &letter, 1, MSG_NOSIGNAL | MSG_DONTWAIT) == 1;
-}
-
 Result<Reply> PluginProcess::await(int patience_ms)
 {
-  std::array<pollfd, 2> waits{{{wire_.get(), POLLIN, 0}, {life_.get(), POLLIN, 0}}};
+  std::array<pollfd, 2> waits{{{replies_.get(), POLLIN, 0}, {life_.get(), POLLIN, 0}}};
   while (::poll(waits.data(), waits.size(), patience_ms) < 0 && errno == EINTR) {
   }
   Reply reply;
-  if (::recv(wire_.get(), &reply, sizeof reply, MSG_DONTWAIT) == sizeof reply) return reply;
+  if (::read(replies_.get(), &reply, sizeof reply) == sizeof reply) return reply;
   if (waits[0].revents != 0) {
     // The host's end is closed: it is about to end.
     ::poll(&waits[1], 1, patienceForEnd_ms);
@@ -113,7 +114,7 @@ Result<Reply> PluginProcess::await(int patience_ms)
 
 Result<Done> PluginProcess::open()
 {
-  if (!ask(plugin::open)) return Error{obituary()};
+  if (!say(requests_, plugin::open)) return Error{obituary()};
   const auto reply = await(patienceForOpen_ms);
   if (!reply) return reply.error();
   if (reply->isDone == 0) return Error{textOf(reply->sentence)};
@@ -124,10 +125,11 @@ void PluginProcess::close() noexcept
 {
   channel_->isClosing = 1;
   channel_->forHost.ring();
-  pollfd waits{wire_.get(), POLLIN, 0};
+  pollfd waits{replies_.get(), POLLIN, 0};
   Reply reply;
-  const bool isClosed = ask(plugin::close) && ::poll(&waits, 1, patienceForClose_ms) == 1 &&
-                        ::recv(wire_.get(), &reply, sizeof reply, MSG_DONTWAIT) == sizeof reply;
+  const bool isClosed = say(requests_, plugin::close) &&
+                        ::poll(&waits, 1, patienceForClose_ms) == 1 &&
+                        ::read(replies_.get(), &reply, sizeof reply) == sizeof reply;
   if (!isClosed && !hasEnded()) kill();
 }
 

@@ -46,14 +46,14 @@ public:
   std::string obituary() const;
 
 private:
-  PluginProcess(std::string name, pid_t id, OwnedFile wire, Channel* channel) noexcept;
+  PluginProcess(std::string name, pid_t id, OwnedFile requests, OwnedFile replies,
+                Channel* channel) noexcept;
   Result<Reply> await(int patience_ms);
-  bool ask(Request request) noexcept;
 
   std::string name_;
   pid_t id_;
   OwnedFile life_;  // becomes readable when the process ends
-  OwnedFile wire_;
+  OwnedFile requests_, replies_;
   Channel* channel_;
   PerilymphDeviceTraitsV1 traits_{};
   std::atomic<bool> isKilled_{false};

@@ -42,9 +42,10 @@ void CallWatch::run() noexcept
   std::uint64_t calls = 0;
   int looksStuck = 0, looksAlone = 0;
   while (!isStopping_) {
-    pollfd program{isAlone_ ? -1 : static_cast<int>(wire), POLLRDHUP, 0};
+    // Nothing is read here: only the end of the pipe is awaited.
+    pollfd program{isAlone_ ? -1 : static_cast<int>(requests), 0, 0};
     ::poll(&program, 1, look_ms);
-    if (!isAlone_ && (program.revents & (POLLRDHUP | POLLHUP | POLLERR)) != 0) isAlone_ = true;
+    if ((program.revents & (POLLHUP | POLLERR)) != 0) isAlone_ = true;
     if (isAlone_) channel_.forHost.ring();
     looksAlone += isAlone_ ? 1 : 0;
 

@@ -9,7 +9,6 @@
 // the force is set to zero, the device is closed, and the process ends.
 
 #include <sys/mman.h>
-#include <sys/socket.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -68,7 +67,7 @@ void standApart()
 {
   for (const int number : {SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGPIPE, SIGTSTP, SIGTTIN, SIGTTOU})
     std::signal(number, SIG_IGN);
-  ::close_range(channel + 1, ~0u, 0);
+  ::close_range(replies + 1, ~0u, 0);
 }
 
 void reply(Reply answer, const std::string& sentence = {})
@@ -76,7 +75,7 @@ void reply(Reply answer, const std::string& sentence = {})
   // Without a terminating zero if it fills the field.
   std::copy_n(sentence.begin(), std::min(sentence.size(), answer.sentence.size()),
               answer.sentence.begin());
-  if (::send(wire, &answer, sizeof answer, MSG_NOSIGNAL) < 0) return;  // the program is gone
+  if (::write(replies, &answer, sizeof answer) < 0) return;  // the program is gone
 }
 
 void open(Channel& memory, const Library& library, const CallWatch& watch)
@@ -100,7 +99,7 @@ void open(Channel& memory, const Library& library, const CallWatch& watch)
 void serve(Channel& memory, const Library& library, const CallWatch& watch)
 {
   char request = 0;
-  while (::recv(wire, &request, 1, 0) == 1 && request != goodbye) {
+  while (::read(requests, &request, 1) == 1 && request != goodbye) {
     if (request == device::plugin::open) open(memory, library, watch);
     if (request != device::plugin::close) continue;
     memory.isClosing = 0;

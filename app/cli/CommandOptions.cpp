@@ -98,6 +98,11 @@ void addSimulate(CLI::App& app, FileOptions& files, SimulateOptions& options)
   files.writes(command.add_option("--json", options.json, "Write scenario and results (JSON)"));
   files.records(
       command.add_option("--record", options.record, "Record the insertion (.insertion)"));
+  command
+      .add_option("--igtl", options.igtl,
+                  "Run in real time and send the insertion to OpenIGTLink clients, by default of "
+                  "this machine")
+      ->type_name("[ADDRESS:]PORT");
 }
 
 /// The option that selects an anatomy without a patient.

@@ -23,6 +23,7 @@ struct SimulateOptions {
   session::Overrides overrides;   ///< From --patient, --array, --set and similar options.
   std::string csv, json, record;  ///< Files; empty if not requested.
   double every_ms = 0.0;          ///< Interval of CSV rows; 0: every tick.
+  std::string igtl;               ///< "[ADDRESS:]PORT" to broadcast at; empty: none.
 };
 Result<Done> simulate(const SimulateOptions& options, const CallFiles& files);
 

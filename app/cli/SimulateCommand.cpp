@@ -5,6 +5,7 @@
 #include "CallFiles.h"
 #include "Commands.h"
 #include "Interruption.h"
+#include "LiveBroadcast.h"
 #include "Terminal.h"
 #include "perilymph/analysis/SimulatedInsertion.h"
 #include "perilymph/device/ScriptedDevice.h"
@@ -42,9 +43,10 @@ const char* adviceFor(haptics::InsertionEnd end)
 
 using Outcome = analysis::SimulatedInsertion;
 
-Result<Outcome> run(session::Insertion& insertion, CsvRows* rows)
+Result<Outcome> run(session::Insertion& insertion, CsvRows* rows, LiveBroadcast* live)
 {
   const auto outcome = analysis::simulate(insertion, [&](const haptics::TickRecord& record) {
+    if (live != nullptr) live->show(record);
     if (rows && rows->period.keeps(record.output.time)) rows->stream << session::csvRow(record);
     return !isInterrupted();
   });
@@ -56,7 +58,8 @@ Result<Outcome> run(session::Insertion& insertion, CsvRows* rows)
 }
 
 /// Runs the insertion and writes the rows to a file, atomically at the end of the run.
-Result<Outcome> runIntoCsv(session::Insertion& insertion, const SimulateOptions& options)
+Result<Outcome> runIntoCsv(session::Insertion& insertion, const SimulateOptions& options,
+                           LiveBroadcast* live)
 {
   std::optional<Result<Outcome>> outcome;
   const auto written = writeWhole(options.csv, [&](const std::filesystem::path& place) {
@@ -64,7 +67,7 @@ Result<Outcome> runIntoCsv(session::Insertion& insertion, const SimulateOptions&
     rows.period = session::CsvPeriod(options.every_ms / 1e3);
     rows.stream.open(place, std::ios::binary);
     rows.stream << session::csvHeader();
-    outcome = run(insertion, &rows);
+    outcome = run(insertion, &rows, live);
     rows.stream.close();
     return rows.stream.good() && static_cast<bool>(*outcome);
   });
@@ -119,8 +122,14 @@ Result<Done> simulate(const SimulateOptions& options, const CallFiles& files)
   auto insertion = session::Insertion::prepare(*scenario, std::move(hand), record);
   if (!insertion) return insertion.error();
 
-  const auto outcome =
-      options.csv.empty() ? run(**insertion, nullptr) : runIntoCsv(**insertion, options);
+  std::unique_ptr<LiveBroadcast> live;
+  if (!options.igtl.empty()) {
+    auto started = LiveBroadcast::start(options.igtl, **insertion);
+    if (!started) return started.error();
+    live = *std::move(started);
+  }
+  const auto outcome = options.csv.empty() ? run(**insertion, nullptr, live.get())
+                                           : runIntoCsv(**insertion, options, live.get());
   if (!outcome) return outcome.error();
   if (!options.json.empty()) {
     const auto done = writeWhole(

@@ -46,6 +46,8 @@ const char* threadName(ThreadRole role) noexcept
       return "plugin-watch";
     case ThreadRole::sound:
       return "sound";
+    case ThreadRole::broadcast:
+      return "broadcast";
   }
   return "perilymph";
 }

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // The programs use no network: they work without it and contain no call that could open a
-// connection.
+// connection to another machine. Only --igtl makes one listen.
 
+#include <csignal>
 #include <sstream>
 
 #include "Cli.h"
+#include "perilymph/test/ChildProcess.h"
+#include "perilymph/test/waitUntil.h"
 
 namespace perilymph::test {
 namespace {
@@ -30,9 +33,43 @@ TEST(ProgramsAndTheNetwork, HaveNoCallThatOpensAConnection)
     if (!std::filesystem::exists(program)) continue;  // not in this build
     const auto imports = importsOf(program);
     EXPECT_THAT(imports, testing::Contains("__libc_start_main")) << name;  // the list is valid
-    for (const char* call : {"socket", "connect", "bind", "listen", "accept", "sendto", "recvfrom",
-                             "getaddrinfo", "gethostbyname", "res_query"})
+    for (const char* call :
+         {"connect", "sendto", "recvfrom", "getaddrinfo", "gethostbyname", "res_query"})
       EXPECT_THAT(imports, testing::Not(testing::Contains(std::string(call)))) << name;
+    // The server of --igtl.
+    if (std::string(name).find("perilymph-cli") == 0) continue;
+    for (const char* call : {"socket", "bind", "listen", "accept", "accept4"})
+      EXPECT_THAT(imports, testing::Not(testing::Contains(std::string(call)))) << name;
+  }
+}
+
+/// Number of sockets that a process has open.
+int socketsOf(int process)
+{
+  int count = 0;
+  std::error_code failure;
+  const auto folder = "/proc/" + std::to_string(process) + "/fd";
+  for (const auto& file : std::filesystem::directory_iterator(folder, failure)) {
+    const auto target = std::filesystem::read_symlink(file.path(), failure).string();
+    count += target.rfind("socket:", 0) == 0 ? 1 : 0;
+  }
+  return count;
+}
+
+TEST(ProgramsAndTheNetwork, MeetOnlyWhereItIsAskedFor)
+{
+  const TemporaryFolder folder;
+  const std::vector<std::string> simulate = {"simulate", "--scenario", "contour-published", "--csv",
+                                             folder / "run.csv"};
+  for (const bool isAsked : {false, true}) {
+    std::vector<std::string> text = simulate;
+    if (isAsked) text.insert(text.end(), {"--igtl", "[::1]:18977"});
+    ChildProcess program(cliCall(text));
+    // While it runs, it writes its table into an unfinished file beside the place of the whole one.
+    ASSERT_TRUE(waitUntil([&] { return !std::filesystem::is_empty(folder.path()); }));
+    EXPECT_EQ(socketsOf(program.id()), isAsked ? 1 : 0);
+    program.send(SIGINT);
+    program.wait(std::chrono::minutes(2));
   }
 }
 

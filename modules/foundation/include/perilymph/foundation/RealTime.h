@@ -27,6 +27,7 @@ enum class ThreadRole {
   tapeWriter,        ///< Writes the reports of a HID device to a tape.
   pluginWatch,       ///< Ends the process of a device plug-in that hangs.
   sound,             ///< Plays the force as a tone.
+  broadcast,         ///< Sends an insertion to other programs.
 };
 
 /// Sets the role of the calling thread for its lifetime, and its name as shown by debuggers and

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// A server that sends a running insertion to programs that speak OpenIGTLink, such as 3D Slicer.
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "perilymph/anatomy/Surface.h"
+#include "perilymph/broadcast/BroadcastFrame.h"
+#include "perilymph/foundation/Result.h"
+
+namespace perilymph::broadcast {
+
+/// Where a server listens.
+struct Endpoint {
+  std::string address = "127.0.0.1";  ///< Numeric, IPv4 or IPv6; by default only this machine.
+  std::uint16_t port = 18944;         ///< OpenIGTLink's; 0: any free port.
+};
+
+/// Reads "[ADDRESS:]PORT": "18944", "192.168.0.7:18944", "[::1]:18944". Names are refused: nothing
+/// is looked up.
+Result<Endpoint> parseEndpoint(const std::string& text);
+
+/// Counters since the start.
+struct BroadcastFigures {
+  std::uint64_t clients = 0;   ///< Connected now.
+  std::uint64_t accepted = 0;  ///< Connections that were accepted.
+  std::uint64_t closed = 0;    ///< Connections that were closed because of the client's fault.
+  std::uint64_t frames = 0;    ///< Frames that were packed.
+  std::uint64_t skipped = 0;   ///< Frames that a client was too slow for.
+};
+
+/// Sends frames to at most eight clients, from a thread of its own. Only sends: requests for the
+/// surface (GET_POLYDATA) and for the types sent (GET_CAPABIL) are answered, everything else that a
+/// client sends is dropped. No client delays the publisher or another client: each has at most one
+/// frame and one surface waiting, and one that takes nothing for 5 s is closed.
+class Broadcast {
+public:
+  /// Receives one sentence for each client that is closed by its own fault; called by the server's
+  /// thread, at most 100 times.
+  using Report = std::function<void(const std::string&)>;
+
+  /// Starts to listen. The error states why the endpoint cannot be used.
+  static Result<std::unique_ptr<Broadcast>> start(const Endpoint& endpoint, Report report);
+  ~Broadcast();  ///< Closes all connections.
+  Broadcast(const Broadcast&) = delete;
+  Broadcast& operator=(const Broadcast&) = delete;
+
+  /// The port listened at.
+  std::uint16_t port() const noexcept;
+
+  /// Sends a frame to all clients, as soon as they take it. One thread, never the haptic one.
+  void publish(const BroadcastFrame& frame) noexcept;
+  /// The surface that is sent on request, in W [m]. The same thread.
+  void show(const anatomy::Surface& surface);
+
+  /// Any thread.
+  BroadcastFigures figures() const noexcept;
+
+private:
+  struct Content;
+  explicit Broadcast(std::unique_ptr<Content> content);
+  std::unique_ptr<Content> content_;
+};
+
+}  // namespace perilymph::broadcast

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// What is sent of one moment of an insertion.
+
+#include <array>
+#include <cstdint>
+#include <type_traits>
+
+#include "perilymph/electrode/ArrayDesign.h"
+#include "perilymph/haptics/Snapshot.h"
+
+namespace perilymph::broadcast {
+
+/// Maximum number of contacts that are sent. Shipped arrays have 12 to 22.
+inline constexpr std::uint32_t maxContacts = 64;
+
+/// A position with axes, in the cochlear frame W.
+struct Pose {
+  std::array<double, 3> place_W{};  ///< [m]
+  std::array<std::array<double, 3>, 3> axis_W{
+      {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};  ///< Unit vectors x, y, z.
+};
+
+/// One moment of an insertion: fixed size, no pointers.
+struct BroadcastFrame {
+  std::uint64_t tick = 0;
+  Pose tip;       ///< The array's end; z points out of it.
+  Pose tweezers;  ///< The array's base; z points along the array.
+  std::uint32_t contacts = 0;
+  std::array<std::array<double, 3>, maxContacts> contact_W{};  ///< Centers, tip first [m].
+  std::array<double, 3> force_W{};  ///< Force of the array on the hand [N].
+  double axialForce = 0.0;          ///< Insertion force along the approach [N].
+};
+static_assert(std::is_trivially_copyable_v<BroadcastFrame>);
+
+/// The content of a snapshot. Contacts that are closer to the base than the array is long stay at
+/// the base; a snapshot with fewer than 2 nodes has none, and poses without rotation.
+BroadcastFrame broadcastFrame(const haptics::Snapshot& now, const electrode::ArrayDesign& array);
+
+}  // namespace perilymph::broadcast

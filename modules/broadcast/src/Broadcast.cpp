@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "perilymph/broadcast/Broadcast.h"
+
+#include <arpa/inet.h>
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <poll.h>
+#include <sys/eventfd.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstring>
+#include <deque>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include "Connection.h"
+#include "perilymph/foundation/RealTime.h"
+#include "perilymph/realtime/Pacer.h"
+#include "perilymph/realtime/TripleBuffer.h"
+
+namespace perilymph::broadcast {
+
+namespace {
+
+constexpr std::size_t maxClients = 8;
+constexpr int maxReports = 100;
+constexpr int look_ms = 500;  // between two looks at clients that do nothing
+// A client whose machine is switched off sends no end: asked after 5 s, given up after 10 s.
+constexpr int silentBeforeProbe_s = 5;
+constexpr int maxUnacknowledged_ms = 10'000;
+
+/// A socket address, IPv4 or IPv6.
+struct Address {
+  sockaddr_storage storage{};
+  socklen_t size = sizeof(sockaddr_storage);
+
+  sockaddr* get() noexcept { return reinterpret_cast<sockaddr*>(&storage); }
+  const sockaddr_in& four() const noexcept { return reinterpret_cast<const sockaddr_in&>(storage); }
+  const sockaddr_in6& six() const noexcept
+  {
+    return reinterpret_cast<const sockaddr_in6&>(storage);
+  }
+  bool isFour() const noexcept { return storage.ss_family == AF_INET; }
+  std::uint16_t port() const noexcept
+  {
+    return ntohs(isFour() ? four().sin_port : six().sin6_port);
+  }
+  std::string text() const
+  {
+    char name[INET6_ADDRSTRLEN] = "";
+    const void* const place = isFour() ? static_cast<const void*>(&four().sin_addr)
+                                       : static_cast<const void*>(&six().sin6_addr);
+    ::inet_ntop(storage.ss_family, place, name, sizeof name);
+    return (isFour() ? std::string(name) : "[" + std::string(name) + "]") + ":" +
+           std::to_string(port());
+  }
+};
+
+Address addressOf(const Endpoint& endpoint)
+{
+  Address address;
+  auto& four = reinterpret_cast<sockaddr_in&>(address.storage);
+  auto& six = reinterpret_cast<sockaddr_in6&>(address.storage);
+  if (::inet_pton(AF_INET, endpoint.address.c_str(), &four.sin_addr) == 1) {
+    four.sin_family = AF_INET;
+    four.sin_port = htons(endpoint.port);
+    address.size = sizeof four;
+  } else if (::inet_pton(AF_INET6, endpoint.address.c_str(), &six.sin6_addr) == 1) {
+    six.sin6_family = AF_INET6;
+    six.sin6_port = htons(endpoint.port);
+    address.size = sizeof six;
+  }
+  return address;
+}
+
+Error refused(const Endpoint& endpoint, int why)
+{
+  const std::string port = "The port " + std::to_string(endpoint.port);
+  if (why == EADDRINUSE)
+    return Error{port + " at " + endpoint.address +
+                 " is taken by another program. End that program, or choose another port."};
+  if (why == EADDRNOTAVAIL)
+    return Error{"The address " + endpoint.address +
+                 " is none of this machine. 127.0.0.1 always is; 'ip address' lists all."};
+  return Error{port + " at " + endpoint.address + " cannot be listened at: " + std::strerror(why) +
+               "."};
+}
+
+/// A listening socket.
+Result<OwnedSocket> listenAt(const Endpoint& endpoint)
+{
+  Address address = addressOf(endpoint);
+  if (address.storage.ss_family == AF_UNSPEC) return refused(endpoint, EADDRNOTAVAIL);
+  OwnedSocket listener(
+      ::socket(address.storage.ss_family, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
+  if (listener.get() < 0) return refused(endpoint, errno);
+  // Connections that ended a minute ago do not keep the port; a program that listens does.
+  const int yes = 1;
+  ::setsockopt(listener.get(), SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+  if (::bind(listener.get(), address.get(), address.size) != 0) return refused(endpoint, errno);
+  if (::listen(listener.get(), static_cast<int>(maxClients)) != 0) return refused(endpoint, errno);
+  return listener;
+}
+
+void prepareClient(int file)
+{
+  const int yes = 1;
+  // Small messages at once, instead of waiting for more.
+  ::setsockopt(file, IPPROTO_TCP, TCP_NODELAY, &yes, sizeof yes);
+  ::setsockopt(file, SOL_SOCKET, SO_KEEPALIVE, &yes, sizeof yes);
+  ::setsockopt(file, IPPROTO_TCP, TCP_KEEPIDLE, &silentBeforeProbe_s, sizeof silentBeforeProbe_s);
+  ::setsockopt(file, IPPROTO_TCP, TCP_USER_TIMEOUT, &maxUnacknowledged_ms,
+               sizeof maxUnacknowledged_ms);
+}
+
+}  // namespace
+
+struct Broadcast::Content {
+  Content(OwnedSocket listening, OwnedSocket bell, Report reporting)
+      : listener(std::move(listening)), wake(std::move(bell)), report(std::move(reporting))
+  {
+  }
+
+  void serve();
+  void welcome(std::int64_t now);
+  void sendFrame(std::int64_t now);
+  void dismiss();
+  void tell(const std::string& sentence);
+  void ring() noexcept
+  {
+    const std::uint64_t one = 1;
+    // A full counter is a bell that rings already.
+    if (::write(wake.get(), &one, sizeof one) < 0) return;
+  }
+
+  OwnedSocket listener, wake;
+  Report report;
+  std::uint16_t port = 0;
+  std::atomic<bool> isStopping{false};
+  realtime::TripleBuffer<BroadcastFrame> frames;
+  std::mutex surfaceMutex;  // between the publisher's thread and the server's; no other
+  SharedBytes surface;
+  std::atomic<std::uint64_t> clients{0}, accepted{0}, closed{0}, framesPacked{0}, skipped{0};
+  std::thread thread;
+
+  // Owned by the server's thread.
+  std::deque<Connection> connections;
+  SharedBytes capability = std::make_shared<const Bytes>(capabilityMessage());
+  int reports = 0;
+};
+
+void Broadcast::Content::serve()
+{
+  std::vector<pollfd> waits;
+  while (!isStopping) {
+    waits = {{wake.get(), POLLIN, 0}, {listener.get(), POLLIN, 0}};
+    for (const Connection& client : connections)
+      waits.push_back(
+          {client.file(), static_cast<short>(client.isBusy() ? POLLIN | POLLOUT : POLLIN), 0});
+    ::poll(waits.data(), waits.size(), look_ms);
+    const std::int64_t now = realtime::monotonicNanoseconds();
+    std::uint64_t rings = 0;
+    if (waits[0].revents != 0 && ::read(wake.get(), &rings, sizeof rings) > 0) sendFrame(now);
+
+    SharedBytes shown;
+    {
+      const std::lock_guard lock(surfaceMutex);
+      shown = surface;
+    }
+    for (std::size_t i = 0; i < connections.size(); ++i) {
+      Connection& client = connections[i];
+      const auto [file, events, revents] = waits[i + 2];
+      if (revents != 0) client.receive(now);
+      client.send(shown, capability, now);
+      client.checkPatience(now);
+    }
+    dismiss();
+    if (waits[1].revents != 0) welcome(now);
+    clients = connections.size();
+  }
+}
+
+void Broadcast::Content::sendFrame(std::int64_t now)
+{
+  if (!frames.refresh() || connections.empty()) return;
+  const auto bytes = std::make_shared<const Bytes>(frameMessages(frames.latest()));
+  ++framesPacked;
+  for (Connection& client : connections)
+    if (!client.offer(bytes, now)) ++skipped;
+}
+
+void Broadcast::Content::welcome(std::int64_t now)
+{
+  Address peer;
+  OwnedSocket socket(
+      ::accept4(listener.get(), peer.get(), &peer.size, SOCK_CLOEXEC | SOCK_NONBLOCK));
+  if (socket.get() < 0) return;
+  if (connections.size() >= maxClients) {
+    ++closed;
+    tell("The OpenIGTLink client " + peer.text() + " was refused: " + std::to_string(maxClients) +
+         " are connected. Disconnect one.");
+    return;
+  }
+  prepareClient(socket.get());
+  connections.emplace_back(std::move(socket), peer.text(), now);
+  ++accepted;
+}
+
+/// Removes the clients that have ended.
+void Broadcast::Content::dismiss()
+{
+  for (auto client = connections.begin(); client != connections.end();) {
+    if (!client->hasEnded()) {
+      ++client;
+      continue;
+    }
+    if (!client->fault().empty()) {
+      ++closed;
+      tell(client->fault());
+    }
+    client = connections.erase(client);
+  }
+}
+
+void Broadcast::Content::tell(const std::string& sentence)
+{
+  if (++reports <= maxReports && report) report(sentence);
+}
+
+Broadcast::Broadcast(std::unique_ptr<Content> content) : content_(std::move(content))
+{
+  content_->thread = std::thread([this] {
+    declareThread(ThreadRole::broadcast);
+    content_->serve();
+  });
+}
+
+Broadcast::~Broadcast()
+{
+  content_->isStopping = true;
+  content_->ring();
+  content_->thread.join();
+}
+
+Result<std::unique_ptr<Broadcast>> Broadcast::start(const Endpoint& endpoint, Report report)
+{
+  auto listener = listenAt(endpoint);
+  if (!listener) return listener.error();
+  Address bound;
+  ::getsockname(listener->get(), bound.get(), &bound.size);
+  OwnedSocket wake(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK));
+  if (wake.get() < 0) return refused(endpoint, errno);
+  auto content =
+      std::make_unique<Content>(*std::move(listener), std::move(wake), std::move(report));
+  content->port = bound.port();
+  return std::unique_ptr<Broadcast>(new Broadcast(std::move(content)));
+}
+
+std::uint16_t Broadcast::port() const noexcept { return content_->port; }
+
+void Broadcast::publish(const BroadcastFrame& frame) noexcept
+{
+  content_->frames.publish(frame);
+  content_->ring();
+}
+
+void Broadcast::show(const anatomy::Surface& surface)
+{
+  auto bytes = std::make_shared<const Bytes>(surfaceMessage(surface));
+  {
+    const std::lock_guard lock(content_->surfaceMutex);
+    content_->surface = std::move(bytes);
+  }
+  content_->ring();
+}
+
+BroadcastFigures Broadcast::figures() const noexcept
+{
+  const Content& content = *content_;
+  return {content.clients, content.accepted, content.closed, content.framesPacked, content.skipped};
+}
+
+}  // namespace perilymph::broadcast

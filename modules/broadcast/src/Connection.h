@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// One client of a broadcast: what waits to be sent to it, and what it asks for.
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "Messages.h"
+#include "RequestReader.h"
+
+namespace perilymph::broadcast {
+
+/// A file descriptor with ownership.
+class OwnedSocket {
+public:
+  explicit OwnedSocket(int file = -1) noexcept : file_(file) {}
+  OwnedSocket(OwnedSocket&& other) noexcept : file_(other.file_) { other.file_ = -1; }
+  OwnedSocket& operator=(OwnedSocket&& other) noexcept
+  {
+    std::swap(file_, other.file_);
+    return *this;
+  }
+  ~OwnedSocket();
+  int get() const noexcept { return file_; }
+
+private:
+  int file_;
+};
+
+/// Messages that several connections send, packed once.
+using SharedBytes = std::shared_ptr<const Bytes>;
+
+/// A connected client. Never blocks; memory is bounded by one message at a time.
+class Connection {
+public:
+  /// @param socket  Connected, non-blocking. @param now  On the monotonic clock [ns].
+  Connection(OwnedSocket socket, std::string name, std::int64_t now);
+
+  int file() const noexcept { return socket_.get(); }
+  /// Something waits to be sent.
+  bool isBusy() const noexcept { return sending_ != nullptr; }
+
+  /// Begins to send a frame. False if the client has not yet taken what was sent before.
+  bool offer(const SharedBytes& frame, std::int64_t now);
+  /// Sends what the client takes, then what it asked for.
+  void send(const SharedBytes& surface, const SharedBytes& capability, std::int64_t now);
+  /// Reads what the client sent.
+  void receive(std::int64_t now);
+  /// Ends a client that takes nothing, or leaves a message unfinished, for 5 s.
+  void checkPatience(std::int64_t now);
+
+  bool hasEnded() const noexcept { return hasEnded_; }
+  /// A sentence: the client's fault; empty if it only went.
+  const std::string& fault() const noexcept { return fault_; }
+
+private:
+  void end(const std::string& why);
+
+  OwnedSocket socket_;
+  std::string name_;
+  RequestReader reader_;
+  SharedBytes sending_;
+  std::size_t sent_ = 0;
+  bool wantsSurface_ = false, wantsCapability_ = false;
+  std::int64_t tookAt_, finishedAt_;  // the client: bytes of ours, a message of its own [ns]
+  bool hasEnded_ = false;
+  std::string fault_;
+};
+
+}  // namespace perilymph::broadcast

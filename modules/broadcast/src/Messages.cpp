@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Messages.h"
+
+#include <igtlCapabilityMessage.h>
+#include <igtlPointMessage.h>
+#include <igtlPolyDataMessage.h>
+#include <igtlSensorMessage.h>
+#include <igtlTimeStamp.h>
+#include <igtlTransformMessage.h>
+
+#include <array>
+#include <string>
+
+namespace perilymph::broadcast {
+
+namespace {
+
+float millimeters(double meters) { return static_cast<float>(meters * 1e3); }
+
+void append(Bytes& bytes, igtl::MessageBase& message, const char* name,
+            igtl::TimeStamp::Pointer& now)
+{
+  message.SetDeviceName(name);
+  message.SetTimeStamp(now);
+  message.Pack();
+  const auto* const begin = static_cast<const std::uint8_t*>(message.GetPackPointer());
+  bytes.insert(bytes.end(), begin, begin + message.GetPackSize());
+}
+
+igtl::TimeStamp::Pointer timeNow()
+{
+  auto now = igtl::TimeStamp::New();
+  now->GetTime();
+  return now;
+}
+
+igtl::TransformMessage::Pointer transform(const Pose& pose)
+{
+  auto message = igtl::TransformMessage::New();
+  igtl::Matrix4x4 matrix;
+  for (std::size_t row = 0; row < 3; ++row) {
+    for (std::size_t column = 0; column < 3; ++column)
+      matrix[row][column] = static_cast<float>(pose.axis_W[column][row]);
+    matrix[row][3] = millimeters(pose.place_W[row]);
+    matrix[3][row] = 0.0f;
+  }
+  matrix[3][3] = 1.0f;
+  message->SetMatrix(matrix);
+  return message;
+}
+
+igtl::PointMessage::Pointer contacts(const BroadcastFrame& frame)
+{
+  constexpr float radius = 0.25f;  // for display [mm]
+  auto message = igtl::PointMessage::New();
+  for (std::uint32_t i = 0; i < frame.contacts; ++i) {
+    const auto& place = frame.contact_W[i];
+    auto point = igtl::PointElement::New();
+    point->SetName(("E" + std::to_string(i + 1)).c_str());
+    point->SetGroupName("Contact");
+    point->SetRGBA(255, 190, 60, 255);
+    point->SetPosition(millimeters(place[0]), millimeters(place[1]), millimeters(place[2]));
+    point->SetRadius(radius);
+    point->SetOwner(tipName);
+    message->AddPointElement(point);
+  }
+  return message;
+}
+
+igtl::SensorMessage::Pointer force(const BroadcastFrame& frame)
+{
+  auto message = igtl::SensorMessage::New();
+  auto unit = igtl::Unit::New();
+  unit->Append(igtl::Unit::SI_DERIVED_NEWTON, 1);
+  message->SetLength(4);
+  message->SetUnit(unit);
+  for (unsigned int i = 0; i < 3; ++i) message->SetValue(i, frame.force_W[i]);
+  message->SetValue(3, frame.axialForce);
+  return message;
+}
+
+}  // namespace
+
+Bytes frameMessages(const BroadcastFrame& frame)
+{
+  Bytes bytes;
+  auto now = timeNow();
+  append(bytes, *transform(frame.tip), tipName, now);
+  append(bytes, *transform(frame.tweezers), tweezersName, now);
+  append(bytes, *contacts(frame), contactsName, now);
+  append(bytes, *force(frame), forceName, now);
+  return bytes;
+}
+
+Bytes surfaceMessage(const anatomy::Surface& surface)
+{
+  auto points = igtl::PolyDataPointArray::New();
+  for (const auto& place : surface.points)
+    points->AddPoint(millimeters(place[0]), millimeters(place[1]), millimeters(place[2]));
+  auto triangles = igtl::PolyDataCellArray::New();
+  for (const auto& corners : surface.triangles) {
+    std::array<igtlUint32, 3> cell{};
+    for (std::size_t i = 0; i < 3; ++i) cell[i] = static_cast<igtlUint32>(corners[i]);
+    triangles->AddCell(3, cell.data());
+  }
+  auto message = igtl::PolyDataMessage::New();
+  message->SetPoints(points);
+  message->SetPolygons(triangles);
+  // Empty arrays, since some receivers read all of them.
+  message->SetVertices(igtl::PolyDataCellArray::New());
+  message->SetLines(igtl::PolyDataCellArray::New());
+  message->SetTriangleStrips(igtl::PolyDataCellArray::New());
+  Bytes bytes;
+  auto now = timeNow();
+  append(bytes, *message, surfaceName, now);
+  return bytes;
+}
+
+Bytes capabilityMessage()
+{
+  auto message = igtl::CapabilityMessage::New();
+  std::vector<std::string> types{"TRANSFORM", "POINT", "SENSOR", "POLYDATA", "CAPABILITY"};
+  message->SetTypes(types);
+  Bytes bytes;
+  auto now = timeNow();
+  append(bytes, *message, "Perilymph", now);
+  return bytes;
+}
+
+}  // namespace perilymph::broadcast

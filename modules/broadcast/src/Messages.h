@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// OpenIGTLink messages as bytes.
+
+#include <cstdint>
+#include <vector>
+
+#include "perilymph/anatomy/Surface.h"
+#include "perilymph/broadcast/BroadcastFrame.h"
+
+namespace perilymph::broadcast {
+
+using Bytes = std::vector<std::uint8_t>;
+
+/// Names of the devices, at most 20 characters.
+inline constexpr const char* tipName = "PerilymphTip";
+inline constexpr const char* tweezersName = "PerilymphTweezers";
+inline constexpr const char* contactsName = "PerilymphContacts";
+inline constexpr const char* forceName = "PerilymphForce";
+inline constexpr const char* surfaceName = "PerilymphScala";
+
+/// TRANSFORM of tip and tweezers, POINT of the contacts [mm], SENSOR of the force (x, y, z, axial)
+/// [N], in this order and with the same time stamp.
+Bytes frameMessages(const BroadcastFrame& frame);
+/// POLYDATA of a surface [mm].
+Bytes surfaceMessage(const anatomy::Surface& surface);
+/// CAPABILITY: the types that are sent.
+Bytes capabilityMessage();
+
+}  // namespace perilymph::broadcast

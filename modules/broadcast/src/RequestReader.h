@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// The messages of a client, of which only the headers are kept.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+
+namespace perilymph::broadcast {
+
+/// Reads a stream of OpenIGTLink messages in pieces of any size, in constant memory. A header has 58
+/// bytes, big-endian: version (2 bytes), type (12), device name (20), time (8), size of the body
+/// (8), CRC-64 of the body (8). (OpenIGTLink protocol version 2; header version 2 is protocol 3.)
+class RequestReader {
+public:
+  static constexpr std::size_t headerSize = 58;
+  /// Larger bodies are refused: requests have none, and what else is sent is dropped.
+  static constexpr std::uint64_t maxBody = 1 << 20;
+
+  /// A complete message.
+  struct Request {
+    std::string type;    ///< "GET_POLYDATA"
+    std::string device;  ///< Name of the requested device; may be empty.
+  };
+
+  /// Takes bytes up to the end of the first message that is complete. Returns how many it took;
+  /// then request() tells whether a message ended there.
+  std::size_t take(std::span<const std::uint8_t> bytes);
+
+  /// The message that ended with the last byte taken.
+  const std::optional<Request>& request() const noexcept { return request_; }
+  /// A clause: why the stream is no OpenIGTLink; empty if it is. Nothing more is taken then.
+  const std::string& fault() const noexcept { return fault_; }
+  /// A message has begun and is not complete.
+  bool isWithinMessage() const noexcept { return headerBytes_ > 0; }
+
+private:
+  void readHeader();
+  void finish();
+
+  std::array<std::uint8_t, headerSize> header_{};
+  std::size_t headerBytes_ = 0;
+  std::uint64_t bodyLeft_ = 0;
+  std::uint64_t crc_ = 0, statedCrc_ = 0;
+  Request current_;
+  std::optional<Request> request_;
+  std::string fault_;
+};
+
+}  // namespace perilymph::broadcast

@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The server, heard by the library's own client over the loopback.
+
+#include "perilymph/broadcast/Broadcast.h"
+
+#include <arpa/inet.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <igtlCapabilityMessage.h>
+#include <igtlClientSocket.h>
+#include <igtlMessageHeader.h>
+#include <igtlPointMessage.h>
+#include <igtlPolyDataMessage.h>
+#include <igtlSensorMessage.h>
+#include <igtlTransformMessage.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <mutex>
+#include <random>
+#include <vector>
+
+#include "perilymph/test/waitUntil.h"
+
+namespace perilymph::broadcast {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// A client that sends bytes of any kind.
+class PlainClient {
+public:
+  explicit PlainClient(std::uint16_t port) : file_(::socket(AF_INET, SOCK_STREAM, 0))
+  {
+    sockaddr_in place{};
+    place.sin_family = AF_INET;
+    place.sin_port = htons(port);
+    place.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    isConnected_ = ::connect(file_, reinterpret_cast<sockaddr*>(&place), sizeof place) == 0;
+  }
+  ~PlainClient() { ::close(file_); }
+  PlainClient(const PlainClient&) = delete;
+  PlainClient& operator=(const PlainClient&) = delete;
+
+  bool isConnected() const { return isConnected_; }
+  void send(const std::vector<std::uint8_t>& bytes)
+  {
+    [[maybe_unused]] const auto count = ::send(file_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+  }
+  /// The server closed the connection; takes what it sent before.
+  bool isClosed()
+  {
+    char buffer[4096];
+    ssize_t count = 1;
+    while (count > 0) count = ::recv(file_, buffer, sizeof buffer, MSG_DONTWAIT);
+    return count == 0 || errno == ECONNRESET;
+  }
+
+private:
+  int file_;
+  bool isConnected_ = false;
+};
+
+class OpenIgtLink : public testing::Test {
+protected:
+  void SetUp() override
+  {
+    auto started = Broadcast::start({"127.0.0.1", 0}, [this](const std::string& sentence) {
+      const std::lock_guard lock(mutex_);
+      sentences_.push_back(sentence);
+    });
+    ASSERT_TRUE(started) << started.error().message;
+    server_ = *std::move(started);
+    frame_.tip.place_W = {1e-3, -2e-3, 3.5e-3};
+    frame_.tip.axis_W = {{{0.0, 1.0, 0.0}, {-1.0, 0.0, 0.0}, {0.0, 0.0, 1.0}}};
+    frame_.tweezers.place_W = {0.0, 0.0, 20e-3};
+    frame_.contacts = 2;
+    frame_.contact_W[0] = {1e-3, 0.0, 0.0};
+    frame_.contact_W[1] = {2e-3, 0.0, -1e-3};
+    frame_.force_W = {0.01, -0.02, 0.125};
+    frame_.axialForce = 0.25;
+  }
+
+  igtl::ClientSocket::Pointer client() const
+  {
+    const std::uint64_t before = server_->figures().accepted;
+    auto socket = igtl::ClientSocket::New();
+    EXPECT_EQ(socket->ConnectToServer("127.0.0.1", server_->port()), 0);
+    socket->SetReceiveTimeout(2000);
+    // Frames from before it was accepted would not come.
+    EXPECT_TRUE(test::waitUntil([&] { return server_->figures().accepted > before; }));
+    return socket;
+  }
+
+  /// Publishes frames until the client has received a message of that type, which is unpacked.
+  template <class Message>
+  typename Message::Pointer receive(igtl::ClientSocket& socket, const std::string& type,
+                                    const std::string& name)
+  {
+    for (int i = 0; i < 400; ++i) {
+      server_->publish(frame_);
+      auto header = igtl::MessageHeader::New();
+      header->InitPack();
+      if (socket.Receive(header->GetPackPointer(), header->GetPackSize()) != header->GetPackSize())
+        continue;
+      header->Unpack();
+      if (header->GetDeviceType() != type || header->GetDeviceName() != name) {
+        socket.Skip(header->GetBodySizeToRead());
+        continue;
+      }
+      auto message = Message::New();
+      message->SetMessageHeader(header);
+      message->AllocatePack();
+      socket.Receive(message->GetPackBodyPointer(), message->GetPackBodySize());
+      EXPECT_NE(message->Unpack(1) & igtl::MessageHeader::UNPACK_BODY, 0)
+          << "check sum of " << type;
+      return message;
+    }
+    ADD_FAILURE() << "No " << type << " " << name << " came.";
+    return Message::New();
+  }
+  void ask(igtl::ClientSocket& socket, igtl::MessageBase& message, const char* name)
+  {
+    message.SetDeviceName(name);
+    message.Pack();
+    EXPECT_EQ(socket.Send(message.GetPackPointer(), message.GetPackSize()), 1);
+  }
+  std::vector<std::string> sentences()
+  {
+    const std::lock_guard lock(mutex_);
+    return sentences_;
+  }
+  /// The server still sends to a new client.
+  void expectAlive()
+  {
+    const auto socket = client();
+    receive<igtl::TransformMessage>(*socket, "TRANSFORM", "PerilymphTip");
+  }
+
+  std::mutex mutex_;
+  std::vector<std::string> sentences_;
+  std::unique_ptr<Broadcast> server_;
+  BroadcastFrame frame_;
+};
+
+TEST_F(OpenIgtLink, SendsTipAndTweezersInMillimetersWithTheirAxesAsColumns)
+{
+  const auto socket = client();
+  igtl::Matrix4x4 matrix;
+  receive<igtl::TransformMessage>(*socket, "TRANSFORM", "PerilymphTip")->GetMatrix(matrix);
+  EXPECT_FLOAT_EQ(matrix[0][3], 1.0f);
+  EXPECT_FLOAT_EQ(matrix[1][3], -2.0f);
+  EXPECT_FLOAT_EQ(matrix[2][3], 3.5f);
+  EXPECT_FLOAT_EQ(matrix[1][0], 1.0f);  // x axis along y
+  EXPECT_FLOAT_EQ(matrix[0][1], -1.0f);
+  receive<igtl::TransformMessage>(*socket, "TRANSFORM", "PerilymphTweezers")->GetMatrix(matrix);
+  EXPECT_FLOAT_EQ(matrix[2][3], 20.0f);
+}
+
+TEST_F(OpenIgtLink, SendsContactsAsPointsWithTheirNumbers)
+{
+  const auto socket = client();
+  const auto points = receive<igtl::PointMessage>(*socket, "POINT", "PerilymphContacts");
+  ASSERT_EQ(points->GetNumberOfPointElement(), 2);
+  igtl::PointElement::Pointer second;
+  points->GetPointElement(1, second);
+  EXPECT_STREQ(second->GetName(), "E2");
+  float place[3];
+  second->GetPosition(place);
+  EXPECT_FLOAT_EQ(place[0], 2.0f);
+  EXPECT_FLOAT_EQ(place[2], -1.0f);
+}
+
+TEST_F(OpenIgtLink, SendsTheForceInNewtons)
+{
+  const auto socket = client();
+  const auto force = receive<igtl::SensorMessage>(*socket, "SENSOR", "PerilymphForce");
+  ASSERT_EQ(force->GetLength(), 4u);
+  EXPECT_EQ(force->GetValue(1), -0.02);
+  EXPECT_EQ(force->GetValue(3), 0.25);
+  auto newton = igtl::Unit::New();
+  newton->Append(igtl::Unit::SI_DERIVED_NEWTON, 1);
+  EXPECT_EQ(force->GetUnit(), newton->Pack());
+}
+
+TEST_F(OpenIgtLink, SendsTheSurfaceOnRequestOnly)
+{
+  const auto socket = client();
+  anatomy::Surface surface;
+  surface.points = {{0.0, 0.0, 0.0}, {1e-3, 0.0, 0.0}, {0.0, 2e-3, 0.0}, {0.0, 0.0, 3e-3}};
+  surface.triangles = {{0, 1, 2}, {0, 2, 3}};
+  server_->show(surface);
+  ask(*socket, *igtl::GetPolyDataMessage::New(), "PerilymphScala");
+  const auto received = receive<igtl::PolyDataMessage>(*socket, "POLYDATA", "PerilymphScala");
+  ASSERT_EQ(received->GetPoints()->GetNumberOfPoints(), 4);
+  float place[3];
+  received->GetPoints()->GetPoint(3, place);
+  EXPECT_FLOAT_EQ(place[2], 3.0f);
+  ASSERT_EQ(received->GetPolygons()->GetNumberOfCells(), 2u);
+  igtlUint32 corners[3];
+  received->GetPolygons()->GetCell(1, corners);
+  EXPECT_THAT(corners, testing::ElementsAre(0u, 2u, 3u));
+}
+
+TEST_F(OpenIgtLink, StatesWhatItSends)
+{
+  const auto socket = client();
+  ask(*socket, *igtl::GetCapabilityMessage::New(), "");
+  const auto received = receive<igtl::CapabilityMessage>(*socket, "CAPABILITY", "Perilymph");
+  EXPECT_THAT(received->GetTypes(), Contains("POLYDATA"));
+}
+
+TEST_F(OpenIgtLink, DropsWhatClientsSend)
+{
+  const auto socket = client();
+  for (int i = 0; i < 100; ++i) ask(*socket, *igtl::TransformMessage::New(), "PerilymphTip");
+  receive<igtl::TransformMessage>(*socket, "TRANSFORM", "PerilymphTip");
+  EXPECT_EQ(server_->figures().closed, 0u);
+  EXPECT_THAT(sentences(), IsEmpty());
+}
+
+TEST_F(OpenIgtLink, ClosesAClientThatSendsNonsenseWithOneSentence)
+{
+  PlainClient nonsense(server_->port());
+  nonsense.send(std::vector<std::uint8_t>(500, 0xff));
+  EXPECT_TRUE(test::waitUntil([&] { return nonsense.isClosed(); }));
+  EXPECT_TRUE(test::waitUntil([&] { return server_->figures().clients == 0; }));
+  ASSERT_EQ(sentences().size(), 1u);
+  EXPECT_THAT(sentences()[0], HasSubstr("The OpenIGTLink client 127.0.0.1:"));
+  EXPECT_THAT(sentences()[0], HasSubstr("header has version 65535"));
+  expectAlive();
+}
+
+TEST_F(OpenIgtLink, ClosesAClientThatAnnouncesTooMuch)
+{
+  std::vector<std::uint8_t> header(58, 0);
+  header[1] = 1;
+  const std::string type = "IMAGE";
+  std::copy(type.begin(), type.end(), header.begin() + 2);
+  header[46] = 1;  // 2^24 bytes
+  PlainClient huge(server_->port());
+  huge.send(header);
+  EXPECT_TRUE(test::waitUntil([&] { return huge.isClosed(); }));
+  EXPECT_TRUE(test::waitUntil([&] { return sentences().size() == 1; }));
+  EXPECT_THAT(sentences()[0], HasSubstr("a message of 16777216 bytes, more than 1048576"));
+}
+
+TEST_F(OpenIgtLink, DoesNotWaitForAClientThatTakesNothing)
+{
+  PlainClient lazy(server_->port());
+  ASSERT_TRUE(lazy.isConnected());
+  EXPECT_TRUE(test::waitUntil([&] {
+    server_->publish(frame_);
+    return server_->figures().skipped > 10;
+  }));
+  expectAlive();
+}
+
+TEST_F(OpenIgtLink, ForgetsAClientThatLeaves)
+{
+  {
+    const auto socket = client();
+    receive<igtl::TransformMessage>(*socket, "TRANSFORM", "PerilymphTip");
+    socket->CloseSocket();
+  }
+  EXPECT_TRUE(test::waitUntil([&] {
+    server_->publish(frame_);
+    return server_->figures().clients == 0;
+  }));
+  EXPECT_THAT(sentences(), IsEmpty());
+}
+
+TEST_F(OpenIgtLink, RefusesTheNinthClient)
+{
+  std::vector<std::unique_ptr<PlainClient>> clients;
+  for (int i = 0; i < 8; ++i) clients.push_back(std::make_unique<PlainClient>(server_->port()));
+  EXPECT_TRUE(test::waitUntil([&] { return server_->figures().clients == 8; }));
+  PlainClient ninth(server_->port());
+  EXPECT_TRUE(test::waitUntil([&] { return ninth.isClosed(); }));
+  EXPECT_TRUE(test::waitUntil([&] { return sentences().size() == 1; }));
+  EXPECT_THAT(sentences()[0], HasSubstr("8 are connected"));
+}
+
+TEST_F(OpenIgtLink, RefusesAPortThatIsTaken)
+{
+  const auto second = Broadcast::start({"127.0.0.1", server_->port()}, nullptr);
+  ASSERT_FALSE(second);
+  EXPECT_THAT(second.error().message, HasSubstr("is taken by another program"));
+}
+
+TEST_F(OpenIgtLink, RefusesAnAddressOfAnotherMachine)
+{
+  // 192.0.2.0/24 is for documentation (RFC 5737).
+  const auto server = Broadcast::start({"192.0.2.1", 18944}, nullptr);
+  ASSERT_FALSE(server);
+  EXPECT_THAT(server.error().message, HasSubstr("none of this machine"));
+}
+
+TEST_F(OpenIgtLink, SurvivesClientsThatSendRandomBytes)
+{
+  std::mt19937 random(7);
+  for (int round = 0; round < 60; ++round) {
+    PlainClient client(server_->port());
+    std::vector<std::uint8_t> bytes(random() % 3000);
+    for (std::uint8_t& byte : bytes) byte = static_cast<std::uint8_t>(random());
+    if (round % 2 == 0 && bytes.size() > 2) bytes[0] = 0, bytes[1] = 1;
+    client.send(bytes);
+    server_->publish(frame_);
+  }
+  EXPECT_TRUE(test::waitUntil([&] { return server_->figures().clients == 0; }));
+  expectAlive();
+}
+
+}  // namespace
+}  // namespace perilymph::broadcast

@@ -202,8 +202,8 @@ TEST_F(PluginFault, ThatIsNoneEndsWithZeroWhenItIsClosed)
   ASSERT_TRUE(device_->open());
   tickUntil([this] { return listener_.force() == push; });
   device_->close();
-  EXPECT_EQ(listener_.forces().back(), 0.0);
   EXPECT_TRUE(waitUntil([this] { return listener_.isLeft(); }));
+  EXPECT_EQ(listener_.forces().back(), 0.0);
   device_.reset();
   EXPECT_TRUE(children().empty());
 }

@@ -2932,6 +2932,62 @@
         <source>%1 cannot be used as a logo; choose a PNG or JPEG of at most %2 × %2 pixels.</source>
         <translation>%1 ist als Logo nicht verwendbar; wählen Sie ein PNG oder JPEG mit höchstens %2 × %2 Pixeln.</translation>
     </message>
+    <message>
+        <source>Scan</source>
+        <translation>CT</translation>
+    </message>
+    <message>
+        <source>series %1</source>
+        <translation>Serie %1</translation>
+    </message>
+    <message>
+        <source>Measured in the CT series with the SHA-256 %1. The CT itself is not kept: open its folder on the page CT.</source>
+        <translation>Gemessen in der CT-Serie mit dem SHA-256 %1. Das CT selbst wird nicht gespeichert: seinen Ordner auf der Seite CT öffnen.</translation>
+    </message>
+    <message>
+        <source>1 array</source>
+        <translation>1 Träger</translation>
+    </message>
+    <message>
+        <source>%1 arrays</source>
+        <translation>%1 Träger</translation>
+    </message>
+    <message>
+        <source>%1 draws</source>
+        <translation>%1 Ziehungen</translation>
+    </message>
+    <message>
+        <source>%1 draws, interrupted</source>
+        <translation>%1 Ziehungen, unterbrochen</translation>
+    </message>
+    <message>
+        <source> · </source>
+        <translation> · </translation>
+    </message>
+    <message>
+        <source>Opens the plan on the page Plan.</source>
+        <translation>Öffnet den Plan auf der Seite Plan.</translation>
+    </message>
+    <message>
+        <source>depth %1 mm</source>
+        <translation>Tiefe %1 mm</translation>
+    </message>
+    <message>
+        <source>peak %1 mN</source>
+        <translation>Maximum %1 mN</translation>
+    </message>
+    <message>
+        <source>not moved</source>
+        <translation>nicht bewegt</translation>
+    </message>
+    <message>
+        <source>Insertion</source>
+        <translation>Insertion</translation>
+    </message>
+    <message>
+        <source>Replays the recording %1.</source>
+        <translation>Gibt die Aufzeichnung %1 wieder.</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::AboutSheet</name>
@@ -4464,6 +4520,49 @@
     </message>
 </context>
 <context>
+    <name>perilymph::gui::PatientDetails</name>
+    <message>
+        <source>Notes on this ear; no names</source>
+        <translation>Notizen zu diesem Ohr; keine Namen</translation>
+    </message>
+    <message>
+        <source>Tags</source>
+        <translation>Schlagwörter</translation>
+    </message>
+    <message>
+        <source>Tags, separated by commas; no names</source>
+        <translation>Schlagwörter, durch Kommas getrennt; keine Namen</translation>
+    </message>
+    <message>
+        <source>SCANS, PLANS, INSERTIONS</source>
+        <translation>CT, PLÄNE, INSERTIONEN</translation>
+    </message>
+    <message>
+        <source>Notes have at most %1 characters; the end of what was typed or pasted is not taken.</source>
+        <translation>Notizen haben höchstens %1 Zeichen; das Ende des Eingegebenen ist nicht übernommen.</translation>
+    </message>
+    <message>
+        <source>The tags of %1 are saved.</source>
+        <translation>Die Schlagwörter von %1 sind gespeichert.</translation>
+    </message>
+    <message>
+        <source>The notes on %1 are saved.</source>
+        <translation>Die Notizen zu %1 sind gespeichert.</translation>
+    </message>
+    <message>
+        <source>Reading…</source>
+        <translation>Wird gelesen …</translation>
+    </message>
+    <message>
+        <source>None yet. Scans are measured on the page CT, plans made on the page Plan; insertions of this patient are recorded.</source>
+        <translation>Noch keine. CTs werden auf der Seite CT gemessen, Pläne auf der Seite Plan gemacht; Insertionen dieses Patienten werden aufgezeichnet.</translation>
+    </message>
+    <message>
+        <source>Choose a patient.</source>
+        <translation>Einen Patienten wählen.</translation>
+    </message>
+</context>
+<context>
     <name>perilymph::gui::PatientForm</name>
     <message>
         <source>right</source>
@@ -4563,6 +4662,13 @@
     </message>
 </context>
 <context>
+    <name>perilymph::gui::PatientHistoryList</name>
+    <message>
+        <source>Scans, plans and insertions</source>
+        <translation>CTs, Pläne und Insertionen</translation>
+    </message>
+</context>
+<context>
     <name>perilymph::gui::PatientPicker</name>
     <message>
         <source>Open</source>
@@ -4609,18 +4715,6 @@
         <translation>Exportieren…</translation>
     </message>
     <message>
-        <source>Find by code, ear or tag</source>
-        <translation>Nach Code, Ohr oder Schlagwort suchen</translation>
-    </message>
-    <message>
-        <source>Tags</source>
-        <translation>Schlagwörter</translation>
-    </message>
-    <message>
-        <source>Tags, separated by commas; no names</source>
-        <translation>Schlagwörter, durch Kommas getrennt; keine Namen</translation>
-    </message>
-    <message>
         <source>Import…</source>
         <translation>Importieren…</translation>
     </message>
@@ -4631,10 +4725,6 @@
     <message>
         <source>Archive</source>
         <translation>Archivieren</translation>
-    </message>
-    <message>
-        <source>The tags of %1 are saved.</source>
-        <translation>Die Schlagwörter von %1 sind gespeichert.</translation>
     </message>
     <message>
         <source>%1 is archived; nothing is deleted.</source>
@@ -4659,6 +4749,10 @@
     <message>
         <source>The patient is imported.</source>
         <translation>Der Patient ist importiert.</translation>
+    </message>
+    <message>
+        <source>Find by code, ear, tag or note</source>
+        <translation>Code, Ohr, Schlagwort oder Notiz suchen</translation>
     </message>
 </context>
 <context>

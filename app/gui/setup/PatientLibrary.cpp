@@ -2,6 +2,8 @@
 #include "gui/setup/PatientLibrary.h"
 
 #include <QCoreApplication>
+#include <QDateTime>
+#include <QStringList>
 #include <algorithm>
 #include <system_error>
 #include <utility>
@@ -27,6 +29,21 @@ fs::path fileOf(const anatomy::Patient& patient)
 {
   const char* ear = patient.side == anatomy::Side::left ? "left" : "right";
   return patientFolder() / (patient.label + "-" + ear + ".toml");
+}
+
+/// Adds the CT series of the measures to the patient's record. A record that cannot be changed stays
+/// as it is: the series also stands in the patient's file, without a date.
+void keepScan(const anatomy::Patient& patient, const fs::path& file)
+{
+  const std::string& series = patient.origin.seriesKey;
+  auto record = session::loadPatientRecord(file);
+  if (series.empty() || !record) return;
+  const bool isKnown = std::any_of(record->scans.begin(), record->scans.end(),
+                                   [&series](const auto& each) { return each.series == series; });
+  if (isKnown) return;
+  record->scans.push_back(
+      {series, QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString()});
+  static_cast<void>(session::savePatientRecord(*record, file));
 }
 
 }  // namespace
@@ -84,6 +101,7 @@ Result<fs::path> savePatientInLibrary(const anatomy::Patient& patient,
     fs::rename(session::recordFileOf(*replaced), session::recordFileOf(file), ignored);
     fs::remove(*replaced, ignored);
   }
+  keepScan(patient, file);
   return file;
 }
 
@@ -96,6 +114,13 @@ void markUsed(const fs::path& file)
 QString nameOfPatient(const anatomy::Patient& patient)
 {
   return tr("%1 · %2").arg(QString::fromStdString(patient.label), earText(patient.side));
+}
+
+QString tagsText(const session::PatientRecord& record)
+{
+  QStringList tags;
+  for (const std::string& tag : record.tags) tags << QString::fromStdString(tag);
+  return tags.join(QStringLiteral(", "));
 }
 
 QString numbersOfPatient(const anatomy::Patient& patient)

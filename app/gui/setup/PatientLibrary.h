@@ -43,6 +43,9 @@ void markUsed(const std::filesystem::path& file);
 /// "P-017 · left ear"
 QString nameOfPatient(const anatomy::Patient& patient);
 
+/// "EAS, revision"
+QString tagsText(const session::PatientRecord& record);
+
 /// "A 9.20, B 6.80 mm", or the three lengths.
 QString numbersOfPatient(const anatomy::Patient& patient);
 

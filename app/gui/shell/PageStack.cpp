@@ -65,6 +65,11 @@ void PageStack::connectStart()
           });
   connect(start_, &StartPage::continueAsked, this, [this] { Q_EMIT pageAsked(Page::insert); });
   connect(start_, &StartPage::replayAsked, this, &PageStack::replayAsked);
+  connect(start_, &StartPage::scansAsked, this, [this] { Q_EMIT pageAsked(Page::ct); });
+  connect(start_, &StartPage::planAsked, this, [this](const std::filesystem::path& folder) {
+    Q_EMIT pageAsked(Page::plan);
+    plan_->openPlan(folder);
+  });
   connect(start_, &StartPage::allRecordingsAsked, this,
           [this] { Q_EMIT pageAsked(Page::sessions); });
   connect(&insert_, &InsertPage::allPatientsAsked, this, [this] {

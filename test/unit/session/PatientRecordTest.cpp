@@ -45,7 +45,10 @@ protected:
 
   test::TemporaryFolder folder_;
   fs::path file_ = folder_ / "patients/P-017-left.toml";
-  PatientRecord record_{{"revision", "EAS"}, "Second look.\nRound window narrow.", true};
+  PatientRecord record_{{"revision", "EAS"},
+                        "Second look.\nRound window narrow.",
+                        true,
+                        {{std::string(64, 'a'), "2026-11-20T09:30:00Z"}}};
 };
 
 TEST_F(PatientRecords, AreReadAsTheyWereWritten)
@@ -62,7 +65,10 @@ TEST_F(PatientRecords, RefuseWhatTheyCannotKeep)
        {PatientRecord{{""}, "", false}, PatientRecord{{"a,b"}, "", false},
         PatientRecord{{"EAS", "EAS"}, "", false}, PatientRecord{{std::string(25, 'x')}, "", false},
         PatientRecord{{}, std::string(maxNotes + 1, 'x'), false},
-        PatientRecord{std::vector<std::string>(maxTags + 1, "x"), "", false}}) {
+        PatientRecord{std::vector<std::string>(maxTags + 1, "x"), "", false},
+        PatientRecord{{}, "", false, {{"Doe, Jane", "2026-11-20T09:30:00Z"}}},
+        PatientRecord{{}, "", false, {{"0a1b", "yesterday"}}},
+        PatientRecord{{}, "", false, {maxScans + 1, {"0a1b", "2026-11-20T09:30:00Z"}}}}) {
     EXPECT_FALSE(savePatientRecord(bad, file_));
     EXPECT_FALSE(fs::exists(recordFileOf(file_)));
   }

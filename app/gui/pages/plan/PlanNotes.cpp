@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/pages/plan/PlanNotes.h"
 
-#include <QSignalBlocker>
-#include <QStyle>
-#include <QVariant>
-
-#include "gui/pages/plan/PlanStore.h"
 #include "gui/parts/Theme.h"
+#include "gui/setup/PlanStore.h"
 
 namespace perilymph::gui {
 
@@ -16,38 +12,21 @@ constexpr int height_px = 52;
 
 }  // namespace
 
-PlanNotes::PlanNotes(QWidget* parent) : QPlainTextEdit(parent)
+PlanNotes::PlanNotes(QWidget* parent) : NotesField("planNotes", tr("Notes on this plan"), parent)
 {
-  setObjectName(QStringLiteral("planNotes"));
-  setAccessibleName(tr("Notes on this plan"));
-  setPlaceholderText(tr("Notes on this plan"));
-  setFont(typeface(13));
   setFixedHeight(sized(height_px));
-  setTabChangesFocus(true);
-  showHint();
-  connect(this, &QPlainTextEdit::textChanged, this, &PlanNotes::keep);
+  connect(this, &NotesField::edited, this, &PlanNotes::keep);
 }
 
 void PlanNotes::show(const std::filesystem::path& folder)
 {
   if (folder == folder_) return;
   folder_ = folder;
-  const QSignalBlocker quiet(this);
-  setPlainText(folder.empty() ? QString() : notesOf(folder));
-  showHint();
-}
-
-/// The hint of an empty field is quiet.
-void PlanNotes::showHint()
-{
-  setProperty("hint", document()->isEmpty());
-  style()->unpolish(this);
-  style()->polish(this);
+  setNotes(folder.empty() ? QString() : notesOf(folder));
 }
 
 void PlanNotes::keep()
 {
-  if (property("hint").toBool() != document()->isEmpty()) showHint();
   if (folder_.empty()) return;
   const auto saved = saveNotes(folder_, toPlainText());
   if (!saved) Q_EMIT failed(QString::fromStdString(saved.error().message));

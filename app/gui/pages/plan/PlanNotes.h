@@ -3,13 +3,14 @@
 
 // The notes on a plan.
 
-#include <QPlainTextEdit>
 #include <filesystem>
+
+#include "gui/parts/NotesField.h"
 
 namespace perilymph::gui {
 
 /// A field whose text is kept in the plan's folder with every change.
-class PlanNotes : public QPlainTextEdit {
+class PlanNotes : public NotesField {
   Q_OBJECT
 public:
   explicit PlanNotes(QWidget* parent);
@@ -22,7 +23,6 @@ Q_SIGNALS:
 
 private:
   void keep();
-  void showHint();
 
   std::filesystem::path folder_;
 };

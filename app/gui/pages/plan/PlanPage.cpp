@@ -44,7 +44,7 @@ PlanPage::PlanPage(QWidget* parent)
       head_(new PlanHead(this)),
       list_(new PlanList(this)),
       view_(new PlanView(this)),
-      open_(panelButton({}, "openPlanArrayButton", this)),
+      open_(panelButton(QString(), "openPlanArrayButton", this)),
       insert_(panelButton(tr("Insert this array"), "insertPlanArrayButton", this)),
       report_(panelButton(tr("Report…"), "planReportButton", this)),
       back_(panelButton(tr("Back to the table"), "planTableButton", this)),
@@ -198,16 +198,29 @@ void PlanPage::connectPanel()
   connect(panel_, &PlanPanel::cancelAsked, this, &PlanPage::stop);
   connect(notes_, &PlanNotes::failed, this,
           [this](const QString& sentence) { say(sentence, true); });
-  connect(panel_, &PlanPanel::planChosen, this, [this](const StoredPlan& stored) {
-    panel_->showPlan(stored);
-    if (stored.shownDraws == 0) {
-      forgetPlan();
-      return say(tr("This plan was interrupted before its first bands; Compute continues it."));
-    }
-    say(tr("Opening the plan…"));
-    panel_->showProgress(0.0);
-    work_.open(stored);
-  });
+  connect(panel_, &PlanPanel::planChosen, this, &PlanPage::openStored);
+}
+
+void PlanPage::openPlan(const std::filesystem::path& folder)
+{
+  stop();
+  const auto stored = readStoredPlan(folder);
+  if (!stored) return say(QString::fromStdString(stored.error().message), true);
+  panel_->refresh();
+  openStored(*stored);
+}
+
+void PlanPage::openStored(const StoredPlan& stored)
+{
+  panel_->showPlan(stored);
+  if (stored.shownDraws == 0) {
+    forgetPlan();
+    return say(tr("This plan was interrupted before its first bands; Compute continues it."));
+  }
+  leaveArrays();
+  say(tr("Opening the plan…"));
+  panel_->showProgress(0.0);
+  work_.open(stored);
 }
 
 void PlanPage::connectWork()

@@ -34,6 +34,8 @@ public:
 
   /// Plans for a patient with A and B, as measured in a CT.
   void planFor(const anatomy::Patient& patient);
+  /// Opens a saved plan. A computation ends, of which is kept what is done.
+  void openPlan(const std::filesystem::path& folder);
   /// Reads patients and plans from the disk again.
   void refresh();
   /// Leaves the view of an array, or ends the computation, of which is kept what is done. False if
@@ -71,6 +73,7 @@ private:
   void connectWork();
   void compute();
   bool stop();
+  void openStored(const StoredPlan& stored);
   void showPlan(const PlanWork::SharedPlan& plan, const StoredPlan& stored);
   void showProgress(std::size_t done, std::size_t all);
   void forgetPlan();

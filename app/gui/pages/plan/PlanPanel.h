@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "gui/pages/plan/PlanStore.h"
+#include "gui/setup/PlanStore.h"
 
 class QProgressBar;
 class QPushButton;

@@ -10,8 +10,8 @@
 #include <mutex>
 #include <optional>
 
-#include "gui/pages/plan/PlanStore.h"
 #include "gui/run/Background.h"
+#include "gui/setup/PlanStore.h"
 
 namespace perilymph::gui {
 

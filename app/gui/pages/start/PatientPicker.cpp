@@ -9,13 +9,16 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
+#include <QSignalBlocker>
 #include <QVBoxLayout>
 #include <QVariant>
 #include <algorithm>
 
+#include "gui/pages/start/PatientDetails.h"
 #include "gui/parts/CheckBoxes.h"
 #include "gui/parts/Placeholder.h"
 #include "gui/parts/Theme.h"
+#include "gui/parts/WrappedLabel.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/session/SessionLibrary.h"
 
@@ -23,14 +26,7 @@ namespace perilymph::gui {
 
 namespace {
 
-constexpr int width_px = 560;
-
-QString tagsOf(const session::PatientRecord& record)
-{
-  QStringList tags;
-  for (const std::string& tag : record.tags) tags << QString::fromStdString(tag);
-  return tags.join(QStringLiteral(", "));
-}
+constexpr int maxWidth_px = 1080;
 
 /// Recordings in the session folder of a patient's ear.
 std::vector<std::filesystem::path> insertionsOf(const anatomy::Patient& patient)
@@ -44,79 +40,48 @@ std::vector<std::filesystem::path> insertionsOf(const anatomy::Patient& patient)
   return files;
 }
 
+void showLine(QListWidgetItem& item, const SavedPatient& patient)
+{
+  const QString name = nameOfPatient(patient.patient), tags = tagsText(patient.record);
+  const QString whole = tags.isEmpty() ? name : PatientPicker::tr("%1 · %2").arg(name, tags);
+  item.setText(PatientPicker::tr("%1 · %2").arg(whole, numbersOfPatient(patient.patient)));
+  item.setToolTip(item.text().toHtmlEscaped());
+}
+
 }  // namespace
 
 PatientPicker::PatientPicker(QWidget* parent)
     : QWidget(parent),
       search_(new QLineEdit(this)),
       list_(new QListWidget(this)),
-      status_(new QLabel(this)),
-      tags_(new QLineEdit(this)),
+      details_(new PatientDetails(this)),
+      status_(new WrappedLabel(QString(), this)),
       archived_(new CheckBox(tr("Show archived"), this)),
-      open_(new QPushButton(tr("Open"), this)),
-      edit_(new QPushButton(tr("Edit…"), this)),
-      archive_(new QPushButton(this)),
-      export_(new QPushButton(tr("Export…"), this))
+      import_(addButton(tr("Import…"), "importPatientButton")),
+      open_(addButton(tr("Open"), "openPatientButton")),
+      edit_(addButton(tr("Edit…"), "editPatientButton")),
+      archive_(addButton(QString(), "archivePatientButton")),
+      export_(addButton(tr("Export…"), "exportPatientButton")),
+      back_(addButton(tr("Back"), "leavePickerButton"))
 {
-  setFixedWidth(sized(width_px));
+  setMaximumWidth(sized(maxWidth_px));
   auto* title = new QLabel(tr("Saved patients"), this);
   title->setFont(typeface(22));
-  search_->setObjectName(QStringLiteral("patientSearch"));
-  search_->setAccessibleName(tr("Find patients"));
-  search_->setFont(typeface(13));
-  search_->setFixedHeight(sized(32));
-  search_->setClearButtonEnabled(true);
-  markPlaceholder(*search_, tr("Find by code, ear or tag"));
-  search_->installEventFilter(this);
-  list_->setObjectName(QStringLiteral("patientList"));
-  list_->setAccessibleName(tr("Saved patients"));
-  list_->setFont(typeface(13));
+  status_->setObjectName(QStringLiteral("patientStatus"));
+  status_->setTextFormat(Qt::PlainText);
   status_->setFont(typeface(13));
   status_->setProperty("quiet", true);
-  status_->setWordWrap(true);
-  tags_->setObjectName(QStringLiteral("patientTags"));
-  tags_->setAccessibleName(tr("Tags"));
-  tags_->setFont(typeface(13));
-  tags_->setFixedHeight(sized(28));
-  markPlaceholder(*tags_, tr("Tags, separated by commas; no names"));
-  archived_->setObjectName(QStringLiteral("showArchived"));
-  archived_->setFont(typeface(13));
-  auto* import = new QPushButton(tr("Import…"), this);
-  import->setObjectName(QStringLiteral("importPatientButton"));
-  archive_->setObjectName(QStringLiteral("archivePatientButton"));
-  export_->setObjectName(QStringLiteral("exportPatientButton"));
-  auto* library = new QHBoxLayout;
-  library->setSpacing(spacing);
-  library->addWidget(archived_);
-  library->addStretch();
-  library->addWidget(import);
-  library->addWidget(export_);
-  library->addWidget(archive_);
-  auto* back = new QPushButton(tr("Back"), this);
-  back->setObjectName(QStringLiteral("leavePickerButton"));
-  open_->setObjectName(QStringLiteral("openPatientButton"));
   open_->setProperty("primary", true);
-  edit_->setObjectName(QStringLiteral("editPatientButton"));
-  auto* buttons = new QHBoxLayout;
-  buttons->setSpacing(spacing);
-  buttons->addWidget(back);
-  buttons->addStretch();
-  buttons->addWidget(edit_);
-  buttons->addWidget(open_);
-  for (QPushButton* button : {back, edit_, open_, import, export_, archive_}) {
-    button->setFont(typeface(13, QFont::Medium));
-    button->setFixedHeight(sized(32));
-  }
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 3 * spacing, 0, 3 * spacing);
-  column->setSpacing(spacing);
-  column->addWidget(title);
-  column->addWidget(search_);
-  column->addWidget(list_, 1);
-  column->addWidget(tags_);
-  column->addLayout(library);
-  column->addWidget(status_);
-  column->addLayout(buttons);
+  auto* columns = new QHBoxLayout;
+  columns->setSpacing(3 * spacing);
+  columns->addLayout(addList(), 1);
+  columns->addLayout(addSelected(), 1);
+  auto* whole = new QVBoxLayout(this);
+  whole->setContentsMargins(2 * spacing, 3 * spacing, 2 * spacing, 3 * spacing);
+  whole->setSpacing(spacing);
+  whole->addWidget(title);
+  whole->addLayout(columns, 1);
+  whole->addWidget(status_);
 
   connect(search_, &QLineEdit::textChanged, this, &PatientPicker::showMatches);
   connect(search_, &QLineEdit::returnPressed, this, &PatientPicker::openSelected);
@@ -125,51 +90,128 @@ PatientPicker::PatientPicker(QWidget* parent)
   connect(edit_, &QPushButton::clicked, this, [this] {
     if (const SavedPatient* patient = selected()) Q_EMIT editAsked(SavedPatient(*patient));
   });
-  connect(back, &QPushButton::clicked, this, &PatientPicker::leaveAsked);
-  connect(list_, &QListWidget::currentRowChanged, this, &PatientPicker::showRecord);
-  connect(tags_, &QLineEdit::editingFinished, this, &PatientPicker::keepTags);
+  connect(back_, &QPushButton::clicked, this, &PatientPicker::leaveAsked);
+  connect(list_, &QListWidget::currentRowChanged, this, &PatientPicker::showSelected);
+  connect(details_, &PatientDetails::recordKept, this, &PatientPicker::takeRecord);
+  connect(details_, &PatientDetails::said, status_, &QLabel::setText);
+  connect(details_, &PatientDetails::opened, this, &PatientPicker::entryAsked);
   connect(archived_, &QAbstractButton::toggled, this, &PatientPicker::showMatches);
   connect(archive_, &QPushButton::clicked, this, &PatientPicker::changeArchived);
   connect(export_, &QPushButton::clicked, this, &PatientPicker::exportSelected);
-  connect(import, &QPushButton::clicked, this, &PatientPicker::importPatient);
-  setTabOrder(search_, list_);
-  setTabOrder(list_, tags_);
-  setTabOrder(tags_, archived_);
-  setTabOrder(archived_, import);
-  setTabOrder(import, export_);
-  setTabOrder(export_, archive_);
-  setTabOrder(archive_, open_);
-  setTabOrder(open_, edit_);
-  setTabOrder(edit_, back);
+  connect(import_, &QPushButton::clicked, this, &PatientPicker::importPatient);
+  setTabOrders();
   setFocusProxy(search_);
 }
 
-void PatientPicker::refresh()
+QPushButton* PatientPicker::addButton(const QString& text, const char* name)
 {
+  auto* button = new QPushButton(text, this);
+  button->setObjectName(QLatin1String(name));
+  button->setFont(typeface(13, QFont::Medium));
+  button->setFixedHeight(sized(32));
+  return button;
+}
+
+/// The patients, and what changes the list.
+QLayout* PatientPicker::addList()
+{
+  search_->setObjectName(QStringLiteral("patientSearch"));
+  search_->setAccessibleName(tr("Find patients"));
+  search_->setFont(typeface(13));
+  search_->setFixedHeight(sized(32));
+  search_->setClearButtonEnabled(true);
+  markPlaceholder(*search_, tr("Find by code, ear, tag or note"));
+  search_->installEventFilter(this);
+  list_->setObjectName(QStringLiteral("patientList"));
+  list_->setAccessibleName(tr("Saved patients"));
+  list_->setFont(typeface(13));
+  list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  list_->setTextElideMode(Qt::ElideRight);
+  archived_->setObjectName(QStringLiteral("showArchived"));
+  archived_->setFont(typeface(13));
+  auto* verbs = new QHBoxLayout;
+  verbs->setSpacing(spacing);
+  verbs->addWidget(back_);
+  verbs->addWidget(archived_);
+  verbs->addStretch();
+  verbs->addWidget(import_);
+  auto* column = new QVBoxLayout;
+  column->setSpacing(spacing);
+  column->addWidget(search_);
+  column->addWidget(list_, 1);
+  column->addLayout(verbs);
+  return column;
+}
+
+/// The selected patient, and what can be done with it.
+QLayout* PatientPicker::addSelected()
+{
+  auto* verbs = new QHBoxLayout;
+  verbs->setSpacing(spacing);
+  verbs->addWidget(archive_);
+  verbs->addWidget(export_);
+  verbs->addStretch();
+  verbs->addWidget(edit_);
+  verbs->addWidget(open_);
+  auto* column = new QVBoxLayout;
+  column->setSpacing(spacing);
+  column->addWidget(details_, 1);
+  column->addLayout(verbs);
+  return column;
+}
+
+void PatientPicker::setTabOrders()
+{
+  const auto fields = details_->fields();
+  QWidget* before = search_;
+  for (QWidget* each :
+       {static_cast<QWidget*>(list_), fields[0], fields[1], fields[2], static_cast<QWidget*>(open_),
+        static_cast<QWidget*>(edit_), static_cast<QWidget*>(export_),
+        static_cast<QWidget*>(archive_), static_cast<QWidget*>(archived_),
+        static_cast<QWidget*>(import_), static_cast<QWidget*>(back_)}) {
+    setTabOrder(before, each);
+    before = each;
+  }
+}
+
+void PatientPicker::refresh(const std::filesystem::path& beingRecorded)
+{
+  details_->keep();
+  beingRecorded_ = beingRecorded;
   patients_ = savedPatients();
+  shown_.clear();  // their indices are those of before
   search_->clear();
   showMatches();
+  details_->readHistory(beingRecorded);
 }
 
 void PatientPicker::showMatches()
 {
+  details_->keep();
   const QString wanted = search_->text().trimmed();
-  list_->clear();
-  shown_.clear();
-  for (std::size_t i = 0; i < patients_.size(); ++i) {
-    const QString name = nameOfPatient(patients_[i].patient);
-    const session::PatientRecord& record = patients_[i].record;
-    if (record.isArchived && !archived_->isChecked()) continue;
-    const QString tags = tagsOf(record);
-    const QString whole = tags.isEmpty() ? name : tr("%1 · %2").arg(name, tags);
-    if (!whole.contains(wanted, Qt::CaseInsensitive)) continue;
-    list_->addItem(tr("%1 · %2").arg(whole, numbersOfPatient(patients_[i].patient)));
-    shown_.push_back(i);
+  const SavedPatient* before = selected();
+  const std::filesystem::path wasSelected = before ? before->file : std::filesystem::path();
+  {
+    const QSignalBlocker quiet(list_);
+    list_->clear();
+    shown_.clear();
+    int row = 0;
+    for (std::size_t i = 0; i < patients_.size(); ++i) {
+      const SavedPatient& each = patients_[i];
+      if (each.record.isArchived && !archived_->isChecked()) continue;
+      const QString found = QStringLiteral("%1\n%2\n%3")
+                                .arg(nameOfPatient(each.patient), tagsText(each.record),
+                                     QString::fromStdString(each.record.notes));
+      if (!found.contains(wanted, Qt::CaseInsensitive)) continue;
+      showLine(*new QListWidgetItem(list_), each);
+      if (each.file == wasSelected) row = list_->count() - 1;
+      shown_.push_back(i);
+    }
+    if (!shown_.empty()) list_->setCurrentRow(row);
   }
-  if (!shown_.empty()) list_->setCurrentRow(0);
   open_->setEnabled(!shown_.empty());
   edit_->setEnabled(!shown_.empty());
-  showRecord();
+  showSelected();
   status_->setText(patients_.empty() ? tr("No patient is saved yet.")
                    : shown_.empty()  ? tr("No patient matches “%1”.").arg(wanted)
                                      : tr("%1 of %2").arg(shown_.size()).arg(patients_.size()));
@@ -187,14 +229,13 @@ void PatientPicker::openSelected()
   if (const SavedPatient* patient = selected()) Q_EMIT openAsked(SavedPatient(*patient));
 }
 
-void PatientPicker::showRecord()
+void PatientPicker::showSelected()
 {
   const SavedPatient* patient = selected();
-  for (QWidget* each : {static_cast<QWidget*>(tags_), static_cast<QWidget*>(archive_),
-                        static_cast<QWidget*>(export_)})
-    each->setEnabled(patient != nullptr);
-  tags_->setText(patient ? tagsOf(patient->record) : QString());
+  archive_->setEnabled(patient != nullptr);
+  export_->setEnabled(patient != nullptr);
   archive_->setText(patient && patient->record.isArchived ? tr("Restore") : tr("Archive"));
+  details_->show(patient ? std::optional(*patient) : std::nullopt);
 }
 
 void PatientPicker::show(const Result<Done>& done, const QString& sentence)
@@ -202,27 +243,19 @@ void PatientPicker::show(const Result<Done>& done, const QString& sentence)
   status_->setText(done ? sentence : QString::fromStdString(done.error().message));
 }
 
-void PatientPicker::keepTags()
+void PatientPicker::takeRecord(const SavedPatient& patient)
 {
-  const SavedPatient* patient = selected();
-  if (patient == nullptr || tags_->text() == tagsOf(patient->record)) return;
-  session::PatientRecord record = patient->record;
-  record.tags.clear();
-  for (const QString& tag : tags_->text().split(QLatin1Char(','), Qt::SkipEmptyParts))
-    if (!tag.trimmed().isEmpty()) record.tags.push_back(tag.trimmed().toStdString());
-  const QString name = nameOfPatient(patient->patient);
-  const auto saved = session::savePatientRecord(record, patient->file);
-  if (saved) {
-    patients_[shown_[std::size_t(list_->currentRow())]].record = record;
-    const int row = list_->currentRow();
-    showMatches();
-    list_->setCurrentRow(std::min(row, list_->count() - 1));
+  for (std::size_t i = 0; i < patients_.size(); ++i) {
+    if (patients_[i].file != patient.file) continue;
+    patients_[i].record = patient.record;
+    const auto row = std::find(shown_.begin(), shown_.end(), i);
+    if (row != shown_.end()) showLine(*list_->item(int(row - shown_.begin())), patients_[i]);
   }
-  show(saved, tr("The tags of %1 are saved.").arg(name));
 }
 
 void PatientPicker::changeArchived()
 {
+  details_->keep();
   const SavedPatient* patient = selected();
   if (patient == nullptr) return;
   session::PatientRecord record = patient->record;
@@ -239,6 +272,7 @@ void PatientPicker::changeArchived()
 
 void PatientPicker::exportSelected()
 {
+  details_->keep();
   const SavedPatient* patient = selected();
   if (patient == nullptr) return;
   const QString place = QFileDialog::getExistingDirectory(this, tr("Folder for the export"));
@@ -256,7 +290,7 @@ void PatientPicker::importPatient()
       QFileDialog::getExistingDirectory(this, tr("Folder of an exported patient"));
   if (place.isEmpty()) return;
   const auto file = session::importPatient(place.toStdString(), patientFolder(), sessionFolder());
-  if (file) refresh();
+  if (file) refresh(beingRecorded_);
   show(file ? Result<Done>(Done{}) : Result<Done>(file.error()), tr("The patient is imported."));
 }
 

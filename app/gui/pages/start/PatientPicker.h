@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// List of the saved patients, with a search, tags, archive, export and import.
+// The saved patients: a list with a search, archive, export and import; beside it the selected one.
 
 #include <QWidget>
+#include <filesystem>
+#include <optional>
 #include <vector>
 
-#include "gui/setup/PatientLibrary.h"
+#include "gui/setup/PatientHistory.h"
 
 class QLabel;
+class QLayout;
 class QLineEdit;
 class QListWidget;
 class QPushButton;
@@ -16,30 +19,39 @@ class QPushButton;
 namespace perilymph::gui {
 
 class CheckBox;
+class PatientDetails;
 
-/// Selection of a saved patient, to open or to edit.
+/// Selection of a saved patient, to open or to edit, and of what belongs to one.
 class PatientPicker : public QWidget {
   Q_OBJECT
 public:
   explicit PatientPicker(QWidget* parent);
 
-  /// Reads the patient folder again, and forgets the search.
-  void refresh();
+  /// Reads patients, plans and recordings again, and forgets the search.
+  ///
+  /// @param beingRecorded  A recording that is not finished; it may be empty.
+  void refresh(const std::filesystem::path& beingRecorded);
 
 Q_SIGNALS:
   void openAsked(const perilymph::gui::SavedPatient& patient);
   void editAsked(const perilymph::gui::SavedPatient& patient);
+  /// An entry of a patient's history was opened.
+  void entryAsked(const perilymph::gui::HistoryEntry& entry);
   void leaveAsked();
 
 protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+  QLayout* addList();
+  QLayout* addSelected();
+  QPushButton* addButton(const QString& text, const char* name);
+  void setTabOrders();
   void showMatches();
   const SavedPatient* selected() const;
   void openSelected();
-  void showRecord();
-  void keepTags();
+  void showSelected();
+  void takeRecord(const SavedPatient& patient);
   void changeArchived();
   void exportSelected();
   void importPatient();
@@ -47,12 +59,13 @@ private:
 
   std::vector<SavedPatient> patients_;
   std::vector<std::size_t> shown_;  ///< Indices of `patients_`, one a row.
+  std::filesystem::path beingRecorded_;
   QLineEdit* search_;
   QListWidget* list_;
+  PatientDetails* details_;
   QLabel* status_;
-  QLineEdit* tags_;
   CheckBox* archived_;
-  QPushButton *open_, *edit_, *archive_, *export_;
+  QPushButton *import_, *open_, *edit_, *archive_, *export_, *back_;
 };
 
 }  // namespace perilymph::gui

@@ -76,6 +76,7 @@ QPushButton* addLink(QVBoxLayout& column, const QString& text, const QString& na
   link->setText(
       QFontMetrics(link->font()).elidedText(text, Qt::ElideRight, sized(linkWidth_px) - 24));
   link->setAccessibleName(text);
+  if (link->text() != text) link->setToolTip(text.toHtmlEscaped());
   link->setFixedHeight(sized(26));
   link->setCursor(Qt::PointingHandCursor);
   link->setFocusPolicy(Qt::TabFocus);
@@ -125,9 +126,10 @@ void RecentWork::refresh(const QString& current, const std::optional<fs::path>& 
   QWidget* right = recordings_->parentWidget();
   if (!patients.empty()) patients_->addWidget(columnHeading(tr("RECENT PATIENTS"), left));
   for (std::size_t i = 0; i < std::min(patients.size(), maxListed); ++i) {
-    auto* link = addLink(*patients_,
-                         tr("%1 · %2").arg(nameOfPatient(patients[i].patient),
-                                           numbersOfPatient(patients[i].patient)),
+    const QString tags = tagsText(patients[i].record);
+    const QString whole = tr("%1 · %2").arg(nameOfPatient(patients[i].patient),
+                                            numbersOfPatient(patients[i].patient));
+    auto* link = addLink(*patients_, tags.isEmpty() ? whole : tr("%1 · %2").arg(whole, tags),
                          QStringLiteral("recentPatient%1").arg(i), left);
     connect(link, &QPushButton::clicked, this,
             [this, patient = patients[i]] { Q_EMIT patientAsked(patient); });

@@ -19,6 +19,7 @@
 #include "gui/parts/FocusRing.h"
 #include "gui/parts/PanelParts.h"
 #include "gui/parts/Theme.h"
+#include "gui/setup/PatientHistory.h"
 #include "gui/setup/PatientLibrary.h"
 #include "gui/setup/PatientSetup.h"
 #include "perilymph/foundation/Resources.h"
@@ -158,6 +159,7 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent), stages_(new QStackedWid
     stages_->setCurrentIndex(formStage);
     form_->setFocus();
   });
+  connect(picker_, &PatientPicker::entryAsked, this, &StartPage::openEntry);
   connect(recent_, &RecentWork::patientAsked, this, &StartPage::openPatient);
   connect(recent_, &RecentWork::allPatientsAsked, this, &StartPage::showPatients);
   connect(recent_, &RecentWork::continueAsked, this, &StartPage::continueAsked);
@@ -183,7 +185,7 @@ void StartPage::addKey(QWidget& page, Qt::Key key, StartCard& card)
 
 void StartPage::showPatients()
 {
-  picker_->refresh();
+  picker_->refresh(current_.beingRecorded.value_or(std::filesystem::path()));
   stages_->setCurrentIndex(pickerStage);
   picker_->setFocus();
 }
@@ -206,6 +208,18 @@ void StartPage::openPatient(const SavedPatient& patient)
 {
   markUsed(patient.file);
   beginPatient(patient.patient);
+}
+
+void StartPage::openEntry(const HistoryEntry& entry)
+{
+  switch (entry.kind) {
+    case HistoryEntry::Kind::scan:
+      return scansAsked();
+    case HistoryEntry::Kind::plan:
+      return planAsked(entry.place);
+    case HistoryEntry::Kind::insertion:
+      return replayAsked(entry.place);
+  }
 }
 
 void StartPage::beginPatient(const anatomy::Patient& patient)

@@ -19,6 +19,7 @@ namespace perilymph::gui {
 class PatientForm;
 class PatientPicker;
 class RecentWork;
+struct HistoryEntry;
 struct SavedPatient;
 
 /// A large button with a picture, a title and a description.
@@ -73,6 +74,9 @@ Q_SIGNALS:
   void continueAsked();
   void replayAsked(const std::filesystem::path& recording);
   void allRecordingsAsked();
+  /// The user wants to open a CT again, or a plan.
+  void scansAsked();
+  void planAsked(const std::filesystem::path& folder);
 
 protected:
   void keyPressEvent(QKeyEvent* event) override;
@@ -85,6 +89,7 @@ private:
   void addKey(QWidget& page, Qt::Key key, StartCard& card);
   void savePatient(const anatomy::Patient& patient);
   void openPatient(const SavedPatient& patient);
+  void openEntry(const HistoryEntry& entry);
   void beginPatient(const anatomy::Patient& patient);
   void beginShipped(const std::string& name, bool isWatched);
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <string_view>
 
 #include "perilymph/anatomy/Patient.h"
 #include "perilymph/foundation/AtomicFile.h"
@@ -23,11 +24,30 @@ constexpr std::size_t maxInsertions = 10'000;
 
 std::string textOf(const PatientRecord& record)
 {
-  const nlohmann::ordered_json json = {{"format", recordFormat},
-                                       {"tags", record.tags},
-                                       {"notes", record.notes},
-                                       {"archived", record.isArchived}};
+  nlohmann::ordered_json json = {{"format", recordFormat},
+                                 {"tags", record.tags},
+                                 {"notes", record.notes},
+                                 {"archived", record.isArchived}};
+  for (const PatientScan& scan : record.scans)
+    json["scans"].push_back({{"series_sha256", scan.series}, {"saved_utc", scan.savedUtc}});
   return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+/// A hash or its beginning.
+bool isSeries(const std::string& text)
+{
+  constexpr std::size_t maxDigits = 64;  // SHA-256
+  return !text.empty() && text.size() <= maxDigits &&
+         text.find_first_not_of("0123456789abcdef") == std::string::npos;
+}
+
+/// "2026-11-20T09:30:00Z"
+bool isDate(const std::string& text)
+{
+  constexpr std::string_view form = "dddd-dd-ddTdd:dd:ddZ";
+  return std::equal(text.begin(), text.end(), form.begin(), form.end(), [](char c, char expected) {
+    return expected == 'd' ? c >= '0' && c <= '9' : c == expected;
+  });
 }
 
 Result<PatientRecord> readRecord(const fs::path& file)
@@ -44,6 +64,9 @@ Result<PatientRecord> readRecord(const fs::path& file)
     record.tags = json.at("tags").get<std::vector<std::string>>();
     record.notes = json.at("notes").get<std::string>();
     record.isArchived = json.at("archived").get<bool>();
+    for (const auto& scan : json.value("scans", nlohmann::json::array()))
+      record.scans.push_back(
+          {scan.at("series_sha256").get<std::string>(), scan.at("saved_utc").get<std::string>()});
   } catch (const nlohmann::json::exception&) {
     return Error{file.string() +
                  " is not the record of a patient: it needs format, tags, notes and archived. "
@@ -92,6 +115,14 @@ Result<Done> checkRecord(const PatientRecord& record)
   if (record.tags.size() > maxTags)
     return Error{"There are " + std::to_string(record.tags.size()) +
                  " tags; at most 16 are kept. Remove some."};
+  if (record.scans.size() > maxScans)
+    return Error{"There are " + std::to_string(record.scans.size()) +
+                 " scans; at most 64 are kept. Remove some."};
+  for (const PatientScan& scan : record.scans)
+    if (!isSeries(scan.series) || !isDate(scan.savedUtc))
+      return Error{"The scan \"" + scan.series + "\" of \"" + scan.savedUtc +
+                   "\" is not possible: it has up to 64 hexadecimal digits and a date like "
+                   "2026-11-20T09:30:00Z. Correct or remove it."};
   std::set<std::string> seen;
   for (const std::string& tag : record.tags) {
     const bool isClean = std::none_of(tag.begin(), tag.end(), [](char c) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// What is kept of a patient besides the measures: tags, notes, and whether the patient is archived.
+// What is kept of a patient besides the measures: tags, notes, scans, and whether the patient is
+// archived.
 // A file beside the patient's, so that a copy of the folder is a backup. Nothing names the patient.
 
 #include <filesystem>
@@ -13,17 +14,26 @@
 namespace perilymph::session {
 
 /// Limits of a record [characters, entries].
-inline constexpr std::size_t maxNotes = 4000, maxTag = 24, maxTags = 16;
+inline constexpr std::size_t maxNotes = 4000, maxTag = 24, maxTags = 16, maxScans = 64;
+
+/// A CT series from which measures of the patient were saved.
+struct PatientScan {
+  std::string series;    ///< SHA-256 of the series, hexadecimal (MeasurementOrigin::seriesKey).
+  std::string savedUtc;  ///< When the first measures of it were saved: "2026-11-20T09:30:00Z".
+
+  friend bool operator==(const PatientScan&, const PatientScan&) = default;
+};
 
 struct PatientRecord {
   std::vector<std::string> tags;  ///< "revision", "EAS"; each once.
   std::string notes;
-  bool isArchived = false;  ///< Hidden from lists, but kept.
+  bool isArchived = false;              ///< Hidden from lists, but kept.
+  std::vector<PatientScan> scans = {};  ///< Each series once, in the order of their dates.
 
   friend bool operator==(const PatientRecord&, const PatientRecord&) = default;
 };
 
-/// Checks lengths and characters; tags have no commas and no line breaks.
+/// Checks lengths and characters; tags have no commas and no line breaks, series are hashes.
 Result<Done> checkRecord(const PatientRecord& record);
 
 /// The record's file: "P-017-left.json" beside "P-017-left.toml".

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/pages/plan/PlanStore.h"
+#include "gui/setup/PlanStore.h"
 
 #include <algorithm>
 #include <system_error>

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/pages/start/PatientDetails.h"
+
+#include <QLineEdit>
+#include <QVBoxLayout>
+#include <QVariant>
+
+#include "gui/pages/start/PatientHistoryList.h"
+#include "gui/parts/ElidedLabel.h"
+#include "gui/parts/NotesField.h"
+#include "gui/parts/PanelParts.h"
+#include "gui/parts/Placeholder.h"
+#include "gui/parts/Theme.h"
+#include "gui/parts/WrappedLabel.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+constexpr int notesHeight_px = 96;
+
+}  // namespace
+
+PatientDetails::PatientDetails(QWidget* parent)
+    : QWidget(parent),
+      background_(this),
+      name_(new ElidedLabel(this)),
+      tags_(new QLineEdit(this)),
+      notes_(new NotesField("patientNotes", tr("Notes on this ear; no names"), this,
+                            session::maxNotes)),
+      empty_(new WrappedLabel(QString(), this)),
+      history_(new PatientHistoryList(this))
+{
+  name_->setObjectName(QStringLiteral("patientDetailsName"));
+  name_->setFont(typeface(15, QFont::Medium));
+  tags_->setObjectName(QStringLiteral("patientTags"));
+  tags_->setAccessibleName(tr("Tags"));
+  tags_->setFont(typeface(13));
+  tags_->setFixedHeight(sized(28));
+  markPlaceholder(*tags_, tr("Tags, separated by commas; no names"));
+  notes_->setFixedHeight(sized(notesHeight_px));
+  empty_->setFont(typeface(13));
+  empty_->setProperty("quiet", true);
+  empty_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(spacing);
+  column->addWidget(name_);
+  column->addWidget(tags_);
+  column->addWidget(notes_);
+  column->addWidget(panelHeading(tr("SCANS, PLANS, INSERTIONS"), this));
+  column->addWidget(empty_, 1);  // in the place of the list
+  column->addWidget(history_, 1);
+  connect(tags_, &QLineEdit::editingFinished, this, &PatientDetails::keep);
+  connect(notes_, &NotesField::left, this, &PatientDetails::keep);
+  connect(notes_, &NotesField::cut, this, [this] {
+    Q_EMIT said(tr("Notes have at most %1 characters; the end of what was typed or pasted is "
+                   "not taken.")
+                    .arg(session::maxNotes));
+  });
+  connect(history_, &PatientHistoryList::opened, this, &PatientDetails::opened);
+  show(std::nullopt);
+}
+
+void PatientDetails::show(const std::optional<SavedPatient>& patient)
+{
+  keep();
+  const bool isSame = patient && patient_ && patient->file == patient_->file;
+  patient_ = patient;
+  tags_->setEnabled(patient.has_value());
+  notes_->setEnabled(patient.has_value());
+  name_->setText(patient ? nameOfPatient(patient->patient) : QString());
+  session::PatientRecord record = patient ? patient->record : session::PatientRecord();
+  if (const auto left = patient ? unsaved_.find(patient->file) : unsaved_.end();
+      left != unsaved_.end())
+    record = left->second;
+  const QString notes = QString::fromStdString(record.notes);
+  tags_->setText(tagsText(record));
+  // the same text is not set again: its changes can still be undone
+  if (!isSame || notes_->toPlainText() != notes) notes_->setNotes(notes);
+  showHistory();
+}
+
+session::PatientRecord PatientDetails::typed() const
+{
+  session::PatientRecord record = patient_->record;
+  if (tags_->text() != tagsText(record)) {
+    record.tags.clear();
+    for (const QString& tag : tags_->text().split(QLatin1Char(','), Qt::SkipEmptyParts))
+      if (!tag.trimmed().isEmpty()) record.tags.push_back(tag.trimmed().toStdString());
+  }
+  record.notes = notes_->toPlainText().toStdString();
+  return record;
+}
+
+void PatientDetails::keep()
+{
+  if (!patient_) return;
+  const session::PatientRecord record = typed();
+  unsaved_.erase(patient_->file);
+  if (record == patient_->record) return;
+  const auto saved = session::savePatientRecord(record, patient_->file);
+  if (!saved) {
+    unsaved_[patient_->file] = record;
+    return said(QString::fromStdString(saved.error().message));
+  }
+  const bool areTags = record.tags != patient_->record.tags;
+  patient_->record = record;
+  const SavedPatient kept = *patient_;
+  Q_EMIT recordKept(kept);
+  Q_EMIT said((areTags ? tr("The tags of %1 are saved.") : tr("The notes on %1 are saved."))
+                  .arg(nameOfPatient(kept.patient)));
+}
+
+std::array<QWidget*, 3> PatientDetails::fields() const { return {tags_, notes_, history_}; }
+
+void PatientDetails::readHistory(const std::filesystem::path& beingRecorded)
+{
+  work_.reset();
+  showHistory();
+  background_.run(
+      "The list of a patient's plans and insertions",
+      [beingRecorded](const std::atomic<bool>& isCanceled) -> Result<PatientWork> {
+        return readPatientWork(beingRecorded, isCanceled);
+      },
+      [this](Result<PatientWork> work) {
+        if (!work) return said(QString::fromStdString(work.error().message));
+        work_ = *std::move(work);
+        showHistory();
+      });
+}
+
+void PatientDetails::showHistory()
+{
+  const auto entries =
+      patient_ && work_ ? historyOf(*patient_, *work_) : std::vector<HistoryEntry>();
+  const bool isReading = patient_ && !work_;
+  empty_->setText(isReading  ? tr("Reading…")
+                  : patient_ ? tr("None yet. Scans are measured on the page CT, plans made on the "
+                                  "page Plan; insertions of this patient are recorded.")
+                             : tr("Choose a patient."));
+  empty_->setVisible(entries.empty());
+  history_->setVisible(!entries.empty());
+  history_->show(entries);
+}
+
+}  // namespace perilymph::gui

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/setup/PatientHistory.h"
+
+#include <QCoreApplication>
+#include <QDateTime>
+#include <algorithm>
+#include <map>
+
+#include "gui/parts/Numbers.h"
+#include "perilymph/foundation/Resources.h"
+#include "perilymph/foundation/Units.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+constexpr std::size_t shownDigits = 12;  // of a hash
+
+// lupdate assigns texts of free functions to their namespace.
+QString tr(const char* text) { return QCoreApplication::translate("perilymph::gui", text); }
+
+bool isOf(const anatomy::Patient& patient, const std::string& code, anatomy::Side side)
+{
+  return patient.label == code && patient.side == side;
+}
+
+HistoryEntry scanEntry(const std::string& series, const std::string& utc)
+{
+  return {HistoryEntry::Kind::scan,
+          utc,
+          tr("Scan"),
+          tr("series %1").arg(QString::fromStdString(series.substr(0, shownDigits))),
+          tr("Measured in the CT series with the SHA-256 %1. The CT itself is not kept: open its "
+             "folder on the page CT.")
+              .arg(QString::fromStdString(series)),
+          {}};
+}
+
+/// The series that the measures of the patient and of its plans were taken from.
+std::vector<HistoryEntry> scansOf(const SavedPatient& patient,
+                                  const std::vector<const StoredPlan*>& plans)
+{
+  std::map<std::string, std::string> first;  // date by series
+  const auto add = [&first](const std::string& series, const std::string& utc) {
+    if (series.empty()) return;
+    std::string& date = first[series];
+    if (date.empty() || (!utc.empty() && utc < date)) date = utc;
+  };
+  for (const session::PatientScan& scan : patient.record.scans) add(scan.series, scan.savedUtc);
+  for (const StoredPlan* plan : plans) add(plan->request.patient.origin.seriesKey, plan->madeUtc);
+  add(patient.patient.origin.seriesKey, {});
+  std::vector<HistoryEntry> entries;
+  for (const auto& [series, utc] : first) entries.push_back(scanEntry(series, utc));
+  return entries;
+}
+
+HistoryEntry planEntry(const StoredPlan& plan)
+{
+  const std::size_t arrays = plan.request.arrays.size();
+  QStringList values{arrays == 1 ? tr("1 array") : tr("%1 arrays").arg(arrays)};
+  values << (plan.isComplete ? tr("%1 draws").arg(plan.shownDraws)
+                             : tr("%1 draws, interrupted").arg(plan.shownDraws));
+  return {HistoryEntry::Kind::plan,
+          plan.madeUtc,
+          tr("Plan"),
+          values.join(tr(" · ")),
+          tr("Opens the plan on the page Plan."),
+          plan.folder};
+}
+
+HistoryEntry insertionEntry(const session::SessionSummary& session)
+{
+  const session::Highlights& found = session.highlights;
+  QStringList values{QString::fromStdString(session.array)};
+  if (found.ticks > 0)
+    values << tr("depth %1 mm").arg(numberText(inMillimeters(meters(found.deepest)), 1))
+           << tr("peak %1 mN").arg(numberText(inMillinewtons(newtons(found.peakForce)), 1));
+  else
+    values << tr("not moved");
+  return {HistoryEntry::Kind::insertion,
+          session.startedUtc,
+          tr("Insertion"),
+          values.join(tr(" · ")),
+          tr("Replays the recording %1.").arg(QString::fromStdString(session.file.string())),
+          session.file};
+}
+
+}  // namespace
+
+PatientWork readPatientWork(const std::filesystem::path& beingRecorded,
+                            const std::atomic<bool>& isCanceled)
+{
+  PatientWork work;
+  work.plans = storedPlans();
+  auto sessions =
+      session::listSessions(sessionFolder(), beingRecorded,
+                            [&isCanceled](std::size_t, std::size_t) { return !isCanceled; });
+  if (sessions) work.sessions = *std::move(sessions);  // else none was recorded yet
+  return work;
+}
+
+std::vector<HistoryEntry> historyOf(const SavedPatient& patient, const PatientWork& work)
+{
+  const anatomy::Patient& one = patient.patient;
+  const std::string side = one.side == anatomy::Side::left ? "left" : "right";
+  std::vector<const StoredPlan*> plans;
+  for (const StoredPlan& each : work.plans)
+    if (isOf(one, each.request.patient.label, each.request.patient.side)) plans.push_back(&each);
+  std::vector<HistoryEntry> entries = scansOf(patient, plans);
+  for (const StoredPlan* each : plans) entries.push_back(planEntry(*each));
+  for (const session::SessionSummary& each : work.sessions)
+    if (each.patient == one.label && each.side == side && !each.isBeingRecorded)
+      entries.push_back(insertionEntry(each));
+  std::stable_sort(entries.begin(), entries.end(),
+                   [](const HistoryEntry& a, const HistoryEntry& b) { return a.utc > b.utc; });
+  return entries;
+}
+
+QString dateText(const HistoryEntry& entry)
+{
+  const auto utc = QDateTime::fromString(QString::fromStdString(entry.utc), Qt::ISODate);
+  return utc.isValid() ? utc.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm"))
+                       : QStringLiteral("–");
+}
+
+}  // namespace perilymph::gui

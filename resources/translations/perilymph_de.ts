@@ -5056,6 +5056,14 @@
         <source>Median (5–95 % of the draws). Values of the model, with little of what is individual beyond A, B and H; translocation is not computed, and the angles are some degrees small.</source>
         <translation>Median (5–95 % der Ziehungen). Werte des Modells mit wenig von dem, was über A, B und H hinaus individuell ist; eine Translokation wird nicht gerechnet, und die Winkel sind einige Grad zu klein.</translation>
     </message>
+    <message>
+        <source>This plan was interrupted before its first bands, and an array, the scenario, a distribution or the program was changed since; Compute makes a new one.</source>
+        <translation>Dieser Plan wurde vor seinen ersten Bändern unterbrochen, und seither wurde ein Träger, das Szenario, eine Verteilung oder das Programm geändert; „Berechnen“ macht einen neuen.</translation>
+    </message>
+    <message>
+        <source>An array, the scenario, a distribution or the program was changed since this plan: it is shown as it was made, and Compute makes a new one.</source>
+        <translation>Seit diesem Plan wurde ein Träger, das Szenario, eine Verteilung oder das Programm geändert: Er wird gezeigt, wie er gemacht wurde, und „Berechnen“ macht einen neuen.</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::PlanPanel</name>

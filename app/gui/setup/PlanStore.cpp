@@ -49,11 +49,9 @@ fs::path folderOfPlan(const planning::PlanRequest& request)
     hash.add(std::to_string(text.size()) + ":" + text);
   };
   add(buildId());
-  add(anatomy::patientText(request.patient));
-  for (const std::string& array : request.arrays) add(array);
-  add(request.scenario);
-  add(std::to_string(request.seed));
-  add(request.resolution ? "coarse" : "as the scenario");
+  // a request that cannot be planned gets a folder, too, and then an error
+  const auto fingerprint = planning::fingerprintOf(request);
+  add(fingerprint ? *fingerprint : fingerprint.error().message);
   const char* ear = request.patient.side == anatomy::Side::left ? "-left-" : "-right-";
   return plansFolder() /
          (fileNameOf(request.patient.label) + ear + hash.hex().substr(0, keyLength));

@@ -31,8 +31,8 @@ struct StoredPlan {
 /// Folder of all plans: `plans` in the folder of the program's state.
 std::filesystem::path plansFolder();
 
-/// Folder of a request's plan: "P-017-left-1a2b3c4d". The last part depends on patient, arrays,
-/// scenario, seed and build of the program, not on the number of draws.
+/// Folder of a request's plan: "P-017-left-1a2b3c4d". The last part depends on everything that the
+/// plan does (planning::fingerprintOf()) and on the build of the program, not on the number of draws.
 std::filesystem::path folderOfPlan(const planning::PlanRequest& request);
 
 /// Writes patient and request into the plan's folder, which is created.

@@ -7,6 +7,8 @@
 #include "PlanFile.h"
 #include "PlanSetup.h"
 #include "perilymph/analysis/InParallel.h"
+#include "perilymph/foundation/Version.h"
+#include "perilymph/planning/PlanReading.h"
 
 namespace perilymph::planning {
 
@@ -25,7 +27,65 @@ std::size_t nextLook(std::size_t done, std::size_t draws)
   return std::min(look, draws);
 }
 
+/// The first draws of a list by draw and array.
+std::vector<PlannedInsertion> upTo(std::size_t draws, std::size_t arrays,
+                                   const std::vector<PlannedInsertion>& insertions)
+{
+  return {insertions.begin(), insertions.begin() + static_cast<std::ptrdiff_t>(draws * arrays)};
+}
+
+/// What a plan.json knows of its arrays before they were inserted.
+std::vector<PlannedArray> arraysOf(const Plan& stored)
+{
+  std::vector<PlannedArray> arrays;
+  for (const ArrayPlan& each : stored.arrays) {
+    PlannedArray array{each.name, {}};
+    for (const ContactBand& contact : each.contacts) array.filter_Hz.push_back(contact.filter_Hz);
+    const bool isKnown = std::any_of(array.filter_Hz.begin(), array.filter_Hz.end(),
+                                     [](double filter_Hz) { return filter_Hz > 0.0; });
+    if (!isKnown) array.filter_Hz.clear();
+    arrays.push_back(std::move(array));
+  }
+  return arrays;
+}
+
 }  // namespace
+
+Result<Plan> viewPlan(const PlanRequest& request, const std::filesystem::path& draws)
+{
+  const auto file = PlanFile::openToView(draws);
+  if (!file) return file.error();
+  const auto origin = file->origin();
+  if (!origin) return origin.error();
+  auto kept = file->read();
+  if (!kept) return kept.error();
+  const std::size_t arrays = request.arrays.size();
+  if (arrays == 0 || kept->size() < request.draws * arrays)
+    return Error{draws.string() + " has " + std::to_string(kept->size()) + " insertions, not " +
+                 std::to_string(request.draws) + " of each of " + std::to_string(arrays) +
+                 " arrays. Make the plan again."};
+  Plan plan;
+  plan.request = request;
+  plan.fingerprint = origin->fingerprint;
+  plan.insertions = upTo(request.draws, arrays, *kept);
+  const auto setup = preparePlan(request);
+  plan.isCurrent = setup && fingerprintOf(request, *setup) == origin->fingerprint &&
+                   origin->program == buildId();
+  if (plan.isCurrent) {
+    plan.thresholds = setup->thresholds;
+    plan.arrays = summarize(request, setup->arrays, plan.thresholds, plan.insertions);
+    return plan;
+  }
+  const auto stored = readPlan(draws);
+  if (!stored) return stored.error();
+  if (stored->plan.fingerprint != origin->fingerprint ||
+      stored->plan.request.arrays != request.arrays)
+    return Error{"The plan.json beside " + draws.string() +
+                 " is of another plan. Make the plan again."};
+  plan.thresholds = stored->plan.thresholds;
+  plan.arrays = summarize(request, arraysOf(stored->plan), plan.thresholds, plan.insertions);
+  return plan;
+}
 
 Result<Plan> makePlan(const PlanRequest& request, const std::filesystem::path& draws,
                       const PlanProgress& progress)
@@ -50,11 +110,6 @@ Result<Plan> makePlan(const PlanRequest& request, const std::filesystem::path& d
   std::size_t done = plan.insertions.size() / arrays;
   // A file with more draws than are needed now: those that the same request would have run.
   std::size_t look = nextLook(0, request.draws);
-  const auto upTo = [&](std::size_t count) {
-    return std::vector<PlannedInsertion>(
-        plan.insertions.begin(),
-        plan.insertions.begin() + static_cast<std::ptrdiff_t>(count * arrays));
-  };
   while (true) {
     while (done < look) {
       const std::size_t count = std::min(blockSize, look - done);
@@ -76,11 +131,12 @@ Result<Plan> makePlan(const PlanRequest& request, const std::filesystem::path& d
       std::move(added.begin(), added.end(), std::back_inserter(plan.insertions));
       done += count;
     }
-    plan.arrays = summarize(request, setup->arrays, setup->thresholds, upTo(look));
+    plan.arrays =
+        summarize(request, setup->arrays, setup->thresholds, upTo(look, arrays, plan.insertions));
     if (look == request.draws || (request.stopsEarly && bandsStand(plan.arrays))) break;
     look = nextLook(look, request.draws);
   }
-  plan.insertions = upTo(look);
+  plan.insertions = upTo(look, arrays, plan.insertions);
   if (file)
     if (const auto closed = file->close(); !closed) return closed.error();
   return plan;

@@ -194,25 +194,40 @@ Result<PlanFile> PlanFile::open(const fs::path& file, const std::string& fingerp
   return plan;
 }
 
-Result<Done> PlanFile::check(const std::string& fingerprint) const
+Result<PlanFile> PlanFile::openToView(const fs::path& file)
+{
+  auto opened = Database::open(file, planKind());
+  if (!opened) return opened.error();
+  return PlanFile(*std::move(opened), file);
+}
+
+Result<PlanFile::Origin> PlanFile::origin() const
 {
   auto rows = database_.prepare("SELECT key, value FROM meta ORDER BY key");
   if (!rows) return database_.readingError(rows.error().message);
-  std::string found, program;
+  Origin origin;
   Statement::Step step = rows->step();
   for (; step == Statement::Step::row; step = rows->step()) {
-    if (rows->text(0) == "fingerprint") found = rows->text(1);
-    if (rows->text(0) == "program") program = rows->text(1);
+    if (rows->text(0) == "fingerprint") origin.fingerprint = rows->text(1);
+    if (rows->text(0) == "program") origin.program = rows->text(1);
   }
   if (step == Statement::Step::failed) return database_.readingError(database_.lastError());
+  return origin;
+}
+
+Result<Done> PlanFile::check(const std::string& fingerprint) const
+{
+  const auto found = origin();
+  if (!found) return found.error();
   const std::string remedy = " Delete it or give another folder.";
-  if (found != fingerprint)
+  if (found->fingerprint != fingerprint)
     return Error{file_.string() +
-                 " belongs to another plan, or the patient, an array or the scenario was changed "
+                 " belongs to another plan, or the patient, an array, the scenario, "
+                 "resources/planning/uncertainty.toml or resources/clinical/hand.toml was changed "
                  "since." +
                  remedy};
-  if (program != buildId())
-    return Error{file_.string() + " was begun by another build of the program (" + program +
+  if (found->program != buildId())
+    return Error{file_.string() + " was begun by another build of the program (" + found->program +
                  "; this is " + buildId() + ")." + remedy};
   return Done{};
 }

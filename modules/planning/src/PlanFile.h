@@ -22,6 +22,14 @@ public:
   /// Opens a plan's file to continue, or creates it. Refuses a file of another plan and one of
   /// another build of the program.
   static Result<PlanFile> open(const std::filesystem::path& file, const std::string& fingerprint);
+  /// Opens a plan's file for reading only, whatever plan and build it is of.
+  static Result<PlanFile> openToView(const std::filesystem::path& file);
+
+  /// What the draws depend on, and the build of the program that made them.
+  struct Origin {
+    std::string fingerprint, program;
+  };
+  Result<Origin> origin() const;
 
   /// The insertions of all whole draws, by draw and array.
   Result<std::vector<PlannedInsertion>> read() const;

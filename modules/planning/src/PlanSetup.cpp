@@ -7,6 +7,7 @@
 #include "FrequencyAllocation.h"
 #include "perilymph/analysis/InsertionByHand.h"
 #include "perilymph/analysis/Reference.h"
+#include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/foundation/Sha256.h"
 #include "perilymph/session/Csv.h"
 #include "perilymph/session/Scenario.h"
@@ -36,6 +37,20 @@ Result<Done> addArray(PlanSetup& setup, const PlanRequest& request, const std::s
   setup.arrays.push_back({design.name, filtersOf(design, allocations)});
   setup.nominal.push_back(std::move(nominal));
   return Done{};
+}
+
+/// SHA-256 of the files from which the draws come.
+Result<std::string> distributionsHash()
+{
+  Sha256 hash;
+  for (const std::filesystem::path& file :
+       {shippedUncertaintyFile(), analysis::shippedHandFile()}) {
+    const auto text = readWhole(file);
+    if (!text) return text.error();
+    hash.add(std::uint64_t{text->size()});
+    hash.add(*text);
+  }
+  return hash.hex();
 }
 
 Result<Done> checkRequest(const PlanRequest& request)
@@ -120,7 +135,10 @@ Result<PlanSetup> preparePlan(const PlanRequest& request)
   if (!felt) return felt.error();
   const auto allocations = shippedAllocations();
   if (!allocations) return allocations.error();
-  PlanSetup setup{*uncertainty, *hand, {*felt, hand->ruptureLow, hand->ruptureHigh}, {}, {}};
+  const auto distributions = distributionsHash();
+  if (!distributions) return distributions.error();
+  PlanSetup setup{*uncertainty,   *hand, {*felt, hand->ruptureLow, hand->ruptureHigh},
+                  *distributions, {},    {}};
   for (const std::string& array : request.arrays)
     if (const auto added = addArray(setup, request, array, *allocations); !added)
       return added.error();
@@ -133,15 +151,23 @@ std::string fingerprintOf(const PlanRequest& request, const PlanSetup& setup)
   const auto add = [&hash](const std::string& text) {
     hash.add(std::to_string(text.size()) + ":" + text);
   };
-  add("plan 2");
+  add("plan 3");
   if (const auto& resolution = request.resolution) {
     add(std::to_string(resolution->nodes));
     add(session::shortestDecimal(resolution->step.si()));
   }
   add(std::to_string(request.seed));
   add(anatomy::patientText(request.patient));
+  add(setup.distributions);
   for (const Nominal& each : setup.nominal) add(each.text);
   return hash.hex();
+}
+
+Result<std::string> fingerprintOf(const PlanRequest& request)
+{
+  const auto setup = preparePlan(request);
+  if (!setup) return setup.error();
+  return fingerprintOf(request, *setup);
 }
 
 Result<std::vector<PlannedInsertion>> runDraw(const PlanRequest& request, const PlanSetup& setup,

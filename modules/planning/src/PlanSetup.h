@@ -27,6 +27,7 @@ struct PlanSetup {
   Uncertainty uncertainty;
   analysis::HandDistribution hand;
   Thresholds thresholds;
+  std::string distributions;         ///< SHA-256 of the files of `uncertainty` and `hand`.
   std::vector<Nominal> nominal;      ///< By array.
   std::vector<PlannedArray> arrays;  ///< By array.
 };

@@ -45,9 +45,11 @@ Result<PlannedShape> shapeOf(const Plan& plan, std::size_t array, std::size_t dr
         " draws of " + std::to_string(plan.request.arrays.size()) + " arrays. Choose one of them."};
   const auto setup = preparePlan(plan.request);
   if (!setup) return setup.error();
-  if (fingerprintOf(plan.request, *setup) != plan.fingerprint)
-    return Error{"An array or the scenario was changed since the plan of " +
-                 plan.request.patient.label + " was made. Make it again."};
+  if (!plan.isCurrent || fingerprintOf(plan.request, *setup) != plan.fingerprint)
+    return Error{
+        "An array, the scenario, a distribution or the program was changed since the plan "
+        "of " +
+        plan.request.patient.label + " was made. Make it again."};
   auto shape = runShape(plan.request, *setup, array, draw, isAsked);
   if (!shape) return shape.error();
   if (isAsked) return Error{"Stopped."};

@@ -62,9 +62,11 @@ Result<Uncertainty> loadUncertainty(const std::filesystem::path& file)
   return uncertainty;
 }
 
-Result<Uncertainty> shippedUncertainty()
+std::filesystem::path shippedUncertaintyFile()
 {
-  return loadUncertainty(resource("resources/planning/uncertainty.toml"));
+  return resource("resources/planning/uncertainty.toml");
 }
+
+Result<Uncertainty> shippedUncertainty() { return loadUncertainty(shippedUncertaintyFile()); }
 
 }  // namespace perilymph::planning

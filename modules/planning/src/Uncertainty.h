@@ -38,7 +38,8 @@ struct Uncertainty {
 
 /// Reads the deviations from a TOML file.
 Result<Uncertainty> loadUncertainty(const std::filesystem::path& file);
-/// The shipped ones: resources/planning/uncertainty.toml.
+/// The shipped file: resources/planning/uncertainty.toml.
+std::filesystem::path shippedUncertaintyFile();
 Result<Uncertainty> shippedUncertainty();
 
 }  // namespace perilymph::planning

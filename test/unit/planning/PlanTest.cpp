@@ -8,16 +8,26 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <string>
+#include <tuple>
 
 #include "PlanFile.h"
 #include "SyntheticPlan.h"
 #include "perilymph/analysis/ContactPositions.h"
+#include "perilymph/foundation/Resources.h"
 #include "perilymph/planning/PlanReport.h"
 #include "perilymph/planning/PlannedShape.h"
 #include "perilymph/test/TemporaryFolder.h"
 
 namespace perilymph::test {
 namespace {
+
+namespace fs = std::filesystem;
 
 class SmallPlan : public testing::Test {
 protected:
@@ -140,6 +150,96 @@ TEST_F(SmallPlan, RefusesTheDrawsOfAnotherSeed)
   const auto plan = planning::makePlan(request_, draws(), {});
   ASSERT_FALSE(plan);
   EXPECT_NE(plan.error().message.find("another plan"), std::string::npos) << plan.error().message;
+}
+
+/// The shipped files, one of which can be changed.
+class OwnResources {
+public:
+  OwnResources()
+  {
+    for (const char* folder : {"resources", "resources/planning", "resources/clinical"})
+      fs::create_directory(folder_ / folder);
+    fs::create_directory_symlink(resource("plugins"), folder_ / "plugins");
+    for (const auto& entry : fs::directory_iterator(resource("resources"))) {
+      const fs::path place = folder_ / "resources" / entry.path().filename();
+      if (!fs::exists(place)) fs::create_symlink(entry.path(), place);
+    }
+    for (const char* folder : {"resources/planning", "resources/clinical"})
+      fs::copy(resource(folder), folder_ / folder);
+    setenv(variable, folder_.path().c_str(), 1);
+  }
+  ~OwnResources() { before_ ? setenv(variable, before_->c_str(), 1) : unsetenv(variable); }
+  OwnResources(const OwnResources&) = delete;
+  OwnResources& operator=(const OwnResources&) = delete;
+
+  /// Replaces a number in a file.
+  void change(const char* file, const std::string& from, const std::string& to) const
+  {
+    std::ifstream in(folder_ / file);
+    std::string text{std::istreambuf_iterator<char>(in), {}};
+    ASSERT_NE(text.find(from), std::string::npos) << file;
+    text.replace(text.find(from), from.size(), to);
+    std::ofstream(folder_ / file) << text;
+  }
+
+private:
+  static std::optional<std::string> valueBefore()
+  {
+    const char* value = std::getenv(variable);
+    return value ? std::optional<std::string>(value) : std::nullopt;
+  }
+
+  static constexpr const char* variable = "PERILYMPH_RESOURCES";
+  std::optional<std::string> before_ = valueBefore();
+  TemporaryFolder folder_;
+};
+
+TEST_F(SmallPlan, IsViewedAsItWasMade)
+{
+  request_.draws = 2;
+  const auto made = planning::makePlan(request_, draws(), {});
+  ASSERT_TRUE(made) << made.error().message;
+  const auto seen = planning::viewPlan(request_, draws());
+  ASSERT_TRUE(seen) << seen.error().message;
+  EXPECT_TRUE(seen->isCurrent);
+  EXPECT_EQ(textOf(*seen), textOf(*made));
+  request_.draws = 3;
+  EXPECT_FALSE(planning::viewPlan(request_, draws()));
+}
+
+TEST_F(SmallPlan, IsViewedButNotContinuedAfterADistributionWasChanged)
+{
+  const std::tuple<const char*, const char*, const char*> changes[] = {
+      {"resources/planning/uncertainty.toml", "tilt_sd_deg = 4.0", "tilt_sd_deg = 5.0"},
+      {"resources/clinical/hand.toml", "lag_mm = 1.0", "lag_mm = 1.5"}};
+  request_.draws = 2;
+  for (const auto& [file, from, to] : changes) {
+    const OwnResources resources;
+    const fs::path place = folder_ / fs::path(file).stem();
+    fs::create_directory(place);
+    const fs::path draws = place / "draws.sqlite";
+    const auto made = planning::makePlan(request_, draws, {});
+    ASSERT_TRUE(made) << made.error().message;
+    std::ofstream(place / "plan.json") << *planning::planJson(*made);
+    const auto before = planning::fingerprintOf(request_);
+    ASSERT_TRUE(before);
+    EXPECT_EQ(*before, made->fingerprint);
+
+    resources.change(file, from, to);
+    EXPECT_NE(*planning::fingerprintOf(request_), *before) << file;
+    const auto continued = planning::makePlan(request_, draws, {});
+    ASSERT_FALSE(continued) << file;
+    EXPECT_NE(continued.error().message.find(file), std::string::npos) << continued.error().message;
+    const auto seen = planning::viewPlan(request_, draws);
+    ASSERT_TRUE(seen) << seen.error().message;
+    EXPECT_FALSE(seen->isCurrent);
+    EXPECT_EQ(planning::arraysCsv(*seen), planning::arraysCsv(*made));
+    EXPECT_EQ(planning::contactsCsv(*seen), planning::contactsCsv(*made));
+    const std::atomic<bool> isAsked{false};
+    EXPECT_FALSE(planning::shapeOf(*seen, 0, 1, isAsked));
+    fs::remove(place / "plan.json");
+    EXPECT_FALSE(planning::viewPlan(request_, draws));
+  }
 }
 
 }  // namespace

@@ -178,7 +178,7 @@ void PlanPage::writeReport(const std::filesystem::path& pdf)
 {
   if (!plan_) return;
   say(tr("Preparing the report…"));
-  reporting_.write(plan_, pdf);
+  reporting_.write(plan_, folder_, pdf);
 }
 
 bool PlanPage::leaveArrays()
@@ -215,7 +215,11 @@ void PlanPage::openStored(const StoredPlan& stored)
   panel_->showPlan(stored);
   if (stored.shownDraws == 0) {
     forgetPlan();
-    return say(tr("This plan was interrupted before its first bands; Compute continues it."));
+    return say(stored.folder == folderOfPlan(stored.request)
+                   ? tr("This plan was interrupted before its first bands; Compute continues it.")
+                   : tr("This plan was interrupted before its first bands, and an array, the "
+                        "scenario, a distribution or the program was changed since; Compute makes "
+                        "a new one."));
   }
   leaveArrays();
   say(tr("Opening the plan…"));
@@ -230,6 +234,10 @@ void PlanPage::connectWork()
   connect(&work_, &PlanWork::ended, this, [this](const QString& sentence) {
     panel_->showProgress(std::nullopt);
     panel_->refresh();
+    if (sentence.isEmpty() && plan_ && !plan_->isCurrent)
+      return say(
+          tr("An array, the scenario, a distribution or the program was changed since this "
+             "plan: it is shown as it was made, and Compute makes a new one."));
     say(sentence, !sentence.isEmpty());
   });
 }
@@ -277,6 +285,7 @@ void PlanPage::refresh()
 void PlanPage::showPlan(const PlanWork::SharedPlan& plan, const StoredPlan& stored)
 {
   plan_ = plan;
+  folder_ = stored.folder;
   head_->show(plan->request.patient);
   const auto draws = plan->arrays.empty() ? 0 : int(plan->arrays.front().draws);
   head_->setNote(tr("%1 draws, %2 insertions").arg(draws).arg(plan->insertions.size()));

@@ -82,6 +82,7 @@ private:
   PlanWork work_;
   PlanReportWork reporting_;
   PlanWork::SharedPlan plan_;
+  std::filesystem::path folder_;  ///< Folder of `plan_`.
   std::string scenario_;
   std::optional<planning::Resolution> resolution_ = planning::Resolution{};
   PlanPanel* panel_;

@@ -6,15 +6,17 @@
 
 namespace perilymph::gui {
 
-void PlanReportWork::write(const PlanWork::SharedPlan& plan, const std::filesystem::path& pdf)
+void PlanReportWork::write(const PlanWork::SharedPlan& plan, const std::filesystem::path& folder,
+                           const std::filesystem::path& pdf)
 {
   background_.run(
       "The report",
-      [plan](const std::atomic<bool>&) -> Result<PlanReportContent> {
+      [plan, folder](const std::atomic<bool>&) -> Result<PlanReportContent> {
         // the report states the numbers of plan.json
         const auto json = planning::planJson(*plan);
         if (!json) return json.error();
-        auto stored = planning::planIn(*json, "plan.json");
+        auto stored =
+            plan->isCurrent ? planning::planIn(*json, "plan.json") : planning::readPlan(folder);
         if (!stored) return stored.error();
         return planReportContent(*std::move(stored));
       },

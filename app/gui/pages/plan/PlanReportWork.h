@@ -17,7 +17,9 @@ class PlanReportWork : public QObject {
 public:
   explicit PlanReportWork(QObject* parent) : QObject(parent), background_(this) {}
 
-  void write(const PlanWork::SharedPlan& plan, const std::filesystem::path& pdf);
+  /// @param folder  The plan's: a plan that is not current is reported as its plan.json states it.
+  void write(const PlanWork::SharedPlan& plan, const std::filesystem::path& folder,
+             const std::filesystem::path& pdf);
 
 Q_SIGNALS:
   void written(const std::filesystem::path& pdf);

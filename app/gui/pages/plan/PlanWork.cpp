@@ -95,10 +95,7 @@ void PlanWork::open(const StoredPlan& stored)
       [stored](const std::atomic<bool>&) -> Result<SharedPlan> {
         planning::PlanRequest kept = stored.request;
         kept.draws = stored.shownDraws;
-        kept.stopsEarly = false;
-        // Nothing is left to compute; were there something, it would be refused.
-        auto plan = planning::makePlan(kept, stored.folder / planDrawsFile,
-                                       [](std::size_t, std::size_t) { return false; });
+        auto plan = planning::viewPlan(kept, stored.folder / planDrawsFile);
         if (!plan) return plan.error();
         plan->request = stored.request;
         return std::make_shared<const planning::Plan>(*std::move(plan));

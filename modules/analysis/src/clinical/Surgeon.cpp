@@ -80,10 +80,9 @@ Result<HandDistribution> loadHand(const std::filesystem::path& file)
   return hand;
 }
 
-Result<HandDistribution> shippedHand()
-{
-  return loadHand(resource("resources/clinical/hand.toml"));
-}
+std::filesystem::path shippedHandFile() { return resource("resources/clinical/hand.toml"); }
+
+Result<HandDistribution> shippedHand() { return loadHand(shippedHandFile()); }
 
 Surgeon drawSurgeon(const HandDistribution& hand, std::uint64_t seed, std::uint64_t number)
 {

@@ -35,7 +35,8 @@ struct HandDistribution {
 
 /// Reads the distributions from a TOML file.
 Result<HandDistribution> loadHand(const std::filesystem::path& file);
-/// The shipped ones: resources/clinical/hand.toml.
+/// The shipped file: resources/clinical/hand.toml.
+std::filesystem::path shippedHandFile();
 Result<HandDistribution> shippedHand();
 
 /// One surgeon and one cochlear lining.

@@ -153,6 +153,9 @@ struct Plan {
   std::string fingerprint;  ///< SHA-256 of everything it depends on but `draws` and `jobs`.
   std::vector<PlannedInsertion> insertions;  ///< By draw, then by array.
   std::vector<ArrayPlan> arrays;
+  /// Whether everything it depends on is still as it was. Otherwise it is shown as it was made, but
+  /// not continued and no draw of it is run again.
+  bool isCurrent = true;
 };
 
 /// Summaries of a request's arrays from insertions by draw and array.
@@ -176,5 +179,17 @@ using PlanProgress = std::function<bool(std::size_t done, std::size_t all)>;
 /// @return       Refuses a patient without A and B, unknown arrays, a file of another plan.
 Result<Plan> makePlan(const PlanRequest& request, const std::filesystem::path& draws,
                       const PlanProgress& progress);
+
+/// Reads a plan from its file of draws, as it was made; computes no insertion. If an array, the
+/// scenario, a distribution or the program was changed since, thresholds and filters are those of the
+/// plan.json beside the file.
+///
+/// @param request  As for makePlan(); of its draws exactly as many are read.
+/// @param draws    File of the draws, which is not written to.
+/// @return         Refuses a file with fewer draws, and a changed plan without a plan.json.
+Result<Plan> viewPlan(const PlanRequest& request, const std::filesystem::path& draws);
+
+/// Plan::fingerprint of a request, before a plan is made. Refuses what makePlan() refuses.
+Result<std::string> fingerprintOf(const PlanRequest& request);
 
 }  // namespace perilymph::planning

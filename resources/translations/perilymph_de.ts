@@ -2833,10 +2833,6 @@
         <translation>CT-Serie, SHA-256</translation>
     </message>
     <message>
-        <source>Appendix: contacts and sources</source>
-        <translation>Anhang: Kontakte und Quellen</translation>
-    </message>
-    <message>
         <source>Insertion force</source>
         <translation>Insertionskraft</translation>
     </message>
@@ -2987,6 +2983,50 @@
     <message>
         <source>Replays the recording %1.</source>
         <translation>Gibt die Aufzeichnung %1 wieder.</translation>
+    </message>
+    <message>
+        <source>First resistance, mm</source>
+        <translation>Erster Widerstand, mm</translation>
+    </message>
+    <message>
+        <source>felt, %</source>
+        <translation>gespürt, %</translation>
+    </message>
+    <message>
+        <source>≥ %1 mN, %</source>
+        <translation>≥ %1 mN, %</translation>
+    </message>
+    <message>
+        <source>First resistance and force on the partition: median (5–95 %), probability (95 % interval)</source>
+        <translation>Erster Widerstand und Kraft auf die Scheidewand: Median (5–95 %), Wahrscheinlichkeit (95-%-Intervall)</translation>
+    </message>
+    <message>
+        <source>First resistance: depth of the tip past the opening where the insertion force first reaches %1 mN, the median force that surgeons detect, over the draws in which it does; felt: that it does. ≥ %2 and ≥ %3 mN: that the force on the cochlear partition reaches the weakest and the strongest published strength.</source>
+        <translation>Erster Widerstand: Tiefe der Spitze jenseits der Öffnung, in der die Insertionskraft erstmals %1 mN erreicht, den Median der Kraft, die Operateure wahrnehmen, über die Ziehungen, in denen sie es tut; gespürt: dass sie es tut. ≥ %2 und ≥ %3 mN: dass die Kraft auf die Scheidewand die schwächste und die stärkste veröffentlichte Festigkeit erreicht.</translation>
+    </message>
+    <message>
+        <source>Sections of the scala tympani</source>
+        <translation>Querschnitte der Scala tympani</translation>
+    </message>
+    <message>
+        <source>Soft lining of the wall</source>
+        <translation>Weiche Auskleidung der Wand</translation>
+    </message>
+    <message>
+        <source>Stiffness of the basilar membrane</source>
+        <translation>Steifigkeit der Basilarmembran</translation>
+    </message>
+    <message>
+        <source>Appendix: resistance, contacts and sources</source>
+        <translation>Anhang: Widerstand, Kontakte und Quellen</translation>
+    </message>
+    <message>
+        <source>Arrays 1 to %1; all %2 on the next page</source>
+        <translation>Träger 1 bis %1; alle %2 auf der nächsten Seite</translation>
+    </message>
+    <message>
+        <source>Insertion force of all arrays</source>
+        <translation>Insertionskraft aller Träger</translation>
     </message>
 </context>
 <context>

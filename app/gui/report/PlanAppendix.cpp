@@ -67,6 +67,49 @@ QString contactsOf(const planning::ArrayPlan& array, std::size_t place)
   return text;
 }
 
+/// A row of the table of resistances, in columns of fixed width.
+QString resistanceRow(const QStringList& texts, const char* kind)
+{
+  static constexpr int percents[] = {28, 18, 18, 18, 18};
+  QString row;
+  for (int i = 0; i < texts.size(); ++i)
+    row += QStringLiteral("<td width=\"%1%\" class=\"%2\">%3</td>")
+               .arg(percents[i])
+               .arg(QLatin1String(kind), texts[i]);
+  return QStringLiteral("<tr>%1</tr>").arg(row);
+}
+
+/// Where a surgeon would feel the first resistance, and how often the published strengths of the
+/// partition are reached.
+QString resistances(const PlanReportContent& content)
+{
+  const planning::Thresholds& thresholds = content.plan().thresholds;
+  const auto force = [](Force value) { return numberText(inMillinewtons(value), 1); };
+  const QString felt = force(thresholds.felt), weakest = force(thresholds.ruptureLow),
+                strongest = force(thresholds.ruptureHigh);
+  QString rows = resistanceRow({tr("Array"), tr("First resistance, mm"), tr("felt, %"),
+                                tr("≥ %1 mN, %").arg(weakest), tr("≥ %1 mN, %").arg(strongest)},
+                               "quiet tiny");
+  const auto& arrays = content.plan().arrays;
+  for (std::size_t i = 0; i < arrays.size(); ++i)
+    rows += resistanceRow({numberedName(arrays[i], i).toHtmlEscaped(),
+                           arrays[i].felt.value > 0.0 ? medianText(arrays[i].firstResistance_mm, 1)
+                                                      : QStringLiteral("–"),
+                           chanceText(arrays[i].felt), chanceText(arrays[i].reachesWeakest),
+                           chanceText(arrays[i].reachesStrongest)},
+                          "tiny");
+  return heading(tr("First resistance and force on the partition: median (5–95 %), probability "
+                    "(95 % interval)")) +
+         table(rows) +
+         QStringLiteral("<p class=\"quiet tiny\">%1</p>")
+             .arg(tr("First resistance: depth of the tip past the opening where the insertion "
+                     "force first reaches %1 mN, the median force that surgeons detect, over the "
+                     "draws in which it does; felt: that it does. ≥ %2 and ≥ %3 mN: that the force "
+                     "on the cochlear partition reaches the weakest and the strongest published "
+                     "strength.")
+                      .arg(felt, weakest, strongest));
+}
+
 QString contacts(const PlanReportContent& content)
 {
   const auto& arrays = content.plan().arrays;
@@ -135,7 +178,10 @@ QString inputName(const std::string& name)
       {"friction", QT_TRANSLATE_NOOP("perilymph::gui", "Friction")},
       {"rupture", QT_TRANSLATE_NOOP("perilymph::gui", "Strength of the cochlear partition")},
       {"stiffness", QT_TRANSLATE_NOOP("perilymph::gui", "Stiffness of the array")},
-      {"approach", QT_TRANSLATE_NOOP("perilymph::gui", "Approach to the opening")}};
+      {"approach", QT_TRANSLATE_NOOP("perilymph::gui", "Approach to the opening")},
+      {"section", QT_TRANSLATE_NOOP("perilymph::gui", "Sections of the scala tympani")},
+      {"lining", QT_TRANSLATE_NOOP("perilymph::gui", "Soft lining of the wall")},
+      {"membrane", QT_TRANSLATE_NOOP("perilymph::gui", "Stiffness of the basilar membrane")}};
   for (const auto& [key, text] : names)
     if (name == key) return tr(text);
   return tr("Default filters: %1").arg(QString::fromStdString(name));
@@ -170,8 +216,9 @@ QString marks(const PlanReportContent& content)
 
 QString planAppendixText(const PlanReportContent& content)
 {
-  return QStringLiteral("<h1>%1</h1>").arg(tr("Appendix: contacts and sources")) +
-         contacts(content) + influences(content) + sources(content) + marks(content);
+  return QStringLiteral("<h1>%1</h1>").arg(tr("Appendix: resistance, contacts and sources")) +
+         resistances(content) + contacts(content) + influences(content) + sources(content) +
+         marks(content);
 }
 
 }  // namespace perilymph::gui

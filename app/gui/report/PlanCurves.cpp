@@ -115,31 +115,67 @@ private:
   const Axes& axes_;
 };
 
+QString unitsText() { return tr("mN over insertion depth in mm: median, 25–75 %, 5–95 %"); }
+
+int rowsOf(std::size_t count, int columns)
+{
+  return int((count + std::size_t(columns) - 1) / std::size_t(columns));
+}
+
+/// The first arrays, row by row, on the same axes.
+void paintCharts(ReportSheet& sheet, const QRectF& place_mm,
+                 const std::vector<planning::ArrayPlan>& arrays, std::size_t count, int columns)
+{
+  const Axes axes = axesOf(arrays, count);
+  const double width_mm = place_mm.width() / columns;
+  const double height_mm = place_mm.height() / rowsOf(count, columns);
+  sheet.painter().save();
+  sheet.painter().setRenderHint(QPainter::Antialiasing);
+  for (std::size_t i = 0; i < count; ++i) {
+    const int row = int(i) / columns, column = int(i) % columns;
+    const QRectF place(place_mm.left() + column * width_mm, place_mm.top() + row * height_mm,
+                       width_mm, height_mm);
+    Chart(sheet, place, axes).paint(arrays[i], i);
+  }
+  sheet.painter().restore();
+}
+
 }  // namespace
 
 void paintPlanCurves(ReportSheet& sheet, const QRectF& place_mm, const PlanReportContent& content)
 {
   const auto& arrays = content.plan().arrays;
   const std::size_t count = std::min(arrays.size(), maxDrawnArrays);
-  const Axes axes = axesOf(arrays, count);
-  const double top_mm =
+  double top_mm =
       sheet.heading(place_mm.left(), place_mm.top(), place_mm.width(), tr("Insertion force"));
-  sheet.line({place_mm.left(), top_mm, place_mm.width(), label_mm},
-             tr("mN over insertion depth in mm: median, 25–75 %, 5–95 %"), ReportFace::label);
+  const auto write = [&](const QString& text) {
+    sheet.line({place_mm.left(), top_mm, place_mm.width(), label_mm}, text, ReportFace::label);
+    top_mm += label_mm;
+  };
+  write(unitsText());
+  if (count < arrays.size())
+    write(tr("Arrays 1 to %1; all %2 on the next page").arg(count).arg(arrays.size()));
+  top_mm += 1.0;
   const int columns = count > 2 ? 2 : 1;
-  const int rows = int((count + std::size_t(columns) - 1) / std::size_t(columns));
+  paintCharts(sheet, {place_mm.left(), top_mm, place_mm.width(), place_mm.bottom() - top_mm},
+              arrays, count, columns);
+}
+
+void paintAllPlanCurves(ReportSheet& sheet, const QRectF& place_mm,
+                        const PlanReportContent& content)
+{
+  constexpr std::size_t manyArrays = 15;  // more are in four columns
+  constexpr double maxHeight_mm = 48.0;   // of a chart
+  const auto& arrays = content.plan().arrays;
+  const double top_mm = sheet.heading(place_mm.left(), place_mm.top(), place_mm.width(),
+                                      tr("Insertion force of all arrays"));
+  sheet.line({place_mm.left(), top_mm, place_mm.width(), label_mm}, unitsText(), ReportFace::label);
   const double first_mm = top_mm + label_mm + 1.0;
-  const double width_mm = place_mm.width() / columns;
-  const double height_mm = (place_mm.bottom() - first_mm) / rows;
-  sheet.painter().save();
-  sheet.painter().setRenderHint(QPainter::Antialiasing);
-  for (std::size_t i = 0; i < count; ++i) {
-    const int row = int(i) / columns, column = int(i) % columns;
-    const QRectF place(place_mm.left() + column * width_mm, first_mm + row * height_mm, width_mm,
-                       height_mm);
-    Chart(sheet, place, axes).paint(arrays[i], i);
-  }
-  sheet.painter().restore();
+  const int columns = arrays.size() > manyArrays ? 4 : 3;
+  const double height_mm =
+      std::min(place_mm.bottom() - first_mm, maxHeight_mm * rowsOf(arrays.size(), columns));
+  paintCharts(sheet, {place_mm.left(), first_mm, place_mm.width(), height_mm}, arrays,
+              arrays.size(), columns);
 }
 
 }  // namespace perilymph::gui

@@ -12,4 +12,8 @@ namespace perilymph::gui {
 /// to 75 and of 5 to 95 % of the draws.
 void paintPlanCurves(ReportSheet& sheet, const QRectF& place_mm, const PlanReportContent& content);
 
+/// Paints the charts of all arrays as small multiples in a place [mm], a page's.
+void paintAllPlanCurves(ReportSheet& sheet, const QRectF& place_mm,
+                        const PlanReportContent& content);
+
 }  // namespace perilymph::gui

@@ -61,7 +61,7 @@ QStringList cellsOf(const planning::ArrayPlan& array, std::size_t place)
           medianText(array.angle_deg, 0),
           medianText(array.coverage_percent, 0),
           medianText(array.peak_mN, 0),
-          medianText(array.partition_mN, 2),
+          medianText(array.partition_mN, 1),
           chanceText(array.full),
           chanceText(array.resisted),
           chanceText(array.buckled),

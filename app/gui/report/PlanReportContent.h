@@ -29,7 +29,7 @@ struct PlanReportContent {
   QString ear() const;
 };
 
-/// Number of arrays whose curves and depths are drawn, the first ones of the plan.
+/// Number of arrays whose curves and depths are drawn on the record, the first ones of the plan.
 inline constexpr std::size_t maxDrawnArrays = 6;
 
 /// Color of an array in the drawings, by its place in the plan.

@@ -5,6 +5,7 @@
 #include <QDateTime>
 
 #include "gui/report/PlanAppendix.h"
+#include "gui/report/PlanCurves.h"
 #include "gui/report/PlanRecord.h"
 
 namespace perilymph::gui {
@@ -26,6 +27,11 @@ Result<Done> writePlanReport(const PlanReportContent& content, const std::filesy
                                  const ReportArea& area) {
     paintPlanRecord(sheet, content, issuer, area);
   };
+  if (content.plan().arrays.size() > maxDrawnArrays)
+    pages.figures.push_back([&content](ReportSheet& sheet, const ReportArea& area) {
+      paintAllPlanCurves(sheet, {0.0, area.top_mm, area.width_mm, area.bottom_mm - area.top_mm},
+                         content);
+    });
   pages.appendix = planAppendixText(content);
   return writeReportPages(pages, file);
 }

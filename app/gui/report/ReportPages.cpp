@@ -96,17 +96,24 @@ void paintPages(QPdfWriter& writer, QTextDocument& appendix, const ReportPages& 
   const PageFrame frame(report, issuer, width_mm, height_mm);
   const double textHeight = writer.height() - dotsOf(head_mm) - dotsOf(foot_mm);
   appendix.setPageSize({double(writer.width()), textHeight});
-  const int pages = 1 + appendix.pageCount();
+  const int painted = 1 + int(report.figures.size());
+  const int pages = painted + appendix.pageCount();
+  const ReportArea area{head_mm, height_mm - foot_mm, width_mm};
 
   QPainter painter(&writer);
   painter.setRenderHint(QPainter::LosslessImageRendering);
   ReportSheet sheet(painter, dotsPerInch);
   frame.paint(sheet, 1, pages);
   paintLogo(sheet, issuer.logo, width_mm);
-  report.paintRecord(sheet, issuer, {head_mm, height_mm - foot_mm, width_mm});
-  for (int i = 0; i + 1 < pages; ++i) {
+  report.paintRecord(sheet, issuer, area);
+  for (int i = 1; i < painted; ++i) {
     writer.newPage();
-    frame.paint(sheet, i + 2, pages);
+    frame.paint(sheet, i + 1, pages);
+    report.figures[std::size_t(i - 1)](sheet, area);
+  }
+  for (int i = 0; i < appendix.pageCount(); ++i) {
+    writer.newPage();
+    frame.paint(sheet, painted + i + 1, pages);
     painter.save();
     painter.translate(0.0, dotsOf(head_mm) - i * textHeight);
     appendix.drawContents(&painter, QRectF(0.0, i * textHeight, writer.width(), textHeight));

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// The pages of a PDF report: a painted page for the record, and an appendix as flowing text.
+// The pages of a PDF report: a painted page for the record, painted figures, and an appendix as
+// flowing text.
 
 #include <QImage>
 #include <QString>
@@ -31,6 +32,8 @@ struct ReportPages {
   QString subject;  ///< On top of every page: "Patient P-017 · left ear".
   QString time;     ///< At the foot of every page.
   std::function<void(ReportSheet&, const ReportIssuer&, const ReportArea&)> paintRecord;
+  /// Painted pages between the record and the appendix's text.
+  std::vector<std::function<void(ReportSheet&, const ReportArea&)>> figures;
   QString appendix;                                ///< HTML with all names escaped.
   std::vector<std::pair<QString, QImage>> images;  ///< Those of the appendix, by name.
 };

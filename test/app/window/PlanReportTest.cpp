@@ -114,7 +114,7 @@ protected:
 
 TEST_F(PlanReportPdf, StatesTheNumbersOfThePlanFileWithoutADisplay)
 {
-  store(syntheticPlan(20));
+  store(syntheticPlan(59));  // no band ends between two printed numbers
   const auto outcome = report(folder_.path(), pdf());
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const std::string text = textOf(pdf());
@@ -130,10 +130,16 @@ TEST_F(PlanReportPdf, StatesTheNumbersOfThePlanFileWithoutADisplay)
     const std::string row =
         array[QLatin1String("name")].toString().toStdString() + band(array, "angle_deg", 0) +
         band(array, "coverage_percent", 0) + band(array, "peak_mN", 0) +
-        band(array, "partition_mN", 2) + percent(chances, "full_insertion") +
+        band(array, "partition_mN", 1) + percent(chances, "full_insertion") +
         percent(chances, "stopped_by_resistance") + percent(chances, "buckled") +
         percent(chances, "folded_tip") + percent(chances, "partition_ruptured");
     EXPECT_TRUE(std::regex_search(text, std::regex(row))) << row << "\n" << text;
+    const std::string resistances = array[QLatin1String("name")].toString().toStdString() +
+                                    band(array, "first_resistance_mm", 1) +
+                                    percent(chances, "resistance_felt") +
+                                    percent(chances, "partition_reaches_weakest") +
+                                    percent(chances, "partition_reaches_strongest");
+    EXPECT_TRUE(std::regex_search(text, std::regex(resistances))) << resistances << "\n" << text;
     for (const QJsonValue& contact : array[QLatin1String("contacts")].toArray()) {
       const std::string cells =
           band(contact.toObject(), "angle_deg", 0) + band(contact.toObject(), "to_modiolus_mm", 2) +
@@ -151,10 +157,21 @@ TEST_F(PlanReportPdf, StatesTheNumbersOfThePlanFileWithoutADisplay)
         HasSubstr(source[QLatin1String("source")].toString().section(' ', 0, 2).toStdString()));
   for (const QString& words :
        {plan[QLatin1String("program")].toString(), plan[QLatin1String("plan")].toString(),
+        QStringLiteral("20.4 mN"), QStringLiteral("≥ 42.0 mN"), QStringLiteral("≥ 122.0 mN"),
         QStringLiteral("9.20 ± 0.10 mm"), QStringLiteral("6.80 ± 0.20 mm"),
         QStringLiteral("4.00 ± 0.30 mm"), QStringLiteral("Signature"), QStringLiteral("P-17"),
         QStringLiteral("right ear"), QStringLiteral("Page 1 of 2")})
     EXPECT_THAT(text, HasSubstr(words.toStdString()));
+}
+
+TEST_F(PlanReportPdf, NamesEverySourceAndHasNoFirstResistanceThatIsNotFelt)
+{
+  store(syntheticPlan(8));  // of at most 8 mN
+  ASSERT_EQ(report(folder_.path(), pdf()).status, 0);
+  const std::string text = textOf(pdf());
+  EXPECT_TRUE(std::regex_search(text, std::regex("FLEX24 +– +0 \\(0–")));
+  EXPECT_THAT(text, HasSubstr("Soft lining of the wall"));
+  EXPECT_THAT(text, Not(HasSubstr("Default filters: lining")));
 }
 
 TEST_F(PlanReportPdf, StatesNoLabelThatMayBeAName)
@@ -178,6 +195,13 @@ TEST_F(PlanReportPdf, HasOnePageForTheRecordWithThirtyTwoArrays)
   EXPECT_TRUE(std::regex_search(first, std::regex("32 +FLEX24 +30")));
   EXPECT_THAT(first, HasSubstr("Signature"));
   EXPECT_THAT(first, HasSubstr("Ends are those of the model"));
+  // all curves on one page of the appendix
+  const std::string second =
+      run({"pdftotext", {"-layout", "-f", "2", "-l", "2", pdf().string(), "-"}, {}, {}}).out;
+  EXPECT_THAT(second, HasSubstr("Insertion force of all arrays"));
+  for (std::size_t i = 1; i <= planning::maxStoredArrays; ++i)
+    EXPECT_TRUE(std::regex_search(second, std::regex("\\b" + std::to_string(i) + " +FLEX2[48]")))
+        << i;
 }
 
 TEST_F(PlanReportPdf, CarriesInstitutionAndLogoOfTheSettings)

@@ -3028,6 +3028,14 @@
         <source>Insertion force of all arrays</source>
         <translation>Insertionskraft aller Träger</translation>
     </message>
+    <message>
+        <source>%1–%2°</source>
+        <translation>%1–%2°</translation>
+    </message>
+    <message>
+        <source>%1–%2 mN</source>
+        <translation>%1–%2 mN</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::AboutSheet</name>

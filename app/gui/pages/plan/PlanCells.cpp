@@ -13,6 +13,7 @@ namespace perilymph::gui {
 namespace {
 
 constexpr int margin_px = 6, bar_px = 8, quartileBar_px = 4;
+constexpr double bandHeight_px = 10.0;
 
 QColor faded(QColor color, double opacity)
 {
@@ -24,6 +25,17 @@ QColor faded(QColor color, double opacity)
 void paintTrack(QPainter& painter, const QRectF& place)
 {
   painter.fillRect(QRectF(place.left(), place.center().y() - 0.5, place.width(), 1.0), lineColor);
+}
+
+/// A value, and below it where it lies.
+void paintTexts(QPainter& painter, const QRectF& place, const QString& value, const QString& range)
+{
+  painter.drawText(place, Qt::AlignTop | Qt::AlignLeft, value);
+  painter.setFont(typeface(11));
+  painter.setPen(quietTextColor);
+  const QString shown =
+      QFontMetricsF(painter.font()).elidedText(range, Qt::ElideRight, place.width());
+  painter.drawText(place.adjusted(0, sized(15), 0, 0), Qt::AlignTop | Qt::AlignLeft, shown);
 }
 
 void paintSpan(QPainter& painter, const QRectF& place, double from, double to, double height,
@@ -73,19 +85,19 @@ void PlanCells::paint(QPainter* painter, const QStyleOptionViewItem& option,
   const PlanCellKind kind = kindOf(column);
   painter->setFont(kind == PlanCellKind::name ? typeface(12, QFont::Medium) : typeface(12));
   painter->setPen(textColor);
-  const QString text = index.data().toString();
-  const QFontMetricsF metrics(painter->font());
   if (kind == PlanCellKind::name) {
-    painter->drawText(inside, int(Qt::AlignVCenter | Qt::AlignLeft) | int(Qt::TextWordWrap), text);
+    painter->drawText(inside, int(Qt::AlignVCenter | Qt::AlignLeft) | int(Qt::TextWordWrap),
+                      index.data().toString());
   } else if (kind == PlanCellKind::curve) {
     paintCurve(*painter, inside, array.force);
   } else if (kind == PlanCellKind::probability) {
     paintProbability(*painter, inside, estimateOf(array, column));
   } else {
-    painter->drawText(inside, Qt::AlignTop | Qt::AlignLeft,
-                      metrics.elidedText(text, Qt::ElideRight, inside.width()));
-    const QRectF below(inside.left(), inside.bottom() - 14.0, inside.width(), 12.0);
-    paintBand(*painter, below, bandOf(array, column), column);
+    const planning::Band& band = bandOf(array, column);
+    paintTexts(*painter, inside, medianText(band, column), rangeText(band, column));
+    const QRectF below(inside.left(), inside.bottom() - bandHeight_px, inside.width(),
+                       bandHeight_px);
+    paintBand(*painter, below, band, column);
   }
   painter->restore();
 }
@@ -112,11 +124,7 @@ void PlanCells::paintBand(QPainter& painter, const QRectF& place, const planning
 void PlanCells::paintProbability(QPainter& painter, const QRectF& place,
                                  const analysis::Estimate& estimate) const
 {
-  painter.drawText(place, Qt::AlignTop | Qt::AlignLeft, percentText(estimate));
-  painter.setFont(typeface(11));
-  painter.setPen(quietTextColor);
-  painter.drawText(place.adjusted(0, sized(15), 0, 0), Qt::AlignTop | Qt::AlignLeft,
-                   intervalText(estimate));
+  paintTexts(painter, place, percentText(estimate), intervalText(estimate));
   const QRectF bar(place.left(), place.bottom() - 7.0, place.width(), 7.0);
   paintTrack(painter, bar);
   paintSpan(painter, bar, estimate.low, estimate.high, quartileBar_px, faded(quietTextColor, 0.7));

@@ -13,10 +13,10 @@ namespace perilymph::gui {
 
 namespace {
 
-constexpr int rowHeight_px = 50, headerHeight_px = 52;
+constexpr int rowHeight_px = 54, headerHeight_px = 52;
 
-// In the order of PlanColumn; they fit beside the panel on a screen of 1366 pixels.
-constexpr int widths_px[] = {94, 112, 104, 112, 106, 84, 108, 66, 76, 66, 66, 78};
+// In the order of PlanColumn; they fit beside the panel on a screen of 1280 pixels.
+constexpr int widths_px[] = {96, 84, 80, 82, 82, 86, 92, 66, 80, 68, 66, 78};
 static_assert(std::size(widths_px) == std::size_t(planColumns));
 
 }  // namespace

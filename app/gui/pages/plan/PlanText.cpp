@@ -16,6 +16,8 @@ constexpr double deviatesOf95 = 1.96;  // of a normal distribution
 // lupdate assigns texts of free functions to their namespace.
 QString tr(const char* text) { return QCoreApplication::translate("perilymph::gui", text); }
 
+int decimalsOf(PlanColumn column) { return column == PlanColumn::partition ? 1 : 0; }
+
 QString coverageMethod()
 {
   const QString method =
@@ -159,9 +161,26 @@ const analysis::Estimate& estimateOf(const planning::ArrayPlan& plan, PlanColumn
   }
 }
 
+QString medianText(const planning::Band& band, PlanColumn column)
+{
+  const QString median = numberText(band.median, decimalsOf(column));
+  if (column == PlanColumn::angle) return tr("%1°").arg(median);
+  if (column == PlanColumn::coverage) return tr("%1 %").arg(median);
+  return tr("%1 mN").arg(median);
+}
+
+QString rangeText(const planning::Band& band, PlanColumn column)
+{
+  const int decimals = decimalsOf(column);
+  const QString low = numberText(band.low, decimals), high = numberText(band.high, decimals);
+  if (column == PlanColumn::angle) return tr("%1–%2°").arg(low, high);
+  if (column == PlanColumn::coverage) return tr("%1–%2 %").arg(low, high);
+  return tr("%1–%2 mN").arg(low, high);
+}
+
 QString bandText(const planning::Band& band, PlanColumn column)
 {
-  const int decimals = column == PlanColumn::partition ? 1 : 0;
+  const int decimals = decimalsOf(column);
   const QString median = numberText(band.median, decimals), low = numberText(band.low, decimals),
                 high = numberText(band.high, decimals);
   if (column == PlanColumn::angle) return tr("%1 (%2–%3)°").arg(median, low, high);

@@ -42,6 +42,9 @@ const analysis::Estimate& estimateOf(const planning::ArrayPlan& plan, PlanColumn
 
 /// "421 (380–455)°": median, and 5 to 95 %.
 QString bandText(const planning::Band& band, PlanColumn column);
+/// "421°" and "380–455°".
+QString medianText(const planning::Band& band, PlanColumn column);
+QString rangeText(const planning::Band& band, PlanColumn column);
 /// "94 (85–98) %": fraction of the draws with its 95 % interval.
 QString probabilityText(const analysis::Estimate& estimate);
 /// "94 %" and "85–98 %".

@@ -284,11 +284,14 @@ void KioskWindow::endTurn()
                          turn_.duration(), turn_.reversals()};
   const std::optional<int> place = board_.enter(today.date(), entry);
   const QString peak = numberText(entry.peak_mN, 0);
-  screen_->say(place ? tr("Full depth · peak force %1 mN · place %2 today").arg(peak).arg(*place)
-                     : tr("Full depth · peak force %1 mN").arg(peak),
-               (entry.reversals == 0 ? tr("%1 s, no reversals. %2") : tr("%1 s, reversals: %3. %2"))
-                   .arg(numberText(entry.duration_s, 1), peakText(turn_.peakForce(), inVivo_),
-                        QString::number(entry.reversals)));
+  const QString duration = numberText(entry.duration_s, 1),
+                meaning = peakText(turn_.peakForce(), inVivo_);
+  screen_->say(
+      place ? tr("Full depth · peak force %1 mN · place %2 today").arg(peak).arg(*place)
+            : tr("Full depth · peak force %1 mN").arg(peak),
+      entry.reversals == 0
+          ? tr("%1 s, no reversals. %2").arg(duration, meaning)
+          : tr("%1 s, reversals: %3. %2").arg(duration, meaning, QString::number(entry.reversals)));
   setStage(KioskStage::result);
   showBoard(place);
   if (!board_.error().empty()) screen_->view().setBanner(QString::fromStdString(board_.error()));

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QString>
 #include <QTest>
 #include <cstdlib>
 #include <filesystem>
@@ -13,6 +14,19 @@
 #include "gui/program/DisplayProbe.h"
 #include "gui/run/Background.h"
 #include "perilymph/test/TemporaryFolder.h"
+
+namespace {
+
+QtMessageHandler usual = nullptr;
+
+/// A text whose places and values do not match fails the test that shows it.
+void watchTexts(QtMsgType type, const QMessageLogContext& context, const QString& message)
+{
+  if (message.startsWith(QLatin1String("QString::arg"))) ADD_FAILURE() << message.toStdString();
+  if (usual != nullptr) usual(type, context, message);
+}
+
+}  // namespace
 
 int main(int argc, char** argv)
 {
@@ -29,6 +43,7 @@ int main(int argc, char** argv)
     std::fprintf(stderr, "%s\n", display.error().message.c_str());
     return 77;
   }
+  usual = qInstallMessageHandler(watchTexts);
   perilymph::gui::prepareQt();
   perilymph::gui::Application application(argc, argv);
   if (const auto openGl = perilymph::gui::probeOpenGl(); !openGl) {

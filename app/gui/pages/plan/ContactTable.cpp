@@ -4,6 +4,7 @@
 #include <QHeaderView>
 
 #include "gui/parts/Numbers.h"
+#include "gui/parts/TableRows.h"
 #include "gui/parts/Theme.h"
 
 namespace perilymph::gui {
@@ -28,16 +29,10 @@ ContactTable::ContactTable(QWidget* parent)
   setObjectName(QStringLiteral("planContacts"));
   setAccessibleName(tr("Contacts"));
   setFont(typeface(11));
-  setShowGrid(false);
-  setEditTriggers(QAbstractItemView::NoEditTriggers);
-  setSelectionBehavior(QAbstractItemView::SelectRows);
+  showInRows(*this, sized(contactRow_px));
   setSelectionMode(QAbstractItemView::SingleSelection);
-  setTabKeyNavigation(false);
   setWordWrap(false);
-  setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
   setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
-  verticalHeader()->hide();
-  verticalHeader()->setDefaultSectionSize(sized(contactRow_px));
   horizontalHeader()->setFont(typeface(11));
   horizontalHeader()->setFixedHeight(sized(contactHeader_px));
   horizontalHeader()->setHighlightSections(false);

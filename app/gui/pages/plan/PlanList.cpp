@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "gui/pages/plan/PlanCells.h"
+#include "gui/parts/TableRows.h"
 #include "gui/parts/Theme.h"
 
 namespace perilymph::gui {
@@ -30,15 +31,9 @@ PlanList::PlanList(QWidget* parent) : QTableView(parent), table_(nullptr)
   setModel(&sorted_);
   setItemDelegate(new PlanCells(table_, sorted_, this));
   setFont(typeface(12));
-  setSelectionBehavior(QAbstractItemView::SelectRows);
+  showInRows(*this, sized(rowHeight_px));
   setSelectionMode(QAbstractItemView::ExtendedSelection);
-  setEditTriggers(QAbstractItemView::NoEditTriggers);
-  setShowGrid(false);
-  setTabKeyNavigation(false);
-  setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
   setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
-  verticalHeader()->hide();
-  verticalHeader()->setDefaultSectionSize(sized(rowHeight_px));
   verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
   QHeaderView* header = horizontalHeader();
   header->setFont(typeface(11));

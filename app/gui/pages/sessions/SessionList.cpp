@@ -7,6 +7,7 @@
 
 #include "gui/pages/sessions/SessionTable.h"
 #include "gui/pages/sessions/Thumbnails.h"
+#include "gui/parts/TableRows.h"
 #include "gui/parts/Theme.h"
 
 namespace perilymph::gui {
@@ -32,15 +33,10 @@ SessionList::SessionList(SessionTable& table, QSortFilterProxyModel& sorted, QWi
   setModel(&sorted);
   setFont(typeface(13));
   setIconSize(Thumbnails::size);
-  setSelectionBehavior(QAbstractItemView::SelectRows);
+  showInRows(*this, std::max(rowHeight_px, sized(40)));
   setSelectionMode(QAbstractItemView::ExtendedSelection);
   setEditTriggers(QAbstractItemView::EditKeyPressed);
-  setShowGrid(false);
   setWordWrap(false);
-  setTabKeyNavigation(false);
-  setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
-  verticalHeader()->hide();
-  verticalHeader()->setDefaultSectionSize(std::max(rowHeight_px, sized(40)));
   verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
   QHeaderView* header = horizontalHeader();
   header->setHighlightSections(false);

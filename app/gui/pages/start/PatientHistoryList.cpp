@@ -5,6 +5,7 @@
 #include <QKeyEvent>
 #include <utility>
 
+#include "gui/parts/TableRows.h"
 #include "gui/parts/Theme.h"
 
 namespace perilymph::gui {
@@ -22,16 +23,10 @@ PatientHistoryList::PatientHistoryList(QWidget* parent) : QTableWidget(0, column
   setObjectName(QStringLiteral("patientHistory"));
   setAccessibleName(tr("Scans, plans and insertions"));
   setFont(typeface(12));
-  setShowGrid(false);
-  setEditTriggers(QAbstractItemView::NoEditTriggers);
-  setSelectionBehavior(QAbstractItemView::SelectRows);
+  showInRows(*this, sized(row_px));
   setSelectionMode(QAbstractItemView::SingleSelection);
-  setTabKeyNavigation(false);
   setWordWrap(false);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
-  verticalHeader()->hide();
-  verticalHeader()->setDefaultSectionSize(sized(row_px));
   horizontalHeader()->hide();
   horizontalHeader()->resizeSection(dateColumn, sized(dateWidth_px));
   horizontalHeader()->resizeSection(whatColumn, sized(whatWidth_px));

@@ -49,31 +49,18 @@ py::array columnOf(const std::vector<Row>& rows, const Value& value)
 py::dict bands(const ArrayPlan& plan)
 {
   py::dict found;
-  found["angle_deg"] = bandOf(plan.angle_deg);
-  found["coverage_percent"] = bandOf(plan.coverage_percent);
-  found["depth_mm"] = bandOf(plan.depth_mm);
-  found["peak_mN"] = bandOf(plan.peak_mN);
-  found["end_mN"] = bandOf(plan.end_mN);
-  found["partition_mN"] = bandOf(plan.partition_mN);
-  found["first_resistance_mm"] = bandOf(plan.firstResistance_mm);
+  for (const planning::PlanQuantity& each : planning::planQuantities())
+    found[each.key] = bandOf(plan.*each.band);
   return found;
 }
 
 py::dict probabilities(const ArrayPlan& plan)
 {
   py::dict found;
-  const auto add = [&](const char* name, const analysis::Estimate& estimate) {
-    found[name] = arrayOf(std::vector<double>{estimate.value, estimate.low, estimate.high});
-  };
-  add("full_insertion", plan.full);
-  add("stopped_by_resistance", plan.resisted);
-  add("buckled", plan.buckled);
-  add("folded_tip", plan.foldedTip);
-  add("other_end", plan.other);
-  add("partition_ruptured", plan.ruptured);
-  add("partition_reaches_weakest", plan.reachesWeakest);
-  add("partition_reaches_strongest", plan.reachesStrongest);
-  add("resistance_felt", plan.felt);
+  for (const planning::PlanProbability& each : planning::planProbabilities()) {
+    const analysis::Estimate& estimate = plan.*each.estimate;
+    found[each.key] = arrayOf(std::vector<double>{estimate.value, estimate.low, estimate.high});
+  }
   return found;
 }
 

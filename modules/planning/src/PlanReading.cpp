@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "perilymph/foundation/AtomicFile.h"
+#include "perilymph/planning/PlanReport.h"
 
 namespace perilymph::planning {
 
@@ -102,23 +103,10 @@ ArrayPlan arrayIn(const Json& value)
   plan.array = textAt(value, "array");
   plan.name = textAt(value, "name");
   plan.draws = countAt(value, "draws");
-  plan.angle_deg = bandAt(value, "angle_deg");
-  plan.coverage_percent = bandAt(value, "coverage_percent");
-  plan.depth_mm = bandAt(value, "depth_mm");
-  plan.peak_mN = bandAt(value, "peak_mN");
-  plan.end_mN = bandAt(value, "end_mN");
-  plan.partition_mN = bandAt(value, "partition_mN");
-  plan.firstResistance_mm = bandAt(value, "first_resistance_mm");
+  for (const PlanQuantity& each : planQuantities()) plan.*each.band = bandAt(value, each.key);
   const Json& chances = at(value, "probability");
-  plan.full = probabilityAt(chances, "full_insertion");
-  plan.resisted = probabilityAt(chances, "stopped_by_resistance");
-  plan.buckled = probabilityAt(chances, "buckled");
-  plan.foldedTip = probabilityAt(chances, "folded_tip");
-  plan.other = probabilityAt(chances, "other_end");
-  plan.ruptured = probabilityAt(chances, "partition_ruptured");
-  plan.reachesWeakest = probabilityAt(chances, "partition_reaches_weakest");
-  plan.reachesStrongest = probabilityAt(chances, "partition_reaches_strongest");
-  plan.felt = probabilityAt(chances, "resistance_felt");
+  for (const PlanProbability& each : planProbabilities())
+    plan.*each.estimate = probabilityAt(chances, each.key);
   for (const Json& each : listAt(value, "force", maxStoredRows))
     plan.force.push_back(
         {numberAt(each, "depth_mm"), countAt(each, "draws"), bandAt(each, "force_mN")});

@@ -31,33 +31,24 @@ double rounded(double value)
 
 std::string number(double value) { return shortestDecimal(rounded(value)); }
 
-/// A quantity of an array's plan with a band.
-struct Quantity {
-  const char* key;
-  Band ArrayPlan::*band;
-};
-constexpr Quantity quantities[] = {{"angle_deg", &ArrayPlan::angle_deg},
-                                   {"coverage_percent", &ArrayPlan::coverage_percent},
-                                   {"depth_mm", &ArrayPlan::depth_mm},
-                                   {"peak_mN", &ArrayPlan::peak_mN},
-                                   {"end_mN", &ArrayPlan::end_mN},
-                                   {"partition_mN", &ArrayPlan::partition_mN},
-                                   {"first_resistance_mm", &ArrayPlan::firstResistance_mm}};
+constexpr PlanQuantity quantities[] = {{"angle_deg", &ArrayPlan::angle_deg},
+                                       {"coverage_percent", &ArrayPlan::coverage_percent},
+                                       {"depth_mm", &ArrayPlan::depth_mm},
+                                       {"peak_mN", &ArrayPlan::peak_mN},
+                                       {"end_mN", &ArrayPlan::end_mN},
+                                       {"partition_mN", &ArrayPlan::partition_mN},
+                                       {"first_resistance_mm", &ArrayPlan::firstResistance_mm}};
 
-/// A probability of an array's plan.
-struct Chance {
-  const char* key;
-  analysis::Estimate ArrayPlan::*estimate;
-};
-constexpr Chance chances[] = {{"full_insertion", &ArrayPlan::full},
-                              {"stopped_by_resistance", &ArrayPlan::resisted},
-                              {"buckled", &ArrayPlan::buckled},
-                              {"folded_tip", &ArrayPlan::foldedTip},
-                              {"other_end", &ArrayPlan::other},
-                              {"partition_ruptured", &ArrayPlan::ruptured},
-                              {"partition_reaches_weakest", &ArrayPlan::reachesWeakest},
-                              {"partition_reaches_strongest", &ArrayPlan::reachesStrongest},
-                              {"resistance_felt", &ArrayPlan::felt}};
+constexpr PlanProbability probabilities[] = {
+    {"full_insertion", &ArrayPlan::full},
+    {"stopped_by_resistance", &ArrayPlan::resisted},
+    {"buckled", &ArrayPlan::buckled},
+    {"folded_tip", &ArrayPlan::foldedTip},
+    {"other_end", &ArrayPlan::other},
+    {"partition_ruptured", &ArrayPlan::ruptured},
+    {"partition_reaches_weakest", &ArrayPlan::reachesWeakest},
+    {"partition_reaches_strongest", &ArrayPlan::reachesStrongest},
+    {"resistance_felt", &ArrayPlan::felt}};
 
 ordered_json bandJson(const Band& band)
 {
@@ -71,8 +62,8 @@ ordered_json bandJson(const Band& band)
 ordered_json arrayJson(const ArrayPlan& plan)
 {
   ordered_json json = {{"array", plan.array}, {"name", plan.name}, {"draws", plan.draws}};
-  for (const Quantity& each : quantities) json[each.key] = bandJson(plan.*each.band);
-  for (const Chance& each : chances) {
+  for (const PlanQuantity& each : quantities) json[each.key] = bandJson(plan.*each.band);
+  for (const PlanProbability& each : probabilities) {
     const analysis::Estimate& estimate = plan.*each.estimate;
     json["probability"][each.key] = {{"value", rounded(estimate.value)},
                                      {"ci95", {rounded(estimate.low), rounded(estimate.high)}}};
@@ -237,6 +228,10 @@ const std::vector<std::string>& limitsOfPlans()
   return limits;
 }
 
+std::span<const PlanQuantity> planQuantities() { return quantities; }
+
+std::span<const PlanProbability> planProbabilities() { return probabilities; }
+
 Result<std::string> planJson(const Plan& plan)
 {
   const auto hand = analysis::shippedHand();
@@ -271,22 +266,22 @@ Result<std::string> planJson(const Plan& plan)
 std::string arraysCsv(const Plan& plan)
 {
   std::string csv = "array,name,draws";
-  for (const Quantity& each : quantities)
+  for (const PlanQuantity& each : quantities)
     for (const char* quantile : {"p5", "p25", "median", "p75", "p95"})
       csv += std::string(",") + each.key + "_" + quantile;
-  for (const Chance& each : chances)
+  for (const PlanProbability& each : probabilities)
     csv += std::string(",") + each.key + "_percent," + each.key + "_low," + each.key + "_high";
   csv += '\n';
   for (const ArrayPlan& each : plan.arrays) {
     csv += analysis::csvField(each.array) + "," + analysis::csvField(each.name) + "," +
            std::to_string(each.draws);
-    for (const Quantity& quantity : quantities) {
+    for (const PlanQuantity& quantity : quantities) {
       const Band& band = each.*quantity.band;
       for (const double value :
            {band.low, band.lowerQuartile, band.median, band.upperQuartile, band.high})
         csv += "," + number(value);
     }
-    for (const Chance& chance : chances) {
+    for (const PlanProbability& chance : probabilities) {
       const analysis::Estimate& estimate = each.*chance.estimate;
       for (const double value : {estimate.value, estimate.low, estimate.high})
         csv += "," + number(100.0 * value);

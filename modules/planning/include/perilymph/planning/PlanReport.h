@@ -3,6 +3,7 @@
 
 // A plan as files: JSON, tables and figures. The same plan gives the same bytes.
 
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,6 +13,22 @@
 #include "perilymph/planning/Plan.h"
 
 namespace perilymph::planning {
+
+/// A quantity of an array's plan that has a band.
+struct PlanQuantity {
+  const char* key;  ///< Its name in files, with its unit.
+  Band ArrayPlan::*band;
+};
+/// All of them, in the order of the files.
+std::span<const PlanQuantity> planQuantities();
+
+/// A probability in an array's plan.
+struct PlanProbability {
+  const char* key;  ///< Its name in files.
+  analysis::Estimate ArrayPlan::*estimate;
+};
+/// All of them, in the order of the files.
+std::span<const PlanProbability> planProbabilities();
 
 /// The whole plan: patient, arrays with bands and probabilities, what was drawn and from where, what
 /// was not, versions. An error only if a shipped source cannot be read.

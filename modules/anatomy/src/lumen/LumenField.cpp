@@ -57,18 +57,19 @@ void keepPositive(double& a, double& b, double& c) noexcept
 struct LumenField::Unrolled {
   explicit Unrolled(double sectionFraction) : weights(sectionFraction) {}
 
-  std::size_t section = 0;   // first of four coefficients over the angle
-  CubicWeights weights;      // of those four
-  double slope[4] = {};      // of center, half width and half height, by the angle [m]
-  std::size_t cell = 0;      // first coefficient of the block around the point
-  bool isInTable = false;    // otherwise extrapolated
-  double r = 0;              // from the modiolar axis; 0 in the lead-in [m]
-  double u = 0, v = 0;       // from the section's center, outward and apical [m]
-  double p = 0, q = 0;       // the same relative to half width and half height
-  double width = 0;          // half width of the section [m]
-  double height = 0;         // half height of the section [m]
-  Eigen::Vector3d byAngle;   // gradient of the angle [1/m]
-  Eigen::Vector3d byP, byQ;  // gradients of p and q [1/m]
+  std::size_t section = 0;            // first of four coefficients over the angle
+  CubicWeights weights;               // of those four
+  double slope[4] = {};               // of center, half width and half height, by the angle [m]
+  std::size_t cell = 0;               // first coefficient of the block around the point
+  bool isInTable = false;             // otherwise extrapolated
+  double r = 0;                       // from the modiolar axis; 0 in the lead-in [m]
+  double u = 0, v = 0;                // from the section's center, outward and apical [m]
+  double p = 0, q = 0;                // the same relative to half width and half height
+  double width = 0;                   // half width of the section [m]
+  double height = 0;                  // half height of the section [m]
+  double pByAngle = 0, qByAngle = 0;  // derivatives of p and q by the angle
+  Eigen::Vector3d byAngle;            // gradient of the angle [1/m]
+  Eigen::Vector3d byP, byQ;           // gradients of p and q [1/m]
 };
 
 // The angle of a point, in the turn stored in its track. False on the modiolar axis, where it is
@@ -139,11 +140,11 @@ LumenField::Unrolled LumenField::unroll(const Eigen::Vector3d& point_W,
   at.q = at.v * perHeight;
   const double perAngle = track.angle > lastAngle_ ? 0.0 : 1.0 / std::max(r, 1e-5);
   at.byAngle = {-outward[1] * perAngle, outward[0] * perAngle, 0.0};
-  const double alongP = -(at.slope[centerRadius] + at.p * at.slope[halfWidth]) * perWidth;
-  const double alongQ = -(at.slope[centerHeight] + at.q * at.slope[halfHeight]) * perHeight;
-  at.byP = {outward[0] * perWidth + alongP * at.byAngle[0],
-            outward[1] * perWidth + alongP * at.byAngle[1], 0.0};
-  at.byQ = {alongQ * at.byAngle[0], alongQ * at.byAngle[1], perHeight};
+  at.pByAngle = -(at.slope[centerRadius] + at.p * at.slope[halfWidth]) * perWidth;
+  at.qByAngle = -(at.slope[centerHeight] + at.q * at.slope[halfHeight]) * perHeight;
+  at.byP = {outward[0] * perWidth + at.pByAngle * at.byAngle[0],
+            outward[1] * perWidth + at.pByAngle * at.byAngle[1], 0.0};
+  at.byQ = {at.qByAngle * at.byAngle[0], at.qByAngle * at.byAngle[1], perHeight};
   return at;
 }
 
@@ -283,8 +284,7 @@ void LumenField::setHessian(const LumenTrack& track, const Unrolled& at, const C
     const double faa = perSection_ * perSection_ * spline.byAa;
 
     // derivatives of p and q by the angle
-    const double p1 = -(at.slope[centerRadius] + at.p * at.slope[halfWidth]) * perWidth;
-    const double q1 = -(at.slope[centerHeight] + at.q * at.slope[halfHeight]) * perHeight;
+    const double p1 = at.pByAngle, q1 = at.qByAngle;
     const double p2 =
         -(bend[centerRadius] + 2.0 * p1 * at.slope[halfWidth] + at.p * bend[halfWidth]) * perWidth;
     const double q2 =

@@ -16,14 +16,11 @@ namespace perilymph::planning {
 
 namespace {
 
-/// Travel that every array allows, until the array's full one is known.
-constexpr const char* anyStopTravel = "0.1";
-
 Result<Done> addArray(PlanSetup& setup, const PlanRequest& request, const std::string& array,
                       const std::vector<FrequencyAllocation>& allocations)
 {
   const auto scenario = session::loadScenario(
-      request.scenario, {{"array", array}, {"stop_travel_mm", anyStopTravel}});
+      request.scenario, {{"array", array}, {"stop_travel_mm", session::anyStopTravel}});
   if (!scenario) return Error{array + ": " + scenario.error().message};
   const electrode::ArrayDesign& design = scenario->array();
   Nominal nominal{scenario->parameters(), scenario->text(), setup.uncertainty.stiffnessOf(design)};

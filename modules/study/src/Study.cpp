@@ -5,12 +5,12 @@
 #include <array>
 #include <string_view>
 
-#include "AnyStopTravel.h"
 #include "LatinHypercube.h"
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/foundation/Sha256.h"
 #include "perilymph/foundation/TomlReader.h"
 #include "perilymph/session/Csv.h"
+#include "perilymph/session/InsertionParameters.h"
 
 namespace perilymph::study {
 
@@ -180,7 +180,7 @@ Result<Done> StudyReader::checkCombinations()
     const fs::path beside = file_.parent_path() / scenario_;
     std::error_code ignored;
     session::Overrides values = overrides;
-    if (study_.isFullDepth_) values.emplace_back("stop_travel_mm", anyStopTravel);
+    if (study_.isFullDepth_) values.emplace_back("stop_travel_mm", session::anyStopTravel);
     auto scenario = session::loadScenario(
         fs::is_regular_file(beside, ignored) ? beside.string() : scenario_, values);
     if (!scenario) return error(textOf(overrides) + ": " + scenario.error().message);

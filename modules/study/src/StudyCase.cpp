@@ -5,9 +5,9 @@
 #include <cmath>
 #include <string_view>
 
-#include "AnyStopTravel.h"
 #include "LatinHypercube.h"
 #include "perilymph/session/Csv.h"
+#include "perilymph/session/InsertionParameters.h"
 #include "perilymph/study/Study.h"
 
 namespace perilymph::study {
@@ -58,7 +58,7 @@ Result<session::Scenario> Study::variedScenario(const StudyCase& one) const
     for (const auto& [key, value] : one.overrides)
       if (key == range.key) overrides.emplace_back(key, value);
   if (!cochlea.patient.empty()) overrides.emplace_back("patient", cochlea.patient);
-  if (isFullDepth_) overrides.emplace_back("stop_travel_mm", anyStopTravel);
+  if (isFullDepth_) overrides.emplace_back("stop_travel_mm", session::anyStopTravel);
   return scenario.with(overrides);
 }
 

@@ -35,7 +35,7 @@ public:
     std::memcpy(copy.data(), &value, sizeof value);
     const std::uint64_t before = counter_.load(std::memory_order_relaxed) & ~std::uint64_t{1};
     counter_.store(before + 1, std::memory_order_relaxed);
-    // Release: whoever sees one of these words sees the odd counter.
+    // Release: a reader that finds one of these words finds the odd counter.
     for (std::size_t i = 0; i < words; ++i) word_[i].store(copy[i], std::memory_order_release);
     counter_.store(before + 2, std::memory_order_release);
   }

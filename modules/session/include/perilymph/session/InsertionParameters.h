@@ -46,4 +46,8 @@ struct InsertionParameters {
 /// scenario writes it; 0 or less if the array starts there or deeper.
 Length fullTravel(const electrode::ArrayDesign& array, Length startInside);
 
+/// Value of `stop_travel_mm` that every array allows, for a scenario that is read before the array's
+/// full travel is known and replaces it.
+inline constexpr const char* anyStopTravel = "0.1";
+
 }  // namespace perilymph::session

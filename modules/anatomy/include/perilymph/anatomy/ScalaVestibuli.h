@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// The scala vestibuli, for pictures and files only: nothing is simulated in it.
+// The scala vestibuli, where an array is that went through the cochlear partition.
+
+#include <memory>
 
 #include "perilymph/anatomy/ScalaTympani.h"
 #include "perilymph/anatomy/Surface.h"
@@ -15,5 +17,17 @@ namespace perilymph::anatomy {
 /// measured (confidence low): no section data were available. Where the mirrored section intersects
 /// the turn above, the overlap remains.
 Surface vestibuliSurface(const ScalaTympani& scala, int maxTriangles);
+
+/// Height of the mirror at every section of the scala tympani's tables [m, W]: that of the membrane,
+/// or of the roof if that is higher, so that the two scalae never intersect.
+std::vector<double> partitionHeights(const ScalaTympani& scala);
+
+/// The scala vestibuli of vestibuliSurface() as a duct. Its floor is the cochlear partition.
+/// Takes a tenth of a second.
+std::shared_ptr<const ScalaTympani> buildVestibuli(const ScalaTympani& scala);
+
+/// Both scalae as one duct without the partition: the scala tympani below its widest points, the
+/// scala vestibuli above its own, vertical walls between them. Takes a tenth of a second.
+std::shared_ptr<const ScalaTympani> buildBothScalae(const ScalaTympani& scala);
 
 }  // namespace perilymph::anatomy

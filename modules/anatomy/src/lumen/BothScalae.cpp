@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The ducts of an array that went through the partition: the scala vestibuli, and both scalae as one.
+
+#include <algorithm>
+#include <cmath>
+
+#include "lumen/Outline.h"
+#include "lumen/SectionWall.h"
+#include "perilymph/anatomy/ScalaVestibuli.h"
+
+namespace perilymph::anatomy {
+namespace {
+
+/// Corners of a section's outline for the walls between the scalae.
+constexpr int corners = 360;
+
+/// The tables of a duct whose sections are centered at these heights; walls are left out.
+SectionTables centeredAt(const ScalaTympani& scala, const char* name,
+                         const std::vector<double>& heights)
+{
+  SectionTables tables = scala.tables();
+  tables.name = tables.name + ", " + name;
+  // the partition keeps its place in space
+  for (std::size_t i = 0; i < heights.size(); ++i)
+    tables.membraneHeight[i] += tables.centerHeight[i] - heights[i];
+  tables.centerHeight = heights;
+  return tables;
+}
+
+/// A section of the scala tympani below its widest points, the same mirrored, and vertical walls
+/// between the two.
+Outline withoutPartition(const ScalaTympani& scala, double angle, double mirror)
+{
+  const SectionWall wall(scala, angle);
+  Outline whole;
+  for (int k = 0; k < corners; ++k) {
+    const Eigen::Vector3d at = wall.at(2.0 * pi * k / corners);
+    whole.push_back({std::sqrt(at.x() * at.x() + at.y() * at.y()), at.z()});
+  }
+  const auto isNearer = [](const HalfPlanePoint& a, const HalfPlanePoint& b) { return a.r < b.r; };
+  const auto [inner, outer] = std::minmax_element(whole.begin(), whole.end(), isNearer);
+  // counter-clockwise along the floor, from the inner wall to the outer one
+  Outline both;
+  const auto count = static_cast<std::size_t>(corners);
+  const auto last = static_cast<std::size_t>(outer - whole.begin());
+  for (auto k = static_cast<std::size_t>(inner - whole.begin()); k != last; k = (k + 1) % count)
+    both.push_back(whole[k]);
+  both.push_back(whole[last]);
+  for (std::size_t k = both.size(); k-- > 0;) both.push_back({both[k].r, 2.0 * mirror - both[k].z});
+  return both;
+}
+
+}  // namespace
+
+std::vector<double> partitionHeights(const ScalaTympani& scala)
+{
+  std::vector<double> heights;
+  for (std::size_t i = 0; i < scala.tables().centerHeight.size(); ++i) {
+    const double angle = scala.tables().step * static_cast<double>(i);
+    heights.push_back(std::max(scala.section(angle).roofHeight, scala.membrane_W(angle, 0.5).z()));
+  }
+  return heights;
+}
+
+std::shared_ptr<const ScalaTympani> buildVestibuli(const ScalaTympani& scala)
+{
+  const SectionTables& below = scala.tables();
+  std::vector<double> heights = partitionHeights(scala);
+  for (std::size_t i = 0; i < heights.size(); ++i)
+    heights[i] = 2.0 * heights[i] - below.centerHeight[i];
+  SectionTables tables = centeredAt(scala, "scala vestibuli", heights);
+  const auto directions = static_cast<std::size_t>(below.directions);
+  for (std::size_t i = 0; i < heights.size(); ++i)
+    for (std::size_t k = 0; k < directions; ++k)
+      tables.wallRadius[i * directions + k] =
+          below.wallRadius[i * directions + (directions - k) % directions];
+  return std::make_shared<const ScalaTympani>(std::move(tables));
+}
+
+std::shared_ptr<const ScalaTympani> buildBothScalae(const ScalaTympani& scala)
+{
+  const std::vector<double> heights = partitionHeights(scala);
+  SectionTables tables = centeredAt(scala, "both scalae", heights);
+  const auto directions = static_cast<std::size_t>(tables.directions);
+  for (std::size_t i = 0; i < heights.size(); ++i) {
+    const double angle = tables.step * static_cast<double>(i);
+    const Outline both = withoutPartition(scala, angle, heights[i]);
+    std::size_t near = 0;
+    for (std::size_t k = 0; k < directions; ++k) {
+      const SineCosine ray =
+          sineCosine(2.0 * pi * static_cast<double>(k) / static_cast<double>(directions));
+      tables.wallRadius[i * directions + k] =
+          radiusIn(both, {tables.centerRadius[i], heights[i]}, ray, near);
+    }
+  }
+  return std::make_shared<const ScalaTympani>(std::move(tables));
+}
+
+}  // namespace perilymph::anatomy

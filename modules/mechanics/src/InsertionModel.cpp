@@ -67,6 +67,13 @@ void check(const Opening& opening, const electrode::ArrayDesign& array)
               std::to_string(opening.passageFriction.value_or(0.0)) + "; it must be 0 to 2.");
 }
 
+std::shared_ptr<const PartitionModel> partitionOf(const ModelParts& parts)
+{
+  const auto* scala = dynamic_cast<const anatomy::ScalaTympani*>(parts.lumen.get());
+  require(scala != nullptr, "Only the partition of a scala tympani can rupture.");
+  return std::make_shared<const PartitionModel>(*scala, parts.partitionStrength);
+}
+
 void check(const ModelParts& parts)
 {
   require(parts.lumen != nullptr, "An insertion needs a lumen.");
@@ -113,6 +120,11 @@ void check(const ModelParts& parts)
             "The basilar membrane yields by " +
                 std::to_string(parts.membrane->perSamplePoint.si()) +
                 " N/m; it must be above 0, and no stiffer than the wall.");
+  require(parts.partitionStrength.si() >= 0.0 && parts.partitionStrength.si() <= 2.0,
+          "The strength of the cochlear partition is " +
+              std::to_string(parts.partitionStrength.si()) + " N; it must be 0 to 2 N.");
+  require(parts.partitionStrength.si() == 0.0 || parts.kind == ModelKind::rod,
+          "A point set cannot go through the cochlear partition; set its strength to 0.");
   if (parts.opening) check(*parts.opening, parts.array);
   if (parts.freeLength)
     require(parts.freeLength->si() > 0.0, "The forceps hold the array " +
@@ -199,6 +211,7 @@ std::shared_ptr<const InsertionModel> InsertionModel::build(ModelParts parts)
     m.styletFromTip = array.stylet.fromTip.si();
     m.styletResidual = array.stylet.residualCurvature;
   }
+  if (m.parts.partitionStrength.si() > 0.0) m.partition = partitionOf(m.parts);
   if (m.parts.membrane)
     if (const auto* scala = dynamic_cast<const anatomy::ScalaTympani*>(m.parts.lumen.get()))
       m.membrane.emplace(*scala);

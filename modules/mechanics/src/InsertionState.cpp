@@ -13,6 +13,18 @@ void addVector(Hash& hash, const Eigen::Vector3d& vector)
   for (int k = 0; k < 3; ++k) hash.add(vector[k]);
 }
 
+void addPartition(Hash& hash, const PartitionState& partition)
+{
+  for (std::size_t k = 0; k < partition.count; ++k) {
+    hash.add(partition.ranges[k].begin);
+    hash.add(partition.ranges[k].end);
+  }
+  hash.add(partition.first.tick);
+  for (const double value : {partition.first.angle, partition.first.force, partition.first.depth})
+    hash.add(value);
+  for (const unsigned char isAbove : partition.isAbove) hash.add(isAbove);
+}
+
 void addSeen(Hash& hash, const ContactSet& contacts)
 {
   for (std::size_t i = 0; i < contacts.seen.size(); ++i) {
@@ -74,6 +86,10 @@ InsertionState::InsertionState(const InsertionModel& model)
       membraneForce(position_W.size()),
       workspace(model.points ? 0 : position_W.size())
 {
+  if (model.partition) {
+    partition.isAbove.resize(position_W.size());
+    workspace->rod.contacts.open.resize(position_W.size());
+  }
   if (model.points) {
     points.place_W.resize(position_W.size());
     points.proxy_W.resize(position_W.size());
@@ -106,11 +122,15 @@ void InsertionState::reset(const InsertionModel& model) noexcept
     clearance[i] = 0.0;
   }
   rim = RimContact{};
+  partition.count = 0;
+  partition.first = {};
+  for (unsigned char& isAbove : partition.isAbove) isAbove = 0;
   RodWorkspace& rod = workspace->rod;
   // nodes farther from the wall than this cannot touch it
   for (std::size_t i = 0; i < rod.contacts.reach.size(); ++i)
     rod.contacts.reach[i] = model.radius[i];
   for (SeenWall& seen : rod.contacts.seen) seen.trustRadius = 0.0;
+  for (OpenNode& node : rod.contacts.open) node = OpenNode{};
   rod.system.factors.forget();
   if (model.points) resetPoints(model, *this, workspace->points);
   readings = Readings{};
@@ -153,6 +173,7 @@ std::uint64_t InsertionState::fingerprint() const noexcept
   addVector(hash, rim.normal_W);
   if (rim.fromTip > 0.0) hash.add(rim.fromTip);
   if (!points.place_W.empty()) points.addTo(hash);
+  if (partition.isRuptured()) addPartition(hash, partition);
   return hash.value();
 }
 

@@ -126,8 +126,9 @@ void add(Hash& hash, const anatomy::Entry& entry)
 
 std::uint64_t fingerprintOf(const InsertionModel& model)
 {
-  const auto& [lumen, array, friction, wall, membrane, opening, nodes, timeStep, startInside,
-               approachTilt, approachTurn, freeLength, kind, hapticSurface] = model.parts;
+  const auto& [lumen, array, friction, wall, membrane, strength, opening, nodes, timeStep,
+               startInside, approachTilt, approachTurn, freeLength, kind, hapticSurface] =
+      model.parts;
   Hash hash;
   // Derived data: constants of the program affect results through it.
   hash.add(formerFingerprintOf(model));
@@ -150,6 +151,7 @@ std::uint64_t fingerprintOf(const InsertionModel& model)
   add(hash, approachTurn);
   // recordings of before have none
   if (freeLength) add(hash, *freeLength);
+  if (strength.si() > 0.0) add(hash, strength);
   hash.add(kind);
   if (kind == ModelKind::points) add(hash, *hapticSurface);
   return hash.value();

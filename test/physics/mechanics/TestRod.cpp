@@ -42,6 +42,8 @@ TestRod::TestRod(std::shared_ptr<const anatomy::Lumen> lumen, const RodSpec& spe
   parts.nodes = spec.nodes;
   parts.timeStep = seconds(spec.timeStep);
   parts.membrane = spec.membrane;
+  parts.partitionStrength = newtons(spec.partitionStrength);
+  parts.approachTilt = radians(spec.tilt);
   parts.opening = spec.opening;
   parts.startInside = meters(spec.startInside);
   parts.freeLength = spec.freeLength;

@@ -28,6 +28,8 @@ struct RodSpec {
   double timeStep = 1e-3;      ///< [s]
   int nodes = 101;
   std::optional<mechanics::MembraneLaw> membrane;
+  double partitionStrength = 0.0;  ///< [N]
+  double tilt = 0.0;               ///< Approach tilted upward by this [rad].
   std::optional<mechanics::Opening> opening;
   std::optional<Length> freeLength;
   std::vector<Length> ribsFromTip;

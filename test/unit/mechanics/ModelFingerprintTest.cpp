@@ -313,5 +313,14 @@ TEST(ModelFingerprint, OfAnEarlierRecordingIsStillTheModels)
   EXPECT_FALSE(model->hasFingerprint(model->fingerprint + 1));
 }
 
+TEST(ModelFingerprint, ChangesWithTheStrengthOfThePartition)
+{
+  ModelParts parts = fullParts();
+  parts.partitionStrength = newtons(0.088);
+  EXPECT_NE(fingerprintOf(parts), fingerprintOf(fullParts()));
+  expectEachChangesTheFingerprint(
+      parts, {{"strength", [](ModelParts& p) { nudge(p.partitionStrength); }}});
+}
+
 }  // namespace
 }  // namespace perilymph::mechanics

@@ -158,6 +158,17 @@ TEST(Membrane, HasTheGivenStiffness)
   EXPECT_THAT(refusal({{"membrane", "torn"}}), HasSubstr("it must be 'rigid' or 'soft'."));
 }
 
+TEST(Partition, RupturesOnlyIfItsStrengthIsGiven)
+{
+  const Scenario usual = with({});
+  EXPECT_EQ(usual.parameters().partitionStrength.si(), 0.0);
+  EXPECT_THAT(usual.text(), testing::Not(HasSubstr("partition_strength_N")));
+  const Scenario weak = with({{"partition_strength_N", "0.088"}});
+  EXPECT_DOUBLE_EQ(weak.parameters().partitionStrength.si(), 0.088);
+  EXPECT_THAT(weak.text(), HasSubstr("partition_strength_N = 0.088"));
+  EXPECT_THAT(refusal({{"partition_strength_N", "-0.1"}}), HasSubstr("partition_strength_N"));
+}
+
 TEST(Technique, AdvanceOffStyletTakesTheHoldDepthOfTheArray)
 {
   const Scenario scenario = with({{"technique", "aos"}, {"array", "contour-advance"}});

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "contact/Clearance.h"
+#include "contact/OpenPartition.h"
 #include "friction/FrictionStep.h"
 #include "rod/Rod.h"
 
@@ -30,11 +31,11 @@ SectionReach meanReachToward(double a, double b, double x, double y, double squa
   return reach;
 }
 
-/// Extent of an oval section toward a wall: its support function along the wall's normal. With a
-/// delay, it follows the wall's direction from one step to the next.
+}  // namespace
+
 SectionReach reachToward(const InsertionModel& model, const InsertionState& state,
-                         const RodKinematics& rod, std::size_t i,
-                         const Eigen::Vector3d& normal_W) noexcept
+                         const RodKinematics& rod, std::size_t i, const Eigen::Vector3d& normal_W,
+                         const SectionReach& before) noexcept
 {
   const double within = model.halfWithin[i], across = model.halfAcross[i];
   SectionReach reach{true, std::max(within, across), 0.0};
@@ -52,13 +53,14 @@ SectionReach reachToward(const InsertionModel& model, const InsertionState& stat
     return reach;
   }
   reach = meanReachToward(within, across, x, y, size);
-  const SectionReach& before = state.section[i];
   if (!before.isKnown) return reach;
   const double fraction = model.timeStep / (model.timeStep + delay);
   reach.length = before.length + fraction * (reach.length - before.length);
   reach.rate = before.rate + fraction * (reach.rate - before.rate);
   return reach;
 }
+
+namespace {
 
 SymmetricBlock<double> asBlock(const Eigen::Matrix3d& m) noexcept
 {
@@ -77,7 +79,7 @@ bool normalContact(const InsertionModel& model, InsertionState& state, const Rod
   const bool isOval = model.isOval && state.isBeside[i] == 0;
   if (isOval) {
     SectionReach& reach = contacts.section[i];
-    if (!reach.isKnown) reach = reachToward(model, state, rod, i, wall.normal_W);
+    if (!reach.isKnown) reach = reachToward(model, state, rod, i, wall.normal_W, state.section[i]);
     half = reach.length;
   }
   const double penetration = half - wall.distance;
@@ -195,6 +197,7 @@ void addWallForces(const InsertionModel& model, InsertionState& state, const Ste
   const auto n = static_cast<std::size_t>(model.nodes);
   findWall(model, start, state, contacts);
 
+  const bool isOpen = state.partition.isRuptured();
   contacts.touches = 0;
   for (std::size_t i = 0; i < n; ++i) {
     state.normalForce[i] = 0.0;
@@ -204,7 +207,10 @@ void addWallForces(const InsertionModel& model, InsertionState& state, const Ste
     history.spring_W[i].setZero();
     history.isSliding[i] = 0;
     history.slip[i] = 0.0;
-    const bool isPressed = contacts.wall[i].isNear && normalContact(model, state, rod, i, contacts);
+    const bool isPressed =
+        isOpen && contacts.open[i].isOpen
+            ? openContact(model, state, rod, i, contacts)
+            : contacts.wall[i].isNear && normalContact(model, state, rod, i, contacts);
     const bool hasFriction = history.pressedBefore[i] > 0.0;
     if (hasFriction) friction(model, state, start, i, isPressed, contacts, history);
     if (!isPressed && !hasFriction) continue;

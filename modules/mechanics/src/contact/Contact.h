@@ -37,6 +37,12 @@ struct SoftContactForce {
 SoftContactForce softContactForce(double penetration, double bone, double fraction,
                                   const ModelParts& parts) noexcept;
 
+/// Extent of an oval section toward a wall: its support function along the wall's normal. With a
+/// delay, it follows the wall's direction from one step, with the reach `before`, to the next.
+SectionReach reachToward(const InsertionModel& model, const InsertionState& state,
+                         const RodKinematics& rod, std::size_t i, const Eigen::Vector3d& normal_W,
+                         const SectionReach& before) noexcept;
+
 /// Adds the wall's forces on all nodes at state.position_W to force_W and stores them in
 /// state.normalForce and state.wallForce_W, their stiffness in contacts.wallStiffness.
 void addWallForces(const InsertionModel& model, InsertionState& state, const StepStart& start,

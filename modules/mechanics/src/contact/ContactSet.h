@@ -34,6 +34,13 @@ struct SeenWall {
   double trustRadius = 0.0;                             ///< [m]; 0: none is kept.
 };
 
+/// A node in an open part of the cochlear partition or above the partition, in one step.
+struct OpenNode {
+  bool isOpen = false;       ///< Whether the node is one.
+  SectionReach both;         ///< Reach of an oval section toward the wall of both scalae.
+  double onPartition = 0.0;  ///< Force of the node on the partition [N].
+};
+
 /// The contacts of the current iteration. `seen` and `wall` are kept between steps.
 struct ContactSet {
   explicit ContactSet(std::size_t nodes = 0)
@@ -54,6 +61,7 @@ struct ContactSet {
   std::vector<SeenWall> seen;            ///< What it was found from.
   std::vector<anatomy::WallPoint> wall;  ///< Wall at each node.
   std::vector<SectionReach> section;     ///< Section of each node, if it is oval.
+  std::vector<OpenNode> open;            ///< Empty if the partition cannot rupture.
   std::size_t touches = 0;               ///< Number of nodes that touch the wall.
   std::vector<std::size_t> touching;     ///< Indices of those nodes, from the base on.
   std::vector<SymmetricBlock<double>>

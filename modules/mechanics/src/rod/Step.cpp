@@ -2,6 +2,7 @@
 #include "rod/Step.h"
 
 #include "contact/Clearance.h"
+#include "contact/OpenPartition.h"
 #include "rod/Material.h"
 #include "rod/Rod.h"
 
@@ -53,6 +54,7 @@ Step takeStep(const InsertionModel& model, InsertionState& state, const Drive& d
 {
   remember(state, work);
   findBone(model, state);
+  if (state.partition.isRuptured()) findSides(model, state, work.contacts);
   setGuide(drive, state.base_W, work.guide);
   setRestShape(model, state.position_W, drive.handCurl_W, work.section, work.rod);
   if (model.twists)

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/PartitionRupture.h"
 #include "perilymph/mechanics/advance.h"
 #include "rod/Rod.h"
 #include "rod/Step.h"
@@ -108,6 +109,7 @@ void advanceRod(const InsertionModel& model, InsertionState& state, const Drive&
   const Wrench wrench = wrenchOf(model, state, drive, step.base, work);
   ++state.tick;
   read(model, state, wrench, step.result, work.done);
+  if (model.partition) rupturePartition(model, state, work.rod, work.contacts);
 }
 
 }  // namespace perilymph::mechanics

@@ -98,7 +98,7 @@ void readMotion(ScenarioKeys& keys, InsertionParameters& parameters)
 }
 
 /// The roof: Teflon in the published experiment, a membrane in a cochlea.
-void readMembrane(ScenarioKeys& keys, InsertionParameters& parameters)
+void readMembrane(ScenarioKeys& keys, const TomlReader& reader, InsertionParameters& parameters)
 {
   parameters.membraneKind = keys.choice("membrane", membranes, parameters.membraneKind);
   // Point stiffnesses of 0.6 to 9 N/m are reported.
@@ -106,6 +106,9 @@ void readMembrane(ScenarioKeys& keys, InsertionParameters& parameters)
   law.perSamplePoint =
       newtonsPerMeter(keys.number("membrane_stiffness_N_m", {0.1, 100.0}, law.perSamplePoint.si()));
   if (parameters.membraneKind == MembraneKind::soft) parameters.membrane = law;
+  // Rupture is reported at 0.042 to 0.122 N (Schuster et al. 2015); without the key there is none.
+  if (reader.has("partition_strength_N"))
+    parameters.partitionStrength = newtons(keys.number("partition_strength_N", {0.0, 2.0}, 0.0));
 }
 
 void readCoupling(ScenarioKeys& keys, InsertionParameters& parameters)
@@ -179,7 +182,7 @@ Result<ScenarioContent> readScenario(TomlReader& reader, const std::string& name
   };
   readFriction(reader, keys, isOverridden, parameters.friction);
   readOpening(keys, reader, parameters);
-  readMembrane(keys, parameters);
+  readMembrane(keys, reader, parameters);
   readWall(keys, reader, scenario.patientName, parameters, parameters.wall);
   readCoupling(keys, parameters);
 

@@ -29,6 +29,7 @@ Result<std::shared_ptr<const mechanics::InsertionModel>> buildModel(
   parts.wall = parameters.wall;
   parts.opening = parameters.opening;
   parts.membrane = parameters.membrane;
+  parts.partitionStrength = parameters.partitionStrength;
   parts.nodes = parameters.nodes;
   parts.timeStep = parameters.timeStep;
   parts.startInside = parameters.startInside;

@@ -17,6 +17,7 @@
 #include "perilymph/mechanics/FrictionLaw.h"
 #include "perilymph/mechanics/Membrane.h"
 #include "perilymph/mechanics/Opening.h"
+#include "perilymph/mechanics/Partition.h"
 #include "perilymph/mechanics/PassageModel.h"
 #include "perilymph/mechanics/PointSet.h"
 
@@ -86,6 +87,9 @@ struct ModelParts {
   /// If empty, the membrane is as stiff as the bone around it, as in the published experiment and
   /// in a lumen without known membrane.
   std::optional<MembraneLaw> membrane;
+  /// Force within one contact, normal to the cochlear partition, at which it ruptures; 0: never, as
+  /// in the published experiment. Needs a scala tympani and a rod.
+  Force partitionStrength = newtons(0);
   /// If empty, the lumen's wall begins at the plane of the entry and there is no rim.
   std::optional<Opening> opening;
   int nodes = 100;                      ///< 8 to maxNodes; for a point set 2 to maxPoints.
@@ -136,9 +140,10 @@ struct InsertionModel {
   std::vector<double> restCurvature;   ///< Rest curvature of the carrier alone at each node [1/m].
   std::vector<double> wallStiffness;   ///< At each node [N/m].
   std::vector<double> wallTangential;  ///< At each node [N/m].
-  std::optional<MembranePlace> membrane;  ///< Region where the wall is soft.
-  std::optional<PassageModel> passage;    ///< Passage of the opening, if it has a length.
-  double styletBending = 0.0;             ///< EI of the stylet [N.m^2]; 0 without one.
+  std::optional<MembranePlace> membrane;            ///< Region where the wall is soft.
+  std::shared_ptr<const PartitionModel> partition;  ///< If it can rupture; else null.
+  std::optional<PassageModel> passage;              ///< Passage of the opening, if it has a length.
+  double styletBending = 0.0;                       ///< EI of the stylet [N.m^2]; 0 without one.
   double styletFromTip = 0.0;   ///< Distance of its tip from the array's when fully in [m].
   double styletResidual = 0.0;  ///< Fraction of the rest curvature that remains along it.
   double baseMass = 0.0;        ///< Mass of carrier and tweezers [kg].

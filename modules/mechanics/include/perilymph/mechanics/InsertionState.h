@@ -129,6 +129,7 @@ struct InsertionState {
   std::vector<SectionReach> section;
   std::vector<double> membraneForce;  ///< Force of the basilar membrane on each node [N].
   RimContact rim;
+  PartitionState partition;
   PointSetState points;  ///< State of a point set; empty for a rod.
   Readings readings;
 

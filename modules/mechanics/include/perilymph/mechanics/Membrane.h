@@ -11,7 +11,7 @@
 
 namespace perilymph::mechanics {
 
-/// Stiffness of the membrane. It does not rupture.
+/// Stiffness of the membrane. Its rupture: Partition.h.
 struct MembraneLaw {
   /// Stiffness of the membrane's middle under one sample point. Reported point stiffnesses are 0.6
   /// to 9 N/m; this is about their geometric mean (low).

@@ -39,7 +39,8 @@ struct InsertionParameters {
   std::optional<mechanics::Opening> opening;
   MembraneKind membraneKind = MembraneKind::rigid;
   std::optional<mechanics::MembraneLaw> membrane;
-  haptics::EngineSettings engine;  ///< Coupling, force scale.
+  Force partitionStrength = newtons(0);  ///< Strength of the partition; 0: never ruptures.
+  haptics::EngineSettings engine;        ///< Coupling, force scale.
 };
 
 /// Travel from a start inside the opening to the array's full depth, in whole micrometers as a

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "lanes/Lanes.h"
 #include "perilymph/session/Replay.h"
 
 namespace perilymph::session {
@@ -35,8 +36,23 @@ TEST(StoredRecordings, CoverEveryShippedScenarioWithBothModels)
                          "mean-contour-rod-published-wall", "mean-flex28-rod-published-wall"));
 }
 
-TEST(StoredRecordings, ReplayToTheSameBits)
+/// With the instructions that the kernels of the tick are compiled for.
+class StoredRecordingsOnMachines : public testing::TestWithParam<mechanics::Instructions> {
+protected:
+  StoredRecordingsOnMachines() : before_(mechanics::kernelInstructions)
+  {
+    mechanics::kernelInstructions = GetParam();
+  }
+  ~StoredRecordingsOnMachines() override { mechanics::kernelInstructions = before_; }
+
+private:
+  mechanics::Instructions before_;
+};
+
+TEST_P(StoredRecordingsOnMachines, ReplayToTheSameBits)
 {
+  if (GetParam() == mechanics::Instructions::avx2 && !mechanics::hasAvx2())
+    GTEST_SKIP() << "This machine has no AVX2.";
   for (const fs::path& file : storedRecordings()) {
     const auto verification = verify(file);
     ASSERT_TRUE(verification) << verification.error().message;
@@ -44,6 +60,14 @@ TEST(StoredRecordings, ReplayToTheSameBits)
     EXPECT_GE(verification->ticksCompared, 201u) << file;  // 10 mm at 10 mm/s in steps of 5 ms
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(, StoredRecordingsOnMachines,
+                         testing::Values(mechanics::Instructions::sse2,
+                                         mechanics::Instructions::avx2),
+                         [](const auto& one) {
+                           return one.param == mechanics::Instructions::sse2 ? "WithSse2"
+                                                                             : "WithAvx2";
+                         });
 
 TEST(StoredRecordings, AreOfTheModelThatIsBuiltTodayUnlessTheFileOfTheirArrayWasChanged)
 {

@@ -41,7 +41,7 @@ SectionReach reachToward(const InsertionModel& model, const InsertionState& stat
   SectionReach reach{true, std::max(within, across), 0.0};
   const std::size_t edge = i > 0 ? i - 1 : 0;
   const Eigen::Vector3d& d = state.curl_W[edge];
-  const Eigen::Vector3d& t = rod.edge[edge].tangent_W;
+  const Eigen::Vector3d t = rod.tangent_W[edge];
   const double x = normal_W.dot(d);
   const double y = normal_W.dot(t.cross(d));
   const double size = x * x + y * y;
@@ -67,9 +67,9 @@ SymmetricBlock<double> asBlock(const Eigen::Matrix3d& m) noexcept
   return {m(0, 0), m(0, 1), m(0, 2), m(1, 1), m(1, 2), m(2, 2)};
 }
 
-/// Normal force of the wall on a node near it, and its stiffness. False if they do not touch.
-bool normalContact(const InsertionModel& model, InsertionState& state, const RodKinematics& rod,
-                   std::size_t i, ContactSet& contacts) noexcept
+/// Normal force of the wall on a node near it, if they touch.
+void normalContact(const InsertionModel& model, InsertionState& state, const RodKinematics& rod,
+                   std::size_t i, ContactSet& contacts, TouchingNode& touching) noexcept
 {
   const Eigen::Vector3d& at_W = state.position_W[i];
   const anatomy::WallPoint& wall = contacts.wall[i];
@@ -83,7 +83,7 @@ bool normalContact(const InsertionModel& model, InsertionState& state, const Rod
     half = reach.length;
   }
   const double penetration = half - wall.distance;
-  if (penetration <= 0.0) return false;
+  if (penetration <= 0.0) return;
   const double onset = model.parts.wall.lining.si();
 
   // Behind the opening the wall sets in over one node spacing, so that a node passing the edge does
@@ -112,43 +112,55 @@ bool normalContact(const InsertionModel& model, InsertionState& state, const Rod
                                push.force * std::fabs(model.halfWithin[i] - model.halfAcross[i])};
   }
 
-  // on a concave wall the normal rotates as the node moves along it
-  const double slope = push.slope, force = push.force;
-  const Eigen::Vector3d& g = gradient_W;
-  const Eigen::Matrix3d& k = wall.shapeOperator_W;
-  contacts.wallStiffness[contacts.touches] = {
-      slope * g[0] * g[0] + force * k(0, 0), slope * g[0] * g[1] + force * k(0, 1),
-      slope * g[0] * g[2] + force * k(0, 2), slope * g[1] * g[1] + force * k(1, 1),
-      slope * g[1] * g[2] + force * k(1, 2), slope * g[2] * g[2] + force * k(2, 2)};
+  touching.isPressed = true;
+  touching.push = push;
   state.normalForce[i] = push.force;
   const double steep = wall.normal_W.norm();
   state.wallNormal_W[i] =
       steep > 1e-6 ? Eigen::Vector3d(wall.normal_W / steep) : Eigen::Vector3d::Zero();
-  return true;
 }
 
 /// Friction on a node that touched the wall at the end of the last step. Its bound is the total
 /// pressure, even where the forces of two walls cancel.
 void friction(const InsertionModel& model, InsertionState& state, const StepStart& start,
-              std::size_t i, bool isPressed, ContactSet& contacts,
-              FrictionHistory& history) noexcept
+              TouchingNode& touching, FrictionHistory& history) noexcept
 {
+  const std::size_t i = touching.node;
   const Eigen::Vector3d& normal_W = history.normalBefore_W[i];
   const Eigen::Vector3d moved = state.position_W[i] - start.position_W[i];
   const Eigen::Vector3d slip = moved - normal_W * normal_W.dot(moved);
   const Eigen::Vector3d& spring = state.frictionSpring_W[i];
-  const FrictionStep friction =
+  touching.friction =
       frictionStep(slip + spring - normal_W * normal_W.dot(spring), history.pressedBefore[i],
-                   model.wallTangential[i], {state.isSliding[i] != 0, state.slipSpeed[i]}, normal_W,
+                   model.wallTangential[i], {state.isSliding[i] != 0, state.slipSpeed[i]},
                    model.parts.friction, model.timeStep);
-  state.wallForce_W[i] += friction.force_W;
-  SymmetricBlock<double>& stiffness = contacts.wallStiffness[contacts.touches];
-  if (!isPressed) stiffness = {};
-  stiffness += asBlock(friction.stiffness);
-  if (!isPressed) return;  // a node that left the wall has no friction history
-  history.spring_W[i] = friction.spring_W;
-  history.isSliding[i] = friction.isSliding ? 1 : 0;
+  state.wallForce_W[i] += touching.friction.force_W;
+  if (!touching.isPressed) return;  // a node that left the wall has no friction history
+  history.spring_W[i] = touching.friction.spring_W;
+  history.isSliding[i] = touching.friction.isSliding ? 1 : 0;
   history.slip[i] = slip.norm();
+}
+
+/// Stiffness of a contact: on a concave wall the normal rotates as the node moves along it.
+SymmetricBlock<double> stiffnessOf(const TouchingNode& touching, const ContactSet& contacts,
+                                   const FrictionHistory& history) noexcept
+{
+  SymmetricBlock<double> stiffness;
+  const bool isOpen = !contacts.open.empty() && contacts.open[touching.node].isOpen;
+  if (touching.isPressed && isOpen) {
+    stiffness = contacts.open[touching.node].stiffness;
+  } else if (touching.isPressed) {
+    const anatomy::WallPoint& wall = contacts.wall[touching.node];
+    const double slope = touching.push.slope, force = touching.push.force;
+    const Eigen::Vector3d& g = wall.normal_W;
+    const Eigen::Matrix3d& k = wall.shapeOperator_W;
+    stiffness = {slope * g[0] * g[0] + force * k(0, 0), slope * g[0] * g[1] + force * k(0, 1),
+                 slope * g[0] * g[2] + force * k(0, 2), slope * g[1] * g[1] + force * k(1, 1),
+                 slope * g[1] * g[2] + force * k(1, 2), slope * g[2] * g[2] + force * k(2, 2)};
+  }
+  if (history.pressedBefore[touching.node] > 0.0)
+    stiffness += asBlock(touching.friction.stiffness(history.normalBefore_W[touching.node]));
+  return stiffness;
 }
 
 }  // namespace
@@ -207,15 +219,17 @@ void addWallForces(const InsertionModel& model, InsertionState& state, const Ste
     history.spring_W[i].setZero();
     history.isSliding[i] = 0;
     history.slip[i] = 0.0;
-    const bool isPressed =
-        isOpen && contacts.open[i].isOpen
-            ? openContact(model, state, rod, i, contacts)
-            : contacts.wall[i].isNear && normalContact(model, state, rod, i, contacts);
+    TouchingNode& touching = contacts.touching[contacts.touches];
+    touching.node = i;
+    touching.isPressed = false;
+    if (isOpen && contacts.open[i].isOpen)
+      touching.isPressed = openContact(model, state, rod, i, contacts);
+    else if (contacts.wall[i].isNear)
+      normalContact(model, state, rod, i, contacts, touching);
     const bool hasFriction = history.pressedBefore[i] > 0.0;
-    if (hasFriction) friction(model, state, start, i, isPressed, contacts, history);
-    if (!isPressed && !hasFriction) continue;
+    if (hasFriction) friction(model, state, start, touching, history);
+    if (!touching.isPressed && !hasFriction) continue;
     force_W[i] += state.wallForce_W[i];
-    contacts.touching[contacts.touches] = i;
     ++contacts.touches;
   }
 }
@@ -242,10 +256,13 @@ void renewFriction(const InsertionState& state, const ContactSet& contacts,
   }
 }
 
-void addWallStiffness(const ContactSet& contacts, BandMatrix& matrix) noexcept
+void addWallStiffness(const ContactSet& contacts, const FrictionHistory& history,
+                      BandMatrix& matrix) noexcept
 {
-  for (std::size_t k = 0; k < contacts.touches; ++k)
-    matrix.diagonal[blockOf(contacts.touching[k])] += contacts.wallStiffness[k];
+  for (std::size_t k = 0; k < contacts.touches; ++k) {
+    const TouchingNode& touching = contacts.touching[k];
+    matrix.diagonal[blockOf(touching.node)] += stiffnessOf(touching, contacts, history);
+  }
 }
 
 }  // namespace perilymph::mechanics

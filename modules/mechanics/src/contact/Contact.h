@@ -12,12 +12,7 @@
 
 namespace perilymph::mechanics {
 
-/// Force of a compliant wall at a penetration depth, and its slope: smooth onset over `onset`, then
-/// linear.
-struct NormalForce {
-  double force;  ///< [N]
-  double slope;  ///< [N/m]
-};
+/// Force of a compliant wall: smooth onset over `onset`, then linear.
 NormalForce normalForce(double penetration, double stiffness, double onset) noexcept;
 
 /// Energy stored in a compliant wall [J]; normalForce() is its derivative.
@@ -44,7 +39,7 @@ SectionReach reachToward(const InsertionModel& model, const InsertionState& stat
                          const SectionReach& before) noexcept;
 
 /// Adds the wall's forces on all nodes at state.position_W to force_W and stores them in
-/// state.normalForce and state.wallForce_W, their stiffness in contacts.wallStiffness.
+/// state.normalForce and state.wallForce_W, and the nodes that touch in contacts.touching.
 void addWallForces(const InsertionModel& model, InsertionState& state, const StepStart& start,
                    const RodKinematics& rod, ContactSet& contacts, FrictionHistory& history,
                    std::vector<Eigen::Vector3d>& force_W) noexcept;
@@ -58,7 +53,8 @@ double frictionLag(const InsertionModel& model, const InsertionState& state,
 void renewFriction(const InsertionState& state, const ContactSet& contacts,
                    FrictionHistory& history) noexcept;
 
-/// Adds the wall's stiffness, as stored by addWallForces(), to the matrix.
-void addWallStiffness(const ContactSet& contacts, BandMatrix& matrix) noexcept;
+/// Adds the wall's stiffness after addWallForces() to the matrix.
+void addWallStiffness(const ContactSet& contacts, const FrictionHistory& history,
+                      BandMatrix& matrix) noexcept;
 
 }  // namespace perilymph::mechanics

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "friction/FrictionStep.h"
 #include "perilymph/anatomy/Lumen.h"
 #include "perilymph/mechanics/InsertionState.h"
 #include "perilymph/mechanics/PassageModel.h"
@@ -34,11 +35,27 @@ struct SeenWall {
   double trustRadius = 0.0;                             ///< [m]; 0: none is kept.
 };
 
+/// Force of a compliant wall at a penetration depth, and its slope.
+struct NormalForce {
+  double force = 0.0;  ///< [N]
+  double slope = 0.0;  ///< [N/m]
+};
+
+/// A node that touches the wall, or is still held by friction where it touched it: what the stiffness
+/// of the contact follows from.
+struct TouchingNode {
+  std::size_t node = 0;
+  bool isPressed = false;  ///< It touches the wall.
+  NormalForce push;        ///< If it does.
+  FrictionStep friction;
+};
+
 /// A node in an open part of the cochlear partition or above the partition, in one step.
 struct OpenNode {
-  bool isOpen = false;       ///< Whether the node is one.
-  SectionReach both;         ///< Reach of an oval section toward the wall of both scalae.
-  double onPartition = 0.0;  ///< Force of the node on the partition [N].
+  bool isOpen = false;               ///< Whether the node is one.
+  SectionReach both;                 ///< Reach of an oval section toward the wall of both scalae.
+  double onPartition = 0.0;          ///< Force of the node on the partition [N].
+  SymmetricBlock<double> stiffness;  ///< Stiffness of its contact [N/m].
 };
 
 /// The contacts of the current iteration. `seen` and `wall` are kept between steps.
@@ -50,8 +67,7 @@ struct ContactSet {
         seen(nodes),
         wall(nodes),
         section(nodes),
-        touching(nodes),
-        wallStiffness(nodes)
+        touching(nodes)
   {
   }
 
@@ -63,11 +79,9 @@ struct ContactSet {
   std::vector<SectionReach> section;     ///< Section of each node, if it is oval.
   std::vector<OpenNode> open;            ///< Empty if the partition cannot rupture.
   std::size_t touches = 0;               ///< Number of nodes that touch the wall.
-  std::vector<std::size_t> touching;     ///< Indices of those nodes, from the base on.
-  std::vector<SymmetricBlock<double>>
-      wallStiffness;          ///< Stiffness of the wall at each of them [N/m].
-  RimContact rim;             ///< State of the rim contact after this iteration.
-  RimStiffness rimStiffness;  ///< Stiffness of the rim contact.
+  std::vector<TouchingNode> touching;    ///< Those nodes, from the base on.
+  RimContact rim;                        ///< State of the rim contact after this iteration.
+  RimStiffness rimStiffness;             ///< Stiffness of the rim contact.
   std::array<RimStiffness, maxPassageRings - 1>
       innerRings;  ///< The same at the rings of a passage behind it.
 };

@@ -210,7 +210,7 @@ bool openContact(const InsertionModel& model, InsertionState& state, const RodKi
                                open * (both.slope * b * b + both.force * excess)};
   }
 
-  SymmetricBlock<double>& block = contacts.wallStiffness[contacts.touches];
+  SymmetricBlock<double>& block = node.stiffness;
   block = {};
   if (side.force > 0.0) {
     const double steep = std::max(own.normal_W.norm(), 1e-6);

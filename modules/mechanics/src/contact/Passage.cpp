@@ -123,16 +123,11 @@ FrictionStep frictionAlong(const InsertionModel& model, const InsertionState& st
     moved += outer.weight[k] * (state.position_W[node] - start.position_W[node]);
   }
   slip = n_W.dot(moved);
-  FrictionStep friction{Eigen::Vector3d::Zero(), Eigen::Matrix3d::Zero(), Eigen::Vector3d::Zero(),
-                        false};
-  if (!(history.rimPressedBefore > 0.0)) return friction;
+  if (!(history.rimPressedBefore > 0.0)) return {};
   const double stretch = slip + n_W.dot(state.rim.spring_W);
-  friction = frictionStep(stretch * n_W, history.rimPressedBefore,
-                          model.parts.wall.tangentialPerSamplePoint.si(),
-                          {state.rim.isSliding, state.rim.slipSpeed}, model.entry.outward_W,
-                          model.passage->friction, model.timeStep);
-  friction.stiffness = n_W.dot(friction.stiffness * n_W) * n_W * n_W.transpose();
-  return friction;
+  return frictionStep(
+      stretch * n_W, history.rimPressedBefore, model.parts.wall.tangentialPerSamplePoint.si(),
+      {state.rim.isSliding, state.rim.slipSpeed}, model.passage->friction, model.timeStep);
 }
 
 void store(const Crossing& crossing, const Eigen::Matrix3d& s, RimStiffness& stiffness) noexcept
@@ -214,7 +209,9 @@ void addPassageForces(const InsertionModel& model, const InsertionState& state,
     if (k == 0) {
       addSqueeze(model, crossing, 1.0, steep, contact);
       contact.force_W += friction.force_W;
-      contact.stiffness_W += friction.stiffness;
+      const Eigen::Vector3d& n_W = model.entry.out_W;
+      const double along = n_W.dot(friction.stiffness(model.entry.outward_W) * n_W);
+      contact.stiffness_W += along * n_W * n_W.transpose();
     } else if (k + 1 == passage.rings) {
       addSqueeze(model, crossing, -1.0, steep, contact);
       inner = interpolate(passage.radialForce, passage.spacing, crossing.fromTip).value;

@@ -48,20 +48,19 @@ void rimContact(const InsertionModel& model, const InsertionState& state, const 
   const Eigen::Vector3d& across_W = history.rimNormalBefore_W;
   const Eigen::Vector3d slip = moved - across_W * across_W.dot(moved);
   const Eigen::Vector3d& spring = state.rim.spring_W;
-  FrictionStep friction{Eigen::Vector3d::Zero(), Eigen::Matrix3d::Zero(), Eigen::Vector3d::Zero(),
-                        false};
+  FrictionStep friction;
   if (history.rimPressedBefore > 0.0)
     friction = frictionStep(
         slip + spring - across_W * across_W.dot(spring), history.rimPressedBefore,
         model.parts.wall.tangentialPerSamplePoint.si(), {state.rim.isSliding, state.rim.slipSpeed},
-        across_W, model.parts.friction, model.timeStep);
+        model.parts.friction, model.timeStep);
 
   const Eigen::Vector3d pushed_W = -near.law.force * near.gradient_W -
                                    opposite.law.force * opposite.gradient_W + friction.force_W;
   const Eigen::Matrix3d stiffness =
       near.law.slope * near.gradient_W * near.gradient_W.transpose() +
       opposite.law.slope * opposite.gradient_W * opposite.gradient_W.transpose() + contact.shape_W +
-      friction.stiffness;
+      friction.stiffness(across_W);
   for (std::size_t k = 0; k < crossing.count; ++k)
     force_W[crossing.first + k] += crossing.weight[k] * pushed_W;
   RimStiffness& left = contacts.rimStiffness;

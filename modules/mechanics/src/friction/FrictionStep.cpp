@@ -32,11 +32,19 @@ FrictionLimit limitAt(double stretch, double normal, double stiffness, const Sli
 
 }  // namespace
 
-FrictionStep frictionStep(const Eigen::Vector3d& stretch_W, double normal, double stiffness,
-                          const SlipBefore& before, const Eigen::Vector3d& normal_W,
-                          const FrictionLaw& law, double timeStep) noexcept
+Eigen::Matrix3d FrictionStep::stiffness(const Eigen::Vector3d& normal_W) const noexcept
 {
   const Eigen::Matrix3d tangential = Eigen::Matrix3d::Identity() - normal_W * normal_W.transpose();
+  const Eigen::Matrix3d ways = direction_W * direction_W.transpose();
+  Eigen::Matrix3d stiffness = across * (tangential - ways);
+  if (along > 0.0) stiffness += along * ways;
+  return stiffness;
+}
+
+FrictionStep frictionStep(const Eigen::Vector3d& stretch_W, double normal, double stiffness,
+                          const SlipBefore& before, const FrictionLaw& law,
+                          double timeStep) noexcept
+{
   const double length = stretch_W.norm();
   const double trial = stiffness * length;
   const FrictionLimit limit = limitAt(length, normal, stiffness, before, law, timeStep);
@@ -44,18 +52,17 @@ FrictionStep frictionStep(const Eigen::Vector3d& stretch_W, double normal, doubl
   FrictionStep step;
   if (trial <= limit.force) {
     step.force_W = -stiffness * stretch_W;
-    step.stiffness = stiffness * tangential;
+    step.across = stiffness;
     step.spring_W = stretch_W;
     step.isSliding = before.isSliding && trial > law.stoppingCoefficient * normal;
     return step;
   }
   // slides: the spring keeps what the friction cone allows, the rest is dissipated
-  const Eigen::Vector3d direction = stretch_W / length;
-  const Eigen::Matrix3d along = direction * direction.transpose();
-  step.force_W = -limit.force * direction;
-  step.stiffness = (limit.force / length) * (tangential - along);
-  if (limit.rise > 0.0) step.stiffness += limit.rise * along;
-  step.spring_W = (limit.force / stiffness) * direction;
+  step.direction_W = stretch_W / length;
+  step.force_W = -limit.force * step.direction_W;
+  step.across = limit.force / length;
+  step.along = limit.rise;
+  step.spring_W = (limit.force / stiffness) * step.direction_W;
   step.isSliding = true;
   return step;
 }

@@ -11,12 +11,18 @@ namespace perilymph::mechanics {
 
 /// Friction of the wall on one node in one iteration.
 struct FrictionStep {
-  Eigen::Vector3d force_W;  ///< On the node, tangent to the wall [N].
-  Eigen::Matrix3d
-      stiffness;  ///< Minus the force's derivative by the node's position [N/m]; positive
-                  ///< semidefinite.
-  Eigen::Vector3d spring_W;  ///< New deflection of the spring [m].
-  bool isSliding;            ///< Whether the node slides.
+  Eigen::Vector3d force_W = Eigen::Vector3d::Zero();   ///< On the node, tangent to the wall [N].
+  Eigen::Vector3d spring_W = Eigen::Vector3d::Zero();  ///< New deflection of the spring [m].
+  bool isSliding = false;                              ///< Whether the node slides.
+  Eigen::Vector3d direction_W =
+      Eigen::Vector3d::Zero();  ///< Unit vector in which it slips; zero where it sticks.
+  double across = 0.0;          ///< Stiffness across that direction [N/m].
+  double along = 0.0;           ///< Stiffness along it [N/m]; 0 where it sticks.
+
+  /// Minus the force's derivative by the node's position [N/m]; positive semidefinite.
+  ///
+  /// @param normal_W  Unit, off the wall: perpendicular to the stretch.
+  Eigen::Matrix3d stiffness(const Eigen::Vector3d& normal_W) const noexcept;
 };
 
 /// Sliding of a node in the last step.
@@ -34,12 +40,11 @@ struct SlipBefore {
 /// @param stretch_W  Stored spring deflection plus this step's motion, tangent to the wall [m].
 /// @param normal     Normal force between node and wall [N], 0 or more.
 /// @param stiffness  Of the spring [N/m].
-/// @param normal_W   Unit, off the wall.
 /// @param timeStep   Duration of this step [s].
 ///
 /// Real-time safe.
 FrictionStep frictionStep(const Eigen::Vector3d& stretch_W, double normal, double stiffness,
-                          const SlipBefore& before, const Eigen::Vector3d& normal_W,
-                          const FrictionLaw& law, double timeStep) noexcept;
+                          const SlipBefore& before, const FrictionLaw& law,
+                          double timeStep) noexcept;
 
 }  // namespace perilymph::mechanics

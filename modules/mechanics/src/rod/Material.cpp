@@ -17,111 +17,147 @@ using Eigen::Vector3d;
 constexpr double maxTurn = 0.2;  // maximum rotation of an edge in a step [rad]
 
 /// Angle with the given sine and cosine; a series for small angles, as between two edges.
-double angleOf(double sine, double cosine) noexcept
+template <class T>
+PERILYMPH_IN_LANES T angleOf(const T& sine, const T& cosine) noexcept
 {
-  const double x = sine * sine;
+  const T x = sine * sine;
   // truncation error below 3e-10 of the angle
-  if (cosine > 0.0 && x < 0.01)
-    return sine * (1.0 + x * (1.0 / 6.0 + x * (3.0 / 40.0 + x * (5.0 / 112.0))));
-  return arcTangent(sine, cosine);
+  const auto isSmall = (cosine > 0.0) & (x < 0.01);
+  if (!inAll(isSmall))
+    return laneByLane(sine, cosine, [](double s, double c) {
+      const double q = s * s;
+      if (c > 0.0 && q < 0.01)
+        return s * (1.0 + q * (1.0 / 6.0 + q * (3.0 / 40.0 + q * (5.0 / 112.0))));
+      return arcTangent(s, c);
+    });
+  return sine * (1.0 + x * (1.0 / 6.0 + x * (3.0 / 40.0 + x * (5.0 / 112.0))));
 }
 
 /// The component of d perpendicular to t, normalized.
-Vector3d across(const Vector3d& d, const Vector3d& t) noexcept
+template <class T>
+PERILYMPH_IN_LANES Triple<T> across(const Triple<T>& d, const Triple<T>& t) noexcept
 {
-  const Vector3d rest = d - d.dot(t) * t;
-  const double size = rest.squaredNorm();
+  const Triple<T> rest = d - dot(d, t) * t;
+  const T size = dot(rest, rest);
   // from step to step the component along t is tiny: the first terms of the root suffice
-  const double scale =
-      std::fabs(size - 1.0) < 1e-5 ? 1.5 - 0.5 * size : 1.0 / std::sqrt(std::max(size, 1e-12));
-  return scale * rest;
+  const T series = 1.5 - 0.5 * size;
+  const auto isTiny = (size - 1.0 < 1e-5) & (1.0 - size < 1e-5);
+  if (inAll(isTiny)) return series * rest;
+  return oneOf(isTiny, series, T(1.0 / root(larger(size, 1e-12)))) * rest;
 }
 
-/// The two edges that meet at a node: tangents, directions of curl, and the directions
+/// The two edges that meet at a node, or at four: tangents, directions of curl, and the directions
 /// perpendicular to both.
+template <class T>
 struct TurningJoint {
-  const Vector3d& p;
-  const Vector3d& t;
-  const Vector3d& d;
-  const Vector3d& e;
-  const Vector3d& dAcross;  ///< p x d
-  const Vector3d& eAcross;  ///< t x e
+  Triple<T> p;
+  Triple<T> t;
+  Triple<T> d;
+  Triple<T> e;
+  Triple<T> dAcross;  ///< p x d
+  Triple<T> eAcross;  ///< t x e
+  T inverseSum;       ///< 1 / (1 + p . t)
 
-  TurningJoint(const InsertionState& state, const RodKinematics& rod, std::size_t i) noexcept
-      : p(rod.edge[i - 1].tangent_W),
-        t(rod.edge[i].tangent_W),
-        d(state.curl_W[i - 1]),
-        e(state.curl_W[i]),
-        dAcross(rod.curlAcross_W[i - 1]),
-        eAcross(rod.curlAcross_W[i])
+  PERILYMPH_IN_LANES TurningJoint(const InsertionState& state, const RodKinematics& rod,
+                                  std::size_t i) noexcept
+      : p(load<T>(rod.tangent_W, i - 1)),
+        t(load<T>(rod.tangent_W, i)),
+        d(load<T>(state.curl_W, i - 1)),
+        e(load<T>(state.curl_W, i)),
+        dAcross(load<T>(rod.curlAcross_W, i - 1)),
+        eAcross(load<T>(rod.curlAcross_W, i)),
+        inverseSum(load<T>(rod.inverseSum, i))
   {
   }
 };
 
 /// Angle from d, rotated with p into t by the smallest rotation, to e.
-double twistOf(const TurningJoint& joint, double inverseSum) noexcept
+template <class T>
+PERILYMPH_IN_LANES T twistOf(const TurningJoint<T>& joint) noexcept
 {
-  const double back = joint.d.dot(joint.t) * inverseSum;
-  const double sine = back * joint.p.dot(joint.eAcross) - joint.d.dot(joint.eAcross);
-  const double cosine = joint.d.dot(joint.e) - back * joint.p.dot(joint.e);
+  const T back = dot(joint.d, joint.t) * joint.inverseSum;
+  const T sine = back * dot(joint.p, joint.eAcross) - dot(joint.d, joint.eAcross);
+  const T cosine = dot(joint.d, joint.e) - back * dot(joint.p, joint.e);
   return angleOf(sine, cosine);
 }
 
-/// Direction of the larger EI of an oval section: that of the curl, or perpendicular to it.
-Vector3d stifferWay(const InsertionModel& model, const TurningJoint& joint, std::size_t i) noexcept
+/// Whether the larger EI is across the plane of curl.
+PERILYMPH_IN_LANES bool isStifferAcross(double, const InsertionModel& model, std::size_t i) noexcept
 {
-  if (model.stifferAcross[i] == 0) return 0.5 * (joint.d + joint.e);
-  return 0.5 * (joint.p.cross(joint.d) + joint.t.cross(joint.e));
+  return model.stifferAcross[i] != 0;
+}
+PERILYMPH_IN_LANES auto isStifferAcross(Four, const InsertionModel& model, std::size_t i) noexcept
+{
+  const auto& is = model.stifferAcross;
+  return Four{double(is[i]), double(is[i + 1]), double(is[i + 2]), double(is[i + 3])} != 0.0;
 }
 
-/// Derivatives of the energy of the joint at node i by the rotation of its two edges.
+/// Direction of the larger EI of an oval section: that of the curl, or perpendicular to it.
+template <class T>
+PERILYMPH_IN_LANES Triple<T> stifferWay(const InsertionModel& model, const TurningJoint<T>& joint,
+                                        std::size_t i) noexcept
+{
+  const T half = T{} + 0.5;
+  return oneOf(isStifferAcross(T{}, model, i),
+               half * (cross(joint.p, joint.d) + cross(joint.t, joint.e)),
+               half * (joint.d + joint.e));
+}
+
+/// Derivatives of the energy of the joint at a node by the rotation of its two edges.
+template <class T>
 struct TurnEnergy {
-  double last = 0.0, next = 0.0;          ///< First derivatives [N.m].
-  double both = 0.0;                      ///< A quarter of the second derivative by a common
-                                          ///< rotation.
-  double lastStep = 0.0, nextStep = 0.0;  ///< Second derivatives are products of these two.
+  T last{}, next{};          ///< First derivatives [N.m].
+  T both{};                  ///< A quarter of the second derivative by a common rotation.
+  T lastStep{}, nextStep{};  ///< Second derivatives are products of these two.
 };
 
 /// Derivatives of the bending energy 1/2 (EI/h) |w - h kappa (d + e)/2|^2 by the rotation.
-TurnEnergy bendingByTurn(const InsertionModel& model, const SectionStiffness& section,
-                         const RodKinematics& rod, const TurningJoint& joint,
-                         std::size_t i) noexcept
+template <class T>
+PERILYMPH_IN_LANES TurnEnergy<T> bendingByTurn(const InsertionModel& model,
+                                               const SectionStiffness& section,
+                                               const TurningJoint<T>& joint, std::size_t i) noexcept
 {
-  const double rest = section.restBend[i];
-  const double moment = rest * section.bending[i] / model.spacing;
-  const double c = rod.inverseSum[i];
-  const auto& [p, t, d, e, dAcross, eAcross] = joint;
-  TurnEnergy energy;
-  energy.last = -moment * (c * t.dot(dAcross) - 0.25 * rest * e.dot(dAcross));
-  energy.next = moment * (c * p.dot(eAcross) + 0.25 * rest * d.dot(eAcross));
-  energy.both = 0.25 * std::max(moment * c * (t.dot(d) - p.dot(e)), 0.0);
+  const T rest = load<T>(section.restBend, i);
+  const T moment = rest * load<T>(section.bending, i) / model.spacing;
+  const T c = joint.inverseSum;
+  TurnEnergy<T> energy;
+  energy.last =
+      -moment * (c * dot(joint.t, joint.dAcross) - 0.25 * rest * dot(joint.e, joint.dAcross));
+  energy.next =
+      moment * (c * dot(joint.p, joint.eAcross) + 0.25 * rest * dot(joint.d, joint.eAcross));
+  energy.both = 0.25 * larger(moment * c * (dot(joint.t, joint.d) - dot(joint.p, joint.e)), 0.0);
   return energy;
 }
 
 /// Adds the derivatives of the excess bending energy of an oval section.
-void addOval(const InsertionModel& model, const SectionStiffness& section, const RodKinematics& rod,
-             const TurningJoint& joint, std::size_t i, TurnEnergy& energy) noexcept
+template <class T>
+PERILYMPH_IN_LANES void addOval(const InsertionModel& model, const SectionStiffness& section,
+                                const TurningJoint<T>& joint, std::size_t i,
+                                TurnEnergy<T>& energy) noexcept
 {
-  const double more = section.bendingExcess[i] / model.spacing;
-  const double rest = section.restBend[i];
-  const auto& [p, t, d, e, dAcross, eAcross] = joint;
-  const Vector3d s = (2.0 * rod.inverseSum[i]) * (t - p) - (0.5 * rest) * (d + e);
-  const double along = s.dot(stifferWay(model, joint, i));
-  const bool isAcross = model.stifferAcross[i] != 0;
-  const double lastRate = 0.5 * (isAcross ? -s.dot(d) - rest : s.dot(dAcross));
-  const double nextRate = 0.5 * (isAcross ? -s.dot(e) - rest : s.dot(eAcross));
-  energy.last += more * along * lastRate;
-  energy.next += more * along * nextRate;
-  const double root = std::sqrt(more);
-  energy.lastStep = root * lastRate;
-  energy.nextStep = root * nextRate;
+  const T more = load<T>(section.bendingExcess, i) / model.spacing;
+  const T rest = load<T>(section.restBend, i);
+  const T twice = 2.0 * joint.inverseSum, half = 0.5 * rest;
+  const Triple<T> s = twice * (joint.t - joint.p) - half * (joint.d + joint.e);
+  const T along = dot(s, stifferWay(model, joint, i));
+  const auto isAcross = isStifferAcross(T{}, model, i);
+  const T lastRate = 0.5 * oneOf(isAcross, T(-dot(s, joint.d) - rest), dot(s, joint.dAcross));
+  const T nextRate = 0.5 * oneOf(isAcross, T(-dot(s, joint.e) - rest), dot(s, joint.eAcross));
+  const T size = root(more);
+  const auto isOval = load<T>(model.bendingExcess, i) > 0.0;
+  energy.last = oneOf(isOval, T(energy.last + more * along * lastRate), energy.last);
+  energy.next = oneOf(isOval, T(energy.next + more * along * nextRate), energy.next);
+  energy.lastStep = oneOf(isOval, T(size * lastRate), energy.lastStep);
+  energy.nextStep = oneOf(isOval, T(size * nextRate), energy.nextStep);
 }
 
-TurnEnergy energyByTurn(const InsertionModel& model, const SectionStiffness& section,
-                        const RodKinematics& rod, const TurningJoint& joint, std::size_t i) noexcept
+template <class T>
+PERILYMPH_IN_LANES TurnEnergy<T> energyByTurn(const InsertionModel& model,
+                                              const SectionStiffness& section,
+                                              const TurningJoint<T>& joint, std::size_t i) noexcept
 {
-  TurnEnergy energy = bendingByTurn(model, section, rod, joint, i);
-  if (model.bendingExcess[i] > 0.0) addOval(model, section, rod, joint, i, energy);
+  TurnEnergy<T> energy = bendingByTurn(model, section, joint, i);
+  if (model.isOval) addOval(model, section, joint, i, energy);
   return energy;
 }
 
@@ -170,13 +206,14 @@ void addRankOne(BandMatrix& matrix, std::size_t i, const std::array<Vector3d, 3>
 /// Transports each edge's direction of curl with the edge, and computes the perpendicular.
 void followEdges(const Vector3d& handCurl_W, InsertionState& state, RodKinematics& rod) noexcept
 {
-  const std::size_t edges = state.curl_W.size() - 1;
   state.curl_W[0] = handCurl_W;
-  for (std::size_t j = 0; j < edges; ++j) {
-    const Vector3d& t = rod.edge[j].tangent_W;
-    state.curl_W[j] = across(state.curl_W[j], t);
-    rod.curlAcross_W[j] = t.cross(state.curl_W[j]);
-  }
+  inLanes(0, state.curl_W.size() - 1, [&](auto lane, std::size_t j) PERILYMPH_KERNEL {
+    using T = decltype(lane);
+    const Triple<T> t = load<T>(rod.tangent_W, j);
+    const Triple<T> d = across(load<T>(state.curl_W, j), t);
+    store(d, state.curl_W, j);
+    store(cross(t, d), rod.curlAcross_W, j);
+  });
 }
 
 /// Computes the torque on each edge and its stiffness; coupling of neighbors in `turns.beside`.
@@ -186,17 +223,24 @@ void findTorques(const InsertionModel& model, const InsertionState& state,
   const auto edges = static_cast<std::size_t>(model.nodes - 1);
   const double inverseSpacing = 1.0 / model.spacing;
   turns.torque[0] = turns.stiffness[0] = 0.0;
-  for (std::size_t i = 1; i < edges; ++i) {
-    const TurningJoint joint(state, rod, i);
-    rod.twist[i] = twistOf(joint, rod.inverseSum[i]);
-    const double stiffness = model.twisting[i] * inverseSpacing;
-    const double moment = stiffness * rod.twist[i];
-    const TurnEnergy energy = energyByTurn(model, section, rod, joint, i);
-    turns.torque[i - 1] += moment - energy.last;
-    turns.stiffness[i - 1] += stiffness + energy.both + energy.lastStep * energy.lastStep;
-    turns.torque[i] = -moment - energy.next;
-    turns.stiffness[i] = stiffness + energy.both + energy.nextStep * energy.nextStep;
-    turns.beside[i] = -stiffness + energy.both + energy.lastStep * energy.nextStep;
+  inLanes(1, edges, [&](auto lane, std::size_t i) PERILYMPH_KERNEL {
+    using T = decltype(lane);
+    const TurningJoint<T> joint(state, rod, i);
+    const T twist = twistOf(joint);
+    const T stiffness = load<T>(model.twisting, i) * inverseSpacing;
+    const T moment = stiffness * twist;
+    const TurnEnergy<T> energy = energyByTurn(model, section, joint, i);
+    store(twist, rod.twist, i);
+    store(T(moment - energy.last), turns.torqueByNext, i - 1);
+    store(T(stiffness + energy.both + energy.lastStep * energy.lastStep), turns.stiffnessByNext,
+          i - 1);
+    store(T(-moment - energy.next), turns.torque, i);
+    store(T(stiffness + energy.both + energy.nextStep * energy.nextStep), turns.stiffness, i);
+    store(T(-stiffness + energy.both + energy.lastStep * energy.nextStep), turns.beside, i);
+  });
+  for (std::size_t j = 0; j + 1 < edges; ++j) {
+    turns.torque[j] += turns.torqueByNext[j];
+    turns.stiffness[j] += turns.stiffnessByNext[j];
   }
   if (!model.isOval) return;
   for (std::size_t i = 1; i <= edges; ++i) {
@@ -210,25 +254,30 @@ void findTorques(const InsertionModel& model, const InsertionState& state,
 void turnEdges(InsertionState& state, RodKinematics& rod, TwistSystem& turns) noexcept
 {
   const std::size_t edges = state.curl_W.size() - 1;
+  double stiffness = turns.stiffness[edges - 1], torque = turns.torque[edges - 1];
   for (std::size_t j = edges - 1; j > 1; --j) {
-    const double inverseStiffness = 1.0 / turns.stiffness[j];
+    const double inverseStiffness = 1.0 / stiffness;
     const double factor = turns.beside[j] * inverseStiffness;
-    turns.stiffness[j - 1] -= factor * turns.beside[j];
-    turns.torque[j - 1] -= factor * turns.torque[j];
-    turns.torque[j] *= inverseStiffness;
+    turns.torque[j] = torque * inverseStiffness;
+    stiffness = turns.stiffness[j - 1] - factor * turns.beside[j];
+    torque = turns.torque[j - 1] - factor * torque;
     turns.beside[j] = factor;
   }
-  turns.torque[1] /= turns.stiffness[1];
+  turns.torque[1] = torque / stiffness;
   double last = 0.0;
   for (std::size_t j = 1; j < edges; ++j) {
-    const double turn = std::clamp(turns.torque[j] - turns.beside[j] * last, -maxTurn, maxTurn);
-    const double x = turn * turn;
-    const double sine = turn * (1.0 - x * (1.0 / 6.0 - x * (1.0 / 120.0)));
-    const double cosine = 1.0 - x * (0.5 - x * (1.0 / 24.0 - x * (1.0 / 720.0)));
-    state.curl_W[j] = cosine * state.curl_W[j] + sine * rod.curlAcross_W[j];
-    rod.twist[j] += turn - last;
-    last = turn;
+    last = std::clamp(turns.torque[j] - turns.beside[j] * last, -maxTurn, maxTurn);
+    turns.turn[j] = last;
   }
+  inLanes(1, edges, [&](auto lane, std::size_t j) PERILYMPH_KERNEL {
+    using T = decltype(lane);
+    const T turn = load<T>(turns.turn, j);
+    const T x = turn * turn;
+    const T sine = turn * (1.0 - x * (1.0 / 6.0 - x * (1.0 / 120.0)));
+    const T cosine = 1.0 - x * (0.5 - x * (1.0 / 24.0 - x * (1.0 / 720.0)));
+    store(cosine * load<T>(state.curl_W, j) + sine * load<T>(rod.curlAcross_W, j), state.curl_W, j);
+    store(T(load<T>(rod.twist, j) + (turn - load<T>(turns.turn, j - 1))), rod.twist, j);
+  });
   state.curl_W[edges] = state.curl_W[edges - 1];
 }
 
@@ -243,27 +292,20 @@ void turnMaterial(const InsertionModel& model, const Vector3d& curl_W,
   followEdges(curl_W, state, rod);
   findTorques(model, state, section, rod, turns);
   turnEdges(state, rod, turns);
-  for (std::size_t i = 1; i < edges; ++i) {
-    rod.restBend_W[i] = (0.5 * section.restBend[i]) * (state.curl_W[i - 1] + state.curl_W[i]);
-    rod.twistRate_W[i] = (inverseSpacing * rod.inverseSum[i]) *
-                         rod.edge[i - 1].tangent_W.cross(rod.edge[i].tangent_W);
-    if (model.bendingExcess[i] > 0.0)
-      rod.stiffer_W[i] = stifferWay(model, TurningJoint(state, rod, i), i);
-  }
-  rod.curlAcross_W[1] = rod.edge[1].tangent_W.cross(state.curl_W[1]);
+  inLanes(1, edges, [&](auto lane, std::size_t i) PERILYMPH_KERNEL {
+    using T = decltype(lane);
+    const TurningJoint<T> joint(state, rod, i);
+    const T half = 0.5 * load<T>(section.restBend, i);
+    const T scale = inverseSpacing * joint.inverseSum;
+    store(half * (joint.d + joint.e), rod.restBend_W, i);
+    store(scale * cross(joint.p, joint.t), rod.twistRate_W, i);
+    if (model.isOval) store(stifferWay(model, joint, i), rod.stiffer_W, i);
+  });
+  rod.curlAcross_W.set(1, rod.tangent_W[1].cross(state.curl_W[1]));
+  const TurningJoint<double> first(state, rod, 1);
   rod.twistTorque = model.twisting[1] * inverseSpacing * rod.twist[1] -
-                    energyByTurn(model, section, rod, TurningJoint(state, rod, 1), 1).last;
+                    energyByTurn(model, section, first, 1).last;
   if (model.isOval) rod.twistTorque += state.wallTorque[1].torque;
-}
-
-Vector3d ovalStress(const InsertionModel& model, const SectionStiffness& section,
-                    const RodKinematics& rod, std::size_t i, const Vector3d& bend_W) noexcept
-{
-  const double damping = dampingTime / model.timeStep;
-  const Vector3d& way = rod.stiffer_W[i];
-  const double along =
-      way.dot(bend_W - rod.restBend_W[i]) + damping * way.dot(bend_W - rod.bendBefore_W[i]);
-  return (section.bendingExcess[i] / model.spacing * along) * way;
 }
 
 void addMaterialStiffness(const InsertionModel& model, const SectionStiffness& section,
@@ -274,14 +316,11 @@ void addMaterialStiffness(const InsertionModel& model, const SectionStiffness& s
   for (std::size_t i = 1; i + 1 < n; ++i) {
     addTwist(matrix, i, rod.twistRate_W[i], model.twisting[i] / model.spacing);
     if (!(model.bendingExcess[i] > 0.0)) continue;
-    const RodEdge& last = rod.edge[i - 1];
-    const RodEdge& next = rod.edge[i];
-    const Vector3d& way = rod.stiffer_W[i];
-    const double c = 2.0 / std::max(1.0 + last.tangent_W.dot(next.tangent_W), 1e-3);
-    const Vector3d byNext =
-        c * next.inverseLength * (way - way.dot(next.tangent_W) * next.tangent_W);
-    const Vector3d byLast =
-        c * last.inverseLength * (way - way.dot(last.tangent_W) * last.tangent_W);
+    const Vector3d last_W = rod.tangent_W[i - 1], next_W = rod.tangent_W[i];
+    const Vector3d way_W = rod.stiffer_W[i];
+    const double c = 2.0 / std::max(1.0 + last_W.dot(next_W), 1e-3);
+    const Vector3d byNext = c * rod.inverseLength[i] * (way_W - way_W.dot(next_W) * next_W);
+    const Vector3d byLast = c * rod.inverseLength[i - 1] * (way_W - way_W.dot(last_W) * last_W);
     addRankOne(matrix, i, {byLast, -byLast - byNext, byNext},
                section.bendingExcess[i] / model.spacing * (1.0 + damping));
   }

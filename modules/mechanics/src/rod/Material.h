@@ -16,7 +16,7 @@ namespace perilymph::mechanics {
 ///
 ///     sum of 1/2 (GJ/h) m_i^2 + bending + contact energy of oval sections,
 ///
-/// where m_i is the twist of edge i against the edge before it. Needs rod.edge and rod.inverseSum;
+/// where m_i is the twist of edge i against the edge before it. Needs the edges and rod.inverseSum;
 /// stores the rest bends, the twist and the torque on the hand in `rod`.
 ///
 /// Positions are then solved with these directions and the same energies: neither half of the step
@@ -28,11 +28,6 @@ namespace perilymph::mechanics {
 void turnMaterial(const InsertionModel& model, const Eigen::Vector3d& curl_W,
                   const SectionStiffness& section, InsertionState& state, RodKinematics& rod,
                   TwistSystem& turns) noexcept;
-
-/// Additional bending moment at node i of an oval section that is stiffer in one direction [N.m].
-Eigen::Vector3d ovalStress(const InsertionModel& model, const SectionStiffness& section,
-                           const RodKinematics& rod, std::size_t i,
-                           const Eigen::Vector3d& bend_W) noexcept;
 
 /// Adds the stiffness of twist and oval sections to the matrix.
 void addMaterialStiffness(const InsertionModel& model, const SectionStiffness& section,

@@ -11,48 +11,53 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Two successive links and the discrete curvature between them.
+/// Two successive links and the discrete curvature between them, at one node or at four.
+template <class T>
 struct Joint {
-  const RodEdge& last;
-  const RodEdge& next;
-  double cosine;  ///< Cosine of the angle between them.
-  double c;       ///< 1 / (1 + cosine)
+  Triple<T> last;  ///< Tangent of the link before.
+  Triple<T> next;  ///< Tangent of the link after.
+  T cosine;        ///< Cosine of the angle between them.
+  T c;             ///< 1 / (1 + cosine)
 
-  Joint(const RodEdge& before, const RodEdge& after) noexcept
-      : last(before), next(after), cosine(before.tangent_W.dot(after.tangent_W))
+  PERILYMPH_IN_LANES Joint(const RodKinematics& rod, std::size_t i) noexcept
+      : last(load<T>(rod.tangent_W, i - 1)),
+        next(load<T>(rod.tangent_W, i)),
+        cosine(dot(last, next)),
+        c(1.0 / larger(1.0 + cosine, 1e-3))
   {
-    c = 1.0 / std::max(1.0 + cosine, 1e-3);
   }
 
   /// Discrete curvature w = 2 (t - p) / (1 + t . p), a vector in the plane of both tangents that
   /// points to the inside of the bend. For small angles its length is the angle between them.
-  Vector3d bend_W() const noexcept { return (2.0 * c) * (next.tangent_W - last.tangent_W); }
+  PERILYMPH_IN_LANES Triple<T> bend_W() const noexcept
+  {
+    const T twice = 2.0 * c;
+    return twice * (next - last);
+  }
 };
 
-/// Tensile force of an edge, positive if it is longer than at rest [N].
-double tensionOf(double stiffness, double rest, double length, double before,
-                 double damping) noexcept
-{
-  return stiffness * ((length - rest) + damping * (length - before));
-}
-
 /// Moments of a bent joint on its two links, as forces on their far ends.
+template <class T>
 struct JointForces {
-  Vector3d onNext_W;  ///< Subtracted from the node after.
-  Vector3d onLast_W;  ///< Subtracted from the node before.
+  Triple<T> onNext_W;  ///< Subtracted from the node after.
+  Triple<T> onLast_W;  ///< Subtracted from the node before.
 };
 
 /// The exact gradient of the bending energy, whose derivative by the bend is `stress`: the
 /// derivatives of w by the tangents t and p are c (2 - w p^T) and -c (2 + w t^T).
-JointForces forcesOf(const Joint& joint, const Vector3d& bend_W, const Vector3d& stress) noexcept
+template <class T>
+PERILYMPH_IN_LANES JointForces<T> forcesOf(const Joint<T>& joint, const T& inverseNext,
+                                           const T& inverseLast, const Triple<T>& bend_W,
+                                           const Triple<T>& stress) noexcept
 {
-  const Vector3d& t = joint.next.tangent_W;
-  const Vector3d& p = joint.last.tangent_W;
-  const double a = 2.0 * joint.c * joint.next.inverseLength;
-  const double b = 2.0 * joint.c * joint.last.inverseLength;
-  const double half = 0.5 * bend_W.dot(stress);
-  return {a * (stress - t * (t.dot(stress) - half * joint.cosine) - half * p),
-          b * (stress - p * (p.dot(stress) + half * joint.cosine) + half * t)};
+  const Triple<T>& t = joint.next;
+  const Triple<T>& p = joint.last;
+  const T a = 2.0 * joint.c * inverseNext;
+  const T b = 2.0 * joint.c * inverseLast;
+  const T half = 0.5 * dot(bend_W, stress);
+  const T byNext = dot(t, stress) - half * joint.cosine;
+  const T byLast = dot(p, stress) + half * joint.cosine;
+  return {a * (stress - byNext * t - half * p), b * (stress - byLast * p + half * t)};
 }
 
 /// EI at a node whose segment is partly covered by the stylet: a part with and a part without it in
@@ -66,29 +71,31 @@ double bendingOf(double carrier, double stylet, double covered) noexcept
 }
 
 /// scale (1 - t t^T): the projection perpendicular to t, scaled.
-SymmetricBlock<double> across(const Vector3d& t, double scale) noexcept
+SymmetricBlock<double> across(const Triple<double>& t, double scale) noexcept
 {
-  const double x = scale * t[0], y = scale * t[1], z = scale * t[2];
-  return {scale - x * t[0], -x * t[1], -x * t[2], scale - y * t[1], -y * t[2], scale - z * t[2]};
+  const double x = scale * t.x, y = scale * t.y, z = scale * t.z;
+  return {scale - x * t.x, -x * t.y, -x * t.z, scale - y * t.y, -y * t.z, scale - z * t.z};
 }
 
 /// scale (1 - t t^T) (1 - p p^T)
-Block<double> acrossBoth(const Vector3d& t, const Vector3d& p, double cosine, double scale) noexcept
+Block<double> acrossBoth(const Joint<double>& joint, double scale) noexcept
 {
-  const Vector3d u = scale * (cosine * p - t);
-  const Vector3d v = scale * p;
-  return {scale + t[0] * u[0] - v[0] * p[0], t[0] * u[1] - v[0] * p[1],
-          t[0] * u[2] - v[0] * p[2],         t[1] * u[0] - v[1] * p[0],
-          scale + t[1] * u[1] - v[1] * p[1], t[1] * u[2] - v[1] * p[2],
-          t[2] * u[0] - v[2] * p[0],         t[2] * u[1] - v[2] * p[1],
-          scale + t[2] * u[2] - v[2] * p[2]};
+  const Triple<double>& t = joint.next;
+  const Triple<double>& p = joint.last;
+  const Triple<double> u = scale * (joint.cosine * p - t);
+  const Triple<double> v = scale * p;
+  return {
+      scale + t.x * u.x - v.x * p.x, t.x * u.y - v.x * p.y,         t.x * u.z - v.x * p.z,
+      t.y * u.x - v.y * p.x,         scale + t.y * u.y - v.y * p.y, t.y * u.z - v.y * p.z,
+      t.z * u.x - v.z * p.x,         t.z * u.y - v.z * p.y,         scale + t.z * u.z - v.z * p.z};
 }
 
 /// Derivative of an edge's force by the position of one of its ends: along it from the material,
 /// across it from the tension.
-SymmetricBlock<double> stiffnessOf(const RodEdge& edge, double along, double sideways) noexcept
+SymmetricBlock<double> stiffnessOf(const Triple<double>& tangent_W, double along,
+                                   double sideways) noexcept
 {
-  SymmetricBlock<double> block = across(edge.tangent_W, sideways - along);
+  SymmetricBlock<double> block = across(tangent_W, sideways - along);
   block.xx += along, block.yy += along, block.zz += along;
   return block;
 }
@@ -108,11 +115,11 @@ SymmetricBlock<double> withMirror(const Block<double>& a) noexcept
 void addStretching(const InsertionModel& model, std::size_t i, double damping,
                    Compression compression, const RodKinematics& rod, BandMatrix& matrix) noexcept
 {
-  const RodEdge& edge = rod.edge[i];
   const double tension =
-      compression == Compression::included ? edge.tension : std::max(edge.tension, 0.0);
+      compression == Compression::included ? rod.tension[i] : std::max(rod.tension[i], 0.0);
   const double along = model.stretching[i] / model.spacing * (1.0 + damping);
-  const SymmetricBlock<double> block = stiffnessOf(edge, along, tension * edge.inverseLength);
+  const SymmetricBlock<double> block =
+      stiffnessOf(load<double>(rod.tangent_W, i), along, tension * rod.inverseLength[i]);
   const std::size_t a = blockOf(i);
   matrix.diagonal[a] += block;
   matrix.diagonal[a + 1] += block;
@@ -126,14 +133,13 @@ void addBending(const InsertionModel& model, std::size_t i, double damping,
                 const SectionStiffness& section, const RodKinematics& rod,
                 BandMatrix& matrix) noexcept
 {
-  const Joint joint(rod.edge[i - 1], rod.edge[i]);
+  const Joint<double> joint(rod, i);
   const double k = section.bending[i] / model.spacing * (1.0 + damping);
-  const double a = 2.0 * joint.c * joint.next.inverseLength;
-  const double b = 2.0 * joint.c * joint.last.inverseLength;
-  const SymmetricBlock<double> nextNext = across(joint.next.tangent_W, k * a * a);
-  const SymmetricBlock<double> lastLast = across(joint.last.tangent_W, k * b * b);
-  const Block<double> nextLast =
-      acrossBoth(joint.next.tangent_W, joint.last.tangent_W, joint.cosine, k * a * b);
+  const double a = 2.0 * joint.c * rod.inverseLength[i];
+  const double b = 2.0 * joint.c * rod.inverseLength[i - 1];
+  const SymmetricBlock<double> nextNext = across(joint.next, k * a * a);
+  const SymmetricBlock<double> lastLast = across(joint.last, k * b * b);
+  const Block<double> nextLast = acrossBoth(joint, k * a * b);
 
   // the node itself moves relative to both far ends
   SymmetricBlock<double> hereHere = withMirror(nextLast);
@@ -186,36 +192,39 @@ void setRestShape(const InsertionModel& model, const std::vector<Vector3d>& posi
 {
   const auto n = static_cast<std::size_t>(model.nodes);
   setEdges(position_W, rod);
+  rod.lengthBefore = rod.length;
+  inLanes(1, n - 1, [&rod](auto lane, std::size_t i) PERILYMPH_KERNEL {
+    using T = decltype(lane);
+    const Joint<T> joint(rod, i);
+    store(joint.bend_W(), rod.bendBefore_W, i);
+    store(joint.c, rod.inverseSum, i);
+  });
+  // a twisting array has its own material directions
+  if (model.twists) return;
   Vector3d d = curl_W;
-  for (std::size_t i = 0; i + 1 < n; ++i) {
-    rod.lengthBefore[i] = rod.edge[i].length;
-    if (i == 0) continue;
-    const Joint joint(rod.edge[i - 1], rod.edge[i]);
-    const Vector3d& p = joint.last.tangent_W;
-    const Vector3d& t = joint.next.tangent_W;
-    rod.bendBefore_W[i] = joint.bend_W();
-    rod.inverseSum[i] = joint.c;
-    // a twisting array has its own material directions
-    if (model.twists) continue;
+  for (std::size_t i = 1; i + 1 < n; ++i) {
+    const Vector3d p = rod.tangent_W[i - 1], t = rod.tangent_W[i];
     // the smallest rotation from p to t
-    const Vector3d next = d - (d.dot(t) * joint.c) * (p + t);
-    rod.restBend_W[i] = (0.5 * section.restBend[i]) * (d + next);
+    const Vector3d next = d - (d.dot(t) * rod.inverseSum[i]) * (p + t);
+    rod.restBend_W.set(i, (0.5 * section.restBend[i]) * (d + next));
     d = next;
   }
 }
 
 void setEdges(const std::vector<Vector3d>& position_W, RodKinematics& rod) noexcept
 {
-  for (std::size_t i = 0; i + 1 < position_W.size(); ++i) {
-    const Vector3d along = position_W[i + 1] - position_W[i];
-    RodEdge& edge = rod.edge[i];
-    edge.length = std::sqrt(along[0] * along[0] + along[1] * along[1] + along[2] * along[2]);
-    edge.inverseLength = 1.0 / edge.length;
-    edge.tangent_W = edge.inverseLength * along;
-  }
+  inLanes(0, position_W.size() - 1, [&](auto lane, std::size_t i) PERILYMPH_KERNEL {
+    using T = decltype(lane);
+    const Triple<T> along = load<T>(position_W, i + 1) - load<T>(position_W, i);
+    const T length = root(along.x * along.x + along.y * along.y + along.z * along.z);
+    const T inverse = 1.0 / length;
+    store(length, rod.length, i);
+    store(inverse, rod.inverseLength, i);
+    store(inverse * along, rod.tangent_W, i);
+  });
 }
 
-void addRodForces(const InsertionModel& model, const std::vector<Vector3d>& position_W,
+void setRodForces(const InsertionModel& model, const std::vector<Vector3d>& position_W,
                   const SectionStiffness& section, RodKinematics& rod,
                   std::vector<Vector3d>& force_W) noexcept
 {
@@ -225,29 +234,48 @@ void addRodForces(const InsertionModel& model, const std::vector<Vector3d>& posi
   setEdges(position_W, rod);
 
   // the first edge is in the tweezers: it neither stretches nor bends
-  for (std::size_t i = 1; i + 1 < n; ++i) {
-    RodEdge& edge = rod.edge[i];
-    edge.tension = tensionOf(model.stretching[i] / h, h, edge.length, rod.lengthBefore[i], damping);
-    const Vector3d pull_W = edge.tension * edge.tangent_W;
+  inLanes(1, n - 1, [&](auto lane, std::size_t i) PERILYMPH_KERNEL {
+    using T = decltype(lane);
+    const Joint<T> joint(rod, i);
+    const T length = load<T>(rod.length, i);
+    const T tension = load<T>(model.stretching, i) / h *
+                      ((length - h) + damping * (length - load<T>(rod.lengthBefore, i)));
+    store(tension, rod.tension, i);
 
-    const Joint joint(rod.edge[i - 1], edge);
-    const Vector3d w = joint.bend_W();
-    Vector3d stress =
-        (section.bending[i] / h) * ((w - rod.restBend_W[i]) + damping * (w - rod.bendBefore_W[i]));
-    if (model.bendingExcess[i] > 0.0) stress += ovalStress(model, section, rod, i, w);
-    JointForces bending = forcesOf(joint, w, stress);
-    if (model.twists) {
-      const Vector3d& b = rod.twistRate_W[i];
-      const double twist = rod.twist[i] + b.dot(position_W[i + 1] - position_W[i - 1]);
-      const Vector3d shapeOperator_W = (model.twisting[i] / h * twist) * b;
-      bending.onNext_W += shapeOperator_W;
-      bending.onLast_W -= shapeOperator_W;
+    const Triple<T> w = joint.bend_W();
+    const Triple<T> bent = w - load<T>(rod.restBend_W, i);
+    const Triple<T> moved = w - load<T>(rod.bendBefore_W, i);
+    const T stiffness = load<T>(section.bending, i) / h;
+    Triple<T> stress = stiffness * (bent + (T{} + damping) * moved);
+    if (model.isOval) {
+      const Triple<T> way = load<T>(rod.stiffer_W, i);
+      const T along = dot(way, bent) + damping * dot(way, moved);
+      const T moment = load<T>(section.bendingExcess, i) / h * along;
+      stress = oneOf(load<T>(model.bendingExcess, i) > 0.0, stress + moment * way, stress);
     }
+    JointForces<T> bending = forcesOf(joint, load<T>(rod.inverseLength, i),
+                                      load<T>(rod.inverseLength, i - 1), w, stress);
+    if (model.twists) {
+      const Triple<T> b = load<T>(rod.twistRate_W, i);
+      const T twist =
+          load<T>(rod.twist, i) + dot(b, load<T>(position_W, i + 1) - load<T>(position_W, i - 1));
+      const T moment = load<T>(model.twisting, i) / h * twist;
+      bending.onNext_W = bending.onNext_W + moment * b;
+      bending.onLast_W = bending.onLast_W - moment * b;
+    }
+    const Triple<T> onNext = tension * joint.next + bending.onNext_W;
+    store(onNext, rod.onNext_W, i);
+    store(onNext + bending.onLast_W, rod.onNode_W, i);
+    store(bending.onLast_W, rod.onLast_W, i);
+  });
 
-    force_W[i - 1] -= bending.onLast_W;
-    force_W[i] += pull_W + bending.onNext_W + bending.onLast_W;
-    force_W[i + 1] -= pull_W + bending.onNext_W;
-  }
+  inLanes(1, n - 1, [&](auto lane, std::size_t i) PERILYMPH_KERNEL {
+    using T = decltype(lane);
+    const Triple<T> before = Triple<T>{} - load<T>(rod.onNext_W, i - 1);
+    store(before + load<T>(rod.onNode_W, i) - load<T>(rod.onLast_W, i + 1), force_W, i);
+  });
+  force_W.front() = -rod.onLast_W[1];
+  force_W.back() = -rod.onNext_W[n - 2];
 }
 
 void addRodStiffness(const InsertionModel& model, Compression compression,

@@ -39,15 +39,15 @@ void setRestShape(const InsertionModel& model, const std::vector<Eigen::Vector3d
                   const Eigen::Vector3d& curl_W, const SectionStiffness& section,
                   RodKinematics& rod) noexcept;
 
-/// Computes the rod's links at these positions, into rod.edge.
+/// Computes the rod's edges at these positions.
 void setEdges(const std::vector<Eigen::Vector3d>& position_W, RodKinematics& rod) noexcept;
 
-/// Adds the rod's forces to force_W, and stores its edges and their tension in `rod`.
-void addRodForces(const InsertionModel& model, const std::vector<Eigen::Vector3d>& position_W,
+/// Sets force_W to the rod's forces, and stores its edges and their tension in `rod`.
+void setRodForces(const InsertionModel& model, const std::vector<Eigen::Vector3d>& position_W,
                   const SectionStiffness& section, RodKinematics& rod,
                   std::vector<Eigen::Vector3d>& force_W) noexcept;
 
-/// Adds the rod's stiffness to the matrix, at the edges stored by addRodForces().
+/// Adds the rod's stiffness to the matrix, at the edges stored by setRodForces().
 void addRodStiffness(const InsertionModel& model, Compression compression,
                      const SectionStiffness& section, const RodKinematics& rod,
                      BandMatrix& matrix) noexcept;

@@ -6,6 +6,8 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "lanes/Lanes.h"
+
 namespace perilymph::mechanics {
 
 /// The start of a time step, relative to which motion is computed.
@@ -27,51 +29,66 @@ struct SectionStiffness {
   std::vector<double> restBend;       ///< Spacing times rest curvature at each node.
 };
 
-/// A link of the rod between two nodes.
-struct RodEdge {
-  Eigen::Vector3d tangent_W = Eigen::Vector3d::Zero();  ///< Unit, toward the tip.
-  double length = 0.0;                                  ///< [m]
-  double inverseLength = 0.0;                           ///< 1 / length [1/m]
-  double tension = 0.0;                                 ///< [N]
-};
-
 /// Edges, bends and twist of the rod in the current iteration, and at the start of the step,
-/// relative to which damping and twist are computed.
+/// relative to which damping and twist are computed. Edge i is the link between nodes i and i + 1.
 struct RodKinematics {
   explicit RodKinematics(std::size_t nodes = 0)
-      : edge(nodes),
+      : tangent_W(nodes),
+        length(nodes),
+        inverseLength(nodes),
+        tension(nodes),
         inverseSum(nodes),
         lengthBefore(nodes),
-        bendBefore_W(nodes, Eigen::Vector3d::Zero()),
-        restBend_W(nodes, Eigen::Vector3d::Zero()),
-        stiffer_W(nodes, Eigen::Vector3d::Zero()),
+        bendBefore_W(nodes),
+        restBend_W(nodes),
+        stiffer_W(nodes),
         twist(nodes),
-        twistRate_W(nodes, Eigen::Vector3d::Zero()),
-        curlAcross_W(nodes, Eigen::Vector3d::Zero())
+        twistRate_W(nodes),
+        curlAcross_W(nodes),
+        onLast_W(nodes),
+        onNext_W(nodes),
+        onNode_W(nodes)
   {
   }
 
-  std::vector<RodEdge> edge;                  ///< Edge i, between nodes i and i + 1.
-  std::vector<double> inverseSum;             ///< 1 / (1 + cosine of the angle) at each node.
-  std::vector<double> lengthBefore;           ///< Length of each edge at the start of the step [m].
-  std::vector<Eigen::Vector3d> bendBefore_W;  ///< At each node at the start of the step.
-  std::vector<Eigen::Vector3d> restBend_W;    ///< Rest bend at each node, with its direction.
-  std::vector<Eigen::Vector3d> stiffer_W;     ///< Direction of the larger EI at each node.
+  Axes tangent_W;                     ///< Unit vector of each edge, toward the tip.
+  std::vector<double> length;         ///< Length of each edge [m].
+  std::vector<double> inverseLength;  ///< 1 / length [1/m]
+  std::vector<double> tension;        ///< Tension of each edge [N].
+  std::vector<double> inverseSum;     ///< 1 / (1 + cosine of the angle) at each node.
+  std::vector<double> lengthBefore;   ///< Length of each edge at the start of the step [m].
+  Axes bendBefore_W;                  ///< Bend at each node at the start of the step.
+  Axes restBend_W;                    ///< Rest bend at each node, with its direction.
+  Axes stiffer_W;                     ///< Direction of the larger EI at each node.
   std::vector<double> twist;  ///< Twist of the edge after each node against the one before [rad].
   /// Gradient of the twist at each node by the motion of the next node relative to the previous one
   /// [1/m].
-  std::vector<Eigen::Vector3d> twistRate_W;
-  std::vector<Eigen::Vector3d> curlAcross_W;  ///< Each edge's tangent cross its curl.
+  Axes twistRate_W;
+  Axes curlAcross_W;         ///< Each edge's tangent cross its curl.
+  Axes onLast_W;             ///< Force of each bent joint, subtracted from the node before [N] ...
+  Axes onNext_W;             ///< ... from the node after, with the tension of the edge ...
+  Axes onNode_W;             ///< ... and added to the node itself: zero at both ends of the array.
   double twistTorque = 0.0;  ///< Torque of the array on the hand about its axis [N.m].
 };
 
 /// The symmetric tridiagonal system for the rotation of every edge about its axis.
 struct TwistSystem {
-  explicit TwistSystem(std::size_t nodes = 0) : torque(nodes), stiffness(nodes), beside(nodes) {}
+  explicit TwistSystem(std::size_t nodes = 0)
+      : torque(nodes),
+        stiffness(nodes),
+        beside(nodes),
+        turn(nodes),
+        torqueByNext(nodes),
+        stiffnessByNext(nodes)
+  {
+  }
 
-  std::vector<double> torque;     ///< On each edge [N.m].
-  std::vector<double> stiffness;  ///< Torsional stiffness of each edge [N.m].
-  std::vector<double> beside;     ///< Coupling of each edge and the one before [N.m].
+  std::vector<double> torque;           ///< On each edge [N.m].
+  std::vector<double> stiffness;        ///< Torsional stiffness of each edge [N.m].
+  std::vector<double> beside;           ///< Coupling of each edge and the one before [N.m].
+  std::vector<double> turn;             ///< Rotation of each edge in this step [rad]; the first: 0.
+  std::vector<double> torqueByNext;     ///< Part of `torque` from the joint after an edge [N.m].
+  std::vector<double> stiffnessByNext;  ///< The same of `stiffness` [N.m].
 };
 
 }  // namespace perilymph::mechanics

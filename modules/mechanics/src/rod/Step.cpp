@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rod/Step.h"
 
+#include <algorithm>
+
 #include "contact/Clearance.h"
 #include "contact/OpenPartition.h"
 #include "rod/Material.h"
@@ -26,7 +28,7 @@ void predict(const InsertionModel& model, InsertionState& state, const Drive& dr
   for (std::size_t i = 2; i < n; ++i) {
     const Eigen::Vector3d motion =
         goesOn ? Eigen::Vector3d(fraction * model.timeStep * state.velocity_W[i])
-               : Eigen::Vector3d(forward * work.rod.edge[i - 1].tangent_W);
+               : Eigen::Vector3d(forward * work.rod.tangent_W[i - 1]);
     state.position_W[i] = work.start.position_W[i] + motion;
   }
   state.position_W[0] = to_W;
@@ -36,13 +38,11 @@ void predict(const InsertionModel& model, InsertionState& state, const Drive& dr
 /// Stores the state at the start of the step.
 void remember(const InsertionState& state, RodWorkspace& work) noexcept
 {
-  for (std::size_t i = 0; i < state.position_W.size(); ++i) {
-    work.start.position_W[i] = state.position_W[i];
-    work.friction.pressedBefore[i] = state.normalForce[i];
-    work.friction.normalBefore_W[i] = state.wallNormal_W[i];
-    work.contacts.section[i].isKnown = false;
-    work.contacts.isKnown[i] = 0;
-  }
+  work.start.position_W = state.position_W;
+  work.friction.pressedBefore = state.normalForce;
+  work.friction.normalBefore_W = state.wallNormal_W;
+  std::fill(work.contacts.isKnown.begin(), work.contacts.isKnown.end(), 0);
+  for (SectionReach& section : work.contacts.section) section.isKnown = false;
   work.friction.rimPressedBefore = state.rim.normalForce;
   work.friction.rimNormalBefore_W = state.rim.normal_W;
 }

@@ -18,6 +18,7 @@ struct LinearSystem {
         right(matrix.blocks()),
         trial_W(matrix.blocks()),
         start_W(nodes),
+        edge_W(nodes, Eigen::Vector3d::Zero()),
         factors(matrix.blocks())
   {
   }
@@ -26,6 +27,7 @@ struct LinearSystem {
   std::vector<Eigen::Vector3d> right;    ///< Unbalanced force on each block [N].
   std::vector<Eigen::Vector3d> trial_W;  ///< The Newton step, per block [m].
   std::vector<Eigen::Vector3d> start_W;  ///< Positions of the nodes at its start [m].
+  std::vector<Eigen::Vector3d> edge_W;   ///< Each edge after the step, or its rate [m].
   /// Factors of the last factorized stiffness, from this time step or an earlier one: part of the
   /// state's value.
   BandFactors factors;

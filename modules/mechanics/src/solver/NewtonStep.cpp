@@ -4,52 +4,69 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lanes/Lanes.h"
+
 namespace perilymph::mechanics {
 namespace {
 
 /// 1 / sqrt(1 + q).
-double inverseRoot(double q) noexcept
+template <class T>
+PERILYMPH_IN_LANES T inverseRoot(const T& q) noexcept
 {
   // truncation error below rounding
-  if (q < 1e-4) return 1.0 - q * (0.5 - q * (0.375 - q * 0.3125));
-  return 1.0 / std::sqrt(1.0 + q);
+  const T series = 1.0 - q * (0.5 - q * (0.375 - q * 0.3125));
+  const auto isSmall = q < 1e-4;
+  if (inAll(isSmall)) return series;
+  return oneOf(isSmall, series, T(1.0 / root(T(1.0 + q))));
 }
 
 }  // namespace
 
-void moveBy(const LinearSystem& system, double alpha,
-            std::vector<Eigen::Vector3d>& position_W) noexcept
+void moveBy(LinearSystem& system, double alpha, std::vector<Eigen::Vector3d>& position_W) noexcept
 {
+  const std::size_t nodes = system.start_W.size();
+  inLanes(1, nodes - 1, [&](auto lane, std::size_t i) PERILYMPH_KERNEL {
+    using T = decltype(lane);
+    const Triple<T> edge = load<T>(system.start_W, i + 1) - load<T>(system.start_W, i);
+    const Triple<T> change =
+        (T{} + alpha) * (load<T>(system.trial_W, i) - load<T>(system.trial_W, i - 1));
+    const T inverseSquare = 1.0 / dot(edge, edge);
+    const T along = dot(edge, change) * inverseSquare;
+    const T across = larger(dot(change, change) * inverseSquare - along * along, 0.0);
+    const T stretched = larger(1.0 + along, 0.1);
+    const T shrink = inverseRoot(T(across / (stretched * stretched)));
+    store(shrink * (edge + change), system.edge_W, i);
+  });
   position_W[0] = system.start_W[0] + alpha * system.trial_W[0];
   position_W[1] = system.start_W[1] + alpha * system.trial_W[0];
-  for (std::size_t i = 1; i + 1 < system.start_W.size(); ++i) {
-    const Eigen::Vector3d edge = system.start_W[i + 1] - system.start_W[i];
-    const Eigen::Vector3d change = alpha * (system.trial_W[i] - system.trial_W[i - 1]);
-    const double inverseSquare = 1.0 / edge.squaredNorm();
-    const double along = edge.dot(change) * inverseSquare;
-    const double across = std::max(change.squaredNorm() * inverseSquare - along * along, 0.0);
-    const double stretched = std::max(1.0 + along, 0.1);
-    const double shrink = inverseRoot(across / (stretched * stretched));
-    position_W[i + 1] = position_W[i] + shrink * (edge + change);
+  Eigen::Vector3d at_W = position_W[1];
+  for (std::size_t i = 1; i + 1 < nodes; ++i) {
+    at_W += system.edge_W[i];
+    position_W[i + 1] = at_W;
   }
 }
 
-double directionalDerivativeAt(const LinearSystem& system, double alpha) noexcept
+double directionalDerivativeAt(LinearSystem& system, double alpha) noexcept
 {
+  const std::size_t nodes = system.start_W.size();
+  inLanes(1, nodes - 1, [&](auto lane, std::size_t i) PERILYMPH_KERNEL {
+    using T = decltype(lane);
+    const Triple<T> edge = load<T>(system.start_W, i + 1) - load<T>(system.start_W, i);
+    const Triple<T> change = load<T>(system.trial_W, i) - load<T>(system.trial_W, i - 1);
+    // the edge has the direction of `way` and `stretched` times its previous length
+    const Triple<T> way = edge + (T{} + alpha) * change;
+    const T length = root(dot(edge, edge));
+    const T longer = dot(edge, change) / (length * length);
+    const T stretched = 1.0 + alpha * longer;
+    const T inverseNorm = 1.0 / root(dot(way, way));
+    const Triple<T> along = inverseNorm * way;
+    const T lengthens = length * longer, turns = length * stretched * inverseNorm;
+    store(lengthens * along + turns * (change - dot(along, change) * along), system.edge_W, i);
+  });
   Eigen::Vector3d motion = system.trial_W[0];
   double sum = system.right[0].dot(motion);
-  for (std::size_t i = 1; i + 1 < system.start_W.size(); ++i) {
-    const Eigen::Vector3d edge = system.start_W[i + 1] - system.start_W[i];
-    const Eigen::Vector3d change = system.trial_W[i] - system.trial_W[i - 1];
-    // the edge has the direction of `way` and `stretched` times its previous length
-    const Eigen::Vector3d way = edge + alpha * change;
-    const double length = edge.norm();
-    const double longer = edge.dot(change) / (length * length);
-    const double stretched = 1.0 + alpha * longer;
-    const double inverseNorm = 1.0 / way.norm();
-    const Eigen::Vector3d along = inverseNorm * way;
-    motion += (length * longer) * along +
-              (length * stretched * inverseNorm) * (change - along.dot(change) * along);
+  for (std::size_t i = 1; i + 1 < nodes; ++i) {
+    motion += system.edge_W[i];
     sum += system.right[i].dot(motion);
   }
   return sum;

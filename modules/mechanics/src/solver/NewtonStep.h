@@ -22,13 +22,12 @@ double solveLinearSystem(LinearSystem& system) noexcept;
 /// rotates moves on an arc, with the change of length given by the step's component along it. On a
 /// straight path its length would grow quadratically with the rotation, against the rod's largest
 /// stiffness.
-void moveBy(const LinearSystem& system, double alpha,
-            std::vector<Eigen::Vector3d>& position_W) noexcept;
+void moveBy(LinearSystem& system, double alpha, std::vector<Eigen::Vector3d>& position_W) noexcept;
 
 /// Directional derivative: work of the unbalanced forces along the step [J].
 double directionalDerivative(const LinearSystem& system) noexcept;
 
 /// The same after a fraction of the step, along the arcs [J].
-double directionalDerivativeAt(const LinearSystem& system, double alpha) noexcept;
+double directionalDerivativeAt(LinearSystem& system, double alpha) noexcept;
 
 }  // namespace perilymph::mechanics

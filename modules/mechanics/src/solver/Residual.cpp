@@ -7,6 +7,7 @@
 #include "contact/Contact.h"
 #include "contact/Guide.h"
 #include "contact/Rim.h"
+#include "lanes/Lanes.h"
 #include "rod/Material.h"
 
 namespace perilymph::mechanics {
@@ -30,6 +31,18 @@ Residual normsOf(const std::vector<Eigen::Vector3d>& right) noexcept
     }
   const double sum = sums[0] + sums[1] + sums[2];
   return {std::isfinite(sum) ? maxNorm : sum, sum};
+}
+
+/// Every node but those of the base has its own inertia and the perilymph's drag.
+void setUnbalanced(const std::vector<Eigen::Vector3d>& force_W, const NodeInertia& inertia,
+                   const std::vector<Eigen::Vector3d>& position_W,
+                   std::vector<Eigen::Vector3d>& right) noexcept
+{
+  inLanes(2, position_W.size(), [&](auto lane, std::size_t i) PERILYMPH_KERNEL {
+    using T = decltype(lane);
+    const Triple<T> off = load<T>(position_W, i) - load<T>(inertia.goal_W, i);
+    store(load<T>(force_W, i) - load<T>(inertia.hold, i) * off, right, i - 1);
+  });
 }
 
 }  // namespace
@@ -65,10 +78,8 @@ void setHold(const InsertionModel& model, const InsertionState& state, const Ste
 Residual residual(const InsertionModel& model, InsertionState& state, const Base& base,
                   RodWorkspace& work) noexcept
 {
-  const auto n = static_cast<std::size_t>(model.nodes);
   ++work.done.evaluations;
-  for (std::size_t i = 0; i < n; ++i) work.force_W[i].setZero();
-  addRodForces(model, state.position_W, work.section, work.rod, work.force_W);
+  setRodForces(model, state.position_W, work.section, work.rod, work.force_W);
   addWallForces(model, state, work.start, work.rod, work.contacts, work.friction, work.force_W);
   addRimForces(model, state, work.start, work.friction, work.contacts, work.force_W);
   addGuideForces(model, state.position_W, work.guide, work.force_W);
@@ -80,10 +91,7 @@ Residual residual(const InsertionModel& model, InsertionState& state, const Base
     work.system.right[0] = work.force_W[0] + work.force_W[1] - base.inertia * (at - base.free_W) -
                            base.effectiveStiffness * (at - base.couplingTarget_W);
   }
-  // every other node has its own inertia and the perilymph's drag
-  for (std::size_t i = 2; i < n; ++i)
-    work.system.right[i - 1] =
-        work.force_W[i] - work.inertia.hold[i] * (state.position_W[i] - work.inertia.goal_W[i]);
+  setUnbalanced(work.force_W, work.inertia, state.position_W, work.system.right);
   return normsOf(work.system.right);
 }
 
@@ -95,7 +103,7 @@ void assembleStiffness(const InsertionModel& model, const Base& base, Compressio
   BandMatrix& matrix = work.system.matrix;
   addRodStiffness(model, compression, work.section, work.rod, matrix);
   if (model.twists) addMaterialStiffness(model, work.section, work.rod, matrix);
-  addWallStiffness(work.contacts, matrix);
+  addWallStiffness(work.contacts, work.friction, matrix);
   addRimStiffness(model, work.contacts, matrix);
   addGuideStiffness(model, work.guide, matrix);
   for (std::size_t i = 2; i < n; ++i)

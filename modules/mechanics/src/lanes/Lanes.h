@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// Four nodes at a time. A kernel is written once, for T = double or T = Four: the same operations in
+// the same order, so that the bits do not depend on how many nodes are computed together, nor on the
+// instructions that the machine has: SSE2, or AVX2 without fused multiply-add.
+
+#include <Eigen/Core>
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+#include <type_traits>
+#include <vector>
+
+#include "solver/Blocks.h"
+
+/// After the parameters of a kernel: what is not inlined would not be compiled for AVX2.
+#define PERILYMPH_KERNEL __attribute__((always_inline))
+/// Before what kernels call.
+#define PERILYMPH_IN_LANES [[gnu::always_inline]] inline
+
+// Functions that take or return lanes are inlined: none passes them by a convention that depends on
+// the instructions.
+#pragma GCC diagnostic ignored "-Wpsabi"
+
+namespace perilymph::mechanics {
+
+using Four [[gnu::vector_size(32)]] = double;
+
+/// One vector per node, axis by axis.
+struct Axes {
+  explicit Axes(std::size_t nodes = 0) : x(nodes), y(nodes), z(nodes) {}
+
+  Eigen::Vector3d operator[](std::size_t i) const noexcept { return {x[i], y[i], z[i]}; }
+  void set(std::size_t i, const Eigen::Vector3d& v) noexcept
+  {
+    x[i] = v[0], y[i] = v[1], z[i] = v[2];
+  }
+
+  std::vector<double> x, y, z;
+};
+
+/// Instructions for which kernels are compiled.
+enum class Instructions { sse2, avx2 };
+
+inline bool hasAvx2() noexcept { return __builtin_cpu_supports("avx2") != 0; }
+
+/// Those that kernels use. Tests set it, to compare the bits.
+inline Instructions kernelInstructions = hasAvx2() ? Instructions::avx2 : Instructions::sse2;
+
+template <class Kernel>
+PERILYMPH_IN_LANES void callByFour(std::size_t first, std::size_t end,
+                                   const Kernel& kernel) noexcept
+{
+  for (; first + 4 <= end; first += 4) kernel(Four{}, first);
+  for (; first < end; ++first) kernel(double{}, first);
+}
+
+template <class Kernel>
+[[gnu::target("avx2")]] void callWithAvx2(std::size_t first, std::size_t end,
+                                          const Kernel& kernel) noexcept
+{
+  callByFour(first, end, kernel);
+}
+
+/// Calls a kernel for the nodes from `first` up to `end`: by four, and one by one for the last.
+template <class Kernel>
+PERILYMPH_IN_LANES void inLanes(std::size_t first, std::size_t end, const Kernel& kernel) noexcept
+{
+  if (kernelInstructions == Instructions::avx2)
+    callWithAvx2(first, end, kernel);
+  else
+    callByFour(first, end, kernel);
+}
+
+template <class T>
+PERILYMPH_IN_LANES T load(const std::vector<double>& from, std::size_t i) noexcept
+{
+  T value;
+  std::memcpy(&value, from.data() + i, sizeof value);
+  return value;
+}
+
+template <class T>
+PERILYMPH_IN_LANES void store(const T& value, std::vector<double>& to, std::size_t i) noexcept
+{
+  std::memcpy(to.data() + i, &value, sizeof value);
+}
+
+template <class T>
+PERILYMPH_IN_LANES Triple<T> load(const Axes& from, std::size_t i) noexcept
+{
+  return {load<T>(from.x, i), load<T>(from.y, i), load<T>(from.z, i)};
+}
+
+template <class T>
+PERILYMPH_IN_LANES void store(const Triple<T>& v, Axes& to, std::size_t i) noexcept
+{
+  store(v.x, to.x, i);
+  store(v.y, to.y, i);
+  store(v.z, to.z, i);
+}
+
+/// Vectors that lie one after the other in memory, as x y z x | y z x y | z x y z.
+template <class T>
+PERILYMPH_IN_LANES Triple<T> load(const std::vector<Eigen::Vector3d>& from, std::size_t i) noexcept
+{
+  const double* at = from[i].data();
+  if constexpr (sizeof(T) == sizeof(double)) {
+    return {at[0], at[1], at[2]};
+  } else {
+    Four a, b, c;
+    std::memcpy(&a, at, sizeof a);
+    std::memcpy(&b, at + 4, sizeof b);
+    std::memcpy(&c, at + 8, sizeof c);
+    const Four x = __builtin_shufflevector(a, b, 0, 3, 6, 6);
+    const Four y = __builtin_shufflevector(a, b, 1, 4, 7, 7);
+    const Four z = __builtin_shufflevector(a, b, 2, 5, 5, 5);
+    return {__builtin_shufflevector(x, c, 0, 1, 2, 5), __builtin_shufflevector(y, c, 0, 1, 2, 6),
+            __builtin_shufflevector(z, c, 0, 1, 4, 7)};
+  }
+}
+
+template <class T>
+PERILYMPH_IN_LANES void store(const Triple<T>& v, std::vector<Eigen::Vector3d>& to,
+                              std::size_t i) noexcept
+{
+  double* at = to[i].data();
+  if constexpr (sizeof(T) == sizeof(double)) {
+    at[0] = v.x, at[1] = v.y, at[2] = v.z;
+  } else {
+    const Four xy = __builtin_shufflevector(v.x, v.y, 0, 4, 1, 5);  // x0 y0 x1 y1
+    const Four yx = __builtin_shufflevector(v.y, v.x, 1, 6, 2, 7);  // y1 x2 y2 x3
+    const Four zx = __builtin_shufflevector(v.z, v.x, 0, 5, 1, 7);  // z0 x1 z1 x3
+    const Four zy = __builtin_shufflevector(v.z, v.y, 2, 7, 3, 1);  // z2 y3 z3 .
+    const Four a = __builtin_shufflevector(xy, zx, 0, 1, 4, 5);     // x0 y0 z0 x1
+    const Four b = __builtin_shufflevector(yx, zx, 0, 6, 1, 2);     // y1 z1 x2 y2
+    const Four c = __builtin_shufflevector(zy, v.x, 0, 7, 1, 2);    // z2 x3 y3 z3
+    std::memcpy(at, &a, sizeof a);
+    std::memcpy(at + 4, &b, sizeof b);
+    std::memcpy(at + 8, &c, sizeof c);
+  }
+}
+
+PERILYMPH_IN_LANES double root(double a) noexcept { return std::sqrt(a); }
+PERILYMPH_IN_LANES Four root(const Four& a) noexcept
+{
+  return Four{std::sqrt(a[0]), std::sqrt(a[1]), std::sqrt(a[2]), std::sqrt(a[3])};
+}
+
+/// The larger of two numbers, like std::max: the first if one is not a number.
+PERILYMPH_IN_LANES double larger(double a, double b) noexcept { return a < b ? b : a; }
+PERILYMPH_IN_LANES Four larger(const Four& a, double b) noexcept
+{
+  const Four wide = Four{} + b;
+  return a < wide ? wide : a;
+}
+
+/// One of two numbers in each lane; the condition is the result of a comparison of lanes.
+template <class T, class Condition>
+PERILYMPH_IN_LANES T oneOf(const Condition& condition, const T& yes, const T& no) noexcept
+{
+  return condition ? yes : no;
+}
+
+template <class T, class Condition>
+PERILYMPH_IN_LANES Triple<T> oneOf(const Condition& condition, const Triple<T>& yes,
+                                   const Triple<T>& no) noexcept
+{
+  return {oneOf(condition, yes.x, no.x), oneOf(condition, yes.y, no.y),
+          oneOf(condition, yes.z, no.z)};
+}
+
+/// Whether a comparison holds in every lane.
+template <class Condition>
+PERILYMPH_IN_LANES bool inAll(const Condition& condition) noexcept
+{
+  if constexpr (std::is_arithmetic_v<Condition>)
+    return condition != 0;
+  else
+    return (condition[0] & condition[1] & condition[2] & condition[3]) != 0;
+}
+
+/// The values of a function in each lane, for what is too rare for lanes.
+template <class Function>
+PERILYMPH_IN_LANES double laneByLane(double a, double b, const Function& function) noexcept
+{
+  return function(a, b);
+}
+template <class Function>
+PERILYMPH_IN_LANES Four laneByLane(const Four& a, const Four& b, const Function& function) noexcept
+{
+  return Four{function(a[0], b[0]), function(a[1], b[1]), function(a[2], b[2]),
+              function(a[3], b[3])};
+}
+
+template <class T>
+PERILYMPH_IN_LANES Triple<T> operator+(const Triple<T>& a, const Triple<T>& b) noexcept
+{
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+
+template <class T>
+PERILYMPH_IN_LANES Triple<T> operator-(const Triple<T>& a, const Triple<T>& b) noexcept
+{
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+template <class T>
+PERILYMPH_IN_LANES Triple<T> operator*(const T& scale, const Triple<T>& v) noexcept
+{
+  return {scale * v.x, scale * v.y, scale * v.z};
+}
+
+/// In the order of Eigen's dot().
+template <class T>
+PERILYMPH_IN_LANES T dot(const Triple<T>& a, const Triple<T>& b) noexcept
+{
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+template <class T>
+PERILYMPH_IN_LANES Triple<T> cross(const Triple<T>& a, const Triple<T>& b) noexcept
+{
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+}  // namespace perilymph::mechanics

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Time of one haptic tick, from the hand's sample to the published snapshot, over whole insertions:
-// the published experiment, an everyday array on tissue, and a precurved array against bone.
+// the published experiment and back out, an everyday array on tissue, and a precurved array against
+// bone.
 
 #include <benchmark/benchmark.h>
 
@@ -12,6 +13,7 @@
 
 #include "BuiltOnce.h"
 #include "Percentiles.h"
+#include "Work.h"
 #include "perilymph/device/ScriptedDevice.h"
 #include "perilymph/haptics/HapticLoop.h"
 #include "perilymph/session/Scenario.h"
@@ -25,6 +27,7 @@ struct Row {
   const char* scenario;
   session::Overrides overrides;
   int ticks;
+  bool isTimedOnTheWayOut = false;  ///< Goes in untimed, then out again.
 };
 
 const Row& published()
@@ -47,6 +50,13 @@ const Row& stiffWall()
   return row;
 }
 
+/// Out of the published cochlea again, as fast as it went in.
+const Row& withdrawal()
+{
+  static const Row row{"contour-published", {}, 8250, true};
+  return row;
+}
+
 /// One insertion in virtual time.
 class Run {
 public:
@@ -64,6 +74,8 @@ public:
 
   void tick() { loop_.runOnce(); }
 
+  void withdraw() { hand_.move(device::ScriptedDevice::Motion::withdraw); }
+
   /// Takes the records like a recorder.
   void takeRecords()
   {
@@ -71,19 +83,22 @@ public:
     }
   }
 
-  /// Evaluations of all forces in the last tick.
-  int evaluations() const { return loop_.engine().state().readings.evaluations; }
-  /// Factorizations of the stiffness in the last tick.
-  int factorizations() const { return loop_.engine().state().readings.factorizations; }
+  const mechanics::Readings& readings() const { return loop_.engine().state().readings; }
 
   /// The last tick is beyond nine tenths of the stop travel, and there was no fault.
   bool wentIn(const session::Scenario& scenario) const
   {
-    return isOpen_ && last_.output.workflow != haptics::Workflow::fault &&
-           last_.output.travel > 0.9 * scenario.stopTravel().si();
+    return isWell() && last_.output.travel > 0.9 * scenario.stopTravel().si();
+  }
+  /// The last tick is before a tenth of it.
+  bool wentOut(const session::Scenario& scenario) const
+  {
+    return isWell() && last_.output.travel < 0.1 * scenario.stopTravel().si();
   }
 
 private:
+  bool isWell() const { return isOpen_ && last_.output.workflow != haptics::Workflow::fault; }
+
   device::ScriptedDevice hand_;
   bool isOpen_;
   haptics::HapticLoop loop_;
@@ -119,31 +134,28 @@ void tickOfWholeInsertion(benchmark::State& state, const Row& row)
   // A batch is a whole insertion and an iteration is a tick, so that rows are comparable.
   bench::Percentiles percentiles(static_cast<std::size_t>(state.max_iterations) +
                                  static_cast<std::size_t>(row.ticks));
-  long evaluations = 0, ticks = 0;
-  int maxEvaluations = 0, maxFactorizations = 0;
+  bench::Work work;
   while (state.KeepRunningBatch(row.ticks)) {
     state.PauseTiming();
     Run run(experiment->scenario, experiment->model);
+    if (row.isTimedOnTheWayOut) {
+      for (int i = 0; i < row.ticks; ++i) run.tick(), run.takeRecords();
+      run.withdraw();
+    }
     state.ResumeTiming();
     for (int i = 0; i < row.ticks; ++i) {
       percentiles.time([&run] { run.tick(); });
       run.takeRecords();
-      evaluations += run.evaluations();
-      ++ticks;
-      maxEvaluations = std::max(maxEvaluations, run.evaluations());
-      maxFactorizations = std::max(maxFactorizations, run.factorizations());
+      work.add(run.readings());
     }
-    if (!run.wentIn(experiment->scenario)) {
-      state.SkipWithError("The array did not go in: no tick of this run tells anything.");
+    if (!(row.isTimedOnTheWayOut ? run.wentOut(experiment->scenario)
+                                 : run.wentIn(experiment->scenario))) {
+      state.SkipWithError("The array did not go all the way: no tick of this run tells anything.");
       return;
     }
   }
   percentiles.report(state);
-  const auto mean = benchmark::Counter::kAvgThreads;
-  state.counters["evaluations"] = benchmark::Counter(
-      static_cast<double>(evaluations) / static_cast<double>(std::max(1L, ticks)), mean);
-  state.counters["max_evaluations"] = benchmark::Counter(maxEvaluations, mean);
-  state.counters["max_factorizations"] = benchmark::Counter(maxFactorizations, mean);
+  work.report(state);
 }
 
 void sizes(benchmark::internal::Benchmark* row)
@@ -162,6 +174,9 @@ BENCHMARK_CAPTURE(tickOfWholeInsertion, tissueFlex28, tissueFlex28())
     ->Apply(sizes);
 BENCHMARK_CAPTURE(tickOfWholeInsertion, stiffWall, stiffWall())
     ->Name("tick/stiff_wall")
+    ->Apply(sizes);
+BENCHMARK_CAPTURE(tickOfWholeInsertion, withdrawal, withdrawal())
+    ->Name("tick/withdrawal")
     ->Apply(sizes);
 
 }  // namespace

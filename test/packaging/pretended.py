@@ -9,7 +9,7 @@ import unittest
 from pathlib import Path
 
 SOURCE = Path(__file__).resolve().parents[2]
-REAL = ("awk bash basename cat cksum comm dirname env grep head mkdir nproc rm sed sort tail touch "
+REAL = ("awk bash basename cat cksum comm dirname env grep head mkdir nproc rm sed sort tail tee touch "
         "tr true uname").split()
 
 

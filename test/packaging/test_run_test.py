@@ -51,6 +51,31 @@ class TestRun(PretendedSystem):
         self.assert_one_sentence(self.call(SCRIPT, "--long"), "Tests failed in: asan.")
         self.assertEqual(sorted(self.presets()), ["asan", "dev", "long", "tsan"])
 
+    def stages(self):
+        lines = (self.root / "build/proof/stages.tsv").read_text().splitlines()
+        return [(fields[0], fields[4]) for fields in (line.split("\t") for line in lines)]
+
+    def test_a_stage_that_passed_is_not_repeated_on_the_same_commit(self):
+        self.pretend("ctest", f'echo "{COUNT}"; [[ $2 != tsan ]]')
+        self.assert_one_sentence(self.call(SCRIPT, "--long"), "Tests failed in: tsan.")
+        self.assertEqual(self.stages(), [("asan", "passed"), ("tsan", "failed"),
+                                         ("fuzz-120", "passed"), ("long", "passed")])
+        self.assertIn(COUNT, (self.root / "build/proof/stages.tsv").read_text().splitlines()[0])
+        self.pretend("ctest", f'echo "{COUNT}"')
+        result = self.call(SCRIPT, "--long")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("Testing asan: passed before on some-commit", result.stdout)
+        self.assertEqual(sorted(self.presets()), ["asan", "dev", "dev", "long", "tsan", "tsan"])
+        self.pretend("git", "echo another-commit")
+        self.call(SCRIPT, "--long")
+        self.assertEqual(self.presets().count("asan"), 2)
+
+    def test_a_stage_on_changed_files_is_always_repeated(self):
+        self.pretend("git", "echo some-commit-dirty")
+        self.call(SCRIPT, "--long")
+        self.call(SCRIPT, "--long")
+        self.assertEqual(self.presets().count("asan"), 2)
+
     def test_an_unknown_word_is_refused(self):
         result = self.call(SCRIPT, "--short")
         self.assertEqual(result.returncode, 2)

@@ -11,8 +11,10 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "perilymph/anatomy/IndividualShape.h"
 #include "perilymph/anatomy/MeanScala.h"
 #include "perilymph/anatomy/Patient.h"
+#include "perilymph/foundation/Math.h"
 #include "perilymph/test/Tolerance.h"
 
 namespace perilymph::anatomy {
@@ -45,7 +47,8 @@ TEST(IndividualHalfDiameters, KeepAAndBAndHaveTheConditionalCovarianceOfThePopul
 TEST(IndividualShape, KeepsAAndBAndNarrowsTheScalaFromTheModiolus)
 {
   const BasalTurn turn{millimeters(9.3), millimeters(6.7), millimeters(3.9)};
-  IndividualShape shape{individualHalfDiameters(turn.a, turn.b, {1.0, -1.0}), 0.85};
+  IndividualShape shape{individualHalfDiameters(turn.a, turn.b, {1.0, -1.0})};
+  shape.section = 0.85;
   const auto individual = buildMean("individual", turn, shape, Length{});
   ASSERT_TRUE(individual) << individual.error().message;
   const auto typical = buildMean("typical", turn, Length{});
@@ -63,6 +66,80 @@ TEST(IndividualShape, KeepsAAndBAndNarrowsTheScalaFromTheModiolus)
   };
   for (const double angle_deg : {90.0, 270.0, 400.0})
     EXPECT_NEAR(width(own, angle_deg) / width(**typical, angle_deg), 0.85, 0.01) << angle_deg;
+}
+
+/// amplitude cos(frequency angle + phase).
+AngularVariation cosine(double amplitude, double frequency, double phase = 0.0)
+{
+  AngularVariation variation;
+  variation.amplitude = amplitude;
+  // the others are zero at every angle
+  for (auto& wave : variation.waves) wave = {0.0, 0.5 * pi};
+  variation.waves[0] = {frequency, phase};
+  return variation;
+}
+
+double height_mm(const ScalaTympani& scala);
+
+class VariedShape : public testing::Test {
+protected:
+  std::shared_ptr<const ScalaTympani> build(const IndividualShape& shape, const BasalTurn& turn)
+  {
+    const auto built = buildMean("varied", turn, shape, Length{});
+    EXPECT_TRUE(built) << built.error().message;
+    return *built;
+  }
+  BasalTurn turn_{millimeters(9.3), millimeters(6.7), millimeters(3.9)};
+  IndividualShape plain_{likeliestHalfDiameters(turn_.a, turn_.b)};
+};
+
+TEST_F(VariedShape, KeepsABAndHWithSectionsCourseAndRadiusThatVary)
+{
+  IndividualShape shape = plain_;
+  shape.sections = cosine(0.15, 0.5);
+  shape.course = cosine(0.2e-3, 2.0, 1.0);
+  shape.radius = cosine(0.02, 1.5, 0.3);
+  const auto scala = build(shape, turn_);
+  const auto outer = [&](double angle_deg) {
+    return scala->section(degrees(angle_deg).si()).outerRadius * 1e3;
+  };
+  EXPECT_NEAR(outer(0.0) + outer(180.0), 9.3, 0.02);
+  EXPECT_NEAR(outer(90.0) + outer(270.0), 6.7, 0.02);
+  EXPECT_NEAR(height_mm(*scala), 3.9, 0.02);
+}
+
+TEST_F(VariedShape, HasTheFactorsAndTheCourseThatWereGiven)
+{
+  IndividualShape shape = plain_;
+  shape.sections = cosine(0.1, 1.0);
+  shape.course = cosine(0.2e-3, 1.0);
+  turn_.h = std::nullopt;
+  const auto scala = build(shape, turn_), typical = build(plain_, turn_);
+  for (const double angle_deg : {90.0, 180.0, 270.0, 360.0, 450.0}) {
+    const double angle = degrees(angle_deg).si();
+    const Section a = scala->section(angle), b = typical->section(angle);
+    const double factor = std::exp(0.1 * std::cos(angle));
+    EXPECT_NEAR((a.roofHeight - a.floorHeight) / (b.roofHeight - b.floorHeight), factor, 0.005);
+    EXPECT_NEAR((a.outerRadius - a.innerRadius) / (b.outerRadius - b.innerRadius), factor, 0.01);
+    EXPECT_NEAR(1e3 * (a.centerHeight - b.centerHeight), 0.2 * std::cos(angle), 0.01);
+  }
+}
+
+TEST_F(VariedShape, HasAFactorOfTheHeightThatWasNotMeasured)
+{
+  turn_.h = std::nullopt;
+  IndividualShape shape = plain_;
+  shape.height = 1.1;
+  EXPECT_NEAR(height_mm(*build(shape, turn_)) / height_mm(*build(plain_, turn_)), 1.1, 0.005);
+}
+
+TEST_F(VariedShape, LeavesTheAxisBesideTheWidestSections)
+{
+  IndividualShape shape = plain_;
+  shape.section = 1.4;
+  const auto scala = build(shape, turn_);
+  for (double angle_deg = 0.0; angle_deg <= 850.0; angle_deg += 10.0)
+    EXPECT_GT(scala->section(degrees(angle_deg).si()).innerRadius, 0.0) << angle_deg;
 }
 
 TEST(Population, TurnsTwoTurnsAndTwoThirds)

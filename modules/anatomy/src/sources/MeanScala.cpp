@@ -39,8 +39,7 @@ public:
   ScaledMean(const MeanOutlines& mean, const BasalTurn& wanted, const IndividualShape& shape)
       : mean_(mean),
         typical_(likeliestHalfDiameters(diameter(mean, 0.0), diameter(mean, 90.0))),
-        patient_(shape.half),
-        section_(shape.section)
+        shape_(shape)
   {
     // 1 + even + odd cos 2 angle equals 1 + even + odd along A and 1 + even - odd along B
     const double alongA = wanted.a.si() / scaledDiameter(0.0);
@@ -48,26 +47,33 @@ public:
     even_ = 0.5 * (alongA + alongB) - 1.0;
     odd_ = 0.5 * (alongA - alongB);
     rise_ = 0.5 * (wanted.a / diameter(mean, 0.0) + wanted.b / diameter(mean, 90.0));
-    if (wanted.h) fitHeight(wanted.h->si());
+    if (wanted.h || shape.height != 1.0) rows_ = rows();
+    if (wanted.h)
+      fitHeight(wanted.h->si());
+    else if (shape.height != 1.0)
+      fitHeight(shape.height * height());
   }
 
   /// Ratio of the patient's radius to the mean's.
   double fraction(double angle) const
   {
     const double spiral =
-        outerWallRadius(patient_, radians(angle)) / outerWallRadius(typical_, radians(angle));
-    return spiral * (1.0 + even_ + odd_ * sineCosine(2.0 * angle).cosine);
+        outerWallRadius(shape_.half, radians(angle)) / outerWallRadius(typical_, radians(angle));
+    return spiral * (1.0 + shape_.radius.at(angle)) *
+           (1.0 + even_ + odd_ * sineCosine(2.0 * angle).cosine);
   }
 
   Outline outline(double angle) const
   {
     Outline outline = mean_.outline(angle);
     const double size = fraction(angle);
+    const double section = shape_.sectionAt(angle);
+    const double course = shape_.course.at(angle);
     const double center = centroid(outline).z;
-    const double outer = radii(outline).high;
+    const Extent extent = radii(outline);
     for (HalfPlanePoint& corner : outline)
-      corner = {size * sized(corner.r, outer),
-                rise_ * center + size * section_ * (corner.z - center)};
+      corner = {size * sized(corner.r, extent, section),
+                rise_ * center + course + size * section * (corner.z - center)};
     return outline;
   }
 
@@ -75,15 +81,19 @@ public:
   double organOfCorti(double angle) const
   {
     const double r = mean_.organOfCorti(angle);
-    if (section_ == 1.0) return fraction(angle) * r;
-    return fraction(angle) * sized(r, radii(mean_.outline(angle)).high);
+    const double section = shape_.sectionAt(angle);
+    if (section == 1.0) return fraction(angle) * r;
+    return fraction(angle) * sized(r, radii(mean_.outline(angle)), section);
   }
 
 private:
-  /// A radius of a section whose width has the factor `section_`; the outer wall stays.
-  double sized(double r, double outer) const
+  /// A radius of a section whose width has a factor; the outer wall stays, and the inner one is not
+  /// nearer to the axis than half its distance in the mean.
+  static double sized(double r, const Extent& extent, double section)
   {
-    return section_ == 1.0 ? r : outer - section_ * (outer - r);
+    if (section == 1.0) return r;
+    const double widest = (extent.high - 0.5 * extent.low) / (extent.high - extent.low);
+    return extent.high - std::min(section, widest) * (extent.high - r);
   }
 
   static Length diameter(const MeanOutlines& mean, double from_deg)
@@ -102,12 +112,22 @@ private:
     return sum;
   }
 
-  // The height increases with the rise: bisection.
-  void fitHeight(double wanted)
+  /// From the lowest floor to the highest roof with the present rise [m].
+  double height() const
   {
-    struct Row {
-      double center, below, above;
-    };
+    Extent whole{1.0, -1.0};
+    for (const Row& row : rows_)
+      whole = {std::min(whole.low, rise_ * row.center + row.below),
+               std::max(whole.high, rise_ * row.center + row.above)};
+    return whole.high - whole.low;
+  }
+
+  /// Center of a section in the mean, and its floor and roof from there in the patient [m].
+  struct Row {
+    double center, below, above;
+  };
+  std::vector<Row> rows() const
+  {
     std::vector<Row> rows;
     constexpr double step_deg = 3.0;
     for (double angle_deg = 0.0; angle_deg <= inDegrees(radians(MeanOutlines::lastAngle()));
@@ -116,28 +136,30 @@ private:
       const Outline outline = mean_.outline(angle);
       const double center = centroid(outline).z;
       const Extent extent = heights(outline);
-      rows.push_back({center, fraction(angle) * section_ * (extent.low - center),
-                      fraction(angle) * section_ * (extent.high - center)});
+      const double size = fraction(angle) * shape_.sectionAt(angle);
+      const double course = shape_.course.at(angle);
+      rows.push_back(
+          {center, course + size * (extent.low - center), course + size * (extent.high - center)});
     }
-    const auto height = [&](double rise) {
-      Extent whole{1.0, -1.0};
-      for (const Row& row : rows)
-        whole = {std::min(whole.low, rise * row.center + row.below),
-                 std::max(whole.high, rise * row.center + row.above)};
-      return whole.high - whole.low;
-    };
+    return rows;
+  }
+
+  // The height increases with the rise: bisection.
+  void fitHeight(double wanted)
+  {
     double low = 0.0, high = 4.0;
     for (int i = 0; i < 60; ++i) {
       rise_ = 0.5 * (low + high);
-      (height(rise_) < wanted ? low : high) = rise_;
+      (height() < wanted ? low : high) = rise_;
     }
   }
 
   const MeanOutlines& mean_;
-  HalfDiameters typical_, patient_;
-  double section_ = 1.0;
+  HalfDiameters typical_;
+  IndividualShape shape_;
   double even_ = 0.0, odd_ = 0.0;
   double rise_ = 1.0;
+  std::vector<Row> rows_;
 };
 
 std::shared_ptr<const ScalaTympani> measuredScala(const MeanOutlines& mean, SectionTables tables)

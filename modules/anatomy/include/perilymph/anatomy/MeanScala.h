@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "perilymph/anatomy/Population.h"
+#include "perilymph/anatomy/IndividualShape.h"
 #include "perilymph/anatomy/ScalaTympani.h"
 #include "perilymph/foundation/Result.h"
 #include "perilymph/foundation/Units.h"
@@ -54,7 +54,8 @@ struct BasalTurn {
 Result<std::shared_ptr<const ScalaTympani>> buildMean(const std::string& label,
                                                       const BasalTurn& basalTurn, Length leadIn);
 
-/// The same with an individual shape. A, B and H are kept.
+/// The same with an individual shape. A, B and H are kept; sections become no wider than half their
+/// distance from the axis allows.
 Result<std::shared_ptr<const ScalaTympani>> buildMean(const std::string& label,
                                                       const BasalTurn& basalTurn,
                                                       const IndividualShape& shape, Length leadIn);

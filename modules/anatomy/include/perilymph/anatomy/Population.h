@@ -37,12 +37,6 @@ HalfDiameters likeliestHalfDiameters(Length a, Length b);
 /// conditional normal distribution of the population.
 HalfDiameters individualHalfDiameters(Length a, Length b, std::array<double, 2> deviates);
 
-/// The shape of a cochlea beyond its A, B and H.
-struct IndividualShape {
-  HalfDiameters half;    ///< Only the course of the spiral between A and B counts.
-  double section = 1.0;  ///< Factor of the sections' width and height, with the outer wall kept.
-};
-
 /// Radius of the outer wall at an angle from the round window, up to the turn angle [m].
 double outerWallRadius(const HalfDiameters& half, Angle angle);
 

@@ -215,6 +215,26 @@ TEST_F(PatientFile, CarriesTheErrorsAndTheOriginOfItsMeasures)
   }
 }
 
+TEST_F(PatientFile, CarriesTheCorrelationsOfTheErrors)
+{
+  const std::string measures = "a_mm = 9.3\nb_mm = 6.75\nh_mm = 4.0\n";
+  const std::string errors = "a_sd_mm = 0.15\nb_sd_mm = 0.09\nh_sd_mm = 0.2\n";
+  const Result<Patient> patient =
+      load(measures + errors + "ab_correlation = 0.5\nbh_correlation = -0.25\n");
+  ASSERT_TRUE(patient) << patient.error().message;
+  ASSERT_TRUE(savePatient(*patient, file_));
+  const Result<Patient> back = loadPatient(file_);
+  ASSERT_TRUE(back) << back.error().message;
+  EXPECT_EQ(back->errors->ab, 0.5);
+  EXPECT_EQ(back->errors->ah, 0.0);
+  EXPECT_EQ(back->errors->bh, -0.25);
+  EXPECT_THAT(error(measures + errors + "ab_correlation = 1.0\n"),
+              HasSubstr("ab_correlation) is 1; it must be between -1 and 1"));
+  EXPECT_THAT(error(measures + errors +
+                    "ab_correlation = 0.9\nah_correlation = 0.9\nbh_correlation = -0.9\n"),
+              HasSubstr("contradict each other"));
+}
+
 TEST_F(PatientFile, WithoutErrorsStatesNone)
 {
   const Result<Patient> patient = load("a_mm = 9.3\nb_mm = 6.75\n");

@@ -46,7 +46,9 @@ std::vector<anatomy::Patient> movedByOne(const anatomy::Patient& patient, Length
 anatomy::BasalTurnErrors errorsOf(const anatomy::Patient& patient, Length assumed)
 {
   if (!patient.errors) return {assumed, assumed, assumed};
-  return {patient.errors->a, patient.errors->b, patient.errors->h.value_or(assumed)};
+  anatomy::BasalTurnErrors errors = *patient.errors;
+  errors.h = errors.h.value_or(assumed);
+  return errors;
 }
 
 Result<std::vector<double>> errorBands(

@@ -48,14 +48,20 @@ std::string quoted(const std::string& text)
   return '"' + inside + '"';
 }
 
-/// `key = value` in millimeters, to a picometer, as a TOML float.
-std::string line(const char* key, Length value)
+/// To nine decimals, as a TOML float.
+std::string decimals(double value)
 {
   char digits[40];
-  std::snprintf(digits, sizeof digits, "%.9f", inMillimeters(value));
+  std::snprintf(digits, sizeof digits, "%.9f", value);
   std::string text(digits);
   while (text.back() == '0' && text[text.size() - 2] != '.') text.pop_back();
-  return std::string(key) + " = " + text + '\n';
+  return text;
+}
+
+/// `key = value` in millimeters, to a picometer.
+std::string line(const char* key, Length value)
+{
+  return std::string(key) + " = " + decimals(inMillimeters(value)) + '\n';
 }
 
 /// The error for a length out of its limits; empty if it is within.
@@ -110,6 +116,15 @@ Result<Done> checkBasalTurn(const BasalTurn& turn)
   return Done{};
 }
 
+/// Keys of the correlations of errors in a patient file.
+struct CorrelationKey {
+  const char* key;
+  double BasalTurnErrors::*correlation;
+};
+constexpr CorrelationKey correlationKeys[] = {{"ab_correlation", &BasalTurnErrors::ab},
+                                              {"ah_correlation", &BasalTurnErrors::ah},
+                                              {"bh_correlation", &BasalTurnErrors::bh}};
+
 // Larger errors would leave no measurement: A and B are 5 to 11 mm.
 constexpr Range error_mm{0.0, 2.0};
 
@@ -120,6 +135,17 @@ Result<Done> checkErrors(const BasalTurnErrors& errors)
         complaint("The standard deviation of B", "b_sd_mm", errors.b, error_mm),
         complaint("The standard deviation of H", "h_sd_mm", errors.h.value_or(Length()), error_mm)})
     if (!sentence.empty()) return Error{sentence};
+  for (const auto& [key, correlation] : correlationKeys)
+    if (!(std::fabs(errors.*correlation) < 1.0))
+      return Error{std::string("The correlation of two errors (") + key + ") is " +
+                   plain(errors.*correlation) + "; it must be between -1 and 1."};
+  // the determinant of the correlation matrix
+  if (!(1.0 + 2.0 * errors.ab * errors.ah * errors.bh - errors.ab * errors.ab -
+            errors.ah * errors.ah - errors.bh * errors.bh >
+        0.0))
+    return Error{
+        "The correlations of the errors of A, B and H (ab_correlation, ah_correlation, "
+        "bh_correlation) contradict each other: no three errors have them. Check them."};
   return Done{};
 }
 
@@ -142,6 +168,8 @@ std::optional<BasalTurnErrors> readErrors(TomlReader& reader)
   errors.a = millimeters(reader.number("a_sd_mm", error_mm));
   errors.b = millimeters(reader.number("b_sd_mm", error_mm));
   if (reader.has("h_sd_mm")) errors.h = millimeters(reader.number("h_sd_mm", error_mm));
+  for (const auto& [key, correlation] : correlationKeys)
+    if (reader.has(key)) errors.*correlation = reader.number(key, {-1.0, 1.0});
   return errors;
 }
 
@@ -205,6 +233,9 @@ std::string patientText(const Patient& patient)
     if (const auto& errors = patient.errors) {
       text += line("a_sd_mm", errors->a) + line("b_sd_mm", errors->b);
       if (errors->h) text += line("h_sd_mm", *errors->h);
+      for (const auto& [key, correlation] : correlationKeys)
+        if (const double value = (*errors).*correlation; value != 0.0)
+          text += std::string(key) + " = " + decimals(value) + '\n';
     }
     for (const auto& [key, origin] : originKeys)
       if (!(patient.origin.*origin).empty())

@@ -22,10 +22,12 @@ namespace perilymph::anatomy {
 /// Side of the ear. A left ear is mirrored on input: internally every ear is a right one.
 enum class Side { right, left };
 
-/// Standard deviations of the errors of A, B and H, as their measurement states them.
+/// Standard deviations of the errors of A, B and H, and their correlations, as their measurement
+/// states them.
 struct BasalTurnErrors {
   Length a, b;
   std::optional<Length> h = std::nullopt;
+  double ab = 0.0, ah = 0.0, bh = 0.0;  ///< Correlations of the errors, above -1 and below 1.
 };
 
 /// How A, B and H were measured in a CT; empty where a patient file does not say.
@@ -56,7 +58,8 @@ struct PatientLimits {
 PatientLimits patientLimits();
 
 /// Reads a patient: keys `label, side`, and either `st_length_mm, rw_width_mm, rw_height_mm` or
-/// `a_mm, b_mm` with optional `h_mm`, their errors `a_sd_mm, b_sd_mm, h_sd_mm` and the origin
+/// `a_mm, b_mm` with optional `h_mm`, their errors `a_sd_mm, b_sd_mm, h_sd_mm`, the correlations of
+/// these errors `ab_correlation, ah_correlation, bh_correlation` and the origin
 /// `measured_with, series_sha256, landmarks_by_hand, landmarks_proposed`.
 Result<Patient> loadPatient(const std::filesystem::path& file);
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Each end that a plan counts occurs where it should: full depth in slippery cochleae, resistance in
-// tissue, buckling of arrays with soft bodies, a ruptured partition where a curved array is pushed up.
+// tissue, buckling of arrays with soft bodies, a folded tip where a curved array leaves its sheath too
+// early, a ruptured partition where a curved array is pushed up.
 
 #include <gtest/gtest.h>
 
@@ -62,6 +63,22 @@ TEST_F(PlannedEnds, AreResistanceAndBucklingInTissue)
   const auto arrays = planWith({}, 4, {"medel-standard", "flexsoft"});
   EXPECT_GT(arrays[0].resisted.value, 0.0);
   EXPECT_GT(arrays[0].buckled.value + arrays[1].buckled.value, 0.0);
+}
+
+TEST_F(PlannedEnds, AreAFoldedTipWhereACurvedArrayLeavesItsSheathTooEarly)
+{
+  std::ifstream shipped(resource("plugins/electrodes/cochlear/slim-modiolar.toml"));
+  std::string text(std::istreambuf_iterator<char>(shipped), {});
+  // the sheath is held 3 mm past the opening, before the basal turn begins
+  const std::string depth = "hold_depth_mm = 5.0";
+  ASSERT_NE(text.find(depth), std::string::npos);
+  text.replace(text.find(depth), depth.size(), "hold_depth_mm = 3.0");
+  const std::string early = (folder_.path() / "early.toml").string();
+  std::ofstream(early) << text;
+  const auto arrays =
+      planWith({{"technique = \"standard\"", "technique = \"aos\""}}, 4, {early, "slim-modiolar"});
+  EXPECT_GT(arrays[0].foldedTip.value, 0.0);
+  EXPECT_EQ(arrays[1].foldedTip.value, 0.0);
 }
 
 TEST_F(PlannedEnds, AreARupturedPartitionWhereACurvedArrayIsPushedUpAgainstIt)

@@ -99,7 +99,8 @@ void Walk::step(int number, QWidget& window)
   if (folder.isEmpty()) return;
   // the mouse is over no widget
   QCursor::setPos(window.mapToGlobal(QPoint(0, window.height() - 1)));
-  QCoreApplication::processEvents();
+  // layouts within layouts answer a longer text one after another
+  for (int i = 0; i < 8; ++i) QCoreApplication::processEvents();
   const QString place =
       QStringLiteral("%1/%2-%3.png").arg(folder, QString::fromStdString(page_)).arg(number);
   EXPECT_TRUE(smallened(window.grab().toImage()).save(place, "PNG", 0)) << place.toStdString();

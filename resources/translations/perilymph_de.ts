@@ -684,12 +684,52 @@
         <translation>Kraftgrenze</translation>
     </message>
     <message>
-        <source>The shape of the cochlea is the mean one, scaled to A, B and H: what is individual beyond them is not drawn.</source>
-        <translation>Die Form der Cochlea ist die mittlere, skaliert auf A, B und H: Was darüber hinaus individuell ist, wird nicht gezogen.</translation>
+        <source>share of A</source>
+        <translation>Aufteilung von A</translation>
     </message>
     <message>
-        <source>Without a measured H the height is that of the mean shape; its spread is not drawn.</source>
-        <translation>Ohne gemessenes H ist die Höhe die der mittleren Form; ihre Streuung wird nicht gezogen.</translation>
+        <source>share of B</source>
+        <translation>Aufteilung von B</translation>
+    </message>
+    <message>
+        <source>section at the base</source>
+        <translation>Querschnitt an der Basis</translation>
+    </message>
+    <message>
+        <source>section in the second turn</source>
+        <translation>Querschnitt in der zweiten Windung</translation>
+    </message>
+    <message>
+        <source>dip of the basal turn</source>
+        <translation>Senke der Basalwindung</translation>
+    </message>
+    <message>
+        <source>wave of the outer wall</source>
+        <translation>Welle der Außenwand</translation>
+    </message>
+    <message>
+        <source>height without H</source>
+        <translation>Höhe ohne H</translation>
+    </message>
+    <message>
+        <source>lining</source>
+        <translation>Auskleidung</translation>
+    </message>
+    <message>
+        <source>membrane</source>
+        <translation>Membran</translation>
+    </message>
+    <message>
+        <source>The shape of the cochlea is the mean one, scaled to A, B and H; sections, course of the center line and outer wall vary along it as in few measured ears. Outline and tilt of the sections are those of the mean.</source>
+        <translation>Die Form der Cochlea ist die mittlere, skaliert auf A, B und H; Querschnitte, Verlauf der Mittellinie und Außenwand schwanken entlang der Windungen wie in wenigen gemessenen Ohren. Umriss und Neigung der Querschnitte sind die mittleren.</translation>
+    </message>
+    <message>
+        <source>Insertions have fewer nodes and longer steps than the scenario: their median angle is up to %1 degrees smaller.</source>
+        <translation>Die Insertionen haben weniger Knoten und längere Schritte als das Szenario: Ihr medianer Winkel ist bis zu %1 Grad kleiner.</translation>
+    </message>
+    <message>
+        <source>Errors of A, B and H are independent unless the patient&apos;s file states their correlations.</source>
+        <translation>Die Fehler von A, B und H sind unabhängig, wenn die Datei des Patienten keine Korrelationen nennt.</translation>
     </message>
     <message>
         <source>The strength of the cochlear partition and the surgeon&apos;s force limit rest on few publications; see sources.</source>
@@ -3009,6 +3049,18 @@
         <translation>Querschnitte der Scala tympani</translation>
     </message>
     <message>
+        <source>Course of the center line</source>
+        <translation>Verlauf der Mittellinie</translation>
+    </message>
+    <message>
+        <source>Waves of the outer wall</source>
+        <translation>Wellen der Außenwand</translation>
+    </message>
+    <message>
+        <source>Height without a measured H</source>
+        <translation>Höhe ohne gemessenes H</translation>
+    </message>
+    <message>
         <source>Soft lining of the wall</source>
         <translation>Weiche Auskleidung der Wand</translation>
     </message>
@@ -5101,8 +5153,8 @@
         <translation>Der Bericht wird vorbereitet …</translation>
     </message>
     <message>
-        <source>Median (5–95 % of the draws). Values of the model, with little of what is individual beyond A, B and H; translocation is not computed, and the angles are some degrees small.</source>
-        <translation>Median (5–95 % der Ziehungen). Werte des Modells mit wenig von dem, was über A, B und H hinaus individuell ist; eine Translokation wird nicht gerechnet, und die Winkel sind einige Grad zu klein.</translation>
+        <source>Median (5–95 % of the draws). Values of the model: what is individual beyond A, B and H is drawn as few measured ears show it, translocation is not computed, and the angles are some degrees small.</source>
+        <translation>Median (5–95 % der Ziehungen). Werte des Modells: Was über A, B und H hinaus individuell ist, wird gezogen, wie es wenige gemessene Ohren zeigen; eine Translokation wird nicht gerechnet, und die Winkel sind einige Grad zu klein.</translation>
     </message>
     <message>
         <source>This plan was interrupted before its first bands, and an array, the scenario, a distribution or the program was changed since; Compute makes a new one.</source>

@@ -128,12 +128,23 @@ constexpr const char* shipped[] = {
     // plans
     QT_TRANSLATE_NOOP("Data", "approach tilt"), QT_TRANSLATE_NOOP("Data", "approach turn"),
     QT_TRANSLATE_NOOP("Data", "stiffness"), QT_TRANSLATE_NOOP("Data", "force limit"),
+    QT_TRANSLATE_NOOP("Data", "share of A"), QT_TRANSLATE_NOOP("Data", "share of B"),
+    QT_TRANSLATE_NOOP("Data", "section at the base"),
+    QT_TRANSLATE_NOOP("Data", "section in the second turn"),
+    QT_TRANSLATE_NOOP("Data", "dip of the basal turn"),
+    QT_TRANSLATE_NOOP("Data", "wave of the outer wall"),
+    QT_TRANSLATE_NOOP("Data", "height without H"), QT_TRANSLATE_NOOP("Data", "lining"),
+    QT_TRANSLATE_NOOP("Data", "membrane"),
     QT_TRANSLATE_NOOP("Data",
-                      "The shape of the cochlea is the mean one, scaled to A, B and H: what is "
-                      "individual beyond them is not drawn."),
-    QT_TRANSLATE_NOOP(
-        "Data",
-        "Without a measured H the height is that of the mean shape; its spread is not drawn."),
+                      "The shape of the cochlea is the mean one, scaled to A, B and H; sections, "
+                      "course of the center line and outer wall vary along it as in few measured "
+                      "ears. Outline and tilt of the sections are those of the mean."),
+    QT_TRANSLATE_NOOP("Data",
+                      "Insertions have fewer nodes and longer steps than the scenario: their "
+                      "median angle is up to %1 degrees smaller."),
+    QT_TRANSLATE_NOOP("Data",
+                      "Errors of A, B and H are independent unless the patient's file states their "
+                      "correlations."),
     QT_TRANSLATE_NOOP("Data",
                       "The strength of the cochlear partition and the surgeon's force limit rest "
                       "on few publications; see sources."),

@@ -180,6 +180,9 @@ QString inputName(const std::string& name)
       {"stiffness", QT_TRANSLATE_NOOP("perilymph::gui", "Stiffness of the array")},
       {"approach", QT_TRANSLATE_NOOP("perilymph::gui", "Approach to the opening")},
       {"section", QT_TRANSLATE_NOOP("perilymph::gui", "Sections of the scala tympani")},
+      {"course", QT_TRANSLATE_NOOP("perilymph::gui", "Course of the center line")},
+      {"radius", QT_TRANSLATE_NOOP("perilymph::gui", "Waves of the outer wall")},
+      {"height", QT_TRANSLATE_NOOP("perilymph::gui", "Height without a measured H")},
       {"lining", QT_TRANSLATE_NOOP("perilymph::gui", "Soft lining of the wall")},
       {"membrane", QT_TRANSLATE_NOOP("perilymph::gui", "Stiffness of the basilar membrane")}};
   for (const auto& [key, text] : names)

@@ -14,7 +14,17 @@ namespace perilymph::planning {
 namespace {
 
 /// Uses of random numbers, apart from those of analysis::drawSurgeon().
-enum class Draw : std::uint64_t { measures = 200, approach, stiffness, shape, tissue };
+enum class Draw : std::uint64_t {
+  measures = 200,
+  approach,
+  stiffness,
+  shape,
+  tissue,
+  section,
+  course,
+  radius,
+  height
+};
 
 /// Deviates beyond which a measure or a stiffness is not drawn (choice, high).
 constexpr double maxDeviates = 3.0;
@@ -32,10 +42,75 @@ double factorOf(double deviate, double deviation)
   return exponential(std::sqrt(variance) * deviate - 0.5 * variance);
 }
 
+/// A normal variation along the scala.
+anatomy::AngularVariation variation(analysis::RandomStream random, double deviation,
+                                    Angle correlation)
+{
+  anatomy::AngularVariation drawn;
+  drawn.amplitude = deviation * std::sqrt(2.0 / static_cast<double>(drawn.waves.size()));
+  for (auto& [frequency, phase] : drawn.waves) {
+    frequency = random.normal() / correlation.si();
+    phase = random.between(0.0, 2.0 * pi);
+  }
+  return drawn;
+}
+
 /// Between two limits, uniform in the logarithm.
 double logUniform(analysis::RandomStream& random, double low, double high)
 {
   return exponential(random.between(logarithm(low), logarithm(high)));
+}
+
+/// Draws A, B and H, each conditional on those before it: the Cholesky factor of the correlations of
+/// their errors.
+void drawMeasures(analysis::RandomStream random, anatomy::BasalTurn& turn,
+                  const anatomy::BasalTurnErrors& errors)
+{
+  const auto deviate = [](Length value, Length from, Length error) {
+    return error.si() > 0.0 ? (value - from) / error : 0.0;
+  };
+  const anatomy::Spread a = anatomy::spreadOfA(), b = anatomy::spreadOfB();
+  const anatomy::BasalTurn mean = turn;
+  turn.a = drawLength(random, mean.a, errors.a, a.low, a.high);
+  const double first = deviate(turn.a, mean.a, errors.a);
+  const double restOfB = std::sqrt(1.0 - errors.ab * errors.ab);
+  const Length meanOfB = mean.b + errors.ab * first * errors.b;
+  turn.b = drawLength(random, meanOfB, restOfB * errors.b, b.low, b.high);
+  if (!mean.h) return;
+  const double second = deviate(turn.b, meanOfB, restOfB * errors.b);
+  const anatomy::Spread h = anatomy::limitsOfH();
+  const Length error = errors.h.value_or(analysis::measuringError);
+  const double byB = (errors.bh - errors.ab * errors.ah) / restOfB;
+  const double rest = std::sqrt(1.0 - errors.ah * errors.ah - byB * byB);
+  turn.h = drawLength(random, *mean.h + (errors.ah * first + byB * second) * error, rest * error,
+                      h.low, h.high);
+}
+
+/// Draws what a cochlea with the drawn measures has of its own.
+///
+/// @param stream  Gives the random numbers of a purpose.
+template <class Stream>
+void drawShape(const Stream& stream, const Uncertainty& uncertainty, PlanDraw& drawn)
+{
+  const anatomy::BasalTurn& turn = *drawn.patient.basalTurn;
+  anatomy::IndividualShape& shape = drawn.shape;
+  analysis::RandomStream sharing = stream(Draw::shape);
+  for (double& deviate : drawn.sharing)
+    deviate = sharing.normal(0.0, 1.0, -maxDeviates, maxDeviates);
+  shape.half = anatomy::individualHalfDiameters(turn.a, turn.b, drawn.sharing);
+  const auto& [section, sectionCorrelation] = uncertainty.section;
+  shape.section = factorOf(0.0, section);
+  shape.sections = variation(stream(Draw::section), std::sqrt(logarithm(1.0 + section * section)),
+                             sectionCorrelation);
+  shape.course = variation(stream(Draw::course), uncertainty.course.standardDeviation,
+                           uncertainty.course.correlation);
+  shape.radius = variation(stream(Draw::radius), uncertainty.radius.standardDeviation,
+                           uncertainty.radius.correlation);
+  if (turn.h) return;
+  analysis::RandomStream height = stream(Draw::height);
+  shape.height +=
+      uncertainty.heightDeviation *
+      height.normal(0.0, 1.0, -uncertainty.maxHeightDeviates, uncertainty.maxHeightDeviates);
 }
 
 }  // namespace
@@ -48,24 +123,8 @@ PlanDraw drawPlan(const anatomy::Patient& patient, const Uncertainty& uncertaint
   };
   PlanDraw drawn;
   drawn.patient = patient;
-  anatomy::BasalTurn& turn = *drawn.patient.basalTurn;
-  const anatomy::BasalTurnErrors errors = analysis::errorsOf(patient);
-  const anatomy::Spread a = anatomy::spreadOfA(), b = anatomy::spreadOfB();
-  analysis::RandomStream measures = stream(Draw::measures);
-  turn.a = drawLength(measures, turn.a, errors.a, a.low, a.high);
-  turn.b = drawLength(measures, turn.b, errors.b, b.low, b.high);
-  if (turn.h) {
-    const anatomy::Spread h = anatomy::limitsOfH();
-    turn.h =
-        drawLength(measures, *turn.h, errors.h.value_or(analysis::measuringError), h.low, h.high);
-  }
-
-  analysis::RandomStream shape = stream(Draw::shape);
-  for (double& deviate : drawn.sharing) deviate = shape.normal(0.0, 1.0, -maxDeviates, maxDeviates);
-  drawn.shape.half = anatomy::individualHalfDiameters(turn.a, turn.b, drawn.sharing);
-  drawn.shape.section = factorOf(
-      shape.normal(0.0, 1.0, -uncertainty.maxSectionDeviates, uncertainty.maxSectionDeviates),
-      uncertainty.sectionDeviation);
+  drawMeasures(stream(Draw::measures), *drawn.patient.basalTurn, analysis::errorsOf(patient));
+  drawShape(stream, uncertainty, drawn);
   analysis::RandomStream tissue = stream(Draw::tissue);
   drawn.lining =
       meters(logUniform(tissue, uncertainty.liningLow.si(), uncertainty.liningHigh.si()));

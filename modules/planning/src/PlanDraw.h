@@ -9,8 +9,8 @@
 
 #include "Uncertainty.h"
 #include "perilymph/analysis/Surgeon.h"
+#include "perilymph/anatomy/IndividualShape.h"
 #include "perilymph/anatomy/Patient.h"
-#include "perilymph/anatomy/Population.h"
 #include "perilymph/planning/Plan.h"
 #include "perilymph/session/InsertionParameters.h"
 
@@ -20,7 +20,7 @@ namespace perilymph::planning {
 struct PlanDraw {
   anatomy::Patient patient;
   std::array<double, 2> sharing{};  ///< Standard normal: how A and B are shared between both sides.
-  anatomy::IndividualShape shape;   ///< With that sharing.
+  anatomy::IndividualShape shape;   ///< With that sharing, and what varies along the scala.
   Length lining;
   Stiffness membrane;
   Angle tilt, turn;               ///< Added to the scenario's approach.
@@ -29,7 +29,8 @@ struct PlanDraw {
 };
 
 /// Draw `number` of a seed: the same on every machine, in any order. The measures are normal with
-/// the errors that the patient's file states (analysis::errorsOf()), within what a patient may have.
+/// the errors and correlations that the patient's file states (analysis::errorsOf()), within what a
+/// patient may have.
 ///
 /// @param patient  With A and B.
 PlanDraw drawPlan(const anatomy::Patient& patient, const Uncertainty& uncertainty,

@@ -115,6 +115,10 @@ std::string contentOf(const PlannedInsertion& planned)
              {"a1_deviate", planned.a1_deviate},
              {"b1_deviate", planned.b1_deviate},
              {"section", planned.section},
+             {"section_second", planned.sectionSecond},
+             {"dip_mm", planned.dip_mm},
+             {"radius", planned.radius},
+             {"height", planned.height},
              {"lining_mm", planned.lining_mm},
              {"membrane_N_m", planned.membrane_N_m},
              {"tilt_deg", planned.tilt_deg},
@@ -155,6 +159,12 @@ std::optional<PlannedInsertion> insertionIn(const std::string& content)
           std::pair{"stiffness", &planned.stiffness}, std::pair{"friction", &planned.friction},
           std::pair{"speed_mm_s", &planned.speed_mm_s}, std::pair{"stop_mN", &planned.stop_mN}})
       *value = row.at(key).get<double>();
+    // not in files of former versions, which drew one factor for all sections
+    planned.sectionSecond = planned.section;
+    for (const auto& [key, value] :
+         {std::pair{"section_second", &planned.sectionSecond}, std::pair{"dip_mm", &planned.dip_mm},
+          std::pair{"radius", &planned.radius}, std::pair{"height", &planned.height}})
+      if (row.contains(key)) *value = row.at(key).get<double>();
     analysis::ClinicalInsertion& found = planned.insertion;
     found.end = haptics::endNamed(row.at("end").get<std::string>());
     if (found.end == InsertionEnd::none) return std::nullopt;
@@ -221,11 +231,13 @@ Result<Done> PlanFile::check(const std::string& fingerprint) const
   if (!found) return found.error();
   const std::string remedy = " Delete it or give another folder.";
   if (found->fingerprint != fingerprint)
-    return Error{file_.string() +
-                 " belongs to another plan, or the patient, an array, the scenario, "
-                 "resources/planning/uncertainty.toml or resources/clinical/hand.toml was changed "
-                 "since." +
-                 remedy};
+    return Error{
+        file_.string() +
+        " belongs to another plan, or the patient, an array, the scenario, "
+        "resources/planning/uncertainty.toml, resources/planning/frequency-allocation.toml, "
+        "resources/clinical/hand.toml or resources/reference/surgeons.toml was changed "
+        "since." +
+        remedy};
   if (found->program != buildId())
     return Error{file_.string() + " was begun by another build of the program (" + found->program +
                  "; this is " + buildId() + ")." + remedy};

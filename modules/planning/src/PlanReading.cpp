@@ -135,6 +135,10 @@ anatomy::Patient patientIn(const Json& value)
     turn.h = length("H_mm");
     errors.h = length("H_sd_mm");
   }
+  for (const auto& [key, correlation] :
+       {std::pair{"AB_correlation", &errors.ab}, std::pair{"AH_correlation", &errors.ah},
+        std::pair{"BH_correlation", &errors.bh}})
+    if (value.contains(key)) *correlation = numberAt(value, key);
   patient.basalTurn = turn;
   if (textAt(value, "errors") == "as measured") patient.errors = errors;
   patient.origin.seriesKey = textOr(value, "series_sha256");

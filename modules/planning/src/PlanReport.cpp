@@ -112,6 +112,10 @@ ordered_json patientJson(const anatomy::Patient& patient)
     json["H_sd_mm"] = rounded(inMillimeters(errors.h.value_or(analysis::measuringError)));
   }
   json["errors"] = patient.errors ? "as measured" : "assumed: 0.1 mm, about a voxel";
+  for (const auto& [key, correlation] :
+       {std::pair{"AB_correlation", errors.ab}, std::pair{"AH_correlation", errors.ah},
+        std::pair{"BH_correlation", errors.bh}})
+    if (correlation != 0.0) json[key] = rounded(correlation);
   if (!patient.origin.seriesKey.empty()) json["series_sha256"] = patient.origin.seriesKey;
   if (!patient.origin.software.empty()) json["measured_with"] = patient.origin.software;
   return json;
@@ -214,14 +218,15 @@ figures::Figure influenceFigure(const ArrayPlan& plan)
 const std::vector<std::string>& limitsOfPlans()
 {
   static const std::vector<std::string> limits = {
-      "The shape of the cochlea is the mean one, scaled to A, B and H, with the sharing of A and B "
-      "between both sides and one size of the sections drawn: other individual shape is not, nor "
-      "a covariance of the measures.",
+      "The shape of the cochlea is the mean one, scaled to A, B and H; sections, course of the "
+      "center "
+      "line and outer wall vary along it as in few measured ears. Outline and tilt of the sections "
+      "are those of the mean.",
       "Arrays stay in the scala tympani: a translocation through the partition is not in the "
       "mechanics.",
       "Insertions have fewer nodes and longer steps than the scenario: their median angle is up to "
-      "12 degrees smaller.",
-      "Without a measured H the height is that of the mean shape; its spread is not drawn.",
+      "6 degrees smaller.",
+      "Errors of A, B and H are independent unless the patient's file states their correlations.",
       "The strength of the cochlear partition and the surgeon's force limit rest on few "
       "publications; see sources.",
       "Ends are those of the model: a probability is not a clinical risk."};

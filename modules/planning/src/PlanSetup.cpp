@@ -74,7 +74,14 @@ PlannedInsertion plannedOf(const PlanDraw& draw, double stiffness, std::size_t n
   planned.h_mm = turn.h ? inMillimeters(*turn.h) : 0.0;
   planned.a1_deviate = draw.sharing[0];
   planned.b1_deviate = draw.sharing[1];
-  planned.section = draw.shape.section;
+  const auto at = [](double angle_deg) { return degrees(angle_deg).si(); };
+  const anatomy::IndividualShape& shape = draw.shape;
+  planned.section = shape.sectionAt(at(90.0));
+  planned.sectionSecond = shape.sectionAt(at(450.0));
+  const double middle = 0.5 * (shape.course.at(at(0.0)) + shape.course.at(at(180.0)));
+  planned.dip_mm = inMillimeters(meters(shape.course.at(at(90.0)) - middle));
+  planned.radius = 1.0 + shape.radius.at(at(180.0));
+  planned.height = shape.height;
   planned.lining_mm = inMillimeters(draw.lining);
   planned.membrane_N_m = draw.membrane.si();
   planned.tilt_deg = inDegrees(draw.tilt);
@@ -148,7 +155,7 @@ std::string fingerprintOf(const PlanRequest& request, const PlanSetup& setup)
   const auto add = [&hash](const std::string& text) {
     hash.add(std::to_string(text.size()) + ":" + text);
   };
-  add("plan 3");
+  add("plan 4");
   if (const auto& resolution = request.resolution) {
     add(std::to_string(resolution->nodes));
     add(session::shortestDecimal(resolution->step.si()));
@@ -157,6 +164,12 @@ std::string fingerprintOf(const PlanRequest& request, const PlanSetup& setup)
   add(anatomy::patientText(request.patient));
   add(setup.distributions);
   for (const Nominal& each : setup.nominal) add(each.text);
+  // what the summary is compared with: a changed one shows other numbers of the same insertions
+  for (const Force force :
+       {setup.thresholds.felt, setup.thresholds.ruptureLow, setup.thresholds.ruptureHigh})
+    add(session::shortestDecimal(force.si()));
+  for (const PlannedArray& each : setup.arrays)
+    for (const double filter_Hz : each.filter_Hz) add(session::shortestDecimal(filter_Hz));
   return hash.hex();
 }
 

@@ -19,6 +19,16 @@ TomlReader sourcedTable(TomlReader& file, const char* key, Uncertainty& uncertai
   return table;
 }
 
+/// A table of what varies along the scala.
+Uncertainty::Variation variation(TomlReader& file, const char* table, const char* key,
+                                 double maxDeviation, Uncertainty& uncertainty)
+{
+  TomlReader reader = sourcedTable(file, table, uncertainty);
+  const double deviation = reader.number(key, {0.0, maxDeviation});
+  // below 20 degrees the wall would fold
+  return {deviation, degrees(reader.number("correlation_deg", {20.0, 1000.0}))};
+}
+
 }  // namespace
 
 double Uncertainty::stiffnessOf(const electrode::ArrayDesign& array) const
@@ -47,9 +57,13 @@ Result<Uncertainty> loadUncertainty(const std::filesystem::path& file)
   uncertainty.tiltDeviation = degrees(approach.number("tilt_sd_deg", {0.0, 15.0}));
   uncertainty.turnDeviation = degrees(approach.number("turn_sd_deg", {0.0, 15.0}));
   uncertainty.maxDeviates = approach.number("max_deviates", {0.5, 5.0});
-  TomlReader section = sourcedTable(*reader, "section", uncertainty);
-  uncertainty.sectionDeviation = section.number("sd_fraction", {0.0, 0.3});
-  uncertainty.maxSectionDeviates = section.number("max_deviates", {0.5, 3.0});
+  uncertainty.section = variation(*reader, "section", "sd_fraction", 0.3, uncertainty);
+  uncertainty.course = variation(*reader, "course", "sd_mm", 0.5, uncertainty);
+  uncertainty.course.standardDeviation = millimeters(uncertainty.course.standardDeviation).si();
+  uncertainty.radius = variation(*reader, "radius", "sd_fraction", 0.1, uncertainty);
+  TomlReader height = sourcedTable(*reader, "height", uncertainty);
+  uncertainty.heightDeviation = height.number("sd_fraction", {0.0, 0.3});
+  uncertainty.maxHeightDeviates = height.number("max_deviates", {0.5, 3.0});
   TomlReader lining = sourcedTable(*reader, "lining", uncertainty);
   uncertainty.liningLow = millimeters(lining.number("low_mm", {0.01, 0.5}));
   uncertainty.liningHigh =

@@ -26,8 +26,17 @@ struct Uncertainty {
   Angle tiltDeviation, turnDeviation;  ///< The approach's, from the scenario's: normal.
   /// Limit of the approach's deviates: a larger one would have been corrected.
   double maxDeviates = 0.0;
-  /// Fraction of the sections' width and height: log-normal with mean 1, within a limit of deviates.
-  double sectionDeviation = 0.0, maxSectionDeviates = 0.0;
+  /// What varies along the scala: normal, with the covariance s^2 exp(-d^2 / 2 l^2) between angles d
+  /// apart.
+  struct Variation {
+    double standardDeviation = 0.0;  ///< s
+    Angle correlation;               ///< l
+  };
+  Variation section;  ///< Factor of the sections' width and height: log-normal with mean 1.
+  Variation course;   ///< Height of the center line above the mean's course [m].
+  Variation radius;   ///< Relative change of the outer wall's distance from the axis.
+  /// Fraction of the mean shape's H where it was not measured: normal, within a limit of deviates.
+  double heightDeviation = 0.0, maxHeightDeviates = 0.0;
   Length liningLow, liningHigh;         ///< Thickness: uniform in its logarithm.
   Stiffness membraneLow, membraneHigh;  ///< Under a sample point: uniform in its logarithm.
   std::vector<Provenance> provenance;

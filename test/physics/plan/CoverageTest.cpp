@@ -17,8 +17,8 @@
 namespace perilymph::test {
 namespace {
 
-// Seeds of this table alone.
-constexpr std::uint64_t seedOfTruths = 7'040'001, seedOfLuck = 7'040'002, seedOfPlans = 7'040'003;
+// Seeds of the README's table alone, first run after the distributions were fixed.
+constexpr std::uint64_t seedOfTruths = 8'210'001, seedOfLuck = 8'220'002, seedOfPlans = 8'230'003;
 
 planning::PlanRequest requestFor(const anatomy::Patient& patient, std::uint64_t number)
 {

@@ -4,7 +4,7 @@
 // Virtual patients whose cochlea is known in full, and whose measures have errors.
 //
 // Their shape is of another family than a plan's: a plan draws the mean of 15 measured cochleae,
-// scaled to A, B and H. A true cochlea is Clark's template spiral, another shape of center line and
+// scaled to A, B and H, with random variations around it. A true cochlea is Clark's template spiral, another shape of center line and
 // rise, with half-diameters of the population and its A + B, three waves of the radius around the turns, a rise of
 // its own, and sections whose size changes from base to apex.
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <functional>
 
@@ -57,6 +58,36 @@ TEST_F(PlanDraws, HaveTheMeansAndErrorsOfTheMeasures)
   EXPECT_NEAR(h.standardDeviation, 0.3, 0.02);
 }
 
+TEST_F(PlanDraws, HaveTheCorrelationsOfTheErrors)
+{
+  anatomy::Patient patient = measuredPatient();
+  patient.basalTurn->h = millimeters(3.5);  // far from the limits of H
+  patient.errors->ab = 0.6;
+  patient.errors->ah = -0.5;
+  patient.errors->bh = 0.2;
+  std::array<std::vector<double>, 3> values;
+  for (std::uint64_t i = 1; i <= 4000; ++i) {
+    const auto drawn = planning::drawPlan(patient, uncertainty_, hand_, 1, i);
+    const anatomy::BasalTurn& turn = *drawn.patient.basalTurn;
+    values[0].push_back(inMillimeters(turn.a));
+    values[1].push_back(inMillimeters(turn.b));
+    values[2].push_back(inMillimeters(*turn.h));
+  }
+  const auto correlation = [&](std::size_t i, std::size_t k) {
+    const auto a = analysis::statisticsOf(values[i]), b = analysis::statisticsOf(values[k]);
+    double sum = 0.0;
+    for (std::size_t n = 0; n < values[i].size(); ++n)
+      sum += (values[i][n] - a.mean) * (values[k][n] - b.mean);
+    return sum /
+           (static_cast<double>(values[i].size()) * a.standardDeviation * b.standardDeviation);
+  };
+  // four standard errors of a correlation from 4000 draws are 0.06 at most
+  EXPECT_NEAR(correlation(0, 1), 0.6, 0.06);
+  EXPECT_NEAR(correlation(0, 2), -0.5, 0.06);
+  EXPECT_NEAR(correlation(1, 2), 0.2, 0.06);
+  EXPECT_NEAR(analysis::statisticsOf(values[2]).standardDeviation, 0.3, 0.015);
+}
+
 TEST_F(PlanDraws, TurnTheApproachAsStated)
 {
   const auto tilt = statisticsOf([](const PlanDraw& d) { return inDegrees(d.tilt); });
@@ -78,9 +109,7 @@ TEST_F(PlanDraws, HaveIndividualShapesAndTissueWithinTheStatedRanges)
   const auto a1 = statisticsOf([](const PlanDraw& d) { return d.sharing[0]; });
   EXPECT_NEAR(a1.mean, 0.0, 4.0 * a1.standardError);
   EXPECT_NEAR(a1.standardDeviation, 1.0, 0.05);
-  const auto section = statisticsOf([](const PlanDraw& d) { return d.shape.section; });
-  EXPECT_NEAR(section.mean, 1.0, 4.0 * section.standardError);
-  EXPECT_NEAR(section.standardDeviation, uncertainty_.sectionDeviation, 0.005);
+  EXPECT_NE(draw(1).shape.half.a1, draw(2).shape.half.a1);
   const auto lining =
       statisticsOf([](const PlanDraw& d) { return std::log(inMillimeters(d.lining)); });
   EXPECT_NEAR(lining.mean, std::log(0.08), 4.0 * lining.standardError);  // 0.04 to 0.16
@@ -90,6 +119,55 @@ TEST_F(PlanDraws, HaveIndividualShapesAndTissueWithinTheStatedRanges)
     const PlanDraw one = draw(i);
     EXPECT_NEAR(one.shape.half.a().si(), one.patient.basalTurn->a.si(), 1e-12);
   }
+}
+
+TEST_F(PlanDraws, VaryAlongTheScalaWithTheStatedDeviationsAndCorrelations)
+{
+  using Function = double (*)(const anatomy::IndividualShape&, double);
+  struct Case {
+    const char* name;
+    Function function;
+    double mean, deviation;
+    Angle correlation;
+  };
+  const Case cases[] = {
+      {"section", [](const auto& shape, double angle) { return shape.sectionAt(angle); }, 1.0,
+       uncertainty_.section.standardDeviation, uncertainty_.section.correlation},
+      {"course", [](const auto& shape, double angle) { return shape.course.at(angle); }, 0.0,
+       uncertainty_.course.standardDeviation, uncertainty_.course.correlation},
+      {"radius", [](const auto& shape, double angle) { return shape.radius.at(angle); }, 0.0,
+       uncertainty_.radius.standardDeviation, uncertainty_.radius.correlation}};
+  for (const Case& one : cases) {
+    const double from = degrees(70.0).si(), to = from + one.correlation.si();
+    const auto here =
+        statisticsOf([&](const PlanDraw& d) { return one.function(d.shape, from) - one.mean; });
+    const auto there =
+        statisticsOf([&](const PlanDraw& d) { return one.function(d.shape, to) - one.mean; });
+    EXPECT_NEAR(here.mean, 0.0, 4.0 * here.standardError) << one.name;
+    // four standard errors of a standard deviation from 4000 draws
+    EXPECT_NEAR(here.standardDeviation / one.deviation, 1.0, 0.045) << one.name;
+    EXPECT_NEAR(there.standardDeviation / one.deviation, 1.0, 0.045) << one.name;
+    const auto product = statisticsOf([&](const PlanDraw& d) {
+      return (one.function(d.shape, from) - one.mean) * (one.function(d.shape, to) - one.mean);
+    });
+    // exp(-1/2) one correlation length apart; logarithms of sections, which the factors nearly are
+    EXPECT_NEAR(product.mean / (here.standardDeviation * there.standardDeviation), std::exp(-0.5),
+                0.06)
+        << one.name;
+  }
+}
+
+TEST_F(PlanDraws, HaveAHeightOfTheirOwnOnlyIfNoneWasMeasured)
+{
+  EXPECT_EQ(draw(1).shape.height, 1.0);
+  anatomy::Patient patient = measuredPatient();
+  patient.basalTurn->h = std::nullopt;
+  std::vector<double> heights;
+  for (std::uint64_t i = 1; i <= 4000; ++i)
+    heights.push_back(planning::drawPlan(patient, uncertainty_, hand_, 1, i).shape.height);
+  const auto height = analysis::statisticsOf(heights);
+  EXPECT_NEAR(height.mean, 1.0, 4.0 * height.standardError);
+  EXPECT_NEAR(height.standardDeviation, 0.24 / 3.26, 0.005);  // Medan, 36 ears
 }
 
 TEST_F(PlanDraws, DependOnSeedAndNumberAlone)

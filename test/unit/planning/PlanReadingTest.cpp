@@ -44,6 +44,18 @@ TEST(StoredPlan, GivesTheSameTextWhenItIsWrittenAgain)
   EXPECT_THAT(stored->program, HasSubstr("Perilymph "));
 }
 
+TEST(StoredPlan, KeepsTheCorrelationsOfTheMeasures)
+{
+  planning::Plan plan = syntheticPlan(20);
+  plan.request.patient.errors->ah = -0.375;
+  const auto json = planning::planJson(plan);
+  ASSERT_TRUE(json) << json.error().message;
+  const auto stored = planning::planIn(*json, "plan.json");
+  ASSERT_TRUE(stored) << stored.error().message;
+  EXPECT_EQ(stored->plan.request.patient.errors->ah, -0.375);
+  EXPECT_EQ(stored->plan.request.patient.errors->ab, 0.0);
+}
+
 TEST(StoredPlan, IsFoundInItsFolderAndBesideItsDraws)
 {
   const TemporaryFolder folder;

@@ -157,14 +157,15 @@ class OwnResources {
 public:
   OwnResources()
   {
-    for (const char* folder : {"resources", "resources/planning", "resources/clinical"})
+    for (const char* folder :
+         {"resources", "resources/planning", "resources/clinical", "resources/reference"})
       fs::create_directory(folder_ / folder);
     fs::create_directory_symlink(resource("plugins"), folder_ / "plugins");
     for (const auto& entry : fs::directory_iterator(resource("resources"))) {
       const fs::path place = folder_ / "resources" / entry.path().filename();
       if (!fs::exists(place)) fs::create_symlink(entry.path(), place);
     }
-    for (const char* folder : {"resources/planning", "resources/clinical"})
+    for (const char* folder : {"resources/planning", "resources/clinical", "resources/reference"})
       fs::copy(resource(folder), folder_ / folder);
     setenv(variable, folder_.path().c_str(), 1);
   }
@@ -207,11 +208,14 @@ TEST_F(SmallPlan, IsViewedAsItWasMade)
   EXPECT_FALSE(planning::viewPlan(request_, draws()));
 }
 
-TEST_F(SmallPlan, IsViewedButNotContinuedAfterADistributionWasChanged)
+TEST_F(SmallPlan, IsViewedButNotContinuedAfterADistributionOrAThresholdWasChanged)
 {
   const std::tuple<const char*, const char*, const char*> changes[] = {
       {"resources/planning/uncertainty.toml", "tilt_sd_deg = 4.0", "tilt_sd_deg = 5.0"},
-      {"resources/clinical/hand.toml", "lag_mm = 1.0", "lag_mm = 1.5"}};
+      {"resources/clinical/hand.toml", "lag_mm = 1.0", "lag_mm = 1.5"},
+      // not of the draws but of what the summary compares them with
+      {"resources/reference/surgeons.toml", "value_N = 0.0204", "value_N = 0.0102"},
+      {"resources/planning/frequency-allocation.toml", "[120, 235,", "[140, 235,"}};
   request_.draws = 2;
   for (const auto& [file, from, to] : changes) {
     const OwnResources resources;

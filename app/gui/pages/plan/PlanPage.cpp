@@ -74,11 +74,12 @@ PlanPage::PlanPage(QWidget* parent)
 QWidget* PlanPage::addPlan()
 {
   auto* page = new QWidget(this);
-  auto* limits = new WrappedLabel(
-      tr("Median (5–95 % of the draws). Values of the model, with little of what is individual "
-         "beyond "
-         "A, B and H; translocation is not computed, and the angles are some degrees small."),
-      page);
+  auto* limits = new WrappedLabel(tr("Median (5–95 % of the draws). Values of the model: what is "
+                                     "individual beyond A, B and H is "
+                                     "drawn as few measured ears show it, translocation is not "
+                                     "computed, and the angles are some "
+                                     "degrees small."),
+                                  page);
   limits->setObjectName(QStringLiteral("planLimits"));
   limits->setFont(typeface(11));
   limits->setProperty("quiet", true);

@@ -52,7 +52,13 @@ struct PlannedInsertion {
   double a_mm = 0.0, b_mm = 0.0, h_mm = 0.0;  ///< As drawn; H 0 if the patient has none.
   /// How A and B are shared between both sides of the axis: deviates of the population.
   double a1_deviate = 0.0, b1_deviate = 0.0;
-  double section = 1.0;  ///< Factor of the sections' width and height.
+  /// Factor of the sections' width and height at the base (90 degrees) and in the second turn (450).
+  double section = 1.0, sectionSecond = 1.0;
+  /// Height of the center line at 90 degrees above the middle of its heights at 0 and 180, beyond the
+  /// mean course: the dip or peak of the basal turn.
+  double dip_mm = 0.0;
+  double radius = 1.0;  ///< Factor of the outer wall's distance from the axis at 180 degrees.
+  double height = 1.0;  ///< Factor of the mean shape's H; 1 if it was measured.
   double lining_mm = 0.0, membrane_N_m = 0.0;
   double tilt_deg = 0.0, turn_deg = 0.0;  ///< From the scenario's approach.
   double stiffness = 1.0;                 ///< Factor of the array's.
@@ -181,7 +187,7 @@ Result<Plan> makePlan(const PlanRequest& request, const std::filesystem::path& d
                       const PlanProgress& progress);
 
 /// Reads a plan from its file of draws, as it was made; computes no insertion. If an array, the
-/// scenario, a distribution or the program was changed since, thresholds and filters are those of the
+/// scenario, a distribution, a threshold, a filter or the program was changed since, thresholds and filters are those of the
 /// plan.json beside the file.
 ///
 /// @param request  As for makePlan(); of its draws exactly as many are read.

@@ -83,6 +83,21 @@ void printPoint(const char* name, const std::optional<analysis::CurvePoint>& poi
           fixed(inMillimeters(meters(point->travel)), 1));
 }
 
+/// What happened to the cochlear partition, if it ruptured.
+void printPartition(const haptics::TickOutput& last)
+{
+  if ((last.status & haptics::partitionRuptured) == 0) return;
+  const haptics::Translocation& found = last.translocation;
+  print("{:18} at {} deg under {} mN, {} mm deep; ", "partition ruptured",
+        fixed(inDegrees(radians(found.angle)), 1), fixed(inMillinewtons(newtons(found.force)), 1),
+        fixed(inMillimeters(meters(found.depth)), 2));
+  if ((last.status & haptics::translocated) != 0)
+    print("translocated: {} mm of the array are in the scala vestibuli\n",
+          fixed(inMillimeters(meters(found.lengthAbove)), 1));
+  else
+    print("no part of the array is in the scala vestibuli\n");
+}
+
 void printSummary(const session::Scenario& scenario, const Outcome& outcome)
 {
   const analysis::ForceProfile& profile = outcome.profile;
@@ -93,6 +108,7 @@ void printSummary(const session::Scenario& scenario, const Outcome& outcome)
   if (end != haptics::InsertionEnd::finished)
     print("{:18} the array {}, {}.{}\n", nameOf(end), clauseOf(end),
           analysis::placeOf(outcome.last), adviceFor(end));
+  printPartition(outcome.last);
   printPoint("peak force", profile.peak);
   printPoint("basal-turn peak", profile.basalTurnPeak);
   printPoint("following dip", profile.basalTurnDip);

@@ -43,6 +43,17 @@ Json pointJson(const std::optional<CurvePoint>& point)
           {"travel_mm", std::round(asMillimeters(point->travel) * 1e6) / 1e6}};
 }
 
+/// The rupture of the partition; null if it held.
+Json translocationJson(const haptics::TickOutput& last)
+{
+  if ((last.status & haptics::partitionRuptured) == 0) return nullptr;
+  return {{"rupture_angle_deg", inDegrees(radians(last.translocation.angle))},
+          {"rupture_force_N", last.translocation.force},
+          {"rupture_depth_mm", asMillimeters(last.translocation.depth)},
+          {"translocated", (last.status & haptics::translocated) != 0},
+          {"length_above_mm", asMillimeters(last.translocation.lengthAbove)}};
+}
+
 }  // namespace
 
 std::string placeOf(const haptics::TickOutput& now)
@@ -100,6 +111,8 @@ std::string simulationJson(const session::Scenario& scenario, const SimulatedIns
   json["deepest_mm"] = asMillimeters(profile.deepest);
   json["wall_force_max_N"] = profile.wallForceMax;
   json["membrane_force_max_N"] = profile.membraneForceMax;
+  if (scenario.parameters().partitionStrength.si() > 0.0)
+    json["translocation"] = translocationJson(simulated.last);
   json["duration_s"] = profile.duration;
   json["ticks"] = profile.ticks;
   json["ticks_not_converged"] = profile.ticksNotConverged;

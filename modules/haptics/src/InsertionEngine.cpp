@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "perilymph/haptics/InsertionEngine.h"
+#include "PartitionOutput.h"
 
 #include <algorithm>
 #include <cmath>
@@ -346,6 +347,7 @@ void InsertionEngine::updateOutput() noexcept
   output_.wallForceMax = now.wallForceMax;
   output_.membraneForce = now.membraneForce;
   output_.residual = now.residual;
+  notePartition(*model_, state_.partition, output_);
 }
 
 void InsertionEngine::fill(Snapshot& snapshot) const noexcept
@@ -357,6 +359,7 @@ void InsertionEngine::fill(Snapshot& snapshot) const noexcept
   snapshot.couplingStiffness = isSpring ? couplingStiffness() : 0.0;
   snapshot.nodes = static_cast<std::uint32_t>(std::min(model_->nodes, mechanics::maxNodes));
   if (!isFinite()) return;
+  noteRuptures(state_.partition, snapshot);
   for (std::size_t i = 0; i < snapshot.nodes; ++i) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const auto k = static_cast<Eigen::Index>(axis);

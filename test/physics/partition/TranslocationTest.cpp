@@ -12,6 +12,9 @@
 #include "perilymph/device/ScriptedDevice.h"
 #include "perilymph/mechanics/advance.h"
 #include "perilymph/session/Insertion.h"
+#include "perilymph/session/RecordedInsertion.h"
+#include "perilymph/session/Replay.h"
+#include "perilymph/test/TemporaryFolder.h"
 
 namespace perilymph::session {
 namespace {
@@ -148,6 +151,49 @@ TEST(Translocation, GivesAHandNoEnergyOnTheWayInAndOut)
   EXPECT_GT(run.maxAbove, 3);
   EXPECT_GT(run.minWork, -1e-6);
   EXPECT_GT(run.work, 0.0);
+}
+
+TEST(Translocation, IsInTheRecordingAndReplaysBitForBit)
+{
+  const test::TemporaryFolder folder;
+  const auto file = folder.path() / "translocation.insertion";
+  Overrides overrides = contourFromBelow;
+  overrides.emplace_back("nodes", "50");
+  const auto scenario = loadScenario("surgery-flex28", overrides);
+  ASSERT_TRUE(scenario);
+  const InsertionParameters& parameters = scenario->parameters();
+  mechanics::Rupture rupture;
+  {
+    auto insertion = Insertion::prepare(
+        *scenario,
+        std::make_unique<device::ScriptedDevice>(parameters.speed.si(), parameters.timeStep.si()),
+        file);
+    ASSERT_TRUE(insertion) << insertion.error().message;
+    ASSERT_TRUE((*insertion)->runToEnd([](const haptics::TickRecord&) { return true; }, 40'000));
+    rupture = (*insertion)->loop().engine().state().partition.first;
+    ASSERT_TRUE((*insertion)->closeRecording());
+  }
+  const auto verification = verify(file, {});
+  ASSERT_TRUE(verification) << verification.error().message;
+  EXPECT_TRUE(verification->isIdentical) << verification->damage;
+  EXPECT_TRUE(verification->notes.empty());
+
+  const auto recorded = RecordedInsertion::open(file);
+  ASSERT_TRUE(recorded);
+  haptics::TickOutput last;
+  std::uint64_t ruptures = 0;
+  ASSERT_TRUE(recorded->forEach([&](const haptics::TickRecord& record) {
+    const auto ruptured = haptics::partitionRuptured;
+    if ((record.output.status & ruptured) != 0 && (last.status & ruptured) == 0) ++ruptures;
+    last = record.output;
+    return true;
+  }));
+  EXPECT_EQ(ruptures, 1u);
+  EXPECT_EQ(last.translocation.angle, rupture.angle);
+  EXPECT_EQ(last.translocation.force, rupture.force);
+  EXPECT_EQ(last.translocation.depth, rupture.depth);
+  EXPECT_NE(last.status & haptics::translocated, 0u);
+  EXPECT_GT(last.translocation.lengthAbove, 1e-3);
 }
 
 TEST(Translocation, GivesBackWhatItTookInLoopsWithoutFriction)

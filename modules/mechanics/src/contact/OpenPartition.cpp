@@ -134,6 +134,14 @@ Intactness PartitionState::at(double angle) const noexcept
   return {};
 }
 
+double PartitionState::lengthAbove(double spacing) const noexcept
+{
+  double length = 0.0;
+  for (std::size_t i = 0; i < isAbove.size(); ++i)
+    if (isAbove[i] != 0) length += i + 1 == isAbove.size() ? 0.5 * spacing : spacing;
+  return length;
+}
+
 void findSides(const InsertionModel& model, InsertionState& state, ContactSet& contacts) noexcept
 {
   PartitionState& partition = state.partition;

@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "perilymph/foundation/Units.h"
 #include "perilymph/haptics/InsertionEnd.h"
 #include "perilymph/session/Recording.h"
 
@@ -43,7 +44,7 @@ std::string workflowWord(haptics::Workflow workflow)
 
 std::string statusText(std::uint32_t status)
 {
-  constexpr std::array<std::pair<haptics::Status, const char*>, 19> label = {
+  constexpr std::array<std::pair<haptics::Status, const char*>, 21> label = {
       {{haptics::staleSample, "staleSample"},
        {haptics::couplingSoftened, "couplingSoftened"},
        {haptics::nearWorkspaceEnd, "nearWorkspaceEnd"},
@@ -62,7 +63,9 @@ std::string statusText(std::uint32_t status)
        {haptics::endedBuckled, "endedBuckled"},
        {haptics::endedOutOfOpening, "endedOutOfOpening"},
        {haptics::endedFoldedTip, "endedFoldedTip"},
-       {haptics::endedJammed, "endedJammed"}}};
+       {haptics::endedJammed, "endedJammed"},
+       {haptics::partitionRuptured, "partitionRuptured"},
+       {haptics::translocated, "translocated"}}};
   std::string text;
   for (const auto& [bit, word] : label)
     if (status & bit) text += (text.empty() ? "" : " ") + std::string(word);
@@ -93,10 +96,21 @@ std::vector<Event> EventDetector::add(const haptics::TickRecord& record)
   // Only a new status bit is an event; its end is visible in the ticks.
   const std::uint32_t appeared = record.output.status & ~status_;
   status_ = record.output.status;
-  const std::uint32_t status = appeared & ~haptics::anyEnd;
+  constexpr std::uint32_t ofPartition = haptics::partitionRuptured | haptics::translocated;
+  const std::uint32_t status = appeared & ~haptics::anyEnd & ~ofPartition;
   if (status != 0) add("status", statusText(status));
+  if ((appeared & haptics::partitionRuptured) != 0) {
+    add("partition_ruptured_deg", inDegrees(radians(record.output.translocation.angle)));
+    add("partition_force_N", record.output.translocation.force);
+  }
+  // the first part that goes through; where it comes and goes is visible in the ticks
+  if ((appeared & haptics::translocated) != 0 && !isTranslocated_) {
+    isTranslocated_ = true;
+    add("translocated_at_mm", inMillimeters(meters(record.output.depth)));
+  }
   // a finished insertion is a change of workflow
-  if (appeared != status) add("end", std::string(nameOf(haptics::endOf(record.output))));
+  if ((appeared & haptics::anyEnd) != 0)
+    add("end", std::string(nameOf(haptics::endOf(record.output))));
   return events;
 }
 

@@ -17,7 +17,8 @@ namespace perilymph::session {
 struct Event {
   std::uint64_t tick = 0;
   double time = 0.0;  ///< [s]
-  std::string kind;   ///< A command, "workflow", "status", "end", or "lost".
+  std::string kind;   ///< A command, "workflow", "status", "partition_ruptured_deg",
+                      ///< "partition_force_N", "translocated_at_mm", "end", or "lost".
   std::variant<std::int64_t, double, std::string> value;
 };
 
@@ -35,6 +36,7 @@ private:
   std::optional<std::uint64_t> lastTick_;
   haptics::Workflow workflow_ = haptics::Workflow::idle;
   std::uint32_t status_ = haptics::allWell;
+  bool isTranslocated_ = false;
   std::uint64_t missingTicks_ = 0;
 };
 

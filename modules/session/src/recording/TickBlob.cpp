@@ -91,13 +91,19 @@ void forEachInput(Record& record, Each& each)
   each(record.commands.count);
 }
 
+std::uint32_t versionOf(const haptics::TickRecord& record)
+{
+  const bool isRuptured = (record.output.status & haptics::partitionRuptured) != 0;
+  return isRuptured ? rupturedBlobVersion : tickBlobVersion;
+}
+
 }  // namespace
 
 void writeTick(const haptics::TickRecord& record, std::vector<unsigned char>& bytes)
 {
   bytes.clear();
   Writer write(bytes);
-  write(tickBlobVersion);
+  write(versionOf(record));
   forEachInput(record, write);
   for (std::uint32_t i = 0; i < record.commands.count && i < haptics::maxCommandsPerTick; ++i) {
     write(record.commands.items[i].kind);
@@ -112,7 +118,7 @@ std::optional<haptics::TickRecord> readTick(std::span<const unsigned char> bytes
   Reader read(bytes);
   std::uint32_t versionFound = 0;
   read(versionFound);
-  if (versionFound != tickBlobVersion) return std::nullopt;
+  if (versionFound != tickBlobVersion && versionFound != rupturedBlobVersion) return std::nullopt;
   forEachInput(record, read);
   if (record.commands.count > haptics::maxCommandsPerTick) return std::nullopt;
   for (std::uint32_t i = 0; i < record.commands.count; ++i) {
@@ -120,7 +126,7 @@ std::optional<haptics::TickRecord> readTick(std::span<const unsigned char> bytes
     read(record.commands.items[i].value);
   }
   forEachField(record.output, [&read](const char*, int, auto& value) { read(value); });
-  if (!read.isExact()) return std::nullopt;
+  if (!read.isExact() || versionFound != versionOf(record)) return std::nullopt;
   return record;
 }
 

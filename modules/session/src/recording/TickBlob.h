@@ -13,8 +13,9 @@
 
 namespace perilymph::session {
 
-/// First number in every blob.
-inline constexpr std::uint32_t tickBlobVersion = 1;
+/// First number in a blob, and in one of a tick after the cochlear partition ruptured, which has more
+/// fields.
+inline constexpr std::uint32_t tickBlobVersion = 1, rupturedBlobVersion = 2;
 
 /// Encodes a record into `bytes`.
 void writeTick(const haptics::TickRecord& record, std::vector<unsigned char>& bytes);

@@ -35,6 +35,12 @@ void forEachField(Output& output, Visit&& visit)
   visit("membraneForce", -1, output.membraneForce);
   visit("styletWithdrawal", -1, output.styletWithdrawal);
   visit("residual", -1, output.residual);
+  // recordings without a rupture, and all of before, have none of these
+  if ((output.status & haptics::partitionRuptured) == 0) return;
+  visit("ruptureAngle", -1, output.translocation.angle);
+  visit("ruptureForce", -1, output.translocation.force);
+  visit("ruptureDepth", -1, output.translocation.depth);
+  visit("lengthAbove", -1, output.translocation.lengthAbove);
 }
 
 }  // namespace perilymph::session

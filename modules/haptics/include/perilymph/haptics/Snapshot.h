@@ -38,6 +38,9 @@ enum Status : std::uint32_t {
   endedOutOfOpening = 1u << 16,  ///< The tip is pushed past the opening: no force.
   endedFoldedTip = 1u << 17,     ///< The tip points back along the scala: no force.
   endedJammed = 1u << 18,        ///< Force above 2 N, or no advance of the tip: no force.
+  // The cochlear partition, if it can rupture.
+  partitionRuptured = 1u << 19,  ///< It has ruptured; set from then on.
+  translocated = 1u << 20,       ///< A part of the array is above it, in the scala vestibuli.
 };
 
 /// A command from the window or the command line to the loop. Recordings contain the numbers.
@@ -66,6 +69,14 @@ struct CommandList {
   std::array<Command, maxCommandsPerTick> items{};
 };
 
+/// The first rupture of the cochlear partition, and what went through; all 0 before it.
+struct Translocation {
+  double angle = 0.0;        ///< Place of the rupture, from the round window [rad].
+  double force = 0.0;        ///< Normal to the partition, within one contact [N].
+  double depth = 0.0;        ///< Insertion depth at the rupture [m].
+  double lengthAbove = 0.0;  ///< Length of the array above the partition now [m].
+};
+
 /// Output of one tick, without the shape of the array.
 struct TickOutput {
   device::Wrench wrench_D;  ///< Wrench to render: scaled and limited.
@@ -88,6 +99,7 @@ struct TickOutput {
   double membraneForce = 0.0;        ///< [N]
   double styletWithdrawal = 0.0;     ///< [m]
   double residual = 0.0;             ///< [N]
+  Translocation translocation;
 };
 
 /// Input and output of one tick: one row of a recording.
@@ -103,7 +115,9 @@ struct Snapshot {
   std::uint64_t tick = 0;
   TickOutput output;
   std::uint32_t nodes = 0;
-  std::uint32_t reserved = 0;
+  std::uint32_t ruptures = 0;  ///< Ranges in which the cochlear partition is open.
+  /// Angles from the round window at which each of them begins and ends [rad].
+  std::array<std::array<double, 2>, mechanics::maxRuptures> ruptured{};
   std::array<double, 3> baseAxis_W{};  ///< Unit: direction in which the array leaves the tweezers.
   std::array<std::array<float, 3>, mechanics::maxNodes> node_W;  ///< [m], base first, tip last.
   std::array<std::array<float, 3>, mechanics::maxNodes> wallForce_W;  ///< On each node [N].

@@ -69,6 +69,8 @@ struct PartitionState {
   std::vector<unsigned char> isAbove;
 
   bool isRuptured() const noexcept { return count > 0; }
+  /// Length of the array above the partition, for the spacing of its nodes [m]. Real-time safe.
+  double lengthAbove(double spacing) const noexcept;
   /// Real-time safe.
   Intactness at(double angle) const noexcept;
 };

@@ -5,7 +5,8 @@
 //
 //   meta(key, value)                   scenario, version, device, step: see RecordingFacts
 //   tick(tick, <columns>, record)      one row per tick: readable columns, and a BLOB for replay
-//   event(tick, time_s, kind, value)   commands, changes of workflow and status, lost ticks
+//   event(tick, time_s, kind, value)   commands, changes of workflow and status, rupture of the
+//                                      partition, lost ticks
 
 #include <cstdint>
 #include <filesystem>

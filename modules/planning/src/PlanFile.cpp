@@ -135,6 +135,8 @@ std::string contentOf(const PlannedInsertion& planned)
              {"end_force", found.endForce.si()},
              {"membrane", found.membrane.si()},
              {"is_ruptured", found.isRuptured},
+             {"is_translocated", found.isTranslocated},
+             {"rupture_angle", found.ruptureAngle.si()},
              {"contacts", contacts},
              {"profile_depth", depths},
              {"profile_force", forces}}
@@ -175,6 +177,9 @@ std::optional<PlannedInsertion> insertionIn(const std::string& content)
     found.endForce = newtons(row.at("end_force").get<double>());
     found.membrane = newtons(row.at("membrane").get<double>());
     found.isRuptured = row.at("is_ruptured").get<bool>();
+    // plans of before counted forces alone
+    found.isTranslocated = row.value("is_translocated", false);
+    found.ruptureAngle = radians(row.value("rupture_angle", 0.0));
     for (const Row& contact : row.at("contacts"))
       found.contacts.push_back(contactIn(contact, static_cast<int>(found.contacts.size()) + 1));
     const Row& depths = row.at("profile_depth");

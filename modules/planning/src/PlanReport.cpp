@@ -46,6 +46,7 @@ constexpr PlanProbability probabilities[] = {
     {"folded_tip", &ArrayPlan::foldedTip},
     {"other_end", &ArrayPlan::other},
     {"partition_ruptured", &ArrayPlan::ruptured},
+    {"translocated", &ArrayPlan::translocated},
     {"partition_reaches_weakest", &ArrayPlan::reachesWeakest},
     {"partition_reaches_strongest", &ArrayPlan::reachesStrongest},
     {"resistance_felt", &ArrayPlan::felt}};

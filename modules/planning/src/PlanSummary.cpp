@@ -223,6 +223,8 @@ void addForceEvents(ArrayPlan& plan, const Insertions& all, const Thresholds& th
   };
   plan.ruptured =
       probability(all, [](const PlannedInsertion& each) { return each.insertion.isRuptured; });
+  plan.translocated =
+      probability(all, [](const PlannedInsertion& each) { return each.insertion.isTranslocated; });
   plan.reachesWeakest = reaches(thresholds.ruptureLow);
   plan.reachesStrongest = reaches(thresholds.ruptureHigh);
   std::vector<double> depths;

@@ -88,7 +88,7 @@ TEST_F(PlannedEnds, AreARupturedPartitionWhereACurvedArrayIsPushedUpAgainstIt)
                                 {"approach_tilt_deg = 0.0", "approach_tilt_deg = 30.0"}},
                                3, {"contour"});
   EXPECT_GT(arrays[0].ruptured.value, 0.0);
-  EXPECT_GE(arrays[0].reachesWeakest.value, arrays[0].ruptured.value);
+  EXPECT_GE(arrays[0].ruptured.value, arrays[0].translocated.value);
 }
 
 }  // namespace

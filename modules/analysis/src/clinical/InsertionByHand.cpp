@@ -37,6 +37,9 @@ DrawnInsertion withSurgeon(const session::InsertionParameters& nominal,
   drawn.parameters.engine.stopTravel = drawn.parameters.stopTravel.si();
   drawn.parameters.engine.samplePeriod = nominal.timeStep.si();
   drawn.parameters.friction = nominal.friction.scaled(surgeon.frictionFactor);
+  // a point set cannot go through the partition
+  if (nominal.model == mechanics::ModelKind::rod)
+    drawn.parameters.partitionStrength = surgeon.rupture;
   drawn.speed = surgeon.speed.si();
   // a sine of amplitude a along each of three axes has the root mean square a sqrt(3 / 2)
   drawn.tremorAmplitude = surgeon.tremor.si() / std::sqrt(1.5);
@@ -143,7 +146,9 @@ ClinicalInsertion insertByHand(const session::InsertionParameters& nominal,
   if (!ran) result.reason = ran.error().message;
   result.depth = meters(last.depth);
   result.endForce = newtons(count > 0 ? sum / static_cast<double>(count) : last.axialForce);
-  result.isRuptured = result.membrane >= surgeon.rupture;
+  result.isRuptured = (last.status & haptics::partitionRuptured) != 0;
+  result.isTranslocated = (last.status & haptics::translocated) != 0;
+  result.ruptureAngle = radians(last.translocation.angle);
   (*insertion)->refresh();
   if (shape != nullptr) *shape = (*insertion)->latest();
   result.contacts = contactPositions(*anatomy, nominal.array, (*insertion)->latest());

@@ -22,13 +22,15 @@ struct ClinicalInsertion {
   std::string array;
   std::uint64_t seed = 0, patient = 0;
   haptics::InsertionEnd end = haptics::InsertionEnd::refused;
-  std::string reason;       ///< A message if the engine stopped or refused it.
-  Length depth;             ///< At the end, past the opening.
-  Angle apical;             ///< Angle of the most apical contact from the round window.
-  Force peak;               ///< Maximum axial force on the hand.
-  Force endForce;           ///< Mean axial force on the hand at the end of its rest.
-  Force membrane;           ///< Maximum force on the cochlear partition, all of it.
-  bool isRuptured = false;  ///< That force reached the drawn strength.
+  std::string reason;           ///< A message if the engine stopped or refused it.
+  Length depth;                 ///< At the end, past the opening.
+  Angle apical;                 ///< Angle of the most apical contact from the round window.
+  Force peak;                   ///< Maximum axial force on the hand.
+  Force endForce;               ///< Mean axial force on the hand at the end of its rest.
+  Force membrane;               ///< Maximum force on the cochlear partition, all of it.
+  bool isRuptured = false;      ///< The partition ruptured, at its drawn strength.
+  bool isTranslocated = false;  ///< A part of the array is above the partition at the end.
+  Angle ruptureAngle;           ///< Place of the first rupture; 0 without one.
   std::vector<ContactPosition> contacts;  ///< At the end, from the tip.
   std::vector<DepthForce> profile;        ///< Force at multiples of a spacing, first passage.
 };

@@ -128,7 +128,8 @@ struct ArrayPlan {
   analysis::Estimate buckled;    ///< That the array bows in front of the opening.
   analysis::Estimate foldedTip;  ///< That the tip folds over.
   analysis::Estimate other;      ///< That it ends otherwise: out of the opening, jammed, refused.
-  analysis::Estimate ruptured;   ///< That the force on the partition reaches its drawn strength.
+  analysis::Estimate ruptured;   ///< That the partition ruptures, at its drawn strength.
+  analysis::Estimate translocated;  ///< That a part of the array ends in the scala vestibuli.
   /// That the force on the partition reaches the weakest, and the strongest published partition's
   /// strength (Thresholds).
   analysis::Estimate reachesWeakest, reachesStrongest;

@@ -995,6 +995,10 @@
         <translation>Steifigkeit der Basilarmembran, falls weich</translation>
     </message>
     <message>
+        <source>Strength of the cochlear partition, 0 if it never ruptures</source>
+        <translation>Festigkeit der cochleären Trennwand, 0 ohne Ruptur</translation>
+    </message>
+    <message>
         <source>Calibrated scale of the array stiffness</source>
         <translation>Kalibrierter Faktor der Trägersteifigkeit</translation>
     </message>
@@ -1879,6 +1883,14 @@
     <message>
         <source>above reported clinical peak forces (&gt; %1 mN)</source>
         <translation>über den berichteten klinischen Spitzenkräften (&gt; %1 mN)</translation>
+    </message>
+    <message>
+        <source>cochlear partition ruptured at %1° by %2 mN</source>
+        <translation>cochleäre Trennwand bei %1° mit %2 mN rupturiert</translation>
+    </message>
+    <message>
+        <source>translocation: partition ruptured at %1° by %2 mN, %3 mm above it</source>
+        <translation>Translokation: Trennwand bei %1° mit %2 mN rupturiert, %3 mm darüber</translation>
     </message>
     <message>
         <source>cochlear partition %1 mN</source>

@@ -68,4 +68,16 @@ ForceMeaning meaningOnPartition(Force force, const ForceThresholds& known)
       true};
 }
 
+ForceMeaning meaningOfRupture(const haptics::Translocation& rupture)
+{
+  const QString angle = numberText(inDegrees(Angle::fromSi(rupture.angle)), 0);
+  const QString force = numberText(inMillinewtons(Force::fromSi(rupture.force)), 0);
+  if (!(rupture.lengthAbove > 0.0))
+    return {tr("cochlear partition ruptured at %1° by %2 mN").arg(angle, force), true};
+  const QString length = numberText(inMillimeters(Length::fromSi(rupture.lengthAbove)), 1);
+  return {tr("translocation: partition ruptured at %1° by %2 mN, %3 mm above it")
+              .arg(angle, force, length),
+          true};
+}
+
 }  // namespace perilymph::gui

@@ -8,6 +8,7 @@
 
 #include "perilymph/analysis/Reference.h"
 #include "perilymph/foundation/Units.h"
+#include "perilymph/haptics/Snapshot.h"
 
 namespace perilymph::gui {
 
@@ -31,5 +32,8 @@ struct ForceMeaning {
 ForceMeaning meaningOnHand(Force force, const ForceThresholds& known);
 /// Interpretation of the sum of the forces normal to the partition.
 ForceMeaning meaningOnPartition(Force force, const ForceThresholds& known);
+/// Says where the partition ruptured in this insertion, at which force, and whether the array went
+/// through.
+ForceMeaning meaningOfRupture(const haptics::Translocation& rupture);
 
 }  // namespace perilymph::gui

@@ -40,13 +40,15 @@ ForceLabel::ForceLabel(QWidget* parent) : QWidget(parent), known_(ForceThreshold
       "partition; rupture was measured under a point load. No force is known to be safe: trauma "
       "may occur below these forces (Mirsalehi et al. 2017).");
   sources_ = sources.join(QStringLiteral("\n\n"));
-  show({}, {});
+  show({});
 }
 
-void ForceLabel::show(Force onHand, Force onPartition)
+void ForceLabel::show(const haptics::TickOutput& now)
 {
-  ForceMeaning hand = meaningOnHand(onHand, known_);
-  ForceMeaning partition = meaningOnPartition(onPartition, known_);
+  ForceMeaning hand = meaningOnHand(Force::fromSi(now.axialForce), known_);
+  ForceMeaning partition = now.translocation.force > 0.0
+                               ? meaningOfRupture(now.translocation)
+                               : meaningOnPartition(Force::fromSi(now.membraneForce), known_);
   if (hand.text == hand_.text && partition.text == partition_.text) return;
   hand_ = std::move(hand);
   partition_ = std::move(partition);

@@ -16,7 +16,8 @@ class ForceLabel : public QWidget {
 public:
   explicit ForceLabel(QWidget* parent);
 
-  void show(Force onHand, Force onPartition);
+  /// Shows the forces of a tick, or instead of that on the partition how it ruptured.
+  void show(const haptics::TickOutput& now);
   const QString& handText() const { return hand_.text; }
   const QString& partitionText() const { return partition_.text; }
   QSize sizeHint() const override;

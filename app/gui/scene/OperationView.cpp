@@ -203,7 +203,7 @@ void OperationView::showNumbers(const haptics::TickOutput& now, Length stopTrave
   captionDepth(numberText(inMillimeters(Length::fromSi(now.depth)), 1));
   angle_->setNumber(numberText(inDegrees(Angle::fromSi(now.angularDepth)), 0));
   force_->setNumber(numberText(inMillinewtons(Force::fromSi(now.axialForce)), 0));
-  forceLabel_->show(Force::fromSi(now.axialForce), Force::fromSi(now.membraneForce));
+  forceLabel_->show(now);
   speed_->setNumber(numberText(inMillimetersPerSecond(Speed::fromSi(now.speed)), 1));
   phase_->setPhase(analysis::phaseOf(now, stopTravel));
 }

@@ -281,6 +281,7 @@ void InsertionScene::show(const haptics::Snapshot& now)
   }
   if (scene.isVisible[static_cast<std::size_t>(Part::wallForce)])
     scene.scalaParts.color(scene.field);
+  scene.scalaParts.tear(std::span(now.ruptured).first(now.ruptures));
   if (wasEmpty != scene.path.isEmpty()) scene.applyVisibility();
   scene.arrayMoved = true;
 }

@@ -23,6 +23,7 @@ const Palette& paletteOf(figures::ColorScheme scheme)
       .groundLight = {0x25, 0x31, 0x38, 255},
       .text = {0xE8, 0xEC, 0xEF, 255},
       .quietText = {0x93, 0xA1, 0xAC, 255},
+      .rupture = {0xFF, 0x4D, 0x4D, 255},
       .ghost = {0x2F, 0x7F, 0xBF, 255},
   };
 
@@ -45,6 +46,7 @@ const Palette& paletteOf(figures::ColorScheme scheme)
       .groundLight = {0xFF, 0xFF, 0xFF, 255},
       .text = {0x14, 0x1B, 0x21, 255},
       .quietText = {0x4A, 0x56, 0x61, 255},
+      .rupture = {0xB0, 0x00, 0x20, 255},
       .ghost = {0x00, 0x4B, 0x78, 255},
   };
   return scheme == figures::ColorScheme::light ? light : dark;

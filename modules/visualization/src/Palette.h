@@ -18,7 +18,8 @@ struct Palette {
   figures::ColorScheme scheme;
   Rgba bone, membrane, silicone, platinum, platinumRim, rib, steel, outline, arrow, frictionArrow,
       forceLow, forceHigh, ground, groundLight, text, quietText;
-  Rgba ghost;  ///< Another insertion's array; luminance 3:1 against silicone and ground.
+  Rgba rupture;  ///< The cochlear partition where it is torn.
+  Rgba ghost;    ///< Another insertion's array; luminance 3:1 against silicone and ground.
 };
 
 /// The colors of a scheme: constants of the program.

@@ -22,7 +22,7 @@ constexpr double facingOpacity = 0.07, turnedOpacity = 0.46;
 constexpr double ambient = 0.42, diffuse = 0.58;
 constexpr double keyLight[] = {-0.5, 0.75};  ///< To the right and up, for a light toward the
                                              ///< viewer.
-constexpr double membraneOpacity = 0.42;
+constexpr double membraneOpacity = 0.42, tornOpacity = 0.85;
 
 /// Blends a force's color over the shell's.
 Rgba over(const Rgba& shell, const Rgba& force)
@@ -122,6 +122,11 @@ void ScalaParts::planMembrane(const anatomy::ScalaTympani& scala, const PictureS
   membrane_.paint(withOpacity(palette_.membrane, membraneOpacity));
   membrane_.actor().GetProperty()->LightingOff();
   membraneRims_ = Silhouette(places, normals, triangles).rims();
+  fill(torn_, places, normals, {});
+  torn_.paint(withOpacity(palette_.rupture, tornOpacity));
+  torn_.actor().GetProperty()->LightingOff();
+  membraneTriangles_ = triangles;
+  pieceAngle_ = scala.lastAngle().si() / static_cast<double>(triangles.size() / 2);
 }
 
 void ScalaParts::addFarWall(vtkRenderer& renderer) { renderer.AddActor(&wall_.actor()); }
@@ -129,6 +134,7 @@ void ScalaParts::addFarWall(vtkRenderer& renderer) { renderer.AddActor(&wall_.ac
 void ScalaParts::addMembrane(vtkRenderer& renderer)
 {
   renderer.AddActor(&membrane_.actor());
+  renderer.AddActor(&torn_.actor());
   renderer.AddActor(&membraneEdges_.actor());
 }
 
@@ -144,7 +150,25 @@ void ScalaParts::setVisible(bool wall, bool membrane)
   nearWall_->SetVisibility(wall);
   edges_.actor().SetVisibility(wall);
   membrane_.actor().SetVisibility(membrane);
+  torn_.actor().SetVisibility(membrane);
   membraneEdges_.actor().SetVisibility(membrane);
+}
+
+void ScalaParts::tear(std::span<const std::array<double, 2>> ranges)
+{
+  if (std::equal(ranges.begin(), ranges.end(), ranges_.begin(), ranges_.end())) return;
+  ranges_.assign(ranges.begin(), ranges.end());
+  std::vector<Triangle> torn;
+  for (std::size_t piece = 0; 2 * piece + 1 < membraneTriangles_.size(); ++piece) {
+    const double middle = (static_cast<double>(piece) + 0.5) * pieceAngle_;
+    const bool isTorn = std::any_of(ranges_.begin(), ranges_.end(), [&](const auto& range) {
+      return middle > range[0] && middle < range[1];
+    });
+    if (!isTorn) continue;
+    torn.push_back(membraneTriangles_[2 * piece]);
+    torn.push_back(membraneTriangles_[2 * piece + 1]);
+  }
+  torn_.connect(torn);
 }
 
 void ScalaParts::light(const ViewFrame& view)

@@ -5,7 +5,9 @@
 
 #include <vtkSmartPointer.h>
 
+#include <array>
 #include <optional>
+#include <span>
 #include <unordered_map>
 #include <vector>
 
@@ -30,6 +32,10 @@ public:
   void addMembrane(vtkRenderer& renderer);
   void addNearWall(vtkRenderer& renderer);
 
+  /// Shows where the cochlear partition is torn.
+  ///
+  /// @param ranges  Angles from the round window at which each part begins and ends [rad].
+  void tear(std::span<const std::array<double, 2>> ranges);
   /// Colors the wall by its force.
   void color(const ContactField& field);
   void lookFrom(const ViewFrame& view);
@@ -51,6 +57,10 @@ private:
   const Palette& palette_;
   Mesh wall_{Mesh::Coloring::perPoint};
   Mesh membrane_{Mesh::Coloring::uniform};
+  Mesh torn_{Mesh::Coloring::uniform};         ///< Its torn parts; empty without one.
+  std::vector<Triangle> membraneTriangles_;    ///< By pairs, one for each piece along the duct.
+  double pieceAngle_ = 0.0;                    ///< Extent of a piece [rad].
+  std::vector<std::array<double, 2>> ranges_;  ///< What is shown.
   vtkSmartPointer<vtkActor> nearWall_;
   SoftLines edges_, membraneEdges_;
   std::optional<Silhouette> silhouette_;

@@ -51,6 +51,17 @@ TEST(WordsOfAForceOnThePartition, SayWhatItBearsBeforeAndBeyond)
   EXPECT_TRUE(meaningOnPartition(millinewtons(43.0), known).isBeyond);
 }
 
+TEST(WordsOfAForceOnThePartition, SayWhereItRupturedAndWhatIsAboveIt)
+{
+  haptics::Translocation rupture{1.0285, 0.042, 12.98e-3, 0.0};
+  EXPECT_EQ(meaningOfRupture(rupture).text.toStdString(),
+            "cochlear partition ruptured at 59° by 42 mN");
+  EXPECT_TRUE(meaningOfRupture(rupture).isBeyond);
+  rupture.lengthAbove = 7.3e-3;
+  EXPECT_EQ(meaningOfRupture(rupture).text.toStdString(),
+            "translocation: partition ruptured at 59° by 42 mN, 7.3 mm above it");
+}
+
 TEST(WordsOfAForceOnThePartition, MarkTheRuptureForcesAsUnverified)
 {
   const std::string source = ForceThresholds::shipped().rupture->source;

@@ -103,6 +103,27 @@ TEST(InsertionScene, LeftEarIsTheMirrorImageOfTheRightOne)
   EXPECT_GT(mirrored, 0.85 * both);  // light comes from the left in both
 }
 
+TEST(InsertionScene, ShowsWhereThePartitionIsTorn)
+{
+  SceneOnScreen screen;
+  haptics::Snapshot now = test::insertedTo(degrees(60));
+  const auto isTorn = [](const test::Pixel& p) { return p[0] > 190 && p[1] < 110 && p[2] < 110; };
+  const auto tornPixels = [&] {
+    screen.scene.show(now);
+    return screen.picture().count(isTorn);
+  };
+  const int none = tornPixels();  // the scale of forces has this color too
+  now.ruptures = 1;
+  now.ruptured[0] = {degrees(120).si(), degrees(150).si()};
+  const int one = tornPixels();
+  EXPECT_GT(one, none + 50);
+  now.ruptures = 2;
+  now.ruptured[1] = {degrees(200).si(), degrees(230).si()};
+  EXPECT_GT(tornPixels(), one);
+  now.ruptures = 0;
+  EXPECT_EQ(tornPixels(), none);
+}
+
 TEST(InsertionScene, LeftEarLiesAtMinusY)
 {
   SceneOnScreen right(anatomy::Side::right), left(anatomy::Side::left);

@@ -5052,8 +5052,8 @@
         <translation>H %1</translation>
     </message>
     <message>
-        <source>H not measured: mean height</source>
-        <translation>H nicht gemessen: mittlere Höhe</translation>
+        <source>H not measured: drawn around the mean height</source>
+        <translation>H nicht gemessen: um die mittlere Höhe gezogen</translation>
     </message>
     <message>
         <source>in brackets 95 %, errors as measured</source>

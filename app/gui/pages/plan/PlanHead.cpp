@@ -51,7 +51,7 @@ void PlanHead::show(const anatomy::Patient& patient)
                     tr("B %1").arg(measureText(turn.b, errors.b))};
   parts << (turn.h
                 ? tr("H %1").arg(measureText(*turn.h, errors.h.value_or(analysis::measuringError)))
-                : tr("H not measured: mean height"));
+                : tr("H not measured: drawn around the mean height"));
   const QString assumed = numberText(inMillimeters(analysis::measuringError), 1);
   parts << (patient.errors ? tr("in brackets 95 %, errors as measured")
                            : tr("in brackets 95 %, errors assumed: %1 mm").arg(assumed));

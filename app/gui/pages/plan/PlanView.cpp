@@ -123,12 +123,15 @@ QWidget* PlanView::addDetails()
 
 void PlanView::arrange(std::size_t count)
 {
+  // two lie one over the other: the pictures are wider than high
+  const std::size_t columns = count > 2 ? 2 : 1;
+  // equally wide, whatever their titles say
+  for (int column = 0; column < 2; ++column)
+    grid_->setColumnStretch(column, column < int(columns) ? 1 : 0);
   for (std::size_t i = 0; i < panes_.size(); ++i) {
     grid_->removeWidget(panes_[i].frame);
     panes_[i].frame->setVisible(i < count);
     panes_[i].scene->forget();
-    // two lie one over the other: the pictures are wider than high
-    const std::size_t columns = count > 2 ? 2 : 1;
     if (i < count) grid_->addWidget(panes_[i].frame, int(i / columns), int(i % columns));
   }
   const bool isOne = count == 1;

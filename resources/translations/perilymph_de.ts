@@ -5165,8 +5165,8 @@
         <translation>Der Bericht wird vorbereitet …</translation>
     </message>
     <message>
-        <source>Median (5–95 % of the draws). Values of the model: what is individual beyond A, B and H is drawn as few measured ears show it, translocation is not computed, and the angles are some degrees small.</source>
-        <translation>Median (5–95 % der Ziehungen). Werte des Modells: Was über A, B und H hinaus individuell ist, wird gezogen, wie es wenige gemessene Ohren zeigen; eine Translokation wird nicht gerechnet, und die Winkel sind einige Grad zu klein.</translation>
+        <source>Median (5–95 % of the draws). Values of the model: what is individual beyond A, B and H is drawn as few measured ears show it, translocation is rarer than clinics report, and the angles are some degrees small.</source>
+        <translation>Median (5–95 % der Ziehungen). Werte des Modells: Was über A, B und H hinaus individuell ist, wird gezogen, wie es wenige gemessene Ohren zeigen; Translokationen sind seltener als in klinischen Berichten, und die Winkel sind einige Grad zu klein.</translation>
     </message>
     <message>
         <source>This plan was interrupted before its first bands, and an array, the scenario, a distribution or the program was changed since; Compute makes a new one.</source>

@@ -107,10 +107,12 @@ TEST(InsertionScene, ShowsWhereThePartitionIsTorn)
 {
   SceneOnScreen screen;
   haptics::Snapshot now = test::insertedTo(degrees(60));
-  const auto isTorn = [](const test::Pixel& p) { return p[0] > 190 && p[1] < 110 && p[2] < 110; };
+  const auto isTorn = [](const test::Pixel& p, int, int) {
+    return p[0] > 190 && p[1] < 110 && p[2] < 110;
+  };
   const auto tornPixels = [&] {
     screen.scene.show(now);
-    return screen.picture().count(isTorn);
+    return test::countPixels(screen.picture(), isTorn);
   };
   const int none = tornPixels();  // the scale of forces has this color too
   now.ruptures = 1;

@@ -75,10 +75,9 @@ QWidget* PlanPage::addPlan()
 {
   auto* page = new QWidget(this);
   auto* limits = new WrappedLabel(tr("Median (5–95 % of the draws). Values of the model: what is "
-                                     "individual beyond A, B and H is "
-                                     "drawn as few measured ears show it, translocation is not "
-                                     "computed, and the angles are some "
-                                     "degrees small."),
+                                     "individual beyond A, B and H is drawn as few measured ears "
+                                     "show it, translocation is rarer than clinics report, and the "
+                                     "angles are some degrees small."),
                                   page);
   limits->setObjectName(QStringLiteral("planLimits"));
   limits->setFont(typeface(11));

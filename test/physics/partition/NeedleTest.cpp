@@ -166,7 +166,7 @@ TEST(PartitionUnderANeedle, LetsTheTipUpToTheRoofOfTheScalaVestibuli)
   // F = k (p - t / 2)
   const double penetration =
       state.normalForce.back() / model.wallStiffness.back() + 0.5 * model.parts.wall.lining.si();
-  const auto vestibuli = anatomy::buildVestibuli(*meanScala());
+  const auto vestibuli = anatomy::vestibuliOf(*meanScala());
   anatomy::LumenTrack track = state.track.back();
   anatomy::WallPoint wall;
   const double reach = 5e-3;

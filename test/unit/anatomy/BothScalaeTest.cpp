@@ -15,8 +15,8 @@ namespace {
 /// Both ducts of the mean anatomy.
 struct Ducts {
   std::shared_ptr<const ScalaTympani> tympani = *buildMean(millimeters(1));
-  std::shared_ptr<const ScalaTympani> vestibuli = buildVestibuli(*tympani);
-  std::shared_ptr<const ScalaTympani> both = buildBothScalae(*tympani);
+  std::shared_ptr<const ScalaTympani> vestibuli = vestibuliOf(*tympani);
+  std::shared_ptr<const ScalaTympani> both = bothScalaeOf(*tympani);
 };
 
 const Ducts& ducts()
@@ -36,6 +36,12 @@ WallPoint wallAt(const ScalaTympani& duct, double angle, double fraction)
   const double reach = 5e-3;
   duct.nearestWall({&point, 1}, {&reach, 1}, {&track, 1}, {&wall, 1});
   return wall;
+}
+
+TEST(ScalaVestibuli, IsBuiltOnceForAllArraysInAScala)
+{
+  EXPECT_EQ(vestibuliOf(*ducts().tympani), ducts().vestibuli);
+  EXPECT_EQ(bothScalaeOf(*ducts().tympani), ducts().both);
 }
 
 TEST(BothScalae, MeetAtThePartition)

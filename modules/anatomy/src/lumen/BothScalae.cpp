@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "lumen/Outline.h"
+#include "lumen/ScalaeAbove.h"
 #include "lumen/SectionWall.h"
 #include "perilymph/anatomy/ScalaVestibuli.h"
 
@@ -63,7 +64,7 @@ std::vector<double> partitionHeights(const ScalaTympani& scala)
   return heights;
 }
 
-std::shared_ptr<const ScalaTympani> buildVestibuli(const ScalaTympani& scala)
+std::shared_ptr<const ScalaTympani> ScalaeAbove::buildVestibuli(const ScalaTympani& scala)
 {
   const SectionTables& below = scala.tables();
   std::vector<double> heights = partitionHeights(scala);
@@ -78,7 +79,7 @@ std::shared_ptr<const ScalaTympani> buildVestibuli(const ScalaTympani& scala)
   return std::make_shared<const ScalaTympani>(std::move(tables));
 }
 
-std::shared_ptr<const ScalaTympani> buildBothScalae(const ScalaTympani& scala)
+std::shared_ptr<const ScalaTympani> ScalaeAbove::buildBoth(const ScalaTympani& scala)
 {
   const std::vector<double> heights = partitionHeights(scala);
   SectionTables tables = centeredAt(scala, "both scalae", heights);
@@ -95,6 +96,16 @@ std::shared_ptr<const ScalaTympani> buildBothScalae(const ScalaTympani& scala)
     }
   }
   return std::make_shared<const ScalaTympani>(std::move(tables));
+}
+
+std::shared_ptr<const ScalaTympani> vestibuliOf(const ScalaTympani& scala)
+{
+  return ScalaeAbove::of(scala).vestibuli(scala);
+}
+
+std::shared_ptr<const ScalaTympani> bothScalaeOf(const ScalaTympani& scala)
+{
+  return ScalaeAbove::of(scala).both(scala);
 }
 
 }  // namespace perilymph::anatomy

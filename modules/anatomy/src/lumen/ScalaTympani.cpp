@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "lumen/LumenField.h"
+#include "lumen/ScalaeAbove.h"
 #include "lumen/SectionWall.h"
 #include "numerics/CubicTable.h"
 #include "perilymph/foundation/Hash.h"
@@ -92,6 +93,7 @@ ScalaTympani::ScalaTympani(SectionTables tables) : tables_(std::move(tables))
   entry_.vertical_W = entry_.out_W.cross(entry_.outward_W);
 
   field_ = std::make_unique<const LumenField>(*this);
+  above_ = std::make_unique<ScalaeAbove>();
 }
 
 ScalaTympani::~ScalaTympani() = default;

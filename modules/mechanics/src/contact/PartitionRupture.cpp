@@ -104,8 +104,8 @@ constexpr double beforeEnd = 5.0 * pi / 180.0;  // [rad]
 }  // namespace
 
 PartitionModel::PartitionModel(const anatomy::ScalaTympani& tympani, Force breakingForce)
-    : vestibuli(anatomy::buildVestibuli(tympani)),
-      both(anatomy::buildBothScalae(tympani)),
+    : vestibuli(anatomy::vestibuliOf(tympani)),
+      both(anatomy::bothScalaeOf(tympani)),
       strength(breakingForce.si()),
       firstAngle(beginsAt),
       lastAngle(tympani.lastAngle().si() - beforeEnd)

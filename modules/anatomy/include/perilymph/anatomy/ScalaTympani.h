@@ -16,6 +16,7 @@
 namespace perilymph::anatomy {
 
 class LumenField;
+class ScalaeAbove;
 
 /// Tables that a source of anatomy provides. Sections lie in half-planes through the modiolar axis
 /// at equal angular spacing; the last one closes the apex.
@@ -96,6 +97,7 @@ public:
 
 private:
   friend class SectionWall;
+  friend class ScalaeAbove;
 
   SectionTables tables_;
   double lastAngle_ = 0.0;
@@ -107,6 +109,7 @@ private:
                                     ///< section.
   std::size_t rowLength_ = 0;       ///< Number of directions plus three that repeat the first.
   std::unique_ptr<const LumenField> field_;
+  std::unique_ptr<ScalaeAbove> above_;  ///< Built when first asked for.
 };
 
 }  // namespace perilymph::anatomy

@@ -22,12 +22,13 @@ Surface vestibuliSurface(const ScalaTympani& scala, int maxTriangles);
 /// or of the roof if that is higher, so that the two scalae never intersect.
 std::vector<double> partitionHeights(const ScalaTympani& scala);
 
-/// The scala vestibuli of vestibuliSurface() as a duct. Its floor is the cochlear partition.
-/// Takes a tenth of a second.
-std::shared_ptr<const ScalaTympani> buildVestibuli(const ScalaTympani& scala);
+/// The scala vestibuli of vestibuliSurface() as a duct. Its floor is the cochlear partition. Takes a
+/// tenth of a second at the first call for a scala, which keeps it. Any thread.
+std::shared_ptr<const ScalaTympani> vestibuliOf(const ScalaTympani& scala);
 
 /// Both scalae as one duct without the partition: the scala tympani below its widest points, the
-/// scala vestibuli above its own, vertical walls between them. Takes a tenth of a second.
-std::shared_ptr<const ScalaTympani> buildBothScalae(const ScalaTympani& scala);
+/// scala vestibuli above its own, vertical walls between them. Takes a tenth of a second at the first
+/// call for a scala, which keeps it. Any thread.
+std::shared_ptr<const ScalaTympani> bothScalaeOf(const ScalaTympani& scala);
 
 }  // namespace perilymph::anatomy

@@ -123,6 +123,26 @@ contacts = true
 profile_spacing_mm = 1.0
 """
 
+SMALL_STUDY = """title = "Small"
+scenario = "mean-flex28"
+seed = 1
+depth = "scenario"
+
+[cochleae]
+mean = true
+virtual = 1
+
+[vary]
+array = ["flex24", "flex28"]
+stop_travel_mm = [0.5]
+nodes = [16]
+dt_ms = [10.0]
+
+[results]
+contacts = true
+profile_spacing_mm = 0.25
+"""
+
 POINTS = [(0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)]
 FACES = [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)]
 
@@ -205,6 +225,19 @@ def sessions(cli):
     return text, closed, closed[:18] + b"\2\2" + closed[20:]
 
 
+def tables(cli, command, name):
+    """A file of results in pages of 512 bytes, as the command writes it into a folder."""
+    with tempfile.TemporaryDirectory() as folder:
+        subprocess.run([cli, *command, "--out", folder], check=True, stdout=subprocess.DEVNULL)
+        database = sqlite3.connect(Path(folder) / name)
+        database.execute("UPDATE meta SET value = 'Perilymph' WHERE key = 'program'")
+        database.commit()
+        database.execute("PRAGMA page_size = 512")
+        database.execute("VACUUM")
+        database.close()
+        return (Path(folder) / name).read_bytes()
+
+
 def keep(target, name, content):
     file = CORPUS / target / name
     file.parent.mkdir(parents=True, exist_ok=True)
@@ -226,6 +259,13 @@ def main(cli):
     keep("scenario", "as-run.toml", text)
     keep("session_file", "closed.insertion", closed)
     keep("session_file", "open.insertion", open_log)
+    with tempfile.TemporaryDirectory() as folder:
+        study, patient = Path(folder) / "small.toml", Path(folder) / "patient.toml"
+        study.write_text(SMALL_STUDY)
+        patient.write_text(PATIENT)
+        keep("study_file", "small.sqlite", tables(cli, ["study", "run", str(study)], "study.sqlite"))
+        plan = ["plan", "--patient", str(patient), "--arrays", "flex24", "flex28", "--samples", "1"]
+        keep("plan_file", "one-draw.sqlite", tables(cli, plan, "draws.sqlite"))
 
 
 if __name__ == "__main__":

@@ -60,7 +60,8 @@ Result<Plan> viewPlan(const PlanRequest& request, const std::filesystem::path& d
   auto kept = file->read();
   if (!kept) return kept.error();
   const std::size_t arrays = request.arrays.size();
-  if (arrays == 0 || kept->size() < request.draws * arrays)
+  const bool isOfThem = !kept->empty() && kept->back().array + 1 == arrays;
+  if (!isOfThem || request.draws == 0 || request.draws > kept->size() / arrays)
     return Error{draws.string() + " has " + std::to_string(kept->size()) + " insertions, not " +
                  std::to_string(request.draws) + " of each of " + std::to_string(arrays) +
                  " arrays. Make the plan again."};
@@ -103,6 +104,10 @@ Result<Plan> makePlan(const PlanRequest& request, const std::filesystem::path& d
     file.emplace(*std::move(opened));
     auto kept = file->read();
     if (!kept) return kept.error();
+    if (!kept->empty() && kept->back().array + 1 != request.arrays.size())
+      return Error{draws.string() + " has draws of " + std::to_string(kept->back().array + 1) +
+                   " arrays, not of " + std::to_string(request.arrays.size()) +
+                   ". Delete it or give another folder."};
     plan.insertions = *std::move(kept);
   }
 

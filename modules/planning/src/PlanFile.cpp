@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -83,16 +84,45 @@ Row contactJson(const analysis::ContactPosition& contact)
                      contact.frequency_Hz, contact.toModiolus.si()});
 }
 
+/// Largest magnitude of a value; no angle, length, frequency or force of an insertion comes near it.
+constexpr double maxStoredValue = 1e9;
+/// Depth beyond every array: a duct is 45 mm long [m].
+constexpr double maxDepth = 0.1;
+constexpr std::size_t maxContacts = 1024, maxProfile = 4096;
+
+/// Thrown within this file only: a value that no insertion has.
+struct Impossible {};
+
+/// A number of at most this magnitude.
+double numberIn(const Row& value, double magnitude = maxStoredValue)
+{
+  const double number = value.get<double>();
+  if (!(std::fabs(number) <= magnitude)) throw Impossible();
+  return number;
+}
+
+std::size_t countIn(const Row& value)
+{
+  if (!value.is_number_unsigned()) throw Impossible();
+  return value.get<std::size_t>();
+}
+
+const Row& listIn(const Row& value, std::size_t maxSize)
+{
+  if (!value.is_array() || value.size() > maxSize) throw Impossible();
+  return value;
+}
+
 analysis::ContactPosition contactIn(const Row& values, int number)
 {
   analysis::ContactPosition contact;
   contact.number = number;
   contact.isInserted = values.at(0).get<bool>();
-  contact.depth = meters(values.at(1).get<double>());
-  contact.angle = radians(values.at(2).get<double>());
-  contact.coverage = values.at(3).get<double>();
-  contact.frequency_Hz = values.at(4).get<double>();
-  contact.toModiolus = meters(values.at(5).get<double>());
+  contact.depth = meters(numberIn(values.at(1)));
+  contact.angle = radians(numberIn(values.at(2)));
+  contact.coverage = numberIn(values.at(3));
+  contact.frequency_Hz = numberIn(values.at(4));
+  contact.toModiolus = meters(numberIn(values.at(5)));
   return contact;
 }
 
@@ -149,8 +179,8 @@ std::optional<PlannedInsertion> insertionIn(const std::string& content)
   if (!row.is_object()) return std::nullopt;
   try {
     PlannedInsertion planned;
-    planned.draw = row.at("draw").get<std::size_t>();
-    planned.array = row.at("array").get<std::size_t>();
+    planned.draw = countIn(row.at("draw"));
+    planned.array = countIn(row.at("array"));
     for (const auto& [key, value] :
          {std::pair{"a_mm", &planned.a_mm}, std::pair{"b_mm", &planned.b_mm},
           std::pair{"h_mm", &planned.h_mm}, std::pair{"a1_deviate", &planned.a1_deviate},
@@ -160,36 +190,38 @@ std::optional<PlannedInsertion> insertionIn(const std::string& content)
           std::pair{"tilt_deg", &planned.tilt_deg}, std::pair{"turn_deg", &planned.turn_deg},
           std::pair{"stiffness", &planned.stiffness}, std::pair{"friction", &planned.friction},
           std::pair{"speed_mm_s", &planned.speed_mm_s}, std::pair{"stop_mN", &planned.stop_mN}})
-      *value = row.at(key).get<double>();
+      *value = numberIn(row.at(key));
     // not in files of former versions, which drew one factor for all sections
     planned.sectionSecond = planned.section;
     for (const auto& [key, value] :
          {std::pair{"section_second", &planned.sectionSecond}, std::pair{"dip_mm", &planned.dip_mm},
           std::pair{"radius", &planned.radius}, std::pair{"height", &planned.height}})
-      if (row.contains(key)) *value = row.at(key).get<double>();
+      if (row.contains(key)) *value = numberIn(row.at(key));
     analysis::ClinicalInsertion& found = planned.insertion;
     found.end = haptics::endNamed(row.at("end").get<std::string>());
     if (found.end == InsertionEnd::none) return std::nullopt;
     found.reason = row.at("reason").get<std::string>();
-    found.depth = meters(row.at("depth").get<double>());
-    found.apical = radians(row.at("apical").get<double>());
-    found.peak = newtons(row.at("peak").get<double>());
-    found.endForce = newtons(row.at("end_force").get<double>());
-    found.membrane = newtons(row.at("membrane").get<double>());
+    found.depth = meters(numberIn(row.at("depth")));
+    found.apical = radians(numberIn(row.at("apical")));
+    found.peak = newtons(numberIn(row.at("peak")));
+    found.endForce = newtons(numberIn(row.at("end_force")));
+    found.membrane = newtons(numberIn(row.at("membrane")));
     found.isRuptured = row.at("is_ruptured").get<bool>();
     // plans of before counted forces alone
     found.isTranslocated = row.value("is_translocated", false);
-    found.ruptureAngle = radians(row.value("rupture_angle", 0.0));
-    for (const Row& contact : row.at("contacts"))
+    found.ruptureAngle = radians(numberIn(row.value("rupture_angle", Row(0.0))));
+    for (const Row& contact : listIn(row.at("contacts"), maxContacts))
       found.contacts.push_back(contactIn(contact, static_cast<int>(found.contacts.size()) + 1));
-    const Row& depths = row.at("profile_depth");
-    const Row& forces = row.at("profile_force");
+    const Row& depths = listIn(row.at("profile_depth"), maxProfile);
+    const Row& forces = listIn(row.at("profile_force"), maxProfile);
     for (std::size_t i = 0; i < depths.size(); ++i)
       found.profile.push_back(
-          {meters(depths.at(i).get<double>()), newtons(forces.at(i).get<double>())});
+          {meters(numberIn(depths.at(i), maxDepth)), newtons(numberIn(forces.at(i)))});
     return planned;
   } catch (const Row::exception&) {
     return std::nullopt;  // a member is missing or of another type
+  } catch (const Impossible&) {
+    return std::nullopt;
   }
 }
 
@@ -254,6 +286,7 @@ Result<std::vector<PlannedInsertion>> PlanFile::read() const
   auto rows = database_.prepare("SELECT draw, array, content FROM insertion ORDER BY draw, array");
   if (!rows) return database_.readingError(rows.error().message);
   std::vector<PlannedInsertion> all;
+  std::size_t arrays = 0;  // of the first draw
   Statement::Step step = rows->step();
   for (; step == Statement::Step::row; step = rows->step()) {
     auto planned = insertionIn(rows->text(2));
@@ -261,9 +294,15 @@ Result<std::vector<PlannedInsertion>> PlanFile::read() const
         static_cast<std::int64_t>(planned->array) != rows->integer(1))
       return database_.readingError("draw " + std::to_string(rows->integer(0)) +
                                     " is not readable");
+    if (planned->draw == 1 && planned->array == arrays) ++arrays;
+    if (arrays == 0 || planned->draw != 1 + all.size() / arrays ||
+        planned->array != all.size() % arrays)
+      return database_.readingError("its draws are not consecutive");
     all.push_back(*std::move(planned));
   }
   if (step == Statement::Step::failed) return database_.readingError(database_.lastError());
+  if (arrays > 0 && all.size() % arrays != 0)
+    return database_.readingError("its last draw is not whole");
   return all;
 }
 

@@ -273,6 +273,7 @@ ArrayPlan summaryOf(const Insertions& all, const PlannedArray& array, const Thre
 
 Band bandOf(std::vector<double> values)
 {
+  if (values.empty()) return {};
   std::sort(values.begin(), values.end());
   const auto last = static_cast<double>(values.size()) - 1.0;
   const auto at = [&](double fraction) {

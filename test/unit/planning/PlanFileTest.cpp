@@ -48,6 +48,29 @@ TEST(PlanFile, OfAnotherPlanIsRefused)
       << other.error().message;
 }
 
+TEST(PlanFile, WithValuesThatNoInsertionHasIsRefused)
+{
+  auto insertion = syntheticInsertions(1).front();
+  EXPECT_TRUE(planning::insertionIn(contentOf(insertion)));
+  insertion.insertion.profile.push_back({meters(1e300), newtons(0.0)});
+  EXPECT_FALSE(planning::insertionIn(contentOf(insertion)));
+  EXPECT_FALSE(planning::insertionIn(R"({"draw": 1e300, "array": -1})"));
+}
+
+TEST(PlanFile, WithoutOneDrawIsRefused)
+{
+  const TemporaryFolder folder;
+  auto insertions = syntheticInsertions(3);
+  insertions.erase(insertions.begin() + 2, insertions.begin() + 4);
+  auto file = PlanFile::open(folder.path() / "draws.sqlite", "one");
+  ASSERT_TRUE(file) << file.error().message;
+  ASSERT_TRUE(file->append(insertions));
+  const auto found = file->read();
+  ASSERT_FALSE(found);
+  EXPECT_NE(found.error().message.find("not consecutive"), std::string::npos)
+      << found.error().message;
+}
+
 TEST(PlanFile, ThatIsNoneIsRefusedAndLeftAlone)
 {
   const TemporaryFolder folder;

@@ -39,6 +39,7 @@ TEST(Band, HoldsNineInTenOfValuesToComeFromNineteenOn)
   EXPECT_NEAR(band.median, 10.0, 1e-12);
   EXPECT_EQ(planning::bandOf({7.0}).low, 7.0);
   EXPECT_EQ(planning::bandOf({7.0}).high, 7.0);
+  EXPECT_EQ(planning::bandOf({}).high, 0.0);
 }
 
 TEST(PlanSummary, CountsEveryEnd)

@@ -13,6 +13,8 @@
 #include <cstring>
 #include <new>
 
+#include "plugin/StatedTraits.h"
+
 namespace perilymph::device::plugin {
 
 namespace {
@@ -24,11 +26,6 @@ constexpr int patienceForClose_ms = 2000;
 constexpr int patienceForEnd_ms = 500;
 constexpr const char* remedy =
     " The force is off. Reset loads it again; if that recurs, tell its maker.";
-
-std::string textOf(const std::array<char, 512>& sentence)
-{
-  return std::string(sentence.data(), ::strnlen(sentence.data(), sentence.size()));
-}
 
 }  // namespace
 
@@ -92,7 +89,7 @@ Result<std::unique_ptr<PluginProcess>> PluginProcess::start(const std::filesyste
   if (!loaded) return loaded.error();
   if (loaded->version != plugin::version)
     return Error{program.string() + " is of another version. Install the package again."};
-  if (loaded->isDone == 0) return Error{textOf(loaded->sentence)};
+  if (loaded->isDone == 0) return Error{sentenceOf(*loaded)};
   process->traits_ = loaded->traits;
   return process;
 }
@@ -117,7 +114,7 @@ Result<Done> PluginProcess::open()
   if (!say(requests_, plugin::open)) return Error{obituary()};
   const auto reply = await(patienceForOpen_ms);
   if (!reply) return reply.error();
-  if (reply->isDone == 0) return Error{textOf(reply->sentence)};
+  if (reply->isDone == 0) return Error{sentenceOf(*reply)};
   return Done{};
 }
 

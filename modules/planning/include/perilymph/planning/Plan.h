@@ -72,7 +72,8 @@ struct PlannedInsertion {
 struct Band {
   double low = 0.0, lowerQuartile = 0.0, median = 0.0, upperQuartile = 0.0, high = 0.0;
 };
-/// The band of at least one value: 5, 25, 50, 75 and 95 % of the cochlea and hand to come. The i-th
+/// The band of some values: 5, 25, 50, 75 and 95 % of the cochlea and hand to come; zeros without a
+/// value, as if no insertion of an array could be prepared. The i-th
 /// of n sorted draws is the quantile i / (n + 1), whose expectation no distribution changes
 /// (Hyndman and Fan 1996, Am Stat 50:361, definition 6); below 19 draws low and high are the extremes
 /// and hold less than 90 %.

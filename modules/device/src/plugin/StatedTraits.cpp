@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plugin/StatedTraits.h"
+
+#include <cstring>
+#include <string>
+
+namespace perilymph::device::plugin {
+
+std::string sentenceOf(const Reply& reply)
+{
+  return std::string(reply.sentence.data(),
+                     ::strnlen(reply.sentence.data(), reply.sentence.size()));
+}
+
+Result<DeviceTraits> checkedTraits(const PerilymphDeviceTraitsV1& said)
+{
+  DeviceTraits traits;
+  traits.name = std::string(said.name, ::strnlen(said.name, sizeof said.name));
+  if (traits.name.empty()) return Error{"its device has no name."};
+  const auto within = [](double value, double minimum, double maximum) {
+    return value >= minimum && value <= maximum;  // false for NaN
+  };
+  if (!within(said.nominal_period_s, 1e-4, 0.1))
+    return Error{"its period between samples is " + std::to_string(said.nominal_period_s) +
+                 " s; it must be between 0.0001 and 0.1."};
+  if (said.renders_force != 0 && !within(said.max_force_N, 0.01, 50.0))
+    return Error{"its greatest force is " + std::to_string(said.max_force_N) +
+                 " N; it must be between 0.01 and 50."};
+  for (const double value :
+       {said.workspace_radius_m, said.max_stiffness_N_m, said.max_damping_N_s_m,
+        said.position_quantum_m, said.force_quantum_N, said.transport_delay_s, said.watchdog_s})
+    if (!within(value, 0.0, 1e6)) return Error{"one of its traits is negative or no number."};
+  for (const std::int32_t axes : {said.sensed_translations, said.sensed_rotations,
+                                  said.actuated_translations, said.actuated_rotations})
+    if (axes < 0 || axes > 3)
+      return Error{"it counts " + std::to_string(axes) + " axes; there are 0 to 3 of a sort."};
+  if (said.buttons < 0 || said.buttons > 32)
+    return Error{"it counts " + std::to_string(said.buttons) + " buttons; 0 to 32 are known."};
+
+  traits.rendersForce = said.renders_force != 0;
+  traits.maxForce = traits.rendersForce ? said.max_force_N : 0.0;
+  traits.nominalPeriod = said.nominal_period_s;
+  traits.workspaceRadius = said.workspace_radius_m;
+  traits.maxStiffness = said.max_stiffness_N_m;
+  traits.maxDamping = said.max_damping_N_s_m;
+  traits.positionQuantum = said.position_quantum_m;
+  traits.forceQuantum = said.force_quantum_N;
+  traits.transportDelay = said.transport_delay_s;
+  traits.watchdog = said.watchdog_s;
+  traits.sensedTranslations = said.sensed_translations;
+  traits.sensedRotations = said.sensed_rotations;
+  traits.actuatedTranslations = said.actuated_translations;
+  traits.actuatedRotations = said.actuated_rotations;
+  traits.buttons = said.buttons;
+  return traits;
+}
+
+}  // namespace perilymph::device::plugin

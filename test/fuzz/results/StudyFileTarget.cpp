@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Fuzzes the SQLite file of a study with any bytes: read, shown as columns, reported.
+
+#include "InputFile.h"
+#include "Seeds.h"
+#include "perilymph/study/StudyColumns.h"
+#include "perilymph/study/StudyReport.h"
+
+namespace perilymph::fuzz {
+
+namespace {
+
+/// Every row of a file that is opened, as often as it is asked.
+void use(const study::StudyFile& file)
+{
+  const study::StudyFileFacts& facts = file.facts();
+  promise(facts.first <= facts.end && facts.end <= facts.cases && facts.cases <= study::maxCases,
+          "a file is for cases of its study");
+  const auto size = file.size();
+  if (!size) promise(!size.error().message.empty(), "a refusal has a sentence");
+  std::size_t next = facts.first;
+  const auto read = file.read([&](const study::StudyResult& result) -> Result<Done> {
+    promise(result.number == next++ && result.number < facts.end, "insertions are consecutive");
+    return Done{};
+  });
+  if (!read) promise(!read.error().message.empty(), "a refusal has a sentence");
+  const auto report = study::reportOf(file);
+  if (!report) promise(!report.error().message.empty(), "a refusal has a sentence");
+}
+
+}  // namespace
+
+std::vector<Bytes> seeds()
+{
+  std::vector<Bytes> files;
+  addCorpus("study_file", files);
+  return files;
+}
+
+}  // namespace perilymph::fuzz
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+  using namespace perilymph;
+  static fuzz::InputFile file("study.sqlite");
+  const auto& place = file.holding({data, size});
+  {
+    const auto opened = study::StudyFile::open(place);
+    if (opened)
+      fuzz::use(*opened);
+    else
+      fuzz::promise(!opened.error().message.empty(), "a refusal has a sentence");
+  }
+  static const std::atomic<bool> isCanceled{false};
+  const auto columns = study::StudyColumns::read(place, isCanceled);
+  if (columns) {
+    for (const auto& quantity : columns->quantities())
+      fuzz::promise(quantity.values.size() == columns->size(), "a column has every row");
+    fuzz::promise(columns->rows({}).size() <= columns->size(), "a filter selects rows");
+  } else {
+    fuzz::promise(!columns.error().message.empty(), "a refusal has a sentence");
+  }
+  fuzz::promise(file.strangers() == 0, "reading leaves nothing behind");
+  return 0;
+}

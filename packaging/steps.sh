@@ -38,6 +38,37 @@ step()
   return "$status"
 }
 
+# Time of day in UTC, as in ISO 8601.
+now()
+{
+  TZ=UTC printf '%(%FT%TZ)T' -1
+}
+
+# stage <name> "Description" command...: a step of a proof. Its words go to build/proof/<name>.log too, and
+# a line to build/proof/stages.tsv: name, commit, begin, end, result, count. One that passed is not
+# repeated on the same commit without changed files.
+stage()
+{
+  local -r name=$1 title=$2 proof=$root/build/proof
+  shift 2
+  mkdir -p "$proof"
+  touch "$proof/stages.tsv"
+  local commit
+  commit=$(git -C "$root" describe --always --dirty --abbrev=40 2>/dev/null || echo "no commit-dirty")
+  local -r key=$name$'\t'$commit$'\t'
+  if [[ $commit != *-dirty ]] && grep -F "$key" "$proof/stages.tsv" | grep -qF $'\tpassed\t'; then
+    echo "==> $title: passed before on $commit"
+    return
+  fi
+  local -r begin=$(now)
+  local status=0 result=passed
+  step "$title" "$@" 2>&1 | tee "$proof/$name.log" || status=$?
+  if ((status != 0)); then result=failed; fi
+  local -r count=$(grep -E 'tests passed|nothing found|to the same bits' "$proof/$name.log" | tail -n 1 || true)
+  printf '%s%s\t%s\t%s\t%s\n' "$key" "$begin" "$(now)" "$result" "$count" >>"$proof/stages.tsv"
+  return "$status"
+}
+
 # Number of parallel compilers: one per core, and 1.5 GB of free memory for each, because a file
 # that includes VTK or Qt needs nearly that much.
 jobs_for_building()

@@ -3,6 +3,7 @@
 """Tests of the checks: each one is applied to a small project with one error."""
 
 import shutil
+import subprocess
 import sys
 import tempfile
 import unittest
@@ -170,7 +171,14 @@ class Licenses(CheckCase):
             self.assertEqual([each.split(":")[0] for each in found], [name])
 
 
-@unittest.skipUnless(shutil.which("clang-format"), "clang-format is not installed")
+def formats():
+    """Whether the version of clang-format that formats the sources is installed."""
+    found = shutil.which("clang-format")
+    return found and f"version {formatting.FORMATTED_BY}." in subprocess.run(
+        [found, "--version"], capture_output=True, text=True, check=True).stdout
+
+
+@unittest.skipUnless(formats(), "clang-format of the version used is not installed")
 class Formatting(CheckCase):
     def test_a_line_that_would_be_written_otherwise_is_found_with_its_place(self):
         self.assert_found(formatting.check, "modules/top/src/t.cpp:2 is not formatted", {

@@ -9,13 +9,18 @@ import sys
 from checks import sources
 
 NOT_RUN = 77
+FORMATTED_BY = "14"
 OBJECTION = re.compile(r"^(?P<place>[^:\n]+:\d+):\d+: error: .*clang-format", re.M)
 
 
 def check(root):
-    """One message per location. Without clang-format the check is skipped with a message."""
+    """One message per location. Without clang-format of the version used the check is skipped with a message."""
     if shutil.which("clang-format") is None:
         print("Skipped: clang-format is not installed. Install the package clang-format to run this test.")
+        sys.exit(NOT_RUN)
+    version = re.search(r"version (\d+)", subprocess.run(["clang-format", "--version"], capture_output=True, text=True, check=True).stdout)
+    if version is None or version[1] != FORMATTED_BY:
+        print(f"Skipped: sources are formatted by clang-format {FORMATTED_BY}, that of Debian 12; other versions break lines elsewhere.")
         sys.exit(NOT_RUN)
     written = [str(file) for file in sources.files(root, "modules", "app", "plugins", "test", suffixes={".h", ".cpp"})]
     if not written:

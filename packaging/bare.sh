@@ -15,11 +15,12 @@ prepare_bare()
   "$root/packaging/install-dependencies" bare >/dev/null || fail "mmdebstrap is missing; install it with 'apt-get install mmdebstrap'."
 }
 
-# make_bare <release> <folder>: a system without anything that is not essential, and apt.
+# make_bare <release> <folder>: a system without anything that is not essential, and apt. It is thrown away
+# after a crash of the machine, so that dpkg need not wait for the disk.
 make_bare()
 {
   rm -rf --one-file-system "${2:?}"
-  mmdebstrap --quiet --variant=minbase "$1" "$2"
+  mmdebstrap --quiet --variant=minbase --dpkgopt=force-unsafe-io "$1" "$2"
 }
 
 # enter_bare <folder>: devices and processes for the commands of in_bare, until leave_bare.

@@ -44,9 +44,25 @@ now()
   TZ=UTC printf '%(%FT%TZ)T' -1
 }
 
-# stage <name> "Description" command...: a step of a proof. Its words go to build/proof/<name>.log too, and
-# a line to build/proof/stages.tsv: name, commit, begin, end, result, count. One that passed is not
-# repeated on the same commit without changed files.
+# commit_built: what is in the folder: the commit, and "-dirty" if a file of it was changed.
+commit_built()
+{
+  git -C "$root" describe --always --dirty --abbrev=40 2>/dev/null || echo "no commit-dirty"
+}
+
+# log_stage <name> <begin> <status>: a line of build/proof/stages.tsv: name, commit, begin, end, result, and the
+# sentence of build/proof/<name>.log that counts.
+log_stage()
+{
+  local -r proof=$root/build/proof
+  local result=passed count
+  if (($3 != 0)); then result=failed; fi
+  count=$(grep -E 'tests passed|nothing found|to the same bits' "$proof/$1.log" | tail -n 1 || true)
+  printf '%s\t%s\t%s\t%s\t%s\t%s\n' "$1" "$(commit_built)" "$2" "$(now)" "$result" "$count" >>"$proof/stages.tsv"
+}
+
+# stage <name> "Description" command...: a step of a proof, logged. One that passed is not repeated on the
+# same commit without changed files.
 stage()
 {
   local -r name=$1 title=$2 proof=$root/build/proof
@@ -54,18 +70,15 @@ stage()
   mkdir -p "$proof"
   touch "$proof/stages.tsv"
   local commit
-  commit=$(git -C "$root" describe --always --dirty --abbrev=40 2>/dev/null || echo "no commit-dirty")
-  local -r key=$name$'\t'$commit$'\t'
-  if [[ $commit != *-dirty ]] && grep -F "$key" "$proof/stages.tsv" | grep -qF $'\tpassed\t'; then
+  commit=$(commit_built)
+  if [[ $commit != *-dirty ]] && grep -F "$name"$'\t'"$commit"$'\t' "$proof/stages.tsv" | grep -qF $'\tpassed\t'; then
     echo "==> $title: passed before on $commit"
     return
   fi
   local -r begin=$(now)
-  local status=0 result=passed
+  local status=0
   step "$title" "$@" 2>&1 | tee "$proof/$name.log" || status=$?
-  if ((status != 0)); then result=failed; fi
-  local -r count=$(grep -E 'tests passed|nothing found|to the same bits' "$proof/$name.log" | tail -n 1 || true)
-  printf '%s%s\t%s\t%s\t%s\n' "$key" "$begin" "$(now)" "$result" "$count" >>"$proof/stages.tsv"
+  log_stage "$name" "$begin" "$status"
   return "$status"
 }
 

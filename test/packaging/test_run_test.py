@@ -59,7 +59,7 @@ class TestRun(PretendedSystem):
         self.pretend("ctest", f'echo "{COUNT}"; [[ $2 != tsan ]]')
         self.assert_one_sentence(self.call(SCRIPT, "--long"), "Tests failed in: tsan.")
         self.assertEqual(self.stages(), [("asan", "passed"), ("tsan", "failed"),
-                                         ("fuzz-120", "passed"), ("long", "passed")])
+                                         ("fuzz-120", "passed"), ("long", "passed"), ("dev", "passed")])
         self.assertIn(COUNT, (self.root / "build/proof/stages.tsv").read_text().splitlines()[0])
         self.pretend("ctest", f'echo "{COUNT}"')
         result = self.call(SCRIPT, "--long")

@@ -1,0 +1,71 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""test/proof prints what the log says, and nothing else."""
+
+import shutil
+import subprocess
+import sys
+import unittest
+
+from pathlib import Path
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+
+from pretended import SOURCE, PretendedSystem  # noqa: E402
+
+ONE = "1" * 40
+LINE = f"asan\t{ONE}\t2026-03-04T05:00:00Z\t2026-03-04T05:41:07Z\tpassed\t100% tests passed, 0 tests failed out of 12"
+
+
+class Proof(PretendedSystem):
+    def setUp(self):
+        super().setUp()
+        shutil.copy(SOURCE / "test/proof", self.root / "test/proof")
+        self.proof = self.root / "build/proof"
+        self.proof.mkdir(parents=True)
+
+    def page(self, *lines, status=0):
+        (self.proof / "stages.tsv").write_text("".join(f"{line}\n" for line in lines))
+        result = subprocess.run([sys.executable, self.root / "test/proof", self.root / "page.md"],
+                                capture_output=True, text=True, check=False, timeout=60)
+        self.assertEqual(result.returncode, status, result.stderr)
+        return (self.root / "page.md").read_text() if status == 0 else result.stderr
+
+    def test_a_row_names_claim_command_commit_time_duration_and_the_line_that_counts(self):
+        row = next(line for line in self.page(LINE).splitlines() if "sanitizers" in line)
+        self.assertEqual([cell.strip() for cell in row.strip("|").split("|")[1:]],
+                         ["`test/run --long`", "`111111111111`", "2026-03-04 05:00:00", "41 min 07 s",
+                          "**passed**: 100% tests passed, 0 tests failed out of 12"])
+
+    def test_the_last_run_of_a_stage_counts_even_if_it_failed(self):
+        page = self.page(LINE, LINE.replace("passed\t100%", "failed\t99%").replace("05:00", "06:00").replace("05:41", "06:01"))
+        self.assertNotIn("**passed**", page)
+        self.assertIn("**failed**: 99% tests passed", page)
+
+    def test_commits_that_differ_are_said(self):
+        self.assertIn("All of it ran on commit `111111111111`", self.page(LINE))
+        self.assertIn("Not all of it ran on one commit",
+                      self.page(LINE, LINE.replace("asan", "tsan").replace(ONE, "2" * 40)))
+        self.assertIn("`111111111111-dirty`", self.page(LINE.replace(ONE, ONE + "-dirty")))
+
+    def test_what_was_not_run_is_said(self):
+        page = self.page(LINE)
+        self.assertIn("Not run: ", page)
+        self.assertIn("`packaging/try-release trixie bits`", page.split("Not run: ")[1])
+
+    def test_skipped_tests_and_inputs_of_readers_are_counted(self):
+        (self.proof / "asan.log").write_text("1/2 Test #1: a ...***Skipped 0.1 sec\n2/2 Test #2: b ...***Skipped 0.1 sec\n")
+        (self.proof / "fuzz-30.log").write_text("fuzz_array                       12345 inputs in 30 s, nothing found\n")
+        page = self.page(LINE, LINE.replace("asan", "fuzz-30"))
+        self.assertIn("out of 12; 2 skipped", page)
+        self.assertIn("in 30 s for each target", page)
+        self.assertIn("| `fuzz_array` | 12,345 | 30 | nothing found |", page)
+
+    def test_a_log_that_is_not_understood_is_refused_in_one_sentence(self):
+        for line, words in ((LINE.replace("asan", "moon"), "'moon'"), ("asan\tpassed", "2 fields")):
+            self.assertIn(words, self.page(line, status=1))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -15,7 +15,8 @@ std::vector<Bytes> seeds()
   device::guard::Script script(50);
   promise(script.addNoForce({false, output}) && script.addSwitchOff({true, feature}),
           "a short script has room");
-  const auto bytes = script.bytes(), none = device::guard::Script(0).bytes();
+  const device::guard::Script empty;
+  const auto bytes = script.bytes(), none = empty.bytes();
   return {Bytes(bytes.begin(), bytes.end()), Bytes(none.begin(), none.end())};
 }
 

@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t maxBytes = 1 << 20;
 constexpr std::size_t olderFiles = 3;
 
-QtMessageHandler before = nullptr;  // Qt's own handler; set once, before any thread
+QtMessageHandler handlerOfQt = nullptr;  // Qt's own handler; set once, before any thread
 
 void log(QtMsgType type, const QMessageLogContext& context, const QString& message)
 {
@@ -33,7 +33,7 @@ void log(QtMsgType type, const QMessageLogContext& context, const QString& messa
       spdlog::error("{}", message.toStdString());
       break;
   }
-  if (before != nullptr) before(type, context, message);
+  if (handlerOfQt != nullptr) handlerOfQt(type, context, message);
 }
 
 }  // namespace
@@ -53,7 +53,7 @@ Result<Done> startLog(const std::filesystem::path& folder)
     return Error{"The log " + file.string() + " cannot be written: " + thrown.what() +
                  ". Make its folder writable, or set XDG_STATE_HOME."};
   }
-  if (before == nullptr) before = qInstallMessageHandler(log);
+  if (handlerOfQt == nullptr) handlerOfQt = qInstallMessageHandler(log);
   return Done{};
 }
 

@@ -68,7 +68,9 @@ bool Script::take(std::span<const std::uint8_t> bytes) noexcept
   if (behind == 0 || bytes.size() != head + behind) return false;
   std::size_t at = head, found = 0;
   while (at + lineHead <= bytes.size()) {
-    at += lineHead + number(bytes.data() + at + 1);
+    const std::size_t size = number(bytes.data() + at + 1);
+    if (bytes[at] > 1 || size == 0) return false;  // no kind of report, or an empty one
+    at += lineHead + size;
     ++found;
   }
   const std::size_t told = std::size_t{bytes[2]} + bytes[3];

@@ -40,4 +40,12 @@ inline void addCorpus(const std::string& target, std::vector<Bytes>& seeds)
   addFiles(folder, "", seeds);
 }
 
+/// The corpus of a target as its only seeds.
+inline std::vector<Bytes> corpusOf(const std::string& target)
+{
+  std::vector<Bytes> seeds;
+  addCorpus(target, seeds);
+  return seeds;
+}
+
 }  // namespace perilymph::fuzz

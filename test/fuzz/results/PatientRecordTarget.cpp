@@ -3,6 +3,7 @@
 // Fuzzes what is kept of a patient besides the measures, alone and in a patient that is imported.
 
 #include "InputFile.h"
+#include "Seeds.h"
 #include "perilymph/anatomy/Patient.h"
 #include "perilymph/session/PatientRecord.h"
 
@@ -17,8 +18,7 @@ std::vector<Bytes> seeds()
                                       true,
                                       {{std::string(64, 'a'), "2026-11-20T09:30:00Z"}}};
   promise(static_cast<bool>(session::savePatientRecord(record, patient)), "a record can be kept");
-  std::ifstream stream(session::recordFileOf(patient), std::ios::binary);
-  return {Bytes(std::istreambuf_iterator<char>(stream), {})};
+  return {contentOf(session::recordFileOf(patient))};
 }
 
 }  // namespace perilymph::fuzz

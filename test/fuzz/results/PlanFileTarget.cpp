@@ -29,12 +29,7 @@ void use(const planning::PlanFile& file)
 
 }  // namespace
 
-std::vector<Bytes> seeds()
-{
-  std::vector<Bytes> files;
-  addCorpus("plan_file", files);
-  return files;
-}
+std::vector<Bytes> seeds() { return corpusOf("plan_file"); }
 
 }  // namespace perilymph::fuzz
 

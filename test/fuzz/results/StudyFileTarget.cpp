@@ -31,12 +31,7 @@ void use(const study::StudyFile& file)
 
 }  // namespace
 
-std::vector<Bytes> seeds()
-{
-  std::vector<Bytes> files;
-  addCorpus("study_file", files);
-  return files;
-}
+std::vector<Bytes> seeds() { return corpusOf("study_file"); }
 
 }  // namespace perilymph::fuzz
 

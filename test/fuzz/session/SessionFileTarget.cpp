@@ -54,12 +54,7 @@ void use(const session::RecordedInsertion& recorded)
 
 }  // namespace
 
-std::vector<Bytes> seeds()
-{
-  std::vector<Bytes> files;
-  addCorpus("session_file", files);
-  return files;
-}
+std::vector<Bytes> seeds() { return corpusOf("session_file"); }
 
 }  // namespace perilymph::fuzz
 

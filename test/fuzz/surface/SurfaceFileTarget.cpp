@@ -23,12 +23,7 @@ void checkSurface(const anatomy::Surface& surface)
 
 }  // namespace
 
-std::vector<Bytes> seeds()
-{
-  std::vector<Bytes> files;
-  addCorpus("surface_file", files);
-  return files;
-}
+std::vector<Bytes> seeds() { return corpusOf("surface_file"); }
 
 }  // namespace perilymph::fuzz
 

@@ -29,7 +29,7 @@ Result<DeviceTraits> checkedTraits(const PerilymphDeviceTraitsV1& said)
   for (const double value :
        {said.workspace_radius_m, said.max_stiffness_N_m, said.max_damping_N_s_m,
         said.position_quantum_m, said.force_quantum_N, said.transport_delay_s, said.watchdog_s})
-    if (!within(value, 0.0, 1e6)) return Error{"one of its traits is negative or no number."};
+    if (!within(value, 0.0, 1e6)) return Error{"one of its traits is negative or not a number."};
   for (const std::int32_t axes : {said.sensed_translations, said.sensed_rotations,
                                   said.actuated_translations, said.actuated_rotations})
     if (axes < 0 || axes > 3)

@@ -50,36 +50,37 @@ commit_built()
   git -C "$root" describe --always --dirty --abbrev=40 2>/dev/null || echo "no commit-dirty"
 }
 
-# log_stage <name> <begin> <status>: a line of build/proof/stages.tsv: name, commit, begin, end, result, and the
-# sentence of build/proof/<name>.log that counts.
-log_stage()
+# prove <name> command...: runs the command; keeps its words in build/proof/<name>.log, and adds a line to
+# build/proof/stages.tsv: name, commit at the begin, begin, end, result, and the sentence of the log that counts.
+prove()
 {
-  local -r proof=$root/build/proof
-  local result=passed count
-  if (($3 != 0)); then result=failed; fi
-  count=$(grep -E 'tests passed|nothing found|to the same bits' "$proof/$1.log" | tail -n 1 || true)
-  printf '%s\t%s\t%s\t%s\t%s\t%s\n' "$1" "$(commit_built)" "$2" "$(now)" "$result" "$count" >>"$proof/stages.tsv"
+  local -r name=$1 proof=$root/build/proof
+  shift
+  mkdir -p "$proof"
+  local commit begin count status=0 result=passed
+  commit=$(commit_built)
+  begin=$(now)
+  "$@" 2>&1 | tee "$proof/$name.log" || status=$?
+  if ((status != 0)); then result=failed; fi
+  count=$(grep -E 'tests passed|nothing found|to the same bits' "$proof/$name.log" | tail -n 1 || true)
+  printf '%s\t%s\t%s\t%s\t%s\t%s\n' "$name" "$commit" "$begin" "$(now)" "$result" "$count" >>"$proof/stages.tsv"
+  return "$status"
 }
 
-# stage <name> "Description" command...: a step of a proof, logged. One that passed is not repeated on the
-# same commit without changed files.
+# stage <name> "Description" command...: a proved step. One that passed is not repeated on the same commit
+# without changed files.
 stage()
 {
-  local -r name=$1 title=$2 proof=$root/build/proof
+  local -r name=$1 title=$2 log=$root/build/proof/stages.tsv
   shift 2
-  mkdir -p "$proof"
-  touch "$proof/stages.tsv"
   local commit
   commit=$(commit_built)
-  if [[ $commit != *-dirty ]] && grep -F "$name"$'\t'"$commit"$'\t' "$proof/stages.tsv" | grep -qF $'\tpassed\t'; then
+  if [[ $commit != *-dirty && -f $log ]] &&
+    grep -F "$name"$'\t'"$commit"$'\t' "$log" | grep -qF $'\tpassed\t'; then
     echo "==> $title: passed before on $commit"
     return
   fi
-  local -r begin=$(now)
-  local status=0
-  step "$title" "$@" 2>&1 | tee "$proof/$name.log" || status=$?
-  log_stage "$name" "$begin" "$status"
-  return "$status"
+  prove "$name" step "$title" "$@"
 }
 
 # Number of parallel compilers: one per core, and 1.5 GB of free memory for each, because a file

@@ -2,8 +2,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Tests of the checks: each one is applied to a small project with one error."""
 
-import shutil
-import subprocess
 import sys
 import tempfile
 import unittest
@@ -171,14 +169,7 @@ class Licenses(CheckCase):
             self.assertEqual([each.split(":")[0] for each in found], [name])
 
 
-def formats():
-    """Whether the version of clang-format that formats the sources is installed."""
-    found = shutil.which("clang-format")
-    return found and f"version {formatting.FORMATTED_BY}." in subprocess.run(
-        [found, "--version"], capture_output=True, text=True, check=True).stdout
-
-
-@unittest.skipUnless(formats(), "clang-format of the version used is not installed")
+@unittest.skipUnless(formatting.formatter() == formatting.FORMATTED_BY, "clang-format of the version used is not installed")
 class Formatting(CheckCase):
     def test_a_line_that_would_be_written_otherwise_is_found_with_its_place(self):
         self.assert_found(formatting.check, "modules/top/src/t.cpp:2 is not formatted", {

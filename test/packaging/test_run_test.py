@@ -70,6 +70,11 @@ class TestRun(PretendedSystem):
         self.call(SCRIPT, "--long")
         self.assertEqual(self.presets().count("asan"), 2)
 
+    def test_a_stage_is_logged_with_the_commit_it_began_on(self):
+        self.pretend("ctest", f'echo "{COUNT}"; printf "#!/bin/bash\\necho later-commit\\n" >"{self.bin}/git"')
+        self.call(SCRIPT, "--long")
+        self.assertIn("\tsome-commit\t", (self.root / "build/proof/stages.tsv").read_text().splitlines()[0])
+
     def test_a_stage_on_changed_files_is_always_repeated(self):
         self.pretend("git", "echo some-commit-dirty")
         self.call(SCRIPT, "--long")

@@ -13,13 +13,22 @@ FORMATTED_BY = "14"
 OBJECTION = re.compile(r"^(?P<place>[^:\n]+:\d+):\d+: error: .*clang-format", re.M)
 
 
+def formatter():
+    """Major version of the installed clang-format; None without one."""
+    if shutil.which("clang-format") is None:
+        return None
+    said = subprocess.run(["clang-format", "--version"], capture_output=True, text=True, check=True).stdout
+    version = re.search(r"version (\d+)", said)
+    return version[1] if version else ""
+
+
 def check(root):
     """One message per location. Without clang-format of the version used the check is skipped with a message."""
-    if shutil.which("clang-format") is None:
+    version = formatter()
+    if version is None:
         print("Skipped: clang-format is not installed. Install the package clang-format to run this test.")
         sys.exit(NOT_RUN)
-    version = re.search(r"version (\d+)", subprocess.run(["clang-format", "--version"], capture_output=True, text=True, check=True).stdout)
-    if version is None or version[1] != FORMATTED_BY:
+    if version != FORMATTED_BY:
         print(f"Skipped: sources are formatted by clang-format {FORMATTED_BY}, that of Debian 12; other versions break lines elsewhere.")
         sys.exit(NOT_RUN)
     written = [str(file) for file in sources.files(root, "modules", "app", "plugins", "test", suffixes={".h", ".cpp"})]

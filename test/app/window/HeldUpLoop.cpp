@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::int64_t millisecond = 1'000'000;  // [ns]
 constexpr std::chrono::seconds patience{30};
+constexpr std::int64_t longestWait = 10'000 * millisecond;  // [ns]
 
 /// Processor time that a thread has used [ns].
 std::int64_t processorTime(clockid_t clock)
@@ -52,15 +53,16 @@ void HeldUpLoop::hear()
   release_ = std::thread([this, used = processorTime(windowClock_)] {
     realtime::Pacer poll(milliseconds(0.05));
     poll.start(heardAt_);
-    while (processorTime(windowClock_) - used < millisecond &&
-           realtime::monotonicNanoseconds() - heardAt_ < 500 * millisecond)
+    while (!isHandled_ && processorTime(windowClock_) - used < millisecond &&
+           realtime::monotonicNanoseconds() - heardAt_ < longestWait)
       poll.wait();
     log_->holdUp(false);
   });
 }
 
-bool HeldUpLoop::block(std::int64_t due) const
+bool HeldUpLoop::block(std::int64_t due)
 {
+  isHandled_ = true;
   return waitUntil([&] { return log_->size() >= log_->firstAfter(due) + 50; }, patience);
 }
 

@@ -4,6 +4,7 @@
 // A haptic loop that is held up while the window hears of a stop: how many of its ticks pass before
 // the force has ended does not depend on how busy the machine is.
 
+#include <atomic>
 #include <ctime>
 #include <memory>
 #include <thread>
@@ -27,16 +28,16 @@ public:
   /// Holds the loop up in a read. False if it is not in one within half a minute.
   [[nodiscard]] bool begin();
 
-  /// The window hears of a stop, the first time counts: the loop goes on after a millisecond of the window's own processor
-  /// time, for which a busy machine may take longer. A window that waits for its loop uses none: then
-  /// it goes on in half a second.
+  /// The window hears of a stop; the first time counts. The loop goes on as soon as the window has used
+  /// a millisecond of processor time or has handled the event. A busy machine may keep the window waiting
+  /// far longer than that. A window that waits for its loop gets it back after ten seconds.
   void hear();
   /// When it heard, monotonic [ns]; 0 before.
   std::int64_t heardAt() const { return heardAt_; }
 
-  /// Blocks the window's thread until the device was told 50 forces from a time on, monotonic [ns].
-  /// False if it was not within half a minute.
-  [[nodiscard]] bool block(std::int64_t due) const;
+  /// The window has handled the event: blocks its thread until the device was told 50 forces from a
+  /// time on, monotonic [ns]. False if it was not within half a minute.
+  [[nodiscard]] bool block(std::int64_t due);
 
   /// Expects the largest force before a time, none after `maxTicks` ticks, and none later. Prints
   /// what was measured.
@@ -46,6 +47,7 @@ public:
 private:
   std::shared_ptr<ForceLog> log_;
   std::int64_t heardAt_ = 0;
+  std::atomic<bool> isHandled_{false};
   std::size_t entriesBefore_ = 0;  // that the loop had written when it was held up
   clockid_t windowClock_{};        // processor time of the window's thread
   std::thread release_;

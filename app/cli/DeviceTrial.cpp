@@ -16,9 +16,8 @@ namespace perilymph::cli {
 
 namespace {
 
-constexpr double timeStep = 1e-3;         // [s]
-constexpr double listeningTime = 3.0;     // [s]
-constexpr double patienceForHold = 20.0;  // [s]
+constexpr double timeStep = 1e-3;      // [s]
+constexpr double listeningTime = 3.0;  // [s]
 // Far below what a hand feels (20 mN; Kratchman et al. 2016).
 constexpr double minForce = 1e-3;  // [N]
 
@@ -67,14 +66,16 @@ void listen(device::HapticDevice& hand, Beat& beat, TrialOutcome& outcome)
 }
 
 /// Why the trial ended before its last axis.
-std::string whyUntested(device::HapticDevice& hand, const TrialOutcome& outcome)
+std::string whyUntested(device::HapticDevice& hand, const TrialOutcome& outcome, int axis)
 {
   const auto health = hand.health();
   if (health && !health->isConnected) return "the device was disconnected";
   if (health ? health->reading.fresh == 0 : outcome.fresh == 0) return "no report came";
   constexpr double stalled = 0.1;  // [s]
   if (health && health->reading.silence > stalled) return "the reports ended";
-  return "the button was not held";
+  const bool wasPushed = outcome.forces[static_cast<std::size_t>(axis)].peak > 0.0;
+  return wasPushed ? "no push was finished: the button was let go, or reports were missing"
+                   : "the button was not held";
 }
 
 void showForces(device::HapticDevice& hand, Beat& beat, TrialOutcome& outcome)
@@ -87,15 +88,13 @@ void showForces(device::HapticDevice& hand, Beat& beat, TrialOutcome& outcome)
       "go of the button ends the push.\n",
       fixed(trial.greatest(), 2));
   flushOutput();
-  int waited = 0;
-  while (!trial.isOver() && waited < ticks(patienceForHold) && !isInterrupted()) {
+  while (!trial.isOver() && !isInterrupted()) {
     beat.wait();
     hand.write(trial.step(hand.read()));
-    waited = trial.isHeld() ? 0 : waited + 1;
   }
   hand.write({});
   outcome.forces = trial.results();
-  if (!trial.isOver()) outcome.untested = whyUntested(hand, outcome);
+  if (!trial.isDone()) outcome.untested = whyUntested(hand, outcome, trial.axis());
 }
 
 Result<TrialOutcome> tryOpened(device::HapticDevice& hand)

@@ -74,8 +74,10 @@ device::Wrench ForceTrial::step(const device::DeviceSample& sample) noexcept
   if (isHeld_) note(hand, wanted_D[axis_], shown_D[axis_], limits);
 
   time_ = isHeld_ ? time_ + timeStep_ : 0.0;
+  if (!isOver()) spent_ += timeStep_;
   if (time_ >= timeForAxis) {
     time_ = 0.0;
+    spent_ = 0.0;
     results_[static_cast<std::size_t>(axis_)].isDone = true;
     ++axis_;
   }

@@ -160,6 +160,32 @@ TEST(ForceTrial, EndsThePushWhenTheDeviceFallsSilent)
   EXPECT_EQ(force, 0.0);
 }
 
+TEST(ForceTrial, GivesUpWhenNoPushOfAnAxisIsFinished)
+{
+  ForceTrial trial(threeAxes(), timeStep);
+  RestingDevice hand;
+  int ticks = 0;
+  for (; !trial.isOver() && ticks < 100'000; ++ticks)
+    trial.step(ticks % 600 < 500 ? hand.next(true) : hand.silent());
+  EXPECT_NEAR(ticks * timeStep, ForceTrial::patience, 2.0 * timeStep);
+  EXPECT_FALSE(trial.isDone());
+  EXPECT_GT(trial.results()[0].peak, 0.0);
+  EXPECT_FALSE(trial.results()[0].isDone);
+  for (int i = 0; i < 60; ++i) trial.step(hand.next(true));
+  EXPECT_EQ(magnitude(trial.step(hand.next(true))), 0.0);
+}
+
+TEST(ForceTrial, HasItsPatienceForEachAxis)
+{
+  ForceTrial trial(threeAxes(), timeStep);
+  RestingDevice hand;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (int i = 0; i < 15'000; ++i) trial.step(hand.next(false));
+    for (int i = 0; i < 2000 && trial.axis() == axis; ++i) trial.step(hand.next(true));
+  }
+  EXPECT_TRUE(trial.isDone());
+}
+
 TEST(ForceTrial, IsOverAtOnceForADeviceWithoutForce)
 {
   EXPECT_TRUE(ForceTrial({}, timeStep).isOver());

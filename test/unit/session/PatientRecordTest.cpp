@@ -88,6 +88,17 @@ TEST_F(PatientRecords, RefuseHostileFilesInOneSentence)
   }
 }
 
+TEST_F(PatientRecords, OfANewerProgramSaySo)
+{
+  for (const char* format : {"2", "4294967297", "18446744073709551615", "1e300"}) {
+    std::ofstream(recordFileOf(file_))
+        << "{\"format\": " << format << R"(, "tags": [], "notes": "", "archived": false})";
+    const auto record = loadPatientRecord(file_);
+    ASSERT_FALSE(record) << format;
+    EXPECT_THAT(record.error().message, HasSubstr("newer program")) << format;
+  }
+}
+
 TEST_F(PatientRecords, StayAsTheyWereWhereTheDiskIsFull)
 {
   ASSERT_TRUE(savePatientRecord(record_, file_));

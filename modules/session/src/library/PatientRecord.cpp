@@ -59,7 +59,8 @@ Result<PatientRecord> readRecord(const fs::path& file)
   PatientRecord record;
   try {
     const auto json = nlohmann::json::parse(*text);
-    if (json.at("format").get<int>() > recordFormat)
+    // A number beyond an int is of no program: as a double it is still greater.
+    if (json.at("format").get<double>() > recordFormat)
       return Error{file.string() + " is of a newer program. Open it with that one."};
     record.tags = json.at("tags").get<std::vector<std::string>>();
     record.notes = json.at("notes").get<std::string>();

@@ -15,12 +15,13 @@ namespace perilymph::haptics {
 
 /// Tests a device's force, one axis after the other: up to `maxForce` and back to zero within a
 /// second, only while the dead-man's button is held, and through the safety chain of an insertion.
-/// Releasing the button removes the force at once and restarts the axis. No clock: one step per
-/// tick.
+/// Releasing the button removes the force at once and restarts the axis; so do reports that are
+/// missing. An axis that is not tested within `patience` ends the test. No clock: one step per tick.
 class ForceTrial {
 public:
   static constexpr double maxForce = 0.5;     ///< [N]; at most a fifth of the device's maximum.
   static constexpr double timeForAxis = 1.0;  ///< Duration of one axis [s].
+  static constexpr double patience = 20.0;    ///< For one axis, with every interruption [s].
 
   /// @param traits    Of the open device.
   /// @param timeStep  Between steps [s].
@@ -37,8 +38,10 @@ public:
   /// The force to render for this sample.
   PERILYMPH_REALTIME device::Wrench step(const device::DeviceSample& sample) noexcept;
 
-  /// True after the last axis.
-  bool isOver() const noexcept { return axis_ >= axes_; }
+  /// Every axis was tested.
+  bool isDone() const noexcept { return axis_ >= axes_; }
+  /// The test has ended: every axis was tested, or one was not within its time.
+  bool isOver() const noexcept { return isDone() || spent_ >= patience; }
   /// The current axis: 0, 1, 2 for D's x, y, z.
   int axis() const noexcept { return axis_; }
   bool isHeld() const noexcept { return isHeld_; }
@@ -58,7 +61,8 @@ private:
   int axis_ = 0;
   std::array<Axis, 3> results_;
   double begin_ = 0.0;  // position of the device along the axis at the beginning of the push [m]
-  double time_ = 0.0;   // within the axis [s]
+  double time_ = 0.0;   // within the push [s]
+  double spent_ = 0.0;  // on the axis, with every interruption [s]
   bool isHeld_ = false;
 };
 

@@ -114,7 +114,7 @@ TEST(CtMeasure, MeetsTheTruthOfAPhantomWithinItsErrors)
               json.at("A_mm").at("sd").get<double>(), 5e-4);
   const auto patient = anatomy::loadPatient(out / "ear.toml");
   ASSERT_TRUE(patient) << patient.error().message;
-  EXPECT_EQ(patient->origin.seriesKey, json.at("provenance").at("series_key"));
+  EXPECT_EQ(json.at("provenance").at("series_key"), patient->origin.seriesKey);
   EXPECT_EQ(patient->origin.landmarksByHand, "");
   EXPECT_EQ(patient->origin.landmarksProposed, "RW, OW, B1, B2, H, A, C");
   EXPECT_THAT(contentOf(out / "ear.toml"),

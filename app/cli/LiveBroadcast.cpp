@@ -13,7 +13,6 @@ namespace perilymph::cli {
 namespace {
 
 constexpr double interval = 0.02;  // 50 Hz, as trackers send [s]
-constexpr int triangles = 20'000;  // 1 MB, sent on request only
 
 }  // namespace
 
@@ -31,7 +30,7 @@ Result<std::unique_ptr<LiveBroadcast>> LiveBroadcast::start(const std::string& e
   auto server = broadcast::Broadcast::start(
       *place, [](const std::string& sentence) { printError("{}\n", sentence); });
   if (!server) return server.error();
-  (*server)->show(anatomy::wallSurface(insertion.anatomy(), triangles));
+  (*server)->show(anatomy::wallSurface(insertion.anatomy(), broadcast::maxSurfaceTriangles));
   print("Sending to OpenIGTLink clients at {} port {}, in real time.\n", place->address,
         (*server)->port());
   flushOutput();

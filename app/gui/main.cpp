@@ -27,8 +27,10 @@
 #include "gui/program/StartupActions.h"
 #include "gui/program/TerminationSignals.h"
 #include "gui/run/Background.h"
+#include "gui/run/InsertionBroadcast.h"
 #include "gui/setup/SetupHistory.h"
 #include "gui/shell/MainWindow.h"
+#include "gui/shell/Navigation.h"
 #include "gui/shell/SettingsSheet.h"
 #include "gui/shell/WindowMemory.h"
 #include "gui/shell/WindowPlace.h"
@@ -64,6 +66,12 @@ int openAndRun(Window& window)
 /// Exit status that a shell expects after a signal.
 int statusOf(int signal) { return 128 + signal; }
 
+void logClients(const gui::InsertionBroadcast& broadcast)
+{
+  QObject::connect(&broadcast, &gui::InsertionBroadcast::clientRefused, &broadcast,
+                   [](const QString& sentence) { spdlog::warn("{}", sentence.toStdString()); });
+}
+
 int runKiosk(gui::Application& application, const gui::TerminationSignals& signals,
              session::Scenario scenario, const gui::CommandLine& options)
 {
@@ -75,6 +83,11 @@ int runKiosk(gui::Application& application, const gui::TerminationSignals& signa
                    [](int signal) { QCoreApplication::exit(statusOf(signal)); });
   const gui::ScreenLock screen(nullptr);
   QObject::connect(&screen, &gui::ScreenLock::locked, &window, &gui::KioskWindow::stopDevice);
+  gui::InsertionBroadcast broadcast([&window] { return gui::shownBy(window.control()); }, nullptr);
+  logClients(broadcast);
+  if (options.igtl)  // a booth listens only if it is told to
+    if (const auto listening = broadcast.listen(*options.igtl); !listening)
+      return refuse(listening.error().message);
   gui::arrangeStartupActions(window, options);
   window.showFullScreen();
   return openAndRun(window);
@@ -124,6 +137,10 @@ WindowEnd runWindow(gui::Application& application, const gui::TerminationSignals
   // a screenshot or a benchmark uses the default size, not the last one
   const bool isPlain = !options.screenshot && !options.measuresFrames;
   if (isPlain) gui::restorePlace(window);
+  logClients(window.navigation().broadcast());
+  if (!options.igtl && isPlain) window.navigation().listenAsSet();
+  if (options.igtl && !window.navigation().listen(*options.igtl) && !beginning.memory)
+    return {refuse(window.navigation().status().toStdString()), std::nullopt};
   window.show();
   const int status = openAndRun(window);
   if (isPlain) gui::keepPlace(window);
@@ -133,6 +150,7 @@ WindowEnd runWindow(gui::Application& application, const gui::TerminationSignals
   gui::CommandLine kept;
   kept.quality = options.quality;
   kept.plugin = options.plugin;
+  kept.igtl = window.navigation().broadcast().endpoint();
   return {0,
           Beginning{window.control().scenario(), window.page(), kept, {}, gui::memoryOf(window)}};
 }

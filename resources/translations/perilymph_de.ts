@@ -4531,6 +4531,52 @@
     </message>
 </context>
 <context>
+    <name>perilymph::gui::Navigation</name>
+    <message>
+        <source>OpenIGTLink is off: no program can connect.</source>
+        <translation>OpenIGTLink ist aus: Kein Programm kann sich verbinden.</translation>
+    </message>
+    <message>
+        <source>OpenIGTLink on %1, no client</source>
+        <translation>OpenIGTLink auf %1, kein Client</translation>
+    </message>
+    <message>
+        <source>OpenIGTLink on %1, 1 client</source>
+        <translation>OpenIGTLink auf %1, 1 Client</translation>
+    </message>
+    <message>
+        <source>OpenIGTLink on %1, %2 clients</source>
+        <translation>OpenIGTLink auf %1, %2 Clients</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::NavigationSection</name>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>on, also for other computers</source>
+        <translation>ein, auch für andere Computer</translation>
+    </message>
+    <message>
+        <source>on, for programs on this computer</source>
+        <translation>ein, für Programme auf diesem Computer</translation>
+    </message>
+    <message>
+        <source>Send the insertion to 3D Slicer and others</source>
+        <translation>Insertion an 3D Slicer und andere senden</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>Port</translation>
+    </message>
+    <message>
+        <source>The port must be a number from %1 to %2.</source>
+        <translation>Der Port muss eine Zahl von %1 bis %2 sein.</translation>
+    </message>
+</context>
+<context>
     <name>perilymph::gui::Notice</name>
     <message>
         <source>Dismiss</source>

@@ -34,6 +34,13 @@ std::string checkDelay(const std::string& text)
   return "--after is " + text + "; it must be a number of seconds between 0 and 3600.";
 }
 
+/// Error for an endpoint that cannot be listened at; empty if it can be read.
+std::string checkEndpoint(const std::string& text)
+{
+  const auto endpoint = broadcast::parseEndpoint(text);
+  return endpoint ? std::string() : endpoint.error().message;
+}
+
 /// Not a ValidationError, which CLI11 would prefix with the option's name again.
 CLI::ConversionError emptyValue(const std::string& name)
 {
@@ -69,7 +76,7 @@ std::variant<CommandLine, Exit> parseCommandLine(int argc, const char* const* ar
                "perilymph");
   app.set_version_flag("--version", "perilymph " + buildId());
 
-  std::string record, plugin, screenshot, study, plan, report, ct;
+  std::string record, plugin, screenshot, study, plan, report, ct, igtl;
   app.add_option("--scenario", options.scenario,
                  "Scenario: shipped name or TOML file (default: start page)")
       ->type_name("FILE|NAME");
@@ -102,6 +109,13 @@ std::variant<CommandLine, Exit> parseCommandLine(int argc, const char* const* ar
              "and number (default: the code alone)")
           ->type_name("PATH")
           ->needs(reportOption);
+  auto* igtlOption =
+      app.add_option("--igtl", igtl,
+                     "Send the insertion to OpenIGTLink clients, such as 3D Slicer, by default of "
+                     "this machine only (usual port: 18944)")
+          ->type_name("[ADDRESS:]PORT")
+          ->excludes(planOption)
+          ->check(checkEndpoint);
   auto* screenshotOption =
       app.add_option("--screenshot", screenshot, "Save a screenshot of the window, then exit")
           ->type_name("FILE.png")
@@ -151,6 +165,7 @@ std::variant<CommandLine, Exit> parseCommandLine(int argc, const char* const* ar
   if (reportOption->count() > 0) options.report = report;
   if (ctOption->count() > 0) options.ct = ct;
   if (pluginOption->count() > 0) options.plugin = plugin;
+  if (igtlOption->count() > 0) options.igtl = *broadcast::parseEndpoint(igtl);
   if (screenshotOption->count() > 0) options.screenshot = screenshot;
   return options;
 }

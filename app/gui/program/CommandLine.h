@@ -9,6 +9,8 @@
 #include <string>
 #include <variant>
 
+#include "perilymph/broadcast/Broadcast.h"
+
 namespace perilymph::gui {
 
 /// Parsed options.
@@ -23,11 +25,12 @@ struct CommandLine {
   std::optional<std::filesystem::path> ct;      ///< CT of whose study a DICOM report is a part.
   std::optional<std::filesystem::path> plugin;  ///< A device plug-in to use as input device.
   std::optional<std::filesystem::path> screenshot;
-  std::optional<std::string> language;  ///< "en", "de" or "system", for this call only.
-  std::optional<std::string> quality;   ///< auto, fast, balanced or full; by default the stored
-                                        ///< one.
-  double after_s = 2.0;                 ///< Delay from the first frame to the screenshot.
-  bool measuresFrames = false;          ///< Prints frame times of a demonstration and exits.
+  std::optional<std::string> language;      ///< "en", "de" or "system", for this call only.
+  std::optional<std::string> quality;       ///< auto, fast, balanced or full; by default the stored
+                                            ///< one.
+  double after_s = 2.0;                     ///< Delay from the first frame to the screenshot.
+  std::optional<broadcast::Endpoint> igtl;  ///< Where OpenIGTLink clients may connect.
+  bool measuresFrames = false;              ///< Prints frame times of a demonstration and exits.
   /// With measuresFrames: inserts and withdraws until this number of ticks was recorded.
   std::optional<std::uint64_t> measuredTicks;
 };

@@ -15,6 +15,7 @@
 #include "gui/shell/Help.h"
 #include "gui/shell/InsertKeys.h"
 #include "gui/shell/MainMenu.h"
+#include "gui/shell/Navigation.h"
 #include "gui/shell/Sheets.h"
 #include "gui/shell/StopTriggers.h"
 #include "gui/shell/TopBar.h"
@@ -29,8 +30,9 @@ namespace perilymph::gui {
 MainWindow::MainWindow(session::Scenario scenario, std::optional<std::filesystem::path> record)
     : top_(new TopBar(this)),
       insert_(new InsertPage(std::move(scenario), std::move(record), this)),
-      sheets_(new Sheets(*insert_, this)),
       notice_(new Notice(this)),
+      navigation_(new Navigation(*insert_, *notice_, this)),
+      sheets_(new Sheets(*insert_, *navigation_, this)),
       pages_(new PageStack(*insert_, this)),
       ending_(*insert_, *notice_)
 {

@@ -16,6 +16,7 @@
 
 namespace perilymph::gui {
 
+class Navigation;
 class Notice;
 class Sheets;
 class TopBar;
@@ -54,6 +55,7 @@ public:
   OperationView& view() { return insert_->view(); }
   InsertionViews& views() { return insert_->views(); }
   Sheets& sheets() { return *sheets_; }
+  Navigation& navigation() { return *navigation_; }
 
   /// Saves a screenshot of the window and shows its path.
   void takePicture();
@@ -82,8 +84,9 @@ private:
 
   TopBar* top_;
   InsertPage* insert_;
-  Sheets* sheets_;
   Notice* notice_;
+  Navigation* navigation_;
+  Sheets* sheets_;
   PageStack* pages_;
   KeyActions keys_;
   EndingQuestion ending_;

@@ -68,6 +68,7 @@ SettingsSheet::SettingsSheet(QWidget* parent) : QFrame(parent), note_(label({}, 
 
   auto* content = new QWidget(this);
   auto* column = new QVBoxLayout(content);
+  column_ = column;
   column->setContentsMargins(3 * spacing, 2 * spacing, 2 * spacing, 2 * spacing);
   column->setSpacing(spacing);
   column->addLayout(head);
@@ -113,6 +114,7 @@ void SettingsSheet::addGroup(QVBoxLayout& column, const QString& title, const QS
     choice->setFocusPolicy(Qt::TabFocus);
     choice->setChecked(caption[i] == now);
     group->addButton(choice);
+    choices_.push_back(choice);
     row->addWidget(choice);
     needed += choice->sizeHint().width() + 3 * spacing;
     connect(choice, &QAbstractButton::clicked, this, [this, key, effect, word = caption[i]] {
@@ -187,9 +189,14 @@ void SettingsSheet::addLogo(QVBoxLayout& column)
   column.addWidget(error);
 }
 
+void SettingsSheet::append(QWidget* section)
+{
+  column_->insertWidget(column_->count() - 1, section);  // above the log file
+}
+
 void SettingsSheet::setChangeable(bool isChangeable)
 {
-  for (Choice* choice : findChildren<Choice*>()) choice->setEnabled(isChangeable);
+  for (Choice* choice : choices_) choice->setEnabled(isChangeable);
   note_->setText(isChangeable ? tr("Changes reload the window.")
                               : tr("Settings are locked during an insertion. Press Reset first."));
 }

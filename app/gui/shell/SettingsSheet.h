@@ -4,6 +4,7 @@
 // Settings of the window: colors, language, text size, and keys.
 
 #include <QFrame>
+#include <vector>
 
 class QLabel;
 class QVBoxLayout;
@@ -22,6 +23,9 @@ public:
   /// Disables changes while an array is in a cochlea: a new window would end the insertion.
   void setChangeable(bool isChangeable);
 
+  /// Adds a section, which may be changed at any time.
+  void append(QWidget* section);
+
 Q_SIGNALS:
   /// A setting was changed that requires a new window.
   void chosen();
@@ -36,6 +40,8 @@ private:
   void addLogo(QVBoxLayout& column);
 
   QLabel* note_;
+  QVBoxLayout* column_ = nullptr;
+  std::vector<Choice*> choices_;  ///< Not those of sections.
 };
 
 /// Allowed values of a setting; the first one is the default.

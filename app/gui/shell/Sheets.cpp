@@ -11,11 +11,12 @@
 #include "gui/scene/OperationView.h"
 #include "gui/shell/AboutSheet.h"
 #include "gui/shell/Help.h"
+#include "gui/shell/NavigationSection.h"
 #include "gui/shell/SettingsSheet.h"
 
 namespace perilymph::gui {
 
-Sheets::Sheets(InsertPage& insertion, QWidget* window)
+Sheets::Sheets(InsertPage& insertion, Navigation& navigation, QWidget* window)
     : QObject(window),
       window_(window),
       insertion_(insertion),
@@ -24,6 +25,7 @@ Sheets::Sheets(InsertPage& insertion, QWidget* window)
       devices_(new DevicePage(&insertion)),
       about_(new AboutSheet(window))
 {
+  settings_->append(new NavigationSection(navigation, settings_));
   connect(settings_, &SettingsSheet::closeAsked, this, &Sheets::toggleSettings);
   connect(settings_, &SettingsSheet::chosen, this, &Sheets::settingChosen);
   connect(about_, &AboutSheet::closeAsked, this, &Sheets::toggleAbout);

@@ -11,13 +11,14 @@ class AboutSheet;
 class DevicePage;
 class Help;
 class InsertPage;
+class Navigation;
 class SettingsSheet;
 
 /// Shows, hides and centers the overlays.
 class Sheets : public QObject {
   Q_OBJECT
 public:
-  Sheets(InsertPage& insertion, QWidget* window);
+  Sheets(InsertPage& insertion, Navigation& navigation, QWidget* window);
 
   Help& help() { return *help_; }
   void toggleDevices();

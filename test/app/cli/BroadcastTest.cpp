@@ -2,80 +2,22 @@
 
 // A simulated insertion, received by the client of the OpenIGTLink library.
 
-#include <arpa/inet.h>
-#include <igtlClientSocket.h>
-#include <igtlMessageHeader.h>
 #include <igtlPolyDataMessage.h>
 #include <igtlTransformMessage.h>
-#include <sys/socket.h>
-#include <unistd.h>
 
-#include <cerrno>
 #include <cmath>
 #include <csignal>
 
 #include "Cli.h"
 #include "perilymph/test/ChildProcess.h"
+#include "perilymph/test/IgtlClient.h"
+#include "perilymph/test/InetSockets.h"
 #include "perilymph/test/waitUntil.h"
 
 namespace perilymph::test {
 namespace {
 
 using testing::HasSubstr;
-
-/// A port of the loopback that is listened at until the end of the object.
-class TakenPort {
-public:
-  TakenPort() : file_(::socket(AF_INET, SOCK_STREAM, 0))
-  {
-    sockaddr_in place{};
-    place.sin_family = AF_INET;
-    place.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    socklen_t size = sizeof place;
-    EXPECT_EQ(::bind(file_, reinterpret_cast<sockaddr*>(&place), size), 0);
-    EXPECT_EQ(::listen(file_, 1), 0);
-    ::getsockname(file_, reinterpret_cast<sockaddr*>(&place), &size);
-    port_ = ntohs(place.sin_port);
-  }
-  ~TakenPort() { ::close(file_); }
-  TakenPort(const TakenPort&) = delete;
-  TakenPort& operator=(const TakenPort&) = delete;
-  int number() const { return port_; }
-
-private:
-  int file_;
-  int port_ = 0;
-};
-
-int freePort() { return TakenPort().number(); }
-
-/// The next message of a type and device.
-template <class Message>
-typename Message::Pointer receive(igtl::ClientSocket& socket, const std::string& name)
-{
-  for (int i = 0; i < 2000; ++i) {
-    auto header = igtl::MessageHeader::New();
-    header->InitPack();
-    const int count = socket.Receive(header->GetPackPointer(), header->GetPackSize());
-    if (count != header->GetPackSize()) {
-      ADD_FAILURE() << count << " bytes of a header, errno " << errno;
-      break;
-    }
-    header->Unpack();
-    if (header->GetDeviceName() != name) {
-      socket.Skip(header->GetBodySizeToRead());
-      continue;
-    }
-    auto message = Message::New();
-    message->SetMessageHeader(header);
-    message->AllocatePack();
-    socket.Receive(message->GetPackBodyPointer(), message->GetPackBodySize());
-    EXPECT_NE(message->Unpack(1), 0) << "the check sum of " << name;
-    return message;
-  }
-  ADD_FAILURE() << "No " << name << " came.";
-  return Message::New();
-}
 
 TEST(SimulateForNavigation, SendsAnInsertionThatMovesAndTheCochleaOnRequest)
 {

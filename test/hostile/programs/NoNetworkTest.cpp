@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // The programs use no network: they work without it and contain no call that could open a
-// connection to another machine. Only --igtl makes one listen.
+// connection to another machine. Only --igtl, and a setting of the window, make one listen; for the
+// running window see test/app/window/NavigationTest.cpp.
 
 #include <csignal>
 #include <sstream>
 
 #include "Cli.h"
 #include "perilymph/test/ChildProcess.h"
+#include "perilymph/test/InetSockets.h"
 #include "perilymph/test/waitUntil.h"
 
 namespace perilymph::test {
@@ -36,24 +38,12 @@ TEST(ProgramsAndTheNetwork, HaveNoCallThatOpensAConnection)
     for (const char* call :
          {"connect", "sendto", "recvfrom", "getaddrinfo", "gethostbyname", "res_query"})
       EXPECT_THAT(imports, testing::Not(testing::Contains(std::string(call)))) << name;
-    // The server of --igtl.
-    if (std::string(name).find("perilymph-cli") == 0) continue;
+    // The server of --igtl is in the two programs that have the option.
+    const std::string is = name;
+    if (is == "perilymph-cli" || is == "perilymph") continue;
     for (const char* call : {"socket", "bind", "listen", "accept", "accept4"})
       EXPECT_THAT(imports, testing::Not(testing::Contains(std::string(call)))) << name;
   }
-}
-
-/// Number of sockets that a process has open.
-int socketsOf(int process)
-{
-  int count = 0;
-  std::error_code failure;
-  const auto folder = "/proc/" + std::to_string(process) + "/fd";
-  for (const auto& file : std::filesystem::directory_iterator(folder, failure)) {
-    const auto target = std::filesystem::read_symlink(file.path(), failure).string();
-    count += target.rfind("socket:", 0) == 0 ? 1 : 0;
-  }
-  return count;
 }
 
 TEST(ProgramsAndTheNetwork, MeetOnlyWhereItIsAskedFor)
@@ -67,7 +57,12 @@ TEST(ProgramsAndTheNetwork, MeetOnlyWhereItIsAskedFor)
     ChildProcess program(cliCall(text));
     // While it runs, it writes its table into an unfinished file beside the place of the whole one.
     ASSERT_TRUE(waitUntil([&] { return !std::filesystem::is_empty(folder.path()); }));
-    EXPECT_EQ(socketsOf(program.id()), isAsked ? 1 : 0);
+    const auto sockets = inetSocketsOf(program.id());
+    ASSERT_EQ(sockets.size(), isAsked ? 1u : 0u);
+    if (isAsked) {
+      EXPECT_TRUE(sockets[0].isListening);
+      EXPECT_EQ(sockets[0].place, "00000000000000000000000001000000:4A21");  // [::1]:18977
+    }
     program.send(SIGINT);
     program.wait(std::chrono::minutes(2));
   }

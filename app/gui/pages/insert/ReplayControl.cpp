@@ -44,6 +44,8 @@ bool ReplayControl::isOpen() const { return player_->isOpen(); }
 
 const session::Playback& ReplayControl::playback() const { return player_->playback(); }
 
+const haptics::Snapshot& ReplayControl::now() const { return player_->now(); }
+
 void ReplayControl::togglePlaying() { player_->isPlaying() ? player_->pause() : player_->play(); }
 
 void ReplayControl::open(const std::filesystem::path& file)

@@ -33,6 +33,8 @@ public:
   bool isOpen() const;
   /// Only while a recording is open.
   const session::Playback& playback() const;
+  /// The snapshot that is shown, likewise.
+  const haptics::Snapshot& now() const;
 
   /// One timer event. Pauses while the page is not visible.
   void step(double elapsed_s, bool isSeen);

@@ -24,6 +24,9 @@ struct Endpoint {
 /// is looked up.
 Result<Endpoint> parseEndpoint(const std::string& text);
 
+/// Maximum triangles of a surface that is sent: a message of 1 MB.
+inline constexpr int maxSurfaceTriangles = 20'000;
+
 /// Counters since the start.
 struct BroadcastFigures {
   std::uint64_t clients = 0;   ///< Connected now.

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// Sends the insertion that is shown to programs that speak OpenIGTLink.
+
+#include <QObject>
+#include <QTimer>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "perilymph/anatomy/ScalaTympani.h"
+#include "perilymph/broadcast/Broadcast.h"
+#include "perilymph/foundation/Result.h"
+
+namespace perilymph::gui {
+
+/// A server that is off until listen(). Fifty times a second, or as often as the event loop comes
+/// around, it sends the snapshot that is shown. It only sends. UI thread only.
+class InsertionBroadcast : public QObject {
+  Q_OBJECT
+public:
+  /// What is shown now.
+  struct Shown {
+    const haptics::Snapshot& now;                          ///< Used before the next event.
+    const electrode::ArrayDesign& array;                   ///< Likewise.
+    std::shared_ptr<const anatomy::ScalaTympani> anatomy;  ///< Not null.
+  };
+  /// Empty while nothing is shown.
+  using Source = std::function<std::optional<Shown>()>;
+
+  InsertionBroadcast(Source source, QObject* parent);
+  ~InsertionBroadcast() override;
+
+  /// Listens at an endpoint instead of the previous one. The error is one sentence; then it does
+  /// not listen. Emits changed().
+  Result<Done> listen(const broadcast::Endpoint& endpoint);
+  /// Disconnects all clients and listens no longer.
+  void close();
+
+  /// Where it listens; empty if it does not.
+  const std::optional<broadcast::Endpoint>& endpoint() const noexcept { return endpoint_; }
+  /// Number of connected clients.
+  int clients() const noexcept { return clients_; }
+
+Q_SIGNALS:
+  /// It listens, or does not, or has another number of clients.
+  void changed();
+  /// A client was disconnected by its own fault: one sentence. Emitted by the server's thread.
+  void clientRefused(const QString& sentence);
+
+private:
+  void end();
+  void send();
+
+  Source source_;
+  QTimer timer_;
+  std::unique_ptr<broadcast::Broadcast> server_;  ///< Null while it does not listen.
+  std::optional<broadcast::Endpoint> endpoint_;
+  std::shared_ptr<const anatomy::ScalaTympani> sent_;  ///< The cochlea whose wall is sent.
+  int clients_ = 0;
+};
+
+class InsertionControl;
+
+/// The insertion; empty before the first one.
+std::optional<InsertionBroadcast::Shown> shownBy(const InsertionControl& control);
+
+/// "127.0.0.1:18944", "[::1]:18944".
+std::string textOf(const broadcast::Endpoint& endpoint);
+
+}  // namespace perilymph::gui

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/shell/Navigation.h"
+
+#include <QVariant>
+
+#include "gui/pages/insert/InsertPage.h"
+#include "gui/pages/insert/ReplayControl.h"
+#include "gui/parts/Notice.h"
+#include "gui/parts/UserSettings.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+QString stateKey() { return QStringLiteral("openigtlink/server"); }
+QString portKey() { return QStringLiteral("openigtlink/port"); }
+QStringList stateText() { return {QStringLiteral("off"), QStringLiteral("on")}; }
+
+std::optional<InsertionBroadcast::Shown> shownBy(const InsertPage& page)
+{
+  const ReplayControl& replay = page.replay();
+  if (replay.isOpen())
+    return InsertionBroadcast::Shown{replay.now(), replay.playback().scenario().array(),
+                                     replay.playback().anatomy()};
+  return shownBy(page.control());
+}
+
+}  // namespace
+
+Navigation::Navigation(const InsertPage& page, Notice& notice, QObject* parent)
+    : QObject(parent),
+      page_(page),
+      notice_(notice),
+      broadcast_([&page] { return shownBy(page); }, nullptr)
+{
+  connect(&broadcast_, &InsertionBroadcast::changed, this, &Navigation::follow);
+  connect(&broadcast_, &InsertionBroadcast::clientRefused, this, &Navigation::say);
+}
+
+bool Navigation::listen(const broadcast::Endpoint& endpoint)
+{
+  const Result<Done> listening = broadcast_.listen(endpoint);
+  error_ = listening ? QString() : QString::fromStdString(listening.error().message);
+  follow();
+  return isOn();
+}
+
+void Navigation::listenAsSet()
+{
+  const UserSettings settings;
+  if (settings.word(stateKey(), stateText()) == stateText().first()) return;
+  broadcast::Endpoint endpoint;
+  endpoint.port = static_cast<std::uint16_t>(port());
+  listen(endpoint);
+}
+
+void Navigation::set(bool isOn, int port)
+{
+  UserSettings settings;
+  settings.setValue(portKey(), port);
+  error_.clear();
+  if (isOn) {
+    broadcast::Endpoint endpoint;
+    endpoint.port = static_cast<std::uint16_t>(port);
+    isOn = listen(endpoint);  // a port that is taken is not tried again at the next start
+  } else {
+    broadcast_.close();
+  }
+  settings.setValue(stateKey(), stateText().at(isOn ? 1 : 0));
+  settings.sync();
+}
+
+bool Navigation::isOpenToOthers() const
+{
+  if (!isOn()) return false;
+  const std::string& address = broadcast_.endpoint()->address;
+  return address.rfind("127.", 0) != 0 && address != "::1";
+}
+
+int Navigation::port() const
+{
+  if (broadcast_.endpoint()) return broadcast_.endpoint()->port;
+  bool isNumber = false;
+  const int kept = UserSettings().value(portKey()).toInt(&isNumber);
+  const bool isValid = isNumber && kept >= minPort && kept <= maxPort;
+  return isValid ? kept : broadcast::Endpoint().port;
+}
+
+QString Navigation::status() const
+{
+  if (isError()) return error_;
+  if (!isOn()) return tr("OpenIGTLink is off: no program can connect.");
+  const QString place = QString::fromStdString(textOf(*broadcast_.endpoint()));
+  const int clients = broadcast_.clients();
+  if (clients == 0) return tr("OpenIGTLink on %1, no client").arg(place);
+  return clients == 1 ? tr("OpenIGTLink on %1, 1 client").arg(place)
+                      : tr("OpenIGTLink on %1, %2 clients").arg(place).arg(clients);
+}
+
+void Navigation::follow()
+{
+  Q_EMIT changed();
+  // Not during an insertion: the notice takes a strip of the picture.
+  if (isError() || !page_.control().isMoving()) say(status());
+}
+
+void Navigation::say(const QString& sentence)
+{
+  // A question keeps its place; the settings show the state at any time.
+  if (notice_.isVisible() && notice_.sentence() != said_) return;
+  notice_.say(sentence);
+  said_ = sentence;
+}
+
+}  // namespace perilymph::gui

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// The window as a server for navigation programs: its setting, and its state as text.
+
+#include <QObject>
+#include <QString>
+
+#include "gui/run/InsertionBroadcast.h"
+
+namespace perilymph::gui {
+
+class InsertPage;
+class Notice;
+
+/// Sends the insertion, or the replay, of the page. Off until the command line or the setting asks
+/// for it. The setting listens on this machine only.
+class Navigation : public QObject {
+  Q_OBJECT
+public:
+  static constexpr int minPort = 1024, maxPort = 65535;
+
+  /// @param notice  Shows every change of the state, unless it shows something else.
+  Navigation(const InsertPage& page, Notice& notice, QObject* parent);
+
+  InsertionBroadcast& broadcast() { return broadcast_; }
+
+  /// Listens at an endpoint, for this session. False if it cannot: status() says why.
+  bool listen(const broadcast::Endpoint& endpoint);
+  /// Listens if the setting is on.
+  void listenAsSet();
+
+  /// Keeps the setting and applies it at once.
+  void set(bool isOn, int port);
+  bool isOn() const { return broadcast_.endpoint().has_value(); }
+  /// It listens at an address that other computers may reach.
+  bool isOpenToOthers() const;
+  /// Where it listens, or would.
+  int port() const;
+
+  /// The state, or why it is off, in one sentence.
+  QString status() const;
+  bool isError() const { return !error_.isEmpty(); }
+
+Q_SIGNALS:
+  void changed();
+
+private:
+  void follow();
+  void say(const QString& sentence);
+
+  const InsertPage& page_;
+  Notice& notice_;
+  QString said_;   ///< The last sentence of the notice that came from here.
+  QString error_;  ///< Before the broadcast, which emits signals when it ends.
+  InsertionBroadcast broadcast_;
+};
+
+}  // namespace perilymph::gui

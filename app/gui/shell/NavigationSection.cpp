@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/shell/NavigationSection.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QStyle>
+#include <QVBoxLayout>
+#include <QVariant>
+
+#include "gui/parts/CheckBoxes.h"
+#include "gui/parts/Theme.h"
+#include "gui/parts/WrappedLabel.h"
+#include "gui/shell/Navigation.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+void setError(QLabel& label, bool isError)
+{
+  label.setProperty("error", isError);
+  label.setProperty("quiet", !isError);
+  label.style()->unpolish(&label);
+  label.style()->polish(&label);
+}
+
+}  // namespace
+
+NavigationSection::NavigationSection(Navigation& navigation, QWidget* parent)
+    : QWidget(parent),
+      navigation_(navigation),
+      off_(new Choice(tr("off"), this)),
+      on_(new Choice({}, this)),
+      port_(new QLineEdit(this)),
+      status_(new WrappedLabel({}, this))
+{
+  auto* heading = new WrappedLabel(tr("Send the insertion to 3D Slicer and others"), this);
+  heading->setFont(typeface(13, QFont::DemiBold));
+  off_->setObjectName(QStringLiteral("navigation-off"));
+  on_->setObjectName(QStringLiteral("navigation-on"));
+  for (Choice* choice : {off_, on_}) {
+    choice->setFocusPolicy(Qt::TabFocus);
+    connect(choice, &QAbstractButton::clicked, this, &NavigationSection::apply);
+  }
+  auto* caption = new WrappedLabel(tr("Port"), this);
+  caption->setFont(typeface(13));
+  caption->setBuddy(port_);
+  port_->setObjectName(QStringLiteral("navigation-port"));
+  port_->setAccessibleName(tr("Port"));
+  port_->setFont(typeface(13));
+  port_->setFixedSize(sized(80), sized(26));
+  port_->setMaxLength(5);
+  connect(port_, &QLineEdit::editingFinished, this, &NavigationSection::apply);
+  status_->setObjectName(QStringLiteral("navigationStatus"));
+  status_->setFont(typeface(12));
+
+  auto* choices = new QHBoxLayout;
+  choices->setSpacing(3 * spacing);
+  choices->addWidget(off_);
+  choices->addWidget(on_);
+  choices->addStretch();
+  auto* row = new QHBoxLayout;
+  row->setSpacing(spacing);
+  row->addWidget(caption, 1);
+  row->addWidget(port_);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(spacing);
+  column->addWidget(heading);
+  column->addLayout(choices);
+  column->addLayout(row);
+  column->addWidget(status_);
+  connect(&navigation_, &Navigation::changed, this, &NavigationSection::show);
+  show();
+}
+
+void NavigationSection::apply()
+{
+  bool isNumber = false;
+  const int port = port_->text().trimmed().toInt(&isNumber);
+  if (!isNumber || port < Navigation::minPort || port > Navigation::maxPort) {
+    show();
+    status_->setText(tr("The port must be a number from %1 to %2.")
+                         .arg(Navigation::minPort)
+                         .arg(Navigation::maxPort));
+    return setError(*status_, true);
+  }
+  const bool isAsIs = on_->isChecked() == navigation_.isOn() && port == navigation_.port();
+  if (!isAsIs) navigation_.set(on_->isChecked(), port);
+  show();
+}
+
+void NavigationSection::show()
+{
+  on_->setText(navigation_.isOpenToOthers() ? tr("on, also for other computers")
+                                            : tr("on, for programs on this computer"));
+  (navigation_.isOn() ? on_ : off_)->setChecked(true);
+  port_->setText(QString::number(navigation_.port()));
+  status_->setText(navigation_.status());
+  setError(*status_, navigation_.isError());
+}
+
+}  // namespace perilymph::gui

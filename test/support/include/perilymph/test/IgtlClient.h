@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// A client of the OpenIGTLink library.
+
+#include <gtest/gtest.h>
+#include <igtlClientSocket.h>
+#include <igtlMessageHeader.h>
+
+#include <cerrno>
+#include <string>
+
+namespace perilymph::test {
+
+/// Receives the next message of a device; others are skipped. Fails the test if none comes.
+template <class Message>
+typename Message::Pointer receive(igtl::ClientSocket& socket, const std::string& name)
+{
+  for (int i = 0; i < 2000; ++i) {
+    auto header = igtl::MessageHeader::New();
+    header->InitPack();
+    const int count = socket.Receive(header->GetPackPointer(), header->GetPackSize());
+    if (count != header->GetPackSize()) {
+      ADD_FAILURE() << count << " bytes of a header, errno " << errno;
+      break;
+    }
+    header->Unpack();
+    if (header->GetDeviceName() != name) {
+      socket.Skip(header->GetBodySizeToRead());
+      continue;
+    }
+    auto message = Message::New();
+    message->SetMessageHeader(header);
+    message->AllocatePack();
+    socket.Receive(message->GetPackBodyPointer(), message->GetPackBodySize());
+    EXPECT_NE(message->Unpack(1) & igtl::MessageHeader::UNPACK_BODY, 0)
+        << "the check sum of " << name;
+    return message;
+  }
+  ADD_FAILURE() << "No " << name << " came.";
+  return Message::New();
+}
+
+}  // namespace perilymph::test

@@ -210,11 +210,24 @@ TEST_F(DicomReading, AppliesEachSlicesOwnSlopeAndIntercept)
   expectSame(volume, loaded->volume);
 }
 
+/// The meta information of a file is in it.
+std::string startOf(const std::filesystem::path& file)
+{
+  std::string start(512, '\0');
+  std::ifstream(file, std::ios::binary).read(start.data(), 512);
+  return start;
+}
+
+// GDCM 3.0.24 writes deflated files for --implicit, implicit ones for --explicit; GDCM 3.0.21 what its options say. Here
+// both must give the same voxels, or, deflated, a sentence.
 TEST_F(DicomReading, FindsTheSameVoxelsInEveryLosslessCodingOfGdcm)
 {
   const ct::CtVolume volume = smallCt(Eigen::Matrix3d::Identity(), {0.3, 0.4, 0.6}, {32, 24, 4});
   test::writeDicomFiles(test::dicomSlices(volume), folder / "raw");
-  for (const char* coding : {"--jpeg", "--jpegls", "--j2k", "--rle", "--implicit"}) {
+  const std::string deflated = "1.2.840.10008.1.2.1.99";
+  bool isAnyDeflated = false;
+  for (const char* coding :
+       {"--jpeg", "--jpegls", "--j2k", "--rle", "--implicit", "--explicit", "--deflated"}) {
     const auto place = folder / coding;
     std::filesystem::create_directories(place);
     for (const auto& entry : std::filesystem::directory_iterator(folder / "raw")) {
@@ -228,9 +241,18 @@ TEST_F(DicomReading, FindsTheSameVoxelsInEveryLosslessCodingOfGdcm)
       }
     }
     const auto loaded = readCt(place);
+    const auto first = *std::filesystem::directory_iterator(place);
+    if (startOf(first.path()).find(deflated) != std::string::npos) {
+      isAnyDeflated = true;
+      ASSERT_FALSE(loaded) << coding;
+      EXPECT_THAT(loaded.error().message,
+                  testing::HasSubstr("4 of 4 files are compressed as a whole"));
+      continue;
+    }
     ASSERT_TRUE(loaded) << coding << ": " << loaded.error().message;
     expectSame(volume, loaded->volume);
   }
+  EXPECT_TRUE(isAnyDeflated);
 }
 
 TEST_F(DicomReading, TellsItsProgressAndStopsWhereItIsCanceled)

@@ -78,7 +78,7 @@ Result<DicomFiles> listDicomFiles(const fs::path& path, const ReadingHooks& hook
   // A DICOMDIR in the folder is a table of contents and no image.
   std::erase_if(found.headers, [](const DicomHeader& header) {
     return header.sopClass.empty() && header.modality.empty() && !header.hasPixels &&
-           !header.isTruncated;
+           !header.isTruncated && header.coding != PixelCoding::deflated;
   });
   return found;
 }

@@ -166,6 +166,7 @@ PixelCoding codingOf(const std::string& syntax)
   if (syntax.empty() || syntax == "1.2.840.10008.1.2" || syntax == "1.2.840.10008.1.2.1" ||
       syntax == "1.2.840.10008.1.2.2")
     return PixelCoding::plain;
+  if (syntax == "1.2.840.10008.1.2.1.99") return PixelCoding::deflated;
   // JPEG, JPEG lossless, JPEG-LS, JPEG 2000 and run lengths.
   for (const char* const known :
        {"4.50", "4.51", "4.57", "4.70", "4.80", "4.81", "4.90", "4.91", "5"})
@@ -264,18 +265,19 @@ std::optional<DicomHeader> readDicomHeader(const std::filesystem::path& file)
   vtkDICOMMetaData& values = *parsed->values;
   DicomHeader header;
   header.file = file;
+  const std::string syntax = uidIn(values.Get(DC::TransferSyntaxUID));
+  // a file with a preamble states its coding; where the statement is lost, none is assumed
+  header.coding = syntax.empty() && hasPreamble(file) ? PixelCoding::unknown : codingOf(syntax);
+  header.transferSyntax = textIn(values.Get(DC::TransferSyntaxUID));
+  if (header.coding == PixelCoding::deflated) return header;
   header.seriesUid = textIn(values.Get(DC::SeriesInstanceUID));
   header.sopClass = textIn(values.Get(DC::SOPClassUID));
-  header.transferSyntax = textIn(values.Get(DC::TransferSyntaxUID));
   header.modality = textIn(values.Get(DC::Modality));
   header.photometric = textIn(values.Get(DC::PhotometricInterpretation));
   header.kernel = textIn(values.Get(DC::ConvolutionKernel));
   header.scanner = textIn(values.Get(DC::Manufacturer));
   if (const std::string model = textIn(values.Get(DC::ManufacturerModelName)); !model.empty())
     header.scanner += (header.scanner.empty() ? "" : " ") + model;
-  const std::string syntax = uidIn(values.Get(DC::TransferSyntaxUID));
-  // a file with a preamble states its coding; where the statement is lost, none is assumed
-  header.coding = syntax.empty() && hasPreamble(file) ? PixelCoding::unknown : codingOf(syntax);
   header.isLossy = textIn(values.Get(DC::LossyImageCompression)) == "01";
   header.rows = values.Get(DC::Rows).AsInt();
   header.columns = values.Get(DC::Columns).AsInt();

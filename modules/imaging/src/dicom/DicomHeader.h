@@ -24,8 +24,9 @@ struct DicomFrame {
   bool isLocalizer = false;             ///< A scout.
 };
 
-/// How the voxels of a file are stored.
-enum class PixelCoding { plain, compressed, unknown };
+/// How the voxels of a file are stored. `deflated` is a file that is compressed as a whole behind its meta
+/// information (DICOM PS3.5, A.5): nothing else is known of it.
+enum class PixelCoding { plain, compressed, deflated, unknown };
 
 struct DicomHeader {
   std::filesystem::path file;

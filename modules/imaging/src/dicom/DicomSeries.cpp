@@ -33,6 +33,21 @@ std::size_t countOf(const std::vector<DicomHeader>& headers, Claim claim)
   return static_cast<std::size_t>(std::count_if(headers.begin(), headers.end(), claim));
 }
 
+/// Files of which nothing can be read; empty where there are none.
+std::string deflatedObstacle(const DicomSeries& series)
+{
+  const auto isDeflated = [](const DicomHeader& header) {
+    return header.coding == PixelCoding::deflated;
+  };
+  const std::size_t deflated = countOf(series.headers, isDeflated);
+  if (deflated == 0) return {};
+  return of(deflated, series.headers.size()) +
+         " files are compressed as a whole (transfer syntax 1.2.840.10008.1.2.1.99, deflated), "
+         "which this "
+         "program does not read. Export the series uncompressed, or convert it with gdcmconv "
+         "--raw.";
+}
+
 /// What kind of image it is not; empty for a CT.
 std::string kindObstacle(const DicomSeries& series)
 {
@@ -176,7 +191,7 @@ void describe(DicomSeries& series)
                   static_cast<int>(std::max(series.slices.size(), series.headers.size()))};
   if (!first.frames.empty() && first.frames.front().pixelSpacing_mm)
     summary.spacing_mm.head<2>() = *first.frames.front().pixelSpacing_mm;
-  for (const auto check : {kindObstacle, fileObstacle}) {
+  for (const auto check : {deflatedObstacle, kindObstacle, fileObstacle}) {
     summary.obstacle = check(series);
     if (!summary.obstacle.empty()) return;
   }

@@ -17,6 +17,7 @@
 #include <thread>
 #include <vector>
 
+#include "ArraySurface.h"
 #include "Connection.h"
 #include "perilymph/foundation/RealTime.h"
 #include "perilymph/realtime/Pacer.h"
@@ -128,6 +129,7 @@ struct Broadcast::Content {
   void serve();
   void welcome(std::int64_t now);
   void sendFrame(std::int64_t now);
+  void packArray();
   void dismiss();
   void tell(const std::string& sentence);
   void ring() noexcept
@@ -149,7 +151,7 @@ struct Broadcast::Content {
 
   // Owned by the server's thread.
   std::deque<Connection> connections;
-  SharedBytes capability = std::make_shared<const Bytes>(capabilityMessage());
+  Answers answers{nullptr, nullptr, std::make_shared<const Bytes>(capabilityMessage())};
   int reports = 0;
 };
 
@@ -166,16 +168,17 @@ void Broadcast::Content::serve()
     std::uint64_t rings = 0;
     if (waits[0].revents != 0 && ::read(wake.get(), &rings, sizeof rings) > 0) sendFrame(now);
 
-    SharedBytes shown;
     {
       const std::lock_guard lock(surfaceMutex);
-      shown = surface;
+      answers.scala = surface;
     }
+    answers.array.reset();
     for (std::size_t i = 0; i < connections.size(); ++i) {
       Connection& client = connections[i];
       const auto [file, events, revents] = waits[i + 2];
       if (revents != 0) client.receive(now);
-      client.send(shown, capability, now);
+      if (client.wantsArray()) packArray();
+      client.send(answers, now);
       client.checkPatience(now);
     }
     dismiss();
@@ -191,6 +194,15 @@ void Broadcast::Content::sendFrame(std::int64_t now)
   ++framesPacked;
   for (Connection& client : connections)
     if (!client.offer(bytes, now)) ++skipped;
+}
+
+/// Once for all clients that asked for it since the last look.
+void Broadcast::Content::packArray()
+{
+  if (answers.array) return;
+  const anatomy::Surface array = arraySurface(frames.latest());
+  if (array.triangles.empty()) return;
+  answers.array = std::make_shared<const Bytes>(surfaceMessage(array, arrayName));
 }
 
 void Broadcast::Content::welcome(std::int64_t now)
@@ -270,7 +282,7 @@ void Broadcast::publish(const BroadcastFrame& frame) noexcept
 
 void Broadcast::show(const anatomy::Surface& surface)
 {
-  auto bytes = std::make_shared<const Bytes>(surfaceMessage(surface));
+  auto bytes = std::make_shared<const Bytes>(surfaceMessage(surface, scalaName));
   {
     const std::lock_guard lock(content_->surfaceMutex);
     content_->surface = std::move(bytes);

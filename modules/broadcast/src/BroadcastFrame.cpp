@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 
 namespace perilymph::broadcast {
 
@@ -31,6 +32,28 @@ Pose pose(const std::array<double, 3>& place_W, const Eigen::Vector3d& axis_W)
   return result;
 }
 
+bool hasFiniteNodes(const haptics::Snapshot& now)
+{
+  return std::all_of(now.node_W.begin(), now.node_W.begin() + now.nodes, [](const auto& place) {
+    return std::all_of(place.begin(), place.end(), [](float x) { return std::isfinite(x); });
+  });
+}
+
+/// Nodes, and the section at each of them: they divide the array's length evenly.
+void copyShape(const haptics::Snapshot& now, const electrode::ArrayDesign& array,
+               BroadcastFrame& frame)
+{
+  frame.nodes = now.nodes;
+  std::copy_n(now.node_W.begin(), now.nodes, frame.node_W.begin());
+  if (array.diameter.fromTip.empty()) return;
+  const double last = now.nodes - 1;
+  for (std::uint32_t i = 0; i < now.nodes; ++i) {
+    const auto section = array.sectionAt((1.0 - i / last) * array.length);
+    frame.halfWidth[i] = {static_cast<float>(0.5 * section.within.si()),
+                          static_cast<float>(0.5 * section.across.si())};
+  }
+}
+
 }  // namespace
 
 BroadcastFrame broadcastFrame(const haptics::Snapshot& now, const electrode::ArrayDesign& array)
@@ -41,7 +64,8 @@ BroadcastFrame broadcastFrame(const haptics::Snapshot& now, const electrode::Arr
   frame.axialForce = now.output.axialForce;
   frame.tip.place_W = now.output.tip_W;
   frame.tweezers.place_W = now.output.proxy_W;
-  if (now.nodes < 2) return frame;
+  if (now.nodes < 2 || !hasFiniteNodes(now)) return frame;
+  copyShape(now, array, frame);
   const std::uint32_t last = now.nodes - 1;
   frame.tip = pose(numbers(node(now, last)), node(now, last) - node(now, last - 1));
   frame.tweezers =

@@ -45,17 +45,17 @@ bool Connection::offer(const SharedBytes& frame, std::int64_t now)
   return true;
 }
 
-void Connection::send(const SharedBytes& surface, const SharedBytes& capability, std::int64_t now)
+void Connection::answer(bool& isWanted, const SharedBytes& bytes, std::int64_t now)
+{
+  if (isWanted && bytes && offer(bytes, now)) isWanted = false;
+}
+
+void Connection::send(const Answers& answers, std::int64_t now)
 {
   while (!hasEnded_) {
-    if (!isBusy() && wantsCapability_) {
-      wantsCapability_ = false;
-      offer(capability, now);
-    }
-    if (!isBusy() && wantsSurface_ && surface) {
-      wantsSurface_ = false;
-      offer(surface, now);
-    }
+    answer(wantsCapability_, answers.capability, now);
+    answer(wantsScala_, answers.scala, now);
+    answer(wantsArray_, answers.array, now);
     if (!isBusy()) return;
     // MSG_NOSIGNAL: a client that is gone is an error, not a signal.
     const ssize_t count = ::send(file(), sending_->data() + sent_, sending_->size() - sent_,
@@ -81,13 +81,19 @@ void Connection::receive(std::int64_t now)
       rest = rest.subspan(reader_.take(rest));
       if (!reader_.request()) continue;
       finishedAt_ = now;
-      const std::string& type = reader_.request()->type;
-      const std::string& device = reader_.request()->device;
-      if (type == "GET_CAPABIL") wantsCapability_ = true;
-      if (type == "GET_POLYDATA" && (device.empty() || device == surfaceName)) wantsSurface_ = true;
+      note(*reader_.request());
     }
     if (!reader_.fault().empty()) end(reader_.fault());
   }
+}
+
+void Connection::note(const RequestReader::Request& request)
+{
+  if (request.type == "GET_CAPABIL") wantsCapability_ = true;
+  if (request.type != "GET_POLYDATA") return;
+  const bool isAny = request.device.empty();
+  if (isAny || request.device == scalaName) wantsScala_ = true;
+  if (isAny || request.device == arrayName) wantsArray_ = true;
 }
 
 void Connection::checkPatience(std::int64_t now)

@@ -33,6 +33,11 @@ private:
 /// Messages that several connections send, packed once.
 using SharedBytes = std::shared_ptr<const Bytes>;
 
+/// The answers to requests; null while there is none.
+struct Answers {
+  SharedBytes scala, array, capability;
+};
+
 /// A connected client. Never blocks; memory is bounded by one message at a time.
 class Connection {
 public:
@@ -45,8 +50,10 @@ public:
 
   /// Begins to send a frame. False if the client has not yet taken what was sent before.
   bool offer(const SharedBytes& frame, std::int64_t now);
+  /// It asked for the array, which is made for the answer.
+  bool wantsArray() const noexcept { return wantsArray_; }
   /// Sends what the client takes, then what it asked for.
-  void send(const SharedBytes& surface, const SharedBytes& capability, std::int64_t now);
+  void send(const Answers& answers, std::int64_t now);
   /// Reads what the client sent.
   void receive(std::int64_t now);
   /// Ends a client that takes nothing, or leaves a message unfinished, for 5 s.
@@ -58,13 +65,15 @@ public:
 
 private:
   void end(const std::string& why);
+  void answer(bool& isWanted, const SharedBytes& bytes, std::int64_t now);
+  void note(const RequestReader::Request& request);
 
   OwnedSocket socket_;
   std::string name_;
   RequestReader reader_;
   SharedBytes sending_;
   std::size_t sent_ = 0;
-  bool wantsSurface_ = false, wantsCapability_ = false;
+  bool wantsScala_ = false, wantsArray_ = false, wantsCapability_ = false;
   std::int64_t tookAt_, finishedAt_;  // the client: bytes of ours, a message of its own [ns]
   bool hasEnded_ = false;
   std::string fault_;

@@ -92,7 +92,7 @@ Bytes frameMessages(const BroadcastFrame& frame)
   return bytes;
 }
 
-Bytes surfaceMessage(const anatomy::Surface& surface)
+Bytes surfaceMessage(const anatomy::Surface& surface, const char* name)
 {
   auto points = igtl::PolyDataPointArray::New();
   for (const auto& place : surface.points)
@@ -112,7 +112,7 @@ Bytes surfaceMessage(const anatomy::Surface& surface)
   message->SetTriangleStrips(igtl::PolyDataCellArray::New());
   Bytes bytes;
   auto now = timeNow();
-  append(bytes, *message, surfaceName, now);
+  append(bytes, *message, name, now);
   return bytes;
 }
 

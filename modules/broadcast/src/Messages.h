@@ -18,13 +18,14 @@ inline constexpr const char* tipName = "PerilymphTip";
 inline constexpr const char* tweezersName = "PerilymphTweezers";
 inline constexpr const char* contactsName = "PerilymphContacts";
 inline constexpr const char* forceName = "PerilymphForce";
-inline constexpr const char* surfaceName = "PerilymphScala";
+inline constexpr const char* scalaName = "PerilymphScala";
+inline constexpr const char* arrayName = "PerilymphArray";
 
 /// TRANSFORM of tip and tweezers, POINT of the contacts [mm], SENSOR of the force (x, y, z, axial)
 /// [N], in this order and with the same time stamp.
 Bytes frameMessages(const BroadcastFrame& frame);
-/// POLYDATA of a surface [mm].
-Bytes surfaceMessage(const anatomy::Surface& surface);
+/// POLYDATA of a surface [mm], with the name of its device.
+Bytes surfaceMessage(const anatomy::Surface& surface, const char* name);
 /// CAPABILITY: the types that are sent.
 Bytes capabilityMessage();
 

@@ -64,6 +64,29 @@ TEST(BroadcastFrame, PointsZAlongTheArrayInARightHandedFrame)
   EXPECT_EQ(frame.force_W[0], -0.1);
 }
 
+TEST(BroadcastFrame, HasTheSectionOfTheArrayAtEachNode)
+{
+  electrode::ArrayDesign array;
+  array.length = millimeters(10);
+  array.diameter = {{millimeters(0), millimeters(10)}, {millimeters(0.4), millimeters(0.8)}};
+  array.thickness = {{millimeters(0)}, {millimeters(0.3)}};
+  const auto frame = broadcastFrame(straight(), array);
+  ASSERT_EQ(frame.nodes, 11u);
+  EXPECT_NEAR(frame.halfWidth[0][1], 0.4e-3, singlePrecision);  // the base
+  EXPECT_NEAR(frame.halfWidth[5][1], 0.3e-3, singlePrecision);
+  EXPECT_NEAR(frame.halfWidth[5][0], 0.15e-3, singlePrecision);
+  EXPECT_EQ(frame.node_W[3], straight().node_W[3]);
+}
+
+TEST(BroadcastFrame, HasNoShapeIfANodeIsNotFinite)
+{
+  haptics::Snapshot now = straight();
+  now.node_W[4][1] = NAN;
+  const auto frame = broadcastFrame(now, withContacts({1.0}));
+  EXPECT_EQ(frame.nodes, 0u);
+  EXPECT_EQ(frame.contacts, 0u);
+}
+
 TEST(BroadcastFrame, HasNoContactsWithoutAnArray)
 {
   haptics::Snapshot now = straight();

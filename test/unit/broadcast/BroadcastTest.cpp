@@ -129,6 +129,17 @@ protected:
     message.Pack();
     EXPECT_EQ(socket.Send(message.GetPackPointer(), message.GetPackSize()), 1);
   }
+  /// Largest x of a surface [mm].
+  static double farthest(igtl::PolyDataMessage& message)
+  {
+    double found = -1e3;
+    for (int i = 0; i < message.GetPoints()->GetNumberOfPoints(); ++i) {
+      float place[3];
+      message.GetPoints()->GetPoint(static_cast<unsigned int>(i), place);
+      found = std::max(found, double(place[0]));
+    }
+    return found;
+  }
   std::vector<std::string> sentences()
   {
     const std::lock_guard lock(mutex_);
@@ -204,6 +215,43 @@ TEST_F(OpenIgtLink, SendsTheSurfaceOnRequestOnly)
   igtlUint32 corners[3];
   received->GetPolygons()->GetCell(1, corners);
   EXPECT_THAT(corners, testing::ElementsAre(0u, 2u, 3u));
+}
+
+TEST_F(OpenIgtLink, SendsTheArrayOfTheNewestFrame)
+{
+  const auto socket = client();
+  ask(*socket, *igtl::GetPolyDataMessage::New(), "PerilymphArray");
+  // There is none yet: the request waits for the first frame with an array.
+  receive<igtl::TransformMessage>(*socket, "TRANSFORM", "PerilymphTip");
+  frame_.nodes = 3;
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    frame_.node_W[i] = {5e-3f * static_cast<float>(i), 20e-3f, 0.0f};
+    frame_.halfWidth[i] = {0.25e-3f, 0.25e-3f};
+  }
+  const auto first = receive<igtl::PolyDataMessage>(*socket, "POLYDATA", "PerilymphArray");
+  EXPECT_NEAR(farthest(*first), 10.0, 1e-5);
+  for (std::uint32_t i = 0; i < 3; ++i) frame_.node_W[i][0] += 2e-3f;
+  server_->publish(frame_);
+  ask(*socket, *igtl::GetPolyDataMessage::New(), "PerilymphArray");
+  const auto later = receive<igtl::PolyDataMessage>(*socket, "POLYDATA", "PerilymphArray");
+  EXPECT_NEAR(farthest(*later), 12.0, 1e-5);
+}
+
+TEST_F(OpenIgtLink, SendsBothSurfacesToARequestWithoutAName)
+{
+  const auto socket = client();
+  anatomy::Surface surface;
+  surface.points = {{0.0, 0.0, 0.0}, {1e-3, 0.0, 0.0}, {0.0, 2e-3, 0.0}};
+  surface.triangles = {{0, 1, 2}};
+  server_->show(surface);
+  frame_.nodes = 2;
+  frame_.node_W[1] = {5e-3f, 0.0f, 0.0f};
+  frame_.halfWidth[0] = frame_.halfWidth[1] = {0.25e-3f, 0.25e-3f};
+  ask(*socket, *igtl::GetPolyDataMessage::New(), "");
+  const auto scala = receive<igtl::PolyDataMessage>(*socket, "POLYDATA", "PerilymphScala");
+  EXPECT_EQ(scala->GetPolygons()->GetNumberOfCells(), 1u);
+  const auto array = receive<igtl::PolyDataMessage>(*socket, "POLYDATA", "PerilymphArray");
+  EXPECT_GT(array->GetPolygons()->GetNumberOfCells(), 100u);
 }
 
 TEST_F(OpenIgtLink, StatesWhatItSends)

@@ -37,9 +37,9 @@ struct BroadcastFigures {
 };
 
 /// Sends frames to at most eight clients, from a thread of its own. Only sends: requests for the
-/// surface (GET_POLYDATA) and for the types sent (GET_CAPABIL) are answered, everything else that a
-/// client sends is dropped. No client delays the publisher or another client: each has at most one
-/// frame and one surface waiting, and one that takes nothing for 5 s is closed.
+/// surfaces of scala and array (GET_POLYDATA) and for the types sent (GET_CAPABIL) are answered,
+/// everything else that a client sends is dropped. No client delays the publisher or another client:
+/// each has one message at most on its way, and one that takes nothing for 5 s is closed.
 class Broadcast {
 public:
   /// Receives one sentence for each client that is closed by its own fault; called by the server's
@@ -57,7 +57,8 @@ public:
 
   /// Sends a frame to all clients, as soon as they take it. One thread, never the haptic one.
   void publish(const BroadcastFrame& frame) noexcept;
-  /// The surface that is sent on request, in W [m]. The same thread.
+  /// The surface of the scala that is sent on request, in W [m]. The same thread. That of the array
+  /// is made from the newest frame at the time of the request.
   void show(const anatomy::Surface& surface);
 
   /// Any thread.

@@ -28,14 +28,19 @@ struct BroadcastFrame {
   Pose tip;       ///< The array's end; z points out of it.
   Pose tweezers;  ///< The array's base; z points along the array.
   std::uint32_t contacts = 0;
-  std::array<std::array<double, 3>, maxContacts> contact_W{};  ///< Centers, tip first [m].
+  std::array<std::array<double, 3>, maxContacts> contact_W{};      ///< Centers, tip first [m].
+  std::uint32_t nodes = 0;                                         ///< 0, or 2 and more.
+  std::array<std::array<float, 3>, mechanics::maxNodes> node_W{};  ///< Base first, tip last [m].
+  /// Half the diameters of the section at each node, within and across the plane of curl [m].
+  std::array<std::array<float, 2>, mechanics::maxNodes> halfWidth{};
   std::array<double, 3> force_W{};  ///< Force of the array on the hand [N].
   double axialForce = 0.0;          ///< Insertion force along the approach [N].
 };
 static_assert(std::is_trivially_copyable_v<BroadcastFrame>);
 
 /// The content of a snapshot. Contacts that are closer to the base than the array is long stay at
-/// the base; a snapshot with fewer than 2 nodes has none, and poses without rotation.
+/// the base; a snapshot with fewer than 2 nodes, or nodes that are not finite, has neither contacts
+/// nor nodes, and its poses are without rotation.
 BroadcastFrame broadcastFrame(const haptics::Snapshot& now, const electrode::ArrayDesign& array);
 
 }  // namespace perilymph::broadcast

@@ -7,6 +7,7 @@
 #include <vtkRenderer.h>
 
 #include <QAbstractButton>
+#include <QAbstractItemDelegate>
 #include <QAbstractItemModel>
 #include <QCheckBox>
 #include <QComboBox>
@@ -21,10 +22,12 @@
 
 #include "KeptPicture.h"
 #include "OwnFolders.h"
+#include "SyntheticPlan.h"
 #include "Walk.h"
 #include "WindowRig.h"
 #include "gui/pages/insert/ForceCharts.h"
 #include "gui/pages/insert/InsertionViews.h"
+#include "gui/pages/plan/ContactTable.h"
 #include "gui/pages/plan/PlanList.h"
 #include "gui/pages/plan/PlanPage.h"
 #include "gui/pages/plan/PlanScene.h"
@@ -279,6 +282,26 @@ TEST_F(APlan, GoesOnBehindAnotherPageAndContinuesAfterItWasCanceled)
   for (std::size_t i = 0; i < first->insertions.size(); ++i) {
     EXPECT_EQ(page.plan()->insertions[i].insertion.peak, first->insertions[i].insertion.peak) << i;
     EXPECT_EQ(page.plan()->insertions[i].insertion.apical, first->insertions[i].insertion.apical);
+  }
+}
+
+TEST(AContactTable, IsWideEnoughForTheNumbersOfManyDraws)
+{
+  const planning::Plan plan = syntheticPlan(64);
+  for (const std::size_t draws : {std::size_t{8}, std::size_t{64}, std::size_t{4096}}) {
+    gui::ContactTable table(nullptr);
+    std::vector<planning::ContactBand> contacts = plan.arrays[0].contacts;
+    contacts[0].draws = draws;
+    table.show(contacts, draws);
+    QStyleOptionViewItem option;
+    option.initFrom(&table);
+    option.font = table.font();
+    for (int row = 0; row < table.rowCount(); ++row)
+      for (int column = 0; column < table.columnCount(); ++column) {
+        const QModelIndex cell = table.model()->index(row, column);
+        EXPECT_GE(table.columnWidth(column), table.itemDelegate()->sizeHint(option, cell).width())
+            << cell.data().toString().toStdString();
+      }
   }
 }
 

@@ -135,6 +135,7 @@ void CtPage::connectPanel()
     if (!study_.measures()) return;
     const auto patient = patientOfMeasures(*study_.measures(), code);
     if (!patient) return panel_->showIdle(QString::fromStdString(patient.error().message), true);
+    patient_ = patient->label;
     Q_EMIT planAsked(*patient);
   });
   connect(panel_, &CtPanel::saveSurfaceAsked, this, &CtPage::saveSurface);

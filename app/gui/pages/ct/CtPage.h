@@ -61,7 +61,7 @@ private:
   CtWork work_;
   CtWork thumbnails_;
   imaging::CtSeriesList list_;
-  std::string patient_;  ///< Code of the patient whose cochlea was offered for insertion.
+  std::string patient_;  ///< Code of the patient whose cochlea was offered for insertion or a plan.
   QString task_;
   CtPanel* panel_;
   QWidget* pictures_;

@@ -2,6 +2,7 @@
 #include "gui/pages/plan/ContactTable.h"
 
 #include <QHeaderView>
+#include <algorithm>
 
 #include "gui/parts/Numbers.h"
 #include "gui/parts/TableRows.h"
@@ -12,7 +13,7 @@ namespace perilymph::gui {
 namespace {
 
 constexpr int contactRow_px = 24, contactHeader_px = 40;
-constexpr int contactWidths_px[] = {36, 58, 110, 132, 78, 72, 64, 94};
+constexpr int contactWidths_px[] = {36, 58, 104, 126, 78, 72, 64, 94};
 
 QString spanText(const planning::Band& band, int decimals)
 {
@@ -84,6 +85,9 @@ void ContactTable::show(const std::vector<planning::ContactBand>& contacts, std:
     for (int column = 0; column < texts.size(); ++column)
       setItem(row, column, new QTableWidgetItem(texts[column]));
   }
+  for (int column = 0; column < columnCount(); ++column)
+    horizontalHeader()->resizeSection(
+        column, std::max(sized(contactWidths_px[column]), sizeHintForColumn(column)));
 }
 
 }  // namespace perilymph::gui

@@ -65,6 +65,14 @@ QImage smallened(QImage image)
 
 }  // namespace
 
+QImage pictureOf(QWidget& window)
+{
+  QCursor::setPos(window.mapToGlobal(QPoint(0, window.height() - 1)));
+  // layouts within layouts answer a longer text one after another
+  for (int i = 0; i < 8; ++i) QCoreApplication::processEvents();
+  return smallened(window.grab().toImage());
+}
+
 Walk::Walk(const char* page) : page_(page)
 {
   QFile file(QString::fromStdString(resource("resources/guide/" + page_ + ".md").string()));
@@ -97,13 +105,9 @@ void Walk::step(int number, QWidget& window)
 
   const QString folder = qEnvironmentVariable("PERILYMPH_GUIDE_PICTURES");
   if (folder.isEmpty()) return;
-  // the mouse is over no widget
-  QCursor::setPos(window.mapToGlobal(QPoint(0, window.height() - 1)));
-  // layouts within layouts answer a longer text one after another
-  for (int i = 0; i < 8; ++i) QCoreApplication::processEvents();
   const QString place =
       QStringLiteral("%1/%2-%3.png").arg(folder, QString::fromStdString(page_)).arg(number);
-  EXPECT_TRUE(smallened(window.grab().toImage()).save(place, "PNG", 0)) << place.toStdString();
+  EXPECT_TRUE(pictureOf(window).save(place, "PNG", 0)) << place.toStdString();
 }
 
 std::string Walk::left() const

@@ -79,6 +79,7 @@ void NavigationSection::apply()
 {
   bool isNumber = false;
   const int port = port_->text().trimmed().toInt(&isNumber);
+  port_->setModified(false);
   if (!isNumber || port < Navigation::minPort || port > Navigation::maxPort) {
     show();
     status_->setText(tr("The port must be a number from %1 to %2.")
@@ -96,7 +97,8 @@ void NavigationSection::show()
   on_->setText(navigation_.isOpenToOthers() ? tr("on, also for other computers")
                                             : tr("on, for programs on this computer"));
   (navigation_.isOn() ? on_ : off_)->setChecked(true);
-  port_->setText(QString::number(navigation_.port()));
+  // Clients come and go while a port is typed.
+  if (!port_->isModified()) port_->setText(QString::number(navigation_.port()));
   status_->setText(navigation_.status());
   setError(*status_, navigation_.isError());
 }

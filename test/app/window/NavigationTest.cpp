@@ -266,6 +266,22 @@ TEST_F(NavigationSetting, RefusesAPortThatIsNone)
   EXPECT_THAT(sockets(), IsEmpty());
 }
 
+TEST_F(NavigationSetting, KeepsAPortThatIsBeingTyped)
+{
+  open();
+  const int port = turnOn();
+  auto& field = *rig_->window().findChild<QLineEdit*>("navigation-port");
+  field.setFocus();
+  field.selectAll();
+  QTest::keyClicks(&field, "20");
+  auto client = igtl::ClientSocket::New();
+  ASSERT_EQ(client->ConnectToServer("127.0.0.1", port), 0);
+  ASSERT_TRUE(WindowRig::comes([&] { return status().find(", 1 client") != std::string::npos; }));
+  EXPECT_EQ(field.text(), "20");
+  QTest::keyClick(&field, Qt::Key_Return);
+  EXPECT_EQ(field.text(), QString::number(port));  // 20 is none
+}
+
 TEST_F(NavigationSetting, TellsOfAClientThatIsRefused)
 {
   open();

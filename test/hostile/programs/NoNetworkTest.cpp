@@ -2,7 +2,7 @@
 
 // The programs use no network: they work without it and contain no call that could open a
 // connection to another machine. Only --igtl, and a setting of the window, make one listen; for the
-// running window see test/app/window/NavigationTest.cpp.
+// running window see test/app/window/NavigationCallTest.cpp.
 
 #include <csignal>
 #include <sstream>

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "perilymph/foundation/AtomicFile.h"
+#include "perilymph/foundation/SignalsAtStart.h"
 
 namespace perilymph::cli {
 
@@ -49,9 +50,10 @@ void handleEnds(void (*handler)(int))
   sigset_t handled;
   sigemptyset(&handled);
   for (const int signal : ends) {
-    struct sigaction now = {};
-    sigaction(signal, nullptr, &now);
-    if (now.sa_handler == SIG_IGN) continue;
+    if (wasIgnoredAtStart(signal)) {
+      handle(signal, SIG_IGN);
+      continue;
+    }
     handle(signal, handler);
     sigaddset(&handled, signal);
   }

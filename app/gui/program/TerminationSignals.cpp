@@ -10,6 +10,8 @@
 #include <atomic>
 #include <cerrno>
 
+#include "perilymph/foundation/SignalsAtStart.h"
+
 namespace perilymph::gui {
 
 namespace {
@@ -56,8 +58,9 @@ TerminationSignals::TerminationSignals(QObject* parent) : QObject(parent)
   sigfillset(&action.sa_mask);
   action.sa_flags = SA_RESTART;
   for (const int signal : terminating) {
-    struct sigaction before = {};
-    if (::sigaction(signal, nullptr, &before) == 0 && before.sa_handler == SIG_DFL)
+    if (wasIgnoredAtStart(signal))
+      ::signal(signal, SIG_IGN);
+    else
       ::sigaction(signal, &action, nullptr);
   }
 }

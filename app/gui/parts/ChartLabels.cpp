@@ -9,6 +9,10 @@
 
 namespace perilymph::gui {
 
+// lupdate of Qt 5.15.15 takes a qualified return type for the function's class.
+using charts::ChartStyle;
+using visualization::SceneStyle;
+
 namespace {
 
 // lupdate assigns texts of free functions to their namespace.
@@ -27,9 +31,9 @@ figures::ColorScheme shownScheme()
 
 }  // namespace
 
-charts::ChartStyle chartStyle()
+ChartStyle chartStyle()
 {
-  charts::ChartStyle style{shownScheme(), {}};
+  ChartStyle style{shownScheme(), {}};
   style.strings = {
       .travel = tr("travel, mm"),
       .axialForce = tr("insertion force, mN"),
@@ -54,9 +58,9 @@ charts::ChartStyle chartStyle()
   return style;
 }
 
-visualization::SceneStyle sceneStyle()
+SceneStyle sceneStyle()
 {
-  visualization::SceneStyle style{shownScheme(), {}};
+  SceneStyle style{shownScheme(), {}};
   style.strings = {
       .wallForce = tr("wall force, mN per mm"),
       .normalForce = tr("contact force (arrow %1 mm = %2 mN)"),

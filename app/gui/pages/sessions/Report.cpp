@@ -14,13 +14,15 @@
 
 namespace perilymph::gui {
 
+using figures::Figure;  // unqualified below, as lupdate needs it
+
 namespace {
 
 // lupdate assigns texts of free functions to their namespace.
 QString tr(const char* text) { return QCoreApplication::translate("perilymph::gui", text); }
 
 /// Insertion force in mN over travel.
-figures::Figure figureOf(const ReportContent& content)
+Figure figureOf(const ReportContent& content)
 {
   figures::FigureCurve curve;
   curve.ink = figures::ink::blue;
@@ -33,7 +35,7 @@ figures::Figure figureOf(const ReportContent& content)
     if (curve.y.back() < -0.5) lowest_mN = std::min(lowest_mN, curve.y.back());
     highest_mN = std::max(highest_mN, curve.y.back());
   }
-  figures::Figure figure;
+  Figure figure;
   figure.curves = {std::move(curve)};
   figure.x = figures::axisOver(tr("travel, mm").toStdString(), 0.0, farthest_mm);
   figure.y = figures::axisOver(tr("insertion force, mN").toStdString(), lowest_mN, highest_mN);

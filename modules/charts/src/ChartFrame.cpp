@@ -18,6 +18,7 @@
 #include <vtkStringArray.h>
 #include <vtkTable.h>
 #include <vtkTextProperty.h>
+#include <vtkVersionMacros.h>
 
 #include <algorithm>
 #include <array>
@@ -147,7 +148,9 @@ ChartFrame::ChartFrame(const std::string& xTitle, const std::string& yTitle,
   chart_->ForceAxesToBoundsOff();
   chart_->SetBorders(8, 8, 8, 8);
   vtkNew<vtkBrush> ground;
-  ground->SetColor(colorOf(inks_.ground));
+  // VTK 9.1 fills the plot with it, VTK 9.3 titles and labels too.
+  constexpr bool isPlotOnly = VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 2, 0);
+  ground->SetColor(colorOf(isPlotOnly ? inks_.ground : inks_.panel));
   chart_->SetBackgroundBrush(ground);
   styleAxis(vtkAxis::BOTTOM, xTitle);
   styleAxis(vtkAxis::LEFT, yTitle);

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The performance of releases: history.csv, with a row for each version and commit.
+"""The performance of releases: history.csv, with a row for each version and commit, the former release's too.
 
 The first columns state what was measured, when, on what machine and how busy it was otherwise; `compared_with` is the
 former release that was measured in turns with this one. Then come figures, with the unit at the end of the name: median
@@ -47,6 +47,14 @@ def row_of(found):
     return {name: written(value) for name, value in row.items() if value is not None}
 
 
+def rows_of(found):
+    """Those of the former release, if its figures were kept, and of this one."""
+    former = found.get("former") or {}
+    if "rows" not in former:
+        return [row_of(found)]
+    return [row_of({**found, "version": former["version"], "commit": former["commit"], "rows": former["rows"], "former": None}), row_of(found)]
+
+
 def written(value):
     """A cell: four significant digits of a measured number."""
     return f"{value:.4g}" if isinstance(value, float) else str(value)
@@ -67,11 +75,12 @@ def read(text, file):
     return [dict(zip(header, row)) for row in rows[1:]]
 
 
-def with_row(rows, row):
-    """The text of a history with a row added; one of the same version and commit is replaced."""
-    kept = [each for each in rows if (each["version"], each["commit"]) != (row["version"], row["commit"])]
+def with_rows(rows, added):
+    """The text of a history with rows added; one of the same version and commit is replaced."""
+    new = {(each["version"], each["commit"]) for each in added}
+    kept = [each for each in rows if (each["version"], each["commit"]) not in new]
     out = io.StringIO()
     table = csv.DictWriter(out, COLUMNS, lineterminator="\n", restval="")
     table.writeheader()
-    table.writerows([*kept, row])
+    table.writerows([*kept, *added])
     return out.getvalue()

@@ -101,18 +101,26 @@ class Page(PageCase):
 
 class History(PageCase):
     def test_a_release_is_added_and_one_of_the_same_commit_replaced(self):
-        text = history.with_row([], history.row_of(measurement(version="0.1.0", commit="old", former=None)))
-        text = history.with_row(history.read(text, "h"), history.row_of(measurement()))
-        text = history.with_row(history.read(text, "h"), history.row_of(measurement(date="2026-12-01")))
+        text = history.with_rows([], history.rows_of(measurement(version="0.1.0", commit="old", former=None)))
+        text = history.with_rows(history.read(text, "h"), history.rows_of(measurement()))
+        text = history.with_rows(history.read(text, "h"), history.rows_of(measurement(date="2026-12-01")))
         rows = history.read(text, "h")
         self.assertEqual([(each["version"], each["date"]) for each in rows], [("0.1.0", "2026-11-24"), ("0.2.0", "2026-12-01")])
         self.assertEqual(rows[1]["rod_100_us"], "20")
         self.assertEqual((rows[1]["rod_100_ratio"], rows[1]["simulate_ratio"], rows[1]["compared_with"]), ("0.9", "1.2", "0.1.0"))
         self.assertEqual((rows[1]["plan_s"], rows[0]["rod_100_ratio"]), ("", ""))
 
+    def test_the_former_release_has_a_row_of_its_own_figures(self):
+        found = measurement()
+        found["former"]["rows"] = {"tick/rod/nodes:100": {"p50_us": 25.0, "p99_us": 80.0}}
+        rows = history.read(history.with_rows([], history.rows_of(found)), "h")
+        self.assertEqual([(each["version"], each["commit"], each["rod_100_us"]) for each in rows],
+                         [("0.1.0", "b8cf1418446e", "25"), ("0.2.0", "123456789abc", "20")])
+        self.assertEqual((rows[0]["processor"], rows[0]["compared_with"], rows[0]["rod_100_ratio"]), ("Some CPU", "", ""))
+
     def test_one_that_lacks_a_column_added_since_is_read(self):
         rows = history.read("version,commit,rod_100_us\n0.1.0,old,23\n", "h")
-        self.assertIn("\n0.1.0,old,", history.with_row(rows, history.row_of(measurement())))
+        self.assertIn("\n0.1.0,old,", history.with_rows(rows, history.rows_of(measurement())))
 
     def test_a_damaged_one_is_refused_with_its_line(self):
         for text, said in (("version,commit,speed\n", "line 1: speed is no column"), ("\x00PNG\n", "line 1"), ("commit\nabc\n", "line 1"),

@@ -26,7 +26,7 @@ TEST(CommandLine, PrintsTheDefaultOfEveryOptionThatHasOne)
   EXPECT_THAT(help("validate"), hasDefault("number of cores"));
   EXPECT_THAT(help("validate"), hasDefault("published-experiment"));
   EXPECT_THAT(help("calibrate"), hasDefault("24"));
-  EXPECT_THAT(help("predict"), hasDefault("50"));
+  EXPECT_THAT(help("predict"), hasDefault("50, with --all 12"));
   EXPECT_THAT(help("simulate"), hasDefault("0"));
   EXPECT_THAT(help("render"), hasDefault("surgeon"));
   EXPECT_THAT(help("anatomy"), hasDefault("scala"));

@@ -26,7 +26,7 @@ struct Watch {
 
 struct Database::Content {
   struct Close {
-    void operator()(sqlite3* database) const noexcept { sqlite3_close_v2(database); }
+    void operator()(sqlite3* opened) const noexcept { sqlite3_close_v2(opened); }
   };
 
   std::filesystem::path file;

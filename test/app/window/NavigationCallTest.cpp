@@ -6,7 +6,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <QString>
 #include <csignal>
 #include <fstream>
 #include <set>
@@ -23,12 +22,6 @@ namespace fs = std::filesystem;
 using namespace std::chrono_literals;
 using testing::HasSubstr;
 using testing::IsEmpty;
-
-/// "0100007F:4A00" of the loopback.
-std::string loopback(int port)
-{
-  return "0100007F:" + QString::number(port, 16).toUpper().rightJustified(4, '0').toStdString();
-}
 
 /// The program with a settings folder of its own.
 class TheProgram : public testing::Test {

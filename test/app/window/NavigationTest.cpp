@@ -37,12 +37,6 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using Position = std::array<float, 3>;
 
-/// "0100007F:4A00" of the loopback.
-std::string loopback(int port)
-{
-  return "0100007F:" + QString::number(port, 16).toUpper().rightJustified(4, '0').toStdString();
-}
-
 /// One of each message.
 struct Received {
   Position tip, tweezers;

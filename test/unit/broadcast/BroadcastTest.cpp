@@ -22,6 +22,7 @@
 #include <random>
 #include <vector>
 
+#include "perilymph/test/IgtlClient.h"
 #include "perilymph/test/waitUntil.h"
 
 namespace perilymph::broadcast {
@@ -112,13 +113,7 @@ protected:
         socket.Skip(header->GetBodySizeToRead());
         continue;
       }
-      auto message = Message::New();
-      message->SetMessageHeader(header);
-      message->AllocatePack();
-      socket.Receive(message->GetPackBodyPointer(), message->GetPackBodySize());
-      EXPECT_NE(message->Unpack(1) & igtl::MessageHeader::UNPACK_BODY, 0)
-          << "check sum of " << type;
-      return message;
+      return test::bodyOf<Message>(socket, header);
     }
     ADD_FAILURE() << "No " << type << " " << name << " came.";
     return Message::New();

@@ -12,6 +12,19 @@
 
 namespace perilymph::test {
 
+/// The message whose header was received; its check sum is expected to be right.
+template <class Message>
+typename Message::Pointer bodyOf(igtl::ClientSocket& socket, igtl::MessageHeader* header)
+{
+  auto message = Message::New();
+  message->SetMessageHeader(header);
+  message->AllocatePack();
+  socket.Receive(message->GetPackBodyPointer(), message->GetPackBodySize());
+  EXPECT_NE(message->Unpack(1) & igtl::MessageHeader::UNPACK_BODY, 0)
+      << "the check sum of " << header->GetDeviceName();
+  return message;
+}
+
 /// Receives the next message of a device; others are skipped. Fails the test if none comes.
 template <class Message>
 typename Message::Pointer receive(igtl::ClientSocket& socket, const std::string& name)
@@ -29,13 +42,7 @@ typename Message::Pointer receive(igtl::ClientSocket& socket, const std::string&
       socket.Skip(header->GetBodySizeToRead());
       continue;
     }
-    auto message = Message::New();
-    message->SetMessageHeader(header);
-    message->AllocatePack();
-    socket.Receive(message->GetPackBodyPointer(), message->GetPackBodySize());
-    EXPECT_NE(message->Unpack(1) & igtl::MessageHeader::UNPACK_BODY, 0)
-        << "the check sum of " << name;
-    return message;
+    return bodyOf<Message>(socket, header);
   }
   ADD_FAILURE() << "No " << name << " came.";
   return Message::New();

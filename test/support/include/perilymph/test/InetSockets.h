@@ -10,6 +10,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <iomanip>
 #include <set>
 #include <sstream>
 #include <string>
@@ -22,6 +23,14 @@ struct InetSocket {
   std::string place;         ///< As the kernel writes it: "0100007F:4A00" is 127.0.0.1:18944.
   bool isListening = false;  ///< TCP, waiting for clients.
 };
+
+/// The place of a port of 127.0.0.1: "0100007F:4A00".
+inline std::string loopback(int port)
+{
+  std::ostringstream text;
+  text << "0100007F:" << std::hex << std::uppercase << std::setfill('0') << std::setw(4) << port;
+  return text.str();
+}
 
 /// The network sockets that a process has open, from /proc.
 inline std::vector<InetSocket> inetSocketsOf(int process)

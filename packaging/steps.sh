@@ -145,9 +145,10 @@ configure()
   configuration_stamp >"$stamp"
 }
 
-# build <preset>: builds everything.
+# build <preset> [target]: builds everything, or a target.
 build()
 {
-  (cd "$root" && cmake --build --preset "$1" --parallel "$(jobs_for_building)") ||
-    fail "Preset $1 does not build; the compiler's words are above. If it says 'Killed', memory ran out: close programs and run this again, it goes on where it stopped."
+  local -r preset=$1 target=${2:-all}
+  (cd "$root" && cmake --build --preset "$preset" --parallel "$(jobs_for_building)" --target "$target") ||
+    fail "Preset $preset does not build; the compiler's words are above. If it says 'Killed', memory ran out: close programs and run this again, it goes on where it stopped."
 }

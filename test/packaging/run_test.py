@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """packaging/run builds, then opens the window, or without a display writes the insertion to files."""
 
+import shutil
 import sys
 import unittest
 from pathlib import Path
@@ -24,6 +25,9 @@ class Run(PretendedSystem):
         self.pretend("perilymph", "", self.programs)
         self.pretend("perilymph-cli", "", self.programs)
 
+    def built(self):
+        return [call.split()[-1] for call in self.calls("cmake") if call.startswith("--build")]
+
     def test_with_a_display_the_window_starts_its_demonstration(self):
         for display in ("DISPLAY", "WAYLAND_DISPLAY"):
             result = self.call(SCRIPT, **{display: ":7"})
@@ -43,6 +47,23 @@ class Run(PretendedSystem):
         self.assertTrue(all(call.startswith("render ") for call in self.calls("perilymph-cli")[1:]))
         self.assertIn(f"{self.root}/build/demo/surgeon.png", result.stdout)
         self.assertEqual(self.calls("perilymph"), [])
+
+    def test_the_command_line_is_built_first_and_draws_while_the_window_is_built(self):
+        self.pretend("cmake", f"""if [[ $1 == --preset ]]; then touch "build/$2/build.ninja"; fi
+            if [[ ${{!#}} == all ]]; then {shutil.which("mv")} '{self.programs}/later' '{self.programs}/perilymph'; fi""")
+        (self.programs / "perilymph").rename(self.programs / "later")
+        result = self.call(SCRIPT, DISPLAY=":7")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(self.built(), ["perilymph-cli", "all"])
+        drawn = f"{self.root}/build/demo/surgeon.png"
+        self.assertTrue(self.calls("perilymph-cli")[0].endswith(f"--out {drawn}"))
+        self.assertIn(f"The first picture is {drawn}", result.stdout)
+        self.assertEqual(self.calls("perilymph"), ["--demo"])
+
+    def test_without_a_display_the_window_is_built_after_the_picture(self):
+        lines = self.call(SCRIPT).stdout
+        self.assertEqual(self.built(), ["perilymph-cli", "all"])
+        self.assertLess(lines.index("surgeon.png"), lines.index("Building the window"))
 
     def test_the_recording_of_the_last_demonstration_makes_room(self):
         old = self.root / "build/demo/contour-published.insertion"

@@ -28,7 +28,7 @@ std::optional<InsertionBroadcast::Shown> shownBy(const InsertionControl& control
 }
 
 InsertionBroadcast::InsertionBroadcast(Source source, QObject* parent)
-    : QObject(parent), source_(std::move(source))
+    : QObject(parent), source_(std::move(source)), packing_(nullptr)
 {
   timer_.setTimerType(Qt::PreciseTimer);
   timer_.setInterval(interval_ms);
@@ -68,7 +68,23 @@ void InsertionBroadcast::end()
   server_.reset();
   endpoint_.reset();
   sent_.reset();
+  sentCt_.reset();
+  packing_.forget();
   clients_ = 0;
+}
+
+void InsertionBroadcast::sendCt(const std::optional<broadcast::PlacedCt>& ct)
+{
+  sentCt_ = ct;
+  packing_.forget();
+  server_->show(broadcast::PackedImage());
+  if (!ct) return;
+  // The only error is memory that is short; then no image answers the request.
+  packing_.run(
+      "The CT", [ct](const std::atomic<bool>&) { return broadcast::packImage(*ct); },
+      [this](Result<broadcast::PackedImage> image) {
+        if (image) server_->show(*std::move(image));
+      });
 }
 
 void InsertionBroadcast::send()
@@ -78,6 +94,7 @@ void InsertionBroadcast::send()
       server_->show(anatomy::wallSurface(*shown->anatomy, broadcast::maxSurfaceTriangles));
       sent_ = shown->anatomy;
     }
+    if (shown->ct != sentCt_) sendCt(shown->ct);
     server_->publish(broadcast::broadcastFrame(shown->now, shown->array));
   }
   const int clients = static_cast<int>(server_->figures().clients);

@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 
+#include "gui/run/Background.h"
 #include "perilymph/anatomy/ScalaTympani.h"
 #include "perilymph/broadcast/Broadcast.h"
 #include "perilymph/foundation/Result.h"
@@ -26,6 +27,8 @@ public:
     const haptics::Snapshot& now;                          ///< Used before the next event.
     const electrode::ArrayDesign& array;                   ///< Likewise.
     std::shared_ptr<const anatomy::ScalaTympani> anatomy;  ///< Not null.
+    /// The CT in which this cochlea was measured, if it is open.
+    std::optional<broadcast::PlacedCt> ct = std::nullopt;
   };
   /// Empty while nothing is shown.
   using Source = std::function<std::optional<Shown>()>;
@@ -53,12 +56,15 @@ Q_SIGNALS:
 private:
   void end();
   void send();
+  void sendCt(const std::optional<broadcast::PlacedCt>& ct);
 
   Source source_;
   QTimer timer_;
   std::unique_ptr<broadcast::Broadcast> server_;  ///< Null while it does not listen.
   std::optional<broadcast::Endpoint> endpoint_;
   std::shared_ptr<const anatomy::ScalaTympani> sent_;  ///< The cochlea whose wall is sent.
+  std::optional<broadcast::PlacedCt> sentCt_;          ///< The CT that is sent, or being packed.
+  Background packing_;
   int clients_ = 0;
 };
 

@@ -8,6 +8,7 @@
 #include <QWheelEvent>
 #include <utility>
 
+#include "gui/pages/ct/CtPage.h"
 #include "gui/pages/insert/FrameLoop.h"
 #include "gui/pages/insert/ReplayControl.h"
 #include "gui/parts/Notice.h"
@@ -44,6 +45,8 @@ MainWindow::MainWindow(session::Scenario scenario, std::optional<std::filesystem
   setFocusPolicy(Qt::ClickFocus);  // no stop of Tab, which would show no ring
   layOut();
   connectInsertion();
+  navigation_->sendCtOf(
+      [this](const session::Scenario& shown) { return pages_->ct().placedCt(shown); });
   addInsertKeys(keys_, *insert_);
   addWindowKeys(keys_, *this, *insert_);
   sheets_->help().listKeys(keys_);

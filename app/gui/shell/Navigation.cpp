@@ -16,25 +16,26 @@ QString stateKey() { return QStringLiteral("openigtlink/server"); }
 QString portKey() { return QStringLiteral("openigtlink/port"); }
 QStringList stateText() { return {QStringLiteral("off"), QStringLiteral("on")}; }
 
-std::optional<InsertionBroadcast::Shown> shownBy(const InsertPage& page)
-{
-  const ReplayControl& replay = page.replay();
-  if (replay.isOpen())
-    return InsertionBroadcast::Shown{replay.now(), replay.playback().scenario().array(),
-                                     replay.playback().anatomy()};
-  return shownBy(page.control());
-}
-
 }  // namespace
 
 Navigation::Navigation(const InsertPage& page, Notice& notice, QObject* parent)
-    : QObject(parent),
-      page_(page),
-      notice_(notice),
-      broadcast_([&page] { return shownBy(page); }, nullptr)
+    : QObject(parent), page_(page), notice_(notice), broadcast_([this] { return shown(); }, nullptr)
 {
   connect(&broadcast_, &InsertionBroadcast::changed, this, &Navigation::follow);
   connect(&broadcast_, &InsertionBroadcast::clientRefused, this, &Navigation::say);
+}
+
+std::optional<InsertionBroadcast::Shown> Navigation::shown() const
+{
+  const ReplayControl& replay = page_.replay();
+  const bool isReplay = replay.isOpen();
+  auto shown = isReplay
+                   ? InsertionBroadcast::Shown{replay.now(), replay.playback().scenario().array(),
+                                               replay.playback().anatomy()}
+                   : shownBy(page_.control());
+  if (shown && ct_)
+    shown->ct = ct_(isReplay ? replay.playback().scenario() : page_.control().scenario());
+  return shown;
 }
 
 bool Navigation::listen(const broadcast::Endpoint& endpoint)

@@ -5,6 +5,8 @@
 
 #include <QObject>
 #include <QString>
+#include <functional>
+#include <optional>
 
 #include "gui/run/InsertionBroadcast.h"
 
@@ -24,6 +26,12 @@ public:
   Navigation(const InsertPage& page, Notice& notice, QObject* parent);
 
   InsertionBroadcast& broadcast() { return broadcast_; }
+
+  /// The CT in which the cochlea of a scenario was measured; empty if none is open.
+  using CtSource =
+      std::function<std::optional<broadcast::PlacedCt>(const session::Scenario& scenario)>;
+  /// Sends the CT of what is shown, too. None is sent before.
+  void sendCtOf(CtSource source) { ct_ = std::move(source); }
 
   /// Listens at an endpoint, for this session. False if it cannot: status() says why.
   bool listen(const broadcast::Endpoint& endpoint);
@@ -49,8 +57,11 @@ private:
   void follow();
   void say(const QString& sentence);
 
+  std::optional<InsertionBroadcast::Shown> shown() const;
+
   const InsertPage& page_;
   Notice& notice_;
+  CtSource ct_;
   QString said_;   ///< The last sentence of the notice that came from here.
   QString error_;  ///< Before the broadcast, which emits signals when it ends.
   InsertionBroadcast broadcast_;

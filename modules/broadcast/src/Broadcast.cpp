@@ -144,14 +144,14 @@ struct Broadcast::Content {
   std::uint16_t port = 0;
   std::atomic<bool> isStopping{false};
   realtime::TripleBuffer<BroadcastFrame> frames;
-  std::mutex surfaceMutex;  // between the publisher's thread and the server's; no other
-  SharedBytes surface;
+  std::mutex modelMutex;  // between the publisher's thread and the server's; no other
+  SharedBytes surface, image;
   std::atomic<std::uint64_t> clients{0}, accepted{0}, closed{0}, framesPacked{0}, skipped{0};
   std::thread thread;
 
   // Owned by the server's thread.
   std::deque<Connection> connections;
-  Answers answers{nullptr, nullptr, std::make_shared<const Bytes>(capabilityMessage())};
+  Answers answers{nullptr, nullptr, nullptr, std::make_shared<const Bytes>(capabilityMessage())};
   int reports = 0;
 };
 
@@ -169,8 +169,9 @@ void Broadcast::Content::serve()
     if (waits[0].revents != 0 && ::read(wake.get(), &rings, sizeof rings) > 0) sendFrame(now);
 
     {
-      const std::lock_guard lock(surfaceMutex);
+      const std::lock_guard lock(modelMutex);
       answers.scala = surface;
+      answers.image = image;
     }
     answers.array.reset();
     for (std::size_t i = 0; i < connections.size(); ++i) {
@@ -284,8 +285,17 @@ void Broadcast::show(const anatomy::Surface& surface)
 {
   auto bytes = std::make_shared<const Bytes>(surfaceMessage(surface, scalaName));
   {
-    const std::lock_guard lock(content_->surfaceMutex);
+    const std::lock_guard lock(content_->modelMutex);
     content_->surface = std::move(bytes);
+  }
+  content_->ring();
+}
+
+void Broadcast::show(PackedImage image)
+{
+  {
+    const std::lock_guard lock(content_->modelMutex);
+    content_->image = std::move(image);
   }
   content_->ring();
 }

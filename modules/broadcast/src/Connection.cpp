@@ -56,6 +56,7 @@ void Connection::send(const Answers& answers, std::int64_t now)
     answer(wantsCapability_, answers.capability, now);
     answer(wantsScala_, answers.scala, now);
     answer(wantsArray_, answers.array, now);
+    answer(wantsImage_, answers.image, now);
     if (!isBusy()) return;
     // MSG_NOSIGNAL: a client that is gone is an error, not a signal.
     const ssize_t count = ::send(file(), sending_->data() + sent_, sending_->size() - sent_,
@@ -90,10 +91,12 @@ void Connection::receive(std::int64_t now)
 void Connection::note(const RequestReader::Request& request)
 {
   if (request.type == "GET_CAPABIL") wantsCapability_ = true;
-  if (request.type != "GET_POLYDATA") return;
-  const bool isAny = request.device.empty();
-  if (isAny || request.device == scalaName) wantsScala_ = true;
-  if (isAny || request.device == arrayName) wantsArray_ = true;
+  const auto isFor = [&](const char* type, const char* name) {
+    return request.type == type && (request.device.empty() || request.device == name);
+  };
+  if (isFor("GET_POLYDATA", scalaName)) wantsScala_ = true;
+  if (isFor("GET_POLYDATA", arrayName)) wantsArray_ = true;
+  if (isFor("GET_IMAGE", ctName)) wantsImage_ = true;
 }
 
 void Connection::checkPatience(std::int64_t now)

@@ -35,7 +35,7 @@ using SharedBytes = std::shared_ptr<const Bytes>;
 
 /// The answers to requests; null while there is none.
 struct Answers {
-  SharedBytes scala, array, capability;
+  SharedBytes scala, array, image, capability;
 };
 
 /// A connected client. Never blocks; memory is bounded by one message at a time.
@@ -73,7 +73,7 @@ private:
   RequestReader reader_;
   SharedBytes sending_;
   std::size_t sent_ = 0;
-  bool wantsScala_ = false, wantsArray_ = false, wantsCapability_ = false;
+  bool wantsScala_ = false, wantsArray_ = false, wantsImage_ = false, wantsCapability_ = false;
   std::int64_t tookAt_, finishedAt_;  // the client: bytes of ours, a message of its own [ns]
   bool hasEnded_ = false;
   std::string fault_;

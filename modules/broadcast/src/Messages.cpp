@@ -2,13 +2,16 @@
 #include "Messages.h"
 
 #include <igtlCapabilityMessage.h>
+#include <igtlImageMessage.h>
 #include <igtlPointMessage.h>
 #include <igtlPolyDataMessage.h>
 #include <igtlSensorMessage.h>
 #include <igtlTimeStamp.h>
 #include <igtlTransformMessage.h>
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <string>
 
 namespace perilymph::broadcast {
@@ -116,10 +119,42 @@ Bytes surfaceMessage(const anatomy::Surface& surface, const char* name)
   return bytes;
 }
 
+Bytes imageMessage(const ct::CtVolume& volume, const Eigen::Matrix4d& placed_WI)
+{
+  const auto [i, j, k] = volume.size();
+  const Eigen::Vector3d spacing_mm = volume.spacing_mm();
+  auto message = igtl::ImageMessage::New();
+  message->SetDimensions(i, j, k);
+  message->SetSpacing(static_cast<float>(spacing_mm[0]), static_cast<float>(spacing_mm[1]),
+                      static_cast<float>(spacing_mm[2]));
+  // The protocol's origin is the center of the image, not its first voxel.
+  const Eigen::Vector4d center_W =
+      placed_WI * Eigen::Vector4d(0.5 * (i - 1), 0.5 * (j - 1), 0.5 * (k - 1), 1.0);
+  igtl::Matrix4x4 matrix;
+  igtl::IdentityMatrix(matrix);
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column)
+      matrix[row][column] = static_cast<float>(placed_WI(row, column) / spacing_mm[column]);
+    matrix[row][3] = static_cast<float>(center_W[row]);
+  }
+  message->SetMatrix(matrix);
+  message->SetCoordinateSystem(igtl::ImageMessage::COORDINATE_RAS);
+  message->SetScalarTypeToInt16();
+  message->SetNumComponents(1);
+  message->SetEndian(std::endian::native == std::endian::little ? igtl::ImageMessage::ENDIAN_LITTLE
+                                                                : igtl::ImageMessage::ENDIAN_BIG);
+  message->AllocateScalars();
+  std::ranges::copy(volume.voxels(), static_cast<std::int16_t*>(message->GetScalarPointer()));
+  Bytes bytes;
+  auto now = timeNow();
+  append(bytes, *message, ctName, now);
+  return bytes;
+}
+
 Bytes capabilityMessage()
 {
   auto message = igtl::CapabilityMessage::New();
-  std::vector<std::string> types{"TRANSFORM", "POINT", "SENSOR", "POLYDATA", "CAPABILITY"};
+  std::vector<std::string> types{"TRANSFORM", "POINT", "SENSOR", "POLYDATA", "IMAGE", "CAPABILITY"};
   message->SetTypes(types);
   Bytes bytes;
   auto now = timeNow();

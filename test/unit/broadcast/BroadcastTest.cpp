@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <igtlCapabilityMessage.h>
 #include <igtlClientSocket.h>
+#include <igtlImageMessage.h>
 #include <igtlMessageHeader.h>
 #include <igtlPointMessage.h>
 #include <igtlPolyDataMessage.h>
@@ -249,12 +250,32 @@ TEST_F(OpenIgtLink, SendsBothSurfacesToARequestWithoutAName)
   EXPECT_GT(array->GetPolygons()->GetNumberOfCells(), 100u);
 }
 
+TEST_F(OpenIgtLink, SendsTheCtToAClientThatAsksForIt)
+{
+  const auto socket = client();
+  ask(*socket, *igtl::GetImageMessage::New(), "PerilymphCT");
+  // There is none yet: the request waits for one.
+  receive<igtl::TransformMessage>(*socket, "TRANSFORM", "PerilymphTip");
+  auto volume = ct::CtVolume::make({3, 4, 5}, Eigen::Matrix4d::Identity(),
+                                   std::vector<std::int16_t>(60, -77));
+  ASSERT_TRUE(volume);
+  PlacedCt ct{std::make_shared<const ct::CtVolume>(*std::move(volume))};
+  ct.origin_P = ct.volume->center_P();
+  server_->show(*packImage(ct));
+  const auto image = receive<igtl::ImageMessage>(*socket, "IMAGE", "PerilymphCT");
+  int size[3];
+  image->GetDimensions(size);
+  EXPECT_THAT(size, testing::ElementsAre(3, 4, 5));
+  EXPECT_EQ(*static_cast<const std::int16_t*>(image->GetScalarPointer()), -77);
+}
+
 TEST_F(OpenIgtLink, StatesWhatItSends)
 {
   const auto socket = client();
   ask(*socket, *igtl::GetCapabilityMessage::New(), "");
   const auto received = receive<igtl::CapabilityMessage>(*socket, "CAPABILITY", "Perilymph");
   EXPECT_THAT(received->GetTypes(), Contains("POLYDATA"));
+  EXPECT_THAT(received->GetTypes(), Contains("IMAGE"));
 }
 
 TEST_F(OpenIgtLink, DropsWhatClientsSend)

@@ -157,13 +157,24 @@ bool CtPage::cancel()
   return true;
 }
 
+bool CtPage::isInMeasuredCochlea(const session::Scenario& scenario) const
+{
+  return study_.measures() && !patient_.empty() && scenario.patient().label == patient_ &&
+         scenario.anatomy() == anatomy::AnatomySource::mean;
+}
+
 void CtPage::showInsertion(const session::Scenario& scenario, const anatomy::ScalaTympani& scala,
                            const haptics::Snapshot& now)
 {
-  if (!study_.measures() || patient_.empty() || scenario.patient().label != patient_ ||
-      scenario.anatomy() != anatomy::AnatomySource::mean)
-    return study_.setArray({});
+  if (!isInMeasuredCochlea(scenario)) return study_.setArray({});
   study_.setArray(insertedArray(*study_.measures(), scenario.array(), scala, now));
+}
+
+std::optional<broadcast::PlacedCt> CtPage::placedCt(const session::Scenario& scenario) const
+{
+  if (!isInMeasuredCochlea(scenario)) return std::nullopt;
+  const ct::CochleaMeasures& measures = *study_.measures();
+  return broadcast::PlacedCt{study_.volume(), measures.anatomyAxes_PW, measures.anatomyOrigin_P};
 }
 
 void CtPage::measure(bool isAtCrosshair)

@@ -6,10 +6,12 @@
 #include <QWidget>
 #include <array>
 #include <filesystem>
+#include <optional>
 
 #include "gui/pages/ct/CtStudy.h"
 #include "gui/pages/ct/CtWork.h"
 #include "gui/setup/Setup.h"
+#include "perilymph/broadcast/CtImage.h"
 #include "perilymph/haptics/Snapshot.h"
 
 namespace perilymph::gui {
@@ -32,6 +34,8 @@ public:
   /// Shows the array of an insertion in the pictures if it is in the cochlea measured here.
   void showInsertion(const session::Scenario& scenario, const anatomy::ScalaTympani& scala,
                      const haptics::Snapshot& now);
+  /// The CT and the cochlea in it, if that is the scenario's.
+  std::optional<broadcast::PlacedCt> placedCt(const session::Scenario& scenario) const;
 
   CtStudy& study() { return study_; }
   bool isBusy() const { return work_.isBusy(); }
@@ -47,6 +51,7 @@ protected:
   void dropEvent(QDropEvent* event) override;
 
 private:
+  bool isInMeasuredCochlea(const session::Scenario& scenario) const;
   void connectWork();
   void connectPanel();
   void measure(bool isAtCrosshair);

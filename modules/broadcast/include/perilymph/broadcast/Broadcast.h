@@ -10,6 +10,7 @@
 
 #include "perilymph/anatomy/Surface.h"
 #include "perilymph/broadcast/BroadcastFrame.h"
+#include "perilymph/broadcast/CtImage.h"
 #include "perilymph/foundation/Result.h"
 
 namespace perilymph::broadcast {
@@ -37,8 +38,8 @@ struct BroadcastFigures {
 };
 
 /// Sends frames to at most eight clients, from a thread of its own. Only sends: requests for the
-/// surfaces of scala and array (GET_POLYDATA) and for the types sent (GET_CAPABIL) are answered,
-/// everything else that a client sends is dropped. No client delays the publisher or another client:
+/// surfaces of scala and array (GET_POLYDATA), for the CT (GET_IMAGE) and for the types sent
+/// (GET_CAPABIL) are answered, everything else that a client sends is dropped. No client delays the publisher or another client:
 /// each has one message at most on its way, and one that takes nothing for 5 s is closed.
 class Broadcast {
 public:
@@ -60,6 +61,9 @@ public:
   /// The surface of the scala that is sent on request, in W [m]. The same thread. That of the array
   /// is made from the newest frame at the time of the request.
   void show(const anatomy::Surface& surface);
+  /// The CT that is sent on request; null ends that. The same thread. A client that receives it
+  /// misses the frames of that time.
+  void show(PackedImage image);
 
   /// Any thread.
   BroadcastFigures figures() const noexcept;

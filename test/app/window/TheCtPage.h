@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// The page CT of a window, with a phantom as its scan.
+
+#include <gtest/gtest.h>
+
+#include <QMouseEvent>
+#include <QTest>
+
+#include "OwnFolders.h"
+#include "WindowRig.h"
+#include "gui/pages/ct/CtPage.h"
+#include "gui/pages/ct/PlaneView.h"
+#include "perilymph/test/CtPhantom.h"
+#include "perilymph/test/DicomWriter.h"
+#include "perilymph/test/TemporaryFolder.h"
+
+namespace perilymph::test {
+
+/// A phantom of 0.3 mm as a folder of DICOM files, made once.
+struct CtOnDisk {
+  CtPhantom phantom = makeCtPhantom(203, highResolutionScan());
+  TemporaryFolder folder;
+  CtOnDisk() { writeDicomFiles(dicomSlices(phantom.volume), folder / "ct"); }
+};
+
+inline const CtOnDisk& onDisk()
+{
+  static const CtOnDisk made;
+  return made;
+}
+
+class TheCtPage : public testing::Test {
+protected:
+  TheCtPage()
+  {
+    rig_.click("ctPageButton");
+    page().open(onDisk().folder / "ct");
+    EXPECT_TRUE(WindowRig::comes([this] { return study().hasCt(); }));
+  }
+
+  gui::CtPage& page() { return rig_.window().pages().ct(); }
+  gui::CtStudy& study() { return page().study(); }
+  gui::PlaneView& view(int plane)
+  {
+    return *rig_.window().findChild<gui::PlaneView*>(QStringLiteral("planeView%1").arg(plane));
+  }
+  void measure()
+  {
+    study().moveCrosshair(onDisk().phantom.inside_P);
+    rig_.click("measureHereButton");
+    ASSERT_TRUE(WindowRig::comes([this] { return study().measures().has_value(); }));
+  }
+  void drag(gui::PlaneView& view, const QPointF& from, const QPointF& by)
+  {
+    const QPoint start = from.toPoint(), end = (from + by).toPoint();
+    QTest::mousePress(&view, Qt::LeftButton, Qt::NoModifier, start);
+    QMouseEvent move(QEvent::MouseMove, QPointF(end), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(&view, &move);
+    QTest::mouseRelease(&view, Qt::LeftButton, Qt::NoModifier, end);
+  }
+
+  DataFolder data_;
+  WindowRig rig_;
+};
+
+}  // namespace perilymph::test

@@ -3100,6 +3100,34 @@
         <source>%1–%2 mN</source>
         <translation>%1–%2 mN</translation>
     </message>
+    <message>
+        <source>ruptured at %1° by %2 mN</source>
+        <translation>bei %1° mit %2 mN rupturiert</translation>
+    </message>
+    <message>
+        <source>translocation: ruptured at %1° by %2 mN, %3 mm above</source>
+        <translation>Translokation: bei %1° mit %2 mN rupturiert, %3 mm darüber</translation>
+    </message>
+    <message>
+        <source>SV</source>
+        <translation>SV</translation>
+    </message>
+    <message>
+        <source>SV: above the cochlear partition, in the scala vestibuli.</source>
+        <translation>SV: über der cochleären Trennwand, in der Scala vestibuli.</translation>
+    </message>
+    <message>
+        <source>rupture</source>
+        <translation>Ruptur</translation>
+    </message>
+    <message>
+        <source>mean %1 mm, %2 below the partition, %3 above</source>
+        <translation>Mittel %1 mm, %2 unter der Trennwand, %3 darüber</translation>
+    </message>
+    <message>
+        <source>%1 above the partition</source>
+        <translation>%1 über der Trennwand</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::AboutSheet</name>
@@ -3596,6 +3624,14 @@
     <message>
         <source>Deepest angle</source>
         <translation>Insertionswinkel</translation>
+    </message>
+    <message>
+        <source>rupture at %1°</source>
+        <translation>Ruptur bei %1°</translation>
+    </message>
+    <message>
+        <source>Translocation</source>
+        <translation>Translokation</translation>
     </message>
 </context>
 <context>
@@ -4106,10 +4142,6 @@
         <translation>bei %1°</translation>
     </message>
     <message>
-        <source>The scala tympani seen along the modiolar axis and unrolled. Bars: normal wall force per millimeter of array; rings: forces from floor and roof.</source>
-        <translation>Die Scala tympani entlang der Modiolusachse gesehen und abgewickelt. Balken: normale Wandkraft je Millimeter Träger; Ringe: Kräfte von Boden und Dach.</translation>
-    </message>
-    <message>
         <source>Half-plane through the modiolar axis at the tip, to scale; the angle is measured from the round window. The arrow shows the normal wall force on the last millimeter of array. Where the wall is compliant, the array extends past its outline.</source>
         <translation>Halbebene durch die Modiolusachse an der Spitze, maßstäblich; der Winkel zählt ab dem runden Fenster. Der Pfeil zeigt die normale Wandkraft auf den letzten Millimeter des Trägers. Wo die Wand nachgibt, ragt der Träger über ihre Kontur.</translation>
     </message>
@@ -4120,6 +4152,14 @@
     <message>
         <source>Distance from the center line of the array at each contact (1 at the tip) to the inner wall, toward the modiolar axis.</source>
         <translation>Abstand der Mittellinie des Trägers an jedem Kontakt (1 an der Spitze) zur Innenwand in Richtung Modiolusachse.</translation>
+    </message>
+    <message>
+        <source>The scala tympani seen along the modiolar axis and unrolled. Bars: normal wall force per millimeter of array; rings: forces from floor and roof. Red: where the cochlear partition is torn, and the array above it.</source>
+        <translation>Die Scala tympani entlang der Modiolusachse gesehen und abgewickelt. Balken: normale Wandkraft je Millimeter Träger; Ringe: Kräfte von Boden und Dach. Rot: wo die cochleäre Trennwand gerissen ist, und der Träger darüber.</translation>
+    </message>
+    <message>
+        <source>at %1°, tip in the scala vestibuli</source>
+        <translation>bei %1°, Spitze in der Scala vestibuli</translation>
     </message>
 </context>
 <context>

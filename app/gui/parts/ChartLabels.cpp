@@ -53,6 +53,9 @@ ChartStyle chartStyle()
       .tipIsOutside = tr("tip is outside the cochlea"),
       .noContactInside = tr("no contact inserted yet"),
       .meanAndInside = tr("mean %1 mm, %2 inserted"),
+      .meanAndAbove = tr("mean %1 mm, %2 below the partition, %3 above"),
+      .onlyAbove = tr("%1 above the partition"),
+      .rupture = tr("rupture"),
       .decimalSign = decimalSign(),
   };
   return style;

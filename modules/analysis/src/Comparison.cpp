@@ -43,6 +43,10 @@ Result<ComparedInsertion> readCompared(const std::filesystem::path& file,
     profiler.add(record);
     reversals.add(record.output.travel);
     motion.add(record.output);
+    if ((record.output.status & haptics::partitionRuptured) != 0 &&
+        (!compared.translocation ||
+         compared.translocation->lengthAbove < record.output.translocation.lengthAbove))
+      compared.translocation = record.output.translocation;
     isStopped = goesOn && record.tick % 1000 == 0 && !goesOn();
     return !isStopped;
   });
@@ -60,7 +64,7 @@ std::string comparisonCsv(const std::vector<ComparedInsertion>& insertions)
 {
   std::string csv =
       "name,scenario,peak_N,peak_travel_mm,peak_depth_mm,work_mJ,reversals,duration_s,"
-      "final_depth_mm,final_angle_deg\n";
+      "final_depth_mm,final_angle_deg,rupture_angle_deg,rupture_N,above_mm\n";
   for (const ComparedInsertion& each : insertions) {
     const ForceProfile& profile = each.profile;
     csv += csvField(each.name) + "," + csvField(each.scenario);
@@ -70,6 +74,12 @@ std::string comparisonCsv(const std::vector<ComparedInsertion>& insertions)
           static_cast<double>(each.reversals), profile.duration,
           inMillimeters(meters(profile.finalDepth)), inDegrees(radians(profile.finalAngle))})
       csv += "," + session::shortestDecimal(value);
+    if (const auto& found = each.translocation)
+      csv += "," + session::shortestDecimal(inDegrees(radians(found->angle))) + "," +
+             session::shortestDecimal(found->force) + "," +
+             session::shortestDecimal(inMillimeters(meters(found->lengthAbove)));
+    else
+      csv += ",,,";
     csv += "\n";
   }
   return csv;

@@ -61,16 +61,21 @@ void ArrayInScala::follow(const haptics::Snapshot& now)
 {
   nodes_.clear();
   nodes_W_.clear();
+  torn_deg_.clear();
   const std::size_t count = std::min<std::size_t>(now.nodes, mechanics::maxNodes);
   if (count < 2) return;
   for (std::size_t i = 0; i < count; ++i)
     if (!nodeOf(now, i).allFinite()) return;
 
+  for (std::size_t k = 0; k < std::min<std::size_t>(now.ruptures, now.ruptured.size()); ++k)
+    torn_deg_.push_back(
+        {inDegrees(radians(now.ruptured[k][0])), inDegrees(radians(now.ruptured[k][1]))});
   anatomy::LumenTrack track = scala_.startTrack();
   for (std::size_t i = 0; i < count; ++i) {
     const Eigen::Vector3d node_W = nodeOf(now, i);
     Eigen::Vector3d across_W, duct_W;
     NodePlace found = place(node_W, track, across_W, duct_W);
+    found.isAbove = now.isAbove[i];
     found.fromTip_mm = inMillimeters(array_.length) * (1.0 - double(i) / double(count - 1));
 
     const std::size_t before = i == 0 ? 0 : i - 1;

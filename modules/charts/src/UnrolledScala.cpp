@@ -69,6 +69,29 @@ void drawContacts(PlotSheet& sheet, const ArrayInScala& now, const figures::Sche
   }
 }
 
+/// Outlines the parts of the array above the partition.
+void outlineAbove(PlotSheet& sheet, const ArrayInScala& now, const figures::SchemeInks& ink)
+{
+  std::vector<PagePoint> upper, lower;
+  const auto finish = [&] {
+    for (std::vector<PagePoint>* side : {&upper, &lower}) {
+      if (side->size() > 1) sheet.add(Stroke{*side, ink.rupture, 2.0, 0.0});
+      side->clear();
+    }
+  };
+  for (const NodePlace& node : now.nodes()) {
+    if (!node.isAbove) {
+      finish();
+      continue;
+    }
+    const Length place = millimeters(node.fromTip_mm);
+    const double radius_mm = 0.5 * inMillimeters(now.array().sectionAt(place).within);
+    upper.push_back(sheet.at(node.angle_deg, node.across_mm + radius_mm));
+    lower.push_back(sheet.at(node.angle_deg, node.across_mm - radius_mm));
+  }
+  finish();
+}
+
 void drawArray(PlotSheet& sheet, const ArrayInScala& now, const figures::SchemeInks& ink)
 {
   std::vector<PagePoint> upper, lower;
@@ -85,6 +108,7 @@ void drawArray(PlotSheet& sheet, const ArrayInScala& now, const figures::SchemeI
   drawContacts(sheet, now, ink);
   upper.push_back(upper.front());
   sheet.add(Stroke{upper, ink.ground, 1.0, 0.0});
+  outlineAbove(sheet, now, ink);
 }
 
 }  // namespace
@@ -148,6 +172,20 @@ figures::Drawing UnrolledScala::draw(const ArrayInScala& now, double width, doub
   sheet.add(Stroke{inner, ink.bone, 1.5, 0.0});
   sheet.add(Stroke{{outer.front(), inner.front()}, figures::faded(ink.bone, 0.5), 1.0, 4.0});
 
+  for (const auto& [from_deg, to_deg] : now.torn_deg()) {
+    std::vector<PagePoint> torn, modiolar;
+    double foot = sheet.top();
+    for (double at_deg = from_deg; at_deg < to_deg + step_deg; at_deg += step_deg) {
+      const Width here = widthAt(std::min(at_deg, to_deg));
+      torn.push_back(sheet.at(here.angle_deg, here.outer_mm));
+      modiolar.push_back(sheet.at(here.angle_deg, here.inner_mm));
+      foot = std::max(foot, modiolar.back().y);
+    }
+    torn.insert(torn.end(), modiolar.rbegin(), modiolar.rend());
+    sheet.add(Area{torn, figures::faded(ink.rupture, 0.35)});
+    sheet.write({sheet.x(0.5 * (from_deg + to_deg)), foot + 13.0}, strings.rupture, ink.rupture,
+                Anchor::middle);
+  }
   drawArray(sheet, now, ink);
   const double length_px = bar_px / bar_mN_mm;
   for (const Stretch& here : stretches(now)) {

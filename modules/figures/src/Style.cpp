@@ -20,6 +20,7 @@ const SchemeInks& inksOf(ColorScheme scheme)
       .membrane = {{0xC7, 0x80, 0x8B}, 1.0},
       .silicone = {{0xDC, 0xE4, 0xE9}, 1.0},
       .platinum = {{0x5E, 0x6C, 0x77}, 1.0},
+      .rupture = {{0xFF, 0x4D, 0x4D}, 1.0},
   };
   // the same hues, dark enough for a white background
   static constexpr SchemeInks light{
@@ -37,6 +38,7 @@ const SchemeInks& inksOf(ColorScheme scheme)
       .membrane = {{0xA8, 0x47, 0x5A}, 1.0},
       .silicone = {{0x84, 0x96, 0xA1}, 1.0},
       .platinum = {{0x46, 0x53, 0x5D}, 1.0},
+      .rupture = {{0xB0, 0x00, 0x20}, 1.0},
   };
   return scheme == ColorScheme::light ? light : dark;
 }

@@ -181,6 +181,21 @@ TEST_F(PdfReport, NamesLiningAndRimOfTheWall)
   EXPECT_TRUE(std::regex_search(text(2), std::regex("Stiffness of the opening.s rim +441")));
 }
 
+TEST_F(PdfReport, SaysWhereThePartitionRupturedAndWhichContactsAreAboveIt)
+{
+  report("surgery-flex28", {{"array", "contour"},
+                            {"stop_travel_mm", "17"},
+                            {"friction", "soap-10"},
+                            {"approach_tilt_deg", "15"},
+                            {"speed_mm_s", "2"},
+                            {"dt_ms", "2"},
+                            {"partition_strength_N", "0.042"}});
+  const std::string record = text(1, 1);
+  EXPECT_THAT(record, HasSubstr("translocation: ruptured at 59° by 42 mN, 7.3 mm above"));
+  EXPECT_TRUE(std::regex_search(record, std::regex("[0-9] +SV ")));
+  EXPECT_THAT(record, HasSubstr("SV: above the cochlear partition, in the scala vestibuli."));
+}
+
 TEST_F(PdfReport, NamesPatientAndEarOnEveryPage)
 {
   report("mean-flex28", {{"patient", leftPatient()}, {"stop_travel_mm", "3.0"}});

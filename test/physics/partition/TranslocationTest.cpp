@@ -120,6 +120,17 @@ TEST(Translocation, OfAStiffArrayTiltedUpward)
   EXPECT_EQ(run.changedSide, 0);
 }
 
+TEST(Translocation, IsShownNodeByNode)
+{
+  const Push& run = pushedIn();
+  const auto shown = std::make_unique<haptics::Snapshot>();
+  run.insertion->loop().engine().fill(*shown);
+  EXPECT_EQ(shown->isAbove.count(), std::size_t(run.above));
+  for (std::size_t i = 0; i < shown->nodes; ++i)
+    EXPECT_EQ(shown->isAbove[i], run.state().partition.isAbove[i] != 0) << i;
+  EXPECT_EQ(shown->ruptures, 1u);
+}
+
 TEST(Translocation, LeavesTheArrayWithinBoneAndEveryStepBalanced)
 {
   const Push& run = pushedIn();

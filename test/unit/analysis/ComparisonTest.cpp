@@ -46,6 +46,17 @@ TEST(CurvesOfRecordings, ShareOneAxisAndKeepGaps)
   EXPECT_EQ(csv, "travel_mm,a_N,\"b, c_N\"\n0.1,0.5,\n0.2,0.25,1\n");
 }
 
+TEST(ComparedRecordings, StateTheRuptureOfThePartition)
+{
+  auto whole = insertion("a", {}), torn = whole;
+  torn.translocation = haptics::Translocation{
+      .angle = degrees(180.0).si(), .force = 0.0425, .depth = 12e-3, .lengthAbove = 3.5e-3};
+  const std::string csv = comparisonCsv({whole, torn});
+  EXPECT_THAT(csv, testing::HasSubstr("final_angle_deg,rupture_angle_deg,rupture_N,above_mm\na,"));
+  EXPECT_THAT(csv, testing::HasSubstr(",0,,,\n"));
+  EXPECT_THAT(csv, testing::EndsWith(",180,0.0425,3.5\n"));
+}
+
 TEST(Quantile, InterpolatesBetweenOrderedValues)
 {
   EXPECT_DOUBLE_EQ(quantile({4.0, 1.0, 3.0, 2.0}, 0.5), 2.5);

@@ -92,6 +92,19 @@ TEST_F(ContactsAlongTheCenters, LieInsideTheLumen)
   }
 }
 
+TEST_F(ContactsAlongTheCenters, AreMarkedWhereTheyAreAboveThePartition)
+{
+  for (std::size_t i = 75; i < nodes; ++i) now.isAbove.set(i);  // the last quarter
+  for (const ContactPosition& contact : contactPositions(*scala, array, now)) {
+    const bool isLastQuarter = contact.number - 0.5 < 0.25 * length_mm - 0.2;
+    EXPECT_EQ(contact.isAbove, isLastQuarter) << contact.number;
+    EXPECT_EQ(contact.toModiolus.si() < 0.0, isLastQuarter) << contact.number;
+    if (isLastQuarter) {
+      EXPECT_GT(contact.frequency_Hz, 0.0);  // its angle is as without a rupture
+    }
+  }
+}
+
 TEST_F(ContactsAlongTheCenters, CoverTheOrganOfCortiUpToTheMostApicalOne)
 {
   const auto rows = sectionRows(*scala, degrees(1));

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "RingScala.h"
 
 namespace perilymph::charts {
@@ -58,16 +60,40 @@ TEST(ContactDistances, HasNoneWithoutAnArray)
   for (const ContactDistance& contact : distances(none)) EXPECT_FALSE(contact.isInside);
 }
 
+TEST(ContactDistances, AreNotMeasuredAboveThePartition)
+{
+  haptics::Snapshot now = test::laidTo(300.0, 0.4);
+  // the last 4 mm of 20: the contact 2 mm from the tip, not the next one
+  for (std::size_t i = 81; i < test::ringNodes; ++i) now.isAbove.set(i);
+  const auto contacts = distances(now);
+  ASSERT_EQ(contacts.size(), 2u);
+  EXPECT_TRUE(contacts[0].isInside && contacts[0].isAbove);
+  EXPECT_LT(contacts[0].toInnerWall_mm, 0.0);
+  EXPECT_FALSE(contacts[1].isAbove);
+  EXPECT_GT(contacts[1].toInnerWall_mm, 0.0);
+}
+
+bool isSaid(const std::vector<ContactDistance>& contacts, const std::string& text)
+{
+  const figures::Drawing drawing = drawContactDistances(contacts, 400.0, 180.0);
+  return std::ranges::any_of(drawing.marks, [&](const figures::Mark& mark) {
+    const auto* label = std::get_if<figures::Label>(&mark);
+    return label != nullptr && label->text == text;
+  });
+}
+
+TEST(ContactDistances, ThoseAboveThePartitionAreCountedApart)
+{
+  EXPECT_TRUE(isSaid({{true, 90.0, -1.0, true}, {true, 80.0, 1.0}},
+                     "mean 1.00 mm, 1 below the partition, 1 above"));
+  EXPECT_TRUE(isSaid({{true, 90.0, -1.0, true}}, "1 above the partition"));
+}
+
 TEST(ContactDistances, TheirMeanIsWrittenOverThem)
 {
   const std::vector<ContactDistance> contacts{
       {true, 90.0, 0.5}, {true, 80.0, 1.0}, {false, 0.0, -1.0}};
-  const figures::Drawing drawing = drawContactDistances(contacts, 200.0, 180.0);
-  bool isSaid = false;
-  for (const figures::Mark& mark : drawing.marks)
-    if (const auto* label = std::get_if<figures::Label>(&mark))
-      isSaid = isSaid || label->text == "mean 0.75 mm, 2 inserted";
-  EXPECT_TRUE(isSaid);
+  EXPECT_TRUE(isSaid(contacts, "mean 0.75 mm, 2 inserted"));
 }
 
 }  // namespace

@@ -22,6 +22,7 @@ using figures::Label;
 using figures::Stroke;
 
 constexpr Ink silicone{{0xDC, 0xE4, 0xE9}, 1.0};
+constexpr Ink rupture{{0xFF, 0x4D, 0x4D}, 1.0}, tornLumen{{0xFF, 0x4D, 0x4D}, 0.35};
 constexpr Ink orange{{0xE6, 0x9F, 0x00}, 1.0};
 constexpr double pixel = 1.0;
 
@@ -136,6 +137,30 @@ TEST(UnrolledScala, ABarIsAsLongAsItsLegendSays)
   const double half =
       boxOf(bars.front().points).height() - 1.5;  // it starts at the edge of the wall's line
   EXPECT_NEAR(2.0 * half, boxOf(bars.back().points).height(), pixel);
+}
+
+TEST(UnrolledScala, ShowsWhereThePartitionIsTornAndWhatIsAboveIt)
+{
+  haptics::Snapshot now = test::laidTo(300.0, 0.4);
+  EXPECT_FALSE(label(unrolled(now), "rupture"));
+  now.ruptures = 1;
+  now.ruptured[0] = {degrees(200.0).si(), degrees(240.0).si()};
+  for (std::size_t i = 80; i <= 100; ++i) now.isAbove.set(i);  // from 240 degrees on
+  const Drawing drawing = unrolled(now);
+  const Axes axes(drawing);
+  const auto torn = all<Area>(drawing, tornLumen);
+  ASSERT_EQ(torn.size(), 1u);
+  const Box range = boxOf(torn.front().points);
+  EXPECT_NEAR(axes.angle_deg(range.left), 200.0, 0.5);
+  EXPECT_NEAR(axes.angle_deg(range.right), 240.0, 0.5);
+  EXPECT_NEAR(axes.angle_deg(label(drawing, "rupture")->at.x), 220.0, 0.5);
+  const auto above = all<Stroke>(drawing, rupture);
+  ASSERT_EQ(above.size(), 2u);  // both sides of the array
+  for (const Stroke& side : above) {
+    const Box outline = boxOf(side.points);
+    EXPECT_NEAR(axes.angle_deg(outline.left), 240.0, 0.5);
+    EXPECT_NEAR(axes.angle_deg(outline.right), 300.0, 0.5);
+  }
 }
 
 TEST(UnrolledScala, DrawsTheScalaAloneWhenTheSnapshotIsNotFinite)

@@ -13,6 +13,7 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 #include <QVariant>
+#include <algorithm>
 
 #include "gui/pages/compare/ComparisonPlot.h"
 #include "gui/parts/DataText.h"
@@ -29,7 +30,19 @@ namespace perilymph::gui {
 
 namespace {
 
-enum Column { run, atCursor, peak, peakDepth, work, reversals, duration, angle, score, columns };
+enum Column {
+  run,
+  atCursor,
+  peak,
+  peakDepth,
+  work,
+  reversals,
+  duration,
+  angle,
+  translocation,
+  score,
+  columns
+};
 
 constexpr int rowHeight_px = 44;  // two lines
 constexpr int swatchWidth_px = 36;
@@ -56,6 +69,17 @@ QString titleOf(const analysis::ComparedInsertion& insertion)
            QString::fromStdString(subject.patient),
            subject.side == "left" ? ComparePage::tr("left") : ComparePage::tr("right"),
            utc.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm")));
+}
+
+/// "3.2 mm" of the array in the scala vestibuli, "rupture at 210°" without it; a dash if the partition
+/// held.
+QString translocationText(const analysis::ComparedInsertion& each)
+{
+  if (!each.translocation) return ComparePage::tr("–");
+  const double above_mm = inMillimeters(meters(each.translocation->lengthAbove));
+  if (above_mm > 0.0) return ComparePage::tr("%1 mm").arg(numberText(above_mm, 1));
+  return ComparePage::tr("rupture at %1°")
+      .arg(numberText(inDegrees(radians(each.translocation->angle)), 0));
 }
 
 QPixmap swatch(std::size_t number)
@@ -133,10 +157,10 @@ QWidget* ComparePage::addRuns()
   table_->verticalHeader()->setDefaultSectionSize(sized(rowHeight_px));
   table_->horizontalHeader()->setFont(typeface(11));
   table_->horizontalHeader()->setHighlightSections(false);
-  table_->setHorizontalHeaderLabels({tr("Insertion"), tr("At cursor"), tr("Peak force"),
-                                     tr("at depth"), tr("Insertion work"), tr("Reversals"),
-                                     tr("Time"), tr("Deepest angle"), tr("Score")});
-  const int widths_px[] = {200, 104, 96, 88, 120, 84, 76, 100, 96};
+  table_->setHorizontalHeaderLabels(
+      {tr("Insertion"), tr("At cursor"), tr("Peak force"), tr("at depth"), tr("Insertion work"),
+       tr("Reversals"), tr("Time"), tr("Deepest angle"), tr("Translocation"), tr("Score")});
+  const int widths_px[] = {200, 104, 96, 88, 120, 84, 76, 100, 112, 96};
   for (int column = 0; column < columns; ++column) {
     table_->horizontalHeader()->resizeSection(column, widths_px[column]);
     table_->horizontalHeaderItem(column)->setTextAlignment(
@@ -228,6 +252,7 @@ void ComparePage::fillTable()
         {reversals, QString::number(each.reversals)},
         {duration, tr("%1 s").arg(numberText(profile.duration, 1))},
         {angle, tr("%1°").arg(numberText(inDegrees(radians(profile.deepestAngle)), 0))},
+        {translocation, translocationText(each)},
         {score, scored ? tr("%1 of 100").arg(numberText(scored->total, 0)) : tr("none")},
         {atCursor, QString()}};
     for (const auto& [column, caption] : cells) {
@@ -244,6 +269,10 @@ void ComparePage::fillTable()
       table_->setItem(row, column, item);
     }
   }
+  const auto isTorn = [](const analysis::ComparedInsertion& each) {
+    return each.translocation.has_value();
+  };
+  table_->setColumnHidden(translocation, std::ranges::none_of(runs_, isTorn));
   // height of its rows, up to five
   constexpr int maxColumns = 5;
   const int rows = std::min(maxColumns, std::max(1, int(runs_.size())));

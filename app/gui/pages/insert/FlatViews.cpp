@@ -28,7 +28,8 @@ FlatViews::FlatViews(QWidget* parent) : QObject(parent)
   addView(PaneRole::unrolled, QStringLiteral("unrolledPane"), tr("Unrolled scala tympani"),
           tr("angle from round window; width, mm"),
           tr("The scala tympani seen along the modiolar axis and unrolled. Bars: normal wall force "
-             "per millimeter of array; rings: forces from floor and roof."),
+             "per millimeter of array; rings: forces from floor and roof. Red: where the cochlear "
+             "partition is torn, and the array above it."),
           [](const Scene& scene, double width, double height) {
             return scene.unrolled.draw(scene.array, width, height);
           });
@@ -92,8 +93,11 @@ void FlatViews::show(const haptics::Snapshot& now)
   isShown_ = true;
   scene_->array.follow(now);
   for (const View& view : views_) view.plot->refresh();
-  sectionPane_->setNote(
-      tr("at %1°").arg(numberText(charts::TipSection::angle_deg(scene_->array), 0)));
+  const QString angle = numberText(charts::TipSection::angle_deg(scene_->array), 0);
+  const auto& nodes = scene_->array.nodes();
+  sectionPane_->setNote(!nodes.empty() && nodes.back().isAbove
+                            ? tr("at %1°, tip in the scala vestibuli").arg(angle)
+                            : tr("at %1°").arg(angle));
 }
 
 }  // namespace perilymph::gui

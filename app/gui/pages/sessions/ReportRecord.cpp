@@ -63,6 +63,15 @@ double paintIdentification(ReportSheet& sheet, const ReportContent& content,
   return std::max(left, right);
 }
 
+QString ruptureText(const haptics::Translocation& found)
+{
+  const QString angle = numberText(inDegrees(radians(found.angle)), 0);
+  const QString force = numberText(inMillinewtons(newtons(found.force)), 0);
+  if (!(found.lengthAbove > 0.0)) return tr("ruptured at %1° by %2 mN").arg(angle, force);
+  return tr("translocation: ruptured at %1° by %2 mN, %3 mm above")
+      .arg(angle, force, numberText(inMillimeters(meters(found.lengthAbove)), 1));
+}
+
 struct ResultRow {
   QString name, value, detail;
 };
@@ -78,10 +87,12 @@ double paintResults(ReportSheet& sheet, const ReportContent& content, double x_m
   const auto degreesText = [](Angle angle) {
     return tr("%1°").arg(numberText(inDegrees(angle), 0));
   };
-  const QString partition = content.rupture ? tr("rupture reported at %1–%2 mN (unverified)")
-                                                  .arg(numberText(content.rupture->low * 1e3, 0),
-                                                       numberText(content.rupture->high * 1e3, 0))
-                                            : QString();
+  const auto& torn = content.insertion.translocation;
+  const QString partition = torn              ? ruptureText(*torn)
+                            : content.rupture ? tr("rupture reported at %1–%2 mN (unverified)")
+                                                    .arg(numberText(content.rupture->low * 1e3, 0),
+                                                         numberText(content.rupture->high * 1e3, 0))
+                                              : QString();
   const std::vector<ResultRow> results = {
       {tr("Peak insertion force"), mN(profile.peak.force),
        tr("at insertion depth %1 mm").arg(numberText(profile.peakDepth * 1e3, 1))},
@@ -154,7 +165,8 @@ double paintContacts(ReportSheet& sheet, const ReportContent& content, double y_
                  ReportFace::quiet, Qt::AlignRight);
       continue;
     }
-    const QString distance = contact.toModiolus.si() < 0.0
+    const QString distance = contact.isAbove ? tr("SV")
+                             : contact.toModiolus.si() < 0.0
                                  ? QStringLiteral("–")
                                  : numberText(inMillimeters(contact.toModiolus), 2);
     paintRow(x_mm, top_mm,
@@ -163,6 +175,10 @@ double paintContacts(ReportSheet& sheet, const ReportContent& content, double y_
              ReportFace::text);
   }
   y_mm += contactRow_mm * double(half) + 0.8;
+  if (std::ranges::any_of(content.contacts, &analysis::ContactPosition::isAbove))
+    y_mm += sheet.paragraph(0.0, y_mm, width_mm,
+                            tr("SV: above the cochlear partition, in the scala vestibuli."),
+                            ReportFace::quiet);
   return y_mm +
          sheet.paragraph(
              0.0, y_mm, width_mm,

@@ -2,6 +2,7 @@
 #include "perilymph/analysis/ContactPositions.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "perilymph/analysis/AnatomyMeasures.h"
 #include "perilymph/analysis/Tonotopy.h"
@@ -22,7 +23,9 @@ std::vector<ContactPosition> contactPositions(const anatomy::ScalaTympani& scala
   const OrganOfCorti organ(scala);
 
   std::vector<ContactPosition> contacts;
+  const double length = array.length.si();
   for (const mechanics::ContactOutcome& each : outcome) {
+    const double node = std::round((1.0 - each.fromTip / length) * static_cast<double>(count - 1));
     ContactPosition contact;
     contact.number = static_cast<int>(contacts.size()) + 1;
     contact.isInserted = each.isInside;
@@ -31,7 +34,8 @@ std::vector<ContactPosition> contactPositions(const anatomy::ScalaTympani& scala
       contact.angle = radians(each.angle);
       contact.coverage = organ.fractionAt(contact.angle);
       contact.frequency_Hz = greenwoodFrequency(1.0 - contact.coverage);
-      contact.toModiolus = meters(each.toInnerWall);
+      contact.isAbove = now.isAbove[static_cast<std::size_t>(std::max(0.0, node))];
+      contact.toModiolus = meters(contact.isAbove ? -1.0 : each.toInnerWall);
     }
     contacts.push_back(contact);
   }

@@ -27,6 +27,9 @@ struct ComparedInsertion {
   ForceProfile profile;
   int reversals = 0;  ///< Over the whole insertion.
   Motion motion;      ///< Up to the maximum depth.
+  /// The rupture of the cochlear partition, with the most of the array that was above it at a time;
+  /// empty if the partition held.
+  std::optional<haptics::Translocation> translocation;
 };
 
 /// Reads a whole recording. `goesOn` is called from time to time and returns false to stop.
@@ -34,7 +37,8 @@ Result<ComparedInsertion> readCompared(const std::filesystem::path& file,
                                        const std::function<bool()>& goesOn = {});
 
 /// `name, scenario, peak_N, peak_travel_mm, peak_depth_mm, work_mJ, reversals, duration_s,
-/// final_depth_mm, final_angle_deg`, one row per recording.
+/// final_depth_mm, final_angle_deg, rupture_angle_deg, rupture_N, above_mm`, one row per recording;
+/// the last three are empty if the partition held.
 std::string comparisonCsv(const std::vector<ComparedInsertion>& insertions);
 
 /// `travel_mm` and a column `<name>_N` per recording, every 0.1 mm; empty where it has no point.

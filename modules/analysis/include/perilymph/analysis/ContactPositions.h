@@ -16,12 +16,13 @@ namespace perilymph::analysis {
 struct ContactPosition {
   int number = 0;  ///< 1 at the tip.
   bool isInserted = false;
+  bool isAbove = false;       ///< Above the cochlear partition, in the scala vestibuli.
   Length depth;               ///< Along the array past the opening; negative outside.
   Angle angle;                ///< From the center of the round window, full turns included.
   double coverage = 0.0;      ///< Part of the organ of Corti basal to it, 0 to 1.
   double frequency_Hz = 0.0;  ///< Greenwood's frequency at that place.
   /// From the center line of the array to the inner wall, toward the modiolar axis; negative if no
-  /// lumen is in that direction.
+  /// lumen is in that direction, and above the partition.
   Length toModiolus;
 };
 

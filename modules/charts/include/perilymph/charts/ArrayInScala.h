@@ -4,6 +4,7 @@
 // Position of the array in the scala's own coordinates, for flat views.
 
 #include <Eigen/Core>
+#include <array>
 #include <vector>
 
 #include "perilymph/anatomy/ScalaTympani.h"
@@ -16,6 +17,7 @@ namespace perilymph::charts {
 struct NodePlace {
   double fromTip_mm = 0.0;
   bool isInside = false;  ///< Past the plane of the opening.
+  bool isAbove = false;   ///< Above the cochlear partition, in the scala vestibuli.
   /// Angle from the round window, full turns included. Negative in the straight lead-in, as if the
   /// circle of the first section continued.
   double angle_deg = 0.0;
@@ -43,6 +45,8 @@ public:
   const std::vector<Eigen::Vector3d>& nodes_W() const { return nodes_W_; }
   /// Linear interpolation between nodes; the tip for 0 or less. Requires nodes.
   NodePlace at(double fromTip_mm) const;
+  /// Angles from the round window between which the cochlear partition is torn [degrees].
+  const std::vector<std::array<double, 2>>& torn_deg() const { return torn_deg_; }
   /// Whether the tip is past the plane of the opening.
   bool isInside() const { return !nodes_.empty() && nodes_.back().isInside; }
 
@@ -57,6 +61,7 @@ private:
   electrode::ArrayDesign array_;
   std::vector<NodePlace> nodes_;
   std::vector<Eigen::Vector3d> nodes_W_;
+  std::vector<std::array<double, 2>> torn_deg_;
 };
 
 }  // namespace perilymph::charts

@@ -26,6 +26,9 @@ struct ChartStrings {
   std::string tipIsOutside = "tip is outside the cochlea";
   std::string noContactInside = "no contact inserted yet";
   std::string meanAndInside = "mean %1 mm, %2 inserted";
+  std::string meanAndAbove = "mean %1 mm, %2 below the partition, %3 above";
+  std::string onlyAbove = "%1 above the partition";
+  std::string rupture = "rupture";
   char decimalSign = '.';
 };
 

@@ -17,7 +17,8 @@ namespace perilymph::charts {
 /// appears free.
 ///
 /// The normal force of the wall on each millimeter of the array is a bar at the wall; forces of
-/// floor and roof are rings on the array.
+/// floor and roof are rings on the array. Where the cochlear partition is torn, the lumen is red; what is
+/// above it, in the scala vestibuli, is outlined in red.
 class UnrolledScala {
 public:
   /// Length of a bar [px] for this force per length.

@@ -12,7 +12,7 @@ enum class ColorScheme { dark, light };
 /// Colors of one scheme.
 struct SchemeInks {
   Ink panel, ground, grid, zero, text, quiet, accent, blue, orange, bone, lumen, membrane, silicone,
-      platinum;
+      platinum, rupture;
 };
 
 /// The colors of a scheme; constant.

@@ -4,6 +4,7 @@
 // The structs that leave the haptic thread: fixed size, no pointers, no Eigen.
 
 #include <array>
+#include <bitset>
 #include <cstdint>
 #include <type_traits>
 
@@ -118,6 +119,8 @@ struct Snapshot {
   std::uint32_t ruptures = 0;  ///< Ranges in which the cochlear partition is open.
   /// Angles from the round window at which each of them begins and ends [rad].
   std::array<std::array<double, 2>, mechanics::maxRuptures> ruptured{};
+  /// The nodes above the partition, in the scala vestibuli.
+  std::bitset<mechanics::maxNodes> isAbove;
   std::array<double, 3> baseAxis_W{};  ///< Unit: direction in which the array leaves the tweezers.
   std::array<std::array<float, 3>, mechanics::maxNodes> node_W;  ///< [m], base first, tip last.
   std::array<std::array<float, 3>, mechanics::maxNodes> wallForce_W;  ///< On each node [N].

@@ -147,6 +147,7 @@ std::shared_ptr<const InsertionModel> InsertionModel::build(ModelParts parts)
   InsertionModel& m = *model;
   m.parts = std::move(parts);
   const electrode::ArrayDesign& array = m.parts.array;
+  m.parts.lumen->prepare();
   m.entry = m.parts.lumen->entry();
   m.nodes = m.parts.nodes;
   m.timeStep = m.parts.timeStep.si();

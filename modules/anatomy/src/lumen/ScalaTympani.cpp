@@ -3,7 +3,9 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <mutex>
 #include <stdexcept>
 
 #include "lumen/LumenField.h"
@@ -36,6 +38,12 @@ void require(bool holds, const char* sentence)
 }
 
 }  // namespace
+
+struct ScalaTympani::WallQuery {
+  std::once_flag once;
+  std::unique_ptr<const LumenField> table;
+  std::atomic<const LumenField*> built{nullptr};  ///< For the tick, which must not wait.
+};
 
 ScalaTympani::ScalaTympani(SectionTables tables) : tables_(std::move(tables))
 {
@@ -92,23 +100,39 @@ ScalaTympani::ScalaTympani(SectionTables tables) : tables_(std::move(tables))
   entry_.outward_W = (radial - radial.dot(inward_W) * inward_W).normalized();
   entry_.vertical_W = entry_.out_W.cross(entry_.outward_W);
 
-  field_ = std::make_unique<const LumenField>(*this);
+  wall_ = std::make_unique<WallQuery>();
   above_ = std::make_unique<ScalaeAbove>();
 }
 
 ScalaTympani::~ScalaTympani() = default;
 
+void ScalaTympani::prepare() const
+{
+  std::call_once(wall_->once, [this] {
+    wall_->table = std::make_unique<const LumenField>(*this);
+    wall_->built = wall_->table.get();
+  });
+}
+
+const LumenField& ScalaTympani::field() const noexcept
+{
+  if (const LumenField* const built = wall_->built) return *built;
+  prepare();
+  return *wall_->table;
+}
+
 void ScalaTympani::nearestWall(std::span<const Eigen::Vector3d> points_W,
                                std::span<const double> reach, std::span<LumenTrack> tracks,
                                std::span<WallPoint> walls) const noexcept
 {
+  const LumenField& table = field();
   for (std::size_t i = 0; i < points_W.size(); ++i)
-    field_->locate(points_W[i], reach[i], tracks[i], walls[i]);
+    table.locate(points_W[i], reach[i], tracks[i], walls[i]);
 }
 
 void ScalaTympani::follow(const Eigen::Vector3d& point_W, LumenTrack& track) const noexcept
 {
-  field_->follow(point_W, track);
+  field().follow(point_W, track);
 }
 
 void ScalaTympani::addTo(Hash& hash) const noexcept

@@ -110,6 +110,8 @@ PartitionModel::PartitionModel(const anatomy::ScalaTympani& tympani, Force break
       firstAngle(beginsAt),
       lastAngle(tympani.lastAngle().si() - beforeEnd)
 {
+  vestibuli->prepare();
+  both->prepare();
 }
 
 bool openPartition(const PartitionModel& partition, double angle, double width,

@@ -49,10 +49,14 @@ struct WallPoint {
   double trustRadius = 0.0;
 };
 
-/// A duct with one opening. Immutable once built; every query is real-time safe.
+/// A duct with one opening. Immutable once built; every query is real-time safe after prepare().
 class Lumen {
 public:
   virtual ~Lumen() = default;
+
+  /// Builds what queries read, once: up to some tenths of a second, not real-time safe. A query does it
+  /// if nobody did. Any thread.
+  virtual void prepare() const {}
 
   virtual Entry entry() const noexcept = 0;
 

@@ -53,8 +53,8 @@ struct Section {
 /// angle zero at the center of the round window on the x axis, right ear.
 ///
 /// Values between the table entries are uniform cubic B-splines: twice continuously differentiable
-/// in the angle and around the section. The wall query reads a distance table built from them
-/// (LumenField). Before the round window the first section continues straight, along the tangent of
+/// in the angle and around the section. The wall query reads a distance table (LumenField), which
+/// prepare() builds from them: measures and pictures need none. Before the round window the first section continues straight, along the tangent of
 /// the center line, for the length of the lead-in, where the opening is.
 class ScalaTympani : public Lumen {
 public:
@@ -63,6 +63,8 @@ public:
   ~ScalaTympani() override;
 
   const std::string& name() const noexcept { return tables_.name; }
+
+  void prepare() const override;
 
   Entry entry() const noexcept override { return entry_; }
   LumenTrack startTrack() const noexcept override { return {}; }
@@ -96,6 +98,8 @@ public:
   const SectionTables& tables() const noexcept { return tables_; }
 
 private:
+  const LumenField& field() const noexcept;
+
   friend class SectionWall;
   friend class ScalaeAbove;
 
@@ -108,7 +112,8 @@ private:
   std::vector<double> wallRadius_;  ///< Rows over the angle, each of `rowLength_` values around the
                                     ///< section.
   std::size_t rowLength_ = 0;       ///< Number of directions plus three that repeat the first.
-  std::unique_ptr<const LumenField> field_;
+  struct WallQuery;
+  std::unique_ptr<WallQuery> wall_;     ///< Built when first asked for.
   std::unique_ptr<ScalaeAbove> above_;  ///< Built when first asked for.
 };
 

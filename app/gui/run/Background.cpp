@@ -108,6 +108,13 @@ void Background::customEvent(QEvent* event)
   answered.answer();
 }
 
+void Background::finish()
+{
+  if (!isBusy_) return;
+  thread_->waitForDone();
+  QCoreApplication::sendPostedEvents(this, AnswerEvent::kind());
+}
+
 void Background::forget()
 {
   if (isCanceled_) *isCanceled_ = true;

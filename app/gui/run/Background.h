@@ -49,6 +49,8 @@ public:
         [given, answer = std::move(answer)]() mutable { answer(std::move(**given)); });
   }
 
+  /// Waits for the work and calls its answer. Does nothing without work.
+  void finish();
   /// Cancels the work without an answer.
   void forget();
   bool isBusy() const { return isBusy_; }

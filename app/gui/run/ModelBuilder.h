@@ -26,6 +26,8 @@ public:
   /// @param anatomy  The scenario's cochlea if already built.
   void build(const session::Scenario& scenario,
              std::shared_ptr<const anatomy::ScalaTympani> anatomy, Answer answer);
+  /// Waits for what is being built and calls its answer.
+  void finish() { background_.finish(); }
   /// Cancels all requests.
   void forget() { background_.forget(); }
   bool isBusy() const { return background_.isBusy(); }

@@ -36,6 +36,20 @@ TEST(Background, AnswersWithTheResultOfItsWork)
   EXPECT_FALSE(background.isBusy());
 }
 
+TEST(Background, IsWaitedForAndAnswersBeforeItGoesOn)
+{
+  Background background(nullptr);
+  int answered = 0;
+  background.run(
+      "The sum", [](const std::atomic<bool>&) { return Result<int>(2 + 3); },
+      [&](const Result<int>& sum) { answered += *sum; });
+  background.finish();
+  EXPECT_EQ(answered, 5);
+  EXPECT_FALSE(background.isBusy());
+  background.finish();  // nothing is left
+  EXPECT_EQ(answered, 5);
+}
+
 TEST(Background, AnswersMissingMemoryWithASentence)
 {
   Background background(nullptr);

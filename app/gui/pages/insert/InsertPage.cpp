@@ -144,6 +144,7 @@ void InsertPage::connectSetup()
 
 Result<Done> InsertPage::open()
 {
+  control_.use(control_.scenario(), setup_->takeFirst());
   const Result<Done> prepared = control_.prepare(InputSource::scripted);
   if (!prepared) return prepared;
   views_->charts()->setExperiment(charts::publishedExperiment());

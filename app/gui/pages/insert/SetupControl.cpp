@@ -9,8 +9,22 @@
 namespace perilymph::gui {
 
 SetupControl::SetupControl(const InsertionControl& control, QObject* parent)
-    : QObject(parent), control_(control), history_(new SetupHistory(this)), builder_(this)
+    : QObject(parent),
+      control_(control),
+      history_(new SetupHistory(this)),
+      firstBuilder_(this),
+      builder_(this)
 {
+  firstBuilder_.build(control.scenario(), nullptr,
+                      [this](const Result<InsertionControl::Parts>& built) {
+                        if (built) first_ = *built;
+                      });
+}
+
+std::optional<InsertionControl::Parts> SetupControl::takeFirst()
+{
+  firstBuilder_.finish();
+  return std::exchange(first_, std::nullopt);
 }
 
 QString SetupControl::change(const SetupChange& change)

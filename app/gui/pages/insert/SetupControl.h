@@ -17,7 +17,11 @@ namespace perilymph::gui {
 class SetupControl : public QObject {
   Q_OBJECT
 public:
+  /// Begins to build the parts of the first insertion.
   SetupControl(const InsertionControl& control, QObject* parent);
+
+  /// The parts of the first insertion, which is prepared now; empty if they cannot be built.
+  std::optional<InsertionControl::Parts> takeFirst();
 
   SetupHistory& history() { return *history_; }
   const SetupHistory& history() const { return *history_; }
@@ -54,7 +58,8 @@ Q_SIGNALS:
 private:
   const InsertionControl& control_;
   SetupHistory* history_;
-  ModelBuilder builder_;
+  std::optional<InsertionControl::Parts> first_;
+  ModelBuilder firstBuilder_, builder_;
   bool isStartAsked_ = false;
 };
 

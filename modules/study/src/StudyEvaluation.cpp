@@ -115,10 +115,11 @@ std::vector<Effect> StudyEvaluation::mainEffects(Outcome outcome) const
     for (const std::string& level : levels) {
       std::vector<double> differences;
       for (const auto& cochlea : cochleae)
-        differences.push_back(
-            meanWhere(cochlea, outcome,
-                      [&](const StudyResult& each) { return settingOf(each, key) == level; }) -
-            meanWhere(cochlea, outcome, [](const StudyResult&) { return true; }));
+        differences.push_back(meanWhere(cochlea, outcome,
+                                        [&, &factor = key](const StudyResult& each) {
+                                          return settingOf(each, factor) == level;
+                                        }) -
+                              meanWhere(cochlea, outcome, [](const StudyResult&) { return true; }));
       effects.push_back({key + " = " + level, estimateOf(differences)});
     }
   return effects;

@@ -66,7 +66,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
   fuzz::promise(study->text() == text, "a study keeps its text");
   fuzz::promise(study->size() > 0 && study->size() <= study::maxCases,
                 "a number of cases in range");
-  for (const std::size_t part : {0, 1, 2, 3})
+  for (const std::size_t part : {0u, 1u, 2u, 3u})
     fuzz::checkCase(*study, (study->size() - 1) * part / 3);
   fuzz::checkShards(*study, std::min<std::size_t>(study->size(), 7));
   return 0;

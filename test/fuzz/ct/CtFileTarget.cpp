@@ -2,6 +2,7 @@
 
 // Any bytes as a file of a CT. The first byte says which kind of file.
 
+#include <Eigen/LU>
 #include <cmath>
 
 #include "InputFile.h"

@@ -48,12 +48,17 @@ Axes atRightAngles(const Axes& axes)
   return right;
 }
 
+// Farther away no scanner measures, and squares of lengths stay finite.
+constexpr double farthest_mm = 1e6;
+
 Result<Done> checkPoses(const std::vector<SlicePose>& slices)
 {
-  std::size_t without = 0, odd = 0;
+  std::size_t without = 0, far = 0, odd = 0;
   for (const SlicePose& slice : slices) {
     if (!slice.position_P || !slice.position_P->allFinite() || !slice.axes_P)
       ++without;
+    else if (slice.position_P->norm() > farthest_mm)
+      ++far;
     else if (!isOrientation(*slice.axes_P))
       ++odd;
   }
@@ -62,6 +67,11 @@ Result<Done> checkPoses(const std::vector<SlicePose>& slices)
     return Error{std::to_string(without) + count +
                  " slices have no position or orientation in the patient, so no length along the "
                  "stack can be trusted. Export the series again as original images."};
+  if (far > 0)
+    return Error{
+        std::to_string(far) + count +
+        " slices have a position more than 1 km from the origin of the patient's "
+        "coordinates, where no scanner measures. Export the series again as original images."};
   if (odd > 0)
     return Error{std::to_string(odd) + count +
                  " slices have an orientation that is not two unit vectors at right angles. Export "

@@ -105,6 +105,13 @@ TEST(SliceStack, NamesMissingSlicesAndWhereTheyAre)
   expectRefusal(twoGone, "the gap is 1.80 mm and the step elsewhere 0.60 mm");
 }
 
+TEST(SliceStack, RefusesAPositionFarBeyondEveryScan)
+{
+  auto far = axial(10);
+  at(far, 9).position_P->z() = 1e30;
+  expectRefusal(far, "1 of 10 slices have a position more than 1 km from the origin");
+}
+
 TEST(SliceStack, KeepsSlicesOfOnePlaceTogether)
 {
   auto stack = axial(12);

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <map>
 #include <optional>
 #include <utility>
@@ -194,7 +195,7 @@ private:
   const ClosedSurface& closed_;
   const RimFrame& rim_;
   std::set<int> last_, soFar_;
-  std::vector<RingPlane> planes_;
+  std::deque<RingPlane> planes_;  ///< Grows while pointers to its elements are in use.
   bool isOver_ = false;
 };
 

@@ -69,39 +69,42 @@ void drawContacts(PlotSheet& sheet, const ArrayInScala& now, const figures::Sche
   }
 }
 
-/// Outlines the parts of the array above the partition.
-void outlineAbove(PlotSheet& sheet, const ArrayInScala& now, const figures::SchemeInks& ink)
-{
-  std::vector<PagePoint> upper, lower;
-  const auto finish = [&] {
-    for (std::vector<PagePoint>* side : {&upper, &lower}) {
-      if (side->size() > 1) sheet.add(Stroke{*side, ink.rupture, 2.0, 0.0});
-      side->clear();
-    }
-  };
-  for (const NodePlace& node : now.nodes()) {
-    if (!node.isAbove) {
-      finish();
-      continue;
-    }
+/// The sides of a stretch of the array.
+struct Sides {
+  void add(const PlotSheet& sheet, const ArrayInScala& now, const NodePlace& node)
+  {
     const Length place = millimeters(node.fromTip_mm);
     const double radius_mm = 0.5 * inMillimeters(now.array().sectionAt(place).within);
     upper.push_back(sheet.at(node.angle_deg, node.across_mm + radius_mm));
     lower.push_back(sheet.at(node.angle_deg, node.across_mm - radius_mm));
   }
+  std::vector<PagePoint> upper, lower;
+};
+
+/// Outlines the parts of the array above the partition.
+void outlineAbove(PlotSheet& sheet, const ArrayInScala& now, const figures::SchemeInks& ink)
+{
+  Sides sides;
+  const auto finish = [&] {
+    for (std::vector<PagePoint>* side : {&sides.upper, &sides.lower}) {
+      if (side->size() > 1) sheet.add(Stroke{*side, ink.rupture, 2.0, 0.0});
+      side->clear();
+    }
+  };
+  for (const NodePlace& node : now.nodes())
+    if (node.isAbove)
+      sides.add(sheet, now, node);
+    else
+      finish();
   finish();
 }
 
 void drawArray(PlotSheet& sheet, const ArrayInScala& now, const figures::SchemeInks& ink)
 {
-  std::vector<PagePoint> upper, lower;
-  for (const NodePlace& node : now.nodes()) {
-    if (node.angle_deg < -outside_deg) continue;
-    const Length place = millimeters(node.fromTip_mm);
-    const double radius_mm = 0.5 * inMillimeters(now.array().sectionAt(place).within);
-    upper.push_back(sheet.at(node.angle_deg, node.across_mm + radius_mm));
-    lower.push_back(sheet.at(node.angle_deg, node.across_mm - radius_mm));
-  }
+  Sides sides;
+  for (const NodePlace& node : now.nodes())
+    if (node.angle_deg >= -outside_deg) sides.add(sheet, now, node);
+  auto& [upper, lower] = sides;
   if (upper.size() < 2) return;
   upper.insert(upper.end(), lower.rbegin(), lower.rend());
   sheet.add(Area{upper, ink.silicone});

@@ -27,6 +27,7 @@
 #include "perilymph/foundation/Version.h"
 #include "perilymph/session/Insertion.h"
 #include "perilymph/test/ChildProcess.h"
+#include "perilymph/test/ContourFromBelow.h"
 #include "perilymph/test/TemporaryFolder.h"
 
 namespace perilymph::test {
@@ -183,13 +184,7 @@ TEST_F(PdfReport, NamesLiningAndRimOfTheWall)
 
 TEST_F(PdfReport, SaysWhereThePartitionRupturedAndWhichContactsAreAboveIt)
 {
-  report("surgery-flex28", {{"array", "contour"},
-                            {"stop_travel_mm", "17"},
-                            {"friction", "soap-10"},
-                            {"approach_tilt_deg", "15"},
-                            {"speed_mm_s", "2"},
-                            {"dt_ms", "2"},
-                            {"partition_strength_N", "0.042"}});
+  report("surgery-flex28", contourFromBelow());
   const std::string record = text(1, 1);
   EXPECT_THAT(record, HasSubstr("translocation: ruptured at 59° by 42 mN, 7.3 mm above"));
   EXPECT_TRUE(std::regex_search(record, std::regex("[0-9] +SV ")));

@@ -15,22 +15,11 @@
 #include "gui/scene/ForceLabel.h"
 #include "perilymph/device/ScriptedDevice.h"
 #include "perilymph/session/Insertion.h"
+#include "perilymph/test/ContourFromBelow.h"
 #include "perilymph/test/TemporaryFolder.h"
 
 namespace perilymph::test {
 namespace {
-
-/// A Contour with its stylet in, tilted upward.
-session::Overrides contourFromBelow(const std::string& strength_N)
-{
-  return {{"array", "contour"},
-          {"stop_travel_mm", "17"},
-          {"friction", "soap-10"},
-          {"approach_tilt_deg", "15"},
-          {"speed_mm_s", "2"},
-          {"dt_ms", "2"},
-          {"partition_strength_N", strength_N}};
-}
 
 void record(const std::filesystem::path& file, const session::Overrides& overrides)
 {
@@ -50,7 +39,7 @@ protected:
   static void SetUpTestSuite()
   {
     folder_ = std::make_unique<TemporaryFolder>();
-    record(through(), contourFromBelow("0.042"));
+    record(through(), contourFromBelow());
     record(held(), contourFromBelow("0"));
   }
   static void TearDownTestSuite() { folder_.reset(); }

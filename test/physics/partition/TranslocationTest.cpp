@@ -14,6 +14,7 @@
 #include "perilymph/session/Insertion.h"
 #include "perilymph/session/RecordedInsertion.h"
 #include "perilymph/session/Replay.h"
+#include "perilymph/test/ContourFromBelow.h"
 #include "perilymph/test/TemporaryFolder.h"
 
 namespace perilymph::session {
@@ -21,19 +22,10 @@ namespace {
 
 constexpr double strength = 0.042;  // [N]
 
-/// A Contour with its stylet in, from below.
-const Overrides contourFromBelow = {{"array", "contour"},
-                                    {"stop_travel_mm", "17"},
-                                    {"friction", "soap-10"},
-                                    {"approach_tilt_deg", "15"},
-                                    {"speed_mm_s", "2"},
-                                    {"dt_ms", "2"},
-                                    {"partition_strength_N", "0.042"}};
-
 struct Push {
   explicit Push(const Overrides& changes)
   {
-    Overrides overrides = contourFromBelow;
+    Overrides overrides = test::contourFromBelow();
     overrides.insert(overrides.end(), changes.begin(), changes.end());
     const auto scenario = loadScenario("surgery-flex28", overrides);
     EXPECT_TRUE(scenario) << scenario.error().message;
@@ -168,7 +160,7 @@ TEST(Translocation, IsInTheRecordingAndReplaysBitForBit)
 {
   const test::TemporaryFolder folder;
   const auto file = folder.path() / "translocation.insertion";
-  Overrides overrides = contourFromBelow;
+  Overrides overrides = test::contourFromBelow();
   overrides.emplace_back("nodes", "50");
   const auto scenario = loadScenario("surgery-flex28", overrides);
   ASSERT_TRUE(scenario);
@@ -209,7 +201,7 @@ TEST(Translocation, IsInTheRecordingAndReplaysBitForBit)
 
 TEST(Translocation, GivesBackWhatItTookInLoopsWithoutFriction)
 {
-  const auto scenario = loadScenario("surgery-flex28", contourFromBelow);
+  const auto scenario = loadScenario("surgery-flex28", test::contourFromBelow());
   ASSERT_TRUE(scenario);
   InsertionParameters parameters = scenario->parameters();
   parameters.friction = {0.0, 0.0, 0.0, millimetersPerSecond(0.1)};

@@ -6,68 +6,25 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
+#include <utility>
 
-#include "hid/HidDevice.h"
 #include "perilymph/session/Insertion.h"
-#include "perilymph/test/FakeHid.h"
+#include "perilymph/test/TenKilohertzHand.h"
 #include "perilymph/test/waitUntil.h"
 
 namespace perilymph::session {
 namespace {
-
-constexpr double period = 1e-4;              // [s]
-constexpr std::int64_t period_ns = 100'000;  // [ns]
-
-std::atomic<std::int64_t> virtualNow{0};
-std::int64_t virtualClock() noexcept { return virtualNow; }
-
-/// A hand that rests for half a second, then goes in by 10 um a millisecond.
-class HandAtTenKilohertz {
-public:
-  HandAtTenKilohertz()
-  {
-    virtualNow = 1'000'000'000;
-    hid.whenWaiting([this](Duration) { report(); });
-  }
-  std::unique_ptr<device::HapticDevice> device()
-  {
-    device::DeviceTraits traits = test::fakeTraits();
-    traits.nominalPeriod = period;
-    auto made = std::make_unique<device::HidDevice>(traits, std::make_unique<test::FakeCodec>(),
-                                                    hid.port(), virtualClock);
-    host = made.get();
-    return made;
-  }
-  void report()
-  {
-    virtualNow += period_ns;
-    test::FakeReport report;
-    report.counter = ++counter;
-    report.place_10um[2] = static_cast<std::int16_t>(-inward_10um);
-    report.buttons = device::graspButton;
-    hid.send(report);
-  }
-  void moveOn(std::uint64_t tick)
-  {
-    if (tick > 5'000 && tick % 10 == 0) ++inward_10um;
-    report();
-  }
-
-  test::FakeHid hid;
-  device::HidDevice* host = nullptr;
-  std::uint16_t counter = 0;
-  int inward_10um = 0;
-};
 
 TEST(AnInsertionAtTenKilohertz, AnswersEveryReportWithAHundredNodesInTissue)
 {
   const auto scenario =
       loadScenario("surgery-flex28", {{"dt_ms", "0.1"}, {"nodes", "100"}, {"coupling", "spring"}});
   ASSERT_TRUE(scenario) << scenario.error().message;
-  HandAtTenKilohertz hand;
-  auto insertion = Insertion::prepare(*scenario, hand.device(), std::nullopt);
+  test::TenKilohertzHand hand;
+  auto device = hand.device();
+  device::HidDevice& host = *device;
+  auto insertion = Insertion::prepare(*scenario, std::move(device), std::nullopt);
   ASSERT_TRUE(insertion) << insertion.error().message;
 
   constexpr std::uint64_t ticks = 25'000;
@@ -85,18 +42,20 @@ TEST(AnInsertionAtTenKilohertz, AnswersEveryReportWithAHundredNodesInTissue)
                                   (record.output.status & haptics::notConverged) != 0 ? 1 : 0;
                               peak = std::max(peak, record.output.axialForce);
                               last = record;
-                              hand.moveOn(record.tick);
+                              // rests for half a second, then goes in by 10 um a millisecond
+                              if (record.tick > 5'000 && record.tick % 10 == 0) ++hand.inward_10um;
+                              hand.report();
                               return true;
                             },
                             ticks);
   ASSERT_TRUE(done) << done.error().message;
   // Virtual time continues while the writer, a real thread, waits for a processor.
-  if (hand.host->health()->blockedWrites > 0)
+  if (host.health()->blockedWrites > 0)
     GTEST_SKIP() << "This machine gave the writer's thread no time.";
   EXPECT_EQ(last.tick + 1, ticks);
   EXPECT_EQ(missed, 0u);
   EXPECT_EQ(stale, 0u);
-  EXPECT_EQ(hand.host->health()->reading.lost, 0u);
+  EXPECT_EQ(host.health()->reading.lost, 0u);
   EXPECT_EQ(last.output.workflow, haptics::Workflow::inserting);
   EXPECT_GT(last.output.depth, 15e-3);
   EXPECT_GT(peak, 5e-3);

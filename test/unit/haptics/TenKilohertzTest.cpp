@@ -5,32 +5,23 @@
 
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <cmath>
 #include <thread>
 
-#include "hid/HidDevice.h"
 #include "lumen/PlainLumens.h"
 #include "perilymph/haptics/CouplingLimit.h"
 #include "perilymph/haptics/HapticLoop.h"
-#include "perilymph/test/FakeHid.h"
 #include "perilymph/test/PlainModels.h"
+#include "perilymph/test/TenKilohertzHand.h"
 #include "perilymph/test/waitUntil.h"
 
 namespace perilymph::haptics {
 namespace {
 
-using test::FakeHid;
-using test::FakeReport;
-
-constexpr double period = 1e-4;              // [s]
-constexpr std::int64_t period_ns = 100'000;  // [ns]
-constexpr double stiffness = 441.0;          // of the coupling [N/m]
-constexpr double freeWay = 0.5e-3;           // of the tip before the wall [m]
+constexpr double period = test::TenKilohertzHand::period;  // [s]
+constexpr double stiffness = 441.0;                        // of the coupling [N/m]
+constexpr double freeWay = 0.5e-3;                         // of the tip before the wall [m]
 constexpr int ticksASecond = 10'000;
-
-std::atomic<std::int64_t> virtualNow{0};
-std::int64_t virtualClock() noexcept { return virtualNow; }
 
 /// A rod so short and stiff that its compliance is below a thousandth of the coupling's.
 std::shared_ptr<const mechanics::InsertionModel> stiffRodBeforeAWall()
@@ -52,27 +43,8 @@ std::shared_ptr<const mechanics::InsertionModel> stiffRodBeforeAWall()
   return mechanics::InsertionModel::build(std::move(parts));
 }
 
-class TenKilohertz : public testing::Test {
+class TenKilohertz : public testing::Test, protected test::TenKilohertzHand {
 protected:
-  TenKilohertz()
-  {
-    virtualNow = 1'000'000'000;
-    hid.whenWaiting([this](Duration) { report(); });
-    device::DeviceTraits traits = test::fakeTraits();
-    traits.nominalPeriod = period;
-    hand = std::make_unique<device::HidDevice>(traits, std::make_unique<test::FakeCodec>(),
-                                               hid.port(), virtualClock);
-  }
-
-  void report()
-  {
-    virtualNow += period_ns;
-    FakeReport report;
-    report.counter = ++counter;
-    report.place_10um[2] = static_cast<std::int16_t>(-inward_10um);
-    report.buttons = device::graspButton;
-    hid.send(report);
-  }
   void start()
   {
     ASSERT_TRUE(hand->open());
@@ -108,10 +80,7 @@ protected:
   /// takes 5 ms of it looks as if the device did not accept it.
   bool wasStarved() const { return hand->health()->blockedWrites > 0; }
 
-  FakeHid hid;
-  std::uint16_t counter = 0;
-  int inward_10um = 0;
-  std::unique_ptr<device::HidDevice> hand;
+  std::unique_ptr<device::HidDevice> hand = device();
   std::unique_ptr<HapticLoop> loop;
 };
 
@@ -159,14 +128,14 @@ TEST_F(TenKilohertz, IsStaleAfterThreeMillisecondsNotAfterThreePeriods)
   int ticksUntilStale = 0;
   TickRecord record;
   do {
-    virtualNow += period_ns;
+    now += period_ns;
     record = tick();
     ++ticksUntilStale;
   } while ((record.output.status & staleSample) == 0 && ticksUntilStale < 1000);
   EXPECT_NEAR(ticksUntilStale * period, 3e-3, 1.5 * period);
   // Off within the 3 ms that SafetyLimits says; 0.22 N of 3.3 N sooner.
   for (int i = 0; i < 30; ++i) {
-    virtualNow += period_ns;
+    now += period_ns;
     record = tick();
   }
   EXPECT_EQ(record.output.wrench_D.force_D[2], 0.0);

@@ -76,7 +76,8 @@ stage()
   local commit
   commit=$(commit_built)
   if [[ $commit != *-dirty && -f $log ]] &&
-    grep -F "$name"$'\t'"$commit"$'\t' "$log" | grep -qF $'\tpassed\t'; then
+    awk -F '\t' -v name="$name" -v commit="$commit" \
+      '$1 == name && $2 == commit && $5 == "passed" { found = 1 } END { exit !found }' "$log"; then
     echo "==> $title: passed before on $commit"
     return
   fi

@@ -11,8 +11,8 @@
 #include <iterator>
 
 #include "WindowRig.h"
+#include "ownCall.h"
 #include "perilymph/session/RecordedInsertion.h"
-#include "perilymph/test/ChildProcess.h"
 #include "perilymph/test/TemporaryFolder.h"
 
 namespace perilymph::test {
@@ -29,12 +29,7 @@ class TheWorkstation : public testing::Test {
 protected:
   ProgramCall call(std::vector<std::string> arguments) const
   {
-    ProgramCall call;
-    call.program = std::string(PERILYMPH_PROGRAMS) + "/perilymph";
-    call.arguments = std::move(arguments);
-    for (const char* name : {"XDG_DATA_HOME", "XDG_CONFIG_HOME", "XDG_STATE_HOME"})
-      call.environment.emplace_back(name, (folder_ / name).string());
-    return call;
+    return ownCall(folder_, std::move(arguments));
   }
   fs::path sessions() const { return folder_ / "XDG_DATA_HOME" / "perilymph" / "sessions"; }
   fs::path state() const { return folder_ / "XDG_STATE_HOME" / "perilymph"; }

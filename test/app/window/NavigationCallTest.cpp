@@ -10,7 +10,7 @@
 #include <fstream>
 #include <set>
 
-#include "perilymph/test/ChildProcess.h"
+#include "ownCall.h"
 #include "perilymph/test/InetSockets.h"
 #include "perilymph/test/TemporaryFolder.h"
 #include "perilymph/test/waitUntil.h"
@@ -28,12 +28,7 @@ class TheProgram : public testing::Test {
 protected:
   ProgramCall call(std::vector<std::string> arguments) const
   {
-    ProgramCall call;
-    call.program = std::string(PERILYMPH_PROGRAMS) + "/perilymph";
-    call.arguments = std::move(arguments);
-    for (const char* name : {"XDG_DATA_HOME", "XDG_CONFIG_HOME", "XDG_STATE_HOME"})
-      call.environment.emplace_back(name, (folder_ / name).string());
-    return call;
+    return ownCall(folder_, std::move(arguments));
   }
   void keepSetting(int port) const
   {

@@ -6,8 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,6 +13,7 @@
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/planning/Plan.h"
 #include "perilymph/test/TemporaryFolder.h"
+#include "perilymph/test/copyChanged.h"
 
 namespace perilymph::test {
 namespace {
@@ -27,19 +26,12 @@ protected:
   std::vector<planning::ArrayPlan> planWith(const Changes& changes, std::size_t draws,
                                             const std::vector<std::string>& arrays)
   {
-    std::ifstream shipped(resource("resources/scenarios/surgery-flex28.toml"));
-    std::string text(std::istreambuf_iterator<char>(shipped), {});
-    for (const auto& [from, to] : changes) {
-      const auto place = text.find(from);
-      EXPECT_NE(place, std::string::npos) << from;
-      if (place != std::string::npos) text.replace(place, from.size(), to);
-    }
-    std::ofstream(folder_.path() / "scenario.toml") << text;
     planning::PlanRequest request;
     const auto patient = anatomy::loadPatient(resource("resources/patients/measured.toml"));
     EXPECT_TRUE(patient);
     if (patient) request.patient = *patient;
-    request.scenario = (folder_.path() / "scenario.toml").string();
+    request.scenario = copyChanged(resource("resources/scenarios/surgery-flex28.toml"),
+                                   folder_ / "scenario.toml", changes);
     request.arrays = arrays;
     request.draws = draws;
     request.seed = 5;
@@ -67,14 +59,10 @@ TEST_F(PlannedEnds, AreResistanceAndBucklingInTissue)
 
 TEST_F(PlannedEnds, AreAFoldedTipWhereACurvedArrayLeavesItsSheathTooEarly)
 {
-  std::ifstream shipped(resource("plugins/electrodes/cochlear/slim-modiolar.toml"));
-  std::string text(std::istreambuf_iterator<char>(shipped), {});
   // the sheath is held 3 mm past the opening, before the basal turn begins
-  const std::string depth = "hold_depth_mm = 5.0";
-  ASSERT_NE(text.find(depth), std::string::npos);
-  text.replace(text.find(depth), depth.size(), "hold_depth_mm = 3.0");
-  const std::string early = (folder_.path() / "early.toml").string();
-  std::ofstream(early) << text;
+  const auto early =
+      copyChanged(resource("plugins/electrodes/cochlear/slim-modiolar.toml"),
+                  folder_ / "early.toml", {{"hold_depth_mm = 5.0", "hold_depth_mm = 3.0"}});
   const auto arrays =
       planWith({{"technique = \"standard\"", "technique = \"aos\""}}, 4, {early, "slim-modiolar"});
   EXPECT_GT(arrays[0].foldedTip.value, 0.0);

@@ -6,43 +6,30 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 
 #include "perilymph/charts/ArrayInScala.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/planning/PlannedShape.h"
 #include "perilymph/test/TemporaryFolder.h"
+#include "perilymph/test/copyChanged.h"
 #include "perilymph/visualization/Picture.h"
 
 namespace perilymph::planning {
 namespace {
 
-/// Writes a copy of a shipped file with one text changed.
-void copyChanged(const char* shipped, const std::filesystem::path& to, const std::string& before,
-                 const std::string& after)
-{
-  std::ifstream file(resource(shipped));
-  std::string text(std::istreambuf_iterator<char>(file), {});
-  const auto place = text.find(before);
-  ASSERT_NE(place, std::string::npos) << before;
-  text.replace(place, before.size(), after);
-  std::ofstream(to) << text;
-}
-
 /// The end of the first insertion of a plan in which the tip folded over.
 Result<PlannedShape> foldedTip(const std::filesystem::path& folder, const Resolution& resolution)
 {
-  copyChanged("plugins/electrodes/cochlear/slim-modiolar.toml", folder / "early.toml",
-              "hold_depth_mm = 5.0", "hold_depth_mm = 3.0");
-  copyChanged("resources/scenarios/surgery-flex28.toml", folder / "scenario.toml",
-              "technique = \"standard\"", "technique = \"aos\"");
   PlanRequest request;
   const auto patient = anatomy::loadPatient(resource("resources/patients/measured.toml"));
   if (!patient) return patient.error();
   request.patient = *patient;
-  request.scenario = (folder / "scenario.toml").string();
-  request.arrays = {(folder / "early.toml").string()};
+  request.scenario = test::copyChanged(resource("resources/scenarios/surgery-flex28.toml"),
+                                       folder / "scenario.toml",
+                                       {{"technique = \"standard\"", "technique = \"aos\""}});
+  request.arrays = {test::copyChanged(resource("plugins/electrodes/cochlear/slim-modiolar.toml"),
+                                      folder / "early.toml",
+                                      {{"hold_depth_mm = 5.0", "hold_depth_mm = 3.0"}})};
   request.draws = 4;
   request.seed = 5;
   request.resolution = resolution;

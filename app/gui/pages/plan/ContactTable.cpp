@@ -58,8 +58,8 @@ ContactTable::ContactTable(QWidget* parent)
     auto* head = new QTableWidgetItem(columns[column].first);
     head->setToolTip(columns[column].second);
     setHorizontalHeaderItem(column, head);
-    horizontalHeader()->resizeSection(column, sized(contactWidths_px[column]));
   }
+  show({}, 0);
 }
 
 void ContactTable::show(const std::vector<planning::ContactBand>& contacts, std::size_t draws)

@@ -3,6 +3,7 @@
 
 #include <QPainter>
 #include <QPolygonF>
+#include <QTextLayout>
 #include <algorithm>
 
 #include "gui/parts/FocusRing.h"
@@ -25,6 +26,25 @@ QColor faded(QColor color, double opacity)
 void paintTrack(QPainter& painter, const QRectF& place)
 {
   painter.fillRect(QRectF(place.left(), place.center().y() - 0.5, place.width(), 1.0), lineColor);
+}
+
+/// A name in as many lines as fit; what does not fit ends in an ellipsis.
+void paintName(QPainter& painter, const QRectF& place, const QString& name)
+{
+  const QFontMetricsF metrics(painter.font());
+  const int lines = std::max(1, int(place.height() / metrics.lineSpacing()));
+  QStringList shown;
+  QTextLayout layout(name, painter.font());
+  layout.beginLayout();
+  for (QTextLine line = layout.createLine(); line.isValid() && shown.size() < lines;
+       line = layout.createLine()) {
+    line.setLineWidth(place.width());
+    const int length = shown.size() + 1 < lines ? line.textLength() : -1;
+    shown << metrics.elidedText(name.mid(line.textStart(), length).trimmed(), Qt::ElideRight,
+                                place.width());
+  }
+  layout.endLayout();
+  painter.drawText(place, int(Qt::AlignVCenter | Qt::AlignLeft), shown.join(QLatin1Char('\n')));
 }
 
 /// A value, and below it where it lies.
@@ -86,8 +106,7 @@ void PlanCells::paint(QPainter* painter, const QStyleOptionViewItem& option,
   painter->setFont(kind == PlanCellKind::name ? typeface(12, QFont::Medium) : typeface(12));
   painter->setPen(textColor);
   if (kind == PlanCellKind::name) {
-    painter->drawText(inside, int(Qt::AlignVCenter | Qt::AlignLeft) | int(Qt::TextWordWrap),
-                      index.data().toString());
+    paintName(*painter, inside, index.data().toString());
   } else if (kind == PlanCellKind::curve) {
     paintCurve(*painter, inside, array.force);
   } else if (kind == PlanCellKind::probability) {

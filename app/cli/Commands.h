@@ -79,7 +79,8 @@ Result<Done> predict(const PredictOptions& options, const CallFiles& files);
 
 struct PlanOptions {
   std::string patient;
-  std::vector<std::string> arrays;  ///< Shipped names or files; "all": the shipped ones.
+  std::vector<std::string> arrays;      ///< Shipped names or files; "all": the shipped ones.
+  std::optional<std::string> friction;  ///< Shipped name or file; without it, the scenario's.
   std::size_t samples = 64;
   std::uint64_t seed = 1;
   unsigned jobs = 0;

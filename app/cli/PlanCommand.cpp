@@ -35,6 +35,7 @@ Result<planning::PlanRequest> requestOf(const PlanOptions& options)
   if (request.arrays.size() > maxPlanArrays)
     return Error{std::to_string(request.arrays.size()) + " arrays are too many; a plan compares " +
                  std::to_string(maxPlanArrays) + " at most. Name fewer."};
+  request.friction = options.friction;
   request.draws = options.samples;
   request.stopsEarly = !options.runsAll;
   request.seed = options.seed;

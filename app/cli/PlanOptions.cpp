@@ -44,6 +44,12 @@ void addPlan(CLI::App& app, FileOptions& files, PlanOptions& options)
                       "Electrode arrays: shipped names or TOML files; 'all': the shipped ones")
           ->default_str("all"),
       "plugins/electrodes");
+  files.reads(
+      command
+          .add_option("--friction", options.friction,
+                      "Friction: shipped name or TOML file; 'low' was chosen for patients' depths")
+          ->default_str("tissue"),
+      "resources/friction");
   command
       .add_option("--samples", options.samples,
                   "Draws of measures, hand, approach and stiffness, at most; fewer if the bands "

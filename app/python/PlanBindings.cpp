@@ -141,7 +141,8 @@ py::dict insertions(const StoredPlan& stored)
 }
 
 planning::PlanRequest requestOf(const py::object& patient, const py::object& arrays, long samples,
-                                bool allSamples, long seed, long jobs, const std::string& scenario)
+                                bool allSamples, long seed, long jobs, const std::string& scenario,
+                                const py::object& friction)
 {
   planning::PlanRequest request;
   if (py::isinstance<anatomy::Patient>(patient)) {
@@ -173,15 +174,16 @@ planning::PlanRequest requestOf(const py::object& patient, const py::object& arr
   request.seed = static_cast<std::uint64_t>(seed);
   request.jobs = static_cast<unsigned>(jobs);
   request.scenario = scenario;
+  if (!friction.is_none()) request.friction = nameOrFileOf(friction, "friction");
   return request;
 }
 
 StoredPlan plan(const py::object& patient, const py::object& arrays, long samples, bool allSamples,
-                long seed, long jobs, const std::string& scenario, const py::object& draws,
-                const py::object& progress)
+                long seed, long jobs, const std::string& scenario, const py::object& friction,
+                const py::object& draws, const py::object& progress)
 {
   const planning::PlanRequest request =
-      requestOf(patient, arrays, samples, allSamples, seed, jobs, scenario);
+      requestOf(patient, arrays, samples, allSamples, seed, jobs, scenario, friction);
   std::filesystem::path file;
   if (!draws.is_none()) file = nameOrFileOf(draws, "draws_file");
   PendingException pending;
@@ -277,13 +279,14 @@ void definePlan(py::module_& module)
   module.def(
       "plan", &plan, py::arg("patient"), py::arg("arrays") = py::none(), py::kw_only(),
       py::arg("samples") = 64, py::arg("all_samples") = false, py::arg("seed") = 1,
-      py::arg("jobs") = 0, py::arg("scenario") = "surgery-flex28",
+      py::arg("jobs") = 0, py::arg("scenario") = "surgery-flex28", py::arg("friction") = py::none(),
       py::arg("draws_file") = py::none(), py::arg("progress") = py::none(),
       "Makes a plan, as 'perilymph-cli plan' does.\n\n"
       "patient: a Patient, or the name or file of one, with A and B.\narrays: names or files; "
       "all shipped ones if None.\nsamples: draws at most; fewer if the bands stand, unless "
       "all_samples.\nseed: of the draws. jobs: threads, 0: one per processor; does not affect "
-      "the plan.\nscenario: what is neither drawn nor named.\ndraws_file: keeps the draws "
+      "the plan.\nscenario: what is neither drawn nor named.\nfriction: name or file; None: the "
+      "scenario's, that of a tissue simulant.\ndraws_file: keeps the draws "
       "(.sqlite), so that an interrupted plan continues.\nprogress: called with the numbers "
       "of done and of all insertions; an exception in it ends the plan.\n\n"
       "The interpreter's lock is released while it computes; Ctrl+C ends it.");

@@ -5,6 +5,7 @@
 
 #include "gui/parts/DataText.h"
 #include "gui/parts/Numbers.h"
+#include "gui/setup/PlannedFriction.h"
 #include "perilymph/foundation/Version.h"
 
 namespace perilymph::gui {
@@ -210,6 +211,7 @@ QString marks(const PlanReportContent& content)
                  row(tr("Planned by"), from(content.stored.program)) +
                  row(tr("Report by"), from(buildId())) +
                  row(tr("Scenario"), from(plan.request.scenario)) +
+                 row(tr("Friction"), plannedFriction(plan.request).toHtmlEscaped()) +
                  row(tr("Seed"), QString::number(plan.request.seed));
   if (!origin.seriesKey.empty()) rows += row(tr("CT series, SHA-256"), from(origin.seriesKey));
   return heading(tr("Traceability")) + table(rows);

@@ -10,6 +10,7 @@
 #include "gui/report/MeasureTable.h"
 #include "gui/report/PlanCurves.h"
 #include "gui/report/PlanPicture.h"
+#include "gui/setup/PlannedFriction.h"
 
 namespace perilymph::gui {
 
@@ -119,11 +120,11 @@ double paintArrays(ReportSheet& sheet, const PlanReportContent& content, double 
 QStringList linesOf(const PlanReportContent& content)
 {
   QStringList lines = {
-      tr("Method: each array is inserted by a simulated hand %1 times. Every time A, B and H "
-         "within "
-         "their errors, speed, tremor, grip, force limit, friction, approach and stiffness are "
-         "drawn again; see the appendix.")
-          .arg(content.plan().arrays.front().draws)};
+      tr("Method: each array is inserted by a simulated hand %1 times (%2). Every time A, B and H "
+         "within their errors, speed, tremor, grip, force limit, friction, approach and stiffness "
+         "are drawn again; see the appendix.")
+          .arg(content.plan().arrays.front().draws)
+          .arg(plannedFriction(content.plan().request))};
   for (const std::string& limit : content.stored.limits) lines << dataText(limit);
   return lines;
 }

@@ -32,6 +32,7 @@ std::string requestText(const StoredPlan& plan)
     arrays += (arrays.empty() ? "" : ", ") + quoted(array);
   return "made = " + quoted(plan.madeUtc) + "\narrays = [" + arrays +
          "]\nscenario = " + quoted(request.scenario) +
+         (request.friction ? "\nfriction = " + quoted(*request.friction) : "") +
          "\ndraws = " + std::to_string(request.draws) + "\nseed = " + std::to_string(request.seed) +
          "\nis_coarse = " + (request.resolution ? "true" : "false") +
          "\nshown_draws = " + std::to_string(plan.shownDraws) +
@@ -80,6 +81,8 @@ Result<StoredPlan> readStoredPlan(const fs::path& folder)
   plan.madeUtc = reader->text("made");
   plan.request.arrays = reader->values("arrays");
   plan.request.scenario = reader->text("scenario");
+  if (std::string friction = reader->text("friction", ""); !friction.empty())
+    plan.request.friction = std::move(friction);
   const long draws = reader->integer("draws", 1, long(planning::maxDraws), 64);
   plan.request.draws = static_cast<std::size_t>(draws);
   plan.request.seed = static_cast<std::uint64_t>(reader->integer("seed", 0, maxSeed, 1));

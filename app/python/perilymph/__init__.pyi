@@ -248,6 +248,7 @@ def plan(
     seed: int = 1,
     jobs: int = 0,
     scenario: str = "surgery-flex28",
+    friction: Optional[_Name] = None,
     draws_file: Optional[_Name] = None,
     progress: Optional[Callable[[int, int], object]] = None,
 ) -> Plan: ...

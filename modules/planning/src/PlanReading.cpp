@@ -156,6 +156,7 @@ StoredPlan storedIn(const Json& value)
   PlanRequest& request = stored.plan.request;
   request.seed = countAt(value, "seed");
   request.scenario = textAt(value, "scenario");
+  if (value.contains("friction")) request.friction = textAt(value, "friction");
   request.patient = patientIn(at(value, "patient"));
   const Json& thresholds = at(value, "thresholds");
   stored.plan.thresholds = {millinewtons(numberAt(thresholds, "felt_mN")),

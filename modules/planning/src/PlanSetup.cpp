@@ -10,7 +10,6 @@
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/foundation/Sha256.h"
 #include "perilymph/session/Csv.h"
-#include "perilymph/session/Scenario.h"
 
 namespace perilymph::planning {
 
@@ -19,8 +18,7 @@ namespace {
 Result<Done> addArray(PlanSetup& setup, const PlanRequest& request, const std::string& array,
                       const std::vector<FrequencyAllocation>& allocations)
 {
-  const auto scenario = session::loadScenario(
-      request.scenario, {{"array", array}, {"stop_travel_mm", session::anyStopTravel}});
+  const auto scenario = scenarioOf(request, array, session::anyStopTravel);
   if (!scenario) return Error{array + ": " + scenario.error().message};
   const electrode::ArrayDesign& design = scenario->array();
   Nominal nominal{scenario->parameters(), scenario->text(), setup.uncertainty.stiffnessOf(design)};
@@ -127,6 +125,14 @@ Result<PlannedInsertion> insertArray(const PlanRequest& request, const PlanSetup
 }
 
 }  // namespace
+
+Result<session::Scenario> scenarioOf(const PlanRequest& request, const std::string& array,
+                                     const std::string& stopTravel_mm)
+{
+  session::Overrides changes = {{"array", array}, {"stop_travel_mm", stopTravel_mm}};
+  if (request.friction) changes.emplace_back("friction", *request.friction);
+  return session::loadScenario(request.scenario, changes);
+}
 
 Result<PlanSetup> preparePlan(const PlanRequest& request)
 {

@@ -33,6 +33,7 @@
 #include "perilymph/ct/Measures.h"
 #include "perilymph/electrode/ArrayDesign.h"
 #include "perilymph/foundation/Resources.h"
+#include "perilymph/planning/PlanReport.h"
 
 namespace perilymph::test {
 namespace {
@@ -198,6 +199,13 @@ TEST(PseudoLanguage, TextsOfDataFilesAndOfTheEngineAreTranslated)
     for (const std::string& text : {verdict.what, verdict.wanted}) texts << gui::dataText(text);
   for (const QString& text : texts)
     EXPECT_TRUE(text.contains(QLatin1Char('['))) << text.toStdString();
+}
+
+TEST(PseudoLanguage, LimitsOfPlansAreTranslated)
+{
+  const Bracketed bracketed;
+  for (const std::string& limit : planning::limitsOfPlans())
+    EXPECT_TRUE(gui::dataText(limit).startsWith(QLatin1Char('['))) << limit;
 }
 
 TEST(PseudoLanguage, SourcesInAReportAreTranslated)

@@ -33,6 +33,7 @@
 #include "gui/pages/plan/PlanScene.h"
 #include "gui/pages/plan/PlanView.h"
 #include "gui/setup/PatientLibrary.h"
+#include "gui/setup/Selector.h"
 #include "perilymph/planning/PlanReport.h"
 #include "perilymph/test/TemporaryFolder.h"
 
@@ -282,6 +283,40 @@ TEST_F(APlan, GoesOnBehindAnotherPageAndContinuesAfterItWasCanceled)
   for (std::size_t i = 0; i < first->insertions.size(); ++i) {
     EXPECT_EQ(page.plan()->insertions[i].insertion.peak, first->insertions[i].insertion.peak) << i;
     EXPECT_EQ(page.plan()->insertions[i].insertion.apical, first->insertions[i].insertion.apical);
+  }
+}
+
+TEST_F(APlan, OfLowFrictionGoesDeeperAndSaysSo)
+{
+  WindowRig rig;
+  gui::PlanPage& page = show(rig, {"flex28"}, "8");
+  rig.click("computePlanButton");
+  ASSERT_TRUE(isDone(page)) << rig.label("planStatus").toStdString();
+  const double measured_deg = page.plan()->arrays[0].angle_deg.median;
+  EXPECT_FALSE(rig.label("planNote").contains("low friction"));
+  rig.choose("planFriction", "low");
+  rig.click("computePlanButton");
+  ASSERT_TRUE(isDone(page)) << rig.label("planStatus").toStdString();
+  EXPECT_GT(page.plan()->arrays[0].angle_deg.median, measured_deg + 100.0);
+  EXPECT_TRUE(rig.label("planNote").contains("low friction, chosen"));
+  settle();
+  keepPicture(rig.window(), "plan-low");
+  page.list().selectRow(0);
+  rig.click("insertPlanArrayButton");
+  ASSERT_TRUE(WindowRig::comes([&] {
+    return rig.window().page() == gui::Page::insert &&
+           rig.window().control().scenario().friction().kineticCoefficient == 0.06;
+  }));
+  rig.click("planPageButton");
+  // both are kept, each with its friction
+  auto* plans = page.findChild<QComboBox*>("planSelector");
+  ASSERT_EQ(plans->count(), 3);
+  for (int i = 1; i < plans->count(); ++i) {
+    rig.choose("planSelector", plans->itemData(i).toString().toUtf8());
+    ASSERT_TRUE(isDone(page));
+    const bool isLow = plans->itemText(i).contains("low friction");
+    EXPECT_EQ(page.plan()->request.friction.has_value(), isLow);
+    EXPECT_EQ(page.findChild<gui::Selector*>("planFriction")->value(), isLow ? "low" : "");
   }
 }
 

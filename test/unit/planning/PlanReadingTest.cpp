@@ -56,6 +56,19 @@ TEST(StoredPlan, KeepsTheCorrelationsOfTheMeasures)
   EXPECT_EQ(stored->plan.request.patient.errors->ab, 0.0);
 }
 
+TEST(StoredPlan, KeepsItsFriction)
+{
+  planning::Plan plan = syntheticPlan(20);
+  for (const std::optional<std::string>& friction : {std::optional<std::string>(), {"low"}}) {
+    plan.request.friction = friction;
+    const auto json = planning::planJson(plan);
+    ASSERT_TRUE(json) << json.error().message;
+    const auto stored = planning::planIn(*json, "plan.json");
+    ASSERT_TRUE(stored) << stored.error().message;
+    EXPECT_EQ(stored->plan.request.friction, friction);
+  }
+}
+
 TEST(StoredPlan, IsFoundInItsFolderAndBesideItsDraws)
 {
   const TemporaryFolder folder;

@@ -88,6 +88,25 @@ TEST_F(SmallPlan, InsertsAllArraysIntoTheSameCochleaByTheSameHand)
   EXPECT_NE(plan->insertions[0].a_mm, plan->insertions[2].a_mm);
 }
 
+TEST_F(SmallPlan, TakesAnotherFrictionThanTheScenarios)
+{
+  const auto measured = planning::makePlan(request_, {}, {});
+  ASSERT_TRUE(measured) << measured.error().message;
+  request_.friction = "low";
+  const auto scenario = planning::scenarioOf(request_, "flex24", session::anyStopTravel);
+  ASSERT_TRUE(scenario) << scenario.error().message;
+  EXPECT_EQ(scenario->friction().kineticCoefficient, 0.06);
+  const auto low = planning::makePlan(request_, {}, {});
+  ASSERT_TRUE(low) << low.error().message;
+  EXPECT_NE(low->fingerprint, measured->fingerprint);
+  for (std::size_t i = 0; i < low->arrays.size(); ++i)
+    EXPECT_GT(low->arrays[i].angle_deg.median, measured->arrays[i].angle_deg.median);
+  request_.friction = "butter";
+  const auto unknown = planning::makePlan(request_, {}, {});
+  ASSERT_FALSE(unknown);
+  EXPECT_NE(unknown.error().message.find("butter"), std::string::npos);
+}
+
 TEST_F(SmallPlan, RunsADrawAgainForAView)
 {
   const auto plan = planning::makePlan(request_, {}, {});

@@ -16,6 +16,7 @@
 #include "gui/parts/WrappedLabel.h"
 #include "gui/setup/Catalog.h"
 #include "gui/setup/PatientLibrary.h"
+#include "gui/setup/PlannedFriction.h"
 #include "gui/setup/Selector.h"
 #include "perilymph/analysis/ClinicalPrediction.h"
 #include "perilymph/foundation/Resources.h"
@@ -48,6 +49,9 @@ QString keyOf(const anatomy::Patient& patient)
   return QString::fromStdString(anatomy::patientText(patient));
 }
 
+/// With a capital, as the other entries of lists.
+QString inTheList(const QString& words) { return words.left(1).toUpper() + words.mid(1); }
+
 /// Arrays that are planned unless others are chosen: those with published angular depths.
 bool isUsual(const std::string& array)
 {
@@ -61,6 +65,7 @@ PlanPanel::PlanPanel(QWidget* parent)
     : QWidget(parent),
       patientList_(new Selector("planPatientSelector", tr("Patient"), this)),
       planList_(new Selector("planSelector", tr("Saved plans"), this)),
+      friction_(new Selector("planFriction", tr("Friction"), this)),
       draws_(new Selector("planDraws", tr("Draws, at most"), this)),
       compute_(rowButton(tr("Compute"), "computePlanButton", this)),
       cancel_(rowButton(tr("Cancel"), "cancelPlanButton", this)),
@@ -138,6 +143,15 @@ void PlanPanel::addArrays(QVBoxLayout& column)
 
 void PlanPanel::addFoot(QVBoxLayout& column)
 {
+  planning::PlanRequest low;
+  low.friction = lowFriction;
+  friction_->addChoice(inTheList(plannedFriction({})), QString());
+  friction_->addChoice(inTheList(plannedFriction(low)), QString::fromUtf8(lowFriction));
+  friction_->setToolTip(
+      tr("Friction measured on a tissue simulant stops straight arrays at 240 to 290°, where "
+         "clinics report 400 to 640°. The low one, 0.06, was chosen to reach these depths; no "
+         "friction in an ear is known."));
+  column.addWidget(friction_);
   for (const int count : drawCounts)
     draws_->addChoice(tr("%1 draws at most").arg(count), QString::number(count));
   draws_->show(QString::number(usualDraws), {});
@@ -205,9 +219,10 @@ void PlanPanel::listPlans()
   for (const StoredPlan& each : plans_) {
     const auto utc = QDateTime::fromString(QString::fromStdString(each.madeUtc), Qt::ISODate);
     const QString when = utc.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm"));
-    const QString arrays = each.request.arrays.size() == 1
-                               ? tr("1 array")
-                               : tr("%1 arrays").arg(each.request.arrays.size());
+    QString arrays = each.request.arrays.size() == 1
+                         ? tr("1 array")
+                         : tr("%1 arrays").arg(each.request.arrays.size());
+    if (each.request.friction) arrays += QStringLiteral(", ") + plannedFriction(each.request);
     planList_->addChoice(each.isComplete ? tr("%1 · %2").arg(when, arrays)
                                          : tr("%1 · %2 · interrupted").arg(when, arrays),
                          QString::fromStdString(each.folder.string()),
@@ -223,6 +238,8 @@ planning::PlanRequest PlanPanel::request() const
   if (patient_) request.patient = *patient_;
   for (const Row& row : arrays_)
     if (row.box->isChecked()) request.arrays.push_back(row.array);
+  if (const QString friction = friction_->value(); !friction.isEmpty())
+    request.friction = friction.toStdString();
   request.draws = draws_->value().toUInt();
   return request;
 }
@@ -233,6 +250,8 @@ void PlanPanel::showPlan(const StoredPlan& plan)
   const std::vector<std::string>& arrays = plan.request.arrays;
   for (const Row& row : arrays_)
     row.box->setChecked(std::find(arrays.begin(), arrays.end(), row.array) != arrays.end());
+  const QString friction = QString::fromStdString(plan.request.friction.value_or(""));
+  friction_->show(friction, inTheList(plannedFriction(plan.request)));
   draws_->show(QString::number(plan.request.draws), tr("%1 draws at most").arg(plan.request.draws));
   const QString folder = QString::fromStdString(plan.folder.string());
   if (planList_->findData(folder) >= 0) planList_->show(folder, {});
@@ -261,8 +280,7 @@ void PlanPanel::showState()
   compute_->setToolTip(!patient_  ? tr("Choose a patient with A and B first.")
                        : hasArray ? QString()
                                   : tr("Choose an array first."));
-  for (QWidget* field : {static_cast<QWidget*>(patientList_), static_cast<QWidget*>(draws_)})
-    field->setEnabled(!isBusy_);
+  for (Selector* field : {patientList_, friction_, draws_}) field->setEnabled(!isBusy_);
   planList_->setEnabled(!isBusy_ && !plans_.empty());
   for (const Row& row : arrays_) row.box->setEnabled(!isBusy_);
 }

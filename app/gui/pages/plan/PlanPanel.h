@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// What is planned: patient, arrays and number of draws; saved plans.
+// What is planned: patient, arrays, friction and number of draws; saved plans.
 
 #include <QWidget>
 #include <optional>
@@ -30,7 +30,7 @@ public:
   void setPatient(const anatomy::Patient& patient);
   /// The selected patient; empty if none has A and B.
   const std::optional<anatomy::Patient>& patient() const { return patient_; }
-  /// Patient, arrays and draws as chosen.
+  /// Patient, arrays, friction and draws as chosen.
   planning::PlanRequest request() const;
   /// Shows the request of a plan.
   void showPlan(const StoredPlan& plan);
@@ -65,6 +65,7 @@ private:
 
   Selector* patientList_;
   Selector* planList_;
+  Selector* friction_;
   Selector* draws_;
   QPushButton* compute_;
   QPushButton* cancel_;

@@ -9,20 +9,12 @@
 
 namespace perilymph::gui {
 
-namespace {
-
-/// Travel that every array allows, until the array's full one is known.
-constexpr const char* anyTravel_mm = "0.1";
-
-}  // namespace
-
 Result<Setup> plannedSetup(const planning::Plan& plan, std::size_t array)
 {
   const auto load = [&](const std::string& travel_mm) {
-    return session::loadScenario(plan.request.scenario, {{"array", plan.request.arrays[array]},
-                                                         {"stop_travel_mm", travel_mm}});
+    return planning::scenarioOf(plan.request, plan.request.arrays[array], travel_mm);
   };
-  const auto any = load(anyTravel_mm);
+  const auto any = load(session::anyStopTravel);
   if (!any) return any.error();
   const Length full = session::fullTravel(any->array(), any->startInside());
   const auto scenario = load(session::shortestDecimal(inMillimeters(full)));

@@ -16,6 +16,7 @@
 #include "perilymph/anatomy/Patient.h"
 #include "perilymph/foundation/Result.h"
 #include "perilymph/foundation/Units.h"
+#include "perilymph/session/Scenario.h"
 
 namespace perilymph::planning {
 
@@ -31,6 +32,7 @@ struct PlanRequest {
   anatomy::Patient patient;         ///< With A and B; H and the errors of all three if known.
   std::vector<std::string> arrays;  ///< Shipped names or files.
   std::string scenario = "surgery-flex28";  ///< Defines everything that is neither drawn nor named.
+  std::optional<std::string> friction;      ///< Shipped name or file; without it, the scenario's.
   std::size_t draws = 64;                   ///< At most.
   /// Whether fewer draws are run if the bands stand earlier (see bandsStand()).
   bool stopsEarly = true;
@@ -39,6 +41,12 @@ struct PlanRequest {
   std::optional<Resolution> resolution = Resolution{};
   unsigned jobs = 0;  ///< Threads; 0: one per processor. Does not affect the plan.
 };
+
+/// The scenario of a request with one of its arrays.
+///
+/// @param stopTravel_mm  Decimal text, such as session::anyStopTravel until the array's is known.
+Result<session::Scenario> scenarioOf(const PlanRequest& request, const std::string& array,
+                                     const std::string& stopTravel_mm);
 
 /// Largest number of draws.
 inline constexpr std::size_t maxDraws = 4096;

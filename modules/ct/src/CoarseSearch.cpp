@@ -38,11 +38,28 @@ public:
     }
   }
 
-  float nearest(const Eigen::Vector3d& point_P) const
+  /// From W to the grid's indices, which are the whole parts of the three rows' values.
+  using Rows = std::array<std::array<double, 4>, 3>;
+  Rows rowsOf(const Pose& pose) const
   {
-    const Eigen::Vector3d at = (point_P - corner_) / Region::step;
-    return inGrid(static_cast<int>(at.x() + 0.5), static_cast<int>(at.y() + 0.5),
-                  static_cast<int>(at.z() + 0.5));
+    Rows rows{};
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+      auto& row = rows[static_cast<std::size_t>(axis)];
+      for (Eigen::Index i = 0; i < 3; ++i)
+        row[static_cast<std::size_t>(i)] = pose.axes_PW(axis, i) / Region::step;
+      row[3] = (pose.origin_P[axis] - corner_[axis]) / Region::step + 0.5;
+    }
+    return rows;
+  }
+
+  /// The value at the grid's nearest point: in plain numbers, because a search asks millions of times.
+  float nearest(const Rows& rows, const Eigen::Vector3d& point_W) const
+  {
+    const double* const w = point_W.data();
+    const auto along = [w](const std::array<double, 4>& row) {
+      return static_cast<int>(row[0] * w[0] + row[1] * w[1] + row[2] * w[2] + row[3]);
+    };
+    return inGrid(along(rows[0]), along(rows[1]), along(rows[2]));
   }
 
 private:
@@ -61,12 +78,13 @@ private:
 
 double score(const Likeness& image, const Template& points, const Pose& pose, std::size_t stride)
 {
+  const Likeness::Rows rows = image.rowsOf(pose);
   double inside = 0.0, outside = 0.0;
   std::size_t insideCount = 0, outsideCount = 0;
   for (std::size_t i = 0; i < points.inside_W.size(); i += stride, ++insideCount)
-    inside += static_cast<double>(image.nearest(pose.outOf_W(points.inside_W[i])));
+    inside += static_cast<double>(image.nearest(rows, points.inside_W[i]));
   for (std::size_t i = 0; i < points.outside_W.size(); i += stride, ++outsideCount)
-    outside += static_cast<double>(image.nearest(pose.outOf_W(points.outside_W[i])));
+    outside += static_cast<double>(image.nearest(rows, points.outside_W[i]));
   return inside / static_cast<double>(insideCount) - outside / static_cast<double>(outsideCount);
 }
 

@@ -489,7 +489,7 @@
     </message>
     <message>
         <source>Schuster et al. %1, Otol Neurotol %2:%3: fresh human cochlear partition, mean %4 mN (unverified: original not consulted); force normal to the partition, not the insertion force</source>
-        <translation>Schuster et al. %1, Otol Neurotol %2:%3: frische menschliche Scheidewand der Cochlea, Mittel %4 mN (ungeprüft: Original nicht eingesehen); Kraft senkrecht zur Scheidewand, nicht die Insertionskraft</translation>
+        <translation>Schuster et al. %1, Otol Neurotol %2:%3: frische menschliche cochleäre Trennwand, Mittel %4 mN (ungeprüft: Original nicht eingesehen); Kraft senkrecht zur Trennwand, nicht die Insertionskraft</translation>
     </message>
     <message>
         <source>The recording was not closed: it ends where the program was interrupted.</source>
@@ -733,7 +733,7 @@
     </message>
     <message>
         <source>The strength of the cochlear partition and the surgeon&apos;s force limit rest on few publications; see sources.</source>
-        <translation>Festigkeit der Scheidewand und Kraftgrenze des Chirurgen beruhen auf wenigen Veröffentlichungen; siehe Quellen.</translation>
+        <translation>Festigkeit der Trennwand und Kraftgrenze des Chirurgen beruhen auf wenigen Veröffentlichungen; siehe Quellen.</translation>
     </message>
     <message>
         <source>Ends are those of the model: a probability is not a clinical risk.</source>
@@ -769,7 +769,7 @@
     </message>
     <message>
         <source>Schuster et al. %1, Otol Neurotol %2:%3, fresh human partition: %4 to %5 mN, mean %6, as recalled, not read; the standard deviation is a choice.</source>
-        <translation>Schuster et al. %1, Otol Neurotol %2:%3, frische menschliche Scheidewand: %4 bis %5 mN, Mittel %6, aus der Erinnerung, nicht gelesen; die Standardabweichung ist eine Wahl.</translation>
+        <translation>Schuster et al. %1, Otol Neurotol %2:%3, frische menschliche cochleäre Trennwand: %4 bis %5 mN, Mittel %6, aus der Erinnerung, nicht gelesen; die Standardabweichung ist eine Wahl.</translation>
     </message>
     <message>
         <source>Choice by the confidence that the array&apos;s file gives its bending stiffness: no maker publishes a stiffness or its tolerance.</source>
@@ -2866,7 +2866,7 @@
     </message>
     <message>
         <source>Strength of the cochlear partition</source>
-        <translation>Festigkeit der Scheidewand</translation>
+        <translation>Festigkeit der Trennwand</translation>
     </message>
     <message>
         <source>Stiffness of the array</source>
@@ -2946,7 +2946,7 @@
     </message>
     <message>
         <source>On partition</source>
-        <translation>Scheidewand</translation>
+        <translation>Trennwand</translation>
     </message>
     <message>
         <source>Full</source>
@@ -2974,7 +2974,7 @@
     </message>
     <message>
         <source>Median (5–95 % of the draws); angle and coverage of the most apical contact. Probabilities with 95 % intervals: full insertion, stop by resistance, buckling in front of the opening, tip fold-over, a force that reaches the strength of the cochlear partition.</source>
-        <translation>Median (5–95 % der Ziehungen); Winkel und Abdeckung des apikalsten Kontakts. Wahrscheinlichkeiten mit 95-%-Intervallen: vollständige Insertion, Abbruch bei Widerstand, Ausknicken vor der Öffnung, Umschlagen der Spitze, eine Kraft, die die Festigkeit der Scheidewand erreicht.</translation>
+        <translation>Median (5–95 % der Ziehungen); Winkel und Abdeckung des apikalsten Kontakts. Wahrscheinlichkeiten mit 95-%-Intervallen: vollständige Insertion, Abbruch bei Widerstand, Ausknicken vor der Öffnung, Umschlagen der Spitze, eine Kraft, die die Festigkeit der Trennwand erreicht.</translation>
     </message>
     <message>
         <source>Insertion plan</source>
@@ -3058,11 +3058,11 @@
     </message>
     <message>
         <source>First resistance and force on the partition: median (5–95 %), probability (95 % interval)</source>
-        <translation>Erster Widerstand und Kraft auf die Scheidewand: Median (5–95 %), Wahrscheinlichkeit (95-%-Intervall)</translation>
+        <translation>Erster Widerstand und Kraft auf die Trennwand: Median (5–95 %), Wahrscheinlichkeit (95-%-Intervall)</translation>
     </message>
     <message>
         <source>First resistance: depth of the tip past the opening where the insertion force first reaches %1 mN, the median force that surgeons detect, over the draws in which it does; felt: that it does. ≥ %2 and ≥ %3 mN: that the force on the cochlear partition reaches the weakest and the strongest published strength.</source>
-        <translation>Erster Widerstand: Tiefe der Spitze jenseits der Öffnung, in der die Insertionskraft erstmals %1 mN erreicht, den Median der Kraft, die Operateure wahrnehmen, über die Ziehungen, in denen sie es tut; gespürt: dass sie es tut. ≥ %2 und ≥ %3 mN: dass die Kraft auf die Scheidewand die schwächste und die stärkste veröffentlichte Festigkeit erreicht.</translation>
+        <translation>Erster Widerstand: Tiefe der Spitze jenseits der Öffnung, in der die Insertionskraft erstmals %1 mN erreicht, den Median der Kraft, die Operateure wahrnehmen, über die Ziehungen, in denen sie es tut; gespürt: dass sie es tut. ≥ %2 und ≥ %3 mN: dass die Kraft auf die Trennwand die schwächste und die stärkste veröffentlichte Festigkeit erreicht.</translation>
     </message>
     <message>
         <source>Sections of the scala tympani</source>

@@ -62,7 +62,7 @@ QStringList cellsOf(const planning::ArrayPlan& array, std::size_t place)
           medianText(array.angle_deg, 0),
           medianText(array.coverage_percent, 0),
           medianText(array.peak_mN, 0),
-          medianText(array.partition_mN, 1),
+          medianText(array.partition_mN, array.partition_mN.high < 10.0 ? 1 : 0),
           chanceText(array.full),
           chanceText(array.resisted),
           chanceText(array.buckled),
@@ -74,16 +74,17 @@ double paintArrays(ReportSheet& sheet, const PlanReportContent& content, double 
                    double width_mm)
 {
   y_mm = sheet.heading(0.0, y_mm, width_mm, tr("Arrays in this cochlea"));
+  constexpr double chance_mm = 16.8;  // of "100 (68–100)"
   const Column columns[] = {{tr("Array"), {}, 29.0},
-                            {tr("Angular depth"), tr("°"), 20.0},
+                            {tr("Angular depth"), tr("°"), 19.0},
                             {tr("Coverage"), tr("%"), 15.0},
                             {tr("Peak force"), tr("mN"), 16.0},
-                            {tr("On partition"), tr("mN"), 22.0},
-                            {tr("Full"), {}, 15.6},
-                            {tr("Resistance"), {}, 15.6},
-                            {tr("Buckled"), {}, 15.6},
-                            {tr("Tip fold"), {}, 15.6},
-                            {tr("Rupture"), {}, 15.6}};
+                            {tr("On partition"), tr("mN"), 17.0},
+                            {tr("Full"), {}, chance_mm},
+                            {tr("Resistance"), {}, chance_mm},
+                            {tr("Buckled"), {}, chance_mm},
+                            {tr("Tip fold"), {}, chance_mm},
+                            {tr("Rupture"), {}, chance_mm}};
   const auto& arrays = content.plan().arrays;
   const bool isLong = arrays.size() > manyArrays;
   const double high_mm = isLong ? lowRow_mm : row_mm;
@@ -100,7 +101,7 @@ double paintArrays(ReportSheet& sheet, const PlanReportContent& content, double 
   for (const Column& column : columns) titles << column.title, units << column.unit;
   paintRow(titles);
   y_mm -= 0.9;
-  constexpr double chances_mm = 5 * 15.6;
+  constexpr double chances_mm = 5 * chance_mm;
   sheet.line({width_mm - chances_mm, y_mm, chances_mm, high_mm}, tr("probability, %"),
              ReportFace::label, Qt::AlignHCenter);
   paintRow(units);

@@ -13,11 +13,16 @@ constinit thread_local std::size_t maxBytesOfThread = unlimited;
 
 }  // namespace
 
-// Replaces the library's operator new in programs that use the limit.
+// Replaces the library's operator new in programs that use the limit; a sanitizer has its own in place
+// of the library's, so that each kind that operator delete frees is replaced.
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept
+{
+  return size > maxBytesOfThread ? nullptr : std::malloc(size > 0 ? size : 1);
+}
+
 void* operator new(std::size_t size)
 {
-  if (size > maxBytesOfThread) throw std::bad_alloc();
-  void* const block = std::malloc(size > 0 ? size : 1);
+  void* const block = operator new(size, std::nothrow);
   if (block == nullptr) throw std::bad_alloc();
   return block;
 }

@@ -20,7 +20,7 @@ constexpr double gap_mm = 3.0;     // between blocks
 constexpr double gutter_mm = 6.0;  // between columns
 constexpr double maxPicture_mm = 92.0, minPicture_mm = 28.0;
 constexpr std::size_t manyArrays = 18;  // more have lower rows
-constexpr double row_mm = 4.3, lowRow_mm = 3.3;
+constexpr double row_mm = 4.3, lowRow_mm = 3.0;
 
 // lupdate assigns texts of free functions to their namespace.
 QString tr(const char* text) { return QCoreApplication::translate("perilymph::gui", text); }

@@ -38,12 +38,14 @@ WindowRig::WindowRig(const session::Overrides& overrides,
     : window_(std::make_unique<gui::MainWindow>(published(overrides), std::move(record)))
 {
   bool isShown = false;
-  QObject::connect(window_.get(), &gui::MainWindow::firstFrameShown, window_.get(),
-                   [&isShown] { isShown = true; });
+  const QMetaObject::Connection shown =
+      QObject::connect(window_.get(), &gui::MainWindow::firstFrameShown, window_.get(),
+                       [&isShown] { isShown = true; });
   window_->show();
   const auto opened = window_->open();
   if (!opened) throw std::runtime_error(opened.error().message);
   if (!comes([&] { return isShown; })) throw std::runtime_error("No frame came.");
+  QObject::disconnect(shown);  // a test may say it again
 }
 
 void WindowRig::click(const char* name)

@@ -12,8 +12,11 @@ namespace perilymph::gui {
 
 namespace {
 
-constexpr double axis_mm = 7.0;   // left of a chart, for its numbers
-constexpr double label_mm = 3.2;  // height of a line of text
+constexpr double axis_mm = 7.0;        // left of a chart, for its numbers
+constexpr double label_mm = 3.2;       // height of a line of text
+constexpr double minHeight_mm = 16.0;  // of a chart
+constexpr double head_mm = 15.0;       // heading and two lines of text above the charts
+constexpr double broad_mm = 110.0;     // has room for three charts side by side
 
 const QColor gridInk(0xD8, 0xDE, 0xE2);
 
@@ -74,13 +77,23 @@ private:
             plot.bottom() - plot.height() * force_mN / axes_.force.high};
   }
 
+  /// A number is at every line of the force, at every second, ..., so that they do not touch.
+  int numberedLines() const
+  {
+    const double apart_mm = plot_mm_.height() * axes_.force.tick / axes_.force.high;
+    return apart_mm > 0.0 ? std::max(1, int(std::ceil(label_mm / apart_mm))) : 1;
+  }
+
   void paintGrid() const
   {
     QPainter& painter = sheet_.painter();
     const QPen pen(gridInk, sheet_.dots({0, 0, 0.12, 0}).width());
+    const int every = numberedLines();
+    int lines = 0;
     for (double force = 0.0; force <= axes_.force.high * 1.001; force += axes_.force.tick) {
       painter.setPen(pen);
       painter.drawLine(at(0.0, force), at(axes_.depth.high, force));
+      if (lines++ % every != 0) continue;
       const double y_mm =
           plot_mm_.bottom() - plot_mm_.height() * force / axes_.force.high - 0.5 * label_mm;
       sheet_.line({place_mm_.left(), y_mm, axis_mm - 1.0, label_mm},
@@ -145,7 +158,10 @@ void paintCharts(ReportSheet& sheet, const QRectF& place_mm,
 void paintPlanCurves(ReportSheet& sheet, const QRectF& place_mm, const PlanReportContent& content)
 {
   const auto& arrays = content.plan().arrays;
-  const std::size_t count = std::min(arrays.size(), maxDrawnArrays);
+  const int columns = arrays.size() <= 2 ? 1 : place_mm.width() > broad_mm ? 3 : 2;
+  const double room_mm = place_mm.height() - head_mm;
+  const int rows = std::max(1, int(room_mm / minHeight_mm));
+  const std::size_t count = std::min({arrays.size(), maxDrawnArrays, std::size_t(rows * columns)});
   double top_mm =
       sheet.heading(place_mm.left(), place_mm.top(), place_mm.width(), tr("Insertion force"));
   const auto write = [&](const QString& text) {
@@ -156,7 +172,6 @@ void paintPlanCurves(ReportSheet& sheet, const QRectF& place_mm, const PlanRepor
   if (count < arrays.size())
     write(tr("Arrays 1 to %1; all %2 on the next page").arg(count).arg(arrays.size()));
   top_mm += 1.0;
-  const int columns = count > 2 ? 2 : 1;
   paintCharts(sheet, {place_mm.left(), top_mm, place_mm.width(), place_mm.bottom() - top_mm},
               arrays, count, columns);
 }

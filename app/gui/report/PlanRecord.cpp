@@ -18,8 +18,9 @@ namespace {
 
 constexpr double gap_mm = 3.0;     // between blocks
 constexpr double gutter_mm = 6.0;  // between columns
-constexpr double maxPicture_mm = 92.0, minPicture_mm = 28.0;
-constexpr std::size_t manyArrays = 18;  // more have lower rows
+constexpr double maxPicture_mm = 92.0;
+constexpr double minPicture_mm = 36.0;  // lower, nothing is seen: the curves are on the next page
+constexpr std::size_t manyArrays = 8;   // more have lower rows
 constexpr double row_mm = 4.3, lowRow_mm = 3.0;
 
 // lupdate assigns texts of free functions to their namespace.
@@ -86,8 +87,7 @@ double paintArrays(ReportSheet& sheet, const PlanReportContent& content, double 
                             {tr("Tip fold"), {}, chance_mm},
                             {tr("Rupture"), {}, chance_mm}};
   const auto& arrays = content.plan().arrays;
-  const bool isLong = arrays.size() > manyArrays;
-  const double high_mm = isLong ? lowRow_mm : row_mm;
+  double high_mm = row_mm;
   const auto paintRow = [&](const QStringList& cells) {
     double x_mm = 0.0;
     for (int i = 0; i < cells.size(); ++i) {
@@ -106,6 +106,7 @@ double paintArrays(ReportSheet& sheet, const PlanReportContent& content, double 
              ReportFace::label, Qt::AlignHCenter);
   paintRow(units);
   sheet.rule(0.0, y_mm, width_mm);
+  if (arrays.size() > manyArrays) high_mm = lowRow_mm;
   for (std::size_t i = 0; i < arrays.size(); ++i) paintRow(cellsOf(arrays[i], i));
   y_mm += 0.6;
   return y_mm + sheet.paragraph(
@@ -159,11 +160,14 @@ void paintPlanRecord(ReportSheet& sheet, const PlanReportContent& content,
   const QStringList lines = linesOf(content);
   const double limits_mm = heading_mm + heightOf(sheet, lines, width_mm);
   const double free_mm = area.bottom_mm - signature_mm - limits_mm - gap_mm - y_mm;
-  const double picture_mm = std::clamp(free_mm, minPicture_mm, maxPicture_mm);
-  paintPlanPicture(sheet, {0.0, y_mm, picture_mm, picture_mm}, content);
-  const double right_mm = picture_mm + gutter_mm;
-  paintPlanCurves(sheet, {right_mm, y_mm, width_mm - right_mm, picture_mm}, content);
-  y_mm = sheet.heading(0.0, y_mm + picture_mm + gap_mm, width_mm, tr("Method and limits"));
+  if (free_mm >= minPicture_mm) {
+    const double picture_mm = std::min(free_mm, maxPicture_mm);
+    paintPlanPicture(sheet, {0.0, y_mm, picture_mm, picture_mm}, content);
+    const double right_mm = picture_mm + gutter_mm;
+    paintPlanCurves(sheet, {right_mm, y_mm, width_mm - right_mm, picture_mm}, content);
+    y_mm += picture_mm + gap_mm;
+  }
+  y_mm = sheet.heading(0.0, y_mm, width_mm, tr("Method and limits"));
   for (const QString& line : lines)
     y_mm += sheet.paragraph(0.0, y_mm, width_mm, line, ReportFace::quiet) + 0.4;
   paintSignature(sheet, y_mm, area);

@@ -5,12 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
 
 #include "perilymph/analysis/SampleStatistics.h"
-#include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/test/TemporaryFolder.h"
+#include "perilymph/test/copyChanged.h"
 
 namespace perilymph::analysis {
 namespace {
@@ -108,13 +107,9 @@ TEST_F(DrawnInsertions, SayForEverySourceWhereItComesFrom)
 TEST(VariabilityFile, IsRefusedWithTheLineOfTheError)
 {
   const test::TemporaryFolder folder;
-  const auto original = readWhole(resource(shipped));
-  ASSERT_TRUE(original);
   const auto changed = [&](const std::string& from, const std::string& to) {
-    std::string text = *original;
-    text.replace(text.find(from), from.size(), to);
-    std::ofstream(folder / "v.toml") << text;
-    const auto loaded = loadVariability(folder / "v.toml");
+    const auto loaded =
+        loadVariability(test::copyChanged(resource(shipped), folder / "v.toml", {{from, to}}));
     return loaded ? std::string("accepted") : loaded.error().message;
   };
   EXPECT_THAT(changed("sd_N = 0.001", "sd_N = 3.0"), HasSubstr("sd_N"));

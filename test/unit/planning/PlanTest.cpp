@@ -11,7 +11,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <optional>
 #include <string>
 #include <tuple>
@@ -23,6 +22,7 @@
 #include "perilymph/planning/PlanReport.h"
 #include "perilymph/planning/PlannedShape.h"
 #include "perilymph/test/TemporaryFolder.h"
+#include "perilymph/test/copyChanged.h"
 
 namespace perilymph::test {
 namespace {
@@ -195,11 +195,7 @@ public:
   /// Replaces a number in a file.
   void change(const char* file, const std::string& from, const std::string& to) const
   {
-    std::ifstream in(folder_ / file);
-    std::string text{std::istreambuf_iterator<char>(in), {}};
-    ASSERT_NE(text.find(from), std::string::npos) << file;
-    text.replace(text.find(from), from.size(), to);
-    std::ofstream(folder_ / file) << text;
+    copyChanged(folder_ / file, folder_ / file, {{from, to}});
   }
 
 private:

@@ -803,6 +803,38 @@
         <source>With the friction measured on a tissue simulant, straight arrays stop at %1 to %2 degrees in the mean, where clinics report %3 to %4. The low friction, %5, was chosen to reach these depths: it is not measured.</source>
         <translation>Mit der an einem Gewebe-Simulans gemessenen Reibung enden gerade Elektrodenträger im Mittel bei %1 bis %2 Grad, wo Kliniken %3 bis %4 berichten. Die niedrige Reibung, %5, wurde gewählt, um diese Tiefen zu erreichen: Sie ist nicht gemessen.</translation>
     </message>
+    <message>
+        <source>path of the organ of Corti in the plan, round window to apex</source>
+        <translation>Weg des Corti-Organs in der Projektion entlang der Achse, vom runden Fenster zum Apex</translation>
+    </message>
+    <message>
+        <source>measured in this model, defined as in Todd and Naghdy</source>
+        <translation>in diesem Modell gemessen, definiert wie bei Todd und Naghdy</translation>
+    </message>
+    <message>
+        <source>Alexiades et al. %1, Otol Neurotol %2:%3</source>
+        <translation>Alexiades et al. %1, Otol Neurotol %2:%3</translation>
+    </message>
+    <message>
+        <source>turn angle of the likeliest half-diameters with these A and B / %1 deg</source>
+        <translation>Windungswinkel der wahrscheinlichsten halben Durchmesser mit diesen A und B / %1°</translation>
+    </message>
+    <message>
+        <source>Pietsch et al. %1, Sci Rep, n = %2; constants seen in public code</source>
+        <translation>Pietsch et al. %1, Sci Rep, n = %2; Konstanten aus öffentlichem Code</translation>
+    </message>
+    <message>
+        <source>angle at which a path along the lateral wall is as long as the array</source>
+        <translation>Winkel, bei dem ein Weg entlang der Außenwand so lang ist wie der Elektrodenträger</translation>
+    </message>
+    <message>
+        <source>organ-of-Corti path up to that angle / whole path</source>
+        <translation>Weg des Corti-Organs bis zu diesem Winkel / ganzer Weg</translation>
+    </message>
+    <message>
+        <source>geometry of this model; real insertions end earlier</source>
+        <translation>Geometrie dieses Modells; wirkliche Insertionen enden früher</translation>
+    </message>
 </context>
 <context>
     <name>Display</name>

@@ -165,7 +165,18 @@ constexpr const char* shipped[] = {
     QT_TRANSLATE_NOOP("Data",
                       "Shown only where the experiment was reported; its means are from about %1 "
                       "insertions."),
-    QT_TRANSLATE_NOOP("Data", "Recorded insertions: insertion force over travel")};
+    QT_TRANSLATE_NOOP("Data", "Recorded insertions: insertion force over travel"),
+    // formulas of a patient's measures, and their sources
+    QT_TRANSLATE_NOOP("Data", "path of the organ of Corti in the plan, round window to apex"),
+    QT_TRANSLATE_NOOP("Data", "measured in this model, defined as in Todd and Naghdy"),
+    QT_TRANSLATE_NOOP("Data", "Alexiades et al. %1, Otol Neurotol %2:%3"),
+    QT_TRANSLATE_NOOP("Data",
+                      "turn angle of the likeliest half-diameters with these A and B / %1 deg"),
+    QT_TRANSLATE_NOOP("Data", "Pietsch et al. %1, Sci Rep, n = %2; constants seen in public code"),
+    QT_TRANSLATE_NOOP("Data",
+                      "angle at which a path along the lateral wall is as long as the array"),
+    QT_TRANSLATE_NOOP("Data", "organ-of-Corti path up to that angle / whole path"),
+    QT_TRANSLATE_NOOP("Data", "geometry of this model; real insertions end earlier")};
 
 /// A text with placeholders, and the numbers they stand for.
 struct Pattern {

@@ -7,6 +7,7 @@
 #include <QVariant>
 #include <algorithm>
 
+#include "gui/parts/DataText.h"
 #include "gui/parts/Numbers.h"
 #include "gui/parts/Theme.h"
 #include "gui/parts/WrappedLabel.h"
@@ -188,7 +189,7 @@ void DerivedMeasures::showContent(const Result<Content>& content)
       if (band != numberText(0.0, format.decimals) && !band.isEmpty())
         number += QStringLiteral(" ± ") + band;
       value->setText(tr(format.value).arg(number));
-      const QString tip = QString::fromStdString(measure.formula + "\n" + measure.source);
+      const QString tip = dataText(measure.formula) + QLatin1Char('\n') + dataText(measure.source);
       name->setToolTip(tip);
       value->setToolTip(tip);
     }

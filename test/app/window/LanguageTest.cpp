@@ -127,6 +127,40 @@ constexpr std::pair<gui::Page, const char*> pages[] = {
     {gui::Page::validate, "validate"}, {gui::Page::sessions, "sessions"},
     {gui::Page::studies, "studies"}};
 
+/// Waits until the measures of the patient shown have come. Their tooltips name formulas and sources.
+bool measuresCome(WindowRig& rig)
+{
+  return rig.comes([&] {
+    const auto labels = rig.window().findChildren<QLabel*>(QStringLiteral("turns"));
+    return std::any_of(labels.begin(), labels.end(), [](const QLabel* each) {
+      return each->isVisible() && !each->toolTip().isEmpty();
+    });
+  });
+}
+
+TEST(PseudoLanguage, FormulasAndSourcesOfThePatientsMeasuresAreTranslated)
+{
+  const Bracketed language;
+  // each anatomy has its own formula of the duct's length
+  for (const char* anatomy : {"\"published\"", "\"mean\""}) {
+    WindowRig rig({{"anatomy", anatomy}, {"array", "\"flex28\""}});
+    rig.window().showPage(gui::Page::insert);
+    ASSERT_TRUE(measuresCome(rig)) << anatomy;
+    int tips = 0;
+    for (const char* row : {"duct_length_mm", "two_turn_length_mm", "turns", "insertion_angle_deg",
+                            "coverage_percent"})
+      for (const QLabel* label : rig.window().findChildren<QLabel*>(QLatin1String(row))) {
+        if (!label->isVisible()) continue;
+        for (const QString& line : label->toolTip().split(QLatin1Char('\n'))) {
+          ++tips;
+          EXPECT_TRUE(line.startsWith(QLatin1Char('[')) || needsNoTranslation(line))
+              << anatomy << ", " << row << ": " << line.toStdString();
+        }
+      }
+    EXPECT_EQ(tips, 10) << anatomy;
+  }
+}
+
 TEST(PseudoLanguage, EveryWordOfEveryPageComesFromATranslation)
 {
   const Bracketed language;
@@ -136,6 +170,7 @@ TEST(PseudoLanguage, EveryWordOfEveryPageComesFromATranslation)
     expectTranslated(rig, name);
   }
   rig.window().showPage(gui::Page::insert);
+  EXPECT_TRUE(measuresCome(rig));
   rig.pressKey(Qt::Key_F1);
   rig.pressKey(Qt::Key_Comma, Qt::ControlModifier);
   rig.pressKey(Qt::Key_H);

@@ -37,8 +37,9 @@ void checkTraits(const device::DeviceTraits& traits)
 void checkChannel(std::span<const std::uint8_t> bytes)
 {
   static const auto channel = std::make_unique<plugin::Channel>();
-  std::memcpy(static_cast<void*>(&channel->samples), bytes.data(),
-              std::min(bytes.size(), sizeof channel->samples));
+  if (!bytes.empty())
+    std::memcpy(static_cast<void*>(&channel->samples), bytes.data(),
+                std::min(bytes.size(), sizeof channel->samples));
   plugin::HostedSample sample;
   std::uint64_t seen = 0;
   if (!channel->samples.take(sample, seen)) return;

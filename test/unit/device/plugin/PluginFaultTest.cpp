@@ -197,10 +197,11 @@ TEST_F(PluginFault, LostIsLoadedAgainWhenItIsOpened)
 TEST_F(PluginFault, CrashingWhileItIsLoadedIsARefusal)
 {
   if (areSignalsHeld) GTEST_SKIP() << heldSignals;
-  ::setenv("PERILYMPH_TEST_FAULT", "crash in create", 1);
+  // the address sanitizer takes a bad address itself, until the host has its own handler
+  ::setenv("PERILYMPH_TEST_FAULT", "abort in create", 1);
   const auto loaded = device::loadPluginDevice(PERILYMPH_SOCKET_PLUGIN);
   ASSERT_FALSE(loaded);
-  EXPECT_THAT(loaded.error().message, HasSubstr("crashed (signal 11)"));
+  EXPECT_THAT(loaded.error().message, HasSubstr("crashed (signal 6)"));
 }
 
 TEST_F(PluginFault, CrashingWhileItIsOpenedIsAnError)

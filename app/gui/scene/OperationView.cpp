@@ -36,17 +36,17 @@ using visualization::CameraPreset;
 // A drag over the full height of the view rotates the model by half a turn.
 constexpr double turnPerHeight_deg = 180.0;
 // Height of the view's own text below the scale bars: two labels and the phase line.
-constexpr int narrowView_px = 330, legendHeight_px = 84, footHeight_px = 100;
+constexpr int footHeight_px = 100;
 constexpr int lowFootHeight_px = 56;  // without the phase line
 constexpr int lowView_px = 380;       // below it, read-outs are smaller or hidden
 constexpr int number_px = 46;  // of the three read-outs above, and what yields to a narrow view
 constexpr std::array numbers_px{number_px, 34, 28, 24, 20, 17};
 constexpr qint64 restTime_ms = 1000;
-/// Height below the scale bar, which lies above the legends of forces in a narrow view.
-int footMargin(const QSize& view)
+/// Height of what lies below the scale bars of a view, at a text of 100 %: the scene scales it.
+int footMargin(const QSize& view, int hintLift)
 {
-  const int beside = view.width() < sized(narrowView_px) ? sized(legendHeight_px) : 0;
-  return beside + (view.height() < sized(lowView_px) ? lowFootHeight_px : footHeight_px);
+  const int foot = view.height() < sized(lowView_px) ? lowFootHeight_px : footHeight_px;
+  return foot + qRound(hintLift / textScale());
 }
 
 }  // namespace
@@ -158,7 +158,7 @@ void OperationView::take(std::unique_ptr<visualization::InsertionScene> scene)
   if (scene_) renderWindow()->RemoveRenderer(&scene_->renderer());
   scene_ = std::move(scene);
   scene_->setScale(devicePixelRatioF() * textScale());
-  scene_->setScaleBarMargin(footMargin(size()) + hintLift_);
+  scene_->setScaleBarMargin(footMargin(size(), hintLift_));
   scene_->attachTo(*renderWindow());
   scene_->setStereo(hasOwnWindow(stereo_) ? visualization::Stereo::off : stereo_);
   isDirty_ = true;
@@ -333,7 +333,7 @@ void OperationView::placeHint()
   }
   if (!scene_) return;
   hintLift_ = lift;
-  scene_->setScaleBarMargin(footMargin(size()) + hintLift_);
+  scene_->setScaleBarMargin(footMargin(size(), hintLift_));
   isDirty_ = true;
 }
 

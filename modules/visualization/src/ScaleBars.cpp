@@ -27,7 +27,8 @@ constexpr double swatch_px = 23.0;     // of an arrow's line and the gap behind 
 constexpr double row_px = 17.0;        // line spacing of text
 constexpr double plateRim_px = 8.0;    // around the content of a plate
 constexpr double plateOpacity = 0.92;  // as behind the window's text on the picture
-constexpr int lowPicture_px = 380;     // a lower picture has space for the scale of wall force only
+// A lower or narrower picture has space for the scale of wall force only.
+constexpr int lowPicture_px = 380, narrowPicture_px = 330;
 constexpr int labelSize = 12;
 constexpr double namedForce_mN = 20.0;  // the force shown in the legend of arrows
 
@@ -66,9 +67,10 @@ std::string ScaleBars::rounded(double value) const
 
 bool ScaleBars::Paint(vtkContext2D* painter)
 {
-  paintLength(*painter);
-  const bool isLow = GetScene()->GetSceneHeight() < lowPicture_px * pixelRatio;
-  paintLegend(*painter, isLow ? std::vector<ArrowKind>{} : arrowKinds());
+  const bool isSmall = GetScene()->GetSceneHeight() < lowPicture_px * pixelRatio ||
+                       GetScene()->GetSceneWidth() < narrowPicture_px * pixelRatio;
+  const Corner legend = paintLegend(*painter, isSmall ? std::vector<ArrowKind>{} : arrowKinds());
+  paintLength(*painter, legend);
   return true;
 }
 
@@ -104,16 +106,18 @@ float ScaleBars::widthOf(vtkContext2D& painter, const std::string& label)
   return bounds[2];
 }
 
-void ScaleBars::paintLength(vtkContext2D& painter)
+void ScaleBars::paintLength(vtkContext2D& painter, const Corner& legend)
 {
   const float length = static_cast<float>(std::round(barLength_mm() / pixel_mm));
   const float scale = static_cast<float>(pixelRatio);
   const float right = std::round(static_cast<float>(GetScene()->GetSceneWidth()) -
                                  static_cast<float>(margin_px) * scale);
-  const float y = std::round(static_cast<float>(bottom_px) * scale);
   const float line = std::max(1.0f, std::round(1.4f * scale));
   const float cap = std::round(8.0f * scale);
   const float rim = static_cast<float>(plateRim_px) * scale;
+  float y = std::round(static_cast<float>(bottom_px) * scale);
+  // beside the legend, or above it where it is as wide
+  if (right - length - rim < legend.right) y = std::round(legend.top) + cap;
   paintPlate(painter, right - length - rim, y - cap, right + rim, y + 26.0f * scale);
   fillWith(painter, palette_->text);
   painter.DrawRect(right - length, y, length, line);
@@ -123,9 +127,10 @@ void ScaleBars::paintLength(vtkContext2D& painter)
   painter.DrawString(right - 0.5f * length, y + 16.0f * scale, rounded(barLength_mm()) + " mm");
 }
 
-void ScaleBars::paintLegend(vtkContext2D& painter, const std::vector<ArrowKind>& arrows)
+ScaleBars::Corner ScaleBars::paintLegend(vtkContext2D& painter,
+                                         const std::vector<ArrowKind>& arrows)
 {
-  if (!showsForce && arrows.empty()) return;
+  if (!showsForce && arrows.empty()) return {};
   const float scale = static_cast<float>(pixelRatio);
   const float left = static_cast<float>(margin_px) * scale;
   const float y = std::round(static_cast<float>(bottom_px) * scale);
@@ -145,9 +150,10 @@ void ScaleBars::paintLegend(vtkContext2D& painter, const std::vector<ArrowKind>&
     widest = std::max(widest, static_cast<float>(swatch_px) * scale + widthOf(painter, kind.label));
   const float foot = showsForce ? above + 2.0f * scale : below - row;
   const float top = arrows.empty() ? above : foot + row * float(arrows.size());
-  paintPlate(painter, left - rim, below - rim, left + widest + rim, top + rim);
+  const Corner corner{left + widest + rim, top + rim};
+  paintPlate(painter, left - rim, below - rim, corner.right, corner.top);
   paintArrows(painter, arrows, left, top);
-  if (!showsForce) return;
+  if (!showsForce) return corner;
 
   for (int i = 0; i < cells; ++i) {
     fillWith(painter, forceColor((i + 0.5) / cells * maxWallForce_mN_mm, palette_->scheme));
@@ -160,6 +166,7 @@ void ScaleBars::paintLegend(vtkContext2D& painter, const std::vector<ArrowKind>&
   painter.DrawString(left + 0.5f * width, below, rounded(0.5 * maxWallForce_mN_mm));
   setText(painter, VTK_TEXT_RIGHT);
   painter.DrawString(left + width, below, rounded(maxWallForce_mN_mm) + "+");
+  return corner;
 }
 
 std::vector<ScaleBars::ArrowKind> ScaleBars::arrowKinds() const

@@ -38,12 +38,17 @@ protected:
   ~ScaleBars() override = default;
 
 private:
-  void paintLength(vtkContext2D& painter);
   struct ArrowKind {
     Rgba color;
     std::string label;
   };
-  void paintLegend(vtkContext2D& painter, const std::vector<ArrowKind>& arrows);
+  /// The upper right corner of a plate [pixels].
+  struct Corner {
+    float right = 0.0f;
+    float top = 0.0f;
+  };
+  Corner paintLegend(vtkContext2D& painter, const std::vector<ArrowKind>& arrows);
+  void paintLength(vtkContext2D& painter, const Corner& legend);
   std::vector<ArrowKind> arrowKinds() const;
   std::string rounded(double value) const;
   void paintArrows(vtkContext2D& painter, const std::vector<ArrowKind>& kinds, float left, float y);

@@ -133,18 +133,41 @@ TEST(Camera, ScaleBarIsRoundAndFitsAtEveryMagnification)
   }
 }
 
+/// The longest bright line of a picture, in columns from `left` on and below `top` [pixels].
+int longestLine(const test::DrawnPicture& picture, int left, int top)
+{
+  int longest = 0;
+  for (int y = 20; y < top; ++y) {
+    int run = 0;
+    for (int x = left; x < picture.width; ++x) {
+      run = picture.at(x, y)[0] > 200 ? run + 1 : 0;
+      longest = std::max(longest, run);
+    }
+  }
+  return longest;
+}
+
 TEST(Camera, ScaleBarIsDrawnAsLongAsItSays)
 {
   SceneOnScreen screen;
   screen.showOnlyArray();
-  const test::DrawnPicture picture = screen.picture();
-  int longest = 0, run = 0;
-  for (int y = 20; y < 60; ++y)
-    for (int x = 320; x < picture.width; ++x) {
-      run = picture.at(x, y)[0] > 200 ? run + 1 : 0;
-      longest = std::max(longest, run);
-    }
-  EXPECT_NEAR(longest, screen.scene.scaleBarLength_mm() * 400.0 / 17.0, 1.5);
+  EXPECT_NEAR(longestLine(screen.picture(), 320, 60),
+              screen.scene.scaleBarLength_mm() * 400.0 / 17.0, 1.5);
+}
+
+TEST(Camera, ScaleBarIsNotCoveredByTheLegendsOfForceInANarrowPicture)
+{
+  SceneOnScreen screen;
+  screen.showOnlyArray();
+  screen.scene.setVisible(Part::wallForce, true);
+  screen.scene.setVisible(Part::contactArrows, true);
+  constexpr int height = 430;
+  for (const int width : {200, 240, 300, 340, 640}) {
+    screen.window->SetSize(width, height);
+    screen.picture();
+    const double length = screen.scene.scaleBarLength_mm() * height / 17.0;
+    EXPECT_NEAR(longestLine(screen.picture(), width - 26 - int(length), 170), length, 1.5) << width;
+  }
 }
 
 }  // namespace

@@ -81,10 +81,20 @@ class TestRun(PretendedSystem):
         self.call(SCRIPT, "--long")
         self.assertEqual(self.presets().count("asan"), 2)
 
+    def test_named_stages_run_alone(self):
+        result = self.call(SCRIPT, "--long", "fuzz", "long")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(self.stages(), [("fuzz-120", "passed"), ("long", "passed")])
+        result = self.call(SCRIPT, "--long")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(self.presets(), ["long", "asan", "tsan", "dev"])
+
     def test_an_unknown_word_is_refused(self):
-        result = self.call(SCRIPT, "--short")
-        self.assertEqual(result.returncode, 2)
-        self.assertEqual(self.calls("cmake"), [])
+        for words in (["--short"], ["long"], ["--long", "asan", "short"]):
+            result = self.call(SCRIPT, *words)
+            self.assertEqual(result.returncode, 2, words)
+            self.assertIn(f"'{words[-1]}' was given", result.stderr)
+            self.assertEqual(self.calls("cmake"), [])
 
 
 if __name__ == "__main__":

@@ -190,11 +190,10 @@ void stretchAlongAxis(const std::filesystem::path& from, const std::filesystem::
 
 TEST(Anatomy, WarnsOfAnImportedShapeThatNoCochleaHas)
 {
+  if (!PERILYMPH_HAS_VTK) GTEST_SKIP() << "this build has no VTK";
   const TemporaryFolder folder;
   const auto file = folder / "scala.stl";
-  if (cli({"anatomy", "--preset", "mean", "--surface", file}).err.find("has no VTK") !=
-      std::string::npos)
-    GTEST_SKIP() << "this build has no VTK";
+  ASSERT_EQ(cli({"anatomy", "--preset", "mean", "--surface", file}).status, 0);
   for (const auto& [factor, isUnusual] : {std::pair{1.0f, false}, {0.5f, true}, {2.2f, true}}) {
     stretchAlongAxis(file, folder / "stretched.stl", factor);
     const auto outcome =
@@ -211,9 +210,8 @@ TEST(Anatomy, WarnsOfAnImportedShapeThatNoCochleaHas)
 
 TEST(Anatomy, RefusesSurfacesThatAreNoScala)
 {
+  if (!PERILYMPH_HAS_VTK) GTEST_SKIP() << "this build has no VTK";
   const TemporaryFolder folder;
-  if (cli({"anatomy", "--import", folder / "none.stl"}).err.find("has no VTK") != std::string::npos)
-    GTEST_SKIP() << "this build has no VTK";
   expectRefusal(cli({"anatomy", "--import", folder / "none.stl"}), "there is no such file");
   for (const char* ending : {"stl", "ply", "vtp"}) {
     const auto file = folder / (std::string("text.") + ending);

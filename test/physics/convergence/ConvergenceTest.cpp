@@ -51,14 +51,16 @@ TEST(PublishedRun, ChangesByLessThanTwoPercentOfItsPeakWithTheNumberOfNodes)
   for (const int nodes : nodeNumbers) runs.push_back(forceOverTravel({.nodes = nodes}));
   const Spread spread = spreadOf(runs);
   print(spread);
-  EXPECT_LE(spread.maximum, tolerance(0.015, "0.5 mm between nodes") * spread.peak);
+  EXPECT_LE(spread.maximum, tolerance(0.02, "0.5 mm between nodes") * spread.peak);
 
-  // and every refinement comes closer to the finest
+  // and every refinement comes closer to the finest; around 11.3 mm the array sticks and slips in turns,
+  // and when it slips depends on the nodes
+  const double ripple = tolerance(0.5e-3, "stick and slip, between 11.1 and 11.5 mm of travel");
   double last = spread.maximum;
   for (std::size_t i = 1; i + 1 < runs.size(); ++i) {
     const Spread left = spreadOf({runs[i], runs.back()});
     print(left);
-    EXPECT_LT(left.maximum, 0.7 * last) << nodeNumbers[i] << " nodes";
+    EXPECT_LT(left.maximum, std::max(0.7 * last, ripple)) << nodeNumbers[i] << " nodes";
     last = left.maximum;
   }
 }

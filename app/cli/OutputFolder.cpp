@@ -98,7 +98,7 @@ Result<Done> writeFolder(const CallFiles& files, const std::string& folder,
   for (const std::string& name : names) print(" {}", name);
   print("\n");
   if (!PERILYMPH_HAS_TOOLKIT && !content.figures.empty())
-    print("This build was made without VTK: figures are SVG only.\n");
+    print("This build has no VTK: figures are SVG only.\n");
   return Done{};
 }
 

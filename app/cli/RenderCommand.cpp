@@ -133,8 +133,7 @@ namespace perilymph::cli {
 
 Result<Done> render(const RenderOptions&, const CallFiles&)
 {
-  return Error{
-      "This build cannot draw: it was made without VTK. Use a build with PERILYMPH_TOOLKIT=ON."};
+  return Error{"This build has no VTK, so it cannot draw; use a build of the preset release."};
 }
 
 }  // namespace perilymph::cli

@@ -70,6 +70,22 @@ inline void expectRefusal(const ProgramOutcome& outcome, const std::string& says
   EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
 }
 
+/// Whether the command draws or reads a surface, which this build refuses for want of VTK.
+inline bool lacksVtkFor(const std::vector<std::string>& arguments)
+{
+  return !PERILYMPH_HAS_VTK &&
+         (arguments[0] == "render" ||
+          std::find(arguments.begin(), arguments.end(), "--import") != arguments.end());
+}
+
+/// Whether the command was refused because this build has no VTK.
+inline bool isRefusedWithoutVtk(const ProgramOutcome& outcome)
+{
+  if (PERILYMPH_HAS_VTK) return false;
+  expectRefusal(outcome, "has no VTK");
+  return true;
+}
+
 /// Usage error: status 2.
 inline void expectUsageError(const ProgramOutcome& outcome, const std::string& says)
 {

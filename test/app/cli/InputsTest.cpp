@@ -35,13 +35,6 @@ std::vector<std::vector<std::string>> callsThatRead(const std::string& file)
           {"devices", "--plugin", file}};
 }
 
-/// Without VTK a build refuses to draw and to read a surface before it looks at a file.
-bool isRefusedUnread(const std::vector<std::string>& arguments)
-{
-  if (PERILYMPH_HAS_VTK) return false;
-  return arguments[0] == "render" || arguments[1] == "--import";
-}
-
 void expectSentences(const std::string& file)
 {
   const TemporaryFolder folder;
@@ -51,7 +44,7 @@ void expectSentences(const std::string& file)
     call.folder = folder.path();
     const ProgramOutcome outcome = run(call, std::chrono::seconds(30));
     EXPECT_FALSE(outcome.timedOut);
-    expectRefusal(outcome, isRefusedUnread(arguments) ? "VTK" : file);
+    expectRefusal(outcome, lacksVtkFor(arguments) ? "has no VTK" : file);
   }
   EXPECT_THAT(namesIn(folder.path()), testing::IsEmpty());
 }

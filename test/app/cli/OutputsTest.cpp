@@ -92,7 +92,7 @@ TEST_F(Outputs, NeverReplaceAFileThatTheScenarioNames)
   expectNothingLost({"simulate", "--scenario", "with-patient.toml", "--json", "patient.toml"},
                     "which the scenario reads");
   expectNothingLost({"render", "--scenario", "with-patient.toml", "--out", "patient.toml"},
-                    PERILYMPH_HAS_VTK ? "which the scenario reads" : "without VTK");
+                    PERILYMPH_HAS_VTK ? "which the scenario reads" : "has no VTK");
 }
 
 TEST_F(Outputs, NeverReplaceAnInputByAnotherNameOfIt)

@@ -50,20 +50,31 @@ commit_built()
   git -C "$root" describe --always --dirty --abbrev=40 2>/dev/null || echo "no commit-dirty"
 }
 
+# Processor, cores and system of this machine.
+machine()
+{
+  awk -F ': |"' -v cores="$(nproc)" '/^model name/ { model = $2 } /^PRETTY_NAME/ { system_name = $2 }
+    END { print model ", " cores " cores, " system_name }' /proc/cpuinfo /etc/os-release
+}
+
 # prove <name> command...: runs the command; keeps its words in build/proof/<name>.log, and adds a line to
-# build/proof/stages.tsv: name, commit at the begin, begin, end, result, and the sentence of the log that counts.
+# build/proof/stages.tsv: name, commit at the begin, begin, end, result, the sentence of the log that counts with
+# the number of skipped tests, machine.
 prove()
 {
   local -r name=$1 proof=$root/build/proof
   shift
   mkdir -p "$proof"
-  local commit begin count status=0 result=passed
+  local commit begin count skipped status=0 result=passed
   commit=$(commit_built)
   begin=$(now)
   "$@" 2>&1 | tee "$proof/$name.log" || status=$?
   if ((status != 0)); then result=failed; fi
   count=$(grep -E 'tests passed|nothing found|to the same bits' "$proof/$name.log" | tail -n 1 || true)
-  printf '%s\t%s\t%s\t%s\t%s\t%s\n' "$name" "$commit" "$begin" "$(now)" "$result" "$count" >>"$proof/stages.tsv"
+  skipped=$(grep -c '\*\*\*Skipped' "$proof/$name.log" || true)
+  if ((skipped > 0)); then count+="; $skipped skipped"; fi
+  printf '%s\t%s\t%s\t%s\t%s\t%s\t%s\n' "$name" "$commit" "$begin" "$(now)" "$result" "$count" "$(machine)" \
+    >>"$proof/stages.tsv"
   return "$status"
 }
 

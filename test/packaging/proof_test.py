@@ -15,22 +15,24 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 from pretended import SOURCE, PretendedSystem  # noqa: E402
 
 ONE = "1" * 40
-LINE = f"asan\t{ONE}\t2026-03-04T05:00:00Z\t2026-03-04T05:41:07Z\tpassed\t100% tests passed, 0 tests failed out of 12"
+LINE = f"asan\t{ONE}\t2026-03-04T05:00:00Z\t2026-03-04T05:41:07Z\tpassed\t100% tests passed, 0 tests failed out of 12\tA processor, 2 cores"
 
 
 class Proof(PretendedSystem):
     def setUp(self):
         super().setUp()
         shutil.copy(SOURCE / "test/proof", self.root / "test/proof")
+        self.guide = self.root / "resources/guide"
+        self.guide.mkdir(parents=True)
         self.proof = self.root / "build/proof"
         self.proof.mkdir(parents=True)
 
     def page(self, *lines, status=0):
         (self.proof / "stages.tsv").write_text("".join(f"{line}\n" for line in lines))
-        result = subprocess.run([sys.executable, self.root / "test/proof", self.root / "page.md"],
+        result = subprocess.run([sys.executable, self.root / "test/proof"],
                                 capture_output=True, text=True, check=False, timeout=60)
         self.assertEqual(result.returncode, status, result.stderr)
-        return (self.root / "page.md").read_text() if status == 0 else result.stderr
+        return (self.guide / "proof.md").read_text() if status == 0 else result.stderr
 
     def test_a_row_names_claim_command_commit_time_duration_and_the_line_that_counts(self):
         row = next(line for line in self.page(LINE).splitlines() if "sanitizers" in line)
@@ -54,13 +56,18 @@ class Proof(PretendedSystem):
         self.assertIn("Not run: ", page)
         self.assertIn("`packaging/try-release trixie bits`", page.split("Not run: ")[1])
 
-    def test_skipped_tests_and_inputs_of_readers_are_counted(self):
-        (self.proof / "asan.log").write_text("1/2 Test #1: a ...***Skipped 0.1 sec\n2/2 Test #2: b ...***Skipped 0.1 sec\n")
-        (self.proof / "fuzz-30.log").write_text("fuzz_array                       12345 inputs in 30 s, nothing found\n")
-        page = self.page(LINE, LINE.replace("asan", "fuzz-30"))
-        self.assertIn("out of 12; 2 skipped", page)
+    def test_the_machine_and_the_seconds_of_each_reader_are_said(self):
+        page = self.page(LINE, LINE.replace("asan", "fuzz-30").replace("A processor", "Another"))
+        self.assertIn("A processor, 2 cores; Another, 2 cores.", page)
         self.assertIn("in 30 s for each target", page)
-        self.assertIn("| `fuzz_array` | 12,345 | 30 | nothing found |", page)
+
+    def test_what_was_run_before_is_kept_unless_it_was_run_again(self):
+        self.page(LINE, LINE.replace("asan", "tsan"))
+        page = self.page(LINE.replace("asan", "soak"), LINE.replace("2026-03-04T05", "2026-03-04T06").replace("12", "13"))
+        self.assertEqual(page.count("**passed**"), 3)
+        self.assertIn("out of 13", page)
+        kept = (self.guide / "proof.tsv").read_text().splitlines()
+        self.assertEqual([line.split("\t")[0] for line in kept], ["stage", "asan", "tsan", "soak"])
 
     def test_a_log_that_is_not_understood_is_refused_in_one_sentence(self):
         for line, words in ((LINE.replace("asan", "moon"), "'moon'"), ("asan\tpassed", "2 fields")):

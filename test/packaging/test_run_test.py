@@ -39,7 +39,7 @@ class TestRun(PretendedSystem):
     def test_long_adds_both_sanitizers_and_still_ends_with_the_count(self):
         result = self.call(SCRIPT, "--long")
         self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertEqual(sorted(self.presets()), ["asan", "dev", "long", "tsan"])
+        self.assertEqual(sorted(self.presets()), ["asan", "dev", "long", "long", "long", "tsan"])
         self.assertEqual(result.stdout.strip().splitlines()[-1], COUNT)
 
     def test_a_failed_test_fails_the_run(self):
@@ -49,7 +49,7 @@ class TestRun(PretendedSystem):
     def test_a_sanitizer_that_found_something_fails_the_run_but_lets_the_rest_go_on(self):
         self.pretend("ctest", "[[ $2 != asan ]]")
         self.assert_one_sentence(self.call(SCRIPT, "--long"), "Tests failed in: asan.")
-        self.assertEqual(sorted(self.presets()), ["asan", "dev", "long", "tsan"])
+        self.assertEqual(sorted(self.presets()), ["asan", "dev", "long", "long", "long", "tsan"])
 
     def stages(self):
         lines = (self.root / "build/proof/stages.tsv").read_text().splitlines()
@@ -59,13 +59,14 @@ class TestRun(PretendedSystem):
         self.pretend("ctest", f'echo "{COUNT}"; [[ $2 != tsan ]]')
         self.assert_one_sentence(self.call(SCRIPT, "--long"), "Tests failed in: tsan.")
         self.assertEqual(self.stages(), [("asan", "passed"), ("tsan", "failed"),
-                                         ("fuzz-120", "passed"), ("long", "passed"), ("dev", "passed")])
+                                         ("fuzz-120", "passed"), ("robust", "passed"), ("soak", "passed"), ("ends", "passed"),
+                                         ("dev", "passed")])
         self.assertIn(COUNT, (self.root / "build/proof/stages.tsv").read_text().splitlines()[0])
         self.pretend("ctest", f'echo "{COUNT}"')
         result = self.call(SCRIPT, "--long")
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertIn("Testing asan: passed before on some-commit", result.stdout)
-        self.assertEqual(sorted(self.presets()), ["asan", "dev", "dev", "long", "tsan", "tsan"])
+        self.assertEqual(sorted(self.presets()), ["asan", "dev", "dev", "long", "long", "long", "tsan", "tsan"])
         self.pretend("git", "echo another-commit")
         self.call(SCRIPT, "--long")
         self.assertEqual(self.presets().count("asan"), 2)
@@ -75,6 +76,11 @@ class TestRun(PretendedSystem):
         self.call(SCRIPT, "--long")
         self.assertIn("\tsome-commit\t", (self.root / "build/proof/stages.tsv").read_text().splitlines()[0])
 
+    def test_skipped_tests_are_logged_with_the_count(self):
+        self.pretend("ctest", f'echo "1/3 Test #1: a ...***Skipped"; echo "{COUNT}"')
+        self.call(SCRIPT, "--long", "soak")
+        self.assertIn(f"{COUNT}; 1 skipped\t", (self.root / "build/proof/stages.tsv").read_text())
+
     def test_a_stage_on_changed_files_is_always_repeated(self):
         self.pretend("git", "echo some-commit-dirty")
         self.call(SCRIPT, "--long")
@@ -82,12 +88,17 @@ class TestRun(PretendedSystem):
         self.assertEqual(self.presets().count("asan"), 2)
 
     def test_named_stages_run_alone(self):
-        result = self.call(SCRIPT, "--long", "fuzz", "long")
+        result = self.call(SCRIPT, "--long", "fuzz", "plan", "soak")
         self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertEqual(self.stages(), [("fuzz-120", "passed"), ("long", "passed")])
+        self.assertEqual(self.stages(), [("fuzz-120", "passed"), ("soak", "passed"), ("plan", "passed")])
+        self.assertIn("^long/soak/", self.calls("ctest")[0])
         result = self.call(SCRIPT, "--long")
         self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertEqual(self.presets(), ["long", "asan", "tsan", "dev"])
+        self.assertEqual(self.presets(), ["long", "long", "asan", "tsan", "long", "long", "dev"])
+
+    def test_the_tests_of_every_day_alone_are_no_proof(self):
+        self.call(SCRIPT)
+        self.assertFalse((self.root / "build/proof").exists())
 
     def test_an_unknown_word_is_refused(self):
         for words in (["--short"], ["long"], ["--long", "asan", "short"]):

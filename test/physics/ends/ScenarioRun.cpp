@@ -35,14 +35,34 @@ public:
       if (!(walls_[i].isNear || isBeside) || inside < 2.0 * model_.spacing) continue;
       const double half = std::min(model_.halfWithin[i], model_.halfAcross[i]);
       const double depth = isBeside ? inside : half - walls_[i].distance;
-      const double yielded =
-          state.normalForce[i] / model_.wallStiffness[i] + model_.parts.wall.lining.si();
       run.penetration = std::max(run.penetration, depth);
-      run.unexplained = std::max(run.unexplained, depth - yielded);
+      run.unexplained = std::max(run.unexplained, depth - yielded(state, i));
     }
   }
 
 private:
+  /// Depth at which bone and membrane, in parallel, bear the force on a node.
+  double yielded(const mechanics::InsertionState& state, std::size_t i) const
+  {
+    const mechanics::ModelParts& parts = model_.parts;
+    const double force = state.normalForce[i], lining = parts.wall.lining.si();
+    if (!model_.membrane) return force / model_.wallStiffness[i] + lining;
+    const double onMembrane =
+        model_.membrane
+            ->fractionAt(state.position_W[i], model_.radius[i], state.track[i], walls_[i].normal_W)
+            .fraction;
+    const double bone = (1.0 - onMembrane) * model_.wallStiffness[i];
+    const double membrane = onMembrane * model_.wallStiffness[i] *
+                            (parts.membrane->perSamplePoint / parts.wall.perSamplePoint);
+    // the membrane hardens: without that, it would yield more
+    double low = 0.0, high = force / (bone + membrane);
+    for (int k = 0; k < 50; ++k) {
+      const double middle = 0.5 * (low + high), part = middle / parts.membrane->hardening.si();
+      ((bone + membrane * (1.0 + part * part)) * middle < force ? low : high) = middle;
+    }
+    return high + lining;
+  }
+
   const mechanics::InsertionModel& model_;
   std::vector<anatomy::WallPoint> walls_;
   std::vector<double> reach_;

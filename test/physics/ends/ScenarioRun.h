@@ -21,7 +21,7 @@ struct ScenarioRun {
   double depth = 0.0;           ///< At the end [m].
   double lowestTweezers = 1.0;  ///< Minimum height of the tweezers above the opening's plane [m].
   double penetration = 0.0;     ///< Maximum depth of the array in bone [m].
-  /// The same, less what the compliance of the wall explains [m].
+  /// The same, less what the compliance of bone and membrane explains [m].
   double unexplained = 0.0;
   std::uint64_t ticks = 0;
   std::uint64_t ticksNotConverged = 0;

@@ -162,8 +162,10 @@ void applyChoices(gui::Application& application, const gui::CommandLine& options
   const QString look = settings.word(QStringLiteral("look"), gui::colorSchemeText());
   gui::setShownColorScheme(look == QLatin1String("light") ? gui::ColorScheme::light
                                                           : gui::ColorScheme::dark);
-  gui::setTextScale(settings.word(QStringLiteral("textSize"), gui::textSizeText()).toDouble() /
-                    100.0);
+  gui::setTextScale(
+      settings.word(QStringLiteral("textSize"), gui::textSizeText(), gui::normalTextSize)
+          .toDouble() /
+      100.0);
   gui::useLanguage(application, options.language ? QString::fromStdString(*options.language)
                                                  : settings.word(QStringLiteral("language"),
                                                                  gui::languageText()));

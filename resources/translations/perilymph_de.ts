@@ -835,6 +835,254 @@
         <source>geometry of this model; real insertions end earlier</source>
         <translation>Geometrie dieses Modells; wirkliche Insertionen enden früher</translation>
     </message>
+    <message>
+        <source>%1 of %2 files are compressed as a whole (transfer syntax 1.2.840.10008.1.2.1.99, deflated), which this program does not read. Export the series uncompressed, or convert it with gdcmconv --raw.</source>
+        <translation>%1 von %2 Dateien sind als Ganzes komprimiert (Transfersyntax 1.2.840.10008.1.2.1.99, deflated); das liest dieses Programm nicht. Exportieren Sie die Serie unkomprimiert, oder wandeln Sie sie mit gdcmconv --raw um.</translation>
+    </message>
+    <message>
+        <source>It is a secondary capture, a picture of a screen, without a place in the patient. Choose a series of original images.</source>
+        <translation>Es ist eine Sekundäraufnahme, das Bild eines Bildschirms, ohne Ort im Patienten. Wählen Sie eine Serie mit Originalbildern.</translation>
+    </message>
+    <message>
+        <source>It is of the modality %1, not CT. Choose a CT series.</source>
+        <translation>Die Modalität ist %1, nicht CT. Wählen Sie eine CT-Serie.</translation>
+    </message>
+    <message>
+        <source>It is a scout (localizer), a projection and no slices. Choose a series of slices.</source>
+        <translation>Es ist ein Scout (Localizer), eine Projektion und keine Schichten. Wählen Sie eine Serie mit Schichten.</translation>
+    </message>
+    <message>
+        <source>Its images are in color, as of a picture or a fusion, and hold no Hounsfield units. Choose a series of original images.</source>
+        <translation>Die Bilder sind farbig, wie ein Foto oder eine Fusion, und enthalten keine Hounsfield-Werte. Wählen Sie eine Serie mit Originalbildern.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 files are encrypted. Export the series again without encryption.</source>
+        <translation>%1 von %2 Dateien sind verschlüsselt. Exportieren Sie die Serie ohne Verschlüsselung.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 files are cut off: they end before their voxels do. Copy the series again.</source>
+        <translation>%1 von %2 Dateien sind abgeschnitten: Sie enden vor ihren Voxeln. Kopieren Sie die Serie noch einmal.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 files hold no image. Export the series again.</source>
+        <translation>%1 von %2 Dateien enthalten kein Bild. Exportieren Sie die Serie noch einmal.</translation>
+    </message>
+    <message>
+        <source>Its voxels are stored in a way this program cannot decode (transfer syntax %1). Export the series uncompressed, or convert it with gdcmconv --raw.</source>
+        <translation>Die Voxel sind in einer Weise gespeichert, die dieses Programm nicht dekodieren kann (Transfersyntax %1). Exportieren Sie die Serie unkomprimiert, oder wandeln Sie sie mit gdcmconv --raw um.</translation>
+    </message>
+    <message>
+        <source>Its slices are of several sizes, %1 x %2 and %3 x %4 voxels. Export each size as a series of its own.</source>
+        <translation>Die Schichten haben verschiedene Größen, %1 x %2 und %3 x %4 Voxel. Exportieren Sie jede Größe als eigene Serie.</translation>
+    </message>
+    <message>
+        <source>Its slices are of several reconstruction kernels, %1 and %2. Export each reconstruction as a series of its own.</source>
+        <translation>Die Schichten haben verschiedene Rekonstruktionskerne, %1 und %2. Exportieren Sie jede Rekonstruktion als eigene Serie.</translation>
+    </message>
+    <message>
+        <source>Its slices have no pixel spacing, so no length can be measured in them. Export the series again as original images.</source>
+        <translation>Den Schichten fehlt der Pixelabstand, so dass sich in ihnen keine Länge messen lässt. Exportieren Sie die Serie noch einmal als Originalbilder.</translation>
+    </message>
+    <message>
+        <source>Its slices have several pixel spacings, %1 mm and %2 mm. Export each as a series of its own.</source>
+        <translation>Die Schichten haben verschiedene Pixelabstände, %1 mm und %2 mm. Exportieren Sie jeden als eigene Serie.</translation>
+    </message>
+    <message>
+        <source>It has %1 million voxels; at most %2 million are read. Export the region of the temporal bone.</source>
+        <translation>Die Serie hat %1 Millionen Voxel; höchstens %2 Millionen werden gelesen. Exportieren Sie den Bereich des Felsenbeins.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 slices have no position or orientation in the patient, so no length along the stack can be trusted. Export the series again as original images.</source>
+        <translation>%1 von %2 Schichten haben keine Lage oder Ausrichtung im Patienten, so dass keine Länge entlang des Stapels verlässlich ist. Exportieren Sie die Serie noch einmal als Originalbilder.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 slices have a position more than %3 km from the origin of the patient&apos;s coordinates, where no scanner measures. Export the series again as original images.</source>
+        <translation>%1 von %2 Schichten liegen mehr als %3 km vom Ursprung der Patientenkoordinaten entfernt, wo kein Scanner misst. Exportieren Sie die Serie noch einmal als Originalbilder.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 slices have an orientation that is not two unit vectors at right angles. Export the series again as original images.</source>
+        <translation>Die Ausrichtung von %1 der %2 Schichten besteht nicht aus zwei Einheitsvektoren im rechten Winkel. Exportieren Sie die Serie noch einmal als Originalbilder.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 slices have another orientation than the first. Export each orientation as a series of its own.</source>
+        <translation>%1 von %2 Schichten sind anders ausgerichtet als die erste. Exportieren Sie jede Ausrichtung als eigene Serie.</translation>
+    </message>
+    <message>
+        <source>%1 slice is missing behind slice %2 of %3 (at %4 mm along the normal), where the gap is %5 mm and the step elsewhere %6 mm. Export the whole series again.</source>
+        <translation>%1 Schicht fehlt hinter Schicht %2 von %3 (bei %4 mm entlang der Normalen); die Lücke ist dort %5 mm und der Abstand sonst %6 mm. Exportieren Sie die ganze Serie noch einmal.</translation>
+    </message>
+    <message>
+        <source>%1 slices are missing, the first behind slice %2 of %3 (at %4 mm along the normal), where the gap is %5 mm and the step elsewhere %6 mm. Export the whole series again.</source>
+        <translation>%1 Schichten fehlen, die erste hinter Schicht %2 von %3 (bei %4 mm entlang der Normalen); die Lücke ist dort %5 mm und der Abstand sonst %6 mm. Exportieren Sie die ganze Serie noch einmal.</translation>
+    </message>
+    <message>
+        <source>The slices are not equally spaced: slice %1 of %2 (at %3 mm along the normal) lies %4 mm from where equal steps of %5 mm put it, and at most %6 mm is allowed. Export the series again as original images.</source>
+        <translation>Die Schichten haben nicht den gleichen Abstand: Schicht %1 von %2 (bei %3 mm entlang der Normalen) liegt %4 mm neben ihrem Ort bei gleichen Abständen von %5 mm, höchstens %6 mm sind erlaubt. Exportieren Sie die Serie noch einmal als Originalbilder.</translation>
+    </message>
+    <message>
+        <source>There is no slice. Choose another series.</source>
+        <translation>Es ist keine Schicht da. Wählen Sie eine andere Serie.</translation>
+    </message>
+    <message>
+        <source>There is a single slice; at least %1 are needed. Choose another series.</source>
+        <translation>Es ist nur eine Schicht da; mindestens %1 sind nötig. Wählen Sie eine andere Serie.</translation>
+    </message>
+    <message>
+        <source>All %1 slices lie at one position; a volume needs them one above the other. Choose another series.</source>
+        <translation>Alle %1 Schichten liegen an einer Stelle; für ein Volumen müssen sie übereinander liegen. Wählen Sie eine andere Serie.</translation>
+    </message>
+    <message>
+        <source>%1 images that differ lie at the position of slice %2 of %3: the series holds several phases or reconstructions. Export each as a series of its own.</source>
+        <translation>%1 verschiedene Bilder liegen am Ort von Schicht %2 von %3: Die Serie enthält mehrere Phasen oder Rekonstruktionen. Exportieren Sie jede als eigene Serie.</translation>
+    </message>
+    <message>
+        <source>%1 voxels lie beyond -32768 to 32767, which 16 bits hold. Export the series as Hounsfield units.</source>
+        <translation>%1 Voxel liegen außerhalb von -32768 bis 32767, dem Bereich von 16 Bit. Exportieren Sie die Serie in Hounsfield-Werten.</translation>
+    </message>
+    <message>
+        <source>The voxels of a file could not be decoded: it is damaged, or stored in a way this program does not know. Copy or export the series again, uncompressed if it can be.</source>
+        <translation>Die Voxel einer Datei ließen sich nicht dekodieren: Sie ist beschädigt oder in einer Weise gespeichert, die dieses Programm nicht kennt. Kopieren oder exportieren Sie die Serie noch einmal, möglichst unkomprimiert.</translation>
+    </message>
+    <message>
+        <source>The tilted gantry&apos;s volume could not be resampled to right angles. Export it reformatted without tilt.</source>
+        <translation>Das Volumen der gekippten Gantry ließ sich nicht auf rechte Winkel umrechnen. Exportieren Sie es ohne Kippung reformatiert.</translation>
+    </message>
+    <message>
+        <source>is neither a file nor a folder. Give a folder of DICOM files, a DICOMDIR, a DICOM, NIfTI or NRRD file.</source>
+        <translation>ist weder eine Datei noch ein Ordner. Wählen Sie einen Ordner mit DICOM-Dateien, ein DICOMDIR, eine DICOM-, NIfTI- oder NRRD-Datei.</translation>
+    </message>
+    <message>
+        <source>does not exist. Check the path.</source>
+        <translation>gibt es nicht. Prüfen Sie den Pfad.</translation>
+    </message>
+    <message>
+        <source>holds no DICOM image. Give a folder of DICOM files, a DICOMDIR, a DICOM, NIfTI or NRRD file.</source>
+        <translation>enthält kein DICOM-Bild. Wählen Sie einen Ordner mit DICOM-Dateien, ein DICOMDIR, eine DICOM-, NIfTI- oder NRRD-Datei.</translation>
+    </message>
+    <message>
+        <source>holds more than %1 files. Give the folder of one examination.</source>
+        <translation>enthält mehr als %1 Dateien. Wählen Sie den Ordner einer Untersuchung.</translation>
+    </message>
+    <message>
+        <source>is a DICOMDIR, but none of the files it names is there. Copy the whole medium, or give a folder of images.</source>
+        <translation>ist ein DICOMDIR, aber keine der Dateien, die es nennt, ist da. Kopieren Sie das ganze Medium, oder wählen Sie einen Ordner mit Bildern.</translation>
+    </message>
+    <message>
+        <source>cannot be read. Check its name and permissions.</source>
+        <translation>ist nicht lesbar. Prüfen Sie Namen und Rechte.</translation>
+    </message>
+    <message>
+        <source>is cut off or damaged. Copy or export it again.</source>
+        <translation>ist abgeschnitten oder beschädigt. Kopieren oder exportieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>is no NIfTI-1 file with its voxels in it. Save the volume as .nii or .nii.gz.</source>
+        <translation>ist keine NIfTI-1-Datei mit ihren Voxeln. Speichern Sie das Volumen als .nii oder .nii.gz.</translation>
+    </message>
+    <message>
+        <source>holds more than one volume. Save the CT alone.</source>
+        <translation>enthält mehr als ein Volumen. Speichern Sie das CT allein.</translation>
+    </message>
+    <message>
+        <source>holds voxels of the type %1, which are no gray values. Save the CT as 16-bit numbers.</source>
+        <translation>enthält Voxel vom Typ %1, die keine Grauwerte sind. Speichern Sie das CT als 16-Bit-Zahlen.</translation>
+    </message>
+    <message>
+        <source>has neither an SForm nor a QForm in a unit of length, so left and right are not known. Export it with its orientation.</source>
+        <translation>hat weder SForm noch QForm in einer Längeneinheit, so dass links und rechts unbekannt sind. Exportieren Sie die Datei mit ihrer Ausrichtung.</translation>
+    </message>
+    <message>
+        <source>is damaged: its voxels begin nowhere. Export it again.</source>
+        <translation>ist beschädigt: Ihre Voxel haben keinen Anfang. Exportieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>holds no volume: each of its sizes must be %1 to %2. Export it again.</source>
+        <translation>enthält kein Volumen: Jede Größe muss von %1 bis %2 sein. Exportieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>has %1 million voxels; at most %2 million are read. Export the region of the temporal bone.</source>
+        <translation>hat %1 Millionen Voxel; höchstens %2 Millionen werden gelesen. Exportieren Sie den Bereich des Felsenbeins.</translation>
+    </message>
+    <message>
+        <source>is no NRRD file with a whole header. Export the CT as NRRD with its voxels in the file.</source>
+        <translation>ist keine NRRD-Datei mit vollständigem Kopf. Exportieren Sie das CT als NRRD mit den Voxeln in der Datei.</translation>
+    </message>
+    <message>
+        <source>keeps its voxels in another file. Export the CT as NRRD with its voxels in the file.</source>
+        <translation>hat ihre Voxel in einer anderen Datei. Exportieren Sie das CT als NRRD mit den Voxeln in der Datei.</translation>
+    </message>
+    <message>
+        <source>holds no volume of three dimensions. Export the CT as NRRD with its voxels in the file.</source>
+        <translation>enthält kein Volumen mit drei Dimensionen. Exportieren Sie das CT als NRRD mit den Voxeln in der Datei.</translation>
+    </message>
+    <message>
+        <source>holds voxels that are no gray values. Export the CT as NRRD with its voxels in the file.</source>
+        <translation>enthält Voxel, die keine Grauwerte sind. Exportieren Sie das CT als NRRD mit den Voxeln in der Datei.</translation>
+    </message>
+    <message>
+        <source>does not say the order of its bytes. Export the CT as NRRD with its voxels in the file.</source>
+        <translation>nennt die Reihenfolge ihrer Bytes nicht. Exportieren Sie das CT als NRRD mit den Voxeln in der Datei.</translation>
+    </message>
+    <message>
+        <source>has no space, directions and origin in the patient, so left and right are not known. Export the CT as NRRD with its voxels in the file.</source>
+        <translation>hat weder Raum noch Richtungen und Ursprung im Patienten, so dass links und rechts unbekannt sind. Exportieren Sie das CT als NRRD mit den Voxeln in der Datei.</translation>
+    </message>
+    <message>
+        <source>is encoded as &apos;%1&apos;; raw and gzip are read. Export the CT as NRRD with its voxels in the file.</source>
+        <translation>ist als „%1“ kodiert; gelesen werden raw und gzip. Exportieren Sie das CT als NRRD mit den Voxeln in der Datei.</translation>
+    </message>
+    <message>
+        <source>skips a part of its voxels. Export the CT as NRRD with its voxels in the file.</source>
+        <translation>lässt einen Teil ihrer Voxel aus. Exportieren Sie das CT als NRRD mit den Voxeln in der Datei.</translation>
+    </message>
+    <message>
+        <source>asks for more memory than there is. Export the region of the temporal bone.</source>
+        <translation>braucht mehr Speicher, als da ist. Exportieren Sie den Bereich des Felsenbeins.</translation>
+    </message>
+    <message>
+        <source>The volume has %1 x %2 x %3 voxels; at least 2 are needed along every axis. Choose another series.</source>
+        <translation>Das Volumen hat %1 x %2 x %3 Voxel; in jeder Richtung sind mindestens 2 nötig. Wählen Sie eine andere Serie.</translation>
+    </message>
+    <message>
+        <source>The volume holds %1 voxels where its size says %2. The file is damaged; export the series again.</source>
+        <translation>Das Volumen enthält %1 Voxel, seine Größe nennt %2. Die Datei ist beschädigt; exportieren Sie die Serie noch einmal.</translation>
+    </message>
+    <message>
+        <source>The volume&apos;s orientation matrix is singular or not finite, so no length can be measured in it. Export the series again with its positions and orientation.</source>
+        <translation>Die Ausrichtungsmatrix des Volumens ist singulär oder nicht endlich, so dass sich darin keine Länge messen lässt. Exportieren Sie die Serie noch einmal mit Lage und Ausrichtung.</translation>
+    </message>
+    <message>
+        <source>No cochlea of usual shape was found: the best fit leaves %1 % of the voxels near its wall unexplained, at most %2 % is allowed. Click into the cochlea; of a malformed one A, B and H do not apply.</source>
+        <translation>Es wurde keine Cochlea üblicher Form gefunden: Die beste Anpassung erklärt %1 % der Voxel nahe ihrer Wand nicht, höchstens %2 % sind erlaubt. Klicken Sie in die Cochlea; für eine missgebildete gelten A, B und H nicht.</translation>
+    </message>
+    <message>
+        <source>The point given lies outside the volume. Click into the cochlea, or give none and let the volume be searched.</source>
+        <translation>Der angeklickte Punkt liegt außerhalb des Volumens. Klicken Sie in die Cochlea, oder lassen Sie das Volumen ohne Punkt absuchen.</translation>
+    </message>
+    <message>
+        <source>No bone with a hollow was found there: the volume is empty or shows no temporal bone. Choose another series, or click into the cochlea.</source>
+        <translation>Dort wurde kein Knochen mit einem Hohlraum gefunden: Das Volumen ist leer oder zeigt kein Felsenbein. Wählen Sie eine andere Serie, oder klicken Sie in die Cochlea.</translation>
+    </message>
+    <message>
+        <source>Too few voxels lie near the place given to measure a cochlea. Click into the cochlea, and take a series that shows all of it.</source>
+        <translation>Nahe der angeklickten Stelle liegen zu wenige Voxel, um eine Cochlea zu messen. Klicken Sie in die Cochlea, und nehmen Sie eine Serie, die sie ganz zeigt.</translation>
+    </message>
+    <message>
+        <source>The best fit has A %1 mm and B %2 mm; of %3 cochleae A was %4 mm to %5 mm and B %6 mm to %7 mm at four standard deviations. Click into the cochlea; of a malformed one A, B and H do not apply.</source>
+        <translation>Die beste Anpassung hat A %1 mm und B %2 mm; bei %3 Cochleae war A %4 mm bis %5 mm und B %6 mm bis %7 mm innerhalb von vier Standardabweichungen. Klicken Sie in die Cochlea; für eine missgebildete gelten A, B und H nicht.</translation>
+    </message>
+    <message>
+        <source>A voxel is %1 mm long; at most %2 mm is allowed, and %3 mm or less is advised. Take a series with thinner slices.</source>
+        <translation>Ein Voxel ist %1 mm lang; höchstens %2 mm sind erlaubt, %3 mm oder weniger empfohlen. Nehmen Sie eine Serie mit dünneren Schichten.</translation>
+    </message>
+    <message>
+        <source>The port %1 at %2 is taken by another program. End that program, or choose another port.</source>
+        <translation>Den Port %1 auf %2 belegt ein anderes Programm. Beenden Sie es, oder wählen Sie einen anderen Port.</translation>
+    </message>
+    <message>
+        <source>The address %1 is none of this machine. 127.0.0.1 always is; &apos;ip address&apos; lists all.</source>
+        <translation>Die Adresse %1 gehört nicht zu diesem Rechner. 127.0.0.1 gehört immer dazu; „ip address“ nennt alle.</translation>
+    </message>
 </context>
 <context>
     <name>Display</name>

@@ -27,13 +27,13 @@ UserSettings::UserSettings()
   if (value(key).toInt() != format) setValue(key, format);
 }
 
-QString UserSettings::word(const QString& key, const QStringList& allowed) const
+QString UserSettings::word(const QString& key, const QStringList& allowed, int unset) const
 {
-  const QString found = value(key, allowed.first()).toString();
+  const QString found = value(key, allowed[unset]).toString();
   if (allowed.contains(found)) return found;
   spdlog::warn("The setting {} is '{}'; allowed are: {}. It counts as not set.", key.toStdString(),
                found.toStdString(), allowed.join(QStringLiteral(", ")).toStdString());
-  return allowed.first();
+  return allowed[unset];
 }
 
 }  // namespace perilymph::gui

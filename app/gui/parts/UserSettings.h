@@ -14,8 +14,8 @@ public:
   static constexpr int format = 1;
   UserSettings();
 
-  /// One of the allowed words; the first one if none or another one is stored.
-  QString word(const QString& key, const QStringList& allowed) const;
+  /// One of the allowed words; the one at the index `unset` if none or another one is stored.
+  QString word(const QString& key, const QStringList& allowed, int unset = 0) const;
 };
 
 }  // namespace perilymph::gui

@@ -46,7 +46,7 @@ QStringList letterKeysText() { return {QStringLiteral("on"), QStringLiteral("off
 
 QStringList textSizeText()
 {
-  return {QStringLiteral("100"), QStringLiteral("90"), QStringLiteral("115"), QStringLiteral("130"),
+  return {QStringLiteral("90"), QStringLiteral("100"), QStringLiteral("115"), QStringLiteral("130"),
           QStringLiteral("150")};
 }
 
@@ -78,7 +78,8 @@ SettingsSheet::SettingsSheet(QWidget* parent) : QFrame(parent), note_(label({}, 
            {tr("as the system"), QStringLiteral("English"), QStringLiteral("Deutsch")},
            Effect::withNewWindow);
   addGroup(*column, tr("Text size"), QStringLiteral("textSize"), textSizeText(),
-           {tr("100 %"), tr("90 %"), tr("115 %"), tr("130 %"), tr("150 %")}, Effect::withNewWindow);
+           {tr("90 %"), tr("100 %"), tr("115 %"), tr("130 %"), tr("150 %")}, Effect::withNewWindow,
+           normalTextSize);
   addGroup(*column, tr("Hold the array (Space or button)"), QStringLiteral("hold"), holdText(),
            {tr("while pressed"), tr("press to hold, press again to release")}, Effect::atOnce);
   addGroup(*column, tr("Keys that are letters, digits or symbols alone"), QStringLiteral("keys"),
@@ -98,7 +99,8 @@ SettingsSheet::SettingsSheet(QWidget* parent) : QFrame(parent), note_(label({}, 
 }
 
 void SettingsSheet::addGroup(QVBoxLayout& column, const QString& title, const QString& key,
-                             const QStringList& caption, const QStringList& names, Effect effect)
+                             const QStringList& caption, const QStringList& names, Effect effect,
+                             int unset)
 {
   auto* heading = label(title, 13, false, this);
   heading->setFont(typeface(13, QFont::DemiBold));
@@ -107,7 +109,7 @@ void SettingsSheet::addGroup(QVBoxLayout& column, const QString& title, const QS
   row->setSpacing(3 * spacing);
   int needed = 0;
   auto* group = new QButtonGroup(this);
-  const QString now = UserSettings().word(key, caption);
+  const QString now = UserSettings().word(key, caption, unset);
   for (int i = 0; i < caption.size(); ++i) {
     auto* choice = new Choice(names[i], this);
     choice->setObjectName(key + QLatin1Char('-') + caption[i]);

@@ -35,7 +35,7 @@ private:
   /// When a change takes effect.
   enum class Effect { withNewWindow, atOnce };
   void addGroup(QVBoxLayout& column, const QString& title, const QString& key,
-                const QStringList& caption, const QStringList& names, Effect effect);
+                const QStringList& caption, const QStringList& names, Effect effect, int unset = 0);
   void addLine(QVBoxLayout& column, const QString& title, const QString& key);
   void addLogo(QVBoxLayout& column);
 
@@ -44,12 +44,13 @@ private:
   std::vector<Choice*> choices_;  ///< Not those of sections.
 };
 
-/// Allowed values of a setting; the first one is the default.
+/// Allowed values of a setting; the first one is the default, unless said.
 QStringList colorSchemeText();
 QStringList languageText();
 /// Whether letters, digits and symbols alone act as keys of the window.
 QStringList letterKeysText();
-/// Size of all text, in percent.
+/// Size of all text, in percent; by default 100, at the index normalTextSize.
 QStringList textSizeText();
+inline constexpr int normalTextSize = 1;
 
 }  // namespace perilymph::gui

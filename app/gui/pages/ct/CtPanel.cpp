@@ -21,6 +21,7 @@
 #include "gui/pages/ct/MarkGuide.h"
 #include "gui/parts/CheckBoxes.h"
 #include "gui/parts/DataText.h"
+#include "gui/parts/EngineErrors.h"
 #include "gui/parts/PanelParts.h"
 #include "gui/parts/Theme.h"
 #include "gui/parts/WrappedLabel.h"
@@ -268,7 +269,7 @@ void CtPanel::showSeries(const imaging::CtSeriesList& list)
     QStringList notes;
     for (const std::string& warning : series.warnings) notes << dataText(warning);
     if (!series.obstacle.empty()) {
-      notes.prepend(QString::fromStdString(series.obstacle));
+      notes.prepend(engineError(series.obstacle));
       item->setFlags(Qt::NoItemFlags);
     }
     item->setToolTip(notes.join(QLatin1Char('\n')).toHtmlEscaped());

@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "gui/parts/EngineErrors.h"
+
 namespace perilymph::gui {
 
 namespace {
@@ -35,7 +37,7 @@ void CtWork::end()
 
 void CtWork::fail(const std::string& sentence)
 {
-  Q_EMIT failed(isCanceled_ ? QString() : QString::fromStdString(sentence));
+  Q_EMIT failed(isCanceled_ ? QString() : engineError(sentence));
 }
 
 void CtWork::open(const std::filesystem::path& path)

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// Why a CT could not be read or measured, or a port not be listened at, which the engine says in
+// English.
+
+#include <QString>
+#include <string>
+
+namespace perilymph::gui {
+
+/// Message of an error of the modules ct, imaging and broadcast in the window's language; the name
+/// of a file before it is kept. Unknown messages are returned unchanged.
+QString engineError(const std::string& message);
+
+}  // namespace perilymph::gui

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Why a CT cannot be read, in a German window.
+
+#include <gtest/gtest.h>
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <fstream>
+
+#include "gui/parts/EngineErrors.h"
+#include "gui/program/Languages.h"
+#include "perilymph/ct/SliceStack.h"
+#include "perilymph/imaging/CtSeries.h"
+#include "perilymph/test/TemporaryFolder.h"
+
+namespace perilymph::test {
+namespace {
+
+class GermanErrors : public testing::Test {
+protected:
+  GermanErrors() { gui::useLanguage(*QCoreApplication::instance(), "de"); }
+  ~GermanErrors() override
+  {
+    gui::useLanguage(*QCoreApplication::instance(), "en");
+    QLocale::setDefault(QLocale::c());
+  }
+};
+
+/// Slices at these heights [mm].
+std::vector<ct::SlicePose> slicesAt(const std::vector<double>& heights_mm)
+{
+  std::vector<ct::SlicePose> slices;
+  for (const double z_mm : heights_mm)
+    slices.push_back({Eigen::Vector3d(0.0, 0.0, z_mm), Eigen::Matrix<double, 3, 2>::Identity()});
+  return slices;
+}
+
+TEST_F(GermanErrors, NameNumbersAndPlacesOfSlices)
+{
+  const auto missing = ct::stackSlices(slicesAt({0.0, 0.5, 1.0, 2.5, 3.0, 3.5, 4.0, 4.5}));
+  ASSERT_FALSE(missing);
+  EXPECT_EQ(gui::engineError(missing.error().message),
+            "2 Schichten fehlen, die erste hinter Schicht 3 von 8 (bei 1,00 mm entlang der "
+            "Normalen); die Lücke ist dort 1,50 mm und der Abstand sonst 0,50 mm. Exportieren Sie "
+            "die ganze Serie noch einmal.");
+}
+
+TEST_F(GermanErrors, AreThereForEveryStackThatIsNone)
+{
+  const std::vector<double> even = {0.0, 0.5, 1.0, 1.5};
+  auto lost = slicesAt(even), far = slicesAt(even), skew = slicesAt(even), turned = slicesAt(even);
+  lost[1].position_P.reset();
+  far[1].position_P->x() = 2e6;
+  skew[1].axes_P->col(0) *= 2.0;
+  turned[1].axes_P->col(0).swap(turned[1].axes_P->col(1));
+  const std::vector<std::vector<ct::SlicePose>> stacks = {{},
+                                                          slicesAt({1.0}),
+                                                          slicesAt({1.0, 1.0, 1.0}),
+                                                          slicesAt({0.0, 0.5, 1.5, 2.0, 2.5}),
+                                                          lost,
+                                                          far,
+                                                          skew,
+                                                          slicesAt({0.0, 0.5, 1.1, 1.5, 2.0}),
+                                                          turned};
+  for (const auto& stack : stacks) {
+    const auto refused = ct::stackSlices(stack);
+    ASSERT_FALSE(refused) << &stack - stacks.data();
+    const std::string& english = refused.error().message;
+    const QString german = gui::engineError(english);
+    EXPECT_NE(german.toStdString(), english);
+    EXPECT_FALSE(german.contains(" the ")) << german.toStdString();
+  }
+}
+
+TEST_F(GermanErrors, KeepTheNameOfTheFile)
+{
+  const TemporaryFolder folder;
+  std::ofstream(folder / "3 of 4.nii") << std::string(400, 'x');
+  std::ofstream(folder / "a b.nrrd") << "NRRD0004\ntype: short\nencoding: raw\n\n";
+  std::filesystem::create_directory(folder / "empty");
+  for (const char* name : {"3 of 4.nii", "a b.nrrd", "empty", "missing"}) {
+    const std::filesystem::path path = folder / name;
+    const auto refused = imaging::findSeries(path);
+    ASSERT_FALSE(refused) << name;
+    const std::string& english = refused.error().message;
+    const QString german = gui::engineError(english);
+    EXPECT_NE(german.toStdString(), english);
+    EXPECT_TRUE(german.startsWith(QString::fromStdString(path.string() + ' ')))
+        << german.toStdString();
+    EXPECT_FALSE(german.contains(" the ")) << german.toStdString();
+  }
+}
+
+TEST_F(GermanErrors, ThatAreUnknownStayAsTheyAre)
+{
+  EXPECT_EQ(gui::engineError("It failed at 0.5 mm."), "It failed at 0.5 mm.");
+}
+
+}  // namespace
+}  // namespace perilymph::test

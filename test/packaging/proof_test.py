@@ -37,7 +37,7 @@ class Proof(PretendedSystem):
     def test_a_row_names_claim_command_commit_time_duration_and_the_line_that_counts(self):
         row = next(line for line in self.page(LINE).splitlines() if "sanitizers" in line)
         self.assertEqual([cell.strip() for cell in row.strip("|").split("|")[1:]],
-                         ["`test/run --long`", "`111111111111`", "2026-03-04 05:00:00", "41 min 07 s",
+                         ["`test/run --long asan`", "`111111111111`", "2026-03-04 05:00:00", "41 min 07 s",
                           "**passed**: 100% tests passed, 0 tests failed out of 12"])
 
     def test_the_last_run_of_a_stage_counts_even_if_it_failed(self):

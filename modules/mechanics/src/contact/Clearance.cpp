@@ -53,6 +53,9 @@ bool isStillSeen(const Eigen::Vector3d& at_W, ContactSet& contacts, std::size_t 
   const Eigen::Vector3d turned = seen.hessian_W * moved;
   wall.distance = seen.distance + (seen.normal_W + 0.5 * turned).dot(moved);
   wall.normal_W = seen.normal_W + turned;
+  // an earlier trial of this step may have left the node where it cannot touch
+  wall.isNear = true;
+  wall.clearance = 0.0;
   contacts.isKnown[i] = 1;
   return true;
 }

@@ -19,7 +19,9 @@ namespace {
 
 constexpr long ticksOfOneInsertion = 20'000;
 constexpr long ticksBetweenRests = 500;
-constexpr double jammedForce = 2.0;  // of the hand, as in the engine's EndDetector [N]
+// The engine ends an insertion there, as jammed and as buckled (EndDetector).
+constexpr double jammedForce = 2.0;    // of the hand [N]
+constexpr double buckledSlack = 4e-3;  // of the array in front of the opening [m]
 
 std::shared_ptr<const anatomy::Lumen> lumenOf(const std::string& anatomy)
 {
@@ -96,6 +98,14 @@ public:
   bool isJammed() const { return isJammed_; }
 
 private:
+  /// The engine ends an insertion here, too. The trial goes on, because nothing may break in a
+  /// folded array either; only how soon it settles is not promised.
+  bool isBuckled() const
+  {
+    const double outside = model_.parts.array.length.si() - state_.readings.depth;
+    return outside - (state_.base_W - model_.openingCenter_W).norm() > buckledSlack;
+  }
+
   bool isFinite() const
   {
     if (!state_.readings.isFinite || !state_.readings.handTorque_W.allFinite()) return false;
@@ -160,7 +170,7 @@ private:
     const mechanics::Readings& now = state_.readings;
     findings_.maxEvaluations = std::max(findings_.maxEvaluations, now.evaluations);
     findings_.maxFactorizations = std::max(findings_.maxFactorizations, now.factorizations);
-    settlingInARow_ = state_.isSettling ? settlingInARow_ + 1 : 0;
+    settlingInARow_ = state_.isSettling && !isBuckled() ? settlingInARow_ + 1 : 0;
     if (state_.isSettling) ++findings_.settling;
     findings_.longestSettling = std::max(findings_.longestSettling, settlingInARow_);
   }
@@ -169,6 +179,7 @@ private:
   void noteRest()
   {
     sinceRest_ = 0;
+    if (isBuckled()) return;
     mechanics::InsertionState bounded = state_, full = state_;
     full.workspace->rod.limit = {1'000'000, 1'000'000};
     mechanics::Drive still = last_;

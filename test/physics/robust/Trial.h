@@ -56,8 +56,9 @@ struct Findings {
   int maxEvaluations = 0;          ///< Maximum evaluations of all forces in one tick.
   int maxFactorizations = 0;       ///< Maximum factorizations in one tick.
   long settling = 0;               ///< Ticks that went on in the next one.
-  long longestSettling = 0;        ///< The most of them in a row.
-  long rests = 0;                  ///< Times that the hand was held still for 50 ms.
+  long longestSettling = 0;        ///< The most of them in a row before the array buckles.
+  long rests = 0;                  ///< Times that the hand was held still for 50 ms, the
+                                   ///< array not buckled.
   long restsUnsettled = 0;         ///< Rests after which a step still went on.
   long restsElsewhere = 0;         ///< Rests that ended more than 1 um or 0.1 mN from where
                                    ///< unlimited work in every tick of the rest takes the array.

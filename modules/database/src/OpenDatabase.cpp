@@ -161,9 +161,9 @@ Result<Database> Database::open(const fs::path& file, const FileKind& kind, Shou
     content->note = name +
                     " was not closed and lies where nothing may be written, so the ticks in its "
                     "-wal file are not read. Copy both files to a folder you may write to.";
-  const auto read = [&, &place = place](Content::Access access) -> Result<Done> {
+  const auto read = [&, &target = place](Content::Access access) -> Result<Done> {
     content->watch->instructions = 0;
-    if (const auto done = content->open(place, access); !done)
+    if (const auto done = content->open(target, access); !done)
       return content->error(done.error().message);
     return content->check(kind);
   };

@@ -61,6 +61,7 @@ std::vector<Bytes> seeds()
     const Bytes content = contentOf(file);
     add(kind, {content.begin(), content.end()});
   }
+  addCorpus("ct_file", files);
   return files;
 }
 

@@ -249,6 +249,33 @@ TEST_F(DicomRefusal, SaysWhereADicomdirsFilesShouldBe)
   expectRefusal(folder / "DICOMDIR", "none of the files it names is there");
 }
 
+// vtk-dicom asserts that a fragment is shorter than 4 GiB, and so ended the program.
+TEST_F(DicomRefusal, OutlivesAFragmentLongerThanItsFile)
+{
+  using namespace std::string_literals;
+  test::writeDicomFiles(slices, folder / "whole");
+  std::filesystem::create_directories(folder / "with");
+  std::string damaged = slices.front().file();
+  const std::size_t manufacturer = damaged.find("\x08\0\x70\0LO"s);
+  ASSERT_NE(manufacturer, std::string::npos);
+  damaged.insert(manufacturer, "\x08\0\x70\0OB\0\0\xFF\xFF\xFF\xFF\xFE\xFF\0\xE0\xFA\xFF\xFF\xFF"s);
+  std::ofstream(folder / "with" / "damaged", std::ios::binary) << damaged;
+  expectRefusal(folder / "with", "1 of 1 files are cut off");
+  expectRefusal(folder / "with" / "damaged", "1 of 1 files are cut off");
+  // Beside a whole series it takes nothing away.
+  std::filesystem::copy(folder / "with" / "damaged", folder / "whole" / "damaged");
+  EXPECT_TRUE(readCt(folder / "whole"));
+  // A DICOMDIR that names it.
+  test::DicomData record, directory;
+  record.setText(0x00041500, "CS", "WITH\\DAMAGED");
+  directory.setText(sopClass, "UI", "1.2.840.10008.1.3.10");
+  directory.setSequence(0x00041220, {record});
+  std::ofstream(folder / "DICOMDIR", std::ios::binary) << directory.file();
+  std::filesystem::rename(folder / "with", folder / "WITH");
+  std::filesystem::rename(folder / "WITH" / "damaged", folder / "WITH" / "DAMAGED");
+  expectRefusal(folder / "DICOMDIR", "1 of 1 files are cut off");
+}
+
 TEST_F(DicomRefusal, CountsFilesBeforeItReadsThem)
 {
   std::filesystem::create_directories(folder / "many");

@@ -3,11 +3,11 @@
 
 #include <gdcmImage.h>
 #include <gdcmImageReader.h>
-#include <sys/mman.h>
 
 #include <cstddef>
 #include <optional>
 
+#include "../SharedMemory.h"
 #include "../UntrustedRead.h"
 
 namespace perilymph::imaging {
@@ -27,29 +27,6 @@ std::optional<StoredType> typeOf(const gdcm::PixelFormat& format)
       return std::nullopt;
   }
 }
-
-/// Memory that a process and its child see alike.
-class SharedMemory {
-public:
-  explicit SharedMemory(std::size_t bytes)
-      : size_(bytes),
-        start_(::mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0))
-  {
-  }
-  ~SharedMemory()
-  {
-    if (isThere()) ::munmap(start_, size_);
-  }
-  SharedMemory(const SharedMemory&) = delete;
-  SharedMemory& operator=(const SharedMemory&) = delete;
-
-  bool isThere() const { return start_ != MAP_FAILED; }
-  std::byte* start() const { return static_cast<std::byte*>(start_); }
-
-private:
-  std::size_t size_;
-  void* start_;
-};
 
 /// Type of the values in `bytes` after decoding; none where the file is not what its header says.
 std::optional<StoredType> decodeInto(const DicomHeader& header, std::span<std::byte> bytes)

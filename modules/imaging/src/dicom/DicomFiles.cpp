@@ -7,6 +7,8 @@
 #include <system_error>
 #include <utility>
 
+#include "ParserTrial.h"
+
 namespace perilymph::imaging {
 
 namespace fs = std::filesystem;
@@ -40,6 +42,15 @@ Result<std::vector<fs::path>> filesBelow(const fs::path& folder, const ReadingHo
   return files;
 }
 
+/// What is listed in place of a file that cannot be parsed.
+DicomHeader unreadable(const fs::path& file)
+{
+  DicomHeader header;
+  header.file = file;
+  header.isTruncated = true;
+  return header;
+}
+
 }  // namespace
 
 Error canceledReading() { return Error{"Reading was canceled."}; }
@@ -47,12 +58,17 @@ Error canceledReading() { return Error{"Reading was canceled."}; }
 Result<DicomFiles> listDicomFiles(const fs::path& path, const ReadingHooks& hooks)
 {
   std::error_code failed;
+  const bool isFolder = fs::is_directory(path, failed);
   std::vector<fs::path> files = {path};
-  if (fs::is_directory(path, failed)) {
+  if (isFolder) {
     auto below = filesBelow(path, hooks);
     if (!below) return below.error();
     files = *std::move(below);
-  } else if (auto named = filesOfDicomDir(path)) {
+  }
+  auto ending = filesThatEndTheParser(files, hooks.isCanceled);
+  if (hooks.isCanceled && hooks.isCanceled()) return canceledReading();
+  auto named = isFolder || !ending.empty() ? std::nullopt : filesOfDicomDir(path);
+  if (named) {
     files = *std::move(named);
     if (files.size() > maxCtFiles) return tooMany(path);
     std::erase_if(files, [](const fs::path& file) {
@@ -64,11 +80,14 @@ Result<DicomFiles> listDicomFiles(const fs::path& path, const ReadingHooks& hook
           path.string() +
           " is a DICOMDIR, but none of the files it names is there. Copy the whole medium, "
           "or give a folder of images."};
+    ending = filesThatEndTheParser(files, hooks.isCanceled);
   }
   DicomFiles found;
   for (std::size_t i = 0; i < files.size(); ++i) {
     if (hooks.isCanceled && hooks.isCanceled()) return canceledReading();
-    if (auto header = readDicomHeader(files[i]))
+    if (ending.contains(files[i]))
+      found.headers.push_back(unreadable(files[i]));
+    else if (auto header = readDicomHeader(files[i]))
       found.headers.push_back(*std::move(header));
     else
       ++found.others;

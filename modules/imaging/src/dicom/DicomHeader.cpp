@@ -142,7 +142,8 @@ struct Parsed {
   std::int64_t pixelStart = 0, fileSize = 0;
 };
 
-std::optional<Parsed> parse(const std::filesystem::path& file)
+/// Without a query, every element is kept.
+std::optional<Parsed> parse(const std::filesystem::path& file, vtkDICOMMetaData* wanted)
 {
   if (!beginsAsDicom(file)) return std::nullopt;
   const auto complaints = vtkSmartPointer<Complaints>::New();
@@ -151,7 +152,7 @@ std::optional<Parsed> parse(const std::filesystem::path& file)
   parsed.values = vtkSmartPointer<vtkDICOMMetaData>::New();
   complaints->listenTo({parser, parsed.values});
   parser->SetMetaData(parsed.values);
-  parser->SetQuery(query());
+  parser->SetQuery(wanted);
   parser->SetFileName(file.c_str());
   parser->Update();
   parsed.hasPixels = parser->GetPixelDataFound();
@@ -260,7 +261,7 @@ bool isCutOff(const DicomHeader& header, const Parsed& parsed)
 
 std::optional<DicomHeader> readDicomHeader(const std::filesystem::path& file)
 {
-  const auto parsed = parse(file);
+  const auto parsed = parse(file, query());
   if (!parsed) return std::nullopt;
   vtkDICOMMetaData& values = *parsed->values;
   DicomHeader header;
@@ -292,9 +293,11 @@ std::optional<DicomHeader> readDicomHeader(const std::filesystem::path& file)
   return header;
 }
 
+void parseWholeHeader(const std::filesystem::path& file) { parse(file, nullptr); }
+
 std::optional<std::vector<std::filesystem::path>> filesOfDicomDir(const std::filesystem::path& file)
 {
-  const auto parsed = parse(file);
+  const auto parsed = parse(file, query());
   if (!parsed || !parsed->values->Has(DC::DirectoryRecordSequence)) return std::nullopt;
   const vtkDICOMSequence records(parsed->values->Get(DC::DirectoryRecordSequence));
   std::vector<std::filesystem::path> files;

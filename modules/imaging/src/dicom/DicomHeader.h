@@ -44,6 +44,9 @@ struct DicomHeader {
 /// Reads the header of a file up to its voxels; none where it is no DICOM file.
 std::optional<DicomHeader> readDicomHeader(const std::filesystem::path& file);
 
+/// Parses a file up to its voxels as the reader of the voxels does, all elements of it, and keeps nothing.
+void parseWholeHeader(const std::filesystem::path& file);
+
 /// The files that a DICOMDIR names, each within its folder; none where the file is no DICOMDIR.
 std::optional<std::vector<std::filesystem::path>> filesOfDicomDir(
     const std::filesystem::path& file);

@@ -48,6 +48,16 @@ std::string deflatedObstacle(const DicomSeries& series)
          "--raw.";
 }
 
+std::string cutObstacle(const DicomSeries& series)
+{
+  const auto isCut = [](const DicomHeader& header) { return header.isTruncated; };
+  const std::size_t cut = countOf(series.headers, isCut);
+  if (cut == 0) return {};
+  return of(cut, series.headers.size()) +
+         " files are cut off: they end before their voxels do. Copy the series "
+         "again.";
+}
+
 /// What kind of image it is not; empty for a CT.
 std::string kindObstacle(const DicomSeries& series)
 {
@@ -56,6 +66,8 @@ std::string kindObstacle(const DicomSeries& series)
   if (first.sopClass.rfind("1.2.840.10008.5.1.4.1.1.7", 0) == 0)
     return "It is a secondary capture, a picture of a screen, without a place in the patient. "
            "Choose a series of original images.";
+  // Of a file that ends the parser, nothing else is known.
+  if (first.modality.empty() && first.isTruncated) return cutObstacle(series);
   if (first.modality != "CT")
     return "It is of the modality " + (first.modality.empty() ? "(none)" : first.modality) +
            ", not CT. Choose a CT series.";
@@ -84,11 +96,7 @@ std::string fileObstacle(const DicomSeries& series)
   };
   if (const std::size_t locked = countOf(headers, isLocked); locked > 0)
     return of(locked, all) + " files are encrypted. Export the series again without encryption.";
-  const auto isCut = [](const DicomHeader& header) { return header.isTruncated; };
-  if (const std::size_t cut = countOf(headers, isCut); cut > 0)
-    return of(cut, all) +
-           " files are cut off: they end before their voxels do. Copy the series "
-           "again.";
+  if (std::string cut = cutObstacle(series); !cut.empty()) return cut;
   const auto isEmpty = [](const DicomHeader& header) {
     return !header.hasPixels || header.frames.empty();
   };

@@ -6,7 +6,6 @@
 #include <vtkDICOMValue.h>
 #include <vtkSmartPointer.h>
 
-#include <optional>
 #include <set>
 
 #include "../VtkComplaints.h"
@@ -32,6 +31,15 @@ constexpr std::pair<std::uint16_t, std::uint16_t> tags[] = {
     {0x0010, 0x0040},   // PatientSex
     {0x0020, 0x000D},   // StudyInstanceUID
     {0x0020, 0x0010}};  // StudyID
+
+/// The number of the patient; empty where there is none.
+std::string patientIn(const StudyIdentity& identity)
+{
+  const auto found = identity.values.find({0x0010, 0x0020});
+  return found == identity.values.end() ? std::string() : found->second;
+}
+
+}  // namespace
 
 std::optional<StudyIdentity> identityIn(const std::filesystem::path& file)
 {
@@ -59,15 +67,6 @@ std::optional<StudyIdentity> identityIn(const std::filesystem::path& file)
   if (identity.studyUid.empty()) return std::nullopt;
   return identity;
 }
-
-/// The number of the patient; empty where there is none.
-std::string patientIn(const StudyIdentity& identity)
-{
-  const auto found = identity.values.find({0x0010, 0x0020});
-  return found == identity.values.end() ? std::string() : found->second;
-}
-
-}  // namespace
 
 Result<StudyIdentity> readStudyIdentity(const std::filesystem::path& ct)
 {

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -20,6 +21,9 @@ struct StudyIdentity {
   std::map<std::pair<std::uint16_t, std::uint16_t>, std::string> values;
   std::string studyUid;
 };
+
+/// Reads the identity in one DICOM file; none if it states no study.
+std::optional<StudyIdentity> identityIn(const std::filesystem::path& file);
 
 /// Reads the identity that all DICOM files below a path have in common. No error names it.
 Result<StudyIdentity> readStudyIdentity(const std::filesystem::path& ct);

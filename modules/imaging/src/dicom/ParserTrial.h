@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// vtk-dicom's parser ends the process on some damaged files: it asserts that a fragment of an element
+// of undefined length is shorter than 4 GiB, where it should refuse one that is longer than the file.
+
+#include <filesystem>
+#include <functional>
+#include <set>
+#include <vector>
+
+namespace perilymph::imaging {
+
+/// The files that end the parser, take it longer than a minute, or make it allocate more than 512 MiB,
+/// for any use of it here. Each is parsed in a child process. What was not tried when it is canceled is
+/// not among them.
+std::set<std::filesystem::path> filesThatEndTheParser(
+    const std::vector<std::filesystem::path>& files, const std::function<bool()>& isCanceled);
+
+}  // namespace perilymph::imaging

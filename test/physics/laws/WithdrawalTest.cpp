@@ -76,9 +76,9 @@ TEST(WithdrawnArray, PushesNobodyAndIsAsItWas)
       return shape;
     };
     const std::vector<Eigen::Vector3d> before = shapeOf();
-    insertion.move(17e-3, 4e-3);
+    insertion.move(19e-3, 4e-3);
     ASSERT_GT(insertion.state().readings.axialForce, 3e-3) << array;
-    insertion.move(-17e-3, 4e-3);
+    insertion.move(-19e-3, 4e-3);
     insertion.rest(1.0);
     const std::vector<Eigen::Vector3d> after = shapeOf();
     double changed = 0.0;

@@ -18,8 +18,9 @@ namespace {
 
 TEST(AnInsertionAtTenKilohertz, AnswersEveryReportWithAHundredNodesInTissue)
 {
-  const auto scenario =
-      loadScenario("surgery-flex28", {{"dt_ms", "0.1"}, {"nodes", "100"}, {"coupling", "spring"}});
+  const auto scenario = loadScenario(
+      "surgery-flex28",
+      {{"dt_ms", "0.1"}, {"nodes", "100"}, {"coupling", "spring"}, {"friction", "tissue"}});
   ASSERT_TRUE(scenario) << scenario.error().message;
   test::TenKilohertzHand hand;
   auto device = hand.device();
@@ -27,7 +28,7 @@ TEST(AnInsertionAtTenKilohertz, AnswersEveryReportWithAHundredNodesInTissue)
   auto insertion = Insertion::prepare(*scenario, std::move(device), std::nullopt);
   ASSERT_TRUE(insertion) << insertion.error().message;
 
-  constexpr std::uint64_t ticks = 25'000;
+  constexpr std::uint64_t ticks = 23'000;  // to 18 mm: the array buckles at 19
   std::uint64_t sequence = 0, missed = 0, stale = 0, unbalanced = 0;
   double peak = 0.0;
   haptics::TickRecord last;

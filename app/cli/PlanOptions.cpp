@@ -47,8 +47,8 @@ void addPlan(CLI::App& app, FileOptions& files, PlanOptions& options)
   files.reads(
       command
           .add_option("--friction", options.friction,
-                      "Friction: shipped name or TOML file; 'low' was chosen for patients' depths")
-          ->default_str("tissue"),
+                      "Friction: shipped name or TOML file; 'tissue' was measured on a simulant")
+          ->default_str("endosteum"),
       "resources/friction");
   command
       .add_option("--samples", options.samples,

@@ -286,7 +286,7 @@ void definePlan(py::module_& module)
       "all shipped ones if None.\nsamples: draws at most; fewer if the bands stand, unless "
       "all_samples.\nseed: of the draws. jobs: threads, 0: one per processor; does not affect "
       "the plan.\nscenario: what is neither drawn nor named.\nfriction: name or file; None: the "
-      "scenario's, that of a tissue simulant.\ndraws_file: keeps the draws "
+      "scenario's, 0.12 of endosteum, chosen.\ndraws_file: keeps the draws "
       "(.sqlite), so that an interrupted plan continues.\nprogress: called with the numbers "
       "of done and of all insertions; an exception in it ends the plan.\n\n"
       "The interpreter's lock is released while it computes; Ctrl+C ends it.");

@@ -652,8 +652,8 @@
         <translation>Aufgezeichnete Hand</translation>
     </message>
     <message>
-        <source>Surgery: FLEX28 through the round window, tissue-like friction</source>
-        <translation>Operation: FLEX28 durch das runde Fenster, gewebeähnliche Reibung</translation>
+        <source>Surgery: FLEX28 through the round window</source>
+        <translation>Operation: FLEX28 durch das runde Fenster</translation>
     </message>
     <message>
         <source>largest difference of the predicted</source>
@@ -800,8 +800,8 @@
         <translation>Die cochleäre Trennwand reißt bei einer einzigen Festigkeit, Knochen und Membran gleich, in eine gespiegelte Scala vestibuli. Das Modell ergibt weniger Translokationen als klinische Berichte.</translation>
     </message>
     <message>
-        <source>With the friction measured on a tissue simulant, straight arrays stop at %1 to %2 degrees in the mean, where clinics report %3 to %4. The low friction, %5, was chosen to reach these depths: it is not measured.</source>
-        <translation>Mit der an einem Gewebe-Simulans gemessenen Reibung enden gerade Elektrodenträger im Mittel bei %1 bis %2 Grad, wo Kliniken %3 bis %4 berichten. Die niedrige Reibung, %5, wurde gewählt, um diese Tiefen zu erreichen: Sie ist nicht gemessen.</translation>
+        <source>No friction in a living ear is known. The default, %1, is the low end of what is reported for arrays on endosteum, chosen with the depths in view that clinics report: four of five straight arrays come within %2 degrees of them, FLEXSOFT stops %3 short. With the friction of a tissue simulant straight arrays stop at %4 to %5.</source>
+        <translation>Im lebenden Ohr ist keine Reibung bekannt. Die Vorgabe, %1, ist das untere Ende dessen, was für Elektrodenträger auf Endost berichtet wird; sie ist im Blick auf die Tiefen gewählt, die Kliniken berichten: Vier von fünf geraden Elektrodenträgern kommen bis auf %2 Grad heran, FLEXSOFT endet %3 davor. Mit der Reibung eines Gewebe-Simulans enden gerade Elektrodenträger bei %4 bis %5.</translation>
     </message>
     <message>
         <source>path of the organ of Corti in the plan, round window to apex</source>
@@ -3417,8 +3417,8 @@
         <translation>%1 über der Trennwand</translation>
     </message>
     <message>
-        <source>low friction, chosen</source>
-        <translation>niedrige Reibung, gewählt</translation>
+        <source>friction of endosteum, chosen</source>
+        <translation>Reibung von Endost, gewählt</translation>
     </message>
     <message>
         <source>friction %1</source>
@@ -5567,8 +5567,8 @@
         <translation>Seit diesem Plan wurde ein Träger, das Szenario, eine Verteilung oder das Programm geändert: Er wird gezeigt, wie er gemacht wurde, und „Berechnen“ macht einen neuen.</translation>
     </message>
     <message>
-        <source>Median (5–95 % of the draws). Values of the model, not clinical risks: with the friction of a tissue simulant, straight arrays stop at 240 to 290° in the mean, where clinics report 400 to 640°; the low friction was chosen to reach this. Translocation is rarer than clinics report.</source>
-        <translation>Median (5–95 % der Ziehungen). Werte des Modells, keine klinischen Risiken: Mit der Reibung eines Gewebe-Simulans enden gerade Elektrodenträger im Mittel bei 240 bis 290°, wo Kliniken 400 bis 640° berichten; die niedrige Reibung wurde gewählt, um dies zu erreichen. Translokationen sind seltener als in klinischen Berichten.</translation>
+        <source>Median (5–95 % of the draws). Values of the model, not clinical risks: the friction, 0.12, was chosen for the depths that clinics report; with that of a tissue simulant straight arrays stop at 240 to 350°. Translocation is rarer than clinics report.</source>
+        <translation>Median (5–95 % der Ziehungen). Werte des Modells, keine klinischen Risiken: Die Reibung, 0,12, wurde für die Tiefen gewählt, die Kliniken berichten; mit der eines Gewebe-Simulans enden gerade Elektrodenträger bei 240 bis 350°. Translokationen sind seltener als in klinischen Berichten.</translation>
     </message>
 </context>
 <context>
@@ -5670,8 +5670,8 @@
         <translation>Reibung</translation>
     </message>
     <message>
-        <source>Friction measured on a tissue simulant stops straight arrays at 240 to 290°, where clinics report 400 to 640°. The low one, 0.06, was chosen to reach these depths; no friction in an ear is known.</source>
-        <translation>Die an einem Gewebe-Simulans gemessene Reibung hält gerade Elektrodenträger bei 240 bis 290° auf, wo Kliniken 400 bis 640° berichten. Die niedrige, 0,06, wurde gewählt, um diese Tiefen zu erreichen; im Ohr ist keine Reibung bekannt.</translation>
+        <source>No friction in an ear is known. 0.12 is the low end of what is reported for arrays on endosteum; with it most straight arrays come about as deep as clinics report. With the friction measured on a tissue simulant they stop at 240 to 350°.</source>
+        <translation>Im Ohr ist keine Reibung bekannt. 0,12 ist das untere Ende dessen, was für Elektrodenträger auf Endost berichtet wird; mit ihr kommen die meisten geraden Elektrodenträger etwa so tief, wie Kliniken berichten. Mit der an einem Gewebe-Simulans gemessenen Reibung enden sie bei 240 bis 350°.</translation>
     </message>
 </context>
 <context>

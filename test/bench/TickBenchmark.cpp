@@ -39,7 +39,8 @@ const Row& published()
 /// With the friction of tissue, by hand, to 17.5 mm at 0.66 mm/s.
 const Row& tissueFlex28()
 {
-  static const Row row{"surgery-flex28", {{"stop_travel_mm", "16.5"}}, 25'000};
+  static const Row row{
+      "surgery-flex28", {{"stop_travel_mm", "16.5"}, {"friction", "tissue"}}, 25'000};
   return row;
 }
 

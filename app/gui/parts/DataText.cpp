@@ -30,7 +30,7 @@ constexpr const char* shipped[] = {
     // input devices without hardware
     QT_TRANSLATE_NOOP("Data", "Scripted insertion"),
     QT_TRANSLATE_NOOP("Data", "Mouse and keyboard"), QT_TRANSLATE_NOOP("Data", "Recorded hand"),
-    QT_TRANSLATE_NOOP("Data", "Surgery: FLEX28 through the round window, tissue-like friction"),
+    QT_TRANSLATE_NOOP("Data", "Surgery: FLEX28 through the round window"),
     QT_TRANSLATE_NOOP("Data", "largest difference of the predicted"),
     QT_TRANSLATE_NOOP("Data", "raw force at the basal turn"),
     // titles of frictions
@@ -148,9 +148,11 @@ constexpr const char* shipped[] = {
                       "mirrored scala vestibuli. The model gives fewer translocations than clinics "
                       "report."),
     QT_TRANSLATE_NOOP("Data",
-                      "With the friction measured on a tissue simulant, straight arrays stop at %1 "
-                      "to %2 degrees in the mean, where clinics report %3 to %4. The low friction, "
-                      "%5, was chosen to reach these depths: it is not measured."),
+                      "No friction in a living ear is known. The default, %1, is the low end of "
+                      "what is reported for arrays on endosteum, chosen with the depths in view "
+                      "that clinics report: four of five straight arrays come within %2 degrees of "
+                      "them, FLEXSOFT stops %3 short. With the friction of a tissue simulant "
+                      "straight arrays stop at %4 to %5."),
     QT_TRANSLATE_NOOP("Data",
                       "Errors of A, B and H are independent unless the patient's file states their "
                       "correlations."),

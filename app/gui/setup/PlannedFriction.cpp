@@ -18,13 +18,14 @@ QString nameOf(const std::string& nameOrFile)
 
 QString plannedFriction(const planning::PlanRequest& request)
 {
-  if (request.friction == lowFriction)
-    return QCoreApplication::translate("perilymph::gui", "low friction, chosen");
+  const bool isUsual = !request.friction && request.scenario == planning::PlanRequest{}.scenario;
+  if (isUsual || request.friction == endosteumFriction)
+    return QCoreApplication::translate("perilymph::gui", "friction of endosteum, chosen");
+  if (request.friction == simulantFriction)
+    return QCoreApplication::translate("perilymph::gui", "friction of a tissue simulant");
   if (request.friction)
     return QCoreApplication::translate("perilymph::gui", "friction %1")
         .arg(nameOf(*request.friction));
-  if (request.scenario == planning::PlanRequest{}.scenario)
-    return QCoreApplication::translate("perilymph::gui", "friction of a tissue simulant");
   return QCoreApplication::translate("perilymph::gui", "friction of %1")
       .arg(nameOf(request.scenario));
 }

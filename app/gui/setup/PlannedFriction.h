@@ -9,11 +9,12 @@
 
 namespace perilymph::gui {
 
-/// The shipped friction that was chosen for the depths in patients.
-inline constexpr const char* lowFriction = "low";
+/// The shipped friction of the plans' usual scenario, and the one measured on a tissue simulant.
+inline constexpr const char* endosteumFriction = "endosteum";
+inline constexpr const char* simulantFriction = "tissue";
 
-/// "friction of a tissue simulant", "low friction, chosen", "friction soap-50"; of another scenario,
-/// "friction of booth".
+/// "friction of endosteum, chosen", "friction of a tissue simulant", "friction soap-50"; of another
+/// scenario, "friction of booth".
 QString plannedFriction(const planning::PlanRequest& request);
 
 }  // namespace perilymph::gui

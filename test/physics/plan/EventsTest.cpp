@@ -20,6 +20,8 @@ namespace {
 
 using Changes = std::vector<std::pair<std::string, std::string>>;
 
+const Changes inTissue = {{"friction = \"endosteum\"", "friction = \"tissue\""}};
+
 class PlannedEnds : public testing::Test {
 protected:
   /// The arrays of a plan by the surgery's scenario with changed text.
@@ -46,13 +48,13 @@ protected:
 TEST_F(PlannedEnds, AreFullDepthInSoap)
 {
   const auto arrays =
-      planWith({{"friction = \"tissue\"", "friction = \"soap-10\""}}, 1, {"flex20"});
+      planWith({{"friction = \"endosteum\"", "friction = \"soap-10\""}}, 1, {"flex20"});
   EXPECT_EQ(arrays[0].full.value, 1.0);
 }
 
 TEST_F(PlannedEnds, AreResistanceAndBucklingInTissue)
 {
-  const auto arrays = planWith({}, 4, {"medel-standard", "flexsoft"});
+  const auto arrays = planWith(inTissue, 4, {"medel-standard", "flexsoft"});
   EXPECT_GT(arrays[0].resisted.value, 0.0);
   EXPECT_GT(arrays[0].buckled.value + arrays[1].buckled.value, 0.0);
 }
@@ -63,15 +65,16 @@ TEST_F(PlannedEnds, AreAFoldedTipWhereACurvedArrayLeavesItsSheathTooEarly)
   const auto early =
       copyChanged(resource("plugins/electrodes/cochlear/slim-modiolar.toml"),
                   folder_ / "early.toml", {{"hold_depth_mm = 5.0", "hold_depth_mm = 3.0"}});
-  const auto arrays =
-      planWith({{"technique = \"standard\"", "technique = \"aos\""}}, 4, {early, "slim-modiolar"});
+  Changes changes = inTissue;
+  changes.emplace_back("technique = \"standard\"", "technique = \"aos\"");
+  const auto arrays = planWith(changes, 4, {early, "slim-modiolar"});
   EXPECT_GT(arrays[0].foldedTip.value, 0.0);
   EXPECT_EQ(arrays[1].foldedTip.value, 0.0);
 }
 
 TEST_F(PlannedEnds, AreARupturedPartitionWhereACurvedArrayIsPushedUpAgainstIt)
 {
-  const auto arrays = planWith({{"friction = \"tissue\"", "friction = \"soap-10\""},
+  const auto arrays = planWith({{"friction = \"endosteum\"", "friction = \"soap-10\""},
                                 {"membrane = \"soft\"", "membrane = \"rigid\""},
                                 {"approach_tilt_deg = 0.0", "approach_tilt_deg = 30.0"}},
                                3, {"contour"});

@@ -26,7 +26,8 @@ Result<PlannedShape> foldedTip(const std::filesystem::path& folder, const Resolu
   request.patient = *patient;
   request.scenario = test::copyChanged(resource("resources/scenarios/surgery-flex28.toml"),
                                        folder / "scenario.toml",
-                                       {{"technique = \"standard\"", "technique = \"aos\""}});
+                                       {{"technique = \"standard\"", "technique = \"aos\""},
+                                        {"friction = \"endosteum\"", "friction = \"tissue\""}});
   request.arrays = {test::copyChanged(resource("plugins/electrodes/cochlear/slim-modiolar.toml"),
                                       folder / "early.toml",
                                       {{"hold_depth_mm = 5.0", "hold_depth_mm = 3.0"}})};

@@ -51,7 +51,8 @@ struct ByHand {
   explicit ByHand(Force stop) : surgeon(drawSurgeon(hand(), 1, 1))
   {
     surgeon.stop = stop;
-    auto scenario = fullInsertionOf("surgery-flex28", "flex28", millimeters(1), milliseconds(5));
+    auto scenario = fullInsertionOf("surgery-flex28", "flex28", millimeters(1), milliseconds(5),
+                                    {{"friction", "tissue"}});
     EXPECT_TRUE(scenario) << scenario.error().message;
     parameters = scenario->parameters();
     anatomy = *session::buildAnatomy(parameters);

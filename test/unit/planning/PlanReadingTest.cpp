@@ -59,7 +59,7 @@ TEST(StoredPlan, KeepsTheCorrelationsOfTheMeasures)
 TEST(StoredPlan, KeepsItsFriction)
 {
   planning::Plan plan = syntheticPlan(20);
-  for (const std::optional<std::string>& friction : {std::optional<std::string>(), {"low"}}) {
+  for (const std::optional<std::string>& friction : {std::optional<std::string>(), {"tissue"}}) {
     plan.request.friction = friction;
     const auto json = planning::planJson(plan);
     ASSERT_TRUE(json) << json.error().message;

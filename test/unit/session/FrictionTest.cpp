@@ -37,8 +37,8 @@ double sliding(const std::string& preset, double speed_mm_s)
 TEST(ShippedFriction, AllLoad)
 {
   const auto names = shippedNames("resources/friction");
-  EXPECT_THAT(names,
-              testing::IsSupersetOf({"low", "paper", "soap-10", "soap-50", "soap-90", "tissue"}));
+  EXPECT_THAT(names, testing::IsSupersetOf(
+                         {"endosteum", "paper", "soap-10", "soap-50", "soap-90", "tissue"}));
   for (const std::string& name : names) EXPECT_EQ(refusal({{"friction", name}}), "accepted");
 }
 

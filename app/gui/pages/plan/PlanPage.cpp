@@ -77,9 +77,9 @@ QWidget* PlanPage::addPlan()
   auto* page = new QWidget(this);
   auto* limits =
       new WrappedLabel(tr("Median (5–95 % of the draws). Values of the model, not clinical risks: "
-                          "with the friction of a tissue simulant, straight arrays stop at 240 to "
-                          "290° in the mean, where clinics report 400 to 640°; the low friction "
-                          "was chosen to reach this. Translocation is rarer than clinics report."),
+                          "the friction, 0.12, was chosen for the depths that clinics report; with "
+                          "that of a tissue simulant straight arrays stop at 240 to 350°. "
+                          "Translocation is rarer than clinics report."),
                        page);
   limits->setObjectName(QStringLiteral("planLimits"));
   limits->setFont(typeface(11));

@@ -143,14 +143,14 @@ void PlanPanel::addArrays(QVBoxLayout& column)
 
 void PlanPanel::addFoot(QVBoxLayout& column)
 {
-  planning::PlanRequest low;
-  low.friction = lowFriction;
+  planning::PlanRequest simulant;
+  simulant.friction = simulantFriction;
   friction_->addChoice(inTheList(plannedFriction({})), QString());
-  friction_->addChoice(inTheList(plannedFriction(low)), QString::fromUtf8(lowFriction));
+  friction_->addChoice(inTheList(plannedFriction(simulant)), QString::fromUtf8(simulantFriction));
   friction_->setToolTip(
-      tr("Friction measured on a tissue simulant stops straight arrays at 240 to 290°, where "
-         "clinics report 400 to 640°. The low one, 0.06, was chosen to reach these depths; no "
-         "friction in an ear is known."));
+      tr("No friction in an ear is known. 0.12 is the low end of what is reported for arrays on "
+         "endosteum; with it most straight arrays come about as deep as clinics report. With the "
+         "friction measured on a tissue simulant they stop at 240 to 350°."));
   column.addWidget(friction_);
   for (const int count : drawCounts)
     draws_->addChoice(tr("%1 draws at most").arg(count), QString::number(count));

@@ -78,7 +78,7 @@ TEST_F(Clearance, SeesTheWallAgainWhereATrialOfTheSameStepHadLeftIt)
   EXPECT_EQ(contacts_.isAsked[node_], 0);  // from what was found before
   EXPECT_TRUE(again.isNear);
   EXPECT_NEAR(again.distance, model_->radius[node_] - 5e-6, 1e-9);
-  keepClearance(start_, contacts_, state_);
+  keepClearance(contacts_, state_);
   EXPECT_EQ(state_.clearance[node_], 0.0);
 }
 

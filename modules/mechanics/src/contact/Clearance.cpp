@@ -5,6 +5,9 @@
 #include <cmath>
 #include <span>
 
+#include "contact/Heights.h"
+#include "lanes/Lanes.h"
+
 namespace perilymph::mechanics {
 namespace {
 
@@ -14,10 +17,20 @@ constexpr double justBehind = 1e-6;       // [m]
 // Maximum angle around the modiolus of the duct right behind the opening.
 constexpr double farthestTurn = 0.8;  // [rad]
 
-double squaredMotion(const StepStart& start, const InsertionState& state, std::size_t i) noexcept
+void setSquaredMotions(const StepStart& start, const InsertionState& state,
+                       std::vector<double>& squaredMotion) noexcept
 {
-  const Eigen::Vector3d moved = state.position_W[i] - start.position_W[i];
-  return moved[0] * moved[0] + moved[1] * moved[1] + moved[2] * moved[2];
+  inLanes(0, state.position_W.size(), [&](auto lane, std::size_t i) PERILYMPH_KERNEL {
+    using T = decltype(lane);
+    const Triple<T> moved = load<T>(state.position_W, i) - load<T>(start.position_W, i);
+    store(dot(moved, moved), squaredMotion, i);
+  });
+}
+
+void setNear(bool isNear, std::size_t i, ContactSet& contacts) noexcept
+{
+  contacts.wall[i].isNear = isNear;
+  contacts.isNear[i] = isNear ? 1 : 0;
 }
 
 /// Contact of a node from outside with the bone beside the opening: a plane that supports its
@@ -27,7 +40,7 @@ void seeBone(const InsertionModel& model, const InsertionState& state, std::size
 {
   const double inside = (model.entry.origin_W - state.position_W[i]).dot(model.entry.out_W);
   anatomy::WallPoint& wall = contacts.wall[i];
-  wall.isNear = inside > 0.0;
+  setNear(inside > 0.0, i, contacts);
   wall.clearance = 0.0;
   wall.onMembrane = false;
   wall.distance = model.radius[i] - inside;
@@ -54,7 +67,7 @@ bool isStillSeen(const Eigen::Vector3d& at_W, ContactSet& contacts, std::size_t 
   wall.distance = seen.distance + (seen.normal_W + 0.5 * turned).dot(moved);
   wall.normal_W = seen.normal_W + turned;
   // an earlier trial of this step may have left the node where it cannot touch
-  wall.isNear = true;
+  setNear(true, i, contacts);
   wall.clearance = 0.0;
   contacts.isKnown[i] = 1;
   return true;
@@ -77,6 +90,7 @@ void findWall(const InsertionModel& model, const StepStart& start, InsertionStat
               ContactSet& contacts) noexcept
 {
   const std::size_t n = state.position_W.size();
+  setSquaredMotions(start, state, contacts.squaredMotion);
   for (std::size_t i = 0; i < n; ++i) {
     const double clearance = state.clearance[i];
     contacts.isAsked[i] = 0;
@@ -84,8 +98,8 @@ void findWall(const InsertionModel& model, const StepStart& start, InsertionStat
       seeBone(model, state, i, contacts);
       continue;
     }
-    if (squaredMotion(start, state, i) < clearance * clearance && i + 1 < n) {
-      contacts.wall[i].isNear = false;
+    if (contacts.squaredMotion[i] < clearance * clearance && i + 1 < n) {
+      if (contacts.isNear[i] != 0) setNear(false, i, contacts);
       contacts.isKnown[i] = 0;
       continue;
     }
@@ -110,23 +124,26 @@ void findWall(const InsertionModel& model, const StepStart& start, InsertionStat
                                      std::span(contacts.reach).subspan(first, count),
                                      std::span(state.track).subspan(first, count),
                                      std::span(contacts.wall).subspan(first, count));
-    for (std::size_t i = first; i < first + count; ++i)
+    for (std::size_t i = first; i < first + count; ++i) {
+      contacts.isNear[i] = contacts.wall[i].isNear ? 1 : 0;
       keepSeen(state.position_W[i], contacts.wall[i], contacts.seen[i]);
+    }
     first += count + 1;
   }
 }
 
-void findBone(const InsertionModel& model, InsertionState& state) noexcept
+void findBone(const InsertionModel& model, InsertionState& state, ContactSet& contacts) noexcept
 {
+  setHeights(state.position_W, model.entry.origin_W, model.entry.out_W, contacts.height);
   for (std::size_t i = 0; i < state.position_W.size(); ++i) {
-    const Eigen::Vector3d from_W = state.position_W[i] - model.entry.origin_W;
-    const double height = from_W.dot(model.entry.out_W);
+    const double height = contacts.height[i];
     const double radius = model.radius[i];
     if (height > 0.0) state.isBeside[i] = 0;
     // a node farther inside keeps the state it had when it passed the plane
     if (state.isBeside[i] != 0 || height < -radius || height > farthestOutside) continue;
     const bool isInside = height <= 0.0;
     if (isInside && !(state.normalForce[i] > 0.0)) continue;
+    const Eigen::Vector3d from_W = state.position_W[i] - model.entry.origin_W;
     const double squared = from_W.squaredNorm() - height * height;
     if (squared < 4.0 * radius * radius) continue;
     // the wall at the node, or right behind the plane if the node is still outside
@@ -143,8 +160,7 @@ void findBone(const InsertionModel& model, InsertionState& state) noexcept
   }
 }
 
-void keepClearance(const StepStart& start, const ContactSet& contacts,
-                   InsertionState& state) noexcept
+void keepClearance(const ContactSet& contacts, InsertionState& state) noexcept
 {
   for (std::size_t i = 0; i < state.clearance.size(); ++i) {
     double& left = state.clearance[i];
@@ -153,11 +169,15 @@ void keepClearance(const StepStart& start, const ContactSet& contacts,
       continue;
     }
     if (contacts.isKnown[i] == 0) {
-      left -= std::sqrt(squaredMotion(start, state, i));
+      left -= std::sqrt(contacts.squaredMotion[i]);
+      continue;
+    }
+    if (contacts.isNear[i] != 0) {
+      left = 0.0;
       continue;
     }
     const double since = (state.position_W[i] - contacts.seen[i].from_W).norm();
-    left = contacts.wall[i].isNear ? 0.0 : std::max(contacts.wall[i].clearance - since, 0.0);
+    left = std::max(contacts.wall[i].clearance - since, 0.0);
   }
 }
 

@@ -20,10 +20,9 @@ void findWall(const InsertionModel& model, const StepStart& start, InsertionStat
 /// Determines which nodes are over bone at the start of a step, more than their radius beside the
 /// opening, or have slid there just below its plane: they cannot enter and touch that plane
 /// instead. No node is released inside bone, so that this never adds energy.
-void findBone(const InsertionModel& model, InsertionState& state) noexcept;
+void findBone(const InsertionModel& model, InsertionState& state, ContactSet& contacts) noexcept;
 
-/// Updates state.clearance at the end of a step.
-void keepClearance(const StepStart& start, const ContactSet& contacts,
-                   InsertionState& state) noexcept;
+/// Updates state.clearance at the end of a step, where findWall() was called last.
+void keepClearance(const ContactSet& contacts, InsertionState& state) noexcept;
 
 }  // namespace perilymph::mechanics

@@ -9,6 +9,7 @@
 #include "contact/Clearance.h"
 #include "contact/OpenPartition.h"
 #include "friction/FrictionStep.h"
+#include "lanes/Lanes.h"
 #include "rod/Rod.h"
 
 namespace perilymph::mechanics {
@@ -163,6 +164,19 @@ SymmetricBlock<double> stiffnessOf(const TouchingNode& touching, const ContactSe
   return stiffness;
 }
 
+/// No node touches the wall.
+void forgetContacts(bool isOval, InsertionState& state, FrictionHistory& history) noexcept
+{
+  const std::size_t n = state.normalForce.size();
+  std::fill_n(state.normalForce.data(), n, 0.0);
+  std::fill_n(state.membraneForce.data(), n, 0.0);
+  std::fill_n(componentsOf(state.wallForce_W), 3 * n, 0.0);
+  std::fill_n(componentsOf(history.spring_W), 3 * n, 0.0);
+  std::fill_n(history.isSliding.data(), n, 0);
+  std::fill_n(history.slip.data(), n, 0.0);
+  if (isOval) std::fill_n(state.wallTorque.data(), n, WallTorque{});
+}
+
 }  // namespace
 
 NormalForce normalForce(double penetration, double stiffness, double onset) noexcept
@@ -211,22 +225,18 @@ void addWallForces(const InsertionModel& model, InsertionState& state, const Ste
 
   const bool isOpen = state.partition.isRuptured();
   contacts.touches = 0;
+  forgetContacts(model.isOval, state, history);
   for (std::size_t i = 0; i < n; ++i) {
-    state.normalForce[i] = 0.0;
-    state.wallForce_W[i].setZero();
-    state.membraneForce[i] = 0.0;
-    if (model.isOval) state.wallTorque[i] = {};
-    history.spring_W[i].setZero();
-    history.isSliding[i] = 0;
-    history.slip[i] = 0.0;
+    const bool isNear = contacts.isNear[i] != 0;
+    const bool hasFriction = history.pressedBefore[i] > 0.0;
+    if (!isNear && !hasFriction && !isOpen) continue;
     TouchingNode& touching = contacts.touching[contacts.touches];
     touching.node = i;
     touching.isPressed = false;
     if (isOpen && contacts.open[i].isOpen)
       touching.isPressed = openContact(model, state, rod, i, contacts);
-    else if (contacts.wall[i].isNear)
+    else if (isNear)
       normalContact(model, state, rod, i, contacts, touching);
-    const bool hasFriction = history.pressedBefore[i] > 0.0;
     if (hasFriction) friction(model, state, start, touching, history);
     if (!touching.isPressed && !hasFriction) continue;
     force_W[i] += state.wallForce_W[i];

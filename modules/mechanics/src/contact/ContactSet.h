@@ -62,8 +62,11 @@ struct OpenNode {
 struct ContactSet {
   explicit ContactSet(std::size_t nodes = 0)
       : reach(nodes),
+        height(nodes),
+        squaredMotion(nodes),
         isAsked(nodes),
         isKnown(nodes),
+        isNear(nodes),
         seen(nodes),
         wall(nodes),
         section(nodes),
@@ -72,8 +75,11 @@ struct ContactSet {
   }
 
   std::vector<double> reach;             ///< Reach of the lumen query at each node [m].
+  std::vector<double> height;            ///< Of each node above the plane of the opening [m].
+  std::vector<double> squaredMotion;     ///< Of each node in this step [m^2].
   std::vector<unsigned char> isAsked;    ///< Whether the lumen was queried for each node.
   std::vector<unsigned char> isKnown;    ///< Whether `wall` was found in this step.
+  std::vector<unsigned char> isNear;     ///< wall.isNear of each node.
   std::vector<SeenWall> seen;            ///< What it was found from.
   std::vector<anatomy::WallPoint> wall;  ///< Wall at each node.
   std::vector<SectionReach> section;     ///< Section of each node, if it is oval.

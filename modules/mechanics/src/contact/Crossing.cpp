@@ -58,45 +58,39 @@ Crossing crossingAtTip(const InsertionModel& model, const std::vector<Eigen::Vec
 
 }  // namespace
 
-double heightAbove(const InsertionModel& model, double plane, const Eigen::Vector3d& at) noexcept
-{
-  return (at - model.openingCenter_W).dot(model.entry.out_W) - plane;
-}
-
 Crossing crossingOf(const InsertionModel& model, const std::vector<Eigen::Vector3d>& x,
-                    double plane, double fromTip) noexcept
+                    const std::vector<double>& height, double fromTip) noexcept
 {
   Crossing nearest;
   const std::size_t tip = x.size() - 1;
-  double before = heightAbove(model, plane, x[0]);
-  double here = heightAbove(model, plane, x[1]);
-  if (before + here < 0.0 || !(heightAbove(model, plane, x[tip]) < 0.0)) return nearest;
+  if (height[0] + height[1] < 0.0 || !(height[tip] < 0.0)) return nearest;
   const auto compare = [&](const Crossing& crossing) {
     if (nearest.count == 0 ||
         std::fabs(crossing.fromTip - fromTip) < std::fabs(nearest.fromTip - fromTip))
       nearest = crossing;
   };
+  bool isAbove = height[0] + height[1] >= 0.0;
   for (std::size_t i = 1; i < tip; ++i) {
-    const double after = heightAbove(model, plane, x[i + 1]);
-    if (before + here >= 0.0 && here + after < 0.0)
-      compare(crossingAt(model, x, i, before, here, after));
-    before = here;
-    here = after;
+    const bool wasAbove = isAbove;
+    isAbove = height[i] + height[i + 1] >= 0.0;
+    if (wasAbove && height[i] + height[i + 1] < 0.0)
+      compare(crossingAt(model, x, i, height[i - 1], height[i], height[i + 1]));
   }
-  if (before + here >= 0.0) compare(crossingAtTip(model, x, before, here));
+  if (isAbove) compare(crossingAtTip(model, x, height[tip - 1], height[tip]));
   return nearest;
 }
 
 Crossing crossingBehind(const InsertionModel& model, const std::vector<Eigen::Vector3d>& x,
-                        double plane, const Crossing& outer) noexcept
+                        const std::vector<double>& height, double plane,
+                        const Crossing& outer) noexcept
 {
   const std::size_t tip = x.size() - 1;
   std::size_t i = std::max<std::size_t>(outer.first, 1);
-  double before = heightAbove(model, plane, x[i - 1]);
-  double here = heightAbove(model, plane, x[i]);
-  if (before + here < 0.0 || !(heightAbove(model, plane, x[tip]) < 0.0)) return Crossing();
+  double before = height[i - 1] - plane;
+  double here = height[i] - plane;
+  if (before + here < 0.0 || !(height[tip] - plane < 0.0)) return Crossing();
   for (; i < tip; ++i) {
-    const double after = heightAbove(model, plane, x[i + 1]);
+    const double after = height[i + 1] - plane;
     if (here + after < 0.0) return crossingAt(model, x, i, before, here, after);
     before = here;
     here = after;

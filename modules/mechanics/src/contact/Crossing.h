@@ -24,19 +24,19 @@ struct Crossing {
   double radiusRate = 0.0;  ///< Its derivative by the parameter [m].
 };
 
-/// Height of a point above a plane across the opening [m]; positive outside.
+/// Intersection with the plane of the opening at which the array enters. Not while its tip is
+/// outside: any part below the plane is then only bent onto the bone. Of several intersections, the
+/// one nearest to the previous entry.
 ///
-/// @param plane  Height of the plane above the opening's edge [m]: 0 at the edge, negative inside.
-double heightAbove(const InsertionModel& model, double plane, const Eigen::Vector3d& at) noexcept;
-
-/// Intersection at which the array enters. Not while its tip is outside: any part below the plane
-/// is then only bent onto the bone. Of several intersections, the one nearest to the previous
-/// entry.
+/// @param height  Of each node above that plane [m]; positive outside.
 Crossing crossingOf(const InsertionModel& model, const std::vector<Eigen::Vector3d>& x,
-                    double plane, double fromTip) noexcept;
+                    const std::vector<double>& height, double fromTip) noexcept;
 
 /// The next intersection with a plane inside, behind an intersection further out.
+///
+/// @param plane  Height of that plane above the opening [m]: negative.
 Crossing crossingBehind(const InsertionModel& model, const std::vector<Eigen::Vector3d>& x,
-                        double plane, const Crossing& outer) noexcept;
+                        const std::vector<double>& height, double plane,
+                        const Crossing& outer) noexcept;
 
 }  // namespace perilymph::mechanics

@@ -35,7 +35,8 @@ void setGuide(const Drive& drive, const Eigen::Vector3d& base_W, GuideLine& guid
 }
 
 void addGuideForces(const InsertionModel& model, const std::vector<Eigen::Vector3d>& position_W,
-                    GuideLine& guide, std::vector<Eigen::Vector3d>& force_W) noexcept
+                    const std::vector<double>& height, GuideLine& guide,
+                    std::vector<Eigen::Vector3d>& force_W) noexcept
 {
   if (!model.parts.freeLength) return;
   const double end = model.parts.freeLength->si();
@@ -43,9 +44,9 @@ void addGuideForces(const InsertionModel& model, const std::vector<Eigen::Vector
   const Eigen::Vector3d& out_W = model.entry.out_W;
   for (std::size_t i = 2; i < position_W.size(); ++i) {
     guide.stiffness[i] = 0.0;
-    const double height = (position_W[i] - model.openingCenter_W).dot(out_W) - end;
-    if (height <= 0.0) continue;
-    const Hold hold = holdAt(height);
+    const double above = height[i] - end;
+    if (above <= 0.0) continue;
+    const Hold hold = holdAt(above);
     const Eigen::Vector3d from_W = position_W[i] - guide.origin_W;
     const Eigen::Vector3d aside_W = from_W - from_W.dot(guide.axis_W) * guide.axis_W;
     guide.stiffness[i] = perNode * hold.fraction;

@@ -34,8 +34,11 @@ void setGuide(const Drive& drive, const Eigen::Vector3d& base_W, GuideLine& guid
 ///
 /// with the node spacing h. Along the line the array slides freely: all axial force is the base's.
 /// Without a free length it adds nothing.
+///
+/// @param height  Of each node above the opening [m].
 void addGuideForces(const InsertionModel& model, const std::vector<Eigen::Vector3d>& position_W,
-                    GuideLine& guide, std::vector<Eigen::Vector3d>& force_W) noexcept;
+                    const std::vector<double>& height, GuideLine& guide,
+                    std::vector<Eigen::Vector3d>& force_W) noexcept;
 
 /// Adds its stiffness, as stored by addGuideForces(), to the matrix.
 void addGuideStiffness(const InsertionModel& model, const GuideLine& guide,

@@ -198,8 +198,9 @@ void addPassageForces(const InsertionModel& model, const InsertionState& state,
   double normal = 0.0, inner = 0.0;
   for (std::size_t k = 0; k < passage.rings; ++k) {
     const double plane = passage.plane[k];
-    const double depth = -heightAbove(model, plane, x[tip]);
-    const Crossing crossing = k == 0 ? outer : crossingBehind(model, x, plane, outer);
+    const double depth = plane - contacts.height[tip];
+    const Crossing crossing =
+        k == 0 ? outer : crossingBehind(model, x, contacts.height, plane, outer);
     if (crossing.count == 0) continue;
     // a tip outside touches the outer edge as a sphere before: that ring acts at once
     const Along fraction = k == 0 ? Along{1.0, 0.0} : setIn(depth, model.radius[tip]);

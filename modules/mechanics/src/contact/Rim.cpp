@@ -181,9 +181,9 @@ void addRimForces(const InsertionModel& model, const InsertionState& state, cons
   contacts.rimStiffness = RimStiffness{};
   if (model.passage) contacts.innerRings.fill(RimStiffness{});
   if (!model.parts.opening) return;
-  Crossing crossing = crossingOf(model, x, 0.0, state.rim.fromTip);
+  Crossing crossing = crossingOf(model, x, contacts.height, state.rim.fromTip);
   if (crossing.count == 0) {
-    const double tip = heightAbove(model, 0.0, x.back());
+    const double tip = contacts.height.back();
     if (!(tip < 0.0)) tipContact(model, state, start, history, tip, contacts, force_W);
     return;
   }

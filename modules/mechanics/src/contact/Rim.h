@@ -45,7 +45,8 @@ RibProfile ribsAt(const InsertionModel& model, double fromTip) noexcept;
 /// stiffness at the nearest point of the rim, and with another one opposite if the section overlaps
 /// there too. The force is the gradient of its energy: across the array, and along it on the flank
 /// of a rib. A tip still outside touches the rounded rim and the bone around it as a sphere. An
-/// opening with a passage acts on an array inside as described at addPassageForces().
+/// opening with a passage acts on an array inside as described at addPassageForces(). Needs
+/// contacts.height.
 void addRimForces(const InsertionModel& model, const InsertionState& state, const StepStart& start,
                   const FrictionHistory& history, ContactSet& contacts,
                   std::vector<Eigen::Vector3d>& force_W) noexcept;

@@ -48,43 +48,83 @@ inline bool hasAvx2() noexcept { return __builtin_cpu_supports("avx2") != 0; }
 /// Those that kernels use. Tests set it, to compare the bits.
 inline Instructions kernelInstructions = hasAvx2() ? Instructions::avx2 : Instructions::sse2;
 
-template <class Kernel>
-PERILYMPH_IN_LANES void callByFour(std::size_t first, std::size_t end,
-                                   const Kernel& kernel) noexcept
+template <class Function>
+[[gnu::target("avx2")]] void callWithAvx2(const Function& function) noexcept
 {
-  for (; first + 4 <= end; first += 4) kernel(Four{}, first);
-  for (; first < end; ++first) kernel(double{}, first);
+  function();
 }
 
-template <class Kernel>
-[[gnu::target("avx2")]] void callWithAvx2(std::size_t first, std::size_t end,
-                                          const Kernel& kernel) noexcept
+/// Calls a function that computes with lanes itself, compiled for the instructions of kernels.
+template <class Function>
+PERILYMPH_IN_LANES void withLanes(const Function& function) noexcept
 {
-  callByFour(first, end, kernel);
+  if (kernelInstructions == Instructions::avx2)
+    callWithAvx2(function);
+  else
+    function();
 }
 
-/// Calls a kernel for the nodes from `first` up to `end`: by four, and one by one for the last.
+/// Calls a kernel for the nodes from `first` up to `end` by four: the last four overlap with those
+/// before, so that no node is computed alone. A kernel may not read what it writes.
 template <class Kernel>
 PERILYMPH_IN_LANES void inLanes(std::size_t first, std::size_t end, const Kernel& kernel) noexcept
 {
-  if (kernelInstructions == Instructions::avx2)
-    callWithAvx2(first, end, kernel);
-  else
-    callByFour(first, end, kernel);
+  withLanes([&]() PERILYMPH_KERNEL {
+    if (first + 4 > end) {
+      for (std::size_t i = first; i < end; ++i) kernel(double{}, i);
+      return;
+    }
+    for (std::size_t i = first; i + 4 < end; i += 4) kernel(Four{}, i);
+    kernel(Four{}, end - 4);
+  });
+}
+
+/// The same for a kernel that changes what it reads at its own nodes: one by one for the last.
+template <class Kernel>
+PERILYMPH_IN_LANES void inLanesInPlace(std::size_t first, std::size_t end,
+                                       const Kernel& kernel) noexcept
+{
+  withLanes([&]() PERILYMPH_KERNEL {
+    std::size_t i = first;
+    for (; i + 4 <= end; i += 4) kernel(Four{}, i);
+    for (; i < end; ++i) kernel(double{}, i);
+  });
+}
+
+template <class T>
+PERILYMPH_IN_LANES T load(const double* from, std::size_t i) noexcept
+{
+  T value;
+  std::memcpy(&value, from + i, sizeof value);
+  return value;
+}
+
+template <class T>
+PERILYMPH_IN_LANES void store(const T& value, double* to, std::size_t i) noexcept
+{
+  std::memcpy(to + i, &value, sizeof value);
 }
 
 template <class T>
 PERILYMPH_IN_LANES T load(const std::vector<double>& from, std::size_t i) noexcept
 {
-  T value;
-  std::memcpy(&value, from.data() + i, sizeof value);
-  return value;
+  return load<T>(from.data(), i);
 }
 
 template <class T>
 PERILYMPH_IN_LANES void store(const T& value, std::vector<double>& to, std::size_t i) noexcept
 {
-  std::memcpy(to.data() + i, &value, sizeof value);
+  store(value, to.data(), i);
+}
+
+/// The components of all vectors in a row, for what is the same along each axis.
+inline const double* componentsOf(const std::vector<Eigen::Vector3d>& vectors) noexcept
+{
+  return vectors.data()->data();
+}
+inline double* componentsOf(std::vector<Eigen::Vector3d>& vectors) noexcept
+{
+  return vectors.data()->data();
 }
 
 template <class T>
@@ -156,6 +196,8 @@ PERILYMPH_IN_LANES Four larger(const Four& a, double b) noexcept
   return a < wide ? wide : a;
 }
 
+PERILYMPH_IN_LANES Four larger(const Four& a, const Four& b) noexcept { return a < b ? b : a; }
+
 /// One of two numbers in each lane; the condition is the result of a comparison of lanes.
 template <class T, class Condition>
 PERILYMPH_IN_LANES T oneOf(const Condition& condition, const T& yes, const T& no) noexcept
@@ -223,6 +265,14 @@ template <class T>
 PERILYMPH_IN_LANES Triple<T> cross(const Triple<T>& a, const Triple<T>& b) noexcept
 {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+/// One vector, an axis in each of three lanes; the fourth lane holds anything.
+PERILYMPH_IN_LANES Four axesOf(const std::vector<Eigen::Vector3d>& vectors, std::size_t i) noexcept
+{
+  if (i + 1 < vectors.size()) return load<Four>(componentsOf(vectors), 3 * i);
+  const Eigen::Vector3d& last = vectors[i];
+  return Four{last[0], last[1], last[2], 0.0};
 }
 
 }  // namespace perilymph::mechanics

@@ -113,12 +113,11 @@ struct TurnEnergy {
 
 /// Derivatives of the bending energy 1/2 (EI/h) |w - h kappa (d + e)/2|^2 by the rotation.
 template <class T>
-PERILYMPH_IN_LANES TurnEnergy<T> bendingByTurn(const InsertionModel& model,
-                                               const SectionStiffness& section,
+PERILYMPH_IN_LANES TurnEnergy<T> bendingByTurn(const SectionStiffness& section,
                                                const TurningJoint<T>& joint, std::size_t i) noexcept
 {
   const T rest = load<T>(section.restBend, i);
-  const T moment = rest * load<T>(section.bending, i) / model.spacing;
+  const T moment = load<T>(section.restMoment, i);
   const T c = joint.inverseSum;
   TurnEnergy<T> energy;
   energy.last =
@@ -135,7 +134,7 @@ PERILYMPH_IN_LANES void addOval(const InsertionModel& model, const SectionStiffn
                                 const TurningJoint<T>& joint, std::size_t i,
                                 TurnEnergy<T>& energy) noexcept
 {
-  const T more = load<T>(section.bendingExcess, i) / model.spacing;
+  const T more = load<T>(section.bendingExcess, i);
   const T rest = load<T>(section.restBend, i);
   const T twice = 2.0 * joint.inverseSum, half = 0.5 * rest;
   const Triple<T> s = twice * (joint.t - joint.p) - half * (joint.d + joint.e);
@@ -156,7 +155,7 @@ PERILYMPH_IN_LANES TurnEnergy<T> energyByTurn(const InsertionModel& model,
                                               const SectionStiffness& section,
                                               const TurningJoint<T>& joint, std::size_t i) noexcept
 {
-  TurnEnergy<T> energy = bendingByTurn(model, section, joint, i);
+  TurnEnergy<T> energy = bendingByTurn(section, joint, i);
   if (model.isOval) addOval(model, section, joint, i, energy);
   return energy;
 }
@@ -207,7 +206,7 @@ void addRankOne(BandMatrix& matrix, std::size_t i, const std::array<Vector3d, 3>
 void followEdges(const Vector3d& handCurl_W, InsertionState& state, RodKinematics& rod) noexcept
 {
   state.curl_W[0] = handCurl_W;
-  inLanes(0, state.curl_W.size() - 1, [&](auto lane, std::size_t j) PERILYMPH_KERNEL {
+  inLanesInPlace(0, state.curl_W.size() - 1, [&](auto lane, std::size_t j) PERILYMPH_KERNEL {
     using T = decltype(lane);
     const Triple<T> t = load<T>(rod.tangent_W, j);
     const Triple<T> d = across(load<T>(state.curl_W, j), t);
@@ -269,7 +268,7 @@ void turnEdges(InsertionState& state, RodKinematics& rod, TwistSystem& turns) no
     last = std::clamp(turns.torque[j] - turns.beside[j] * last, -maxTurn, maxTurn);
     turns.turn[j] = last;
   }
-  inLanes(1, edges, [&](auto lane, std::size_t j) PERILYMPH_KERNEL {
+  inLanesInPlace(1, edges, [&](auto lane, std::size_t j) PERILYMPH_KERNEL {
     using T = decltype(lane);
     const T turn = load<T>(turns.turn, j);
     const T x = turn * turn;
@@ -314,7 +313,7 @@ void addMaterialStiffness(const InsertionModel& model, const SectionStiffness& s
   const auto n = static_cast<std::size_t>(model.nodes);
   const double damping = dampingTime / model.timeStep;
   for (std::size_t i = 1; i + 1 < n; ++i) {
-    addTwist(matrix, i, rod.twistRate_W[i], model.twisting[i] / model.spacing);
+    addTwist(matrix, i, rod.twistRate_W[i], section.twisting[i]);
     if (!(model.bendingExcess[i] > 0.0)) continue;
     const Vector3d last_W = rod.tangent_W[i - 1], next_W = rod.tangent_W[i];
     const Vector3d way_W = rod.stiffer_W[i];
@@ -322,7 +321,7 @@ void addMaterialStiffness(const InsertionModel& model, const SectionStiffness& s
     const Vector3d byNext = c * rod.inverseLength[i] * (way_W - way_W.dot(next_W) * next_W);
     const Vector3d byLast = c * rod.inverseLength[i - 1] * (way_W - way_W.dot(last_W) * last_W);
     addRankOne(matrix, i, {byLast, -byLast - byNext, byNext},
-               section.bendingExcess[i] / model.spacing * (1.0 + damping));
+               section.bendingExcess[i] * (1.0 + damping));
   }
 }
 

@@ -112,12 +112,13 @@ SymmetricBlock<double> withMirror(const Block<double>& a) noexcept
 }
 
 /// Adds the stretching stiffness of the edge between the nodes i and i + 1.
-void addStretching(const InsertionModel& model, std::size_t i, double damping,
-                   Compression compression, const RodKinematics& rod, BandMatrix& matrix) noexcept
+void addStretching(std::size_t i, double damping, Compression compression,
+                   const SectionStiffness& section, const RodKinematics& rod,
+                   BandMatrix& matrix) noexcept
 {
   const double tension =
       compression == Compression::included ? rod.tension[i] : std::max(rod.tension[i], 0.0);
-  const double along = model.stretching[i] / model.spacing * (1.0 + damping);
+  const double along = section.stretching[i] * (1.0 + damping);
   const SymmetricBlock<double> block =
       stiffnessOf(load<double>(rod.tangent_W, i), along, tension * rod.inverseLength[i]);
   const std::size_t a = blockOf(i);
@@ -129,12 +130,11 @@ void addStretching(const InsertionModel& model, std::size_t i, double damping,
 /// Adds the bending stiffness at node i, to first order in the angle between its links: w changes
 /// by a P_t dx_next at the far end of one link and by b P_p dx_last at that of the other, where P_t
 /// is the projection perpendicular to t.
-void addBending(const InsertionModel& model, std::size_t i, double damping,
-                const SectionStiffness& section, const RodKinematics& rod,
-                BandMatrix& matrix) noexcept
+void addBending(std::size_t i, double damping, const SectionStiffness& section,
+                const RodKinematics& rod, BandMatrix& matrix) noexcept
 {
   const Joint<double> joint(rod, i);
-  const double k = section.bending[i] / model.spacing * (1.0 + damping);
+  const double k = section.bending[i] * (1.0 + damping);
   const double a = 2.0 * joint.c * rod.inverseLength[i];
   const double b = 2.0 * joint.c * rod.inverseLength[i - 1];
   const SymmetricBlock<double> nextNext = across(joint.next, k * a * a);
@@ -170,19 +170,27 @@ void addBending(const InsertionModel& model, std::size_t i, double damping,
 void setStiffness(const InsertionModel& model, double styletWithdrawal, double released,
                   SectionStiffness& section) noexcept
 {
+  if (section.styletWithdrawal == styletWithdrawal && section.released == released) return;
+  section.styletWithdrawal = styletWithdrawal;
+  section.released = released;
+  const double h = model.spacing;
   const double styletTip = model.styletFromTip + styletWithdrawal;
   for (std::size_t i = 0; i < section.bending.size(); ++i) {
     double covered = 0.0;
     if (model.styletBending > 0.0)
-      covered = std::clamp((model.fromTip[i] - styletTip) / model.spacing + 0.5, 0.0, 1.0);
-    section.bending[i] = bendingOf(model.bendingCarrier[i], model.styletBending, covered);
-    section.bendingExcess[i] = model.bendingExcess[i];
-    if (model.bendingExcess[i] > 0.0 && covered > 0.0 && covered < 1.0)
-      section.bendingExcess[i] = bendingOf(model.bendingCarrier[i] + model.bendingExcess[i],
-                                           model.styletBending, covered) -
-                                 section.bending[i];
-    section.restBend[i] = released * model.spacing * model.restCurvature[i] *
-                          (1.0 - covered * (1.0 - model.styletResidual));
+      covered = std::clamp((model.fromTip[i] - styletTip) / h + 0.5, 0.0, 1.0);
+    const double bending = bendingOf(model.bendingCarrier[i], model.styletBending, covered);
+    double excess = model.bendingExcess[i];
+    if (excess > 0.0 && covered > 0.0 && covered < 1.0)
+      excess = bendingOf(model.bendingCarrier[i] + excess, model.styletBending, covered) - bending;
+    const double restBend =
+        released * h * model.restCurvature[i] * (1.0 - covered * (1.0 - model.styletResidual));
+    section.stretching[i] = model.stretching[i] / h;
+    section.bending[i] = bending / h;
+    section.bendingExcess[i] = excess / h;
+    section.twisting[i] = model.twisting[i] / h;
+    section.restBend[i] = restBend;
+    section.restMoment[i] = restBend * bending / h;
   }
 }
 
@@ -238,19 +246,19 @@ void setRodForces(const InsertionModel& model, const std::vector<Vector3d>& posi
     using T = decltype(lane);
     const Joint<T> joint(rod, i);
     const T length = load<T>(rod.length, i);
-    const T tension = load<T>(model.stretching, i) / h *
+    const T tension = load<T>(section.stretching, i) *
                       ((length - h) + damping * (length - load<T>(rod.lengthBefore, i)));
     store(tension, rod.tension, i);
 
     const Triple<T> w = joint.bend_W();
     const Triple<T> bent = w - load<T>(rod.restBend_W, i);
     const Triple<T> moved = w - load<T>(rod.bendBefore_W, i);
-    const T stiffness = load<T>(section.bending, i) / h;
+    const T stiffness = load<T>(section.bending, i);
     Triple<T> stress = stiffness * (bent + (T{} + damping) * moved);
     if (model.isOval) {
       const Triple<T> way = load<T>(rod.stiffer_W, i);
       const T along = dot(way, bent) + damping * dot(way, moved);
-      const T moment = load<T>(section.bendingExcess, i) / h * along;
+      const T moment = load<T>(section.bendingExcess, i) * along;
       stress = oneOf(load<T>(model.bendingExcess, i) > 0.0, stress + moment * way, stress);
     }
     JointForces<T> bending = forcesOf(joint, load<T>(rod.inverseLength, i),
@@ -259,7 +267,7 @@ void setRodForces(const InsertionModel& model, const std::vector<Vector3d>& posi
       const Triple<T> b = load<T>(rod.twistRate_W, i);
       const T twist =
           load<T>(rod.twist, i) + dot(b, load<T>(position_W, i + 1) - load<T>(position_W, i - 1));
-      const T moment = load<T>(model.twisting, i) / h * twist;
+      const T moment = load<T>(section.twisting, i) * twist;
       bending.onNext_W = bending.onNext_W + moment * b;
       bending.onLast_W = bending.onLast_W - moment * b;
     }
@@ -285,8 +293,8 @@ void addRodStiffness(const InsertionModel& model, Compression compression,
   const auto n = static_cast<std::size_t>(model.nodes);
   const double damping = dampingTime / model.timeStep;
   for (std::size_t i = 1; i + 1 < n; ++i) {
-    addStretching(model, i, damping, compression, rod, matrix);
-    addBending(model, i, damping, section, rod, matrix);
+    addStretching(i, damping, compression, section, rod, matrix);
+    addBending(i, damping, section, rod, matrix);
   }
 }
 

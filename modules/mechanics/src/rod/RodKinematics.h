@@ -4,6 +4,7 @@
 // Geometry of the rod in one iteration, and its section properties in this step.
 
 #include <Eigen/Core>
+#include <limits>
 #include <vector>
 
 #include "lanes/Lanes.h"
@@ -17,16 +18,28 @@ struct StepStart {
   std::vector<Eigen::Vector3d> position_W;  ///< Position of each node [m].
 };
 
-/// Bending stiffness and rest curvature at each node for the position of the stylet in this step.
+/// Stiffness of edges and joints of the length h, and rest curvature, for the position of the stylet
+/// in this step.
 struct SectionStiffness {
   explicit SectionStiffness(std::size_t nodes = 0)
-      : bending(nodes), bendingExcess(nodes), restBend(nodes)
+      : stretching(nodes),
+        bending(nodes),
+        bendingExcess(nodes),
+        twisting(nodes),
+        restBend(nodes),
+        restMoment(nodes)
   {
   }
 
-  std::vector<double> bending;        ///< EI at each node, the smaller one [N.m^2].
-  std::vector<double> bendingExcess;  ///< Amount by which the larger EI exceeds it [N.m^2].
+  std::vector<double> stretching;     ///< EA / h of each edge [N/m].
+  std::vector<double> bending;        ///< EI / h at each node, of the smaller EI [N.m].
+  std::vector<double> bendingExcess;  ///< Amount by which the larger EI / h exceeds it [N.m].
+  std::vector<double> twisting;       ///< GJ / h at each node [N.m].
   std::vector<double> restBend;       ///< Spacing times rest curvature at each node.
+  std::vector<double> restMoment;     ///< EI / h times rest bend [N.m].
+  /// What they were computed for; not a number: not yet.
+  double styletWithdrawal = std::numeric_limits<double>::quiet_NaN();  ///< [m]
+  double released = 0.0;  ///< Fraction of the rest curvature that the array has taken on.
 };
 
 /// Edges, bends and twist of the rod in the current iteration, and at the start of the step,

@@ -5,6 +5,7 @@
 
 #include "contact/Clearance.h"
 #include "contact/OpenPartition.h"
+#include "lanes/Lanes.h"
 #include "rod/Material.h"
 #include "rod/Rod.h"
 
@@ -25,24 +26,32 @@ void predict(const InsertionModel& model, InsertionState& state, const Drive& dr
   const double lastForward = model.timeStep * state.baseVelocity_W.dot(drive.handAxis_W);
   const double fraction = forward / lastForward;
   const bool goesOn = !state.isSettling && fraction > 0.25 && fraction < 4.0;
-  for (std::size_t i = 2; i < n; ++i) {
-    const Eigen::Vector3d motion =
-        goesOn ? Eigen::Vector3d(fraction * model.timeStep * state.velocity_W[i])
-               : Eigen::Vector3d(forward * work.rod.tangent_W[i - 1]);
-    state.position_W[i] = work.start.position_W[i] + motion;
+  const double* start = componentsOf(work.start.position_W);
+  double* position = componentsOf(state.position_W);
+  if (goesOn) {
+    const double* velocity = componentsOf(state.velocity_W);
+    const double duration = fraction * model.timeStep;
+    inLanes(6, 3 * n, [=](auto lane, std::size_t k) PERILYMPH_KERNEL {
+      using T = decltype(lane);
+      store(T(load<T>(start, k) + duration * load<T>(velocity, k)), position, k);
+    });
+  } else {
+    for (std::size_t i = 2; i < n; ++i)
+      state.position_W[i] = work.start.position_W[i] + forward * work.rod.tangent_W[i - 1];
   }
   state.position_W[0] = to_W;
   state.position_W[1] = to_W + model.spacing * drive.handAxis_W;
 }
 
 /// Stores the state at the start of the step.
-void remember(const InsertionState& state, RodWorkspace& work) noexcept
+void remember(const InsertionState& state, bool isOval, RodWorkspace& work) noexcept
 {
   work.start.position_W = state.position_W;
   work.friction.pressedBefore = state.normalForce;
   work.friction.normalBefore_W = state.wallNormal_W;
   std::fill(work.contacts.isKnown.begin(), work.contacts.isKnown.end(), 0);
-  for (SectionReach& section : work.contacts.section) section.isKnown = false;
+  if (isOval)
+    for (SectionReach& section : work.contacts.section) section.isKnown = false;
   work.friction.rimPressedBefore = state.rim.normalForce;
   work.friction.rimNormalBefore_W = state.rim.normal_W;
 }
@@ -52,8 +61,8 @@ void remember(const InsertionState& state, RodWorkspace& work) noexcept
 Step takeStep(const InsertionModel& model, InsertionState& state, const Drive& drive,
               RodWorkspace& work) noexcept
 {
-  remember(state, work);
-  findBone(model, state);
+  remember(state, model.isOval, work);
+  findBone(model, state, work.contacts);
   if (state.partition.isRuptured()) findSides(model, state, work.contacts);
   setGuide(drive, state.base_W, work.guide);
   setRestShape(model, state.position_W, drive.handCurl_W, work.section, work.rod);
@@ -72,16 +81,24 @@ void commitStep(const InsertionModel& model, InsertionState& state,
   const double inverseTimeStep = 1.0 / model.timeStep;
   state.baseVelocity_W = inverseTimeStep * (state.position_W[0] - work.start.position_W[0]);
   state.base_W = state.position_W[0];
-  for (std::size_t i = 0; i < state.position_W.size(); ++i) {
-    // what goes on in the next step has no momentum: nothing that is unbalanced adds energy
-    state.velocity_W[i] = inverseTimeStep * (state.position_W[i] - work.start.position_W[i]);
-    if (state.isSettling) state.velocity_W[i].setZero();
-    state.frictionSpring_W[i] = work.friction.spring_W[i];
-    state.isSliding[i] = work.friction.isSliding[i];
-    state.slipSpeed[i] = inverseTimeStep * work.friction.slip[i];
-    if (keepsSections) state.section[i] = work.contacts.section[i];
-  }
-  keepClearance(work.start, work.contacts, state);
+  const std::size_t n = state.position_W.size();
+  const double* start = componentsOf(work.start.position_W);
+  const double* position = componentsOf(state.position_W);
+  double* velocity = componentsOf(state.velocity_W);
+  inLanes(0, 3 * n, [=](auto lane, std::size_t k) PERILYMPH_KERNEL {
+    using T = decltype(lane);
+    store(T(inverseTimeStep * (load<T>(position, k) - load<T>(start, k))), velocity, k);
+  });
+  // what goes on in the next step has no momentum: nothing that is unbalanced adds energy
+  if (state.isSettling) std::fill_n(velocity, 3 * n, 0.0);
+  state.frictionSpring_W = work.friction.spring_W;
+  state.isSliding = work.friction.isSliding;
+  inLanes(0, n, [&](auto lane, std::size_t i) PERILYMPH_KERNEL {
+    using T = decltype(lane);
+    store(T(inverseTimeStep * load<T>(work.friction.slip, i)), state.slipSpeed, i);
+  });
+  if (keepsSections) state.section = work.contacts.section;
+  keepClearance(work.contacts, state);
   state.rim = work.contacts.rim;
 }
 

@@ -90,18 +90,33 @@ double solveLinearSystem(LinearSystem& system) noexcept
 {
   system.trial_W = system.right;
   system.factors.solve(system.trial_W);
-  double longest = 0.0;
-  for (const Eigen::Vector3d& step : system.trial_W)
-    longest = std::max(longest, step.squaredNorm());
-  return std::sqrt(longest);
+  Four longest{};
+  withLanes([&]() PERILYMPH_KERNEL {
+    Four longestOfLane{};
+    std::size_t i = 0;
+    for (; i + 4 <= system.trial_W.size(); i += 4) {
+      const Triple<Four> step = load<Four>(system.trial_W, i);
+      longestOfLane = larger(longestOfLane, dot(step, step));
+    }
+    for (; i < system.trial_W.size(); ++i) {
+      const Triple<double> step = load<double>(system.trial_W, i);
+      longestOfLane = larger(longestOfLane, dot(step, step));
+    }
+    longest = longestOfLane;
+  });
+  return std::sqrt(std::max({longest[0], longest[1], longest[2], longest[3]}));
 }
 
 double directionalDerivative(const LinearSystem& system) noexcept
 {
-  double sum[3] = {0.0, 0.0, 0.0};
-  for (std::size_t i = 0; i < system.right.size(); ++i)
-    for (int k = 0; k < 3; ++k) sum[k] += system.right[i][k] * system.trial_W[i][k];
-  return sum[0] + sum[1] + sum[2];
+  Four sums{};  // per axis
+  withLanes([&]() PERILYMPH_KERNEL {
+    Four sum{};
+    for (std::size_t i = 0; i < system.right.size(); ++i)
+      sum += axesOf(system.right, i) * axesOf(system.trial_W, i);
+    sums = sum;
+  });
+  return sums[0] + sums[1] + sums[2];
 }
 
 }  // namespace perilymph::mechanics

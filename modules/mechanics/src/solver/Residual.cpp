@@ -6,6 +6,7 @@
 
 #include "contact/Contact.h"
 #include "contact/Guide.h"
+#include "contact/Heights.h"
 #include "contact/Rim.h"
 #include "lanes/Lanes.h"
 #include "rod/Material.h"
@@ -21,16 +22,19 @@ SymmetricBlock<double> uniform(double stiffness) noexcept
 /// Maximum and sum of squares over all blocks; NaN is propagated.
 Residual normsOf(const std::vector<Eigen::Vector3d>& right) noexcept
 {
-  double maxNorm = 0.0;
-  double sums[3] = {0.0, 0.0, 0.0};  // one sum per axis: three short dependency chains instead of a
-                                     // long one
-  for (const Eigen::Vector3d& force : right)
-    for (int k = 0; k < 3; ++k) {
-      maxNorm = std::max(maxNorm, std::fabs(force[k]));
-      sums[k] += force[k] * force[k];
+  Four largest{}, sums{};  // per axis
+  withLanes([&]() PERILYMPH_KERNEL {
+    Four most{}, sum{};
+    for (std::size_t i = 0; i < right.size(); ++i) {
+      const Four force = axesOf(right, i);
+      most = larger(most, force < 0.0 ? -force : force);
+      sum += force * force;
     }
+    largest = most;
+    sums = sum;
+  });
   const double sum = sums[0] + sums[1] + sums[2];
-  return {std::isfinite(sum) ? maxNorm : sum, sum};
+  return {std::isfinite(sum) ? std::max({largest[0], largest[1], largest[2]}) : sum, sum};
 }
 
 /// Every node but those of the base has its own inertia and the perilymph's drag.
@@ -67,12 +71,15 @@ void setHold(const InsertionModel& model, const InsertionState& state, const Ste
              NodeInertia& inertia) noexcept
 {
   const double inverseTimeStep = 1.0 / model.timeStep;
-  for (std::size_t i = 2; i < state.position_W.size(); ++i) {
-    const double momentum = model.mass[i] * inverseTimeStep;
-    inertia.hold[i] = (momentum + model.drag[i]) * inverseTimeStep;
+  inLanes(2, state.position_W.size(), [&](auto lane, std::size_t i) PERILYMPH_KERNEL {
+    using T = decltype(lane);
+    const T momentum = load<T>(model.mass, i) * inverseTimeStep;
+    const T hold = (momentum + load<T>(model.drag, i)) * inverseTimeStep;
+    store(hold, inertia.hold, i);
     // rest position: inertia continues the motion, drag holds the node
-    inertia.goal_W[i] = start.position_W[i] + (momentum / inertia.hold[i]) * state.velocity_W[i];
-  }
+    const T weight = momentum / hold;
+    store(load<T>(start.position_W, i) + weight * load<T>(state.velocity_W, i), inertia.goal_W, i);
+  });
 }
 
 Residual residual(const InsertionModel& model, InsertionState& state, const Base& base,
@@ -81,8 +88,9 @@ Residual residual(const InsertionModel& model, InsertionState& state, const Base
   ++work.done.evaluations;
   setRodForces(model, state.position_W, work.section, work.rod, work.force_W);
   addWallForces(model, state, work.start, work.rod, work.contacts, work.friction, work.force_W);
+  setHeights(state.position_W, model.openingCenter_W, model.entry.out_W, work.contacts.height);
   addRimForces(model, state, work.start, work.friction, work.contacts, work.force_W);
-  addGuideForces(model, state.position_W, work.guide, work.force_W);
+  addGuideForces(model, state.position_W, work.contacts.height, work.guide, work.force_W);
 
   // the base has inertia only with spring coupling
   work.system.right[0].setZero();

@@ -132,6 +132,7 @@ void InsertionState::reset(const InsertionModel& model) noexcept
   for (std::size_t i = 0; i < rod.contacts.reach.size(); ++i)
     rod.contacts.reach[i] = model.radius[i];
   for (SeenWall& seen : rod.contacts.seen) seen.trustRadius = 0.0;
+  rod.inertia.timeStep = 0.0;
   rod.section.styletWithdrawal = std::numeric_limits<double>::quiet_NaN();
   for (OpenNode& node : rod.contacts.open) node = OpenNode{};
   rod.system.factors.forget();

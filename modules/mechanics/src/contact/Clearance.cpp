@@ -138,9 +138,11 @@ void findBone(const InsertionModel& model, InsertionState& state, ContactSet& co
   for (std::size_t i = 0; i < state.position_W.size(); ++i) {
     const double height = contacts.height[i];
     const double radius = model.radius[i];
+    const bool isFar = height < -radius || height > farthestOutside;
+    if (isFar && state.isBeside[i] == 0) continue;
     if (height > 0.0) state.isBeside[i] = 0;
     // a node farther inside keeps the state it had when it passed the plane
-    if (state.isBeside[i] != 0 || height < -radius || height > farthestOutside) continue;
+    if (isFar || state.isBeside[i] != 0) continue;
     const bool isInside = height <= 0.0;
     if (isInside && !(state.normalForce[i] > 0.0)) continue;
     const Eigen::Vector3d from_W = state.position_W[i] - model.entry.origin_W;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lanes/Lanes.h"
+
 namespace perilymph::mechanics {
 namespace {
 
@@ -69,14 +71,20 @@ Crossing crossingOf(const InsertionModel& model, const std::vector<Eigen::Vector
         std::fabs(crossing.fromTip - fromTip) < std::fabs(nearest.fromTip - fromTip))
       nearest = crossing;
   };
-  bool isAbove = height[0] + height[1] >= 0.0;
-  for (std::size_t i = 1; i < tip; ++i) {
-    const bool wasAbove = isAbove;
-    isAbove = height[i] + height[i + 1] >= 0.0;
-    if (wasAbove && height[i] + height[i + 1] < 0.0)
-      compare(crossingAt(model, x, i, height[i - 1], height[i], height[i + 1]));
-  }
-  if (isAbove) compare(crossingAtTip(model, x, height[tip - 1], height[tip]));
+  const auto isBetween = [&height](std::size_t i) {
+    return height[i - 1] + height[i] >= 0.0 && height[i] + height[i + 1] < 0.0;
+  };
+  inLanes(1, tip, [&](auto lane, std::size_t first) PERILYMPH_KERNEL {
+    using T = decltype(lane);
+    const T here = load<T>(height, first);
+    const auto wasAbove = load<T>(height, first - 1) + here >= 0.0;
+    const auto isBelow = here + load<T>(height, first + 1) < 0.0;
+    if (!inAny(wasAbove & isBelow)) return;
+    for (std::size_t i = first; i < first + sizeof(T) / sizeof(double); ++i)
+      if (isBetween(i)) compare(crossingAt(model, x, i, height[i - 1], height[i], height[i + 1]));
+  });
+  if (height[tip - 1] + height[tip] >= 0.0)
+    compare(crossingAtTip(model, x, height[tip - 1], height[tip]));
   return nearest;
 }
 

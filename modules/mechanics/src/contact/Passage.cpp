@@ -61,9 +61,17 @@ struct RingContact {
   double normalForce = 0.0;                               ///< [N]
 };
 
+/// Rate at which the array crosses a ring's plane; an array lying in the plane does not cross it.
+double steepnessOf(const InsertionModel& model, const Crossing& crossing) noexcept
+{
+  return std::min(model.entry.out_W.dot(crossing.along_W), -0.1 * model.spacing);
+}
+
 /// Adds the contact of one side of the array with the ring.
-void addSide(const InsertionModel& model, const Crossing& crossing, std::size_t ring,
-             const Along& fraction, double steep, RingContact& contact) noexcept
+///
+/// @param depth  Of the tip behind the ring [m].
+void addSide(const InsertionModel& model, const Crossing& crossing, std::size_t ring, double depth,
+             RingContact& contact) noexcept
 {
   const PassageModel& passage = *model.passage;
   const Eigen::Vector3d& n_W = model.entry.out_W;
@@ -80,6 +88,9 @@ void addSide(const InsertionModel& model, const Crossing& crossing, std::size_t 
       normalForce(overlap, passage.stiffness[ring], model.parts.wall.bareOnset().si());
   if (!(law.force > 0.0) || distance < minDistance) return;
 
+  // a tip outside touches the outer edge as a sphere before: that ring acts at once
+  const Along fraction = ring == 0 ? Along{1.0, 0.0} : setIn(depth, model.radius.back());
+  const double steep = steepnessOf(model, crossing);
   const Eigen::Vector3d u_W = out / distance;
   const Eigen::Vector3d b_W = n_W.cross(u_W);
   const Eigen::Vector3d gradient_W =
@@ -97,7 +108,7 @@ void addSide(const InsertionModel& model, const Crossing& crossing, std::size_t 
 
 /// Adds the force by which the squeezed array resists to entering at the outer edge (`sign` 1), or
 /// is relieved by leaving at the inner edge (-1).
-void addSqueeze(const InsertionModel& model, const Crossing& crossing, double sign, double steep,
+void addSqueeze(const InsertionModel& model, const Crossing& crossing, double sign,
                 RingContact& contact) noexcept
 {
   const PassageModel& passage = *model.passage;
@@ -106,7 +117,8 @@ void addSqueeze(const InsertionModel& model, const Crossing& crossing, double si
   if (!(m.value > 0.0)) return;
   const double perLength = 2.0 * pi * passage.modulus * m.value * m.value;
   const double slope = 4.0 * pi * passage.modulus * m.value * m.slope;
-  const double advance = model.spacing / -steep;  // of the array's length, by motion along n
+  // advance of the array's length by motion along n
+  const double advance = model.spacing / -steepnessOf(model, crossing);
   contact.force_W += (sign * advance * perLength) * n_W;
   contact.stiffness_W += (advance * advance * std::max(sign * slope, 0.0)) * n_W * n_W.transpose();
 }
@@ -196,26 +208,26 @@ void addPassageForces(const InsertionModel& model, const InsertionState& state,
   const FrictionStep friction = frictionAlong(model, state, start, history, outer, slip);
   Eigen::Vector3d total_W = Eigen::Vector3d::Zero();
   double normal = 0.0, inner = 0.0;
+  Crossing crossing = outer;
   for (std::size_t k = 0; k < passage.rings; ++k) {
     const double plane = passage.plane[k];
     const double depth = plane - contacts.height[tip];
-    const Crossing crossing =
-        k == 0 ? outer : crossingBehind(model, x, contacts.height, plane, outer);
-    if (crossing.count == 0) continue;
-    // a tip outside touches the outer edge as a sphere before: that ring acts at once
-    const Along fraction = k == 0 ? Along{1.0, 0.0} : setIn(depth, model.radius[tip]);
-    const double steep = std::min(model.entry.out_W.dot(crossing.along_W), -0.1 * model.spacing);
+    // the rings lie one behind the other
+    if (k > 0) crossing = crossingBehind(model, x, contacts.height, plane, crossing);
+    if (crossing.count == 0) break;
     RingContact contact;
-    addSide(model, crossing, k, fraction, steep, contact);
+    addSide(model, crossing, k, depth, contact);
     if (k == 0) {
-      addSqueeze(model, crossing, 1.0, steep, contact);
+      addSqueeze(model, crossing, 1.0, contact);
       contact.force_W += friction.force_W;
       const Eigen::Vector3d& n_W = model.entry.out_W;
       const double along = n_W.dot(friction.stiffness(model.entry.outward_W) * n_W);
       contact.stiffness_W += along * n_W * n_W.transpose();
     } else if (k + 1 == passage.rings) {
-      addSqueeze(model, crossing, -1.0, steep, contact);
+      addSqueeze(model, crossing, -1.0, contact);
       inner = interpolate(passage.radialForce, passage.spacing, crossing.fromTip).value;
+    } else if (!(contact.normalForce > 0.0)) {
+      continue;
     }
     for (std::size_t j = 0; j < crossing.count; ++j)
       force_W[crossing.first + j] += crossing.weight[j] * contact.force_W;

@@ -163,7 +163,9 @@ RibProfile ribsAt(const InsertionModel& model, double fromTip) noexcept
   // the rounded rim touches the rib earlier by its own radius
   const double reach = 0.5 * array.ribLength.si() + model.parts.opening->edgeRadius.si();
   for (const Length& rib : array.ribsFromTip) {
-    const double q = (fromTip - rib.si()) / reach;
+    const double off = fromTip - rib.si();
+    if (std::fabs(off) >= reach) continue;
+    const double q = off / reach;
     const double inside = 1.0 - q * q;
     if (inside <= 0.0) continue;
     profile.height += height * inside * inside;

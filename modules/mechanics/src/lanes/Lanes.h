@@ -223,6 +223,16 @@ PERILYMPH_IN_LANES bool inAll(const Condition& condition) noexcept
     return (condition[0] & condition[1] & condition[2] & condition[3]) != 0;
 }
 
+/// Whether a comparison holds in any lane.
+template <class Condition>
+PERILYMPH_IN_LANES bool inAny(const Condition& condition) noexcept
+{
+  if constexpr (std::is_arithmetic_v<Condition>)
+    return condition != 0;
+  else
+    return (condition[0] | condition[1] | condition[2] | condition[3]) != 0;
+}
+
 /// The values of a function in each lane, for what is too rare for lanes.
 template <class Function>
 PERILYMPH_IN_LANES double laneByLane(double a, double b, const Function& function) noexcept
@@ -267,12 +277,31 @@ PERILYMPH_IN_LANES Triple<T> cross(const Triple<T>& a, const Triple<T>& b) noexc
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// One vector, an axis in each of three lanes; the fourth lane holds anything.
-PERILYMPH_IN_LANES Four axesOf(const std::vector<Eigen::Vector3d>& vectors, std::size_t i) noexcept
+PERILYMPH_IN_LANES Four magnitude(const Four& a) noexcept { return a < 0.0 ? -a : a; }
+
+/// Calls a function for each vector, with an axis in each of three lanes; the fourth holds anything.
+template <class Function>
+PERILYMPH_IN_LANES void forEachVector(const std::vector<Eigen::Vector3d>& vectors,
+                                      const Function& function) noexcept
 {
-  if (i + 1 < vectors.size()) return load<Four>(componentsOf(vectors), 3 * i);
-  const Eigen::Vector3d& last = vectors[i];
-  return Four{last[0], last[1], last[2], 0.0};
+  const double* at = componentsOf(vectors);
+  const std::size_t last = 3 * (vectors.size() - 1);
+  for (std::size_t k = 0; k < last; k += 3) function(load<Four>(at, k));
+  function(Four{at[last], at[last + 1], at[last + 2], 0.0});
+}
+
+/// The same for the vectors of two arrays.
+template <class Function>
+PERILYMPH_IN_LANES void forEachVector(const std::vector<Eigen::Vector3d>& vectors,
+                                      const std::vector<Eigen::Vector3d>& others,
+                                      const Function& function) noexcept
+{
+  const double* a = componentsOf(vectors);
+  const double* b = componentsOf(others);
+  const std::size_t last = 3 * (vectors.size() - 1);
+  for (std::size_t k = 0; k < last; k += 3) function(load<Four>(a, k), load<Four>(b, k));
+  function(Four{a[last], a[last + 1], a[last + 2], 0.0},
+           Four{b[last], b[last + 1], b[last + 2], 0.0});
 }
 
 }  // namespace perilymph::mechanics

@@ -17,12 +17,15 @@ namespace perilymph::mechanics {
 
 /// Inertia and drag of each node in a time step, as a linear spring.
 struct NodeInertia {
-  explicit NodeInertia(std::size_t nodes = 0) : hold(nodes), goal_W(nodes, Eigen::Vector3d::Zero())
+  explicit NodeInertia(std::size_t nodes = 0)
+      : hold(3 * nodes), carried(3 * nodes), goal_W(nodes, Eigen::Vector3d::Zero())
   {
   }
 
-  std::vector<double> hold;             ///< Stiffness of that spring [N/m] ...
-  std::vector<Eigen::Vector3d> goal_W;  ///< ... and its rest position [m].
+  std::vector<double> hold;             ///< Stiffness of that spring along each axis [N/m].
+  std::vector<double> carried;          ///< Time for which its rest position goes on [s]; as often.
+  std::vector<Eigen::Vector3d> goal_W;  ///< That rest position [m].
+  double timeStep = 0.0;  ///< Time step for which the first two were computed [s]; 0: not yet.
 };
 
 /// Work in one time step. It is counted, because bits may not depend on a clock.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "solver/BandFactors.h"
 
+#include "lanes/Lanes.h"
 #include "perilymph/foundation/Hash.h"
 
 namespace perilymph::mechanics {
@@ -75,7 +76,8 @@ bool eliminate(MatrixColumn<T> a, Taken<T>& taken, Column& factors) noexcept
 }
 
 template <class T, class Column>
-void substitute(const Triple<T>& right, TakenRight<T>& taken, Column& factors) noexcept
+PERILYMPH_IN_LANES void substitute(const Triple<T>& right, TakenRight<T>& taken,
+                                   Column& factors) noexcept
 {
   factors.solution = right;
   factors.solution -= taken.next;
@@ -85,7 +87,8 @@ void substitute(const Triple<T>& right, TakenRight<T>& taken, Column& factors) n
 }
 
 template <class T, class Column>
-void substituteBack(const Triple<T>& next, const Triple<T>& second, Column& factors) noexcept
+PERILYMPH_IN_LANES void substituteBack(const Triple<T>& next, const Triple<T>& second,
+                                       Column& factors) noexcept
 {
   Triple<T> x = factors.inverse * factors.solution;
   x -= transposedTimes(factors.beyond, second);
@@ -185,6 +188,11 @@ bool BandFactors::factorize(const BandMatrix& matrix) noexcept
 }
 
 void BandFactors::solve(std::vector<Eigen::Vector3d>& right) noexcept
+{
+  withLanes([&]() PERILYMPH_KERNEL { solveInLanes(right); });
+}
+
+PERILYMPH_IN_LANES void BandFactors::solveInLanes(std::vector<Eigen::Vector3d>& right) noexcept
 {
   const std::size_t last = blocks_ - 1;
   TakenRight<Lanes> taken{};

@@ -100,14 +100,15 @@ SymmetricBlock<T> symmetricProduct(const Block<T>& a, const Block<T>& b) noexcep
 }
 
 template <class T>
-Triple<T> operator*(const SymmetricBlock<T>& s, const Triple<T>& v) noexcept
+[[gnu::always_inline]] inline Triple<T> operator*(const SymmetricBlock<T>& s,
+                                                  const Triple<T>& v) noexcept
 {
   return {s.xx * v.x + s.xy * v.y + s.xz * v.z, s.xy * v.x + s.yy * v.y + s.yz * v.z,
           s.xz * v.x + s.yz * v.y + s.zz * v.z};
 }
 
 template <class T>
-Triple<T> operator*(const Block<T>& a, const Triple<T>& v) noexcept
+[[gnu::always_inline]] inline Triple<T> operator*(const Block<T>& a, const Triple<T>& v) noexcept
 {
   return {a.xx * v.x + a.xy * v.y + a.xz * v.z, a.yx * v.x + a.yy * v.y + a.yz * v.z,
           a.zx * v.x + a.zy * v.y + a.zz * v.z};
@@ -115,7 +116,8 @@ Triple<T> operator*(const Block<T>& a, const Triple<T>& v) noexcept
 
 /// a^T v
 template <class T>
-Triple<T> transposedTimes(const Block<T>& a, const Triple<T>& v) noexcept
+[[gnu::always_inline]] inline Triple<T> transposedTimes(const Block<T>& a,
+                                                        const Triple<T>& v) noexcept
 {
   return {a.xx * v.x + a.yx * v.y + a.zx * v.z, a.xy * v.x + a.yy * v.y + a.zy * v.z,
           a.xz * v.x + a.yz * v.y + a.zz * v.z};

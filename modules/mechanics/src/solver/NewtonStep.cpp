@@ -112,8 +112,9 @@ double directionalDerivative(const LinearSystem& system) noexcept
   Four sums{};  // per axis
   withLanes([&]() PERILYMPH_KERNEL {
     Four sum{};
-    for (std::size_t i = 0; i < system.right.size(); ++i)
-      sum += axesOf(system.right, i) * axesOf(system.trial_W, i);
+    forEachVector(system.right, system.trial_W,
+                  [&](const Four& force, const Four& step)
+                      PERILYMPH_KERNEL { sum += force * step; });
     sums = sum;
   });
   return sums[0] + sums[1] + sums[2];

@@ -25,11 +25,10 @@ Residual normsOf(const std::vector<Eigen::Vector3d>& right) noexcept
   Four largest{}, sums{};  // per axis
   withLanes([&]() PERILYMPH_KERNEL {
     Four most{}, sum{};
-    for (std::size_t i = 0; i < right.size(); ++i) {
-      const Four force = axesOf(right, i);
-      most = larger(most, force < 0.0 ? -force : force);
+    forEachVector(right, [&](const Four& force) PERILYMPH_KERNEL {
+      most = larger(most, magnitude(force));
       sum += force * force;
-    }
+    });
     largest = most;
     sums = sum;
   });
@@ -42,11 +41,28 @@ void setUnbalanced(const std::vector<Eigen::Vector3d>& force_W, const NodeInerti
                    const std::vector<Eigen::Vector3d>& position_W,
                    std::vector<Eigen::Vector3d>& right) noexcept
 {
-  inLanes(2, position_W.size(), [&](auto lane, std::size_t i) PERILYMPH_KERNEL {
+  const double* force = componentsOf(force_W);
+  const double* position = componentsOf(position_W);
+  const double* goal = componentsOf(inertia.goal_W);
+  const double* hold = inertia.hold.data();
+  double* unbalanced = componentsOf(right);
+  inLanes(6, 3 * position_W.size(), [=](auto lane, std::size_t k) PERILYMPH_KERNEL {
     using T = decltype(lane);
-    const Triple<T> off = load<T>(position_W, i) - load<T>(inertia.goal_W, i);
-    store(load<T>(force_W, i) - load<T>(inertia.hold, i) * off, right, i - 1);
+    const T off = load<T>(position, k) - load<T>(goal, k);
+    store(T(load<T>(force, k) - load<T>(hold, k) * off), unbalanced, k - 3);
   });
+}
+
+/// Inertia continues the motion, drag holds the node.
+void setSprings(const InsertionModel& model, NodeInertia& inertia) noexcept
+{
+  inertia.timeStep = model.timeStep;
+  const double inverseTimeStep = 1.0 / model.timeStep;
+  for (std::size_t k = 6; k < inertia.hold.size(); ++k) {
+    const double momentum = model.mass[k / 3] * inverseTimeStep;
+    inertia.hold[k] = (momentum + model.drag[k / 3]) * inverseTimeStep;
+    inertia.carried[k] = momentum / inertia.hold[k];
+  }
 }
 
 }  // namespace
@@ -70,15 +86,14 @@ Base baseOf(const InsertionModel& model, const InsertionState& state, const Driv
 void setHold(const InsertionModel& model, const InsertionState& state, const StepStart& start,
              NodeInertia& inertia) noexcept
 {
-  const double inverseTimeStep = 1.0 / model.timeStep;
-  inLanes(2, state.position_W.size(), [&](auto lane, std::size_t i) PERILYMPH_KERNEL {
+  if (inertia.timeStep != model.timeStep) setSprings(model, inertia);
+  const double* from = componentsOf(start.position_W);
+  const double* velocity = componentsOf(state.velocity_W);
+  const double* carried = inertia.carried.data();
+  double* goal = componentsOf(inertia.goal_W);
+  inLanes(6, 3 * state.position_W.size(), [=](auto lane, std::size_t k) PERILYMPH_KERNEL {
     using T = decltype(lane);
-    const T momentum = load<T>(model.mass, i) * inverseTimeStep;
-    const T hold = (momentum + load<T>(model.drag, i)) * inverseTimeStep;
-    store(hold, inertia.hold, i);
-    // rest position: inertia continues the motion, drag holds the node
-    const T weight = momentum / hold;
-    store(load<T>(start.position_W, i) + weight * load<T>(state.velocity_W, i), inertia.goal_W, i);
+    store(T(load<T>(from, k) + load<T>(carried, k) * load<T>(velocity, k)), goal, k);
   });
 }
 
@@ -115,7 +130,7 @@ void assembleStiffness(const InsertionModel& model, const Base& base, Compressio
   addRimStiffness(model, work.contacts, matrix);
   addGuideStiffness(model, work.guide, matrix);
   for (std::size_t i = 2; i < n; ++i)
-    work.system.matrix.diagonal[blockOf(i)] += uniform(work.inertia.hold[i]);
+    work.system.matrix.diagonal[blockOf(i)] += uniform(work.inertia.hold[3 * i]);
   if (base.isHeld)
     work.system.matrix.holdFirst();
   else

@@ -73,6 +73,7 @@ WorkspaceHandle& WorkspaceHandle::operator=(const WorkspaceHandle& other)
 InsertionState::InsertionState(const InsertionModel& model)
     : position_W(static_cast<std::size_t>(model.nodes)),
       velocity_W(position_W.size()),
+      velocityTrend_W(position_W.size()),
       curl_W(position_W.size()),
       frictionSpring_W(position_W.size()),
       isSliding(position_W.size()),
@@ -109,6 +110,7 @@ void InsertionState::reset(const InsertionModel& model) noexcept
   for (std::size_t i = 0; i < position_W.size(); ++i) {
     position_W[i] = base_W + (static_cast<double>(i) * model.spacing) * model.startAxis_W;
     velocity_W[i].setZero();
+    velocityTrend_W[i].setZero();
     curl_W[i] = model.startCurl_W;
     frictionSpring_W[i].setZero();
     isSliding[i] = 0;
@@ -152,6 +154,7 @@ std::uint64_t InsertionState::fingerprint() const noexcept
   for (std::size_t i = 0; i < position_W.size(); ++i) {
     addVector(hash, position_W[i]);
     addVector(hash, velocity_W[i]);
+    addVector(hash, velocityTrend_W[i]);
     addVector(hash, curl_W[i]);
     addVector(hash, frictionSpring_W[i]);
     hash.add(isSliding[i]);

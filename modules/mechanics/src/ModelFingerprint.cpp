@@ -7,8 +7,9 @@
 namespace perilymph::mechanics {
 namespace {
 
-// Raised whenever the solver gives the same rod other bits: 2 since the work of a step is bounded.
-constexpr int rodSolver = 2;
+// Raised whenever the solver gives the same rod other bits: 3 since a step predicts its end by the trend
+// of the velocities.
+constexpr int rodSolver = 3;
 
 // Each of these functions names all members of its type, so that it does not compile once a member
 // is added.

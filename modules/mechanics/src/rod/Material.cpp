@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rod/Material.h"
 
+#include <emmintrin.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -248,26 +250,61 @@ void findTorques(const InsertionModel& model, const InsertionState& state,
   }
 }
 
-/// Rotates every edge except the first, which is held by the hand: tridiagonal elimination from the
-/// tip.
+/// Two numbers: one for the edges from the base, one for those from the tip.
+using Pair [[gnu::vector_size(16)]] = double;
+
+/// Solves for the rotation of every edge except the first, which is held by the hand: tridiagonal
+/// elimination from both ends at once, and of the two or three edges in the middle last. A factor
+/// replaces the coupling that it came from.
+void solveTurns(std::size_t last, TwistSystem& turns) noexcept
+{
+  const std::size_t steps = (last - 2) / 2;  // edges eliminated from each end
+  Pair stiffness{turns.stiffness[1], turns.stiffness[last]};
+  Pair torque{turns.torque[1], turns.torque[last]};
+  for (std::size_t k = 0; k < steps; ++k) {
+    const std::size_t base = 1 + k, tip = last - k;
+    const Pair beside{turns.beside[base + 1], turns.beside[tip]};
+    const Pair inverseStiffness = 1.0 / stiffness;
+    const Pair factor = beside * inverseStiffness;
+    const Pair turn = torque * inverseStiffness;
+    stiffness = Pair{turns.stiffness[base + 1], turns.stiffness[tip - 1]} - factor * beside;
+    torque = Pair{turns.torque[base + 1], turns.torque[tip - 1]} - factor * torque;
+    turns.torque[base] = turn[0], turns.torque[tip] = turn[1];
+    turns.beside[base + 1] = factor[0], turns.beside[tip] = factor[1];
+  }
+
+  // the middle, from its tip to its base and back
+  const std::size_t first = 1 + steps, end = last - steps;
+  turns.stiffness[first] = stiffness[0], turns.stiffness[end] = stiffness[1];
+  turns.torque[first] = torque[0], turns.torque[end] = torque[1];
+  for (std::size_t j = end; j > first; --j) {
+    const double factor = turns.beside[j] / turns.stiffness[j];
+    turns.stiffness[j - 1] -= factor * turns.beside[j];
+    turns.torque[j - 1] -= factor * turns.torque[j];
+    turns.torque[j] /= turns.stiffness[j];
+    turns.beside[j] = factor;
+  }
+  const auto limited = [](double turn) { return std::clamp(turn, -maxTurn, maxTurn); };
+  turns.turn[first] = limited(turns.torque[first] / turns.stiffness[first]);
+  for (std::size_t j = first + 1; j <= end; ++j)
+    turns.turn[j] = limited(turns.torque[j] - turns.beside[j] * turns.turn[j - 1]);
+
+  const Pair highest{maxTurn, maxTurn};
+  Pair turn{turns.turn[first], turns.turn[end]};
+  for (std::size_t k = steps; k-- > 0;) {
+    const std::size_t base = 1 + k, tip = last - k;
+    turn = Pair{turns.torque[base], turns.torque[tip]} -
+           Pair{turns.beside[base + 1], turns.beside[tip]} * turn;
+    turn = _mm_min_pd(highest, _mm_max_pd(-highest, turn));
+    turns.turn[base] = turn[0], turns.turn[tip] = turn[1];
+  }
+}
+
+/// Rotates the directions of curl, and twist with them.
 void turnEdges(InsertionState& state, RodKinematics& rod, TwistSystem& turns) noexcept
 {
   const std::size_t edges = state.curl_W.size() - 1;
-  double stiffness = turns.stiffness[edges - 1], torque = turns.torque[edges - 1];
-  for (std::size_t j = edges - 1; j > 1; --j) {
-    const double inverseStiffness = 1.0 / stiffness;
-    const double factor = turns.beside[j] * inverseStiffness;
-    turns.torque[j] = torque * inverseStiffness;
-    stiffness = turns.stiffness[j - 1] - factor * turns.beside[j];
-    torque = turns.torque[j - 1] - factor * torque;
-    turns.beside[j] = factor;
-  }
-  turns.torque[1] = torque / stiffness;
-  double last = 0.0;
-  for (std::size_t j = 1; j < edges; ++j) {
-    last = std::clamp(turns.torque[j] - turns.beside[j] * last, -maxTurn, maxTurn);
-    turns.turn[j] = last;
-  }
+  solveTurns(edges - 1, turns);
   inLanesInPlace(1, edges, [&](auto lane, std::size_t j) PERILYMPH_KERNEL {
     using T = decltype(lane);
     const T turn = load<T>(turns.turn, j);

@@ -18,6 +18,14 @@ struct StepStart {
   std::vector<Eigen::Vector3d> position_W;  ///< Position of each node [m].
 };
 
+/// Where the nodes are expected at the end of a time step.
+struct Prediction {
+  explicit Prediction(std::size_t nodes = 0) : position_W(nodes) {}
+
+  std::vector<Eigen::Vector3d> position_W;  ///< Position of each node [m].
+  bool goesOn = false;                      ///< They were expected to go on as before.
+};
+
 /// Stiffness of edges and joints of the length h, and rest curvature, for the position of the stylet
 /// in this step.
 struct SectionStiffness {

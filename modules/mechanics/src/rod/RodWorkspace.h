@@ -39,6 +39,7 @@ struct StepWork {
 struct RodWorkspace {
   explicit RodWorkspace(std::size_t nodes = 0)
       : start(nodes),
+        prediction(nodes),
         section(nodes),
         rod(nodes),
         twist(nodes),
@@ -52,6 +53,7 @@ struct RodWorkspace {
   }
 
   StepStart start;
+  Prediction prediction;
   SectionStiffness section;
   RodKinematics rod;
   TwistSystem twist;

@@ -14,8 +14,9 @@ namespace {
 
 constexpr int maxTries = 6;  // evaluations along one step
 // Maximum remaining displacement of a node: small forces alone do not suffice, because a rod bends
-// under very little.
+// under very little. At rest, and as a fraction of the motion of the base in the step.
 constexpr double motionTolerance = 0.2e-9;  // [m]
+constexpr double motionFraction = 1e-3;
 // Residual below which nothing moves.
 constexpr double atRest = 1e-9;  // [N]
 // Step length below which iteration has no effect: contact toggles.
@@ -31,8 +32,11 @@ constexpr int maxIterationsToRenew = 6;
 constexpr double farStep = 50e-6;  // [m]
 // Oval sections are evaluated again after a first iteration that is longer than this.
 constexpr double nearStep = 20e-6;  // [m]
-// A step with good factors reduces the unbalanced forces below this fraction.
+// A step with good factors reduces the unbalanced forces below this fraction ...
 constexpr double goodRatio = 0.1;
+// ... and leaves a step that is shorter by this factor (measured: by 19 in the median, by 4.4 or more in
+// 90 of 100).
+constexpr double goodReduction = 5.0;
 // A step is too long if the opposing slope at its end exceeds this fraction of that at its start.
 constexpr double slopeTolerance = 0.3;
 
@@ -40,6 +44,12 @@ constexpr double slopeTolerance = 0.3;
 bool wasGood(const Residual& before, const Residual& after) noexcept
 {
   return after.squaredNorm < goodRatio * goodRatio * before.squaredNorm;
+}
+
+/// Whether no force is left unbalanced that matters, neither on a node nor, added up, at the hand.
+bool isBalanced(const Residual& now) noexcept
+{
+  return now.maxNorm <= forceTolerance && now.total <= forceTolerance;
 }
 
 /// Number of points that an iteration may try: the bounds of the step leave room to go back from the
@@ -103,6 +113,8 @@ SolveResult iterate(const InsertionModel& model, InsertionState& state, const Ba
   BandFactors& factors = work.system.factors;
   if (factors.firstIsHeld() != base.isHeld) factors.forget();
   bool areOwn = false;  // factorized in this time step
+  const double advance = (state.position_W[0] - work.start.position_W[0]).norm();
+  const double shortest = std::max(motionTolerance, motionFraction * advance);
 
   auto& [now, iterations] = result;
   for (; triesLeft(work) > 0 && now.maxNorm > atRest; ++iterations) {
@@ -118,7 +130,9 @@ SolveResult iterate(const InsertionModel& model, InsertionState& state, const Ba
     }
     if (model.isOval && longest > nearStep && iterations == 0)
       for (SectionReach& section : work.contacts.section) section.isKnown = false;
-    if (now.maxNorm <= forceTolerance && longest < motionTolerance) break;
+    if (isBalanced(now) && longest < shortest) break;
+    // the sum may stay where nothing moves any more
+    if (now.maxNorm <= forceTolerance && longest < motionTolerance && iterations > 0) break;
 
     const double slope = directionalDerivative(work.system);
     if (!(slope > 0.0) || !std::isfinite(longest)) break;
@@ -126,7 +140,12 @@ SolveResult iterate(const InsertionModel& model, InsertionState& state, const Ba
     const Residual before = now;
     const double alpha =
         lineSearch(model, state, base, slope, std::min(1.0, longestStep / longest), now, work);
-    if (!wasGood(before, now)) factors.forget();
+    const bool isGood = wasGood(before, now);
+    if (!isGood) factors.forget();
+    if (isGood && isBalanced(now) && alpha * longest < goodReduction * shortest) {
+      ++iterations;
+      break;
+    }
     const bool goesOn = alpha * longest >= stuck || now.maxNorm <= forceTolerance ||
                         now.squaredNorm < minGain * before.squaredNorm;
     if (areOwn && !goesOn) {

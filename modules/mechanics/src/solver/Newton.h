@@ -18,8 +18,10 @@ struct SolveResult {
 
 /// Moves the nodes from state.position_W until the forces are balanced: Newton's method with a line
 /// search for lower energy. The factors of the stiffness are kept from step to step and renewed only
-/// when they give bad steps. Stops if no force exceeds 2 uN and no node would move by 0.2 nm, if
-/// contact toggles and nothing moves by 1 nm, or with the work that a step allows.
+/// when they give bad steps. Stops if no force exceeds 2 uN, nor their sum, and no node would
+/// move by 0.2 nm or by a thousandth of the motion of the base, which after a short step with good
+/// factors is taken for granted; if contact toggles and nothing moves by 1 nm; or with the work that
+/// a step allows.
 SolveResult solveNewton(const InsertionModel& model, InsertionState& state, const Base& base,
                         RodWorkspace& work) noexcept;
 

@@ -22,18 +22,21 @@ SymmetricBlock<double> uniform(double stiffness) noexcept
 /// Maximum and sum of squares over all blocks; NaN is propagated.
 Residual normsOf(const std::vector<Eigen::Vector3d>& right) noexcept
 {
-  Four largest{}, sums{};  // per axis
+  Four largest{}, sums{}, totals{};  // per axis
   withLanes([&]() PERILYMPH_KERNEL {
-    Four most{}, sum{};
+    Four most{}, sum{}, total{};
     forEachVector(right, [&](const Four& force) PERILYMPH_KERNEL {
       most = larger(most, magnitude(force));
       sum += force * force;
+      total += force;
     });
     largest = most;
     sums = sum;
+    totals = magnitude(total);
   });
   const double sum = sums[0] + sums[1] + sums[2];
-  return {std::isfinite(sum) ? std::max({largest[0], largest[1], largest[2]}) : sum, sum};
+  return {std::isfinite(sum) ? std::max({largest[0], largest[1], largest[2]}) : sum, sum,
+          std::max({totals[0], totals[1], totals[2]})};
 }
 
 /// Every node but those of the base has its own inertia and the perilymph's drag.

@@ -31,6 +31,7 @@ void setHold(const InsertionModel& model, const InsertionState& state, const Ste
 struct Residual {
   double maxNorm;      ///< Maximum unbalanced force on a block, along one axis [N].
   double squaredNorm;  ///< Sum of their squares [N^2].
+  double total;        ///< Maximum of their sums along one axis: missing at the hand [N].
 };
 
 /// Computes all forces at state.position_W; stores the unbalanced ones in work.system.right.

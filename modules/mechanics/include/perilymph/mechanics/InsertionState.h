@@ -110,6 +110,8 @@ struct InsertionState {
   double styletWithdrawal = 0.0;            ///< [m]
   std::vector<Eigen::Vector3d> position_W;  ///< Position of each node [m].
   std::vector<Eigen::Vector3d> velocity_W;  ///< Velocity of each node [m/s].
+  /// Smoothed change of its velocity from step to step [m/s], by which a step predicts its end.
+  std::vector<Eigen::Vector3d> velocityTrend_W;
   /// Unit direction of curl of each edge (the last one twice).
   std::vector<Eigen::Vector3d> curl_W;
   std::vector<Eigen::Vector3d> frictionSpring_W;  ///< Stretch of each node's friction spring [m].

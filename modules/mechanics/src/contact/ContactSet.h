@@ -75,8 +75,8 @@ struct ContactSet {
   }
 
   std::vector<double> reach;             ///< Reach of the lumen query at each node [m].
-  std::vector<double> height;            ///< Of each node above the plane of the opening [m].
-  std::vector<double> squaredMotion;     ///< Of each node in this step [m^2].
+  std::vector<double> height;            ///< Height of each node above the opening [m].
+  std::vector<double> squaredMotion;     ///< Squared motion of each node in this step [m^2].
   std::vector<unsigned char> isAsked;    ///< Whether the lumen was queried for each node.
   std::vector<unsigned char> isKnown;    ///< Whether `wall` was found in this step.
   std::vector<unsigned char> isNear;     ///< wall.isNear of each node.

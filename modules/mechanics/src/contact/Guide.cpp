@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contact/Guide.h"
 
-#include <algorithm>
-
+#include "lanes/Lanes.h"
 #include "rod/Rod.h"
 
 namespace perilymph::mechanics {
@@ -14,16 +13,32 @@ constexpr double holdStiffness = 1e6;  // [N/m^2]
 /// Length over which the hold sets in; avoids a jump when a node leaves it (choice, high).
 constexpr double onset = 0.5e-3;  // [m]
 
-/// Fraction of the hold at a height above its lower end, and its derivative by the height.
-struct Hold {
-  double fraction;
-  double slope;  ///< [1/m]
-};
-
-Hold holdAt(double height) noexcept
+template <class T>
+PERILYMPH_IN_LANES Triple<T> everywhere(const Eigen::Vector3d& v) noexcept
 {
-  const double s = std::clamp(height / onset, 0.0, 1.0);
-  return {s * s * (3.0 - 2.0 * s), 6.0 * s * (1.0 - s) / onset};
+  return {T{} + v[0], T{} + v[1], T{} + v[2]};
+}
+
+/// Adds the force of the forceps on a node, or on four, and returns it: zero within the free length.
+template <class T>
+PERILYMPH_IN_LANES Triple<T> pushOn(std::size_t i, const InsertionModel& model,
+                                    const std::vector<Eigen::Vector3d>& position_W,
+                                    const std::vector<double>& height, GuideLine& guide,
+                                    std::vector<Eigen::Vector3d>& force_W) noexcept
+{
+  const double perNode = holdStiffness * model.spacing;
+  const Triple<T> axis = everywhere<T>(guide.axis_W);
+  const T above = load<T>(height, i) - model.parts.freeLength->si();
+  const T s = smaller(larger(above / onset, 0.0), 1.0);
+  const T stiffness = perNode * (s * s * (3.0 - 2.0 * s));
+  const T slope = perNode * (6.0 * s * (1.0 - s) / onset);  // by the height
+  const Triple<T> from = load<T>(position_W, i) - everywhere<T>(guide.origin_W);
+  const Triple<T> aside = from - dot(from, axis) * axis;
+  const T up = -0.5 * slope * dot(aside, aside);
+  const Triple<T> push = up * everywhere<T>(model.entry.out_W) - stiffness * aside;
+  store(stiffness, guide.stiffness, i);
+  store(load<T>(force_W, i) + push, force_W, i);
+  return push;
 }
 
 }  // namespace
@@ -39,22 +54,17 @@ void addGuideForces(const InsertionModel& model, const std::vector<Eigen::Vector
                     std::vector<Eigen::Vector3d>& force_W) noexcept
 {
   if (!model.parts.freeLength) return;
-  const double end = model.parts.freeLength->si();
-  const double perNode = holdStiffness * model.spacing;
-  const Eigen::Vector3d& out_W = model.entry.out_W;
-  for (std::size_t i = 2; i < position_W.size(); ++i) {
-    guide.stiffness[i] = 0.0;
-    const double above = height[i] - end;
-    if (above <= 0.0) continue;
-    const Hold hold = holdAt(above);
-    const Eigen::Vector3d from_W = position_W[i] - guide.origin_W;
-    const Eigen::Vector3d aside_W = from_W - from_W.dot(guide.axis_W) * guide.axis_W;
-    guide.stiffness[i] = perNode * hold.fraction;
-    const Eigen::Vector3d push_W = -guide.stiffness[i] * aside_W -
-                                   (0.5 * perNode * hold.slope * aside_W.squaredNorm()) * out_W;
-    force_W[i] += push_W;
-    force_W[0] -= push_W;
-  }
+  Triple<double> sum;
+  withLanes([&]() PERILYMPH_KERNEL {
+    Triple<Four> byFour;
+    std::size_t i = 2;
+    for (; i + 4 <= position_W.size(); i += 4)
+      byFour = byFour + pushOn<Four>(i, model, position_W, height, guide, force_W);
+    for (; i < position_W.size(); ++i)
+      sum = sum + pushOn<double>(i, model, position_W, height, guide, force_W);
+    sum = sum + Triple<double>{sumOf(byFour.x), sumOf(byFour.y), sumOf(byFour.z)};
+  });
+  force_W[0] -= Eigen::Vector3d(sum.x, sum.y, sum.z);
 }
 
 void addGuideStiffness(const InsertionModel& model, const GuideLine& guide,

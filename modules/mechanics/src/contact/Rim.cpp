@@ -134,7 +134,7 @@ EllipseFoot nearestOnEllipse(double x, double y, double a, double b) noexcept
     u1 = a < b ? 0.0 : 1.0;
   }
   double h = 0.0, rate = 0.0, bending = 0.0;
-  constexpr int iterations = 8;
+  int iterations = 8;
   for (int i = 0;; ++i) {
     h = std::sqrt(a * a * u0 * u0 + b * b * u1 * u1);
     rate = (b * b - a * a) * u0 * u1 / h;
@@ -146,6 +146,8 @@ EllipseFoot nearestOnEllipse(double x, double y, double a, double b) noexcept
     const double gradient = y * u0 - x * u1 - rate;
     const double steep = bending > minBending ? bending : 0.05 * std::min(a, b);
     const double turn = std::clamp(gradient / steep, -0.5, 0.5);
+    // Newton's next step would be of the order of its square
+    if (std::fabs(turn) < 1e-8) iterations = i + 1;
     const double v0 = u0 - turn * u1, v1 = u1 + turn * u0;
     const double scale = 1.0 / std::sqrt(v0 * v0 + v1 * v1);
     u0 = scale * v0;

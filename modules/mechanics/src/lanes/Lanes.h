@@ -198,6 +198,16 @@ PERILYMPH_IN_LANES Four larger(const Four& a, double b) noexcept
 
 PERILYMPH_IN_LANES Four larger(const Four& a, const Four& b) noexcept { return a < b ? b : a; }
 
+/// The smaller of two numbers, like std::min.
+PERILYMPH_IN_LANES double smaller(double a, double b) noexcept { return b < a ? b : a; }
+PERILYMPH_IN_LANES Four smaller(const Four& a, double b) noexcept
+{
+  const Four wide = Four{} + b;
+  return wide < a ? wide : a;
+}
+
+PERILYMPH_IN_LANES double sumOf(const Four& a) noexcept { return (a[0] + a[1]) + (a[2] + a[3]); }
+
 /// One of two numbers in each lane; the condition is the result of a comparison of lanes.
 template <class T, class Condition>
 PERILYMPH_IN_LANES T oneOf(const Condition& condition, const T& yes, const T& no) noexcept

@@ -24,13 +24,13 @@ Residual normsOf(const std::vector<Eigen::Vector3d>& right) noexcept
 {
   Four largest{}, sums{}, totals{};  // per axis
   withLanes([&]() PERILYMPH_KERNEL {
-    Four most{}, sum{}, total{};
+    Four maximum{}, sum{}, total{};
     forEachVector(right, [&](const Four& force) PERILYMPH_KERNEL {
-      most = larger(most, magnitude(force));
+      maximum = larger(maximum, magnitude(force));
       sum += force * force;
       total += force;
     });
-    largest = most;
+    largest = maximum;
     sums = sum;
     totals = magnitude(total);
   });

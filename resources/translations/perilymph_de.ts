@@ -472,8 +472,8 @@
         <translation>Spitze %1 × %2 mm, Basis %3 mm: allgemeine Literatur, nicht gemessen. Dass das kleinere Maß in der Krümmungsebene liegt und die Gerade zu einer runden Basis sind Wahl.</translation>
     </message>
     <message>
-        <source>Estimate by the model of plugins/README.md: silicone of %1 MPa and N(s) platinum-iridium wires of %2 um, one for each contact nearer to the tip, EI = E_s I + E_w I_w (N + c N^%3) with c = %4. c is %5 where the others have %6, because the wires are laid in waves and follow a bend more freely. Order of the published moduli of a straight array (Kha et al. %7).</source>
-        <translation>Schätzung nach dem Modell in plugins/README.md: Silikon mit %1 MPa und N(s) Platin-Iridium-Drähte von %2 µm, einer je Kontakt näher an der Spitze, EI = E_s I + E_w I_w (N + c N^%3) mit c = %4. c ist %5 statt %6 bei den anderen, weil die Drähte gewellt liegen und einer Biegung freier folgen. Größenordnung der veröffentlichten Moduln eines geraden Trägers (Kha et al. %7).</translation>
+        <source>Estimate by the model of plugins/README.md: silicone of %1 MPa and N(s) platinum-iridium wires of %2 um, one for each contact nearer to the tip, EI = E_s I + E_w I_w (N + c N^%3) with c = %4, where the others have %5: a waved wire stretches by straightening. Below the published moduli of a straight array (Kha et al. %6), whose wires are straight.</source>
+        <translation>Schätzung nach dem Modell in plugins/README.md: Silikon mit %1 MPa und N(s) Platin-Iridium-Drähte von %2 µm, einer je Kontakt näher an der Spitze, EI = E_s I + E_w I_w (N + c N^%3) mit c = %4, wo die anderen %5 haben: Ein gewellter Draht dehnt sich, indem er sich streckt. Unter den veröffentlichten Moduln eines geraden Trägers (Kha et al. %6), dessen Drähte gerade sind.</translation>
     </message>
     <message>
         <source>%1 channels with a pitch of %2 mm, %3 mm from the first to the last: general literature and clinical studies of the device. The first contact&apos;s place and the contact&apos;s length are choices.</source>
@@ -792,8 +792,8 @@
         <translation>%1 bis %2 Hz auf %3 Kanälen (extended low): Kurzanleitung von SoundWave %4, wie in öffentlichem Forschungscode zur Anpassung, der sie zitiert.</translation>
     </message>
     <message>
-        <source>Low: chosen for the depths in patients</source>
-        <translation>Niedrig: für die Tiefen bei Patienten gewählt</translation>
+        <source>Endosteum: low end of the reported range</source>
+        <translation>Endost: unteres Ende des berichteten Bereichs</translation>
     </message>
     <message>
         <source>The partition ruptures at one strength, bone and membrane alike, into a mirrored scala vestibuli. The model gives fewer translocations than clinics report.</source>

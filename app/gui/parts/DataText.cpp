@@ -39,7 +39,7 @@ constexpr const char* shipped[] = {
     QT_TRANSLATE_NOOP("Data", "Soap %1 %: decreases with speed"),
     QT_TRANSLATE_NOOP("Data", "Soap %1 %: increases with speed"),
     QT_TRANSLATE_NOOP("Data", "Tissue-like (endosteum simulant)"),
-    QT_TRANSLATE_NOOP("Data", "Low: chosen for the depths in patients"),
+    QT_TRANSLATE_NOOP("Data", "Endosteum: low end of the reported range"),
     // score
     QT_TRANSLATE_NOOP("Data", "speed"), QT_TRANSLATE_NOOP("Data", "reversals"),
     QT_TRANSLATE_NOOP("Data", "peak force"), QT_TRANSLATE_NOOP("Data", "smoothness"),

@@ -203,9 +203,9 @@ constexpr const char* sources[] = {
     QT_TRANSLATE_NOOP("Data",
                       "Estimate by the model of plugins/README.md: silicone of %1 MPa and N(s) "
                       "platinum-iridium wires of %2 um, one for each contact nearer to the tip, EI "
-                      "= E_s I + E_w I_w (N + c N^%3) with c = %4. c is %5 where the others have "
-                      "%6, because the wires are laid in waves and follow a bend more freely. "
-                      "Order of the published moduli of a straight array (Kha et al. %7)."),
+                      "= E_s I + E_w I_w (N + c N^%3) with c = %4, where the others have %5: a "
+                      "waved wire stretches by straightening. Below the published moduli of a "
+                      "straight array (Kha et al. %6), whose wires are straight."),
     QT_TRANSLATE_NOOP("Data",
                       "%1 channels with a pitch of %2 mm, %3 mm from the first to the last: "
                       "general literature and clinical studies of the device. The first contact's "

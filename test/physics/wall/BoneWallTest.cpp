@@ -111,9 +111,9 @@ INSTANTIATE_TEST_SUITE_P(FullDepth, BoneWall,
 
 TEST(BoneWallOfTissue, KeepsArraysWithinATenthOfAMillimeterUpToTheForcesInPatients)
 {
-  // in tissue a FLEX28 buckles before
+  // in tissue a MED-EL array buckles before
   for (const auto& [array, friction] :
-       {std::pair("flex28", "endosteum"), std::pair("nucleus-straight", "tissue"),
+       {std::pair("medel-standard", "endosteum"), std::pair("nucleus-straight", "tissue"),
         std::pair("hifocus-slimj", "tissue")}) {
     const Full full = insertFully({"surgery-flex28", array, "", friction});
     EXPECT_GE(full.peak, extremeForce) << array;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "perilymph/figures/Strings.h"
 
@@ -225,6 +226,23 @@ double legend(Drawing& page, const Figure& figure, double y)
   return y;
 }
 
+/// Lines of a note that end before the page does, broken between words.
+std::vector<std::string> wrapped(const std::string& note)
+{
+  // Mean width of a letter of DejaVu Sans, the widest typeface in use, in units of its size.
+  constexpr double letterWidth = 0.58;
+  constexpr auto letters =
+      static_cast<std::size_t>((pageWidth - left - right) / (letterWidth * smallSize));
+  std::vector<std::string> lines = {""};
+  std::istringstream words(note);
+  for (std::string word; words >> word;) {
+    if (!lines.back().empty() && lines.back().size() + 1 + word.size() > letters)
+      lines.emplace_back();
+    lines.back() += (lines.back().empty() ? "" : " ") + word;
+  }
+  return lines;
+}
+
 }  // namespace
 
 FigureAxis axisOver(std::string title, double low, double high)
@@ -261,11 +279,12 @@ Drawing draw(const Figure& figure)
   for (const FigureCurve& curve : figure.curves) plot.curve(page, curve);
   for (const FigureValues& values : figure.values) plot.values(page, values);
   double y = legend(page, figure, top + plotHeight + 44.0);
-  for (const std::string& note : figure.notes) {
-    page.marks.push_back(Label{
-        {left, y + 4.0}, note, smallSize, ink::gray, Anchor::start, Direction::across, false});
-    y += lineSpacing - 1.0;
-  }
+  for (const std::string& note : figure.notes)
+    for (const std::string& line : wrapped(note)) {
+      page.marks.push_back(Label{
+          {left, y + 4.0}, line, smallSize, ink::gray, Anchor::start, Direction::across, false});
+      y += lineSpacing - 1.0;
+    }
   page.height = y + 6.0;
   return page;
 }

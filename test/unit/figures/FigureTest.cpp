@@ -49,6 +49,33 @@ TEST(Figure, LeavesOutWhatLiesBesideItsAxis)
   EXPECT_EQ(count(svg(draw(someFigure())), "<circle"), 2);
 }
 
+TEST(Figure, BreaksALongNoteBetweenWordsBeforeThePageEnds)
+{
+  Figure figure = someFigure();
+  const std::string note =
+      "Insertions that did not finish are not drawn: 12 buckled in front of the opening, "
+      "903 finished, 61 stopped by resistance, 4 slipped out of the opening, 20 jammed at 2 N.";
+  const double heightWithout = draw(figure).height;
+  figure.notes.push_back(note);
+  const Drawing page = draw(figure);
+
+  std::string together;
+  int lines = 0;
+  for (const Mark& mark : page.marks) {
+    const Label* label = std::get_if<Label>(&mark);
+    if (label == nullptr || note.find(label->text) == std::string::npos) continue;
+    if (label->anchor != Anchor::start || label->at.y < heightWithout - 10.0) continue;
+    together += (together.empty() ? "" : " ") + label->text;
+    ++lines;
+    // 0.58 of its size is the mean width of a letter in DejaVu Sans, the widest typeface in use.
+    EXPECT_LT(label->at.x + 0.58 * label->size * static_cast<double>(label->text.size()),
+              page.width);
+    EXPECT_LT(label->at.y, page.height);
+  }
+  EXPECT_EQ(lines, 2);
+  EXPECT_EQ(together, note);
+}
+
 TEST(Figure, DrawsNothingBetweenSingleValues)
 {
   Figure figure = someFigure();

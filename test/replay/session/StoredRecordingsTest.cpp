@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 
+#include <array>
 #include <filesystem>
 #include <vector>
 
@@ -51,8 +52,8 @@ private:
 
 TEST_P(StoredRecordingsOnMachines, ReplayToTheSameBits)
 {
-  if (GetParam() == mechanics::Instructions::avx2 && !mechanics::hasAvx2())
-    GTEST_SKIP() << "This machine has no AVX2.";
+  if (GetParam() > mechanics::machineInstructions())
+    GTEST_SKIP() << "This machine does not have these instructions.";
   for (const fs::path& file : storedRecordings()) {
     const auto verification = verify(file);
     ASSERT_TRUE(verification) << verification.error().message;
@@ -61,12 +62,13 @@ TEST_P(StoredRecordingsOnMachines, ReplayToTheSameBits)
   }
 }
 
+constexpr std::array names{"WithSse2", "WithAvx2", "WithAvx512"};
 INSTANTIATE_TEST_SUITE_P(, StoredRecordingsOnMachines,
                          testing::Values(mechanics::Instructions::sse2,
-                                         mechanics::Instructions::avx2),
+                                         mechanics::Instructions::avx2,
+                                         mechanics::Instructions::avx512),
                          [](const auto& one) {
-                           return one.param == mechanics::Instructions::sse2 ? "WithSse2"
-                                                                             : "WithAvx2";
+                           return names.at(static_cast<std::size_t>(one.param));
                          });
 
 TEST(StoredRecordings, AreOfTheModelThatIsBuiltTodayUnlessTheFileOfTheirArrayWasChanged)

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <random>
 
 #include "rod/Rod.h"
@@ -59,7 +60,7 @@ protected:
   ~Lanes() override { kernelInstructions = before_; }
   void SetUp() override
   {
-    if (GetParam() == Instructions::avx2 && !hasAvx2()) GTEST_SKIP() << "This machine has no AVX2.";
+    if (GetParam() > machineInstructions()) GTEST_SKIP() << "This machine does not have them.";
   }
 
 private:
@@ -128,10 +129,12 @@ TEST_P(Lanes, MoveEveryNodeAsAlone)
   }
 }
 
+constexpr std::array names{"Sse2", "Avx2", "Avx512"};
 INSTANTIATE_TEST_SUITE_P(Instructions, Lanes,
-                         testing::Values(Instructions::sse2, Instructions::avx2),
+                         testing::Values(Instructions::sse2, Instructions::avx2,
+                                         Instructions::avx512),
                          [](const auto& one) {
-                           return one.param == Instructions::sse2 ? "Sse2" : "Avx2";
+                           return names.at(static_cast<std::size_t>(one.param));
                          });
 
 }  // namespace

@@ -3,7 +3,8 @@
 
 // Four nodes at a time. A kernel is written once, for T = double or T = Four: the same operations in
 // the same order, so that the bits do not depend on how many nodes are computed together, nor on the
-// instructions that the machine has: SSE2, or AVX2 without fused multiply-add.
+// instructions that the machine has: SSE2, AVX2 or AVX-512, none with fused multiply-add. AVX-512 has
+// twice the registers; kernels use no lanes wider than four.
 
 #include <Eigen/Core>
 #include <cmath>
@@ -14,7 +15,7 @@
 
 #include "solver/Blocks.h"
 
-/// After the parameters of a kernel: what is not inlined would not be compiled for AVX2.
+/// After the parameters of a kernel: what is not inlined would not be compiled for AVX2 and AVX-512.
 #define PERILYMPH_KERNEL __attribute__((always_inline))
 /// Before what kernels call.
 #define PERILYMPH_IN_LANES [[gnu::always_inline]] inline
@@ -40,16 +41,27 @@ struct Axes {
   std::vector<double> x, y, z;
 };
 
-/// Instructions for which kernels are compiled.
-enum class Instructions { sse2, avx2 };
+/// Instructions for which kernels are compiled; each has all of those before it.
+enum class Instructions { sse2, avx2, avx512 };
 
-inline bool hasAvx2() noexcept { return __builtin_cpu_supports("avx2") != 0; }
+/// The last that this machine has.
+inline Instructions machineInstructions() noexcept
+{
+  if (__builtin_cpu_supports("avx512vl") != 0) return Instructions::avx512;
+  return __builtin_cpu_supports("avx2") != 0 ? Instructions::avx2 : Instructions::sse2;
+}
 
 /// Those that kernels use. Tests set it, to compare the bits.
-inline Instructions kernelInstructions = hasAvx2() ? Instructions::avx2 : Instructions::sse2;
+inline Instructions kernelInstructions = machineInstructions();
 
 template <class Function>
 [[gnu::target("avx2")]] void callWithAvx2(const Function& function) noexcept
+{
+  function();
+}
+
+template <class Function>
+[[gnu::target("avx2,avx512f,avx512vl")]] void callWithAvx512(const Function& function) noexcept
 {
   function();
 }
@@ -58,7 +70,9 @@ template <class Function>
 template <class Function>
 PERILYMPH_IN_LANES void withLanes(const Function& function) noexcept
 {
-  if (kernelInstructions == Instructions::avx2)
+  if (kernelInstructions == Instructions::avx512)
+    callWithAvx512(function);
+  else if (kernelInstructions == Instructions::avx2)
     callWithAvx2(function);
   else
     function();

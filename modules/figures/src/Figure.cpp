@@ -229,7 +229,7 @@ double legend(Drawing& page, const Figure& figure, double y)
 /// Lines of a note that end before the page does, broken between words.
 std::vector<std::string> wrapped(const std::string& note)
 {
-  // Mean width of a letter of DejaVu Sans, the widest typeface in use, in units of its size.
+  // In units of its size. A sentence in DejaVu Sans, the widest typeface in use, has 0.51 a letter.
   constexpr double letterWidth = 0.58;
   constexpr auto letters =
       static_cast<std::size_t>((pageWidth - left - right) / (letterWidth * smallSize));

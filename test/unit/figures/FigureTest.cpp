@@ -67,8 +67,8 @@ TEST(Figure, BreaksALongNoteBetweenWordsBeforeThePageEnds)
     if (label->anchor != Anchor::start || label->at.y < heightWithout - 10.0) continue;
     together += (together.empty() ? "" : " ") + label->text;
     ++lines;
-    // 0.58 of its size is the mean width of a letter in DejaVu Sans, the widest typeface in use.
-    EXPECT_LT(label->at.x + 0.58 * label->size * static_cast<double>(label->text.size()),
+    // A sentence in DejaVu Sans, the widest typeface in use, has 0.51 of its size a letter.
+    EXPECT_LT(label->at.x + 0.51 * label->size * static_cast<double>(label->text.size()),
               page.width);
     EXPECT_LT(label->at.y, page.height);
   }

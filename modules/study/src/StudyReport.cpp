@@ -97,13 +97,22 @@ std::string distributions(const StudyEvaluation& study)
   return text + "\n";
 }
 
-std::string endings(const StudyEvaluation& study)
+using Endings = std::map<std::string, std::size_t>;
+
+/// How many insertions ended in which way.
+Endings endingsOf(const StudyEvaluation& study)
 {
-  std::map<std::string, std::size_t> counts;
+  Endings counts;
   for (const StudyResult& each : study.results()) ++counts[haptics::nameOf(each.insertion.end)];
+  return counts;
+}
+
+std::string textOf(const Endings& endings)
+{
   std::string text;
-  for (const auto& [name, count] : counts)
+  for (const auto& [name, count] : endings)
     text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + name;
+  std::replace(text.begin(), text.end(), '_', ' ');
   return text;
 }
 
@@ -183,7 +192,11 @@ figures::Figure overSize(const StudyEvaluation& study, Outcome outcome, const st
   figure.y = figures::axisOver(titleOf(outcome), 0.0, top);
   if (isShortened)
     figure.notes.push_back("The first " + std::to_string(maxPoints) + " insertions of each.");
-  figure.notes.push_back("Insertions that did not finish are not drawn: " + endings(study) + ".");
+  Endings notDrawn = endingsOf(study);
+  notDrawn.erase(haptics::nameOf(analysis::InsertionEnd::finished));
+  if (!notDrawn.empty())
+    figure.notes.push_back("Insertions that did not finish are not drawn: " + textOf(notDrawn) +
+                           ".");
   return figure;
 }
 
@@ -220,8 +233,8 @@ Result<StudyReport> reportOf(const StudyFile& file)
   StudyReport report;
   report.text =
       "# " + file.facts().title + "\n\n" + std::to_string(study.results().size()) +
-      " insertions: " + endings(study) + ". Perilymph " + file.facts().program + ", study " +
-      file.facts().fingerprint.substr(0, 16) + ".\n\n" +
+      " insertions: " + textOf(endingsOf(study)) + ". Perilymph " + file.facts().program +
+      ", study " + file.facts().fingerprint.substr(0, 16) + ".\n\n" +
       "For research and training; not a medical device. Depths, forces and rates are those "
       "of the model; an insertion\nthat did not finish counts in the rate of full "
       "insertions and in nothing else.\n\n" +

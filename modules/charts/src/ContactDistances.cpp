@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "PlotSheet.h"
+#include "perilymph/figures/Lines.h"
 #include "perilymph/figures/Strings.h"
 #include "perilymph/foundation/Units.h"
 #include "perilymph/mechanics/Outcome.h"
@@ -63,7 +64,7 @@ figures::Drawing drawContactDistances(const std::vector<ContactDistance>& contac
                           : figures::filled(strings.meanAndAbove,
                                             {mean, std::to_string(inside), std::to_string(translocated)});
   const bool fits = widthOfLabel(said) <= width - leftMargin_px;
-  const std::vector<std::string> text = linesOfLabel(said, width);
+  const std::vector<std::string> text = figures::linesOf(said, figures::labelSize, width);
   const double above = line_px * static_cast<double>(text.size()) + 8.0;
   PlotSheet sheet(width, height, {leftMargin_px, 4.0, above, 22.0}, numbers,
                   grown(usualDistance_mm, 0.0, max_mm), style);

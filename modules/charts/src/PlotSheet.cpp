@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <sstream>
 
+#include "perilymph/figures/Lines.h"
 #include "perilymph/figures/Strings.h"
 
 namespace perilymph::charts {
@@ -84,24 +84,7 @@ void PlotSheet::write(PagePoint at, std::string text, const figures::Ink& ink, A
 
 double widthOfLabel(const std::string& label)
 {
-  constexpr double perLetter = 0.53;  // of the font size: slightly more than Inter's mean width
-  const auto isFirstByte = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; };
-  const auto letters = std::count_if(label.begin(), label.end(), isFirstByte);
-  return perLetter * figures::labelSize * static_cast<double>(letters);
-}
-
-std::vector<std::string> linesOfLabel(const std::string& label, double width_px)
-{
-  std::vector<std::string> lines{""};
-  std::istringstream rest(label);
-  for (std::string word; rest >> word;) {
-    const std::string longer = lines.back().empty() ? word : lines.back() + " " + word;
-    if (lines.back().empty() || widthOfLabel(longer) <= width_px)
-      lines.back() = longer;
-    else
-      lines.push_back(word);
-  }
-  return lines;
+  return figures::widthOf(label, figures::labelSize);
 }
 
 std::string written(double value, int decimals, char decimalSign)

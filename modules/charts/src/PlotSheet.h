@@ -57,8 +57,6 @@ private:
 
 /// Approximate width of a label [px]: a drawing has no font metrics.
 double widthOfLabel(const std::string& label);
-/// Wraps a label to a width; single words may exceed it.
-std::vector<std::string> linesOfLabel(const std::string& label, double width_px);
 
 /// A number with fixed decimals; never "-0".
 std::string written(double value, int decimals, char decimalSign);

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
+#include "perilymph/figures/Lines.h"
 #include "perilymph/figures/Strings.h"
 
 namespace perilymph::figures {
@@ -226,23 +226,6 @@ double legend(Drawing& page, const Figure& figure, double y)
   return y;
 }
 
-/// Lines of a note that end before the page does, broken between words.
-std::vector<std::string> wrapped(const std::string& note)
-{
-  // In units of its size. A sentence in DejaVu Sans, the widest typeface in use, has 0.51 a letter.
-  constexpr double letterWidth = 0.58;
-  constexpr auto letters =
-      static_cast<std::size_t>((pageWidth - left - right) / (letterWidth * smallSize));
-  std::vector<std::string> lines = {""};
-  std::istringstream words(note);
-  for (std::string word; words >> word;) {
-    if (!lines.back().empty() && lines.back().size() + 1 + word.size() > letters)
-      lines.emplace_back();
-    lines.back() += (lines.back().empty() ? "" : " ") + word;
-  }
-  return lines;
-}
-
 }  // namespace
 
 FigureAxis axisOver(std::string title, double low, double high)
@@ -280,7 +263,7 @@ Drawing draw(const Figure& figure)
   for (const FigureValues& values : figure.values) plot.values(page, values);
   double y = legend(page, figure, top + plotHeight + 44.0);
   for (const std::string& note : figure.notes)
-    for (const std::string& line : wrapped(note)) {
+    for (const std::string& line : linesOf(note, smallSize, pageWidth - left - right)) {
       page.marks.push_back(Label{
           {left, y + 4.0}, line, smallSize, ink::gray, Anchor::start, Direction::across, false});
       y += lineSpacing - 1.0;

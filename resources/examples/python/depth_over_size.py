@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
 """Angular insertion depth against cochlear size, three arrays: depth_over_size.py [FILE.png [SIZES]]"""
 

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
 """Insertion force over depth of three arrays in the mean cochlea: force_over_depth.py [FILE.png]"""
 

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
 """A plan's bands for one patient, from the errors of A, B and H: plan_bands.py [FILE.png [SAMPLES]]"""
 

@@ -107,12 +107,12 @@ TEST(Window, StopsAtFullDepthAndOffersTheWayOut)
 
 TEST(Window, StartingAgainOnTheWayOutStillStopsAtFullDepth)
 {
-  WindowRig rig(session::Overrides{{"stop_travel_mm", "2.0"}, {"speed_mm_s", "2.0"}});
+  WindowRig rig(session::Overrides{{"stop_travel_mm", "2.0"}, {"speed_mm_s", "0.5"}});
   rig.click("startButton");
   ASSERT_TRUE(WindowRig::comes([&] { return rig.now().output.workflow == Workflow::finished; }));
   ASSERT_TRUE(WindowRig::comes([&] { return rig.button("withdrawButton").isEnabled(); }));
   rig.click("withdrawButton");
-  ASSERT_TRUE(WindowRig::comes([&] { return rig.travel_mm() < 1.5; }));
+  ASSERT_TRUE(WindowRig::comes([&] { return rig.travel_mm() < 1.9; }));
   rig.click("startButton");  // its text is Pause while the array is withdrawn
   ASSERT_TRUE(WindowRig::comes([&] { return rig.now().output.workflow == Workflow::paused; }));
   ASSERT_TRUE(WindowRig::comes([&] { return rig.button("startButton").isEnabled(); }));
@@ -125,12 +125,12 @@ TEST(Window, StartingAgainOnTheWayOutStillStopsAtFullDepth)
 
 TEST(Window, RecognizesFullDepthAgainAfterAWithdrawal)
 {
-  WindowRig rig(session::Overrides{{"stop_travel_mm", "2.0"}, {"speed_mm_s", "2.0"}});
+  WindowRig rig(session::Overrides{{"stop_travel_mm", "2.0"}, {"speed_mm_s", "0.5"}});
   rig.pressKey(Qt::Key_Space);
   ASSERT_TRUE(WindowRig::comes([&] { return rig.now().output.workflow == Workflow::finished; }));
   ASSERT_TRUE(WindowRig::comes([&] { return rig.button("withdrawButton").isEnabled(); }));
   rig.pressKey(Qt::Key_Backspace);
-  ASSERT_TRUE(WindowRig::comes([&] { return rig.travel_mm() < 1.5; }));
+  ASSERT_TRUE(WindowRig::comes([&] { return rig.travel_mm() < 1.9; }));
   rig.pressKey(Qt::Key_Space);  // pauses
   ASSERT_TRUE(WindowRig::comes([&] { return rig.now().output.workflow == Workflow::paused; }));
   ASSERT_TRUE(WindowRig::comes([&] { return rig.button("startButton").isEnabled(); }));

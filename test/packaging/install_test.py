@@ -43,6 +43,21 @@ class InstallDependencies(PretendedSystem):
         self.assertEqual(self.call(SCRIPT, "test").returncode, 0)
         self.assertEqual(self.calls("apt-get")[-1].split()[-1], "libgtest-dev")
 
+    def test_the_build_brings_what_the_engine_needs(self):
+        self.pretend_packages("libeigen3-dev", "libvtk9-dev")
+        self.assertEqual(self.call(SCRIPT, "engine").returncode, 0)
+        self.assertEqual(self.calls("apt-get")[-1].split()[-1], "libeigen3-dev")
+        self.assertEqual(self.call(SCRIPT, "build").returncode, 0)
+        self.assertEqual(self.calls("apt-get")[-1].split()[-1], "libvtk9-dev")
+
+    def test_missing_packages_are_named_and_not_installed(self):
+        self.pretend_packages("libeigen3-dev", "libvtk9-dev")
+        result = self.call(SCRIPT, "--missing", "build")
+        self.assertEqual((result.returncode, result.stdout), (0, "libeigen3-dev\nlibvtk9-dev\n"))
+        self.assertEqual(self.calls("apt-get"), [])
+        self.pretend_packages()
+        self.assertEqual(self.call(SCRIPT, "--missing", "build").stdout, "")
+
     def test_a_network_that_stumbles_is_tried_three_times(self):
         self.pretend_packages("cmake")
         self.pretend("apt-get", "exit 100")

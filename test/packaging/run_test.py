@@ -4,6 +4,7 @@
 
 import shutil
 import sys
+import time
 import unittest
 from pathlib import Path
 
@@ -59,6 +60,49 @@ class Run(PretendedSystem):
         self.assertTrue(self.calls("perilymph-cli")[0].endswith(f"--out {drawn}"))
         self.assertIn(f"The first picture is {drawn}", result.stdout)
         self.assertEqual(self.calls("perilymph"), ["--demo"])
+
+    def without_toolkit_and_programs(self, while_the_engine_is_built):
+        """VTK is missing; the programs are built by cmake."""
+        self.pretend_packages("libvtk9-dev")
+        built, real = self.root / "build/built", shutil.which("mv")
+        self.programs.rename(built)
+        self.pretend("cmake", f"""if [[ $1 == --preset ]]; then touch "build/$2/build.ninja"; fi
+            if [[ ${{!#}} == engine ]]; then {while_the_engine_is_built}; fi
+            if [[ ${{!#}} == perilymph-cli ]]; then {real} '{built}' '{self.programs}'; fi""")
+        self.pretend("nice", 'exec "$@"')
+
+    def test_the_engine_is_built_while_vtk_is_installed(self):
+        self.without_toolkit_and_programs("true")
+        result = self.call(SCRIPT)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(self.built(), ["engine", "perilymph-cli", "all"])
+        configured = [call for call in self.calls("cmake") if call.startswith("--preset")]
+        self.assertIn("PERILYMPH_TOOLKIT=OFF", configured[0])
+        self.assertEqual(configured[1:], ["--preset release"])
+
+    def test_an_engine_that_does_not_build_is_said_by_the_build_of_everything(self):
+        self.without_toolkit_and_programs("exit 1")
+        result = self.call(SCRIPT)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(self.built(), ["engine", "perilymph-cli", "all"])
+
+    def test_packages_that_cannot_be_installed_end_the_build_of_the_engine(self):
+        started = self.bin.parent / "started"
+        self.without_toolkit_and_programs(f"echo $$ >'{started}'; exec {shutil.which('sleep')} 600")
+        wait = f"until [[ -s '{started}' ]]; do {shutil.which('sleep')} 0.01; done"
+        self.pretend("apt-get", f'if [[ " $* " == *" install "* ]]; then {wait}; exit 100; fi')
+        self.assert_one_sentence(self.call(SCRIPT), "Packages are missing")
+        self.assertTrue(self.ends(int(started.read_text())))
+
+    @staticmethod
+    def ends(process):
+        """Waits for a process that was told to end; one that nobody waited for ended, too."""
+        stat = Path(f"/proc/{process}/stat")
+        for _ in range(3000):
+            if not stat.exists() or stat.read_text().rsplit(")", 1)[1].split()[0] == "Z":
+                return True
+            time.sleep(0.01)
+        return False
 
     def test_without_a_display_the_window_is_built_after_the_picture(self):
         lines = self.call(SCRIPT).stdout

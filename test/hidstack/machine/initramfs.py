@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The initramfs of the virtual machine: programs, their libraries, kernel modules."""
 
+import lzma
 import re
 import stat
 import subprocess
@@ -75,6 +76,14 @@ def stripped(file):
         return Path(thin.name if done.returncode == 0 else file).read_bytes()
 
 
+def module_file(module):
+    """Where a kernel module goes, and what it holds: busybox loads no compressed one."""
+    module = Path(module)
+    if module.suffix == ".xz":
+        return f"modules/{module.stem}", lzma.decompress(module.read_bytes())
+    return f"modules/{module.name}", module.read_bytes()
+
+
 def build(init, busybox, programs, data, modules, trees=()):
     """@param trees  Folders as (root, relative path); their TOML files keep their relative paths.
     @return the bytes of the archive."""
@@ -97,5 +106,5 @@ def build(init, busybox, programs, data, modules, trees=()):
         for file in sorted((Path(root) / folder).rglob("*.toml")):
             archive.file(f"data/{file.relative_to(root)}", file.read_bytes(), 0o644)
     for module in modules:
-        archive.file(f"modules/{Path(module).name}", Path(module).read_bytes(), 0o644)
+        archive.file(*module_file(module), 0o644)
     return archive.bytes()

@@ -11,6 +11,7 @@ from pathlib import Path
 
 PACKAGE = "linux-image-cloud-amd64"
 MODULES = ("hid", "hid-generic", "uhid")
+SUFFIXES = (".ko", ".ko.xz")  # Debian 12's modules; those of 13 are compressed
 FETCH_SECONDS = 60
 
 
@@ -30,29 +31,36 @@ def _wanted(name):
     if re.fullmatch(r"boot/vmlinuz-\S+", plain):
         return "vmlinuz"
     for module in MODULES:
-        if plain.endswith(f"/drivers/hid/{module}.ko"):
-            return f"{module}.ko"
+        for suffix in SUFFIXES:
+            if plain.endswith(f"/drivers/hid/{module}{suffix}"):
+                return f"{module}{suffix}"
     return None
+
+
+def _modules_in(folder):
+    """The files of the modules, or fewer than there are modules."""
+    files = (folder / f"{module}{suffix}" for module in MODULES for suffix in SUFFIXES)
+    return [file for file in files if file.is_file()]
 
 
 def in_folder(folder):
     """The kernel of a cache folder, or None if it is incomplete."""
     folder = Path(folder)
-    kernel = Kernel(folder / "vmlinuz", [folder / f"{module}.ko" for module in MODULES])
-    return kernel if all(file.is_file() for file in (kernel.image, *kernel.modules)) else None
+    kernel = Kernel(folder / "vmlinuz", _modules_in(folder))
+    return kernel if kernel.image.is_file() and len(kernel.modules) == len(MODULES) else None
 
 
 def of_system(boot=Path("/boot"), modules=Path("/lib/modules")):
     """The newest installed cloud kernel that can be read, or None."""
     for image in sorted(boot.glob("vmlinuz-*-cloud-amd64"), reverse=True):
         version = image.name.removeprefix("vmlinuz-")
-        files = [modules / version / "kernel/drivers/hid" / f"{name}.ko" for name in MODULES]
+        files = _modules_in(modules / version / "kernel/drivers/hid")
         try:
             with image.open("rb"):
                 pass
         except OSError:
             continue  # on many systems users cannot read kernels
-        if all(file.is_file() for file in files):
+        if len(files) == len(MODULES):
             return Kernel(image, files)
     return None
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The harness of the virtual machine: archive, kernel search, and error messages."""
 
+import lzma
 import os
 import subprocess
 import sys
@@ -69,6 +70,12 @@ class Archive(InFolder):
         self.assertEqual(os.readlink(self.folder / "bin/sh"), "tool")
         self.assertTrue(os.access(self.folder / "bin/tool", os.X_OK))
 
+    def test_holds_a_compressed_module_unpacked(self):
+        for name, content in (("hid.ko.xz", lzma.compress(b"module")), ("uhid.ko", b"module")):
+            (self.folder / name).write_bytes(content)
+        self.assertEqual(initramfs.module_file(self.folder / "hid.ko.xz"), ("modules/hid.ko", b"module"))
+        self.assertEqual(initramfs.module_file(self.folder / "uhid.ko"), ("modules/uhid.ko", b"module"))
+
     def test_brings_the_loader_and_the_c_library_of_a_program(self):
         names = "\n".join(initramfs.libraries_of([sys.executable]))
         self.assertIn("ld-linux", names)
@@ -83,6 +90,14 @@ class Search(InFolder):
         self.assertEqual({file.name for file in place.iterdir()},
                          {"vmlinuz", "hid.ko", "hid-generic.ko", "uhid.ko"})
         self.assertIsNotNone(kernel.in_folder(place))
+
+    def test_takes_compressed_modules_too(self):
+        place = self.folder / "place"
+        place.mkdir()
+        packed = [f"usr/{name}.xz" if name.endswith(".ko") else name for name in KERNEL_FILES]
+        kernel.unpack(self.package(*packed), place)
+        self.assertEqual([file.name for file in kernel.in_folder(place).modules],
+                         ["hid.ko.xz", "hid-generic.ko.xz", "uhid.ko.xz"])
 
     def test_fetches_the_package_that_the_meta_package_names(self):
         package = self.package(*KERNEL_FILES)

@@ -79,6 +79,21 @@ TEST_F(HidDeviceOnAFake, MeasuresThePeriodOfItsReports)
   EXPECT_TRUE(hand.health()->isPeriodMeasured);
 }
 
+TEST_F(HidDeviceOnAFake, MeasuresThePeriodAlthoughTheFirstOrTheLastReportIsReadLate)
+{
+  for (const int late : {1, 40, 64}) {
+    int waits = 0;
+    hid.whenWaiting([&](Duration) {
+      tickDevice();
+      if (++waits == late) tickDevice();  // both are read now, the first of them a period late
+    });
+    open();
+    EXPECT_TRUE(hand.health()->isPeriodMeasured) << late;
+    EXPECT_NEAR(hand.traits().nominalPeriod, 1e-3, 1e-9) << late;
+    hand.close();
+  }
+}
+
 TEST_F(HidDeviceOnAFake, SaysWhyItCannotBeOpened)
 {
   hid.unplug();

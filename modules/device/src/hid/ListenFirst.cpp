@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hid/ListenFirst.h"
 
-#include <cmath>
+#include <algorithm>
+#include <array>
+#include <span>
 
 namespace perilymph::device {
 
@@ -9,7 +11,7 @@ namespace {
 
 constexpr std::int64_t maxTime = 100'000'000;  // [ns]
 constexpr int enoughReports = 64;
-constexpr int fewestReports = 6;
+constexpr std::size_t fewestIntervals = 6;
 constexpr int maxReads = 10 * enoughReports;
 constexpr int writesToTime = 16;
 // Maximum ratio between measured and profile period; others are measurement errors of a busy
@@ -51,6 +53,20 @@ double timeToAnswer(Transport& reading, Transport& writing, const DeviceTraits& 
   return times.quantile(0.5);
 }
 
+/// Median over pairs of reports, half of all apart, of the time between two neighbors [s]: a report that a busy
+/// machine reads late, even the first or the last, changes few of the pairs.
+///
+/// @param arrivals  [ns], in order, at least 2; overwritten.
+double periodOf(std::span<std::int64_t> arrivals) noexcept
+{
+  const std::size_t apart = arrivals.size() / 2;
+  const std::span pairs = arrivals.first(arrivals.size() - apart);
+  for (std::size_t i = 0; i < pairs.size(); ++i) pairs[i] = arrivals[i + apart] - arrivals[i];
+  const auto median = pairs.subspan(pairs.size() / 2).begin();
+  std::nth_element(pairs.begin(), median, pairs.end());
+  return static_cast<double>(*median) * 1e-9 / static_cast<double>(apart);
+}
+
 }  // namespace
 
 FirstImpression listenFirst(Transport& reading, Transport* writing, const DeviceTraits& profile,
@@ -71,18 +87,16 @@ FirstImpression listenFirst(Transport& reading, Transport* writing, const Device
 
   discardWaiting(reading);
   RawReport report;
-  std::int64_t first = 0, last = 0;
-  int intervals = -1;
-  for (int i = 0; i < maxReads && intervals < enoughReports; ++i) {
+  std::array<std::int64_t, enoughReports + 1> arrivals;
+  std::size_t count = 0;
+  for (int i = 0; i < maxReads && count < arrivals.size(); ++i) {
     if (clock() - began >= maxTime) break;
     const Transfer transfer = reading.read(report, Duration::fromSi(0.02));
     if (transfer == Transfer::gone) break;
-    if (transfer != Transfer::done) continue;
-    last = clock();
-    if (++intervals == 0) first = last;
+    if (transfer == Transfer::done) arrivals[count++] = clock();
   }
-  if (intervals < fewestReports || last <= first) return heard;
-  const double period = static_cast<double>(last - first) * 1e-9 / intervals;
+  if (count <= fewestIntervals) return heard;
+  const double period = periodOf(std::span(arrivals).first(count));
   const double ratio = period / profile.nominalPeriod;
   if (ratio <= maxRatio && ratio >= 1.0 / maxRatio) heard.period = period;
   return heard;

@@ -123,20 +123,21 @@ trust_own_folder()
   export "GIT_CONFIG_KEY_$count=safe.directory" "GIT_CONFIG_VALUE_$count=$root"
 }
 
-# Dependencies of a configured build folder that ninja does not watch: path, presets, commit.
+# configuration_stamp <preset> [options]: what ninja does not watch of a configured build folder: path, words for
+# CMake, presets, commit.
 configuration_stamp()
 {
-  echo "$root"
+  echo "$root" "$@"
   cksum <"$root/CMakePresets.json"
   git -C "$root" describe --always --dirty --abbrev=12 2>/dev/null || echo "no commit"
 }
 
-# configure <preset>: runs CMake if anything changed that ninja would not notice.
+# configure <preset> [options]: runs CMake if anything changed that ninja would not notice.
 configure()
 {
   local -r folder=$root/build/$1
   local -r log=$root/build/$1-configure.log stamp=$folder/configured-for
-  if [[ -f $folder/build.ninja && -f $stamp && $(configuration_stamp) == "$(<"$stamp")" ]]; then
+  if [[ -f $folder/build.ninja && -f $stamp && $(configuration_stamp "$@") == "$(<"$stamp")" ]]; then
     return
   fi
   mkdir -p "$folder" 2>/dev/null || true
@@ -150,11 +151,11 @@ configure()
     mkdir -p "$folder"
   fi
   rm -f "$stamp"
-  (cd "$root" && cmake --preset "$1") >"$log" 2>&1 || {
+  (cd "$root" && cmake --preset "$@") >"$log" 2>&1 || {
     tail -n 25 "$log" >&2
     fail "CMake could not configure preset $1; its last lines are above, all of them in $log."
   }
-  configuration_stamp >"$stamp"
+  configuration_stamp "$@" >"$stamp"
 }
 
 # build <preset> [target]: builds everything, or a target.

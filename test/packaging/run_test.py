@@ -69,7 +69,7 @@ class Run(PretendedSystem):
         self.pretend("cmake", f"""if [[ $1 == --preset ]]; then touch "build/$2/build.ninja"; fi
             if [[ ${{!#}} == engine ]]; then {while_the_engine_is_built}; fi
             if [[ ${{!#}} == perilymph-cli ]]; then {real} '{built}' '{self.programs}'; fi""")
-        self.pretend("nice", 'exec "$@"')
+        self.pretend("renice", "")
 
     def test_the_engine_is_built_while_vtk_is_installed(self):
         self.without_toolkit_and_programs("true")
@@ -79,6 +79,13 @@ class Run(PretendedSystem):
         configured = [call for call in self.calls("cmake") if call.startswith("--preset")]
         self.assertIn("PERILYMPH_TOOLKIT=OFF", configured[0])
         self.assertEqual(configured[1:], ["--preset release"])
+
+    def test_a_folder_that_was_configured_with_vtk_is_so_again_after_the_engine(self):
+        self.call(SCRIPT)
+        self.without_toolkit_and_programs("true")
+        self.call(SCRIPT)
+        configured = [call for call in self.calls("cmake") if call.startswith("--preset")]
+        self.assertEqual([("OFF" in call) for call in configured], [False, True, False])
 
     def test_an_engine_that_does_not_build_is_said_by_the_build_of_everything(self):
         self.without_toolkit_and_programs("exit 1")

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 # Sourced by the project's scripts: the project's folder, steps with their durations, and error
-# messages. The caller has set -euo pipefail.
+# messages. The caller has set -euo pipefail. A function cannot have a local variable of the name of a caller's
+# read-only one, so the local names below are not among theirs.
 # shellcheck shell=bash
 
 root="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd -P)"
@@ -82,13 +83,13 @@ prove()
 # without changed files.
 stage()
 {
-  local -r name=$1 title=$2 log=$root/build/proof/stages.tsv
+  local -r name=$1 title=$2 stages_log=$root/build/proof/stages.tsv
   shift 2
   local commit
   commit=$(commit_built)
-  if [[ $commit != *-dirty && -f $log ]] &&
+  if [[ $commit != *-dirty && -f $stages_log ]] &&
     awk -F '\t' -v name="$name" -v commit="$commit" \
-      '$1 == name && $2 == commit && $5 == "passed" { found = 1 } END { exit !found }' "$log"; then
+      '$1 == name && $2 == commit && $5 == "passed" { found = 1 } END { exit !found }' "$stages_log"; then
     echo "==> $title: passed before on $commit"
     return
   fi
@@ -135,25 +136,25 @@ configuration_stamp()
 # configure <preset> [options]: runs CMake if anything changed that ninja would not notice.
 configure()
 {
-  local -r folder=$root/build/$1
-  local -r log=$root/build/$1-configure.log stamp=$folder/configured-for
-  if [[ -f $folder/build.ninja && -f $stamp && $(configuration_stamp "$@") == "$(<"$stamp")" ]]; then
+  local -r build_folder=$root/build/$1
+  local -r build_log=$root/build/$1-configure.log stamp=$build_folder/configured-for
+  if [[ -f $build_folder/build.ninja && -f $stamp && $(configuration_stamp "$@") == "$(<"$stamp")" ]]; then
     return
   fi
-  mkdir -p "$folder" 2>/dev/null || true
-  if [[ ! -w $folder ]]; then
-    fail "$folder cannot be written. Run this as a user who may write there, or copy the project to a place of your own."
+  mkdir -p "$build_folder" 2>/dev/null || true
+  if [[ ! -w $build_folder ]]; then
+    fail "$build_folder cannot be written. Run this as a user who may write there, or copy the project to a place of your own."
   fi
   # A build folder copied from another path is configured for that path.
-  local -r cache=$folder/CMakeCache.txt
+  local -r cache=$build_folder/CMakeCache.txt
   if [[ -f $cache ]] && ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$cache"; then
-    rm -rf "${folder:?}"
-    mkdir -p "$folder"
+    rm -rf "${build_folder:?}"
+    mkdir -p "$build_folder"
   fi
   rm -f "$stamp"
-  (cd "$root" && cmake --preset "$@") >"$log" 2>&1 || {
-    tail -n 25 "$log" >&2
-    fail "CMake could not configure preset $1; its last lines are above, all of them in $log."
+  (cd "$root" && cmake --preset "$@") >"$build_log" 2>&1 || {
+    tail -n 25 "$build_log" >&2
+    fail "CMake could not configure preset $1; its last lines are above, all of them in $build_log."
   }
   configuration_stamp "$@" >"$stamp"
 }

@@ -71,7 +71,7 @@ prove()
   begin=$(now)
   "$@" 2>&1 | tee "$proof/$name.log" || status=$?
   if ((status != 0)); then result=failed; fi
-  count=$(grep -E 'tests passed|nothing found|to the same bits' "$proof/$name.log" | tail -n 1 || true)
+  count=$(grep -E 'tests passed|nothing found|to the same bits|^The first picture was drawn' "$proof/$name.log" | tail -n 1 || true)
   skipped=$(grep -c '\*\*\*Skipped' "$proof/$name.log" || true)
   if ((skipped > 0)); then count+="; $skipped skipped"; fi
   printf '%s\t%s\t%s\t%s\t%s\t%s\t%s\n' "$name" "$commit" "$begin" "$(now)" "$result" "$count" "$(machine)" \

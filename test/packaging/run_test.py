@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """packaging/run builds, then opens the window, or without a display writes the insertion to files."""
 
+import re
 import shutil
 import sys
 import time
@@ -58,7 +59,7 @@ class Run(PretendedSystem):
         self.assertEqual(self.built(), ["perilymph-cli", "all"])
         drawn = f"{self.root}/build/demo/surgeon.png"
         self.assertTrue(self.calls("perilymph-cli")[0].endswith(f"--out {drawn}"))
-        self.assertIn(f"The first picture is {drawn}", result.stdout)
+        self.assertRegex(result.stdout, rf"The first picture was drawn after \d+ s\.\nIt is {re.escape(drawn)};")
         self.assertEqual(self.calls("perilymph"), ["--demo"])
 
     def without_toolkit_and_programs(self, while_the_engine_is_built):
@@ -115,6 +116,7 @@ class Run(PretendedSystem):
         lines = self.call(SCRIPT).stdout
         self.assertEqual(self.built(), ["perilymph-cli", "all"])
         self.assertLess(lines.index("surgeon.png"), lines.index("Building the window"))
+        self.assertEqual(len(re.findall(r"^The first picture was drawn after \d+ s\.$", lines, re.MULTILINE)), 1)
 
     def test_the_recording_of_the_last_demonstration_makes_room(self):
         old = self.root / "build/demo/contour-published.insertion"

@@ -30,12 +30,12 @@ prepare_bare() {{ :; }}
 make_bare() {{ mkdir -p "$2"; }}
 enter_bare() {{ :; }}
 leave_bare() {{ :; }}
-in_bare() {{ echo "in_bare $*" >>"{self.log}"; }}
+in_bare() {{ echo "in_bare $*" >>"{self.log}"; echo "The first picture was drawn after 200 s."; }}
 """)
 
     def stages(self):
         lines = (self.root / "build/proof/stages.tsv").read_text().splitlines()
-        return [tuple(line.split("\t")[i] for i in (0, 1, 4)) for line in lines]
+        return [tuple(line.split("\t")[i] for i in (0, 1, 4, 5)) for line in lines]
 
     def test_a_stage_that_passed_is_not_repeated_on_the_same_commit(self):
         for _ in range(2):
@@ -45,8 +45,9 @@ in_bare() {{ echo "in_bare $*" >>"{self.log}"; }}
         self.assertEqual(len(self.calls("in_bare")), 1)
         self.pretend("git", "echo another-commit")
         self.call(SCRIPT, "trixie", "first")
-        self.assertEqual(self.stages(), [("trixie-first", "some-commit", "passed"),
-                                         ("trixie-first", "another-commit", "passed")])
+        drawn = "The first picture was drawn after 200 s."
+        self.assertEqual(self.stages(), [("trixie-first", "some-commit", "passed", drawn),
+                                         ("trixie-first", "another-commit", "passed", drawn)])
 
     def test_bits_are_recorded_by_the_release_build_of_this_system(self):
         result = self.call(SCRIPT, "trixie", "bits")

@@ -185,13 +185,15 @@ void setStiffness(const InsertionModel& model, double styletWithdrawal, double r
       excess = bendingOf(model.bendingCarrier[i] + excess, model.styletBending, covered) - bending;
     const double restBend =
         released * h * model.restCurvature[i] * (1.0 - covered * (1.0 - model.styletResidual));
-    section.stretching[i] = model.stretching[i] / h;
     section.bending[i] = bending / h;
     section.bendingExcess[i] = excess / h;
     section.twisting[i] = model.twisting[i] / h;
     section.restBend[i] = restBend;
     section.restMoment[i] = restBend * bending / h;
   }
+  // one edge less than nodes
+  for (std::size_t j = 0; j < model.stretching.size(); ++j)
+    section.stretching[j] = model.stretching[j] / h;
 }
 
 void setRestShape(const InsertionModel& model, const std::vector<Vector3d>& position_W,

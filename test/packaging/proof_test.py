@@ -58,8 +58,13 @@ class Proof(PretendedSystem):
 
     def test_the_machine_and_the_seconds_of_each_reader_are_said(self):
         page = self.page(LINE, LINE.replace("asan", "fuzz-30").replace("A processor", "Another"))
-        self.assertIn("A processor, 2 cores; Another, 2 cores.", page)
+        self.assertIn("(1) A processor, 2 cores; (2) Another, 2 cores.", page)
+        self.assertIn("| 41 min 07 s (1) |", page)
+        self.assertIn("| 41 min 07 s (2) |", page)
         self.assertIn("in 30 s for each target", page)
+
+    def test_a_stage_that_counts_nothing_has_its_result_alone(self):
+        self.assertIn("| **passed** |", self.page(LINE.replace("100% tests passed, 0 tests failed out of 12", "")))
 
     def test_what_was_run_before_is_kept_unless_it_was_run_again(self):
         self.page(LINE, LINE.replace("asan", "tsan"))

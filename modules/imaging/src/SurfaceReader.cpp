@@ -125,7 +125,7 @@ std::optional<anatomy::Surface> decodeGuarded(const std::filesystem::path& file,
     const auto surface = decodeSurface(file, ending);
     return surface && writeTo(memory.get(), *surface) ? 0 : childFailed;
   };
-  if (runInChild(decode, {maxChildBytes, {}}) != 0) return std::nullopt;
+  if (runInChild(decode, {maxChildBytes, {}, {}}) != 0) return std::nullopt;
   return readFrom(memory.get());
 }
 

@@ -57,15 +57,16 @@ rlim_t dataBytes()
   ::_exit(status);
 }
 
-/// Exit status of a child, whose end closes the pipe; `childFailed` where it had to be killed, was
-/// ended by a signal, or cannot be asked.
-int statusOf(::pid_t child, int pipe, const std::function<bool()>& isCanceled)
+/// Exit status of a child, whose end closes the pipe; `childFailed` where it was ended by a signal or
+/// cannot be asked; empty where it was killed because it took too long or was canceled.
+std::optional<int> statusOf(::pid_t child, int pipe, const std::function<bool()>& isCanceled,
+                            std::chrono::milliseconds longest)
 {
   const auto start = std::chrono::steady_clock::now();
   pollfd watched = {pipe, POLLIN, 0};
   int status = 0;
   ::pid_t ended = 0;
-  while (ended == 0 && std::chrono::steady_clock::now() - start < timeLimit) {
+  while (ended == 0 && std::chrono::steady_clock::now() - start < longest) {
     if (isCanceled && isCanceled()) break;
     // Another process may hold the pipe open, so that its silence says nothing.
     const bool isClosed = ::poll(&watched, 1, pollInterval_ms) > 0;
@@ -73,25 +74,36 @@ int statusOf(::pid_t child, int pipe, const std::function<bool()>& isCanceled)
     if (ended < 0 && errno == EINTR) ended = 0;
   }
   if (ended == child) return WIFEXITED(status) ? WEXITSTATUS(status) : childFailed;
-  if (ended == 0) {
-    ::kill(child, SIGKILL);
-    while (::waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
-  }
-  return childFailed;
+  if (ended != 0) return childFailed;
+  ::kill(child, SIGKILL);
+  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
+  return std::nullopt;
 }
 
-}  // namespace
-
-int runInChild(const std::function<int()>& work, const ChildLimits& limits)
+std::optional<int> runOnce(const std::function<int()>& work, const ChildLimits& limits,
+                           std::chrono::milliseconds longest)
 {
   std::array<int, 2> ends{};
   if (::pipe2(ends.data(), O_CLOEXEC) != 0) return childFailed;
   const ::pid_t child = ::fork();
   if (child == 0) runChild(work, limits);
   ::close(ends[1]);
-  const int status = child > 0 ? statusOf(child, ends[0], limits.isCanceled) : childFailed;
+  const std::optional<int> status =
+      child > 0 ? statusOf(child, ends[0], limits.isCanceled, longest) : childFailed;
   ::close(ends[0]);
   return status;
+}
+
+}  // namespace
+
+int runInChild(const std::function<int()>& work, const ChildLimits& limits)
+{
+  if (limits.patience) {
+    const std::optional<int> status = runOnce(work, limits, *limits.patience);
+    if (status) return *status;
+    if (limits.isCanceled && limits.isCanceled()) return childFailed;
+  }
+  return runOnce(work, limits, timeLimit).value_or(childFailed);
 }
 
 }  // namespace perilymph::imaging

@@ -61,7 +61,7 @@ bool decodeCompressed(const DicomHeader& header, const std::function<bool()>& is
     const auto type = decodeInto(header, bytes);
     return type ? static_cast<int>(*type) : childFailed;
   };
-  const int status = runInChild(decode, {std::nullopt, isCanceled});
+  const int status = runInChild(decode, {std::nullopt, isCanceled, {}});
   if (status >= childFailed) return false;
   use(static_cast<StoredType>(status), bytes);
   return true;

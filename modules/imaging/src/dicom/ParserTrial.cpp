@@ -2,6 +2,7 @@
 #include "ParserTrial.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cstddef>
 #include <new>
 
@@ -16,6 +17,7 @@ namespace {
 constexpr std::size_t maxBytes = std::size_t{512} << 20;
 /// Files for one child, so that neither its start nor its minute counts.
 constexpr std::size_t filesAtOnce = 64;
+constexpr std::chrono::seconds patience{15};
 
 /// Parses a file with each query that is asked here: another one reads other elements.
 void parseAsHere(const std::filesystem::path& file)
@@ -44,7 +46,7 @@ std::set<std::filesystem::path> filesThatEndTheParser(
       }
       return 0;
     };
-    if (runInChild(work, {maxBytes, isCanceled}) == 0) {
+    if (runInChild(work, {maxBytes, isCanceled, patience}) == 0) {
       begin = end;
       continue;
     }

@@ -83,7 +83,7 @@ def declared(word, text):
     """Names that this word of bash declares in a script."""
     names = set()
     for line in re.findall(rf"^\s*{word} (.*)", text, re.MULTILINE):
-        line = re.sub(r'"[^"]*"|\$\([^)]*\)|\$\{{[^}}]*\}}|\([^)]*\)', "", line)
+        line = re.sub(r'"[^"]*"|\$\([^)]*\)|\$\{[^}]*\}|\([^)]*\)', "", line)
         names |= {each.split("=")[0] for each in line.split() if re.match(r"[A-Za-z_]\w*(=|$)", each)}
     return names
 

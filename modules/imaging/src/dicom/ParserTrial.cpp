@@ -17,6 +17,7 @@ namespace {
 constexpr std::size_t maxBytes = std::size_t{512} << 20;
 /// Files for one child, so that neither its start nor its minute counts.
 constexpr std::size_t filesAtOnce = 64;
+/// Chosen: far above what these headers take, and a quarter of the minute of a second child.
 constexpr std::chrono::seconds patience{15};
 
 /// Parses a file with each query that is asked here: another one reads other elements.

@@ -59,7 +59,7 @@ class TestRun(PretendedSystem):
         self.pretend("ctest", f'echo "{COUNT}"; [[ $2 != tsan ]]')
         self.assert_one_sentence(self.call(SCRIPT, "--long"), "Tests failed in: tsan.")
         self.assertEqual(self.stages(), [("asan", "passed"), ("tsan", "failed"),
-                                         ("fuzz-120", "passed"), ("robust", "passed"), ("soak", "passed"), ("ends", "passed"),
+                                         ("fuzz-30", "passed"), ("robust", "passed"), ("soak", "passed"), ("ends", "passed"),
                                          ("dev", "passed")])
         self.assertIn(COUNT, (self.root / "build/proof/stages.tsv").read_text().splitlines()[0])
         self.pretend("ctest", f'echo "{COUNT}"')
@@ -90,7 +90,7 @@ class TestRun(PretendedSystem):
     def test_named_stages_run_alone(self):
         result = self.call(SCRIPT, "--long", "fuzz", "plan", "soak")
         self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertEqual(self.stages(), [("fuzz-120", "passed"), ("soak", "passed"), ("plan", "passed")])
+        self.assertEqual(self.stages(), [("fuzz-30", "passed"), ("soak", "passed"), ("plan", "passed")])
         self.assertIn("^long/soak/", self.calls("ctest")[0])
         result = self.call(SCRIPT, "--long")
         self.assertEqual(result.returncode, 0, result.stderr)

@@ -63,6 +63,15 @@ class Proof(PretendedSystem):
         self.assertIn("| 41 min 07 s (2) |", page)
         self.assertIn("in 30 s for each target", page)
 
+    def test_a_fuzz_target_has_its_longest_search_unless_a_later_one_found_something(self):
+        searched = LINE.replace("asan", "fuzz-600-scenario")
+        shorter = searched.replace("600", "30").replace("T05:", "T06:")
+        page = self.page(LINE, searched, shorter)
+        row = next(line for line in page.split("## Each fuzz target")[1].splitlines() if "fuzz_scenario" in line)
+        self.assertIn("breaks `fuzz_scenario`, in 600 s | `test/fuzz/campaign fuzz_scenario`", row)
+        self.assertNotIn("in 30 s", page)
+        self.assertIn("in 30 s", self.page(shorter.replace("passed\t", "failed\t").replace("T06:", "T07:")))
+
     def test_a_stage_that_counts_nothing_has_its_result_alone(self):
         self.assertIn("| **passed** |", self.page(LINE.replace("100% tests passed, 0 tests failed out of 12", "")))
 

@@ -55,6 +55,7 @@ class Proof(PretendedSystem):
         page = self.page(LINE)
         self.assertIn("Not run: ", page)
         self.assertIn("`packaging/try-release trixie bits`", page.split("Not run: ")[1])
+        self.assertIn("`PERILYMPH_FUZZ_SECONDS=30 test/run --long fuzz`", page.split("Not run: ")[1])
 
     def test_the_machine_and_the_seconds_of_each_reader_are_said(self):
         page = self.page(LINE, LINE.replace("asan", "fuzz-30").replace("A processor", "Another"))
@@ -68,7 +69,7 @@ class Proof(PretendedSystem):
         shorter = searched.replace("600", "30").replace("T05:", "T06:")
         page = self.page(LINE, searched, shorter)
         row = next(line for line in page.split("## Each fuzz target")[1].splitlines() if "fuzz_scenario" in line)
-        self.assertIn("breaks `fuzz_scenario`, in 600 s | `test/fuzz/campaign fuzz_scenario`", row)
+        self.assertIn("breaks `fuzz_scenario`, in 600 s | `PERILYMPH_FUZZ_SECONDS=600 test/fuzz/campaign fuzz_scenario`", row)
         self.assertNotIn("in 30 s", page)
         self.assertIn("in 30 s", self.page(shorter.replace("passed\t", "failed\t").replace("T06:", "T07:")))
 

@@ -21,6 +21,8 @@ Result<Parts> partsOf(const session::Scenario& scenario,
   if (isCanceled) return canceled;
   auto model = session::buildModel(scenario, anatomy);
   if (!model) return model.error();
+  if (isCanceled) return canceled;
+  (*model)->prepareForRealTime();  // here, so that the window need not wait for it at the start
   return Parts{std::move(anatomy), *std::move(model)};
 }
 

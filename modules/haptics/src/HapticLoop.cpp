@@ -163,6 +163,7 @@ void HapticLoop::runOnce() noexcept
 void HapticLoop::start()
 {
   if (content_->thread.joinable()) return;
+  content_->engine->model().prepareForRealTime();
   content_->isStopping = false;
   content_->thread = std::thread([this] {
     declareThread(ThreadRole::haptic);

@@ -110,6 +110,10 @@ PartitionModel::PartitionModel(const anatomy::ScalaTympani& tympani, Force break
       firstAngle(beginsAt),
       lastAngle(tympani.lastAngle().si() - beforeEnd)
 {
+}
+
+void PartitionModel::prepare() const
+{
   vestibuli->prepare();
   both->prepare();
 }

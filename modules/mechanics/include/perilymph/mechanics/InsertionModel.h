@@ -114,6 +114,13 @@ struct InsertionModel {
   /// Builds a model. @throws std::invalid_argument with a message for parts out of range.
   static std::shared_ptr<const InsertionModel> build(ModelParts parts);
 
+  /// Builds what steps read only in some insertions, and would build themselves when they first need
+  /// it: before it, a step is not real-time safe. Any thread, any number of times.
+  void prepareForRealTime() const
+  {
+    if (partition) partition->prepare();
+  }
+
   ModelParts parts;
   anatomy::Entry entry;             ///< The opening, from the lumen.
   Eigen::Vector3d openingCenter_W;  ///< [m]

@@ -23,6 +23,10 @@ struct PartitionModel {
   /// @throws std::invalid_argument if the sections above cannot be built.
   PartitionModel(const anatomy::ScalaTympani& tympani, Force breakingForce);
 
+  /// Builds what queries of the two lumens read, once: some tenths of a second, not real-time safe. A
+  /// query does it if nobody did, which spares it an insertion that never loads the partition.
+  void prepare() const;
+
   std::shared_ptr<const anatomy::ScalaTympani> vestibuli;  ///< The scala vestibuli.
   std::shared_ptr<const anatomy::ScalaTympani> both;       ///< Both scalae without a partition.
   double strength = 0.0;                                   ///< Force at which it ruptures [N].

@@ -18,9 +18,10 @@ perilymph_precompiled_headers(engine
 perilymph_precompiled_headers(documents
   LINKS Eigen3::Eigen nlohmann_json::nlohmann_json OPTIONS ${module_options} HEADERS ${standard} ${eigen} nlohmann/json.hpp)
 if(PERILYMPH_TESTS)
+  # What takes time in a test is in the modules; the test itself is optimized less, which compiles faster.
   set(gtest gmock/gmock.h gtest/gtest.h)
   perilymph_precompiled_headers(tests
-    LINKS Eigen3::Eigen GTest::gmock GTest::gtest HEADERS ${standard} ${eigen} ${gtest})
+    LINKS Eigen3::Eigen GTest::gmock GTest::gtest OPTIONS -O1 HEADERS ${standard} ${eigen} ${gtest})
 endif()
 if(PERILYMPH_WINDOW AND PERILYMPH_TOOLKIT)
   set(widgets

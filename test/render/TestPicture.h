@@ -18,6 +18,8 @@
 #include <string>
 #include <vector>
 
+#include "perilymph/test/Places.h"
+
 namespace perilymph::test {
 
 using Pixel = std::array<int, 3>;
@@ -97,8 +99,7 @@ inline DrawnPicture load(const std::filesystem::path& file)
 /// arithmetic rounds differently, so one pixel in 500 may differ, as at edges.
 inline std::string comparedWithAccepted(const DrawnPicture& actual, const std::string& name)
 {
-  const std::filesystem::path accepted =
-      std::filesystem::path(PERILYMPH_TEST_DATA) / "pictures" / (name + ".png");
+  const std::filesystem::path accepted = testData() / "pictures" / (name + ".png");
   if (std::getenv("PERILYMPH_ACCEPT_PICTURES") != nullptr) {
     save(actual, accepted);
     return {};

@@ -14,13 +14,14 @@
 #include <vector>
 
 #include "perilymph/test/ChildProcess.h"
+#include "perilymph/test/Places.h"
 #include "perilymph/test/TemporaryFolder.h"
 
 namespace perilymph::test {
 
 inline ProgramCall cliCall(std::vector<std::string> arguments)
 {
-  return {std::string(PERILYMPH_PROGRAMS) + "/perilymph-cli", std::move(arguments), {}, {}};
+  return {programFolder() / "perilymph-cli", std::move(arguments), {}, {}};
 }
 
 inline ProgramOutcome cli(std::vector<std::string> arguments)

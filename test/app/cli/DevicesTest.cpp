@@ -5,6 +5,7 @@
 
 #include "Cli.h"
 
+#include "perilymph/test/Places.h"
 #include "perilymph/test/RecordedTree.h"
 
 namespace perilymph::test {
@@ -61,8 +62,7 @@ TEST(DevicePlugin, IsLoadedListenedToAndPushes)
 {
   const TemporaryFolder folder;
   const auto file = folder / "trial.json";
-  const auto outcome =
-      cli({"devices", "--plugin", PERILYMPH_EXAMPLE_PLUGIN, "--json", file.string()});
+  const auto outcome = cli({"devices", "--plugin", examplePlugin(), "--json", file.string()});
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(outcome.out,
               HasSubstr("Example handle: 1 shifts and 0 turns sensed, force on 1 axes"));

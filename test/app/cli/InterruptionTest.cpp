@@ -9,6 +9,7 @@
 
 #include "Cli.h"
 #include "perilymph/foundation/Resources.h"
+#include "perilymph/test/Places.h"
 #include "perilymph/test/waitUntil.h"
 
 namespace perilymph::test {
@@ -123,7 +124,7 @@ TEST(InterruptedCommand, EndsSoonAndLeavesNothing)
       {"calibrate", "--out", out},
       {"predict", "--array", "contour", "--out", out},
       {"render", "--scenario", "contour-published", "--view", "unrolled", "--out", out + ".png"},
-      {"devices", "--plugin", PERILYMPH_EXAMPLE_PLUGIN, "--json", out}};
+      {"devices", "--plugin", examplePlugin(), "--json", out}};
   for (const auto& call : calls) {
     SCOPED_TRACE(call.front());
     const auto outcome = runWithEarlySignal(cliCall(call), SIGTERM);

@@ -8,12 +8,13 @@
 #include <cstdlib>
 
 #include "gui/run/Background.h"
+#include "perilymph/test/runTests.h"
 
 int main(int argc, char** argv)
 {
   ::testing::InitGoogleTest(&argc, argv);
   QCoreApplication application(argc, argv);
-  const int status = RUN_ALL_TESTS();
+  const int status = perilymph::test::runTests();
   if (perilymph::gui::Background::isAnyThreadLeft()) std::_Exit(status);
   return status;
 }

@@ -11,6 +11,7 @@
 #include <iterator>
 
 #include "perilymph/test/ChildProcess.h"
+#include "perilymph/test/Places.h"
 #include "perilymph/test/TemporaryFolder.h"
 
 namespace perilymph::test {
@@ -23,7 +24,7 @@ using Environment = std::vector<std::pair<std::string, std::optional<std::string
 ProgramOutcome perilymph(std::vector<std::string> arguments, const Environment& environment = {})
 {
   ProgramCall call;
-  call.program = std::string(PERILYMPH_PROGRAMS) + "/perilymph";
+  call.program = programFolder() / "perilymph";
   call.arguments = std::move(arguments);
   call.environment = environment;
   return run(call);
@@ -118,8 +119,8 @@ TEST(PerilymphCall, AnOldOpenGlIsRefusedBeforeAnythingIsDrawn)
 TEST(PerilymphCall, ADisplayWithoutOpenGlIsRefusedBeforeAnythingIsDrawn)
 {
   ProgramCall call;
-  call.program = PERILYMPH_WITH_DISPLAY;
-  call.arguments = {std::string(PERILYMPH_PROGRAMS) + "/perilymph", "--demo"};
+  call.program = withDisplay();
+  call.arguments = {programFolder() / "perilymph", "--demo"};
   call.environment = {{"PERILYMPH_DISPLAY_OPTIONS", "-extension GLX"}};
   expectRefused(run(call), "GLX extension is missing");
 }

@@ -8,6 +8,7 @@
 
 #include "WindowRig.h"
 #include "gui/pages/devices/DevicePage.h"
+#include "perilymph/test/Places.h"
 #include "perilymph/test/RecordedTree.h"
 
 namespace perilymph::test {
@@ -107,7 +108,7 @@ TEST_F(DevicesOfTheWindow, ThatCannotRenderTheCouplingAreSaidToBeSoftened)
 TEST_F(DevicesOfTheWindow, OfAPlugInBecomesTheHandAndMovesTheArray)
 {
   open();
-  rig_->window().insertion().usePlugin(PERILYMPH_EXAMPLE_PLUGIN);
+  rig_->window().insertion().usePlugin(examplePlugin());
   EXPECT_EQ(rig_->window().control().handName(), "Example handle");
   EXPECT_TRUE(rig_->button("deviceChoice").text().contains("Example handle"));
   // Its virtual hand pushes inward with 0.2 N and never releases the button.

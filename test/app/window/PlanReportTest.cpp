@@ -22,6 +22,7 @@
 #include "gui/report/ReportIssuer.h"
 #include "perilymph/planning/PlanReport.h"
 #include "perilymph/test/ChildProcess.h"
+#include "perilymph/test/Places.h"
 #include "perilymph/test/TemporaryFolder.h"
 
 namespace perilymph::test {
@@ -101,7 +102,7 @@ protected:
   ProgramOutcome report(const fs::path& plan, const fs::path& file) const
   {
     ProgramCall call;
-    call.program = std::string(PERILYMPH_PROGRAMS) + "/perilymph";
+    call.program = programFolder() / "perilymph";
     call.arguments = {"--plan", plan.string(), "--report", file.string(), "--language", "en"};
     call.environment = {{"DISPLAY", std::nullopt}};
     return run(call);

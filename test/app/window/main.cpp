@@ -14,6 +14,7 @@
 #include "gui/program/DisplayProbe.h"
 #include "gui/run/Background.h"
 #include "perilymph/test/TemporaryFolder.h"
+#include "perilymph/test/runTests.h"
 
 namespace {
 
@@ -31,6 +32,7 @@ void watchTexts(QtMsgType type, const QMessageLogContext& context, const QString
 int main(int argc, char** argv)
 {
   ::testing::InitGoogleTest(&argc, argv);
+  if (GTEST_FLAG_GET(list_tests)) return perilymph::test::runTests();  // needs no display
   const perilymph::test::TemporaryFolder data;  // keeps the tests' sessions apart from the user's
   setenv("XDG_DATA_HOME", data.path().c_str(), 1);
   setenv("XDG_CONFIG_HOME", (data.path() / "config").c_str(), 1);
@@ -50,7 +52,7 @@ int main(int argc, char** argv)
     std::fprintf(stderr, "%s\n", openGl.error().message.c_str());
     return 77;
   }
-  const int status = RUN_ALL_TESTS();
+  const int status = perilymph::test::runTests();
   if (perilymph::gui::Background::isAnyThreadLeft()) std::_Exit(status);
   return status;
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "perilymph/test/ChildProcess.h"
+#include "perilymph/test/Places.h"
 #include "perilymph/test/TemporaryFolder.h"
 
 namespace perilymph::test {
@@ -17,7 +18,7 @@ namespace perilymph::test {
 inline ProgramCall ownCall(const TemporaryFolder& folder, std::vector<std::string> arguments)
 {
   ProgramCall call;
-  call.program = std::string(PERILYMPH_PROGRAMS) + "/perilymph";
+  call.program = programFolder() / "perilymph";
   call.arguments = std::move(arguments);
   for (const char* name : {"XDG_DATA_HOME", "XDG_CONFIG_HOME", "XDG_STATE_HOME"})
     call.environment.emplace_back(name, (folder / name).string());

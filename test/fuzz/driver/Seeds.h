@@ -10,6 +10,7 @@
 #include <string>
 
 #include "FuzzTarget.h"
+#include "perilymph/test/Places.h"
 
 namespace perilymph::fuzz {
 
@@ -35,7 +36,7 @@ inline void addFiles(const std::filesystem::path& folder, const std::string& end
 /// test/fuzz/make_corpus.py and inputs that revealed errors.
 inline void addCorpus(const std::string& target, std::vector<Bytes>& seeds)
 {
-  const std::filesystem::path folder = std::filesystem::path(PERILYMPH_FUZZ_CORPUS) / target;
+  const std::filesystem::path folder = test::projectFolder() / "test" / "fuzz" / "corpus" / target;
   promise(std::filesystem::is_directory(folder), "the kept corpus is there");
   addFiles(folder, "", seeds);
 }

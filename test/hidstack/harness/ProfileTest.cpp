@@ -14,6 +14,7 @@
 #include "codec/DeviceCodec.h"
 #include "codec/DeviceProfile.h"
 #include "codec/ReportDescriptor.h"
+#include "perilymph/test/Places.h"
 #include "perilymph/test/Tolerance.h"
 
 namespace perilymph::hidstack {
@@ -21,7 +22,7 @@ namespace {
 
 device::DeviceProfile profile()
 {
-  auto read = device::loadProfile(PERILYMPH_VIRTUAL_HANDLE);
+  auto read = device::loadProfile(test::projectFolder() / "test/hidstack/virtual_handle.toml");
   EXPECT_TRUE(read) << (read ? "" : read.error().message);
   return *std::move(read);
 }

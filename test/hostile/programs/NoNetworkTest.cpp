@@ -10,6 +10,7 @@
 #include "Cli.h"
 #include "perilymph/test/ChildProcess.h"
 #include "perilymph/test/InetSockets.h"
+#include "perilymph/test/Places.h"
 #include "perilymph/test/waitUntil.h"
 
 namespace perilymph::test {
@@ -31,7 +32,7 @@ TEST(ProgramsAndTheNetwork, HaveNoCallThatOpensAConnection)
 {
   for (const char* name :
        {"perilymph-cli", "perilymph", "perilymph-device-guard", "perilymph-plugin-host"}) {
-    const std::string program = std::string(PERILYMPH_PROGRAMS) + "/" + name;
+    const std::string program = programFolder() / name;
     if (!std::filesystem::exists(program)) continue;  // not in this build
     const auto imports = importsOf(program);
     EXPECT_THAT(imports, testing::Contains("__libc_start_main")) << name;  // the list is valid

@@ -12,6 +12,7 @@
 #include <string>
 
 #include "perilymph/analysis/ValidationReport.h"
+#include "perilymph/test/Places.h"
 #include "perilymph/test/Tolerance.h"
 
 namespace perilymph::analysis {
@@ -20,7 +21,7 @@ namespace {
 /// The simulated forces of the guide's table [mN], by the first word of their row.
 std::map<std::string, double> tableOfTheGuide()
 {
-  std::ifstream page(PERILYMPH_PROJECT "/resources/guide/constants.md");
+  std::ifstream page(test::projectFolder() / "resources/guide/constants.md");
   std::map<std::string, double> forces;
   std::string line;
   while (std::getline(page, line) && line != "## Results") continue;

@@ -10,6 +10,7 @@
 
 #include "perilymph/session/Playback.h"
 #include "perilymph/session/RecordedInsertion.h"
+#include "perilymph/test/Places.h"
 
 namespace perilymph::session {
 namespace {
@@ -25,8 +26,7 @@ constexpr const char* build = "0.1.0+b8cf1418446e";
 
 std::filesystem::path recording()
 {
-  return std::filesystem::path(PERILYMPH_TEST_DATA) /
-         "recordings/version-0.1/contour-published-rod.insertion";
+  return test::testData() / "recordings/version-0.1/contour-published-rod.insertion";
 }
 
 TEST(ARecordingOfRelease01, IsReadWhole)

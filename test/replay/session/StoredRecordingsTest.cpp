@@ -10,6 +10,7 @@
 
 #include "lanes/Lanes.h"
 #include "perilymph/session/Replay.h"
+#include "perilymph/test/Places.h"
 
 namespace perilymph::session {
 namespace {
@@ -19,7 +20,7 @@ namespace fs = std::filesystem;
 std::vector<fs::path> storedRecordings()
 {
   std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(fs::path(PERILYMPH_TEST_DATA) / "recordings"))
+  for (const auto& entry : fs::directory_iterator(test::testData() / "recordings"))
     if (entry.path().extension() == ".insertion") files.push_back(entry.path());
   return files;
 }

@@ -13,6 +13,7 @@
 
 #include "codec/DeviceProfile.h"
 #include "perilymph/foundation/Resources.h"
+#include "perilymph/test/Places.h"
 
 namespace perilymph::device {
 namespace {
@@ -49,7 +50,7 @@ TEST(TheGuidesTableOfProfileKeys, HoldsEveryKeyThatIsReadAndNoOther)
   const std::regex pair(R"rx((?:slot|readUsage)\(\s*\w+,\s*"(\w+)",\s*"(\w+)")rx");
   const std::regex axes(R"rx(keys\{([^}]*)\})rx");
   for (const char* file : {"DeviceProfile.cpp", "ProfileTables.cpp"}) {
-    const std::string source = textOf(std::filesystem::path(PERILYMPH_CODEC_SOURCES) / file);
+    const std::string source = textOf(test::projectFolder() / "modules/device/src/codec" / file);
     for (std::sregex_iterator each(source.begin(), source.end(), call), end; each != end; ++each)
       read.insert((*each)[1]);
     for (std::sregex_iterator each(source.begin(), source.end(), pair), end; each != end; ++each) {

@@ -14,14 +14,14 @@
 
 #include "codec/DeviceProfile.h"
 #include "perilymph/device/HidNodes.h"
+#include "perilymph/test/Places.h"
 
 namespace perilymph::device {
 namespace {
 
 std::vector<std::string> rules()
 {
-  std::ifstream stream(std::string(PERILYMPH_TEST_DATA) +
-                       "/../../packaging/udev/70-perilymph.rules");
+  std::ifstream stream(test::testData().string() + "/../../packaging/udev/70-perilymph.rules");
   std::vector<std::string> lines;
   for (std::string line; std::getline(stream, line);)
     if (!line.empty() && line[0] != '#') lines.push_back(line);

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "perilymph/test/ChildProcess.h"
+#include "perilymph/test/Places.h"
 
 namespace perilymph {
 namespace {
@@ -18,7 +19,7 @@ struct Fingerprints {
 Fingerprints printedWith(const std::optional<std::string>& tunables)
 {
   test::ProgramCall call;
-  call.program = PERILYMPH_FINGERPRINT;
+  call.program = test::testProgram("unit_foundation_fingerprint");
   call.environment = {{"GLIBC_TUNABLES", tunables}};
   const test::ProgramOutcome outcome = test::run(call);
   EXPECT_EQ(outcome.status, 0) << outcome.err;

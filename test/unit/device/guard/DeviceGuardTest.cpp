@@ -17,6 +17,7 @@
 
 #include "SocketPort.h"
 #include "perilymph/test/ChildProcess.h"
+#include "perilymph/test/Places.h"
 #include "perilymph/test/waitUntil.h"
 
 namespace perilymph::test {
@@ -139,7 +140,7 @@ protected:
   void startPushing(const std::string& fault = "none")
   {
     program_ = std::make_unique<ChildProcess>(
-        ProgramCall{PERILYMPH_GUARDED_HAND, {name_, fault}, {}, std::nullopt});
+        ProgramCall{testProgram("guarded_hand"), {name_, fault}, {}, std::nullopt});
     ASSERT_TRUE(program_->waitForOutput("guarded\n", seconds(30)));
     ASSERT_TRUE(program_->waitForOutput("pushing\n", seconds(30)));
   }

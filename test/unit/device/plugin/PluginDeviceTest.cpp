@@ -7,6 +7,7 @@
 #include <cmath>
 #include <fstream>
 
+#include "perilymph/test/Places.h"
 #include "perilymph/test/TemporaryFolder.h"
 #include "perilymph/test/waitUntil.h"
 
@@ -16,11 +17,11 @@ namespace {
 using testing::EndsWith;
 using testing::HasSubstr;
 
-std::filesystem::path example() { return PERILYMPH_EXAMPLE_PLUGIN; }
+std::filesystem::path example() { return test::examplePlugin(); }
 
 std::filesystem::path faulty(const std::string& fault)
 {
-  return std::filesystem::path(PERILYMPH_FAULTY_PLUGINS) / ("faulty_" + fault + ".so");
+  return test::testPlugin("faulty_" + fault);
 }
 
 /// The next fresh sample.
@@ -142,7 +143,8 @@ TEST(NoPlugin, IsRefusedWithASentence)
   EXPECT_THAT(refusal(folder.path() / "none.so"), HasSubstr("no such file"));
   std::ofstream(folder.path() / "text.so") << "no library";
   EXPECT_THAT(refusal(folder.path() / "text.so"), HasSubstr("cannot be loaded"));
-  EXPECT_THAT(refusal(PERILYMPH_EMPTY_PLUGIN), HasSubstr("exports no perilymph_device_v1"));
+  EXPECT_THAT(refusal(test::testPlugin("empty_plugin")),
+              HasSubstr("exports no perilymph_device_v1"));
 }
 
 TEST(PluginFolder, ListsLibrariesInItAndOneLevelBelow)

@@ -15,6 +15,7 @@
 #include "perilymph/device/PluginDevice.h"
 #include "perilymph/test/AllocationGuard.h"
 #include "perilymph/test/ChildProcess.h"
+#include "perilymph/test/Places.h"
 #include "perilymph/test/waitUntil.h"
 
 namespace perilymph::test {
@@ -56,7 +57,7 @@ protected:
   void load(const std::string& fault = "none")
   {
     ::setenv("PERILYMPH_TEST_FAULT", fault.c_str(), 1);
-    auto loaded = device::loadPluginDevice(PERILYMPH_SOCKET_PLUGIN);
+    auto loaded = device::loadPluginDevice(testPlugin("socket_device"));
     ASSERT_TRUE(loaded) << loaded.error().message;
     device_ = *std::move(loaded);
   }
@@ -202,7 +203,7 @@ TEST_F(PluginFault, LostIsLoadedAgainWhenItIsOpened)
 TEST_F(PluginFaultWithSignals, CrashingWhileItIsLoadedIsARefusal)
 {
   ::setenv("PERILYMPH_TEST_FAULT", "crash in create", 1);
-  const auto loaded = device::loadPluginDevice(PERILYMPH_SOCKET_PLUGIN);
+  const auto loaded = device::loadPluginDevice(testPlugin("socket_device"));
   ASSERT_FALSE(loaded);
   EXPECT_THAT(loaded.error().message, HasSubstr(crashed));
 }
@@ -272,8 +273,8 @@ class PluginOfAProgram : public PluginFault {
 protected:
   void startPushing(const std::string& fault = "none")
   {
-    program_ = std::make_unique<ChildProcess>(ProgramCall{PERILYMPH_PLUGIN_HAND,
-                                                          {PERILYMPH_SOCKET_PLUGIN},
+    program_ = std::make_unique<ChildProcess>(ProgramCall{testProgram("plugin_hand"),
+                                                          {testPlugin("socket_device")},
                                                           {{"PERILYMPH_TEST_FAULT", fault}},
                                                           std::nullopt});
     ASSERT_TRUE(waitUntil([this] { return listener_.hasReceived(push); }));

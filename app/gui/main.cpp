@@ -100,6 +100,7 @@ struct Beginning {
   gui::CommandLine options;  ///< Startup actions apply to the first window only.
   std::vector<std::filesystem::path> interrupted;
   std::optional<gui::WindowMemory> memory;  ///< From the previous window.
+  std::shared_ptr<gui::CochleaStore> cochleae = std::make_shared<gui::CochleaStore>();
 };
 
 /// How a window ended: with an exit status, or to be opened again.
@@ -114,7 +115,7 @@ WindowEnd runWindow(gui::Application& application, const gui::TerminationSignals
   const gui::CommandLine& options = beginning.options;
   QGuiApplication::setQuitOnLastWindowClosed(true);
   gui::CrashMarker mark(gui::stateFolder());
-  gui::MainWindow window(beginning.scenario, options.record);
+  gui::MainWindow window(beginning.scenario, options.record, beginning.cochleae);
   application.onException([&window](const QString& sentence) { window.showError(sentence); });
   window.showPage(beginning.page);
   if (beginning.memory) gui::resume(window, *beginning.memory);
@@ -151,8 +152,12 @@ WindowEnd runWindow(gui::Application& application, const gui::TerminationSignals
   kept.quality = options.quality;
   kept.plugin = options.plugin;
   kept.igtl = window.navigation().broadcast().endpoint();
-  return {0,
-          Beginning{window.control().scenario(), window.page(), kept, {}, gui::memoryOf(window)}};
+  return {0, Beginning{window.control().scenario(),
+                       window.page(),
+                       kept,
+                       {},
+                       gui::memoryOf(window),
+                       beginning.cochleae}};
 }
 
 /// Applies the user's settings, or those of this call.

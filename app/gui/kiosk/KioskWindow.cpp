@@ -45,8 +45,9 @@ std::array<QString, tour.size()> tourSentences()
 
 }  // namespace
 
-KioskWindow::KioskWindow(session::Scenario scenario, std::filesystem::path board, KioskClock clock)
-    : control_(std::move(scenario), std::nullopt),
+KioskWindow::KioskWindow(session::Scenario scenario, std::filesystem::path board, KioskClock clock,
+                         std::shared_ptr<CochleaStore> cochleae)
+    : control_(std::move(scenario), std::nullopt, std::move(cochleae)),
       clock_(std::move(clock)),
       board_(std::move(board)),
       inVivo_(analysis::shippedReference("in-vivo")),

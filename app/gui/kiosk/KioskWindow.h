@@ -27,7 +27,8 @@ public:
   static constexpr double patience_s = 60.0;  ///< Time without input after which the demonstration
                                               ///< restarts.
 
-  KioskWindow(session::Scenario scenario, std::filesystem::path board, KioskClock clock = {});
+  KioskWindow(session::Scenario scenario, std::filesystem::path board, KioskClock clock = {},
+              std::shared_ptr<CochleaStore> cochleae = std::make_shared<CochleaStore>());
   ~KioskWindow() override;
 
   /// Builds the cochlea and starts the demonstration.

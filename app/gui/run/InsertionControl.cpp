@@ -41,8 +41,9 @@ std::filesystem::path numbered(const std::filesystem::path& file, int number)
 }  // namespace
 
 InsertionControl::InsertionControl(session::Scenario scenario,
-                                   std::optional<std::filesystem::path> record)
-    : scenario_(std::move(scenario)), record_(std::move(record))
+                                   std::optional<std::filesystem::path> record,
+                                   std::shared_ptr<CochleaStore> cochleae)
+    : scenario_(std::move(scenario)), cochleae_(std::move(cochleae)), record_(std::move(record))
 {
 }
 
@@ -74,17 +75,15 @@ Result<Done> InsertionControl::prepare(InputSource hand)
   const bool waits = record_ && insertion_ && prepared_ == 1 && !isRunning_;
   const auto waiting = waits ? recording() : std::nullopt;
   discard();
-  std::error_code none;
-  if (waiting && std::filesystem::remove(*waiting, none)) --prepared_;
+  std::error_code ignored;  // an error is reported when the file is opened
+  if (waiting && std::filesystem::remove(*waiting, ignored)) --prepared_;
   ++prepared_;
   if (keepsNothing_) return build(hand, std::nullopt);
   const std::filesystem::path file = nextRecording();
-  std::error_code ignored;  // an error is reported when the file is opened
   if (!record_) std::filesystem::create_directories(file.parent_path(), ignored);
-  // A requested recording is mandatory.
-  const bool isAskedFor = record_ && prepared_ == 1;
   const Result<Done> recorded = build(hand, file);
-  if (recorded || isAskedFor) return recorded;
+  const bool isRequested = record_ && prepared_ == 1;  // then it is mandatory
+  if (recorded || isRequested) return recorded;
 
   // Any other insertion runs without a recording, with a message, if it cannot be created.
   const Result<Done> unrecorded = build(hand, std::nullopt);
@@ -141,6 +140,11 @@ Result<Done> InsertionControl::build(InputSource hand, std::optional<std::filesy
     device = std::move(made);
   }
 
+  if (!anatomy_) {
+    auto built = cochleae_->cochleaOf(scenario_);
+    if (!built) return built.error();
+    anatomy_ = *std::move(built);
+  }
   auto prepared =
       session::Insertion::prepare(scenario_, std::move(device), std::move(file), anatomy_, model_);
   if (!prepared) return prepared.error();

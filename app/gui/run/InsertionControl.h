@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 
+#include "gui/run/CochleaStore.h"
 #include "perilymph/device/DeviceRegistry.h"
 #include "perilymph/device/PointerDevice.h"
 #include "perilymph/device/ScriptedDevice.h"
@@ -29,7 +30,9 @@ class InsertionControl {
 public:
   /// @param record  File of the first insertion; the next ones are stored beside it. If empty, in
   ///                the session folder, named by the time of day.
-  InsertionControl(session::Scenario scenario, std::optional<std::filesystem::path> record);
+  /// @param cochleae  Where cochleae are built and kept; shared by the windows of a program.
+  InsertionControl(session::Scenario scenario, std::optional<std::filesystem::path> record,
+                   std::shared_ptr<CochleaStore> cochleae = std::make_shared<CochleaStore>());
   ~InsertionControl();
 
   /// The model of an insertion, built beforehand because that takes a tenth of a second or more.
@@ -94,6 +97,7 @@ public:
   /// The cochlea; only after a successful prepare().
   const anatomy::ScalaTympani& anatomy() const noexcept { return insertion_->anatomy(); }
   std::shared_ptr<const anatomy::ScalaTympani> sharedAnatomy() const noexcept { return anatomy_; }
+  const std::shared_ptr<CochleaStore>& cochleae() const noexcept { return cochleae_; }
   InputSource hand() const noexcept { return hand_; }
   bool isRunning() const noexcept { return isRunning_; }
   /// The array is at or beyond the stop travel.
@@ -134,6 +138,7 @@ private:
   void moveHand(device::ScriptedDevice::Motion motion);
 
   session::Scenario scenario_;
+  std::shared_ptr<CochleaStore> cochleae_;
   std::shared_ptr<const anatomy::ScalaTympani> anatomy_;    ///< Null until built.
   std::shared_ptr<const mechanics::InsertionModel> model_;  ///< Null until built.
   std::optional<std::filesystem::path> record_;

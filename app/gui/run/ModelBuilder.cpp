@@ -7,14 +7,14 @@ namespace {
 
 using Parts = InsertionControl::Parts;
 
-Result<Parts> partsOf(const session::Scenario& scenario,
+Result<Parts> partsOf(CochleaStore& cochleae, const session::Scenario& scenario,
                       std::shared_ptr<const anatomy::ScalaTympani> anatomy,
                       const std::atomic<bool>& isCanceled)
 {
   const Error canceled{"Nobody waits for " + scenario.name() + " any more."};
   if (isCanceled) return canceled;
   if (!anatomy) {
-    auto built = session::buildAnatomy(scenario);
+    auto built = cochleae.cochleaOf(scenario);
     if (!built) return built.error();
     anatomy = *std::move(built);
   }
@@ -34,8 +34,9 @@ void ModelBuilder::build(const session::Scenario& scenario,
   if (!isBusy()) since_.start();  // measured from the first request
   background_.run(
       "The cochlea",
-      [scenario, anatomy = std::move(anatomy)](const std::atomic<bool>& isCanceled) {
-        return partsOf(scenario, anatomy, isCanceled);
+      [cochleae = cochleae_, scenario,
+       anatomy = std::move(anatomy)](const std::atomic<bool>& isCanceled) {
+        return partsOf(*cochleae, scenario, anatomy, isCanceled);
       },
       std::move(answer));
 }

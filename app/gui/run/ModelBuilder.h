@@ -6,8 +6,10 @@
 #include <QElapsedTimer>
 #include <functional>
 #include <memory>
+#include <utility>
 
 #include "gui/run/Background.h"
+#include "gui/run/CochleaStore.h"
 #include "gui/run/InsertionControl.h"
 #include "perilymph/foundation/Result.h"
 #include "perilymph/session/Scenario.h"
@@ -20,7 +22,10 @@ class ModelBuilder {
 public:
   using Answer = std::function<void(const Result<InsertionControl::Parts>&)>;
 
-  explicit ModelBuilder(QObject* parent) : background_(parent) {}
+  ModelBuilder(std::shared_ptr<CochleaStore> cochleae, QObject* parent)
+      : cochleae_(std::move(cochleae)), background_(parent)
+  {
+  }
 
   /// Calls `answer` in the UI thread when everything is built or failed.
   /// @param anatomy  The scenario's cochlea if already built.
@@ -35,6 +40,7 @@ public:
   qint64 busyFor_ms() const { return isBusy() ? since_.elapsed() : 0; }
 
 private:
+  std::shared_ptr<CochleaStore> cochleae_;
   Background background_;
   QElapsedTimer since_;
 };

@@ -28,9 +28,10 @@
 
 namespace perilymph::gui {
 
-MainWindow::MainWindow(session::Scenario scenario, std::optional<std::filesystem::path> record)
+MainWindow::MainWindow(session::Scenario scenario, std::optional<std::filesystem::path> record,
+                       std::shared_ptr<CochleaStore> cochleae)
     : top_(new TopBar(this)),
-      insert_(new InsertPage(std::move(scenario), std::move(record), this)),
+      insert_(new InsertPage(std::move(scenario), std::move(record), std::move(cochleae), this)),
       notice_(new Notice(this)),
       navigation_(new Navigation(*insert_, *notice_, this)),
       sheets_(new Sheets(*insert_, *navigation_, this)),

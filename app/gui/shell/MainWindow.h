@@ -26,7 +26,9 @@ class MainWindow : public QWidget {
 public:
   using AfterLoading = InsertPage::AfterLoading;
 
-  MainWindow(session::Scenario scenario, std::optional<std::filesystem::path> record);
+  /// @param cochleae  Those built by an earlier window are used again.
+  MainWindow(session::Scenario scenario, std::optional<std::filesystem::path> record,
+             std::shared_ptr<CochleaStore> cochleae = std::make_shared<CochleaStore>());
   ~MainWindow() override;
 
   /// Builds the cochlea and prepares the insertion; then frames begin.

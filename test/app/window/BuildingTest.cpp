@@ -32,7 +32,8 @@ protected:
     return rig_.window().findChild<QLineEdit*>(QLatin1String(name))->text();
   }
 
-  WindowRig rig_;
+  /// With cochleae of its own, none of which is built yet.
+  WindowRig rig_{{}, std::nullopt, std::make_shared<gui::CochleaStore>()};
 };
 
 // Between a key press and the next iteration of the event loop no result can arrive.

@@ -65,7 +65,8 @@ protected:
                                                                       {"friction_dynamic", "0.3"},
                                                                       {"nodes", "40"}});
     ASSERT_TRUE(scenario) << scenario.error().message;
-    window_ = std::make_unique<gui::KioskWindow>(*scenario, folder_.path() / "board.txt");
+    window_ = std::make_unique<gui::KioskWindow>(*scenario, folder_.path() / "board.txt",
+                                                 gui::KioskClock(), WindowRig::sharedCochleae());
     window_->show();
     ASSERT_TRUE(window_->open());
     window_->useDevice([this] {

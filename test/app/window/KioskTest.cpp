@@ -34,7 +34,8 @@ protected:
     gui::KioskClock clock;
     clock.seconds = [this] { return seconds_; };
     clock.today = [] { return QDateTime(aDay, QTime(14, 3, 21)); };
-    window_ = std::make_unique<gui::KioskWindow>(*scenario, boardFile(), clock);
+    window_ = std::make_unique<gui::KioskWindow>(*scenario, boardFile(), clock,
+                                                 WindowRig::sharedCochleae());
     window_->show();
     const auto opened = window_->open();
     ASSERT_TRUE(opened) << opened.error().message;

@@ -33,9 +33,17 @@ session::Scenario published(const session::Overrides& overrides)
 
 }  // namespace
 
+const std::shared_ptr<gui::CochleaStore>& WindowRig::sharedCochleae()
+{
+  static const auto cochleae = std::make_shared<gui::CochleaStore>();
+  return cochleae;
+}
+
 WindowRig::WindowRig(const session::Overrides& overrides,
-                     std::optional<std::filesystem::path> record)
-    : window_(std::make_unique<gui::MainWindow>(published(overrides), std::move(record)))
+                     std::optional<std::filesystem::path> record,
+                     std::shared_ptr<gui::CochleaStore> cochleae)
+    : window_(std::make_unique<gui::MainWindow>(published(overrides), std::move(record),
+                                                std::move(cochleae)))
 {
   bool isShown = false;
   const QMetaObject::Connection shown =

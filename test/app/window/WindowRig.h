@@ -19,7 +19,10 @@ class WindowRig {
 public:
   /// Opens the published scenario with some of its keys replaced.
   explicit WindowRig(const session::Overrides& overrides = {},
-                     std::optional<std::filesystem::path> record = std::nullopt);
+                     std::optional<std::filesystem::path> record = std::nullopt,
+                     std::shared_ptr<gui::CochleaStore> cochleae = sharedCochleae());
+  /// The cochleae of all windows of the program: building them is most of what a window takes.
+  static const std::shared_ptr<gui::CochleaStore>& sharedCochleae();
 
   gui::MainWindow& window() { return *window_; }
   const haptics::Snapshot& now() const { return window_->control().now(); }

@@ -37,9 +37,9 @@ QFrame* line(QWidget* parent)
 }  // namespace
 
 InsertPage::InsertPage(session::Scenario scenario, std::optional<std::filesystem::path> record,
-                       QWidget* parent)
+                       std::shared_ptr<CochleaStore> cochleae, QWidget* parent)
     : QWidget(parent),
-      control_(std::move(scenario), std::move(record)),
+      control_(std::move(scenario), std::move(record), std::move(cochleae)),
       safety_(control_),
       setup_(new SetupControl(control_, this)),
       side_(new SidePanel(this)),

@@ -34,7 +34,7 @@ class InsertPage : public QWidget {
   Q_OBJECT
 public:
   InsertPage(session::Scenario scenario, std::optional<std::filesystem::path> record,
-             QWidget* parent);
+             std::shared_ptr<CochleaStore> cochleae, QWidget* parent);
   ~InsertPage() override;
 
   /// Builds the cochlea and prepares the insertion; then frames begin.

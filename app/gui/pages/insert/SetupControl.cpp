@@ -12,8 +12,8 @@ SetupControl::SetupControl(const InsertionControl& control, QObject* parent)
     : QObject(parent),
       control_(control),
       history_(new SetupHistory(this)),
-      firstBuilder_(this),
-      builder_(this)
+      firstBuilder_(control.cochleae(), this),
+      builder_(control.cochleae(), this)
 {
   firstBuilder_.build(control.scenario(), nullptr,
                       [this](const Result<InsertionControl::Parts>& built) {

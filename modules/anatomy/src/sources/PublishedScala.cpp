@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "lumen/LeadIn.h"
@@ -73,6 +74,12 @@ double lastAngle_deg()
   return angle_deg;
 }
 
+/// The positive root s of k s^2 + c s = w: the distance to a side in the direction of cosine c.
+double distanceToSide(double cosine, double k, double halfWidth)
+{
+  return 2.0 * halfWidth / (cosine + std::sqrt(cosine * cosine + 4.0 * k * halfWidth));
+}
+
 /// Distance from the center to the outline of the published section in a direction. The sides are
 /// parabolas from the walls at half height to the edges of a flat roof, the basilar membrane, whose
 /// inner edge is at the section's center; the floor mirrors the roof.
@@ -86,11 +93,27 @@ double outlineRadius(double direction, double halfWidth, double halfHeight, doub
     const double side = 1.0 - v * v;
     return u > -halfWidth * side && u < membrane + (halfWidth - membrane) * side;
   };
+  // Recordings depend on the bisection's result to the last bit. Where a step lies farther from the
+  // closed form than rounding can move it, the closed form answers for the test.
+  const double perHeight = d.sine / halfHeight;
+  const double slack = halfWidth - membrane;
+  double surelyInside = 0.0, surelyOutside = std::numeric_limits<double>::infinity();
+  if (slack >= 0.0) {                   // else the inner edge of the roof is beyond the wall
+    constexpr double rounding = 1e-10;  // relative, a million times that of the test
+    const double closed =
+        std::min({1.0 / std::fabs(perHeight),
+                  distanceToSide(d.cosine, slack * perHeight * perHeight, halfWidth),
+                  distanceToSide(-d.cosine, halfWidth * perHeight * perHeight, halfWidth)});
+    surelyInside = closed * (1.0 - rounding);
+    surelyOutside = closed * (1.0 + rounding);
+  }
   double inside = 0.0;
   double outside = halfWidth + halfHeight;
   for (int i = 0; i < 60; ++i) {
     const double middle = 0.5 * (inside + outside);
-    (isInside(middle) ? inside : outside) = middle;
+    if (middle == inside || (middle == outside && slack >= 0.0)) break;  // none is between
+    const bool isIn = middle < surelyInside || (middle <= surelyOutside && isInside(middle));
+    (isIn ? inside : outside) = middle;
   }
   return inside;
 }

@@ -330,6 +330,8 @@ class Tests(CheckCase):
     def test_bad_habits_are_found(self):
         for sentence, file, text in (
                 ("a wait without a limit", "t.cpp", "while (!isOver()) std::this_thread::yield();\n"),
+                ("a wait without a limit", "t.cpp", "while (last < values) {\n  if (!buffer.refresh()) continue;\n}\n"),
+                ("a wait without a limit", "t.cpp", "while (now() < end) insertion->refresh();\n"),
                 ("Rod.Bends expects nothing", "RodTest.cpp", "TEST(Rod, Bends)\n{\n  rod().bend();\n}\n"),
                 ("name must end in Test.cpp", "rod.cpp", "TEST(Rod, Bends)\n{\n  EXPECT_TRUE(is());\n}\n")):
             self.assert_found(tests.check, sentence, {f"test/unit/{file}": text})

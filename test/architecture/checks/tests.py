@@ -9,8 +9,10 @@ from checks import sources
 CASE = re.compile(r"^(?:TYPED_)?TEST(?:_F|_P)?\((\w+),\s*(\w+)\)\s*\{", re.M)
 # A function that expects says so in its name.
 EXPECTATION = re.compile(r"\b(?:EXPECT|ASSERT)_\w+|\bFAIL\(|\b(?:expect|check)\w*\(")
-# A loop that yields until something happens may wait for ever.
-YIELD = re.compile(r"\bthis_thread::yield\b|\bsched_yield\b")
+# A loop that yields, or looks again, until another thread has done something may wait for ever.
+WAIT = re.compile(r"\bthis_thread::yield\b|\bsched_yield\b"
+                  r"|\bwhile \([^;{}]*\)\s*\{?\s*if \(![^;{}]*\)\s*continue;"
+                  r"|\bwhile \([^;{}]*\)\s*\{?\s*\w+(?:->|\.)refresh\(\);")
 WAITING = "test/support/include/perilymph/test/waitUntil.h"
 
 
@@ -37,7 +39,7 @@ def check(root):
             if not EXPECTATION.search(body(text, case.end() - 1)):
                 errors.append(f"{name}: {case.group(1)}.{case.group(2)} expects nothing.")
         if name != WAITING:
-            for match in YIELD.finditer(text):
+            for match in WAIT.finditer(text):
                 line = text.count("\n", 0, match.start()) + 1
                 errors.append(f"{name}:{line}: a wait without a limit: use waitUntil() of test/support.")
     return errors

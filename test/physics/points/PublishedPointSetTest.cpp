@@ -53,6 +53,16 @@ public:
   {
     while (at_ < travel - 1e-9) tick(1.0);
   }
+  /// Pushes until a condition holds; false if it does not over the array's whole way.
+  template <class Condition>
+  [[nodiscard]] bool pushUntil(Condition holds)
+  {
+    while (!holds()) {
+      if (at_ > model->parts.array.length.si()) return false;
+      tick(1.0);
+    }
+    return true;
+  }
   double forceAt(double travel)
   {
     pushTo(travel);
@@ -75,7 +85,7 @@ TEST(PublishedPointSet, MeetsNothingBeforeTheOuterWall)
   PublishedRun run(12);
   run.pushTo(1e-3);
   run.maximum = 0.0;
-  while (run.state->readings.contacts == 0) run.tick(1.0);
+  ASSERT_TRUE(run.pushUntil([&] { return run.state->readings.contacts > 0; }));
   EXPECT_LT(run.maximum, 1e-6);
   EXPECT_GT(run.state->readings.depth, 5e-3);
   const Vector3d push = run.state->wallForce_W.back();
@@ -96,7 +106,7 @@ TEST(PublishedPointSet, SpreadsItsPointsEvenlyUntilTheBasalTurn)
 TEST(PublishedPointSet, LeavesItsForemostPointInTheTurnAndClosesUpBehindIt)
 {
   PublishedRun run(12);
-  while (run.state->points.turnedAt < 0.0 && run.state->readings.depth < 19e-3) run.tick(1.0);
+  ASSERT_TRUE(run.pushUntil([&] { return run.state->points.turnedAt >= 0.0; }));
   const double turned = run.state->points.turnedAt;
   ASSERT_GT(turned, 0.0);
   const auto depthOfForemost = [&run] {
@@ -116,7 +126,7 @@ TEST(PublishedPointSet, LeavesItsForemostPointInTheTurnAndClosesUpBehindIt)
 TEST(PublishedPointSet, CollidesWithTheTurnWhereTheWallStandsAcross)
 {
   PublishedRun run(12);
-  while (run.state->points.turnedAt < 0.0) run.tick(1.0);
+  ASSERT_TRUE(run.pushUntil([&] { return run.state->points.turnedAt >= 0.0; }));
   const Vector3d push = run.state->wallForce_W.back();
   const double out = push.dot(run.model->entry.out_W);
   EXPECT_NEAR(out / push.norm(), std::sqrt(0.5), 0.06);  // friction tilts it by 0.04

@@ -10,6 +10,7 @@
 #include "perilymph/session/RecordedInsertion.h"
 #include "perilymph/session/Replay.h"
 #include "perilymph/test/TemporaryFolder.h"
+#include "perilymph/test/waitUntil.h"
 
 namespace perilymph::session {
 namespace {
@@ -90,11 +91,17 @@ TEST(Replay, FollowsCommandsGivenByTheClock)
       haptics::Command command;
       command.kind = kind;
       command.value = 1e-3;
-      while (!insertion->send(command)) insertion->refresh();
+      ASSERT_TRUE(test::waitUntil([&] {
+        insertion->refresh();
+        return insertion->send(command);
+      }));
     }
     dynamic_cast<device::ScriptedDevice&>(insertion->hand())
         .move(device::ScriptedDevice::Motion::insert);
-    while (insertion->latest().output.travel < 0.5e-3) insertion->refresh();
+    ASSERT_TRUE(test::waitUntil([&] {
+      insertion->refresh();
+      return insertion->latest().output.travel >= 0.5e-3;
+    }));
   }
   const Verification verification = verified(folder / "run.insertion");
   EXPECT_TRUE(verification.isIdentical);

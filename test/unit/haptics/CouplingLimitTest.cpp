@@ -155,7 +155,8 @@ TEST(SoftenedCoupling, IsLimitedByTheDevice)
   test::InsertionRig rig(test::insertionInRing(), settings, millimetersPerSecond(10));
   EXPECT_DOUBLE_EQ(rig.engine().couplingStiffness(), 220.5);
   rig.start();
-  while (rig.output().workflow != Workflow::inserting) rig.tick();
+  for (int i = 0; i < 1000 && rig.output().workflow != Workflow::inserting; ++i) rig.tick();
+  ASSERT_EQ(rig.output().workflow, Workflow::inserting);
   EXPECT_NE(rig.tick().output.status & couplingSoftened, 0u);
 }
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""test/run ends with ctest's own summary, and fails if any step failed."""
+"""test/run ends with the count of cases, and fails if any step failed."""
 
 import sys
 import unittest
@@ -13,6 +13,8 @@ from pretended import PretendedSystem  # noqa: E402
 
 SCRIPT = "test/run"
 COUNT = "100% tests passed, 0 tests failed out of 3"
+CASES = "30 passed, 0 failed, 2 skipped"
+HOURS = ["robust", "soak", "ends", "anatomy", "ct"]
 
 
 class TestRun(PretendedSystem):
@@ -22,15 +24,21 @@ class TestRun(PretendedSystem):
         self.pretend("git", "echo some-commit")
         self.pretend("cmake", 'if [[ $1 == --preset ]]; then touch "build/$2/build.ninja"; fi')
         self.pretend("ctest", f'echo "{COUNT}"')
+        self.pretend("suites", f'echo "{CASES}"', self.root / "test")
 
     def presets(self):
         return [call.split()[1] for call in self.calls("ctest")]
 
-    def test_the_last_line_is_the_count_of_ctest(self):
+    def test_the_last_line_is_the_count_of_cases(self):
         result = self.call(SCRIPT)
         self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertEqual(result.stdout.strip().splitlines()[-1], COUNT)
+        self.assertEqual(result.stdout.strip().splitlines()[-2:], [COUNT, CASES])
         self.assertEqual(self.presets(), ["dev"])
+        self.assertEqual(self.calls("suites"), ["--preset dev summary"])
+
+    def test_the_times_of_all_suites_are_kept(self):
+        self.call(SCRIPT)
+        self.assertIn("--output-junit", self.calls("ctest")[0])
 
     def test_no_tests_at_all_are_no_success(self):
         self.call(SCRIPT)
@@ -39,8 +47,8 @@ class TestRun(PretendedSystem):
     def test_long_adds_both_sanitizers_and_still_ends_with_the_count(self):
         result = self.call(SCRIPT, "--long")
         self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertEqual(sorted(self.presets()), ["asan", "dev", "long", "long", "long", "tsan"])
-        self.assertEqual(result.stdout.strip().splitlines()[-1], COUNT)
+        self.assertEqual(sorted(self.presets()), ["asan", "dev", *["long"] * len(HOURS), "tsan"])
+        self.assertEqual(result.stdout.strip().splitlines()[-1], CASES)
 
     def test_a_failed_test_fails_the_run(self):
         self.pretend("ctest", "exit 8")
@@ -49,7 +57,7 @@ class TestRun(PretendedSystem):
     def test_a_sanitizer_that_found_something_fails_the_run_but_lets_the_rest_go_on(self):
         self.pretend("ctest", "[[ $2 != asan ]]")
         self.assert_one_sentence(self.call(SCRIPT, "--long"), "Tests failed in: asan.")
-        self.assertEqual(sorted(self.presets()), ["asan", "dev", "long", "long", "long", "tsan"])
+        self.assertEqual(sorted(self.presets()), ["asan", "dev", *["long"] * len(HOURS), "tsan"])
 
     def stages(self):
         lines = (self.root / "build/proof/stages.tsv").read_text().splitlines()
@@ -58,15 +66,14 @@ class TestRun(PretendedSystem):
     def test_a_stage_that_passed_is_not_repeated_on_the_same_commit(self):
         self.pretend("ctest", f'echo "{COUNT}"; [[ $2 != tsan ]]')
         self.assert_one_sentence(self.call(SCRIPT, "--long"), "Tests failed in: tsan.")
-        self.assertEqual(self.stages(), [("asan", "passed"), ("tsan", "failed"),
-                                         ("fuzz-30", "passed"), ("robust", "passed"), ("soak", "passed"), ("ends", "passed"),
-                                         ("dev", "passed")])
+        self.assertEqual(self.stages(), [("asan", "passed"), ("tsan", "failed"), ("fuzz-30", "passed"),
+                                         *[(name, "passed") for name in HOURS], ("dev", "passed")])
         self.assertIn(COUNT, (self.root / "build/proof/stages.tsv").read_text().splitlines()[0])
         self.pretend("ctest", f'echo "{COUNT}"')
         result = self.call(SCRIPT, "--long")
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertIn("Testing asan: passed before on some-commit", result.stdout)
-        self.assertEqual(sorted(self.presets()), ["asan", "dev", "dev", "long", "long", "long", "tsan", "tsan"])
+        self.assertEqual(sorted(self.presets()), ["asan", "dev", "dev", *["long"] * len(HOURS), "tsan", "tsan"])
         self.pretend("git", "echo another-commit")
         self.call(SCRIPT, "--long")
         self.assertEqual(self.presets().count("asan"), 2)
@@ -94,7 +101,7 @@ class TestRun(PretendedSystem):
         self.assertIn("^long/soak/", self.calls("ctest")[0])
         result = self.call(SCRIPT, "--long")
         self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertEqual(self.presets(), ["long", "long", "asan", "tsan", "long", "long", "dev"])
+        self.assertEqual(self.presets(), ["long", "long", "asan", "tsan", *["long"] * (len(HOURS) - 1), "dev"])
 
     def test_the_tests_of_every_day_alone_are_no_proof(self):
         self.call(SCRIPT)

@@ -302,7 +302,7 @@ TEST(AWalkThroughACt, OfASurgeonEndsWithTheArrayInTheScan)
   page.study().moveCrosshair(onDisk().phantom.inside_P);
   walk.step(1, rig.window());
 
-  rig.click("measureCtButton");
+  rig.click("measureHereButton");
   ASSERT_TRUE(WindowRig::comes([&] { return page.study().measures().has_value(); }));
   walk.step(2, rig.window());
 

@@ -12,8 +12,11 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <map>
+#include <memory>
 #include <regex>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <system_error>
 
@@ -50,19 +53,37 @@ protected:
     QLocale::setDefault(QLocale::c());
   }
 
-  /// Records an insertion and writes its report.
-  void report(const std::string& scenarioName, const session::Overrides& overrides)
+  static void SetUpTestSuite() { kept_ = std::make_unique<TemporaryFolder>(); }
+  static void TearDownTestSuite()
   {
+    recordings_.clear();
+    kept_.reset();
+  }
+
+  /// The recording of an insertion, made by the first case that asks for it.
+  static fs::path recordingOf(const std::string& scenarioName, const session::Overrides& overrides)
+  {
+    std::string key = scenarioName;
+    for (const auto& [name, value] : overrides) key += ' ' + name + '=' + value;
+    const auto kept = recordings_.find(key);
+    if (kept != recordings_.end()) return kept->second;
     const auto scenario = session::loadScenario(scenarioName, overrides);
-    ASSERT_TRUE(scenario) << scenario.error().message;
-    const fs::path recording = folder_.path() / "recording.insertion";
+    if (!scenario) throw std::runtime_error(scenario.error().message);
+    const fs::path file = *kept_ / (std::to_string(recordings_.size()) + ".insertion");
     auto insertion = session::Insertion::prepare(
         *scenario,
         std::make_unique<device::ScriptedDevice>(scenario->speed().si(), scenario->timeStep().si()),
-        recording);
-    ASSERT_TRUE(insertion) << insertion.error().message;
-    ASSERT_TRUE((*insertion)->runToEnd([](const haptics::TickRecord&) { return true; }));
-    insertion->reset();
+        file);
+    if (!insertion) throw std::runtime_error(insertion.error().message);
+    const auto run = (*insertion)->runToEnd([](const haptics::TickRecord&) { return true; });
+    if (!run) throw std::runtime_error(run.error().message);
+    return recordings_[key] = file;
+  }
+
+  /// Writes the report of an insertion.
+  void report(const std::string& scenarioName, const session::Overrides& overrides)
+  {
+    const fs::path recording = recordingOf(scenarioName, overrides);
     const std::atomic<bool> isCanceled = false;
     const auto content = gui::gatherReport(recording, isCanceled);
     ASSERT_TRUE(content) << content.error().message;
@@ -71,9 +92,9 @@ protected:
   }
 
   /// A patient with a left ear, A 0.9 SD below and B 0.5 SD above the population mean.
-  std::string leftPatient() const
+  static std::string leftPatient()
   {
-    const fs::path file = folder_.path() / "P-017.toml";
+    const fs::path file = *kept_ / "P-017.toml";
     std::ofstream(file) << "label = \"P-017\"\nside = \"left\"\na_mm = 8.84\nb_mm = 6.98\n";
     return file.string();
   }
@@ -109,6 +130,8 @@ private:
     }
   }
 
+  static inline std::unique_ptr<TemporaryFolder> kept_;  ///< Of the suite.
+  static inline std::map<std::string, fs::path> recordings_;
   TemporaryFolder folder_;
 };
 

@@ -9,9 +9,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "MeasuredPhantom.h"
 #include "perilymph/anatomy/MeanScala.h"
 #include "perilymph/ct/Measures.h"
-#include "perilymph/test/CtPhantom.h"
 
 namespace perilymph::ct {
 namespace {
@@ -61,34 +61,24 @@ TEST(Marks, HaveNamesThatAreFoundAgain)
   EXPECT_FALSE(markNamed("rw"));
 }
 
-TEST(Marks, OfAMeasuredCochleaGiveItsMeasures)
+TEST(MeasureCochlea, ProposesLandmarksThatGiveItsMeasures)
 {
-  const auto phantom = test::makeCtPhantom(203, test::highResolutionScan());
-  MeasureRequest request;
-  request.click_P = phantom.inside_P;
-  const auto measures = measureCochlea(phantom.volume, request);
-  ASSERT_TRUE(measures) << measures.error().message;
-  const MarkedMeasures marked = measuresBetween(marksOf(*measures), measures->axis_P);
+  const MarkedMeasures marked = measuresBetween(marksOf(measures()), measures().axis_P);
   // The wall's points are 4 degrees apart, which costs up to cos(2 deg) of a half-diameter, and the
   // round window's center lies beside the outermost point.
-  EXPECT_NEAR(marked.a.value(), measures->a.value, 0.05);
-  EXPECT_NEAR(marked.b.value(), measures->b.value, 0.05);
-  EXPECT_NEAR(marked.h.value(), measures->h.value, 0.001);
+  EXPECT_NEAR(marked.a.value(), measures().a.value, 0.05);
+  EXPECT_NEAR(marked.b.value(), measures().b.value, 0.05);
+  EXPECT_NEAR(marked.h.value(), measures().h.value, 0.001);
 }
 
-TEST(MeasuredAnatomy, LiesInTheMeasuredWall)
+TEST(MeasureCochlea, GivesAScalaThatLiesInTheMeasuredWall)
 {
   // The scala tympani of the measured A, B and H, placed in the CT, touches the fitted outer wall in
   // the basal turn and crosses it nowhere by more than the fit's own errors.
-  const auto phantom = test::makeCtPhantom(203, test::highResolutionScan());
-  MeasureRequest request;
-  request.click_P = phantom.inside_P;
-  const auto measures = measureCochlea(phantom.volume, request);
-  ASSERT_TRUE(measures) << measures.error().message;
   const auto scala =
       anatomy::buildMean("measured",
-                         {millimeters(measures->a.value), millimeters(measures->b.value),
-                          millimeters(measures->h.value)},
+                         {millimeters(measures().a.value), millimeters(measures().b.value),
+                          millimeters(measures().h.value)},
                          millimeters(1));
   ASSERT_TRUE(scala) << scala.error().message;
   double sum = 0.0;
@@ -98,9 +88,9 @@ TEST(MeasuredAnatomy, LiesInTheMeasuredWall)
     const anatomy::Section section = (*scala)->section(angle);
     const Eigen::Vector3d outer_W(section.outerRadius * std::cos(angle),
                                   section.outerRadius * std::sin(angle), section.centerHeight);
-    const Eigen::Vector3d outer_P = measures->fromAnatomy(outer_W);
+    const Eigen::Vector3d outer_P = measures().fromAnatomy(outer_W);
     double nearest = 1e9;
-    for (const Eigen::Vector3d& wall_P : measures->wall_P)
+    for (const Eigen::Vector3d& wall_P : measures().wall_P)
       nearest = std::min(nearest, (wall_P - outer_P).norm());
     EXPECT_LT(nearest, 0.6) << angle_deg;
     sum += nearest;

@@ -9,33 +9,13 @@
 #include <Eigen/LU>
 #include <cmath>
 #include <cstring>
-#include <stdexcept>
 
+#include "MeasuredPhantom.h"
 #include "perilymph/foundation/Units.h"
 #include "perilymph/test/CtPhantom.h"
 
 namespace perilymph::ct {
 namespace {
-
-MeasureRequest clickedInto(const test::CtPhantom& phantom, std::uint64_t seed)
-{
-  MeasureRequest request;
-  request.click_P = test::jitteredClick(phantom, seed);
-  return request;
-}
-
-const test::CtPhantom& phantom()
-{
-  static const test::CtPhantom built = test::makeCtPhantom(501, test::highResolutionScan());
-  return built;
-}
-
-const CochleaMeasures& measures()
-{
-  static const auto found = measureCochlea(phantom().volume, clickedInto(phantom(), 501));
-  if (!found) throw std::runtime_error(found.error().message);
-  return *found;
-}
 
 TEST(MeasureCochlea, FindsThePhantomsDiametersWithinThreeOfItsSigmas)
 {
@@ -58,14 +38,14 @@ TEST(MeasureCochlea, HasAnAxisNearThatOfTheSpiralMotionOfItsWall)
 
 TEST(MeasureCochlea, FindsTheSideOfBothEars)
 {
-  bool seen[2] = {false, false};
-  for (std::uint64_t seed = 510; !(seen[0] && seen[1]); ++seed) {
+  EXPECT_EQ(measures().side == anatomy::Side::right, phantom().isRight);
+  for (std::uint64_t seed = 510;; ++seed) {
     const test::CtPhantom ear = test::makeCtPhantom(seed, test::clinicalScan());
-    if (seen[ear.isRight ? 1 : 0]) continue;
-    seen[ear.isRight ? 1 : 0] = true;
+    if (ear.isRight == phantom().isRight) continue;
     const auto found = measureCochlea(ear.volume, clickedInto(ear, seed));
     ASSERT_TRUE(found) << found.error().message;
     EXPECT_EQ(found->side == anatomy::Side::right, ear.isRight) << seed;
+    break;
   }
 }
 
@@ -138,6 +118,19 @@ TEST(MeasureCochlea, FindsTheCochleaWithoutAClick)
   ASSERT_TRUE(found) << found.error().message;
   EXPECT_NEAR(found->a.value, phantom().a, 3.0 * found->a.sd());
   EXPECT_EQ(found->side, measures().side);
+}
+
+TEST(MeasureCochlea, FlagsALandmarkThatTheVoxelsContradictAndHardlyMovesTheFit)
+{
+  MeasureRequest request = clickedInto(phantom(), 501);
+  const Eigen::Vector3d outward =
+      (*phantom().marks[Mark::farB] - *phantom().marks[Mark::modiolus]).normalized();
+  request.marks[Mark::farB] = *phantom().marks[Mark::farB] + 1.5 * outward;
+  const auto after = measureCochlea(phantom().volume, request);
+  ASSERT_TRUE(after) << after.error().message;
+  EXPECT_TRUE(after->has(Flag::landmarkContradicted));
+  EXPECT_FALSE(measures().has(Flag::landmarkContradicted));
+  EXPECT_NEAR(after->b.value, measures().b.value, 0.3);
 }
 
 TEST(MeasureCochlea, RefusesAClickOutside)

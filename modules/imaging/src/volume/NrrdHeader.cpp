@@ -48,35 +48,29 @@ std::optional<VoxelType> nrrdType(const std::string& name)
   return found->second;
 }
 
-/// The fields of the header; none where there is no whole header. That of a detached one ends with
-/// the file, or an empty line.
+/// Adds a line's field; false if it contradicts an earlier one.
+bool addLine(const std::string& line, const std::string& subject, HeaderFields& fields)
+{
+  // key:=value pairs are the user's
+  const std::size_t field = line.find(": "), pair = line.find(":=");
+  if (line.starts_with('#') || field == std::string::npos || pair < field) return true;
+  return fields.add(line.substr(0, field), line.substr(field + 2), subject, nrrd::field);
+}
+
+/// The fields of the header; none where there is no whole header. A detached one ends with the file,
+/// or an empty line.
 std::optional<HeaderFields> nrrdFields(const std::filesystem::path& file)
 {
-  std::string content = headOf(file);
+  const std::string content = headOf(file);
   if (content.rfind("NRRD000", 0) != 0) return std::nullopt;
   HeaderFields fields;
-  std::size_t start = 0;
-  while (const auto line = lineAt(content, start)) {
-    start = line->end;
-    if (line->text.empty()) {
-      fields.end = start;
-      return fields;
-    }
-    // key:=value pairs are the user's
-    const std::size_t field = line->text.find(": "), pair = line->text.find(":=");
-    if (line->text[0] == '#' || field == std::string::npos || pair < field) continue;
-    if (!fields.add(line->text.substr(0, field), line->text.substr(field + 2), file.string(),
-                    nrrd::field))
-      return fields;
+  while (const auto line = lineAt(content, fields.end)) {
+    fields.end = line->end;
+    if (line->text.empty() || !addLine(line->text, file.string(), fields)) return fields;
   }
-  const bool isDetached = fields.has("datafile");
-  // the last line may have no end
-  const std::size_t field = content.find(": ", start);
-  if (isDetached && field != std::string::npos)
-    fields.add(content.substr(start, field - start), content.substr(field + 2), file.string(),
-               nrrd::field);
+  addLine(content.substr(fields.end), file.string(), fields);
   fields.end = content.size();
-  return isDetached ? std::optional(fields) : std::nullopt;
+  return fields.has("datafile") ? std::optional(fields) : std::nullopt;
 }
 
 /// Sentences of an NRRD's refusal.

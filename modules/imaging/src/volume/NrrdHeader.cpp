@@ -48,12 +48,18 @@ std::optional<VoxelType> nrrdType(const std::string& name)
   return found->second;
 }
 
-/// Adds a line's field; false if it contradicts an earlier one.
+/// Adds a line's field; false if it is none or contradicts an earlier one.
 bool addLine(const std::string& line, const std::string& subject, HeaderFields& fields)
 {
-  // key:=value pairs are the user's
   const std::size_t field = line.find(": "), pair = line.find(":=");
-  if (line.starts_with('#') || field == std::string::npos || pair < field) return true;
+  // key:=value pairs are the user's
+  const bool isPair = pair != std::string::npos && (field == std::string::npos || pair < field);
+  if (line.empty() || line.starts_with('#') || line.starts_with("NRRD000") || isPair) return true;
+  if (field == std::string::npos) {
+    fields.conflict =
+        subject + " is damaged: a line of its header is no field. Copy or export it again.";
+    return false;
+  }
   return fields.add(line.substr(0, field), line.substr(field + 2), subject, nrrd::field);
 }
 

@@ -120,7 +120,7 @@ private:
 /// What a file is read from, once its content was seen.
 struct Readable {
   std::optional<std::string> text;  ///< Instead of the file.
-  std::optional<PlyHeader> ply;     ///< Of a binary PLY.
+  std::optional<PlyHeader> ply;     ///< Header of a binary PLY.
 };
 
 /// Refuses what VTK would read wrong, or end with. Without a subject; an empty error for damage.

@@ -116,8 +116,8 @@ bool isElementsLine(std::string_view line, const PlyElement& element)
   const std::string_view word = firstWord(line);
   std::size_t count = 0;
   std::from_chars(word.data(), word.data() + word.size(), count);
-  constexpr std::size_t mostCorners = 255;  // VTK counts them in a byte
-  return count <= mostCorners && *numbers == count + 1;
+  constexpr std::size_t maxCorners = 255;  // VTK counts them in a byte
+  return count <= maxCorners && *numbers == count + 1;
 }
 
 }  // namespace

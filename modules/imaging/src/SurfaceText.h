@@ -28,8 +28,8 @@ struct PlyList {
 struct PlyElement {
   std::string name;
   std::size_t count = 0;
-  std::vector<std::string> names;  ///< Of its numbers.
-  std::size_t numberBytes = 0;     ///< Of its numbers together.
+  std::vector<std::string> names;  ///< Names of its numbers.
+  std::size_t numberBytes = 0;     ///< All its numbers together.
   bool isInteger = true;           ///< All of its numbers and lists are.
   std::vector<PlyList> lists;
 };

@@ -50,8 +50,8 @@ std::string errorWithin(std::size_t moreBytes, const std::filesystem::path& file
   if (child == 0) {
     std::size_t pages = 0;
     std::ifstream("/proc/self/statm") >> pages;
-    const rlim_t most = pages * static_cast<std::size_t>(::getpagesize()) + moreBytes;
-    const rlimit bytes = {most, most}, seconds = {30, 30};
+    const rlim_t limit = pages * static_cast<std::size_t>(::getpagesize()) + moreBytes;
+    const rlimit bytes = {limit, limit}, seconds = {30, 30};
     ::setrlimit(RLIMIT_CPU, &seconds);
     ::setrlimit(RLIMIT_AS, &bytes);
     const auto loaded = readCt(file);

@@ -21,8 +21,8 @@ namespace {
 // Cracks up to 0.3 mm change no measure: their fans lie within the wall's thickness of a voxel.
 constexpr double harmlessCrack = 0.35e-3;
 constexpr double tornEdges = 2.0;  // of the longest edge beside the corner
-// A circle has roundness 1, an ellipse of 3 to 1 has 0.55; a slit has near 0.
-constexpr double minRoundness = 0.25;
+// A circle has circularity 1, an ellipse of 3 to 1 has 0.55; a slit has near 0.
+constexpr double minCircularity = 0.25;
 // The wall around an opening runs across its plane, 0 for a straight cut and 0.55 for one at 60
 // degrees; that around a hole in its side lies in the plane, 1 for a small hole.
 constexpr double maxInPlane = 0.75;
@@ -161,10 +161,10 @@ Result<Done> checkRims(const Surface& surface, const std::vector<SurfaceRim>& ri
         inText(1e3 * rims[1].length, "%.2f") + " mm at " + placeOf(surface, rims[1].corners[0]) +
         ". Only the round window may be open; close the other."};
   if (rims.empty() || !(rims[0].length > openingRim)) return Done{};
-  const double roundness =
+  const double circularity =
       4.0 * pi * areaOf(surface, rims[0]).norm() / (rims[0].length * rims[0].length);
   const double flat = inPlane(surface, rims[0], fans);
-  if (roundness < minRoundness)
+  if (circularity < minCircularity)
     return Error{"The surface is torn at " + placeOf(surface, rims[0].corners[0]) +
                  ": its longest rim is a slit of " + inText(1e3 * rims[0].length, "%.2f") +
                  " mm, not the opening at the round window. Repair it there in the segmentation "

@@ -77,14 +77,14 @@ Result<Done> checkLetters(const HeaderFields& fields, const std::string& name,
   const std::string letters = fields.text("anatomicalorientation");
   if (letters.empty() || letters.find('?') != std::string::npos) return Done{};
   // a letter holds for directions up to about 55 degrees from it
-  constexpr double leastCosine = 0.3;
+  constexpr double minCosine = 0.3;
   constexpr const char* froms = "RAILPS";
   std::string found;
   bool agrees = letters.size() == 3;
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
-    Eigen::Index most = 0;
-    axes.col(axis).cwiseAbs().maxCoeff(&most);
-    found += froms[most + (axes(most, axis) < 0.0 ? 3 : 0)];
+    Eigen::Index nearest = 0;
+    axes.col(axis).cwiseAbs().maxCoeff(&nearest);
+    found += froms[nearest + (axes(nearest, axis) < 0.0 ? 3 : 0)];
     if (!agrees) continue;
     const char* const letter = std::strchr(froms, letters[static_cast<std::size_t>(axis)]);
     if (!letter) {
@@ -92,7 +92,7 @@ Result<Done> checkLetters(const HeaderFields& fields, const std::string& name,
       continue;
     }
     const std::ptrdiff_t at = letter - froms;
-    agrees = (at < 3 ? 1.0 : -1.0) * axes(at % 3, axis) > leastCosine;
+    agrees = (at < 3 ? 1.0 : -1.0) * axes(at % 3, axis) > minCosine;
   }
   if (agrees) return Done{};
   return Error{*disagreement(name, meta::orientation, found + " (near)", letters)};
@@ -191,8 +191,8 @@ Result<Done> metaCoding(const HeaderFields& fields, const std::filesystem::path&
                         "scales its gray values by ElementToIntensityFunction, which programs read "
                         "differently.");
   }
-  const auto least = fields.numbers("elementmin"), most = fields.numbers("elementmax");
-  if (least.size() == 1 && most.size() == 1) volume.grayRange = {least[0], most[0]};
+  const auto minimum = fields.numbers("elementmin"), maximum = fields.numbers("elementmax");
+  if (minimum.size() == 1 && maximum.size() == 1) volume.grayRange = {minimum[0], maximum[0]};
   return Done{};
 }
 

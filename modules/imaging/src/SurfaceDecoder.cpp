@@ -3,6 +3,7 @@
 
 #include <vtkCellArray.h>
 #include <vtkExecutive.h>
+#include <vtkPLYReader.h>
 #include <vtkSTLReader.h>
 #include <vtkTriangleFilter.h>
 #include <vtkXMLPolyDataReader.h>
@@ -37,7 +38,7 @@ bool cornersExist(vtkPolyData& data)
 
 /// The output of a VTK reader for a file; empty if it reports an error.
 template <class Reader>
-vtkSmartPointer<vtkPolyData> readWith(const std::filesystem::path& file)
+vtkSmartPointer<vtkPolyData> readWith(const std::filesystem::path& file, std::size_t& corners)
 {
   const auto complaints = vtkSmartPointer<Complaints>::New();
   const auto reader = vtkSmartPointer<Reader>::New();
@@ -47,6 +48,7 @@ vtkSmartPointer<vtkPolyData> readWith(const std::filesystem::path& file)
   reader->SetFileName(file.c_str());
   reader->Update();
   if (complaints->isAny || !cornersExist(*reader->GetOutput())) return nullptr;
+  corners = static_cast<std::size_t>(reader->GetOutput()->GetPolys()->GetNumberOfConnectivityIds());
   triangles->SetInputConnection(reader->GetOutputPort());
   triangles->PassLinesOff();
   triangles->PassVertsOff();
@@ -58,10 +60,15 @@ vtkSmartPointer<vtkPolyData> readWith(const std::filesystem::path& file)
 }  // namespace
 
 std::optional<anatomy::Surface> decodeSurface(const std::filesystem::path& file,
-                                              const std::string& ending)
+                                              const std::string& ending, std::size_t& corners)
 {
-  const vtkSmartPointer<vtkPolyData> data =
-      ending == ".stl" ? readWith<vtkSTLReader>(file) : readWith<vtkXMLPolyDataReader>(file);
+  vtkSmartPointer<vtkPolyData> data;
+  if (ending == ".stl")
+    data = readWith<vtkSTLReader>(file, corners);
+  else if (ending == ".ply")
+    data = readWith<vtkPLYReader>(file, corners);
+  else
+    data = readWith<vtkXMLPolyDataReader>(file, corners);
   if (!data || data->GetNumberOfPolys() == 0) return std::nullopt;
   return fromPolyData(*data);
 }

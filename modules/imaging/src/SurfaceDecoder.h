@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// STL and VTP surfaces as VTK reads them.
+// STL, PLY and VTP surfaces as VTK reads them.
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -11,11 +12,12 @@
 
 namespace perilymph::imaging {
 
-/// Reads a surface of triangles. Empty if the file is damaged; on some damaged files VTK prints or
-/// allocates gigabytes, so that untrusted files are read in a child process.
+/// Reads a surface of triangles. Empty if the file is damaged; on some damaged files VTK prints,
+/// allocates gigabytes or ends the program, so that untrusted files are read in a child process.
 ///
-/// @param ending  ".stl" or ".vtp".
+/// @param ending   ".stl", ".ply" or ".vtp".
+/// @param corners  Becomes the number of all polygons' corners, before they are triangles.
 std::optional<anatomy::Surface> decodeSurface(const std::filesystem::path& file,
-                                              const std::string& ending);
+                                              const std::string& ending, std::size_t& corners);
 
 }  // namespace perilymph::imaging

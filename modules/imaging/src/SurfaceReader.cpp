@@ -11,8 +11,8 @@
 #include <optional>
 #include <string>
 
-#include "PlyFile.h"
 #include "SurfaceDecoder.h"
+#include "SurfaceText.h"
 #include "UntrustedRead.h"
 #include "perilymph/foundation/AtomicFile.h"
 
@@ -92,21 +92,9 @@ std::optional<anatomy::Surface> readFrom(int descriptor)
   return surface;
 }
 
-/// Whether VTK also regards the content as text: above a fraction of other bytes, such as control
-/// characters, it takes the file for binary and its text for a number of triangles.
-bool isPlainText(const std::string& content)
+/// Whether a binary STL is as long as its triangles are; VTK's reader does not check it.
+bool isWholeStl(const std::string& content)
 {
-  return std::all_of(content.begin(), content.end(), [](char c) {
-    return (c >= ' ' && c <= '~') || c == '\n' || c == '\r' || c == '\t';
-  });
-}
-
-/// Whether the content matches the extension; VTK's readers do not check it.
-bool beginsRight(const std::string& content, const std::string& ending)
-{
-  if (ending == ".vtp") return content.find("<VTKFile") != std::string::npos;
-  const bool isText = content.rfind("solid", 0) == 0 && content.find("facet") != std::string::npos;
-  if (isText && isPlainText(content)) return true;
   if (content.size() < 84) return false;
   std::uint32_t count = 0;
   for (std::size_t k = 4; k-- > 0;)
@@ -114,15 +102,71 @@ bool beginsRight(const std::string& content, const std::string& ending)
   return content.size() == 84 + 50 * static_cast<std::size_t>(count);
 }
 
+/// A text as a file in memory, for a reader that wants a name.
+class TextFile {
+public:
+  explicit TextFile(const std::string& text) : memory_(::memfd_create("text", MFD_CLOEXEC))
+  {
+    if (memory_.get() >= 0) isWritten_ = writeBytes(memory_.get(), text.data(), text.size());
+  }
+  bool isWritten() const { return isWritten_; }
+  std::filesystem::path name() const { return "/proc/self/fd/" + std::to_string(memory_.get()); }
+
+private:
+  OwnedDescriptor memory_;
+  bool isWritten_ = false;
+};
+
+/// What a file is read from, once its content was seen.
+struct Readable {
+  std::optional<std::string> text;  ///< Instead of the file.
+  std::optional<PlyHeader> ply;     ///< Header of a binary PLY.
+};
+
+/// Refuses what VTK would read wrong, or end with. Without a subject; an empty error for damage.
+Result<Readable> readableForm(const std::string& content, const std::string& ending)
+{
+  const Error damaged;
+  Readable form;
+  const auto withPoints = [](const std::string& number) {
+    return Error{"has numbers with a decimal comma, such as '" + number +
+                 "'. Export it with points, or replace the commas by points."};
+  };
+  if (ending == ".vtp") {
+    if (content.find("<VTKFile") == std::string::npos) return damaged;
+  } else if (ending == ".stl") {
+    form.text = namelessStl(content);
+    if (form.text)
+      if (const auto number = commaNumber(*form.text)) return withPoints(*number);
+    if (!form.text && !isWholeStl(content)) return damaged;
+  } else {
+    form.ply = plyHeader(content);
+    if (!form.ply) return damaged;
+    if (form.ply->isText)
+      if (const auto number = commaNumber(content, form.ply->end)) return withPoints(*number);
+    if (const auto fine = checkPly(*form.ply, content); !fine) return fine.error();
+    if (form.ply->isText) form.ply.reset();
+  }
+  return form;
+}
+
 /// Reads the surface in a child process: damaged files make VTK print, and allocate what their
 /// headers claim. Empty if it cannot.
 std::optional<anatomy::Surface> decodeGuarded(const std::filesystem::path& file,
-                                              const std::string& ending)
+                                              const std::string& ending, const Readable& form,
+                                              std::size_t fileBytes)
 {
   const OwnedDescriptor memory(::memfd_create("surface", MFD_CLOEXEC));
-  if (memory.get() < 0) return std::nullopt;
+  std::optional<TextFile> text;
+  if (form.text) text.emplace(*form.text);
+  if (memory.get() < 0 || (text && !text->isWritten())) return std::nullopt;
   const auto decode = [&] {
-    const auto surface = decodeSurface(file, ending);
+    std::size_t corners = 0;
+    const auto surface = decodeSurface(text ? text->name() : file, ending, corners);
+    if (surface && form.ply) {
+      const auto bytes = plyDataBytes(*form.ply, corners);
+      if (bytes && form.ply->end + *bytes != fileBytes) return childFailed;
+    }
     return surface && writeTo(memory.get(), *surface) ? 0 : childFailed;
   };
   if (runInChild(decode, {maxChildBytes, {}, {}}) != 0) return std::nullopt;
@@ -146,12 +190,11 @@ Result<anatomy::Surface> readSurface(const std::filesystem::path& file)
                       " file of a surface, or needs over 1 GiB to read. Export it again from the "
                       "segmentation program."};
   try {
-    if (ending == ".ply") {
-      if (auto surface = readPly(*content)) return *std::move(surface);
-      return damaged;
-    }
-    if (!beginsRight(*content, ending)) return damaged;
-    if (auto surface = decodeGuarded(file, ending)) return *std::move(surface);
+    const auto form = readableForm(*content, ending);
+    if (!form)
+      return form.error().message.empty() ? damaged : Error{name + " " + form.error().message};
+    if (auto surface = decodeGuarded(file, ending, *form, content->size()))
+      return *std::move(surface);
     return damaged;
   } catch (const std::exception&) {  // sizes beyond the available memory
     return damaged;

@@ -16,7 +16,7 @@ namespace perilymph::fuzz {
 
 namespace {
 
-constexpr const char* names[] = {"a.dcm", "a.nii", "a.nii.gz", "a.nrrd"};
+constexpr const char* names[] = {"a.dcm", "a.nii", "a.nii.gz", "a.nrrd", "a.mha"};
 
 ct::CtVolume smallVolume()
 {
@@ -61,6 +61,13 @@ std::vector<Bytes> seeds()
     const Bytes content = contentOf(file);
     add(kind, {content.begin(), content.end()});
   }
+  std::string meta =
+      "ObjectType = Image\nNDims = 3\nBinaryData = True\nTransformMatrix = 1 0 0 0 1 0 0 0 1\n"
+      "Offset = 0 0 0\nAnatomicalOrientation = RAI\nElementSpacing = 0.3 0.4 0.5\nDimSize = 6 5 8\n"
+      "ElementType = MET_SHORT\nElementDataFile = LOCAL\n";
+  const auto voxels = volume.voxels();
+  meta.append(reinterpret_cast<const char*>(voxels.data()), voxels.size_bytes());
+  add(4, meta);
   addCorpus("ct_file", files);
   return files;
 }
@@ -72,9 +79,10 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
   using namespace perilymph;
   static fuzz::InputFile kinds[] = {
       fuzz::InputFile(fuzz::names[0]), fuzz::InputFile(fuzz::names[1]),
-      fuzz::InputFile(fuzz::names[2]), fuzz::InputFile(fuzz::names[3])};
+      fuzz::InputFile(fuzz::names[2]), fuzz::InputFile(fuzz::names[3]),
+      fuzz::InputFile(fuzz::names[4])};
   if (size == 0) return 0;
-  const auto& file = kinds[data[0] % 4].holding({data + 1, size - 1});
+  const auto& file = kinds[data[0] % 5].holding({data + 1, size - 1});
   const auto loaded = imaging::readCt(file);
   if (loaded)
     fuzz::checkVolume(*loaded);

@@ -5,7 +5,9 @@
 #include <sys/resource.h>
 #include <zlib.h>
 
+#include <array>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <fstream>
 
@@ -36,8 +38,16 @@ TEST_F(ReadSurface, MakesTrianglesOfAPolygonInMillimeters)
   ASSERT_TRUE(surface) << surface.error().message;
   ASSERT_EQ(surface->points.size(), 4u);
   EXPECT_THAT(surface->points[2], testing::ElementsAre(0.002, 0.003, 0.001));
-  EXPECT_THAT(surface->triangles,
-              testing::ElementsAre(testing::ElementsAre(0, 1, 2), testing::ElementsAre(0, 2, 3)));
+  // two triangles by either diagonal, both turned as the polygon
+  ASSERT_EQ(surface->triangles.size(), 2u);
+  for (const auto& t : surface->triangles) {
+    const auto at = [&](int k) {
+      return surface->points[static_cast<std::size_t>(t[static_cast<std::size_t>(k)])];
+    };
+    EXPECT_NEAR((at(1)[0] - at(0)[0]) * (at(2)[1] - at(0)[1]) -
+                    (at(1)[1] - at(0)[1]) * (at(2)[0] - at(0)[0]),
+                0.002 * 0.003, 1e-12);
+  }
 }
 
 TEST_F(ReadSurface, ReadsBinaryOfBothByteOrders)
@@ -72,7 +82,9 @@ TEST_F(ReadSurface, RefusesEveryPlyThatWasCutOff)
   for (std::size_t bytes = 0; bytes + 1 < square.size(); ++bytes) {
     const auto surface = read("cut.ply", square.substr(0, bytes));
     ASSERT_FALSE(surface) << bytes;
-    EXPECT_THAT(surface.error().message, testing::HasSubstr("not a whole .ply"));
+    EXPECT_THAT(surface.error().message,
+                testing::AnyOf(testing::HasSubstr("not a whole .ply"),
+                               testing::HasSubstr("the points and faces that its header states")));
   }
 }
 
@@ -83,6 +95,106 @@ TEST_F(ReadSurface, RefusesCornersThatAreNotThere)
     content.replace(content.find("4 0 1 2 3"), 9, corners);
     EXPECT_FALSE(read("d.ply", content)) << corners;
   }
+}
+
+TEST_F(ReadSurface, RefusesEveryBinaryPlyThatIsShorterOrLongerThanItsCounts)
+{
+  std::string content =
+      "ply\nformat binary_little_endian 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+      "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n";
+  const std::size_t header = content.size();
+  for (int i = 0; i < 4; ++i)
+    for (const float x : {static_cast<float>(i), static_cast<float>(i * i), 1.0F})
+      content.append(reinterpret_cast<const char*>(&x), sizeof x);
+  content += '\4';
+  for (const std::int32_t corner : {0, 1, 2, 3})
+    content.append(reinterpret_cast<const char*>(&corner), sizeof corner);
+  ASSERT_TRUE(read("whole.ply", content));
+  for (std::size_t bytes = header; bytes < content.size(); bytes += 7)
+    EXPECT_FALSE(read("cut.ply", content.substr(0, bytes))) << bytes;
+  EXPECT_FALSE(read("longer.ply", content + "more"));
+  // without x; and points of more than five million
+  std::string other = content;
+  EXPECT_THAT(read("a.ply", other.replace(other.find(" x\n"), 3, " u\n")).error().message,
+              testing::HasSubstr("has no points with x, y and z"));
+  other = content;
+  EXPECT_THAT(
+      read("a.ply", other.replace(other.find("vertex 4"), 8, "vertex 5000001")).error().message,
+      testing::HasSubstr("at most 5 million"));
+  other = content;
+  EXPECT_THAT(
+      read("a.ply", other.replace(other.find("vertex_ind"), 10, "somethings")).error().message,
+      testing::HasSubstr("no faces with a list of their corners"));
+}
+
+TEST_F(ReadSurface, RefusesAFaceOfMoreCornersThanAByteCounts)
+{
+  // VTK would take 300 corners for 44
+  for (const bool isText : {true, false}) {
+    std::string content = std::string("ply\nformat ") +
+                          (isText ? "ascii" : "binary_little_endian") +
+                          " 1.0\nelement vertex 300\nproperty float x\nproperty float y\n"
+                          "property float z\nelement face 1\nproperty list int int vertex_indices\n"
+                          "end_header\n";
+    const auto put = [&](auto value) {
+      if (isText)
+        content += std::to_string(value) + " ";
+      else
+        content.append(reinterpret_cast<const char*>(&value), sizeof value);
+    };
+    for (int i = 0; i < 300; ++i) {
+      put(std::cos(0.02F * static_cast<float>(i)));
+      put(std::sin(0.02F * static_cast<float>(i)));
+      put(0.0F);
+      if (isText) content += "\n";
+    }
+    put(300);
+    for (int i = 0; i < 300; ++i) put(i);
+    if (isText) content += "\n";
+    EXPECT_FALSE(read("many.ply", content)) << isText;
+  }
+}
+
+/// A tetrahedron in text.
+std::string textStl(const std::string& name, const std::string& corner = "1 2.5 -0.25")
+{
+  std::string content = "solid " + name + "\n";
+  const std::string corners[] = {"0 0 0", corner, "0 1 0", "0 0 1"};
+  for (const auto& face : {std::array{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}) {
+    content += "  facet normal 0 0 0\n    outer loop\n";
+    for (const int k : face)
+      content += "      vertex " + corners[static_cast<std::size_t>(k)] + "\n";
+    content += "    endloop\n  endfacet\n";
+  }
+  return content + "endsolid " + name + "\n";
+}
+
+TEST_F(ReadSurface, ReadsAnStlInTextByItsBodyWhateverItsName)
+{
+  const auto plain = read("plain.stl", textStl("plain"));
+  ASSERT_TRUE(plain) << plain.error().message;
+  EXPECT_EQ(plain->triangles.size(), 4u);
+  for (const char* name : {"H\xc3\xb6rschnecke", "h\xf6r", "scala, links 1,5", "", "facet",
+                           "\xe8\x9d\xb8\xe7\x89\x9b", "a\tb", "solid solid"}) {
+    const auto surface = read("name.stl", textStl(name));
+    ASSERT_TRUE(surface) << name << ": " << surface.error().message;
+    EXPECT_EQ(surface->points, plain->points) << name;
+    EXPECT_EQ(surface->triangles, plain->triangles) << name;
+  }
+}
+
+TEST_F(ReadSurface, NamesNumbersWithADecimalComma)
+{
+  const auto stl = read("comma.stl", textStl("scala", "1,25 2,5 -0,25"));
+  ASSERT_FALSE(stl);
+  EXPECT_THAT(stl.error().message,
+              testing::HasSubstr("numbers with a decimal comma, such as '1,25'"));
+  std::string content = square;
+  content.replace(content.find("2 3 1 0"), 7, "2,5 3 1 0");
+  const auto ply = read("comma.ply", content);
+  ASSERT_FALSE(ply);
+  EXPECT_THAT(ply.error().message,
+              testing::HasSubstr("numbers with a decimal comma, such as '2,5'"));
 }
 
 TEST_F(ReadSurface, RefusesAnStlThatBeginsWithWordsAndGoesOnWithACount)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "importing/ClosedSurface.h"
 #include "importing/NumberText.h"
+#include "importing/SurfaceRims.h"
 #include "mesh/Triangles.h"
 
 #include <Eigen/Geometry>
@@ -18,8 +19,6 @@ constexpr int minTriangles = 200;
 constexpr double minSide = 5e-3, maxSide = 20e-3;
 // 23 to 50 mm3 in 30 micro-CTs (Dhanasingh 2021), widened for differences in segmentation.
 constexpr double minVolume = 12e-9, maxVolume = 90e-9;
-// A longer rim is the opening, a shorter one a hole of the segmentation [m].
-constexpr double openingRim = 2e-3;
 constexpr double maxOddFraction = 0.01;  // maximum fraction of non-manifold edges
 
 using Edge = std::pair<int, int>;
@@ -104,42 +103,6 @@ double volumeOf(const Surface& surface)
   return sum;
 }
 
-/// The rims of holes, each in the order of a lid's triangles.
-std::vector<std::vector<int>> rimsOf(const Surface& surface,
-                                     const std::map<Edge, std::vector<int>>& edges)
-{
-  std::multimap<int, int> next;
-  for (const auto& [edge, triangles] : edges)
-    if (triangles.size() == 1) {
-      const auto& t = surface.triangles[static_cast<std::size_t>(triangles[0])];
-      if (runsAlong(t, edge.first, edge.second))
-        next.emplace(edge.second, edge.first);
-      else
-        next.emplace(edge.first, edge.second);
-    }
-  std::vector<std::vector<int>> rims;
-  while (!next.empty()) {
-    std::vector<int> rim;
-    auto step = next.begin();
-    while (step != next.end()) {
-      rim.push_back(step->first);
-      const int to = step->second;
-      next.erase(step);
-      step = next.find(to);
-    }
-    rims.push_back(std::move(rim));
-  }
-  return rims;
-}
-
-double lengthOf(const Surface& surface, const std::vector<int>& rim)
-{
-  double length = 0.0;
-  for (std::size_t k = 0; k < rim.size(); ++k)
-    length += (corner(surface, rim[(k + 1) % rim.size()]) - corner(surface, rim[k])).norm();
-  return length;
-}
-
 Result<Done> checkPoints(const Surface& soup)
 {
   if (soup.triangles.size() < static_cast<std::size_t>(minTriangles))
@@ -191,28 +154,21 @@ Result<ClosedSurface> closeSurface(const Surface& soup)
                  " separate pieces; it must be one. Keep the scala tympani alone."};
 
   // the longest rim is the opening, shorter ones are holes
-  std::vector<std::vector<int>> rims = rimsOf(result.surface, edges);
-  std::sort(rims.begin(), rims.end(), [&](const auto& a, const auto& b) {
-    return lengthOf(result.surface, a) > lengthOf(result.surface, b);
-  });
+  const std::vector<SurfaceRim> rims = rimsOf(result.surface);
+  if (const auto fine = checkRims(result.surface, rims); !fine) return fine.error();
   result.isLid.assign(result.surface.triangles.size(), false);
   for (std::size_t i = 0; i < rims.size(); ++i) {
-    const double length = lengthOf(result.surface, rims[i]);
-    if (i > 0 && length > openingRim)
-      return Error{"The surface has more than one opening: rims of " +
-                   inText(1e3 * lengthOf(result.surface, rims[0]), "%.2f") + " and " +
-                   inText(1e3 * length, "%.2f") +
-                   " mm. Only the round window may be open; close the other."};
-    const bool isOpening = i == 0 && length > openingRim;
+    const std::vector<int>& rim = rims[i].corners;
+    const bool isOpening = i == 0 && rims[i].length > openingRim;
     Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-    for (const int index : rims[i]) middle += corner(result.surface, index);
-    middle /= static_cast<double>(rims[i].size());
+    for (const int index : rim) middle += corner(result.surface, index);
+    middle /= static_cast<double>(rim.size());
     const int name = static_cast<int>(result.surface.points.size());
     result.surface.points.push_back({middle.x(), middle.y(), middle.z()});
-    for (std::size_t k = 0; k < rims[i].size(); ++k) {
-      result.surface.triangles.push_back({rims[i][k], rims[i][(k + 1) % rims[i].size()], name});
+    for (std::size_t k = 0; k < rim.size(); ++k) {
+      result.surface.triangles.push_back({rim[k], rim[(k + 1) % rim.size()], name});
       result.isLid.push_back(isOpening);
-      if (isOpening) result.rim.push_back(corner(result.surface, rims[i][k]));
+      if (isOpening) result.rim.push_back(corner(result.surface, rim[k]));
     }
   }
 

@@ -24,6 +24,9 @@ constexpr double minTurns = 1.25;  // fewer do not determine the axis and the ra
 // Human scalae have up to three turns; more indicates a closed ring or a ball.
 constexpr double maxTurns = 3.5;
 
+// Scalae open at the round window have 0.7 to 0.8 mm, and holes in their walls more than 5 mm [m].
+constexpr double maxOffBase = 2.5e-3;
+
 double polar(const Eigen::Vector3d& point) { return arcTangent(point.y(), point.x()); }
 
 double radius(const Eigen::Vector3d& point)
@@ -76,6 +79,22 @@ RoundWindow roundWindowAtEnd(const AxisFrame& frame, const AxialSection& first)
   return {frame.outOf({first.centerRadius * turn.cosine, first.centerRadius * turn.sine,
                        first.centerHeight}),
           first.angle, first.outerRadius, first.floorHeight, first.roofHeight};
+}
+
+/// Refuses an opening that is not at the basal end of the duct: a hole in its wall, which a closed
+/// surface would be measured from.
+Result<Done> checkAtBase(const SurfaceOpening& opening, const RoundWindow& window,
+                         const AxisFrame& frame, const AxialSection& first)
+{
+  const Eigen::Vector3d base = roundWindowAtEnd(frame, first).center;
+  const double off = std::min((opening.center - base).norm(), (window.center - base).norm());
+  if (off <= maxOffBase) return Done{};
+  const Eigen::Vector3d place = 1e3 * opening.center;
+  return Error{"The surface has a hole at (" + inText(place.x(), "%.2f") + ", " +
+               inText(place.y(), "%.2f") + ", " + inText(place.z(), "%.2f") + ") mm, " +
+               inText(1e3 * off, "%.1f") +
+               " mm from the basal end of its duct, where only the round window may be open. Close "
+               "it in the segmentation program."};
 }
 
 /// Along the duct at its first section, from the third one on.
@@ -139,6 +158,9 @@ Result<ImportedScala> importScala(const Surface& segmented)
   if (isOpen) opening = openingOf(*closed);
   const RoundWindow window = isOpen ? roundWindowAtRim(*closed, opening, *axis, duct)
                                     : roundWindowAtEnd(*axis, duct.front());
+  if (isOpen)
+    if (const auto fine = checkAtBase(opening, window, *axis, duct.front()); !fine)
+      return fine.error();
   const double last = duct.back().angle - window.angle;
   if (last < 2.0 * pi * minTurns)
     return Error{"The duct winds " + inText(last / (2.0 * pi), "%.2f") +

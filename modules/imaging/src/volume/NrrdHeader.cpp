@@ -1,44 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <Eigen/Core>
 #include <algorithm>
-#include <cctype>
-#include <charconv>
+#include <array>
+#include <cmath>
 #include <fstream>
+#include <limits>
 #include <map>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <vector>
 
+#include "../statements/VolumePairs.h"
+#include "HeaderText.h"
 #include "VolumeFile.h"
+#include "VolumeGeometry.h"
 
 namespace perilymph::imaging {
 namespace {
-
-constexpr std::size_t maxHeader = 1u << 16;
-
-std::string lower(std::string text)
-{
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
-
-/// Numbers of a text between parentheses and commas; none where a word is no number.
-std::vector<double> numbersIn(const std::string& text)
-{
-  std::vector<double> numbers;
-  std::string spaced = text;
-  for (char& c : spaced)
-    if (c == '(' || c == ')' || c == ',') c = ' ';
-  std::istringstream words(spaced);
-  for (std::string word; words >> word;) {
-    double number = 0.0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-    if (error != std::errc{} || end != word.data() + word.size()) return {};
-    numbers.push_back(number);
-  }
-  return numbers;
-}
 
 /// Signs that turn the file's space into LPS; none for a space without left and right.
 std::optional<Eigen::Vector3d> signsOf(const std::string& space)
@@ -49,7 +27,7 @@ std::optional<Eigen::Vector3d> signsOf(const std::string& space)
   return std::nullopt;
 }
 
-std::optional<VoxelType> typeOf(const std::string& name)
+std::optional<VoxelType> nrrdType(const std::string& name)
 {
   static const std::map<std::string, VoxelType> types = {
       {"signed char", VoxelType::int8},    {"int8", VoxelType::int8},
@@ -70,32 +48,194 @@ std::optional<VoxelType> typeOf(const std::string& name)
   return found->second;
 }
 
-using Fields = std::map<std::string, std::string>;
-
-/// The fields of the header, and where the voxels begin; empty where there is no whole header.
-Fields fieldsOf(const std::filesystem::path& file, std::size_t& end)
+/// Adds a line's field; false if it is none or contradicts an earlier one.
+bool addLine(const std::string& line, const std::string& subject, HeaderFields& fields)
 {
-  std::ifstream stream(file, std::ios::binary);
-  std::string content(maxHeader, '\0');
-  stream.read(content.data(), static_cast<std::streamsize>(content.size()));
-  content.resize(static_cast<std::size_t>(stream.gcount()));
-  if (content.rfind("NRRD000", 0) != 0) return {};
-  Fields fields;
-  for (std::size_t start = 0; start < content.size();) {
-    const std::size_t stop = content.find('\n', start);
-    if (stop == std::string::npos) return {};
-    std::string line = content.substr(start, stop - start);
-    if (!line.empty() && line.back() == '\r') line.pop_back();
-    start = stop + 1;
-    if (line.empty()) {
-      end = start;
-      return fields;
-    }
-    const std::size_t colon = line.find(": ");
-    if (line[0] != '#' && colon != std::string::npos && line.find(":=") == std::string::npos)
-      fields[lower(line.substr(0, colon))] = line.substr(colon + 2);
+  const std::size_t field = line.find(": "), pair = line.find(":=");
+  // key:=value pairs are the user's
+  const bool isPair = pair != std::string::npos && (field == std::string::npos || pair < field);
+  if (line.empty() || line.starts_with('#') || line.starts_with("NRRD000") || isPair) return true;
+  if (field == std::string::npos) {
+    fields.conflict =
+        subject + " is damaged: a line of its header is no field. Copy or export it again.";
+    return false;
   }
-  return {};
+  return fields.add(line.substr(0, field), line.substr(field + 2), subject, nrrd::field);
+}
+
+/// The fields of the header; none where there is no whole header. A detached one ends with the file,
+/// or an empty line.
+std::optional<HeaderFields> nrrdFields(const std::filesystem::path& file)
+{
+  const std::string content = headOf(file);
+  if (content.rfind("NRRD000", 0) != 0) return std::nullopt;
+  HeaderFields fields;
+  while (const auto line = lineAt(content, fields.end)) {
+    fields.end = line->end;
+    if (line->text.empty() || !addLine(line->text, file.string(), fields)) return fields;
+  }
+  addLine(content.substr(fields.end), file.string(), fields);
+  fields.end = content.size();
+  return fields.has("datafile") ? std::optional(fields) : std::nullopt;
+}
+
+/// Sentences of an NRRD's refusal.
+class NrrdRefusal {
+public:
+  explicit NrrdRefusal(const std::filesystem::path& file) : name_(file.string()) {}
+  Error operator()(const std::string& why) const
+  {
+    return Error{name_ + " " + why + " Export the CT as NRRD with its voxels in the file."};
+  }
+
+private:
+  std::string name_;
+};
+
+/// Millimeters of the unit of each direction in space, as the header states them.
+struct Units {
+  Eigen::Vector3d millimeters = Eigen::Vector3d::Ones();
+  std::string text = "not stated and taken as the millimeter";
+};
+
+Result<Units> unitsOf(const HeaderFields& fields, const std::string& name)
+{
+  Units units;
+  for (const char* const field : {"spaceunits", "units"}) {
+    const auto words = wordsOf(fields.text(field));
+    if (words.empty()) continue;
+    Eigen::Vector3d found = Eigen::Vector3d::Ones();
+    for (std::size_t axis = 0; axis < words.size(); ++axis) {
+      if (words[axis].empty() || words[axis] == "???") continue;
+      const auto millimeters = millimetersOf(words[axis]);
+      if (!millimeters || words.size() != 3)
+        return Error{name + " states its unit of length as " + fields.text(field) +
+                     "; millimeters, centimeters, meters and micrometers are read, one for each of "
+                     "three axes. Export it again in millimeters."};
+      found[static_cast<Eigen::Index>(axis)] = *millimeters;
+    }
+    if (fields.has("spaceunits") && std::string(field) == "units" && found != units.millimeters)
+      return Error{*disagreement(name, nrrd::unit, fields.text("spaceunits"), fields.text(field))};
+    units.millimeters = found;
+    units.text =
+        fields.text(field) + " (" + (std::string(field) == "units" ? field : "space units") + ")";
+  }
+  return units;
+}
+
+/// Refuses numbers per axis that state another voxel size than the directions; a NaN states none.
+Result<Done> checkSpacings(const HeaderFields& fields, const std::string& name,
+                           const Eigen::Vector3d& lengths, const VolumeFile& volume,
+                           const Eigen::Vector3d& unit_mm)
+{
+  const std::vector<double> spacings = fields.numbers("spacings"),
+                            mins = fields.numbers("axismins"), maxs = fields.numbers("axismaxs");
+  for (const auto& [field, numbers] :
+       {std::pair("spacings", spacings), std::pair("axismins", mins), std::pair("axismaxs", maxs)})
+    if (fields.has(field) && numbers.size() != 3)
+      return Error{name + " has a field '" + field +
+                   "' that is not one number for each of its three axes: '" + fields.text(field) +
+                   "'. Export it again."};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto a = static_cast<Eigen::Index>(axis);
+    if (!spacings.empty() && !std::isnan(spacings[axis]))
+      if (const auto differs = disagreement(name, nrrd::voxelSize, lengths[a],
+                                            unit_mm[a] * std::fabs(spacings[axis]), alongAxis(a)))
+        return Error{*differs};
+    if (mins.empty() || maxs.empty() || std::isnan(mins[axis]) || std::isnan(maxs[axis])) continue;
+    // from center to center, or from edge to edge
+    const double extent = unit_mm[a] * std::fabs(maxs[axis] - mins[axis]);
+    const auto node = disagreement(name, nrrd::extent, lengths[a], extent / (volume.size[axis] - 1),
+                                   alongAxis(a));
+    if (node && disagreement(name, nrrd::extent, lengths[a], extent / volume.size[axis]))
+      return Error{*node};
+  }
+  return Done{};
+}
+
+Result<Done> nrrdMatrix(const HeaderFields& fields, const std::filesystem::path& file,
+                        VolumeFile& volume)
+{
+  const NrrdRefusal refuse(file);
+  const std::string name = file.string();
+  const auto signs = signsOf(fields.word("space"));
+  const std::vector<double> directions = fields.numbers("spacedirections");
+  const std::vector<double> origin = fields.numbers("spaceorigin");
+  if (!signs || directions.size() != 9 || origin.size() != 3)
+    return refuse(
+        "has no space, directions and origin in the patient, so left and right are not known.");
+  if (fields.has("spacedimension"))
+    if (const auto differs =
+            disagreement(name, nrrd::dimensions, "3", fields.text("spacedimension")))
+      return Error{*differs};
+  const auto units = unitsOf(fields, name);
+  if (!units) return units.error();
+  for (std::size_t row = 0; row < 3; ++row) {
+    const auto r = static_cast<Eigen::Index>(row);
+    const double scale = (*signs)[r] * units->millimeters[r];
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      volume.lps_PI(r, static_cast<Eigen::Index>(axis)) = scale * directions[3 * axis + row];
+    volume.lps_PI(r, 3) = scale * origin[row];
+  }
+  if (const auto done = checkVoxels(file, volume.lps_PI, units->text); !done) return done;
+  const Eigen::Vector3d lengths = volume.lps_PI.topLeftCorner<3, 3>().colwise().norm().transpose();
+  return checkSpacings(fields, name, lengths, volume, units->millimeters);
+}
+
+Result<Done> nrrdSize(const HeaderFields& fields, const std::filesystem::path& file,
+                      VolumeFile& volume)
+{
+  const NrrdRefusal refuse(file);
+  const std::vector<double> sizes = fields.numbers("sizes");
+  if (fields.text("dimension") != "3" || sizes.size() != 3)
+    return refuse("holds no volume of three dimensions.");
+  if (const auto done = checkVolumeSize(file, {sizes[0], sizes[1], sizes[2]}); !done) return done;
+  for (std::size_t axis = 0; axis < 3; ++axis) volume.size[axis] = static_cast<int>(sizes[axis]);
+  if (fields.has("number")) {
+    const std::vector<double> number = fields.numbers("number");
+    if (const auto differs =
+            disagreement(file.string(), nrrd::voxelCount, sizes[0] * sizes[1] * sizes[2],
+                         number.size() == 1 ? number[0] : std::numeric_limits<double>::quiet_NaN()))
+      return Error{*differs};
+  }
+  for (const std::string& kind : wordsOf(fields.word("kinds")))
+    if (kind != "domain" && kind != "space" && kind != "none" && kind != "???")
+      return refuse("has an axis of the kind '" + kind + "', which is none in space.");
+  return Done{};
+}
+
+/// Where the voxels are: behind the header, or in the file that it names.
+Result<Done> nrrdVoxelPlace(const HeaderFields& fields, const std::filesystem::path& file,
+                            VolumeFile& volume)
+{
+  const NrrdRefusal refuse(file);
+  volume.voxelFile = file;
+  volume.from = fields.end;
+  if (fields.has("datafile")) {
+    const auto beside = besideHeader(file, fields.text("datafile"));
+    if (!beside || fields.word("datafile").starts_with("list") ||
+        fields.text("datafile").find('%') != std::string::npos)
+      return refuse("keeps its voxels in '" + fields.text("datafile") +
+                    "'; they are read from one file in the header's folder.");
+    volume.voxelFile = *beside;
+    volume.from = 0;
+  }
+  const std::string encoding = fields.word("encoding");
+  if (encoding == "gzip" || encoding == "gz")
+    volume.packing = Packing::required;
+  else if (encoding != "raw")
+    return refuse("is encoded as '" + encoding + "'; raw and gzip are read.");
+  // 0 skips nothing; lines and what is counted from the end are rare and ambiguous
+  const std::vector<double> lines = fields.numbers("lineskip"), bytes = fields.numbers("byteskip");
+  const auto isWrong = [&fields](const char* field, const std::vector<double>& numbers,
+                                 double largest) {
+    return fields.has(field) && (numbers.size() != 1 || !(numbers[0] >= 0.0) ||
+                                 numbers[0] > largest || numbers[0] != std::floor(numbers[0]));
+  };
+  if (isWrong("lineskip", lines, 0.0) || isWrong("byteskip", bytes, 1e9))
+    return refuse("skips a part of its voxels.");
+  if (!bytes.empty()) volume.skipped = static_cast<std::size_t>(bytes[0]);
+  return Done{};
 }
 
 }  // namespace
@@ -104,49 +244,26 @@ Result<VolumeFile> readNrrdHeader(const std::filesystem::path& file)
 {
   VolumeFile volume;
   volume.format = "NRRD";
-  Fields fields = fieldsOf(file, volume.firstByte);
-  const auto refuse = [&file](const std::string& why) {
-    return Error{file.string() + " " + why + " Export the CT as NRRD with its voxels in the file."};
-  };
-  if (fields.empty()) return refuse("is no NRRD file with a whole header.");
-  if (fields.contains("data file") || fields.contains("datafile"))
-    return refuse("keeps its voxels in another file.");
-  const std::vector<double> sizes = numbersIn(fields["sizes"]);
-  if (fields["dimension"] != "3" || sizes.size() != 3)
-    return refuse("holds no volume of three dimensions.");
-  if (const auto done = checkVolumeSize(file, {sizes[0], sizes[1], sizes[2]}); !done)
-    return done.error();
-  for (std::size_t axis = 0; axis < 3; ++axis) volume.size[axis] = static_cast<int>(sizes[axis]);
-  const auto type = typeOf(lower(fields["type"]));
+  volume.bytes = &nrrd::bytes;
+  const NrrdRefusal refuse(file);
+  const auto fields = nrrdFields(file);
+  if (!fields) return refuse("is no NRRD file with a whole header.");
+  if (!fields->conflict.empty()) return Error{fields->conflict};
+  if (const auto done = nrrdSize(*fields, file, volume); !done) return done.error();
+  const auto type = nrrdType(fields->word("type"));
   if (!type) return refuse("holds voxels that are no gray values.");
-  volume.type = *type;
-  const std::string endian = lower(fields["endian"]);
+  volume.coding.type = *type;
+  const std::string endian = fields->word("endian");
   if (bytesOf(*type) > 1 && endian != "little" && endian != "big")
     return refuse("does not say the order of its bytes.");
-  volume.isBigEndian = endian == "big";
-
-  const auto signs = signsOf(lower(fields["space"]));
-  const std::vector<double> directions = numbersIn(fields["space directions"]);
-  const std::vector<double> origin = numbersIn(fields["space origin"]);
-  if (!signs || directions.size() != 9 || origin.size() != 3)
-    return refuse(
-        "has no space, directions and origin in the patient, so left and right are not known.");
-  for (std::size_t row = 0; row < 3; ++row) {
-    const auto r = static_cast<Eigen::Index>(row);
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      volume.lps_PI(r, static_cast<Eigen::Index>(axis)) = (*signs)[r] * directions[3 * axis + row];
-    volume.lps_PI(r, 3) = (*signs)[r] * origin[row];
-  }
-
-  const std::string encoding = lower(fields["encoding"]);
-  if (encoding == "gzip" || encoding == "gz") {
-    volume.packedFrom = volume.firstByte;
-    volume.firstByte = 0;
-  } else if (encoding != "raw") {
-    return refuse("is encoded as '" + encoding + "'; raw and gzip are read.");
-  }
-  if (fields.contains("line skip") || fields.contains("byte skip"))
-    return refuse("skips a part of its voxels.");
+  volume.coding.isBigEndian = endian == "big";
+  if (const auto done = nrrdMatrix(*fields, file, volume); !done) return done.error();
+  if (const auto done = nrrdVoxelPlace(*fields, file, volume); !done) return done.error();
+  if (fields->has("oldmin") || fields->has("oldmax"))
+    volume.warnings.push_back(
+        *disagreement("The file", nrrd::grayValues, "as stored",
+                      "'" + fields->text("oldmin") + "' to '" + fields->text("oldmax") + "'"));
+  if (const auto done = checkDataLength(file, volume); !done) return done.error();
   return volume;
 }
 

@@ -1,24 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RawVoxels.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-#include <zlib.h>
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <limits>
-#include <memory>
-
-#include "../dicom/DicomFiles.h"
+#include <string>
 
 namespace perilymph::imaging {
 namespace {
 
 constexpr double maxClippedFraction = 1e-3;
 constexpr double minSpan = 100.0;
-constexpr std::size_t chunk = std::size_t{1} << 22;
 
 template <class Value, class Bits>
 double valueAt(const char* place, bool isBigEndian)
@@ -57,36 +49,6 @@ Reader readerOf(VoxelType type)
   return valueAt<double, std::uint64_t>;
 }
 
-using GzipFile = std::unique_ptr<gzFile_s, int (*)(gzFile)>;
-
-Error unreadable(const std::filesystem::path& file)
-{
-  return Error{file.string() + " cannot be read. Check its name and permissions."};
-}
-
-Error cutOff(const std::filesystem::path& file)
-{
-  return Error{file.string() + " is cut off or damaged. Copy or export it again."};
-}
-
-Result<std::string> readOpen(gzFile_s& open, const std::filesystem::path& file, std::size_t count,
-                             const ReadingHooks& hooks)
-{
-  std::string bytes;
-  while (bytes.size() < count) {
-    if (hooks.isCanceled && hooks.isCanceled()) return canceledReading();
-    const std::size_t before = bytes.size();
-    const std::size_t wanted = std::min(chunk, count - before);
-    bytes.resize(before + wanted);
-    if (gzread(&open, bytes.data() + before, static_cast<unsigned>(wanted)) !=
-        static_cast<int>(wanted))
-      return cutOff(file);
-    if (hooks.onProgress)
-      hooks.onProgress(static_cast<double>(bytes.size()) / static_cast<double>(count));
-  }
-  return bytes;
-}
-
 }  // namespace
 
 std::size_t bytesOf(VoxelType type)
@@ -108,61 +70,44 @@ std::size_t bytesOf(VoxelType type)
   return 8;
 }
 
-Result<std::string> readBytes(const std::filesystem::path& file, std::size_t from,
-                              std::size_t count, const ReadingHooks& hooks)
-{
-  // zlib reads files that are not packed as they are.
-  const GzipFile open(gzopen(file.c_str(), "rb"), gzclose);
-  if (!open) return unreadable(file);
-  if (gzseek(open.get(), static_cast<z_off_t>(from), SEEK_SET) < 0) return cutOff(file);
-  return readOpen(*open, file, count, hooks);
-}
-
-Result<std::string> readPackedBytes(const std::filesystem::path& file, std::size_t packedFrom,
-                                    std::size_t count, const ReadingHooks& hooks)
-{
-  const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) return unreadable(file);
-  ::lseek(descriptor, static_cast<off_t>(packedFrom), SEEK_SET);
-  const GzipFile open(gzdopen(descriptor, "rb"), gzclose);
-  if (!open) {
-    ::close(descriptor);
-    return unreadable(file);
-  }
-  if (gzdirect(open.get()) != 0) return cutOff(file);
-  return readOpen(*open, file, count, hooks);
-}
-
-Result<std::vector<std::int16_t>> toVoxels(const std::string& bytes, VoxelType type,
-                                           bool isBigEndian, double slope, double intercept)
+void VoxelConverter::add(const char* bytes, std::size_t count, std::int16_t* to)
 {
   constexpr double low = std::numeric_limits<std::int16_t>::min();
   constexpr double high = std::numeric_limits<std::int16_t>::max();
-  const std::size_t size = bytesOf(type);
-  const Reader read = readerOf(type);
-  std::vector<std::int16_t> voxels(bytes.size() / size);
-  std::size_t clipped = 0;
-  double smallest = std::numeric_limits<double>::infinity(), largest = -smallest;
-  for (std::size_t i = 0; i < voxels.size(); ++i) {
-    const double value = slope * read(bytes.data() + i * size, isBigEndian) + intercept;
-    if (!std::isfinite(value))
-      return Error{
-          "It holds voxels that are not finite numbers. Export the volume as 16-bit Hounsfield "
-          "units."};
-    smallest = std::min(smallest, value);
-    largest = std::max(largest, value);
-    clipped += value < low || value > high ? 1 : 0;
-    voxels[i] = static_cast<std::int16_t>(std::clamp(std::round(value), low, high));
+  const std::size_t size = bytesOf(coding_.type);
+  const Reader read = readerOf(coding_.type);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double value =
+        coding_.slope * read(bytes + i * size, coding_.isBigEndian) + coding_.intercept;
+    if (!std::isfinite(value)) {
+      isFinite_ = false;
+      return;
+    }
+    smallest_ = std::min(smallest_, value);
+    largest_ = std::max(largest_, value);
+    clipped_ += value < low || value > high ? 1 : 0;
+    if (to) to[i] = static_cast<std::int16_t>(std::clamp(std::round(value), low, high));
   }
-  if (static_cast<double>(clipped) > maxClippedFraction * static_cast<double>(voxels.size()))
-    return Error{std::to_string(clipped) +
+  count_ += count;
+}
+
+bool VoxelConverter::spansEnough() const noexcept { return largest_ - smallest_ >= minSpan; }
+
+Result<Done> VoxelConverter::check() const
+{
+  if (!isFinite_)
+    return Error{
+        "It holds voxels that are not finite numbers. Export the volume as 16-bit Hounsfield "
+        "units."};
+  if (static_cast<double>(clipped_) > maxClippedFraction * static_cast<double>(count_))
+    return Error{std::to_string(clipped_) +
                  " voxels lie beyond -32768 to 32767, which 16 bits hold. Export the volume as "
                  "Hounsfield units."};
-  if (!(largest - smallest >= minSpan))
+  if (!spansEnough())
     return Error{
         "Its intensities span less than 100, so they are no Hounsfield units: a mask, a label or a "
         "normalized volume. Export the CT itself."};
-  return voxels;
+  return Done{};
 }
 
 }  // namespace perilymph::imaging

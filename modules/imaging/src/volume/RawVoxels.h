@@ -5,12 +5,9 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
-#include <string>
-#include <vector>
+#include <limits>
 
 #include "perilymph/foundation/Result.h"
-#include "perilymph/imaging/CtSeries.h"
 
 namespace perilymph::imaging {
 
@@ -18,23 +15,35 @@ enum class VoxelType { int8, uint8, int16, uint16, int32, uint32, float32, float
 
 std::size_t bytesOf(VoxelType type);
 
-/// Reads bytes of a file, which may be gzipped as a whole.
-///
-/// Refuses files that end before the last byte, and damaged gzip streams.
-///
-/// @param from  First byte, in what is unpacked.
-Result<std::string> readBytes(const std::filesystem::path& file, std::size_t from,
-                              std::size_t count, const ReadingHooks& hooks);
+/// How voxels are stored.
+struct VoxelCoding {
+  VoxelType type = VoxelType::int16;
+  bool isBigEndian = false;
+  double slope = 1.0, intercept = 0.0;
+};
 
-/// The same for a file that is gzipped from a byte on, behind a header in plain text.
-Result<std::string> readPackedBytes(const std::filesystem::path& file, std::size_t packedFrom,
-                                    std::size_t count, const ReadingHooks& hooks);
+/// Converts voxels to 16 bits as they come: slope times value plus intercept, rounded.
+class VoxelConverter {
+public:
+  explicit VoxelConverter(const VoxelCoding& coding) : coding_(coding) {}
 
-/// Bytes to 16 bits: slope times value plus intercept, rounded.
-///
-/// Refuses values that are not finite, more than a thousandth beyond 16 bits, and intensities that
-/// span less than 100, which cannot be Hounsfield units.
-Result<std::vector<std::int16_t>> toVoxels(const std::string& bytes, VoxelType type,
-                                           bool isBigEndian, double slope, double intercept);
+  /// @param to  Where `count` voxels go; null to look at them only.
+  void add(const char* bytes, std::size_t count, std::int16_t* to);
+
+  /// Refuses values that are not finite, more than a thousandth beyond 16 bits, and intensities
+  /// that span less than 100, which cannot be Hounsfield units. Without a subject.
+  Result<Done> check() const;
+
+  bool isFinite() const noexcept { return isFinite_; }
+  bool spansEnough() const noexcept;
+  double smallest() const noexcept { return smallest_; }
+  double largest() const noexcept { return largest_; }
+
+private:
+  VoxelCoding coding_;
+  std::size_t count_ = 0, clipped_ = 0;
+  bool isFinite_ = true;
+  double smallest_ = std::numeric_limits<double>::infinity(), largest_ = -smallest_;
+};
 
 }  // namespace perilymph::imaging

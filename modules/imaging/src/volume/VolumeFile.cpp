@@ -3,14 +3,89 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
-#include <string>
 #include <utility>
 
 #include "../SeriesScore.h"
+#include "../dicom/DicomFiles.h"
+#include "../statements/VolumePairs.h"
 #include "perilymph/foundation/Sha256.h"
 
 namespace perilymph::imaging {
+namespace {
+
+// At once: a multiple of every type's size.
+constexpr std::size_t chunkBytes = std::size_t{1} << 22;
+// Voxels that may be stored before their span is known, 64 MB; and that are looked at for it.
+constexpr std::size_t smallVolume = std::size_t{1} << 25, seenForSpan = std::size_t{1} << 26;
+
+Result<ByteSource> openVoxels(const VolumeFile& volume)
+{
+  auto source = ByteSource::open(volume.voxelFile, volume.from, volume.packing);
+  if (!source) return source;
+  if (const auto done = source->skip(volume.skipped); !done) return done.error();
+  return source;
+}
+
+Error wrongLength(const std::filesystem::path& file, const VolumeFile& volume, std::size_t stated,
+                  const std::string& found)
+{
+  return Error{
+      *disagreement(file.string(), *volume.bytes, std::to_string(stated) + " bytes", found)};
+}
+
+/// Fills up to `count` bytes; refuses less.
+Result<Done> readAll(ByteSource& source, char* to, std::size_t before, std::size_t count,
+                     const std::filesystem::path& file, const VolumeFile& volume)
+{
+  std::size_t done = 0;
+  while (done < count) {
+    const auto got = source.read(to + done, count - done);
+    if (!got) return got.error();
+    if (*got == 0)
+      return wrongLength(file, volume, voxelBytesOf(volume),
+                         std::to_string(before + done) + " bytes");
+    done += *got;
+  }
+  return Done{};
+}
+
+/// Refuses a large volume without contrast before there is memory for its voxels.
+Result<Done> checkSpan(const std::filesystem::path& file, const VolumeFile& volume,
+                       const ReadingHooks& hooks)
+{
+  const std::size_t size = bytesOf(volume.coding.type);
+  const std::size_t count = std::min(voxelBytesOf(volume) / size, seenForSpan) * size;
+  auto source = openVoxels(volume);
+  if (!source) return source.error();
+  VoxelConverter seen(volume.coding);
+  std::string chunk(chunkBytes, '\0');
+  for (std::size_t at = 0; at < count && !seen.spansEnough() && seen.isFinite();) {
+    if (hooks.isCanceled && hooks.isCanceled()) return canceledReading();
+    const std::size_t wanted = std::min(chunkBytes, count - at);
+    if (const auto done = readAll(*source, chunk.data(), at, wanted, file, volume); !done)
+      return done;
+    seen.add(chunk.data(), wanted / size, nullptr);
+    at += wanted;
+  }
+  const auto checked = seen.check();
+  if (!checked && (!seen.isFinite() || !seen.spansEnough()))
+    return Error{file.string() + ": " + checked.error().message};
+  return Done{};
+}
+
+/// Refuses bytes behind the voxels.
+Result<Done> checkEnd(ByteSource& source, std::string& chunk, std::size_t stated,
+                      const std::filesystem::path& file, const VolumeFile& volume)
+{
+  const auto more = source.read(chunk.data(), chunkBytes);
+  if (!more) return more.error();
+  if (*more == 0) return Done{};
+  return wrongLength(
+      file, volume, stated,
+      (*more == chunkBytes ? "more than " : "") + std::to_string(stated + *more) + " bytes");
+}
+
+}  // namespace
 
 std::optional<Result<VolumeFile>> readVolumeHeader(const std::filesystem::path& file)
 {
@@ -18,24 +93,31 @@ std::optional<Result<VolumeFile>> readVolumeHeader(const std::filesystem::path& 
   std::transform(name.begin(), name.end(), name.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   if (name.ends_with(".nii") || name.ends_with(".nii.gz")) return readNiftiHeader(file);
-  if (name.ends_with(".nrrd")) return readNrrdHeader(file);
+  if (name.ends_with(".nrrd") || name.ends_with(".nhdr")) return readNrrdHeader(file);
+  if (name.ends_with(".mha") || name.ends_with(".mhd")) return readMetaHeader(file);
   return std::nullopt;
 }
 
-Result<Done> checkVolumeSize(const std::filesystem::path& file, const std::array<double, 3>& size)
+std::size_t voxelBytesOf(const VolumeFile& volume)
 {
-  double voxels = 1.0;
-  for (const double along : size) {
-    if (!(along >= 2.0 && along <= 65'535.0) || along != std::floor(along))
-      return Error{file.string() +
-                   " holds no volume: each of its sizes must be 2 to 65535. Export it again."};
-    voxels *= along;
+  std::size_t bytes = bytesOf(volume.coding.type);
+  for (const int along : volume.size) bytes *= static_cast<std::size_t>(along);
+  return bytes;
+}
+
+Result<Done> checkDataLength(const std::filesystem::path& file, const VolumeFile& volume)
+{
+  const auto source = ByteSource::open(volume.voxelFile, volume.from, volume.packing);
+  if (!source) return source.error();
+  const std::uintmax_t stated = voxelBytesOf(volume), there = source->fileBytes();
+  if (source->isPacked()) {
+    if (stated + volume.skipped <= maxInflation * there) return Done{};
+    return wrongLength(file, volume, stated,
+                       "at most " + std::to_string(maxInflation * there) + " bytes");
   }
-  if (voxels > static_cast<double>(maxCtVoxels))
-    return Error{file.string() + " has " + std::to_string(std::lround(voxels / 1e6)) +
-                 " million voxels; at most " + std::to_string(maxCtVoxels / 1'000'000) +
-                 " million are read. Export the region of the temporal bone."};
-  return Done{};
+  const std::uintmax_t found = there - std::min<std::uintmax_t>(there, volume.skipped);
+  if (found == stated) return Done{};
+  return wrongLength(file, volume, stated, std::to_string(found) + " bytes");
 }
 
 CtSeries describeVolume(const VolumeFile& volume)
@@ -44,6 +126,7 @@ CtSeries describeVolume(const VolumeFile& volume)
   series.format = volume.format;
   series.size = volume.size;
   series.spacing_mm = volume.lps_PI.topLeftCorner<3, 3>().colwise().norm().transpose();
+  series.warnings = volume.warnings;
   addSizeWarnings(series);
   series.score = scoreOf(series, false);
   return series;
@@ -52,20 +135,38 @@ CtSeries describeVolume(const VolumeFile& volume)
 Result<LoadedCt> readVolumeFile(const std::filesystem::path& file, const VolumeFile& volume,
                                 const ReadingHooks& hooks)
 {
-  std::size_t count = 1;
-  for (const int along : volume.size) count *= static_cast<std::size_t>(along);
-  const std::size_t size = count * bytesOf(volume.type);
-  const auto bytes = volume.packedFrom > 0 ? readPackedBytes(file, volume.packedFrom, size, hooks)
-                                           : readBytes(file, volume.firstByte, size, hooks);
-  if (!bytes) return bytes.error();
-  auto voxels = toVoxels(*bytes, volume.type, volume.isBigEndian, volume.slope, volume.intercept);
-  if (!voxels) return Error{file.string() + ": " + voxels.error().message};
+  const std::size_t size = bytesOf(volume.coding.type), stated = voxelBytesOf(volume);
+  if (const auto done = checkDataLength(file, volume); !done) return done.error();
+  if (stated / size > smallVolume)
+    if (const auto done = checkSpan(file, volume, hooks); !done) return done.error();
+  auto source = openVoxels(volume);
+  if (!source) return source.error();
+  std::vector<std::int16_t> voxels(stated / size);
+  std::string chunk(chunkBytes, '\0');
+  VoxelConverter converter(volume.coding);
+  Sha256 hash;  // without a UID, what the file holds is its fingerprint
+  for (std::size_t at = 0; at < stated;) {
+    if (hooks.isCanceled && hooks.isCanceled()) return canceledReading();
+    const std::size_t wanted = std::min(chunkBytes, stated - at);
+    if (const auto done = readAll(*source, chunk.data(), at, wanted, file, volume); !done)
+      return done.error();
+    hash.add(std::string_view(chunk.data(), wanted));
+    converter.add(chunk.data(), wanted / size, voxels.data() + at / size);
+    at += wanted;
+    if (hooks.onProgress) hooks.onProgress(static_cast<double>(at) / static_cast<double>(stated));
+  }
+  if (const auto done = checkEnd(*source, chunk, stated, file, volume); !done) return done.error();
+  if (const auto done = converter.check(); !done)
+    return Error{file.string() + ": " + done.error().message};
   CtSeries series = describeVolume(volume);
-  // Without a UID, what the file holds is its fingerprint.
-  Sha256 hash;
-  hash.add(std::string_view(*bytes));
+  if (volume.grayRange)
+    for (std::size_t end = 0; end < 2; ++end)
+      if (const auto differs = disagreement(
+              "The file", meta::grayValues, end == 0 ? converter.smallest() : converter.largest(),
+              (*volume.grayRange)[end], end == 0 ? ", the smallest," : ", the largest,"))
+        series.warnings.push_back(*differs);
   series.key = hash.hex();
-  auto made = ct::CtVolume::make(volume.size, volume.lps_PI, *std::move(voxels),
+  auto made = ct::CtVolume::make(volume.size, volume.lps_PI, std::move(voxels),
                                  {series.key, "", volume.format, {}});
   if (!made) return Error{file.string() + ": " + made.error().message};
   return LoadedCt{*std::move(made), std::move(series)};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "perilymph/imaging/VolumeWriter.h"
 
+#include <vtkImageFlip.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNIFTIImageWriter.h>
 #include <vtkNew.h>
@@ -61,11 +62,21 @@ bool writeNrrd(const ct::CtVolume& volume, const fs::path& file)
 bool writeNifti(const ct::CtVolume& volume, const fs::path& file)
 {
   const Eigen::Vector3d spacing = volume.spacing_mm();
-  const auto image = imageOf(volume);
-  image->SetSpacing(spacing.x(), spacing.y(), spacing.z());
+  vtkSmartPointer<vtkImageData> image = imageOf(volume);
   // NIfTI is RAS, and VTK's matrix takes millimeters, not indices
   Eigen::Matrix4d ras = volume.lpsFromIndex();
   ras.topRows<2>() = -ras.topRows<2>();
+  vtkNew<vtkImageFlip> reversed;
+  if (ras.topLeftCorner<3, 3>().determinant() < 0.0) {
+    // from the last slice on: VTK 9.1 writes another QForm than SForm of left-handed axes
+    ras.block<3, 1>(0, 3) += (volume.size()[2] - 1) * ras.block<3, 1>(0, 2);
+    ras.block<3, 1>(0, 2) *= -1.0;
+    reversed->SetInputData(image);
+    reversed->SetFilteredAxis(2);
+    reversed->Update();
+    image = reversed->GetOutput();
+  }
+  image->SetSpacing(spacing.x(), spacing.y(), spacing.z());
   for (int axis = 0; axis < 3; ++axis) ras.block<3, 1>(0, axis) /= spacing[axis];
   vtkNew<vtkMatrix4x4> matrix;
   for (int row = 0; row < 4; ++row)
@@ -76,7 +87,6 @@ bool writeNifti(const ct::CtVolume& volume, const fs::path& file)
   writer->SetInputData(image);
   writer->SetSFormMatrix(matrix);
   writer->SetQFormMatrix(matrix);
-  writer->SetQFac(ras.topLeftCorner<3, 3>().determinant() < 0.0 ? -1.0 : 1.0);
   writer->SetFileName(file.c_str());
   writer->Write();
   return !complaints->isAny;

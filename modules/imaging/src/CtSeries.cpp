@@ -61,8 +61,8 @@ Result<ListedFiles> listFiles(const fs::path& path, const ReadingHooks& hooks)
   }
   auto files = listDicomFiles(path, hooks);
   if (!files) return files.error();
-  listed.series = seriesOf(std::move(files->headers));
   listed.others = files->others;
+  listed.series = seriesOf(*std::move(files));
   if (listed.series.empty())
     return Error{path.string() +
                  " holds no DICOM image. Give a folder of DICOM files, a DICOMDIR, a DICOM, NIfTI "
@@ -108,7 +108,10 @@ Result<LoadedCt> readListed(const ListedFiles& listed, const fs::path& path, con
   if (!summary.obstacle.empty()) return Error{path.string() + ": " + summary.obstacle};
   auto volume = readVoxels(**chosen, hooks);
   if (!volume) return Error{path.string() + ": " + volume.error().message};
-  return LoadedCt{*std::move(volume), summary};
+  LoadedCt loaded{std::move(volume->volume), summary};
+  loaded.series.warnings.insert(loaded.series.warnings.end(), volume->warnings.begin(),
+                                volume->warnings.end());
+  return loaded;
 }
 
 Error tooLarge(const fs::path& path)

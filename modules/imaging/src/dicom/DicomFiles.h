@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "DicomHeader.h"
@@ -15,11 +16,13 @@ namespace perilymph::imaging {
 
 struct DicomFiles {
   std::vector<DicomHeader> headers;
-  std::size_t others = 0;  ///< Files that are not DICOM.
+  std::size_t others = 0;                     ///< Files that are not DICOM.
+  std::vector<std::filesystem::path> stumps;  ///< Files that end before they say what they are.
+  std::vector<std::string> warnings;          ///< Sentences about all of them.
 };
 
 /// Reads the headers of all DICOM files, in the order of their names. Links to folders are not
-/// followed.
+/// followed. Refuses more files than maxCtFiles, and what takes more than five minutes.
 Result<DicomFiles> listDicomFiles(const std::filesystem::path& path, const ReadingHooks& hooks);
 
 /// What a canceled reading says.

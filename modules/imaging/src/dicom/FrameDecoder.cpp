@@ -6,7 +6,6 @@
 #include <limits>
 #include <optional>
 #include <span>
-#include <type_traits>
 
 #include "CompressedFrames.h"
 #include "DicomStatements.h"
@@ -87,31 +86,72 @@ private:
   std::vector<bool> marked_;
 };
 
-/// Stored values to Hounsfield units, frame by frame.
+/// What becomes of a stored value.
+enum class Kind : std::uint8_t { value, clipped, air, padding };
+
+struct Gray {
+  std::int16_t voxel;
+  Kind kind;
+};
+
+/// Stored values to Hounsfield units of one frame, computed once for each value.
+class GrayTable {
+public:
+  GrayTable(const DicomFrame& frame, const Padding& padding, std::int64_t lowest,
+            std::int64_t highest)
+      : frame_(frame), padding_(padding), lowest_(lowest)
+  {
+    constexpr std::int64_t most = 65'536;
+    if (highest - lowest >= most) return;
+    for (std::int64_t stored = lowest; stored <= highest; ++stored)
+      table_.push_back(computed(static_cast<double>(stored)));
+  }
+
+  Gray of(std::int64_t stored) const
+  {
+    return table_.empty() ? computed(static_cast<double>(stored))
+                          : table_.data()[stored - lowest_];
+  }
+
+private:
+  Gray computed(double stored) const
+  {
+    constexpr double low = std::numeric_limits<std::int16_t>::min();
+    constexpr double high = std::numeric_limits<std::int16_t>::max();
+    const bool isPadding = padding_.holds(stored);
+    if (isPadding && padding_.isAir()) return {unmeasured_HU, Kind::air};
+    const double value = std::round(frame_.slope * stored + frame_.intercept);
+    const Kind kind = isPadding                     ? Kind::padding
+                      : value < low || value > high ? Kind::clipped
+                                                    : Kind::value;
+    return {static_cast<std::int16_t>(std::clamp(value, low, high)), kind};
+  }
+
+  const DicomFrame& frame_;
+  const Padding& padding_;
+  std::int64_t lowest_;
+  std::vector<Gray> table_;
+};
+
+/// Stored values from `lowest` to `highest` to Hounsfield units, frame by frame.
 template <class Next>
-void rescale(const DicomHeader& header, DecodedFrames& decoded, Next next)
+void rescale(const DicomHeader& header, DecodedFrames& decoded, std::int64_t lowest,
+             std::int64_t highest, Next next)
 {
-  constexpr double low = std::numeric_limits<std::int16_t>::min();
-  constexpr double high = std::numeric_limits<std::int16_t>::max();
   const std::size_t perFrame =
       static_cast<std::size_t>(header.rows) * static_cast<std::size_t>(header.columns);
   decoded.voxels.resize(perFrame * header.frames.size());
   std::int16_t* voxel = decoded.voxels.data();
   for (const DicomFrame& frame : header.frames) {
     Padding padding(header, frame);
+    const GrayTable table(frame, padding, lowest, highest);
     for (std::size_t i = 0; i < perFrame; ++i, ++voxel) {
-      const auto stored = static_cast<double>(next());
-      if (padding.holds(stored)) {
-        if (padding.isAir()) {
-          *voxel = unmeasured_HU;
-          ++decoded.padded;
-          continue;
-        }
-        padding.mark(i);
-      }
-      const double value = std::round(frame.slope * stored + frame.intercept);
-      decoded.clipped += value < low || value > high ? 1 : 0;
-      *voxel = static_cast<std::int16_t>(std::clamp(value, low, high));
+      const Gray gray = table.of(next());
+      *voxel = gray.voxel;
+      if (gray.kind == Kind::value) continue;
+      decoded.clipped += gray.kind == Kind::clipped ? 1 : 0;
+      decoded.padded += gray.kind == Kind::air ? 1 : 0;
+      if (gray.kind == Kind::padding) padding.mark(i);
     }
     decoded.padded += padding.maskFromBorder(voxel - perFrame);
   }
@@ -128,7 +168,7 @@ Result<DecodedFrames> decodePlain(const DicomHeader& header)
   if (!words) return undecodable();
   DecodedFrames decoded;
   ValueBits bits(header);
-  rescale(header, decoded,
+  rescale(header, decoded, bits.lowest(), bits.highest(),
           [&bits, word = words->data()]() mutable { return bits.valueIn(*word++); });
   if (const int needed = bits.bitsNeeded(); needed > 0) return needingMore(header, needed);
   return decoded;
@@ -157,7 +197,9 @@ Result<DecodedFrames> rescaled(std::span<const std::byte> bytes, const DicomHead
     if (const int needed = widest(stored, header.isSigned); needed > header.bitsStored)
       return needingMore(header, needed);
   DecodedFrames decoded;
-  rescale(header, decoded, [value = stored.data()]() mutable { return *value++; });
+  using Limits = std::numeric_limits<Stored>;
+  rescale(header, decoded, Limits::min(), Limits::max(),
+          [value = stored.data()]() mutable { return *value++; });
   return decoded;
 }
 

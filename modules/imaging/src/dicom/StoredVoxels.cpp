@@ -16,7 +16,7 @@ int storedBits(const DicomHeader& header)
 }
 
 /// The lowest bits set.
-std::uint32_t lowest(int bits)
+std::uint32_t lowestBits(int bits)
 {
   return bits >= 32 ? 0xFFFFFFFFU : (std::uint32_t{1} << bits) - 1U;
 }
@@ -24,14 +24,17 @@ std::uint32_t lowest(int bits)
 using Bytes = std::span<const unsigned char>;
 
 /// Words of whole bytes.
-void putBytes(Bytes bytes, std::size_t perWord, bool isBigEndian, std::vector<std::uint32_t>& words)
+template <std::size_t perWord>
+void putBytes(Bytes bytes, bool isBigEndian, std::vector<std::uint32_t>& words)
 {
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    const unsigned char* const place = bytes.data() + i * perWord;
-    std::uint32_t word = 0;
-    for (std::size_t k = 0; k < perWord; ++k)
-      word = word << 8 | place[isBigEndian ? k : perWord - 1 - k];
-    words[i] = word;
+  const unsigned char* place = bytes.data();
+  for (std::uint32_t& word : words) {
+    std::uint32_t little = 0, big = 0;
+    for (std::size_t k = 0; k < perWord; ++k, ++place) {
+      little |= static_cast<std::uint32_t>(*place) << 8 * k;
+      big = big << 8 | *place;
+    }
+    word = isBigEndian ? big : little;
   }
 }
 
@@ -78,17 +81,26 @@ std::optional<std::vector<std::uint32_t>> readWords(const DicomHeader& header)
   const bool isBigEndian = header.transferSyntax == bigEndianSyntax;
   if (isBigEndian && bits < 16 && isOfWords(stream, header.pixelStart)) swapPairs(bytes);
   std::vector<std::uint32_t> words(count);
-  if (bits == 12)
-    putPacked(bytes, words);
-  else
-    putBytes(bytes, static_cast<std::size_t>(bits) / 8, isBigEndian, words);
+  switch (bits) {
+    case 8:
+      putBytes<1>(bytes, isBigEndian, words);
+      break;
+    case 12:
+      putPacked(bytes, words);
+      break;
+    case 16:
+      putBytes<2>(bytes, isBigEndian, words);
+      break;
+    default:
+      putBytes<4>(bytes, isBigEndian, words);
+  }
   return words;
 }
 
 ValueBits::ValueBits(const DicomHeader& header)
-    : mask_(lowest(storedBits(header))),
+    : mask_(lowestBits(storedBits(header))),
       sign_(header.isSigned ? std::uint32_t{1} << (storedBits(header) - 1) : 0),
-      extension_(lowest(header.bitsAllocated) & ~mask_),
+      extension_(lowestBits(header.bitsAllocated) & ~mask_),
       wrap_(static_cast<std::int64_t>(mask_) + 1),
       hasOverlay_(header.hasOverlayBits)
 {

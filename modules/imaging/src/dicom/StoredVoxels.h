@@ -36,6 +36,10 @@ public:
     return own;
   }
 
+  /// The lowest and the highest stored value that there may be.
+  std::int64_t lowest() const { return sign_ != 0 ? -static_cast<std::int64_t>(sign_) : 0; }
+  std::int64_t highest() const { return sign_ != 0 ? sign_ - std::int64_t{1} : mask_; }
+
   /// Bits that the words need where those are more than BitsStored, and no overlay explains them; else 0.
   int bitsNeeded() const;
 

@@ -315,24 +315,35 @@ std::string obstacleOf(const DicomSeries& series)
   return {};
 }
 
+Changes changesOf(const DicomSeries& series, std::size_t setting)
+{
+  Changes changes;
+  std::vector<std::string> left;
+  std::string last;
+  for (const std::vector<std::size_t>& place : series.stack->places) {
+    const DicomHeader& header = series.headers[series.slices[place.front()].header];
+    const std::string& own = header.settings.at(setting).second;
+    if (own.empty() || own == last) continue;
+    if (!last.empty()) {
+      ++changes.count;
+      changes.example = {last, own};
+      left.push_back(last);
+    }
+    changes.returns = changes.returns || std::find(left.begin(), left.end(), own) != left.end();
+    last = own;
+  }
+  return changes;
+}
+
 std::string orderObstacleOf(const DicomSeries& series)
 {
-  const auto& first = series.headers[series.slices.front().header].settings;
-  for (std::size_t i = 0; i < first.size(); ++i) {
-    std::vector<std::string> left;
-    std::string last;
-    for (const std::vector<std::size_t>& place : series.stack->places) {
-      const DicomHeader& header = series.headers[series.slices[place.front()].header];
-      const std::string& own = header.settings.at(i).second;
-      if (own.empty() || own == last) continue;
-      if (std::find(left.begin(), left.end(), own) != left.end())
-        return "Its slices alternate in " + first[i].first +
-               ", as those of two reconstructions in one series do. Export each reconstruction as "
-               "a series of its own.";
-      if (!last.empty()) left.push_back(last);
-      last = own;
-    }
-  }
+  constexpr std::size_t fewest = 3;  // one slice that differs makes two
+  const auto& settings = series.headers[series.slices.front().header].settings;
+  for (std::size_t i = 0; i < settings.size(); ++i)
+    if (const Changes changes = changesOf(series, i); changes.returns && changes.count >= fewest)
+      return "Its slices alternate in " + settings[i].first +
+             ", as those of two reconstructions in one series do. Export each reconstruction as a "
+             "series of its own.";
   return {};
 }
 

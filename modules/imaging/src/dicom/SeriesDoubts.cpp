@@ -178,21 +178,16 @@ Sentence countDoubt(const DicomSeries& series, const std::vector<Placed>&)
   return std::nullopt;
 }
 
-/// Settings of one reconstruction that change somewhere; those of an acquisition may.
-Sentence settingsDoubt(const DicomSeries&, const std::vector<Placed>& slices)
+/// Settings of one reconstruction that change somewhere. The number of an acquisition may, but not back.
+Sentence settingsDoubt(const DicomSeries& series, const std::vector<Placed>& slices)
 {
-  const auto& first = slices.front().header.settings;
-  for (std::size_t i = 0; i < first.size(); ++i) {
-    if (first[i].first.starts_with("AcquisitionNumber")) continue;
-    std::string stated;
-    for (const Placed& slice : slices) {
-      const std::string& own = slice.header.settings.at(i).second;
-      if (own.empty()) continue;
-      if (!stated.empty() && own != stated)
-        return "Its slices differ in " + first[i].first + ": " + stated + " and " + own +
-               ". Check that they are of one reconstruction.";
-      stated = own;
-    }
+  const auto& settings = slices.front().header.settings;
+  for (std::size_t i = 0; i < settings.size(); ++i) {
+    const Changes changes = changesOf(series, i);
+    if (changes.count == 0) continue;
+    if (settings[i].first.starts_with("AcquisitionNumber") && !changes.returns) continue;
+    return "Its slices differ in " + settings[i].first + ": " + changes.example.first + " and " +
+           changes.example.second + ". Check that they are of one reconstruction.";
   }
   return std::nullopt;
 }

@@ -78,6 +78,14 @@ Result<const DicomSeries*> choose(const ListedFiles& listed, const fs::path& pat
     const auto found = std::find_if(all.begin(), all.end(), [&uid](const DicomSeries& series) {
       return series.summary.uid == uid;
     });
+    const auto isOneOf = [&uid](const DicomSeries& series) {
+      return series.summary.uid.starts_with(uid + "#");
+    };
+    const auto parts = std::count_if(all.begin(), all.end(), isOneOf);
+    if (found == all.end() && parts > 0)
+      return Error{path.string() + " holds " + std::to_string(parts) + " series of the number " +
+                   uid + ", of several patients or studies. Choose one of them: " + uid +
+                   "#1 and so on."};
     if (found == all.end())
       return Error{path.string() + " holds no series " + uid + "; it holds " +
                    std::to_string(all.size()) + ". 'perilymph-cli ct info' lists them."};

@@ -204,7 +204,8 @@ TEST_F(DicomGray, TakesPaddingForAirAndNotForClippedVoxels)
     for (std::size_t k = 0; k < slices.size(); ++k) {
       auto values = storedOf(volume, static_cast<int>(k), [](int value) { return value + 1024; });
       for (int at = 0; at < perSlice; ++at)
-        if (isCorner(at % 20, at / 20)) values[static_cast<std::size_t>(at)] = static_cast<std::uint16_t>(padding);
+        if (isCorner(at % 20, at / 20))
+          values[static_cast<std::size_t>(at)] = static_cast<std::uint16_t>(padding);
       slices[k].setPixels(values);
       slices[k].setNumber(tags::stored, 16);
       slices[k].setNumber(tags::highBit, 15);

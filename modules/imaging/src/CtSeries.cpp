@@ -23,6 +23,7 @@ struct ListedFiles {
   std::vector<DicomSeries> series;
   std::size_t others = 0;
   std::optional<VolumeFile> volume;
+  std::shared_ptr<const UnpackedZip> unpacked;  ///< Where the files are, of a .zip.
 };
 
 namespace {
@@ -62,6 +63,7 @@ Result<ListedFiles> listFiles(const fs::path& path, const ReadingHooks& hooks)
   auto files = listDicomFiles(path, hooks);
   if (!files) return files.error();
   listed.others = files->others;
+  listed.unpacked = files->unpacked;
   listed.series = seriesOf(*std::move(files));
   if (listed.series.empty())
     return Error{path.string() +

@@ -125,6 +125,14 @@ Error canceledReading() { return Error{"Reading was canceled."}; }
 
 Result<DicomFiles> listDicomFiles(const fs::path& path, const ReadingHooks& hooks)
 {
+  if (isZip(path)) {
+    auto unpacked = UnpackedZip::unpack(path, maxCtFiles, hooks.isCanceled);
+    if (!unpacked)
+      return hooks.isCanceled && hooks.isCanceled() ? canceledReading() : unpacked.error();
+    auto found = listDicomFiles((*unpacked)->folder(), hooks);
+    if (found) found->unpacked = *std::move(unpacked);
+    return found;
+  }
   auto paths = pathsOf(path, hooks);
   if (!paths) return paths.error();
   DicomFiles found;

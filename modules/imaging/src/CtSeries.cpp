@@ -23,6 +23,7 @@ struct ListedFiles {
   std::vector<DicomSeries> series;
   std::size_t others = 0;
   std::optional<VolumeFile> volume;
+  std::shared_ptr<const UnpackedZip> unpacked;  ///< Where the files are, of a .zip.
 };
 
 namespace {
@@ -61,8 +62,9 @@ Result<ListedFiles> listFiles(const fs::path& path, const ReadingHooks& hooks)
   }
   auto files = listDicomFiles(path, hooks);
   if (!files) return files.error();
-  listed.series = seriesOf(std::move(files->headers));
   listed.others = files->others;
+  listed.unpacked = files->unpacked;
+  listed.series = seriesOf(*std::move(files));
   if (listed.series.empty())
     return Error{path.string() +
                  " holds no DICOM image. Give a folder of DICOM files, a DICOMDIR, a DICOM, NIfTI "
@@ -78,6 +80,14 @@ Result<const DicomSeries*> choose(const ListedFiles& listed, const fs::path& pat
     const auto found = std::find_if(all.begin(), all.end(), [&uid](const DicomSeries& series) {
       return series.summary.uid == uid;
     });
+    const auto isOneOf = [&uid](const DicomSeries& series) {
+      return series.summary.uid.starts_with(uid + "#");
+    };
+    const auto parts = std::count_if(all.begin(), all.end(), isOneOf);
+    if (found == all.end() && parts > 0)
+      return Error{path.string() + " holds " + std::to_string(parts) + " series of the number " +
+                   uid + ", of several patients or studies. Choose one of them: " + uid +
+                   "#1 and so on."};
     if (found == all.end())
       return Error{path.string() + " holds no series " + uid + "; it holds " +
                    std::to_string(all.size()) + ". 'perilymph-cli ct info' lists them."};
@@ -108,7 +118,10 @@ Result<LoadedCt> readListed(const ListedFiles& listed, const fs::path& path, con
   if (!summary.obstacle.empty()) return Error{path.string() + ": " + summary.obstacle};
   auto volume = readVoxels(**chosen, hooks);
   if (!volume) return Error{path.string() + ": " + volume.error().message};
-  return LoadedCt{*std::move(volume), summary};
+  LoadedCt loaded{std::move(volume->volume), summary};
+  loaded.series.warnings.insert(loaded.series.warnings.end(), volume->warnings.begin(),
+                                volume->warnings.end());
+  return loaded;
 }
 
 Error tooLarge(const fs::path& path)

@@ -12,7 +12,13 @@ namespace {
 
 using Json = nlohmann::json;
 
-std::optional<Eigen::Vector3d> pointOf(const Json& control, bool isRas)
+/// How a list gives its coordinates.
+struct Coordinates {
+  bool isRas = false;
+  double mm = 1.0;  ///< Of one unit.
+};
+
+std::optional<Eigen::Vector3d> pointOf(const Json& control, const Coordinates& coordinates)
 {
   const auto place = control.find("position");
   if (place == control.end() || !place->is_array() || place->size() != 3) return std::nullopt;
@@ -22,7 +28,8 @@ std::optional<Eigen::Vector3d> pointOf(const Json& control, bool isRas)
     point[static_cast<Eigen::Index>(i)] = (*place)[i].get<double>();
   }
   if (!point.allFinite()) return std::nullopt;
-  if (isRas) point.head<2>() = -point.head<2>();
+  point *= coordinates.mm;
+  if (coordinates.isRas) point.head<2>() = -point.head<2>();
   return point;
 }
 
@@ -32,21 +39,53 @@ std::string textOf(const Json& object, const char* key)
   return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
+struct Unit {
+  const char* name;
+  double mm;
+};
+constexpr Unit units[] = {{"mm", 1.0}, {"um", 1e-3}, {"cm", 10.0}, {"m", 1000.0}};
+
+/// Millimeters of the unit of a list; none where it is another one. By the schema it is millimeters if it is absent, and
+/// a name or a code, [value, scheme, meaning].
+std::optional<double> unitOf(const Json& markup)
+{
+  const auto stated = markup.find("coordinateUnits");
+  if (stated == markup.end()) return 1.0;
+  const Json* name = &*stated;
+  if (name->is_array() && !name->empty()) name = &(*name)[0];
+  if (!name->is_string()) return std::nullopt;
+  for (const Unit& unit : units)
+    if (name->get<std::string>() == unit.name) return unit.mm;
+  return std::nullopt;
+}
+
+/// Whether a list of points names a coordinate system that is known; by the schema it is LPS if it is absent.
+std::optional<Coordinates> coordinatesOf(const Json& markup)
+{
+  Coordinates coordinates;
+  const auto mm = unitOf(markup);
+  if (!mm) return std::nullopt;
+  coordinates.mm = *mm;
+  if (!markup.contains("coordinateSystem")) return coordinates;
+  const std::string system = textOf(markup, "coordinateSystem");
+  coordinates.isRas = system == "RAS" || system == "0";
+  if (!coordinates.isRas && system != "LPS" && system != "1") return std::nullopt;
+  return coordinates;
+}
+
 /// Adds the points of one list; false where it is not one that can be read.
 bool addPoints(const Json& markup, ct::Marks& marks)
 {
   if (!markup.is_object()) return false;
-  const std::string system = textOf(markup, "coordinateSystem");
   const auto points = markup.find("controlPoints");
-  const bool isRas = system == "RAS" || system == "0";
-  if (!isRas && system != "LPS" && system != "1") return false;
-  if (points == markup.end() || !points->is_array()) return false;
+  const auto coordinates = coordinatesOf(markup);
+  if (!coordinates || points == markup.end() || !points->is_array()) return false;
   for (const Json& control : *points) {
     if (!control.is_object()) return false;
     const std::optional<ct::Mark> mark = ct::markNamed(textOf(control, "label"));
     const std::string status = textOf(control, "positionStatus");
     if (!mark || (!status.empty() && status != "defined")) continue;
-    marks[*mark] = pointOf(control, isRas);
+    marks[*mark] = pointOf(control, *coordinates);
     if (!marks[*mark]) return false;
   }
   return true;
@@ -65,6 +104,11 @@ Result<ct::Marks> readLandmarks(const std::filesystem::path& file)
   if (!json.is_object()) return other;
   const auto markups = json.find("markups");
   if (markups == json.end() || !markups->is_array()) return other;
+  for (const Json& markup : *markups)
+    if (markup.is_object() && !unitOf(markup))
+      return Error{file.string() +
+                   " gives its points in another unit (coordinateUnits) than mm, um, cm or m. Save "
+                   "the points in millimeters."};
   ct::Marks marks;
   for (const Json& markup : *markups)
     if (!addPoints(markup, marks)) return other;

@@ -183,7 +183,7 @@ std::vector<DicomData> dicomSlices(const ct::CtVolume& volume, const std::string
   for (int k = 0; k < volume.size()[2]; ++k) {
     DicomData data = common(volume, seriesUid);
     data.setText(0x00080018, "UI", seriesUid + "." + std::to_string(k + 1));
-    data.setText(0x00180050, "DS", "5");  // a thickness that is not the step
+    data.setNumbers(0x00180050, {column(volume, 2).norm()});
     data.setText(0x00200013, "IS", std::to_string(k + 1));
     data.setNumbers(0x00200032, position(volume, k));
     data.setNumbers(0x00200037, orientation(volume));

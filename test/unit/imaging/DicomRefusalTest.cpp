@@ -88,7 +88,7 @@ TEST_F(DicomRefusal, RequiresPositionsAndOrientations)
     for (auto& slice : without) slice.remove(tag);
     expectRefusal(without, "8 of 8 slices have no position or orientation");
   }
-  slices[5].setText(position, "DS", "1.0\\two\\3.0");
+  slices[5].remove(position);
   expectRefusal(slices, "1 of 8 slices have no position");
 }
 
@@ -108,8 +108,10 @@ TEST_F(DicomRefusal, RequiresOneOrientationSizeAndSpacing)
   expectRefusal(turned, "1 of 8 slices have another orientation");
 
   auto smaller = slices;
-  smaller[7].setNumber(rows, 5);
-  smaller[7].setPixels(std::vector<std::uint16_t>(60, 1000));
+  for (const std::size_t k : {5, 6, 7}) {
+    smaller[k].setNumber(rows, 5);
+    smaller[k].setPixels(std::vector<std::uint16_t>(60, 1000));
+  }
   expectRefusal(smaller, "12 x 10 and 12 x 5 voxels");
 
   auto finer = slices;
@@ -130,7 +132,10 @@ TEST_F(DicomRefusal, RefusesImagesThatAreNoCt)
   auto magnetic = slices, screen = slices, scouts = slices, colored = slices;
   for (auto& slice : magnetic) slice.setText(modality, "CS", "MR");
   expectRefusal(magnetic, "of the modality MR, not CT");
-  for (auto& slice : screen) slice.setText(sopClass, "UI", "1.2.840.10008.5.1.4.1.1.7");
+  for (auto& slice : screen) {
+    slice.setText(sopClass, "UI", "1.2.840.10008.5.1.4.1.1.7");
+    slice.remove(position);
+  }
   expectRefusal(screen, "a secondary capture");
   for (auto& slice : scouts) slice.setText(imageType, "CS", "ORIGINAL\\PRIMARY\\LOCALIZER");
   expectRefusal(scouts, "a scout (localizer)");

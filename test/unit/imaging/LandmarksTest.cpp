@@ -48,6 +48,53 @@ TEST(Landmarks, OfRasFilesAreTurnedToLps)
   EXPECT_EQ((*read)[ct::Mark::roundWindow].value(), Vector3d(-1, -2, 3));
 }
 
+/// Landmarks in a file whose list has more members than its points.
+Result<ct::Marks> readWith(const std::string& members, const std::string& position)
+{
+  const test::TemporaryFolder folder;
+  if (!writeWhole(folder / "a.mrk.json",
+                  "{\"markups\": [{" + members +
+                      "\"controlPoints\": [{\"label\": \"RW\", \"position\": " + position +
+                      "}]}]}"))
+    throw std::runtime_error("The file could not be written.");
+  return readLandmarks(folder / "a.mrk.json");
+}
+
+TEST(Landmarks, WithoutACoordinateSystemAreInLps)
+{
+  const auto read = readWith("", "[1, 2, 3]");
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_EQ((*read)[ct::Mark::roundWindow].value(), Vector3d(1, 2, 3));
+}
+
+TEST(Landmarks, AreInTheUnitThatTheyName)
+{
+  const struct {
+    const char* unit;
+    const char* position;
+  } files[] = {{R"("mm")", "[1, -2, 3]"},
+               {R"("um")", "[1000, -2000, 3000]"},
+               {R"("cm")", "[0.1, -0.2, 0.3]"},
+               {R"("m")", "[0.001, -0.002, 0.003]"},
+               {R"(["um", "UCUM", "micrometer"])", "[1000, -2000, 3000]"}};
+  for (const auto& file : files) {
+    const auto read =
+        readWith(std::string("\"coordinateUnits\": ") + file.unit + ", ", file.position);
+    ASSERT_TRUE(read) << file.unit;
+    EXPECT_NEAR(((*read)[ct::Mark::roundWindow].value() - Vector3d(1, -2, 3)).norm(), 0.0, 1e-12)
+        << file.unit;
+  }
+  for (const char* const unit :
+       {R"("inch")", R"("")", "7", "null", "[]", R"(["[in_i]", "UCUM"])"}) {
+    const auto read = readWith(std::string("\"coordinateUnits\": ") + unit + ", ", "[1, 2, 3]");
+    ASSERT_FALSE(read) << unit;
+    EXPECT_THAT(read.error().message, testing::HasSubstr("in another unit")) << unit;
+  }
+  for (const char* const system : {R"("XYZ")", R"("")", "3", "null"})
+    EXPECT_FALSE(readWith(std::string("\"coordinateSystem\": ") + system + ", ", "[1, 2, 3]"))
+        << system;
+}
+
 TEST(Landmarks, WithoutAPointInTheCochleaAreRefused)
 {
   const test::TemporaryFolder folder;

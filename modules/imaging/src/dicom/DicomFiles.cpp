@@ -2,12 +2,16 @@
 #include "DicomFiles.h"
 
 #include <algorithm>
+#include <array>
+#include <fstream>
 #include <optional>
 #include <string>
 #include <system_error>
 #include <utility>
 
+#include "DicomDirectory.h"
 #include "ParserTrial.h"
+#include "SequenceDepth.h"
 
 namespace perilymph::imaging {
 
@@ -42,13 +46,77 @@ Result<std::vector<fs::path>> filesBelow(const fs::path& folder, const ReadingHo
   return files;
 }
 
-/// What is listed in place of a file that cannot be parsed.
-DicomHeader unreadable(const fs::path& file)
+/// What is listed in place of a file that is not parsed.
+DicomHeader notParsed(const fs::path& file, std::string why)
 {
   DicomHeader header;
   header.file = file;
-  header.isTruncated = true;
+  header.notParsed = std::move(why);
+  header.isTruncated = header.notParsed.empty();
   return header;
+}
+
+/// True for what an interrupted copy leaves of a DICOM file: nothing, or a part of its first 132 bytes.
+bool isStump(const fs::path& file)
+{
+  constexpr std::size_t preamble = 128;
+  std::array<char, preamble + 5> start{};
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) return false;
+  stream.read(start.data(), start.size());
+  const auto bytes = static_cast<std::size_t>(stream.gcount());
+  if (bytes == start.size()) return false;
+  return std::all_of(start.begin(),
+                     start.begin() + static_cast<std::ptrdiff_t>(std::min(bytes, preamble)),
+                     [](char c) { return c == '\0'; });
+}
+
+struct Paths {
+  std::vector<fs::path> files;
+  std::vector<std::string> warnings;
+};
+
+/// The files that a path stands for.
+Result<Paths> pathsOf(const fs::path& path, const ReadingHooks& hooks)
+{
+  std::error_code failed;
+  Paths paths;
+  if (fs::is_directory(path, failed)) {
+    auto below = filesBelow(path, hooks);
+    if (!below) return below.error();
+    paths.files = *std::move(below);
+    return paths;
+  }
+  paths.files = {path};
+  if (isNestedTooDeep(path) || !filesThatEndTheParser(paths.files, hooks.isCanceled)->empty())
+    return paths;
+  auto directory = readDicomDirectory(path);
+  if (!directory) return paths;
+  const std::size_t named = directory->files.size() + directory->missing;
+  if (directory->files.empty()) {
+    auto below = filesBelow(path.parent_path().empty() ? fs::path(".") : path.parent_path(), hooks);
+    if (!below) return below.error();
+    paths.files = *std::move(below);
+    std::erase_if(paths.files,
+                  [&path](const fs::path& file) { return file.filename() == path.filename(); });
+    if (paths.files.empty())
+      return Error{
+          path.string() +
+          " is a DICOMDIR, but none of the files it names is there. Copy the whole medium, "
+          "or give a folder of images."};
+    paths.warnings.push_back(
+        "None of the " + std::to_string(named) +
+        " files that the DICOMDIR names is there; the files in its folder were "
+        "read instead.");
+    return paths;
+  }
+  paths.files = std::move(directory->files);
+  if (directory->missing > 0)
+    paths.warnings.push_back(std::to_string(directory->missing) + " of " + std::to_string(named) +
+                             " files that the DICOMDIR names are not there; slices may be missing. "
+                             "Copy the whole medium.");
+  if (paths.files.size() > maxCtFiles) return tooMany(path);
+  return paths;
 }
 
 }  // namespace
@@ -57,47 +125,53 @@ Error canceledReading() { return Error{"Reading was canceled."}; }
 
 Result<DicomFiles> listDicomFiles(const fs::path& path, const ReadingHooks& hooks)
 {
-  std::error_code failed;
-  const bool isFolder = fs::is_directory(path, failed);
-  std::vector<fs::path> files = {path};
-  if (isFolder) {
-    auto below = filesBelow(path, hooks);
-    if (!below) return below.error();
-    files = *std::move(below);
+  if (isZip(path)) {
+    auto unpacked = UnpackedZip::unpack(path, maxCtFiles, hooks.isCanceled);
+    if (!unpacked)
+      return hooks.isCanceled && hooks.isCanceled() ? canceledReading() : unpacked.error();
+    auto found = listDicomFiles((*unpacked)->folder(), hooks);
+    if (found) found->unpacked = *std::move(unpacked);
+    return found;
   }
-  auto ending = filesThatEndTheParser(files, hooks.isCanceled);
-  if (hooks.isCanceled && hooks.isCanceled()) return canceledReading();
-  auto named = isFolder || !ending.empty() ? std::nullopt : filesOfDicomDir(path);
-  if (named) {
-    files = *std::move(named);
-    if (files.size() > maxCtFiles) return tooMany(path);
-    std::erase_if(files, [](const fs::path& file) {
-      std::error_code ignored;
-      return !fs::is_regular_file(file, ignored);
-    });
-    if (files.empty())
-      return Error{
-          path.string() +
-          " is a DICOMDIR, but none of the files it names is there. Copy the whole medium, "
-          "or give a folder of images."};
-    ending = filesThatEndTheParser(files, hooks.isCanceled);
-  }
+  auto paths = pathsOf(path, hooks);
+  if (!paths) return paths.error();
   DicomFiles found;
+  found.warnings = std::move(paths->warnings);
+  std::vector<fs::path> files;
+  for (const fs::path& file : paths->files) {
+    if (isNestedTooDeep(file))
+      found.headers.push_back(
+          notParsed(file, "sequences are nested deeper than " + std::to_string(maxSequenceDepth) +
+                              ", which no image needs. Export the series again."));
+    else
+      files.push_back(file);
+  }
+  const auto ending = filesThatEndTheParser(files, hooks.isCanceled);
+  if (hooks.isCanceled && hooks.isCanceled()) return canceledReading();
+  if (!ending)
+    return Error{path.string() +
+                 " takes more than 5 minutes to list, because its files are damaged or on a slow "
+                 "drive. Copy the series to a folder of this computer."};
   for (std::size_t i = 0; i < files.size(); ++i) {
     if (hooks.isCanceled && hooks.isCanceled()) return canceledReading();
-    if (ending.contains(files[i]))
-      found.headers.push_back(unreadable(files[i]));
-    else if (auto header = readDicomHeader(files[i]))
+    if (ending->contains(files[i])) {
+      found.headers.push_back(notParsed(files[i], {}));
+    } else if (auto header = readDicomHeader(files[i])) {
       found.headers.push_back(*std::move(header));
-    else
+    } else {
+      if (isStump(files[i])) found.stumps.push_back(files[i]);
       ++found.others;
+    }
     if (hooks.onProgress)
       hooks.onProgress(static_cast<double>(i + 1) / static_cast<double>(files.size()));
   }
-  // A DICOMDIR in the folder is a table of contents and no image.
-  std::erase_if(found.headers, [](const DicomHeader& header) {
-    return header.sopClass.empty() && header.modality.empty() && !header.hasPixels &&
-           !header.isTruncated && header.coding != PixelCoding::deflated;
+  std::erase_if(found.headers, [&found](const DicomHeader& header) {
+    const bool saysNothing = header.sopClass.empty() && header.modality.empty() &&
+                             !header.hasPixels && !header.isTruncated && header.notParsed.empty() &&
+                             header.coding != PixelCoding::deflated;
+    if (saysNothing && !header.isDirectory) found.stumps.push_back(header.file);
+    // A DICOMDIR in the folder is a table of contents and no image.
+    return saysNothing || header.isDirectory;
   });
   return found;
 }

@@ -5,8 +5,11 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <memory>
+#include <string>
 #include <vector>
 
+#include "../UnpackedZip.h"
 #include "DicomHeader.h"
 #include "perilymph/foundation/Result.h"
 #include "perilymph/imaging/CtSeries.h"
@@ -15,11 +18,15 @@ namespace perilymph::imaging {
 
 struct DicomFiles {
   std::vector<DicomHeader> headers;
-  std::size_t others = 0;  ///< Files that are not DICOM.
+  std::size_t others = 0;                     ///< Files that are not DICOM.
+  std::vector<std::filesystem::path> stumps;  ///< Files that end before they say what they are.
+  std::vector<std::string> warnings;          ///< Sentences about all of them.
+  /// Where the files of a .zip are, for as long as they are needed.
+  std::shared_ptr<const UnpackedZip> unpacked;
 };
 
 /// Reads the headers of all DICOM files, in the order of their names. Links to folders are not
-/// followed.
+/// followed; a .zip is unpacked. Refuses more files than maxCtFiles, and what takes more than five minutes.
 Result<DicomFiles> listDicomFiles(const std::filesystem::path& path, const ReadingHooks& hooks);
 
 /// What a canceled reading says.

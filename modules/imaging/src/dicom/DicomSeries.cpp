@@ -1,144 +1,99 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DicomSeries.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "../SeriesScore.h"
+#include "SeriesChecks.h"
+#include "SeriesDoubts.h"
+#include "SeriesGroups.h"
 #include "perilymph/foundation/Sha256.h"
 
 namespace perilymph::imaging {
 namespace {
 
-constexpr double maxSpacingChange = 1e-4;  // of the first slice's
-
-std::string inMm(double value)
+void doubt(DicomSeries& series, const std::string& sentence)
 {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g mm", value);
-  return text;
+  series.doubts.push_back(sentence);
+  series.summary.warnings.push_back(sentence);
 }
 
-std::string of(std::size_t count, std::size_t all)
+/// Directions that most slices have in common, and the size of most.
+struct Usual {
+  Eigen::Vector3d normal_P;
+  std::pair<int, int> size;
+};
+
+const DicomFrame& frameOf(const DicomSeries& series, const SliceSource& slice)
 {
-  return std::to_string(count) + " of " + std::to_string(all);
+  return series.headers[slice.header].frames[slice.frame];
 }
 
-template <class Claim>
-std::size_t countOf(const std::vector<DicomHeader>& headers, Claim claim)
+std::optional<Eigen::Vector3d> normalOf(const DicomFrame& frame)
 {
-  return static_cast<std::size_t>(std::count_if(headers.begin(), headers.end(), claim));
+  if (!frame.pose.axes_P) return std::nullopt;
+  return frame.pose.axes_P->col(0).cross(frame.pose.axes_P->col(1));
 }
 
-/// Files of which nothing can be read; empty where there are none.
-std::string deflatedObstacle(const DicomSeries& series)
+std::pair<int, int> sizeOf(const DicomSeries& series, const SliceSource& slice)
 {
-  const auto isDeflated = [](const DicomHeader& header) {
-    return header.coding == PixelCoding::deflated;
-  };
-  const std::size_t deflated = countOf(series.headers, isDeflated);
-  if (deflated == 0) return {};
-  return of(deflated, series.headers.size()) +
-         " files are compressed as a whole (transfer syntax 1.2.840.10008.1.2.1.99, deflated), "
-         "which this "
-         "program does not read. Export the series uncompressed, or convert it with gdcmconv "
-         "--raw.";
+  const DicomHeader& header = series.headers[slice.header];
+  return {header.columns, header.rows};
 }
 
-std::string cutObstacle(const DicomSeries& series)
-{
-  const auto isCut = [](const DicomHeader& header) { return header.isTruncated; };
-  const std::size_t cut = countOf(series.headers, isCut);
-  if (cut == 0) return {};
-  return of(cut, series.headers.size()) +
-         " files are cut off: they end before their voxels do. Copy the series "
-         "again.";
-}
+// A scout lies across the slices; the gantry of a series does not turn by this much.
+constexpr double leastAligned = 0.98;  // cosine of 11 degrees
 
-/// What kind of image it is not; empty for a CT.
-std::string kindObstacle(const DicomSeries& series)
+/// A size and a normal that most slices have; none where there is no majority.
+std::optional<Usual> usualOf(const DicomSeries& series)
 {
-  const DicomHeader& first = series.headers.front();
-  // Secondary capture in all its classes.
-  if (first.sopClass.rfind("1.2.840.10008.5.1.4.1.1.7", 0) == 0)
-    return "It is a secondary capture, a picture of a screen, without a place in the patient. "
-           "Choose a series of original images.";
-  // Of a file that ends the parser, nothing else is known.
-  if (first.modality.empty() && first.isTruncated) return cutObstacle(series);
-  if (first.modality != "CT")
-    return "It is of the modality " + (first.modality.empty() ? "(none)" : first.modality) +
-           ", not CT. Choose a CT series.";
-  if (series.slices.empty() && !first.frames.empty())
-    return "It is a scout (localizer), a projection and no slices. Choose a series of slices.";
-  const auto isColored = [](const DicomHeader& header) {
-    return header.hasPixels &&
-           (header.samples != 1 || header.photometric.rfind("MONOCHROME", 0) != 0);
-  };
-  if (countOf(series.headers, isColored) > 0)
-    return "Its images are in color, as of a picture or a fusion, and hold no Hounsfield units. "
-           "Choose a series of original images.";
-  return {};
-}
-
-/// Whether every voxel is there and can be decoded.
-std::string fileObstacle(const DicomSeries& series)
-{
-  const std::vector<DicomHeader>& headers = series.headers;
-  const std::size_t all = headers.size();
-  const auto isIncomplete = [](const DicomHeader& header) {
-    return !header.hasPixels || header.frames.empty() || !header.frames.front().pose.position_P;
-  };
-  const auto isLocked = [&](const DicomHeader& header) {
-    return header.isEncrypted && isIncomplete(header);
-  };
-  if (const std::size_t locked = countOf(headers, isLocked); locked > 0)
-    return of(locked, all) + " files are encrypted. Export the series again without encryption.";
-  if (std::string cut = cutObstacle(series); !cut.empty()) return cut;
-  const auto isEmpty = [](const DicomHeader& header) {
-    return !header.hasPixels || header.frames.empty();
-  };
-  if (const std::size_t empty = countOf(headers, isEmpty); empty > 0)
-    return of(empty, all) + " files hold no image. Export the series again.";
-  for (const DicomHeader& header : headers)
-    if (header.coding == PixelCoding::unknown)
-      return "Its voxels are stored in a way this program cannot decode (transfer syntax " +
-             (header.transferSyntax.empty() ? "missing" : header.transferSyntax) +
-             "). Export the series uncompressed, or convert it with gdcmconv --raw.";
-  return {};
-}
-
-/// Whether all slices have one size, spacing and kernel.
-std::string sizeObstacle(const DicomSeries& series)
-{
-  const DicomHeader& first = series.headers[series.slices.front().header];
-  const auto spacing = first.frames[series.slices.front().frame].pixelSpacing_mm;
-  for (const SliceSource& slice : series.slices) {
-    const DicomHeader& header = series.headers[slice.header];
-    if (header.rows != first.rows || header.columns != first.columns)
-      return "Its slices are of several sizes, " + std::to_string(first.columns) + " x " +
-             std::to_string(first.rows) + " and " + std::to_string(header.columns) + " x " +
-             std::to_string(header.rows) + " voxels. Export each size as a series of its own.";
-    if (header.kernel != first.kernel)
-      return "Its slices are of several reconstruction kernels, " + first.kernel + " and " +
-             header.kernel + ". Export each reconstruction as a series of its own.";
-    const auto& own = header.frames[slice.frame].pixelSpacing_mm;
-    if (!own)
-      return "Its slices have no pixel spacing, so no length can be measured in them. Export the "
-             "series again as original images.";
-    if (((*own - *spacing).cwiseAbs().array() > maxSpacingChange * spacing->array()).any())
-      return "Its slices have several pixel spacings, " + inMm((*spacing)[0]) + " and " +
-             inMm((*own)[0]) + ". Export each as a series of its own.";
+  std::map<std::pair<int, int>, std::size_t> sizes;
+  for (const SliceSource& slice : series.slices) ++sizes[sizeOf(series, slice)];
+  const auto most = std::max_element(
+      sizes.begin(), sizes.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  const std::size_t all = series.slices.size();
+  if (most == sizes.end() || 2 * most->second <= all) return std::nullopt;
+  // one of any three that do not agree is of the majority, if there is one
+  for (const std::size_t i : {std::size_t{0}, all / 3, all / 2, all - 1}) {
+    const auto normal = normalOf(frameOf(series, series.slices[i]));
+    if (!normal) continue;
+    const auto aligned =
+        std::count_if(series.slices.begin(), series.slices.end(), [&](const SliceSource& slice) {
+          const auto own = normalOf(frameOf(series, slice));
+          return own && own->dot(*normal) > leastAligned;
+        });
+    if (2 * static_cast<std::size_t>(aligned) > all) return Usual{*normal, most->first};
   }
-  const double voxels =
-      static_cast<double>(first.rows) * first.columns * static_cast<double>(series.slices.size());
-  if (voxels > static_cast<double>(maxCtVoxels))
-    return "It has " + std::to_string(std::lround(voxels / 1e6)) + " million voxels; at most " +
-           std::to_string(maxCtVoxels / 1'000'000) +
-           " million are read. Export the region of the temporal bone.";
-  return {};
+  return std::nullopt;
+}
+
+/// Leaves out a lone image or two of another size or lying across the slices, as unmarked scouts do.
+void leaveOutLoneImages(DicomSeries& series)
+{
+  constexpr std::size_t mostLone = 2, slicesForEach = 4;
+  const auto usual = usualOf(series);
+  if (!usual) return;
+  const auto isLone = [&](const SliceSource& slice) {
+    const auto normal = normalOf(frameOf(series, slice));
+    return sizeOf(series, slice) != usual->size ||
+           (normal && std::fabs(normal->dot(usual->normal_P)) < leastAligned);
+  };
+  std::vector<SliceSource> lone;
+  std::copy_if(series.slices.begin(), series.slices.end(), std::back_inserter(lone), isLone);
+  if (lone.empty() || lone.size() > mostLone || series.slices.size() < slicesForEach * lone.size())
+    return;
+  std::erase_if(series.slices, isLone);
+  for (const SliceSource& slice : lone)
+    doubt(series, "The image " + nameOf(series.headers[slice.header]) +
+                      " has another size or lies across the others, as a scout does; it was left "
+                      "out.");
 }
 
 void setUp(DicomSeries& series)
@@ -153,6 +108,7 @@ void setUp(DicomSeries& series)
     }
   if (scouts > 0 && !series.slices.empty())
     series.summary.warnings.push_back(std::to_string(scouts) + " scout images were left out.");
+  leaveOutLoneImages(series);
 }
 
 void stackUp(DicomSeries& series)
@@ -192,26 +148,27 @@ void describe(DicomSeries& series)
     return hash.hex();
   }();
   summary.format = "DICOM";
-  summary.modality = first.modality;
+  summary.modality = statedModality(first);
   summary.scanner = first.scanner;
   summary.kernel = first.kernel;
   summary.size = {first.columns, first.rows,
                   static_cast<int>(std::max(series.slices.size(), series.headers.size()))};
   if (!first.frames.empty() && first.frames.front().pixelSpacing_mm)
     summary.spacing_mm.head<2>() = *first.frames.front().pixelSpacing_mm;
-  for (const auto check : {deflatedObstacle, kindObstacle, fileObstacle}) {
-    summary.obstacle = check(series);
-    if (!summary.obstacle.empty()) return;
+  if (!series.slices.empty()) {
+    const SliceSource& slice = series.slices.front();
+    summary.size[0] = series.headers[slice.header].columns;
+    summary.size[1] = series.headers[slice.header].rows;
+    if (frameOf(series, slice).pixelSpacing_mm)
+      summary.spacing_mm.head<2>() = *frameOf(series, slice).pixelSpacing_mm;
   }
-  const DicomHeader& slice = series.headers[series.slices.front().header];
-  summary.size[0] = slice.columns;
-  summary.size[1] = slice.rows;
-  if (slice.frames.front().pixelSpacing_mm)
-    summary.spacing_mm.head<2>() = *slice.frames.front().pixelSpacing_mm;
-  summary.obstacle = sizeObstacle(series);
+  summary.obstacle = obstacleOf(series);
   if (!summary.obstacle.empty()) return;
   stackUp(series);
   if (!summary.obstacle.empty()) return;
+  summary.obstacle = orderObstacleOf(series);
+  if (!summary.obstacle.empty()) return;
+  for (const std::string& sentence : doubtsOf(series)) doubt(series, sentence);
   const auto isLossy = [](const DicomHeader& header) { return header.isLossy; };
   if (countOf(series.headers, isLossy) > 0)
     summary.warnings.push_back("Its images were compressed with loss; fine edges may be gone.");
@@ -225,25 +182,47 @@ void describe(DicomSeries& series)
   summary.score = scoreOf(summary, isAnyDerived);
 }
 
+/// Files in the folders of a series that are cut off so early that they name no series.
+std::vector<std::string> lostBeside(const std::vector<DicomHeader>& headers,
+                                    const std::vector<std::filesystem::path>& stumps)
+{
+  std::vector<std::string> sentences;
+  for (const std::filesystem::path& stump : stumps) {
+    const auto isBeside = [&stump](const DicomHeader& header) {
+      return header.file.parent_path() == stump.parent_path();
+    };
+    if (std::none_of(headers.begin(), headers.end(), isBeside)) continue;
+    DicomHeader named;
+    named.file = stump;
+    sentences.push_back("The file " + nameOf(named) +
+                        " beside its images cannot be read or ends before it names its series: a "
+                        "slice may be missing. Copy the series again.");
+  }
+  return sentences;
+}
+
 }  // namespace
 
-std::vector<DicomSeries> seriesOf(std::vector<DicomHeader> headers)
+std::vector<DicomSeries> seriesOf(DicomFiles files)
 {
-  std::map<std::string, DicomSeries> byUid;
-  std::map<std::filesystem::path, std::string> unnamed;
-  for (DicomHeader& header : headers) {
-    std::string uid = header.seriesUid;
-    if (uid.empty()) {
-      std::string& name = unnamed[header.file.parent_path()];
-      if (name.empty()) name = "without-uid-" + std::to_string(unnamed.size());
-      uid = name;
-    }
-    DicomSeries& series = byUid[uid];
-    series.summary.uid = uid;
-    series.headers.push_back(std::move(header));
+  std::set<std::string> patients;
+  for (const DicomHeader& header : files.headers) {
+    if (!header.identity.patient.empty()) patients.insert(header.identity.patient);
+    if (header.seriesUid.empty() && (header.isTruncated || !header.notParsed.empty()))
+      files.stumps.push_back(header.file);
   }
   std::vector<DicomSeries> all;
-  for (auto& [uid, series] : byUid) {
+  for (SeriesGroup& group : groupsOf(std::move(files.headers))) {
+    DicomSeries series;
+    series.summary.uid = std::move(group.uid);
+    for (const std::string& warning : files.warnings) doubt(series, warning);
+    if (patients.size() > 1)
+      doubt(series, "The folder holds images of " + std::to_string(patients.size()) +
+                        " patients; this series is of one of them. Check that it is the right "
+                        "one.");
+    if (!group.warning.empty()) doubt(series, group.warning);
+    for (const std::string& lost : lostBeside(group.headers, files.stumps)) doubt(series, lost);
+    series.headers = std::move(group.headers);
     describe(series);
     all.push_back(std::move(series));
   }

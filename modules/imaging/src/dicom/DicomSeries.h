@@ -3,9 +3,12 @@
 
 // Series of DICOM files: which files belong together, and what stands against reading them.
 
+#include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <vector>
 
+#include "DicomFiles.h"
 #include "DicomHeader.h"
 #include "perilymph/imaging/CtSeries.h"
 
@@ -25,9 +28,18 @@ struct DicomSeries {
   std::vector<DicomHeader> headers;
   std::vector<SliceSource> slices;      ///< Without scouts.
   std::optional<ct::SliceStack> stack;  ///< Its places index `slices`; none where refused.
+  /// Those of the summary's warnings that say that something stated is not so, or not there.
+  std::vector<std::string> doubts;
 };
 
+/// Number of files of which a claim is true.
+template <class Claim>
+std::size_t countOf(const std::vector<DicomHeader>& headers, Claim claim)
+{
+  return static_cast<std::size_t>(std::count_if(headers.begin(), headers.end(), claim));
+}
+
 /// Files of one series together, each series described and judged; the best score first.
-std::vector<DicomSeries> seriesOf(std::vector<DicomHeader> headers);
+std::vector<DicomSeries> seriesOf(DicomFiles files);
 
 }  // namespace perilymph::imaging

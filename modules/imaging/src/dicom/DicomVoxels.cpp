@@ -9,12 +9,14 @@
 
 #include "DicomFiles.h"
 #include "FrameDecoder.h"
+#include "GrayScales.h"
 #include "Rectification.h"
 
 namespace perilymph::imaging {
 namespace {
 
 constexpr double maxClippedFraction = 1e-3;
+constexpr int minSpan_HU = 100;  // as of volume files
 
 /// Slices of a series, each decoded once if its file is asked for in a row.
 class SliceReader {
@@ -58,7 +60,22 @@ Error differing(std::size_t place, std::size_t count, std::size_t images)
                "its own."};
 }
 
-Result<Grid> assemble(const DicomSeries& series, const ReadingHooks& hooks)
+Result<Done> checkSpan(const std::vector<std::int16_t>& voxels)
+{
+  int least = voxels.front(), most = voxels.front();
+  for (const std::int16_t voxel : voxels) {
+    least = std::min<int>(least, voxel);
+    most = std::max<int>(most, voxel);
+  }
+  if (most - least >= minSpan_HU) return Done{};
+  return Error{
+      "Its intensities span less than 100, so they are no Hounsfield units: a mask, a label or a "
+      "normalized volume. Export the CT itself."};
+}
+
+/// The grid of a series; adds what is to be said of its voxels.
+Result<Grid> assemble(const DicomSeries& series, const ReadingHooks& hooks,
+                      std::vector<std::string>& warnings)
 {
   const ct::SliceStack& stack = *series.stack;
   const std::size_t count = stack.places.size();
@@ -94,14 +111,19 @@ Result<Grid> assemble(const DicomSeries& series, const ReadingHooks& hooks)
     return Error{std::to_string(reader.clipped()) +
                  " voxels lie beyond -32768 to 32767, which 16 bits hold. Export the series as "
                  "Hounsfield units."};
+  if (const auto done = checkSpan(grid.voxels); !done) return done.error();
+  auto scales = checkScales(series, grid);
+  if (!scales) return scales.error();
+  warnings = *std::move(scales);
   return grid;
 }
 
 }  // namespace
 
-Result<ct::CtVolume> readVoxels(const DicomSeries& series, const ReadingHooks& hooks)
+Result<ReadVolume> readVoxels(const DicomSeries& series, const ReadingHooks& hooks)
 {
-  auto grid = assemble(series, hooks);
+  std::vector<std::string> warnings;
+  auto grid = assemble(series, hooks, warnings);
   if (!grid) return grid.error();
   ct::CtProvenance provenance{series.summary.key, series.summary.scanner, "DICOM", {}};
   if (series.stack->tilt_deg > maxTilt_deg) {
@@ -113,8 +135,13 @@ Result<ct::CtVolume> readVoxels(const DicomSeries& series, const ReadingHooks& h
                   series.stack->tilt_deg);
     provenance.notes.emplace_back(note);
   }
-  return ct::CtVolume::make(grid->size, grid->lps_PI, std::move(grid->voxels),
-                            std::move(provenance));
+  std::vector<std::string>& notes = provenance.notes;
+  notes.insert(notes.end(), series.doubts.begin(), series.doubts.end());
+  notes.insert(notes.end(), warnings.begin(), warnings.end());
+  auto volume =
+      ct::CtVolume::make(grid->size, grid->lps_PI, std::move(grid->voxels), std::move(provenance));
+  if (!volume) return volume.error();
+  return ReadVolume{*std::move(volume), std::move(warnings)};
 }
 
 }  // namespace perilymph::imaging

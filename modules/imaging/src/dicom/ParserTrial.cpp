@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
+#include <ctime>
 #include <new>
 
 #include "../SharedMemory.h"
 #include "../UntrustedRead.h"
+#include "DicomDirectory.h"
 #include "DicomHeader.h"
 #include "StudyIdentity.h"
 
@@ -20,40 +22,61 @@ constexpr std::size_t filesAtOnce = 64;
 /// Chosen: far above what these headers take, and a quarter of the minute of a second child.
 constexpr std::chrono::seconds patience{15};
 
+/// Chosen: a header of a thousand frames takes a tenth of it, and a folder of slow ones comes to an end.
+constexpr double slow_s = 3.0;
+constexpr std::chrono::minutes longest{5};
+
 /// Parses a file with each query that is asked here: another one reads other elements.
 void parseAsHere(const std::filesystem::path& file)
 {
   if (!readDicomHeader(file)) return;
-  parseWholeHeader(file);
+  readDicomDirectory(file);
   identityIn(file);
 }
 
+/// Time of computing that this process has taken.
+double taken_s() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+/// What a child reports while it works, in memory that it shares.
+struct Report {
+  volatile std::size_t place = 0;  ///< File that it parses.
+  volatile std::size_t slow = 0;   ///< One that took too long, plus one; it ends behind it.
+};
+
 }  // namespace
 
-std::set<std::filesystem::path> filesThatEndTheParser(
+std::optional<std::set<std::filesystem::path>> filesThatEndTheParser(
     const std::vector<std::filesystem::path>& files, const std::function<bool()>& isCanceled)
 {
   std::set<std::filesystem::path> found;
-  const SharedMemory memory(sizeof(std::size_t));
-  if (!memory.isThere()) return {files.begin(), files.end()};
-  auto& place = *new (memory.start()) volatile std::size_t(0);
+  const SharedMemory memory(sizeof(Report));
+  if (!memory.isThere()) return std::set<std::filesystem::path>{files.begin(), files.end()};
+  auto& report = *new (memory.start()) Report;
+  const auto start = std::chrono::steady_clock::now();
   for (std::size_t begin = 0; begin < files.size();) {
+    if (std::chrono::steady_clock::now() - start > longest) return std::nullopt;
     const std::size_t end = std::min(begin + filesAtOnce, files.size());
-    place = begin;
+    report.place = begin;
+    report.slow = 0;
     const auto work = [&] {
       for (std::size_t i = begin; i < end; ++i) {
-        place = i;
+        report.place = i;
+        const double before_s = taken_s();
         parseAsHere(files[i]);
+        if (taken_s() - before_s < slow_s) continue;
+        report.slow = i + 1;
+        return 0;
       }
       return 0;
     };
-    if (runInChild(work, {maxBytes, isCanceled, patience}) == 0) {
+    const int status = runInChild(work, {maxBytes, isCanceled, patience});
+    if (status == 0 && report.slow == 0) {
       begin = end;
       continue;
     }
     if (isCanceled && isCanceled()) break;
-    found.insert(files[place]);
-    begin = place + 1;
+    found.insert(files[report.place]);
+    begin = report.place + 1;
   }
   return found;
 }

@@ -6,15 +6,16 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <set>
 #include <vector>
 
 namespace perilymph::imaging {
 
-/// The files that end the parser, take it longer than a minute, or make it allocate more than 512 MiB,
-/// for any use of it here. Each is parsed in a child process. What was not tried when it is canceled is
-/// not among them.
-std::set<std::filesystem::path> filesThatEndTheParser(
+/// The files that end the parser, take it longer than seconds, or make it allocate more than 512 MiB, for any use of
+/// it here. Each is parsed in a child process; this one never parses what took the child too long. What was not tried
+/// when it is canceled is not among them. None where all of them together take more than five minutes.
+std::optional<std::set<std::filesystem::path>> filesThatEndTheParser(
     const std::vector<std::filesystem::path>& files, const std::function<bool()>& isCanceled);
 
 }  // namespace perilymph::imaging

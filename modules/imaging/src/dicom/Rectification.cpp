@@ -9,11 +9,34 @@
 #include <vtkSmartPointer.h>
 
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <algorithm>
 
 #include "../VtkComplaints.h"
+#include "FrameDecoder.h"
 
 namespace perilymph::imaging {
+namespace {
+
+/// Fills with air what lies beyond the slices that were measured.
+void maskBeyond(const Grid& measured, Grid& straight)
+{
+  // half a voxel beyond the last centers is within the last voxels
+  constexpr double beyond = 0.5 - 1e-3;
+  const Eigen::Matrix4d source = measured.lps_PI.inverse() * straight.lps_PI;
+  const Eigen::Vector3d last(measured.size[0] - 1, measured.size[1] - 1, measured.size[2] - 1);
+  std::int16_t* voxel = straight.voxels.data();
+  for (int k = 0; k < straight.size[2]; ++k)
+    for (int j = 0; j < straight.size[1]; ++j) {
+      Eigen::Vector3d place = (source * Eigen::Vector4d(0, j, k, 1)).head<3>();
+      const Eigen::Vector3d step = source.block<3, 1>(0, 0);
+      for (int i = 0; i < straight.size[0]; ++i, ++voxel, place += step)
+        if ((place.array() < -beyond).any() || (place.array() > last.array() + beyond).any())
+          *voxel = unmeasured_HU;
+    }
+}
+
+}  // namespace
 
 Result<Grid> rectified(Grid sheared)
 {
@@ -69,6 +92,7 @@ Result<Grid> rectified(Grid sheared)
   straight.lps_PI = lps_PX * image_XI;
   const auto* const first = static_cast<const std::int16_t*>(output.GetScalarPointer());
   straight.voxels.assign(first, first + output.GetNumberOfPoints());
+  maskBeyond(sheared, straight);
   return straight;
 }
 

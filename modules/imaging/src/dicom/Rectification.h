@@ -18,7 +18,8 @@ struct Grid {
   std::vector<std::int16_t> voxels;
 };
 
-/// Resamples a sheared grid so that its axes are at right angles, with a windowed sinc.
+/// Resamples a sheared grid so that its axes are at right angles, with a windowed sinc. What lies beyond the measured
+/// slices is air.
 Result<Grid> rectified(Grid sheared);
 
 }  // namespace perilymph::imaging

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SeriesDoubts.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "DicomStatements.h"
+#include "SeriesChecks.h"
+
+namespace perilymph::imaging {
+namespace {
+
+constexpr const char* theSeries = "The series";
+
+/// A slice in the order of the stack.
+struct Placed {
+  std::size_t place;
+  const DicomHeader& header;
+  const DicomFrame& frame;
+
+  std::string which(std::size_t count) const
+  {
+    return " of slice " + std::to_string(place + 1) + " of " + std::to_string(count) + " (" +
+           nameOf(header) + ")";
+  }
+};
+
+std::vector<Placed> inOrder(const DicomSeries& series)
+{
+  std::vector<Placed> slices;
+  for (std::size_t k = 0; k < series.stack->places.size(); ++k)
+    for (const std::size_t i : series.stack->places[k]) {
+      const SliceSource& slice = series.slices[i];
+      const DicomHeader& header = series.headers[slice.header];
+      slices.push_back({k, header, header.frames[slice.frame]});
+    }
+  return slices;
+}
+
+std::string lengthText(double value)
+{
+  std::array<char, 40> text{};
+  const auto done =
+      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 4);
+  return std::string(text.data(), done.ptr) + " mm";
+}
+
+using Sentence = std::optional<std::string>;
+
+/// Of a tilted gantry, headers give the step of the table or the distance of the planes.
+double nearer(double value, const ct::SliceStack& stack)
+{
+  const double plane = stack.planeDistance_mm(), table = stack.step_P.norm();
+  return std::fabs(value - plane) <= std::fabs(value - table) ? plane : table;
+}
+
+Sentence stepDoubt(const DicomSeries& series, const std::vector<Placed>& slices)
+{
+  for (const Placed& slice : slices) {
+    if (!slice.frame.spacing_mm) continue;
+    const double stated = std::fabs(*slice.frame.spacing_mm);
+    if (auto found = disagreement(theSeries, dicomPairs::step, nearer(stated, *series.stack),
+                                  stated, slice.which(series.stack->places.size())))
+      return found;
+  }
+  return std::nullopt;
+}
+
+/// Slices may overlap by much and still be right; what lies between thinner ones was not measured.
+Sentence thicknessDoubt(const DicomSeries& series, const std::vector<Placed>& slices)
+{
+  constexpr double gap = 0.995, overlap = 5.0;
+  for (const Placed& slice : slices) {
+    if (!slice.frame.thickness_mm) continue;
+    const double thickness = *slice.frame.thickness_mm;
+    const double step = nearer(thickness, *series.stack);
+    const std::string what = slice.which(series.stack->places.size()) + " is " +
+                             lengthText(thickness) + " at a distance of " + lengthText(step) +
+                             " between the slices";
+    if (thickness < gap * step)
+      return "The thickness" + what +
+             ": what lies between them was not measured. Take a series without gaps if there is "
+             "one.";
+    if (thickness > overlap * step)
+      return "The thickness" + what +
+             ": they overlap so much that one of both may be wrong. Check them before the measures "
+             "are used.";
+  }
+  return std::nullopt;
+}
+
+Sentence locationDoubt(const DicomSeries& series, const std::vector<Placed>& slices)
+{
+  std::vector<Placed> located;
+  for (const Placed& slice : slices)
+    if (slice.frame.location_mm) located.push_back(slice);
+  if (located.size() < 2 || located.front().place == located.back().place) return std::nullopt;
+  const Placed& first = located.front();
+  const double span = *located.back().frame.location_mm - *first.frame.location_mm;
+  const auto steps = static_cast<double>(located.back().place - first.place);
+  const double step = nearer(std::fabs(span) / steps, *series.stack);
+  if (auto found = disagreement(theSeries, dicomPairs::location, steps * step, std::fabs(span)))
+    return found;
+  for (const Placed& slice : located) {
+    const double up =
+        (span < 0.0 ? -1.0 : 1.0) * (*slice.frame.location_mm - *first.frame.location_mm);
+    if (auto found = disagreement(theSeries, dicomPairs::locationOfSlice,
+                                  step * static_cast<double>(slice.place - first.place), up,
+                                  slice.which(series.stack->places.size())))
+      return found;
+  }
+  return std::nullopt;
+}
+
+Sentence fieldDoubt(const DicomSeries&, const std::vector<Placed>& slices)
+{
+  for (const Placed& slice : slices) {
+    const auto& diameter = slice.header.reconstructionDiameter_mm;
+    if (!diameter || !slice.frame.pixelSpacing_mm) continue;
+    const double width = slice.header.columns * slice.frame.pixelSpacing_mm->x();
+    const double height = slice.header.rows * slice.frame.pixelSpacing_mm->y();
+    const bool isHeight = std::fabs(height - *diameter) < std::fabs(width - *diameter);
+    if (auto found =
+            disagreement(theSeries, dicomPairs::fieldOfView, isHeight ? height : width, *diameter))
+      return found;
+  }
+  return std::nullopt;
+}
+
+Sentence imagerDoubt(const DicomSeries&, const std::vector<Placed>& slices)
+{
+  for (const Placed& slice : slices) {
+    const auto& imager = slice.header.imagerSpacing_mm;
+    const auto& own = slice.frame.pixelSpacing_mm;
+    if (!imager || !own) continue;
+    if (auto found = disagreement(theSeries, dicomPairs::imagerColumns, own->x(), imager->x()))
+      return found;
+    if (auto found = disagreement(theSeries, dicomPairs::imagerRows, own->y(), imager->y()))
+      return found;
+  }
+  return std::nullopt;
+}
+
+Sentence tiltDoubt(const DicomSeries& series, const std::vector<Placed>& slices)
+{
+  for (const Placed& slice : slices)
+    if (slice.header.gantryTilt_deg)
+      if (auto found = disagreement(theSeries, dicomPairs::tilt, series.stack->tilt_deg,
+                                    std::fabs(*slice.header.gantryTilt_deg)))
+        return found;
+  return std::nullopt;
+}
+
+/// The value of a setting, by the beginning of its name.
+std::string setting(const DicomHeader& header, const char* name)
+{
+  for (const auto& [tag, value] : header.settings)
+    if (tag.starts_with(name)) return value;
+  return {};
+}
+
+Sentence countDoubt(const DicomSeries& series, const std::vector<Placed>&)
+{
+  std::map<std::string, std::size_t> images;
+  for (const DicomHeader& header : series.headers)
+    images[setting(header, "AcquisitionNumber")] += header.frames.size();
+  for (const DicomHeader& header : series.headers)
+    if (header.imagesInAcquisition && *header.imagesInAcquisition > 0)
+      if (auto found =
+              disagreement(theSeries, dicomPairs::imagesInAcquisition,
+                           static_cast<double>(images[setting(header, "AcquisitionNumber")]),
+                           static_cast<double>(*header.imagesInAcquisition)))
+        return found;
+  return std::nullopt;
+}
+
+/// Settings of one reconstruction that change somewhere. The number of an acquisition may, but not back.
+Sentence settingsDoubt(const DicomSeries& series, const std::vector<Placed>& slices)
+{
+  const auto& settings = slices.front().header.settings;
+  for (std::size_t i = 0; i < settings.size(); ++i) {
+    const Changes changes = changesOf(series, i);
+    if (changes.count == 0) continue;
+    if (settings[i].first.starts_with("AcquisitionNumber") && !changes.returns) continue;
+    return "Its slices differ in " + settings[i].first + ": " + changes.example.first + " and " +
+           changes.example.second + ". Check that they are of one reconstruction.";
+  }
+  return std::nullopt;
+}
+
+Sentence modalityDoubt(const DicomSeries& series, const std::vector<Placed>&)
+{
+  if (!series.headers.front().modality.empty()) return std::nullopt;
+  return "It states no modality; by its class (SOPClassUID) it is of the modality " +
+         (series.summary.modality.empty() ? "OT" : series.summary.modality) + ".";
+}
+
+Sentence grayDoubt(const DicomSeries& series, const std::vector<Placed>&)
+{
+  std::string warning = grayValueWarning(series);
+  return warning.empty() ? Sentence() : Sentence(std::move(warning));
+}
+
+}  // namespace
+
+std::vector<std::string> doubtsOf(const DicomSeries& series)
+{
+  const std::vector<Placed> slices = inOrder(series);
+  std::vector<std::string> doubts;
+  for (const auto check : {modalityDoubt, grayDoubt, stepDoubt, thicknessDoubt, locationDoubt,
+                           fieldDoubt, imagerDoubt, tiltDoubt, countDoubt, settingsDoubt})
+    if (auto found = check(series, slices)) doubts.push_back(*std::move(found));
+  return doubts;
+}
+
+}  // namespace perilymph::imaging

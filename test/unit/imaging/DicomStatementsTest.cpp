@@ -1,0 +1,306 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Every pair of statements of a DICOM file or series, made to differ by 1 %, 5 %, a factor of 10 and of 1000:
+// none is accepted without a word.
+
+#include <gmock/gmock.h>
+
+#include <fstream>
+#include <functional>
+#include <map>
+
+#include "StatedSeries.h"
+#include "dicom/DicomStatements.h"
+#include "perilymph/imaging/CtSeries.h"
+#include "perilymph/test/TemporaryFolder.h"
+
+namespace perilymph::imaging {
+namespace {
+
+using test::DicomData;
+using testing::HasSubstr;
+
+using Files = std::vector<DicomData>;
+
+constexpr double factors[] = {1.01, 1.05, 0.95, 10.0, 1000.0, 0.1};
+
+/// A volume as one file of frames, which states everything alike.
+DicomData statedFrames()
+{
+  DicomData file = test::enhancedDicom(smoothCt());
+  file.setNumbers(tags::pixelSpacing, {0.4, 0.4});
+  file.setNumbers(tags::slope, {1.0});
+  file.setNumbers(tags::intercept, {-1024.0});
+  return file;
+}
+
+Files scaledNumber(test::DicomTag tag, double value, double factor)
+{
+  Files slices = statedSlices();
+  for (DicomData& slice : slices) slice.setNumbers(tag, {factor * value});
+  return slices;
+}
+
+/// One of the slices differs.
+Files scaledInOne(test::DicomTag tag, double value, double factor)
+{
+  Files slices = statedSlices();
+  slices[4].setNumbers(tag, {factor * value});
+  return slices;
+}
+
+/// A pair, and files in which its statements differ by a factor; none where the factor makes no file.
+struct Case {
+  const StatedTwice* pair;
+  std::function<Files(double)> make;
+};
+
+/// A count, scaled to another whole number.
+int scaledCount(int count, double factor)
+{
+  const int scaled = static_cast<int>(std::lround(count * factor));
+  return scaled == count ? count + (factor < 1.0 ? -1 : 1) : std::max(1, scaled);
+}
+
+/// Frames that state more or fewer than they hold.
+Files withFrameCount(double factor)
+{
+  DicomData file = statedFrames();
+  file.setText(tags::frames, "IS", std::to_string(scaledCount(10, factor)));
+  return {file};
+}
+
+/// Voxels of more or fewer frames than the header says, which still holds all that it says.
+Files withPixels(double factor)
+{
+  Files slices = statedSlices();
+  if (factor < 1.0) factor = 1.0 / factor;
+  slices[4].setPixels(
+      std::vector<std::uint16_t>(static_cast<std::size_t>(400 * factor + 1.0), 1000));
+  return slices;
+}
+
+/// Compressed fragments: an offset table and images of the given numbers under one stated frame.
+Files withFragments(std::uint32_t offsets, int images)
+{
+  const auto item = [](const std::string& content) {
+    std::string bytes = "\xFE\xFF";
+    bytes += std::string("\x00\xE0", 2);
+    for (int k = 0; k < 4; ++k) bytes += static_cast<char>(content.size() >> (8 * k) & 0xFF);
+    return bytes + content;
+  };
+  std::string bytes = item(std::string(4 * offsets, '\0'));
+  for (int i = 0; i < images; ++i) bytes += item("\xFF\xD8\xFF\xD9");
+  bytes += std::string("\xFE\xFF\xDD\xE0\0\0\0\0", 8);
+  Files slices = statedSlices();
+  for (DicomData& slice : slices) slice.setBytes(tags::pixels, "OB", bytes);
+  return slices;
+}
+
+std::vector<Case> cases()
+{
+  using namespace dicomPairs;
+  const auto number = [](test::DicomTag tag, double value) {
+    return [tag, value](double factor) { return scaledNumber(tag, value, factor); };
+  };
+  const auto inOne = [](test::DicomTag tag, double value) {
+    return [tag, value](double factor) { return scaledInOne(tag, value, factor); };
+  };
+  const auto outside = [](test::DicomTag tag, std::vector<double> values, std::size_t place) {
+    return [=](double factor) {
+      DicomData file = statedFrames();
+      auto scaled = values;
+      scaled[place] *= factor;
+      file.setNumbers(tag, scaled);
+      return Files{file};
+    };
+  };
+  return {
+      {&framesAndGroups, withFrameCount},
+      {&framesAndBytes, withPixels},
+      {&framesAndFragments,
+       [](double factor) {
+         return withFragments(0, scaledCount(1, std::max(2.0, factor / 10.0)));
+       }},
+      {&framesAndOffsets,
+       [](double factor) { return withFragments(factor > 100.0 ? 1000 : 2, 1); }},
+      {&highBit,
+       [](double factor) {
+         Files slices = statedSlices();
+         for (DicomData& slice : slices)
+           slice.setNumber(tags::highBit,
+                           static_cast<std::uint16_t>(std::min(scaledCount(11, factor), 15)));
+         return slices;
+       }},
+      {&bitsStored,
+       [](double factor) {
+         Files slices = statedSlices();
+         const auto bits = static_cast<std::uint16_t>(factor > 100.0 ? 1 : factor > 5.0 ? 4 : 11);
+         for (DicomData& slice : slices) {
+           slice.setNumber(tags::stored, bits);
+           slice.setNumber(tags::highBit, bits - 1);
+         }
+         return slices;
+       }},
+      {&columnsOutsideGroups, outside(tags::pixelSpacing, {0.4, 0.4}, 1)},
+      {&rowsOutsideGroups, outside(tags::pixelSpacing, {0.4, 0.4}, 0)},
+      {&slopeOutsideGroups, outside(tags::slope, {1.0}, 0)},
+      {&interceptOutsideGroups, outside(tags::intercept, {-1024.0}, 0)},
+      {&aspectRatio,
+       [](double factor) {
+         Files slices = statedSlices();
+         const int height = static_cast<int>(std::lround(1000 * factor));
+         for (DicomData& slice : slices)
+           slice.setText(tags::aspect, "IS", std::to_string(height) + "\\1000");
+         return slices;
+       }},
+      {&modality,
+       [](double) {
+         Files slices = statedSlices();
+         for (DicomData& slice : slices)
+           slice.setText(tags::sopClass, "UI", "1.2.840.10008.5.1.4.1.1.4");
+         return slices;
+       }},
+      {&step, number(tags::spacingBetween, 0.6)},
+      {&step, inOne(tags::spacingBetween, 0.6)},
+      {&location,
+       [](double factor) {
+         Files slices = statedSlices();
+         for (std::size_t k = 0; k < slices.size(); ++k)
+           slices[k].setNumbers(tags::location, {factor * 0.6 * static_cast<double>(k)});
+         return slices;
+       }},
+      {&locationOfSlice, inOne(tags::location, -397.6)},
+      {&fieldOfView, number(tags::diameter, 8.0)},
+      {&imagerColumns,
+       [](double factor) {
+         Files slices = statedSlices();
+         for (DicomData& slice : slices) slice.setNumbers(tags::imager, {0.4, 0.4 * factor});
+         return slices;
+       }},
+      {&imagerRows,
+       [](double factor) {
+         Files slices = statedSlices();
+         for (DicomData& slice : slices) slice.setNumbers(tags::imager, {0.4 * factor, 0.4});
+         return slices;
+       }},
+      {&tilt, number(tags::tilt, 15.0)},
+      {&imagesInAcquisition, [](double factor) {
+         Files slices = statedSlices();
+         for (DicomData& slice : slices)
+           slice.setText(tags::imagesInAcquisition, "IS", std::to_string(scaledCount(10, factor)));
+         return slices;
+       }}};
+}
+
+class DicomStatements : public testing::Test {
+protected:
+  Result<LoadedCt> read(const Files& files, const std::string& syntax = "1.2.840.10008.1.2.1")
+  {
+    const auto place = folder / std::to_string(++count);
+    std::filesystem::create_directories(place);
+    for (std::size_t i = 0; i < files.size(); ++i)
+      std::ofstream(place / ("IM" + std::to_string(i)), std::ios::binary) << files[i].file(syntax);
+    return readCt(place);
+  }
+
+  /// Whether an answer names a pair.
+  static bool names(const Result<LoadedCt>& loaded, const StatedTwice& pair)
+  {
+    const auto has = [&pair](const std::string& text) {
+      return text.find(pair.second) != std::string::npos;
+    };
+    if (!loaded) return has(loaded.error().message);
+    return std::any_of(loaded->series.warnings.begin(), loaded->series.warnings.end(), has);
+  }
+
+  test::TemporaryFolder folder;
+  int count = 0;
+};
+
+TEST_F(DicomStatements, ThatAgreeAreReadWithoutAWord)
+{
+  for (const Files& files : {statedSlices(), Files{statedFrames()}}) {
+    const auto loaded = read(files);
+    ASSERT_TRUE(loaded) << loaded.error().message;
+    EXPECT_THAT(loaded->volume.provenance().notes, testing::IsEmpty());
+    ASSERT_EQ(loaded->series.warnings.size(), 1u) << loaded->series.warnings.back();
+    EXPECT_THAT(loaded->series.warnings.front(), HasSubstr("thick; a cochlea"));
+  }
+}
+
+TEST_F(DicomStatements, ThatDifferAreRefusedOrNamed)
+{
+  const std::string lossless = "1.2.840.10008.1.2.4.70";
+  for (const Case& one : cases())
+    for (const double factor : factors) {
+      const bool isCompressed =
+          one.pair == &dicomPairs::framesAndFragments || one.pair == &dicomPairs::framesAndOffsets;
+      const auto loaded = read(one.make(factor), isCompressed ? lossless : "1.2.840.10008.1.2.1");
+      const std::string which = std::string(one.pair->second) + " x " + std::to_string(factor);
+      EXPECT_EQ(static_cast<bool>(loaded), one.pair->answer == Disagreement::warn)
+          << which << (loaded ? "" : ": " + loaded.error().message);
+      // a number of frames beyond the groups may also be beyond the file
+      const bool isCut = !loaded && loaded.error().message.find("cut off") != std::string::npos;
+      EXPECT_TRUE(names(loaded, *one.pair) || isCut)
+          << which << ": " << (loaded ? "read in silence" : loaded.error().message);
+      if (loaded) {
+        EXPECT_THAT(loaded->volume.provenance().notes, testing::Not(testing::IsEmpty())) << which;
+      }
+    }
+}
+
+TEST_F(DicomStatements, AllHaveACase)
+{
+  std::map<std::string, int> tried;
+  for (const Case& one : cases()) ++tried[std::string(one.pair->second) + one.pair->quantity];
+  for (const StatedTwice& pair : allDicomPairs())
+    EXPECT_GT(tried[std::string(pair.second) + pair.quantity], 0) << pair.second;
+}
+
+// What has no tolerance of one pair: thickness is another quantity than the step, and says whether all was measured.
+TEST_F(DicomStatements, OfThicknessSayWhereNothingWasMeasured)
+{
+  for (const double factor : {0.99, 0.95, 0.1, 0.001}) {
+    const auto loaded = read(scaledNumber(tags::thickness, 0.6, factor));
+    ASSERT_TRUE(loaded) << loaded.error().message;
+    EXPECT_THAT(loaded->series.warnings, testing::Contains(HasSubstr("was not measured")))
+        << factor;
+  }
+  for (const double factor : {10.0, 1000.0}) {
+    const auto loaded = read(scaledNumber(tags::thickness, 0.6, factor));
+    ASSERT_TRUE(loaded) << loaded.error().message;
+    EXPECT_THAT(loaded->series.warnings, testing::Contains(HasSubstr("overlap so much"))) << factor;
+  }
+  const auto usual = read(scaledNumber(tags::thickness, 0.6, 2.0));
+  ASSERT_TRUE(usual);
+  EXPECT_EQ(usual->series.warnings.size(), 1u);
+}
+
+// Lengths that the positions alone state of one slice must be those of the others.
+TEST_F(DicomStatements, OfOneSliceAreThoseOfTheOthers)
+{
+  const struct {
+    test::DicomTag tag;
+    std::vector<double> values;
+  } tags[] = {{tags::pixelSpacing, {0.4, 0.4}},
+              {tags::position, {-30.0, 12.0, -397.6}},
+              {tags::orientation, {1, 0, 0, 0, 1, 0}},
+              {tags::diameter, {8.0}},
+              {tags::thickness, {0.6}}};
+  for (const auto& [tag, values] : tags)
+    for (std::size_t i = 0; i < values.size(); ++i)
+      for (const double factor : factors) {
+        if (values[i] == 0.0) continue;
+        Files slices = statedSlices();
+        auto scaled = values;
+        scaled[i] *= factor;
+        slices[4].setNumbers(tag, scaled);
+        const auto loaded = read(slices);
+        EXPECT_TRUE(!loaded || loaded->series.warnings.size() > 1)
+            << std::hex << tag << " value " << i << " x " << factor;
+      }
+}
+
+}  // namespace
+}  // namespace perilymph::imaging

@@ -7,7 +7,6 @@
 #include <optional>
 #include <vector>
 
-#include "perilymph/anatomy/Patient.h"
 #include "perilymph/ct/CtVolume.h"
 
 namespace perilymph::ct {
@@ -19,8 +18,9 @@ std::optional<double> midline_P(const CtVolume& volume);
 /// Points 4 mm apart where the densest bone surrounds lower intensities, as the otic capsule
 /// surrounds the labyrinth; best first.
 ///
-/// @param side  If known and the volume contains both sides, points of the other are omitted.
-std::vector<Eigen::Vector3d> findSeeds(const CtVolume& volume, std::optional<anatomy::Side> side,
+/// @param elsewhere_P  Points within 30 mm of this one are left out: less than between two ears.
+std::vector<Eigen::Vector3d> findSeeds(const CtVolume& volume,
+                                       const std::optional<Eigen::Vector3d>& elsewhere_P,
                                        std::size_t count);
 
 }  // namespace perilymph::ct

@@ -9,11 +9,36 @@
 #include <vtkSmartPointer.h>
 
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <algorithm>
 
 #include "../VtkComplaints.h"
+#include "perilymph/ct/CtVolume.h"
 
 namespace perilymph::imaging {
+
+namespace {
+
+/// Marks the corners that a tilt leaves empty, which VTK fills with 0, the intensity of water:
+/// voxels whose centers lie beyond the borders of the sheared grid.
+void markCorners(Grid& straight, const Eigen::Matrix4d& sheared_PI, const std::array<int, 3>& size)
+{
+  constexpr double border = 0.5 - 1e-6;  // in voxels
+  const Eigen::Matrix4d sheared_IJ = sheared_PI.inverse() * straight.lps_PI;
+  std::size_t at = 0;
+  for (int k = 0; k < straight.size[2]; ++k)
+    for (int j = 0; j < straight.size[1]; ++j)
+      for (int i = 0; i < straight.size[0]; ++i, ++at) {
+        const Eigen::Vector4d index = sheared_IJ * Eigen::Vector4d(i, j, k, 1.0);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          const double along = index[static_cast<Eigen::Index>(axis)];
+          if (along < -border || along > size[axis] - 1 + border)
+            straight.voxels[at] = ct::unmeasured;
+        }
+      }
+}
+
+}  // namespace
 
 Result<Grid> rectified(Grid sheared)
 {
@@ -69,6 +94,7 @@ Result<Grid> rectified(Grid sheared)
   straight.lps_PI = lps_PX * image_XI;
   const auto* const first = static_cast<const std::int16_t*>(output.GetScalarPointer());
   straight.voxels.assign(first, first + output.GetNumberOfPoints());
+  markCorners(straight, sheared.lps_PI, sheared.size);
   return straight;
 }
 

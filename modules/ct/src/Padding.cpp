@@ -18,6 +18,17 @@ constexpr std::size_t fewestVoxels = 64;
 constexpr double darkFraction = 0.55;
 /// An end is abrupt if the median of the steps to the voxels behind it is as large [contrast].
 constexpr double abruptFraction = 0.1;
+/// Clipped air has the lowest intensity, too, but behind its edge the intensity goes on rising: at
+/// the end of padding the first step is so many times the second one.
+constexpr double firstToSecond = 2.0;
+
+double medianStep(std::vector<int>& values)
+{
+  if (values.empty()) return 0.0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
 
 /// A box of voxels, by the first and the last one along every axis.
 struct VoxelBox {
@@ -51,7 +62,8 @@ public:
                      static_cast<std::size_t>(volume.size()[1])},
         isVisited_(voxels_.size()),
         brightest_(quantile(volume, 0.99)),
-        contrast_(brightest_ - quantile(volume, 0.02))
+        contrast_(brightest_ - quantile(volume, 0.02)),
+        lowest_(quantile(volume, 0.0))
   {
   }
 
@@ -118,7 +130,7 @@ private:
     const std::int16_t value = at(start);
     std::vector<Place> open{start};
     std::vector<std::size_t> region, surface;
-    std::vector<int> steps;
+    std::vector<int> steps, secondSteps;
     isVisited_[indexOf(start)] = true;
     while (!open.empty()) {
       const Place place = open.back();
@@ -136,13 +148,16 @@ private:
           } else if (voxels_[index] != unmeasured) {
             surface.push_back(index);
             steps.push_back(std::abs(voxels_[index] - value));
+            next[axis] += by;
+            if (next[axis] >= box_.first[axis] && next[axis] <= box_.last[axis])
+              secondSteps.push_back(std::abs(at(next) - voxels_[index]));
           }
         }
     }
     if (region.size() < fewestVoxels || steps.empty()) return;
-    const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-    std::nth_element(steps.begin(), middle, steps.end());
-    if (*middle < abruptFraction * contrast_) return;
+    const double step = medianStep(steps);
+    if (step < abruptFraction * contrast_) return;
+    if (value == lowest_ && step < firstToSecond * medianStep(secondSteps)) return;
     padding.insert(padding.end(), region.begin(), region.end());
     padding.insert(padding.end(), surface.begin(), surface.end());
   }
@@ -151,7 +166,7 @@ private:
   VoxelBox box_;
   std::array<std::size_t, 3> strides_;
   std::vector<bool> isVisited_;
-  double brightest_, contrast_;
+  double brightest_, contrast_, lowest_;
 };
 
 }  // namespace
@@ -179,7 +194,7 @@ double quantile(const CtVolume& volume, double fraction)
   std::uint64_t below = 0;
   for (std::size_t i = 0; i < histogram.size(); ++i) {
     below += histogram[i];
-    if (static_cast<double>(below) >= fraction * static_cast<double>(total))
+    if (below > 0 && static_cast<double>(below) >= fraction * static_cast<double>(total))
       return static_cast<double>(i) - 32768.0;
   }
   return 32767.0;

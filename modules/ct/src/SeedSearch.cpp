@@ -13,7 +13,6 @@ namespace {
 constexpr double seedStep_mm = 4.0;
 constexpr double sphere_mm = 4.5, sphereStep_mm = 1.3;
 constexpr double bothSides_mm = 100.0;  // the center of a volume this wide is the head's
-constexpr double anotherEar_mm = 30.0;
 
 }  // namespace
 

@@ -15,10 +15,13 @@ namespace perilymph::ct {
 /// center.
 std::optional<double> midline_P(const CtVolume& volume);
 
+/// Farther apart than two places in one cochlea, nearer than two ears [mm].
+inline constexpr double anotherEar_mm = 30.0;
+
 /// Points 4 mm apart where the densest bone surrounds lower intensities, as the otic capsule
 /// surrounds the labyrinth; best first.
 ///
-/// @param elsewhere_P  Points within 30 mm of this one are left out: less than between two ears.
+/// @param elsewhere_P  Points less than `anotherEar_mm` from this one are left out.
 std::vector<Eigen::Vector3d> findSeeds(const CtVolume& volume,
                                        const std::optional<Eigen::Vector3d>& elsewhere_P,
                                        std::size_t count);

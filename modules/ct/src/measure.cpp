@@ -312,7 +312,9 @@ private:
     measures.roundWindow_P = state.pose.outOf_W(window.center_W);
     placeAnatomy(state.pose, measures);
     measures.side = state.pose.isRight() ? anatomy::Side::right : anatomy::Side::left;
-    measures.handednessMargin = mirrored.misfit - best.misfit;
+    // A mirror image at another place is the other ear's, and tells nothing of this one.
+    const bool isOther = (middleOf(mirrored) - middleOf(best)).norm() > anotherEar_mm;
+    measures.handednessMargin = (isOther ? 1.0 : mirrored.misfit) - best.misfit;
     measures.boneLevel = state.bone;
     measures.lumenLevel = state.lumen;
     measures.blurInPlane_mm = state.blurInPlane;

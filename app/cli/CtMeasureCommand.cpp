@@ -37,7 +37,7 @@ Result<ct::MeasureRequest> requestOf(const CtMeasureOptions& options)
     request.click_P = marks->inside_P();
     request.marks = *marks;
   }
-  if (!options.side.empty())
+  if (options.side == "left" || options.side == "right")
     request.side = options.side == "left" ? anatomy::Side::left : anatomy::Side::right;
   return request;
 }
@@ -55,17 +55,29 @@ void printPoint(const char* name, const Eigen::Vector3d& point)
         fixed(point.z(), 2));
 }
 
-void printMeasures(const ct::CochleaMeasures& measures, const imaging::CtSeries& series)
+void printMeasures(const ct::CochleaMeasures& measures)
 {
   print("{} ear\n", measures.side == anatomy::Side::left ? "left" : "right");
   printMeasure("A", measures.a);
   printMeasure("B", measures.b);
   printMeasure("H", measures.h);
-  printMeasure("CDL (OC)", measures.cdlOc);
+  if (measures.cdlOc)
+    printMeasure("CDL (OC)", *measures.cdlOc);
+  else
+    print("{:12} not given: {} turns of the lumen were seen\n", "CDL (OC)",
+          fixed(measures.turnsSeen, 1));
   printPoint("round window", measures.roundWindow_P);
   printPoint("center", measures.center_P);
   for (const ct::Flag flag : measures.flags)
     print("{}: {}\n", ct::nameOf(flag), ct::sentenceOf(flag));
+  if (measures.otherCochlea_P)
+    print("A second cochlea lies at {},{},{} mm (LPS): give --side or --at.\n",
+          fixed(measures.otherCochlea_P->x(), 1), fixed(measures.otherCochlea_P->y(), 1),
+          fixed(measures.otherCochlea_P->z(), 1));
+}
+
+void printWarnings(const imaging::CtSeries& series)
+{
   for (const std::string& warning : series.warnings) print("{}\n", warning);
 }
 
@@ -94,10 +106,42 @@ Result<Done> writeFiles(const CtMeasureOptions& options, const ct::CochleaMeasur
                                options.surface);
 }
 
+double elapsed_s(std::chrono::steady_clock::time_point start)
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// Both ears of a volume: a point, landmarks and files of one ear are refused.
+Result<Done> measureBoth(const CtMeasureOptions& options)
+{
+  if (options.at_mm || !options.landmarks.empty())
+    return Error{
+        "--side both searches for both ears, so --at and --landmarks are not used. Leave them out, "
+        "or give --side left or right."};
+  if (!options.patient.empty() || !options.surface.empty() || !options.picture.empty())
+    return Error{
+        "--patient, --surface and --picture hold one ear, and --side both measures two. Measure "
+        "each ear by --side left and right for its files."};
+  const auto start = std::chrono::steady_clock::now();
+  const auto loaded = imaging::readCt(options.path, options.series);
+  if (!loaded) return loaded.error();
+  const auto ears = ct::measureBothCochleae(loaded->volume, {});
+  if (!ears) return Error{options.path + ": " + ears.error().message};
+  if (!options.json.empty())
+    if (const auto done = writeWhole(
+            options.json, measuresJson(*ears, loaded->series.warnings, elapsed_s(start)));
+        !done)
+      return done.error();
+  for (const ct::CochleaMeasures& ear : *ears) printMeasures(ear);
+  printWarnings(loaded->series);
+  return Done{};
+}
+
 }  // namespace
 
 Result<Done> ctMeasure(const CtMeasureOptions& options)
 {
+  if (options.side == "both") return measureBoth(options);
   const auto request = requestOf(options);
   if (!request) return request.error();
   const auto start = std::chrono::steady_clock::now();
@@ -105,10 +149,10 @@ Result<Done> ctMeasure(const CtMeasureOptions& options)
   if (!loaded) return loaded.error();
   const auto measures = ct::measureCochlea(loaded->volume, *request);
   if (!measures) return Error{options.path + ": " + measures.error().message};
-  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-  if (const auto done = writeFiles(options, *measures, *loaded, took.count()); !done)
+  if (const auto done = writeFiles(options, *measures, *loaded, elapsed_s(start)); !done)
     return done.error();
-  printMeasures(*measures, loaded->series);
+  printMeasures(*measures);
+  printWarnings(loaded->series);
   return Done{};
 }
 

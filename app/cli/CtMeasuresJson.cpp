@@ -19,22 +19,27 @@ Json described(const ct::Measure& measure)
 
 Json described(const Eigen::Vector3d& vector) { return {vector.x(), vector.y(), vector.z()}; }
 
-}  // namespace
-
-std::string measuresJson(const ct::CochleaMeasures& measures,
-                         const std::vector<std::string>& warnings, double seconds)
+Json described(const ct::CochleaMeasures& measures, const std::vector<std::string>& warnings,
+               double seconds)
 {
   Json json;
   json["A_mm"] = described(measures.a);
   json["B_mm"] = described(measures.b);
   json["H_mm"] = described(measures.h);
-  json["cdl_oc_mm"] = described(measures.cdlOc);
+  if (measures.cdlOc) {
+    json["cdl_oc_mm"] = described(*measures.cdlOc);
+  } else {
+    json["cdl_oc_mm"] = nullptr;
+    json["cdl_oc_reason"] = ct::sentenceOf(ct::Flag::fewTurns);
+    json["turns_seen"] = measures.turnsSeen;
+  }
   json["axis_lps"] = described(measures.axis_P);
   json["center_lps_mm"] = described(measures.center_P);
   json["round_window_lps_mm"] = described(measures.roundWindow_P);
   json["side"] = measures.side == anatomy::Side::left ? "left" : "right";
   json["flags"] = Json::array();
   for (const ct::Flag flag : measures.flags) json["flags"].push_back(ct::nameOf(flag));
+  if (measures.otherCochlea_P) json["second_cochlea_lps_mm"] = described(*measures.otherCochlea_P);
   json["seconds"] = seconds;
   json["axis_sd_deg"] = measures.axisError_deg;
   json["handedness_margin"] = measures.handednessMargin;
@@ -49,6 +54,24 @@ std::string measuresJson(const ct::CochleaMeasures& measures,
                         {"scanner", measures.provenance.scanner},
                         {"source", measures.provenance.source},
                         {"notes", measures.provenance.notes}};
+  return json;
+}
+
+}  // namespace
+
+std::string measuresJson(const ct::CochleaMeasures& measures,
+                         const std::vector<std::string>& warnings, double seconds)
+{
+  return jsonText(described(measures, warnings, seconds));
+}
+
+std::string measuresJson(const std::array<ct::CochleaMeasures, 2>& ears,
+                         const std::vector<std::string>& warnings, double seconds)
+{
+  Json json;
+  json["ears"] = Json::array();
+  for (const ct::CochleaMeasures& ear : ears)
+    json["ears"].push_back(described(ear, warnings, seconds));
   return jsonText(json);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,10 @@ namespace perilymph::cli {
 ///
 /// @param warnings  Sentences about the series.
 std::string measuresJson(const ct::CochleaMeasures& measures,
+                         const std::vector<std::string>& warnings, double seconds);
+
+/// What it writes with `--side both`: "ears", the right one first, each as with one ear.
+std::string measuresJson(const std::array<ct::CochleaMeasures, 2>& ears,
                          const std::vector<std::string>& warnings, double seconds);
 
 }  // namespace perilymph::cli

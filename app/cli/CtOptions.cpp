@@ -62,8 +62,10 @@ void addMeasure(CLI::App& ct, FileOptions& files, CtMeasureOptions& options)
           .add_option("--landmarks", options.landmarks,
                       "3D Slicer markups (.mrk.json) with points RW, C and A, instead of --at")
           ->excludes(at));
-  command.add_option("--side", options.side, "Ear: left or right (default: detected)")
-      ->check(CLI::IsMember({"left", "right"}));
+  command
+      .add_option("--side", options.side,
+                  "Ear: left, right or both, by the winding of the spiral (default: the best seen)")
+      ->check(CLI::IsMember({"left", "right", "both"}));
   files.writes(
       command.add_option("--json", options.json, "Write measures in mm with their errors (JSON)"));
   files.writes(command.add_option("--patient", options.patient,

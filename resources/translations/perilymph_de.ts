@@ -540,12 +540,44 @@
         <translation>Kein rundes Fenster gefunden; %1 Grad folgt allein aus der Spirale. Die Mitte des runden Fensters markieren.</translation>
     </message>
     <message>
-        <source>Part of the cochlea lies outside the volume: take a series that shows all of it.</source>
-        <translation>Ein Teil der Cochlea liegt außerhalb des Volumens: eine Serie verwenden, die sie ganz zeigt.</translation>
+        <source>Part of the cochlea lies outside the volume, or where nothing was measured: take a series that shows all of it.</source>
+        <translation>Ein Teil der Cochlea liegt außerhalb des Volumens oder dort, wo nicht gemessen wurde: eine Serie verwenden, die sie ganz zeigt.</translation>
     </message>
     <message>
         <source>A landmark placed by hand lies far from the fitted cochlea, and the voxels contradict it: check that landmark in the images.</source>
         <translation>Eine von Hand gesetzte Landmarke liegt weit von der angepassten Cochlea entfernt, und die Voxel widersprechen ihr: diese Landmarke in den Bildern prüfen.</translation>
+    </message>
+    <message>
+        <source>Fewer than %1 turns of the lumen were seen: the cochlea is malformed, or its upper turns are filled with bone. No duct length is given, because its formula assumes %2 turns.</source>
+        <translation>Weniger als %1 Windungen des Lumens wurden gesehen: Die Cochlea ist missgebildet, oder ihre oberen Windungen sind mit Knochen gefüllt. Eine Ganglänge wird nicht angegeben, weil ihre Formel %2 Windungen annimmt.</translation>
+    </message>
+    <message>
+        <source>Along a fifth or more of the basal turn nothing distinguishes the lumen from the bone: it may be ossified; check the outline in the images.</source>
+        <translation>Auf mindestens einem Fünftel der basalen Windung unterscheidet sich das Lumen nicht vom Knochen: Es könnte verknöchert sein; den Umriss in den Bildern prüfen.</translation>
+    </message>
+    <message>
+        <source>There is metal in the cochlea (an implant?): it hides the wall, so take a CT from before the implantation.</source>
+        <translation>In der Cochlea ist Metall (ein Implantat?): Es verdeckt die Wand; eine CT von vor der Implantation verwenden.</translation>
+    </message>
+    <message>
+        <source>B does not fit A, or H is beyond that of known cochleae: check the outline in the images; a malformed cochlea has no A, B and H.</source>
+        <translation>B passt nicht zu A, oder H liegt außerhalb bekannter Cochleae: Den Umriss in den Bildern prüfen; für eine missgebildete Cochlea gelten A, B und H nicht.</translation>
+    </message>
+    <message>
+        <source>The volume shows a second cochlea: choose the ear by its side, or by a point in it.</source>
+        <translation>Das Volumen zeigt eine zweite Cochlea: Das Ohr durch seine Seite oder einen Punkt darin wählen.</translation>
+    </message>
+    <message>
+        <source>A, B or H between the landmarks placed by hand differs from the fitted one by more than the errors of both: check the landmarks in the images.</source>
+        <translation>A, B oder H zwischen den von Hand gesetzten Landmarken weicht stärker von der Anpassung ab als die Fehler beider: Die Landmarken in den Bildern prüfen.</translation>
+    </message>
+    <message>
+        <source>There is metal in the cochlea (an implant?): %1 cubic millimeters are brighter than %2 HU and hide its wall. Take a CT from before the implantation.</source>
+        <translation>In der Cochlea ist Metall (ein Implantat?): %1 Kubikmillimeter sind heller als %2 HU und verdecken ihre Wand. Verwenden Sie eine CT von vor der Implantation.</translation>
+    </message>
+    <message>
+        <source>The scala tympani is built with %1 turns, and fewer were seen in this cochlea, so no patient file is written. Use its measures without the model.</source>
+        <translation>Die Scala tympani wird mit %1 Windungen gebaut, in dieser Cochlea wurden weniger gesehen; deshalb wird keine Patientendatei geschrieben. Verwenden Sie ihre Maße ohne das Modell.</translation>
     </message>
     <message>
         <source>%1 scout images were left out.</source>
@@ -1052,8 +1084,8 @@
         <translation>Die Ausrichtungsmatrix des Volumens ist singulär oder nicht endlich, so dass sich darin keine Länge messen lässt. Exportieren Sie die Serie noch einmal mit Lage und Ausrichtung.</translation>
     </message>
     <message>
-        <source>No cochlea of usual shape was found: the best fit leaves %1 % of the voxels near its wall unexplained, at most %2 % is allowed. Click into the cochlea; of a malformed one A, B and H do not apply.</source>
-        <translation>Es wurde keine Cochlea üblicher Form gefunden: Die beste Anpassung erklärt %1 % der Voxel nahe ihrer Wand nicht, höchstens %2 % sind erlaubt. Klicken Sie in die Cochlea; für eine missgebildete gelten A, B und H nicht.</translation>
+        <source>No cochlea of usual shape was found: the best fit leaves %1 % of the voxels near its wall unexplained, at most %2 % is allowed. Click into the cochlea; of a malformed or ossified one A, B and H do not apply.</source>
+        <translation>Es wurde keine Cochlea üblicher Form gefunden: Die beste Anpassung erklärt %1 % der Voxel nahe ihrer Wand nicht, höchstens %2 % sind erlaubt. Klicken Sie in die Cochlea; für eine missgebildete oder verknöcherte gelten A, B und H nicht.</translation>
     </message>
     <message>
         <source>The point given lies outside the volume. Click into the cochlea, or give none and let the volume be searched.</source>
@@ -1068,8 +1100,8 @@
         <translation>Nahe der angeklickten Stelle liegen zu wenige Voxel, um eine Cochlea zu messen. Klicken Sie in die Cochlea, und nehmen Sie eine Serie, die sie ganz zeigt.</translation>
     </message>
     <message>
-        <source>The best fit has A %1 mm and B %2 mm; of %3 cochleae A was %4 mm to %5 mm and B %6 mm to %7 mm at four standard deviations. Click into the cochlea; of a malformed one A, B and H do not apply.</source>
-        <translation>Die beste Anpassung hat A %1 mm und B %2 mm; bei %3 Cochleae war A %4 mm bis %5 mm und B %6 mm bis %7 mm innerhalb von vier Standardabweichungen. Klicken Sie in die Cochlea; für eine missgebildete gelten A, B und H nicht.</translation>
+        <source>The best fit has A %1 mm and B %2 mm; of %3 cochleae A was %4 mm to %5 mm and B %6 mm to %7 mm at four standard deviations. Click into the cochlea; of a malformed or ossified one A, B and H do not apply.</source>
+        <translation>Die beste Anpassung hat A %1 mm und B %2 mm; bei %3 Cochleae war A %4 mm bis %5 mm und B %6 mm bis %7 mm innerhalb von vier Standardabweichungen. Klicken Sie in die Cochlea; für eine missgebildete oder verknöcherte gelten A, B und H nicht.</translation>
     </message>
     <message>
         <source>A voxel is %1 mm long; at most %2 mm is allowed, and %3 mm or less is advised. Take a series with thinner slices.</source>

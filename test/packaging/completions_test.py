@@ -91,7 +91,7 @@ class Completions(unittest.TestCase):
         self.assertIn("flex28", self.complete("perilymph-cli simulate --array fle"))
         self.assertIn("etc", self.complete("perilymph-cli simulate --patient et"))
         self.assertIn("etc", self.complete("perilymph-cli ct measure et"))
-        self.assertEqual(self.complete("perilymph-cli ct measure etc --side "), {"left", "right"})
+        self.assertEqual(self.complete("perilymph-cli ct measure etc --side "), {"left", "right", "both"})
 
 
 if __name__ == "__main__":

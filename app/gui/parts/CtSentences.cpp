@@ -34,10 +34,37 @@ constexpr const char* sentences[] = {
                       "No round window was found, so %1 degrees follows from the spiral alone: "
                       "mark the round window's center."),
     QT_TRANSLATE_NOOP(
-        "Data", "Part of the cochlea lies outside the volume: take a series that shows all of it."),
+        "Data",
+        "Part of the cochlea lies outside the volume, or where nothing was measured: take a series "
+        "that shows all of it."),
     QT_TRANSLATE_NOOP("Data",
                       "A landmark placed by hand lies far from the fitted cochlea, and the voxels "
                       "contradict it: check that landmark in the images."),
+    QT_TRANSLATE_NOOP(
+        "Data",
+        "Fewer than %1 turns of the lumen were seen: the cochlea is malformed, or its "
+        "upper turns are filled with bone. No duct length is given, because its "
+        "formula assumes %2 turns."),
+    QT_TRANSLATE_NOOP(
+        "Data",
+        "Along a fifth or more of the basal turn nothing distinguishes the lumen from "
+        "the bone: it may be ossified; check the outline in the images."),
+    QT_TRANSLATE_NOOP(
+        "Data",
+        "There is metal in the cochlea (an implant?): it hides the wall, so take a CT "
+        "from before the implantation."),
+    QT_TRANSLATE_NOOP(
+        "Data",
+        "B does not fit A, or H is beyond that of known cochleae: check the outline in "
+        "the images; a malformed cochlea has no A, B and H."),
+    QT_TRANSLATE_NOOP(
+        "Data",
+        "The volume shows a second cochlea: choose the ear by its side, or by a point "
+        "in it."),
+    QT_TRANSLATE_NOOP(
+        "Data",
+        "A, B or H between the landmarks placed by hand differs from the fitted one by "
+        "more than the errors of both: check the landmarks in the images."),
     // warnings about a series
     QT_TRANSLATE_NOOP("Data", "%1 scout images were left out."),
     QT_TRANSLATE_NOOP("Data",

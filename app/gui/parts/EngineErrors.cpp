@@ -164,7 +164,15 @@ constexpr const char* messages[] = {
     QT_TRANSLATE_NOOP("Data",
                       "No cochlea of usual shape was found: the best fit leaves %1 % of the voxels "
                       "near its wall unexplained, at most %2 % is allowed. Click into the cochlea; "
-                      "of a malformed one A, B and H do not apply."),
+                      "of a malformed or ossified one A, B and H do not apply."),
+    QT_TRANSLATE_NOOP("Data",
+                      "There is metal in the cochlea (an implant?): %1 cubic millimeters are "
+                      "brighter than %2 HU and hide its wall. Take a CT from before the "
+                      "implantation."),
+    QT_TRANSLATE_NOOP("Data",
+                      "The scala tympani is built with %1 turns, and fewer were seen in this "
+                      "cochlea, so no patient file is written. Use its measures without the "
+                      "model."),
     QT_TRANSLATE_NOOP("Data",
                       "The point given lies outside the volume. Click into the cochlea, or give "
                       "none and let the volume be searched."),
@@ -177,7 +185,7 @@ constexpr const char* messages[] = {
     QT_TRANSLATE_NOOP("Data",
                       "The best fit has A %1 mm and B %2 mm; of %3 cochleae A was %4 mm to %5 mm "
                       "and B %6 mm to %7 mm at four standard deviations. Click into the cochlea; "
-                      "of a malformed one A, B and H do not apply."),
+                      "of a malformed or ossified one A, B and H do not apply."),
     QT_TRANSLATE_NOOP("Data",
                       "A voxel is %1 mm long; at most %2 mm is allowed, and %3 mm or less is "
                       "advised. Take a series with thinner slices."),

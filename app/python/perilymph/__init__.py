@@ -7,7 +7,7 @@ An operation that fails raises perilymph.Error, a ValueError, whose text says wh
 For research and training; not a medical device.
 """
 
-from perilymph._ct import CtMeasures, read_measures
+from perilymph._ct import CtMeasures, read_both_measures, read_measures
 from perilymph._engine import (
     Array,
     Cochlea,
@@ -54,6 +54,7 @@ __all__ = [
     "patients",
     "plan",
     "read_array",
+    "read_both_measures",
     "read_measures",
     "read_patient",
     "read_plan",

@@ -15,26 +15,38 @@ _LARGEST = 1 << 20  # bytes: a hundred times what the command writes
 
 class CtMeasures:
     """A cochlea measured in a CT: 'A_mm', 'B_mm', 'H_mm' and 'cdl_oc_mm', the cochlear duct length along the organ of
-    Corti, with their errors. Points are in the patient's frame (LPS)."""
+    Corti, with their errors. Where fewer turns were seen than the length's formula assumes, its value, error and
+    interval are None and 'duct_length_reason' says why. Points are in the patient's frame (LPS);
+    'second_cochlea_lps_mm' is None unless the volume shows another one."""
 
     def __init__(self, page, name):
         try:
-            self.values_mm = {key: _number(page[key]["value"]) for key in _MEASURES}
-            self.sds_mm = {key: _number(page[key]["sd"]) for key in _MEASURES}
-            self.intervals95_mm = {key: (_number(page[key]["ci95"][0]), _number(page[key]["ci95"][1])) for key in _MEASURES}
+            self.duct_length_reason = _text(page["cdl_oc_reason"]) if page["cdl_oc_mm"] is None else None
+            given = [key for key in _MEASURES if key != "cdl_oc_mm" or self.duct_length_reason is None]
+            absent = dict.fromkeys(_MEASURES)
+            self.values_mm = absent | {key: _number(page[key]["value"]) for key in given}
+            self.sds_mm = absent | {key: _number(page[key]["sd"]) for key in given}
+            self.intervals95_mm = absent | {key: (_number(page[key]["ci95"][0]), _number(page[key]["ci95"][1]))
+                                            for key in given}
             self.side = _text(page["side"])
             self.flags = [_text(each) for each in page["flags"]]
             self.warnings = [_text(each) for each in page["warnings"]]
             self.round_window_lps_mm = _vector(page["round_window_lps_mm"])
             self.center_lps_mm = _vector(page["center_lps_mm"])
             self.axis_lps = _vector(page["axis_lps"])
+            second = page.get("second_cochlea_lps_mm")
+            self.second_cochlea_lps_mm = None if second is None else _vector(second)
             self.provenance = dict(page["provenance"])
         except (KeyError, IndexError, TypeError, ValueError) as error:
             raise Error(f"{name} is not what 'perilymph-cli ct measure --json' writes ({type(error).__name__}: {error}). "
                         "Measure again.") from None
 
     def patient(self, label="measured"):
-        """The patient with these measures and their standard deviations."""
+        """The patient with these measures and their standard deviations. Refused where fewer turns were seen than the
+        scala tympani is built with."""
+        if self.duct_length_reason is not None:
+            raise Error("The scala tympani is built with 2.5 turns, and fewer were seen in this cochlea. No patient is made "
+                        "of its measures.")
         return Patient(a_mm=self.values_mm["A_mm"], b_mm=self.values_mm["B_mm"], h_mm=self.values_mm["H_mm"],
                        a_sd_mm=self.sds_mm["A_mm"], b_sd_mm=self.sds_mm["B_mm"], h_sd_mm=self.sds_mm["H_mm"],
                        side=self.side, label=label)
@@ -59,7 +71,23 @@ def _vector(values):
 
 
 def read_measures(file):
-    """Reads the result of 'perilymph-cli ct measure --json'."""
+    """Reads the result of 'perilymph-cli ct measure --json' for one ear."""
+    page, name = _page(file)
+    if isinstance(page, dict) and "ears" in page:
+        raise Error(f"{name} holds both ears. Read it with read_both_measures.")
+    return CtMeasures(page, name)
+
+
+def read_both_measures(file):
+    """Reads the result of 'perilymph-cli ct measure --side both --json': a list, the right ear first."""
+    page, name = _page(file)
+    ears = page.get("ears") if isinstance(page, dict) else None
+    if not isinstance(ears, list) or len(ears) != 2:
+        raise Error(f"{name} does not hold both ears. Read it with read_measures, or measure with '--side both'.")
+    return [CtMeasures(ear, name) for ear in ears]
+
+
+def _page(file):
     name = os.fspath(file)
     try:
         with open(name, "rb") as stream:
@@ -72,4 +100,4 @@ def read_measures(file):
         page = json.loads(text)
     except (ValueError, RecursionError):
         raise Error(f"{name} is no JSON. Give the file of 'ct measure --json'.") from None
-    return CtMeasures(page, name)
+    return page, name

@@ -98,10 +98,9 @@ void fillMeasures(const LumenShape& family, const FitResult& fit, const RoundWin
   const auto sum = [&](double a, double b) {
     return std::sqrt(byA * byA * a * a + byB * byB * b * b);
   };
-  measures.cdlOc.value = organOfCorti(best.a, best.b);
-  measures.cdlOc.statistical = sum(measures.a.statistical, measures.b.statistical);
-  measures.cdlOc.model = sum(measures.a.model, measures.b.model);
-  measures.cdlOc.definition = sum(measures.a.definition, measures.b.definition);
+  measures.cdlOc = Measure{
+      organOfCorti(best.a, best.b), sum(measures.a.statistical, measures.b.statistical),
+      sum(measures.a.model, measures.b.model), sum(measures.a.definition, measures.b.definition)};
 }
 
 }  // namespace perilymph::ct

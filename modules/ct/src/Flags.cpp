@@ -14,7 +14,7 @@ struct Entry {
   const char* sentence;
 };
 
-constexpr std::array<Entry, 9> entries{
+constexpr std::array<Entry, 15> entries{
     {{Flag::coarseVoxels, "coarse_voxels",
       "A voxel is longer than 0.65 mm, the coarsest the measurement was tried with: take a finer "
       "series if there is one, or trust the measures less than their error bars say."},
@@ -39,10 +39,31 @@ constexpr std::array<Entry, 9> entries{
       "No round window was found, so 0 degrees follows from the spiral alone: mark the round "
       "window's center."},
      {Flag::clipped, "clipped",
-      "Part of the cochlea lies outside the volume: take a series that shows all of it."},
+      "Part of the cochlea lies outside the volume, or where nothing was measured: take a series "
+      "that "
+      "shows all of it."},
      {Flag::landmarkContradicted, "landmark_contradicted",
       "A landmark placed by hand lies far from the fitted cochlea, and the voxels contradict it: "
-      "check that landmark in the images."}}};
+      "check that landmark in the images."},
+     {Flag::fewTurns, "few_turns",
+      "Fewer than 2.15 turns of the lumen were seen: the cochlea is malformed, or its upper turns "
+      "are filled with bone. No duct length is given, because its formula assumes 2.5 turns."},
+     {Flag::wallWithoutContrast, "wall_without_contrast",
+      "Along a fifth or more of the basal turn nothing distinguishes the lumen from the bone: it "
+      "may "
+      "be ossified; check the outline in the images."},
+     {Flag::metal, "metal_in_cochlea",
+      "There is metal in the cochlea (an implant?): it hides the wall, so take a CT from before "
+      "the "
+      "implantation."},
+     {Flag::unusualProportions, "unusual_proportions",
+      "B does not fit A, or H is beyond that of known cochleae: check the outline in the images; a "
+      "malformed cochlea has no A, B and H."},
+     {Flag::secondCochlea, "second_cochlea",
+      "The volume shows a second cochlea: choose the ear by its side, or by a point in it."},
+     {Flag::landmarksDisagree, "landmarks_disagree",
+      "A, B or H between the landmarks placed by hand differs from the fitted one by more than the "
+      "errors of both: check the landmarks in the images."}}};
 
 const Entry& entryOf(Flag flag)
 {

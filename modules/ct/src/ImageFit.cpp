@@ -347,6 +347,7 @@ Observations observe(const CtVolume& volume, const LumenShape& family, const Fit
   for (int k = low[2]; k <= high[2]; ++k)
     for (int j = low[1]; j <= high[1]; ++j)
       for (int i = low[0]; i <= high[0]; ++i) {
+        if (volume.voxel(i, j, k) == unmeasured) continue;
         const Eigen::Vector3d point_P = volume.toLps(Eigen::Vector3d(i, j, k));
         const Eigen::Vector3d point_W = state.pose.into_W(point_P);
         if (std::fabs(point_W.z() - 1.0) > 4.5) continue;

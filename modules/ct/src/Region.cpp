@@ -34,6 +34,19 @@ std::size_t otsu(const std::array<double, bins>& histogram)
   return threshold;
 }
 
+/// Intensities above this belong to metal, which would stretch the histogram: half as far above the
+/// bright voxels as these are above the dark ones. Bone, clipped or not, stays below.
+float brightest(std::vector<float> values)
+{
+  const auto at = [&](std::size_t percent) {
+    const auto place = values.begin() + static_cast<std::ptrdiff_t>(values.size() * percent / 100);
+    std::nth_element(values.begin(), place, values.end());
+    return *place;
+  };
+  const float dark = at(2), bright = at(98);
+  return bright + 0.5F * (bright - dark);
+}
+
 }  // namespace
 
 Region::Region(const CtVolume& volume, const Eigen::Vector3d& center_P, double radius_mm)
@@ -88,6 +101,8 @@ Levels findLevels(const Region& region, const Eigen::Vector3d& center_P, double 
       }
   Levels levels;
   if (all.size() < 100 || high <= low) return levels;
+  high = std::min(high, brightest(all));
+  for (float& value : all) value = std::min(value, high);
   const double binWidth = (static_cast<double>(high) - low) / (bins - 1);
   const auto bin = [&](float value) {
     return static_cast<std::size_t>((static_cast<double>(value) - low) / binWidth);

@@ -4,32 +4,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
+
+#include "Padding.h"
 
 namespace perilymph::ct {
 namespace {
 
 constexpr double seedStep_mm = 4.0;
 constexpr double sphere_mm = 4.5, sphereStep_mm = 1.3;
-constexpr double bothSides_mm = 100.0;  // a volume this wide contains both ears
-
-/// A quantile of the intensities.
-double quantile(const CtVolume& volume, double fraction)
-{
-  std::vector<std::uint32_t> histogram(65536);
-  std::uint64_t total = 0;
-  for (int k = 0; k < volume.size()[2]; ++k)
-    for (int j = 0; j < volume.size()[1]; ++j)
-      for (int i = 0; i < volume.size()[0]; ++i, ++total)
-        ++histogram[static_cast<std::size_t>(volume.voxel(i, j, k) + 32768)];
-  std::uint64_t below = 0;
-  for (std::size_t i = 0; i < histogram.size(); ++i) {
-    below += histogram[i];
-    if (static_cast<double>(below) >= fraction * static_cast<double>(total))
-      return static_cast<double>(i) - 32768.0;
-  }
-  return 32767.0;
-}
+constexpr double bothSides_mm = 100.0;  // the center of a volume this wide is the head's
 
 }  // namespace
 
@@ -50,7 +33,8 @@ std::optional<double> midline_P(const CtVolume& volume)
   return 0.5 * (low + high);
 }
 
-std::vector<Eigen::Vector3d> findSeeds(const CtVolume& volume, std::optional<anatomy::Side> side,
+std::vector<Eigen::Vector3d> findSeeds(const CtVolume& volume,
+                                       const std::optional<Eigen::Vector3d>& elsewhere_P,
                                        std::size_t count)
 {
   // Dense bone is defined by the volume's own 99th percentile: levels are not fixed.
@@ -64,7 +48,6 @@ std::vector<Eigen::Vector3d> findSeeds(const CtVolume& volume, std::optional<ana
         const Eigen::Vector3d offset = sphereStep_mm * Eigen::Vector3d(i, j, k);
         if (offset.norm() <= sphere_mm) sphere.push_back(offset);
       }
-  const std::optional<double> midline = midline_P(volume);
   const Eigen::Vector3d spacing = volume.spacing_mm();
   const Eigen::Vector3d step = Eigen::Vector3d::Constant(seedStep_mm).cwiseQuotient(spacing);
   struct Scored {
@@ -76,8 +59,7 @@ std::vector<Eigen::Vector3d> findSeeds(const CtVolume& volume, std::optional<ana
     for (double j = 0.5 * step.y(); j < volume.size()[1]; j += step.y())
       for (double i = 0.5 * step.x(); i < volume.size()[0]; i += step.x()) {
         const Eigen::Vector3d place_P = volume.toLps({i, j, k});
-        if (midline && side && (place_P.x() < *midline) != (*side == anatomy::Side::right))
-          continue;
+        if (elsewhere_P && (place_P - *elsewhere_P).norm() < anotherEar_mm) continue;
         int known = 0, bone = 0, hole = 0;
         for (const Eigen::Vector3d& offset : sphere)
           if (const auto value = volume.sample(place_P + offset)) {

@@ -7,7 +7,6 @@
 #include <optional>
 #include <vector>
 
-#include "perilymph/anatomy/Patient.h"
 #include "perilymph/ct/CtVolume.h"
 
 namespace perilymph::ct {
@@ -16,11 +15,15 @@ namespace perilymph::ct {
 /// center.
 std::optional<double> midline_P(const CtVolume& volume);
 
+/// Farther apart than two places in one cochlea, nearer than two ears [mm].
+inline constexpr double anotherEar_mm = 30.0;
+
 /// Points 4 mm apart where the densest bone surrounds lower intensities, as the otic capsule
 /// surrounds the labyrinth; best first.
 ///
-/// @param side  If known and the volume contains both sides, points of the other are omitted.
-std::vector<Eigen::Vector3d> findSeeds(const CtVolume& volume, std::optional<anatomy::Side> side,
+/// @param elsewhere_P  Points less than `anotherEar_mm` from this one are left out.
+std::vector<Eigen::Vector3d> findSeeds(const CtVolume& volume,
+                                       const std::optional<Eigen::Vector3d>& elsewhere_P,
                                        std::size_t count);
 
 }  // namespace perilymph::ct

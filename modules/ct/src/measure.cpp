@@ -9,14 +9,17 @@
 #include "CoarseSearch.h"
 #include "ErrorBars.h"
 #include "ImageFit.h"
+#include "LumenProfile.h"
 #include "LumenWall.h"
 #include "MarkConstraint.h"
 #include "MeasuredGeometry.h"
 #include "ModiolarSections.h"
+#include "Padding.h"
+#include "RaisedFlags.h"
+#include "Refusal.h"
 #include "Region.h"
 #include "RoundWindow.h"
 #include "SeedSearch.h"
-#include "perilymph/anatomy/Population.h"
 #include "perilymph/ct/Measures.h"
 #include "perilymph/foundation/Math.h"
 #include "perilymph/foundation/Units.h"
@@ -24,7 +27,7 @@
 namespace perilymph::ct {
 namespace {
 
-constexpr double maxVoxel_mm = 1.0, coarseVoxel_mm = 0.65;
+constexpr double maxVoxel_mm = 1.0;
 constexpr double hFirst_deg = 20.0;  // below this angle the vestibule opens into the lumen
 constexpr double clickReach_mm =
     4.5;  // from a click in the cochlea to the center of its basal turn
@@ -35,8 +38,7 @@ constexpr std::size_t fewVoxels = 3000, someVoxels = 8000, manyVoxels = 14000;
 
 // Misfits of phantoms and of ten real ears are up to 0.25; starts without a cochlea mostly have 0.3
 // and more.
-constexpr double poorMisfit = 0.30, refusedMisfit = 0.42;
-constexpr double sectionLimit_mm = 0.25, sectionMissing = 0.25;
+constexpr double otherCochleaMisfit = 0.30;
 // Weight of landmarks in the choice between starts: as much misfit as tells a cochlea from bone
 // without one. Chosen.
 constexpr double markWeight = 0.15;
@@ -62,11 +64,10 @@ public:
 
   Result<CochleaMeasures> run()
   {
-    const auto started = starts();
-    if (!started) return started.error();
-    report(0.3);
-    FitResult best, bestMirrored;
-    if (const auto done = chooseStart(*started, best, bestMirrored); !done) return done.error();
+    auto chosen = choose(std::nullopt);
+    if (!chosen) return chosen.error();
+    if (!request_.click_P) considerOther(*chosen);
+    FitResult best = std::move(chosen->best);
     // The voxels are selected again each time, because the wall has moved.
     for (int round = 0; round < 4; ++round) {
       if (isStopped()) return Error{canceled};
@@ -85,13 +86,8 @@ public:
       best = std::move(corrected);
     }
     if (isStopped()) return Error{canceled};
-    if (best.misfit > refusedMisfit)
-      return Error{"No cochlea of usual shape was found: the best fit leaves " +
-                   percent(best.misfit) + " of the voxels near its wall unexplained, at most " +
-                   percent(refusedMisfit) +
-                   " is allowed. Click into the cochlea; of a malformed one A, B and H do not "
-                   "apply."};
-    return measured(best, bestMirrored);
+    if (const auto done = checkMisfit(volume_, best); !done) return done.error();
+    return measured(best, chosen->mirrored);
   }
 
 private:
@@ -99,6 +95,45 @@ private:
     Candidate candidate;
     double bone, lumen;
   };
+  /// The best start after a short fit, and the best of the other handedness at any place.
+  struct Choice {
+    FitResult best, mirrored;
+  };
+
+  /// @param elsewhere_P  A cochlea that is found already; places near it are left out.
+  Result<Choice> choose(const std::optional<Eigen::Vector3d>& elsewhere_P) const
+  {
+    const auto started = starts(elsewhere_P);
+    if (!started) return started.error();
+    Choice choice;
+    if (const auto done = chooseStart(*started, choice.best, choice.mirrored); !done)
+      return done.error();
+    return choice;
+  }
+
+  static Eigen::Vector3d middleOf(const FitResult& fit)
+  {
+    return fit.state.pose.outOf_W({0.0, 0.0, 1.0});
+  }
+
+  /// Looks for a cochlea of the other winding in the rest of the volume, and takes it if the first
+  /// one winds as in the ear that is not asked for. The winding tells the ears apart in a volume of
+  /// any size.
+  void considerOther(Choice& choice)
+  {
+    const bool isRight = choice.best.state.pose.isRight();
+    if (request_.side && isRight == (*request_.side == anatomy::Side::right)) return;
+    isQuiet_ = true;
+    auto other = choose(middleOf(choice.best));
+    isQuiet_ = false;
+    if (!other || other->best.misfit > otherCochleaMisfit ||
+        other->best.state.pose.isRight() == isRight)
+      return;
+    if (request_.side)
+      choice = *std::move(other);
+    else
+      other_P_ = middleOf(other->best);
+  }
 
   static Eigen::Vector3d sliceNormal(const CtVolume& volume)
   {
@@ -116,15 +151,10 @@ private:
     return {std::max(0.15, 0.6 * spacing.minCoeff()), std::max(0.17, 0.5 * spacing.maxCoeff())};
   }
 
-  static std::string percent(double fraction)
-  {
-    return std::to_string(std::lround(100.0 * fraction)) + " %";
-  }
-
   bool isStopped() const { return request_.isCanceled && request_.isCanceled(); }
   void report(double fraction) const
   {
-    if (request_.onProgress) request_.onProgress(fraction);
+    if (request_.onProgress && !isQuiet_) request_.onProgress(fraction);
   }
 
   /// Poses near one point, for every possible level of the lumen.
@@ -151,7 +181,7 @@ private:
               {{*pose, searched[i].candidate.score}, searched[i].bone, searched[i].lumen});
   }
 
-  Result<std::vector<Start>> starts() const
+  Result<std::vector<Start>> starts(const std::optional<Eigen::Vector3d>& elsewhere_P) const
   {
     std::vector<Start> found;
     if (request_.click_P) {
@@ -162,7 +192,7 @@ private:
       searchAt(*request_.click_P, clickReach_mm, startsPerLevel, found);
       addMarkedStarts(found);
     } else {
-      const auto places = findSeeds(volume_, request_.side, seeds);
+      const auto places = findSeeds(volume_, elsewhere_P, seeds);
       for (std::size_t i = 0; i < places.size(); ++i) {
         if (isStopped()) return Error{canceled};
         searchAt(places[i], seedReach_mm, 2, found);
@@ -271,20 +301,8 @@ private:
       window = withClick(window, state.pose.into_W(*click));
     CochleaMeasures measures;
     fillMeasures(family_, best, window, axis_W_, volume_.spacing_mm(), measures);
-    const anatomy::Spread a = anatomy::spreadOfA(), b = anatomy::spreadOfB();
-    const auto isBeyond = [](double value_mm, const anatomy::Spread& spread) {
-      return value_mm < inMillimeters(spread.low) || value_mm > inMillimeters(spread.high);
-    };
-    if (isBeyond(measures.a.value, a) || isBeyond(measures.b.value, b))
-      return Error{"The best fit has A " + millimetersOf(measures.a.value) + " and B " +
-                   millimetersOf(measures.b.value) + "; of 138 cochleae A was " +
-                   millimetersOf(inMillimeters(a.low)) + " to " +
-                   millimetersOf(inMillimeters(a.high)) + " and B " +
-                   millimetersOf(inMillimeters(b.low)) + " to " +
-                   millimetersOf(inMillimeters(b.high)) +
-                   " at four standard deviations. Click into the cochlea; of a malformed one A, B "
-                   "and H do not apply."};
-
+    if (const auto done = checkDiameters(volume_, best, measures.a.value, measures.b.value); !done)
+      return done.error();
     const LumenWall wall = wallOf(lumen, 0.0);
     const ClinicalFrame frame = clinicalFrame(axis_W_, window.center_W);
     measures.axes_PW = state.pose.axes_PW * frame.axes_W;
@@ -294,7 +312,9 @@ private:
     measures.roundWindow_P = state.pose.outOf_W(window.center_W);
     placeAnatomy(state.pose, measures);
     measures.side = state.pose.isRight() ? anatomy::Side::right : anatomy::Side::left;
-    measures.handednessMargin = mirrored.misfit - best.misfit;
+    // A mirror image at another place is the other ear's, and tells nothing of this one.
+    const bool isOther = (middleOf(mirrored) - middleOf(best)).norm() > anotherEar_mm;
+    measures.handednessMargin = (isOther ? 1.0 : mirrored.misfit) - best.misfit;
     measures.boneLevel = state.bone;
     measures.lumenLevel = state.lumen;
     measures.blurInPlane_mm = state.blurInPlane;
@@ -311,53 +331,15 @@ private:
       const double across = std::sqrt(std::max(0.0, 1.0 - along * along));
       measures.kinematicTilt_deg = inDegrees(radians(arcTangent(across, along)));
     }
-    addFlags(state, check, window, measures);
+    const LumenFindings findings = examineLumen(volume_, lumen, state);
+    measures.turnsSeen = findings.turns;
+    if (!isOfFullLength(findings)) measures.cdlOc.reset();
+    measures.otherCochlea_P = other_P_;
+    measures.flags = raisedFlags(
+        measures, {volume_, request_, check, findings, window,
+                   contradicts(request_.marks, family_, state.pose, state.shape, axis_W_)});
     report(1.0);
     return measures;
-  }
-
-  static std::string millimetersOf(double value)
-  {
-    const long hundredths = std::lround(100.0 * value);
-    const std::string decimals = std::to_string(100 + std::labs(hundredths) % 100).substr(1);
-    return std::to_string(hundredths / 100) + "." + decimals + " mm";
-  }
-
-  void addFlags(const FitState& state, const SectionCheck& check, const RoundWindow& window,
-                CochleaMeasures& measures) const
-  {
-    const auto raise = [&](Flag flag, bool isRaised) {
-      if (isRaised) measures.flags.push_back(flag);
-    };
-    raise(Flag::coarseVoxels, volume_.spacing_mm().maxCoeff() > coarseVoxel_mm);
-    raise(Flag::airInCochlea, isAir(measures));
-    const std::optional<double> midline = midline_P(volume_);
-    std::optional<anatomy::Side> side = request_.side;
-    if (!side && midline)
-      side = measures.center_P.x() < *midline ? anatomy::Side::right : anatomy::Side::left;
-    raise(Flag::mirrored, side && *side != measures.side);
-    const anatomy::Spread a = anatomy::spreadOfA(), b = anatomy::spreadOfB();
-    const auto isUnusual = [](double value_mm, const anatomy::Spread& spread) {
-      return std::fabs(value_mm - inMillimeters(spread.mean)) >
-             2.0 * inMillimeters(spread.standardDeviation);
-    };
-    raise(Flag::outsidePopulation,
-          isUnusual(measures.a.value, a) || isUnusual(measures.b.value, b));
-    raise(Flag::poorFit, measures.misfit > poorMisfit);
-    raise(Flag::sectionsDisagree,
-          check.rms_mm > sectionLimit_mm || check.missing - check.clipped > sectionMissing);
-    raise(Flag::roundWindowUnsure, !window.isFound);
-    raise(Flag::clipped, check.clipped > 0.02);
-    raise(Flag::landmarkContradicted,
-          contradicts(request_.marks, family_, state.pose, state.shape, axis_W_));
-  }
-
-  /// Distinguishes air from fluid by Hounsfield units: only this flag requires a scanner whose
-  /// fluid is within 400 of water. Ten ears had -760 to -910 and 30 to 150.
-  static bool isAir(const CochleaMeasures& measures)
-  {
-    constexpr double airBelow = -400.0;
-    return measures.lumenLevel < airBelow;
   }
 
   const CtVolume& volume_;
@@ -365,7 +347,9 @@ private:
   LumenShape family_;
   Template points_;
   ImageFit fit_;
-  Eigen::Vector3d axis_W_;  ///< The clinical axis.
+  Eigen::Vector3d axis_W_;                  ///< The clinical axis.
+  std::optional<Eigen::Vector3d> other_P_;  ///< In a second cochlea.
+  bool isQuiet_ = false;                    ///< Progress is not reported.
 };
 
 }  // namespace
@@ -380,7 +364,8 @@ Result<CochleaMeasures> measureCochlea(const CtVolume& volume, const MeasureRequ
         "with thinner slices."};
   const auto mean = MeanLumen::make();
   if (!mean) return mean.error();
-  return Pipeline(volume, request, *mean).run();
+  const auto marked = withPaddingMarked(volume, request.click_P);
+  return Pipeline(marked ? *marked : volume, request, *mean).run();
 }
 
 }  // namespace perilymph::ct

@@ -15,6 +15,7 @@ namespace {
 
 constexpr double fieldOfView_mm = 19.0;
 constexpr double maxHu = 3071.0, minHu = -1024.0;  // 12 bits
+constexpr double maxExtendedHu = 30710.0;
 // The clinical axis is inclined against that of the sections as in the mean cochlea: from the
 // center of the modiolus in the basal turn to that of the cupola.
 const Eigen::Vector3d clinicalAxis_W = Eigen::Vector3d(0.001, 0.092, 1.0).normalized();
@@ -143,29 +144,34 @@ PhantomScan coneBeamScan() { return {{0.15, 0.15, 0.15}, 0.16, 0.16, 120.0, fals
 PhantomScan highResolutionScan() { return {{0.3, 0.3, 0.3}, 0.22, 0.22, 120.0, false}; }
 PhantomScan clinicalScan() { return {{0.45, 0.45, 0.6}, 0.33, 0.33, 80.0, false}; }
 
-CtPhantom makeCtPhantom(std::uint64_t seed, const PhantomScan& scan)
+CtPhantom makeCtPhantom(std::uint64_t seed, const PhantomScan& scan,
+                        const PhantomCondition& condition)
 {
-  const PhantomAnatomy anatomy(seed);
+  const PhantomAnatomy anatomy(seed, condition);
   Dice dice(seed ^ 0x9e3779b97f4a7c15U);
 
   // Arbitrary orientation: a rotation about any axis, and either ear.
   const Eigen::Vector3d about =
       Eigen::Vector3d(dice.normal(), dice.normal(), dice.normal()).normalized();
   Eigen::Matrix3d axes = Eigen::AngleAxisd(dice.uniform(0.0, pi), about).toRotationMatrix();
-  const bool isRight = dice.uniform(0.0, 1.0) < 0.5;
+  const bool isDicedRight = dice.uniform(0.0, 1.0) < 0.5;
+  const bool isRight = condition.isRight.value_or(isDicedRight);
   if (!isRight) axes.col(0) = -axes.col(0);
-  const Eigen::Vector3d origin_P(dice.uniform(-40, 40), dice.uniform(-40, 40),
-                                 dice.uniform(-100, 100));
+  Eigen::Vector3d origin_P(dice.uniform(-40, 40), dice.uniform(-40, 40), dice.uniform(-100, 100));
   const Eigen::Vector3d middle_W(1.2, -0.4, 0.6);
 
   // The volume's own axes are oblique, too, with its center displaced by up to 1.5 mm.
-  const Eigen::Matrix3d tilt =
+  Eigen::Matrix3d tilt =
       Eigen::AngleAxisd(degrees(dice.uniform(-15, 15)).si(),
                         Eigen::Vector3d(dice.normal(), dice.normal(), dice.normal()).normalized())
           .toRotationMatrix();
-  const Eigen::Vector3d center_P =
-      origin_P + axes * middle_W +
-      Eigen::Vector3d(dice.uniform(-1.5, 1.5), dice.uniform(-1.5, 1.5), dice.uniform(-1.5, 1.5));
+  const Eigen::Vector3d displaced(dice.uniform(-1.5, 1.5), dice.uniform(-1.5, 1.5),
+                                  dice.uniform(-1.5, 1.5));
+  if (condition.center_P) {
+    origin_P = *condition.center_P - axes * middle_W - displaced;
+    tilt.setIdentity();
+  }
+  const Eigen::Vector3d center_P = origin_P + axes * middle_W + displaced;
 
   // Fine grid: an integer number of its cells per voxel.
   std::array<int, 3> times{}, coarse{};
@@ -214,6 +220,7 @@ CtPhantom makeCtPhantom(std::uint64_t seed, const PhantomScan& scan)
     power += static_cast<double>(value) * static_cast<double>(value);
   const double scale = scan.noise / std::sqrt(power / static_cast<double>(noise.values.size()));
 
+  const double highest = condition.isExtended ? maxExtendedHu : maxHu;
   std::vector<std::int16_t> voxels;
   voxels.reserve(noise.values.size());
   for (int k = 0; k < coarse[2]; ++k)
@@ -227,7 +234,7 @@ CtPhantom makeCtPhantom(std::uint64_t seed, const PhantomScan& scan)
                   fine.values[fine.index(i * times[0] + a, j * times[1] + b, k * times[2] + c)]);
         const double mean = sum / (times[0] * times[1] * times[2]);
         const double value = mean + scale * static_cast<double>(noise.values[noise.index(i, j, k)]);
-        voxels.push_back(static_cast<std::int16_t>(std::lround(std::clamp(value, minHu, maxHu))));
+        voxels.push_back(static_cast<std::int16_t>(std::lround(std::clamp(value, minHu, highest))));
       }
   auto volume = ct::CtVolume::make(coarse, lps, std::move(voxels), {"", "", "phantom"});
   if (!volume) throw std::runtime_error(volume.error().message);

@@ -73,8 +73,8 @@ double Wobble::operator()(double angle) const
   return sum / std::sqrt(2.0);
 }
 
-PhantomAnatomy::PhantomAnatomy(std::uint64_t seed)
-    : first_(degrees(-13).si()), last_(degrees(870).si())
+PhantomAnatomy::PhantomAnatomy(std::uint64_t seed, const PhantomCondition& condition)
+    : condition_(condition), first_(degrees(-13).si()), last_(degrees(870).si())
 {
   Dice dice(seed);
   const auto sections = anatomy::loadMeasuredSections();
@@ -93,6 +93,7 @@ PhantomAnatomy::PhantomAnatomy(std::uint64_t seed)
   height_ = 0.86 + 0.06 * dice.normal();
   skew_ = 0.15 * dice.normal();
   last_ += degrees(25).si() * std::clamp(dice.normal(), -2.0, 2.0);
+  if (condition.turns) last_ = 2.0 * pi * *condition.turns;
   for (int i = 0; i < 6; ++i) wobbles_.emplace_back(dice, i < 2 ? 2.6 : 3.5);
   for (auto& wave : waves_)
     wave = {dice.uniform(-1.5, 1.5), dice.uniform(-1.5, 1.5), dice.uniform(-1.5, 1.5),
@@ -175,12 +176,12 @@ KidneySection PhantomAnatomy::sectionAt(double angle) const
           mix(a.bend, b.bend)};
 }
 
-double PhantomAnatomy::inside(const Eigen::Vector3d& point_W) const
+PhantomAnatomy::Depth PhantomAnatomy::deepest(const Eigen::Vector3d& point_W) const
 {
   const double r = point_W.head<2>().norm();
   double angle = std::atan2(point_W.y(), point_W.x());
   while (angle < first_ - 0.3) angle += 2.0 * pi;
-  double deepest = -3.0;
+  Depth deepest{-3.0, angle};
   for (; angle < last_ + 0.3; angle += 2.0 * pi) {
     const KidneySection section = sectionAt(angle);
     const double u = r - section.middleRadius;
@@ -188,7 +189,7 @@ double PhantomAnatomy::inside(const Eigen::Vector3d& point_W) const
     const double v = point_W.z() - section.middleHeight - section.shear * u - section.bend * u * u;
     const double a = u > 0.0 ? section.outward : section.inward;
     const double f = std::sqrt(u * u / (a * a) + v * v / (section.half * section.half));
-    if (f < 1e-6) return section.half;
+    if (f < 1e-6) return {section.half, angle};
     const double byU = (u / (a * a) - v / (section.half * section.half) *
                                           (section.shear + 2.0 * section.bend * u)) /
                        f;
@@ -202,7 +203,15 @@ double PhantomAnatomy::inside(const Eigen::Vector3d& point_W) const
     double depth = (1.0 - f) / std::max(norm, 0.2);
     const double beyond = std::max(first_ - angle, angle - last_);
     if (beyond > 0.0) depth = std::min(depth, -beyond * r);
-    deepest = std::max(deepest, depth);
+    if (depth > deepest.inside) deepest = {depth, angle};
+  }
+  if (condition_.isCystic) {
+    // Instead of the upper turns one cavity around the axis, above the last section.
+    const KidneySection section = sectionAt(last_ - degrees(90).si());
+    const double radius = section.middleRadius;
+    const Eigen::Vector3d center(0.0, 0.0, section.middleHeight + 0.3);
+    const double cavity = radius - (point_W - center).norm();
+    if (cavity > deepest.inside) deepest = {cavity, last_};
   }
   return deepest;
 }
@@ -249,7 +258,7 @@ double PhantomAnatomy::surroundings(const Eigen::Vector3d& p, double inLumen, do
 
 double PhantomAnatomy::intensity(const Eigen::Vector3d& p, double lumen, double cell) const
 {
-  const double depth = inside(p);
+  const auto [depth, at] = deepest(p);
   double value = surroundings(p, depth, cell);
   // Vestibule, connected to the basal end, and two canals.
   const Eigen::Vector3d off = p - Eigen::Vector3d(4.5, -3.3, -0.6) * size_;
@@ -265,8 +274,11 @@ double PhantomAnatomy::intensity(const Eigen::Vector3d& p, double lumen, double 
                                 2.2 - (p - window - 4.6 * lean_).norm());
   value += fraction(niche, cell) * (niche_ - value);
   // Finally the lumen, except for the spiral lamina.
-  value += fraction(depth, cell) * (lumen - value);
-  if (depth > 0.0) {
+  const double at_deg = inDegrees(radians(at));
+  const bool isOssified = at_deg >= condition_.ossified[0] && at_deg < condition_.ossified[1];
+  const double content = isOssified ? capsule_ - 100.0 + 90.0 * texture(3.0 * p) : lumen;
+  value += fraction(depth, cell) * (content - value);
+  if (depth > 0.0 && !isOssified) {
     const double r = p.head<2>().norm();
     double angle = std::atan2(p.y(), p.x());
     while (angle < first_) angle += 2.0 * pi;
@@ -278,6 +290,25 @@ double PhantomAnatomy::intensity(const Eigen::Vector3d& p, double lumen, double 
           0.11 - std::fabs(p.z() - section.middleHeight - section.shear * u + 0.1 * section.half);
       value += fraction(plate, cell) * (lamina - value);
     }
+  }
+  return condition_.hasImplant ? withImplant(p, value, cell) : value;
+}
+
+double PhantomAnatomy::withImplant(const Eigen::Vector3d& p, double value, double cell) const
+{
+  constexpr double wire = 5000.0, contact = 14000.0, end = 400.0 * pi / 180.0;
+  constexpr double betweenContacts = 24.0 * pi / 180.0;
+  const double r = p.head<2>().norm();
+  double angle = std::atan2(p.y(), p.x());
+  while (angle < 0.0) angle += 2.0 * pi;
+  for (; angle < end; angle += 2.0 * pi) {
+    const KidneySection section = sectionAt(angle);
+    const double u = r - section.middleRadius - 0.1 * section.outward;
+    const double v = p.z() - section.middleHeight + 0.4 * section.half;
+    const double along = r * (angle - betweenContacts * std::round(angle / betweenContacts));
+    const double across = std::sqrt(u * u + v * v);
+    value += fraction(0.18 - across, cell) * (wire - value);
+    value += fraction(0.4 - std::hypot(across, along), cell) * (contact - value);
   }
   return value;
 }

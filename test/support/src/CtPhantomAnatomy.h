@@ -9,6 +9,8 @@
 #include <random>
 #include <vector>
 
+#include "perilymph/test/CtPhantom.h"
+
 namespace perilymph::test {
 
 /// Independent normal and uniform random numbers of a seed.
@@ -42,10 +44,10 @@ struct KidneySection {
 
 class PhantomAnatomy {
 public:
-  explicit PhantomAnatomy(std::uint64_t seed);
+  explicit PhantomAnatomy(std::uint64_t seed, const PhantomCondition& condition = {});
 
   /// Depth in the cochlea's lumen [mm], negative outside; near the wall equal to the distance.
-  double inside(const Eigen::Vector3d& point_W) const;
+  double inside(const Eigen::Vector3d& point_W) const { return deepest(point_W).inside; }
 
   KidneySection sectionAt(double angle) const;
   Eigen::Vector3d roundWindow_W() const;
@@ -62,9 +64,16 @@ private:
     Eigen::Vector3d center;
     double radius;
   };
+  struct Depth {
+    double inside, angle;  ///< Angle of the turn that contains the point or is nearest.
+  };
+  Depth deepest(const Eigen::Vector3d& point_W) const;
+  /// The intensity with the implant's, if it has one.
+  double withImplant(const Eigen::Vector3d& p, double value, double cell) const;
   double surroundings(const Eigen::Vector3d& p, double inLumen, double cell) const;
   double texture(const Eigen::Vector3d& p) const;
 
+  PhantomCondition condition_;
   double first_, last_;
   double size_, stretch_, rise_, height_, skew_;
   std::vector<double> angle_, outer_, center_, heightST_, width_;

@@ -340,7 +340,8 @@ void CtPanel::showMeasures()
 {
   const auto& measures = study_.measures();
   const std::array<const ct::Measure*, 4> fitted =
-      measures ? std::array{&measures->a, &measures->b, &measures->h, &measures->cdlOc}
+      measures ? std::array{&measures->a, &measures->b, &measures->h,
+                            measures->cdlOc ? &*measures->cdlOc : nullptr}
                : std::array<const ct::Measure*, 4>{};
   const ct::MarkedMeasures between = study_.marked();
   const std::array<std::optional<double>, 4> marked{between.a, between.b, between.h, std::nullopt};
@@ -350,7 +351,7 @@ void CtPanel::showMeasures()
     marked_[k]->setText(lengthText(marked[k]));
   }
   side_->setVisible(measures.has_value());
-  duct_->setVisible(measures.has_value());
+  duct_->setVisible(measures && measures->cdlOc);
   flags_->setVisible(measures && !measures->flags.empty());
   if (!measures) return;
   side_->setText(measures->side == anatomy::Side::left ? tr("Left ear") : tr("Right ear"));

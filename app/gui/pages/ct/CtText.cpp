@@ -130,6 +130,8 @@ QString seriesText(const imaging::CtSeries& series)
 
 QString ductLengthText(const ct::CochleaMeasures& measures)
 {
+  // The formulas assume 2.5 turns; the flag says so.
+  if (!measures.cdlOc) return {};
   const Length a = millimeters(measures.a.value), b = millimeters(measures.b.value);
   const auto line = [&measures](const QString& name, Length value, DuctLength length) {
     return tr("%1: %2 ± %3 mm")

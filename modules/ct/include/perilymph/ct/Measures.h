@@ -26,8 +26,14 @@ enum class Flag {
   poorFit,            ///< The model explains the voxels near the wall poorly.
   sectionsDisagree,   ///< Half-maximum walls and fitted ones differ.
   roundWindowUnsure,  ///< The round window was not found; 0 degrees is estimated from the spiral.
-  clipped,            ///< Part of the cochlea is outside the volume.
+  clipped,            ///< Part of the cochlea is outside the volume or was not measured.
   landmarkContradicted,  ///< The voxels contradict a landmark that a person placed.
+  fewTurns,              ///< Fewer turns of the lumen were seen than nearly all cochleae have.
+  wallWithoutContrast,   ///< A part of the basal turn has no contrast between lumen and wall.
+  metal,                 ///< Voxels in the lumen are brighter than bone.
+  unusualProportions,    ///< B does not fit A, or H is not a patient's.
+  secondCochlea,         ///< The search found two cochleae and chose one.
+  landmarksDisagree,  ///< A, B or H between landmarks placed by hand differs from the fitted one.
 };
 
 /// Name of a flag as in files: "air_in_cochlea".
@@ -55,8 +61,10 @@ struct CochleaMeasures {
   Measure a, b;
   /// Along the axis, from the lowest floor to the highest roof of the lumen.
   Measure h;
-  /// Organ-of-Corti length by the elliptic-circular approximation of A and B.
-  Measure cdlOc;
+  /// Organ-of-Corti length by the elliptic-circular approximation of A and B, which assumes a
+  /// cochlea of full length: empty with Flag::fewTurns.
+  std::optional<Measure> cdlOc;
+  double turnsSeen = 0.0;  ///< From 0 degrees to where the lumen ends, or to the fitted apex.
 
   Eigen::Vector3d axis_P;  ///< Modiolar axis, from the base to the apex, unit.
   /// Angle between the axis and that of the best-fitting spiral motion of the half-maximum wall,
@@ -89,6 +97,7 @@ struct CochleaMeasures {
   std::size_t wallPointsPerRing = 0;
   std::vector<std::array<int, 3>> wallTriangles;  ///< Triangles between these points.
   std::vector<Flag> flags;
+  std::optional<Eigen::Vector3d> otherCochlea_P;  ///< In the other ear's, if the search found it.
   CtProvenance provenance;
   Marks marksByHand;  ///< Landmarks that a person placed or corrected; the fit was steered by them.
 
@@ -106,7 +115,8 @@ struct MeasureRequest {
   /// deviations are 0.5 mm for round window, modiolus and the apex' place across the axis, 0.3 mm
   /// for points of the wall (src/MarkConstraint.cpp).
   Marks marks;
-  std::optional<anatomy::Side> side;  ///< Known side of the ear, for comparison.
+  /// Side of the ear: a search takes the cochlea that winds so; otherwise for comparison.
+  std::optional<anatomy::Side> side;
   /// Receives the completed fraction, 0 to 1, on the calling thread.
   std::function<void(double)> onProgress;
   /// Called several times a second on the calling thread; true cancels.
@@ -117,7 +127,14 @@ struct MeasureRequest {
 /// Not real-time safe.
 ///
 /// Refuses with a message: a volume without a cochlea, voxels over 1 mm, a cochlea so far from the
-/// population that A, B and H do not apply (malformation), and a canceled search.
+/// population that A, B and H do not apply (malformation, ossification), metal that hides the wall,
+/// and a canceled search. Padding is not used: `unmeasured` voxels, and regions of one intensity at
+/// the border of the volume.
 Result<CochleaMeasures> measureCochlea(const CtVolume& volume, const MeasureRequest& request);
+
+/// The same for both ears of a volume, the right one first; click, landmarks and side of the request
+/// are not used. Refuses with a message if not both are found.
+Result<std::array<CochleaMeasures, 2>> measureBothCochleae(const CtVolume& volume,
+                                                           const MeasureRequest& request);
 
 }  // namespace perilymph::ct

@@ -17,7 +17,8 @@ namespace perilymph::imaging {
 /// may not have.
 anatomy::Patient measuredPatient(const ct::CochleaMeasures& measures);
 
-/// Writes a measured patient to a file. Scanner and flags are comments.
+/// Writes a measured patient to a file. Scanner and flags are comments. Refuses a cochlea with
+/// fewer turns than the model is built with.
 Result<Done> writeMeasuredPatient(const ct::CochleaMeasures& measures, const std::string& label,
                                   const std::filesystem::path& file);
 

@@ -7,7 +7,9 @@
 // bone.
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
+#include <optional>
 
 #include "perilymph/ct/CtVolume.h"
 #include "perilymph/ct/Marks.h"
@@ -38,8 +40,32 @@ struct CtPhantom {
   Eigen::Vector3d inside_P;  ///< In the lumen of the basal turn: position of a click.
 };
 
+/// Malformation, disease and surgery of a phantom, and its place.
+struct PhantomCondition {
+  std::optional<double> turns = {};  ///< Of the lumen; empty: individual, 2.3 to 2.6.
+  bool isCystic = false;             ///< A cavity beyond the last turn (incomplete partition II).
+  std::array<double, 2> ossified = {};  ///< Filled with bone from an angle to another [deg].
+  bool hasImplant = false;           ///< A wire with contacts in the lower scala, to 400 degrees.
+  bool isExtended = false;           ///< Intensities above 3071 are kept, as in an extended scale.
+  std::optional<bool> isRight = {};  ///< The ear; empty: either.
+  std::optional<Eigen::Vector3d> center_P = {};  ///< Center of a volume aligned with the patient.
+};
+
 /// Builds the phantom of a seed: the same on all machines of one kind. Takes a second.
-CtPhantom makeCtPhantom(std::uint64_t seed, const PhantomScan& scan);
+CtPhantom makeCtPhantom(std::uint64_t seed, const PhantomScan& scan,
+                        const PhantomCondition& condition = {});
+
+/// Both ears of a head in one volume, in noisy soft tissue.
+struct TwoEars {
+  ct::CtVolume volume;
+  CtPhantom right, left;
+};
+/// @param apart_mm  Distance of both ears; the volume is 19 mm wider.
+TwoEars makeTwoEars(std::uint64_t seed, const PhantomScan& scan, double apart_mm);
+
+/// The volume with what lies behind a plane replaced by one value, as a tilt leaves corners empty.
+ct::CtVolume withEmptyCorner(const ct::CtVolume& volume, const Eigen::Vector3d& point_P,
+                             const Eigen::Vector3d& normal_P, std::int16_t value);
 
 /// A click in the cochlea, displaced by a normal deviate of 0.5 mm along every axis.
 Eigen::Vector3d jitteredClick(const CtPhantom& phantom, std::uint64_t seed);

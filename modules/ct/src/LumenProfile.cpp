@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LumenProfile.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "perilymph/foundation/Math.h"
+#include "perilymph/foundation/Units.h"
+
+namespace perilymph::ct {
+namespace {
+
+constexpr double firstSection_deg = 20.0, sectionStep_deg = 10.0, firstTurn_deg = 360.0;
+constexpr double behindWall_mm = 0.45;  // in the bone, but before the next turn's lumen
+// Phantoms and ten ears have 0.53 to 1.1 in the lumen, the least in the apex on 0.6 mm voxels; bone
+// beyond the end of shorter lumens has 0.0 to 0.48.
+constexpr double openLumen = 0.5;
+constexpr double seenContrast = 0.35;
+constexpr double lastBasal_deg = 180.0;  // bone before this angle is ossification, no apex
+constexpr int closedSections = 4;
+constexpr double aroundFit_mm = 8.0;
+
+/// A section's content and that of the bone behind its outer wall: 1 at the lumen's level, 0 at the
+/// bone's; empty if it is not measured.
+struct SectionContent {
+  double angle_deg = 0.0;
+  std::optional<double> inside, wall;
+};
+
+class Content {
+public:
+  Content(const CtVolume& volume, const ShapedLumen& lumen, const FitState& state)
+      : volume_(volume), lumen_(lumen), state_(state)
+  {
+  }
+
+  SectionContent at(double angle_deg) const
+  {
+    const double angle = degrees(angle_deg).si();
+    const SectionPlace place = lumen_.place(angle);
+    const double width = place.width * lumen_.mean().width(angle);
+    const double half = place.height * lumen_.mean().halfHeight(angle);
+    // Points of the lumen off the spiral lamina, which reaches from the axis to the center.
+    const std::array<Eigen::Vector2d, 4> inside{{{0.45 * width, 0.35 * half},
+                                                 {0.45 * width, -0.35 * half},
+                                                 {0.35 * width, 0.2 * half},
+                                                 {0.35 * width, -0.2 * half}}};
+    const std::array<Eigen::Vector2d, 2> wall{
+        {{-behindWall_mm, 0.2 * half}, {-behindWall_mm, -0.2 * half}}};
+    return {angle_deg, mean(angle, place, inside), mean(angle, place, wall)};
+  }
+
+private:
+  /// @param points  Inward from the outer wall and up from the section's center [mm].
+  template <std::size_t count>
+  std::optional<double> mean(double angle, const SectionPlace& place,
+                             const std::array<Eigen::Vector2d, count>& points) const
+  {
+    const SineCosine turn = sineCosine(angle);
+    double sum = 0.0;
+    for (const Eigen::Vector2d& point : points) {
+      const double r = place.outer - point.x();
+      const double z = place.middle - place.tilt * point.x() + point.y();
+      const auto value = volume_.sample(state_.pose.outOf_W({r * turn.cosine, r * turn.sine, z}));
+      if (!value) return std::nullopt;
+      sum += (*value - state_.bone) / (state_.lumen - state_.bone);
+    }
+    return sum / static_cast<double>(count);
+  }
+
+  const CtVolume& volume_;
+  const ShapedLumen& lumen_;
+  const FitState& state_;
+};
+
+/// Calls a function with the index of every voxel brighter than bone within a distance of W's
+/// origin.
+void eachBrightVoxel(const CtVolume& volume, const Pose& pose,
+                     const std::function<void(const std::array<int, 3>&)>& function)
+{
+  std::array<int, 3> low{}, high{};
+  const Eigen::Vector3d center = volume.toIndex(pose.origin_P), spacing = volume.spacing_mm();
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto a = static_cast<Eigen::Index>(axis);
+    const double reach = aroundFit_mm / spacing[a];
+    low[axis] = std::clamp(static_cast<int>(center[a] - reach), 0, volume.size()[axis] - 1);
+    high[axis] = std::clamp(static_cast<int>(center[a] + reach), 0, volume.size()[axis] - 1);
+  }
+  for (int k = low[2]; k <= high[2]; ++k)
+    for (int j = low[1]; j <= high[1]; ++j)
+      for (int i = low[0]; i <= high[0]; ++i)
+        if (volume.voxel(i, j, k) > metalLevel) function({i, j, k});
+}
+
+}  // namespace
+
+LumenFindings examineLumen(const CtVolume& volume, const ShapedLumen& lumen, const FitState& state)
+{
+  const double last_deg = inDegrees(radians(lumen.mean().lastAngle()));
+  const Content content(volume, lumen, state);
+  LumenFindings findings;
+  int sections = 0, unknown = 0, basal = 0, gaps = 0, closed = 0;
+  std::optional<double> end_deg;
+  for (double angle_deg = firstSection_deg; angle_deg <= last_deg; angle_deg += sectionStep_deg) {
+    const SectionContent section = content.at(angle_deg);
+    ++sections;
+    if (!section.inside || !section.wall) {
+      ++unknown;
+      continue;
+    }
+    if (angle_deg <= firstTurn_deg) {
+      ++basal;
+      gaps += *section.inside - *section.wall < seenContrast ? 1 : 0;
+    }
+    closed = *section.inside < openLumen ? closed + 1 : 0;
+    if (!end_deg && closed == closedSections && angle_deg > lastBasal_deg)
+      end_deg = angle_deg - (closedSections - 1) * sectionStep_deg;
+  }
+  findings.isOpenToApex = !end_deg;
+  findings.turns = end_deg.value_or(last_deg) / 360.0;
+  findings.basalGap = basal > 0 ? static_cast<double>(gaps) / basal : 1.0;
+  findings.unmeasured = sections > 0 ? static_cast<double>(unknown) / sections : 1.0;
+
+  const double voxel_mm3 = volume.spacing_mm().prod();
+  eachBrightVoxel(volume, state.pose, [&](const std::array<int, 3>& index) {
+    const Eigen::Vector3d point_P = volume.toLps(Eigen::Vector3d(index[0], index[1], index[2]));
+    const NearTurns near = lumen.distances(state.pose.into_W(point_P), 0.5);
+    if (near.nearest >= 0 && near.turn[static_cast<std::size_t>(near.nearest)].inside > 0.0)
+      findings.metal_mm3 += voxel_mm3;
+  });
+  return findings;
+}
+
+double metalAround_mm3(const CtVolume& volume, const Pose& pose)
+{
+  const double voxel_mm3 = volume.spacing_mm().prod();
+  double sum = 0.0;
+  eachBrightVoxel(volume, pose, [&](const std::array<int, 3>& index) {
+    int neighbors = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      for (const int by : {-1, 1}) {
+        std::array<int, 3> next = index;
+        next[axis] += by;
+        if (next[axis] < 0 || next[axis] >= volume.size()[axis]) continue;
+        neighbors += volume.voxel(next[0], next[1], next[2]) > metalLevel ? 1 : 0;
+      }
+    if (neighbors >= 2) sum += voxel_mm3;
+  });
+  return sum;
+}
+
+}  // namespace perilymph::ct

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// What the voxels show along a fitted lumen. The shape prior continues a fit where a cochlea has no
+// lumen or no wall; these findings tell how much of it was seen.
+
+#include "ImageFit.h"
+#include "perilymph/ct/CtVolume.h"
+
+namespace perilymph::ct {
+
+struct LumenFindings {
+  /// Turns from 0 degrees to the first angle beyond 180 degrees where bone fills the section for
+  /// 40 degrees; the fitted lumen's own if it is open to its apex.
+  double turns = 0.0;
+  bool isOpenToApex = false;
+  /// Fraction of the first turn without a contrast between lumen and outer wall.
+  double basalGap = 0.0;
+  double unmeasured = 0.0;  ///< Fraction of the sections in or beside unmeasured voxels.
+  double metal_mm3 = 0.0;   ///< Volume of the voxels in the lumen that only metal makes as bright.
+};
+
+/// Examines sections every 10 degrees from 20 degrees to the apex.
+LumenFindings examineLumen(const CtVolume& volume, const ShapedLumen& lumen, const FitState& state);
+
+/// Volume of the metal within 8 mm of a fit that may lie beside the cochlea: of voxels above
+/// `metalLevel` with at least two neighbors above it [mm^3].
+double metalAround_mm3(const CtVolume& volume, const Pose& pose);
+
+/// Brighter than bone of any density: the Hounsfield units above which only metal is expected.
+inline constexpr std::int16_t metalLevel = 3000;
+
+}  // namespace perilymph::ct

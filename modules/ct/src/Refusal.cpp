@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Refusal.h"
+
+#include <cmath>
+#include <utility>
+
+#include "LumenProfile.h"
+#include "perilymph/anatomy/Population.h"
+#include "perilymph/foundation/Units.h"
+
+namespace perilymph::ct {
+namespace {
+
+// Misfits of phantoms and of ten real ears are up to 0.25.
+constexpr double refusedMisfit = 0.42;
+// Ten ears have up to 0.5 cubic millimeters of dense bone and noise above the level, implants 8.
+constexpr double metalAroundFit_mm3 = 2.0;
+
+std::string percent(double fraction)
+{
+  return std::to_string(std::lround(100.0 * fraction)) + " %";
+}
+
+std::string millimetersOf(double value)
+{
+  const long hundredths = std::lround(100.0 * value);
+  const std::string decimals = std::to_string(100 + std::labs(hundredths) % 100).substr(1);
+  return std::to_string(hundredths / 100) + "." + decimals + " mm";
+}
+
+/// Metal near the fit, which explains it, or else the sentence given.
+Error refusal(const CtVolume& volume, const FitResult& fit, std::string otherwise)
+{
+  const double metal_mm3 = metalAround_mm3(volume, fit.state.pose);
+  if (metal_mm3 < metalAroundFit_mm3) return Error{std::move(otherwise)};
+  return Error{
+      "There is metal in the cochlea (an implant?): " + std::to_string(std::lround(metal_mm3)) +
+      " cubic millimeters are brighter than " + std::to_string(metalLevel) +
+      " HU and hide its wall. Take a CT from before the implantation."};
+}
+
+}  // namespace
+
+Result<Done> checkMisfit(const CtVolume& volume, const FitResult& fit)
+{
+  if (fit.misfit <= refusedMisfit) return Done{};
+  return refusal(volume, fit,
+                 "No cochlea of usual shape was found: the best fit leaves " + percent(fit.misfit) +
+                     " of the voxels near its wall unexplained, at most " + percent(refusedMisfit) +
+                     " is allowed. Click into the cochlea; of a malformed or ossified one A, B and "
+                     "H do not apply.");
+}
+
+Result<Done> checkDiameters(const CtVolume& volume, const FitResult& fit, double a_mm, double b_mm)
+{
+  const anatomy::Spread a = anatomy::spreadOfA(), b = anatomy::spreadOfB();
+  const auto isBeyond = [](double value_mm, const anatomy::Spread& spread) {
+    return value_mm < inMillimeters(spread.low) || value_mm > inMillimeters(spread.high);
+  };
+  if (!isBeyond(a_mm, a) && !isBeyond(b_mm, b)) return Done{};
+  return refusal(
+      volume, fit,
+      "The best fit has A " + millimetersOf(a_mm) + " and B " + millimetersOf(b_mm) +
+          "; of 138 cochleae A was " + millimetersOf(inMillimeters(a.low)) + " to " +
+          millimetersOf(inMillimeters(a.high)) + " and B " + millimetersOf(inMillimeters(b.low)) +
+          " to " + millimetersOf(inMillimeters(b.high)) +
+          " at four standard deviations. Click into the cochlea; of a malformed or ossified one A, "
+          "B and H do not apply.");
+}
+
+}  // namespace perilymph::ct

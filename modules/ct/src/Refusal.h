@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// Why a fit gives no measures.
+
+#include <string>
+
+#include "ImageFit.h"
+#include "perilymph/ct/CtVolume.h"
+#include "perilymph/foundation/Result.h"
+
+namespace perilymph::ct {
+
+/// Refuses a fit that leaves too many of the voxels near its wall unexplained, and diameters beyond
+/// four standard deviations of the population's. Metal near the fit is named as the reason.
+Result<Done> checkMisfit(const CtVolume& volume, const FitResult& fit);
+Result<Done> checkDiameters(const CtVolume& volume, const FitResult& fit, double a_mm, double b_mm);
+
+}  // namespace perilymph::ct

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Both ears of a volume.
+
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "perilymph/ct/Measures.h"
+
+namespace perilymph::ct {
+
+Result<std::array<CochleaMeasures, 2>> measureBothCochleae(const CtVolume& volume,
+                                                           const MeasureRequest& request)
+{
+  std::array<CochleaMeasures, 2> both;
+  for (const std::size_t ear : {std::size_t{0}, std::size_t{1}}) {
+    MeasureRequest one;
+    one.side = ear == 0 ? anatomy::Side::right : anatomy::Side::left;
+    one.isCanceled = request.isCanceled;
+    if (request.onProgress)
+      one.onProgress = [&request, ear](double fraction) {
+        request.onProgress(0.5 * (static_cast<double>(ear) + fraction));
+      };
+    auto found = measureCochlea(volume, one);
+    const std::string wanted = ear == 0 ? "right" : "left", other = ear == 0 ? "left" : "right";
+    if (!found) return Error{"The " + wanted + " ear was not measured. " + found.error().message};
+    if (found->side != *one.side)
+      return Error{"No " + wanted + " cochlea was found: the one found at x " +
+                   std::to_string(std::lround(found->center_P.x())) + " mm (LPS) winds as in a " +
+                   other + " ear. Measure that ear alone, or take a series that shows both."};
+    both[ear] = *std::move(found);
+  }
+  return both;
+}
+
+}  // namespace perilymph::ct

@@ -130,7 +130,7 @@ private:
     }
   }
 
-  static inline std::unique_ptr<TemporaryFolder> kept_;  ///< Of the suite.
+  static inline std::unique_ptr<TemporaryFolder> kept_;  ///< Shared by the cases of the suite.
   static inline std::map<std::string, fs::path> recordings_;
   TemporaryFolder folder_;
 };

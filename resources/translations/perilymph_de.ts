@@ -1040,8 +1040,300 @@
         <translation>ist keine NRRD-Datei mit vollständigem Kopf. Exportieren Sie das CT als NRRD mit den Voxeln in der Datei.</translation>
     </message>
     <message>
-        <source>keeps its voxels in another file. Export the CT as NRRD with its voxels in the file.</source>
-        <translation>hat ihre Voxel in einer anderen Datei. Exportieren Sie das CT als NRRD mit den Voxeln in der Datei.</translation>
+        <source>holds %1 volumes, the first %2. Give one of these files.</source>
+        <translation>enthält %1 Volumen, das erste %2. Wählen Sie eine dieser Dateien.</translation>
+    </message>
+    <message>
+        <source>states %1 twice: %2 in %3 and %4 in %5; %6.</source>
+        <translation>gibt %1 zweimal an: %2 in %3 und %4 in %5; %6.</translation>
+    </message>
+    <message>
+        <source>has voxels of %1 mm along %2 where 0.01 to 10 mm are read; its unit of length is %3. Export it again in millimeters.</source>
+        <translation>hat Voxel von %1 mm entlang %2, gelesen werden 0,01 bis 10 mm; die Längeneinheit der Datei ist %3. Exportieren Sie die Datei noch einmal in Millimetern.</translation>
+    </message>
+    <message>
+        <source>has axes %1 and %2 that meet at %3 degrees, not at 90 within 0.057. Resample it to right angles, or open the original series.</source>
+        <translation>hat Achsen %1 und %2, die sich unter %3 Grad treffen, nicht unter 90 auf 0,057 genau. Rechnen Sie das Volumen auf rechte Winkel um, oder öffnen Sie die Originalserie.</translation>
+    </message>
+    <message>
+        <source>has a matrix with values that are no finite numbers. Export it again with its orientation.</source>
+        <translation>hat eine Matrix mit Werten, die keine endlichen Zahlen sind. Exportieren Sie die Datei noch einmal mit ihrer Ausrichtung.</translation>
+    </message>
+    <message>
+        <source>states its unit of length by the code %1, which is none. Export it again in millimeters.</source>
+        <translation>gibt die Längeneinheit durch den Code %1 an, der keine ist. Exportieren Sie die Datei noch einmal in Millimetern.</translation>
+    </message>
+    <message>
+        <source>states its unit of length as %1; millimeters, centimeters, meters and micrometers are read, one for each of three axes. Export it again in millimeters.</source>
+        <translation>gibt die Längeneinheit als %1 an; gelesen werden Millimeter, Zentimeter, Meter und Mikrometer, je eine für drei Achsen. Exportieren Sie die Datei noch einmal in Millimetern.</translation>
+    </message>
+    <message>
+        <source>has a QForm that is no rotation: its quaternion is longer than 1, its pixdim[0] not 1 or -1, or a number not finite. Export it again.</source>
+        <translation>hat eine QForm, die keine Drehung ist: Das Quaternion ist länger als 1, pixdim[0] nicht 1 oder -1, oder eine Zahl nicht endlich. Exportieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>has a scl_slope or scl_inter that scales no gray value: the slope must be above 0 and both finite. Export it again.</source>
+        <translation>hat ein scl_slope oder scl_inter, das keinen Grauwert umrechnet: Die Steigung muss über 0 und beide müssen endlich sein. Exportieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>holds no volume of three dimensions: its dim[0] is %1. Save the CT alone.</source>
+        <translation>enthält kein Volumen mit drei Dimensionen: dim[0] ist %1. Speichern Sie das CT allein.</translation>
+    </message>
+    <message>
+        <source>is damaged: a line of its header is no field. Copy or export it again.</source>
+        <translation>ist beschädigt: Eine Zeile des Kopfes ist kein Feld. Kopieren oder exportieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>has an axis of the kind &apos;%1&apos;, which is none in space. Export the CT as NRRD with its voxels in the file.</source>
+        <translation>hat eine Achse der Art &apos;%1&apos;, die keine räumliche ist. Exportieren Sie das CT als NRRD mit den Voxeln in der Datei.</translation>
+    </message>
+    <message>
+        <source>keeps its voxels in &apos;%1&apos;; they are read from one file in the header&apos;s folder. Export the CT as NRRD with its voxels in the file.</source>
+        <translation>hat die Voxel in &apos;%1&apos;; gelesen werden sie aus einer Datei im Ordner des Kopfes. Exportieren Sie das CT als NRRD mit den Voxeln in der Datei.</translation>
+    </message>
+    <message>
+        <source>has a field &apos;%1&apos; that is not one number for each of its three axes: &apos;%2&apos;. Export it again.</source>
+        <translation>hat ein Feld &apos;%1&apos;, das nicht eine Zahl für jede der drei Achsen ist: &apos;%2&apos;. Exportieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>is no MetaImage file with a whole header. Export the CT as MetaImage (.mha) or NRRD.</source>
+        <translation>ist keine MetaImage-Datei mit vollständigem Kopf. Exportieren Sie das CT als MetaImage (.mha) oder NRRD.</translation>
+    </message>
+    <message>
+        <source>has no TransformMatrix, Offset and ElementSpacing of three dimensions, so left and right or its voxel size are not known. Export the CT as MetaImage (.mha) or NRRD.</source>
+        <translation>hat nicht TransformMatrix, Offset und ElementSpacing in drei Dimensionen, so dass links und rechts oder die Voxelgröße unbekannt sind. Exportieren Sie das CT als MetaImage (.mha) oder NRRD.</translation>
+    </message>
+    <message>
+        <source>holds no volume of three dimensions. Export the CT as MetaImage (.mha) or NRRD.</source>
+        <translation>enthält kein Volumen mit drei Dimensionen. Exportieren Sie das CT als MetaImage (.mha) oder NRRD.</translation>
+    </message>
+    <message>
+        <source>holds voxels that are no gray values. Export the CT as MetaImage (.mha) or NRRD.</source>
+        <translation>enthält Voxel, die keine Grauwerte sind. Exportieren Sie das CT als MetaImage (.mha) oder NRRD.</translation>
+    </message>
+    <message>
+        <source>is of the modality %1, not CT. Export the CT as MetaImage (.mha) or NRRD.</source>
+        <translation>hat die Modalität %1, nicht CT. Exportieren Sie das CT als MetaImage (.mha) oder NRRD.</translation>
+    </message>
+    <message>
+        <source>does not hold its voxels as binary numbers in a stated order. Export the CT as MetaImage (.mha) or NRRD.</source>
+        <translation>enthält die Voxel nicht als binäre Zahlen in angegebener Reihenfolge. Exportieren Sie das CT als MetaImage (.mha) oder NRRD.</translation>
+    </message>
+    <message>
+        <source>scales its gray values by ElementToIntensityFunction, which programs read differently. Export the CT as MetaImage (.mha) or NRRD.</source>
+        <translation>rechnet die Grauwerte mit ElementToIntensityFunction um, was Programme verschieden lesen. Exportieren Sie das CT als MetaImage (.mha) oder NRRD.</translation>
+    </message>
+    <message>
+        <source>keeps its voxels in &apos;%1&apos;; they are read from one file in the header&apos;s folder. Export the CT as MetaImage (.mha) or NRRD.</source>
+        <translation>hat die Voxel in &apos;%1&apos;; gelesen werden sie aus einer Datei im Ordner des Kopfes. Exportieren Sie das CT als MetaImage (.mha) oder NRRD.</translation>
+    </message>
+    <message>
+        <source>skips a part of its voxels. Export the CT as MetaImage (.mha) or NRRD.</source>
+        <translation>überspringt einen Teil der Voxel. Exportieren Sie das CT als MetaImage (.mha) oder NRRD.</translation>
+    </message>
+    <message>
+        <source>cannot be inflated: there is no memory. Close programs.</source>
+        <translation>kann nicht entpackt werden: Der Speicher reicht nicht. Schließen Sie Programme.</translation>
+    </message>
+    <message>
+        <source>the voxel size</source>
+        <translation>die Voxelgröße</translation>
+    </message>
+    <message>
+        <source>the place of its voxels</source>
+        <translation>den Ort der Voxel</translation>
+    </message>
+    <message>
+        <source>the handedness of its axes</source>
+        <translation>die Händigkeit der Achsen</translation>
+    </message>
+    <message>
+        <source>whether it has an SForm</source>
+        <translation>ob es eine SForm gibt</translation>
+    </message>
+    <message>
+        <source>the bits of a voxel</source>
+        <translation>die Bits eines Voxels</translation>
+    </message>
+    <message>
+        <source>its gray values</source>
+        <translation>die Grauwerte</translation>
+    </message>
+    <message>
+        <source>the length of its voxels</source>
+        <translation>die Länge der Voxel</translation>
+    </message>
+    <message>
+        <source>the unit of length</source>
+        <translation>die Längeneinheit</translation>
+    </message>
+    <message>
+        <source>its dimensions in space</source>
+        <translation>die Dimensionen im Raum</translation>
+    </message>
+    <message>
+        <source>the number of its voxels</source>
+        <translation>die Zahl der Voxel</translation>
+    </message>
+    <message>
+        <source>one field</source>
+        <translation>ein Feld</translation>
+    </message>
+    <message>
+        <source>where its axes point</source>
+        <translation>wohin die Achsen zeigen</translation>
+    </message>
+    <message>
+        <source>the length of its packed voxels</source>
+        <translation>die Länge der gepackten Voxel</translation>
+    </message>
+    <message>
+        <source>the SForm</source>
+        <translation>der SForm</translation>
+    </message>
+    <message>
+        <source>the QForm</source>
+        <translation>der QForm</translation>
+    </message>
+    <message>
+        <source>the QForm of the same code</source>
+        <translation>der QForm mit demselben Code</translation>
+    </message>
+    <message>
+        <source>the QForm of another code</source>
+        <translation>der QForm mit anderem Code</translation>
+    </message>
+    <message>
+        <source>the QForm of code 1 or 2</source>
+        <translation>der QForm mit Code 1 oder 2</translation>
+    </message>
+    <message>
+        <source>the SForm of a higher code</source>
+        <translation>der SForm mit höherem Code</translation>
+    </message>
+    <message>
+        <source>the matrix</source>
+        <translation>der Matrix</translation>
+    </message>
+    <message>
+        <source>its data</source>
+        <translation>den Daten</translation>
+    </message>
+    <message>
+        <source>its sizes and number type</source>
+        <translation>Größen und Zahlentyp</translation>
+    </message>
+    <message>
+        <source>its first line</source>
+        <translation>der ersten Zeile</translation>
+    </message>
+    <message>
+        <source>a later line</source>
+        <translation>einer späteren Zeile</translation>
+    </message>
+    <message>
+        <source>axis mins and axis maxs</source>
+        <translation>axis mins und axis maxs</translation>
+    </message>
+    <message>
+        <source>old min and old max</source>
+        <translation>old min und old max</translation>
+    </message>
+    <message>
+        <source>ElementSpacing times TransformMatrix</source>
+        <translation>ElementSpacing mal TransformMatrix</translation>
+    </message>
+    <message>
+        <source>ElementMin and ElementMax</source>
+        <translation>ElementMin und ElementMax</translation>
+    </message>
+    <message>
+        <source>export it again from the original series</source>
+        <translation>exportieren Sie die Datei noch einmal aus der Originalserie</translation>
+    </message>
+    <message>
+        <source>it is cut off or damaged, or its header was changed: copy or export it again</source>
+        <translation>sie ist abgeschnitten oder beschädigt, oder ihr Kopf wurde geändert: Kopieren oder exportieren Sie sie noch einmal</translation>
+    </message>
+    <message>
+        <source>the SForm is used, so check the sides</source>
+        <translation>die SForm wird benutzt; prüfen Sie die Seiten</translation>
+    </message>
+    <message>
+        <source>the QForm, of the scanner&apos;s space, is used, so check the sides</source>
+        <translation>die QForm, im Raum des Scanners, wird benutzt; prüfen Sie die Seiten</translation>
+    </message>
+    <message>
+        <source>the QForm is used</source>
+        <translation>die QForm wird benutzt</translation>
+    </message>
+    <message>
+        <source>they are read as stored, so check that bone is above 1000</source>
+        <translation>sie werden gelesen, wie sie gespeichert sind; prüfen Sie, dass Knochen über 1000 liegt</translation>
+    </message>
+    <message>
+        <source>The file</source>
+        <translation>Die Datei</translation>
+    </message>
+    <message>
+        <source>right-handed</source>
+        <translation>rechtshändig</translation>
+    </message>
+    <message>
+        <source>left-handed</source>
+        <translation>linkshändig</translation>
+    </message>
+    <message>
+        <source>0 (none)</source>
+        <translation>0 (keine)</translation>
+    </message>
+    <message>
+        <source>zeros or values that are no numbers</source>
+        <translation>Nullen oder Werte, die keine Zahlen sind</translation>
+    </message>
+    <message>
+        <source>as stored</source>
+        <translation>wie gespeichert</translation>
+    </message>
+    <message>
+        <source>not stated and taken as the millimeter</source>
+        <translation>nicht angegeben und als Millimeter genommen</translation>
+    </message>
+    <message>
+        <source>the meter (xyzt_units)</source>
+        <translation>der Meter (xyzt_units)</translation>
+    </message>
+    <message>
+        <source>the millimeter (xyzt_units)</source>
+        <translation>der Millimeter (xyzt_units)</translation>
+    </message>
+    <message>
+        <source>the micrometer (xyzt_units)</source>
+        <translation>der Mikrometer (xyzt_units)</translation>
+    </message>
+    <message>
+        <source>not stated (xyzt_units) and taken as the millimeter</source>
+        <translation>nicht angegeben (xyzt_units) und als Millimeter genommen</translation>
+    </message>
+    <message>
+        <source> along i</source>
+        <translation> entlang i</translation>
+    </message>
+    <message>
+        <source> along j</source>
+        <translation> entlang j</translation>
+    </message>
+    <message>
+        <source> along k</source>
+        <translation> entlang k</translation>
+    </message>
+    <message>
+        <source>, the smallest,</source>
+        <translation>, den kleinsten,</translation>
+    </message>
+    <message>
+        <source>, the largest,</source>
+        <translation>, den größten,</translation>
     </message>
     <message>
         <source>holds no volume of three dimensions. Export the CT as NRRD with its voxels in the file.</source>
@@ -4189,8 +4481,8 @@
         <translation>Ordner mit DICOM-Dateien oder Ordner eines DICOMDIR</translation>
     </message>
     <message>
-        <source>DICOMDIR, enhanced DICOM, NIfTI (.nii, .nii.gz) or NRRD (.nrrd)</source>
-        <translation>DICOMDIR, Enhanced DICOM, NIfTI (.nii, .nii.gz) oder NRRD (.nrrd)</translation>
+        <source>DICOMDIR, enhanced DICOM, NIfTI (.nii, .nii.gz), NRRD (.nrrd, .nhdr) or MetaImage (.mha, .mhd)</source>
+        <translation>DICOMDIR, Enhanced DICOM, NIfTI (.nii, .nii.gz), NRRD (.nrrd, .nhdr) oder MetaImage (.mha, .mhd)</translation>
     </message>
     <message>
         <source>Series</source>

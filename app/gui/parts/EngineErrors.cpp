@@ -4,6 +4,10 @@
 #include <QCoreApplication>
 #include <QLocale>
 #include <QRegularExpression>
+#include <iterator>
+#include <vector>
+
+#include "gui/parts/StatementErrors.h"
 
 namespace perilymph::gui {
 
@@ -130,9 +134,6 @@ constexpr const char* messages[] = {
         "is no NRRD file with a whole header. Export the CT as NRRD with its voxels in the file."),
     QT_TRANSLATE_NOOP(
         "Data",
-        "keeps its voxels in another file. Export the CT as NRRD with its voxels in the file."),
-    QT_TRANSLATE_NOOP(
-        "Data",
         "holds no volume of three dimensions. Export the CT as NRRD with its voxels in the file."),
     QT_TRANSLATE_NOOP(
         "Data",
@@ -207,11 +208,11 @@ QRegularExpression expressionOf(const QString& sentence)
                             QRegularExpression::DotMatchesEverythingOption);
 }
 
-/// Numbers with the window's decimal sign; other words as they are.
+/// Numbers with the window's decimal sign; words about statements in its language, others as they are.
 QString localized(const QString& word)
 {
-  static const QRegularExpression number(QStringLiteral("^-?[0-9]+\\.[0-9]+$"));
-  if (!number.match(word).hasMatch()) return word;
+  static const QRegularExpression number(QStringLiteral("^-?[0-9]+\\.[0-9]+( [a-z]+)?$"));
+  if (!number.match(word).hasMatch()) return statedWord(word);
   return QString(word).replace(QLatin1Char('.'), QLocale().decimalPoint());
 }
 
@@ -220,13 +221,20 @@ QString localized(const QString& word)
 QString engineError(const std::string& message)
 {
   const QString english = QString::fromStdString(message);
-  for (const char* sentence : messages) {
+  std::vector<const char*> sentences(std::begin(messages), std::end(messages));
+  const auto ofVolumes = volumeErrors();
+  sentences.insert(sentences.end(), ofVolumes.begin(), ofVolumes.end());
+  for (const char* sentence : sentences) {
     const auto found = expressionOf(QString::fromUtf8(sentence)).match(english);
     if (!found.hasMatch()) continue;
     QString filled = QCoreApplication::translate("Data", sentence);
     for (int i = found.lastCapturedIndex(); i > 1; --i)
       filled.replace(QStringLiteral("%%1").arg(i - 1), localized(found.captured(i)));
-    return found.captured(1) + filled;
+    const QString subject = found.captured(1);
+    return (subject == QLatin1String("The file ")
+                ? statedWord(QStringLiteral("The file")) + QLatin1Char(' ')
+                : subject) +
+           filled;
   }
   return english;
 }

@@ -92,6 +92,30 @@ TEST_F(GermanErrors, KeepTheNameOfTheFile)
   }
 }
 
+TEST_F(GermanErrors, NameWhatAFileStatesTwice)
+{
+  const TemporaryFolder folder;
+  std::ofstream(folder / "a.nrrd")
+      << "NRRD0004\ntype: short\ndimension: 3\nspace: LPS\nsizes: 4 4 4\nspace directions: "
+         "(0.25,0,0) "
+         "(0,0.25,0) (0,0,0.25)\nspacings: 0.25 0.25 2.5\nspace origin: (0,0,0)\nendian: "
+         "little\nencoding: raw\n\n";
+  const auto refused = imaging::findSeries(folder / "a.nrrd");
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(gui::engineError(refused.error().message).toStdString(),
+            (folder / "a.nrrd").string() +
+                " gibt die Voxelgröße entlang k zweimal an: 0,25 mm in space directions und 2,5 mm "
+                "in spacings; exportieren Sie die Datei noch einmal aus der Originalserie.");
+  EXPECT_EQ(
+      gui::engineError("The file states the place of its voxels (11, 9, 7) twice: (1, 2, 3) mm "
+                       "in the SForm and (4, 5, 6) mm in the QForm of another code; the SForm "
+                       "is used, so check the sides.")
+          .toStdString(),
+      "Die Datei gibt den Ort der Voxel (11, 9, 7) zweimal an: (1, 2, 3) mm in der SForm und "
+      "(4, 5, 6) mm in der QForm mit anderem Code; die SForm wird benutzt; prüfen Sie die "
+      "Seiten.");
+}
+
 TEST_F(GermanErrors, ThatAreUnknownStayAsTheyAre)
 {
   EXPECT_EQ(gui::engineError("It failed at 0.5 mm."), "It failed at 0.5 mm.");

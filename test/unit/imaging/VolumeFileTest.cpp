@@ -243,6 +243,18 @@ TEST_F(VolumeFiles, OfNrrdMayKeepTheirVoxelsInAFileOfTheirFolder)
                   "in the header's folder");
 }
 
+TEST_F(VolumeFiles, AreReadByTheNameOfTheirFolder)
+{
+  std::ofstream(folder / "notes.txt") << "of the scan";
+  std::ofstream(folder / "a.nii", std::ios::binary) << niftiFile(obliqueCt(), Form::both).content;
+  expectSame(obliqueCt(), readCt(folder / ""));
+  std::ofstream(folder / "b.mha", std::ios::binary) << metaHeader() + obliqueVoxels();
+  expectRefusal(readCt(folder / ""), "holds 2 volumes, the first a.nii. Give one of these files");
+  // beside files that may be DICOM, these are looked for
+  std::ofstream(folder / "IM0001") << "none";
+  expectRefusal(readCt(folder / ""), "holds no DICOM image");
+}
+
 TEST_F(VolumeFiles, AreReadInTheUnitThatTheyState)
 {
   // micrometers: everything is a thousand times as much

@@ -84,7 +84,9 @@ void CtPanel::addSource(QVBoxLayout& column)
   auto* folder = rowButton(tr("Open folder…"), "openCtFolderButton", this);
   auto* file = rowButton(tr("Open file…"), "openCtFileButton", this);
   folder->setToolTip(tr("A folder with DICOM files, or the folder of a DICOMDIR"));
-  file->setToolTip(tr("DICOMDIR, enhanced DICOM, NIfTI (.nii, .nii.gz) or NRRD (.nrrd)"));
+  file->setToolTip(
+      tr("DICOMDIR, enhanced DICOM, NIfTI (.nii, .nii.gz), NRRD (.nrrd, .nhdr) or MetaImage (.mha, "
+         ".mhd)"));
   row->addWidget(folder);
   row->addWidget(file);
   column.addLayout(row);
@@ -267,7 +269,8 @@ void CtPanel::showSeries(const imaging::CtSeriesList& list)
     auto* item = new QListWidgetItem(seriesText(series), series_);
     item->setData(Qt::UserRole, QString::fromStdString(series.uid));
     QStringList notes;
-    for (const std::string& warning : series.warnings) notes << dataText(warning);
+    for (const std::string& warning : series.warnings)
+      notes << engineError(dataText(warning).toStdString());
     if (!series.obstacle.empty()) {
       notes.prepend(engineError(series.obstacle));
       item->setFlags(Qt::NoItemFlags);

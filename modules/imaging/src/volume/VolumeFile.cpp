@@ -2,12 +2,14 @@
 #include "VolumeFile.h"
 
 #include <algorithm>
-#include <cctype>
+#include <initializer_list>
+#include <system_error>
 #include <utility>
 
 #include "../SeriesScore.h"
 #include "../dicom/DicomFiles.h"
 #include "../statements/VolumePairs.h"
+#include "HeaderText.h"
 #include "perilymph/foundation/Sha256.h"
 
 namespace perilymph::imaging {
@@ -31,6 +33,40 @@ Error wrongLength(const std::filesystem::path& file, const VolumeFile& volume, s
 {
   return Error{
       *disagreement(file.string(), *volume.bytes, std::to_string(stated) + " bytes", found)};
+}
+
+bool endsWithOneOf(const std::string& name, std::initializer_list<const char*> endings)
+{
+  return std::any_of(endings.begin(), endings.end(),
+                     [&name](const char* ending) { return name.ends_with(ending); });
+}
+
+bool isVolumeName(const std::string& name)
+{
+  return endsWithOneOf(name, {".nii", ".nii.gz", ".nrrd", ".nhdr", ".mha", ".mhd"});
+}
+
+/// The volume of a folder that holds one and otherwise only files that are no DICOM by their names;
+/// none for another folder. Refuses several.
+std::optional<Result<VolumeFile>> volumeOfFolder(const std::filesystem::path& folder)
+{
+  std::vector<std::filesystem::path> volumes;
+  std::error_code failed;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, failed)) {
+    const std::string name = lowerCase(entry.path().filename().string());
+    if (isVolumeName(name))
+      volumes.push_back(entry.path());
+    else if (!name.starts_with('.') &&
+             !endsWithOneOf(name, {".raw", ".zraw", ".raw.gz", ".txt", ".md", ".json", ".csv",
+                                   ".xml", ".pdf", ".png", ".jpg"}))
+      return std::nullopt;
+  }
+  if (failed || volumes.empty()) return std::nullopt;
+  if (volumes.size() == 1) return readVolumeHeader(volumes.front());
+  std::sort(volumes.begin(), volumes.end());
+  return Result<VolumeFile>(Error{folder.string() + " holds " + std::to_string(volumes.size()) +
+                                  " volumes, the first " + volumes.front().filename().string() +
+                                  ". Give one of these files."});
 }
 
 /// Fills up to `count` bytes; refuses less.
@@ -89,9 +125,9 @@ Result<Done> checkEnd(ByteSource& source, std::string& chunk, std::size_t stated
 
 std::optional<Result<VolumeFile>> readVolumeHeader(const std::filesystem::path& file)
 {
-  std::string name = file.filename().string();
-  std::transform(name.begin(), name.end(), name.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::error_code failed;
+  if (std::filesystem::is_directory(file, failed)) return volumeOfFolder(file);
+  const std::string name = lowerCase(file.filename().string());
   if (name.ends_with(".nii") || name.ends_with(".nii.gz")) return readNiftiHeader(file);
   if (name.ends_with(".nrrd") || name.ends_with(".nhdr")) return readNrrdHeader(file);
   if (name.ends_with(".mha") || name.ends_with(".mhd")) return readMetaHeader(file);

@@ -51,7 +51,8 @@ Result<VolumeFile> readNrrdHeader(const std::filesystem::path& file);
 /// that differ.
 Result<VolumeFile> readMetaHeader(const std::filesystem::path& file);
 
-/// The header of a file by its extension; none for one that is no volume's.
+/// The header of a file by its extension, or of the only volume in a folder without DICOM; none for
+/// another path.
 std::optional<Result<VolumeFile>> readVolumeHeader(const std::filesystem::path& file);
 
 /// A file as a series of one volume.

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// Why a volume in a file of its own cannot be read, and what files state twice.
+
+#include <QString>
+#include <span>
+
+namespace perilymph::gui {
+
+/// Sentences with placeholders %1 and so on, behind the name of a file.
+std::span<const char* const> volumeErrors();
+
+/// A quantity, place or remedy of a sentence about two statements, in the window's language; another
+/// word as it is.
+QString statedWord(const QString& word);
+
+}  // namespace perilymph::gui

@@ -72,7 +72,9 @@ std::optional<double> CtVolume::sample(const Eigen::Vector3d& point_P) const
     const int di = corner & 1, dj = (corner >> 1) & 1, dk = corner >> 2;
     const double weight = (di != 0 ? past[0] : 1.0 - past[0]) *
                           (dj != 0 ? past[1] : 1.0 - past[1]) * (dk != 0 ? past[2] : 1.0 - past[2]);
-    sum += weight * voxel(low[0] + di, low[1] + dj, low[2] + dk);
+    const std::int16_t value = voxel(low[0] + di, low[1] + dj, low[2] + dk);
+    if (value == unmeasured && weight > 0.0) return std::nullopt;
+    sum += weight * value;
   }
   return sum;
 }

@@ -16,6 +16,10 @@
 
 namespace perilymph::ct {
 
+/// Intensity of a voxel that was not measured, such as in a corner that a tilt left empty: neither
+/// air nor fluid, and no part of any fit.
+inline constexpr std::int16_t unmeasured = -32768;
+
 /// Origin of a volume. Never contains a patient's name, number or date of birth.
 struct CtProvenance {
   std::string seriesKey;                ///< Fingerprint of the series, empty if unknown.
@@ -64,7 +68,8 @@ public:
                    static_cast<std::size_t>(i)];
   }
 
-  /// Intensity at a point in P [mm], trilinear; empty outside the volume.
+  /// Intensity at a point in P [mm], trilinear; empty outside the volume and beside unmeasured
+  /// voxels.
   std::optional<double> sample(const Eigen::Vector3d& point_P) const;
 
   /// The part of the volume within `radius_mm` of a point along every index axis. Refuses points

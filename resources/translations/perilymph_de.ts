@@ -592,6 +592,42 @@
         <translation>Die Gantry ist um %1 Grad gekippt; das Volumen wird auf rechte Winkel umgerechnet.</translation>
     </message>
     <message>
+        <source>%1 of %2 images with its series number are of another patient or study and are listed apart. Check which of them belong together.</source>
+        <translation>%1 von %2 Bildern mit derselben Seriennummer sind von einem anderen Patienten oder einer anderen Studie und stehen für sich. Prüfen Sie, welche zusammengehören.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 images with its series number are of another frame of reference and are listed apart. Check which of them belong together.</source>
+        <translation>%1 von %2 Bildern mit derselben Seriennummer haben ein anderes Bezugssystem und stehen für sich. Prüfen Sie, welche zusammengehören.</translation>
+    </message>
+    <message>
+        <source>The folder holds images of %1 patients; this series is of one of them. Check that it is the right one.</source>
+        <translation>Der Ordner enthält Bilder von %1 Patienten; diese Serie ist von einem davon. Prüfen Sie, ob es der richtige ist.</translation>
+    </message>
+    <message>
+        <source>None of the %1 files that the DICOMDIR names is there; the files in its folder were read instead.</source>
+        <translation>Keine der %1 Dateien, die das DICOMDIR nennt, ist da; stattdessen wurden die Dateien in seinem Ordner gelesen.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 files that the DICOMDIR names are not there; slices may be missing. Copy the whole medium.</source>
+        <translation>%1 von %2 Dateien, die das DICOMDIR nennt, fehlen; vielleicht fehlen Schichten. Kopieren Sie den ganzen Datenträger.</translation>
+    </message>
+    <message>
+        <source>It states no modality; by its class (SOPClassUID) it is of the modality CT.</source>
+        <translation>Die Modalität ist nicht angegeben; nach der Klasse (SOPClassUID) ist sie CT.</translation>
+    </message>
+    <message>
+        <source>Its gray values are not Hounsfield units: it is of a flat panel. Judge them only against others of the same series.</source>
+        <translation>Die Grauwerte sind keine Hounsfield-Werte: Die Serie ist von einem Flachdetektor. Vergleichen Sie sie nur innerhalb der Serie.</translation>
+    </message>
+    <message>
+        <source>Its gray values are not Hounsfield units: it is of a cone-beam scanner. Judge them only against others of the same series.</source>
+        <translation>Die Grauwerte sind keine Hounsfield-Werte: Die Serie ist von einem DVT-Gerät. Vergleichen Sie sie nur innerhalb der Serie.</translation>
+    </message>
+    <message>
+        <source>Its gray values are not Hounsfield units: it is a secondary capture. Judge them only against others of the same series.</source>
+        <translation>Die Grauwerte sind keine Hounsfield-Werte: Die Serie ist eine Sekundäraufnahme. Vergleichen Sie sie nur innerhalb der Serie.</translation>
+    </message>
+    <message>
         <source>Its images were compressed with loss; fine edges may be gone.</source>
         <translation>Die Bilder wurden verlustbehaftet komprimiert; feine Kanten können fehlen.</translation>
     </message>
@@ -872,8 +908,60 @@
         <translation>%1 von %2 Dateien sind als Ganzes komprimiert (Transfersyntax 1.2.840.10008.1.2.1.99, deflated); das liest dieses Programm nicht. Exportieren Sie die Serie unkomprimiert, oder wandeln Sie sie mit gdcmconv --raw um.</translation>
     </message>
     <message>
-        <source>It is a secondary capture, a picture of a screen, without a place in the patient. Choose a series of original images.</source>
-        <translation>Es ist eine Sekundäraufnahme, das Bild eines Bildschirms, ohne Ort im Patienten. Wählen Sie eine Serie mit Originalbildern.</translation>
+        <source>It is a secondary capture, a picture of a screen, without a place in the patient (%1 is missing). Choose a series of original images.</source>
+        <translation>Es ist eine Sekundäraufnahme, ein Bild eines Bildschirms, ohne Ort im Patienten (%1 fehlt). Wählen Sie eine Serie mit Originalbildern.</translation>
+    </message>
+    <message>
+        <source>It is of the modality %1, a projection without a place in the patient (%2 is missing). Choose the volume that was reconstructed of it.</source>
+        <translation>Die Modalität ist %1, eine Projektion ohne Ort im Patienten (%2 fehlt). Wählen Sie das daraus rekonstruierte Volumen.</translation>
+    </message>
+    <message>
+        <source>Its images are of several modalities, %1 and %2. Export each as a series of its own.</source>
+        <translation>Die Bilder haben mehrere Modalitäten, %1 und %2. Exportieren Sie jede als eigene Serie.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 files were not read: sequences are nested deeper than %3, which no image needs. Export the series again.</source>
+        <translation>%1 von %2 Dateien wurden nicht gelesen: Sequenzen sind tiefer als %3 verschachtelt, was kein Bild braucht. Exportieren Sie die Serie noch einmal.</translation>
+    </message>
+    <message>
+        <source>The file %1 states %2 as %3, where one number belongs; export the series again as original images.</source>
+        <translation>Die Datei %1 gibt %2 als %3 an, wo eine Zahl stehen muss; exportieren Sie die Serie noch einmal als Originalbilder.</translation>
+    </message>
+    <message>
+        <source>The file %1 states %2 as %3, where %4 numbers belong; export the series again as original images.</source>
+        <translation>Die Datei %1 gibt %2 als %3 an, wo %4 Zahlen stehen müssen; exportieren Sie die Serie noch einmal als Originalbilder.</translation>
+    </message>
+    <message>
+        <source>The file %1 states %2 as %3, where a whole number from %4 to %5 belongs; export the series again as original images.</source>
+        <translation>Die Datei %1 gibt %2 als %3 an, wo eine ganze Zahl von %4 bis %5 stehen muss; exportieren Sie die Serie noch einmal als Originalbilder.</translation>
+    </message>
+    <message>
+        <source>Its images differ in %1, so they may be of two patients. Export the images of each patient apart.</source>
+        <translation>Die Bilder unterscheiden sich in %1, sie können also von zwei Patienten sein. Exportieren Sie die Bilder jedes Patienten für sich.</translation>
+    </message>
+    <message>
+        <source>The slope of its gray values, RescaleSlope (0028,1053), is %1 in %2; it must be above 0. Export the series again as original images.</source>
+        <translation>Die Steigung der Grauwerte, RescaleSlope (0028,1053), ist %1 in %2; sie muss über 0 liegen. Exportieren Sie die Serie noch einmal als Originalbilder.</translation>
+    </message>
+    <message>
+        <source>PixelRepresentation (0028,0103) differs between its images: signed in %1 and unsigned in %2. Export the series again as original images.</source>
+        <translation>PixelRepresentation (0028,0103) ist nicht in allen Bildern gleich: mit Vorzeichen in %1, ohne in %2. Exportieren Sie die Serie noch einmal als Originalbilder.</translation>
+    </message>
+    <message>
+        <source>Its slices alternate in %1, as those of two reconstructions in one series do. Export each reconstruction as a series of its own.</source>
+        <translation>Die Schichten wechseln in %1 hin und her, wie bei zwei Rekonstruktionen in einer Serie. Exportieren Sie jede Rekonstruktion als eigene Serie.</translation>
+    </message>
+    <message>
+        <source>The gray values of slice %1 of %2 (%3) do not join those of the next one: its file states slope %4 and intercept %5, the next one slope %6 and intercept %7. Export the series again as original images.</source>
+        <translation>Die Grauwerte von Schicht %1 von %2 (%3) schließen nicht an die der nächsten an: Ihre Datei gibt Steigung %4 und Achsenabschnitt %5 an, die nächste Steigung %6 und Achsenabschnitt %7. Exportieren Sie die Serie noch einmal als Originalbilder.</translation>
+    </message>
+    <message>
+        <source>The file %1 stores %2 bits (0028,0101) of a voxel in the %3 that are allocated (0028,0100); export the series again as original images.</source>
+        <translation>Die Datei %1 speichert %2 Bits (0028,0101) eines Voxels in den %3 vorgesehenen (0028,0100); exportieren Sie die Serie noch einmal als Originalbilder.</translation>
+    </message>
+    <message>
+        <source>The file %1 holds compressed voxels and states that they are not (transfer syntax %2); export the series again as original images.</source>
+        <translation>Die Datei %1 enthält komprimierte Voxel und gibt an, dass sie es nicht sind (Transfersyntax %2); exportieren Sie die Serie noch einmal als Originalbilder.</translation>
     </message>
     <message>
         <source>It is of the modality %1, not CT. Choose a CT series.</source>
@@ -990,6 +1078,34 @@
     <message>
         <source>holds no DICOM image. Give a folder of DICOM files, a DICOMDIR, a DICOM, NIfTI or NRRD file.</source>
         <translation>enthält kein DICOM-Bild. Wählen Sie einen Ordner mit DICOM-Dateien, ein DICOMDIR, eine DICOM-, NIfTI- oder NRRD-Datei.</translation>
+    </message>
+    <message>
+        <source>holds %1 series of the number %2, of several patients or studies. Choose one of them: %3 and so on.</source>
+        <translation>enthält %1 Serien der Nummer %2, von mehreren Patienten oder Studien. Wählen Sie eine davon: %3 und so weiter.</translation>
+    </message>
+    <message>
+        <source>takes more than 5 minutes to list, because its files are damaged or on a slow drive. Copy the series to a folder of this computer.</source>
+        <translation>braucht zum Auflisten mehr als 5 Minuten, weil die Dateien beschädigt sind oder auf einem langsamen Laufwerk liegen. Kopieren Sie die Serie in einen Ordner dieses Rechners.</translation>
+    </message>
+    <message>
+        <source>is encrypted. Unpack it with its password, and give the folder.</source>
+        <translation>ist verschlüsselt. Entpacken Sie die Datei mit ihrem Kennwort, und geben Sie den Ordner an.</translation>
+    </message>
+    <message>
+        <source>unpacks to more than 4 GB, or to more than a hundred times its size. Unpack it, and give the folder of one series.</source>
+        <translation>wird entpackt größer als 4 GB oder mehr als hundertmal so groß. Entpacken Sie die Datei, und geben Sie den Ordner einer Serie an.</translation>
+    </message>
+    <message>
+        <source>cannot be unpacked: the folder for temporary files (TMPDIR) is missing, full or not writable. Make space, or unpack it and give the folder.</source>
+        <translation>kann nicht entpackt werden: Der Ordner für temporäre Dateien (TMPDIR) fehlt, ist voll oder nicht beschreibbar. Schaffen Sie Platz, oder entpacken Sie die Datei und geben Sie den Ordner an.</translation>
+    </message>
+    <message>
+        <source>is a damaged .zip, or took more than a minute to unpack. Copy it again, or unpack it and give the folder.</source>
+        <translation>ist eine beschädigte ZIP-Datei, oder das Entpacken dauerte länger als eine Minute. Kopieren Sie sie noch einmal, oder entpacken Sie sie und geben Sie den Ordner an.</translation>
+    </message>
+    <message>
+        <source>gives its points in another unit (coordinateUnits) than mm, um, cm or m. Save the points in millimeters.</source>
+        <translation>gibt die Punkte in einer anderen Einheit (coordinateUnits) als mm, um, cm oder m an. Speichern Sie die Punkte in Millimetern.</translation>
     </message>
     <message>
         <source>holds more than %1 files. Give the folder of one examination.</source>

@@ -72,6 +72,32 @@ constexpr const char* sentences[] = {
                       "are the same, and the series is refused if not."),
     QT_TRANSLATE_NOOP(
         "Data", "The gantry is tilted by %1 degrees; the volume is resampled to right angles."),
+    QT_TRANSLATE_NOOP("Data",
+                      "%1 of %2 images with its series number are of another patient or study and "
+                      "are listed apart. Check which of them belong together."),
+    QT_TRANSLATE_NOOP("Data",
+                      "%1 of %2 images with its series number are of another frame of reference "
+                      "and are listed apart. Check which of them belong together."),
+    QT_TRANSLATE_NOOP("Data",
+                      "The folder holds images of %1 patients; this series is of one of them. "
+                      "Check that it is the right one."),
+    QT_TRANSLATE_NOOP("Data",
+                      "None of the %1 files that the DICOMDIR names is there; the files in its "
+                      "folder were read instead."),
+    QT_TRANSLATE_NOOP("Data",
+                      "%1 of %2 files that the DICOMDIR names are not there; slices may be "
+                      "missing. Copy the whole medium."),
+    QT_TRANSLATE_NOOP(
+        "Data", "It states no modality; by its class (SOPClassUID) it is of the modality CT."),
+    QT_TRANSLATE_NOOP("Data",
+                      "Its gray values are not Hounsfield units: it is of a flat panel. Judge them "
+                      "only against others of the same series."),
+    QT_TRANSLATE_NOOP("Data",
+                      "Its gray values are not Hounsfield units: it is of a cone-beam scanner. "
+                      "Judge them only against others of the same series."),
+    QT_TRANSLATE_NOOP("Data",
+                      "Its gray values are not Hounsfield units: it is a secondary capture. Judge "
+                      "them only against others of the same series."),
     QT_TRANSLATE_NOOP("Data", "Its images were compressed with loss; fine edges may be gone."),
     QT_TRANSLATE_NOOP("Data",
                       "Its images were computed from others, as reformatted planes are; original "

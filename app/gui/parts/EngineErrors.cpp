@@ -22,7 +22,47 @@ constexpr const char* messages[] = {
                       "the series uncompressed, or convert it with gdcmconv --raw."),
     QT_TRANSLATE_NOOP("Data",
                       "It is a secondary capture, a picture of a screen, without a place in the "
-                      "patient. Choose a series of original images."),
+                      "patient (%1 is missing). Choose a series of original images."),
+    QT_TRANSLATE_NOOP("Data",
+                      "It is of the modality %1, a projection without a place in the patient (%2 "
+                      "is missing). Choose the volume that was reconstructed of it."),
+    QT_TRANSLATE_NOOP(
+        "Data",
+        "Its images are of several modalities, %1 and %2. Export each as a series of its own."),
+    QT_TRANSLATE_NOOP("Data",
+                      "%1 of %2 files were not read: sequences are nested deeper than %3, which no "
+                      "image needs. Export the series again."),
+    QT_TRANSLATE_NOOP("Data",
+                      "The file %1 states %2 as %3, where one number belongs; export the series "
+                      "again as original images."),
+    QT_TRANSLATE_NOOP("Data",
+                      "The file %1 states %2 as %3, where %4 numbers belong; export the series "
+                      "again as original images."),
+    QT_TRANSLATE_NOOP("Data",
+                      "The file %1 states %2 as %3, where a whole number from %4 to %5 belongs; "
+                      "export the series again as original images."),
+    QT_TRANSLATE_NOOP("Data",
+                      "Its images differ in %1, so they may be of two patients. Export the images "
+                      "of each patient apart."),
+    QT_TRANSLATE_NOOP("Data",
+                      "The slope of its gray values, RescaleSlope (0028,1053), is %1 in %2; it "
+                      "must be above 0. Export the series again as original images."),
+    QT_TRANSLATE_NOOP("Data",
+                      "PixelRepresentation (0028,0103) differs between its images: signed in %1 "
+                      "and unsigned in %2. Export the series again as original images."),
+    QT_TRANSLATE_NOOP("Data",
+                      "Its slices alternate in %1, as those of two reconstructions in one series "
+                      "do. Export each reconstruction as a series of its own."),
+    QT_TRANSLATE_NOOP("Data",
+                      "The gray values of slice %1 of %2 (%3) do not join those of the next one: "
+                      "its file states slope %4 and intercept %5, the next one slope %6 and "
+                      "intercept %7. Export the series again as original images."),
+    QT_TRANSLATE_NOOP("Data",
+                      "The file %1 stores %2 bits (0028,0101) of a voxel in the %3 that are "
+                      "allocated (0028,0100); export the series again as original images."),
+    QT_TRANSLATE_NOOP("Data",
+                      "The file %1 holds compressed voxels and states that they are not (transfer "
+                      "syntax %2); export the series again as original images."),
     QT_TRANSLATE_NOOP("Data", "It is of the modality %1, not CT. Choose a CT series."),
     QT_TRANSLATE_NOOP(
         "Data",
@@ -108,6 +148,25 @@ constexpr const char* messages[] = {
     QT_TRANSLATE_NOOP("Data",
                       "holds no DICOM image. Give a folder of DICOM files, a DICOMDIR, a DICOM, "
                       "NIfTI or NRRD file."),
+    QT_TRANSLATE_NOOP("Data",
+                      "holds %1 series of the number %2, of several patients or studies. Choose "
+                      "one of them: %3 and so on."),
+    QT_TRANSLATE_NOOP("Data",
+                      "takes more than 5 minutes to list, because its files are damaged or on a "
+                      "slow drive. Copy the series to a folder of this computer."),
+    QT_TRANSLATE_NOOP("Data", "is encrypted. Unpack it with its password, and give the folder."),
+    QT_TRANSLATE_NOOP("Data",
+                      "unpacks to more than 4 GB, or to more than a hundred times its size. Unpack "
+                      "it, and give the folder of one series."),
+    QT_TRANSLATE_NOOP("Data",
+                      "cannot be unpacked: the folder for temporary files (TMPDIR) is missing, "
+                      "full or not writable. Make space, or unpack it and give the folder."),
+    QT_TRANSLATE_NOOP("Data",
+                      "is a damaged .zip, or took more than a minute to unpack. Copy it again, or "
+                      "unpack it and give the folder."),
+    QT_TRANSLATE_NOOP("Data",
+                      "gives its points in another unit (coordinateUnits) than mm, um, cm or m. "
+                      "Save the points in millimeters."),
     QT_TRANSLATE_NOOP("Data", "holds more than %1 files. Give the folder of one examination."),
     QT_TRANSLATE_NOOP("Data",
                       "is a DICOMDIR, but none of the files it names is there. Copy the whole "

@@ -15,7 +15,7 @@ using Json = nlohmann::json;
 /// How a list gives its coordinates.
 struct Coordinates {
   bool isRas = false;
-  double mm = 1.0;  ///< Of one unit.
+  double mm = 1.0;  ///< Length of one unit.
 };
 
 std::optional<Eigen::Vector3d> pointOf(const Json& control, const Coordinates& coordinates)

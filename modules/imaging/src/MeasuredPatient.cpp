@@ -67,6 +67,8 @@ Result<Done> writeMeasuredPatient(const ct::CochleaMeasures& measures, const std
       "errors.\n";
   text += "# Scanner: " + orUnknown(measures.provenance.scanner) + "\n";
   text += "# Flags: " + (flags.empty() ? "none" : flags) + "\n";
+  for (const std::string& note : measures.provenance.notes)
+    text += "# Of the CT: " + onOneLine(note) + "\n";
   if (!patient.basalTurn->h)
     text += "# H is " + std::to_string(measures.h.value).substr(0, 5) +
             " mm, beyond what a patient may have.\n";

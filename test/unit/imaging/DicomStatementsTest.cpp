@@ -11,7 +11,10 @@
 
 #include "StatedSeries.h"
 #include "dicom/DicomStatements.h"
+#include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/imaging/CtSeries.h"
+#include "perilymph/imaging/MeasuredPatient.h"
+#include "perilymph/test/Places.h"
 #include "perilymph/test/TemporaryFolder.h"
 
 namespace perilymph::imaging {
@@ -256,6 +259,33 @@ TEST_F(DicomStatements, AllHaveACase)
   for (const Case& one : cases()) ++tried[std::string(one.pair->second) + one.pair->quantity];
   for (const StatedTwice& pair : allDicomPairs())
     EXPECT_GT(tried[std::string(pair.second) + pair.quantity], 0) << pair.second;
+}
+
+TEST(DicomStatementTable, IsThatOfTheGuide)
+{
+  const auto page = readWhole(test::projectFolder() / "resources/guide/dicom.md");
+  ASSERT_TRUE(page) << page.error().message;
+  std::string rows;
+  for (const StatedTwice& pair : allDicomPairs()) rows += rowOf(pair) + "\n";
+  EXPECT_THAT(*page,
+              HasSubstr("|---|---|---|---|---|---|\n" + rows + "<!-- /statements of DICOM -->"));
+}
+
+TEST_F(DicomStatements, InDoubtReachThePatientFile)
+{
+  const auto loaded = read(scaledNumber(tags::spacingBetween, 0.6, 1.05));
+  ASSERT_TRUE(loaded) << loaded.error().message;
+  ct::CochleaMeasures measures{};
+  measures.a.value = 9.2;
+  measures.b.value = 6.8;
+  measures.h.value = 3.9;
+  measures.provenance = loaded->volume.provenance();
+  const auto file = folder / "patient.toml";
+  const auto done = writeMeasuredPatient(measures, "ear", file);
+  ASSERT_TRUE(done) << done.error().message;
+  EXPECT_THAT(*readWhole(file),
+              HasSubstr("# Of the CT: The series states the step of slice 1 of 10 "
+                        "(IM0) twice: 0.6 mm in"));
 }
 
 // What has no tolerance of one pair: thickness is another quantity than the step, and says whether all was measured.

@@ -166,8 +166,8 @@ void readGeometry(vtkDICOMMetaData& values, TagNumbers& numbers, DicomHeader& he
 
 void readGrayValues(vtkDICOMMetaData& values, TagNumbers& numbers, DicomHeader& header)
 {
-  const auto whole = [&](vtkDICOMTag tag, int least, int most) {
-    return numbers.readWhole(values.Get(tag), tag, least, most);
+  const auto whole = [&](vtkDICOMTag tag, int minimum, int maximum) {
+    return numbers.readWhole(values.Get(tag), tag, minimum, maximum);
   };
   header.samples = whole(DC::SamplesPerPixel, 1, 4).value_or(1);
   header.bitsAllocated = whole(DC::BitsAllocated, 1, 64).value_or(0);

@@ -46,7 +46,7 @@ struct DicomHeader {
   PixelCoding coding = PixelCoding::plain;
   bool isLossy = false;
   int rows = 0, columns = 0, samples = 1;
-  /// Of a stored value; `highBit` and `bitsStored` are 0 where absent.
+  /// Bits of a stored value; `highBit` and `bitsStored` are 0 where absent.
   int bitsAllocated = 0, bitsStored = 0, highBit = 0;
   bool isSigned = false;
   bool hasOverlayBits = false;  ///< Bits beyond the stored ones hold an overlay.

@@ -18,7 +18,8 @@ struct ParsedDicom {
   vtkSmartPointer<vtkDICOMMetaData> values;
   bool hasPixels = false, isDamaged = false;
   std::int64_t pixelStart = 0, fileSize = 0;
-  std::uint32_t pixelLength = 0;  ///< Of PixelData as its element says; 0xFFFFFFFF where undefined.
+  std::uint32_t pixelLength =
+      0;  ///< Length of PixelData as its element says; 0xFFFFFFFF where undefined.
 };
 
 /// Parses a file up to its voxels. Only what is asked for is kept of a header, so that none is larger than it

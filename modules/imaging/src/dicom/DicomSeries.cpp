@@ -49,17 +49,17 @@ std::pair<int, int> sizeOf(const DicomSeries& series, const SliceSource& slice)
 }
 
 // A scout lies across the slices; the gantry of a series does not turn by this much.
-constexpr double leastAligned = 0.98;  // cosine of 11 degrees
+constexpr double minAligned = 0.98;  // cosine of 11 degrees
 
 /// A size and a normal that most slices have; none where there is no majority.
 std::optional<Usual> usualOf(const DicomSeries& series)
 {
   std::map<std::pair<int, int>, std::size_t> sizes;
   for (const SliceSource& slice : series.slices) ++sizes[sizeOf(series, slice)];
-  const auto most = std::max_element(
+  const auto maximum = std::max_element(
       sizes.begin(), sizes.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
   const std::size_t all = series.slices.size();
-  if (most == sizes.end() || 2 * most->second <= all) return std::nullopt;
+  if (maximum == sizes.end() || 2 * maximum->second <= all) return std::nullopt;
   // one of any three that do not agree is of the majority, if there is one
   for (const std::size_t i : {std::size_t{0}, all / 3, all / 2, all - 1}) {
     const auto normal = normalOf(frameOf(series, series.slices[i]));
@@ -67,9 +67,9 @@ std::optional<Usual> usualOf(const DicomSeries& series)
     const auto aligned =
         std::count_if(series.slices.begin(), series.slices.end(), [&](const SliceSource& slice) {
           const auto own = normalOf(frameOf(series, slice));
-          return own && own->dot(*normal) > leastAligned;
+          return own && own->dot(*normal) > minAligned;
         });
-    if (2 * static_cast<std::size_t>(aligned) > all) return Usual{*normal, most->first};
+    if (2 * static_cast<std::size_t>(aligned) > all) return Usual{*normal, maximum->first};
   }
   return std::nullopt;
 }
@@ -77,17 +77,17 @@ std::optional<Usual> usualOf(const DicomSeries& series)
 /// Leaves out a lone image or two of another size or lying across the slices, as unmarked scouts do.
 void leaveOutLoneImages(DicomSeries& series)
 {
-  constexpr std::size_t mostLone = 2, slicesForEach = 4;
+  constexpr std::size_t maxLone = 2, slicesForEach = 4;
   const auto usual = usualOf(series);
   if (!usual) return;
   const auto isLone = [&](const SliceSource& slice) {
     const auto normal = normalOf(frameOf(series, slice));
     return sizeOf(series, slice) != usual->size ||
-           (normal && std::fabs(normal->dot(usual->normal_P)) < leastAligned);
+           (normal && std::fabs(normal->dot(usual->normal_P)) < minAligned);
   };
   std::vector<SliceSource> lone;
   std::copy_if(series.slices.begin(), series.slices.end(), std::back_inserter(lone), isLone);
-  if (lone.empty() || lone.size() > mostLone || series.slices.size() < slicesForEach * lone.size())
+  if (lone.empty() || lone.size() > maxLone || series.slices.size() < slicesForEach * lone.size())
     return;
   std::erase_if(series.slices, isLone);
   for (const SliceSource& slice : lone)

@@ -124,7 +124,7 @@ const StatedTwice modality{"DICOM",
                            exportAgain};
 
 const StatedTwice step{"DICOM",
-                       "the distance of its slices",
+                       "the step",
                        "their positions",
                        "SpacingBetweenSlices (0018,0088)",
                        "mm",
@@ -141,11 +141,9 @@ const StatedTwice location{"DICOM",
                            0.02,
                            Disagreement::warn,
                            check};
-const StatedTwice locationOfSlice{"DICOM",        "the place of a slice above the first",
-                                  "its position", "SliceLocation (0020,1041)",
-                                  "mm",           0.0,
-                                  0.05,           Disagreement::warn,
-                                  check};
+const StatedTwice locationOfSlice{
+    "DICOM", "the place above the first", "its position", "SliceLocation (0020,1041)", "mm", 0.0,
+    0.05,    Disagreement::warn,          check};
 const StatedTwice fieldOfView{"DICOM",
                               "the width of its images",
                               "columns and PixelSpacing (0028,0030)",

@@ -62,12 +62,12 @@ Error differing(std::size_t place, std::size_t count, std::size_t images)
 
 Result<Done> checkSpan(const std::vector<std::int16_t>& voxels)
 {
-  int least = voxels.front(), most = voxels.front();
+  int minimum = voxels.front(), maximum = voxels.front();
   for (const std::int16_t voxel : voxels) {
-    least = std::min<int>(least, voxel);
-    most = std::max<int>(most, voxel);
+    minimum = std::min<int>(minimum, voxel);
+    maximum = std::max<int>(maximum, voxel);
   }
-  if (most - least >= minSpan_HU) return Done{};
+  if (maximum - minimum >= minSpan_HU) return Done{};
   return Error{
       "Its intensities span less than 100, so they are no Hounsfield units: a mask, a label or a "
       "normalized volume. Export the CT itself."};

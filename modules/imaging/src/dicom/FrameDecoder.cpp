@@ -101,16 +101,15 @@ public:
             std::int64_t highest)
       : frame_(frame), padding_(padding), lowest_(lowest)
   {
-    constexpr std::int64_t most = 65'536;
-    if (highest - lowest >= most) return;
+    constexpr std::int64_t maximum = 65'536;
+    if (highest - lowest >= maximum) return;
     for (std::int64_t stored = lowest; stored <= highest; ++stored)
       table_.push_back(computed(static_cast<double>(stored)));
   }
 
   Gray of(std::int64_t stored) const
   {
-    return table_.empty() ? computed(static_cast<double>(stored))
-                          : table_.data()[stored - lowest_];
+    return table_.empty() ? computed(static_cast<double>(stored)) : table_.data()[stored - lowest_];
   }
 
 private:
@@ -178,13 +177,13 @@ Result<DecodedFrames> decodePlain(const DicomHeader& header)
 template <class Stored>
 int widest(std::span<const Stored> values, bool isSigned)
 {
-  std::int64_t most = 0;
+  std::int64_t maximum = 0;
   for (const Stored value : values) {
     const auto wide = static_cast<std::int64_t>(value);
-    most |= wide < 0 ? ~wide << (isSigned ? 1 : 0) : wide;
+    maximum |= wide < 0 ? ~wide << (isSigned ? 1 : 0) : wide;
   }
   int bits = 0;
-  for (; most != 0; most >>= 1) ++bits;
+  for (; maximum != 0; maximum >>= 1) ++bits;
   return bits;
 }
 

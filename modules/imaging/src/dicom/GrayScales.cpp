@@ -35,8 +35,8 @@ std::string scaleText(const Scale& scale)
 
 /// How a slice joins its neighbor with its own scale, and with its neighbor's.
 struct Join {
-  double own = 0.0, other = 0.0;    ///< Mean difference to the neighbor [HU].
-  double change = 0.0, most = 0.0;  ///< What the other scale changes: mean and maximum [HU].
+  double own = 0.0, other = 0.0;       ///< Mean difference to the neighbor [HU].
+  double change = 0.0, maximum = 0.0;  ///< What the other scale changes: mean and maximum [HU].
 };
 
 Join joinOf(std::span<const std::int16_t> slice, std::span<const std::int16_t> neighbor,
@@ -51,7 +51,7 @@ Join joinOf(std::span<const std::int16_t> slice, std::span<const std::int16_t> n
     join.own += std::fabs(value - neighbor[i]);
     join.other += std::fabs(scaled - neighbor[i]);
     join.change += change;
-    join.most = std::max(join.most, change);
+    join.maximum = std::max(join.maximum, change);
   }
   const auto count = static_cast<double>(slice.size());
   join.own /= count;
@@ -62,7 +62,7 @@ Join joinOf(std::span<const std::int16_t> slice, std::span<const std::int16_t> n
 
 bool contradicts(const Join& join, bool isOneScaleUsual)
 {
-  if (join.most < rounding_HU || join.own < join.other) return false;
+  if (join.maximum < rounding_HU || join.own < join.other) return false;
   return isOneScaleUsual || join.change > seenFraction * join.other;
 }
 

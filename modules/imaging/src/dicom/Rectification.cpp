@@ -13,27 +13,29 @@
 #include <algorithm>
 
 #include "../VtkComplaints.h"
-#include "FrameDecoder.h"
+#include "perilymph/ct/CtVolume.h"
 
 namespace perilymph::imaging {
+
 namespace {
 
-/// Fills with air what lies beyond the slices that were measured.
-void maskBeyond(const Grid& measured, Grid& straight)
+/// Marks the corners that a tilt leaves empty, which VTK fills with 0, the intensity of water:
+/// voxels whose centers lie beyond the borders of the sheared grid.
+void markCorners(Grid& straight, const Eigen::Matrix4d& sheared_PI, const std::array<int, 3>& size)
 {
-  // half a voxel beyond the last centers is within the last voxels
-  constexpr double beyond = 0.5 - 1e-3;
-  const Eigen::Matrix4d source = measured.lps_PI.inverse() * straight.lps_PI;
-  const Eigen::Vector3d last(measured.size[0] - 1, measured.size[1] - 1, measured.size[2] - 1);
-  std::int16_t* voxel = straight.voxels.data();
+  constexpr double border = 0.5 - 1e-6;  // in voxels
+  const Eigen::Matrix4d sheared_IJ = sheared_PI.inverse() * straight.lps_PI;
+  std::size_t at = 0;
   for (int k = 0; k < straight.size[2]; ++k)
-    for (int j = 0; j < straight.size[1]; ++j) {
-      Eigen::Vector3d place = (source * Eigen::Vector4d(0, j, k, 1)).head<3>();
-      const Eigen::Vector3d step = source.block<3, 1>(0, 0);
-      for (int i = 0; i < straight.size[0]; ++i, ++voxel, place += step)
-        if ((place.array() < -beyond).any() || (place.array() > last.array() + beyond).any())
-          *voxel = unmeasured_HU;
-    }
+    for (int j = 0; j < straight.size[1]; ++j)
+      for (int i = 0; i < straight.size[0]; ++i, ++at) {
+        const Eigen::Vector4d index = sheared_IJ * Eigen::Vector4d(i, j, k, 1.0);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          const double along = index[static_cast<Eigen::Index>(axis)];
+          if (along < -border || along > size[axis] - 1 + border)
+            straight.voxels[at] = ct::unmeasured;
+        }
+      }
 }
 
 }  // namespace
@@ -92,7 +94,7 @@ Result<Grid> rectified(Grid sheared)
   straight.lps_PI = lps_PX * image_XI;
   const auto* const first = static_cast<const std::int16_t*>(output.GetScalarPointer());
   straight.voxels.assign(first, first + output.GetNumberOfPoints());
-  maskBeyond(sheared, straight);
+  markCorners(straight, sheared.lps_PI, sheared.size);
   return straight;
 }
 

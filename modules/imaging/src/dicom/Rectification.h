@@ -19,7 +19,7 @@ struct Grid {
 };
 
 /// Resamples a sheared grid so that its axes are at right angles, with a windowed sinc. What lies beyond the measured
-/// slices is air.
+/// slices is `ct::unmeasured`.
 Result<Grid> rectified(Grid sheared);
 
 }  // namespace perilymph::imaging

@@ -51,7 +51,7 @@ std::string lengthText(double value)
 
 using Sentence = std::optional<std::string>;
 
-/// Of a tilted gantry, headers give the step of the table or the distance of the planes.
+/// Headers of a tilted gantry give the step of the table or the distance of the planes.
 double nearer(double value, const ct::SliceStack& stack)
 {
   const double plane = stack.planeDistance_mm(), table = stack.step_P.norm();

@@ -11,8 +11,8 @@
 namespace perilymph::imaging {
 namespace {
 
-constexpr std::size_t longestShown = 40;
-constexpr std::size_t mostFaults = 16;  // of one file; the first is shown
+constexpr std::size_t maxShown = 40;
+constexpr std::size_t maxFaults = 16;  // of one file; the first is shown
 
 std::string_view withoutBlanks(std::string_view text)
 {
@@ -51,7 +51,7 @@ std::string textOf(const vtkDICOMValue& value)
 /// Text for a message: printable, short.
 std::string shown(std::string text)
 {
-  if (text.size() > longestShown) text = text.substr(0, longestShown) + "...";
+  if (text.size() > maxShown) text = text.substr(0, maxShown) + "...";
   for (char& c : text)
     if (c < ' ' || c > '~' || c == '"') c = '?';
   return "\"" + text + "\"";
@@ -98,7 +98,7 @@ std::string nameOf(vtkDICOMTag tag)
 void TagNumbers::note(vtkDICOMTag tag, const std::string& text, const std::string& expected)
 {
   std::string clause = nameOf(tag) + " as " + shown(text) + ", where " + expected;
-  if (faults_.size() < mostFaults &&
+  if (faults_.size() < maxFaults &&
       std::find(faults_.begin(), faults_.end(), clause) == faults_.end())
     faults_.push_back(std::move(clause));
 }
@@ -149,17 +149,18 @@ std::optional<double> TagNumbers::read(const vtkDICOMValue& value, vtkDICOMTag t
   return (*numbers)[0];
 }
 
-std::optional<int> TagNumbers::readWhole(const vtkDICOMValue& value, vtkDICOMTag tag, int least,
-                                         int most)
+std::optional<int> TagNumbers::readWhole(const vtkDICOMValue& value, vtkDICOMTag tag, int minimum,
+                                         int maximum)
 {
   const auto number = read(value, tag);
   if (!number) return std::nullopt;
-  if (*number == std::floor(*number) && *number >= least && *number <= most)
+  if (*number == std::floor(*number) && *number >= minimum && *number <= maximum)
     return static_cast<int>(*number);
   char text[32];
   std::snprintf(text, sizeof text, "%.10g", *number);
   note(tag, text,
-       "a whole number from " + std::to_string(least) + " to " + std::to_string(most) + " belongs");
+       "a whole number from " + std::to_string(minimum) + " to " + std::to_string(maximum) +
+           " belongs");
   return std::nullopt;
 }
 

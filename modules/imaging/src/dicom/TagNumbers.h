@@ -33,8 +33,9 @@ public:
   /// One number.
   std::optional<double> read(const vtkDICOMValue& value, vtkDICOMTag tag);
 
-  /// One whole number from `least` to `most`.
-  std::optional<int> readWhole(const vtkDICOMValue& value, vtkDICOMTag tag, int least, int most);
+  /// One whole number from `minimum` to `maximum`.
+  std::optional<int> readWhole(const vtkDICOMValue& value, vtkDICOMTag tag, int minimum,
+                               int maximum);
 
   /// Clauses, each with the tag and its text: "Rows (0028,0010) as \"two\", where one number belongs".
   const std::vector<std::string>& faults() const { return faults_; }

@@ -94,7 +94,7 @@ class TestRun(PretendedSystem):
         self.assertIn("^long/soak/", self.calls("ctest")[0])
         result = self.call(SCRIPT, "--long")
         self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertEqual(self.presets(), ["long", "long", "asan", "tsan", "long", "long", "dev"])
+        self.assertEqual(self.presets(), ["long", "long", "asan", "tsan", "long", "long", "long", "dev"])
 
     def test_the_tests_of_every_day_alone_are_no_proof(self):
         self.call(SCRIPT)

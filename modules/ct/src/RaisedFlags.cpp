@@ -31,10 +31,13 @@ bool isUnusual(double value_mm, const anatomy::Spread& spread)
          2.0 * inMillimeters(spread.standardDeviation);
 }
 
+/// Standard deviation of the sum of two independent errors.
+double together(double one, double other) { return std::sqrt(one * one + other * other); }
+
 bool isOutOfProportion(const CochleaMeasures& measures)
 {
   const anatomy::Spread b = anatomy::expectedB(millimeters(measures.a.value));
-  const double sd = std::hypot(inMillimeters(b.standardDeviation), measures.b.sd());
+  const double sd = together(inMillimeters(b.standardDeviation), measures.b.sd());
   if (std::fabs(measures.b.value - inMillimeters(b.mean)) > proportionSds * sd) return true;
   const anatomy::Spread h = anatomy::limitsOfH();
   const double margin = heightSds * measures.h.sd();
@@ -47,8 +50,9 @@ bool disagrees(const CochleaMeasures& measures)
 {
   const MarkedMeasures marked = measuresBetween(measures.marksByHand, measures.axis_P);
   const auto isOff = [](const std::optional<double>& value_mm, const Measure& fitted) {
-    return value_mm && std::fabs(*value_mm - fitted.value) >
-                           disagreementSds * std::hypot(fitted.sd(), placedBy_mm, placedBy_mm);
+    return value_mm &&
+           std::fabs(*value_mm - fitted.value) >
+               disagreementSds * together(fitted.sd(), together(placedBy_mm, placedBy_mm));
   };
   return isOff(marked.a, measures.a) || isOff(marked.b, measures.b) || isOff(marked.h, measures.h);
 }

@@ -181,6 +181,58 @@ TEST(CtMeasure, FailsWithOneSentence)
   EXPECT_FALSE(std::filesystem::exists(json));
 }
 
+TEST(CtMeasure, MeasuresBothEarsAsItMeasuresEach)
+{
+  TemporaryFolder out;
+  const TwoEars head = makeTwoEars(601, clinicalScan(), 45.0);
+  writeDicomFiles(dicomSlices(head.volume), out / "head");
+  const auto both =
+      cli({"ct", "measure", out / "head", "--side", "both", "--json", out / "both.json"});
+  ASSERT_EQ(both.status, 0) << both.err;
+  Json ears = jsonOf(out / "both.json").at("ears");
+  ASSERT_EQ(ears.size(), 2u);
+  EXPECT_EQ(ears[0].at("side"), "right");
+  EXPECT_EQ(ears[1].at("side"), "left");
+  EXPECT_NEAR(ears[0].at("A_mm").at("value").get<double>(), head.right.a, 0.6);
+  EXPECT_NEAR(ears[1].at("A_mm").at("value").get<double>(), head.left.a, 0.6);
+  const auto left =
+      cli({"ct", "measure", out / "head", "--side", "left", "--json", out / "left.json"});
+  ASSERT_EQ(left.status, 0) << left.err;
+  Json alone = jsonOf(out / "left.json");
+  alone.erase("seconds");
+  ears[1].erase("seconds");
+  EXPECT_EQ(alone, ears[1]);
+}
+
+TEST(CtMeasure, FailsWhereOneOfBothEarsIsMissing)
+{
+  TemporaryFolder out;
+  expectRefusal(
+      cli({"ct", "measure", onDisk().path(), "--side", "both", "--json", out / "both.json"}),
+      onDisk().phantom.isRight ? "No left cochlea" : "No right cochlea");
+  EXPECT_FALSE(std::filesystem::exists(out / "both.json"));
+}
+
+TEST(CtMeasure, WritesNoDuctLengthOfAShortCochlea)
+{
+  TemporaryFolder out;
+  PhantomCondition condition;
+  condition.turns = 1.5;
+  const CtPhantom ear = makeCtPhantom(502, clinicalScan(), condition);
+  writeDicomFiles(dicomSlices(ear.volume), out / "ct");
+  const std::string at = std::to_string(ear.inside_P.x()) + "," + std::to_string(ear.inside_P.y()) +
+                         "," + std::to_string(ear.inside_P.z());
+  const auto done = cli({"ct", "measure", out / "ct", "--at", at, "--json", out / "m.json"});
+  ASSERT_EQ(done.status, 0) << done.err;
+  const Json json = jsonOf(out / "m.json");
+  EXPECT_TRUE(json.at("cdl_oc_mm").is_null());
+  EXPECT_THAT(json.at("cdl_oc_reason").get<std::string>(), testing::HasSubstr("2.5 turns"));
+  EXPECT_THAT(json.at("flags"), testing::Contains("few_turns"));
+  EXPECT_THAT(done.out, testing::HasSubstr("CDL (OC)     not given"));
+  expectRefusal(cli({"ct", "measure", out / "ct", "--at", at, "--patient", out / "p.toml"}),
+                "2.5 turns");
+}
+
 TEST(CtMeasure, WritesAPictureToCheckItBy)
 {
   TemporaryFolder out;
@@ -213,7 +265,9 @@ TEST(CtMeasure, ReportsUsageErrors)
   expectUsageError(cli({"ct", "measure"}), "path");
   for (const char* at : {"1,2", "1,2,3,4", "1;2;3", "a,b,c", "1,2,nan", "1,2,3x"})
     expectUsageError(cli({"ct", "measure", "x", "--at", at}), "X,Y,Z");
-  expectUsageError(cli({"ct", "measure", "x", "--side", "both"}), "both");
+  expectUsageError(cli({"ct", "measure", "x", "--side", "neither"}), "neither");
+  expectRefusal(cli({"ct", "measure", "x", "--side", "both", "--at", "1,2,3"}), "--at");
+  expectRefusal(cli({"ct", "measure", "x", "--side", "both", "--surface", "w.stl"}), "one ear");
   expectUsageError(cli({"ct", "measure", "x", "--at", "1,2,3", "--landmarks", "y"}), "excludes");
   // a negative first number is no option
   expectRefusal(cli({"ct", "measure", "nowhere", "--at", "-12,3,-4"}), "does not exist");

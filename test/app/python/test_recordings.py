@@ -151,6 +151,25 @@ def test_measures_of_a_ct_become_a_patient(tmp_path):
     assert (patient.a_sd_mm, patient.b_sd_mm, patient.h_sd_mm) == (0.1, 0.1, 0.1)
 
 
+def test_a_cochlea_with_few_turns_has_no_duct_length(tmp_path):
+    (tmp_path / "m.json").write_text(json.dumps({**MEASURED, "cdl_oc_mm": None, "cdl_oc_reason": "Few turns."}))
+    measures = perilymph.read_measures(tmp_path / "m.json")
+    assert measures.values_mm["cdl_oc_mm"] is None and measures.sds_mm["cdl_oc_mm"] is None
+    assert (measures.values_mm["A_mm"], measures.duct_length_reason) == (9.2, "Few turns.")
+    with pytest.raises(perilymph.Error, match="turns"):
+        measures.patient()
+
+
+def test_both_ears_are_read_by_a_function_of_their_own(tmp_path):
+    (tmp_path / "both.json").write_text(json.dumps({"ears": [{**MEASURED, "side": "right"}, MEASURED]}))
+    assert [ear.side for ear in perilymph.read_both_measures(tmp_path / "both.json")] == ["right", "left"]
+    with pytest.raises(perilymph.Error, match="both ears"):
+        perilymph.read_measures(tmp_path / "both.json")
+    (tmp_path / "m.json").write_text(json.dumps(MEASURED))
+    with pytest.raises(perilymph.Error, match="read_measures"):
+        perilymph.read_both_measures(tmp_path / "m.json")
+
+
 @pytest.mark.skipif(not (Path(os.environ["PERILYMPH_PROGRAMS"]) / "perilymph-ct-phantom").exists(),
                     reason="this build has no VTK and cannot read a CT")
 def test_the_command_s_measures_of_a_scan_are_read(cli, tmp_path):

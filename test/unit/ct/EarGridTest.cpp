@@ -169,7 +169,7 @@ INSTANTIATE_TEST_SUITE_P(Scanners, EarGrid,
                          testing::Values(Case{"coneBeam", test::coneBeamScan()},
                                          Case{"highResolution", test::highResolutionScan()},
                                          Case{"clinical", test::clinicalScan()}),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& scanner) { return std::string(scanner.param.name); });
 
 }  // namespace
 }  // namespace perilymph::ct

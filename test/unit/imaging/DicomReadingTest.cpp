@@ -118,6 +118,38 @@ TEST_F(DicomReading, ReadsTheSeriesThatADicomdirNames)
   }
 }
 
+TEST_F(DicomReading, MeasuresNothingInTheCornersThatATiltLeavesEmpty)
+{
+  // One intensity everywhere: what is not it was not measured.
+  constexpr std::int16_t bone = 1500;
+  const double tilt = 15.0 * 3.14159265358979323846 / 180.0;
+  Eigen::Matrix4d lps = Eigen::Matrix4d::Identity();
+  lps(0, 0) = lps(1, 1) = 0.5;
+  lps.block<3, 1>(0, 2) = 0.6 * Eigen::Vector3d(0.0, std::sin(tilt), std::cos(tilt));
+  const auto volume =
+      *ct::CtVolume::make({20, 40, 30}, lps, std::vector<std::int16_t>(20 * 40 * 30, bone));
+  test::writeDicomFiles(test::dicomSlices(volume), folder / "corners");
+  const auto loaded = readCt(folder / "corners");
+  ASSERT_TRUE(loaded) << loaded.error().message;
+  const ct::CtVolume& straight = loaded->volume;
+  int corner = 0, inside = 0;
+  for (int k = 0; k < straight.size()[2]; ++k)
+    for (int j = 0; j < straight.size()[1]; ++j)
+      for (int i = 0; i < straight.size()[0]; ++i) {
+        const std::int16_t value = straight.voxel(i, j, k);
+        const Eigen::Vector3d index = volume.toIndex(straight.toLps(Eigen::Vector3d(i, j, k)));
+        if (index.y() < -0.51 || index.y() > 39.51) {
+          EXPECT_EQ(value, ct::unmeasured) << i << " " << j << " " << k;
+          ++corner;
+        } else if (index.y() > -0.49 && index.y() < 39.49) {
+          EXPECT_NEAR(value, bone, 2) << i << " " << j << " " << k;
+          ++inside;
+        }
+      }
+  EXPECT_GT(corner, 1000);
+  EXPECT_GT(inside, 15000);
+}
+
 TEST_F(DicomReading, ResamplesATiltedGantryToRightAnglesAndNotesIt)
 {
   // Voxels are a linear function of the position, which resampling must reproduce.

@@ -42,7 +42,7 @@ struct CtPhantom {
 
 /// Malformation, disease and surgery of a phantom, and its place.
 struct PhantomCondition {
-  std::optional<double> turns = {};  ///< Of the lumen; empty: individual, 2.3 to 2.6.
+  std::optional<double> turns = {};  ///< Turns of the lumen; empty: individual, 2.3 to 2.6.
   bool isCystic = false;             ///< A cavity beyond the last turn (incomplete partition II).
   std::array<double, 2> ossified = {};  ///< Filled with bone from an angle to another [deg].
   bool hasImplant = false;           ///< A wire with contacts in the lower scala, to 400 degrees.

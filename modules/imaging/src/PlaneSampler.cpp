@@ -44,7 +44,9 @@ GrayWindow wholeWindow(const ct::CtVolume& volume)
   const auto voxels = volume.voxels();
   const std::size_t step = std::max<std::size_t>(1, voxels.size() / 100'000);
   std::vector<std::int16_t> some;
-  for (std::size_t k = 0; k < voxels.size(); k += step) some.push_back(voxels[k]);
+  for (std::size_t k = 0; k < voxels.size(); k += step)
+    if (voxels[k] != ct::unmeasured) some.push_back(voxels[k]);
+  if (some.empty()) return {0.0, 1.0};
   const auto at = [&some](double fraction) {
     const auto place =
         some.begin() + static_cast<std::ptrdiff_t>(fraction * static_cast<double>(some.size() - 1));

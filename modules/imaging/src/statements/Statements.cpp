@@ -38,9 +38,9 @@ std::optional<std::string> disagreement(const std::string& subject, const Stated
 {
   if (agree(pair, first, second)) return std::nullopt;
   // as many digits as tell them apart
-  constexpr int fewest = 4, most = 17;
-  int digits = fewest;
-  while (digits < most && digitsOf(first, digits) == digitsOf(second, digits)) ++digits;
+  constexpr int minDigits = 4, maxDigits = 17;
+  int digits = minDigits;
+  while (digits < maxDigits && digitsOf(first, digits) == digitsOf(second, digits)) ++digits;
   const std::string unit = *pair.unit == '\0' ? "" : std::string(" ") + pair.unit;
   return sentence(subject, pair, digitsOf(first, digits) + unit, digitsOf(second, digits) + unit,
                   which);

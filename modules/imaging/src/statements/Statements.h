@@ -14,7 +14,7 @@ enum class Disagreement { refuse, warn };
 /// A quantity, the two places that state it, and how far they may differ: by `relative` of the
 /// larger one or by `absolute`, whichever is more. Two texts agree where they are the same.
 struct StatedTwice {
-  const char* format;         ///< Of the file: "NIfTI", "DICOM", ...
+  const char* format;         ///< The file's format: "NIfTI", "DICOM", ...
   const char* quantity;       ///< With its article: "the voxel size along k".
   const char* first;          ///< The place that is used: "the SForm".
   const char* second;         ///< "pixdim[3]".

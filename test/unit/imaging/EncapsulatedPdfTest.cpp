@@ -131,6 +131,18 @@ TEST_F(EncapsulatedPdfFile, IsRefusedForSeveralStudiesWithoutNamingThePatient)
   EXPECT_FALSE(fs::exists(file()));
 }
 
+TEST_F(EncapsulatedPdfFile, IsRefusedForTwoPatientsUnderOneSeriesNumber)
+{
+  auto slices = ctOf("1.2.840.99", "MRN-4711");
+  for (std::size_t k = slices.size() / 2; k < slices.size(); ++k)
+    slices[k].setText(0x00100020, "LO", "MRN-4712");
+  test::writeDicomFiles(slices, folder_ / "ct");
+  const auto written = writeEncapsulatedPdf(document(), folder_ / "ct", file());
+  ASSERT_FALSE(written);
+  EXPECT_THAT(written.error().message, Not(HasSubstr("MRN")));
+  EXPECT_FALSE(fs::exists(file()));
+}
+
 TEST_F(EncapsulatedPdfFile, IsRefusedWithoutAStudyAndWithoutAPdf)
 {
   std::ofstream(folder_ / "note.txt") << "no DICOM";

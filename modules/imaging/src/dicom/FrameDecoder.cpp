@@ -94,15 +94,15 @@ struct Gray {
   Kind kind;
 };
 
-/// Stored values to Hounsfield units of one frame, computed once for each value.
+/// Stored values to Hounsfield units of one frame, computed once for each value where a frame has more voxels than
+/// there are values.
 class GrayTable {
 public:
   GrayTable(const DicomFrame& frame, const Padding& padding, std::int64_t lowest,
-            std::int64_t highest)
+            std::int64_t highest, std::size_t voxels)
       : frame_(frame), padding_(padding), lowest_(lowest)
   {
-    constexpr std::int64_t maximum = 65'536;
-    if (highest - lowest >= maximum) return;
+    if (highest - lowest >= static_cast<std::int64_t>(voxels)) return;
     for (std::int64_t stored = lowest; stored <= highest; ++stored)
       table_.push_back(computed(static_cast<double>(stored)));
   }
@@ -143,7 +143,7 @@ void rescale(const DicomHeader& header, DecodedFrames& decoded, std::int64_t low
   std::int16_t* voxel = decoded.voxels.data();
   for (const DicomFrame& frame : header.frames) {
     Padding padding(header, frame);
-    const GrayTable table(frame, padding, lowest, highest);
+    const GrayTable table(frame, padding, lowest, highest, perFrame);
     for (std::size_t i = 0; i < perFrame; ++i, ++voxel) {
       const Gray gray = table.of(next());
       *voxel = gray.voxel;

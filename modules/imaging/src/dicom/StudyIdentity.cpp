@@ -75,7 +75,9 @@ Result<StudyIdentity> readStudyIdentity(const std::filesystem::path& ct)
   std::optional<StudyIdentity> common;
   std::set<std::string> series;
   for (const DicomHeader& header : listed->headers) {
-    if (!series.insert(header.seriesUid).second) continue;  // one file of each series
+    // one file of each series, patient and study, which may be several under one series number
+    if (!series.insert(header.seriesUid + header.identity.patient + header.identity.study).second)
+      continue;
     const auto identity = identityIn(header.file);
     if (!identity) continue;
     if (!common) common = identity;

@@ -24,6 +24,7 @@ constexpr double seenContrast = 0.35;
 constexpr double lastBasal_deg = 180.0;  // bone before this angle is ossification, no apex
 constexpr int closedSections = 4;
 constexpr double aroundFit_mm = 8.0;
+constexpr double besideLumen_mm = 1.0;  // metal makes a fit deviate by as much
 
 /// A section's content and that of the bone behind its outer wall: 1 at the lumen's level, 0 at the
 /// bone's; empty if it is not measured.
@@ -78,10 +79,10 @@ private:
   const FitState& state_;
 };
 
-/// Calls a function with the index of every voxel brighter than bone within a distance of W's
-/// origin.
-void eachBrightVoxel(const CtVolume& volume, const Pose& pose,
-                     const std::function<void(const std::array<int, 3>&)>& function)
+/// Calls a function with the center of every voxel within a distance of W's origin that is brighter
+/// than bone, and has two neighbors that are: a single one is noise of dense bone.
+void eachMetalVoxel(const CtVolume& volume, const Pose& pose,
+                    const std::function<void(const Eigen::Vector3d&)>& function)
 {
   std::array<int, 3> low{}, high{};
   const Eigen::Vector3d center = volume.toIndex(pose.origin_P), spacing = volume.spacing_mm();
@@ -91,10 +92,22 @@ void eachBrightVoxel(const CtVolume& volume, const Pose& pose,
     low[axis] = std::clamp(static_cast<int>(center[a] - reach), 0, volume.size()[axis] - 1);
     high[axis] = std::clamp(static_cast<int>(center[a] + reach), 0, volume.size()[axis] - 1);
   }
+  const auto hasMetalNeighbors = [&](const std::array<int, 3>& index) {
+    int neighbors = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      for (const int by : {-1, 1}) {
+        std::array<int, 3> next = index;
+        next[axis] += by;
+        if (next[axis] < 0 || next[axis] >= volume.size()[axis]) continue;
+        neighbors += volume.voxel(next[0], next[1], next[2]) > metalLevel ? 1 : 0;
+      }
+    return neighbors >= 2;
+  };
   for (int k = low[2]; k <= high[2]; ++k)
     for (int j = low[1]; j <= high[1]; ++j)
       for (int i = low[0]; i <= high[0]; ++i)
-        if (volume.voxel(i, j, k) > metalLevel) function({i, j, k});
+        if (volume.voxel(i, j, k) > metalLevel && hasMetalNeighbors({i, j, k}))
+          function(volume.toLps(Eigen::Vector3d(i, j, k)));
 }
 
 }  // namespace
@@ -127,10 +140,10 @@ LumenFindings examineLumen(const CtVolume& volume, const ShapedLumen& lumen, con
   findings.unmeasured = sections > 0 ? static_cast<double>(unknown) / sections : 1.0;
 
   const double voxel_mm3 = volume.spacing_mm().prod();
-  eachBrightVoxel(volume, state.pose, [&](const std::array<int, 3>& index) {
-    const Eigen::Vector3d point_P = volume.toLps(Eigen::Vector3d(index[0], index[1], index[2]));
-    const NearTurns near = lumen.distances(state.pose.into_W(point_P), 0.5);
-    if (near.nearest >= 0 && near.turn[static_cast<std::size_t>(near.nearest)].inside > 0.0)
+  eachMetalVoxel(volume, state.pose, [&](const Eigen::Vector3d& point_P) {
+    const NearTurns near = lumen.distances(state.pose.into_W(point_P), besideLumen_mm);
+    if (near.nearest >= 0 &&
+        near.turn[static_cast<std::size_t>(near.nearest)].inside > -besideLumen_mm)
       findings.metal_mm3 += voxel_mm3;
   });
   return findings;
@@ -138,19 +151,8 @@ LumenFindings examineLumen(const CtVolume& volume, const ShapedLumen& lumen, con
 
 double metalAround_mm3(const CtVolume& volume, const Pose& pose)
 {
-  const double voxel_mm3 = volume.spacing_mm().prod();
   double sum = 0.0;
-  eachBrightVoxel(volume, pose, [&](const std::array<int, 3>& index) {
-    int neighbors = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      for (const int by : {-1, 1}) {
-        std::array<int, 3> next = index;
-        next[axis] += by;
-        if (next[axis] < 0 || next[axis] >= volume.size()[axis]) continue;
-        neighbors += volume.voxel(next[0], next[1], next[2]) > metalLevel ? 1 : 0;
-      }
-    if (neighbors >= 2) sum += voxel_mm3;
-  });
+  eachMetalVoxel(volume, pose, [&](const Eigen::Vector3d&) { sum += volume.spacing_mm().prod(); });
   return sum;
 }
 

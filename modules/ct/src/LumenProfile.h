@@ -17,7 +17,7 @@ struct LumenFindings {
   /// Fraction of the first turn without a contrast between lumen and outer wall.
   double basalGap = 0.0;
   double unmeasured = 0.0;  ///< Fraction of the sections in or beside unmeasured voxels.
-  double metal_mm3 = 0.0;   ///< Volume of the voxels in the lumen that only metal makes as bright.
+  double metal_mm3 = 0.0;   ///< Volume of metal in the lumen or within 1 mm of its wall.
 };
 
 /// Examines sections every 10 degrees from 20 degrees to the apex.

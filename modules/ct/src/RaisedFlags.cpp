@@ -20,8 +20,8 @@ constexpr double fullTurns = 2.15;
 constexpr double unmeasuredLimit = 0.05;
 // B of an A: its conditional standard deviations. H: its own beyond the limits of patients.
 constexpr double proportionSds = 3.5, heightSds = 3.0;
-// Volume of voxels in the lumen above the level: ten ears have up to 0.05, implants 0.3 and more.
-constexpr double metalInLumen_mm3 = 0.25;
+// Ten ears have up to 0.5 within 8 mm, of dense bone and noise; implants 8.
+constexpr double metalInLumen_mm3 = 1.0;
 constexpr double placedBy_mm = 0.5;  // standard deviation of a landmark that a person placed
 constexpr double disagreementSds = 3.0;
 

@@ -204,8 +204,8 @@ Result<Done> checkPly(const PlyHeader& header, const std::string& content)
   if (!header.isText) return Done{};
   std::size_t at = header.end;
   const Error notThem{
-      "does not hold the points and faces that its header states, one line of numbers each. "
-      "Export it again from the segmentation program."};
+      "is not a whole .ply file: it does not hold the points and faces that its header states, "
+      "one line of numbers each. Export it again from the segmentation program."};
   for (const PlyElement& element : header.elements)
     for (std::size_t i = 0; i < element.count; ++i) {
       if (at >= content.size() || !isElementsLine(nextLine(content, at), element)) return notThem;

@@ -165,10 +165,11 @@ Result<Done> checkRims(const Surface& surface, const std::vector<SurfaceRim>& ri
       4.0 * pi * areaOf(surface, rims[0]).norm() / (rims[0].length * rims[0].length);
   const double flat = inPlane(surface, rims[0], fans);
   if (circularity < minCircularity)
-    return Error{"The surface is torn at " + placeOf(surface, rims[0].corners[0]) +
-                 ": its longest rim is a slit of " + inText(1e3 * rims[0].length, "%.2f") +
-                 " mm, not the opening at the round window. Repair it there in the segmentation "
-                 "program, or export it again."};
+    return Error{
+        "The surface is torn at " + placeOf(surface, rims[0].corners[0]) +
+        ": its longest rim is a slit of " + inText(1e3 * rims[0].length, "%.2f") +
+        " mm, not the opening of a scala tympani at the round window. Repair it there in the "
+        "segmentation program, or export it again."};
   if (flat > maxInPlane)
     return Error{"The surface has a hole at " + placeOf(surface, rims[0].corners[0]) +
                  " with a rim of " + inText(1e3 * rims[0].length, "%.2f") +

@@ -31,6 +31,6 @@ double metalAround_mm3(const CtVolume& volume, const Pose& pose);
 /// Brighter than bone of any density: the Hounsfield units above which only metal is expected.
 inline constexpr std::int16_t metalLevel = 3000;
 /// Ten ears have up to 0.5 of dense bone and noise, implants 8 [mm^3].
-inline constexpr double leastMetal_mm3 = 2.0;
+inline constexpr double minMetal_mm3 = 2.0;
 
 }  // namespace perilymph::ct

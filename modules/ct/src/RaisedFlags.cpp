@@ -100,7 +100,7 @@ std::vector<Flag> raisedFlags(const CochleaMeasures& measures, const FlagEvidenc
   raise(Flag::landmarkContradicted, evidence.isLandmarkContradicted);
   raise(Flag::fewTurns, !isOfFullLength(evidence.lumen));
   raise(Flag::wallWithoutContrast, evidence.lumen.basalGap >= basalGapLimit);
-  raise(Flag::metal, evidence.lumen.metal_mm3 >= leastMetal_mm3);
+  raise(Flag::metal, evidence.lumen.metal_mm3 >= minMetal_mm3);
   raise(Flag::unusualProportions, isOutOfProportion(measures));
   raise(Flag::secondCochlea, measures.otherCochlea_P.has_value());
   raise(Flag::landmarksDisagree, disagrees(measures));

@@ -30,7 +30,7 @@ std::string millimetersOf(double value)
 Error refusal(const CtVolume& volume, const FitResult& fit, std::string otherwise)
 {
   const double metal_mm3 = metalAround_mm3(volume, fit.state.pose);
-  if (metal_mm3 < leastMetal_mm3) return Error{std::move(otherwise)};
+  if (metal_mm3 < minMetal_mm3) return Error{std::move(otherwise)};
   return Error{"There is metal in or beside the cochlea (an implant?): " +
                std::to_string(std::lround(metal_mm3)) + " cubic millimeters are brighter than " +
                std::to_string(metalLevel) +

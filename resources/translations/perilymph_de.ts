@@ -556,8 +556,8 @@
         <translation>Auf mindestens einem Fünftel der basalen Windung unterscheidet sich das Lumen nicht vom Knochen: Es könnte verknöchert sein; den Umriss in den Bildern prüfen.</translation>
     </message>
     <message>
-        <source>There is metal in the cochlea (an implant?): it hides the wall, so take a CT from before the implantation.</source>
-        <translation>In der Cochlea ist Metall (ein Implantat?): Es verdeckt die Wand; eine CT von vor der Implantation verwenden.</translation>
+        <source>There is metal in or beside the cochlea (an implant?): it hides the wall, so take a CT from before the implantation.</source>
+        <translation>In oder neben der Cochlea ist Metall (ein Implantat?): Es verdeckt die Wand; eine CT von vor der Implantation verwenden.</translation>
     </message>
     <message>
         <source>B does not fit A, or H is beyond that of known cochleae: check the outline in the images; a malformed cochlea has no A, B and H.</source>
@@ -572,8 +572,8 @@
         <translation>A, B oder H zwischen den von Hand gesetzten Landmarken weicht stärker von der Anpassung ab als die Fehler beider: Die Landmarken in den Bildern prüfen.</translation>
     </message>
     <message>
-        <source>There is metal in the cochlea (an implant?): %1 cubic millimeters are brighter than %2 HU and hide its wall. Take a CT from before the implantation.</source>
-        <translation>In der Cochlea ist Metall (ein Implantat?): %1 Kubikmillimeter sind heller als %2 HU und verdecken ihre Wand. Verwenden Sie eine CT von vor der Implantation.</translation>
+        <source>There is metal in or beside the cochlea (an implant?): %1 cubic millimeters are brighter than %2 HU and hide its wall. Take a CT from before the implantation.</source>
+        <translation>In oder neben der Cochlea ist Metall (ein Implantat?): %1 Kubikmillimeter sind heller als %2 HU und verdecken ihre Wand. Verwenden Sie eine CT von vor der Implantation.</translation>
     </message>
     <message>
         <source>The scala tympani is built with %1 turns, and fewer were seen in this cochlea, so no patient file is written. Use its measures without the model.</source>

@@ -51,7 +51,7 @@ constexpr const char* sentences[] = {
         "the bone: it may be ossified; check the outline in the images."),
     QT_TRANSLATE_NOOP(
         "Data",
-        "There is metal in the cochlea (an implant?): it hides the wall, so take a CT "
+        "There is metal in or beside the cochlea (an implant?): it hides the wall, so take a CT "
         "from before the implantation."),
     QT_TRANSLATE_NOOP(
         "Data",

@@ -53,7 +53,8 @@ constexpr std::array<Entry, 15> entries{
       "may "
       "be ossified; check the outline in the images."},
      {Flag::metal, "metal_in_cochlea",
-      "There is metal in the cochlea (an implant?): it hides the wall, so take a CT from before "
+      "There is metal in or beside the cochlea (an implant?): it hides the wall, so take a CT from "
+      "before "
       "the "
       "implantation."},
      {Flag::unusualProportions, "unusual_proportions",

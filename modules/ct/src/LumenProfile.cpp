@@ -24,7 +24,6 @@ constexpr double seenContrast = 0.35;
 constexpr double lastBasal_deg = 180.0;  // bone before this angle is ossification, no apex
 constexpr int closedSections = 4;
 constexpr double aroundFit_mm = 8.0;
-constexpr double besideLumen_mm = 1.0;  // metal makes a fit deviate by as much
 
 /// A section's content and that of the bone behind its outer wall: 1 at the lumen's level, 0 at the
 /// bone's; empty if it is not measured.
@@ -139,13 +138,7 @@ LumenFindings examineLumen(const CtVolume& volume, const ShapedLumen& lumen, con
   findings.basalGap = basal > 0 ? static_cast<double>(gaps) / basal : 1.0;
   findings.unmeasured = sections > 0 ? static_cast<double>(unknown) / sections : 1.0;
 
-  const double voxel_mm3 = volume.spacing_mm().prod();
-  eachMetalVoxel(volume, state.pose, [&](const Eigen::Vector3d& point_P) {
-    const NearTurns near = lumen.distances(state.pose.into_W(point_P), besideLumen_mm);
-    if (near.nearest >= 0 &&
-        near.turn[static_cast<std::size_t>(near.nearest)].inside > -besideLumen_mm)
-      findings.metal_mm3 += voxel_mm3;
-  });
+  findings.metal_mm3 = metalAround_mm3(volume, state.pose);
   return findings;
 }
 

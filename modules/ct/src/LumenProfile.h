@@ -17,7 +17,8 @@ struct LumenFindings {
   /// Fraction of the first turn without a contrast between lumen and outer wall.
   double basalGap = 0.0;
   double unmeasured = 0.0;  ///< Fraction of the sections in or beside unmeasured voxels.
-  double metal_mm3 = 0.0;   ///< Volume of metal in the lumen or within 1 mm of its wall.
+  double metal_mm3 =
+      0.0;  ///< See metalAround_mm3(), which is evidence even if metal drew the fit aside.
 };
 
 /// Examines sections every 10 degrees from 20 degrees to the apex.
@@ -29,5 +30,7 @@ double metalAround_mm3(const CtVolume& volume, const Pose& pose);
 
 /// Brighter than bone of any density: the Hounsfield units above which only metal is expected.
 inline constexpr std::int16_t metalLevel = 3000;
+/// Ten ears have up to 0.5 of dense bone and noise, implants 8 [mm^3].
+inline constexpr double minMetal_mm3 = 2.0;
 
 }  // namespace perilymph::ct

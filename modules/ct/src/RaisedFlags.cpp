@@ -20,8 +20,6 @@ constexpr double fullTurns = 2.15;
 constexpr double unmeasuredLimit = 0.05;
 // B of an A: its conditional standard deviations. H: its own beyond the limits of patients.
 constexpr double proportionSds = 3.5, heightSds = 3.0;
-// Ten ears have up to 0.5 within 8 mm, of dense bone and noise; implants 8.
-constexpr double metalInLumen_mm3 = 1.0;
 constexpr double placedBy_mm = 0.5;  // standard deviation of a landmark that a person placed
 constexpr double disagreementSds = 3.0;
 
@@ -102,7 +100,7 @@ std::vector<Flag> raisedFlags(const CochleaMeasures& measures, const FlagEvidenc
   raise(Flag::landmarkContradicted, evidence.isLandmarkContradicted);
   raise(Flag::fewTurns, !isOfFullLength(evidence.lumen));
   raise(Flag::wallWithoutContrast, evidence.lumen.basalGap >= basalGapLimit);
-  raise(Flag::metal, evidence.lumen.metal_mm3 >= metalInLumen_mm3);
+  raise(Flag::metal, evidence.lumen.metal_mm3 >= minMetal_mm3);
   raise(Flag::unusualProportions, isOutOfProportion(measures));
   raise(Flag::secondCochlea, measures.otherCochlea_P.has_value());
   raise(Flag::landmarksDisagree, disagrees(measures));

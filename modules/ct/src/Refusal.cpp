@@ -13,8 +13,6 @@ namespace {
 
 // Misfits of phantoms and of ten real ears are up to 0.25.
 constexpr double refusedMisfit = 0.42;
-// Ten ears have up to 0.5 cubic millimeters of dense bone and noise above the level, implants 8.
-constexpr double metalAroundFit_mm3 = 2.0;
 
 std::string percent(double fraction)
 {
@@ -32,11 +30,11 @@ std::string millimetersOf(double value)
 Error refusal(const CtVolume& volume, const FitResult& fit, std::string otherwise)
 {
   const double metal_mm3 = metalAround_mm3(volume, fit.state.pose);
-  if (metal_mm3 < metalAroundFit_mm3) return Error{std::move(otherwise)};
-  return Error{
-      "There is metal in the cochlea (an implant?): " + std::to_string(std::lround(metal_mm3)) +
-      " cubic millimeters are brighter than " + std::to_string(metalLevel) +
-      " HU and hide its wall. Take a CT from before the implantation."};
+  if (metal_mm3 < minMetal_mm3) return Error{std::move(otherwise)};
+  return Error{"There is metal in or beside the cochlea (an implant?): " +
+               std::to_string(std::lround(metal_mm3)) + " cubic millimeters are brighter than " +
+               std::to_string(metalLevel) +
+               " HU and hide its wall. Take a CT from before the implantation."};
 }
 
 }  // namespace

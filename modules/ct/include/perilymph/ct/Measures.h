@@ -30,7 +30,7 @@ enum class Flag {
   landmarkContradicted,  ///< The voxels contradict a landmark that a person placed.
   fewTurns,              ///< Fewer turns of the lumen were seen than nearly all cochleae have.
   wallWithoutContrast,   ///< A part of the basal turn has no contrast between lumen and wall.
-  metal,                 ///< Voxels in the lumen are brighter than bone.
+  metal,                 ///< Metal lies in or beside the cochlea.
   unusualProportions,    ///< B does not fit A, or H is not a patient's.
   secondCochlea,         ///< The search found two cochleae and chose one.
   landmarksDisagree,  ///< A, B or H between landmarks placed by hand differs from the fitted one.

@@ -14,7 +14,7 @@ namespace perilymph::cli {
 namespace {
 
 constexpr const char* pathHelp =
-    "DICOM folder, DICOMDIR, multi-frame DICOM file, NIfTI, NRRD or MetaImage file";
+    "DICOM folder, .zip of one, DICOMDIR, multi-frame DICOM file, NIfTI, NRRD or MetaImage file";
 
 /// Three numbers with commas between them, in millimeters.
 std::array<double, 3> pointIn(const std::string& text)

@@ -4597,8 +4597,8 @@
         <translation>Ordner mit DICOM-Dateien oder Ordner eines DICOMDIR</translation>
     </message>
     <message>
-        <source>DICOMDIR, enhanced DICOM, NIfTI (.nii, .nii.gz), NRRD (.nrrd, .nhdr) or MetaImage (.mha, .mhd)</source>
-        <translation>DICOMDIR, Enhanced DICOM, NIfTI (.nii, .nii.gz), NRRD (.nrrd, .nhdr) oder MetaImage (.mha, .mhd)</translation>
+        <source>DICOM (.zip), DICOMDIR, enhanced DICOM, NIfTI (.nii, .nii.gz), NRRD (.nrrd, .nhdr) or MetaImage (.mha, .mhd)</source>
+        <translation>DICOM (.zip), DICOMDIR, Enhanced DICOM, NIfTI (.nii, .nii.gz), NRRD (.nrrd, .nhdr) oder MetaImage (.mha, .mhd)</translation>
     </message>
     <message>
         <source>Series</source>

@@ -24,7 +24,9 @@ Built cochleaOf(gui::CochleaStore& store, const session::Overrides& overrides)
 session::Overrides length(int tenths_mm)
 {
   return {{"patient_numbers.st_length_mm",
-           std::to_string(tenths_mm / 10) + "." + std::to_string(tenths_mm % 10)}};
+           std::to_string(tenths_mm / 10) + "." + std::to_string(tenths_mm % 10)},
+          {"patient_numbers.rw_width_mm", "2.0"},
+          {"patient_numbers.rw_height_mm", "1.8"}};
 }
 
 TEST(CochleaStore, BuildsTheSameNumbersOnce)

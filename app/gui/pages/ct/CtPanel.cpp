@@ -85,8 +85,8 @@ void CtPanel::addSource(QVBoxLayout& column)
   auto* file = rowButton(tr("Open file…"), "openCtFileButton", this);
   folder->setToolTip(tr("A folder with DICOM files, or the folder of a DICOMDIR"));
   file->setToolTip(
-      tr("DICOMDIR, enhanced DICOM, NIfTI (.nii, .nii.gz), NRRD (.nrrd, .nhdr) or MetaImage (.mha, "
-         ".mhd)"));
+      tr("DICOM (.zip), DICOMDIR, enhanced DICOM, NIfTI (.nii, .nii.gz), NRRD (.nrrd, .nhdr) or "
+         "MetaImage (.mha, .mhd)"));
   row->addWidget(folder);
   row->addWidget(file);
   column.addLayout(row);

@@ -8,7 +8,7 @@
 #   - a used module is defined before its user, so there is no cycle;
 #   - headers of other modules are only reachable through USES.
 #
-# TOGETHER compiles several sources at a time: most of their time is what their headers instantiate.
+# TOGETHER compiles several sources at a time (together.cmake).
 # Headers below include/ are the module's API: each is used outside of the module (test/architecture looks).
 # Those below src/ are reachable from tests only, which name the module among their INTERNALS and so link the
 # INTERFACE target perilymph_<name>_internal.
@@ -39,8 +39,7 @@ function(perilymph_module name)
     target_link_libraries(perilymph_${name} PRIVATE perilymph_flags ${arg_PRIVATE_LINKS})
     target_compile_options(perilymph_${name} PRIVATE ${arg_OPTIONS})
     if(arg_TOGETHER)
-      set_target_properties(perilymph_${name} PROPERTIES
-        UNITY_BUILD ${PERILYMPH_PRECOMPILE} UNITY_BUILD_BATCH_SIZE 8)
+      perilymph_together(perilymph_${name})
     endif()
     set(set engine)
     if("${arg_LINKS};${arg_PRIVATE_LINKS}" MATCHES "nlohmann_json")

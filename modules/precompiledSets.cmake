@@ -34,7 +34,6 @@ if(PERILYMPH_WINDOW AND PERILYMPH_TOOLKIT)
     OPTIONS ${window_options}
     HEADERS ${standard} ${eigen} ${widgets})
   if(PERILYMPH_TESTS)
-    find_package(${PERILYMPH_QT} REQUIRED COMPONENTS Test)
     perilymph_precompiled_headers(window_tests
       LINKS Eigen3::Eigen ${PERILYMPH_QT}::Widgets ${PERILYMPH_QT}::Test GTest::gmock GTest::gtest
       DEFINITIONS QT_NO_KEYWORDS

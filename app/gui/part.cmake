@@ -29,9 +29,7 @@ function(perilymph_gui_part folder)
   string(REPLACE "/" "_" name "${folder}")
   add_library(perilymph_gui_${name} STATIC ${arg_SOURCES})
   set_target_properties(perilymph_gui_${name} PROPERTIES AUTOMOC ON)
-  # Sources of a part are compiled together: most of their time is what their headers instantiate.
-  set_target_properties(perilymph_gui_${name} PROPERTIES
-    UNITY_BUILD ${PERILYMPH_PRECOMPILE} UNITY_BUILD_BATCH_SIZE 8)
+  perilymph_together(perilymph_gui_${name})
   target_include_directories(perilymph_gui_${name} PUBLIC "${PROJECT_SOURCE_DIR}/app")
   # Qt's keywords collide with names in oneTBB's headers.
   target_compile_definitions(perilymph_gui_${name} PUBLIC QT_NO_KEYWORDS)

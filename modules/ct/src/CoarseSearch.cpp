@@ -20,8 +20,33 @@ constexpr std::size_t polished = 1200;
 /// The center of the basal turn in W, near which a click into the cochlea is expected.
 const Eigen::Vector3d middle_W(0.8, 0.0, 0.8);
 
+/// Indices that the compiler computes two at a time.
+constexpr std::size_t block = 32;
+
+/// Points by coordinate, with zeros up to a whole number of blocks.
+class Points {
+public:
+  explicit Points(std::size_t size) : size_(size)
+  {
+    for (std::vector<double>& each : along) each.resize((size + block - 1) / block * block);
+  }
+  Points(const std::vector<Eigen::Vector3d>& points_W, std::size_t stride)
+      : Points((points_W.size() + stride - 1) / stride)
+  {
+    for (std::size_t i = 0; i < size_; ++i)
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        along[axis][i] = points_W[i * stride][static_cast<Eigen::Index>(axis)];
+  }
+  std::size_t size() const { return size_; }
+
+  std::array<std::vector<double>, 3> along;
+
+private:
+  std::size_t size_;
+};
+
 /// Similarity of a grid point to lumen: 1 at its level, 0 at bone's and at other levels, such as
-/// air in an ear filled with fluid.
+/// air in an ear filled with fluid. A search asks for hundreds of millions.
 class Likeness {
 public:
   Likeness(const Region& region, double bone, double lumen)
@@ -34,8 +59,9 @@ public:
       double likeness = std::clamp(fraction, 0.0, 1.0);
       if (fraction > 1.25) likeness = std::max(0.0, 1.0 - 4.0 * (fraction - 1.25));
       // Unknown points outside the volume are neutral.
-      values_[i] = region.isKnown(i) ? static_cast<float>(likeness) : 0.5F;
+      values_[i] = region.isKnown(i) ? static_cast<float>(likeness) : neutral;
     }
+    values_.push_back(neutral);  // what lies outside of the grid
   }
 
   /// From W to the grid's indices, which are the whole parts of the three rows' values.
@@ -52,23 +78,68 @@ public:
     return rows;
   }
 
-  /// The value at the grid's nearest point: in plain numbers, because a search asks millions of times.
-  float nearest(const Rows& rows, const Eigen::Vector3d& point_W) const
+  /// The sum of the values at the grid's points nearest to those of one pose.
+  double sum(const Rows& rows, const Points& points) const
   {
-    const double* const w = point_W.data();
-    const auto along = [w](const std::array<double, 4>& row) {
-      return static_cast<int>(row[0] * w[0] + row[1] * w[1] + row[2] * w[2] + row[3]);
-    };
-    return inGrid(along(rows[0]), along(rows[1]), along(rows[2]));
+    const float* const values = values_.data();
+    double result = 0.0;
+    for (std::size_t from = 0; from < points.size(); from += block) {
+      const double* const x = points.along[0].data() + from;
+      const double* const y = points.along[1].data() + from;
+      const double* const z = points.along[2].data() + from;
+      const auto along = [&](const std::array<double, 4>& row, std::size_t i) {
+        return static_cast<int>(row[0] * x[i] + row[1] * y[i] + row[2] * z[i] + row[3]);
+      };
+      std::array<unsigned, block> indices;
+      for (std::size_t i = 0; i < block; ++i)
+        indices[i] = indexOf(along(rows[0], i), along(rows[1], i), along(rows[2], i));
+      const std::size_t count = std::min(block, points.size() - from);
+      for (std::size_t i = 0; i < count; ++i) result += static_cast<double>(values[indices[i]]);
+    }
+    return result;
+  }
+
+  /// Adds to `sums` those of many poses that differ by their origins alone.
+  ///
+  /// @param rows     Those of one of them.
+  /// @param origins  The last number of each row, of every pose.
+  void addSums(const Rows& rows, const Points& origins, const Points& points,
+               std::vector<double>& sums) const
+  {
+    const float* const values = values_.data();
+    for (std::size_t point = 0; point < points.size(); ++point) {
+      std::array<double, 3> turned{};
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        turned[axis] = rows[axis][0] * points.along[0][point] +
+                       rows[axis][1] * points.along[1][point] +
+                       rows[axis][2] * points.along[2][point];
+      for (std::size_t from = 0; from < sums.size(); from += block) {
+        const double* const x = origins.along[0].data() + from;
+        const double* const y = origins.along[1].data() + from;
+        const double* const z = origins.along[2].data() + from;
+        std::array<unsigned, block> indices;
+        for (std::size_t i = 0; i < block; ++i)
+          indices[i] =
+              indexOf(static_cast<int>(turned[0] + x[i]), static_cast<int>(turned[1] + y[i]),
+                      static_cast<int>(turned[2] + z[i]));
+        const std::size_t count = std::min(block, sums.size() - from);
+        for (std::size_t i = 0; i < count; ++i)
+          sums[from + i] += static_cast<double>(values[indices[i]]);
+      }
+    }
   }
 
 private:
-  float inGrid(int i, int j, int k) const
+  static constexpr float neutral = 0.5F;
+
+  /// Without branches: which points lie outside is not to be foreseen.
+  unsigned indexOf(int i, int j, int k) const
   {
-    if (i < 0 || j < 0 || k < 0 || i >= count_ || j >= count_ || k >= count_) return 0.5F;
-    const auto n = static_cast<std::size_t>(count_);
-    return values_[(static_cast<std::size_t>(k) * n + static_cast<std::size_t>(j)) * n +
-                   static_cast<std::size_t>(i)];
+    const auto n = static_cast<unsigned>(count_);
+    const auto a = static_cast<unsigned>(i), b = static_cast<unsigned>(j),
+               c = static_cast<unsigned>(k);
+    const bool isInside = (a < n) & (b < n) & (c < n);
+    return isInside ? (c * n + b) * n + a : n * n * n;
   }
 
   int count_;
@@ -76,16 +147,44 @@ private:
   std::vector<float> values_;
 };
 
-double score(const Likeness& image, const Template& points, const Pose& pose, std::size_t stride)
+/// The template's points, every `stride`th of them.
+struct Sampling {
+  Sampling(const Template& points, std::size_t stride)
+      : inside(points.inside_W, stride), outside(points.outside_W, stride)
+  {
+  }
+  double score(double insideSum, double outsideSum) const
+  {
+    return insideSum / static_cast<double>(inside.size()) -
+           outsideSum / static_cast<double>(outside.size());
+  }
+
+  Points inside, outside;
+};
+
+double score(const Likeness& image, const Sampling& points, const Pose& pose)
 {
   const Likeness::Rows rows = image.rowsOf(pose);
-  double inside = 0.0, outside = 0.0;
-  std::size_t insideCount = 0, outsideCount = 0;
-  for (std::size_t i = 0; i < points.inside_W.size(); i += stride, ++insideCount)
-    inside += static_cast<double>(image.nearest(rows, points.inside_W[i]));
-  for (std::size_t i = 0; i < points.outside_W.size(); i += stride, ++outsideCount)
-    outside += static_cast<double>(image.nearest(rows, points.outside_W[i]));
-  return inside / static_cast<double>(insideCount) - outside / static_cast<double>(outsideCount);
+  return points.score(image.sum(rows, points.inside), image.sum(rows, points.outside));
+}
+
+/// The best of poses that differ by their origins alone, the first of equals.
+Candidate bestOf(const Likeness& image, const Sampling& points, const std::vector<Pose>& poses)
+{
+  Points origins(poses.size());
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const Likeness::Rows rows = image.rowsOf(poses[i]);
+    for (std::size_t axis = 0; axis < 3; ++axis) origins.along[axis][i] = rows[axis][3];
+  }
+  const Likeness::Rows rows = image.rowsOf(poses.front());
+  std::vector<double> inside(poses.size()), outside(poses.size());
+  image.addSums(rows, origins, points.inside, inside);
+  image.addSums(rows, origins, points.outside, outside);
+  Candidate best{{}, -10.0};
+  for (std::size_t i = 0; i < poses.size(); ++i)
+    if (const double here = points.score(inside[i], outside[i]); here > best.score)
+      best = {poses[i], here};
+  return best;
 }
 
 /// Axes whose z is a direction of a Fibonacci sphere, rolled about it.
@@ -109,9 +208,9 @@ Eigen::Matrix3d axesOf(int direction, int roll, bool isRight)
 }
 
 /// Improves a pose by hill climbing in steps along and about the axes of W.
-Candidate climb(const Likeness& image, const Template& points, Candidate candidate)
+Candidate climb(const Likeness& image, const Sampling& points, Candidate candidate)
 {
-  candidate.score = score(image, points, candidate.pose, 1);
+  candidate.score = score(image, points, candidate.pose);
   for (const double step : {1.0, 0.5, 0.25}) {
     const double turn = 0.2 * step, shift = 0.7 * step;
     for (int round = 0; round < 2; ++round)
@@ -121,7 +220,7 @@ Candidate climb(const Likeness& image, const Template& points, Candidate candida
         const bool isTurn = move < 6;
         const Pose pose =
             candidate.pose.moved((isTurn ? turn : 0.0) * by, (isTurn ? 0.0 : shift) * by);
-        const double better = score(image, points, pose, 1);
+        const double better = score(image, points, pose);
         if (better > candidate.score) candidate = {pose, better};
       }
   }
@@ -185,26 +284,23 @@ std::vector<Candidate> searchPoses(const Region& region, double bone, double lum
         const Eigen::Vector3d offset = offsetStep * Eigen::Vector3d(i, j, k);
         if (offset.norm() <= reach_mm) offsets.push_back(offset);
       }
+  const Sampling coarse(points, 4), whole(points, 1);
   std::vector<Candidate> found;
   for (int direction = 0; direction < axisDirections; ++direction) {
     if (isStopped()) return {};
     for (int roll = 0; roll < rolls; ++roll)
       for (const bool isRight : {true, false}) {
         const Eigen::Matrix3d axes = axesOf(direction, roll, isRight);
-        // The best position of every orientation.
-        Candidate best{{}, -10.0};
-        for (const Eigen::Vector3d& offset : offsets) {
-          const Pose pose{axes, near_P + offset - axes * middle_W};
-          const double here = score(image, points, pose, 4);
-          if (here > best.score) best = {pose, here};
-        }
-        found.push_back(best);
+        std::vector<Pose> poses;
+        for (const Eigen::Vector3d& offset : offsets)
+          poses.push_back({axes, near_P + offset - axes * middle_W});
+        found.push_back(bestOf(image, coarse, poses));
       }
   }
   const auto better = [](const Candidate& a, const Candidate& b) { return a.score > b.score; };
   std::stable_sort(found.begin(), found.end(), better);
   found.resize(std::min(found.size(), polished));
-  for (Candidate& candidate : found) candidate = climb(image, points, candidate);
+  for (Candidate& candidate : found) candidate = climb(image, whole, candidate);
   std::stable_sort(found.begin(), found.end(), better);
   std::vector<Candidate> distinct;
   for (const Candidate& candidate : found) {

@@ -8,6 +8,7 @@
 #include <mutex>
 #include <vector>
 
+#include "gui/run/CochleaMeasures.h"
 #include "perilymph/foundation/Result.h"
 #include "perilymph/session/Scenario.h"
 
@@ -22,6 +23,9 @@ public:
   /// The cochlea of a scenario, built if none of its numbers is kept.
   Result<std::shared_ptr<const anatomy::ScalaTympani>> cochleaOf(const session::Scenario& scenario);
 
+  /// The measures of cochleae, kept as well.
+  MeasureStore& measures() { return measures_; }
+
 private:
   struct Entry {
     session::Scenario scenario;
@@ -29,6 +33,7 @@ private:
   };
 
   std::mutex mutex_;
+  MeasureStore measures_;
   std::vector<Entry> entries_;  ///< The one used last is last.
 };
 

@@ -11,9 +11,7 @@
 #include "gui/parts/Numbers.h"
 #include "gui/parts/Theme.h"
 #include "gui/parts/WrappedLabel.h"
-#include "perilymph/analysis/ClinicalEstimates.h"
 #include "perilymph/analysis/ErrorBand.h"
-#include "perilymph/analysis/ExpectedInsertion.h"
 
 namespace perilymph::gui {
 
@@ -22,35 +20,6 @@ namespace {
 using analysis::Measure;
 
 constexpr int delay_ms = 250;  // after the last change, so that typing does not build each digit
-
-constexpr auto ductLength = "duct_length_mm";
-constexpr auto twoTurns = "two_turn_length_mm";
-constexpr auto turns = "turns";
-constexpr auto insertionAngle = "insertion_angle_deg";
-
-/// The measures a clinician chooses an array by. A and B are those of the built model.
-std::vector<Measure> summaryOf(const anatomy::ScalaTympani& scala, anatomy::AnatomySource source,
-                               const electrode::ArrayDesign& array)
-{
-  const auto [a, b] = analysis::basalDiameters(scala);
-  const std::string alexiades = "Alexiades et al. 2015, Otol Neurotol 36:904";
-  const bool isByLength = source == anatomy::AnatomySource::published;
-  const Measure duct = isByLength
-                           ? Measure{ductLength, inMillimeters(analysis::organOfCortiLength(scala)),
-                                     "path of the organ of Corti in the plan, round window to apex",
-                                     "measured in this model, defined as in Todd and Naghdy"}
-                           : Measure{ductLength, inMillimeters(analysis::alexiadesDuctLength(a)),
-                                     "4.16 A − 4 mm", alexiades};
-  std::vector<Measure> measures = {
-      duct,
-      {twoTurns, inMillimeters(analysis::alexiadesTwoTurns(a)), "3.65 (A − 1 mm)", alexiades}};
-  for (const Measure& each : analysis::clinicalEstimates(a, b))
-    if (each.key == "pietsch_turns")
-      measures.push_back({turns, each.value, each.formula, each.source});
-  for (Measure& each : analysis::expectedInsertion(scala, array))
-    measures.push_back(std::move(each));
-  return measures;
-}
 
 struct RowFormat {
   const char* key;
@@ -61,42 +30,29 @@ struct RowFormat {
 
 // Order of the rows.
 constexpr RowFormat formats[] = {
-    {ductLength, QT_TRANSLATE_NOOP("perilymph::gui::DerivedMeasures", "Cochlear duct length"),
+    {CochleaMeasures::ductLength,
+     QT_TRANSLATE_NOOP("perilymph::gui::DerivedMeasures", "Cochlear duct length"),
      QT_TRANSLATE_NOOP("perilymph::gui::DerivedMeasures", "%1 mm"), 1},
-    {twoTurns, QT_TRANSLATE_NOOP("perilymph::gui::DerivedMeasures", "Two-turn length"),
+    {CochleaMeasures::twoTurns,
+     QT_TRANSLATE_NOOP("perilymph::gui::DerivedMeasures", "Two-turn length"),
      QT_TRANSLATE_NOOP("perilymph::gui::DerivedMeasures", "%1 mm"), 1},
-    {turns, QT_TRANSLATE_NOOP("perilymph::gui::DerivedMeasures", "Turns"), "%1", 2},
-    {insertionAngle, QT_TRANSLATE_NOOP("perilymph::gui::DerivedMeasures", "Insertion angle, up to"),
+    {CochleaMeasures::turns, QT_TRANSLATE_NOOP("perilymph::gui::DerivedMeasures", "Turns"), "%1",
+     2},
+    {CochleaMeasures::insertionAngle,
+     QT_TRANSLATE_NOOP("perilymph::gui::DerivedMeasures", "Insertion angle, up to"),
      QT_TRANSLATE_NOOP("perilymph::gui::DerivedMeasures", "%1°"), 0},
     {"coverage_percent",
      QT_TRANSLATE_NOOP("perilymph::gui::DerivedMeasures", "Cochlear coverage, up to"),
      QT_TRANSLATE_NOOP("perilymph::gui::DerivedMeasures", "%1 %"), 0},
 };
 
-/// The inputs as text: equal texts give equal measures.
-std::string keyOf(const anatomy::Cochlea& cochlea, const electrode::ArrayDesign& array)
-{
-  const anatomy::Patient& patient = cochlea.patient;
-  std::string key = std::string(nameOf(cochlea.source)) + array.name;
-  const auto add = [&key](Length length) { key += ' ' + std::to_string(inMillimeters(length)); };
-  add(array.insertable);
-  if (!isScaledBy(cochlea.source, patient)) return key;
-  if (patient.basalTurn) {
-    add(patient.basalTurn->a);
-    add(patient.basalTurn->b);
-    if (patient.basalTurn->h) add(*patient.basalTurn->h);
-    return key;
-  }
-  add(patient.scalaTympaniLength);
-  add(patient.roundWindowWidth);
-  add(patient.roundWindowHeight);
-  return key;
-}
-
 }  // namespace
 
-DerivedMeasures::DerivedMeasures(QWidget* parent)
-    : QWidget(parent), note_(new WrappedLabel({}, this)), background_(this)
+DerivedMeasures::DerivedMeasures(std::shared_ptr<CochleaStore> cochleae, QWidget* parent)
+    : QWidget(parent),
+      cochleae_(std::move(cochleae)),
+      note_(new WrappedLabel({}, this)),
+      background_(this)
 {
   setObjectName(QStringLiteral("derivedMeasures"));
   auto* grid = new QGridLayout(this);
@@ -130,7 +86,7 @@ void DerivedMeasures::say(const QString& sentence) { note_->setText(sentence); }
 
 void DerivedMeasures::show(const anatomy::Cochlea& cochlea, const electrode::ArrayDesign& array)
 {
-  std::string key = keyOf(cochlea, array);
+  std::string key = MeasureStore::keyOf(cochlea, array);
   if (key == shown_) return;
   shown_ = std::move(key);
   cochlea_ = cochlea;
@@ -154,24 +110,13 @@ void DerivedMeasures::compute()
 {
   background_.run(
       "The measures",
-      [cochlea = cochlea_, array = array_](const std::atomic<bool>&) -> Result<Content> {
-        const auto measuring = [&](const anatomy::ScalaTympani& scala) {
-          return summaryOf(scala, cochlea.source, array);
-        };
-        const auto scala = anatomy::buildAnatomy(cochlea, cochlea.patient.label);
-        if (!scala) return scala.error();
-        Content content;
-        content.measures = measuring(**scala);
-        auto bands =
-            analysis::errorBands(cochlea, content.measures, analysis::measuringError, measuring);
-        if (!bands) return bands.error();
-        content.bands = *std::move(bands);
-        return content;
+      [cochleae = cochleae_, cochlea = cochlea_, array = array_](const std::atomic<bool>&) {
+        return cochleae->measures().of(cochlea, array);
       },
-      [this](const Result<Content>& content) { showContent(content); });
+      [this](const Result<CochleaMeasures>& content) { showContent(content); });
 }
 
-void DerivedMeasures::showContent(const Result<Content>& content)
+void DerivedMeasures::showContent(const Result<CochleaMeasures>& content)
 {
   if (!content) return showNone(QString::fromStdString(content.error().message));
   bool hasInsertion = false;
@@ -182,7 +127,7 @@ void DerivedMeasures::showContent(const Result<Content>& content)
     for (std::size_t i = 0; i < content->measures.size(); ++i) {
       const Measure& measure = content->measures[i];
       if (measure.key != format.key) continue;
-      hasInsertion = hasInsertion || measure.key == insertionAngle;
+      hasInsertion = hasInsertion || measure.key == CochleaMeasures::insertionAngle;
       QString number = numberText(measure.value, format.decimals);
       const QString band =
           content->bands.empty() ? QString() : numberText(content->bands[i], format.decimals);

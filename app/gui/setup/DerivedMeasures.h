@@ -5,12 +5,13 @@
 
 #include <QTimer>
 #include <QWidget>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "gui/run/Background.h"
-#include "perilymph/analysis/AnatomyMeasures.h"
+#include "gui/run/CochleaStore.h"
 #include "perilymph/anatomy/AnatomySource.h"
 #include "perilymph/electrode/ArrayDesign.h"
 
@@ -24,7 +25,7 @@ namespace perilymph::gui {
 class DerivedMeasures : public QWidget {
   Q_OBJECT
 public:
-  explicit DerivedMeasures(QWidget* parent);
+  DerivedMeasures(std::shared_ptr<CochleaStore> cochleae, QWidget* parent);
 
   /// Shows the measures of a cochlea and an array as soon as they are computed.
   void show(const anatomy::Cochlea& cochlea, const electrode::ArrayDesign& array);
@@ -33,14 +34,10 @@ public:
 
 private:
   void say(const QString& sentence);
-  struct Content {
-    std::vector<analysis::Measure> measures;
-    std::vector<double> bands;  ///< Empty if nothing was measured in a patient.
-  };
-
   void compute();
-  void showContent(const Result<Content>& content);
+  void showContent(const Result<CochleaMeasures>& content);
 
+  std::shared_ptr<CochleaStore> cochleae_;
   anatomy::Cochlea cochlea_;
   electrode::ArrayDesign array_;
   std::string shown_;  ///< The inputs of the shown measures, or of those being computed.

@@ -98,14 +98,14 @@ std::optional<Length> errorOf(const anatomy::Patient& patient, SetupField field)
 
 }  // namespace
 
-PatientSection::PatientSection(QWidget* parent)
+PatientSection::PatientSection(std::shared_ptr<CochleaStore> cochleae, QWidget* parent)
     : Section(tr("Patient"), "patientFold", parent),
       saved_(new SavedPatientRow(body())),
       label_(new ValueEdit(body())),
       labelError_(new QLabel(body())),
       ear_(new Selector("earSelector", tr("Ear"), body())),
       kind_(new Selector("anatomySelector", tr("Cochlea"), body())),
-      derived_(new DerivedMeasures(body()))
+      derived_(new DerivedMeasures(std::move(cochleae), body()))
 {
   rows().addWidget(saved_);
   addWho();

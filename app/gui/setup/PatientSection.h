@@ -3,6 +3,7 @@
 
 // The patient section of the panel: patient, ear, anatomy and its measures.
 
+#include <memory>
 #include <vector>
 
 #include "gui/setup/PopulationField.h"
@@ -13,6 +14,7 @@ class QLabel;
 
 namespace perilymph::gui {
 
+class CochleaStore;
 class DerivedMeasures;
 class SavedPatientRow;
 class Selector;
@@ -22,7 +24,7 @@ class ValueEdit;
 class PatientSection : public Section {
   Q_OBJECT
 public:
-  explicit PatientSection(QWidget* parent);
+  PatientSection(std::shared_ptr<CochleaStore> cochleae, QWidget* parent);
 
   void show(const Setup& setup);
   /// Commits edited values. An error message if a value is invalid.

@@ -20,7 +20,7 @@ namespace perilymph::gui {
 PageStack::PageStack(InsertPage& insert, QWidget* parent)
     : QStackedWidget(parent),
       insert_(insert),
-      start_(new StartPage(this)),
+      start_(new StartPage(insert.control().cochleae(), this)),
       ct_(new CtPage(this)),
       plan_(new PlanPage(this)),
       compare_(new ComparePage(this)),

@@ -51,5 +51,27 @@ TEST(CochleaStore, KeepsThoseUsedLast)
   EXPECT_NE(cochleaOf(store, length(331)), built[1]);
 }
 
+TEST(MeasuresOfACochlea, AreComputedAgainWhereOnlyTheirErrorsChange)
+{
+  gui::CochleaStore store;
+  const auto scenario = session::loadScenario("contour-published", {});
+  if (!scenario) throw std::runtime_error(scenario.error().message);
+  const auto& array = scenario->array();
+  anatomy::Cochlea cochlea;
+  cochlea.source = anatomy::AnatomySource::mean;
+  cochlea.patient.basalTurn = anatomy::BasalTurn{millimeters(9.1), millimeters(6.7), std::nullopt};
+  const auto bandOfDuctLength = [&](double error_mm) {
+    cochlea.patient.errors = anatomy::BasalTurnErrors{millimeters(error_mm), millimeters(0.1)};
+    const auto found = store.measures().of(cochlea, array);
+    if (!found) throw std::runtime_error(found.error().message);
+    EXPECT_EQ(found->measures.at(0).key, gui::CochleaMeasures::ductLength);
+    return found->bands.at(0);
+  };
+  // The duct length is 4.16 A - 4 mm (Alexiades et al. 2015), whatever B is; A of the model is within 1 %.
+  EXPECT_NEAR(bandOfDuctLength(0.1), 0.416, 0.01);
+  EXPECT_NEAR(bandOfDuctLength(0.3), 1.248, 0.03);
+  EXPECT_NEAR(bandOfDuctLength(0.1), 0.416, 0.01);
+}
+
 }  // namespace
 }  // namespace perilymph::test

@@ -42,7 +42,7 @@ InsertPage::InsertPage(session::Scenario scenario, std::optional<std::filesystem
       control_(std::move(scenario), std::move(record), std::move(cochleae)),
       safety_(control_),
       setup_(new SetupControl(control_, this)),
-      side_(new SidePanel(this)),
+      side_(new SidePanel(control_.cochleae(), this)),
       views_(new InsertionViews(this)),
       bottom_(new BottomBar(this)),
       building_(new BuildingNote(views_->operation())),

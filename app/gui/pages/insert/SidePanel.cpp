@@ -27,7 +27,7 @@ constexpr int scrollBar_px = 8;
 
 }  // namespace
 
-SidePanel::SidePanel(QWidget* parent)
+SidePanel::SidePanel(std::shared_ptr<CochleaStore> cochleae, QWidget* parent)
     : QWidget(parent),
       scroll_(new QScrollArea(this)),
       expand_(new QPushButton(QStringLiteral("▸"), this))
@@ -36,7 +36,7 @@ SidePanel::SidePanel(QWidget* parent)
   auto* content = new QWidget(scroll_);
   // in tab order
   head_ = new ScenarioHead(content);
-  patient_ = new PatientSection(content);
+  patient_ = new PatientSection(std::move(cochleae), content);
   array_ = new ArraySection(content);
   hand_ = new HandSection(content);
   auto* rows = new QVBoxLayout(content);

@@ -4,6 +4,7 @@
 // The panel on the left: setup, input device, and view options.
 
 #include <QWidget>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -31,7 +32,7 @@ class SetupHistory;
 class SidePanel : public QWidget {
   Q_OBJECT
 public:
-  explicit SidePanel(QWidget* parent);
+  SidePanel(std::shared_ptr<CochleaStore> cochleae, QWidget* parent);
 
   /// Shows the reference insertion, if any.
   void setReference(const std::optional<ReferenceInsertion>& reference);

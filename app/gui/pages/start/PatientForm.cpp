@@ -73,7 +73,7 @@ QHBoxLayout* sideBySide(QWidget* first, QWidget* second)
 
 }  // namespace
 
-PatientForm::PatientForm(QWidget* parent)
+PatientForm::PatientForm(std::shared_ptr<CochleaStore> cochleae, QWidget* parent)
     : QWidget(parent),
       title_(text({}, 22, this, false)),
       label_(new QLineEdit(this)),
@@ -88,7 +88,7 @@ PatientForm::PatientForm(QWidget* parent)
       back_(new QPushButton(tr("Back"), this)),
       use_(new QPushButton(this)),
       landmarks_(new LandmarkDrawing(this)),
-      derived_(new DerivedMeasures(this))
+      derived_(new DerivedMeasures(std::move(cochleae), this))
 {
   if (const auto file = findByName("array", "plugins/electrodes", exampleArray))
     if (const auto array = electrode::loadArray(*file)) array_ = *array;

@@ -5,6 +5,7 @@
 
 #include <QWidget>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -19,6 +20,7 @@ class QStackedWidget;
 namespace perilymph::gui {
 
 class Choice;
+class CochleaStore;
 class DerivedMeasures;
 class LandmarkDrawing;
 class PopulationField;
@@ -28,7 +30,7 @@ class PopulationField;
 class PatientForm : public QWidget {
   Q_OBJECT
 public:
-  explicit PatientForm(QWidget* parent);
+  PatientForm(std::shared_ptr<CochleaStore> cochleae, QWidget* parent);
 
   /// Begins a new patient with empty fields.
   void beginNew();

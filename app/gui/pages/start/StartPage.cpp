@@ -134,11 +134,12 @@ void StartCard::paintEvent(QPaintEvent*)
                    Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, sentence_);
 }
 
-StartPage::StartPage(QWidget* parent) : QWidget(parent), stages_(new QStackedWidget(this))
+StartPage::StartPage(std::shared_ptr<CochleaStore> cochleae, QWidget* parent)
+    : QWidget(parent), stages_(new QStackedWidget(this))
 {
   setObjectName(QStringLiteral("startPage"));
   stages_->addWidget(verticalScroll(cards(), stages_));
-  form_ = new PatientForm(stages_);
+  form_ = new PatientForm(std::move(cochleae), stages_);
   stages_->addWidget(centered(form_));
   picker_ = new PatientPicker(stages_);
   stages_->addWidget(centered(picker_));

@@ -6,6 +6,7 @@
 #include <QPushButton>
 #include <QWidget>
 #include <filesystem>
+#include <memory>
 #include <optional>
 
 #include "gui/setup/Setup.h"
@@ -16,6 +17,7 @@ class QStackedWidget;
 
 namespace perilymph::gui {
 
+class CochleaStore;
 class PatientForm;
 class PatientPicker;
 class RecentWork;
@@ -49,7 +51,7 @@ private:
 class StartPage : public QWidget {
   Q_OBJECT
 public:
-  explicit StartPage(QWidget* parent);
+  StartPage(std::shared_ptr<CochleaStore> cochleae, QWidget* parent);
 
   /// Work that the page offers to continue.
   struct Current {

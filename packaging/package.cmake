@@ -80,6 +80,8 @@ if(TARGET perilymph_python)
   compressed(packaging/debian/changelog changelog "${share}/doc/python3-perilymph" python)
 endif()
 
+# dpkg takes 0.3.0~dev for older than 0.3.0.
+string(REPLACE "-" "~" CPACK_PACKAGE_VERSION "${PROJECT_VERSION}${PERILYMPH_VERSION_SUFFIX}")
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME perilymph)
 set(CPACK_PACKAGE_CONTACT "The Perilymph authors <maintainers@perilymph.example>")
@@ -119,7 +121,7 @@ set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
 # The module is for one version of Python; scenarios, arrays and patients are in the package perilymph.
 if(Python_FOUND)
   math(EXPR next "${Python_VERSION_MINOR} + 1")
-  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "perilymph (= ${PROJECT_VERSION}), python3-numpy, \
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "perilymph (= ${CPACK_PACKAGE_VERSION}), python3-numpy, \
 python3 (>= ${Python_VERSION_MAJOR}.${Python_VERSION_MINOR}), python3 (<< ${Python_VERSION_MAJOR}.${next})")
 endif()
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-matplotlib")

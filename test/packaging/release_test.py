@@ -22,15 +22,18 @@ def found(pattern, path):
 
 
 VERSION = found(r"^project\(perilymph VERSION ([0-9.]+)", "CMakeLists.txt")[0]
+IS_DEV = found(r'^set\(PERILYMPH_VERSION_SUFFIX "(.*)"\)$', "CMakeLists.txt") == ["-dev"]
 RELEASES = found(r"^## ([0-9.]+), (\d{4}-\d\d-\d\d)$", "packaging/CHANGELOG.md")
 
 
 class TheRelease(unittest.TestCase):
     def test_the_changelog_lists_the_built_version_first_and_every_release_with_a_date(self):
-        self.assertEqual(RELEASES[0][0], VERSION)
         headings = found(r"^## (.*)$", "packaging/CHANGELOG.md")
-        if headings[0] == "Unreleased":  # what the next release will have
-            del headings[0]
+        if IS_DEV:
+            self.assertEqual(headings.pop(0), "Unreleased")
+            self.assertGreater(*([int(part) for part in version.split(".")] for version in (VERSION, RELEASES[0][0])))
+        else:
+            self.assertEqual(RELEASES[0][0], VERSION)
         self.assertEqual(headings, [f"{version}, {day}" for version, day in RELEASES])
         days = [date.fromisoformat(day) for _, day in RELEASES]
         self.assertEqual(days, sorted(days, reverse=True))
@@ -53,7 +56,7 @@ class TheRelease(unittest.TestCase):
     def test_manual_pages_and_citation_state_it_with_its_date(self):
         for page in ("perilymph.1", "perilymph-cli.1"):
             self.assertEqual(found(r'^\.TH \S+ 1 "(\S+)" "perilymph (\S+)"', f"packaging/man/{page}"), [RELEASES[0][::-1]])
-        self.assertEqual(found(r"^version: (\S+)$", "CITATION.cff"), [VERSION])
+        self.assertEqual(found(r"^version: (\S+)$", "CITATION.cff"), [RELEASES[0][0]])
         self.assertEqual(found(r"^date-released: (\S+)$", "CITATION.cff"), [RELEASES[0][1]])
 
 

@@ -158,7 +158,7 @@ TEST(SessionFolder, IsAbsoluteWithoutAHome)
 
 TEST(Version, BeginsTheBuildId)
 {
-  EXPECT_THAT(version(), testing::MatchesRegex("[0-9]+\\.[0-9]+\\.[0-9]+"));
+  EXPECT_THAT(version(), testing::MatchesRegex("[0-9]+\\.[0-9]+\\.[0-9]+(-dev)?"));
   EXPECT_THAT(buildId(), StartsWith(version()));
 }
 

@@ -20,6 +20,9 @@ Result<Done> ctExport(const CtExportOptions& options)
   print(
       "{} x {} x {} voxels written without patient data; what they show of a face is not removed\n",
       size[0], size[1], size[2]);
+  if (const std::size_t count = loaded->volume.unmeasuredCount(); count > 0)
+    print("{} voxels that were not measured are written as air ({} HU)\n", count,
+          ct::asAir(ct::unmeasured));
   for (const std::string& warning : loaded->series.warnings) print("{}\n", warning);
   return Done{};
 }

@@ -612,22 +612,6 @@
         <translation>%1 von %2 Dateien, die das DICOMDIR nennt, fehlen; vielleicht fehlen Schichten. Kopieren Sie den ganzen Datenträger.</translation>
     </message>
     <message>
-        <source>It states no modality; by its class (SOPClassUID) it is of the modality CT.</source>
-        <translation>Die Modalität ist nicht angegeben; nach der Klasse (SOPClassUID) ist sie CT.</translation>
-    </message>
-    <message>
-        <source>Its gray values are not Hounsfield units: it is of a flat panel. Judge them only against others of the same series.</source>
-        <translation>Die Grauwerte sind keine Hounsfield-Werte: Die Serie ist von einem Flachdetektor. Vergleichen Sie sie nur innerhalb der Serie.</translation>
-    </message>
-    <message>
-        <source>Its gray values are not Hounsfield units: it is of a cone-beam scanner. Judge them only against others of the same series.</source>
-        <translation>Die Grauwerte sind keine Hounsfield-Werte: Die Serie ist von einem DVT-Gerät. Vergleichen Sie sie nur innerhalb der Serie.</translation>
-    </message>
-    <message>
-        <source>Its gray values are not Hounsfield units: it is a secondary capture. Judge them only against others of the same series.</source>
-        <translation>Die Grauwerte sind keine Hounsfield-Werte: Die Serie ist eine Sekundäraufnahme. Vergleichen Sie sie nur innerhalb der Serie.</translation>
-    </message>
-    <message>
         <source>Its images were compressed with loss; fine edges may be gone.</source>
         <translation>Die Bilder wurden verlustbehaftet komprimiert; feine Kanten können fehlen.</translation>
     </message>
@@ -1522,6 +1506,222 @@
     <message>
         <source>The address %1 is none of this machine. 127.0.0.1 always is; &apos;ip address&apos; lists all.</source>
         <translation>Die Adresse %1 gehört nicht zu diesem Rechner. 127.0.0.1 gehört immer dazu; „ip address“ nennt alle.</translation>
+    </message>
+    <message>
+        <source>The image %1 has another size or lies across the others, as a scout does; it was left out.</source>
+        <translation>Das Bild %1 hat eine andere Größe oder liegt quer zu den anderen wie eine Übersichtsaufnahme; es wurde weggelassen.</translation>
+    </message>
+    <message>
+        <source>The file %1 beside its images cannot be read or ends before it names its series: a slice may be missing. Copy the series again.</source>
+        <translation>Die Datei %1 neben den Bildern kann nicht gelesen werden oder endet, bevor sie ihre Serie nennt: Vielleicht fehlt eine Schicht. Kopieren Sie die Serie noch einmal.</translation>
+    </message>
+    <message>
+        <source>The thickness of slice %1 of %2 (%3) is %4 mm at a distance of %5 mm between the slices: what lies between them was not measured. Take a series without gaps if there is one.</source>
+        <translation>Die Schicht %1 von %2 (%3) ist %4 mm dick, und der Abstand der Schichten ist %5 mm: Was dazwischen liegt, wurde nicht gemessen. Nehmen Sie eine Serie ohne Lücken, wenn es eine gibt.</translation>
+    </message>
+    <message>
+        <source>The thickness of slice %1 of %2 (%3) is %4 mm at a distance of %5 mm between the slices: they overlap so much that one of both may be wrong. Check them before the measures are used.</source>
+        <translation>Die Schicht %1 von %2 (%3) ist %4 mm dick, und der Abstand der Schichten ist %5 mm: Sie überlappen sich so sehr, dass eines von beiden falsch sein kann. Prüfen Sie beides, bevor Sie die Maße verwenden.</translation>
+    </message>
+    <message>
+        <source>Its slices differ in %1: %2 and %3. Check that they are of one reconstruction.</source>
+        <translation>Die Schichten unterscheiden sich in %1: %2 und %3. Prüfen Sie, ob sie von einer Rekonstruktion sind.</translation>
+    </message>
+    <message>
+        <source>It states no modality; by its class (SOPClassUID) it is of the modality %1.</source>
+        <translation>Die Serie gibt keine Modalität an; nach ihrer Klasse (SOPClassUID) ist sie von der Modalität %1.</translation>
+    </message>
+    <message>
+        <source>Its gray values are not Hounsfield units: %1. Judge them only against others of the same series.</source>
+        <translation>Die Grauwerte sind keine Hounsfield-Einheiten: %1. Beurteilen Sie sie nur im Vergleich mit anderen derselben Serie.</translation>
+    </message>
+    <message>
+        <source>Slope or intercept of the gray values differ between slices: slope %1 and intercept %2 in %3, slope %4 and intercept %5 in others; check the gray values of the slices in the images.</source>
+        <translation>Steigung oder Achsenabschnitt der Grauwerte unterscheiden sich zwischen den Schichten: Steigung %1 und Achsenabschnitt %2 in %3, Steigung %4 und Achsenabschnitt %5 in anderen; prüfen Sie die Grauwerte der Schichten in den Bildern.</translation>
+    </message>
+    <message>
+        <source>the number of its frames</source>
+        <translation>die Zahl der Einzelbilder</translation>
+    </message>
+    <message>
+        <source>the highest bit of its voxels</source>
+        <translation>das höchste Bit der Voxel</translation>
+    </message>
+    <message>
+        <source>the bits of its voxels</source>
+        <translation>die Bits der Voxel</translation>
+    </message>
+    <message>
+        <source>the distance between its columns</source>
+        <translation>den Abstand der Spalten</translation>
+    </message>
+    <message>
+        <source>the distance between its rows</source>
+        <translation>den Abstand der Zeilen</translation>
+    </message>
+    <message>
+        <source>the slope of its gray values</source>
+        <translation>die Steigung der Grauwerte</translation>
+    </message>
+    <message>
+        <source>the intercept of its gray values</source>
+        <translation>den Achsenabschnitt der Grauwerte</translation>
+    </message>
+    <message>
+        <source>the ratio of a voxel&apos;s height to its width</source>
+        <translation>das Verhältnis von Höhe zu Breite eines Voxels</translation>
+    </message>
+    <message>
+        <source>the kind of its images</source>
+        <translation>die Art der Bilder</translation>
+    </message>
+    <message>
+        <source>the step</source>
+        <translation>den Schichtabstand</translation>
+    </message>
+    <message>
+        <source>the extent of its slices</source>
+        <translation>die Ausdehnung der Schichten</translation>
+    </message>
+    <message>
+        <source>the place above the first</source>
+        <translation>den Ort über der ersten</translation>
+    </message>
+    <message>
+        <source>the width of its images</source>
+        <translation>die Breite der Bilder</translation>
+    </message>
+    <message>
+        <source>the tilt of the gantry</source>
+        <translation>die Neigung der Gantry</translation>
+    </message>
+    <message>
+        <source>the number of its images</source>
+        <translation>die Zahl der Bilder</translation>
+    </message>
+    <message>
+        <source>the class of its images</source>
+        <translation>die Klasse der Bilder</translation>
+    </message>
+    <message>
+        <source>the smallest gray value</source>
+        <translation>den kleinsten Grauwert</translation>
+    </message>
+    <message>
+        <source>the largest gray value</source>
+        <translation>den größten Grauwert</translation>
+    </message>
+    <message>
+        <source>the compressed images that PixelData holds</source>
+        <translation>den komprimierten Bildern in PixelData</translation>
+    </message>
+    <message>
+        <source>the offset table of PixelData</source>
+        <translation>der Tabelle der Anfänge in PixelData</translation>
+    </message>
+    <message>
+        <source>rows, columns, bits and frames</source>
+        <translation>Zeilen, Spalten, Bits und Einzelbildern</translation>
+    </message>
+    <message>
+        <source>the voxels themselves, which need more</source>
+        <translation>den Voxeln selbst, die mehr brauchen</translation>
+    </message>
+    <message>
+        <source>the functional groups</source>
+        <translation>den Functional Groups</translation>
+    </message>
+    <message>
+        <source>PixelSpacing (0028,0030) outside of them</source>
+        <translation>PixelSpacing (0028,0030) außerhalb</translation>
+    </message>
+    <message>
+        <source>RescaleSlope (0028,1053) outside of them</source>
+        <translation>RescaleSlope (0028,1053) außerhalb</translation>
+    </message>
+    <message>
+        <source>RescaleIntercept (0028,1052) outside of them</source>
+        <translation>RescaleIntercept (0028,1052) außerhalb</translation>
+    </message>
+    <message>
+        <source>BitsStored (0028,0101) less one</source>
+        <translation>BitsStored (0028,0101) minus eins</translation>
+    </message>
+    <message>
+        <source>their positions</source>
+        <translation>ihren Positionen</translation>
+    </message>
+    <message>
+        <source>its position</source>
+        <translation>ihrer Position</translation>
+    </message>
+    <message>
+        <source>columns and PixelSpacing (0028,0030)</source>
+        <translation>Spalten und PixelSpacing (0028,0030)</translation>
+    </message>
+    <message>
+        <source>the slices&apos; positions</source>
+        <translation>den Positionen der Schichten</translation>
+    </message>
+    <message>
+        <source>the files that are there</source>
+        <translation>den vorhandenen Dateien</translation>
+    </message>
+    <message>
+        <source>its voxels</source>
+        <translation>den Voxeln</translation>
+    </message>
+    <message>
+        <source>export the series again as original images</source>
+        <translation>exportieren Sie die Serie noch einmal als Originalbilder</translation>
+    </message>
+    <message>
+        <source>check which of them is right before the measures are used</source>
+        <translation>prüfen Sie, was davon stimmt, bevor Sie die Maße verwenden</translation>
+    </message>
+    <message>
+        <source>check that the images were cropped and not scaled</source>
+        <translation>prüfen Sie, ob die Bilder beschnitten und nicht skaliert wurden</translation>
+    </message>
+    <message>
+        <source>check that the whole series was exported</source>
+        <translation>prüfen Sie, ob die ganze Serie exportiert wurde</translation>
+    </message>
+    <message>
+        <source>The series</source>
+        <translation>Die Serie</translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation>Grad</translation>
+    </message>
+    <message>
+        <source>it is a secondary capture</source>
+        <translation>sie ist ein Secondary Capture</translation>
+    </message>
+    <message>
+        <source>it is of a flat panel</source>
+        <translation>sie ist von einem Flachdetektor</translation>
+    </message>
+    <message>
+        <source>it is of a cone-beam scanner</source>
+        <translation>sie ist von einem DVT-Gerät</translation>
+    </message>
+    <message>
+        <source>The files of the CT contradict themselves, or something of them is missing: read the warnings about the series before using the measures.</source>
+        <translation>Die Dateien des CT widersprechen sich, oder etwas davon fehlt: Lesen Sie die Warnungen zur Serie, bevor Sie die Maße verwenden.</translation>
+    </message>
+    <message>
+        <source>Slices %1 and %2 of %3 hold the same voxels at different places, so one of both may be a copy of the other. Export the series again as original images.</source>
+        <translation>Die Schichten %1 und %2 von %3 haben an verschiedenen Orten dieselben Voxel; eine von beiden kann eine Kopie der anderen sein. Exportieren Sie die Serie noch einmal als Originalbilder.</translation>
+    </message>
+    <message>
+        <source>Other files have such faults: %1.</source>
+        <translation>Andere Dateien haben solche Fehler: %1.</translation>
+    </message>
+    <message>
+        <source> of slice %1 of %2 (%3)</source>
+        <translation> der Schicht %1 von %2 (%3)</translation>
     </message>
 </context>
 <context>

@@ -65,6 +65,10 @@ constexpr const char* sentences[] = {
         "Data",
         "A, B or H between the landmarks placed by hand differs from the fitted one by "
         "more than the errors of both: check the landmarks in the images."),
+    QT_TRANSLATE_NOOP(
+        "Data",
+        "The files of the CT contradict themselves, or something of them is missing: read the "
+        "warnings about the series before using the measures."),
     // warnings about a series
     QT_TRANSLATE_NOOP("Data", "%1 scout images were left out."),
     QT_TRANSLATE_NOOP("Data",
@@ -87,17 +91,6 @@ constexpr const char* sentences[] = {
     QT_TRANSLATE_NOOP("Data",
                       "%1 of %2 files that the DICOMDIR names are not there; slices may be "
                       "missing. Copy the whole medium."),
-    QT_TRANSLATE_NOOP(
-        "Data", "It states no modality; by its class (SOPClassUID) it is of the modality CT."),
-    QT_TRANSLATE_NOOP("Data",
-                      "Its gray values are not Hounsfield units: it is of a flat panel. Judge them "
-                      "only against others of the same series."),
-    QT_TRANSLATE_NOOP("Data",
-                      "Its gray values are not Hounsfield units: it is of a cone-beam scanner. "
-                      "Judge them only against others of the same series."),
-    QT_TRANSLATE_NOOP("Data",
-                      "Its gray values are not Hounsfield units: it is a secondary capture. Judge "
-                      "them only against others of the same series."),
     QT_TRANSLATE_NOOP("Data", "Its images were compressed with loss; fine edges may be gone."),
     QT_TRANSLATE_NOOP("Data",
                       "Its images were computed from others, as reformatted planes are; original "

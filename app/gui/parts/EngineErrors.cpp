@@ -7,6 +7,7 @@
 #include <iterator>
 #include <vector>
 
+#include "gui/parts/DataText.h"
 #include "gui/parts/StatementErrors.h"
 
 namespace perilymph::gui {
@@ -268,12 +269,24 @@ QRegularExpression expressionOf(const QString& sentence)
                             QRegularExpression::DotMatchesEverythingOption);
 }
 
-/// Numbers with the window's decimal sign; words about statements in its language, others as they are.
-QString localized(const QString& word)
+struct Expression {
+  const char* sentence;
+  QRegularExpression expression;
+};
+
+/// Every sentence; made once.
+const std::vector<Expression>& expressions()
 {
-  static const QRegularExpression number(QStringLiteral("^-?[0-9]+\\.[0-9]+( [a-z]+)?$"));
-  if (!number.match(word).hasMatch()) return statedWord(word);
-  return QString(word).replace(QLatin1Char('.'), QLocale().decimalPoint());
+  static const std::vector<Expression> all = [] {
+    std::vector<Expression> made;
+    const auto add = [&made](const char* sentence) {
+      made.push_back({sentence, expressionOf(QString::fromUtf8(sentence))});
+    };
+    for (const char* sentence : messages) add(sentence);
+    for (const char* sentence : volumeErrors()) add(sentence);
+    return made;
+  }();
+  return all;
 }
 
 }  // namespace
@@ -281,22 +294,27 @@ QString localized(const QString& word)
 QString engineError(const std::string& message)
 {
   const QString english = QString::fromStdString(message);
-  std::vector<const char*> sentences(std::begin(messages), std::end(messages));
-  const auto ofVolumes = volumeErrors();
-  sentences.insert(sentences.end(), ofVolumes.begin(), ofVolumes.end());
-  for (const char* sentence : sentences) {
-    const auto found = expressionOf(QString::fromUtf8(sentence)).match(english);
+  static const QRegularExpression others(
+      QStringLiteral("^(.*) Other files have such faults: ([0-9]+)[.]$"));
+  if (const auto more = others.match(english); more.hasMatch())
+    return engineError(more.captured(1).toStdString()) + QLatin1Char(' ') +
+           QCoreApplication::translate("Data", "Other files have such faults: %1.")
+               .arg(more.captured(2));
+  if (const auto twice = statedTwice(english)) return *twice;
+  for (const auto& [sentence, expression] : expressions()) {
+    const auto found = expression.match(english);
     if (!found.hasMatch()) continue;
     QString filled = QCoreApplication::translate("Data", sentence);
     for (int i = found.lastCapturedIndex(); i > 1; --i)
       filled.replace(QStringLiteral("%%1").arg(i - 1), localized(found.captured(i)));
-    const QString subject = found.captured(1);
-    return (subject == QLatin1String("The file ")
-                ? statedWord(QStringLiteral("The file")) + QLatin1Char(' ')
-                : subject) +
-           filled;
+    return subjectOf(found.captured(1)) + filled;
   }
   return english;
+}
+
+QString seriesWarning(const std::string& warning)
+{
+  return engineError(dataText(warning).toStdString());
 }
 
 }  // namespace perilymph::gui

@@ -13,4 +13,7 @@ namespace perilymph::gui {
 /// of a file before it is kept. Unknown messages are returned unchanged.
 QString engineError(const std::string& message);
 
+/// A warning of a reader (imaging::CtSeries::warnings) in the window's language.
+QString seriesWarning(const std::string& warning);
+
 }  // namespace perilymph::gui

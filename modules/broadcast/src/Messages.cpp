@@ -144,7 +144,8 @@ Bytes imageMessage(const ct::CtVolume& volume, const Eigen::Matrix4d& placed_WI)
   message->SetEndian(std::endian::native == std::endian::little ? igtl::ImageMessage::ENDIAN_LITTLE
                                                                 : igtl::ImageMessage::ENDIAN_BIG);
   message->AllocateScalars();
-  std::ranges::copy(volume.voxels(), static_cast<std::int16_t*>(message->GetScalarPointer()));
+  std::ranges::transform(volume.voxels(), static_cast<std::int16_t*>(message->GetScalarPointer()),
+                         ct::asAir);
   Bytes bytes;
   auto now = timeNow();
   append(bytes, *message, ctName, now);

@@ -56,6 +56,11 @@ bool CtVolume::contains(const Eigen::Vector3d& point_P) const
   return true;
 }
 
+std::size_t CtVolume::unmeasuredCount() const noexcept
+{
+  return static_cast<std::size_t>(std::count(voxels_.begin(), voxels_.end(), unmeasured));
+}
+
 std::optional<double> CtVolume::sample(const Eigen::Vector3d& point_P) const
 {
   if (!contains(point_P)) return std::nullopt;

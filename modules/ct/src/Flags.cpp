@@ -14,7 +14,7 @@ struct Entry {
   const char* sentence;
 };
 
-constexpr std::array<Entry, 15> entries{
+constexpr std::array<Entry, 16> entries{
     {{Flag::coarseVoxels, "coarse_voxels",
       "A voxel is longer than 0.65 mm, the coarsest the measurement was tried with: take a finer "
       "series if there is one, or trust the measures less than their error bars say."},
@@ -64,7 +64,10 @@ constexpr std::array<Entry, 15> entries{
       "The volume shows a second cochlea: choose the ear by its side, or by a point in it."},
      {Flag::landmarksDisagree, "landmarks_disagree",
       "A, B or H between the landmarks placed by hand differs from the fitted one by more than the "
-      "errors of both: check the landmarks in the images."}}};
+      "errors of both: check the landmarks in the images."},
+     {Flag::seriesInDoubt, "series_in_doubt",
+      "The files of the CT contradict themselves, or something of them is missing: read the "
+      "warnings about the series before using the measures."}}};
 
 const Entry& entryOf(Flag flag)
 {

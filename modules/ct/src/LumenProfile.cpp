@@ -23,6 +23,9 @@ constexpr double openLumen = 0.5;
 constexpr double seenContrast = 0.35;
 constexpr double lastBasal_deg = 180.0;  // bone before this angle is ossification, no apex
 constexpr int closedSections = 4;
+// A lumen fades towards its apex. Where coarse voxels leave the bone beyond its end above
+// `openLumen`, the porous modiolus, which comes next, is seen as lumen again.
+constexpr double fadedLumen = 0.56, seenAgain = 0.08;
 constexpr double aroundFit_mm = 8.0;
 
 /// A section's content and that of the bone behind its outer wall: 1 at the lumen's level, 0 at the
@@ -118,6 +121,7 @@ LumenFindings examineLumen(const CtVolume& volume, const ShapedLumen& lumen, con
   LumenFindings findings;
   int sections = 0, unknown = 0, basal = 0, gaps = 0, closed = 0;
   std::optional<double> end_deg;
+  double minimum = 1.0, minimum_deg = firstTurn_deg;
   for (double angle_deg = firstSection_deg; angle_deg <= last_deg; angle_deg += sectionStep_deg) {
     const SectionContent section = content.at(angle_deg);
     ++sections;
@@ -132,8 +136,13 @@ LumenFindings examineLumen(const CtVolume& volume, const ShapedLumen& lumen, con
     closed = *section.inside < openLumen ? closed + 1 : 0;
     if (!end_deg && closed == closedSections && angle_deg > lastBasal_deg)
       end_deg = angle_deg - (closedSections - 1) * sectionStep_deg;
+    if (angle_deg > firstTurn_deg && *section.inside < minimum) {
+      minimum = *section.inside;
+      minimum_deg = angle_deg;
+    }
+    const double again = *section.inside - minimum;
+    if (!end_deg && minimum < fadedLumen && again > seenAgain) end_deg = minimum_deg;
   }
-  findings.isOpenToApex = !end_deg;
   findings.turns = end_deg.value_or(last_deg) / 360.0;
   findings.basalGap = basal > 0 ? static_cast<double>(gaps) / basal : 1.0;
   findings.unmeasured = sections > 0 ? static_cast<double>(unknown) / sections : 1.0;

@@ -11,9 +11,9 @@ namespace perilymph::ct {
 
 struct LumenFindings {
   /// Turns from 0 degrees to the first angle beyond 180 degrees where bone fills the section for
-  /// 40 degrees; the fitted lumen's own if it is open to its apex.
+  /// 40 degrees, or where it fades before something else is seen again; the fitted lumen's own if it is
+  /// open to its apex.
   double turns = 0.0;
-  bool isOpenToApex = false;
   /// Fraction of the first turn without a contrast between lumen and outer wall.
   double basalGap = 0.0;
   double unmeasured = 0.0;  ///< Fraction of the sections in or beside unmeasured voxels.

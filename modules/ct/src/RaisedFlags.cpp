@@ -104,6 +104,7 @@ std::vector<Flag> raisedFlags(const CochleaMeasures& measures, const FlagEvidenc
   raise(Flag::unusualProportions, isOutOfProportion(measures));
   raise(Flag::secondCochlea, measures.otherCochlea_P.has_value());
   raise(Flag::landmarksDisagree, disagrees(measures));
+  raise(Flag::seriesInDoubt, evidence.volume.provenance().isInDoubt);
   return flags;
 }
 

@@ -7,6 +7,8 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "statements/Warnings.h"
+
 namespace perilymph::imaging {
 namespace {
 
@@ -17,7 +19,7 @@ constexpr double coarseVoxel_mm = 0.65;  // as Flag::coarseVoxels of ct
 std::string inMm(double value)
 {
   char text[32];
-  std::snprintf(text, sizeof text, "%.2f mm", value);
+  std::snprintf(text, sizeof text, "%.2f", value);
   return text;
 }
 
@@ -69,11 +71,9 @@ void addSizeWarnings(CtSeries& series)
 {
   if (!(series.spacing_mm.minCoeff() > 0.0)) return;
   if (series.spacing_mm.maxCoeff() > coarseVoxel_mm)
-    series.warnings.push_back("A voxel is " + inMm(series.spacing_mm.maxCoeff()) +
-                              " long; at most 0.65 mm is advised for a cochlea.");
+    series.warnings.push_back(worded(warnings::coarse, {inMm(series.spacing_mm.maxCoeff())}));
   if (shortestExtent_mm(series) < wholeExtent_mm)
-    series.warnings.push_back("The volume is only " + inMm(shortestExtent_mm(series)) +
-                              " thick; a cochlea with its surroundings needs about 25 mm.");
+    series.warnings.push_back(worded(warnings::thin, {inMm(shortestExtent_mm(series))}));
 }
 
 }  // namespace perilymph::imaging

@@ -15,7 +15,8 @@ namespace perilymph::imaging {
 /// Whether a file begins as a .zip does.
 bool isZip(const std::filesystem::path& file);
 
-/// The files of a .zip in a folder that only this user can read, and that is removed with the object.
+/// The files of a .zip in a folder that only this user can read, and that is removed with the object. The folder of a
+/// program that was killed is removed when the next archive is unpacked: no process holds its lock any more.
 class UnpackedZip {
 public:
   /// Unpacks in a child process. Folders and names within the archive are not used: each file gets a number and what
@@ -27,7 +28,7 @@ public:
                                                            std::size_t maxFiles,
                                                            const std::function<bool()>& isCanceled);
 
-  explicit UnpackedZip(std::filesystem::path folder) : folder_(std::move(folder)) {}
+  explicit UnpackedZip(std::filesystem::path folder);
   ~UnpackedZip();
   UnpackedZip(const UnpackedZip&) = delete;
   UnpackedZip& operator=(const UnpackedZip&) = delete;
@@ -36,6 +37,7 @@ public:
 
 private:
   std::filesystem::path folder_;
+  int lock_ = -1;  ///< Descriptor of the folder, locked.
 };
 
 }  // namespace perilymph::imaging

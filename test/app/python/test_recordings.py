@@ -162,7 +162,9 @@ def test_a_cochlea_with_few_turns_has_no_duct_length(tmp_path):
 
 def test_both_ears_are_read_by_a_function_of_their_own(tmp_path):
     (tmp_path / "both.json").write_text(json.dumps({"ears": [{**MEASURED, "side": "right"}, MEASURED]}))
-    assert [ear.side for ear in perilymph.read_both_measures(tmp_path / "both.json")] == ["right", "left"]
+    ears = perilymph.read_both_measures(tmp_path / "both.json")
+    assert [ear.side for ear in ears] == ["right", "left"]
+    assert [ear.warnings for ear in ears] == [["A sentence."], ["A sentence."]]
     with pytest.raises(perilymph.Error, match="both ears"):
         perilymph.read_measures(tmp_path / "both.json")
     (tmp_path / "m.json").write_text(json.dumps(MEASURED))
@@ -181,6 +183,7 @@ def test_the_command_s_measures_of_a_scan_are_read(cli, tmp_path):
     for key in ("A_mm", "B_mm", "H_mm", "cdl_oc_mm"):
         assert (measures.values_mm[key], measures.sds_mm[key]) == (said[key]["value"], said[key]["sd"])
     assert list(measures.round_window_lps_mm) == said["round_window_lps_mm"]
+    assert (measures.warnings, measures.flags) == (said["warnings"], said["flags"])
     assert measures.patient().a_mm == pytest.approx(said["A_mm"]["value"])
 
 

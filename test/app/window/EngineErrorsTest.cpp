@@ -8,11 +8,14 @@
 #include <QLocale>
 #include <fstream>
 
+#include "dicom/DicomStatements.h"
 #include "gui/parts/EngineErrors.h"
 #include "gui/program/Languages.h"
 #include "perilymph/ct/SliceStack.h"
 #include "perilymph/imaging/CtSeries.h"
 #include "perilymph/test/TemporaryFolder.h"
+#include "statements/VolumePairs.h"
+#include "statements/Warnings.h"
 
 namespace perilymph::test {
 namespace {
@@ -114,6 +117,60 @@ TEST_F(GermanErrors, NameWhatAFileStatesTwice)
       "Die Datei gibt den Ort der Voxel (11, 9, 7) zweimal an: (1, 2, 3) mm in der SForm und "
       "(4, 5, 6) mm in der QForm mit anderem Code; die SForm wird benutzt; prüfen Sie die "
       "Seiten.");
+}
+
+/// What is left of English where a sentence or a word of it was not translated.
+bool isEnglish(const QString& text)
+{
+  for (const char* word : {" the ", " its ", " is ", " of ", " and ", "Its ", "The ", " check "})
+    if (text.contains(QLatin1String(word))) return true;
+  return false;
+}
+
+TEST_F(GermanErrors, HaveEveryWarningOfTheReaders)
+{
+  const std::string two = imaging::warnings::patientOrStudy;
+  for (const char* const sentence : imaging::warnings::all) {
+    const std::string english = imaging::worded(
+        sentence, {"7", sentence == imaging::warnings::listedApart ? "9" : "8.5",
+                   sentence == imaging::warnings::listedApart ? two : "6", "5", "4"});
+    const QString german = gui::seriesWarning(english);
+    EXPECT_NE(german.toStdString(), english);
+    EXPECT_FALSE(isEnglish(german)) << german.toStdString();
+    EXPECT_TRUE(german.contains(QLatin1Char('7')) || english.find('7') == std::string::npos);
+  }
+  for (const char* const reason :
+       {imaging::warnings::capture, imaging::warnings::flatPanel, imaging::warnings::coneBeam}) {
+    const QString german =
+        gui::seriesWarning(imaging::worded(imaging::warnings::grayValues, {reason}));
+    EXPECT_FALSE(isEnglish(german)) << german.toStdString();
+  }
+}
+
+TEST_F(GermanErrors, HaveEveryPairThatAFileOrSeriesStates)
+{
+  std::vector<imaging::StatedTwice> pairs = imaging::allDicomPairs();
+  for (const imaging::StatedTwice* pair : imaging::volumePairs()) pairs.push_back(*pair);
+  for (const imaging::StatedTwice& pair : pairs)
+    for (const char* const subject : {"The series", "The file IM7", "/ct/a.nrrd"}) {
+      const std::string english =
+          *imaging::disagreement(subject, pair, 0.5, 7.25, " of slice 3 of 9 (IM7)");
+      const QString german = gui::seriesWarning(english);
+      EXPECT_NE(german.toStdString(), english);
+      EXPECT_FALSE(isEnglish(german)) << german.toStdString();
+      EXPECT_TRUE(german.contains("7,25")) << german.toStdString();
+    }
+}
+
+TEST_F(GermanErrors, SayHowManyOtherFilesHaveSuchFaults)
+{
+  EXPECT_EQ(gui::engineError("The file IM3 states RescaleSlope (0028,1053) as \"abc\", where one "
+                             "number belongs; export the series again as original images. Other "
+                             "files have such faults: 4.")
+                .toStdString(),
+            "Die Datei IM3 gibt RescaleSlope (0028,1053) als \"abc\" an, wo eine Zahl stehen "
+            "muss; exportieren Sie die Serie noch einmal als Originalbilder. Andere Dateien haben "
+            "solche Fehler: 4.");
 }
 
 TEST_F(GermanErrors, ThatAreUnknownStayAsTheyAre)

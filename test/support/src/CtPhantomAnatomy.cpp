@@ -158,6 +158,8 @@ PhantomAnatomy::PhantomAnatomy(std::uint64_t seed, const PhantomCondition& condi
     section.half *= end;
     table_.push_back(section);
   }
+  // It ends below the cupola.
+  if (condition.turns) modiolusTop_ = std::min(modiolusTop_, sectionAt(last_).middleHeight);
 }
 
 KidneySection PhantomAnatomy::sectionAt(double angle) const
@@ -241,7 +243,7 @@ double PhantomAnatomy::surroundings(const Eigen::Vector3d& p, double inLumen, do
       dense * (capsule_ + 90.0 * coarse) + (1.0 - dense) * (1250.0 + 250.0 * texture(2.0 * p));
   // Modiolus: porous, a cone about the axis.
   const double cone = 1.15 - 0.32 * (p.z() + 0.5) - p.head<2>().norm();
-  const double porous = p.z() > -0.6 && p.z() < 2.6 ? fraction(cone, 3.0 * cell) : 0.0;
+  const double porous = p.z() > -0.6 && p.z() < modiolusTop_ ? fraction(cone, 3.0 * cell) : 0.0;
   value += porous * (modiolus_ + 150.0 * texture(5.0 * p) - value);
   // Internal auditory canal below it, facial canal beside.
   const double canal = insideCapsuleShape(p, {-0.3, 0.2, -3.0}, {-3.0, 4.0, -12.0}, 1.9);

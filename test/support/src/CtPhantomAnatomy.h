@@ -81,6 +81,7 @@ private:
   std::vector<Ball> cells_;
   std::array<Eigen::Vector4d, 6> waves_;
   double capsule_, modiolus_, niche_, canal_, window_, recess_;
+  double modiolusTop_ = 2.6;          ///< Height of its upper end.
   Eigen::Vector3d lean_;              ///< Lean of the round-window niche.
   std::vector<KidneySection> table_;  ///< Every 2 degrees from the first angle.
 };

@@ -171,10 +171,15 @@ std::string DicomData::file(const std::string& transferSyntax) const
   meta.setText(0x00020003, "UI", "1.2.3.4.5");
   meta.setText(0x00020010, "UI", transferSyntax);
   meta.setText(0x00020012, "UI", "1.2.3.6");
+  // a class that is stated for the meta information alone belongs there
+  DicomData rest = *this;
+  if (const auto stated = rest.elements_.extract(0x00020002); !stated.empty())
+    meta.setText(0x00020002, "UI", stated.mapped().second.c_str());
   const std::string header = meta.elements();
   std::string length;
   putNumber(length, static_cast<std::uint32_t>(header.size()), 4);
-  return std::string(128, '\0') + "DICM" + element(0x00020000, "UL", length) + header + elements();
+  return std::string(128, '\0') + "DICM" + element(0x00020000, "UL", length) + header +
+         rest.elements();
 }
 
 std::vector<DicomData> dicomSlices(const ct::CtVolume& volume, const std::string& seriesUid)

@@ -8,8 +8,7 @@
 #include <functional>
 
 #include "StatedSeries.h"
-#include "perilymph/imaging/CtSeries.h"
-#include "perilymph/test/TemporaryFolder.h"
+#include "dicom/DicomFiles.h"
 
 namespace perilymph::imaging {
 namespace {
@@ -20,17 +19,8 @@ using test::DicomData;
 using testing::Contains;
 using testing::HasSubstr;
 
-using Files = std::vector<DicomData>;
-
-class DicomForms : public testing::Test {
+class DicomForms : public ChangedSeries {
 protected:
-  Result<LoadedCt> read(const Files& files)
-  {
-    const auto place = folder / std::to_string(++count);
-    test::writeDicomFiles(files, place);
-    return readCt(place);
-  }
-
   /// A medium whose DICOMDIR names IMAGES\IM1 and so on, and whose files are named by the test.
   fs::path medium(const std::function<std::string(int)>& nameOf,
                   const std::string& images = "IMAGES")
@@ -52,11 +42,6 @@ protected:
     std::ofstream(place / "DICOMDIR", std::ios::binary) << directory.file();
     return place / "DICOMDIR";
   }
-
-  const ct::CtVolume volume = smoothCt();
-  Files slices = statedSlices(volume);
-  test::TemporaryFolder folder;
-  int count = 0;
 };
 
 TEST_F(DicomForms, OfMediaAreFoundInAnySpelling)
@@ -231,6 +216,16 @@ TEST_F(DicomForms, OfDeepSequencesAreRefusedBeforeTheyAreParsed)
       EXPECT_THAT(list->series.back().obstacle, HasSubstr("deeper than 16"));
       EXPECT_LT(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, 1.0) << depth;
     }
+}
+
+TEST_F(DicomForms, OfOneFolderHaveATimeInWhichTheyAreListed)
+{
+  const auto place = folder / "slow";
+  test::writeDicomFiles(statedSlices(), place);
+  const auto listed = listDicomFiles(place, {}, std::chrono::milliseconds(0));
+  ASSERT_FALSE(listed);
+  EXPECT_THAT(listed.error().message, HasSubstr("takes more than 5 minutes to list"));
+  EXPECT_TRUE(listDicomFiles(place, {}, std::chrono::minutes(1)));
 }
 
 }  // namespace

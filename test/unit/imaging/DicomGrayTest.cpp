@@ -5,10 +5,9 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "StatedSeries.h"
-#include "perilymph/imaging/CtSeries.h"
-#include "perilymph/test/TemporaryFolder.h"
 
 namespace perilymph::imaging {
 namespace {
@@ -16,8 +15,6 @@ namespace {
 using test::DicomData;
 using testing::Contains;
 using testing::HasSubstr;
-
-using Files = std::vector<DicomData>;
 
 constexpr int perSlice = 400;
 
@@ -32,15 +29,8 @@ std::vector<std::uint16_t> storedOf(const ct::CtVolume& volume, int k, Stored st
   return values;
 }
 
-class DicomGray : public testing::Test {
+class DicomGray : public ChangedSeries {
 protected:
-  Result<LoadedCt> read(const Files& files)
-  {
-    const auto place = folder / std::to_string(++count);
-    test::writeDicomFiles(files, place);
-    return readCt(place);
-  }
-
   void expectVolume(const Files& files, const ct::CtVolume& expected, int tolerance = 0)
   {
     const auto loaded = read(files);
@@ -58,11 +48,6 @@ protected:
     ASSERT_FALSE(loaded) << says;
     EXPECT_THAT(loaded.error().message, HasSubstr(says));
   }
-
-  const ct::CtVolume volume = smoothCt();
-  Files slices = statedSlices(volume);
-  test::TemporaryFolder folder;
-  int count = 0;
 };
 
 TEST_F(DicomGray, RequiresASlopeAboveZero)
@@ -196,7 +181,7 @@ TEST_F(DicomGray, RefusesVoxelsThatNeedMoreBitsThanTheyHave)
   expectRefusal(one, "PixelRepresentation (0028,0103) differs");
 }
 
-TEST_F(DicomGray, TakesPaddingForAirAndNotForClippedVoxels)
+TEST_F(DicomGray, MarksPaddingAsUnmeasuredAndNotAsClipped)
 {
   // corners of a round field of view, as scanners pad it
   const auto isCorner = [](int i, int j) { return std::hypot(i - 9.5, j - 9.5) > 10.0; };
@@ -216,11 +201,12 @@ TEST_F(DicomGray, TakesPaddingForAirAndNotForClippedVoxels)
     ASSERT_TRUE(loaded) << loaded.error().message;
     for (int j = 0; j < 20; ++j)
       for (int i = 0; i < 20; ++i)
-        ASSERT_EQ(loaded->volume.voxel(i, j, 4), isCorner(i, j) ? -1024 : volume.voxel(i, j, 4));
+        ASSERT_EQ(loaded->volume.voxel(i, j, 4),
+                  isCorner(i, j) ? ct::unmeasured : volume.voxel(i, j, 4));
   }
 }
 
-TEST_F(DicomGray, TakesOnlyPaddingAtTheBorderForAirWhereTissueMayHaveItsValue)
+TEST_F(DicomGray, MarksOnlyPaddingAtTheBorderWhereTissueMayHaveItsValue)
 {
   // padding of 0 HU: corners are not fluid, and fluid is not padding
   const auto isCorner = [](int i, int j) { return i + j < 6; };
@@ -235,8 +221,8 @@ TEST_F(DicomGray, TakesOnlyPaddingAtTheBorderForAirWhereTissueMayHaveItsValue)
   }
   const auto loaded = read(slices);
   ASSERT_TRUE(loaded) << loaded.error().message;
-  EXPECT_EQ(loaded->volume.voxel(2, 2, 4), -1024);
-  EXPECT_EQ(loaded->volume.voxel(0, 0, 4), -1024);
+  EXPECT_EQ(loaded->volume.voxel(2, 2, 4), ct::unmeasured);
+  EXPECT_EQ(loaded->volume.voxel(0, 0, 4), ct::unmeasured);
   EXPECT_EQ(loaded->volume.voxel(10, 10, 4), 0);
 }
 
@@ -266,6 +252,28 @@ TEST_F(DicomGray, MarksWhatATiltLeavesEmpty)
         ASSERT_EQ(straight.voxel(i, j, k), ct::unmeasured) << from.transpose();
       }
   EXPECT_GT(empty, 100);
+}
+
+TEST_F(DicomGray, KeepsPaddingUnmeasuredBesideATilt)
+{
+  constexpr double tilt = 10.0 * std::numbers::pi / 180.0;
+  Eigen::Matrix4d lps = Eigen::Matrix4d::Identity();
+  lps.block<3, 1>(0, 0) = Eigen::Vector3d(0.4, 0, 0);
+  lps.block<3, 1>(0, 1) = 0.4 * Eigen::Vector3d(0, std::cos(tilt), std::sin(tilt));
+  lps.block<3, 1>(0, 2) = Eigen::Vector3d(0, 0, 0.6);
+  std::vector<std::int16_t> voxels;
+  for (int at = 0; at < 20 * 40 * 20; ++at)
+    voxels.push_back(static_cast<std::int16_t>(at % 20 < 6 ? -1024 : 1100 + 100 * (at % 2)));
+  const auto tilted = *ct::CtVolume::make({20, 40, 20}, lps, std::move(voxels));
+  Files files = test::dicomSlices(tilted);
+  for (DicomData& file : files) file.setNumber(tags::padding, 0);
+  const auto loaded = read(files);
+  ASSERT_TRUE(loaded) << loaded.error().message;
+  const ct::CtVolume& straight = loaded->volume;
+  for (int k = 0; k < straight.size()[2]; ++k)
+    for (int j = 0; j < straight.size()[1]; ++j)
+      for (int i = 0; i < 6; ++i) ASSERT_EQ(straight.voxel(i, j, k), ct::unmeasured) << i;
+  EXPECT_NE(straight.voxel(10, 20, straight.size()[2] / 2), ct::unmeasured);
 }
 
 TEST_F(DicomGray, SaysWhatIsNoHounsfieldUnit)

@@ -5,8 +5,6 @@
 #include <gmock/gmock.h>
 
 #include "StatedSeries.h"
-#include "perilymph/imaging/CtSeries.h"
-#include "perilymph/test/TemporaryFolder.h"
 
 namespace perilymph::imaging {
 namespace {
@@ -15,26 +13,31 @@ using test::DicomData;
 using testing::Contains;
 using testing::HasSubstr;
 
-using Files = std::vector<DicomData>;
-
-class DicomIdentity : public testing::Test {
+class DicomIdentity : public ChangedSeries {
 protected:
-  std::filesystem::path write(const Files& files)
-  {
-    const auto place = folder / std::to_string(++count);
-    test::writeDicomFiles(files, place);
-    return place;
-  }
-
   static void expectNoPatient(const std::string& text)
   {
     for (const char* const secret : {"Secretname", "SECRETID", "19010203", "OTHERID", "Othername"})
       EXPECT_THAT(text, testing::Not(HasSubstr(secret)));
   }
-
-  test::TemporaryFolder folder;
-  int count = 0;
 };
+
+TEST_F(DicomIdentity, OfASliceIsNotThatOfAnother)
+{
+  for (const auto& [from, to] : {std::pair{3, 4}, std::pair{0, 9}, std::pair{7, 2}}) {
+    Files copied = slices;
+    DicomData copy = slices[static_cast<std::size_t>(from)];
+    copy.setNumbers(tags::position, {-30.0, 12.0, -400.0 + 0.6 * to});
+    copy.setNumbers(tags::location, {-400.0 + 0.6 * to});
+    copied[static_cast<std::size_t>(to)] = copy;
+    const auto loaded = read(copied);
+    ASSERT_TRUE(loaded) << loaded.error().message;
+    const std::string both = "Slices " + std::to_string(std::min(from, to) + 1) + " and " +
+                             std::to_string(std::max(from, to) + 1) + " of 10";
+    EXPECT_THAT(loaded->series.warnings, Contains(HasSubstr(both)));
+    EXPECT_TRUE(loaded->volume.provenance().isInDoubt);
+  }
+}
 
 TEST_F(DicomIdentity, IsOfOnePatientAndStudy)
 {
@@ -44,11 +47,11 @@ TEST_F(DicomIdentity, IsOfOnePatientAndStudy)
     const char* value;
   } others[] = {{tags::patientId, "LO", "OTHERID"}, {tags::study, "UI", "1.2.77"}};
   for (const auto& other : others) {
-    Files slices = statedSlices();
+    Files files = statedSlices();
     // the upper half is of somebody else, whose slices go on where the first ones end
-    for (std::size_t k = 5; k < slices.size(); ++k)
-      slices[k].setText(other.tag, other.type, other.value);
-    const auto place = write(slices);
+    for (std::size_t k = 5; k < files.size(); ++k)
+      files[k].setText(other.tag, other.type, other.value);
+    const auto place = write(files);
     const auto list = findSeries(place);
     ASSERT_TRUE(list) << list.error().message;
     ASSERT_EQ(list->series.size(), 2u);
@@ -102,31 +105,31 @@ TEST_F(DicomIdentity, IsRefusedWhereThePatientsAttributesDiffer)
                 {tags::birthDate, "DA", "19010204", "PatientBirthDate (0010,0030)"},
                 {tags::patientName, "PN", "Othername^Patient", "PatientName (0010,0010)"}};
   for (const auto& other : others) {
-    Files slices = statedSlices();
-    slices[6].setText(other.tag, other.type, other.value);
-    const auto loaded = readCt(write(slices));
+    Files files = statedSlices();
+    files[6].setText(other.tag, other.type, other.value);
+    const auto loaded = readCt(write(files));
     ASSERT_FALSE(loaded) << other.name;
     EXPECT_THAT(loaded.error().message, HasSubstr(std::string("differ in ") + other.name));
     expectNoPatient(loaded.error().message);
     // what is absent contradicts nothing
-    slices[6].setText(other.tag, other.type, "");
-    const auto without = readCt(write(slices));
+    files[6].setText(other.tag, other.type, "");
+    const auto without = readCt(write(files));
     EXPECT_TRUE(without) << without.error().message;
   }
   // the same name, padded otherwise
-  Files slices = statedSlices();
-  slices[6].setText(tags::patientName, "PN", "Secretname^Patient^^ ");
-  EXPECT_TRUE(readCt(write(slices)));
+  Files files = statedSlices();
+  files[6].setText(tags::patientName, "PN", "Secretname^Patient^^ ");
+  EXPECT_TRUE(readCt(write(files)));
 }
 
 TEST_F(DicomIdentity, IsOfOneFrameOfReference)
 {
-  Files slices = statedSlices();
+  Files files = statedSlices();
   Files later = statedSlices();
   later.resize(4);
   for (DicomData& slice : later) slice.setText(tags::frameOfReference, "UI", "1.2.3.100");
-  slices.insert(slices.end(), later.begin(), later.end());
-  const auto loaded = readCt(write(slices), "1.2.3.4");
+  files.insert(files.end(), later.begin(), later.end());
+  const auto loaded = readCt(write(files), "1.2.3.4");
   ASSERT_TRUE(loaded) << loaded.error().message;
   EXPECT_EQ(loaded->volume.size()[2], 10);
   EXPECT_THAT(loaded->series.warnings,
@@ -151,10 +154,10 @@ TEST_F(DicomIdentity, IsOfOneReconstruction)
                   {tags::thickness, "DS", "0.61", "SliceThickness (0018,0050)"},
                   {tags::kernel, "SH", "Br40", "reconstruction kernels"}};
   for (const auto& setting : settings) {
-    Files slices = statedSlices(fine);
-    for (std::size_t k = 1; k < slices.size(); k += 2)
-      slices[k].setText(setting.tag, setting.type, setting.value);
-    const auto loaded = readCt(write(slices));
+    Files files = statedSlices(fine);
+    for (std::size_t k = 1; k < files.size(); k += 2)
+      files[k].setText(setting.tag, setting.type, setting.value);
+    const auto loaded = readCt(write(files));
     ASSERT_FALSE(loaded) << setting.name;
     EXPECT_THAT(loaded.error().message, HasSubstr(setting.name));
   }

@@ -188,6 +188,15 @@ std::vector<Case> cases()
          return slices;
        }},
       {&tilt, number(tags::tilt, 15.0)},
+      {&mediaClass,
+       [](double) {
+         Files slices = statedSlices();
+         slices[4].setText(tags::mediaClass, "UI", "1.2.840.10008.5.1.4.1.1.4");
+         return slices;
+       }},
+      {&smallest,
+       [](double factor) { return scaledNumber(tags::smallest, scaledCount(24, factor), 1.0); }},
+      {&largest, inOne(tags::largest, 2983.0)},
       {&imagesInAcquisition, [](double factor) {
          Files slices = statedSlices();
          for (DicomData& slice : slices)
@@ -204,7 +213,9 @@ protected:
     std::filesystem::create_directories(place);
     for (std::size_t i = 0; i < files.size(); ++i)
       std::ofstream(place / ("IM" + std::to_string(i)), std::ios::binary) << files[i].file(syntax);
-    return readCt(place);
+    auto loaded = readCt(place);
+    if (loaded) expectWorded(loaded->series.warnings);
+    return loaded;
   }
 
   /// Whether an answer names a pair.
@@ -227,6 +238,7 @@ TEST_F(DicomStatements, ThatAgreeAreReadWithoutAWord)
     const auto loaded = read(files);
     ASSERT_TRUE(loaded) << loaded.error().message;
     EXPECT_THAT(loaded->volume.provenance().notes, testing::IsEmpty());
+    EXPECT_FALSE(loaded->volume.provenance().isInDoubt);
     ASSERT_EQ(loaded->series.warnings.size(), 1u) << loaded->series.warnings.back();
     EXPECT_THAT(loaded->series.warnings.front(), HasSubstr("thick; a cochlea"));
   }
@@ -249,6 +261,7 @@ TEST_F(DicomStatements, ThatDifferAreRefusedOrNamed)
           << which << ": " << (loaded ? "read in silence" : loaded.error().message);
       if (loaded) {
         EXPECT_THAT(loaded->volume.provenance().notes, testing::Not(testing::IsEmpty())) << which;
+        EXPECT_TRUE(loaded->volume.provenance().isInDoubt) << which;
       }
     }
 }
@@ -305,6 +318,33 @@ TEST_F(DicomStatements, OfThicknessSayWhereNothingWasMeasured)
   const auto usual = read(scaledNumber(tags::thickness, 0.6, 2.0));
   ASSERT_TRUE(usual);
   EXPECT_EQ(usual->series.warnings.size(), 1u);
+}
+
+TEST_F(DicomStatements, OfGrayValuesMayCountPaddingOrNot)
+{
+  const ct::CtVolume volume = smoothCt();
+  Files slices = statedSlices(volume);
+  for (std::size_t k = 0; k < slices.size(); ++k) {
+    std::vector<std::uint16_t> values;
+    for (int at = 0; at < 400; ++at)
+      values.push_back(static_cast<std::uint16_t>(
+          at < 40 ? 0 : volume.voxel(at % 20, at / 20, static_cast<int>(k)) + 1024));
+    slices[k].setPixels(values);
+    slices[k].setNumber(tags::padding, 0);
+    if (k % 2 == 0) slices[k].setNumber(tags::smallest, 0);
+  }
+  const auto loaded = read(slices);
+  ASSERT_TRUE(loaded) << loaded.error().message;
+  EXPECT_EQ(loaded->series.warnings.size(), 1u) << loaded->series.warnings.back();
+}
+
+TEST_F(DicomStatements, OfThePatientsPositionAreOneInASeries)
+{
+  Files slices = statedSlices();
+  for (std::size_t k = 5; k < slices.size(); ++k)
+    slices[k].setText(tags::patientPosition, "CS", "HFP");
+  const auto loaded = read(slices);
+  EXPECT_TRUE(!loaded || loaded->series.warnings.size() > 1);
 }
 
 // Lengths that the positions alone state of one slice must be those of the others.

@@ -3,19 +3,28 @@
 
 // A small series whose headers state everything twice that the reader compares, alike.
 
+#include <gtest/gtest.h>
+
+#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <random>
+#include <regex>
 #include <string>
 #include <vector>
 
 #include "perilymph/ct/CtVolume.h"
+#include "perilymph/imaging/CtSeries.h"
 #include "perilymph/test/DicomWriter.h"
+#include "perilymph/test/TemporaryFolder.h"
+#include "statements/Warnings.h"
 
 namespace perilymph::imaging {
 
 namespace tags {
 inline constexpr test::DicomTag imageType = 0x00080008, sopClass = 0x00080016,
+                                mediaClass = 0x00020002, smallest = 0x00280106,
+                                largest = 0x00280107, patientPosition = 0x00185100,
                                 modality = 0x00080060, patientName = 0x00100010,
                                 patientId = 0x00100020, birthDate = 0x00100030, sex = 0x00100040,
                                 thickness = 0x00180050, kvp = 0x00180060,
@@ -53,6 +62,23 @@ inline ct::CtVolume smoothCt(std::array<int, 3> size = {20, 20, 10},
   return *ct::CtVolume::make(size, lps, std::move(voxels), {});
 }
 
+/// Whether a warning is one of the readers' known sentences or pairs, which the window translates.
+inline bool isWorded(const std::string& warning)
+{
+  static const std::regex twice(".* states .* twice: .* in .* and .* in .*; .*[.]");
+  if (std::regex_match(warning, twice)) return true;
+  return std::any_of(warnings::all.begin(), warnings::all.end(), [&warning](const char* sentence) {
+    static const std::regex special("[().;]"), place("[{][0-9][}]");
+    const std::string plain = std::regex_replace(std::string(sentence), special, "[$&]");
+    return std::regex_match(warning, std::regex(std::regex_replace(plain, place, ".*")));
+  });
+}
+
+inline void expectWorded(const std::vector<std::string>& found)
+{
+  for (const std::string& warning : found) EXPECT_TRUE(isWorded(warning)) << warning;
+}
+
 /// Slices of a volume with unit steps along z, with all second statements.
 inline std::vector<test::DicomData> statedSlices(const ct::CtVolume& volume = smoothCt(),
                                                  const std::string& uid = "1.2.3.4")
@@ -78,8 +104,39 @@ inline std::vector<test::DicomData> statedSlices(const ct::CtVolume& volume = sm
     slice.setNumber(tags::stored, 12);
     slice.setNumber(tags::highBit, 11);
     slice.setText(tags::rescaleType, "LO", "HU");
+    slice.setText(tags::patientPosition, "CS", "HFS");
+    const auto perSlice = static_cast<std::ptrdiff_t>(volume.size()[0]) * volume.size()[1];
+    const auto first = volume.voxels().begin() + static_cast<std::ptrdiff_t>(k) * perSlice;
+    const auto [low, high] = std::minmax_element(first, first + perSlice);
+    slice.setNumber(tags::smallest, static_cast<std::uint16_t>(*low + 1024));
+    slice.setNumber(tags::largest, static_cast<std::uint16_t>(*high + 1024));
   }
   return slices;
 }
+
+/// Writes changed files of the series, each time into another folder, and reads them.
+class ChangedSeries : public testing::Test {
+protected:
+  using Files = std::vector<test::DicomData>;
+
+  std::filesystem::path write(const Files& files)
+  {
+    auto place = folder / std::to_string(++count);
+    test::writeDicomFiles(files, place);
+    return place;
+  }
+
+  Result<LoadedCt> read(const Files& files)
+  {
+    auto loaded = readCt(write(files));
+    if (loaded) expectWorded(loaded->series.warnings);
+    return loaded;
+  }
+
+  const ct::CtVolume volume = smoothCt();
+  Files slices = statedSlices(volume);
+  test::TemporaryFolder folder;
+  int count = 0;
+};
 
 }  // namespace perilymph::imaging

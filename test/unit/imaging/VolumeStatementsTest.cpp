@@ -254,6 +254,9 @@ protected:
     if (pair.answer == Disagreement::warn) {
       ASSERT_TRUE(loaded) << loaded.error().message;
       EXPECT_THAT(loaded->series.warnings, Contains(sentence)) << file.name << " " << factor;
+      // what a patient file and the flags are made of
+      EXPECT_THAT(loaded->volume.provenance().notes, Contains(sentence));
+      EXPECT_TRUE(loaded->volume.provenance().isInDoubt);
     } else {
       ASSERT_FALSE(loaded) << pair.format << ": " << pair.quantity << " " << file.name << " "
                            << factor;
@@ -304,6 +307,7 @@ TEST_F(VolumeStatements, ThatAgreeAreTakenWithoutAWord)
     const auto loaded = readCt(folder_ / name);
     ASSERT_TRUE(loaded) << loaded.error().message;
     EXPECT_THAT(loaded->series.warnings, testing::Not(Contains(HasSubstr("twice")))) << name;
+    EXPECT_FALSE(loaded->volume.provenance().isInDoubt) << name;
   }
 }
 

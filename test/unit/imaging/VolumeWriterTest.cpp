@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 
 #include "SmallCt.h"
 #include "perilymph/foundation/AtomicFile.h"
@@ -49,6 +50,22 @@ TEST_P(WrittenVolume, ComesBackWithItsVoxelsAtTheirPlaces)
       EXPECT_EQ(read->volume.voxel(j.x(), j.y(), j.z()), volume.voxel(i.x(), i.y(), i.z()));
     }
   }
+}
+
+TEST_P(WrittenVolume, HoldsAirWhereNothingWasMeasured)
+{
+  const ct::CtVolume whole = smallCt(oblique(false), Eigen::Vector3d(0.3, 0.4, 0.6), {14, 12, 10});
+  std::vector<std::int16_t> voxels(whole.voxels().begin(), whole.voxels().end());
+  for (std::size_t i = 0; i < 100; ++i) voxels[i] = ct::unmeasured;
+  const auto volume = *ct::CtVolume::make(whole.size(), whole.lpsFromIndex(), voxels);
+  EXPECT_EQ(volume.unmeasuredCount(), 100U);
+  const auto file = folder_ / GetParam();
+  ASSERT_TRUE(writeVolume(volume, file));
+  const auto read = readCt(file);
+  ASSERT_TRUE(read) << read.error().message;
+  const auto found = read->volume.voxels();
+  EXPECT_EQ(std::count(found.begin(), found.end(), std::int16_t{-1024}), 100);
+  EXPECT_EQ(read->volume.unmeasuredCount(), 0U);
 }
 
 INSTANTIATE_TEST_SUITE_P(Formats, WrittenVolume, testing::Values("ct.nrrd", "ct.nii", "ct.nii.gz"));

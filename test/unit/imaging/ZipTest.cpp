@@ -2,7 +2,10 @@
 
 // Archives as portals send them, and those that no portal sends.
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
+#include <sys/file.h>
+#include <unistd.h>
 #include <zip.h>
 
 #include <fstream>
@@ -98,6 +101,40 @@ TEST_F(Zip, IsReadAsItCame)
   ASSERT_TRUE(loaded) << loaded.error().message;
   EXPECT_EQ(loaded->volume.voxel(10, 10, 5), volume.voxel(10, 10, 5));
   EXPECT_EQ(leftBehind(), 0);
+}
+
+TEST_F(Zip, RemovesWhatAKilledProgramLeft)
+{
+  using namespace std::chrono_literals;
+  const auto folderOf = [this](const char* name, std::chrono::minutes age) {
+    const fs::path place = temporary / name;
+    fs::create_directory(place);
+    std::ofstream(place / "000001-IM0.dcm") << "of a patient";
+    fs::last_write_time(place, fs::file_time_type::clock::now() - age);
+    return place;
+  };
+  const fs::path killed = folderOf("perilymph-zip-killed", 5min);
+  const fs::path running = folderOf("perilymph-zip-runs00", 5min);
+  const fs::path begun = folderOf("perilymph-zip-begun0", 0min);
+  const fs::path others = folderOf("somebody-elses", 5min);
+  const int lock = ::open(running.c_str(), O_RDONLY | O_DIRECTORY);
+  ASSERT_EQ(::flock(lock, LOCK_EX), 0);
+  ASSERT_TRUE(findSeries(pack(entries)));
+  EXPECT_FALSE(fs::exists(killed));
+  for (const fs::path& kept : {running, begun, others})
+    EXPECT_TRUE(fs::exists(kept / "000001-IM0.dcm")) << kept;
+  ::close(lock);
+}
+
+TEST_F(Zip, KeepsItsFolderWhileItIsRead)
+{
+  const auto list = findSeries(pack(entries));
+  ASSERT_TRUE(list) << list.error().message;
+  for (const auto& entry : fs::directory_iterator(temporary))
+    fs::last_write_time(entry, fs::file_time_type::clock::now() - std::chrono::hours(1));
+  ASSERT_TRUE(findSeries(pack(entries)));
+  const auto loaded = readCt(*list, "1.2.3.4");
+  EXPECT_TRUE(loaded) << loaded.error().message;
 }
 
 TEST_F(Zip, WritesNothingOutsideOfItsFolder)

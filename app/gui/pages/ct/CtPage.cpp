@@ -17,8 +17,8 @@
 #include "gui/pages/ct/MeasuredSetup.h"
 #include "gui/pages/ct/PlaneView.h"
 #include "gui/pages/ct/SurfaceView.h"
-#include "gui/parts/DataText.h"
 #include "gui/parts/EmptyPage.h"
+#include "gui/parts/EngineErrors.h"
 #include "gui/parts/Theme.h"
 #include "perilymph/anatomy/Surface.h"
 #include "perilymph/foundation/AtomicFile.h"
@@ -84,7 +84,7 @@ void CtPage::connectWork()
   });
   connect(&work_, &CtWork::ctRead, this, [this](const std::shared_ptr<imaging::LoadedCt>& loaded) {
     QStringList notes;
-    for (const std::string& warning : loaded->series.warnings) notes << dataText(warning);
+    for (const std::string& warning : loaded->series.warnings) notes << seriesWarning(warning);
     study_.setCt(std::move(*loaded));
     panel_->showIdle(notes.join(QLatin1Char('\n')));
     views_[0]->setFocus();

@@ -269,8 +269,7 @@ void CtPanel::showSeries(const imaging::CtSeriesList& list)
     auto* item = new QListWidgetItem(seriesText(series), series_);
     item->setData(Qt::UserRole, QString::fromStdString(series.uid));
     QStringList notes;
-    for (const std::string& warning : series.warnings)
-      notes << engineError(dataText(warning).toStdString());
+    for (const std::string& warning : series.warnings) notes << seriesWarning(warning);
     if (!series.obstacle.empty()) {
       notes.prepend(engineError(series.obstacle));
       item->setFlags(Qt::NoItemFlags);

@@ -9,6 +9,7 @@
 #include <system_error>
 #include <utility>
 
+#include "../statements/Warnings.h"
 #include "DicomDirectory.h"
 #include "ParserTrial.h"
 #include "SequenceDepth.h"
@@ -104,17 +105,13 @@ Result<Paths> pathsOf(const fs::path& path, const ReadingHooks& hooks)
           path.string() +
           " is a DICOMDIR, but none of the files it names is there. Copy the whole medium, "
           "or give a folder of images."};
-    paths.warnings.push_back(
-        "None of the " + std::to_string(named) +
-        " files that the DICOMDIR names is there; the files in its folder were "
-        "read instead.");
+    paths.warnings.push_back(worded(warnings::directoryLost, {std::to_string(named)}));
     return paths;
   }
   paths.files = std::move(directory->files);
   if (directory->missing > 0)
-    paths.warnings.push_back(std::to_string(directory->missing) + " of " + std::to_string(named) +
-                             " files that the DICOMDIR names are not there; slices may be missing. "
-                             "Copy the whole medium.");
+    paths.warnings.push_back(worded(warnings::directoryMissing,
+                                    {std::to_string(directory->missing), std::to_string(named)}));
   if (paths.files.size() > maxCtFiles) return tooMany(path);
   return paths;
 }
@@ -123,13 +120,14 @@ Result<Paths> pathsOf(const fs::path& path, const ReadingHooks& hooks)
 
 Error canceledReading() { return Error{"Reading was canceled."}; }
 
-Result<DicomFiles> listDicomFiles(const fs::path& path, const ReadingHooks& hooks)
+Result<DicomFiles> listDicomFiles(const fs::path& path, const ReadingHooks& hooks,
+                                  std::chrono::milliseconds longest)
 {
   if (isZip(path)) {
     auto unpacked = UnpackedZip::unpack(path, maxCtFiles, hooks.isCanceled);
     if (!unpacked)
       return hooks.isCanceled && hooks.isCanceled() ? canceledReading() : unpacked.error();
-    auto found = listDicomFiles((*unpacked)->folder(), hooks);
+    auto found = listDicomFiles((*unpacked)->folder(), hooks, longest);
     if (found) found->unpacked = *std::move(unpacked);
     return found;
   }
@@ -146,7 +144,7 @@ Result<DicomFiles> listDicomFiles(const fs::path& path, const ReadingHooks& hook
     else
       files.push_back(file);
   }
-  const auto ending = filesThatEndTheParser(files, hooks.isCanceled);
+  const auto ending = filesThatEndTheParser(files, hooks.isCanceled, longest);
   if (hooks.isCanceled && hooks.isCanceled()) return canceledReading();
   if (!ending)
     return Error{path.string() +

@@ -3,6 +3,7 @@
 
 // The DICOM files below a folder, in a DICOMDIR, or a single one.
 
+#include <chrono>
 #include <cstddef>
 #include <filesystem>
 #include <memory>
@@ -26,8 +27,9 @@ struct DicomFiles {
 };
 
 /// Reads the headers of all DICOM files, in the order of their names. Links to folders are not
-/// followed; a .zip is unpacked. Refuses more files than maxCtFiles, and what takes more than five minutes.
-Result<DicomFiles> listDicomFiles(const std::filesystem::path& path, const ReadingHooks& hooks);
+/// followed; a .zip is unpacked. Refuses more files than maxCtFiles, and a folder that takes longer.
+Result<DicomFiles> listDicomFiles(const std::filesystem::path& path, const ReadingHooks& hooks,
+                                  std::chrono::milliseconds longest = std::chrono::minutes(5));
 
 /// What a canceled reading says.
 Error canceledReading();

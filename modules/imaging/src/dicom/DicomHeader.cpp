@@ -71,6 +71,9 @@ const vtkDICOMTag queried[] = {DC::MediaStorageSOPClassUID,
                                DC::PixelRepresentation,
                                DC::PixelPaddingValue,
                                DC::PixelPaddingRangeLimit,
+                               DC::SmallestImagePixelValue,
+                               DC::LargestImagePixelValue,
+                               DC::PatientPosition,
                                DC::PixelAspectRatio,
                                DC::NumberOfFrames,
                                DC::ImagePositionPatient,
@@ -140,7 +143,7 @@ std::vector<std::pair<std::string, std::string>> settingsOf(vtkDICOMMetaData& va
   std::vector<std::pair<std::string, std::string>> settings;
   for (const auto tag :
        {DC::AcquisitionNumber, DC::SeriesNumber, DC::ReconstructionDiameter, DC::ImageType,
-        DC::FilterType, DC::KVP, DC::SliceThickness, DC::SpacingBetweenSlices})
+        DC::FilterType, DC::KVP, DC::SliceThickness, DC::SpacingBetweenSlices, DC::PatientPosition})
     settings.emplace_back(nameOf(tag), textIn(values.Get(tag)));
   return settings;
 }
@@ -188,6 +191,8 @@ void readGrayValues(vtkDICOMMetaData& values, TagNumbers& numbers, DicomHeader& 
     if (value && !header.isSigned && *value < 0.0) *value += words;
     return value;
   };
+  header.smallest = stored(DC::SmallestImagePixelValue);
+  header.largest = stored(DC::LargestImagePixelValue);
   const auto first = stored(DC::PixelPaddingValue), last = stored(DC::PixelPaddingRangeLimit);
   if (first)
     header.padding = {
@@ -219,6 +224,7 @@ std::optional<DicomHeader> readDicomHeader(const std::filesystem::path& file)
   header.identity = identityOf(values);
   header.settings = settingsOf(values);
   header.seriesUid = textIn(values.Get(DC::SeriesInstanceUID));
+  header.mediaClass = uidIn(values.Get(DC::MediaStorageSOPClassUID));
   header.sopClass = textIn(values.Get(DC::SOPClassUID));
   header.modality = textIn(values.Get(DC::Modality));
   header.photometric = textIn(values.Get(DC::PhotometricInterpretation));

@@ -42,6 +42,7 @@ struct DicomIdentity {
 struct DicomHeader {
   std::filesystem::path file;
   std::string seriesUid, sopClass, transferSyntax, modality, photometric, scanner, kernel;
+  std::string mediaClass;   ///< MediaStorageSOPClassUID: the class again, before the header.
   std::string rescaleType;  ///< "HU" or another unit; empty where absent.
   PixelCoding coding = PixelCoding::plain;
   bool isLossy = false;
@@ -52,6 +53,7 @@ struct DicomHeader {
   bool hasOverlayBits = false;  ///< Bits beyond the stored ones hold an overlay.
   /// Stored values that stand for no measurement, the lowest and the highest.
   std::optional<std::array<double, 2>> padding;
+  std::optional<double> smallest, largest;  ///< Stored values, as the header states them.
   std::vector<DicomFrame> frames;
   std::optional<Eigen::Vector2d> imagerSpacing_mm, aspectRatio;  ///< Columns, then rows.
   std::optional<double> reconstructionDiameter_mm, gantryTilt_deg;

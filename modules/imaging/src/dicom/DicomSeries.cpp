@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "../SeriesScore.h"
+#include "../statements/Warnings.h"
 #include "SeriesChecks.h"
 #include "SeriesDoubts.h"
 #include "SeriesGroups.h"
@@ -91,9 +92,7 @@ void leaveOutLoneImages(DicomSeries& series)
     return;
   std::erase_if(series.slices, isLone);
   for (const SliceSource& slice : lone)
-    doubt(series, "The image " + nameOf(series.headers[slice.header]) +
-                      " has another size or lies across the others, as a scout does; it was left "
-                      "out.");
+    doubt(series, worded(warnings::loneImage, {nameOf(series.headers[slice.header])}));
 }
 
 void setUp(DicomSeries& series)
@@ -107,7 +106,7 @@ void setUp(DicomSeries& series)
         series.slices.push_back({h, f});
     }
   if (scouts > 0 && !series.slices.empty())
-    series.summary.warnings.push_back(std::to_string(scouts) + " scout images were left out.");
+    series.summary.warnings.push_back(worded(warnings::scouts, {std::to_string(scouts)}));
   leaveOutLoneImages(series);
 }
 
@@ -125,14 +124,11 @@ void stackUp(DicomSeries& series)
   summary.size[2] = static_cast<int>(stack->places.size());
   summary.spacing_mm.z() = stack->planeDistance_mm();
   if (const std::size_t more = poses.size() - stack->places.size(); more > 0)
-    summary.warnings.push_back(std::to_string(more) +
-                               " slices lie at the position of another; they are dropped if their "
-                               "voxels are the same, and the series is refused if not.");
+    summary.warnings.push_back(worded(warnings::samePlace, {std::to_string(more)}));
   if (stack->tilt_deg > maxTilt_deg) {
     char tilt[16];
     std::snprintf(tilt, sizeof tilt, "%.1f", stack->tilt_deg);
-    summary.warnings.push_back(std::string("The gantry is tilted by ") + tilt +
-                               " degrees; the volume is resampled to right angles.");
+    summary.warnings.push_back(worded(warnings::tilted, {tilt}));
   }
   series.stack = std::move(*stack);
 }
@@ -170,14 +166,10 @@ void describe(DicomSeries& series)
   if (!summary.obstacle.empty()) return;
   for (const std::string& sentence : doubtsOf(series)) doubt(series, sentence);
   const auto isLossy = [](const DicomHeader& header) { return header.isLossy; };
-  if (countOf(series.headers, isLossy) > 0)
-    summary.warnings.push_back("Its images were compressed with loss; fine edges may be gone.");
+  if (countOf(series.headers, isLossy) > 0) summary.warnings.push_back(worded(warnings::lossy));
   const auto isDerived = [](const DicomHeader& header) { return header.isDerived; };
   const bool isAnyDerived = countOf(series.headers, isDerived) > 0;
-  if (isAnyDerived)
-    summary.warnings.push_back(
-        "Its images were computed from others, as reformatted planes are; original ones are "
-        "sharper.");
+  if (isAnyDerived) summary.warnings.push_back(worded(warnings::derived));
   addSizeWarnings(summary);
   summary.score = scoreOf(summary, isAnyDerived);
 }
@@ -194,9 +186,7 @@ std::vector<std::string> lostBeside(const std::vector<DicomHeader>& headers,
     if (std::none_of(headers.begin(), headers.end(), isBeside)) continue;
     DicomHeader named;
     named.file = stump;
-    sentences.push_back("The file " + nameOf(named) +
-                        " beside its images cannot be read or ends before it names its series: a "
-                        "slice may be missing. Copy the series again.");
+    sentences.push_back(worded(warnings::stump, {nameOf(named)}));
   }
   return sentences;
 }
@@ -217,9 +207,7 @@ std::vector<DicomSeries> seriesOf(DicomFiles files)
     series.summary.uid = std::move(group.uid);
     for (const std::string& warning : files.warnings) doubt(series, warning);
     if (patients.size() > 1)
-      doubt(series, "The folder holds images of " + std::to_string(patients.size()) +
-                        " patients; this series is of one of them. Check that it is the right "
-                        "one.");
+      doubt(series, worded(warnings::patients, {std::to_string(patients.size())}));
     if (!group.warning.empty()) doubt(series, group.warning);
     for (const std::string& lost : lostBeside(group.headers, files.stumps)) doubt(series, lost);
     series.headers = std::move(group.headers);

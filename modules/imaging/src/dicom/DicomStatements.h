@@ -21,7 +21,7 @@ extern const StatedTwice framesAndGroups, framesAndFragments, framesAndOffsets, 
 
 // of a series; each is a warning
 extern const StatedTwice step, location, locationOfSlice, fieldOfView, imagerColumns, imagerRows,
-    tilt, imagesInAcquisition;
+    tilt, imagesInAcquisition, mediaClass, smallest, largest;
 
 }  // namespace dicomPairs
 

@@ -2,12 +2,19 @@
 #include "DicomVoxels.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <limits>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
+#include <unordered_map>
 #include <utility>
 
+#include "../statements/Warnings.h"
 #include "DicomFiles.h"
+#include "DicomStatements.h"
 #include "FrameDecoder.h"
 #include "GrayScales.h"
 #include "Rectification.h"
@@ -34,6 +41,7 @@ public:
       auto frames = decodeFrames(header, isCanceled_);
       if (!frames) return frames.error();
       clipped_ += frames->clipped;
+      compareRange(header, frames->voxels);
       frames_ = *std::move(frames);
       current_ = slice.header;
     }
@@ -44,12 +52,46 @@ public:
 
   std::size_t clipped() const { return clipped_; }
 
+  /// Sentences about smallest and largest gray values that files state and do not hold.
+  std::vector<std::string> doubts() const
+  {
+    std::vector<std::string> sentences;
+    for (const auto& doubt : {smallest_, largest_})
+      if (doubt) sentences.push_back(*doubt);
+    return sentences;
+  }
+
 private:
+  /// Compares the range of a file of one frame with the stated one. Padding may be counted in it or not.
+  void compareRange(const DicomHeader& header, const std::vector<std::int16_t>& voxels)
+  {
+    if ((!header.smallest && !header.largest) || header.frames.size() != 1) return;
+    const DicomFrame& frame = header.frames.front();
+    std::int16_t minimum = std::numeric_limits<std::int16_t>::max(), maximum = ct::unmeasured;
+    for (const std::int16_t voxel : voxels) {
+      maximum = std::max(maximum, voxel);
+      minimum = std::min(minimum, voxel == ct::unmeasured ? minimum : voxel);
+    }
+    const auto compare = [&](const StatedTwice& pair, std::int16_t found,
+                             const std::optional<double>& stated,
+                             std::optional<std::string>& doubt) {
+      const bool isPadding = stated && header.padding && *stated >= (*header.padding)[0] &&
+                             *stated <= (*header.padding)[1];
+      if (doubt || !stated || isPadding) return;
+      doubt = disagreement("The series", pair, found,
+                           std::round(frame.slope * *stated + frame.intercept),
+                           " in " + nameOf(header));
+    };
+    compare(dicomPairs::smallest, minimum, header.smallest, smallest_);
+    compare(dicomPairs::largest, maximum, header.largest, largest_);
+  }
+
   const DicomSeries& series_;
   const std::function<bool()>& isCanceled_;
   std::optional<std::size_t> current_;
   DecodedFrames frames_;
   std::size_t clipped_ = 0;
+  std::optional<std::string> smallest_, largest_;
 };
 
 Error differing(std::size_t place, std::size_t count, std::size_t images)
@@ -62,8 +104,9 @@ Error differing(std::size_t place, std::size_t count, std::size_t images)
 
 Result<Done> checkSpan(const std::vector<std::int16_t>& voxels)
 {
-  int minimum = voxels.front(), maximum = voxels.front();
+  int minimum = std::numeric_limits<std::int16_t>::max(), maximum = ct::unmeasured;
   for (const std::int16_t voxel : voxels) {
+    if (voxel == ct::unmeasured) continue;
     minimum = std::min<int>(minimum, voxel);
     maximum = std::max<int>(maximum, voxel);
   }
@@ -71,6 +114,27 @@ Result<Done> checkSpan(const std::vector<std::int16_t>& voxels)
   return Error{
       "Its intensities span less than 100, so they are no Hounsfield units: a mask, a label or a "
       "normalized volume. Export the CT itself."};
+}
+
+/// The sentence about two slices with the same voxels, which noise makes impossible: a copy stands for one that is
+/// lost. Slices of one intensity hold nothing.
+std::optional<std::string> copiedSlice(const Grid& grid)
+{
+  const auto count = static_cast<std::size_t>(grid.size[2]);
+  const std::size_t perSlice = grid.voxels.size() / count;
+  std::unordered_map<std::size_t, std::size_t> known;
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto slice = std::span(grid.voxels).subspan(k * perSlice, perSlice);
+    if (std::ranges::all_of(slice, [&slice](std::int16_t voxel) { return voxel == slice[0]; }))
+      continue;
+    const std::string_view bytes(reinterpret_cast<const char*>(slice.data()), slice.size_bytes());
+    const auto [same, isNew] = known.emplace(std::hash<std::string_view>()(bytes), k);
+    if (!isNew && std::ranges::equal(
+                      slice, std::span(grid.voxels).subspan(same->second * perSlice, perSlice)))
+      return worded(warnings::copied, {std::to_string(same->second + 1), std::to_string(k + 1),
+                                       std::to_string(count)});
+  }
+  return std::nullopt;
 }
 
 /// The grid of a series; adds what is to be said of its voxels.
@@ -115,6 +179,8 @@ Result<Grid> assemble(const DicomSeries& series, const ReadingHooks& hooks,
   auto scales = checkScales(series, grid);
   if (!scales) return scales.error();
   warnings = *std::move(scales);
+  for (const std::string& doubt : reader.doubts()) warnings.push_back(doubt);
+  if (auto copied = copiedSlice(grid)) warnings.push_back(*std::move(copied));
   return grid;
 }
 
@@ -127,7 +193,7 @@ Result<ReadVolume> readVoxels(const DicomSeries& series, const ReadingHooks& hoo
   if (!grid) return grid.error();
   ct::CtProvenance provenance{series.summary.key, series.summary.scanner, "DICOM", {}};
   if (series.stack->tilt_deg > maxTilt_deg) {
-    grid = rectified(*std::move(grid));
+    grid = rectified(*grid);
     if (!grid) return grid.error();
     char note[96];
     std::snprintf(note, sizeof note,
@@ -138,6 +204,7 @@ Result<ReadVolume> readVoxels(const DicomSeries& series, const ReadingHooks& hoo
   std::vector<std::string>& notes = provenance.notes;
   notes.insert(notes.end(), series.doubts.begin(), series.doubts.end());
   notes.insert(notes.end(), warnings.begin(), warnings.end());
+  provenance.isInDoubt = !series.doubts.empty() || !warnings.empty();
   auto volume =
       ct::CtVolume::make(grid->size, grid->lps_PI, std::move(grid->voxels), std::move(provenance));
   if (!volume) return volume.error();

@@ -10,6 +10,7 @@
 #include "CompressedFrames.h"
 #include "DicomStatements.h"
 #include "StoredVoxels.h"
+#include "perilymph/ct/CtVolume.h"
 
 namespace perilymph::imaging {
 namespace {
@@ -69,7 +70,7 @@ public:
     while (!next.empty()) {
       const std::size_t place = next.back();
       next.pop_back();
-      slice[place] = unmeasured_HU;
+      slice[place] = ct::unmeasured;
       ++masked;
       if (place % columns_ > 0) visit(place - 1);
       if (place % columns_ + 1 < columns_) visit(place + 1);
@@ -118,7 +119,7 @@ private:
     constexpr double low = std::numeric_limits<std::int16_t>::min();
     constexpr double high = std::numeric_limits<std::int16_t>::max();
     const bool isPadding = padding_.holds(stored);
-    if (isPadding && padding_.isAir()) return {unmeasured_HU, Kind::air};
+    if (isPadding && padding_.isAir()) return {ct::unmeasured, Kind::air};
     const double value = std::round(frame_.slope * stored + frame_.intercept);
     const Kind kind = isPadding                     ? Kind::padding
                       : value < low || value > high ? Kind::clipped

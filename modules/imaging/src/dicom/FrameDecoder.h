@@ -12,14 +12,11 @@
 
 namespace perilymph::imaging {
 
-/// What a voxel holds that was not measured: air [HU].
-inline constexpr std::int16_t unmeasured_HU = -1024;
-
 /// Frames of one file one behind the other, rows from top to bottom.
 struct DecodedFrames {
   std::vector<std::int16_t> voxels;
   std::size_t clipped = 0;  ///< Voxels beyond 16 bits.
-  std::size_t padded = 0;   ///< Voxels that were not measured (PixelPaddingValue): `unmeasured_HU`.
+  std::size_t padded = 0;  ///< Voxels that were not measured (PixelPaddingValue): `ct::unmeasured`.
 };
 
 /// Decodes a file and applies each frame's slope and intercept. Refuses a file that cannot be decoded, and voxels

@@ -10,6 +10,8 @@
 #include <span>
 #include <utility>
 
+#include "../statements/Warnings.h"
+
 namespace perilymph::imaging {
 namespace {
 
@@ -44,7 +46,10 @@ Join joinOf(std::span<const std::int16_t> slice, std::span<const std::int16_t> n
 {
   Join join;
   const double ratio = other.first / own.first;
+  std::size_t measured = 0;
   for (std::size_t i = 0; i < slice.size(); ++i) {
+    if (slice[i] == ct::unmeasured || neighbor[i] == ct::unmeasured) continue;
+    ++measured;
     const double value = slice[i];
     const double scaled = ratio * (value - own.second) + other.second;
     const double change = std::fabs(scaled - value);
@@ -53,7 +58,7 @@ Join joinOf(std::span<const std::int16_t> slice, std::span<const std::int16_t> n
     join.change += change;
     join.maximum = std::max(join.maximum, change);
   }
-  const auto count = static_cast<double>(slice.size());
+  const auto count = static_cast<double>(std::max<std::size_t>(measured, 1));
   join.own /= count;
   join.other /= count;
   join.change /= count;
@@ -104,10 +109,11 @@ Result<std::vector<std::string>> checkScales(const DicomSeries& series, const Gr
                  ". Export the series again as original images."};
   }
   const SliceSource& slice = series.slices[places[rarest].front()];
-  return std::vector<std::string>{
-      "Slope or intercept of the gray values differ between slices: " + scaleText(scaleAt(rarest)) +
-      " in " + nameOf(series.headers[slice.header]) + ", " + scaleText(usual->first) +
-      " in others; check the gray values of the slices in the images."};
+  const Scale odd = scaleAt(rarest);
+  return std::vector<std::string>{worded(
+      warnings::scales,
+      {digitsOfScale(odd.first), digitsOfScale(odd.second), nameOf(series.headers[slice.header]),
+       digitsOfScale(usual->first.first), digitsOfScale(usual->first.second)})};
 }
 
 }  // namespace perilymph::imaging

@@ -22,9 +22,8 @@ constexpr std::size_t filesAtOnce = 64;
 /// Chosen: far above what these headers take, and a quarter of the minute of a second child.
 constexpr std::chrono::seconds patience{15};
 
-/// Chosen: a header of a thousand frames takes a tenth of it, and a folder of slow ones comes to an end.
+/// Chosen: a header of a thousand frames takes a tenth of it.
 constexpr double slow_s = 3.0;
-constexpr std::chrono::minutes longest{5};
 
 /// Parses a file with each query that is asked here: another one reads other elements.
 void parseAsHere(const std::filesystem::path& file)
@@ -46,7 +45,8 @@ struct Report {
 }  // namespace
 
 std::optional<std::set<std::filesystem::path>> filesThatEndTheParser(
-    const std::vector<std::filesystem::path>& files, const std::function<bool()>& isCanceled)
+    const std::vector<std::filesystem::path>& files, const std::function<bool()>& isCanceled,
+    std::chrono::milliseconds longest)
 {
   std::set<std::filesystem::path> found;
   const SharedMemory memory(sizeof(Report));

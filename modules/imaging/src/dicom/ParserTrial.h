@@ -4,6 +4,7 @@
 // vtk-dicom's parser ends the process on some damaged files: it asserts that a fragment of an element
 // of undefined length is shorter than 4 GiB, where it should refuse one that is longer than the file.
 
+#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -14,8 +15,9 @@ namespace perilymph::imaging {
 
 /// The files that end the parser, take it longer than seconds, or make it allocate more than 512 MiB, for any use of
 /// it here. Each is parsed in a child process; this one never parses what took the child too long. What was not tried
-/// when it is canceled is not among them. None where all of them together take more than five minutes.
+/// when it is canceled is not among them. None where all of them together take longer than `longest`.
 std::optional<std::set<std::filesystem::path>> filesThatEndTheParser(
-    const std::vector<std::filesystem::path>& files, const std::function<bool()>& isCanceled);
+    const std::vector<std::filesystem::path>& files, const std::function<bool()>& isCanceled,
+    std::chrono::milliseconds longest = std::chrono::minutes(5));
 
 }  // namespace perilymph::imaging

@@ -11,6 +11,7 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
 
 #include "../VtkComplaints.h"
 #include "perilymph/ct/CtVolume.h"
@@ -20,27 +21,34 @@ namespace perilymph::imaging {
 namespace {
 
 /// Marks the corners that a tilt leaves empty, which VTK fills with 0, the intensity of water:
-/// voxels whose centers lie beyond the borders of the sheared grid.
-void markCorners(Grid& straight, const Eigen::Matrix4d& sheared_PI, const std::array<int, 3>& size)
+/// voxels whose centers lie beyond the borders of the sheared grid, or at its unmeasured voxels.
+void markUnmeasured(Grid& straight, const Grid& sheared)
 {
   constexpr double border = 0.5 - 1e-6;  // in voxels
-  const Eigen::Matrix4d sheared_IJ = sheared_PI.inverse() * straight.lps_PI;
+  const std::array<int, 3>& size = sheared.size;
+  const Eigen::Matrix4d sheared_IJ = sheared.lps_PI.inverse() * straight.lps_PI;
   std::size_t at = 0;
   for (int k = 0; k < straight.size[2]; ++k)
     for (int j = 0; j < straight.size[1]; ++j)
       for (int i = 0; i < straight.size[0]; ++i, ++at) {
         const Eigen::Vector4d index = sheared_IJ * Eigen::Vector4d(i, j, k, 1.0);
+        std::size_t nearest = 0, stride = 1;
+        bool isBeyond = false;
         for (std::size_t axis = 0; axis < 3; ++axis) {
           const double along = index[static_cast<Eigen::Index>(axis)];
-          if (along < -border || along > size[axis] - 1 + border)
-            straight.voxels[at] = ct::unmeasured;
+          isBeyond = isBeyond || along < -border || along > size[axis] - 1 + border;
+          nearest += stride *
+                     static_cast<std::size_t>(std::clamp(std::lround(along), 0L, size[axis] - 1L));
+          stride *= static_cast<std::size_t>(size[axis]);
         }
+        if (isBeyond || sheared.voxels[nearest] == ct::unmeasured)
+          straight.voxels[at] = ct::unmeasured;
       }
 }
 
 }  // namespace
 
-Result<Grid> rectified(Grid sheared)
+Result<Grid> rectified(const Grid& sheared)
 {
   // VTK's image carries the spacing, its matrix directions: the third is as long as the shear
   // makes it.
@@ -59,9 +67,8 @@ Result<Grid> rectified(Grid sheared)
   image->SetDimensions(sheared.size.data());
   image->SetSpacing(spacing.data());
   image->AllocateScalars(VTK_SHORT, 1);
-  std::copy(sheared.voxels.begin(), sheared.voxels.end(),
-            static_cast<std::int16_t*>(image->GetScalarPointer()));
-  sheared.voxels = {};
+  std::transform(sheared.voxels.begin(), sheared.voxels.end(),
+                 static_cast<std::int16_t*>(image->GetScalarPointer()), ct::asAir);
 
   const auto complaints = vtkSmartPointer<Complaints>::New();
   const auto rectifier = vtkSmartPointer<vtkDICOMCTRectifier>::New();
@@ -94,7 +101,7 @@ Result<Grid> rectified(Grid sheared)
   straight.lps_PI = lps_PX * image_XI;
   const auto* const first = static_cast<const std::int16_t*>(output.GetScalarPointer());
   straight.voxels.assign(first, first + output.GetNumberOfPoints());
-  markCorners(straight, sheared.lps_PI, sheared.size);
+  markUnmeasured(straight, sheared);
   return straight;
 }
 

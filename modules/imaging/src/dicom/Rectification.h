@@ -20,6 +20,6 @@ struct Grid {
 
 /// Resamples a sheared grid so that its axes are at right angles, with a windowed sinc. What lies beyond the measured
 /// slices is `ct::unmeasured`.
-Result<Grid> rectified(Grid sheared);
+Result<Grid> rectified(const Grid& sheared);
 
 }  // namespace perilymph::imaging

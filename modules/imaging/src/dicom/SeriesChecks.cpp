@@ -8,6 +8,7 @@
 #include <iterator>
 #include <vector>
 
+#include "../statements/Warnings.h"
 #include "DicomStatements.h"
 
 namespace perilymph::imaging {
@@ -355,16 +356,15 @@ std::string grayValueWarning(const DicomSeries& series)
   for (char& c : type) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
   const std::string ofClass = modalityOfClass(first.sopClass);
   if (isCapture(first))
-    why = "it is a secondary capture";
+    why = warnings::capture;
   else if (isFlatPanel(series.summary.modality) || isFlatPanel(ofClass))
-    why = "it is of a flat panel";
+    why = warnings::flatPanel;
   else if (!type.empty() && type != "HU")
     why = "RescaleType (0028,1054) is " + first.rescaleType;
   else if (isConeBeam(first.scanner))
-    why = "it is of a cone-beam scanner";
+    why = warnings::coneBeam;
   if (why.empty()) return {};
-  return "Its gray values are not Hounsfield units: " + why +
-         ". Judge them only against others of the same series.";
+  return worded(warnings::grayValues, {why});
 }
 
 }  // namespace perilymph::imaging

@@ -8,6 +8,7 @@
 #include <map>
 #include <optional>
 
+#include "../statements/Warnings.h"
 #include "DicomStatements.h"
 #include "SeriesChecks.h"
 
@@ -46,7 +47,7 @@ std::string lengthText(double value)
   std::array<char, 40> text{};
   const auto done =
       std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 4);
-  return std::string(text.data(), done.ptr) + " mm";
+  return {text.data(), done.ptr};
 }
 
 using Sentence = std::optional<std::string>;
@@ -78,17 +79,10 @@ Sentence thicknessDoubt(const DicomSeries& series, const std::vector<Placed>& sl
     if (!slice.frame.thickness_mm) continue;
     const double thickness = *slice.frame.thickness_mm;
     const double step = nearer(thickness, *series.stack);
-    const std::string what = slice.which(series.stack->places.size()) + " is " +
-                             lengthText(thickness) + " at a distance of " + lengthText(step) +
-                             " between the slices";
-    if (thickness < gap * step)
-      return "The thickness" + what +
-             ": what lies between them was not measured. Take a series without gaps if there is "
-             "one.";
-    if (thickness > overlap * step)
-      return "The thickness" + what +
-             ": they overlap so much that one of both may be wrong. Check them before the measures "
-             "are used.";
+    if (thickness >= gap * step && thickness <= overlap * step) continue;
+    return worded(thickness < step ? warnings::gaps : warnings::overlap,
+                  {std::to_string(slice.place + 1), std::to_string(series.stack->places.size()),
+                   nameOf(slice.header), lengthText(thickness), lengthText(step)});
   }
   return std::nullopt;
 }
@@ -186,8 +180,8 @@ Sentence settingsDoubt(const DicomSeries& series, const std::vector<Placed>& sli
     const Changes changes = changesOf(series, i);
     if (changes.count == 0) continue;
     if (settings[i].first.starts_with("AcquisitionNumber") && !changes.returns) continue;
-    return "Its slices differ in " + settings[i].first + ": " + changes.example.first + " and " +
-           changes.example.second + ". Check that they are of one reconstruction.";
+    return worded(warnings::settings,
+                  {settings[i].first, changes.example.first, changes.example.second});
   }
   return std::nullopt;
 }
@@ -195,8 +189,18 @@ Sentence settingsDoubt(const DicomSeries& series, const std::vector<Placed>& sli
 Sentence modalityDoubt(const DicomSeries& series, const std::vector<Placed>&)
 {
   if (!series.headers.front().modality.empty()) return std::nullopt;
-  return "It states no modality; by its class (SOPClassUID) it is of the modality " +
-         (series.summary.modality.empty() ? "OT" : series.summary.modality) + ".";
+  return worded(warnings::noModality,
+                {series.summary.modality.empty() ? "OT" : series.summary.modality});
+}
+
+Sentence classDoubt(const DicomSeries& series, const std::vector<Placed>&)
+{
+  for (const DicomHeader& header : series.headers)
+    if (!header.mediaClass.empty() && !header.sopClass.empty())
+      if (auto found = disagreement(theSeries, dicomPairs::mediaClass, header.sopClass,
+                                    header.mediaClass, " in " + nameOf(header)))
+        return found;
+  return std::nullopt;
 }
 
 Sentence grayDoubt(const DicomSeries& series, const std::vector<Placed>&)
@@ -211,8 +215,9 @@ std::vector<std::string> doubtsOf(const DicomSeries& series)
 {
   const std::vector<Placed> slices = inOrder(series);
   std::vector<std::string> doubts;
-  for (const auto check : {modalityDoubt, grayDoubt, stepDoubt, thicknessDoubt, locationDoubt,
-                           fieldDoubt, imagerDoubt, tiltDoubt, countDoubt, settingsDoubt})
+  for (const auto check :
+       {modalityDoubt, classDoubt, grayDoubt, stepDoubt, thicknessDoubt, locationDoubt, fieldDoubt,
+        imagerDoubt, tiltDoubt, countDoubt, settingsDoubt})
     if (auto found = check(series, slices)) doubts.push_back(*std::move(found));
   return doubts;
 }

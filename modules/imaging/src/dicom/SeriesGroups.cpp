@@ -8,6 +8,8 @@
 #include <set>
 #include <utility>
 
+#include "../statements/Warnings.h"
+
 namespace perilymph::imaging {
 namespace {
 
@@ -57,10 +59,10 @@ void split(const std::string& uid, std::vector<DicomHeader> headers, std::vector
     const bool isAlone = sorted.size() == 1 || (studies.size() == 1 && i == 0);
     SeriesGroup group{isAlone ? uid : uidWith(uid, i + 1), {}, std::move(sorted[i])};
     if (sorted.size() > 1)
-      group.warning = std::to_string(images - group.headers.size()) + " of " +
-                      std::to_string(images) + " images with its series number are of another " +
-                      (studies.size() > 1 ? "patient or study" : "frame of reference") +
-                      " and are listed apart. Check which of them belong together.";
+      group.warning =
+          worded(warnings::listedApart,
+                 {std::to_string(images - group.headers.size()), std::to_string(images),
+                  studies.size() > 1 ? warnings::patientOrStudy : warnings::frameOfReference});
     all.push_back(std::move(group));
   }
 }

@@ -40,7 +40,8 @@ Result<CtThumbnail> thumbnailOf(const DicomSeries& series, int edge,
       double sum = 0.0;
       for (int dy = 0; dy < step; ++dy)
         for (int dx = 0; dx < step; ++dx)
-          sum += first[static_cast<std::ptrdiff_t>(y * step + dy) * columns + x * step + dx];
+          sum += ct::asAir(
+              first[static_cast<std::ptrdiff_t>(y * step + dy) * columns + x * step + dx]);
       means.push_back(sum / (step * step));
     }
   if (means.empty()) return Error{"The series' slices are too small for a picture."};

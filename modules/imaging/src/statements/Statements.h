@@ -24,6 +24,15 @@ struct StatedTwice {
   const char* remedy;  ///< What to do, as an order without a period.
 };
 
+/// A pair whose disagreement is refused, with the usual remedy.
+constexpr StatedTwice refusedPair(const char* format, const char* quantity, const char* first,
+                                  const char* second, const char* unit, double relative,
+                                  double absolute = 0.0,
+                                  const char* remedy = "export it again from the original series")
+{
+  return {format, quantity, first, second, unit, relative, absolute, Disagreement::refuse, remedy};
+}
+
 /// The sentence about a disagreement, for an Error or a warning; empty where both agree:
 ///
 ///     <subject> states <quantity> twice: <first> in <place> and <second> in <place>; <remedy>.

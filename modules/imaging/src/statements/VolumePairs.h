@@ -26,21 +26,6 @@ constexpr StatedTwice voxelBytes(const char* format, const char* data)
           "it is cut off or damaged, or its header was changed: copy or export it again"};
 }
 
-constexpr StatedTwice refusedPair(const char* format, const char* quantity, const char* first,
-                                  const char* second, const char* unit, double relative,
-                                  double absolute = 0.0)
-{
-  return {format,
-          quantity,
-          first,
-          second,
-          unit,
-          relative,
-          absolute,
-          Disagreement::refuse,
-          "export it again from the original series"};
-}
-
 namespace nifti {
 inline constexpr StatedTwice voxelSize =
     refusedPair("NIfTI", "the voxel size", "the SForm", "pixdim", "mm", sizeTolerance);

@@ -195,15 +195,20 @@ Result<LoadedCt> readVolumeFile(const std::filesystem::path& file, const VolumeF
   if (const auto done = converter.check(); !done)
     return Error{file.string() + ": " + done.error().message};
   CtSeries series = describeVolume(volume);
+  const std::size_t described = series.warnings.size();
   if (volume.grayRange)
     for (std::size_t end = 0; end < 2; ++end)
       if (const auto differs = disagreement(
               "The file", meta::grayValues, end == 0 ? converter.smallest() : converter.largest(),
               (*volume.grayRange)[end], end == 0 ? ", the smallest," : ", the largest,"))
         series.warnings.push_back(*differs);
+  std::vector<std::string> doubts = volume.warnings;
+  doubts.insert(doubts.end(), series.warnings.begin() + static_cast<std::ptrdiff_t>(described),
+                series.warnings.end());
+  const bool isInDoubt = !doubts.empty();
   series.key = hash.hex();
   auto made = ct::CtVolume::make(volume.size, volume.lps_PI, std::move(voxels),
-                                 {series.key, "", volume.format, {}});
+                                 {series.key, "", volume.format, std::move(doubts), isInDoubt});
   if (!made) return Error{file.string() + ": " + made.error().message};
   return LoadedCt{*std::move(made), std::move(series)};
 }

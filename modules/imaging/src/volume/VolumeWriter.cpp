@@ -7,11 +7,13 @@
 #include <vtkNew.h>
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <charconv>
 #include <fstream>
 #include <string>
+#include <vector>
 
 #include "../VtkComplaints.h"
 #include "imageOf.h"
@@ -54,8 +56,13 @@ bool writeNrrd(const ct::CtVolume& volume, const fs::path& file)
   std::ofstream out(file, std::ios::binary);
   const auto voxels = volume.voxels();
   out << nrrdHeader(volume);
-  out.write(reinterpret_cast<const char*>(voxels.data()),
-            static_cast<std::streamsize>(voxels.size_bytes()));
+  std::vector<std::int16_t> row(static_cast<std::size_t>(volume.size()[0]));
+  for (auto from = voxels.begin(); from != voxels.end();
+       from += static_cast<std::ptrdiff_t>(row.size())) {
+    std::transform(from, from + static_cast<std::ptrdiff_t>(row.size()), row.begin(), ct::asAir);
+    out.write(reinterpret_cast<const char*>(row.data()),
+              static_cast<std::streamsize>(row.size() * sizeof(std::int16_t)));
+  }
   return bool(out.flush());
 }
 

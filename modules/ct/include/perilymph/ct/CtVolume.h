@@ -16,9 +16,17 @@
 
 namespace perilymph::ct {
 
-/// Intensity of a voxel that was not measured, such as in a corner that a tilt left empty: neither
-/// air nor fluid, and no part of any fit.
+/// Intensity of a voxel that was not measured, such as padding or a corner that a tilt left empty:
+/// neither air nor fluid, and no part of any fit.
 inline constexpr std::int16_t unmeasured = -32768;
+
+/// What an unmeasured voxel is for others, who know no such mark (pictures, files, messages,
+/// resampling): air [HU]. Other voxels are themselves.
+constexpr std::int16_t asAir(std::int16_t voxel) noexcept
+{
+  constexpr std::int16_t air_HU = -1024;
+  return voxel == unmeasured ? air_HU : voxel;
+}
 
 /// Origin of a volume. Never contains a patient's name, number or date of birth.
 struct CtProvenance {
@@ -26,6 +34,8 @@ struct CtProvenance {
   std::string scanner;                  ///< Maker and model, empty if unknown.
   std::string source;                   ///< Kind of input: "DICOM", "NIfTI", "NRRD", "phantom".
   std::vector<std::string> notes = {};  ///< What was done to the voxels, as sentences.
+  /// Its files state something twice and not alike, or something of them is missing; the notes say what.
+  bool isInDoubt = false;
 };
 
 /// Voxels of 16 bits on a regular grid. Frame P is the patient's, LPS in mm, as in DICOM: x toward
@@ -67,6 +77,9 @@ public:
                        static_cast<std::size_t>(size_[0]) +
                    static_cast<std::size_t>(i)];
   }
+
+  /// Voxels that were not measured.
+  std::size_t unmeasuredCount() const noexcept;
 
   /// Intensity at a point in P [mm], trilinear; empty outside the volume and beside unmeasured
   /// voxels.

@@ -34,6 +34,7 @@ enum class Flag {
   unusualProportions,    ///< B does not fit A, or H is not a patient's.
   secondCochlea,         ///< The search found two cochleae and chose one.
   landmarksDisagree,  ///< A, B or H between landmarks placed by hand differs from the fitted one.
+  seriesInDoubt,  ///< The files of the CT contradict themselves, or something of them is missing.
 };
 
 /// Name of a flag as in files: "air_in_cochlea".

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <vector>
 
+#include "gui/parts/ResultErrors.h"
 #include "gui/parts/StatementErrors.h"
 
 namespace perilymph::gui {
@@ -284,6 +285,8 @@ QString engineError(const std::string& message)
   std::vector<const char*> sentences(std::begin(messages), std::end(messages));
   const auto ofVolumes = volumeErrors();
   sentences.insert(sentences.end(), ofVolumes.begin(), ofVolumes.end());
+  const auto ofResults = resultErrors();
+  sentences.insert(sentences.end(), ofResults.begin(), ofResults.end());
   for (const char* sentence : sentences) {
     const auto found = expressionOf(QString::fromUtf8(sentence)).match(english);
     if (!found.hasMatch()) continue;

@@ -95,7 +95,7 @@ std::string anatomyJson(const anatomy::Cochlea& cochlea,
   const anatomy::Patient& patient = cochlea.patient;
   nlohmann::ordered_json json;
   json["label"] = patient.label;
-  json["side"] = patient.side == anatomy::Side::left ? "left" : "right";
+  json["side"] = anatomy::nameOf(patient.side);
   json["anatomy"] = nameOf(cochlea.source);
   json["credit"] = sectionCredit;
   json["given"] = givenNumbers(cochlea);
@@ -148,8 +148,8 @@ Result<Done> describeAnatomy(const AnatomyOptions& options)
         !done)
       return done.error();
 
-  print("{}, {} ear, {} anatomy\n", patient.label,
-        patient.side == anatomy::Side::left ? "left" : "right", nameOf(cochlea->source));
+  print("{}, {} ear, {} anatomy\n", patient.label, anatomy::nameOf(patient.side),
+        nameOf(cochlea->source));
   print("{}\n", sectionCredit);
   for (const std::string& sentence : anatomy::unusualMeasures(patient)) print("{}\n", sentence);
   for (std::size_t i = 0; i < measures.size(); ++i)

@@ -25,20 +25,19 @@ namespace perilymph::cli {
 
 namespace {
 
-Result<ct::MeasureRequest> requestOf(const CtMeasureOptions& options)
+Result<ct::MeasureRequest> requestOf(const CtMeasureOptions& options, const std::string& seriesKey)
 {
   ct::MeasureRequest request;
   if (options.at_mm)
     request.click_P =
         Eigen::Vector3d((*options.at_mm)[0], (*options.at_mm)[1], (*options.at_mm)[2]);
   if (!options.landmarks.empty()) {
-    const auto marks = imaging::readLandmarks(options.landmarks);
+    const auto marks = imaging::readLandmarks(options.landmarks, seriesKey);
     if (!marks) return marks.error();
     request.click_P = marks->inside_P();
     request.marks = *marks;
   }
-  if (options.side == "left" || options.side == "right")
-    request.side = options.side == "left" ? anatomy::Side::left : anatomy::Side::right;
+  request.side = valueIn(anatomy::sides, options.side);  // none of them: either
   return request;
 }
 
@@ -57,7 +56,7 @@ void printPoint(const char* name, const Eigen::Vector3d& point)
 
 void printMeasures(const ct::CochleaMeasures& measures)
 {
-  print("{} ear\n", measures.side == anatomy::Side::left ? "left" : "right");
+  print("{} ear\n", anatomy::nameOf(measures.side));
   printMeasure("A", measures.a);
   printMeasure("B", measures.b);
   printMeasure("H", measures.h);
@@ -142,11 +141,11 @@ Result<Done> measureBoth(const CtMeasureOptions& options)
 Result<Done> ctMeasure(const CtMeasureOptions& options)
 {
   if (options.side == "both") return measureBoth(options);
-  const auto request = requestOf(options);
-  if (!request) return request.error();
   const auto start = std::chrono::steady_clock::now();
   const auto loaded = imaging::readCt(options.path, options.series);
   if (!loaded) return loaded.error();
+  const auto request = requestOf(options, loaded->series.key);
+  if (!request) return request.error();
   const auto measures = ct::measureCochlea(loaded->volume, *request);
   if (!measures) return Error{options.path + ": " + measures.error().message};
   if (const auto done = writeFiles(options, *measures, *loaded, elapsed_s(start)); !done)

@@ -36,7 +36,7 @@ Json described(const ct::CochleaMeasures& measures, const std::vector<std::strin
   json["axis_lps"] = described(measures.axis_P);
   json["center_lps_mm"] = described(measures.center_P);
   json["round_window_lps_mm"] = described(measures.roundWindow_P);
-  json["side"] = measures.side == anatomy::Side::left ? "left" : "right";
+  json["side"] = anatomy::nameOf(measures.side);
   json["flags"] = Json::array();
   for (const ct::Flag flag : measures.flags) json["flags"].push_back(ct::nameOf(flag));
   if (measures.otherCochlea_P) json["second_cochlea_lps_mm"] = described(*measures.otherCochlea_P);

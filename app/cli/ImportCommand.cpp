@@ -53,7 +53,7 @@ std::string importJson(const std::string& label, const anatomy::ImportedScala& s
 {
   nlohmann::ordered_json json;
   json["label"] = label;
-  json["side"] = scala.side == anatomy::Side::left ? "left" : "right";
+  json["side"] = anatomy::nameOf(scala.side);
   json["anatomy"] = "imported";
   json["triangles"] = scala.wall_W.triangles.size();
   // pose of the cochlear frame in the file's frame
@@ -92,7 +92,7 @@ Result<Done> describeImport(const AnatomyOptions& options)
   if (!options.json.empty())
     if (const auto done = writeWhole(options.json, importJson(label, *scala)); !done)
       return done.error();
-  print("{}, {} ear, imported\n", label, scala->side == anatomy::Side::left ? "left" : "right");
+  print("{}, {} ear, imported\n", label, anatomy::nameOf(scala->side));
   for (const analysis::Measure& measure : measuresOf(*scala))
     print("{:26} {}\n", measure.key, fixed(measure.value, 2));
   for (const std::string& warning : warningsOf(*scala)) print("{}\n", warning);

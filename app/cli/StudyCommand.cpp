@@ -168,6 +168,7 @@ Result<Done> reportStudy(const StudyOptions& options, const CallFiles& files)
   if (!file) return file.error();
   const auto report = study::reportOf(*file);
   if (!report) return report.error();
+  if (const std::string note = noteOn(file->facts().seal); !note.empty()) print("{}\n", note);
   FolderContent content;
   content.texts = {{"report.md", report->text}};
   for (const auto& [name, figure] : report->figures)

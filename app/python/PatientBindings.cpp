@@ -108,8 +108,7 @@ void definePatient(py::module_& module)
       .def_property_readonly(
           "label", [](const Patient& one) { return textOf(one.label); }, "Name for display.")
       .def_property_readonly(
-          "side",
-          [](const Patient& one) { return one.side == anatomy::Side::left ? "left" : "right"; },
+          "side", [](const Patient& one) { return anatomy::nameOf(one.side); },
           "'right' or 'left'.")
       .def_property_readonly(
           "a_mm", [](const Patient& one) { return lengthIn(one.basalTurn, &BasalTurn::a); },

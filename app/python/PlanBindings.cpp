@@ -258,6 +258,16 @@ void definePlan(py::module_& module)
       .def_property_readonly(
           "program", [](const StoredPlan& one) { return textOf(one.program); },
           "Version of the program that made it.")
+      .def_property_readonly(
+          "number", [](const StoredPlan& one) { return textOf(one.plan.fingerprint); },
+          "SHA-256 of everything it depends on; empty for a plan that was changed after the "
+          "program "
+          "wrote it.")
+      .def_property_readonly(
+          "seal", [](const StoredPlan& one) { return nameOf(one.plan.seal); },
+          "'intact', 'absent' (of a version without seals) or 'changed' (by hand, after the "
+          "program "
+          "wrote it).")
       .def_readonly("limits", &StoredPlan::limits, "What it leaves open, a sentence each.")
       .def_property_readonly(
           "sources",

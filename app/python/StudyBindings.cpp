@@ -71,7 +71,13 @@ void defineStudy(py::module_& module)
           "The study's file (TOML).")
       .def_property_readonly(
           "fingerprint", [](const StudyColumns& one) { return textOf(one.facts().fingerprint); },
-          "SHA-256 of the study and of all files it names.")
+          "SHA-256 of the study and of all files it names; empty if its results were changed after "
+          "the program wrote them.")
+      .def_property_readonly(
+          "seal", [](const StudyColumns& one) { return nameOf(one.facts().seal); },
+          "'intact', 'absent' (of a version without seals) or 'changed' (by hand, after the "
+          "program "
+          "wrote it).")
       .def_property_readonly(
           "program", [](const StudyColumns& one) { return textOf(one.facts().program); },
           "Version of the program that ran it.")

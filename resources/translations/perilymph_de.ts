@@ -4,6 +4,66 @@
 <context>
     <name>Data</name>
     <message>
+        <source>This file carries no seal: it is of an earlier version of the program.</source>
+        <translation>Diese Datei trägt kein Siegel: sie ist von einer früheren Version des Programms.</translation>
+    </message>
+    <message>
+        <source>This file was changed by hand after the program wrote it, so it has no number. Do not use its values as results of the program.</source>
+        <translation>Diese Datei wurde von Hand geändert, nachdem das Programm sie geschrieben hatte, und hat deshalb keine Nummer. Verwenden Sie ihre Werte nicht als Ergebnisse des Programms.</translation>
+    </message>
+    <message>
+        <source>%1 was changed after the program wrote it, so its results are not continued. Delete it or give another folder.</source>
+        <translation>%1 wurde geändert, nachdem das Programm sie geschrieben hatte; ihre Ergebnisse werden nicht fortgesetzt. Löschen Sie sie, oder geben Sie einen anderen Ordner an.</translation>
+    </message>
+    <message>
+        <source>%1 was changed by hand after the program wrote it; its insertions are not run again. Use another copy of it.</source>
+        <translation>%1 wurde von Hand geändert, nachdem das Programm sie geschrieben hatte; ihre Insertionen werden nicht wiederholt. Verwenden Sie eine andere Kopie.</translation>
+    </message>
+    <message>
+        <source>%1 carries no seal: it is of an earlier version. Delete it or give another folder.</source>
+        <translation>%1 trägt kein Siegel: sie ist von einer früheren Version. Löschen Sie sie, oder geben Sie einen anderen Ordner an.</translation>
+    </message>
+    <message>
+        <source>%1 is in use: another program works on it. Wait until it has ended.</source>
+        <translation>%1 ist in Gebrauch: ein anderes Programm arbeitet daran. Warten Sie, bis es beendet ist.</translation>
+    </message>
+    <message>
+        <source>%1 is in use: another program works on it, or it cannot be locked (%2). Wait until that program has ended.</source>
+        <translation>%1 ist in Gebrauch: ein anderes Programm arbeitet daran, oder sie lässt sich nicht sperren (%2). Warten Sie, bis jenes Programm beendet ist.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be locked: %2. Check the folder&apos;s permissions and the space on the disk.</source>
+        <translation>%1 lässt sich nicht sperren: %2. Prüfen Sie die Rechte des Ordners und den Platz auf der Platte.</translation>
+    </message>
+    <message>
+        <source>%1 was changed by another program meanwhile; it is not replaced. Read it again, and make the change in it.</source>
+        <translation>%1 wurde inzwischen von einem anderen Programm geändert und wird nicht ersetzt. Lesen Sie sie noch einmal, und ändern Sie sie dort.</translation>
+    </message>
+    <message>
+        <source>%1 is not replaced: versions, plans, insertions or outcomes in it would be lost. Read it again.</source>
+        <translation>%1 wird nicht ersetzt: Versionen, Pläne, Insertionen oder Ergebnisse darin gingen verloren. Lesen Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>%1 is there already; it is not replaced. Open that patient, or use another code.</source>
+        <translation>%1 gibt es schon; sie wird nicht ersetzt. Öffnen Sie jenen Patienten, oder verwenden Sie ein anderes Code.</translation>
+    </message>
+    <message>
+        <source>%1 holds notes on a patient of this code and ear whose file is missing. Rename it first.</source>
+        <translation>%1 enthält Notizen zu einem Patienten mit diesem Code und Ohr, dessen Datei fehlt. Benennen Sie sie zuerst um.</translation>
+    </message>
+    <message>
+        <source>%1 holds notes on a patient of this code and ear whose file is missing; an import does not replace it. Rename it first.</source>
+        <translation>%1 enthält Notizen zu einem Patienten mit diesem Code und Ohr, dessen Datei fehlt; ein Import ersetzt sie nicht. Benennen Sie sie zuerst um.</translation>
+    </message>
+    <message>
+        <source>%1 is of a newer program. Open it with that one.</source>
+        <translation>%1 ist von einem neueren Programm. Öffnen Sie sie mit jenem.</translation>
+    </message>
+    <message>
+        <source>%1 has landmarks of another CT series than the one that is open. Open that CT, or place the landmarks in this one.</source>
+        <translation>%1 hat Landmarken einer anderen CT-Serie als der geöffneten. Öffnen Sie jenes CT, oder setzen Sie die Landmarken in diesem.</translation>
+    </message>
+    <message>
         <source>Lubricated silicone (published)</source>
         <translation>Silikon, geschmiert (veröffentlicht)</translation>
     </message>
@@ -2300,6 +2360,22 @@
 </context>
 <context>
     <name>perilymph::gui</name>
+    <message>
+        <source>none stated</source>
+        <translation>keine genannt</translation>
+    </message>
+    <message>
+        <source>The plan states no CT series, so it was not compared with the study that this report was filed into.</source>
+        <translation>Der Plan nennt keine CT-Serie und wurde deshalb nicht mit der Untersuchung verglichen, in die dieser Bericht eingeordnet wurde.</translation>
+    </message>
+    <message>
+        <source>%1, no seal</source>
+        <translation>%1, ohne Siegel</translation>
+    </message>
+    <message>
+        <source>changed by hand</source>
+        <translation>von Hand geändert</translation>
+    </message>
     <message>
         <source>precurved</source>
         <translation>vorgekrümmt</translation>
@@ -5668,6 +5744,14 @@
 <context>
     <name>perilymph::gui::PatientDetails</name>
     <message>
+        <source> · measures changed by hand</source>
+        <translation> · Maße von Hand geändert</translation>
+    </message>
+    <message>
+        <source> · record changed by hand</source>
+        <translation> · Akte von Hand geändert</translation>
+    </message>
+    <message>
         <source>Notes on this ear; no names</source>
         <translation>Notizen zu diesem Ohr; keine Namen</translation>
     </message>
@@ -6118,6 +6202,10 @@
 </context>
 <context>
     <name>perilymph::gui::PlanPage</name>
+    <message>
+        <source>changed by hand, </source>
+        <translation>von Hand geändert, </translation>
+    </message>
     <message>
         <source>Plan an insertion</source>
         <translation>Eine Insertion planen</translation>
@@ -7222,6 +7310,10 @@
 </context>
 <context>
     <name>perilymph::gui::StudiesPage</name>
+    <message>
+        <source>%1 · changed by hand</source>
+        <translation>%1 · von Hand geändert</translation>
+    </message>
     <message>
         <source>Studies</source>
         <translation>Studien</translation>

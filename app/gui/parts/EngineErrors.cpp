@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "gui/parts/DataText.h"
+#include "gui/parts/ResultErrors.h"
 #include "gui/parts/StatementErrors.h"
 
 namespace perilymph::gui {
@@ -284,6 +285,7 @@ const std::vector<Expression>& expressions()
     };
     for (const char* sentence : messages) add(sentence);
     for (const char* sentence : volumeErrors()) add(sentence);
+    for (const char* sentence : resultErrors()) add(sentence);
     return made;
   }();
   return all;

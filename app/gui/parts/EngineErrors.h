@@ -9,7 +9,7 @@
 
 namespace perilymph::gui {
 
-/// Message of an error of the modules ct, imaging and broadcast in the window's language; the name
+/// Message of an error of the modules ct, imaging and broadcast, and of files with results, in the window's language; the name
 /// of a file before it is kept. Unknown messages are returned unchanged.
 QString engineError(const std::string& message);
 

@@ -109,6 +109,9 @@ std::variant<CommandLine, Exit> parseCommandLine(int argc, const char* const* ar
              "and number (default: the code alone)")
           ->type_name("PATH")
           ->needs(reportOption);
+  app.add_flag("--ct-not-compared", options.isCtNotCompared,
+               "File a plan that states no CT series into the study of --ct all the same")
+      ->needs(ctOption);
   auto* igtlOption =
       app.add_option("--igtl", igtl,
                      "Send the insertion to OpenIGTLink clients, such as 3D Slicer, by default of "

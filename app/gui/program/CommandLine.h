@@ -23,6 +23,7 @@ struct CommandLine {
   std::optional<std::filesystem::path> plan;    ///< A plan to report, without a window.
   std::optional<std::filesystem::path> report;  ///< The report's file, PDF or DICOM.
   std::optional<std::filesystem::path> ct;      ///< CT of whose study a DICOM report is a part.
+  bool isCtNotCompared = false;  ///< A plan that states no series may be filed there.
   std::optional<std::filesystem::path> plugin;  ///< A device plug-in to use as input device.
   std::optional<std::filesystem::path> screenshot;
   std::optional<std::string> language;      ///< "en", "de" or "system", for this call only.

@@ -26,7 +26,16 @@ Result<PlanReportContent> reportedPlan(const CommandLine& options)
     return Error{"--ct needs a report that ends in .dcm, because a PDF carries no study."};
   auto stored = planning::readPlan(*options.plan);
   if (!stored) return stored.error();
-  return planReportContent(*std::move(stored));
+  if (options.ct && stored->plan.seal == Seal::changed)
+    return Error{
+        options.plan->string() +
+        " was changed by hand after the program wrote it, so it is not filed into a study. "
+        "Make the plan again, or leave --ct out."};
+  auto content = planReportContent(*std::move(stored));
+  if (content)
+    content->isStudyNotCompared =
+        options.ct && content->plan().request.patient.origin.seriesKey.empty();
+  return content;
 }
 
 Result<Done> writeReport(const PlanReportContent& content, const CommandLine& options)
@@ -42,7 +51,8 @@ Result<Done> writeReport(const PlanReportContent& content, const CommandLine& op
   const bool hasCode(anatomy::checkPatientCode(content.plan().request.patient.label));
   return imaging::writeEncapsulatedPdf(
       {*std::move(bytes), "Insertion plan",
-       hasCode ? content.plan().request.patient.label : std::string(), buildId().substr(0, 64)},
+       hasCode ? content.plan().request.patient.label : std::string(), buildId().substr(0, 64),
+       content.plan().request.patient.origin.seriesKey, options.isCtNotCompared},
       options.ct, *options.report);
 }
 

@@ -163,7 +163,7 @@ QString confidenceText(const std::string& confidence)
 {
   if (confidence == "high") return tr("confidence high");
   if (confidence == "medium") return tr("confidence medium");
-  return tr("confidence low");
+  return confidence == "low" ? tr("confidence low") : QString();
 }
 
 /// A table of a distribution's file, for people.
@@ -207,13 +207,14 @@ QString marks(const PlanReportContent& content)
   const auto from = [](const std::string& text) {
     return QString::fromStdString(text).toHtmlEscaped();
   };
-  QString rows = row(tr("Plan, SHA-256"), from(plan.fingerprint)) +
+  QString rows = row(tr("Plan, SHA-256"), content.number().toHtmlEscaped()) +
                  row(tr("Planned by"), from(content.stored.program)) +
                  row(tr("Report by"), from(buildId())) +
                  row(tr("Scenario"), from(plan.request.scenario)) +
                  row(tr("Friction"), plannedFriction(plan.request).toHtmlEscaped()) +
                  row(tr("Seed"), QString::number(plan.request.seed));
-  if (!origin.seriesKey.empty()) rows += row(tr("CT series, SHA-256"), from(origin.seriesKey));
+  rows += row(tr("CT series, SHA-256"),
+              origin.seriesKey.empty() ? tr("none stated") : from(origin.seriesKey));
   return heading(tr("Traceability")) + table(rows);
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "gui/parts/DataText.h"
+#include "gui/parts/EngineErrors.h"
 #include "gui/parts/Numbers.h"
 #include "gui/report/MeasureTable.h"
 #include "gui/report/PlanCurves.h"
@@ -25,6 +26,15 @@ constexpr double row_mm = 4.3, lowRow_mm = 3.0;
 
 // lupdate assigns texts of free functions to their namespace.
 QString tr(const char* text) { return QCoreApplication::translate("perilymph::gui", text); }
+
+/// The number to 16 digits, and what else number() says.
+QString shortNumber(const PlanReportContent& content)
+{
+  constexpr int digits = 16;
+  const int all = static_cast<int>(content.plan().fingerprint.size());
+  QString number = content.number();
+  return all > digits ? number.remove(digits, all - digits) : number;
+}
 
 double paintIdentification(ReportSheet& sheet, const PlanReportContent& content,
                            const ReportIssuer& issuer, double y_mm, double width_mm)
@@ -46,7 +56,7 @@ double paintIdentification(ReportSheet& sheet, const PlanReportContent& content,
        {tr("Operator"), issuer.operatorName},
        {tr("Date and time"),
         localTimeOf(QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString())},
-       {tr("Plan"), QString::fromStdString(plan.fingerprint.substr(0, 16))}},
+       {tr("Plan"), shortNumber(content)}},
       left_mm + gutter_mm, y_mm, width_mm - left_mm - gutter_mm);
   return std::max(left, right);
 }
@@ -127,6 +137,12 @@ QStringList linesOf(const PlanReportContent& content)
          "are drawn again; see the appendix.")
           .arg(content.plan().arrays.front().draws)
           .arg(plannedFriction(content.plan().request))};
+  if (const std::string note = noteOn(content.plan().seal); !note.empty())
+    lines.prepend(engineError(note));
+  if (content.isStudyNotCompared)
+    lines.prepend(
+        tr("The plan states no CT series, so it was not compared with the study that "
+           "this report was filed into."));
   for (const std::string& limit : content.stored.limits) lines << dataText(limit);
   return lines;
 }

@@ -20,6 +20,13 @@ QString earText(anatomy::Side side)
   return side == anatomy::Side::left ? tr("left ear") : tr("right ear");
 }
 
+QString numberOf(const planning::Plan& plan)
+{
+  if (plan.seal == Seal::changed) return tr("changed by hand");
+  const QString number = QString::fromStdString(plan.fingerprint);
+  return plan.seal == Seal::absent ? tr("%1, no seal").arg(number) : number;
+}
+
 }  // namespace
 
 QString PlanReportContent::code() const
@@ -29,6 +36,8 @@ QString PlanReportContent::code() const
 }
 
 QString PlanReportContent::ear() const { return earText(plan().request.patient.side); }
+
+QString PlanReportContent::number() const { return numberOf(plan()); }
 
 QColor inkOfArray(std::size_t place)
 {

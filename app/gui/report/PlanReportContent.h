@@ -22,11 +22,15 @@ struct PlanReportContent {
       anatomy;  ///< Built from the measures without errors.
   std::vector<analysis::Measure> measures;
   std::vector<double> bands;  ///< Their uncertainty, or empty.
+  /// Whether the report becomes part of a study that could not be compared with the plan's series.
+  bool isStudyNotCompared = false;
 
   const planning::Plan& plan() const { return stored.plan; }
   /// The patient's code; "–" if the label is none: it may be a name, which no report states.
   QString code() const;
   QString ear() const;
+  /// The plan's number; that it was changed by hand, which leaves it none.
+  QString number() const;
 };
 
 /// Number of arrays whose curves and depths are drawn on the record, the first ones of the plan.

@@ -102,7 +102,7 @@ PatientWork readPatientWork(const std::filesystem::path& beingRecorded,
 std::vector<HistoryEntry> historyOf(const SavedPatient& patient, const PatientWork& work)
 {
   const anatomy::Patient& one = patient.patient;
-  const std::string side = one.side == anatomy::Side::left ? "left" : "right";
+  const std::string side = anatomy::nameOf(one.side);
   std::vector<const StoredPlan*> plans;
   for (const StoredPlan& each : work.plans)
     if (isOf(one, each.request.patient.label, each.request.patient.side)) plans.push_back(&each);

@@ -27,26 +27,13 @@ QString earText(anatomy::Side side)
 
 fs::path fileOf(const anatomy::Patient& patient)
 {
-  const char* ear = patient.side == anatomy::Side::left ? "left" : "right";
+  const char* ear = anatomy::nameOf(patient.side);
   return patientFolder() / (patient.label + "-" + ear + ".toml");
 }
 
-/// Adds the CT series of the measures to the patient's record. A record that cannot be changed stays
-/// as it is: the series also stands in the patient's file, without a date.
-void keepScan(const anatomy::Patient& patient, const fs::path& file)
-{
-  const std::string& series = patient.origin.seriesKey;
-  auto record = session::loadPatientRecord(file);
-  if (series.empty() || !record) return;
-  const bool isKnown = std::any_of(record->scans.begin(), record->scans.end(),
-                                   [&series](const auto& each) { return each.series == series; });
-  if (isKnown) return;
-  record->scans.push_back(
-      {series, QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString()});
-  static_cast<void>(session::savePatientRecord(*record, file));
-}
-
 }  // namespace
+
+std::string nowUtc() { return QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString(); }
 
 std::vector<SavedPatient> savedPatients()
 {
@@ -96,12 +83,24 @@ Result<fs::path> savePatientInLibrary(const anatomy::Patient& patient,
   const fs::path file = libraryFileOf(patient);
   std::error_code ignored;  // an error is reported when the file is written
   fs::create_directories(file.parent_path(), ignored);
-  if (const auto saved = anatomy::savePatient(patient, file); !saved) return saved.error();
-  if (replaced && *replaced != file) {
-    fs::rename(session::recordFileOf(*replaced), session::recordFileOf(file), ignored);
+  const bool isRenamed = replaced && *replaced != file;
+  const fs::path record = session::recordFileOf(file);
+  if (isRenamed && fs::exists(record, ignored))
+    return Error{record.string() +
+                 " holds notes on a patient of this code and ear whose file is missing. Rename it "
+                 "first."};
+  // a copy: the former file is whole until the new one is
+  if (isRenamed) fs::copy_file(session::recordFileOf(*replaced), record, ignored);
+  const auto saved = session::savePatientVersion(
+      patient, file, {nowUtc(), {}, {}, anatomy::unusualMeasures(patient)}, !known);
+  if (!saved) {
+    if (isRenamed) fs::remove(record, ignored);
+    return saved.error();
+  }
+  if (isRenamed) {
+    fs::remove(session::recordFileOf(*replaced), ignored);
     fs::remove(*replaced, ignored);
   }
-  keepScan(patient, file);
   return file;
 }
 

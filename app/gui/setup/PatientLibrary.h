@@ -20,6 +20,9 @@ struct SavedPatient {
   session::PatientRecord record = {};  ///< Empty if it cannot be read.
 };
 
+/// "2026-11-20T09:30:00Z"
+std::string nowUtc();
+
 /// The readable patients of the patient folder, the last used first.
 std::vector<SavedPatient> savedPatients();
 
@@ -29,8 +32,8 @@ std::optional<SavedPatient> findSavedPatient(const std::string& code, anatomy::S
 /// The file in which a code and an ear are saved: "P-017-left.toml", or the one that has them.
 std::filesystem::path libraryFileOf(const anatomy::Patient& patient);
 
-/// Saves a patient as "P-017-left.toml". An error if the code is not one, or if another file has
-/// this code and ear.
+/// Saves a patient as "P-017-left.toml", with a new version in its record. An error if the code is
+/// not one, if another file has this code and ear, and while another program works on it.
 ///
 /// @param replaced  The patient's previous file, if it was saved before.
 Result<std::filesystem::path> savePatientInLibrary(

@@ -313,7 +313,7 @@ Result<session::Scenario> withPatient(const session::Scenario& scenario,
   };
   const anatomy::PatientMeasures measures = measuresOf(patient);
   set(values, "anatomy", std::string("\"") + nameOf(sourceScaledBy(measures)) + '"');
-  set(values, "side", patient.side == anatomy::Side::left ? "\"left\"" : "\"right\"");
+  set(values, "side", tomlQuoted(QString::fromLatin1(anatomy::nameOf(patient.side))));
   set(values, "patient", "\"\"");
   set(values, label, tomlQuoted(QString::fromStdString(patient.label)));
   if (patient.basalTurn) {

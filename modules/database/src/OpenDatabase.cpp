@@ -136,8 +136,8 @@ Result<Database> Database::openToAppend(const fs::path& file, const FileKind& ki
   Database database(std::move(content));
   // Taken at once, so that a second writer is refused before it has done any work.
   if (!database.run("PRAGMA locking_mode=EXCLUSIVE; BEGIN IMMEDIATE; COMMIT"))
-    return Error{name + " is being written by another process, or cannot be locked (" +
-                 database.lastError() + "). Wait until that process has ended."};
+    return Error{name + " is in use: another program works on it, or it cannot be locked (" +
+                 database.lastError() + "). Wait until that program has ended."};
   if (const auto done = database.content_->check(kind); !done) return done.error();
   return database;
 }

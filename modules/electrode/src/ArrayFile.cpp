@@ -27,14 +27,15 @@ std::string plain(double value)
   return std::string(buffer, static_cast<std::size_t>(length));
 }
 
+constexpr std::array confidences{Choice<Confidence>{Confidence::high, "high"},
+                                 Choice<Confidence>{Confidence::medium, "medium"},
+                                 Choice<Confidence>{Confidence::low, "low"}};
+
 TableSource readTableSource(TomlReader& table)
 {
   TableSource provenance;
   provenance.source = table.text("source");
-  const std::string confidence = table.choice("confidence", {"high", "medium", "low"});
-  provenance.confidence = confidence == "high"     ? Confidence::high
-                          : confidence == "medium" ? Confidence::medium
-                                                   : Confidence::low;
+  provenance.confidence = table.choice("confidence", confidences);
   return provenance;
 }
 

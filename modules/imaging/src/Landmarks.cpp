@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "perilymph/imaging/Landmarks.h"
 
+#include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "SeriesNote.h"
 #include "perilymph/foundation/AtomicFile.h"
+#include "perilymph/foundation/Choice.h"
 
 namespace perilymph::imaging {
 
@@ -67,9 +71,11 @@ std::optional<Coordinates> coordinatesOf(const Json& markup)
   if (!mm) return std::nullopt;
   coordinates.mm = *mm;
   if (!markup.contains("coordinateSystem")) return coordinates;
-  const std::string system = textOf(markup, "coordinateSystem");
-  coordinates.isRas = system == "RAS" || system == "0";
-  if (!coordinates.isRas && system != "LPS" && system != "1") return std::nullopt;
+  static constexpr std::array systems{Choice<bool>{true, "RAS"}, Choice<bool>{true, "0"},
+                                      Choice<bool>{false, "LPS"}, Choice<bool>{false, "1"}};
+  const auto isRas = valueIn(systems, textOf(markup, "coordinateSystem"));
+  if (!isRas) return std::nullopt;
+  coordinates.isRas = *isRas;
   return coordinates;
 }
 
@@ -91,9 +97,20 @@ bool addPoints(const Json& markup, ct::Marks& marks)
   return true;
 }
 
+/// Whether a point was placed by this program in another series.
+bool isOfAnotherSeries(const Json& markup, const std::string& seriesKey)
+{
+  if (!markup.is_object() || !markup.contains("controlPoints")) return false;
+  const Json& points = markup["controlPoints"];
+  return std::any_of(points.begin(), points.end(), [&seriesKey](const Json& point) {
+    const std::string note = point.is_object() ? textOf(point, "description") : std::string();
+    return note.starts_with(seriesNote) && note.substr(seriesNote.size()) != seriesKey;
+  });
+}
+
 }  // namespace
 
-Result<ct::Marks> readLandmarks(const std::filesystem::path& file)
+Result<ct::Marks> readLandmarks(const std::filesystem::path& file, const std::string& seriesKey)
 {
   const auto content = readWhole(file);
   if (!content) return content.error();
@@ -109,6 +126,12 @@ Result<ct::Marks> readLandmarks(const std::filesystem::path& file)
       return Error{file.string() +
                    " gives its points in another unit (coordinateUnits) than mm, um, cm or m. Save "
                    "the points in millimeters."};
+  for (const Json& markup : *markups)
+    if (isOfAnotherSeries(markup, seriesKey))
+      return Error{
+          file.string() +
+          " has landmarks of another CT series than the one that is open. Open that CT, or "
+          "place the landmarks in this one."};
   ct::Marks marks;
   for (const Json& markup : *markups)
     if (!addPoints(markup, marks)) return other;

@@ -47,8 +47,8 @@ anatomy::Patient measuredPatient(const ct::CochleaMeasures& measures)
   return patient;
 }
 
-Result<Done> writeMeasuredPatient(const ct::CochleaMeasures& measures, const std::string& label,
-                                  const std::filesystem::path& file)
+Result<std::string> measuredPatientText(const ct::CochleaMeasures& measures,
+                                        const std::string& label)
 {
   if (measures.has(ct::Flag::fewTurns))
     return Error{
@@ -72,7 +72,15 @@ Result<Done> writeMeasuredPatient(const ct::CochleaMeasures& measures, const std
   if (!patient.basalTurn->h)
     text += "# H is " + std::to_string(measures.h.value).substr(0, 5) +
             " mm, beyond what a patient may have.\n";
-  return writeWhole(file, text + anatomy::patientText(patient));
+  return text + anatomy::patientText(patient);
+}
+
+Result<Done> writeMeasuredPatient(const ct::CochleaMeasures& measures, const std::string& label,
+                                  const std::filesystem::path& file)
+{
+  const auto text = measuredPatientText(measures, label);
+  if (!text) return text.error();
+  return writeWhole(file, *text);
 }
 
 }  // namespace perilymph::imaging

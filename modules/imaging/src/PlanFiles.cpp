@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "perilymph/imaging/PlanFiles.h"
 
+#include "SeriesNote.h"
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -23,12 +25,14 @@ constexpr const char* schema =
     "https://raw.githubusercontent.com/slicer/slicer/master/Modules/Loadable/Markups/Resources/"
     "Schema/markups-schema-v1.0.3.json#";
 
-Json markup(const char* type, const char* name, const Points& points)
+Json markup(const char* type, const char* name, const std::string& series, const Points& points)
 {
+  const std::string description = series.empty() ? "" : seriesNote + series;
   Json controls = Json::array();
   for (const auto& [label, point] : points)
     controls.push_back({{"id", std::to_string(controls.size() + 1)},
                         {"label", label},
+                        {"description", description},
                         {"position", {point.x(), point.y(), point.z()}},
                         {"positionStatus", "defined"}});
   return {{"type", type},
@@ -85,12 +89,15 @@ std::string planText(const PlanMarkups& plan)
   for (std::size_t k = 0; k < ct::markCount; ++k)
     if (const auto& point = plan.marks.points_P[k])
       landmarks.emplace_back(ct::nameOf(static_cast<ct::Mark>(k)), *point);
-  if (!landmarks.empty()) markups.push_back(markup("Fiducial", "landmarks", landmarks));
-  if (plan.axis) markups.push_back(markup("Line", "axis", ends(*plan.axis)));
-  if (plan.insertionLine) markups.push_back(markup("Line", "insertion", ends(*plan.insertionLine)));
-  if (!plan.array.empty()) markups.push_back(markup("Curve", "array", numbered("", plan.array)));
+  if (!landmarks.empty())
+    markups.push_back(markup("Fiducial", "landmarks", plan.seriesKey, landmarks));
+  if (plan.axis) markups.push_back(markup("Line", "axis", plan.seriesKey, ends(*plan.axis)));
+  if (plan.insertionLine)
+    markups.push_back(markup("Line", "insertion", plan.seriesKey, ends(*plan.insertionLine)));
+  if (!plan.array.empty())
+    markups.push_back(markup("Curve", "array", plan.seriesKey, numbered("", plan.array)));
   if (!plan.contacts.empty())
-    markups.push_back(markup("Fiducial", "contacts", numbered("E", plan.contacts)));
+    markups.push_back(markup("Fiducial", "contacts", plan.seriesKey, numbered("E", plan.contacts)));
   return Json{{"@schema", schema}, {"markups", markups}}.dump(2) + "\n";
 }
 

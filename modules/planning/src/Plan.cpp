@@ -2,6 +2,7 @@
 #include "perilymph/planning/Plan.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "PlanFile.h"
@@ -49,15 +50,29 @@ std::vector<PlannedArray> arraysOf(const Plan& stored)
   return arrays;
 }
 
+/// Whether a plan.json, to six digits, is of a patient.
+bool isSamePatient(const anatomy::Patient& stored, const anatomy::Patient& patient)
+{
+  const auto isSame = [](Length one, Length other) {
+    return std::fabs(inMillimeters(one - other)) < 1e-4;
+  };
+  if (stored.label != patient.label || stored.side != patient.side ||
+      stored.origin.seriesKey != patient.origin.seriesKey || !patient.basalTurn)
+    return false;
+  const anatomy::BasalTurn &one = *stored.basalTurn, &other = *patient.basalTurn;
+  return isSame(one.a, other.a) && isSame(one.b, other.b) && bool(one.h) == bool(other.h) &&
+         (!one.h || isSame(*one.h, *other.h));
+}
+
 }  // namespace
 
 Result<Plan> viewPlan(const PlanRequest& request, const std::filesystem::path& draws)
 {
-  const auto file = PlanFile::openToView(draws);
+  const auto file = session::InsertionTable::open(draws, planKind());
   if (!file) return file.error();
-  const auto origin = file->origin();
-  if (!origin) return origin.error();
-  auto kept = file->read();
+  SealedFacts facts = file->facts();
+  const std::string fingerprint = facts[session::fingerprintFact];
+  auto kept = insertionsIn(*file);
   if (!kept) return kept.error();
   const std::size_t arrays = request.arrays.size();
   const bool isOfThem = !kept->empty() && kept->back().array + 1 == arrays;
@@ -67,22 +82,28 @@ Result<Plan> viewPlan(const PlanRequest& request, const std::filesystem::path& d
                  " arrays. Make the plan again."};
   Plan plan;
   plan.request = request;
-  plan.fingerprint = origin->fingerprint;
+  plan.seal = file->seal();
   plan.insertions = upTo(request.draws, arrays, *kept);
   const auto setup = preparePlan(request);
-  plan.isCurrent = setup && fingerprintOf(request, *setup) == origin->fingerprint &&
-                   origin->program == buildId();
+  plan.isCurrent = plan.seal != Seal::changed && setup &&
+                   fingerprintOf(request, *setup) == fingerprint &&
+                   facts[session::programFact] == buildId();
   if (plan.isCurrent) {
+    plan.fingerprint = fingerprint;
     plan.thresholds = setup->thresholds;
     plan.arrays = summarize(request, setup->arrays, plan.thresholds, plan.insertions);
     return plan;
   }
   const auto stored = readPlan(draws);
   if (!stored) return stored.error();
-  if (stored->plan.fingerprint != origin->fingerprint ||
-      stored->plan.request.arrays != request.arrays)
+  if (stored->plan.request.arrays != request.arrays ||
+      (!stored->plan.fingerprint.empty() && stored->plan.fingerprint != fingerprint))
     return Error{"The plan.json beside " + draws.string() +
                  " is of another plan. Make the plan again."};
+  if (stored->plan.seal == Seal::changed ||
+      !isSamePatient(stored->plan.request.patient, request.patient))
+    plan.seal = Seal::changed;
+  if (plan.seal != Seal::changed) plan.fingerprint = fingerprint;
   plan.thresholds = stored->plan.thresholds;
   plan.arrays = summarize(request, arraysOf(stored->plan), plan.thresholds, plan.insertions);
   return plan;
@@ -97,12 +118,13 @@ Result<Plan> makePlan(const PlanRequest& request, const std::filesystem::path& d
   plan.request = request;
   plan.thresholds = setup->thresholds;
   plan.fingerprint = fingerprintOf(request, *setup);
-  std::optional<PlanFile> file;
+  std::optional<session::InsertionTable> file;
   if (!draws.empty()) {
-    auto opened = PlanFile::open(draws, plan.fingerprint);
+    auto opened =
+        session::InsertionTable::openToContinue(draws, planKind(), planFacts(plan.fingerprint));
     if (!opened) return opened.error();
     file.emplace(*std::move(opened));
-    auto kept = file->read();
+    auto kept = insertionsIn(*file);
     if (!kept) return kept.error();
     if (!kept->empty() && kept->back().array + 1 != request.arrays.size())
       return Error{draws.string() + " has draws of " + std::to_string(kept->back().array + 1) +
@@ -132,7 +154,7 @@ Result<Plan> makePlan(const PlanRequest& request, const std::filesystem::path& d
       std::vector<PlannedInsertion> added;
       for (auto& draw : block) std::move(draw.begin(), draw.end(), std::back_inserter(added));
       if (file)
-        if (const auto kept = file->append(added); !kept) return kept.error();
+        if (const auto kept = file->append(rowsOf(added)); !kept) return kept.error();
       std::move(added.begin(), added.end(), std::back_inserter(plan.insertions));
       done += count;
     }

@@ -1,82 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PlanFile.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
-#include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
-#include <optional>
 
+#include "perilymph/analysis/PhysicalRanges.h"
 #include "perilymph/foundation/Version.h"
 
 namespace perilymph::planning {
 
 namespace {
 
-namespace fs = std::filesystem;
-using database::Database;
-using database::Statement;
 using haptics::InsertionEnd;
 using Row = nlohmann::json;
-
-const database::FileKind& planKind()
-{
-  static const database::FileKind kind = {
-      "the draws of a plan of Perilymph",
-      "Choose a draws.sqlite that 'perilymph-cli plan' wrote.",
-      "Delete it and make the plan again.",
-      0x5065506c,  // "PePl"
-      2,
-      {"CREATE TABLE meta(key TEXT PRIMARY KEY, value TEXT NOT NULL)",
-       "CREATE TABLE insertion(draw INTEGER NOT NULL, array INTEGER NOT NULL, content TEXT NOT "
-       "NULL, "
-       "PRIMARY KEY(draw, array)) WITHOUT ROWID"}};
-  return kind;
-}
-
-bool isDone(Statement& statement)
-{
-  const bool done = statement.step() == Statement::Step::done;
-  statement.reset();
-  return done;
-}
-
-/// Creates an empty file: a file with the final name is whole or does not exist.
-Result<Done> create(const fs::path& file, const std::string& fingerprint)
-{
-  const auto failed = [&file](const std::string& reason) {
-    return Error{file.string() + " cannot be created: " + reason +
-                 ". Check the folder's permissions and the space on the disk."};
-  };
-  const std::string unfinished = file.string() + ".begin-" + std::to_string(::getpid());
-  const int descriptor =
-      ::open(unfinished.c_str(), O_CREAT | O_TRUNC | O_WRONLY | O_NOFOLLOW | O_CLOEXEC, 0666);
-  if (descriptor < 0) return failed("its folder takes no file");
-  ::close(descriptor);
-  const auto written = [&]() -> Result<Done> {
-    auto opened = Database::openNew(unfinished);
-    if (!opened) return opened.error();
-    if (const auto done = opened->run(database::creationOf(planKind())); !done) return done;
-    auto insert = opened->prepare("INSERT INTO meta VALUES(?,?)");
-    if (!insert) return insert.error();
-    for (const auto& [key, value] :
-         {std::pair<std::string, std::string>{"fingerprint", fingerprint},
-          std::pair<std::string, std::string>{"program", buildId()}}) {
-      insert->bind(0, key);
-      insert->bind(1, value);
-      if (!isDone(*insert)) return Error{opened->lastError()};
-    }
-    return opened->run("COMMIT");
-  }();
-  const bool isLinked = written && ::link(unfinished.c_str(), file.c_str()) == 0;
-  std::error_code ignored;
-  fs::remove(unfinished, ignored);
-  if (!written) return failed(written.error().message);
-  if (!isLinked) return failed("there is one already, or its file system has no hard links");
-  return Done{};
-}
 
 Row contactJson(const analysis::ContactPosition& contact)
 {
@@ -84,22 +19,12 @@ Row contactJson(const analysis::ContactPosition& contact)
                      contact.frequency_Hz, contact.toModiolus.si()});
 }
 
-/// Largest magnitude of a value; no angle, length, frequency or force of an insertion comes near it.
-constexpr double maxStoredValue = 1e9;
-/// Depth beyond every array: a duct is 45 mm long [m].
-constexpr double maxDepth = 0.1;
 constexpr std::size_t maxContacts = 1024, maxProfile = 4096;
 
-/// Thrown within this file only: a value that no insertion has.
-struct Impossible {};
-
-/// A number of at most this magnitude.
-double numberIn(const Row& value, double magnitude = maxStoredValue)
-{
-  const double number = value.get<double>();
-  if (!(std::fabs(number) <= magnitude)) throw Impossible();
-  return number;
-}
+/// Thrown within this file only: why a row is of no insertion.
+struct Impossible {
+  std::string reason = "a value has another type";
+};
 
 std::size_t countIn(const Row& value)
 {
@@ -118,13 +43,42 @@ analysis::ContactPosition contactIn(const Row& values, int number)
   analysis::ContactPosition contact;
   contact.number = number;
   contact.isInserted = values.at(0).get<bool>();
-  contact.depth = meters(numberIn(values.at(1)));
-  contact.angle = radians(numberIn(values.at(2)));
-  contact.coverage = numberIn(values.at(3));
-  contact.frequency_Hz = numberIn(values.at(4));
-  contact.toModiolus = meters(numberIn(values.at(5)));
+  contact.depth = meters(values.at(1).get<double>());
+  contact.angle = radians(values.at(2).get<double>());
+  contact.coverage = values.at(3).get<double>();
+  contact.frequency_Hz = values.at(4).get<double>();
+  contact.toModiolus = meters(values.at(5).get<double>());
   return contact;
 }
+
+/// A number of a draw, and what it can be.
+struct Drawn {
+  const char* key;
+  double PlannedInsertion::*value;
+  Range range;
+  bool isInFirstVersions = true;  ///< They drew one factor for all sections.
+};
+constexpr Range factor{0.0, 20.0}, deviates{-20.0, 20.0};
+constexpr Drawn drawn[] = {{"a_mm", &PlannedInsertion::a_mm, analysis::physical::a_mm},
+                           {"b_mm", &PlannedInsertion::b_mm, analysis::physical::b_mm},
+                           {"h_mm",
+                            &PlannedInsertion::h_mm,
+                            {0.0, analysis::physical::h_mm.high}},  // 0: none was measured
+                           {"a1_deviate", &PlannedInsertion::a1_deviate, deviates},
+                           {"b1_deviate", &PlannedInsertion::b1_deviate, deviates},
+                           {"section", &PlannedInsertion::section, factor},
+                           {"section_second", &PlannedInsertion::sectionSecond, factor, false},
+                           {"dip_mm", &PlannedInsertion::dip_mm, {-10.0, 10.0}, false},
+                           {"radius", &PlannedInsertion::radius, factor, false},
+                           {"height", &PlannedInsertion::height, factor, false},
+                           {"lining_mm", &PlannedInsertion::lining_mm, {0.0, 5.0}},
+                           {"membrane_N_m", &PlannedInsertion::membrane_N_m, {0.0, 1e6}},
+                           {"tilt_deg", &PlannedInsertion::tilt_deg, {-180.0, 180.0}},
+                           {"turn_deg", &PlannedInsertion::turn_deg, {-180.0, 180.0}},
+                           {"stiffness", &PlannedInsertion::stiffness, factor},
+                           {"friction", &PlannedInsertion::friction, factor},
+                           {"speed_mm_s", &PlannedInsertion::speed_mm_s, {0.0, 1000.0}},
+                           {"stop_mN", &PlannedInsertion::stop_mN, analysis::physical::force_mN}};
 
 }  // namespace
 
@@ -137,206 +91,133 @@ std::string contentOf(const PlannedInsertion& planned)
     depths.push_back(point.depth.si());
     forces.push_back(point.force.si());
   }
-  return Row{{"draw", planned.draw},
-             {"array", planned.array},
-             {"a_mm", planned.a_mm},
-             {"b_mm", planned.b_mm},
-             {"h_mm", planned.h_mm},
-             {"a1_deviate", planned.a1_deviate},
-             {"b1_deviate", planned.b1_deviate},
-             {"section", planned.section},
-             {"section_second", planned.sectionSecond},
-             {"dip_mm", planned.dip_mm},
-             {"radius", planned.radius},
-             {"height", planned.height},
-             {"lining_mm", planned.lining_mm},
-             {"membrane_N_m", planned.membrane_N_m},
-             {"tilt_deg", planned.tilt_deg},
-             {"turn_deg", planned.turn_deg},
-             {"stiffness", planned.stiffness},
-             {"friction", planned.friction},
-             {"speed_mm_s", planned.speed_mm_s},
-             {"stop_mN", planned.stop_mN},
-             {"end", haptics::nameOf(found.end)},
-             {"reason", found.reason},
-             {"depth", found.depth.si()},
-             {"apical", found.apical.si()},
-             {"peak", found.peak.si()},
-             {"end_force", found.endForce.si()},
-             {"membrane", found.membrane.si()},
-             {"is_ruptured", found.isRuptured},
-             {"is_translocated", found.isTranslocated},
-             {"rupture_angle", found.ruptureAngle.si()},
-             {"contacts", contacts},
-             {"profile_depth", depths},
-             {"profile_force", forces}}
-      .dump();
+  Row row{{"draw", planned.draw},
+          {"array", planned.array},
+          {"end", haptics::nameOf(found.end)},
+          {"reason", found.reason},
+          {"depth", found.depth.si()},
+          {"apical", found.apical.si()},
+          {"peak", found.peak.si()},
+          {"end_force", found.endForce.si()},
+          {"membrane", found.membrane.si()},
+          {"is_ruptured", found.isRuptured},
+          {"is_translocated", found.isTranslocated},
+          {"rupture_angle", found.ruptureAngle.si()},
+          {"contacts", contacts},
+          {"profile_depth", depths},
+          {"profile_force", forces}};
+  for (const Drawn& each : drawn) row[each.key] = planned.*each.value;
+  return row.dump();
 }
 
-std::optional<PlannedInsertion> insertionIn(const std::string& content)
+Result<PlannedInsertion> insertionIn(const std::string& content)
 {
   const Row row = Row::parse(content, nullptr, false);
-  if (!row.is_object()) return std::nullopt;
+  if (!row.is_object()) return Error{"it is not JSON"};
   try {
     PlannedInsertion planned;
     planned.draw = countIn(row.at("draw"));
     planned.array = countIn(row.at("array"));
-    for (const auto& [key, value] :
-         {std::pair{"a_mm", &planned.a_mm}, std::pair{"b_mm", &planned.b_mm},
-          std::pair{"h_mm", &planned.h_mm}, std::pair{"a1_deviate", &planned.a1_deviate},
-          std::pair{"b1_deviate", &planned.b1_deviate}, std::pair{"section", &planned.section},
-          std::pair{"lining_mm", &planned.lining_mm},
-          std::pair{"membrane_N_m", &planned.membrane_N_m},
-          std::pair{"tilt_deg", &planned.tilt_deg}, std::pair{"turn_deg", &planned.turn_deg},
-          std::pair{"stiffness", &planned.stiffness}, std::pair{"friction", &planned.friction},
-          std::pair{"speed_mm_s", &planned.speed_mm_s}, std::pair{"stop_mN", &planned.stop_mN}})
-      *value = numberIn(row.at(key));
-    // not in files of former versions, which drew one factor for all sections
-    planned.sectionSecond = planned.section;
-    for (const auto& [key, value] :
-         {std::pair{"section_second", &planned.sectionSecond}, std::pair{"dip_mm", &planned.dip_mm},
-          std::pair{"radius", &planned.radius}, std::pair{"height", &planned.height}})
-      if (row.contains(key)) *value = numberIn(row.at(key));
+    for (const Drawn& each : drawn) {
+      if (!each.isInFirstVersions && !row.contains(each.key)) {
+        if (each.value == &PlannedInsertion::sectionSecond) planned.sectionSecond = planned.section;
+        continue;
+      }
+      planned.*each.value = row.at(each.key).get<double>();
+      if (auto reason = analysis::impossibility(each.key, "", planned.*each.value, each.range);
+          !reason.empty())
+        throw Impossible{std::move(reason)};
+    }
     analysis::ClinicalInsertion& found = planned.insertion;
     found.end = haptics::endNamed(row.at("end").get<std::string>());
-    if (found.end == InsertionEnd::none) return std::nullopt;
+    if (found.end == InsertionEnd::none) throw Impossible{"its end has no known name"};
     found.reason = row.at("reason").get<std::string>();
-    found.depth = meters(numberIn(row.at("depth")));
-    found.apical = radians(numberIn(row.at("apical")));
-    found.peak = newtons(numberIn(row.at("peak")));
-    found.endForce = newtons(numberIn(row.at("end_force")));
-    found.membrane = newtons(numberIn(row.at("membrane")));
+    found.depth = meters(row.at("depth").get<double>());
+    found.apical = radians(row.at("apical").get<double>());
+    found.peak = newtons(row.at("peak").get<double>());
+    found.endForce = newtons(row.at("end_force").get<double>());
+    found.membrane = newtons(row.at("membrane").get<double>());
     found.isRuptured = row.at("is_ruptured").get<bool>();
     // plans of before counted forces alone
     found.isTranslocated = row.value("is_translocated", false);
-    found.ruptureAngle = radians(numberIn(row.value("rupture_angle", Row(0.0))));
+    found.ruptureAngle = radians(row.value("rupture_angle", 0.0));
     for (const Row& contact : listIn(row.at("contacts"), maxContacts))
       found.contacts.push_back(contactIn(contact, static_cast<int>(found.contacts.size()) + 1));
     const Row& depths = listIn(row.at("profile_depth"), maxProfile);
     const Row& forces = listIn(row.at("profile_force"), maxProfile);
+    if (depths.size() != forces.size()) throw Impossible{"its profile has gaps"};
     for (std::size_t i = 0; i < depths.size(); ++i)
-      found.profile.push_back(
-          {meters(numberIn(depths.at(i), maxDepth)), newtons(numberIn(forces.at(i)))});
+      found.profile.push_back({meters(depths[i].get<double>()), newtons(forces[i].get<double>())});
+    if (auto reason = analysis::impossibility(found); !reason.empty())
+      throw Impossible{std::move(reason)};
     return planned;
   } catch (const Row::exception&) {
-    return std::nullopt;  // a member is missing or of another type
-  } catch (const Impossible&) {
-    return std::nullopt;
+    return Error{"a value is missing or has another type"};
+  } catch (const Impossible& impossible) {
+    return Error{impossible.reason};
   }
 }
 
-Result<PlanFile> PlanFile::open(const fs::path& file, const std::string& fingerprint)
+const session::InsertionTableKind& planKind()
 {
-  std::error_code ignored;
-  if (!fs::exists(file, ignored))
-    if (const auto done = create(file, fingerprint); !done) return done.error();
-  auto opened = Database::openToAppend(file, planKind());
-  if (!opened) return opened.error();
-  PlanFile plan(*std::move(opened), file);
-  // A commit survives the end of the process and of the machine.
-  if (const auto done = plan.database_.run("PRAGMA journal_mode=WAL; PRAGMA synchronous=FULL");
-      !done)
-    return Error{file.string() + " cannot be continued: " + done.error().message + "."};
-  if (const auto done = plan.check(fingerprint); !done) return done.error();
-  return plan;
+  static const session::InsertionTableKind kind = {
+      {"the draws of a plan of Perilymph",
+       "Choose a draws.sqlite that 'perilymph-cli plan' wrote.",
+       "Delete it and make the plan again.",
+       0x5065506c,  // "PePl"
+       3,
+       {"CREATE TABLE meta(key TEXT PRIMARY KEY, value TEXT NOT NULL)",
+        "CREATE TABLE insertion(draw INTEGER NOT NULL, array INTEGER NOT NULL, content TEXT NOT "
+        "NULL, "
+        "PRIMARY KEY(draw, array)) WITHOUT ROWID"}},
+      3,
+      {{"insertion", "iit", 2}},
+      "belongs to another plan, or the patient, an array, the scenario, "
+      "resources/planning/uncertainty.toml, resources/planning/frequency-allocation.toml, "
+      "resources/clinical/hand.toml or resources/reference/surgeons.toml was changed since.",
+      "draws"};
+  return kind;
 }
 
-Result<PlanFile> PlanFile::openToView(const fs::path& file)
+SealedFacts planFacts(const std::string& fingerprint)
 {
-  auto opened = Database::open(file, planKind());
-  if (!opened) return opened.error();
-  return PlanFile(*std::move(opened), file);
+  return {{session::fingerprintFact, fingerprint}, {session::programFact, buildId()}};
 }
 
-Result<PlanFile::Origin> PlanFile::origin() const
+std::vector<session::InsertionRows> rowsOf(const std::vector<PlannedInsertion>& insertions)
 {
-  auto rows = database_.prepare("SELECT key, value FROM meta ORDER BY key");
-  if (!rows) return database_.readingError(rows.error().message);
-  Origin origin;
-  Statement::Step step = rows->step();
-  for (; step == Statement::Step::row; step = rows->step()) {
-    if (rows->text(0) == "fingerprint") origin.fingerprint = rows->text(1);
-    if (rows->text(0) == "program") origin.program = rows->text(1);
-  }
-  if (step == Statement::Step::failed) return database_.readingError(database_.lastError());
-  return origin;
+  std::vector<session::InsertionRows> rows;
+  rows.reserve(insertions.size());
+  for (const PlannedInsertion& each : insertions)
+    rows.push_back({{static_cast<std::int64_t>(each.draw), static_cast<std::int64_t>(each.array),
+                     contentOf(each)}});
+  return rows;
 }
 
-Result<Done> PlanFile::check(const std::string& fingerprint) const
+Result<std::vector<PlannedInsertion>> insertionsIn(const session::InsertionTable& table)
 {
-  const auto found = origin();
-  if (!found) return found.error();
-  const std::string remedy = " Delete it or give another folder.";
-  if (found->fingerprint != fingerprint)
-    return Error{
-        file_.string() +
-        " belongs to another plan, or the patient, an array, the scenario, "
-        "resources/planning/uncertainty.toml, resources/planning/frequency-allocation.toml, "
-        "resources/clinical/hand.toml or resources/reference/surgeons.toml was changed "
-        "since." +
-        remedy};
-  if (found->program != buildId())
-    return Error{file_.string() + " was begun by another build of the program (" + found->program +
-                 "; this is " + buildId() + ")." + remedy};
-  return Done{};
-}
-
-Result<std::vector<PlannedInsertion>> PlanFile::read() const
-{
-  auto rows = database_.prepare("SELECT draw, array, content FROM insertion ORDER BY draw, array");
-  if (!rows) return database_.readingError(rows.error().message);
   std::vector<PlannedInsertion> all;
   std::size_t arrays = 0;  // of the first draw
-  Statement::Step step = rows->step();
-  for (; step == Statement::Step::row; step = rows->step()) {
-    auto planned = insertionIn(rows->text(2));
-    if (!planned || static_cast<std::int64_t>(planned->draw) != rows->integer(0) ||
-        static_cast<std::int64_t>(planned->array) != rows->integer(1))
-      return database_.readingError("draw " + std::to_string(rows->integer(0)) +
-                                    " is not readable");
+  const auto done = table.read([&](const session::InsertionRows& one) -> Result<Done> {
+    const auto draw = std::get<std::int64_t>(one.row[0]),
+               array = std::get<std::int64_t>(one.row[1]);
+    auto planned = insertionIn(std::get<std::string>(one.row[2]));
+    if (!planned)
+      return table.damaged("draw " + std::to_string(draw) +
+                           " is not readable: " + planned.error().message);
+    if (static_cast<std::int64_t>(planned->draw) != draw ||
+        static_cast<std::int64_t>(planned->array) != array)
+      return table.damaged("draw " + std::to_string(draw) + " is not readable: it is another one");
     if (planned->draw == 1 && planned->array == arrays) ++arrays;
     if (arrays == 0 || planned->draw != 1 + all.size() / arrays ||
         planned->array != all.size() % arrays)
-      return database_.readingError("its draws are not consecutive");
+      return table.damaged("its draws are not consecutive");
     all.push_back(*std::move(planned));
-  }
-  if (step == Statement::Step::failed) return database_.readingError(database_.lastError());
-  if (arrays > 0 && all.size() % arrays != 0)
-    return database_.readingError("its last draw is not whole");
+    return Done{};
+  });
+  if (!done) return done.error();
+  if (arrays > 0 && all.size() % arrays != 0) return table.damaged("its last draw is not whole");
   return all;
-}
-
-Result<Done> PlanFile::append(const std::vector<PlannedInsertion>& insertions)
-{
-  auto insert = database_.prepare("INSERT INTO insertion VALUES(?,?,?)");
-  std::string reason;
-  if (insert && database_.run("BEGIN")) {
-    const bool isWritten =
-        std::all_of(insertions.begin(), insertions.end(), [&](const PlannedInsertion& each) {
-          insert->bind(0, static_cast<std::int64_t>(each.draw));
-          insert->bind(1, static_cast<std::int64_t>(each.array));
-          insert->bind(2, contentOf(each));
-          return isDone(*insert);
-        });
-    if (!isWritten) reason = database_.lastError();
-    if (isWritten) {
-      const auto done = database_.run("COMMIT");
-      if (done) return Done{};
-      reason = done.error().message;
-    }
-    static_cast<void>(database_.run("ROLLBACK"));
-  } else {
-    reason = database_.lastError();
-  }
-  return Error{file_.string() + " takes no more draws: " + reason +
-               ". Those before are kept; make space and make the plan again."};
-}
-
-Result<Done> PlanFile::close()
-{
-  if (const auto done = database_.run("PRAGMA journal_mode=DELETE"); !done)
-    return Error{file_.string() + " cannot be closed: " + done.error().message + "."};
-  return Done{};
 }
 
 }  // namespace perilymph::planning

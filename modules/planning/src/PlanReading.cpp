@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "perilymph/planning/PlanReading.h"
 
-#include <cmath>
+#include <array>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
-#include <string_view>
+#include <utility>
 
+#include "PlanNames.h"
+#include "perilymph/analysis/PhysicalRanges.h"
 #include "perilymph/foundation/AtomicFile.h"
+#include "perilymph/foundation/Utf8.h"
 #include "perilymph/planning/PlanReport.h"
 
 namespace perilymph::planning {
@@ -18,7 +21,7 @@ constexpr const char* finerWidth = "angle_width_if_measured_to_0.1_mm_deg";
 
 using Json = nlohmann::json;
 
-constexpr double maxMagnitude = 1e9;
+namespace physical = analysis::physical;
 constexpr std::size_t maxSentence = 1000;
 
 /// Thrown within this file only: what a text lacks.
@@ -34,12 +37,15 @@ const Json& at(const Json& parent, const char* key)
   return *found;
 }
 
-double numberAt(const Json& parent, const char* key)
+/// A number within a range, which the key's unit is that of.
+double numberAt(const Json& parent, const char* key, Range range)
 {
   const Json& value = at(parent, key);
-  if (!value.is_number() || !(std::fabs(value.get<double>()) <= maxMagnitude))
-    throw Unreadable(std::string(key) + " is not a number up to 1e9");
-  return value.get<double>();
+  if (!value.is_number()) throw Unreadable(std::string(key) + " is not a number");
+  const double number = value.get<double>();
+  if (auto reason = analysis::impossibility(key, "", number, range); !reason.empty())
+    throw Unreadable(std::move(reason));
+  return number;
 }
 
 std::size_t countAt(const Json& parent, const char* key)
@@ -63,6 +69,17 @@ std::string textOr(const Json& parent, const char* key)
   return parent.contains(key) ? textAt(parent, key) : std::string();
 }
 
+/// The value of a name in a table of choices.
+template <class Value, std::size_t count>
+Value choiceAt(const Json& parent, const char* key, const std::array<Choice<Value>, count>& table)
+{
+  const std::string name = textAt(parent, key);
+  if (const auto value = valueIn(table, name)) return *value;
+  std::string names;
+  for (const auto& row : table) names += (names.empty() ? "" : " or ") + std::string(row.name);
+  throw Unreadable(std::string(key) + " is \"" + onOneLine(name) + "\"; it must be " + names);
+}
+
 /// A list of at most `maxSize` entries.
 const Json& listAt(const Json& parent, const char* key, std::size_t maxSize)
 {
@@ -72,11 +89,21 @@ const Json& listAt(const Json& parent, const char* key, std::size_t maxSize)
   return value;
 }
 
-Band bandAt(const Json& parent, const char* key)
+Band bandAt(const Json& parent, const char* key, Range range)
 {
   const Json& value = at(parent, key);
-  const Band band{numberAt(value, "p5"), numberAt(value, "p25"), numberAt(value, "median"),
-                  numberAt(value, "p75"), numberAt(value, "p95")};
+  Band band;
+  for (const auto& [quantile, number] :
+       {std::pair{"p5", &band.low}, std::pair{"p25", &band.lowerQuartile},
+        std::pair{"median", &band.median}, std::pair{"p75", &band.upperQuartile},
+        std::pair{"p95", &band.high}}) {
+    const Json& given = at(value, quantile);
+    if (!given.is_number())
+      throw Unreadable(quantile + std::string(" of ") + key + " is not a number");
+    *number = given.get<double>();
+    if (auto reason = analysis::impossibility(key, "", *number, range); !reason.empty())
+      throw Unreadable(std::move(reason));
+  }
   if (!(band.low <= band.lowerQuartile && band.lowerQuartile <= band.median &&
         band.median <= band.upperQuartile && band.upperQuartile <= band.high))
     throw Unreadable(std::string(key) + " has quantiles that decrease");
@@ -89,8 +116,8 @@ analysis::Estimate probabilityAt(const Json& parent, const char* key)
   const Json& interval = listAt(value, "ci95", 2);
   if (interval.size() != 2 || !interval[0].is_number() || !interval[1].is_number())
     throw Unreadable(std::string(key) + " has no interval");
-  const analysis::Estimate estimate{numberAt(value, "value"), interval[0].get<double>(),
-                                    interval[1].get<double>()};
+  const analysis::Estimate estimate{numberAt(value, "value", physical::fraction),
+                                    interval[0].get<double>(), interval[1].get<double>()};
   if (!(0.0 <= estimate.low && estimate.low <= estimate.value && estimate.value <= estimate.high &&
         estimate.high <= 1.0))
     throw Unreadable(std::string(key) + " is not a probability within its interval");
@@ -103,44 +130,55 @@ ArrayPlan arrayIn(const Json& value)
   plan.array = textAt(value, "array");
   plan.name = textAt(value, "name");
   plan.draws = countAt(value, "draws");
-  for (const PlanQuantity& each : planQuantities()) plan.*each.band = bandAt(value, each.key);
+  for (const PlanQuantity& each : planQuantities())
+    plan.*each.band = bandAt(value, each.key, each.range);
   const Json& chances = at(value, "probability");
   for (const PlanProbability& each : planProbabilities())
     plan.*each.estimate = probabilityAt(chances, each.key);
   for (const Json& each : listAt(value, "force", maxStoredRows))
-    plan.force.push_back(
-        {numberAt(each, "depth_mm"), countAt(each, "draws"), bandAt(each, "force_mN")});
+    plan.force.push_back({numberAt(each, "depth_mm", physical::depth_mm), countAt(each, "draws"),
+                          bandAt(each, "force_mN", physical::signedForce_mN)});
   for (const Json& each : listAt(value, "contacts", maxStoredRows))
     plan.contacts.push_back({static_cast<int>(countAt(each, "number")), countAt(each, "draws"),
-                             bandAt(each, "angle_deg"), bandAt(each, "to_modiolus_mm"),
-                             numberAt(each, "greenwood_Hz"), numberAt(each, "spiral_ganglion_Hz"),
-                             numberAt(each, "filter_Hz"), bandAt(each, "mismatch_semitones")});
+                             bandAt(each, "angle_deg", physical::angle_deg),
+                             bandAt(each, "to_modiolus_mm", physical::toModiolus_mm),
+                             numberAt(each, "greenwood_Hz", physical::frequency_Hz),
+                             numberAt(each, "spiral_ganglion_Hz", physical::frequency_Hz),
+                             numberAt(each, "filter_Hz", physical::frequency_Hz),
+                             bandAt(each, "mismatch_semitones", physical::semitones)});
+  const Range width_deg{0.0, physical::angle_deg.high - physical::angle_deg.low};
   for (const Json& each : listAt(value, "influence", maxStoredRows))
     plan.influences.push_back(
-        {textAt(each, "input"), numberAt(each, "on_angle"), numberAt(each, "on_peak_force"),
-         numberAt(each, "angle_width_if_known_deg"), numberAt(each, "peak_width_if_known_mN"),
-         each.contains(finerWidth) ? numberAt(each, finerWidth) : 0.0});
+        {textAt(each, "input"), numberAt(each, "on_angle", physical::fraction),
+         numberAt(each, "on_peak_force", physical::fraction),
+         numberAt(each, "angle_width_if_known_deg", width_deg),
+         numberAt(each, "peak_width_if_known_mN", physical::force_mN),
+         each.contains(finerWidth) ? numberAt(each, finerWidth, width_deg) : 0.0});
   return plan;
 }
 
 anatomy::Patient patientIn(const Json& value)
 {
-  const auto length = [&value](const char* key) { return millimeters(numberAt(value, key)); };
+  const auto length = [&value](const char* key, Range range) {
+    return millimeters(numberAt(value, key, range));
+  };
+  constexpr Range error_mm{0.0, 2.0};
   anatomy::Patient patient;
   patient.label = textAt(value, "label");
-  patient.side = textAt(value, "side") == "left" ? anatomy::Side::left : anatomy::Side::right;
-  anatomy::BasalTurn turn{length("A_mm"), length("B_mm"), std::nullopt};
-  anatomy::BasalTurnErrors errors{length("A_sd_mm"), length("B_sd_mm")};
+  patient.side = choiceAt(value, "side", anatomy::sides);
+  anatomy::BasalTurn turn{length("A_mm", physical::a_mm), length("B_mm", physical::b_mm),
+                          std::nullopt};
+  anatomy::BasalTurnErrors errors{length("A_sd_mm", error_mm), length("B_sd_mm", error_mm)};
   if (value.contains("H_mm")) {
-    turn.h = length("H_mm");
-    errors.h = length("H_sd_mm");
+    turn.h = length("H_mm", physical::h_mm);
+    errors.h = length("H_sd_mm", error_mm);
   }
   for (const auto& [key, correlation] :
        {std::pair{"AB_correlation", &errors.ab}, std::pair{"AH_correlation", &errors.ah},
         std::pair{"BH_correlation", &errors.bh}})
-    if (value.contains(key)) *correlation = numberAt(value, key);
+    if (value.contains(key)) *correlation = numberAt(value, key, {-1.0, 1.0});
   patient.basalTurn = turn;
-  if (textAt(value, "errors") == "as measured") patient.errors = errors;
+  if (choiceAt(value, "errors", errorSources) == ErrorSource::measured) patient.errors = errors;
   patient.origin.seriesKey = textOr(value, "series_sha256");
   patient.origin.software = textOr(value, "measured_with");
   if (const auto possible = anatomy::checkPatient(patient); !possible)
@@ -159,17 +197,20 @@ StoredPlan storedIn(const Json& value)
   if (value.contains("friction")) request.friction = textAt(value, "friction");
   request.patient = patientIn(at(value, "patient"));
   const Json& thresholds = at(value, "thresholds");
-  stored.plan.thresholds = {millinewtons(numberAt(thresholds, "felt_mN")),
-                            millinewtons(numberAt(thresholds, "partition_weakest_mN")),
-                            millinewtons(numberAt(thresholds, "partition_strongest_mN"))};
+  stored.plan.thresholds = {
+      millinewtons(numberAt(thresholds, "felt_mN", physical::force_mN)),
+      millinewtons(numberAt(thresholds, "partition_weakest_mN", physical::partition_mN)),
+      millinewtons(numberAt(thresholds, "partition_strongest_mN", physical::partition_mN))};
   for (const Json& each : listAt(value, "arrays", maxStoredArrays)) {
     stored.plan.arrays.push_back(arrayIn(each));
     request.arrays.push_back(stored.plan.arrays.back().array);
   }
   if (stored.plan.arrays.empty()) throw Unreadable("it has no array");
-  for (const Json& each : listAt(value, "sources", maxStoredRows))
+  for (const Json& each : listAt(value, "sources", maxStoredRows)) {
+    choiceAt(each, "confidence", confidences);
     stored.sources.push_back({textAt(each, "file"), textAt(each, "table"), textAt(each, "source"),
                               textAt(each, "confidence")});
+  }
   for (const Json& each : listAt(value, "limits", maxStoredRows)) {
     if (!each.is_string()) throw Unreadable("limits holds something that is no sentence");
     stored.limits.push_back(each.get<std::string>());
@@ -186,7 +227,16 @@ Result<StoredPlan> planIn(const std::string& text, const std::string& name)
                  ". Give the folder that 'perilymph-cli plan' wrote."};
   };
   try {
-    return storedIn(Json::parse(text));
+    const Json json = Json::parse(text);
+    const std::uint64_t format =
+        json.is_object() && json.contains("format") ? countAt(json, "format") : 1;
+    if (format > planFormat)
+      return Error{name + " is of a newer program (format " + std::to_string(format) +
+                   "). Open it with that one."};
+    StoredPlan stored = storedIn(json);
+    stored.plan.seal = sealIn(text, format >= planFormat);
+    if (stored.plan.seal == Seal::changed) stored.plan.fingerprint.clear();
+    return stored;
   } catch (const Unreadable& error) {
     return refused(error.what());
   } catch (const nlohmann::json::exception&) {

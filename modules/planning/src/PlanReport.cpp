@@ -6,9 +6,11 @@
 #include <nlohmann/json.hpp>
 
 #include "FrequencyAllocation.h"
+#include "PlanNames.h"
 #include "Uncertainty.h"
 #include "perilymph/analysis/CsvField.h"
 #include "perilymph/analysis/ErrorBand.h"
+#include "perilymph/analysis/PhysicalRanges.h"
 #include "perilymph/analysis/Surgeon.h"
 #include "perilymph/foundation/Version.h"
 #include "perilymph/session/Csv.h"
@@ -31,13 +33,16 @@ double rounded(double value)
 
 std::string number(double value) { return shortestDecimal(rounded(value)); }
 
-constexpr PlanQuantity quantities[] = {{"angle_deg", &ArrayPlan::angle_deg},
-                                       {"coverage_percent", &ArrayPlan::coverage_percent},
-                                       {"depth_mm", &ArrayPlan::depth_mm},
-                                       {"peak_mN", &ArrayPlan::peak_mN},
-                                       {"end_mN", &ArrayPlan::end_mN},
-                                       {"partition_mN", &ArrayPlan::partition_mN},
-                                       {"first_resistance_mm", &ArrayPlan::firstResistance_mm}};
+namespace physical = analysis::physical;
+
+constexpr PlanQuantity quantities[] = {
+    {"angle_deg", &ArrayPlan::angle_deg, physical::angle_deg},
+    {"coverage_percent", &ArrayPlan::coverage_percent, physical::percent},
+    {"depth_mm", &ArrayPlan::depth_mm, physical::depth_mm},
+    {"peak_mN", &ArrayPlan::peak_mN, physical::force_mN},
+    {"end_mN", &ArrayPlan::end_mN, physical::signedForce_mN},
+    {"partition_mN", &ArrayPlan::partition_mN, physical::partition_mN},
+    {"first_resistance_mm", &ArrayPlan::firstResistance_mm, physical::depth_mm}};
 
 constexpr PlanProbability probabilities[] = {
     {"full_insertion", &ArrayPlan::full},
@@ -103,7 +108,7 @@ ordered_json patientJson(const anatomy::Patient& patient)
   const anatomy::BasalTurn& turn = *patient.basalTurn;
   const anatomy::BasalTurnErrors errors = analysis::errorsOf(patient);
   ordered_json json = {{"label", patient.label},
-                       {"side", patient.side == anatomy::Side::left ? "left" : "right"},
+                       {"side", anatomy::nameOf(patient.side)},
                        {"A_mm", rounded(inMillimeters(turn.a))},
                        {"A_sd_mm", rounded(inMillimeters(errors.a))},
                        {"B_mm", rounded(inMillimeters(turn.b))},
@@ -112,7 +117,8 @@ ordered_json patientJson(const anatomy::Patient& patient)
     json["H_mm"] = rounded(inMillimeters(*turn.h));
     json["H_sd_mm"] = rounded(inMillimeters(errors.h.value_or(analysis::measuringError)));
   }
-  json["errors"] = patient.errors ? "as measured" : "assumed: 0.1 mm, about a voxel";
+  json["errors"] =
+      nameIn(errorSources, patient.errors ? ErrorSource::measured : ErrorSource::assumed);
   for (const auto& [key, correlation] :
        {std::pair{"AB_correlation", errors.ab}, std::pair{"AH_correlation", errors.ah},
         std::pair{"BH_correlation", errors.bh}})
@@ -243,13 +249,15 @@ std::span<const PlanProbability> planProbabilities() { return probabilities; }
 
 Result<std::string> planJson(const Plan& plan)
 {
+  if (plan.seal != Seal::intact) return Error{noteOn(plan.seal)};
   const auto hand = analysis::shippedHand();
   if (!hand) return hand.error();
   const auto uncertainty = shippedUncertainty();
   if (!uncertainty) return uncertainty.error();
   const auto allocations = shippedAllocations();
   if (!allocations) return allocations.error();
-  ordered_json json = {{"program", "Perilymph " + version()},
+  ordered_json json = {{"format", planFormat},
+                       {"program", "Perilymph " + version()},
                        {"plan", plan.fingerprint},
                        {"seed", plan.request.seed},
                        {"scenario", plan.request.scenario}};
@@ -270,7 +278,8 @@ Result<std::string> planJson(const Plan& plan)
                                {"source", each.source},
                                {"confidence", each.confidence}});
   json["limits"] = limitsOfPlans();
-  return json.dump(2) + "\n";
+  json[sealKey] = sealToBe();
+  return sealed(json.dump(2) + "\n");
 }
 
 std::string arraysCsv(const Plan& plan)

@@ -6,6 +6,7 @@
 
 #include "FrequencyAllocation.h"
 #include "perilymph/analysis/InsertionByHand.h"
+#include "perilymph/analysis/PhysicalRanges.h"
 #include "perilymph/analysis/Reference.h"
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/foundation/Sha256.h"
@@ -119,8 +120,9 @@ Result<PlannedInsertion> insertArray(const PlanRequest& request, const PlanSetup
     shape.anatomy = *std::move(built);
   }
   PlannedInsertion planned = plannedOf(draw, stiffness, number, array);
-  planned.insertion = analysis::insertByHand(shape.parameters, shape.anatomy, setup.hand,
-                                             draw.surgeon, profileSpacing, isAsked, &shape.end);
+  planned.insertion = analysis::asPossible(
+      analysis::insertByHand(shape.parameters, shape.anatomy, setup.hand, draw.surgeon,
+                             profileSpacing, isAsked, &shape.end));
   return planned;
 }
 

@@ -85,7 +85,8 @@ Result<Study> StudyReader::read()
   study_.title_ = reader_.text("title");
   scenario_ = reader_.text("scenario");
   study_.seed_ = static_cast<std::uint64_t>(reader_.integer("seed", 0, 1'000'000'000, 1));
-  study_.isFullDepth_ = reader_.choice("depth", {"full", "scenario"}, "full") == "full";
+  static constexpr std::array depths{Choice<bool>{true, "full"}, Choice<bool>{false, "scenario"}};
+  study_.isFullDepth_ = reader_.choice("depth", depths, true);
   TomlReader results = reader_.table("results");
   study_.profileSpacing_ = millimeters(results.number("profile_spacing_mm", {0.0, 10.0}, 0.0));
   study_.keepsContacts_ = results.flag("contacts", false);

@@ -9,6 +9,10 @@ namespace perilymph::study {
 
 Result<Study> studyIn(const StudyFileFacts& facts, const std::filesystem::path& file)
 {
+  if (facts.seal == Seal::changed)
+    return Error{file.string() +
+                 " was changed by hand after the program wrote it; its insertions are not run "
+                 "again. Use another copy of it."};
   auto study = parseStudy(facts.text, file);
   if (!study)
     return Error{"The study in " + file.string() + " cannot be read again: " +

@@ -97,13 +97,13 @@ Result<StudyColumns> StudyColumns::read(const std::filesystem::path& file,
                  std::to_string(columns.facts_.end - columns.facts_.first) +
                  " insertions; at most " + std::to_string(maxInsertions) +
                  " can be shown. Open one of its shards, or query it with SQL."};
-  const auto read = opened->read(
-      [&](const StudyResult& result) -> Result<Done> {
-        if (isCanceled) return Error{"Canceled."};
-        columns.results_.push_back(result);
-        return Done{};
-      },
-      StudyFile::Part::withoutContactsAndProfile);
+  const auto read = opened->read([&](const StudyResult& result) -> Result<Done> {
+    if (isCanceled) return Error{"Canceled."};
+    columns.results_.push_back(result);
+    columns.results_.back().insertion.contacts = {};
+    columns.results_.back().insertion.profile = {};
+    return Done{};
+  });
   if (!read) return read.error();
   if (columns.results_.empty())
     return Error{file.string() +

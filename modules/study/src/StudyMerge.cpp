@@ -9,6 +9,7 @@
 
 #include "perilymph/analysis/CsvField.h"
 #include "perilymph/foundation/AtomicFile.h"
+#include "perilymph/foundation/FileLock.h"
 #include "perilymph/session/Csv.h"
 #include "perilymph/study/StudyFile.h"
 #include "perilymph/study/StudyRun.h"
@@ -75,6 +76,10 @@ Result<std::vector<StudyFile>> wholeStudy(const fs::path& folder)
     const StudyFileFacts& facts = file->facts();
     const std::string name = state.file.string();
     const StudyFileFacts& one = files.empty() ? facts : files.front().facts();
+    if (facts.seal == Seal::changed)
+      return Error{name +
+                   " was changed after the program wrote it. Delete it and run its shard "
+                   "again."};
     if (facts.fingerprint != one.fingerprint || facts.program != one.program)
       return Error{name + " is of another study or another build of the program than " +
                    states->front().file.string() + ". Remove the one that does not belong here."};
@@ -114,7 +119,7 @@ Result<Done> writeMerged(const std::vector<StudyFile>& files, const fs::path& fi
   StudyFileFacts facts = files.front().facts();
   facts.first = 0;
   facts.end = facts.cases;
-  auto merged = StudyFile::create(file, facts);
+  auto merged = StudyFile::openToContinue(file, facts);
   if (!merged) return merged.error();
   std::vector<StudyResult> rows;
   const auto flush = [&]() -> Result<Done> {
@@ -146,14 +151,13 @@ Result<std::vector<ShardState>> shardsIn(const fs::path& folder)
     if (!name.starts_with("shard-") || !name.ends_with(".sqlite")) continue;
     ShardState state;
     state.file = entry->path();
-    const auto file = StudyFile::open(state.file);
-    const auto done = file ? file->size() : Result<std::size_t>(file.error());
-    if (!done) {
-      state.error = done.error().message;
+    const auto outline = StudyFile::outlineOf(state.file);
+    if (!outline) {
+      state.error = outline.error().message;
     } else {
-      state.shard.first = file->facts().first;
-      state.shard.end = file->facts().end;
-      state.done = *done;
+      state.shard.first = outline->first.first;
+      state.shard.end = outline->first.end;
+      state.done = outline->second;
     }
     states.push_back(state);
   }
@@ -165,6 +169,12 @@ Result<std::vector<ShardState>> shardsIn(const fs::path& folder)
 
 Result<std::size_t> mergeShards(const fs::path& folder)
 {
+  std::error_code failure;
+  if (!fs::is_directory(folder, failure))
+    return Error{folder.string() + " cannot be read: it is no folder. Check the name."};
+  const auto lock =
+      FileLock::take(folder / (std::string(mergedFile) + ".lock"), (folder / mergedFile).string());
+  if (!lock) return lock.error();
   const auto files = wholeStudy(folder);
   if (!files) return files.error();
   std::set<std::string> settings;
@@ -190,8 +200,10 @@ Result<std::size_t> mergeShards(const fs::path& folder)
   // Under another name until it is whole.
   const fs::path unfinished = folder / (std::string(mergedFile) + ".unfinished");
   std::error_code ignored;
-  for (const char* ending : {"", "-wal", "-shm", "-journal"})
-    fs::remove(unfinished.string() + ending, ignored);
+  // Of a merge that was ended: no other one runs.
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored))
+    if (entry.path().filename().string().starts_with(unfinished.filename().string()))
+      fs::remove(entry.path(), ignored);
   if (const auto done = writeMerged(*files, unfinished); !done) return done.error();
   std::error_code problem;
   fs::rename(unfinished, folder / mergedFile, problem);

@@ -230,11 +230,14 @@ Result<StudyReport> reportOf(const StudyFile& file)
   if (results.empty()) return Error{"The study has no insertion. Run and merge it first."};
   const StudyEvaluation study(std::move(results));
 
+  const std::string number = file.facts().fingerprint.substr(0, 16);
+  const std::string note = noteOn(file.facts().seal);
   StudyReport report;
   report.text =
       "# " + file.facts().title + "\n\n" + std::to_string(study.results().size()) +
       " insertions: " + textOf(endingsOf(study)) + ". Perilymph " + file.facts().program +
-      ", study " + file.facts().fingerprint.substr(0, 16) + ".\n\n" +
+      (number.empty() ? std::string() : ", study " + number) + ".\n\n" +
+      (note.empty() ? std::string() : note + "\n\n") +
       "For research and training; not a medical device. Depths, forces and rates are those "
       "of the model; an insertion\nthat did not finish counts in the rate of full "
       "insertions and in nothing else.\n\n" +

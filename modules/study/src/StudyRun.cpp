@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <atomic>
 #include <memory>
+#include <tuple>
 
 #include "perilymph/analysis/AnatomyMeasures.h"
 #include "perilymph/analysis/FullInsertion.h"
 #include "perilymph/analysis/InParallel.h"
+#include "perilymph/analysis/PhysicalRanges.h"
 #include "perilymph/study/StudyFile.h"
 
 namespace perilymph::study {
@@ -44,6 +46,16 @@ BuiltCochlea buildCochlea(const Study& study, std::size_t index)
   built.a_mm = inMillimeters(basal.a);
   built.b_mm = inMillimeters(basal.b);
   built.scalaLength_mm = inMillimeters(analysis::organOfCortiLength(**anatomy));
+  namespace physical = analysis::physical;
+  for (const auto& [name, value, range] :
+       {std::tuple{"A", built.a_mm, physical::a_mm}, std::tuple{"B", built.b_mm, physical::b_mm},
+        std::tuple{"The length of the scala", built.scalaLength_mm, physical::scalaLength_mm}})
+    if (auto reason = analysis::impossibility(name, "mm", value, range); !reason.empty()) {
+      BuiltCochlea none;
+      none.index = index;
+      none.error = reason + ". Check the patient's measures.";
+      return none;
+    }
   return built;
 }
 
@@ -67,8 +79,8 @@ StudyResult resultOf(const Study& study, std::size_t number, const BuiltCochlea&
     result.insertion.reason = parameters.error().message;
     return result;
   }
-  result.insertion =
-      analysis::insertFully(*parameters, cochlea.anatomy, study.profileSpacing(), isAsked);
+  result.insertion = analysis::asPossible(
+      analysis::insertFully(*parameters, cochlea.anatomy, study.profileSpacing(), isAsked));
   if (!study.keepsContacts()) result.insertion.contacts.clear();
   return result;
 }
@@ -106,28 +118,6 @@ std::size_t endOfBlock(const Study& study, std::size_t first, std::size_t end)
   return std::min(end, nextCochlea + (blockSize / perCochlea - 1) * perCochlea);
 }
 
-Result<StudyFile> fileOf(const Study& study, const Shard& shard, const fs::path& file)
-{
-  std::error_code ignored;
-  const StudyFileFacts facts = factsOf(study, shard.first, shard.end);
-  auto opened =
-      fs::exists(file, ignored) ? StudyFile::resume(file) : StudyFile::create(file, facts);
-  if (!opened) return opened;
-  const StudyFileFacts& found = opened->facts();
-  const std::string remedy = " Delete it or give another folder.";
-  if (found.fingerprint != facts.fingerprint)
-    return Error{file.string() +
-                 " belongs to another study, or this one or a file it names was "
-                 "changed since." +
-                 remedy};
-  if (found.program != facts.program)
-    return Error{file.string() + " was begun by another build of the program (" + found.program +
-                 "; this is " + facts.program + ")." + remedy};
-  if (found.first != facts.first || found.end != facts.end)
-    return Error{file.string() + " is for other insertions of this study." + remedy};
-  return opened;
-}
-
 }  // namespace
 
 Shard shardOf(std::size_t cases, std::size_t index, std::size_t count)
@@ -148,12 +138,11 @@ Result<bool> runShard(const Study& study, const Shard& shard, const fs::path& fo
   if (problem)
     return Error{folder.string() + " cannot be created: " + problem.message() +
                  ". Give another folder."};
-  auto file = fileOf(study, shard, folder / fileNameOf(shard));
+  auto file =
+      StudyFile::openToContinue(folder / fileNameOf(shard), factsOf(study, shard.first, shard.end));
   if (!file) return file.error();
-  const auto done = file->size();
-  if (!done) return done.error();
 
-  std::size_t first = shard.first + *done;
+  std::size_t first = shard.first + file->size();
   const std::size_t all = shard.end - shard.first;
   BuiltCochlea shared;  // of a block within one cochlea, and of the next such block
   while (first < shard.end) {

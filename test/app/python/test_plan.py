@@ -49,6 +49,18 @@ def test_a_plan_is_that_of_the_command_line(made, folder):
     assert made.patient.a_sd_mm == read.patient.a_sd_mm == 0.15
 
 
+def test_a_plan_that_was_changed_by_hand_has_no_number(folder, tmp_path):
+    read = perilymph.read_plan(folder)
+    assert read.seal == "intact" and read.number == json.loads((folder / "plan.json").read_text())["plan"]
+    text = (folder / "plan.json").read_text()
+    (tmp_path / "plan.json").write_text(text.replace('"A_mm": 9.2', '"A_mm": 9.3'))
+    changed = perilymph.read_plan(tmp_path)
+    assert (changed.seal, changed.number) == ("changed", "")
+    (tmp_path / "plan.json").write_text(text.replace('"side": "right"', '"side": "lefs"'))
+    with pytest.raises(perilymph.Error, match="it must be right or left"):
+        perilymph.read_plan(tmp_path)
+
+
 def test_bands_are_those_of_the_file(folder):
     said = json.loads((folder / "plan.json").read_text())
     array = perilymph.read_plan(folder / "plan.json").arrays[0]

@@ -12,7 +12,9 @@
 #include "gui/parts/EngineErrors.h"
 #include "gui/program/Languages.h"
 #include "perilymph/ct/SliceStack.h"
+#include "perilymph/foundation/Seal.h"
 #include "perilymph/imaging/CtSeries.h"
+#include "perilymph/session/PatientRecord.h"
 #include "perilymph/test/TemporaryFolder.h"
 #include "statements/VolumePairs.h"
 #include "statements/Warnings.h"
@@ -176,6 +178,29 @@ TEST_F(GermanErrors, SayHowManyOtherFilesHaveSuchFaults)
 TEST_F(GermanErrors, ThatAreUnknownStayAsTheyAre)
 {
   EXPECT_EQ(gui::engineError("It failed at 0.5 mm."), "It failed at 0.5 mm.");
+}
+
+TEST_F(GermanErrors, AreThereForFilesThatWereChangedAndInUse)
+{
+  const TemporaryFolder folder;
+  const auto patient = folder / "P-017-left.toml";
+  ASSERT_TRUE(session::savePatientRecord({{"EAS"}, "", false}, patient));
+  const auto meanwhile = session::savePatientRecord({{"other"}, "", false}, patient);
+  ASSERT_FALSE(meanwhile);
+  std::ofstream(session::recordFileOf(patient)) << "{\"format\": 3}";
+  const auto newer = session::loadPatientRecord(patient);
+  ASSERT_FALSE(newer);
+  for (const std::string& english :
+       {noteOn(Seal::absent), noteOn(Seal::changed), meanwhile.error().message,
+        newer.error().message,
+        std::string("/a/draws.sqlite was changed after the program wrote it, so its results are "
+                    "not continued. Delete it or give another folder.")}) {
+    const QString german = gui::engineError(english);
+    EXPECT_NE(german, QString::fromStdString(english));
+    EXPECT_FALSE(german.contains(QLatin1String(" the "))) << german.toStdString();
+  }
+  EXPECT_TRUE(gui::engineError(newer.error().message)
+                  .startsWith(QString::fromStdString(session::recordFileOf(patient).string())));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 // The list of saved patients: tags, notes, archive, and what belongs to one of them.
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <QAbstractButton>
@@ -21,6 +22,7 @@
 #include "gui/setup/PatientLibrary.h"
 #include "gui/setup/PlanStore.h"
 #include "perilymph/device/ScriptedDevice.h"
+#include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/planning/Plan.h"
 #include "perilymph/session/Insertion.h"
@@ -112,6 +114,46 @@ protected:
   fs::path other_, file_;
   std::unique_ptr<WindowRig> rig_;
 };
+
+TEST_F(ListOfPatients, LosesNoNoteOfAnotherWindow)
+{
+  open("P-018");
+  auto record = *session::loadPatientRecord(file_);
+  record.notes = "theirs";
+  ASSERT_TRUE(session::savePatientRecord(record, file_));  // another window saves
+  typeNote("ours");
+  select("P-019");
+  EXPECT_TRUE(rig_->label("patientStatus").contains("changed by another program meanwhile"));
+  EXPECT_EQ(notesIn(file_), "theirs");
+  select("P-018");
+  EXPECT_EQ(notes().toPlainText(), "theirs\n\nours");
+  typeNote(" ");
+  select("P-019");
+  EXPECT_THAT(notesIn(file_), testing::HasSubstr("theirs"));
+  EXPECT_THAT(notesIn(file_), testing::HasSubstr("ours"));
+}
+
+TEST_F(ListOfPatients, SaysWhichRecordWasChangedByHand)
+{
+  std::string text = *readWhole(session::recordFileOf(file_));
+  text.replace(text.find("2021-07-08"), 10, "2020-07-08");
+  std::ofstream(session::recordFileOf(file_)) << text;
+  open("P-018");
+  EXPECT_TRUE(rig_->label("patientDetailsName").contains("record changed by hand"));
+  select("P-019");
+  EXPECT_FALSE(rig_->label("patientDetailsName").contains("changed by hand"));
+}
+
+TEST_F(ListOfPatients, SaysWhoseMeasuresWereChangedByHand)
+{
+  std::string text = *readWhole(file_);
+  text.replace(text.find("9.1"), 3, "9.4");
+  std::ofstream(file_) << text;
+  open("P-018");
+  EXPECT_TRUE(rig_->label("patientDetailsName").contains("measures changed by hand"));
+  select("P-019");
+  EXPECT_FALSE(rig_->label("patientDetailsName").contains("changed by hand"));
+}
 
 TEST_F(ListOfPatients, FindsATagAndHidesTheArchived)
 {

@@ -25,7 +25,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
   using namespace perilymph;
   static fuzz::InputFile file("a.mrk.json");
-  const auto marks = imaging::readLandmarks(file.holding({data, size}));
+  const auto marks = imaging::readLandmarks(file.holding({data, size}), {});
   if (!marks) {
     fuzz::promise(!marks.error().message.empty(), "a refusal has a sentence");
     return 0;

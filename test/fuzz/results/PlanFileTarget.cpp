@@ -10,11 +10,9 @@ namespace perilymph::fuzz {
 
 namespace {
 
-void use(const planning::PlanFile& file)
+void use(const session::InsertionTable& file)
 {
-  const auto origin = file.origin();
-  if (!origin) promise(!origin.error().message.empty(), "a refusal has a sentence");
-  const auto read = file.read();
+  const auto read = planning::insertionsIn(file);
   if (!read) {
     promise(!read.error().message.empty(), "a refusal has a sentence");
     return;
@@ -38,7 +36,8 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
   using namespace perilymph;
   static fuzz::InputFile file("draws.sqlite");
   {
-    const auto draws = planning::PlanFile::openToView(file.holding({data, size}));
+    const auto draws =
+        session::InsertionTable::open(file.holding({data, size}), planning::planKind());
     if (draws)
       fuzz::use(*draws);
     else

@@ -17,8 +17,8 @@ void use(const study::StudyFile& file)
   const study::StudyFileFacts& facts = file.facts();
   promise(facts.first <= facts.end && facts.end <= facts.cases && facts.cases <= study::maxCases,
           "a file is for cases of its study");
-  const auto size = file.size();
-  if (!size) promise(!size.error().message.empty(), "a refusal has a sentence");
+  promise((facts.seal == Seal::changed) == facts.fingerprint.empty() || facts.fingerprint.empty(),
+          "a changed file has no number");
   std::size_t next = facts.first;
   const auto read = file.read([&](const study::StudyResult& result) -> Result<Done> {
     promise(result.number == next++ && result.number < facts.end, "insertions are consecutive");

@@ -28,7 +28,9 @@ using testing::Not;
 
 PdfDocument document()
 {
-  return {"%PDF-1.4 a document of an odd number of bytes", "Insertion plan", "P-17", "0.1.0+test"};
+  // printf 1.2.840.99.1 | sha256sum
+  return {"%PDF-1.4 a document of an odd number of bytes", "Insertion plan", "P-17", "0.1.0+test",
+          "2a87a5a516859a3324f333db4edfe1e3e86e3fea8c2ef0af34b45a44f2a7438e"};
 }
 
 /// A CT of two slices of a patient with a name.
@@ -117,6 +119,43 @@ TEST_F(EncapsulatedPdfFile, HasNewUidsEachTime)
   }
   EXPECT_EQ(uids.size(), 6u);
   EXPECT_EQ(uids.count(""), 0u);
+}
+
+TEST_F(EncapsulatedPdfFile, OfAnotherPersonsDataIsRefusedWithoutNamingAnyone)
+{
+  test::writeDicomFiles(ctOf("1.2.840.98", "MRN-4712"), folder_ / "ct");
+  PdfDocument other = document();
+  for (const bool isFiledWithoutSeries : {false, true}) {
+    other.isFiledWithoutSeries = isFiledWithoutSeries;
+    const auto written = writeEncapsulatedPdf(other, folder_ / "ct", file());
+    ASSERT_FALSE(written);
+    EXPECT_THAT(written.error().message, HasSubstr("is not the CT in which this was measured"));
+    EXPECT_THAT(written.error().message, Not(HasSubstr("MRN")));
+    EXPECT_FALSE(fs::exists(file()));
+  }
+}
+
+TEST_F(EncapsulatedPdfFile, IsComparedWithEverySeriesOfTheStudy)
+{
+  auto slices = ctOf("1.2.840.99", "MRN-4711");
+  for (test::DicomData& slice : slices) slice.setText(0x0020000E, "UI", "1.2.840.99.7");
+  test::writeDicomFiles(slices, folder_ / "ct/b");
+  EXPECT_FALSE(writeEncapsulatedPdf(document(), folder_ / "ct", file()));
+  test::writeDicomFiles(ctOf("1.2.840.99", "MRN-4711"), folder_ / "ct/a");
+  EXPECT_TRUE(writeEncapsulatedPdf(document(), folder_ / "ct", file()));
+}
+
+TEST_F(EncapsulatedPdfFile, WithoutASeriesIsFiledOnlyIfAsked)
+{
+  test::writeDicomFiles(ctOf("1.2.840.99", "MRN-4711"), folder_ / "ct");
+  PdfDocument other = document();
+  other.seriesKey.clear();
+  const auto written = writeEncapsulatedPdf(other, folder_ / "ct", file());
+  ASSERT_FALSE(written);
+  EXPECT_THAT(written.error().message, HasSubstr("add --ct-not-compared"));
+  EXPECT_FALSE(fs::exists(file()));
+  other.isFiledWithoutSeries = true;
+  EXPECT_TRUE(writeEncapsulatedPdf(other, folder_ / "ct", file()));
 }
 
 TEST_F(EncapsulatedPdfFile, IsRefusedForSeveralStudiesWithoutNamingThePatient)

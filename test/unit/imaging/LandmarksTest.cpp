@@ -23,7 +23,7 @@ TEST(Landmarks, ComeBackAsTheyWereWritten)
   marks[ct::Mark::farB] = Vector3d(-7.0, 8.0, 9.0);
   const test::TemporaryFolder folder;
   ASSERT_TRUE(writeWhole(folder / "ear.mrk.json", planText({.marks = marks})));
-  const auto read = readLandmarks(folder / "ear.mrk.json");
+  const auto read = readLandmarks(folder / "ear.mrk.json", {});
   ASSERT_TRUE(read) << read.error().message;
   EXPECT_TRUE(*read == marks);
 }
@@ -37,13 +37,31 @@ TEST(Landmarks, AreWrittenInTheFrameThatTheyName)
   EXPECT_THAT(text, testing::HasSubstr("\"label\": \"C\""));
 }
 
+TEST(Landmarks, OfAnotherSeriesAreRefused)
+{
+  const test::TemporaryFolder folder;
+  ct::Marks marks;
+  marks[ct::Mark::roundWindow] = Vector3d(1.0, 2.0, 3.0);
+  const auto file = folder / "ear.mrk.json";
+  ASSERT_TRUE(writeWhole(file, planText({.seriesKey = std::string(64, 'a'), .marks = marks})));
+  EXPECT_TRUE(readLandmarks(file, std::string(64, 'a')));
+  for (const std::string& other : {std::string(64, 'b'), std::string(), std::string(63, 'a')}) {
+    const auto read = readLandmarks(file, other);
+    ASSERT_FALSE(read) << other;
+    EXPECT_THAT(read.error().message, testing::HasSubstr("landmarks of another CT series"));
+  }
+  // points that name none, as Slicer's own
+  ASSERT_TRUE(writeWhole(file, planText({.marks = marks})));
+  EXPECT_TRUE(readLandmarks(file, std::string(64, 'b')));
+}
+
 TEST(Landmarks, OfRasFilesAreTurnedToLps)
 {
   const test::TemporaryFolder folder;
   ASSERT_TRUE(writeWhole(folder / "ras.mrk.json",
                          R"({"markups": [{"coordinateSystem": "RAS", "controlPoints":
                              [{"label": "RW", "position": [1, 2, 3]}]}]})"));
-  const auto read = readLandmarks(folder / "ras.mrk.json");
+  const auto read = readLandmarks(folder / "ras.mrk.json", {});
   ASSERT_TRUE(read) << read.error().message;
   EXPECT_EQ((*read)[ct::Mark::roundWindow].value(), Vector3d(-1, -2, 3));
 }
@@ -57,7 +75,7 @@ Result<ct::Marks> readWith(const std::string& members, const std::string& positi
                       "\"controlPoints\": [{\"label\": \"RW\", \"position\": " + position +
                       "}]}]}"))
     throw std::runtime_error("The file could not be written.");
-  return readLandmarks(folder / "a.mrk.json");
+  return readLandmarks(folder / "a.mrk.json", {});
 }
 
 TEST(Landmarks, WithoutACoordinateSystemAreInLps)
@@ -101,7 +119,7 @@ TEST(Landmarks, WithoutAPointInTheCochleaAreRefused)
   ASSERT_TRUE(writeWhole(folder / "b.mrk.json",
                          R"({"markups": [{"coordinateSystem": "LPS", "controlPoints":
                              [{"label": "B1", "position": [1, 2, 3]}]}]})"));
-  const auto read = readLandmarks(folder / "b.mrk.json");
+  const auto read = readLandmarks(folder / "b.mrk.json", {});
   ASSERT_FALSE(read);
   EXPECT_THAT(read.error().message, testing::HasSubstr("RW, C or A"));
 }

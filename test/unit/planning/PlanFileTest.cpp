@@ -11,7 +11,34 @@
 namespace perilymph::test {
 namespace {
 
-using planning::PlanFile;
+namespace fs = std::filesystem;
+using planning::insertionsIn;
+using planning::planKind;
+using planning::rowsOf;
+using session::InsertionTable;
+
+Result<InsertionTable> continued(const fs::path& file, const std::string& fingerprint)
+{
+  return InsertionTable::openToContinue(file, planKind(), planning::planFacts(fingerprint));
+}
+
+/// A file with draws, closed.
+void write(const fs::path& file, const std::vector<planning::PlannedInsertion>& insertions)
+{
+  auto made = continued(file, "one");
+  ASSERT_TRUE(made) << made.error().message;
+  ASSERT_TRUE(made->append(rowsOf(insertions)));
+  ASSERT_TRUE(made->close());
+}
+
+/// Runs statements on a file as another program does.
+void runSql(const fs::path& file, const std::string& sql)
+{
+  auto database = database::Database::openNew(file);
+  ASSERT_TRUE(database) << database.error().message;
+  const auto done = database->run(sql);
+  ASSERT_TRUE(done) << done.error().message;
+}
 
 TEST(PlanFile, KeepsEveryBit)
 {
@@ -20,15 +47,12 @@ TEST(PlanFile, KeepsEveryBit)
   insertions[1].stiffness = 1.0 / 3.0;
   insertions[1].insertion.peak = newtons(0.1 + 0.2);
   insertions[2].insertion.reason = "\"quoted\", and a line\nmore";
-  {
-    auto file = PlanFile::open(folder.path() / "draws.sqlite", "one");
-    ASSERT_TRUE(file) << file.error().message;
-    ASSERT_TRUE(file->append(insertions));
-    ASSERT_TRUE(file->close());
-  }
-  const auto file = PlanFile::open(folder.path() / "draws.sqlite", "one");
+  write(folder / "draws.sqlite", insertions);
+  const auto file = continued(folder / "draws.sqlite", "one");
   ASSERT_TRUE(file) << file.error().message;
-  const auto found = file->read();
+  EXPECT_EQ(file->seal(), Seal::intact);
+  EXPECT_EQ(file->size(), insertions.size());
+  const auto found = insertionsIn(*file);
   ASSERT_TRUE(found) << found.error().message;
   ASSERT_EQ(found->size(), insertions.size());
   for (std::size_t i = 0; i < insertions.size(); ++i)
@@ -41,8 +65,8 @@ TEST(PlanFile, KeepsEveryBit)
 TEST(PlanFile, OfAnotherPlanIsRefused)
 {
   const TemporaryFolder folder;
-  ASSERT_TRUE(PlanFile::open(folder.path() / "draws.sqlite", "one"));
-  const auto other = PlanFile::open(folder.path() / "draws.sqlite", "two");
+  ASSERT_TRUE(continued(folder / "draws.sqlite", "one"));
+  const auto other = continued(folder / "draws.sqlite", "two");
   ASSERT_FALSE(other);
   EXPECT_NE(other.error().message.find("belongs to another plan"), std::string::npos)
       << other.error().message;
@@ -62,10 +86,10 @@ TEST(PlanFile, WithoutOneDrawIsRefused)
   const TemporaryFolder folder;
   auto insertions = syntheticInsertions(3);
   insertions.erase(insertions.begin() + 2, insertions.begin() + 4);
-  auto file = PlanFile::open(folder.path() / "draws.sqlite", "one");
+  write(folder / "draws.sqlite", insertions);
+  const auto file = InsertionTable::open(folder / "draws.sqlite", planKind());
   ASSERT_TRUE(file) << file.error().message;
-  ASSERT_TRUE(file->append(insertions));
-  const auto found = file->read();
+  const auto found = insertionsIn(*file);
   ASSERT_FALSE(found);
   EXPECT_NE(found.error().message.find("not consecutive"), std::string::npos)
       << found.error().message;
@@ -76,9 +100,86 @@ TEST(PlanFile, ThatIsNoneIsRefusedAndLeftAlone)
   const TemporaryFolder folder;
   const auto place = folder.path() / "draws.sqlite";
   std::ofstream(place) << "not a database";
-  EXPECT_FALSE(PlanFile::open(place, "one"));
+  EXPECT_FALSE(continued(place, "one"));
   std::ifstream stream(place);
   EXPECT_EQ(std::string(std::istreambuf_iterator<char>(stream), {}), "not a database");
+}
+
+TEST(PlanFile, ThatWasChangedIsViewedAndNotContinued)
+{
+  const TemporaryFolder folder;
+  const auto file = folder / "draws.sqlite";
+  const std::string changes[] = {
+      "UPDATE insertion SET content = replace(content, '\"stiffness\":1.0', '\"stiffness\":1.1')",
+      "DELETE FROM insertion WHERE draw = 3",
+      "UPDATE meta SET value = 'two' WHERE key = 'program'",
+      "DELETE FROM meta WHERE key = 'content_sha256'",
+      "PRAGMA user_version=2",
+      "PRAGMA user_version=2; DELETE FROM meta WHERE key = 'content_sha256'; UPDATE meta SET value "
+      "= 'one ' WHERE key = 'fingerprint'"};
+  for (const std::string& change : changes) {
+    fs::remove(file);
+    write(file, syntheticInsertions(3));
+    EXPECT_TRUE(continued(file, "one"));
+    runSql(file, change);
+    const auto viewed = InsertionTable::open(file, planKind());
+    ASSERT_TRUE(viewed) << change << ": " << viewed.error().message;
+    EXPECT_NE(viewed->seal(), Seal::intact) << change;
+    EXPECT_FALSE(continued(file, "one")) << change;
+  }
+  fs::remove(file);
+  write(file, syntheticInsertions(3));
+  runSql(file, changes[0]);
+  EXPECT_EQ(continued(file, "one").error().message,
+            file.string() +
+                " was changed after the program wrote it, so its results are not "
+                "continued. Delete it or give another folder.");
+}
+
+TEST(PlanFile, OfAnEarlierVersionCarriesNoSeal)
+{
+  const TemporaryFolder folder;
+  const auto file = folder / "draws.sqlite";
+  write(file, syntheticInsertions(3));
+  runSql(file, "PRAGMA user_version=2; DELETE FROM meta WHERE key = 'content_sha256'");
+  const auto viewed = InsertionTable::open(file, planKind());
+  ASSERT_TRUE(viewed) << viewed.error().message;
+  EXPECT_EQ(viewed->seal(), Seal::absent);
+  EXPECT_EQ(insertionsIn(*viewed)->size(), 6u);
+  EXPECT_NE(continued(file, "one").error().message.find("carries no seal"), std::string::npos);
+}
+
+TEST(PlanFile, TakesOneWriterAtATime)
+{
+  const TemporaryFolder folder;
+  const auto first = continued(folder / "draws.sqlite", "one");
+  ASSERT_TRUE(first) << first.error().message;
+  const auto second = continued(folder / "draws.sqlite", "one");
+  ASSERT_FALSE(second);
+  EXPECT_NE(second.error().message.find("another program works on it"), std::string::npos)
+      << second.error().message;
+}
+
+TEST(RowOfAPlan, OutOfWhatIsPossibleIsRefusedByItsName)
+{
+  const std::string whole = contentOf(syntheticInsertions(1).front());
+  const std::tuple<const char*, const char*, const char*> changes[] = {
+      {"\"peak\":0.001", "\"peak\":-5.0", "the peak force is -5000 mN; 0 to 2000"},
+      {"\"peak\":0.001", "\"peak\":2.5", "the peak force is 2500 mN"},
+      {"\"apical\":", "\"apical\":9", "the angle is"},
+      {"\"a_mm\":9.", "\"a_mm\":99.", "a_mm is 99.001"},
+      {"\"membrane\":0.001", "\"membrane\":-0.001", "the force on the partition"},
+      {"\"depth\":0.02", "\"depth\":2.0", "the depth is 2000 mm"},
+      {"\"end\":\"finished\"", "\"end\":\"finishes\"", "its end has no known name"},
+      {"\"profile_force\":[0.001", "\"profile_force\":[1e9", "a force is"}};
+  for (const auto& [part, other, reason] : changes) {
+    std::string text = whole;
+    ASSERT_NE(text.find(part), std::string::npos) << part << " in " << text;
+    text.replace(text.find(part), std::string(part).size(), other);
+    const auto read = planning::insertionIn(text);
+    ASSERT_FALSE(read) << other;
+    EXPECT_NE(read.error().message.find(reason), std::string::npos) << read.error().message;
+  }
 }
 
 TEST(RowOfAPlan, ThatLacksAMemberIsNone)

@@ -94,17 +94,65 @@ TEST(StoredPlan, RefusesTextsThatAreNoPlanInOneSentence)
       {"[1, 2]", "is missing"},
       {good.substr(0, good.size() / 2), "not JSON"},
       {with(good, "\"A_mm\": 9.2", "\"A_mm\": \"9.2\""), "A_mm is not a number"},
-      {with(good, "\"A_mm\": 9.2", "\"A_mm\": 92"), "not possible"},
-      {with(good, "\"A_mm\": 9.2", "\"A_mm\": 1e300"), "A_mm is not a number"},
-      {with(good, "\"p5\": ", "\"p5\": 9"), "quantiles that decrease"},
-      {with(good, "\"value\": 0", "\"value\": 7"), "not a probability"},
+      {with(good, "\"A_mm\": 9.2", "\"A_mm\": 92"), "A_mm is 92; 5 to 13 is possible"},
+      {with(good, "\"A_mm\": 9.2", "\"A_mm\": 12.9"), "not possible"},
+      {with(good, "\"A_mm\": 9.2", "\"A_mm\": 1e300"), "A_mm is 1e+300"},
+      {with(good, "\"format\": 2", "\"format\": 3"), "newer program"},
+      {with(good, "\"p5\": 3", "\"p5\": 9"), "quantiles that decrease"},
+      {with(good, "\"value\": 0", "\"value\": 7"), "0 to 1 is possible"},
+      {with(good, "\"value\": 0.", "\"value\": 0.0"), "not a probability"},
       {with(good, "\"draws\": 20", "\"draws\": -20"), "draws is not a whole number"}};
   for (const auto& [text, reason] : texts) {
     const auto stored = planning::planIn(text, "plan.json");
     ASSERT_FALSE(stored) << reason;
     EXPECT_THAT(stored.error().message, HasSubstr(reason));
-    EXPECT_THAT(stored.error().message, HasSubstr("plan.json is not a plan"));
+    EXPECT_THAT(stored.error().message, HasSubstr("plan.json is"));
   }
+}
+
+TEST(StoredPlan, WithASideThatIsNoneIsRefused)
+{
+  const std::string good = writtenPlan();
+  for (const char* side : {"lefs", "Left", "both", "", " left", "RIGHT", "ri\\nght", "links"}) {
+    const auto stored = planning::planIn(
+        with(good, "\"side\": \"right\"", "\"side\": \"" + std::string(side) + "\""), "plan.json");
+    ASSERT_FALSE(stored) << side;
+    EXPECT_THAT(stored.error().message, HasSubstr("it must be right or left"));
+  }
+  for (const auto& [part, other] : {std::pair{"\"as measured\"", "\"as measures\""},
+                                    {"\"confidence\": \"", "\"confidence\": \"x"}})
+    EXPECT_FALSE(planning::planIn(with(good, part, other), "plan.json")) << other;
+}
+
+TEST(StoredPlan, ThatWasChangedHasNoNumber)
+{
+  const std::string good = writtenPlan();
+  EXPECT_EQ(planning::planIn(good, "plan.json")->plan.seal, Seal::intact);
+  EXPECT_EQ(planning::planIn(good, "plan.json")->plan.fingerprint, "0123");
+  for (const auto& [part, other] : {std::pair{"\"A_mm\": 9.2", "\"A_mm\": 9.9"},
+                                    {"\"side\": \"right\"", "\"side\": \"left\""},
+                                    {"\"plan\": \"0123\"", "\"plan\": \"0124\""},
+                                    {"\"content_sha256\"", "\"content_sha257\""},
+                                    {"\"format\": 2", "\"format\": 1"},
+                                    {"\"format\"", "\"formas\""},
+                                    {"\n", "\n "}}) {
+    const auto stored = planning::planIn(with(good, part, other), "plan.json");
+    ASSERT_TRUE(stored) << other << ": " << stored.error().message;
+    EXPECT_EQ(stored->plan.seal, Seal::changed) << other;
+    EXPECT_EQ(stored->plan.fingerprint, "") << other;
+    EXPECT_FALSE(planning::planJson(stored->plan)) << "it must not get a new seal";
+  }
+}
+
+TEST(StoredPlan, OfAnEarlierVersionCarriesNoSealAndKeepsItsNumber)
+{
+  std::string former = with(writtenPlan(), "  \"format\": 2,\n", "");
+  const auto seal = former.find(",\n  \"content_sha256\"");
+  former.replace(seal, former.size() - seal, "\n}\n");
+  const auto stored = planning::planIn(former, "plan.json");
+  ASSERT_TRUE(stored) << stored.error().message;
+  EXPECT_EQ(stored->plan.seal, Seal::absent);
+  EXPECT_EQ(stored->plan.fingerprint, "0123");
 }
 
 TEST(StoredPlan, AbsentHasTheSentenceOfTheFile)

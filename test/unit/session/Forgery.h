@@ -48,8 +48,8 @@ inline void rehash(const std::filesystem::path& file)
   forEachRow("SELECT record FROM tick ORDER BY tick",
              [&](sqlite3_stmt* rows) { records.add(std::string_view(text(rows, 0))); });
   sqlite3_close(database);
-  runSql(file, "UPDATE meta SET value = '" + session::contentHash(meta, records) +
-                   "' WHERE key = '" + session::MetaKey::contentHash + "'");
+  runSql(file, "UPDATE meta SET value = '" + sealOver(meta, records) + "' WHERE key = '" +
+                   session::MetaKey::contentHash + "'");
 }
 
 }  // namespace perilymph::test

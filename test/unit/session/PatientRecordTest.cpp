@@ -7,12 +7,16 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <fstream>
-#include <iterator>
+#include <nlohmann/json.hpp>
 
 #include "perilymph/anatomy/Patient.h"
+#include "perilymph/foundation/AtomicFile.h"
+#include "perilymph/session/Recording.h"
 #include "perilymph/test/TemporaryFolder.h"
 
 namespace perilymph::session {
@@ -32,6 +36,14 @@ protected:
     patient.side = anatomy::Side::left;
     patient.basalTurn = anatomy::BasalTurn{millimeters(9.1), millimeters(6.7), std::nullopt};
     ASSERT_TRUE(anatomy::savePatient(patient, file_));
+  }
+
+  /// A whole recording of no tick.
+  static void record(const fs::path& file)
+  {
+    auto recording = Recording::create(file, {});
+    ASSERT_TRUE(recording) << recording.error().message;
+    ASSERT_TRUE((*recording)->close());
   }
 
   /// The files below a folder.
@@ -80,7 +92,9 @@ TEST_F(PatientRecords, RefuseHostileFilesInOneSentence)
        {std::string(), std::string("[]"), std::string("{\"format\": 1}"),
         std::string("{\"format\": 1, \"tags\": [7], \"notes\": \"\", \"archived\": false}"),
         std::string("{\"format\": 1, \"tags\": [\"\"], \"notes\": \"\", \"archived\": false}"),
-        std::string("{\"format\": 2}"), std::string(100'000, '['), std::string(40'000, '[')}) {
+        std::string("{\"format\": 2}"),
+        std::string("{\"format\": 2, \"tags\": [], \"notes\": \"\", \"archived\": false}"),
+        std::string(100'000, '['), std::string(40'000, '[')}) {
     std::ofstream(recordFileOf(file_)) << text;
     const auto record = loadPatientRecord(file_);
     ASSERT_FALSE(record) << text.substr(0, 60);
@@ -90,7 +104,7 @@ TEST_F(PatientRecords, RefuseHostileFilesInOneSentence)
 
 TEST_F(PatientRecords, OfANewerProgramSaySo)
 {
-  for (const char* format : {"2", "4294967297", "18446744073709551615", "1e300"}) {
+  for (const char* format : {"3", "4294967297", "18446744073709551615", "1e300"}) {
     std::ofstream(recordFileOf(file_))
         << "{\"format\": " << format << R"(, "tags": [], "notes": "", "archived": false})";
     const auto record = loadPatientRecord(file_);
@@ -119,7 +133,7 @@ TEST_F(PatientRecords, StayAsTheyWereWhereTheDiskIsFull)
 TEST_F(PatientRecords, TravelAsAFolderWithTheInsertions)
 {
   ASSERT_TRUE(savePatientRecord(record_, file_));
-  std::ofstream(folder_ / "recordings/one.insertion") << "a recording";
+  record(folder_ / "recordings/one.insertion");
   const fs::path exported = folder_ / "P-017";
   ASSERT_TRUE(exportPatient(file_, {folder_ / "recordings/one.insertion"}, exported));
   EXPECT_THAT(filesIn(exported), testing::UnorderedElementsAre("patient.toml", "record.json",
@@ -133,14 +147,14 @@ TEST_F(PatientRecords, TravelAsAFolderWithTheInsertions)
   ASSERT_TRUE(patient);
   EXPECT_EQ(patient->label, "P-017");
   EXPECT_EQ(patient->basalTurn->a, millimeters(9.1));
-  std::ifstream stream(folder_ / "others/one.insertion");
-  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(stream), {}), "a recording");
+  EXPECT_EQ(*readWhole(folder_ / "others/one.insertion"),
+            *readWhole(folder_ / "recordings/one.insertion"));
 }
 
 TEST_F(PatientRecords, ReplaceNothingWhenTheyTravel)
 {
   const fs::path exported = folder_ / "P-017";
-  std::ofstream(folder_ / "recordings/one.insertion") << "a recording";
+  record(folder_ / "recordings/one.insertion");
   ASSERT_TRUE(exportPatient(file_, {folder_ / "recordings/one.insertion"}, exported));
   EXPECT_FALSE(exportPatient(file_, {}, exported));
   const auto twice = importPatient(exported, folder_ / "patients", folder_ / "others");
@@ -170,6 +184,201 @@ TEST_F(PatientRecords, AreNotImportedFromFoldersWithLinksOrNames)
   EXPECT_FALSE(importPatient(exported, folder_ / "other", folder_ / "others"));
   EXPECT_TRUE(filesIn(folder_ / "other").empty());
   EXPECT_TRUE(filesIn(folder_ / "others").empty());
+}
+
+anatomy::Patient patientWith(double a_mm)
+{
+  anatomy::Patient patient;
+  patient.label = "P-017";
+  patient.side = anatomy::Side::left;
+  patient.basalTurn = anatomy::BasalTurn{millimeters(a_mm), millimeters(6.7), millimeters(4.0)};
+  patient.errors = anatomy::BasalTurnErrors{millimeters(0.1), millimeters(0.2), std::nullopt};
+  patient.origin.seriesKey = std::string(64, 'b');
+  return patient;
+}
+
+VersionFacts factsAt(const std::string& utc)
+{
+  return {utc, {}, {{"RW", {1.5, -2.0, 30.25}, true}}, {"A is unusual."}};
+}
+
+TEST_F(PatientRecords, KeepEveryVersionOfTheMeasures)
+{
+  const auto first = *anatomy::loadPatient(file_);  // as a program before wrote it
+  ASSERT_TRUE(savePatientVersion(patientWith(9.2), file_, factsAt("2026-11-20T09:30:00Z"), false));
+  ASSERT_TRUE(savePatientVersion(patientWith(9.2), file_, factsAt("2026-11-21T09:30:00Z"), false));
+  ASSERT_TRUE(savePatientVersion(patientWith(9.4), file_, factsAt("2026-11-22T09:30:00Z"), false));
+  const auto record = loadPatientRecord(file_);
+  ASSERT_TRUE(record) << record.error().message;
+  ASSERT_EQ(record->versions.size(), 3u);
+  EXPECT_EQ(record->versions[0].patient, anatomy::patientText(first));
+  EXPECT_EQ(record->versions[1].patient, anatomy::patientText(patientWith(9.2)));
+  EXPECT_EQ(record->versions[1].savedUtc, "2026-11-20T09:30:00Z");
+  EXPECT_EQ(record->versions[1].landmarks, factsAt("").landmarks);
+  EXPECT_EQ(record->versions[1].warnings, factsAt("").warnings);
+  EXPECT_FALSE(record->versions[1].program.empty());
+  EXPECT_EQ(record->versions[2].patient, anatomy::patientText(patientWith(9.4)));
+  EXPECT_EQ(record->scans.size(), 1u);
+  EXPECT_EQ(anatomy::loadPatient(file_)->basalTurn->a, millimeters(9.4));
+  // for other programs: values with their 95 % intervals
+  const auto json = nlohmann::json::parse(*readWhole(recordFileOf(file_)));
+  const auto& a = json.at("versions")[1].at("measures").at("A_mm");
+  EXPECT_NEAR(a.at("value").get<double>(), 9.2, 1e-9);
+  EXPECT_NEAR(a.at("ci95")[0].get<double>(), 9.2 - 0.196, 1e-9);
+  EXPECT_NEAR(a.at("ci95")[1].get<double>(), 9.2 + 0.196, 1e-9);
+}
+
+TEST_F(PatientRecords, KeepPlansInsertionsAndOutcomes)
+{
+  auto record = loadPatientRecord(file_);
+  record->plans = {{"2026-11-20T09:30:00Z", "P-017-left-01234567", "3 arrays"}};
+  record->insertions = {{"2026-11-20T10:30:00Z", "one.insertion", "FLEX28"}};
+  record->outcomes = {{"2026-12-20T09:30:00Z", std::string(64, 'c'), "{\"format\": 1}"}};
+  const auto saved = savePatientRecord(*record, file_);
+  ASSERT_TRUE(saved) << saved.error().message;
+  EXPECT_EQ(*loadPatientRecord(file_), *record);
+  for (auto list : {0, 1, 2}) {  // none of them can be lost
+    PatientRecord other = *saved;
+    if (list == 0) other.plans.clear();
+    if (list == 1) other.insertions[0].name = "two.insertion";
+    if (list == 2) other.outcomes.clear();
+    const auto lost = savePatientRecord(other, file_);
+    ASSERT_FALSE(lost);
+    EXPECT_THAT(lost.error().message, HasSubstr("would be lost"));
+  }
+}
+
+TEST_F(PatientRecords, OfFormatOneAreReadAndKept)
+{
+  std::ofstream(recordFileOf(file_))
+      << R"({"format": 1, "tags": ["EAS"], "notes": "first look", "archived": true, "scans": []})";
+  auto record = loadPatientRecord(file_);
+  ASSERT_TRUE(record) << record.error().message;
+  EXPECT_EQ(record->notes, "first look");
+  EXPECT_EQ(record->seal, Seal::absent);
+  EXPECT_FALSE(record->isChangedByHand);
+  ASSERT_TRUE(savePatientVersion(patientWith(9.2), file_, factsAt("2026-11-20T09:30:00Z"), false));
+  EXPECT_EQ(loadPatientRecord(file_)->notes, "first look");
+  EXPECT_EQ(loadPatientRecord(file_)->seal, Seal::intact);
+}
+
+TEST_F(PatientRecords, ThatWereChangedByHandSaySoForEver)
+{
+  auto saved = savePatientRecord(record_, file_);
+  ASSERT_TRUE(saved) << saved.error().message;
+  std::string text = *readWhole(recordFileOf(file_));
+  text.replace(text.find("narrow"), 6, "wide  ");
+  std::ofstream(recordFileOf(file_)) << text;
+  auto changed = loadPatientRecord(file_);
+  ASSERT_TRUE(changed) << changed.error().message;
+  EXPECT_EQ(changed->seal, Seal::changed);
+  EXPECT_TRUE(changed->isChangedByHand);
+  changed->tags = {};
+  ASSERT_TRUE(savePatientRecord(*changed, file_));
+  EXPECT_EQ(loadPatientRecord(file_)->seal, Seal::intact);
+  EXPECT_TRUE(loadPatientRecord(file_)->isChangedByHand);
+}
+
+TEST_F(PatientRecords, OfAnotherProgramAreNotReplaced)
+{
+  const auto mine = loadPatientRecord(file_);
+  ASSERT_TRUE(savePatientRecord(record_, file_));  // by another program meanwhile
+  PatientRecord other = *mine;
+  other.notes = "mine";
+  const auto saved = savePatientRecord(other, file_);
+  ASSERT_FALSE(saved);
+  EXPECT_THAT(saved.error().message, HasSubstr("was changed by another program meanwhile"));
+  EXPECT_EQ(*loadPatientRecord(file_), record_);
+  // nor those that cannot be read, or are of a newer program
+  for (const char* text : {"{\"format\": 3}", "no JSON"}) {
+    std::ofstream(recordFileOf(file_)) << text;
+    EXPECT_FALSE(savePatientRecord(other, file_));
+    EXPECT_FALSE(
+        savePatientVersion(patientWith(9.2), file_, factsAt("2026-11-20T09:30:00Z"), false));
+    EXPECT_EQ(*readWhole(recordFileOf(file_)), text);
+    EXPECT_EQ(anatomy::loadPatient(file_)->basalTurn->a, millimeters(9.1));
+  }
+}
+
+TEST_F(PatientRecords, AreNotMadeOverAPatientThatCannotBeRead)
+{
+  const std::string newer = "label = \"P-017\"\nside = \"left\"\nfrom_a_newer_program = 1\n";
+  std::ofstream(file_) << newer;
+  for (const bool isNew : {true, false}) {
+    const auto saved =
+        savePatientVersion(patientWith(9.2), file_, factsAt("2026-11-20T09:30:00Z"), isNew);
+    ASSERT_FALSE(saved);
+    EXPECT_THAT(saved.error().message, HasSubstr("not replaced"));
+    EXPECT_EQ(*readWhole(file_), newer);
+  }
+}
+
+TEST_F(PatientRecords, WithoutTheirPatientAreNotReplacedByAnImport)
+{
+  const fs::path exported = folder_ / "P-017";
+  ASSERT_TRUE(savePatientRecord(record_, file_));
+  ASSERT_TRUE(exportPatient(file_, {}, exported));
+  fs::remove(file_);
+  const auto imported = importPatient(exported, folder_ / "patients", folder_ / "others");
+  ASSERT_FALSE(imported);
+  EXPECT_THAT(imported.error().message, HasSubstr("holds notes on a patient of this code"));
+  EXPECT_EQ(*loadPatientRecord(file_), record_);
+}
+
+TEST_F(PatientRecords, AreNotImportedWithWhatIsNoRecording)
+{
+  const fs::path exported = folder_ / "P-017";
+  ASSERT_TRUE(exportPatient(file_, {}, exported));
+  std::ofstream(exported / "insertions/one.insertion") << "no recording";
+  const auto imported = importPatient(exported, folder_ / "other", folder_ / "others");
+  ASSERT_FALSE(imported);
+  EXPECT_THAT(imported.error().message, HasSubstr("cannot be imported"));
+  EXPECT_TRUE(filesIn(folder_ / "other").empty());
+  EXPECT_TRUE(filesIn(folder_ / "others").empty());
+}
+
+TEST_F(PatientRecords, AreImportedByOneOfTwoPrograms)
+{
+  const fs::path exported = folder_ / "P-017";
+  ASSERT_TRUE(exportPatient(file_, {}, exported));
+  const int programs = 4;
+  for (int i = 0; i < programs; ++i)
+    if (::fork() == 0) {
+      const bool isDone(importPatient(exported, folder_ / "other", folder_ / "others"));
+      ::_exit(isDone ? 0 : 1);
+    }
+  int done = 0;
+  for (int i = 0; i < programs; ++i) {
+    int status = 0;
+    ::wait(&status);
+    done += status == 0 ? 1 : 0;
+  }
+  EXPECT_EQ(done, 1);
+  EXPECT_EQ(filesIn(folder_ / "other").size(), 2u);
+}
+
+TEST_F(PatientRecords, LoseNoNoteOfTwoProgramsAtOnce)
+{
+  // Each adds fifty insertions to the record; each entry is there afterwards.
+  const int programs = 3, each = 50;
+  for (int i = 0; i < programs; ++i)
+    if (::fork() == 0) {
+      for (int k = 0; k < each; ++k) {
+        const auto changed = changePatientRecord(file_, [&](PatientRecord& record) {
+          record.insertions.push_back(
+              {"2026-11-20T10:30:00Z", std::to_string(i) + "-" + std::to_string(k), "FLEX28"});
+        });
+        if (!changed) ::_exit(1);
+      }
+      ::_exit(0);
+    }
+  for (int i = 0; i < programs; ++i) {
+    int status = 0;
+    ::wait(&status);
+    EXPECT_EQ(status, 0);
+  }
+  EXPECT_EQ(loadPatientRecord(file_)->insertions.size(), std::size_t(programs * each));
+  EXPECT_EQ(filesIn(folder_ / "patients").size(), 2u);  // no lock is left
 }
 
 }  // namespace

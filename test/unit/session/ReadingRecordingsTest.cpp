@@ -164,6 +164,19 @@ TEST(OpeningARecording, SaysThatItsFactsAreMissing)
   EXPECT_THAT(refusal(file), HasSubstr("damaged"));
 }
 
+TEST(OpeningARecording, RefusesFactsThatAreThereAndUnreadable)
+{
+  for (const char* change :
+       {"value = 'yes' WHERE key = 'closed'", "value = '2' WHERE key = 'feels_force'",
+        "value = '12 mm' WHERE key = 'reach_m'", "value = '' WHERE key = 'max_stiffness_N_m'",
+        "value = 'none' WHERE key = 'off_time_s'"}) {
+    const test::TemporaryFolder folder;
+    const fs::path file = recorded(folder, 3);
+    runSql(file, std::string("UPDATE meta SET ") + change);
+    EXPECT_THAT(refusal(file), HasSubstr("damaged")) << change;
+  }
+}
+
 TEST(ReadingTicks, StopsAtAnInvalidRecord)
 {
   const test::TemporaryFolder folder;

@@ -32,6 +32,7 @@ std::vector<StudyResult> twentyResults()
                     {"nodes", "100"},
                     {"speed_mm_s", "0." + std::to_string(i + 10)}};
     one.a_mm = 8.0 + 0.1 * static_cast<double>(i / 2);
+    one.b_mm = 6.8;
     one.insertion.end = i == 5 ? analysis::InsertionEnd::buckled : analysis::InsertionEnd::finished;
     one.insertion.peak.force = millinewtons(static_cast<double>(i));
     one.insertion.apical = degrees(300.0 + static_cast<double>(i));
@@ -46,7 +47,7 @@ protected:
     const fs::path file = folder_ / "study.sqlite";
     StudyFileFacts facts{"Twenty", "title = 'Twenty'", "f00d", "test", results.size(),
                          0,        results.size()};
-    auto created = StudyFile::create(file, facts);
+    auto created = StudyFile::openToContinue(file, facts);
     EXPECT_TRUE(created) << (created ? "" : created.error().message);
     EXPECT_TRUE(created->append(results));
     EXPECT_TRUE(created->close());

@@ -62,7 +62,7 @@ protected:
 TEST_F(StudyFiles, HoldWhatWasAdded)
 {
   {
-    auto file = StudyFile::create(file_, facts());
+    auto file = StudyFile::openToContinue(file_, facts());
     ASSERT_TRUE(file) << file.error().message;
     ASSERT_TRUE(file->append({resultOf(3), resultOf(4)}));
     ASSERT_TRUE(file->close());
@@ -71,7 +71,7 @@ TEST_F(StudyFiles, HoldWhatWasAdded)
   ASSERT_TRUE(file) << file.error().message;
   EXPECT_EQ(file->facts().title, "Two arrays");
   EXPECT_EQ(file->facts().end, 7u);
-  EXPECT_EQ(*file->size(), 2u);
+  EXPECT_EQ(file->size(), 2u);
   const auto results = allIn(*file);
   ASSERT_EQ(results.size(), 2u);
   EXPECT_EQ(results[1].number, 4u);
@@ -89,44 +89,45 @@ TEST_F(StudyFiles, HoldWhatWasAdded)
 TEST_F(StudyFiles, AreContinuedWhereTheyEnded)
 {
   {
-    auto file = StudyFile::create(file_, facts());
+    auto file = StudyFile::openToContinue(file_, facts());
     ASSERT_TRUE(file);
     ASSERT_TRUE(file->append({resultOf(3)}));
   }  // not closed
-  auto file = StudyFile::resume(file_);
+  auto file = StudyFile::openToContinue(file_, facts());
   ASSERT_TRUE(file) << file.error().message;
-  EXPECT_EQ(*file->size(), 1u);
+  EXPECT_EQ(file->size(), 1u);
   ASSERT_TRUE(file->append({resultOf(4)}));
-  EXPECT_EQ(*file->size(), 2u);
+  EXPECT_EQ(file->size(), 2u);
 }
 
 TEST_F(StudyFiles, TakeOneWriterAtATime)
 {
-  auto first = StudyFile::create(file_, facts());
+  auto first = StudyFile::openToContinue(file_, facts());
   ASSERT_TRUE(first);
-  const auto second = StudyFile::resume(file_);
+  const auto second = StudyFile::openToContinue(file_, facts());
   ASSERT_FALSE(second);
-  EXPECT_THAT(second.error().message, HasSubstr("another process"));
+  EXPECT_THAT(second.error().message, HasSubstr("another program works on it"));
 }
 
 TEST_F(StudyFiles, KeepAllOrNothingOfABlock)
 {
-  auto file = StudyFile::create(file_, facts());
+  auto file = StudyFile::openToContinue(file_, facts());
   ASSERT_TRUE(file);
   const auto done = file->append({resultOf(3), resultOf(4), resultOf(4)});
   ASSERT_FALSE(done);
-  EXPECT_EQ(*file->size(), 0u);
+  EXPECT_EQ(file->size(), 0u);
 }
 
 TEST_F(StudyFiles, AreRefusedWithAGapADamageOrAsSomethingElse)
 {
   {
-    auto file = StudyFile::create(file_, facts());
+    auto file = StudyFile::openToContinue(file_, facts());
     ASSERT_TRUE(file);
     ASSERT_TRUE(file->append({resultOf(3), resultOf(5)}));
     ASSERT_TRUE(file->close());
   }
-  const auto gap = StudyFile::open(file_)->size();
+  const auto gap =
+      StudyFile::open(file_)->read([](const StudyResult&) -> Result<Done> { return Done{}; });
   ASSERT_FALSE(gap);
   EXPECT_THAT(gap.error().message, HasSubstr("not consecutive"));
 
@@ -134,7 +135,102 @@ TEST_F(StudyFiles, AreRefusedWithAGapADamageOrAsSomethingElse)
   EXPECT_THAT(StudyFile::open(file_).error().message, HasSubstr("damaged"));
   ASSERT_TRUE(writeWhole(file_, "a text"));
   EXPECT_THAT(StudyFile::open(file_).error().message, HasSubstr("is not a study of Perilymph"));
-  EXPECT_THAT(StudyFile::create(file_, facts()).error().message, HasSubstr("there is one already"));
+  EXPECT_THAT(StudyFile::openToContinue(file_, facts()).error().message,
+              HasSubstr("is not a study of Perilymph"));
+}
+
+/// Runs a statement on a file as another program does.
+void runSql(const std::filesystem::path& file, const std::string& sql)
+{
+  auto database = database::Database::openNew(file);
+  ASSERT_TRUE(database) << database.error().message;
+  const auto done = database->run(sql);
+  ASSERT_TRUE(done) << done.error().message;
+}
+
+TEST_F(StudyFiles, ThatWereChangedHaveNoNumberAndAreNotContinued)
+{
+  for (const char* change :
+       {"UPDATE insertion SET peak_mN = 6.4 WHERE number = 3",
+        "UPDATE profile SET force_mN = 3 WHERE number = 4", "DELETE FROM contact WHERE number = 4",
+        "UPDATE insertion SET cochlea = 'virtual 4'",
+        "UPDATE meta SET value = 'x' WHERE key = 'title'",
+        "DELETE FROM meta WHERE key = 'content_sha256'", "PRAGMA user_version=2"}) {
+    std::filesystem::remove(file_);
+    {
+      auto file = StudyFile::openToContinue(file_, facts());
+      ASSERT_TRUE(file) << file.error().message;
+      ASSERT_TRUE(file->append({resultOf(3), resultOf(4)}));
+      ASSERT_TRUE(file->close());
+    }
+    EXPECT_EQ(StudyFile::open(file_)->facts().fingerprint, "ab12");
+    runSql(file_, change);
+    const auto file = StudyFile::open(file_);
+    ASSERT_TRUE(file) << change << ": " << file.error().message;
+    EXPECT_EQ(file->facts().seal, Seal::changed) << change;
+    EXPECT_EQ(file->facts().fingerprint, "") << change;
+    EXPECT_THAT(StudyFile::openToContinue(file_, facts()).error().message,
+                HasSubstr("was changed after the program wrote it"));
+  }
+}
+
+TEST_F(StudyFiles, OfAnEarlierVersionCarryNoSeal)
+{
+  {
+    auto file = StudyFile::openToContinue(file_, facts());
+    ASSERT_TRUE(file->append({resultOf(3)}));
+    ASSERT_TRUE(file->close());
+  }
+  runSql(file_, "PRAGMA user_version=2; DELETE FROM meta WHERE key = 'content_sha256'");
+  const auto file = StudyFile::open(file_);
+  ASSERT_TRUE(file) << file.error().message;
+  EXPECT_EQ(file->facts().seal, Seal::absent);
+  EXPECT_EQ(file->facts().fingerprint, "ab12");
+  EXPECT_EQ(allIn(*file).size(), 1u);
+}
+
+TEST_F(StudyFiles, WithImpossibleValuesAreRefusedByTheirNames)
+{
+  for (const auto& [change, reason] :
+       {std::pair{"peak_mN = -5000", "the peak force is -5000 mN; 0 to 2000 is possible"},
+        {"peak_mN = 2001", "the peak force"},
+        {"angle_deg = 1e9", "the angle is 1"},
+        {"A_mm = 99", "A is 99 mm; 5 to 13 is possible"},
+        {"B_mm = 0", "B is 0 mm"},
+        {"coverage_percent = -1", "the coverage"},
+        {"ticks = -1", "its ticks"},
+        {"ending = 'finishes'", "its ending"},
+        {"settings = '[]'", "its settings"}}) {
+    std::filesystem::remove(file_);
+    {
+      auto file = StudyFile::openToContinue(file_, facts());
+      ASSERT_TRUE(file) << file.error().message;
+      ASSERT_TRUE(file->append({resultOf(3)}));
+      ASSERT_TRUE(file->close());
+    }
+    runSql(file_, std::string("UPDATE insertion SET ") + change);
+    const auto read =
+        StudyFile::open(file_)->read([](const StudyResult&) -> Result<Done> { return Done{}; });
+    ASSERT_FALSE(read) << change;
+    EXPECT_THAT(read.error().message, HasSubstr(reason));
+  }
+  runSql(file_, "UPDATE insertion SET settings = '{}'; UPDATE contact SET is_inserted = 2");
+  const auto read =
+      StudyFile::open(file_)->read([](const StudyResult&) -> Result<Done> { return Done{}; });
+  EXPECT_THAT(read.error().message, HasSubstr("is_inserted is 2; it must be 0 or 1"));
+}
+
+TEST_F(StudyFiles, WithRowsOfNoInsertionAreRefused)
+{
+  {
+    auto file = StudyFile::openToContinue(file_, facts());
+    ASSERT_TRUE(file->append({resultOf(3)}));
+    ASSERT_TRUE(file->close());
+  }
+  runSql(file_, "INSERT INTO profile VALUES(2, 1.0, 1.0)");
+  const auto file = StudyFile::open(file_);
+  ASSERT_FALSE(file);
+  EXPECT_THAT(file.error().message, HasSubstr("belong to no insertion"));
 }
 
 }  // namespace

@@ -28,6 +28,7 @@ std::vector<StudyResult> knownResults(std::size_t cochleae)
                            {"friction", isTissue ? "tissue" : "soap"},
                            {"speed_mm_s", std::to_string(0.3 + 0.01 * static_cast<double>(c))}};
         result.a_mm = 8.0 + 2.0 * static_cast<double>(c) / static_cast<double>(cochleae - 1);
+        result.b_mm = 6.8;
         const double own = c % 2 == 0 ? 3.0 : -3.0;
         const double angle = 400.0 + 30.0 * (result.a_mm - 9.0) + (isLong ? 50.0 : 0.0) -
                              (isTissue ? 20.0 : 0.0) - (isLong && isTissue ? 8.0 : 0.0) + own;
@@ -90,8 +91,8 @@ TEST(StudyReport, TellsDistributionsEffectsAndWhatDidNotFinish)
   const test::TemporaryFolder folder;
   auto results = knownResults(20);
   results.back().insertion.end = analysis::InsertionEnd::buckled;
-  auto file = StudyFile::create(folder / "study.sqlite",
-                                {"Two arrays", "", "abcdef0123456789ff", "0.1.0", 80, 0, 80});
+  auto file = StudyFile::openToContinue(
+      folder / "study.sqlite", {"Two arrays", "", "abcdef0123456789ff", "0.1.0", 80, 0, 80});
   ASSERT_TRUE(file);
   ASSERT_TRUE(file->append(results));
   const auto report = reportOf(*file);

@@ -21,6 +21,7 @@
 #include "gui/parts/Numbers.h"
 #include "gui/parts/StatusLine.h"
 #include "gui/parts/Theme.h"
+#include "perilymph/anatomy/Patient.h"
 #include "perilymph/charts/FigurePicture.h"
 #include "perilymph/figures/Svg.h"
 #include "perilymph/foundation/AtomicFile.h"
@@ -55,6 +56,14 @@ QLabel* text(const QString& caption, int size_px, QWidget* parent, bool isQuiet 
   return label;
 }
 
+/// "left", "right", or a dash for a recording that does not say.
+QString sideText(const std::string& name)
+{
+  const auto side = valueIn(anatomy::sides, name);
+  if (!side) return QStringLiteral("–");
+  return *side == anatomy::Side::left ? ComparePage::tr("left") : ComparePage::tr("right");
+}
+
 /// "FLEX28 · standard", and below it patient, ear and time.
 QString titleOf(const analysis::ComparedInsertion& insertion)
 {
@@ -66,8 +75,7 @@ QString titleOf(const analysis::ComparedInsertion& insertion)
   const auto utc = QDateTime::fromString(QString::fromStdString(insertion.startedUtc), Qt::ISODate);
   return ComparePage::tr("%1 · %2\n%3 · %4 ear · %5")
       .arg(QString::fromStdString(subject.array), technique,
-           QString::fromStdString(subject.patient),
-           subject.side == "left" ? ComparePage::tr("left") : ComparePage::tr("right"),
+           QString::fromStdString(subject.patient), sideText(subject.side),
            utc.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm")));
 }
 

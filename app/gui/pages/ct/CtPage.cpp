@@ -23,6 +23,7 @@
 #include "perilymph/anatomy/Surface.h"
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/imaging/Landmarks.h"
+#include "perilymph/imaging/MeasuredPatient.h"
 #include "perilymph/imaging/MeasuredSurface.h"
 #include "perilymph/imaging/PlanFiles.h"
 
@@ -92,7 +93,7 @@ void CtPage::connectWork()
   connect(&thumbnails_, &CtWork::thumbnailsRead, panel_, &CtPanel::showThumbnails);
   connect(&work_, &CtWork::measured, this, [this](const ct::CochleaMeasures& measures) {
     study_.setMeasures(measures);
-    patient_.clear();
+    patient_.reset();
     panel_->showIdle({});
   });
   connect(&work_, &CtWork::failed, this,
@@ -128,14 +129,15 @@ void CtPage::connectPanel()
     if (!study_.measures()) return;
     const auto setup = setupOfMeasures(*study_.measures(), code);
     if (!setup) return panel_->showIdle(QString::fromStdString(setup.error().message), true);
-    patient_ = setup->scenario.patient().label;
+    patient_ = imaging::measuredPatient(*study_.measures());
+    patient_->label = setup->scenario.patient().label;
     Q_EMIT setupChosen(*setup);
   });
   connect(panel_, &CtPanel::planAsked, this, [this](const QString& code) {
     if (!study_.measures()) return;
     const auto patient = patientOfMeasures(*study_.measures(), code);
     if (!patient) return panel_->showIdle(QString::fromStdString(patient.error().message), true);
-    patient_ = patient->label;
+    patient_ = *patient;
     Q_EMIT planAsked(*patient);
   });
   connect(panel_, &CtPanel::saveSurfaceAsked, this, &CtPage::saveSurface);
@@ -159,8 +161,20 @@ bool CtPage::cancel()
 
 bool CtPage::isInMeasuredCochlea(const session::Scenario& scenario) const
 {
-  return study_.measures() && !patient_.empty() && scenario.patient().label == patient_ &&
-         scenario.anatomy() == anatomy::AnatomySource::mean;
+  const auto& measures = study_.measures();
+  if (!measures || !patient_ || scenario.anatomy() != anatomy::AnatomySource::mean ||
+      patient_->origin.seriesKey != measures->provenance.seriesKey)
+    return false;
+  // The same label may be of another person, whose cochlea the array would be shown in.
+  const anatomy::Patient& inserted = scenario.patient();
+  anatomy::Patient measured = imaging::measuredPatient(*measures);
+  const auto numbers = [](anatomy::Patient patient) {
+    patient.errors.reset();
+    patient.origin = {};
+    return anatomy::patientText(patient);
+  };
+  measured.label = patient_->label;
+  return numbers(inserted) == numbers(measured);
 }
 
 void CtPage::showInsertion(const session::Scenario& scenario, const anatomy::ScalaTympani& scala,
@@ -236,7 +250,7 @@ void CtPage::loadMarks()
   const QString file =
       QFileDialog::getOpenFileName(this, tr("Landmarks"), {}, QStringLiteral("*.mrk.json *.json"));
   if (file.isEmpty()) return;
-  const auto marks = imaging::readLandmarks(file.toStdString());
+  const auto marks = imaging::readLandmarks(file.toStdString(), study_.series().key);
   if (!marks) return panel_->showIdle(QString::fromStdString(marks.error().message), true);
   study_.setMarks(*marks);
   if (const auto inside = marks->inside_P()) study_.moveCrosshair(*inside);

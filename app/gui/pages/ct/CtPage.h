@@ -66,7 +66,7 @@ private:
   CtWork work_;
   CtWork thumbnails_;
   imaging::CtSeriesList list_;
-  std::string patient_;  ///< Code of the patient whose cochlea was offered for insertion or a plan.
+  std::optional<anatomy::Patient> patient_;  ///< Whose cochlea was offered for insertion or a plan.
   QString task_;
   CtPanel* panel_;
   QWidget* pictures_;

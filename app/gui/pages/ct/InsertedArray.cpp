@@ -44,7 +44,7 @@ CtStudy::InsertedArray insertedArray(const ct::CochleaMeasures& measures,
 
 imaging::PlanMarkups planOf(const CtStudy& study)
 {
-  imaging::PlanMarkups plan{.marks = study.marks()};
+  imaging::PlanMarkups plan{.seriesKey = study.series().key, .marks = study.marks()};
   if (const auto& measures = study.measures())
     plan.axis = {measures->center_P, measures->center_P + measures->h.value * measures->axis_P};
   const CtStudy::InsertedArray& array = study.array();

@@ -15,6 +15,7 @@
 #include "gui/pages/plan/PlanView.h"
 #include "gui/pages/plan/PlannedSetup.h"
 #include "gui/parts/EmptyPage.h"
+#include "gui/parts/EngineErrors.h"
 #include "gui/parts/PanelParts.h"
 #include "gui/parts/StatusLine.h"
 #include "gui/parts/Theme.h"
@@ -236,6 +237,8 @@ void PlanPage::connectWork()
   connect(&work_, &PlanWork::ended, this, [this](const QString& sentence) {
     panel_->showProgress(std::nullopt);
     panel_->refresh();
+    if (sentence.isEmpty() && plan_ && plan_->seal == Seal::changed)
+      return say(engineError(noteOn(Seal::changed)), true);
     if (sentence.isEmpty() && plan_ && !plan_->isCurrent)
       return say(
           tr("An array, the scenario, a distribution or the program was changed since this "
@@ -291,7 +294,8 @@ void PlanPage::showPlan(const PlanWork::SharedPlan& plan, const StoredPlan& stor
   head_->show(plan->request.patient);
   const auto draws = plan->arrays.empty() ? 0 : int(plan->arrays.front().draws);
   const QString run = tr("%1 draws, %2 insertions").arg(draws).arg(plan->insertions.size());
-  head_->setNote(run + QStringLiteral(", ") + plannedFriction(plan->request));
+  const QString seal = plan->seal == Seal::changed ? tr("changed by hand, ") : QString();
+  head_->setNote(seal + run + QStringLiteral(", ") + plannedFriction(plan->request));
   list_->show(plan);
   showVerbs();
   panel_->showPlan(stored);

@@ -10,6 +10,7 @@
 
 #include "gui/parts/Numbers.h"
 #include "gui/parts/Theme.h"
+#include "perilymph/anatomy/Patient.h"
 #include "perilymph/foundation/Units.h"
 #include "perilymph/session/ScenarioChoices.h"
 
@@ -144,7 +145,8 @@ QString SessionTable::text(const Row& row, int column) const
       return QString::fromStdString(session.patient);
     case ear:
       if (session.patient.empty()) return {};
-      return session.side == "left" ? tr("left") : tr("right");
+      if (session.side == anatomy::nameOf(anatomy::Side::left)) return tr("left");
+      return session.side == anatomy::nameOf(anatomy::Side::right) ? tr("right") : QString();
     case technique:
       return techniqueOf(session);
     case array:

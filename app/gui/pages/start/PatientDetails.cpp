@@ -2,11 +2,14 @@
 #include "gui/pages/start/PatientDetails.h"
 
 #include <QLineEdit>
+#include <QSignalBlocker>
 #include <QVBoxLayout>
 #include <QVariant>
+#include <algorithm>
 
 #include "gui/pages/start/PatientHistoryList.h"
 #include "gui/parts/ElidedLabel.h"
+#include "gui/parts/EngineErrors.h"
 #include "gui/parts/NotesField.h"
 #include "gui/parts/PanelParts.h"
 #include "gui/parts/Placeholder.h"
@@ -62,6 +65,15 @@ PatientDetails::PatientDetails(QWidget* parent)
   show(std::nullopt);
 }
 
+QString PatientDetails::handChanges(const SavedPatient& patient)
+{
+  if (patient.record.isChangedByHand) return tr(" · record changed by hand");
+  const auto& versions = patient.record.versions;
+  const bool areOthers =
+      !versions.empty() && versions.back().patient != anatomy::patientText(patient.patient);
+  return areOthers ? tr(" · measures changed by hand") : QString();
+}
+
 void PatientDetails::show(const std::optional<SavedPatient>& patient)
 {
   keep();
@@ -69,7 +81,7 @@ void PatientDetails::show(const std::optional<SavedPatient>& patient)
   patient_ = patient;
   tags_->setEnabled(patient.has_value());
   notes_->setEnabled(patient.has_value());
-  name_->setText(patient ? nameOfPatient(patient->patient) : QString());
+  name_->setText(patient ? nameOfPatient(patient->patient) + handChanges(*patient) : QString());
   session::PatientRecord record = patient ? patient->record : session::PatientRecord();
   if (const auto left = patient ? unsaved_.find(patient->file) : unsaved_.end();
       left != unsaved_.end())
@@ -96,20 +108,39 @@ session::PatientRecord PatientDetails::typed() const
 void PatientDetails::keep()
 {
   if (!patient_) return;
-  const session::PatientRecord record = typed();
+  session::PatientRecord record = typed();
   unsaved_.erase(patient_->file);
   if (record == patient_->record) return;
   const auto saved = session::savePatientRecord(record, patient_->file);
   if (!saved) {
+    takeOthersChange(record);
     unsaved_[patient_->file] = record;
-    return said(QString::fromStdString(saved.error().message));
+    return said(engineError(saved.error().message));
   }
   const bool areTags = record.tags != patient_->record.tags;
-  patient_->record = record;
+  patient_->record = *saved;
   const SavedPatient kept = *patient_;
   Q_EMIT recordKept(kept);
   Q_EMIT said((areTags ? tr("The tags of %1 are saved.") : tr("The notes on %1 are saved."))
                   .arg(nameOfPatient(kept.patient)));
+}
+
+void PatientDetails::takeOthersChange(session::PatientRecord& record)
+{
+  const auto now = session::loadPatientRecord(patient_->file);
+  if (!now || now->base == patient_->record.base) return;
+  // neither text is lost: both stand in the field, and what the user leaves there is saved
+  if (now->notes != patient_->record.notes) {
+    const bool isTyped = record.notes != patient_->record.notes && !record.notes.empty();
+    record.notes = isTyped && !now->notes.empty() ? now->notes + "\n\n" + record.notes
+                                                  : now->notes + (isTyped ? record.notes : "");
+  }
+  if (record.tags == patient_->record.tags) record.tags = now->tags;
+  patient_->record = *now;
+  Q_EMIT recordKept(*patient_);
+  const QSignalBlocker areSilent[] = {QSignalBlocker(tags_), QSignalBlocker(notes_)};
+  tags_->setText(tagsText(record));
+  notes_->setNotes(QString::fromStdString(record.notes));
 }
 
 std::array<QWidget*, 3> PatientDetails::fields() const { return {tags_, notes_, history_}; }
@@ -142,6 +173,36 @@ void PatientDetails::showHistory()
   empty_->setVisible(entries.empty());
   history_->setVisible(!entries.empty());
   history_->show(entries);
+  if (patient_ && work_) noteWork(entries);
+}
+
+void PatientDetails::noteWork(const std::vector<HistoryEntry>& entries)
+{
+  std::vector<session::PatientEntry> plans, insertions;
+  const auto add = [](const std::vector<session::PatientEntry>& known,
+                      std::vector<session::PatientEntry>& added, const HistoryEntry& entry) {
+    const std::string name = entry.place.filename().string();
+    if (std::any_of(known.begin(), known.end(),
+                    [&](const auto& each) { return each.name == name; }))
+      return;
+    added.push_back({entry.utc, name, entry.values.toStdString()});
+  };
+  for (auto entry = entries.rbegin(); entry != entries.rend(); ++entry) {  // the oldest first
+    if (entry->kind == HistoryEntry::Kind::plan) add(patient_->record.plans, plans, *entry);
+    if (entry->kind == HistoryEntry::Kind::insertion)
+      add(patient_->record.insertions, insertions, *entry);
+  }
+  if (plans.empty() && insertions.empty()) return;
+  const auto before = patient_->record;
+  const auto changed =
+      session::changePatientRecord(patient_->file, [&](session::PatientRecord& record) {
+        if (record.base != before.base) return;  // of another program: it is read again first
+        record.plans.insert(record.plans.end(), plans.begin(), plans.end());
+        record.insertions.insert(record.insertions.end(), insertions.begin(), insertions.end());
+      });
+  if (!changed || changed->notes != before.notes || changed->tags != before.tags) return;
+  patient_->record = *changed;
+  Q_EMIT recordKept(*patient_);
 }
 
 }  // namespace perilymph::gui

@@ -46,8 +46,14 @@ Q_SIGNALS:
   void opened(const perilymph::gui::HistoryEntry& entry);
 
 private:
+  /// What of a patient's files was changed after the program wrote it; empty if nothing was.
+  static QString handChanges(const SavedPatient& patient);
   session::PatientRecord typed() const;
   void showHistory();
+  /// After a refused save: the record of another program, with what was typed here.
+  void takeOthersChange(session::PatientRecord& record);
+  /// Adds plans and insertions to the record that it does not name yet.
+  void noteWork(const std::vector<HistoryEntry>& entries);
 
   std::optional<SavedPatient> patient_;
   /// What could not be saved, by patient's file.

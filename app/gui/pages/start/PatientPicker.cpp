@@ -16,6 +16,7 @@
 
 #include "gui/pages/start/PatientDetails.h"
 #include "gui/parts/CheckBoxes.h"
+#include "gui/parts/EngineErrors.h"
 #include "gui/parts/Placeholder.h"
 #include "gui/parts/Theme.h"
 #include "gui/parts/WrappedLabel.h"
@@ -34,7 +35,7 @@ std::vector<std::filesystem::path> insertionsOf(const anatomy::Patient& patient)
   std::vector<std::filesystem::path> files;
   const auto sessions = session::listSessions(sessionFolder());
   if (!sessions) return files;  // none was recorded yet
-  const std::string side = patient.side == anatomy::Side::left ? "left" : "right";
+  const std::string side = anatomy::nameOf(patient.side);
   for (const session::SessionSummary& each : *sessions)
     if (each.patient == patient.label && each.side == side) files.push_back(each.file);
   return files;
@@ -240,7 +241,7 @@ void PatientPicker::showSelected()
 
 void PatientPicker::show(const Result<Done>& done, const QString& sentence)
 {
-  status_->setText(done ? sentence : QString::fromStdString(done.error().message));
+  status_->setText(done ? sentence : engineError(done.error().message));
 }
 
 void PatientPicker::takeRecord(const SavedPatient& patient)
@@ -263,11 +264,12 @@ void PatientPicker::changeArchived()
   const QString name = nameOfPatient(patient->patient);
   const auto saved = session::savePatientRecord(record, patient->file);
   if (saved) {
-    patients_[shown_[std::size_t(list_->currentRow())]].record = record;
+    patients_[shown_[std::size_t(list_->currentRow())]].record = *saved;
     showMatches();
   }
-  show(saved, record.isArchived ? tr("%1 is archived; nothing is deleted.").arg(name)
-                                : tr("%1 is in the list again.").arg(name));
+  show(saved ? Result<Done>(Done{}) : Result<Done>(saved.error()),
+       record.isArchived ? tr("%1 is archived; nothing is deleted.").arg(name)
+                         : tr("%1 is in the list again.").arg(name));
 }
 
 void PatientPicker::exportSelected()

@@ -17,6 +17,7 @@
 #include "gui/pages/studies/StudyPlot.h"
 #include "gui/parts/ElidedLabel.h"
 #include "gui/parts/EmptyPage.h"
+#include "gui/parts/EngineErrors.h"
 #include "gui/parts/StatusLine.h"
 #include "gui/parts/Theme.h"
 
@@ -152,8 +153,10 @@ void StudiesPage::showStudy(const StudyWork::Columns& columns, const std::filesy
   columns_ = columns;
   file_ = file;
   const QString title = QString::fromStdString(columns->facts().title);
-  title_->setText(title.isEmpty() ? QString::fromStdString(file.filename().string()) : title);
-  say({});
+  const QString name = title.isEmpty() ? QString::fromStdString(file.filename().string()) : title;
+  const Seal seal = columns->facts().seal;
+  title_->setText(seal == Seal::changed ? tr("%1 · changed by hand").arg(name) : name);
+  say(engineError(noteOn(seal)), seal == Seal::changed);
   details_->showNone();
   panel_->offer(*columns);
   stages_->setCurrentIndex(studyStage);

@@ -198,15 +198,15 @@ PatientLimits patientLimits()
           millimeters(width_mm.high), millimeters(height_mm.low),  millimeters(height_mm.high)};
 }
 
-Result<Patient> loadPatient(const std::filesystem::path& file)
+namespace {
+
+Result<Patient> readPatient(Result<TomlReader> reader, const std::string& label)
 {
-  Result<TomlReader> reader = TomlReader::open(file);
   if (!reader) return reader.error();
 
   Patient patient;
-  patient.label = reader->text("label", file.stem().string());
-  patient.side =
-      reader->choice("side", {"right", "left"}, "right") == "left" ? Side::left : Side::right;
+  patient.label = reader->text("label", label);
+  patient.side = reader->choice("side", sides, Side::right);
   if (reader->has("a_mm") || reader->has("b_mm") || reader->has("h_mm")) {
     patient.basalTurn = readBasalTurn(*reader);
     patient.errors = readErrors(*reader);
@@ -219,14 +219,26 @@ Result<Patient> loadPatient(const std::filesystem::path& file)
 
   if (const Result<Done> done = reader->finish(); !done) return done.error();
   if (const Result<Done> done = checkPatient(patient); !done)
-    return Error{file.string() + ": " + done.error().message};
+    return Error{reader->name() + ": " + done.error().message};
   return patient;
+}
+
+}  // namespace
+
+Result<Patient> loadPatient(const std::filesystem::path& file)
+{
+  return readPatient(TomlReader::open(file), file.stem().string());
+}
+
+Result<Patient> patientIn(const std::string& text, const std::string& name)
+{
+  return readPatient(TomlReader::parse(text, name), name);
 }
 
 std::string patientText(const Patient& patient)
 {
-  std::string text = "label = " + quoted(patient.label) +
-                     "\nside = " + (patient.side == Side::left ? "\"left\"" : "\"right\"") + '\n';
+  std::string text =
+      "label = " + quoted(patient.label) + "\nside = " + quoted(nameOf(patient.side)) + '\n';
   if (patient.basalTurn) {
     text += line("a_mm", patient.basalTurn->a) + line("b_mm", patient.basalTurn->b);
     if (patient.basalTurn->h) text += line("h_mm", *patient.basalTurn->h);

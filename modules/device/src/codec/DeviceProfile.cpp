@@ -19,12 +19,12 @@ bool isPlain(CodecKind kind) { return kind == CodecKind::encoders || kind == Cod
 
 CodecKind readKind(TomlReader& file)
 {
-  const std::string kind =
-      file.choice("kind", {"encoders", "vector", "pid", "spacemouse", "joystick"});
-  if (kind == "encoders") return CodecKind::encoders;
-  if (kind == "vector") return CodecKind::vector;
-  if (kind == "pid") return CodecKind::pid;
-  return kind == "spacemouse" ? CodecKind::spaceMouse : CodecKind::joystick;
+  static constexpr std::array kinds{Choice<CodecKind>{CodecKind::encoders, "encoders"},
+                                    Choice<CodecKind>{CodecKind::vector, "vector"},
+                                    Choice<CodecKind>{CodecKind::pid, "pid"},
+                                    Choice<CodecKind>{CodecKind::spaceMouse, "spacemouse"},
+                                    Choice<CodecKind>{CodecKind::joystick, "joystick"}};
+  return file.choice("kind", kinds);
 }
 
 std::optional<std::uint16_t> sixteenBits(TomlReader& table, const char* key)
@@ -69,13 +69,12 @@ DeviceTraits readCapability(TomlReader& table, CodecKind kind)
   traits.workspaceRadius = 1e-3 * table.number("workspace_radius_mm", {0.0, 1000.0}, 0.0);
   traits.transportDelay = 1e-3 * table.number("transport_delay_ms", {0.0, 100.0}, 0.0);
   traits.buttons = static_cast<int>(table.integer("buttons", 0, 32, 1));
-  const std::string reporting =
-      table.choice("reporting", {"periodic", "on_change", "on_write", "polled"}, "periodic");
-  traits.reporting = reporting == "periodic"    ? Reporting::periodic
-                     : reporting == "on_change" ? Reporting::onChange
-                     : reporting == "on_write"  ? Reporting::onWrite
-                                                : Reporting::polled;
-  if (reporting == "polled" || table.has("polled_report"))
+  static constexpr std::array reportings{Choice<Reporting>{Reporting::periodic, "periodic"},
+                                         Choice<Reporting>{Reporting::onChange, "on_change"},
+                                         Choice<Reporting>{Reporting::onWrite, "on_write"},
+                                         Choice<Reporting>{Reporting::polled, "polled"}};
+  traits.reporting = table.choice("reporting", reportings, Reporting::periodic);
+  if (traits.reporting == Reporting::polled || table.has("polled_report"))
     traits.polledReport = static_cast<std::uint8_t>(table.integer("polled_report", 0, 255, 0));
 
   const bool mayRender = isPlain(kind) || kind == CodecKind::pid;
@@ -95,7 +94,7 @@ DeviceTraits readCapability(TomlReader& table, CodecKind kind)
     traits.handleDamping = table.number("handle_damping_N_s_m", {0.01, 100.0}, 0.0);
     traits.handleMass = table.number("handle_mass_kg", {1e-3, 10.0}, 0.0);
     traits.watchdog = 1e-3 * table.number("watchdog_ms", {0.0, 10000.0}, 0.0);
-    if (reporting == "on_change")
+    if (traits.reporting == Reporting::onChange)
       table.refuse("reporting",
                    "reporting is \"on_change\"; a device that renders force must report all the "
                    "time: silence could not be told from a broken line. Leave max_force_N out.");
@@ -130,11 +129,12 @@ void readMount(TomlReader& table, DeviceProfile& profile)
 
 std::vector<FixedReport> readReports(TomlReader& file, const char* key)
 {
+  static constexpr std::array kinds{Choice<ReportKind>{ReportKind::output, "output"},
+                                    Choice<ReportKind>{ReportKind::feature, "feature"}};
   std::vector<FixedReport> reports;
   for (TomlReader& table : file.tables(key)) {
     FixedReport report;
-    report.kind = table.choice("kind", {"output", "feature"}) == "output" ? ReportKind::output
-                                                                          : ReportKind::feature;
+    report.kind = table.choice("kind", kinds);
     const std::vector<double> bytes = table.numbers("bytes", {0.0, 255.0}, 2);
     if (bytes.size() > longestReport)
       table.refuse("bytes", "bytes has " + std::to_string(bytes.size()) + " numbers; at most " +

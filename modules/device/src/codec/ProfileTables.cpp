@@ -232,11 +232,12 @@ PidLayout readPidLayout(TomlReader& file, const AxesLayout& axes)
 {
   PidLayout pid;
   TomlReader table = file.table("pid");
-  const std::string effects = table.choice("effects", {"axes", "polar", "direction"});
-  pid.effects = effects == "axes"    ? PidLayout::Effects::axes
-                : effects == "polar" ? PidLayout::Effects::polar
-                                     : PidLayout::Effects::direction;
-  if (effects == "polar") {
+  using Effects = PidLayout::Effects;
+  static constexpr std::array names{Choice<Effects>{Effects::axes, "axes"},
+                                    Choice<Effects>{Effects::polar, "polar"},
+                                    Choice<Effects>{Effects::direction, "direction"}};
+  pid.effects = table.choice("effects", names);
+  if (pid.effects == Effects::polar) {
     pid.directions = three(table, "directions_deg", {0.0, 360.0});
     for (double& direction : pid.directions) direction = radians(direction);
   }
@@ -244,7 +245,7 @@ PidLayout readPidLayout(TomlReader& file, const AxesLayout& axes)
   pid.gain = table.number("gain_fraction", {0.01, 1.0}, 1.0);
   pid.resetFirst = table.flag("reset_first", true);
 
-  if (pid.effects == PidLayout::Effects::polar)
+  if (pid.effects == Effects::polar)
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = i + 1; j < 3; ++j) {
         const bool areMoved = axes.axes[i].usage.page != 0 && axes.axes[j].usage.page != 0;
@@ -260,7 +261,7 @@ PidLayout readPidLayout(TomlReader& file, const AxesLayout& axes)
 
   int moved = 0;
   for (std::size_t i = 0; i < 3; ++i) moved += axes.axes[i].usage.page != 0 ? 1 : 0;
-  if (effects == "direction" && moved != 2)
+  if (pid.effects == Effects::direction && moved != 2)
     table.refuse("effects", "effects is \"direction\"; with " + std::to_string(moved) +
                                 " axes it must be \"axes\" or \"polar\": one effect that turns "
                                 "needs exactly 2.");

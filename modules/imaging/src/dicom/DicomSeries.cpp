@@ -138,11 +138,7 @@ void describe(DicomSeries& series)
   setUp(series);
   CtSeries& summary = series.summary;
   const DicomHeader& first = series.headers.front();
-  summary.key = [&] {
-    Sha256 hash;
-    hash.add(std::string_view(summary.uid));
-    return hash.hex();
-  }();
+  summary.key = seriesKeyOf(summary.uid);
   summary.format = "DICOM";
   summary.modality = statedModality(first);
   summary.scanner = first.scanner;
@@ -192,6 +188,13 @@ std::vector<std::string> lostBeside(const std::vector<DicomHeader>& headers,
 }
 
 }  // namespace
+
+std::string seriesKeyOf(const std::string& uid)
+{
+  Sha256 hash;
+  hash.add(std::string_view(uid));
+  return hash.hex();
+}
 
 std::vector<DicomSeries> seriesOf(DicomFiles files)
 {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "DicomFiles.h"
@@ -38,6 +39,9 @@ std::size_t countOf(const std::vector<DicomHeader>& headers, Claim claim)
 {
   return static_cast<std::size_t>(std::count_if(headers.begin(), headers.end(), claim));
 }
+
+/// CtSeries::key of a series by its UID.
+std::string seriesKeyOf(const std::string& uid);
 
 /// Files of one series together, each series described and judged; the best score first.
 std::vector<DicomSeries> seriesOf(DicomFiles files);

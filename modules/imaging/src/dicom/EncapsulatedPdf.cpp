@@ -157,6 +157,23 @@ Result<Done> check(const PdfDocument& document)
   return Done{};
 }
 
+/// Whether a document belongs into a study: it must have the series from which the numbers come.
+Result<Done> checkSeries(const PdfDocument& document, const StudyIdentity& study,
+                         const std::filesystem::path& ct)
+{
+  constexpr std::size_t shown = 16;  // digits
+  if (!document.seriesKey.empty() && study.seriesKeys.contains(document.seriesKey)) return Done{};
+  if (!document.seriesKey.empty())
+    return Error{ct.string() +
+                 " is not the CT in which this was measured: none of its series has the SHA-256 " +
+                 document.seriesKey.substr(0, shown) +
+                 "... that the document states. Give the folder of that CT, or leave it out."};
+  if (document.isFiledWithoutSeries) return Done{};
+  return Error{
+      "The document states no CT series, so it cannot be compared with " + ct.string() +
+      ". Leave the CT out; or, if you know that it is the patient's, add --ct-not-compared."};
+}
+
 }  // namespace
 
 Result<Done> writeEncapsulatedPdf(const PdfDocument& document,
@@ -168,6 +185,7 @@ Result<Done> writeEncapsulatedPdf(const PdfDocument& document,
   if (ct) {
     auto read = readStudyIdentity(*ct);
     if (!read) return read.error();
+    if (const auto same = checkSeries(document, *read, *ct); !same) return same;
     identity = *std::move(read);
   } else {
     identity.studyUid = newUid();

@@ -10,6 +10,7 @@
 
 #include "../VtkComplaints.h"
 #include "DicomFiles.h"
+#include "DicomSeries.h"
 
 namespace perilymph::imaging {
 namespace {
@@ -73,8 +74,9 @@ Result<StudyIdentity> readStudyIdentity(const std::filesystem::path& ct)
   const auto listed = listDicomFiles(ct, {});
   if (!listed) return listed.error();
   std::optional<StudyIdentity> common;
-  std::set<std::string> series;
+  std::set<std::string> series, keys;
   for (const DicomHeader& header : listed->headers) {
+    if (!header.seriesUid.empty()) keys.insert(seriesKeyOf(header.seriesUid));
     // one file of each series, patient and study, which may be several under one series number
     if (!series.insert(header.seriesUid + header.identity.patient + header.identity.study).second)
       continue;
@@ -86,7 +88,10 @@ Result<StudyIdentity> readStudyIdentity(const std::filesystem::path& ct)
                    " holds series of several studies. Give the folder of the one study that the "
                    "report belongs to."};
   }
-  if (common) return *std::move(common);
+  if (common) {
+    common->seriesKeys = std::move(keys);
+    return *std::move(common);
+  }
   return Error{
       ct.string() +
       " holds no DICOM file that states its study. Give the folder of the patient's CT, or "

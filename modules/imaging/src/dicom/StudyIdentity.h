@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -20,6 +21,8 @@ namespace perilymph::imaging {
 struct StudyIdentity {
   std::map<std::pair<std::uint16_t, std::uint16_t>, std::string> values;
   std::string studyUid;
+  /// SHA-256 of each of its series that states a UID (CtSeries::key).
+  std::set<std::string> seriesKeys = {};
 };
 
 /// Reads the identity in one DICOM file; none if it states no study.

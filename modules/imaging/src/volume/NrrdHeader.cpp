@@ -14,6 +14,7 @@
 #include "HeaderText.h"
 #include "VolumeFile.h"
 #include "VolumeGeometry.h"
+#include "perilymph/foundation/Choice.h"
 
 namespace perilymph::imaging {
 namespace {
@@ -253,10 +254,10 @@ Result<VolumeFile> readNrrdHeader(const std::filesystem::path& file)
   const auto type = nrrdType(fields->word("type"));
   if (!type) return refuse("holds voxels that are no gray values.");
   volume.coding.type = *type;
-  const std::string endian = fields->word("endian");
-  if (bytesOf(*type) > 1 && endian != "little" && endian != "big")
-    return refuse("does not say the order of its bytes.");
-  volume.coding.isBigEndian = endian == "big";
+  static constexpr std::array orders{Choice<bool>{false, "little"}, Choice<bool>{true, "big"}};
+  const auto isBigEndian = valueIn(orders, fields->word("endian"));
+  if (bytesOf(*type) > 1 && !isBigEndian) return refuse("does not say the order of its bytes.");
+  volume.coding.isBigEndian = isBigEndian.value_or(false);
   if (const auto done = nrrdMatrix(*fields, file, volume); !done) return done.error();
   if (const auto done = nrrdVoxelPlace(*fields, file, volume); !done) return done.error();
   if (fields->has("oldmin") || fields->has("oldmax"))

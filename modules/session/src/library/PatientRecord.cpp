@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "perilymph/session/PatientRecord.h"
 
+#include <unistd.h>
+
 #include <algorithm>
-#include <nlohmann/json.hpp>
+#include <cmath>
 #include <set>
 #include <string_view>
+#include <utility>
 
-#include "perilymph/anatomy/Patient.h"
+#include "library/PatientRecordText.h"
 #include "perilymph/foundation/AtomicFile.h"
+#include "perilymph/foundation/FileLock.h"
+#include "perilymph/foundation/Version.h"
+#include "perilymph/session/RecordedInsertion.h"
 
 namespace perilymph::session {
 
@@ -15,23 +21,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int recordFormat = 1;
 constexpr const char* exportedPatient = "patient.toml";
 constexpr const char* exportedRecord = "record.json";
 constexpr const char* exportedInsertions = "insertions";
-constexpr std::size_t maxRecordBytes = std::size_t{64} << 10;
+constexpr std::size_t maxRecordBytes = std::size_t{4} << 20;
 constexpr std::size_t maxInsertions = 10'000;
-
-std::string textOf(const PatientRecord& record)
-{
-  nlohmann::ordered_json json = {{"format", recordFormat},
-                                 {"tags", record.tags},
-                                 {"notes", record.notes},
-                                 {"archived", record.isArchived}};
-  for (const PatientScan& scan : record.scans)
-    json["scans"].push_back({{"series_sha256", scan.series}, {"saved_utc", scan.savedUtc}});
-  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
-}
 
 /// A hash or its beginning.
 bool isSeries(const std::string& text)
@@ -56,26 +50,43 @@ Result<PatientRecord> readRecord(const fs::path& file)
   if (!fs::exists(file, ignored)) return PatientRecord{};
   const auto text = readWhole(file, maxRecordBytes);
   if (!text) return text.error();
-  PatientRecord record;
-  try {
-    const auto json = nlohmann::json::parse(*text);
-    // A number beyond an int is of no program: as a double it is still greater.
-    if (json.at("format").get<double>() > recordFormat)
-      return Error{file.string() + " is of a newer program. Open it with that one."};
-    record.tags = json.at("tags").get<std::vector<std::string>>();
-    record.notes = json.at("notes").get<std::string>();
-    record.isArchived = json.at("archived").get<bool>();
-    for (const auto& scan : json.value("scans", nlohmann::json::array()))
-      record.scans.push_back(
-          {scan.at("series_sha256").get<std::string>(), scan.at("saved_utc").get<std::string>()});
-  } catch (const nlohmann::json::exception&) {
-    return Error{file.string() +
-                 " is not the record of a patient: it needs format, tags, notes and archived. "
-                 "Restore it from a backup, or remove it."};
-  }
-  if (const auto possible = checkRecord(record); !possible)
-    return Error{file.string() + ": " + possible.error().message};
-  return record;
+  return recordIn(*text, file.string());
+}
+
+/// Held while a patient's files are read and replaced.
+Result<FileLock> lockPatient(const fs::path& patient)
+{
+  return FileLock::take(patient.parent_path() / ("." + patient.stem().string() + ".lock"),
+                        patient.string());
+}
+
+/// Whether a list begins with all entries of another one.
+template <class Entry>
+bool continues(const std::vector<Entry>& longer, const std::vector<Entry>& shorter)
+{
+  return longer.size() >= shorter.size() &&
+         std::equal(shorter.begin(), shorter.end(), longer.begin());
+}
+
+/// Replaces a record by one that was made of it. The patient is locked.
+Result<PatientRecord> replaceRecord(const PatientRecord& record, const PatientRecord& before,
+                                    const fs::path& patient)
+{
+  if (const auto possible = checkRecord(record); !possible) return possible.error();
+  if (!continues(record.versions, before.versions) || !continues(record.plans, before.plans) ||
+      !continues(record.insertions, before.insertions) ||
+      !continues(record.outcomes, before.outcomes))
+    return Error{recordFileOf(patient).string() +
+                 " is not replaced: versions, plans, insertions or outcomes in it would be lost. "
+                 "Read it again."};
+  PatientRecord kept = record;
+  kept.isChangedByHand = record.isChangedByHand || before.isChangedByHand;
+  const std::string text = textOf(kept);
+  if (text.size() > maxRecordBytes)
+    return Error{recordFileOf(patient).string() +
+                 " would be larger than 4 MiB. Shorten the notes or remove scans."};
+  if (const auto done = writeWhole(recordFileOf(patient), text); !done) return done.error();
+  return recordIn(text, recordFileOf(patient).string());
 }
 
 Result<Done> copyWhole(const fs::path& from, const fs::path& to)
@@ -84,6 +95,19 @@ Result<Done> copyWhole(const fs::path& from, const fs::path& to)
     std::error_code failure;
     return fs::copy_file(from, place, fs::copy_options::overwrite_existing, failure) && !failure;
   });
+}
+
+/// The same under a name that is free, and stays so for no other program.
+Result<Done> copyNew(const fs::path& from, const fs::path& to)
+{
+  fs::path unfinished = to;
+  unfinished.replace_filename("." + to.filename().string() + "." + std::to_string(::getpid()));
+  if (const auto done = copyWhole(from, unfinished); !done) return done;
+  const bool isLinked = ::link(unfinished.c_str(), to.c_str()) == 0;
+  std::error_code ignored;
+  fs::remove(unfinished, ignored);
+  if (isLinked) return Done{};
+  return Error{to.string() + " exists; an import replaces no recording. Rename it first."};
 }
 
 /// Recordings in an exported folder.
@@ -98,12 +122,39 @@ Result<std::vector<fs::path>> insertionsIn(const fs::path& folder)
         entry.path().extension() != ".insertion")
       return Error{entry.path().string() +
                    " is not a recording; an exported patient has nothing else there. Remove it."};
+    if (const auto opened = RecordedInsertion::open(entry.path()); !opened)
+      return Error{entry.path().string() + " cannot be imported: " + opened.error().message};
     found.push_back(entry.path());
     if (found.size() > maxInsertions)
       return Error{folder.string() + " holds more than 10000 recordings. Remove some."};
   }
   std::sort(found.begin(), found.end());
   return found;
+}
+
+/// Checks what format 2 has beyond format 1.
+Result<Done> checkLists(const PatientRecord& record)
+{
+  if (record.versions.size() > maxVersions ||
+      std::max({record.plans.size(), record.insertions.size(), record.outcomes.size()}) >
+          maxEntries)
+    return Error{"A record keeps at most 256 versions and 10000 plans, insertions and outcomes."};
+  constexpr double largest_mm = 1e4;  // of a position in a scanner
+  for (const PatientVersion& version : record.versions) {
+    if (!version.savedUtc.empty() && !isDate(version.savedUtc))
+      return Error{"A version was saved at \"" + version.savedUtc +
+                   "\", which is no date like 2026-11-20T09:30:00Z."};
+    if (const auto patient = anatomy::patientIn(version.patient, "A version"); !patient)
+      return patient.error();
+    for (const PatientLandmark& each : version.landmarks)
+      for (const double place_mm : each.lps_mm)
+        if (!(std::fabs(place_mm) <= largest_mm))
+          return Error{"The landmark " + each.name + " lies beyond any scanner. Correct it."};
+  }
+  for (const PatientOutcome& each : record.outcomes)
+    if (!isSeries(each.series) || !isDate(each.utc))
+      return Error{"An outcome of the series \"" + each.series + "\" has no hash or no date."};
+  return Done{};
 }
 
 }  // namespace
@@ -124,6 +175,7 @@ Result<Done> checkRecord(const PatientRecord& record)
       return Error{"The scan \"" + scan.series + "\" of \"" + scan.savedUtc +
                    "\" is not possible: it has up to 64 hexadecimal digits and a date like "
                    "2026-11-20T09:30:00Z. Correct or remove it."};
+  if (const auto possible = checkLists(record); !possible) return possible;
   std::set<std::string> seen;
   for (const std::string& tag : record.tags) {
     const bool isClean = std::none_of(tag.begin(), tag.end(), [](char c) {
@@ -147,10 +199,66 @@ Result<PatientRecord> loadPatientRecord(const fs::path& patient)
   return readRecord(recordFileOf(patient));
 }
 
-Result<Done> savePatientRecord(const PatientRecord& record, const fs::path& patient)
+Result<PatientRecord> savePatientRecord(const PatientRecord& record, const fs::path& patient)
 {
-  if (const auto possible = checkRecord(record); !possible) return possible;
-  return writeWhole(recordFileOf(patient), textOf(record));
+  if (const auto possible = checkRecord(record); !possible) return possible.error();
+  const auto lock = lockPatient(patient);
+  if (!lock) return lock.error();
+  const auto before = loadPatientRecord(patient);
+  if (!before) return before.error();
+  if (before->base != record.base)
+    return Error{
+        recordFileOf(patient).string() +
+        " was changed by another program meanwhile; it is not replaced. Read it again, and "
+        "make the change in it."};
+  return replaceRecord(record, *before, patient);
+}
+
+Result<PatientRecord> changePatientRecord(const fs::path& patient,
+                                          const std::function<void(PatientRecord&)>& change)
+{
+  const auto lock = lockPatient(patient);
+  if (!lock) return lock.error();
+  const auto before = loadPatientRecord(patient);
+  if (!before) return before.error();
+  PatientRecord record = *before;
+  change(record);
+  return replaceRecord(record, *before, patient);
+}
+
+Result<Done> savePatientVersion(const anatomy::Patient& patient, const fs::path& file,
+                                const VersionFacts& facts, bool isNew)
+{
+  const auto lock = lockPatient(file);
+  if (!lock) return lock.error();
+  std::error_code failure;
+  const bool isThere = fs::exists(file, failure);
+  if (isThere && isNew)
+    return Error{file.string() +
+                 " is there already; it is not replaced. Open that patient, or use another code."};
+  const auto before = loadPatientRecord(file);
+  if (!before) return before.error();
+  PatientRecord record = *before;
+  const auto isLast = [&record](const std::string& text) {
+    return !record.versions.empty() && record.versions.back().patient == text;
+  };
+  if (isThere) {
+    const auto former = anatomy::loadPatient(file);
+    if (!former)
+      return Error{former.error().message +
+                   " The file is not replaced; move it away, or open it with a newer version."};
+    const std::string text = anatomy::patientText(*former);
+    if (!isLast(text)) record.versions.push_back({"", "", text, {}, {}});
+  }
+  const std::string text = anatomy::patientText(patient);
+  if (!isLast(text))
+    record.versions.push_back({facts.utc, buildId(), text, facts.landmarks, facts.warnings});
+  const std::string& series = patient.origin.seriesKey;
+  const bool isKnown = std::any_of(record.scans.begin(), record.scans.end(),
+                                   [&series](const auto& each) { return each.series == series; });
+  if (!series.empty() && !isKnown) record.scans.push_back({series, facts.utc});
+  if (const auto kept = replaceRecord(record, *before, file); !kept) return kept.error();
+  return writeWhole(file, facts.text.empty() ? text : facts.text);
 }
 
 Result<Done> exportPatient(const fs::path& patient, const std::vector<fs::path>& insertions,
@@ -191,12 +299,19 @@ Result<fs::path> importPatient(const fs::path& folder, const fs::path& library,
   const auto insertions = insertionsIn(folder);
   if (!insertions) return insertions.error();
 
-  const char* ear = patient->side == anatomy::Side::left ? "left" : "right";
+  const char* ear = anatomy::nameOf(patient->side);
   const fs::path file = library / (patient->label + "-" + ear + ".toml");
   std::error_code failure;
+  fs::create_directories(library, failure);
+  const auto lock = lockPatient(file);
+  if (!lock) return lock.error();
   if (fs::exists(file, failure))
     return Error{"The library has " + patient->label + ", " + ear +
                  " ear, already. Rename or remove that patient first."};
+  if (fs::exists(recordFileOf(file), failure))
+    return Error{recordFileOf(file).string() +
+                 " holds notes on a patient of this code and ear whose file is missing; an import "
+                 "does not replace it. Rename it first."};
   for (const fs::path& each : *insertions)
     if (fs::exists(recordings / each.filename(), failure))
       return Error{(recordings / each.filename()).string() +
@@ -207,11 +322,11 @@ Result<fs::path> importPatient(const fs::path& folder, const fs::path& library,
     fs::create_directories(library, failure);
     fs::create_directories(recordings, failure);
     for (const fs::path& each : *insertions) {
+      if (const auto done = copyNew(each, recordings / each.filename()); !done) return done;
       made.push_back(recordings / each.filename());
-      if (const auto done = copyWhole(each, made.back()); !done) return done;
     }
     made.push_back(recordFileOf(file));
-    if (const auto done = savePatientRecord(*record, file); !done) return done;
+    if (const auto kept = replaceRecord(*record, {}, file); !kept) return kept.error();
     return anatomy::savePatient(*patient, file);
   }();
   if (written) return file;

@@ -73,6 +73,7 @@ ScenarioSubject subjectOf(const std::string& text, const std::string& name)
     return subject;
   }
   subject.side = keys->text("side", "right");
+  if (!valueIn(anatomy::sides, subject.side)) subject.side.clear();  // parseScenario() says so
   subject.array = keys->text("array", "contour");
   subject.technique = keys->text("technique", nameOf(Technique::standard));
   const std::string anatomy = keys->text("anatomy", nameOf(anatomy::AnatomySource::published));

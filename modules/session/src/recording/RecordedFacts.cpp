@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "recording/RecordedFacts.h"
 
+#include <array>
 #include <charconv>
 #include <string>
 #include <utility>
 
+#include "perilymph/foundation/Choice.h"
 #include "perilymph/session/Csv.h"
 #include "recording/HighlightKeys.h"
 
@@ -25,6 +27,13 @@ std::optional<Number> numberIn(const MetaRows& rows, const char* key)
 }
 
 }  // namespace
+
+std::optional<bool> flagIn(const MetaRows& rows, const char* key)
+{
+  static constexpr std::array flags{Choice<bool>{false, "0"}, Choice<bool>{true, "1"}};
+  const auto found = rows.find(key);
+  return found == rows.end() ? false : valueIn(flags, found->second);
+}
 
 MetaRows metaRowsOf(const RecordingFacts& facts)
 {
@@ -78,17 +87,23 @@ std::optional<RecordingFacts> factsIn(const MetaRows& rows)
   facts.run.maxForce = *maxForce;
   // Early recordings lack the remaining facts. Without an off time, a force was switched off at
   // the normal slew rate.
-  facts.run.offTime = numberIn<double>(rows, MetaKey::offTime).value_or(0.0);
-  facts.run.reach = numberIn<double>(rows, MetaKey::reach).value_or(facts.run.reach);
-  facts.run.feelsForce = numberIn<int>(rows, MetaKey::feelsForce).value_or(0) != 0;
-  facts.run.maxStiffness =
-      numberIn<double>(rows, MetaKey::maxStiffness).value_or(facts.run.maxStiffness);
-  facts.run.maxDamping = numberIn<double>(rows, MetaKey::maxDamping).value_or(facts.run.maxDamping);
-  facts.run.restAfter = numberIn<double>(rows, MetaKey::restAfter).value_or(facts.run.restAfter);
-  facts.run.restMotion = numberIn<double>(rows, MetaKey::restMotion).value_or(facts.run.restMotion);
-  facts.run.restHandMotion =
-      numberIn<double>(rows, MetaKey::restHandMotion).value_or(facts.run.restHandMotion);
-  facts.deviceDelay = numberIn<double>(rows, MetaKey::deviceDelay).value_or(facts.deviceDelay);
+  facts.run.offTime = 0.0;
+  for (const auto& [key, number] : {std::pair{MetaKey::offTime, &facts.run.offTime},
+                                    {MetaKey::reach, &facts.run.reach},
+                                    {MetaKey::maxStiffness, &facts.run.maxStiffness},
+                                    {MetaKey::maxDamping, &facts.run.maxDamping},
+                                    {MetaKey::restAfter, &facts.run.restAfter},
+                                    {MetaKey::restMotion, &facts.run.restMotion},
+                                    {MetaKey::restHandMotion, &facts.run.restHandMotion},
+                                    {MetaKey::deviceDelay, &facts.deviceDelay}}) {
+    if (rows.count(key) == 0) continue;
+    const auto read = numberIn<double>(rows, key);
+    if (!read) return std::nullopt;
+    *number = *read;
+  }
+  const auto feelsForce = flagIn(rows, MetaKey::feelsForce);
+  if (!feelsForce) return std::nullopt;
+  facts.run.feelsForce = *feelsForce;
   facts.seed = *seed;
   facts.modelFingerprint = *fingerprint;
   return facts;

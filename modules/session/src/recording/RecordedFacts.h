@@ -20,6 +20,9 @@ std::optional<RecordingFacts> factsIn(const MetaRows& rows);
 /// The key figures stored when the recording was closed; empty in older recordings.
 std::optional<Highlights> highlightsIn(const MetaRows& rows);
 
+/// A fact that is "0" or "1"; false if missing, empty if it is another text.
+std::optional<bool> flagIn(const MetaRows& rows, const char* key);
+
 /// A count in the rows; empty if missing or not a number.
 std::optional<std::uint64_t> countIn(const MetaRows& rows, const char* key);
 

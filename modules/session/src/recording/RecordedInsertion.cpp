@@ -73,7 +73,9 @@ Result<Done> RecordedInsertion::Content::readFacts()
   const bool hasHash = meta.count(MetaKey::contentHash) != 0;
   if (hasHash != (database.version() >= firstVersionWithHash))
     return damaged(hasHash ? "its format has no hash, and there is one" : "its hash is missing");
-  wasClosed = meta[MetaKey::closed] == "1";
+  const auto closed = flagIn(meta, MetaKey::closed);
+  if (!closed) return damaged("it does not say whether it was closed");
+  wasClosed = *closed;
   if (wasClosed) highlights = highlightsIn(meta);
   lostRecords = countIn(meta, MetaKey::lostRecords).value_or(0);
   // A recording that was not closed does not contain the sum of its losses.

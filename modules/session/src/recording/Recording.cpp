@@ -62,7 +62,7 @@ std::string insertTick()
 }
 
 /// Identity of the file at a path; {0, 0} if there is none.
-std::pair<dev_t, ino_t> identityOf(const fs::path& file)
+std::pair<dev_t, ino_t> inodeOf(const fs::path& file)
 {
   struct stat found = {};
   if (::stat(file.c_str(), &found) != 0) return {0, 0};
@@ -91,7 +91,7 @@ struct Recording::Content {
         file.string() + " can no longer be recorded (" + reason +
         "). What is in it stays readable; make space on the disk and start a new recording."};
   }
-  bool isAtItsPlace() const { return identityOf(file) == identity; }
+  bool isAtItsPlace() const { return inodeOf(file) == identity; }
   Error isGone() const
   {
     return Error{
@@ -108,7 +108,7 @@ struct Recording::Content {
     meta[key] = value;
     return setMeta->step() == Statement::Step::done;
   }
-  bool keepHash() { return keep(MetaKey::contentHash, contentHash(meta, records)); }
+  bool keepHash() { return keep(MetaKey::contentHash, sealOver(meta, records)); }
 
   bool addEvent(const Event& event);
   bool addTick(const haptics::TickRecord& record);
@@ -220,7 +220,7 @@ Result<std::unique_ptr<Recording>> Recording::create(const fs::path& file,
   content.isClosed = true;  // until it has begun
 
   const auto begun = [&]() -> Result<Done> {
-    content.identity = identityOf(file);
+    content.identity = inodeOf(file);
     auto database = Database::openNew(file);
     if (!database) return database.error();
     content.database = std::move(*database);

@@ -128,8 +128,7 @@ Result<RecordingCheck> RecordedInsertion::check() const
     result.damage = survey.damage;
   else if (!eventsHold || next != survey.events.size())
     result.damage = "its events are not those of its ticks";
-  else if (result.hasHash &&
-           content.meta.at(MetaKey::contentHash) != contentHash(content.meta, survey.records))
+  else if (sealIn(content.meta, survey.records, result.hasHash) == Seal::changed)
     result.damage = "its hash is that of other ticks or other facts";
   return result;
 }

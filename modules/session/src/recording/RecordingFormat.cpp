@@ -24,18 +24,4 @@ const database::FileKind& recordingKind()
   return kind;
 }
 
-std::string contentHash(const MetaRows& meta, const Sha256& records)
-{
-  Sha256 hash;
-  for (const auto& [key, value] : meta) {
-    if (key == MetaKey::contentHash) continue;
-    for (const std::string& text : {key, value}) {
-      hash.add(std::uint64_t{text.size()});
-      hash.add(std::string_view(text));
-    }
-  }
-  hash.add(std::string_view(records.hex()));
-  return hash.hex();
-}
-
 }  // namespace perilymph::session

@@ -4,11 +4,9 @@
 // The file format shared by writer and reader of a recording.
 
 #include <cstdint>
-#include <map>
-#include <string>
 
 #include "perilymph/database/FileKind.h"
-#include "perilymph/foundation/Sha256.h"
+#include "perilymph/foundation/Seal.h"
 
 namespace perilymph::session {
 
@@ -22,11 +20,7 @@ const database::FileKind& recordingKind();
 inline constexpr std::int64_t firstVersionWithHash = 2;
 
 /// All rows of the table `meta`, by their keys.
-using MetaRows = std::map<std::string, std::string>;
-
-/// Hash of a whole recording: the metadata except the hash itself, and the records of all ticks in
-/// order. The columns and events follow from the records.
-std::string contentHash(const MetaRows& meta, const Sha256& records);
+using MetaRows = SealedFacts;
 
 /// Keys of the table `meta`.
 struct MetaKey {
@@ -54,7 +48,7 @@ struct MetaKey {
   static constexpr const char* lostRecords = "lost_records";
   static constexpr const char* ticks = "ticks";
   static constexpr const char* closed = "closed";
-  static constexpr const char* contentHash = "content_sha256";
+  static constexpr const char* contentHash = sealKey;
 };
 
 }  // namespace perilymph::session

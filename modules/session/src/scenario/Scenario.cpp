@@ -188,7 +188,7 @@ Result<ScenarioContent> readScenario(TomlReader& reader, const std::string& name
 
   keys.text("patient", "");
   anatomy::Patient& patient = parameters.cochlea.patient;
-  patient.side = keys.choice("side", sides, patient.side);
+  patient.side = keys.choice("side", anatomy::sides, patient.side);
   scenario.arrayName = keys.text("array", "contour");
   scenario.expectedArrayFingerprint = reader.text("array_fingerprint", "");
   const auto calibration = readCalibration(reader, keys, scenario);

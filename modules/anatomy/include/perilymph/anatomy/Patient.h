@@ -4,6 +4,7 @@
 // A patient's cochlea as measured in the clinic: three lengths of the scala tympani, or the
 // diameters of the basal turn.
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -13,6 +14,7 @@
 
 #include "perilymph/anatomy/MeanScala.h"
 #include "perilymph/anatomy/ScalaTympani.h"
+#include "perilymph/foundation/Choice.h"
 #include "perilymph/foundation/Result.h"
 #include "perilymph/foundation/TomlReader.h"
 #include "perilymph/foundation/Units.h"
@@ -21,6 +23,11 @@ namespace perilymph::anatomy {
 
 /// Side of the ear. A left ear is mirrored on input: internally every ear is a right one.
 enum class Side { right, left };
+
+inline constexpr std::array sides{Choice<Side>{Side::right, "right"},
+                                  Choice<Side>{Side::left, "left"}};
+/// "right" or "left", in files.
+constexpr const char* nameOf(Side side) { return nameIn(sides, side); }
 
 /// Standard deviations of the errors of A, B and H, and their correlations, as their measurement
 /// states them.
@@ -62,6 +69,8 @@ PatientLimits patientLimits();
 /// these errors `ab_correlation, ah_correlation, bh_correlation` and the origin
 /// `measured_with, series_sha256, landmarks_by_hand, landmarks_proposed`.
 Result<Patient> loadPatient(const std::filesystem::path& file);
+/// The same from a text; messages show `name` in place of the file.
+Result<Patient> patientIn(const std::string& text, const std::string& name);
 
 /// Text of a patient for loadPatient(), rounded to a picometer.
 std::string patientText(const Patient& patient);

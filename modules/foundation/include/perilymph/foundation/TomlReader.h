@@ -4,6 +4,7 @@
 // Reads the TOML files of users (scenarios, patients, arrays, devices) and reports an error in
 // one sentence: file, line, key, value, range.
 
+#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <limits>
@@ -11,8 +12,10 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
+#include "perilymph/foundation/Choice.h"
 #include "perilymph/foundation/Result.h"
 
 namespace perilymph {
@@ -56,6 +59,17 @@ public:
   /// Text that must be one of the choices; a missing key is an error unless a fallback is given.
   std::string choice(std::string_view key, const std::vector<std::string>& choices,
                      std::optional<std::string> fallback = std::nullopt);
+  /// The same as a value of a table of choices.
+  template <class Value, std::size_t count>
+  Value choice(std::string_view key, const std::array<Choice<Value>, count>& table,
+               std::optional<std::type_identity_t<Value>> fallback = std::nullopt)
+  {
+    std::vector<std::string> choices;
+    for (const Choice<Value>& row : table) choices.emplace_back(row.name);
+    const std::string text = fallback ? choice(key, choices, std::string(nameIn(table, *fallback)))
+                                      : choice(key, choices);
+    return valueIn(table, text).value_or(table[0].value);  // what was refused is kept as an error
+  }
   /// A list of finite numbers, each within the range, of at least `fewest` entries.
   std::vector<double> numbers(std::string_view key, Range allowed, std::size_t fewest);
 

@@ -20,6 +20,10 @@ struct PdfDocument {
   std::string title;        ///< "Insertion plan"; at most 64 letters.
   std::string patientCode;  ///< Number of the patient where no CT is given.
   std::string software;     ///< Version of the program; at most 64 letters.
+  /// SHA-256 of the series from which its numbers come (CtSeries::key); empty where no one is known.
+  std::string seriesKey = {};
+  /// Whether it may become part of a study all the same if no series is known.
+  bool isFiledWithoutSeries = false;
 };
 
 /// Writes a PDF as an Encapsulated PDF object with new series and instance UIDs, atomically.
@@ -27,8 +31,8 @@ struct PdfDocument {
 /// @param ct    Folder, DICOMDIR or file of the patient's CT, of whose study the object becomes a
 ///              part. Without it the object has a new study, the patient's code and no name.
 /// @param file  The DICOM file to write.
-/// @return      Refuses a CT whose files belong to several studies or state none, a content that is
-///              no PDF, and texts that are too long or not ASCII.
+/// @return      Refuses a CT without the series of the document, whose files belong to several studies
+///              or state none, a content that is no PDF, and texts that are too long or not ASCII.
 Result<Done> writeEncapsulatedPdf(const PdfDocument& document,
                                   const std::optional<std::filesystem::path>& ct,
                                   const std::filesystem::path& file);

@@ -4,6 +4,7 @@
 // Landmarks of a cochlea in the markups files of 3D Slicer.
 
 #include <filesystem>
+#include <string>
 
 #include "perilymph/ct/Marks.h"
 #include "perilymph/foundation/Result.h"
@@ -11,7 +12,10 @@
 namespace perilymph::imaging {
 
 /// Reads a markups file (.mrk.json) in LPS or RAS; points have the names of ct::nameOf(Mark),
-/// others are ignored. Refuses files without any point that says where the cochlea is (RW, C, A).
-Result<ct::Marks> readLandmarks(const std::filesystem::path& file);
+/// others are ignored. Refuses files without any point that says where the cochlea is (RW, C, A), and
+/// points that this program placed in another series.
+///
+/// @param seriesKey  SHA-256 of the series in which they are used; empty where none is known.
+Result<ct::Marks> readLandmarks(const std::filesystem::path& file, const std::string& seriesKey);
 
 }  // namespace perilymph::imaging

@@ -17,8 +17,12 @@ namespace perilymph::imaging {
 /// may not have.
 anatomy::Patient measuredPatient(const ct::CochleaMeasures& measures);
 
-/// Writes a measured patient to a file. Scanner and flags are comments. Refuses a cochlea with
+/// Text of the file of a measured patient. Scanner and flags are comments. Refuses a cochlea with
 /// fewer turns than the model is built with.
+Result<std::string> measuredPatientText(const ct::CochleaMeasures& measures,
+                                        const std::string& label);
+
+/// Writes it to a file.
 Result<Done> writeMeasuredPatient(const ct::CochleaMeasures& measures, const std::string& label,
                                   const std::filesystem::path& file);
 

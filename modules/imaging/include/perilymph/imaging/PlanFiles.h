@@ -18,6 +18,7 @@ namespace perilymph::imaging {
 
 /// Positions in P, LPS [mm].
 struct PlanMarkups {
+  std::string seriesKey = {};  ///< SHA-256 of the CT series that the positions are of.
   ct::Marks marks = {};
   std::optional<std::array<Eigen::Vector3d, 2>> axis = {};  ///< Modiolar axis, base to apex.
   std::optional<std::array<Eigen::Vector3d, 2>> insertionLine =
@@ -27,7 +28,8 @@ struct PlanMarkups {
 };
 
 /// The text of a markups file of 3D Slicer (.mrk.json): landmarks, lines "axis" and "insertion",
-/// curve "array", points "E1", "E2", ... for the contacts. Parts that are missing are left out.
+/// curve "array", points "E1", "E2", ... for the contacts. Parts that are missing are left out. The
+/// description of each point names the series, so that readLandmarks() takes it for no other one.
 std::string planText(const PlanMarkups& plan);
 
 /// Writes a surface as glTF 2.0 (.gltf, buffers embedded) in millimeters.

@@ -15,6 +15,7 @@
 #include "perilymph/analysis/SampleStatistics.h"
 #include "perilymph/anatomy/Patient.h"
 #include "perilymph/foundation/Result.h"
+#include "perilymph/foundation/Seal.h"
 #include "perilymph/foundation/Units.h"
 #include "perilymph/session/Scenario.h"
 
@@ -166,7 +167,10 @@ struct Thresholds {
 struct Plan {
   PlanRequest request;
   Thresholds thresholds;
-  std::string fingerprint;  ///< SHA-256 of everything it depends on but `draws` and `jobs`.
+  /// Its number: SHA-256 of everything it depends on but `draws` and `jobs`. Empty for a plan that
+  /// was changed after the program wrote it.
+  std::string fingerprint;
+  Seal seal = Seal::intact;                  ///< State of the file that it was read from.
   std::vector<PlannedInsertion> insertions;  ///< By draw, then by array.
   std::vector<ArrayPlan> arrays;
   /// Whether everything it depends on is still as it was. Otherwise it is shown as it was made, but

@@ -10,6 +10,7 @@
 
 #include "perilymph/figures/Figure.h"
 #include "perilymph/foundation/Result.h"
+#include "perilymph/foundation/TomlReader.h"
 #include "perilymph/planning/Plan.h"
 
 namespace perilymph::planning {
@@ -18,6 +19,7 @@ namespace perilymph::planning {
 struct PlanQuantity {
   const char* key;  ///< Its name in files, with its unit.
   Band ArrayPlan::*band;
+  Range range;  ///< What it can be.
 };
 /// All of them, in the order of the files.
 std::span<const PlanQuantity> planQuantities();
@@ -30,8 +32,12 @@ struct PlanProbability {
 /// All of them, in the order of the files.
 std::span<const PlanProbability> planProbabilities();
 
-/// The whole plan: patient, arrays with bands and probabilities, what was drawn and from where, what
-/// was not, versions. An error only if a shipped source cannot be read.
+/// Version of the text of planJson(); 1, without the number, had no seal.
+inline constexpr std::uint64_t planFormat = 2;
+
+/// The whole plan with its seal: patient, arrays with bands and probabilities, what was drawn and from where, what
+/// was not, versions. An error if a shipped source cannot be read, and for a plan that was read
+/// without an intact seal, which would get one.
 Result<std::string> planJson(const Plan& plan);
 
 /// One row per array: draws, bands of angle, coverage, depth and forces, probabilities in percent.

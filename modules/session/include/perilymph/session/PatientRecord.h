@@ -1,20 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// What is kept of a patient besides the measures: tags, notes, scans, and whether the patient is
-// archived.
+// What is kept of a patient's ear besides the file of its measures: every version of the measures,
+// scans, plans, insertions, outcomes, tags, notes, and whether the patient is archived.
 // A file beside the patient's, so that a copy of the folder is a backup. Nothing names the patient.
 
+#include <array>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
+#include "perilymph/anatomy/Patient.h"
 #include "perilymph/foundation/Result.h"
+#include "perilymph/foundation/Seal.h"
 
 namespace perilymph::session {
 
 /// Limits of a record [characters, entries].
 inline constexpr std::size_t maxNotes = 4000, maxTag = 24, maxTags = 16, maxScans = 64;
+inline constexpr std::size_t maxVersions = 256, maxEntries = 10'000;
 
 /// A CT series from which measures of the patient were saved.
 struct PatientScan {
@@ -24,13 +29,67 @@ struct PatientScan {
   friend bool operator==(const PatientScan&, const PatientScan&) = default;
 };
 
+/// A landmark of the cochlea in the scan.
+struct PatientLandmark {
+  std::string name;                   ///< "RW".
+  std::array<double, 3> lps_mm = {};  ///< In the CT, LPS.
+  bool isByHand = false;              ///< Placed by a person, else proposed by the program.
+
+  friend bool operator==(const PatientLandmark&, const PatientLandmark&) = default;
+};
+
+/// The measures as they were saved once. A version is never changed: other measures are a new one.
+struct PatientVersion {
+  std::string savedUtc;
+  std::string program;  ///< Build of the program that saved it.
+  std::string patient;  ///< anatomy::patientText(): measures, errors, origin, to a picometer.
+  std::vector<PatientLandmark> landmarks = {};
+  std::vector<std::string> warnings =
+      {};  ///< What the measurement says of itself, a sentence each.
+
+  friend bool operator==(const PatientVersion&, const PatientVersion&) = default;
+};
+
+/// A plan or an insertion of the patient.
+struct PatientEntry {
+  std::string utc;   ///< When it was made.
+  std::string name;  ///< The plan's number; the name of the recording's file.
+  std::string what;  ///< "flex28, flex24".
+
+  friend bool operator==(const PatientEntry&, const PatientEntry&) = default;
+};
+
+/// What a CT after surgery showed.
+struct PatientOutcome {
+  std::string utc;
+  std::string series;   ///< SHA-256 of the CT series after surgery.
+  std::string content;  ///< The JSON text of the contacts found.
+
+  friend bool operator==(const PatientOutcome&, const PatientOutcome&) = default;
+};
+
 struct PatientRecord {
   std::vector<std::string> tags;  ///< "revision", "EAS"; each once.
   std::string notes;
   bool isArchived = false;              ///< Hidden from lists, but kept.
   std::vector<PatientScan> scans = {};  ///< Each series once, in the order of their dates.
+  // The oldest first. Entries are added and never removed or changed.
+  std::vector<PatientVersion> versions = {};
+  std::vector<PatientEntry> plans = {}, insertions = {};
+  std::vector<PatientOutcome> outcomes = {};
+  /// Whether the file was once changed by hand after the program wrote it.
+  bool isChangedByHand = false;
+  Seal seal = Seal::intact;  ///< State of the file as read; absent in format 1.
+  std::string base = {};     ///< SHA-256 of the file as read; empty if there was none.
 
-  friend bool operator==(const PatientRecord&, const PatientRecord&) = default;
+  /// Compares what is kept; the file's state is no part of it.
+  friend bool operator==(const PatientRecord& one, const PatientRecord& other)
+  {
+    return one.tags == other.tags && one.notes == other.notes &&
+           one.isArchived == other.isArchived && one.scans == other.scans &&
+           one.versions == other.versions && one.plans == other.plans &&
+           one.insertions == other.insertions && one.outcomes == other.outcomes;
+  }
 };
 
 /// Checks lengths and characters; tags have no commas and no line breaks, series are hashes.
@@ -39,11 +98,38 @@ Result<Done> checkRecord(const PatientRecord& record);
 /// The record's file: "P-017-left.json" beside "P-017-left.toml".
 std::filesystem::path recordFileOf(const std::filesystem::path& patient);
 
-/// The record beside a patient's file; an empty one if there is none.
+/// The record beside a patient's file; an empty one if there is none. Formats 1 and 2 are read. One
+/// that was changed by hand is read and says so.
 Result<PatientRecord> loadPatientRecord(const std::filesystem::path& patient);
 
-/// Writes the record beside a patient's file, whole or not at all.
-Result<Done> savePatientRecord(const PatientRecord& record, const std::filesystem::path& patient);
+/// Writes a record beside a patient's file, whole or not at all. Refuses to replace a file that
+/// another program changed since the record was read, one that cannot be read or is of a newer
+/// program, and to lose versions, plans, insertions or outcomes.
+///
+/// @return  The record as it is in the file now.
+Result<PatientRecord> savePatientRecord(const PatientRecord& record,
+                                        const std::filesystem::path& patient);
+
+/// Changes a record as it is in the file now: no other program comes between reading and writing.
+Result<PatientRecord> changePatientRecord(const std::filesystem::path& patient,
+                                          const std::function<void(PatientRecord&)>& change);
+
+/// What a version says besides the measures.
+struct VersionFacts {
+  std::string utc;
+  std::string text = {};  ///< Text of the patient's file, with comments; by default patientText().
+  std::vector<PatientLandmark> landmarks = {};
+  std::vector<std::string> warnings = {};
+};
+
+/// Saves a patient's measures: the file, and a new version in the record if they are others than the
+/// last. The measures that the file had before become a version, too, if they are none.
+///
+/// @param isNew  Whether there may be no such file yet.
+/// @return       Refuses to replace a file that is new for the caller, or that cannot be read; says
+///               so if another program works on the patient.
+Result<Done> savePatientVersion(const anatomy::Patient& patient, const std::filesystem::path& file,
+                                const VersionFacts& facts, bool isNew);
 
 /// Writes a patient as a new folder: patient.toml, record.json, and copies of insertions. The folder
 /// appears when everything is in it.
@@ -59,8 +145,9 @@ Result<Done> exportPatient(const std::filesystem::path& patient,
 ///
 /// @param library     Folder of the patients.
 /// @param recordings  Folder to which the insertions are copied.
-/// @return            The patient's file. Refuses a code and ear that the library has, insertions
-///                    whose names are taken, links, and files that cannot be read.
+/// @return            The patient's file. Refuses a code and ear that the library has, notes that it
+///                    has of them, insertions whose names are taken or that are no recordings, links,
+///                    and files that cannot be read.
 Result<std::filesystem::path> importPatient(const std::filesystem::path& folder,
                                             const std::filesystem::path& library,
                                             const std::filesystem::path& recordings);

@@ -5,10 +5,8 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
-#include <string_view>
 
-#include "perilymph/anatomy/Patient.h"
+#include "perilymph/foundation/Choice.h"
 #include "perilymph/mechanics/InsertionModel.h"
 #include "perilymph/mechanics/InsertionState.h"
 
@@ -33,14 +31,6 @@ enum class MembraneKind : std::uint8_t {
   soft    ///< Yields as a basilar membrane does.
 };
 
-/// Row of a table of choices.
-template <class Value>
-struct Choice {
-  Value value;
-  const char* name;               ///< In files and on the command line.
-  const char* meaning = nullptr;  ///< Follows the name in a refusal.
-};
-
 inline constexpr std::array techniques{
     Choice<Technique>{Technique::standard, "standard"},
     Choice<Technique>{Technique::advanceOffStylet, "aos", "advance off stylet"}};
@@ -56,28 +46,6 @@ inline constexpr std::array modelKinds{
 inline constexpr std::array couplings{
     Choice<mechanics::Coupling>{mechanics::Coupling::rigid, "rigid"},
     Choice<mechanics::Coupling>{mechanics::Coupling::spring, "spring"}};
-inline constexpr std::array sides{Choice<anatomy::Side>{anatomy::Side::right, "right"},
-                                  Choice<anatomy::Side>{anatomy::Side::left, "left"}};
-
-/// Name of a value in its table.
-template <class Value, std::size_t count>
-constexpr const char* nameIn(const std::array<Choice<Value>, count>& table, Value value)
-{
-  for (const Choice<Value>& row : table)
-    if (row.value == value) return row.name;
-  return "";
-}
-
-/// Value of a name in a table; nothing if it has none of this name.
-template <class Value, std::size_t count>
-constexpr std::optional<Value> valueIn(const std::array<Choice<Value>, count>& table,
-                                       std::string_view name)
-{
-  for (const Choice<Value>& row : table)
-    if (name == row.name) return row.value;
-  return std::nullopt;
-}
-
 constexpr const char* nameOf(Technique technique) { return nameIn(techniques, technique); }
 constexpr const char* nameOf(OpeningKind opening) { return nameIn(openings, opening); }
 constexpr const char* nameOf(MembraneKind membrane) { return nameIn(membranes, membrane); }

@@ -1,25 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// The SQLite files of a study: one per shard while it runs, one with everything at the end.
+// The SQLite files of a study: one per shard while it runs, one with everything at the end
+// (session::InsertionTable).
 //
 // Tables, with SI units unless the name says another:
-//   meta(key, value)        title, study (its text), fingerprint, program, cases, first, end
+//   meta(key, value)        title, study (its text), fingerprint, program, cases, first, end, and
+//                           the seal over everything
 //   insertion(number, ...)  one row per insertion; `settings` is JSON, scenario key: value
 //   profile(number, depth_mm, force_mN)          if the study keeps force profiles
 //   contact(number, contact, angle_deg, depth_mm, to_modiolus_mm, frequency_Hz)   if it keeps them
 // Views, one per question (StudyViews.cpp): setting, ending_by_setting, outcome_by_setting,
 // outcome_by_size, extreme.
 
-#include <cstdint>
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "perilymph/analysis/FullInsertion.h"
-#include "perilymph/database/Database.h"
 #include "perilymph/foundation/Result.h"
+#include "perilymph/session/InsertionTable.h"
 #include "perilymph/study/Study.h"
 
 namespace perilymph::study {
@@ -36,9 +39,12 @@ struct StudyResult {
 
 /// Identity of a file.
 struct StudyFileFacts {
-  std::string title, text, fingerprint, program;
+  std::string title, text;
+  std::string fingerprint;  ///< Empty of a file that was changed after the program wrote it.
+  std::string program;
   std::size_t cases = 0;           ///< Number of insertions of the whole study.
   std::size_t first = 0, end = 0;  ///< Cases that this file is for: first to end - 1.
+  Seal seal = Seal::intact;        ///< State of the file that they were read from.
 };
 /// Those of a study run by this program.
 StudyFileFacts factsOf(const Study& study, std::size_t first, std::size_t end);
@@ -46,33 +52,36 @@ StudyFileFacts factsOf(const Study& study, std::size_t first, std::size_t end);
 /// An open file.
 class StudyFile {
 public:
-  /// Creates an empty file. Refuses one that exists.
-  static Result<StudyFile> create(const std::filesystem::path& file, const StudyFileFacts& facts);
-  /// Opens a file to go on: whole transactions that were written before are there.
-  static Result<StudyFile> resume(const std::filesystem::path& file);
+  /// Opens a file to go on, or creates it: whole blocks that were written before are there. Refuses a
+  /// file with other facts, one that was changed, and one that another program works on.
+  static Result<StudyFile> openToContinue(const std::filesystem::path& file,
+                                          const StudyFileFacts& facts);
+  /// Opens a file and checks it whole. Refuses insertions that are not first, first + 1, ... and
+  /// values that no insertion has.
   static Result<StudyFile> open(const std::filesystem::path& file);
+  /// The facts of a file and its number of insertions, without a look at their values.
+  static Result<std::pair<StudyFileFacts, std::size_t>> outlineOf(
+      const std::filesystem::path& file);
 
   const StudyFileFacts& facts() const noexcept { return facts_; }
-  /// Number of insertions in the file; they are first, first + 1, ... An error if they are not.
-  Result<std::size_t> size() const;
+  /// Number of insertions in the file; they are first, first + 1, ...
+  std::size_t size() const noexcept { return table_.size(); }
 
   /// Adds results in one transaction: all are in the file afterwards, or none.
   Result<Done> append(const std::vector<StudyResult>& results);
   /// Ends writing: the file is then one file, without companions.
-  Result<Done> close();
+  Result<Done> close() { return table_.close(); }
 
-  /// Which part of the insertions is read.
-  enum class Part { whole, withoutContactsAndProfile };
   /// Calls `each` with every insertion, in order.
-  Result<Done> read(const std::function<Result<Done>(const StudyResult&)>& each,
-                    Part part = Part::whole) const;
+  Result<Done> read(const std::function<Result<Done>(const StudyResult&)>& each) const;
 
 private:
-  explicit StudyFile(database::Database database) : database_(std::move(database)) {}
-  Result<Done> readFacts();
+  StudyFile(session::InsertionTable table, StudyFileFacts facts)
+      : table_(std::move(table)), facts_(std::move(facts))
+  {
+  }
 
-  database::Database database_;
-  std::filesystem::path file_;
+  session::InsertionTable table_;
   StudyFileFacts facts_;
 };
 

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "library/PatientRecordText.h"
+
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "perilymph/foundation/Sha256.h"
+
+namespace perilymph::session {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Half the width of a 95 % interval of a normal error, in standard deviations.
+constexpr double halfInterval = 1.96;
+
+Json measureJson(Length value, std::optional<Length> error)
+{
+  const double value_mm = inMillimeters(value);
+  Json json = {{"value", value_mm}};
+  if (!error) return json;
+  const double sd_mm = inMillimeters(*error);
+  json["sd"] = sd_mm;
+  json["ci95"] = {value_mm - halfInterval * sd_mm, value_mm + halfInterval * sd_mm};
+  return json;
+}
+
+/// The measures of a version, for other programs: they follow from its text.
+Json measuresJson(const anatomy::Patient& patient)
+{
+  if (!patient.basalTurn)
+    return {{"st_length_mm", measureJson(patient.scalaTympaniLength, {})},
+            {"rw_width_mm", measureJson(patient.roundWindowWidth, {})},
+            {"rw_height_mm", measureJson(patient.roundWindowHeight, {})}};
+  const auto& errors = patient.errors;
+  const auto errorOf = [&errors](Length anatomy::BasalTurnErrors::*error) {
+    return errors ? std::optional((*errors).*error) : std::nullopt;
+  };
+  Json json = {{"A_mm", measureJson(patient.basalTurn->a, errorOf(&anatomy::BasalTurnErrors::a))},
+               {"B_mm", measureJson(patient.basalTurn->b, errorOf(&anatomy::BasalTurnErrors::b))}};
+  if (patient.basalTurn->h)
+    json["H_mm"] = measureJson(*patient.basalTurn->h, errors ? errors->h : std::nullopt);
+  return json;
+}
+
+Json versionJson(const PatientVersion& version)
+{
+  Json json = {{"saved_utc", version.savedUtc},
+               {"program", version.program},
+               {"patient_toml", version.patient}};
+  if (const auto patient = anatomy::patientIn(version.patient, "version")) {
+    json["measures"] = measuresJson(*patient);
+    json["series_sha256"] = patient->origin.seriesKey;
+  }
+  json["landmarks"] = Json::array();
+  for (const PatientLandmark& each : version.landmarks)
+    json["landmarks"].push_back(
+        {{"name", each.name}, {"lps_mm", each.lps_mm}, {"by_hand", each.isByHand}});
+  json["warnings"] = version.warnings;
+  return json;
+}
+
+Json entriesJson(const std::vector<PatientEntry>& entries)
+{
+  Json json = Json::array();
+  for (const PatientEntry& each : entries)
+    json.push_back({{"utc", each.utc}, {"name", each.name}, {"what", each.what}});
+  return json;
+}
+
+std::vector<PatientEntry> entriesIn(const Json& json)
+{
+  std::vector<PatientEntry> entries;
+  for (const auto& each : json)
+    entries.push_back({each.at("utc").get<std::string>(), each.at("name").get<std::string>(),
+                       each.at("what").get<std::string>()});
+  return entries;
+}
+
+PatientVersion versionIn(const Json& json)
+{
+  PatientVersion version{json.at("saved_utc").get<std::string>(),
+                         json.at("program").get<std::string>(),
+                         json.at("patient_toml").get<std::string>()};
+  for (const auto& each : json.at("landmarks"))
+    version.landmarks.push_back({each.at("name").get<std::string>(),
+                                 each.at("lps_mm").get<std::array<double, 3>>(),
+                                 each.at("by_hand").get<bool>()});
+  version.warnings = json.at("warnings").get<std::vector<std::string>>();
+  return version;
+}
+
+/// What format 2 has beyond format 1.
+void readFormat2(const Json& json, PatientRecord& record)
+{
+  record.isChangedByHand = json.at("changed_by_hand").get<bool>();
+  for (const auto& each : json.at("versions")) record.versions.push_back(versionIn(each));
+  record.plans = entriesIn(json.at("plans"));
+  record.insertions = entriesIn(json.at("insertions"));
+  for (const auto& each : json.at("outcomes"))
+    record.outcomes.push_back({each.at("utc").get<std::string>(),
+                               each.at("series_sha256").get<std::string>(),
+                               each.at("content").get<std::string>()});
+}
+
+}  // namespace
+
+std::string textOf(const PatientRecord& record)
+{
+  Json json = {{"format", recordFormat},
+               {"tags", record.tags},
+               {"notes", record.notes},
+               {"archived", record.isArchived},
+               {"changed_by_hand", record.isChangedByHand},
+               {"scans", Json::array()},
+               {"versions", Json::array()},
+               {"plans", entriesJson(record.plans)},
+               {"insertions", entriesJson(record.insertions)},
+               {"outcomes", Json::array()}};
+  for (const PatientScan& scan : record.scans)
+    json["scans"].push_back({{"series_sha256", scan.series}, {"saved_utc", scan.savedUtc}});
+  for (const PatientVersion& each : record.versions) json["versions"].push_back(versionJson(each));
+  for (const PatientOutcome& each : record.outcomes)
+    json["outcomes"].push_back(
+        {{"utc", each.utc}, {"series_sha256", each.series}, {"content", each.content}});
+  json[sealKey] = sealToBe();
+  return sealed(json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+Result<PatientRecord> recordIn(const std::string& text, const std::string& name)
+{
+  PatientRecord record;
+  try {
+    const auto json = Json::parse(text);
+    // A number beyond an int is of no program: as a double it is still greater.
+    const auto format = json.at("format").get<double>();
+    if (format > recordFormat)
+      return Error{name + " is of a newer program. Open it with that one."};
+    const bool isSealed = format >= recordFormat;
+    record.tags = json.at("tags").get<std::vector<std::string>>();
+    record.notes = json.at("notes").get<std::string>();
+    record.isArchived = json.at("archived").get<bool>();
+    for (const auto& scan : json.value("scans", Json::array()))
+      record.scans.push_back(
+          {scan.at("series_sha256").get<std::string>(), scan.at("saved_utc").get<std::string>()});
+    if (isSealed) readFormat2(json, record);
+    record.seal = sealIn(text, isSealed);
+    record.isChangedByHand = record.isChangedByHand || record.seal == Seal::changed;
+  } catch (const nlohmann::json::exception&) {
+    return Error{name +
+                 " is not the record of a patient: it needs format, tags, notes and archived. "
+                 "Restore it from a backup, or remove it."};
+  }
+  if (const auto possible = checkRecord(record); !possible)
+    return Error{name + ": " + possible.error().message};
+  Sha256 hash;
+  hash.add(std::string_view(text));
+  record.base = hash.hex();
+  return record;
+}
+
+}  // namespace perilymph::session

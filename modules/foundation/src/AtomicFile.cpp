@@ -9,8 +9,8 @@
 #include <cstdint>
 #include <exception>
 #include <optional>
-#include <system_error>
 
+#include "Descriptor.h"
 #include "UnfinishedName.h"
 #include "perilymph/foundation/FileIdentity.h"
 
@@ -18,33 +18,6 @@ namespace perilymph {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// The system's message for an error number, such as "Permission denied".
-std::string reason(int errorNumber) { return std::generic_category().message(errorNumber); }
-
-/// An open file, closed by the destructor.
-class Descriptor {
-public:
-  explicit Descriptor(int number) : number_(number) {}
-  ~Descriptor() { close(); }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-
-  explicit operator bool() const { return number_ >= 0; }
-  int number() const { return number_; }
-
-  /// Closes the file; false if the system reports that writing failed.
-  bool close()
-  {
-    if (number_ < 0) return true;
-    const bool closed = ::close(number_) == 0;
-    number_ = -1;
-    return closed;
-  }
-
-private:
-  int number_;
-};
 
 bool writeAll(int descriptor, std::string_view content)
 {

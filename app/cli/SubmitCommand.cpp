@@ -96,8 +96,12 @@ Result<Done> submitStudy(const StudyOptions& options)
     return Error{request.folder.string() + " cannot be created: " + problem.message() +
                  ". Give another folder."};
   for (const study::SlurmScript& script : jobs->arrays)
-    if (const auto done = writeWhole(request.folder / script.name, script.text); !done) return done;
-  if (const auto done = writeWhole(request.folder / jobs->merge.name, jobs->merge.text); !done)
+    if (const auto done = writeWhole(request.folder / script.name, script.text, {Links::refused});
+        !done)
+      return done;
+  if (const auto done =
+          writeWhole(request.folder / jobs->merge.name, jobs->merge.text, {Links::refused});
+      !done)
     return done;
   std::vector<std::string> submitted;
   std::string dependency = "--dependency=afterok";

@@ -145,21 +145,14 @@ bool isZip(const fs::path& file)
          ((start[2] == 3 && start[3] == 4) || (start[2] == 5 && start[3] == 6));
 }
 
-UnpackedZip::~UnpackedZip()
-{
-  std::error_code ignored;
-  fs::remove_all(folder_, ignored);
-}
-
 Result<std::shared_ptr<const UnpackedZip>> UnpackedZip::unpack(
     const fs::path& zip, std::size_t maxFiles, const std::function<bool()>& isCanceled)
 {
   std::error_code failed;
-  std::string place = (fs::temp_directory_path(failed) / "perilymph-zip-XXXXXX").string();
-  if (failed || ::mkdtemp(place.data()) == nullptr)
-    return refusalOf(zip, Unpacking::notWritten, maxFiles);
-  auto unpacked = std::make_shared<const UnpackedZip>(place);
-  const auto work = [&] { return static_cast<int>(unpackInto(zip, place, maxFiles)); };
+  auto folder = UnfinishedFolder::create(fs::temp_directory_path(failed) / "perilymph-zip");
+  if (failed || !folder) return refusalOf(zip, Unpacking::notWritten, maxFiles);
+  auto unpacked = std::make_shared<const UnpackedZip>(*std::move(folder));
+  const auto work = [&] { return static_cast<int>(unpackInto(zip, unpacked->folder(), maxFiles)); };
   const auto answer = static_cast<Unpacking>(runInChild(work, {maxUnpackerBytes, isCanceled, {}}));
   if (answer != Unpacking::done) return refusalOf(zip, answer, maxFiles);
   return unpacked;

@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "perilymph/foundation/Result.h"
+#include "perilymph/foundation/Unfinished.h"
 
 namespace perilymph::imaging {
 
@@ -27,15 +28,12 @@ public:
                                                            std::size_t maxFiles,
                                                            const std::function<bool()>& isCanceled);
 
-  explicit UnpackedZip(std::filesystem::path folder) : folder_(std::move(folder)) {}
-  ~UnpackedZip();
-  UnpackedZip(const UnpackedZip&) = delete;
-  UnpackedZip& operator=(const UnpackedZip&) = delete;
+  explicit UnpackedZip(UnfinishedFolder folder) : folder_(std::move(folder)) {}
 
-  const std::filesystem::path& folder() const { return folder_; }
+  const std::filesystem::path& folder() const { return folder_.path(); }
 
 private:
-  std::filesystem::path folder_;
+  UnfinishedFolder folder_;
 };
 
 }  // namespace perilymph::imaging

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "perilymph/foundation/Unfinished.h"
 #include "perilymph/foundation/Version.h"
 
 namespace perilymph::planning {
@@ -50,9 +51,9 @@ Result<Done> create(const fs::path& file, const std::string& fingerprint)
     return Error{file.string() + " cannot be created: " + reason +
                  ". Check the folder's permissions and the space on the disk."};
   };
-  const std::string unfinished = file.string() + ".begin-" + std::to_string(::getpid());
+  const std::string unfinished = unfinishedPath(file).string();
   const int descriptor =
-      ::open(unfinished.c_str(), O_CREAT | O_TRUNC | O_WRONLY | O_NOFOLLOW | O_CLOEXEC, 0666);
+      ::open(unfinished.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_NOFOLLOW | O_CLOEXEC, 0600);
   if (descriptor < 0) return failed("its folder takes no file");
   ::close(descriptor);
   const auto written = [&]() -> Result<Done> {

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "StudyViews.h"
+#include "perilymph/foundation/Unfinished.h"
 #include "perilymph/foundation/Version.h"
 
 namespace perilymph::study {
@@ -162,9 +163,9 @@ Result<StudyFile> StudyFile::create(const fs::path& file, const StudyFileFacts& 
                  ". Check the folder's permissions and the space on the disk."};
   };
   // Written under another name first: a file with the final name is whole or does not exist.
-  const std::string unfinished = file.string() + ".begin-" + std::to_string(::getpid());
+  const std::string unfinished = unfinishedPath(file).string();
   const int descriptor =
-      ::open(unfinished.c_str(), O_CREAT | O_TRUNC | O_WRONLY | O_NOFOLLOW | O_CLOEXEC, 0666);
+      ::open(unfinished.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_NOFOLLOW | O_CLOEXEC, 0666);
   if (descriptor < 0) return failed("its folder takes no file");
   ::close(descriptor);
   const auto written = [&]() -> Result<Done> {

@@ -60,7 +60,7 @@ protected:
   {
     int folders = 0;
     for (const auto& entry : fs::directory_iterator(temporary))
-      folders += entry.path().filename().string().starts_with("perilymph-zip-") ? 1 : 0;
+      folders += entry.path().filename().string().starts_with(".perilymph-zip.") ? 1 : 0;
     return folders;
   }
 

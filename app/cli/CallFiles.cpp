@@ -2,10 +2,12 @@
 #include "CallFiles.h"
 
 #include <algorithm>
+#include <set>
 #include <system_error>
 
 #include "OutputFolder.h"
 #include "perilymph/foundation/AtomicFile.h"
+#include "perilymph/foundation/Unfinished.h"
 #include "perilymph/session/RecordingSignature.h"
 
 namespace perilymph::cli {
@@ -95,12 +97,18 @@ Result<Done> CallFiles::checkOutput(const NamedFile& output) const
     return Error{output.option + " would replace " + output.file.string() +
                  ", which is or belongs to a recording. Give " + output.option + " another name."};
   std::error_code ignored;
-  if (output.kind == Kind::inFolder && !fs::exists(output.file, ignored)) return Done{};
-  return checkWritable(output.file);
+  if (output.kind != Kind::inFolder) return checkWritable(output.file);
+  const bool isThere = fs::exists(fs::symlink_status(output.file, ignored));
+  return isThere ? checkWritable(output.file, Links::refused) : Result<Done>(Done{});
 }
 
 Result<Done> CallFiles::check() const
 {
+  // What killed calls left where this one writes.
+  std::set<fs::path> written;
+  for (const Folder& folder : folders_) written.insert(folder.place);
+  for (const NamedFile& output : outputs_) written.insert(output.file.parent_path());
+  for (const fs::path& folder : written) removeLeftovers(folder);
   for (const Folder& folder : folders_)
     if (const auto done = checkFolder(folder.place.string()); !done) return done.error();
   for (std::size_t i = 0; i < outputs_.size(); ++i) {

@@ -13,6 +13,7 @@
 #include "Terminal.h"
 #include "perilymph/figures/Svg.h"
 #include "perilymph/foundation/AtomicFile.h"
+#include "perilymph/foundation/Unfinished.h"
 #if PERILYMPH_HAS_TOOLKIT
 #include "perilymph/charts/FigurePicture.h"
 #endif
@@ -26,7 +27,10 @@ namespace {
 Result<Done> writePicture(const fs::path& file, const figures::Drawing& drawing)
 {
 #if PERILYMPH_HAS_TOOLKIT
-  return charts::writePicture(drawing, file);
+  return writeWhole(
+      file,
+      [&](const fs::path& part) { return static_cast<bool>(charts::writePicture(drawing, part)); },
+      {Links::refused});
 #else
   static_cast<void>(file);
   static_cast<void>(drawing);
@@ -60,9 +64,7 @@ Result<Done> checkFolder(const std::string& folder)
   bool canMake = true;
   if (!missing.empty()) {
     canMake = ::access(missing.c_str(), F_OK) == 0 || errno == ENOENT;  // else its name is too long
-    std::string attempt = (there / ".perilymph-XXXXXX").string();
-    canMake = canMake && ::mkdtemp(attempt.data()) != nullptr;
-    if (canMake) fs::remove(attempt, ignored);
+    canMake = canMake && UnfinishedFolder::create(there / "perilymph");
   }
   if (!canMake || ::faccessat(AT_FDCWD, there.c_str(), W_OK, AT_EACCESS) != 0)
     return Error{"Cannot write into " + folder + ": nothing may be written into " + there.string() +
@@ -84,11 +86,14 @@ Result<Done> writeFolder(const CallFiles& files, const std::string& folder,
                  ". Choose another one."};
   std::vector<std::string> names;
   for (const auto& [name, text] : content.texts) {
-    if (const auto done = writeWhole(place / name, text); !done) return done.error();
+    if (const auto done = writeWhole(place / name, text, {Links::refused}); !done)
+      return done.error();
     names.push_back(name);
   }
   for (const auto& [name, drawing] : content.figures) {
-    if (const auto done = writeWhole(place / (name + ".svg"), figures::svg(drawing)); !done)
+    if (const auto done =
+            writeWhole(place / (name + ".svg"), figures::svg(drawing), {Links::refused});
+        !done)
       return done.error();
     if (const auto done = writePicture(place / (name + ".png"), drawing); !done)
       return done.error();

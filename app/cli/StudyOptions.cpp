@@ -81,7 +81,8 @@ void addStudy(CLI::App& app, FileOptions& files, StudyOptions& options)
   addJobs(run, options);
   addShard(study, files, options);
   CLI::App& merge = *study.add_subcommand("merge", "Merge the parts of a study in a folder");
-  merge.add_option("folder", options.folder, "Folder of the parts")->required();
+  files.writesInto(merge.add_option("folder", options.folder, "Folder of the parts")->required(),
+                   {study::mergedFile, study::mergedTable});
   CLI::App& status = *study.add_subcommand("status", "List the parts of a study in a folder");
   status.add_option("folder", options.folder, "Folder of the parts")->required();
   CLI::App& report = *study.add_subcommand("report", "Report on a merged study in its folder");

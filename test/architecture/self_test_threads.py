@@ -37,7 +37,7 @@ GOOD = {
     f"{threads.CHANNELS}/Newest.h": "template <class Value>\nclass Newest {};\n",
     "app/gui/main.cpp": "int main() { declareThread(ThreadRole::window); realtime::Newest<int> now; }\n",
     "modules/tone/src/Voice.cpp": VOICE,
-    "modules/device/src/Guard.cpp": "int f() { return ::posix_spawn(&id, path, nullptr, nullptr, text, environ); }\n",
+    "modules/device/src/Guard.cpp": "int f() { return startProgram(call); }\n",
 }
 
 
@@ -83,8 +83,12 @@ class Threads(unittest.TestCase):
         self.assertEqual(self.complaints({"modules/tone/src/Voice.h": "std::jthread thread_;\n"}), [])
 
     def test_a_process_that_the_table_does_not_tell_is_found(self):
-        for begin in ("fork();", "::fork();", "posix_spawnp(&id);", "QProcess other;", "popen(text, mode);"):
+        for begin in ("fork();", "::fork();", "startProgram(call);", "runProgram(name);", "QProcess other;"):
             self.assert_found("app/gui/Other.cpp begins a process", {"app/gui/Other.cpp": f"{begin}\n"})
+
+    def test_a_program_that_is_started_another_way_is_found(self):
+        for begin in ("posix_spawnp(&id);", "popen(text, mode);", "std::system(text);", "::execvp(name, list);"):
+            self.assert_found("app/gui/Other.cpp starts a program by itself", {"app/gui/Other.cpp": f"{begin}\n"})
 
     def test_a_process_that_nobody_begins_is_found(self):
         self.assert_found("a process begins in Guard.cpp; none does", {"modules/device/src/Guard.cpp": "\n"})

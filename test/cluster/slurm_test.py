@@ -100,7 +100,7 @@ class Faults(unittest.TestCase):
             slurm.check()
         except slurm.Missing as reason:
             self.skipTest(str(reason))
-        out = self.folder / "slurm"
+        out = self.folder / 'slurm 5%j "wide"'
         (self.folder / "cluster").mkdir()
         try:
             started = slurm.Slurm(self.folder / "cluster").start()
@@ -110,6 +110,8 @@ class Faults(unittest.TestCase):
             submit = ("study", "submit", self.study, "--shards", SHARDS, "--out", out)
             said = self.cli(*submit, env=cluster.environment).stdout
             job = said.split()[1].rstrip(":")
+            self.assertIn("MaxJobCount", self.cli(*submit[:4], 10_000, *submit[5:], check=False,
+                                                  env=cluster.environment).stderr)
             running = lambda: cluster.processes("shard")
             slurm.wait_until(running, 60, "a task")
             time.sleep(0.5)
@@ -128,6 +130,7 @@ class Faults(unittest.TestCase):
             self.cli(*submit, env=cluster.environment)
             slurm.wait_until((out / "study.sqlite").exists, 90, "the merged study")
             slurm.wait_until(lambda: cluster.waiting() == 0, 30, "an empty queue")
+            self.assertTrue((out / "shard-1.log").exists(), "a log of the folder's name")
         self.expect_the_same(out)
 
 

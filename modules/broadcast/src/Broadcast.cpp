@@ -91,6 +91,13 @@ Error refused(const Endpoint& endpoint, int why)
                "."};
 }
 
+/// True for an address at which only programs of this machine connect.
+bool isLoopback(const Address& address) noexcept
+{
+  if (address.isFour()) return ntohl(address.four().sin_addr.s_addr) >> 24 == IN_LOOPBACKNET;
+  return IN6_IS_ADDR_LOOPBACK(&address.six().sin6_addr);
+}
+
 /// A listening socket.
 Result<OwnedSocket> listenAt(const Endpoint& endpoint)
 {
@@ -212,12 +219,13 @@ void Broadcast::Content::welcome(std::int64_t now)
   OwnedSocket socket(
       ::accept4(listener.get(), peer.get(), &peer.size, SOCK_CLOEXEC | SOCK_NONBLOCK));
   if (socket.get() < 0) return;
-  if (connections.size() >= maxClients) {
+  if (connections.size() >= maxClients && !makeRoom(connections, now)) {
     ++closed;
     tell("The OpenIGTLink client " + peer.text() + " was refused: " + std::to_string(maxClients) +
          " are connected. Disconnect one.");
     return;
   }
+  dismiss();
   prepareClient(socket.get());
   connections.emplace_back(std::move(socket), peer.text(), now);
   ++accepted;
@@ -267,6 +275,10 @@ Result<std::unique_ptr<Broadcast>> Broadcast::start(const Endpoint& endpoint, Re
   ::getsockname(listener->get(), bound.get(), &bound.size);
   OwnedSocket wake(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK));
   if (wake.get() < 0) return refused(endpoint, errno);
+  if (report && !isLoopback(bound))
+    report("Whoever reaches " + bound.text() +
+           " in the network receives the insertion and the CT, without a password. 127.0.0.1 "
+           "serves this machine only.");
   auto content =
       std::make_unique<Content>(*std::move(listener), std::move(wake), std::move(report));
   content->port = bound.port();

@@ -4,6 +4,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <span>
@@ -26,7 +27,11 @@ OwnedSocket::~OwnedSocket()
 }
 
 Connection::Connection(OwnedSocket socket, std::string name, std::int64_t now)
-    : socket_(std::move(socket)), name_(std::move(name)), tookAt_(now), finishedAt_(now)
+    : socket_(std::move(socket)),
+      name_(std::move(name)),
+      tookAt_(now),
+      finishedAt_(now),
+      saidAt_(now)
 {
 }
 
@@ -81,8 +86,12 @@ void Connection::receive(std::int64_t now)
     while (!rest.empty() && reader_.fault().empty()) {
       rest = rest.subspan(reader_.take(rest));
       if (!reader_.request()) continue;
-      finishedAt_ = now;
+      finishedAt_ = saidAt_ = now;
       note(*reader_.request());
+    }
+    if (reader_.skipped() - skippedThen_ >= RequestReader::maxBody) {
+      skippedThen_ = reader_.skipped();
+      finishedAt_ = saidAt_ = now;
     }
     if (!reader_.fault().empty()) end(reader_.fault());
   }
@@ -105,6 +114,22 @@ void Connection::checkPatience(std::int64_t now)
   if (isBusy() && now - tookAt_ > patience) end("it took nothing for 5 s");
   if (reader_.isWithinMessage() && now - finishedAt_ > patience)
     end("it left a message unfinished for 5 s");
+}
+
+void Connection::giveWay(std::int64_t now)
+{
+  end("all places are taken, and it asked for nothing for " +
+      std::to_string(silence(now) / 1'000'000'000) + " s");
+}
+
+bool makeRoom(std::deque<Connection>& clients, std::int64_t now)
+{
+  const auto found = std::max_element(
+      clients.begin(), clients.end(),
+      [now](const Connection& a, const Connection& b) { return a.silence(now) < b.silence(now); });
+  if (found == clients.end() || found->silence(now) < patience) return false;
+  found->giveWay(now);
+  return true;
 }
 
 }  // namespace perilymph::broadcast

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <memory>
 #include <string>
 
@@ -56,8 +57,13 @@ public:
   void send(const Answers& answers, std::int64_t now);
   /// Reads what the client sent.
   void receive(std::int64_t now);
-  /// Ends a client that takes nothing, or leaves a message unfinished, for 5 s.
+  /// Ends a client that takes nothing, or leaves a message unfinished, for 5 s. A megabyte of a long
+  /// message is as good as its end.
   void checkPatience(std::int64_t now);
+  /// How long it has sent no message [ns].
+  std::int64_t silence(std::int64_t now) const noexcept { return now - saidAt_; }
+  /// Ends a client that is silent, so that another one has its place.
+  void giveWay(std::int64_t now);
 
   bool hasEnded() const noexcept { return hasEnded_; }
   /// A sentence: the client's fault; empty if it only went.
@@ -75,8 +81,13 @@ private:
   std::size_t sent_ = 0;
   bool wantsScala_ = false, wantsArray_ = false, wantsImage_ = false, wantsCapability_ = false;
   std::int64_t tookAt_, finishedAt_;  // the client: bytes of ours, a message of its own [ns]
+  std::int64_t saidAt_;               // its last message [ns]; at first, when it connected
+  std::uint64_t skippedThen_ = 0;     // bytes skipped at finishedAt_
   bool hasEnded_ = false;
   std::string fault_;
 };
+
+/// Ends the client that has been silent longest, if that is 5 s or more. False if none is.
+bool makeRoom(std::deque<Connection>& clients, std::int64_t now);
 
 }  // namespace perilymph::broadcast

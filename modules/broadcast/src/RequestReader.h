@@ -18,7 +18,7 @@ namespace perilymph::broadcast {
 class RequestReader {
 public:
   static constexpr std::size_t headerSize = 58;
-  /// Larger bodies are refused: requests have none, and what else is sent is dropped.
+  /// Larger bodies are skipped unread: requests have none, and what else is sent is dropped.
   static constexpr std::uint64_t maxBody = 1 << 20;
 
   /// A complete message.
@@ -35,6 +35,8 @@ public:
   const std::optional<Request>& request() const noexcept { return request_; }
   /// A clause: why the stream is no OpenIGTLink; empty if it is. Nothing more is taken then.
   const std::string& fault() const noexcept { return fault_; }
+  /// Bytes of skipped bodies, of all messages.
+  std::uint64_t skipped() const noexcept { return skipped_; }
   /// A message has begun and is not complete.
   bool isWithinMessage() const noexcept { return headerBytes_ > 0; }
 
@@ -46,6 +48,8 @@ private:
   std::size_t headerBytes_ = 0;
   std::uint64_t bodyLeft_ = 0;
   std::uint64_t crc_ = 0, statedCrc_ = 0;
+  std::uint64_t skipped_ = 0;
+  bool isSkipped_ = false;  // the body that is being read
   Request current_;
   std::optional<Request> request_;
   std::string fault_;

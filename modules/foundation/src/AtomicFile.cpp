@@ -9,42 +9,16 @@
 #include <cstdint>
 #include <exception>
 #include <optional>
-#include <system_error>
 
+#include "Descriptor.h"
 #include "UnfinishedName.h"
 #include "perilymph/foundation/FileIdentity.h"
+#include "perilymph/foundation/Unfinished.h"
 
 namespace perilymph {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// The system's message for an error number, such as "Permission denied".
-std::string reason(int errorNumber) { return std::generic_category().message(errorNumber); }
-
-/// An open file, closed by the destructor.
-class Descriptor {
-public:
-  explicit Descriptor(int number) : number_(number) {}
-  ~Descriptor() { close(); }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-
-  explicit operator bool() const { return number_ >= 0; }
-  int number() const { return number_; }
-
-  /// Closes the file; false if the system reports that writing failed.
-  bool close()
-  {
-    if (number_ < 0) return true;
-    const bool closed = ::close(number_) == 0;
-    number_ = -1;
-    return closed;
-  }
-
-private:
-  int number_;
-};
 
 bool writeAll(int descriptor, std::string_view content)
 {
@@ -62,11 +36,16 @@ Error cannotWrite(const fs::path& file, const std::string& why)
   return Error{"Cannot write " + file.string() + ": " + why};
 }
 
-/// The file to be replaced: the target of a symbolic link, so that the link is kept.
-fs::path placeOf(const fs::path& file)
+bool isLink(const fs::path& file)
 {
   std::error_code ignored;
-  return fs::is_symlink(file, ignored) ? identityOf(file).place : file;
+  return fs::is_symlink(fs::symlink_status(file, ignored));
+}
+
+/// The file to be replaced: the target of a symbolic link that is followed, so that it is kept.
+fs::path placeOf(const fs::path& file, Links links)
+{
+  return links == Links::followed && isLink(file) ? identityOf(file).place : file;
 }
 
 /// True for a pipe, a terminal or /dev/null, which are written directly.
@@ -91,6 +70,10 @@ bool isWriteProtected(const fs::path& place)
 std::optional<Error> obstacle(const fs::path& file, const fs::path& place)
 {
   std::error_code ignored;
+  if (isLink(place))
+    return cannotWrite(file,
+                       "it is a link, which may lead out of its folder. Remove it, or give another "
+                       "folder.");
   if (!place.has_filename()) return cannotWrite(file, "this names no file. Give a file name.");
   if (fs::is_directory(place, ignored))
     return cannotWrite(file, "it is a folder. Give the name of a file in it.");
@@ -109,15 +92,13 @@ std::optional<Error> obstacle(const fs::path& file, const fs::path& place)
 /// kept.
 class Neighbor {
 public:
-  explicit Neighbor(const fs::path& place)
+  Neighbor(const fs::path& place, Audience audience)
   {
-    const std::string stem =
-        "." + place.stem().string().substr(0, 100) + "." + std::to_string(::getpid()) + ".";
+    const mode_t mode = audience == Audience::owner ? 0600 : 0666;
     for (int attempt = 0; attempt < 1000; ++attempt) {
-      path_ = place.parent_path() /
-              (stem + std::to_string(attempt) + ".part" + place.extension().string());
+      path_ = unfinishedPath(place);
       name_.keep(path_);
-      descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+      descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
       if (descriptor_ >= 0 || errno != EEXIST) break;
     }
     errorNumber_ = descriptor_ >= 0 ? 0 : errno;
@@ -136,12 +117,19 @@ public:
   /// Descriptor of the empty file, closed by the caller.
   int descriptor() const { return descriptor_; }
 
-  /// Renames the file to its final path, with the permissions of an older one; 0 or an error
-  /// number.
-  int moveTo(const fs::path& place)
+  /// Renames the file to its final path, with the permissions of an older one unless it is for its
+  /// owner; 0 or an error number.
+  int moveTo(const fs::path& place, const Writing& how)
   {
     struct stat older = {};
-    if (::stat(place.c_str(), &older) == 0) ::chmod(path_.c_str(), older.st_mode & 07777);
+    if (how.audience != Audience::owner && ::lstat(place.c_str(), &older) == 0 &&
+        S_ISREG(older.st_mode))
+      ::chmod(path_.c_str(), older.st_mode & 07777);
+    if (how.existing == Existing::refused) {
+      // A second name fails where there is a file; the first one is removed afterwards.
+      if (::link(path_.c_str(), place.c_str()) != 0) return errno;
+      return 0;
+    }
     if (::rename(path_.c_str(), place.c_str()) != 0) return errno;
     isKept_ = true;
     return 0;
@@ -178,10 +166,10 @@ std::optional<std::string> failureOf(const std::function<bool(const fs::path&)>&
 
 }  // namespace
 
-Result<Done> checkWritable(const fs::path& file)
+Result<Done> checkWritable(const fs::path& file, Links links)
 {
-  const fs::path place = placeOf(file);
-  if (isStream(place)) return Done{};
+  const fs::path place = placeOf(file, links);
+  if (!isLink(place) && isStream(place)) return Done{};
   if (const auto error = obstacle(file, place)) return *error;
   const fs::path folder = place.has_parent_path() ? place.parent_path() : fs::path(".");
   if (::faccessat(AT_FDCWD, folder.c_str(), W_OK, AT_EACCESS) != 0)
@@ -190,33 +178,35 @@ Result<Done> checkWritable(const fs::path& file)
   return Done{};
 }
 
-Result<Done> writeWhole(const fs::path& file, std::string_view content)
+Result<Done> writeWhole(const fs::path& file, std::string_view content, const Writing& how)
 {
-  const fs::path place = placeOf(file);
-  if (isStream(place)) return writeStream(place, content);
+  const fs::path place = placeOf(file, how.links);
+  if (!isLink(place) && isStream(place)) return writeStream(place, content);
   if (const auto error = obstacle(file, place)) return *error;
 
-  Neighbor neighbor(place);
+  Neighbor neighbor(place, how.audience);
   if (neighbor.errorNumber() != 0)
     return cannotWrite(file, reason(neighbor.errorNumber()) + " in its folder.");
   Descriptor descriptor(neighbor.descriptor());
   if (!writeAll(descriptor.number(), content) || ::fsync(descriptor.number()) != 0 ||
       !descriptor.close())
     return cannotWrite(file, reason(errno) + ".");
-  if (const int failure = neighbor.moveTo(place)) return cannotWrite(file, reason(failure) + ".");
+  if (const int failure = neighbor.moveTo(place, how))
+    return cannotWrite(file, reason(failure) + ".");
   return Done{};
 }
 
-Result<Done> writeWhole(const fs::path& file, const std::function<bool(const fs::path&)>& write)
+Result<Done> writeWhole(const fs::path& file, const std::function<bool(const fs::path&)>& write,
+                        const Writing& how)
 {
-  const fs::path place = placeOf(file);
-  if (isStream(place)) {
+  const fs::path place = placeOf(file, how.links);
+  if (!isLink(place) && isStream(place)) {
     if (const auto failure = failureOf(write, place)) return cannotWrite(file, *failure);
     return Done{};
   }
   if (const auto error = obstacle(file, place)) return *error;
 
-  Neighbor neighbor(place);
+  Neighbor neighbor(place, how.audience);
   if (neighbor.errorNumber() != 0)
     return cannotWrite(file, reason(neighbor.errorNumber()) + " in its folder.");
   Descriptor(neighbor.descriptor()).close();
@@ -225,7 +215,8 @@ Result<Done> writeWhole(const fs::path& file, const std::function<bool(const fs:
   // The library may have closed its file without flushing it to the disk.
   Descriptor written(::open(neighbor.path().c_str(), O_RDONLY | O_CLOEXEC));
   if (!written || ::fsync(written.number()) != 0) return cannotWrite(file, reason(errno) + ".");
-  if (const int failure = neighbor.moveTo(place)) return cannotWrite(file, reason(failure) + ".");
+  if (const int failure = neighbor.moveTo(place, how))
+    return cannotWrite(file, reason(failure) + ".");
   return Done{};
 }
 

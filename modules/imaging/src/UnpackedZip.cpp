@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "UnpackedZip.h"
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <sys/stat.h>
-#include <unistd.h>
 #include <zip.h>
 
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <chrono>
 #include <cstdint>
 #include <cstdio>
 #include <fstream>
@@ -42,38 +37,6 @@ std::string plainPart(const std::string& name)
     if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '-' || c == '_')
       plain += c;
   return plain.substr(0, longest);
-}
-
-constexpr const char* folderStart = "perilymph-zip-";
-
-/// A descriptor of a folder that this process alone has locked; -1 where another one has.
-int lockedFolder(const fs::path& folder)
-{
-  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
-  if (descriptor < 0 || ::flock(descriptor, LOCK_EX | LOCK_NB) == 0) return descriptor;
-  ::close(descriptor);
-  return -1;
-}
-
-/// Removes the folders of this user's programs that were killed.
-void removeAbandoned(const fs::path& temporary)
-{
-  constexpr std::chrono::minutes untilLocked{1};  // more than a folder needs from its making on
-  std::error_code failed;
-  for (fs::directory_iterator entry(temporary, failed), end; !failed && entry != end;
-       entry.increment(failed)) {
-    const fs::path& folder = entry->path();
-    std::error_code ignored;
-    struct stat status = {};
-    if (!folder.filename().string().starts_with(folderStart) ||
-        ::lstat(folder.c_str(), &status) != 0 || status.st_uid != ::geteuid() ||
-        fs::last_write_time(folder, ignored) > fs::file_time_type::clock::now() - untilLocked)
-      continue;
-    const int lock = lockedFolder(folder);
-    if (lock < 0) continue;
-    fs::remove_all(folder, ignored);
-    ::close(lock);
-  }
 }
 
 /// Closes an archive and its files.
@@ -181,28 +144,14 @@ bool isZip(const fs::path& file)
          ((start[2] == 3 && start[3] == 4) || (start[2] == 5 && start[3] == 6));
 }
 
-UnpackedZip::UnpackedZip(fs::path folder) : folder_(std::move(folder)), lock_(lockedFolder(folder_))
-{
-}
-
-UnpackedZip::~UnpackedZip()
-{
-  std::error_code ignored;
-  fs::remove_all(folder_, ignored);
-  if (lock_ >= 0) ::close(lock_);
-}
-
 Result<std::shared_ptr<const UnpackedZip>> UnpackedZip::unpack(
     const fs::path& zip, std::size_t maxFiles, const std::function<bool()>& isCanceled)
 {
   std::error_code failed;
-  const fs::path temporary = fs::temp_directory_path(failed);
-  if (!failed) removeAbandoned(temporary);
-  std::string place = (temporary / (std::string(folderStart) + "XXXXXX")).string();
-  if (failed || ::mkdtemp(place.data()) == nullptr)
-    return refusalOf(zip, Unpacking::notWritten, maxFiles);
-  auto unpacked = std::make_shared<const UnpackedZip>(place);
-  const auto work = [&] { return static_cast<int>(unpackInto(zip, place, maxFiles)); };
+  auto folder = UnfinishedFolder::create(fs::temp_directory_path(failed) / "perilymph-zip");
+  if (failed || !folder) return refusalOf(zip, Unpacking::notWritten, maxFiles);
+  auto unpacked = std::make_shared<const UnpackedZip>(*std::move(folder));
+  const auto work = [&] { return static_cast<int>(unpackInto(zip, unpacked->folder(), maxFiles)); };
   const auto answer = static_cast<Unpacking>(runInChild(work, {maxUnpackerBytes, isCanceled, {}}));
   if (answer != Unpacking::done) return refusalOf(zip, answer, maxFiles);
   return unpacked;

@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "perilymph/foundation/Result.h"
+#include "perilymph/foundation/Unfinished.h"
 
 namespace perilymph::imaging {
 
@@ -16,7 +17,7 @@ namespace perilymph::imaging {
 bool isZip(const std::filesystem::path& file);
 
 /// The files of a .zip in a folder that only this user can read, and that is removed with the object. The folder of a
-/// program that was killed is removed when the next archive is unpacked: no process holds its lock any more.
+/// program that was killed is removed when the next archive is unpacked.
 class UnpackedZip {
 public:
   /// Unpacks in a child process. Folders and names within the archive are not used: each file gets a number and what
@@ -28,16 +29,12 @@ public:
                                                            std::size_t maxFiles,
                                                            const std::function<bool()>& isCanceled);
 
-  explicit UnpackedZip(std::filesystem::path folder);
-  ~UnpackedZip();
-  UnpackedZip(const UnpackedZip&) = delete;
-  UnpackedZip& operator=(const UnpackedZip&) = delete;
+  explicit UnpackedZip(UnfinishedFolder folder) : folder_(std::move(folder)) {}
 
-  const std::filesystem::path& folder() const { return folder_; }
+  const std::filesystem::path& folder() const { return folder_.path(); }
 
 private:
-  std::filesystem::path folder_;
-  int lock_ = -1;  ///< Descriptor of the folder, locked.
+  UnfinishedFolder folder_;
 };
 
 }  // namespace perilymph::imaging

@@ -175,7 +175,8 @@ const session::InsertionTableKind& planKind()
       "belongs to another plan, or the patient, an array, the scenario, "
       "resources/planning/uncertainty.toml, resources/planning/frequency-allocation.toml, "
       "resources/clinical/hand.toml or resources/reference/surgeons.toml was changed since.",
-      "draws"};
+      "draws",
+      Audience::owner};
   return kind;
 }
 

@@ -98,7 +98,7 @@ Result<Study> StudyReader::read()
   if (study_.cochleae_.empty())
     return error(
         "there is no cochlea; give mean = true, virtual = 100 or patients under [cochleae].");
-  if (study_.size() > maxCases || study_.combinations_.size() > maxCases)
+  if (study_.size() > maxCases)
     return error("the study has " + std::to_string(study_.size()) + " insertions; at most " +
                  std::to_string(maxCases) + " are allowed. Shorten its lists or divide it.");
   if (const auto done = checkCombinations(); !done) return done.error();
@@ -127,8 +127,21 @@ Result<Done> StudyReader::readCochleae()
 
 Result<Done> StudyReader::readFactors()
 {
-  study_.combinations_ = {{}};
+  // Before the first of them is made.
   TomlReader vary = reader_.table("vary");
+  std::vector<TomlReader> cases = reader_.tables("case");
+  std::size_t combinations = std::max<std::size_t>(cases.size(), 1);
+  for (const std::string& key : vary.keys()) {
+    combinations *= std::max<std::size_t>(vary.values(key).size(), 1);
+    if (combinations > maxCombinations)
+      return error("its lists under [vary] and its [[case]] have more than " +
+                   std::to_string(maxCombinations) +
+                   " combinations, the most that are allowed. Shorten them, or divide the study.");
+  }
+  if (combinations > maxCombinations)
+    return error("it has " + std::to_string(combinations) + " [[case]]; at most " +
+                 std::to_string(maxCombinations) + " are allowed. Divide the study.");
+  study_.combinations_ = {{}};
   for (const std::string& key : vary.keys()) {
     const auto fixed = std::find_if(fixedKeys.begin(), fixedKeys.end(),
                                     [&](const FixedKey& each) { return each.key == key; });
@@ -138,14 +151,9 @@ Result<Done> StudyReader::readFactors()
       vary.refuse(key,
                   "'vary.stop_travel_mm' has no effect with depth = \"full\"; give depth = "
                   "\"scenario\".");
-    const std::vector<std::string> values = vary.values(key);
-    if (study_.combinations_.size() * std::max<std::size_t>(values.size(), 1) > maxCases)
-      return error("its lists have more than " + std::to_string(maxCases) +
-                   " combinations. Shorten them.");
-    cross(study_.combinations_, key, values);
+    cross(study_.combinations_, key, vary.values(key));
   }
   // Cases written out: each is combined with the lists above.
-  std::vector<TomlReader> cases = reader_.tables("case");
   if (cases.empty()) return Done{};
   std::vector<session::Overrides> combined;
   for (const session::Overrides& before : study_.combinations_)

@@ -10,6 +10,7 @@
 #include "perilymph/analysis/CsvField.h"
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/foundation/FileLock.h"
+#include "perilymph/foundation/Unfinished.h"
 #include "perilymph/session/Csv.h"
 #include "perilymph/study/StudyFile.h"
 #include "perilymph/study/StudyRun.h"
@@ -185,28 +186,30 @@ Result<std::size_t> mergeShards(const fs::path& folder)
   if (!listed) return listed.error();
 
   std::optional<Result<Done>> copied;
-  const auto table = writeWhole(folder / mergedTable, [&](const fs::path& place) {
-    std::ofstream stream(place, std::ios::binary);
-    stream << headerOf(settings);
-    copied = readAll(*files, [&](const StudyResult& result) -> Result<Done> {
-      stream << rowOf(result, settings);
-      return Done{};
-    });
-    stream.close();
-    return stream.good() && static_cast<bool>(*copied);
-  });
+  const auto table =
+      writeWhole(folder / mergedTable,
+                 [&](const fs::path& place) {
+                   std::ofstream stream(place, std::ios::binary);
+                   stream << headerOf(settings);
+                   copied = readAll(*files, [&](const StudyResult& result) -> Result<Done> {
+                     stream << rowOf(result, settings);
+                     return Done{};
+                   });
+                   stream.close();
+                   return stream.good() && static_cast<bool>(*copied);
+                 },
+                 {Links::refused});
   if (copied && !*copied) return copied->error();
   if (!table) return table.error();
   // Under another name until it is whole.
-  const fs::path unfinished = folder / (std::string(mergedFile) + ".unfinished");
-  std::error_code ignored;
-  // Of a merge that was ended: no other one runs.
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored))
-    if (entry.path().filename().string().starts_with(unfinished.filename().string()))
-      fs::remove(entry.path(), ignored);
-  if (const auto done = writeMerged(*files, unfinished); !done) return done.error();
+  const fs::path unfinished = unfinishedPath(folder / mergedFile);
+  const auto written = writeMerged(*files, unfinished);
   std::error_code problem;
-  fs::rename(unfinished, folder / mergedFile, problem);
+  if (written) fs::rename(unfinished, folder / mergedFile, problem);
+  std::error_code ignored;
+  for (const char* ending : {"", "-wal", "-shm", "-journal"})
+    fs::remove(unfinished.string() + ending, ignored);
+  if (!written) return written.error();
   if (problem)
     return Error{(folder / mergedFile).string() + " cannot be written: " + problem.message() + "."};
   return files->front().facts().cases;

@@ -6,19 +6,24 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
-#include <spawn.h>
+#include <sys/mman.h>
+#include <sys/random.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstdlib>
+#include <iterator>
 #include <utility>
 
-extern char** environ;
+#include "perilymph/foundation/Program.h"
 
 namespace perilymph::visualization {
 namespace {
 
 constexpr int startTimeout_ms = 10000;
+constexpr int numberThere = 3, cookieThere = 4;  // descriptors of the server
+constexpr int statusNotFound = 127;              // of setpriv, if there is no such program
 
 /// Reads the display number that Xvfb writes when it is ready; empty if it does not.
 std::string readDisplayNumber(int pipe)
@@ -33,10 +38,34 @@ std::string readDisplayNumber(int pipe)
   }
 }
 
-void stop(pid_t server)
+/// Ends the server. @return its exit status; -1 if a signal ended it.
+int stop(pid_t server)
 {
   kill(server, SIGTERM);
-  waitpid(server, nullptr, 0);
+  int status = 0;
+  while (waitpid(server, &status, 0) < 0 && errno == EINTR) continue;
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+/// A file in memory with a new random cookie, as Xau(3) writes it: any address, any display. -1 if
+/// there can be none.
+int newCookie()
+{
+  unsigned char random[16];
+  if (getrandom(random, sizeof random, 0) != sizeof random) return -1;
+  std::string entry("\xff\xff", 2);
+  const auto add = [&entry](const std::string& field) {
+    entry += {static_cast<char>(field.size() >> 8), static_cast<char>(field.size())};
+    entry += field;
+  };
+  for (const std::string& field : {std::string(), std::string(), std::string("MIT-MAGIC-COOKIE-1"),
+                                   std::string(std::begin(random), std::end(random))})
+    add(field);
+  const int file = memfd_create("perilymph cookie", MFD_CLOEXEC);
+  if (file < 0 || write(file, entry.data(), entry.size()) == static_cast<ssize_t>(entry.size()))
+    return file;
+  close(file);
+  return -1;
 }
 
 bool sawError = false;
@@ -76,44 +105,52 @@ bool offersOpenGl(Display* display)
 
 Result<PrivateDisplay> PrivateDisplay::start()
 {
+  const int cookie = newCookie();
   int ends[2];
-  if (pipe(ends) != 0)
-    return Error{"No display, and no pipe for a private one. Close other programs."};
-  const std::string writeEnd = std::to_string(ends[1]);
-  const char* text[] = {"Xvfb",      "-displayfd", writeEnd.c_str(), "-screen", "0", "1280x1024x24",
-                        "-nolisten", "tcp",        nullptr};
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addclose(&actions, ends[0]);
-  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
-  pid_t server = 0;
-  const int failed =
-      posix_spawnp(&server, "Xvfb", &actions, nullptr, const_cast<char**>(text), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  close(ends[1]);
-  if (failed != 0) {
-    close(ends[0]);
+  if (cookie < 0 || pipe2(ends, O_CLOEXEC) != 0) {
+    close(cookie);
     return Error{
-        "There is no display to draw with, and Xvfb, which could stand in for one, is not "
-        "installed. Install the package xvfb or set DISPLAY."};
+        "There is no display to draw with, and no file could be opened for a private one. Close "
+        "other programs."};
   }
-  const std::string number = readDisplayNumber(ends[0]);
+  const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
+  // setpriv (util-linux) asks the kernel to end the server with the thread that starts it.
+  const auto server =
+      startProgram({"setpriv",
+                    {"--pdeathsig", "TERM", "Xvfb", "-displayfd", std::to_string(numberThere),
+                     "-screen", "0", "1280x1024x24", "-nolisten", "tcp", "-auth",
+                     "/proc/self/fd/" + std::to_string(cookieThere)},
+                    {{nowhere, STDERR_FILENO}, {ends[1], numberThere}, {cookie, cookieThere}},
+                    false});
+  close(nowhere);
+  close(ends[1]);
+  const std::string number = server ? readDisplayNumber(ends[0]) : "";
   close(ends[0]);
   if (number.empty()) {
-    stop(server);
+    close(cookie);
+    if (!server || stop(*server) == statusNotFound)
+      return Error{
+          "There is no display to draw with, and Xvfb, which could stand in for one, is not "
+          "installed. Install the package xvfb or set DISPLAY."};
     return Error{
         "There is no display to draw with, and Xvfb did not start within 10 s. Try "
         "`Xvfb -displayfd 1` by hand or set DISPLAY."};
   }
-  const char* name = std::getenv("DISPLAY");
-  std::optional<std::string> before;
-  if (name != nullptr) before = name;
-  setenv("DISPLAY", (":" + number).c_str(), 1);
-  return PrivateDisplay(server, std::move(before));
+  std::vector<Variable> before;
+  const std::string cookieFile = "/proc/self/fd/" + std::to_string(cookie);
+  for (const auto& [name, value] :
+       {std::pair{"DISPLAY", ":" + number}, std::pair{"XAUTHORITY", cookieFile}}) {
+    const char* const old = std::getenv(name);
+    before.emplace_back(name, old != nullptr ? std::optional<std::string>(old) : std::nullopt);
+    setenv(name, value.c_str(), 1);
+  }
+  return PrivateDisplay(*server, cookie, std::move(before));
 }
 
 PrivateDisplay::PrivateDisplay(PrivateDisplay&& other) noexcept
-    : server_(std::exchange(other.server_, 0)), before_(std::move(other.before_))
+    : server_(std::exchange(other.server_, 0)),
+      cookie_(other.cookie_),
+      before_(std::move(other.before_))
 {
 }
 
@@ -121,10 +158,13 @@ PrivateDisplay::~PrivateDisplay()
 {
   if (server_ == 0) return;
   stop(server_);
-  if (before_)
-    setenv("DISPLAY", before_->c_str(), 1);
-  else
-    unsetenv("DISPLAY");
+  close(cookie_);
+  for (const auto& [name, value] : before_) {
+    if (value)
+      setenv(name, value->c_str(), 1);
+    else
+      unsetenv(name);
+  }
 }
 
 Result<Done> probeDisplay()

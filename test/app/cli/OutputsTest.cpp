@@ -4,8 +4,12 @@
 
 #include <sys/stat.h>
 
+#include <csignal>
+#include <map>
+
 #include "Cli.h"
 #include "perilymph/foundation/Resources.h"
+#include "perilymph/test/waitUntil.h"
 
 namespace perilymph::test {
 namespace {
@@ -93,6 +97,72 @@ TEST_F(Outputs, NeverReplaceAFileThatTheScenarioNames)
                     "which the scenario reads");
   expectNothingLost({"render", "--scenario", "with-patient.toml", "--out", "patient.toml"},
                     PERILYMPH_HAS_VTK ? "which the scenario reads" : "has no VTK");
+}
+
+/// Every file that a call puts into its folder is replaced by a link: none is written through.
+TEST_F(Outputs, OfAFolderAreNeverWrittenThroughLinks)
+{
+  std::ofstream(folder / "s.toml") << "title = \"Short\"\nscenario = \"mean-flex28\"\n"
+                                      "depth = \"scenario\"\n[cochleae]\nmean = true\n[vary]\n"
+                                      "nodes = [20]\ndt_ms = [10.0]\nstop_travel_mm = [1.0]\n";
+  record();
+  ASSERT_EQ(callHere({"study", "run", "s.toml", "--out", "study"}).status, 0);
+  const std::vector<std::vector<std::string>> calls = {
+      {"study", "run", "s.toml", "--out", "out"},
+      {"study", "merge", "out"},
+      {"study", "report", "out"},
+      {"compare", "run.insertion", "--out", "out"},
+      {"plan", "--patient", "measured", "--arrays", "flex24", "--samples", "1", "--out", "out"}};
+  for (const auto& call : calls) {
+    SCOPED_TRACE(testing::PrintToString(call));
+    const auto prepare = [&] {
+      fs::remove_all(folder / "out");
+      if (call[0] == "study" && call[1] != "run") fs::copy(folder / "study", folder / "out");
+      if (call[1] == "merge") fs::remove(folder / "out/study.sqlite");
+    };
+    prepare();
+    std::map<std::string, std::string> before;
+    if (fs::exists(folder / "out"))
+      for (const std::string& name : namesIn(folder / "out"))
+        before[name] = contentOf(folder / "out" / name);
+    const ProgramOutcome whole = callHere(call);
+    ASSERT_EQ(whole.status, 0) << whole.err;
+    for (const std::string& name : namesIn(folder / "out")) {
+      const auto old = before.find(name);
+      if (old != before.end() && old->second == contentOf(folder / "out" / name)) continue;
+      prepare();
+      fs::create_directories(folder / "out");
+      fs::remove(folder / "out" / name);
+      std::ofstream(folder / "thesis") << "three years";
+      fs::create_symlink("../thesis", folder / "out" / name);
+      const ProgramOutcome outcome = callHere(call);
+      EXPECT_NE(outcome.status, 0) << name;
+      EXPECT_EQ(contentOf(folder / "thesis"), "three years") << name;
+      EXPECT_TRUE(fs::is_symlink(folder / "out" / name)) << name;
+    }
+  }
+}
+
+/// A call is killed while it writes, and repeated.
+TEST_F(Outputs, OfKilledCallsAreRemovedByTheNextOne)
+{
+  const auto isUnfinished = [this] {
+    for (const std::string& name : namesIn(folder.path()))
+      if (name.find(".part") != std::string::npos) return true;
+    return false;
+  };
+  ProgramCall call = cliCall(
+      {"simulate", "--scenario", "scenario.toml", "--set", "speed_mm_s=0.01", "--csv", "a.csv"});
+  call.folder = folder.path();
+  {
+    ChildProcess killed(call);
+    ASSERT_TRUE(waitUntil(isUnfinished));
+    killed.send(SIGKILL);
+    EXPECT_EQ(killed.wait(std::chrono::seconds(20)).signal, SIGKILL);
+  }
+  EXPECT_TRUE(isUnfinished());
+  ASSERT_EQ(callHere({"simulate", "--scenario", "scenario.toml", "--csv", "a.csv"}).status, 0);
+  EXPECT_FALSE(isUnfinished());
 }
 
 TEST_F(Outputs, NeverReplaceAnInputByAnotherNameOfIt)

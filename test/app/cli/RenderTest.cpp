@@ -1,5 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <signal.h>
+#include <unistd.h>
+
+#include <cctype>
+
 #include "Cli.h"
+#include "perilymph/test/waitUntil.h"
 
 namespace perilymph::test {
 namespace {
@@ -41,6 +47,54 @@ TEST(RenderCommand, UnrollsTheScalaWithoutADisplay)
   ASSERT_EQ(inserted.status, 0) << inserted.err;
   EXPECT_EQ(sizeOf(contentOf(folder / "alone.png")), std::pair(1440u, 960u));
   EXPECT_NE(contentOf(folder / "alone.png"), contentOf(folder / "inserted.png"));
+}
+
+/// The process of a program whose parent is given; 0 if there is none.
+int childOf(int parent, const std::string& program)
+{
+  for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
+    if (std::isdigit(entry.path().filename().string().front()) == 0) continue;
+    // "1234 (Xvfb) S 1200 ..."
+    const std::string state = contentOf(entry.path() / "stat");
+    const std::size_t name = state.find("(" + program + ") ");
+    if (name == std::string::npos) continue;
+    if (std::stoi(state.substr(name + program.size() + 5)) == parent)
+      return std::stoi(entry.path().filename().string());
+  }
+  return 0;
+}
+
+/// Whether a process runs; one that ended and that nobody waited for does not.
+bool isRunning(int process)
+{
+  const std::string state = contentOf("/proc/" + std::to_string(process) + "/stat");
+  return !state.empty() && state.find(") Z ") == std::string::npos;
+}
+
+/// Whether a process has connected to another.
+bool hasSocket(int process)
+{
+  std::error_code ended;
+  for (const auto& file :
+       std::filesystem::directory_iterator("/proc/" + std::to_string(process) + "/fd", ended))
+    if (std::filesystem::read_symlink(file, ended).string().starts_with("socket:")) return true;
+  return false;
+}
+
+TEST(RenderCommand, LeavesNoDisplayBehindWhenItIsKilled)
+{
+  if (!PERILYMPH_HAS_VTK) GTEST_SKIP() << "this build has no VTK";
+  const TemporaryFolder folder;
+  ProgramCall call = cliCall({"render", "--preset", "published", "--out", folder / "a.png"});
+  call.environment = {{"DISPLAY", std::nullopt}};
+  ChildProcess program(call);
+  int server = 0;
+  ASSERT_TRUE(waitUntil([&] {
+    server = childOf(program.id(), "Xvfb");
+    return server != 0 && hasSocket(program.id());
+  }));
+  ::kill(program.id(), SIGKILL);
+  EXPECT_TRUE(waitUntil([&] { return !isRunning(server); })) << "Xvfb " << server;
 }
 
 TEST(RenderCommand, NamesTheViewsThereAre)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <cstdlib>
 #include <future>
 
 #include "Cli.h"
@@ -112,6 +113,93 @@ TEST_F(Studies, AreSubmittedToSlurmByScriptsThatCanBeReadBefore)
                            "#SBATCH --mem=2G\n", "study shard", "study merge"})
     EXPECT_THAT(outcome.out, testing::HasSubstr(line));
   EXPECT_FALSE(fs::exists(out("jobs")));
+}
+
+/// Programs in place of Slurm's, which answer as a site's might.
+class Submitting : public Studies {
+protected:
+  void SetUp() override
+  {
+    Studies::SetUp();
+    fs::create_directory(out("bin"));
+    answerOf("scontrol", "echo 'MaxArraySize            = 4'; echo 'MaxJobCount = 100'");
+  }
+
+  void answerOf(const std::string& program, const std::string& commands)
+  {
+    const std::string file = out("bin/" + program);
+    std::ofstream(file) << "#!/bin/sh\necho \"$@\" >> '" << out(program + ".calls") << "'\n"
+                        << commands << "\n";
+    fs::permissions(file, fs::perms::owner_all);
+  }
+
+  ProgramOutcome submit(const std::string& shards = "3", const std::vector<std::string>& more = {})
+  {
+    ProgramCall call =
+        cliCall({"study", "submit", file(), "--shards", shards, "--out", out("jobs")});
+    call.arguments.insert(call.arguments.end(), more.begin(), more.end());
+    call.environment = {{"PATH", out("bin") + ":" + std::getenv("PATH")}};
+    return run(call);
+  }
+};
+
+TEST_F(Submitting, ListensToStandardOutputOnly)
+{
+  answerOf("sbatch", "echo 'sbatch: lua: welcome `touch X`' >&2; echo 1234");
+  const auto outcome = submit();
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, testing::HasSubstr("job 1234: 3 parts of 4 insertions\n"));
+  EXPECT_THAT(outcome.err, testing::HasSubstr("sbatch: lua: welcome `touch X`\n"));
+  const auto calls = linesOf(out("sbatch.calls"));
+  ASSERT_EQ(calls.size(), 2u);
+  EXPECT_EQ(calls[0], "--parsable " + out("jobs/shards.sh"));
+  EXPECT_EQ(calls[1], "--parsable --dependency=afterok:1234 " + out("jobs/merge.sh"));
+}
+
+TEST_F(Submitting, TakesNoAnswerThatIsNoNumber)
+{
+  for (const std::string answer : {"`touch X`", "$(touch X)", "welcome\n1234", "1234;touch X"}) {
+    answerOf("sbatch", "printf '" + answer + "\\n'");
+    expectRefusal(submit(), "which is no number of a job");
+  }
+  EXPECT_THAT(linesOf(out("sbatch.calls")), testing::Each(testing::HasSubstr("shards.sh")));
+  EXPECT_FALSE(fs::exists("X"));
+}
+
+TEST_F(Submitting, ShowsTheLinesOfAnErrorAsOne)
+{
+  answerOf("sbatch",
+           "printf 'sbatch: error: no partition\\nsbatch: error: goodbye\\n' >&2; exit 1");
+  expectRefusal(submit(), "sbatch: error: no partition; sbatch: error: goodbye");
+}
+
+TEST_F(Submitting, NamesTheJobsThatRunWhereTheMergeIsRefused)
+{
+  answerOf("sbatch", "case \"$*\" in *merge.sh) echo no >&2; exit 1;; *) echo 77;; esac");
+  expectRefusal(submit(), "Submitted before and not withdrawn: job 77");
+}
+
+TEST_F(Submitting, DividesWhatMaxArraySizeForbids)
+{
+  answerOf("sbatch",
+           "case \"$*\" in *-2.sh) echo 78;; *merge.sh) echo 80;; *-3.sh) echo 79;; "
+           "*) echo 77;; esac");
+  const auto outcome = submit("7");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, testing::HasSubstr("3 arrays for MaxArraySize=4"));
+  EXPECT_THAT(linesOf(out("sbatch.calls")).back(),
+              testing::HasSubstr("--dependency=afterok:77:78:79 "));
+  EXPECT_THAT(contentOf(out("jobs/shards-3.sh")), testing::HasSubstr("--array=1-1\n"));
+  expectRefusal(submit("100"), "MaxJobCount=100");
+}
+
+TEST_F(Submitting, RefusesLineBreaksBeforeAnythingIsWritten)
+{
+  answerOf("sbatch", "echo 1");
+  for (const char* option : {"--partition", "--time", "--sbatch-option"})
+    expectRefusal(submit("3", {std::string(option) + "=-a\ntouch X"}), option);
+  EXPECT_FALSE(fs::exists(out("jobs")));
+  EXPECT_FALSE(fs::exists(out("sbatch.calls")));
 }
 
 }  // namespace

@@ -15,7 +15,11 @@ DECLARED = re.compile(r"\bdeclareThread\(\s*(?:perilymph::)?ThreadRole::(\w+)\s*
 THREAD = re.compile(r"\bstd::(?:jthread|thread)\b(?!::)|\bstd::async\b|\bpthread_create\b|"
                     r"\b(?:QThread|QThreadPool|QtConcurrent)\b(?!::(?:started|finished))")
 CONSTRUCTED = re.compile(r"\bstd::(?:jthread|thread)\s*[({]|\bstd::async\s*\(|\bpthread_create\s*\(")
-PROCESS = re.compile(r"\bposix_spawnp?\s*\(|(?<![.>\w])(?:::)?v?fork\s*\(\)|\bQProcess\b|\bstd::system\s*\(|\bpopen\s*\(")
+PROCESS = re.compile(r"\b(?:start|run)Program\(|(?<![.>\w])(?:::)?v?fork\s*\(\)|\bQProcess\b")
+# Only startProgram() asks the system for another program, so that no shell reads an argument.
+PROGRAMS = "modules/foundation/src/Program.cpp"
+OTHER_WAYS = re.compile(r"\bposix_spawnp?\s*\(|\bstd::system\s*\(|(?<![.>\w])::system\s*\(|\bpopen\s*\(|"
+                        r"\b(?:f?exec(?:l|le|lp|v|ve|vp|vpe|veat))\s*\(|\bwordexp\s*\(")
 USED = re.compile(r"\brealtime::(\w+)\s*<")
 
 
@@ -80,8 +84,11 @@ def check_processes(root, wrong):
     told = {where for _, where in rows(root, "processes", wrong)}
     begun = {}
     for file, text in code(root):
-        if PROCESS.search(text):
-            begun.setdefault(file.name, file.relative_to(root).as_posix())
+        place = file.relative_to(root).as_posix()
+        if OTHER_WAYS.search(text) and place != PROGRAMS:
+            wrong.append(f"{place} starts a program by itself; startProgram() of Program.h does, without a shell.")
+        if PROCESS.search(text) and file.stem != "Program":
+            begun.setdefault(file.name, place)
     for name in sorted(set(begun) - told):
         wrong.append(f"{begun[name]} begins a process that the table of {PAGE} does not tell.")
     for name in sorted(told - set(begun)):

@@ -106,12 +106,32 @@ TEST(RequestReader, RefusesWhatIsNoMessage)
   bytes = request();
   bytes[2] = 0;
   EXPECT_THAT(faultOf(bytes), HasSubstr("no valid type"));
-  bytes = request();
-  bytes[42] = 0x7f;
-  EXPECT_THAT(faultOf(bytes), HasSubstr("bytes, more than 1048576"));
   bytes = transform();
   bytes.back() ^= 1;
   EXPECT_THAT(faultOf(bytes), HasSubstr("check sum of its TRANSFORM"));
+}
+
+// Version 2 of the protocol: a sender that computes no check sum writes 0.
+TEST(RequestReader, TakesACheckSumOfZeroAsNone)
+{
+  Bytes bytes = transform();
+  std::fill(bytes.begin() + 50, bytes.begin() + 58, std::uint8_t{0});
+  bytes.back() ^= 1;
+  EXPECT_THAT(hear(joined({bytes, request()}), [] { return 7; }).types,
+              testing::ElementsAre("TRANSFORM", "GET_POLYDATA"));
+}
+
+TEST(RequestReader, SkipsALongBodyAndReadsOn)
+{
+  for (const std::size_t size : {std::size_t{(1 << 20) + 1}, std::size_t{5'000'000}}) {
+    Bytes large = request();
+    for (int i = 0; i < 8; ++i)
+      large[42 + static_cast<std::size_t>(i)] = static_cast<std::uint8_t>(size >> (56 - 8 * i));
+    large.resize(RequestReader::headerSize + size, 0x55);
+    const Heard heard = hear(joined({large, request("after")}), [] { return 40'000; });
+    EXPECT_EQ(heard.fault, "");
+    EXPECT_THAT(heard.types, testing::ElementsAre("GET_POLYDATA"));  // the second only
+  }
 }
 
 TEST(RequestReader, TakesRandomBytesWithoutHarmAndIndependentlyOfTheirPieces)

@@ -123,6 +123,56 @@ TEST(WriteWhole, FollowsASymbolicLinkToAFileThatIsNotThereYet)
   EXPECT_EQ(contentOf(folder / "later.txt"), "new");
 }
 
+TEST(WriteWhole, RefusesALinkInAFolderThatAProgramFills)
+{
+  const test::TemporaryFolder folder;
+  put(folder / "thesis", "of the user");
+  fs::create_symlink(folder / "thesis", folder / "link.csv");
+  fs::create_symlink(folder / "nothing", folder / "dangling.csv");
+  fs::create_symlink("/dev/null", folder / "device.csv");
+  fs::create_directory(folder / "elsewhere");
+  fs::create_directory_symlink(folder / "elsewhere", folder / "folder.csv");
+  const Writing inFolder{Links::refused};
+  for (const char* name : {"link.csv", "dangling.csv", "device.csv", "folder.csv"}) {
+    EXPECT_THAT(messageOf(checkWritable(folder / name, Links::refused)), HasSubstr("is a link"));
+    EXPECT_THAT(messageOf(writeWhole(folder / name, std::string_view("new"), inFolder)),
+                HasSubstr("is a link"));
+    const auto write = [](const fs::path& place) {
+      put(place, "new");
+      return true;
+    };
+    EXPECT_THAT(messageOf(writeWhole(folder / name, write, inFolder)), HasSubstr("is a link"));
+    EXPECT_TRUE(fs::is_symlink(folder / name));
+  }
+  EXPECT_EQ(contentOf(folder / "thesis"), "of the user");
+  EXPECT_FALSE(fs::exists(folder / "nothing"));
+  EXPECT_EQ(filesIn(folder.path()), 6u);
+  EXPECT_EQ(filesIn(folder / "elsewhere"), 0u);
+}
+
+TEST(WriteWhole, ReplacesNothingIfItMustBeNew)
+{
+  const test::TemporaryFolder folder;
+  const Writing once{Links::refused, Audience::everyone, Existing::refused};
+  ASSERT_TRUE(writeWhole(folder / "a", std::string_view("first"), once));
+  EXPECT_FALSE(writeWhole(folder / "a", std::string_view("second"), once));
+  EXPECT_EQ(contentOf(folder / "a"), "first");
+  EXPECT_EQ(filesIn(folder.path()), 1u);
+}
+
+TEST(WriteWhole, KeepsWhatNamesAPatientForItsOwner)
+{
+  const test::TemporaryFolder folder;
+  const auto before = ::umask(0);
+  put(folder / "older", "readable");
+  const Writing own{Links::followed, Audience::owner};
+  for (const char* name : {"older", "new"}) {
+    ASSERT_TRUE(writeWhole(folder / name, std::string_view("name"), own));
+    EXPECT_EQ(fs::status(folder / name).permissions(), fs::perms(0600)) << name;
+  }
+  ::umask(before);
+}
+
 TEST(WriteWhole, NeverReplacesAReadOnlyFile)
 {
   const test::TemporaryFolder folder;

@@ -12,6 +12,8 @@
 
 #include <csignal>
 #include <fstream>
+#include <iterator>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "perilymph/anatomy/Patient.h"
@@ -165,12 +167,85 @@ TEST_F(PatientRecords, ReplaceNothingWhenTheyTravel)
   EXPECT_TRUE(filesIn(folder_ / "other").empty());
 }
 
+/// Everything below a folder, links as themselves, with the contents of files.
+std::map<std::string, std::string> treeOf(const fs::path& folder)
+{
+  std::map<std::string, std::string> tree;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    std::string& content = tree[fs::relative(entry.path(), folder).string()];
+    if (entry.is_symlink()) content = "-> " + fs::read_symlink(entry.path()).string();
+    if (entry.is_symlink() || !entry.is_regular_file()) continue;
+    std::ifstream stream(entry.path());
+    content.assign(std::istreambuf_iterator<char>(stream), {});
+  }
+  return tree;
+}
+
 TEST_F(PatientRecords, LeaveNothingOfAnExportThatFailed)
 {
-  const fs::path exported = folder_ / "P-017";
-  EXPECT_FALSE(exportPatient(file_, {folder_ / "recordings/absent.insertion"}, exported));
-  EXPECT_FALSE(fs::exists(exported));
-  EXPECT_FALSE(fs::exists(folder_ / "P-017.part"));
+  const auto before = treeOf(folder_.path());
+  EXPECT_FALSE(exportPatient(file_, {folder_ / "recordings/absent.insertion"}, folder_ / "P-017"));
+  EXPECT_EQ(treeOf(folder_.path()), before);
+}
+
+// Whatever stands beside the new folder is the user's.
+TEST_F(PatientRecords, TouchNothingThatIsThereWhenTheyTravel)
+{
+  fs::create_directories(folder_ / "P-017.part/insertions");
+  std::ofstream(folder_ / "P-017.part/thesis") << "three years";
+  fs::create_directory(folder_ / "a");
+  fs::create_directory_symlink(folder_ / "a", folder_ / "P-018.part");
+  fs::create_directory_symlink(folder_ / "a", folder_ / "P-019");
+  fs::create_symlink("nowhere", folder_ / "P-020");
+  std::ofstream(folder_ / "recordings/one.insertion") << "a recording";
+  auto before = treeOf(folder_.path());
+  for (const char* name : {"P-017", "P-018", "P-019", "P-020"})
+    EXPECT_FALSE(exportPatient(file_, {folder_ / "recordings/absent.insertion"}, folder_ / name));
+  for (const char* name : {"P-019", "P-020", "a"})
+    EXPECT_FALSE(exportPatient(file_, {}, folder_ / name)) << name;
+  EXPECT_EQ(treeOf(folder_.path()), before);
+
+  for (const char* name : {"P-017", "P-018"}) {
+    const fs::path exported = folder_ / name;
+    ASSERT_TRUE(exportPatient(file_, {folder_ / "recordings/one.insertion"}, exported));
+    EXPECT_FALSE(fs::is_symlink(exported));
+    EXPECT_THAT(filesIn(exported), testing::UnorderedElementsAre("patient.toml", "record.json",
+                                                                 "insertions/one.insertion"));
+    EXPECT_EQ(fs::status(exported).permissions(), fs::perms::owner_all);
+    EXPECT_EQ(fs::status(exported / "record.json").permissions(),
+              fs::perms::owner_read | fs::perms::owner_write);
+    fs::remove_all(exported);
+  }
+  EXPECT_EQ(treeOf(folder_.path()), before);
+}
+
+TEST_F(PatientRecords, StopTravelingWhenTheyAreAsked)
+{
+  std::vector<fs::path> recordings;
+  for (const char* name : {"one", "two", "three"}) {
+    recordings.push_back(folder_ / "recordings" / (std::string(name) + ".insertion"));
+    std::ofstream(recordings.back()) << std::string(3'000'000, 'x');
+  }
+  ASSERT_TRUE(exportPatient(file_, recordings, folder_ / "whole"));
+  const auto before = treeOf(folder_.path());
+  for (const std::uintmax_t end : {0u, 1'000'000u, 4'000'000u, 8'000'000u}) {
+    std::uintmax_t last = 0;
+    const CopyProgress stop = [&](std::uintmax_t done, std::uintmax_t all) {
+      EXPECT_GE(done, last);
+      EXPECT_EQ(all, 9'000'000u);
+      last = done;
+      return done < end;
+    };
+    const auto exported = exportPatient(file_, recordings, folder_ / "P-017", stop);
+    ASSERT_FALSE(exported);
+    EXPECT_THAT(exported.error().message, HasSubstr("canceled"));
+    last = 0;
+    const auto imported =
+        importPatient(folder_ / "whole", folder_ / "other", folder_ / "others", stop);
+    ASSERT_FALSE(imported);
+    EXPECT_THAT(imported.error().message, HasSubstr("canceled"));
+    EXPECT_EQ(treeOf(folder_.path()), before) << end;
+  }
 }
 
 TEST_F(PatientRecords, AreNotImportedFromFoldersWithLinksOrNames)

@@ -139,6 +139,31 @@ TEST(Study, HasAnotherFingerprintWithAnotherArray)
   EXPECT_EQ(a->fingerprint(), read(small)->fingerprint());
 }
 
+// Before the first combination is made: these would take gigabytes and minutes.
+TEST(Study, BoundsItsCombinationsBeforeItMakesThem)
+{
+  const auto list = [](const std::string& key, int count) {
+    std::string text = key + " = [";
+    for (int i = 0; i < count; ++i) text += (i > 0 ? ", " : "") + std::to_string(1.0 + 0.001 * i);
+    return text + "]\n";
+  };
+  const auto cases = [](int count) {
+    std::string text;
+    for (int i = 0; i < count; ++i)
+      text += "[[case]]\nstart_inside_mm = " + std::to_string(1.0 + 0.0001 * i) + "\n";
+    return text;
+  };
+  const std::string head =
+      "title = \"x\"\nscenario = \"mean-flex28\"\n[cochleae]\nmean = true\n[vary]\n";
+  for (const std::string& text :
+       {list("speed_mm_s", 3000) + list("dt_ms", 300), list("speed_mm_s", 101) + cases(100),
+        list("speed_mm_s", 3000) + list("dt_ms", 300) + cases(200), list("speed_mm_s", 10'001),
+        cases(10'001)})
+    EXPECT_THAT(refusal(head + text), testing::AllOf(HasSubstr("10000"), HasSubstr("ivide")))
+        << text.substr(0, 60);
+  EXPECT_TRUE(read(head + list("speed_mm_s", 20) + cases(5)));
+}
+
 TEST(Study, RefusesWhatItCannotRunInOneSentence)
 {
   const std::string text(small);

@@ -328,7 +328,8 @@ Result<Done> ComparePage::writeInto(const std::filesystem::path& folder) const
       {"curves.csv", analysis::curvesCsv(runs_)},
       {"curves.svg", figures::svg(figure)}};
   for (const auto& [name, content] : files)
-    if (const auto written = writeWhole(folder / name, content); !written) return written;
+    if (const auto written = writeWhole(folder / name, content, {Links::refused}); !written)
+      return written;
   return charts::writePicture(figure, folder / "curves.png");
 }
 

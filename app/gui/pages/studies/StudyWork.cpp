@@ -6,6 +6,7 @@
 
 #include "gui/parts/Numbers.h"
 #include "perilymph/foundation/Resources.h"
+#include "perilymph/foundation/Unfinished.h"
 #include "perilymph/study/StudyCaseRun.h"
 
 namespace perilymph::gui {
@@ -37,17 +38,12 @@ Result<CaseRecording> recordingOf(const study::StudyFileFacts& facts, const fs::
   const auto study = study::studyIn(facts, file);
   if (!study) return study.error();
   // under another name until it is whole
-  fs::path unfinished = recording;
-  unfinished.replace_extension(".unfinished");
-  const auto removeUnfinished = [&unfinished] {
-    std::error_code ignored;
-    for (const char* ending : {"", "-wal", "-shm", "-journal"})
-      fs::remove(unfinished.string() + ending, ignored);
-  };
-  removeUnfinished();
+  const fs::path unfinished = unfinishedPath(fs::path(recording).replace_extension());
   const auto result = study::recordCase(*study, number, unfinished, isCanceled);
   if (result) fs::rename(unfinished, recording, problem);
-  removeUnfinished();
+  std::error_code ignored;
+  for (const char* ending : {"", "-wal", "-shm", "-journal"})
+    fs::remove(unfinished.string() + ending, ignored);
   if (!result) return result.error();
   if (problem)
     return Error{recording.string() + " cannot be written: " + problem.message() +

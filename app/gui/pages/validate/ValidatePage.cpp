@@ -308,7 +308,7 @@ void ValidatePage::save()
   const analysis::ValidationFiles files =
       analysis::validationFiles(basis_->request, *result_, basis_->references);
   const auto keep = [&](const std::string& name, const std::string& content) {
-    const auto written = writeWhole(folder / name, content);
+    const auto written = writeWhole(folder / name, content, {Links::refused});
     if (!written) status_->say(QString::fromStdString(written.error().message), true);
     return bool(written);
   };

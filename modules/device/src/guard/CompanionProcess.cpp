@@ -3,7 +3,6 @@
 
 #include <fcntl.h>
 #include <poll.h>
-#include <spawn.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -12,24 +11,15 @@
 #include <csignal>
 #include <ctime>
 
+#include "perilymph/foundation/Program.h"
+
 namespace perilymph::device {
 
-namespace {
-
 namespace fs = std::filesystem;
-
-constexpr int firstFreeFile = 10;  // above the descriptors that a companion uses
-
-}  // namespace
 
 OwnedFile::~OwnedFile()
 {
   if (file_ >= 0) ::close(file_);
-}
-
-OwnedFile OwnedFile::copyForCompanion() const noexcept
-{
-  return OwnedFile(::fcntl(file_, F_DUPFD_CLOEXEC, firstFreeFile));
 }
 
 fs::path companionProgram(const char* name)
@@ -45,28 +35,14 @@ fs::path companionProgram(const char* name)
 
 pid_t startCompanion(const CompanionCall& call)
 {
-  posix_spawn_file_actions_t actions;
-  posix_spawnattr_t attributes;
-  if (::posix_spawn_file_actions_init(&actions) != 0) return 0;
-  ::posix_spawnattr_init(&attributes);
-  ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSID);
-  if (call.output == CompanionOutput::nowhere)
-    ::posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
-  ::posix_spawn_file_actions_adddup2(&actions, STDERR_FILENO, STDOUT_FILENO);
-  for (const auto& [here, there] : call.files)
-    ::posix_spawn_file_actions_adddup2(&actions, here, there);
-
-  std::vector<std::string> texts{call.program.filename().string()};
-  texts.insert(texts.end(), call.arguments.begin(), call.arguments.end());
-  std::vector<char*> pointers;
-  for (std::string& text : texts) pointers.push_back(text.data());
-  pointers.push_back(nullptr);
-  pid_t id = 0;
-  const int failure =
-      ::posix_spawn(&id, call.program.c_str(), &actions, &attributes, pointers.data(), environ);
-  ::posix_spawnattr_destroy(&attributes);
-  ::posix_spawn_file_actions_destroy(&actions);
-  return failure == 0 ? id : 0;
+  const OwnedFile nowhere(::open("/dev/null", O_WRONLY | O_CLOEXEC));
+  const int output =
+      call.output == CompanionOutput::nowhere ? nowhere.get() : static_cast<int>(STDERR_FILENO);
+  ProgramCall started{call.program.string(), call.arguments, call.files, true};
+  for (const int stream : {STDOUT_FILENO, STDERR_FILENO})
+    started.files.emplace_back(output, stream);
+  const auto id = startProgram(started);
+  return id ? *id : 0;
 }
 
 bool say(const OwnedFile& pipe, std::uint8_t letter) noexcept

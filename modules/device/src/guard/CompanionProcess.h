@@ -27,8 +27,6 @@ public:
   ~OwnedFile();
 
   int get() const noexcept { return file_; }
-  /// A copy of the descriptor whose number none of a companion's own descriptors has.
-  OwnedFile copyForCompanion() const noexcept;
 
 private:
   int file_;
@@ -44,7 +42,7 @@ enum class CompanionOutput {
 struct CompanionCall {
   std::filesystem::path program;
   std::vector<std::string> arguments;
-  /// Descriptors here (copyForCompanion()) and there.
+  /// Descriptors here and there.
   std::vector<std::pair<int, int>> files;
   CompanionOutput output = CompanionOutput::nowhere;
 };

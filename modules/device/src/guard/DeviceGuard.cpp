@@ -123,14 +123,11 @@ Result<std::unique_ptr<Guard>> post(const OwnedFile& device, const guard::Script
   int ends[2] = {-1, -1};
   if (::pipe2(ends, O_CLOEXEC) != 0)
     return refused(std::string("No guard for the device: ") + std::strerror(errno) + ".");
-  const OwnedFile wireEnd = OwnedFile(ends[0]).copyForCompanion();
+  const OwnedFile wireEnd(ends[0]);
   OwnedFile wire(ends[1]);
   const OwnedFile memory(::memfd_create("perilymph pulse", MFD_CLOEXEC));
-  const OwnedFile memoryEnd = memory.copyForCompanion();
-  const OwnedFile deviceEnd = device.copyForCompanion();
   void* place = MAP_FAILED;
-  if (wireEnd.get() >= 0 && memoryEnd.get() >= 0 && deviceEnd.get() >= 0 &&
-      ::ftruncate(memory.get(), sizeof(guard::Pulse)) == 0)
+  if (::ftruncate(memory.get(), sizeof(guard::Pulse)) == 0)
     place =
         ::mmap(nullptr, sizeof(guard::Pulse), PROT_READ | PROT_WRITE, MAP_SHARED, memory.get(), 0);
   if (place == MAP_FAILED)
@@ -141,7 +138,7 @@ Result<std::unique_ptr<Guard>> post(const OwnedFile& device, const guard::Script
   const auto bytes = script.bytes();
   const bool isWritten =
       ::write(wire.get(), bytes.data(), bytes.size()) == static_cast<ssize_t>(bytes.size());
-  const pid_t id = isWritten ? start(program, wireEnd.get(), deviceEnd.get(), memoryEnd.get()) : 0;
+  const pid_t id = isWritten ? start(program, wireEnd.get(), device.get(), memory.get()) : 0;
   if (id == 0) {
     ::munmap(place, sizeof(guard::Pulse));
     return refused(program.string() + " could not be started.");

@@ -59,16 +59,13 @@ Result<std::unique_ptr<PluginProcess>> PluginProcess::start(const std::filesyste
   int toHost[2] = {-1, -1}, fromHost[2] = {-1, -1};
   if (::pipe2(toHost, O_CLOEXEC) != 0) return failed();
   OwnedFile requests(toHost[1]);
-  const OwnedFile hostsRequests = OwnedFile(toHost[0]).copyForCompanion();
+  const OwnedFile hostsRequests(toHost[0]);
   // Not waiting for a host that died while it wrote.
   if (::pipe2(fromHost, O_CLOEXEC | O_NONBLOCK) != 0) return failed();
   OwnedFile replies(fromHost[0]);
-  const OwnedFile hostsReplies = OwnedFile(fromHost[1]).copyForCompanion();
+  const OwnedFile hostsReplies(fromHost[1]);
   const OwnedFile memory(::memfd_create("perilymph plug-in", MFD_CLOEXEC));
-  const OwnedFile hostsMemory = memory.copyForCompanion();
-  if (hostsRequests.get() < 0 || hostsReplies.get() < 0 || hostsMemory.get() < 0 ||
-      ::ftruncate(memory.get(), sizeof(Channel)) != 0)
-    return failed();
+  if (::ftruncate(memory.get(), sizeof(Channel)) != 0) return failed();
   void* const place =
       ::mmap(nullptr, sizeof(Channel), PROT_READ | PROT_WRITE, MAP_SHARED, memory.get(), 0);
   if (place == MAP_FAILED) return failed();
@@ -76,7 +73,7 @@ Result<std::unique_ptr<PluginProcess>> PluginProcess::start(const std::filesyste
   const pid_t id = startCompanion({program,
                                    {library.string()},
                                    {{hostsRequests.get(), plugin::requests},
-                                    {hostsMemory.get(), plugin::channel},
+                                    {memory.get(), plugin::channel},
                                     {hostsReplies.get(), plugin::replies}},
                                    CompanionOutput::standardError});
   if (id == 0) {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "perilymph/session/PatientRecord.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <set>
 #include <string_view>
 #include <utility>
@@ -12,6 +11,7 @@
 #include "library/PatientRecordText.h"
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/foundation/FileLock.h"
+#include "perilymph/foundation/Unfinished.h"
 #include "perilymph/foundation/Version.h"
 #include "perilymph/session/RecordedInsertion.h"
 
@@ -26,6 +26,7 @@ constexpr const char* exportedRecord = "record.json";
 constexpr const char* exportedInsertions = "insertions";
 constexpr std::size_t maxRecordBytes = std::size_t{4} << 20;
 constexpr std::size_t maxInsertions = 10'000;
+constexpr std::size_t blockBytes = std::size_t{1} << 20;  // copied between two looks at the caller
 
 /// A hash or its beginning.
 bool isSeries(const std::string& text)
@@ -85,30 +86,54 @@ Result<PatientRecord> replaceRecord(const PatientRecord& record, const PatientRe
   if (text.size() > maxRecordBytes)
     return Error{recordFileOf(patient).string() +
                  " would be larger than 4 MiB. Shorten the notes or remove scans."};
-  if (const auto done = writeWhole(recordFileOf(patient), text); !done) return done.error();
+  if (const auto done = writeWhole(recordFileOf(patient), text, {Links::followed, Audience::owner});
+      !done)
+    return done.error();
   return recordIn(text, recordFileOf(patient).string());
 }
 
-Result<Done> copyWhole(const fs::path& from, const fs::path& to)
-{
-  return writeWhole(to, [&from](const fs::path& place) {
-    std::error_code failure;
-    return fs::copy_file(from, place, fs::copy_options::overwrite_existing, failure) && !failure;
-  });
-}
+/// Copies files one after the other, and stops where its caller asks for it.
+class Copying {
+public:
+  Copying(const std::vector<fs::path>& files, const CopyProgress& progress) : progress_(progress)
+  {
+    std::error_code ignored;
+    for (const fs::path& file : files) {
+      const std::uintmax_t bytes = fs::file_size(file, ignored);
+      if (!ignored) all_ += bytes;
+    }
+  }
 
-/// The same under a name that is free, and stays so for no other program.
-Result<Done> copyNew(const fs::path& from, const fs::path& to)
-{
-  fs::path unfinished = to;
-  unfinished.replace_filename("." + to.filename().string() + "." + std::to_string(::getpid()));
-  if (const auto done = copyWhole(from, unfinished); !done) return done;
-  const bool isLinked = ::link(unfinished.c_str(), to.c_str()) == 0;
-  std::error_code ignored;
-  fs::remove(unfinished, ignored);
-  if (isLinked) return Done{};
-  return Error{to.string() + " exists; an import replaces no recording. Rename it first."};
-}
+  /// Copies a file to a name that does not exist, for its owner only.
+  Result<Done> copy(const fs::path& from, const fs::path& to)
+  {
+    const auto written =
+        writeWhole(to, [&](const fs::path& place) { return copyContent(from, place); },
+                   {Links::refused, Audience::owner, Existing::refused});
+    if (isCanceled_) return Error{"The copy was canceled; nothing of it was kept."};
+    return written;
+  }
+
+private:
+  bool copyContent(const fs::path& from, const fs::path& to)
+  {
+    std::ifstream source(from, std::ios::binary);
+    std::ofstream copy(to, std::ios::binary);
+    std::vector<char> block(blockBytes);
+    while (source && copy) {
+      isCanceled_ = progress_ && !progress_(done_, all_);
+      if (isCanceled_) return false;
+      source.read(block.data(), static_cast<std::streamsize>(block.size()));
+      copy.write(block.data(), source.gcount());
+      done_ += static_cast<std::uintmax_t>(source.gcount());
+    }
+    return source.eof() && copy.flush();
+  }
+
+  const CopyProgress& progress_;
+  std::uintmax_t done_ = 0, all_ = 0;
+  bool isCanceled_ = false;
+};
 
 /// Recordings in an exported folder.
 Result<std::vector<fs::path>> insertionsIn(const fs::path& folder)
@@ -258,38 +283,36 @@ Result<Done> savePatientVersion(const anatomy::Patient& patient, const fs::path&
                                    [&series](const auto& each) { return each.series == series; });
   if (!series.empty() && !isKnown) record.scans.push_back({series, facts.utc});
   if (const auto kept = replaceRecord(record, *before, file); !kept) return kept.error();
-  return writeWhole(file, facts.text.empty() ? text : facts.text);
+  return writeWhole(file, facts.text.empty() ? text : facts.text,
+                    {Links::followed, Audience::owner});
 }
 
 Result<Done> exportPatient(const fs::path& patient, const std::vector<fs::path>& insertions,
-                           const fs::path& folder)
+                           const fs::path& folder, const CopyProgress& progress)
 {
   std::error_code failure;
-  if (fs::exists(folder, failure))
+  if (fs::exists(fs::symlink_status(folder, failure)))
     return Error{folder.string() + " exists. Give the name of a new folder."};
   const auto record = loadPatientRecord(patient);
   if (!record) return record.error();
-  const fs::path unfinished = folder.string() + ".part";
-  fs::create_directories(unfinished / exportedInsertions, failure);
-  const auto written = [&]() -> Result<Done> {
-    if (const auto done = copyWhole(patient, unfinished / exportedPatient); !done) return done;
-    if (const auto done = writeWhole(unfinished / exportedRecord, textOf(*record)); !done)
+  auto unfinished = UnfinishedFolder::create(folder);
+  if (!unfinished) return unfinished.error();
+  const fs::path& place = unfinished->path();
+  Copying copying(insertions, progress);
+  if (const auto done = copying.copy(patient, place / exportedPatient); !done) return done;
+  if (const auto done =
+          writeWhole(place / exportedRecord, textOf(*record), {Links::refused, Audience::owner});
+      !done)
+    return done;
+  fs::create_directory(place / exportedInsertions, failure);
+  for (const fs::path& each : insertions)
+    if (const auto done = copying.copy(each, place / exportedInsertions / each.filename()); !done)
       return done;
-    for (const fs::path& each : insertions)
-      if (const auto done = copyWhole(each, unfinished / exportedInsertions / each.filename());
-          !done)
-        return done;
-    fs::rename(unfinished, folder, failure);
-    if (!failure) return Done{};
-    return Error{folder.string() + " cannot be created: " + failure.message() +
-                 ". Choose another place."};
-  }();
-  if (!written) fs::remove_all(unfinished, failure);
-  return written;
+  return unfinished->finish();
 }
 
 Result<fs::path> importPatient(const fs::path& folder, const fs::path& library,
-                               const fs::path& recordings)
+                               const fs::path& recordings, const CopyProgress& progress)
 {
   const auto patient = anatomy::loadPatient(folder / exportedPatient);
   if (!patient) return patient.error();
@@ -321,9 +344,11 @@ Result<fs::path> importPatient(const fs::path& folder, const fs::path& library,
   const auto written = [&]() -> Result<Done> {
     fs::create_directories(library, failure);
     fs::create_directories(recordings, failure);
+    Copying copying(*insertions, progress);
     for (const fs::path& each : *insertions) {
-      if (const auto done = copyNew(each, recordings / each.filename()); !done) return done;
-      made.push_back(recordings / each.filename());
+      const fs::path copy = recordings / each.filename();
+      if (const auto done = copying.copy(each, copy); !done) return done;
+      made.push_back(copy);
     }
     made.push_back(recordFileOf(file));
     if (const auto kept = replaceRecord(*record, {}, file); !kept) return kept.error();

@@ -9,6 +9,7 @@
 #include <cstring>
 #include <optional>
 
+#include "perilymph/foundation/Unfinished.h"
 #include "perilymph/foundation/Version.h"
 
 namespace perilymph::session {
@@ -44,21 +45,22 @@ Result<Done> keepFacts(Database& database, const SealedFacts& facts)
 
 /// Creates an empty file: a file with the final name is whole or does not exist. One that another
 /// program made meanwhile is left as it is.
-Result<Done> create(const fs::path& file, const database::FileKind& kind, const SealedFacts& facts)
+Result<Done> create(const fs::path& file, const InsertionTableKind& kind, const SealedFacts& facts)
 {
   const auto failed = [&file](const std::string& reason) {
     return Error{file.string() + " cannot be created: " + reason +
                  ". Check the folder's permissions and the space on the disk."};
   };
-  const std::string unfinished = file.string() + ".begin-" + std::to_string(::getpid());
+  const std::string unfinished = unfinishedPath(file).string();
   const int descriptor =
-      ::open(unfinished.c_str(), O_CREAT | O_TRUNC | O_WRONLY | O_NOFOLLOW | O_CLOEXEC, 0666);
+      ::open(unfinished.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_NOFOLLOW | O_CLOEXEC,
+             kind.audience == Audience::owner ? 0600 : 0666);
   if (descriptor < 0) return failed("its folder takes no file");
   ::close(descriptor);
   const auto written = [&]() -> Result<Done> {
     auto opened = Database::openNew(unfinished);
     if (!opened) return opened.error();
-    if (const auto done = opened->run(database::creationOf(kind)); !done) return done;
+    if (const auto done = opened->run(database::creationOf(kind.file)); !done) return done;
     if (const auto done = keepFacts(*opened, facts); !done) return done;
     return opened->run("COMMIT");
   }();
@@ -186,7 +188,7 @@ Result<InsertionTable> InsertionTable::openToContinue(const fs::path& file,
 {
   std::error_code ignored;
   if (!fs::exists(file, ignored))
-    if (const auto done = create(file, kind.file, facts); !done) return done.error();
+    if (const auto done = create(file, kind, facts); !done) return done.error();
   auto opened = Database::openToAppend(file, kind.file);
   if (!opened) return opened.error();
   InsertionTable table(*std::move(opened), file, kind);

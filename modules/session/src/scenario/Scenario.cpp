@@ -9,6 +9,7 @@
 #include "perilymph/foundation/Hash.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/foundation/TomlReader.h"
+#include "perilymph/session/Csv.h"
 #include "scenario/EffectiveText.h"
 #include "scenario/ScenarioCalibration.h"
 #include "scenario/ScenarioCochlea.h"
@@ -231,6 +232,40 @@ Result<ScenarioContent> readScenario(TomlReader& reader, const std::string& name
   return scenario;
 }
 
+/// The point set is a published model, which was validated as it was printed: an array that enters
+/// straight, the printed wall and friction, and a device with the printed spring. A recording of
+/// other numbers is read and replayed all the same.
+Result<Done> checkPublishedPoints(const InsertionParameters& parameters, const std::string& name)
+{
+  if (parameters.model != mechanics::ModelKind::points) return Done{};
+  const mechanics::WallLaw wall;
+  const mechanics::FrictionLaw friction;
+  const haptics::EngineSettings& engine = parameters.engine;
+  const bool isSpring = engine.coupling == mechanics::Coupling::spring;
+  struct Printed {
+    const char* key;
+    double is, printed;
+  };
+  const Printed all[] = {
+      {"approach_tilt_deg", inDegrees(parameters.approachTilt), 0.0},
+      {"approach_turn_deg", inDegrees(parameters.approachTurn), 0.0},
+      {"wall_stiffness_N_m", parameters.wall.perSamplePoint.si(), wall.perSamplePoint.si()},
+      {"wall_tangential_stiffness_N_m", parameters.wall.tangentialPerSamplePoint.si(),
+       wall.tangentialPerSamplePoint.si()},
+      {"friction_static", parameters.friction.staticCoefficient, friction.staticCoefficient},
+      {"friction_dynamic", parameters.friction.kineticCoefficient, friction.kineticCoefficient},
+      {"friction_stopping", parameters.friction.stoppingCoefficient, friction.stoppingCoefficient},
+      {"coupling_stiffness_N_m", isSpring ? engine.couplingStiffness : 441.0, 441.0},
+      {"coupling_damping_N_s_m", isSpring ? engine.couplingDamping : 1.0, 1.0}};
+  for (const Printed& each : all)
+    if (each.is != each.printed)
+      return Error{name + ": " + each.key + " is " + shortestDecimal(each.is) +
+                   ", and the published model of points has " + shortestDecimal(each.printed) +
+                   " only. Set model to 'rod', or " + each.key + " to " +
+                   shortestDecimal(each.printed) + "."};
+  return Done{};
+}
+
 }  // namespace
 
 Result<Scenario> loadScenario(const std::string& nameOrFile, const Overrides& overrides)
@@ -241,6 +276,8 @@ Result<Scenario> loadScenario(const std::string& nameOrFile, const Overrides& ov
   if (!reader) return reader.error();
   auto content = readScenario(*reader, file->string(), file->parent_path(), overrides);
   if (!content) return content.error();
+  if (const auto done = checkPublishedPoints(content->parameters, file->string()); !done)
+    return done.error();
   content->files.push_back(*file);
   return Scenario(*std::move(content));
 }
@@ -277,6 +314,8 @@ Result<Scenario> Scenario::with(const Overrides& overrides) const
   auto changed = parseScenario(text(), name() + ".toml", all);
   if (!changed) return changed;
   ScenarioContent content = *changed->content_;
+  if (const auto done = checkPublishedPoints(content.parameters, name()); !done)
+    return done.error();
   for (const fs::path& file : files())
     if (std::find(content.files.begin(), content.files.end(), file) == content.files.end())
       content.files.push_back(file);

@@ -40,11 +40,12 @@ struct BroadcastFigures {
 /// Sends frames to at most eight clients, from a thread of its own. Only sends: requests for the
 /// surfaces of scala and array (GET_POLYDATA), for the CT (GET_IMAGE) and for the types sent
 /// (GET_CAPABIL) are answered, everything else that a client sends is dropped. No client delays the publisher or another client:
-/// each has one message at most on its way, and one that takes nothing for 5 s is closed.
+/// each has one message at most on its way, and one that takes nothing for 5 s is closed. A ninth
+/// client takes the place of the one that has sent no message for longest, if for 5 s or more.
 class Broadcast {
 public:
-  /// Receives one sentence for each client that is closed by its own fault; called by the server's
-  /// thread, at most 100 times.
+  /// Receives one sentence for each client that is closed by its own fault, by the server's thread,
+  /// at most 100 times; and from start(), one if others than this machine's programs can connect.
   using Report = std::function<void(const std::string&)>;
 
   /// Starts to listen. The error states why the endpoint cannot be used.

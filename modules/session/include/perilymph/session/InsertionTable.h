@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "perilymph/database/Database.h"
+#include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/foundation/Result.h"
 #include "perilymph/foundation/Seal.h"
 
@@ -40,6 +41,7 @@ struct InsertionTableKind {
   std::vector<Table> tables;  ///< That of the insertions first.
   std::string foreign;        ///< Follows the file's name: "belongs to another plan, ...".
   std::string results;        ///< "draws", for messages.
+  Audience audience = Audience::everyone;  ///< Of a new file.
 };
 
 /// Names of the facts that every file has.

@@ -6,6 +6,7 @@
 // A file beside the patient's, so that a copy of the folder is a backup. Nothing names the patient.
 
 #include <array>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -131,14 +132,17 @@ struct VersionFacts {
 Result<Done> savePatientVersion(const anatomy::Patient& patient, const std::filesystem::path& file,
                                 const VersionFacts& facts, bool isNew);
 
-/// Writes a patient as a new folder: patient.toml, record.json, and copies of insertions. The folder
-/// appears when everything is in it.
+/// Receives the bytes of insertions that are copied, and all of them; false stops copying.
+using CopyProgress = std::function<bool(std::uintmax_t done, std::uintmax_t all)>;
+
+/// Writes a patient as a new folder: patient.toml, record.json, and copies of insertions, for their
+/// owner only. The folder appears when everything is in it; one that was stopped leaves nothing.
 ///
 /// @param insertions  Recordings of the patient.
 /// @return            Refuses a folder that exists.
 Result<Done> exportPatient(const std::filesystem::path& patient,
                            const std::vector<std::filesystem::path>& insertions,
-                           const std::filesystem::path& folder);
+                           const std::filesystem::path& folder, const CopyProgress& progress = {});
 
 /// Adds an exported patient to a library. Everything is checked before the first file is written,
 /// and the patient's file is the last one.
@@ -150,6 +154,7 @@ Result<Done> exportPatient(const std::filesystem::path& patient,
 ///                    and files that cannot be read.
 Result<std::filesystem::path> importPatient(const std::filesystem::path& folder,
                                             const std::filesystem::path& library,
-                                            const std::filesystem::path& recordings);
+                                            const std::filesystem::path& recordings,
+                                            const CopyProgress& progress = {});
 
 }  // namespace perilymph::session

@@ -90,6 +90,9 @@ private:
 /// Maximum number of insertions of a study.
 inline constexpr std::size_t maxCases = 10'000'000;
 
+/// Maximum number of combinations of its lists and written cases; each is read as a scenario.
+inline constexpr std::size_t maxCombinations = 10'000;
+
 /// Reads a study and checks it whole: every combination is read as a scenario, every range at both
 /// ends, every patient. Errors name the file, the key and what is allowed.
 Result<Study> loadStudy(const std::filesystem::path& file);

@@ -41,7 +41,7 @@ struct InsertionTableKind {
   std::vector<Table> tables;  ///< That of the insertions first.
   std::string foreign;        ///< Follows the file's name: "belongs to another plan, ...".
   std::string results;        ///< "draws", for messages.
-  Audience audience = Audience::everyone;  ///< Of a new file.
+  Audience audience = Audience::everyone;  ///< Who may read a new file.
 };
 
 /// Names of the facts that every file has.

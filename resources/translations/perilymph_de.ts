@@ -1783,6 +1783,14 @@
         <source> of slice %1 of %2 (%3)</source>
         <translation> der Schicht %1 von %2 (%3)</translation>
     </message>
+    <message>
+        <source>lies more than 1 km from the origin of the patient&apos;s coordinates, where no scanner measures. Export it again with its orientation.</source>
+        <translation>liegt mehr als 1 km vom Ursprung der Patientenkoordinaten entfernt, wo kein Gerät misst. Exportieren Sie die Datei noch einmal mit ihrer Lage.</translation>
+    </message>
+    <message>
+        <source>states by its intent_code %1 that its voxels are labels or statistics and no gray values. Save the CT itself, with the code 0.</source>
+        <translation>gibt durch intent_code %1 an, dass ihre Voxel Markierungen oder Statistik sind und keine Grauwerte. Speichern Sie den CT selbst, mit dem Code 0.</translation>
+    </message>
 </context>
 <context>
     <name>Display</name>

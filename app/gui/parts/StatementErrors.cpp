@@ -72,6 +72,12 @@ constexpr const char* volumeMessages[] = {
                       "folder. Export the CT as MetaImage (.mha) or NRRD."),
     QT_TRANSLATE_NOOP("Data",
                       "skips a part of its voxels. Export the CT as MetaImage (.mha) or NRRD."),
+    QT_TRANSLATE_NOOP("Data",
+                      "lies more than 1 km from the origin of the patient's coordinates, where no "
+                      "scanner measures. Export it again with its orientation."),
+    QT_TRANSLATE_NOOP("Data",
+                      "states by its intent_code %1 that its voxels are labels or statistics and "
+                      "no gray values. Save the CT itself, with the code 0."),
     QT_TRANSLATE_NOOP("Data", "cannot be inflated: there is no memory. Close programs."),
     // warnings about a series
     QT_TRANSLATE_NOOP(

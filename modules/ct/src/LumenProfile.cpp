@@ -120,8 +120,8 @@ LumenFindings examineLumen(const CtVolume& volume, const ShapedLumen& lumen, con
   const Content content(volume, lumen, state);
   LumenFindings findings;
   int sections = 0, unknown = 0, basal = 0, gaps = 0, closed = 0;
-  std::optional<double> end_deg;
-  double minimum = 1.0, minimum_deg = firstTurn_deg;
+  std::optional<double> end_deg, faded_deg;
+  double minimum = 1e9;  // behind where it faded
   for (double angle_deg = firstSection_deg; angle_deg <= last_deg; angle_deg += sectionStep_deg) {
     const SectionContent section = content.at(angle_deg);
     ++sections;
@@ -136,12 +136,11 @@ LumenFindings examineLumen(const CtVolume& volume, const ShapedLumen& lumen, con
     closed = *section.inside < openLumen ? closed + 1 : 0;
     if (!end_deg && closed == closedSections && angle_deg > lastBasal_deg)
       end_deg = angle_deg - (closedSections - 1) * sectionStep_deg;
-    if (angle_deg > firstTurn_deg && *section.inside < minimum) {
-      minimum = *section.inside;
-      minimum_deg = angle_deg;
+    if (angle_deg > firstTurn_deg && *section.inside < fadedLumen) {
+      if (!faded_deg) faded_deg = angle_deg;
+      minimum = std::min(minimum, *section.inside);
     }
-    const double again = *section.inside - minimum;
-    if (!end_deg && minimum < fadedLumen && again > seenAgain) end_deg = minimum_deg;
+    if (!end_deg && *section.inside > minimum + seenAgain) end_deg = faded_deg;
   }
   findings.turns = end_deg.value_or(last_deg) / 360.0;
   findings.basalGap = basal > 0 ? static_cast<double>(gaps) / basal : 1.0;

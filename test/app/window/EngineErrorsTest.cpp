@@ -164,6 +164,20 @@ TEST_F(GermanErrors, HaveEveryPairThatAFileOrSeriesStates)
     }
 }
 
+TEST_F(GermanErrors, SayThatVoxelsAreLabelsOrFarAway)
+{
+  for (const char* const english :
+       {"/a/b.nii states by its intent_code 1002 that its voxels are labels or statistics and no "
+        "gray values. Save the CT itself, with the code 0.",
+        "/a/b.nii lies more than 1 km from the origin of the patient's coordinates, where no "
+        "scanner "
+        "measures. Export it again with its orientation."}) {
+    const QString german = gui::engineError(english);
+    EXPECT_TRUE(german.startsWith("/a/b.nii ")) << german.toStdString();
+    EXPECT_FALSE(isEnglish(german)) << german.toStdString();
+  }
+}
+
 TEST_F(GermanErrors, SayHowManyOtherFilesHaveSuchFaults)
 {
   EXPECT_EQ(gui::engineError("The file IM3 states RescaleSlope (0028,1053) as \"abc\", where one "

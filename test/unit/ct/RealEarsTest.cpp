@@ -72,6 +72,15 @@ TEST_F(RealEars, HaveDiametersWithin0p3MillimetersWhereFluidFillsThem)
   EXPECT_LT(std::sqrt(squaresB / count), 0.30);
 }
 
+TEST_F(RealEars, AreOfFullLengthAndWithoutMetal)
+{
+  for (const Measured& each : measuredEars()) {
+    EXPECT_TRUE(each.found.cdlOc) << each.ear.name << " " << each.found.turnsSeen;
+    for (const Flag flag : {Flag::fewTurns, Flag::metal, Flag::unusualProportions})
+      EXPECT_FALSE(each.found.has(flag)) << each.ear.name << " " << nameOf(flag);
+  }
+}
+
 TEST_F(RealEars, HaveAnAxisWithin6DegreesInTheMedian)
 {
   std::vector<double> errors;

@@ -138,6 +138,25 @@ TEST_F(VolumeFiles, OfNrrdWithoutAPlaceInThePatientAreRefused)
                 "no space, directions and origin");
 }
 
+TEST_F(VolumeFiles, FarFromThePatientAreRefused)
+{
+  for (const float far_mm : {2e6F, -1e9F, 1e30F})
+    for (const std::size_t axis : {0U, 1U, 2U}) {
+      Bytes bytes = niftiFile(obliqueCt(), Form::sform);
+      bytes.put<float>(292 + 16 * axis, far_mm);
+      expectRefusal(read("far.nii", bytes.content), "more than 1 km from the origin");
+    }
+}
+
+TEST_F(VolumeFiles, OfNiftiThatStateLabelsOrStatisticsAreRefused)
+{
+  for (const int intent : {2, 5, 1002, 1007, 2003, -1}) {
+    Bytes bytes = niftiFile(obliqueCt(), Form::sform);
+    bytes.put<std::int16_t>(68, static_cast<std::int16_t>(intent));
+    expectRefusal(read("labels.nii", bytes.content), "intent_code " + std::to_string(intent));
+  }
+}
+
 TEST_F(VolumeFiles, ThatAreCutOffAreRefused)
 {
   const std::string plain = niftiFile(obliqueCt(), Form::sform).content;

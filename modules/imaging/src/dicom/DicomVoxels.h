@@ -20,7 +20,7 @@ struct ReadVolume {
 /// voxels, and resamples a tilted gantry's to right angles.
 ///
 /// Refuses voxels that no Hounsfield units can be: nearly constant, beyond 16 bits, or scaled so that slices do not
-/// join. What was not measured is air.
+/// join. What was not measured is `ct::unmeasured`.
 Result<ReadVolume> readVoxels(const DicomSeries& series, const ReadingHooks& hooks);
 
 }  // namespace perilymph::imaging

@@ -244,6 +244,11 @@ Result<Done> niftiType(const Header& header, const std::string& name, VolumeFile
     return Error{name + " holds voxels of the type " + std::to_string(header.word(70)) +
                  ", which are no gray values. Save the CT as 16-bit numbers."};
   volume.coding.type = type->second;
+  if (const int intent = header.word(68); intent != 0)
+    return Error{
+        name + " states by its intent_code " + std::to_string(intent) +
+        " that its voxels are labels or statistics and no gray values. Save the CT itself, "
+        "with the code 0."};
   if (const auto differs =
           disagreement(name, nifti::voxelBits, 8.0 * static_cast<double>(bytesOf(type->second)),
                        header.word(72)))

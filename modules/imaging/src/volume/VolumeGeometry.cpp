@@ -56,6 +56,11 @@ Result<Done> checkVoxels(const std::filesystem::path& file, const Eigen::Matrix4
                    " degrees, not at 90 within 0.057. Resample it to right angles, or open the "
                    "original series."};
   }
+  constexpr double farthest_mm = 1e6;  // as of DICOM slices
+  if (lps_PI.topRightCorner<3, 1>().norm() > farthest_mm)
+    return Error{file.string() +
+                 " lies more than 1 km from the origin of the patient's coordinates, where no "
+                 "scanner measures. Export it again with its orientation."};
   return Done{};
 }
 

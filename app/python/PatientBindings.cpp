@@ -14,7 +14,7 @@ using OptionalNumber = std::optional<double>;
 
 anatomy::Side sideOf(const std::string& name)
 {
-  const auto side = session::valueIn(session::sides, name);
+  const auto side = valueIn(anatomy::sides, name);
   if (!side) throw EngineError("side is '" + name + "'; allowed are 'right' and 'left'.");
   return *side;
 }

@@ -5752,6 +5752,10 @@
 <context>
     <name>perilymph::gui::PatientDetails</name>
     <message>
+        <source>Another program changed the record of %1 meanwhile: its notes are kept before yours.</source>
+        <translation>Ein anderes Programm hat die Akte von %1 inzwischen geändert: seine Notizen stehen vor den Ihren.</translation>
+    </message>
+    <message>
         <source> · measures changed by hand</source>
         <translation> · Maße von Hand geändert</translation>
     </message>

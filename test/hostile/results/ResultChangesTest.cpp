@@ -90,7 +90,7 @@ Content recordIn(const fs::path& file)
 {
   const auto record = session::loadPatientRecord(file);
   if (!record || record->isChangedByHand) return std::nullopt;
-  return *readWhole(file);
+  return *readWhole(session::recordFileOf(file));
 }
 
 Content recordingIn(const fs::path& file)

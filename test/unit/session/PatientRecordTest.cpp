@@ -187,6 +187,20 @@ TEST_F(PatientRecords, OfAnotherProgramAreNotReplaced)
   }
 }
 
+TEST_F(PatientRecords, ThatWereRemovedAreWrittenAgain)
+{
+  const auto saved = savePatientRecord(record_, file_);
+  ASSERT_TRUE(saved);
+  fs::remove(recordFileOf(file_));
+  EXPECT_TRUE(savePatientRecord(*saved, file_));
+  EXPECT_EQ(*loadPatientRecord(file_), record_);
+  // but not beside a patient that was renamed
+  fs::remove(recordFileOf(file_));
+  fs::remove(file_);
+  EXPECT_FALSE(savePatientRecord(*saved, file_));
+  EXPECT_FALSE(fs::exists(recordFileOf(file_)));
+}
+
 TEST_F(PatientRecords, AreNotMadeOverAPatientThatCannotBeRead)
 {
   const std::string newer = "label = \"P-017\"\nside = \"left\"\nfrom_a_newer_program = 1\n";

@@ -6,6 +6,7 @@
 #include <QVBoxLayout>
 #include <QVariant>
 #include <algorithm>
+#include <utility>
 
 #include "gui/pages/start/PatientHistoryList.h"
 #include "gui/parts/ElidedLabel.h"
@@ -78,6 +79,7 @@ void PatientDetails::show(const std::optional<SavedPatient>& patient)
 {
   keep();
   const bool isSame = patient && patient_ && patient->file == patient_->file;
+  isMerged_ = isMerged_ && isSame;
   patient_ = patient;
   tags_->setEnabled(patient.has_value());
   notes_->setEnabled(patient.has_value());
@@ -121,6 +123,10 @@ void PatientDetails::keep()
   patient_->record = *saved;
   const SavedPatient kept = *patient_;
   Q_EMIT recordKept(kept);
+  if (std::exchange(isMerged_, false))
+    return said(tr("Another program changed the record of %1 meanwhile: its notes are kept before "
+                   "yours.")
+                    .arg(nameOfPatient(kept.patient)));
   Q_EMIT said((areTags ? tr("The tags of %1 are saved.") : tr("The notes on %1 are saved."))
                   .arg(nameOfPatient(kept.patient)));
 }
@@ -136,6 +142,7 @@ void PatientDetails::takeOthersChange(session::PatientRecord& record)
                                                   : now->notes + (isTyped ? record.notes : "");
   }
   if (record.tags == patient_->record.tags) record.tags = now->tags;
+  isMerged_ = true;
   patient_->record = *now;
   Q_EMIT recordKept(*patient_);
   const QSignalBlocker areSilent[] = {QSignalBlocker(tags_), QSignalBlocker(notes_)};

@@ -56,6 +56,7 @@ private:
   void noteWork(const std::vector<HistoryEntry>& entries);
 
   std::optional<SavedPatient> patient_;
+  bool isMerged_ = false;  ///< The fields hold what another program saved, too.
   /// What could not be saved, by patient's file.
   std::map<std::filesystem::path, session::PatientRecord> unsaved_;
   std::optional<PatientWork> work_;  ///< Empty until it is read.

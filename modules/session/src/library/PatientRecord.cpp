@@ -231,7 +231,10 @@ Result<PatientRecord> savePatientRecord(const PatientRecord& record, const fs::p
   if (!lock) return lock.error();
   const auto before = loadPatientRecord(patient);
   if (!before) return before.error();
-  if (before->base != record.base)
+  // a file that was removed holds nothing that could be lost, unless the patient was renamed
+  std::error_code ignored;
+  const bool isRemoved = before->base.empty() && fs::exists(patient, ignored);
+  if (before->base != record.base && !isRemoved)
     return Error{
         recordFileOf(patient).string() +
         " was changed by another program meanwhile; it is not replaced. Read it again, and "

@@ -4,6 +4,10 @@
 <context>
     <name>Data</name>
     <message>
+        <source>The copy was canceled; nothing of it was kept.</source>
+        <translation>Das Kopieren wurde abgebrochen; nichts davon wurde behalten.</translation>
+    </message>
+    <message>
         <source>Lubricated silicone (published)</source>
         <translation>Silikon, geschmiert (veröffentlicht)</translation>
     </message>
@@ -5616,6 +5620,18 @@
 </context>
 <context>
     <name>perilymph::gui::PatientPicker</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Importing: %1 %</source>
+        <translation>Import: %1 %</translation>
+    </message>
+    <message>
+        <source>Exporting %1: %2 %</source>
+        <translation>Export von %1: %2 %</translation>
+    </message>
     <message>
         <source>Open</source>
         <translation>Öffnen</translation>

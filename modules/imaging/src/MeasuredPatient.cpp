@@ -72,7 +72,7 @@ Result<Done> writeMeasuredPatient(const ct::CochleaMeasures& measures, const std
   if (!patient.basalTurn->h)
     text += "# H is " + std::to_string(measures.h.value).substr(0, 5) +
             " mm, beyond what a patient may have.\n";
-  return writeWhole(file, text + anatomy::patientText(patient));
+  return writeWhole(file, text + anatomy::patientText(patient), {Links::followed, Audience::owner});
 }
 
 }  // namespace perilymph::imaging

@@ -10,6 +10,7 @@
 #include "perilymph/anatomy/AnatomySource.h"
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/foundation/Resources.h"
+#include "perilymph/foundation/Version.h"
 
 namespace perilymph::cli {
 
@@ -94,6 +95,7 @@ std::string anatomyJson(const anatomy::Cochlea& cochlea,
 {
   const anatomy::Patient& patient = cochlea.patient;
   nlohmann::ordered_json json;
+  json["build"] = buildId();
   json["label"] = patient.label;
   json["side"] = anatomy::nameOf(patient.side);
   json["anatomy"] = nameOf(cochlea.source);

@@ -269,6 +269,7 @@ Result<Done> devices(const DevicesOptions& options)
   const device::DeviceSurvey& survey = *surveyed;
   Json json;
   json["version"] = version();
+  json["build"] = buildId();
   json["devices"] = Json::array();
   for (const FoundDevice& found : survey.devices) json["devices"].push_back(described(found));
   json["profile_errors"] = survey.errors;

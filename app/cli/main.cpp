@@ -14,6 +14,7 @@
 #include "Interruption.h"
 #include "Terminal.h"
 #include "perilymph/foundation/RenamedKeys.h"
+#include "perilymph/foundation/Resources.h"
 #include "perilymph/foundation/Version.h"
 
 namespace perilymph::cli {
@@ -69,6 +70,10 @@ int run(int argc, char** argv)
     printError("{}. See perilymph-cli --help.\n", label(error, app, argc, argv));
     return usageError;
   }
+  for (const std::string& variable : replacedByEnvironment())
+    if (variable == "PERILYMPH_RESOURCES")
+      printError("{} is set: shipped scenarios, cochleae, patients and arrays are those of {}.\n",
+                 variable, resourceRoot().string());
   const CallFiles files = fileOptions.filesOfCall();
   if (const auto checked = files.check(); !checked) return report(checked);
   return report(runCommand(app, files, options));

@@ -23,6 +23,7 @@
 #include "gui/program/Languages.h"
 #include "gui/program/Logging.h"
 #include "gui/program/PlanReporting.h"
+#include "gui/program/PrivateFiles.h"
 #include "gui/program/ScreenLock.h"
 #include "gui/program/StartupActions.h"
 #include "gui/program/TerminationSignals.h"
@@ -201,6 +202,7 @@ int runReport(int argc, char** argv, const gui::CommandLine& options)
 
 int run(int argc, char** argv, const gui::CommandLine& options)
 {
+  gui::keepFilesPrivate();
   if (options.plan) return runReport(argc, argv, options);
   auto scenario = session::loadScenario(
       options.scenario.value_or(options.isKiosk ? "booth" : "contour-published"));
@@ -213,6 +215,7 @@ int run(int argc, char** argv, const gui::CommandLine& options)
   if (const auto openGl = gui::probeOpenGl(); !openGl) return refuse(openGl.error().message);
   if (const auto log = gui::startLog(gui::stateFolder()); !log)
     std::cerr << log.error().message << '\n';  // the window works without it
+  gui::prepareOwnFolders();
   spdlog::info("perilymph {} begins.", buildId());
   setWarningHandler([](const std::string& warning) { spdlog::warn("{}", warning); });
 

@@ -45,7 +45,7 @@
     </message>
     <message>
         <source>%1 is there already; it is not replaced. Open that patient, or use another code.</source>
-        <translation>%1 gibt es schon; sie wird nicht ersetzt. Öffnen Sie jenen Patienten, oder verwenden Sie ein anderes Code.</translation>
+        <translation>%1 gibt es schon; sie wird nicht ersetzt. Öffnen Sie jenen Patienten, oder verwenden Sie einen anderen Code.</translation>
     </message>
     <message>
         <source>%1 holds notes on a patient of this code and ear whose file is missing. Rename it first.</source>
@@ -62,6 +62,10 @@
     <message>
         <source>%1 has landmarks of another CT series than the one that is open. Open that CT, or place the landmarks in this one.</source>
         <translation>%1 hat Landmarken einer anderen CT-Serie als der geöffneten. Öffnen Sie jenes CT, oder setzen Sie die Landmarken in diesem.</translation>
+    </message>
+    <message>
+        <source>The copy was canceled; nothing of it was kept.</source>
+        <translation>Das Kopieren wurde abgebrochen; nichts davon wurde behalten.</translation>
     </message>
     <message>
         <source>Lubricated silicone (published)</source>
@@ -5912,6 +5916,18 @@
 </context>
 <context>
     <name>perilymph::gui::PatientPicker</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Importing: %1 %</source>
+        <translation>Import: %1 %</translation>
+    </message>
+    <message>
+        <source>Exporting %1: %2 %</source>
+        <translation>Export von %1: %2 %</translation>
+    </message>
     <message>
         <source>Open</source>
         <translation>Öffnen</translation>

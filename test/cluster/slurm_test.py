@@ -71,6 +71,8 @@ class Faults(unittest.TestCase):
         self.cli(*words[1:])
         self.cli("study", "merge", out)
         self.expect_the_same(out)
+        self.assertEqual(sorted(file.name for file in out.iterdir()),
+                         ["insertions.csv", "shard-1-of-1.sqlite", "study.sqlite"], "nothing is left behind")
 
     def test_a_disk_that_is_full(self):
         out = self.folder / "full"

@@ -17,6 +17,8 @@ namespace {
 
 // With what differs replaced by %1, %2 and so on. lupdate reads them here.
 constexpr const char* messages[] = {
+    // of a patient's export and import
+    QT_TRANSLATE_NOOP("Data", "The copy was canceled; nothing of it was kept."),
     // of a series
     QT_TRANSLATE_NOOP("Data",
                       "%1 of %2 files are compressed as a whole (transfer syntax "

@@ -9,10 +9,13 @@
 #include "gui/parts/Numbers.h"
 #include "gui/run/Background.h"
 #include "gui/shell/MainWindow.h"
+#include "perilymph/session/Replay.h"
 
 namespace perilymph::gui {
 
 namespace {
+
+constexpr std::uint64_t replayedTicks = 1000;
 
 using Kept = std::optional<session::SessionSummary>;
 
@@ -43,6 +46,24 @@ void offer(MainWindow& window, const session::SessionSummary& left)
 }
 
 }  // namespace
+
+session::SessionSummary summarizeReplayable(const std::filesystem::path& file,
+                                            const std::function<bool()>& shouldStop)
+{
+  session::SessionSummary left = session::summarize(file, shouldStop);
+  if (left.highlights.ticks == 0) return left;
+  bool isEnough = false;
+  const auto replayed = session::verify(file, [&](std::uint64_t done, std::uint64_t) {
+    isEnough = done >= replayedTicks;
+    return !isEnough && !shouldStop();
+  });
+  const bool isSame = replayed && replayed->damage.empty() && !replayed->difference;
+  if (isEnough || isSame) return left;
+  spdlog::warn("{} cannot be replayed: {}", file.string(),
+               replayed ? replayed->damage : replayed.error().message);
+  left.highlights.ticks = 0;
+  return left;
+}
 
 void offerRecovery(MainWindow& window, const std::vector<std::filesystem::path>& recordings,
                    const Summarize& summarize)

@@ -17,10 +17,15 @@ class MainWindow;
 using Summarize = std::function<session::SessionSummary(const std::filesystem::path&,
                                                         const std::function<bool()>& shouldStop)>;
 
+/// As session::summarize(), but without ticks if the recording is damaged or its first second of
+/// replay differs.
+session::SessionSummary summarizeReplayable(const std::filesystem::path& file,
+                                            const std::function<bool()>& shouldStop);
+
 /// Reports, when the window is visible, which recordings were saved by crashed runs, and offers to
 /// open them. Recordings are read in the background, so that a damaged one does not block the
 /// window.
 void offerRecovery(MainWindow& window, const std::vector<std::filesystem::path>& recordings,
-                   const Summarize& summarize = session::summarize);
+                   const Summarize& summarize = summarizeReplayable);
 
 }  // namespace perilymph::gui

@@ -43,6 +43,9 @@ Result<Done> startLog(const std::filesystem::path& folder)
   std::error_code ignored;  // an error is reported when the file is opened
   std::filesystem::create_directories(folder, ignored);
   const std::filesystem::path file = folder / "perilymph.log";
+  if (std::filesystem::is_symlink(std::filesystem::symlink_status(file, ignored)))
+    return Error{"The log " + file.string() +
+                 " is a link, which is not followed. Remove it, or set XDG_STATE_HOME."};
   try {
     auto sink =
         std::make_shared<spdlog::sinks::rotating_file_sink_mt>(file.string(), maxBytes, olderFiles);

@@ -2,10 +2,12 @@
 #include "gui/program/PlanReporting.h"
 
 #include <QByteArray>
-#include <QTemporaryDir>
+#include <QLatin1String>
+#include <QString>
 
 #include "gui/report/PlanReportPdf.h"
 #include "perilymph/foundation/AtomicFile.h"
+#include "perilymph/foundation/Unfinished.h"
 #include "perilymph/foundation/Version.h"
 #include "perilymph/imaging/EncapsulatedPdf.h"
 
@@ -14,6 +16,8 @@ namespace perilymph::gui {
 namespace {
 
 bool isDicom(const std::filesystem::path& file) { return file.extension() == ".dcm"; }
+
+QtMessageHandler qtHandler = nullptr;  // before drawWithoutDisplay()
 
 constexpr std::size_t maxPdfBytes = std::size_t{64} << 20;
 
@@ -41,10 +45,12 @@ Result<PlanReportContent> reportedPlan(const CommandLine& options)
 Result<Done> writeReport(const PlanReportContent& content, const CommandLine& options)
 {
   if (!isDicom(*options.report)) return writePlanReport(content, *options.report);
-  const QTemporaryDir folder;
-  if (!folder.isValid())
+  std::error_code failure;
+  const auto folder =
+      UnfinishedFolder::create(std::filesystem::temp_directory_path(failure) / "perilymph-report");
+  if (failure || !folder)
     return Error{"No temporary folder can be made for the report. Check the space on the disk."};
-  const std::filesystem::path pdf = folder.filePath(QStringLiteral("plan.pdf")).toStdString();
+  const std::filesystem::path pdf = folder->path() / "plan.pdf";
   if (const auto written = writePlanReport(content, pdf); !written) return written;
   auto bytes = readWhole(pdf, maxPdfBytes);
   if (!bytes) return bytes.error();
@@ -56,6 +62,15 @@ Result<Done> writeReport(const PlanReportContent& content, const CommandLine& op
       options.ct, *options.report);
 }
 
-void drawWithoutDisplay() { qputenv("QT_QPA_PLATFORM", "offscreen"); }
+void drawWithoutDisplay()
+{
+  qputenv("QT_QPA_PLATFORM", "offscreen");
+  // Qt warns where there is no folder for sockets, of which a report has none.
+  qtHandler = qInstallMessageHandler(
+      [](QtMsgType type, const QMessageLogContext& context, const QString& message) {
+        if (!message.startsWith(QLatin1String("QStandardPaths:")))
+          qtHandler(type, context, message);
+      });
+}
 
 }  // namespace perilymph::gui

@@ -8,6 +8,8 @@
 #include <cstdlib>
 #include <system_error>
 
+#include "OwnResources.h"
+
 namespace perilymph {
 namespace {
 
@@ -32,7 +34,11 @@ std::string joined(const std::vector<std::string>& text)
 fs::path resourceRoot()
 {
   const std::string chosen = environment("PERILYMPH_RESOURCES");
-  if (!chosen.empty()) return chosen;
+  return chosen.empty() ? ownResourceRoot() : fs::path(chosen);
+}
+
+fs::path ownResourceRoot()
+{
   // Beside the program, wherever it was installed or unpacked.
   std::error_code failure;
   const fs::path program = fs::read_symlink("/proc/self/exe", failure);

@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "perilymph/foundation/Version.h"
 
+#include <cstdlib>
+#include <filesystem>
 #include <string_view>
+#include <system_error>
+
+#include "OwnResources.h"
+#include "perilymph/foundation/Resources.h"
 
 namespace perilymph {
 
@@ -10,7 +16,20 @@ std::string version() { return PERILYMPH_VERSION; }
 std::string buildId()
 {
   constexpr std::string_view commit = PERILYMPH_COMMIT;
-  return commit.empty() ? version() : version() + "+" + std::string(commit);
+  std::string id = commit.empty() ? version() : version() + "+" + std::string(commit);
+  for (const std::string& variable : replacedByEnvironment()) id += " with " + variable;
+  return id;
+}
+
+std::vector<std::string> replacedByEnvironment()
+{
+  std::vector<std::string> variables;
+  std::error_code differ;
+  if (!std::filesystem::equivalent(resourceRoot(), ownResourceRoot(), differ))
+    variables.emplace_back("PERILYMPH_RESOURCES");
+  const char* const recorded = std::getenv("PERILYMPH_SYSTEM_ROOT");
+  if (recorded != nullptr && *recorded != '\0') variables.emplace_back("PERILYMPH_SYSTEM_ROOT");
+  return variables;
 }
 
 }  // namespace perilymph

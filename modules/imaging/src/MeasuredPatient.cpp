@@ -80,7 +80,7 @@ Result<Done> writeMeasuredPatient(const ct::CochleaMeasures& measures, const std
 {
   const auto text = measuredPatientText(measures, label);
   if (!text) return text.error();
-  return writeWhole(file, *text);
+  return writeWhole(file, *text, {Links::followed, Audience::owner});
 }
 
 }  // namespace perilymph::imaging

@@ -10,9 +10,12 @@
 #include <utility>
 
 #include "Cli.h"
+#include "perilymph/foundation/Resources.h"
 
 namespace perilymph::test {
 namespace {
+
+namespace fs = std::filesystem;
 
 TEST(Anatomy, MeasuresThePublishedCochlea)
 {
@@ -328,6 +331,24 @@ TEST(Anatomy, RefusesImpossiblePatients)
   const TemporaryFolder folder;
   std::ofstream(folder / "p.toml") << "st_length_mm = 33.0\nrw_width_mm = \"wide\"\n";
   expectRefusal(cli({"anatomy", "--patient", folder / "p.toml"}), "p.toml:2");
+}
+
+TEST(AnatomyCommand, NamesResourcesThatAreNotItsOwn)
+{
+  const TemporaryFolder folder;
+  fs::create_directory_symlink(fs::canonical(resource("resources")), folder / "resources");
+  fs::create_directory_symlink(fs::canonical(resource("plugins")), folder / "plugins");
+  ProgramCall call = cliCall({"anatomy", "--preset", "published", "--json", folder / "a.json"});
+  const auto own = run(call);
+  ASSERT_EQ(own.status, 0) << own.err;
+  EXPECT_EQ(own.err, "");
+  EXPECT_THAT(contentOf(folder / "a.json"), testing::Not(testing::HasSubstr("PERILYMPH")));
+  call.environment = {{"PERILYMPH_RESOURCES", folder.path().string()}};
+  const auto other = run(call);
+  ASSERT_EQ(other.status, 0) << other.err;
+  EXPECT_THAT(other.err, testing::HasSubstr("PERILYMPH_RESOURCES is set"));
+  EXPECT_THAT(other.err, testing::HasSubstr(folder.path().string()));
+  EXPECT_THAT(contentOf(folder / "a.json"), testing::HasSubstr("with PERILYMPH_RESOURCES\""));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "Cli.h"
 #include "perilymph/session/RecordedInsertion.h"
+#include "perilymph/session/SessionLibrary.h"
 #include "perilymph/test/waitUntil.h"
 
 namespace perilymph::test {
@@ -151,6 +152,34 @@ TEST(InterruptedSimulation, LeavesNothingButAReadableRecording)
   const auto recorded = session::RecordedInsertion::open(folder / "a.insertion");
   ASSERT_TRUE(recorded) << recorded.error().message;
   EXPECT_TRUE(recorded->wasClosed());
+}
+
+// The model of points where it is allowed: no force beyond a hand's 2 N, no energy from nothing, and
+// one peak in the output and in the recording.
+TEST(Simulate, TheModelOfPointsWithinItsLimits)
+{
+  const std::vector<std::vector<std::string>> settings = {
+      {"coupling=spring", "dt_ms=1", "nodes=17", "speed_mm_s=18"},
+      {"coupling=spring", "dt_ms=0.5", "nodes=7", "start_inside_mm=3", "speed_mm_s=9"},
+      {"coupling=rigid", "dt_ms=10", "nodes=11", "speed_mm_s=5"}};
+  for (const auto& values : settings) {
+    SCOPED_TRACE(testing::PrintToString(values));
+    const TemporaryFolder folder;
+    std::vector<std::string> call = {
+        "simulate",        "--scenario", "mean-contour",        "--model",
+        "points",          "--set",      "stop_travel_mm=13",   "--json",
+        folder / "a.json", "--record",   folder / "a.insertion"};
+    for (const std::string& value : values) call.insert(call.end(), {"--set", value});
+    const auto outcome = cli(call);
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    const auto json = nlohmann::json::parse(contentOf(folder / "a.json"));
+    EXPECT_EQ(json["end"], "finished");
+    EXPECT_LT(json["peak_force_N"].get<double>(), 2.0);
+    EXPECT_GT(json["peak_force_N"].get<double>(), 0.05);
+    EXPECT_GT(json["work_J"].get<double>(), 0.0);
+    const auto recorded = session::summarize(std::filesystem::path(folder / "a.insertion"));
+    EXPECT_EQ(recorded.highlights.peakForce, json["peak_force_N"].get<double>());
+  }
 }
 
 }  // namespace

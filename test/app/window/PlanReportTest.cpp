@@ -112,7 +112,7 @@ protected:
     ProgramCall call;
     call.program = programFolder() / "perilymph";
     call.arguments = {"--plan", plan.string(), "--report", file.string(), "--language", "en"};
-    call.environment = {{"DISPLAY", std::nullopt}};
+    call.environment = {{"DISPLAY", std::nullopt}, {"XDG_RUNTIME_DIR", std::nullopt}};
     return call;
   }
 
@@ -126,6 +126,8 @@ TEST_F(PlanReportPdf, StatesTheNumbersOfThePlanFileWithoutADisplay)
   store(syntheticPlan(59));  // no band ends between two printed numbers
   const auto outcome = report(folder_.path(), pdf());
   ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_EQ(fs::status(pdf()).permissions(), fs::perms(0600));  // it may name a patient
   const std::string text = textOf(pdf());
 
   QFile file(QString::fromStdString((folder_ / "plan.json").string()));

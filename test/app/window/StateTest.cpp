@@ -13,6 +13,7 @@
 #include <atomic>
 #include <fstream>
 #include <future>
+#include <iterator>
 #include <new>
 
 #include "OwnFolders.h"
@@ -26,6 +27,7 @@
 #include "gui/program/Logging.h"
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/foundation/Resources.h"
+#include "perilymph/test/Places.h"
 #include "perilymph/test/TemporaryFolder.h"
 
 namespace perilymph::test {
@@ -120,6 +122,17 @@ TEST(Log, ThatCannotBeWrittenIsReported)
   EXPECT_NE(log.error().message.find("XDG_STATE_HOME"), std::string::npos);
 }
 
+TEST(Log, IsNotWrittenThroughALink)
+{
+  const TemporaryFolder folder;
+  std::ofstream(folder.path() / "thesis") << "three years";
+  std::filesystem::create_symlink("thesis", folder.path() / "perilymph.log");
+  const auto log = gui::startLog(folder.path());
+  ASSERT_FALSE(log);
+  EXPECT_NE(log.error().message.find("is a link"), std::string::npos);
+  EXPECT_EQ(std::filesystem::file_size(folder.path() / "thesis"), 11u);
+}
+
 /// The id of a process that has ended.
 long endedProcess()
 {
@@ -186,6 +199,24 @@ TEST(AnInterruptedInsertion, IsOfferedWithItsDepth)
   ASSERT_TRUE(WindowRig::comes([&] { return rig.window().notice().isVisible(); }));
   EXPECT_TRUE(rig.window().notice().sentence().contains("3.0 mm"));
   EXPECT_TRUE(rig.window().notice().sentence().contains("tuesday"));
+}
+
+TEST(AnInterruptedInsertion, IsNotOfferedIfItCannotBeReplayed)
+{
+  const TemporaryFolder folder;
+  const auto stored = testData() / "recordings/contour-published-points.insertion";
+  const auto never = [] { return false; };
+  EXPECT_GT(gui::summarizeReplayable(stored, never).highlights.ticks, 0u);
+  // A number of its scenario is changed: its hash is another.
+  std::ifstream stream(stored, std::ios::binary);
+  std::string bytes(std::istreambuf_iterator<char>(stream), {});
+  const std::size_t place = bytes.find("start_inside_mm = 2.0");
+  ASSERT_NE(place, std::string::npos);
+  bytes[place + 18] = '1';
+  const auto forged = folder.path() / "forged.insertion";
+  std::ofstream(forged, std::ios::binary) << bytes;
+  EXPECT_GT(session::summarize(forged, never).highlights.ticks, 0u);
+  EXPECT_EQ(gui::summarizeReplayable(forged, never).highlights.ticks, 0u);
 }
 
 TEST(AnInterruptedInsertion, WhoseRecordingBlocksItsReaderDoesNotBlockTheWindow)

@@ -128,6 +128,23 @@ TEST(Resources, StandWhereTheEnvironmentSays)
   EXPECT_EQ(resource("resources/icons/app.svg"), "/somewhere/else/resources/icons/app.svg");
 }
 
+// What changes results is stated wherever the build is.
+TEST(BuildId, NamesTheEnvironmentThatReplacesResourcesAndDevices)
+{
+  const Variable devices("PERILYMPH_SYSTEM_ROOT", std::nullopt);
+  const Variable own("PERILYMPH_RESOURCES", std::nullopt);
+  const std::string plain = buildId();
+  EXPECT_EQ(plain.find("PERILYMPH"), std::string::npos);
+  {
+    const Variable same("PERILYMPH_RESOURCES", resourceRoot().string() + "/resources/..");
+    EXPECT_EQ(buildId(), plain);
+  }
+  const Variable other("PERILYMPH_RESOURCES", "/somewhere/else");
+  EXPECT_EQ(buildId(), plain + " with PERILYMPH_RESOURCES");
+  const Variable recorded("PERILYMPH_SYSTEM_ROOT", "/recorded");
+  EXPECT_EQ(buildId(), plain + " with PERILYMPH_RESOURCES with PERILYMPH_SYSTEM_ROOT");
+}
+
 TEST(Resources, AreFoundWithoutTheEnvironment)
 {
   const Variable root("PERILYMPH_RESOURCES", std::nullopt);

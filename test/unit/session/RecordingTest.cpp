@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sqlite3.h>
+#include <sys/stat.h>
 
 #include <fstream>
 
@@ -89,6 +90,17 @@ TEST(Recording, IsOneFileOnceClosed)
   EXPECT_GT(filesIn(folder.path()), 1u);  // the write-ahead log
   ASSERT_TRUE((*recording)->close());
   EXPECT_EQ(filesIn(folder.path()), 1u);
+}
+
+TEST(Recording, IsReadableForItsOwnerOnly)
+{
+  const test::TemporaryFolder folder;
+  const auto before = ::umask(0);
+  const auto recording = Recording::create(folder / "a.insertion", test::someFacts());
+  ::umask(before);
+  ASSERT_TRUE(recording);
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
+    EXPECT_EQ(entry.status().permissions(), std::filesystem::perms(0600)) << entry.path();
 }
 
 TEST(Recording, ShowsItsRowsToOtherProgramsWhileItRuns)

@@ -33,6 +33,9 @@ TEST(ScenarioModel, OfPointsIsThePublishedOneOrRefused)
     EXPECT_FALSE(changed) << other.first;
     EXPECT_TRUE(loadScenario("mean-contour", {other})) << "a rod may have it";
   }
+  EXPECT_TRUE(loadScenario("mean-contour", {{"model", "points"}, {"dt_ms", "5"}}));
+  EXPECT_FALSE(
+      loadScenario("mean-contour", {{"model", "points"}, {"dt_ms", "2"}, {"coupling", "spring"}}));
   const Overrides stiff = {
       {"model", "points"}, {"coupling", "spring"}, {"coupling_stiffness_N_m", "500"}};
   const auto other = loadScenario("contour-published", stiff);

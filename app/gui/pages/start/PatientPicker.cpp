@@ -63,7 +63,9 @@ PatientPicker::PatientPicker(QWidget* parent)
       edit_(addButton(tr("Edit…"), "editPatientButton")),
       archive_(addButton(QString(), "archivePatientButton")),
       export_(addButton(tr("Export…"), "exportPatientButton")),
-      back_(addButton(tr("Back"), "leavePickerButton"))
+      back_(addButton(tr("Back"), "leavePickerButton")),
+      cancel_(addButton(tr("Cancel"), "cancelTransferButton")),
+      transfer_(new PatientTransfer(this))
 {
   setMaximumWidth(sized(maxWidth_px));
   auto* title = new QLabel(tr("Saved patients"), this);
@@ -82,7 +84,12 @@ PatientPicker::PatientPicker(QWidget* parent)
   whole->setSpacing(spacing);
   whole->addWidget(title);
   whole->addLayout(columns, 1);
-  whole->addWidget(status_);
+  auto* footer = new QHBoxLayout;
+  footer->setSpacing(spacing);
+  footer->addWidget(status_, 1);
+  footer->addWidget(cancel_);
+  whole->addLayout(footer);
+  cancel_->hide();
 
   connect(search_, &QLineEdit::textChanged, this, &PatientPicker::showMatches);
   connect(search_, &QLineEdit::returnPressed, this, &PatientPicker::openSelected);
@@ -100,6 +107,19 @@ PatientPicker::PatientPicker(QWidget* parent)
   connect(archive_, &QPushButton::clicked, this, &PatientPicker::changeArchived);
   connect(export_, &QPushButton::clicked, this, &PatientPicker::exportSelected);
   connect(import_, &QPushButton::clicked, this, &PatientPicker::importPatient);
+  connect(cancel_, &QPushButton::clicked, transfer_, &PatientTransfer::cancel);
+  connect(transfer_, &PatientTransfer::progressed, this, [this](int percent) {
+    status_->setText(transferred_.isEmpty()
+                         ? tr("Importing: %1 %").arg(percent)
+                         : tr("Exporting %1: %2 %").arg(transferred_).arg(percent));
+  });
+  connect(transfer_, &PatientTransfer::copied, this, [this](const QString& place) {
+    if (transferred_.isEmpty()) refresh(beingRecorded_);
+    showTransfer(transferred_.isEmpty() ? tr("The patient is imported.")
+                                        : tr("%1 is exported to %2.").arg(transferred_, place));
+  });
+  connect(transfer_, &PatientTransfer::failed, this,
+          [this](const QString& sentence) { showTransfer(engineError(sentence.toStdString())); });
   setTabOrders();
   setFocusProxy(search_);
 }
@@ -165,11 +185,11 @@ void PatientPicker::setTabOrders()
 {
   const auto fields = details_->fields();
   QWidget* before = search_;
-  for (QWidget* each :
-       {static_cast<QWidget*>(list_), fields[0], fields[1], fields[2], static_cast<QWidget*>(open_),
-        static_cast<QWidget*>(edit_), static_cast<QWidget*>(export_),
-        static_cast<QWidget*>(archive_), static_cast<QWidget*>(archived_),
-        static_cast<QWidget*>(import_), static_cast<QWidget*>(back_)}) {
+  for (QWidget* each : {static_cast<QWidget*>(list_), fields[0], fields[1], fields[2],
+                        static_cast<QWidget*>(open_), static_cast<QWidget*>(edit_),
+                        static_cast<QWidget*>(export_), static_cast<QWidget*>(archive_),
+                        static_cast<QWidget*>(archived_), static_cast<QWidget*>(import_),
+                        static_cast<QWidget*>(cancel_), static_cast<QWidget*>(back_)}) {
     setTabOrder(before, each);
     before = each;
   }
@@ -234,7 +254,7 @@ void PatientPicker::showSelected()
 {
   const SavedPatient* patient = selected();
   archive_->setEnabled(patient != nullptr);
-  export_->setEnabled(patient != nullptr);
+  export_->setEnabled(patient != nullptr && !transfer_->isBusy());
   archive_->setText(patient && patient->record.isArchived ? tr("Restore") : tr("Archive"));
   details_->show(patient ? std::optional(*patient) : std::nullopt);
 }
@@ -281,9 +301,30 @@ void PatientPicker::exportSelected()
   if (place.isEmpty()) return;
   const std::filesystem::path folder =
       std::filesystem::path(place.toStdString()) / patient->file.stem();
-  show(session::exportPatient(patient->file, insertionsOf(patient->patient), folder),
-       tr("%1 is exported to %2.")
-           .arg(nameOfPatient(patient->patient), QString::fromStdString(folder.string())));
+  transferred_ = nameOfPatient(patient->patient);
+  startTransfer([folder, file = patient->file, about = patient->patient](
+                    const session::CopyProgress& progress) -> Result<std::filesystem::path> {
+    const auto done = session::exportPatient(file, insertionsOf(about), folder, progress);
+    if (!done) return done.error();
+    return folder;
+  });
+}
+
+void PatientPicker::startTransfer(PatientTransfer::Copy copy)
+{
+  cancel_->show();
+  import_->setEnabled(false);
+  transfer_->start(std::move(copy));
+  showSelected();
+}
+
+/// A transfer has ended.
+void PatientPicker::showTransfer(const QString& sentence)
+{
+  cancel_->hide();
+  import_->setEnabled(true);
+  showSelected();
+  status_->setText(sentence);
 }
 
 void PatientPicker::importPatient()
@@ -291,9 +332,10 @@ void PatientPicker::importPatient()
   const QString place =
       QFileDialog::getExistingDirectory(this, tr("Folder of an exported patient"));
   if (place.isEmpty()) return;
-  const auto file = session::importPatient(place.toStdString(), patientFolder(), sessionFolder());
-  if (file) refresh(beingRecorded_);
-  show(file ? Result<Done>(Done{}) : Result<Done>(file.error()), tr("The patient is imported."));
+  transferred_.clear();
+  startTransfer([place = place.toStdString()](const session::CopyProgress& progress) {
+    return session::importPatient(place, patientFolder(), sessionFolder(), progress);
+  });
 }
 
 bool PatientPicker::eventFilter(QObject* watched, QEvent* event)

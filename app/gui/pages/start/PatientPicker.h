@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "gui/pages/start/PatientTransfer.h"
 #include "gui/setup/PatientHistory.h"
 
 class QLabel;
@@ -56,6 +57,8 @@ private:
   void exportSelected();
   void importPatient();
   void show(const Result<Done>& done, const QString& sentence);
+  void startTransfer(PatientTransfer::Copy copy);
+  void showTransfer(const QString& sentence);
 
   std::vector<SavedPatient> patients_;
   std::vector<std::size_t> shown_;  ///< Indices of `patients_`, one a row.
@@ -65,7 +68,9 @@ private:
   PatientDetails* details_;
   QLabel* status_;
   CheckBox* archived_;
-  QPushButton *import_, *open_, *edit_, *archive_, *export_, *back_;
+  QPushButton *import_, *open_, *edit_, *archive_, *export_, *back_, *cancel_;
+  PatientTransfer* transfer_;
+  QString transferred_;  ///< Who is exported; empty if one is imported.
 };
 
 }  // namespace perilymph::gui

@@ -262,7 +262,7 @@ std::string patientText(const Patient& patient)
 
 Result<Done> savePatient(const Patient& patient, const std::filesystem::path& file)
 {
-  return writeWhole(file, patientText(patient));
+  return writeWhole(file, patientText(patient), {Links::followed, Audience::owner});
 }
 
 Result<Done> checkPatient(const Patient& patient)

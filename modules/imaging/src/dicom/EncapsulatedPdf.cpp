@@ -191,16 +191,18 @@ Result<Done> writeEncapsulatedPdf(const PdfDocument& document,
     identity.studyUid = newUid();
     identity.values[{0x0010, 0x0020}] = document.patientCode;
   }
-  return writeWhole(file, [&](const std::filesystem::path& place) {
-    gdcm::Writer writer;
-    Attributes attributes(writer.GetFile().GetDataSet());
-    setStudy(attributes, identity);
-    setDocument(attributes, document);
-    writer.GetFile().GetHeader().SetDataSetTransferSyntax(
-        gdcm::TransferSyntax::ExplicitVRLittleEndian);
-    writer.SetFileName(place.c_str());
-    return writer.Write();
-  });
+  return writeWhole(file,
+                    [&](const std::filesystem::path& place) {
+                      gdcm::Writer writer;
+                      Attributes attributes(writer.GetFile().GetDataSet());
+                      setStudy(attributes, identity);
+                      setDocument(attributes, document);
+                      writer.GetFile().GetHeader().SetDataSetTransferSyntax(
+                          gdcm::TransferSyntax::ExplicitVRLittleEndian);
+                      writer.SetFileName(place.c_str());
+                      return writer.Write();
+                    },
+                    {Links::followed, Audience::owner});
 }
 
 }  // namespace perilymph::imaging

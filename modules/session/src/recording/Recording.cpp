@@ -33,7 +33,7 @@ using database::Statement;
 /// Creates a new file exclusively, so that two recordings never share one.
 Result<Done> claim(const fs::path& file)
 {
-  const int descriptor = ::open(file.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0644);
+  const int descriptor = ::open(file.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0600);
   if (descriptor >= 0) {
     ::close(descriptor);
     return Done{};

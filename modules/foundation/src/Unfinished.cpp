@@ -54,7 +54,9 @@ bool isLeftover(const std::string& name, const struct stat& status)
   std::smatch found;
   if (status.st_uid != ::geteuid()) return false;
   if (std::regex_match(name, found, now)) return found[1] == hostName() && hasEnded(found[2]);
-  return std::regex_match(name, found, before) && status.st_mtime < std::time(nullptr) - old_s &&
+  // Those were files only.
+  return S_ISREG(status.st_mode) && std::regex_match(name, found, before) &&
+         status.st_mtime < std::time(nullptr) - old_s &&
          hasEnded(found[1].matched ? found[1] : found[3]);
 }
 

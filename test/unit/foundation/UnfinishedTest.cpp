@@ -124,6 +124,16 @@ TEST_F(Unfinished, FilesOfOlderProgramsAreRemovedAnHourLater)
   }
 }
 
+TEST_F(Unfinished, FoldersWithNamesOfOlderProgramsStay)
+{
+  const std::string process = std::to_string(inKilledProcess([] {}));
+  const fs::path folder = folder_ / ("thesis.begin-" + process);
+  fs::create_directory(folder);
+  fs::last_write_time(folder, fs::file_time_type::clock::now() - 2h);
+  removeLeftovers(folder_.path());
+  EXPECT_TRUE(fs::exists(folder));
+}
+
 TEST_F(Unfinished, FoldersAreForTheirOwnerAndAppearWhole)
 {
   {

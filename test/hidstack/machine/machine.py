@@ -101,6 +101,7 @@ def main():
     parser.add_argument("--results", type=Path, required=True)
     parser.add_argument("--all", action="store_true")
     words = parser.parse_args()
+    words.results.parent.mkdir(parents=True, exist_ok=True)
     words.results.unlink(missing_ok=True)
     try:
         said = run(words.programs, words.cache, "all" if words.all else "daily")

@@ -128,6 +128,19 @@ double paintArrays(ReportSheet& sheet, const PlanReportContent& content, double 
                     ReportFace::quiet);
 }
 
+/// Why the whole report may not be of this patient, or not of this program; first on the page.
+QStringList doubtsOf(const PlanReportContent& content)
+{
+  QStringList doubts;
+  if (const std::string note = noteOn(content.plan().seal); !note.empty())
+    doubts << engineError(note);
+  if (content.isStudyNotCompared)
+    doubts << tr(
+        "The plan states no CT series, so it was not compared with the study that "
+        "this report was filed into.");
+  return doubts;
+}
+
 /// Method and limits at the lower end of the page.
 QStringList linesOf(const PlanReportContent& content)
 {
@@ -137,12 +150,6 @@ QStringList linesOf(const PlanReportContent& content)
          "are drawn again; see the appendix.")
           .arg(content.plan().arrays.front().draws)
           .arg(plannedFriction(content.plan().request))};
-  if (const std::string note = noteOn(content.plan().seal); !note.empty())
-    lines.prepend(engineError(note));
-  if (content.isStudyNotCompared)
-    lines.prepend(
-        tr("The plan states no CT series, so it was not compared with the study that "
-           "this report was filed into."));
   for (const std::string& limit : content.stored.limits) lines << dataText(limit);
   return lines;
 }
@@ -164,6 +171,8 @@ void paintPlanRecord(ReportSheet& sheet, const PlanReportContent& content,
 {
   const double width_mm = area.width_mm;
   double y_mm = paintReportTitle(sheet, tr("Insertion plan"), area);
+  for (const QString& doubt : doubtsOf(content))
+    y_mm += sheet.paragraph(0.0, y_mm, width_mm, doubt, ReportFace::bold) + 1.0;
   y_mm = paintIdentification(sheet, content, issuer, y_mm, width_mm) + gap_mm;
   std::vector<MeasureRow> rows = basalTurnRows(content.plan().request.patient);
   rows.push_back(ductLengthRow(measureText(content.measures, content.bands, "cdl_oc_mm")));

@@ -2377,8 +2377,8 @@
         <translation>keine genannt</translation>
     </message>
     <message>
-        <source>The plan states no CT series, so it was not compared with the study that this report was filed into.</source>
-        <translation>Der Plan nennt keine CT-Serie und wurde deshalb nicht mit der Untersuchung verglichen, in die dieser Bericht eingeordnet wurde.</translation>
+        <source>The plan states no CT series, or carries no seal, so it was not compared with the study that this report was filed into.</source>
+        <translation>Der Plan nennt keine CT-Serie oder trägt kein Siegel und wurde deshalb nicht mit der Untersuchung verglichen, in die dieser Bericht eingeordnet wurde.</translation>
     </message>
     <message>
         <source>%1, no seal</source>

@@ -23,6 +23,12 @@ constexpr std::size_t maxPdfBytes = std::size_t{64} << 20;
 
 }  // namespace
 
+/// The series in which a plan's patient was measured; none where nobody vouches for it.
+std::string seriesOf(const planning::Plan& plan)
+{
+  return plan.seal == Seal::intact ? plan.request.patient.origin.seriesKey : std::string();
+}
+
 Result<PlanReportContent> reportedPlan(const CommandLine& options)
 {
   if (const auto place = checkWritable(*options.report); !place) return place.error();
@@ -35,10 +41,13 @@ Result<PlanReportContent> reportedPlan(const CommandLine& options)
         options.plan->string() +
         " was changed by hand after the program wrote it, so it is not filed into a study. "
         "Make the plan again, or leave --ct out."};
+  if (options.ct && stored->plan.seal == Seal::absent && !options.isCtNotCompared)
+    return Error{options.plan->string() +
+                 " carries no seal, so the CT series that it states proves nothing. Make the plan "
+                 "again, leave --ct out, or, if you know that the CT is the patient's, add "
+                 "--ct-not-compared."};
   auto content = planReportContent(*std::move(stored));
-  if (content)
-    content->isStudyNotCompared =
-        options.ct && content->plan().request.patient.origin.seriesKey.empty();
+  if (content) content->isStudyNotCompared = options.ct && seriesOf(content->plan()).empty();
   return content;
 }
 
@@ -58,7 +67,7 @@ Result<Done> writeReport(const PlanReportContent& content, const CommandLine& op
   return imaging::writeEncapsulatedPdf(
       {*std::move(bytes), "Insertion plan",
        hasCode ? content.plan().request.patient.label : std::string(), buildId().substr(0, 64),
-       content.plan().request.patient.origin.seriesKey, options.isCtNotCompared},
+       seriesOf(content.plan()), options.isCtNotCompared},
       options.ct, *options.report);
 }
 

@@ -136,8 +136,8 @@ QStringList doubtsOf(const PlanReportContent& content)
     doubts << engineError(note);
   if (content.isStudyNotCompared)
     doubts << tr(
-        "The plan states no CT series, so it was not compared with the study that "
-        "this report was filed into.");
+        "The plan states no CT series, or carries no seal, so it was not compared with the study "
+        "that this report was filed into.");
   return doubts;
 }
 

@@ -77,10 +77,13 @@ Result<std::vector<StudyFile>> wholeStudy(const fs::path& folder)
     const StudyFileFacts& facts = file->facts();
     const std::string name = state.file.string();
     const StudyFileFacts& one = files.empty() ? facts : files.front().facts();
-    if (facts.seal == Seal::changed)
+    // A merged study is sealed anew: what its shards say must be what the program wrote.
+    if (facts.seal != Seal::intact)
       return Error{name +
-                   " was changed after the program wrote it. Delete it and run its shard "
-                   "again."};
+                   (facts.seal == Seal::changed
+                        ? " was changed after the program wrote it."
+                        : " carries no seal: it is of an earlier version.") +
+                   " Delete it and run its shard again."};
     if (facts.fingerprint != one.fingerprint || facts.program != one.program)
       return Error{name + " is of another study or another build of the program than " +
                    states->front().file.string() + ". Remove the one that does not belong here."};

@@ -291,6 +291,20 @@ TEST_F(PlanReportPdf, BecomesPartOfTheStudyInWhichItsPatientWasMeasuredAndOfNoOt
   EXPECT_EQ(into("own").status, 0);
   EXPECT_TRUE(fs::exists(file));
 
+  // As of an earlier version: nobody vouches for the series that it states.
+  fs::remove(file);
+  std::string text = *readWhole(folder_ / "plan.json");
+  const auto format = text.find("\"format\": 2");
+  const auto seal = text.find(",\n  \"content_sha256\"");
+  ASSERT_TRUE(format != std::string::npos && seal != std::string::npos);
+  text.erase(seal, text.find('\n', seal + 2) - seal);
+  std::ofstream(folder_ / "plan.json") << text.replace(format, 11, "\"format\": 1");
+  const auto unsealed = into("own");
+  EXPECT_EQ(unsealed.status, 1);
+  EXPECT_THAT(unsealed.err, HasSubstr("carries no seal"));
+  EXPECT_FALSE(fs::exists(file));
+  EXPECT_EQ(into("own", {"--ct-not-compared"}).status, 0);
+
   fs::remove(file);
   plan.request.patient.origin.seriesKey.clear();
   store(plan);

@@ -11,6 +11,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "perilymph/database/Database.h"
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/study/StudyFile.h"
 #include "perilymph/test/TemporaryFolder.h"
@@ -112,6 +113,25 @@ TEST_F(StudyRuns, GiveTheSameBytesForEveryDivisionOrderAndNumberOfThreads)
     EXPECT_TRUE(one == bytesOf(folder("threads") / file)) << file;
     EXPECT_TRUE(one == bytesOf(folder("five") / file)) << file;
   }
+}
+
+TEST_F(StudyRuns, AreNotMergedFromShardsWithoutASeal)
+{
+  ASSERT_TRUE(run(study_, folder("out"), 1, 1));
+  std::filesystem::path shard;
+  for (const auto& entry : std::filesystem::directory_iterator(folder("out")))
+    if (entry.path().extension() == ".sqlite") shard = entry.path();
+  {
+    auto database = database::Database::openNew(shard);
+    ASSERT_TRUE(database) << database.error().message;
+    ASSERT_TRUE(
+        database->run("PRAGMA user_version=2; DELETE FROM meta WHERE key = 'content_sha256'; "
+                      "UPDATE insertion SET peak_mN = 1"));
+  }
+  const auto merged = mergeShards(folder("out"));
+  ASSERT_FALSE(merged);
+  EXPECT_THAT(merged.error().message, testing::HasSubstr("carries no seal"));
+  EXPECT_FALSE(std::filesystem::exists(folder("out") / mergedFile));
 }
 
 TEST_F(StudyRuns, HoldWhatEachInsertionWas)

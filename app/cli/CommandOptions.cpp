@@ -4,6 +4,8 @@
 
 #include "CommandOptions.h"
 
+#include <sys/stat.h>
+
 #include <CLI/CLI.hpp>
 
 #include "CtOptions.h"
@@ -357,6 +359,8 @@ void addCommands(CLI::App& app, FileOptions& files, CommandOptions& options)
 
 Result<Done> runCommand(const CLI::App& app, const CallFiles& files, const CommandOptions& options)
 {
+  // What these write describes a patient: it is for the owner only.
+  if (app.got_subcommand("plan") || app.got_subcommand("ct")) ::umask(S_IRWXG | S_IRWXO);
   if (app.got_subcommand("simulate")) return simulate(options.simulate, files);
   if (app.got_subcommand("anatomy")) return describeAnatomy(options.anatomy);
   if (app.got_subcommand("replay")) return replay(options.replay);

@@ -36,6 +36,12 @@ TEST_F(Plans, AreWrittenWithTheirTablesAndFiguresAndContinueToTheSameBytes)
   EXPECT_TRUE(fs::exists(folder_ / "out" / "influence-1.svg"));
   EXPECT_THAT(text("shapes.csv"), HasSubstr("\nflex24,1,50,"));  // the tip of 50 nodes
 
+  // It describes a patient: its files are for their owner only.
+  EXPECT_EQ(fs::status(folder_ / "out").permissions(), fs::perms::owner_all);
+  for (const auto& entry : fs::directory_iterator(folder_ / "out"))
+    EXPECT_EQ(entry.status().permissions(), fs::perms::owner_read | fs::perms::owner_write)
+        << entry.path();
+
   const auto again = plan("measured", {"--arrays", "flex24"});
   ASSERT_EQ(again.status, 0) << again.err;
   EXPECT_EQ(text("plan.json"), json);

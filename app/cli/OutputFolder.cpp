@@ -27,10 +27,7 @@ namespace {
 Result<Done> writePicture(const fs::path& file, const figures::Drawing& drawing)
 {
 #if PERILYMPH_HAS_TOOLKIT
-  return writeWhole(
-      file,
-      [&](const fs::path& part) { return static_cast<bool>(charts::writePicture(drawing, part)); },
-      {Links::refused});
+  return charts::writePicture(drawing, file, {Links::refused});
 #else
   static_cast<void>(file);
   static_cast<void>(drawing);

@@ -171,7 +171,8 @@ private:
 
 }  // namespace
 
-Result<Done> writePicture(const figures::Drawing& drawing, const std::filesystem::path& file)
+Result<Done> writePicture(const figures::Drawing& drawing, const std::filesystem::path& file,
+                          const Writing& how)
 {
   const int width = static_cast<int>(std::lround(drawing.width * pixelsPerPoint));
   const int height = static_cast<int>(std::lround(drawing.height * pixelsPerPoint));
@@ -185,13 +186,14 @@ Result<Done> writePicture(const figures::Drawing& drawing, const std::filesystem
   for (int y = 0; y < height; ++y)  // VTK's images start at the bottom
     std::copy_n(canvas.row(height - 1 - y), static_cast<std::size_t>(width) * 3,
                 static_cast<unsigned char*>(image->GetScalarPointer(0, y, 0)));
-  return writeWhole(file, [&](const std::filesystem::path& neighbor) {
+  const auto write = [&](const std::filesystem::path& neighbor) {
     vtkNew<vtkPNGWriter> writer;
     writer->SetInputData(image);
     writer->SetFileName(neighbor.c_str());
     writer->Write();
     return writer->GetErrorCode() == 0;
-  });
+  };
+  return writeWhole(file, write, how);
 }
 
 }  // namespace perilymph::charts

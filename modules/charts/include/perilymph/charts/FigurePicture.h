@@ -6,11 +6,13 @@
 #include <filesystem>
 
 #include "perilymph/figures/Drawing.h"
+#include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/foundation/Result.h"
 
 namespace perilymph::charts {
 
 /// Writes a drawing as PNG with 216 pixels per inch, atomically.
-Result<Done> writePicture(const figures::Drawing& drawing, const std::filesystem::path& file);
+Result<Done> writePicture(const figures::Drawing& drawing, const std::filesystem::path& file,
+                          const Writing& how = {});
 
 }  // namespace perilymph::charts

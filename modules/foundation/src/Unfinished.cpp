@@ -17,7 +17,6 @@
 #include <string>
 
 #include "Descriptor.h"
-#include "UnfinishedName.h"
 
 namespace perilymph {
 namespace {

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include "StatedSeries.h"
@@ -226,17 +227,23 @@ TEST_F(DicomGray, MarksOnlyPaddingAtTheBorderWhereTissueMayHaveItsValue)
   EXPECT_EQ(loaded->volume.voxel(10, 10, 4), 0);
 }
 
-TEST_F(DicomGray, MarksWhatATiltLeavesEmpty)
+/// A volume of 20 x 40 x 20 voxels of a gantry tilted by so many degrees.
+ct::CtVolume tiltedBy(double tilt_deg, const std::function<int(int at)>& valueOf)
 {
-  const double tilt = 15.0 * 3.14159265358979323846 / 180.0;
+  const double tilt = tilt_deg * std::numbers::pi / 180.0;
   Eigen::Matrix4d lps = Eigen::Matrix4d::Identity();
   lps.block<3, 1>(0, 0) = Eigen::Vector3d(0.4, 0, 0);
   lps.block<3, 1>(0, 1) = 0.4 * Eigen::Vector3d(0, std::cos(tilt), std::sin(tilt));
   lps.block<3, 1>(0, 2) = Eigen::Vector3d(0, 0, 0.6);
   std::vector<std::int16_t> voxels;
   for (int at = 0; at < 20 * 40 * 20; ++at)
-    voxels.push_back(static_cast<std::int16_t>(at % 2 == 0 ? 1000 : 1200));
-  const auto tilted = *ct::CtVolume::make({20, 40, 20}, lps, std::move(voxels));
+    voxels.push_back(static_cast<std::int16_t>(valueOf(at)));
+  return *ct::CtVolume::make({20, 40, 20}, lps, std::move(voxels));
+}
+
+TEST_F(DicomGray, MarksWhatATiltLeavesEmpty)
+{
+  const auto tilted = tiltedBy(15.0, [](int at) { return at % 2 == 0 ? 1000 : 1200; });
   const auto loaded = read(test::dicomSlices(tilted));
   ASSERT_TRUE(loaded) << loaded.error().message;
   const ct::CtVolume& straight = loaded->volume;
@@ -256,15 +263,8 @@ TEST_F(DicomGray, MarksWhatATiltLeavesEmpty)
 
 TEST_F(DicomGray, KeepsPaddingUnmeasuredBesideATilt)
 {
-  constexpr double tilt = 10.0 * std::numbers::pi / 180.0;
-  Eigen::Matrix4d lps = Eigen::Matrix4d::Identity();
-  lps.block<3, 1>(0, 0) = Eigen::Vector3d(0.4, 0, 0);
-  lps.block<3, 1>(0, 1) = 0.4 * Eigen::Vector3d(0, std::cos(tilt), std::sin(tilt));
-  lps.block<3, 1>(0, 2) = Eigen::Vector3d(0, 0, 0.6);
-  std::vector<std::int16_t> voxels;
-  for (int at = 0; at < 20 * 40 * 20; ++at)
-    voxels.push_back(static_cast<std::int16_t>(at % 20 < 6 ? -1024 : 1100 + 100 * (at % 2)));
-  const auto tilted = *ct::CtVolume::make({20, 40, 20}, lps, std::move(voxels));
+  const auto tilted =
+      tiltedBy(10.0, [](int at) { return at % 20 < 6 ? -1024 : 1100 + 100 * (at % 2); });
   Files files = test::dicomSlices(tilted);
   for (DicomData& file : files) file.setNumber(tags::padding, 0);
   const auto loaded = read(files);

@@ -40,13 +40,14 @@ std::vector<analysis::Measure> measuresOf(const anatomy::ImportedScala& scala)
   return measures;
 }
 
-/// Warnings of unusual shapes: a flat spiral or a steep helix may be a wrong unit or a stretched
-/// scan.
+/// Warnings of unusual shapes, as of a wrong unit or a stretched scan, and of flaws of the surface.
 std::vector<std::string> warningsOf(const anatomy::ImportedScala& scala)
 {
   anatomy::Patient measured;
   measured.basalTurn = anatomy::BasalTurn{scala.a, scala.b, scala.h};
-  return anatomy::unusualMeasures(measured);
+  std::vector<std::string> warnings = anatomy::unusualMeasures(measured);
+  for (const anatomy::ImportDoubt& doubt : scala.doubts) warnings.push_back(doubt.sentence);
+  return warnings;
 }
 
 std::string importJson(const std::string& label, const anatomy::ImportedScala& scala)
@@ -66,6 +67,8 @@ std::string importJson(const std::string& label, const anatomy::ImportedScala& s
   for (const analysis::Measure& measure : measuresOf(scala)) json[measure.key] = measure.value;
   for (const analysis::Measure& measure : measuresOf(scala))
     json["derived"][measure.key] = {{"formula", measure.formula}, {"source", measure.source}};
+  json["flags"] = nlohmann::ordered_json::array();
+  for (const anatomy::ImportDoubt& doubt : scala.doubts) json["flags"].push_back(doubt.flag);
   json["warnings"] = warningsOf(scala);
   return jsonText(json);
 }

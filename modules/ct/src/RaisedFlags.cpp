@@ -18,8 +18,6 @@ constexpr double sectionLimit_mm = 0.25, sectionMissing = 0.25;
 constexpr double basalGapLimit = 0.20;
 constexpr double fullTurns = 2.15;
 constexpr double unmeasuredLimit = 0.05;
-// B of an A: its conditional standard deviations. H: its own beyond the limits of patients.
-constexpr double proportionSds = 3.5, heightSds = 3.0;
 constexpr double placedBy_mm = 0.5;  // standard deviation of a landmark that a person placed
 constexpr double disagreementSds = 3.0;
 
@@ -31,17 +29,6 @@ bool isUnusual(double value_mm, const anatomy::Spread& spread)
 
 /// Standard deviation of the sum of two independent errors.
 double together(double one, double other) { return std::sqrt(one * one + other * other); }
-
-bool isOutOfProportion(const CochleaMeasures& measures)
-{
-  const anatomy::Spread b = anatomy::expectedB(millimeters(measures.a.value));
-  const double sd = together(inMillimeters(b.standardDeviation), measures.b.sd());
-  if (std::fabs(measures.b.value - inMillimeters(b.mean)) > proportionSds * sd) return true;
-  const anatomy::Spread h = anatomy::limitsOfH();
-  const double margin = heightSds * measures.h.sd();
-  return measures.h.value < inMillimeters(h.low) - margin ||
-         measures.h.value > inMillimeters(h.high) + margin;
-}
 
 /// Whether A, B or H between two landmarks that a person placed differs from the fitted one.
 bool disagrees(const CochleaMeasures& measures)
@@ -101,7 +88,10 @@ std::vector<Flag> raisedFlags(const CochleaMeasures& measures, const FlagEvidenc
   raise(Flag::fewTurns, !isOfFullLength(evidence.lumen));
   raise(Flag::wallWithoutContrast, evidence.lumen.basalGap >= basalGapLimit);
   raise(Flag::metal, evidence.lumen.metal_mm3 >= minMetal_mm3);
-  raise(Flag::unusualProportions, isOutOfProportion(measures));
+  raise(Flag::unusualProportions,
+        anatomy::areOutOfProportion(millimeters(measures.a.value), millimeters(measures.b.value),
+                                    millimeters(measures.h.value), millimeters(measures.b.sd()),
+                                    millimeters(measures.h.sd())));
   raise(Flag::secondCochlea, measures.otherCochlea_P.has_value());
   raise(Flag::landmarksDisagree, disagrees(measures));
   raise(Flag::seriesInDoubt, evidence.volume.provenance().isInDoubt);

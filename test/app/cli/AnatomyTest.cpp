@@ -237,7 +237,11 @@ TEST(Anatomy, WarnsOfAnImportedShapeThatNoCochleaHas)
     const auto outcome =
         cli({"anatomy", "--import", folder / "stretched.stl", "--json", folder / "read.json"});
     ASSERT_EQ(outcome.status, 0) << outcome.err;
-    const auto warnings = nlohmann::json::parse(contentOf(folder / "read.json"))["warnings"];
+    const auto json = nlohmann::json::parse(contentOf(folder / "read.json"));
+    const auto& warnings = json["warnings"];
+    EXPECT_EQ(json["flags"],
+              isUnusual ? nlohmann::json{"unusual_proportions"} : nlohmann::json::array());
+    EXPECT_EQ(outcome.out.find("B does not fit A, or H is beyond") != std::string::npos, isUnusual);
     bool isWarned = false;
     for (const auto& warning : warnings)
       isWarned = isWarned || warning.get<std::string>().find("H is ") == 0;

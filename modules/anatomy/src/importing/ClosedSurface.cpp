@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "importing/ClosedSurface.h"
 #include "importing/NumberText.h"
+#include "importing/SurfaceCracks.h"
 #include "importing/SurfaceRims.h"
 #include "mesh/Triangles.h"
 
@@ -140,6 +141,7 @@ Result<ClosedSurface> closeSurface(const Surface& soup)
   if (const auto fine = checkPoints(soup); !fine) return fine.error();
   ClosedSurface result;
   result.surface = merged(soup);
+  if (const auto fine = closeCracks(result.surface); !fine) return fine.error();
   auto edges = trianglesAtEdges(result.surface);
   std::size_t crowded = 0;
   for (const auto& [edge, triangles] : edges)
@@ -156,6 +158,9 @@ Result<ClosedSurface> closeSurface(const Surface& soup)
   // the longest rim is the opening, shorter ones are holes
   const std::vector<SurfaceRim> rims = rimsOf(result.surface);
   if (const auto fine = checkRims(result.surface, rims); !fine) return fine.error();
+  result.spike = highestSpike(result.surface);
+  if (!result.spike && !rims.empty() && rims[0].length > openingRim)
+    result.spike = highestSpike(result.surface, rims[0]);
   result.isLid.assign(result.surface.triangles.size(), false);
   for (std::size_t i = 0; i < rims.size(); ++i) {
     const std::vector<int>& rim = rims[i].corners;

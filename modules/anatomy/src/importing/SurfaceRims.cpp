@@ -29,13 +29,6 @@ constexpr double maxInPlane = 0.75;
 
 using Edge = std::pair<int, int>;
 
-std::string placeOf(const Surface& surface, int index)
-{
-  const Eigen::Vector3d place = 1e3 * corner(surface, index);
-  return "(" + inText(place.x(), "%.2f") + ", " + inText(place.y(), "%.2f") + ", " +
-         inText(place.z(), "%.2f") + ") mm";
-}
-
 /// The triangles at each corner of a rim.
 using Fans = std::map<int, std::vector<std::array<int, 3>>>;
 
@@ -81,6 +74,16 @@ std::optional<std::pair<int, double>> tornCorner(const Surface& surface, const S
   return std::nullopt;
 }
 
+SurfaceRim rimOf(const Surface& surface, std::vector<int> corners)
+{
+  SurfaceRim rim{std::move(corners), 0.0};
+  for (std::size_t k = 0; k < rim.corners.size(); ++k)
+    rim.length += (corner(surface, rim.corners[(k + 1) % rim.corners.size()]) -
+                   corner(surface, rim.corners[k]))
+                      .norm();
+  return rim;
+}
+
 /// Area vector of the rim's fan [m^2].
 Eigen::Vector3d areaOf(const Surface& surface, const SurfaceRim& rim)
 {
@@ -110,6 +113,21 @@ double inPlane(const Surface& surface, const SurfaceRim& rim, const Fans& fans)
 
 }  // namespace
 
+std::string placeOf(const Surface& surface, int index)
+{
+  const Eigen::Vector3d place = 1e3 * corner(surface, index);
+  return "(" + inText(place.x(), "%.2f") + ", " + inText(place.y(), "%.2f") + ", " +
+         inText(place.z(), "%.2f") + ") mm";
+}
+
+Error tornAt(const Surface& surface, int index, double gap)
+{
+  return Error{"The surface is torn at " + placeOf(surface, index) + ": a corner lies " +
+               inText(1e3 * gap, "%.2f") +
+               " mm from the others of its rim. Repair it there in the segmentation program, or "
+               "export it again."};
+}
+
 std::vector<SurfaceRim> rimsOf(const Surface& surface)
 {
   std::map<Edge, std::pair<int, Edge>> edges;  // how many triangles, and the way of the last one
@@ -125,19 +143,21 @@ std::vector<SurfaceRim> rimsOf(const Surface& surface)
     if (edge.first == 1) next.emplace(edge.second.second, edge.second.first);
   std::vector<SurfaceRim> rims;
   while (!next.empty()) {
-    SurfaceRim rim;
-    auto step = next.begin();
-    while (step != next.end()) {
-      rim.corners.push_back(step->first);
+    // where a line comes back to one of its corners, the loop between is a rim of its own
+    std::vector<int> line;
+    for (auto step = next.begin(); step != next.end();) {
+      const int from = step->first;
+      const auto loop = std::find(line.begin(), line.end(), from);
+      if (loop != line.end()) {
+        rims.push_back(rimOf(surface, {loop, line.end()}));
+        line.erase(loop, line.end());
+      }
+      line.push_back(from);
       const int to = step->second;
       next.erase(step);
       step = next.find(to);
     }
-    for (std::size_t k = 0; k < rim.corners.size(); ++k)
-      rim.length += (corner(surface, rim.corners[(k + 1) % rim.corners.size()]) -
-                     corner(surface, rim.corners[k]))
-                        .norm();
-    rims.push_back(std::move(rim));
+    rims.push_back(rimOf(surface, std::move(line)));
   }
   std::sort(rims.begin(), rims.end(),
             [](const SurfaceRim& a, const SurfaceRim& b) { return a.length > b.length; });
@@ -149,11 +169,7 @@ Result<Done> checkRims(const Surface& surface, const std::vector<SurfaceRim>& ri
   const Fans fans = fansOf(surface, rims);
   for (const SurfaceRim& rim : rims)
     if (const auto torn = tornCorner(surface, rim, fans))
-      return Error{
-          "The surface is torn at " + placeOf(surface, torn->first) + ": a corner lies " +
-          inText(1e3 * torn->second, "%.2f") +
-          " mm from the others of its rim. Repair it there in the segmentation program, or "
-          "export it again."};
+      return tornAt(surface, torn->first, torn->second);
   if (rims.size() > 1 && rims[1].length > openingRim)
     return Error{
         "The surface has more than one opening: rims of " + inText(1e3 * rims[0].length, "%.2f") +

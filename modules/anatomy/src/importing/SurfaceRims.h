@@ -3,6 +3,7 @@
 
 // Rims of a surface that is not closed: that of its opening, of small holes, and of tears.
 
+#include <string>
 #include <vector>
 
 #include "perilymph/anatomy/Surface.h"
@@ -18,6 +19,12 @@ struct SurfaceRim {
 
 /// A longer rim is the opening, a shorter one a hole of the segmentation [m].
 inline constexpr double openingRim = 2e-3;
+
+/// A corner as "(x, y, z) mm".
+std::string placeOf(const Surface& surface, int index);
+
+/// The refusal of a surface one of whose corners lies so far from its neighbors [m].
+Error tornAt(const Surface& surface, int index, double gap);
 
 /// The rims, the longest first.
 std::vector<SurfaceRim> rimsOf(const Surface& surface);

@@ -229,4 +229,16 @@ Spread limitsOfH()
   return {millimeters(3.26), millimeters(0.24), millimeters(2.3), millimeters(4.8)};
 }
 
+bool areOutOfProportion(Length a, Length b, Length h, Length errorOfB, Length errorOfH)
+{
+  // B of an A: its conditional standard deviations. H: its own beyond the limits of patients.
+  constexpr double proportionSds = 3.5, heightSds = 3.0;
+  const Spread given = expectedB(a);
+  const double sd = std::sqrt(given.standardDeviation.si() * given.standardDeviation.si() +
+                              errorOfB.si() * errorOfB.si());
+  if (std::fabs((b - given.mean).si()) > proportionSds * sd) return true;
+  const Spread limits = limitsOfH();
+  return h < limits.low - heightSds * errorOfH || h > limits.high + heightSds * errorOfH;
+}
+
 }  // namespace perilymph::anatomy

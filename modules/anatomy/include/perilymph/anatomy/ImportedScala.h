@@ -5,6 +5,8 @@
 // a lumen.
 
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "perilymph/anatomy/Lumen.h"
 #include "perilymph/anatomy/Patient.h"
@@ -30,6 +32,12 @@ struct ImportPlace {
   }
 };
 
+/// A reason to check the measures of an imported surface.
+struct ImportDoubt {
+  std::string flag;  ///< "spiked_wall", "opening_in_doubt" or "unusual_proportions".
+  std::string sentence;
+};
+
 /// Result of importing a segmented surface.
 struct ImportedScala {
   Surface wall_W;    ///< The wall in W, open at the opening [m]; a left ear is mirrored.
@@ -43,6 +51,7 @@ struct ImportedScala {
   Length leadIn;    ///< Straight length before the round window, excluded from all measures.
   double volume = 0.0;  ///< Enclosed volume, lead-in included [m^3].
   Entry entry;          ///< The opening, in W.
+  std::vector<ImportDoubt> doubts;
 };
 
 /// Determines axis, round window and measures of a surface in meters.

@@ -63,4 +63,9 @@ Spread expectedB(Length a);
 /// clinical mean (3.26, SD 0.24 mm, Medan) to the highest whole cochlea (4.8 mm, Erixon 2009).
 Spread limitsOfH();
 
+/// Whether B is farther than 3.5 conditional standard deviations from what fits A, or H outside
+/// `limitsOfH()` by more than three standard errors: a malformed cochlea, a stretched scan or a
+/// wrong unit.
+bool areOutOfProportion(Length a, Length b, Length h, Length errorOfB = {}, Length errorOfH = {});
+
 }  // namespace perilymph::anatomy

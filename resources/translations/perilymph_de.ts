@@ -1276,6 +1276,14 @@
         <translation>enthält Voxel, die keine Grauwerte sind. Exportieren Sie das CT als MetaImage (.mha) oder NRRD.</translation>
     </message>
     <message>
+        <source>is a NIfTI-2 file; NIfTI-1 is read. Save the volume as NIfTI-1 (.nii or .nii.gz) or as NRRD.</source>
+        <translation>ist eine NIfTI-2-Datei; gelesen wird NIfTI-1. Speichern Sie das Volumen als NIfTI-1 (.nii oder .nii.gz) oder als NRRD.</translation>
+    </message>
+    <message>
+        <source>is of the modality %1, not CT. Export the CT as NRRD with its voxels in the file.</source>
+        <translation>hat die Modalität %1, nicht CT. Exportieren Sie das CT als NRRD mit den Voxeln in der Datei.</translation>
+    </message>
+    <message>
         <source>is of the modality %1, not CT. Export the CT as MetaImage (.mha) or NRRD.</source>
         <translation>hat die Modalität %1, nicht CT. Exportieren Sie das CT als MetaImage (.mha) oder NRRD.</translation>
     </message>
@@ -1402,6 +1410,34 @@
     <message>
         <source>old min and old max</source>
         <translation>old min und old max</translation>
+    </message>
+    <message>
+        <source>the thickness of its slices</source>
+        <translation>die Dicke der Schichten</translation>
+    </message>
+    <message>
+        <source>the steps of space directions</source>
+        <translation>den Schritten von space directions</translation>
+    </message>
+    <message>
+        <source>thicknesses</source>
+        <translation>thicknesses</translation>
+    </message>
+    <message>
+        <source>its geometry</source>
+        <translation>die Geometrie</translation>
+    </message>
+    <message>
+        <source>a field</source>
+        <translation>einem Feld</translation>
+    </message>
+    <message>
+        <source>a key with a value</source>
+        <translation>einem Schlüssel mit Wert</translation>
+    </message>
+    <message>
+        <source>one of both may be wrong, so check the voxel size in the original series</source>
+        <translation>eine von beiden kann falsch sein, prüfen Sie die Voxelgröße in der Originalserie</translation>
     </message>
     <message>
         <source>ElementSpacing times TransformMatrix</source>

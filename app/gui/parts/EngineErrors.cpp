@@ -179,6 +179,12 @@ constexpr const char* messages[] = {
     QT_TRANSLATE_NOOP("Data", "is cut off or damaged. Copy or export it again."),
     QT_TRANSLATE_NOOP(
         "Data", "is no NIfTI-1 file with its voxels in it. Save the volume as .nii or .nii.gz."),
+    QT_TRANSLATE_NOOP("Data",
+                      "is a NIfTI-2 file; NIfTI-1 is read. Save the volume as NIfTI-1 (.nii or "
+                      ".nii.gz) or as NRRD."),
+    QT_TRANSLATE_NOOP("Data",
+                      "is of the modality %1, not CT. Export the CT as NRRD with its voxels in the "
+                      "file."),
     QT_TRANSLATE_NOOP("Data", "holds more than one volume. Save the CT alone."),
     QT_TRANSLATE_NOOP(
         "Data",

@@ -146,6 +146,7 @@ std::map<const StatedTwice*, std::vector<Disagreeing>> disagreeing()
          [](double f) { return gzipped(resized(niftiOfBothForms().content, 1.0 / f)); }}}},
       {&nrrd::voxelSize,
        {{"a.nrrd", [](double f) { return nrrdWith(spacings("spacings: ", f)); }},
+        {"c.nrrd", [](double f) { return nrrdWith(spacings("spacing:=", f)); }},
         {"b.nrrd", [](double f) { return nrrdWith("spacings: nan nan " + text(0.6 / f)); }}}},
       {&nrrd::extent,
        {{"a.nrrd",
@@ -164,6 +165,22 @@ std::map<const StatedTwice*, std::vector<Disagreeing>> disagreeing()
        {{"a.nrrd", [](double f) { return nrrdWith("number: " + text(std::round(960 * f))); }}}},
       {&nrrd::grayValues,
        {{"a.nrrd", [](double) { return nrrdWith("old min: -1024\nold max: 3071"); }, false}}},
+      {&nrrd::thickness,
+       {{"a.nrrd",
+         [](double f) { return nrrdWith("thicknesses: nan nan " + text(0.6 * 5.0 * f)); }},
+        {"b.nrrd",
+         [](double f) { return nrrdWith("thicknesses: nan nan " + text(0.6 * 0.195 / f)); }},
+        {"c.nrrd", [](double f) { return nrrdWith("thickness:=nan nan " + text(3.0 * f)); }}}},
+      {&nrrd::keyValue,
+       {{"a.nrrd",
+         [](double f) { return nrrdWith("spacings: 0.3 0.4 0.6\n" + spacings("Spacing:=", f)); }},
+        {"b.nrrd", [](double) { return nrrdWith("sizes:=12 10 9"); }, false},
+        {"c.nrrd", [](double) { return nrrdWith("space_origin:=(0,0,0)"); }, false},
+        {"d.nrrd",
+         [](double) {
+           return nrrdWith("space units:=\"cm\" \"cm\" \"cm\"\nspace units: \"mm\" \"mm\" \"mm\"");
+         },
+         false}}},
       {&nrrd::field,
        {{"a.nrrd", [](double) { return nrrdWith("space: RAS"); }, false},
         {"b.nrrd", [](double) { return nrrdWith("dimension: 2"); }, false},
@@ -298,6 +315,8 @@ TEST_F(VolumeStatements, ThatAgreeAreTakenWithoutAWord)
       {"a.nrrd", nrrdWith("spacings: 0.3 nan 0.6\nspace units: \"mm\" \"mm\" \"mm\"\nnumber: 960")},
       {"b.nrrd", nrrdWith("axis mins: 0 0 0\naxis maxs: 3.3 3.6 4.2\nspace dimension: 3")},
       {"c.nrrd", nrrdWith("axis mins: 0 0 0\naxis maxs: 3.6 4.0 4.8\nSpace: LPS")},
+      {"d.nrrd", nrrdWith("thicknesses: nan nan 1.2\nspacing:=0.30 0.40 0.60\nsizes:=12 10 8\n"
+                          "modality:=CT\nunits:=HU\ntype:=temporal bone")},
       {"a.mha", metaHeader("ElementSize = 0.3 0.4 0.6\nAnatomicalOrientation = RAI\nElementMin = "
                            "-1024\nElementMax = 3068\n") +
                     obliqueVoxels()},
@@ -308,6 +327,33 @@ TEST_F(VolumeStatements, ThatAgreeAreTakenWithoutAWord)
     ASSERT_TRUE(loaded) << loaded.error().message;
     EXPECT_THAT(loaded->series.warnings, testing::Not(Contains(HasSubstr("twice")))) << name;
     EXPECT_FALSE(loaded->volume.provenance().isInDoubt) << name;
+  }
+}
+
+TEST_F(VolumeStatements, OfAnotherModalityAreRefused)
+{
+  for (const char* const modality : {"MR", "PT", "DWMRI", "ultrasound"})
+    for (const char* const key : {"modality:=", "Modality:= ", "DICOM_0008_0060_Modality:="}) {
+      std::ofstream(folder_ / "a.nrrd", std::ios::binary) << nrrdWith(std::string(key) + modality);
+      const auto loaded = readCt(folder_ / "a.nrrd");
+      ASSERT_FALSE(loaded) << key << modality;
+      EXPECT_EQ(loaded.error().message, (folder_ / "a.nrrd").string() + " is of the modality " +
+                                            modality +
+                                            ", not CT. Export the CT as NRRD with its voxels in "
+                                            "the file.");
+    }
+}
+
+TEST_F(VolumeStatements, OfNifti2AreRefusedWithWhatToDo)
+{
+  for (const bool isBigEndian : {false, true}) {
+    Bytes bytes(544 + 2 * voxelCount, isBigEndian);
+    bytes.put<std::int32_t>(0, 540);
+    std::memcpy(bytes.content.data() + 4, "n+2\0\r\n\032\n", 8);
+    std::ofstream(folder_ / "a.nii", std::ios::binary | std::ios::trunc) << bytes.content;
+    const auto loaded = readCt(folder_ / "a.nii");
+    ASSERT_FALSE(loaded);
+    EXPECT_THAT(loaded.error().message, HasSubstr("is a NIfTI-2 file; NIfTI-1 is read. Save"));
   }
 }
 

@@ -91,6 +91,18 @@ inline constexpr StatedTwice grayValues{
     0.0,
     Disagreement::warn,
     "they are read as stored, so check that bone is above 1000"};
+inline constexpr StatedTwice thickness{
+    "NRRD",
+    "the thickness of its slices",
+    "the steps of space directions",
+    "thicknesses",
+    "mm",
+    0.8,
+    0.0,
+    Disagreement::warn,
+    "one of both may be wrong, so check the voxel size in the original series"};
+inline constexpr StatedTwice keyValue =
+    refusedPair("NRRD", "its geometry", "a field", "a key with a value", "", 0.0);
 inline constexpr StatedTwice field =
     refusedPair("NRRD", "one field", "its first line", "a later line", "", 0.0);
 inline constexpr StatedTwice bytes = voxelBytes("NRRD", "its data");

@@ -292,6 +292,11 @@ Result<VolumeFile> readNiftiHeader(const std::filesystem::path& file)
   const bool isBigEndian = Header(*bytes, false).bits(0, 4) != headerBytes;
   const Header header(*bytes, isBigEndian);
   const std::string name = file.string();
+  if (bytes->substr(4, 3) == "n+2" || bytes->substr(4, 3) == "ni2")
+    return Error{
+        name +
+        " is a NIfTI-2 file; NIfTI-1 is read. Save the volume as NIfTI-1 (.nii or .nii.gz) "
+        "or as NRRD."};
   if (header.bits(0, 4) != headerBytes || bytes->substr(344, 4) != std::string("n+1", 4))
     return Error{name +
                  " is no NIfTI-1 file with its voxels in it. Save the volume as .nii or .nii.gz."};

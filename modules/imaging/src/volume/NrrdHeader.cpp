@@ -49,19 +49,59 @@ std::optional<VoxelType> nrrdType(const std::string& name)
   return found->second;
 }
 
+/// Keys of the user, by name in lower case without blanks.
+using Keys = std::map<std::string, std::string>;
+
 /// Adds a line's field; false if it is none or contradicts an earlier one.
-bool addLine(const std::string& line, const std::string& subject, HeaderFields& fields)
+bool addLine(const std::string& line, const std::string& subject, HeaderFields& fields, Keys& keys)
 {
   const std::size_t field = line.find(": "), pair = line.find(":=");
   // key:=value pairs are the user's
   const bool isPair = pair != std::string::npos && (field == std::string::npos || pair < field);
-  if (line.empty() || line.starts_with('#') || line.starts_with("NRRD000") || isPair) return true;
+  if (line.empty() || line.starts_with('#') || line.starts_with("NRRD000")) return true;
+  if (isPair) {
+    std::string key = lowerCase(line.substr(0, pair));
+    std::erase_if(key, [](char c) { return c == ' ' || c == '\t' || c == '_'; });
+    keys.insert_or_assign(key, trimmed(line.substr(pair + 2)));
+    return true;
+  }
   if (field == std::string::npos) {
     fields.conflict =
         subject + " is damaged: a line of its header is no field. Copy or export it again.";
     return false;
   }
   return fields.add(line.substr(0, field), line.substr(field + 2), subject, nrrd::field);
+}
+
+bool areEqual(const std::vector<double>& a, const std::vector<double>& b)
+{
+  return !a.empty() && std::equal(a.begin(), a.end(), b.begin(), b.end(), [](double x, double y) {
+    return std::fabs(x - y) <= sizeTolerance * std::max(std::fabs(x), std::fabs(y));
+  });
+}
+
+/// Keys of the user that name the geometry state it a second time: they must agree with its field.
+/// Without one, those of spacing, thickness and unit take its place and are compared with the
+/// others.
+void addKeys(const Keys& keys, const std::string& subject, HeaderFields& fields)
+{
+  static const std::map<std::string, const char*> geometry = {
+      {"spacing", "spacings"},        {"spacings", "spacings"},
+      {"thickness", "thicknesses"},   {"thicknesses", "thicknesses"},
+      {"spaceunits", "spaceunits"},   {"sizes", "sizes"},
+      {"spaceorigin", "spaceorigin"}, {"spacedirections", "spacedirections"}};
+  for (const auto& [key, value] : keys) {
+    if (key == "modality" || key.ends_with("00080060modality")) fields.modality = value;
+    const auto known = geometry.find(key);
+    if (known == geometry.end()) continue;
+    const std::string field = known->second;
+    HeaderFields stated;
+    stated.add(field, value, subject, nrrd::keyValue);
+    const bool isOptional = field == "spacings" || field == "thicknesses" || field == "spaceunits";
+    if (!fields.has(field) && !isOptional) continue;
+    if (fields.has(field) && areEqual(fields.numbers(field), stated.numbers(field))) continue;
+    if (!fields.add(field, value, subject, nrrd::keyValue)) return;
+  }
 }
 
 /// The fields of the header; none where there is no whole header. A detached one ends with the file,
@@ -71,13 +111,21 @@ std::optional<HeaderFields> nrrdFields(const std::filesystem::path& file)
   const std::string content = headOf(file);
   if (content.rfind("NRRD000", 0) != 0) return std::nullopt;
   HeaderFields fields;
+  Keys keys;
+  bool isWhole = false, isFine = true;
   while (const auto line = lineAt(content, fields.end)) {
     fields.end = line->end;
-    if (line->text.empty() || !addLine(line->text, file.string(), fields)) return fields;
+    isWhole = line->text.empty();
+    isFine = isWhole || addLine(line->text, file.string(), fields, keys);
+    if (isWhole || !isFine) break;
   }
-  addLine(content.substr(fields.end), file.string(), fields);
-  fields.end = content.size();
-  return fields.has("datafile") ? std::optional(fields) : std::nullopt;
+  if (!isWhole && isFine) {
+    isFine = addLine(content.substr(fields.end), file.string(), fields, keys);
+    fields.end = content.size();
+    if (!fields.has("datafile")) return std::nullopt;
+  }
+  if (isFine) addKeys(keys, file.string(), fields);
+  return fields;
 }
 
 /// Sentences of an NRRD's refusal.
@@ -126,13 +174,15 @@ Result<Units> unitsOf(const HeaderFields& fields, const std::string& name)
 
 /// Refuses numbers per axis that state another voxel size than the directions; a NaN states none.
 Result<Done> checkSpacings(const HeaderFields& fields, const std::string& name,
-                           const Eigen::Vector3d& lengths, const VolumeFile& volume,
+                           const Eigen::Vector3d& lengths, VolumeFile& volume,
                            const Eigen::Vector3d& unit_mm)
 {
   const std::vector<double> spacings = fields.numbers("spacings"),
-                            mins = fields.numbers("axismins"), maxs = fields.numbers("axismaxs");
+                            mins = fields.numbers("axismins"), maxs = fields.numbers("axismaxs"),
+                            thicknesses = fields.numbers("thicknesses");
   for (const auto& [field, numbers] :
-       {std::pair("spacings", spacings), std::pair("axismins", mins), std::pair("axismaxs", maxs)})
+       {std::pair("spacings", spacings), std::pair("axismins", mins), std::pair("axismaxs", maxs),
+        std::pair("thicknesses", thicknesses)})
     if (fields.has(field) && numbers.size() != 3)
       return Error{name + " has a field '" + field +
                    "' that is not one number for each of its three axes: '" + fields.text(field) +
@@ -143,6 +193,11 @@ Result<Done> checkSpacings(const HeaderFields& fields, const std::string& name,
       if (const auto differs = disagreement(name, nrrd::voxelSize, lengths[a],
                                             unit_mm[a] * std::fabs(spacings[axis]), alongAxis(a)))
         return Error{*differs};
+    if (!thicknesses.empty() && !std::isnan(thicknesses[axis]))
+      if (const auto differs =
+              disagreement("The file", nrrd::thickness, lengths[a],
+                           unit_mm[a] * std::fabs(thicknesses[axis]), alongAxis(a)))
+        volume.warnings.push_back(*differs);
     if (mins.empty() || maxs.empty() || std::isnan(mins[axis]) || std::isnan(maxs[axis])) continue;
     // from center to center, or from edge to edge
     const double extent = unit_mm[a] * std::fabs(maxs[axis] - mins[axis]);
@@ -199,6 +254,9 @@ Result<Done> nrrdSize(const HeaderFields& fields, const std::filesystem::path& f
                          number.size() == 1 ? number[0] : std::numeric_limits<double>::quiet_NaN()))
       return Error{*differs};
   }
+  if (const std::string modality = lowerCase(fields.modality);
+      !modality.empty() && modality != "ct" && modality != "ot" && modality != "xa")
+    return refuse("is of the modality " + fields.modality + ", not CT.");
   for (const std::string& kind : wordsOf(fields.word("kinds")))
     if (kind != "domain" && kind != "space" && kind != "none" && kind != "???")
       return refuse("has an axis of the kind '" + kind + "', which is none in space.");

@@ -234,7 +234,7 @@ Result<StoredPlan> planIn(const std::string& text, const std::string& name)
       return Error{name + " is of a newer program (format " + std::to_string(format) +
                    "). Open it with that one."};
     StoredPlan stored = storedIn(json);
-    stored.plan.seal = sealIn(text, format >= planFormat);
+    stored.plan.seal = sealIn(text, format >= planFormat, stored.program);
     if (stored.plan.seal == Seal::changed) stored.plan.fingerprint.clear();
     return stored;
   } catch (const Unreadable& error) {

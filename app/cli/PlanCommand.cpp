@@ -7,6 +7,7 @@
 #include "Commands.h"
 #include "Interruption.h"
 #include "OutputFolder.h"
+#include "PatientOption.h"
 #include "PlanOptions.h"
 #include "Terminal.h"
 #include "perilymph/analysis/CsvField.h"
@@ -23,9 +24,7 @@ constexpr const char* drawsFile = "draws.sqlite";
 
 Result<planning::PlanRequest> requestOf(const PlanOptions& options)
 {
-  const auto file = findByName("patient", "resources/patients", options.patient);
-  if (!file) return file.error();
-  const auto patient = anatomy::loadPatient(*file);
+  const auto patient = readPatient(options.patient);
   if (!patient) return patient.error();
   planning::PlanRequest request;
   request.patient = *patient;

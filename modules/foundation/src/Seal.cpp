@@ -6,17 +6,11 @@
 #include <charconv>
 #include <cstdint>
 
-#include "perilymph/foundation/Choice.h"
-
 namespace perilymph {
 
 namespace {
 
 constexpr std::size_t digits = 64;  // of SHA-256
-
-constexpr std::array names{Choice<Seal>{Seal::intact, "intact"},
-                           Choice<Seal>{Seal::absent, "absent"},
-                           Choice<Seal>{Seal::changed, "changed"}};
 
 /// Where the digits of the seal begin in a JSON text; npos without one. In a JSON string every
 /// quotation mark follows a backslash, so that no other text looks like the key.
@@ -42,8 +36,6 @@ Seal withoutSeal(bool isInFormat, std::string_view program)
 }
 
 }  // namespace
-
-const char* nameOf(Seal seal) noexcept { return nameIn(names, seal); }
 
 std::string noteOn(Seal seal)
 {

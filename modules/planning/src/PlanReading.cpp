@@ -181,6 +181,7 @@ anatomy::Patient patientIn(const Json& value)
   if (choiceAt(value, "errors", errorSources) == ErrorSource::measured) patient.errors = errors;
   patient.origin.seriesKey = textOr(value, "series_sha256");
   patient.origin.software = textOr(value, "measured_with");
+  if (value.contains("seal")) patient.seal = choiceAt(value, "seal", seals);
   if (const auto possible = anatomy::checkPatient(patient); !possible)
     throw Unreadable("its patient is not possible (" + possible.error().message + ")");
   return patient;

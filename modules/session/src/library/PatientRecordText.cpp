@@ -51,7 +51,7 @@ Json versionJson(const PatientVersion& version)
                {"patient_toml", version.patient}};
   if (const auto patient = anatomy::patientIn(version.patient, "version")) {
     json["measures"] = measuresJson(*patient);
-    json["series_sha256"] = patient->origin.seriesKey;
+    json["series_sha256"] = statedSeries(*patient);
   }
   json["landmarks"] = Json::array();
   for (const PatientLandmark& each : version.landmarks)

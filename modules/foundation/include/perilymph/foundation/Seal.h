@@ -4,11 +4,13 @@
 // The seal of a file with results: a hash of its content, written into it by the program. It detects
 // a change by hand or by a damaged disk; it does not prove who wrote the file.
 
+#include <array>
 #include <compare>
 #include <map>
 #include <string>
 #include <string_view>
 
+#include "perilymph/foundation/Choice.h"
 #include "perilymph/foundation/Sha256.h"
 
 namespace perilymph {
@@ -20,8 +22,11 @@ enum class Seal {
   changed,  ///< It was changed after the program wrote it: it has no number of its own.
 };
 
+inline constexpr std::array seals{Choice<Seal>{Seal::intact, "intact"},
+                                  Choice<Seal>{Seal::absent, "absent"},
+                                  Choice<Seal>{Seal::changed, "changed"}};
 /// "intact", "absent" or "changed", in JSON and Python.
-const char* nameOf(Seal seal) noexcept;
+constexpr const char* nameOf(Seal seal) { return nameIn(seals, seal); }
 
 /// A sentence about a file whose seal is absent or broken; empty for an intact one.
 std::string noteOn(Seal seal);

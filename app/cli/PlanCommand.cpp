@@ -98,6 +98,9 @@ Result<Done> plan(const PlanOptions& options, const CallFiles& files)
   if (!request) return request.error();
   if (const auto done = checkFolder(options.out); !done) return done.error();
   std::error_code failure;
+  const bool isOwn = std::filesystem::exists(
+      std::filesystem::symlink_status(std::filesystem::path(options.out) / drawsFile, failure));
+  if (const auto done = checkReplaced(options.out, planFiles(), isOwn); !done) return done.error();
   std::filesystem::create_directories(options.out, failure);
   if (failure)
     return Error{options.out + " cannot be created: " + failure.message() +

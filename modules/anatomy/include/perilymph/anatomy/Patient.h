@@ -57,8 +57,8 @@ struct Patient {
   std::optional<BasalTurn> basalTurn = std::nullopt;
   std::optional<BasalTurnErrors> errors = std::nullopt;  ///< Errors of `basalTurn`, if known.
   MeasurementOrigin origin = {};                         ///< Origin of `basalTurn`.
-  /// Of the file or plan that it was read from: `changed` was changed after the program wrote it,
-  /// `absent` was never sealed, such as a file that a person wrote.
+  /// State of the file or plan that it was read from: `changed` after the program wrote it, or
+  /// `absent`, never sealed, such as a file that a person wrote.
   Seal seal = Seal::intact;
 };
 

@@ -43,7 +43,7 @@ struct ShardState {
   Shard shard;              ///< Without index and count if the file is not readable.
   std::size_t done = 0;     ///< Insertions in it.
   std::size_t cases = 0;    ///< Insertions of the whole study.
-  std::string fingerprint;  ///< Of the study.
+  std::string fingerprint;  ///< Identity of the study.
   std::string error;        ///< A message if it is not readable.
 };
 /// The shards in a folder, sorted by their first case.

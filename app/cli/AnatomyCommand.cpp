@@ -4,6 +4,7 @@
 #include "AnatomySurfaces.h"
 #include "Commands.h"
 #include "JsonText.h"
+#include "PatientOption.h"
 #include "Terminal.h"
 #include "perilymph/analysis/AnatomyMeasures.h"
 #include "perilymph/analysis/ErrorBand.h"
@@ -26,9 +27,7 @@ Result<anatomy::Cochlea> chooseCochlea(const AnatomyOptions& options)
 {
   anatomy::Patient patient;
   if (!options.patient.empty()) {
-    const auto file = findByName("patient", "resources/patients", options.patient);
-    if (!file) return file.error();
-    const auto loaded = anatomy::loadPatient(*file);
+    const auto loaded = readPatient(options.patient);
     if (!loaded) return loaded.error();
     patient = *loaded;
   }
@@ -101,6 +100,7 @@ std::string anatomyJson(const anatomy::Cochlea& cochlea,
   json["anatomy"] = nameOf(cochlea.source);
   json["credit"] = sectionCredit;
   json["given"] = givenNumbers(cochlea);
+  if (!noteOn(patient).empty()) json["seal"] = nameOf(patient.seal);
   if (const auto unusual = anatomy::unusualMeasures(patient); !unusual.empty())
     json["unusual"] = unusual;
   for (const analysis::Measure& measure : measures) json[measure.key] = measure.value;

@@ -15,7 +15,7 @@ void printSummary(const std::vector<analysis::ComparedInsertion>& insertions)
   print("{:24} {:>8} {:>8} {:>9} {:>9} {:>7}\n", "recording", "peak, mN", "at, mm", "work, mJ",
         "reversals", "time, s");
   for (const analysis::ComparedInsertion& each : insertions)
-    print("{:24} {:>8} {:>8} {:>9} {:>9} {:>7}\n", each.name,
+    print("{:24} {:>8} {:>8} {:>9} {:>9} {:>7}\n", labelOf(each),
           fixed(inMillinewtons(newtons(each.profile.peak.force)), 1),
           fixed(inMillimeters(meters(each.profile.peak.travel)), 1),
           fixed(each.profile.work * 1e3, 4), each.reversals, fixed(each.profile.duration, 2));
@@ -29,6 +29,8 @@ Result<Done> compare(const CompareOptions& options, const CallFiles& files)
   for (const std::string& file : options.files) {
     auto compared = analysis::readCompared(file);
     if (!compared) return compared.error();
+    if (const std::string note = noteOn(compared->check, file); !note.empty())
+      printError("{}\n", note);
     insertions.push_back(std::move(*compared));
   }
   analysis::tellApart(insertions);

@@ -69,6 +69,19 @@ Result<Done> checkFolder(const std::string& folder)
   return Done{};
 }
 
+Result<Done> checkReplaced(const fs::path& folder, const std::vector<std::string>& names,
+                           bool isOwn)
+{
+  std::error_code ignored;
+  if (isOwn) return Done{};
+  for (const std::string& name : names)
+    if (fs::exists(fs::symlink_status(folder / name, ignored)))
+      return Error{folder.string() + " has a file " + name +
+                   " that this command did not write; it is not replaced. Give --out another "
+                   "folder, or move the file away."};
+  return Done{};
+}
+
 Result<Done> writeFolder(const CallFiles& files, const std::string& folder,
                          const FolderContent& content)
 {

@@ -19,6 +19,13 @@ namespace perilymph::cli {
 /// Checks, before the work, that a folder can be created and filled.
 Result<Done> checkFolder(const std::string& folder);
 
+/// Checks, before the work, that a folder has no files of other origin that would be replaced.
+///
+/// @param names   Files that the command replaces.
+/// @param isOwn   Whether the folder is one that the command made, which it continues or fills again.
+Result<Done> checkReplaced(const std::filesystem::path& folder,
+                           const std::vector<std::string>& names, bool isOwn);
+
 /// The files of the folder.
 struct FolderContent {
   std::vector<std::pair<std::string, std::string>> texts;         ///< Name and content.

@@ -7,6 +7,7 @@
 #include "Commands.h"
 #include "Interruption.h"
 #include "OutputFolder.h"
+#include "PatientOption.h"
 #include "PlanOptions.h"
 #include "Terminal.h"
 #include "perilymph/analysis/CsvField.h"
@@ -23,9 +24,7 @@ constexpr const char* drawsFile = "draws.sqlite";
 
 Result<planning::PlanRequest> requestOf(const PlanOptions& options)
 {
-  const auto file = findByName("patient", "resources/patients", options.patient);
-  if (!file) return file.error();
-  const auto patient = anatomy::loadPatient(*file);
+  const auto patient = readPatient(options.patient);
   if (!patient) return patient.error();
   planning::PlanRequest request;
   request.patient = *patient;
@@ -99,6 +98,9 @@ Result<Done> plan(const PlanOptions& options, const CallFiles& files)
   if (!request) return request.error();
   if (const auto done = checkFolder(options.out); !done) return done.error();
   std::error_code failure;
+  const bool isOwn = std::filesystem::exists(
+      std::filesystem::symlink_status(std::filesystem::path(options.out) / drawsFile, failure));
+  if (const auto done = checkReplaced(options.out, planFiles(), isOwn); !done) return done.error();
   std::filesystem::create_directories(options.out, failure);
   if (failure)
     return Error{options.out + " cannot be created: " + failure.message() +

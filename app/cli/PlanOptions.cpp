@@ -9,9 +9,6 @@
 
 namespace perilymph::cli {
 
-namespace {
-
-/// Names of the files of a plan.
 std::vector<std::string> planFiles()
 {
   std::vector<std::string> names = {"plan.json", "arrays.csv", "contacts.csv", "shapes.csv"};
@@ -25,8 +22,6 @@ std::vector<std::string> planFiles()
   }
   return names;
 }
-
-}  // namespace
 
 void addPlan(CLI::App& app, FileOptions& files, PlanOptions& options)
 {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "CallFiles.h"
+#include "PatientOption.h"
 #include "Terminal.h"
 #include "perilymph/charts/FigurePicture.h"
 #include "perilymph/charts/UnrolledScala.h"
@@ -66,9 +67,7 @@ Result<Done> drawAnatomy(const RenderOptions& options, visualization::PictureReq
     cochlea.patient.label = options.preset;
   }
   if (!options.patient.empty()) {
-    const auto file = findByName("patient", "resources/patients", options.patient);
-    if (!file) return file.error();
-    const auto patient = anatomy::loadPatient(*file);
+    const auto patient = readPatient(options.patient);
     if (!patient) return patient.error();
     cochlea.patient = *patient;
     cochlea.source = sourceScaledBy(measuresOf(*patient));
@@ -90,6 +89,7 @@ Result<Done> drawInsertion(const RenderOptions& options, const CallFiles& files,
   const auto scenario = session::loadScenario(options.scenario, overrides);
   if (!scenario) return scenario.error();
   if (const auto done = files.checkScenarioFiles(scenario->files()); !done) return done.error();
+  printNoteOn(scenario->patient());
   const Length wanted = options.at_mm ? millimeters(*options.at_mm) : scenario->stopTravel();
   if (wanted < Length() || wanted > scenario->stopTravel())
     return Error{"--at-mm is " + fixed(inMillimeters(wanted), 2) + "; it must be between 0 and " +

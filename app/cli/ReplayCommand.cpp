@@ -91,6 +91,12 @@ Result<Done> replay(const ReplayOptions& options)
   const auto recorded = session::RecordedInsertion::open(options.file);
   if (!recorded) return recorded.error();
   if (!recorded->note().empty()) printError("{}\n", recorded->note());
+  if (!options.verifies) {  // verifyBits() checks it itself
+    const auto check = recorded->check();
+    if (!check) return check.error();
+    if (const std::string note = noteOn(*check, options.file); !note.empty())
+      printError("{}\n", note);
+  }
   if (!options.csv.empty())
     if (const auto done = writeRows(*recorded, options.csv); !done) return done.error();
   if (options.verifies) return verifyBits(options.file);

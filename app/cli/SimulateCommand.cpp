@@ -6,6 +6,7 @@
 #include "Commands.h"
 #include "Interruption.h"
 #include "LiveBroadcast.h"
+#include "PatientOption.h"
 #include "Terminal.h"
 #include "perilymph/analysis/SimulatedInsertion.h"
 #include "perilymph/device/ScriptedDevice.h"
@@ -129,6 +130,7 @@ Result<Done> simulate(const SimulateOptions& options, const CallFiles& files)
   const auto scenario = session::loadScenario(options.scenario, options.overrides);
   if (!scenario) return scenario.error();
   if (const auto done = files.checkScenarioFiles(scenario->files()); !done) return done.error();
+  printNoteOn(scenario->patient());
 
   std::optional<std::filesystem::path> record;
   if (!options.record.empty()) record = options.record;

@@ -10,6 +10,7 @@
 #include "Commands.h"
 #include "Interruption.h"
 #include "OutputFolder.h"
+#include "StudyOptions.h"
 #include "Terminal.h"
 #include "perilymph/analysis/FullInsertion.h"
 #include "perilymph/study/StudyFile.h"
@@ -76,6 +77,7 @@ Result<study::Shard> shardIn(const study::Study& study, const StudyOptions& opti
 Result<Done> runPart(const study::Study& study, const study::Shard& shard,
                      const StudyOptions& options)
 {
+  if (const auto checked = checkStudyFolder(options.folder); !checked) return checked;
   watchForInterruption();
   const auto done = study::runShard(study, shard, options.folder, options.jobs, progressShown());
   if (!done) return done.error();
@@ -84,6 +86,12 @@ Result<Done> runPart(const study::Study& study, const study::Shard& shard,
 }
 
 }  // namespace
+
+Result<Done> checkStudyFolder(const std::string& folder)
+{
+  const auto states = study::shardsIn(folder);  // none where there is no folder yet
+  return checkReplaced(folder, {study::mergedFile, study::mergedTable}, states && !states->empty());
+}
 
 Result<Done> checkStudy(const StudyOptions& options)
 {
@@ -180,18 +188,29 @@ Result<Done> showStudyStatus(const StudyOptions& options)
 {
   const auto states = study::shardsIn(options.folder);
   if (!states) return states.error();
-  std::size_t done = 0, all = 0;
+  // Of the study that the first part is of: parts of two divisions may have insertions in common.
+  const study::ShardState* first = nullptr;
+  std::size_t done = 0, counted = 0, parts = 0;
   for (const study::ShardState& state : *states) {
     if (!state.error.empty()) {
       print("{}\n", state.error);
       continue;
     }
-    const std::size_t own = state.shard.end - state.shard.first;
-    done += state.done;
-    all += own;
-    print("{}: {} of {}\n", state.file.filename().string(), state.done, own);
+    if (first == nullptr) first = &state;
+    if (state.fingerprint != first->fingerprint || state.cases != first->cases) {
+      print("{} is of another study than {}\n", state.file.filename().string(),
+            first->file.filename().string());
+      continue;
+    }
+    const std::size_t end = state.shard.first + state.done;
+    done += end - std::min(end, std::max(counted, state.shard.first));
+    counted = std::max(counted, end);
+    ++parts;
+    print("{}: {} of {}\n", state.file.filename().string(), state.done,
+          state.shard.end - state.shard.first);
   }
-  print("{} parts, {} of {} insertions\n", states->size(), done, all);
+  print("{} {}, {} of {} insertions of the study\n", parts, parts == 1 ? "part" : "parts", done,
+        first == nullptr ? 0 : first->cases);
   return Done{};
 }
 

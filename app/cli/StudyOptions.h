@@ -18,4 +18,8 @@ void addStudy(CLI::App& app, FileOptions& files, StudyOptions& options);
 /// Runs the one that was given.
 Result<Done> runStudy(const CLI::App& study, const CallFiles& files, const StudyOptions& options);
 
+/// Checks, before the work, that a study's folder has no files of other origin that a merge would
+/// replace.
+Result<Done> checkStudyFolder(const std::string& folder);
+
 }  // namespace perilymph::cli

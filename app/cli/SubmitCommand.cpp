@@ -6,6 +6,8 @@
 #include <filesystem>
 
 #include "Commands.h"
+#include "OutputFolder.h"
+#include "StudyOptions.h"
 #include "Terminal.h"
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/foundation/Program.h"
@@ -91,6 +93,12 @@ Result<Done> submitStudy(const StudyOptions& options)
     return Done{};
   }
 
+  if (const auto done = checkStudyFolder(request.folder.string()); !done) return done;
+  std::vector<std::string> foreign;
+  for (const study::SlurmScript& script : jobs->arrays)
+    if (!study::isSlurmScript(request.folder / script.name)) foreign.push_back(script.name);
+  if (!study::isSlurmScript(request.folder / jobs->merge.name)) foreign.push_back(jobs->merge.name);
+  if (const auto done = checkReplaced(request.folder, foreign, false); !done) return done;
   fs::create_directories(request.folder, problem);
   if (problem)
     return Error{request.folder.string() + " cannot be created: " + problem.message() +

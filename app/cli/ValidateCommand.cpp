@@ -4,6 +4,7 @@
 #include "Commands.h"
 #include "Interruption.h"
 #include "OutputFolder.h"
+#include "PatientOption.h"
 #include "Terminal.h"
 #include "perilymph/analysis/ValidationReport.h"
 #include "perilymph/foundation/Resources.h"
@@ -44,6 +45,7 @@ Result<Done> validate(const ValidateOptions& options, const CallFiles& files)
   auto scenario = session::loadScenario(variability->scenario, options.overrides);
   if (!scenario) return scenario.error();
   if (const auto done = files.checkScenarioFiles(scenario->files()); !done) return done.error();
+  printNoteOn(scenario->patient());
   const auto references = analysis::validationReferences();
   if (!references) return references.error();
 

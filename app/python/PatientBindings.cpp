@@ -128,6 +128,10 @@ void definePatient(py::module_& module)
       .def_property_readonly(
           "h_sd_mm", [](const Patient& one) { return lengthIn(one.errors, &BasalTurnErrors::h); },
           "Standard deviation of the error of H [mm], or None.")
+      .def_property_readonly(
+          "seal", [](const Patient& one) { return nameOf(one.seal); },
+          "'intact', 'absent' (a file without a seal) or 'changed' (by hand, after the program "
+          "wrote it).")
       .def("unusual", &anatomy::unusualMeasures,
            "A sentence for each measure that is rare in the population, or does not match another.")
       .def(

@@ -1831,6 +1831,122 @@
         <source>states by its intent_code %1 that its voxels are labels or statistics and no gray values. Save the CT itself, with the code 0.</source>
         <translation>gibt durch intent_code %1 an, dass ihre Voxel Markierungen oder Statistik sind und keine Grauwerte. Speichern Sie den CT selbst, mit dem Code 0.</translation>
     </message>
+    <message>
+        <source>The measures of %1 were changed by hand after the program wrote them. Do not use them as measured in a CT.</source>
+        <translation>Die Maße von %1 wurden von Hand geändert, nachdem das Programm sie geschrieben hatte. Verwenden Sie sie nicht als in einem CT gemessen.</translation>
+    </message>
+    <message>
+        <source>The measures of %1 carry no seal: their file is of an earlier version or of another program.</source>
+        <translation>Die Maße von %1 tragen kein Siegel: ihre Datei ist von einer früheren Version oder von einem anderen Programm.</translation>
+    </message>
+    <message>
+        <source>%1 would be larger than 4 MiB. Shorten the notes or remove scans.</source>
+        <translation>%1 würde größer als 4 MiB. Kürzen Sie die Notizen, oder entfernen Sie Aufnahmen.</translation>
+    </message>
+    <message>
+        <source>%1 is not a recording; an exported patient has nothing else there. Remove it.</source>
+        <translation>%1 ist keine Aufzeichnung; ein exportierter Patient hat dort nichts anderes. Entfernen Sie die Datei.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be imported: %2</source>
+        <translation>%1 kann nicht importiert werden: %2</translation>
+    </message>
+    <message>
+        <source>%1 holds more than 10000 recordings. Remove some.</source>
+        <translation>%1 enthält mehr als 10000 Aufzeichnungen. Entfernen Sie einige.</translation>
+    </message>
+    <message>
+        <source>A record keeps at most 256 versions and 10000 plans, insertions and outcomes.</source>
+        <translation>Eine Akte enthält höchstens 256 Fassungen und je 10000 Pläne, Insertionen und Ergebnisse.</translation>
+    </message>
+    <message>
+        <source>Notes have %1 characters; at most 4000 are kept. Shorten them.</source>
+        <translation>Die Notizen haben %1 Zeichen; höchstens 4000 werden gespeichert. Kürzen Sie sie.</translation>
+    </message>
+    <message>
+        <source>There are %1 tags; at most 16 are kept. Remove some.</source>
+        <translation>Es sind %1 Schlagwörter; höchstens 16 werden gespeichert. Entfernen Sie einige.</translation>
+    </message>
+    <message>
+        <source>There are %1 scans; at most 64 are kept. Remove some.</source>
+        <translation>Es sind %1 Aufnahmen; höchstens 64 werden gespeichert. Entfernen Sie einige.</translation>
+    </message>
+    <message>
+        <source>The tag &quot;%1&quot; is not possible: it has 1 to 24 characters and no comma. Change it.</source>
+        <translation>Das Schlagwort „%1“ ist nicht möglich: es hat 1 bis 24 Zeichen und kein Komma. Ändern Sie es.</translation>
+    </message>
+    <message>
+        <source>The tag &quot;%1&quot; stands twice. Remove one.</source>
+        <translation>Das Schlagwort „%1“ steht zweimal. Entfernen Sie eines.</translation>
+    </message>
+    <message>
+        <source>%1 The file is not replaced; move it away, or open it with a newer version.</source>
+        <translation>%1 Die Datei wird nicht ersetzt; verschieben Sie sie, oder öffnen Sie sie mit einer neueren Version.</translation>
+    </message>
+    <message>
+        <source>%1 exists. Give the name of a new folder.</source>
+        <translation>%1 ist schon da. Geben Sie den Namen eines neuen Ordners an.</translation>
+    </message>
+    <message>
+        <source>The library has %1, right ear, already. Rename or remove that patient first.</source>
+        <translation>Die Bibliothek hat %1, rechtes Ohr, schon. Benennen Sie diesen Patienten zuerst um, oder entfernen Sie ihn.</translation>
+    </message>
+    <message>
+        <source>The library has %1, left ear, already. Rename or remove that patient first.</source>
+        <translation>Die Bibliothek hat %1, linkes Ohr, schon. Benennen Sie diesen Patienten zuerst um, oder entfernen Sie ihn.</translation>
+    </message>
+    <message>
+        <source>%1 exists; an import replaces no recording. Rename it first.</source>
+        <translation>%1 ist schon da; ein Import ersetzt keine Aufzeichnung. Benennen Sie sie zuerst um.</translation>
+    </message>
+    <message>
+        <source>%1 is not the record of a patient: it needs format, tags, notes and archived. Restore it from a backup, or remove it.</source>
+        <translation>%1 ist keine Akte eines Patienten: sie braucht format, tags, notes und archived. Stellen Sie sie aus einer Sicherung wieder her, oder entfernen Sie sie.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be created: %2. Check the folder&apos;s permissions and the space on the disk.</source>
+        <translation>%1 kann nicht angelegt werden: %2. Prüfen Sie die Rechte des Ordners und den Platz auf dem Datenträger.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be created: its file system has no hard links. Give a folder on another disk.</source>
+        <translation>%1 kann nicht angelegt werden: das Dateisystem hat keine harten Verweise. Geben Sie einen Ordner auf einem anderen Datenträger an.</translation>
+    </message>
+    <message>
+        <source>%1 was begun by another build of the program (%2; this is %3). Delete it or give another folder.</source>
+        <translation>%1 wurde von einem anderen Stand des Programms begonnen (%2; dies ist %3). Löschen Sie sie, oder geben Sie einen anderen Ordner an.</translation>
+    </message>
+    <message>
+        <source>%1 is for other insertions. Delete it or give another folder.</source>
+        <translation>%1 ist für andere Insertionen. Löschen Sie sie, oder geben Sie einen anderen Ordner an.</translation>
+    </message>
+    <message>
+        <source>%1 takes no more %2: %3. Those before are kept; make space and run it again.</source>
+        <translation>%1 nimmt keine weiteren Ergebnisse an (%2): %3. Die früheren sind erhalten; machen Sie Platz, und starten Sie erneut.</translation>
+    </message>
+    <message>
+        <source>%1 has %2 insertions, not %3 of each of %4 arrays. Make the plan again.</source>
+        <translation>%1 hat %2 Insertionen, nicht %3 von jedem von %4 Elektrodenträgern. Erstellen Sie den Plan neu.</translation>
+    </message>
+    <message>
+        <source>The plan.json beside %1 is of another plan. Make the plan again.</source>
+        <translation>Die plan.json neben %1 ist von einem anderen Plan. Erstellen Sie den Plan neu.</translation>
+    </message>
+    <message>
+        <source>%1 is not a plan: %2. Give the folder that &apos;perilymph-cli plan&apos; wrote.</source>
+        <translation>%1 ist kein Plan: %2. Geben Sie den Ordner an, den „perilymph-cli plan“ geschrieben hat.</translation>
+    </message>
+    <message>
+        <source>%1 holds no plan.json: the plan was not finished. The same &apos;perilymph-cli plan&apos; continues it.</source>
+        <translation>%1 enthält keine plan.json: der Plan wurde nicht beendet. Derselbe Aufruf von „perilymph-cli plan“ setzt ihn fort.</translation>
+    </message>
+    <message>
+        <source>%1 has no insertions yet. Run &apos;perilymph-cli study run&apos; or merge its shards first.</source>
+        <translation>%1 hat noch keine Insertionen. Starten Sie „perilymph-cli study run“, oder fügen Sie zuerst die Teile zusammen.</translation>
+    </message>
+    <message>
+        <source>%1 has %2 insertions; at most %3 can be shown. Open one of its shards, or query it with SQL.</source>
+        <translation>%1 hat %2 Insertionen; höchstens %3 können gezeigt werden. Öffnen Sie einen der Teile, oder fragen Sie die Datei mit SQL ab.</translation>
+    </message>
 </context>
 <context>
     <name>Display</name>
@@ -4200,6 +4316,18 @@
         <source>Method: each array is inserted by a simulated hand %1 times (%2). Every time A, B and H within their errors, speed, tremor, grip, force limit, friction, approach and stiffness are drawn again; see the appendix.</source>
         <translation>Methode: Jeder Elektrodenträger wird %1-mal von einer simulierten Hand inseriert (%2). Jedes Mal werden A, B und H innerhalb ihrer Fehler, Geschwindigkeit, Tremor, Griff, Kraftgrenze, Reibung, Zugang und Steifigkeit neu gezogen; siehe Anhang.</translation>
     </message>
+    <message>
+        <source>Cochlea, measures changed by hand</source>
+        <translation>Cochlea, Maße von Hand geändert</translation>
+    </message>
+    <message>
+        <source>none: the measures were changed</source>
+        <translation>keine: die Maße wurden geändert</translation>
+    </message>
+    <message>
+        <source> · measures changed by hand</source>
+        <translation> · Maße von Hand geändert</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::AboutSheet</name>
@@ -4704,6 +4832,10 @@
     <message>
         <source>Translocation</source>
         <translation>Translokation</translation>
+    </message>
+    <message>
+        <source>%1 · changed by hand</source>
+        <translation>%1 · von Hand geändert</translation>
     </message>
 </context>
 <context>

@@ -6,6 +6,7 @@
 
 #include "gui/parts/Numbers.h"
 #include "perilymph/foundation/Units.h"
+#include "perilymph/session/Highlights.h"
 
 namespace perilymph::gui {
 
@@ -21,7 +22,7 @@ QString translated(const char* text) { return QCoreApplication::translate("Kiosk
 void KioskTurn::follow(const haptics::TickOutput& now)
 {
   if (now.workflow == haptics::Workflow::idle || now.workflow == haptics::Workflow::armed) return;
-  peakForce_ = std::max(peakForce_, now.axialForce);
+  if (session::raisesPeak(now, peakForce_)) peakForce_ = now.axialForce;
   deepestTravel_ = std::max(deepestTravel_, now.travel);
   duration_ = now.time;
   turning_ = isAdvancing_ ? std::max(turning_, now.travel) : std::min(turning_, now.travel);

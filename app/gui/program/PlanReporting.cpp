@@ -26,7 +26,9 @@ constexpr std::size_t maxPdfBytes = std::size_t{64} << 20;
 /// The series in which a plan's patient was measured; none where nobody vouches for it.
 std::string seriesOf(const planning::Plan& plan)
 {
-  return plan.seal == Seal::intact ? plan.request.patient.origin.seriesKey : std::string();
+  const anatomy::Patient& patient = plan.request.patient;
+  return plan.seal == Seal::intact && patient.seal == Seal::intact ? patient.origin.seriesKey
+                                                                   : std::string();
 }
 
 Result<PlanReportContent> reportedPlan(const CommandLine& options)
@@ -41,6 +43,11 @@ Result<PlanReportContent> reportedPlan(const CommandLine& options)
         options.plan->string() +
         " was changed by hand after the program wrote it, so it is not filed into a study. "
         "Make the plan again, or leave --ct out."};
+  if (options.ct && stored->plan.request.patient.seal == Seal::changed)
+    return Error{
+        options.plan->string() +
+        " is of measures that were changed by hand after the program wrote them, so it is not "
+        "filed into a study. Measure the patient again and make a new plan, or leave --ct out."};
   if (options.ct && stored->plan.seal == Seal::absent && !options.isCtNotCompared)
     return Error{options.plan->string() +
                  " carries no seal, so the CT series that it states proves nothing. Make the plan "

@@ -57,6 +57,12 @@ std::vector<MeasureRow> basalTurnRows(const anatomy::Patient& patient)
   return rows;
 }
 
+QString measuresTitle(const anatomy::Patient& patient)
+{
+  return patient.seal == Seal::changed ? tr("Cochlea, measures changed by hand")
+                                       : tr("Cochlea, CT measurements ± measuring error");
+}
+
 QString measureText(const std::vector<analysis::Measure>& measures,
                     const std::vector<double>& bands, const char* key)
 {

@@ -23,6 +23,9 @@ MeasureRow measuredRow(const QString& name, Length value, const Population& popu
 /// A, B and H of a patient who has them, with the errors of their measurement.
 std::vector<MeasureRow> basalTurnRows(const anatomy::Patient& patient);
 
+/// Title of the table of a patient's measures.
+QString measuresTitle(const anatomy::Patient& patient);
+
 /// A measure of a built cochlea, with its uncertainty if `bands` has one: "33.9 ± 0.4 mm".
 QString measureText(const std::vector<analysis::Measure>& measures,
                     const std::vector<double>& bands, const char* key);

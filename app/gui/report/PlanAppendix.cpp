@@ -213,8 +213,10 @@ QString marks(const PlanReportContent& content)
                  row(tr("Scenario"), from(plan.request.scenario)) +
                  row(tr("Friction"), plannedFriction(plan.request).toHtmlEscaped()) +
                  row(tr("Seed"), QString::number(plan.request.seed));
-  rows += row(tr("CT series, SHA-256"),
-              origin.seriesKey.empty() ? tr("none stated") : from(origin.seriesKey));
+  rows += row(tr("CT series, SHA-256"), plan.request.patient.seal == Seal::changed
+                                            ? tr("none: the measures were changed")
+                                        : origin.seriesKey.empty() ? tr("none stated")
+                                                                   : from(origin.seriesKey));
   return heading(tr("Traceability")) + table(rows);
 }
 

@@ -41,13 +41,15 @@ double paintIdentification(ReportSheet& sheet, const PlanReportContent& content,
 {
   const planning::Plan& plan = content.plan();
   const std::string& software = plan.request.patient.origin.software;
+  const bool isChanged = plan.request.patient.seal == Seal::changed;
   const double left_mm = 0.43 * width_mm;
   const double left =
       paintEntries(sheet,
                    {{tr("Patient code"), content.code()},
                     {tr("Ear"), content.ear()},
-                    {tr("Measured with"),
-                     software.empty() ? QStringLiteral("–") : QString::fromStdString(software)},
+                    {tr("Measured with"), isChanged          ? tr("changed by hand")
+                                          : software.empty() ? QStringLiteral("–")
+                                                             : QString::fromStdString(software)},
                     {tr("Draws"), tr("%1 of each array").arg(plan.arrays.front().draws)}},
                    0.0, y_mm, left_mm);
   const double right = paintEntries(
@@ -134,6 +136,8 @@ QStringList doubtsOf(const PlanReportContent& content)
   QStringList doubts;
   if (const std::string note = noteOn(content.plan().seal); !note.empty())
     doubts << engineError(note);
+  if (const std::string note = noteOn(content.plan().request.patient); !note.empty())
+    doubts << engineError(note);
   if (content.isStudyNotCompared)
     doubts << tr(
         "The plan states no CT series, or carries no seal, so it was not compared with the study "
@@ -176,9 +180,8 @@ void paintPlanRecord(ReportSheet& sheet, const PlanReportContent& content,
   y_mm = paintIdentification(sheet, content, issuer, y_mm, width_mm) + gap_mm;
   std::vector<MeasureRow> rows = basalTurnRows(content.plan().request.patient);
   rows.push_back(ductLengthRow(measureText(content.measures, content.bands, "cdl_oc_mm")));
-  y_mm =
-      paintMeasures(sheet, tr("Cochlea, CT measurements ± measuring error"), rows, y_mm, width_mm) +
-      gap_mm;
+  y_mm = paintMeasures(sheet, measuresTitle(content.plan().request.patient), rows, y_mm, width_mm) +
+         gap_mm;
   y_mm = paintArrays(sheet, content, y_mm, width_mm) + gap_mm;
 
   constexpr double heading_mm = 7.0, signature_mm = 17.0;

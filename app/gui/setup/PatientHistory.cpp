@@ -47,8 +47,8 @@ std::vector<HistoryEntry> scansOf(const SavedPatient& patient,
     if (date.empty() || (!utc.empty() && utc < date)) date = utc;
   };
   for (const session::PatientScan& scan : patient.record.scans) add(scan.series, scan.savedUtc);
-  for (const StoredPlan* plan : plans) add(plan->request.patient.origin.seriesKey, plan->madeUtc);
-  add(patient.patient.origin.seriesKey, {});
+  for (const StoredPlan* plan : plans) add(statedSeries(plan->request.patient), plan->madeUtc);
+  add(statedSeries(patient.patient), {});
   std::vector<HistoryEntry> entries;
   for (const auto& [series, utc] : first) entries.push_back(scanEntry(series, utc));
   return entries;

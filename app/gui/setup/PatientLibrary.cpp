@@ -122,15 +122,23 @@ QString tagsText(const session::PatientRecord& record)
   return tags.join(QStringLiteral(", "));
 }
 
+QString handChange(const anatomy::Patient& patient)
+{
+  return patient.seal == Seal::changed ? tr(" · measures changed by hand") : QString();
+}
+
 QString numbersOfPatient(const anatomy::Patient& patient)
 {
   const auto text = [](Length length) { return numberText(inMillimeters(length), 2); };
+  QString numbers;
   if (const auto& turn = patient.basalTurn)
-    return turn->h ? tr("A %1, B %2, H %3 mm").arg(text(turn->a), text(turn->b), text(*turn->h))
-                   : tr("A %1, B %2 mm").arg(text(turn->a), text(turn->b));
-  return tr("scala %1 mm, section %2 × %3 mm")
-      .arg(text(patient.scalaTympaniLength), text(patient.roundWindowWidth),
-           text(patient.roundWindowHeight));
+    numbers = turn->h ? tr("A %1, B %2, H %3 mm").arg(text(turn->a), text(turn->b), text(*turn->h))
+                      : tr("A %1, B %2 mm").arg(text(turn->a), text(turn->b));
+  else
+    numbers = tr("scala %1 mm, section %2 × %3 mm")
+                  .arg(text(patient.scalaTympaniLength), text(patient.roundWindowWidth),
+                       text(patient.roundWindowHeight));
+  return numbers + handChange(patient);
 }
 
 }  // namespace perilymph::gui

@@ -49,7 +49,10 @@ QString nameOfPatient(const anatomy::Patient& patient);
 /// "EAS, revision"
 QString tagsText(const session::PatientRecord& record);
 
-/// "A 9.20, B 6.80 mm", or the three lengths.
+/// " · measures changed by hand", or nothing.
+QString handChange(const anatomy::Patient& patient);
+
+/// "A 9.20, B 6.80 mm", or the three lengths, and handChange().
 QString numbersOfPatient(const anatomy::Patient& patient);
 
 }  // namespace perilymph::gui

@@ -11,9 +11,11 @@ namespace perilymph::gui {
 
 namespace {
 
+/// What was measured in a CT, unless it was changed afterward.
 std::map<SetupField, ValueSource> measuredInCt(const anatomy::Patient& patient)
 {
   std::map<SetupField, ValueSource> sources;
+  if (patient.seal == Seal::changed) return sources;
   if (patient.basalTurn) {
     sources[SetupField::lengthA] = ValueSource::ct;
     sources[SetupField::widthB] = ValueSource::ct;

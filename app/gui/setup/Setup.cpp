@@ -316,6 +316,7 @@ Result<session::Scenario> withPatient(const session::Scenario& scenario,
   set(values, "side", tomlQuoted(QString::fromLatin1(anatomy::nameOf(patient.side))));
   set(values, "patient", "\"\"");
   set(values, label, tomlQuoted(QString::fromStdString(patient.label)));
+  if (patient.seal == Seal::changed) set(values, std::string(numbers) + "changed_by_hand", "true");
   if (patient.basalTurn) {
     setNumber("a_mm", patient.basalTurn->a);
     setNumber("b_mm", patient.basalTurn->b);

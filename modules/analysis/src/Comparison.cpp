@@ -9,7 +9,6 @@
 #include "RoundedTravel.h"
 #include "perilymph/analysis/CsvField.h"
 #include "perilymph/session/Csv.h"
-#include "perilymph/session/RecordedInsertion.h"
 
 namespace perilymph::analysis {
 
@@ -28,9 +27,13 @@ long stepOf(const CurvePoint& point) { return std::lround(point.travel / profile
 Result<ComparedInsertion> readCompared(const std::filesystem::path& file,
                                        const std::function<bool()>& goesOn)
 {
-  const auto recorded = session::RecordedInsertion::open(file);
+  const auto recorded =
+      session::RecordedInsertion::open(file, [&goesOn] { return goesOn && !goesOn(); });
   if (!recorded) return recorded.error();
+  const auto check = recorded->check();
+  if (!check) return check.error();
   ComparedInsertion compared;
+  compared.check = *check;
   compared.name = session::displayNameOf(file);
   compared.scenario = recorded->facts().scenarioName;
   compared.subject = session::subjectOf(recorded->facts().scenarioText, file.string());
@@ -60,6 +63,11 @@ Result<ComparedInsertion> readCompared(const std::filesystem::path& file,
   return compared;
 }
 
+std::string labelOf(const ComparedInsertion& insertion)
+{
+  return insertion.check.damage.empty() ? insertion.name : insertion.name + " (changed by hand)";
+}
+
 std::string comparisonCsv(const std::vector<ComparedInsertion>& insertions)
 {
   std::string csv =
@@ -67,7 +75,7 @@ std::string comparisonCsv(const std::vector<ComparedInsertion>& insertions)
       "final_depth_mm,final_angle_deg,rupture_angle_deg,rupture_N,above_mm\n";
   for (const ComparedInsertion& each : insertions) {
     const ForceProfile& profile = each.profile;
-    csv += csvField(each.name) + "," + csvField(each.scenario);
+    csv += csvField(labelOf(each)) + "," + csvField(each.scenario);
     for (const double value :
          {profile.peak.force, inMillimeters(meters(profile.peak.travel)),
           inMillimeters(meters(profile.peakDepth)), profile.work * 1e3,
@@ -91,7 +99,7 @@ std::string curvesCsv(const std::vector<ComparedInsertion>& insertions)
   std::map<long, std::vector<double>> rows;
   const double missing = std::numeric_limits<double>::quiet_NaN();
   for (std::size_t i = 0; i < insertions.size(); ++i) {
-    csv += "," + csvField(insertions[i].name + "_N");
+    csv += "," + csvField(labelOf(insertions[i]) + "_N");
     for (const CurvePoint& point : insertions[i].profile.curve) {
       auto& row = rows[stepOf(point)];
       row.resize(insertions.size(), missing);
@@ -119,7 +127,7 @@ Figure comparisonFigure(const std::vector<ComparedInsertion>& insertions,
   double farthest = 0.0, nearest = 0.0, highest = 0.0, lowest = 0.0;
   for (std::size_t i = 0; i < insertions.size(); ++i) {
     FigureCurve curve;
-    curve.label = insertions[i].name;
+    curve.label = labelOf(insertions[i]);
     curve.ink = inks[i % 4];
     curve.dash = 2.0 * static_cast<double>(i);
     for (const CurvePoint& point : insertions[i].profile.curve) {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "perilymph/session/Highlights.h"
+
 namespace perilymph::analysis {
 
 namespace {
@@ -62,8 +64,7 @@ void ForceProfiler::add(const haptics::TickRecord& record)
 void ForceProfiler::follow(const haptics::TickOutput& now)
 {
   const bool isFirst = !before_.has_value();
-  if (!hasPeak_ || now.axialForce > profile_.peak.force) {
-    hasPeak_ = true;
+  if (session::raisesPeak(now, profile_.peak.force)) {
     profile_.peak = {now.travel, now.axialForce};
     profile_.peakDepth = now.depth;
   }

@@ -6,6 +6,7 @@
 
 #include "ProfilePoints.h"
 #include "perilymph/device/ScriptedDevice.h"
+#include "perilymph/session/Highlights.h"
 #include "perilymph/session/Insertion.h"
 
 namespace perilymph::analysis {
@@ -28,11 +29,11 @@ FullInsertion runFully(session::Insertion& insertion, Length profileSpacing,
     const haptics::TickOutput& now = last = record.output;
     ++result.ticks;
     if ((now.status & haptics::notConverged) != 0) ++result.ticksNotConverged;
+    if (session::raisesPeak(now, result.peak.force.si()))
+      result.peak = {meters(now.depth), newtons(now.axialForce)};
     const bool isMoving =
         now.workflow == haptics::Workflow::inserting || now.workflow == haptics::Workflow::finished;
     if (!isMoving) return !isAsked;
-    if (now.axialForce > result.peak.force.si())
-      result.peak = {meters(now.depth), newtons(now.axialForce)};
     result.maxMembraneForce = newtons(std::max(result.maxMembraneForce.si(), now.membraneForce));
     result.maxDepth = meters(std::max(result.maxDepth.si(), now.depth));
     points.add(result.profile, now.depth, now.axialForce);

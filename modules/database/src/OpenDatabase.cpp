@@ -11,6 +11,7 @@
 
 #include "Companions.h"
 #include "Content.h"
+#include "perilymph/foundation/AtomicFile.h"
 
 namespace perilymph::database {
 
@@ -121,6 +122,9 @@ Result<Database> Database::openNew(const fs::path& file)
 
 Result<Database> Database::openToAppend(const fs::path& file, const FileKind& kind)
 {
+  std::error_code ignored;
+  if (fs::is_symlink(fs::symlink_status(file, ignored)))
+    if (const auto refused = checkWritable(file, Links::refused); !refused) return refused.error();
   const auto inspected = inspect(file, kind);
   if (!inspected) return inspected.error();
   const std::string name = file.string();

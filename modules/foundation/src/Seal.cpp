@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "perilymph/foundation/Seal.h"
 
+#include <algorithm>
+#include <cctype>
+#include <charconv>
 #include <cstdint>
-
-#include "perilymph/foundation/Choice.h"
 
 namespace perilymph {
 
 namespace {
 
 constexpr std::size_t digits = 64;  // of SHA-256
-
-constexpr std::array names{Choice<Seal>{Seal::intact, "intact"},
-                           Choice<Seal>{Seal::absent, "absent"},
-                           Choice<Seal>{Seal::changed, "changed"}};
 
 /// Where the digits of the seal begin in a JSON text; npos without one. In a JSON string every
 /// quotation mark follows a backslash, so that no other text looks like the key.
@@ -33,9 +30,12 @@ std::string hashOf(std::string_view text)
   return hash.hex();
 }
 
-}  // namespace
+Seal withoutSeal(bool isInFormat, std::string_view program)
+{
+  return isInFormat || hasToBeSealed(program) ? Seal::changed : Seal::absent;
+}
 
-const char* nameOf(Seal seal) noexcept { return nameIn(names, seal); }
+}  // namespace
 
 std::string noteOn(Seal seal)
 {
@@ -52,6 +52,22 @@ std::string noteOn(Seal seal)
          "its values as results of the program.";
 }
 
+bool hasToBeSealed(std::string_view program, Release since)
+{
+  constexpr std::string_view name = "perilymph ";
+  const bool isNamed = program.size() >= name.size() &&
+                       std::equal(name.begin(), name.end(), program.begin(), [](char a, char b) {
+                         return a == std::tolower(static_cast<unsigned char>(b));
+                       });
+  if (isNamed) program.remove_prefix(name.size());
+  Release release;
+  const char* const end = program.data() + program.size();
+  const auto [dot, problem] = std::from_chars(program.data(), end, release.major);
+  if (problem != std::errc() || dot == end || *dot != '.') return false;
+  if (std::from_chars(dot + 1, end, release.minor).ec != std::errc()) return false;
+  return release >= since;
+}
+
 std::string sealOver(const SealedFacts& facts, const Sha256& rows)
 {
   Sha256 hash;
@@ -66,11 +82,11 @@ std::string sealOver(const SealedFacts& facts, const Sha256& rows)
   return hash.hex();
 }
 
-Seal sealIn(const SealedFacts& facts, const Sha256& rows, bool hasToHave)
+Seal sealIn(const SealedFacts& facts, const Sha256& rows, bool isInFormat, std::string_view program)
 {
   const auto seal = facts.find(sealKey);
-  if (seal == facts.end()) return hasToHave ? Seal::changed : Seal::absent;
-  return hasToHave && seal->second == sealOver(facts, rows) ? Seal::intact : Seal::changed;
+  if (seal == facts.end()) return withoutSeal(isInFormat, program);
+  return isInFormat && seal->second == sealOver(facts, rows) ? Seal::intact : Seal::changed;
 }
 
 std::string sealToBe() { return std::string(digits, '0'); }
@@ -83,13 +99,13 @@ std::string sealed(std::string json)
   return json;
 }
 
-Seal sealIn(std::string_view json, bool hasToHave)
+Seal sealIn(std::string_view json, bool isInFormat, std::string_view program)
 {
   const std::size_t place = placeOfSeal(json);
-  if (place == std::string_view::npos) return hasToHave ? Seal::changed : Seal::absent;
+  if (place == std::string_view::npos) return withoutSeal(isInFormat, program);
   std::string without(json);
   without.replace(place, digits, sealToBe());
-  return hasToHave && json.substr(place, digits) == hashOf(without) ? Seal::intact : Seal::changed;
+  return isInFormat && json.substr(place, digits) == hashOf(without) ? Seal::intact : Seal::changed;
 }
 
 }  // namespace perilymph

@@ -181,6 +181,7 @@ anatomy::Patient patientIn(const Json& value)
   if (choiceAt(value, "errors", errorSources) == ErrorSource::measured) patient.errors = errors;
   patient.origin.seriesKey = textOr(value, "series_sha256");
   patient.origin.software = textOr(value, "measured_with");
+  if (value.contains("seal")) patient.seal = choiceAt(value, "seal", seals);
   if (const auto possible = anatomy::checkPatient(patient); !possible)
     throw Unreadable("its patient is not possible (" + possible.error().message + ")");
   return patient;
@@ -234,7 +235,7 @@ Result<StoredPlan> planIn(const std::string& text, const std::string& name)
       return Error{name + " is of a newer program (format " + std::to_string(format) +
                    "). Open it with that one."};
     StoredPlan stored = storedIn(json);
-    stored.plan.seal = sealIn(text, format >= planFormat);
+    stored.plan.seal = sealIn(text, format >= planFormat, stored.program);
     if (stored.plan.seal == Seal::changed) stored.plan.fingerprint.clear();
     return stored;
   } catch (const Unreadable& error) {

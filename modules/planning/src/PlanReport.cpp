@@ -125,6 +125,7 @@ ordered_json patientJson(const anatomy::Patient& patient)
     if (correlation != 0.0) json[key] = rounded(correlation);
   if (!patient.origin.seriesKey.empty()) json["series_sha256"] = patient.origin.seriesKey;
   if (!patient.origin.software.empty()) json["measured_with"] = patient.origin.software;
+  if (patient.seal != Seal::intact) json["seal"] = nameOf(patient.seal);
   return json;
 }
 

@@ -5,12 +5,16 @@
 #include <charconv>
 #include <regex>
 
+#include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/foundation/Program.h"
 #include "perilymph/foundation/Utf8.h"
 
 namespace perilymph::study {
 
 namespace {
+
+/// What every script begins with, before the rest of its name.
+const std::string firstLines = "#!/bin/sh\n#SBATCH --job-name=perilymph-";
 
 /// A word of a shell command, in single quotation marks.
 std::string shellQuoted(const std::string& word)
@@ -37,7 +41,7 @@ std::string logOption(const SlurmRequest& request, const std::string& log)
 /// The lines that all scripts begin with.
 std::string head(const SlurmRequest& request, const std::string& name, const std::string& log)
 {
-  std::string text = "#!/bin/sh\n#SBATCH --job-name=" + name + "\n#SBATCH --ntasks=1\n" +
+  std::string text = firstLines + name + "\n#SBATCH --ntasks=1\n" +
                      "#SBATCH --cpus-per-task=1\n#SBATCH --requeue\n#SBATCH --open-mode=append\n" +
                      logOption(request, log);
   if (!request.partition.empty()) text += "#SBATCH --partition=" + request.partition + "\n";
@@ -51,8 +55,8 @@ std::string arrayScript(const SlurmRequest& request, std::size_t before, std::si
 {
   const std::string offset = std::to_string(before);
   const std::string log = before == 0 ? "shard-%a.log" : "shard-" + offset + "+%a.log";
-  return head(request, "perilymph-study", log) + "#SBATCH --array=1-" + std::to_string(tasks) +
-         "\nexec " + shellQuoted(request.program.string()) + " study shard " +
+  return head(request, "study", log) + "#SBATCH --array=1-" + std::to_string(tasks) + "\nexec " +
+         shellQuoted(request.program.string()) + " study shard " +
          shellQuoted(request.study.string()) + " --index \"$((SLURM_ARRAY_TASK_ID + " + offset +
          "))\" --of " + std::to_string(request.shards) + " --jobs 1 --out " +
          shellQuoted(request.folder.string()) + "\n";
@@ -116,10 +120,16 @@ Result<SlurmJobs> slurmJobs(const SlurmRequest& request, const SlurmLimits& limi
     const std::string number = before == 0 ? "" : "-" + std::to_string(jobs.arrays.size() + 1);
     jobs.arrays.push_back({"shards" + number + ".sh", arrayScript(request, before, tasks)});
   }
-  jobs.merge = {"merge.sh", head(request, "perilymph-merge", "merge.log") + "exec " +
+  jobs.merge = {"merge.sh", head(request, "merge", "merge.log") + "exec " +
                                 shellQuoted(request.program.string()) + " study merge " +
                                 shellQuoted(request.folder.string()) + "\n"};
   return jobs;
+}
+
+bool isSlurmScript(const std::filesystem::path& file)
+{
+  const auto text = readWhole(file);
+  return text && text->starts_with(firstLines);
 }
 
 Result<SlurmLimits> readLimits(const std::string& answer)

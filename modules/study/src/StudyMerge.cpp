@@ -162,6 +162,8 @@ Result<std::vector<ShardState>> shardsIn(const fs::path& folder)
       state.shard.first = outline->first.first;
       state.shard.end = outline->first.end;
       state.done = outline->second;
+      state.cases = outline->first.cases;
+      state.fingerprint = outline->first.fingerprint;
     }
     states.push_back(state);
   }

@@ -143,6 +143,72 @@ TEST_F(Outputs, OfAFolderAreNeverWrittenThroughLinks)
   }
 }
 
+/// A folder that the user made, with a file of a name that the command uses.
+TEST_F(Outputs, OfAFolderNeverReplaceFilesOfTheUser)
+{
+  std::ofstream(folder / "s.toml") << "title = \"Short\"\nscenario = \"mean-flex28\"\n"
+                                      "depth = \"scenario\"\n[cochleae]\nmean = true\n[vary]\n"
+                                      "nodes = [20]\ndt_ms = [10.0]\nstop_travel_mm = [1.0]\n";
+  const std::vector<std::string> plan = {"plan",   "--patient", "measured", "--arrays",
+                                         "flex24", "--samples", "1",        "--out"},
+                                 study = {"study", "run", "s.toml", "--out"},
+                                 shard = {"study", "shard", "s.toml", "--index",
+                                          "1",     "--of",  "1",      "--out"};
+  for (const auto& [command, name] : {std::pair{plan, "plan.json"},
+                                      {plan, "arrays.csv"},
+                                      {plan, "shapes.csv"},
+                                      {plan, "force-1.svg"},
+                                      {study, "study.sqlite"},
+                                      {study, "insertions.csv"},
+                                      {shard, "insertions.csv"}}) {
+    std::vector<std::string> call = command;
+    call.emplace_back("own");
+    fs::remove_all(folder / "own");
+    fs::create_directory(folder / "own");
+    std::ofstream(folder / "own" / name) << "three years";
+    expectRefusal(callHere(call), std::string("has a file ") + name + " that this command did not");
+    EXPECT_EQ(contentOf(folder / "own" / name), "three years");
+    EXPECT_EQ(namesIn(folder / "own").size(), 1u) << "nothing is begun there";
+  }
+  for (const auto& command : {plan, study}) {  // its own folder, again, with another file in it
+    std::vector<std::string> call = command;
+    call.push_back(command[0]);
+    fs::create_directory(folder / command[0]);
+    std::ofstream(folder / command[0] / "thesis.txt") << "three years";
+    for (int i = 0; i < 2; ++i) {
+      const auto outcome = callHere(call);
+      ASSERT_EQ(outcome.status, 0) << outcome.err;
+    }
+    EXPECT_EQ(contentOf(folder / command[0] / "thesis.txt"), "three years");
+  }
+}
+
+/// The file of the draws lies elsewhere, with a link to it in the folder.
+TEST_F(Outputs, InSqliteAreNeverWrittenThroughLinks)
+{
+  std::ofstream(folder / "s.toml") << "title = \"Short\"\nscenario = \"mean-flex28\"\n"
+                                      "depth = \"scenario\"\n[cochleae]\nmean = true\n[vary]\n"
+                                      "nodes = [20]\ndt_ms = [10.0]\nstop_travel_mm = [1.0]\n";
+  for (const auto& [call, name] :
+       {std::pair<std::vector<std::string>, const char*>{
+            {"plan", "--patient", "measured", "--arrays", "flex24", "--samples", "1", "--out",
+             "linked"},
+            "draws.sqlite"},
+        {{"study", "run", "s.toml", "--out", "linked"}, "shard-1-of-1.sqlite"}}) {
+    fs::remove_all(folder / "linked");
+    ASSERT_EQ(callHere(call).status, 0);
+    fs::rename(folder / "linked" / name, folder / name);
+    const std::string before = contentOf(folder / name);
+    for (const char* target : {name, "nothing"}) {
+      fs::remove(folder / "linked" / name);
+      fs::create_symlink(folder / target, folder / "linked" / name);
+      expectRefusal(callHere(call), "it is a link, which may lead out of its folder");
+      EXPECT_EQ(contentOf(folder / name), before);
+      EXPECT_FALSE(fs::exists(folder / "nothing"));
+    }
+  }
+}
+
 /// A call is killed while it writes, and repeated.
 TEST_F(Outputs, OfKilledCallsAreRemovedByTheNextOne)
 {

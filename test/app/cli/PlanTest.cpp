@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "Cli.h"
+#include "perilymph/anatomy/Patient.h"
 
 namespace perilymph::test {
 namespace {
@@ -46,6 +47,32 @@ TEST_F(Plans, AreWrittenWithTheirTablesAndFiguresAndContinueToTheSameBytes)
   ASSERT_EQ(again.status, 0) << again.err;
   EXPECT_EQ(text("plan.json"), json);
   EXPECT_EQ(text("contacts.csv"), contacts);
+}
+
+TEST_F(Plans, OfMeasuresThatWereChangedByHandSaySo)
+{
+  anatomy::Patient patient;
+  patient.label = "P-017";
+  patient.basalTurn = anatomy::BasalTurn{millimeters(9.2), millimeters(6.8), std::nullopt};
+  patient.origin = {"perilymph 0.3.0", std::string(64, 'a'), "", "RW"};
+  const fs::path file = folder_ / "p.toml";
+  ASSERT_TRUE(anatomy::savePatient(patient, file));
+  EXPECT_EQ(cli({"anatomy", "--patient", file}).err, "");
+  std::string changed = contentOf(file);
+  changed.replace(changed.find("9.2"), 3, "9.6");
+  std::ofstream(file) << changed;
+  const char* sentence =
+      "The measures of P-017 were changed by hand after the program wrote them. Do not use them as "
+      "measured in a CT.\n";
+  EXPECT_EQ(cli({"anatomy", "--patient", file}).err, sentence);
+  EXPECT_THAT(cli({"simulate", "--scenario", "mean-contour", "--patient", file, "--set",
+                   "stop_travel_mm=0.5"})
+                  .err,
+              HasSubstr(sentence));
+  const auto planned = plan(file, {"--arrays", "flex24"});
+  ASSERT_EQ(planned.status, 0) << planned.err;
+  EXPECT_EQ(planned.err, sentence);
+  EXPECT_EQ(nlohmann::json::parse(text("plan.json"))["patient"]["seal"], "changed");
 }
 
 TEST_F(Plans, NeedAPatientWithAAndB)

@@ -7,6 +7,7 @@ namespace perilymph::test {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 TEST(ReplayCommand, VerifiesAndWritesTheRowsOfTheRun)
 {
@@ -38,6 +39,41 @@ TEST(ReplayCommand, SaysWhatIsWrongWithTheFile)
                                std::filesystem::file_size(folder / "cut.insertion") / 2);
   expectRefusal(cli({"replay", folder / "cut.insertion", "--csv", folder / "cut.csv"}), "damaged");
   EXPECT_FALSE(std::filesystem::exists(folder / "cut.csv"));
+}
+
+/// A peak of ten times the force, as anybody who can write SQL makes it.
+TEST(ReplayCommand, AndCompareSayThatARecordingWasChanged)
+{
+  const TemporaryFolder folder;
+  const std::string whole = folder / "whole.insertion", changed = folder / "changed.insertion";
+  ASSERT_EQ(cli(shortSimulation({"--record", whole})).status, 0);
+  EXPECT_EQ(cli({"replay", whole}).err, "");
+  for (const char* sql :
+       {"DELETE FROM tick WHERE tick = 5",
+        "UPDATE tick SET record = (SELECT record FROM tick WHERE tick = 7) WHERE tick = 8",
+        "UPDATE meta SET value = 'Contour' WHERE key = 'scenario_name'"}) {
+    SCOPED_TRACE(sql);
+    std::filesystem::copy_file(whole, changed, std::filesystem::copy_options::overwrite_existing);
+    sqlite3* database = nullptr;
+    ASSERT_EQ(sqlite3_open(changed.c_str(), &database), SQLITE_OK);
+    ASSERT_EQ(sqlite3_exec(database, sql, nullptr, nullptr, nullptr), SQLITE_OK);
+    sqlite3_close(database);
+    const auto shown = cli({"replay", changed});
+    if (shown.status != 0) {  // a row that cannot be read
+      EXPECT_THAT(shown.err, HasSubstr("is damaged"));
+      continue;
+    }
+    EXPECT_THAT(shown.err, HasSubstr("changed.insertion was changed after it was recorded: "));
+    EXPECT_EQ(std::count(shown.err.begin(), shown.err.end(), '\n'), 1);
+    const auto compared = cli({"compare", whole, changed, "--out", folder / "out"});
+    EXPECT_EQ(compared.status, 0);
+    EXPECT_THAT(compared.err, HasSubstr("changed.insertion was changed after it was recorded: "));
+    EXPECT_THAT(compared.err, Not(HasSubstr("whole.insertion")));
+    EXPECT_THAT(compared.out, HasSubstr("changed (changed by hand)"));
+    const std::string table = contentOf(folder / "out/comparison.csv");
+    EXPECT_THAT(table, HasSubstr("changed (changed by hand),"));
+    EXPECT_THAT(table, HasSubstr("whole,"));
+  }
 }
 
 TEST(ReplayCommand, EscapesControlSequences)

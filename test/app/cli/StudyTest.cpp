@@ -44,6 +44,27 @@ TEST_F(Studies, AreCheckedBeforeTheyRun)
   expectRefusal(cli({"study", "check", out("none.toml")}), "none.toml");
 }
 
+TEST_F(Studies, AreCountedWholeWhicheverPartsAreThere)
+{
+  const auto shard = [this](const char* index, const char* count) {
+    const auto outcome =
+        cli({"study", "shard", file(), "--index", index, "--of", count, "--out", out("parts")});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+  };
+  const auto status = [this] { return cli({"study", "status", out("parts")}).out; };
+  shard("2", "4");
+  EXPECT_THAT(status(), testing::HasSubstr("\n1 part, 1 of 4 insertions of the study\n"));
+  shard("1", "2");  // of another division, with the insertion of the first
+  EXPECT_THAT(status(), testing::HasSubstr("\n2 parts, 2 of 4 insertions of the study\n"));
+  shard("4", "4");
+  EXPECT_THAT(status(), testing::HasSubstr("\n3 parts, 3 of 4 insertions of the study\n"));
+  std::string other(study);
+  std::ofstream(file()) << other.replace(other.find("5.0"), 3, "6.0");
+  shard("3", "4");
+  EXPECT_THAT(status(), testing::HasSubstr("shard-3-of-4.sqlite is of another study than "));
+  EXPECT_THAT(status(), testing::HasSubstr("\n3 parts, 3 of 4 insertions of the study\n"));
+}
+
 TEST_F(Studies, GiveTheSameFilesAsAWholeAndInParts)
 {
   ASSERT_EQ(cli({"study", "run", file(), "--out", out("whole"), "--jobs", "2"}).status, 0);
@@ -54,7 +75,7 @@ TEST_F(Studies, GiveTheSameFilesAsAWholeAndInParts)
   }
   const auto status = cli({"study", "status", out("parts")});
   EXPECT_THAT(status.out, testing::HasSubstr("shard-3-of-3.sqlite: 2 of 2\n"));
-  EXPECT_THAT(status.out, testing::HasSubstr("3 parts, 4 of 4 insertions\n"));
+  EXPECT_THAT(status.out, testing::HasSubstr("3 parts, 4 of 4 insertions of the study\n"));
   const auto merged = cli({"study", "merge", out("parts")});
   ASSERT_EQ(merged.status, 0) << merged.err;
   EXPECT_THAT(merged.out, testing::HasSubstr("4 insertions\n"));
@@ -154,6 +175,22 @@ TEST_F(Submitting, ListensToStandardOutputOnly)
   ASSERT_EQ(calls.size(), 2u);
   EXPECT_EQ(calls[0], "--parsable " + out("jobs/shards.sh"));
   EXPECT_EQ(calls[1], "--parsable --dependency=afterok:1234 " + out("jobs/merge.sh"));
+}
+
+TEST_F(Submitting, ReplacesItsOwnScriptsAlone)
+{
+  answerOf("sbatch", "echo 77");
+  for (const char* name : {"shards.sh", "merge.sh", "insertions.csv"}) {
+    fs::remove_all(out("jobs"));
+    fs::create_directory(out("jobs"));
+    std::ofstream(out("jobs/") + name) << "#!/bin/sh\necho mine\n";
+    expectRefusal(submit(), std::string("has a file ") + name + " that this command did not");
+    EXPECT_EQ(contentOf(out("jobs/") + name), "#!/bin/sh\necho mine\n");
+  }
+  EXPECT_FALSE(fs::exists(out("sbatch.calls")));
+  fs::remove_all(out("jobs"));
+  EXPECT_EQ(submit().status, 0);
+  EXPECT_EQ(submit("2").status, 0) << "the same folder again";
 }
 
 TEST_F(Submitting, TakesNoAnswerThatIsNoNumber)

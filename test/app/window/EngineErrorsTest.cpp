@@ -14,6 +14,7 @@
 #include "perilymph/ct/SliceStack.h"
 #include "perilymph/foundation/Seal.h"
 #include "perilymph/imaging/CtSeries.h"
+#include "perilymph/planning/PlanReading.h"
 #include "perilymph/session/PatientRecord.h"
 #include "perilymph/test/TemporaryFolder.h"
 #include "statements/VolumePairs.h"
@@ -204,9 +205,19 @@ TEST_F(GermanErrors, AreThereForFilesThatWereChangedAndInUse)
   std::ofstream(session::recordFileOf(patient)) << "{\"format\": 3}";
   const auto newer = session::loadPatientRecord(patient);
   ASSERT_FALSE(newer);
+  anatomy::Patient handmade;
+  handmade.origin.software = "Other 7";
+  handmade.seal = Seal::absent;
+  const std::string unsealed = noteOn(handmade);
+  handmade.seal = Seal::changed;
+  const auto tooMany = session::savePatientRecord(
+      {std::vector<std::string>(session::maxTags + 1, "EAS"), "", false}, patient);
+  const auto exported = session::exportPatient(patient, {}, folder.path());
+  const auto none = planning::readPlan(folder.path());
   for (const std::string& english :
-       {noteOn(Seal::absent), noteOn(Seal::changed), meanwhile.error().message,
-        newer.error().message,
+       {noteOn(Seal::absent), noteOn(Seal::changed), unsealed, noteOn(handmade),
+        tooMany.error().message, exported.error().message, none.error().message,
+        meanwhile.error().message, newer.error().message,
         std::string("/a/draws.sqlite was changed after the program wrote it, so its results are "
                     "not continued. Delete it or give another folder.")}) {
     const QString german = gui::engineError(english);

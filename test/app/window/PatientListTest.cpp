@@ -115,6 +115,28 @@ protected:
   std::unique_ptr<WindowRig> rig_;
 };
 
+TEST_F(ListOfPatients, SaysOfMeasuresThatTheyWereChangedByHandAndOfNoScanOfThem)
+{
+  const std::string forged(64, 'd');
+  std::string text = *readWhole(file_);
+  text.replace(text.find("9.1"), 3, "9.9");
+  ASSERT_TRUE(writeWhole(file_, text.replace(text.find(seriesHash), 64, forged)));
+  open("P-018");
+  const QString mark = QStringLiteral("measures changed by hand");
+  EXPECT_TRUE(rig_->label("patientDetailsName").contains(mark));
+  const auto lines = list().findItems(mark, Qt::MatchContains);
+  ASSERT_EQ(lines.size(), 1);
+  EXPECT_TRUE(lines.front()->text().contains(QStringLiteral("A 9.90")));
+  ASSERT_TRUE(WindowRig::comes([&] { return history().rowCount() > 0; }));
+  ASSERT_EQ(history().rowCount(), 1);  // the scan of the record
+  for (int i = 0; i < history().columnCount(); ++i) {
+    const auto* cell = history().item(0, i);
+    EXPECT_FALSE(cell != nullptr && cell->text().contains(QLatin1String("dddd")));
+  }
+  select("P-019");
+  EXPECT_FALSE(rig_->label("patientDetailsName").contains(mark));
+}
+
 TEST_F(ListOfPatients, LosesNoNoteOfAnotherWindow)
 {
   open("P-018");

@@ -23,6 +23,7 @@
 #include "perilymph/ct/CtVolume.h"
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/foundation/Sha256.h"
+#include "perilymph/foundation/Version.h"
 #include "perilymph/planning/PlanReport.h"
 #include "perilymph/test/ChildProcess.h"
 #include "perilymph/test/DicomWriter.h"
@@ -298,7 +299,10 @@ TEST_F(PlanReportPdf, BecomesPartOfTheStudyInWhichItsPatientWasMeasuredAndOfNoOt
   const auto seal = text.find(",\n  \"content_sha256\"");
   ASSERT_TRUE(format != std::string::npos && seal != std::string::npos);
   text.erase(seal, text.find('\n', seal + 2) - seal);
-  std::ofstream(folder_ / "plan.json") << text.replace(format, 11, "\"format\": 1");
+  text.replace(format, 11, "\"format\": 1");
+  const std::string program = "Perilymph " + version();
+  std::ofstream(folder_ / "plan.json")
+      << text.replace(text.find(program), program.size(), "Perilymph 0.2.0");
   const auto unsealed = into("own");
   EXPECT_EQ(unsealed.status, 1);
   EXPECT_THAT(unsealed.err, HasSubstr("carries no seal"));
@@ -342,6 +346,33 @@ TEST_F(PlanReportPdf, OfAPlanThatWasChangedByHandSaysSoAndIsFiledNowhere)
   const auto refused = report(folder_.path(), pdf());
   EXPECT_EQ(refused.status, 1);
   EXPECT_THAT(refused.err, HasSubstr("side is \"lefs\"; it must be right or left"));
+}
+
+TEST_F(PlanReportPdf, OfMeasuresThatWereChangedByHandSaysSoAndIsFiledNowhere)
+{
+  planning::Plan plan = syntheticPlan(8);
+  Sha256 series;
+  series.add(std::string_view("1.2.840.99.1"));
+  plan.request.patient.origin = {"perilymph 0.3.0", series.hex(), "", "RW"};
+  plan.request.patient.seal = Seal::changed;
+  store(plan);
+  ASSERT_EQ(report(folder_.path(), pdf()).status, 0);
+  const std::string text = textOf(pdf());
+  EXPECT_THAT(text, HasSubstr("were changed by hand after the program wrote them"));
+  EXPECT_THAT(text, HasSubstr("Cochlea, measures changed by hand"));
+  EXPECT_THAT(text, HasSubstr("none: the measures were changed"));
+  EXPECT_THAT(text, Not(HasSubstr("perilymph 0.3.0")));
+  EXPECT_THAT(text, Not(HasSubstr("CT measurements")));
+  writeCt(folder_ / "ct", "1.2.840.99.1");
+  for (const bool isCompared : {true, false}) {
+    ProgramCall call = callOf(folder_.path(), folder_ / "plan.dcm");
+    call.arguments.insert(call.arguments.end(), {"--ct", (folder_ / "ct").string()});
+    if (!isCompared) call.arguments.emplace_back("--ct-not-compared");
+    const auto filed = run(call);
+    EXPECT_EQ(filed.status, 1);
+    EXPECT_THAT(filed.err, HasSubstr("is of measures that were changed by hand"));
+    EXPECT_FALSE(fs::exists(folder_ / "plan.dcm"));
+  }
 }
 
 TEST_F(PlanReportPdf, RefusesInOneLineWhatItCannotReport)

@@ -86,6 +86,13 @@ Content studyIn(const fs::path& file)
   return read ? Content(text) : std::nullopt;
 }
 
+Content patientIn(const fs::path& file)
+{
+  const auto patient = anatomy::loadPatient(file);
+  if (!patient || patient->seal != Seal::intact) return std::nullopt;
+  return anatomy::patientText(*patient);
+}
+
 Content recordIn(const fs::path& file)
 {
   const auto record = session::loadPatientRecord(file);
@@ -154,6 +161,13 @@ void writeStudy(const fs::path& file, std::size_t first, std::size_t end)
   ASSERT_TRUE(opened->close());
 }
 
+void writePatient(const fs::path& file)
+{
+  anatomy::Patient patient = measuredPatient();
+  patient.origin = {"perilymph 0.3.0", std::string(64, 'a'), "RW, A", "B"};
+  ASSERT_TRUE(anatomy::savePatient(patient, file));
+}
+
 void writeRecord(const fs::path& patient)
 {
   ASSERT_TRUE(session::savePatientVersion(
@@ -192,6 +206,7 @@ const Kind kinds[] = {
     {"draws.sqlite", writeDraws, drawsIn},
     {"study.sqlite", [](const fs::path& file) { writeStudy(file, 0, 9); }, studyIn},
     {"shard-2-of-3.sqlite", [](const fs::path& file) { writeStudy(file, 3, 6); }, studyIn},
+    {"P-17-right.toml", writePatient, patientIn},
     {"P-17-right.json",
      [](const fs::path& file) { writeRecord(fs::path(file).replace_extension(".toml")); },
      [](const fs::path& file) { return recordIn(fs::path(file).replace_extension(".toml")); }},

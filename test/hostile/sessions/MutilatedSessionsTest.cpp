@@ -134,6 +134,14 @@ TEST_F(Mutilated, AndPassedOffAsAnOlderFormatIsNoticed)
   EXPECT_THAT(verdict(), HasSubstr("its format has no hash, and there is one"));
 }
 
+TEST_F(Mutilated, ByTheLossOfItsHashAndPassedOffAsAnOlderFormatIsNoticed)
+{
+  runSql(
+      "PRAGMA user_version=1; DELETE FROM meta WHERE key = 'content_sha256'; "
+      "UPDATE meta SET value = '0.2.0+abc' WHERE key = 'build_id'");
+  EXPECT_THAT(verdict(), HasSubstr("its hash is missing"));
+}
+
 TEST_F(Mutilated, ByGeneratedColumnsIsRefusedBeforeTheyAreGenerated)
 {
   runSql(

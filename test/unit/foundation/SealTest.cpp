@@ -43,6 +43,19 @@ TEST(SealOfAText, IsNotOneThatStandsInANote)
   EXPECT_EQ(sealIn(text, false), Seal::absent);
 }
 
+TEST(Programs, SealWhatTheyWriteFromARelease)
+{
+  for (const char* program :
+       {"0.3.0", "0.3.0-dev+1a2b3c4d5e6f", "perilymph 0.3.0-dev+1a2b with PERILYMPH_RESOURCES",
+        "Perilymph 0.3.1", "0.10.2", "1.0.0", "perilymph 12.1"})
+    EXPECT_TRUE(hasToBeSealed(program)) << program;
+  for (const char* program : {"0.2.0", "0.2.9+abc", "perilymph 0.2", "Perilymph 0.1.0", "", "0",
+                              "3", "0.", "-1.4", "other 4.0", "perilymph", "1 0.4", "v0.4"})
+    EXPECT_FALSE(hasToBeSealed(program)) << program;
+  EXPECT_TRUE(hasToBeSealed("0.2.0+1a2b", sealsRecordings));
+  EXPECT_FALSE(hasToBeSealed("0.1.0+1a2b", sealsRecordings));
+}
+
 TEST(SealOfATable, CoversFactsAndRows)
 {
   SealedFacts facts = {{"fingerprint", "ab"}, {"program", "1"}};

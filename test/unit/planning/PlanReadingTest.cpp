@@ -10,6 +10,7 @@
 #include <fstream>
 
 #include "SyntheticPlan.h"
+#include "perilymph/foundation/Version.h"
 #include "perilymph/planning/PlanReport.h"
 #include "perilymph/test/TemporaryFolder.h"
 
@@ -144,11 +145,26 @@ TEST(StoredPlan, ThatWasChangedHasNoNumber)
   }
 }
 
-TEST(StoredPlan, OfAnEarlierVersionCarriesNoSealAndKeepsItsNumber)
+/// A plan without its seal and the line of its format.
+std::string unsealedPlan()
 {
   std::string former = with(writtenPlan(), "  \"format\": 2,\n", "");
   const auto seal = former.find(",\n  \"content_sha256\"");
-  former.replace(seal, former.size() - seal, "\n}\n");
+  return former.replace(seal, former.size() - seal, "\n}\n");
+}
+
+TEST(StoredPlan, OfAProgramThatSealsIsChangedWithoutASeal)
+{
+  const auto stored = planning::planIn(unsealedPlan(), "plan.json");
+  ASSERT_TRUE(stored) << stored.error().message;
+  EXPECT_EQ(stored->plan.seal, Seal::changed);
+  EXPECT_EQ(stored->plan.fingerprint, "");
+}
+
+TEST(StoredPlan, OfAnEarlierVersionCarriesNoSealAndKeepsItsNumber)
+{
+  const std::string former =
+      with(unsealedPlan(), "\"Perilymph " + version() + '"', "\"Perilymph 0.2.0\"");
   const auto stored = planning::planIn(former, "plan.json");
   ASSERT_TRUE(stored) << stored.error().message;
   EXPECT_EQ(stored->plan.seal, Seal::absent);

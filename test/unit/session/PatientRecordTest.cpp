@@ -149,6 +149,37 @@ TEST_F(PatientRecords, OfFormatOneAreReadAndKept)
   EXPECT_EQ(loadPatientRecord(file_)->seal, Seal::intact);
 }
 
+TEST_F(PatientRecords, WithVersionsArePassedOffAsFormatOneInVain)
+{
+  ASSERT_TRUE(savePatientVersion(patientWith(9.2), file_, factsAt("2026-11-20T09:30:00Z"), false));
+  std::string text = *readWhole(recordFileOf(file_));
+  text.replace(text.find("\"format\": 2"), 11, "\"format\": 1");
+  const auto seal = text.find(",\n  \"content_sha256\"");
+  text.replace(seal, text.size() - seal, "\n}\n");
+  ASSERT_TRUE(writeWhole(recordFileOf(file_), text));
+  const auto record = loadPatientRecord(file_);
+  ASSERT_TRUE(record) << record.error().message;
+  EXPECT_TRUE(record->isChangedByHand);
+  EXPECT_EQ(record->versions.size(), 2u);
+}
+
+TEST_F(PatientRecords, AddNoScanOfMeasuresThatWereChangedByHand)
+{
+  ASSERT_TRUE(savePatientVersion(patientWith(9.2), file_, factsAt("2026-11-20T09:30:00Z"), false));
+  std::string text = *readWhole(file_);
+  text.replace(text.find(std::string(64, 'b')), 64, std::string(64, 'd'));
+  ASSERT_TRUE(writeWhole(file_, text));
+  const auto changed = anatomy::loadPatient(file_);
+  ASSERT_TRUE(changed) << changed.error().message;
+  ASSERT_TRUE(savePatientVersion(*changed, file_, factsAt("2026-11-21T09:30:00Z"), false));
+  const auto record = loadPatientRecord(file_);
+  ASSERT_EQ(record->scans.size(), 1u);
+  EXPECT_EQ(record->scans[0].series, std::string(64, 'b'));
+  ASSERT_EQ(record->versions.size(), 3u);
+  EXPECT_EQ(anatomy::patientIn(record->versions[2].patient, "third")->seal, Seal::changed);
+  EXPECT_EQ(anatomy::loadPatient(file_)->seal, Seal::changed);
+}
+
 TEST_F(PatientRecords, ThatWereChangedByHandSaySoForEver)
 {
   auto saved = savePatientRecord(record_, file_);

@@ -187,6 +187,10 @@ TEST_F(StudyFiles, OfAnEarlierVersionCarryNoSeal)
   EXPECT_EQ(file->facts().seal, Seal::absent);
   EXPECT_EQ(file->facts().fingerprint, "ab12");
   EXPECT_EQ(allIn(*file).size(), 1u);
+  // the same of a program that seals every study
+  runSql(file_, "UPDATE meta SET value = '0.3.0-dev+1a2b' WHERE key = 'program'");
+  EXPECT_EQ(StudyFile::open(file_)->facts().seal, Seal::changed);
+  EXPECT_EQ(StudyFile::open(file_)->facts().fingerprint, "");
 }
 
 TEST_F(StudyFiles, WithImpossibleValuesAreRefusedByTheirNames)

@@ -128,6 +128,11 @@ TEST_F(StudyRuns, AreNotMergedFromShardsWithoutASeal)
         database->run("PRAGMA user_version=2; DELETE FROM meta WHERE key = 'content_sha256'; "
                       "UPDATE insertion SET peak_mN = 1"));
   }
+  const auto changed = mergeShards(folder("out"));
+  ASSERT_FALSE(changed);
+  EXPECT_THAT(changed.error().message, testing::HasSubstr("was changed after"));
+  ASSERT_TRUE(database::Database::openNew(shard)->run(
+      "UPDATE meta SET value = '0.2.0+1a2b' WHERE key = 'program'"));
   const auto merged = mergeShards(folder("out"));
   ASSERT_FALSE(merged);
   EXPECT_THAT(merged.error().message, testing::HasSubstr("carries no seal"));

@@ -18,6 +18,7 @@
 #include "gui/pages/compare/ComparisonPlot.h"
 #include "gui/parts/DataText.h"
 #include "gui/parts/EmptyPage.h"
+#include "gui/parts/EngineErrors.h"
 #include "gui/parts/Numbers.h"
 #include "gui/parts/StatusLine.h"
 #include "gui/parts/Theme.h"
@@ -73,10 +74,12 @@ QString titleOf(const analysis::ComparedInsertion& insertion)
           ? ComparePage::tr("advance off stylet")
           : ComparePage::tr("standard");
   const auto utc = QDateTime::fromString(QString::fromStdString(insertion.startedUtc), Qt::ISODate);
-  return ComparePage::tr("%1 · %2\n%3 · %4 ear · %5")
-      .arg(QString::fromStdString(subject.array), technique,
-           QString::fromStdString(subject.patient), sideText(subject.side),
-           utc.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm")));
+  const QString title = ComparePage::tr("%1 · %2\n%3 · %4 ear · %5")
+                            .arg(QString::fromStdString(subject.array), technique,
+                                 QString::fromStdString(subject.patient), sideText(subject.side),
+                                 utc.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm")));
+  return insertion.check.damage.empty() ? title
+                                        : ComparePage::tr("%1 · changed by hand").arg(title);
 }
 
 /// "3.2 mm" of the array in the scala vestibuli, "rupture at 210°" without it; a dash if the partition
@@ -147,7 +150,7 @@ QWidget* ComparePage::addRuns()
   if (published_)
     plot_->setPublished(*published_);
   else
-    legend_->setText(QString::fromStdString(published_.error().message));
+    legend_->setText(engineError(published_.error().message));
   connect(plot_, &ComparisonPlot::cursorMoved, this, &ComparePage::showCursor);
 
   table_ = new QTableWidget(0, columns, page);
@@ -216,8 +219,7 @@ void ComparePage::compare(const std::vector<std::filesystem::path>& files)
       [this](Result<std::vector<analysis::ComparedInsertion>> runs) {
         if (runs) return showRuns(*std::move(runs));
         empty_->offer(tr("Choose recordings"));
-        empty_->say(tr("Recordings cannot be compared"),
-                    QString::fromStdString(runs.error().message));
+        empty_->say(tr("Recordings cannot be compared"), engineError(runs.error().message));
       });
 }
 
@@ -308,7 +310,7 @@ void ComparePage::showScore()
   const int row = table_->currentRow();
   if (row < 0 || row >= int(scores_.size())) return score_->clear();
   const auto& scored = scores_[std::size_t(row)];
-  if (!scored) return score_->setText(QString::fromStdString(scored.error().message));
+  if (!scored) return score_->setText(engineError(scored.error().message));
   QStringList lines;
   lines << tr("Score of %1. Rates technique only; it does not assess trauma.")
                .arg(QString::fromStdString(runs_[std::size_t(row)].name));
@@ -339,7 +341,7 @@ void ComparePage::save()
       QFileDialog::getExistingDirectory(this, tr("Export to folder"), documentsFolder());
   if (chosen.isEmpty()) return;
   const auto written = writeInto(chosen.toStdString());
-  if (!written) return status_->say(QString::fromStdString(written.error().message), true);
+  if (!written) return status_->say(engineError(written.error().message), true);
   status_->sayWritten(tr("4 files saved to %1.").arg(chosen), chosen.toStdString());
 }
 

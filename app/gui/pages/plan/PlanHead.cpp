@@ -43,7 +43,7 @@ PlanHead::PlanHead(QWidget* parent)
 
 void PlanHead::show(const anatomy::Patient& patient)
 {
-  name_->setText(nameOfPatient(patient));
+  name_->setText(nameOfPatient(patient) + handChange(patient));
   if (!patient.basalTurn) return measures_->clear();
   const anatomy::BasalTurn& turn = *patient.basalTurn;
   const anatomy::BasalTurnErrors errors = analysis::errorsOf(patient);

@@ -163,7 +163,7 @@ void PlanPage::insertArray()
   const std::vector<std::size_t> rows = list_->selected();
   if (!plan_ || rows.size() != 1) return;
   const auto setup = plannedSetup(*plan_, rows.front());
-  if (!setup) return say(QString::fromStdString(setup.error().message), true);
+  if (!setup) return say(engineError(setup.error().message), true);
   Q_EMIT insertAsked(*setup, plannedForce(*plan_, rows.front()));
 }
 
@@ -208,7 +208,7 @@ void PlanPage::openPlan(const std::filesystem::path& folder)
 {
   stop();
   const auto stored = readStoredPlan(folder);
-  if (!stored) return say(QString::fromStdString(stored.error().message), true);
+  if (!stored) return say(engineError(stored.error().message), true);
   panel_->refresh();
   openStored(*stored);
 }

@@ -4,6 +4,8 @@
 #include <mutex>
 #include <utility>
 
+#include "gui/parts/EngineErrors.h"
+
 namespace perilymph::gui {
 
 using session::SessionSummary;
@@ -59,7 +61,7 @@ void LibraryWork::list(const std::filesystem::path& folder,
                   [this](const Result<std::vector<SessionSummary>>& sessions) {
                     timer_.stop();
                     if (sessions) return listed(*sessions, reading_->all);
-                    failed(QString::fromStdString(sessions.error().message));
+                    failed(engineError(sessions.error().message));
                   });
   timer_.start();
 }

@@ -47,7 +47,7 @@ std::vector<MeasureRow> rowsOf(const ReportContent& content)
 
 double paintAnatomy(ReportSheet& sheet, const ReportContent& content, double y_mm, double width_mm)
 {
-  const QString title = content.hasPatient() ? tr("Cochlea, CT measurements ± measuring error")
+  const QString title = content.hasPatient() ? measuresTitle(content.scenario.patient())
                         : content.scenario.anatomy() == anatomy::AnatomySource::mean
                             ? tr("Cochlea: average of 15 human cochleae")
                             : tr("Cochlea: model");

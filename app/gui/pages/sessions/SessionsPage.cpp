@@ -21,6 +21,7 @@
 #include "gui/pages/sessions/SessionTable.h"
 #include "gui/pages/sessions/SessionTasks.h"
 #include "gui/parts/EmptyPage.h"
+#include "gui/parts/EngineErrors.h"
 #include "gui/parts/Placeholder.h"
 #include "gui/parts/StatusLine.h"
 #include "gui/parts/Theme.h"
@@ -329,7 +330,7 @@ void SessionsPage::rename(const std::filesystem::path& file, const QString& name
   const auto renamed = session::renameSession(file, name.toStdString());
   if (renamed) return reread();
   editName(file, name);
-  say(QString::fromStdString(renamed.error().message), true);
+  say(engineError(renamed.error().message), true);
 }
 
 void SessionsPage::editName(const std::filesystem::path& file, const QString& name)
@@ -352,7 +353,7 @@ void SessionsPage::throwAway()
     const auto trashed = session::trashSession(each.file);
     if (!trashed) {
       reread();
-      return say(QString::fromStdString(trashed.error().message), true);
+      return say(engineError(trashed.error().message), true);
     }
     trashed_.emplace_back(*trashed, each.file);
   }
@@ -363,7 +364,7 @@ void SessionsPage::bringBack()
 {
   for (const auto& [trashed, place] : trashed_) {
     const auto done = session::restoreSession(trashed, place);
-    if (!done) return say(QString::fromStdString(done.error().message), true);
+    if (!done) return say(engineError(done.error().message), true);
   }
   trashed_.clear();
   reread();

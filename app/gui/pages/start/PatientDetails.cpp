@@ -72,7 +72,7 @@ QString PatientDetails::handChanges(const SavedPatient& patient)
   const auto& versions = patient.record.versions;
   const bool areOthers =
       !versions.empty() && versions.back().patient != anatomy::patientText(patient.patient);
-  return areOthers ? tr(" · measures changed by hand") : QString();
+  return areOthers ? tr(" · measures changed by hand") : handChange(patient.patient);
 }
 
 void PatientDetails::show(const std::optional<SavedPatient>& patient)
@@ -162,7 +162,7 @@ void PatientDetails::readHistory(const std::filesystem::path& beingRecorded)
         return readPatientWork(beingRecorded, isCanceled);
       },
       [this](Result<PatientWork> work) {
-        if (!work) return said(QString::fromStdString(work.error().message));
+        if (!work) return said(engineError(work.error().message));
         work_ = *std::move(work);
         showHistory();
       });

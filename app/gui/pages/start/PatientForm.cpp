@@ -334,6 +334,7 @@ anatomy::Patient PatientForm::patient() const
     if (isAsShown(*patient.basalTurn)) {
       patient.errors = shown_.errors;
       patient.origin = shown_.origin;
+      patient.seal = shown_.seal;
     }
   } else {
     patient.scalaTympaniLength = length_->value().value_or(Length{});
@@ -387,10 +388,7 @@ void PatientForm::showState()
 
 void PatientForm::submit()
 {
-  if (use_->isEnabled()) {
-    Q_EMIT patientGiven(patient());
-    return;
-  }
+  if (use_->isEnabled()) return patientGiven(patient());
   // to what is missing
   if (!anatomy::checkPatientCode(label_->text().trimmed().toStdString())) return label_->setFocus();
   for (PopulationField* field : fields())

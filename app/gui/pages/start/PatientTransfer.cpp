@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "gui/parts/EngineErrors.h"
+
 namespace perilymph::gui {
 
 namespace {
@@ -38,7 +40,7 @@ void PatientTransfer::start(Copy copy)
     if (place)
       Q_EMIT copied(QString::fromStdString(place->string()));
     else
-      Q_EMIT failed(QString::fromStdString(place.error().message));
+      Q_EMIT failed(engineError(place.error().message));
   });
   timer_.start();
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "gui/parts/EngineErrors.h"
 #include "gui/parts/Numbers.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/foundation/Unfinished.h"
@@ -63,7 +64,7 @@ void StudyWork::open(const fs::path& file)
         return std::make_shared<const study::StudyColumns>(*std::move(columns));
       },
       [this, file](const Result<Columns>& columns) {
-        if (!columns) return failed(QString::fromStdString(columns.error().message));
+        if (!columns) return failed(engineError(columns.error().message));
         Q_EMIT opened(*columns, file);
       });
 }
@@ -79,7 +80,7 @@ void StudyWork::runAgain(const Columns& columns, const fs::path& file, std::size
       },
       [this, number = result.number,
        before_mN = inMillinewtons(result.insertion.peak.force)](const Result<CaseRecording>& now) {
-        if (!now) return failed(QString::fromStdString(now.error().message));
+        if (!now) return failed(engineError(now.error().message));
         QString sentence;
         if (now->peak_mN) {
           // as shown

@@ -10,6 +10,7 @@
 #include "ProfilePoints.h"
 #include "perilymph/analysis/ContactPositions.h"
 #include "perilymph/analysis/Variability.h"
+#include "perilymph/session/Highlights.h"
 #include "perilymph/session/Insertion.h"
 #include "validation/ExperimentDevice.h"
 
@@ -107,7 +108,7 @@ ClinicalInsertion insertByHand(const session::InsertionParameters& nominal,
   haptics::TickOutput last;
   const auto note = [&](const haptics::TickOutput& now) {
     last = now;
-    result.peak = newtons(std::max(result.peak.si(), now.axialForce));
+    if (session::raisesPeak(now, result.peak.si())) result.peak = newtons(now.axialForce);
     result.membrane = newtons(std::max(result.membrane.si(), now.membraneForce));
   };
   ProfilePoints points(profileSpacing);

@@ -7,6 +7,7 @@
 
 #include "perilymph/anatomy/Population.h"
 #include "perilymph/foundation/AtomicFile.h"
+#include "perilymph/foundation/Sha256.h"
 
 namespace perilymph::anatomy {
 namespace {
@@ -159,6 +160,51 @@ constexpr OriginKey originKeys[] = {{"measured_with", &MeasurementOrigin::softwa
                                     {"landmarks_by_hand", &MeasurementOrigin::landmarksByHand},
                                     {"landmarks_proposed", &MeasurementOrigin::landmarksProposed}};
 
+/// In the place of the seal of measures that were changed: no hash, so that it never holds.
+constexpr const char* noSeal = "changed by hand";
+
+/// What the seal of a patient is over: every value, to a picometer.
+std::string contentText(const Patient& patient)
+{
+  std::string text =
+      "label = " + quoted(patient.label) + "\nside = " + quoted(nameOf(patient.side)) + '\n';
+  if (!patient.basalTurn)
+    return text + line("st_length_mm", patient.scalaTympaniLength) +
+           line("rw_width_mm", patient.roundWindowWidth) +
+           line("rw_height_mm", patient.roundWindowHeight);
+  text += line("a_mm", patient.basalTurn->a) + line("b_mm", patient.basalTurn->b);
+  if (patient.basalTurn->h) text += line("h_mm", *patient.basalTurn->h);
+  if (const auto& errors = patient.errors) {
+    text += line("a_sd_mm", errors->a) + line("b_sd_mm", errors->b);
+    if (errors->h) text += line("h_sd_mm", *errors->h);
+    for (const auto& [key, correlation] : correlationKeys)
+      if (const double value = (*errors).*correlation; value != 0.0)
+        text += std::string(key) + " = " + decimals(value) + '\n';
+  }
+  for (const auto& [key, origin] : originKeys)
+    if (!(patient.origin.*origin).empty())
+      text += std::string(key) + " = " + quoted(patient.origin.*origin) + '\n';
+  return text;
+}
+
+std::string sealOver(const Patient& patient)
+{
+  Sha256 hash;
+  hash.add(std::string_view(contentText(patient)));
+  return hash.hex();
+}
+
+/// What a patient's seal, empty if there is none, says of the values beside it. A series that no
+/// program measured in is of no file that a program wrote.
+Seal sealIn(const Patient& patient, const std::string& seal)
+{
+  if (!seal.empty()) return seal == sealOver(patient) ? Seal::intact : Seal::changed;
+  const MeasurementOrigin& origin = patient.origin;
+  const bool hasToBe =
+      hasToBeSealed(origin.software) || (origin.software.empty() && !origin.seriesKey.empty());
+  return hasToBe ? Seal::changed : Seal::absent;
+}
+
 /// Reads the errors of A, B and optionally H; empty if there are none.
 std::optional<BasalTurnErrors> readErrors(TomlReader& reader)
 {
@@ -217,7 +263,9 @@ Result<Patient> readPatient(Result<TomlReader> reader, const std::string& label)
     patient.roundWindowHeight = millimeters(reader->number("rw_height_mm", height_mm));
   }
 
+  const std::string seal = reader->text(sealKey, "");
   if (const Result<Done> done = reader->finish(); !done) return done.error();
+  patient.seal = sealIn(patient, seal);
   if (const Result<Done> done = checkPatient(patient); !done)
     return Error{reader->name() + ": " + done.error().message};
   return patient;
@@ -237,27 +285,26 @@ Result<Patient> patientIn(const std::string& text, const std::string& name)
 
 std::string patientText(const Patient& patient)
 {
-  std::string text =
-      "label = " + quoted(patient.label) + "\nside = " + quoted(nameOf(patient.side)) + '\n';
-  if (patient.basalTurn) {
-    text += line("a_mm", patient.basalTurn->a) + line("b_mm", patient.basalTurn->b);
-    if (patient.basalTurn->h) text += line("h_mm", *patient.basalTurn->h);
-    if (const auto& errors = patient.errors) {
-      text += line("a_sd_mm", errors->a) + line("b_sd_mm", errors->b);
-      if (errors->h) text += line("h_sd_mm", *errors->h);
-      for (const auto& [key, correlation] : correlationKeys)
-        if (const double value = (*errors).*correlation; value != 0.0)
-          text += std::string(key) + " = " + decimals(value) + '\n';
-    }
-    for (const auto& [key, origin] : originKeys)
-      if (!(patient.origin.*origin).empty())
-        text += std::string(key) + " = " + quoted(patient.origin.*origin) + '\n';
-  } else {
-    text += line("st_length_mm", patient.scalaTympaniLength) +
-            line("rw_width_mm", patient.roundWindowWidth) +
-            line("rw_height_mm", patient.roundWindowHeight);
-  }
-  return text;
+  const std::string text = contentText(patient);
+  if (patient.seal == Seal::absent) return text;
+  const std::string seal = patient.seal == Seal::intact ? sealOver(patient) : std::string(noSeal);
+  return text + sealKey + " = " + quoted(seal) + '\n';
+}
+
+std::string statedSeries(const Patient& patient)
+{
+  return patient.seal == Seal::changed ? std::string() : patient.origin.seriesKey;
+}
+
+std::string noteOn(const Patient& patient)
+{
+  if (patient.seal == Seal::changed)
+    return "The measures of " + patient.label +
+           " were changed by hand after the program wrote them. Do not use them as measured in a "
+           "CT.";
+  if (patient.seal == Seal::intact || patient.origin.software.empty()) return {};
+  return "The measures of " + patient.label +
+         " carry no seal: their file is of an earlier version or of another program.";
 }
 
 Result<Done> savePatient(const Patient& patient, const std::filesystem::path& file)

@@ -281,7 +281,7 @@ Result<Done> savePatientVersion(const anatomy::Patient& patient, const fs::path&
   const std::string text = anatomy::patientText(patient);
   if (!isLast(text))
     record.versions.push_back({facts.utc, buildId(), text, facts.landmarks, facts.warnings});
-  const std::string& series = patient.origin.seriesKey;
+  const std::string series = statedSeries(patient);
   const bool isKnown = std::any_of(record.scans.begin(), record.scans.end(),
                                    [&series](const auto& each) { return each.series == series; });
   if (!series.empty() && !isKnown) record.scans.push_back({series, facts.utc});

@@ -51,7 +51,7 @@ Json versionJson(const PatientVersion& version)
                {"patient_toml", version.patient}};
   if (const auto patient = anatomy::patientIn(version.patient, "version")) {
     json["measures"] = measuresJson(*patient);
-    json["series_sha256"] = patient->origin.seriesKey;
+    json["series_sha256"] = statedSeries(*patient);
   }
   json["landmarks"] = Json::array();
   for (const PatientLandmark& each : version.landmarks)
@@ -137,7 +137,8 @@ Result<PatientRecord> recordIn(const std::string& text, const std::string& name)
     const auto format = json.at("format").get<double>();
     if (format > recordFormat)
       return Error{name + " is of a newer program. Open it with that one."};
-    const bool isSealed = format >= recordFormat;
+    // Format 1 had no versions, whatever the line of the format says.
+    const bool isSealed = format >= recordFormat || json.contains("versions");
     record.tags = json.at("tags").get<std::vector<std::string>>();
     record.notes = json.at("notes").get<std::string>();
     record.isArchived = json.at("archived").get<bool>();

@@ -13,12 +13,11 @@ void Highlights::add(const haptics::TickRecord& record) noexcept
   const bool hasMoved = isMoving || now.workflow == haptics::Workflow::inserting;
   isMoving = now.workflow == haptics::Workflow::inserting;
   if (!(now.time > 0.0)) return;
-  const bool isFirst = !hasBegun;
   hasBegun = true;
   if (hasMoved) duration = std::max(duration, now.time);
   deepest = std::max(deepest, now.depth);
   deepestAngle = std::max(deepestAngle, now.angularDepth);
-  if (!isFirst && !(now.axialForce > peakForce)) return;
+  if (!raisesPeak(now, peakForce)) return;
   peakForce = now.axialForce;
   peakTravel = now.travel;
   peakDepth = now.depth;

@@ -71,8 +71,11 @@ Result<Done> RecordedInsertion::Content::readFacts()
   if (!read) return damaged("facts about it are missing");
   facts = *read;
   const bool hasHash = meta.count(MetaKey::contentHash) != 0;
-  if (hasHash != (database.version() >= firstVersionWithHash))
-    return damaged(hasHash ? "its format has no hash, and there is one" : "its hash is missing");
+  const bool isInFormat = database.version() >= firstVersionWithHash;
+  if (hasHash && !isInFormat) return damaged("its format has no hash, and there is one");
+  if (!hasHash && (isInFormat || hasToBeSealed(facts.buildId, sealsRecordings) ||
+                   hasToBeSealed(facts.version, sealsRecordings)))
+    return damaged("its hash is missing");
   const auto closed = flagIn(meta, MetaKey::closed);
   if (!closed) return damaged("it does not say whether it was closed");
   wasClosed = *closed;

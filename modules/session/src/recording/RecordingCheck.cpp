@@ -75,6 +75,15 @@ std::string selectTicks()
 
 }  // namespace
 
+std::string noteOn(const RecordingCheck& check, const std::filesystem::path& file)
+{
+  if (!check.damage.empty())
+    return file.string() + " was changed after it was recorded: " + check.damage +
+           ". Do not use its values as results of the program.";
+  return check.hasHash ? std::string()
+                       : file.string() + " carries no seal: it is of an earlier version.";
+}
+
 Result<RecordingCheck> RecordedInsertion::check() const
 {
   const Content& content = *content_;

@@ -250,7 +250,9 @@ Result<Done> InsertionTable::checkRows()
     return Done{};
   });
   if (!done) return done;
-  seal_ = sealIn(facts_, rows_, database_.version() >= kind_->sealedFrom);
+  const auto program = facts_.find(programFact);
+  seal_ = sealIn(facts_, rows_, database_.version() >= kind_->sealedFrom,
+                 program == facts_.end() ? std::string_view() : program->second);
   facts_.erase(sealKey);
   return Done{};
 }
@@ -266,14 +268,14 @@ Result<Done> InsertionTable::expect(const SealedFacts& facts) const
     return Error{file_.string() +
                  " was changed after the program wrote it, so its results are not continued." +
                  remedy};
+  if (seal_ == Seal::absent)
+    return Error{file_.string() + " carries no seal: it is of an earlier version." + remedy};
   if (fact(facts_, fingerprintFact) != fact(facts, fingerprintFact))
     return Error{file_.string() + " " + kind_->foreign + remedy};
   if (fact(facts_, programFact) != fact(facts, programFact))
     return Error{file_.string() + " was begun by another build of the program (" +
                  fact(facts_, programFact) + "; this is " + fact(facts, programFact) + ")." +
                  remedy};
-  if (seal_ == Seal::absent)
-    return Error{file_.string() + " carries no seal: it is of an earlier version." + remedy};
   if (facts_ != facts) return Error{file_.string() + " is for other insertions." + remedy};
   return Done{};
 }

@@ -112,6 +112,7 @@ void ScenarioKeys::notePatient(const anatomy::Patient& patient, anatomy::Anatomy
     note(std::string("patient_numbers.") + key, tomlNumber(exactMillimeters(length)));
   };
   note("patient_numbers.label", tomlText(patient.label));
+  if (patient.seal == Seal::changed) note("patient_numbers.changed_by_hand", "true");
   if (patient.basalTurn) {
     noteLength("a_mm", patient.basalTurn->a);
     noteLength("b_mm", patient.basalTurn->b);

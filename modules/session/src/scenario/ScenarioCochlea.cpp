@@ -15,6 +15,7 @@ anatomy::Patient patientFromNumbers(TomlReader numbers)
 {
   anatomy::Patient patient;
   patient.label = numbers.text("label", patient.label);
+  if (numbers.flag("changed_by_hand", false)) patient.seal = Seal::changed;
   if (numbers.has("a_mm")) {
     // the population's limits are checked with the whole patient
     const auto diameter = [&numbers](const char* key) {

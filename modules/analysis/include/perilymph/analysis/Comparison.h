@@ -14,6 +14,7 @@
 #include "perilymph/analysis/Reference.h"
 #include "perilymph/figures/Figure.h"
 #include "perilymph/foundation/Result.h"
+#include "perilymph/session/RecordedInsertion.h"
 #include "perilymph/session/SessionLibrary.h"
 
 namespace perilymph::analysis {
@@ -30,9 +31,13 @@ struct ComparedInsertion {
   /// The rupture of the cochlear partition, with the most of the array that was above it at a time;
   /// empty if the partition held.
   std::optional<haptics::Translocation> translocation;
+  session::RecordingCheck check;  ///< Whether the file is as it was recorded.
 };
 
-/// Reads a whole recording. `goesOn` is called from time to time and returns false to stop.
+/// The name, with " (changed by hand)" if the file is not as it was recorded.
+std::string labelOf(const ComparedInsertion& insertion);
+
+/// Reads a whole recording and checks its seal. `goesOn` is called from time to time and returns false to stop.
 Result<ComparedInsertion> readCompared(const std::filesystem::path& file,
                                        const std::function<bool()>& goesOn = {});
 

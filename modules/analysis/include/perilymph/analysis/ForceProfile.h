@@ -65,7 +65,6 @@ private:
 
   ForceProfile profile_;
   std::optional<haptics::TickOutput> before_;
-  bool hasPeak_ = false;
   long nextPoint_ = 0;  ///< Multiple of profileStep() of the next point.
 };
 

@@ -16,6 +16,7 @@
 #include "perilymph/anatomy/ScalaTympani.h"
 #include "perilymph/foundation/Choice.h"
 #include "perilymph/foundation/Result.h"
+#include "perilymph/foundation/Seal.h"
 #include "perilymph/foundation/TomlReader.h"
 #include "perilymph/foundation/Units.h"
 
@@ -56,7 +57,17 @@ struct Patient {
   std::optional<BasalTurn> basalTurn = std::nullopt;
   std::optional<BasalTurnErrors> errors = std::nullopt;  ///< Errors of `basalTurn`, if known.
   MeasurementOrigin origin = {};                         ///< Origin of `basalTurn`.
+  /// State of the file or plan that it was read from: `changed` after the program wrote it, or
+  /// `absent`, never sealed, such as a file that a person wrote.
+  Seal seal = Seal::intact;
 };
+
+/// The CT series in which the measures were taken; empty if they were changed afterward.
+std::string statedSeries(const Patient& patient);
+
+/// A sentence about measures that were changed by hand, or that name an origin which no seal vouches
+/// for; else empty.
+std::string noteOn(const Patient& patient);
 
 /// Allowed range of a Patient's values.
 struct PatientLimits {
@@ -67,12 +78,14 @@ PatientLimits patientLimits();
 /// Reads a patient: keys `label, side`, and either `st_length_mm, rw_width_mm, rw_height_mm` or
 /// `a_mm, b_mm` with optional `h_mm`, their errors `a_sd_mm, b_sd_mm, h_sd_mm`, the correlations of
 /// these errors `ab_correlation, ah_correlation, bh_correlation` and the origin
-/// `measured_with, series_sha256, landmarks_by_hand, landmarks_proposed`.
+/// `measured_with, series_sha256, landmarks_by_hand, landmarks_proposed`. The seal `content_sha256` is
+/// over all of these values; comments, spaces and the order of keys are free.
 Result<Patient> loadPatient(const std::filesystem::path& file);
 /// The same from a text; messages show `name` in place of the file.
 Result<Patient> patientIn(const std::string& text, const std::string& name);
 
-/// Text of a patient for loadPatient(), rounded to a picometer.
+/// Text of a patient for loadPatient(), rounded to a picometer, with its seal: none where there was
+/// none, and one that does not hold for changed measures, whoever writes them again.
 std::string patientText(const Patient& patient);
 
 /// Writes a patient to a file for loadPatient(), rounded to a picometer.

@@ -4,10 +4,13 @@
 // The seal of a file with results: a hash of its content, written into it by the program. It detects
 // a change by hand or by a damaged disk; it does not prove who wrote the file.
 
+#include <array>
+#include <compare>
 #include <map>
 #include <string>
 #include <string_view>
 
+#include "perilymph/foundation/Choice.h"
 #include "perilymph/foundation/Sha256.h"
 
 namespace perilymph {
@@ -19,11 +22,28 @@ enum class Seal {
   changed,  ///< It was changed after the program wrote it: it has no number of its own.
 };
 
+inline constexpr std::array seals{Choice<Seal>{Seal::intact, "intact"},
+                                  Choice<Seal>{Seal::absent, "absent"},
+                                  Choice<Seal>{Seal::changed, "changed"}};
 /// "intact", "absent" or "changed", in JSON and Python.
-const char* nameOf(Seal seal) noexcept;
+constexpr const char* nameOf(Seal seal) { return nameIn(seals, seal); }
 
 /// A sentence about a file whose seal is absent or broken; empty for an intact one.
 std::string noteOn(Seal seal);
+
+/// Release of the program.
+struct Release {
+  int major = 0, minor = 0;
+  friend auto operator<=>(const Release&, const Release&) = default;
+};
+
+/// From which release on, its development included, the program seals recordings, and every other
+/// file with results.
+inline constexpr Release sealsRecordings{0, 2}, sealsResults{0, 3};
+
+/// Whether a file that names its program ("0.3.0-dev+1a2b", "Perilymph 0.2.0") must have a seal,
+/// whatever its format line says. False for programs of others.
+bool hasToBeSealed(std::string_view program, Release since = sealsResults);
 
 /// Key of the seal in every kind of file.
 inline constexpr const char* sealKey = "content_sha256";
@@ -36,8 +56,11 @@ std::string sealOver(const SealedFacts& facts, const Sha256& rows);
 
 /// The state of a table whose facts have, or lack, a seal.
 ///
-/// @param hasToHave  Whether the file's format has a seal.
-Seal sealIn(const SealedFacts& facts, const Sha256& rows, bool hasToHave);
+/// @param isInFormat  Whether the file's format has a seal.
+/// @param program     The program that the file names: without a seal, one that has to seal it makes
+///                    it a changed file (hasToBeSealed()).
+Seal sealIn(const SealedFacts& facts, const Sha256& rows, bool isInFormat,
+            std::string_view program = {});
 
 /// The value of `sealKey` in a JSON text that is not sealed yet.
 std::string sealToBe();
@@ -47,7 +70,7 @@ std::string sealed(std::string json);
 
 /// The state of a JSON text, byte by byte.
 ///
-/// @param hasToHave  Whether its format has a seal.
-Seal sealIn(std::string_view json, bool hasToHave);
+/// @param isInFormat, program  As of a table.
+Seal sealIn(std::string_view json, bool isInFormat, std::string_view program = {});
 
 }  // namespace perilymph

@@ -27,6 +27,10 @@ struct RecordingCheck {
   std::string damage;
 };
 
+/// A sentence about a recording that was changed after it was recorded, or carries no seal; empty for
+/// an intact one.
+std::string noteOn(const RecordingCheck& check, const std::filesystem::path& file);
+
 /// Reader of an `.insertion` file.
 class RecordedInsertion {
 public:

@@ -45,6 +45,9 @@ struct SlurmJobs {
 /// partition and the time; and more jobs than Slurm keeps.
 Result<SlurmJobs> slurmJobs(const SlurmRequest& request, const SlurmLimits& limits);
 
+/// Whether a file is a script that slurmJobs() wrote.
+bool isSlurmScript(const std::filesystem::path& file);
+
 /// Limits in the answer of `scontrol show config`.
 Result<SlurmLimits> readLimits(const std::string& answer);
 

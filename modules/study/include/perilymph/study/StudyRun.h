@@ -40,9 +40,11 @@ Result<bool> runShard(const Study& study, const Shard& shard, const std::filesys
 /// State of one shard's file in a folder.
 struct ShardState {
   std::filesystem::path file;
-  Shard shard;           ///< Without index and count if the file is not readable.
-  std::size_t done = 0;  ///< Insertions in it.
-  std::string error;     ///< A message if it is not readable.
+  Shard shard;              ///< Without index and count if the file is not readable.
+  std::size_t done = 0;     ///< Insertions in it.
+  std::size_t cases = 0;    ///< Insertions of the whole study.
+  std::string fingerprint;  ///< Identity of the study.
+  std::string error;        ///< A message if it is not readable.
 };
 /// The shards in a folder, sorted by their first case.
 Result<std::vector<ShardState>> shardsIn(const std::filesystem::path& folder);

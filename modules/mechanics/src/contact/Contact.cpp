@@ -89,7 +89,7 @@ void normalContact(const InsertionModel& model, InsertionState& state, const Rod
 
   // Behind the opening the wall sets in over one node spacing, so that a node passing the edge does
   // not hit it abruptly.
-  const double inside = (model.entry.origin_W - at_W).dot(model.entry.out_W);
+  const double inside = anatomy::behindOpening(model.entry, at_W, state.track[i]);
   const double fraction = std::clamp(inside / model.spacing, 0.0, 1.0);
   NormalForce push = normalForce(penetration, fraction * model.wallStiffness[i], onset);
   Eigen::Vector3d& force_W = state.wallForce_W[i];

@@ -175,7 +175,8 @@ bool openContact(const InsertionModel& model, InsertionState& state, const RodKi
   const Vector3d& at_W = state.position_W[i];
   model.parts.lumen->follow(at_W, state.track[i]);
   const anatomy::LumenTrack& track = state.track[i];
-  const Intactness whole = state.partition.at(track.angle);
+  Intactness whole = state.partition.at(track.angle);
+  if (whole.slope < 0.0) whole.slope = whole.bend = 0.0;  // the near edge does not pull
 
   anatomy::WallPoint own = contacts.wall[i];
   WallContact side, both;
@@ -236,19 +237,6 @@ bool openContact(const InsertionModel& model, InsertionState& state, const RodKi
     addTurning(open * both.force, around, block);
   }
   return true;
-}
-
-double forceOnPartition(const InsertionModel& model, const InsertionState& state,
-                        const RodKinematics& rod, std::size_t i) noexcept
-{
-  const double up = -state.normalForce[i] * state.wallNormal_W[i].z();
-  if (!(up > 0.0)) return 0.0;
-  const anatomy::WallPoint around =
-      wallIn(*model.partition->both, state.position_W[i], model.radius[i], state.track[i]);
-  SectionReach reach;
-  const WallContact both =
-      onBone(model, i, around, reachOf(model, state, rod, i, around, {}, reach));
-  return std::max(up - std::max(-both.force_W.z(), 0.0), 0.0);
 }
 
 }  // namespace perilymph::mechanics

@@ -109,7 +109,10 @@ void advanceRod(const InsertionModel& model, InsertionState& state, const Drive&
   const Wrench wrench = wrenchOf(model, state, drive, step.base, work);
   ++state.tick;
   read(model, state, wrench, step.result, work.done);
-  if (model.partition) rupturePartition(model, state, work.rod, work.contacts);
+  if (state.isSettling) return;
+  const PartitionContact contact = contactWithPartition(model, state, work.contacts);
+  state.readings.partitionForce = contact.force;
+  if (model.partition) rupturePartition(*model.partition, contact, state);
 }
 
 }  // namespace perilymph::mechanics

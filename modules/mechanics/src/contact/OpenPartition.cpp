@@ -175,8 +175,7 @@ bool openContact(const InsertionModel& model, InsertionState& state, const RodKi
   const Vector3d& at_W = state.position_W[i];
   model.parts.lumen->follow(at_W, state.track[i]);
   const anatomy::LumenTrack& track = state.track[i];
-  Intactness whole = state.partition.at(track.angle);
-  if (whole.slope < 0.0) whole.slope = whole.bend = 0.0;  // the near edge does not pull
+  const Intactness whole = state.partition.at(track.angle);
 
   anatomy::WallPoint own = contacts.wall[i];
   WallContact side, both;

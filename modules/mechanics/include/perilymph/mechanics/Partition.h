@@ -29,9 +29,7 @@ PartitionRange partitionRangeOf(const anatomy::Lumen& lumen);
 ///
 /// With the energy E of the wall on a node in the scala below or above (the node's side), and that
 /// without a partition E_both, in the lumen of both scalae, the partition stores w (E - E_both).
-/// w is 1 where it is intact and 0 where it is open. Its force is the gradient of that energy, but an
-/// edge only resists an array that is pushed on under it: it does not pull at one that lies under its
-/// near side, as the opening does not push back on what enters there.
+/// w is 1 where it is intact and 0 where it is open; the force on it is the gradient of that energy.
 struct PartitionModel {
   /// @throws std::invalid_argument if the sections above cannot be built.
   PartitionModel(const anatomy::ScalaTympani& tympani, Force breakingForce);

@@ -33,7 +33,7 @@ FullInsertion runFully(session::Insertion& insertion, Length profileSpacing,
     if (!isMoving) return !isAsked;
     if (now.axialForce > result.peak.force.si())
       result.peak = {meters(now.depth), newtons(now.axialForce)};
-    result.maxMembraneForce = newtons(std::max(result.maxMembraneForce.si(), now.membraneForce));
+    result.partition = newtons(std::max(result.partition.si(), now.partitionForce));
     result.maxDepth = meters(std::max(result.maxDepth.si(), now.depth));
     points.add(result.profile, now.depth, now.axialForce);
     return !isAsked;

@@ -103,6 +103,33 @@ TEST_P(LumenOf, MeasuresTheDistanceToTheNearestWall)
   EXPECT_LT(errors.back(), test::tolerance(40e-6, "rounded ridges"));
 }
 
+TEST(LumenBehindItsOpening, HasAWallWhereThePlaneOfTheOpeningCutsALaterTurn)
+{
+  const auto built = buildMean(millimeters(0));
+  ASSERT_TRUE(built);
+  const ScalaTympani& scala = **built;
+  const Entry entry = scala.entry();
+  int cut = 0;
+  for (double angle_deg = 180; angle_deg < 360; angle_deg += 10) {
+    const double angle = degrees(angle_deg).si();
+    const Eigen::Vector3d point = 0.4 * scala.center_W(angle) + 0.6 * scala.wall_W(angle, 0.5);
+    if (!((entry.origin_W - point).dot(entry.out_W) < 0.0)) continue;
+    ++cut;
+    const WallPoint wall = ask(scala, point, trackAt(angle));
+    ASSERT_TRUE(wall.isNear) << angle_deg;
+    EXPECT_NEAR(wall.distance, bruteDistance(scala, point, angle),
+                test::tolerance(40e-6, "rounded ridges"))
+        << angle_deg;
+    LumenTrack track = trackAt(angle);
+    scala.follow(point, track);
+    EXPECT_NEAR(track.angle, angle, 1e-9);
+    EXPECT_GT(behindOpening(entry, point, track), 0.0);
+    // a point of which nothing says that it came by that turn is in front of the opening
+    EXPECT_FALSE(ask(scala, point).isNear) << angle_deg;
+  }
+  EXPECT_GT(cut, 3);
+}
+
 TEST_P(LumenOf, IsZeroOnTheWallAndNegativeBeyond)
 {
   for (double angle_deg = 10; angle_deg < 850; angle_deg += 40)

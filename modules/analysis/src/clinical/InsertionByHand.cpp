@@ -108,7 +108,7 @@ ClinicalInsertion insertByHand(const session::InsertionParameters& nominal,
   const auto note = [&](const haptics::TickOutput& now) {
     last = now;
     result.peak = newtons(std::max(result.peak.si(), now.axialForce));
-    result.membrane = newtons(std::max(result.membrane.si(), now.partitionForce));
+    result.partition = newtons(std::max(result.partition.si(), now.partitionForce));
   };
   ProfilePoints points(profileSpacing);
   const auto push = [&](const haptics::TickRecord& record) {

@@ -6,6 +6,7 @@
 #include "Terminal.h"
 #include "perilymph/analysis/ForceProfile.h"
 #include "perilymph/foundation/AtomicFile.h"
+#include "perilymph/foundation/Version.h"
 #include "perilymph/session/Csv.h"
 #include "perilymph/session/RecordedInsertion.h"
 #include "perilymph/session/Replay.h"
@@ -76,6 +77,12 @@ Result<Done> verifyBits(const std::string& file)
   if (!verification->difference)
     return Error{file + " holds nothing that could be compared. Record an insertion first."};
   const session::Difference& difference = *verification->difference;
+  if (!verification->otherVersion.empty())
+    return Error{file + " was computed by version " + verification->otherVersion +
+                 "; not recomputed: this version, " + version() +
+                 ", computes other values from tick " + std::to_string(difference.tick) + " (" +
+                 difference.field +
+                 ") on. What was recorded is shown, compared and exported as it is."};
   std::string sentence = file + " differs from its replay first at tick " +
                          std::to_string(difference.tick) + " in " + difference.field +
                          ": recorded " + difference.recorded + ", computed " + difference.computed +

@@ -136,7 +136,7 @@ py::dict insertions(const StoredPlan& stored)
   add("depth_mm", [](const Row& row) { return inMillimeters(row.insertion.depth); });
   add("angle_deg", [](const Row& row) { return inDegrees(row.insertion.apical); });
   add("peak_mN", [](const Row& row) { return inMillinewtons(row.insertion.peak); });
-  add("partition_mN", [](const Row& row) { return inMillinewtons(row.insertion.membrane); });
+  add("partition_mN", [](const Row& row) { return inMillinewtons(row.insertion.partition); });
   return found;
 }
 

@@ -2885,6 +2885,10 @@
         <translation>normal zur Wand, an einem Knoten; %1</translation>
     </message>
     <message>
+        <source>not recorded</source>
+        <translation>nicht aufgezeichnet</translation>
+    </message>
+    <message>
         <source>Maximum force on the cochlear partition</source>
         <translation>Maximale Kraft auf die cochleäre Trennwand</translation>
     </message>
@@ -2959,6 +2963,10 @@
     <message>
         <source>Replay verified: %1 samples identical</source>
         <translation>Wiedergabe geprüft: %1 Abtastwerte identisch</translation>
+    </message>
+    <message>
+        <source>computed by version %1; not recomputed</source>
+        <translation>berechnet mit Version %1; nicht neu berechnet</translation>
     </message>
     <message>
         <source>differs from sample %1, in %2</source>
@@ -3063,6 +3071,10 @@
     <message>
         <source>translocation: partition ruptured at %1° by %2 mN, %3 mm above it</source>
         <translation>Translokation: Trennwand bei %1° mit %2 mN rupturiert, %3 mm darüber</translation>
+    </message>
+    <message>
+        <source>force on the cochlear partition not recorded</source>
+        <translation>Kraft auf die cochleäre Trennwand nicht aufgezeichnet</translation>
     </message>
     <message>
         <source>cochlear partition %1 mN</source>
@@ -3387,6 +3399,10 @@
     <message>
         <source>without pauses, to maximum depth; reversals: %1</source>
         <translation>ohne Pausen, bis zur größten Tiefe; Richtungswechsel: %1</translation>
+    </message>
+    <message>
+        <source>not recorded</source>
+        <translation>nicht aufgezeichnet</translation>
     </message>
     <message>
         <source>Maximum partition force</source>
@@ -5392,8 +5408,8 @@
         <translation>Wahrnehmungsschwelle: Median von zehn Ohrchirurgen, %1 mN (Kratchman et al. 2016, Audiol Neurotol 21:244).</translation>
     </message>
     <message>
-        <source>The partition force is the sum of the normal forces of the whole array on the cochlear partition; rupture was measured under a point load. No force is known to be safe: trauma may occur below these forces (Mirsalehi et al. 2017).</source>
-        <translation>Die Trennwandkraft ist die Summe der Normalkräfte des ganzen Trägers auf die cochleäre Trennwand; die Ruptur wurde unter Punktlast gemessen. Keine Kraft gilt als sicher: Trauma kann auch unter diesen Kräften auftreten (Mirsalehi et al. 2017).</translation>
+        <source>The partition force is the largest force normal to the cochlear partition, bone and membrane, within one width of the array: that at which the partition ruptures in the simulation. Rupture was measured under a point load. No force is known to be safe: trauma may occur below these forces (Mirsalehi et al. 2017).</source>
+        <translation>Die Trennwandkraft ist die größte Kraft senkrecht auf die cochleäre Trennwand, Knochen und Membran, innerhalb einer Trägerbreite: die, bei der die Trennwand in der Simulation rupturiert. Die Ruptur wurde unter Punktlast gemessen. Keine Kraft gilt als sicher: Trauma kann auch unter diesen Kräften auftreten (Mirsalehi et al. 2017).</translation>
     </message>
 </context>
 <context>

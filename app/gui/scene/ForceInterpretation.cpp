@@ -54,6 +54,7 @@ ForceMeaning meaningOnHand(Force force, const ForceThresholds& known)
 
 ForceMeaning meaningOnPartition(Force force, const ForceThresholds& known)
 {
+  if (std::isnan(force.si())) return {tr("force on the cochlear partition not recorded"), false};
   const QString now = numberText(inMillinewtons(force), 0);
   if (!known.rupture) return {tr("cochlear partition %1 mN").arg(now), false};
   const QString low = millinewtonsText(known.rupture->low);

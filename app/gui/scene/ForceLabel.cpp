@@ -36,8 +36,11 @@ ForceLabel::ForceLabel(QWidget* parent) : QWidget(parent), known_(ForceThreshold
   if (known_.peaks) sources << QString::fromStdString(known_.peaks->source);
   if (known_.rupture) sources << QString::fromStdString(known_.rupture->source);
   sources << tr(
-      "The partition force is the sum of the normal forces of the whole array on the cochlear "
-      "partition; rupture was measured under a point load. No force is known to be safe: trauma "
+      "The partition force is the largest force normal to the cochlear partition, bone and "
+      "membrane, "
+      "within one width of the array: that at which the partition ruptures in the simulation. "
+      "Rupture "
+      "was measured under a point load. No force is known to be safe: trauma "
       "may occur below these forces (Mirsalehi et al. 2017).");
   sources_ = sources.join(QStringLiteral("\n\n"));
   show({});
@@ -48,7 +51,7 @@ void ForceLabel::show(const haptics::TickOutput& now)
   ForceMeaning hand = meaningOnHand(Force::fromSi(now.axialForce), known_);
   ForceMeaning partition = now.translocation.force > 0.0
                                ? meaningOfRupture(now.translocation)
-                               : meaningOnPartition(Force::fromSi(now.membraneForce), known_);
+                               : meaningOnPartition(Force::fromSi(now.partitionForce), known_);
   if (hand.text == hand_.text && partition.text == partition_.text) return;
   hand_ = std::move(hand);
   partition_ = std::move(partition);

@@ -69,7 +69,9 @@ void ForceProfiler::follow(const haptics::TickOutput& now)
     profile_.peakDepth = now.depth;
   }
   profile_.wallForceMax = std::max(profile_.wallForceMax, now.wallForceMax);
-  profile_.membraneForceMax = std::max(profile_.membraneForceMax, now.membraneForce);
+  profile_.partitionForceMax = std::isnan(now.partitionForce)
+                                   ? now.partitionForce
+                                   : std::max(profile_.partitionForceMax, now.partitionForce);
   profile_.deepest = std::max(profile_.deepest, now.depth);
   profile_.finalTravel = now.travel;
   profile_.finalDepth = now.depth;

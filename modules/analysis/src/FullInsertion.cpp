@@ -34,7 +34,7 @@ FullInsertion runFully(session::Insertion& insertion, Length profileSpacing,
     const bool isMoving =
         now.workflow == haptics::Workflow::inserting || now.workflow == haptics::Workflow::finished;
     if (!isMoving) return !isAsked;
-    result.maxMembraneForce = newtons(std::max(result.maxMembraneForce.si(), now.membraneForce));
+    result.partition = newtons(std::max(result.partition.si(), now.partitionForce));
     result.maxDepth = meters(std::max(result.maxDepth.si(), now.depth));
     points.add(result.profile, now.depth, now.axialForce);
     return !isAsked;

@@ -92,7 +92,7 @@ std::string impossibility(const FullInsertion& insertion)
       {"the depth of the peak force", "mm", inMillimeters(insertion.peak.depth),
        physical::depth_mm},
       {"the force at the end", "mN", inMillinewtons(insertion.endForce), physical::signedForce_mN},
-      {"the force on the partition", "mN", inMillinewtons(insertion.maxMembraneForce),
+      {"the force on the partition", "mN", inMillinewtons(insertion.partition),
        physical::partition_mN}};
   auto reason = firstImpossible(values);
   return reason.empty() ? impossibility(insertion.contacts, insertion.profile) : reason;
@@ -105,7 +105,7 @@ std::string impossibility(const ClinicalInsertion& insertion)
       {"the angle", "degrees", inDegrees(insertion.apical), physical::angle_deg},
       {"the peak force", "mN", inMillinewtons(insertion.peak), physical::force_mN},
       {"the force at the end", "mN", inMillinewtons(insertion.endForce), physical::signedForce_mN},
-      {"the force on the partition", "mN", inMillinewtons(insertion.membrane),
+      {"the force on the partition", "mN", inMillinewtons(insertion.partition),
        physical::partition_mN},
       {"the place of the rupture", "degrees", inDegrees(insertion.ruptureAngle),
        physical::angle_deg}};

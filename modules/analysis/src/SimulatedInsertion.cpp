@@ -110,7 +110,7 @@ std::string simulationJson(const session::Scenario& scenario, const SimulatedIns
   json["final_phase"] = phaseName(phaseOf(simulated.last, scenario.stopTravel()));
   json["deepest_mm"] = asMillimeters(profile.deepest);
   json["wall_force_max_N"] = profile.wallForceMax;
-  json["membrane_force_max_N"] = profile.membraneForceMax;
+  json["partition_force_max_N"] = profile.partitionForceMax;
   if (scenario.parameters().partitionStrength.si() > 0.0)
     json["translocation"] = translocationJson(simulated.last);
   json["duration_s"] = profile.duration;

@@ -34,8 +34,7 @@ NodePlace ArrayInScala::place(const Eigen::Vector3d& node_W, anatomy::LumenTrack
   scala_.nearestWall({&node_W, 1}, {&reach, 1}, {&track, 1}, {&wall, 1});
 
   NodePlace found;
-  const double outside = (node_W - entry.origin_W).dot(entry.out_W);
-  found.isInside = outside < 0.0;
+  found.isInside = anatomy::behindOpening(entry, node_W, track) > 0.0;
   if (track.inLeadIn) {
     // the first section moves along the straight axis
     const Eigen::Vector3d first_W = scala_.center_W(0.0);

@@ -346,6 +346,7 @@ void InsertionEngine::updateOutput() noexcept
   output_.proxy_W = asArray(state_.base_W);
   output_.wallForceMax = now.wallForceMax;
   output_.membraneForce = now.membraneForce;
+  output_.partitionForce = now.partitionForce;
   output_.residual = now.residual;
   notePartition(*model_, state_.partition, output_);
 }

@@ -212,6 +212,7 @@ std::shared_ptr<const InsertionModel> InsertionModel::build(ModelParts parts)
     m.styletFromTip = array.stylet.fromTip.si();
     m.styletResidual = array.stylet.residualCurvature;
   }
+  m.partitionRange = partitionRangeOf(*m.parts.lumen);
   if (m.parts.partitionStrength.si() > 0.0) m.partition = partitionOf(m.parts);
   if (m.parts.membrane)
     if (const auto* scala = dynamic_cast<const anatomy::ScalaTympani*>(m.parts.lumen.get()))

@@ -117,7 +117,7 @@ std::vector<ContactOutcome> outcomeOf(const anatomy::Lumen& lumen,
     const Place place = placeOf(array, shape.nodes_W.size(), o.fromTip);
     const Vector3d edge = shape.nodes_W[place.node + 1] - shape.nodes_W[place.node];
     o.position_W = shape.nodes_W[place.node] + place.fraction * edge;
-    o.isInside = (entry.origin_W - o.position_W).dot(entry.out_W) > 0.0;
+    o.isInside = anatomy::behindOpening(entry, o.position_W, track[place.node]) > 0.0;
     if (o.isInside) {
       anatomy::LumenTrack here = track[place.node];
       wallAt(lumen, o.position_W, here, 3e-3);

@@ -99,7 +99,7 @@ std::string contentOf(const PlannedInsertion& planned)
           {"apical", found.apical.si()},
           {"peak", found.peak.si()},
           {"end_force", found.endForce.si()},
-          {"membrane", found.membrane.si()},
+          {"partition", found.partition.si()},
           {"is_ruptured", found.isRuptured},
           {"is_translocated", found.isTranslocated},
           {"rupture_angle", found.ruptureAngle.si()},
@@ -136,7 +136,9 @@ Result<PlannedInsertion> insertionIn(const std::string& content)
     found.apical = radians(row.at("apical").get<double>());
     found.peak = newtons(row.at("peak").get<double>());
     found.endForce = newtons(row.at("end_force").get<double>());
-    found.membrane = newtons(row.at("membrane").get<double>());
+    // version 0.2 kept the force on the membrane alone
+    const char* const partition = row.contains("partition") ? "partition" : "membrane";
+    found.partition = newtons(row.at(partition).get<double>());
     found.isRuptured = row.at("is_ruptured").get<bool>();
     // plans of before counted forces alone
     found.isTranslocated = row.value("is_translocated", false);

@@ -219,7 +219,7 @@ void addForceEvents(ArrayPlan& plan, const Insertions& all, const Thresholds& th
 {
   const auto reaches = [&](Force strength) {
     return probability(
-        all, [=](const PlannedInsertion& each) { return each.insertion.membrane >= strength; });
+        all, [=](const PlannedInsertion& each) { return each.insertion.partition >= strength; });
   };
   plan.ruptured =
       probability(all, [](const PlannedInsertion& each) { return each.insertion.isRuptured; });
@@ -255,7 +255,7 @@ ArrayPlan summaryOf(const Insertions& all, const PlannedArray& array, const Thre
   plan.end_mN =
       band([](const PlannedInsertion& each) { return inMillinewtons(each.insertion.endForce); });
   plan.partition_mN =
-      band([](const PlannedInsertion& each) { return inMillinewtons(each.insertion.membrane); });
+      band([](const PlannedInsertion& each) { return inMillinewtons(each.insertion.partition); });
   plan.full = probabilityOf(all, {InsertionEnd::finished});
   plan.resisted = probabilityOf(all, {InsertionEnd::stoppedByResistance});
   plan.buckled = probabilityOf(all, {InsertionEnd::buckled});

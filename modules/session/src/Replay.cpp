@@ -2,6 +2,7 @@
 #include "perilymph/session/Replay.h"
 
 #include <bit>
+#include <cmath>
 #include <cstdio>
 #include <type_traits>
 
@@ -52,8 +53,11 @@ void flatten(const haptics::TickOutput& output, std::vector<FieldValue>& fields)
 class Comparison {
 public:
   std::optional<Difference> difference(const haptics::TickRecord& recorded,
-                                       const haptics::TickOutput& computed)
+                                       haptics::TickOutput computed)
   {
+    // what an earlier version did not record is not compared
+    if (std::isnan(recorded.output.partitionForce))
+      computed.partitionForce = recorded.output.partitionForce;
     flatten(recorded.output, recorded_);
     flatten(computed, computed_);
     for (std::size_t i = 0; i < recorded_.size(); ++i)
@@ -93,6 +97,7 @@ Result<Verification> beginVerification(const RecordedInsertion& recorded)
   const auto checked = recorded.check();
   if (!checked) return checked.error();
   Verification verification;
+  if (recorded.facts().version != version()) verification.otherVersion = recorded.facts().version;
   verification.ticks = checked->ticks;
   verification.missingTicks = checked->missingTicks;
   verification.damage = checked->damage;

@@ -30,7 +30,7 @@ constexpr std::pair<const char*, Number> ownQuantities[] = {
      [](const StudyResult& one) { return inMillimeters(one.insertion.peak.depth); }},
     {"end_mN", [](const StudyResult& one) { return inMillinewtons(one.insertion.endForce); }},
     {"partition_mN",
-     [](const StudyResult& one) { return inMillinewtons(one.insertion.maxMembraneForce); }},
+     [](const StudyResult& one) { return inMillinewtons(one.insertion.partition); }},
 };
 
 /// A number with more characters was drawn from a range (choice, high).

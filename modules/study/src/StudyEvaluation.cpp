@@ -64,7 +64,7 @@ double valueOf(const StudyResult& result, Outcome outcome)
     case Outcome::partitionForce:
       break;
   }
-  return inMillinewtons(result.insertion.maxMembraneForce);
+  return inMillinewtons(result.insertion.partition);
 }
 
 StudyEvaluation::StudyEvaluation(std::vector<StudyResult> results) : results_(std::move(results))

@@ -89,7 +89,7 @@ InsertionRows rowsOf(const StudyResult& result)
        found.reason, result.a_mm, result.b_mm, result.scalaLength_mm, inMillimeters(found.depth),
        inMillimeters(found.maxDepth), inDegrees(found.apical), 100.0 * found.coverage,
        inMillinewtons(found.peak.force), inMillimeters(found.peak.depth),
-       inMillinewtons(found.endForce), inMillinewtons(found.maxMembraneForce),
+       inMillinewtons(found.endForce), inMillinewtons(found.partition),
        static_cast<std::int64_t>(found.ticks), static_cast<std::int64_t>(found.ticksNotConverged)},
       {{}, {}}};
   for (const analysis::DepthForce& point : found.profile)
@@ -173,7 +173,7 @@ Result<StudyResult> resultIn(const InsertionRows& rows)
   found.peak.force = millinewtons(cells.real());
   found.peak.depth = millimeters(cells.real());
   found.endForce = millinewtons(cells.real());
-  found.maxMembraneForce = millinewtons(cells.real());
+  found.partition = millinewtons(cells.real());
   const std::int64_t ticks = cells.whole(), notConverged = cells.whole();
   if (ticks < 0 || notConverged < 0) return Error{"its ticks are fewer than none"};
   found.ticks = static_cast<std::uint64_t>(ticks);

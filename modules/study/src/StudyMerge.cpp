@@ -53,7 +53,7 @@ std::string rowOf(const StudyResult& result, const std::set<std::string>& settin
   for (const double value :
        {inMillimeters(found.depth), inMillimeters(found.maxDepth), inDegrees(found.apical),
         100.0 * found.coverage, inMillinewtons(found.peak.force), inMillimeters(found.peak.depth),
-        inMillinewtons(found.endForce), inMillinewtons(found.maxMembraneForce)})
+        inMillinewtons(found.endForce), inMillinewtons(found.partition)})
     row += "," + number(value);
   return row + "," + std::to_string(found.ticks) + "," + std::to_string(found.ticksNotConverged) +
          "," + analysis::csvField(found.reason) + "\n";

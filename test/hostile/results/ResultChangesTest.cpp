@@ -72,7 +72,7 @@ Content studyIn(const fs::path& file)
     for (const double value :
          {one.a_mm, one.b_mm, one.scalaLength_mm, found.depth.si(), found.maxDepth.si(),
           found.apical.si(), found.coverage, found.peak.force.si(), found.peak.depth.si(),
-          found.endForce.si(), found.maxMembraneForce.si(), double(found.ticks),
+          found.endForce.si(), found.partition.si(), double(found.ticks),
           double(found.ticksNotConverged)})
       text += digits(value);
     for (const auto& each : found.profile)

@@ -68,7 +68,7 @@ struct Push {
       const double reach = 10e-3;
       insertion->model().partition->both->nearestWall({&now.position_W[i], 1}, {&reach, 1},
                                                       {&track, 1}, {&wall, 1});
-      if (track.angle > insertion->model().partition->firstAngle)
+      if (track.angle > insertion->model().partition->range.begin)
         deepest = std::max(deepest, insertion->model().radius[i] - wall.distance);
       const bool isWhole = partition.at(now.track[i].angle).value >= 1.0;
       if (isWhole && partition.isAbove[i] != wasAbove[i] && wasWhole) ++changedSide;

@@ -33,7 +33,7 @@ TEST(PhysicalRanges, NameTheFirstValueThatIsOutOfThem)
   other.apical = radians(9e8);
   EXPECT_THAT(impossibility(other), HasSubstr("the angle is"));
   other = possible();
-  other.maxMembraneForce = newtons(std::numeric_limits<double>::quiet_NaN());
+  other.partition = newtons(std::numeric_limits<double>::quiet_NaN());
   EXPECT_THAT(impossibility(other), HasSubstr("the force on the partition is nan"));
   other = possible();
   other.profile[0].force = newtons(-2.5);

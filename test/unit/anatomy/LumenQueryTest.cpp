@@ -103,6 +103,52 @@ TEST_P(LumenOf, MeasuresTheDistanceToTheNearestWall)
   EXPECT_LT(errors.back(), test::tolerance(40e-6, "rounded ridges"));
 }
 
+/// A round duct of 1.2 mm on a spiral that hardly narrows: the plane of its opening is radial, so that it
+/// cuts the spiral after half a turn.
+ScalaTympani roundSpiral()
+{
+  SectionTables tables;
+  tables.name = "round spiral";
+  tables.step = degrees(5).si();
+  tables.directions = 32;
+  for (int i = 0; i <= 144; ++i) {
+    const double angle = tables.step * i;
+    tables.centerRadius.push_back(4.5e-3 * std::exp(-0.06 * angle));
+    tables.centerHeight.push_back(0.25e-3 * angle);
+    tables.wallRadius.insert(tables.wallRadius.end(), 32, i < 144 ? 0.6e-3 : 0.05e-3);
+    tables.membraneInner.push_back(-0.1e-3);
+    tables.membraneOuter.push_back(0.1e-3);
+    tables.membraneHeight.push_back(0.55e-3);
+    tables.planRadius.push_back(tables.centerRadius.back());
+  }
+  return ScalaTympani(tables);
+}
+
+TEST(LumenBehindItsOpening, HasAWallWhereThePlaneOfTheOpeningCutsALaterTurn)
+{
+  const ScalaTympani scala = roundSpiral();
+  const Entry entry = scala.entry();
+  int cut = 0;
+  for (double angle_deg = 150; angle_deg < 360; angle_deg += 10) {
+    const double angle = degrees(angle_deg).si();
+    const Eigen::Vector3d point = 0.4 * scala.center_W(angle) + 0.6 * scala.wall_W(angle, 0.0);
+    LumenTrack track = trackAt(angle);
+    scala.follow(point, track);
+    EXPECT_NEAR(track.angle, angle, 1e-9);
+    EXPECT_GT(behindOpening(entry, point, track), 0.0);
+    const WallPoint wall = ask(scala, point, trackAt(angle));
+    ASSERT_TRUE(wall.isNear) << angle_deg;
+    EXPECT_NEAR(wall.distance, bruteDistance(scala, point, angle),
+                test::tolerance(40e-6, "rounded ridges"))
+        << angle_deg;
+    if ((entry.origin_W - point).dot(entry.out_W) > 0.0) continue;
+    ++cut;
+    // a point of which nothing says that it came by that turn is in front of the opening
+    EXPECT_FALSE(ask(scala, point).isNear) << angle_deg;
+  }
+  EXPECT_GT(cut, 8);
+}
+
 TEST_P(LumenOf, IsZeroOnTheWallAndNegativeBeyond)
 {
   for (double angle_deg = 10; angle_deg < 850; angle_deg += 40)

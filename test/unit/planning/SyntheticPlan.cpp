@@ -30,7 +30,7 @@ std::vector<planning::PlannedInsertion> syntheticInsertions(std::size_t draws)
       found.apical = degrees(array == 0 ? 300.0 + number : 500.0);
       found.depth = millimeters(20.0);
       found.peak = millinewtons(number);
-      found.membrane = millinewtons(number);
+      found.partition = millinewtons(number);
       found.endForce = millinewtons(0.5 * number);
       for (const double depth_mm : {0.0, 0.5, 1.0})
         found.profile.push_back({millimeters(depth_mm), millinewtons(number)});

@@ -5,6 +5,7 @@
 
 #include <QCoreApplication>
 #include <algorithm>
+#include <cmath>
 
 #include "gui/pages/sessions/ReportAnatomy.h"
 #include "gui/pages/sessions/ReportHead.h"
@@ -107,7 +108,9 @@ double paintResults(ReportSheet& sheet, const ReportContent& content, double x_m
        tr("past the opening")},
       {tr("Insertion time"), tr("%1 s").arg(numberText(motion.time - motion.timeStill, 1)),
        tr("without pauses, to maximum depth; reversals: %1").arg(motion.reversals)},
-      {tr("Maximum partition force"), mN(profile.membraneForceMax), partition}};
+      {tr("Maximum partition force"),
+       std::isnan(profile.partitionForceMax) ? tr("not recorded") : mN(profile.partitionForceMax),
+       partition}};
   y_mm = sheet.heading(x_mm, y_mm, width_mm, tr("Results"));
   constexpr double name_mm = 4.0, value_mm = 6.0, detail_mm = 3.4, space_mm = 0.2;
   for (const ResultRow& result : results) {

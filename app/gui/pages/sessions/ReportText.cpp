@@ -4,6 +4,7 @@
 // In this order: curve, all results, technique score, limits, traceability, parameters.
 
 #include <QCoreApplication>
+#include <cmath>
 
 #include "gui/pages/sessions/ReportParameters.h"
 #include "gui/parts/DataText.h"
@@ -97,7 +98,10 @@ QString numbers(const ReportContent& content)
           tr("axial, %1").arg(ofTicks)),
       row(tr("Maximum wall force"), mN(profile.wallForceMax),
           tr("normal to the wall, at one node; %1").arg(ofTicks)),
-      row(tr("Maximum force on the cochlear partition"), mN(profile.membraneForceMax), ofTicks),
+      row(tr("Maximum force on the cochlear partition"),
+          std::isnan(profile.partitionForceMax) ? tr("not recorded")
+                                                : mN(profile.partitionForceMax),
+          ofTicks),
       row(tr("Insertion work"), tr("%1 mJ").arg(numberText(profile.work * 1e3, 3)),
           tr("integral of force over displacement (trapezoidal rule)")),
       row(tr("Maximum insertion depth"), mm(profile.deepest),
@@ -183,6 +187,8 @@ QString marks(const ReportContent& content)
   const QString replay =
       verification.isIdentical
           ? tr("Replay verified: %1 samples identical").arg(verification.ticksCompared)
+      : verification.difference && !verification.otherVersion.empty()
+          ? tr("computed by version %1; not recomputed").arg(from(verification.otherVersion))
       : verification.difference ? tr("differs from sample %1, in %2")
                                       .arg(verification.difference->tick)
                                       .arg(from(verification.difference->field))

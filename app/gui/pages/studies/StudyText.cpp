@@ -147,7 +147,7 @@ std::vector<std::pair<QString, QString>> valuesOf(const study::StudyResult& resu
   add("peak_mN", inMillinewtons(found.peak.force), 1);
   add("peak_depth_mm", inMillimeters(found.peak.depth), 2);
   add("end_mN", inMillinewtons(found.endForce), 1);
-  add("partition_mN", inMillinewtons(found.maxMembraneForce), 1);
+  add("partition_mN", inMillinewtons(found.partition), 1);
   return values;
 }
 

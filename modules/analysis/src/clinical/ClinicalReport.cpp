@@ -73,7 +73,7 @@ std::string clinicalInsertionsCsv(const std::vector<ClinicalInsertion>& insertio
     csv += std::to_string(each.seed) + "," + std::to_string(each.patient) + "," +
            csvField(each.array) + "," + haptics::nameOf(each.end);
     for (const double value : {inDegrees(each.apical), inMillimeters(each.depth),
-                               each.endForce.si(), each.peak.si(), each.membrane.si()})
+                               each.endForce.si(), each.peak.si(), each.partition.si()})
       csv += "," + session::shortestDecimal(value);
     csv += std::string(",") + (each.isRuptured ? "true" : "false") + "," +
            (each.reason.empty() ? std::string() : csvQuoted(each.reason)) + "\n";

@@ -109,7 +109,7 @@ ClinicalInsertion insertByHand(const session::InsertionParameters& nominal,
   const auto note = [&](const haptics::TickOutput& now) {
     last = now;
     if (session::raisesPeak(now, result.peak.si())) result.peak = newtons(now.axialForce);
-    result.membrane = newtons(std::max(result.membrane.si(), now.membraneForce));
+    result.partition = newtons(std::max(result.partition.si(), now.partitionForce));
   };
   ProfilePoints points(profileSpacing);
   const auto push = [&](const haptics::TickRecord& record) {

@@ -83,15 +83,13 @@ void GridLumen::nearestWall(std::span<const Eigen::Vector3d> points_W,
 
 bool GridLumen::track(const Eigen::Vector3d& point_W, LumenTrack& track) const noexcept
 {
-  const bool isFirstQuarter = track.angle < 0.5 * pi;
-  const double behind = (point_W - entry_.origin_W).dot(entry_.out_W);
-  if (!(behind <= 0.0) && (isFirstQuarter || !std::isfinite(behind))) {  // outside or not finite
+  if (!(behindOpening(entry_, point_W, track) >= 0.0)) {  // outside or NaN
     track = LumenTrack{};
     return false;
   }
 
   // the angle, in the turn stored in the track
-  if (isFirstQuarter && point_W.x() > 0.0 && point_W.y() < 0.0) {
+  if (track.isNearOpening() && point_W.x() > 0.0 && point_W.y() < 0.0) {
     track = LumenTrack{};
   } else {
     const double r = std::sqrt(point_W.x() * point_W.x() + point_W.y() * point_W.y());

@@ -169,7 +169,7 @@ CubicBlock LumenField::distanceAt(Unrolled& at) const noexcept
 
 void LumenField::follow(const Eigen::Vector3d& point_W, LumenTrack& memory) const noexcept
 {
-  if ((point_W - entry_.origin_W).dot(inward_W_) >= 0.0)
+  if (behindOpening(entry_, point_W, memory) >= 0.0)
     track(point_W, memory);
   else
     memory = LumenTrack{};
@@ -180,7 +180,7 @@ void LumenField::locate(const Eigen::Vector3d& point_W, double reach, LumenTrack
 {
   wall.isNear = false;
   wall.clearance = 0.0;
-  const double inside = (point_W - entry_.origin_W).dot(inward_W_);
+  const double inside = behindOpening(entry_, point_W, memory);
   if (!(inside >= 0.0)) {  // outside or NaN
     memory = LumenTrack{};
     wall.clearance = -inside;

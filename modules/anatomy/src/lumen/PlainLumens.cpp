@@ -62,8 +62,8 @@ void CircularDuct::nearestWall(std::span<const Eigen::Vector3d> points_W,
   for (std::size_t i = 0; i < points_W.size(); ++i) {
     const Eigen::Vector3d& p = points_W[i];
     walls[i] = WallPoint{};
-    if (p.z() > 0.0) continue;
-    if (p.z() > -lead_ && tracks[i].angle < pi / 2.0) {
+    if (p.z() > 0.0 && tracks[i].isNearOpening()) continue;
+    if (p.z() > -lead_ && tracks[i].isNearOpening()) {
       tracks[i] = LumenTrack{};
       walls[i] = roundWall(p, {0.0, 0.0, p.z()}, -Eigen::Vector3d::UnitZ(), radius_, reach[i]);
       continue;

@@ -135,6 +135,7 @@ void findWall(const InsertionModel& model, const StepStart& start, InsertionStat
 void findBone(const InsertionModel& model, InsertionState& state, ContactSet& contacts) noexcept
 {
   setHeights(state.position_W, model.entry.origin_W, model.entry.out_W, contacts.height);
+  placeLaterTurnsBehind(state.track, contacts.height);
   for (std::size_t i = 0; i < state.position_W.size(); ++i) {
     const double height = contacts.height[i];
     const double radius = model.radius[i];

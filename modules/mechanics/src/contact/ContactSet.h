@@ -54,7 +54,7 @@ struct TouchingNode {
 struct OpenNode {
   bool isOpen = false;               ///< Whether the node is one.
   SectionReach both;                 ///< Reach of an oval section toward the wall of both scalae.
-  double onPartition = 0.0;          ///< Force of the node on the partition [N].
+  double onPartition = 0.0;          ///< Its force on what is left of the partition [N].
   SymmetricBlock<double> stiffness;  ///< Stiffness of its contact [N/m].
 };
 
@@ -70,6 +70,7 @@ struct ContactSet {
         seen(nodes),
         wall(nodes),
         section(nodes),
+        onPartition(nodes),
         touching(nodes)
   {
   }
@@ -83,6 +84,7 @@ struct ContactSet {
   std::vector<SeenWall> seen;            ///< What it was found from.
   std::vector<anatomy::WallPoint> wall;  ///< Wall at each node.
   std::vector<SectionReach> section;     ///< Section of each node, if it is oval.
+  std::vector<double> onPartition;       ///< Force of each node on the cochlear partition [N].
   std::vector<OpenNode> open;            ///< Empty if the partition cannot rupture.
   std::size_t touches = 0;               ///< Number of nodes that touch the wall.
   std::vector<TouchingNode> touching;    ///< Those nodes, from the base on.

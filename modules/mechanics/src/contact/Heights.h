@@ -4,9 +4,12 @@
 // Heights of all nodes above a plane.
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <span>
 #include <vector>
 
 #include "lanes/Lanes.h"
+#include "perilymph/anatomy/Lumen.h"
 
 namespace perilymph::mechanics {
 
@@ -20,6 +23,15 @@ inline void setHeights(const std::vector<Eigen::Vector3d>& position_W,
     const Triple<T> from{at.x - origin_W[0], at.y - origin_W[1], at.z - origin_W[2]};
     store(T(from.x * normal_W[0] + from.y * normal_W[1] + from.z * normal_W[2]), height, i);
   });
+}
+
+/// Puts the nodes past the first quarter turn behind the plane of the opening, which may cut their turn:
+/// its rim, its passage and the forceps in front of it do not act on them.
+inline void placeLaterTurnsBehind(std::span<const anatomy::LumenTrack> track,
+                                  std::vector<double>& height) noexcept
+{
+  for (std::size_t i = height.size(); i-- > 0 && !track[i].isNearOpening();)
+    height[i] = std::min(height[i], -10e-3);
 }
 
 }  // namespace perilymph::mechanics

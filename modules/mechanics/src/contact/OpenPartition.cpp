@@ -238,17 +238,4 @@ bool openContact(const InsertionModel& model, InsertionState& state, const RodKi
   return true;
 }
 
-double forceOnPartition(const InsertionModel& model, const InsertionState& state,
-                        const RodKinematics& rod, std::size_t i) noexcept
-{
-  const double up = -state.normalForce[i] * state.wallNormal_W[i].z();
-  if (!(up > 0.0)) return 0.0;
-  const anatomy::WallPoint around =
-      wallIn(*model.partition->both, state.position_W[i], model.radius[i], state.track[i]);
-  SectionReach reach;
-  const WallContact both =
-      onBone(model, i, around, reachOf(model, state, rod, i, around, {}, reach));
-  return std::max(up - std::max(-both.force_W.z(), 0.0), 0.0);
-}
-
 }  // namespace perilymph::mechanics

@@ -20,9 +20,4 @@ void findSides(const InsertionModel& model, InsertionState& state, ContactSet& c
 bool openContact(const InsertionModel& model, InsertionState& state, const RodKinematics& rod,
                  std::size_t i, ContactSet& contacts) noexcept;
 
-/// Force normal to an intact partition on a node below it [N]: that of the wall less what the wall of
-/// both scalae would take.
-double forceOnPartition(const InsertionModel& model, const InsertionState& state,
-                        const RodKinematics& rod, std::size_t i) noexcept;
-
 }  // namespace perilymph::mechanics

@@ -4,61 +4,29 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/OpenPartition.h"
 #include "perilymph/anatomy/ScalaVestibuli.h"
 
 namespace perilymph::mechanics {
 namespace {
 
-/// The contact that loads the partition most.
-struct PartitionContact {
-  double force = 0.0;  ///< [N]
-  double angle = 0.0;  ///< Mean over the contact, weighted by force [rad].
-  double width = 0.0;  ///< Width of the array there [m].
-};
-
-/// Bound of the force on the partition at each node into contacts.open, exact where it is open.
-/// Returns their sum [N].
-double boundForces(const InsertionState& state, ContactSet& contacts) noexcept
+/// Force of each node on the partition, into contacts.onPartition: in an open part what it was found
+/// to be, elsewhere the part of the wall's force that pushes the array down. False if all are 0.
+bool setForces(const InsertionModel& model, const InsertionState& state,
+               ContactSet& contacts) noexcept
 {
-  double sum = 0.0;
+  bool isAny = false;
   for (std::size_t i = 0; i < state.normalForce.size(); ++i) {
-    OpenNode& node = contacts.open[i];
-    if (!node.isOpen) {
-      node.onPartition = 0.0;
-      if (state.normalForce[i] > 0.0 && state.isBeside[i] == 0 && !state.track[i].inLeadIn)
-        node.onPartition = std::max(-state.normalForce[i] * state.wallNormal_W[i].z(), 0.0);
-    }
-    sum += node.onPartition;
+    double& force = contacts.onPartition[i];
+    force = 0.0;
+    if (!(state.normalForce[i] > 0.0) || state.isBeside[i] != 0 || state.track[i].inLeadIn ||
+        !model.partitionRange.holds(state.track[i].angle))
+      continue;
+    const bool isOpen = !contacts.open.empty() && contacts.open[i].isOpen;
+    force = isOpen ? contacts.open[i].onPartition
+                   : std::max(-state.normalForce[i] * state.wallNormal_W[i].z(), 0.0);
+    isAny = isAny || force > 0.0;
   }
-  return sum;
-}
-
-/// The largest force within a length of the array's width. Each node's force is spread over the
-/// spacing of nodes.
-PartitionContact largestContact(const InsertionModel& model, const InsertionState& state,
-                                const ContactSet& contacts) noexcept
-{
-  PartitionContact largest;
-  const double h = model.spacing;
-  const std::size_t n = state.position_W.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    if (!(contacts.open[i].onPartition > 0.0)) continue;
-    const double width = 2.0 * model.radius[i];
-    const double half = 0.5 * std::max(width, h);
-    const auto far = static_cast<std::size_t>(half / h + 0.5);
-    const std::size_t last = std::min(i + far, n - 1);
-    PartitionContact contact{0.0, 0.0, width};
-    for (std::size_t k = i - std::min(far, i); k <= last; ++k) {
-      const double apart = h * static_cast<double>(k > i ? k - i : i - k);
-      const double weight = std::clamp((half - apart) / h + 0.5, 0.0, 1.0);
-      contact.force += weight * contacts.open[k].onPartition;
-      contact.angle += weight * contacts.open[k].onPartition * state.track[k].angle;
-    }
-    if (contact.force > largest.force) largest = contact;
-  }
-  if (largest.force > 0.0) largest.angle /= largest.force;
-  return largest;
+  return isAny;
 }
 
 double radiusAt(const PartitionModel& partition, double angle) noexcept
@@ -72,8 +40,10 @@ bool setEdges(const PartitionModel& partition, double begin, double end,
               RupturedRange& range) noexcept
 {
   const RupturedRange before = range;
-  range.begin = std::max(begin, partition.firstAngle);
-  range.end = std::min(end, partition.lastAngle);
+  // what is torn up to the partition's end has its edge there beyond it
+  const double firstRadius = radiusAt(partition, partition.range.begin);
+  range.begin = std::max(begin, partition.range.begin - PartitionModel::edge / firstRadius);
+  range.end = std::min(end, partition.range.end);
   range.beginRadius = radiusAt(partition, range.begin);
   range.endRadius = radiusAt(partition, range.end);
   return range.begin != before.begin || range.end != before.end;
@@ -96,19 +66,23 @@ void joinRanges(PartitionState& state) noexcept
   }
 }
 
-// The first sections are eased into the straight lead-in (12 degrees), and the membrane ends before
-// the apex (Membrane.cpp: 5 degrees): nothing ruptures there.
 constexpr double beginsAt = 12.0 * pi / 180.0;  // [rad]
-constexpr double beforeEnd = 5.0 * pi / 180.0;  // [rad]
+constexpr double beforeEnd = 5.0 * pi / 180.0;  // [rad]; Membrane.cpp
 
 }  // namespace
+
+PartitionRange partitionRangeOf(const anatomy::Lumen& lumen)
+{
+  const auto* const scala = dynamic_cast<const anatomy::ScalaTympani*>(&lumen);
+  if (scala == nullptr) return {};
+  return {beginsAt, scala->lastAngle().si() - beforeEnd};
+}
 
 PartitionModel::PartitionModel(const anatomy::ScalaTympani& tympani, Force breakingForce)
     : vestibuli(anatomy::vestibuliOf(tympani)),
       both(anatomy::bothScalaeOf(tympani)),
       strength(breakingForce.si()),
-      firstAngle(beginsAt),
-      lastAngle(tympani.lastAngle().si() - beforeEnd)
+      range(partitionRangeOf(tympani))
 {
 }
 
@@ -121,7 +95,7 @@ void PartitionModel::prepare() const
 bool openPartition(const PartitionModel& partition, double angle, double width,
                    PartitionState& state) noexcept
 {
-  if (!(angle > partition.firstAngle && angle < partition.lastAngle)) return false;
+  if (!partition.range.holds(angle)) return false;
   const double radius = radiusAt(partition, angle);
   const double half = (PartitionModel::edge + 0.5 * width) / radius;
   const double growth = PartitionModel::growth / radius;
@@ -147,22 +121,38 @@ bool openPartition(const PartitionModel& partition, double angle, double width,
   return true;
 }
 
-void rupturePartition(const InsertionModel& model, InsertionState& state, const RodKinematics& rod,
-                      ContactSet& contacts) noexcept
+PartitionContact contactWithPartition(const InsertionModel& model, const InsertionState& state,
+                                      ContactSet& contacts) noexcept
 {
-  const double strength = model.partition->strength;
-  if (state.isSettling || boundForces(state, contacts) < strength) return;
-  if (largestContact(model, state, contacts).force < strength) return;
-  for (std::size_t i = 0; i < state.position_W.size(); ++i) {
-    OpenNode& node = contacts.open[i];
-    if (!(node.onPartition > 0.0)) continue;
-    model.parts.lumen->follow(state.position_W[i], state.track[i]);
-    if (!node.isOpen) node.onPartition = forceOnPartition(model, state, rod, i);
+  PartitionContact largest;
+  if (!setForces(model, state, contacts)) return largest;
+  const double h = model.spacing;
+  const std::size_t n = state.position_W.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!(contacts.onPartition[i] > 0.0)) continue;
+    const double width = 2.0 * model.radius[i];
+    const double half = 0.5 * std::max(width, h);
+    const auto far = static_cast<std::size_t>(half / h + 0.5);
+    const std::size_t last = std::min(i + far, n - 1);
+    PartitionContact contact{0.0, 0.0, width};
+    for (std::size_t k = i - std::min(far, i); k <= last; ++k) {
+      const double apart = h * static_cast<double>(k > i ? k - i : i - k);
+      const double weight = std::clamp((half - apart) / h + 0.5, 0.0, 1.0);
+      contact.force += weight * contacts.onPartition[k];
+      contact.angle += weight * contacts.onPartition[k] * state.track[k].angle;
+    }
+    if (contact.force > largest.force) largest = contact;
   }
-  const PartitionContact contact = largestContact(model, state, contacts);
-  if (contact.force < strength) return;
+  if (largest.force > 0.0) largest.angle /= largest.force;
+  return largest;
+}
+
+void rupturePartition(const PartitionModel& partition, const PartitionContact& contact,
+                      InsertionState& state) noexcept
+{
+  if (contact.force < partition.strength) return;
   const bool isFirst = !state.partition.isRuptured();
-  if (openPartition(*model.partition, contact.angle, contact.width, state.partition) && isFirst)
+  if (openPartition(partition, contact.angle, contact.width, state.partition) && isFirst)
     state.partition.first = {state.tick, contact.angle, contact.force, state.readings.depth};
 }
 

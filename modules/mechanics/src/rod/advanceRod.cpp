@@ -42,7 +42,7 @@ Wrench wrenchOf(const InsertionModel& model, const InsertionState& state, const 
 double depthOf(const InsertionModel& model, const InsertionState& state) noexcept
 {
   const auto inside = [&](std::size_t i) {
-    return (model.entry.origin_W - state.position_W[i]).dot(model.entry.out_W);
+    return anatomy::behindOpening(model.entry, state.position_W[i], state.track[i]);
   };
   double after = inside(state.position_W.size() - 1);
   if (!(after > 0.0)) return 0.0;
@@ -109,7 +109,10 @@ void advanceRod(const InsertionModel& model, InsertionState& state, const Drive&
   const Wrench wrench = wrenchOf(model, state, drive, step.base, work);
   ++state.tick;
   read(model, state, wrench, step.result, work.done);
-  if (model.partition) rupturePartition(model, state, work.rod, work.contacts);
+  if (state.isSettling) return;
+  const PartitionContact contact = contactWithPartition(model, state, work.contacts);
+  state.readings.partitionForce = contact.force;
+  if (model.partition) rupturePartition(*model.partition, contact, state);
 }
 
 }  // namespace perilymph::mechanics

@@ -107,6 +107,7 @@ Residual residual(const InsertionModel& model, InsertionState& state, const Base
   setRodForces(model, state.position_W, work.section, work.rod, work.force_W);
   addWallForces(model, state, work.start, work.rod, work.contacts, work.friction, work.force_W);
   setHeights(state.position_W, model.openingCenter_W, model.entry.out_W, work.contacts.height);
+  placeLaterTurnsBehind(state.track, work.contacts.height);
   addRimForces(model, state, work.start, work.friction, work.contacts, work.force_W);
   addGuideForces(model, state.position_W, work.contacts.height, work.guide, work.force_W);
 

@@ -2,17 +2,18 @@
 #include "perilymph/session/Csv.h"
 
 #include <charconv>
+#include <cmath>
 
 #include "perilymph/foundation/Units.h"
 
 namespace perilymph::session {
 
 const std::array<const char*, columnCount> columnNames = {
-    "time_s",          "travel_mm",  "depth_mm",    "speed_mm_s",  "angular_depth_deg",
-    "force_axial_N",   "force_x_N",  "force_y_N",   "force_z_N",   "tip_x_mm",
-    "tip_y_mm",        "tip_z_mm",   "device_x_mm", "device_y_mm", "device_z_mm",
-    "proxy_x_mm",      "proxy_y_mm", "proxy_z_mm",  "contacts",    "wall_force_max_N",
-    "membrane_force_N"};
+    "time_s",           "travel_mm",        "depth_mm",    "speed_mm_s",  "angular_depth_deg",
+    "force_axial_N",    "force_x_N",        "force_y_N",   "force_z_N",   "tip_x_mm",
+    "tip_y_mm",         "tip_z_mm",         "device_x_mm", "device_y_mm", "device_z_mm",
+    "proxy_x_mm",       "proxy_y_mm",       "proxy_z_mm",  "contacts",    "wall_force_max_N",
+    "membrane_force_N", "partition_force_N"};
 
 std::array<double, columnCount> columnValues(const haptics::TickRecord& record)
 {
@@ -38,7 +39,8 @@ std::array<double, columnCount> columnValues(const haptics::TickRecord& record)
           mm(now.proxy_W[2]),
           static_cast<double>(now.contacts),
           now.wallForceMax,
-          now.membraneForce};
+          now.membraneForce,
+          now.partitionForce};
 }
 
 std::string shortestDecimal(double value)
@@ -58,9 +60,11 @@ std::string csvRow(const haptics::TickRecord& record)
 {
   std::string row;
   row.reserve(400);
+  bool isFirst = true;
   for (const double value : columnValues(record)) {
-    if (!row.empty()) row += ',';
-    row += shortestDecimal(value);
+    if (!isFirst) row += ',';
+    isFirst = false;
+    if (!std::isnan(value)) row += shortestDecimal(value);
   }
   return row + '\n';
 }

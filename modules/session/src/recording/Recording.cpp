@@ -10,6 +10,7 @@
 #include <cstring>
 #include <functional>
 #include <optional>
+#include <span>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -57,7 +58,7 @@ Result<Done> claim(const fs::path& file)
 std::string insertTick()
 {
   std::string values = "INSERT INTO tick VALUES(?";
-  for (int i = 0; i < columnCount; ++i) values += ",?";
+  for (int i = 0; i < recordedColumnCount; ++i) values += ",?";
   return values + ",?)";
 }
 
@@ -134,7 +135,9 @@ bool Recording::Content::addTick(const haptics::TickRecord& record)
   insertTick->reset();
   insertTick->bind(0, static_cast<std::int64_t>(record.tick));
   int parameter = 1;
-  for (const double value : columnValues(record)) insertTick->bind(parameter++, value);
+  const auto values = columnValues(record);
+  for (const double value : std::span(values).first(recordedColumnCount))
+    insertTick->bind(parameter++, value);
   writeTick(record, blob);
   insertTick->bind(parameter, std::span<const unsigned char>(blob));
   if (insertTick->step() != Statement::Step::done) return false;

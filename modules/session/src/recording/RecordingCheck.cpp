@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "perilymph/session/Csv.h"
@@ -69,7 +70,8 @@ struct TickSurvey {
 std::string selectTicks()
 {
   std::string columns = "tick, record";
-  for (const char* name : columnNames) columns += std::string(", ") + name;
+  for (const char* name : std::span(columnNames).first(recordedColumnCount))
+    columns += std::string(", ") + name;
   return "SELECT " + columns + " FROM tick WHERE tick >= ? ORDER BY tick";
 }
 
@@ -100,7 +102,7 @@ Result<RecordingCheck> RecordedInsertion::check() const
     const std::vector<Event> found = detector.add(*record);
     survey.events.insert(survey.events.end(), found.begin(), found.end());
     const auto values = columnValues(*record);
-    for (int i = 0; i < columnCount && survey.damage.empty(); ++i)
+    for (int i = 0; i < recordedColumnCount && survey.damage.empty(); ++i)
       if (!holds(row, 2 + i, values[static_cast<std::size_t>(i)]))
         survey.damage = std::string(columnNames[static_cast<std::size_t>(i)]) + " of tick " +
                         std::to_string(record->tick) + " is not that of its record";

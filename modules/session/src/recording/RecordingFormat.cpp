@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "recording/RecordingFormat.h"
 
+#include <span>
+
 #include "perilymph/session/Csv.h"
 #include "perilymph/session/Recording.h"
 
@@ -10,7 +12,8 @@ const database::FileKind& recordingKind()
 {
   static const database::FileKind kind = [] {
     std::string columns;
-    for (const char* name : columnNames) columns += std::string(", ") + name + " REAL";
+    for (const char* name : std::span(columnNames).first(recordedColumnCount))
+      columns += std::string(", ") + name + " REAL";
     return database::FileKind{
         "a recording of Perilymph",
         "Choose an .insertion file.",

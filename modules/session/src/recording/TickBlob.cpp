@@ -2,6 +2,8 @@
 #include "recording/TickBlob.h"
 
 #include <bit>
+#include <cmath>
+#include <limits>
 #include <type_traits>
 
 #include "recording/TickFields.h"
@@ -91,10 +93,12 @@ void forEachInput(Record& record, Each& each)
   each(record.commands.count);
 }
 
-std::uint32_t versionOf(const haptics::TickRecord& record)
+TickBlobVersion versionOf(const haptics::TickRecord& record)
 {
   const bool isRuptured = (record.output.status & haptics::partitionRuptured) != 0;
-  return isRuptured ? rupturedBlobVersion : tickBlobVersion;
+  if (std::isnan(record.output.partitionForce))
+    return isRuptured ? TickBlobVersion::ruptured : TickBlobVersion::first;
+  return isRuptured ? TickBlobVersion::partitionRuptured : TickBlobVersion::partition;
 }
 
 }  // namespace
@@ -116,9 +120,10 @@ std::optional<haptics::TickRecord> readTick(std::span<const unsigned char> bytes
 {
   haptics::TickRecord record;
   Reader read(bytes);
-  std::uint32_t versionFound = 0;
+  TickBlobVersion versionFound{};
   read(versionFound);
-  if (versionFound != tickBlobVersion && versionFound != rupturedBlobVersion) return std::nullopt;
+  if (versionFound < TickBlobVersion::partition)
+    record.output.partitionForce = std::numeric_limits<double>::quiet_NaN();
   forEachInput(record, read);
   if (record.commands.count > haptics::maxCommandsPerTick) return std::nullopt;
   for (std::uint32_t i = 0; i < record.commands.count; ++i) {

@@ -13,9 +13,13 @@
 
 namespace perilymph::session {
 
-/// First number in a blob, and in one of a tick after the cochlear partition ruptured, which has more
-/// fields.
-inline constexpr std::uint32_t tickBlobVersion = 1, rupturedBlobVersion = 2;
+/// First number in a blob: which fields it has beside those of the first version.
+enum class TickBlobVersion : std::uint32_t {
+  first = 1,          ///< None.
+  ruptured = 2,       ///< Those of the rupture, in ticks after the cochlear partition ruptured.
+  partition = 3,      ///< The force on the partition.
+  partitionRuptured,  ///< Both.
+};
 
 /// Encodes a record into `bytes`.
 void writeTick(const haptics::TickRecord& record, std::vector<unsigned char>& bytes);

@@ -3,6 +3,8 @@
 
 // The list of a tick's output fields, used for writing, reading and comparing.
 
+#include <cmath>
+
 #include "perilymph/haptics/Snapshot.h"
 
 namespace perilymph::session {
@@ -35,6 +37,8 @@ void forEachField(Output& output, Visit&& visit)
   visit("membraneForce", -1, output.membraneForce);
   visit("styletWithdrawal", -1, output.styletWithdrawal);
   visit("residual", -1, output.residual);
+  // recordings of before have none
+  if (!std::isnan(output.partitionForce)) visit("partitionForce", -1, output.partitionForce);
   // recordings without a rupture, and all of before, have none of these
   if ((output.status & haptics::partitionRuptured) == 0) return;
   visit("ruptureAngle", -1, output.translocation.angle);

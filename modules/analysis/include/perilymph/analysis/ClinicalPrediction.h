@@ -27,7 +27,7 @@ struct ClinicalInsertion {
   Angle apical;                 ///< Angle of the most apical contact from the round window.
   Force peak;                   ///< Maximum axial force on the hand.
   Force endForce;               ///< Mean axial force on the hand at the end of its rest.
-  Force membrane;               ///< Maximum force on the cochlear partition, all of it.
+  Force partition;              ///< Maximum force on the cochlear partition, within one contact.
   bool isRuptured = false;      ///< The partition ruptured, at its drawn strength.
   bool isTranslocated = false;  ///< A part of the array is above the partition at the end.
   Angle ruptureAngle;           ///< Place of the first rupture; 0 without one.

@@ -44,7 +44,9 @@ struct ForceProfile {
   double deepestAngle = 0.0;  ///< Maximum angle of the tip [rad].
   double duration = 0.0;      ///< From the first to the last motion, pauses included [s].
   double wallForceMax = 0.0;  ///< Maximum normal force on one node in any tick [N].
-  double membraneForceMax = 0.0;  ///< Maximum force on the basilar membrane in any tick [N].
+  double partitionForceMax =
+      0.0;  ///< Maximum force on the cochlear partition within one contact, in
+            ///< any tick [N]; NaN if an earlier version did not record it.
   std::uint64_t ticks = 0;
   std::uint64_t ticksNotConverged = 0;  ///< Ticks in which the residual exceeded the tolerance.
 };

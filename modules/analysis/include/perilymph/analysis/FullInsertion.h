@@ -32,13 +32,13 @@ struct FullInsertion {
   InsertionEnd end = InsertionEnd::refused;
   std::string reason;  ///< A message for a fault or a refusal; else empty.
   // The following values are those at the end, whatever it was; zero if refused.
-  Length depth;            ///< Depth of the tip past the opening.
-  Length maxDepth;         ///< Its maximum: of an array out of the opening, where it turned back.
-  Angle apical;            ///< Angle of the most apical contact from the round window.
-  Force endForce;          ///< Axial, on the hand.
-  DepthForce peak;         ///< Maximum axial force, and where it first occurred.
-  Force maxMembraneForce;  ///< Maximum force on the cochlear partition.
-  double coverage = 0.0;   ///< Part of the organ of Corti basal to the most apical contact.
+  Length depth;           ///< Depth of the tip past the opening.
+  Length maxDepth;        ///< Its maximum: of an array out of the opening, where it turned back.
+  Angle apical;           ///< Angle of the most apical contact from the round window.
+  Force endForce;         ///< Axial, on the hand.
+  DepthForce peak;        ///< Maximum axial force, and where it first occurred.
+  Force partition;        ///< Maximum force on the cochlear partition, within one contact.
+  double coverage = 0.0;  ///< Part of the organ of Corti basal to the most apical contact.
   std::vector<ContactPosition> contacts;  ///< From the tip.
   std::vector<DepthForce> profile;        ///< At multiples of the spacing, first passage.
   std::uint64_t ticks = 0, ticksNotConverged = 0;

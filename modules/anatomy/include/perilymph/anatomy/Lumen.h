@@ -4,7 +4,10 @@
 // The interface of every anatomy to the mechanics: signed distance to the wall and the way in.
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <span>
+
+#include "perilymph/foundation/Units.h"
 
 namespace perilymph {
 class Hash;
@@ -27,7 +30,20 @@ struct LumenTrack {
   double angle = 0.0;    ///< Angle from the round window [rad], full turns included; 0 in the
                          ///< lead-in.
   double direction[2] = {1.0, 0.0};  ///< Unit vector (x, y) of that angle in W.
+
+  /// Whether the point can be in front of the opening: within a quarter turn of it. The plane of the
+  /// opening cuts the later turns too, and a point there is inside on both sides of it.
+  bool isNearOpening() const noexcept { return angle < 0.5 * pi; }
 };
+
+/// Distance of a point behind the plane of the opening [m], negative in front of it; past the first
+/// quarter turn at least 10 mm, whatever the plane. The one rule of what is inside. Real-time safe.
+inline double behindOpening(const Entry& entry, const Eigen::Vector3d& point_W,
+                            const LumenTrack& track) noexcept
+{
+  const double behind = (entry.origin_W - point_W).dot(entry.out_W);
+  return track.isNearOpening() ? behind : std::max(behind, 10e-3);
+}
 
 /// The wall near a point: signed distance D and its derivatives.
 struct WallPoint {

@@ -97,9 +97,11 @@ struct TickOutput {
   std::array<double, 3> device_W{};  ///< Position of the base commanded by the hand [m].
   std::array<double, 3> proxy_W{};   ///< Actual position of the base [m].
   double wallForceMax = 0.0;         ///< [N]
-  double membraneForce = 0.0;        ///< [N]
-  double styletWithdrawal = 0.0;     ///< [m]
-  double residual = 0.0;             ///< [N]
+  double membraneForce = 0.0;        ///< On the basilar membrane, in all [N].
+  double partitionForce = 0.0;    ///< Largest force on the cochlear partition within one contact:
+                                  ///< the force that ruptures it [N].
+  double styletWithdrawal = 0.0;  ///< [m]
+  double residual = 0.0;          ///< [N]
   Translocation translocation;
 };
 

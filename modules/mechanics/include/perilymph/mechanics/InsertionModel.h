@@ -148,6 +148,7 @@ struct InsertionModel {
   std::vector<double> wallStiffness;   ///< At each node [N/m].
   std::vector<double> wallTangential;  ///< At each node [N/m].
   std::optional<MembranePlace> membrane;            ///< Region where the wall is soft.
+  PartitionRange partitionRange;                    ///< Where the roof is the cochlear partition.
   std::shared_ptr<const PartitionModel> partition;  ///< If it can rupture; else null.
   std::optional<PassageModel> passage;              ///< Passage of the opening, if it has a length.
   double styletBending = 0.0;                       ///< EI of the stylet [N.m^2]; 0 without one.

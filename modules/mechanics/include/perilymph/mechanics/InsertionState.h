@@ -46,13 +46,16 @@ struct Readings {
   double wallForceMax = 0.0;    ///< Maximum normal force on one node [N].
   double wallForceTotal = 0.0;  ///< Sum of all normal forces [N].
   double membraneForce = 0.0;   ///< Sum of the normal forces on the basilar membrane [N].
-  double rimForce = 0.0;        ///< Normal force of the opening's rim on the array [N].
-  int contacts = 0;             ///< Number of nodes that touch the wall.
-  int iterations = 0;           ///< Newton iterations in this step.
-  int evaluations = 0;          ///< Evaluations of all forces in this step.
-  int factorizations = 0;       ///< Factorizations of the stiffness in this step.
-  double residual = 0.0;        ///< Maximum unbalanced force on a node [N].
-  bool isFinite = true;         ///< False: a value overflowed; all others are unreliable.
+  /// The largest force on the cochlear partition, bone and membrane, within one width of the array: the
+  /// force that ruptures it [N]. That of the last step that was balanced.
+  double partitionForce = 0.0;
+  double rimForce = 0.0;   ///< Normal force of the opening's rim on the array [N].
+  int contacts = 0;        ///< Number of nodes that touch the wall.
+  int iterations = 0;      ///< Newton iterations in this step.
+  int evaluations = 0;     ///< Evaluations of all forces in this step.
+  int factorizations = 0;  ///< Factorizations of the stiffness in this step.
+  double residual = 0.0;   ///< Maximum unbalanced force on a node [N].
+  bool isFinite = true;    ///< False: a value overflowed; all others are unreliable.
 };
 
 /// Torque of the wall on an oval section at a node, which turns its thin side toward the wall.

@@ -14,6 +14,17 @@
 
 namespace perilymph::mechanics {
 
+/// The angles from the round window between which the cochlear partition is the roof of a scala
+/// tympani [rad]. Its first 12 degrees are eased into the straight lead-in, and the membrane ends 5
+/// degrees before the apex: forces there are not forces on the partition, and it does not rupture.
+struct PartitionRange {
+  double begin = 0.0, end = 0.0;
+  bool holds(double angle) const noexcept { return angle > begin && angle < end; }
+};
+
+/// That of a scala tympani; empty for another duct.
+PartitionRange partitionRangeOf(const anatomy::Lumen& lumen);
+
 /// What is above a partition that can rupture.
 ///
 /// With the energy E of the wall on a node in the scala below or above (the node's side), and that
@@ -30,7 +41,7 @@ struct PartitionModel {
   std::shared_ptr<const anatomy::ScalaTympani> vestibuli;  ///< The scala vestibuli.
   std::shared_ptr<const anatomy::ScalaTympani> both;       ///< Both scalae without a partition.
   double strength = 0.0;                                   ///< Force at which it ruptures [N].
-  double firstAngle = 0.0, lastAngle = 0.0;                ///< It is within these [rad].
+  PartitionRange range;                                    ///< Where it is.
 
   /// Length of torn edge along which the partition yields (choice, low).
   static constexpr double edge = 0.5e-3;  // [m]

@@ -31,6 +31,8 @@ struct Verification {
   std::optional<Difference> difference;  ///< The first one.
   /// Inconsistency of the file (RecordingCheck::damage); nothing is compared then.
   std::string damage;
+  /// The version of the program that computed the ticks, if it is not this one; its physics may be another.
+  std::string otherVersion;
   std::vector<std::string> notes;  ///< Messages: another build, a changed array file, lost ticks.
 };
 

@@ -3,11 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <ranges>
 #include <stdexcept>
 #include <string>
 
 #include "ModelFingerprint.h"
 #include "PublishedCarrier.h"
+#include "contact/Mouth.h"
 #include "contact/Passage.h"
 #include "perilymph/foundation/Math.h"
 #include "points/PointSetModel.h"
@@ -212,6 +215,13 @@ std::shared_ptr<const InsertionModel> InsertionModel::build(ModelParts parts)
     m.styletFromTip = array.stylet.fromTip.si();
     m.styletResidual = array.stylet.residualCurvature;
   }
+  m.mouthRadius = mouthRadiusOf(*m.parts.lumen);
+  const auto isThicker = [&m](std::size_t i) {
+    return std::min(m.halfWithin[i], m.halfAcross[i]) > m.mouthRadius;
+  };
+  const auto nodes = std::views::iota(std::size_t{0}, m.halfWithin.size());
+  if (std::ranges::none_of(nodes, isThicker))
+    m.mouthRadius = std::numeric_limits<double>::infinity();
   m.partitionRange = partitionRangeOf(*m.parts.lumen);
   if (m.parts.partitionStrength.si() > 0.0) m.partition = partitionOf(m.parts);
   if (m.parts.membrane)

@@ -88,12 +88,10 @@ void normalContact(const InsertionModel& model, InsertionState& state, const Rod
   const double onset = model.parts.wall.lining.si();
 
   // Behind the opening the wall sets in over one node spacing, so that a node passing the edge does
-  // not hit it abruptly: the energy of the contact grows with the way inside, which resists it. An
-  // array that is too thick for the duct behind is pushed in and out of it against that force.
+  // not hit it abruptly. What an array that is too thick for the duct pays there: Mouth.h.
   const double inside = anatomy::behindOpening(model.entry, at_W, state.track[i]);
   const double fraction = std::clamp(inside / model.spacing, 0.0, 1.0);
   NormalForce push = normalForce(penetration, fraction * model.wallStiffness[i], onset);
-  double energy = fraction < 1.0 ? energyOf(penetration, model.wallStiffness[i], onset) : 0.0;
   Eigen::Vector3d& force_W = state.wallForce_W[i];
   state.membraneForce[i] = wall.onMembrane ? push.force : 0.0;
   if (model.membrane) {
@@ -104,12 +102,7 @@ void normalContact(const InsertionModel& model, InsertionState& state, const Rod
     push = soft.normal;
     state.membraneForce[i] = soft.onMembrane;
     force_W -= soft.byFraction * membrane.gradient_W;
-    if (fraction < 1.0)
-      energy += membrane.fraction * softContactForce(penetration, model.wallStiffness[i],
-                                                     membrane.fraction, model.parts)
-                                        .byFraction;
   }
-  if (energy > 0.0) force_W += (energy / model.spacing) * model.entry.out_W;
   force_W += push.force * gradient_W;
   if (isOval) {
     // The torque on a section derives from the same energy; the second derivative of its reach is

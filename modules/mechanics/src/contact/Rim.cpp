@@ -7,6 +7,7 @@
 
 #include "contact/Contact.h"
 #include "contact/Crossing.h"
+#include "contact/Mouth.h"
 #include "contact/Passage.h"
 #include "friction/FrictionStep.h"
 #include "rod/Rod.h"
@@ -184,15 +185,18 @@ void addRimForces(const InsertionModel& model, const InsertionState& state, cons
   contacts.rim = RimContact{};
   contacts.rimStiffness = RimStiffness{};
   if (model.passage) contacts.innerRings.fill(RimStiffness{});
-  if (!model.parts.opening) return;
+  const bool isTight = std::isfinite(model.mouthRadius);
+  if (!model.parts.opening && !isTight) return;
   Crossing crossing = crossingOf(model, x, contacts.height, state.rim.fromTip);
+  contacts.rim.fromTip = crossing.fromTip;
+  if (isTight) addMouthForces(model, crossing, force_W);
+  if (!model.parts.opening) return;
   if (crossing.count == 0) {
     const double tip = contacts.height.back();
     if (!(tip < 0.0)) tipContact(model, state, start, history, tip, contacts, force_W);
     return;
   }
 
-  contacts.rim.fromTip = crossing.fromTip;
   if (model.passage) {
     addPassageForces(model, state, start, history, crossing, contacts, force_W);
     return;

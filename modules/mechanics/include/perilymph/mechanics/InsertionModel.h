@@ -147,7 +147,10 @@ struct InsertionModel {
   std::vector<double> restCurvature;   ///< Rest curvature of the carrier alone at each node [1/m].
   std::vector<double> wallStiffness;   ///< At each node [N/m].
   std::vector<double> wallTangential;  ///< At each node [N/m].
-  std::optional<MembranePlace> membrane;            ///< Region where the wall is soft.
+  std::optional<MembranePlace> membrane;  ///< Region where the wall is soft.
+  double mouthRadius =
+      0.0;  ///< Of the largest circle in the lumen behind the opening [m]; infinite
+            ///< where no part of the array is thicker.
   PartitionRange partitionRange;                    ///< Where the roof is the cochlear partition.
   std::shared_ptr<const PartitionModel> partition;  ///< If it can rupture; else null.
   std::optional<PassageModel> passage;              ///< Passage of the opening, if it has a length.

@@ -16,8 +16,9 @@ namespace perilymph::cli {
 
 namespace {
 
-constexpr double timeStep = 1e-3;      // [s]
-constexpr double listeningTime = 3.0;  // [s]
+constexpr double timeStep = 1e-3;       // [s]
+constexpr double shippedDamping = 1.0;  // of the coupling in the shipped scenarios [N.s/m]
+constexpr double listeningTime = 3.0;   // [s]
 // Far below what a hand feels (20 mN; Kratchman et al. 2016).
 constexpr double minForce = 1e-3;  // [N]
 
@@ -107,8 +108,11 @@ Result<TrialOutcome> tryOpened(device::HapticDevice& hand)
   TrialOutcome outcome;
   outcome.traits = hand.traits();
   outcome.axes = outcome.traits.rendersForce ? outcome.traits.actuatedTranslations : 0;
-  if (outcome.axes > 0)
+  if (outcome.axes > 0) {
     outcome.stiffness = haptics::couplingLimit(outcome.traits, timeStep).stiffness;
+    outcome.passiveHandleDamping = haptics::passiveHandleDamping(
+        outcome.stiffness, shippedDamping, haptics::delayOf(outcome.traits, timeStep), timeStep);
+  }
   Beat beat(hand);
   listen(hand, beat, outcome);
   if (outcome.axes > 0) showForces(hand, beat, outcome);

@@ -137,6 +137,7 @@ Json describedPlugin(const TrialOutcome& trial)
           {"samples", trial.samples},
           {"fresh", trial.fresh},
           {"stiffest_coupling_N_m", trial.stiffness},
+          {"passive_handle_damping_N_s_m", trial.passiveHandleDamping},
           {"force_axes", trial.axes},
           {"force_axes_shown", trial.axesShown()},
           {"force_intended_N", trial.greatest},
@@ -171,6 +172,7 @@ Json described(const TrialOutcome& trial)
           {"guard_obstacle", health.guardObstacle},
           {"writer_real_time", health.writing.hasRealTimePriority},
           {"stiffest_coupling_N_m", trial.stiffness},
+          {"passive_handle_damping_N_s_m", trial.passiveHandleDamping},
           {"force_axes", trial.axes},
           {"force_axes_shown", trial.axesShown()},
           {"force_intended_N", trial.greatest},
@@ -197,13 +199,21 @@ void printForce(const TrialOutcome& trial)
   }
 }
 
+/// From which damping of the handle on the coupling gives no energy back by itself.
+std::string passiveFrom(const TrialOutcome& trial)
+{
+  return ", passive in a handle damped by " + fixed(trial.passiveHandleDamping, 2) +
+         " N.s/m or more";
+}
+
 void printPlugin(const TrialOutcome& trial)
 {
   print("{}: {}\n", trial.traits.name, ability(trial.traits));
   print("{:18} {} of {} were fresh and valid\n", "samples", trial.fresh, trial.samples);
   if (!errorOf(trial).empty()) print("{:18} {}\n", "", errorOf(trial));
   if (trial.axes == 0) return;
-  print("{:18} stiffest coupling {} N/m\n", "by its traits", fixed(trial.stiffness, 0));
+  print("{:18} stiffest coupling {} N/m{}\n", "by its traits", fixed(trial.stiffness, 0),
+        passiveFrom(trial));
   printForce(trial);
 }
 
@@ -228,9 +238,9 @@ void printTrial(const TrialOutcome& trial)
         ms(writing.timeMedian), ms(writing.timeP99), ms(writing.timeMax));
   if (!writing.hasRealTimePriority)
     print("{:18} without real-time priority: see modules/realtime/README.md\n", "");
-  print("{:18} round trip {}{} ms; stiffest coupling {} N/m\n", "delay",
+  print("{:18} round trip {}{} ms; stiffest coupling {} N/m{}\n", "delay",
         health.isRoundTripMeasured ? "" : "at most ", ms(health.roundTrip),
-        fixed(trial.stiffness, 0));
+        fixed(trial.stiffness, 0), passiveFrom(trial));
   print("{:18} {}\n", "on failure",
         health.isGuarded ? "a guard process removes the force" : health.guardObstacle);
   printForce(trial);

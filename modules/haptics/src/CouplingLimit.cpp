@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <cstdio>
 
 #include "perilymph/haptics/SampleValidator.h"
@@ -32,6 +33,31 @@ bool followsReports(const device::DeviceTraits& traits, double timeStep) noexcep
   return traits.reporting == device::Reporting::periodic && ticksEach > 0.9 && ticksEach < 1.1;
 }
 
+double delayOf(const device::DeviceTraits& traits, double timeStep) noexcept
+{
+  // A report that triggers a tick is used at once; otherwise it waits half a period on average.
+  const double wait = followsReports(traits, timeStep) ? 0.0 : 0.5 * traits.nominalPeriod;
+  return std::max(0.0, traits.transportDelay) + wait;
+}
+
+double passiveHandleDamping(double stiffness, double damping, double delay, double timeStep)
+{
+  using Complex = std::complex<double>;
+  constexpr int frequencies = 4'000;
+  const double fraction = timeStep / (SampleValidator::velocityLag + timeStep);
+  double needed = 0.0;
+  for (int k = 1; k <= frequencies; ++k) {
+    const double turn = pi * k / frequencies;  // w T
+    const Complex back = std::polar(1.0, -turn);
+    const Complex smoothing = fraction / (1.0 - (1.0 - fraction) * back);
+    const Complex law = (stiffness + damping * smoothing * (1.0 - back) / timeStep) *
+                        std::polar(1.0, -turn * delay / timeStep);
+    needed =
+        std::max(needed, 0.5 * timeStep * ((1.0 - back) * law).real() / (1.0 - std::cos(turn)));
+  }
+  return needed;
+}
+
 CouplingLimit couplingLimit(const device::DeviceTraits& traits, double timeStep)
 {
   CouplingLimit limit;
@@ -39,9 +65,7 @@ CouplingLimit couplingLimit(const device::DeviceTraits& traits, double timeStep)
   const double damping = traits.handleDamping > 0.0 ? traits.handleDamping : freeHandle;
   const double mass = traits.handleMass > 0.0 ? traits.handleMass : lightHandle;
 
-  // A report that triggers a tick is used at once; otherwise it waits half a period on average.
-  const double wait = followsReports(traits, timeStep) ? 0.0 : 0.5 * traits.nominalPeriod;
-  const double late = 0.5 * timeStep + std::max(0.0, traits.transportDelay) + wait;
+  const double late = 0.5 * timeStep + delayOf(traits, timeStep);
   limit.stiffness = usedFraction * damping / late;
   limit.damping = mass / (eulersNumber * (late + SampleValidator::velocityLag));
   limit.reason = "a force reaches the hand " + text("%.2f", late * 1e3) + " ms late";

@@ -6,6 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "gui/scene/ForceInterpretation.h"
 
 namespace perilymph::gui {
@@ -49,6 +51,13 @@ TEST(WordsOfAForceOnThePartition, SayWhatItBearsBeforeAndBeyond)
   EXPECT_THAT(onPartition(7.0), HasSubstr("rupture reported at 42–122 mN, unverified"));
   EXPECT_FALSE(meaningOnPartition(millinewtons(41.0), known).isBeyond);
   EXPECT_TRUE(meaningOnPartition(millinewtons(43.0), known).isBeyond);
+}
+
+TEST(WordsOfAForceOnThePartition, SayThatAnEarlierVersionDidNotRecordIt)
+{
+  const auto none = meaningOnPartition(newtons(std::nan("")), ForceThresholds::shipped());
+  EXPECT_EQ(none.text.toStdString(), "force on the cochlear partition not recorded");
+  EXPECT_FALSE(none.isBeyond);
 }
 
 TEST(WordsOfAForceOnThePartition, SayWhereItRupturedAndWhatIsAboveIt)

@@ -46,6 +46,15 @@ double distance(const Surface& surface, int a, int b)
   return (corner(surface, a) - corner(surface, b)).norm();
 }
 
+/// Whether a line from a corner over the next goes on to a third within 78 degrees, as a rim does:
+/// a tooth on a rim would be welded so, where a triangle of the wall turns back.
+bool goesOn(const Surface& surface, int from, int over, int to)
+{
+  const Eigen::Vector3d first = corner(surface, over) - corner(surface, from);
+  const Eigen::Vector3d second = corner(surface, to) - corner(surface, over);
+  return first.dot(second) > 0.2 * first.norm() * second.norm();
+}
+
 std::vector<Tip> tipsOf(const Surface& surface)
 {
   std::vector<int> triangles(surface.points.size(), 0), last(surface.points.size(), -1);
@@ -95,6 +104,7 @@ std::vector<Tip> tipsOf(const Surface& surface)
                         std::min(distance(surface, beside, tip), distance(surface, beside, home)),
                         distance(surface, other, home) - distance(surface, other, tip) -
                             distance(surface, beside, tip) - distance(surface, beside, home)};
+        if (!found.isSure && goesOn(surface, other, beside, home)) continue;
         if (!best || found.isLikelierThan(*best)) best = found;
       }
     }

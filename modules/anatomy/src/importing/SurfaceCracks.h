@@ -16,7 +16,8 @@ namespace perilymph::anatomy {
 ///   refused as a tear where it is wider.
 /// - If only one has, as where the triangle was part of the rim of an opening, the corner may also
 ///   be a tooth of a rim cut from a mesh: it is welded where the gap is at most a quarter of the
-///   shorter edge beside it, or, up to 0.35 mm, where the rims have at most two such corners.
+///   shorter edge beside it. Where there are at most two such corners, they are judged like those
+///   with two counterparts. A tooth on a straight rim is left as it is.
 ///
 /// Corners are shared by triangles. A surface without such corners is left as it is.
 Result<Done> closeCracks(Surface& surface);

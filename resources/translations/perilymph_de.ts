@@ -4344,6 +4344,10 @@
         <source> · measures changed by hand</source>
         <translation> · Maße von Hand geändert</translation>
     </message>
+    <message>
+        <source>changed by hand: %1</source>
+        <translation>von Hand geändert: %1</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::AboutSheet</name>

@@ -138,7 +138,7 @@ QString numbersOfPatient(const anatomy::Patient& patient)
     numbers = tr("scala %1 mm, section %2 × %3 mm")
                   .arg(text(patient.scalaTympaniLength), text(patient.roundWindowWidth),
                        text(patient.roundWindowHeight));
-  return numbers + handChange(patient);
+  return patient.seal == Seal::changed ? tr("changed by hand: %1").arg(numbers) : numbers;
 }
 
 }  // namespace perilymph::gui

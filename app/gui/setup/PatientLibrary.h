@@ -52,7 +52,7 @@ QString tagsText(const session::PatientRecord& record);
 /// " · measures changed by hand", or nothing.
 QString handChange(const anatomy::Patient& patient);
 
-/// "A 9.20, B 6.80 mm", or the three lengths, and handChange().
+/// "A 9.20, B 6.80 mm", or the three lengths; "changed by hand: ..." first.
 QString numbersOfPatient(const anatomy::Patient& patient);
 
 }  // namespace perilymph::gui

@@ -16,12 +16,14 @@
 #include <algorithm>
 #include <system_error>
 
+#include "KeptPicture.h"
 #include "OwnFolders.h"
 #include "WindowRig.h"
 #include "gui/pages/compare/ComparePage.h"
 #include "gui/pages/compare/ComparisonPlot.h"
 #include "gui/pages/sessions/SessionsPage.h"
 #include "gui/parts/StatusLine.h"
+#include "perilymph/database/Database.h"
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/foundation/Version.h"
@@ -95,6 +97,30 @@ TEST_F(Clinician, SeesTheForceOfEachRunAtTheCursor)
     ASSERT_TRUE(force);
     EXPECT_NEAR(cell(row, "At ").section(QLatin1Char(' '), 0, 0).toDouble(), *force * 1e3, 0.051);
   }
+}
+
+TEST_F(Clinician, SeesThatARecordingWasChangedByHand)
+{
+  insertOnce();
+  insertOnce();
+  openLibrary(2);
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(sessionFolder()))
+    if (entry.path().extension() == ".insertion") files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  ASSERT_EQ(files.size(), 3u);  // the next one has begun
+  files.pop_back();
+  {
+    auto database = database::Database::openNew(files[0]);
+    ASSERT_TRUE(database) << database.error().message;
+    ASSERT_TRUE(database->run("UPDATE meta SET value = '9' WHERE key = 'seed'"));
+  }
+  page().compare(files);
+  ASSERT_TRUE(WindowRig::comes([&] { return page().runs().size() == 2; }));
+  rig_->window().showPage(gui::Page::compare);
+  for (int row = 0; row < 2; ++row)
+    EXPECT_EQ(table().item(row, 0)->text().contains("changed by hand"), row == 0);
+  keepPicture(rig_->window(), "compare-changed-by-hand");
 }
 
 TEST_F(Clinician, ReadsPeakWorkAndReasonsInNumbersWithUnits)

@@ -217,6 +217,11 @@ TEST_F(APlan, ShowsThePatientsMeasuresWithTheirErrors)
   EXPECT_TRUE(measures.contains("A 9.00 mm (8.80–9.20)")) << measures.toStdString();
   EXPECT_TRUE(measures.contains("B 6.60 mm (6.21–6.99)")) << measures.toStdString();
   EXPECT_TRUE(measures.contains("H not measured")) << measures.toStdString();
+  EXPECT_FALSE(rig.label("planPatient").contains("changed by hand"));
+  patient.seal = Seal::changed;
+  pageOf(rig).planFor(patient);
+  EXPECT_TRUE(rig.label("planPatient").contains("P-031 · left ear · measures changed by hand"));
+  keepPicture(rig.window(), "plan-changed-by-hand");
 }
 
 TEST_F(APlan, IsMadeSeenInsertedAndOpenedAgainInSteps)

@@ -69,17 +69,16 @@ QString sideText(const std::string& name)
 QString titleOf(const analysis::ComparedInsertion& insertion)
 {
   const session::ScenarioSubject& subject = insertion.subject;
+  const QString own = subject.technique == session::nameOf(session::Technique::advanceOffStylet)
+                          ? ComparePage::tr("advance off stylet")
+                          : ComparePage::tr("standard");
   const QString technique =
-      subject.technique == session::nameOf(session::Technique::advanceOffStylet)
-          ? ComparePage::tr("advance off stylet")
-          : ComparePage::tr("standard");
+      insertion.check.damage.empty() ? own : ComparePage::tr("%1 · changed by hand").arg(own);
   const auto utc = QDateTime::fromString(QString::fromStdString(insertion.startedUtc), Qt::ISODate);
-  const QString title = ComparePage::tr("%1 · %2\n%3 · %4 ear · %5")
-                            .arg(QString::fromStdString(subject.array), technique,
-                                 QString::fromStdString(subject.patient), sideText(subject.side),
-                                 utc.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm")));
-  return insertion.check.damage.empty() ? title
-                                        : ComparePage::tr("%1 · changed by hand").arg(title);
+  return ComparePage::tr("%1 · %2\n%3 · %4 ear · %5")
+      .arg(QString::fromStdString(subject.array), technique,
+           QString::fromStdString(subject.patient), sideText(subject.side),
+           utc.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm")));
 }
 
 /// "3.2 mm" of the array in the scala vestibuli, "rupture at 210°" without it; a dash if the partition

@@ -53,14 +53,16 @@ std::string rowOf(const std::string& name, const std::vector<const StudyResult*>
       }));
   const Estimate rate = analysis::proportionOf(finished, results.size());
   std::string row = "| " + name + " | " + std::to_string(results.size()) + " | " +
-                    analysis::shareText(rate, results.size());
+                    (analysis::countedOf(rate, results.size())
+                         ? analysis::shareText(rate, results.size())
+                         : interval({100.0 * rate.value, 100.0 * rate.low, 100.0 * rate.high}, 1));
   for (const Outcome outcome : outcomes) row += " | " + quartiles(results, outcome);
   return row + " |\n";
 }
 
 std::string tableHead(const std::string& what)
 {
-  std::string head = "| " + what + " | insertions | full insertions (95 % interval)";
+  std::string head = "| " + what + " | insertions | full insertions, % (95 % interval)";
   std::string line = "|---|---|---";
   for (const Outcome outcome : outcomes) {
     head += " | " + titleOf(outcome);

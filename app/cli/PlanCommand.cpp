@@ -13,6 +13,7 @@
 #include "perilymph/analysis/CsvField.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/planning/PlanReport.h"
+#include "perilymph/planning/PlanWords.h"
 #include "perilymph/planning/PlannedShape.h"
 
 namespace perilymph::cli {
@@ -24,6 +25,7 @@ constexpr const char* drawsFile = "draws.sqlite";
 
 Result<planning::PlanRequest> requestOf(const PlanOptions& options)
 {
+  if (const auto done = planning::checkDraws(options.samples); !done) return done.error();
   const auto patient = readPatient(options.patient);
   if (!patient) return patient.error();
   planning::PlanRequest request;
@@ -46,12 +48,6 @@ std::string bandText(const planning::Band& band, int decimals)
 {
   return fixed(band.median, decimals) + " (" + fixed(band.low, decimals) + " to " +
          fixed(band.high, decimals) + ")";
-}
-
-std::string percent(const analysis::Estimate& estimate)
-{
-  return fixed(100.0 * estimate.value, 0) + " % (" + fixed(100.0 * estimate.low, 0) + " to " +
-         fixed(100.0 * estimate.high, 0) + ")";
 }
 
 /// The arrays at the end of their median draws: `array, draw, node, x, y, z`, a row per node from the
@@ -78,16 +74,22 @@ Result<std::string> shapesCsv(const planning::Plan& plan)
 
 void printArray(const planning::ArrayPlan& array)
 {
-  print("{}, {} {}\n", array.name, array.draws, array.draws == 1 ? "draw" : "draws");
+  const auto counted = [&array](const analysis::Estimate& estimate) {
+    return analysis::shareText(estimate, array.draws);
+  };
+  print("{}, {} {}\n", array.name, array.draws, array.draws == 1 ? "simulation" : "simulations");
   print("  angular insertion depth  {} deg\n", bandText(array.angle_deg, 0));
   print("  cochlear coverage        {} %\n", bandText(array.coverage_percent, 0));
   print("  peak insertion force     {} mN\n", bandText(array.peak_mN, 1));
+  print("  end force                {} mN\n", bandText(array.end_mN, 1));
+  print("  after 1 s of rest        {} mN\n", bandText(array.after1s_mN, 1));
+  print("  after 10 s of rest       {} mN\n", bandText(array.after10s_mN, 1));
   print("  force on the partition   {} mN\n", bandText(array.partition_mN, 2));
   print("  first resistance         {} mm\n", bandText(array.firstResistance_mm, 1));
-  print("  full insertion           {}\n", percent(array.full));
-  print("  stopped by resistance    {}\n", percent(array.resisted));
-  print("  buckled                  {}\n", percent(array.buckled));
-  print("  tip folded over          {}\n", percent(array.foldedTip));
+  print("  full insertion           {}\n", counted(array.full));
+  print("  stopped by resistance    {}\n", counted(array.resisted));
+  print("  buckled                  {}\n", counted(array.buckled));
+  print("  tip folded over          {}\n", counted(array.foldedTip));
 }
 
 }  // namespace
@@ -127,8 +129,10 @@ Result<Done> plan(const PlanOptions& options, const CallFiles& files)
     content.figures.emplace_back(name, figures::draw(figure));
   if (const auto done = writeFolder(files, options.out, content); !done) return done.error();
   print(
-      "Median (5 to 95 %) of what measures, hand, approach and stiffness leave open; "
-      "probabilities with 95 % intervals.\nFor research and training; not a medical device.\n");
+      "Median ({}) of what measures, hand, approach and stiffness leave open; shares as n of N, "
+      "from {} simulations on in percent with 95 % intervals.\n"
+      "For research and training; not a medical device.\n",
+      planning::bandsHold(*plan), analysis::fewestForPercent);
   for (const planning::ArrayPlan& array : plan->arrays) printArray(array);
   return Done{};
 }

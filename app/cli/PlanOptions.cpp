@@ -47,11 +47,10 @@ void addPlan(CLI::App& app, FileOptions& files, PlanOptions& options)
       "resources/friction");
   command
       .add_option("--samples", options.samples,
-                  "Draws of measures, hand, approach and stiffness, at most; fewer if the bands "
-                  "stand after 16, 32, 64, ...")
-      ->capture_default_str()
-      ->check(CLI::Range(std::size_t{1}, planning::maxDraws));
-  command.add_flag("--all-samples", options.runsAll, "Run all draws");
+                  "Simulations of each array at most, 16 to 4096: draws of measures, hand, "
+                  "approach and stiffness; fewer if the bands stand after 16, 32, 64, ...")
+      ->capture_default_str();
+  command.add_flag("--all-samples", options.runsAll, "Run all simulations");
   command.add_option("--seed", options.seed, "Random seed of the draws")
       ->capture_default_str()
       ->check(CLI::NonNegativeNumber);

@@ -53,6 +53,31 @@ const char* verdict(analysis::RowVerdict verdict)
   return analysis::RowVerdict::hit == verdict ? "hit" : "MISS";
 }
 
+/// The prediction with its unit: "412.0 (401.0 to 425.0) deg", a rate "5 of 6" or "83.3 %".
+std::string foundText(const analysis::ClinicalRow& row)
+{
+  if (row.runs == 0) return "none";
+  const auto runs = static_cast<std::size_t>(row.runs);
+  if (row.unit == "%") {
+    if (const auto count = analysis::countedOf({row.median / 100.0, 0.0, 1.0}, runs))
+      return std::to_string(*count) + " of " + std::to_string(runs);
+    return fixed(row.median, 1) + " %";
+  }
+  const std::string quartiles =
+      row.runs > 1 ? " (" + fixed(row.lowerQuartile, 1) + " to " + fixed(row.upperQuartile, 1) + ")"
+                   : "";
+  return fixed(row.median, 1) + quartiles + " " + row.unit;
+}
+
+/// "3 of 6", or "52 % of 90".
+std::string insideText(const analysis::ClinicalRow& row)
+{
+  const auto runs = static_cast<std::size_t>(row.runs);
+  if (const auto count = analysis::countedOf({row.inside, 0.0, 1.0}, runs))
+    return std::to_string(*count) + " of " + std::to_string(runs);
+  return fixed(100.0 * row.inside, 0) + " % of " + std::to_string(runs);
+}
+
 void printRows(const std::vector<analysis::ClinicalRow>& rows, bool isClinical)
 {
   int hits = 0, judged = 0;
@@ -61,15 +86,11 @@ void printRows(const std::vector<analysis::ClinicalRow>& rows, bool isClinical)
     hits += row.verdict == analysis::RowVerdict::hit ? 1 : 0;
     judged += row.verdict == analysis::RowVerdict::notJudged ? 0 : 1;
     const std::string published =
-        row.high > row.low ? fixed(row.low, 1) + " to " + fixed(row.high, 1) : "none";
-    const std::string quartiles =
-        row.runs > 1 && row.unit != "%"
-            ? " (" + fixed(row.lowerQuartile, 1) + " to " + fixed(row.upperQuartile, 1) + ")"
-            : "";
-    print("  {:5} {:<58} {:>7}{} {}, published {}; {} % of {} inside{}\n", verdict(row.verdict),
-          row.quantity, row.runs > 0 ? fixed(row.median, 1) : "none", quartiles, row.unit,
-          published, fixed(100.0 * row.inside, 0), row.runs,
-          row.note.empty() ? "" : "; " + row.note);
+        row.high > row.low
+            ? fixed(row.low, 1) + " to " + fixed(row.high, 1) + (row.unit == "%" ? " %" : "")
+            : "none";
+    print("  {:5} {:<58} {:>7}, published {}; {} inside{}\n", verdict(row.verdict), row.quantity,
+          foundText(row), published, insideText(row), row.note.empty() ? "" : "; " + row.note);
   }
   print("{} of {} judged rows met.\n", hits, judged);
 }

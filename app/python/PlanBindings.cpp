@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pybind11/stl.h>
 
+#include <algorithm>
+#include <limits>
+
 #include "Bindings.h"
 #include "NumberArrays.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/planning/PlanReading.h"
 #include "perilymph/planning/PlanReport.h"
+#include "perilymph/planning/PlanWords.h"
 
 namespace perilymph::python {
 
@@ -137,6 +141,12 @@ py::dict insertions(const StoredPlan& stored)
   add("angle_deg", [](const Row& row) { return inDegrees(row.insertion.apical); });
   add("peak_mN", [](const Row& row) { return inMillinewtons(row.insertion.peak); });
   add("partition_mN", [](const Row& row) { return inMillinewtons(row.insertion.partition); });
+  add("end_mN", [](const Row& row) { return inMillinewtons(row.insertion.endForce); });
+  const auto atRest = [](const std::optional<Force>& force) {
+    return force ? inMillinewtons(*force) : std::numeric_limits<double>::quiet_NaN();
+  };
+  add("force_after_1s_mN", [&](const Row& row) { return atRest(row.insertion.forceAfter1s); });
+  add("force_after_10s_mN", [&](const Row& row) { return atRest(row.insertion.forceAfter10s); });
   return found;
 }
 
@@ -166,7 +176,7 @@ planning::PlanRequest requestOf(const py::object& patient, const py::object& arr
   const auto whole = [](long value, const char* name, double high) {
     return numberOf(static_cast<double>(value), name, "(whole numbers)", 0.0, high);
   };
-  whole(samples, "samples", double(planning::maxDraws));
+  valueOf(planning::checkDraws(static_cast<std::size_t>(std::max(samples, 0L))));
   whole(jobs, "jobs", maxJobs);
   whole(seed, "seed", 9e15);
   request.draws = static_cast<std::size_t>(samples);
@@ -228,7 +238,11 @@ void definePlan(py::module_& module)
       .def_readonly("draws", &ArrayPlan::draws, "Number of draws.")
       .def("bands", &bands,
            "Bands by name: 'angle_deg', 'coverage_percent', 'depth_mm', 'peak_mN', 'end_mN', "
-           "'partition_mN', 'first_resistance_mm'; each of shape (5,).")
+           "'partition_mN', 'first_resistance_mm', 'force_after_1s_mN', 'force_after_10s_mN' (of "
+           "rest; "
+           "zeros if not computed); each of shape (5,). 'end_mN' is the mean of the last half "
+           "second before "
+           "the hand stops. What a band holds: Plan.bands_hold.")
       .def("probabilities", &probabilities,
            "Probabilities by name, each (value, low, high) with its 95 % interval: "
            "'full_insertion', 'stopped_by_resistance', 'buckled', ...")
@@ -253,6 +267,9 @@ void definePlan(py::module_& module)
       .def_property_readonly(
           "arrays", [](const StoredPlan& one) { return one.plan.arrays; },
           "The arrays, in the order of the request.")
+      .def_property_readonly(
+          "bands_hold", [](const StoredPlan& one) { return textOf(planning::bandsHold(one.plan)); },
+          "What its bands hold from 5 to 95 %, and what they hold fixed: '90 % at friction 0.12'.")
       .def_property_readonly(
           "seed", [](const StoredPlan& one) { return one.plan.request.seed; }, "Of the draws.")
       .def_property_readonly(
@@ -281,7 +298,8 @@ void definePlan(py::module_& module)
           "(table, source, confidence) of what was drawn.")
       .def("insertions", &insertions,
            "Every insertion of a plan that plan() made, as columns: 'draw', 'array', 'A_mm', ..., "
-           "'angle_deg', 'peak_mN', 'partition_mN'. Empty for one that was read.")
+           "'angle_deg', 'peak_mN', 'partition_mN', 'end_mN', 'force_after_1s_mN', "
+           "'force_after_10s_mN' (NaN if not computed). Empty for one that was read.")
       .def("__repr__", [](const StoredPlan& one) {
         return textOf("<perilymph.Plan for '" + one.plan.request.patient.label + "'>");
       });
@@ -293,7 +311,8 @@ void definePlan(py::module_& module)
       py::arg("draws_file") = py::none(), py::arg("progress") = py::none(),
       "Makes a plan, as 'perilymph-cli plan' does.\n\n"
       "patient: a Patient, or the name or file of one, with A and B.\narrays: names or files; "
-      "all shipped ones if None.\nsamples: draws at most; fewer if the bands stand, unless "
+      "all shipped ones if None.\nsamples: simulations of each array at most, 16 to 4096; fewer if "
+      "the bands stand, unless "
       "all_samples.\nseed: of the draws. jobs: threads, 0: one per processor; does not affect "
       "the plan.\nscenario: what is neither drawn nor named.\nfriction: name or file; None: the "
       "scenario's, 0.12 of endosteum, chosen.\ndraws_file: keeps the draws "

@@ -192,10 +192,6 @@
         <translation>Rohkraft am ersten Ring</translation>
     </message>
     <message>
-        <source>standard deviation at the reported values</source>
-        <translation>Standardabweichung an den berichteten Werten</translation>
-    </message>
-    <message>
         <source>at most %1 N</source>
         <translation>höchstens %1 N</translation>
     </message>
@@ -1946,6 +1942,42 @@
     <message>
         <source>%1 has %2 insertions; at most %3 can be shown. Open one of its shards, or query it with SQL.</source>
         <translation>%1 hat %2 Insertionen; höchstens %3 können gezeigt werden. Öffnen Sie einen der Teile, oder fragen Sie die Datei mit SQL ab.</translation>
+    </message>
+    <message>
+        <source>standard deviation at %1 mm, peak</source>
+        <translation>Standardabweichung bei %1 mm, Gipfel</translation>
+    </message>
+    <message>
+        <source>standard deviation at %1 mm, dip</source>
+        <translation>Standardabweichung bei %1 mm, Senke</translation>
+    </message>
+    <message>
+        <source>standard deviation at %1 mm, maximum</source>
+        <translation>Standardabweichung bei %1 mm, Maximum</translation>
+    </message>
+    <message>
+        <source>standard deviation at %1 mm, end</source>
+        <translation>Standardabweichung bei %1 mm, Ende</translation>
+    </message>
+    <message>
+        <source>%1 % at friction %2</source>
+        <translation>%1 % bei Reibung %2</translation>
+    </message>
+    <message>
+        <source>%1 % at friction %2 to %3</source>
+        <translation>%1 % bei Reibung %2 bis %3</translation>
+    </message>
+    <message>
+        <source>%1 % at one friction</source>
+        <translation>%1 % bei einer Reibung</translation>
+    </message>
+    <message>
+        <source>A plan of %1 simulations is too short: the lowest and the highest of fewer than %2 hold less than %3 % of the insertions to come. Choose %4 to %5.</source>
+        <translation>Ein Plan aus %1 Simulationen ist zu kurz: zwischen dem kleinsten und dem größten Wert von weniger als %2 liegen weniger als %3 % der künftigen Insertionen. Wählen Sie %4 bis %5.</translation>
+    </message>
+    <message>
+        <source>A plan of %1 simulations is too long. Choose %2 to %3.</source>
+        <translation>Ein Plan aus %1 Simulationen ist zu lang. Wählen Sie %2 bis %3.</translation>
     </message>
 </context>
 <context>
@@ -3885,14 +3917,6 @@
         <translation>Größte axiale Kraft auf die Hand des Chirurgen. Median und 5 bis 95 % der Ziehungen.</translation>
     </message>
     <message>
-        <source>Mean axial force on the hand while it rests after the insertion. Median and 5 to 95 % of the draws.</source>
-        <translation>Mittlere axiale Kraft auf die Hand, während sie nach der Insertion ruht. Median und 5 bis 95 % der Ziehungen.</translation>
-    </message>
-    <message>
-        <source>Axial force over the depth of the tip past the opening. Line: median; area: 5 to 95 % of the draws whose tip came that deep. All rows have the same axes.</source>
-        <translation>Axiale Kraft über der Tiefe der Spitze hinter der Öffnung. Linie: Median; Fläche: 5 bis 95 % der Ziehungen, deren Spitze so tief kam. Alle Zeilen haben dieselben Achsen.</translation>
-    </message>
-    <message>
         <source>Maximum force on the cochlear partition. Median and 5 to 95 % of the draws.</source>
         <translation>Größte Kraft auf die cochleäre Trennwand. Median und 5 bis 95 % der Ziehungen.</translation>
     </message>
@@ -3953,10 +3977,6 @@
         <translation>axiale Insertionskraft, mN</translation>
     </message>
     <message>
-        <source>Lines: median; areas: 5 to 95 % of the draws that came that deep.</source>
-        <translation>Linien: Median; Flächen: 5 bis 95 % der Ziehungen, die so tief kamen.</translation>
-    </message>
-    <message>
         <source>Depth of the tip: %1 (%2–%3) mm.</source>
         <translation>Tiefe der Spitze: %1 (%2–%3) mm.</translation>
     </message>
@@ -3971,10 +3991,6 @@
     <message>
         <source>%1 · draw %2, nearest to the medians: %3°, peak %4 mN</source>
         <translation>%1 · Ziehung %2, den Medianen am nächsten: %3°, Spitze %4 mN</translation>
-    </message>
-    <message>
-        <source>plan, %1: median and 5–95 %</source>
-        <translation>Plan, %1: Median und 5–95 %</translation>
     </message>
     <message>
         <source>Modiolus, mm</source>
@@ -3995,10 +4011,6 @@
     <message>
         <source>Not inserted: %1</source>
         <translation>Nicht inseriert: %1</translation>
-    </message>
-    <message>
-        <source>Contacts, numbered from the tip: median (5–95 %)</source>
-        <translation>Kontakte, von der Spitze gezählt: Median (5–95 %)</translation>
     </message>
     <message>
         <source>Angle from the center of the round window. Modiolus: distance from the center line of the array to the inner wall. GW: frequency by Greenwood (1990), Hz, at the place on the organ of Corti. SG: frequency of the spiral ganglion, Hz, at the angle; st: its semitones above the center of the default filter.</source>
@@ -4077,10 +4089,6 @@
         <translation>Insertionskraft</translation>
     </message>
     <message>
-        <source>mN over insertion depth in mm: median, 25–75 %, 5–95 %</source>
-        <translation>mN über Insertionstiefe in mm: Median, 25–75 %, 5–95 %</translation>
-    </message>
-    <message>
         <source>Measured with</source>
         <translation>Gemessen mit</translation>
     </message>
@@ -4095,10 +4103,6 @@
     <message>
         <source>Plan</source>
         <translation>Plan</translation>
-    </message>
-    <message>
-        <source>Arrays in this cochlea</source>
-        <translation>Elektrodenträger in dieser Cochlea</translation>
     </message>
     <message>
         <source>Angular depth</source>
@@ -4143,14 +4147,6 @@
     <message>
         <source>Rupture</source>
         <translation>Ruptur</translation>
-    </message>
-    <message>
-        <source>probability, %</source>
-        <translation>Wahrscheinlichkeit, %</translation>
-    </message>
-    <message>
-        <source>Median (5–95 % of the draws); angle and coverage of the most apical contact. Probabilities with 95 % intervals: full insertion, stop by resistance, buckling in front of the opening, tip fold-over, a force that reaches the strength of the cochlear partition.</source>
-        <translation>Median (5–95 % der Ziehungen); Winkel und Abdeckung des apikalsten Kontakts. Wahrscheinlichkeiten mit 95-%-Intervallen: vollständige Insertion, Abbruch bei Widerstand, Ausknicken vor der Öffnung, Umschlagen der Spitze, eine Kraft, die die Festigkeit der Trennwand erreicht.</translation>
     </message>
     <message>
         <source>Insertion plan</source>
@@ -4231,10 +4227,6 @@
     <message>
         <source>≥ %1 mN, %</source>
         <translation>≥ %1 mN, %</translation>
-    </message>
-    <message>
-        <source>First resistance and force on the partition: median (5–95 %), probability (95 % interval)</source>
-        <translation>Erster Widerstand und Kraft auf die Trennwand: Median (5–95 %), Wahrscheinlichkeit (95-%-Intervall)</translation>
     </message>
     <message>
         <source>First resistance: depth of the tip past the opening where the insertion force first reaches %1 mN, the median force that surgeons detect, over the draws in which it does; felt: that it does. ≥ %2 and ≥ %3 mN: that the force on the cochlear partition reaches the weakest and the strongest published strength.</source>
@@ -4347,6 +4339,94 @@
     <message>
         <source>changed by hand: %1</source>
         <translation>von Hand geändert: %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Lines: median; areas: %1. Paler and dotted where simulations have ended (rings), with the number that came that deep.</source>
+        <translation>Linien: Median; Flächen: %1. Blasser und gepunktet, wo Simulationen geendet haben (Ringe), mit der Anzahl, die so tief kam.</translation>
+    </message>
+    <message>
+        <source>Mean axial force on the hand over the last half second before it stops. Median and 5 to 95 % of the draws.</source>
+        <translation>Mittlere axiale Kraft auf die Hand in der letzten halben Sekunde, bevor sie anhält. Median und 5 bis 95 % der Ziehungen.</translation>
+    </message>
+    <message>
+        <source>Axial force over the depth of the tip past the opening, as deep as any simulation went. Line: median; area: 5 to 95 %; paler and dashed where some simulations have ended. All rows have the same axes.</source>
+        <translation>Axiale Kraft über der Tiefe der Spitze hinter der Öffnung, so tief irgendeine Simulation kam. Linie: Median; Fläche: 5 bis 95 %; blasser und gepunktet, wo einige Simulationen geendet haben. Alle Zeilen haben dieselben Achsen.</translation>
+    </message>
+    <message>
+        <source>Arrays in this cochlea: median (%1)</source>
+        <translation>Träger in dieser Cochlea: Median (%1)</translation>
+    </message>
+    <message>
+        <source>number of simulations</source>
+        <translation>Anzahl der Simulationen</translation>
+    </message>
+    <message>
+        <source>share of simulations, %</source>
+        <translation>Anteil der Simulationen, %</translation>
+    </message>
+    <message>
+        <source>Angle and coverage of the most apical contact. Shares, from %1 simulations on with 95 % intervals: full insertion, stop by resistance, buckling in front of the opening, tip fold-over, a force that reaches the strength of the cochlear partition.</source>
+        <translation>Winkel und Abdeckung des apikalsten Kontakts. Anteile, ab %1 Simulationen mit 95-%-Intervallen: volle Insertion, Halt durch Widerstand, Ausknicken vor der Öffnung, Umschlagen der Spitze, eine Kraft, die die Festigkeit der Trennwand erreicht.</translation>
+    </message>
+    <message>
+        <source>≥ %1 mN</source>
+        <translation>≥ %1 mN</translation>
+    </message>
+    <message>
+        <source>felt</source>
+        <translation>gespürt</translation>
+    </message>
+    <message>
+        <source>Contacts, numbered from the tip: median (%1)</source>
+        <translation>Kontakte, von der Spitze an gezählt: Median (%1)</translation>
+    </message>
+    <message>
+        <source>End force, mN</source>
+        <translation>Endkraft, mN</translation>
+    </message>
+    <message>
+        <source>after 1 s, mN</source>
+        <translation>nach 1 s, mN</translation>
+    </message>
+    <message>
+        <source>after 10 s, mN</source>
+        <translation>nach 10 s, mN</translation>
+    </message>
+    <message>
+        <source>End force: mean of the last half second before the hand stops; then means of the half second before 1 s and before 10 s of rest.</source>
+        <translation>Endkraft: Mittel der letzten halben Sekunde, bevor die Hand anhält; danach Mittel der halben Sekunde vor 1 s und vor 10 s Ruhe.</translation>
+    </message>
+    <message>
+        <source>mN over depth in mm: median, 25–75 %, %1; rings: ends</source>
+        <translation>mN über der Tiefe in mm: Median, 25–75 %, %1; Ringe: Enden</translation>
+    </message>
+    <message>
+        <source>Force at rest: %1 (%2–%3) mN after 1 s, %4 (%5–%6) mN after 10 s.</source>
+        <translation>Kraft in Ruhe: %1 (%2–%3) mN nach 1 s, %4 (%5–%6) mN nach 10 s.</translation>
+    </message>
+    <message>
+        <source>plan: %1</source>
+        <translation>Plan: %1</translation>
+    </message>
+    <message>
+        <source>, at last %1 of %2</source>
+        <translation>, zuletzt %1 von %2</translation>
+    </message>
+    <message>
+        <source>First resistance and force on the partition: median (%1)</source>
+        <translation>Erster Widerstand und Kraft auf die Trennwand: Median (%1)</translation>
+    </message>
+    <message>
+        <source>Force at the end and at rest: median (%1)</source>
+        <translation>Kraft am Ende und in Ruhe: Median (%1)</translation>
+    </message>
+    <message>
+        <source>End force: mean of the last half second of 2 s of rest, as the program that made this plan read it.</source>
+        <translation>Endkraft: Mittel der letzten halben Sekunde von 2 s Ruhe, wie sie das Programm las, das diesen Plan rechnete.</translation>
     </message>
 </context>
 <context>
@@ -6511,8 +6591,8 @@
         <translation>Seit diesem Plan wurde ein Träger, das Szenario, eine Verteilung oder das Programm geändert: Er wird gezeigt, wie er gemacht wurde, und „Berechnen“ macht einen neuen.</translation>
     </message>
     <message>
-        <source>Median (5–95 % of the draws). Values of the model, not clinical risks: the friction, 0.12, was chosen for the depths that clinics report; with that of a tissue simulant straight arrays stop at 240 to 350°. Translocation is rarer than clinics report.</source>
-        <translation>Median (5–95 % der Ziehungen). Werte des Modells, keine klinischen Risiken: Die Reibung, 0,12, wurde für die Tiefen gewählt, die Kliniken berichten; mit der eines Gewebe-Simulans enden gerade Elektrodenträger bei 240 bis 350°. Translokationen sind seltener als in klinischen Berichten.</translation>
+        <source>Values of the model, not clinical risks: the friction, 0.12, was chosen for the depths that clinics report; with that of a tissue simulant straight arrays stop at 240 to 350°. Translocation is rarer than clinics report.</source>
+        <translation>Werte des Modells, keine klinischen Risiken: Die Reibung, 0,12, wurde für die Tiefen gewählt, die Kliniken berichten; mit der eines Gewebe-Simulans enden gerade Elektrodenträger bei 240 bis 350°. Translokationen sind seltener als in klinischen Berichten.</translation>
     </message>
 </context>
 <context>

@@ -19,7 +19,8 @@ DOCUMENT = Path(sys.argv.pop(1)).resolve() if len(sys.argv) > 1 else None
 WITH_DISPLAY = ROOT / "test/support/with-display"
 # Statistics of 200 insertions take a minute; three insertions suffice to test the call.
 FEWER = [(re.compile(r"--runs \d+"), "--runs 3"),
-         (re.compile(r"--all --seed 1 2 3"), "--all --patients 1 --seed 1")]
+         (re.compile(r"--all --seed 1 2 3"), "--all --patients 1 --seed 1"),
+         (re.compile(r"^(perilymph-cli plan .*)$"), r"\1 --samples 2")]
 
 
 def documents():
@@ -60,7 +61,7 @@ def run_line(case, line, folder, sdk):
     if words[0] == "perilymph" or " render " in line:
         words.insert(0, str(WITH_DISPLAY))
     env = {**os.environ, "PATH": f"{PROGRAMS}:{os.environ['PATH']}", "CMAKE_PREFIX_PATH": sdk,
-           "XDG_DATA_HOME": folder, "XDG_CONFIG_HOME": folder, "XDG_STATE_HOME": folder}
+           "PERILYMPH_FEW_DRAWS": "1", "XDG_DATA_HOME": folder, "XDG_CONFIG_HOME": folder, "XDG_STATE_HOME": folder}
     done = subprocess.run(words, cwd=folder, env=env, capture_output=True, text=True, timeout=240)
     case.assertEqual(done.returncode, 0, f"{line}\n{done.stdout[-500:]}{done.stderr[-500:]}")
 

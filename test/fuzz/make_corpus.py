@@ -9,6 +9,7 @@ beside these under names of their own, and stay.
 """
 
 import base64
+import os
 import sqlite3
 import struct
 import subprocess
@@ -228,7 +229,8 @@ def sessions(cli):
 def tables(cli, command, name):
     """A file of results in pages of 512 bytes, as the command writes it into a folder."""
     with tempfile.TemporaryDirectory() as folder:
-        subprocess.run([cli, *command, "--out", folder], check=True, stdout=subprocess.DEVNULL)
+        subprocess.run([cli, *command, "--out", folder], check=True, stdout=subprocess.DEVNULL,
+                       env={**os.environ, "PERILYMPH_FEW_DRAWS": "1"})
         database = sqlite3.connect(Path(folder) / name)
         database.execute("UPDATE meta SET value = 'Perilymph' WHERE key = 'program'")
         database.commit()

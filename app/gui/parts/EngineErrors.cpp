@@ -260,6 +260,11 @@ constexpr const char* messages[] = {
     QT_TRANSLATE_NOOP("Data",
                       "A voxel is %1 mm long; at most %2 mm is allowed, and %3 mm or less is "
                       "advised. Take a series with thinner slices."),
+    // of a plan
+    QT_TRANSLATE_NOOP("Data",
+                      "A plan of %1 simulations is too short: the lowest and the highest of fewer "
+                      "than %2 hold less than %3 % of the insertions to come. Choose %4 to %5."),
+    QT_TRANSLATE_NOOP("Data", "A plan of %1 simulations is too long. Choose %2 to %3."),
     // of a port
     QT_TRANSLATE_NOOP(
         "Data",

@@ -88,19 +88,23 @@ QString resistances(const PlanReportContent& content)
   const auto force = [](Force value) { return numberText(inMillinewtons(value), 1); };
   const QString felt = force(thresholds.felt), weakest = force(thresholds.ruptureLow),
                 strongest = force(thresholds.ruptureHigh);
-  QString rows = resistanceRow({tr("Array"), tr("First resistance, mm"), tr("felt, %"),
-                                tr("≥ %1 mN, %").arg(weakest), tr("≥ %1 mN, %").arg(strongest)},
-                               "quiet tiny");
   const auto& arrays = content.plan().arrays;
+  const bool isCounted = arrays.front().draws < analysis::fewestForPercent;
+  const QString reaches = isCounted ? tr("≥ %1 mN") : tr("≥ %1 mN, %");
+  QString rows = resistanceRow(
+      {tr("Array"), tr("First resistance, mm"), isCounted ? tr("felt") : tr("felt, %"),
+       reaches.arg(weakest), reaches.arg(strongest)},
+      "quiet tiny");
   for (std::size_t i = 0; i < arrays.size(); ++i)
     rows += resistanceRow({numberedName(arrays[i], i).toHtmlEscaped(),
                            arrays[i].felt.value > 0.0 ? medianText(arrays[i].firstResistance_mm, 1)
                                                       : QStringLiteral("–"),
-                           chanceText(arrays[i].felt), chanceText(arrays[i].reachesWeakest),
-                           chanceText(arrays[i].reachesStrongest)},
+                           chanceText(arrays[i].felt, arrays[i].draws),
+                           chanceText(arrays[i].reachesWeakest, arrays[i].draws),
+                           chanceText(arrays[i].reachesStrongest, arrays[i].draws)},
                           "tiny");
-  return heading(tr("First resistance and force on the partition: median (5–95 %), probability "
-                    "(95 % interval)")) +
+  return heading(tr("First resistance and force on the partition: median (%1)")
+                     .arg(bandsHold(content.plan()))) +
          table(rows) +
          QStringLiteral("<p class=\"quiet tiny\">%1</p>")
              .arg(tr("First resistance: depth of the tip past the opening where the insertion "
@@ -109,6 +113,32 @@ QString resistances(const PlanReportContent& content)
                      "on the cochlear partition reaches the weakest and the strongest published "
                      "strength.")
                       .arg(felt, weakest, strongest));
+}
+
+/// Forces on the hand at the end of the push and at rest.
+QString endForces(const PlanReportContent& content)
+{
+  QString rows = resistanceRow(
+      {tr("Array"), tr("End force, mN"), tr("after 1 s, mN"), tr("after 10 s, mN"), QString()},
+      "quiet tiny");
+  const auto& arrays = content.plan().arrays;
+  bool isOfRest = true;  // of a version that read the end force after 2 s of rest
+  for (std::size_t i = 0; i < arrays.size(); ++i) {
+    QStringList cells{numberedName(arrays[i], i).toHtmlEscaped(), medianText(arrays[i].end_mN, 1)};
+    for (const planning::Band& band : {arrays[i].after1s_mN, arrays[i].after10s_mN}) {
+      const bool isKnown = band.low != 0.0 || band.high != 0.0;
+      cells << (isKnown ? medianText(band, 1) : QStringLiteral("–"));
+      isOfRest = isOfRest && !isKnown;
+    }
+    rows += resistanceRow(cells << QString(), "tiny");
+  }
+  const QString method =
+      isOfRest ? tr("End force: mean of the last half second of 2 s of rest, as the program that "
+                    "made this plan read it.")
+               : tr("End force: mean of the last half second before the hand stops; then means of "
+                    "the half second before 1 s and before 10 s of rest.");
+  return heading(tr("Force at the end and at rest: median (%1)").arg(bandsHold(content.plan()))) +
+         table(rows) + QStringLiteral("<p class=\"quiet tiny\">%1</p>").arg(method);
 }
 
 QString contacts(const PlanReportContent& content)
@@ -122,7 +152,9 @@ QString contacts(const PlanReportContent& content)
           QStringLiteral("<td width=\"33%\" class=\"block\">%1</td>").arg(contactsOf(arrays[k], k));
     rows += QStringLiteral("<tr>%1</tr>").arg(row);
   }
-  return heading(tr("Contacts, numbered from the tip: median (5–95 %)")) + table(rows) +
+  return heading(
+             tr("Contacts, numbered from the tip: median (%1)").arg(bandsHold(content.plan()))) +
+         table(rows) +
          QStringLiteral("<p class=\"quiet tiny\">%1</p>")
              .arg(
                  tr("Angle from the center of the round window. Modiolus: distance from the center "
@@ -225,8 +257,8 @@ QString marks(const PlanReportContent& content)
 QString planAppendixText(const PlanReportContent& content)
 {
   return QStringLiteral("<h1>%1</h1>").arg(tr("Appendix: resistance, contacts and sources")) +
-         resistances(content) + contacts(content) + influences(content) + sources(content) +
-         marks(content);
+         resistances(content) + endForces(content) + contacts(content) + influences(content) +
+         sources(content) + marks(content);
 }
 
 }  // namespace perilymph::gui

@@ -6,7 +6,9 @@
 #include <cmath>
 
 #include "gui/parts/Numbers.h"
+#include "gui/setup/PlannedFriction.h"
 #include "perilymph/figures/Figure.h"
+#include "perilymph/planning/ForceCourse.h"
 
 namespace perilymph::gui {
 
@@ -38,6 +40,9 @@ Axes axesOf(const std::vector<planning::ArrayPlan>& arrays, std::size_t count)
   return {figures::axisOver({}, 0.0, deepest), figures::axisOver({}, 0.0, highest)};
 }
 
+/// "3 of 16"; outside of the class, whose texts lupdate would assign to it.
+QString countText(std::size_t draws, std::size_t of) { return tr("%1 of %2").arg(draws).arg(of); }
+
 /// One chart in its place.
 class Chart {
 public:
@@ -57,19 +62,52 @@ public:
     QPainter& painter = sheet_.painter();
     painter.save();
     painter.setClipRect(sheet_.dots(plot_mm_));
+    if (array.force.empty()) return painter.restore();
     const QColor ink = inkOfArray(place);
-    paintBand(array, &planning::Band::low, &planning::Band::high, ink, 0.18);
-    paintBand(array, &planning::Band::lowerQuartile, &planning::Band::upperQuartile, ink, 0.35);
-    QPolygonF median;
-    for (const planning::ForceBand& each : array.force)
-      median << at(each.depth_mm, each.force_mN.median);
-    painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(ink, sheet_.dots({0, 0, 0.35, 0}).width()));
-    painter.drawPolyline(median);
+    const planning::ForceCourse course = planning::courseOf(array);
+    // of all simulations, and behind it of fewer: both share a row
+    const std::pair<std::size_t, std::size_t> parts[] = {{0, course.whole},
+                                                         {course.whole - 1, array.force.size()}};
+    for (const auto& rows : parts) {
+      const double strength = rows.second == course.whole ? 1.0 : 0.5;
+      paintBand(array, rows, &planning::Band::low, &planning::Band::high, ink, 0.18 * strength);
+      paintBand(array, rows, &planning::Band::lowerQuartile, &planning::Band::upperQuartile, ink,
+                0.35 * strength);
+      QPolygonF median;
+      for (std::size_t i = rows.first; i < rows.second; ++i)
+        median << at(array.force[i].depth_mm, array.force[i].force_mN.median);
+      painter.setBrush(Qt::NoBrush);
+      painter.setPen(QPen(ink, sheet_.dots({0, 0, 0.35, 0}).width(),
+                          strength < 1.0 ? Qt::DotLine : Qt::SolidLine));
+      painter.drawPolyline(median);
+    }
+    const double radius = sheet_.dots({0, 0, 0.45, 0}).width();
+    painter.setPen(QPen(ink, sheet_.dots({0, 0, 0.2, 0}).width()));
+    painter.setBrush(Qt::white);
+    for (const planning::ForceCourse::Mark& each : course.ends)
+      painter.drawEllipse(at(each.depth_mm, each.force_mN), radius, radius);
     painter.restore();
+    paintCounts(array, course);
   }
 
 private:
+  /// "n of N" at the first of the places for it, and at the deepest: a chart has no room for more.
+  void paintCounts(const planning::ArrayPlan& array, const planning::ForceCourse& course) const
+  {
+    constexpr double width_mm = 16.0;
+    for (const planning::ForceCourse::Mark* each :
+         {&course.counts.front(), &course.counts.back()}) {
+      const double x_mm = plot_mm_.left() + plot_mm_.width() * each->depth_mm / axes_.depth.high,
+                   y_mm =
+                       plot_mm_.bottom() -
+                       plot_mm_.height() * std::clamp(each->force_mN / axes_.force.high, 0.0, 1.0);
+      sheet_.line(
+          {x_mm - width_mm, std::max(plot_mm_.top(), y_mm - label_mm - 0.6), width_mm, label_mm},
+          countText(each->draws, array.draws), ReportFace::label, Qt::AlignRight);
+      if (course.counts.size() == 1) return;
+    }
+  }
+
   QPointF at(double depth_mm, double force_mN) const
   {
     const QRectF plot = sheet_.dots(plot_mm_);
@@ -108,14 +146,15 @@ private:
     }
   }
 
-  void paintBand(const planning::ArrayPlan& array, double planning::Band::*low,
-                 double planning::Band::*high, QColor ink, double opacity) const
+  void paintBand(const planning::ArrayPlan& array, std::pair<std::size_t, std::size_t> rows,
+                 double planning::Band::*low, double planning::Band::*high, QColor ink,
+                 double opacity) const
   {
     QPolygonF area;
-    for (const planning::ForceBand& each : array.force)
-      area << at(each.depth_mm, each.force_mN.*low);
-    for (auto each = array.force.rbegin(); each != array.force.rend(); ++each)
-      area << at(each->depth_mm, each->force_mN.*high);
+    for (std::size_t i = rows.first; i < rows.second; ++i)
+      area << at(array.force[i].depth_mm, array.force[i].force_mN.*low);
+    for (std::size_t i = rows.second; i-- > rows.first;)
+      area << at(array.force[i].depth_mm, array.force[i].force_mN.*high);
     ink.setAlphaF(opacity);
     QPainter& painter = sheet_.painter();
     painter.setPen(Qt::NoPen);
@@ -128,7 +167,10 @@ private:
   const Axes& axes_;
 };
 
-QString unitsText() { return tr("mN over insertion depth in mm: median, 25–75 %, 5–95 %"); }
+QString unitsText(const planning::Plan& plan)
+{
+  return tr("mN over depth in mm: median, 25–75 %, %1; rings: ends").arg(bandsHold(plan));
+}
 
 int rowsOf(std::size_t count, int columns)
 {
@@ -168,7 +210,7 @@ void paintPlanCurves(ReportSheet& sheet, const QRectF& place_mm, const PlanRepor
     sheet.line({place_mm.left(), top_mm, place_mm.width(), label_mm}, text, ReportFace::label);
     top_mm += label_mm;
   };
-  write(unitsText());
+  write(unitsText(content.plan()));
   if (count < arrays.size())
     write(tr("Arrays 1 to %1; all %2 on the next page").arg(count).arg(arrays.size()));
   top_mm += 1.0;
@@ -184,7 +226,8 @@ void paintAllPlanCurves(ReportSheet& sheet, const QRectF& place_mm,
   const auto& arrays = content.plan().arrays;
   const double top_mm = sheet.heading(place_mm.left(), place_mm.top(), place_mm.width(),
                                       tr("Insertion force of all arrays"));
-  sheet.line({place_mm.left(), top_mm, place_mm.width(), label_mm}, unitsText(), ReportFace::label);
+  sheet.line({place_mm.left(), top_mm, place_mm.width(), label_mm}, unitsText(content.plan()),
+             ReportFace::label);
   const double first_mm = top_mm + label_mm + 1.0;
   const int columns = arrays.size() > manyArrays ? 4 : 3;
   const double height_mm =

@@ -76,17 +76,18 @@ QStringList cellsOf(const planning::ArrayPlan& array, std::size_t place)
           medianText(array.coverage_percent, 0),
           medianText(array.peak_mN, 0),
           medianText(array.partition_mN, array.partition_mN.high < 10.0 ? 1 : 0),
-          chanceText(array.full),
-          chanceText(array.resisted),
-          chanceText(array.buckled),
-          chanceText(array.foldedTip),
-          chanceText(array.ruptured)};
+          chanceText(array.full, array.draws),
+          chanceText(array.resisted, array.draws),
+          chanceText(array.buckled, array.draws),
+          chanceText(array.foldedTip, array.draws),
+          chanceText(array.ruptured, array.draws)};
 }
 
 double paintArrays(ReportSheet& sheet, const PlanReportContent& content, double y_mm,
                    double width_mm)
 {
-  y_mm = sheet.heading(0.0, y_mm, width_mm, tr("Arrays in this cochlea"));
+  const QString hold = bandsHold(content.plan());
+  y_mm = sheet.heading(0.0, y_mm, width_mm, tr("Arrays in this cochlea: median (%1)").arg(hold));
   constexpr double chance_mm = 16.8;  // of "100 (68–100)"
   const Column columns[] = {{tr("Array"), {}, 29.0},
                             {tr("Angular depth"), tr("°"), 19.0},
@@ -114,7 +115,9 @@ double paintArrays(ReportSheet& sheet, const PlanReportContent& content, double 
   paintRow(titles);
   y_mm -= 0.9;
   constexpr double chances_mm = 5 * chance_mm;
-  sheet.line({width_mm - chances_mm, y_mm, chances_mm, high_mm}, tr("probability, %"),
+  const bool isCounted = arrays.front().draws < analysis::fewestForPercent;
+  sheet.line({width_mm - chances_mm, y_mm, chances_mm, high_mm},
+             isCounted ? tr("number of simulations") : tr("share of simulations, %"),
              ReportFace::label, Qt::AlignHCenter);
   paintRow(units);
   sheet.rule(0.0, y_mm, width_mm);
@@ -123,10 +126,11 @@ double paintArrays(ReportSheet& sheet, const PlanReportContent& content, double 
   y_mm += 0.6;
   return y_mm + sheet.paragraph(
                     0.0, y_mm, width_mm,
-                    tr("Median (5–95 % of the draws); angle and coverage of the most apical "
-                       "contact. Probabilities with 95 % intervals: full insertion, stop by "
-                       "resistance, buckling in front of the opening, tip fold-over, a force that "
-                       "reaches the strength of the cochlear partition."),
+                    tr("Angle and coverage of the most apical contact. Shares, from %1 simulations "
+                       "on with 95 % intervals: full insertion, stop by resistance, buckling in "
+                       "front of the opening, tip fold-over, a force that reaches the strength of "
+                       "the cochlear partition.")
+                        .arg(analysis::fewestForPercent),
                     ReportFace::quiet);
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "gui/parts/Numbers.h"
+#include "gui/setup/PlannedFriction.h"
 #include "perilymph/analysis/ErrorBand.h"
 #include "perilymph/session/Scenario.h"
 
@@ -61,8 +62,9 @@ QString medianText(const planning::Band& band, int decimals)
            numberText(band.high, decimals));
 }
 
-QString chanceText(const analysis::Estimate& estimate)
+QString chanceText(const analysis::Estimate& estimate, std::size_t draws)
 {
+  if (analysis::countedOf(estimate, draws)) return shownShare(estimate, draws);
   return QStringLiteral("%1 (%2–%3)")
       .arg(numberText(100.0 * estimate.value, 0), numberText(100.0 * estimate.low, 0),
            numberText(100.0 * estimate.high, 0));

@@ -45,8 +45,9 @@ QString numberedName(const planning::ArrayPlan& array, std::size_t place);
 /// Median and band in brackets: "523 (490–560)".
 QString medianText(const planning::Band& band, int decimals);
 
-/// A probability in percent with its interval: "3 (0–8)".
-QString chanceText(const analysis::Estimate& estimate);
+/// A share of an array's simulations below a head that states the unit: "3 of 16"; from
+/// analysis::fewestForPercent on, percent with the interval: "3 (0–8)".
+QString chanceText(const analysis::Estimate& estimate, std::size_t draws);
 
 /// Builds the cochlea of a plan, in about a second. Any thread.
 Result<PlanReportContent> planReportContent(planning::StoredPlan stored);

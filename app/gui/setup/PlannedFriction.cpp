@@ -4,9 +4,16 @@
 #include <QCoreApplication>
 #include <filesystem>
 
+#include "gui/parts/DataText.h"
+#include "gui/parts/Numbers.h"
+#include "perilymph/planning/PlanWords.h"
+
 namespace perilymph::gui {
 
 namespace {
+
+// lupdate assigns texts of free functions to their namespace.
+QString tr(const char* text) { return QCoreApplication::translate("perilymph::gui", text); }
 
 /// The name of a shipped file as it is, that of another one without its folder.
 QString nameOf(const std::string& nameOrFile)
@@ -28,6 +35,23 @@ QString plannedFriction(const planning::PlanRequest& request)
         .arg(nameOf(*request.friction));
   return QCoreApplication::translate("perilymph::gui", "friction of %1")
       .arg(nameOf(request.scenario));
+}
+
+QString bandsHold(const planning::Plan& plan) { return dataText(planning::bandsHold(plan)); }
+
+QString shownShare(const analysis::Estimate& fraction, std::size_t draws)
+{
+  if (const auto count = analysis::countedOf(fraction, draws))
+    return tr("%1 of %2").arg(*count).arg(draws);
+  return tr("%1 %").arg(numberText(100.0 * fraction.value, 0));
+}
+
+QString shownShareAndInterval(const analysis::Estimate& fraction, std::size_t draws)
+{
+  if (analysis::countedOf(fraction, draws)) return shownShare(fraction, draws);
+  return tr("%1 (%2–%3) %")
+      .arg(numberText(100.0 * fraction.value, 0), numberText(100.0 * fraction.low, 0),
+           numberText(100.0 * fraction.high, 0));
 }
 
 }  // namespace perilymph::gui

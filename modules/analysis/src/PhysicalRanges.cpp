@@ -100,6 +100,9 @@ std::string impossibility(const FullInsertion& insertion)
 
 std::string impossibility(const ClinicalInsertion& insertion)
 {
+  const auto atRest = [](const std::optional<Force>& force) {
+    return inMillinewtons(force.value_or(Force{}));
+  };
   const Checked values[] = {
       {"the depth", "mm", inMillimeters(insertion.depth), physical::depth_mm},
       {"the angle", "degrees", inDegrees(insertion.apical), physical::angle_deg},
@@ -107,6 +110,8 @@ std::string impossibility(const ClinicalInsertion& insertion)
       {"the force at the end", "mN", inMillinewtons(insertion.endForce), physical::signedForce_mN},
       {"the force on the partition", "mN", inMillinewtons(insertion.partition),
        physical::partition_mN},
+      {"the force after 1 s", "mN", atRest(insertion.forceAfter1s), physical::signedForce_mN},
+      {"the force after 10 s", "mN", atRest(insertion.forceAfter10s), physical::signedForce_mN},
       {"the place of the rupture", "degrees", inDegrees(insertion.ruptureAngle),
        physical::angle_deg}};
   auto reason = firstImpossible(values);
@@ -128,6 +133,8 @@ ClinicalInsertion asPossible(ClinicalInsertion insertion)
 {
   if (insertion.end == InsertionEnd::jammed) {
     limit(insertion.peak, physical::force_mN);
+    for (auto* force : {&insertion.forceAfter1s, &insertion.forceAfter10s})
+      if (*force) limit(**force, physical::signedForce_mN);
     limit(insertion.endForce, physical::signedForce_mN);
     for (DepthForce& each : insertion.profile) limit(each.force, physical::signedForce_mN);
   }

@@ -47,6 +47,7 @@ public:
   void level(Drawing& page, const FigureLevel& level) const;
   void curve(Drawing& page, const FigureCurve& curve) const;
   void values(Drawing& page, const FigureValues& values) const;
+  void text(Drawing& page, const FigureText& text) const;
 
 private:
   const Figure& figure_;
@@ -189,6 +190,23 @@ void Plot::values(Drawing& page, const FigureValues& values) const
   }
 }
 
+void Plot::text(Drawing& page, const FigureText& text) const
+{
+  constexpr double away = 7.0;
+  if (!holds(text.x)) return;
+  const PagePoint place = at(text.x, text.y);
+  // above the point, below it at the upper edge; before it in the right half of the figure
+  const double y = place.y > top + 2.0 * away ? place.y - away : place.y + away + textSize;
+  const bool isRight = place.x > 0.5 * (left + pageWidth - right);
+  page.marks.push_back(Label{{place.x, y},
+                             text.text,
+                             smallSize,
+                             text.ink,
+                             isRight ? Anchor::end : Anchor::start,
+                             Direction::across,
+                             false});
+}
+
 /// The legend below the axes.
 double legend(Drawing& page, const Figure& figure, double y)
 {
@@ -219,7 +237,7 @@ double legend(Drawing& page, const Figure& figure, double y)
   for (const FigureValues& values : figure.values) {
     if (values.label.empty()) continue;
     const PagePoint at{begin + 0.5 * sample, y};
-    errorBar(page, {at.x, y + 5.0}, {at.x, y - 5.0}, values.ink);
+    if (!values.low.empty()) errorBar(page, {at.x, y + 5.0}, {at.x, y - 5.0}, values.ink);
     marker(page, values.shape, at, values.ink);
     row(values.label);
   }
@@ -261,6 +279,7 @@ Drawing draw(const Figure& figure)
   for (const FigureLevel& level : figure.levels) plot.level(page, level);
   for (const FigureCurve& curve : figure.curves) plot.curve(page, curve);
   for (const FigureValues& values : figure.values) plot.values(page, values);
+  for (const FigureText& text : figure.texts) plot.text(page, text);
   double y = legend(page, figure, top + plotHeight + 44.0);
   for (const std::string& note : figure.notes)
     for (const std::string& line : linesOf(note, smallSize, pageWidth - left - right)) {

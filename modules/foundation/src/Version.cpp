@@ -27,8 +27,10 @@ std::vector<std::string> replacedByEnvironment()
   std::error_code differ;
   if (!std::filesystem::equivalent(resourceRoot(), ownResourceRoot(), differ))
     variables.emplace_back("PERILYMPH_RESOURCES");
-  const char* const recorded = std::getenv("PERILYMPH_SYSTEM_ROOT");
-  if (recorded != nullptr && *recorded != '\0') variables.emplace_back("PERILYMPH_SYSTEM_ROOT");
+  for (const char* const name : {"PERILYMPH_SYSTEM_ROOT", fewDraws}) {
+    const char* const given = std::getenv(name);
+    if (given != nullptr && *given != '\0') variables.emplace_back(name);
+  }
   return variables;
 }
 

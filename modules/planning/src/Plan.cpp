@@ -17,10 +17,7 @@ namespace {
 
 /// Draws between two transactions: some seconds of work, which an interruption loses at most.
 constexpr std::size_t blockSize = 8;
-/// Draws after which the bands are first looked at; then after twice as many, and so on.
-constexpr std::size_t fewestDraws = 16;
-
-/// Number of draws after which the bands are looked at next.
+/// Number of draws after which the bands are looked at next: 16, 32, 64, ...
 std::size_t nextLook(std::size_t done, std::size_t draws)
 {
   std::size_t look = fewestDraws;
@@ -66,6 +63,18 @@ bool isSamePatient(const anatomy::Patient& stored, const anatomy::Patient& patie
 
 }  // namespace
 
+Result<Done> checkDraws(std::size_t draws)
+{
+  const auto changed = replacedByEnvironment();
+  const bool takesFew = std::find(changed.begin(), changed.end(), fewDraws) != changed.end();
+  if (draws >= (takesFew ? std::size_t{1} : fewestDraws) && draws <= maxDraws) return Done{};
+  const std::string count = std::to_string(draws), fewest = std::to_string(fewestDraws),
+                    allowed = ". Choose " + fewest + " to " + std::to_string(maxDraws) + ".";
+  if (draws > maxDraws) return Error{"A plan of " + count + " simulations is too long" + allowed};
+  return Error{"A plan of " + count + " simulations is too short: the lowest and the highest of " +
+               "fewer than " + fewest + " hold less than 88 % of the insertions to come" + allowed};
+}
+
 Result<Plan> viewPlan(const PlanRequest& request, const std::filesystem::path& draws)
 {
   const auto file = session::InsertionTable::open(draws, planKind());
@@ -91,6 +100,7 @@ Result<Plan> viewPlan(const PlanRequest& request, const std::filesystem::path& d
   if (plan.isCurrent) {
     plan.fingerprint = fingerprint;
     plan.thresholds = setup->thresholds;
+    plan.friction = frictionOf(*setup);
     plan.arrays = summarize(request, setup->arrays, plan.thresholds, plan.insertions);
     return plan;
   }
@@ -105,6 +115,7 @@ Result<Plan> viewPlan(const PlanRequest& request, const std::filesystem::path& d
     plan.seal = Seal::changed;
   if (plan.seal != Seal::changed) plan.fingerprint = fingerprint;
   plan.thresholds = stored->plan.thresholds;
+  plan.friction = stored->plan.friction;
   plan.arrays = summarize(request, arraysOf(stored->plan), plan.thresholds, plan.insertions);
   return plan;
 }
@@ -117,6 +128,7 @@ Result<Plan> makePlan(const PlanRequest& request, const std::filesystem::path& d
   Plan plan;
   plan.request = request;
   plan.thresholds = setup->thresholds;
+  plan.friction = frictionOf(*setup);
   plan.fingerprint = fingerprintOf(request, *setup);
   std::optional<session::InsertionTable> file;
   if (!draws.empty()) {

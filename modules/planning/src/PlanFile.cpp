@@ -80,6 +80,14 @@ constexpr Drawn drawn[] = {{"a_mm", &PlannedInsertion::a_mm, analysis::physical:
                            {"speed_mm_s", &PlannedInsertion::speed_mm_s, {0.0, 1000.0}},
                            {"stop_mN", &PlannedInsertion::stop_mN, analysis::physical::force_mN}};
 
+/// A force at rest, which insertions of first versions lack.
+struct Rested {
+  const char* key;
+  std::optional<Force> analysis::ClinicalInsertion::*force;
+};
+constexpr Rested rested[] = {{"force_after_1s", &analysis::ClinicalInsertion::forceAfter1s},
+                             {"force_after_10s", &analysis::ClinicalInsertion::forceAfter10s}};
+
 }  // namespace
 
 std::string contentOf(const PlannedInsertion& planned)
@@ -107,6 +115,8 @@ std::string contentOf(const PlannedInsertion& planned)
           {"profile_depth", depths},
           {"profile_force", forces}};
   for (const Drawn& each : drawn) row[each.key] = planned.*each.value;
+  for (const Rested& each : rested)
+    if (const auto& force = found.*each.force) row[each.key] = force->si();
   return row.dump();
 }
 
@@ -136,6 +146,8 @@ Result<PlannedInsertion> insertionIn(const std::string& content)
     found.apical = radians(row.at("apical").get<double>());
     found.peak = newtons(row.at("peak").get<double>());
     found.endForce = newtons(row.at("end_force").get<double>());
+    for (const Rested& each : rested)
+      if (row.contains(each.key)) found.*each.force = newtons(row.at(each.key).get<double>());
     // version 0.2 kept the force on the membrane alone
     const char* const partition = row.contains("partition") ? "partition" : "membrane";
     found.partition = newtons(row.at(partition).get<double>());

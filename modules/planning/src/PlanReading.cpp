@@ -131,7 +131,8 @@ ArrayPlan arrayIn(const Json& value)
   plan.name = textAt(value, "name");
   plan.draws = countAt(value, "draws");
   for (const PlanQuantity& each : planQuantities())
-    plan.*each.band = bandAt(value, each.key, each.range);
+    if (each.isInFirstVersions || value.contains(each.key))
+      plan.*each.band = bandAt(value, each.key, each.range);
   const Json& chances = at(value, "probability");
   for (const PlanProbability& each : planProbabilities())
     plan.*each.estimate = probabilityAt(chances, each.key);
@@ -202,6 +203,16 @@ StoredPlan storedIn(const Json& value)
       millinewtons(numberAt(thresholds, "felt_mN", physical::force_mN)),
       millinewtons(numberAt(thresholds, "partition_weakest_mN", physical::partition_mN)),
       millinewtons(numberAt(thresholds, "partition_strongest_mN", physical::partition_mN))};
+  if (value.contains("friction_range")) {
+    const Json& range = listAt(value, "friction_range", 2);
+    if (range.size() != 2 || !range[0].is_number() || !range[1].is_number())
+      throw Unreadable("friction_range is not two numbers");
+    stored.plan.friction = {range[0].get<double>(), range[1].get<double>()};
+    for (const double each : {stored.plan.friction.low, stored.plan.friction.high})
+      if (auto reason = analysis::impossibility("friction_range", "", each, {0.0, 2.0});
+          !reason.empty())
+        throw Unreadable(std::move(reason));
+  }
   for (const Json& each : listAt(value, "arrays", maxStoredArrays)) {
     stored.plan.arrays.push_back(arrayIn(each));
     request.arrays.push_back(stored.plan.arrays.back().array);

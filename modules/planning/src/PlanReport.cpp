@@ -13,6 +13,8 @@
 #include "perilymph/analysis/PhysicalRanges.h"
 #include "perilymph/analysis/Surgeon.h"
 #include "perilymph/foundation/Version.h"
+#include "perilymph/planning/ForceCourse.h"
+#include "perilymph/planning/PlanWords.h"
 #include "perilymph/session/Csv.h"
 
 namespace perilymph::planning {
@@ -42,7 +44,9 @@ constexpr PlanQuantity quantities[] = {
     {"peak_mN", &ArrayPlan::peak_mN, physical::force_mN},
     {"end_mN", &ArrayPlan::end_mN, physical::signedForce_mN},
     {"partition_mN", &ArrayPlan::partition_mN, physical::partition_mN},
-    {"first_resistance_mm", &ArrayPlan::firstResistance_mm, physical::depth_mm}};
+    {"first_resistance_mm", &ArrayPlan::firstResistance_mm, physical::depth_mm},
+    {"force_after_1s_mN", &ArrayPlan::after1s_mN, physical::signedForce_mN, false},
+    {"force_after_10s_mN", &ArrayPlan::after10s_mN, physical::signedForce_mN, false}};
 
 constexpr PlanProbability probabilities[] = {
     {"full_insertion", &ArrayPlan::full},
@@ -139,37 +143,29 @@ void addSources(ordered_json& list, const char* file, const std::vector<Provenan
                     {"confidence", each.confidence}});
 }
 
-figures::Figure forceFigure(const ArrayPlan& plan)
+figures::Figure forceFigure(const Plan& plan, const ArrayPlan& array)
 {
   figures::Figure figure;
-  figure.title = plan.name + ": insertion force over depth";
-  figures::FigureBand wide{"5 to 95 %", {}, {}, {}, ink::tint(ink::blue, 0.18)};
-  figures::FigureBand narrow{"25 to 75 %", {}, {}, {}, ink::tint(ink::blue, 0.35)};
-  figures::FigureCurve median{"median", {}, {}, ink::blue};
+  figure.title = array.name + ": insertion force over depth";
+  addForceCourse(figure, array, {"median", bandsHold(plan), "25 to 75 %", "simulations ended"},
+                 ink::blue);
   double top = 10.0, deepest = 1.0;
-  for (const ForceBand& each : plan.force) {
-    for (auto* x : {&wide.x, &narrow.x, &median.x}) x->push_back(each.depth_mm);
-    wide.low.push_back(each.force_mN.low);
-    wide.high.push_back(each.force_mN.high);
-    narrow.low.push_back(each.force_mN.lowerQuartile);
-    narrow.high.push_back(each.force_mN.upperQuartile);
-    median.y.push_back(each.force_mN.median);
+  for (const ForceBand& each : array.force) {
     top = std::max(top, each.force_mN.high);
     deepest = std::max(deepest, each.depth_mm);
   }
-  figure.bands = {wide, narrow};
-  figure.curves = {median};
   figure.x = figures::axisOver("insertion depth, mm", 0.0, deepest);
   figure.y = figures::axisOver("axial insertion force, mN", 0.0, top);
-  figure.notes.push_back(std::to_string(plan.draws) +
-                         " draws; at a depth those whose tip came that deep, if at least 8 did.");
+  figure.notes.push_back(std::to_string(array.draws) +
+                         " simulations; behind the depth that all of them reached paler and "
+                         "dashed, with the number that came that deep.");
   return figure;
 }
 
 figures::Figure angleFigure(const Plan& plan)
 {
   figures::Figure figure;
-  figure.title = "Angular insertion depth, median with 5 to 95 %";
+  figure.title = "Angular insertion depth, median with " + bandsHold(plan);
   figures::FigureValues values;
   values.ink = ink::blue;
   double top = 90.0;
@@ -268,6 +264,9 @@ Result<std::string> planJson(const Plan& plan)
       {"felt_mN", rounded(inMillinewtons(plan.thresholds.felt))},
       {"partition_weakest_mN", rounded(inMillinewtons(plan.thresholds.ruptureLow))},
       {"partition_strongest_mN", rounded(inMillinewtons(plan.thresholds.ruptureHigh))}};
+  json["bands_hold"] = bandsHold(plan);
+  if (std::isfinite(plan.friction.low) && std::isfinite(plan.friction.high))
+    json["friction_range"] = {plan.friction.low, plan.friction.high};
   json["arrays"] = ordered_json::array();
   for (const ArrayPlan& each : plan.arrays) json["arrays"].push_back(arrayJson(each));
   json["sources"] = ordered_json::array();
@@ -291,7 +290,7 @@ std::string arraysCsv(const Plan& plan)
       csv += std::string(",") + each.key + "_" + quantile;
   for (const PlanProbability& each : probabilities)
     csv += std::string(",") + each.key + "_percent," + each.key + "_low," + each.key + "_high";
-  csv += '\n';
+  csv += ",bands_hold\n";
   for (const ArrayPlan& each : plan.arrays) {
     csv += analysis::csvField(each.array) + "," + analysis::csvField(each.name) + "," +
            std::to_string(each.draws);
@@ -306,7 +305,7 @@ std::string arraysCsv(const Plan& plan)
       for (const double value : {estimate.value, estimate.low, estimate.high})
         csv += "," + number(100.0 * value);
     }
-    csv += '\n';
+    csv += "," + analysis::csvField(bandsHold(plan)) + "\n";
   }
   return csv;
 }
@@ -336,7 +335,7 @@ std::vector<std::pair<std::string, figures::Figure>> planFigures(const Plan& pla
 {
   std::vector<std::pair<std::string, figures::Figure>> figures = {{"angle", angleFigure(plan)}};
   for (std::size_t i = 0; i < plan.arrays.size(); ++i) {
-    figures.emplace_back("force-" + std::to_string(i + 1), forceFigure(plan.arrays[i]));
+    figures.emplace_back("force-" + std::to_string(i + 1), forceFigure(plan, plan.arrays[i]));
     figures.emplace_back("influence-" + std::to_string(i + 1), influenceFigure(plan.arrays[i]));
   }
   return figures;

@@ -157,13 +157,24 @@ Result<PlanSetup> preparePlan(const PlanRequest& request)
   return setup;
 }
 
+Range frictionOf(const PlanSetup& setup)
+{
+  const mechanics::FrictionLaw& law = setup.nominal.front().parameters.friction;
+  Range range{std::min(law.staticCoefficient, law.kineticCoefficient),
+              std::max(law.staticCoefficient, law.kineticCoefficient)};
+  if (!law.bySpeed.isEmpty())
+    range = {std::min(law.staticCoefficient, law.bySpeed.minimum()),
+             std::max(law.staticCoefficient, law.bySpeed.maximum())};
+  return range;
+}
+
 std::string fingerprintOf(const PlanRequest& request, const PlanSetup& setup)
 {
   Sha256 hash;
   const auto add = [&hash](const std::string& text) {
     hash.add(std::to_string(text.size()) + ":" + text);
   };
-  add("plan 4");
+  add("plan 5");
   if (const auto& resolution = request.resolution) {
     add(std::to_string(resolution->nodes));
     add(session::shortestDecimal(resolution->step.si()));

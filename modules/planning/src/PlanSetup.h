@@ -38,6 +38,9 @@ Result<PlanSetup> preparePlan(const PlanRequest& request);
 /// SHA-256 of everything that a plan depends on but the numbers of draws and of threads.
 std::string fingerprintOf(const PlanRequest& request, const PlanSetup& setup);
 
+/// Plan::friction: of the scenario, which all arrays share.
+Range frictionOf(const PlanSetup& setup);
+
 /// The insertions of all arrays in one draw, in one cochlea; fewer if asked to end.
 Result<std::vector<PlannedInsertion>> runDraw(const PlanRequest& request, const PlanSetup& setup,
                                               std::size_t number, const std::atomic<bool>& isAsked);

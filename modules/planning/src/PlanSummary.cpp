@@ -18,8 +18,6 @@ namespace {
 
 using haptics::InsertionEnd;
 
-/// Draws below which a band at a depth is not given (choice, high).
-constexpr std::size_t fewestInBand = 8;
 /// Tolerances of bandsStand().
 constexpr double angleTolerance_deg = 5.0, peakTolerance = 0.05;
 /// Quartile range of a normal distribution, in standard deviations, and standard error of a median,
@@ -64,6 +62,7 @@ std::optional<double> depthAt(const std::vector<analysis::DepthForce>& profile, 
   return std::nullopt;
 }
 
+/// Bands as deep as any simulation went: what few reached is shown as of few, not left out.
 std::vector<ForceBand> forceBands(const Insertions& all)
 {
   std::vector<ForceBand> bands;
@@ -77,7 +76,7 @@ std::vector<ForceBand> forceBands(const Insertions& all)
         if (std::fabs(off) < 1e-6) forces.push_back(inMillinewtons(point.force));
         isBelow = isBelow || off > 1e-6;
       }
-    if (forces.size() >= fewestInBand) bands.push_back({depth_mm, forces.size(), bandOf(forces)});
+    if (!forces.empty()) bands.push_back({depth_mm, forces.size(), bandOf(forces)});
     if (!isBelow) return bands;
   }
 }
@@ -235,6 +234,14 @@ void addForceEvents(ArrayPlan& plan, const Insertions& all, const Thresholds& th
   if (!depths.empty()) plan.firstResistance_mm = bandOf(depths);
 }
 
+Band restedBand(const Insertions& all, std::optional<Force> analysis::ClinicalInsertion::*force)
+{
+  std::vector<double> values;
+  for (const PlannedInsertion* each : all)
+    if (const auto& found = each->insertion.*force) values.push_back(inMillinewtons(*found));
+  return bandOf(std::move(values));
+}
+
 ArrayPlan summaryOf(const Insertions& all, const PlannedArray& array, const Thresholds& thresholds,
                     const anatomy::BasalTurnErrors& errors)
 {
@@ -254,6 +261,8 @@ ArrayPlan summaryOf(const Insertions& all, const PlannedArray& array, const Thre
       band([](const PlannedInsertion& each) { return inMillimeters(each.insertion.depth); });
   plan.end_mN =
       band([](const PlannedInsertion& each) { return inMillinewtons(each.insertion.endForce); });
+  plan.after1s_mN = restedBand(run, &analysis::ClinicalInsertion::forceAfter1s);
+  plan.after10s_mN = restedBand(run, &analysis::ClinicalInsertion::forceAfter10s);
   plan.partition_mN =
       band([](const PlannedInsertion& each) { return inMillinewtons(each.insertion.partition); });
   plan.full = probabilityOf(all, {InsertionEnd::finished});

@@ -53,7 +53,9 @@ std::string rowOf(const std::string& name, const std::vector<const StudyResult*>
       }));
   const Estimate rate = analysis::proportionOf(finished, results.size());
   std::string row = "| " + name + " | " + std::to_string(results.size()) + " | " +
-                    interval({100.0 * rate.value, 100.0 * rate.low, 100.0 * rate.high}, 1);
+                    (analysis::countedOf(rate, results.size())
+                         ? analysis::shareText(rate, results.size())
+                         : interval({100.0 * rate.value, 100.0 * rate.low, 100.0 * rate.high}, 1));
   for (const Outcome outcome : outcomes) row += " | " + quartiles(results, outcome);
   return row + " |\n";
 }

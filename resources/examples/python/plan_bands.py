@@ -21,16 +21,15 @@ def main(file="plan-bands.png", samples="32"):
     for axes, array in zip(both, plan.arrays):
         force = array.force()
         low, quarter, median, three_quarters, high = force["force_mN"].T
-        axes.fill_between(force["depth_mm"], low, high, color="tab:blue", alpha=0.2, lw=0, label="5 to 95 %")
+        axes.fill_between(force["depth_mm"], low, high, color="tab:blue", alpha=0.2, lw=0, label=plan.bands_hold)
         axes.fill_between(force["depth_mm"], quarter, three_quarters, color="tab:blue", alpha=0.35, lw=0, label="25 to 75 %")
         axes.plot(force["depth_mm"], median, color="tab:blue", label="median")
         angle = array.bands()["angle_deg"]
-        full = array.probabilities()["full_insertion"]
+        full = array.probabilities()["full_insertion"][0] * array.draws
         axes.set(xlabel="insertion depth, mm", xlim=(0, None), ylim=(0, None))
         axes.set_title(f"{array.name}, {array.draws} draws\nangle {angle[2]:.0f} ({angle[0]:.0f} to {angle[4]:.0f}) deg", fontsize=10)
         axes.spines[["top", "right"]].set_visible(False)
-        print(f"{array.name}: {angle[2]:.0f} deg ({angle[0]:.0f} to {angle[4]:.0f}), full insertion {100 * full[0]:.0f} % "
-              f"({100 * full[1]:.0f} to {100 * full[2]:.0f})")
+        print(f"{array.name}: {angle[2]:.0f} deg ({angle[0]:.0f} to {angle[4]:.0f}), full insertion {full:.0f} of {array.draws}")
     both[0].set_ylabel("axial insertion force, mN")
     both[0].legend(frameon=False, fontsize=9, loc="upper left")
     figure.savefig(file, dpi=100)

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "perilymph/foundation/Version.h"
 #include "perilymph/test/ChildProcess.h"
 #include "perilymph/test/Places.h"
 #include "perilymph/test/TemporaryFolder.h"
@@ -27,6 +28,14 @@ inline ProgramCall cliCall(std::vector<std::string> arguments)
 inline ProgramOutcome cli(std::vector<std::string> arguments)
 {
   return run(cliCall(std::move(arguments)));
+}
+
+/// A call that may make a plan of fewer simulations than users are offered: tests are cheap.
+inline ProgramCall fewDrawsCall(std::vector<std::string> arguments)
+{
+  ProgramCall call = cliCall(std::move(arguments));
+  call.environment.emplace_back(fewDraws, "1");
+  return call;
 }
 
 /// The arguments of a short simulation.

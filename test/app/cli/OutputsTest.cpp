@@ -41,7 +41,7 @@ protected:
 
   ProgramOutcome callHere(std::vector<std::string> arguments) const
   {
-    ProgramCall call = cliCall(std::move(arguments));
+    ProgramCall call = fewDrawsCall(std::move(arguments));
     call.folder = folder.path();
     return run(call);
   }

@@ -17,7 +17,7 @@ protected:
     std::vector<std::string> call = {"plan",          "--patient", patient, "--out",
                                      folder_ / "out", "--samples", "1"};
     call.insert(call.end(), more.begin(), more.end());
-    return cli(call);
+    return run(fewDrawsCall(call));
   }
   std::string text(const std::string& name) const { return contentOf(folder_ / "out" / name); }
   TemporaryFolder folder_;
@@ -27,8 +27,13 @@ TEST_F(Plans, AreWrittenWithTheirTablesAndFiguresAndContinueToTheSameBytes)
 {
   const auto first = plan("measured", {"--arrays", "flex24"});
   ASSERT_EQ(first.status, 0) << first.err;
-  EXPECT_THAT(first.out, HasSubstr("FLEX24, 1 draw\n"));
+  EXPECT_THAT(first.out, HasSubstr("FLEX24, 1 simulation\n"));
+  EXPECT_THAT(first.out, HasSubstr("Median (0 % at friction 0.12)"));
+  EXPECT_THAT(first.out, HasSubstr("full insertion           1 of 1\n"));
+  EXPECT_THAT(text("arrays.csv"), HasSubstr(",bands_hold\n"));
+  EXPECT_THAT(text("arrays.csv"), HasSubstr(",0 % at friction 0.12\n"));
   EXPECT_THAT(first.out, HasSubstr("angular insertion depth"));
+  EXPECT_THAT(first.out, HasSubstr("after 10 s of rest "));
   const std::string json = text("plan.json"), contacts = text("contacts.csv");
   const auto parsed = nlohmann::json::parse(json);
   EXPECT_EQ(parsed["patient"]["A_sd_mm"], 0.15);
@@ -73,6 +78,19 @@ TEST_F(Plans, OfMeasuresThatWereChangedByHandSaySo)
   ASSERT_EQ(planned.status, 0) << planned.err;
   EXPECT_EQ(planned.err, sentence);
   EXPECT_EQ(nlohmann::json::parse(text("plan.json"))["patient"]["seal"], "changed");
+}
+
+TEST_F(Plans, OfFewerThanSixteenSimulationsAreRefusedInOneSentence)
+{
+  for (const char* samples : {"0", "1", "15", "4097"}) {
+    const auto outcome = cli({"plan", "--patient", "measured", "--arrays", "flex24", "--samples",
+                              samples, "--out", folder_ / "out"});
+    EXPECT_EQ(outcome.status, 1) << samples;
+    EXPECT_THAT(outcome.err,
+                HasSubstr(std::string("A plan of ") + samples + " simulations is too"));
+    EXPECT_THAT(outcome.err, HasSubstr("Choose 16 to 4096."));
+    EXPECT_FALSE(fs::exists(folder_ / "out"));
+  }
 }
 
 TEST_F(Plans, NeedAPatientWithAAndB)

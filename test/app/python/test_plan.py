@@ -47,6 +47,8 @@ def test_a_plan_is_that_of_the_command_line(made, folder):
     assert (read.seed, made.seed) == (5, 5)
     assert made.limits == read.limits and made.sources == read.sources and made.program == read.program
     assert made.patient.a_sd_mm == read.patient.a_sd_mm == 0.15
+    # (n - 1) / (n + 1) of what is to come lies between the extremes of n; the plans' friction is 0.12
+    assert made.bands_hold == read.bands_hold == "50 % at friction 0.12"
 
 
 def test_a_plan_that_was_changed_by_hand_has_no_number(folder, tmp_path):
@@ -84,6 +86,10 @@ def test_every_insertion_of_a_plan_is_a_row(made):
         angle = rows["angle_deg"][rows["array"] == array.array]
         assert array.bands()["angle_deg"][2] == pytest.approx(np.median(angle), rel=1e-5)
         assert array.draws == 3
+        for force in ("end_mN", "force_after_1s_mN", "force_after_10s_mN"):
+            values = rows[force][rows["array"] == array.array]
+            assert array.bands()[force][2] == pytest.approx(np.median(values), rel=1e-5), force
+            assert array.force()["draws"][-1] >= 1  # as deep as any simulation went
 
 
 def test_an_interrupted_plan_continues_to_the_same_bits(made, tmp_path):
@@ -115,6 +121,13 @@ def test_progress_is_told_in_the_thread_that_asked(made):
 def test_a_plan_that_cannot_be_made_is_refused(change):
     with pytest.raises(perilymph.Error):
         perilymph.plan(patient(), **{**REQUEST, **change})
+
+
+@pytest.mark.parametrize("samples", [0, 1, 15, 4097])
+def test_fewer_than_sixteen_simulations_are_refused_with_the_reason(monkeypatch, samples):
+    monkeypatch.delenv("PERILYMPH_FEW_DRAWS")
+    with pytest.raises(perilymph.Error, match=f"A plan of {samples} simulations is too .*Choose 16 to 4096"):
+        perilymph.plan(patient(), **{**REQUEST, "samples": samples})
 
 
 @pytest.mark.parametrize("change", [{"samples": 1.5}, {"samples": "4"}, {"arrays": "flex20"}, {"arrays": 3}, {"arrays": [3]},

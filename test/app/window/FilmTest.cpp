@@ -120,7 +120,7 @@ protected:
     if (!film_.isTaken()) plan().setScenario(coarse());
     rig_.click("planNoArraysButton");
     for (const char* array : {"plan-array-flex24", "plan-array-hifocus-slimj"}) rig_.click(array);
-    rig_.choose("planDraws", film_.isTaken() ? "32" : "8");
+    rig_.choose("planDraws", film_.isTaken() ? "32" : "16");
     film_.frame(rig_.window(), "3. Choose electrode arrays for a plan.", 5.0);
     rig_.click("computePlanButton");
     ASSERT_TRUE(WindowRig::comes([&] { return plan().plan() && !plan().isBusy(); }, 600'000));

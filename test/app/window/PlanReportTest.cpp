@@ -172,8 +172,39 @@ TEST_F(PlanReportPdf, StatesTheNumbersOfThePlanFileWithoutADisplay)
         QStringLiteral("20.4 mN"), QStringLiteral("≥ 42.0 mN"), QStringLiteral("≥ 122.0 mN"),
         QStringLiteral("9.20 ± 0.10 mm"), QStringLiteral("6.80 ± 0.20 mm"),
         QStringLiteral("4.00 ± 0.30 mm"), QStringLiteral("Signature"), QStringLiteral("P-17"),
-        QStringLiteral("right ear"), QStringLiteral("Page 1 of 2")})
+        QStringLiteral("right ear"), QStringLiteral("Page 1 of 2"),
+        QStringLiteral("Arrays in this cochlea: median (90 % at friction 0.12)"),
+        QStringLiteral("numbered from the tip: median (90 % at friction 0.12)"),
+        QStringLiteral("share of simulations, %"), QStringLiteral("10 of 59")})
     EXPECT_THAT(text, HasSubstr(words.toStdString()));
+}
+
+TEST_F(PlanReportPdf, StatesForcesAtTheEndAndAtRestAndSharesOfFewSimulationsAsCounts)
+{
+  store(syntheticPlan(16));
+  ASSERT_EQ(report(folder_.path(), pdf()).status, 0);
+  const std::string text = textOf(pdf());
+  EXPECT_THAT(text, HasSubstr("median (88 % at friction 0.12)"));
+  EXPECT_THAT(text, HasSubstr("number of simulations"));
+  // full, stopped at every fourth, buckled, folded, ruptured at every tenth
+  EXPECT_TRUE(
+      std::regex_search(text, std::regex("FLEX24 .*12 of 16 +4 of 16 +0 of 16 +0 of 16 +1 of 16")))
+      << text;
+  // half and a quarter of 1 to 16 mN, and nothing computed after 10 s
+  EXPECT_TRUE(std::regex_search(text, std::regex("FLEX24 +4\\.3 \\(0\\.5–8\\.0\\) +2\\.1 "
+                                                 "\\(0\\.3–4\\.0\\) +–")))
+      << text;
+  EXPECT_THAT(text, HasSubstr("before the hand stops"));
+  // as a version wrote it that knew no force at rest
+  planning::Plan former = syntheticPlan(16);
+  for (planning::ArrayPlan& each : former.arrays) each.after1s_mN = {};
+  store(former);
+  ASSERT_EQ(report(folder_.path(), pdf()).status, 0);
+  EXPECT_THAT(textOf(pdf()), HasSubstr("of 2 s of rest"));
+  // a report of two simulations has curves to their ends
+  store(syntheticPlan(2));
+  ASSERT_EQ(report(folder_.path(), pdf()).status, 0);
+  EXPECT_THAT(textOf(pdf()), HasSubstr("2 of 2"));
 }
 
 TEST_F(PlanReportPdf, NamesEverySourceAndHasNoFirstResistanceThatIsNotFelt)
@@ -181,7 +212,7 @@ TEST_F(PlanReportPdf, NamesEverySourceAndHasNoFirstResistanceThatIsNotFelt)
   store(syntheticPlan(8));  // of at most 8 mN
   ASSERT_EQ(report(folder_.path(), pdf()).status, 0);
   const std::string text = textOf(pdf());
-  EXPECT_TRUE(std::regex_search(text, std::regex("FLEX24 +– +0 \\(0–")));
+  EXPECT_TRUE(std::regex_search(text, std::regex("FLEX24 +– +0 of 8")));
   EXPECT_THAT(text, HasSubstr("Soft lining of the wall"));
   EXPECT_THAT(text, Not(HasSubstr("Default filters: lining")));
 }

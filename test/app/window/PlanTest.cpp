@@ -66,9 +66,15 @@ protected:
   static void expectUnits(const QAbstractItemModel& rows)
   {
     ASSERT_EQ(rows.rowCount(), 2);
-    const QStringList units{"", "°", "%", "mN", "mN", "mN", "mN", "%", "%", "%", "%", "%"};
+    const QStringList units{"",   "°",     "%",     "mN",    "mN",    "mN",
+                            "mN", "of 16", "of 16", "of 16", "of 16", "of 16"};
     for (int column = 0; column < units.size(); ++column) {
       EXPECT_GT(rows.headerData(column, Qt::Horizontal, Qt::ToolTipRole).toString().size(), 40);
+      // heads of bands say what they hold, and what they hold fixed
+      EXPECT_EQ(
+          rows.headerData(column, Qt::Horizontal).toString().contains("88 % at friction 0.12"),
+          column >= 1 && column <= 6)
+          << column;
       for (int row = 0; row < rows.rowCount(); ++row) {
         const QString text = rows.index(row, column).data().toString();
         EXPECT_TRUE(text.endsWith(units[column])) << text.toStdString();
@@ -118,6 +124,8 @@ protected:
     ASSERT_TRUE(charts.plan());
     EXPECT_TRUE(charts.showPlanIn(scenario));
     EXPECT_FALSE(charts.plan()->points.empty());
+    EXPECT_TRUE(charts.plan()->label.contains("88 % at friction 0.12"))
+        << charts.plan()->label.toStdString();
     settle();
     keepPicture(rig.window(), "plan-inserted");
     walk.step(4, rig.window());
@@ -201,6 +209,16 @@ TEST_F(APlan, IsExplainedBeforeOneIsMade)
   EXPECT_EQ(rig.button("computePlanButton").toolTip(), "Choose an array first.");
 }
 
+TEST_F(APlan, IsOfferedWithSixteenSimulationsAndMore)
+{
+  WindowRig rig;
+  rig.click("planPageButton");
+  const auto& draws = *rig.window().findChild<QComboBox*>("planDraws");
+  ASSERT_GT(draws.count(), 0);
+  for (int i = 0; i < draws.count(); ++i) EXPECT_GE(draws.itemData(i).toInt(), 16);
+  EXPECT_EQ(draws.currentData().toInt(), 64);
+}
+
 TEST_F(APlan, ShowsThePatientsMeasuresWithTheirErrors)
 {
   anatomy::Patient patient;
@@ -230,7 +248,7 @@ TEST_F(APlan, IsMadeSeenInsertedAndOpenedAgainInSteps)
   std::string made;
   {
     WindowRig rig;
-    gui::PlanPage& page = show(rig, {"flex24", "flex28"}, "8");
+    gui::PlanPage& page = show(rig, {"flex24", "flex28"}, "16");
     walk.step(1, rig.window());
     rig.click("computePlanButton");
     ASSERT_TRUE(isDone(page)) << rig.label("planStatus").toStdString();
@@ -240,7 +258,7 @@ TEST_F(APlan, IsMadeSeenInsertedAndOpenedAgainInSteps)
     expectUnits(*page.list().model());
     expectSorting(page.list());
     const planning::ArrayPlan& first = page.plan()->arrays[0];
-    EXPECT_EQ(first.draws, 8u);
+    EXPECT_EQ(first.draws, 16u);
     EXPECT_LT(first.angle_deg.low, first.angle_deg.high);
     made = jsonOf(page);
     const fs::path pdf = folder_.path() / "plan.pdf";
@@ -294,7 +312,7 @@ TEST_F(APlan, GoesOnBehindAnotherPageAndContinuesAfterItWasCanceled)
 TEST_F(APlan, WithTheFrictionOfASimulantStopsEarlierAndSaysSo)
 {
   WindowRig rig;
-  gui::PlanPage& page = show(rig, {"flex28"}, "8");
+  gui::PlanPage& page = show(rig, {"flex28"}, "16");
   rig.click("computePlanButton");
   ASSERT_TRUE(isDone(page)) << rig.label("planStatus").toStdString();
   const double usual_deg = page.plan()->arrays[0].angle_deg.median;
@@ -348,7 +366,7 @@ TEST(AContactTable, IsWideEnoughForTheNumbersOfManyDraws)
 TEST_F(APlan, ThatCannotBeKeptSaysSoInOneSentence)
 {
   WindowRig rig;
-  gui::PlanPage& page = show(rig, {"flex24"}, "8");
+  gui::PlanPage& page = show(rig, {"flex24"}, "16");
   std::ofstream(state_.path() / "perilymph") << "a file in place of the folder";
   rig.click("computePlanButton");
   ASSERT_TRUE(WindowRig::comes([&] { return !page.isBusy(); }));

@@ -9,6 +9,7 @@
 #include <array>
 #include <atomic>
 #include <fstream>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -81,7 +82,10 @@ std::string contradictionIn(const planning::PlannedInsertion& planned, Force str
     return all + "a contact is inside that lies in front of the opening";
   if (found.isRuptured != (found.partition >= strength))
     return all + (found.isRuptured ? "ruptured" : "not ruptured");
-  if (found.endForce.si() < -none) return all + "the array pulls a hand at rest";
+  for (const std::optional<Force>& atRest : {found.forceAfter1s, found.forceAfter10s})
+    if (!atRest || atRest->si() < -none)
+      return all + "the array pulls a hand at rest, by " +
+             std::to_string(inMillinewtons(atRest.value_or(newtons(0)))) + " mN";
   return {};
 }
 

@@ -75,13 +75,36 @@ TEST(InsertionByHand, StopsAtTheSurgeonsForceAndRests)
   EXPECT_LT(done.depth, millimeters(20));
   EXPECT_GT(done.depth, millimeters(8));
   EXPECT_GE(done.peak, newtons(0.02));
-  // between two half periods of the tremor the force falls
+  // a mean over half a second of a rising force: below its last value, and not far below
   EXPECT_LT(done.endForce, done.peak);
+  EXPECT_GT(done.endForce, 0.5 * done.peak);
   // a point of the profile at every millimeter from the start on
   ASSERT_GE(done.profile.size(), 7u);
   EXPECT_NEAR(inMillimeters(done.profile[3].depth), 4.0, 1e-9);
   EXPECT_TRUE(done.contacts.front().isInserted);
-  EXPECT_GT(done.endForce, newtons(0));
+  // at rest the force falls, and it still presses on the hand
+  ASSERT_TRUE(done.forceAfter1s && done.forceAfter10s);
+  EXPECT_LT(*done.forceAfter1s, done.endForce);
+  EXPECT_LE(*done.forceAfter10s, *done.forceAfter1s);
+  EXPECT_GT(*done.forceAfter10s, newtons(0));
+}
+
+TEST(InsertionByHand, StatesNoForceOfARestThatWasShorter)
+{
+  ByHand test(newtons(0.02));
+  HandDistribution shorter = hand();
+  shorter.rest = seconds(2);
+  const std::atomic<bool> isAsked = false;
+  const ClinicalInsertion done =
+      insertByHand(test.parameters, test.anatomy, shorter, test.surgeon, Length{}, isAsked);
+  EXPECT_TRUE(done.forceAfter1s);
+  EXPECT_FALSE(done.forceAfter10s);
+  EXPECT_GT(done.endForce, newtons(0));  // of the push, so no rest changes it
+  shorter.rest = seconds(0.1);
+  const ClinicalInsertion brief =
+      insertByHand(test.parameters, test.anatomy, shorter, test.surgeon, Length{}, isAsked);
+  EXPECT_FALSE(brief.forceAfter1s);
+  EXPECT_EQ(brief.endForce, done.endForce);
 }
 
 TEST(InsertionByHand, GoesDeeperWithLessFriction)

@@ -9,6 +9,19 @@
 namespace perilymph::analysis {
 namespace {
 
+TEST(Share, OfFewerThanThirtySimulationsIsACount)
+{
+  EXPECT_EQ(shareText(proportionOf(3, 16), 16), "3 of 16");
+  EXPECT_EQ(shareText(proportionOf(0, 1), 1), "0 of 1");
+  EXPECT_EQ(shareText(proportionOf(0, 0), 0), "0 of 0");
+  for (std::size_t all = 1; all < 30; ++all)  // what was counted comes back from the fraction
+    for (std::size_t hits = 0; hits <= all; ++hits)
+      EXPECT_EQ(countedOf(proportionOf(hits, all), all), hits) << hits << " of " << all;
+  EXPECT_FALSE(countedOf(proportionOf(3, 30), 30));
+  // Wilson: (p + z^2 / 2n -+ z sqrt(p (1 - p) / n + z^2 / 4n^2)) / (1 + z^2 / n)
+  EXPECT_EQ(shareText(proportionOf(3, 30), 30), "10 % (3 to 26)");
+}
+
 TEST(SampleStatistics, OfTwoFourFourFourFiveFiveSevenNine)
 {
   // Mean 5, sum of squared distances 32, n - 1 = 7.

@@ -179,6 +179,48 @@ TEST(Verdicts, ListAgreementAndDisagreement)
   EXPECT_FALSE(verdicts[2].isMet);
 }
 
+TEST(Verdicts, JudgeTheSpreadAtEachPrintedValue)
+{
+  const auto experiment = shippedReference("todd-naghdy-experiment");
+  ASSERT_TRUE(experiment);
+  ASSERT_EQ(experiment->insertions, 11.0);
+  ValidationResult result;
+  // too narrow twice, and wide enough at the end that the mean over all is as wide as the experiment
+  constexpr double found[] = {0.004, 0.005, 0.014, 0.040};
+  for (std::size_t i = 0; i < 4; ++i) {
+    AnchorComparison anchor;
+    anchor.experiment = experiment->points.at(i);
+    anchor.simulator = {anchor.experiment.mean, found[i], 0.001};
+    result.anchors.push_back(anchor);
+  }
+  std::vector<Verdict> spreads;
+  for (const Verdict& each : verdictsOf(result, *experiment))
+    if (each.what.starts_with("standard deviation")) spreads.push_back(each);
+  ASSERT_EQ(spreads.size(), 4u);
+  EXPECT_EQ(spreads[0].what, "standard deviation at 10.6 mm, peak");
+  EXPECT_EQ(spreads[0].found, "4.0 mN");
+  // 18.6 mN times sqrt(10 / 20.4832) and sqrt(10 / 3.24697): Abramowitz and Stegun, table 26.8
+  EXPECT_EQ(spreads[0].wanted, "13.0 to 32.6 mN");
+  EXPECT_FALSE(spreads[0].isMet);
+  EXPECT_FALSE(spreads[1].isMet);
+  EXPECT_EQ(spreads[2].wanted, "13.2 to 33.2 mN");
+  EXPECT_TRUE(spreads[2].isMet);
+  EXPECT_TRUE(spreads[3].isMet);
+  Reference unknown = *experiment;
+  unknown.insertions = 0.0;
+  for (const Verdict& each : verdictsOf(result, unknown))
+    EXPECT_FALSE(each.what.starts_with("standard deviation")) << each.what;
+}
+
+TEST(ChiSquare, IsExceededWithTheProbabilityOfItsTables)
+{
+  // the same tables
+  EXPECT_NEAR(chiSquareExceededBy(0.025, 10), 20.4832, 1e-4);
+  EXPECT_NEAR(chiSquareExceededBy(0.975, 10), 3.24697, 1e-5);
+  EXPECT_NEAR(chiSquareExceededBy(0.05, 1), 3.84146, 1e-5);
+  EXPECT_NEAR(chiSquareExceededBy(0.95, 5), 1.145476, 1e-6);
+}
+
 TEST(ChiSquare, GivesTheProbabilityOfMoreThanAValue)
 {
   // Quantiles of the chi-square distribution (Abramowitz and Stegun 1964, table 26.8).

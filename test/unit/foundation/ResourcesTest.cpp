@@ -132,7 +132,7 @@ TEST(Resources, StandWhereTheEnvironmentSays)
 TEST(BuildId, NamesTheEnvironmentThatReplacesResourcesAndDevices)
 {
   const Variable devices("PERILYMPH_SYSTEM_ROOT", std::nullopt);
-  const Variable own("PERILYMPH_RESOURCES", std::nullopt);
+  const Variable own("PERILYMPH_RESOURCES", std::nullopt), few(fewDraws, std::nullopt);
   const std::string plain = buildId();
   EXPECT_EQ(plain.find("PERILYMPH"), std::string::npos);
   {
@@ -143,6 +143,8 @@ TEST(BuildId, NamesTheEnvironmentThatReplacesResourcesAndDevices)
   EXPECT_EQ(buildId(), plain + " with PERILYMPH_RESOURCES");
   const Variable recorded("PERILYMPH_SYSTEM_ROOT", "/recorded");
   EXPECT_EQ(buildId(), plain + " with PERILYMPH_RESOURCES with PERILYMPH_SYSTEM_ROOT");
+  const Variable cheap(fewDraws, "1");
+  EXPECT_THAT(buildId(), testing::EndsWith(" with PERILYMPH_FEW_DRAWS"));
 }
 
 TEST(Resources, AreFoundWithoutTheEnvironment)

@@ -62,6 +62,24 @@ TEST(PlanFile, KeepsEveryBit)
   EXPECT_EQ((*found)[2].insertion.reason, insertions[2].insertion.reason);
 }
 
+TEST(PlanFile, KeepsForcesAtRestAndReadsInsertionsWithoutThem)
+{
+  auto insertion = syntheticInsertions(1).front();
+  insertion.insertion.forceAfter10s = newtons(-0.003);
+  const auto kept = planning::insertionIn(contentOf(insertion));
+  ASSERT_TRUE(kept) << kept.error().message;
+  EXPECT_EQ(kept->insertion.forceAfter1s, insertion.insertion.forceAfter1s);
+  EXPECT_EQ(kept->insertion.forceAfter10s, insertion.insertion.forceAfter10s);
+  insertion.insertion.forceAfter1s.reset();
+  insertion.insertion.forceAfter10s.reset();
+  const std::string former = contentOf(insertion);
+  EXPECT_EQ(former.find("after"), std::string::npos);
+  ASSERT_TRUE(planning::insertionIn(former));
+  EXPECT_FALSE(planning::insertionIn(former)->insertion.forceAfter1s);
+  insertion.insertion.forceAfter10s = newtons(1e9);
+  EXPECT_FALSE(planning::insertionIn(contentOf(insertion)));
+}
+
 TEST(PlanFile, OfAnotherPlanIsRefused)
 {
   const TemporaryFolder folder;

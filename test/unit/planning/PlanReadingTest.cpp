@@ -12,6 +12,7 @@
 #include "SyntheticPlan.h"
 #include "perilymph/foundation/Version.h"
 #include "perilymph/planning/PlanReport.h"
+#include "perilymph/planning/PlanWords.h"
 #include "perilymph/test/TemporaryFolder.h"
 
 namespace perilymph::test {
@@ -68,6 +69,32 @@ TEST(StoredPlan, KeepsItsFriction)
     ASSERT_TRUE(stored) << stored.error().message;
     EXPECT_EQ(stored->plan.request.friction, friction);
   }
+}
+
+TEST(StoredPlan, KeepsWhatItsBandsHoldFixed)
+{
+  planning::Plan plan = syntheticPlan(20);
+  plan.friction = {0.24, 0.59};
+  const auto json = planning::planJson(plan);
+  ASSERT_TRUE(json) << json.error().message;
+  const auto stored = planning::planIn(*json, "plan.json");
+  ASSERT_TRUE(stored) << stored.error().message;
+  EXPECT_EQ(planning::bandsHold(stored->plan), "90 % at friction 0.24 to 0.59");
+  EXPECT_FALSE(planning::planIn(with(*json, "0.59\n", "59\n"), "plan.json"));
+  EXPECT_FALSE(planning::planIn(with(*json, "0.59\n", "\"0.59\"\n"), "plan.json"));
+}
+
+TEST(StoredPlan, OfAVersionWithoutForcesAtRestIsReadWithoutThem)
+{
+  std::string former = writtenPlan();
+  for (const char* key : {"\"friction_range\"", "\"force_after_1s_mN\"", "\"force_after_10s_mN\""})
+    for (auto at = former.find(key); at != std::string::npos; at = former.find(key))
+      former.replace(at + 1, 1, "F");
+  const auto stored = planning::planIn(former, "plan.json");
+  ASSERT_TRUE(stored) << stored.error().message;
+  EXPECT_EQ(stored->plan.arrays[0].after1s_mN.high, 0.0);
+  EXPECT_GT(stored->plan.arrays[0].end_mN.high, 0.0);
+  EXPECT_EQ(planning::bandsHold(stored->plan), "90 % at one friction");
 }
 
 TEST(StoredPlan, IsFoundInItsFolderAndBesideItsDraws)

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "SyntheticPlan.h"
+#include "perilymph/planning/PlanWords.h"
 
 namespace perilymph::test {
 namespace {
@@ -43,6 +44,25 @@ TEST(PlanReport, SaysTheSameInJsonAndTables)
               1e-3);
   EXPECT_EQ(json["arrays"][0]["contacts"].size(), 2u);
   EXPECT_EQ(json["patient"]["B_sd_mm"], 0.2);
+  EXPECT_EQ(json["bands_hold"], "90 % at friction 0.12");
+  EXPECT_EQ(names.back(), "bands_hold");
+  EXPECT_EQ(values.back(), "90 % at friction 0.12");
+}
+
+TEST(PlanReport, SaysWhatTheBandsOfFewSimulationsHold)
+{
+  // expected fraction between the lowest and the highest of n: (n - 1) / (n + 1)
+  EXPECT_EQ(planning::percentHeld(2), 33);
+  EXPECT_EQ(planning::percentHeld(16), 88);
+  EXPECT_EQ(planning::percentHeld(18), 89);
+  EXPECT_EQ(planning::percentHeld(19), 90);
+  EXPECT_EQ(planning::percentHeld(4096), 90);
+  planning::Plan plan = syntheticPlan(16);
+  EXPECT_EQ(planning::bandsHold(plan), "88 % at friction 0.12");
+  plan.friction = {0.24, 0.59};
+  EXPECT_EQ(planning::bandsHold(plan), "88 % at friction 0.24 to 0.59");
+  plan.friction = {};  // of a file that does not state it
+  EXPECT_EQ(planning::bandsHold(plan), "88 % at one friction");
 }
 
 TEST(PlanReport, NamesTheSourceOfEveryDistributionAndWhatIsNotDrawn)
@@ -74,8 +94,17 @@ TEST(PlanReport, DrawsTheBandsOfEachArray)
   EXPECT_NEAR(influence.bands[0].high[0], 100.0, 1e-6);
   EXPECT_GE(influence.bands[0].high[0], influence.bands[2].high[0]);
   const figures::Figure& force = figures[1].second;
-  EXPECT_EQ(force.bands[0].x.size(), 4u);
+  // up to 1 mm of all 101, behind it of ten; both parts join
+  EXPECT_EQ(force.bands[0].label, "90 % at friction 0.12");
+  EXPECT_EQ(force.bands[0].x, (std::vector<double>{0.0, 0.5, 1.0}));
+  EXPECT_EQ(force.bands[1].x, (std::vector<double>{1.0, 1.5}));
+  EXPECT_LT(force.bands[1].ink.opacity, force.bands[0].ink.opacity);
   EXPECT_NEAR(force.curves[0].y[0], 51.0, 1e-9);
+  EXPECT_EQ(force.curves[0].dash, 0.0);
+  EXPECT_GT(force.curves[1].dash, 0.0);
+  EXPECT_EQ(force.values[0].x, (std::vector<double>{1.0, 1.5}));
+  ASSERT_EQ(force.texts.size(), 2u);
+  EXPECT_EQ(force.texts[1].text, "10 of 101");
   EXPECT_GE(force.y.high, 96.0);
 }
 

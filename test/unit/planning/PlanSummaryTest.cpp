@@ -6,6 +6,7 @@
 
 #include "SyntheticPlan.h"
 #include "perilymph/analysis/Tonotopy.h"
+#include "perilymph/planning/ForceCourse.h"
 
 namespace perilymph::test {
 namespace {
@@ -24,6 +25,8 @@ TEST(PlanSummary, GivesTheQuantilesOfEachArraysDraws)
   EXPECT_NEAR(arrays[1].angle_deg.low, 500.0, 1e-9);
   EXPECT_NEAR(arrays[0].peak_mN.lowerQuartile, 25.5, 1e-9);
   EXPECT_NEAR(arrays[0].end_mN.upperQuartile, 38.25, 1e-9);
+  EXPECT_NEAR(arrays[0].after1s_mN.median, 0.25 * 51.0, 1e-9);
+  EXPECT_EQ(arrays[0].after10s_mN.high, 0.0);  // not computed
   EXPECT_NEAR(arrays[0].coverage_percent.median, 50.0, 1e-9);
 }
 
@@ -62,7 +65,7 @@ TEST(PlanSummary, LeavesAnInsertionThatCouldNotBePreparedOutOfTheBandsButNotOutO
   EXPECT_GT(arrays[0].angle_deg.low, 304.0);  // not the 0 of the first
 }
 
-TEST(PlanSummary, GivesAForceBandOnlyWhereEnoughDrawsCame)
+TEST(PlanSummary, GivesTheForceAsDeepAsAnySimulationWent)
 {
   const auto arrays = syntheticPlan(101).arrays;
   ASSERT_EQ(arrays[0].force.size(), 4u);
@@ -70,7 +73,45 @@ TEST(PlanSummary, GivesAForceBandOnlyWhereEnoughDrawsCame)
   EXPECT_NEAR(arrays[0].force[3].depth_mm, 1.5, 1e-12);
   EXPECT_NEAR(arrays[0].force[3].force_mN.median, 5.5, 1e-9);
   EXPECT_EQ(arrays[1].force.size(), 3u);
-  EXPECT_TRUE(syntheticPlan(7).arrays[0].force.empty());
+  // two simulations have a curve, and it is of two
+  const ArrayPlan few = syntheticPlan(2).arrays[0];
+  ASSERT_EQ(few.force.size(), 4u);
+  EXPECT_EQ(few.force[3].draws, 2u);
+  EXPECT_NEAR(few.force[3].force_mN.median, 1.5, 1e-9);
+  auto insertions = syntheticInsertions(16);
+  insertions[6].insertion.profile.push_back({millimeters(2.0), millinewtons(9.0)});
+  const auto alone = planning::summarize(syntheticPlan(1).request, plannedArrays(),
+                                         publishedThresholds(), insertions)[0];
+  ASSERT_EQ(alone.force.size(), 5u);
+  EXPECT_EQ(alone.force[4].draws, 1u);
+  EXPECT_NEAR(alone.force[4].force_mN.high, 9.0, 1e-9);
+}
+
+TEST(ForceCourse, SaysWhereSimulationsEndedAndHowManyGoOn)
+{
+  ArrayPlan plan;
+  plan.draws = 16;
+  for (const auto& [depth_mm, draws] : {std::pair{1.0, 15u},
+                                        {1.5, 16u},
+                                        {2.0, 16u},
+                                        {2.5, 14u},
+                                        {3.0, 12u},
+                                        {3.5, 5u},
+                                        {4.0, 5u},
+                                        {4.5, 1u}})
+    plan.force.push_back({depth_mm, draws, {0.0, 1.0, depth_mm, 3.0, 9.0}});
+  const planning::ForceCourse course = planning::courseOf(plan);
+  EXPECT_EQ(course.whole, 3u);  // to 2.0 mm; the first row is before the start of one of them
+  const auto depths = [](const std::vector<planning::ForceCourse::Mark>& marks) {
+    std::vector<double> all;
+    for (const auto& each : marks) all.push_back(each.depth_mm);
+    return all;
+  };
+  EXPECT_EQ(depths(course.ends), (std::vector<double>{2.0, 2.5, 3.0, 4.0, 4.5}));
+  // 12 of 16 go on behind 2.5 mm, 5 behind 3.0, 1 behind 4.0, none behind 4.5
+  EXPECT_EQ(depths(course.counts), (std::vector<double>{2.5, 3.0, 4.0, 4.5}));
+  EXPECT_EQ(course.counts.back().draws, 1u);
+  EXPECT_TRUE(planning::courseOf({}).ends.empty());
 }
 
 TEST(PlanSummary, CountsAContactWhereItIsInserted)

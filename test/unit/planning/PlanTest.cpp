@@ -19,6 +19,7 @@
 #include "SyntheticPlan.h"
 #include "perilymph/analysis/ContactPositions.h"
 #include "perilymph/foundation/Resources.h"
+#include "perilymph/foundation/Version.h"
 #include "perilymph/planning/PlanReport.h"
 #include "perilymph/planning/PlannedShape.h"
 #include "perilymph/test/TemporaryFolder.h"
@@ -70,6 +71,40 @@ TEST_F(SmallPlan, IsTheSameForOneThreadAndTwoAndAfterAnInterruption)
   const auto two = planning::makePlan(request_, draws(), {});
   ASSERT_TRUE(two) << two.error().message;
   EXPECT_EQ(textOf(*one), textOf(*two));
+}
+
+TEST_F(SmallPlan, StatesTheFrictionThatItsBandsHoldFixed)
+{
+  request_.draws = 1;
+  request_.arrays = {"flex20"};
+  const auto usual = planning::makePlan(request_, {}, {});
+  ASSERT_TRUE(usual) << usual.error().message;
+  EXPECT_EQ(usual->friction.low, 0.12);  // resources/friction/endosteum.toml
+  EXPECT_EQ(usual->friction.high, 0.12);
+  request_.friction = "paper";
+  const auto other = planning::makePlan(request_, {}, {});
+  ASSERT_TRUE(other) << other.error().message;
+  EXPECT_EQ(other->friction.low, 0.0395);
+  EXPECT_EQ(other->friction.high, 0.0605);
+}
+
+TEST(Draws, BelowSixteenAreOfferedToNobodyAndSayWhy)
+{
+  ::unsetenv(fewDraws);
+  for (const std::size_t draws : {0u, 1u, 2u, 15u}) {
+    const auto refused = planning::checkDraws(draws);
+    ASSERT_FALSE(refused) << draws;
+    EXPECT_EQ(refused.error().message,
+              "A plan of " + std::to_string(draws) +
+                  " simulations is too short: the lowest and the highest of fewer than 16 hold "
+                  "less than 88 % of the insertions to come. Choose 16 to 4096.");
+  }
+  for (const std::size_t draws : {16u, 64u, 4096u}) EXPECT_TRUE(planning::checkDraws(draws));
+  EXPECT_FALSE(planning::checkDraws(4097));
+  ::setenv(fewDraws, "1", 1);
+  EXPECT_TRUE(planning::checkDraws(1));
+  EXPECT_FALSE(planning::checkDraws(0));
+  ::unsetenv(fewDraws);
 }
 
 TEST_F(SmallPlan, InsertsAllArraysIntoTheSameCochleaByTheSameHand)

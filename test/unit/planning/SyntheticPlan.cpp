@@ -32,6 +32,7 @@ std::vector<planning::PlannedInsertion> syntheticInsertions(std::size_t draws)
       found.peak = millinewtons(number);
       found.partition = millinewtons(number);
       found.endForce = millinewtons(0.5 * number);
+      found.forceAfter1s = millinewtons(0.25 * number);
       for (const double depth_mm : {0.0, 0.5, 1.0})
         found.profile.push_back({millimeters(depth_mm), millinewtons(number)});
       if (array == 0 && draw <= 10)
@@ -69,6 +70,7 @@ planning::Plan syntheticPlan(std::size_t draws)
   plan.fingerprint = "0123";
   plan.insertions = syntheticInsertions(draws);
   plan.thresholds = publishedThresholds();
+  plan.friction = {0.12, 0.12};
   plan.arrays =
       planning::summarize(plan.request, plannedArrays(), plan.thresholds, plan.insertions);
   return plan;

@@ -4,6 +4,9 @@
 #include <QCoreApplication>
 #include <algorithm>
 
+#include "gui/setup/PlannedFriction.h"
+#include "perilymph/planning/ForceCourse.h"
+
 namespace perilymph::gui {
 
 namespace {
@@ -24,33 +27,33 @@ std::string figureText(const char* text)
 
 }  // namespace
 
-figures::Figure forceBands(const std::vector<const planning::ArrayPlan*>& arrays)
+figures::Figure forceBands(const planning::Plan& plan, const std::vector<std::size_t>& arrays)
 {
   figures::Figure figure;
   figure.title = figureText(QT_TRANSLATE_NOOP("perilymph::gui", "Insertion force over depth"));
   double top_mN = 10.0, deepest_mm = 1.0;
   for (std::size_t i = 0; i < arrays.size(); ++i) {
+    const planning::ArrayPlan& array = plan.arrays[arrays[i]];
     const BandStyle& style = bandStyles[i % std::size(bandStyles)];
-    figures::FigureBand band{{}, {}, {}, {}, figures::ink::tint(style.ink, 0.15)};
-    figures::FigureCurve median{arrays[i]->name, {}, {}, style.ink, 1.5, style.dash};
-    for (const planning::ForceBand& each : arrays[i]->force) {
-      band.x.push_back(each.depth_mm);
-      band.low.push_back(each.force_mN.low);
-      band.high.push_back(each.force_mN.high);
-      median.x.push_back(each.depth_mm);
-      median.y.push_back(each.force_mN.median);
+    planning::addForceCourse(
+        figure, array,
+        {array.name, {}, {}, {}, figureText(QT_TRANSLATE_NOOP("perilymph::gui", "%1 of %2"))},
+        style.ink, style.dash);
+    for (const planning::ForceBand& each : array.force) {
       top_mN = std::max(top_mN, each.force_mN.high);
       deepest_mm = std::max(deepest_mm, each.depth_mm);
     }
-    figure.bands.push_back(band);
-    figure.curves.push_back(median);
   }
   figure.x = figures::axisOver(
       figureText(QT_TRANSLATE_NOOP("perilymph::gui", "insertion depth, mm")), 0.0, deepest_mm);
   figure.y = figures::axisOver(
       figureText(QT_TRANSLATE_NOOP("perilymph::gui", "axial insertion force, mN")), 0.0, top_mN);
-  figure.notes.push_back(figureText(QT_TRANSLATE_NOOP(
-      "perilymph::gui", "Lines: median; areas: 5 to 95 % of the draws that came that deep.")));
+  figure.notes.push_back(
+      QCoreApplication::translate("perilymph::gui",
+                                  "Lines: median; areas: %1. Paler and dotted where simulations "
+                                  "have ended (rings), with the number that came that deep.")
+          .arg(bandsHold(plan))
+          .toStdString());
   return figure;
 }
 

@@ -10,7 +10,7 @@
 
 namespace perilymph::gui {
 
-/// Medians and 5 to 95 % over the depth, told apart by color and dashes; at most four arrays.
-figures::Figure forceBands(const std::vector<const planning::ArrayPlan*>& arrays);
+/// Medians and bands of arrays of a plan over the depth, told apart by color and dashes; at most four.
+figures::Figure forceBands(const planning::Plan& plan, const std::vector<std::size_t>& arrays);
 
 }  // namespace perilymph::gui

@@ -8,6 +8,8 @@
 
 #include "gui/parts/FocusRing.h"
 #include "gui/parts/Theme.h"
+#include "gui/setup/PlannedFriction.h"
+#include "perilymph/planning/ForceCourse.h"
 
 namespace perilymph::gui {
 
@@ -108,9 +110,9 @@ void PlanCells::paint(QPainter* painter, const QStyleOptionViewItem& option,
   if (kind == PlanCellKind::name) {
     paintName(*painter, inside, index.data().toString());
   } else if (kind == PlanCellKind::curve) {
-    paintCurve(*painter, inside, array.force);
+    paintCurve(*painter, inside, array);
   } else if (kind == PlanCellKind::probability) {
-    paintProbability(*painter, inside, estimateOf(array, column));
+    paintProbability(*painter, inside, estimateOf(array, column), array.draws);
   } else {
     const planning::Band& band = bandOf(array, column);
     paintTexts(*painter, inside, medianText(band, column), rangeText(band, column));
@@ -141,9 +143,9 @@ void PlanCells::paintBand(QPainter& painter, const QRectF& place, const planning
 }
 
 void PlanCells::paintProbability(QPainter& painter, const QRectF& place,
-                                 const analysis::Estimate& estimate) const
+                                 const analysis::Estimate& estimate, std::size_t draws) const
 {
-  paintTexts(painter, place, percentText(estimate), intervalText(estimate));
+  paintTexts(painter, place, shownShare(estimate, draws), intervalText(estimate, draws));
   const QRectF bar(place.left(), place.bottom() - 7.0, place.width(), 7.0);
   paintTrack(painter, bar);
   paintSpan(painter, bar, estimate.low, estimate.high, quartileBar_px, faded(quietTextColor, 0.7));
@@ -152,27 +154,33 @@ void PlanCells::paintProbability(QPainter& painter, const QRectF& place,
 }
 
 void PlanCells::paintCurve(QPainter& painter, const QRectF& place,
-                           const std::vector<planning::ForceBand>& force) const
+                           const planning::ArrayPlan& array) const
 {
   const PlanTable::Axes& axes = table_.axes();
+  const std::vector<planning::ForceBand>& force = array.force;
   const auto at = [&](double depth_mm, double force_mN) {
     return QPointF(
         place.left() + depth_mm / axes.depth_mm * place.width(),
         place.bottom() - std::clamp(force_mN / axes.force_mN, 0.0, 1.0) * place.height());
   };
   painter.fillRect(QRectF(place.left(), place.bottom(), place.width(), 1.0), lineColor);
-  QPolygonF area, median;
-  for (const planning::ForceBand& each : force) {
-    area << at(each.depth_mm, each.force_mN.high);
-    median << at(each.depth_mm, each.force_mN.median);
+  if (force.empty()) return;
+  const std::size_t whole = planning::courseOf(array).whole;
+  // of all simulations, and behind it of fewer: both share a row
+  for (const auto& [first, end] : {std::pair{std::size_t{0}, whole}, {whole - 1, force.size()}}) {
+    QPolygonF area, median;
+    for (std::size_t i = first; i < end; ++i) {
+      area << at(force[i].depth_mm, force[i].force_mN.high);
+      median << at(force[i].depth_mm, force[i].force_mN.median);
+    }
+    for (std::size_t i = end; i-- > first;) area << at(force[i].depth_mm, force[i].force_mN.low);
+    const bool isWhole = end == whole;
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(faded(ghostColor, isWhole ? 0.4 : 0.2));
+    painter.drawPolygon(area);
+    painter.setPen(QPen(textColor, 1.5, isWhole ? Qt::SolidLine : Qt::DotLine));
+    painter.drawPolyline(median);
   }
-  for (auto each = force.rbegin(); each != force.rend(); ++each)
-    area << at(each->depth_mm, each->force_mN.low);
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(faded(ghostColor, 0.4));
-  painter.drawPolygon(area);
-  painter.setPen(QPen(textColor, 1.5));
-  painter.drawPolyline(median);
 }
 
 }  // namespace perilymph::gui

@@ -24,10 +24,9 @@ public:
 private:
   void paintBand(QPainter& painter, const QRectF& place, const planning::Band& band,
                  PlanColumn column) const;
-  void paintProbability(QPainter& painter, const QRectF& place,
-                        const analysis::Estimate& estimate) const;
-  void paintCurve(QPainter& painter, const QRectF& place,
-                  const std::vector<planning::ForceBand>& force) const;
+  void paintProbability(QPainter& painter, const QRectF& place, const analysis::Estimate& estimate,
+                        std::size_t draws) const;
+  void paintCurve(QPainter& painter, const QRectF& place, const planning::ArrayPlan& array) const;
   double limitOf(PlanColumn column) const;
 
   const PlanTable& table_;

@@ -77,7 +77,7 @@ QWidget* PlanPage::addPlan()
 {
   auto* page = new QWidget(this);
   auto* limits =
-      new WrappedLabel(tr("Median (5–95 % of the draws). Values of the model, not clinical risks: "
+      new WrappedLabel(tr("Values of the model, not clinical risks: "
                           "the friction, 0.12, was chosen for the depths that clinics report; with "
                           "that of a tissue simulant straight arrays stop at 240 to 350°. "
                           "Translocation is rarer than clinics report."),
@@ -256,6 +256,8 @@ void PlanPage::compute()
       (plan_->request.arrays != request.arrays || plan_->request.friction != request.friction ||
        anatomy::patientText(plan_->request.patient) != anatomy::patientText(request.patient)))
     forgetPlan();
+  if (const auto done = planning::checkDraws(request.draws); !done)
+    return say(engineError(done.error().message), true);
   say(tr("Preparing…"));
   panel_->showProgress(0.0);
   work_.compute(request);

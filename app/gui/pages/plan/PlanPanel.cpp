@@ -26,7 +26,7 @@ namespace perilymph::gui {
 namespace {
 
 constexpr int panelWidth_px = 264;
-constexpr int drawCounts[] = {8, 16, 32, 64, 128, 256};
+constexpr int drawCounts[] = {16, 32, 64, 128, 256};
 constexpr int usualDraws = 64;
 
 /// Saved patients and shipped ones, those with A and B.

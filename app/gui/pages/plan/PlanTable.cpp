@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gui/setup/PlannedFriction.h"
+
 namespace perilymph::gui {
 
 namespace {
@@ -22,6 +24,7 @@ void PlanTable::setPlan(const PlanWork::SharedPlan& plan)
   if (!hasSameRows) beginResetModel();
   plan_ = plan;
   axes_ = {};
+  Q_EMIT headerDataChanged(Qt::Horizontal, 0, planColumns - 1);
   if (plan) {
     for (const planning::ArrayPlan& each : plan->arrays) {
       axes_.angle_deg = std::max(axes_.angle_deg, each.angle_deg.high);
@@ -64,7 +67,7 @@ QString PlanTable::text(const planning::ArrayPlan& array, PlanColumn column) con
     case PlanCellKind::band:
       return bandText(bandOf(array, column), column);
     case PlanCellKind::probability:
-      return probabilityText(estimateOf(array, column));
+      return shownShareAndInterval(estimateOf(array, column), array.draws);
     case PlanCellKind::curve:
       break;
   }
@@ -112,10 +115,15 @@ QVariant PlanTable::headerData(int section, Qt::Orientation orientation, int rol
   if (orientation != Qt::Horizontal || section < 0 || section >= planColumns) return {};
   const auto column = static_cast<PlanColumn>(section);
   switch (role) {
-    case Qt::DisplayRole:
-      if (section != sortedBy_) return titleOf(column);
-      return titleOf(column) + QLatin1Char(' ') +
-             (order_ == Qt::AscendingOrder ? QChar(0x25b4) : QChar(0x25be));
+    case Qt::DisplayRole: {
+      QString head = titleOf(column);
+      if (section == sortedBy_)
+        head += QLatin1Char(' ') + (order_ == Qt::AscendingOrder ? QChar(0x25b4) : QChar(0x25be));
+      const PlanCellKind kind = kindOf(column);
+      if (plan_ && (kind == PlanCellKind::band || kind == PlanCellKind::curve))
+        head += QLatin1Char('\n') + bandsHold(*plan_);
+      return head;
+    }
     case Qt::ToolTipRole:
       return methodOf(column);
     case Qt::TextAlignmentRole:

@@ -6,6 +6,7 @@
 #include "gui/pages/plan/CoverageReference.h"
 #include "gui/parts/DataText.h"
 #include "gui/parts/Numbers.h"
+#include "gui/setup/PlannedFriction.h"
 
 namespace perilymph::gui {
 
@@ -99,12 +100,13 @@ QString methodOf(PlanColumn column)
       return tr("Maximum axial force on the surgeon’s hand. Median and 5 to 95 % of the draws.");
     case PlanColumn::end:
       return tr(
-          "Mean axial force on the hand while it rests after the insertion. Median and 5 to "
+          "Mean axial force on the hand over the last half second before it stops. Median and 5 to "
           "95 % of the draws.");
     case PlanColumn::force:
       return tr(
-          "Axial force over the depth of the tip past the opening. Line: median; area: 5 to "
-          "95 % of the draws whose tip came that deep. All rows have the same axes.");
+          "Axial force over the depth of the tip past the opening, as deep as any simulation went. "
+          "Line: median; area: 5 to 95 %; paler and dashed where some simulations have ended. All "
+          "rows have the same axes.");
     case PlanColumn::partition:
       return tr("Maximum force on the cochlear partition. Median and 5 to 95 % of the draws.");
     case PlanColumn::full:
@@ -188,20 +190,9 @@ QString bandText(const planning::Band& band, PlanColumn column)
   return tr("%1 (%2–%3) mN").arg(median, low, high);
 }
 
-QString probabilityText(const analysis::Estimate& estimate)
+QString intervalText(const analysis::Estimate& estimate, std::size_t draws)
 {
-  return tr("%1 (%2–%3) %")
-      .arg(numberText(100.0 * estimate.value, 0), numberText(100.0 * estimate.low, 0),
-           numberText(100.0 * estimate.high, 0));
-}
-
-QString percentText(const analysis::Estimate& estimate)
-{
-  return tr("%1 %").arg(numberText(100.0 * estimate.value, 0));
-}
-
-QString intervalText(const analysis::Estimate& estimate)
-{
+  if (analysis::countedOf(estimate, draws)) return {};
   return tr("%1–%2 %").arg(numberText(100.0 * estimate.low, 0),
                            numberText(100.0 * estimate.high, 0));
 }
@@ -210,17 +201,23 @@ QString factsOf(const planning::ArrayPlan& array, const planning::Thresholds& th
 {
   const auto newton = [](Force force) { return numberText(inMillinewtons(force), 0); };
   const planning::Band& felt = array.firstResistance_mm;
-  const QStringList facts{
+  QStringList facts{
       tr("Depth of the tip: %1 (%2–%3) mm.")
           .arg(numberText(array.depth_mm.median, 1), numberText(array.depth_mm.low, 1),
                numberText(array.depth_mm.high, 1)),
       tr("First resistance that surgeons feel (%1 mN): at %2 (%3–%4) mm, in %5 of the insertions.")
           .arg(newton(thresholds.felt), numberText(felt.median, 1), numberText(felt.low, 1),
-               numberText(felt.high, 1), percentText(array.felt)),
+               numberText(felt.high, 1), shownShare(array.felt, array.draws)),
       tr("Force on the partition reaches %1 mN, the weakest published, in %2, and %3 mN, the "
          "strongest, in %4.")
-          .arg(newton(thresholds.ruptureLow), percentText(array.reachesWeakest),
-               newton(thresholds.ruptureHigh), percentText(array.reachesStrongest))};
+          .arg(newton(thresholds.ruptureLow), shownShare(array.reachesWeakest, array.draws),
+               newton(thresholds.ruptureHigh), shownShare(array.reachesStrongest, array.draws))};
+  const planning::Band &soon = array.after1s_mN, &late = array.after10s_mN;
+  if (soon.high != 0.0 && late.high != 0.0)  // of a version that computed them
+    facts << tr("Force at rest: %1 (%2–%3) mN after 1 s, %4 (%5–%6) mN after 10 s.")
+                 .arg(numberText(soon.median, 0), numberText(soon.low, 0), numberText(soon.high, 0),
+                      numberText(late.median, 0), numberText(late.low, 0),
+                      numberText(late.high, 0));
   return facts.join(QLatin1Char(' '));
 }
 

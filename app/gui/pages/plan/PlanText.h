@@ -45,11 +45,8 @@ QString bandText(const planning::Band& band, PlanColumn column);
 /// "421°" and "380–455°".
 QString medianText(const planning::Band& band, PlanColumn column);
 QString rangeText(const planning::Band& band, PlanColumn column);
-/// "94 (85–98) %": fraction of the draws with its 95 % interval.
-QString probabilityText(const analysis::Estimate& estimate);
-/// "94 %" and "85–98 %".
-QString percentText(const analysis::Estimate& estimate);
-QString intervalText(const analysis::Estimate& estimate);
+/// "85–98 %": the 95 % interval of a share of simulations that is given in percent, else nothing.
+QString intervalText(const analysis::Estimate& estimate, std::size_t draws);
 /// Sentences on an array: first resistance, strength of the partition, full depth.
 QString factsOf(const planning::ArrayPlan& array, const planning::Thresholds& thresholds);
 /// "FLEX28 · draw 13: 421°, peak 80 mN"

@@ -147,21 +147,18 @@ void PlanView::show(const PlanWork::SharedPlan& plan, std::vector<std::size_t> a
   unrolled_.reset();
   unrolledView_->refresh();
   arrange(arrays_.size());
-  std::vector<const planning::ArrayPlan*> chosen;
   for (std::size_t i = 0; i < arrays_.size(); ++i) {
-    chosen.push_back(&plan->arrays[arrays_[i]]);
-    panes_[i].title->setText(
-        tr("%1 · computing the picture…").arg(QString::fromStdString(chosen[i]->name)));
-    panes_[i].scene->setAccessibleName(
-        tr("%1 in the cochlea, 3D").arg(QString::fromStdString(chosen[i]->name)));
+    const QString name = QString::fromStdString(plan->arrays[arrays_[i]].name);
+    panes_[i].title->setText(tr("%1 · computing the picture…").arg(name));
+    panes_[i].scene->setAccessibleName(tr("%1 in the cochlea, 3D").arg(name));
   }
-  if (chosen.size() == 1) {
-    const planning::ArrayPlan& array = *chosen.front();
+  if (arrays_.size() == 1) {
+    const planning::ArrayPlan& array = plan->arrays[arrays_.front()];
     ring_->show(array.contacts, plan->request.patient.side);
     contacts_->show(array.contacts, array.draws);
     facts_->setText(factsOf(array, plan->thresholds));
   } else {
-    forces_->show(figures::draw(forceBands(chosen)));
+    forces_->show(figures::draw(forceBands(*plan, arrays_)));
   }
   work_.run(plan, arrays_);
 }

@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 
 #include "gui/setup/PatientSetup.h"
+#include "gui/setup/PlannedFriction.h"
 #include "perilymph/session/Csv.h"
 #include "perilymph/session/InsertionParameters.h"
 
@@ -26,8 +27,11 @@ PlannedForce plannedForce(const planning::Plan& plan, std::size_t array)
 {
   const planning::ArrayPlan& planned = plan.arrays[array];
   PlannedForce force;
-  force.label = QCoreApplication::translate("perilymph::gui", "plan, %1: median and 5–95 %")
-                    .arg(QString::fromStdString(planned.name));
+  force.label = QCoreApplication::translate("perilymph::gui", "plan: %1").arg(bandsHold(plan));
+  if (!planned.force.empty())
+    force.label += QCoreApplication::translate("perilymph::gui", ", at last %1 of %2")
+                       .arg(planned.force.back().draws)
+                       .arg(planned.draws);
   force.patient = plan.request.patient;
   force.array = plan.request.arrays[array];
   for (const planning::ForceBand& each : planned.force)

@@ -68,7 +68,8 @@ std::string clinicalRowsCsv(const std::vector<ClinicalRow>& rows)
 std::string clinicalInsertionsCsv(const std::vector<ClinicalInsertion>& insertions)
 {
   std::string csv =
-      "seed,patient,array,end,apical_deg,depth_mm,end_N,peak_N,partition_N,is_ruptured,reason\n";
+      "seed,patient,array,end,apical_deg,depth_mm,end_N,peak_N,partition_N,is_ruptured,reason,"
+      "after_1s_N,after_10s_N\n";
   for (const ClinicalInsertion& each : insertions) {
     csv += std::to_string(each.seed) + "," + std::to_string(each.patient) + "," +
            csvField(each.array) + "," + haptics::nameOf(each.end);
@@ -76,7 +77,10 @@ std::string clinicalInsertionsCsv(const std::vector<ClinicalInsertion>& insertio
                                each.endForce.si(), each.peak.si(), each.partition.si()})
       csv += "," + session::shortestDecimal(value);
     csv += std::string(",") + (each.isRuptured ? "true" : "false") + "," +
-           (each.reason.empty() ? std::string() : csvQuoted(each.reason)) + "\n";
+           (each.reason.empty() ? std::string() : csvQuoted(each.reason));
+    for (const auto& force : {each.forceAfter1s, each.forceAfter10s})
+      csv += "," + (force ? session::shortestDecimal(force->si()) : std::string());
+    csv += '\n';
   }
   return csv;
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <stdexcept>
 #include <vector>
@@ -48,6 +49,28 @@ DrawnInsertion withSurgeon(const session::InsertionParameters& nominal,
   drawn.tremorPhase = surgeon.tremorPhase;
   return drawn;
 }
+
+/// Rests after which the force is read.
+constexpr Duration shortRest = seconds(1), longRest = seconds(10);
+
+/// Mean of the last values.
+class LastMean {
+public:
+  explicit LastMean(std::size_t count) : values_(std::max<std::size_t>(count, 1)) {}
+  void add(double value) { values_[added_++ % values_.size()] = value; }
+  /// 0 without a value.
+  Force mean() const
+  {
+    const std::size_t count = std::min(added_, values_.size());
+    const auto end = values_.begin() + static_cast<std::ptrdiff_t>(count);
+    return newtons(std::accumulate(values_.begin(), end, 0.0) /
+                   static_cast<double>(std::max<std::size_t>(count, 1)));
+  }
+
+private:
+  std::vector<double> values_;
+  std::size_t added_ = 0;
+};
 
 /// Recognizes the end of the push.
 class Watch {
@@ -112,41 +135,42 @@ ClinicalInsertion insertByHand(const session::InsertionParameters& nominal,
     result.partition = newtons(std::max(result.partition.si(), now.partitionForce));
   };
   ProfilePoints points(profileSpacing);
+  const double step = nominal.timeStep.si();
+  const auto ticksIn = [step](Duration time) {
+    return static_cast<std::size_t>(std::lround(time.si() / step));
+  };
+  LastMean force(ticksIn(hand.restMean));
   const auto push = [&](const haptics::TickRecord& record) {
     note(record.output);
+    if (record.output.workflow >= haptics::Workflow::inserting) force.add(record.output.axialForce);
     points.add(result.profile, record.output.depth, record.output.axialForce);
     if (record.output.workflow == haptics::Workflow::inserting) end = watch.take(record.output);
     if (record.output.workflow == haptics::Workflow::finished) end = endOf(record.output);
     return !end && !isAsked;
   };
-  const double step = nominal.timeStep.si();
   // twice the time for the travel, plus a second to start
   const auto ticks = (2.0 * drawn.parameters.stopTravel.si() / surgeon.speed.si() + 1.0) / step;
   auto ran = (*insertion)->runToEnd(push, static_cast<std::uint64_t>(ticks));
   if (isAsked) return result;
 
-  // the force at the end: the mean over the last part of the rest
-  double sum = 0.0;
-  long count = 0;
+  result.endForce = force.mean();
   if (ran) {
     forceps.rest();
-    const auto restTicks = static_cast<std::uint64_t>(std::lround(hand.rest.si() / step));
-    const auto meanTicks = static_cast<std::uint64_t>(std::lround(hand.restMean.si() / step));
-    std::uint64_t tick = 0;
+    std::size_t tick = 0;
     const auto rest = [&](const haptics::TickRecord& record) {
       note(record.output);
-      if (++tick + meanTicks <= restTicks) return !isAsked;
-      sum += record.output.axialForce;
-      ++count;
+      force.add(record.output.axialForce);
+      ++tick;
+      if (tick == ticksIn(shortRest)) result.forceAfter1s = force.mean();
+      if (tick == ticksIn(longRest)) result.forceAfter10s = force.mean();
       return !isAsked;
     };
-    ran = (*insertion)->runToEnd(rest, restTicks);
+    ran = (*insertion)->runToEnd(rest, ticksIn(hand.rest));
   }
   if (isAsked) return result;
   result.end = ran ? end.value_or(InsertionEnd::fault) : InsertionEnd::fault;
   if (!ran) result.reason = ran.error().message;
   result.depth = meters(last.depth);
-  result.endForce = newtons(count > 0 ? sum / static_cast<double>(count) : last.axialForce);
   result.isRuptured = (last.status & haptics::partitionRuptured) != 0;
   result.isTranslocated = (last.status & haptics::translocated) != 0;
   result.ruptureAngle = radians(last.translocation.angle);

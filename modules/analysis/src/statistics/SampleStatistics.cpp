@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "perilymph/figures/Strings.h"
+
 namespace perilymph::analysis {
 
 SampleStatistics statisticsOf(std::span<const double> values)
@@ -42,6 +44,21 @@ Estimate proportionOf(std::size_t hits, std::size_t all)
   const double half =
       halfWidth95 / (1.0 + z2 / n) * std::sqrt(p * (1.0 - p) / n + z2 / (4.0 * n * n));
   return {p, std::max(middle - half, 0.0), std::min(middle + half, 1.0)};
+}
+
+std::optional<std::size_t> countedOf(const Estimate& proportion, std::size_t all)
+{
+  if (all >= fewestForPercent) return std::nullopt;
+  return static_cast<std::size_t>(std::lround(proportion.value * static_cast<double>(all)));
+}
+
+std::string shareText(const Estimate& proportion, std::size_t all)
+{
+  if (const auto count = countedOf(proportion, all))
+    return std::to_string(*count) + " of " + std::to_string(all);
+  const auto percent = [](double value) { return figures::fixed(100.0 * value, 0); };
+  return percent(proportion.value) + " % (" + percent(proportion.low) + " to " +
+         percent(proportion.high) + ")";
 }
 
 }  // namespace perilymph::analysis

@@ -23,6 +23,28 @@ double chiSquareTail(double chiSquare, int degreesOfFreedom)
   return std::min(tail, 1.0);
 }
 
+double chiSquareExceededBy(double probability, int degreesOfFreedom)
+{
+  double low = 0.0, high = 1.0;
+  while (chiSquareTail(high, degreesOfFreedom) > probability) high *= 2.0;
+  for (int i = 0; i < 200 && high - low > 1e-12 * high; ++i) {
+    const double middle = 0.5 * (low + high);
+    (chiSquareTail(middle, degreesOfFreedom) > probability ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+Range deviationsBehind(double deviation, double insertions)
+{
+  if (!(insertions >= 2.0)) return {};
+  const int degreesOfFreedom = static_cast<int>(std::lround(insertions)) - 1;
+  const auto at = [&](double probability) {
+    return deviation *
+           std::sqrt(degreesOfFreedom / chiSquareExceededBy(probability, degreesOfFreedom));
+  };
+  return {at(0.025), at(0.975)};
+}
+
 Agreement agreementOf(const ValidationResult& result)
 {
   Agreement agreement;

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,11 +23,15 @@ struct ClinicalInsertion {
   std::string array;
   std::uint64_t seed = 0, patient = 0;
   haptics::InsertionEnd end = haptics::InsertionEnd::refused;
-  std::string reason;           ///< A message if the engine stopped or refused it.
-  Length depth;                 ///< At the end, past the opening.
-  Angle apical;                 ///< Angle of the most apical contact from the round window.
-  Force peak;                   ///< Maximum axial force on the hand.
-  Force endForce;               ///< Mean axial force on the hand at the end of its rest.
+  std::string reason;  ///< A message if the engine stopped or refused it.
+  Length depth;        ///< At the end, past the opening.
+  Angle apical;        ///< Angle of the most apical contact from the round window.
+  Force peak;          ///< Maximum axial force on the hand.
+  /// Mean axial force on the hand over the last HandDistribution::restMean before it stops.
+  Force endForce;
+  /// The same before it has rested for 1 s and for 10 s; absent if it did not rest so long, and from
+  /// files of versions whose endForce was that after 2 s.
+  std::optional<Force> forceAfter1s, forceAfter10s;
   Force partition;              ///< Maximum force on the cochlear partition, within one contact.
   bool isRuptured = false;      ///< The partition ruptured, at its drawn strength.
   bool isTranslocated = false;  ///< A part of the array is above the partition at the end.

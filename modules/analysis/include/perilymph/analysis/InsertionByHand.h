@@ -15,8 +15,7 @@
 namespace perilymph::analysis {
 
 /// Pushes an array until it is fully in, or its force reaches the surgeon's limit, or
-/// the array buckles or slips out; then the hand rests, still trembling, before the force at the end
-/// is read.
+/// the array buckles or slips out; then the hand rests, still trembling, while the force relaxes.
 ///
 /// @param nominal         The scenario's; the surgeon replaces speed, friction and free length.
 /// @param profileSpacing  Between points of the force profile; 0: no profile.

@@ -4,7 +4,9 @@
 // Mean, spread and confidence of repeated measurements.
 
 #include <cstddef>
+#include <optional>
 #include <span>
+#include <string>
 
 namespace perilymph::analysis {
 
@@ -34,5 +36,13 @@ struct Estimate {
 
 /// Confidence interval of a proportion (Wilson, J Am Stat Assoc 22, 209, 1927).
 Estimate proportionOf(std::size_t hits, std::size_t all);
+
+/// Simulations from which on a share of them is given in percent (choice, high): of fewer, a percent
+/// suggests more than was counted, so that n of N is given.
+inline constexpr std::size_t fewestForPercent = 30;
+/// The hits of a proportion if it is to be given as n of N.
+std::optional<std::size_t> countedOf(const Estimate& proportion, std::size_t all);
+/// "3 of 16"; from fewestForPercent on, "19 % (11 to 30)" with the interval.
+std::string shareText(const Estimate& proportion, std::size_t all);
 
 }  // namespace perilymph::analysis

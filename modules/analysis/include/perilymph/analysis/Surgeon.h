@@ -26,8 +26,8 @@ struct HandDistribution {
   double tremorFrequency = 0.0;                          ///< [Hz]
   Length freeLengthLow, freeLengthHigh;                  ///< From the opening to the forceps.
   Force stopLow, stopHigh;                               ///< At which the surgeon stops: uniform.
-  Duration rest, restMean;         ///< Rest before the end, and the part of it that is averaged.
-  Length bucklingLag;              ///< Lag of the tip at which a bow is visible.
+  Duration rest, restMean;  ///< Rest after the push, and the time over which forces are averaged.
+  Length bucklingLag;       ///< Lag of the tip at which a bow is visible.
   double frictionDeviation = 0.0;  ///< Fraction of all coefficients: log-normal with mean 1.
   Force ruptureMean, ruptureDeviation, ruptureLow, ruptureHigh;  ///< Normal within the range.
   std::vector<Provenance> provenance;

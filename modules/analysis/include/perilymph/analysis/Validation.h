@@ -15,6 +15,7 @@
 #include "perilymph/analysis/Reference.h"
 #include "perilymph/analysis/SampleStatistics.h"
 #include "perilymph/analysis/Variability.h"
+#include "perilymph/foundation/TomlReader.h"
 
 namespace perilymph::analysis {
 
@@ -118,6 +119,14 @@ Agreement agreementOf(const ValidationResult& result);
 
 /// Probability that a chi-square variable is at least `chiSquare`; 1 without a degree of freedom.
 double chiSquareTail(double chiSquare, int degreesOfFreedom);
+/// The value that a chi-square variable with at least one degree of freedom exceeds with a
+/// probability between 0 and 1.
+double chiSquareExceededBy(double probability, int degreesOfFreedom);
+
+/// Standard deviations sigma of a population that are compatible with the standard deviation s of n
+/// normal values, 95 %: (n - 1) s^2 / sigma^2 is a chi-square variable with n - 1 degrees of freedom.
+/// Unbounded for fewer than two values.
+Range deviationsBehind(double deviation, double insertions);
 
 /// Force over travel of one insertion: least-squares fit, resampled at every multiple of
 /// profileStep() up to profileEnd(). Empty if there are too few samples for the spline.

@@ -51,6 +51,13 @@ struct FigureLevel {
   double dash = 3.0;
 };
 
+/// A small text beside a point, on the side that has room.
+struct FigureText {
+  std::string text;
+  double x = 0.0, y = 0.0;
+  Ink ink;
+};
+
 struct Figure {
   std::string title;
   FigureAxis x, y;
@@ -58,6 +65,7 @@ struct Figure {
   std::vector<FigureLevel> levels;
   std::vector<FigureCurve> curves;
   std::vector<FigureValues> values;
+  std::vector<FigureText> texts;
   std::vector<std::string> notes;  ///< Lines below the figure.
 };
 

@@ -16,7 +16,10 @@ std::string version();
 std::string buildId();
 
 /// The environment variables that are set and change results: PERILYMPH_RESOURCES if it names other
-/// resources than this build's own, PERILYMPH_SYSTEM_ROOT (recorded devices).
+/// resources than this build's own, PERILYMPH_SYSTEM_ROOT (recorded devices), fewDraws.
 std::vector<std::string> replacedByEnvironment();
+
+/// Set for tests, it lets the programs make plans of fewer simulations than users are offered.
+inline constexpr const char* fewDraws = "PERILYMPH_FEW_DRAWS";
 
 }  // namespace perilymph

@@ -16,6 +16,7 @@
 #include "perilymph/anatomy/Patient.h"
 #include "perilymph/foundation/Result.h"
 #include "perilymph/foundation/Seal.h"
+#include "perilymph/foundation/TomlReader.h"
 #include "perilymph/foundation/Units.h"
 #include "perilymph/session/Scenario.h"
 
@@ -49,8 +50,12 @@ struct PlanRequest {
 Result<session::Scenario> scenarioOf(const PlanRequest& request, const std::string& array,
                                      const std::string& stopTravel_mm);
 
-/// Largest number of draws.
-inline constexpr std::size_t maxDraws = 4096;
+/// Smallest and largest number of draws. The extremes of 16 hold 88 % of what is to come; of 8, 78 %.
+inline constexpr std::size_t fewestDraws = 16, maxDraws = 4096;
+/// Refuses numbers of draws that no user is offered. makePlan() itself takes one draw: a window shows
+/// first bands of few, and tests are cheap. Programs take few if PERILYMPH_FEW_DRAWS is set, which
+/// their results name (Version.h).
+Result<Done> checkDraws(std::size_t draws);
 /// Distance between the depths of a force band.
 inline constexpr Length bandSpacing = millimeters(0.5);
 
@@ -128,10 +133,12 @@ struct ArrayPlan {
   std::string array;  ///< As in the request.
   std::string name;   ///< "FLEX28".
   std::size_t draws = 0;
-  Band angle_deg;                ///< Angle of the most apical contact.
-  Band coverage_percent;         ///< Organ of Corti basal to it.
-  Band depth_mm;                 ///< Depth of the tip past the opening.
-  Band peak_mN, end_mN;          ///< Axial, on the hand.
+  Band angle_deg;         ///< Angle of the most apical contact.
+  Band coverage_percent;  ///< Organ of Corti basal to it.
+  Band depth_mm;          ///< Depth of the tip past the opening.
+  Band peak_mN, end_mN;   ///< Axial, on the hand; at the end of the push.
+  /// The same after 1 s and 10 s of rest; zeros if it was not computed.
+  Band after1s_mN, after10s_mN;
   Band partition_mN;             ///< Maximum force on the cochlear partition.
   analysis::Estimate full;       ///< Probability of full depth, with its 95 % interval.
   analysis::Estimate resisted;   ///< That the surgeon stops by resistance.
@@ -167,6 +174,9 @@ struct Thresholds {
 struct Plan {
   PlanRequest request;
   Thresholds thresholds;
+  /// Lowest and highest coefficient of the friction that every insertion has, but for its drawn
+  /// factor; without bounds if the plan.json does not state it.
+  Range friction;
   /// Its number: SHA-256 of everything it depends on but `draws` and `jobs`. Empty for a plan that
   /// was changed after the program wrote it.
   std::string fingerprint;

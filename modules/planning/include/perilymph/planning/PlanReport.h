@@ -20,6 +20,7 @@ struct PlanQuantity {
   const char* key;  ///< Its name in files, with its unit.
   Band ArrayPlan::*band;
   Range range;  ///< What it can be.
+  bool isInFirstVersions = true;
 };
 /// All of them, in the order of the files.
 std::span<const PlanQuantity> planQuantities();

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// What a plan's bands are called, in one place for its files, figures, report and the window.
+
+#include <string>
+
+#include "perilymph/planning/Plan.h"
+
+namespace perilymph::planning {
+
+/// Expected percentage of insertions to come between the low and the high of a band of so many
+/// simulations: 90 from 19 on; below, the extremes of n hold (n - 1) / (n + 1).
+int percentHeld(std::size_t draws);
+
+/// What the bands of a plan hold and what they hold fixed: "90 % at friction 0.12", or "90 % at
+/// friction 0.24 to 0.59" where it depends on the speed; "90 % at one friction" for a plan.json that
+/// does not state it.
+std::string bandsHold(const Plan& plan);
+
+}  // namespace perilymph::planning

@@ -38,7 +38,7 @@ protected:
   ProgramOutcome whole(const std::vector<std::string>& arguments)
   {
     const auto begin = Clock::now();
-    const auto outcome = cli(arguments);
+    const auto outcome = run(fewDrawsCall(arguments));
     duration_ = Clock::now() - begin;
     return outcome;
   }
@@ -46,7 +46,7 @@ protected:
   void kill(const std::vector<std::string>& arguments)
   {
     const double part = std::uniform_real_distribution<double>(0.0, 1.0)(random_);
-    ChildProcess(cliCall(arguments))
+    ChildProcess(fewDrawsCall(arguments))
         .wait(std::chrono::duration_cast<std::chrono::milliseconds>(part * duration_));
   }
   std::string place(const std::string& name) const { return folder_ / name; }
@@ -80,7 +80,7 @@ TEST_F(KilledPrograms, ContinueAPlanAndAStudyToTheSameBytes)
       const std::string name = command[0] + std::to_string(i);
       kill(into(name));
       kill(into(name));  // the second one continues the first
-      const auto again = cli(into(name));
+      const auto again = run(fewDrawsCall(into(name)));
       ASSERT_EQ(again.status, 0) << again.err;
       const auto found = contentsOf(place(name));
       // SQLite counts the transactions of the files that a program continues

@@ -70,7 +70,7 @@ std::string contradictionIn(const planning::PlannedInsertion& planned, Force str
                           std::to_string(planned.draw) + ", " + haptics::nameOf(found.end) +
                           " at " + std::to_string(inMillimeters(found.depth)) + " mm, partition " +
                           std::to_string(inMillinewtons(found.partition)) + " of " +
-                          std::to_string(inMillinewtons(strength)) + " mN, at rest " +
+                          std::to_string(inMillinewtons(strength)) + " mN, end force " +
                           std::to_string(inMillinewtons(found.endForce)) + " mN: ";
   const auto isInside = [](const analysis::ContactPosition& each) { return each.isInserted; };
   const auto inside = std::count_if(found.contacts.begin(), found.contacts.end(), isInside);

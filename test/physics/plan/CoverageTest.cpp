@@ -106,7 +106,7 @@ TEST(Bands, AreComparedWithTheTruthInEveryPatient)
     ASSERT_NE(truth->end, haptics::InsertionEnd::refused) << i << ": " << truth->reason;
     const planning::ArrayPlan& array = plan->arrays.front();
     const double angle_deg = inDegrees(truth->apical), peak_mN = inMillinewtons(truth->peak),
-                 partition_mN = inMillinewtons(truth->membrane);
+                 partition_mN = inMillinewtons(truth->partition);
     angle.take(angle_deg, array.angle_deg);
     peak.take(peak_mN, array.peak_mN);
     partition.take(partition_mN, array.partition_mN);

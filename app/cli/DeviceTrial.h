@@ -21,8 +21,8 @@ struct TrialOutcome {
   double stiffness = 0.0;  ///< Maximum stiffness of the coupling at 1 kHz [N/m]; 0 without force.
   /// Damping that a handle needs for this stiffness and the shipped damping to be passive [N.s/m].
   double passiveHandleDamping = 0.0;
-  int axes = 0;            ///< Number of axes that render a force.
-  double greatest = 0.0;   ///< Intended maximum force of the test [N].
+  int axes = 0;                                     ///< Number of axes that render a force.
+  double greatest = 0.0;                            ///< Intended maximum force of the test [N].
   std::array<haptics::ForceTrial::Axis, 3> forces;  ///< Results of the axes.
   /// A sentence: why the force was not tested on every axis; empty if it was.
   std::string untested;

@@ -6,6 +6,7 @@
 #include <complex>
 #include <cstdio>
 
+#include "perilymph/foundation/Math.h"
 #include "perilymph/haptics/SampleValidator.h"
 
 namespace perilymph::haptics {
@@ -52,8 +53,8 @@ double passiveHandleDamping(double stiffness, double damping, double delay, doub
     const Complex smoothing = fraction / (1.0 - (1.0 - fraction) * back);
     const Complex law = (stiffness + damping * smoothing * (1.0 - back) / timeStep) *
                         std::polar(1.0, -turn * delay / timeStep);
-    needed =
-        std::max(needed, 0.5 * timeStep * ((1.0 - back) * law).real() / (1.0 - std::cos(turn)));
+    needed = std::max(
+        needed, 0.5 * timeStep * ((1.0 - back) * law).real() / (1.0 - sineCosine(turn).cosine));
   }
   return needed;
 }

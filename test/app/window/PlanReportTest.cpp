@@ -14,33 +14,24 @@
 #include <fstream>
 #include <iterator>
 #include <regex>
-#include <system_error>
 
+#include "PlanReportRig.h"
 #include "SyntheticPlan.h"
 #include "gui/parts/UserSettings.h"
 #include "gui/report/PlanReportPdf.h"
 #include "gui/report/ReportIssuer.h"
-#include "perilymph/ct/CtVolume.h"
 #include "perilymph/foundation/AtomicFile.h"
-#include "perilymph/foundation/Sha256.h"
 #include "perilymph/foundation/Version.h"
 #include "perilymph/planning/PlanReport.h"
 #include "perilymph/test/ChildProcess.h"
-#include "perilymph/test/DicomWriter.h"
 #include "perilymph/test/Places.h"
 #include "perilymph/test/TemporaryFolder.h"
 
 namespace perilymph::test {
 namespace {
 
-namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::Not;
-
-std::string textOf(const fs::path& pdf)
-{
-  return run({"pdftotext", {"-layout", pdf.string(), "-"}, {}, {}}).out;
-}
 
 std::size_t countImages(const fs::path& pdf)
 {
@@ -82,45 +73,6 @@ std::string percent(const QJsonObject& chances, const char* key)
                     .arg(number(chance[QLatin1String("value")], 0, 100.0),
                          number(interval[0], 0, 100.0), number(interval[1], 0, 100.0)));
 }
-
-class PlanReportPdf : public testing::Test {
-protected:
-  void SetUp() override
-  {
-    try {
-      run({"pdftotext", {"-v"}, {}, {}});
-    } catch (const std::system_error&) {
-      GTEST_SKIP() << "Install the package poppler-utils.";
-    }
-  }
-  void TearDown() override { gui::UserSettings().remove(QStringLiteral("report")); }
-
-  /// Writes a plan's folder.
-  void store(const planning::Plan& plan)
-  {
-    const auto json = planning::planJson(plan);
-    ASSERT_TRUE(json) << json.error().message;
-    std::ofstream(folder_ / "plan.json") << *json;
-  }
-
-  /// The program, called where there is no display.
-  ProgramOutcome report(const fs::path& plan, const fs::path& file) const
-  {
-    return run(callOf(plan, file));
-  }
-  static ProgramCall callOf(const fs::path& plan, const fs::path& file)
-  {
-    ProgramCall call;
-    call.program = programFolder() / "perilymph";
-    call.arguments = {"--plan", plan.string(), "--report", file.string(), "--language", "en"};
-    call.environment = {{"DISPLAY", std::nullopt}, {"XDG_RUNTIME_DIR", std::nullopt}};
-    return call;
-  }
-
-  fs::path pdf() const { return folder_ / "plan.pdf"; }
-
-  TemporaryFolder folder_;
-};
 
 TEST_F(PlanReportPdf, StatesTheNumbersOfThePlanFileWithoutADisplay)
 {
@@ -272,138 +224,6 @@ TEST_F(PlanReportPdf, CarriesInstitutionAndLogoOfTheSettings)
   EXPECT_FALSE(gui::readLogo(QString::fromStdString(logo.string())));
   EXPECT_TRUE(gui::writePlanReport(*content, pdf()));  // without the logo
   EXPECT_EQ(countImages(pdf()), before);
-}
-
-TEST_F(PlanReportPdf, IsHeldByADicomObject)
-{
-  store(syntheticPlan(8));
-  const fs::path file = folder_ / "plan.dcm";
-  ASSERT_EQ(report(folder_.path(), file).status, 0);
-  std::ifstream stream(file, std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
-  EXPECT_EQ(bytes.substr(128, 4), "DICM");
-  EXPECT_THAT(bytes, HasSubstr("%PDF-"));
-  EXPECT_THAT(bytes, HasSubstr("P-17"));
-}
-
-/// Two slices of a series in a study.
-void writeCt(const fs::path& folder, const std::string& series)
-{
-  Eigen::Matrix4d lps = Eigen::Matrix4d::Identity();
-  lps.topLeftCorner<3, 3>() *= 0.3;
-  const auto volume = ct::CtVolume::make({4, 4, 2}, lps, std::vector<std::int16_t>(32, 7), {});
-  ASSERT_TRUE(volume) << volume.error().message;
-  auto slices = dicomSlices(*volume, series);
-  for (DicomData& slice : slices) slice.setText(0x0020000D, "UI", "1.2.840.99");
-  writeDicomFiles(slices, folder);
-}
-
-TEST_F(PlanReportPdf, BecomesPartOfTheStudyInWhichItsPatientWasMeasuredAndOfNoOther)
-{
-  planning::Plan plan = syntheticPlan(8);
-  Sha256 series;
-  series.add(std::string_view("1.2.840.99.1"));
-  plan.request.patient.origin.seriesKey = series.hex();
-  store(plan);
-  writeCt(folder_ / "own", "1.2.840.99.1");
-  writeCt(folder_ / "other", "1.2.840.99.2");
-  const fs::path file = folder_ / "plan.dcm";
-  const auto into = [&](const char* ct, const std::vector<std::string>& more = {}) {
-    ProgramCall call = callOf(folder_.path(), file);
-    call.arguments.insert(call.arguments.end(), {"--ct", (folder_ / ct).string()});
-    call.arguments.insert(call.arguments.end(), more.begin(), more.end());
-    return run(call);
-  };
-  for (const std::vector<std::string>& more : {std::vector<std::string>(), {"--ct-not-compared"}}) {
-    const auto other = into("other", more);
-    EXPECT_EQ(other.status, 1);
-    EXPECT_THAT(other.err, HasSubstr("is not the CT in which this was measured"));
-    EXPECT_FALSE(fs::exists(file));
-  }
-  EXPECT_EQ(into("own").status, 0);
-  EXPECT_TRUE(fs::exists(file));
-
-  // As of an earlier version: nobody vouches for the series that it states.
-  fs::remove(file);
-  std::string text = *readWhole(folder_ / "plan.json");
-  const auto format = text.find("\"format\": 2");
-  const auto seal = text.find(",\n  \"content_sha256\"");
-  ASSERT_TRUE(format != std::string::npos && seal != std::string::npos);
-  text.erase(seal, text.find('\n', seal + 2) - seal);
-  text.replace(format, 11, "\"format\": 1");
-  const std::string program = "Perilymph " + version();
-  std::ofstream(folder_ / "plan.json")
-      << text.replace(text.find(program), program.size(), "Perilymph 0.2.0");
-  const auto unsealed = into("own");
-  EXPECT_EQ(unsealed.status, 1);
-  EXPECT_THAT(unsealed.err, HasSubstr("carries no seal"));
-  EXPECT_FALSE(fs::exists(file));
-  EXPECT_EQ(into("own", {"--ct-not-compared"}).status, 0);
-
-  fs::remove(file);
-  plan.request.patient.origin.seriesKey.clear();
-  store(plan);
-  const auto unknown = into("own");
-  EXPECT_EQ(unknown.status, 1);
-  EXPECT_THAT(unknown.err, HasSubstr("add --ct-not-compared"));
-  EXPECT_FALSE(fs::exists(file));
-  EXPECT_EQ(into("own", {"--ct-not-compared"}).status, 0);
-}
-
-TEST_F(PlanReportPdf, OfAPlanThatWasChangedByHandSaysSoAndIsFiledNowhere)
-{
-  planning::Plan plan = syntheticPlan(8);
-  plan.fingerprint = std::string(64, 'f');
-  store(plan);
-  ASSERT_EQ(report(folder_.path(), pdf()).status, 0);
-  EXPECT_THAT(textOf(pdf()), HasSubstr(std::string(16, 'f')));
-  std::string text = *readWhole(folder_ / "plan.json");
-  const auto place = text.find("\"side\": \"right\"");
-  ASSERT_NE(place, std::string::npos);
-  std::ofstream(folder_ / "plan.json")
-      << std::string(text).replace(place, 15, "\"side\": \"left\"");
-  ASSERT_EQ(report(folder_.path(), pdf()).status, 0);
-  EXPECT_THAT(textOf(pdf()), HasSubstr("changed by hand"));
-  EXPECT_THAT(textOf(pdf()), Not(HasSubstr(std::string(16, 'f'))));
-  writeCt(folder_ / "ct", "1.2.840.99.1");
-  ProgramCall call = callOf(folder_.path(), folder_ / "plan.dcm");
-  call.arguments.insert(call.arguments.end(),
-                        {"--ct", (folder_ / "ct").string(), "--ct-not-compared"});
-  const auto filed = run(call);
-  EXPECT_EQ(filed.status, 1);
-  EXPECT_THAT(filed.err, HasSubstr("was changed by hand"));
-  // a side that is none
-  std::ofstream(folder_ / "plan.json") << text.replace(place, 15, "\"side\": \"lefs\"");
-  const auto refused = report(folder_.path(), pdf());
-  EXPECT_EQ(refused.status, 1);
-  EXPECT_THAT(refused.err, HasSubstr("side is \"lefs\"; it must be right or left"));
-}
-
-TEST_F(PlanReportPdf, OfMeasuresThatWereChangedByHandSaysSoAndIsFiledNowhere)
-{
-  planning::Plan plan = syntheticPlan(8);
-  Sha256 series;
-  series.add(std::string_view("1.2.840.99.1"));
-  plan.request.patient.origin = {"perilymph 0.3.0", series.hex(), "", "RW"};
-  plan.request.patient.seal = Seal::changed;
-  store(plan);
-  ASSERT_EQ(report(folder_.path(), pdf()).status, 0);
-  const std::string text = textOf(pdf());
-  EXPECT_THAT(text, HasSubstr("were changed by hand after the program wrote them"));
-  EXPECT_THAT(text, HasSubstr("Cochlea, measures changed by hand"));
-  EXPECT_THAT(text, HasSubstr("none: the measures were changed"));
-  EXPECT_THAT(text, Not(HasSubstr("perilymph 0.3.0")));
-  EXPECT_THAT(text, Not(HasSubstr("CT measurements")));
-  writeCt(folder_ / "ct", "1.2.840.99.1");
-  for (const bool isCompared : {true, false}) {
-    ProgramCall call = callOf(folder_.path(), folder_ / "plan.dcm");
-    call.arguments.insert(call.arguments.end(), {"--ct", (folder_ / "ct").string()});
-    if (!isCompared) call.arguments.emplace_back("--ct-not-compared");
-    const auto filed = run(call);
-    EXPECT_EQ(filed.status, 1);
-    EXPECT_THAT(filed.err, HasSubstr("is of measures that were changed by hand"));
-    EXPECT_FALSE(fs::exists(folder_ / "plan.dcm"));
-  }
 }
 
 TEST_F(PlanReportPdf, RefusesInOneLineWhatItCannotReport)

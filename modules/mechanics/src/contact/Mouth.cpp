@@ -2,11 +2,12 @@
 #include "contact/Mouth.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
+#include <vector>
 
 #include "contact/Contact.h"
 #include "perilymph/anatomy/ScalaTympani.h"
+#include "perilymph/foundation/Math.h"
 
 namespace perilymph::mechanics {
 
@@ -38,8 +39,8 @@ double mouthRadiusOf(const anatomy::Lumen& lumen)
   for (double step = 0.2e-3; step > 0.1e-6;) {
     const Eigen::Vector2d before = best;
     for (int k = 0; k < 8; ++k) {
-      const double turn = 0.25 * pi * k;
-      const Eigen::Vector2d at = before + step * Eigen::Vector2d(std::cos(turn), std::sin(turn));
+      const SineCosine turn = sineCosine(0.25 * pi * k);
+      const Eigen::Vector2d at = before + step * Eigen::Vector2d(turn.cosine, turn.sine);
       if (const double there = distance(at); there > radius) {
         radius = there;
         best = at;

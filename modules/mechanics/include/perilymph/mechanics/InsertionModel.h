@@ -148,9 +148,9 @@ struct InsertionModel {
   std::vector<double> wallStiffness;   ///< At each node [N/m].
   std::vector<double> wallTangential;  ///< At each node [N/m].
   std::optional<MembranePlace> membrane;  ///< Region where the wall is soft.
-  double mouthRadius =
-      0.0;  ///< Of the largest circle in the lumen behind the opening [m]; infinite
-            ///< where no part of the array is thicker.
+  /// Radius of the largest circle in the lumen behind the opening [m]; infinite where no part of the
+  /// array is thicker.
+  double mouthRadius = 0.0;
   PartitionRange partitionRange;                    ///< Where the roof is the cochlear partition.
   std::shared_ptr<const PartitionModel> partition;  ///< If it can rupture; else null.
   std::optional<PassageModel> passage;              ///< Passage of the opening, if it has a length.

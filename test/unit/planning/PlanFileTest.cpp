@@ -187,7 +187,7 @@ TEST(RowOfAPlan, OutOfWhatIsPossibleIsRefusedByItsName)
       {"\"peak\":0.001", "\"peak\":2.5", "the peak force is 2500 mN"},
       {"\"apical\":", "\"apical\":9", "the angle is"},
       {"\"a_mm\":9.", "\"a_mm\":99.", "a_mm is 99.001"},
-      {"\"membrane\":0.001", "\"membrane\":-0.001", "the force on the partition"},
+      {"\"partition\":0.001", "\"partition\":-0.001", "the force on the partition"},
       {"\"depth\":0.02", "\"depth\":2.0", "the depth is 2000 mm"},
       {"\"end\":\"finished\"", "\"end\":\"finishes\"", "its end has no known name"},
       {"\"profile_force\":[0.001", "\"profile_force\":[1e9", "a force is"}};

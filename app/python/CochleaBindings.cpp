@@ -126,11 +126,15 @@ struct LumenPlace {
 LumenPlace placeIn(const ScalaTympani& scala, const Eigen::Vector3d& point_W)
 {
   constexpr double anywhere = 1.0;  // [m]: however far the wall is
+  const anatomy::Entry entry = scala.entry();
+  // in front of the opening only the inside of a later turn is a place in the lumen
+  const bool isInFront = (entry.origin_W - point_W).dot(entry.out_W) < 0.0;
   LumenPlace place;
   const auto look = [&](anatomy::LumenTrack track) {
     anatomy::WallPoint wall;
     scala.nearestWall({&point_W, 1}, {&anywhere, 1}, {&track, 1}, {&wall, 1});
     if (!wall.isNear || wall.distance <= place.distance) return;
+    if (isInFront && wall.distance < 0.0) return;
     place = {wall.distance, track.inLeadIn ? 0.0 : track.angle, wall.normal_W};
   };
   const double r = std::hypot(point_W.x(), point_W.y());

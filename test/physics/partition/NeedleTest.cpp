@@ -207,7 +207,7 @@ TEST(PartitionUnderANeedle, GivesAHandNothingInLoopsThroughTheRupture)
       needle.move(0.15e-3 * up_W);
       needle.move(-0.8e-3 * in_W);
       needle.move(-0.5e-3 * up_W);
-      EXPECT_GT(needle.maximum, 0.4e-6);
+      EXPECT_GT(needle.maximum, 0.3e-6);  // the loop loads the partition
       EXPECT_GT(needle.work, -test::tolerance(0.02, "trapezoids") * needle.maximum) << loop;
       // once the edges hold, nothing but damping is lost
       if (loop > 0) {

@@ -83,7 +83,8 @@ void GridLumen::nearestWall(std::span<const Eigen::Vector3d> points_W,
 
 bool GridLumen::track(const Eigen::Vector3d& point_W, LumenTrack& track) const noexcept
 {
-  if (!(behindOpening(entry_, point_W, track) >= 0.0)) {  // outside or NaN
+  const double behind = behindOpening(entry_, point_W, track);
+  if (!(behind >= 0.0) || !point_W.allFinite()) {  // outside or not finite
     track = LumenTrack{};
     return false;
   }

@@ -1840,6 +1840,10 @@
         <translation>%1 würde größer als 4 MiB. Kürzen Sie die Notizen, oder entfernen Sie Aufnahmen.</translation>
     </message>
     <message>
+        <source>%1 is empty: the program that began it ended before it wrote anything. Delete it.</source>
+        <translation>%1 ist leer: Das Programm, das die Datei angelegt hat, endete, bevor es etwas schrieb. Löschen Sie sie.</translation>
+    </message>
+    <message>
         <source>%1 is not a recording; an exported patient has nothing else there. Remove it.</source>
         <translation>%1 ist keine Aufzeichnung; ein exportierter Patient hat dort nichts anderes. Entfernen Sie die Datei.</translation>
     </message>

@@ -54,6 +54,9 @@ constexpr const char* results[] = {
                       "%1 holds notes on a patient of this code and ear whose file is "
                       "missing; an import does not replace it. Rename it first."),
     QT_TRANSLATE_NOOP("Data", "%1 would be larger than 4 MiB. Shorten the notes or remove scans."),
+    QT_TRANSLATE_NOOP("Data",
+                      "%1 is empty: the program that began it ended before it wrote anything. "
+                      "Delete it."),
     QT_TRANSLATE_NOOP(
         "Data", "%1 is not a recording; an exported patient has nothing else there. Remove it."),
     QT_TRANSLATE_NOOP("Data", "%1 cannot be imported: %2"),

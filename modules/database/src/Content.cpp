@@ -112,6 +112,9 @@ Result<Done> Database::Content::check(const FileKind& kind)
   const int code = sqlite3_errcode(database.get());
   if (code == SQLITE_NOTADB || code == SQLITE_CORRUPT || watch->wasStopped)
     return error(sqlite3_errmsg(database.get()));
+  if (pragma(database.get(), "PRAGMA page_count") == 0)
+    return Error{file.string() + " is empty: the program that began it ended before it wrote " +
+                 "anything. Delete it."};
   if (application != kind.applicationId)
     return Error{file.string() + " is not " + kind.name + ". " + kind.choice};
   version = pragma(database.get(), "PRAGMA user_version");

@@ -143,8 +143,8 @@ Error Database::readingError(const std::string& reason) const { return content_-
 
 std::string creationOf(const FileKind& kind)
 {
-  std::string sql = "PRAGMA application_id=" + std::to_string(kind.applicationId) +
-                    "; PRAGMA user_version=" + std::to_string(kind.newestVersion) + "; BEGIN;";
+  std::string sql = "BEGIN; PRAGMA application_id=" + std::to_string(kind.applicationId) +
+                    "; PRAGMA user_version=" + std::to_string(kind.newestVersion) + ";";
   for (const std::string& table : kind.tables) sql += table + ';';
   for (const std::string& view : kind.views) sql += view + ';';
   return sql;

@@ -79,7 +79,7 @@ TEST(PerilymphCall, TheLastInsertionIsComparedWithTheFirstAfterTheGivenTicks)
   const TemporaryFolder folder;
   const auto scenario = folder / "short.toml";
   std::ofstream(scenario) << "anatomy = \"published\"\narray = \"contour\"\n"
-                             "stop_travel_mm = 4.0\nspeed_mm_s = 2\n";
+                             "stop_travel_mm = 12.0\nspeed_mm_s = 2\n";
   const auto outcome =
       perilymph({"--scenario", scenario.string(), "--measure-frames", "--ticks", "2000"});
   EXPECT_EQ(outcome.status, 0) << outcome.err;

@@ -2311,6 +2311,10 @@
         <translation>Weiche Auskleidung der Wand</translation>
     </message>
     <message>
+        <source>Depth over which the wall stiffens behind the opening</source>
+        <translation>Tiefe, über die die Wand hinter der Öffnung steifer wird</translation>
+    </message>
+    <message>
         <source>Delay of the section&apos;s reach at an oval wall</source>
         <translation>Verzögerung der Reichweite eines ovalen Querschnitts</translation>
     </message>

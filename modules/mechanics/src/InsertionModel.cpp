@@ -116,6 +116,9 @@ void check(const ModelParts& parts)
           "The wall's delay for oval sections is " +
               std::to_string(inMilliseconds(parts.wall.sectionDelay)) +
               " ms; it must be 0 to 100 ms.");
+  require(parts.wall.edge.si() >= 0.0 && inMillimeters(parts.wall.edge) <= 5.0,
+          "The wall's edge behind the opening is " +
+              std::to_string(inMillimeters(parts.wall.edge)) + " mm long; it must be 0 to 5 mm.");
   if (parts.membrane)
     require(parts.membrane->perSamplePoint.si() > 0.0 &&
                 parts.membrane->perSamplePoint <= parts.wall.perSamplePoint &&

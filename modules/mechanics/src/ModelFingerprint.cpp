@@ -10,6 +10,8 @@ namespace {
 // Raised whenever the solver gives the same rod other bits: 3 since a step predicts its end by the trend
 // of the velocities.
 constexpr int rodSolver = 3;
+// The same of the forceps' hold: 2 since a node takes the mean of it over its segment.
+constexpr int hold = 2;
 
 // Each of these functions names all members of its type, so that it does not compile once a member
 // is added.
@@ -79,13 +81,14 @@ void add(Hash& hash, const FrictionLaw& law)
 
 void add(Hash& hash, const WallLaw& law)
 {
-  const auto& [perSamplePoint, tangentialPerSamplePoint, lining, rim, sectionDelay] = law;
+  const auto& [perSamplePoint, tangentialPerSamplePoint, lining, rim, sectionDelay, edge] = law;
   add(hash, perSamplePoint);
   add(hash, tangentialPerSamplePoint);
   add(hash, lining);
-  // recordings of before have neither
+  // recordings of before have none of them
   if (rim) add(hash, *rim);
   if (sectionDelay.si() > 0.0) hash.add(sectionDelay.si());
+  if (edge.si() > 0.0) add(hash, edge);
 }
 
 void add(Hash& hash, const MembraneLaw& law)
@@ -151,7 +154,10 @@ std::uint64_t fingerprintOf(const InsertionModel& model)
   add(hash, approachTilt);
   add(hash, approachTurn);
   // recordings of before have none
-  if (freeLength) add(hash, *freeLength);
+  if (freeLength) {
+    add(hash, *freeLength);
+    hash.add(hold);
+  }
   if (strength.si() > 0.0) add(hash, strength);
   hash.add(kind);
   if (kind == ModelKind::points) add(hash, *hapticSurface);

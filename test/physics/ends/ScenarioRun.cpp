@@ -36,24 +36,27 @@ public:
       const double half = std::min(model_.halfWithin[i], model_.halfAcross[i]);
       const double depth = isBeside ? inside : half - walls_[i].distance;
       run.penetration = std::max(run.penetration, depth);
-      run.unexplained = std::max(run.unexplained, depth - yielded(state, i));
+      const double part = std::min(inside / std::max(model_.parts.wall.edge.si(), 1e-9), 1.0);
+      const double stiffness = (isBeside ? 1.0 : part * part) * model_.wallStiffness[i];
+      run.unexplained = std::max(run.unexplained, depth - yielded(state, i, stiffness));
     }
   }
 
 private:
-  /// Depth at which bone and membrane, in parallel, bear the force on a node.
-  double yielded(const mechanics::InsertionState& state, std::size_t i) const
+  /// Depth at which bone and membrane, in parallel, bear the force on a node, where the wall's full
+  /// stiffness or that of its edge is given [N/m].
+  double yielded(const mechanics::InsertionState& state, std::size_t i, double stiffness) const
   {
     const mechanics::ModelParts& parts = model_.parts;
     const double force = state.normalForce[i], lining = parts.wall.lining.si();
-    if (!model_.membrane) return force / model_.wallStiffness[i] + lining;
+    if (!model_.membrane) return force / stiffness + lining;
     const double onMembrane =
         model_.membrane
             ->fractionAt(state.position_W[i], model_.radius[i], state.track[i], walls_[i].normal_W)
             .fraction;
-    const double bone = (1.0 - onMembrane) * model_.wallStiffness[i];
-    const double membrane = onMembrane * model_.wallStiffness[i] *
-                            (parts.membrane->perSamplePoint / parts.wall.perSamplePoint);
+    const double bone = (1.0 - onMembrane) * stiffness;
+    const double membrane =
+        onMembrane * stiffness * (parts.membrane->perSamplePoint / parts.wall.perSamplePoint);
     // the membrane hardens: without that, it would yield more
     double low = 0.0, high = force / (bone + membrane);
     for (int k = 0; k < 50; ++k) {
@@ -128,6 +131,7 @@ ScenarioRun runScenario(const std::string& name, const session::Overrides& chang
               },
               session::maxTicks((*insertion)->parameters(), model));
   run.depth = last.depth;
+  run.angle = last.angularDepth;
   run.end = ran ? endOf(last) : haptics::InsertionEnd::fault;
   if (!ran) run.error = ran.error().message;
   return run;

@@ -19,6 +19,7 @@ struct ScenarioRun {
   double work = 0.0;            ///< Work of the hand over the whole run [J].
   double deepest = 0.0;         ///< Maximum depth of the tip [m].
   double depth = 0.0;           ///< At the end [m].
+  double angle = 0.0;           ///< Angular insertion depth at the end [rad].
   double lowestTweezers = 1.0;  ///< Minimum height of the tweezers above the opening's plane [m].
   double penetration = 0.0;     ///< Maximum depth of the array in bone [m].
   /// The same, less what the compliance of bone and membrane explains [m].

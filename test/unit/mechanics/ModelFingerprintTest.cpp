@@ -232,6 +232,7 @@ TEST(ModelFingerprint, ChangesWithEveryLawAndSetting)
        {"tangential wall stiffness", [](Parts& p) { nudge(p.wall.tangentialPerSamplePoint); }},
        {"lining of the wall", [](Parts& p) { nudge(p.wall.lining); }},
        {"delay of oval sections", [](Parts& p) { p.wall.sectionDelay = milliseconds(7); }},
+       {"edge of the wall", [](Parts& p) { p.wall.edge = millimeters(0.5); }},
        {"rim stiffness", [](Parts& p) { p.wall.rim = newtonsPerMeter(500); }},
        {"presence of a membrane", [](Parts& p) { p.membrane.reset(); }},
        {"membrane stiffness", [](Parts& p) { nudge(p.membrane->perSamplePoint); }},

@@ -68,6 +68,16 @@ SymmetricBlock<double> asBlock(const Eigen::Matrix3d& m) noexcept
   return {m(0, 0), m(0, 1), m(0, 2), m(1, 1), m(1, 2), m(2, 2)};
 }
 
+/// Fraction of its stiffness with which the wall acts on a node at a depth behind the opening. What an
+/// array that is too thick for the duct pays there: Mouth.h.
+double wallFraction(double inside, const InsertionModel& model) noexcept
+{
+  const double edge = model.parts.wall.edge.si();
+  if (!(edge > 0.0)) return std::clamp(inside / model.spacing, 0.0, 1.0);
+  const double part = std::clamp(inside / edge, 0.0, 1.0);
+  return part * part;
+}
+
 /// Normal force of the wall on a node near it, if they touch.
 void normalContact(const InsertionModel& model, InsertionState& state, const RodKinematics& rod,
                    std::size_t i, ContactSet& contacts, TouchingNode& touching) noexcept
@@ -87,10 +97,8 @@ void normalContact(const InsertionModel& model, InsertionState& state, const Rod
   if (penetration <= 0.0) return;
   const double onset = model.parts.wall.lining.si();
 
-  // Behind the opening the wall sets in over one node spacing, so that a node passing the edge does
-  // not hit it abruptly. What an array that is too thick for the duct pays there: Mouth.h.
-  const double inside = anatomy::behindOpening(model.entry, at_W, state.track[i]);
-  const double fraction = std::clamp(inside / model.spacing, 0.0, 1.0);
+  const double fraction =
+      wallFraction(anatomy::behindOpening(model.entry, at_W, state.track[i]), model);
   NormalForce push = normalForce(penetration, fraction * model.wallStiffness[i], onset);
   Eigen::Vector3d& force_W = state.wallForce_W[i];
   state.membraneForce[i] = wall.onMembrane ? push.force : 0.0;

@@ -19,6 +19,21 @@ PERILYMPH_IN_LANES Triple<T> everywhere(const Eigen::Vector3d& v) noexcept
   return {T{} + v[0], T{} + v[1], T{} + v[2]};
 }
 
+/// The weight of the hold at a height above the free length, and its integral from there.
+template <class T>
+struct Onset {
+  T weight, integral;
+};
+
+template <class T>
+PERILYMPH_IN_LANES Onset<T> onsetAt(const T& above) noexcept
+{
+  const T s = smaller(larger(above / onset, 0.0), 1.0);
+  const T square = s * s;
+  return {square * (3.0 - 2.0 * s),
+          onset * (square * s * (1.0 - 0.5 * s)) + larger(above - onset, 0.0)};
+}
+
 /// Adds the force of the forceps on a node, or on four, and returns it: zero within the free length.
 template <class T>
 PERILYMPH_IN_LANES Triple<T> pushOn(std::size_t i, const InsertionModel& model,
@@ -26,12 +41,12 @@ PERILYMPH_IN_LANES Triple<T> pushOn(std::size_t i, const InsertionModel& model,
                                     const std::vector<double>& height, GuideLine& guide,
                                     std::vector<Eigen::Vector3d>& force_W) noexcept
 {
-  const double perNode = holdStiffness * model.spacing;
   const Triple<T> axis = everywhere<T>(guide.axis_W);
   const T above = load<T>(height, i) - model.parts.freeLength->si();
-  const T s = smaller(larger(above / onset, 0.0), 1.0);
-  const T stiffness = perNode * (s * s * (3.0 - 2.0 * s));
-  const T slope = perNode * (6.0 * s * (1.0 - s) / onset);  // by the height
+  const Onset<T> upper = onsetAt(T{above + 0.5 * model.spacing});
+  const Onset<T> lower = onsetAt(T{above - 0.5 * model.spacing});
+  const T stiffness = holdStiffness * (upper.integral - lower.integral);
+  const T slope = holdStiffness * (upper.weight - lower.weight);  // by the height
   const Triple<T> from = load<T>(position_W, i) - everywhere<T>(guide.origin_W);
   const Triple<T> aside = from - dot(from, axis) * axis;
   const T up = -0.5 * slope * dot(aside, aside);

@@ -30,9 +30,11 @@ void setGuide(const Drive& drive, const Eigen::Vector3d& base_W, GuideLine& guid
 /// again. Continuous in place of these strokes, the energy of a node at the height z above the
 /// opening and the distance d from the line is
 ///
-///     E = k h w(z) d^2 / 2    w = 0 below the free length L, 1 above L + 0.5 mm, smooth between
+///     E = k h w d^2 / 2
 ///
-/// with the node spacing h. Along the line the array slides freely: all axial force is the base's.
+/// with the node spacing h and the mean w over its segment, h long, of a weight that is 0 below the
+/// free length, 1 from 0.5 mm above it and smooth between: with the weight of the node itself, the free
+/// length would be longer by up to h. Along the line the array slides freely: all axial force is the base's.
 /// Without a free length it adds nothing.
 ///
 /// @param height  Of each node above the opening [m].

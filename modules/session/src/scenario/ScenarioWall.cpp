@@ -7,7 +7,7 @@ namespace {
 
 constexpr const char* stiffnessKey = "wall_stiffness_N_m";
 constexpr const char* wallKeys[] = {stiffnessKey, "wall_lining_mm", "rim_stiffness_N_m",
-                                    "wall_section_delay_ms"};
+                                    "wall_section_delay_ms", "wall_edge_mm"};
 
 }  // namespace
 
@@ -44,6 +44,7 @@ void readWall(ScenarioKeys& keys, TomlReader& reader, const std::string& patient
       "wall_tangential_stiffness_N_m", {10.0, 10'000.0}, usual.tangentialPerSamplePoint.si()));
   wall.sectionDelay = milliseconds(
       keys.number("wall_section_delay_ms", {0.0, 100.0}, inMilliseconds(usual.sectionDelay)));
+  wall.edge = millimeters(keys.number("wall_edge_mm", {0.0, 5.0}, inMillimeters(usual.edge)));
   // Recordings of before have no key: their rim is as stiff as their wall.
   wall.rim = newtonsPerMeter(keys.number("rim_stiffness_N_m", {10.0, 50'000.0},
                                          usual.rim.value_or(wall.perSamplePoint).si()));

@@ -50,6 +50,10 @@ struct WallLaw {
   /// oval array rattles there by millinewtons. 5 to 100 ms give the same forces within 1 % (choice,
   /// low).
   Duration sectionDelay = milliseconds(5.0);
+  /// Depth behind the opening over which the wall gets as stiff as it is, as the square of the depth;
+  /// 0: over one node spacing, linearly, so that each node that passes the opening is pushed aside in
+  /// its own way.
+  Length edge = millimeters(0.0);
 
   Stiffness rimStiffness() const { return rim.value_or(perSamplePoint); }
   /// Penetration over which the forces of rim and membrane set in, which no lining covers.
@@ -62,13 +66,16 @@ struct WallLaw {
 /// silicone of the carrier and the lining yield: 2,000 to 7,000 N/m under a sample point at forces
 /// of 8 to 100 mN, up to k. Stiffness and thickness are choices (low). The mean modulus of the
 /// lining over a contact of 0.13 mm by 1.83 mm, fully compressed, is k t / (2 area) = 3.4 MPa.
-/// Along the wall and at the rim it is as published.
+/// Along the wall and at the rim it is as published. The edge, a choice (low), is as long as three
+/// nodes of a plan lie apart: with it an array in front of the opening buckles at the same angle with
+/// 50 to 400 nodes (guide, `clinical.md`); half of it moves that angle by 12 degrees.
 constexpr WallLaw boneWall()
 {
   WallLaw wall;
   wall.perSamplePoint = newtonsPerMeter(20'000.0);
   wall.lining = millimeters(0.08);
   wall.rim = newtonsPerMeter(441.0);
+  wall.edge = millimeters(1.0);
   return wall;
 }
 

@@ -836,6 +836,10 @@
         <translation>Die Form der Cochlea ist die mittlere, skaliert auf A, B und H; Querschnitte, Verlauf der Mittellinie und Außenwand schwanken entlang der Windungen wie in wenigen gemessenen Ohren. Umriss und Neigung der Querschnitte sind die mittleren.</translation>
     </message>
     <message>
+        <source>The force on the partition is the sum on the basilar membrane, as former versions computed it: not the force that ruptures.</source>
+        <translation>Die Kraft auf die Trennwand ist die Summe auf der Basilarmembran, wie frühere Versionen sie berechneten: nicht die Kraft, bei der sie reißt.</translation>
+    </message>
+    <message>
         <source>Insertions have fewer nodes and longer steps than the scenario: their median angle is up to %1 degrees smaller.</source>
         <translation>Die Insertionen haben weniger Knoten und längere Schritte als das Szenario: Ihr medianer Winkel ist bis zu %1 Grad kleiner.</translation>
     </message>

@@ -146,6 +146,9 @@ constexpr const char* shipped[] = {
                       "course of the center line and outer wall vary along it as in few measured "
                       "ears. Outline and tilt of the sections are those of the mean."),
     QT_TRANSLATE_NOOP("Data",
+                      "The force on the partition is the sum on the basilar membrane, as former "
+                      "versions computed it: not the force that ruptures."),
+    QT_TRANSLATE_NOOP("Data",
                       "Insertions have fewer nodes and longer steps than the scenario: their "
                       "median angle is up to %1 degrees smaller."),
     QT_TRANSLATE_NOOP("Data",

@@ -248,6 +248,11 @@ Result<StoredPlan> planIn(const std::string& text, const std::string& name)
     StoredPlan stored = storedIn(json);
     stored.plan.seal = sealIn(text, format >= planFormat, stored.program);
     if (stored.plan.seal == Seal::changed) stored.plan.fingerprint.clear();
+    if (stored.plan.seal == Seal::absent)
+      stored.limits.emplace_back(
+          "The force on the partition is the sum on the basilar membrane, as former versions "
+          "computed "
+          "it: not the force that ruptures.");
     return stored;
   } catch (const Unreadable& error) {
     return refused(error.what());

@@ -196,6 +196,11 @@ TEST(StoredPlan, OfAnEarlierVersionCarriesNoSealAndKeepsItsNumber)
   ASSERT_TRUE(stored) << stored.error().message;
   EXPECT_EQ(stored->plan.seal, Seal::absent);
   EXPECT_EQ(stored->plan.fingerprint, "0123");
+  // its force on the partition is another one, and so it says
+  const auto now = planning::planIn(writtenPlan(), "plan.json");
+  ASSERT_TRUE(now) << now.error().message;
+  ASSERT_EQ(stored->limits.size(), now->limits.size() + 1);
+  EXPECT_THAT(stored->limits.back(), HasSubstr("not the force that ruptures"));
 }
 
 TEST(StoredPlan, AbsentHasTheSentenceOfTheFile)

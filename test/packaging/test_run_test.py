@@ -14,7 +14,7 @@ from pretended import PretendedSystem  # noqa: E402
 SCRIPT = "test/run"
 COUNT = "100% tests passed, 0 tests failed out of 3"
 CASES = "30 passed, 0 failed, 2 skipped"
-HOURS = ["robust", "soak", "ends", "anatomy", "ct", "ears", "headers", "hidstack", "results"]
+HOURS = ["robust", "soak", "ends", "anatomy", "ct", "ears", "headers", "hidstack", "cases", "results"]
 
 
 class TestRun(PretendedSystem):

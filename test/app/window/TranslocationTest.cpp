@@ -90,7 +90,7 @@ TEST_F(ATranslocation, IsSeenInEveryViewOfItsReplay)
     return replay.now().isAbove.any();
   }));
   rig.pressKey(Qt::Key_L);
-  const QString known = QStringLiteral("translocation: partition ruptured at 59° by 42 mN");
+  const QString known = QStringLiteral("translocation: partition ruptured at 57° by 42 mN");
   EXPECT_TRUE(WindowRig::comes([&] {
     return rig.window().findChild<gui::ForceLabel*>()->accessibleName().contains(known);
   }));

@@ -36,8 +36,10 @@ public:
       const double half = std::min(model_.halfWithin[i], model_.halfAcross[i]);
       const double depth = isBeside ? inside : half - walls_[i].distance;
       run.penetration = std::max(run.penetration, depth);
-      const double part = std::min(inside / std::max(model_.parts.wall.edge.si(), 1e-9), 1.0);
-      const double stiffness = (isBeside ? 1.0 : part * part) * model_.wallStiffness[i];
+      // at the edge behind the opening the wall is softer
+      const double edge = isBeside ? 0.0 : model_.parts.wall.edge.si();
+      const double part = inside < edge ? inside / edge : 1.0;
+      const double stiffness = part * part * model_.wallStiffness[i];
       run.unexplained = std::max(run.unexplained, depth - yielded(state, i, stiffness));
     }
   }

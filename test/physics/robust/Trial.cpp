@@ -160,7 +160,11 @@ private:
       const double penetration = state_.isBeside[i] != 0 ? inside : half - walls_[i].distance;
       findings_.deepest = std::max(findings_.deepest, penetration);
       if (setting_.hasSoftMembrane) continue;
-      const double explained = state_.normalForce[i] / model_.wallStiffness[i] + onset;
+      // at the edge behind the opening the wall is softer
+      const double edge = state_.isBeside[i] != 0 ? 0.0 : model_.parts.wall.edge.si();
+      const double part = inside < edge ? inside / edge : 1.0;
+      const double stiffness = part * part * model_.wallStiffness[i];
+      const double explained = state_.normalForce[i] / stiffness + onset;
       findings_.unexplained = std::max(findings_.unexplained, penetration - explained);
     }
   }

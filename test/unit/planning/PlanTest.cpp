@@ -38,7 +38,6 @@ protected:
     request_.arrays = {"flex24", "hifocus-slimj"};
     request_.resolution = planning::Resolution{30, milliseconds(10)};
     request_.draws = 3;
-    request_.resolution = planning::Resolution{50, milliseconds(5)};
   }
   std::filesystem::path draws() const { return folder_.path() / "draws.sqlite"; }
 

@@ -8,7 +8,7 @@
 namespace perilymph::test {
 
 /// Changes of the scenario surgery-flex28: a Contour with its stylet in, tilted upward. With 0.042 N
-/// it goes through at 59 degrees; with 0 N the partition holds.
+/// it goes through at 57 degrees; with 0 N the partition holds.
 inline session::Overrides contourFromBelow(const char* strength_N = "0.042")
 {
   return {{"array", "contour"},

@@ -7,6 +7,9 @@
 #include <charconv>
 #include <set>
 
+#include "perilymph/foundation/AtomicFile.h"
+#include "perilymph/test/TemporaryFolder.h"
+
 namespace perilymph::study {
 namespace {
 
@@ -106,6 +109,46 @@ TEST(Study, SamplesRangesOverAllCochleaeTheSameForEveryCombination)
     EXPECT_LE(written, 2.0);
   }
   EXPECT_EQ(speeds.size(), 3u);  // a stratum for each cochlea
+}
+
+TEST(Study, SaysOfWhichPatientsTheMeasuresWereChangedAndThenWhichHaveNoSeal)
+{
+  const test::TemporaryFolder folder;
+  const auto keep = [&folder](const std::string& name, const std::string& software,
+                              const std::string& from = "", const std::string& to = "") {
+    anatomy::Patient patient;
+    patient.label = name;
+    patient.basalTurn = anatomy::BasalTurn{millimeters(9.2), millimeters(6.8), std::nullopt};
+    patient.origin.software = software;
+    std::string text = patientText(patient);
+    if (!from.empty()) text.replace(text.find(from), from.size(), to);
+    ASSERT_TRUE(writeWhole(folder / (name + ".toml"), text));
+  };
+  const std::string seal = std::string(sealKey) + " = ";
+  keep("intact", "perilymph 0.3.0");
+  keep("older", "perilymph 0.2.0", seal, "# ");
+  keep("typed", "", seal, "# ");
+  keep("resized", "perilymph 0.3.0", "9.2", "9.3");
+  keep("unsealed", "perilymph 0.3.0", seal, "# ");
+  const auto study = parseStudy(R"(
+title = "Five patients"
+scenario = "mean-flex28"
+[cochleae]
+patients = ["intact.toml", "older.toml", "typed.toml", "resized.toml", "unsealed.toml"]
+)",
+                                folder / "study.toml");
+  ASSERT_TRUE(study) << study.error().message;
+  const auto begins = [](const char* text) { return testing::StartsWith(text); };
+  EXPECT_THAT(study->notes(),
+              testing::ElementsAre(begins("The measures of resized were changed by hand"),
+                                   begins("The measures of unsealed were changed by hand"),
+                                   begins("The measures of older carry no seal")));
+  std::vector<std::string> names;
+  for (const StudyCochlea& each : study->cochleae()) names.push_back(each.name);
+  EXPECT_THAT(names, testing::ElementsAre("intact.toml", "older.toml", "typed.toml",
+                                          "resized.toml (measures changed by hand)",
+                                          "unsealed.toml (measures changed by hand)"));
+  EXPECT_TRUE(study->parametersOf(study->caseAt(3))) << "the file keeps its name";
 }
 
 TEST(Study, HasCasesThatAreWrittenOut)

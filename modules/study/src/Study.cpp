@@ -90,7 +90,7 @@ private:
 
 Result<Study> StudyReader::read()
 {
-  study_.title_ = reader_.text("title");
+  study_.title_ = onOneLine(reader_.text("title"));
   scenario_ = reader_.text("scenario");
   study_.seed_ = static_cast<std::uint64_t>(reader_.integer("seed", 0, 1'000'000'000, 1));
   static constexpr std::array depths{Choice<bool>{true, "full"}, Choice<bool>{false, "scenario"}};

@@ -77,7 +77,7 @@ std::optional<StudyFileFacts> factsIn(SealedFacts found)
   const auto cases = count("cases"), first = count("first"), end = count("end");
   if (!cases || !first || !end || *first > *end || *end > *cases || *cases > maxCases)
     return std::nullopt;
-  StudyFileFacts facts{found["title"],
+  StudyFileFacts facts{onOneLine(found["title"]),
                        found["study"],
                        found[session::fingerprintFact],
                        found[session::programFact],

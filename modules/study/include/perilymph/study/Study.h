@@ -45,7 +45,7 @@ struct StudyRange {
 /// combination.
 class Study {
 public:
-  const std::string& title() const noexcept { return title_; }
+  const std::string& title() const noexcept { return title_; }  ///< One line.
   /// The study's file, line by line as read.
   const std::string& text() const noexcept { return text_; }
   /// SHA-256 of the text and of all files it names, 64 hexadecimal digits.

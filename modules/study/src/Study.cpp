@@ -129,6 +129,7 @@ Result<Done> StudyReader::readCochleae()
     if (!content) return error("[cochleae] patients: " + content.error().message);
     const auto patient = anatomy::loadPatient(place);
     if (!patient) return error("[cochleae] " + name + ": " + patient.error().message);
+    hash_.add(std::uint64_t{content->size()});  // no line of one file counts as of the next
     hash_.add(*content);
     study_.files_[fs::absolute(place)];
     study_.cochleae_.push_back(

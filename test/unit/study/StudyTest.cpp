@@ -199,10 +199,9 @@ TEST(Study, BoundsItsCombinationsBeforeItMakesThem)
   const std::string head =
       "title = \"x\"\nscenario = \"mean-flex28\"\n[cochleae]\nmean = true\n[vary]\n";
   // the smallest first: without a bound the others take all memory
-  for (const std::string& text :
-       {list("speed_mm_s", 101) + cases(100), list("speed_mm_s", 10'001), cases(10'001),
-        list("speed_mm_s", 3000) + list("dt_ms", 300),
-        list("speed_mm_s", 3000) + list("dt_ms", 300) + cases(200)})
+  for (const std::string& text : {list("speed_mm_s", 101) + cases(100), list("speed_mm_s", 10'001),
+                                  cases(10'001), list("speed_mm_s", 3000) + list("dt_ms", 300),
+                                  list("speed_mm_s", 3000) + list("dt_ms", 300) + cases(200)})
     ASSERT_THAT(refusal(head + text), testing::AllOf(HasSubstr("10000"), HasSubstr("ivide")))
         << text.substr(0, 60);
   EXPECT_TRUE(read(head + list("speed_mm_s", 20) + cases(5)));
@@ -226,6 +225,22 @@ TEST(Study, RefusesWhatItCannotRunInOneSentence)
   EXPECT_THAT(refusal("title = \"x\"\nscenario = \"none-such\"\n[cochleae]\nmean = true\n"),
               HasSubstr("none-such"));
   EXPECT_THAT(refusal(text + "[cochleae2]\n"), HasSubstr("cochleae2"));
+}
+
+TEST(Study, HasAnotherFingerprintIfALineMovesToTheNextPatient)
+{
+  const test::TemporaryFolder folder;
+  const auto fingerprintOf = [&folder](const std::string& first, const std::string& second) {
+    EXPECT_TRUE(writeWhole(folder / "1.toml", first) && writeWhole(folder / "2.toml", second));
+    const auto study = parseStudy(
+        "title = \"Two\"\nscenario = \"mean-flex28\"\n[cochleae]\npatients = [\"1.toml\", "
+        "\"2.toml\"]\n",
+        folder / "study.toml");
+    EXPECT_TRUE(study) << study.error().message;
+    return study->fingerprint();
+  };
+  const std::string one = "a_mm = 9.2\nb_mm = 6.8\n", ear = "side = \"left\"\n";
+  EXPECT_NE(fingerprintOf(one + ear, one), fingerprintOf(one, ear + one));
 }
 
 TEST(Study, HasATitleOfOneLine)

@@ -73,6 +73,23 @@ Result<study::Shard> shardIn(const study::Study& study, const StudyOptions& opti
   return study::shardOf(study.size(), options.index, options.shards);
 }
 
+/// Says on standard error what there is to say of a study's patients.
+void printNotesOn(const std::vector<std::string>& patients)
+{
+  for (const std::string& note : patients) printError("{}\n", note);
+}
+
+/// Merges the parts in a folder. @return what is said of their patients.
+Result<std::vector<std::string>> mergeParts(const StudyOptions& options)
+{
+  const auto merged = study::mergeShards(options.folder);
+  if (!merged) return merged.error();
+  const std::filesystem::path folder(options.folder);
+  print("{} insertions\n{}\n{}\n", merged->cases, (folder / study::mergedFile).string(),
+        (folder / study::mergedTable).string());
+  return merged->notes;
+}
+
 /// Runs a shard with progress. An interruption is an error that says what was kept.
 Result<Done> runPart(const study::Study& study, const study::Shard& shard,
                      const StudyOptions& options)
@@ -87,6 +104,13 @@ Result<Done> runPart(const study::Study& study, const study::Shard& shard,
 
 }  // namespace
 
+Result<study::Study> readStudy(const StudyOptions& options)
+{
+  auto study = study::loadStudy(options.file);
+  if (study) printNotesOn(study->notes());
+  return study;
+}
+
 Result<Done> checkStudyFolder(const std::string& folder)
 {
   const auto states = study::shardsIn(folder);  // none where there is no folder yet
@@ -95,7 +119,7 @@ Result<Done> checkStudyFolder(const std::string& folder)
 
 Result<Done> checkStudy(const StudyOptions& options)
 {
-  const auto study = study::loadStudy(options.file);
+  const auto study = readStudy(options);
   if (!study) return study.error();
   print("{}: {} insertions, {} cochleae with {} each\n", study->title(), study->size(),
         study->cochleae().size(), study->casesPerCochlea());
@@ -138,16 +162,17 @@ Result<Done> checkStudy(const StudyOptions& options)
 
 Result<Done> runWholeStudy(const StudyOptions& options)
 {
-  const auto study = study::loadStudy(options.file);
+  const auto study = readStudy(options);
   if (!study) return study.error();
   const auto done = runPart(*study, study::shardOf(study->size(), 1, 1), options);
   if (!done) return done;
-  return mergeStudy(options);
+  const auto merged = mergeParts(options);
+  return merged ? Result<Done>(Done{}) : merged.error();
 }
 
 Result<Done> runStudyShard(const StudyOptions& options)
 {
-  const auto study = study::loadStudy(options.file);
+  const auto study = readStudy(options);
   if (!study) return study.error();
   const auto shard = shardIn(*study, options);
   if (!shard) return shard.error();
@@ -161,11 +186,9 @@ Result<Done> runStudyShard(const StudyOptions& options)
 
 Result<Done> mergeStudy(const StudyOptions& options)
 {
-  const auto count = study::mergeShards(options.folder);
-  if (!count) return count.error();
-  const std::filesystem::path folder(options.folder);
-  print("{} insertions\n{}\n{}\n", *count, (folder / study::mergedFile).string(),
-        (folder / study::mergedTable).string());
+  const auto notes = mergeParts(options);
+  if (!notes) return notes.error();
+  printNotesOn(*notes);
   return Done{};
 }
 
@@ -177,6 +200,7 @@ Result<Done> reportStudy(const StudyOptions& options, const CallFiles& files)
   const auto report = study::reportOf(*file);
   if (!report) return report.error();
   if (const std::string note = noteOn(file->facts().seal); !note.empty()) print("{}\n", note);
+  printNotesOn(file->facts().notes);
   FolderContent content;
   content.texts = {{"report.md", report->text}};
   for (const auto& [name, figure] : report->figures)
@@ -196,7 +220,10 @@ Result<Done> showStudyStatus(const StudyOptions& options)
       print("{}\n", state.error);
       continue;
     }
-    if (first == nullptr) first = &state;
+    if (first == nullptr) {
+      first = &state;
+      printNotesOn(state.notes);
+    }
     if (state.fingerprint != first->fingerprint || state.cases != first->cases) {
       print("{} is of another study than {}\n", state.file.filename().string(),
             first->file.filename().string());

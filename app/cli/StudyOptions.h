@@ -2,6 +2,7 @@
 #pragma once
 
 #include "perilymph/foundation/Result.h"
+#include "perilymph/study/Study.h"
 
 namespace CLI {
 class App;
@@ -17,6 +18,10 @@ struct StudyOptions;
 void addStudy(CLI::App& app, FileOptions& files, StudyOptions& options);
 /// Runs the one that was given.
 Result<Done> runStudy(const CLI::App& study, const CallFiles& files, const StudyOptions& options);
+
+/// Reads the study of a call, and says on standard error which of its patients' measures were changed
+/// by hand or carry no seal.
+Result<study::Study> readStudy(const StudyOptions& options);
 
 /// Checks, before the work, that a study's folder has no files of other origin that a merge would
 /// replace.

@@ -69,7 +69,7 @@ Error after(const std::vector<std::string>& jobs, const Error& error)
 
 Result<Done> submitStudy(const StudyOptions& options)
 {
-  const auto study = study::loadStudy(options.file);
+  const auto study = readStudy(options);
   if (!study) return study.error();
   study::SlurmRequest request;
   std::error_code problem;

@@ -79,6 +79,14 @@ void defineStudy(py::module_& module)
           "program "
           "wrote it).")
       .def_property_readonly(
+          "notes",
+          [](const StudyColumns& one) {
+            std::vector<py::str> notes;
+            for (const std::string& note : one.facts().notes) notes.push_back(textOf(note));
+            return notes;
+          },
+          "A sentence for each patient whose measures were changed by hand or carry no seal.")
+      .def_property_readonly(
           "program", [](const StudyColumns& one) { return textOf(one.facts().program); },
           "Version of the program that ran it.")
       .def(

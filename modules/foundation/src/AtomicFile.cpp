@@ -125,14 +125,13 @@ public:
     if (how.audience != Audience::owner && ::lstat(place.c_str(), &older) == 0 &&
         S_ISREG(older.st_mode))
       ::chmod(path_.c_str(), older.st_mode & 07777);
-    if (how.existing == Existing::refused) {
-      // A second name fails where there is a file; the first one is removed afterwards.
-      if (::link(path_.c_str(), place.c_str()) != 0) return errno;
-      return 0;
-    }
-    if (::rename(path_.c_str(), place.c_str()) != 0) return errno;
-    isKept_ = true;
-    return 0;
+    int failure = 0;
+    if (how.existing == Existing::refused)
+      failure = giveNewName(path_, place);
+    else if (::rename(path_.c_str(), place.c_str()) != 0)
+      failure = errno;
+    isKept_ = failure == 0;
+    return failure;
   }
 
 private:

@@ -16,7 +16,7 @@ namespace perilymph {
 
 namespace {
 
-constexpr std::chrono::milliseconds patience{2000}, pause{10};
+constexpr std::chrono::milliseconds patience{2000}, pause{1};
 
 /// Whether a descriptor is of the file that has this name now: whoever held the lock before may have
 /// removed it.

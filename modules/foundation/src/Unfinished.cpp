@@ -69,6 +69,17 @@ fs::path unfinishedPath(const fs::path& target)
                                  std::to_string(number++) + ".part" + target.extension().string());
 }
 
+int giveNewName(const fs::path& unfinished, const fs::path& target) noexcept
+{
+  if (::renameat2(AT_FDCWD, unfinished.c_str(), AT_FDCWD, target.c_str(), RENAME_NOREPLACE) == 0)
+    return 0;
+  if (errno != EINVAL) return errno;
+  // A file system without this flag: a second name fails, too, where there is a file.
+  if (::link(unfinished.c_str(), target.c_str()) != 0) return errno;
+  ::unlink(unfinished.c_str());
+  return 0;
+}
+
 void removeLeftovers(const fs::path& folder) noexcept
 {
   try {

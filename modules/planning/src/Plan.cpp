@@ -61,6 +61,13 @@ bool isSamePatient(const anatomy::Patient& stored, const anatomy::Patient& patie
          (!one.h || isSame(*one.h, *other.h));
 }
 
+/// Whether a plan.json is of a request that is kept beside it.
+bool isOf(const PlanRequest& stored, const PlanRequest& request)
+{
+  return isSamePatient(stored.patient, request.patient) && stored.scenario == request.scenario &&
+         stored.friction == request.friction && stored.seed == request.seed;
+}
+
 }  // namespace
 
 Result<Done> checkDraws(std::size_t draws)
@@ -110,8 +117,7 @@ Result<Plan> viewPlan(const PlanRequest& request, const std::filesystem::path& d
       (!stored->plan.fingerprint.empty() && stored->plan.fingerprint != fingerprint))
     return Error{"The plan.json beside " + draws.string() +
                  " is of another plan. Make the plan again."};
-  if (stored->plan.seal == Seal::changed ||
-      !isSamePatient(stored->plan.request.patient, request.patient))
+  if (stored->plan.seal == Seal::changed || !isOf(stored->plan.request, request))
     plan.seal = Seal::changed;
   if (plan.seal != Seal::changed) plan.fingerprint = fingerprint;
   plan.thresholds = stored->plan.thresholds;

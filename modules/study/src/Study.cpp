@@ -9,6 +9,7 @@
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/foundation/Sha256.h"
 #include "perilymph/foundation/TomlReader.h"
+#include "perilymph/foundation/Utf8.h"
 #include "perilymph/session/Csv.h"
 #include "perilymph/session/InsertionParameters.h"
 
@@ -52,6 +53,13 @@ std::string textOf(const session::Overrides& overrides)
   return text.empty() ? "the scenario as it is" : text;
 }
 
+std::string hashOf(const std::string& content)
+{
+  Sha256 hash;
+  hash.add(content);
+  return hash.hex();
+}
+
 }  // namespace
 
 /// Reads and checks the text of a study.
@@ -82,7 +90,7 @@ private:
 
 Result<Study> StudyReader::read()
 {
-  study_.title_ = reader_.text("title");
+  study_.title_ = onOneLine(reader_.text("title"));
   scenario_ = reader_.text("scenario");
   study_.seed_ = static_cast<std::uint64_t>(reader_.integer("seed", 0, 1'000'000'000, 1));
   static constexpr std::array depths{Choice<bool>{true, "full"}, Choice<bool>{false, "scenario"}};
@@ -114,14 +122,24 @@ Result<Done> StudyReader::readCochleae()
   for (long i = 1; i <= drawn; ++i)
     study_.cochleae_.push_back({"virtual " + std::to_string(i), "", static_cast<std::uint64_t>(i)});
   if (!table.has("patients")) return Done{};
+  std::vector<std::string> unsealed;
   for (const std::string& name : table.values("patients")) {
     const fs::path place = file_.parent_path() / name;
     const auto content = readWhole(place);
     if (!content) return error("[cochleae] patients: " + content.error().message);
+    const auto patient = anatomy::loadPatient(place);
+    if (!patient) return error("[cochleae] " + name + ": " + patient.error().message);
+    hash_.add(std::uint64_t{content->size()});  // no line of one file counts as of the next
     hash_.add(*content);
-    study_.cochleae_.push_back({name, fs::absolute(place).string(), 0});
+    study_.files_[fs::absolute(place)];
+    study_.cochleae_.push_back(
+        {patient->seal == Seal::changed ? name + " (measures changed by hand)" : name,
+         fs::absolute(place).string(), 0});
     ++patients_;
+    if (const std::string note = onOneLine(noteOn(*patient)); !note.empty())
+      (patient->seal == Seal::changed ? study_.notes_ : unsealed).push_back(note);
   }
+  study_.notes_.insert(study_.notes_.end(), unsealed.begin(), unsealed.end());
   return Done{};
 }
 
@@ -202,7 +220,13 @@ Result<Done> StudyReader::checkCombinations()
                    "' has another anatomy than \"mean\", which mean "
                    "and virtual cochleae have. Name another scenario, or patients.");
     hash_.add(scenario->text());
+    for (const fs::path& named : scenario->files()) study_.files_[named];
     study_.scenarios_.push_back(*std::move(scenario));
+  }
+  for (auto& [named, hash] : study_.files_) {
+    const auto content = readWhole(named);
+    if (!content) return content.error();
+    hash = hashOf(*content);
   }
   const std::size_t count = study_.cochleae_.size() * study_.samples_;
   for (std::size_t i = 0; i < study_.ranges_.size(); ++i)
@@ -215,6 +239,19 @@ Result<Done> StudyReader::checkCombinations()
     if (study_.cochleae_[i].patient.empty()) continue;
     if (const auto found = study_.parametersOf(study_.caseAt(i * study_.casesPerCochlea())); !found)
       return error("[cochleae] " + study_.cochleae_[i].name + ": " + found.error().message);
+  }
+  return Done{};
+}
+
+Result<Done> Study::checkFiles() const
+{
+  for (const auto& [named, hash] : files_) {
+    const auto content = readWhole(named);
+    if (!content) return content.error();
+    if (hashOf(*content) != hash)
+      return Error{named.string() +
+                   " was changed while the study ran. The results before are kept: put the file "
+                   "back to continue, or run the study into another folder."};
   }
   return Done{};
 }

@@ -4,10 +4,12 @@
 #include <charconv>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <sstream>
 
 #include "StudyViews.h"
 #include "perilymph/analysis/PhysicalRanges.h"
 #include "perilymph/foundation/Choice.h"
+#include "perilymph/foundation/Utf8.h"
 #include "perilymph/foundation/Version.h"
 
 namespace perilymph::study {
@@ -47,15 +49,19 @@ std::optional<session::Overrides> settingsIn(const std::string& text)
   return settings;
 }
 
+constexpr const char* notesFact = "notes";
+
 SealedFacts sealedOf(const StudyFileFacts& facts)
 {
-  return {{"title", facts.title},
-          {"study", facts.text},
-          {session::fingerprintFact, facts.fingerprint},
-          {session::programFact, facts.program},
-          {"cases", std::to_string(facts.cases)},
-          {"first", std::to_string(facts.first)},
-          {"end", std::to_string(facts.end)}};
+  SealedFacts sealed = {{"title", facts.title},
+                        {"study", facts.text},
+                        {session::fingerprintFact, facts.fingerprint},
+                        {session::programFact, facts.program},
+                        {"cases", std::to_string(facts.cases)},
+                        {"first", std::to_string(facts.first)},
+                        {"end", std::to_string(facts.end)}};
+  for (const std::string& note : facts.notes) sealed[notesFact] += note + '\n';
+  return sealed;
 }
 
 /// The facts of a file; nothing if it does not say which insertions it is for.
@@ -71,13 +77,16 @@ std::optional<StudyFileFacts> factsIn(SealedFacts found)
   const auto cases = count("cases"), first = count("first"), end = count("end");
   if (!cases || !first || !end || *first > *end || *end > *cases || *cases > maxCases)
     return std::nullopt;
-  return StudyFileFacts{found["title"],
-                        found["study"],
-                        found[session::fingerprintFact],
-                        found[session::programFact],
-                        *cases,
-                        *first,
-                        *end};
+  StudyFileFacts facts{onOneLine(found["title"]),
+                       found["study"],
+                       found[session::fingerprintFact],
+                       found[session::programFact],
+                       *cases,
+                       *first,
+                       *end};
+  std::istringstream notes(found[notesFact]);
+  for (std::string note; std::getline(notes, note);) facts.notes.push_back(onOneLine(note));
+  return facts;
 }
 
 InsertionRows rowsOf(const StudyResult& result)
@@ -230,7 +239,8 @@ const session::InsertionTableKind& studyKind()
 
 StudyFileFacts factsOf(const Study& study, std::size_t first, std::size_t end)
 {
-  return {study.title(), study.text(), study.fingerprint(), buildId(), study.size(), first, end};
+  return {study.title(), study.text(), study.fingerprint(), buildId(), study.size(),
+          first,         end,          study.notes()};
 }
 
 Result<StudyFile> StudyFile::openToContinue(const fs::path& file, const StudyFileFacts& facts)

@@ -117,13 +117,19 @@ Result<Done> readAll(const std::vector<StudyFile>& files,
   return Done{};
 }
 
-/// Writes the merged file under a name that does not exist.
-Result<Done> writeMerged(const std::vector<StudyFile>& files, const fs::path& file)
+/// Facts of the file that these together give.
+StudyFileFacts factsOfAll(const std::vector<StudyFile>& files)
 {
   StudyFileFacts facts = files.front().facts();
   facts.first = 0;
   facts.end = facts.cases;
-  auto merged = StudyFile::openToContinue(file, facts);
+  return facts;
+}
+
+/// Writes the merged file under a name that does not exist.
+Result<Done> writeMerged(const std::vector<StudyFile>& files, const fs::path& file)
+{
+  auto merged = StudyFile::openToContinue(file, factsOfAll(files));
   if (!merged) return merged.error();
   std::vector<StudyResult> rows;
   const auto flush = [&]() -> Result<Done> {
@@ -164,6 +170,7 @@ Result<std::vector<ShardState>> shardsIn(const fs::path& folder)
       state.done = outline->second;
       state.cases = outline->first.cases;
       state.fingerprint = outline->first.fingerprint;
+      state.notes = outline->first.notes;
     }
     states.push_back(state);
   }
@@ -173,7 +180,7 @@ Result<std::vector<ShardState>> shardsIn(const fs::path& folder)
   return states;
 }
 
-Result<std::size_t> mergeShards(const fs::path& folder)
+Result<StudyFileFacts> mergeShards(const fs::path& folder)
 {
   std::error_code failure;
   if (!fs::is_directory(folder, failure))
@@ -217,7 +224,7 @@ Result<std::size_t> mergeShards(const fs::path& folder)
   if (!written) return written.error();
   if (problem)
     return Error{(folder / mergedFile).string() + " cannot be written: " + problem.message() + "."};
-  return files->front().facts().cases;
+  return factsOfAll(*files);
 }
 
 }  // namespace perilymph::study

@@ -233,13 +233,14 @@ Result<StudyReport> reportOf(const StudyFile& file)
   const StudyEvaluation study(std::move(results));
 
   const std::string number = file.facts().fingerprint.substr(0, 16);
-  const std::string note = noteOn(file.facts().seal);
+  std::string notes;
+  if (const std::string note = noteOn(file.facts().seal); !note.empty()) notes += note + "\n\n";
+  for (const std::string& note : file.facts().notes) notes += note + "\n\n";
   StudyReport report;
   report.text =
       "# " + file.facts().title + "\n\n" + std::to_string(study.results().size()) +
       " insertions: " + textOf(endingsOf(study)) + ". Perilymph " + file.facts().program +
-      (number.empty() ? std::string() : ", study " + number) + ".\n\n" +
-      (note.empty() ? std::string() : note + "\n\n") +
+      (number.empty() ? std::string() : ", study " + number) + ".\n\n" + notes +
       "For research and training; not a medical device. Depths, forces and rates are those "
       "of the model; an insertion\nthat did not finish counts in the rate of full "
       "insertions and in nothing else.\n\n" +

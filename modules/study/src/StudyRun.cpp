@@ -171,6 +171,7 @@ Result<bool> runShard(const Study& study, const Shard& shard, const fs::path& fo
     });
     if (isStopped) return false;
     if (!ran) return ran.error();
+    if (const auto same = study.checkFiles(); !same) return same.error();
     if (const auto added = file->append(results); !added) return added.error();
     first = end;
   }

@@ -3,6 +3,7 @@
 #include <future>
 
 #include "Cli.h"
+#include "perilymph/anatomy/Patient.h"
 
 namespace perilymph::test {
 namespace {
@@ -114,6 +115,50 @@ TEST_F(Studies, AreReportedWithFigures)
   for (const char* name : {"angle.svg", "peak-force.svg"})
     EXPECT_THAT(contentOf(fs::path(out("whole")) / name), testing::HasSubstr("<svg"));
   expectRefusal(cli({"study", "report", out("none")}), "study.sqlite");
+}
+
+TEST_F(Studies, OfMeasuresThatWereChangedByHandSaySoInEveryCommandAndEveryRow)
+{
+  anatomy::Patient patient;
+  patient.label = "P-017";
+  patient.basalTurn = anatomy::BasalTurn{millimeters(9.2), millimeters(6.8), std::nullopt};
+  patient.origin = {"perilymph 0.3.0", std::string(64, 'a'), "", "RW"};
+  const fs::path measures = out("p.toml");
+  ASSERT_TRUE(anatomy::savePatient(patient, measures));
+  std::string text(study);
+  text.replace(text.find("virtual = 1"), 11, "patients = [\"p.toml\"]");
+  std::ofstream(file()) << text;
+  const auto intact = cli({"study", "run", file(), "--out", out("intact")});
+  ASSERT_EQ(intact.status, 0) << intact.err;
+  EXPECT_EQ(intact.err, "");
+  EXPECT_THAT(contentOf(out("intact/insertions.csv")), testing::HasSubstr("\n3,p.toml,"));
+
+  std::string changed = contentOf(measures);
+  changed.replace(changed.find("9.2"), 3, "9.6");
+  std::ofstream(measures) << changed;
+  const char* sentence =
+      "The measures of P-017 were changed by hand after the program wrote them. Do not use them as "
+      "measured in a CT.\n";
+  const std::string folder = out("changed");
+  for (const std::vector<std::string>& call :
+       {std::vector<std::string>{"study", "check", file()},
+        {"study", "submit", file(), "--shards", "2", "--out", folder, "--dry-run"},
+        {"study", "shard", file(), "--index", "1", "--of", "2", "--out", folder},
+        {"study", "shard", file(), "--index", "2", "--of", "2", "--out", folder},
+        {"study", "status", folder},
+        {"study", "merge", folder},
+        {"study", "report", folder},
+        {"study", "run", file(), "--out", out("whole")}}) {
+    const auto outcome = cli(call);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, sentence) << call[1];
+  }
+  EXPECT_THAT(contentOf(folder + "/report.md"), testing::HasSubstr(sentence));
+  const auto rows = linesOf(folder + "/insertions.csv");
+  ASSERT_EQ(rows.size(), 5u);
+  EXPECT_EQ(rows[2].substr(0, 7), "1,mean,");
+  for (const std::size_t row : {3, 4})
+    EXPECT_THAT(rows[row], testing::HasSubstr(",p.toml (measures changed by hand),"));
 }
 
 TEST_F(Studies, SayWhatIsWrongWithTheCall)

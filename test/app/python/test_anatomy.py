@@ -139,3 +139,50 @@ def test_a_patient_s_text_reads_back_as_the_patient(tmp_path):
 def test_a_rare_measure_is_told():
     assert perilymph.Patient(a_mm=9.2, b_mm=6.9).unusual() == []
     assert any("A is 10.3 mm" in sentence for sentence in perilymph.Patient(a_mm=10.3, b_mm=6.9).unusual())
+
+
+def values(patient):
+    return (patient.label, patient.side, patient.a_mm, patient.b_mm, patient.h_mm,
+            patient.a_sd_mm, patient.b_sd_mm, patient.h_sd_mm)
+
+
+def test_a_patient_s_seal_breaks_with_any_byte_that_changes_a_value(tmp_path):
+    patient = perilymph.Patient(a_mm=9.2, b_mm=6.9, h_mm=4.0, a_sd_mm=0.15, b_sd_mm=0.15, side="left", label="P-017")
+    assert patient.seal == "intact"
+    file = tmp_path / "p.toml"
+    file.write_text(patient.text())
+    read = perilymph.read_patient(file)
+    assert read.seal == "intact" and values(read) == values(patient)
+    changed = 0
+    for place in range(len(patient.text())):
+        for byte in b"18#":
+            content = bytearray(patient.text(), "ascii")
+            content[place] = byte
+            file.write_bytes(content)
+            try:
+                other = perilymph.read_patient(file)
+            except perilymph.Error:
+                continue
+            assert other.seal == "changed" or values(other) == values(patient), bytes(content)
+            changed += other.seal == "changed"
+    assert changed > 150  # most of the seal's 64 digits, and those of the values
+
+
+def test_a_changed_patient_stays_changed_in_text_plan_and_cochlea(tmp_path):
+    file = tmp_path / "p.toml"
+    file.write_text(perilymph.Patient(a_mm=9.2, b_mm=6.9).text().replace("9.2", "9.3"))
+    changed = perilymph.read_patient(file)
+    assert (changed.seal, changed.a_mm) == ("changed", pytest.approx(9.3))
+    file.write_text(changed.text())
+    assert perilymph.read_patient(file).seal == "changed"
+    assert perilymph.Cochlea(changed).patient.seal == "changed"
+    assert perilymph.plan(changed, ["flex24"], samples=1).patient.seal == "changed"
+
+
+def test_a_patient_of_an_earlier_version_has_no_seal(tmp_path):
+    file = tmp_path / "p.toml"
+    for program, seal in (("perilymph 0.2.0", "absent"), ("Other 7.1", "absent"), ("perilymph 0.3.0", "changed")):
+        file.write_text(f'a_mm = 9.2\nb_mm = 6.9\nmeasured_with = "{program}"\n')
+        assert perilymph.read_patient(file).seal == seal, program
+    file.write_text("a_mm = 9.2\nb_mm = 6.9\n")  # by a person
+    assert perilymph.read_patient(file).seal == "absent"

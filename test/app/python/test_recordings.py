@@ -114,7 +114,7 @@ def test_a_study_has_a_row_for_every_insertion(study_folder):
     assert set(columns["cochlea"]) == {"mean", "virtual 1"}
     assert set(columns["stop_travel_mm"]) == {"3"}  # a setting with one value, as its text
     assert (columns["speed_mm_s"] >= 0.5).all() and (columns["speed_mm_s"] <= 2.0).all()
-    assert len(study.fingerprint) == 64
+    assert len(study.fingerprint) == 64 and study.notes == []
     assert STUDY.strip().splitlines()[0] in study.text
 
 
@@ -125,6 +125,19 @@ def test_a_study_s_columns_are_those_of_its_table(study_folder):
     for name in ("angle_deg", "depth_mm", "peak_mN"):
         assert columns[name] == pytest.approx([float(row[name]) for row in rows], rel=1e-5), name
     assert list(columns["ending"]) == [row["ending"] for row in rows]
+
+
+def test_a_study_of_measures_that_were_changed_by_hand_says_so(cli, tmp_path):
+    text = perilymph.Patient(a_mm=9.2, b_mm=6.9, label="P-017").text()
+    (tmp_path / "p.toml").write_text(text.replace("9.2", "9.3"))
+    (tmp_path / "study.toml").write_text(
+        'title = "One"\nscenario = "mean-flex28"\ndepth = "scenario"\n[cochleae]\npatients = ["p.toml"]\n'
+        "[vary]\nnodes = [20]\ndt_ms = [10.0]\nstop_travel_mm = [0.5]\n")
+    cli("study", "run", tmp_path / "study.toml", "--out", tmp_path / "out")
+    study = perilymph.read_study(tmp_path / "out")
+    assert len(study.notes) == 1 and study.notes[0].startswith("The measures of P-017 were changed by hand")
+    assert list(study.columns()["cochlea"]) == ["p.toml (measures changed by hand)"]
+    assert study.seal == "intact"  # of the results
 
 
 def test_studies_that_cannot_be_read_are_refused(recorded, tmp_path):

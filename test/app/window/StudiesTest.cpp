@@ -21,6 +21,8 @@
 #include "gui/pages/studies/StudyPanel.h"
 #include "gui/pages/studies/StudyPlot.h"
 #include "gui/scene/PlainVtkWidget.h"
+#include "perilymph/foundation/Version.h"
+#include "perilymph/study/StudyFile.h"
 #include "perilymph/study/StudyRun.h"
 #include "perilymph/test/TemporaryFolder.h"
 
@@ -116,6 +118,31 @@ TEST_F(AStudy, ThatIsNoneIsRefusedInOneSentence)
     return rig.label("studyStatus").contains("other.sqlite is not a study of Perilymph");
   })) << rig.label("studyStatus").toStdString();
   EXPECT_EQ(pageOf(rig).columns(), nullptr);
+}
+
+TEST_F(AStudy, OfMeasuresThatWereChangedByHandSaysSo)
+{
+  const TemporaryFolder folder;
+  const fs::path changed = folder.path() / "changed.sqlite";
+  const std::string note =
+      "The measures of P-017 were changed by hand after the program wrote them. Do not use them as "
+      "measured in a CT.";
+  {
+    study::StudyResult result;
+    result.cochlea = "p.toml (measures changed by hand)";
+    auto of = study::StudyFile::openToContinue(
+        changed, {"One", "", "ab12", version(), 1, 0, 1, {note, "The measures of B"}});
+    ASSERT_TRUE(of) << of.error().message;
+    ASSERT_TRUE(of->append({result}) && of->close());
+  }
+  WindowRig rig;
+  rig.window().showPage(gui::Page::studies);
+  pageOf(rig).open(changed);
+  ASSERT_TRUE(WindowRig::comes([&] { return pageOf(rig).columns() != nullptr; }));
+  EXPECT_EQ(rig.label("studyStatus").toStdString(), note);
+  pageOf(rig).open(file());
+  ASSERT_TRUE(WindowRig::comes([&] { return pageOf(rig).columns()->size() == insertions; }));
+  EXPECT_EQ(rig.label("studyStatus"), "");
 }
 
 TEST_F(AStudy, IsFilteredByArrayAndBySizeOfTheCochlea)

@@ -68,6 +68,19 @@ TEST_F(PatientSeal, HasASealThatHoldsForItsValuesAlone)
   EXPECT_GT(changed, 150u);
 }
 
+TEST_F(PatientSeal, IsOverTextsOnOneLine)
+{
+  const std::string text = patientText(measuredBy("perilymph 0.3.0"));
+  const auto place = text.find("A, B");
+  ASSERT_NE(place, std::string::npos);
+  for (const char* white : {"\t", "\\t", "\\n"}) {
+    const auto read = load(std::string(text).replace(place + 2, 1, white));
+    ASSERT_TRUE(read) << read.error().message;
+    EXPECT_EQ(read->seal, Seal::intact);
+    EXPECT_EQ(read->origin.landmarksProposed, "A, B");
+  }
+}
+
 TEST_F(PatientSeal, ThatWasChangedGetsNoNewSealByWritingItAgain)
 {
   Patient patient = measuredBy("perilymph 0.3.0");

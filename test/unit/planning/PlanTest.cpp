@@ -289,6 +289,17 @@ TEST_F(SmallPlan, IsViewedButNotContinuedAfterADistributionOrAThresholdWasChange
     EXPECT_FALSE(seen->isCurrent);
     EXPECT_EQ(planning::arraysCsv(*seen), planning::arraysCsv(*made));
     EXPECT_EQ(planning::contactsCsv(*seen), planning::contactsCsv(*made));
+    EXPECT_EQ(seen->seal, Seal::intact);
+    for (const auto& change : {+[](planning::PlanRequest& one) { ++one.seed; },
+                               +[](planning::PlanRequest& one) { one.friction = "tissue"; },
+                               +[](planning::PlanRequest& one) { one.patient.label = "other"; }}) {
+      planning::PlanRequest other = request_;
+      change(other);
+      const auto changed = planning::viewPlan(other, draws);
+      ASSERT_TRUE(changed) << changed.error().message;
+      EXPECT_EQ(changed->seal, Seal::changed);
+      EXPECT_EQ(changed->fingerprint, "");
+    }
     const std::atomic<bool> isAsked{false};
     EXPECT_FALSE(planning::shapeOf(*seen, 0, 1, isAsked));
     fs::remove(place / "plan.json");

@@ -9,8 +9,10 @@
 #include <fstream>
 
 #include "OddRecords.h"
+#include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/session/RecordedInsertion.h"
 #include "perilymph/test/TemporaryFolder.h"
+#include "perilymph/test/waitUntil.h"
 
 namespace perilymph::session {
 namespace {
@@ -162,6 +164,29 @@ TEST(Recording, NeverOverwritesAnything)
   EXPECT_THAT(recording.error().message, AllOf(HasSubstr("mine.insertion"), HasSubstr("never")));
   std::ifstream stream(folder / "mine.insertion");
   EXPECT_EQ(std::string(std::istreambuf_iterator<char>(stream), {}), "something dear");
+}
+
+TEST(Recording, IsWholeAsSoonAsItHasItsName)
+{
+  const test::TemporaryFolder folder;
+  for (int i = 0; i < 8; ++i) {
+    const std::filesystem::path file = folder / (std::to_string(i) + ".insertion");
+    Result<std::unique_ptr<Recording>> recording = Error{"not yet"};
+    std::thread maker([&] { recording = Recording::create(file, test::someFacts()); });
+    // as of a process that is killed then
+    EXPECT_TRUE(test::waitUntil([&] { return std::filesystem::exists(file); }));
+    const auto copied = readWhole(file);
+    maker.join();
+    ASSERT_TRUE(recording) << recording.error().message;
+    ASSERT_TRUE(copied);
+    const std::filesystem::path copy = folder / "copy.insertion";
+    ASSERT_TRUE(writeWhole(copy, *copied));
+    const auto recorded = RecordedInsertion::open(copy);
+    ASSERT_TRUE(recorded) << recorded.error().message;
+    EXPECT_EQ(recorded->facts().startedUtc, test::someFacts().startedUtc);
+  }
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
+    EXPECT_EQ(entry.path().filename().string().find(".part"), std::string::npos) << entry;
 }
 
 TEST(Recording, SaysWhereItCannotBegin)

@@ -51,6 +51,15 @@ std::vector<StudyResult> allIn(const StudyFile& file)
   return found;
 }
 
+/// Runs a statement on a file as another program does.
+void runSql(const std::filesystem::path& file, const std::string& sql)
+{
+  auto database = database::Database::openNew(file);
+  ASSERT_TRUE(database) << database.error().message;
+  const auto done = database->run(sql);
+  ASSERT_TRUE(done) << done.error().message;
+}
+
 class StudyFiles : public testing::Test {
 private:
   test::TemporaryFolder folder_;
@@ -84,6 +93,23 @@ TEST_F(StudyFiles, HoldWhatWasAdded)
   EXPECT_NEAR(inMillimeters(results[1].insertion.profile[1].depth), 2.0, 1e-12);
   ASSERT_EQ(results[1].insertion.contacts.size(), 2u);
   EXPECT_NEAR(inDegrees(results[1].insertion.contacts[1].angle), 45.0, 1e-12);
+}
+
+TEST_F(StudyFiles, KeepWhatIsSaidOfTheirPatientsUnderTheirSeal)
+{
+  StudyFileFacts noted = facts();
+  noted.notes = {"The measures of A were changed.", "The measures of B carry no seal."};
+  {
+    auto file = StudyFile::openToContinue(file_, noted);
+    ASSERT_TRUE(file) << file.error().message;
+    ASSERT_TRUE(file->append({resultOf(3)}));
+    ASSERT_TRUE(file->close());
+  }
+  EXPECT_TRUE(StudyFile::openToContinue(file_, noted));
+  EXPECT_EQ(StudyFile::open(file_)->facts().notes, noted.notes);
+  EXPECT_EQ(StudyFile::outlineOf(file_)->first.notes, noted.notes);
+  runSql(file_, "DELETE FROM meta WHERE key = 'notes'");
+  EXPECT_EQ(StudyFile::open(file_)->facts().seal, Seal::changed);
 }
 
 TEST_F(StudyFiles, AreContinuedWhereTheyEnded)
@@ -137,15 +163,6 @@ TEST_F(StudyFiles, AreRefusedWithAGapADamageOrAsSomethingElse)
   EXPECT_THAT(StudyFile::open(file_).error().message, HasSubstr("is not a study of Perilymph"));
   EXPECT_THAT(StudyFile::openToContinue(file_, facts()).error().message,
               HasSubstr("is not a study of Perilymph"));
-}
-
-/// Runs a statement on a file as another program does.
-void runSql(const std::filesystem::path& file, const std::string& sql)
-{
-  auto database = database::Database::openNew(file);
-  ASSERT_TRUE(database) << database.error().message;
-  const auto done = database->run(sql);
-  ASSERT_TRUE(done) << done.error().message;
 }
 
 TEST_F(StudyFiles, ThatWereChangedHaveNoNumberAndAreNotContinued)

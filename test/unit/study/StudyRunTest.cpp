@@ -105,7 +105,7 @@ TEST_F(StudyRuns, GiveTheSameBytesForEveryDivisionOrderAndNumberOfThreads)
   for (const char* name : {"one", "threads", "five"}) {
     const auto merged = mergeShards(folder(name));
     ASSERT_TRUE(merged) << merged.error().message;
-    EXPECT_EQ(*merged, 12u);
+    EXPECT_EQ(merged->end - merged->first, 12u);
   }
   for (const char* file : {mergedFile, mergedTable}) {
     const std::string one = bytesOf(folder("one") / file);
@@ -205,6 +205,41 @@ approach_turn_deg = [0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6]
   ASSERT_TRUE(run(longer, folder("whole"), 1, 1));
   ASSERT_TRUE(mergeShards(folder("stopped")) && mergeShards(folder("whole")));
   EXPECT_TRUE(bytesOf(folder("stopped") / mergedFile) == bytesOf(folder("whole") / mergedFile));
+}
+
+TEST_F(StudyRuns, KeepNoInsertionOfAFileThatChangedMeanwhile)
+{
+  const auto patient = [](double a_mm) {
+    return "a_mm = " + std::to_string(a_mm) + "\nb_mm = 6.8\n";
+  };
+  const fs::path measures = folder("p.toml");
+  ASSERT_TRUE(writeWhole(measures, patient(9.2)));
+  const auto study = parseStudy(R"(
+title = "A patient"
+scenario = "mean-flex28"
+depth = "scenario"
+[cochleae]
+mean = true
+patients = ["p.toml"]
+[vary]
+nodes = [20]
+dt_ms = [10.0]
+stop_travel_mm = [0.5]
+)",
+                                folder("s.toml"));
+  ASSERT_TRUE(study) << study.error().message;
+  const auto runsWhile = [&](double a_mm) {
+    return runShard(*study, shardOf(2, 1, 1), folder("out"), 1, [&](std::size_t, std::size_t) {
+      return static_cast<bool>(writeWhole(measures, patient(a_mm)));
+    });
+  };
+  const auto changed = runsWhile(9.6);
+  ASSERT_FALSE(changed);
+  EXPECT_THAT(changed.error().message, HasSubstr("p.toml was changed while the study ran"));
+  EXPECT_EQ(shardsIn(folder("out"))->front().done, 0u);
+  const auto same = runsWhile(9.2);
+  ASSERT_TRUE(same) << same.error().message;
+  EXPECT_EQ(shardsIn(folder("out"))->front().done, 2u);
 }
 
 TEST_F(StudyRuns, AreMergedOnlyIfTheyAreWholeAndOfOneStudy)

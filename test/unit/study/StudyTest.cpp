@@ -7,6 +7,9 @@
 #include <charconv>
 #include <set>
 
+#include "perilymph/foundation/AtomicFile.h"
+#include "perilymph/test/TemporaryFolder.h"
+
 namespace perilymph::study {
 namespace {
 
@@ -108,6 +111,46 @@ TEST(Study, SamplesRangesOverAllCochleaeTheSameForEveryCombination)
   EXPECT_EQ(speeds.size(), 3u);  // a stratum for each cochlea
 }
 
+TEST(Study, SaysOfWhichPatientsTheMeasuresWereChangedAndThenWhichHaveNoSeal)
+{
+  const test::TemporaryFolder folder;
+  const auto keep = [&folder](const std::string& name, const std::string& software,
+                              const std::string& from = "", const std::string& to = "") {
+    anatomy::Patient patient;
+    patient.label = name;
+    patient.basalTurn = anatomy::BasalTurn{millimeters(9.2), millimeters(6.8), std::nullopt};
+    patient.origin.software = software;
+    std::string text = patientText(patient);
+    if (!from.empty()) text.replace(text.find(from), from.size(), to);
+    ASSERT_TRUE(writeWhole(folder / (name + ".toml"), text));
+  };
+  const std::string seal = std::string(sealKey) + " = ";
+  keep("intact", "perilymph 0.3.0");
+  keep("older", "perilymph 0.2.0", seal, "# ");
+  keep("typed", "", seal, "# ");
+  keep("resized", "perilymph 0.3.0", "9.2", "9.3");
+  keep("unsealed", "perilymph 0.3.0", seal, "# ");
+  const auto study = parseStudy(R"(
+title = "Five patients"
+scenario = "mean-flex28"
+[cochleae]
+patients = ["intact.toml", "older.toml", "typed.toml", "resized.toml", "unsealed.toml"]
+)",
+                                folder / "study.toml");
+  ASSERT_TRUE(study) << study.error().message;
+  const auto begins = [](const char* text) { return testing::StartsWith(text); };
+  EXPECT_THAT(study->notes(),
+              testing::ElementsAre(begins("The measures of resized were changed by hand"),
+                                   begins("The measures of unsealed were changed by hand"),
+                                   begins("The measures of older carry no seal")));
+  std::vector<std::string> names;
+  for (const StudyCochlea& each : study->cochleae()) names.push_back(each.name);
+  EXPECT_THAT(names, testing::ElementsAre("intact.toml", "older.toml", "typed.toml",
+                                          "resized.toml (measures changed by hand)",
+                                          "unsealed.toml (measures changed by hand)"));
+  EXPECT_TRUE(study->parametersOf(study->caseAt(3))) << "the file keeps its name";
+}
+
 TEST(Study, HasCasesThatAreWrittenOut)
 {
   const auto study = read(R"(
@@ -155,11 +198,11 @@ TEST(Study, BoundsItsCombinationsBeforeItMakesThem)
   };
   const std::string head =
       "title = \"x\"\nscenario = \"mean-flex28\"\n[cochleae]\nmean = true\n[vary]\n";
-  for (const std::string& text :
-       {list("speed_mm_s", 3000) + list("dt_ms", 300), list("speed_mm_s", 101) + cases(100),
-        list("speed_mm_s", 3000) + list("dt_ms", 300) + cases(200), list("speed_mm_s", 10'001),
-        cases(10'001)})
-    EXPECT_THAT(refusal(head + text), testing::AllOf(HasSubstr("10000"), HasSubstr("ivide")))
+  // the smallest first: without a bound the others take all memory
+  for (const std::string& text : {list("speed_mm_s", 101) + cases(100), list("speed_mm_s", 10'001),
+                                  cases(10'001), list("speed_mm_s", 3000) + list("dt_ms", 300),
+                                  list("speed_mm_s", 3000) + list("dt_ms", 300) + cases(200)})
+    ASSERT_THAT(refusal(head + text), testing::AllOf(HasSubstr("10000"), HasSubstr("ivide")))
         << text.substr(0, 60);
   EXPECT_TRUE(read(head + list("speed_mm_s", 20) + cases(5)));
 }
@@ -182,6 +225,32 @@ TEST(Study, RefusesWhatItCannotRunInOneSentence)
   EXPECT_THAT(refusal("title = \"x\"\nscenario = \"none-such\"\n[cochleae]\nmean = true\n"),
               HasSubstr("none-such"));
   EXPECT_THAT(refusal(text + "[cochleae2]\n"), HasSubstr("cochleae2"));
+}
+
+TEST(Study, HasAnotherFingerprintIfALineMovesToTheNextPatient)
+{
+  const test::TemporaryFolder folder;
+  const auto fingerprintOf = [&folder](const std::string& first, const std::string& second) {
+    EXPECT_TRUE(writeWhole(folder / "1.toml", first) && writeWhole(folder / "2.toml", second));
+    const auto study = parseStudy(
+        "title = \"Two\"\nscenario = \"mean-flex28\"\n[cochleae]\npatients = [\"1.toml\", "
+        "\"2.toml\"]\n",
+        folder / "study.toml");
+    EXPECT_TRUE(study) << study.error().message;
+    return study->fingerprint();
+  };
+  const std::string one = "a_mm = 9.2\nb_mm = 6.8\n", ear = "side = \"left\"\n";
+  EXPECT_NE(fingerprintOf(one + ear, one), fingerprintOf(one, ear + one));
+}
+
+TEST(Study, HasATitleOfOneLine)
+{
+  std::string text(small);
+  const std::string title = "Length and friction";
+  text.replace(text.find(title), title.size(), "a\\n# b\\u001b[31m");
+  const auto study = read(text);
+  ASSERT_TRUE(study) << study.error().message;
+  EXPECT_EQ(study->title(), "a # b [31m");
 }
 
 TEST(Study, RefusesAPatientThatIsNotThere)

@@ -156,7 +156,10 @@ void StudiesPage::showStudy(const StudyWork::Columns& columns, const std::filesy
   const QString name = title.isEmpty() ? QString::fromStdString(file.filename().string()) : title;
   const Seal seal = columns->facts().seal;
   title_->setText(seal == Seal::changed ? tr("%1 · changed by hand").arg(name) : name);
-  say(engineError(noteOn(seal)), seal == Seal::changed);
+  // The first of the sentences: those on what was changed come before the others.
+  std::vector<std::string> notes = columns->facts().notes;
+  if (seal != Seal::intact || notes.empty()) notes.insert(notes.begin(), noteOn(seal));
+  say(engineError(notes.front()), seal == Seal::changed || seal == Seal::intact);
   details_->showNone();
   panel_->offer(*columns);
   stages_->setCurrentIndex(studyStage);

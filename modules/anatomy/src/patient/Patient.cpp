@@ -8,6 +8,7 @@
 #include "perilymph/anatomy/Population.h"
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/foundation/Sha256.h"
+#include "perilymph/foundation/Utf8.h"
 
 namespace perilymph::anatomy {
 namespace {
@@ -38,13 +39,13 @@ bool isCodeCharacter(char c)
   return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-';
 }
 
-/// The text quoted for TOML; control characters become spaces.
+/// The text on one line, quoted for TOML.
 std::string quoted(const std::string& text)
 {
   std::string inside;
-  for (const char c : text) {
+  for (const char c : onOneLine(text)) {
     if (c == '"' || c == '\\') inside += '\\';
-    inside += static_cast<unsigned char>(c) < 0x20 || c == 0x7F ? ' ' : c;
+    inside += c;
   }
   return '"' + inside + '"';
 }
@@ -251,12 +252,13 @@ Result<Patient> readPatient(Result<TomlReader> reader, const std::string& label)
   if (!reader) return reader.error();
 
   Patient patient;
-  patient.label = reader->text("label", label);
+  patient.label = onOneLine(reader->text("label", label));
   patient.side = reader->choice("side", sides, Side::right);
   if (reader->has("a_mm") || reader->has("b_mm") || reader->has("h_mm")) {
     patient.basalTurn = readBasalTurn(*reader);
     patient.errors = readErrors(*reader);
-    for (const auto& [key, text] : originKeys) patient.origin.*text = reader->text(key, "");
+    for (const auto& [key, text] : originKeys)
+      patient.origin.*text = onOneLine(reader->text(key, ""));
   } else {
     patient.scalaTympaniLength = millimeters(reader->number("st_length_mm", length_mm));
     patient.roundWindowWidth = millimeters(reader->number("rw_width_mm", width_mm));

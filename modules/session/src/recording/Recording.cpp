@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "perilymph/database/Database.h"
+#include "perilymph/foundation/Unfinished.h"
 #include "perilymph/session/Csv.h"
 #include "recording/HighlightKeys.h"
 #include "recording/RecordedFacts.h"
@@ -31,15 +32,9 @@ namespace fs = std::filesystem;
 using database::Database;
 using database::Statement;
 
-/// Creates a new file exclusively, so that two recordings never share one.
-Result<Done> claim(const fs::path& file)
+/// Why a file cannot be created under a name, by the error number.
+Error cannotCreate(const fs::path& file, int reason)
 {
-  const int descriptor = ::open(file.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0600);
-  if (descriptor >= 0) {
-    ::close(descriptor);
-    return Done{};
-  }
-  const int reason = errno;
   std::error_code ignored;
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
   if (fs::is_directory(file, ignored))
@@ -117,7 +112,9 @@ struct Recording::Content {
   bool keepEnding(std::uint64_t lostRecords, const std::string& deviceReport);
   /// Runs `write` in one transaction, rolled back on failure.
   Result<Done> transact(const std::function<bool()>& write);
-  Result<Done> begin(const RecordingFacts& facts);
+  Result<Done> prepare();
+  Result<Done> write(const fs::path& unfinished, const RecordingFacts& facts);
+  Result<Done> begin();
 };
 
 bool Recording::Content::addEvent(const Event& event)
@@ -177,12 +174,9 @@ Result<Done> Recording::Content::transact(const std::function<bool()>& write)
   return Error{reason};
 }
 
-Result<Done> Recording::Content::begin(const RecordingFacts& facts)
+/// Prepares what every drain runs.
+Result<Done> Recording::Content::prepare()
 {
-  // Tables and metadata are written to the file itself before the log begins, so that a copy
-  // without its `-wal` file is a valid recording.
-  if (const auto done = database->run(creationOf(recordingKind())); !done) return done.error();
-
   const std::pair<std::optional<Statement>&, std::string> statements[] = {
       {insertTick, session::insertTick()},
       {insertEvent, "INSERT INTO event VALUES(?,?,?,?)"},
@@ -192,6 +186,17 @@ Result<Done> Recording::Content::begin(const RecordingFacts& facts)
     if (!prepared) return prepared.error();
     statement = std::move(*prepared);
   }
+  return Done{};
+}
+
+/// Writes tables and metadata.
+Result<Done> Recording::Content::write(const fs::path& unfinished, const RecordingFacts& facts)
+{
+  auto opened = Database::openNew(unfinished);
+  if (!opened) return opened.error();
+  database = std::move(*opened);
+  if (const auto done = database->run(creationOf(recordingKind())); !done) return done.error();
+  if (const auto done = prepare(); !done) return done;
   const MetaRows rows = metaRowsOf(facts);
   const bool isKept =
       std::all_of(rows.begin(), rows.end(),
@@ -200,7 +205,20 @@ Result<Done> Recording::Content::begin(const RecordingFacts& facts)
   setMeta->reset();
   if (!isKept) return Error{database->lastError()};
   if (const auto done = database->run("COMMIT"); !done) return done.error();
+  for (auto* statement : {&insertTick, &insertEvent, &setMeta}) statement->reset();
+  database.reset();
+  return Done{};
+}
 
+/// Begins the log of a file with tables and metadata: a copy of the file without its `-wal` is a
+/// valid recording.
+Result<Done> Recording::Content::begin()
+{
+  identity = inodeOf(file);
+  auto opened = Database::openNew(file);
+  if (!opened) return opened.error();
+  database = std::move(*opened);
+  if (const auto done = prepare(); !done) return done;
   // After a commit the data are with the operating system and survive the end of the process;
   // waiting for the disk at every drain would only protect against a power failure.
   return database->run("PRAGMA journal_mode=WAL; PRAGMA synchronous=NORMAL");
@@ -216,30 +234,33 @@ Recording::~Recording()
 Result<std::unique_ptr<Recording>> Recording::create(const fs::path& file,
                                                      const RecordingFacts& facts)
 {
-  if (const auto done = claim(file); !done) return done.error();
+  std::error_code ignored;
+  if (fs::exists(fs::symlink_status(file, ignored))) return cannotCreate(file, EEXIST);
+  // Under its name it is whole, whenever the process is killed.
+  const fs::path unfinished = unfinishedPath(file);
+  const int descriptor =
+      ::open(unfinished.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_NOFOLLOW | O_CLOEXEC, 0600);
+  if (descriptor < 0) return cannotCreate(file, errno);
+  ::close(descriptor);
   std::unique_ptr<Recording> recording(new Recording);
   Content& content = *recording->content_;
   content.file = file;
   content.isClosed = true;  // until it has begun
 
-  const auto begun = [&]() -> Result<Done> {
-    content.identity = inodeOf(file);
-    auto database = Database::openNew(file);
-    if (!database) return database.error();
-    content.database = std::move(*database);
-    return content.begin(facts);
-  }();
-  if (!begun) {
-    recording.reset();
-    for (const char* ending : {"", "-wal", "-shm", "-journal"}) {
-      std::error_code ignored;
-      fs::remove(file.string() + ending, ignored);
-    }
-    return Error{file.string() + " cannot be begun: " + begun.error().message +
-                 ". Is there space on the disk?"};
+  auto begun = content.write(unfinished, facts);
+  const int problem = begun ? giveNewName(unfinished, file) : 0;
+  const bool isNamed = begun && problem == 0;
+  if (isNamed) begun = content.begin();
+  if (begun && isNamed) {
+    content.isClosed = false;
+    return recording;
   }
-  content.isClosed = false;
-  return recording;
+  recording.reset();
+  for (const char* ending : {"", "-wal", "-shm", "-journal"})
+    fs::remove((isNamed ? file : unfinished).string() + ending, ignored);
+  if (problem != 0) return cannotCreate(file, problem);
+  return Error{file.string() + " cannot be begun: " + begun.error().message +
+               ". Is there space on the disk?"};
 }
 
 Result<Done> Recording::append(std::span<const haptics::TickRecord> records)

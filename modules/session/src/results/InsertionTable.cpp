@@ -64,8 +64,7 @@ Result<Done> create(const fs::path& file, const InsertionTableKind& kind, const 
     if (const auto done = keepFacts(*opened, facts); !done) return done;
     return opened->run("COMMIT");
   }();
-  const bool isLinked = !written || ::link(unfinished.c_str(), file.c_str()) == 0;
-  const int problem = isLinked ? 0 : errno;
+  const int problem = written ? giveNewName(unfinished, file) : 0;
   std::error_code ignored;
   fs::remove(unfinished, ignored);
   if (!written) return failed(written.error().message);

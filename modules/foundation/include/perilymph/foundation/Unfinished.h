@@ -16,6 +16,11 @@ namespace perilymph {
 /// process gets it again; its user creates it exclusively.
 std::filesystem::path unfinishedPath(const std::filesystem::path& target);
 
+/// Gives an unfinished file its final name, unless there is something of that name: what is there is
+/// never replaced. @return 0 or an error number, EEXIST for a name that is taken.
+int giveNewName(const std::filesystem::path& unfinished,
+                const std::filesystem::path& target) noexcept;
+
 /// Removes unfinished files and folders, with the companions of SQLite, that processes of this
 /// machine and user left in a folder and that have ended. Links are not followed.
 void removeLeftovers(const std::filesystem::path& folder) noexcept;

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,7 +25,8 @@ struct StudyCase {
 
 /// A cochlea of a study.
 struct StudyCochlea {
-  std::string name;        ///< "mean", "virtual 17" or the patient's file.
+  std::string
+      name;  ///< "mean", "virtual 17" or the patient's file with " (measures changed by hand)" if so.
   std::string patient;     ///< The patient's file; empty for the others.
   std::uint64_t draw = 0;  ///< Number of the virtual patient from 1; 0 for the others.
 };
@@ -35,7 +37,7 @@ struct StudyRange {
   double low = 0.0, high = 0.0;
 };
 
-/// A study as read from its file; immutable. Case k depends on the text of the study, its seed and
+/// A study as read from its file; immutable, as long as checkFiles() holds. Case k depends on the text of the study, its seed and
 /// k alone: any part of a study can be run anywhere, in any order.
 ///
 /// Every combination of the lists is run in every cochlea, `samples` times if there are ranges. The
@@ -43,7 +45,7 @@ struct StudyRange {
 /// combination.
 class Study {
 public:
-  const std::string& title() const noexcept { return title_; }
+  const std::string& title() const noexcept { return title_; }  ///< One line.
   /// The study's file, line by line as read.
   const std::string& text() const noexcept { return text_; }
   /// SHA-256 of the text and of all files it names, 64 hexadecimal digits.
@@ -51,10 +53,16 @@ public:
   std::uint64_t seed() const noexcept { return seed_; }
   const std::vector<StudyCochlea>& cochleae() const noexcept { return cochleae_; }
   const std::vector<StudyRange>& ranges() const noexcept { return ranges_; }
+  /// A sentence for each patient whose measures were changed by hand, then for each whose measures
+  /// name an origin without a seal.
+  const std::vector<std::string>& notes() const noexcept { return notes_; }
   /// Distance between the points of the force profiles that are kept; 0: none are.
   Length profileSpacing() const noexcept { return profileSpacing_; }
   /// Whether the position of each contact is kept.
   bool keepsContacts() const noexcept { return keepsContacts_; }
+
+  /// Refuses if a file that the study names, such as a patient's, is not as it was read.
+  Result<Done> checkFiles() const;
 
   std::size_t casesPerCochlea() const noexcept { return combinations_.size() * samples_; }
   /// Number of insertions.
@@ -77,6 +85,8 @@ private:
   std::uint64_t seed_ = 1;
   bool isFullDepth_ = true;
   std::vector<StudyCochlea> cochleae_;
+  std::vector<std::string> notes_;
+  std::map<std::filesystem::path, std::string> files_;  ///< What it names, with their SHA-256.
   std::vector<session::Overrides> combinations_;
   std::vector<session::Scenario> scenarios_;  ///< One per combination, in the scenario's cochlea.
   std::vector<StudyRange> ranges_;

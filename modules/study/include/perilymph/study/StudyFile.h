@@ -5,8 +5,8 @@
 // (session::InsertionTable).
 //
 // Tables, with SI units unless the name says another:
-//   meta(key, value)        title, study (its text), fingerprint, program, cases, first, end, and
-//                           the seal over everything
+//   meta(key, value)        title, study (its text), fingerprint, program, cases, first, end, notes
+//                           (where there are any, one a line), and the seal over everything
 //   insertion(number, ...)  one row per insertion; `settings` is JSON, scenario key: value
 //   profile(number, depth_mm, force_mN)          if the study keeps force profiles
 //   contact(number, contact, angle_deg, depth_mm, to_modiolus_mm, frequency_Hz)   if it keeps them
@@ -42,9 +42,10 @@ struct StudyFileFacts {
   std::string title, text;
   std::string fingerprint;  ///< Empty of a file that was changed after the program wrote it.
   std::string program;
-  std::size_t cases = 0;           ///< Number of insertions of the whole study.
-  std::size_t first = 0, end = 0;  ///< Cases that this file is for: first to end - 1.
-  Seal seal = Seal::intact;        ///< State of the file that they were read from.
+  std::size_t cases = 0;                ///< Number of insertions of the whole study.
+  std::size_t first = 0, end = 0;       ///< Cases that this file is for: first to end - 1.
+  std::vector<std::string> notes = {};  ///< On its patients (Study::notes()).
+  Seal seal = Seal::intact;             ///< State of the file that they were read from.
 };
 /// Those of a study run by this program.
 StudyFileFacts factsOf(const Study& study, std::size_t first, std::size_t end);

@@ -11,6 +11,7 @@
 
 #include "perilymph/foundation/Result.h"
 #include "perilymph/study/Study.h"
+#include "perilymph/study/StudyFile.h"
 
 namespace perilymph::study {
 
@@ -29,7 +30,8 @@ using StudyProgress = std::function<bool(std::size_t done, std::size_t all)>;
 
 /// Runs a shard into its file in the folder, or goes on where an earlier run ended. Results are
 /// written in blocks by transactions: whatever ends the process, whole blocks remain. An insertion
-/// that cannot be prepared or that ends early is a result.
+/// that cannot be prepared or that ends early is a result; those of a block in which a file of the
+/// study was changed are discarded.
 ///
 /// @param jobs  Threads; 0: one per processor. Results do not depend on it.
 /// @return      True if the shard is complete, false if it was stopped. Refuses a file of another
@@ -40,11 +42,12 @@ Result<bool> runShard(const Study& study, const Shard& shard, const std::filesys
 /// State of one shard's file in a folder.
 struct ShardState {
   std::filesystem::path file;
-  Shard shard;              ///< Without index and count if the file is not readable.
-  std::size_t done = 0;     ///< Insertions in it.
-  std::size_t cases = 0;    ///< Insertions of the whole study.
-  std::string fingerprint;  ///< Identity of the study.
-  std::string error;        ///< A message if it is not readable.
+  Shard shard;                     ///< Without index and count if the file is not readable.
+  std::size_t done = 0;            ///< Insertions in it.
+  std::size_t cases = 0;           ///< Insertions of the whole study.
+  std::string fingerprint;         ///< Identity of the study.
+  std::vector<std::string> notes;  ///< On its patients (Study::notes()).
+  std::string error;               ///< A message if it is not readable.
 };
 /// The shards in a folder, sorted by their first case.
 Result<std::vector<ShardState>> shardsIn(const std::filesystem::path& folder);
@@ -53,8 +56,8 @@ Result<std::vector<ShardState>> shardsIn(const std::filesystem::path& folder);
 /// study gives the same bytes, however it was divided. Refuses shards of different studies, and
 /// missing, incomplete, overlapping or damaged ones by name, and says which to run again.
 ///
-/// @return  The number of insertions.
-Result<std::size_t> mergeShards(const std::filesystem::path& folder);
+/// @return  What the merged file is of.
+Result<StudyFileFacts> mergeShards(const std::filesystem::path& folder);
 
 /// Names of the files that mergeShards() writes.
 inline constexpr const char* mergedFile = "study.sqlite";

@@ -241,7 +241,7 @@ constexpr const char* messages[] = {
         "brighter than %2 HU and hide its wall. Take a CT from before the "
         "implantation."),
     QT_TRANSLATE_NOOP("Data",
-                      "The scala tympani is built with %1 turns, and fewer were seen in this "
+                      "The scala tympani is built with %1 turns, which were not seen in this "
                       "cochlea, so no patient file is written. Use its measures without the "
                       "model."),
     QT_TRANSLATE_NOOP("Data",

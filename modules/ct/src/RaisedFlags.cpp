@@ -65,8 +65,6 @@ bool isMirrored(const CochleaMeasures& measures, const FlagEvidence& evidence)
 
 }  // namespace
 
-bool isOfFullLength(const LumenFindings& findings) { return findings.turns >= fullTurns; }
-
 std::vector<Flag> raisedFlags(const CochleaMeasures& measures, const FlagEvidence& evidence)
 {
   std::vector<Flag> flags;
@@ -85,7 +83,12 @@ std::vector<Flag> raisedFlags(const CochleaMeasures& measures, const FlagEvidenc
   raise(Flag::roundWindowUnsure, !evidence.window.isFound);
   raise(Flag::clipped, sections.clipped > 0.02 || evidence.lumen.unmeasured > unmeasuredLimit);
   raise(Flag::landmarkContradicted, evidence.isLandmarkContradicted);
-  raise(Flag::fewTurns, !isOfFullLength(evidence.lumen));
+  // Beyond the end of a short lumen there is nothing to judge.
+  const bool isFullLength = evidence.lumen.turns >= fullTurns;
+  const ModiolusFinding modiolus = evidence.lumen.modiolus;
+  raise(Flag::fewTurns, !isFullLength);
+  raise(Flag::cysticApex, isFullLength && modiolus == ModiolusFinding::absent);
+  raise(Flag::apexNotJudged, isFullLength && modiolus == ModiolusFinding::notJudged);
   raise(Flag::wallWithoutContrast, evidence.lumen.basalGap >= basalGapLimit);
   raise(Flag::metal, evidence.lumen.metal_mm3 >= minMetal_mm3);
   raise(Flag::unusualProportions,

@@ -331,13 +331,13 @@ private:
       const double across = std::sqrt(std::max(0.0, 1.0 - along * along));
       measures.kinematicTilt_deg = inDegrees(radians(arcTangent(across, along)));
     }
-    const LumenFindings findings = examineLumen(volume_, lumen, state);
+    const LumenFindings findings = examineLumen(volume_, lumen, fit_, best);
     measures.turnsSeen = findings.turns;
-    if (!isOfFullLength(findings)) measures.cdlOc.reset();
     measures.otherCochlea_P = other_P_;
     measures.flags = raisedFlags(
         measures, {volume_, request_, check, findings, window,
                    contradicts(request_.marks, family_, state.pose, state.shape, axis_W_)});
+    if (measures.noFullSpiral()) measures.cdlOc.reset();
     report(1.0);
     return measures;
   }

@@ -1584,6 +1584,10 @@
         <translation>Es wurde keine Cochlea üblicher Form gefunden: Die beste Anpassung erklärt %1 % der Voxel nahe ihrer Wand nicht, höchstens %2 % sind erlaubt. Klicken Sie in die Cochlea; für eine missgebildete oder verknöcherte gelten A, B und H nicht.</translation>
     </message>
     <message>
+        <source>No cochlea of usual shape was found: the best fit falls from the base to the middle turn, where a cochlea climbs. Click into the cochlea; of a malformed or ossified one A, B and H do not apply.</source>
+        <translation>Es wurde keine Cochlea üblicher Form gefunden: Die beste Anpassung fällt von der Basis zur mittleren Windung ab, wo eine Cochlea ansteigt. Klicken Sie in die Cochlea; für eine missgebildete oder verknöcherte gelten A, B und H nicht.</translation>
+    </message>
+    <message>
         <source>The point given lies outside the volume. Click into the cochlea, or give none and let the volume be searched.</source>
         <translation>Der angeklickte Punkt liegt außerhalb des Volumens. Klicken Sie in die Cochlea, oder lassen Sie das Volumen ohne Punkt absuchen.</translation>
     </message>

@@ -50,10 +50,12 @@ bool isAir(const CochleaMeasures& measures)
   return measures.lumenLevel < airBelow;
 }
 
-/// The side that is known beside the winding: as told, from the other cochlea, or from the middle
-/// of a volume that is as wide as a head.
+/// The side that is known beside the winding: as the files state it, as told, from the other
+/// cochlea, or from the middle of a volume that is as wide as a head.
 bool isMirrored(const CochleaMeasures& measures, const FlagEvidence& evidence)
 {
+  const auto& stated = evidence.volume.provenance().side;
+  if (stated && *stated != measures.side) return true;
   if (evidence.request.side) return *evidence.request.side != measures.side;
   std::optional<double> middle_P = midline_P(evidence.volume);
   if (measures.otherCochlea_P)

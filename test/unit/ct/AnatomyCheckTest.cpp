@@ -52,8 +52,11 @@ test::PhantomCondition incompletePartition()
 
 TEST(AnatomyCheck, NamesACavityInsteadOfTheUpperTurns)
 {
-  const auto found = measured(502, incompletePartition());
+  // A spiral that falls explains this ear as well: it is the mirror image, of the other side.
+  const test::CtPhantom ear = test::makeCtPhantom(502, test::clinicalScan(), incompletePartition());
+  const auto found = measuredAt(ear, ear.volume);
   ASSERT_TRUE(found) << found.error().message;
+  EXPECT_EQ(found->side == anatomy::Side::right, ear.isRight);
   EXPECT_TRUE(found->has(Flag::cysticApex));
   EXPECT_FALSE(found->has(Flag::apexNotJudged));
   EXPECT_FALSE(found->cdlOc);
@@ -149,6 +152,20 @@ TEST(AnatomyCheck, FlagsASeriesThatContradictsItself)
                                       {volume.voxels().begin(), volume.voxels().end()}, provenance);
     const auto flags = raisedFlags(measures(), {read, {}, {}, {}, {}, false});
     EXPECT_EQ(std::find(flags.begin(), flags.end(), Flag::seriesInDoubt) != flags.end(), isInDoubt);
+  }
+}
+
+TEST(AnatomyCheck, FlagsAnEarWhoseFilesStateTheOther)
+{
+  const CtVolume& volume = phantom().volume;
+  for (const anatomy::Side side : {anatomy::Side::right, anatomy::Side::left}) {
+    CtProvenance provenance = volume.provenance();
+    provenance.side = side;
+    const auto read = *CtVolume::make(volume.size(), volume.lpsFromIndex(),
+                                      {volume.voxels().begin(), volume.voxels().end()}, provenance);
+    const auto flags = raisedFlags(measures(), {read, {}, {}, {}, {}, false});
+    EXPECT_EQ(std::find(flags.begin(), flags.end(), Flag::mirrored) != flags.end(),
+              (side == anatomy::Side::right) != phantom().isRight);
   }
 }
 

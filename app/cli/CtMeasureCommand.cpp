@@ -62,9 +62,11 @@ void printMeasures(const ct::CochleaMeasures& measures)
   printMeasure("H", measures.h);
   if (measures.cdlOc)
     printMeasure("CDL (OC)", *measures.cdlOc);
-  else
+  else if (measures.has(ct::Flag::fewTurns))
     print("{:12} not given: {} turns of the lumen were seen\n", "CDL (OC)",
           fixed(measures.turnsSeen, 1));
+  else
+    print("{:12} not given: no modiolus was seen within the middle turn\n", "CDL (OC)");
   printPoint("round window", measures.roundWindow_P);
   printPoint("center", measures.center_P);
   for (const ct::Flag flag : measures.flags)

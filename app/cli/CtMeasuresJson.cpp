@@ -30,7 +30,7 @@ Json described(const ct::CochleaMeasures& measures, const std::vector<std::strin
     json["cdl_oc_mm"] = described(*measures.cdlOc);
   } else {
     json["cdl_oc_mm"] = nullptr;
-    json["cdl_oc_reason"] = ct::sentenceOf(ct::Flag::fewTurns);
+    json["cdl_oc_reason"] = ct::sentenceOf(measures.noFullSpiral().value());
     json["turns_seen"] = measures.turnsSeen;
   }
   json["axis_lps"] = described(measures.axis_P);

@@ -612,6 +612,14 @@
         <translation>Weniger als %1 Windungen des Lumens wurden gesehen: Die Cochlea ist missgebildet, oder ihre oberen Windungen sind mit Knochen gefüllt. Eine Ganglänge wird nicht angegeben, weil ihre Formel %2 Windungen annimmt.</translation>
     </message>
     <message>
+        <source>No modiolus was seen within the middle turn: middle and apical turn may be one cavity (incomplete partition). No duct length is given, because its formula assumes %1 turns, and H is that of the cavity.</source>
+        <translation>In der mittleren Windung wurde kein Modiolus gesehen: Mittlere und apikale Windung könnten ein Hohlraum sein (inkomplette Partition). Eine Ganglänge wird nicht angegeben, weil ihre Formel %1 Windungen annimmt, und H ist das Maß des Hohlraums.</translation>
+    </message>
+    <message>
+        <source>Whether middle and apical turn are one cavity (incomplete partition) could not be judged: the CT is too coarse or too noisy, or the middle turn is not empty. Take a finer series.</source>
+        <translation>Ob mittlere und apikale Windung ein Hohlraum sind (inkomplette Partition), war nicht zu beurteilen: Die CT ist zu grob oder zu verrauscht, oder die mittlere Windung ist nicht leer. Eine feinere Serie verwenden.</translation>
+    </message>
+    <message>
         <source>Along a fifth or more of the basal turn nothing distinguishes the lumen from the bone: it may be ossified; check the outline in the images.</source>
         <translation>Auf mindestens einem Fünftel der basalen Windung unterscheidet sich das Lumen nicht vom Knochen: Es könnte verknöchert sein; den Umriss in den Bildern prüfen.</translation>
     </message>
@@ -636,8 +644,8 @@
         <translation>In oder neben der Cochlea ist Metall (ein Implantat?): %1 Kubikmillimeter sind heller als %2 HU und verdecken ihre Wand. Verwenden Sie eine CT von vor der Implantation.</translation>
     </message>
     <message>
-        <source>The scala tympani is built with %1 turns, and fewer were seen in this cochlea, so no patient file is written. Use its measures without the model.</source>
-        <translation>Die Scala tympani wird mit %1 Windungen gebaut, in dieser Cochlea wurden weniger gesehen; deshalb wird keine Patientendatei geschrieben. Verwenden Sie ihre Maße ohne das Modell.</translation>
+        <source>The scala tympani is built with %1 turns, which were not seen in this cochlea, so no patient file is written. Use its measures without the model.</source>
+        <translation>Die Scala tympani wird mit %1 Windungen gebaut, die in dieser Cochlea nicht gesehen wurden; deshalb wird keine Patientendatei geschrieben. Verwenden Sie ihre Maße ohne das Modell.</translation>
     </message>
     <message>
         <source>%1 scout images were left out.</source>
@@ -1578,6 +1586,10 @@
     <message>
         <source>No cochlea of usual shape was found: the best fit leaves %1 % of the voxels near its wall unexplained, at most %2 % is allowed. Click into the cochlea; of a malformed or ossified one A, B and H do not apply.</source>
         <translation>Es wurde keine Cochlea üblicher Form gefunden: Die beste Anpassung erklärt %1 % der Voxel nahe ihrer Wand nicht, höchstens %2 % sind erlaubt. Klicken Sie in die Cochlea; für eine missgebildete oder verknöcherte gelten A, B und H nicht.</translation>
+    </message>
+    <message>
+        <source>No cochlea of usual shape was found: the best fit falls from the base to the middle turn, where a cochlea climbs. Click into the cochlea; of a malformed or ossified one A, B and H do not apply.</source>
+        <translation>Es wurde keine Cochlea üblicher Form gefunden: Die beste Anpassung fällt von der Basis zur mittleren Windung ab, wo eine Cochlea ansteigt. Klicken Sie in die Cochlea; für eine missgebildete oder verknöcherte gelten A, B und H nicht.</translation>
     </message>
     <message>
         <source>The point given lies outside the volume. Click into the cochlea, or give none and let the volume be searched.</source>

@@ -47,6 +47,16 @@ constexpr const char* sentences[] = {
         "formula assumes %2 turns."),
     QT_TRANSLATE_NOOP(
         "Data",
+        "No modiolus was seen within the middle turn: middle and apical turn may be one "
+        "cavity (incomplete partition). No duct length is given, because its formula "
+        "assumes %1 turns, and H is that of the cavity."),
+    QT_TRANSLATE_NOOP(
+        "Data",
+        "Whether middle and apical turn are one cavity (incomplete partition) could not be "
+        "judged: the CT is too coarse or too noisy, or the middle turn is not empty. Take a "
+        "finer series."),
+    QT_TRANSLATE_NOOP(
+        "Data",
         "Along a fifth or more of the basal turn nothing distinguishes the lumen from "
         "the bone: it may be ossified; check the outline in the images."),
     QT_TRANSLATE_NOOP(

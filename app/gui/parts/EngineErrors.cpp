@@ -237,11 +237,16 @@ constexpr const char* messages[] = {
                       "of a malformed or ossified one A, B and H do not apply."),
     QT_TRANSLATE_NOOP(
         "Data",
+        "No cochlea of usual shape was found: the best fit falls from the base to the "
+        "middle turn, where a cochlea climbs. Click into the cochlea; of a malformed "
+        "or ossified one A, B and H do not apply."),
+    QT_TRANSLATE_NOOP(
+        "Data",
         "There is metal in or beside the cochlea (an implant?): %1 cubic millimeters are "
         "brighter than %2 HU and hide its wall. Take a CT from before the "
         "implantation."),
     QT_TRANSLATE_NOOP("Data",
-                      "The scala tympani is built with %1 turns, and fewer were seen in this "
+                      "The scala tympani is built with %1 turns, which were not seen in this "
                       "cochlea, so no patient file is written. Use its measures without the "
                       "model."),
     QT_TRANSLATE_NOOP("Data",

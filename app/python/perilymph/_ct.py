@@ -15,7 +15,7 @@ _LARGEST = 1 << 20  # bytes: a hundred times what the command writes
 
 class CtMeasures:
     """A cochlea measured in a CT: 'A_mm', 'B_mm', 'H_mm' and 'cdl_oc_mm', the cochlear duct length along the organ of
-    Corti, with their errors. Where fewer turns were seen than the length's formula assumes, its value, error and
+    Corti, with their errors. Where the turns that the length's formula assumes were not seen, its value, error and
     interval are None and 'duct_length_reason' says why. Points are in the patient's frame (LPS);
     'second_cochlea_lps_mm' is None unless the volume shows another one."""
 
@@ -42,10 +42,10 @@ class CtMeasures:
                         "Measure again.") from None
 
     def patient(self, label="measured"):
-        """The patient with these measures and their standard deviations. Refused where fewer turns were seen than the
-        scala tympani is built with."""
+        """The patient with these measures and their standard deviations. Refused where the turns that the scala tympani is
+        built with were not seen."""
         if self.duct_length_reason is not None:
-            raise Error("The scala tympani is built with 2.5 turns, and fewer were seen in this cochlea. No patient is made "
+            raise Error("The scala tympani is built with 2.5 turns, which were not seen in this cochlea. No patient is made "
                         "of its measures.")
         return Patient(a_mm=self.values_mm["A_mm"], b_mm=self.values_mm["B_mm"], h_mm=self.values_mm["H_mm"],
                        a_sd_mm=self.sds_mm["A_mm"], b_sd_mm=self.sds_mm["B_mm"], h_sd_mm=self.sds_mm["H_mm"],

@@ -14,7 +14,7 @@ struct Entry {
   const char* sentence;
 };
 
-constexpr std::array<Entry, 16> entries{
+constexpr std::array<Entry, 18> entries{
     {{Flag::coarseVoxels, "coarse_voxels",
       "A voxel is longer than 0.65 mm, the coarsest the measurement was tried with: take a finer "
       "series if there is one, or trust the measures less than their error bars say."},
@@ -48,6 +48,14 @@ constexpr std::array<Entry, 16> entries{
      {Flag::fewTurns, "few_turns",
       "Fewer than 2.15 turns of the lumen were seen: the cochlea is malformed, or its upper turns "
       "are filled with bone. No duct length is given, because its formula assumes 2.5 turns."},
+     {Flag::cysticApex, "cystic_apex",
+      "No modiolus was seen within the middle turn: middle and apical turn may be one cavity "
+      "(incomplete partition). No duct length is given, because its formula assumes 2.5 turns, and "
+      "H is that of the cavity."},
+     {Flag::apexNotJudged, "apex_not_judged",
+      "Whether middle and apical turn are one cavity (incomplete partition) could not be judged: "
+      "the "
+      "CT is too coarse or too noisy, or the middle turn is not empty. Take a finer series."},
      {Flag::wallWithoutContrast, "wall_without_contrast",
       "Along a fifth or more of the basal turn nothing distinguishes the lumen from the bone: it "
       "may "
@@ -90,6 +98,13 @@ std::vector<Flag> allFlags()
 bool CochleaMeasures::has(Flag flag) const
 {
   return std::find(flags.begin(), flags.end(), flag) != flags.end();
+}
+
+std::optional<Flag> CochleaMeasures::noFullSpiral() const
+{
+  for (const Flag flag : {Flag::fewTurns, Flag::cysticApex})
+    if (has(flag)) return flag;
+  return std::nullopt;
 }
 
 double Measure::sd() const

@@ -160,6 +160,17 @@ Prediction synthesize(const LumenShape& family, const ShapedLumen& lumen, const 
 
 }  // namespace
 
+double ImageFit::contentAt(const Eigen::Vector3d& point_W, const ShapedLumen& lumen,
+                           const FitState& state) const
+{
+  FitSettings settings;
+  settings.band_mm = 3.0;  // of all of the lumen
+  const Eigen::Vector3d slice_W = state.pose.axes_PW.transpose() * sliceNormal_P_;
+  const Prediction shown =
+      synthesize(family_, lumen, state, settings, slice_W, state.pose.outOf_W(point_W), nullptr);
+  return (shown.intensity - state.bone) / (state.lumen - state.bone);
+}
+
 ImageFit::Normal ImageFit::assemble(const FitState& state, const Observations& observations,
                                     const FitSettings& settings, double scale) const
 {

@@ -86,6 +86,10 @@ public:
   FitResult run(const FitState& start, const Observations& observations,
                 const FitSettings& settings) const;
 
+  /// What the model shows at a point in W: 1 at the lumen's level, 0 at the bone's.
+  double contentAt(const Eigen::Vector3d& point_W, const ShapedLumen& lumen,
+                   const FitState& state) const;
+
 private:
   struct Normal;
   Normal assemble(const FitState& state, const Observations& observations,

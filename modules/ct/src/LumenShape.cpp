@@ -115,6 +115,11 @@ SectionPlace LumenShape::place(const ShapeVector& q, double angle) const
   return place;
 }
 
+bool climbs(const LumenShape& family, const ShapeVector& q)
+{
+  return family.place(q, degrees(450).si()).middle > family.place(q, degrees(90).si()).middle;
+}
+
 ShapedLumen::ShapedLumen(const LumenShape& family, const ShapeVector& q) : mean_(family.mean())
 {
   for (int i = 0; MeanLumen::firstAngle() + (i - 1) * tableStep <= mean_.lastAngle(); ++i)

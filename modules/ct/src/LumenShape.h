@@ -91,6 +91,9 @@ private:
   std::array<std::vector<double>, 4> modes_;  ///< Every 2 degrees from the first angle.
 };
 
+/// Whether a spiral rises from the base to the middle turn. One that falls winds as in the other ear.
+bool climbs(const LumenShape& family, const ShapeVector& q);
+
 /// One shape of the family with tabulated lines, for many queries.
 class ShapedLumen {
 public:

@@ -50,10 +50,12 @@ bool isAir(const CochleaMeasures& measures)
   return measures.lumenLevel < airBelow;
 }
 
-/// The side that is known beside the winding: as told, from the other cochlea, or from the middle
-/// of a volume that is as wide as a head.
+/// The side that is known beside the winding: as the files state it, as told, from the other
+/// cochlea, or from the middle of a volume that is as wide as a head.
 bool isMirrored(const CochleaMeasures& measures, const FlagEvidence& evidence)
 {
+  const auto& stated = evidence.volume.provenance().side;
+  if (stated && *stated != measures.side) return true;
   if (evidence.request.side) return *evidence.request.side != measures.side;
   std::optional<double> middle_P = midline_P(evidence.volume);
   if (measures.otherCochlea_P)
@@ -64,8 +66,6 @@ bool isMirrored(const CochleaMeasures& measures, const FlagEvidence& evidence)
 }
 
 }  // namespace
-
-bool isOfFullLength(const LumenFindings& findings) { return findings.turns >= fullTurns; }
 
 std::vector<Flag> raisedFlags(const CochleaMeasures& measures, const FlagEvidence& evidence)
 {
@@ -85,7 +85,12 @@ std::vector<Flag> raisedFlags(const CochleaMeasures& measures, const FlagEvidenc
   raise(Flag::roundWindowUnsure, !evidence.window.isFound);
   raise(Flag::clipped, sections.clipped > 0.02 || evidence.lumen.unmeasured > unmeasuredLimit);
   raise(Flag::landmarkContradicted, evidence.isLandmarkContradicted);
-  raise(Flag::fewTurns, !isOfFullLength(evidence.lumen));
+  // Beyond the end of a short lumen there is nothing to judge.
+  const bool isFullLength = evidence.lumen.turns >= fullTurns;
+  const ModiolusFinding modiolus = evidence.lumen.modiolus;
+  raise(Flag::fewTurns, !isFullLength);
+  raise(Flag::cysticApex, isFullLength && modiolus == ModiolusFinding::absent);
+  raise(Flag::apexNotJudged, isFullLength && modiolus == ModiolusFinding::notJudged);
   raise(Flag::wallWithoutContrast, evidence.lumen.basalGap >= basalGapLimit);
   raise(Flag::metal, evidence.lumen.metal_mm3 >= minMetal_mm3);
   raise(Flag::unusualProportions,

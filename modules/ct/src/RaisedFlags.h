@@ -26,7 +26,4 @@ struct FlagEvidence {
 /// The flags that measures deserve, in the order of `Flag`.
 std::vector<Flag> raisedFlags(const CochleaMeasures& measures, const FlagEvidence& evidence);
 
-/// Whether the duct length's formula applies: to a lumen as long as in nearly every ear.
-bool isOfFullLength(const LumenFindings& findings);
-
 }  // namespace perilymph::ct

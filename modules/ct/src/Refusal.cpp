@@ -49,6 +49,15 @@ Result<Done> checkMisfit(const CtVolume& volume, const FitResult& fit)
                      "H do not apply.");
 }
 
+Result<Done> checkClimb(const CtVolume& volume, const LumenShape& family, const FitResult& fit)
+{
+  if (climbs(family, fit.state.shape)) return Done{};
+  return refusal(volume, fit,
+                 "No cochlea of usual shape was found: the best fit falls from the base to the "
+                 "middle turn, where a cochlea climbs. Click into the cochlea; of a malformed or "
+                 "ossified one A, B and H do not apply.");
+}
+
 Result<Done> checkDiameters(const CtVolume& volume, const FitResult& fit, double a_mm, double b_mm)
 {
   const anatomy::Spread a = anatomy::spreadOfA(), b = anatomy::spreadOfB();

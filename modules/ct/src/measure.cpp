@@ -45,6 +45,8 @@ constexpr double markWeight = 0.15;
 // Landmarks that raise the misfit by more are contradicted by the voxels: those at their true places
 // changed that of wrong fits of phantoms by -0.17 to +0.013.
 constexpr double contradictedMisfit = 0.03;
+// More than any misfit: a spiral that falls is the mirror image of one that climbs.
+constexpr double fallingScore = 1.0;
 constexpr double axisError_deg = 3.0;  // compared with the frames of real ears and of phantoms
 
 const char* const canceled = "The measurement was canceled.";
@@ -87,6 +89,7 @@ public:
     }
     if (isStopped()) return Error{canceled};
     if (const auto done = checkMisfit(volume_, best); !done) return done.error();
+    if (const auto done = checkClimb(volume_, family_, best); !done) return done.error();
     return measured(best, chosen->mirrored);
   }
 
@@ -220,7 +223,8 @@ private:
   {
     const double off =
         disagreement(request_.marks, family_, fit.state.pose, fit.state.shape, axis_W_);
-    const double score = fit.misfit + markWeight * off;
+    const double score =
+        fit.misfit + markWeight * off + (climbs(family_, fit.state.shape) ? 0.0 : fallingScore);
     return {std::move(fit), score};
   }
 
@@ -331,13 +335,13 @@ private:
       const double across = std::sqrt(std::max(0.0, 1.0 - along * along));
       measures.kinematicTilt_deg = inDegrees(radians(arcTangent(across, along)));
     }
-    const LumenFindings findings = examineLumen(volume_, lumen, state);
+    const LumenFindings findings = examineLumen(volume_, lumen, fit_, best);
     measures.turnsSeen = findings.turns;
-    if (!isOfFullLength(findings)) measures.cdlOc.reset();
     measures.otherCochlea_P = other_P_;
     measures.flags = raisedFlags(
         measures, {volume_, request_, check, findings, window,
                    contradicts(request_.marks, family_, state.pose, state.shape, axis_W_)});
+    if (measures.noFullSpiral()) measures.cdlOc.reset();
     report(1.0);
     return measures;
   }

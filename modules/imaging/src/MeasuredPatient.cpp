@@ -50,11 +50,10 @@ anatomy::Patient measuredPatient(const ct::CochleaMeasures& measures)
 Result<std::string> measuredPatientText(const ct::CochleaMeasures& measures,
                                         const std::string& label)
 {
-  if (measures.has(ct::Flag::fewTurns))
+  if (measures.noFullSpiral())
     return Error{
-        "The scala tympani is built with 2.5 turns, and fewer were seen in this cochlea, so no "
-        "patient "
-        "file is written. Use its measures without the model."};
+        "The scala tympani is built with 2.5 turns, which were not seen in this cochlea, so no "
+        "patient file is written. Use its measures without the model."};
   anatomy::Patient patient = measuredPatient(measures);
   patient.label = onOneLine(validUtf8(label));
   if (const auto done = anatomy::checkPatient(patient); !done) return done.error();

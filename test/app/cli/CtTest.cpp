@@ -201,6 +201,25 @@ TEST(CtMeasure, WritesNoDuctLengthOfAShortCochlea)
                 "2.5 turns");
 }
 
+TEST(CtMeasure, WritesNoDuctLengthOfACavityInsteadOfUpperTurns)
+{
+  TemporaryFolder out;
+  PhantomCondition condition;
+  condition.turns = 1.5;
+  condition.isCystic = true;
+  const CtPhantom ear = makeCtPhantom(502, clinicalScan(), condition);
+  writeDicomFiles(dicomSlices(ear.volume), out / "ct");
+  const std::string at = std::to_string(ear.inside_P.x()) + "," + std::to_string(ear.inside_P.y()) +
+                         "," + std::to_string(ear.inside_P.z());
+  const auto done = cli({"ct", "measure", out / "ct", "--at", at, "--json", out / "m.json"});
+  ASSERT_EQ(done.status, 0) << done.err;
+  const Json json = jsonOf(out / "m.json");
+  EXPECT_TRUE(json.at("cdl_oc_mm").is_null());
+  EXPECT_THAT(json.at("cdl_oc_reason").get<std::string>(), testing::HasSubstr("modiolus"));
+  EXPECT_THAT(json.at("flags"), testing::Contains("cystic_apex"));
+  EXPECT_THAT(done.out, testing::HasSubstr("CDL (OC)     not given: no modiolus"));
+}
+
 TEST(CtMeasure, WritesAPictureToCheckItBy)
 {
   TemporaryFolder out;

@@ -3,10 +3,13 @@
 // A table of the errors of A, B, H and the axis: phantoms with many seeds on three scanners, and
 // the real ears of a folder. Not a test: it prints the errors without limits.
 //
-//     perilymph-ct-table phantoms FIRST LAST     seeds FIRST to LAST - 1 on each scanner
+//     perilymph-ct-table phantoms FIRST LAST [STEP [TURNS]]
+//                                                every STEP-th seed from FIRST to LAST - 1 on each
+//                                                scanner; with TURNS a cavity beyond these
 //     perilymph-ct-table ears [search]           the folder that PERILYMPH_EARS names; with
 //                                                `search` without a click
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
@@ -82,7 +85,8 @@ void printFlags(const ct::CochleaMeasures& found)
   std::fflush(stdout);
 }
 
-void phantoms(std::uint64_t first, std::uint64_t last)
+void phantoms(std::uint64_t first, std::uint64_t last, std::uint64_t step,
+              const test::PhantomCondition& condition)
 {
   const std::vector<std::pair<const char*, test::PhantomScan>> scans{
       {"0.15 mm", test::coneBeamScan()},
@@ -90,8 +94,8 @@ void phantoms(std::uint64_t first, std::uint64_t last)
       {"0.45 x 0.60 mm", test::clinicalScan()}};
   for (const auto& [name, scan] : scans) {
     Summary summary;
-    for (std::uint64_t seed = first; seed < last; ++seed) {
-      const test::CtPhantom phantom = test::makeCtPhantom(seed, scan);
+    for (std::uint64_t seed = first; seed < last; seed += step) {
+      const test::CtPhantom phantom = test::makeCtPhantom(seed, scan, condition);
       ct::MeasureRequest request;
       request.click_P = test::jitteredClick(phantom, seed);
       const auto start = std::chrono::steady_clock::now();
@@ -151,13 +155,19 @@ int ears(bool isSearch)
 
 int run(const std::vector<std::string>& text)
 {
-  if (text.size() == 3 && text[0] == "phantoms") {
-    phantoms(std::strtoull(text[1].c_str(), nullptr, 10),
-             std::strtoull(text[2].c_str(), nullptr, 10));
+  if (text.size() >= 3 && text.size() <= 5 && text[0] == "phantoms") {
+    test::PhantomCondition condition;
+    condition.isCystic = text.size() == 5;
+    if (condition.isCystic) condition.turns = std::strtod(text[4].c_str(), nullptr);
+    const auto number = [](const std::string& word) {
+      return std::strtoull(word.c_str(), nullptr, 10);
+    };
+    phantoms(number(text[1]), number(text[2]),
+             text.size() > 3 ? std::max(1ULL, number(text[3])) : 1, condition);
     return 0;
   }
   if (!text.empty() && text[0] == "ears") return ears(text.size() > 1 && text[1] == "search");
-  std::fprintf(stderr, "perilymph-ct-table phantoms FIRST LAST | ears [search]\n");
+  std::fprintf(stderr, "perilymph-ct-table phantoms FIRST LAST [STEP [TURNS]] | ears [search]\n");
   return 2;
 }
 

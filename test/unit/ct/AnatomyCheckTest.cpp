@@ -41,6 +41,36 @@ TEST(AnatomyCheck, GivesNoDuctLengthForOneAndAHalfTurns)
   EXPECT_NEAR(found->turnsSeen, 1.5, 0.15);
 }
 
+/// Incomplete partition of type II: one and a half turns, and a cavity instead of the others.
+test::PhantomCondition incompletePartition()
+{
+  test::PhantomCondition condition;
+  condition.turns = 1.5;
+  condition.isCystic = true;
+  return condition;
+}
+
+TEST(AnatomyCheck, NamesACavityInsteadOfTheUpperTurns)
+{
+  // A spiral that falls explains this ear as well: it is the mirror image, of the other side.
+  const test::CtPhantom ear = test::makeCtPhantom(502, test::clinicalScan(), incompletePartition());
+  const auto found = measuredAt(ear, ear.volume);
+  ASSERT_TRUE(found) << found.error().message;
+  EXPECT_EQ(found->side == anatomy::Side::right, ear.isRight);
+  EXPECT_TRUE(found->has(Flag::cysticApex));
+  EXPECT_FALSE(found->has(Flag::apexNotJudged));
+  EXPECT_FALSE(found->cdlOc);
+}
+
+TEST(AnatomyCheck, TellsWhereACavityCannotBeToldFromTurns)
+{
+  const test::PhantomScan blurred{{0.6, 0.6, 0.6}, 0.55, 0.55, 80.0, false};
+  const test::CtPhantom ear = test::makeCtPhantom(502, blurred, incompletePartition());
+  const auto found = measuredAt(ear, ear.volume);
+  ASSERT_TRUE(found) << found.error().message;
+  EXPECT_TRUE(found->has(Flag::apexNotJudged));
+}
+
 TEST(AnatomyCheck, FlagsABasalTurnThatIsPartlyOssified)
 {
   test::PhantomCondition condition;
@@ -67,8 +97,9 @@ TEST(AnatomyCheck, MeasuresTheSameBesideACornerThatWasNotMeasured)
   const auto whole = measuredAt(phantom, phantom.volume);
   ASSERT_TRUE(whole) << whole.error().message;
   EXPECT_TRUE(whole->cdlOc);
-  for (const Flag flag : {Flag::fewTurns, Flag::wallWithoutContrast, Flag::metal, Flag::clipped,
-                          Flag::unusualProportions, Flag::secondCochlea})
+  for (const Flag flag :
+       {Flag::fewTurns, Flag::cysticApex, Flag::apexNotJudged, Flag::wallWithoutContrast,
+        Flag::metal, Flag::clipped, Flag::unusualProportions, Flag::secondCochlea})
     EXPECT_FALSE(whole->has(flag)) << nameOf(flag);
   // The corner begins 1 mm behind the far wall.
   const Eigen::Vector3d outward = (*phantom.marks[Mark::farWall] - whole->center_P).normalized();
@@ -121,6 +152,20 @@ TEST(AnatomyCheck, FlagsASeriesThatContradictsItself)
                                       {volume.voxels().begin(), volume.voxels().end()}, provenance);
     const auto flags = raisedFlags(measures(), {read, {}, {}, {}, {}, false});
     EXPECT_EQ(std::find(flags.begin(), flags.end(), Flag::seriesInDoubt) != flags.end(), isInDoubt);
+  }
+}
+
+TEST(AnatomyCheck, FlagsAnEarWhoseFilesStateTheOther)
+{
+  const CtVolume& volume = phantom().volume;
+  for (const anatomy::Side side : {anatomy::Side::right, anatomy::Side::left}) {
+    CtProvenance provenance = volume.provenance();
+    provenance.side = side;
+    const auto read = *CtVolume::make(volume.size(), volume.lpsFromIndex(),
+                                      {volume.voxels().begin(), volume.voxels().end()}, provenance);
+    const auto flags = raisedFlags(measures(), {read, {}, {}, {}, {}, false});
+    EXPECT_EQ(std::find(flags.begin(), flags.end(), Flag::mirrored) != flags.end(),
+              (side == anatomy::Side::right) != phantom().isRight);
   }
 }
 

@@ -67,8 +67,9 @@ TEST_P(EarGrid, NormalEarsCarryNoneOfTheFlags)
   for (const Ear& ear : normalEars()) {
     ASSERT_TRUE(ear.found) << ear.found.error().message;
     EXPECT_TRUE(ear.found->cdlOc) << ear.seed;
-    for (const Flag flag : {Flag::fewTurns, Flag::wallWithoutContrast, Flag::metal, Flag::clipped,
-                            Flag::unusualProportions, Flag::secondCochlea})
+    for (const Flag flag :
+         {Flag::fewTurns, Flag::cysticApex, Flag::apexNotJudged, Flag::wallWithoutContrast,
+          Flag::metal, Flag::clipped, Flag::unusualProportions, Flag::secondCochlea})
       EXPECT_FALSE(ear.found->has(flag)) << ear.seed << nameOf(flag);
   }
 }
@@ -85,6 +86,23 @@ TEST_P(EarGrid, ShortLumensHaveNoDuctLength)
       EXPECT_TRUE(found->has(Flag::fewTurns)) << seed << " " << turns;
       EXPECT_FALSE(found->cdlOc);
       EXPECT_NEAR(found->turnsSeen, turns, 0.2) << seed;
+    }
+    ++seed;
+  }
+}
+
+TEST_P(EarGrid, CavitiesInsteadOfUpperTurnsAreNamed)
+{
+  std::uint64_t seed = first;
+  for (const double turns : {1.4, 1.5, 1.6, 1.5, 1.5}) {
+    test::PhantomCondition condition;
+    condition.turns = turns;
+    condition.isCystic = true;
+    const auto found = measured(seed, condition);
+    if (!isRefusedAs(found, "malformed")) {
+      ASSERT_TRUE(found) << found.error().message;
+      EXPECT_TRUE(found->has(Flag::cysticApex)) << seed << " " << turns;
+      EXPECT_FALSE(found->cdlOc);
     }
     ++seed;
   }

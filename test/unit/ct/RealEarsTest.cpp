@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "perilymph/foundation/Units.h"
+#include "perilymph/test/CtPhantom.h"
 #include "perilymph/test/RealEarTruth.h"
 
 namespace perilymph::ct {
@@ -76,9 +77,23 @@ TEST_F(RealEars, AreOfFullLengthAndWithoutMetal)
 {
   for (const Measured& each : measuredEars()) {
     EXPECT_TRUE(each.found.cdlOc) << each.ear.name << " " << each.found.turnsSeen;
-    for (const Flag flag : {Flag::fewTurns, Flag::metal, Flag::unusualProportions})
+    for (const Flag flag : {Flag::fewTurns, Flag::cysticApex, Flag::apexNotJudged, Flag::metal,
+                            Flag::unusualProportions})
       EXPECT_FALSE(each.found.has(flag)) << each.ear.name << " " << nameOf(flag);
   }
+}
+
+TEST_F(RealEars, AreNoCavitiesOnCoarserScannersEither)
+{
+  for (const test::PhantomScan& scan : {test::highResolutionScan(), test::clinicalScan()})
+    for (const Measured& each : measuredEars()) {
+      MeasureRequest request;
+      request.click_P = test::clickOf(each.ear);
+      // The ears have a blur of 0.15 mm.
+      const auto found = measureCochlea(test::coarser(each.ear.ct, scan, 0.15), request);
+      ASSERT_TRUE(found) << each.ear.name << found.error().message;
+      EXPECT_FALSE(found->has(Flag::cysticApex)) << each.ear.name << scan.spacing_mm.x();
+    }
 }
 
 TEST_F(RealEars, HaveAnAxisWithin6DegreesInTheMedian)

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "perilymph/anatomy/Patient.h"
 #include "perilymph/foundation/Result.h"
 
 namespace perilymph::ct {
@@ -36,6 +37,7 @@ struct CtProvenance {
   std::vector<std::string> notes = {};  ///< What was done to the voxels, as sentences.
   /// Its files state something twice and not alike, or something of them is missing; the notes say what.
   bool isInDoubt = false;
+  std::optional<anatomy::Side> side = {};  ///< The ear's, as the files state it.
 };
 
 /// Voxels of 16 bits on a regular grid. Frame P is the patient's, LPS in mm, as in DICOM: x toward

@@ -29,6 +29,8 @@ enum class Flag {
   clipped,            ///< Part of the cochlea is outside the volume or was not measured.
   landmarkContradicted,  ///< The voxels contradict a landmark that a person placed.
   fewTurns,              ///< Fewer turns of the lumen were seen than nearly all cochleae have.
+  cysticApex,            ///< The middle turn has no modiolus: it is one cavity.
+  apexNotJudged,         ///< The modiolus of the middle turn cannot be told from its absence.
   wallWithoutContrast,   ///< A part of the basal turn has no contrast between lumen and wall.
   metal,                 ///< Metal lies in or beside the cochlea.
   unusualProportions,    ///< B does not fit A, or H is not a patient's.
@@ -63,7 +65,7 @@ struct CochleaMeasures {
   /// Along the axis, from the lowest floor to the highest roof of the lumen.
   Measure h;
   /// Organ-of-Corti length by the elliptic-circular approximation of A and B, which assumes a
-  /// cochlea of full length: empty with Flag::fewTurns.
+  /// spiral of full length: empty with a flag that denies it, see noFullSpiral().
   std::optional<Measure> cdlOc;
   double turnsSeen = 0.0;  ///< From 0 degrees to where the lumen ends, or to the fitted apex.
 
@@ -103,6 +105,8 @@ struct CochleaMeasures {
   Marks marksByHand;  ///< Landmarks that a person placed or corrected; the fit was steered by them.
 
   bool has(Flag flag) const;
+  /// The flag for which the formulas and the model of 2.5 turns do not apply; empty: they do.
+  std::optional<Flag> noFullSpiral() const;
   /// Position in P [mm] of a point of the anatomy built from these measures, in its frame W [m].
   Eigen::Vector3d fromAnatomy(const Eigen::Vector3d& point_W) const
   {

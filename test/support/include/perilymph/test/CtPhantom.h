@@ -67,6 +67,10 @@ TwoEars makeTwoEars(std::uint64_t seed, const PhantomScan& scan, double apart_mm
 ct::CtVolume withEmptyCorner(const ct::CtVolume& volume, const Eigen::Vector3d& point_P,
                              const Eigen::Vector3d& normal_P, std::int16_t value);
 
+/// The volume as a coarser scanner shows it, without that scanner's noise.
+/// @param blur_mm  Standard deviation of the volume's own blur.
+ct::CtVolume coarser(const ct::CtVolume& volume, const PhantomScan& scan, double blur_mm);
+
 /// A click in the cochlea, displaced by a normal deviate of 0.5 mm along every axis.
 Eigen::Vector3d jitteredClick(const CtPhantom& phantom, std::uint64_t seed);
 

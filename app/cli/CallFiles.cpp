@@ -24,18 +24,6 @@ bool isStream(const fs::path& file)
   return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
 }
 
-/// True for a file that exists somewhere in a folder.
-bool isExistingBelow(const fs::path& file, const fs::path& folder)
-{
-  std::error_code failed;
-  const fs::path found = fs::canonical(file, failed);
-  if (failed) return false;
-  const fs::path around = fs::canonical(folder, failed);
-  if (failed) return false;
-  return std::mismatch(around.begin(), around.end(), found.begin(), found.end()).first ==
-         around.end();
-}
-
 Error isInput(const std::string& option, const fs::path& output, const std::string& reader)
 {
   return Error{option + " would replace " + output.string() + ", which " + reader +

@@ -7,6 +7,7 @@
 
 #include "gui/report/PlanReportPdf.h"
 #include "perilymph/foundation/AtomicFile.h"
+#include "perilymph/foundation/FileIdentity.h"
 #include "perilymph/foundation/Unfinished.h"
 #include "perilymph/foundation/Version.h"
 #include "perilymph/imaging/EncapsulatedPdf.h"
@@ -36,6 +37,11 @@ Result<PlanReportContent> reportedPlan(const CommandLine& options)
   if (const auto place = checkWritable(*options.report); !place) return place.error();
   if (options.ct && !isDicom(*options.report))
     return Error{"--ct needs a report that ends in .dcm, because a PDF carries no study."};
+  if (options.ct && isExistingBelow(*options.report, options.ct->filename() == "DICOMDIR"
+                                                         ? options.ct->parent_path()
+                                                         : *options.ct))
+    return Error{"--report would replace " + options.report->string() +
+                 ", which --ct reads. Give --report another name."};
   auto stored = planning::readPlan(*options.plan);
   if (!stored) return stored.error();
   if (options.ct && stored->plan.seal == Seal::changed)

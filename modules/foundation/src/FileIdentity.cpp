@@ -3,6 +3,7 @@
 
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <system_error>
 #include <utility>
 
@@ -48,6 +49,17 @@ bool isSameFile(const FileIdentity& one, const FileIdentity& other)
   if (one.inode != 0 && other.inode != 0)
     return one.device == other.device && one.inode == other.inode;
   return one.place == other.place;
+}
+
+bool isExistingBelow(const fs::path& file, const fs::path& folder)
+{
+  std::error_code failed;
+  const fs::path found = fs::canonical(file, failed);
+  if (failed) return false;
+  const fs::path around = fs::canonical(folder, failed);
+  if (failed) return false;
+  return std::mismatch(around.begin(), around.end(), found.begin(), found.end()).first ==
+         around.end();
 }
 
 }  // namespace perilymph

@@ -73,6 +73,16 @@ TEST_F(PlanReportPdf, BecomesPartOfTheStudyInWhichItsPatientWasMeasuredAndOfNoOt
   }
   EXPECT_EQ(into("own").status, 0);
   EXPECT_TRUE(fs::exists(file));
+  // A slice of the CT is no place for a report.
+  const fs::path slice = fs::directory_iterator(folder_ / "own")->path();
+  const std::string bytes = *readWhole(slice);
+  fs::rename(slice, folder_ / "own" / "1.dcm");
+  ProgramCall onto = callOf(folder_.path(), folder_ / "own" / "1.dcm");
+  onto.arguments.insert(onto.arguments.end(), {"--ct", (folder_ / "own").string()});
+  const auto refused = run(onto);
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_THAT(refused.err, HasSubstr("1.dcm, which --ct reads. Give --report another name."));
+  EXPECT_EQ(*readWhole(folder_ / "own" / "1.dcm"), bytes);
 
   // As of an earlier version: nobody vouches for the series that it states.
   fs::remove(file);

@@ -21,4 +21,7 @@ FileIdentity identityOf(const std::filesystem::path& file);
 /// True for two spellings of one path, for a link and its target, and for two hard links.
 bool isSameFile(const FileIdentity& one, const FileIdentity& other);
 
+/// True for a file that exists somewhere in a folder.
+bool isExistingBelow(const std::filesystem::path& file, const std::filesystem::path& folder);
+
 }  // namespace perilymph

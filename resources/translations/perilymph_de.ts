@@ -60,6 +60,14 @@
         <translation>%1 ist von einem neueren Programm. Öffnen Sie sie mit jenem.</translation>
     </message>
     <message>
+        <source>%1 places the landmark %2 at two points. Keep one of them.</source>
+        <translation>%1 setzt die Landmarke %2 an zwei Punkte. Behalten Sie einen davon.</translation>
+    </message>
+    <message>
+        <source>%1 states &quot;%2&quot; twice in one object. Save the points in Slicer again.</source>
+        <translation>%1 gibt „%2“ in einem Objekt zweimal an. Speichern Sie die Punkte in Slicer noch einmal.</translation>
+    </message>
+    <message>
         <source>%1 has landmarks of another CT series than the one that is open. Open that CT, or place the landmarks in this one.</source>
         <translation>%1 hat Landmarken einer anderen CT-Serie als der geöffneten. Öffnen Sie jenes CT, oder setzen Sie die Landmarken in diesem.</translation>
     </message>
@@ -1716,6 +1724,18 @@
         <translation>die Klasse der Bilder</translation>
     </message>
     <message>
+        <source>where its rows and columns point</source>
+        <translation>die Richtung ihrer Zeilen und Spalten</translation>
+    </message>
+    <message>
+        <source>the place in its order</source>
+        <translation>den Platz in ihrer Reihenfolge</translation>
+    </message>
+    <message>
+        <source>the side of the ear</source>
+        <translation>die Seite des Ohrs</translation>
+    </message>
+    <message>
         <source>the smallest gray value</source>
         <translation>den kleinsten Grauwert</translation>
     </message>
@@ -1742,6 +1762,10 @@
     <message>
         <source>the functional groups</source>
         <translation>den Functional Groups</translation>
+    </message>
+    <message>
+        <source>the entries of ModalityLUTSequence (0028,3000)</source>
+        <translation>den Einträgen der ModalityLUTSequence (0028,3000)</translation>
     </message>
     <message>
         <source>PixelSpacing (0028,0030) outside of them</source>
@@ -1822,6 +1846,10 @@
     <message>
         <source>The files of the CT contradict themselves, or something of them is missing: read the warnings about the series before using the measures.</source>
         <translation>Die Dateien des CT widersprechen sich, oder etwas davon fehlt: Lesen Sie die Warnungen zur Serie, bevor Sie die Maße verwenden.</translation>
+    </message>
+    <message>
+        <source>Slices %1 and %2 of %3 have one number (SOPInstanceUID) at different places, so one of both may be of another series. Export the series again as original images.</source>
+        <translation>Die Schichten %1 und %2 von %3 haben an verschiedenen Orten dieselbe Nummer (SOPInstanceUID); eine von beiden kann aus einer anderen Serie sein. Exportieren Sie die Serie noch einmal als Originalbilder.</translation>
     </message>
     <message>
         <source>Slices %1 and %2 of %3 hold the same voxels at different places, so one of both may be a copy of the other. Export the series again as original images.</source>

@@ -109,6 +109,9 @@ constexpr const char* results[] = {
                       "%1 has %2 insertions; at most %3 can be shown. Open one of its shards, or "
                       "query it with SQL."),
     QT_TRANSLATE_NOOP("Data", "%1 is of a newer program. Open it with that one."),
+    QT_TRANSLATE_NOOP("Data", "%1 places the landmark %2 at two points. Keep one of them."),
+    QT_TRANSLATE_NOOP("Data",
+                      "%1 states \"%2\" twice in one object. Save the points in Slicer again."),
     QT_TRANSLATE_NOOP("Data",
                       "%1 has landmarks of another CT series than the one that is open. Open "
                       "that CT, or place the landmarks in this one.")};

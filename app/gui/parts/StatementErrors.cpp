@@ -80,6 +80,10 @@ constexpr const char* volumeMessages[] = {
                       "no gray values. Save the CT itself, with the code 0."),
     QT_TRANSLATE_NOOP("Data", "cannot be inflated: there is no memory. Close programs."),
     // warnings about a series
+    QT_TRANSLATE_NOOP("Data",
+                      "Slices %1 and %2 of %3 have one number (SOPInstanceUID) at different "
+                      "places, so one of both "
+                      "may be of another series. Export the series again as original images."),
     QT_TRANSLATE_NOOP(
         "Data",
         "Slices %1 and %2 of %3 hold the same voxels at different places, so one of both may be a "
@@ -173,6 +177,9 @@ constexpr const char* words[] = {
     QT_TRANSLATE_NOOP("Data", "the tilt of the gantry"),
     QT_TRANSLATE_NOOP("Data", "the number of its images"),
     QT_TRANSLATE_NOOP("Data", "the class of its images"),
+    QT_TRANSLATE_NOOP("Data", "where its rows and columns point"),
+    QT_TRANSLATE_NOOP("Data", "the place in its order"),
+    QT_TRANSLATE_NOOP("Data", "the side of the ear"),
     QT_TRANSLATE_NOOP("Data", "the smallest gray value"),
     QT_TRANSLATE_NOOP("Data", "the largest gray value"),
     QT_TRANSLATE_NOOP("Data", "the compressed images that PixelData holds"),
@@ -180,6 +187,7 @@ constexpr const char* words[] = {
     QT_TRANSLATE_NOOP("Data", "rows, columns, bits and frames"),
     QT_TRANSLATE_NOOP("Data", "the voxels themselves, which need more"),
     QT_TRANSLATE_NOOP("Data", "the functional groups"),
+    QT_TRANSLATE_NOOP("Data", "the entries of ModalityLUTSequence (0028,3000)"),
     QT_TRANSLATE_NOOP("Data", "PixelSpacing (0028,0030) outside of them"),
     QT_TRANSLATE_NOOP("Data", "RescaleSlope (0028,1053) outside of them"),
     QT_TRANSLATE_NOOP("Data", "RescaleIntercept (0028,1052) outside of them"),

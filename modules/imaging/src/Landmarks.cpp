@@ -5,16 +5,22 @@
 #include <array>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
+#include <vector>
 
 #include "SeriesNote.h"
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/foundation/Choice.h"
+#include "perilymph/foundation/Utf8.h"
 
 namespace perilymph::imaging {
 
 namespace {
 
 using Json = nlohmann::json;
+
+constexpr double samePlace_mm = 0.01;  // as programs round
+constexpr std::size_t maxName = 40;    // of a text in a message
 
 /// How a list gives its coordinates.
 struct Coordinates {
@@ -79,8 +85,24 @@ std::optional<Coordinates> coordinatesOf(const Json& markup)
   return coordinates;
 }
 
-/// Adds the points of one list; false where it is not one that can be read.
-bool addPoints(const Json& markup, ct::Marks& marks)
+/// A JSON text; discarded where it is none.
+/// @param twice  The name that an object gives two values, of which a parser takes the last; empty where there is none.
+Json parsedJson(const std::string& text, std::string& twice)
+{
+  std::vector<std::set<std::string>> keys;  // of the objects that are open
+  const Json::parser_callback_t note = [&](int, Json::parse_event_t event, const Json& parsed) {
+    if (event == Json::parse_event_t::object_start) keys.emplace_back();
+    if (event == Json::parse_event_t::object_end) keys.pop_back();
+    if (event == Json::parse_event_t::key && twice.empty())
+      if (std::string key = parsed.get<std::string>(); !keys.back().insert(key).second)
+        twice = std::move(key);
+    return true;
+  };
+  return Json::parse(text, note, false);
+}
+
+/// Adds the points of one list; false where it is not one that can be read. A name at two places is kept in `twice`.
+bool addPoints(const Json& markup, ct::Marks& marks, std::optional<ct::Mark>& twice)
 {
   if (!markup.is_object()) return false;
   const auto points = markup.find("controlPoints");
@@ -91,8 +113,10 @@ bool addPoints(const Json& markup, ct::Marks& marks)
     const std::optional<ct::Mark> mark = ct::markNamed(textOf(control, "label"));
     const std::string status = textOf(control, "positionStatus");
     if (!mark || (!status.empty() && status != "defined")) continue;
-    marks[*mark] = pointOf(control, *coordinates);
-    if (!marks[*mark]) return false;
+    const auto point = pointOf(control, *coordinates);
+    if (!point) return false;
+    if (marks[*mark] && (*point - *marks[*mark]).norm() > samePlace_mm) twice = *mark;
+    marks[*mark] = point;
   }
   return true;
 }
@@ -117,7 +141,11 @@ Result<ct::Marks> readLandmarks(const std::filesystem::path& file, const std::st
   const Error other{file.string() +
                     " is no Slicer markups file with points named RW, C or A in LPS or RAS. Save "
                     "the points in Slicer as Markups JSON (.mrk.json)."};
-  const Json json = Json::parse(*content, nullptr, false);
+  std::string named;
+  const Json json = parsedJson(*content, named);
+  if (!named.empty())
+    return Error{file.string() + " states \"" + onOneLine(validUtf8(named.substr(0, maxName))) +
+                 "\" twice in one object. Save the points in Slicer again."};
   if (!json.is_object()) return other;
   const auto markups = json.find("markups");
   if (markups == json.end() || !markups->is_array()) return other;
@@ -133,8 +161,12 @@ Result<ct::Marks> readLandmarks(const std::filesystem::path& file, const std::st
           " has landmarks of another CT series than the one that is open. Open that CT, or "
           "place the landmarks in this one."};
   ct::Marks marks;
+  std::optional<ct::Mark> twice;
   for (const Json& markup : *markups)
-    if (!addPoints(markup, marks)) return other;
+    if (!addPoints(markup, marks, twice)) return other;
+  if (twice)
+    return Error{file.string() + " places the landmark " + nameOf(*twice) +
+                 " at two points. Keep one of them."};
   if (!marks[ct::Mark::roundWindow] && !marks[ct::Mark::modiolus] && !marks[ct::Mark::apex])
     return other;
   return marks;

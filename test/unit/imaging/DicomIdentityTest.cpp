@@ -171,6 +171,38 @@ TEST_F(DicomIdentity, IsOfOneReconstruction)
   EXPECT_THAT(loaded->volume.provenance().notes, testing::IsEmpty());
 }
 
+TEST_F(DicomIdentity, NamesASliceOfAnotherScannerSideOrUnit)
+{
+  const struct {
+    test::DicomTag tag;
+    const char* type;
+    const char* value;
+    const char* name;
+  } settings[] = {
+      {tags::manufacturer, "LO", "Another", "Manufacturer (0008,0070)"},
+      {tags::bodyPart, "CS", "FOOT", "BodyPartExamined (0018,0015)"},
+      {tags::laterality, "CS", "L", "Laterality (0020,0060)"},
+      {tags::rescaleType, "LO", "OD", "RescaleType (0028,1054)"},
+      {tags::photometric, "CS", "MONOCHROME1", "PhotometricInterpretation (0028,0004)"}};
+  for (const auto& setting : settings) {
+    Files files = statedSlices();
+    files[6].setText(setting.tag, setting.type, setting.value);
+    const auto loaded = readCt(write(files));
+    ASSERT_TRUE(loaded) << setting.name << loaded.error().message;
+    EXPECT_THAT(loaded->series.warnings,
+                Contains(HasSubstr(std::string("Its slices differ in ") + setting.name)));
+  }
+}
+
+TEST_F(DicomIdentity, OfAnImageIsNotThatOfAnother)
+{
+  Files files = statedSlices();
+  files[7].setText(tags::instance, "UI", "1.2.3.4.3");
+  const auto loaded = readCt(write(files));
+  ASSERT_TRUE(loaded) << loaded.error().message;
+  EXPECT_THAT(loaded->series.warnings, Contains(HasSubstr("Slices 3 and 8 of 10 have one number")));
+}
+
 TEST_F(DicomIdentity, NamesFilesThatEndBeforeTheySayWhatTheyAre)
 {
   for (const std::uintmax_t bytes : {0, 1, 100, 128, 132, 140, 300}) {

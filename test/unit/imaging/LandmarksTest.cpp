@@ -6,6 +6,9 @@
 
 #include <gmock/gmock.h>
 
+#include <map>
+#include <string>
+
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/imaging/PlanFiles.h"
 #include "perilymph/test/TemporaryFolder.h"
@@ -53,6 +56,48 @@ TEST(Landmarks, OfAnotherSeriesAreRefused)
   // points that name none, as Slicer's own
   ASSERT_TRUE(writeWhole(file, planText({.marks = marks})));
   EXPECT_TRUE(readLandmarks(file, std::string(64, 'b')));
+}
+
+TEST(Landmarks, AreAtOnePlaceEach)
+{
+  const test::TemporaryFolder folder;
+  const auto file = folder / "a.mrk.json";
+  const std::string point = R"({"label": "RW", "position": [1, 2, 3]})";
+  const std::string same = R"({"label": "RW", "position": [1, 2, 3.001]})";
+  const std::string other = R"({"label": "RW", "position": [1, 2, 4]})";
+  const auto lists = [](const std::string& first, const std::string& second) {
+    return R"({"markups": [{"controlPoints": [)" + first + R"(]}, {"controlPoints": [)" + second +
+           "]}]}";
+  };
+  ASSERT_TRUE(writeWhole(file, lists(point, same)));
+  EXPECT_TRUE(readLandmarks(file, {}));
+  for (const std::string& text : {lists(point, other), lists(point + ", " + other, same)}) {
+    ASSERT_TRUE(writeWhole(file, text));
+    const auto read = readLandmarks(file, {});
+    ASSERT_FALSE(read);
+    EXPECT_THAT(read.error().message, testing::HasSubstr("the landmark RW at two points"));
+  }
+}
+
+TEST(Landmarks, AreRefusedWhereAnObjectHasTwoValuesOfOneName)
+{
+  const test::TemporaryFolder folder;
+  const auto file = folder / "a.mrk.json";
+  const std::string point = R"({"label": "RW", "position": [1, 2, 3]})";
+  for (const auto& [text, name] : std::map<std::string, std::string>{
+           {R"({"markups": [{"coordinateSystem": "LPS", "coordinateSystem": "RAS",
+                "controlPoints": [)" +
+                point + "]}]}",
+            "coordinateSystem"},
+           {R"({"markups": [{"controlPoints": [{"label": "RW", "position": [1, 2, 3],
+                "position": [1, 2, 9]}]}]})",
+            "position"},
+           {R"({"markups": [], "markups": [{"controlPoints": [)" + point + "]}]}", "markups"}}) {
+    ASSERT_TRUE(writeWhole(file, text));
+    const auto read = readLandmarks(file, {});
+    ASSERT_FALSE(read) << name;
+    EXPECT_THAT(read.error().message, testing::HasSubstr("\"" + name + "\" twice"));
+  }
 }
 
 TEST(Landmarks, OfRasFilesAreTurnedToLps)

@@ -39,7 +39,15 @@ inline constexpr test::DicomTag imageType = 0x00080008, sopClass = 0x00080016,
                                 aspect = 0x00280034, allocated = 0x00280100, stored = 0x00280101,
                                 highBit = 0x00280102, isSigned = 0x00280103, padding = 0x00280120,
                                 paddingLimit = 0x00280121, intercept = 0x00281052,
-                                slope = 0x00281053, rescaleType = 0x00281054, pixels = 0x7FE00010;
+                                slope = 0x00281053, rescaleType = 0x00281054, pixels = 0x7FE00010,
+                                instanceNumber = 0x00200013, laterality = 0x00200060,
+                                imageLaterality = 0x00200062, patientOrientation = 0x00200020,
+                                manufacturer = 0x00080070, bodyPart = 0x00180015,
+                                photometric = 0x00280004, grayTables = 0x00283000,
+                                realWorld = 0x00409096, instance = 0x00080018,
+                                codeValue = 0x00080100, units = 0x004008EA,
+                                realIntercept = 0x00409224, realSlope = 0x00409225,
+                                tableSizes = 0x00283002;
 }  // namespace tags
 
 /// Slices of a sphere in air with noise, so that neighbors are alike, as those of a CT are. 12 bits are stored.
@@ -105,6 +113,11 @@ inline std::vector<test::DicomData> statedSlices(const ct::CtVolume& volume = sm
     slice.setNumber(tags::highBit, 11);
     slice.setText(tags::rescaleType, "LO", "HU");
     slice.setText(tags::patientPosition, "CS", "HFS");
+    slice.setText(tags::instanceNumber, "IS", std::to_string(k + 1));
+    slice.setText(tags::laterality, "CS", "R");
+    slice.setText(tags::imageLaterality, "CS", "R");
+    slice.setText(tags::patientOrientation, "CS", "L\\P");
+    slice.setText(tags::bodyPart, "CS", "HEAD");
     const auto perSlice = static_cast<std::ptrdiff_t>(volume.size()[0]) * volume.size()[1];
     const auto first = volume.voxels().begin() + static_cast<std::ptrdiff_t>(k) * perSlice;
     const auto [low, high] = std::minmax_element(first, first + perSlice);

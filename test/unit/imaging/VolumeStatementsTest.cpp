@@ -333,7 +333,8 @@ TEST_F(VolumeStatements, ThatAgreeAreTakenWithoutAWord)
 TEST_F(VolumeStatements, OfAnotherModalityAreRefused)
 {
   for (const char* const modality : {"MR", "PT", "DWMRI", "ultrasound"})
-    for (const char* const key : {"modality:=", "Modality:= ", "DICOM_0008_0060_Modality:="}) {
+    for (const char* const key :
+         {"modality:=", "Modality:= ", "DICOM_0008_0060_Modality:=", "0008|0060:="}) {
       std::ofstream(folder_ / "a.nrrd", std::ios::binary) << nrrdWith(std::string(key) + modality);
       const auto loaded = readCt(folder_ / "a.nrrd");
       ASSERT_FALSE(loaded) << key << modality;

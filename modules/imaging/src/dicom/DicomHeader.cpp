@@ -2,6 +2,7 @@
 #include "DicomHeader.h"
 
 #include <vtkDICOMDictionary.h>
+#include <vtkDICOMItem.h>
 #include <vtkDICOMSequence.h>
 
 #include <algorithm>
@@ -11,6 +12,7 @@
 
 #include "DicomFrames.h"
 #include "DicomParse.h"
+#include "DicomStatements.h"
 #include "StoredBits.h"
 #include "TagNumbers.h"
 #include "perilymph/foundation/Sha256.h"
@@ -83,7 +85,13 @@ const vtkDICOMTag queried[] = {DC::MediaStorageSOPClassUID,
                                DC::RescaleSlope,
                                DC::RescaleIntercept,
                                DC::RescaleType,
-                               DC::LossyImageCompression};
+                               DC::LossyImageCompression,
+                               DC::SOPInstanceUID,
+                               DC::InstanceNumber,
+                               DC::Laterality,
+                               DC::ImageLaterality,
+                               DC::PatientOrientation,
+                               DC::BodyPartExamined};
 
 vtkSmartPointer<vtkDICOMMetaData> query()
 {
@@ -92,7 +100,8 @@ vtkSmartPointer<vtkDICOMMetaData> query()
   for (unsigned short group = firstOverlayGroup; group <= lastOverlayGroup; group += 2)
     query->Set(overlayBitPosition(group), vtkDICOMValue(vtkDICOMVR::UN));
   for (const auto tag : {DC::SharedFunctionalGroupsSequence, DC::PerFrameFunctionalGroupsSequence,
-                         DC::EncryptedAttributesSequence})
+                         DC::EncryptedAttributesSequence, DC::ModalityLUTSequence,
+                         DC::RealWorldValueMappingSequence})
     query->Set(tag, vtkDICOMValue(vtkDICOMSequence()));
   return query;
 }
@@ -143,9 +152,38 @@ std::vector<std::pair<std::string, std::string>> settingsOf(vtkDICOMMetaData& va
   std::vector<std::pair<std::string, std::string>> settings;
   for (const auto tag :
        {DC::AcquisitionNumber, DC::SeriesNumber, DC::ReconstructionDiameter, DC::ImageType,
-        DC::FilterType, DC::KVP, DC::SliceThickness, DC::SpacingBetweenSlices, DC::PatientPosition})
+        DC::FilterType, DC::KVP, DC::SliceThickness, DC::SpacingBetweenSlices, DC::PatientPosition,
+        DC::RescaleType, DC::PhotometricInterpretation, DC::Manufacturer, DC::ManufacturerModelName,
+        DC::BodyPartExamined, DC::Laterality, DC::ImageLaterality})
     settings.emplace_back(nameOf(tag), textIn(values.Get(tag)));
   return settings;
+}
+
+/// The scale to Hounsfield units in a sequence that may hold others.
+std::optional<std::array<double, 2>> realWorldScaleIn(const vtkDICOMValue& mappings)
+{
+  if (!mappings.IsValid()) return std::nullopt;
+  const vtkDICOMSequence items(mappings);
+  for (std::size_t i = 0; i < items.GetNumberOfItems(); ++i) {
+    const vtkDICOMItem& item = items.GetItem(i);
+    const vtkDICOMValue& units = item.Get(DC::MeasurementUnitsCodeSequence);
+    const auto slope = decimalNumber(textIn(item.Get(DC::RealWorldValueSlope)));
+    const auto intercept = decimalNumber(textIn(item.Get(DC::RealWorldValueIntercept)));
+    if (units.IsValid() && slope && intercept &&
+        textIn(units.AsItem().Get(DC::CodeValue)).find("hnsf'U") != std::string::npos)
+      return std::array{*slope, *intercept};
+  }
+  return std::nullopt;
+}
+
+/// A table of gray values stands instead of slope and intercept, and is not applied.
+void checkGrayTable(const vtkDICOMValue& tables, DicomHeader& header)
+{
+  if (!tables.IsValid() || vtkDICOMSequence(tables).GetNumberOfItems() == 0) return;
+  const double slope = header.frames.empty() ? 1.0 : header.frames.front().slope;
+  const double entries = tables.AsItem().Get(DC::LUTDescriptor).AsInt();
+  if (auto found = disagreement(header, dicomPairs::grayTable, slope, entries))
+    header.faults.push_back(*std::move(found));
 }
 
 void readGeometry(vtkDICOMMetaData& values, TagNumbers& numbers, DicomHeader& header)
@@ -237,6 +275,13 @@ std::optional<DicomHeader> readDicomHeader(const std::filesystem::path& file)
   TagNumbers numbers;
   readGeometry(values, numbers, header);
   readGrayValues(values, numbers, header);
+  header.instanceUid = uidIn(values.Get(DC::SOPInstanceUID));
+  header.instanceNumber = decimalNumber(textIn(values.Get(DC::InstanceNumber)));
+  header.laterality = textIn(values.Get(DC::Laterality));
+  header.imageLaterality = textIn(values.Get(DC::ImageLaterality));
+  header.patientOrientation = textIn(values.Get(DC::PatientOrientation));
+  header.realWorldScale = realWorldScaleIn(values.Get(DC::RealWorldValueMappingSequence));
+  checkGrayTable(values.Get(DC::ModalityLUTSequence), header);
   header.isDerived = hasValue(values.Get(DC::ImageType), "DERIVED");
   header.hasPixels = parsed->hasPixels && header.rows > 0 && header.columns > 0;
   header.isEncrypted = values.Has(DC::EncryptedAttributesSequence);

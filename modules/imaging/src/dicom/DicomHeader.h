@@ -58,6 +58,13 @@ struct DicomHeader {
   std::optional<Eigen::Vector2d> imagerSpacing_mm, aspectRatio;  ///< Columns, then rows.
   std::optional<double> reconstructionDiameter_mm, gantryTilt_deg;
   std::optional<int> imagesInAcquisition;
+  std::string instanceUid;  ///< SOPInstanceUID, which no other image has.
+  std::optional<double> instanceNumber;
+  /// Laterality and ImageLaterality: "R", "L", or what else is there; empty where absent.
+  std::string laterality, imageLaterality;
+  std::string patientOrientation;  ///< Where rows and columns point, as "L\\P"; empty where absent.
+  /// Slope and intercept by which RealWorldValueMappingSequence gives Hounsfield units.
+  std::optional<std::array<double, 2>> realWorldScale;
   DicomIdentity identity;
   /// How the image was made, by tag, as text: differences tell reconstructions apart.
   std::vector<std::pair<std::string, std::string>> settings;

@@ -61,6 +61,8 @@ const StatedTwice aspectRatio =
             "PixelAspectRatio (0028,0034)", "", rounding);
 const StatedTwice modality =
     refused("the kind of its images", "Modality (0008,0060)", "SOPClassUID (0008,0016)", "", 0.0);
+const StatedTwice grayTable = refused("its gray values", "RescaleSlope (0028,1053)",
+                                      "the entries of ModalityLUTSequence (0028,3000)", "", 0.0);
 
 const StatedTwice step =
     warned("the step", "their positions", "SpacingBetweenSlices (0018,0088)", "mm", 5e-3, 2e-3);
@@ -90,6 +92,20 @@ const StatedTwice smallest = warned("the smallest gray value", "its voxels",
 const StatedTwice largest = warned("the largest gray value", "its voxels",
                                    "LargestImagePixelValue (0028,0107)", "", 0.0, 0.5);
 
+const StatedTwice directions =
+    warned("where its rows and columns point", "ImageOrientationPatient (0020,0037)",
+           "PatientOrientation (0020,0020)", "", 0.0);
+const StatedTwice imageNumber =
+    warned("the place in its order", "its position", "InstanceNumber (0020,0013)", "", 0.0);
+const StatedTwice side =
+    warned("the side of the ear", "Laterality (0020,0060)", "ImageLaterality (0020,0062)", "", 0.0);
+const StatedTwice realWorldSlope =
+    warned("the slope of its gray values", "RescaleSlope (0028,1053)",
+           "RealWorldValueSlope (0040,9225)", "", 1e-6);
+const StatedTwice realWorldIntercept =
+    warned("the intercept of its gray values", "RescaleIntercept (0028,1052)",
+           "RealWorldValueIntercept (0040,9224)", "", 1e-6);
+
 }  // namespace dicomPairs
 
 std::vector<StatedTwice> allDicomPairs()
@@ -107,6 +123,7 @@ std::vector<StatedTwice> allDicomPairs()
           interceptOutsideGroups,
           aspectRatio,
           modality,
+          grayTable,
           step,
           location,
           locationOfSlice,
@@ -117,7 +134,12 @@ std::vector<StatedTwice> allDicomPairs()
           imagesInAcquisition,
           mediaClass,
           smallest,
-          largest};
+          largest,
+          directions,
+          imageNumber,
+          side,
+          realWorldSlope,
+          realWorldIntercept};
 }
 
 std::optional<std::string> disagreement(const DicomHeader& header, const StatedTwice& pair,

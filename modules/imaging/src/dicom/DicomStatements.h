@@ -17,11 +17,12 @@ namespace dicomPairs {
 // of one file; each is refused
 extern const StatedTwice framesAndGroups, framesAndFragments, framesAndOffsets, framesAndBytes,
     highBit, bitsStored, columnsOutsideGroups, rowsOutsideGroups, slopeOutsideGroups,
-    interceptOutsideGroups, aspectRatio, modality;
+    interceptOutsideGroups, aspectRatio, modality, grayTable;
 
 // of a series; each is a warning
 extern const StatedTwice step, location, locationOfSlice, fieldOfView, imagerColumns, imagerRows,
-    tilt, imagesInAcquisition, mediaClass, smallest, largest;
+    tilt, imagesInAcquisition, mediaClass, smallest, largest, directions, imageNumber, side,
+    realWorldSlope, realWorldIntercept;
 
 }  // namespace dicomPairs
 

@@ -184,6 +184,18 @@ Result<Grid> assemble(const DicomSeries& series, const ReadingHooks& hooks,
   return grid;
 }
 
+/// The side that every image states that states one.
+std::optional<anatomy::Side> statedSide(const DicomSeries& series)
+{
+  std::string letters;
+  for (const DicomHeader& header : series.headers)
+    for (const std::string& stated : {header.laterality, header.imageLaterality})
+      if (!stated.empty() && letters.find(stated) == std::string::npos) letters += stated;
+  if (letters == "R") return anatomy::Side::right;
+  if (letters == "L") return anatomy::Side::left;
+  return std::nullopt;
+}
+
 }  // namespace
 
 Result<ReadVolume> readVoxels(const DicomSeries& series, const ReadingHooks& hooks)
@@ -204,6 +216,7 @@ Result<ReadVolume> readVoxels(const DicomSeries& series, const ReadingHooks& hoo
   std::vector<std::string>& notes = provenance.notes;
   notes.insert(notes.end(), series.doubts.begin(), series.doubts.end());
   notes.insert(notes.end(), warnings.begin(), warnings.end());
+  provenance.side = statedSide(series);
   provenance.isInDoubt = !series.doubts.empty() || !warnings.empty();
   auto volume =
       ct::CtVolume::make(grid->size, grid->lps_PI, std::move(grid->voxels), std::move(provenance));

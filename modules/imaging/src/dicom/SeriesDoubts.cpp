@@ -209,6 +209,104 @@ Sentence grayDoubt(const DicomSeries& series, const std::vector<Placed>&)
   return warning.empty() ? Sentence() : Sentence(std::move(warning));
 }
 
+/// The letter of the patient's direction that an axis points along most.
+char letterOf(const Eigen::Vector3d& axis_P)
+{
+  constexpr std::array<std::array<char, 2>, 3> letters{{{'R', 'L'}, {'A', 'P'}, {'F', 'H'}}};
+  Eigen::Index along = 0;
+  axis_P.cwiseAbs().maxCoeff(&along);
+  return letters[static_cast<std::size_t>(along)][axis_P[along] > 0.0 ? 1 : 0];
+}
+
+/// Oblique axes may be named by any direction that they are within 60 degrees of.
+bool pointsTo(const Eigen::Vector3d& axis_P, char letter)
+{
+  constexpr double minimum = 0.5;
+  const std::string positive = "LPH", negative = "RAF";
+  if (const auto i = positive.find(letter); i != std::string::npos)
+    return axis_P[static_cast<Eigen::Index>(i)] >= minimum;
+  if (const auto i = negative.find(letter); i != std::string::npos)
+    return axis_P[static_cast<Eigen::Index>(i)] <= -minimum;
+  return true;  // the orientation of animals
+}
+
+Sentence directionDoubt(const DicomSeries& series, const std::vector<Placed>& slices)
+{
+  for (const Placed& slice : slices) {
+    const std::string& stated = slice.header.patientOrientation;
+    const auto split = stated.find('\\');
+    if (split == std::string::npos || split == 0 || split + 1 == stated.size()) continue;
+    const auto& axes = *slice.frame.pose.axes_P;
+    if (pointsTo(axes.col(0), stated[0]) && pointsTo(axes.col(1), stated[split + 1])) continue;
+    const std::string own{letterOf(axes.col(0)), '\\', letterOf(axes.col(1))};
+    return disagreement(theSeries, dicomPairs::directions, own, stated,
+                        slice.which(series.stack->places.size()));
+  }
+  return std::nullopt;
+}
+
+/// The numbers of a stack's images run up or down along it, with gaps where images were left out.
+Sentence orderDoubt(const DicomSeries& series, const std::vector<Placed>& slices)
+{
+  std::vector<double> numbers;
+  for (const Placed& slice : slices) {
+    if (slice.header.frames.size() != 1 || !slice.header.instanceNumber) return std::nullopt;
+    if (slice.place == numbers.size()) numbers.push_back(*slice.header.instanceNumber);
+  }
+  if (numbers.size() < 2) return std::nullopt;
+  const bool isFalling = numbers.back() < numbers.front();
+  for (const Placed& slice : slices) {
+    const double own = numbers[slice.place];
+    const auto before = std::count_if(numbers.begin(), numbers.end(), [&](double each) {
+      return isFalling ? each > own : each < own;
+    });
+    if (auto found =
+            disagreement(theSeries, dicomPairs::imageNumber, static_cast<double>(slice.place + 1),
+                         static_cast<double>(before + 1), slice.which(series.stack->places.size())))
+      return found;
+  }
+  return std::nullopt;
+}
+
+Sentence instanceDoubt(const DicomSeries& series, const std::vector<Placed>& slices)
+{
+  std::map<std::string, std::size_t> places;
+  for (const Placed& slice : slices) {
+    if (slice.header.frames.size() != 1 || slice.header.instanceUid.empty()) continue;
+    const auto [known, isNew] = places.try_emplace(slice.header.instanceUid, slice.place);
+    if (isNew || known->second == slice.place) continue;
+    return worded(warnings::sameInstance,
+                  {std::to_string(known->second + 1), std::to_string(slice.place + 1),
+                   std::to_string(series.stack->places.size())});
+  }
+  return std::nullopt;
+}
+
+Sentence sideDoubt(const DicomSeries&, const std::vector<Placed>& slices)
+{
+  for (const Placed& slice : slices)
+    if (!slice.header.laterality.empty() && !slice.header.imageLaterality.empty())
+      if (auto found = disagreement(theSeries, dicomPairs::side, slice.header.laterality,
+                                    slice.header.imageLaterality))
+        return found;
+  return std::nullopt;
+}
+
+Sentence realWorldDoubt(const DicomSeries&, const std::vector<Placed>& slices)
+{
+  for (const Placed& slice : slices) {
+    const auto& scale = slice.header.realWorldScale;
+    if (!scale) continue;
+    if (auto found =
+            disagreement(theSeries, dicomPairs::realWorldSlope, slice.frame.slope, (*scale)[0]))
+      return found;
+    if (auto found = disagreement(theSeries, dicomPairs::realWorldIntercept, slice.frame.intercept,
+                                  (*scale)[1]))
+      return found;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::vector<std::string> doubtsOf(const DicomSeries& series)
@@ -217,7 +315,8 @@ std::vector<std::string> doubtsOf(const DicomSeries& series)
   std::vector<std::string> doubts;
   for (const auto check :
        {modalityDoubt, classDoubt, grayDoubt, stepDoubt, thicknessDoubt, locationDoubt, fieldDoubt,
-        imagerDoubt, tiltDoubt, countDoubt, settingsDoubt})
+        imagerDoubt, tiltDoubt, countDoubt, settingsDoubt, directionDoubt, orderDoubt,
+        instanceDoubt, sideDoubt, realWorldDoubt})
     if (auto found = check(series, slices)) doubts.push_back(*std::move(found));
   return doubts;
 }

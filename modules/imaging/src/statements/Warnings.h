@@ -65,10 +65,15 @@ inline constexpr const char* copied =
     "Slices {0} and {1} of {2} hold the same voxels at different places, so one of both may be a "
     "copy of the other. Export the series again as original images.";
 
+inline constexpr const char* sameInstance =
+    "Slices {0} and {1} of {2} have one number (SOPInstanceUID) at different places, so one of "
+    "both "
+    "may be of another series. Export the series again as original images.";
+
 inline constexpr std::array all{
-    copied, scouts,   loneImage,   samePlace,     tilted,           lossy,  derived,
-    stump,  patients, listedApart, directoryLost, directoryMissing, coarse, thin,
-    gaps,   overlap,  settings,    noModality,    grayValues,       scales};
+    copied,  sameInstance, scouts,   loneImage,   samePlace,     tilted,           lossy,
+    derived, stump,        patients, listedApart, directoryLost, directoryMissing, coarse,
+    thin,    gaps,         overlap,  settings,    noModality,    grayValues,       scales};
 
 // Why gray values are no Hounsfield units, and what images with one series number differ in.
 inline constexpr const char* capture = "it is a secondary capture";

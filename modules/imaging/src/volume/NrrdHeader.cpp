@@ -49,7 +49,7 @@ std::optional<VoxelType> nrrdType(const std::string& name)
   return found->second;
 }
 
-/// Keys of the user, by name in lower case without blanks.
+/// Keys of the user, by name in lower case without blanks and bars.
 using Keys = std::map<std::string, std::string>;
 
 /// Adds a line's field; false if it is none or contradicts an earlier one.
@@ -61,7 +61,7 @@ bool addLine(const std::string& line, const std::string& subject, HeaderFields& 
   if (line.empty() || line.starts_with('#') || line.starts_with("NRRD000")) return true;
   if (isPair) {
     std::string key = lowerCase(line.substr(0, pair));
-    std::erase_if(key, [](char c) { return c == ' ' || c == '\t' || c == '_'; });
+    std::erase_if(key, [](char c) { return c == ' ' || c == '\t' || c == '_' || c == '|'; });
     keys.insert_or_assign(key, trimmed(line.substr(pair + 2)));
     return true;
   }
@@ -91,7 +91,8 @@ void addKeys(const Keys& keys, const std::string& subject, HeaderFields& fields)
       {"spaceunits", "spaceunits"},   {"sizes", "sizes"},
       {"spaceorigin", "spaceorigin"}, {"spacedirections", "spacedirections"}};
   for (const auto& [key, value] : keys) {
-    if (key == "modality" || key.ends_with("00080060modality")) fields.modality = value;
+    if (key == "modality" || key.ends_with("00080060modality") || key.ends_with("00080060"))
+      fields.modality = value;
     const auto known = geometry.find(key);
     if (known == geometry.end()) continue;
     const std::string field = known->second;

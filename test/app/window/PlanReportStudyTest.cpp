@@ -82,7 +82,7 @@ TEST_F(PlanReportPdf, BecomesPartOfTheStudyInWhichItsPatientWasMeasuredAndOfNoOt
   const auto refused = run(onto);
   EXPECT_EQ(refused.status, 1);
   EXPECT_THAT(refused.err, HasSubstr("1.dcm, which --ct reads. Give --report another name."));
-  EXPECT_EQ(*readWhole(folder_ / "own" / "1.dcm"), bytes);
+  EXPECT_TRUE(*readWhole(folder_ / "own" / "1.dcm") == bytes);
 
   // As of an earlier version: nobody vouches for the series that it states.
   fs::remove(file);

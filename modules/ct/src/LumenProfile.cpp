@@ -35,7 +35,7 @@ constexpr double coreRadius = 0.22;  // of the outer wall's
 constexpr double coreHeight_mm = 0.5, coreStep_mm = 0.1;
 // Chosen with one half of the ears and phantoms: whole ears had 0.067 and more, cavities up to 0.015.
 // Of the other half two ears had 0.032 and 0.035 at 0.45 x 0.6 mm: what blur leaves of this counts
-// as absence, and between both nothing is said (resources/guide/ct.md).
+// as absence, and between both nothing is said (resources/guide/method.md).
 constexpr double modiolusContrast = 0.04;
 constexpr double judgedBlur_mm = 0.45;
 constexpr double openTurn = 0.8;  // of what the fit shows in the lumen; less is filled

@@ -856,8 +856,8 @@
         <translation>Die Kraft auf die Trennwand ist die Summe auf der Basilarmembran, wie frühere Versionen sie berechneten: nicht die Kraft, bei der sie reißt.</translation>
     </message>
     <message>
-        <source>Insertions have fewer nodes and longer steps than the scenario: their median angle is up to %1 degrees smaller.</source>
-        <translation>Die Insertionen haben weniger Knoten und längere Schritte als das Szenario: Ihr medianer Winkel ist bis zu %1 Grad kleiner.</translation>
+        <source>Insertions have longer steps than the scenario: their median angle differs by up to %1 degrees.</source>
+        <translation>Die Insertionen haben längere Schritte als das Szenario: Ihr medianer Winkel weicht um bis zu %1 Grad ab.</translation>
     </message>
     <message>
         <source>Errors of A, B and H are independent unless the patient&apos;s file states their correlations.</source>

@@ -149,8 +149,8 @@ constexpr const char* shipped[] = {
                       "The force on the partition is the sum on the basilar membrane, as former "
                       "versions computed it: not the force that ruptures."),
     QT_TRANSLATE_NOOP("Data",
-                      "Insertions have fewer nodes and longer steps than the scenario: their "
-                      "median angle is up to %1 degrees smaller."),
+                      "Insertions have longer steps than the scenario: their median angle differs "
+                      "by up to %1 degrees."),
     QT_TRANSLATE_NOOP("Data",
                       "The partition ruptures at one strength, bone and membrane alike, into a "
                       "mirrored scala vestibuli. The model gives fewer translocations than clinics "

@@ -40,7 +40,9 @@ InsertionEnd EndDetector::detect(const mechanics::InsertionModel& model,
                                  bool isWithdrawing) noexcept
 {
   const mechanics::Readings& now = state.readings;
-  if (now.handForce_W.squaredNorm() > maxHandForce * maxHandForce) return InsertionEnd::jammed;
+  // the force of a step that is not balanced is none of the array
+  if (!state.isSettling && now.handForce_W.squaredNorm() > maxHandForce * maxHandForce)
+    return InsertionEnd::jammed;
   if (isWithdrawing) return InsertionEnd::none;
   if (stopForce_ > 0.0 && now.axialForce >= stopForce_) return InsertionEnd::stoppedByResistance;
   if (!isRod_) return InsertionEnd::none;

@@ -227,8 +227,8 @@ const std::vector<std::string>& limitsOfPlans()
       "sections are those of the mean.",
       "The partition ruptures at one strength, bone and membrane alike, into a mirrored scala "
       "vestibuli. The model gives fewer translocations than clinics report.",
-      "Insertions have fewer nodes and longer steps than the scenario: their median angle is up to "
-      "6 degrees smaller.",
+      "Insertions have longer steps than the scenario: their median angle differs by up to 9 "
+      "degrees.",
       "No friction in a living ear is known. The default, 0.12, is the low end of what is reported "
       "for arrays on endosteum, chosen with the depths in view that clinics report: four of five "
       "straight arrays come within 20 degrees of them, FLEXSOFT stops 90 short. With the friction "

@@ -90,13 +90,16 @@ std::string contradictionIn(const planning::PlannedInsertion& planned, Force str
 
 TEST_F(PlannedInsertions, ThatOnceEndedFalselyAreConsistent)
 {
-  // ended out of the opening with contacts inside, at 270 to 360 degrees, or pulled after a rupture
+  // ended out of the opening with contacts inside, at 270 to 360 degrees, or pulled after a rupture; the
+  // one at 0.12 jammed by the force of a step that had not found its balance
   struct Case {
     const char* array;
     std::size_t draw;
+    double friction = 0.05;
   };
   const std::vector<Case> cases = {{"flex24", 12},
                                    {"flexsoft", 15},
+                                   {"hifocus-slimj", 1, 0.12},
 #ifdef ENDS_ALL
                                    {"flex24", 15},
                                    {"hifocus-slimj", 8},
@@ -104,7 +107,7 @@ TEST_F(PlannedInsertions, ThatOnceEndedFalselyAreConsistent)
 #endif
   };
   for (const Case& each : cases) {
-    const planning::PlanRequest asked = request(0.05, 0.0, {each.array});
+    const planning::PlanRequest asked = request(each.friction, 0.0, {each.array});
     const auto setup = planning::preparePlan(asked);
     ASSERT_TRUE(setup) << setup.error().message;
     const std::atomic<bool> goesOn = false;

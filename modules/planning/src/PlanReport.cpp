@@ -231,7 +231,7 @@ const std::vector<std::string>& limitsOfPlans()
       "degrees.",
       "No friction in a living ear is known. The default, 0.12, is the low end of what is reported "
       "for arrays on endosteum, chosen with the depths in view that clinics report: four of five "
-      "straight arrays come within 20 degrees of them, FLEXSOFT stops 90 short. With the friction "
+      "straight arrays come within 20 degrees of them, FLEXSOFT stops 80 short. With the friction "
       "of a tissue simulant straight arrays stop at 240 to 350.",
       "Errors of A, B and H are independent unless the patient's file states their correlations.",
       "The strength of the cochlear partition and the surgeon's force limit rest on few "

@@ -101,7 +101,9 @@ TEST_P(EarGrid, CavitiesInsteadOfUpperTurnsAreNamed)
     const auto found = measured(seed, condition);
     if (!isRefusedAs(found, "malformed")) {
       ASSERT_TRUE(found) << found.error().message;
-      EXPECT_TRUE(found->has(Flag::cysticApex)) << seed << " " << turns;
+      EXPECT_TRUE(found->has(Flag::cysticApex))
+          << seed << " " << turns
+          << (found->has(Flag::apexNotJudged) ? ", not judged" : ", taken for whole");
       EXPECT_FALSE(found->cdlOc);
     }
     ++seed;

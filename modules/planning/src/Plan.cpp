@@ -61,6 +61,12 @@ bool isSamePatient(const anatomy::Patient& stored, const anatomy::Patient& patie
          (!one.h || isSame(*one.h, *other.h));
 }
 
+bool takesFew()
+{
+  const auto changed = replacedByEnvironment();
+  return std::find(changed.begin(), changed.end(), fewDraws) != changed.end();
+}
+
 /// Whether a plan.json is of a request that is kept beside it.
 bool isOf(const PlanRequest& stored, const PlanRequest& request)
 {
@@ -70,11 +76,14 @@ bool isOf(const PlanRequest& stored, const PlanRequest& request)
 
 }  // namespace
 
+Resolution usualResolution()
+{
+  return takesFew() ? Resolution{40, milliseconds(10)} : Resolution{};
+}
+
 Result<Done> checkDraws(std::size_t draws)
 {
-  const auto changed = replacedByEnvironment();
-  const bool takesFew = std::find(changed.begin(), changed.end(), fewDraws) != changed.end();
-  if (draws >= (takesFew ? std::size_t{1} : fewestDraws) && draws <= maxDraws) return Done{};
+  if (draws >= (takesFew() ? std::size_t{1} : fewestDraws) && draws <= maxDraws) return Done{};
   const std::string count = std::to_string(draws), fewest = std::to_string(fewestDraws),
                     allowed = ". Choose " + fewest + " to " + std::to_string(maxDraws) + ".";
   if (draws > maxDraws) return Error{"A plan of " + count + " simulations is too long" + allowed};

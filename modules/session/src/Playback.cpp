@@ -72,8 +72,8 @@ Result<Done> Playback::Content::survey()
   });
   if (!read) return read.error();
   if (ticks == 0)
-    return Error{file.string() +
-                 " contains no samples and cannot be replayed: the insertion was never started."};
+    return Error{"%1 contains no samples and cannot be replayed: the insertion was never started.",
+                 file};
   between = std::max(fewestBetween, ticks / maxStates);
   return Done{};
 }
@@ -157,7 +157,7 @@ Result<Verification> Playback::compute(
   auto begun = beginVerification(*recorded);
   if (!begun) return begun.error();
   Verification verification = *std::move(begun);
-  for (const std::string& note : whatChanged(*recorded, content.scenario, *content.model))
+  for (const Sentence& note : whatChanged(*recorded, content.scenario, *content.model))
     verification.notes.push_back(note);
   std::uint64_t done = 0;
   bool isStopped = false;
@@ -167,9 +167,7 @@ Result<Verification> Playback::compute(
     return !isStopped;
   });
   if (!passed) return passed.error();
-  if (isStopped)
-    return Error{"Stopped after " + std::to_string(done) + " of " + std::to_string(content.ticks) +
-                 " ticks."};
+  if (isStopped) return Error{"Stopped after %1 of %2 ticks.", done, content.ticks};
   return verification;
 }
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-#include "gui/parts/EngineErrors.h"
+#include "gui/parts/DataText.h"
 #include "perilymph/analysis/InParallel.h"
 
 namespace perilymph::gui {
@@ -35,7 +35,7 @@ void PlanShapeWork::runNext(std::size_t place)
         return std::make_shared<const planning::PlannedShape>(**std::move(shape));
       },
       [this, place](const Result<Shape>& shape) {
-        if (!shape) return failed(engineError(shape.error().message));
+        if (!shape) return failed(dataText(shape.error().message));
         Q_EMIT shapeRun(place, *shape);
         runNext(place + 1);
       });

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "gui/pages/sessions/Report.h"
-#include "gui/parts/EngineErrors.h"
+#include "gui/parts/DataText.h"
 #include "perilymph/analysis/Comparison.h"
 
 namespace perilymph::gui {
@@ -41,7 +41,7 @@ void SessionTasks::readReference(const std::filesystem::path& file)
         return referenceOf(file, [&isCanceled] { return !isCanceled; });
       },
       [this](const Result<ReferenceInsertion>& reference) {
-        if (!reference) return said(engineError(reference.error().message), true);
+        if (!reference) return said(dataText(reference.error().message), true);
         Q_EMIT referenceRead(*reference);
         said(tr("%1 is shown as reference in the next insertions.").arg(reference->name), false);
       });
@@ -56,9 +56,9 @@ void SessionTasks::writeReportOf(const std::filesystem::path& file,
       "The report",
       [file](const std::atomic<bool>& isCanceled) { return gatherReport(file, isCanceled); },
       [this, pdf](const Result<ReportContent>& content) {
-        if (!content) return said(engineError(content.error().message), true);
+        if (!content) return said(dataText(content.error().message), true);
         const auto written = writeReport(*content, pdf);
-        if (!written) return said(engineError(written.error().message), true);
+        if (!written) return said(dataText(written.error().message), true);
         Q_EMIT reportWritten(pdf);
       });
 }

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "gui/parts/EngineErrors.h"
+#include "gui/parts/DataText.h"
 
 namespace perilymph::gui {
 
@@ -40,7 +40,7 @@ void PatientTransfer::start(Copy copy)
     if (place)
       Q_EMIT copied(QString::fromStdString(place->string()));
     else
-      Q_EMIT failed(engineError(place.error().message));
+      Q_EMIT failed(dataText(place.error().message));
   });
   timer_.start();
 }

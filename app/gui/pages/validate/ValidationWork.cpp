@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/pages/validate/ValidationWork.h"
 
+#include "gui/parts/DataText.h"
+
 namespace perilymph::gui {
 
 namespace {
@@ -59,9 +61,8 @@ void ValidationWork::start(analysis::ValidationRequest request)
       [this](const Result<analysis::ValidationResult>& result) {
         timer_.stop();
         if (result) return finished(*result, {});
-        finished(std::nullopt, shared_->isCanceled
-                                   ? tr("Canceled. No results were saved.")
-                                   : QString::fromStdString(result.error().message));
+        finished(std::nullopt, shared_->isCanceled ? tr("Canceled. No results were saved.")
+                                                   : dataText(result.error().message));
       });
   timer_.start();
 }

@@ -36,8 +36,8 @@ std::vector<Measure> clinicalEstimates(Length a, Length b)
       {"eca_cdl_oc_mm", inMillimeters(anatomy::ellipticCircularDuctLength(a, b)),
        "1.71 L + 0.18, L = 1.18 (A - 1) + 2.69 (B - 1) - sqrt(0.72 (A - 1) (B - 1))", schurzig},
       {"pietsch_turns", anatomy::turnAngle(anatomy::likeliestHalfDiameters(a, b)) / degrees(360),
-       "turn angle of the likeliest half-diameters with these A and B / 360 deg",
-       "Pietsch et al. 2017, Sci Rep, n = 138; constants seen in public code"}};
+       Sentence{"turn angle of the likeliest half-diameters with these A and B / 360 deg"},
+       Sentence{"Pietsch et al. 2017, Sci Rep, n = 138; constants seen in public code"}}};
 }
 
 }  // namespace perilymph::analysis

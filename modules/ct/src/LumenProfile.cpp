@@ -17,7 +17,7 @@ namespace {
 
 constexpr double firstSection_deg = 20.0, sectionStep_deg = 10.0, firstTurn_deg = 360.0;
 constexpr double behindWall_mm = 0.45;  // in the bone, but before the next turn's lumen
-// Phantoms and ten ears have 0.53 to 1.1 in the lumen, the least in the apex on 0.6 mm voxels; bone
+// Phantoms and ten ears have 0.53 to 1.1 in the lumen, the minimum in the apex on 0.6 mm voxels; bone
 // beyond the end of shorter lumens has 0.0 to 0.48.
 constexpr double openLumen = 0.5;
 constexpr double seenContrast = 0.35;
@@ -81,11 +81,11 @@ public:
     const double contrast = seen / shown - *core;
     const double blur = std::max(state_.blurInPlane, state_.blurAxial);
     // a cavity may begin within the lower cylinder; blur of half its height joins it with the upper
-    const double least =
+    const double minimum =
         blur < 0.5 * coreHeight_mm ? std::min(contrast, seen / shown - *above) : contrast;
     const double error = errorOfCore(result.residual);
     const bool isNoisy = error > modiolusContrast;
-    if (least >= modiolusContrast + (isNoisy ? 2.0 * error : 0.0)) return ModiolusFinding::seen;
+    if (minimum >= modiolusContrast + (isNoisy ? 2.0 * error : 0.0)) return ModiolusFinding::seen;
     const double ratio = radiusOfCore() / blur;
     const double left = 1.0 - exponential(-0.5 * ratio * ratio);
     return isNoisy || blur > judgedBlur_mm || contrast >= left * modiolusContrast

@@ -96,8 +96,7 @@ TEST(Replay, FollowsCommandsGivenByTheClock)
         return insertion->send(command);
       }));
     }
-    dynamic_cast<device::ScriptedDevice&>(insertion->hand())
-        .move(device::ScriptedDevice::Motion::insert);
+    insertion->hand().move(device::ScriptedMotion::insert);
     ASSERT_TRUE(test::waitUntil([&] {
       insertion->refresh();
       return insertion->latest().output.travel >= 0.5e-3;

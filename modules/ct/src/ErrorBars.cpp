@@ -101,6 +101,7 @@ void fillMeasures(const LumenShape& family, const FitResult& fit, const RoundWin
   };
   const double ofFormula =
       inMillimeters(anatomy::ductLengthFormulaError(diameter(best.a), diameter(best.b)));
+  const double ofDefinition = sum(measures.a.definition, measures.b.definition);
   measures.cdlOc =
       Measure{organOfCorti(best.a, best.b), sum(measures.a.statistical, measures.b.statistical),
               sum(measures.a.model, measures.b.model),

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double firstSection_deg = 20.0, sectionStep_deg = 10.0, firstTurn_deg = 360.0;
 constexpr double behindWall_mm = 0.45;  // in the bone, but before the next turn's lumen
-// Phantoms and ten ears have 0.53 to 1.1 in the lumen, the minimum in the apex on 0.6 mm voxels; bone
+// Phantoms and ten ears have 0.53 to 1.1 in the lumen, the least in the apex on 0.6 mm voxels; bone
 // beyond the end of shorter lumens has 0.0 to 0.48.
 constexpr double openLumen = 0.5;
 constexpr double seenContrast = 0.35;

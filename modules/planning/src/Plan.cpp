@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <stop_token>
 
 #include "PlanFile.h"
 #include "PlanSetup.h"
@@ -127,7 +128,7 @@ Result<Plan> viewPlan(const PlanRequest& request, const std::filesystem::path& d
 }
 
 Result<Plan> makePlan(const PlanRequest& request, const std::filesystem::path& draws,
-                      const PlanProgress& progress)
+                      const analysis::RunProgress& progress, const std::stop_token& stop)
 {
   const auto setup = preparePlan(request);
   if (!setup) return setup.error();
@@ -159,15 +160,18 @@ Result<Plan> makePlan(const PlanRequest& request, const std::filesystem::path& d
     while (done < look) {
       const std::size_t count = std::min(blockSize, look - done);
       std::vector<std::vector<PlannedInsertion>> block(count);
-      const auto work = [&](std::size_t piece, const std::atomic<bool>& isAsked) -> Result<Done> {
-        auto run = runDraw(request, *setup, done + piece + 1, isAsked);
+      const auto work = [&](std::size_t piece, const std::stop_token& ending) -> Result<Done> {
+        auto run = runDraw(request, *setup, done + piece + 1, ending);
         if (!run) return run.error();
         block[piece] = *std::move(run);
         return Done{};
       };
-      const auto ran = analysis::doInParallel(count, request.jobs, work, [&](std::size_t pieces) {
-        return !progress || progress((done + pieces) * arrays, request.draws * arrays);
-      });
+      const auto ran = analysis::doInParallel(
+          count, request.jobs, work,
+          [&](std::size_t pieces) {
+            if (progress) progress((done + pieces) * arrays, request.draws * arrays);
+          },
+          stop);
       if (!ran) return ran.error();
       std::vector<PlannedInsertion> added;
       for (auto& draw : block) std::move(draw.begin(), draw.end(), std::back_inserter(added));

@@ -8,7 +8,6 @@
 #include <QCoreApplication>
 #include <QLineEdit>
 #include <QLocale>
-#include <atomic>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -17,6 +16,7 @@
 #include <regex>
 #include <set>
 #include <stdexcept>
+#include <stop_token>
 #include <string>
 #include <system_error>
 
@@ -84,8 +84,7 @@ protected:
   void report(const std::string& scenarioName, const session::Overrides& overrides)
   {
     const fs::path recording = recordingOf(scenarioName, overrides);
-    const std::atomic<bool> isCanceled = false;
-    const auto content = gui::gatherReport(recording, isCanceled);
+    const auto content = gui::gatherReport(recording, {});
     ASSERT_TRUE(content) << content.error().message;
     const auto written = gui::writeReport(*content, pdf());
     ASSERT_TRUE(written) << written.error().message;

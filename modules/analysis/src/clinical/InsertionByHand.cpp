@@ -6,6 +6,7 @@
 #include <numeric>
 #include <optional>
 #include <stdexcept>
+#include <stop_token>
 #include <vector>
 
 #include "ProfilePoints.h"
@@ -113,7 +114,7 @@ private:
 ClinicalInsertion insertByHand(const session::InsertionParameters& nominal,
                                std::shared_ptr<const anatomy::ScalaTympani> anatomy,
                                const HandDistribution& hand, const Surgeon& surgeon,
-                               Length profileSpacing, const std::atomic<bool>& isAsked,
+                               Length profileSpacing, const std::stop_token& stop,
                                haptics::Snapshot* shape)
 {
   ClinicalInsertion result;
@@ -146,12 +147,12 @@ ClinicalInsertion insertByHand(const session::InsertionParameters& nominal,
     points.add(result.profile, record.output.depth, record.output.axialForce);
     if (record.output.workflow == haptics::Workflow::inserting) end = watch.take(record.output);
     if (record.output.workflow == haptics::Workflow::finished) end = endOf(record.output);
-    return !end && !isAsked;
+    return !end && !stop.stop_requested();
   };
   // twice the time for the travel, plus a second to start
   const auto ticks = (2.0 * drawn.parameters.stopTravel.si() / surgeon.speed.si() + 1.0) / step;
   auto ran = (*insertion)->runToEnd(push, static_cast<std::uint64_t>(ticks));
-  if (isAsked) return result;
+  if (stop.stop_requested()) return result;
 
   result.endForce = force.mean();
   if (ran) {
@@ -163,11 +164,11 @@ ClinicalInsertion insertByHand(const session::InsertionParameters& nominal,
       ++tick;
       if (tick == ticksIn(shortRest)) result.forceAfter1s = force.mean();
       if (tick == ticksIn(longRest)) result.forceAfter10s = force.mean();
-      return !isAsked;
+      return !stop.stop_requested();
     };
     ran = (*insertion)->runToEnd(rest, ticksIn(hand.rest));
   }
-  if (isAsked) return result;
+  if (stop.stop_requested()) return result;
   result.end = ran ? end.value_or(InsertionEnd::fault) : InsertionEnd::fault;
   if (!ran) result.reason = ran.error().message;
   result.depth = meters(last.depth);

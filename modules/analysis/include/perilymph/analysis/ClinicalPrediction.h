@@ -5,13 +5,14 @@
 // experiment with one array, beside what is published. Nothing is fitted to it.
 
 #include <cstdint>
-#include <functional>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
 #include "perilymph/analysis/ContactPositions.h"
 #include "perilymph/analysis/FullInsertion.h"
+#include "perilymph/analysis/InParallel.h"
 #include "perilymph/foundation/Result.h"
 #include "perilymph/foundation/Units.h"
 #include "perilymph/haptics/InsertionEnd.h"
@@ -83,10 +84,11 @@ inline constexpr const char* clinicalArrays[] = {"flex24", "flex28", "medel-stan
 /// Number of insertions that a request runs.
 std::size_t insertionsOf(const ClinicalRequest& request);
 
-/// Computes the table. The same request gives the same bits for any `jobs`. `progress` receives the
-/// numbers of done and of all insertions and returns false to stop.
+/// Computes the table. The same request gives the same bits for any `jobs`. `stop` ends the
+/// work early, with an error.
 Result<ClinicalResult> predictClinic(const ClinicalRequest& request,
-                                     const std::function<bool(std::size_t, std::size_t)>& progress);
+                                     const RunProgress& progress = {},
+                                     const std::stop_token& stop = {});
 
 /// The rows of insertions by hand; separate, so that they can be checked with known insertions.
 Result<std::vector<ClinicalRow>> clinicalRows(const std::vector<ClinicalInsertion>& insertions);

@@ -3,8 +3,8 @@
 
 // One insertion by a drawn surgeon, in virtual time.
 
-#include <atomic>
 #include <memory>
+#include <stop_token>
 
 #include "perilymph/analysis/ClinicalPrediction.h"
 #include "perilymph/analysis/Surgeon.h"
@@ -19,12 +19,12 @@ namespace perilymph::analysis {
 ///
 /// @param nominal         The scenario's; the surgeon replaces speed, friction and free length.
 /// @param profileSpacing  Between points of the force profile; 0: no profile.
-/// @param isAsked         Ends it early; the result is then meaningless.
+/// @param stop            Ends it early; the result is then meaningless.
 /// @param shape           Receives the array at the end, for a view; may be null.
 ClinicalInsertion insertByHand(const session::InsertionParameters& nominal,
                                std::shared_ptr<const anatomy::ScalaTympani> anatomy,
                                const HandDistribution& hand, const Surgeon& surgeon,
-                               Length profileSpacing, const std::atomic<bool>& isAsked,
+                               Length profileSpacing, const std::stop_token& stop,
                                haptics::Snapshot* shape = nullptr);
 
 }  // namespace perilymph::analysis

@@ -6,12 +6,13 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
 #include "perilymph/analysis/ClinicalPrediction.h"
+#include "perilymph/analysis/InParallel.h"
 #include "perilymph/analysis/SampleStatistics.h"
 #include "perilymph/anatomy/Patient.h"
 #include "perilymph/foundation/Result.h"
@@ -199,17 +200,15 @@ std::vector<ArrayPlan> summarize(const PlanRequest& request,
 /// peak force are at most 5 degrees and 5 % (choices, medium).
 bool bandsStand(const std::vector<ArrayPlan>& arrays);
 
-/// Receives the numbers of done and of all insertions; returns false to stop.
-using PlanProgress = std::function<bool(std::size_t done, std::size_t all)>;
-
 /// Makes a plan. Every draw is a cochlea, an approach, a hand and a stiffness, the same for all
 /// arrays. Draws are kept in a file as they are done: a plan that was interrupted continues there,
 /// and is the same, to the bit, for any number of threads and interruptions.
 ///
 /// @param draws  File of the draws (`.sqlite`), created or continued; in memory only if empty.
+/// @param stop   Ends the work early, with an error.
 /// @return       Refuses a patient without A and B, unknown arrays, a file of another plan.
 Result<Plan> makePlan(const PlanRequest& request, const std::filesystem::path& draws,
-                      const PlanProgress& progress);
+                      const analysis::RunProgress& progress = {}, const std::stop_token& stop = {});
 
 /// Reads a plan from its file of draws, as it was made; computes no insertion. If an array, the
 /// scenario, a distribution, a threshold, a filter or the program was changed since, thresholds and filters are those of the

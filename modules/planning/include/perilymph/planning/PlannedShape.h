@@ -3,8 +3,8 @@
 
 // One insertion of a plan, run again for a view: its cochlea, its array at the end, its force.
 
-#include <atomic>
 #include <memory>
+#include <stop_token>
 
 #include "perilymph/anatomy/ScalaTympani.h"
 #include "perilymph/foundation/Result.h"
@@ -34,8 +34,8 @@ std::size_t medianDraw(const Plan& plan, std::size_t array);
 ///
 /// @param array    Index into the plan's arrays.
 /// @param draw     From 1, as in PlannedInsertion.
-/// @param isAsked  Ends it early, with an error.
+/// @param stop  Ends it early, with an error.
 Result<PlannedShape> shapeOf(const Plan& plan, std::size_t array, std::size_t draw,
-                             const std::atomic<bool>& isAsked);
+                             const std::stop_token& stop);
 
 }  // namespace perilymph::planning

@@ -7,6 +7,7 @@
 
 #include "perilymph/analysis/FullInsertion.h"
 #include "perilymph/analysis/InParallel.h"
+#include "perilymph/foundation/Quantile.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/foundation/TomlReader.h"
 #include "validation/VirtualInsertion.h"
@@ -90,16 +91,6 @@ Result<std::vector<ClinicalAngle>> clinicalAngles()
   }
   if (const auto done = reader->finish(); !done) return done.error();
   return angles;
-}
-
-double quantile(std::vector<double> values, double fraction)
-{
-  if (values.empty()) return 0.0;
-  std::sort(values.begin(), values.end());
-  const double place = fraction * static_cast<double>(values.size() - 1);
-  const auto below = static_cast<std::size_t>(place);
-  if (below + 1 >= values.size()) return values.back();
-  return values[below] + (place - std::floor(place)) * (values[below + 1] - values[below]);
 }
 
 Result<PredictionResult> predict(const PredictionRequest& request, const RunProgress& progress,

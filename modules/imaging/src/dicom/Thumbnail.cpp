@@ -6,20 +6,9 @@
 #include <stop_token>
 
 #include "FrameDecoder.h"
+#include "perilymph/foundation/Quantile.h"
 
 namespace perilymph::imaging {
-
-namespace {
-
-double quantile(std::vector<double> values, double fraction)
-{
-  const auto place = values.begin() +
-                     static_cast<std::ptrdiff_t>(fraction * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), place, values.end());
-  return *place;
-}
-
-}  // namespace
 
 Result<CtThumbnail> thumbnailOf(const DicomSeries& series, int edge, const std::stop_token& stop)
 {

@@ -78,7 +78,4 @@ std::string predictionCsv(const PredictionResult& result);
 std::string predictionJson(const PredictionRequest& request, const PredictionResult& result,
                            const Reference& inVivo);
 
-/// A quantile, linearly interpolated between the sorted values.
-double quantile(std::vector<double> values, double fraction);
-
 }  // namespace perilymph::analysis

@@ -71,7 +71,7 @@ private:
 
   std::shared_ptr<Mailbox> mailbox_;
   std::unique_ptr<QThreadPool> thread_;  ///< One thread.
-  std::stop_source stop_;                ///< Of the last work.
+  std::stop_source stop_;                ///< Ends the last work.
   std::uint64_t runs_ = 0;               ///< Number of works so far.
   bool isBusy_ = false;
 };

@@ -4,8 +4,8 @@
 #include <stop_token>
 #include <utility>
 
-#include "gui/pages/sessions/Report.h"
 #include "gui/parts/EngineErrors.h"
+#include "gui/report/InsertionReport.h"
 #include "perilymph/analysis/Comparison.h"
 
 namespace perilymph::gui {

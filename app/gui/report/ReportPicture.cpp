@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/pages/sessions/ReportPicture.h"
+#include "gui/report/ReportPicture.h"
 
 #include <algorithm>
 #include <cmath>

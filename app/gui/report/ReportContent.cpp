@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/pages/sessions/ReportContent.h"
+#include "gui/report/ReportContent.h"
 
 #include <QCryptographicHash>
 #include <QFile>

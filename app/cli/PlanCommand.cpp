@@ -14,7 +14,7 @@
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/planning/PlanReport.h"
 #include "perilymph/planning/PlanWords.h"
-#include "perilymph/planning/PlannedShape.h"
+#include "perilymph/planning/PlannedDraw.h"
 
 namespace perilymph::cli {
 

@@ -71,18 +71,6 @@ bool isOf(const PlanRequest& stored, const PlanRequest& request)
 
 }  // namespace
 
-Result<Done> checkDraws(std::size_t draws)
-{
-  const auto changed = replacedByEnvironment();
-  const bool takesFew = std::find(changed.begin(), changed.end(), fewDraws) != changed.end();
-  if (draws >= (takesFew ? std::size_t{1} : fewestDraws) && draws <= maxDraws) return Done{};
-  const std::string count = std::to_string(draws), fewest = std::to_string(fewestDraws),
-                    allowed = ". Choose " + fewest + " to " + std::to_string(maxDraws) + ".";
-  if (draws > maxDraws) return Error{"A plan of " + count + " simulations is too long" + allowed};
-  return Error{"A plan of " + count + " simulations is too short: the lowest and the highest of " +
-               "fewer than " + fewest + " hold less than 88 % of the insertions to come" + allowed};
-}
-
 Result<Plan> viewPlan(const PlanRequest& request, const std::filesystem::path& draws)
 {
   const auto file = session::InsertionTable::open(draws, planKind());
@@ -189,6 +177,13 @@ Result<Plan> makePlan(const PlanRequest& request, const std::filesystem::path& d
   if (file)
     if (const auto closed = file->close(); !closed) return closed.error();
   return plan;
+}
+
+Result<std::string> fingerprintOf(const PlanRequest& request)
+{
+  const auto setup = preparePlan(request);
+  if (!setup) return setup.error();
+  return fingerprintOf(request, *setup);
 }
 
 }  // namespace perilymph::planning

@@ -128,14 +128,6 @@ Result<PlannedInsertion> insertArray(const PlanRequest& request, const PlanSetup
 
 }  // namespace
 
-Result<session::Scenario> scenarioOf(const PlanRequest& request, const std::string& array,
-                                     const std::string& stopTravel_mm)
-{
-  session::Overrides changes = {{"array", array}, {"stop_travel_mm", stopTravel_mm}};
-  if (request.friction) changes.emplace_back("friction", *request.friction);
-  return session::loadScenario(request.scenario, changes);
-}
-
 Result<PlanSetup> preparePlan(const PlanRequest& request)
 {
   if (const auto done = checkRequest(request); !done) return done.error();
@@ -190,13 +182,6 @@ std::string fingerprintOf(const PlanRequest& request, const PlanSetup& setup)
   for (const PlannedArray& each : setup.arrays)
     for (const double filter_Hz : each.filter_Hz) add(session::shortestDecimal(filter_Hz));
   return hash.hex();
-}
-
-Result<std::string> fingerprintOf(const PlanRequest& request)
-{
-  const auto setup = preparePlan(request);
-  if (!setup) return setup.error();
-  return fingerprintOf(request, *setup);
 }
 
 Result<std::vector<PlannedInsertion>> runDraw(const PlanRequest& request, const PlanSetup& setup,

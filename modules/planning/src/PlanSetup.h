@@ -10,7 +10,7 @@
 #include "PlanDraw.h"
 #include "Uncertainty.h"
 #include "perilymph/analysis/Surgeon.h"
-#include "perilymph/planning/Plan.h"
+#include "perilymph/planning/PlanResult.h"
 #include "perilymph/planning/PlannedShape.h"
 
 namespace perilymph::planning {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-
 // Bands, probabilities and influences from the insertions of a plan.
+
+#include "perilymph/planning/PlanSummary.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +11,6 @@
 #include "perilymph/analysis/ErrorBand.h"
 #include "perilymph/analysis/Tonotopy.h"
 #include "perilymph/foundation/Quantile.h"
-#include "perilymph/planning/Plan.h"
 
 namespace perilymph::planning {
 

@@ -10,7 +10,7 @@
 
 #include "perilymph/charts/ArrayInScala.h"
 #include "perilymph/foundation/Resources.h"
-#include "perilymph/planning/PlannedShape.h"
+#include "perilymph/planning/PlannedDraw.h"
 #include "perilymph/test/TemporaryFolder.h"
 #include "perilymph/test/copyChanged.h"
 #include "perilymph/visualization/Picture.h"

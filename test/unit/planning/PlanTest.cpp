@@ -21,7 +21,7 @@
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/foundation/Version.h"
 #include "perilymph/planning/PlanReport.h"
-#include "perilymph/planning/PlannedShape.h"
+#include "perilymph/planning/PlannedDraw.h"
 #include "perilymph/test/TemporaryFolder.h"
 #include "perilymph/test/copyChanged.h"
 

@@ -119,9 +119,8 @@ ClinicalInsertion insertByHand(const session::InsertionParameters& nominal,
 {
   ClinicalInsertion result;
   const DrawnInsertion drawn = withSurgeon(nominal, hand, surgeon);
-  auto device = std::make_unique<ExperimentDevice>(drawn);
-  ExperimentDevice& forceps = *device;
-  auto insertion = session::Insertion::prepare(drawn.parameters, std::move(device), anatomy);
+  const auto forceps = std::make_shared<ExperimentDevice>(drawn);
+  auto insertion = session::Insertion::prepare(drawn.parameters, forceps, anatomy);
   if (!insertion) {
     result.reason = insertion.error().message;
     return result;
@@ -156,7 +155,7 @@ ClinicalInsertion insertByHand(const session::InsertionParameters& nominal,
 
   result.endForce = force.mean();
   if (ran) {
-    forceps.rest();
+    forceps->rest();
     std::size_t tick = 0;
     const auto rest = [&](const haptics::TickRecord& record) {
       note(record.output);

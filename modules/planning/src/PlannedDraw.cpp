@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "perilymph/planning/PlannedShape.h"
+#include "perilymph/planning/PlannedDraw.h"
 
 #include <algorithm>
 #include <limits>

@@ -624,8 +624,8 @@
         <translation>In der mittleren Windung wurde kein Modiolus gesehen: Mittlere und apikale Windung könnten ein Hohlraum sein (inkomplette Partition). Eine Ganglänge wird nicht angegeben, weil ihre Formel %1 Windungen annimmt, und H ist das Maß des Hohlraums.</translation>
     </message>
     <message>
-        <source>Whether middle and apical turn are one cavity (incomplete partition) could not be judged: the CT is too coarse or too noisy, or the middle turn is not empty. Take a finer series.</source>
-        <translation>Ob mittlere und apikale Windung ein Hohlraum sind (inkomplette Partition), war nicht zu beurteilen: Die CT ist zu grob oder zu verrauscht, oder die mittlere Windung ist nicht leer. Eine feinere Serie verwenden.</translation>
+        <source>Whether middle and apical turn are one cavity (incomplete partition) could not be judged: the modiolus is faint, the CT too coarse or too noisy, or the middle turn not empty. Look for the septum between both turns in a section through the axis, or take a finer series.</source>
+        <translation>Ob mittlere und apikale Windung ein Hohlraum sind (inkomplette Partition), war nicht zu beurteilen: Der Modiolus ist schwach, die CT zu grob oder zu verrauscht, oder die mittlere Windung nicht leer. In einem Schnitt durch die Achse das Septum zwischen beiden Windungen suchen oder eine feinere Serie verwenden.</translation>
     </message>
     <message>
         <source>Along a fifth or more of the basal turn nothing distinguishes the lumen from the bone: it may be ossified; check the outline in the images.</source>

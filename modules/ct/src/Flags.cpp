@@ -54,8 +54,9 @@ constexpr std::array<Entry, 18> entries{
       "H is that of the cavity."},
      {Flag::apexNotJudged, "apex_not_judged",
       "Whether middle and apical turn are one cavity (incomplete partition) could not be judged: "
-      "the "
-      "CT is too coarse or too noisy, or the middle turn is not empty. Take a finer series."},
+      "the modiolus is faint, the CT too coarse or too noisy, or the middle turn not empty. Look "
+      "for "
+      "the septum between both turns in a section through the axis, or take a finer series."},
      {Flag::wallWithoutContrast, "wall_without_contrast",
       "Along a fifth or more of the basal turn nothing distinguishes the lumen from the bone: it "
       "may "

@@ -7,6 +7,21 @@
 
 namespace perilymph::planning {
 
+namespace {
+
+bool takesFew()
+{
+  const auto changed = replacedByEnvironment();
+  return std::find(changed.begin(), changed.end(), fewDraws) != changed.end();
+}
+
+}  // namespace
+
+Resolution usualResolution()
+{
+  return takesFew() ? Resolution{40, milliseconds(10)} : Resolution{};
+}
+
 Result<session::Scenario> scenarioOf(const PlanRequest& request, const std::string& array,
                                      const std::string& stopTravel_mm)
 {
@@ -17,9 +32,7 @@ Result<session::Scenario> scenarioOf(const PlanRequest& request, const std::stri
 
 Result<Done> checkDraws(std::size_t draws)
 {
-  const auto changed = replacedByEnvironment();
-  const bool takesFew = std::find(changed.begin(), changed.end(), fewDraws) != changed.end();
-  if (draws >= (takesFew ? std::size_t{1} : fewestDraws) && draws <= maxDraws) return Done{};
+  if (draws >= (takesFew() ? std::size_t{1} : fewestDraws) && draws <= maxDraws) return Done{};
   const std::string count = std::to_string(draws), fewest = std::to_string(fewestDraws),
                     allowed = ". Choose " + fewest + " to " + std::to_string(maxDraws) + ".";
   if (draws > maxDraws) return Error{"A plan of " + count + " simulations is too long" + allowed};

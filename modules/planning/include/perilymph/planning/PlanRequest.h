@@ -24,6 +24,9 @@ struct Resolution {
   Duration step = milliseconds(5);  ///< At most 10 ms, which an engine accepts.
 };
 
+/// That of a plan; where programs take few draws (see checkDraws()), 40 nodes and 10 ms.
+Resolution usualResolution();
+
 /// Input of a plan.
 struct PlanRequest {
   anatomy::Patient patient;         ///< With A and B; H and the errors of all three if known.
@@ -35,7 +38,7 @@ struct PlanRequest {
   bool stopsEarly = true;
   std::uint64_t seed = 1;
   /// Without one, the scenario's own nodes and time step.
-  std::optional<Resolution> resolution = Resolution{};
+  std::optional<Resolution> resolution = usualResolution();
   unsigned jobs = 0;  ///< Threads; 0: one per processor. Does not affect the plan.
 };
 

@@ -6,6 +6,7 @@
 #include <QStringList>
 #include <QVariant>
 #include <algorithm>
+#include <stop_token>
 
 #include "gui/parts/DataText.h"
 #include "gui/parts/Numbers.h"
@@ -110,7 +111,7 @@ void DerivedMeasures::compute()
 {
   background_.run(
       "The measures",
-      [cochleae = cochleae_, cochlea = cochlea_, array = array_](const std::atomic<bool>&) {
+      [cochleae = cochleae_, cochlea = cochlea_, array = array_](const std::stop_token&) {
         return cochleae->measures().of(cochlea, array);
       },
       [this](const Result<CochleaMeasures>& content) { showContent(content); });

@@ -257,18 +257,18 @@ void PopulationField::paintEvent(QPaintEvent*)
   const double y = place_->y() - lineHeight_px / 2.0;
   const double left = 4.0, right = width() - 4.0;
   const auto at = [&](Length value) { return left + fractionOf(value) * (right - left); };
-  painter.setPen(QPen(lineColor, 3, Qt::SolidLine, Qt::RoundCap));
+  painter.setPen(QPen(shownTheme().line, 3, Qt::SolidLine, Qt::RoundCap));
   painter.drawLine(QPointF(left, y), QPointF(right, y));
   if (population_.mean && population_.standardDeviation) {
     // one standard deviation to both sides
-    painter.setPen(QPen(quietTextColor, 3, Qt::SolidLine, Qt::RoundCap));
+    painter.setPen(QPen(shownTheme().quietText, 3, Qt::SolidLine, Qt::RoundCap));
     painter.drawLine(QPointF(at(*population_.mean - *population_.standardDeviation), y),
                      QPointF(at(*population_.mean + *population_.standardDeviation), y));
   }
   const auto typed = value();
   if (!typed) return;
   painter.setPen(Qt::NoPen);
-  painter.setBrush(isAcceptable() && !isUnusual() ? accentColor : warningColor);
+  painter.setBrush(isAcceptable() && !isUnusual() ? shownTheme().accent : shownTheme().warning);
   painter.drawEllipse(QPointF(at(*typed), y), 4.5, 4.5);
 }
 

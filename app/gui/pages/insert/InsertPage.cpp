@@ -86,7 +86,7 @@ void InsertPage::layOut()
   column->addWidget(bottomLine);
   bars_->addWidget(bottom_);
   bars_->addWidget(replay_->bar());
-  bars_->setFixedHeight(barHeight);
+  bars_->setFixedHeight(shownLengths().bar);
   column->addWidget(bars_);
 }
 

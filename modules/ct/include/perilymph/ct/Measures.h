@@ -7,6 +7,7 @@
 #include <array>
 #include <functional>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -125,8 +126,7 @@ struct MeasureRequest {
   std::optional<anatomy::Side> side;
   /// Receives the completed fraction, 0 to 1, on the calling thread.
   std::function<void(double)> onProgress;
-  /// Called several times a second on the calling thread; true cancels.
-  std::function<bool()> isCanceled;
+  std::stop_token stop;  ///< Ends the measurement early, with an error.
 };
 
 /// Finds the cochlea, fits the anatomy to the voxels and measures it. Deterministic; takes seconds.

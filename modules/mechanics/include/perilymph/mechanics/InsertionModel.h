@@ -112,7 +112,7 @@ struct ModelParts {
   ModelKind kind = ModelKind::rod;
   /// Surface that a point set collides with; not used by a rod.
   std::shared_ptr<const anatomy::Surface> hapticSurface;
-  SolverParameters solver;  ///< Of a rod.
+  SolverParameters solver;  ///< Used for a rod only.
 };
 
 /// A cochlea, an array, material laws and solver settings: immutable, shared between threads.

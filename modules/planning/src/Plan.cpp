@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <stop_token>
 
 #include "PlanFile.h"
 #include "PlanSetup.h"
@@ -61,12 +62,6 @@ bool isSamePatient(const anatomy::Patient& stored, const anatomy::Patient& patie
          (!one.h || isSame(*one.h, *other.h));
 }
 
-bool takesFew()
-{
-  const auto changed = replacedByEnvironment();
-  return std::find(changed.begin(), changed.end(), fewDraws) != changed.end();
-}
-
 /// Whether a plan.json is of a request that is kept beside it.
 bool isOf(const PlanRequest& stored, const PlanRequest& request)
 {
@@ -75,23 +70,6 @@ bool isOf(const PlanRequest& stored, const PlanRequest& request)
 }
 
 }  // namespace
-
-Resolution usualResolution()
-{
-  return takesFew() ? Resolution{40, milliseconds(10)} : Resolution{};
-}
-
-Result<Done> checkDraws(std::size_t draws)
-{
-  if (draws >= (takesFew() ? std::size_t{1} : fewestDraws) && draws <= maxDraws) return Done{};
-  if (draws > maxDraws)
-    return Error{"A plan of %1 simulations is too long. Choose %2 to %3.", draws, fewestDraws,
-                 maxDraws};
-  return Error{
-      "A plan of %1 simulations is too short: the lowest and the highest of fewer than %2 hold "
-      "less than 88 % of the insertions to come. Choose %2 to %3.",
-      draws, fewestDraws, maxDraws};
-}
 
 Result<Plan> viewPlan(const PlanRequest& request, const std::filesystem::path& draws)
 {
@@ -136,7 +114,7 @@ Result<Plan> viewPlan(const PlanRequest& request, const std::filesystem::path& d
 }
 
 Result<Plan> makePlan(const PlanRequest& request, const std::filesystem::path& draws,
-                      const PlanProgress& progress)
+                      const analysis::RunProgress& progress, const std::stop_token& stop)
 {
   const auto setup = preparePlan(request);
   if (!setup) return setup.error();
@@ -167,15 +145,18 @@ Result<Plan> makePlan(const PlanRequest& request, const std::filesystem::path& d
     while (done < look) {
       const std::size_t count = std::min(blockSize, look - done);
       std::vector<std::vector<PlannedInsertion>> block(count);
-      const auto work = [&](std::size_t piece, const std::atomic<bool>& isAsked) -> Result<Done> {
-        auto run = runDraw(request, *setup, done + piece + 1, isAsked);
+      const auto work = [&](std::size_t piece, const std::stop_token& ending) -> Result<Done> {
+        auto run = runDraw(request, *setup, done + piece + 1, ending);
         if (!run) return run.error();
         block[piece] = *std::move(run);
         return Done{};
       };
-      const auto ran = analysis::doInParallel(count, request.jobs, work, [&](std::size_t pieces) {
-        return !progress || progress((done + pieces) * arrays, request.draws * arrays);
-      });
+      const auto ran = analysis::doInParallel(
+          count, request.jobs, work,
+          [&](std::size_t pieces) {
+            if (progress) progress((done + pieces) * arrays, request.draws * arrays);
+          },
+          stop);
       if (!ran) return ran.error();
       std::vector<PlannedInsertion> added;
       for (auto& draw : block) std::move(draw.begin(), draw.end(), std::back_inserter(added));
@@ -193,6 +174,13 @@ Result<Plan> makePlan(const PlanRequest& request, const std::filesystem::path& d
   if (file)
     if (const auto closed = file->close(); !closed) return closed.error();
   return plan;
+}
+
+Result<std::string> fingerprintOf(const PlanRequest& request)
+{
+  const auto setup = preparePlan(request);
+  if (!setup) return setup.error();
+  return fingerprintOf(request, *setup);
 }
 
 }  // namespace perilymph::planning

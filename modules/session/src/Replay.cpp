@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdio>
+#include <stop_token>
 #include <type_traits>
 
 #include "MakeEngine.h"
@@ -139,12 +140,12 @@ Result<Done> replayThrough(const RecordedInsertion& recorded, haptics::Insertion
   return Done{};
 }
 
-Result<Verification> verify(const std::filesystem::path& file, const VerifyProgress& progress)
+Result<Verification> verify(const std::filesystem::path& file, const VerifyProgress& progress,
+                            const std::stop_token& stop)
 {
   std::uint64_t done = 0;
   std::uint64_t all = 0;
-  const auto shouldStop = [&] { return progress && !progress(done, all); };
-  const auto recorded = RecordedInsertion::open(file, shouldStop);
+  const auto recorded = RecordedInsertion::open(file, stop);
   if (!recorded) return recorded.error();
   auto verification = beginVerification(*recorded);
   if (!verification || !verification->damage.empty()) return verification;
@@ -161,14 +162,14 @@ Result<Verification> verify(const std::filesystem::path& file, const VerifyProgr
   if (!engine) return engine.error();
   for (const Sentence& note : whatChanged(*recorded, *scenario, **model))
     verification->notes.push_back(note);
-  bool isStopped = false;
   const auto passed = replayThrough(*recorded, **engine, *verification, [&] {
     ++done;
-    isStopped = shouldStop();
-    return !isStopped && !verification->difference;
+    if (progress) progress(done, all);
+    return !stop.stop_requested() && !verification->difference;
   });
   if (!passed) return passed.error();
-  if (isStopped) return Error{"Stopped after %1 of %2 ticks; %3 is not verified.", done, all, file};
+  if (stop.stop_requested())
+    return Error{"Stopped after %1 of %2 ticks; %3 is not verified.", done, all, file};
   return verification;
 }
 

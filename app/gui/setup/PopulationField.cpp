@@ -16,6 +16,7 @@
 #include "gui/parts/Theme.h"
 #include "gui/setup/ValueEdit.h"
 #include "perilymph/analysis/ErrorBand.h"
+#include "perilymph/foundation/Normal.h"
 
 namespace perilymph::gui {
 
@@ -180,8 +181,8 @@ QString PopulationField::error() const
 QString PopulationField::placeOf(Length value) const
 {
   const bool isNarrow = width_ == Width::narrow;
-  const QString error = measuringError_ ? numberText(inMillimeters(*measuringError_), 2)
-                                        : numberText(inMillimeters(analysis::measuringError), 1);
+  const QString error = numberText(
+      halfWidth95 * inMillimeters(measuringError_.value_or(analysis::measuringError)), 2);
   if (population_.mean && population_.standardDeviation) {
     const double off = (value - *population_.mean) / *population_.standardDeviation;
     const bool isBelow = off < -0.05;

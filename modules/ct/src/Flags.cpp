@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "perilymph/ct/Measures.h"
+#include "perilymph/foundation/Normal.h"
 
 namespace perilymph::ct {
 namespace {
@@ -115,7 +116,7 @@ double Measure::sd() const
 
 std::array<double, 2> Measure::interval95() const
 {
-  return {value - 1.96 * sd(), value + 1.96 * sd()};
+  return {value - halfWidth95 * sd(), value + halfWidth95 * sd()};
 }
 
 }  // namespace perilymph::ct

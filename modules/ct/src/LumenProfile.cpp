@@ -81,11 +81,11 @@ public:
     const double contrast = seen / shown - *core;
     const double blur = std::max(state_.blurInPlane, state_.blurAxial);
     // a cavity may begin within the lower cylinder; blur of half its height joins it with the upper
-    const double least =
+    const double minimum =
         blur < 0.5 * coreHeight_mm ? std::min(contrast, seen / shown - *above) : contrast;
     const double error = errorOfCore(result.residual);
     const bool isNoisy = error > modiolusContrast;
-    if (least >= modiolusContrast + (isNoisy ? 2.0 * error : 0.0)) return ModiolusFinding::seen;
+    if (minimum >= modiolusContrast + (isNoisy ? 2.0 * error : 0.0)) return ModiolusFinding::seen;
     const double ratio = radiusOfCore() / blur;
     const double left = 1.0 - exponential(-0.5 * ratio * ratio);
     return isNoisy || blur > judgedBlur_mm || contrast >= left * modiolusContrast

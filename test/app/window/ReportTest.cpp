@@ -145,7 +145,7 @@ TEST_F(PdfReport, HasOnePageForTheRecordWithPatientEarAndMeasures)
                             "basal-turn diameter",
                             "population mean",
                             "Cochlear duct length (CDL)",
-                            "Alexiades",
+                            "Schurzig",
                             "Cochlear coverage",
                             "Peak insertion force",
                             "Final insertion force",

@@ -52,7 +52,8 @@ struct Measure {
   double value = 0.0;
   double statistical = 0.0;  ///< Due to noise, voxels and blur.
   double model = 0.0;        ///< Due to the limits of the fitted shape.
-  double definition = 0.0;   ///< Due to the position of 0 degrees, the round window's center.
+  double definition = 0.0;  ///< Due to the position of 0 degrees, the round window's center; of the
+                            ///< duct length also due to the choice of its formula.
 
   double sd() const;                         ///< Square root of the sum of squares.
   std::array<double, 2> interval95() const;  ///< value -+ 1.96 sd.

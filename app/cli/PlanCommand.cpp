@@ -12,6 +12,7 @@
 #include "Terminal.h"
 #include "perilymph/analysis/CsvField.h"
 #include "perilymph/foundation/Resources.h"
+#include "perilymph/planning/Plan.h"
 #include "perilymph/planning/PlanReport.h"
 #include "perilymph/planning/PlanWords.h"
 #include "perilymph/planning/PlannedDraw.h"

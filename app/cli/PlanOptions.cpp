@@ -5,7 +5,7 @@
 
 #include "Commands.h"
 #include "FileOptions.h"
-#include "perilymph/planning/PlanResult.h"
+#include "perilymph/planning/PlanRequest.h"
 
 namespace perilymph::cli {
 

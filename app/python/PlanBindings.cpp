@@ -8,6 +8,7 @@
 #include "Bindings.h"
 #include "NumberArrays.h"
 #include "perilymph/foundation/Resources.h"
+#include "perilymph/planning/Plan.h"
 #include "perilymph/planning/PlanReading.h"
 #include "perilymph/planning/PlanReport.h"
 #include "perilymph/planning/PlanWords.h"

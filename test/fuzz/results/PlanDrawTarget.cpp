@@ -7,6 +7,7 @@
 #include "FuzzTarget.h"
 #include "PlanFile.h"
 #include "SyntheticPlan.h"
+#include "perilymph/planning/PlanSummary.h"
 
 namespace perilymph::fuzz {
 

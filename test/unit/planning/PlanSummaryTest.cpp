@@ -7,6 +7,7 @@
 #include "SyntheticPlan.h"
 #include "perilymph/analysis/Tonotopy.h"
 #include "perilymph/planning/ForceCourse.h"
+#include "perilymph/planning/PlanSummary.h"
 
 namespace perilymph::test {
 namespace {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SyntheticPlan.h"
 
+#include "perilymph/planning/PlanSummary.h"
+
 namespace perilymph::test {
 
 anatomy::Patient measuredPatient()

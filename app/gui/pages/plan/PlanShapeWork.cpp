@@ -7,6 +7,7 @@
 
 #include "gui/parts/DataText.h"
 #include "perilymph/analysis/InParallel.h"
+#include "perilymph/planning/PlannedDraw.h"
 
 namespace perilymph::gui {
 

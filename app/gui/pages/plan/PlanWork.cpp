@@ -9,6 +9,7 @@
 
 #include "gui/parts/DataText.h"
 #include "perilymph/foundation/AtomicFile.h"
+#include "perilymph/planning/Plan.h"
 #include "perilymph/planning/PlanReport.h"
 
 namespace perilymph::gui {

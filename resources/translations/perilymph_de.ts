@@ -2036,17 +2036,6 @@
     </message>
 </context>
 <context>
-    <name>EndingQuestion</name>
-    <message>
-        <source>An insertion is in progress at %1 mm. It is recorded up to here.</source>
-        <translation>Eine Insertion läuft bei %1 mm. Sie ist bis hier aufgezeichnet.</translation>
-    </message>
-    <message>
-        <source>Keep inserting</source>
-        <translation>Weiter inserieren</translation>
-    </message>
-</context>
-<context>
     <name>KioskTurn</name>
     <message>
         <source>Below the forces measured in patients.</source>
@@ -3237,10 +3226,6 @@
         <translation>Ansicht maximieren; wiederherstellen</translation>
     </message>
     <message>
-        <source>start page</source>
-        <translation>Startseite</translation>
-    </message>
-    <message>
         <source>devices: list and connection quality</source>
         <translation>Geräte: Liste und Verbindungsqualität</translation>
     </message>
@@ -3483,10 +3468,6 @@
     <message>
         <source>without pauses, to maximum depth; reversals: %1</source>
         <translation>ohne Pausen, bis zur größten Tiefe; Richtungswechsel: %1</translation>
-    </message>
-    <message>
-        <source>not recorded</source>
-        <translation>nicht aufgezeichnet</translation>
     </message>
     <message>
         <source>Maximum partition force</source>
@@ -4013,10 +3994,6 @@
         <translation>%1 mm (%2–%3)</translation>
     </message>
     <message>
-        <source>CT, plan, insert, compare, validate, sessions, studies</source>
-        <translation>CT, Plan, Insertion, Vergleich, Validierung, Sitzungen, Studien</translation>
-    </message>
-    <message>
         <source>Insertion force over depth</source>
         <translation>Insertionskraft über der Tiefe</translation>
     </message>
@@ -4479,6 +4456,10 @@
     <message>
         <source>End force: mean of the last half second of 2 s of rest, as the program that made this plan read it.</source>
         <translation>Endkraft: Mittel der letzten halben Sekunde von 2 s Ruhe, wie sie das Programm las, das diesen Plan rechnete.</translation>
+    </message>
+    <message>
+        <source>An insertion is in progress at %1 mm. It is recorded up to here.</source>
+        <translation>Eine Insertion läuft bei %1 mm. Sie ist bis hier aufgezeichnet.</translation>
     </message>
 </context>
 <context>
@@ -4988,6 +4969,10 @@
     <message>
         <source>%1 · changed by hand</source>
         <translation>%1 · von Hand geändert</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Vergleich</translation>
     </message>
 </context>
 <context>
@@ -5655,6 +5640,17 @@
     <message>
         <source>Force feedback gain %1. Enter a valid value or press Esc.</source>
         <translation>Kraftfaktor %1. Gültigen Wert eingeben oder Esc drücken.</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::InsertPage</name>
+    <message>
+        <source>Insert</source>
+        <translation>Insertion</translation>
+    </message>
+    <message>
+        <source>Keep inserting</source>
+        <translation>Weiter inserieren</translation>
     </message>
 </context>
 <context>
@@ -6646,6 +6642,10 @@
         <source>Values of the model, not clinical risks: the friction, 0.12, was chosen for the depths that clinics report; with that of a tissue simulant straight arrays stop at 240 to 350°. Translocation is rarer than clinics report.</source>
         <translation>Werte des Modells, keine klinischen Risiken: Die Reibung, 0,12, wurde für die Tiefen gewählt, die Kliniken berichten; mit der eines Gewebe-Simulans enden gerade Elektrodenträger bei 240 bis 350°. Translokationen sind seltener als in klinischen Berichten.</translation>
     </message>
+    <message>
+        <source>Plan</source>
+        <translation>Plan</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::PlanPanel</name>
@@ -7429,6 +7429,10 @@
         <source>Report saved to %1.</source>
         <translation>Bericht gespeichert in %1.</translation>
     </message>
+    <message>
+        <source>Sessions</source>
+        <translation>Sitzungen</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::SettingsSheet</name>
@@ -7641,6 +7645,10 @@
         <source>Build the patient’s scala tympani from A, B and H in CT. Each value is compared with the population.</source>
         <translation>Scala tympani des Patienten aus A, B und H im CT. Jeder Wert wird mit der Population verglichen.</translation>
     </message>
+    <message>
+        <source>Start page</source>
+        <translation>Startseite</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::StatusLine</name>
@@ -7817,22 +7825,6 @@
         <translation>Einstellungen</translation>
     </message>
     <message>
-        <source>Insert</source>
-        <translation>Insertion</translation>
-    </message>
-    <message>
-        <source>Compare</source>
-        <translation>Vergleich</translation>
-    </message>
-    <message>
-        <source>Validate</source>
-        <translation>Validierung</translation>
-    </message>
-    <message>
-        <source>Sessions</source>
-        <translation>Sitzungen</translation>
-    </message>
-    <message>
         <source>MODIFIED</source>
         <translation>GEÄNDERT</translation>
     </message>
@@ -7869,10 +7861,6 @@
         <translation>Wiedergabe</translation>
     </message>
     <message>
-        <source>Start page (Alt+Home)</source>
-        <translation>Startseite (Alt+Pos1)</translation>
-    </message>
-    <message>
         <source>Keyboard and mouse (F1)</source>
         <translation>Tastatur und Maus (F1)</translation>
     </message>
@@ -7887,10 +7875,6 @@
     <message>
         <source>A recording is shown. No device is active.</source>
         <translation>Eine Aufzeichnung wird gezeigt. Kein Gerät ist aktiv.</translation>
-    </message>
-    <message>
-        <source>CT</source>
-        <translation>CT</translation>
     </message>
     <message>
         <source>Patient without a code · %1 ear</source>
@@ -7937,16 +7921,12 @@
         <translation>%1. Zum Fortfahren „Start“ drücken.</translation>
     </message>
     <message>
-        <source>Studies</source>
-        <translation>Studien</translation>
-    </message>
-    <message>
         <source>ended · no force</source>
         <translation>beendet · keine Kraft</translation>
     </message>
     <message>
-        <source>Plan</source>
-        <translation>Plan</translation>
+        <source>%1 (Alt+Home)</source>
+        <translation>%1 (Alt+Pos1)</translation>
     </message>
 </context>
 <context>
@@ -8041,6 +8021,10 @@
     <message>
         <source>Simulates repeated insertions with realistic variability in start position, alignment, array curvature and friction. Their mean is compared with the published forces. One force was used to calibrate the array; the others are predictions.</source>
         <translation>Simuliert wiederholte Insertionen mit realistischer Variabilität von Startposition, Ausrichtung, Krümmung des Trägers und Reibung. Ihr Mittelwert wird mit den veröffentlichten Kräften verglichen. Eine Kraft diente der Kalibrierung des Trägers; die anderen sind Vorhersagen.</translation>
+    </message>
+    <message>
+        <source>Validate</source>
+        <translation>Validierung</translation>
     </message>
 </context>
 <context>

@@ -17,7 +17,6 @@
 #include "CutTexts.h"
 #include "KeptPicture.h"
 #include "WindowRig.h"
-#include "gui/pages/insert/ReplayControl.h"
 #include "gui/pages/insert/ReplayPlayer.h"
 #include "gui/parts/Notice.h"
 #include "gui/parts/UserSettings.h"

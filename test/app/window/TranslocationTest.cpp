@@ -10,7 +10,6 @@
 #include "OwnFolders.h"
 #include "WindowRig.h"
 #include "gui/pages/compare/ComparePage.h"
-#include "gui/pages/insert/ReplayControl.h"
 #include "gui/pages/insert/ReplayPlayer.h"
 #include "gui/scene/ForceLabel.h"
 #include "perilymph/device/ScriptedDevice.h"

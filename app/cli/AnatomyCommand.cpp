@@ -159,13 +159,14 @@ Result<Done> describeAnatomy(const AnatomyOptions& options)
           bands->empty() ? "" : (" ± " + fixed((*bands)[i], 2)));
   if (!bands->empty() && patient.errors)
     print(
-        "± stands for the errors of A, B and H as measured in the CT; the error of the model is "
-        "not "
-        "included.\n");
+        "± is the 95 % interval of the errors of A, B and H as measured in the CT, and of the duct "
+        "length's "
+        "formula; the error of the model is not included.\n");
   else if (!bands->empty())
     print(
-        "± assumes an error of {} mm in each measurement; the error of the model is not "
-        "included.\n",
+        "± is the 95 % interval of an error of {} mm (standard deviation) in each measurement, and "
+        "of the duct "
+        "length's formula; the error of the model is not included.\n",
         fixed(inMillimeters(analysis::measuringError), 1));
   if (haptic)
     print("haptic surface: {} of {} triangles, mean deviation {} mm, maximum {} mm\n",

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "CallFiles.h"
+
+#include <stop_token>
 #include "Commands.h"
 #include "Interruption.h"
 #include "OutputFolder.h"
@@ -82,13 +84,16 @@ Result<Done> calibrate(const CalibrateOptions& options, const CallFiles& files)
   request.runs = options.runs;
   request.seed = options.seed;
   request.jobs = options.jobs;
-  watchForInterruption();
+  const std::stop_token stop = watchForInterruption();
   print("Calibrating the array of {} against one published force.\n", request.nominal.name);
   flushOutput();
   // The number of trials is not known in advance; about four.
-  const auto result = analysis::fitCalibration(request, [](std::size_t trials) {
-    return showProgress("trial", trials + 1, std::max<std::size_t>(trials + 2, 4));
-  });
+  const auto result = analysis::fitCalibration(
+      request,
+      [](std::size_t trials) {
+        showProgress("trial", trials + 1, std::max<std::size_t>(trials + 2, 4));
+      },
+      stop);
   if (isInterrupted()) return Error{"Interrupted; nothing was written."};
   if (!result) return result.error();
 

@@ -5,6 +5,7 @@
 
 #include <csignal>
 #include <initializer_list>
+#include <stop_token>
 #include <string_view>
 
 #include "perilymph/foundation/AtomicFile.h"
@@ -61,12 +62,27 @@ void handleEnds(void (*handler)(int))
   pthread_sigmask(SIG_UNBLOCK, &handled, nullptr);
 }
 
+std::stop_source& interruption()
+{
+  static std::stop_source source;
+  return source;
+}
+
 }  // namespace
 
 void endOnInterruption() { handleEnds(endNow); }
 
-void watchForInterruption() { handleEnds(askForEnd); }
+std::stop_token watchForInterruption()
+{
+  handleEnds(askForEnd);
+  return interruption().get_token();
+}
 
-bool isInterrupted() { return wasAsked != 0; }
+bool isInterrupted()
+{
+  if (wasAsked == 0) return false;
+  interruption().request_stop();
+  return true;
+}
 
 }  // namespace perilymph::cli

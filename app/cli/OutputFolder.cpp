@@ -117,14 +117,14 @@ Result<Done> writeFolder(const CallFiles& files, const std::string& folder,
   return Done{};
 }
 
-bool showProgress(const char* what, std::size_t done, std::size_t all)
+void showProgress(const char* what, std::size_t done, std::size_t all)
 {
   if (::isatty(STDERR_FILENO) != 0) {
     printError("\r{} {} of {}", what, done, all);
     if (done == all) printError("\r\x1b[K");
     std::fflush(stderr);
   }
-  return !isInterrupted();
+  static_cast<void>(isInterrupted());
 }
 
 }  // namespace perilymph::cli

@@ -4,7 +4,6 @@
 // A folder that a command fills after all its work is done.
 
 #include <filesystem>
-#include <functional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -39,7 +38,7 @@ struct FolderContent {
 Result<Done> writeFolder(const CallFiles& files, const std::string& folder,
                          const FolderContent& content);
 
-/// Shows progress if standard error is a terminal. False after an end was requested.
-bool showProgress(const char* what, std::size_t done, std::size_t all);
+/// Shows progress if standard error is a terminal, and looks for a request to end.
+void showProgress(const char* what, std::size_t done, std::size_t all);
 
 }  // namespace perilymph::cli

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <atomic>
 #include <cstdint>
 #include <filesystem>
+#include <stop_token>
 
 #include "CallFiles.h"
 #include "Commands.h"
@@ -14,7 +14,7 @@
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/planning/PlanReport.h"
 #include "perilymph/planning/PlanWords.h"
-#include "perilymph/planning/PlannedShape.h"
+#include "perilymph/planning/PlannedDraw.h"
 
 namespace perilymph::cli {
 
@@ -55,11 +55,10 @@ std::string bandText(const planning::Band& band, int decimals)
 Result<std::string> shapesCsv(const planning::Plan& plan)
 {
   std::string csv = "array,draw,node,x_mm,y_mm,z_mm\n";
-  const std::atomic<bool> isAsked{false};
   for (std::size_t i = 0; i < plan.arrays.size(); ++i) {
     const std::size_t draw = planning::medianDraw(plan, i);
     if (draw == 0) continue;  // no draw could be run
-    const auto shape = planning::shapeOf(plan, i, draw, isAsked);
+    const auto shape = planning::shapeOf(plan, i, draw, {});
     if (!shape) return shape.error();
     for (std::uint32_t node = 0; node < shape->end.nodes; ++node) {
       csv += analysis::csvField(plan.arrays[i].array) + "," + std::to_string(draw) + "," +
@@ -107,10 +106,10 @@ Result<Done> plan(const PlanOptions& options, const CallFiles& files)
   if (failure)
     return Error{options.out + " cannot be created: " + failure.message() +
                  ". Give another folder."};
-  watchForInterruption();
+  const std::stop_token stop = watchForInterruption();
   const auto plan = planning::makePlan(
       *request, std::filesystem::path(options.out) / drawsFile,
-      [](std::size_t done, std::size_t all) { return showProgress("insertion", done, all); });
+      [](std::size_t done, std::size_t all) { showProgress("insertion", done, all); }, stop);
   if (isInterrupted())
     return Error{"Interrupted; what was done is kept. The same command continues."};
   if (!plan) return plan.error();

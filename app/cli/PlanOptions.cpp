@@ -5,7 +5,7 @@
 
 #include "Commands.h"
 #include "FileOptions.h"
-#include "perilymph/planning/Plan.h"
+#include "perilymph/planning/PlanResult.h"
 
 namespace perilymph::cli {
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "CallFiles.h"
+
+#include <stop_token>
 #include "Commands.h"
 #include "Interruption.h"
 #include "OutputFolder.h"
@@ -102,10 +104,10 @@ Result<Done> predictAll(const PredictOptions& options, const CallFiles& files)
   request.patients = options.patients.value_or(request.patients);
   request.friction = options.friction;
   request.jobs = options.jobs;
-  watchForInterruption();
-  const auto result = analysis::predictClinic(request, [](std::size_t done, std::size_t all) {
-    return showProgress("insertion", done, all);
-  });
+  const std::stop_token stop = watchForInterruption();
+  const auto result = analysis::predictClinic(
+      request, [](std::size_t done, std::size_t all) { showProgress("insertion", done, all); },
+      stop);
   if (isInterrupted()) return Error{"Interrupted; nothing was written."};
   if (!result) return result.error();
   const auto page = analysis::clinicalJson(request, *result);
@@ -135,10 +137,10 @@ Result<Done> predict(const PredictOptions& options, const CallFiles& files)
   request.patients = options.patients.value_or(request.patients);
   request.seed = options.seeds.front();
   request.jobs = options.jobs;
-  watchForInterruption();
-  const auto result = analysis::predict(request, [](std::size_t done, std::size_t all) {
-    return showProgress("insertion", done, all);
-  });
+  const std::stop_token stop = watchForInterruption();
+  const auto result = analysis::predict(
+      request, [](std::size_t done, std::size_t all) { showProgress("insertion", done, all); },
+      stop);
   if (isInterrupted()) return Error{"Interrupted; nothing was written."};
   if (!result) return result.error();
 

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <stop_token>
 #include <thread>
 
 #include "Commands.h"
@@ -44,9 +45,9 @@ std::string sizeText(double bytes)
   return fixed(bytes / 1e9, 1) + " GB";
 }
 
-/// Shows done insertions, rate and time left if standard error is a terminal; asks for an end after
-/// an interruption.
-study::StudyProgress progressShown()
+/// Shows done insertions, rate and time left if standard error is a terminal, and looks for a
+/// request to end.
+analysis::RunProgress progressShown()
 {
   const auto begin = Clock::now();
   auto before = std::make_shared<std::optional<std::size_t>>();
@@ -61,7 +62,7 @@ study::StudyProgress progressShown()
       if (done == all) printError("\r\x1b[K");
       std::fflush(stderr);
     }
-    return !isInterrupted();
+    static_cast<void>(isInterrupted());
   };
 }
 
@@ -95,8 +96,9 @@ Result<Done> runPart(const study::Study& study, const study::Shard& shard,
                      const StudyOptions& options)
 {
   if (const auto checked = checkStudyFolder(options.folder); !checked) return checked;
-  watchForInterruption();
-  const auto done = study::runShard(study, shard, options.folder, options.jobs, progressShown());
+  const std::stop_token stop = watchForInterruption();
+  const auto done =
+      study::runShard(study, shard, options.folder, options.jobs, progressShown(), stop);
   if (!done) return done.error();
   if (*done) return Done{};
   return Error{"Interrupted; what was done is kept. The same command continues."};
@@ -126,7 +128,6 @@ Result<Done> checkStudy(const StudyOptions& options)
 
   // One insertion of each of some combinations in the first cochlea, as a sample of the duration.
   const std::size_t tried = std::min<std::size_t>(study->casesPerCochlea(), 3);
-  const std::atomic<bool> isAsked{false};
   std::shared_ptr<const anatomy::ScalaTympani> anatomy;
   double buildTime = 0.0, insertionTime = 0.0, bytes = 0.0;
   for (std::size_t i = 0; i < tried; ++i) {
@@ -142,7 +143,7 @@ Result<Done> checkStudy(const StudyOptions& options)
       begin = Clock::now();
     }
     const analysis::FullInsertion found =
-        analysis::insertFully(*parameters, anatomy, study->profileSpacing(), isAsked);
+        analysis::insertFully(*parameters, anatomy, study->profileSpacing(), {});
     insertionTime += secondsSince(begin) / static_cast<double>(tried);
     // Bytes of a row of each table, in the shard and in the merged file and table.
     const double contacts =

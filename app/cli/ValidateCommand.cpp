@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "CallFiles.h"
+
+#include <stop_token>
 #include "Commands.h"
 #include "Interruption.h"
 #include "OutputFolder.h"
@@ -58,13 +60,13 @@ Result<Done> validate(const ValidateOptions& options, const CallFiles& files)
   request.runs = options.runs;
   request.seed = options.seed;
   request.jobs = options.jobs;
-  watchForInterruption();
+  const std::stop_token stop = watchForInterruption();
   print("Simulating {} {} times; each source of variability alone takes additional runs.\n",
         request.nominal.name, request.runs);
   flushOutput();
-  const auto result = analysis::validate(request, [](std::size_t done, std::size_t all) {
-    return showProgress("insertion", done, all);
-  });
+  const auto result = analysis::validate(
+      request, [](std::size_t done, std::size_t all) { showProgress("insertion", done, all); },
+      stop);
   if (isInterrupted()) return Error{"Interrupted; nothing was written."};
   if (!result) return result.error();
 

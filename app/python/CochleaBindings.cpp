@@ -249,8 +249,11 @@ void defineCochlea(py::module_& module)
            "Clinical measures by name with unit: 'A_mm', 'B_mm', ..., as 'perilymph-cli anatomy' "
            "prints them.")
       .def("measure_errors", &measureErrors,
-           "Uncertainty (plus or minus) of each measure by the errors of A, B and H, 0.1 mm where "
-           "the patient states none; not that of the model. Empty without a patient's measures.")
+           "Half width of the 95 % interval of each measure by the errors of A, B and H, SD 0.1 mm "
+           "where "
+           "the patient states none, and for the duct length by the choice of its formula; not by "
+           "the error of "
+           "the model. Empty without a patient's measures.")
       .def("__repr__", [](const BuiltCochlea& one) {
         return textOf("<perilymph.Cochlea '" + one.cochlea.patient.label + "', " +
                       nameOf(one.cochlea.source) + ">");

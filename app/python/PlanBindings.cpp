@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <stop_token>
 
 #include "Bindings.h"
 #include "NumberArrays.h"
@@ -197,13 +198,15 @@ StoredPlan plan(const py::object& patient, const py::object& arrays, long sample
   std::filesystem::path file;
   if (!draws.is_none()) file = nameOrFileOf(draws, "draws_file");
   PendingException pending;
-  const auto made = withoutLock([&] {
-    return planning::makePlan(request, file, [&](std::size_t done, std::size_t all) {
-      return !pending.isRaisedBy([&] {
-        if (!progress.is_none()) progress(done, all);
-      });
+  std::stop_source stop;
+  const auto report = [&](std::size_t done, std::size_t all) {
+    const bool isRaised = pending.isRaisedBy([&] {
+      if (!progress.is_none()) progress(done, all);
     });
-  });
+    if (isRaised) stop.request_stop();
+  };
+  const auto made =
+      withoutLock([&] { return planning::makePlan(request, file, report, stop.get_token()); });
   pending.raise();
   planning::Plan whole = valueOf(made);
   // To the digits of a plan.json, with its sources and limits; and the insertions, which it lacks.

@@ -58,6 +58,7 @@ py::dict highlightsOf(const session::Highlights& highlights)
 Recording readRecording(const py::object& given, double every_ms, bool check)
 {
   constexpr double hour_ms = 3.6e6;
+  constexpr std::uint64_t ticksPerLook = 1000;  // at signals
   const std::string file = nameOrFileOf(given, "file");
   numberOf(every_ms, "every_ms", "ms", 0.0, hour_ms);
   PendingException pending;
@@ -67,7 +68,7 @@ Recording readRecording(const py::object& given, double every_ms, bool check)
   session::Highlights highlights;
   session::RecordingFacts facts;
   const auto read = withoutLock([&]() -> Result<Done> {
-    const auto recorded = RecordedInsertion::open(file, [&] { return pending.isRaised(); });
+    const auto recorded = RecordedInsertion::open(file);
     if (!recorded) return recorded.error();
     if (check) {
       const auto checked = recorded->check();
@@ -79,7 +80,7 @@ Recording readRecording(const py::object& given, double every_ms, bool check)
     const auto done = recorded->forEach([&](const haptics::TickRecord& tick) {
       columns.add(tick);
       last = tick.output;
-      return true;
+      return tick.tick % ticksPerLook != 0 || !pending.isRaised();
     });
     if (!done) return done.error();
     const auto found = recorded->highlights();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pybind11/stl.h>
 
-#include <atomic>
 #include <set>
+#include <stop_token>
 
 #include "Bindings.h"
 #include "NumberArrays.h"
@@ -23,8 +23,7 @@ std::shared_ptr<StudyColumns> readStudy(const py::object& given)
   return std::make_shared<StudyColumns>(valueOf(withoutLock([&] {
     std::error_code ignored;
     if (std::filesystem::is_directory(place, ignored)) place /= study::mergedFile;
-    const std::atomic<bool> isCanceled{false};
-    return StudyColumns::read(place, isCanceled);
+    return StudyColumns::read(place, {});
   })));
 }
 

@@ -624,8 +624,8 @@
         <translation>In der mittleren Windung wurde kein Modiolus gesehen: Mittlere und apikale Windung könnten ein Hohlraum sein (inkomplette Partition). Eine Ganglänge wird nicht angegeben, weil ihre Formel %1 Windungen annimmt, und H ist das Maß des Hohlraums.</translation>
     </message>
     <message>
-        <source>Whether middle and apical turn are one cavity (incomplete partition) could not be judged: the CT is too coarse or too noisy, or the middle turn is not empty. Take a finer series.</source>
-        <translation>Ob mittlere und apikale Windung ein Hohlraum sind (inkomplette Partition), war nicht zu beurteilen: Die CT ist zu grob oder zu verrauscht, oder die mittlere Windung ist nicht leer. Eine feinere Serie verwenden.</translation>
+        <source>Whether middle and apical turn are one cavity (incomplete partition) could not be judged: the modiolus is faint, the CT too coarse or too noisy, or the middle turn not empty. Look for the septum between both turns in a section through the axis, or take a finer series.</source>
+        <translation>Ob mittlere und apikale Windung ein Hohlraum sind (inkomplette Partition), war nicht zu beurteilen: Der Modiolus ist schwach, die CT zu grob oder zu verrauscht, oder die mittlere Windung nicht leer. In einem Schnitt durch die Achse das Septum zwischen beiden Windungen suchen oder eine feinere Serie verwenden.</translation>
     </message>
     <message>
         <source>Along a fifth or more of the basal turn nothing distinguishes the lumen from the bone: it may be ossified; check the outline in the images.</source>
@@ -3318,12 +3318,12 @@
         <translation>Ductus cochlearis (CDL)</translation>
     </message>
     <message>
-        <source>estimated from A: 4.16 A − 4 mm</source>
-        <translation>aus A geschätzt: 4,16 A − 4 mm</translation>
+        <source>from A and B, elliptic-circular; ± holds the formula from A</source>
+        <translation>aus A und B, elliptisch-zirkulär; ± umfasst die Formel aus A</translation>
     </message>
     <message>
-        <source>Alexiades et al. 2015</source>
-        <translation>Alexiades et al. 2015</translation>
+        <source>Schurzig et al. 2018</source>
+        <translation>Schurzig et al. 2018</translation>
     </message>
     <message>
         <source>Cochlear coverage</source>
@@ -3338,8 +3338,8 @@
         <translation>Corti-Organ basal des apikalsten Kontakts</translation>
     </message>
     <message>
-        <source>Cochlea, CT measurements ± measuring error</source>
-        <translation>Cochlea, CT-Messwerte ± Messfehler</translation>
+        <source>Cochlea, CT measurements ± 95 % interval</source>
+        <translation>Cochlea, CT-Messwerte ± 95-%-Intervall</translation>
     </message>
     <message>
         <source>Cochlea: average of 15 human cochleae</source>
@@ -3646,16 +3646,8 @@
         <translation>95-%-Intervall. Standardabweichungen: Rauschen und Voxel %1 mm, Formmodell %2 mm, Position des runden Fensters %3 mm.</translation>
     </message>
     <message>
-        <source>%1: %2 ± %3 mm</source>
-        <translation>%1: %2 ± %3 mm</translation>
-    </message>
-    <message>
-        <source>Elliptic-circular, from A and B</source>
-        <translation>Elliptisch-zirkulär, aus A und B</translation>
-    </message>
-    <message>
-        <source>Alexiades, from A</source>
-        <translation>Alexiades, aus A</translation>
+        <source>CDL from A and B (elliptic-circular). Its interval holds what A alone gives: %1 mm (Alexiades).</source>
+        <translation>CDL aus A und B (elliptisch-zirkulär). Ihr Intervall umfasst, was A allein ergibt: %1 mm (Alexiades).</translation>
     </message>
     <message>
         <source>Pietsch et al. 2017, n = 138</source>
@@ -3990,8 +3982,8 @@
         <translation>%1–%2 %</translation>
     </message>
     <message>
-        <source>%1 mm (%2–%3)</source>
-        <translation>%1 mm (%2–%3)</translation>
+        <source>%1 ± %2 mm</source>
+        <translation>%1 ± %2 mm</translation>
     </message>
     <message>
         <source>Insertion force over depth</source>
@@ -5381,12 +5373,12 @@
         <translation>Winkel und Abdeckung werden nur für gerade Träger geschätzt.</translation>
     </message>
     <message>
-        <source>± for an error of %1 mm in each measure.</source>
-        <translation>± bei einem Messfehler von je %1 mm.</translation>
+        <source>± 95 % interval of an error of %1 mm (SD) in each measure and of the duct length’s formula.</source>
+        <translation>± 95-%-Intervall bei einem Fehler von je %1 mm (SD) und der Formel der Länge des Ductus.</translation>
     </message>
     <message>
-        <source>± for the errors of the measures in the CT.</source>
-        <translation>± bei den Messfehlern aus dem CT.</translation>
+        <source>± 95 % interval of the errors in the CT and of the duct length’s formula.</source>
+        <translation>± 95-%-Intervall der Messfehler im CT und der Formel der Länge des Ductus.</translation>
     </message>
 </context>
 <context>
@@ -6518,12 +6510,12 @@
         <translation>H nicht gemessen: um die mittlere Höhe gezogen</translation>
     </message>
     <message>
-        <source>in brackets 95 %, errors as measured</source>
-        <translation>in Klammern 95 %, Fehler wie gemessen</translation>
+        <source>± 95 %, errors as measured</source>
+        <translation>± 95 %, Fehler wie gemessen</translation>
     </message>
     <message>
-        <source>in brackets 95 %, errors assumed: %1 mm</source>
-        <translation>in Klammern 95 %, Fehler angenommen: %1 mm</translation>
+        <source>± 95 %, errors assumed: SD %1 mm</source>
+        <translation>± 95 %, Fehler angenommen: SD %1 mm</translation>
     </message>
     <message>
         <source>A: basal-turn diameter; B: basal-turn width, perpendicular to A; H: height. Every draw takes other values within these errors.</source>

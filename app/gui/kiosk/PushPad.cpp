@@ -76,20 +76,20 @@ void PushPad::paintEvent(QPaintEvent*)
   painter.setRenderHint(QPainter::Antialiasing);
   QPainterPath plate;
   plate.addRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 10, 10);
-  painter.fillPath(plate, raisedColor);
+  painter.fillPath(plate, shownTheme().raised);
   if (place_) {
     painter.save();
     painter.setClipPath(plate);
-    QColor filled = accentColor;
+    QColor filled = shownTheme().accent;
     filled.setAlpha(90);
     const double end = side_px + *place_ * (width() - 2 * side_px);
     painter.fillRect(QRectF(0, 0, end, height()), filled);
     painter.restore();
   }
-  painter.setPen(QPen(accentColor, isHeld() ? 3.0 : 2.0));
+  painter.setPen(QPen(shownTheme().accent, isHeld() ? 3.0 : 2.0));
   painter.drawPath(plate);
 
-  const QColor ink = isEnabled() ? textColor : quietTextColor;
+  const QColor ink = isEnabled() ? shownTheme().text : shownTheme().quietText;
   painter.setPen(ink);
   painter.setFont(typeface(26, QFont::DemiBold));
   const QRect text = rect().adjusted(side_px, 8, -side_px, -36);

@@ -23,17 +23,11 @@ std::string tr(const char* text)
 
 char decimalSign() { return QString(QLocale().decimalPoint()).toStdString().front(); }
 
-figures::ColorScheme shownScheme()
-{
-  return shownColorScheme() == ColorScheme::light ? figures::ColorScheme::light
-                                                  : figures::ColorScheme::dark;
-}
-
 }  // namespace
 
 ChartStyle chartStyle()
 {
-  ChartStyle style{shownScheme(), {}};
+  ChartStyle style{shownColorScheme(), {}};
   style.strings = {
       .travel = tr("travel, mm"),
       .axialForce = tr("insertion force, mN"),
@@ -63,7 +57,7 @@ ChartStyle chartStyle()
 
 SceneStyle sceneStyle()
 {
-  SceneStyle style{shownScheme(), {}};
+  SceneStyle style{shownColorScheme(), {}};
   style.strings = {
       .wallForce = tr("wall force, mN per mm"),
       .normalForce = tr("contact force (arrow %1 mm = %2 mN)"),

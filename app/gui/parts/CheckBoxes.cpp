@@ -47,7 +47,7 @@ QRectF markPlace(const QWidget& widget)
 
 void drawText(QPainter& painter, const QAbstractButton& button)
 {
-  painter.setPen(button.isEnabled() ? textColor : quietTextColor);
+  painter.setPen(button.isEnabled() ? shownTheme().text : shownTheme().quietText);
   painter.drawText(button.rect().adjusted(textLeft_px, 0, 0, 0),
                    Qt::AlignVCenter | Qt::AlignLeft | Qt::TextWordWrap, button.text());
   if (!button.hasFocus()) return;
@@ -74,15 +74,15 @@ void CheckBox::paintEvent(QPaintEvent*)
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   const QRectF place = markPlace(*this);
-  painter.setPen(QPen(isChecked() ? accentColor : quietTextColor, 1.2));
-  painter.setBrush(isChecked() ? QBrush(accentColor) : QBrush(Qt::NoBrush));
+  painter.setPen(QPen(isChecked() ? shownTheme().accent : shownTheme().quietText, 1.2));
+  painter.setBrush(isChecked() ? QBrush(shownTheme().accent) : QBrush(Qt::NoBrush));
   painter.drawRoundedRect(place, 3, 3);
   if (isChecked()) {
     QPainterPath tick(place.topLeft() + QPointF(3.2, 7.2));
     tick.lineTo(place.topLeft() + QPointF(6.0, 10.0));
     tick.lineTo(place.topLeft() + QPointF(10.8, 4.4));
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(groundColor, 1.8, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.setPen(QPen(shownTheme().ground, 1.8, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter.drawPath(tick);
   }
   drawText(painter, *this);
@@ -104,7 +104,7 @@ void Choice::paintEvent(QPaintEvent*)
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   const QRectF place = markPlace(*this);
-  const QColor ring = isChecked() && isEnabled() ? accentColor : quietTextColor;
+  const QColor ring = isChecked() && isEnabled() ? shownTheme().accent : shownTheme().quietText;
   painter.setPen(QPen(ring, 1.4));
   painter.setBrush(Qt::NoBrush);
   painter.drawEllipse(place);

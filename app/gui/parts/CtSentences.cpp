@@ -53,8 +53,9 @@ constexpr const char* sentences[] = {
     QT_TRANSLATE_NOOP(
         "Data",
         "Whether middle and apical turn are one cavity (incomplete partition) could not be "
-        "judged: the CT is too coarse or too noisy, or the middle turn is not empty. Take a "
-        "finer series."),
+        "judged: the modiolus is faint, the CT too coarse or too noisy, or the middle turn "
+        "not empty. Look for the septum between both turns in a section through the axis, "
+        "or take a finer series."),
     QT_TRANSLATE_NOOP(
         "Data",
         "Along a fifth or more of the basal turn nothing distinguishes the lumen from "

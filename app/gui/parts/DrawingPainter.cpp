@@ -22,7 +22,7 @@ QColor printedColor(const figures::Ink& ink)
 /// The same hue with the opposite lightness, between that of the ground and that of text.
 QColor onDark(const QColor& color)
 {
-  const double ground = groundColor.lightnessF(), text = textColor.lightnessF();
+  const double ground = shownTheme().ground.lightnessF(), text = shownTheme().text.lightnessF();
   const double lightness = ground + (1.0 - color.lightnessF()) * (text - ground);
   return QColor::fromHslF(std::max(0.0, double(color.hslHueF())), color.hslSaturationF(), lightness,
                           color.alphaF());

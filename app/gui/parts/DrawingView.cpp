@@ -39,7 +39,7 @@ void DrawingView::paintEvent(QPaintEvent*)
   painter.scale(scale, scale);
   QPainterPath sheet;
   sheet.addRoundedRect(QRectF(0.0, 0.0, drawing_.width, drawing_.height), 4.0 / scale, 4.0 / scale);
-  painter.fillPath(sheet, groundColor);
+  painter.fillPath(sheet, shownTheme().ground);
   const bool isDark = shownColorScheme() == ColorScheme::dark;
   paintMarks(painter, drawing_, Lettering::scaled, isDark ? Sheet::dark : Sheet::white);
 }

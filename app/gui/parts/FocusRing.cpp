@@ -14,10 +14,10 @@ void paintFocusRing(QPainter& painter, const QRect& area)
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setBrush(Qt::NoBrush);
   constexpr double middle = outer_px + 0.5 * inner_px;
-  painter.setPen(QPen(groundColor, inner_px));
+  painter.setPen(QPen(shownTheme().ground, inner_px));
   painter.drawRoundedRect(QRectF(area).adjusted(middle, middle, -middle, -middle), 3.5, 3.5);
   constexpr double edge = 0.5 * outer_px;
-  painter.setPen(QPen(textColor, outer_px));
+  painter.setPen(QPen(shownTheme().text, outer_px));
   painter.drawRoundedRect(QRectF(area).adjusted(edge, edge, -edge, -edge), 4.5, 4.5);
 }
 

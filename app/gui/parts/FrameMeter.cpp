@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "perilymph/foundation/Quantile.h"
+
 namespace perilymph::gui {
 
 namespace {
@@ -39,15 +41,7 @@ int FrameMeter::framesPerSecond(Clock::time_point now) const
   return static_cast<int>(presented_.end() - first);
 }
 
-double FrameMeter::quantile_ms(double fraction) const
-{
-  if (durations_ms_.empty()) return 0.0;
-  std::vector<double> sorted = durations_ms_;
-  std::sort(sorted.begin(), sorted.end());
-  const double rank = std::ceil(fraction * static_cast<double>(sorted.size()));
-  const std::size_t index = rank < 1.0 ? 0 : static_cast<std::size_t>(rank) - 1;
-  return sorted[std::min(index, sorted.size() - 1)];
-}
+double FrameMeter::quantile_ms(double fraction) const { return quantile(durations_ms_, fraction); }
 
 double FrameMeter::span_s() const
 {

@@ -115,7 +115,7 @@ void ReadOut::paintEvent(QPaintEvent*)
 
   int x = isRight ? right - unitWidth - numberWidth(number) : left;
   painter.setFont(numberFont_);
-  painter.setPen(textColor);
+  painter.setPen(shownTheme().text);
   for (const QChar character : number) {
     const int cell = cellWidth(character);
     const int inCell = QFontMetrics(numberFont_).horizontalAdvance(character);
@@ -123,7 +123,7 @@ void ReadOut::paintEvent(QPaintEvent*)
     x += cell;
   }
   painter.setFont(unitFont_);
-  painter.setPen(quietTextColor);
+  painter.setPen(shownTheme().quietText);
   const int unitX = isRight ? right - unitWidth : left + numberWidth(number);
   painter.drawText(unitX + unitGap_px, baseline, form_.unit);
 

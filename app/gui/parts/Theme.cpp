@@ -8,64 +8,46 @@ namespace perilymph::gui {
 
 namespace {
 
-const Theme& darkTheme()
+Theme themeFrom(const figures::Palette& palette)
 {
-  static const Theme theme{
-      .ground = {0x12, 0x16, 0x1A},
-      .panel = {0x1A, 0x20, 0x26},
-      .raised = {0x26, 0x31, 0x3A},
-      .pressed = {0x3A, 0x48, 0x54},
-      .line = {0x2A, 0x32, 0x3A},
-      .border = {0x66, 0x75, 0x82},
-      .ahead = {0x6A, 0x7A, 0x88},
-      .text = {0xE8, 0xEC, 0xEF},
-      .quietText = {0x93, 0xA1, 0xAC},
-      .accent = {0x45, 0xC4, 0xB0},
-      .accentHover = {0x5A, 0xD3, 0xC0},
-      .onAccent = {0x0B, 0x14, 0x12},
-      .ghost = {0x56, 0xB4, 0xE9},
-      .warning = {0xE6, 0x9F, 0x00},
-      .onWarning = {0x14, 0x11, 0x0A},
-      .alarm = {0xD5, 0x5E, 0x00},
-      .banner = {0x2B, 0x21, 0x14},
+  return {
+      .ground = colorOf(palette.ground),
+      .panel = colorOf(palette.panel),
+      .raised = colorOf(palette.raised),
+      .pressed = colorOf(palette.pressed),
+      .banner = colorOf(palette.banner),
+      .line = colorOf(palette.line),
+      .border = colorOf(palette.border),
+      .ahead = colorOf(palette.ahead),
+      .text = colorOf(palette.text),
+      .quietText = colorOf(palette.quiet),
+      .accent = colorOf(palette.accent),
+      .accentHover = colorOf(palette.accentHover),
+      .onAccent = colorOf(palette.onAccent),
+      .ghost = colorOf(palette.blue),
+      .pink = colorOf(palette.pink),
+      .warning = colorOf(palette.warning),
+      .onWarning = colorOf(palette.onWarning),
+      .alarm = colorOf(palette.alarm),
+      .stop = colorOf(palette.stop),
+      .stopPressed = colorOf(palette.stopPressed),
+      .onStop = colorOf(palette.onStop),
+      .bone = colorOf(palette.bone),
+      .lumen = colorOf(palette.lumen),
+      .silicone = colorOf(palette.silicone),
+      .platinum = colorOf(palette.platinum),
   };
-  return theme;
-}
-
-const Theme& lightTheme()
-{
-  static const Theme theme{
-      .ground = {0xFF, 0xFF, 0xFF},
-      .panel = {0xF1, 0xF4, 0xF6},
-      .raised = {0xDF, 0xE6, 0xEA},
-      .pressed = {0xAE, 0xBB, 0xC4},
-      .line = {0xC9, 0xD3, 0xDA},
-      .border = {0x7C, 0x8A, 0x95},
-      .ahead = {0x76, 0x84, 0x8F},
-      .text = {0x14, 0x1B, 0x21},
-      .quietText = {0x4A, 0x56, 0x61},
-      .accent = {0x08, 0x6B, 0x5D},
-      .accentHover = {0x0A, 0x5C, 0x50},
-      .onAccent = {0xFF, 0xFF, 0xFF},
-      .ghost = {0x00, 0x62, 0x9B},
-      .warning = {0x7A, 0x4C, 0x00},
-      .onWarning = {0xFF, 0xFF, 0xFF},
-      .alarm = {0xA9, 0x3A, 0x00},
-      .banner = {0xFF, 0xF1, 0xD6},
-  };
-  return theme;
 }
 
 struct Shown {
   ColorScheme look = ColorScheme::dark;
-  Theme theme;
   double textScale = 1.0;
   Lengths lengths;
 };
 
 Shown& shown()
 {
-  static Shown one{ColorScheme::dark, darkTheme(), 1.0, {}};
+  static Shown one;
   return one;
 }
 
@@ -92,8 +74,8 @@ QPushButton:disabled { color: %quietText%; background: %panel%; border-color: %l
 QPushButton#startButton { background: %accent%; color: %onAccent%; border-color: %accent%; }
 QPushButton#startButton:hover { background: %accentHover%; }
 QPushButton#startButton:disabled { color: %quietText%; background: %panel%; border-color: %line%; }
-QPushButton#stopButton { background: #C4161C; color: #FFFFFF; border: 2px solid #FFFFFF; }
-QPushButton#stopButton:pressed { background: #8E0F14; }
+QPushButton#stopButton { background: %stop%; color: %onStop%; border: 2px solid %onStop%; }
+QPushButton#stopButton:pressed { background: %stopPressed%; }
 QPushButton[page="true"] {
   background: transparent; border-color: transparent; color: %quietText%; padding: 0 8px;
 }
@@ -201,13 +183,22 @@ QFont typeface(int size_px, QFont::Weight weight)
   return chosen;
 }
 
+QColor colorOf(const figures::Ink& ink)
+{
+  QColor color(ink.rgb[0], ink.rgb[1], ink.rgb[2]);
+  color.setAlphaF(ink.opacity);
+  return color;
+}
+
 const Theme& themeOf(ColorScheme look)
 {
-  return look == ColorScheme::light ? lightTheme() : darkTheme();
+  static const Theme dark = themeFrom(figures::paletteOf(ColorScheme::dark));
+  static const Theme light = themeFrom(figures::paletteOf(ColorScheme::light));
+  return look == ColorScheme::light ? light : dark;
 }
 
 ColorScheme shownColorScheme() { return shown().look; }
-const Theme& shownTheme() { return shown().theme; }
+const Theme& shownTheme() { return themeOf(shown().look); }
 
 double textScale() { return shown().textScale; }
 
@@ -223,15 +214,11 @@ void setTextScale(double scale)
                      sized(usual.bar)};
 }
 
-void setShownColorScheme(ColorScheme look)
-{
-  shown().look = look;
-  shown().theme = themeOf(look);
-}
+void setShownColorScheme(ColorScheme look) { shown().look = look; }
 
 void paintPlate(QPainter& painter, const QRect& area)
 {
-  QColor plate = groundColor;
+  QColor plate = shownTheme().ground;
   plate.setAlpha(plateAlpha);
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setPen(Qt::NoPen);
@@ -251,6 +238,8 @@ QString windowStyle()
       {"%accent%", theme.accent},       {"%accentHover%", theme.accentHover},
       {"%onAccent%", theme.onAccent},   {"%warning%", theme.warning},
       {"%onWarning%", theme.onWarning}, {"%banner%", theme.banner},
+      {"%stop%", theme.stop},           {"%stopPressed%", theme.stopPressed},
+      {"%onStop%", theme.onStop},
   };
   for (const auto& [name, value] : names) filled.replace(QLatin1String(name), value.name());
   const QColor& ground = theme.ground;

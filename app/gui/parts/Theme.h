@@ -7,54 +7,38 @@
 #include <QFont>
 #include <QString>
 
+#include "perilymph/figures/Palette.h"
+
 class QPainter;
 class QRect;
 
 namespace perilymph::gui {
 
-/// Color schemes of the window.
-enum class ColorScheme { dark, light };
+using figures::ColorScheme;
 
-/// Colors of a scheme. Text has a contrast of 4.5:1 or more on each of its backgrounds.
+/// The palette's colors of widgets (figures/Palette.h says what each is for).
 struct Theme {
-  QColor ground;   ///< Views and input fields.
-  QColor panel;    ///< The area around them.
-  QColor raised;   ///< Buttons.
-  QColor pressed;  ///< Draggable elements.
-  QColor line;
-  QColor border;  ///< Edges of fields and buttons; 3:1 on the background.
-  QColor ahead;   ///< Remaining part of a progress line; 3:1 on the background.
+  QColor ground, panel, raised, pressed, banner;
+  QColor line, border, ahead;
   QColor text, quietText;
-  QColor accent;       ///< The current insertion, and the primary action.
-  QColor accentHover;  ///< The same under the mouse.
-  QColor onAccent;     ///< Text on both.
-  QColor ghost;        ///< Other insertions: reference run, comparison.
-  QColor warning;      ///< Always together with text.
-  QColor onWarning;    ///< Text on it.
-  QColor alarm;        ///< Color of a status light, always together with text.
-  QColor banner;       ///< Background of error messages.
+  QColor accent, accentHover, onAccent;
+  QColor ghost, pink;  ///< Other insertions: reference run, comparison.
+  QColor warning, onWarning, alarm;
+  QColor stop, stopPressed, onStop;
+  QColor bone, lumen, silicone, platinum;
 };
 
+/// A color of the palette.
+QColor colorOf(const figures::Ink& ink);
+
+/// The colors of a scheme: constants of the program.
 const Theme& themeOf(ColorScheme look);
 
 /// The color scheme of all windows, charts and 3D views; chosen before a window is made.
 ColorScheme shownColorScheme();
 void setShownColorScheme(ColorScheme look);
-/// The colors of the current scheme. The object is the same when the scheme changes.
+/// The colors of that scheme.
 const Theme& shownTheme();
-
-inline const QColor& groundColor = shownTheme().ground;
-inline const QColor& panelColor = shownTheme().panel;
-inline const QColor& raisedColor = shownTheme().raised;
-inline const QColor& lineColor = shownTheme().line;
-inline const QColor& borderColor = shownTheme().border;
-inline const QColor& aheadColor = shownTheme().ahead;
-inline const QColor& textColor = shownTheme().text;
-inline const QColor& quietTextColor = shownTheme().quietText;
-inline const QColor& accentColor = shownTheme().accent;
-inline const QColor& ghostColor = shownTheme().ghost;
-inline const QColor& warningColor = shownTheme().warning;
-inline const QColor& alarmColor = shownTheme().alarm;
 
 /// Size of text over its standard size, 0.9 to 1.5; chosen before a window is made.
 double textScale();
@@ -70,10 +54,6 @@ struct Lengths {
 };
 const Lengths& shownLengths();
 
-inline const int& sidePanelWidth = shownLengths().sidePanel;
-inline const int& chartColumnWidth = shownLengths().chartColumn;
-inline const int& minChartColumnWidth = shownLengths().minChartColumn;
-inline const int& barHeight = shownLengths().bar;
 inline constexpr int spacing = 8;
 /// Opacity of the background of text over the 3D view: text has 4.5:1 over anything behind it.
 inline constexpr int plateAlpha = 235;

@@ -4,6 +4,7 @@
 #include <spdlog/spdlog.h>
 
 #include <optional>
+#include <stop_token>
 
 #include "gui/parts/Notice.h"
 #include "gui/parts/Numbers.h"
@@ -21,12 +22,11 @@ using Kept = std::optional<session::SessionSummary>;
 
 /// The first recording that is not empty.
 Kept firstKept(const std::vector<std::filesystem::path>& recordings, const Summarize& summarize,
-               const std::atomic<bool>& isCanceled)
+               const std::stop_token& stop)
 {
   for (const std::filesystem::path& recording : recordings) {
-    if (isCanceled) break;
-    session::SessionSummary left =
-        summarize(recording, [&isCanceled] { return isCanceled.load(); });
+    if (stop.stop_requested()) break;
+    session::SessionSummary left = summarize(recording, stop);
     spdlog::warn("The program ended while it was writing {}; {} ticks of it are kept.",
                  recording.string(), left.highlights.ticks);
     if (left.highlights.ticks > 0) return left;
@@ -48,15 +48,18 @@ void offer(MainWindow& window, const session::SessionSummary& left)
 }  // namespace
 
 session::SessionSummary summarizeReplayable(const std::filesystem::path& file,
-                                            const std::function<bool()>& shouldStop)
+                                            const std::stop_token& stop)
 {
-  session::SessionSummary left = session::summarize(file, shouldStop);
+  session::SessionSummary left = session::summarize(file, stop);
   if (left.highlights.ticks == 0) return left;
   bool isEnough = false;
-  const auto replayed = session::verify(file, [&](std::uint64_t done, std::uint64_t) {
+  std::stop_source end;
+  const std::stop_callback forward(stop, [&end] { end.request_stop(); });
+  const auto progress = [&](std::uint64_t done, std::uint64_t) {
     isEnough = done >= replayedTicks;
-    return !isEnough && !shouldStop();
-  });
+    if (isEnough) end.request_stop();
+  };
+  const auto replayed = session::verify(file, progress, end.get_token());
   const bool isSame = replayed && replayed->damage.empty() && !replayed->difference;
   if (isEnough || isSame) return left;
   spdlog::warn("{} cannot be replayed: {}", file.string(),
@@ -73,8 +76,8 @@ void offerRecovery(MainWindow& window, const std::vector<std::filesystem::path>&
   const auto read = [reading, &window, recordings, summarize] {
     reading->run(
         "The interrupted insertion",
-        [recordings, summarize](const std::atomic<bool>& isCanceled) -> Result<Kept> {
-          return firstKept(recordings, summarize, isCanceled);
+        [recordings, summarize](const std::stop_token& stop) -> Result<Kept> {
+          return firstKept(recordings, summarize, stop);
         },
         [&window](const Result<Kept>& kept) {
           if (!kept) return spdlog::warn("{}", kept.error().message);

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <stop_token>
 #include <vector>
 
 #include "perilymph/session/SessionLibrary.h"
@@ -15,12 +16,12 @@ class MainWindow;
 
 /// Reads a recording until stopped, as session::summarize does.
 using Summarize = std::function<session::SessionSummary(const std::filesystem::path&,
-                                                        const std::function<bool()>& shouldStop)>;
+                                                        const std::stop_token& stop)>;
 
 /// As session::summarize(), but without ticks if the recording is damaged or its first second of
 /// replay differs.
 session::SessionSummary summarizeReplayable(const std::filesystem::path& file,
-                                            const std::function<bool()>& shouldStop);
+                                            const std::stop_token& stop);
 
 /// Reports, when the window is visible, which recordings were saved by crashed runs, and offers to
 /// open them. Recordings are read in the background, so that a damaged one does not block the

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gui/parts/Theme.h"
 #include "perilymph/foundation/Units.h"
 
 namespace perilymph::gui {
@@ -21,7 +22,7 @@ constexpr int labelStep_deg = 90;
 QString tr(const char* text) { return QCoreApplication::translate("perilymph::gui", text); }
 
 const QColor ringInk(0x7D, 0x8A, 0x94);
-const QColor textInk(0x14, 0x1B, 0x21);
+const QColor textInk = themeOf(ColorScheme::light).text;
 
 /// Greatest distance of the wall from the modiolar axis [mm].
 double outerRadius_mm(const anatomy::ScalaTympani& scala)

@@ -86,8 +86,8 @@ void paintArray(QPainter& painter, const PicturedInsertion& pictured, const Scal
 PictureInks screenInks()
 {
   if (shownColorScheme() == ColorScheme::light) return printInks();
-  return {QColor(0xE9, 0xDC, 0xC0), QColor(0xE9, 0xDC, 0xC0, 34), QColor(0xDC, 0xE4, 0xE9),
-          QColor(0x5C, 0x6A, 0x74)};
+  const Theme& theme = themeOf(ColorScheme::dark);
+  return {theme.bone, theme.lumen, theme.silicone, theme.platinum};
 }
 
 PictureInks printInks()

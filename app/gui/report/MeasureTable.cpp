@@ -6,6 +6,7 @@
 
 #include "gui/parts/Numbers.h"
 #include "perilymph/analysis/ErrorBand.h"
+#include "perilymph/foundation/Normal.h"
 
 namespace perilymph::gui {
 
@@ -16,9 +17,9 @@ constexpr double row_mm = 4.4;
 // lupdate assigns texts of free functions to their namespace.
 QString tr(const char* text) { return QCoreApplication::translate("perilymph::gui", text); }
 
-QString withError(double value_mm, double error_mm, int decimals)
+QString withInterval(double value_mm, double half95_mm, int decimals)
 {
-  return tr("%1 ± %2 mm").arg(numberText(value_mm, decimals), numberText(error_mm, decimals));
+  return tr("%1 ± %2 mm").arg(numberText(value_mm, decimals), numberText(half95_mm, decimals));
 }
 
 /// "1.2 SD above population mean (9.2 ± 0.4 mm)"
@@ -39,7 +40,7 @@ QString placeOf(Length value, const Population& population)
 MeasureRow measuredRow(const QString& name, Length value, const Population& population,
                        const QString& source, Length error)
 {
-  return {name, withError(inMillimeters(value), inMillimeters(error), 2),
+  return {name, withInterval(inMillimeters(value), halfWidth95 * inMillimeters(error), 2),
           placeOf(value, population), source};
 }
 
@@ -60,7 +61,7 @@ std::vector<MeasureRow> basalTurnRows(const anatomy::Patient& patient)
 QString measuresTitle(const anatomy::Patient& patient)
 {
   return patient.seal == Seal::changed ? tr("Cochlea, measures changed by hand")
-                                       : tr("Cochlea, CT measurements ± measuring error");
+                                       : tr("Cochlea, CT measurements ± 95 % interval");
 }
 
 QString measureText(const std::vector<analysis::Measure>& measures,
@@ -68,7 +69,7 @@ QString measureText(const std::vector<analysis::Measure>& measures,
 {
   for (std::size_t i = 0; i < measures.size(); ++i) {
     if (measures[i].key != key) continue;
-    if (i < bands.size()) return withError(measures[i].value, bands[i], 1);
+    if (i < bands.size()) return withInterval(measures[i].value, bands[i], 1);
     return tr("%1 mm").arg(numberText(measures[i].value, 1));
   }
   return QStringLiteral("–");
@@ -76,8 +77,9 @@ QString measureText(const std::vector<analysis::Measure>& measures,
 
 MeasureRow ductLengthRow(const QString& value)
 {
-  return {tr("Cochlear duct length (CDL)"), value, tr("estimated from A: 4.16 A − 4 mm"),
-          tr("Alexiades et al. 2015")};
+  return {tr("Cochlear duct length (CDL)"), value,
+          tr("from A and B, elliptic-circular; ± holds the formula from A"),
+          tr("Schurzig et al. 2018")};
 }
 
 double paintMeasures(ReportSheet& sheet, const QString& title, const std::vector<MeasureRow>& rows,

@@ -30,7 +30,7 @@ QString measuresTitle(const anatomy::Patient& patient);
 QString measureText(const std::vector<analysis::Measure>& measures,
                     const std::vector<double>& bands, const char* key);
 
-/// The cochlear duct length estimated from A.
+/// The cochlear duct length (anatomy's DuctLength.h).
 MeasureRow ductLengthRow(const QString& value);
 
 /// Paints the table.

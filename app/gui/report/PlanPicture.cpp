@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gui/parts/Theme.h"
 #include "gui/report/CochlearView.h"
 #include "perilymph/foundation/Units.h"
 
@@ -12,7 +13,7 @@ namespace perilymph::gui {
 namespace {
 
 constexpr double step_deg = 3.0;
-const QColor textInk(0x14, 0x1B, 0x21);
+const QColor textInk = themeOf(ColorScheme::light).text;
 
 /// The path of one array in the scala, beside those of the others.
 class Lane {

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "gui/parts/Theme.h"
+
 namespace perilymph::gui {
 
 namespace {
@@ -12,8 +14,8 @@ constexpr double pointsPerInch = 72.0;
 constexpr double ruleWidth_mm = 0.15;
 constexpr double lineHeight = 1.35;  // times the size of the type
 
-const QColor ink(0x14, 0x1B, 0x21);
-const QColor quietInk(0x4A, 0x56, 0x61);
+const QColor ink = themeOf(ColorScheme::light).text;
+const QColor quietInk = themeOf(ColorScheme::light).quietText;
 const QColor ruleInk(0xA8, 0xB3, 0xBB);
 
 double pointsOf(ReportFace face)

@@ -5,6 +5,7 @@
 #include <QEvent>
 #include <QRunnable>
 #include <mutex>
+#include <stop_token>
 
 namespace perilymph::gui {
 
@@ -22,15 +23,15 @@ public:
     return QEvent::Type(registered);
   }
 
-  AnswerEvent(std::shared_ptr<std::atomic<bool>> isCanceled, std::function<void()> answer)
-      : QEvent(kind()), isCanceled_(std::move(isCanceled)), answer_(std::move(answer))
+  AnswerEvent(std::uint64_t run, std::function<void()> answer)
+      : QEvent(kind()), run_(run), answer_(std::move(answer))
   {
   }
-  bool isCanceled() const { return *isCanceled_; }
+  std::uint64_t run() const { return run_; }
   void answer() { answer_(); }
 
 private:
-  std::shared_ptr<std::atomic<bool>> isCanceled_;
+  std::uint64_t run_;
   std::function<void()> answer_;
 };
 
@@ -38,33 +39,47 @@ private:
 
 struct Background::Mailbox {
   std::mutex mutex;
-  Background* owner = nullptr;
+  Background* owner = nullptr;   ///< Null after its end.
+  std::uint64_t awaitedRun = 0;  ///< Number of the work that is still to be answered; 0: none.
+
+  void await(std::uint64_t run)
+  {
+    const std::lock_guard lock(mutex);
+    awaitedRun = run;
+  }
+  bool awaits(std::uint64_t run)
+  {
+    const std::lock_guard lock(mutex);
+    return awaitedRun == run;
+  }
 };
 
 class Background::Task : public QRunnable {
 public:
-  Task(std::shared_ptr<Mailbox> mailbox, std::shared_ptr<std::atomic<bool>> isCanceled,
-       std::function<void(const std::atomic<bool>&)> work, std::function<void()> answer)
+  Task(std::shared_ptr<Mailbox> mailbox, std::uint64_t run, std::stop_token stop,
+       std::function<void(const std::stop_token&)> work, std::function<void()> answer)
       : mailbox_(std::move(mailbox)),
-        isCanceled_(isCanceled),
+        run_(run),
+        stop_(std::move(stop)),
         work_(std::move(work)),
-        answer_(std::make_unique<AnswerEvent>(std::move(isCanceled), std::move(answer)))
+        answer_(std::make_unique<AnswerEvent>(run, std::move(answer)))
   {
   }
 
   void run() override
   {
     declareThread(ThreadRole::worker);
-    if (*isCanceled_) return;
-    work_(*isCanceled_);
+    if (!mailbox_->awaits(run_)) return;
+    work_(stop_);
     const std::lock_guard lock(mailbox_->mutex);
     if (mailbox_->owner != nullptr) QCoreApplication::postEvent(mailbox_->owner, answer_.release());
   }
 
 private:
   std::shared_ptr<Mailbox> mailbox_;
-  std::shared_ptr<std::atomic<bool>> isCanceled_;
-  std::function<void(const std::atomic<bool>&)> work_;
+  std::uint64_t run_;
+  std::stop_token stop_;
+  std::function<void(const std::stop_token&)> work_;
   std::unique_ptr<AnswerEvent> answer_;
 };
 
@@ -89,12 +104,14 @@ Background::~Background()
   static_cast<void>(thread_.release());  // its destructor would wait forever
 }
 
-void Background::start(std::function<void(const std::atomic<bool>&)> work,
+void Background::start(std::function<void(const std::stop_token&)> work,
                        std::function<void()> answer)
 {
   forget();
-  isCanceled_ = std::make_shared<std::atomic<bool>>(false);
-  auto task = std::make_unique<Task>(mailbox_, isCanceled_, std::move(work), std::move(answer));
+  stop_ = std::stop_source();
+  auto task = std::make_unique<Task>(mailbox_, ++runs_, stop_.get_token(), std::move(work),
+                                     std::move(answer));
+  mailbox_->await(runs_);
   isBusy_ = true;
   thread_->start(task.release());  // takes ownership
 }
@@ -103,7 +120,7 @@ void Background::customEvent(QEvent* event)
 {
   if (event->type() != AnswerEvent::kind()) return;
   auto& answered = static_cast<AnswerEvent&>(*event);
-  if (answered.isCanceled()) return;
+  if (!isBusy_ || answered.run() != runs_) return;
   isBusy_ = false;
   answered.answer();
 }
@@ -117,7 +134,8 @@ void Background::finish()
 
 void Background::forget()
 {
-  if (isCanceled_) *isCanceled_ = true;
+  stop_.request_stop();
+  mailbox_->await(0);
   isBusy_ = false;
 }
 

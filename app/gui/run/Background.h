@@ -5,10 +5,10 @@
 
 #include <QObject>
 #include <QThreadPool>
-#include <atomic>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -31,7 +31,7 @@ public:
   explicit Background(QObject* parent);
   ~Background() override;
 
-  /// Calls `work(const std::atomic<bool>& isCanceled)`, which returns a Result, in the background
+  /// Calls `work(const std::stop_token& stop)`, which returns a Result, in the background
   /// thread, then `answer` with that Result in this one. The work may outlive this object and must
   /// not refer to it.
   ///
@@ -39,19 +39,21 @@ public:
   template <class Work, class Answer>
   void run(std::string subject, Work work, Answer answer)
   {
-    using Given = std::invoke_result_t<Work&, const std::atomic<bool>&>;
+    using Given = std::invoke_result_t<Work&, const std::stop_token&>;
     const auto given = std::make_shared<std::optional<Given>>();
     start(
         [given, subject = std::move(subject),
-         work = std::move(work)](const std::atomic<bool>& isCanceled) mutable {
-          *given = callNoThrow(subject, [&] { return work(isCanceled); });
+         work = std::move(work)](const std::stop_token& stop) mutable {
+          *given = callNoThrow(subject, [&] { return work(stop); });
         },
         [given, answer = std::move(answer)]() mutable { answer(std::move(**given)); });
   }
 
   /// Waits for the work and calls its answer. Does nothing without work.
   void finish();
-  /// Cancels the work without an answer.
+  /// Asks the work to end early; it still answers.
+  void requestStop() { stop_.request_stop(); }
+  /// The same, without an answer.
   void forget();
   bool isBusy() const { return isBusy_; }
 
@@ -61,15 +63,16 @@ public:
 
 private:
   class Task;
-  /// Receives the answer of a thread; `owner` is null if nobody waits for it any more.
+  /// Receives the answers of the thread.
   struct Mailbox;
 
-  void start(std::function<void(const std::atomic<bool>&)> work, std::function<void()> answer);
+  void start(std::function<void(const std::stop_token&)> work, std::function<void()> answer);
   void customEvent(QEvent* event) override;
 
   std::shared_ptr<Mailbox> mailbox_;
   std::unique_ptr<QThreadPool> thread_;  ///< One thread.
-  std::shared_ptr<std::atomic<bool>> isCanceled_;
+  std::stop_source stop_;                ///< Ends the last work.
+  std::uint64_t runs_ = 0;               ///< Number of works so far.
   bool isBusy_ = false;
 };
 

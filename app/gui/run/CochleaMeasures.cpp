@@ -23,8 +23,7 @@ std::vector<Measure> summaryOf(const anatomy::ScalaTympani& scala, anatomy::Anat
           ? Measure{CochleaMeasures::ductLength, inMillimeters(analysis::organOfCortiLength(scala)),
                     "path of the organ of Corti in the plan, round window to apex",
                     "measured in this model, defined as in Todd and Naghdy"}
-          : Measure{CochleaMeasures::ductLength, inMillimeters(analysis::alexiadesDuctLength(a)),
-                    "4.16 A − 4 mm", alexiades};
+          : analysis::ductLength(CochleaMeasures::ductLength, a, b);
   std::vector<Measure> measures = {
       duct,
       {CochleaMeasures::twoTurns, inMillimeters(analysis::alexiadesTwoTurns(a)), "3.65 (A − 1 mm)",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/run/InsertionBroadcast.h"
 
+#include <stop_token>
 #include <utility>
 
 #include "gui/run/InsertionControl.h"
@@ -81,7 +82,7 @@ void InsertionBroadcast::sendCt(const std::optional<broadcast::PlacedCt>& ct)
   if (!ct) return;
   // The only error is memory that is short; then no image answers the request.
   packing_.run(
-      "The CT", [ct](const std::atomic<bool>&) { return broadcast::packImage(*ct); },
+      "The CT", [ct](const std::stop_token&) { return broadcast::packImage(*ct); },
       [this](Result<broadcast::PackedImage> image) {
         if (image) server_->show(*std::move(image));
       });

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "perilymph/device/PluginDevice.h"
+#include "perilymph/device/ScriptedDevice.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/realtime/Pacer.h"
 
@@ -16,7 +17,7 @@ namespace perilymph::gui {
 namespace {
 
 using Kind = haptics::Command::Kind;
-using Motion = device::ScriptedDevice::Motion;
+using Motion = device::ScriptedMotion;
 
 /// "20260131T154502Z": sorts by time and is a valid file name on all systems.
 std::string utcNow()
@@ -97,8 +98,7 @@ void InsertionControl::discard()
   // An insertion that never ran leaves no file, unless the file was requested.
   const auto unused = isRunning_ || record_ ? std::nullopt : recording();
   insertion_.reset();  // closes its recording before the next one is opened
-  scripted_ = nullptr;
-  pointer_ = nullptr;
+  pointer_.reset();
   isRunning_ = false;
   recordingError_.clear();
   std::error_code ignored;
@@ -121,23 +121,18 @@ void InsertionControl::choose(const std::filesystem::path& plugin)
 
 Result<Done> InsertionControl::build(InputSource hand, std::optional<std::filesystem::path> file)
 {
-  std::unique_ptr<device::HapticDevice> device;
-  device::ScriptedDevice* scripted = nullptr;
-  device::PointerDevice* pointer = nullptr;
+  std::shared_ptr<device::HapticDevice> device;
+  std::shared_ptr<device::PointerDevice> pointer;
   const double timeStep = scenario_.timeStep().si();
   if (hand == InputSource::scripted) {
-    auto made = std::make_unique<device::ScriptedDevice>(scenario_.speed().si(), timeStep);
-    scripted = made.get();
-    device = std::move(made);
+    device = std::make_shared<device::ScriptedDevice>(scenario_.speed().si(), timeStep);
   } else if (hand == InputSource::device) {
     if (!chosen_) return Error{"No device was chosen. Press H and choose one."};
     auto made = chosen_();
     if (!made) return made.error();
     device = *std::move(made);
   } else {
-    auto made = std::make_unique<device::PointerDevice>(timeStep);
-    pointer = made.get();
-    device = std::move(made);
+    device = pointer = std::make_shared<device::PointerDevice>(timeStep);
   }
 
   if (!anatomy_) {
@@ -152,8 +147,7 @@ Result<Done> InsertionControl::build(InputSource hand, std::optional<std::filesy
   insertion_ = *std::move(prepared);
   anatomy_ = insertion_->sharedAnatomy();
   model_ = insertion_->sharedModel();
-  scripted_ = scripted;
-  pointer_ = pointer;
+  pointer_ = std::move(pointer);
   hand_ = hand;
   wish_ = Wish::rest;
   isHeld_ = false;
@@ -337,7 +331,7 @@ haptics::InsertionEnd InsertionControl::earlyEnd() const noexcept
 
 void InsertionControl::moveHand(Motion motion)
 {
-  if (scripted_ != nullptr) scripted_->move(motion);
+  if (insertion_) insertion_->hand().move(motion);
 }
 
 bool InsertionControl::isMoving() const noexcept

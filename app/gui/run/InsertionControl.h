@@ -12,7 +12,6 @@
 #include "gui/run/CochleaStore.h"
 #include "perilymph/device/DeviceRegistry.h"
 #include "perilymph/device/PointerDevice.h"
-#include "perilymph/device/ScriptedDevice.h"
 #include "perilymph/foundation/Result.h"
 #include "perilymph/foundation/Units.h"
 #include "perilymph/haptics/InsertionEnd.h"
@@ -135,7 +134,7 @@ private:
   void pursue();
   void pursueWithdrawal();
   void pursueResumption();
-  void moveHand(device::ScriptedDevice::Motion motion);
+  void moveHand(device::ScriptedMotion motion);
 
   session::Scenario scenario_;
   std::shared_ptr<CochleaStore> cochleae_;
@@ -146,8 +145,7 @@ private:
   bool keepsNothing_ = false;
 
   std::unique_ptr<session::Insertion> insertion_;
-  device::ScriptedDevice* scripted_ = nullptr;  ///< Owned by the insertion.
-  device::PointerDevice* pointer_ = nullptr;    ///< Owned by the insertion.
+  std::shared_ptr<device::PointerDevice> pointer_;  ///< The insertion's device, if it is one.
   DeviceFactory chosen_;
   InputSource hand_ = InputSource::scripted;
   Wish wish_ = Wish::rest;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/run/ModelBuilder.h"
 
+#include <stop_token>
+
 namespace perilymph::gui {
 
 namespace {
@@ -9,19 +11,19 @@ using Parts = InsertionControl::Parts;
 
 Result<Parts> partsOf(CochleaStore& cochleae, const session::Scenario& scenario,
                       std::shared_ptr<const anatomy::ScalaTympani> anatomy,
-                      const std::atomic<bool>& isCanceled)
+                      const std::stop_token& stop)
 {
   const Error canceled{"Nobody waits for " + scenario.name() + " any more."};
-  if (isCanceled) return canceled;
+  if (stop.stop_requested()) return canceled;
   if (!anatomy) {
     auto built = cochleae.cochleaOf(scenario);
     if (!built) return built.error();
     anatomy = *std::move(built);
   }
-  if (isCanceled) return canceled;
+  if (stop.stop_requested()) return canceled;
   auto model = session::buildModel(scenario, anatomy);
   if (!model) return model.error();
-  if (isCanceled) return canceled;
+  if (stop.stop_requested()) return canceled;
   (*model)->prepareForRealTime();  // here, so that the window need not wait for it at the start
   return Parts{std::move(anatomy), *std::move(model)};
 }
@@ -34,9 +36,8 @@ void ModelBuilder::build(const session::Scenario& scenario,
   if (!isBusy()) since_.start();  // measured from the first request
   background_.run(
       "The cochlea",
-      [cochleae = cochleae_, scenario,
-       anatomy = std::move(anatomy)](const std::atomic<bool>& isCanceled) {
-        return partsOf(*cochleae, scenario, anatomy, isCanceled);
+      [cochleae = cochleae_, scenario, anatomy = std::move(anatomy)](const std::stop_token& stop) {
+        return partsOf(*cochleae, scenario, anatomy, stop);
       },
       std::move(answer));
 }

@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 #include <algorithm>
 #include <cstdint>
+#include <stop_token>
 
 namespace perilymph::gui {
 
@@ -40,12 +41,11 @@ std::vector<Eigen::Vector3d> ReferenceShapes::nodesAt(double depth) const
 }
 
 Result<std::shared_ptr<const ReferenceShapes>> readShapes(const std::filesystem::path& file,
-                                                          const std::function<bool()>& goesOn)
+                                                          const std::stop_token& stop)
 {
   const auto playback = session::Playback::open(file);
   if (!playback) return playback.error();
-  const auto computed =
-      (*playback)->compute([&goesOn](std::uint64_t, std::uint64_t) { return goesOn(); });
+  const auto computed = (*playback)->compute(stop);
   if (!computed) return computed.error();
   auto read = std::make_shared<ReferenceShapes>();
   read->array = (*playback)->scenario().array();
@@ -55,7 +55,7 @@ Result<std::shared_ptr<const ReferenceShapes>> readShapes(const std::filesystem:
       continue;
     if (const auto done = (*playback)->show(sample.place, now); !done) return done.error();
     read->shapes.push_back(shapeOf(now));
-    if (!goesOn()) break;
+    if (stop.stop_requested()) break;
   }
   return std::shared_ptr<const ReferenceShapes>(std::move(read));
 }

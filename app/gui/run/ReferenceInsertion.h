@@ -8,6 +8,7 @@
 #include <QString>
 #include <QStringList>
 #include <memory>
+#include <stop_token>
 #include <utility>
 #include <vector>
 
@@ -40,10 +41,10 @@ struct ReferenceInsertion {
   std::shared_ptr<const ReferenceShapes> shapes = {};  ///< Null if only the curve is known.
 };
 
-/// Recomputes the shapes of a recording every 0.1 mm of depth; takes some seconds. `goesOn` is
-/// called from time to time and returns false to stop.
+/// Recomputes the shapes of a recording every 0.1 mm of depth; takes some seconds. `stop` ends it
+/// early, with an error.
 Result<std::shared_ptr<const ReferenceShapes>> readShapes(const std::filesystem::path& file,
-                                                          const std::function<bool()>& goesOn);
+                                                          const std::stop_token& stop);
 
 /// How a reference differs from what is inserted now: "another array (FLEX28), another cochlea";
 /// empty if it does not.

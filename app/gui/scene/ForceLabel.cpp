@@ -77,7 +77,7 @@ void ForceLabel::paintEvent(QPaintEvent*)
   painter.setFont(font());
   QRect line(plate_px, plate_px / 2, width() - 2 * plate_px, sized(lineHeight_px));
   for (const ForceMeaning* meaning : {&hand_, &partition_}) {
-    painter.setPen(meaning->isBeyond ? warningColor : quietTextColor);
+    painter.setPen(meaning->isBeyond ? shownTheme().warning : shownTheme().quietText);
     painter.drawText(
         line, Qt::AlignRight | Qt::AlignVCenter,
         QFontMetrics(font()).elidedText(marked(*meaning), Qt::ElideRight, line.width()));

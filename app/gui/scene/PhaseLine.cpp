@@ -107,7 +107,7 @@ void PhaseLine::paintEvent(QPaintEvent*)
 
   const int margin = sized(sideMargin_px);
   const double step = double(width() - 2 * margin) / double(stations.size() - 1);
-  const QColor ahead = aheadColor;
+  const QColor ahead = shownTheme().ahead;
   const int available = std::max(1, int(step) - 4);
   for (std::size_t i = 0; i < stations.size(); ++i) {
     const QPointF place(margin + double(i) * step, stationY_px);
@@ -115,17 +115,17 @@ void PhaseLine::paintEvent(QPaintEvent*)
     const bool isHere = phase_ == stations[i];
     if (i + 1 < stations.size()) {
       const bool isPassed = phase_ >= stations[i + 1];
-      painter.setPen(QPen(isPassed ? accentColor : ahead, 2.0));
+      painter.setPen(QPen(isPassed ? shownTheme().accent : ahead, 2.0));
       painter.drawLine(place + QPointF(8, 0), place + QPointF(step - 8, 0));
     }
-    painter.setPen(QPen(isReached ? accentColor : ahead, 2.0));
-    painter.setBrush(isReached ? QBrush(accentColor) : QBrush(Qt::NoBrush));
+    painter.setPen(QPen(isReached ? shownTheme().accent : ahead, 2.0));
+    painter.setBrush(isReached ? QBrush(shownTheme().accent) : QBrush(Qt::NoBrush));
     const double radius = isHere ? 6.5 : 4.5;
     painter.drawEllipse(place, radius, radius);
 
     const QString caption = nameOf(stations[i]);
     painter.setFont(fitting(caption, isHere ? QFont::DemiBold : QFont::Normal, available));
-    painter.setPen(isHere ? textColor : quietTextColor);
+    painter.setPen(isHere ? shownTheme().text : shownTheme().quietText);
     const QRectF name(place.x() - margin, stationY_px + 10, 2 * margin, sized(20));
     painter.drawText(name, Qt::AlignCenter | Qt::TextDontClip,
                      QFontMetrics(painter.font()).elidedText(caption, Qt::ElideRight, available));

@@ -6,6 +6,7 @@
 #include <QStringList>
 #include <QVariant>
 #include <algorithm>
+#include <stop_token>
 
 #include "gui/parts/DataText.h"
 #include "gui/parts/Numbers.h"
@@ -110,7 +111,7 @@ void DerivedMeasures::compute()
 {
   background_.run(
       "The measures",
-      [cochleae = cochleae_, cochlea = cochlea_, array = array_](const std::atomic<bool>&) {
+      [cochleae = cochleae_, cochlea = cochlea_, array = array_](const std::stop_token&) {
         return cochleae->measures().of(cochlea, array);
       },
       [this](const Result<CochleaMeasures>& content) { showContent(content); });
@@ -144,9 +145,10 @@ void DerivedMeasures::showContent(const Result<CochleaMeasures>& content)
                                .arg(QString::fromStdString(array_.name))
                          : tr("Angle and coverage are estimated for straight arrays only."));
   if (!content->bands.empty() && cochlea_.patient.errors)
-    notes << tr("± for the errors of the measures in the CT.");
+    notes << tr("± 95 % interval of the errors in the CT and of the duct length’s formula.");
   else if (!content->bands.empty())
-    notes << tr("± for an error of %1 mm in each measure.")
+    notes << tr("± 95 % interval of an error of %1 mm (SD) in each measure and of the duct "
+                "length’s formula.")
                  .arg(numberText(inMillimeters(analysis::measuringError), 1));
   say(notes.join(QLatin1Char(' ')));
   note_->show();

@@ -71,18 +71,18 @@ void LandmarkDrawing::showPoint(Point point)
 void LandmarkDrawing::paintRing(QPainter& painter, Point point, const QPointF& place) const
 {
   if (point != point_) return;
-  painter.setPen(QPen(accentColor, 2.5));
+  painter.setPen(QPen(shownTheme().accent, 2.5));
   painter.setBrush(Qt::NoBrush);
   painter.drawEllipse(place, 8.0, 8.0);
   painter.setPen(Qt::NoPen);
-  painter.setBrush(accentColor);
+  painter.setBrush(shownTheme().accent);
   painter.drawEllipse(place, 3.0, 3.0);
 }
 
 QPen LandmarkDrawing::penOf(Landmark landmark) const
 {
   const bool isEmphasized = landmark == emphasized_;
-  QPen pen(isEmphasized ? accentColor : textColor, isEmphasized ? 2.5 : 1.5);
+  QPen pen(isEmphasized ? shownTheme().accent : shownTheme().text, isEmphasized ? 2.5 : 1.5);
   if (landmark == Landmark::b) pen.setDashPattern({4, 2});
   return pen;
 }
@@ -93,13 +93,13 @@ void LandmarkDrawing::paintEvent(QPaintEvent*)
   painter.setRenderHint(QPainter::Antialiasing);
   QPainterPath ground;
   ground.addRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 4, 4);
-  painter.fillPath(ground, groundColor);
-  painter.setPen(lineColor);
+  painter.fillPath(ground, shownTheme().ground);
+  painter.setPen(shownTheme().line);
   painter.drawPath(ground);
   const double split = (1.0 - sideViewFraction) * width();
   const QRectF whole = QRectF(rect()).adjusted(12, sized(18) + 12, -12, -12);
   painter.setFont(typeface(11));
-  painter.setPen(quietTextColor);
+  painter.setPen(shownTheme().quietText);
   if (point_ != Point::none && width() < narrow_px) {
     const bool isBeside = point_ == Point::floor || point_ == Point::apex;
     painter.drawText(QRectF(12, 8, width() - 24, sized(18)), Qt::AlignLeft,
@@ -146,9 +146,9 @@ void LandmarkDrawing::paintCochlearView(QPainter& painter, const QRectF& place) 
     inner.lineTo(at(angle, ductFraction * radius));
   }
   painter.setBrush(Qt::NoBrush);
-  painter.setPen(QPen(quietTextColor, 1.5));
+  painter.setPen(QPen(shownTheme().quietText, 1.5));
   painter.drawPath(outer);
-  painter.setPen(QPen(aheadColor, 1.0));
+  painter.setPen(QPen(shownTheme().ahead, 1.0));
   painter.drawPath(inner);
 
   const QPointF window = at(0.0, a1), far = at(pi, a2);
@@ -157,9 +157,9 @@ void LandmarkDrawing::paintCochlearView(QPainter& painter, const QRectF& place) 
   painter.setPen(penOf(Landmark::a));
   paintMeasure(painter, window, far);
   painter.setPen(Qt::NoPen);
-  painter.setBrush(warningColor);
+  painter.setBrush(shownTheme().warning);
   painter.drawEllipse(window, 4.0, 4.0);
-  painter.setBrush(textColor);
+  painter.setBrush(shownTheme().text);
   painter.drawEllipse(axis, 3.0, 3.0);
   paintRing(painter, Point::roundWindow, window);
   paintRing(painter, Point::farWall, far);
@@ -169,7 +169,7 @@ void LandmarkDrawing::paintCochlearView(QPainter& painter, const QRectF& place) 
 
   painter.setFont(typeface(13, QFont::DemiBold));
   const auto name = [&](Landmark landmark, const QPointF& where, const QString& text) {
-    painter.setPen(landmark == emphasized_ ? accentColor : textColor);
+    painter.setPen(landmark == emphasized_ ? shownTheme().accent : shownTheme().text);
     QRectF letter(0, 0, sized(40), sized(20));
     letter.moveCenter(where);
     painter.drawText(letter, Qt::AlignCenter, text);
@@ -177,7 +177,7 @@ void LandmarkDrawing::paintCochlearView(QPainter& painter, const QRectF& place) 
   name(Landmark::a, far + sized(14) * direction(pi), QStringLiteral("A"));
   name(Landmark::b, at(0.5 * pi, b1) + QPointF(mirror * sized(12), -2.0), QStringLiteral("B"));
   painter.setFont(typeface(11));
-  painter.setPen(quietTextColor);
+  painter.setPen(shownTheme().quietText);
   // below the round window, as far as it fits between frame and side view
   const QString windowName = tr("round window");
   QRectF under(0, window.y() + 8, QFontMetricsF(painter.font()).horizontalAdvance(windowName) + 1,
@@ -202,19 +202,19 @@ void LandmarkDrawing::paintSideView(QPainter& painter, const QRectF& place) cons
   const double each = high / turns;
   painter.setBrush(Qt::NoBrush);
   for (int i = 0; i < turns; ++i) {
-    painter.setPen(QPen(quietTextColor, 1.5));
+    painter.setPen(QPen(shownTheme().quietText, 1.5));
     const double width = widths[i] * wide;
     painter.drawRoundedRect(QRectF(left + 0.5 * (wide - width), base - (i + 1) * each, width, each),
                             0.45 * each, 0.45 * each);
   }
-  painter.setPen(QPen(aheadColor, 1.0, Qt::DashLine));
+  painter.setPen(QPen(shownTheme().ahead, 1.0, Qt::DashLine));
   painter.drawLine(QPointF(left + 0.5 * wide, base + 6.0),
                    QPointF(left + 0.5 * wide, base - high - 6.0));
   const double line = left + wide + 12.0;
   painter.setPen(penOf(Landmark::h));
   paintMeasure(painter, {line, base}, {line, base - high});
   painter.setFont(typeface(13, QFont::DemiBold));
-  painter.setPen(emphasized_ == Landmark::h ? accentColor : textColor);
+  painter.setPen(emphasized_ == Landmark::h ? shownTheme().accent : shownTheme().text);
   QRectF letter(line + 4.0, 0.0, sized(18), sized(20));
   letter.moveCenter({letter.center().x(), base - 0.5 * high});
   painter.drawText(letter, Qt::AlignCenter, QStringLiteral("H"));

@@ -5,6 +5,7 @@
 #include <QDateTime>
 #include <algorithm>
 #include <map>
+#include <stop_token>
 
 #include "gui/parts/Numbers.h"
 #include "perilymph/foundation/Resources.h"
@@ -87,14 +88,11 @@ HistoryEntry insertionEntry(const session::SessionSummary& session)
 
 }  // namespace
 
-PatientWork readPatientWork(const std::filesystem::path& beingRecorded,
-                            const std::atomic<bool>& isCanceled)
+PatientWork readPatientWork(const std::filesystem::path& beingRecorded, const std::stop_token& stop)
 {
   PatientWork work;
   work.plans = storedPlans();
-  auto sessions =
-      session::listSessions(sessionFolder(), beingRecorded,
-                            [&isCanceled](std::size_t, std::size_t) { return !isCanceled; });
+  auto sessions = session::listSessions(sessionFolder(), beingRecorded, {}, {}, stop);
   if (sessions) work.sessions = *std::move(sessions);  // else none was recorded yet
   return work;
 }

@@ -4,8 +4,8 @@
 // What belongs to one patient's ear: scans, plans and insertions.
 
 #include <QString>
-#include <atomic>
 #include <filesystem>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -25,7 +25,7 @@ struct PatientWork {
 ///
 /// @param beingRecorded  A recording that is not finished; it may be empty.
 PatientWork readPatientWork(const std::filesystem::path& beingRecorded,
-                            const std::atomic<bool>& isCanceled);
+                            const std::stop_token& stop);
 
 /// One line of a patient's history.
 struct HistoryEntry {

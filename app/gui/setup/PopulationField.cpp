@@ -16,6 +16,7 @@
 #include "gui/parts/Theme.h"
 #include "gui/setup/ValueEdit.h"
 #include "perilymph/analysis/ErrorBand.h"
+#include "perilymph/foundation/Normal.h"
 
 namespace perilymph::gui {
 
@@ -180,8 +181,8 @@ QString PopulationField::error() const
 QString PopulationField::placeOf(Length value) const
 {
   const bool isNarrow = width_ == Width::narrow;
-  const QString error = measuringError_ ? numberText(inMillimeters(*measuringError_), 2)
-                                        : numberText(inMillimeters(analysis::measuringError), 1);
+  const QString error = numberText(
+      halfWidth95 * inMillimeters(measuringError_.value_or(analysis::measuringError)), 2);
   if (population_.mean && population_.standardDeviation) {
     const double off = (value - *population_.mean) / *population_.standardDeviation;
     const bool isBelow = off < -0.05;
@@ -256,18 +257,18 @@ void PopulationField::paintEvent(QPaintEvent*)
   const double y = place_->y() - lineHeight_px / 2.0;
   const double left = 4.0, right = width() - 4.0;
   const auto at = [&](Length value) { return left + fractionOf(value) * (right - left); };
-  painter.setPen(QPen(lineColor, 3, Qt::SolidLine, Qt::RoundCap));
+  painter.setPen(QPen(shownTheme().line, 3, Qt::SolidLine, Qt::RoundCap));
   painter.drawLine(QPointF(left, y), QPointF(right, y));
   if (population_.mean && population_.standardDeviation) {
     // one standard deviation to both sides
-    painter.setPen(QPen(quietTextColor, 3, Qt::SolidLine, Qt::RoundCap));
+    painter.setPen(QPen(shownTheme().quietText, 3, Qt::SolidLine, Qt::RoundCap));
     painter.drawLine(QPointF(at(*population_.mean - *population_.standardDeviation), y),
                      QPointF(at(*population_.mean + *population_.standardDeviation), y));
   }
   const auto typed = value();
   if (!typed) return;
   painter.setPen(Qt::NoPen);
-  painter.setBrush(isAcceptable() && !isUnusual() ? accentColor : warningColor);
+  painter.setBrush(isAcceptable() && !isUnusual() ? shownTheme().accent : shownTheme().warning);
   painter.drawEllipse(QPointF(at(*typed), y), 4.5, 4.5);
 }
 

@@ -50,7 +50,7 @@ void Selector::addHeading(const QString& text)
   if (QStandardItem* item = itemOf(*this, count() - 1)) {
     item->setEnabled(false);
     item->setFont(typeface(11, QFont::DemiBold));
-    item->setForeground(quietTextColor);
+    item->setForeground(shownTheme().quietText);
   }
 }
 
@@ -67,7 +67,7 @@ void Selector::setPossible(const QString& value, bool isPossible, const QString&
   QStandardItem* item = itemOf(*this, index);
   if (item == nullptr) return;
   item->setEnabled(isPossible);
-  item->setForeground(isPossible ? textColor : quietTextColor);
+  item->setForeground(isPossible ? shownTheme().text : shownTheme().quietText);
   const QString text = itemData(index, textRole).toString();
   setItemText(index, isPossible ? text : text + QStringLiteral(" – ") + reason);
 }
@@ -125,11 +125,14 @@ void Selector::paintEvent(QPaintEvent*)
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   const bool isChosen = isEnabled() && underMouse();
-  painter.setPen(QPen(isChosen ? accentColor : isEnabled() ? borderColor : lineColor, 1.0));
-  painter.setBrush(isEnabled() ? groundColor : panelColor);
+  painter.setPen(QPen(isChosen      ? shownTheme().accent
+                      : isEnabled() ? shownTheme().border
+                                    : shownTheme().line,
+                      1.0));
+  painter.setBrush(isEnabled() ? shownTheme().ground : shownTheme().panel);
   painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 4, 4);
 
-  painter.setPen(isEnabled() ? textColor : quietTextColor);
+  painter.setPen(isEnabled() ? shownTheme().text : shownTheme().quietText);
   painter.setFont(font());
   const QRect place = rect().adjusted(textMargin_px, 0, -arrowWidth_px, 0);
   painter.drawText(place, Qt::AlignVCenter | Qt::AlignLeft,
@@ -141,7 +144,7 @@ void Selector::paintEvent(QPaintEvent*)
   arrow.moveTo(middle + QPointF(-4, -3));
   arrow.lineTo(middle + QPointF(4, -3));
   arrow.lineTo(middle + QPointF(0, 2.5));
-  painter.fillPath(arrow, quietTextColor);
+  painter.fillPath(arrow, shownTheme().quietText);
 }
 
 void Selector::wheelEvent(QWheelEvent* event) { event->ignore(); }

@@ -55,7 +55,7 @@ public:
         if (const QTextFragment each = part.fragment(); each.charFormat().isAnchor())
           links.emplace_back(each.position(), each.position() + each.length());
       QTextCharFormat link;
-      link.setForeground(accentColor);
+      link.setForeground(shownTheme().accent);
       link.setFontUnderline(true);
       for (const auto& [from, to] : links) {
         cursor.setPosition(from);
@@ -101,8 +101,8 @@ GuideSheet::GuideSheet(QWidget* parent) : QFrame(parent), page_(new GuideBrowser
   page_->setFont(typeface(13));
   page_->document()->setDocumentMargin(2 * spacing);
   QPalette inks = page_->palette();
-  inks.setColor(QPalette::Link, accentColor);
-  inks.setColor(QPalette::LinkVisited, accentColor);
+  inks.setColor(QPalette::Link, shownTheme().accent);
+  inks.setColor(QPalette::LinkVisited, shownTheme().accent);
   page_->setPalette(inks);
 
   auto* title = new QLabel(tr("User guide"), this);
@@ -136,8 +136,8 @@ GuideSheet::GuideSheet(QWidget* parent) : QFrame(parent), page_(new GuideBrowser
 void GuideSheet::fit()
 {
   const QWidget& around = *parentWidget();
-  resize(std::min(max_px, around.width() - 4 * spacing), around.height() - 2 * barHeight);
-  move((around.width() - width()) / 2, barHeight);
+  resize(std::min(max_px, around.width() - 4 * spacing), around.height() - 2 * shownLengths().bar);
+  move((around.width() - width()) / 2, shownLengths().bar);
   layout()->activate();
 }
 

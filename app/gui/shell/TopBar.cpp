@@ -36,12 +36,12 @@ QIcon gearIcon(double pixelRatio)
   painter.setRenderHint(QPainter::Antialiasing);
   painter.translate(0.5 * gear_px, 0.5 * gear_px);
   constexpr double radius = 5.6, tooth = 2.4;
-  painter.setPen(QPen(quietTextColor, 2.2));
+  painter.setPen(QPen(shownTheme().quietText, 2.2));
   for (int i = 0; i < 8; ++i) {
     painter.drawLine(QPointF(radius, 0.0), QPointF(radius + tooth, 0.0));
     painter.rotate(45.0);
   }
-  painter.setPen(QPen(quietTextColor, 1.8));
+  painter.setPen(QPen(shownTheme().quietText, 1.8));
   painter.drawEllipse(QPointF(0.0, 0.0), radius, radius);
   painter.drawEllipse(QPointF(0.0, 0.0), 0.35 * radius, 0.35 * radius);
   return QIcon(picture);
@@ -51,15 +51,15 @@ QColor colorOf(DeviceState light)
 {
   switch (light) {
     case DeviceState::steady:
-      return accentColor;
+      return shownTheme().accent;
     case DeviceState::warning:
-      return warningColor;
+      return shownTheme().warning;
     case DeviceState::alarm:
-      return alarmColor;
+      return shownTheme().alarm;
     case DeviceState::off:
       break;
   }
-  return quietTextColor;
+  return shownTheme().quietText;
 }
 
 /// The patient, or the anatomy where there is none.
@@ -114,13 +114,13 @@ void DeviceLight::paintEvent(QPaintEvent*)
   painter.setRenderHint(QPainter::Antialiasing);
   const QRectF pill(0.5, (height() - sized(pillHeight_px)) / 2.0 + 0.5, width() - 1.0,
                     sized(pillHeight_px) - 1.0);
-  painter.setPen(light_ == DeviceState::off ? QPen(lineColor) : QPen(Qt::NoPen));
-  painter.setBrush(light_ == DeviceState::off ? panelColor : raisedColor);
+  painter.setPen(light_ == DeviceState::off ? QPen(shownTheme().line) : QPen(Qt::NoPen));
+  painter.setBrush(light_ == DeviceState::off ? shownTheme().panel : shownTheme().raised);
   painter.drawRoundedRect(pill, sized(pillHeight_px) / 2.0, sized(pillHeight_px) / 2.0);
   painter.setPen(Qt::NoPen);
   painter.setBrush(colorOf(light_));
   painter.drawEllipse(QPointF(15.0, height() / 2.0), 4.0, 4.0);
-  painter.setPen(textColor);
+  painter.setPen(shownTheme().text);
   painter.drawText(rect().adjusted(26, 0, -8, 0), Qt::AlignVCenter | Qt::AlignLeft, text_);
 }
 
@@ -140,7 +140,7 @@ TopBar::TopBar(QWidget* parent)
       device_(new DeviceLight(this)),
       menu_(new QPushButton(QStringLiteral("☰"), this))
 {
-  setFixedHeight(barHeight);
+  setFixedHeight(shownLengths().bar);
   patient_->setFont(typeface(13, QFont::Medium));
   patient_->setAlignment(Qt::AlignCenter);
   patient_->setObjectName(QStringLiteral("patientLabel"));
@@ -232,7 +232,7 @@ void TopBar::addStop()
 {
   stop_->setObjectName(QStringLiteral("stopButton"));
   stop_->setFont(typeface(17, QFont::Bold));
-  stop_->setFixedSize(sized(128), barHeight - 6);
+  stop_->setFixedSize(sized(128), shownLengths().bar - 6);
   // A click leaves the focus where it is: Space remains the key of the insertion.
   stop_->setFocusPolicy(Qt::TabFocus);
   stop_->setToolTip(tr("Remove the force of the device at once (Esc)"));

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <stop_token>
 
 #include "RoundedTravel.h"
 #include "perilymph/analysis/CsvField.h"
@@ -25,10 +26,9 @@ long stepOf(const CurvePoint& point) { return std::lround(point.travel / profile
 }  // namespace
 
 Result<ComparedInsertion> readCompared(const std::filesystem::path& file,
-                                       const std::function<bool()>& goesOn)
+                                       const std::stop_token& stop)
 {
-  const auto recorded =
-      session::RecordedInsertion::open(file, [&goesOn] { return goesOn && !goesOn(); });
+  const auto recorded = session::RecordedInsertion::open(file, stop);
   if (!recorded) return recorded.error();
   const auto check = recorded->check();
   if (!check) return check.error();
@@ -41,7 +41,6 @@ Result<ComparedInsertion> readCompared(const std::filesystem::path& file,
   ForceProfiler profiler;
   ReversalCounter reversals;
   MotionCounter motion;
-  bool isStopped = false;
   const auto read = recorded->forEach([&](const haptics::TickRecord& record) {
     profiler.add(record);
     reversals.add(record.output.travel);
@@ -50,11 +49,10 @@ Result<ComparedInsertion> readCompared(const std::filesystem::path& file,
         (!compared.translocation ||
          compared.translocation->lengthAbove < record.output.translocation.lengthAbove))
       compared.translocation = record.output.translocation;
-    isStopped = goesOn && record.tick % 1000 == 0 && !goesOn();
-    return !isStopped;
+    return !stop.stop_requested();
   });
   if (!read) return read.error();
-  if (isStopped) return Error{"Stopped while reading " + file.string() + "."};
+  if (stop.stop_requested()) return Error{"Stopped while reading " + file.string() + "."};
   compared.profile = profiler.profile();
   compared.reversals = reversals.reversals();
   compared.motion = motion.motion();

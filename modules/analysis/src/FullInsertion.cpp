@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stop_token>
 
 #include "ProfilePoints.h"
 #include "perilymph/device/ScriptedDevice.h"
@@ -19,7 +20,7 @@ std::unique_ptr<device::HapticDevice> scriptOf(const session::InsertionParameter
 }
 
 FullInsertion runFully(session::Insertion& insertion, Length profileSpacing,
-                       const std::atomic<bool>& isAsked)
+                       const std::stop_token& stop)
 {
   const session::InsertionParameters& parameters = insertion.parameters();
   FullInsertion result;
@@ -33,14 +34,14 @@ FullInsertion runFully(session::Insertion& insertion, Length profileSpacing,
       result.peak = {meters(now.depth), newtons(now.axialForce)};
     const bool isMoving =
         now.workflow == haptics::Workflow::inserting || now.workflow == haptics::Workflow::finished;
-    if (!isMoving) return !isAsked;
+    if (!isMoving) return !stop.stop_requested();
     result.partition = newtons(std::max(result.partition.si(), now.partitionForce));
     result.maxDepth = meters(std::max(result.maxDepth.si(), now.depth));
     points.add(result.profile, now.depth, now.axialForce);
-    return !isAsked;
+    return !stop.stop_requested();
   };
   const auto ran = insertion.runToEnd(each, session::maxTicks(parameters, insertion.model()));
-  if (isAsked) return result;
+  if (stop.stop_requested()) return result;
   result.end = ran ? endOf(last) : InsertionEnd::fault;
   if (!ran) result.reason = ran.error().message;
   result.depth = meters(last.depth);
@@ -56,7 +57,7 @@ FullInsertion runFully(session::Insertion& insertion, Length profileSpacing,
 
 FullInsertion insertFully(const session::InsertionParameters& given,
                           std::shared_ptr<const anatomy::ScalaTympani> anatomy,
-                          Length profileSpacing, const std::atomic<bool>& isAsked)
+                          Length profileSpacing, const std::stop_token& stop)
 {
   session::InsertionParameters parameters = given;
   parameters.withdraws = false;
@@ -67,19 +68,19 @@ FullInsertion insertFully(const session::InsertionParameters& given,
     refused.reason = insertion.error().message;
     return refused;
   }
-  return runFully(**insertion, profileSpacing, isAsked);
+  return runFully(**insertion, profileSpacing, stop);
 }
 
 Result<FullInsertion> insertFully(const session::Scenario& scenario,
                                   std::shared_ptr<const anatomy::ScalaTympani> anatomy,
                                   const std::filesystem::path& recording,
-                                  const std::atomic<bool>& isAsked)
+                                  const std::stop_token& stop)
 {
   auto insertion = session::Insertion::prepare(scenario, scriptOf(scenario.parameters()), recording,
                                                std::move(anatomy));
   if (!insertion) return insertion.error();
-  FullInsertion result = runFully(**insertion, {}, isAsked);
-  if (isAsked) return Error{"Canceled."};
+  FullInsertion result = runFully(**insertion, {}, stop);
+  if (stop.stop_requested()) return Error{"Canceled."};
   if (const auto closed = (*insertion)->closeRecording(); !closed) return closed.error();
   return result;
 }

@@ -124,7 +124,7 @@ void ChartLine::setScale(double pixelRatio)
 
 ChartFrame::ChartFrame(const std::string& xTitle, const std::string& yTitle,
                        const ChartStyle& style)
-    : inks_(figures::inksOf(style.scheme)), decimalSign_(style.strings.decimalSign)
+    : inks_(figures::paletteOf(style.scheme)), decimalSign_(style.strings.decimalSign)
 {
   overlay_->setInks(inks_);
   renderer_->SetBackground(inks_.panel.rgb[0] / 255.0, inks_.panel.rgb[1] / 255.0,

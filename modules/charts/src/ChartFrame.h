@@ -92,7 +92,7 @@ private:
   void styleAxis(int position, const std::string& title);
   void setRange(int position, const AxisRange& range, const std::vector<std::string>& labels);
 
-  const figures::SchemeInks& inks_;
+  const figures::Palette& inks_;
   char decimalSign_;
   vtkNew<vtkRenderer> renderer_;
   vtkNew<vtkContextActor> actor_;

@@ -13,7 +13,7 @@
 
 #include "perilymph/charts/ExpectedForce.h"
 #include "perilymph/charts/ReferenceCurve.h"
-#include "perilymph/figures/Style.h"
+#include "perilymph/figures/Palette.h"
 
 class vtkChartXY;
 
@@ -53,7 +53,7 @@ public:
     chart_ = chart;
   }
   /// Colors of the overlay; those of the dark scheme by default.
-  void setInks(const figures::SchemeInks& inks) { inks_ = &inks; }
+  void setInks(const figures::Palette& inks) { inks_ = &inks; }
   void setScale(double pixelRatio);
 
   std::vector<LegendEntry> legend;
@@ -85,7 +85,7 @@ private:
   void paintSwatch(vtkContext2D& painter, const LegendEntry& entry, float x, float y) const;
   void setText(vtkContext2D& painter, const vtkColor4ub& color, int justification) const;
 
-  const figures::SchemeInks* inks_ = &figures::inksOf(figures::ColorScheme::dark);
+  const figures::Palette* inks_ = &figures::paletteOf(figures::ColorScheme::dark);
   vtkChartXY* chart_ = nullptr;  // owned by the frame
   float scale_ = 1.0f;
 };

@@ -43,7 +43,7 @@ std::vector<ContactDistance> contactDistances(const ArrayInScala& now)
 figures::Drawing drawContactDistances(const std::vector<ContactDistance>& contacts, double width,
                                       double height, const ChartStyle& style)
 {
-  const figures::SchemeInks& ink = figures::inksOf(style.scheme);
+  const figures::Palette& ink = figures::paletteOf(style.scheme);
   const ChartStrings& strings = style.strings;
   double max_mm = 0.0, sum_mm = 0.0;
   int inside = 0, translocated = 0;

@@ -33,7 +33,7 @@ vtkColor4ub faded(vtkColor4ub color, unsigned char alpha)
 struct ForceDepthChart::Content {
   explicit Content(const ChartStyle& given)
       : strings(given.strings),
-        inks(figures::inksOf(given.scheme)),
+        inks(figures::paletteOf(given.scheme)),
         frame(strings.travel, strings.axialForce, given),
         ghostLine(frame.chart(), colorOf(inks.blue), thinWidth),
         outLine(frame.chart(), faded(colorOf(inks.accent), 150), thinWidth),
@@ -43,7 +43,7 @@ struct ForceDepthChart::Content {
   }
 
   ChartStrings strings;
-  const figures::SchemeInks& inks;
+  const figures::Palette& inks;
   Result<Force> felt = analysis::forceFeltBySurgeons();
   ChartFrame frame;
   ChartLine ghostLine, outLine, inLine;

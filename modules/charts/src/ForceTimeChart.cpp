@@ -32,7 +32,7 @@ struct ForceTimeChart::Content {
 
   explicit Content(const ChartStyle& given)
       : strings(given.strings),
-        inks(figures::inksOf(given.scheme)),
+        inks(figures::paletteOf(given.scheme)),
         frame("", strings.force, given),
         lines{ChartLine{frame.chart(), colorOf(inks.accent), lineWidth},
               ChartLine{frame.chart(), colorOf(inks.orange), thinWidth},
@@ -43,7 +43,7 @@ struct ForceTimeChart::Content {
   }
 
   ChartStrings strings;
-  const figures::SchemeInks& inks;
+  const figures::Palette& inks;
   ChartFrame frame;
   std::array<ChartLine, components> lines;
   std::array<Slot, slots + 1> ring{};
@@ -88,7 +88,7 @@ void ForceTimeChart::Content::setLine(std::size_t component)
 ForceTimeChart::ForceTimeChart(const ChartStyle& style) : content_(std::make_unique<Content>(style))
 {
   const ChartStrings& strings = content_->strings;
-  const figures::SchemeInks& inks = content_->inks;
+  const figures::Palette& inks = content_->inks;
   ChartOverlay& overlay = content_->frame.overlay();
   overlay.legend = {{Swatch::line, colorOf(inks.accent), strings.axial},
                     {Swatch::dots, colorOf(inks.orange), strings.lateral},

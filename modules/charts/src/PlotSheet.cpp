@@ -35,7 +35,7 @@ PlotSheet::PlotSheet(double width, double height, const SheetMargins& margins, c
       bottom_(std::max(margins.top + 1.0, height - margins.bottom)),
       x_(x),
       y_(y),
-      inks_(figures::inksOf(style.scheme)),
+      inks_(figures::paletteOf(style.scheme)),
       decimalSign_(style.strings.decimalSign)
 {
   drawing_.width = width;

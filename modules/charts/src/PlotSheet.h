@@ -50,7 +50,7 @@ public:
 private:
   double left_, right_, top_, bottom_;
   AxisRange x_, y_;
-  const figures::SchemeInks& inks_;
+  const figures::Palette& inks_;
   char decimalSign_;
   figures::Drawing drawing_;
 };

@@ -31,7 +31,7 @@ constexpr std::array<int, ScatterChart::distinctGroups> shapes{
     vtkPlotPoints::CIRCLE, vtkPlotPoints::SQUARE, vtkPlotPoints::DIAMOND, vtkPlotPoints::PLUS,
     vtkPlotPoints::CROSS};
 
-std::array<figures::Ink, ScatterChart::distinctGroups> inksOfGroups(const figures::SchemeInks& inks)
+std::array<figures::Ink, ScatterChart::distinctGroups> inksOfGroups(const figures::Palette& inks)
 {
   return {inks.accent, inks.orange, inks.blue, inks.membrane, inks.text};
 }
@@ -104,7 +104,7 @@ private:
 
 struct ScatterChart::Content {
   explicit Content(const ChartStyle& style)
-      : inks(figures::inksOf(style.scheme)), frame({}, {}, style)
+      : inks(figures::paletteOf(style.scheme)), frame({}, {}, style)
   {
     const auto colors = inksOfGroups(inks);
     for (std::size_t i = 0; i < distinctGroups; ++i) {
@@ -119,7 +119,7 @@ struct ScatterChart::Content {
   const ScatterGroup* groupOf(std::uint32_t id, std::size_t& index) const;
   void showPoints();
 
-  const figures::SchemeInks& inks;
+  const figures::Palette& inks;
   ChartFrame frame;
   std::vector<std::unique_ptr<ScatterMarks>> marks;
   std::unique_ptr<ScatterMarks> ring;

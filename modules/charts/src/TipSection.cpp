@@ -121,7 +121,7 @@ struct Frame {
 };
 
 void drawArray(PlotSheet& sheet, const Frame& frame, const ArrayInScala& now,
-               const figures::SchemeInks& ink)
+               const figures::Palette& ink)
 {
   std::vector<PagePoint> ring;
   for (const Eigen::Vector2d& place_mm : cut_mm(now)) ring.push_back(frame.at(place_mm));
@@ -133,7 +133,7 @@ void drawArray(PlotSheet& sheet, const Frame& frame, const ArrayInScala& now,
 
 /// @return Magnitude of the force [mN].
 double drawForce(PlotSheet& sheet, const Frame& frame, const ArrayInScala& now,
-                 const figures::SchemeInks& ink)
+                 const figures::Palette& ink)
 {
   Eigen::Vector2d force_mN = Eigen::Vector2d::Zero();
   for (const NodePlace& node : now.nodes())
@@ -163,7 +163,7 @@ double drawForce(PlotSheet& sheet, const Frame& frame, const ArrayInScala& now,
 
 void drawScaleBar(PlotSheet& sheet, const Frame& frame, const ChartStyle& style)
 {
-  const figures::SchemeInks& ink = figures::inksOf(style.scheme);
+  const figures::Palette& ink = figures::paletteOf(style.scheme);
   constexpr double bar_mm = 0.5;
   const double right = sheet.right() - 10.0, y = sheet.top() + 13.0;
   const double left = right - bar_mm * frame.px_mm;
@@ -195,7 +195,7 @@ double TipSection::angle_deg(const ArrayInScala& now)
 
 figures::Drawing TipSection::draw(const ArrayInScala& now, double width, double height) const
 {
-  const figures::SchemeInks& ink = figures::inksOf(style_.scheme);
+  const figures::Palette& ink = figures::paletteOf(style_.scheme);
   const ChartStrings& strings = style_.strings;
   PlotSheet sheet(width, height, {0.0, 0.0, 0.0, 0.0}, {0.0, 1.0, 1.0}, {0.0, 1.0, 1.0}, style_);
   const double angle = degrees(angle_deg(now)).si();

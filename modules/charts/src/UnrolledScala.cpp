@@ -50,7 +50,7 @@ std::vector<Stretch> stretches(const ArrayInScala& now)
   return all;
 }
 
-void drawContacts(PlotSheet& sheet, const ArrayInScala& now, const figures::SchemeInks& ink)
+void drawContacts(PlotSheet& sheet, const ArrayInScala& now, const figures::Palette& ink)
 {
   const electrode::ArrayDesign& array = now.array();
   const double half_mm = 0.5 * inMillimeters(array.contactLength);
@@ -82,7 +82,7 @@ struct Sides {
 };
 
 /// Outlines the parts of the array above the partition.
-void outlineAbove(PlotSheet& sheet, const ArrayInScala& now, const figures::SchemeInks& ink)
+void outlineAbove(PlotSheet& sheet, const ArrayInScala& now, const figures::Palette& ink)
 {
   Sides sides;
   const auto finish = [&] {
@@ -99,7 +99,7 @@ void outlineAbove(PlotSheet& sheet, const ArrayInScala& now, const figures::Sche
   finish();
 }
 
-void drawArray(PlotSheet& sheet, const ArrayInScala& now, const figures::SchemeInks& ink)
+void drawArray(PlotSheet& sheet, const ArrayInScala& now, const figures::Palette& ink)
 {
   Sides sides;
   for (const NodePlace& node : now.nodes())
@@ -150,7 +150,7 @@ UnrolledScala::Width UnrolledScala::widthAt(double angle_deg) const
 
 figures::Drawing UnrolledScala::draw(const ArrayInScala& now, double width, double height) const
 {
-  const figures::SchemeInks& ink = figures::inksOf(style_.scheme);
+  const figures::Palette& ink = figures::paletteOf(style_.scheme);
   const ChartStrings& strings = style_.strings;
   const double tip_deg = now.nodes().empty() ? 0.0 : now.nodes().back().angle_deg;
   AxisRange angle_deg = grown({-outside_deg, usualEnd_deg, tick_deg}, 0.0, tip_deg + ahead_deg, 99);
@@ -238,7 +238,7 @@ figures::Drawing UnrolledScala::drawPage(const ArrayInScala& now, double width, 
   whole.marks.emplace_back(figures::Label{{0.5 * width, height - 8.0},
                                           style_.strings.unrolledAxes,
                                           figures::labelSize,
-                                          figures::inksOf(style_.scheme).quiet,
+                                          figures::paletteOf(style_.scheme).quiet,
                                           Anchor::middle,
                                           figures::Direction::across,
                                           false});

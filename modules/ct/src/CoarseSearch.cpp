@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <stop_token>
 
 #include "perilymph/foundation/Math.h"
 #include "perilymph/foundation/Units.h"
@@ -272,8 +273,7 @@ Template meanTemplate(const LumenShape& family)
 
 std::vector<Candidate> searchPoses(const Region& region, double bone, double lumen,
                                    const Template& points, const Eigen::Vector3d& near_P,
-                                   double reach_mm, std::size_t count,
-                                   const std::function<bool()>& isStopped)
+                                   double reach_mm, std::size_t count, const std::stop_token& stop)
 {
   const Likeness image(region, bone, lumen);
   const int steps = static_cast<int>(std::ceil(reach_mm / offsetStep));
@@ -287,7 +287,7 @@ std::vector<Candidate> searchPoses(const Region& region, double bone, double lum
   const Sampling coarse(points, 4), whole(points, 1);
   std::vector<Candidate> found;
   for (int direction = 0; direction < axisDirections; ++direction) {
-    if (isStopped()) return {};
+    if (stop.stop_requested()) return {};
     for (int roll = 0; roll < rolls; ++roll)
       for (const bool isRight : {true, false}) {
         const Eigen::Matrix3d axes = axesOf(direction, roll, isRight);

@@ -4,7 +4,7 @@
 // Exhaustive search for a cochlea of mean shape near a point, with a few points inside and outside
 // the wall.
 
-#include <functional>
+#include <stop_token>
 #include <vector>
 
 #include "LumenShape.h"
@@ -29,10 +29,9 @@ Template meanTemplate(const LumenShape& family);
 /// Finds distinct poses of both handednesses within `reach_mm` of a point, best first.
 ///
 /// @param lumen      Intensity of the lumen's content.
-/// @param isStopped  Called from time to time; true ends the search early.
+/// @param stop       Ends the search early.
 std::vector<Candidate> searchPoses(const Region& region, double bone, double lumen,
                                    const Template& points, const Eigen::Vector3d& near_P,
-                                   double reach_mm, std::size_t count,
-                                   const std::function<bool()>& isStopped);
+                                   double reach_mm, std::size_t count, const std::stop_token& stop);
 
 }  // namespace perilymph::ct

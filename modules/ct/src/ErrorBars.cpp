@@ -21,10 +21,11 @@ constexpr ModelError modelOfA{0.06, 0.08}, modelOfB{0.045, 0.08}, modelOfH{0.10,
 
 constexpr double hFirst_deg = 20.0;  // below this angle the vestibule opens into the lumen
 
+Length diameter(double mm) { return millimeters(std::max(2.0, mm)); }
+
 /// Length of the duct along the organ of Corti [mm]; A and B are at least 2 mm.
 double organOfCorti(double a_mm, double b_mm)
 {
-  const auto diameter = [](double each_mm) { return millimeters(std::max(2.0, each_mm)); };
   return inMillimeters(anatomy::ellipticCircularDuctLength(diameter(a_mm), diameter(b_mm)));
 }
 
@@ -98,9 +99,13 @@ void fillMeasures(const LumenShape& family, const FitResult& fit, const RoundWin
   const auto sum = [&](double a, double b) {
     return std::sqrt(byA * byA * a * a + byB * byB * b * b);
   };
-  measures.cdlOc = Measure{
-      organOfCorti(best.a, best.b), sum(measures.a.statistical, measures.b.statistical),
-      sum(measures.a.model, measures.b.model), sum(measures.a.definition, measures.b.definition)};
+  const double ofFormula =
+      inMillimeters(anatomy::ductLengthFormulaError(diameter(best.a), diameter(best.b)));
+  const double ofDefinition = sum(measures.a.definition, measures.b.definition);
+  measures.cdlOc =
+      Measure{organOfCorti(best.a, best.b), sum(measures.a.statistical, measures.b.statistical),
+              sum(measures.a.model, measures.b.model),
+              std::sqrt(ofDefinition * ofDefinition + ofFormula * ofFormula)};
 }
 
 }  // namespace perilymph::ct

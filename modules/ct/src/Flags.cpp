@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "perilymph/ct/Measures.h"
+#include "perilymph/foundation/Normal.h"
 
 namespace perilymph::ct {
 namespace {
@@ -54,8 +55,9 @@ constexpr std::array<Entry, 18> entries{
       "H is that of the cavity."},
      {Flag::apexNotJudged, "apex_not_judged",
       "Whether middle and apical turn are one cavity (incomplete partition) could not be judged: "
-      "the "
-      "CT is too coarse or too noisy, or the middle turn is not empty. Take a finer series."},
+      "the modiolus is faint, the CT too coarse or too noisy, or the middle turn not empty. Look "
+      "for "
+      "the septum between both turns in a section through the axis, or take a finer series."},
      {Flag::wallWithoutContrast, "wall_without_contrast",
       "Along a fifth or more of the basal turn nothing distinguishes the lumen from the bone: it "
       "may "
@@ -114,7 +116,7 @@ double Measure::sd() const
 
 std::array<double, 2> Measure::interval95() const
 {
-  return {value - 1.96 * sd(), value + 1.96 * sd()};
+  return {value - halfWidth95 * sd(), value + halfWidth95 * sd()};
 }
 
 }  // namespace perilymph::ct

@@ -29,7 +29,7 @@ constexpr int closedSections = 4;
 constexpr double fadedLumen = 0.56, seenAgain = 0.08;
 constexpr double aroundFit_mm = 8.0;
 // The modiolus at the beginning of the middle turn: a cylinder about the axis, of two thirds of the
-// inner wall's mean radius, and of the height that the turn climbs over a quarter.
+// inner wall's mean radius, and of the height that the turn climbs over a quarter; and one above it.
 constexpr double secondTurn_deg = 720.0;
 constexpr double coreRadius = 0.22;  // of the outer wall's
 constexpr double coreHeight_mm = 0.5, coreStep_mm = 0.1;
@@ -76,13 +76,16 @@ public:
       for (const Eigen::Vector3d& point_W : points_W)
         shown += fit.contentAt(point_W, lumen_, state_) / static_cast<double>(points_W.size());
     }
-    const auto core = mean(coreOfMiddleTurn());
-    if (!core || seen < openTurn * shown) return ModiolusFinding::notJudged;
+    const auto core = mean(coreOfMiddleTurn(0.0)), above = mean(coreOfMiddleTurn(coreHeight_mm));
+    if (!core || !above || seen < openTurn * shown) return ModiolusFinding::notJudged;
     const double contrast = seen / shown - *core;
+    const double blur = std::max(state_.blurInPlane, state_.blurAxial);
+    // a cavity may begin within the lower cylinder; blur of half its height joins it with the upper
+    const double minimum =
+        blur < 0.5 * coreHeight_mm ? std::min(contrast, seen / shown - *above) : contrast;
     const double error = errorOfCore(result.residual);
     const bool isNoisy = error > modiolusContrast;
-    if (contrast >= modiolusContrast + (isNoisy ? 2.0 * error : 0.0)) return ModiolusFinding::seen;
-    const double blur = std::max(state_.blurInPlane, state_.blurAxial);
+    if (minimum >= modiolusContrast + (isNoisy ? 2.0 * error : 0.0)) return ModiolusFinding::seen;
     const double ratio = radiusOfCore() / blur;
     const double left = 1.0 - exponential(-0.5 * ratio * ratio);
     return isNoisy || blur > judgedBlur_mm || contrast >= left * modiolusContrast
@@ -140,7 +143,8 @@ private:
            std::sqrt(std::min(1.0, volume_.spacing_mm().prod() / core_mm3));
   }
 
-  std::vector<Eigen::Vector3d> coreOfMiddleTurn() const
+  /// @param from_mm  Above the middle of the section at 360 degrees.
+  std::vector<Eigen::Vector3d> coreOfMiddleTurn(double from_mm) const
   {
     const SectionPlace place = lumen_.place(degrees(firstTurn_deg).si());
     const double radius = radiusOfCore();
@@ -152,7 +156,7 @@ private:
         for (int k = 0; k <= up; ++k) {
           const Eigen::Vector3d offset = coreStep_mm * Eigen::Vector3d(i, j, k);
           if (offset.head<2>().squaredNorm() <= radius * radius)
-            points_W.emplace_back(offset + Eigen::Vector3d(0.0, 0.0, place.middle));
+            points_W.emplace_back(offset + Eigen::Vector3d(0.0, 0.0, place.middle + from_mm));
         }
     return points_W;
   }

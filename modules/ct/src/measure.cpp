@@ -154,7 +154,7 @@ private:
     return {std::max(0.15, 0.6 * spacing.minCoeff()), std::max(0.17, 0.5 * spacing.maxCoeff())};
   }
 
-  bool isStopped() const { return request_.isCanceled && request_.isCanceled(); }
+  bool isStopped() const { return request_.stop.stop_requested(); }
   void report(double fraction) const
   {
     if (request_.onProgress && !isQuiet_) request_.onProgress(fraction);
@@ -167,9 +167,8 @@ private:
     const Region region(volume_, place_P, regionRadius_mm);
     const Levels levels = findLevels(region, place_P, levelRadius_mm);
     for (const double lumen : levels.candidates)
-      for (const Candidate& candidate :
-           searchPoses(region, levels.bone, lumen, points_, place_P, reach_mm, count,
-                       [this] { return isStopped(); }))
+      for (const Candidate& candidate : searchPoses(region, levels.bone, lumen, points_, place_P,
+                                                    reach_mm, count, request_.stop))
         found.push_back({candidate, levels.bone, lumen});
   }
 

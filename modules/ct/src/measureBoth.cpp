@@ -17,7 +17,7 @@ Result<std::array<CochleaMeasures, 2>> measureBothCochleae(const CtVolume& volum
   for (const std::size_t ear : {std::size_t{0}, std::size_t{1}}) {
     MeasureRequest one;
     one.side = ear == 0 ? anatomy::Side::right : anatomy::Side::left;
-    one.isCanceled = request.isCanceled;
+    one.stop = request.stop;
     if (request.onProgress)
       one.onProgress = [&request, ear](double fraction) {
         request.onProgress(0.5 * (static_cast<double>(ear) + fraction));

@@ -14,7 +14,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int instructionsBetween = 1000;
-constexpr std::chrono::milliseconds questionPeriod{20};
 
 /// SQLite's progress handler: a nonzero result interrupts the query.
 int progressed(void* context)
@@ -23,13 +22,7 @@ int progressed(void* context)
   watch.instructions += instructionsBetween;
   if (watch.maxInstructions > 0 && watch.instructions > watch.maxInstructions)
     watch.isExhausted = true;
-  if (watch.shouldStop) {
-    const auto now = std::chrono::steady_clock::now();
-    if (now >= watch.nextQuestion) {
-      watch.nextQuestion = now + questionPeriod;
-      watch.wasStopped = watch.wasStopped || watch.shouldStop();
-    }
-  }
+  watch.wasStopped = watch.wasStopped || watch.stop.stop_requested();
   return watch.isExhausted || watch.wasStopped ? 1 : 0;
 }
 

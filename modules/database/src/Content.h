@@ -5,9 +5,9 @@
 
 #include <sqlite3.h>
 
-#include <chrono>
 #include <filesystem>
 #include <memory>
+#include <stop_token>
 #include <string>
 
 #include "perilymph/database/Database.h"
@@ -16,10 +16,9 @@ namespace perilymph::database {
 
 /// Bounds the work of one query; called by SQLite at regular numbers of instructions.
 struct Watch {
-  ShouldStop shouldStop;
+  std::stop_token stop;
   std::int64_t maxInstructions = 0;  ///< 0: unbounded.
   std::int64_t instructions = 0;     ///< Executed so far in this query.
-  std::chrono::steady_clock::time_point nextQuestion{};
   bool wasStopped = false;
   bool isExhausted = false;
 };

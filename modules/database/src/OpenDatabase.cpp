@@ -7,6 +7,7 @@
 
 #include <array>
 #include <fstream>
+#include <stop_token>
 #include <string_view>
 
 #include "Companions.h"
@@ -146,7 +147,7 @@ Result<Database> Database::openToAppend(const fs::path& file, const FileKind& ki
   return database;
 }
 
-Result<Database> Database::open(const fs::path& file, const FileKind& kind, ShouldStop shouldStop)
+Result<Database> Database::open(const fs::path& file, const FileKind& kind, std::stop_token stop)
 {
   auto inspected = inspect(file, kind);
   if (!inspected) return inspected.error();
@@ -156,7 +157,7 @@ Result<Database> Database::open(const fs::path& file, const FileKind& kind, Shou
   auto content = std::make_unique<Content>();
   content->file = file;
   content->remedy = kind.remedy;
-  content->watch->shouldStop = std::move(shouldStop);
+  content->watch->stop = std::move(stop);
   content->watch->maxInstructions = maxInstructionsFor(place);
   if (!header.isWhole && !companions.hasLog) return content->error("it is cut short");
 

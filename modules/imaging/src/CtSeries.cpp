@@ -156,8 +156,8 @@ std::vector<CtThumbnail> readThumbnails(const CtSeriesList& list, int edge,
   if (!list.files) return pictures;
   try {
     for (const DicomSeries& series : list.files->series) {
-      if (hooks.isCanceled && hooks.isCanceled()) break;
-      if (auto picture = thumbnailOf(series, edge, hooks.isCanceled))
+      if (hooks.stop.stop_requested()) break;
+      if (auto picture = thumbnailOf(series, edge, hooks.stop))
         pictures.push_back(*std::move(picture));
     }
   } catch (const std::bad_alloc&) {

@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "perilymph/foundation/Quantile.h"
 #include "volume/imageOf.h"
 
 namespace perilymph::imaging {
@@ -43,17 +44,11 @@ GrayWindow wholeWindow(const ct::CtVolume& volume)
 {
   const auto voxels = volume.voxels();
   const std::size_t step = std::max<std::size_t>(1, voxels.size() / 100'000);
-  std::vector<std::int16_t> some;
+  std::vector<double> some;
   for (std::size_t k = 0; k < voxels.size(); k += step)
     if (voxels[k] != ct::unmeasured) some.push_back(voxels[k]);
   if (some.empty()) return {0.0, 1.0};
-  const auto at = [&some](double fraction) {
-    const auto place =
-        some.begin() + static_cast<std::ptrdiff_t>(fraction * static_cast<double>(some.size() - 1));
-    std::nth_element(some.begin(), place, some.end());
-    return double(*place);
-  };
-  const double low = at(0.01), high = at(0.99);
+  const double low = quantile(some, 0.01), high = quantile(some, 0.99);
   return {0.5 * (low + high), std::max(1.0, high - low)};
 }
 

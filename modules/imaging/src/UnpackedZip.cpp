@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <fstream>
+#include <stop_token>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -144,15 +145,16 @@ bool isZip(const fs::path& file)
          ((start[2] == 3 && start[3] == 4) || (start[2] == 5 && start[3] == 6));
 }
 
-Result<std::shared_ptr<const UnpackedZip>> UnpackedZip::unpack(
-    const fs::path& zip, std::size_t maxFiles, const std::function<bool()>& isCanceled)
+Result<std::shared_ptr<const UnpackedZip>> UnpackedZip::unpack(const fs::path& zip,
+                                                               std::size_t maxFiles,
+                                                               const std::stop_token& stop)
 {
   std::error_code failed;
   auto folder = UnfinishedFolder::create(fs::temp_directory_path(failed) / "perilymph-zip");
   if (failed || !folder) return refusalOf(zip, Unpacking::notWritten, maxFiles);
   auto unpacked = std::make_shared<const UnpackedZip>(*std::move(folder));
   const auto work = [&] { return static_cast<int>(unpackInto(zip, unpacked->folder(), maxFiles)); };
-  const auto answer = static_cast<Unpacking>(runInChild(work, {maxUnpackerBytes, isCanceled, {}}));
+  const auto answer = static_cast<Unpacking>(runInChild(work, {maxUnpackerBytes, stop, {}}));
   if (answer != Unpacking::done) return refusalOf(zip, answer, maxFiles);
   return unpacked;
 }

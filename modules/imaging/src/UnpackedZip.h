@@ -5,8 +5,8 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <functional>
 #include <memory>
+#include <stop_token>
 
 #include "perilymph/foundation/Result.h"
 #include "perilymph/foundation/Unfinished.h"
@@ -27,7 +27,7 @@ public:
   /// packed more than a hundredfold, and a full disk.
   static Result<std::shared_ptr<const UnpackedZip>> unpack(const std::filesystem::path& zip,
                                                            std::size_t maxFiles,
-                                                           const std::function<bool()>& isCanceled);
+                                                           const std::stop_token& stop);
 
   explicit UnpackedZip(UnfinishedFolder folder) : folder_(std::move(folder)) {}
 

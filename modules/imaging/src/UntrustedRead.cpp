@@ -12,6 +12,7 @@
 #include <chrono>
 #include <csignal>
 #include <fstream>
+#include <stop_token>
 #include <string>
 
 namespace perilymph::imaging {
@@ -59,7 +60,7 @@ rlim_t dataBytes()
 
 /// Exit status of a child, whose end closes the pipe; `childFailed` where it was ended by a signal or
 /// cannot be asked; empty where it was killed because it took too long or was canceled.
-std::optional<int> statusOf(::pid_t child, int pipe, const std::function<bool()>& isCanceled,
+std::optional<int> statusOf(::pid_t child, int pipe, const std::stop_token& stop,
                             std::chrono::milliseconds longest)
 {
   const auto start = std::chrono::steady_clock::now();
@@ -67,7 +68,7 @@ std::optional<int> statusOf(::pid_t child, int pipe, const std::function<bool()>
   int status = 0;
   ::pid_t ended = 0;
   while (ended == 0 && std::chrono::steady_clock::now() - start < longest) {
-    if (isCanceled && isCanceled()) break;
+    if (stop.stop_requested()) break;
     // Another process may hold the pipe open, so that its silence says nothing.
     const bool isClosed = ::poll(&watched, 1, pollInterval_ms) > 0;
     ended = ::waitpid(child, &status, isClosed ? 0 : WNOHANG);
@@ -89,7 +90,7 @@ std::optional<int> runOnce(const std::function<int()>& work, const ChildLimits& 
   if (child == 0) runChild(work, limits);
   ::close(ends[1]);
   const std::optional<int> status =
-      child > 0 ? statusOf(child, ends[0], limits.isCanceled, longest) : childFailed;
+      child > 0 ? statusOf(child, ends[0], limits.stop, longest) : childFailed;
   ::close(ends[0]);
   return status;
 }
@@ -101,7 +102,7 @@ int runInChild(const std::function<int()>& work, const ChildLimits& limits)
   if (limits.patience) {
     const std::optional<int> status = runOnce(work, limits, *limits.patience);
     if (status) return *status;
-    if (limits.isCanceled && limits.isCanceled()) return childFailed;
+    if (limits.stop.stop_requested()) return childFailed;
   }
   return runOnce(work, limits, timeLimit).value_or(childFailed);
 }

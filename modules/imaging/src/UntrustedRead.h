@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <stop_token>
 
 namespace perilymph::imaging {
 
@@ -15,7 +16,7 @@ namespace perilymph::imaging {
 struct ChildLimits {
   /// Memory that it may allocate beyond its parent's [bytes]; unlimited if empty.
   std::optional<std::size_t> memory;
-  std::function<bool()> isCanceled;  ///< Ends it early; may be empty.
+  std::stop_token stop;  ///< Ends it early.
   /// A child has one of its parent's threads, and may wait forever for a lock that another one held
   /// when it was made. If given, a child that took longer is replaced once, by one that has a minute.
   std::optional<std::chrono::milliseconds> patience;

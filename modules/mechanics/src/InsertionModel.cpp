@@ -70,11 +70,19 @@ void check(const Opening& opening, const electrode::ArrayDesign& array)
               std::to_string(opening.passageFriction.value_or(0.0)) + "; it must be 0 to 2.");
 }
 
-std::shared_ptr<const PartitionModel> partitionOf(const ModelParts& parts)
+void check(const SolverParameters& solver)
 {
-  const auto* scala = dynamic_cast<const anatomy::ScalaTympani*>(parts.lumen.get());
-  require(scala != nullptr, "Only the partition of a scala tympani can rupture.");
-  return std::make_shared<const PartitionModel>(*scala, parts.partitionStrength);
+  require(std::min({solver.maxEvaluations, solver.maxFactorizations, solver.maxTries}) >= 2 &&
+              std::min(solver.maxPasses, solver.maxIterationsToRenew) >= 0,
+          "The solver has too little work in a step; it needs 2 evaluations, factorizations and "
+          "tries or more.");
+  for (const double value :
+       {solver.forceTolerance, solver.motionTolerance, solver.motionFraction, solver.atRest,
+        solver.stuck, solver.minGain, solver.settledForce, solver.longestStep,
+        solver.slopeTolerance, solver.farStep, solver.nearStep, solver.goodRatio,
+        solver.goodReduction, solver.maxLag, solver.trendGain})
+    require(value > 0.0 && value <= 1e3, "A tolerance of the solver is " + std::to_string(value) +
+                                             "; it must be above 0 and at most 1000.");
 }
 
 void check(const ModelParts& parts)
@@ -129,6 +137,7 @@ void check(const ModelParts& parts)
   require(parts.partitionStrength.si() >= 0.0 && parts.partitionStrength.si() <= 2.0,
           "The strength of the cochlear partition is " +
               std::to_string(parts.partitionStrength.si()) + " N; it must be 0 to 2 N.");
+  check(parts.solver);
   require(parts.partitionStrength.si() == 0.0 || parts.kind == ModelKind::rod,
           "A point set cannot go through the cochlear partition; set its strength to 0.");
   if (parts.opening) check(*parts.opening, parts.array);
@@ -218,18 +227,20 @@ std::shared_ptr<const InsertionModel> InsertionModel::build(ModelParts parts)
     m.styletFromTip = array.stylet.fromTip.si();
     m.styletResidual = array.stylet.residualCurvature;
   }
-  m.mouthRadius = mouthRadiusOf(*m.parts.lumen);
+  const anatomy::ScalaTympani* const scala = m.parts.lumen->scala();
+  m.mouthRadius = scala ? mouthRadiusOf(*scala) : std::numeric_limits<double>::infinity();
   const auto isThicker = [&m](std::size_t i) {
     return std::min(m.halfWithin[i], m.halfAcross[i]) > m.mouthRadius;
   };
   const auto nodes = std::views::iota(std::size_t{0}, m.halfWithin.size());
   if (std::ranges::none_of(nodes, isThicker))
     m.mouthRadius = std::numeric_limits<double>::infinity();
-  m.partitionRange = partitionRangeOf(*m.parts.lumen);
-  if (m.parts.partitionStrength.si() > 0.0) m.partition = partitionOf(m.parts);
-  if (m.parts.membrane)
-    if (const auto* scala = dynamic_cast<const anatomy::ScalaTympani*>(m.parts.lumen.get()))
-      m.membrane.emplace(*scala);
+  if (scala) m.partitionRange = partitionRangeOf(*scala);
+  if (m.parts.partitionStrength.si() > 0.0) {
+    require(scala != nullptr, "Only the partition of a scala tympani can rupture.");
+    m.partition = std::make_shared<const PartitionModel>(*scala, m.parts.partitionStrength);
+  }
+  if (m.parts.membrane && scala) m.membrane.emplace(*scala);
   if (m.parts.kind == ModelKind::points)
     m.points = std::make_shared<PointSetModel>(*m.parts.hapticSurface, m.nodes, m.timeStep);
   m.passage = passageOf(m);

@@ -109,6 +109,17 @@ void add(Hash& hash, const Opening& opening)
   if (friction) hash.add(*friction);
 }
 
+void add(Hash& hash, const SolverParameters& solver)
+{
+  const auto& [evaluations, factorizations, tries, force, motion, fraction, atRest, stuck, gain,
+               settled, longest, slope, far, near, ratio, reduction, lag, passes, renewals, trend] =
+      solver;
+  for (const int value : {evaluations, factorizations, tries, passes, renewals}) hash.add(value);
+  for (const double value : {force, motion, fraction, atRest, stuck, gain, settled, longest, slope,
+                             far, near, ratio, reduction, lag, trend})
+    hash.add(value);
+}
+
 void add(Hash& hash, const anatomy::Surface& surface)
 {
   const auto& [points, triangles] = surface;
@@ -131,7 +142,7 @@ void add(Hash& hash, const anatomy::Entry& entry)
 std::uint64_t fingerprintOf(const InsertionModel& model)
 {
   const auto& [lumen, array, friction, wall, membrane, strength, opening, nodes, timeStep,
-               startInside, approachTilt, approachTurn, freeLength, kind, hapticSurface] =
+               startInside, approachTilt, approachTurn, freeLength, kind, hapticSurface, solver] =
       model.parts;
   Hash hash;
   // Derived data: constants of the program affect results through it.
@@ -159,6 +170,7 @@ std::uint64_t fingerprintOf(const InsertionModel& model)
     hash.add(hold);
   }
   if (strength.si() > 0.0) add(hash, strength);
+  if (solver != SolverParameters{}) add(hash, solver);
   hash.add(kind);
   if (kind == ModelKind::points) add(hash, *hapticSurface);
   return hash.value();

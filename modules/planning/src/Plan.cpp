@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <stop_token>
 
 #include "PlanFile.h"
 #include "PlanSetup.h"
@@ -70,18 +71,6 @@ bool isOf(const PlanRequest& stored, const PlanRequest& request)
 
 }  // namespace
 
-Result<Done> checkDraws(std::size_t draws)
-{
-  const auto changed = replacedByEnvironment();
-  const bool takesFew = std::find(changed.begin(), changed.end(), fewDraws) != changed.end();
-  if (draws >= (takesFew ? std::size_t{1} : fewestDraws) && draws <= maxDraws) return Done{};
-  const std::string count = std::to_string(draws), fewest = std::to_string(fewestDraws),
-                    allowed = ". Choose " + fewest + " to " + std::to_string(maxDraws) + ".";
-  if (draws > maxDraws) return Error{"A plan of " + count + " simulations is too long" + allowed};
-  return Error{"A plan of " + count + " simulations is too short: the lowest and the highest of " +
-               "fewer than " + fewest + " hold less than 88 % of the insertions to come" + allowed};
-}
-
 Result<Plan> viewPlan(const PlanRequest& request, const std::filesystem::path& draws)
 {
   const auto file = session::InsertionTable::open(draws, planKind());
@@ -127,7 +116,7 @@ Result<Plan> viewPlan(const PlanRequest& request, const std::filesystem::path& d
 }
 
 Result<Plan> makePlan(const PlanRequest& request, const std::filesystem::path& draws,
-                      const PlanProgress& progress)
+                      const analysis::RunProgress& progress, const std::stop_token& stop)
 {
   const auto setup = preparePlan(request);
   if (!setup) return setup.error();
@@ -159,15 +148,18 @@ Result<Plan> makePlan(const PlanRequest& request, const std::filesystem::path& d
     while (done < look) {
       const std::size_t count = std::min(blockSize, look - done);
       std::vector<std::vector<PlannedInsertion>> block(count);
-      const auto work = [&](std::size_t piece, const std::atomic<bool>& isAsked) -> Result<Done> {
-        auto run = runDraw(request, *setup, done + piece + 1, isAsked);
+      const auto work = [&](std::size_t piece, const std::stop_token& ending) -> Result<Done> {
+        auto run = runDraw(request, *setup, done + piece + 1, ending);
         if (!run) return run.error();
         block[piece] = *std::move(run);
         return Done{};
       };
-      const auto ran = analysis::doInParallel(count, request.jobs, work, [&](std::size_t pieces) {
-        return !progress || progress((done + pieces) * arrays, request.draws * arrays);
-      });
+      const auto ran = analysis::doInParallel(
+          count, request.jobs, work,
+          [&](std::size_t pieces) {
+            if (progress) progress((done + pieces) * arrays, request.draws * arrays);
+          },
+          stop);
       if (!ran) return ran.error();
       std::vector<PlannedInsertion> added;
       for (auto& draw : block) std::move(draw.begin(), draw.end(), std::back_inserter(added));
@@ -185,6 +177,13 @@ Result<Plan> makePlan(const PlanRequest& request, const std::filesystem::path& d
   if (file)
     if (const auto closed = file->close(); !closed) return closed.error();
   return plan;
+}
+
+Result<std::string> fingerprintOf(const PlanRequest& request)
+{
+  const auto setup = preparePlan(request);
+  if (!setup) return setup.error();
+  return fingerprintOf(request, *setup);
 }
 
 }  // namespace perilymph::planning

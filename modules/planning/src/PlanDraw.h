@@ -11,7 +11,7 @@
 #include "perilymph/analysis/Surgeon.h"
 #include "perilymph/anatomy/IndividualShape.h"
 #include "perilymph/anatomy/Patient.h"
-#include "perilymph/planning/Plan.h"
+#include "perilymph/planning/PlanResult.h"
 #include "perilymph/session/InsertionParameters.h"
 
 namespace perilymph::planning {

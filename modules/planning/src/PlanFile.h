@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "perilymph/planning/Plan.h"
+#include "perilymph/planning/PlanResult.h"
 #include "perilymph/session/InsertionTable.h"
 
 namespace perilymph::planning {

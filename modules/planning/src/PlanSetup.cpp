@@ -2,6 +2,7 @@
 #include "PlanSetup.h"
 
 #include <stdexcept>
+#include <stop_token>
 #include <utility>
 
 #include "FrequencyAllocation.h"
@@ -109,7 +110,7 @@ Result<std::shared_ptr<const anatomy::ScalaTympani>> buildCochlea(const PlanDraw
 Result<PlannedInsertion> insertArray(const PlanRequest& request, const PlanSetup& setup,
                                      const PlanDraw& draw, std::size_t number, std::size_t array,
                                      Length profileSpacing, PlannedShape& shape,
-                                     const std::atomic<bool>& isAsked)
+                                     const std::stop_token& stop)
 {
   const Nominal& nominal = setup.nominal[array];
   const double stiffness = stiffnessFactor(draw, nominal.stiffnessDeviation);
@@ -120,21 +121,12 @@ Result<PlannedInsertion> insertArray(const PlanRequest& request, const PlanSetup
     shape.anatomy = *std::move(built);
   }
   PlannedInsertion planned = plannedOf(draw, stiffness, number, array);
-  planned.insertion = analysis::asPossible(
-      analysis::insertByHand(shape.parameters, shape.anatomy, setup.hand, draw.surgeon,
-                             profileSpacing, isAsked, &shape.end));
+  planned.insertion = analysis::asPossible(analysis::insertByHand(
+      shape.parameters, shape.anatomy, setup.hand, draw.surgeon, profileSpacing, stop, &shape.end));
   return planned;
 }
 
 }  // namespace
-
-Result<session::Scenario> scenarioOf(const PlanRequest& request, const std::string& array,
-                                     const std::string& stopTravel_mm)
-{
-  session::Overrides changes = {{"array", array}, {"stop_travel_mm", stopTravel_mm}};
-  if (request.friction) changes.emplace_back("friction", *request.friction);
-  return session::loadScenario(request.scenario, changes);
-}
 
 Result<PlanSetup> preparePlan(const PlanRequest& request)
 {
@@ -192,22 +184,15 @@ std::string fingerprintOf(const PlanRequest& request, const PlanSetup& setup)
   return hash.hex();
 }
 
-Result<std::string> fingerprintOf(const PlanRequest& request)
-{
-  const auto setup = preparePlan(request);
-  if (!setup) return setup.error();
-  return fingerprintOf(request, *setup);
-}
-
 Result<std::vector<PlannedInsertion>> runDraw(const PlanRequest& request, const PlanSetup& setup,
-                                              std::size_t number, const std::atomic<bool>& isAsked)
+                                              std::size_t number, const std::stop_token& stop)
 {
   const PlanDraw draw =
       drawPlan(request.patient, setup.uncertainty, setup.hand, request.seed, number);
   PlannedShape shape;
   std::vector<PlannedInsertion> insertions;
-  for (std::size_t i = 0; i < setup.nominal.size() && !isAsked; ++i) {
-    auto planned = insertArray(request, setup, draw, number, i, bandSpacing, shape, isAsked);
+  for (std::size_t i = 0; i < setup.nominal.size() && !stop.stop_requested(); ++i) {
+    auto planned = insertArray(request, setup, draw, number, i, bandSpacing, shape, stop);
     if (!planned) return planned.error();
     insertions.push_back(*std::move(planned));
   }
@@ -215,12 +200,12 @@ Result<std::vector<PlannedInsertion>> runDraw(const PlanRequest& request, const 
 }
 
 Result<PlannedShape> runShape(const PlanRequest& request, const PlanSetup& setup, std::size_t array,
-                              std::size_t number, const std::atomic<bool>& isAsked)
+                              std::size_t number, const std::stop_token& stop)
 {
   const PlanDraw draw =
       drawPlan(request.patient, setup.uncertainty, setup.hand, request.seed, number);
   PlannedShape shape;
-  auto planned = insertArray(request, setup, draw, number, array, traceSpacing, shape, isAsked);
+  auto planned = insertArray(request, setup, draw, number, array, traceSpacing, shape, stop);
   if (!planned) return planned.error();
   shape.insertion = *std::move(planned);
   return shape;

@@ -3,14 +3,14 @@
 
 // Everything that a plan's insertions need, read once: arrays, distributions, thresholds.
 
-#include <atomic>
+#include <stop_token>
 #include <string>
 #include <vector>
 
 #include "PlanDraw.h"
 #include "Uncertainty.h"
 #include "perilymph/analysis/Surgeon.h"
-#include "perilymph/planning/Plan.h"
+#include "perilymph/planning/PlanResult.h"
 #include "perilymph/planning/PlannedShape.h"
 
 namespace perilymph::planning {
@@ -43,10 +43,10 @@ Range frictionOf(const PlanSetup& setup);
 
 /// The insertions of all arrays in one draw, in one cochlea; fewer if asked to end.
 Result<std::vector<PlannedInsertion>> runDraw(const PlanRequest& request, const PlanSetup& setup,
-                                              std::size_t number, const std::atomic<bool>& isAsked);
+                                              std::size_t number, const std::stop_token& stop);
 
 /// One array in one draw.
 Result<PlannedShape> runShape(const PlanRequest& request, const PlanSetup& setup, std::size_t array,
-                              std::size_t number, const std::atomic<bool>& isAsked);
+                              std::size_t number, const std::stop_token& stop);
 
 }  // namespace perilymph::planning

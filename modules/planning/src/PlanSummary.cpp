@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-
 // Bands, probabilities and influences from the insertions of a plan.
+
+#include "perilymph/planning/PlanSummary.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,9 +9,8 @@
 
 #include "FrequencyAllocation.h"
 #include "perilymph/analysis/ErrorBand.h"
-#include "perilymph/analysis/Prediction.h"
 #include "perilymph/analysis/Tonotopy.h"
-#include "perilymph/planning/Plan.h"
+#include "perilymph/foundation/Quantile.h"
 
 namespace perilymph::planning {
 
@@ -108,7 +108,7 @@ std::vector<ContactBand> contactBands(const Insertions& all, const std::vector<d
     if (!angles.empty()) {
       band.angle_deg = bandOf(angles);
       if (!distances.empty()) band.toModiolus_mm = bandOf(distances);
-      band.greenwood_Hz = analysis::greenwoodFrequency(1.0 - analysis::quantile(places, 0.5));
+      band.greenwood_Hz = analysis::greenwoodFrequency(1.0 - quantile(places, 0.5));
       band.spiralGanglion_Hz = analysis::spiralGanglionFrequency(degrees(band.angle_deg.median));
     }
     bands.push_back(band);
@@ -284,13 +284,8 @@ Band bandOf(std::vector<double> values)
 {
   if (values.empty()) return {};
   std::sort(values.begin(), values.end());
-  const auto last = static_cast<double>(values.size()) - 1.0;
   const auto at = [&](double fraction) {
-    const double place = std::clamp(fraction * (last + 2.0) - 1.0, 0.0, last);
-    const auto below = static_cast<std::size_t>(place);
-    const double alpha = place - static_cast<double>(below);
-    return alpha > 0.0 ? values[below] + alpha * (values[below + 1] - values[below])
-                       : values[below];
+    return quantileOfSorted(values, fraction, QuantileRule::predictive);
   };
   return {at(0.05), at(0.25), at(0.5), at(0.75), at(0.95)};
 }

@@ -7,7 +7,6 @@
 #include <ctime>
 
 #include "MakeEngine.h"
-#include "perilymph/device/ScriptedDevice.h"
 #include "perilymph/foundation/Version.h"
 #include "perilymph/haptics/CouplingLimit.h"
 #include "perilymph/haptics/InsertionEnd.h"
@@ -47,12 +46,6 @@ RecordingFacts factsOf(const InsertionParameters& parameters, const std::string&
   return facts;
 }
 
-/// Sets the motion of a scripted device; has no effect on others.
-void tell(device::HapticDevice& hand, device::ScriptedDevice::Motion motion)
-{
-  if (auto* script = dynamic_cast<device::ScriptedDevice*>(&hand)) script->move(motion);
-}
-
 /// A device that renders force needs short time steps [s]: after a stop two of them remove the force.
 constexpr double maxStepWithForce = 2e-3;
 
@@ -79,7 +72,7 @@ struct Insertion::Content {
   InsertionParameters parameters;
   std::shared_ptr<const anatomy::ScalaTympani> anatomy;
   std::shared_ptr<const mechanics::InsertionModel> model;
-  std::unique_ptr<device::HapticDevice> hand;
+  std::shared_ptr<device::HapticDevice> hand;
   std::optional<std::filesystem::path> file;
   std::string couplingText;
   std::unique_ptr<haptics::HapticLoop> loop;
@@ -99,7 +92,7 @@ Insertion::~Insertion()
 }
 
 Result<std::unique_ptr<Insertion>> Insertion::prepare(
-    const Scenario& scenario, std::unique_ptr<device::HapticDevice> hand,
+    const Scenario& scenario, std::shared_ptr<device::HapticDevice> hand,
     std::optional<std::filesystem::path> record,
     std::shared_ptr<const anatomy::ScalaTympani> anatomy,
     std::shared_ptr<const mechanics::InsertionModel> model)
@@ -109,7 +102,7 @@ Result<std::unique_ptr<Insertion>> Insertion::prepare(
 }
 
 Result<std::unique_ptr<Insertion>> Insertion::prepare(
-    const InsertionParameters& parameters, std::unique_ptr<device::HapticDevice> hand,
+    const InsertionParameters& parameters, std::shared_ptr<device::HapticDevice> hand,
     std::shared_ptr<const anatomy::ScalaTympani> anatomy,
     std::shared_ptr<const mechanics::InsertionModel> model)
 {
@@ -119,7 +112,7 @@ Result<std::unique_ptr<Insertion>> Insertion::prepare(
 
 Result<std::unique_ptr<Insertion>> Insertion::prepare(
     const InsertionParameters& parameters, const std::string& text,
-    std::unique_ptr<device::HapticDevice> hand, std::optional<std::filesystem::path> record,
+    std::shared_ptr<device::HapticDevice> hand, std::optional<std::filesystem::path> record,
     std::shared_ptr<const anatomy::ScalaTympani> anatomy,
     std::shared_ptr<const mechanics::InsertionModel> model)
 {
@@ -172,7 +165,6 @@ Result<std::unique_ptr<Insertion>> Insertion::prepare(
 Result<Done> Insertion::runToEnd(const std::function<bool(const haptics::TickRecord&)>& each,
                                  std::uint64_t maxTicks)
 {
-  using Motion = device::ScriptedDevice::Motion;
   Content& content = *content_;
   const auto send = [&](haptics::Command::Kind kind) {
     haptics::Command command;
@@ -182,7 +174,7 @@ Result<Done> Insertion::runToEnd(const std::function<bool(const haptics::TickRec
   if (content.loop->engine().workflow() == haptics::Workflow::idle &&
       !send(haptics::Command::Kind::arm))
     return Error{"The loop takes no requests: eight are waiting. Run a tick first."};
-  tell(*content.hand, Motion::insert);
+  content.hand->move(device::ScriptedMotion::insert);
 
   bool isWithdrawing = false;
   for (std::uint64_t i = 0; i < maxTicks; ++i) {
@@ -201,7 +193,7 @@ Result<Done> Insertion::runToEnd(const std::function<bool(const haptics::TickRec
     const bool hasArrived = haptics::endOf(record.output) == haptics::InsertionEnd::finished;
     if (!content.parameters.withdraws || isWithdrawing || !hasArrived) break;
     isWithdrawing = send(haptics::Command::Kind::withdraw);
-    tell(*content.hand, Motion::withdraw);
+    content.hand->move(device::ScriptedMotion::withdraw);
   }
   content.recorder->flush();
   return Done{};

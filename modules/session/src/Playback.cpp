@@ -5,6 +5,7 @@
 #include <map>
 #include <mutex>
 #include <optional>
+#include <stop_token>
 
 #include "MakeEngine.h"
 #include "ReplayPass.h"
@@ -145,8 +146,7 @@ const std::vector<Playback::Sample>& Playback::samples() const noexcept
   return content_->samples;
 }
 
-Result<Verification> Playback::compute(
-    const std::function<bool(std::uint64_t, std::uint64_t)>& progress)
+Result<Verification> Playback::compute(const std::stop_token& stop)
 {
   Content& content = *content_;
   // A separate connection: the other thread reads concurrently.
@@ -160,14 +160,12 @@ Result<Verification> Playback::compute(
   for (const std::string& note : whatChanged(*recorded, content.scenario, *content.model))
     verification.notes.push_back(note);
   std::uint64_t done = 0;
-  bool isStopped = false;
   const auto passed = replayThrough(*recorded, **engine, verification, [&] {
     content.keep(**engine, ++done);
-    isStopped = progress && !progress(done, content.ticks);
-    return !isStopped;
+    return !stop.stop_requested();
   });
   if (!passed) return passed.error();
-  if (isStopped)
+  if (stop.stop_requested())
     return Error{"Stopped after " + std::to_string(done) + " of " + std::to_string(content.ticks) +
                  " ticks."};
   return verification;

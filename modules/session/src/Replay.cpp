@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdio>
+#include <stop_token>
 #include <type_traits>
 
 #include "MakeEngine.h"
@@ -136,12 +137,12 @@ Result<Done> replayThrough(const RecordedInsertion& recorded, haptics::Insertion
   return Done{};
 }
 
-Result<Verification> verify(const std::filesystem::path& file, const VerifyProgress& progress)
+Result<Verification> verify(const std::filesystem::path& file, const VerifyProgress& progress,
+                            const std::stop_token& stop)
 {
   std::uint64_t done = 0;
   std::uint64_t all = 0;
-  const auto shouldStop = [&] { return progress && !progress(done, all); };
-  const auto recorded = RecordedInsertion::open(file, shouldStop);
+  const auto recorded = RecordedInsertion::open(file, stop);
   if (!recorded) return recorded.error();
   auto verification = beginVerification(*recorded);
   if (!verification || !verification->damage.empty()) return verification;
@@ -158,14 +159,13 @@ Result<Verification> verify(const std::filesystem::path& file, const VerifyProgr
   if (!engine) return engine.error();
   for (const std::string& note : whatChanged(*recorded, *scenario, **model))
     verification->notes.push_back(note);
-  bool isStopped = false;
   const auto passed = replayThrough(*recorded, **engine, *verification, [&] {
     ++done;
-    isStopped = shouldStop();
-    return !isStopped && !verification->difference;
+    if (progress) progress(done, all);
+    return !stop.stop_requested() && !verification->difference;
   });
   if (!passed) return passed.error();
-  if (isStopped)
+  if (stop.stop_requested())
     return Error{"Stopped after " + std::to_string(done) + " of " + std::to_string(all) +
                  " ticks; " + file.string() + " is not verified."};
   return verification;

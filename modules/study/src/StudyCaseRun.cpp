@@ -2,6 +2,7 @@
 #include "perilymph/study/StudyCaseRun.h"
 
 #include <optional>
+#include <stop_token>
 
 #include "perilymph/analysis/InParallel.h"
 
@@ -24,8 +25,7 @@ Result<Study> studyIn(const StudyFileFacts& facts, const std::filesystem::path& 
 }
 
 Result<StudyResult> recordCase(const Study& study, std::size_t number,
-                               const std::filesystem::path& recording,
-                               const std::atomic<bool>& isCanceled)
+                               const std::filesystem::path& recording, const std::stop_token& stop)
 {
   if (number >= study.size())
     return Error{"Insertion " + std::to_string(number) + " is not in the study, which has " +
@@ -39,11 +39,11 @@ Result<StudyResult> recordCase(const Study& study, std::size_t number,
   std::optional<Result<analysis::FullInsertion>> ran;
   const auto done = analysis::doInParallel(
       1, 1,
-      [&](std::size_t, const std::atomic<bool>& isAsked) -> Result<Done> {
-        ran = analysis::insertFully(*scenario, *anatomy, recording, isAsked);
+      [&](std::size_t, const std::stop_token& ending) -> Result<Done> {
+        ran = analysis::insertFully(*scenario, *anatomy, recording, ending);
         return *ran ? Result<Done>(Done{}) : Result<Done>(ran->error());
       },
-      [&isCanceled](std::size_t) { return !isCanceled; });
+      {}, stop);
   if (!done) return done.error();
   StudyResult result;
   result.number = number;

@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 #include <set>
+#include <stop_token>
 #include <utility>
 
 #include "perilymph/study/StudyReport.h"
@@ -86,7 +87,7 @@ std::optional<StudyQuantity> quantityOf(const std::string& key,
 }  // namespace
 
 Result<StudyColumns> StudyColumns::read(const std::filesystem::path& file,
-                                        const std::atomic<bool>& isCanceled)
+                                        const std::stop_token& stop)
 {
   const auto opened = StudyFile::open(file);
   if (!opened) return opened.error();
@@ -98,7 +99,7 @@ Result<StudyColumns> StudyColumns::read(const std::filesystem::path& file,
                  " insertions; at most " + std::to_string(maxInsertions) +
                  " can be shown. Open one of its shards, or query it with SQL."};
   const auto read = opened->read([&](const StudyResult& result) -> Result<Done> {
-    if (isCanceled) return Error{"Canceled."};
+    if (stop.stop_requested()) return Error{"Canceled."};
     columns.results_.push_back(result);
     columns.results_.back().insertion.contacts = {};
     columns.results_.back().insertion.profile = {};

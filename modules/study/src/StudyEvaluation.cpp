@@ -185,7 +185,7 @@ std::vector<Slope> StudyEvaluation::slopes(Outcome outcome) const
     if (!(xx > 0.0) || freedom < 1.0) continue;
     const double slope = xy / xx;
     const double error = std::sqrt(std::max(yy - slope * xy, 0.0) / freedom / xx);
-    const double half = analysis::halfWidth95 * error;
+    const double half = halfWidth95 * error;
     slopes.push_back({name, {slope, slope - half, slope + half}});
   }
   return slopes;

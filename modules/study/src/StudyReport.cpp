@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "OutcomeValue.h"
-#include "perilymph/analysis/Prediction.h"
 #include "perilymph/figures/Strings.h"
+#include "perilymph/foundation/Quantile.h"
 
 namespace perilymph::study {
 
@@ -40,8 +40,7 @@ std::string quartiles(const std::vector<const StudyResult*>& results, Outcome ou
     if (each->insertion.end == analysis::InsertionEnd::finished)
       values.push_back(valueOf(*each, outcome));
   if (values.empty()) return "-";
-  return interval({analysis::quantile(values, 0.5), analysis::quantile(values, 0.25),
-                   analysis::quantile(values, 0.75)},
+  return interval({quantile(values, 0.5), quantile(values, 0.25), quantile(values, 0.75)},
                   decimalsOf(outcome));
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <memory>
+#include <stop_token>
 #include <tuple>
 
 #include "perilymph/analysis/AnatomyMeasures.h"
@@ -60,7 +61,7 @@ BuiltCochlea buildCochlea(const Study& study, std::size_t index)
 }
 
 StudyResult resultOf(const Study& study, std::size_t number, const BuiltCochlea& cochlea,
-                     const std::atomic<bool>& isAsked)
+                     const std::stop_token& stop)
 {
   const StudyCase one = study.caseAt(number);
   StudyResult result;
@@ -80,7 +81,7 @@ StudyResult resultOf(const Study& study, std::size_t number, const BuiltCochlea&
     return result;
   }
   result.insertion = analysis::asPossible(
-      analysis::insertFully(*parameters, cochlea.anatomy, study.profileSpacing(), isAsked));
+      analysis::insertFully(*parameters, cochlea.anatomy, study.profileSpacing(), stop));
   if (!study.keepsContacts()) result.insertion.contacts.clear();
   return result;
 }
@@ -131,7 +132,7 @@ std::string fileNameOf(const Shard& shard)
 }
 
 Result<bool> runShard(const Study& study, const Shard& shard, const fs::path& folder, unsigned jobs,
-                      const StudyProgress& progress)
+                      const analysis::RunProgress& progress, const std::stop_token& stop)
 {
   std::error_code problem;
   fs::create_directories(folder, problem);
@@ -154,22 +155,23 @@ Result<bool> runShard(const Study& study, const Shard& shard, const fs::path& fo
       shared = buildCochlea(study, cochlea);
     std::vector<StudyResult> results(end - first);
     std::atomic<std::size_t> finished{0};
-    bool isStopped = false;
-    const auto work = [&](std::size_t number, const std::atomic<bool>& isAsked) -> Result<Done> {
+    const auto work = [&](std::size_t number, const std::stop_token& ending) -> Result<Done> {
       const Piece& piece = pieces[number];
       const BuiltCochlea own =
           isShared ? shared : buildCochlea(study, piece.first / study.casesPerCochlea());
-      for (std::size_t i = piece.first; i < piece.end && !isAsked; ++i) {
-        results[i - first] = resultOf(study, i, own, isAsked);
+      for (std::size_t i = piece.first; i < piece.end && !ending.stop_requested(); ++i) {
+        results[i - first] = resultOf(study, i, own, ending);
         ++finished;
       }
       return Done{};
     };
-    const auto ran = analysis::doInParallel(pieces.size(), jobs, work, [&](std::size_t) {
-      isStopped = progress && !progress(first - shard.first + finished, all);
-      return !isStopped;
-    });
-    if (isStopped) return false;
+    const auto ran = analysis::doInParallel(
+        pieces.size(), jobs, work,
+        [&](std::size_t) {
+          if (progress) progress(first - shard.first + finished, all);
+        },
+        stop);
+    if (stop.stop_requested()) return false;
     if (!ran) return ran.error();
     if (const auto same = study.checkFiles(); !same) return same.error();
     if (const auto added = file->append(results); !added) return added.error();

@@ -48,7 +48,7 @@ std::vector<Triangle> ringTriangles(int count, int around, bool isClosed, int fi
 
 }  // namespace
 
-ArrayParts::ArrayParts(const electrode::ArrayDesign& array, const Palette& palette)
+ArrayParts::ArrayParts(const electrode::ArrayDesign& array, const SceneColors& palette)
     : array_(array), palette_(palette), tweezers_(inMillimeters(array.length), palette)
 {
   if (array_.diameter.fromTip.empty() || array_.length <= millimeters(0)) {

@@ -20,7 +20,7 @@ namespace perilymph::visualization {
 /// The parts that move with the array. Meshes are created once; show() moves their points.
 class ArrayParts {
 public:
-  ArrayParts(const electrode::ArrayDesign& array, const Palette& palette);
+  ArrayParts(const electrode::ArrayDesign& array, const SceneColors& palette);
 
   /// Adds the solid parts, in drawing order.
   void addSolid(vtkRenderer& renderer);
@@ -51,7 +51,7 @@ private:
   void showContacts(const ArrayPath& path);
 
   electrode::ArrayDesign array_;
-  const Palette& palette_;
+  const SceneColors& palette_;
   double tipRadius_mm_ = 0.0;
   std::vector<Ring> tubeRings_, ribRings_, styletRings_;
   Mesh tube_{Mesh::Coloring::uniform};

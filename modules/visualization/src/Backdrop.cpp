@@ -18,7 +18,7 @@ double fraction(int i) { return 2.0 * i / cells - 1.0; }
 
 }  // namespace
 
-Backdrop::Backdrop(const Palette& palette)
+Backdrop::Backdrop(const SceneColors& palette)
 {
   std::vector<Triangle> triangles;
   for (int y = 0; y < cells; ++y)

@@ -11,7 +11,7 @@ namespace perilymph::visualization {
 /// A plane far behind the scene that fills the picture, with vertex colors.
 class Backdrop {
 public:
-  explicit Backdrop(const Palette& palette);
+  explicit Backdrop(const SceneColors& palette);
 
   /// Fills a picture of this size [mm] whose center is at `center`.
   void place(const ViewFrame& view, const Eigen::Vector3d& center, double width_mm,

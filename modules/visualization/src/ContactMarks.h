@@ -14,7 +14,7 @@ namespace perilymph::visualization {
 /// Glow and arrows. The glow faces the viewer, so that forces on an edge-on wall are visible, too.
 class ContactMarks {
 public:
-  explicit ContactMarks(const Palette& palette) : palette_(palette) {}
+  explicit ContactMarks(const SceneColors& palette) : palette_(palette) {}
 
   /// Length of an arrow per millinewton.
   static constexpr double arrow_mm_mN = 0.025;
@@ -37,7 +37,7 @@ private:
   void addArrow(const Eigen::Vector3d& from, const Eigen::Vector3d& arrow_mm, const Rgba& color,
                 const ViewFrame& view);
 
-  const Palette& palette_;
+  const SceneColors& palette_;
   SoftDots glow_;
   SoftLines arrows_;
   int arrowCount_ = 0;

@@ -61,7 +61,7 @@ Rgba fromOkLab(const Eigen::Vector3d& lab)
 std::array<Rgba, steps> makeTable(figures::ColorScheme scheme)
 {
   std::array<Rgba, steps> table;
-  const Palette& palette = paletteOf(scheme);
+  const SceneColors& palette = sceneColorsOf(scheme);
   const Eigen::Vector3d low = okLab(palette.forceLow), high = okLab(palette.forceHigh);
   for (int i = 0; i < steps; ++i) {
     const double fraction = static_cast<double>(i) / (steps - 1);

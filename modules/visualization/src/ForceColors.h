@@ -3,7 +3,7 @@
 
 // The color map of wall force: transparent, yellow, red, perceptually uniform.
 
-#include "Palette.h"
+#include "SceneColors.h"
 
 namespace perilymph::visualization {
 

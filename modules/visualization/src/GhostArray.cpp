@@ -28,7 +28,7 @@ Eigen::Vector3d edgeOf(const PathPoint& point, double radius_mm, double side, co
 
 }  // namespace
 
-GhostArray::GhostArray(const Palette& palette) : palette_(palette)
+GhostArray::GhostArray(const SceneColors& palette) : palette_(palette)
 {
   band_.actor().VisibilityOff();
   outline_.actor().VisibilityOff();

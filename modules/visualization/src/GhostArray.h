@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "ArrayPath.h"
-#include "Palette.h"
+#include "SceneColors.h"
 #include "SoftLines.h"
 #include "perilymph/electrode/ArrayDesign.h"
 
@@ -20,7 +20,7 @@ namespace perilymph::visualization {
 /// inserted array without color, too.
 class GhostArray {
 public:
-  explicit GhostArray(const Palette& palette);
+  explicit GhostArray(const SceneColors& palette);
 
   /// Adds it behind everything that is drawn already.
   void addTo(vtkRenderer& renderer);
@@ -39,7 +39,7 @@ private:
   };
   void addOutline(const ViewFrame& view, double side);
 
-  const Palette& palette_;
+  const SceneColors& palette_;
   std::vector<Point> line_, contacts_;
   SoftLines band_, outline_;
 };

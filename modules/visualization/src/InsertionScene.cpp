@@ -49,7 +49,7 @@ struct InsertionScene::Content {
           anatomy::Side side, Quality quality, const SceneStyle& style);
   ~Content() { renderer->RemoveObserver(prepareObserver); }
 
-  void addActors(const QualityTraits& traits, const Palette& palette);
+  void addActors(const QualityTraits& traits, const SceneColors& palette);
   void applyStereo();
   void applyVisibility();
   void placeCamera();
@@ -89,13 +89,13 @@ InsertionScene::Content::Content(const anatomy::ScalaTympani& scala,
                                  const electrode::ArrayDesign& array, anatomy::Side side,
                                  Quality quality, const SceneStyle& style)
     : space(side),
-      scalaParts(scala, space, traitsOf(quality), paletteOf(style.scheme)),
-      arrayParts(array, paletteOf(style.scheme)),
+      scalaParts(scala, space, traitsOf(quality), sceneColorsOf(style.scheme)),
+      arrayParts(array, sceneColorsOf(style.scheme)),
       path(arrayParts.design().length),
       field(arrayParts.design().length),
-      marks(paletteOf(style.scheme)),
-      ghost(paletteOf(style.scheme)),
-      backdrop(paletteOf(style.scheme))
+      marks(sceneColorsOf(style.scheme)),
+      ghost(sceneColorsOf(style.scheme)),
+      backdrop(sceneColorsOf(style.scheme))
 {
   const anatomy::Entry entry = scala.entry();
   subject = {scalaParts.low(),
@@ -106,7 +106,7 @@ InsertionScene::Content::Content(const anatomy::ScalaTympani& scala,
              space.mirrors()};
   isVisible.fill(true);
   bars->setStyle(style);
-  addActors(traitsOf(quality), paletteOf(style.scheme));
+  addActors(traitsOf(quality), sceneColorsOf(style.scheme));
   applyVisibility();
 
   prepareCommand->SetClientData(this);
@@ -116,7 +116,7 @@ InsertionScene::Content::Content(const anatomy::ScalaTympani& scala,
   prepareObserver = renderer->AddObserver(vtkCommand::StartEvent, prepareCommand);
 }
 
-void InsertionScene::Content::addActors(const QualityTraits& traits, const Palette& palette)
+void InsertionScene::Content::addActors(const QualityTraits& traits, const SceneColors& palette)
 {
   renderer->SetBackground(palette.ground[0] / 255.0, palette.ground[1] / 255.0,
                           palette.ground[2] / 255.0);

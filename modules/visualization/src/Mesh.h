@@ -10,7 +10,7 @@
 #include <array>
 #include <vector>
 
-#include "Palette.h"
+#include "SceneColors.h"
 
 class vtkActor;
 class vtkCellArray;

@@ -75,7 +75,7 @@ void addAll(SoftLines& lines, const std::vector<Polyline>& all, const Rgba& colo
 }  // namespace
 
 ScalaParts::ScalaParts(const anatomy::ScalaTympani& scala, const PictureSpace& space,
-                       const QualityTraits& traits, const Palette& palette)
+                       const QualityTraits& traits, const SceneColors& palette)
     : traits_(traits), palette_(palette)
 {
   plan(scala, space);

@@ -26,7 +26,7 @@ namespace perilymph::visualization {
 class ScalaParts {
 public:
   ScalaParts(const anatomy::ScalaTympani& scala, const PictureSpace& space,
-             const QualityTraits& traits, const Palette& palette);
+             const QualityTraits& traits, const SceneColors& palette);
 
   void addFarWall(vtkRenderer& renderer);
   void addMembrane(vtkRenderer& renderer);
@@ -54,7 +54,7 @@ private:
   long bin(int x, int y, int z) const;
 
   QualityTraits traits_;
-  const Palette& palette_;
+  const SceneColors& palette_;
   Mesh wall_{Mesh::Coloring::perPoint};
   Mesh membrane_{Mesh::Coloring::uniform};
   Mesh torn_{Mesh::Coloring::uniform};         ///< Its torn parts; empty without one.

@@ -53,7 +53,7 @@ vtkStandardNewMacro(ScaleBars)
 
 void ScaleBars::setStyle(const SceneStyle& style)
 {
-  palette_ = &paletteOf(style.scheme);
+  palette_ = &sceneColorsOf(style.scheme);
   strings_ = style.strings;
   Modified();
 }

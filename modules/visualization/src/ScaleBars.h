@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "Palette.h"
+#include "SceneColors.h"
 #include "perilymph/visualization/SceneStyle.h"
 
 namespace perilymph::visualization {
@@ -56,7 +56,7 @@ private:
   float widthOf(vtkContext2D& painter, const std::string& label);
   void setText(vtkContext2D& painter, int justification);
 
-  const Palette* palette_ = &paletteOf(figures::ColorScheme::dark);
+  const SceneColors* palette_ = &sceneColorsOf(figures::ColorScheme::dark);
   SceneStrings strings_;
 };
 

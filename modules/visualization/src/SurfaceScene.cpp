@@ -16,7 +16,7 @@
 #include <vtkSphereSource.h>
 #include <vtkTubeFilter.h>
 
-#include "Palette.h"
+#include "SceneColors.h"
 
 namespace perilymph::visualization {
 
@@ -56,7 +56,7 @@ SurfaceScene::SurfaceScene(const anatomy::Surface& surface, const SceneStyle& st
     : content_(std::make_unique<Content>())
 {
   Content& c = *content_;
-  const Palette& palette = paletteOf(style.scheme);
+  const SceneColors& palette = sceneColorsOf(style.scheme);
   vtkNew<vtkPoints> points;
   for (const auto& point : surface.points)
     points->InsertNextPoint(mm * point[0], mm * point[1], mm * point[2]);

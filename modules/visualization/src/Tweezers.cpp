@@ -28,7 +28,7 @@ constexpr double lift = 0.35;
 
 }  // namespace
 
-Tweezers::Tweezers(double heldAt_mm, const Palette& palette) : heldAt_mm_(heldAt_mm)
+Tweezers::Tweezers(double heldAt_mm, const SceneColors& palette) : heldAt_mm_(heldAt_mm)
 {
   std::vector<Triangle> triangles;
   for (int i = 0; i + 1 < stationCount; ++i)

@@ -14,7 +14,7 @@ namespace perilymph::visualization {
 class Tweezers {
 public:
   /// @param heldAt_mm  Place on the array, from the tip, where the jaws close.
-  Tweezers(double heldAt_mm, const Palette& palette);
+  Tweezers(double heldAt_mm, const SceneColors& palette);
 
   void show(const ArrayPath& path);
   std::array<vtkActor*, 2> actors() { return {&jaws_[0].actor(), &jaws_[1].actor()}; }

@@ -40,7 +40,7 @@ TEST_F(Plans, AreWrittenWithTheirTablesAndFiguresAndContinueToTheSameBytes)
   EXPECT_GT(parsed["arrays"][0]["angle_deg"]["median"].get<double>(), 90.0);
   EXPECT_TRUE(fs::exists(folder_ / "out" / "force-1.svg"));
   EXPECT_TRUE(fs::exists(folder_ / "out" / "influence-1.svg"));
-  EXPECT_THAT(text("shapes.csv"), HasSubstr("\nflex24,1,50,"));  // the tip of 50 nodes
+  EXPECT_THAT(text("shapes.csv"), HasSubstr("\nflex24,1,40,"));  // the tip of 40 nodes
 
   // It describes a patient: its files are for their owner only.
   EXPECT_EQ(fs::status(folder_ / "out").permissions(), fs::perms::owner_all);

@@ -13,6 +13,7 @@
 #include <future>
 #include <new>
 #include <stdexcept>
+#include <stop_token>
 #include <thread>
 #include "perilymph/test/waitUntil.h"
 
@@ -29,7 +30,7 @@ TEST(Background, AnswersWithTheResultOfItsWork)
   Background background(nullptr);
   int answered = 0;
   background.run(
-      "The sum", [](const std::atomic<bool>&) { return Result<int>(2 + 3); },
+      "The sum", [](const std::stop_token&) { return Result<int>(2 + 3); },
       [&](const Result<int>& sum) { answered = *sum; });
   EXPECT_TRUE(background.isBusy());
   EXPECT_TRUE(QTest::qWaitFor([&] { return answered == 5; }, patience_ms));
@@ -41,7 +42,7 @@ TEST(Background, IsWaitedForAndAnswersBeforeItGoesOn)
   Background background(nullptr);
   int answered = 0;
   background.run(
-      "The sum", [](const std::atomic<bool>&) { return Result<int>(2 + 3); },
+      "The sum", [](const std::stop_token&) { return Result<int>(2 + 3); },
       [&](const Result<int>& sum) { answered += *sum; });
   background.finish();
   EXPECT_EQ(answered, 5);
@@ -56,7 +57,7 @@ TEST(Background, AnswersMissingMemoryWithASentence)
   std::string sentence;
   background.run(
       "The recording a.insertion",
-      [](const std::atomic<bool>&) -> Result<int> { throw std::bad_alloc(); },
+      [](const std::stop_token&) -> Result<int> { throw std::bad_alloc(); },
       [&](const Result<int>& result) { sentence = result.error().message; });
   ASSERT_TRUE(QTest::qWaitFor([&] { return !sentence.empty(); }, patience_ms));
   EXPECT_THAT(sentence, ::testing::StartsWith("The recording a.insertion needs more memory"));
@@ -67,11 +68,11 @@ TEST(Background, WorksOnAfterAnException)
   Background background(nullptr);
   bool hasFailed = false, hasWorked = false;
   background.run(
-      "The first", [](const std::atomic<bool>&) -> Result<int> { throw std::runtime_error("no"); },
+      "The first", [](const std::stop_token&) -> Result<int> { throw std::runtime_error("no"); },
       [&](const Result<int>& result) { hasFailed = !result; });
   ASSERT_TRUE(QTest::qWaitFor([&] { return hasFailed; }, patience_ms));
   background.run(
-      "The second", [](const std::atomic<bool>&) { return Result<int>(1); },
+      "The second", [](const std::stop_token&) { return Result<int>(1); },
       [&](const Result<int>& result) { hasWorked = bool(result); });
   EXPECT_TRUE(QTest::qWaitFor([&] { return hasWorked; }, patience_ms));
 }
@@ -82,7 +83,7 @@ TEST(Background, AnswersOnlyTheLastOfSeveralRequests)
   std::vector<int> answers;
   for (int number : {1, 2, 3})
     background.run(
-        "The number", [number](const std::atomic<bool>&) { return Result<int>(number); },
+        "The number", [number](const std::stop_token&) { return Result<int>(number); },
         [&](const Result<int>& answer) { answers.push_back(*answer); });
   ASSERT_TRUE(QTest::qWaitFor([&] { return !background.isBusy(); }, patience_ms));
   EXPECT_THAT(answers, ElementsAre(3));
@@ -101,9 +102,9 @@ TEST(Background, DoesNotAnswerForgottenWork)
   Background background(nullptr);
   background.run(
       "The work",
-      [&](const std::atomic<bool>& isCanceled) {
+      [&](const std::stop_token& stop) {
         begun.set_value();
-        EXPECT_TRUE(test::waitUntil([&] { return isCanceled.load(); }));
+        EXPECT_TRUE(test::waitUntil([&] { return stop.stop_requested(); }));
         ended.set_value();
         return Result<Done>(Done{});
       },
@@ -124,7 +125,7 @@ TEST(Background, EndsEvenIfItsWorkDoesNot)
   bool isAnswered = false;
   background->run(
       "The work",
-      [&begun, opened](const std::atomic<bool>&) {
+      [&begun, opened](const std::stop_token&) {
         begun.set_value();
         opened.wait();
         return Result<Done>(Done{});

@@ -31,15 +31,16 @@ SessionSummary good()
 class SlowLibrary : public testing::Test {
 protected:
   SlowLibrary()
-      : work_(nullptr,
-              [let = let_.get_future().share()](const auto&, const auto&, const auto& progress,
-                                                const auto& listed) -> Result<Sessions> {
-                progress(0, 2);
-                listed(good());
-                progress(1, 2);
-                let.wait();
-                return Sessions{good(), good()};
-              })
+      : work_(
+            nullptr,
+            [let = let_.get_future().share()](const auto&, const auto&, const auto& progress,
+                                              const auto& listed, const auto&) -> Result<Sessions> {
+              progress(0, 2);
+              listed(good());
+              progress(1, 2);
+              let.wait();
+              return Sessions{good(), good()};
+            })
   {
     QObject::connect(&work_, &gui::LibraryWork::progressed,
                      [this](int done, int all, const Sessions& fresh) {
@@ -97,9 +98,8 @@ TEST_F(SlowLibrary, CanceledListsWhatItHasReadThoughTheReadingDoesNotEnd)
 TEST(ALibrary, ThatNeedsTooMuchMemorySaysSo)
 {
   gui::LibraryWork work(nullptr,
-                        [](const auto&, const auto&, const auto&, const auto&) -> Result<Sessions> {
-                          throw std::bad_alloc();
-                        });
+                        [](const auto&, const auto&, const auto&, const auto&,
+                           const auto&) -> Result<Sessions> { throw std::bad_alloc(); });
   QString sentence;
   QObject::connect(&work, &gui::LibraryWork::failed,
                    [&sentence](const QString& said) { sentence = said; });

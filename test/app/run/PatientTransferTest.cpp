@@ -9,6 +9,7 @@
 #include <QTest>
 #include <fstream>
 #include <future>
+#include <stop_token>
 
 #include "perilymph/anatomy/Patient.h"
 #include "perilymph/test/TemporaryFolder.h"
@@ -41,12 +42,12 @@ protected:
 
 TEST_F(PatientTransfers, ShowHowFarTheyAreWhileTheyRun)
 {
-  transfer_.start(
-      [let = let_.get_future().share()](const session::CopyProgress& progress) -> Result<fs::path> {
-        EXPECT_TRUE(progress(30, 120));
-        let.wait();
-        return fs::path("/there");
-      });
+  transfer_.start([let = let_.get_future().share()](const session::CopyProgress& progress,
+                                                    const std::stop_token&) -> Result<fs::path> {
+    progress(30, 120);
+    let.wait();
+    return fs::path("/there");
+  });
   ASSERT_TRUE(QTest::qWaitFor([&] { return percent_ == 25; }, patience_ms));
   EXPECT_TRUE(transfer_.isBusy());
   EXPECT_TRUE(place_.isEmpty());
@@ -66,16 +67,17 @@ TEST_F(PatientTransfers, LeaveNothingIfTheyAreCanceled)
   const fs::path file = folder / "P-017-right.toml", recording = folder / "one.insertion",
                  exported = folder / "exported/P-017";
   fs::create_directory(folder / "exported");
-  transfer_.start([=, let = let_.get_future().share()](
-                      const session::CopyProgress& progress) -> Result<fs::path> {
-    const session::CopyProgress waiting = [&](std::uintmax_t done, std::uintmax_t all) {
-      if (done > 5'000'000) let.wait();
-      return progress(done, all);
-    };
-    const auto done = session::exportPatient(file, {recording}, exported, waiting);
-    if (!done) return done.error();
-    return exported;
-  });
+  transfer_.start(
+      [=, let = let_.get_future().share()](const session::CopyProgress& progress,
+                                           const std::stop_token& stop) -> Result<fs::path> {
+        const session::CopyProgress waiting = [&](std::uintmax_t done, std::uintmax_t all) {
+          if (done > 5'000'000) let.wait();
+          progress(done, all);
+        };
+        const auto done = session::exportPatient(file, {recording}, exported, waiting, stop);
+        if (!done) return done.error();
+        return exported;
+      });
   ASSERT_TRUE(QTest::qWaitFor([&] { return percent_ > 0; }, patience_ms));
   transfer_.cancel();
   let_.set_value();

@@ -11,10 +11,10 @@
 
 #include "OwnFolders.h"
 #include "WindowRig.h"
-#include "gui/pages/sessions/ReportContent.h"
-#include "gui/pages/sessions/ReportText.h"
 #include "gui/pages/sessions/SessionsPage.h"
 #include "gui/parts/Notice.h"
+#include "gui/report/ReportContent.h"
+#include "gui/report/ReportText.h"
 
 namespace perilymph::test {
 namespace {

@@ -8,7 +8,6 @@
 #include <QCoreApplication>
 #include <QLineEdit>
 #include <QLocale>
-#include <atomic>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -17,14 +16,15 @@
 #include <regex>
 #include <set>
 #include <stdexcept>
+#include <stop_token>
 #include <string>
 #include <system_error>
 
-#include "gui/pages/sessions/Report.h"
-#include "gui/pages/sessions/ReportParameters.h"
 #include "gui/parts/UserSettings.h"
 #include "gui/program/Languages.h"
+#include "gui/report/InsertionReport.h"
 #include "gui/report/ReportIssuer.h"
+#include "gui/report/ReportParameters.h"
 #include "gui/shell/SettingsSheet.h"
 #include "perilymph/device/ScriptedDevice.h"
 #include "perilymph/foundation/Version.h"
@@ -84,8 +84,7 @@ protected:
   void report(const std::string& scenarioName, const session::Overrides& overrides)
   {
     const fs::path recording = recordingOf(scenarioName, overrides);
-    const std::atomic<bool> isCanceled = false;
-    const auto content = gui::gatherReport(recording, isCanceled);
+    const auto content = gui::gatherReport(recording, {});
     ASSERT_TRUE(content) << content.error().message;
     const auto written = gui::writeReport(*content, pdf());
     ASSERT_TRUE(written) << written.error().message;
@@ -146,7 +145,7 @@ TEST_F(PdfReport, HasOnePageForTheRecordWithPatientEarAndMeasures)
                             "basal-turn diameter",
                             "population mean",
                             "Cochlear duct length (CDL)",
-                            "Alexiades",
+                            "Schurzig",
                             "Cochlear coverage",
                             "Peak insertion force",
                             "Final insertion force",

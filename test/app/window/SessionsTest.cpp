@@ -300,7 +300,7 @@ protected:
     ASSERT_TRUE(WindowRig::comes([&] { return replayBarIsShown(); }));
   }
 
-  gui::ReplayPlayer& replay() { return *rig_->window().findChild<gui::ReplayPlayer*>(); }
+  gui::ReplayPlayer& replay() { return rig_->window().insertion().replay(); }
 
   fs::path file_;
 };

@@ -107,7 +107,7 @@ TEST_F(FirstScreen, TheFormShowsItsComputedMeasuresAndTheirNoteWhole)
   type("patientName", "P-014");
   type("aValue", "9.0");
   type("bValue", "6.6");
-  ASSERT_TRUE(WindowRig::comes([&] { return isSaid("± for an error of"); }));
+  ASSERT_TRUE(WindowRig::comes([&] { return isSaid("± 95 % interval of an error of"); }));
   for (const QSize& size : {QSize(1280, 800), QSize(1366, 768)}) {
     rig_->window().resize(size);
     WindowRig::comes([&] { return cutTextsOf(rig_->window()).empty(); });
@@ -221,15 +221,15 @@ TEST_F(FirstScreen, TheFormShowsWhatTheMeasuresMean)
   type("patientName", "P-016");
   type("aValue", "9.20");
   type("bValue", "6.80");
-  // Alexiades et al. 2015: 4.16 A - 4 = 34.3 mm, and 0.1 mm of A are 0.4 mm of duct
+  // by hand: elliptic-circular, with the errors of A and B (SD 0.1 mm) and the 0.9 mm to 4.16 A - 4
   ASSERT_TRUE(WindowRig::comes([&] { return measure("duct_length_mm").contains("±"); }));
-  EXPECT_EQ(measure("duct_length_mm"), "34.3 ± 0.4 mm");
-  EXPECT_EQ(measure("two_turn_length_mm"), "29.9 ± 0.4 mm");  // 3.65 (A - 1)
+  EXPECT_EQ(measure("duct_length_mm"), "33.4 ± 1.2 mm");
+  EXPECT_EQ(measure("two_turn_length_mm"), "29.9 ± 0.7 mm");  // 3.65 (A - 1)
   EXPECT_TRUE(measure("turns").startsWith("2."));
   EXPECT_TRUE(measure("insertion_angle_deg").endsWith("°"));
   EXPECT_TRUE(measure("coverage_percent").endsWith(" %"));
   type("aValue", "");
-  EXPECT_FALSE(measure("duct_length_mm").contains("34.3"));
+  EXPECT_FALSE(measure("duct_length_mm").contains("33.4"));
 }
 
 TEST_F(FirstScreen, APatientIsEditedFoundAndReopenedWithMouseAndKeyboard)

@@ -15,6 +15,7 @@
 #include <future>
 #include <iterator>
 #include <new>
+#include <stop_token>
 
 #include "OwnFolders.h"
 #include "WindowRig.h"
@@ -182,7 +183,7 @@ TEST(CrashMarker, OfADeletedRecordingIsIgnored)
 
 /// The list entry of a recorded insertion to a depth of 3 mm.
 session::SessionSummary threeMillimeters(const std::filesystem::path& file,
-                                         const std::function<bool()>& = {})
+                                         const std::stop_token& = {})
 {
   session::SessionSummary summary;
   summary.file = file;
@@ -205,8 +206,7 @@ TEST(AnInterruptedInsertion, IsNotOfferedIfItCannotBeReplayed)
 {
   const TemporaryFolder folder;
   const auto stored = testData() / "recordings/contour-published-points.insertion";
-  const auto never = [] { return false; };
-  EXPECT_GT(gui::summarizeReplayable(stored, never).highlights.ticks, 0u);
+  EXPECT_GT(gui::summarizeReplayable(stored, {}).highlights.ticks, 0u);
   // A number of its scenario is changed: its hash is another.
   std::ifstream stream(stored, std::ios::binary);
   std::string bytes(std::istreambuf_iterator<char>(stream), {});
@@ -215,8 +215,8 @@ TEST(AnInterruptedInsertion, IsNotOfferedIfItCannotBeReplayed)
   bytes[place + 18] = '1';
   const auto forged = folder.path() / "forged.insertion";
   std::ofstream(forged, std::ios::binary) << bytes;
-  EXPECT_GT(session::summarize(forged, never).highlights.ticks, 0u);
-  EXPECT_EQ(gui::summarizeReplayable(forged, never).highlights.ticks, 0u);
+  EXPECT_GT(session::summarize(forged, {}).highlights.ticks, 0u);
+  EXPECT_EQ(gui::summarizeReplayable(forged, {}).highlights.ticks, 0u);
 }
 
 TEST(AnInterruptedInsertion, WhoseRecordingBlocksItsReaderDoesNotBlockTheWindow)
@@ -226,7 +226,7 @@ TEST(AnInterruptedInsertion, WhoseRecordingBlocksItsReaderDoesNotBlockTheWindow)
   {
     WindowRig rig;
     gui::offerRecovery(rig.window(), {"bad.insertion"},
-                       [opened](const std::filesystem::path& file, const std::function<bool()>&) {
+                       [opened](const std::filesystem::path& file, const std::stop_token&) {
                          opened.wait();
                          return threeMillimeters(file);
                        });
@@ -241,12 +241,12 @@ TEST(AnInterruptedInsertion, WhoseRecordingNeedsTooMuchMemoryDoesNotEndTheWindow
 {
   WindowRig rig;
   std::atomic<bool> wasRead{false};
-  gui::offerRecovery(rig.window(), {"bad.insertion"},
-                     [&wasRead](const std::filesystem::path&,
-                                const std::function<bool()>&) -> session::SessionSummary {
-                       wasRead = true;
-                       throw std::bad_alloc();
-                     });
+  gui::offerRecovery(
+      rig.window(), {"bad.insertion"},
+      [&wasRead](const std::filesystem::path&, const std::stop_token&) -> session::SessionSummary {
+        wasRead = true;
+        throw std::bad_alloc();
+      });
   Q_EMIT rig.window().firstFrameShown();
   rig.click("startButton");
   EXPECT_TRUE(WindowRig::comes([&] { return wasRead && rig.travel_mm() > 0.1; }));

@@ -3,6 +3,8 @@
 // Fuzzes the SQLite file of a study with any bytes: read, shown as columns, reported.
 
 #include "InputFile.h"
+
+#include <stop_token>
 #include "Seeds.h"
 #include "perilymph/study/StudyColumns.h"
 #include "perilymph/study/StudyReport.h"
@@ -47,8 +49,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
     else
       fuzz::promise(!opened.error().message.empty(), "a refusal has a sentence");
   }
-  static const std::atomic<bool> isCanceled{false};
-  const auto columns = study::StudyColumns::read(place, isCanceled);
+  const auto columns = study::StudyColumns::read(place, {});
   if (columns) {
     for (const auto& quantity : columns->quantities())
       fuzz::promise(quantity.values.size() == columns->size(), "a column has every row");

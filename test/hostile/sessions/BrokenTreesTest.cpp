@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <stop_token>
 #include <string>
 
 #include "Forgery.h"
@@ -149,10 +150,10 @@ TEST(AStoppedReading, EndsAtOnceAndSaysSo)
   ASSERT_TRUE(recording);
   ASSERT_TRUE((*recording)->append(test::quietRecords(0, 2000)));
   ASSERT_TRUE((*recording)->close());
-  bool shouldStop = false;
-  const auto recorded = RecordedInsertion::open(file, [&shouldStop] { return shouldStop; });
+  std::stop_source stop;
+  const auto recorded = RecordedInsertion::open(file, stop.get_token());
   ASSERT_TRUE(recorded) << recorded.error().message;
-  shouldStop = true;
+  stop.request_stop();
   const auto read = recorded->forEach([](const haptics::TickRecord&) { return true; });
   ASSERT_FALSE(read);
   EXPECT_THAT(read.error().message, testing::HasSubstr("was stopped"));

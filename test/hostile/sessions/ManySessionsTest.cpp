@@ -57,7 +57,7 @@ TEST_F(TenThousandSessions, AreAllListedNewestFirstAndReadOnce)
   std::size_t told = 0;
   const auto listed = listSessions(folder.path(), {}, [&told](std::size_t, std::size_t of) {
     EXPECT_EQ(of, all);
-    return ++told > 0;
+    ++told;
   });
   ASSERT_TRUE(listed) << listed.error().message;
   ASSERT_EQ(listed->size(), all);

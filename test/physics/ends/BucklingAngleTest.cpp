@@ -12,7 +12,7 @@
 
 #include "ScenarioRun.h"
 #include "perilymph/foundation/Math.h"
-#include "perilymph/planning/Plan.h"
+#include "perilymph/planning/PlanResult.h"
 #include "perilymph/session/Csv.h"
 #include "perilymph/test/Tolerance.h"
 

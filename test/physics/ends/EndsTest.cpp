@@ -69,6 +69,25 @@ TEST(Insertion, JamsAtTwoNewtons)
   EXPECT_LT(run.peakForce, 2.0 + forceOfOneTick);
 }
 
+/// The edge of the wall is that of the duct: bone beside the opening has its full stiffness.
+TEST(Insertion, OfATipBesideTheOpeningMeetsBoneOfFullStiffness)
+{
+  const ScenarioRun run = runScenario("contour-published", {{"array", "slim-modiolar"},
+                                                            {"anatomy", "mean"},
+                                                            {"opening", "none"},
+                                                            {"friction", "tissue"},
+                                                            {"approach_tilt_deg", "30"},
+                                                            {"approach_turn_deg", "-20"},
+                                                            {"speed_mm_s", "17"},
+                                                            {"nodes", "120"},
+                                                            {"start_inside_mm", "1.7"},
+                                                            {"stop_travel_mm", "16.3"},
+                                                            {"dt_ms", "2"}});
+  EXPECT_STREQ(nameOf(run.end), "buckled") << run.error;
+  EXPECT_GT(run.penetration, 0.1 * millimeter);
+  EXPECT_LT(run.unexplained, 0.1 * millimeter);
+}
+
 class OffAxis : public testing::TestWithParam<std::string> {};
 
 /// An array turned by 15 degrees goes into the round window and out again.

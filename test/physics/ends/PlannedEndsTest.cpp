@@ -6,9 +6,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <atomic>
 #include <fstream>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -110,7 +110,6 @@ TEST_F(PlannedInsertions, ThatOnceEndedFalselyAreConsistent)
     const planning::PlanRequest asked = request(each.friction, 0.0, {each.array});
     const auto setup = planning::preparePlan(asked);
     ASSERT_TRUE(setup) << setup.error().message;
-    const std::atomic<bool> goesOn = false;
     const auto run = planning::runShape(asked, *setup, 0, each.draw, goesOn);
     ASSERT_TRUE(run) << run.error().message;
     const planning::PlanDraw drawn =

@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "TestRod.h"
 #include "lumen/PlainLumens.h"
@@ -88,6 +90,50 @@ TEST(LimpArrayInCircularDuct, PushForceGrowsByTheCapstanFactor)
                 test::tolerance(0.01, "residual bending stiffness") * expected)
         << "friction " << friction;
   }
+}
+
+/// Push force of a stiff array at every half millimeter on its way around the bend [N].
+std::vector<double> pushForces(const mechanics::SolverParameters& solver)
+{
+  RodSpec spec;
+  spec.startInside = 1e-3;
+  spec.friction = 0.15;
+  TestRod rod(std::make_shared<anatomy::CircularDuct>(spec.radius + 0.2e-3, bend, lead), spec);
+  rod.changeable().parts.solver = solver;
+  std::vector<double> forces;
+  for (int k = 0; k < 20; ++k) {
+    rod.move({0.0, 0.0, -0.5e-3}, 5e-3);
+    forces.push_back(rod.readings().axialForce);
+  }
+  return forces;
+}
+
+/// The largest difference between two of them [N].
+double apart(const std::vector<double>& one, const std::vector<double>& other)
+{
+  double largest = 0.0;
+  for (std::size_t k = 0; k < one.size(); ++k)
+    largest = std::max(largest, std::fabs(one[k] - other[k]));
+  return largest;
+}
+
+TEST(StiffArrayInCircularDuct, IsPushedAsWithAFinerSolver)
+{
+  const mechanics::SolverParameters usual;
+  mechanics::SolverParameters fine = usual, coarse = usual;
+  fine.forceTolerance /= 100.0;
+  fine.motionTolerance /= 10.0;
+  fine.motionFraction /= 100.0;
+  fine.maxLag /= 100.0;
+  fine.maxPasses = 10;
+  fine.maxEvaluations = fine.maxFactorizations = 1000;
+  coarse.forceTolerance *= 1000.0;
+  coarse.motionFraction *= 1000.0;
+  const std::vector<double> forces = pushForces(fine);
+  const double tolerance = test::tolerance(usual.maxLag, "friction by an earlier normal force");
+  EXPECT_GT(forces.back(), 5e-3);
+  EXPECT_LE(apart(pushForces(usual), forces), tolerance);
+  EXPECT_GT(apart(pushForces(coarse), forces), tolerance) << "the tolerances are in use";
 }
 
 }  // namespace

@@ -129,8 +129,8 @@ TEST(Translocation, LeavesTheArrayWithinBoneAndItsStepsBalanced)
   const double lining = run.insertion->model().parts.wall.lining.si();
   EXPECT_LT(run.deepest, lining + 0.1e-3);
   EXPECT_LE(run.unbalanced, 2);  // of 4,250; each is balanced by the next
-  EXPECT_LE(run.evaluations, mechanics::maxEvaluations);
-  EXPECT_LE(run.factorizations, mechanics::maxFactorizations);
+  EXPECT_LE(run.evaluations, mechanics::SolverParameters{}.maxEvaluations);
+  EXPECT_LE(run.factorizations, mechanics::SolverParameters{}.maxFactorizations);
 }
 
 TEST(Translocation, IsAtTheSamePlaceForOtherTimeStepsAndNodes)

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <iostream>
+#include <stop_token>
 
 #include "PlanSetup.h"
 #include "TruePatient.h"
@@ -45,9 +45,8 @@ Result<analysis::ClinicalInsertion> insertTruly(const planning::PlanRequest& req
   const auto parameters = planning::drawnParameters(
       nominal.parameters, luck, planning::stiffnessFactor(luck, nominal.stiffnessDeviation),
       request.resolution);
-  const std::atomic<bool> isAsked{false};
   return analysis::insertByHand(parameters, patient.anatomy, setup->hand, luck.surgeon,
-                                planning::bandSpacing, isAsked);
+                                planning::bandSpacing, {});
 }
 
 /// Counts of one quantity.

@@ -34,8 +34,8 @@ TEST_P(RandomMotion, BreaksNothing)
   }
   // The work of a tick is bounded, and what it leaves is settled soon: an array bent sharply at the
   // end of its sheath, pressed by nearly 2 N, takes longest.
-  EXPECT_LE(found.maxEvaluations, mechanics::maxEvaluations);
-  EXPECT_LE(found.maxFactorizations, mechanics::maxFactorizations);
+  EXPECT_LE(found.maxEvaluations, mechanics::SolverParameters{}.maxEvaluations);
+  EXPECT_LE(found.maxFactorizations, mechanics::SolverParameters{}.maxFactorizations);
   const double longest = setting.stylet == StyletUse::held ? 0.3 : 50e-3;
   EXPECT_LE(static_cast<double>(found.longestSettling) * setting.timeStep,
             tolerance(longest, "a step that goes on in the next ones"));

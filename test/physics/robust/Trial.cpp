@@ -185,13 +185,14 @@ private:
     sinceRest_ = 0;
     if (isBuckled()) return;
     mechanics::InsertionState bounded = state_, full = state_;
-    full.workspace->rod.limit = {1'000'000, 1'000'000};
+    mechanics::InsertionModel patient = model_;
+    patient.parts.solver.maxEvaluations = patient.parts.solver.maxFactorizations = 1'000'000;
     mechanics::Drive still = last_;
     still.handVelocity_W.setZero();
     const int ticks = static_cast<int>(std::lround(50e-3 / model_.timeStep));
     for (int i = 0; i < ticks; ++i) {
       mechanics::advance(model_, bounded, still);
-      mechanics::advance(model_, full, still);
+      mechanics::advance(patient, full, still);
     }
     ++findings_.rests;
     if (bounded.isSettling) ++findings_.restsUnsettled;

@@ -90,7 +90,7 @@ std::vector<Kind> all(const Drawing& drawing, const figures::Ink& ink)
   return found;
 }
 
-const figures::SchemeInks& inks() { return figures::inksOf(figures::ColorScheme::dark); }
+const figures::Palette& inks() { return figures::paletteOf(figures::ColorScheme::dark); }
 
 std::vector<PagePoint> arrayIn(const Drawing& drawing)
 {

@@ -84,8 +84,8 @@ TEST(Advance, SurvivesAHandThatJumps)
     for (int i = 0; i < 50; ++i) {
       advance(*insertion.model, insertion.state, insertion.drive);
       ASSERT_TRUE(insertion.state.readings.isFinite) << jump;
-      ASSERT_LE(insertion.state.readings.evaluations, maxEvaluations);
-      ASSERT_LE(insertion.state.readings.factorizations, maxFactorizations);
+      ASSERT_LE(insertion.state.readings.evaluations, SolverParameters{}.maxEvaluations);
+      ASSERT_LE(insertion.state.readings.factorizations, SolverParameters{}.maxFactorizations);
     }
   }
 }

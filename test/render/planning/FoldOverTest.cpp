@@ -6,10 +6,11 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <stop_token>
 
 #include "perilymph/charts/ArrayInScala.h"
 #include "perilymph/foundation/Resources.h"
-#include "perilymph/planning/PlannedShape.h"
+#include "perilymph/planning/PlannedDraw.h"
 #include "perilymph/test/TemporaryFolder.h"
 #include "perilymph/test/copyChanged.h"
 #include "perilymph/visualization/Picture.h"
@@ -40,9 +41,8 @@ Result<PlannedShape> foldedTip(const std::filesystem::path& folder, const Resolu
     return each.insertion.end == haptics::InsertionEnd::foldedTip;
   });
   if (folded == plan->insertions.end()) return Error{"No tip folded over."};
-  const std::atomic<bool> isAsked{false};
   const auto draw = static_cast<std::size_t>(folded - plan->insertions.begin()) + 1;
-  return shapeOf(*plan, 0, draw, isAsked);
+  return shapeOf(*plan, 0, draw, {});
 }
 
 class AFoldOver : public testing::TestWithParam<Resolution> {};

@@ -329,7 +329,7 @@ double luminanceOver(const Rgba& color, const Rgba& ground)
 TEST(ForceColors, MoveAwayFromTheGroundInLuminanceThroughout)
 {
   for (const auto scheme : {figures::ColorScheme::dark, figures::ColorScheme::light}) {
-    const Rgba& ground = paletteOf(scheme).ground;
+    const Rgba& ground = sceneColorsOf(scheme).ground;
     const double sign = scheme == figures::ColorScheme::dark ? 1.0 : -1.0;
     double before = luminanceOver(forceColor(0.0, scheme), ground);
     for (double force = 1.0; force <= maxWallForce_mN_mm; force += 1.0) {

@@ -7,6 +7,7 @@
 
 #include <cstring>
 #include <map>
+#include <stop_token>
 
 #include "ShortRun.h"
 #include "perilymph/session/Playback.h"
@@ -126,10 +127,11 @@ TEST_F(APlayback, EndsWhereTicksWereLost)
 TEST_F(APlayback, StopsComputingWhenAsked)
 {
   const auto playback = open();
-  const auto stopped =
-      playback->compute([](std::uint64_t done, std::uint64_t) { return done < 20; });
+  std::stop_source stop;
+  stop.request_stop();
+  const auto stopped = playback->compute(stop.get_token());
   ASSERT_FALSE(stopped);
-  EXPECT_EQ(playback->computedTicks(), 20u);
+  EXPECT_LE(playback->computedTicks(), 1u);
   haptics::Snapshot picture{};
   ASSERT_TRUE(playback->show(300, picture));
   EXPECT_EQ(shapeOf(picture), live_[picture.tick]);

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <functional>
+#include <stop_token>
 #include <vector>
 
 #include "Forgery.h"
@@ -96,8 +97,7 @@ TEST(Replay, FollowsCommandsGivenByTheClock)
         return insertion->send(command);
       }));
     }
-    dynamic_cast<device::ScriptedDevice&>(insertion->hand())
-        .move(device::ScriptedDevice::Motion::insert);
+    insertion->hand().move(device::ScriptedMotion::insert);
     ASSERT_TRUE(test::waitUntil([&] {
       insertion->refresh();
       return insertion->latest().output.travel >= 0.5e-3;
@@ -175,7 +175,11 @@ TEST(Replay, StopsWhereItIsToldTo)
   const test::TemporaryFolder folder;
   const auto file = folder / "run.insertion";
   ASSERT_TRUE(test::shortRun(file)->runToEnd({}));
-  const auto stopped = verify(file, [](std::uint64_t done, std::uint64_t) { return done < 50; });
+  std::stop_source stop;
+  const auto at50 = [&stop](std::uint64_t done, std::uint64_t) {
+    if (done == 50) stop.request_stop();
+  };
+  const auto stopped = verify(file, at50, stop.get_token());
   ASSERT_FALSE(stopped);
   EXPECT_THAT(stopped.error().message, HasSubstr("Stopped after 50 of"));
 }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <stop_token>
 
 #include "perilymph/analysis/InsertionByHand.h"
 #include "perilymph/analysis/Prediction.h"
@@ -59,8 +60,7 @@ struct ByHand {
   }
   ClinicalInsertion insert()
   {
-    const std::atomic<bool> isAsked = false;
-    return insertByHand(parameters, anatomy, hand(), surgeon, millimeters(1), isAsked);
+    return insertByHand(parameters, anatomy, hand(), surgeon, millimeters(1), {});
   }
   Surgeon surgeon;
   session::InsertionParameters parameters;
@@ -94,15 +94,14 @@ TEST(InsertionByHand, StatesNoForceOfARestThatWasShorter)
   ByHand test(newtons(0.02));
   HandDistribution shorter = hand();
   shorter.rest = seconds(2);
-  const std::atomic<bool> isAsked = false;
   const ClinicalInsertion done =
-      insertByHand(test.parameters, test.anatomy, shorter, test.surgeon, Length{}, isAsked);
+      insertByHand(test.parameters, test.anatomy, shorter, test.surgeon, Length{}, {});
   EXPECT_TRUE(done.forceAfter1s);
   EXPECT_FALSE(done.forceAfter10s);
   EXPECT_GT(done.endForce, newtons(0));  // of the push, so no rest changes it
   shorter.rest = seconds(0.1);
   const ClinicalInsertion brief =
-      insertByHand(test.parameters, test.anatomy, shorter, test.surgeon, Length{}, isAsked);
+      insertByHand(test.parameters, test.anatomy, shorter, test.surgeon, Length{}, {});
   EXPECT_FALSE(brief.forceAfter1s);
   EXPECT_EQ(brief.endForce, done.endForce);
 }

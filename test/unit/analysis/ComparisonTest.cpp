@@ -57,13 +57,6 @@ TEST(ComparedRecordings, StateTheRuptureOfThePartition)
   EXPECT_THAT(csv, testing::EndsWith(",180,0.0425,3.5\n"));
 }
 
-TEST(Quantile, InterpolatesBetweenOrderedValues)
-{
-  EXPECT_DOUBLE_EQ(quantile({4.0, 1.0, 3.0, 2.0}, 0.5), 2.5);
-  EXPECT_DOUBLE_EQ(quantile({4.0, 1.0, 3.0, 2.0}, 0.25), 1.75);
-  EXPECT_DOUBLE_EQ(quantile({7.0}, 0.75), 7.0);
-}
-
 TEST(ClinicalAngles, HoldTheirMediansWithinTheirRanges)
 {
   const auto angles = clinicalAngles();

@@ -27,9 +27,9 @@ TEST(ErrorBands, OfTheThreeLengthsAreTheLengthsOwn)
 {
   auto bands = bandsOf({});
   const double rebuilt = test::tolerance(3e-3, "rounded corners of the built sections");
-  EXPECT_NEAR(bands["st_length_mm"], 0.1, rebuilt);
-  EXPECT_NEAR(bands["rw_width_mm"], 0.1, rebuilt);
-  EXPECT_NEAR(bands["rw_height_mm"], 0.1, rebuilt);
+  EXPECT_NEAR(bands["st_length_mm"], 0.196, rebuilt);
+  EXPECT_NEAR(bands["rw_width_mm"], 0.196, rebuilt);
+  EXPECT_NEAR(bands["rw_height_mm"], 0.196, rebuilt);
 }
 
 TEST(ErrorBands, OfDiametersFollowTheClinicsFormulas)
@@ -39,10 +39,11 @@ TEST(ErrorBands, OfDiametersFollowTheClinicsFormulas)
   cochlea.patient.basalTurn = {millimeters(9.2), millimeters(6.8), std::nullopt};
   auto bands = bandsOf(cochlea);
   // A and B measure back within 0.02 mm, so their bands do within a few hundredths
-  EXPECT_NEAR(bands["A_mm"], 0.1, test::tolerance(0.02, "measured back"));
-  EXPECT_NEAR(bands["B_mm"], 0.1, test::tolerance(0.02, "measured back"));
-  // Alexiades 2015: CDL = 4.16 A - 4
-  EXPECT_NEAR(bands["cdl_oc_mm"], 4.16 * 0.1, 4.16 * test::tolerance(0.02, "measured back"));
+  EXPECT_NEAR(bands["A_mm"], 0.196, test::tolerance(0.04, "measured back"));
+  EXPECT_NEAR(bands["B_mm"], 0.196, test::tolerance(0.04, "measured back"));
+  // By hand: the elliptic-circular length is 33.40 mm and changes by 1.408 a millimeter of A, 3.737 of B; 4.16 A -
+  // 4 is 0.87 mm more.
+  EXPECT_NEAR(bands["cdl_oc_mm"], 1.170, test::tolerance(0.08, "measured back"));
 }
 
 TEST(ErrorBands, UseTheErrorsThatTheMeasurementStates)
@@ -52,16 +53,30 @@ TEST(ErrorBands, UseTheErrorsThatTheMeasurementStates)
   cochlea.patient.basalTurn = {millimeters(9.2), millimeters(6.8), std::nullopt};
   cochlea.patient.errors = {millimeters(0.3), millimeters(0.05), std::nullopt};
   auto bands = bandsOf(cochlea);
-  EXPECT_NEAR(bands["A_mm"], 0.3, test::tolerance(0.03, "measured back"));
-  EXPECT_NEAR(bands["B_mm"], 0.05, test::tolerance(0.02, "measured back"));
-  EXPECT_NEAR(bands["cdl_oc_mm"], 4.16 * 0.3, 4.16 * test::tolerance(0.03, "measured back"));
+  EXPECT_NEAR(bands["A_mm"], 0.588, test::tolerance(0.06, "measured back"));
+  EXPECT_NEAR(bands["B_mm"], 0.098, test::tolerance(0.04, "measured back"));
+  EXPECT_NEAR(bands["cdl_oc_mm"], 1.256, test::tolerance(0.08, "measured back"));
+}
+
+TEST(ErrorBands, UseTheCorrelationsOfTheErrors)
+{
+  anatomy::Cochlea cochlea;
+  cochlea.source = anatomy::AnatomySource::mean;
+  cochlea.patient.basalTurn = {millimeters(9.2), millimeters(6.8), std::nullopt};
+  const auto bandAt = [&](double correlation) {
+    cochlea.patient.errors = {millimeters(0.3), millimeters(0.3), std::nullopt, correlation};
+    return bandsOf(cochlea)["cdl_oc_mm"];
+  };
+  // by hand, as above: 1.96 sqrt(0.422^2 + 1.121^2 + 2 r 0.422 1.121) and the formula's 0.87
+  EXPECT_NEAR(bandAt(0.7), 2.969, test::tolerance(0.12, "measured back"));
+  EXPECT_NEAR(bandAt(-0.7), 1.930, test::tolerance(0.12, "measured back"));
 }
 
 TEST(ErrorBands, HoldAtTheEdgeOfWhatIsAllowed)
 {
   anatomy::Cochlea cochlea;
   cochlea.patient.scalaTympaniLength = anatomy::patientLimits().lengthHigh;
-  EXPECT_NEAR(bandsOf(cochlea)["st_length_mm"], 0.1, test::tolerance(3e-3, "rebuilt"));
+  EXPECT_NEAR(bandsOf(cochlea)["st_length_mm"], 0.196, test::tolerance(3e-3, "rebuilt"));
 }
 
 TEST(ErrorBands, AreNotClaimedForAnAnatomyAsMeasured)

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include <atomic>
+#include <stop_token>
 
 #include "perilymph/analysis/ForceProfile.h"
 #include "perilymph/analysis/FullInsertion.h"
@@ -83,8 +83,7 @@ TEST(PeakForce, OfOneInsertionIsTheSameInAStudyAChartAndAList)
                         return true;
                       },
                       session::maxTicks(parameters, (*insertion)->model())));
-  const std::atomic<bool> isAsked{false};
-  const FullInsertion full = insertFully(parameters, *anatomy, millimeters(1), isAsked);
+  const FullInsertion full = insertFully(parameters, *anatomy, millimeters(1), {});
   EXPECT_GT(full.peak.force, millinewtons(1));
   EXPECT_EQ(full.peak.force.si(), profiler.profile().peak.force);
   EXPECT_EQ(full.peak.depth.si(), profiler.profile().peakDepth);

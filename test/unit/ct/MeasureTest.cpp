@@ -9,6 +9,7 @@
 #include <Eigen/LU>
 #include <cmath>
 #include <cstring>
+#include <stop_token>
 
 #include "MeasuredPhantom.h"
 #include "perilymph/foundation/Units.h"
@@ -101,11 +102,13 @@ TEST(MeasureCochlea, TellsItsProgressAndCanBeCanceled)
   MeasureRequest request = clickedInto(phantom(), 501);
   double last = 0.0;
   bool isGrowing = true;
+  std::stop_source stop;
   request.onProgress = [&](double fraction) {
     isGrowing = isGrowing && fraction >= last && fraction <= 1.0;
     last = fraction;
+    if (last > 0.4) stop.request_stop();
   };
-  request.isCanceled = [&] { return last > 0.4; };
+  request.stop = stop.get_token();
   const auto found = measureCochlea(phantom().volume, request);
   EXPECT_FALSE(found);
   EXPECT_TRUE(isGrowing);

@@ -8,8 +8,11 @@
 #include <chrono>
 #include <cstdlib>
 #include <new>
+#include <stop_token>
+#include <thread>
 
 #include "SharedMemory.h"
+#include "perilymph/test/waitUntil.h"
 
 namespace perilymph::imaging {
 namespace {
@@ -41,8 +44,12 @@ TEST_F(RunInChild, ReplacesAChildThatTakesTooLongOnce)
 
 TEST_F(RunInChild, DoesNotReplaceOneThatWasCanceled)
 {
-  const auto isCanceled = [this] { return children_ > 0; };
-  EXPECT_EQ(runInChild([this] { return waitOnce(); }, {{}, isCanceled, 60s}), childFailed);
+  std::stop_source stop;
+  const std::jthread canceling([this, &stop] {
+    EXPECT_TRUE(test::waitUntil([this] { return children_ > 0; }));
+    stop.request_stop();
+  });
+  EXPECT_EQ(runInChild([this] { return waitOnce(); }, {{}, stop.get_token(), 60s}), childFailed);
   EXPECT_EQ(children_, 1);
 }
 

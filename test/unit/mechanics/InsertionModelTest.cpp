@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include <limits>
 #include <stdexcept>
 
 #include "lumen/PlainLumens.h"
@@ -53,6 +54,23 @@ TEST(InsertionModel, AimsAtTheMiddleOfTheOpening)
   parts.startInside = millimeters(0);
   const InsertionState state(*InsertionModel::build(parts));
   EXPECT_LT((state.position_W.back() - Eigen::Vector3d(0.3e-3, -0.2e-3, 0.0)).norm(), 1e-12);
+}
+
+TEST(InsertionModel, RefusesASolverThatCannotSolve)
+{
+  ModelParts idle = contourInATube(), loose = contourInATube();
+  idle.solver.maxTries = 0;
+  loose.solver.forceTolerance = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(InsertionModel::build(idle), std::invalid_argument);
+  EXPECT_THROW(InsertionModel::build(loose), std::invalid_argument);
+}
+
+TEST(InsertionModel, HasAPartitionOnlyInAScalaTympani)
+{
+  ModelParts parts = contourInATube();
+  EXPECT_FALSE(InsertionModel::build(parts)->partitionRange.holds(1.0));
+  parts.partitionStrength = newtons(0.1);
+  EXPECT_THROW(InsertionModel::build(parts), std::invalid_argument);
 }
 
 TEST(InsertionModel, WeighsAsMuchAsItsSilicone)

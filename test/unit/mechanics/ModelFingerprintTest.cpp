@@ -247,7 +247,10 @@ TEST(ModelFingerprint, ChangesWithEveryLawAndSetting)
        {"time step", [](Parts& p) { nudge(p.timeStep); }},
        {"depth at the start", [](Parts& p) { nudge(p.startInside); }},
        {"tilt of the approach", [](Parts& p) { nudge(p.approachTilt); }},
-       {"turn of the approach", [](Parts& p) { nudge(p.approachTurn); }}});
+       {"turn of the approach", [](Parts& p) { nudge(p.approachTurn); }},
+       {"work of a step", [](Parts& p) { ++p.solver.maxEvaluations; }},
+       {"tolerance of the solver", [](Parts& p) { nudge(p.solver.forceTolerance); }},
+       {"gain of the prediction", [](Parts& p) { nudge(p.solver.trendGain); }}});
 }
 
 TEST(ModelFingerprint, ChangesWithThePassage)

@@ -7,11 +7,11 @@
 
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <tuple>
 
@@ -21,7 +21,7 @@
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/foundation/Version.h"
 #include "perilymph/planning/PlanReport.h"
-#include "perilymph/planning/PlannedShape.h"
+#include "perilymph/planning/PlannedDraw.h"
 #include "perilymph/test/TemporaryFolder.h"
 #include "perilymph/test/copyChanged.h"
 
@@ -64,10 +64,9 @@ TEST_F(SmallPlan, IsTheSameForOneThreadAndTwoAndAfterAnInterruption)
   request_.draws = 1;
   ASSERT_TRUE(planning::makePlan(request_, draws(), {}));
   request_.draws = 3;
-  int calls = 0;
-  const auto stopped =
-      planning::makePlan(request_, draws(), [&](std::size_t, std::size_t) { return ++calls < 1; });
-  EXPECT_FALSE(stopped);
+  std::stop_source stop;
+  const auto atOnce = [&](std::size_t, std::size_t) { stop.request_stop(); };
+  EXPECT_FALSE(planning::makePlan(request_, draws(), atOnce, stop.get_token()));
   const auto two = planning::makePlan(request_, draws(), {});
   ASSERT_TRUE(two) << two.error().message;
   EXPECT_EQ(textOf(*one), textOf(*two));
@@ -149,8 +148,7 @@ TEST_F(SmallPlan, RunsADrawAgainForAView)
   const std::size_t draw = planning::medianDraw(*plan, 1);
   ASSERT_GE(draw, 1u);
   ASSERT_LE(draw, 3u);
-  const std::atomic<bool> isAsked{false};
-  const auto shape = planning::shapeOf(*plan, 1, draw, isAsked);
+  const auto shape = planning::shapeOf(*plan, 1, draw, {});
   ASSERT_TRUE(shape) << shape.error().message;
   const auto& planned = plan->insertions[2 * (draw - 1) + 1].insertion;
   const auto& again = shape->insertion.insertion;
@@ -170,9 +168,8 @@ TEST_F(SmallPlan, HasNoShapeOfADrawThatWasNotRun)
   request_.draws = 1;
   const auto plan = planning::makePlan(request_, {}, {});
   ASSERT_TRUE(plan) << plan.error().message;
-  const std::atomic<bool> isAsked{false};
-  EXPECT_FALSE(planning::shapeOf(*plan, 1, 2, isAsked));
-  EXPECT_FALSE(planning::shapeOf(*plan, 2, 1, isAsked));
+  EXPECT_FALSE(planning::shapeOf(*plan, 1, 2, {}));
+  EXPECT_FALSE(planning::shapeOf(*plan, 2, 1, {}));
 }
 
 TEST(MedianDraw, IsNearestToTheMediansOfAngleAndPeak)
@@ -300,8 +297,7 @@ TEST_F(SmallPlan, IsViewedButNotContinuedAfterADistributionOrAThresholdWasChange
       EXPECT_EQ(changed->seal, Seal::changed);
       EXPECT_EQ(changed->fingerprint, "");
     }
-    const std::atomic<bool> isAsked{false};
-    EXPECT_FALSE(planning::shapeOf(*seen, 0, 1, isAsked));
+    EXPECT_FALSE(planning::shapeOf(*seen, 0, 1, {}));
     fs::remove(place / "plan.json");
     EXPECT_FALSE(planning::viewPlan(request_, draws));
   }

@@ -143,7 +143,7 @@ TEST(InsertionByTheClock, RunsRecordsAndStops)
   std::uint64_t ticks = 0;
   {
     const auto insertion = prepared(test::shortScenario(), folder / "clock.insertion");
-    auto& hand = dynamic_cast<device::ScriptedDevice&>(insertion->hand());
+    device::HapticDevice& hand = insertion->hand();
     ASSERT_TRUE(insertion->start());
     haptics::Command arm;
     arm.kind = haptics::Command::Kind::arm;

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <stop_token>
 
 #include "Forgery.h"
 #include "OddRecords.h"
@@ -189,9 +190,12 @@ TEST_F(Library, GivesEachRecordingBeforeItReadsTheNext)
   record(folder_ / "one.insertion", "2026-01-01T00:00:00Z", hillOfForce());
   record(folder_ / "two.insertion", "2026-01-02T00:00:00Z", hillOfForce());
   std::vector<fs::path> given;
-  const auto stopAfterOne = [&given](std::size_t, std::size_t) { return given.empty(); };
-  ASSERT_TRUE(listSessions(folder_.path(), {}, stopAfterOne,
-                           [&given](const SessionSummary& one) { given.push_back(one.file); }));
+  std::stop_source stop;
+  const auto stopAfterOne = [&](const SessionSummary& one) {
+    given.push_back(one.file);
+    stop.request_stop();
+  };
+  ASSERT_TRUE(listSessions(folder_.path(), {}, {}, stopAfterOne, stop.get_token()));
   EXPECT_THAT(given, testing::ElementsAre(folder_ / "two.insertion"));
 }
 
@@ -216,11 +220,12 @@ TEST_F(Library, StopsWhenCanceledAndListsTheNewestRead)
     record(folder_ / (std::string(day) + "T093000Z.insertion"), "2010-05-17T09:30:00Z",
            hillOfForce());
   std::size_t all = 0;
-  const auto stopped =
-      listSessions(folder_.path(), {}, [&all](std::size_t done, std::size_t ofAll) {
-        all = ofAll;
-        return done < 2;
-      });
+  std::stop_source stop;
+  const auto afterTwo = [&](std::size_t done, std::size_t ofAll) {
+    all = ofAll;
+    if (done == 2) stop.request_stop();
+  };
+  const auto stopped = listSessions(folder_.path(), {}, afterTwo, {}, stop.get_token());
   ASSERT_TRUE(stopped);
   EXPECT_EQ(all, 3u);
   ASSERT_EQ(stopped->size(), 2u);

@@ -13,6 +13,7 @@
 #include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <stop_token>
 
 #include "PatientRecordRig.h"
 #include "perilymph/foundation/AtomicFile.h"
@@ -121,18 +122,21 @@ TEST_F(PatientRecords, StopTravelingWhenTheyAreAsked)
   const auto before = treeOf(folder_.path());
   for (const std::uintmax_t end : {std::uintmax_t{0}, std::uintmax_t{1}, size + 1}) {
     std::uintmax_t last = 0;
-    const CopyProgress stop = [&](std::uintmax_t done, std::uintmax_t all) {
+    std::stop_source stop;
+    const CopyProgress progress = [&](std::uintmax_t done, std::uintmax_t all) {
       EXPECT_GE(done, last);
       EXPECT_EQ(all, 3 * size);
       last = done;
-      return done < end;
+      if (done >= end) stop.request_stop();
     };
-    const auto exported = exportPatient(file_, recordings, folder_ / "P-017", stop);
+    const auto exported =
+        exportPatient(file_, recordings, folder_ / "P-017", progress, stop.get_token());
     ASSERT_FALSE(exported);
     EXPECT_THAT(exported.error().message, HasSubstr("canceled"));
     last = 0;
-    const auto imported =
-        importPatient(folder_ / "whole", folder_ / "other", folder_ / "others", stop);
+    stop = std::stop_source();
+    const auto imported = importPatient(folder_ / "whole", folder_ / "other", folder_ / "others",
+                                        progress, stop.get_token());
     ASSERT_FALSE(imported);
     EXPECT_THAT(imported.error().message, HasSubstr("canceled"));
     EXPECT_EQ(treeOf(folder_.path()), before) << end;

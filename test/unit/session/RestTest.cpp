@@ -28,7 +28,8 @@ public:
       : script_(speed, timeStep), rendersForce_(rendersForce)
   {
   }
-  void move(ScriptedDevice::Motion motion) { script_.move(motion); }
+  /// Moved by the test alone: what a script says does not reach it.
+  void moveBy(ScriptedDevice::Motion motion) { script_.move(motion); }
   device::DeviceTraits traits() const override
   {
     device::DeviceTraits traits = script_.traits();
@@ -108,13 +109,13 @@ protected:
   /// In to the stop; then the hand releases.
   void insert()
   {
-    hand().move(ScriptedDevice::Motion::insert);
+    hand().moveBy(ScriptedDevice::Motion::insert);
     ASSERT_TRUE(insertion_->runToEnd([this](const haptics::TickRecord& record) {
       arrival_ = record.output.time;
       return true;
     }));
     ASSERT_EQ(insertion_->loop().engine().workflow(), Workflow::finished);
-    hand().move(ScriptedDevice::Motion::hold);
+    hand().moveBy(ScriptedDevice::Motion::hold);
     ticksRun_ = insertion_->loop().statistics().ticks;
   }
   Hand& hand() { return dynamic_cast<Hand&>(insertion_->hand()); }
@@ -207,7 +208,7 @@ TEST_F(AWaitingInsertion, HeldAtFullDepthContinuesWhenTheHandReleasesMovesOrWith
   EXPECT_NEAR(static_cast<double>(recordedTicks() - restedAgain), 1e3, 2.0);
   hand().holdOn();
   run(10.0);
-  hand().move(ScriptedDevice::Motion::withdraw);
+  hand().moveBy(ScriptedDevice::Motion::withdraw);
   haptics::Command command;
   command.kind = haptics::Command::Kind::withdraw;
   ASSERT_TRUE(insertion_->send(command));
@@ -220,9 +221,9 @@ TEST_F(AWaitingInsertion, HeldAtFullDepthContinuesWhenTheHandReleasesMovesOrWith
 TEST_F(AWaitingInsertion, HeldStillInTheMiddleIsRecordedForThreeSecondsOnly)
 {
   begin("middle", true, "2.0");
-  hand().move(ScriptedDevice::Motion::insert);
+  hand().moveBy(ScriptedDevice::Motion::insert);
   run(0.5);
-  hand().move(ScriptedDevice::Motion::hold);
+  hand().moveBy(ScriptedDevice::Motion::hold);
   hand().holdOn();
   run(60.0);
   ASSERT_EQ(last_.workflow, Workflow::inserting);
@@ -236,19 +237,19 @@ TEST_F(AWaitingInsertion, HeldStillInTheMiddleIsRecordedForThreeSecondsOnly)
 TEST_F(AWaitingInsertion, HeldStillInTheMiddleContinuesWithTheHand)
 {
   begin("middle-on", true, "2.0");
-  hand().move(ScriptedDevice::Motion::insert);
+  hand().moveBy(ScriptedDevice::Motion::insert);
   run(0.5);
-  hand().move(ScriptedDevice::Motion::hold);
+  hand().moveBy(ScriptedDevice::Motion::hold);
   hand().holdOn();
   run(20.0);
   const double travel = last_.travel;
   const std::uint64_t rested = recordedTicks();
-  hand().move(ScriptedDevice::Motion::insert);
+  hand().moveBy(ScriptedDevice::Motion::insert);
   run(0.3);
   EXPECT_GT(recordedTicks(), rested + 200);
   EXPECT_GT(last_.travel, travel + 0.1 * speed_);
   hand().letGo();
-  hand().move(ScriptedDevice::Motion::hold);
+  hand().moveBy(ScriptedDevice::Motion::hold);
   run(0.1);
   EXPECT_EQ(last_.workflow, Workflow::paused);
   closedSize();
@@ -258,9 +259,9 @@ TEST_F(AWaitingInsertion, HeldStillInTheMiddleContinuesWithTheHand)
 TEST_F(AWaitingInsertion, InTheMiddleOfAScriptIsRecordedAsItIs)
 {
   begin("waiting-script", false, "2.0");
-  hand().move(ScriptedDevice::Motion::insert);
+  hand().moveBy(ScriptedDevice::Motion::insert);
   run(0.5);
-  hand().move(ScriptedDevice::Motion::hold);
+  hand().moveBy(ScriptedDevice::Motion::hold);
   hand().holdOn();  // a robot waits: its script says how long
   run(10.0);
   EXPECT_EQ(last_.workflow, Workflow::inserting);
@@ -289,7 +290,7 @@ TEST_F(AWaitingInsertion, RecordsTheWithdrawalThatFollows)
   insert();
   run(60.0);
   const std::uint64_t before = recordedTicks();
-  hand().move(ScriptedDevice::Motion::withdraw);
+  hand().moveBy(ScriptedDevice::Motion::withdraw);
   haptics::Command command;
   command.kind = haptics::Command::Kind::withdraw;
   ASSERT_TRUE(insertion_->send(command));
@@ -304,9 +305,9 @@ TEST_F(AWaitingInsertion, RecordsTheWithdrawalThatFollows)
 TEST_F(AWaitingInsertion, ContinuesAfterALongPauseAsAfterAShortOne)
 {
   begin("paused");
-  hand().move(ScriptedDevice::Motion::insert);
+  hand().moveBy(ScriptedDevice::Motion::insert);
   run(0.05);
-  hand().move(ScriptedDevice::Motion::hold);
+  hand().moveBy(ScriptedDevice::Motion::hold);
   run(20.0);
   EXPECT_EQ(last_.workflow, Workflow::paused);
   EXPECT_NEAR(last_.time, 0.05 + recordedWait, 0.01);

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <stop_token>
 
 #include "perilymph/session/RecordedInsertion.h"
 #include "perilymph/session/Replay.h"
@@ -19,8 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
-
-const std::atomic<bool> notCanceled{false};
 
 class AnInsertionOfAStudy : public testing::Test {
 protected:
@@ -77,7 +76,7 @@ TEST_F(AnInsertionOfAStudy, GivesTheSameNumbersWhenItIsRunAgain)
   ASSERT_TRUE(study) << study.error().message;
   for (const StudyResult& before : results()) {
     const fs::path recording = folder_ / ("again-" + std::to_string(before.number) + ".insertion");
-    const auto again = recordCase(*study, before.number, recording, notCanceled);
+    const auto again = recordCase(*study, before.number, recording, {});
     ASSERT_TRUE(again) << again.error().message;
     EXPECT_EQ(again->insertion.end, before.insertion.end) << before.cochlea;
     EXPECT_EQ(again->insertion.ticks, before.insertion.ticks) << before.cochlea;
@@ -95,7 +94,7 @@ TEST_F(AnInsertionOfAStudy, IsRecordedSoThatItsReplayHasTheSameBits)
   const auto study = studyIn(opened->facts(), file());
   ASSERT_TRUE(study);
   const fs::path recording = folder_ / "again.insertion";
-  const auto again = recordCase(*study, 1, recording, notCanceled);  // in the virtual cochlea
+  const auto again = recordCase(*study, 1, recording, {});  // in the virtual cochlea
   ASSERT_TRUE(again) << again.error().message;
   const auto verified = session::verify(recording);
   ASSERT_TRUE(verified) << verified.error().message;
@@ -122,7 +121,7 @@ TEST_F(AnInsertionOfAStudy, ThatTheStudyDoesNotHaveIsRefused)
   ASSERT_TRUE(opened);
   const auto study = studyIn(opened->facts(), file());
   ASSERT_TRUE(study);
-  const auto again = recordCase(*study, 3, folder_ / "no.insertion", notCanceled);
+  const auto again = recordCase(*study, 3, folder_ / "no.insertion", {});
   ASSERT_FALSE(again);
   EXPECT_THAT(again.error().message, HasSubstr("Insertion 3 is not in the study"));
   EXPECT_FALSE(fs::exists(folder_ / "no.insertion"));

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <stop_token>
 
 #include "perilymph/test/TemporaryFolder.h"
 
@@ -17,8 +18,6 @@ namespace {
 namespace fs = std::filesystem;
 using testing::ElementsAre;
 using testing::HasSubstr;
-
-const std::atomic<bool> notCanceled{false};
 
 /// Twenty insertions: two arrays in cochleae of A = 8.0, 8.1 ... mm; the speed grows.
 std::vector<StudyResult> twentyResults()
@@ -55,7 +54,7 @@ protected:
   }
   StudyColumns columns()
   {
-    auto read = StudyColumns::read(write(twentyResults()), notCanceled);
+    auto read = StudyColumns::read(write(twentyResults()), {});
     if (!read) throw std::runtime_error(read.error().message);
     return *std::move(read);
   }
@@ -114,7 +113,7 @@ TEST_F(AStudyInColumns, HasDrawnNumbersAsQuantityOnly)
   results.resize(2);
   results[0].settings.back().second = "2.7583438084835765";
   results[1].settings.back().second = "2.4768641177949675";
-  const auto study = StudyColumns::read(write(results), notCanceled);
+  const auto study = StudyColumns::read(write(results), {});
   ASSERT_TRUE(study);
   for (const StudyFactor& factor : study->factors()) EXPECT_NE(factor.key, "speed_mm_s");
   EXPECT_NE(study->quantity("speed_mm_s"), nullptr);
@@ -124,7 +123,7 @@ TEST_F(AStudyInColumns, OfANumberThatIsMissingHasNone)
 {
   auto results = twentyResults();
   results[4].settings.pop_back();
-  auto study = StudyColumns::read(write(results), notCanceled);
+  auto study = StudyColumns::read(write(results), {});
   ASSERT_TRUE(study);
   const StudyQuantity* speed = study->quantity("speed_mm_s");
   ASSERT_NE(speed, nullptr);
@@ -133,10 +132,10 @@ TEST_F(AStudyInColumns, OfANumberThatIsMissingHasNone)
 
 TEST_F(AStudyInColumns, RefusesAFileWithoutInsertionsAndOneOfAnotherKind)
 {
-  const auto empty = StudyColumns::read(write({}), notCanceled);
+  const auto empty = StudyColumns::read(write({}), {});
   ASSERT_FALSE(empty);
   EXPECT_THAT(empty.error().message, HasSubstr("has no insertions yet"));
-  const auto missing = StudyColumns::read("/nowhere/study.sqlite", notCanceled);
+  const auto missing = StudyColumns::read("/nowhere/study.sqlite", {});
   ASSERT_FALSE(missing);
   EXPECT_THAT(missing.error().message, HasSubstr("/nowhere/study.sqlite"));
 }

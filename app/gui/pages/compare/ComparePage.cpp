@@ -14,6 +14,7 @@
 #include <QVBoxLayout>
 #include <QVariant>
 #include <algorithm>
+#include <stop_token>
 
 #include "gui/pages/compare/ComparisonPlot.h"
 #include "gui/parts/DataText.h"
@@ -205,11 +206,10 @@ void ComparePage::compare(const std::vector<std::filesystem::path>& files)
   empty_->say(tr("Reading %n recording(s)…", nullptr, int(files.size())), tr("Esc cancels."));
   reading_.run(
       "The comparison",
-      [files](
-          const std::atomic<bool>& isCanceled) -> Result<std::vector<analysis::ComparedInsertion>> {
+      [files](const std::stop_token& stop) -> Result<std::vector<analysis::ComparedInsertion>> {
         std::vector<analysis::ComparedInsertion> runs;
         for (const std::filesystem::path& file : files) {
-          auto read = analysis::readCompared(file, [&isCanceled] { return !isCanceled; });
+          auto read = analysis::readCompared(file, stop);
           if (!read) return read.error();
           runs.push_back(*std::move(read));
         }

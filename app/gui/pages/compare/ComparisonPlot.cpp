@@ -28,9 +28,8 @@ double millimetersOf(double travel) { return inMillimeters(meters(travel)); }
 
 QPen penOfRun(std::size_t run)
 {
-  const bool isLight = shownColorScheme() == ColorScheme::light;
-  const QColor pink = isLight ? QColor(0x9B, 0x2F, 0x72) : QColor(0xE3, 0x8F, 0xC0);
-  const std::array<QColor, 4> colors = {accentColor, ghostColor, warningColor, pink};
+  const Theme& theme = shownTheme();
+  const std::array<QColor, 4> colors = {theme.accent, theme.ghost, theme.warning, theme.pink};
   QPen pen(colors[run % colors.size()], 2.0, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin);
   const std::array<QVector<qreal>, 4> dashes = {QVector<qreal>{}, QVector<qreal>{5, 2},
                                                 QVector<qreal>{2, 2}, QVector<qreal>{7, 2, 1.5, 2}};
@@ -108,8 +107,8 @@ void ComparisonPlot::paintEvent(QPaintEvent*)
   painter.setRenderHint(QPainter::Antialiasing);
   QPainterPath ground;
   ground.addRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 4.0, 4.0);
-  painter.fillPath(ground, groundColor);
-  painter.setPen(lineColor);
+  painter.fillPath(ground, shownTheme().ground);
+  painter.setPen(shownTheme().line);
   painter.drawPath(ground);
   paintAxes(painter);
   paintCursor(painter);
@@ -131,18 +130,18 @@ void ComparisonPlot::paintAxes(QPainter& painter) const
   for (int i = 0; i <= ticksOf(y_); ++i) {
     const double force = y_.low + i * y_.tick;
     const QPointF here = at(x_.low, force);
-    painter.setPen(QPen(lineColor, 1.0));
+    painter.setPen(QPen(shownTheme().line, 1.0));
     painter.drawLine(here, QPointF(inside.right(), here.y()));
-    painter.setPen(quietTextColor);
+    painter.setPen(shownTheme().quietText);
     painter.drawText(QRectF(0, here.y() - 10, left_px - 8, 20), Qt::AlignRight | Qt::AlignVCenter,
                      numberText(inMillinewtons(newtons(force)), 0));
   }
   for (int i = 0; i <= ticksOf(x_); ++i) {
     const double travel = x_.low + i * x_.tick;
     const QPointF here = at(travel, y_.low);
-    painter.setPen(QPen(lineColor, 1.0));
+    painter.setPen(QPen(shownTheme().line, 1.0));
     painter.drawLine(here, QPointF(here.x(), inside.top()));
-    painter.setPen(quietTextColor);
+    painter.setPen(shownTheme().quietText);
     painter.drawText(QRectF(here.x() - 30, here.y() + 4, 60, 16), Qt::AlignCenter,
                      numberText(travel, 0));
   }
@@ -160,12 +159,12 @@ void ComparisonPlot::paintPublished(QPainter& painter) const
     const double travel = millimetersOf(point.travel);
     const QPointF low = at(travel, point.mean - point.standardDeviation);
     const QPointF high = at(travel, point.mean + point.standardDeviation);
-    painter.setPen(QPen(textColor, 1.0));
+    painter.setPen(QPen(shownTheme().text, 1.0));
     painter.drawLine(low, high);
     for (const QPointF& end : {low, high})
       painter.drawLine(end - QPointF(cap_px, 0), end + QPointF(cap_px, 0));
-    painter.setPen(QPen(textColor, 1.6));
-    painter.setBrush(groundColor);
+    painter.setPen(QPen(shownTheme().text, 1.6));
+    painter.setBrush(shownTheme().ground);
     painter.drawEllipse(at(travel, point.mean), ring_px, ring_px);
   }
 }
@@ -187,18 +186,18 @@ void ComparisonPlot::paintCursor(QPainter& painter) const
   if (runs_.empty()) return;
   const QRectF inside = place();
   const double x = at(cursor_mm_, 0.0).x();
-  painter.setPen(QPen(quietTextColor, 1.0));
+  painter.setPen(QPen(shownTheme().quietText, 1.0));
   painter.drawLine(QPointF(x, inside.top()), QPointF(x, inside.bottom()));
   for (std::size_t i = 0; i < runs_.size(); ++i) {
     const auto force = analysis::forceAt(runs_[i].profile.curve, millimeters(cursor_mm_).si());
     if (!force) continue;
-    painter.setPen(QPen(groundColor, 1.5));
+    painter.setPen(QPen(shownTheme().ground, 1.5));
     painter.setBrush(penOfRun(i).color());
     painter.drawEllipse(at(cursor_mm_, *force), 4.5, 4.5);
   }
   const QString text = tr("%1 mm").arg(numberText(cursor_mm_, 1));
   const bool isRight = x > inside.right() - 70.0;
-  painter.setPen(textColor);
+  painter.setPen(shownTheme().text);
   painter.drawText(QRectF(isRight ? x - 76 : x + 6, inside.top() - 22, 70, 20),
                    int(isRight ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter, text);
 }

@@ -307,7 +307,7 @@ void CtPanel::showIdle(const QString& sentence, bool isError)
   isBusy_ = false;
   status_->setTextFormat(Qt::PlainText);
   status_->setText(sentence);
-  status_->setStyleSheet(isError ? QStringLiteral("color: %1;").arg(warningColor.name())
+  status_->setStyleSheet(isError ? QStringLiteral("color: %1;").arg(shownTheme().warning.name())
                                  : QString());
   refresh();
 }

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "gui/parts/Numbers.h"
-#include "perilymph/analysis/ClinicalEstimates.h"
 #include "perilymph/anatomy/DuctLength.h"
+#include "perilymph/foundation/Normal.h"
 
 namespace perilymph::gui {
 
@@ -15,22 +15,6 @@ namespace {
 
 // lupdate assigns texts of free functions to their namespace.
 QString tr(const char* text) { return QCoreApplication::translate("perilymph::gui", text); }
-
-constexpr double quantile95 = 1.96;
-
-using DuctLength = Length (*)(Length a, Length b);
-
-/// Half of the 95 % interval that the errors of A and B leave, to first order [mm].
-double spread95_mm(DuctLength length, const ct::CochleaMeasures& measures)
-{
-  const double a = measures.a.value, b = measures.b.value;
-  const auto at = [length](double a_mm, double b_mm) {
-    return inMillimeters(length(millimeters(a_mm), millimeters(b_mm)));
-  };
-  const double byA = 0.5 * (at(a + measures.a.sd(), b) - at(a - measures.a.sd(), b));
-  const double byB = 0.5 * (at(a, b + measures.b.sd()) - at(a, b - measures.b.sd()));
-  return quantile95 * std::hypot(byA, byB);
-}
 
 }  // namespace
 
@@ -99,7 +83,7 @@ QString markGuide(ct::Mark mark)
 QString measureText(const ct::Measure& measure)
 {
   return tr("%1 ± %2 mm")
-      .arg(numberText(measure.value, 2), numberText(quantile95 * measure.sd(), 2));
+      .arg(numberText(measure.value, 2), numberText(halfWidth95 * measure.sd(), 2));
 }
 
 QString errorText(const ct::Measure& measure)
@@ -132,18 +116,10 @@ QString ductLengthText(const ct::CochleaMeasures& measures)
 {
   // The formulas assume 2.5 turns; the flag says so.
   if (!measures.cdlOc) return {};
-  const Length a = millimeters(measures.a.value), b = millimeters(measures.b.value);
-  const auto line = [&measures](const QString& name, Length value, DuctLength length) {
-    return tr("%1: %2 ± %3 mm")
-        .arg(name, numberText(inMillimeters(value), 1),
-             numberText(spread95_mm(length, measures), 1));
-  };
-  const DuctLength byA = [](Length one, Length) { return analysis::alexiadesDuctLength(one); };
-  QStringList lines;
-  lines << line(tr("Elliptic-circular, from A and B"), anatomy::ellipticCircularDuctLength(a, b),
-                &anatomy::ellipticCircularDuctLength)
-        << line(tr("Alexiades, from A"), analysis::alexiadesDuctLength(a), byA);
-  return lines.join(QLatin1Char('\n'));
+  const Length fromA = anatomy::ductLengthFromA(millimeters(measures.a.value));
+  return tr("CDL from A and B (elliptic-circular). Its interval holds what A alone gives: %1 mm "
+            "(Alexiades).")
+      .arg(numberText(inMillimeters(fromA), 1));
 }
 
 }  // namespace perilymph::gui

@@ -27,7 +27,7 @@ QString errorText(const ct::Measure& measure);
 QString lengthText(const std::optional<double>& value_mm);
 /// "512 x 512 x 200 · 0.40 x 0.40 x 0.60 mm · maker and model"
 QString seriesText(const imaging::CtSeries& series);
-/// Duct lengths by each formula with the spread that the errors of A and B leave, a line each.
+/// The formula of the duct length, and what the other one gives.
 QString ductLengthText(const ct::CochleaMeasures& measures);
 
 }  // namespace perilymph::gui

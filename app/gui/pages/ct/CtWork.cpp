@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/pages/ct/CtWork.h"
 
+#include <stop_token>
 #include <utility>
 
 #include "gui/parts/EngineErrors.h"
@@ -45,9 +46,9 @@ void CtWork::open(const std::filesystem::path& path)
   const Progress progress = begin();
   background_.run(
       "The CT",
-      [path, progress](const std::atomic<bool>& isCanceled) {
-        return imaging::findSeries(path, {[progress](double done) { progress->store(done); },
-                                          [&isCanceled] { return isCanceled.load(); }});
+      [path, progress](const std::stop_token& stop) {
+        return imaging::findSeries(path,
+                                   {[progress](double done) { progress->store(done); }, stop});
       },
       [this](const Result<imaging::CtSeriesList>& list) {
         end();
@@ -65,11 +66,10 @@ void CtWork::read(const imaging::CtSeriesList& list, const std::string& uid)
   const Progress progress = begin();
   background_.run(
       "The CT",
-      [list, uid, progress](
-          const std::atomic<bool>& isCanceled) -> Result<std::shared_ptr<imaging::LoadedCt>> {
-        auto loaded = imaging::readCt(list, uid,
-                                      {[progress](double done) { progress->store(done); },
-                                       [&isCanceled] { return isCanceled.load(); }});
+      [list, uid,
+       progress](const std::stop_token& stop) -> Result<std::shared_ptr<imaging::LoadedCt>> {
+        auto loaded =
+            imaging::readCt(list, uid, {[progress](double done) { progress->store(done); }, stop});
         if (!loaded) return loaded.error();
         return std::make_shared<imaging::LoadedCt>(*std::move(loaded));
       },
@@ -84,9 +84,8 @@ void CtWork::readThumbnails(const imaging::CtSeriesList& list)
 {
   background_.run(
       "The pictures of the series",
-      [list](const std::atomic<bool>& isCanceled) -> Result<std::vector<imaging::CtThumbnail>> {
-        return imaging::readThumbnails(list, thumbnail_px,
-                                       {{}, [&isCanceled] { return isCanceled.load(); }});
+      [list](const std::stop_token& stop) -> Result<std::vector<imaging::CtThumbnail>> {
+        return imaging::readThumbnails(list, thumbnail_px, {{}, stop});
       },
       [this](const Result<std::vector<imaging::CtThumbnail>>& pictures) {
         if (pictures) Q_EMIT thumbnailsRead(*pictures);
@@ -99,9 +98,9 @@ void CtWork::measure(std::shared_ptr<const ct::CtVolume> volume, ct::MeasureRequ
   background_.run(
       "The measurement",
       [volume = std::move(volume), request = std::move(request),
-       progress](const std::atomic<bool>& isCanceled) mutable {
+       progress](const std::stop_token& stop) mutable {
         request.onProgress = [progress](double done) { progress->store(done); };
-        request.isCanceled = [&isCanceled] { return isCanceled.load(); };
+        request.stop = stop;
         return ct::measureCochlea(*volume, request);
       },
       [this](const Result<ct::CochleaMeasures>& measures) {

@@ -39,12 +39,12 @@ void ProgressLine::paintEvent(QPaintEvent*)
   const double middle = height() / 2.0;
   const double left = radius, right = width() - radius;
   const double here = left + fraction_ * (right - left);
-  painter.setPen(QPen(aheadColor, 4.0, Qt::SolidLine, Qt::RoundCap));
+  painter.setPen(QPen(shownTheme().ahead, 4.0, Qt::SolidLine, Qt::RoundCap));
   painter.drawLine(QPointF(left, middle), QPointF(right, middle));
-  painter.setPen(QPen(accentColor, 4.0, Qt::SolidLine, Qt::RoundCap));
+  painter.setPen(QPen(shownTheme().accent, 4.0, Qt::SolidLine, Qt::RoundCap));
   if (fraction_ > 0.0) painter.drawLine(QPointF(left, middle), QPointF(here, middle));
   painter.setPen(Qt::NoPen);
-  painter.setBrush(textColor);
+  painter.setBrush(shownTheme().text);
   painter.drawEllipse(QPointF(here, middle), radius, radius);
 }
 
@@ -57,7 +57,7 @@ BottomBar::BottomBar(QWidget* parent)
       time_(new QLabel(this)),
       status_(new QLabel(this))
 {
-  setFixedHeight(barHeight);
+  setFixedHeight(shownLengths().bar);
   start_->setFont(typeface(13, QFont::DemiBold));
   setWait({});
   withdraw_->setToolTip(tr("Withdraw the array (Backspace)"));

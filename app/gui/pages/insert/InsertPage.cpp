@@ -88,7 +88,7 @@ void InsertPage::layOut()
   column->addWidget(bottomLine);
   bars_->addWidget(bottom_);
   bars_->addWidget(replay_->bar());
-  bars_->setFixedHeight(barHeight);
+  bars_->setFixedHeight(shownLengths().bar);
   column->addWidget(bars_);
 }
 

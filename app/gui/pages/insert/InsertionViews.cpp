@@ -214,7 +214,7 @@ void InsertionViews::showSlowly(const haptics::Snapshot& now)
 
 QSize InsertionViews::minimumSizeHint() const
 {
-  return {operation_->minimumSizeHint().width() + minChartColumnWidth + 1, 400};
+  return {operation_->minimumSizeHint().width() + shownLengths().minChartColumn + 1, 400};
 }
 
 }  // namespace perilymph::gui

@@ -12,8 +12,9 @@ namespace {
 
 constexpr int gap_px = 1;  // line between the parts
 constexpr int topMargin_px = spacing;
-constexpr int lowColumn_px = 430;         // below it, a third plot has no space for its axes
-constexpr double columnFraction = 0.34;   // of a wide area; a narrow one has chartColumnWidth
+constexpr int lowColumn_px = 430;  // below it, a third plot has no space for its axes
+constexpr double columnFraction =
+    0.34;  // of a wide area; a narrow one has shownLengths().chartColumn
 constexpr double upperFraction = 0.6;     // of the height, in four parts
 constexpr double sectionFraction = 0.54;  // of the lower right
 
@@ -113,8 +114,8 @@ int PaneArea::columnWidth() const
   int picture = 0;
   for (const Part& part : parts_)
     if (part.role == PaneRole::picture) picture = part.widget->minimumSizeHint().width();
-  const int wished = std::max(chartColumnWidth, int(columnFraction * width()));
-  return std::clamp(width() - picture - gap_px, minChartColumnWidth, wished);
+  const int wished = std::max(shownLengths().chartColumn, int(columnFraction * width()));
+  return std::clamp(width() - picture - gap_px, shownLengths().minChartColumn, wished);
 }
 
 void PaneArea::arrange()
@@ -139,17 +140,18 @@ void PaneArea::paintEvent(QPaintEvent*)
 {
   // the lines between the parts are visible
   QPainter painter(this);
-  painter.fillRect(rect(), panelColor);
+  painter.fillRect(rect(), shownTheme().panel);
   if (maximized_ || layout_ == PaneLayout::one) return;
   for (const auto& [role, widget] : parts_) {
     if (!widget->isVisible()) continue;
     const QRect place = widget->geometry();
     if (role == PaneRole::picture)
-      painter.fillRect(QRect(place.right() + 1, 0, gap_px, height()), lineColor);
+      painter.fillRect(QRect(place.right() + 1, 0, gap_px, height()), shownTheme().line);
     if (role == PaneRole::unrolled && layout_ == PaneLayout::four)
-      painter.fillRect(QRect(0, place.top() - gap_px, width(), gap_px), lineColor);
+      painter.fillRect(QRect(0, place.top() - gap_px, width(), gap_px), shownTheme().line);
     if (role == PaneRole::section)
-      painter.fillRect(QRect(place.right() + 1, place.top(), gap_px, place.height()), lineColor);
+      painter.fillRect(QRect(place.right() + 1, place.top(), gap_px, place.height()),
+                       shownTheme().line);
   }
 }
 

@@ -56,11 +56,11 @@ void Scrubber::paintEvent(QPaintEvent*)
     painter.setPen(QPen(color, 4.0, Qt::SolidLine, Qt::RoundCap));
     painter.drawLine(at(0.0), at(fraction));
   };
-  line(1.0, lineColor);
-  line(ready_, lineColor.lighter(170));
-  if (here_ > 0.0) line(here_, ghostColor);
+  line(1.0, shownTheme().line);
+  line(ready_, shownTheme().line.lighter(170));
+  if (here_ > 0.0) line(here_, shownTheme().ghost);
   painter.setPen(Qt::NoPen);
-  painter.setBrush(textColor);
+  painter.setBrush(shownTheme().text);
   painter.drawEllipse(at(here_), knob_px, knob_px);
 }
 
@@ -91,7 +91,7 @@ ReplayBar::ReplayBar(QWidget* parent)
       scrubber_(new Scrubber(this))
 {
   setObjectName(QStringLiteral("replayBar"));
-  setFixedHeight(barHeight);
+  setFixedHeight(shownLengths().bar);
   play_->setProperty("primary", true);
   back_->setAccessibleName(tr("Back 1 ms"));
   forth_->setAccessibleName(tr("Forward 1 ms"));

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <stop_token>
 
 namespace perilymph::gui {
 
@@ -35,7 +36,7 @@ void ReplayPlayer::open(const std::filesystem::path& file)
   close();
   opening_.run(
       "The recording " + file.string(),
-      [file](const std::atomic<bool>&) { return session::Playback::open(file); },
+      [file](const std::stop_token&) { return session::Playback::open(file); },
       [this](Result<std::unique_ptr<session::Playback>> playback) {
         if (!playback) return failed(QString::fromStdString(playback.error().message));
         playback_ = *std::move(playback);
@@ -63,10 +64,7 @@ void ReplayPlayer::check()
   isError_ = false;
   checking_.run(
       "The replay",
-      [playback = playback_](const std::atomic<bool>& isCanceled) {
-        return playback->compute(
-            [&isCanceled](std::uint64_t, std::uint64_t) { return !isCanceled; });
-      },
+      [playback = playback_](const std::stop_token& stop) { return playback->compute(stop); },
       [this](const Result<session::Verification>& verified) {
         if (!verified) {
           verdict_ = QString::fromStdString(verified.error().message);

@@ -57,7 +57,7 @@ SidePanel::SidePanel(std::shared_ptr<CochleaStore> cochleae, QWidget* parent)
   scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scroll_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
   scroll_->verticalScrollBar()->setFixedWidth(scrollBar_px);
-  content->setMaximumWidth(sidePanelWidth - scrollBar_px);
+  content->setMaximumWidth(shownLengths().sidePanel - scrollBar_px);
   scroll_->setWidget(content);
   scroll_->viewport()->installEventFilter(this);
 
@@ -202,7 +202,7 @@ void SidePanel::setCollapsed(bool isCollapsed)
   if (isCollapsed && focused != nullptr && isAncestorOf(focused)) window()->setFocus();
   scroll_->setVisible(!isCollapsed);
   expand_->setVisible(isCollapsed);
-  setFixedWidth(isCollapsed ? stripWidth_px : sidePanelWidth);
+  setFixedWidth(isCollapsed ? stripWidth_px : shownLengths().sidePanel);
 }
 
 bool SidePanel::isCollapsed() const { return scroll_->isHidden(); }

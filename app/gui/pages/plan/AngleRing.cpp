@@ -39,7 +39,7 @@ void AngleRing::paintEvent(QPaintEvent*)
 {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  painter.fillRect(rect(), groundColor);
+  painter.fillRect(rect(), shownTheme().ground);
   const QPointF center(0.5 * width(), 0.5 * height());
   const double outer = 0.5 * std::min(width(), height()) - ringMargin_px * textScale();
   const double hand = side_ == anatomy::Side::left ? -1.0 : 1.0;
@@ -60,18 +60,18 @@ void AngleRing::paintEvent(QPaintEvent*)
   painter.setFont(typeface(11));
   const QFontMetricsF metrics(painter.font());
   for (const int angle : {0, 90, 180, 270}) {
-    painter.setPen(QPen(lineColor, 1.0));
+    painter.setPen(QPen(shownTheme().line, 1.0));
     painter.drawLine(at(angle, 0.15 * outer), at(angle, outer));
-    painter.setPen(quietTextColor);
+    painter.setPen(shownTheme().quietText);
     const QString text = tr("%1°").arg(angle);
     const QPointF place = at(angle, outer + 0.6 * ringMargin_px * textScale());
     const QRectF around(place.x() - 30.0, place.y() - 10.0, 60.0, 20.0);
     painter.drawText(around, Qt::AlignCenter, text);
   }
   painter.setBrush(Qt::NoBrush);
-  painter.setPen(QPen(borderColor, 1.0));
+  painter.setPen(QPen(shownTheme().border, 1.0));
   painter.drawPolyline(arc(0.0, 360.0 * turns));
-  QColor band = ghostColor;
+  QColor band = shownTheme().ghost;
   band.setAlphaF(0.4f);
   for (const planning::ContactBand& each : contacts_) {
     if (each.draws == 0) continue;
@@ -81,12 +81,12 @@ void AngleRing::paintEvent(QPaintEvent*)
   }
   for (const planning::ContactBand& each : contacts_) {
     if (each.draws == 0) continue;
-    painter.setPen(QPen(groundColor, 1.0));
-    painter.setBrush(textColor);
+    painter.setPen(QPen(shownTheme().ground, 1.0));
+    painter.setBrush(shownTheme().text);
     painter.drawEllipse(at(each.angle_deg.median, radiusAt(each.angle_deg.median)), dot_px, dot_px);
   }
   if (contacts_.empty() || contacts_.front().draws == 0) return;
-  painter.setPen(textColor);
+  painter.setPen(shownTheme().text);
   painter.setFont(typeface(13, QFont::DemiBold));
   painter.drawText(rect(), Qt::AlignCenter,
                    tr("%1°").arg(numberText(contacts_.front().angle_deg.median, 0)));

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "perilymph/anatomy/Patient.h"
-#include "perilymph/planning/Plan.h"
+#include "perilymph/planning/PlanResult.h"
 
 namespace perilymph::gui {
 

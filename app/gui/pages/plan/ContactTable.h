@@ -6,7 +6,7 @@
 #include <QTableWidget>
 #include <vector>
 
-#include "perilymph/planning/Plan.h"
+#include "perilymph/planning/PlanResult.h"
 
 namespace perilymph::gui {
 

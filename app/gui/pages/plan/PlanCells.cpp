@@ -27,7 +27,8 @@ QColor faded(QColor color, double opacity)
 /// A line from left to right of a place, on which bands lie.
 void paintTrack(QPainter& painter, const QRectF& place)
 {
-  painter.fillRect(QRectF(place.left(), place.center().y() - 0.5, place.width(), 1.0), lineColor);
+  painter.fillRect(QRectF(place.left(), place.center().y() - 0.5, place.width(), 1.0),
+                   shownTheme().line);
 }
 
 /// A name in as many lines as fit; what does not fit ends in an ellipsis.
@@ -54,7 +55,7 @@ void paintTexts(QPainter& painter, const QRectF& place, const QString& value, co
 {
   painter.drawText(place, Qt::AlignTop | Qt::AlignLeft, value);
   painter.setFont(typeface(11));
-  painter.setPen(quietTextColor);
+  painter.setPen(shownTheme().quietText);
   const QString shown =
       QFontMetricsF(painter.font()).elidedText(range, Qt::ElideRight, place.width());
   painter.drawText(place.adjusted(0, sized(15), 0, 0), Qt::AlignTop | Qt::AlignLeft, shown);
@@ -98,15 +99,15 @@ void PlanCells::paint(QPainter* painter, const QStyleOptionViewItem& option,
   const bool isSelected = (option.state & QStyle::State_Selected) != 0;
   painter->save();
   painter->setRenderHint(QPainter::Antialiasing);
-  painter->fillRect(option.rect, isSelected ? raisedColor : groundColor);
+  painter->fillRect(option.rect, isSelected ? shownTheme().raised : shownTheme().ground);
   painter->fillRect(QRect(option.rect.left(), option.rect.bottom(), option.rect.width(), 1),
-                    lineColor);
+                    shownTheme().line);
   const auto column = static_cast<PlanColumn>(index.column());
   const planning::ArrayPlan& array = table_.array(sorted_.mapToSource(index).row());
   const QRectF inside = QRectF(option.rect).adjusted(margin_px, 4, -margin_px, -5);
   const PlanCellKind kind = kindOf(column);
   painter->setFont(kind == PlanCellKind::name ? typeface(12, QFont::Medium) : typeface(12));
-  painter->setPen(textColor);
+  painter->setPen(shownTheme().text);
   if (kind == PlanCellKind::name) {
     paintName(*painter, inside, index.data().toString());
   } else if (kind == PlanCellKind::curve) {
@@ -131,15 +132,16 @@ void PlanCells::paintBand(QPainter& painter, const QRectF& place, const planning
   if (column == PlanColumn::coverage && coverage_) {
     const double left = place.left() + coverage_->low_percent / 100.0 * place.width();
     const double right = place.left() + coverage_->high_percent / 100.0 * place.width();
-    painter.setPen(QPen(quietTextColor, 1.0, Qt::DotLine));
+    painter.setPen(QPen(shownTheme().quietText, 1.0, Qt::DotLine));
     painter.setBrush(Qt::NoBrush);
     painter.drawRect(QRectF(left, place.top() - 1.0, right - left, place.height() + 2.0));
   }
-  paintSpan(painter, place, band.low / limit, band.high / limit, bar_px, faded(ghostColor, 0.4));
+  paintSpan(painter, place, band.low / limit, band.high / limit, bar_px,
+            faded(shownTheme().ghost, 0.4));
   paintSpan(painter, place, band.lowerQuartile / limit, band.upperQuartile / limit, quartileBar_px,
-            ghostColor);
+            shownTheme().ghost);
   const double x = place.left() + std::clamp(band.median / limit, 0.0, 1.0) * place.width();
-  painter.fillRect(QRectF(x - 1.0, place.top(), 2.0, place.height()), textColor);
+  painter.fillRect(QRectF(x - 1.0, place.top(), 2.0, place.height()), shownTheme().text);
 }
 
 void PlanCells::paintProbability(QPainter& painter, const QRectF& place,
@@ -148,9 +150,10 @@ void PlanCells::paintProbability(QPainter& painter, const QRectF& place,
   paintTexts(painter, place, shownShare(estimate, draws), intervalText(estimate, draws));
   const QRectF bar(place.left(), place.bottom() - 7.0, place.width(), 7.0);
   paintTrack(painter, bar);
-  paintSpan(painter, bar, estimate.low, estimate.high, quartileBar_px, faded(quietTextColor, 0.7));
+  paintSpan(painter, bar, estimate.low, estimate.high, quartileBar_px,
+            faded(shownTheme().quietText, 0.7));
   const double x = bar.left() + std::clamp(estimate.value, 0.0, 1.0) * bar.width();
-  painter.fillRect(QRectF(x - 1.0, bar.top(), 2.0, bar.height()), textColor);
+  painter.fillRect(QRectF(x - 1.0, bar.top(), 2.0, bar.height()), shownTheme().text);
 }
 
 void PlanCells::paintCurve(QPainter& painter, const QRectF& place,
@@ -163,7 +166,7 @@ void PlanCells::paintCurve(QPainter& painter, const QRectF& place,
         place.left() + depth_mm / axes.depth_mm * place.width(),
         place.bottom() - std::clamp(force_mN / axes.force_mN, 0.0, 1.0) * place.height());
   };
-  painter.fillRect(QRectF(place.left(), place.bottom(), place.width(), 1.0), lineColor);
+  painter.fillRect(QRectF(place.left(), place.bottom(), place.width(), 1.0), shownTheme().line);
   if (force.empty()) return;
   const std::size_t whole = planning::courseOf(array).whole;
   // of all simulations, and behind it of fewer: both share a row
@@ -176,9 +179,9 @@ void PlanCells::paintCurve(QPainter& painter, const QRectF& place,
     for (std::size_t i = end; i-- > first;) area << at(force[i].depth_mm, force[i].force_mN.low);
     const bool isWhole = end == whole;
     painter.setPen(Qt::NoPen);
-    painter.setBrush(faded(ghostColor, isWhole ? 0.4 : 0.2));
+    painter.setBrush(faded(shownTheme().ghost, isWhole ? 0.4 : 0.2));
     painter.drawPolygon(area);
-    painter.setPen(QPen(textColor, 1.5, isWhole ? Qt::SolidLine : Qt::DotLine));
+    painter.setPen(QPen(shownTheme().text, 1.5, isWhole ? Qt::SolidLine : Qt::DotLine));
     painter.drawPolyline(median);
   }
 }

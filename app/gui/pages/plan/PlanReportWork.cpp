@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/pages/plan/PlanReportWork.h"
 
+#include <stop_token>
+
 #include "gui/parts/EngineErrors.h"
 #include "gui/report/PlanReportPdf.h"
 #include "perilymph/planning/PlanReport.h"
@@ -12,7 +14,7 @@ void PlanReportWork::write(const PlanWork::SharedPlan& plan, const std::filesyst
 {
   background_.run(
       "The report",
-      [plan, folder](const std::atomic<bool>&) -> Result<PlanReportContent> {
+      [plan, folder](const std::stop_token&) -> Result<PlanReportContent> {
         // the report states the numbers of plan.json
         const auto json = planning::planJson(*plan);
         if (!json) return json.error();

@@ -2,10 +2,12 @@
 #include "gui/pages/plan/PlanShapeWork.h"
 
 #include <optional>
+#include <stop_token>
 #include <utility>
 
 #include "gui/parts/EngineErrors.h"
 #include "perilymph/analysis/InParallel.h"
+#include "perilymph/planning/PlannedDraw.h"
 
 namespace perilymph::gui {
 
@@ -21,15 +23,14 @@ void PlanShapeWork::runNext(std::size_t place)
   if (place >= arrays_.size()) return;
   background_.run(
       "The view of the array",
-      [plan = plan_, array = arrays_[place]](const std::atomic<bool>& isCanceled) -> Result<Shape> {
+      [plan = plan_, array = arrays_[place]](const std::stop_token& stop) -> Result<Shape> {
         std::optional<Result<planning::PlannedShape>> shape;
-        const auto work = [&](std::size_t, const std::atomic<bool>& isAsked) -> Result<Done> {
-          shape = planning::shapeOf(*plan, array, planning::medianDraw(*plan, array), isAsked);
+        const auto work = [&](std::size_t, const std::stop_token& ending) -> Result<Done> {
+          shape = planning::shapeOf(*plan, array, planning::medianDraw(*plan, array), ending);
           return Done{};
         };
         // insertions run in threads of their own
-        const auto ran =
-            analysis::doInParallel(1, 1, work, [&](std::size_t) { return !isCanceled; });
+        const auto ran = analysis::doInParallel(1, 1, work, {}, stop);
         if (!ran) return ran.error();
         if (!*shape) return shape->error();
         return std::make_shared<const planning::PlannedShape>(**std::move(shape));

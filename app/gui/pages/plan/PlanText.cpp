@@ -7,12 +7,11 @@
 #include "gui/parts/DataText.h"
 #include "gui/parts/Numbers.h"
 #include "gui/setup/PlannedFriction.h"
+#include "perilymph/foundation/Normal.h"
 
 namespace perilymph::gui {
 
 namespace {
-
-constexpr double deviatesOf95 = 1.96;  // of a normal distribution
 
 // lupdate assigns texts of free functions to their namespace.
 QString tr(const char* text) { return QCoreApplication::translate("perilymph::gui", text); }
@@ -232,10 +231,9 @@ QString shapeTitle(const planning::ArrayPlan& array, const planning::PlannedInse
 
 QString measureText(Length value, Length standardDeviation)
 {
-  const double middle = inMillimeters(value),
-               half = deviatesOf95 * inMillimeters(standardDeviation);
-  return tr("%1 mm (%2–%3)")
-      .arg(numberText(middle, 2), numberText(middle - half, 2), numberText(middle + half, 2));
+  return tr("%1 ± %2 mm")
+      .arg(numberText(inMillimeters(value), 2),
+           numberText(halfWidth95 * inMillimeters(standardDeviation), 2));
 }
 
 }  // namespace perilymph::gui

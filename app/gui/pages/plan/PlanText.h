@@ -5,7 +5,7 @@
 
 #include <QString>
 
-#include "perilymph/planning/Plan.h"
+#include "perilymph/planning/PlanSummary.h"
 
 namespace perilymph::gui {
 

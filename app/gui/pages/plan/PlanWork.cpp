@@ -3,6 +3,7 @@
 
 #include <QDateTime>
 #include <algorithm>
+#include <stop_token>
 #include <thread>
 #include <utility>
 
@@ -36,8 +37,8 @@ void PlanWork::compute(const planning::PlanRequest& request)
   stored.request.jobs = jobsBesideWindow();
   background_.run(
       "The plan",
-      [shared = shared_, stored](const std::atomic<bool>& isCanceled) {
-        return make(*shared, stored, isCanceled);
+      [shared = shared_, stored](const std::stop_token& stop) {
+        return make(*shared, stored, stop);
       },
       [this](const Result<Done>& done) {
         timer_.stop();
@@ -47,7 +48,7 @@ void PlanWork::compute(const planning::PlanRequest& request)
   timer_.start();
 }
 
-Result<Done> PlanWork::make(Shared& shared, StoredPlan stored, const std::atomic<bool>& isCanceled)
+Result<Done> PlanWork::make(Shared& shared, StoredPlan stored, const std::stop_token& stop)
 {
   if (const auto saved = savePlan(stored); !saved) return saved;
   const planning::PlanRequest& all = stored.request;
@@ -55,11 +56,10 @@ Result<Done> PlanWork::make(Shared& shared, StoredPlan stored, const std::atomic
     const std::lock_guard lock(shared.mutex);
     shared.done = done;
     shared.all = all.draws * all.arrays.size();
-    return !isCanceled;
   };
   // the plan of some draws, or of all; true if its bands stand
   const auto show = [&](const planning::PlanRequest& part) -> Result<bool> {
-    auto plan = planning::makePlan(part, stored.folder / planDrawsFile, progress);
+    auto plan = planning::makePlan(part, stored.folder / planDrawsFile, progress, stop);
     if (!plan) return plan.error();
     plan->request = all;
     stored.shownDraws = plan->insertions.size() / all.arrays.size();
@@ -93,7 +93,7 @@ void PlanWork::open(const StoredPlan& stored)
   timer_.stop();
   background_.run(
       "The plan",
-      [stored](const std::atomic<bool>&) -> Result<SharedPlan> {
+      [stored](const std::stop_token&) -> Result<SharedPlan> {
         planning::PlanRequest kept = stored.request;
         kept.draws = stored.shownDraws;
         auto plan = planning::viewPlan(kept, stored.folder / planDrawsFile);

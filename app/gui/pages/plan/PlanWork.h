@@ -5,10 +5,10 @@
 
 #include <QObject>
 #include <QTimer>
-#include <atomic>
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <stop_token>
 
 #include "gui/run/Background.h"
 #include "gui/setup/PlanStore.h"
@@ -50,7 +50,7 @@ private:
     StoredPlan stored;
   };
 
-  static Result<Done> make(Shared& shared, StoredPlan stored, const std::atomic<bool>& isCanceled);
+  static Result<Done> make(Shared& shared, StoredPlan stored, const std::stop_token& stop);
   void report();
 
   std::shared_ptr<Shared> shared_;

@@ -5,7 +5,7 @@
 
 #include "gui/run/PlannedForce.h"
 #include "gui/setup/Setup.h"
-#include "perilymph/planning/Plan.h"
+#include "perilymph/planning/PlanResult.h"
 
 namespace perilymph::gui {
 

@@ -2,6 +2,7 @@
 #include "gui/pages/sessions/LibraryWork.h"
 
 #include <mutex>
+#include <stop_token>
 #include <utility>
 
 #include "gui/parts/EngineErrors.h"
@@ -18,7 +19,6 @@ constexpr int reportInterval_ms = 100;
 
 /// Data passed from the thread to the UI thread.
 struct LibraryWork::Reading {
-  std::atomic<bool> isEnded{false};
   std::mutex mutex;  ///< Protects the following members.
   std::vector<SessionSummary> fresh;
   int done = 0, all = 0;
@@ -33,8 +33,8 @@ LibraryWork::LibraryWork(QObject* parent, Lister lister)
 
 void LibraryWork::cancel()
 {
-  if (!isBusy() || reading_->isEnded) return;
-  reading_->isEnded = true;
+  if (!isBusy() || sinceCancel_.isValid()) return;
+  background_.requestStop();
   sinceCancel_.start();
 }
 
@@ -45,17 +45,17 @@ void LibraryWork::list(const std::filesystem::path& folder,
   sofar_.clear();
   sinceCancel_.invalidate();
   const auto work = [lister = lister_, folder, beingRecorded,
-                     reading = reading_](const std::atomic<bool>& isCanceled) {
+                     reading = reading_](const std::stop_token& stop) {
     const auto progress = [&](std::size_t done, std::size_t all) {
       const std::lock_guard lock(reading->mutex);
       reading->done = int(done);
       reading->all = int(all);
-      return !isCanceled && !reading->isEnded;
     };
-    return lister(folder, beingRecorded, progress, [&](const SessionSummary& summary) {
+    const auto add = [&](const SessionSummary& summary) {
       const std::lock_guard lock(reading->mutex);
       reading->fresh.push_back(summary);
-    });
+    };
+    return lister(folder, beingRecorded, progress, add, stop);
   };
   background_.run("The list of recordings", work,
                   [this](const Result<std::vector<SessionSummary>>& sessions) {

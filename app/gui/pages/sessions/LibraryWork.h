@@ -6,10 +6,10 @@
 #include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
-#include <atomic>
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <stop_token>
 #include <vector>
 
 #include "gui/run/Background.h"
@@ -25,7 +25,8 @@ public:
   /// Lists a folder, like session::listSessions.
   using Lister = std::function<Result<std::vector<session::SessionSummary>>(
       const std::filesystem::path& folder, const std::filesystem::path& beingRecorded,
-      const session::LibraryProgress& progress, const session::LibraryEntry& listed)>;
+      const session::LibraryProgress& progress, const session::LibraryEntry& listed,
+      const std::stop_token& stop)>;
 
   /// Time for a canceled listing to end; then its intermediate result is the answer.
   static constexpr int patience_ms = 500;

@@ -205,8 +205,8 @@ QVariant SessionTable::data(const QModelIndex& index, int role) const
       return index.column() >= duration ? int(Qt::AlignRight | Qt::AlignVCenter)
                                         : int(Qt::AlignLeft | Qt::AlignVCenter);
     case Qt::ForegroundRole:
-      if (!shown.error.empty()) return warningColor;
-      return index.column() == name ? quietTextColor : textColor;
+      if (!shown.error.empty()) return shownTheme().warning;
+      return index.column() == name ? shownTheme().quietText : shownTheme().text;
     case sortRole:
       return sortValue(row, index.column());
     case searchRole:

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/pages/sessions/SessionTasks.h"
 
-#include <functional>
+#include <stop_token>
 #include <utility>
 
-#include "gui/pages/sessions/Report.h"
 #include "gui/parts/EngineErrors.h"
+#include "gui/report/InsertionReport.h"
 #include "perilymph/analysis/Comparison.h"
 
 namespace perilymph::gui {
@@ -13,11 +13,11 @@ namespace perilymph::gui {
 namespace {
 
 Result<ReferenceInsertion> referenceOf(const std::filesystem::path& file,
-                                       const std::function<bool()>& goesOn)
+                                       const std::stop_token& stop)
 {
-  const auto read = analysis::readCompared(file, goesOn);
+  const auto read = analysis::readCompared(file, stop);
   if (!read) return read.error();
-  auto shapes = readShapes(file, goesOn);
+  auto shapes = readShapes(file, stop);
   if (!shapes) return shapes.error();
   ReferenceInsertion reference;
   reference.name = QString::fromStdString(read->name);
@@ -36,10 +36,7 @@ void SessionTasks::readReference(const std::filesystem::path& file)
 {
   said(tr("Reading %1…").arg(QString::fromStdString(session::displayNameOf(file))), false);
   reading_.run(
-      "The reference",
-      [file](const std::atomic<bool>& isCanceled) {
-        return referenceOf(file, [&isCanceled] { return !isCanceled; });
-      },
+      "The reference", [file](const std::stop_token& stop) { return referenceOf(file, stop); },
       [this](const Result<ReferenceInsertion>& reference) {
         if (!reference) return said(engineError(reference.error().message), true);
         Q_EMIT referenceRead(*reference);
@@ -53,8 +50,7 @@ void SessionTasks::writeReportOf(const std::filesystem::path& file,
   said(tr("Replaying %1 for the report…").arg(QString::fromStdString(session::displayNameOf(file))),
        false);
   reading_.run(
-      "The report",
-      [file](const std::atomic<bool>& isCanceled) { return gatherReport(file, isCanceled); },
+      "The report", [file](const std::stop_token& stop) { return gatherReport(file, stop); },
       [this, pdf](const Result<ReportContent>& content) {
         if (!content) return said(engineError(content.error().message), true);
         const auto written = writeReport(*content, pdf);

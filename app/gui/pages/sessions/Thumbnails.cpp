@@ -3,6 +3,7 @@
 
 #include <QImage>
 #include <algorithm>
+#include <stop_token>
 
 #include "gui/parts/Theme.h"
 #include "gui/report/InsertionPicture.h"
@@ -115,7 +116,7 @@ void Thumbnails::paintNext()
   painting_ = wish.key;
   background_.run(
       "The picture",
-      [wish, inks = screenInks()](const std::atomic<bool>&) -> Result<QImage> {
+      [wish, inks = screenInks()](const std::stop_token&) -> Result<QImage> {
         QImage image = pictureOf(wish.summary.file, inks);
         if (!image.isNull()) keep(image, fileOf(wish.summary, wish.key));
         return image;

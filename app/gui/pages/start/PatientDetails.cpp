@@ -6,6 +6,7 @@
 #include <QVBoxLayout>
 #include <QVariant>
 #include <algorithm>
+#include <stop_token>
 #include <utility>
 
 #include "gui/pages/start/PatientHistoryList.h"
@@ -158,8 +159,8 @@ void PatientDetails::readHistory(const std::filesystem::path& beingRecorded)
   showHistory();
   background_.run(
       "The list of a patient's plans and insertions",
-      [beingRecorded](const std::atomic<bool>& isCanceled) -> Result<PatientWork> {
-        return readPatientWork(beingRecorded, isCanceled);
+      [beingRecorded](const std::stop_token& stop) -> Result<PatientWork> {
+        return readPatientWork(beingRecorded, stop);
       },
       [this](Result<PatientWork> work) {
         if (!work) return said(engineError(work.error().message));

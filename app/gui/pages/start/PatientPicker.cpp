@@ -13,6 +13,7 @@
 #include <QVBoxLayout>
 #include <QVariant>
 #include <algorithm>
+#include <stop_token>
 
 #include "gui/pages/start/PatientDetails.h"
 #include "gui/parts/CheckBoxes.h"
@@ -303,8 +304,9 @@ void PatientPicker::exportSelected()
       std::filesystem::path(place.toStdString()) / patient->file.stem();
   transferred_ = nameOfPatient(patient->patient);
   startTransfer([folder, file = patient->file, about = patient->patient](
-                    const session::CopyProgress& progress) -> Result<std::filesystem::path> {
-    const auto done = session::exportPatient(file, insertionsOf(about), folder, progress);
+                    const session::CopyProgress& progress,
+                    const std::stop_token& stop) -> Result<std::filesystem::path> {
+    const auto done = session::exportPatient(file, insertionsOf(about), folder, progress, stop);
     if (!done) return done.error();
     return folder;
   });
@@ -333,8 +335,9 @@ void PatientPicker::importPatient()
       QFileDialog::getExistingDirectory(this, tr("Folder of an exported patient"));
   if (place.isEmpty()) return;
   transferred_.clear();
-  startTransfer([place = place.toStdString()](const session::CopyProgress& progress) {
-    return session::importPatient(place, patientFolder(), sessionFolder(), progress);
+  startTransfer([place = place.toStdString()](const session::CopyProgress& progress,
+                                              const std::stop_token& stop) {
+    return session::importPatient(place, patientFolder(), sessionFolder(), progress, stop);
   });
 }
 

@@ -2,6 +2,7 @@
 #include "gui/pages/start/PatientTransfer.h"
 
 #include <algorithm>
+#include <stop_token>
 #include <utility>
 
 #include "gui/parts/EngineErrors.h"
@@ -14,26 +15,21 @@ constexpr int reportInterval_ms = 100;
 
 }  // namespace
 
-struct PatientTransfer::State {
-  std::atomic<bool> isEnded{false};
-  std::atomic<int> percent{0};
-};
-
 PatientTransfer::PatientTransfer(QObject* parent) : QObject(parent), background_(this)
 {
   timer_.setInterval(reportInterval_ms);
-  connect(&timer_, &QTimer::timeout, this, [this] { Q_EMIT progressed(state_->percent); });
+  connect(&timer_, &QTimer::timeout, this, [this] { Q_EMIT progressed(*percent_); });
 }
 
 void PatientTransfer::start(Copy copy)
 {
   if (isBusy()) return;
-  state_ = std::make_shared<State>();
-  const auto work = [copy = std::move(copy), state = state_](const std::atomic<bool>& isCanceled) {
-    return copy([&](std::uintmax_t done, std::uintmax_t all) {
-      state->percent = static_cast<int>(100 * done / std::max<std::uintmax_t>(all, 1));
-      return !isCanceled && !state->isEnded;
-    });
+  percent_ = std::make_shared<std::atomic<int>>(0);
+  const auto work = [copy = std::move(copy), percent = percent_](const std::stop_token& stop) {
+    const auto progress = [&](std::uintmax_t done, std::uintmax_t all) {
+      *percent = static_cast<int>(100 * done / std::max<std::uintmax_t>(all, 1));
+    };
+    return copy(progress, stop);
   };
   background_.run("The copy", work, [this](const Result<std::filesystem::path>& place) {
     timer_.stop();
@@ -45,9 +41,6 @@ void PatientTransfer::start(Copy copy)
   timer_.start();
 }
 
-void PatientTransfer::cancel()
-{
-  if (isBusy()) state_->isEnded = true;
-}
+void PatientTransfer::cancel() { background_.requestStop(); }
 
 }  // namespace perilymph::gui

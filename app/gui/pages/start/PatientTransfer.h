@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <stop_token>
 
 #include "gui/run/Background.h"
 #include "perilymph/session/PatientRecord.h"
@@ -20,7 +21,8 @@ class PatientTransfer : public QObject {
   Q_OBJECT
 public:
   /// Copies a patient and returns the new folder or file.
-  using Copy = std::function<Result<std::filesystem::path>(const session::CopyProgress&)>;
+  using Copy = std::function<Result<std::filesystem::path>(const session::CopyProgress&,
+                                                           const std::stop_token&)>;
 
   explicit PatientTransfer(QObject* parent);
 
@@ -37,9 +39,7 @@ Q_SIGNALS:
   void failed(const QString& sentence);
 
 private:
-  struct State;
-
-  std::shared_ptr<State> state_;  ///< Shared with the thread.
+  std::shared_ptr<std::atomic<int>> percent_;  ///< Shared with the thread.
   QTimer timer_;
   Background background_;
 };

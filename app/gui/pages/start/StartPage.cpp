@@ -48,7 +48,7 @@ constexpr double pictureZoom = 1.9;  // the cochlea fills the central half of it
 QImage onLight(const QImage& dark)
 {
   QImage light = dark.convertToFormat(QImage::Format_RGB32);
-  const double ground = light.pixelColor(0, 0).lightnessF(), card = panelColor.lightnessF();
+  const double ground = light.pixelColor(0, 0).lightnessF(), card = shownTheme().panel.lightnessF();
   for (int y = 0; y < light.height(); ++y)
     for (int x = 0; x < light.width(); ++x) {
       const QColor color = light.pixelColor(x, y);
@@ -114,7 +114,9 @@ void StartCard::paintEvent(QPaintEvent*)
   painter.setRenderHint(QPainter::Antialiasing);
   QPainterPath edge;
   edge.addRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 6, 6);
-  painter.fillPath(edge, isDown() ? groundColor : underMouse() ? raisedColor : panelColor);
+  painter.fillPath(edge, isDown()       ? shownTheme().ground
+                         : underMouse() ? shownTheme().raised
+                                        : shownTheme().panel);
   painter.save();
   QPainterPath top;
   top.addRect(0, 0, width(), pictureHeight_px_);
@@ -122,16 +124,16 @@ void StartCard::paintEvent(QPaintEvent*)
   painter.drawPixmap((width() - cardSize.width()) / 2, (pictureHeight_px_ - pictureHeight_px) / 2,
                      picture_);
   painter.restore();
-  painter.setPen(QPen(lineColor, 1.0));
+  painter.setPen(QPen(shownTheme().line, 1.0));
   painter.drawPath(edge);
   if (hasFocus()) paintFocusRing(painter, rect());  // the mouse only raises a card
 
   const QRect text =
       rect().adjusted(cardMargin_px, pictureHeight_px_ + titleTop_px, -cardMargin_px, 0);
-  painter.setPen(textColor);
+  painter.setPen(shownTheme().text);
   painter.setFont(typeface(18, QFont::DemiBold));
   painter.drawText(text, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, title_);
-  painter.setPen(quietTextColor);
+  painter.setPen(shownTheme().quietText);
   painter.setFont(typeface(13));
   painter.drawText(text.adjusted(0, titleHeight(width()), 0, 0),
                    Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, sentence_);

@@ -2,6 +2,7 @@
 #include "gui/pages/studies/StudyWork.h"
 
 #include <cmath>
+#include <stop_token>
 #include <utility>
 
 #include "gui/parts/EngineErrors.h"
@@ -30,7 +31,7 @@ fs::path recordingOf(const study::StudyFileFacts& facts, std::size_t number)
 }
 
 Result<CaseRecording> recordingOf(const study::StudyFileFacts& facts, const fs::path& file,
-                                  std::size_t number, const std::atomic<bool>& isCanceled)
+                                  std::size_t number, const std::stop_token& stop)
 {
   const fs::path recording = recordingOf(facts, number);
   std::error_code problem;
@@ -40,7 +41,7 @@ Result<CaseRecording> recordingOf(const study::StudyFileFacts& facts, const fs::
   if (!study) return study.error();
   // under another name until it is whole
   const fs::path unfinished = unfinishedPath(fs::path(recording).replace_extension());
-  const auto result = study::recordCase(*study, number, unfinished, isCanceled);
+  const auto result = study::recordCase(*study, number, unfinished, stop);
   if (result) fs::rename(unfinished, recording, problem);
   std::error_code ignored;
   for (const char* ending : {"", "-wal", "-shm", "-journal"})
@@ -58,8 +59,8 @@ void StudyWork::open(const fs::path& file)
 {
   background_.run(
       "The study",
-      [file](const std::atomic<bool>& isCanceled) -> Result<Columns> {
-        auto columns = study::StudyColumns::read(file, isCanceled);
+      [file](const std::stop_token& stop) -> Result<Columns> {
+        auto columns = study::StudyColumns::read(file, stop);
         if (!columns) return columns.error();
         return std::make_shared<const study::StudyColumns>(*std::move(columns));
       },
@@ -74,9 +75,8 @@ void StudyWork::runAgain(const Columns& columns, const fs::path& file, std::size
   const study::StudyResult& result = columns->result(row);
   background_.run(
       "The insertion",
-      [facts = columns->facts(), file,
-       number = result.number](const std::atomic<bool>& isCanceled) {
-        return recordingOf(facts, file, number, isCanceled);
+      [facts = columns->facts(), file, number = result.number](const std::stop_token& stop) {
+        return recordingOf(facts, file, number, stop);
       },
       [this, number = result.number,
        before_mN = inMillinewtons(result.insertion.peak.force)](const Result<CaseRecording>& now) {

@@ -285,7 +285,8 @@ void ValidatePage::showVerdicts()
     // a text in addition to the color
     auto* mark = text(verdict.isMet ? tr("✓ met") : tr("✗ missed"), 13, this);
     mark->setStyleSheet(
-        QStringLiteral("color: %1;").arg((verdict.isMet ? accentColor : warningColor).name()));
+        QStringLiteral("color: %1;")
+            .arg((verdict.isMet ? shownTheme().accent : shownTheme().warning).name()));
     auto* what = text(dataText(verdict.what), 13, this);
     what->setWordWrap(true);
     auto* found = text(dataText(verdict.found), 13, this);

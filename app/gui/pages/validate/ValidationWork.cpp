@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/pages/validate/ValidationWork.h"
 
+#include <stop_token>
+
 namespace perilymph::gui {
 
 namespace {
@@ -42,33 +44,34 @@ void ValidationWork::start(analysis::ValidationRequest request)
 {
   if (isRunning()) return;
   shared_ = std::make_shared<Shared>();
+  wasCanceled_ = false;
   request.onCurve = [shared = shared_](const std::vector<double>& curve) {
     const std::lock_guard lock(shared->mutex);
     shared->curves.push_back(curve);
   };
   background_.run(
       "The validation",
-      [shared = shared_, request = std::move(request)](const std::atomic<bool>& isForgotten) {
-        return analysis::validate(request, [&](std::size_t done, std::size_t all) {
+      [shared = shared_, request = std::move(request)](const std::stop_token& stop) {
+        const auto progress = [&](std::size_t done, std::size_t all) {
           const std::lock_guard lock(shared->mutex);
           shared->done = done;
           shared->all = all;
-          return !shared->isCanceled && !isForgotten;
-        });
+        };
+        return analysis::validate(request, progress, stop);
       },
       [this](const Result<analysis::ValidationResult>& result) {
         timer_.stop();
         if (result) return finished(*result, {});
-        finished(std::nullopt, shared_->isCanceled
-                                   ? tr("Canceled. No results were saved.")
-                                   : QString::fromStdString(result.error().message));
+        finished(std::nullopt, wasCanceled_ ? tr("Canceled. No results were saved.")
+                                            : QString::fromStdString(result.error().message));
       });
   timer_.start();
 }
 
 void ValidationWork::cancel()
 {
-  if (shared_) shared_->isCanceled = true;
+  wasCanceled_ = isRunning();
+  background_.requestStop();
 }
 
 void ValidationWork::report()

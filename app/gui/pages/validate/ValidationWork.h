@@ -5,7 +5,6 @@
 
 #include <QObject>
 #include <QTimer>
-#include <atomic>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -43,7 +42,6 @@ Q_SIGNALS:
 private:
   /// Data passed from the working threads to the UI thread.
   struct Shared {
-    std::atomic<bool> isCanceled{false};
     std::mutex mutex;
     std::vector<std::vector<double>> curves;
     std::size_t done = 0, all = 0;
@@ -52,6 +50,7 @@ private:
   void report();
 
   std::shared_ptr<Shared> shared_;
+  bool wasCanceled_ = false;
   QTimer timer_;
   Background background_;  ///< Its thread starts those that insert.
 };

@@ -214,7 +214,7 @@ std::vector<Measure> measure(const anatomy::ScalaTympani& scala)
       {"st_length_mm", inMillimeters(organOfCortiLength(scala)),
        "length of the organ-of-Corti path in the plan, round window to apex",
        own + "; definition of Todd and Naghdy, section II.B"},
-      {"cdl_oc_mm", 4.16 * a_mm - 4.0, "4.16 A - 4", "Alexiades 2015, Otol Neurotol 36:904"},
+      ductLength("cdl_oc_mm", basal.a, basal.b),
       {"outer_wall_length_360_mm", outerLength_mm(turn),
        "length through the outermost points of sections 22.5 deg apart, 0 to 360 deg", own},
       {"outer_wall_length_mm", outerLength_mm(measured),

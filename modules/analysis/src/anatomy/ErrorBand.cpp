@@ -1,26 +1,35 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "perilymph/analysis/ErrorBand.h"
 
+#include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
+
+#include "perilymph/foundation/Normal.h"
 
 namespace perilymph::analysis {
 
 namespace {
 
-/// The patients that differ from a given one in a single length, changed by its error.
-std::vector<anatomy::Patient> movedByOne(const anatomy::Patient& patient, Length assumed)
+/// A patient that differs from a given one in a single length, by its error.
+struct Moved {
+  anatomy::Patient patient;
+  double sign;  ///< -1 where the length was made shorter.
+};
+
+std::vector<Moved> movedByOne(const anatomy::Patient& patient, Length assumed)
 {
-  std::vector<anatomy::Patient> moved;
+  std::vector<Moved> moved;
   const anatomy::BasalTurnErrors errors = errorsOf(patient, assumed);
   Length step = assumed;
   const auto move = [&](auto change) {
-    anatomy::Patient other = patient;
-    change(other);
+    Moved other{patient, 1.0};
+    change(other.patient);
     // upward if allowed, else downward
-    if (!anatomy::checkPatient(other)) {
-      other = patient;
+    if (!anatomy::checkPatient(other.patient)) {
+      other = {patient, -1.0};
       step = -step;
-      change(other);
+      change(other.patient);
       step = -step;
     }
     moved.push_back(other);
@@ -41,6 +50,17 @@ std::vector<anatomy::Patient> movedByOne(const anatomy::Patient& patient, Length
   return moved;
 }
 
+/// Correlations of the errors of the lengths that movedByOne() changes.
+Eigen::Matrix3d correlationsOf(const anatomy::Patient& patient)
+{
+  Eigen::Matrix3d r = Eigen::Matrix3d::Identity();
+  if (!patient.basalTurn || !patient.errors) return r;
+  r(0, 1) = r(1, 0) = patient.errors->ab;
+  r(0, 2) = r(2, 0) = patient.errors->ah;
+  r(1, 2) = r(2, 1) = patient.errors->bh;
+  return r;
+}
+
 }  // namespace
 
 anatomy::BasalTurnErrors errorsOf(const anatomy::Patient& patient, Length assumed)
@@ -57,18 +77,24 @@ Result<std::vector<double>> errorBands(
 {
   if (!isScaledBy(cochlea.source, cochlea.patient)) return std::vector<double>{};
 
-  std::vector<double> bands(measures.size(), 0.0);
-  for (const anatomy::Patient& patient : movedByOne(cochlea.patient, error)) {
+  std::vector<Eigen::Vector3d> changes(measures.size(), Eigen::Vector3d::Zero());
+  Eigen::Index length = 0;
+  for (const auto& [patient, sign] : movedByOne(cochlea.patient, error)) {
     const auto scala =
         anatomy::buildAnatomy({cochlea.source, patient, cochlea.leadIn}, patient.label);
     if (!scala) return scala.error();
     const std::vector<Measure> moved = measuring(**scala);
-    for (std::size_t i = 0; i < bands.size() && i < moved.size(); ++i) {
-      const double change = moved[i].value - measures[i].value;
-      bands[i] += change * change;
-    }
+    for (std::size_t i = 0; i < changes.size() && i < moved.size(); ++i)
+      changes[i][length] = sign * (moved[i].value - measures[i].value);
+    ++length;
   }
-  for (double& band : bands) band = std::sqrt(band);
+  const Eigen::Matrix3d correlations = correlationsOf(cochlea.patient);
+  std::vector<double> bands;
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    const double variance = changes[i].dot(correlations * changes[i]);
+    bands.push_back(halfWidth95 *
+                    std::hypot(std::sqrt(std::max(0.0, variance)), measures[i].formulaError));
+  }
   return bands;
 }
 

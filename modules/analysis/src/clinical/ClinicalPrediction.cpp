@@ -3,6 +3,7 @@
 
 #include <iterator>
 #include <memory>
+#include <stop_token>
 
 #include "clinical/PhantomRows.h"
 #include "perilymph/analysis/InParallel.h"
@@ -27,8 +28,8 @@ std::size_t insertionsOf(const ClinicalRequest& request)
          phantomInsertions;
 }
 
-Result<ClinicalResult> predictClinic(const ClinicalRequest& request,
-                                     const std::function<bool(std::size_t, std::size_t)>& progress)
+Result<ClinicalResult> predictClinic(const ClinicalRequest& request, const RunProgress& progress,
+                                     const std::stop_token& stop)
 {
   const auto hand = shippedHand();
   if (!hand) return hand.error();
@@ -46,9 +47,9 @@ Result<ClinicalResult> predictClinic(const ClinicalRequest& request,
   ClinicalResult result;
   result.insertions.resize(cochleae * arrays);
   std::vector<ClinicalRow> phantom;
-  const auto work = [&](std::size_t piece, const std::atomic<bool>& isAsked) -> Result<Done> {
+  const auto work = [&](std::size_t piece, const std::stop_token& ending) -> Result<Done> {
     if (piece == cochleae) {
-      auto rows = phantomRows(isAsked);
+      auto rows = phantomRows(ending);
       if (!rows) return rows.error();
       phantom = *std::move(rows);
       return Done{};
@@ -57,7 +58,7 @@ Result<ClinicalResult> predictClinic(const ClinicalRequest& request,
     const std::uint64_t patient = piece % patients + 1;
     const Surgeon surgeon = drawSurgeon(*hand, seed, patient);
     std::shared_ptr<const anatomy::ScalaTympani> anatomy;
-    for (std::size_t i = 0; i < arrays && !isAsked; ++i) {
+    for (std::size_t i = 0; i < arrays && !ending.stop_requested(); ++i) {
       const auto parameters = withCochlea(nominal[i], seed, patient);
       if (!parameters) return parameters.error();
       if (!anatomy) {
@@ -66,7 +67,7 @@ Result<ClinicalResult> predictClinic(const ClinicalRequest& request,
         anatomy = *built;
       }
       ClinicalInsertion& place = result.insertions[piece * arrays + i];
-      place = insertByHand(*parameters, anatomy, *hand, surgeon, Length{}, isAsked);
+      place = insertByHand(*parameters, anatomy, *hand, surgeon, Length{}, ending);
       place.array = clinicalArrays[i];
       place.seed = seed;
       place.patient = patient;
@@ -74,9 +75,12 @@ Result<ClinicalResult> predictClinic(const ClinicalRequest& request,
     return Done{};
   };
   const std::size_t all = insertionsOf(request);
-  const auto done = doInParallel(cochleae + 1, request.jobs, work, [&](std::size_t count) {
-    return !progress || progress(count > cochleae ? all : count * arrays, all);
-  });
+  const auto done = doInParallel(
+      cochleae + 1, request.jobs, work,
+      [&](std::size_t count) {
+        if (progress) progress(count > cochleae ? all : count * arrays, all);
+      },
+      stop);
   if (!done) return done.error();
 
   auto rows = clinicalRows(result.insertions);

@@ -8,6 +8,7 @@
 #include "perilymph/analysis/ClinicalPrediction.h"
 #include "perilymph/analysis/Prediction.h"
 #include "perilymph/analysis/Reference.h"
+#include "perilymph/foundation/Quantile.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/foundation/TomlReader.h"
 

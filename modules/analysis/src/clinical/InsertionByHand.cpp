@@ -6,6 +6,7 @@
 #include <numeric>
 #include <optional>
 #include <stdexcept>
+#include <stop_token>
 #include <vector>
 
 #include "ProfilePoints.h"
@@ -113,14 +114,13 @@ private:
 ClinicalInsertion insertByHand(const session::InsertionParameters& nominal,
                                std::shared_ptr<const anatomy::ScalaTympani> anatomy,
                                const HandDistribution& hand, const Surgeon& surgeon,
-                               Length profileSpacing, const std::atomic<bool>& isAsked,
+                               Length profileSpacing, const std::stop_token& stop,
                                haptics::Snapshot* shape)
 {
   ClinicalInsertion result;
   const DrawnInsertion drawn = withSurgeon(nominal, hand, surgeon);
-  auto device = std::make_unique<ExperimentDevice>(drawn);
-  ExperimentDevice& forceps = *device;
-  auto insertion = session::Insertion::prepare(drawn.parameters, std::move(device), anatomy);
+  const auto forceps = std::make_shared<ExperimentDevice>(drawn);
+  auto insertion = session::Insertion::prepare(drawn.parameters, forceps, anatomy);
   if (!insertion) {
     result.reason = insertion.error().message;
     return result;
@@ -146,16 +146,16 @@ ClinicalInsertion insertByHand(const session::InsertionParameters& nominal,
     points.add(result.profile, record.output.depth, record.output.axialForce);
     if (record.output.workflow == haptics::Workflow::inserting) end = watch.take(record.output);
     if (record.output.workflow == haptics::Workflow::finished) end = endOf(record.output);
-    return !end && !isAsked;
+    return !end && !stop.stop_requested();
   };
   // twice the time for the travel, plus a second to start
   const auto ticks = (2.0 * drawn.parameters.stopTravel.si() / surgeon.speed.si() + 1.0) / step;
   auto ran = (*insertion)->runToEnd(push, static_cast<std::uint64_t>(ticks));
-  if (isAsked) return result;
+  if (stop.stop_requested()) return result;
 
   result.endForce = force.mean();
   if (ran) {
-    forceps.rest();
+    forceps->rest();
     std::size_t tick = 0;
     const auto rest = [&](const haptics::TickRecord& record) {
       note(record.output);
@@ -163,11 +163,11 @@ ClinicalInsertion insertByHand(const session::InsertionParameters& nominal,
       ++tick;
       if (tick == ticksIn(shortRest)) result.forceAfter1s = force.mean();
       if (tick == ticksIn(longRest)) result.forceAfter10s = force.mean();
-      return !isAsked;
+      return !stop.stop_requested();
     };
     ran = (*insertion)->runToEnd(rest, ticksIn(hand.rest));
   }
-  if (isAsked) return result;
+  if (stop.stop_requested()) return result;
   result.end = ran ? end.value_or(InsertionEnd::fault) : InsertionEnd::fault;
   if (!ran) result.reason = ran.error().message;
   result.depth = meters(last.depth);

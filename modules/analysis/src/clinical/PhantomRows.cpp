@@ -2,6 +2,7 @@
 #include "clinical/PhantomRows.h"
 
 #include <cmath>
+#include <stop_token>
 #include <string>
 
 #include "perilymph/analysis/FullInsertion.h"
@@ -30,14 +31,14 @@ Result<session::Scenario> machineInsertion(const std::string& friction, const st
 
 struct Phantom {
   std::shared_ptr<const anatomy::ScalaTympani> anatomy;
-  const std::atomic<bool>& isAsked;
+  std::stop_token stop;
 
   /// Maximum force of one insertion [mN].
   Result<double> peak(const std::string& friction, const std::string& speed)
   {
     const auto scenario = machineInsertion(friction, speed);
     if (!scenario) return scenario.error();
-    const FullInsertion full = insertFully(scenario->parameters(), anatomy, Length{}, isAsked);
+    const FullInsertion full = insertFully(scenario->parameters(), anatomy, Length{}, stop);
     return inMillinewtons(full.peak.force);
   }
 };
@@ -87,13 +88,13 @@ Result<double> speedEffect(Phantom& phantom, const char* friction)
 
 }  // namespace
 
-Result<std::vector<ClinicalRow>> phantomRows(const std::atomic<bool>& isAsked)
+Result<std::vector<ClinicalRow>> phantomRows(const std::stop_token& stop)
 {
   const auto scenario = machineInsertion("paper", "1.0");
   if (!scenario) return scenario.error();
   const auto anatomy = session::buildAnatomy(scenario->parameters());
   if (!anatomy) return anatomy.error();
-  Phantom phantom{*anatomy, isAsked};
+  Phantom phantom{*anatomy, stop};
   std::vector<ClinicalRow> rows;
 
   const auto coiled = phantom.peak("paper", "1.0");

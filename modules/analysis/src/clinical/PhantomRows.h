@@ -3,7 +3,7 @@
 
 // An experiment with one array, coiled and uncoiled: rows of the clinical table.
 
-#include <atomic>
+#include <stop_token>
 #include <vector>
 
 #include "perilymph/analysis/ClinicalPrediction.h"
@@ -14,6 +14,6 @@ namespace perilymph::analysis {
 inline constexpr std::size_t phantomInsertions = 9;
 
 /// Inserts a FLEX28 by machine into the mean scala tympani at the experiment's speeds.
-Result<std::vector<ClinicalRow>> phantomRows(const std::atomic<bool>& isAsked);
+Result<std::vector<ClinicalRow>> phantomRows(const std::stop_token& stop);
 
 }  // namespace perilymph::analysis

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stop_token>
 
 namespace perilymph::analysis {
 
@@ -32,7 +33,7 @@ struct Trial {
 }  // namespace
 
 Result<CalibrationResult> fitCalibration(const CalibrationRequest& request,
-                                         const CalibrationProgress& progress)
+                                         const PieceProgress& progress, const std::stop_token& stop)
 {
   const PrintedForce* printed = request.experiment.find(fittedFeature);
   if (!printed || !(printed->standardDeviation > 0.0))
@@ -59,9 +60,12 @@ Result<CalibrationResult> fitCalibration(const CalibrationRequest& request,
   const double curvature = calibration.residualCurvature.value;
   const auto run = [&](double at) -> Result<Trial> {
     trial.nominal.array = session::calibrated(request.nominal.array, at, curvature);
-    auto insertions = validate(trial, [&](std::size_t, std::size_t) {
-      return !progress || progress(static_cast<std::size_t>(result.trials));
-    });
+    auto insertions = validate(
+        trial,
+        [&](std::size_t, std::size_t) {
+          if (progress) progress(static_cast<std::size_t>(result.trials));
+        },
+        stop);
     if (!insertions) return insertions.error();
     ++result.trials;
     result.fitted = std::move(*insertions);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stop_token>
 
 #include "perilymph/analysis/RandomStream.h"
 #include "perilymph/session/Insertion.h"
@@ -12,12 +13,11 @@ namespace perilymph::analysis {
 
 Result<MeasuredInsertion> measure(const DrawnInsertion& drawn,
                                   std::shared_ptr<const anatomy::ScalaTympani> anatomy,
-                                  Duration samplePeriod, Length stop,
-                                  const std::atomic<bool>& isAsked)
+                                  Duration samplePeriod, Length travel, const std::stop_token& stop)
 {
   session::InsertionParameters parameters = drawn.parameters;
-  parameters.stopTravel = stop;
-  parameters.engine.stopTravel = stop.si();
+  parameters.stopTravel = travel;
+  parameters.engine.stopTravel = travel.si();
   parameters.engine.samplePeriod = parameters.timeStep.si();
   parameters.engine.pushesAlongOpening = true;
   parameters.withdraws = false;
@@ -39,7 +39,7 @@ Result<MeasuredInsertion> measure(const DrawnInsertion& drawn,
     ++measured.ticks;
     if (now.status & haptics::notConverged) ++measured.ticksNotConverged;
     end = endOf(now);
-    if (now.workflow != haptics::Workflow::inserting) return !isAsked;
+    if (now.workflow != haptics::Workflow::inserting) return !stop.stop_requested();
     const Eigen::Vector3d base_W(now.proxy_W[0], now.proxy_W[1], now.proxy_W[2]);
     if (!start_W) start_W = base_W;
     crosshead = (*start_W - base_W).dot(out_W);
@@ -50,11 +50,12 @@ Result<MeasuredInsertion> measure(const DrawnInsertion& drawn,
       measured.depth.push_back(now.depth);
       measured.force.push_back(now.axialForce + drawn.noiseDeviation * noise.normal());
     }
-    return !isAsked;
+    return !stop.stop_requested();
   };
   const auto ran =
       (*insertion)->runToEnd(each, session::maxTicks(parameters, (*insertion)->model()));
-  if (isAsked) return Error{"Stopped before insertion " + std::to_string(drawn.number + 1) + "."};
+  if (stop.stop_requested())
+    return Error{"Stopped before insertion " + std::to_string(drawn.number + 1) + "."};
   if (!ran) end = haptics::InsertionEnd::fault;
   if (end != haptics::InsertionEnd::finished)
     measured.incomplete =

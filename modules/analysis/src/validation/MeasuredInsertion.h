@@ -3,9 +3,9 @@
 
 // One insertion of an experiment, as measured by a load cell: a force every 50 ms.
 
-#include <atomic>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <vector>
 
 #include "perilymph/analysis/IncompleteInsertion.h"
@@ -31,11 +31,11 @@ struct MeasuredInsertion {
 /// reach the travel is a result, not an error: it ends where that is certain.
 ///
 /// @param anatomy  The cochlea of its scenario, shared between insertions.
-/// @param stop     Travel at the end.
-/// @param isAsked  Ends it early, with an error, when true.
+/// @param travel   At the end.
+/// @param stop     Ends it early, with an error.
 Result<MeasuredInsertion> measure(const DrawnInsertion& drawn,
                                   std::shared_ptr<const anatomy::ScalaTympani> anatomy,
-                                  Duration samplePeriod, Length stop,
-                                  const std::atomic<bool>& isAsked);
+                                  Duration samplePeriod, Length travel,
+                                  const std::stop_token& stop);
 
 }  // namespace perilymph::analysis

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stop_token>
 
 #include "perilymph/analysis/FullInsertion.h"
 #include "perilymph/analysis/InParallel.h"
+#include "perilymph/foundation/Quantile.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/foundation/TomlReader.h"
 #include "validation/VirtualInsertion.h"
@@ -20,9 +22,9 @@ constexpr Duration timeStep = milliseconds(5);
 
 PredictedInsertion insert(const session::InsertionParameters& parameters,
                           std::shared_ptr<const anatomy::ScalaTympani> anatomy,
-                          const std::atomic<bool>& isAsked)
+                          const std::stop_token& stop)
 {
-  const FullInsertion full = insertFully(parameters, std::move(anatomy), Length{}, isAsked);
+  const FullInsertion full = insertFully(parameters, std::move(anatomy), Length{}, stop);
   PredictedInsertion predicted;
   if (full.end != InsertionEnd::finished)
     predicted.error =
@@ -91,18 +93,8 @@ Result<std::vector<ClinicalAngle>> clinicalAngles()
   return angles;
 }
 
-double quantile(std::vector<double> values, double fraction)
-{
-  if (values.empty()) return 0.0;
-  std::sort(values.begin(), values.end());
-  const double place = fraction * static_cast<double>(values.size() - 1);
-  const auto below = static_cast<std::size_t>(place);
-  if (below + 1 >= values.size()) return values.back();
-  return values[below] + (place - std::floor(place)) * (values[below + 1] - values[below]);
-}
-
-Result<PredictionResult> predict(const PredictionRequest& request,
-                                 const std::function<bool(std::size_t, std::size_t)>& progress)
+Result<PredictionResult> predict(const PredictionRequest& request, const RunProgress& progress,
+                                 const std::stop_token& stop)
 {
   const auto clinical = clinicalAngles();
   if (!clinical) return clinical.error();
@@ -117,9 +109,9 @@ Result<PredictionResult> predict(const PredictionRequest& request,
   const std::size_t arrays = nominal.size();
   const std::size_t cochleae = static_cast<std::size_t>(request.patients) + 1;
   std::vector<PredictedInsertion> insertions(arrays * cochleae);
-  const auto work = [&](std::size_t number, const std::atomic<bool>& isAsked) -> Result<Done> {
+  const auto work = [&](std::size_t number, const std::stop_token& ending) -> Result<Done> {
     std::shared_ptr<const anatomy::ScalaTympani> anatomy;
-    for (std::size_t i = 0; i < arrays && !isAsked; ++i) {
+    for (std::size_t i = 0; i < arrays && !ending.stop_requested(); ++i) {
       const auto parameters = withCochlea(nominal[i], request.seed, number);
       if (!parameters) return parameters.error();
       if (!anatomy) {
@@ -128,15 +120,18 @@ Result<PredictionResult> predict(const PredictionRequest& request,
         anatomy = *built;
       }
       PredictedInsertion& place = insertions[i * cochleae + number];
-      place = insert(*parameters, anatomy, isAsked);
+      place = insert(*parameters, anatomy, ending);
       place.array = request.arrays[i];
       place.patient = number == 0 ? "mean" : "sample " + std::to_string(number);
     }
     return Done{};
   };
-  const auto done = doInParallel(cochleae, request.jobs, work, [&](std::size_t count) {
-    return !progress || progress(count * arrays, cochleae * arrays);
-  });
+  const auto done = doInParallel(
+      cochleae, request.jobs, work,
+      [&](std::size_t count) {
+        if (progress) progress(count * arrays, cochleae * arrays);
+      },
+      stop);
   if (!done) return done.error();
 
   PredictionResult result;

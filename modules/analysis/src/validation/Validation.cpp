@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stop_token>
 
 #include "perilymph/analysis/InParallel.h"
 #include "perilymph/analysis/RandomStream.h"
@@ -83,12 +84,12 @@ void keepRawPeak(const MeasuredInsertion& measured, Kept& kept)
 
 Result<Done> runOne(const ValidationRequest& request, SpreadSources sources, std::uint64_t number,
                     const std::shared_ptr<const anatomy::ScalaTympani>& anatomy,
-                    const std::atomic<bool>& isAsked, Kept& kept)
+                    const std::stop_token& stop, Kept& kept)
 {
   const DrawnInsertion drawn =
       drawInsertion(request.nominal, request.variability, sources, request.seed, number);
   auto measured =
-      measure(drawn, anatomy, request.variability.samplePeriod, stopOf(drawn.parameters), isAsked);
+      measure(drawn, anatomy, request.variability.samplePeriod, stopOf(drawn.parameters), stop);
   if (!measured) return measured.error();
   kept.ticks = measured->ticks;
   kept.ticksNotConverged = measured->ticksNotConverged;
@@ -287,8 +288,8 @@ std::optional<std::vector<double>> resampled(const std::vector<double>& travel,
   return values;
 }
 
-Result<ValidationResult> validate(const ValidationRequest& request,
-                                  const ValidationProgress& progress)
+Result<ValidationResult> validate(const ValidationRequest& request, const RunProgress& progress,
+                                  const std::stop_token& stop)
 {
   if (request.runs < 2)
     return Error{"A validation of " + std::to_string(request.runs) +
@@ -305,21 +306,24 @@ Result<ValidationResult> validate(const ValidationRequest& request,
   const std::vector<SpreadSource> alone = mechanicalSources(request);
   const std::size_t all = runs + alone.size() * runsPerSource;
   std::vector<Kept> kept(all);
-  const auto work = [&](std::size_t piece, const std::atomic<bool>& isAsked) {
+  const auto work = [&](std::size_t piece, const std::stop_token& ending) {
     SpreadSources sources = SpreadSources::all();
     std::size_t number = piece;
     if (piece >= runs) {
       sources = SpreadSources::only(alone[(piece - runs) / runsPerSource]);
       number = (piece - runs) % runsPerSource;
     }
-    const auto done = runOne(request, sources, number, anatomy, isAsked, kept[piece]);
+    const auto done = runOne(request, sources, number, anatomy, ending, kept[piece]);
     if (done && piece < runs && !kept[piece].incomplete && request.onCurve)
       request.onCurve(kept[piece].curve);
     return done;
   };
-  const auto done = doInParallel(all, request.jobs, work, [&](std::size_t count) {
-    return !progress || progress(count, all);
-  });
+  const auto done = doInParallel(
+      all, request.jobs, work,
+      [&](std::size_t count) {
+        if (progress) progress(count, all);
+      },
+      stop);
   if (!done) return done.error();
 
   ValidationResult result;

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "perilymph/foundation/Normal.h"
+
 namespace perilymph::anatomy {
 
 Length ellipticCircularBasalTurn(Length a, Length b)
@@ -14,6 +16,14 @@ Length ellipticCircularDuctLength(Length a, Length b)
 {
   const Length narrower = millimeters(1.0);
   return 1.71 * ellipticCircularBasalTurn(a - narrower, b - narrower) + millimeters(0.18);
+}
+
+Length ductLengthFromA(Length a) { return 4.16 * a - millimeters(4.0); }
+
+Length ductLengthFormulaError(Length a, Length b)
+{
+  const Length apart = ductLengthFromA(a) - ellipticCircularDuctLength(a, b);
+  return Length::fromSi(std::fabs(apart.si()) / halfWidth95);
 }
 
 }  // namespace perilymph::anatomy

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <stop_token>
 
 #include "../SharedMemory.h"
 #include "../UntrustedRead.h"
@@ -47,7 +48,7 @@ std::optional<StoredType> decodeInto(const DicomHeader& header, std::span<std::b
 
 }  // namespace
 
-bool decodeCompressed(const DicomHeader& header, const std::function<bool()>& isCanceled,
+bool decodeCompressed(const DicomHeader& header, const std::stop_token& stop,
                       const std::function<void(StoredType, std::span<const std::byte>)>& use)
 {
   const std::size_t size = static_cast<std::size_t>(header.rows) *
@@ -61,7 +62,7 @@ bool decodeCompressed(const DicomHeader& header, const std::function<bool()>& is
     const auto type = decodeInto(header, bytes);
     return type ? static_cast<int>(*type) : childFailed;
   };
-  const int status = runInChild(decode, {std::nullopt, isCanceled, {}});
+  const int status = runInChild(decode, {std::nullopt, stop, {}});
   if (status >= childFailed) return false;
   use(static_cast<StoredType>(status), bytes);
   return true;

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <functional>
 #include <span>
+#include <stop_token>
 
 #include "DicomHeader.h"
 
@@ -22,7 +23,7 @@ enum class StoredType { int8, uint8, int16, uint16, int32, uint32 };
 /// to an end. `use` is given the decoded bytes, every frame behind the other.
 ///
 /// @return  False where the file could not be decoded within a minute, or reading was canceled.
-bool decodeCompressed(const DicomHeader& header, const std::function<bool()>& isCanceled,
+bool decodeCompressed(const DicomHeader& header, const std::stop_token& stop,
                       const std::function<void(StoredType, std::span<const std::byte>)>& use);
 
 }  // namespace perilymph::imaging

@@ -37,7 +37,7 @@ Result<std::vector<fs::path>> filesBelow(const fs::path& folder, const ReadingHo
                  ". Check its name and permissions."};
   for (const fs::recursive_directory_iterator end; entry != end; entry.increment(failed)) {
     if (failed) break;
-    if (hooks.isCanceled && hooks.isCanceled()) return canceledReading();
+    if (hooks.stop.stop_requested()) return canceledReading();
     std::error_code ignored;
     if (!entry->is_regular_file(ignored)) continue;
     files.push_back(entry->path());
@@ -89,7 +89,7 @@ Result<Paths> pathsOf(const fs::path& path, const ReadingHooks& hooks)
     return paths;
   }
   paths.files = {path};
-  if (isNestedTooDeep(path) || !filesThatEndTheParser(paths.files, hooks.isCanceled)->empty())
+  if (isNestedTooDeep(path) || !filesThatEndTheParser(paths.files, hooks.stop)->empty())
     return paths;
   auto directory = readDicomDirectory(path);
   if (!directory) return paths;
@@ -124,9 +124,8 @@ Result<DicomFiles> listDicomFiles(const fs::path& path, const ReadingHooks& hook
                                   std::chrono::milliseconds longest)
 {
   if (isZip(path)) {
-    auto unpacked = UnpackedZip::unpack(path, maxCtFiles, hooks.isCanceled);
-    if (!unpacked)
-      return hooks.isCanceled && hooks.isCanceled() ? canceledReading() : unpacked.error();
+    auto unpacked = UnpackedZip::unpack(path, maxCtFiles, hooks.stop);
+    if (!unpacked) return hooks.stop.stop_requested() ? canceledReading() : unpacked.error();
     auto found = listDicomFiles((*unpacked)->folder(), hooks, longest);
     if (found) found->unpacked = *std::move(unpacked);
     return found;
@@ -144,14 +143,14 @@ Result<DicomFiles> listDicomFiles(const fs::path& path, const ReadingHooks& hook
     else
       files.push_back(file);
   }
-  const auto ending = filesThatEndTheParser(files, hooks.isCanceled, longest);
-  if (hooks.isCanceled && hooks.isCanceled()) return canceledReading();
+  const auto ending = filesThatEndTheParser(files, hooks.stop, longest);
+  if (hooks.stop.stop_requested()) return canceledReading();
   if (!ending)
     return Error{path.string() +
                  " takes more than 5 minutes to list, because its files are damaged or on a slow "
                  "drive. Copy the series to a folder of this computer."};
   for (std::size_t i = 0; i < files.size(); ++i) {
-    if (hooks.isCanceled && hooks.isCanceled()) return canceledReading();
+    if (hooks.stop.stop_requested()) return canceledReading();
     if (ending->contains(files[i])) {
       found.headers.push_back(notParsed(files[i], {}));
     } else if (auto header = readDicomHeader(files[i])) {

@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -28,8 +29,7 @@ constexpr int minSpan_HU = 100;  // as of volume files
 /// Slices of a series, each decoded once if its file is asked for in a row.
 class SliceReader {
 public:
-  SliceReader(const DicomSeries& series, const std::function<bool()>& isCanceled)
-      : series_(series), isCanceled_(isCanceled)
+  SliceReader(const DicomSeries& series, const std::stop_token& stop) : series_(series), stop_(stop)
   {
   }
 
@@ -38,7 +38,7 @@ public:
   {
     const DicomHeader& header = series_.headers[slice.header];
     if (current_ != slice.header) {
-      auto frames = decodeFrames(header, isCanceled_);
+      auto frames = decodeFrames(header, stop_);
       if (!frames) return frames.error();
       clipped_ += frames->clipped;
       compareRange(header, frames->voxels);
@@ -87,7 +87,7 @@ private:
   }
 
   const DicomSeries& series_;
-  const std::function<bool()>& isCanceled_;
+  const std::stop_token& stop_;
   std::optional<std::size_t> current_;
   DecodedFrames frames_;
   std::size_t clipped_ = 0;
@@ -153,15 +153,14 @@ Result<Grid> assemble(const DicomSeries& series, const ReadingHooks& hooks,
   const std::size_t perSlice =
       static_cast<std::size_t>(grid.size[0]) * static_cast<std::size_t>(grid.size[1]);
   grid.voxels.resize(perSlice * count);
-  SliceReader reader(series, hooks.isCanceled);
+  SliceReader reader(series, hooks.stop);
   for (std::size_t k = 0; k < count; ++k) {
-    if (hooks.isCanceled && hooks.isCanceled()) return canceledReading();
+    if (hooks.stop.stop_requested()) return canceledReading();
     const auto slab = grid.voxels.begin() + static_cast<std::ptrdiff_t>(k * perSlice);
     const std::vector<std::size_t>& place = stack.places[k];
     for (std::size_t i = 0; i < place.size(); ++i) {
       const auto voxels = reader.read(series.slices[place[i]]);
-      if (!voxels)
-        return hooks.isCanceled && hooks.isCanceled() ? canceledReading() : voxels.error();
+      if (!voxels) return hooks.stop.stop_requested() ? canceledReading() : voxels.error();
       if (i == 0)
         std::copy(*voxels, *voxels + perSlice, slab);
       else if (!std::equal(*voxels, *voxels + perSlice, slab))

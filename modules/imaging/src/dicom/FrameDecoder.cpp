@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <stop_token>
 
 #include "CompressedFrames.h"
 #include "DicomStatements.h"
@@ -225,15 +226,14 @@ Result<DecodedFrames> rescaledAs(StoredType type, std::span<const std::byte> byt
 
 }  // namespace
 
-Result<DecodedFrames> decodeFrames(const DicomHeader& header,
-                                   const std::function<bool()>& isCanceled)
+Result<DecodedFrames> decodeFrames(const DicomHeader& header, const std::stop_token& stop)
 {
   if (header.coding != PixelCoding::compressed) return decodePlain(header);
   Result<DecodedFrames> decoded = undecodable();
   const auto use = [&](StoredType type, std::span<const std::byte> bytes) {
     decoded = rescaledAs(type, bytes, header);
   };
-  if (!decodeCompressed(header, isCanceled, use)) return undecodable();
+  if (!decodeCompressed(header, stop, use)) return undecodable();
   return decoded;
 }
 

@@ -4,7 +4,7 @@
 // The voxels of one DICOM file as Hounsfield units.
 
 #include <cstdint>
-#include <functional>
+#include <stop_token>
 #include <vector>
 
 #include "DicomHeader.h"
@@ -21,7 +21,6 @@ struct DecodedFrames {
 
 /// Decodes a file and applies each frame's slope and intercept. Refuses a file that cannot be decoded, and voxels
 /// that need more bits than the header says.
-Result<DecodedFrames> decodeFrames(const DicomHeader& header,
-                                   const std::function<bool()>& isCanceled = {});
+Result<DecodedFrames> decodeFrames(const DicomHeader& header, const std::stop_token& stop = {});
 
 }  // namespace perilymph::imaging

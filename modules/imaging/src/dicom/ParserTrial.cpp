@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <ctime>
 #include <new>
+#include <stop_token>
 
 #include "../SharedMemory.h"
 #include "../UntrustedRead.h"
@@ -45,7 +46,7 @@ struct Report {
 }  // namespace
 
 std::optional<std::set<std::filesystem::path>> filesThatEndTheParser(
-    const std::vector<std::filesystem::path>& files, const std::function<bool()>& isCanceled,
+    const std::vector<std::filesystem::path>& files, const std::stop_token& stop,
     std::chrono::milliseconds longest)
 {
   std::set<std::filesystem::path> found;
@@ -69,12 +70,12 @@ std::optional<std::set<std::filesystem::path>> filesThatEndTheParser(
       }
       return 0;
     };
-    const int status = runInChild(work, {maxBytes, isCanceled, patience});
+    const int status = runInChild(work, {maxBytes, stop, patience});
     if (status == 0 && report.slow == 0) {
       begin = end;
       continue;
     }
-    if (isCanceled && isCanceled()) break;
+    if (stop.stop_requested()) break;
     found.insert(files[report.place]);
     begin = report.place + 1;
   }

@@ -6,9 +6,9 @@
 
 #include <chrono>
 #include <filesystem>
-#include <functional>
 #include <optional>
 #include <set>
+#include <stop_token>
 #include <vector>
 
 namespace perilymph::imaging {
@@ -17,7 +17,7 @@ namespace perilymph::imaging {
 /// it here. Each is parsed in a child process; this one never parses what took the child too long. What was not tried
 /// when it is canceled is not among them. None where all of them together take longer than `longest`.
 std::optional<std::set<std::filesystem::path>> filesThatEndTheParser(
-    const std::vector<std::filesystem::path>& files, const std::function<bool()>& isCanceled,
+    const std::vector<std::filesystem::path>& files, const std::stop_token& stop,
     std::chrono::milliseconds longest = std::chrono::minutes(5));
 
 }  // namespace perilymph::imaging

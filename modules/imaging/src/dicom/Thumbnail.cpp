@@ -3,31 +3,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stop_token>
 
 #include "FrameDecoder.h"
+#include "perilymph/foundation/Quantile.h"
 
 namespace perilymph::imaging {
 
-namespace {
-
-double quantile(std::vector<double> values, double fraction)
-{
-  const auto place = values.begin() +
-                     static_cast<std::ptrdiff_t>(fraction * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), place, values.end());
-  return *place;
-}
-
-}  // namespace
-
-Result<CtThumbnail> thumbnailOf(const DicomSeries& series, int edge,
-                                const std::function<bool()>& isCanceled)
+Result<CtThumbnail> thumbnailOf(const DicomSeries& series, int edge, const std::stop_token& stop)
 {
   if (!series.stack || !series.summary.obstacle.empty()) return Error{series.summary.obstacle};
   const auto& places = series.stack->places;
   const SliceSource& slice = series.slices[places[places.size() / 2].front()];
   const DicomHeader& header = series.headers[slice.header];
-  const auto frames = decodeFrames(header, isCanceled);
+  const auto frames = decodeFrames(header, stop);
   if (!frames) return frames.error();
   const int rows = header.rows, columns = header.columns;
   const auto first = frames->voxels.begin() + static_cast<std::ptrdiff_t>(slice.frame) *

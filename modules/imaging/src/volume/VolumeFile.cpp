@@ -96,7 +96,7 @@ Result<Done> checkSpan(const std::filesystem::path& file, const VolumeFile& volu
   VoxelConverter seen(volume.coding);
   std::string chunk(chunkBytes, '\0');
   for (std::size_t at = 0; at < count && !seen.spansEnough() && seen.isFinite();) {
-    if (hooks.isCanceled && hooks.isCanceled()) return canceledReading();
+    if (hooks.stop.stop_requested()) return canceledReading();
     const std::size_t wanted = std::min(chunkBytes, count - at);
     if (const auto done = readAll(*source, chunk.data(), at, wanted, file, volume); !done)
       return done;
@@ -182,7 +182,7 @@ Result<LoadedCt> readVolumeFile(const std::filesystem::path& file, const VolumeF
   VoxelConverter converter(volume.coding);
   Sha256 hash;  // without a UID, what the file holds is its fingerprint
   for (std::size_t at = 0; at < stated;) {
-    if (hooks.isCanceled && hooks.isCanceled()) return canceledReading();
+    if (hooks.stop.stop_requested()) return canceledReading();
     const std::size_t wanted = std::min(chunkBytes, stated - at);
     if (const auto done = readAll(*source, chunk.data(), at, wanted, file, volume); !done)
       return done.error();

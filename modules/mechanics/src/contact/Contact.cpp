@@ -69,10 +69,10 @@ SymmetricBlock<double> asBlock(const Eigen::Matrix3d& m) noexcept
 }
 
 /// Fraction of its stiffness with which the wall acts on a node at a depth behind the opening. What an
-/// array that is too thick for the duct pays there: Mouth.h.
-double wallFraction(double inside, const InsertionModel& model) noexcept
+/// array that is too thick for the duct pays there: Mouth.h. Bone beside the opening has no edge.
+double wallFraction(double inside, bool isBeside, const InsertionModel& model) noexcept
 {
-  const double edge = model.parts.wall.edge.si();
+  const double edge = isBeside ? 0.0 : model.parts.wall.edge.si();
   if (!(edge > 0.0)) return std::clamp(inside / model.spacing, 0.0, 1.0);
   const double part = std::clamp(inside / edge, 0.0, 1.0);
   return part * part;
@@ -97,8 +97,8 @@ void normalContact(const InsertionModel& model, InsertionState& state, const Rod
   if (penetration <= 0.0) return;
   const double onset = model.parts.wall.lining.si();
 
-  const double fraction =
-      wallFraction(anatomy::behindOpening(model.entry, at_W, state.track[i]), model);
+  const double fraction = wallFraction(anatomy::behindOpening(model.entry, at_W, state.track[i]),
+                                       state.isBeside[i] != 0, model);
   NormalForce push = normalForce(penetration, fraction * model.wallStiffness[i], onset);
   Eigen::Vector3d& force_W = state.wallForce_W[i];
   state.membraneForce[i] = wall.onMembrane ? push.force : 0.0;

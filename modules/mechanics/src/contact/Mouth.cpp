@@ -11,16 +11,14 @@
 
 namespace perilymph::mechanics {
 
-double mouthRadiusOf(const anatomy::Lumen& lumen)
+double mouthRadiusOf(const anatomy::ScalaTympani& scala)
 {
-  const auto* const scala = dynamic_cast<const anatomy::ScalaTympani*>(&lumen);
-  if (scala == nullptr) return std::numeric_limits<double>::infinity();
-  const anatomy::Entry entry = scala->entry();
-  const Eigen::Vector3d center_W = scala->center_W(0.0);
+  const anatomy::Entry entry = scala.entry();
+  const Eigen::Vector3d center_W = scala.center_W(0.0);
   constexpr int directions = 180;
   std::vector<Eigen::Vector2d> outline;
   for (int k = 0; k < directions; ++k) {
-    const Eigen::Vector3d from_W = scala->wall_W(0.0, 2.0 * pi * k / directions) - center_W;
+    const Eigen::Vector3d from_W = scala.wall_W(0.0, 2.0 * pi * k / directions) - center_W;
     outline.emplace_back(from_W.dot(entry.outward_W), from_W.dot(entry.vertical_W));
   }
   const auto distance = [&outline](const Eigen::Vector2d& at) {

@@ -4,14 +4,14 @@
 // What it takes to push an array into a lumen that is narrower than the array.
 
 #include "contact/Crossing.h"
-#include "perilymph/anatomy/Lumen.h"
+#include "perilymph/anatomy/ScalaTympani.h"
 #include "perilymph/mechanics/InsertionModel.h"
 
 namespace perilymph::mechanics {
 
 /// Radius of the largest circle in the first section of a scala tympani, across the axis of its lead-in
-/// [m]; infinite for another lumen.
-double mouthRadiusOf(const anatomy::Lumen& lumen);
+/// [m].
+double mouthRadiusOf(const anatomy::ScalaTympani& scala);
 
 /// Adds the resistance of the mouth to an array that is thicker than it: the energy per length that the
 /// wall will hold in the array's lining and silicone, at the place where the array enters. Without it that

@@ -71,11 +71,9 @@ constexpr double beforeEnd = 5.0 * pi / 180.0;  // [rad]; Membrane.cpp
 
 }  // namespace
 
-PartitionRange partitionRangeOf(const anatomy::Lumen& lumen)
+PartitionRange partitionRangeOf(const anatomy::ScalaTympani& scala)
 {
-  const auto* const scala = dynamic_cast<const anatomy::ScalaTympani*>(&lumen);
-  if (scala == nullptr) return {};
-  return {beginsAt, scala->lastAngle().si() - beforeEnd};
+  return {beginsAt, scala.lastAngle().si() - beforeEnd};
 }
 
 PartitionModel::PartitionModel(const anatomy::ScalaTympani& tympani, Force breakingForce)

@@ -16,7 +16,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double maxTurn = 0.2;  // maximum rotation of an edge in a step [rad]
+// Maximum rotation of an edge in a step [rad]: the series of its sine and cosine hold within it.
+constexpr double maxTurn = 0.2;
 
 /// Angle with the given sine and cosine; a series for small angles, as between two edges.
 template <class T>

@@ -9,7 +9,6 @@
 #include "contact/ContactSet.h"
 #include "contact/Guide.h"
 #include "friction/FrictionHistory.h"
-#include "perilymph/mechanics/advance.h"
 #include "rod/RodKinematics.h"
 #include "solver/LinearSystem.h"
 
@@ -28,7 +27,7 @@ struct NodeInertia {
   double timeStep = 0.0;  ///< Time step for which the first two were computed [s]; 0: not yet.
 };
 
-/// Work in one time step. It is counted, because bits may not depend on a clock.
+/// Work done in one time step; SolverParameters bound it.
 struct StepWork {
   int evaluations = 0;     ///< Evaluations of all forces.
   int factorizations = 0;  ///< Factorizations of the stiffness.
@@ -64,7 +63,6 @@ struct RodWorkspace {
   std::vector<Eigen::Vector3d> force_W;  ///< Force of rod, wall and rim on each node [N].
   LinearSystem system;
   StepWork done;
-  StepWork limit{maxEvaluations, maxFactorizations};
 };
 
 }  // namespace perilymph::mechanics

@@ -12,10 +12,6 @@
 namespace perilymph::mechanics {
 namespace {
 
-// Fraction of the error of a prediction by which the trend of the velocities is corrected. From 0.2 to
-// 0.5 steps take as many evaluations (choice, low).
-constexpr double trendGain = 0.3;
-
 /// Initial guess: while the hand continues its motion, every node continues its own with its trend,
 /// scaled by the same factor; otherwise every node slides along the array by the advance of the base.
 void predict(const InsertionModel& model, InsertionState& state, const Drive& drive,
@@ -51,7 +47,7 @@ void predict(const InsertionModel& model, InsertionState& state, const Drive& dr
 }
 
 /// Corrects the trend of the velocities by the error of the prediction.
-void learnTrend(const Prediction& prediction, double inverseTimeStep,
+void learnTrend(const Prediction& prediction, double trendGain, double inverseTimeStep,
                 InsertionState& state) noexcept
 {
   const std::size_t components = 3 * state.position_W.size();
@@ -118,7 +114,7 @@ void commitStep(const InsertionModel& model, InsertionState& state,
   });
   // what goes on in the next step has no momentum: nothing that is unbalanced adds energy
   if (state.isSettling) std::fill_n(velocity, 3 * n, 0.0);
-  learnTrend(work.prediction, inverseTimeStep, state);
+  learnTrend(work.prediction, model.parts.solver.trendGain, inverseTimeStep, state);
   state.frictionSpring_W = work.friction.spring_W;
   state.isSliding = work.friction.isSliding;
   inLanes(0, n, [&](auto lane, std::size_t i) PERILYMPH_KERNEL {

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "contact/PartitionRupture.h"
-#include "perilymph/mechanics/advance.h"
 #include "rod/Rod.h"
 #include "rod/Step.h"
 
@@ -15,8 +14,6 @@ namespace {
 
 // Faster than a hand pulls a stylet (choice, low).
 constexpr double fastestStylet = 0.1;  // [m/s]
-// A step with a larger residual goes on in the next one.
-constexpr double settledForce = 0.1e-3;  // [N]
 
 /// Wrench of the array on the hand.
 struct Wrench {
@@ -104,7 +101,7 @@ void advanceRod(const InsertionModel& model, InsertionState& state, const Drive&
 
   work.done = {};
   const Step step = takeStep(model, state, drive, work);
-  state.isSettling = !(step.result.residual.maxNorm <= settledForce);
+  state.isSettling = !(step.result.residual.maxNorm <= model.parts.solver.settledForce);
   commitStep(model, state, work);
   const Wrench wrench = wrenchOf(model, state, drive, step.base, work);
   ++state.tick;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <fstream>
 #include <set>
+#include <stop_token>
 #include <string_view>
 #include <utility>
 
@@ -95,7 +96,9 @@ Result<PatientRecord> replaceRecord(const PatientRecord& record, const PatientRe
 /// Copies files one after the other, and stops where its caller asks for it.
 class Copying {
 public:
-  Copying(const std::vector<fs::path>& files, const CopyProgress& progress) : progress_(progress)
+  Copying(const std::vector<fs::path>& files, const CopyProgress& progress,
+          const std::stop_token& stop)
+      : progress_(progress), stop_(stop)
   {
     std::error_code ignored;
     for (const fs::path& file : files) {
@@ -110,7 +113,7 @@ public:
     const auto written =
         writeWhole(to, [&](const fs::path& place) { return copyContent(from, place); },
                    {Links::refused, Audience::owner, Existing::refused});
-    if (isCanceled_) return Error{"The copy was canceled; nothing of it was kept."};
+    if (stop_.stop_requested()) return Error{"The copy was canceled; nothing of it was kept."};
     return written;
   }
 
@@ -121,8 +124,8 @@ private:
     std::ofstream copy(to, std::ios::binary);
     std::vector<char> block(blockBytes);
     while (source && copy) {
-      isCanceled_ = progress_ && !progress_(done_, all_);
-      if (isCanceled_) return false;
+      if (progress_) progress_(done_, all_);
+      if (stop_.stop_requested()) return false;
       source.read(block.data(), static_cast<std::streamsize>(block.size()));
       copy.write(block.data(), source.gcount());
       done_ += static_cast<std::uintmax_t>(source.gcount());
@@ -131,8 +134,8 @@ private:
   }
 
   const CopyProgress& progress_;
+  const std::stop_token& stop_;
   std::uintmax_t done_ = 0, all_ = 0;
-  bool isCanceled_ = false;
 };
 
 /// Recordings in an exported folder.
@@ -291,7 +294,8 @@ Result<Done> savePatientVersion(const anatomy::Patient& patient, const fs::path&
 }
 
 Result<Done> exportPatient(const fs::path& patient, const std::vector<fs::path>& insertions,
-                           const fs::path& folder, const CopyProgress& progress)
+                           const fs::path& folder, const CopyProgress& progress,
+                           const std::stop_token& stop)
 {
   std::error_code failure;
   if (fs::exists(fs::symlink_status(folder, failure)))
@@ -301,7 +305,7 @@ Result<Done> exportPatient(const fs::path& patient, const std::vector<fs::path>&
   auto unfinished = UnfinishedFolder::create(folder);
   if (!unfinished) return unfinished.error();
   const fs::path& place = unfinished->path();
-  Copying copying(insertions, progress);
+  Copying copying(insertions, progress, stop);
   if (const auto done = copying.copy(patient, place / exportedPatient); !done) return done;
   if (const auto done =
           writeWhole(place / exportedRecord, textOf(*record), {Links::refused, Audience::owner});
@@ -315,7 +319,8 @@ Result<Done> exportPatient(const fs::path& patient, const std::vector<fs::path>&
 }
 
 Result<fs::path> importPatient(const fs::path& folder, const fs::path& library,
-                               const fs::path& recordings, const CopyProgress& progress)
+                               const fs::path& recordings, const CopyProgress& progress,
+                               const std::stop_token& stop)
 {
   const auto patient = anatomy::loadPatient(folder / exportedPatient);
   if (!patient) return patient.error();
@@ -347,7 +352,7 @@ Result<fs::path> importPatient(const fs::path& folder, const fs::path& library,
   const auto written = [&]() -> Result<Done> {
     fs::create_directories(library, failure);
     fs::create_directories(recordings, failure);
-    Copying copying(*insertions, progress);
+    Copying copying(*insertions, progress, stop);
     for (const fs::path& each : *insertions) {
       const fs::path copy = recordings / each.filename();
       if (const auto done = copying.copy(each, copy); !done) return done;

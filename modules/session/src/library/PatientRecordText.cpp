@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "perilymph/foundation/Normal.h"
 #include "perilymph/foundation/Sha256.h"
 
 namespace perilymph::session {
@@ -12,9 +13,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Half the width of a 95 % interval of a normal error, in standard deviations.
-constexpr double halfInterval = 1.96;
-
 Json measureJson(Length value, std::optional<Length> error)
 {
   const double value_mm = inMillimeters(value);
@@ -22,7 +20,7 @@ Json measureJson(Length value, std::optional<Length> error)
   if (!error) return json;
   const double sd_mm = inMillimeters(*error);
   json["sd"] = sd_mm;
-  json["ci95"] = {value_mm - halfInterval * sd_mm, value_mm + halfInterval * sd_mm};
+  json["ci95"] = {value_mm - halfWidth95 * sd_mm, value_mm + halfWidth95 * sd_mm};
   return json;
 }
 

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <chrono>
-#include <functional>
 #include <map>
 #include <set>
+#include <stop_token>
 #include <system_error>
 
 #include "library/SessionIndex.h"
@@ -110,12 +110,11 @@ std::optional<fs::path> makeLibraryCache(const fs::path& folder)
 
 namespace {
 
-SessionSummary summarize(const fs::path& file, Subjects& known,
-                         const std::function<bool()>& shouldStop)
+SessionSummary summarize(const fs::path& file, Subjects& known, const std::stop_token& stop)
 {
   SessionSummary summary;
   summary.file = file;
-  const auto recorded = RecordedInsertion::open(file, shouldStop);
+  const auto recorded = RecordedInsertion::open(file, stop);
   if (!recorded) {
     summary.error = recorded.error().message;
     stamp(summary);
@@ -143,11 +142,10 @@ SessionSummary summarize(const fs::path& file, Subjects& known,
 }
 
 /// Summarizes a file; an exception (it requests too much memory) does not hide other files.
-SessionSummary summarizeNoThrow(const fs::path& file, Subjects& known,
-                                const std::function<bool()>& shouldStop)
+SessionSummary summarizeNoThrow(const fs::path& file, Subjects& known, const std::stop_token& stop)
 {
   const auto summary = callNoThrow("The recording " + file.string(), [&] {
-    return Result<SessionSummary>(summarize(file, known, shouldStop));
+    return Result<SessionSummary>(summarize(file, known, stop));
   });
   if (summary) return *summary;
   SessionSummary unreadable;
@@ -159,16 +157,17 @@ SessionSummary summarizeNoThrow(const fs::path& file, Subjects& known,
 
 }  // namespace
 
-SessionSummary summarize(const fs::path& file, const std::function<bool()>& shouldStop)
+SessionSummary summarize(const fs::path& file, const std::stop_token& stop)
 {
   Subjects none;
-  return summarizeNoThrow(file, none, shouldStop);
+  return summarizeNoThrow(file, none, stop);
 }
 
 Result<std::vector<SessionSummary>> listSessions(const fs::path& folder,
                                                  const fs::path& beingRecorded,
                                                  const LibraryProgress& progress,
-                                                 const LibraryEntry& listed)
+                                                 const LibraryEntry& listed,
+                                                 const std::stop_token& stop)
 {
   std::vector<SessionSummary> sessions;
   std::error_code failure;
@@ -186,13 +185,9 @@ Result<std::vector<SessionSummary>> listSessions(const fs::path& folder,
   Subjects subjects;
   std::set<std::string> names;
   for (const fs::path& file : files) names.insert(file.filename().string());
-  bool isStopped = false;
-  const auto shouldStop = [&] {
-    isStopped = isStopped || (progress && !progress(sessions.size(), files.size()));
-    return isStopped;
-  };
   for (const fs::path& file : files) {
-    if (shouldStop()) break;
+    if (progress) progress(sessions.size(), files.size());
+    if (stop.stop_requested()) break;
     SessionSummary summary;
     summary.file = file;
     stamp(summary);
@@ -204,8 +199,8 @@ Result<std::vector<SessionSummary>> listSessions(const fs::path& folder,
       summary = *std::move(known);
       summary.file = file;
     } else {
-      summary = summarizeNoThrow(file, subjects, shouldStop);
-      if (isStopped) break;
+      summary = summarizeNoThrow(file, subjects, stop);
+      if (stop.stop_requested()) break;
       if (isWorthKeeping(summary)) index.keep(summary);
     }
     if (listed) listed(summary);

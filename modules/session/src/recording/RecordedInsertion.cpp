@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <stop_token>
 
 #include "perilymph/foundation/RenamedKeys.h"
 #include "recording/RecordedContent.h"
@@ -100,10 +101,9 @@ RecordedInsertion::RecordedInsertion(RecordedInsertion&&) noexcept = default;
 RecordedInsertion& RecordedInsertion::operator=(RecordedInsertion&&) noexcept = default;
 RecordedInsertion::~RecordedInsertion() = default;
 
-Result<RecordedInsertion> RecordedInsertion::open(const fs::path& file,
-                                                  std::function<bool()> shouldStop)
+Result<RecordedInsertion> RecordedInsertion::open(const fs::path& file, std::stop_token stop)
 {
-  auto database = Database::open(file, recordingKind(), std::move(shouldStop));
+  auto database = Database::open(file, recordingKind(), std::move(stop));
   if (!database) return database.error();
   RecordedInsertion opened;
   opened.content_ = std::make_unique<Content>(file, *std::move(database));

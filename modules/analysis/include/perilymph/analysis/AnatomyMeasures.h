@@ -18,6 +18,8 @@ struct Measure {
   double value;     ///< In that unit.
   std::string formula;
   std::string source;  ///< Source of the definition or the formula.
+  /// Standard deviation that stands for the choice of the formula, in the value's unit.
+  double formulaError = 0.0;
 };
 
 /// Measures a scala tympani without its lead-in: A, B, H, turns, lengths, volume, heights, the

@@ -3,6 +3,9 @@
 
 // Fits the scale of the array's stiffness to one printed force.
 
+#include <stop_token>
+
+#include "perilymph/analysis/InParallel.h"
 #include "perilymph/analysis/Validation.h"
 #include "perilymph/session/Calibration.h"
 
@@ -25,12 +28,11 @@ struct CalibrationResult {
   double before = 0.0;      ///< Fitted force with the array as in its file [N].
 };
 
-/// Receives the number of trials done; returns false to stop.
-using CalibrationProgress = std::function<bool(std::size_t trials)>;
-
 /// Bounded secant method on the mean curve of insertions that vary as in the experiment. The
-/// uncertainty follows from the experiment's standard error.
+/// uncertainty follows from the experiment's standard error. `progress` receives the number of trials
+/// done; `stop` ends the work early, with an error.
 Result<CalibrationResult> fitCalibration(const CalibrationRequest& request,
-                                         const CalibrationProgress& progress);
+                                         const PieceProgress& progress = {},
+                                         const std::stop_token& stop = {});
 
 }  // namespace perilymph::analysis

@@ -10,14 +10,15 @@
 
 namespace perilymph::analysis {
 
-/// Length of the cochlear duct along the organ of Corti: 4.16 A - 4 mm (Alexiades 2015).
-Length alexiadesDuctLength(Length a);
+/// The cochlear duct length (anatomy's DuctLength.h) with formula, source and the formula's error.
+Measure ductLength(const char* key, Length a, Length b);
 /// Length of its first two turns: 3.65 (A - 1 mm) (Alexiades 2015).
 Length alexiadesTwoTurns(Length a);
 /// Length of the outer wall to an angle: 2.62 A ln(1 + angle / 235 deg) (Escude 2006).
 Length escudeOuterWall(Length a, Angle angle);
 
-/// These, the elliptic-circular ones (anatomy's DuctLength.h) and the number of turns predicted from A and B, each with formula and source.
+/// These, the basal turn and the duct length by the formulas that ductLength() does not use, and the number
+/// of turns predicted from A and B, each with formula and source.
 std::vector<Measure> clinicalEstimates(Length a, Length b);
 
 }  // namespace perilymph::analysis

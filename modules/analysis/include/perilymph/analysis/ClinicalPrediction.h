@@ -5,40 +5,15 @@
 // experiment with one array, beside what is published. Nothing is fitted to it.
 
 #include <cstdint>
-#include <functional>
-#include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
-#include "perilymph/analysis/ContactPositions.h"
-#include "perilymph/analysis/FullInsertion.h"
+#include "perilymph/analysis/InParallel.h"
+#include "perilymph/analysis/InsertionByHand.h"
 #include "perilymph/foundation/Result.h"
-#include "perilymph/foundation/Units.h"
-#include "perilymph/haptics/InsertionEnd.h"
 
 namespace perilymph::analysis {
-
-/// One insertion by hand. It counts however it ended.
-struct ClinicalInsertion {
-  std::string array;
-  std::uint64_t seed = 0, patient = 0;
-  haptics::InsertionEnd end = haptics::InsertionEnd::refused;
-  std::string reason;  ///< A message if the engine stopped or refused it.
-  Length depth;        ///< At the end, past the opening.
-  Angle apical;        ///< Angle of the most apical contact from the round window.
-  Force peak;          ///< Maximum axial force on the hand.
-  /// Mean axial force on the hand over the last HandDistribution::restMean before it stops.
-  Force endForce;
-  /// The same before it has rested for 1 s and for 10 s; absent if it did not rest so long, and from
-  /// files of versions whose endForce was that after 2 s.
-  std::optional<Force> forceAfter1s, forceAfter10s;
-  Force partition;              ///< Maximum force on the cochlear partition, within one contact.
-  bool isRuptured = false;      ///< The partition ruptured, at its drawn strength.
-  bool isTranslocated = false;  ///< A part of the array is above the partition at the end.
-  Angle ruptureAngle;           ///< Place of the first rupture; 0 without one.
-  std::vector<ContactPosition> contacts;  ///< At the end, from the tip.
-  std::vector<DepthForce> profile;        ///< Force at multiples of a spacing, first passage.
-};
 
 /// How a row of the table is judged.
 enum class RowVerdict {
@@ -83,10 +58,11 @@ inline constexpr const char* clinicalArrays[] = {"flex24", "flex28", "medel-stan
 /// Number of insertions that a request runs.
 std::size_t insertionsOf(const ClinicalRequest& request);
 
-/// Computes the table. The same request gives the same bits for any `jobs`. `progress` receives the
-/// numbers of done and of all insertions and returns false to stop.
+/// Computes the table. The same request gives the same bits for any `jobs`. `stop` ends the
+/// work early, with an error.
 Result<ClinicalResult> predictClinic(const ClinicalRequest& request,
-                                     const std::function<bool(std::size_t, std::size_t)>& progress);
+                                     const RunProgress& progress = {},
+                                     const std::stop_token& stop = {});
 
 /// The rows of insertions by hand; separate, so that they can be checked with known insertions.
 Result<std::vector<ClinicalRow>> clinicalRows(const std::vector<ClinicalInsertion>& insertions);

@@ -4,8 +4,8 @@
 // Comparison of recorded insertions.
 
 #include <filesystem>
-#include <functional>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -37,9 +37,9 @@ struct ComparedInsertion {
 /// The name, with " (changed by hand)" if the file is not as it was recorded.
 std::string labelOf(const ComparedInsertion& insertion);
 
-/// Reads a whole recording and checks its seal. `goesOn` is called from time to time and returns false to stop.
+/// Reads a whole recording and checks its seal. `stop` ends it early, with an error.
 Result<ComparedInsertion> readCompared(const std::filesystem::path& file,
-                                       const std::function<bool()>& goesOn = {});
+                                       const std::stop_token& stop = {});
 
 /// `name, scenario, peak_N, peak_travel_mm, peak_depth_mm, work_mJ, reversals, duration_s,
 /// final_depth_mm, final_angle_deg, rupture_angle_deg, rupture_N, above_mm`, one row per recording;

@@ -3,9 +3,9 @@
 
 // One insertion to its stop in virtual time, and what it gives for tables.
 
-#include <atomic>
 #include <filesystem>
 #include <memory>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -49,15 +49,15 @@ struct FullInsertion {
 ///
 /// @param anatomy         The cochlea of the parameters.
 /// @param profileSpacing  Between points of the profile; 0: no profile.
-/// @param isAsked         Ends the insertion early; the result is then meaningless.
+/// @param stop            Ends the insertion early; the result is then meaningless.
 FullInsertion insertFully(const session::InsertionParameters& parameters,
                           std::shared_ptr<const anatomy::ScalaTympani> anatomy,
-                          Length profileSpacing, const std::atomic<bool>& isAsked);
+                          Length profileSpacing, const std::stop_token& stop);
 /// The same insertion with a recording, without a profile. An error if it cannot be prepared or
 /// recorded, or was ended early.
 Result<FullInsertion> insertFully(const session::Scenario& scenario,
                                   std::shared_ptr<const anatomy::ScalaTympani> anatomy,
                                   const std::filesystem::path& recording,
-                                  const std::atomic<bool>& isAsked);
+                                  const std::stop_token& stop);
 
 }  // namespace perilymph::analysis

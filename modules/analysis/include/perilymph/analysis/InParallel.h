@@ -4,24 +4,27 @@
 // Runs independent pieces of work on several threads. The assignment of pieces to threads does not
 // affect results: each piece writes to its own memory.
 
-#include <atomic>
 #include <functional>
+#include <stop_token>
 
 #include "perilymph/foundation/Result.h"
 
 namespace perilymph::analysis {
 
-/// Receives the number of done pieces in the caller's thread; returns false to stop.
-using PieceProgress = std::function<bool(std::size_t done)>;
+/// Receives the number of done pieces, in the caller's thread, several times a second.
+using PieceProgress = std::function<void(std::size_t done)>;
+/// The same for insertions of a longer work: done, and all.
+using RunProgress = std::function<void(std::size_t done, std::size_t all)>;
 
 /// Runs the pieces 0 to count - 1. Returns the error of the first failed piece, in their order, or
 /// that the work was stopped.
 ///
 /// @param jobs  Threads; 0: one per processor.
-/// @param work  Called in any thread; should end early when the flag is set.
+/// @param work  Called in any thread; should end early when its token asks for it: after `stop`, or
+///              because another piece failed.
 Result<Done> doInParallel(
     std::size_t count, unsigned jobs,
-    const std::function<Result<Done>(std::size_t, const std::atomic<bool>& isAsked)>& work,
-    const PieceProgress& progress);
+    const std::function<Result<Done>(std::size_t, const std::stop_token& stop)>& work,
+    const PieceProgress& progress = {}, const std::stop_token& stop = {});
 
 }  // namespace perilymph::analysis

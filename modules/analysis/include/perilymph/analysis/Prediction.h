@@ -4,11 +4,12 @@
 // Predictions without fitting: angular insertion depths and forces of arrays in cochleae, compared
 // with clinical reports.
 
-#include <functional>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
+#include "perilymph/analysis/InParallel.h"
 #include "perilymph/analysis/Reference.h"
 #include "perilymph/foundation/Result.h"
 #include "perilymph/foundation/Units.h"
@@ -66,10 +67,9 @@ struct PredictionResult {
 };
 
 /// Runs every array in the mean cochlea and in virtual patients. The same request gives the same
-/// bits for any `jobs`. `progress` receives the numbers of done and of all insertions and returns
-/// false to stop.
-Result<PredictionResult> predict(const PredictionRequest& request,
-                                 const std::function<bool(std::size_t, std::size_t)>& progress);
+/// bits for any `jobs`. `stop` ends the work early, with an error.
+Result<PredictionResult> predict(const PredictionRequest& request, const RunProgress& progress = {},
+                                 const std::stop_token& stop = {});
 
 /// `array, patient, apical_deg, depth_mm, end_N, peak_N, error`, one row per insertion.
 std::string predictionCsv(const PredictionResult& result);
@@ -77,8 +77,5 @@ std::string predictionCsv(const PredictionResult& result);
 /// The same with summaries, references and verdicts.
 std::string predictionJson(const PredictionRequest& request, const PredictionResult& result,
                            const Reference& inVivo);
-
-/// A quantile, linearly interpolated between the sorted values.
-double quantile(std::vector<double> values, double fraction);
 
 }  // namespace perilymph::analysis

@@ -8,10 +8,9 @@
 #include <span>
 #include <string>
 
-namespace perilymph::analysis {
+#include "perilymph/foundation/Normal.h"
 
-/// Half width of a 95 % confidence interval of a normal distribution, in standard errors.
-inline constexpr double halfWidth95 = 1.96;
+namespace perilymph::analysis {
 
 /// Statistics of repeated values of one quantity.
 struct SampleStatistics {

@@ -7,10 +7,12 @@
 
 #include <functional>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
 #include "perilymph/analysis/ForceProfile.h"
+#include "perilymph/analysis/InParallel.h"
 #include "perilymph/analysis/IncompleteInsertion.h"
 #include "perilymph/analysis/Reference.h"
 #include "perilymph/analysis/SampleStatistics.h"
@@ -106,13 +108,12 @@ struct ValidationResult {
   std::uint64_t seed = 0;
 };
 
-/// Receives the numbers of done and of all insertions; returns false to stop.
-using ValidationProgress = std::function<bool(std::size_t done, std::size_t all)>;
-
 /// Runs a validation. The same request gives the same result, bit for bit, for any `jobs`. An
 /// insertion that does not reach full travel is counted; an error if fewer than two reach it.
+/// `stop` ends the work early, with an error.
 Result<ValidationResult> validate(const ValidationRequest& request,
-                                  const ValidationProgress& progress);
+                                  const RunProgress& progress = {},
+                                  const std::stop_token& stop = {});
 
 /// Agreement with all forces of the experiment but the fitted one.
 Agreement agreementOf(const ValidationResult& result);

@@ -65,6 +65,8 @@ struct WallPoint {
   double trustRadius = 0.0;
 };
 
+class ScalaTympani;
+
 /// A duct with one opening. Immutable once built; every query is real-time safe after prepare().
 class Lumen {
 public:
@@ -75,6 +77,9 @@ public:
   virtual void prepare() const {}
 
   virtual Entry entry() const noexcept = 0;
+
+  /// The lumen as a scala tympani, which has a membrane and a partition; null for any other duct.
+  virtual const ScalaTympani* scala() const noexcept { return nullptr; }
 
   /// Initial track of a point near the opening.
   virtual LumenTrack startTrack() const noexcept = 0;

@@ -67,6 +67,7 @@ public:
   void prepare() const override;
 
   Entry entry() const noexcept override { return entry_; }
+  const ScalaTympani* scala() const noexcept override { return this; }
   LumenTrack startTrack() const noexcept override { return {}; }
 
   void nearestWall(std::span<const Eigen::Vector3d> points_W, std::span<const double> reach,

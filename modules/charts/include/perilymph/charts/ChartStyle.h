@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "perilymph/figures/Style.h"
+#include "perilymph/figures/Palette.h"
 
 namespace perilymph::charts {
 

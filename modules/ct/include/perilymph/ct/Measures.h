@@ -7,6 +7,7 @@
 #include <array>
 #include <functional>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -51,7 +52,8 @@ struct Measure {
   double value = 0.0;
   double statistical = 0.0;  ///< Due to noise, voxels and blur.
   double model = 0.0;        ///< Due to the limits of the fitted shape.
-  double definition = 0.0;   ///< Due to the position of 0 degrees, the round window's center.
+  double definition = 0.0;  ///< Due to the position of 0 degrees, the round window's center; of the
+                            ///< duct length also due to the choice of its formula.
 
   double sd() const;                         ///< Square root of the sum of squares.
   std::array<double, 2> interval95() const;  ///< value -+ 1.96 sd.
@@ -124,8 +126,7 @@ struct MeasureRequest {
   std::optional<anatomy::Side> side;
   /// Receives the completed fraction, 0 to 1, on the calling thread.
   std::function<void(double)> onProgress;
-  /// Called several times a second on the calling thread; true cancels.
-  std::function<bool()> isCanceled;
+  std::stop_token stop;  ///< Ends the measurement early, with an error.
 };
 
 /// Finds the cochlea, fits the anatomy to the voxels and measures it. Deterministic; takes seconds.

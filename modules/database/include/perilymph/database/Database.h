@@ -6,9 +6,9 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <memory>
 #include <span>
+#include <stop_token>
 #include <string>
 
 #include "perilymph/database/FileKind.h"
@@ -18,9 +18,6 @@ struct sqlite3;
 struct sqlite3_stmt;
 
 namespace perilymph::database {
-
-/// Called about fifty times a second while a file is read; true stops reading.
-using ShouldStop = std::function<bool()>;
 
 /// A prepared statement. Columns and parameters count from 0.
 class Statement {
@@ -64,9 +61,9 @@ public:
   /// not closed is recovered with its `-wal` file; if the file is not writable, only checkpointed
   /// content is read, and note() says so. Any other file is opened without writing to it.
   ///
-  /// The work per query is bounded by the size of the file; `shouldStop` ends it earlier.
+  /// The work per query is bounded by the size of the file; `stop` ends it earlier.
   static Result<Database> open(const std::filesystem::path& file, const FileKind& kind,
-                               ShouldStop shouldStop = {});
+                               std::stop_token stop = {});
 
   /// Opens a file of a given kind to add to it, with the same checks. Refuses a file that may not be
   /// written and one that another process writes.
@@ -94,7 +91,7 @@ public:
 
   /// The cause of the last failure, from SQLite or from this module.
   std::string lastError() const;
-  /// True once `shouldStop` ended a query.
+  /// True once the stop token ended a query.
   bool wasStopped() const noexcept;
   /// Message for a file that could not be read: damaged, with the reason, or stopped.
   Error readingError(const std::string& reason) const;

@@ -76,6 +76,9 @@ enum class Awaited : std::uint8_t {
   cannot,   ///< This device cannot be waited for, at least not now.
 };
 
+/// What a script tells a device to do.
+enum class ScriptedMotion : std::uint8_t { hold, insert, withdraw };
+
 /// A device that senses the user's motion and may render forces.
 ///
 /// open() and close() run on the UI thread and may block. read() and write() run on the haptic
@@ -99,6 +102,9 @@ public:
   /// Waits for the next fresh report, so that a loop can tick by the device's clock. Haptic thread,
   /// between ticks.
   virtual Awaited await(Duration /*most*/) noexcept { return Awaited::cannot; }
+
+  /// Sets the motion of a device that follows a script; its user moves any other. Any thread.
+  virtual void move(ScriptedMotion /*motion*/) noexcept {}
 
   /// Health of the device; empty without hardware. UI thread.
   virtual std::optional<DeviceHealth> health() { return std::nullopt; }

@@ -12,14 +12,14 @@ namespace perilymph::device {
 /// Moves along D's -z at a constant speed while commanded. One read() is one time step.
 class ScriptedDevice final : public HapticDevice {
 public:
-  enum class Motion { hold, insert, withdraw };
+  using Motion = ScriptedMotion;
 
   /// @param speed     Of the hand [m/s].
   /// @param timeStep  Between reads [s].
   ScriptedDevice(double speed, double timeStep);
 
   /// Any thread: stops with the button released, or moves with it pressed.
-  void move(Motion motion) noexcept { motion_ = motion; }
+  void move(Motion motion) noexcept override { motion_ = motion; }
   Motion motion() const noexcept { return motion_; }
   /// Any thread [m/s].
   void setSpeed(double speed) noexcept { speed_ = speed; }

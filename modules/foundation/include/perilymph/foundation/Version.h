@@ -19,7 +19,7 @@ std::string buildId();
 /// resources than this build's own, PERILYMPH_SYSTEM_ROOT (recorded devices), fewDraws.
 std::vector<std::string> replacedByEnvironment();
 
-/// Set for tests, it lets the programs make plans of fewer simulations than users are offered.
+/// Set for tests, it lets the programs make plans of fewer and coarser simulations than users are offered.
 inline constexpr const char* fewDraws = "PERILYMPH_FEW_DRAWS";
 
 }  // namespace perilymph

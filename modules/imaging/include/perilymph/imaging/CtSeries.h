@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -21,10 +22,10 @@ namespace perilymph::imaging {
 /// Files below a folder, and voxels of a volume (2 GB), up to which a series is read.
 inline constexpr std::size_t maxCtFiles = 20'000, maxCtVoxels = 1'000'000'000;
 
-/// How a reader tells its progress and is canceled; both are called on the calling thread.
+/// How a reader reports its progress, on the calling thread, and is canceled.
 struct ReadingHooks {
   std::function<void(double)> onProgress = {};  ///< Told the fraction done, 0 to 1.
-  std::function<bool()> isCanceled = {};        ///< True cancels.
+  std::stop_token stop = {};                    ///< Ends the reading with an error.
 };
 
 /// One series as its headers describe it. Nothing here names the patient.

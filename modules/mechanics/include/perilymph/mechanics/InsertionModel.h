@@ -20,6 +20,7 @@
 #include "perilymph/mechanics/Partition.h"
 #include "perilymph/mechanics/PassageModel.h"
 #include "perilymph/mechanics/PointSet.h"
+#include "perilymph/mechanics/SolverParameters.h"
 
 namespace perilymph::mechanics {
 
@@ -111,6 +112,7 @@ struct ModelParts {
   ModelKind kind = ModelKind::rod;
   /// Surface that a point set collides with; not used by a rod.
   std::shared_ptr<const anatomy::Surface> hapticSurface;
+  SolverParameters solver;  ///< Used for a rod only.
 };
 
 /// A cochlea, an array, material laws and solver settings: immutable, shared between threads.

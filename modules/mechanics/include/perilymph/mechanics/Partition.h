@@ -22,8 +22,8 @@ struct PartitionRange {
   bool holds(double angle) const noexcept { return angle > begin && angle < end; }
 };
 
-/// That of a scala tympani; empty for another duct.
-PartitionRange partitionRangeOf(const anatomy::Lumen& lumen);
+/// That of a scala tympani.
+PartitionRange partitionRangeOf(const anatomy::ScalaTympani& scala);
 
 /// What is above a partition that can rupture.
 ///

@@ -9,18 +9,28 @@
 
 namespace perilymph::mechanics {
 
-/// Maximum evaluations of all forces in a time step.
-inline constexpr int maxEvaluations = 32;
-/// Maximum factorizations of the stiffness in a time step.
-inline constexpr int maxFactorizations = 10;
-
-/// Advances the state by one time step of backward Euler: predicts the rod, finds contacts, solves
-/// for normal force and friction, and computes the reaction at the base (into state.readings).
+/// Advances the state by one time step. A point set (`model.points`) goes its own way, see
+/// points/advancePoints.h. A rod takes one step of backward Euler, in these stages:
 ///
-/// Every iteration lowers the energy, until no force exceeds 2 uN. The work is bounded: a step that
-/// still has more than 0.1 mN, as when an array snaps, goes on in the next one, from where it is and
-/// without momentum (state.isSettling). Meanwhile the readings hold the gradient of the energy where
-/// the array is.
+///     setStiffness        rod/Rod.h            bending and rest bend for the stylet's position
+///     findBone            contact/Clearance.h  nodes beside bone in front of the opening
+///     findSides           contact/OpenPartition.h  side of a ruptured partition of each node
+///     setGuide            contact/Guide.h      line on which forceps hold the array
+///     setRestShape        rod/Rod.h            rest bends along the rod
+///     turnMaterial        rod/Material.h       twist at minimum energy, if the array twists
+///     baseOf              solver/Residual.h    how the hand holds the base
+///     setHold             solver/Residual.h    inertia and drag as springs
+///     predict             rod/Step.cpp         positions by the velocities and their trend
+///     solveNewton         solver/Newton.h      equilibrium of rod, wall, rim, membrane and friction;
+///                                              every iteration lowers the energy
+///     commitStep          rod/Step.h           velocities, friction and contacts of the next step
+///     read                rod/advanceRod.cpp   reaction at the base, into state.readings
+///     contactWithPartition, rupturePartition   contact/PartitionRupture.h; of a balanced step
+///
+/// The work is bounded and its precision set by SolverParameters: no force exceeds 2 uN after a
+/// step, unless it still has more than 0.1 mN with that work, as when an array snaps. It is then
+/// continued in the next step from its configuration, with zero velocity (state.isSettling), and the
+/// readings hold the gradient of the energy there.
 ///
 /// Pure: no clock, no file, no randomness, bounded work. The same model, state and drive give the
 /// same bits on every x86-64 machine. Real-time safe.

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "perilymph/figures/Figure.h"
-#include "perilymph/planning/Plan.h"
+#include "perilymph/planning/PlanResult.h"
 
 namespace perilymph::planning {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "perilymph/foundation/Result.h"
-#include "perilymph/planning/Plan.h"
+#include "perilymph/planning/PlanResult.h"
 
 namespace perilymph::planning {
 

@@ -11,7 +11,7 @@
 #include "perilymph/figures/Figure.h"
 #include "perilymph/foundation/Result.h"
 #include "perilymph/foundation/TomlReader.h"
-#include "perilymph/planning/Plan.h"
+#include "perilymph/planning/PlanResult.h"
 
 namespace perilymph::planning {
 

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "perilymph/planning/Plan.h"
+#include "perilymph/planning/PlanResult.h"
 
 namespace perilymph::planning {
 

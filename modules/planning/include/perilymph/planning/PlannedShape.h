@@ -3,13 +3,12 @@
 
 // One insertion of a plan, run again for a view: its cochlea, its array at the end, its force.
 
-#include <atomic>
 #include <memory>
 
 #include "perilymph/anatomy/ScalaTympani.h"
 #include "perilymph/foundation/Result.h"
 #include "perilymph/haptics/Snapshot.h"
-#include "perilymph/planning/Plan.h"
+#include "perilymph/planning/PlanResult.h"
 #include "perilymph/session/InsertionParameters.h"
 
 namespace perilymph::planning {
@@ -24,18 +23,5 @@ struct PlannedShape {
   haptics::Snapshot end;                                 ///< The array at the end.
   PlannedInsertion insertion;  ///< The plan's; the profile at `traceSpacing`.
 };
-
-/// The draw that represents an array: angle and peak force are nearest to their medians, in quartile
-/// ranges. 0 if no draw could be run.
-std::size_t medianDraw(const Plan& plan, std::size_t array);
-
-/// Runs a plan's insertion again, to the same bits. Takes as long as one insertion and the building
-/// of a cochlea.
-///
-/// @param array    Index into the plan's arrays.
-/// @param draw     From 1, as in PlannedInsertion.
-/// @param isAsked  Ends it early, with an error.
-Result<PlannedShape> shapeOf(const Plan& plan, std::size_t array, std::size_t draw,
-                             const std::atomic<bool>& isAsked);
 
 }  // namespace perilymph::planning

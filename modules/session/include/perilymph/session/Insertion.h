@@ -23,18 +23,19 @@ class Insertion {
 public:
   /// Prepares an insertion.
   ///
-  /// @param hand    The device that moves the array; opened here.
+  /// @param hand    The device that moves the array; opened here, closed with the insertion. Who keeps a
+  ///                share of it may still command it.
   /// @param record  File of the recording (`.insertion`); not recorded if empty.
   /// @param anatomy The scenario's cochlea if already built, to share it between insertions.
   /// @param model   The scenario's model in that cochlea, likewise.
   static Result<std::unique_ptr<Insertion>> prepare(
-      const Scenario& scenario, std::unique_ptr<device::HapticDevice> hand,
+      const Scenario& scenario, std::shared_ptr<device::HapticDevice> hand,
       std::optional<std::filesystem::path> record,
       std::shared_ptr<const anatomy::ScalaTympani> anatomy = nullptr,
       std::shared_ptr<const mechanics::InsertionModel> model = nullptr);
   /// Prepares an insertion that is not recorded, with parameters that come from no text.
   static Result<std::unique_ptr<Insertion>> prepare(
-      const InsertionParameters& parameters, std::unique_ptr<device::HapticDevice> hand,
+      const InsertionParameters& parameters, std::shared_ptr<device::HapticDevice> hand,
       std::shared_ptr<const anatomy::ScalaTympani> anatomy = nullptr,
       std::shared_ptr<const mechanics::InsertionModel> model = nullptr);
   ~Insertion();  ///< Stops, closes the recording, closes the device.
@@ -79,7 +80,7 @@ private:
   /// @param text  Text of the scenario, for the recording.
   static Result<std::unique_ptr<Insertion>> prepare(
       const InsertionParameters& parameters, const std::string& text,
-      std::unique_ptr<device::HapticDevice> hand, std::optional<std::filesystem::path> record,
+      std::shared_ptr<device::HapticDevice> hand, std::optional<std::filesystem::path> record,
       std::shared_ptr<const anatomy::ScalaTympani> anatomy,
       std::shared_ptr<const mechanics::InsertionModel> model);
   struct Content;

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -132,17 +133,18 @@ struct VersionFacts {
 Result<Done> savePatientVersion(const anatomy::Patient& patient, const std::filesystem::path& file,
                                 const VersionFacts& facts, bool isNew);
 
-/// Receives the bytes of insertions that are copied, and all of them; false stops copying.
-using CopyProgress = std::function<bool(std::uintmax_t done, std::uintmax_t all)>;
+/// Receives the bytes of insertions that are copied, and all of them.
+using CopyProgress = std::function<void(std::uintmax_t done, std::uintmax_t all)>;
 
 /// Writes a patient as a new folder: patient.toml, record.json, and copies of insertions, for their
-/// owner only. The folder appears when everything is in it; one that was stopped leaves nothing.
+/// owner only. The folder appears when everything is in it; one that `stop` ended leaves nothing.
 ///
 /// @param insertions  Recordings of the patient.
 /// @return            Refuses a folder that exists.
 Result<Done> exportPatient(const std::filesystem::path& patient,
                            const std::vector<std::filesystem::path>& insertions,
-                           const std::filesystem::path& folder, const CopyProgress& progress = {});
+                           const std::filesystem::path& folder, const CopyProgress& progress = {},
+                           const std::stop_token& stop = {});
 
 /// Adds an exported patient to a library. Everything is checked before the first file is written,
 /// and the patient's file is the last one.
@@ -155,6 +157,7 @@ Result<Done> exportPatient(const std::filesystem::path& patient,
 Result<std::filesystem::path> importPatient(const std::filesystem::path& folder,
                                             const std::filesystem::path& library,
                                             const std::filesystem::path& recordings,
-                                            const CopyProgress& progress = {});
+                                            const CopyProgress& progress = {},
+                                            const std::stop_token& stop = {});
 
 }  // namespace perilymph::session

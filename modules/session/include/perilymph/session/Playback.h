@@ -5,8 +5,8 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <memory>
+#include <stop_token>
 #include <vector>
 
 #include "perilymph/anatomy/ScalaTympani.h"
@@ -48,9 +48,8 @@ public:
   const std::vector<Sample>& samples() const noexcept;
 
   /// Recomputes the whole recording, compares it bit by bit, and stores states from which show()
-  /// can continue. `progress(done, all)` returns false to stop.
-  Result<Verification> compute(
-      const std::function<bool(std::uint64_t, std::uint64_t)>& progress = {});
+  /// can continue. `stop` ends it early, with an error.
+  Result<Verification> compute(const std::stop_token& stop = {});
   /// Number of ticks for which show() is fast.
   std::uint64_t computedTicks() const noexcept;
 

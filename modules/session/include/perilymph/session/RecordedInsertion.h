@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <stop_token>
 #include <string>
 
 #include "perilymph/foundation/Result.h"
@@ -37,10 +38,9 @@ public:
   /// Opens a recording. One that was not closed is recovered with its `-wal` file; in a read-only
   /// folder only checkpointed content can be read, and note() says so.
   ///
-  /// @param shouldStop  Called about fifty times a second by this and all later reads; true ends
-  ///                    them with an error.
+  /// @param stop  Ends this and all later reads, with an error.
   static Result<RecordedInsertion> open(const std::filesystem::path& file,
-                                        std::function<bool()> shouldStop = {});
+                                        std::stop_token stop = {});
   RecordedInsertion(RecordedInsertion&&) noexcept;
   RecordedInsertion& operator=(RecordedInsertion&&) noexcept;
   ~RecordedInsertion();

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -36,12 +37,13 @@ struct Verification {
   std::vector<std::string> notes;  ///< Messages: another build, a changed array file, lost ticks.
 };
 
-/// Receives the number of compared ticks and of all ticks; returns false to stop.
-using VerifyProgress = std::function<bool(std::uint64_t done, std::uint64_t all)>;
+/// Receives the number of compared ticks and of all ticks.
+using VerifyProgress = std::function<void(std::uint64_t done, std::uint64_t all)>;
 
 /// Checks the consistency of the file, builds the model from the recording's own scenario, feeds
 /// the recorded samples and commands through InsertionEngine::tick and compares every output field
-/// bit by bit. Ticks after lost ones cannot be compared.
-Result<Verification> verify(const std::filesystem::path& file, const VerifyProgress& progress = {});
+/// bit by bit. Ticks after lost ones cannot be compared. `stop` ends it early, with an error.
+Result<Verification> verify(const std::filesystem::path& file, const VerifyProgress& progress = {},
+                            const std::stop_token& stop = {});
 
 }  // namespace perilymph::session

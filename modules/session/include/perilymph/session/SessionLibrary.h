@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -43,13 +44,11 @@ struct SessionSummary {
 
 /// Summarizes one recording. Never fails: errors are reported in `error`.
 ///
-/// @param shouldStop  Called about fifty times a second; true ends reading.
-SessionSummary summarize(const std::filesystem::path& file,
-                         const std::function<bool()>& shouldStop = {});
+/// @param stop  Ends reading early, with an error.
+SessionSummary summarize(const std::filesystem::path& file, const std::stop_token& stop = {});
 
-/// Receives the number of listed recordings and of all recordings, also while one is read; returns
-/// false to stop: the rest is omitted.
-using LibraryProgress = std::function<bool(std::size_t done, std::size_t all)>;
+/// Receives the number of listed recordings and of all recordings, before each of them.
+using LibraryProgress = std::function<void(std::size_t done, std::size_t all)>;
 
 /// Receives each recording as soon as it is read, so that a slow one does not delay the others.
 using LibraryEntry = std::function<void(const SessionSummary&)>;
@@ -66,10 +65,12 @@ std::optional<std::filesystem::path> makeLibraryCache(const std::filesystem::pat
 /// descending order of their names: for names with a time, newest first.
 ///
 /// @param beingRecorded  A file this program is writing: it is listed but not read. May be empty.
+/// @param stop           Ends the listing early: the rest is omitted.
 Result<std::vector<SessionSummary>> listSessions(const std::filesystem::path& folder,
                                                  const std::filesystem::path& beingRecorded = {},
                                                  const LibraryProgress& progress = {},
-                                                 const LibraryEntry& listed = {});
+                                                 const LibraryEntry& listed = {},
+                                                 const std::stop_token& stop = {});
 
 /// Name of a recording for display: that of its file without extension, and without the time with
 /// which automatic names begin.

@@ -3,8 +3,8 @@
 
 // Running one insertion of a finished study again, with a recording.
 
-#include <atomic>
 #include <filesystem>
+#include <stop_token>
 
 #include "perilymph/foundation/Result.h"
 #include "perilymph/study/StudyFile.h"
@@ -20,7 +20,6 @@ Result<Study> studyIn(const StudyFileFacts& facts, const std::filesystem::path& 
 ///
 /// @return  What it gives now, to compare with the result in the file.
 Result<StudyResult> recordCase(const Study& study, std::size_t number,
-                               const std::filesystem::path& recording,
-                               const std::atomic<bool>& isCanceled);
+                               const std::filesystem::path& recording, const std::stop_token& stop);
 
 }  // namespace perilymph::study

@@ -3,9 +3,9 @@
 
 // The results of a study as columns, to plot and filter many insertions at once.
 
-#include <atomic>
 #include <cstdint>
 #include <filesystem>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -43,8 +43,7 @@ public:
   static constexpr std::size_t maxInsertions = 1'000'000;
 
   /// Reads a merged file or a shard. The error says what to do.
-  static Result<StudyColumns> read(const std::filesystem::path& file,
-                                   const std::atomic<bool>& isCanceled);
+  static Result<StudyColumns> read(const std::filesystem::path& file, const std::stop_token& stop);
 
   const StudyFileFacts& facts() const noexcept { return facts_; }
   std::size_t size() const noexcept { return results_.size(); }

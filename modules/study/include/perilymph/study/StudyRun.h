@@ -5,10 +5,11 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <functional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
+#include "perilymph/analysis/InParallel.h"
 #include "perilymph/foundation/Result.h"
 #include "perilymph/study/Study.h"
 #include "perilymph/study/StudyFile.h"
@@ -25,9 +26,6 @@ Shard shardOf(std::size_t cases, std::size_t index, std::size_t count);
 /// "shard-3-of-16.sqlite".
 std::string fileNameOf(const Shard& shard);
 
-/// Receives the numbers of done and of all insertions; returns false to stop.
-using StudyProgress = std::function<bool(std::size_t done, std::size_t all)>;
-
 /// Runs a shard into its file in the folder, or goes on where an earlier run ended. Results are
 /// written in blocks by transactions: whatever ends the process, whole blocks remain. An insertion
 /// that cannot be prepared or that ends early is a result; those of a block in which a file of the
@@ -37,7 +35,8 @@ using StudyProgress = std::function<bool(std::size_t done, std::size_t all)>;
 /// @return      True if the shard is complete, false if it was stopped. Refuses a file of another
 ///              study, of another version of the study or of another build of the program.
 Result<bool> runShard(const Study& study, const Shard& shard, const std::filesystem::path& folder,
-                      unsigned jobs, const StudyProgress& progress);
+                      unsigned jobs, const analysis::RunProgress& progress = {},
+                      const std::stop_token& stop = {});
 
 /// State of one shard's file in a folder.
 struct ShardState {

@@ -4,10 +4,10 @@
 // Content of a report on one recorded insertion, computed in the background.
 
 #include <QString>
-#include <atomic>
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <vector>
 
 #include "perilymph/analysis/AnatomyMeasures.h"
@@ -47,7 +47,6 @@ struct ReportContent {
 };
 
 /// Replays the recording, in about a tenth of its duration.
-Result<ReportContent> gatherReport(const std::filesystem::path& file,
-                                   const std::atomic<bool>& isCanceled);
+Result<ReportContent> gatherReport(const std::filesystem::path& file, const std::stop_token& stop);
 
 }  // namespace perilymph::gui

@@ -1,29 +1,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// Colors of the 3D view.
+// Colors of the 3D view, as VTK takes them.
 
 #include <array>
 #include <cmath>
 
-#include "perilymph/figures/Style.h"
+#include "perilymph/figures/Palette.h"
 
 namespace perilymph::visualization {
 
 /// Red, green, blue, opacity; each 0 to 255.
 using Rgba = std::array<unsigned char, 4>;
 
-/// Colors of one scheme.
-struct Palette {
+/// The palette's colors of anatomy, array, forces and ground.
+struct SceneColors {
+  explicit SceneColors(const figures::Palette& palette);
+
   figures::ColorScheme scheme;
   Rgba bone, membrane, silicone, platinum, platinumRim, rib, steel, outline, arrow, frictionArrow,
-      forceLow, forceHigh, ground, groundLight, text, quietText;
-  Rgba rupture;  ///< The cochlear partition where it is torn.
-  Rgba ghost;    ///< Another insertion's array; luminance 3:1 against silicone and ground.
+      forceLow, forceHigh, ground, groundLight, text, quietText, rupture, ghost;
 };
 
 /// The colors of a scheme: constants of the program.
-const Palette& paletteOf(figures::ColorScheme scheme);
+const SceneColors& sceneColorsOf(figures::ColorScheme scheme);
 
 inline Rgba withOpacity(Rgba color, double opacity)
 {

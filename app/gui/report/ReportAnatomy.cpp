@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/pages/sessions/ReportAnatomy.h"
+#include "gui/report/ReportAnatomy.h"
 
 #include <QCoreApplication>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/pages/sessions/ReportHead.h"
+#include "gui/report/ReportHead.h"
 
 #include <QCoreApplication>
 

@@ -5,7 +5,7 @@
 
 #include <filesystem>
 
-#include "gui/pages/sessions/ReportContent.h"
+#include "gui/report/ReportContent.h"
 #include "perilymph/foundation/Result.h"
 
 namespace perilymph::gui {

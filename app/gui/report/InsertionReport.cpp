@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/pages/sessions/Report.h"
+#include "gui/report/InsertionReport.h"
 
 #include <QCoreApplication>
 #include <QPainter>
 #include <algorithm>
 
-#include "gui/pages/sessions/ReportHead.h"
-#include "gui/pages/sessions/ReportRecord.h"
-#include "gui/pages/sessions/ReportText.h"
 #include "gui/parts/DrawingPainter.h"
+#include "gui/report/ReportHead.h"
 #include "gui/report/ReportPages.h"
+#include "gui/report/ReportRecord.h"
+#include "gui/report/ReportText.h"
 #include "perilymph/figures/Figure.h"
 
 namespace perilymph::gui {

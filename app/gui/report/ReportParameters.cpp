@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/pages/sessions/ReportParameters.h"
+#include "gui/report/ReportParameters.h"
 
 #include <QCoreApplication>
 #include <QStringList>

@@ -4,7 +4,7 @@
 // Picture of the report: the array at its maximum depth, with angle ring, scale bar, ear, and the
 // numbers of its contacts.
 
-#include "gui/pages/sessions/ReportContent.h"
+#include "gui/report/ReportContent.h"
 #include "gui/report/ReportSheet.h"
 
 namespace perilymph::gui {

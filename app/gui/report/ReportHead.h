@@ -5,7 +5,7 @@
 
 #include <QString>
 
-#include "gui/pages/sessions/ReportContent.h"
+#include "gui/report/ReportContent.h"
 
 namespace perilymph::gui {
 

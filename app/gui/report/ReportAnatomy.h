@@ -3,7 +3,7 @@
 
 // The cochlea in a report: measures with their place in the population and their uncertainty.
 
-#include "gui/pages/sessions/ReportContent.h"
+#include "gui/report/ReportContent.h"
 #include "gui/report/ReportSheet.h"
 
 namespace perilymph::gui {

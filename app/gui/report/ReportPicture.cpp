@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/pages/sessions/ReportPicture.h"
+#include "gui/report/ReportPicture.h"
 
 #include <algorithm>
 #include <cmath>
 
+#include "gui/parts/Theme.h"
 #include "gui/report/CochlearView.h"
 #include "perilymph/foundation/Units.h"
 
@@ -11,7 +12,7 @@ namespace perilymph::gui {
 
 namespace {
 
-const QColor textInk(0x14, 0x1B, 0x21);
+const QColor textInk = themeOf(ColorScheme::light).text;
 
 /// The numbers of the contacts beside the array, on its side away from the modiolar axis.
 void paintNumbers(ReportSheet& sheet, const CochlearView& view, const ReportContent& content)

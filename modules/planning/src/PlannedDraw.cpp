@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "perilymph/planning/PlannedShape.h"
+#include "perilymph/planning/PlannedDraw.h"
 
 #include <algorithm>
 #include <limits>
+#include <stop_token>
 
 #include "PlanSetup.h"
 
@@ -31,7 +32,7 @@ std::size_t medianDraw(const Plan& plan, std::size_t array)
 }
 
 Result<PlannedShape> shapeOf(const Plan& plan, std::size_t array, std::size_t draw,
-                             const std::atomic<bool>& isAsked)
+                             const std::stop_token& stop)
 {
   const auto isRun =
       std::any_of(plan.insertions.begin(), plan.insertions.end(),
@@ -50,9 +51,9 @@ Result<PlannedShape> shapeOf(const Plan& plan, std::size_t array, std::size_t dr
         "An array, the scenario, a distribution or the program was changed since the plan "
         "of " +
         plan.request.patient.label + " was made. Make it again."};
-  auto shape = runShape(plan.request, *setup, array, draw, isAsked);
+  auto shape = runShape(plan.request, *setup, array, draw, stop);
   if (!shape) return shape.error();
-  if (isAsked) return Error{"Stopped."};
+  if (stop.stop_requested()) return Error{"Stopped."};
   if (shape->insertion.insertion.end == haptics::InsertionEnd::refused)
     return Error{shape->insertion.insertion.reason};
   return shape;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/pages/sessions/ReportRecord.h"
+#include "gui/report/ReportRecord.h"
 
 // In this order: identification, anatomy, picture and results, contacts, limits, signature.
 
@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gui/pages/sessions/ReportAnatomy.h"
-#include "gui/pages/sessions/ReportHead.h"
-#include "gui/pages/sessions/ReportPicture.h"
 #include "gui/parts/Numbers.h"
+#include "gui/report/ReportAnatomy.h"
+#include "gui/report/ReportHead.h"
+#include "gui/report/ReportPicture.h"
 
 namespace perilymph::gui {
 

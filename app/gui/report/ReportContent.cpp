@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/pages/sessions/ReportContent.h"
+#include "gui/report/ReportContent.h"
 
 #include <QCryptographicHash>
 #include <QFile>
 #include <algorithm>
 #include <iterator>
+#include <stop_token>
 
 #include "perilymph/analysis/ErrorBand.h"
 #include "perilymph/session/Playback.h"
@@ -43,8 +44,7 @@ Result<Done> findDeepest(session::Playback& playback, haptics::Snapshot& deepest
 
 }  // namespace
 
-Result<ReportContent> gatherReport(const std::filesystem::path& file,
-                                   const std::atomic<bool>& isCanceled)
+Result<ReportContent> gatherReport(const std::filesystem::path& file, const std::stop_token& stop)
 {
   ReportContent content;
   content.file = file;
@@ -56,7 +56,7 @@ Result<ReportContent> gatherReport(const std::filesystem::path& file,
   std::error_code ignored;
   content.bytes = std::filesystem::file_size(file, ignored);
   content.sha256 = sha256Of(file);
-  auto insertion = analysis::readCompared(file, [&isCanceled] { return !isCanceled; });
+  auto insertion = analysis::readCompared(file, stop);
   if (!insertion) return insertion.error();
   content.insertion = *std::move(insertion);
   if (const auto score = analysis::scoreOf(content.insertion)) content.score = *score;
@@ -67,8 +67,7 @@ Result<ReportContent> gatherReport(const std::filesystem::path& file,
   const auto playback = session::Playback::open(file);
   if (!playback) return playback.error();
   content.scenario = (*playback)->scenario();
-  const auto verification =
-      (*playback)->compute([&isCanceled](std::uint64_t, std::uint64_t) { return !isCanceled; });
+  const auto verification = (*playback)->compute(stop);
   if (!verification) return verification.error();
   content.verification = *verification;
   if (const auto done = findDeepest(**playback, content.deepest); !done) return done.error();

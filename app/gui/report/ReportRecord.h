@@ -3,7 +3,7 @@
 
 // The first page of a report, for the patient's record.
 
-#include "gui/pages/sessions/ReportContent.h"
+#include "gui/report/ReportContent.h"
 #include "gui/report/ReportPages.h"
 
 namespace perilymph::gui {

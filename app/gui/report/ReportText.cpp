@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/pages/sessions/ReportText.h"
+#include "gui/report/ReportText.h"
 
 // In this order: curve, all results, technique score, limits, traceability, parameters.
 
 #include <QCoreApplication>
 #include <cmath>
 
-#include "gui/pages/sessions/ReportParameters.h"
 #include "gui/parts/DataText.h"
 #include "gui/parts/Numbers.h"
+#include "gui/report/ReportParameters.h"
 #include "perilymph/foundation/Version.h"
 
 namespace perilymph::gui {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "perilymph/figures/Style.h"
+#include "perilymph/figures/Palette.h"
 
 #include <gtest/gtest.h>
 
@@ -28,7 +28,7 @@ double contrast(const Ink& one, const Ink& other)
 TEST(ColorScheme, LabelsHaveAContrastOf4Point5OnBothGrounds)
 {
   for (const ColorScheme scheme : {ColorScheme::dark, ColorScheme::light}) {
-    const SchemeInks& inks = inksOf(scheme);
+    const Palette& inks = paletteOf(scheme);
     for (const Ink& ground : {inks.ground, inks.panel})
       for (const Ink& label : {inks.text, inks.quiet, inks.accent, inks.orange, inks.blue})
         EXPECT_GE(contrast(label, ground), 4.5);
@@ -37,8 +37,8 @@ TEST(ColorScheme, LabelsHaveAContrastOf4Point5OnBothGrounds)
 
 TEST(ColorScheme, DarkIsDarkerThanLight)
 {
-  EXPECT_LT(luminance(inksOf(ColorScheme::dark).ground), 0.1);
-  EXPECT_GT(luminance(inksOf(ColorScheme::light).ground), 0.9);
+  EXPECT_LT(luminance(paletteOf(ColorScheme::dark).ground), 0.1);
+  EXPECT_GT(luminance(paletteOf(ColorScheme::light).ground), 0.9);
 }
 
 }  // namespace

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// The insertions of a plan and what they give for each array.
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "perilymph/analysis/InsertionByHand.h"
+#include "perilymph/analysis/SampleStatistics.h"
+#include "perilymph/foundation/Seal.h"
+#include "perilymph/foundation/TomlReader.h"
+#include "perilymph/foundation/Units.h"
+#include "perilymph/planning/PlanRequest.h"
+
+namespace perilymph::planning {
+
+/// Distance between the depths of a force band.
+inline constexpr Length bandSpacing = millimeters(0.5);
+
+/// One array in one draw.
+struct PlannedInsertion {
+  std::size_t draw = 0;                       ///< From 1.
+  std::size_t array = 0;                      ///< Index into PlanRequest::arrays.
+  double a_mm = 0.0, b_mm = 0.0, h_mm = 0.0;  ///< As drawn; H 0 if the patient has none.
+  /// How A and B are shared between both sides of the axis: deviates of the population.
+  double a1_deviate = 0.0, b1_deviate = 0.0;
+  /// Factor of the sections' width and height at the base (90 degrees) and in the second turn (450).
+  double section = 1.0, sectionSecond = 1.0;
+  /// Height of the center line at 90 degrees above the middle of its heights at 0 and 180, beyond the
+  /// mean course: the dip or peak of the basal turn.
+  double dip_mm = 0.0;
+  double radius = 1.0;  ///< Factor of the outer wall's distance from the axis at 180 degrees.
+  double height = 1.0;  ///< Factor of the mean shape's H; 1 if it was measured.
+  double lining_mm = 0.0, membrane_N_m = 0.0;
+  double tilt_deg = 0.0, turn_deg = 0.0;  ///< From the scenario's approach.
+  double stiffness = 1.0;                 ///< Factor of the array's.
+  double friction = 1.0;                  ///< Factor of the scenario's.
+  double speed_mm_s = 0.0;
+  double stop_mN = 0.0;  ///< Force at which the surgeon stops.
+  analysis::ClinicalInsertion insertion;
+};
+
+/// Quantiles of a quantity over the draws.
+struct Band {
+  double low = 0.0, lowerQuartile = 0.0, median = 0.0, upperQuartile = 0.0, high = 0.0;
+};
+/// Force at a depth over the draws whose tip came that deep.
+struct ForceBand {
+  double depth_mm = 0.0;
+  std::size_t draws = 0;
+  Band force_mN;
+};
+
+/// One contact over the draws in which it is inserted.
+struct ContactBand {
+  int number = 0;  ///< 1 at the tip.
+  std::size_t draws = 0;
+  Band angle_deg, toModiolus_mm;
+  double greenwood_Hz = 0.0;       ///< At the median of its place along the organ of Corti.
+  double spiralGanglion_Hz = 0.0;  ///< At the median of its angle.
+  double filter_Hz = 0.0;          ///< Center of its default filter; 0 if no allocation is known.
+  /// Frequency of its place on the spiral ganglion above its filter's center; positive: it hears
+  /// a lower frequency than its place. Zeros without a filter.
+  Band mismatch_semitones;
+};
+
+/// How much of an outcome's variance an input explains: squared rank correlation (Spearman 1904),
+/// adjusted for what chance gives it in as many draws, 1 - (1 - r^2) (n - 1) / (n - 2) or 0. Inputs
+/// are independent; were one known, the outcome's deviation and band would be sqrt(1 - r^2) as wide.
+struct Influence {
+  std::string input;
+  double onAngle = 0.0, onPeak = 0.0;
+  double angleWidth_deg = 0.0, peakWidth_mN = 0.0;  ///< From 5 to 95 %, if the input were known.
+  /// The angle's width if A, B or H, whichever this is, were measured to `finerError`; 0 for other
+  /// inputs and for a measure that is as exact already.
+  double finerAngleWidth_deg = 0.0;
+};
+/// Standard deviation of a finer measurement of A, B or H: an isotropic voxel of 0.2 mm halved
+/// (choice, medium).
+inline constexpr Length finerError = millimeters(0.1);
+
+/// One array over all draws.
+struct ArrayPlan {
+  std::string array;  ///< As in the request.
+  std::string name;   ///< "FLEX28".
+  std::size_t draws = 0;
+  Band angle_deg;         ///< Angle of the most apical contact.
+  Band coverage_percent;  ///< Organ of Corti basal to it.
+  Band depth_mm;          ///< Depth of the tip past the opening.
+  Band peak_mN, end_mN;   ///< Axial, on the hand; at the end of the push.
+  /// The same after 1 s and 10 s of rest; zeros if it was not computed.
+  Band after1s_mN, after10s_mN;
+  Band partition_mN;             ///< Maximum force on the cochlear partition.
+  analysis::Estimate full;       ///< Probability of full depth, with its 95 % interval.
+  analysis::Estimate resisted;   ///< That the surgeon stops by resistance.
+  analysis::Estimate buckled;    ///< That the array bows in front of the opening.
+  analysis::Estimate foldedTip;  ///< That the tip folds over.
+  analysis::Estimate other;      ///< That it ends otherwise: out of the opening, jammed, refused.
+  analysis::Estimate ruptured;   ///< That the partition ruptures, at its drawn strength.
+  analysis::Estimate translocated;  ///< That a part of the array ends in the scala vestibuli.
+  /// That the force on the partition reaches the weakest, and the strongest published partition's
+  /// strength (Thresholds).
+  analysis::Estimate reachesWeakest, reachesStrongest;
+  /// Depth at which the axial force first reaches Thresholds::felt, over the draws in which it does.
+  Band firstResistance_mm;
+  analysis::Estimate felt;       ///< That it does.
+  std::vector<ForceBand> force;  ///< At multiples of `bandSpacing`.
+  std::vector<ContactBand> contacts;
+  std::vector<Influence> influences;  ///< The largest on the angle first.
+};
+
+/// What a summary knows of an array before it is inserted.
+struct PlannedArray {
+  std::string name;               ///< "FLEX28".
+  std::vector<double> filter_Hz;  ///< Centers of the default filters from the tip, if known.
+};
+
+/// Forces that results are compared with.
+struct Thresholds {
+  Force felt;                     ///< First resistance: the median force that surgeons detect.
+  Force ruptureLow, ruptureHigh;  ///< Published range of the strength of the cochlear partition.
+};
+
+/// A plan.
+struct Plan {
+  PlanRequest request;
+  Thresholds thresholds;
+  /// Lowest and highest coefficient of the friction that every insertion has, but for its drawn
+  /// factor; without bounds if the plan.json does not state it.
+  Range friction;
+  /// Its number: SHA-256 of everything it depends on but `draws` and `jobs`. Empty for a plan that
+  /// was changed after the program wrote it.
+  std::string fingerprint;
+  Seal seal = Seal::intact;                  ///< State of the file that it was read from.
+  std::vector<PlannedInsertion> insertions;  ///< By draw, then by array.
+  std::vector<ArrayPlan> arrays;
+  /// Whether everything it depends on is still as it was. Otherwise it is shown as it was made, but
+  /// not continued and no draw of it is run again.
+  bool isCurrent = true;
+};
+
+}  // namespace perilymph::planning

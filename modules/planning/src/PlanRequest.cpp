@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "perilymph/planning/PlanRequest.h"
+
+#include <algorithm>
+
+#include "perilymph/foundation/Version.h"
+
+namespace perilymph::planning {
+
+namespace {
+
+bool takesFew()
+{
+  const auto changed = replacedByEnvironment();
+  return std::find(changed.begin(), changed.end(), fewDraws) != changed.end();
+}
+
+}  // namespace
+
+Resolution usualResolution()
+{
+  return takesFew() ? Resolution{40, milliseconds(10)} : Resolution{};
+}
+
+Result<session::Scenario> scenarioOf(const PlanRequest& request, const std::string& array,
+                                     const std::string& stopTravel_mm)
+{
+  session::Overrides changes = {{"array", array}, {"stop_travel_mm", stopTravel_mm}};
+  if (request.friction) changes.emplace_back("friction", *request.friction);
+  return session::loadScenario(request.scenario, changes);
+}
+
+Result<Done> checkDraws(std::size_t draws)
+{
+  if (draws >= (takesFew() ? std::size_t{1} : fewestDraws) && draws <= maxDraws) return Done{};
+  const std::string count = std::to_string(draws), fewest = std::to_string(fewestDraws),
+                    allowed = ". Choose " + fewest + " to " + std::to_string(maxDraws) + ".";
+  if (draws > maxDraws) return Error{"A plan of " + count + " simulations is too long" + allowed};
+  return Error{"A plan of " + count + " simulations is too short: the lowest and the highest of " +
+               "fewer than " + fewest + " hold less than 88 % of the insertions to come" + allowed};
+}
+
+}  // namespace perilymph::planning

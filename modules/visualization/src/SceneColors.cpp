@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SceneColors.h"
+
+namespace perilymph::visualization {
+
+namespace {
+
+Rgba rgbaOf(const figures::Ink& ink)
+{
+  return withOpacity({ink.rgb[0], ink.rgb[1], ink.rgb[2], 0}, ink.opacity);
+}
+
+}  // namespace
+
+SceneColors::SceneColors(const figures::Palette& palette)
+    : scheme(palette.scheme),
+      bone(rgbaOf(palette.bone)),
+      membrane(rgbaOf(palette.membrane)),
+      silicone(rgbaOf(palette.litSilicone)),
+      platinum(rgbaOf(palette.litPlatinum)),
+      platinumRim(rgbaOf(palette.platinumRim)),
+      rib(rgbaOf(palette.rib)),
+      steel(rgbaOf(palette.steel)),
+      outline(rgbaOf(palette.outline)),
+      arrow(rgbaOf(palette.orange)),
+      frictionArrow(rgbaOf(palette.blue)),
+      forceLow(rgbaOf(palette.forceLow)),
+      forceHigh(rgbaOf(palette.forceHigh)),
+      ground(rgbaOf(palette.sceneGround)),
+      groundLight(rgbaOf(palette.sceneGroundLight)),
+      text(rgbaOf(palette.text)),
+      quietText(rgbaOf(palette.quiet)),
+      rupture(rgbaOf(palette.rupture)),
+      ghost(rgbaOf(palette.ghost))
+{
+}
+
+const SceneColors& sceneColorsOf(figures::ColorScheme scheme)
+{
+  static const SceneColors dark(figures::paletteOf(figures::ColorScheme::dark));
+  static const SceneColors light(figures::paletteOf(figures::ColorScheme::light));
+  return scheme == figures::ColorScheme::light ? light : dark;
+}
+
+}  // namespace perilymph::visualization

@@ -97,7 +97,7 @@ int runKiosk(gui::Application& application, const gui::TerminationSignals& signa
 /// Initial state of a window.
 struct Beginning {
   session::Scenario scenario;
-  gui::Page page = gui::Page::start;
+  QString page = QStringLiteral("start");
   gui::CommandLine options;  ///< Startup actions apply to the first window only.
   std::vector<std::filesystem::path> interrupted;
   std::optional<gui::WindowMemory> memory;  ///< From the previous window.
@@ -128,12 +128,12 @@ WindowEnd runWindow(gui::Application& application, const gui::TerminationSignals
   QObject::connect(&window, &gui::MainWindow::recordingChanged, &window,
                    [&window, &mark] { mark.setRecording(window.control().recording()); });
   QObject::connect(&signals, &gui::TerminationSignals::received, &window, [&window](int signal) {
-    window.insertion().end();
+    window.insertion().safety().end();
     QCoreApplication::exit(statusOf(signal));
   });
   const gui::ScreenLock screen(nullptr);
   QObject::connect(&screen, &gui::ScreenLock::locked, &window.insertion(),
-                   &gui::InsertPage::stopDevice);
+                   &gui::InsertionController::stopDevice);
   QObject::connect(&window, &gui::MainWindow::reopenAsked, &window,
                    [] { QCoreApplication::exit(openAnew); });
   // a screenshot or a benchmark uses the default size, not the last one
@@ -225,8 +225,8 @@ int run(int argc, char** argv, const gui::CommandLine& options)
                       options.record || options.plugin;
   WindowEnd end =
       runWindow(application, signals,
-                {*std::move(scenario), isTold ? gui::Page::insert : gui::Page::start, options,
-                 gui::CrashMarker::takeCrashed(gui::stateFolder()), std::nullopt});
+                {*std::move(scenario), isTold ? QStringLiteral("insert") : QStringLiteral("start"),
+                 options, gui::CrashMarker::takeCrashed(gui::stateFolder()), std::nullopt});
   while (end.next) {
     applyChoices(application, end.next->options);
     end = runWindow(application, signals, Beginning(*std::move(end.next)));

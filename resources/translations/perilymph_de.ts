@@ -3400,17 +3400,6 @@
     </message>
 </context>
 <context>
-    <name>EndingQuestion</name>
-    <message>
-        <source>An insertion is in progress at %1 mm. It is recorded up to here.</source>
-        <translation>Eine Insertion läuft bei %1 mm. Sie ist bis hier aufgezeichnet.</translation>
-    </message>
-    <message>
-        <source>Keep inserting</source>
-        <translation>Weiter inserieren</translation>
-    </message>
-</context>
-<context>
     <name>KioskTurn</name>
     <message>
         <source>Below the forces measured in patients.</source>
@@ -4601,10 +4590,6 @@
         <translation>Ansicht maximieren; wiederherstellen</translation>
     </message>
     <message>
-        <source>start page</source>
-        <translation>Startseite</translation>
-    </message>
-    <message>
         <source>devices: list and connection quality</source>
         <translation>Geräte: Liste und Verbindungsqualität</translation>
     </message>
@@ -5361,8 +5346,8 @@
         <translation>%1–%2 %</translation>
     </message>
     <message>
-        <source>CT, plan, insert, compare, validate, sessions, studies</source>
-        <translation>CT, Plan, Insertion, Vergleich, Validierung, Sitzungen, Studien</translation>
+        <source>%1 ± %2 mm</source>
+        <translation>%1 ± %2 mm</translation>
     </message>
     <message>
         <source>Insertion force over depth</source>
@@ -5827,6 +5812,10 @@
     <message>
         <source>End force: mean of the last half second of 2 s of rest, as the program that made this plan read it.</source>
         <translation>Endkraft: Mittel der letzten halben Sekunde von 2 s Ruhe, wie sie das Programm las, das diesen Plan rechnete.</translation>
+    </message>
+    <message>
+        <source>An insertion is in progress at %1 mm. It is recorded up to here.</source>
+        <translation>Eine Insertion läuft bei %1 mm. Sie ist bis hier aufgezeichnet.</translation>
     </message>
 </context>
 <context>
@@ -6336,6 +6325,10 @@
     <message>
         <source>%1 · changed by hand</source>
         <translation>%1 · von Hand geändert</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Vergleich</translation>
     </message>
 </context>
 <context>
@@ -7003,6 +6996,17 @@
     <message>
         <source>Force feedback gain %1. Enter a valid value or press Esc.</source>
         <translation>Kraftfaktor %1. Gültigen Wert eingeben oder Esc drücken.</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::InsertPage</name>
+    <message>
+        <source>Insert</source>
+        <translation>Insertion</translation>
+    </message>
+    <message>
+        <source>Keep inserting</source>
+        <translation>Weiter inserieren</translation>
     </message>
 </context>
 <context>
@@ -7994,6 +7998,10 @@
         <source>Values of the model, not clinical risks: the friction, 0.12, was chosen for the depths that clinics report; with that of a tissue simulant straight arrays stop at 240 to 350°. Translocation is rarer than clinics report.</source>
         <translation>Werte des Modells, keine klinischen Risiken: Die Reibung, 0,12, wurde für die Tiefen gewählt, die Kliniken berichten; mit der eines Gewebe-Simulans enden gerade Elektrodenträger bei 240 bis 350°. Translokationen sind seltener als in klinischen Berichten.</translation>
     </message>
+    <message>
+        <source>Plan</source>
+        <translation>Plan</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::PlanPanel</name>
@@ -8777,6 +8785,10 @@
         <source>Report saved to %1.</source>
         <translation>Bericht gespeichert in %1.</translation>
     </message>
+    <message>
+        <source>Sessions</source>
+        <translation>Sitzungen</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::SettingsSheet</name>
@@ -8989,6 +9001,10 @@
         <source>Build the patient’s scala tympani from A, B and H in CT. Each value is compared with the population.</source>
         <translation>Scala tympani des Patienten aus A, B und H im CT. Jeder Wert wird mit der Population verglichen.</translation>
     </message>
+    <message>
+        <source>Start page</source>
+        <translation>Startseite</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::StatusLine</name>
@@ -9165,22 +9181,6 @@
         <translation>Einstellungen</translation>
     </message>
     <message>
-        <source>Insert</source>
-        <translation>Insertion</translation>
-    </message>
-    <message>
-        <source>Compare</source>
-        <translation>Vergleich</translation>
-    </message>
-    <message>
-        <source>Validate</source>
-        <translation>Validierung</translation>
-    </message>
-    <message>
-        <source>Sessions</source>
-        <translation>Sitzungen</translation>
-    </message>
-    <message>
         <source>MODIFIED</source>
         <translation>GEÄNDERT</translation>
     </message>
@@ -9217,10 +9217,6 @@
         <translation>Wiedergabe</translation>
     </message>
     <message>
-        <source>Start page (Alt+Home)</source>
-        <translation>Startseite (Alt+Pos1)</translation>
-    </message>
-    <message>
         <source>Keyboard and mouse (F1)</source>
         <translation>Tastatur und Maus (F1)</translation>
     </message>
@@ -9235,10 +9231,6 @@
     <message>
         <source>A recording is shown. No device is active.</source>
         <translation>Eine Aufzeichnung wird gezeigt. Kein Gerät ist aktiv.</translation>
-    </message>
-    <message>
-        <source>CT</source>
-        <translation>CT</translation>
     </message>
     <message>
         <source>Patient without a code · %1 ear</source>
@@ -9285,16 +9277,12 @@
         <translation>%1. Zum Fortfahren „Start“ drücken.</translation>
     </message>
     <message>
-        <source>Studies</source>
-        <translation>Studien</translation>
-    </message>
-    <message>
         <source>ended · no force</source>
         <translation>beendet · keine Kraft</translation>
     </message>
     <message>
-        <source>Plan</source>
-        <translation>Plan</translation>
+        <source>%1 (Alt+Home)</source>
+        <translation>%1 (Alt+Pos1)</translation>
     </message>
 </context>
 <context>
@@ -9389,6 +9377,10 @@
     <message>
         <source>Simulates repeated insertions with realistic variability in start position, alignment, array curvature and friction. Their mean is compared with the published forces. One force was used to calibrate the array; the others are predictions.</source>
         <translation>Simuliert wiederholte Insertionen mit realistischer Variabilität von Startposition, Ausrichtung, Krümmung des Trägers und Reibung. Ihr Mittelwert wird mit den veröffentlichten Kräften verglichen. Eine Kraft diente der Kalibrierung des Trägers; die anderen sind Vorhersagen.</translation>
+    </message>
+    <message>
+        <source>Validate</source>
+        <translation>Validierung</translation>
     </message>
 </context>
 <context>

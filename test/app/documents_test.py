@@ -111,12 +111,13 @@ class WalksOfTheContributor(unittest.TestCase):
 
     def walks(self):
         text = (GUIDE / "contributing.md").read_text()
-        part = re.search(r"^## Four additions.*?(?=^## )", text, re.MULTILINE | re.DOTALL).group(0)
+        part = re.search(r"^## Five additions.*?(?=^## )", text, re.MULTILINE | re.DOTALL).group(0)
         return {walk.splitlines()[0]: re.findall(r"^- (Read|Create|Edit) (.*)$", walk, re.MULTILINE)
                 for walk in part.split("\n### ")[1:]}
 
-    def test_there_are_four(self):
-        self.assertEqual(list(self.walks()), ["A friction law", "An anatomy source", "A chart", "A command"])
+    def test_there_are_five(self):
+        self.assertEqual(list(self.walks()), ["A friction law", "An anatomy source", "A chart", "A command",
+                                              "A page of the window"])
 
     def test_none_takes_more_than_four_files_to_read_and_four_to_edit(self):
         for walk, steps in self.walks().items():

@@ -47,7 +47,7 @@ Notice::Notice(QWidget* parent)
   connect(dismiss_, &QPushButton::clicked, this, &QWidget::hide);
   connect(act_, &QPushButton::clicked, this, [this] {
     hide();
-    if (action_) action_();
+    if (const auto act = action_) act();  // which may ask again
   });
   hide();
 }

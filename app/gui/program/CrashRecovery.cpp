@@ -42,7 +42,7 @@ void offer(MainWindow& window, const session::SessionSummary& left)
           "The program closed unexpectedly. Your last insertion (depth %1 mm) was recovered: %2.")
           .arg(depth, QString::fromStdString(left.file.stem().string()));
   window.notice().offer(sentence, MainWindow::tr("Show sessions"),
-                        [&window] { window.showPage(Page::sessions); });
+                        [&window] { window.showPage(QStringLiteral("sessions")); });
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ public:
   FrameBenchmark(MainWindow& window, std::optional<std::uint64_t> ticks)
       : window_(window), ticks_(ticks)
   {
-    window_.insertion().frames().restartMeter();
+    window_.insertPage().frames().restartMeter();
     window_.insertion().start();
   }
 
@@ -61,7 +61,7 @@ public:
     const double fraction = now.output.travel / window_.control().scenario().stopTravel().si();
     if (!isMeasuring_ && fraction >= shallowFraction) {  // the first insertion begins farther out
       isMeasuring_ = true;
-      window_.insertion().frames().restartMeter();
+      window_.insertPage().frames().restartMeter();
     }
     if (isGoingIn_ && fraction >= deepFraction) turnBack(now);
     if (!isGoingIn_ && fraction <= shallowFraction) goIn();
@@ -71,8 +71,8 @@ public:
   int end()
   {
     if (status_ != 0) return status_;
-    if (!ticks_) std::printf("%s\n", window_.insertion().frames().meter().report().c_str());
-    const haptics::LoopStatistics loop = window_.insertion().halt();
+    if (!ticks_) std::printf("%s\n", window_.insertPage().frames().meter().report().c_str());
+    const haptics::LoopStatistics loop = window_.insertion().safety().end();
     std::printf("ticks %llu, late by more than a period %llu (%.2f %%), %s real-time priority\n",
                 static_cast<unsigned long long>(loop.ticks),
                 static_cast<unsigned long long>(loop.lateTicks),
@@ -91,8 +91,8 @@ private:
   void turnBack(const haptics::Snapshot& now)
   {
     isGoingIn_ = false;
-    const WayIn way{window_.insertion().frames().meter().report(),
-                    window_.insertion().frames().meter().quantile_ms(0.5)};
+    const WayIn way{window_.insertPage().frames().meter().report(),
+                    window_.insertPage().frames().meter().quantile_ms(0.5)};
     isEnough_ = now.tick >= *ticks_ && first_;
     if (!first_ || isEnough_)
       std::printf("after %llu ticks: %s\n", static_cast<unsigned long long>(now.tick),
@@ -109,7 +109,7 @@ private:
   {
     isGoingIn_ = true;
     window_.insertion().start();
-    window_.insertion().frames().restartMeter();
+    window_.insertPage().frames().restartMeter();
   }
 
   MainWindow& window_;

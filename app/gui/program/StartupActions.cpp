@@ -48,7 +48,7 @@ void arrangeStartupActions(MainWindow& window, const CommandLine& options)
 {
   const bool isDemo = options.isDemo || (options.measuresFrames && !options.study);
   QObject::connect(&window, &MainWindow::firstFrameShown, &window, [&window, options, isDemo] {
-    if (options.plugin) window.insertion().usePlugin(*options.plugin);
+    if (options.plugin) window.insertion().useDevice(*options.plugin);
     if (isDemo) {
       std::printf("first frame after %.1f s\n", processUptime_s());
       std::fflush(stdout);
@@ -59,7 +59,7 @@ void arrangeStartupActions(MainWindow& window, const CommandLine& options)
     else if (options.measuresFrames)
       measureFrames(window, options.measuredTicks);
     else if (options.study)
-      window.pages().openStudy(*options.study);
+      window.openOnPage(QStringLiteral("studies"), *options.study);
     takeScreenshotLater(window, options);
   });
 }

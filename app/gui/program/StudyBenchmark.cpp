@@ -26,7 +26,9 @@ constexpr int patience_ms = 60'000;  // for the study to be read
 class StudyFrames : public QObject {
 public:
   explicit StudyFrames(MainWindow& window)
-      : QObject(&window), page_(window.pages().studies()), view_(*page_.findChild<QOpenGLWidget*>())
+      : QObject(&window),
+        page_(*window.pages().find<StudiesPage>()),
+        view_(*page_.findChild<QOpenGLWidget*>())
   {
     connect(&view_, &QOpenGLWidget::frameSwapped, this, [this] {
       if (!isWaiting_) return;
@@ -71,9 +73,8 @@ private:
 void measureStudyFrames(MainWindow& window, const std::filesystem::path& file)
 {
   constexpr int pollInterval_ms = 20;
-  StudiesPage& page = window.pages().studies();
-  window.showPage(Page::studies);
-  page.open(file);
+  StudiesPage& page = *window.pages().find<StudiesPage>();
+  window.openOnPage(page.id(), file);
   auto* poll = new QTimer(&window);
   const auto polls = std::make_shared<int>(0);
   QObject::connect(poll, &QTimer::timeout, &window, [poll, polls, &window, &page] {

@@ -25,6 +25,6 @@ bool SafetyStop::leaveSight()
   return true;
 }
 
-void SafetyStop::end() { control_.halt(); }
+haptics::LoopStatistics SafetyStop::end() { return control_.halt(); }
 
 }  // namespace perilymph::gui

@@ -37,7 +37,8 @@ public:
 
   /// The window ends: stops the loop, which sets the device's force to zero. Call before saving
   /// settings and files, which may take time. The recording is closed with the insertion.
-  void end();
+  /// @return Timing of the loop.
+  haptics::LoopStatistics end();
 
 private:
   InsertionControl& control_;

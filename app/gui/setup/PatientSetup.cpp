@@ -45,4 +45,11 @@ Result<Setup> setupOfPatient(const anatomy::Patient& patient, const session::Sce
   return Setup{*std::move(own), measuredInCt(patient)};
 }
 
+Result<Setup> setupOfPatientFile(const std::filesystem::path& file)
+{
+  const auto patient = anatomy::loadPatient(file);
+  if (!patient) return patient.error();
+  return setupOfPatient(*patient);
+}
+
 }  // namespace perilymph::gui

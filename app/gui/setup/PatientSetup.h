@@ -3,6 +3,8 @@
 
 // Converts a patient's numbers to a setup.
 
+#include <filesystem>
+
 #include "gui/setup/Setup.h"
 #include "perilymph/anatomy/Patient.h"
 #include "perilymph/foundation/Result.h"
@@ -16,5 +18,8 @@ namespace perilymph::gui {
 ///              the mean cochlea if A and B are given, else with the published one.
 Result<Setup> setupOfPatient(const anatomy::Patient& patient,
                              const session::Scenario* base = nullptr);
+
+/// The same of a patient file (.toml).
+Result<Setup> setupOfPatientFile(const std::filesystem::path& file);
 
 }  // namespace perilymph::gui

@@ -1,39 +1,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/shell/EndingQuestion.h"
 
-#include <QCoreApplication>
+#include <algorithm>
 
-#include "gui/pages/insert/InsertPage.h"
 #include "gui/parts/Notice.h"
-#include "gui/parts/Numbers.h"
-#include "gui/run/WorkflowPredicates.h"
+#include "gui/shell/PageStack.h"
 
 namespace perilymph::gui {
 
-namespace {
-
-QString translated(const char* text) { return QCoreApplication::translate("EndingQuestion", text); }
-
-}  // namespace
-
-bool EndingQuestion::isNeeded() const
+Page* EndingQuestion::unfinishedPage() const
 {
-  return !isBetweenInsertions(stateOf(insertion_.control()));
+  const auto found = std::ranges::find_if(
+      pages_.all(), [](const Page* page) { return page->unfinished().has_value(); });
+  return found == pages_.all().end() ? nullptr : *found;
 }
 
 void EndingQuestion::askBefore(const QString& action, const std::function<void()>& act)
 {
-  if (!isNeeded()) return act();
-  const Length travel = Length::fromSi(insertion_.control().now().output.travel);
-  notice_.ask(
-      translated(QT_TRANSLATE_NOOP("EndingQuestion",
-                                   "An insertion is in progress at %1 mm. It is recorded up "
-                                   "to here."))
-          .arg(numberText(inMillimeters(travel), 1)),
-      action, translated(QT_TRANSLATE_NOOP("EndingQuestion", "Keep inserting")), [this, act] {
-        insertion_.reset();
-        act();
-      });
+  Page* page = unfinishedPage();
+  const auto unfinished = page == nullptr ? std::nullopt : page->unfinished();
+  if (!unfinished) return act();
+  notice_.ask(unfinished->sentence, action, unfinished->keepText, [this, page, action, act] {
+    page->endUnfinished();
+    askBefore(action, act);  // another page may have unfinished work, too
+  });
 }
 
 }  // namespace perilymph::gui

@@ -1,29 +1,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// The question before an action that ends an insertion in progress.
+// The question before an action that ends unfinished work of a page, such as an insertion.
 
 #include <QString>
 #include <functional>
 
 namespace perilymph::gui {
 
-class InsertPage;
 class Notice;
+class Page;
+class PageStack;
 
 /// Asks in the window's notice, without a dialog: nothing covers or blocks an insertion.
 class EndingQuestion {
 public:
-  EndingQuestion(InsertPage& insertion, Notice& notice) : insertion_(insertion), notice_(notice) {}
+  EndingQuestion(const PageStack& pages, Notice& notice) : pages_(pages), notice_(notice) {}
 
-  /// An insertion is in progress, also if it is paused.
-  bool isNeeded() const;
-  /// Does something at once, or after the insertion was ended by the user's answer.
+  /// A page has unfinished work, such as an insertion, also if it is paused.
+  bool isNeeded() const { return unfinishedPage() != nullptr; }
+  /// Does something at once, or after the work was ended by the user's answer.
   /// @param action  Text of the button: "End it and close".
   void askBefore(const QString& action, const std::function<void()>& act);
 
 private:
-  InsertPage& insertion_;
+  Page* unfinishedPage() const;
+
+  const PageStack& pages_;
   Notice& notice_;
 };
 

@@ -4,28 +4,35 @@
 #include <QDropEvent>
 #include <QMimeData>
 #include <QUrl>
-#include <QWidget>
+#include <algorithm>
+
+#include "gui/shell/PageStack.h"
 
 namespace perilymph::gui {
 
 namespace {
 
-constexpr auto recordingEnding = ".insertion";
-constexpr auto patientEnding = ".toml";
-
-/// The one file that is dragged, if it is of a known kind; else empty.
+/// The one file or folder that is dragged; else empty.
 std::filesystem::path fileOf(const QMimeData& data)
 {
   const QList<QUrl> urls = data.urls();
   if (urls.size() != 1 || !urls[0].isLocalFile()) return {};
-  const std::filesystem::path file = urls[0].toLocalFile().toStdString();
-  const bool isKnown = file.extension() == recordingEnding || file.extension() == patientEnding;
-  return isKnown ? file : std::filesystem::path();
+  return urls[0].toLocalFile().toStdString();
+}
+
+Page* acceptingPage(const PageStack& pages, const std::filesystem::path& file)
+{
+  if (file.empty()) return nullptr;
+  if (pages.current().accepts(file) != Page::Acceptance::none) return &pages.current();
+  const auto found = std::ranges::find_if(pages.all(), [&](const Page* page) {
+    return page->accepts(file) == Page::Acceptance::always;
+  });
+  return found == pages.all().end() ? nullptr : *found;
 }
 
 }  // namespace
 
-FileDrop::FileDrop(QWidget* window) : QObject(window)
+FileDrop::FileDrop(const PageStack& pages, QWidget* window) : QObject(window), pages_(pages)
 {
   window->setAcceptDrops(true);
   window->installEventFilter(this);
@@ -37,21 +44,14 @@ bool FileDrop::eventFilter(QObject* watched, QEvent* event)
     return QObject::eventFilter(watched, event);
   auto* drop = static_cast<QDropEvent*>(event);
   const std::filesystem::path file = fileOf(*drop->mimeData());
-  if (file.empty()) {
+  Page* page = acceptingPage(pages_, file);
+  if (page == nullptr) {
     drop->ignore();
     return true;
   }
   drop->acceptProposedAction();
-  if (event->type() == QEvent::Drop) take(file);
+  if (event->type() == QEvent::Drop) page->open(file);
   return true;
-}
-
-void FileDrop::take(const std::filesystem::path& file)
-{
-  if (file.extension() == recordingEnding)
-    Q_EMIT recordingDropped(file);
-  else
-    Q_EMIT patientDropped(file);
 }
 
 }  // namespace perilymph::gui

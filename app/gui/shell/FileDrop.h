@@ -4,28 +4,23 @@
 // Files dropped on the window.
 
 #include <QObject>
-#include <filesystem>
-
-class QMimeData;
-class QWidget;
 
 namespace perilymph::gui {
 
-/// Accepts one recording or patient file, and refuses all else while it is dragged.
+class PageStack;
+
+/// Passes one file to the page that accepts it, the visible one first, and refuses all else while it
+/// is dragged.
 class FileDrop : public QObject {
   Q_OBJECT
 public:
-  explicit FileDrop(QWidget* window);
-
-Q_SIGNALS:
-  void recordingDropped(const std::filesystem::path& file);
-  void patientDropped(const std::filesystem::path& file);
+  FileDrop(const PageStack& pages, QWidget* window);
 
 protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-  void take(const std::filesystem::path& file);
+  const PageStack& pages_;
 };
 
 }  // namespace perilymph::gui

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "gui/pages/insert/InsertPage.h"
+#include "gui/pages/insert/InsertionController.h"
 #include "gui/pages/insert/InsertionViews.h"
 #include "gui/scene/OperationView.h"
 #include "gui/shell/KeyActions.h"
@@ -23,34 +24,35 @@ constexpr double magnify = 1.1;        // per press of + or −
 // lupdate assigns texts of free functions to their namespace.
 QString tr(const char* text) { return QCoreApplication::translate("perilymph::gui", text); }
 
-void addInsertionSection(KeyActions& keys, InsertPage& page)
+void addInsertionSection(KeyActions& keys, InsertionController& insertion, InsertPage& page)
 {
   const auto section = KeySection::insertion;
   keys.add({section,
             {Qt::Key_Space},
             tr("start or pause; hold the array (mouse and keyboard)"),
-            onPage(page, [&page](int) { page.pressSpace(); })});
+            onPage(page, [&insertion](int) { insertion.pressSpace(); })});
   keys.add({section,
             {Qt::Key_Down, Qt::Key_Up},
             tr("advance or withdraw the held array"),
-            onPage(page, [&page](int which) {
-              page.held().press(which == 0 ? Qt::Key_Down : Qt::Key_Up);
+            onPage(page, [&insertion](int which) {
+              insertion.held().press(which == 0 ? Qt::Key_Down : Qt::Key_Up);
             })});
   keys.add(Gesture{section, tr("Wheel"), tr("advance (down) or withdraw (up) the held array")});
-  keys.add({section, {Qt::Key_Backspace}, tr("withdraw"), onPage(page, [&page](int) {
-              page.withdraw();
+  keys.add({section, {Qt::Key_Backspace}, tr("withdraw"), onPage(page, [&insertion](int) {
+              insertion.withdraw();
             })});
   keys.add({section,
             {with(Qt::ControlModifier, Qt::Key_R)},
             tr("reset: new insertion and recording"),
-            onPage(page, [&page](int) { page.reset(); })});
+            onPage(page, [&insertion](int) { insertion.reset(); })});
   keys.add({section,
             {with(Qt::ControlModifier, Qt::Key_Z),
              with(Qt::ControlModifier | Qt::ShiftModifier, Qt::Key_Z)},
             tr("undo or redo a setup change"),
-            onPage(page, [&page](int which) { which == 0 ? page.undo() : page.redo(); })});
-  keys.add({section, {Qt::Key_S}, tr("withdraw the stylet"), onPage(page, [&page](int) {
-              page.pullStylet();
+            onPage(page,
+                   [&insertion](int which) { which == 0 ? insertion.undo() : insertion.redo(); })});
+  keys.add({section, {Qt::Key_S}, tr("withdraw the stylet"), onPage(page, [&insertion](int) {
+              insertion.control().pullStylet();
             })});
 }
 
@@ -62,9 +64,11 @@ void addPictureSection(KeyActions& keys, InsertPage& page)
   keys.add({section,
             {Qt::Key_1, Qt::Key_2, Qt::Key_3, Qt::Key_4},
             tr("surgeon’s view, through the opening, overview, basal-turn section"),
-            onPage(page, [&page](int which) { page.view().glideTo(views[std::size_t(which)]); })});
+            onPage(page, [&page](int which) {
+              page.views().operation()->glideTo(views[std::size_t(which)]);
+            })});
   keys.add({section, {Qt::Key_F}, tr("follow the tip"), onPage(page, [&page](int) {
-              page.view().glideTo(CameraPreset::followTip);
+              page.views().operation()->glideTo(CameraPreset::followTip);
             })});
   keys.add({section,
             {Qt::Key_G},
@@ -78,7 +82,7 @@ void addPictureSection(KeyActions& keys, InsertPage& page)
             onPage(page,
                    [&page](int which) {
                      const auto [azimuth_deg, elevation_deg] = turns[std::size_t(which)];
-                     page.view().turnModel(azimuth_deg, elevation_deg, 0.0);
+                     page.views().operation()->turnModel(azimuth_deg, elevation_deg, 0.0);
                    }),
             true});
   static constexpr std::array<std::pair<double, double>, 4> moves{
@@ -90,15 +94,17 @@ void addPictureSection(KeyActions& keys, InsertPage& page)
             onPage(page,
                    [&page](int which) {
                      const auto [right, up] = moves[std::size_t(which)];
-                     page.view().moveModel(right, up);
+                     page.views().operation()->moveModel(right, up);
                    }),
             true});
-  keys.add(
-      {section,
-       {Qt::Key_Plus, Qt::Key_Minus, Qt::Key_Equal},
-       tr("zoom"),
-       onPage(page, [&page](int which) { page.view().zoom(which == 1 ? 1.0 / magnify : magnify); }),
-       true});
+  keys.add({section,
+            {Qt::Key_Plus, Qt::Key_Minus, Qt::Key_Equal},
+            tr("zoom"),
+            onPage(page,
+                   [&page](int which) {
+                     page.views().operation()->zoom(which == 1 ? 1.0 / magnify : magnify);
+                   }),
+            true});
   keys.add(Gesture{section, tr("Drag; Shift+drag"), tr("rotate the model; pan")});
   keys.add(Gesture{section, tr("Wheel, Ctrl+wheel"), tr("zoom")});
 }
@@ -124,9 +130,9 @@ std::function<bool(int)> onPage(InsertPage& page, std::function<void(int)> act)
   };
 }
 
-void addInsertKeys(KeyActions& keys, InsertPage& page)
+void addInsertKeys(KeyActions& keys, InsertionController& insertion, InsertPage& page)
 {
-  addInsertionSection(keys, page);
+  addInsertionSection(keys, insertion, page);
   addPictureSection(keys, page);
   addReplaySection(keys);
 }

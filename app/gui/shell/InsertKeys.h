@@ -8,6 +8,7 @@
 namespace perilymph::gui {
 
 class InsertPage;
+class InsertionController;
 class KeyActions;
 
 /// Restricts a key action to the insertion page; on other pages the key is not handled.
@@ -15,6 +16,6 @@ class KeyActions;
 std::function<bool(int)> onPage(InsertPage& page, std::function<void(int)> act);
 
 /// Adds the sections of insertion, 3D view and replay.
-void addInsertKeys(KeyActions& keys, InsertPage& page);
+void addInsertKeys(KeyActions& keys, InsertionController& insertion, InsertPage& page);
 
 }  // namespace perilymph::gui

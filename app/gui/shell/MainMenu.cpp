@@ -22,7 +22,8 @@ MainMenu::MainMenu(MainWindow& window, QWidget* parent) : QMenu(parent), window_
     return action;
   };
   QAction* open = add(tr("Open recording…"), {}, "openAction", [this] { openRecording(); });
-  add(tr("Export recordings…"), {}, "exportAction", [this] { window_.showPage(Page::sessions); });
+  add(tr("Export recordings…"), {}, "exportAction",
+      [this] { window_.showPage(QStringLiteral("sessions")); });
   add(tr("Save screenshot"), tr("Ctrl+Shift+S"), "screenshotAction",
       [this] { window_.takePicture(); });
   addSeparator();

@@ -5,14 +5,16 @@
 
 #include <QWidget>
 #include <filesystem>
+#include <memory>
 #include <optional>
+#include <utility>
 
 #include "gui/pages/insert/InsertPage.h"
+#include "gui/pages/insert/InsertionController.h"
 #include "gui/shell/EndingQuestion.h"
 #include "gui/shell/KeyActions.h"
 #include "gui/shell/PageStack.h"
 #include "perilymph/foundation/Result.h"
-#include "perilymph/session/Scenario.h"
 
 namespace perilymph::gui {
 
@@ -24,23 +26,25 @@ class TopBar;
 class MainWindow : public QWidget {
   Q_OBJECT
 public:
-  using AfterLoading = InsertPage::AfterLoading;
-
   /// @param cochleae  Those built by an earlier window are used again.
   MainWindow(session::Scenario scenario, std::optional<std::filesystem::path> record,
-             std::shared_ptr<CochleaStore> cochleae = std::make_shared<CochleaStore>());
+             std::shared_ptr<CochleaStore> cochleae = std::make_shared<CochleaStore>(),
+             const PageList& pages = standardPages());
   ~MainWindow() override;
 
   /// Builds the cochlea and prepares the insertion; then frames begin.
-  Result<Done> open() { return insert_->open(); }
+  Result<Done> open() { return insertion_->open(); }
 
-  /// Shows another scenario on the insertion page.
-  void load(session::Scenario scenario, AfterLoading then);
-  void load(const Setup& setup, SetupOrigin::Kind kind, AfterLoading then);
+  /// Shows another setup on the insertion page; asks first if that would end an insertion.
+  void load(const InsertionRequest& request);
 
   /// Shows another page. A moving insertion is paused, because it is not visible.
-  void showPage(Page page);
-  Page page() const { return pages_->page(); }
+  void showPage(const Page& page) { showPage(page.id()); }
+  void showPage(const QString& id);
+  /// Shows a page and opens a file there.
+  void openOnPage(const QString& id, const std::filesystem::path& file);
+  /// The id of the visible page.
+  const QString& page() const { return pages_->current().id(); }
   PageStack& pages() { return *pages_; }
 
   /// Replays a recording on the insertion page; asks first if that would end an insertion.
@@ -49,12 +53,13 @@ public:
   /// The message strip below the top bar.
   Notice& notice() { return *notice_; }
   /// Shows an error on the insertion page until the next reset.
-  void showError(const QString& sentence) { insert_->showError(sentence); }
+  void showError(const QString& sentence) { insertion_->showError(sentence); }
 
-  InsertPage& insertion() { return *insert_; }
-  const InsertionControl& control() const { return insert_->control(); }
-  const SetupHistory& setup() const { return insert_->setup(); }
-  OperationView& view() { return insert_->view(); }
+  InsertionController& insertion() { return *insertion_; }
+  const InsertionControl& control() const { return std::as_const(*insertion_).control(); }
+  const SetupHistory& setup() const { return insertion_->history(); }
+  InsertPage& insertPage() { return *insert_; }
+  OperationView& view();
   InsertionViews& views() { return insert_->views(); }
   Sheets& sheets() { return *sheets_; }
   Navigation& navigation() { return *navigation_; }
@@ -76,7 +81,6 @@ protected:
   void closeEvent(QCloseEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void keyReleaseEvent(QKeyEvent* event) override;
-  void wheelEvent(QWheelEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 
 private:
@@ -84,12 +88,13 @@ private:
   void connectInsertion();
   void showSubject();
 
+  std::unique_ptr<InsertionController> insertion_;
   TopBar* top_;
-  InsertPage* insert_;
   Notice* notice_;
   Navigation* navigation_;
-  Sheets* sheets_;
   PageStack* pages_;
+  InsertPage* insert_;  ///< One of the pages.
+  Sheets* sheets_;
   KeyActions keys_;
   EndingQuestion ending_;
 };

@@ -3,8 +3,8 @@
 
 #include <QVariant>
 
-#include "gui/pages/insert/InsertPage.h"
-#include "gui/pages/insert/ReplayControl.h"
+#include "gui/pages/insert/InsertionController.h"
+#include "gui/pages/insert/ReplayPlayer.h"
 #include "gui/parts/DataText.h"
 #include "gui/parts/Notice.h"
 #include "gui/parts/UserSettings.h"
@@ -19,8 +19,11 @@ QStringList stateText() { return {QStringLiteral("off"), QStringLiteral("on")}; 
 
 }  // namespace
 
-Navigation::Navigation(const InsertPage& page, Notice& notice, QObject* parent)
-    : QObject(parent), page_(page), notice_(notice), broadcast_([this] { return shown(); }, nullptr)
+Navigation::Navigation(const InsertionController& insertion, Notice& notice, QObject* parent)
+    : QObject(parent),
+      insertion_(insertion),
+      notice_(notice),
+      broadcast_([this] { return shown(); }, nullptr)
 {
   connect(&broadcast_, &InsertionBroadcast::changed, this, &Navigation::follow);
   connect(&broadcast_, &InsertionBroadcast::clientRefused, this, &Navigation::say);
@@ -28,14 +31,14 @@ Navigation::Navigation(const InsertPage& page, Notice& notice, QObject* parent)
 
 std::optional<InsertionBroadcast::Shown> Navigation::shown() const
 {
-  const ReplayControl& replay = page_.replay();
+  const ReplayPlayer& replay = insertion_.replay();
   const bool isReplay = replay.isOpen();
   auto shown = isReplay
                    ? InsertionBroadcast::Shown{replay.now(), replay.playback().scenario().array(),
                                                replay.playback().anatomy()}
-                   : shownBy(page_.control());
+                   : shownBy(insertion_.control());
   if (shown && ct_)
-    shown->ct = ct_(isReplay ? replay.playback().scenario() : page_.control().scenario());
+    shown->ct = ct_(isReplay ? replay.playback().scenario() : insertion_.control().scenario());
   return shown;
 }
 
@@ -103,7 +106,7 @@ void Navigation::follow()
 {
   Q_EMIT changed();
   // Not during an insertion: the notice takes a strip of the picture.
-  if (isError() || !page_.control().isMoving()) say(status());
+  if (isError() || !insertion_.control().isMoving()) say(status());
 }
 
 void Navigation::say(const QString& sentence)

@@ -9,13 +9,14 @@
 #include <optional>
 
 #include "gui/run/InsertionBroadcast.h"
+#include "perilymph/session/Scenario.h"
 
 namespace perilymph::gui {
 
-class InsertPage;
+class InsertionController;
 class Notice;
 
-/// Sends the insertion, or the replay, of the page. Off until the command line or the setting asks
+/// Sends the insertion, or its replay. Off until the command line or the setting asks
 /// for it. The setting listens on this machine only.
 class Navigation : public QObject {
   Q_OBJECT
@@ -23,7 +24,7 @@ public:
   static constexpr int minPort = 1024, maxPort = 65535;
 
   /// @param notice  Shows every change of the state, unless it shows something else.
-  Navigation(const InsertPage& page, Notice& notice, QObject* parent);
+  Navigation(const InsertionController& insertion, Notice& notice, QObject* parent);
 
   InsertionBroadcast& broadcast() { return broadcast_; }
 
@@ -59,7 +60,7 @@ private:
 
   std::optional<InsertionBroadcast::Shown> shown() const;
 
-  const InsertPage& page_;
+  const InsertionController& insertion_;
   Notice& notice_;
   CtSource ct_;
   QString said_;   ///< The last sentence of the notice that came from here.

@@ -4,68 +4,36 @@
 // The pages of the window, one of which is visible.
 
 #include <QStackedWidget>
-#include <filesystem>
+#include <vector>
 
-#include "gui/pages/insert/InsertPage.h"
+#include "gui/pages/Page.h"
+#include "gui/shell/PageList.h"
 
 namespace perilymph::gui {
 
-class ComparePage;
-class CtPage;
-class PlanPage;
-class SessionsPage;
-class StartPage;
-class StudiesPage;
-class ValidatePage;
-
-/// The pages, in the order of their buttons.
-enum class Page { start, ct, plan, insert, compare, validate, sessions, studies };
-
-/// Makes the pages and connects them, as they do not know each other.
 class PageStack : public QStackedWidget {
   Q_OBJECT
 public:
-  /// @param insert  The insertion page; it is shown first.
-  PageStack(InsertPage& insert, QWidget* parent);
+  /// Makes the pages of a list; that of the insertion is shown first.
+  PageStack(const PageList& list, InsertionController& insertion, QWidget* parent);
 
-  Page page() const { return static_cast<Page>(currentIndex()); }
-  /// Shows a page. An insertion that is no longer visible is paused.
-  void showPage(Page page);
-  /// Cancels what the visible page computes in the background. False if there was nothing.
-  bool cancel();
-  /// Shows a message on the page of recordings.
-  void showSessionsError(const QString& sentence);
-  CtPage& ct() { return *ct_; }
-  PlanPage& plan() { return *plan_; }
-  StudiesPage& studies() { return *studies_; }
-  /// Shows a study's result on its page.
-  void openStudy(const std::filesystem::path& file);
+  /// In the order of the list.
+  const std::vector<Page*>& all() const { return all_; }
+  Page& current() const;
+  /// Throws std::out_of_range if there is none with this id.
+  Page& page(const QString& id) const;
+  /// The page of a class; null if there is none.
+  template <class Wanted>
+  Wanted* find() const
+  {
+    return findChild<Wanted*>(QString(), Qt::FindDirectChildrenOnly);
+  }
 
-Q_SIGNALS:
-  /// Another setup was chosen for the insertion page.
-  void setupChosen(const perilymph::gui::Setup& setup, perilymph::gui::SetupOrigin::Kind kind,
-                   perilymph::gui::InsertPage::AfterLoading then);
-  void replayAsked(const std::filesystem::path& file);
-  /// A page asks for another one.
-  void pageAsked(perilymph::gui::Page page);
-  /// A dropped file cannot be used.
-  void refused(const QString& sentence);
+  /// Shows a page, which is told so, like the one before it.
+  void show(Page& page);
 
 private:
-  void connectPages();
-  void showInsertionInCt();
-  void connectStart();
-  void connectRecordings();
-  void openPatient(const std::filesystem::path& file);
-
-  InsertPage& insert_;
-  StartPage* start_;
-  CtPage* ct_;
-  PlanPage* plan_;
-  ComparePage* compare_;
-  ValidatePage* validate_;
-  SessionsPage* sessions_;
-  StudiesPage* studies_;
+  std::vector<Page*> all_;
 };
 
 }  // namespace perilymph::gui

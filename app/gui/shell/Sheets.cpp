@@ -6,6 +6,8 @@
 
 #include "gui/pages/devices/DevicePage.h"
 #include "gui/pages/insert/InsertPage.h"
+#include "gui/pages/insert/InsertionController.h"
+#include "gui/pages/insert/InsertionViews.h"
 #include "gui/parts/SheetScroll.h"
 #include "gui/run/WorkflowPredicates.h"
 #include "gui/scene/OperationView.h"
@@ -16,22 +18,25 @@
 
 namespace perilymph::gui {
 
-Sheets::Sheets(InsertPage& insertion, Navigation& navigation, QWidget* window)
+Sheets::Sheets(InsertionController& insertion, InsertPage& page, Navigation& navigation,
+               QWidget* window)
     : QObject(window),
       window_(window),
       insertion_(insertion),
+      page_(page),
       help_(new Help(window)),
       settings_(new SettingsSheet(window)),
-      devices_(new DevicePage(&insertion)),
+      devices_(new DevicePage(&page)),
       about_(new AboutSheet(window))
 {
   settings_->append(new NavigationSection(navigation, settings_));
   connect(settings_, &SettingsSheet::closeAsked, this, &Sheets::toggleSettings);
   connect(settings_, &SettingsSheet::chosen, this, &Sheets::settingChosen);
   connect(about_, &AboutSheet::closeAsked, this, &Sheets::toggleAbout);
+  connect(&page, &InsertPage::devicesAsked, this, &Sheets::toggleDevices);
   connect(devices_, &DevicePage::closeAsked, this, &Sheets::toggleDevices);
-  connect(devices_, &DevicePage::deviceChosen, &insertion,
-          qOverload<const device::FoundDevice&>(&InsertPage::useDevice));
+  connect(devices_, &DevicePage::deviceChosen, this,
+          [this](const device::FoundDevice& found) { insertion_.useDevice(found); });
 }
 
 void Sheets::toggleDevices()
@@ -43,7 +48,7 @@ void Sheets::toggleDevices()
     place();
     devices_->raise();
   }
-  insertion_.showInput();  // requesting the page toggles its button
+  page_.showInput();  // requesting the page toggles its button
 }
 
 void Sheets::toggleSettings()
@@ -73,12 +78,12 @@ void Sheets::placeAtOnceAndLater()
 
 void Sheets::showState()
 {
-  const InsertionControl& control = insertion_.control();
+  InsertionControl& control = insertion_.control();
   const bool isChangeable = isBetweenInsertions(stateOf(control));
   settings_->setChangeable(isChangeable);
   devices_->setChangeable(isChangeable);
   if (!devices_->isVisible()) return;
-  devices_->showHand(QString::fromStdString(control.handName()), insertion_.deviceHealth(),
+  devices_->showHand(QString::fromStdString(control.handName()), control.deviceHealth(),
                      control.now(), QString::fromStdString(control.couplingText()));
 }
 
@@ -93,9 +98,9 @@ void Sheets::place()
 /// In the middle of the 3D view as far as it is wide enough.
 void Sheets::placeDevices()
 {
-  const OperationView& view = insertion_.view();
-  const QPoint corner = view.mapTo(&insertion_, view.rect().center()) - devices_->rect().center();
-  const int right = std::max(0, insertion_.width() - devices_->width());
+  const OperationView& view = *page_.views().operation();
+  const QPoint corner = view.mapTo(&page_, view.rect().center()) - devices_->rect().center();
+  const int right = std::max(0, page_.width() - devices_->width());
   devices_->move(std::clamp(corner.x(), 0, right), std::max(0, corner.y()));
 }
 

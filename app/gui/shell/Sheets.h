@@ -11,6 +11,7 @@ class AboutSheet;
 class DevicePage;
 class Help;
 class InsertPage;
+class InsertionController;
 class Navigation;
 class SettingsSheet;
 
@@ -18,7 +19,7 @@ class SettingsSheet;
 class Sheets : public QObject {
   Q_OBJECT
 public:
-  Sheets(InsertPage& insertion, Navigation& navigation, QWidget* window);
+  Sheets(InsertionController& insertion, InsertPage& page, Navigation& navigation, QWidget* window);
 
   Help& help() { return *help_; }
   void toggleDevices();
@@ -43,7 +44,8 @@ private:
   void placeAtOnceAndLater();
 
   QWidget* window_;
-  InsertPage& insertion_;
+  InsertionController& insertion_;
+  InsertPage& page_;
   Help* help_;
   SettingsSheet* settings_;
   DevicePage* devices_;

@@ -6,7 +6,7 @@
 #include <QObject>
 #include <QPointer>
 
-#include "gui/pages/insert/InsertPage.h"
+#include "gui/pages/insert/InsertionController.h"
 
 namespace perilymph::gui {
 
@@ -21,12 +21,12 @@ class StopTriggers : public QObject {
   Q_OBJECT
 public:
   /// @param window  Its focus counts; the owner of this object.
-  StopTriggers(InsertPage& page, QWidget* window);
+  StopTriggers(InsertionController& insertion, QWidget* window);
 
   bool eventFilter(QObject* target, QEvent* event) override;
 
 private:
-  QPointer<InsertPage> page_;  ///< Null while the window is destroyed.
+  QPointer<InsertionController> insertion_;  ///< Null while the window is destroyed.
   QWidget* window_;
 };
 

@@ -12,6 +12,7 @@
 #include <QVariant>
 #include <algorithm>
 
+#include "gui/pages/Page.h"
 #include "gui/parts/ElidedLabel.h"
 #include "gui/parts/Numbers.h"
 #include "gui/parts/Theme.h"
@@ -131,6 +132,8 @@ void StopButton::mousePressEvent(QMouseEvent* event)
 
 TopBar::TopBar(QWidget* parent)
     : QWidget(parent),
+      left_(new QHBoxLayout),
+      tabs_(new QHBoxLayout),
       patient_(new ElidedLabel(this)),
       modified_(new QLabel(tr("MODIFIED"), this)),
       stop_(new StopButton(tr("STOP"), this)),
@@ -138,14 +141,6 @@ TopBar::TopBar(QWidget* parent)
       menu_(new QPushButton(QStringLiteral("☰"), this))
 {
   setFixedHeight(shownLengths().bar);
-  auto* name = new QPushButton(tr("Perilymph"), this);
-  name->setObjectName(QStringLiteral("startPageButton"));
-  name->setProperty(leavesInsertion, true);
-  name->setFont(typeface(15, QFont::DemiBold));
-  name->setFocusPolicy(Qt::TabFocus);
-  name->setToolTip(tr("Start page (Alt+Home)"));
-  connect(name, &QPushButton::clicked, this, [this] { Q_EMIT pageChosen(Page::start); });
-
   patient_->setFont(typeface(13, QFont::Medium));
   patient_->setAlignment(Qt::AlignCenter);
   patient_->setObjectName(QStringLiteral("patientLabel"));
@@ -182,20 +177,10 @@ TopBar::TopBar(QWidget* parent)
   menu_->setToolTip(tr("Menu"));
   menu_->setAccessibleName(tr("Menu"));
 
-  auto* left = new QHBoxLayout;
-  left->setSpacing(3 * spacing);
-  left->addWidget(name);
-  auto* pages = new QHBoxLayout;
-  pages->setSpacing(spacing);
-  pages->addWidget(addPage(Page::ct, tr("CT"), "ctPageButton"));
-  pages->addWidget(addPage(Page::plan, tr("Plan"), "planPageButton"));
-  pages->addWidget(addPage(Page::insert, tr("Insert"), "insertPageButton"));
-  pages->addWidget(addPage(Page::compare, tr("Compare"), "comparePageButton"));
-  pages->addWidget(addPage(Page::validate, tr("Validate"), "validatePageButton"));
-  pages->addWidget(addPage(Page::sessions, tr("Sessions"), "sessionsPageButton"));
-  pages->addWidget(addPage(Page::studies, tr("Studies"), "studiesPageButton"));
-  left->addLayout(pages);
-  left->addStretch();
+  left_->setSpacing(3 * spacing);
+  tabs_->setSpacing(spacing);
+  left_->addLayout(tabs_);
+  left_->addStretch();
   auto* right = new QHBoxLayout;
   right->setSpacing(2 * spacing);
   right->addStretch();
@@ -208,7 +193,7 @@ TopBar::TopBar(QWidget* parent)
   // Both sides have equal widths, so that the patient is in the center of the window.
   auto* columns = new QGridLayout(this);
   columns->setContentsMargins(2 * spacing, 0, 2 * spacing, 0);
-  columns->addLayout(left, 0, 0);
+  columns->addLayout(left_, 0, 0);
   auto* middle = new QHBoxLayout;
   middle->setContentsMargins(3 * spacing, 0, 3 * spacing, 0);
   middle->setSpacing(spacing);
@@ -222,8 +207,8 @@ TopBar::TopBar(QWidget* parent)
 
 void TopBar::moveToTabEnd()
 {
-  std::vector<QWidget*> stops{stop_};
-  for (const char* name : {"startPageButton", "keysButton", "settingsButton", "menuButton"})
+  std::vector<QWidget*> stops{stop_, home_};
+  for (const char* name : {"keysButton", "settingsButton", "menuButton"})
     stops.push_back(findChild<QPushButton*>(QLatin1String(name)));
   for (const auto& [page, button] : pages_) stops.push_back(button);
   QWidget* last = window()->previousInFocusChain();
@@ -257,27 +242,47 @@ void TopBar::addStop()
   connect(stop_, &QPushButton::pressed, this, &TopBar::stopAsked);  // by a key
 }
 
-QPushButton* TopBar::addPage(Page page, const QString& text, const char* name)
+QPushButton* TopBar::pageButton(const Page& page, const QString& text)
 {
   auto* button = new QPushButton(text, this);
-  button->setObjectName(QLatin1String(name));
-  button->setProperty("page", true);
-  button->setProperty(leavesInsertion, page != Page::insert);
-  button->setFont(typeface(13, QFont::Medium));
-  button->setFixedHeight(sized(28));
-  // the style sheet, which defines the size hint, is applied later
-  const int caption = QFontMetrics(button->font()).horizontalAdvance(text);
-  button->setMinimumWidth(std::max(44, caption + 2 * spacing + 2));
-  button->setCheckable(true);
+  button->setObjectName(page.objectName() + QLatin1String("Button"));
+  button->setProperty(leavesInsertion, !page.showsInsertion());
   button->setFocusPolicy(Qt::TabFocus);
-  connect(button, &QPushButton::clicked, this, [this, page] { Q_EMIT pageChosen(page); });
-  pages_.emplace_back(page, button);
+  connect(button, &QPushButton::clicked, this, [this, &page] { Q_EMIT pageChosen(page.id()); });
   return button;
 }
 
-void TopBar::setPage(Page page)
+void TopBar::setPages(const std::vector<Page*>& pages)
 {
-  for (const auto& [own, button] : pages_) button->setChecked(own == page);
+  for (const Page* page : pages) {
+    if (page != pages.front()) {
+      addPage(*page);
+      continue;
+    }
+    home_ = pageButton(*page, tr("Perilymph"));
+    home_->setFont(typeface(15, QFont::DemiBold));
+    home_->setToolTip(tr("%1 (Alt+Home)").arg(page->name()));
+    left_->insertWidget(0, home_);
+  }
+}
+
+void TopBar::addPage(const Page& page)
+{
+  QPushButton* button = pageButton(page, page.name());
+  button->setProperty("page", true);
+  button->setFont(typeface(13, QFont::Medium));
+  button->setFixedHeight(sized(28));
+  // the style sheet, which defines the size hint, is applied later
+  const int caption = QFontMetrics(button->font()).horizontalAdvance(page.name());
+  button->setMinimumWidth(std::max(44, caption + 2 * spacing + 2));
+  button->setCheckable(true);
+  tabs_->addWidget(button);
+  pages_.emplace_back(&page, button);
+}
+
+void TopBar::setPage(const Page& page)
+{
+  for (const auto& [own, button] : pages_) button->setChecked(own == &page);
 }
 
 void TopBar::showSubject(const session::Scenario& scenario, const QString& changed)

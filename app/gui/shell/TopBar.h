@@ -9,14 +9,15 @@
 #include <vector>
 
 #include "gui/run/InsertionControl.h"
-#include "gui/shell/PageStack.h"
 
+class QHBoxLayout;
 class QLabel;
 class QMenu;
 
 namespace perilymph::gui {
 
 class ElidedLabel;
+class Page;
 
 /// State of the device light. Every state has a text in addition to its color.
 enum class DeviceState { off, steady, warning, alarm };
@@ -59,6 +60,8 @@ class TopBar : public QWidget {
 public:
   explicit TopBar(QWidget* parent);
 
+  /// Adds the buttons of the pages; that of the first one, the start page, is the program's name.
+  void setPages(const std::vector<Page*>& pages);
   /// Sets the menu of the button at the right.
   void setMenu(QMenu* menu);
 
@@ -66,7 +69,7 @@ public:
   /// menu, and the links to the pages last.
   void moveToTabEnd();
   /// Marks the current page.
-  void setPage(Page page);
+  void setPage(const Page& page);
 
   /// Shows patient and ear.
   /// @param changed  Differences from the preset, as text; empty if there are none.
@@ -84,16 +87,19 @@ public:
 Q_SIGNALS:
   /// The Stop button was pressed (not only after its release).
   void stopAsked();
-  void pageChosen(perilymph::gui::Page page);
+  void pageChosen(const QString& id);
   void keysAsked();
   void settingsAsked();
 
 private:
   void addStop();
-  QPushButton* addPage(Page page, const QString& text, const char* name);
+  QPushButton* pageButton(const Page& page, const QString& text);
+  void addPage(const Page& page);
   void setDevice(DeviceState light, const QString& caption, const QString& tip);
 
-  std::vector<std::pair<Page, QPushButton*>> pages_;
+  QHBoxLayout *left_, *tabs_;
+  QPushButton* home_ = nullptr;
+  std::vector<std::pair<const Page*, QPushButton*>> pages_;  ///< After the first one.
   ElidedLabel* patient_;
   QLabel* modified_;
   StopButton* stop_;  ///< Visible while the input renders force.

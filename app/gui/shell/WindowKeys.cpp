@@ -2,9 +2,12 @@
 #include "gui/shell/WindowKeys.h"
 
 #include <QCoreApplication>
+#include <QStringList>
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <utility>
+#include <vector>
 
 #include "gui/pages/insert/InsertPage.h"
 #include "gui/pages/insert/InsertionViews.h"
@@ -29,6 +32,25 @@ std::function<bool(int)> always(std::function<void(int)> act)
   };
 }
 
+/// Alt+Home and Alt+1 to Alt+9, in the order of the pages.
+void addPageKeys(KeyActions& keys, MainWindow& window)
+{
+  const std::vector<Page*>& pages = window.pages().all();
+  keys.add({KeySection::window,
+            {with(Qt::AltModifier, Qt::Key_Home)},
+            pages.front()->name(),
+            always([&window, &pages](int) { window.showPage(*pages.front()); })});
+  QVector<QKeySequence> digits;
+  QStringList names;
+  for (std::size_t i = 1; i < std::min(pages.size(), std::size_t(10)); ++i) {
+    digits.push_back(with(Qt::AltModifier, Qt::Key(Qt::Key_0 + int(i))));
+    names.push_back(pages[i]->name());
+  }
+  keys.add(
+      {KeySection::window, digits, names.join(QLatin1String(", ")),
+       always([&window, &pages](int which) { window.showPage(*pages[std::size_t(which) + 1]); })});
+}
+
 }  // namespace
 
 void addWindowKeys(KeyActions& keys, MainWindow& window, InsertPage& page)
@@ -46,19 +68,7 @@ void addWindowKeys(KeyActions& keys, MainWindow& window, InsertPage& page)
               page.views().setArrangement(layouts[std::size_t(which)]);
             })});
   keys.add(Gesture{section, tr("Double click"), tr("maximize a view; restore")});
-  keys.add(
-      {section, {with(Qt::AltModifier, Qt::Key_Home)}, tr("start page"), always([&window](int) {
-         window.showPage(Page::start);
-       })});
-  static constexpr std::array pages{Page::ct,       Page::plan,     Page::insert, Page::compare,
-                                    Page::validate, Page::sessions, Page::studies};
-  keys.add({section,
-            {with(Qt::AltModifier, Qt::Key_1), with(Qt::AltModifier, Qt::Key_2),
-             with(Qt::AltModifier, Qt::Key_3), with(Qt::AltModifier, Qt::Key_4),
-             with(Qt::AltModifier, Qt::Key_5), with(Qt::AltModifier, Qt::Key_6),
-             with(Qt::AltModifier, Qt::Key_7)},
-            tr("CT, plan, insert, compare, validate, sessions, studies"),
-            always([&window](int which) { window.showPage(pages[std::size_t(which)]); })});
+  addPageKeys(keys, window);
   keys.add({section,
             {Qt::Key_H},
             tr("devices: list and connection quality"),

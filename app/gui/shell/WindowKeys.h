@@ -6,6 +6,7 @@
 namespace perilymph::gui {
 
 class InsertPage;
+class InsertionController;
 class KeyActions;
 class MainWindow;
 

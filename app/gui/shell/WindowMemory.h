@@ -5,14 +5,14 @@
 
 #include <QString>
 
-#include "gui/pages/insert/InsertPage.h"
+#include "gui/pages/insert/InsertionController.h"
 
 namespace perilymph::gui {
 
 class MainWindow;
 
 struct WindowMemory {
-  InsertPage::Memory insertion;
+  InsertionController::Memory insertion;
   QString focus;  ///< Name of the widget with the keyboard focus; empty for the window itself.
 };
 

@@ -86,7 +86,7 @@ protected:
 TEST_F(Clinician, SeesTheForceOfEachRunAtTheCursor)
 {
   compareBoth();
-  EXPECT_EQ(rig_->window().page(), gui::Page::compare);
+  EXPECT_EQ(rig_->window().page(), "compare");
   QTest::mouseClick(&plot(), Qt::LeftButton, Qt::NoModifier, QPoint(plot().width() / 12, 100));
   const double before_mm = plot().cursor_mm();
   QTest::keyClick(&plot(), Qt::Key_Right);
@@ -117,7 +117,7 @@ TEST_F(Clinician, SeesThatARecordingWasChangedByHand)
   }
   page().compare(files);
   ASSERT_TRUE(WindowRig::comes([&] { return page().runs().size() == 2; }));
-  rig_->window().showPage(gui::Page::compare);
+  rig_->window().showPage("compare");
   for (int row = 0; row < 2; ++row)
     EXPECT_EQ(table().item(row, 0)->text().contains("changed by hand"), row == 0);
   keepPicture(rig_->window(), "compare-changed-by-hand");
@@ -185,7 +185,7 @@ TEST_F(Clinician, IsLedFromAnEmptyComparisonToTheRecordings)
 {
   rig_->click("comparePageButton");
   page().findChild<QAbstractButton*>("emptyPageButton")->click();
-  EXPECT_EQ(rig_->window().page(), gui::Page::sessions);
+  EXPECT_EQ(rig_->window().page(), "sessions");
 }
 
 TEST_F(Clinician, SeesArrayTechniqueAndPatientOfEachRow)

@@ -39,7 +39,7 @@ TEST_F(TheCtPage, GoesFromAFolderToAnInsertionInThatCochlea)
   rig_.click("insertCtButton");
   ASSERT_TRUE(WindowRig::comes(
       [this] { return rig_.window().control().scenario().patient().label == "CT-203"; }));
-  EXPECT_EQ(rig_.window().page(), gui::Page::insert);
+  EXPECT_EQ(rig_.window().page(), "insert");
   const auto& patient = rig_.window().control().scenario().patient();
   ASSERT_TRUE(patient.basalTurn);
   EXPECT_NEAR(inMillimeters(patient.basalTurn->a), study().measures()->a.value, 5e-4);
@@ -102,7 +102,7 @@ TEST_F(TheCtPage, GoesToAPlanForThatCochleaWithItsErrors)
   EXPECT_FALSE(rig_.button("planCtButton").isEnabled());  // no code yet
   rig_.type("ctPatientCode", "CT-204");
   rig_.click("planCtButton");
-  EXPECT_EQ(rig_.window().page(), gui::Page::plan);
+  EXPECT_EQ(rig_.window().page(), "plan");
   EXPECT_TRUE(rig_.label("planPatient").contains("CT-204"));
   const QString measures = rig_.label("planMeasures");
   const auto a_mm = QString::number(study().measures()->a.value, 'f', 2);
@@ -296,7 +296,7 @@ TEST(AWalkThroughACt, OfASurgeonEndsWithTheArrayInTheScan)
   Walk walk("ct");
   WindowRig rig;
   rig.click("ctPageButton");
-  gui::CtPage& page = rig.window().pages().ct();
+  gui::CtPage& page = *rig.window().pages().find<gui::CtPage>();
   page.open(onDisk().folder / "ct");
   ASSERT_TRUE(WindowRig::comes([&] { return page.study().hasCt(); }));
   page.study().moveCrosshair(onDisk().phantom.inside_P);

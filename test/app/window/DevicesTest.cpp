@@ -108,7 +108,7 @@ TEST_F(DevicesOfTheWindow, ThatCannotRenderTheCouplingAreSaidToBeSoftened)
 TEST_F(DevicesOfTheWindow, OfAPlugInBecomesTheHandAndMovesTheArray)
 {
   open();
-  rig_->window().insertion().usePlugin(examplePlugin());
+  rig_->window().insertion().useDevice(examplePlugin());
   EXPECT_EQ(rig_->window().control().handName(), "Example handle");
   EXPECT_TRUE(rig_->button("deviceChoice").text().contains("Example handle"));
   // Its virtual hand pushes inward with 0.2 N and never releases the button.
@@ -119,7 +119,7 @@ TEST_F(DevicesOfTheWindow, OfAPlugInBecomesTheHandAndMovesTheArray)
 TEST_F(DevicesOfTheWindow, OfAFileThatIsNoPlugInLeaveTheScriptAndSayWhy)
 {
   open();
-  rig_->window().insertion().usePlugin(tree_.root() / "none.so");
+  rig_->window().insertion().useDevice(tree_.root() / "none.so");
   EXPECT_EQ(rig_->window().control().hand(), gui::InputSource::scripted);
   EXPECT_TRUE(rig_->label("bannerText").contains(QLatin1String("none.so")));
 }

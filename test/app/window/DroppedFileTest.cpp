@@ -4,13 +4,10 @@
 
 #include <gtest/gtest.h>
 
-#include <QApplication>
-#include <QDropEvent>
-#include <QMimeData>
-#include <QUrl>
-
+#include "DroppedUrl.h"
 #include "OwnFolders.h"
 #include "WindowRig.h"
+#include "gui/pages/ct/CtPage.h"
 #include "gui/pages/insert/ReplayBar.h"
 #include "perilymph/foundation/Resources.h"
 
@@ -21,19 +18,7 @@ namespace fs = std::filesystem;
 
 class DroppedFile : public testing::Test {
 protected:
-  /// Whether the window took it.
-  bool drop(const fs::path& file)
-  {
-    QMimeData data;
-    data.setUrls({QUrl::fromLocalFile(QString::fromStdString(file.string()))});
-    const QPoint middle = rig_.window().rect().center();
-    QDragEnterEvent enter(middle, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-    QApplication::sendEvent(&rig_.window(), &enter);
-    if (!enter.isAccepted()) return false;
-    QDropEvent dropped(middle, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-    QApplication::sendEvent(&rig_.window(), &dropped);
-    return true;
-  }
+  bool drop(const fs::path& file) { return test::drop(rig_.window(), file); }
 
   /// A recording of a short insertion.
   fs::path record()
@@ -51,11 +36,11 @@ protected:
 
 TEST_F(DroppedFile, OfAPatientIsOpened)
 {
-  rig_.window().showPage(gui::Page::start);
+  rig_.window().showPage("start");
   EXPECT_TRUE(drop(resource("resources/patients/left.toml")));
   EXPECT_TRUE(WindowRig::comes([&] {
     return rig_.window().control().scenario().patient().side == anatomy::Side::left &&
-           rig_.window().page() == gui::Page::insert;
+           rig_.window().page() == "insert";
   }));
 }
 
@@ -79,6 +64,14 @@ TEST_F(DroppedFile, ThatIsNoPatientSaysWhy)
   EXPECT_TRUE(drop(resource("resources/scenarios/contour-published.toml")));
   EXPECT_TRUE(rig_.label("noticeText").contains("contour-published.toml"))
       << rig_.label("noticeText").toStdString();
+}
+
+TEST_F(DroppedFile, OnThePageOfTheCtIsReadThereWhateverItIs)
+{
+  rig_.window().showPage("ct");
+  EXPECT_TRUE(drop(resource("README.md")));
+  EXPECT_TRUE(rig_.window().pages().find<gui::CtPage>()->isBusy());
+  EXPECT_EQ(rig_.window().page(), "ct");
 }
 
 TEST(TopBar, NamesThePatientOnlyWhereThePageIsAboutOne)

@@ -77,7 +77,7 @@ class AFilm : public testing::Test {
 protected:
   AFilm() { writeDicomFiles(dicomSlices(phantom_.volume), folder_ / "ct"); }
 
-  gui::CtPage& ct() { return rig_.window().pages().ct(); }
+  gui::CtPage& ct() { return *rig_.window().pages().find<gui::CtPage>(); }
   gui::PlanPage& plan() { return *rig_.window().findChild<gui::PlanPage*>(); }
   bool isComputed()
   {
@@ -142,7 +142,7 @@ protected:
     plan().list().selectRow(0);
     rig_.click("insertPlanArrayButton");
     ASSERT_TRUE(WindowRig::comes([&] {
-      return rig_.window().page() == gui::Page::insert &&
+      return rig_.window().page() == "insert" &&
              rig_.window().control().scenario().array().name == array &&
              rig_.button("startButton").isEnabled();
     }));

@@ -156,7 +156,7 @@ TEST_P(PointerAtFrameRate, TheDownKeyAdvancesAtTheScenariosSpeed)
   WindowRig rig;
   rig.click("pointerChoice");
   rig.click("startButton");
-  rig.window().insertion().frames().setInterval(GetParam());
+  rig.window().insertPage().frames().setInterval(GetParam());
   rig.holdKey(Qt::Key_Space);
   ASSERT_TRUE(WindowRig::comes([&] { return rig.now().output.workflow == Workflow::inserting; }));
   rig.holdKey(Qt::Key_Down);

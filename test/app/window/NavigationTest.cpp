@@ -17,7 +17,6 @@
 #include "CutTexts.h"
 #include "KeptPicture.h"
 #include "WindowRig.h"
-#include "gui/pages/insert/ReplayControl.h"
 #include "gui/pages/insert/ReplayPlayer.h"
 #include "gui/parts/Notice.h"
 #include "gui/parts/UserSettings.h"
@@ -192,7 +191,7 @@ TEST_F(NavigationSetting, SendsTheReplayThatIsShown)
   rig_->window().replay(file);
   const auto& replay = rig_->window().insertion().replay();
   ASSERT_TRUE(WindowRig::comes([&] { return replay.isOpen() && replay.now().tick >= 250; }));
-  rig_->window().findChild<gui::ReplayPlayer*>()->pause();
+  rig_->window().insertion().replay().pause();
   int turns = 0;  // of the event loop: the picture that was due is shown
   ASSERT_TRUE(WindowRig::comes([&] { return ++turns > 10; }));
   expectShown(receiveInTheMeantime(port), replay.now());

@@ -71,7 +71,7 @@ protected:
   }
   void openAgain(const char* code)
   {
-    rig_->window().showPage(gui::Page::start);
+    rig_->window().showPage("start");
     rig_->click("allPatientsButton");
     select(code);
   }
@@ -324,7 +324,7 @@ TEST_F(HistoryOfAPatient, IsNewestFirstAndOpenedByAClickOrEnter)
   EXPECT_NE(history().item(2, 2)->toolTip().toStdString().find(seriesHash), std::string::npos);
 
   clickRow(1);
-  ASSERT_EQ(rig_->window().page(), gui::Page::plan);
+  ASSERT_EQ(rig_->window().page(), "plan");
   auto& page = *rig_->window().findChild<gui::PlanPage*>();
   ASSERT_TRUE(WindowRig::comes([&] { return page.plan() && !page.isBusy(); }))
       << rig_->label("planStatus").toStdString();
@@ -334,7 +334,7 @@ TEST_F(HistoryOfAPatient, IsNewestFirstAndOpenedByAClickOrEnter)
   openAgain("P-018");
   ASSERT_TRUE(WindowRig::comes([&] { return history().isVisible(); }));
   clickRow(2);
-  EXPECT_EQ(rig_->window().page(), gui::Page::ct);
+  EXPECT_EQ(rig_->window().page(), "ct");
 
   openAgain("P-018");
   ASSERT_TRUE(WindowRig::comes([&] { return history().isVisible(); }));
@@ -342,7 +342,7 @@ TEST_F(HistoryOfAPatient, IsNewestFirstAndOpenedByAClickOrEnter)
   QTest::keyClick(&notes(), Qt::Key_Tab);
   EXPECT_TRUE(history().hasFocus());
   QTest::keyClick(&history(), Qt::Key_Return);
-  EXPECT_TRUE(WindowRig::comes([&] { return rig_->window().page() == gui::Page::insert; }));
+  EXPECT_TRUE(WindowRig::comes([&] { return rig_->window().page() == "insert"; }));
   EXPECT_TRUE(
       WindowRig::comes([&] { return rig_->window().findChild<gui::ReplayBar*>()->isVisible(); }));
 }

@@ -25,7 +25,7 @@ constexpr auto bold = "<b>bold</b>";
 /// A window with a patient and a scenario whose names contain markup.
 class NamesOfMarkup : public testing::Test {
 protected:
-  NamesOfMarkup() { rig_.window().load(scenario(), gui::MainWindow::AfterLoading::rest); }
+  NamesOfMarkup() { rig_.window().load({{scenario(), {}}}); }
 
   session::Scenario scenario() const
   {

@@ -114,7 +114,7 @@ protected:
     const std::string name = page.list().model()->index(0, 0).data().toString().toStdString();
     rig.click("insertPlanArrayButton");
     ASSERT_TRUE(WindowRig::comes([&] {
-      return rig.window().page() == gui::Page::insert &&
+      return rig.window().page() == "insert" &&
              rig.window().control().scenario().array().name == name &&
              rig.button("startButton").isEnabled();
     }));
@@ -199,7 +199,7 @@ TEST_F(APlan, IsExplainedBeforeOneIsMade)
 {
   WindowRig rig;
   rig.click("planPageButton");
-  EXPECT_EQ(rig.window().page(), gui::Page::plan);
+  EXPECT_EQ(rig.window().page(), "plan");
   const auto labels = pageOf(rig).findChildren<QLabel*>();
   EXPECT_TRUE(std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
     return label->isVisible() && label->text().contains("press Compute");
@@ -327,7 +327,7 @@ TEST_F(APlan, WithTheFrictionOfASimulantStopsEarlierAndSaysSo)
   page.list().selectRow(0);
   rig.click("insertPlanArrayButton");
   ASSERT_TRUE(WindowRig::comes([&] {
-    return rig.window().page() == gui::Page::insert &&
+    return rig.window().page() == "insert" &&
            rig.window().control().scenario().friction().kineticCoefficient == 0.24;
   }));
   rig.click("planPageButton");

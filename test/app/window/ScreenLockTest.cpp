@@ -120,7 +120,7 @@ TEST_F(LockedScreen, TakesTheForceOfADeviceAway)
   HeldUpLoop loop(log);
   QObject::connect(lock_.get(), &gui::ScreenLock::locked, &rig.window(), [&loop] { loop.hear(); });
   QObject::connect(lock_.get(), &gui::ScreenLock::locked, &rig.window().insertion(),
-                   &gui::InsertPage::stopDevice);
+                   &gui::InsertionController::stopDevice);
   rig.click("startButton");
   ASSERT_TRUE(
       WindowRig::comes([&] { return rig.now().output.workflow == haptics::Workflow::inserting; }));

@@ -141,21 +141,17 @@ TEST_P(AWindowWithTextOf150Percent, CutsNoText)
                  << " pixels is too small for text of 150 %.";
   FirstWindowRig rig;
   gui::MainWindow& window = *rig.window;
-  for (const auto& [page, name] :
-       {std::pair{gui::Page::start, "start"}, std::pair{gui::Page::ct, "ct"},
-        std::pair{gui::Page::plan, "plan"}, std::pair{gui::Page::insert, "insert"},
-        std::pair{gui::Page::compare, "compare"}, std::pair{gui::Page::validate, "validate"},
-        std::pair{gui::Page::sessions, "sessions"}, std::pair{gui::Page::studies, "studies"}}) {
-    window.showPage(page);
-    expectWhole(window, name);
+  for (const gui::Page* page : window.pages().all()) {
+    window.showPage(*page);
+    expectWhole(window, page->id().toStdString());
   }
   auto& start = *window.findChild<gui::StartPage*>();
-  window.showPage(gui::Page::start);
+  window.showPage("start");
   start.showNewPatient();
   expectWhole(window, "patient");
   start.showPatients();
   expectWhole(window, "patients");
-  window.showPage(gui::Page::insert);
+  window.showPage("insert");
   window.sheets().toggleSettings();
   expectWhole(window, "settings");
   window.sheets().leave();

@@ -188,7 +188,8 @@ TEST_F(Sessions, ThatCannotBeReadAreListedWithASentence)
 TEST_F(Sessions, AreListedWhileAnotherOneBlocksItsReader)
 {
   std::promise<void> end;
-  gui::SessionsPage page(nullptr,
+  WindowRig rig;
+  gui::SessionsPage page(rig.window().control(), nullptr,
                          [ended = end.get_future().share()](
                              const auto&, const auto&, const auto& progress,
                              const auto& listed) -> Result<std::vector<session::SessionSummary>> {
@@ -201,7 +202,7 @@ TEST_F(Sessions, AreListedWhileAnotherOneBlocksItsReader)
                            return std::vector{good};
                          });
   page.show();
-  page.refresh(std::nullopt, false);
+  page.onShown();
   auto* list = page.findChild<QTableView*>("sessionList");
   ASSERT_TRUE(WindowRig::comes([&] { return list->model()->rowCount() == 1; }));
   EXPECT_TRUE(page.isBusy());
@@ -299,7 +300,7 @@ protected:
     ASSERT_TRUE(WindowRig::comes([&] { return replayBarIsShown(); }));
   }
 
-  gui::ReplayPlayer& replay() { return *rig_->window().findChild<gui::ReplayPlayer*>(); }
+  gui::ReplayPlayer& replay() { return rig_->window().insertion().replay(); }
 
   fs::path file_;
 };
@@ -307,7 +308,7 @@ protected:
 TEST_F(AReplay, PlaysToItsEndAndSaysThatItsBitsAgree)
 {
   openReplay();
-  EXPECT_EQ(rig_->window().page(), gui::Page::insert);
+  EXPECT_EQ(rig_->window().page(), "insert");
   ASSERT_TRUE(WindowRig::comes([&] {
     return rig_->label("replayStatus").contains("identical replay");
   })) << rig_->label("replayStatus").toStdString();

@@ -145,9 +145,9 @@ TEST(Shell, ANoticeCoversNothing)
   rig.window().notice().offer("A recording was recovered.", "Show sessions", [] {});
   ASSERT_TRUE(WindowRig::comes([&] { return rig.window().notice().height() > 20; }));
   EXPECT_FALSE(
-      rig.window().notice().geometry().intersects(rig.window().insertion().geometry().translated(
-          rig.window().insertion().mapTo(&rig.window(), QPoint(0, 0)) -
-          rig.window().insertion().pos())));
+      rig.window().notice().geometry().intersects(rig.window().insertPage().geometry().translated(
+          rig.window().insertPage().mapTo(&rig.window(), QPoint(0, 0)) -
+          rig.window().insertPage().pos())));
   rig.pressKey(Qt::Key_Space);
   EXPECT_TRUE(WindowRig::comes([&] { return !rig.window().notice().isVisible(); }));
 }

@@ -27,7 +27,7 @@ protected:
   FirstScreen()
   {
     rig_ = std::make_unique<WindowRig>();
-    rig_->window().showPage(gui::Page::start);
+    rig_->window().showPage("start");
   }
 
   void type(const char* field, const char* text)
@@ -66,7 +66,7 @@ protected:
 TEST_F(FirstScreen, OneClickShowsAMovingArray)
 {
   rig_->click("demonstrationCard");
-  EXPECT_EQ(rig_->window().page(), gui::Page::insert);
+  EXPECT_EQ(rig_->window().page(), "insert");
   EXPECT_TRUE(WindowRig::comes([&] { return rig_->travel_mm() > 0.2; }));
 }
 
@@ -236,7 +236,7 @@ TEST_F(FirstScreen, APatientIsEditedFoundAndReopenedWithMouseAndKeyboard)
 {
   for (const auto& [code, a, b] :
        {std::tuple{"P-017", "9.1", "6.7"}, std::tuple{"K-2", "9.4", "6.9"}}) {
-    rig_->window().showPage(gui::Page::start);
+    rig_->window().showPage("start");
     rig_->click("patientCard");
     type("patientName", code);
     type("aValue", a);
@@ -247,7 +247,7 @@ TEST_F(FirstScreen, APatientIsEditedFoundAndReopenedWithMouseAndKeyboard)
   // the program is closed and opened again
   rig_.reset();
   rig_ = std::make_unique<WindowRig>();
-  rig_->window().showPage(gui::Page::start);
+  rig_->window().showPage("start");
   EXPECT_TRUE(rig_->button("recentPatient0").text().contains("K-2"));  // the last one first
   rig_->click("recentPatient1");
   ASSERT_TRUE(WindowRig::comes([&] { return scenario().patient().label == "P-017"; }));
@@ -284,7 +284,7 @@ TEST_F(FirstScreen, APatientIsEditedFoundAndReopenedWithMouseAndKeyboard)
 TEST_F(FirstScreen, ACodeIsNotGivenToTwoPatients)
 {
   for (int i = 0; i < 2; ++i) {
-    rig_->window().showPage(gui::Page::start);
+    rig_->window().showPage("start");
     rig_->click("patientCard");
     type("patientName", "P-018");
     type("aValue", i == 0 ? "9.1" : "9.6");
@@ -307,7 +307,7 @@ TEST_F(FirstScreen, ItsKeysWorkWhereverTheFocusIs)
   ASSERT_TRUE(WindowRig::comes([&] { return rig_->window().isActiveWindow(); }));
   rig_->button("keysButton").setFocus();
   QTest::keyClick(&rig_->button("keysButton"), Qt::Key_2);
-  EXPECT_TRUE(WindowRig::comes([&] { return rig_->window().page() == gui::Page::insert; }));
+  EXPECT_TRUE(WindowRig::comes([&] { return rig_->window().page() == "insert"; }));
   EXPECT_TRUE(
       WindowRig::comes([&] { return scenario().anatomy() == anatomy::AnatomySource::mean; }));
 }
@@ -322,7 +322,7 @@ TEST_F(FirstScreen, WorkIsContinuedAndTheLastInsertionReplayed)
   ASSERT_TRUE(WindowRig::comes([&] { return scenario().arrayName() == "flex24"; }));
   rig_->click("startPageButton");
   rig_->click("continueButton");
-  EXPECT_EQ(rig_->window().page(), gui::Page::insert);
+  EXPECT_EQ(rig_->window().page(), "insert");
   EXPECT_EQ(scenario().arrayName(), "flex24");
   rig_->click("startPageButton");
   rig_->click("recentRecording0");

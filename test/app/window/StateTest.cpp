@@ -272,7 +272,7 @@ TEST_P(TypedNumber, WithACommaOrAPointIsTheSameAndTheFileHasAPoint)
 {
   const DataFolder data;
   WindowRig rig;
-  rig.window().showPage(gui::Page::start);
+  rig.window().showPage("start");
   rig.click("patientCard");
   rig.click("byBasalTurn");
   const auto type = [&rig](const char* field, const char* text) {

@@ -16,7 +16,7 @@
 #include "OwnFolders.h"
 #include "Walk.h"
 #include "WindowRig.h"
-#include "gui/pages/insert/ReplayControl.h"
+#include "gui/pages/insert/ReplayPlayer.h"
 #include "gui/pages/studies/StudiesPage.h"
 #include "gui/pages/studies/StudyPanel.h"
 #include "gui/pages/studies/StudyPlot.h"
@@ -73,7 +73,7 @@ protected:
   /// Opens the study on its page, and waits until it is drawn.
   static bool open(WindowRig& rig)
   {
-    rig.window().showPage(gui::Page::studies);
+    rig.window().showPage("studies");
     gui::StudiesPage& page = pageOf(rig);
     page.open(file());
     if (!WindowRig::comes([&] { return page.columns() != nullptr; })) return false;
@@ -98,7 +98,7 @@ TEST_F(AStudy, IsExplainedBeforeOneIsOpened)
 {
   WindowRig rig;
   rig.click("studiesPageButton");
-  EXPECT_EQ(rig.window().page(), gui::Page::studies);
+  EXPECT_EQ(rig.window().page(), "studies");
   const auto labels = pageOf(rig).findChildren<QLabel*>();
   EXPECT_TRUE(std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
     return label->isVisible() && label->text().contains("perilymph-cli study");
@@ -108,7 +108,7 @@ TEST_F(AStudy, IsExplainedBeforeOneIsOpened)
 TEST_F(AStudy, ThatIsNoneIsRefusedInOneSentence)
 {
   WindowRig rig;
-  rig.window().showPage(gui::Page::studies);
+  rig.window().showPage("studies");
   const TemporaryFolder folder;
   const fs::path other = folder.path() / "other.sqlite";
   std::ofstream(other) << "a text";
@@ -136,7 +136,7 @@ TEST_F(AStudy, OfMeasuresThatWereChangedByHandSaysSo)
     ASSERT_TRUE(of->append({result}) && of->close());
   }
   WindowRig rig;
-  rig.window().showPage(gui::Page::studies);
+  rig.window().showPage("studies");
   pageOf(rig).open(changed);
   ASSERT_TRUE(WindowRig::comes([&] { return pageOf(rig).columns() != nullptr; }));
   EXPECT_EQ(rig.label("studyStatus").toStdString(), note);
@@ -206,7 +206,7 @@ TEST_F(AStudy, IsReadRunAgainAndReplayedInSteps)
   walk.step(1, rig.window());
   rig.click("replayStudyButton");
   ASSERT_TRUE(isReplaying(rig)) << rig.label("studyStatus").toStdString();
-  EXPECT_EQ(rig.window().page(), gui::Page::insert);
+  EXPECT_EQ(rig.window().page(), "insert");
   EXPECT_TRUE(rig.label("studyStatus").contains("as in the study"))
       << rig.label("studyStatus").toStdString();
   EXPECT_EQ(walk.left(), "");
@@ -222,9 +222,9 @@ TEST_F(AStudy, RunsAnInsertionOnceOnly)
   ASSERT_TRUE(isReplaying(rig));
   const fs::path recording = rig.window().insertion().replay().playback().file();
   const auto written = fs::last_write_time(recording);
-  rig.window().showPage(gui::Page::studies);
+  rig.window().showPage("studies");
   QTest::keyClick(&page.plot(), Qt::Key_Return);
-  ASSERT_TRUE(WindowRig::comes([&] { return rig.window().page() == gui::Page::insert; }));
+  ASSERT_TRUE(WindowRig::comes([&] { return rig.window().page() == "insert"; }));
   EXPECT_EQ(fs::last_write_time(recording), written);
 }
 

@@ -18,10 +18,6 @@
 namespace perilymph::test {
 namespace {
 
-constexpr gui::Page everyPage[] = {gui::Page::start,    gui::Page::ct,      gui::Page::plan,
-                                   gui::Page::insert,   gui::Page::compare, gui::Page::validate,
-                                   gui::Page::sessions, gui::Page::studies};
-
 /// The pixels whose color differs by a contrast of 3:1 or more between two pictures.
 struct RingPixels {
   QRect frame;     ///< Their bounding rectangle.
@@ -72,15 +68,15 @@ std::vector<QWidget*> walkTab(WindowRig& rig, const std::function<void(QWidget*)
 TEST(TabKey, GoesThroughThePageThenTheBarWithTheLinksToPagesLast)
 {
   WindowRig rig;
-  for (const gui::Page page : everyPage) {
-    rig.window().showPage(page);
+  for (const gui::Page* page : rig.window().pages().all()) {
+    rig.window().showPage(*page);
     QStringList stops;
     for (const QWidget* stop : walkTab(rig, {})) stops << stop->objectName();
     const QStringList bar{"startPageButton",    "keysButton",        "settingsButton",
                           "menuButton",         "ctPageButton",      "planPageButton",
                           "insertPageButton",   "comparePageButton", "validatePageButton",
                           "sessionsPageButton", "studiesPageButton"};
-    ASSERT_GT(stops.size(), bar.size()) << int(page);
+    ASSERT_GT(stops.size(), bar.size()) << page->id().toStdString();
     EXPECT_EQ(stops.mid(stops.size() - bar.size()), bar) << stops.join(' ').toStdString();
   }
 }
@@ -94,8 +90,8 @@ protected:
 TEST_P(FocusRing, SurroundsEveryStopOfTabWithAContrastOfThree)
 {
   WindowRig rig;
-  for (const gui::Page page : everyPage) {
-    rig.window().showPage(page);
+  for (const gui::Page* page : rig.window().pages().all()) {
+    rig.window().showPage(*page);
     std::vector<QImage> pictures;
     const auto stops =
         walkTab(rig, [&pictures](QWidget* stop) { pictures.push_back(stop->grab().toImage()); });

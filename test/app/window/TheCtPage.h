@@ -41,7 +41,7 @@ protected:
     EXPECT_TRUE(WindowRig::comes([this] { return study().hasCt(); }));
   }
 
-  gui::CtPage& page() { return rig_.window().pages().ct(); }
+  gui::CtPage& page() { return *rig_.window().pages().find<gui::CtPage>(); }
   gui::CtStudy& study() { return page().study(); }
   gui::PlaneView& view(int plane)
   {

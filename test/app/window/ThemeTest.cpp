@@ -115,7 +115,7 @@ TEST_P(EveryColorScheme, IsThatOfTheStartCardsAndOfTheFigures)
   gui::setShownColorScheme(GetParam());
   WindowRig rig;
   const bool isLight = GetParam() == gui::ColorScheme::light;
-  rig.window().showPage(gui::Page::start);
+  rig.window().showPage("start");
   for (const char* name : {"patientCard", "meanCard", "demonstrationCard"}) {
     const QImage card = rig.button(name).grab().toImage();
     EXPECT_EQ(qGray(card.pixel(card.width() / 2, 8)) > 128, isLight) << name;

@@ -10,7 +10,6 @@
 #include "OwnFolders.h"
 #include "WindowRig.h"
 #include "gui/pages/compare/ComparePage.h"
-#include "gui/pages/insert/ReplayControl.h"
 #include "gui/pages/insert/ReplayPlayer.h"
 #include "gui/scene/ForceLabel.h"
 #include "perilymph/device/ScriptedDevice.h"
@@ -83,7 +82,7 @@ TEST_F(ATranslocation, IsSeenInEveryViewOfItsReplay)
   rig.window().replay(through());
   const auto& replay = rig.window().insertion().replay();
   ASSERT_TRUE(WindowRig::comes([&] { return replay.isOpen(); }));
-  auto& player = *rig.window().findChild<gui::ReplayPlayer*>();
+  auto& player = rig.window().insertion().replay();
   player.pause();
   ASSERT_TRUE(WindowRig::comes([&] {
     player.seek(replay.playback().ticks() - 1);  // as far as it is computed

@@ -49,7 +49,7 @@ protected:
 
 TEST_F(ValidationPage, SaysWhatItDoesBeforeAnythingWasRun)
 {
-  EXPECT_EQ(rig_.window().page(), gui::Page::validate);
+  EXPECT_EQ(rig_.window().page(), "validate");
   EXPECT_TRUE(rig_.button("validateButton").isEnabled());
   EXPECT_FALSE(rig_.button("saveValidationButton").isEnabled());
   EXPECT_FALSE(rig_.button("simulationFigure").isEnabled());
@@ -81,7 +81,7 @@ TEST_F(ValidationPage, CountsTheInsertionsThatWereAskedFor)
            rig_.label("validationStatus").endsWith("of 12");
   }));
   page().cancel();
-  EXPECT_TRUE(WindowRig::comes([&] { return !page().isRunning(); }));
+  EXPECT_TRUE(WindowRig::comes([&] { return !page().isBusy(); }));
 }
 
 TEST_F(ValidationPage, EndsWithAVerdictForEachPrintedValue)
@@ -108,7 +108,7 @@ TEST_F(ValidationPage, CanBeCanceledAndKeepsNothing)
   auto* progress = page().findChild<QProgressBar*>();
   ASSERT_TRUE(WindowRig::comes([&] { return progress->value() >= 1; }));
   rig_.pressKey(Qt::Key_Escape);
-  ASSERT_TRUE(WindowRig::comes([&] { return !page().isRunning(); }));
+  ASSERT_TRUE(WindowRig::comes([&] { return !page().isBusy(); }));
   EXPECT_FALSE(page().result());
   EXPECT_TRUE(rig_.label("validationStatus").contains("Canceled"));
   EXPECT_TRUE(rig_.button("validateButton").isEnabled());

@@ -73,7 +73,7 @@ TEST_F(AWalk, OfASurgeonEndsAtFullDepthOfThePatientsCochlea)
 {
   Walk walk("surgeon");
   WindowRig rig;
-  rig.window().showPage(gui::Page::start);
+  rig.window().showPage("start");
   walk.step(1, rig.window());
 
   rig.click("patientCard");

@@ -41,9 +41,9 @@ const std::shared_ptr<gui::CochleaStore>& WindowRig::sharedCochleae()
 
 WindowRig::WindowRig(const session::Overrides& overrides,
                      std::optional<std::filesystem::path> record,
-                     std::shared_ptr<gui::CochleaStore> cochleae)
+                     std::shared_ptr<gui::CochleaStore> cochleae, const gui::PageList& pages)
     : window_(std::make_unique<gui::MainWindow>(published(overrides), std::move(record),
-                                                std::move(cochleae)))
+                                                std::move(cochleae), pages))
 {
   bool isShown = false;
   const QMetaObject::Connection shown =

@@ -20,7 +20,8 @@ public:
   /// Opens the published scenario with some of its keys replaced.
   explicit WindowRig(const session::Overrides& overrides = {},
                      std::optional<std::filesystem::path> record = std::nullopt,
-                     std::shared_ptr<gui::CochleaStore> cochleae = sharedCochleae());
+                     std::shared_ptr<gui::CochleaStore> cochleae = sharedCochleae(),
+                     const gui::PageList& pages = gui::standardPages());
   /// The cochleae of all windows of the program: building them is most of what a window takes.
   static const std::shared_ptr<gui::CochleaStore>& sharedCochleae();
 

@@ -107,7 +107,7 @@ QPixmap swatch(std::size_t number)
 }  // namespace
 
 ComparePage::ComparePage(QWidget* parent)
-    : QWidget(parent),
+    : Page("compare", tr("Compare"), parent),
       published_(analysis::shippedReference("todd-naghdy-experiment")),
       stack_(new QStackedWidget(this)),
       empty_(new EmptyPage(
@@ -118,9 +118,9 @@ ComparePage::ComparePage(QWidget* parent)
           this)),
       reading_(this)
 {
-  setObjectName(QStringLiteral("comparePage"));
   empty_->offer(tr("Choose recordings"));
-  connect(empty_, &EmptyPage::actionAsked, this, &ComparePage::recordingsAsked);
+  connect(empty_, &EmptyPage::actionAsked, this,
+          [this] { Q_EMIT pageRequested(QStringLiteral("sessions")); });
   stack_->addWidget(empty_);
   stack_->addWidget(addRuns());
   auto* column = new QVBoxLayout(this);
@@ -199,6 +199,7 @@ QWidget* ComparePage::addRuns()
 
 void ComparePage::compare(const std::vector<std::filesystem::path>& files)
 {
+  Q_EMIT pageRequested(id());
   stack_->setCurrentIndex(0);
   empty_->offer({});
   empty_->say(tr("Reading %n recording(s)…", nullptr, int(files.size())), tr("Esc cancels."));
@@ -221,13 +222,14 @@ void ComparePage::compare(const std::vector<std::filesystem::path>& files)
       });
 }
 
-void ComparePage::cancel()
+bool ComparePage::cancel()
 {
-  if (!isBusy()) return;
+  if (!isBusy()) return false;
   reading_.forget();
   empty_->offer(tr("Choose recordings"));
   empty_->say(tr("Canceled"),
               tr("Select two or more recordings on the Sessions page and press Compare."));
+  return true;
 }
 
 void ComparePage::showRuns(std::vector<analysis::ComparedInsertion> runs)

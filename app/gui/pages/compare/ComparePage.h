@@ -3,10 +3,10 @@
 
 // Comparison of several recorded insertions: curves with a common cursor, and a table.
 
-#include <QWidget>
 #include <filesystem>
 #include <vector>
 
+#include "gui/pages/Page.h"
 #include "gui/run/Background.h"
 #include "perilymph/analysis/Comparison.h"
 #include "perilymph/analysis/Score.h"
@@ -23,23 +23,19 @@ class EmptyPage;
 class StatusLine;
 
 /// The comparison page.
-class ComparePage : public QWidget {
+class ComparePage : public Page {
   Q_OBJECT
 public:
   explicit ComparePage(QWidget* parent);
 
-  /// Reads recordings in the background and shows them.
+  /// Reads recordings in the background and shows them; requests to be shown.
   void compare(const std::vector<std::filesystem::path>& files);
-  bool isBusy() const { return reading_.isBusy(); }
-  void cancel();
+  bool isBusy() const override { return reading_.isBusy(); }
+  bool cancel() override;
   const std::vector<analysis::ComparedInsertion>& runs() const { return runs_; }
 
   /// Writes table and curves as CSV, the figure as SVG and PNG, into a folder.
   Result<Done> writeInto(const std::filesystem::path& folder) const;
-
-Q_SIGNALS:
-  /// The user wants to choose recordings.
-  void recordingsAsked();
 
 private:
   QWidget* addRuns();

@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/pages/ct/CtPage.h"
 
-#include <QDragEnterEvent>
-#include <QDropEvent>
 #include <QFileDialog>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QMimeData>
 #include <QStackedLayout>
-#include <QUrl>
 #include <algorithm>
 
 #include "gui/pages/ct/CtPanel.h"
@@ -29,16 +25,15 @@
 
 namespace perilymph::gui {
 
-CtPage::CtPage(QWidget* parent)
-    : QWidget(parent),
+CtPage::CtPage(const InsertionControl& control, QWidget* parent)
+    : Page("ct", tr("CT"), parent),
+      control_(control),
       work_(this),
       thumbnails_(this),
       panel_(new CtPanel(study_, this)),
       pictures_(new QWidget(this)),
       surface_(new SurfaceView(study_, pictures_))
 {
-  setObjectName(QStringLiteral("ctPage"));
-  setAcceptDrops(true);
   auto* grid = new QGridLayout(pictures_);
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setSpacing(1);
@@ -131,7 +126,7 @@ void CtPage::connectPanel()
     if (!setup) return panel_->showIdle(dataText(setup.error().message), true);
     patient_ = imaging::measuredPatient(*study_.measures());
     patient_->label = setup->scenario.patient().label;
-    Q_EMIT setupChosen(*setup);
+    Q_EMIT insertionRequested({*setup});
   });
   connect(panel_, &CtPanel::planAsked, this, [this](const QString& code) {
     if (!study_.measures()) return;
@@ -177,11 +172,13 @@ bool CtPage::isInMeasuredCochlea(const session::Scenario& scenario) const
   return numbers(inserted) == numbers(measured);
 }
 
-void CtPage::showInsertion(const session::Scenario& scenario, const anatomy::ScalaTympani& scala,
-                           const haptics::Snapshot& now)
+void CtPage::onShown()
 {
+  const auto scala = control_.sharedAnatomy();
+  if (scala == nullptr) return;
+  const session::Scenario& scenario = control_.scenario();
   if (!isInMeasuredCochlea(scenario)) return study_.setArray({});
-  study_.setArray(insertedArray(*study_.measures(), scenario.array(), scala, now));
+  study_.setArray(insertedArray(*study_.measures(), scenario.array(), *scala, control_.now()));
 }
 
 std::optional<broadcast::PlacedCt> CtPage::placedCt(const session::Scenario& scenario) const
@@ -254,18 +251,6 @@ void CtPage::loadMarks()
   if (!marks) return panel_->showIdle(dataText(marks.error().message), true);
   study_.setMarks(*marks);
   if (const auto inside = marks->inside_P()) study_.moveCrosshair(*inside);
-}
-
-void CtPage::dragEnterEvent(QDragEnterEvent* event)
-{
-  if (event->mimeData()->hasUrls() && event->mimeData()->urls().size() == 1)
-    event->acceptProposedAction();
-}
-
-void CtPage::dropEvent(QDropEvent* event)
-{
-  const QString file = event->mimeData()->urls().value(0).toLocalFile();
-  if (!file.isEmpty()) open(file.toStdString());
 }
 
 }  // namespace perilymph::gui

@@ -3,16 +3,15 @@
 
 // The page CT: from the patient's scan to the patient's cochlea.
 
-#include <QWidget>
 #include <array>
 #include <filesystem>
 #include <optional>
 
+#include "gui/pages/Page.h"
 #include "gui/pages/ct/CtStudy.h"
 #include "gui/pages/ct/CtWork.h"
-#include "gui/setup/Setup.h"
+#include "gui/run/InsertionControl.h"
 #include "perilymph/broadcast/CtImage.h"
-#include "perilymph/haptics/Snapshot.h"
 
 namespace perilymph::gui {
 
@@ -21,34 +20,32 @@ class PlaneView;
 class SurfaceView;
 
 /// Opens a scan, shows it in three linked planes, measures the cochlea, and offers it for insertion.
-class CtPage : public QWidget {
+class CtPage : public Page {
   Q_OBJECT
 public:
-  explicit CtPage(QWidget* parent);
+  /// @param control  The insertion, shown in the pictures if it is in the cochlea measured here.
+  CtPage(const InsertionControl& control, QWidget* parent);
 
   /// Opens a folder or a file with a CT; the series that suits a cochlea best is read.
-  void open(const std::filesystem::path& path);
-  /// Cancels the current task. False if there was none.
-  bool cancel();
+  void open(const std::filesystem::path& path) override;
+  /// Any: which files hold a CT is known after reading only.
+  Acceptance accepts(const std::filesystem::path& /*file*/) const override
+  {
+    return Acceptance::whileShown;
+  }
+  bool isBusy() const override { return work_.isBusy(); }
+  bool cancel() override;
+  /// Shows the array where it is now.
+  void onShown() override;
 
-  /// Shows the array of an insertion in the pictures if it is in the cochlea measured here.
-  void showInsertion(const session::Scenario& scenario, const anatomy::ScalaTympani& scala,
-                     const haptics::Snapshot& now);
   /// The CT and the cochlea in it, if that is the scenario's.
   std::optional<broadcast::PlacedCt> placedCt(const session::Scenario& scenario) const;
 
   CtStudy& study() { return study_; }
-  bool isBusy() const { return work_.isBusy(); }
 
 Q_SIGNALS:
-  /// An insertion into the measured cochlea was asked for.
-  void setupChosen(const perilymph::gui::Setup& setup);
   /// A plan for the measured cochlea was asked for. The patient is saved.
   void planAsked(const perilymph::anatomy::Patient& patient);
-
-protected:
-  void dragEnterEvent(QDragEnterEvent* event) override;
-  void dropEvent(QDropEvent* event) override;
 
 private:
   bool isInMeasuredCochlea(const session::Scenario& scenario) const;
@@ -62,6 +59,7 @@ private:
   void loadMarks();
   void showDone(const Result<Done>& done, const QString& file);
 
+  const InsertionControl& control_;
   CtStudy study_;
   CtWork work_;
   CtWork thumbnails_;

@@ -3,7 +3,6 @@
 
 #include <QtCore/qnamespace.h>
 
-#include "gui/pages/insert/SidePanel.h"
 #include "gui/parts/UserSettings.h"
 
 namespace perilymph::gui {
@@ -25,7 +24,7 @@ void HeldArray::hold(bool isHeld)
     control_.hold(isHeld);
   else if (isHeld)
     control_.hold(!control_.isHeld());
-  side_.setHeld(control_.isHeld());
+  Q_EMIT heldChanged(control_.isHeld());
 }
 
 void HeldArray::press(int key)
@@ -58,7 +57,7 @@ void HeldArray::letGo()
 {
   pressed_.clear();
   drive();
-  side_.setHeld(control_.isHeld());
+  Q_EMIT heldChanged(control_.isHeld());
 }
 
 }  // namespace perilymph::gui

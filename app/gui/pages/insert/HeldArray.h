@@ -3,6 +3,7 @@
 
 // Motion of the array by mouse and keyboard.
 
+#include <QObject>
 #include <QStringList>
 #include <set>
 
@@ -10,17 +11,16 @@
 
 namespace perilymph::gui {
 
-class SidePanel;
-
 /// Values of the setting "hold": the array is held while Space or the button is pressed, or from one
 /// press to the next, for one-handed use.
 QStringList holdText();
 
 /// The array follows wheel and arrow keys only while it is grasped: by Space or the button of the
 /// panel.
-class HeldArray {
+class HeldArray : public QObject {
+  Q_OBJECT
 public:
-  HeldArray(InsertionControl& control, SidePanel& side) : control_(control), side_(side) {}
+  explicit HeldArray(InsertionControl& control) : control_(control) {}
 
   /// No effect if a script or device moves the array.
   void hold(bool isHeld);
@@ -32,12 +32,15 @@ public:
   bool turnWheel(double notches);
   /// Moves the array at the scenario's speed while a key is pressed. To be repeated in every frame.
   void drive();
-  /// Releases all keys; the panel shows whether the array is grasped.
+  /// Releases all keys.
   void letGo();
+
+Q_SIGNALS:
+  /// Whether the array is grasped.
+  void heldChanged(bool isHeld);
 
 private:
   InsertionControl& control_;
-  SidePanel& side_;
   std::set<int> pressed_;
 };
 

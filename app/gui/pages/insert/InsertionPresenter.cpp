@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/pages/insert/InsertionPresenter.h"
 
-#include <spdlog/spdlog.h>
-
 #include "gui/pages/insert/BottomBar.h"
 #include "gui/pages/insert/BuildingNote.h"
 #include "gui/pages/insert/ForceCharts.h"
+#include "gui/pages/insert/InsertionController.h"
 #include "gui/pages/insert/InsertionText.h"
 #include "gui/pages/insert/InsertionViews.h"
-#include "gui/pages/insert/SetupControl.h"
 #include "gui/pages/insert/SidePanel.h"
 #include "gui/parts/DeviceRate.h"
 #include "gui/parts/FrameMeter.h"
@@ -20,9 +18,11 @@
 
 namespace perilymph::gui {
 
-InsertionPresenter::InsertionPresenter(InsertionControl& control, const SetupControl& setup,
-                                       Zones zones)
-    : control_(control), setup_(setup), zones_(zones), ghost_(*zones.views->operation())
+InsertionPresenter::InsertionPresenter(InsertionController& insertion, Zones zones)
+    : insertion_(insertion),
+      control_(insertion.control()),
+      zones_(zones),
+      ghost_(*zones.views->operation())
 {
 }
 
@@ -35,16 +35,17 @@ void InsertionPresenter::showCochlea()
   ghost_.setCurrent(session::subjectOf(scenario.text(), scenario.name()));
 }
 
-void InsertionPresenter::setReference(const std::optional<ReferenceInsertion>& reference)
+void InsertionPresenter::showReference()
 {
+  const std::optional<ReferenceInsertion>& reference = insertion_.reference();
   zones_.views->charts()->setGhost(reference);
   zones_.side->setReference(reference);
   ghost_.setReference(reference);
 }
 
-void InsertionPresenter::setPlan(const std::optional<PlannedForce>& plan)
+void InsertionPresenter::showPlan()
 {
-  zones_.views->charts()->setPlan(plan);
+  zones_.views->charts()->setPlan(insertion_.plan());
   zones_.views->charts()->showPlanIn(control_.scenario());
 }
 
@@ -99,25 +100,26 @@ void InsertionPresenter::stepSlowly(const FrameMeter& meter)
   zones_.bottom->setProgress(now.travel / stopTravel.si(), now.time);
 }
 
-void InsertionPresenter::showState(const FrameMeter& meter, bool maySetUp)
+void InsertionPresenter::showState(const FrameMeter& meter)
 {
+  const SetupControl& setup = insertion_.setup();
   const InsertionState state = stateOf(control_);
-  zones_.building->show(setup_.buildingFor_ms());
+  zones_.building->show(setup.buildingFor_ms());
   showButtons(state);
-  zones_.side->setChangeable(maySetUp);
+  zones_.side->setChangeable(insertion_.maySetUp());
   zones_.side->setHoldEnabled(mayHold(state));
   zones_.side->setStylet(styletText(control_), mayPullStylet(state));
   zones_.side->setTiming(timingText(control_, meter.framesPerSecond(FrameMeter::Clock::now())));
   zones_.bottom->setStatus(statusText(control_, deviceRateText(control_.deviceHealth())),
                            !control_.recordingError().empty());
-  zones_.views->operation()->setBanner(error());
-  zones_.views->operation()->setHint(setup_.isBuilding() ? buildingHint(setup_.isStartAsked())
-                                                         : hintText(control_));
+  showBanner();
+  zones_.views->operation()->setHint(setup.isBuilding() ? buildingHint(setup.isStartAsked())
+                                                        : hintText(control_));
 }
 
 void InsertionPresenter::showButtons(const InsertionState& state)
 {
-  const bool isBusy = setup_.isBuilding();
+  const bool isBusy = insertion_.setup().isBuilding();
   zones_.bottom->setMain(mayPause(state) ? BottomBar::Main::pause : BottomBar::Main::start,
                          mayStart(state) && !isBusy);
   zones_.bottom->setWait(
@@ -126,13 +128,6 @@ void InsertionPresenter::showButtons(const InsertionState& state)
   zones_.bottom->setWithdrawEnabled(mayWithdraw(state));
 }
 
-void InsertionPresenter::showError(const QString& sentence)
-{
-  spdlog::warn("{}", sentence.toStdString());
-  error_ = sentence;
-  zones_.views->operation()->setBanner(error());
-}
-
-QString InsertionPresenter::error() const { return errorText(control_, error_); }
+void InsertionPresenter::showBanner() { zones_.views->operation()->setBanner(insertion_.error()); }
 
 }  // namespace perilymph::gui

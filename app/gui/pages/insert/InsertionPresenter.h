@@ -3,8 +3,6 @@
 
 // Display of an insertion on the page: 3D view, charts, buttons, and texts of the bars.
 
-#include <QString>
-
 #include "gui/pages/insert/GhostControl.h"
 #include "gui/run/InsertionControl.h"
 
@@ -13,8 +11,8 @@ namespace perilymph::gui {
 class BottomBar;
 class BuildingNote;
 class FrameMeter;
+class InsertionController;
 class InsertionViews;
-class SetupControl;
 class SidePanel;
 struct InsertionState;
 
@@ -29,7 +27,7 @@ public:
     BuildingNote* building;
   };
 
-  InsertionPresenter(InsertionControl& control, const SetupControl& setup, Zones zones);
+  InsertionPresenter(InsertionController& insertion, Zones zones);
 
   /// Shows another cochlea or array.
   void showCochlea();
@@ -40,30 +38,22 @@ public:
   /// Updates numbers and flat views, fifteen times a second.
   void stepSlowly(const FrameMeter& meter);
   /// Updates buttons, bars, hint and banner.
-  ///
-  /// @param maySetUp  The setup may be changed now.
-  void showState(const FrameMeter& meter, bool maySetUp);
+  void showState(const FrameMeter& meter);
   void showInput();
-  /// Shows a reference insertion in chart, panel and 3D view, or none.
-  /// Force expected by a plan, behind the insertions that it is for.
-  void setPlan(const std::optional<PlannedForce>& plan);
-  void setReference(const std::optional<ReferenceInsertion>& reference);
-
-  /// Shows an error until it is cleared.
-  void showError(const QString& sentence);
-  void forgetError() { error_.clear(); }
-  /// Text of the banner; empty if there is no error.
-  QString error() const;
+  void showBanner();
+  /// Shows the force expected by a plan, behind the insertions that it is for.
+  void showPlan();
+  /// Shows the reference insertion in chart, panel and 3D view, if there is one.
+  void showReference();
 
 private:
   void showButtons(const InsertionState& state);
   bool isNew(const haptics::Snapshot& now);
 
+  InsertionController& insertion_;
   InsertionControl& control_;
-  const SetupControl& setup_;
   Zones zones_;
   GhostControl ghost_;
-  QString error_;
   haptics::Snapshot drawn_{};  ///< The snapshot shown in the scene.
 };
 

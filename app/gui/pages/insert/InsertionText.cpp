@@ -31,6 +31,13 @@ QString deviceHint(const InsertionControl& control)
 
 }  // namespace
 
+QString inProgressText(const InsertionControl& control)
+{
+  const Length travel = Length::fromSi(control.now().output.travel);
+  return tr("An insertion is in progress at %1 mm. It is recorded up to here.")
+      .arg(numberText(inMillimeters(travel), 1));
+}
+
 QString timingText(const InsertionControl& control, int framesPerSecond)
 {
   const haptics::Snapshot& now = control.now();

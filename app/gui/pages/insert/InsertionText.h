@@ -19,6 +19,9 @@ QString timingText(const InsertionControl& control, int framesPerSecond);
 /// @param error  An error of the window itself; shown unless the loop has stopped.
 QString errorText(const InsertionControl& control, const QString& error);
 
+/// Where an insertion in progress is, and what is recorded if it is ended now.
+QString inProgressText(const InsertionControl& control);
+
 /// How the insertion ended before its stop travel, and what to do; empty if it did not.
 QString endText(haptics::InsertionEnd end, const haptics::TickOutput& now);
 

@@ -20,87 +20,68 @@ constexpr int manyTicks = 100;  // of a step with Shift
 
 }  // namespace
 
-ReplayControl::ReplayControl(InsertionViews& views, QWidget* page)
-    : QObject(page), views_(views), player_(new ReplayPlayer(this)), bar_(new ReplayBar(page))
+ReplayControl::ReplayControl(ReplayPlayer& player, InsertionViews& views, QWidget* page)
+    : QObject(page), player_(player), views_(views), bar_(new ReplayBar(page))
 {
-  connect(player_, &ReplayPlayer::opened, this, &ReplayControl::opened);
-  connect(player_, &ReplayPlayer::failed, this, &ReplayControl::failed);
   connectBar();
 }
 
 void ReplayControl::connectBar()
 {
   connect(bar_, &ReplayBar::playAsked, this, &ReplayControl::togglePlaying);
-  connect(bar_, &ReplayBar::stepAsked, player_, &ReplayPlayer::stepBy);
-  connect(bar_, &ReplayBar::slowerAsked, player_, &ReplayPlayer::slower);
-  connect(bar_, &ReplayBar::fasterAsked, player_, &ReplayPlayer::faster);
+  connect(bar_, &ReplayBar::stepAsked, &player_, &ReplayPlayer::stepBy);
+  connect(bar_, &ReplayBar::slowerAsked, &player_, &ReplayPlayer::slower);
+  connect(bar_, &ReplayBar::fasterAsked, &player_, &ReplayPlayer::faster);
   connect(bar_, &ReplayBar::draggedTo, this, [this](double fraction) {
-    if (isOpen()) player_->seek(std::uint64_t(fraction * double(playback().ticks() - 1)));
+    if (player_.isOpen())
+      player_.seek(std::uint64_t(fraction * double(player_.playback().ticks() - 1)));
   });
   connect(bar_, &ReplayBar::closeAsked, this, &ReplayControl::closeAsked);
 }
 
-bool ReplayControl::isOpen() const { return player_->isOpen(); }
-
-const session::Playback& ReplayControl::playback() const { return player_->playback(); }
-
-const haptics::Snapshot& ReplayControl::now() const { return player_->now(); }
-
-void ReplayControl::togglePlaying() { player_->isPlaying() ? player_->pause() : player_->play(); }
-
-void ReplayControl::open(const std::filesystem::path& file)
-{
-  if (isOpen()) views_.forgetScene();
-  player_->open(file);
-}
+void ReplayControl::togglePlaying() { player_.isPlaying() ? player_.pause() : player_.play(); }
 
 void ReplayControl::begin()
 {
-  views_.setScene(*playback().anatomy(), playback().scenario());
-  const session::Scenario& scenario = playback().scenario();
+  views_.setScene(*player_.playback().anatomy(), player_.playback().scenario());
+  const session::Scenario& scenario = player_.playback().scenario();
   views_.charts()->setComparable(analysis::hasPublishedConditions(scenario));
   views_.operation()->setPartial(outsideAtStop(scenario).si() > 0.0);
-  views_.charts()->begin(playback().anatomy()->entry());
+  views_.charts()->begin(player_.playback().anatomy()->entry());
   charted_ = 0;
   views_.operation()->setBanner({});
-  player_->play();
-}
-
-void ReplayControl::close()
-{
-  views_.forgetScene();
-  player_->close();
+  player_.play();
 }
 
 void ReplayControl::step(double elapsed_s, bool isSeen)
 {
-  if (!isSeen) player_->pause();
-  if (!player_->advance(elapsed_s)) return;
-  views_.operation()->showArray(player_->now());
+  if (!isSeen) player_.pause();
+  if (!player_.advance(elapsed_s)) return;
+  views_.operation()->showArray(player_.now());
 
   // the curves up to here, at equal steps and with the current tick at their end
-  const auto& samples = playback().samples();
-  if (charted_ > 0 && samples[charted_ - 1].place > player_->place()) {
-    views_.charts()->begin(playback().anatomy()->entry());
+  const auto& samples = player_.playback().samples();
+  if (charted_ > 0 && samples[charted_ - 1].place > player_.place()) {
+    views_.charts()->begin(player_.playback().anatomy()->entry());
     charted_ = 0;
   }
-  for (; charted_ < samples.size() && samples[charted_].place <= player_->place(); ++charted_)
+  for (; charted_ < samples.size() && samples[charted_].place <= player_.place(); ++charted_)
     if (hasBegun(samples[charted_].output.workflow))
       views_.charts()->append(samples[charted_].output);
 }
 
 void ReplayControl::stepSlowly()
 {
-  views_.operation()->showNumbers(player_->now().output, playback().scenario().stopTravel());
-  views_.showSlowly(player_->now());
+  views_.operation()->showNumbers(player_.now().output, player_.playback().scenario().stopTravel());
+  views_.showSlowly(player_.now());
   views_.operation()->setHint(
-      player_->isPlaying() ? QString() : tr("Space plays or pauses. ← and → step by 1 ms."));
-  bar_->showPlace(*player_);
+      player_.isPlaying() ? QString() : tr("Space plays or pauses. ← and → step by 1 ms."));
+  bar_->showPlace(player_);
 }
 
 bool ReplayControl::takeKey(const QKeyEvent& event)
 {
-  if (!isOpen() || (event.modifiers() & Qt::AltModifier) != 0) return false;
+  if (!player_.isOpen() || (event.modifiers() & Qt::AltModifier) != 0) return false;
   if ((event.modifiers() & Qt::ControlModifier) != 0)  // no reset and no undo during a replay
     return event.key() == Qt::Key_R || event.key() == Qt::Key_Z;
   const bool isShift = (event.modifiers() & Qt::ShiftModifier) != 0;
@@ -109,22 +90,22 @@ bool ReplayControl::takeKey(const QKeyEvent& event)
       togglePlaying();
       return true;
     case Qt::Key_Left:
-      player_->stepBy(isShift ? -manyTicks : -1);
+      player_.stepBy(isShift ? -manyTicks : -1);
       return true;
     case Qt::Key_Right:
-      player_->stepBy(isShift ? manyTicks : 1);
+      player_.stepBy(isShift ? manyTicks : 1);
       return true;
     case Qt::Key_Home:
-      player_->seek(0);
+      player_.seek(0);
       return true;
     case Qt::Key_End:
-      player_->seek(playback().ticks() - 1);
+      player_.seek(player_.playback().ticks() - 1);
       return true;
     case Qt::Key_Comma:
-      player_->slower();
+      player_.slower();
       return true;
     case Qt::Key_Period:
-      player_->faster();
+      player_.faster();
       return true;
     case Qt::Key_Escape:
       Q_EMIT closeAsked();

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// Replay of a recorded insertion in place of the live one.
+// Display of a replay in place of the live insertion.
 
 #include <QObject>
-#include <filesystem>
-
-#include "perilymph/session/Playback.h"
 
 class QKeyEvent;
 
@@ -16,25 +13,17 @@ class InsertionViews;
 class ReplayBar;
 class ReplayPlayer;
 
-/// Shows a replay in the views of the insertion, with its own bar and keys.
+/// Shows a player in the views of the insertion, with its own bar and keys.
 class ReplayControl : public QObject {
   Q_OBJECT
 public:
   /// @param page  Becomes the parent of the bar.
-  ReplayControl(InsertionViews& views, QWidget* page);
+  ReplayControl(ReplayPlayer& player, InsertionViews& views, QWidget* page);
 
   ReplayBar* bar() const { return bar_; }
 
-  /// Opens a recording in the background; emits opened() or failed().
-  void open(const std::filesystem::path& file);
   /// Starts at its beginning. The insertion must have ended.
   void begin();
-  void close();
-  bool isOpen() const;
-  /// Only while a recording is open.
-  const session::Playback& playback() const;
-  /// The snapshot that is shown, likewise.
-  const haptics::Snapshot& now() const;
 
   /// One timer event. Pauses while the page is not visible.
   void step(double elapsed_s, bool isSeen);
@@ -44,16 +33,14 @@ public:
   bool takeKey(const QKeyEvent& event);
 
 Q_SIGNALS:
-  void opened();
-  void failed(const QString& sentence);
   void closeAsked();
 
 private:
   void connectBar();
   void togglePlaying();
 
+  ReplayPlayer& player_;
   InsertionViews& views_;
-  ReplayPlayer* player_;
   ReplayBar* bar_;
   std::size_t charted_ = 0;  ///< Number of samples in the charts.
 };

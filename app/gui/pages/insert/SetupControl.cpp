@@ -57,13 +57,20 @@ void SetupControl::build(const session::Scenario& scenario,
   builder_.build(scenario, isSameCochlea ? control_.sharedAnatomy() : nullptr,
                  [this, use = std::move(use)](const Result<InsertionControl::Parts>& built) {
                    if (built) return use(*built);
-                   cancel();
+                   giveUp();
                    failed(dataText(built.error().message));
                  });
   Q_EMIT followed();
 }
 
-void SetupControl::cancel()
+bool SetupControl::cancel()
+{
+  if (!isBuilding()) return false;
+  giveUp();
+  return true;
+}
+
+void SetupControl::giveUp()
 {
   forget();
   history_->goTo(control_.scenario().text());  // the panel shows the actual setup

@@ -34,8 +34,8 @@ public:
   /// Builds another scenario and calls `use` with its parts; the caller starts its history.
   void build(const session::Scenario& scenario,
              std::function<void(const InsertionControl::Parts&)> use);
-  /// Restores the displayed setup and cancels building.
-  void cancel();
+  /// Restores the displayed setup and cancels building. False if nothing was being built.
+  bool cancel();
   /// Cancels building; the setup is kept.
   void forget();
 
@@ -56,6 +56,8 @@ Q_SIGNALS:
   void failed(const QString& sentence);
 
 private:
+  void giveUp();
+
   const InsertionControl& control_;
   SetupHistory* history_;
   std::optional<InsertionControl::Parts> first_;

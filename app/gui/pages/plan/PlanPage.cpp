@@ -31,7 +31,7 @@ constexpr int emptyStage = 0, planStage = 1, arraysStage = 2;
 }  // namespace
 
 PlanPage::PlanPage(QWidget* parent)
-    : QWidget(parent),
+    : Page("plan", tr("Plan"), parent),
       work_(this),
       reporting_(this),
       scenario_(planning::PlanRequest{}.scenario),
@@ -53,7 +53,6 @@ PlanPage::PlanPage(QWidget* parent)
       notes_(new PlanNotes(this)),
       status_(new StatusLine("planStatus", this))
 {
-  setObjectName(QStringLiteral("planPage"));
   stages_->addWidget(empty_);
   stages_->addWidget(addPlan());
   stages_->addWidget(addArrays());
@@ -164,7 +163,8 @@ void PlanPage::insertArray()
   if (!plan_ || rows.size() != 1) return;
   const auto setup = plannedSetup(*plan_, rows.front());
   if (!setup) return say(dataText(setup.error().message), true);
-  Q_EMIT insertAsked(*setup, plannedForce(*plan_, rows.front()));
+  Q_EMIT insertionRequested(
+      {*setup, SetupOrigin::Kind::own, AfterLoading::rest, plannedForce(*plan_, rows.front())});
 }
 
 void PlanPage::askReport()
@@ -204,7 +204,7 @@ void PlanPage::connectPanel()
   connect(panel_, &PlanPanel::planChosen, this, &PlanPage::openStored);
 }
 
-void PlanPage::openPlan(const std::filesystem::path& folder)
+void PlanPage::open(const std::filesystem::path& folder)
 {
   stop();
   const auto stored = readStoredPlan(folder);
@@ -281,9 +281,10 @@ void PlanPage::planFor(const anatomy::Patient& patient)
   panel_->refresh();
   panel_->setPatient(patient);
   forgetPlan();
+  Q_EMIT pageRequested(id());
 }
 
-void PlanPage::refresh()
+void PlanPage::onShown()
 {
   if (!work_.isBusy()) panel_->refresh();
   if (panel_->patient()) head_->show(*panel_->patient());

@@ -3,14 +3,12 @@
 
 // The page Plan: electrode arrays compared in one patient's cochlea before surgery.
 
-#include <QWidget>
 #include <optional>
 #include <string>
 
+#include "gui/pages/Page.h"
 #include "gui/pages/plan/PlanReportWork.h"
 #include "gui/pages/plan/PlanWork.h"
-#include "gui/run/PlannedForce.h"
-#include "gui/setup/Setup.h"
 
 class QHBoxLayout;
 class QPushButton;
@@ -27,23 +25,23 @@ class PlanView;
 class StatusLine;
 
 /// Makes a plan, lists its arrays with their bands, and carries one of them to an insertion.
-class PlanPage : public QWidget {
+class PlanPage : public Page {
   Q_OBJECT
 public:
   explicit PlanPage(QWidget* parent);
 
-  /// Plans for a patient with A and B, as measured in a CT.
+  /// Plans for a patient with A and B, as measured in a CT; requests to be shown.
   void planFor(const anatomy::Patient& patient);
   /// Opens a saved plan. A computation ends, of which is kept what is done.
-  void openPlan(const std::filesystem::path& folder);
+  void open(const std::filesystem::path& folder) override;
   /// Reads patients and plans from the disk again.
-  void refresh();
+  void onShown() override;
   /// Leaves the view of an array, or ends the computation, of which is kept what is done. False if
   /// there was neither.
-  bool cancel();
+  bool cancel() override;
   /// Writes the report of the plan that is shown.
   void writeReport(const std::filesystem::path& pdf);
-  bool isBusy() const { return work_.isBusy(); }
+  bool isBusy() const override { return work_.isBusy(); }
   /// The plan that is shown; null before.
   const PlanWork::SharedPlan& plan() const { return plan_; }
   /// A scenario that defines everything that is neither drawn nor chosen; "surgery-flex28" unless
@@ -55,10 +53,6 @@ public:
   }
   PlanList& list() { return *list_; }
   PlanView& view() { return *view_; }
-
-Q_SIGNALS:
-  /// An insertion of an array of the plan was asked for.
-  void insertAsked(const perilymph::gui::Setup& setup, const perilymph::gui::PlannedForce& planned);
 
 private:
   QWidget* addPlan();

@@ -41,14 +41,15 @@ QLabel* text(const QString& caption, int size_px, QWidget* parent, bool isQuiet 
 
 }  // namespace
 
-SessionsPage::SessionsPage(QWidget* parent, LibraryWork::Lister lister)
-    : QWidget(parent),
+SessionsPage::SessionsPage(const InsertionControl& control, QWidget* parent,
+                           LibraryWork::Lister lister)
+    : Page("sessions", tr("Sessions"), parent),
+      control_(control),
       work_(this, std::move(lister)),
       tasks_(new SessionTasks(this)),
       table_(new SessionTable(this)),
       sorted_(new QSortFilterProxyModel(this))
 {
-  setObjectName(QStringLiteral("sessionsPage"));
   sorted_->setSourceModel(table_);
   sorted_->setSortRole(SessionTable::sortRole);
   sorted_->setFilterRole(SessionTable::searchRole);
@@ -190,12 +191,12 @@ QPushButton* SessionsPage::addVerb(const QString& caption, const char* name, con
   return button;
 }
 
-void SessionsPage::refresh(const std::optional<std::filesystem::path>& beingRecorded,
-                           bool isRunning)
+void SessionsPage::onShown()
 {
-  isRunning_ = isRunning;
-  beingRecorded_ = beingRecorded;
+  isRunning_ = control_.isRunning();
+  beingRecorded_ = control_.recording();
   reread();
+  setFocus();
 }
 
 void SessionsPage::reread()
@@ -203,7 +204,12 @@ void SessionsPage::reread()
   work_.list(sessionFolder(), beingRecorded_.value_or(std::filesystem::path()));
 }
 
-void SessionsPage::cancel() { work_.cancel(); }
+bool SessionsPage::cancel()
+{
+  if (!isBusy()) return false;
+  work_.cancel();
+  return true;
+}
 
 void SessionsPage::say(const QString& sentence, bool isError) { status_->say(sentence, isError); }
 
@@ -306,7 +312,7 @@ void SessionsPage::replayChosen()
   const auto file = oneChosen();
   if (!file) return;
   say(tr("Opening %1…").arg(QString::fromStdString(session::displayNameOf(*file))));
-  Q_EMIT replayAsked(*file);
+  Q_EMIT replayRequested(*file);
 }
 
 void SessionsPage::reportChosen()
@@ -377,7 +383,7 @@ void SessionsPage::keyPressEvent(QKeyEvent* event)
   if (event->matches(QKeySequence::Undo)) return bringBack();
   if (key == Qt::Key_Delete) return throwAway();
   if (key == Qt::Key_Return || key == Qt::Key_Enter) return replayChosen();
-  if (key == Qt::Key_Escape && work_.isBusy()) return cancel();
+  if (key == Qt::Key_Escape && cancel()) return;
   if (key == Qt::Key_Escape && !search_->text().isEmpty()) return search_->clear();
   QWidget::keyPressEvent(event);
 }

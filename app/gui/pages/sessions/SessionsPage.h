@@ -3,13 +3,14 @@
 
 // The library of recorded insertions: search, preview, replay, comparison, deletion.
 
-#include <QWidget>
 #include <filesystem>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "gui/pages/Page.h"
 #include "gui/pages/sessions/LibraryWork.h"
+#include "gui/run/InsertionControl.h"
 #include "gui/run/ReferenceInsertion.h"
 
 class QLabel;
@@ -28,28 +29,30 @@ class SessionTasks;
 class StatusLine;
 
 /// The recordings in the session folder.
-class SessionsPage : public QWidget {
+class SessionsPage : public Page {
   Q_OBJECT
 public:
-  explicit SessionsPage(QWidget* parent, LibraryWork::Lister lister = session::listSessions);
+  /// @param control  What is being recorded.
+  SessionsPage(const InsertionControl& control, QWidget* parent,
+               LibraryWork::Lister lister = session::listSessions);
 
   /// Reads the folder again.
-  /// @param beingRecorded  The file that this window is writing, if any.
-  /// @param isRunning      Whether its insertion has begun; otherwise the file may be removed.
-  void refresh(const std::optional<std::filesystem::path>& beingRecorded, bool isRunning);
-  bool isBusy() const { return work_.isBusy(); }
+  void onShown() override;
+  void onChosenAgain() override { onShown(); }
+  Focus focus() const override { return Focus::pageUntilEscape; }
+  bool isBusy() const override { return work_.isBusy(); }
   /// Ends reading early.
-  void cancel();
+  bool cancel() override;
 
   /// The selected readable recordings, in the order of the table.
   std::vector<session::SessionSummary> chosen() const;
   void say(const QString& sentence, bool isError = false);
+  void showError(const QString& sentence) { say(sentence, true); }
 
   /// Writes a PDF report of a recording in the background; the page shows the result.
   void saveReport(const std::filesystem::path& file, const std::filesystem::path& pdf);
 
 Q_SIGNALS:
-  void replayAsked(const std::filesystem::path& file);
   void compareAsked(const std::vector<std::filesystem::path>& files);
   void referenceRead(const perilymph::gui::ReferenceInsertion& reference);
 
@@ -75,12 +78,13 @@ private:
   void bringBack();
   void reread();
 
+  const InsertionControl& control_;
   LibraryWork work_;
   SessionTasks* tasks_;
   SessionTable* table_;
   QSortFilterProxyModel* sorted_;
-  std::optional<std::filesystem::path> beingRecorded_;
-  bool isRunning_ = false;
+  std::optional<std::filesystem::path> beingRecorded_;  ///< By this window, when it was shown.
+  bool isRunning_ = false;  ///< Its insertion had begun; otherwise the file may be removed.
   /// Paths in the trash and previous paths of the last deleted recordings.
   std::vector<std::pair<std::filesystem::path, std::filesystem::path>> trashed_;
 

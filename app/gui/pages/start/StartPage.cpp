@@ -20,9 +20,11 @@
 #include "gui/parts/FocusRing.h"
 #include "gui/parts/PanelParts.h"
 #include "gui/parts/Theme.h"
+#include "gui/run/InsertionControl.h"
 #include "gui/setup/PatientHistory.h"
 #include "gui/setup/PatientLibrary.h"
 #include "gui/setup/PatientSetup.h"
+#include "gui/setup/SetupTitle.h"
 #include "perilymph/foundation/Resources.h"
 
 namespace perilymph::gui {
@@ -137,12 +139,14 @@ void StartCard::paintEvent(QPaintEvent*)
                    Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, sentence_);
 }
 
-StartPage::StartPage(std::shared_ptr<CochleaStore> cochleae, QWidget* parent)
-    : QWidget(parent), stages_(new QStackedWidget(this))
+StartPage::StartPage(const InsertionControl& control, const SetupHistory& setup, QWidget* parent)
+    : Page("start", tr("Start page"), parent),
+      control_(control),
+      setup_(setup),
+      stages_(new QStackedWidget(this))
 {
-  setObjectName(QStringLiteral("startPage"));
   stages_->addWidget(verticalScroll(cards(), stages_));
-  form_ = new PatientForm(std::move(cochleae), stages_);
+  form_ = new PatientForm(control.cochleae(), stages_);
   stages_->addWidget(centered(form_));
   picker_ = new PatientPicker(stages_);
   stages_->addWidget(centered(picker_));
@@ -151,9 +155,10 @@ StartPage::StartPage(std::shared_ptr<CochleaStore> cochleae, QWidget* parent)
   column->addWidget(stages_);
 
   connect(patient_, &QPushButton::clicked, this, &StartPage::showNewPatient);
-  connect(mean_, &QPushButton::clicked, this, [this] { beginShipped("mean-contour", false); });
+  connect(mean_, &QPushButton::clicked, this,
+          [this] { beginShipped("mean-contour", AfterLoading::rest); });
   connect(demonstration_, &QPushButton::clicked, this,
-          [this] { beginShipped("contour-published", true); });
+          [this] { beginShipped("contour-published", AfterLoading::insert); });
   connect(form_, &PatientForm::leaveAsked, this, [this] { showCards(); });
   connect(form_, &PatientForm::patientGiven, this, &StartPage::savePatient);
   connect(picker_, &PatientPicker::leaveAsked, this, [this] { showCards(); });
@@ -166,9 +171,11 @@ StartPage::StartPage(std::shared_ptr<CochleaStore> cochleae, QWidget* parent)
   connect(picker_, &PatientPicker::entryAsked, this, &StartPage::openEntry);
   connect(recent_, &RecentWork::patientAsked, this, &StartPage::openPatient);
   connect(recent_, &RecentWork::allPatientsAsked, this, &StartPage::showPatients);
-  connect(recent_, &RecentWork::continueAsked, this, &StartPage::continueAsked);
-  connect(recent_, &RecentWork::replayAsked, this, &StartPage::replayAsked);
-  connect(recent_, &RecentWork::allRecordingsAsked, this, &StartPage::allRecordingsAsked);
+  connect(recent_, &RecentWork::continueAsked, this,
+          [this] { Q_EMIT pageRequested(QStringLiteral("insert")); });
+  connect(recent_, &RecentWork::replayAsked, this, &StartPage::replayRequested);
+  connect(recent_, &RecentWork::allRecordingsAsked, this,
+          [this] { Q_EMIT pageRequested(QStringLiteral("sessions")); });
 }
 
 QWidget* StartPage::centered(QWidget* content)
@@ -189,13 +196,15 @@ void StartPage::addKey(QWidget& page, Qt::Key key, StartCard& card)
 
 void StartPage::showPatients()
 {
-  picker_->refresh(current_.beingRecorded.value_or(std::filesystem::path()));
+  Q_EMIT pageRequested(id());
+  picker_->refresh(control_.recording().value_or(std::filesystem::path()));
   stages_->setCurrentIndex(pickerStage);
   picker_->setFocus();
 }
 
 void StartPage::showNewPatient()
 {
+  Q_EMIT pageRequested(id());
   form_->beginNew();
   stages_->setCurrentIndex(formStage);
   form_->setFocus();
@@ -218,11 +227,11 @@ void StartPage::openEntry(const HistoryEntry& entry)
 {
   switch (entry.kind) {
     case HistoryEntry::Kind::scan:
-      return scansAsked();
+      return pageRequested(QStringLiteral("ct"));
     case HistoryEntry::Kind::plan:
-      return planAsked(entry.place);
+      return pageRequested(QStringLiteral("plan"), entry.place);
     case HistoryEntry::Kind::insertion:
-      return replayAsked(entry.place);
+      return replayRequested(entry.place);
   }
 }
 
@@ -230,14 +239,14 @@ void StartPage::beginPatient(const anatomy::Patient& patient)
 {
   const auto setup = setupOfPatient(patient);
   if (!setup) return showError(dataText(setup.error().message));
-  Q_EMIT setupChosen(*setup, SetupOrigin::Kind::own, false);
+  Q_EMIT insertionRequested({*setup});
 }
 
-void StartPage::beginShipped(const std::string& name, bool isWatched)
+void StartPage::beginShipped(const std::string& name, AfterLoading then)
 {
   auto scenario = session::loadScenario(name);
   if (!scenario) return showError(dataText(scenario.error().message));
-  Q_EMIT setupChosen({*std::move(scenario), {}}, SetupOrigin::Kind::preset, isWatched);
+  Q_EMIT insertionRequested({{*std::move(scenario), {}}, SetupOrigin::Kind::preset, then});
 }
 
 QWidget* StartPage::cards()
@@ -315,10 +324,9 @@ void StartPage::resizeEvent(QResizeEvent* event)
   }
 }
 
-void StartPage::showCards(const Current& current)
+void StartPage::showCards()
 {
-  current_ = current;
-  recent_->refresh(current.title, current.beingRecorded);
+  recent_->refresh(currentWork(control_, setup_), control_.recording());
   stages_->setCurrentIndex(cardsStage);
   error_->hide();
   patient_->setFocus();

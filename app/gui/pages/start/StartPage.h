@@ -4,12 +4,11 @@
 // The start page: three ways to begin, and recent work.
 
 #include <QPushButton>
-#include <QWidget>
 #include <filesystem>
 #include <memory>
 #include <optional>
 
-#include "gui/setup/Setup.h"
+#include "gui/pages/Page.h"
 #include "perilymph/anatomy/Patient.h"
 
 class QLabel;
@@ -17,12 +16,13 @@ class QStackedWidget;
 
 namespace perilymph::gui {
 
-class CochleaStore;
+class InsertionControl;
 class PatientForm;
 class PatientPicker;
 class RecentWork;
 struct HistoryEntry;
 struct SavedPatient;
+class SetupHistory;
 
 /// A large button with a picture, a title and a description.
 class StartCard : public QPushButton {
@@ -48,37 +48,21 @@ private:
 };
 
 /// Selection of the first setup. The patient form and the saved patients are shown in place.
-class StartPage : public QWidget {
+class StartPage : public Page {
   Q_OBJECT
 public:
-  StartPage(std::shared_ptr<CochleaStore> cochleae, QWidget* parent);
+  /// @param control  The insertion that the page offers to continue, and its setup.
+  StartPage(const InsertionControl& control, const SetupHistory& setup, QWidget* parent);
 
-  /// Work that the page offers to continue.
-  struct Current {
-    QString title;  ///< Title of the setup on the insertion page; empty if it was not used yet.
-    std::optional<std::filesystem::path> beingRecorded;
-  };
   /// Shows the three cards again, and recent work.
-  void showCards(const Current& current);
-  /// Shows the list of saved patients.
+  void onShown() override { showCards(); }
+  Focus focus() const override { return Focus::page; }
+  /// Requests to be shown with the list of saved patients.
   void showPatients();
-  /// Shows an empty form.
+  /// Requests to be shown with an empty form.
   void showNewPatient();
   /// Shows why the selection failed.
   void showError(const QString& sentence);
-
-Q_SIGNALS:
-  /// The user selected a setup.
-  /// @param isWatched  The insertion starts automatically.
-  void setupChosen(const perilymph::gui::Setup& setup, perilymph::gui::SetupOrigin::Kind kind,
-                   bool isWatched);
-  /// The user wants to continue with the insertion page, to replay a recording, or to see all.
-  void continueAsked();
-  void replayAsked(const std::filesystem::path& recording);
-  void allRecordingsAsked();
-  /// The user wants to open a CT again, or a plan.
-  void scansAsked();
-  void planAsked(const std::filesystem::path& folder);
 
 protected:
   void keyPressEvent(QKeyEvent* event) override;
@@ -87,14 +71,16 @@ protected:
 private:
   QWidget* cards();
   QWidget* centered(QWidget* content);
-  void showCards() { showCards(current_); }
+  void showCards();
   void addKey(QWidget& page, Qt::Key key, StartCard& card);
   void savePatient(const anatomy::Patient& patient);
   void openPatient(const SavedPatient& patient);
   void openEntry(const HistoryEntry& entry);
   void beginPatient(const anatomy::Patient& patient);
-  void beginShipped(const std::string& name, bool isWatched);
+  void beginShipped(const std::string& name, AfterLoading then);
 
+  const InsertionControl& control_;
+  const SetupHistory& setup_;
   QStackedWidget* stages_;
   StartCard* patient_ = nullptr;
   StartCard* mean_ = nullptr;
@@ -102,7 +88,6 @@ private:
   PatientForm* form_ = nullptr;
   PatientPicker* picker_ = nullptr;
   RecentWork* recent_ = nullptr;
-  Current current_;
   QLabel* error_ = nullptr;
 };
 

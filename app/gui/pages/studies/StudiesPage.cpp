@@ -31,7 +31,7 @@ constexpr int emptyStage = 0, studyStage = 1;
 }  // namespace
 
 StudiesPage::StudiesPage(QWidget* parent)
-    : QWidget(parent),
+    : Page("studies", tr("Studies"), parent),
       work_(this),
       stages_(new QStackedWidget(this)),
       empty_(new EmptyPage(tr("Studies"),
@@ -47,7 +47,6 @@ StudiesPage::StudiesPage(QWidget* parent)
       cancel_(new QPushButton(tr("Cancel"), this)),
       status_(new StatusLine("studyStatus", this))
 {
-  setObjectName(QStringLiteral("studiesPage"));
   empty_->offer(tr("Open study…"));
   connect(empty_, &EmptyPage::actionAsked, this, &StudiesPage::ask);
   auto* study = new QWidget(this);
@@ -95,7 +94,7 @@ StudiesPage::StudiesPage(QWidget* parent)
           [this](const std::filesystem::path& recording, const QString& sentence) {
             setBusy(false);
             say(sentence);
-            Q_EMIT replayAsked(recording);
+            Q_EMIT replayRequested(recording);
           });
   connect(&work_, &StudyWork::failed, this, [this](const QString& sentence) {
     setBusy(false);

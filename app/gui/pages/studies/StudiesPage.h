@@ -3,9 +3,9 @@
 
 // Results of a study: filtered and plotted; each insertion can be replayed.
 
-#include <QWidget>
 #include <filesystem>
 
+#include "gui/pages/Page.h"
 #include "gui/pages/studies/StudyWork.h"
 
 class QLabel;
@@ -22,23 +22,20 @@ class StudyPanel;
 class StudyPlot;
 
 /// The page of studies.
-class StudiesPage : public QWidget {
+class StudiesPage : public Page {
   Q_OBJECT
 public:
   explicit StudiesPage(QWidget* parent);
 
   /// Opens a result without asking.
-  void open(const std::filesystem::path& file);
+  void open(const std::filesystem::path& file) override;
   /// Ends reading or running. False if there was nothing.
-  bool cancel();
-  bool isBusy() const { return work_.isBusy(); }
+  bool cancel() override;
+  bool isBusy() const override { return work_.isBusy(); }
   /// The opened study; null before.
   const StudyWork::Columns& columns() const { return columns_; }
   StudyPanel& panel() { return *panel_; }
   StudyPlot& plot() { return *plot_; }
-
-Q_SIGNALS:
-  void replayAsked(const std::filesystem::path& recording);
 
 private:
   QWidget* addPlot();

@@ -41,9 +41,9 @@ QLabel* text(const QString& caption, int size_px, QWidget* parent, bool isQuiet 
 
 }  // namespace
 
-ValidatePage::ValidatePage(QWidget* parent) : QWidget(parent), basis_(shippedBasis()), work_(this)
+ValidatePage::ValidatePage(QWidget* parent)
+    : Page("validate", tr("Validate"), parent), basis_(shippedBasis()), work_(this)
 {
-  setObjectName(QStringLiteral("validatePage"));
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(3 * spacing, 3 * spacing, 3 * spacing, 2 * spacing);
   row->setSpacing(3 * spacing);
@@ -147,7 +147,9 @@ QWidget* ValidatePage::addColumn()
   scroll->setWidget(inside);
   column->addWidget(scroll, 1);
 
-  connect(start_, &QPushButton::clicked, this, [this] { isRunning() ? cancel() : start(); });
+  connect(start_, &QPushButton::clicked, this, [this] {
+    if (!cancel()) start();
+  });
   connect(runs_, &QLineEdit::textChanged, this, &ValidatePage::showState);
   connect(runs_, &QLineEdit::returnPressed, this, &ValidatePage::start);
   connect(save_, &QPushButton::clicked, this, &ValidatePage::save);
@@ -195,7 +197,7 @@ std::optional<int> ValidatePage::typedRuns() const
 void ValidatePage::start()
 {
   const auto runs = typedRuns();
-  if (isRunning() || !basis_ || !runs) return;
+  if (isBusy() || !basis_ || !runs) return;
   analysis::ValidationRequest request = basis_->request;
   request.runs = *runs;
   result_.reset();
@@ -208,11 +210,12 @@ void ValidatePage::start()
   showState();
 }
 
-void ValidatePage::cancel()
+bool ValidatePage::cancel()
 {
-  if (!isRunning()) return;
+  if (!isBusy()) return false;
   work_.cancel();
   status_->say(tr("Stopping…"));
+  return true;
 }
 
 void ValidatePage::finish(const std::optional<analysis::ValidationResult>& result,
@@ -258,10 +261,10 @@ void ValidatePage::showFigure()
 
 void ValidatePage::showState()
 {
-  start_->setText(isRunning() ? tr("Cancel") : tr("Run"));
-  start_->setEnabled(isRunning() || (bool(basis_) && typedRuns()));
+  start_->setText(isBusy() ? tr("Cancel") : tr("Run"));
+  start_->setEnabled(isBusy() || (bool(basis_) && typedRuns()));
   runsError_->setVisible(!typedRuns());
-  runs_->setEnabled(!isRunning());
+  runs_->setEnabled(!isBusy());
   save_->setEnabled(result_.has_value());
 }
 

@@ -3,9 +3,9 @@
 
 // Validation against the published experiment: live figures and verdicts.
 
-#include <QWidget>
 #include <optional>
 
+#include "gui/pages/Page.h"
 #include "gui/pages/validate/ValidationWork.h"
 
 class QGridLayout;
@@ -21,14 +21,14 @@ class DrawingView;
 class StatusLine;
 
 /// Repeats the experiment on request, and lists which expectations were met.
-class ValidatePage : public QWidget {
+class ValidatePage : public Page {
   Q_OBJECT
 public:
   explicit ValidatePage(QWidget* parent);
 
   void start();
-  void cancel();
-  bool isRunning() const { return work_.isRunning(); }
+  bool isBusy() const override { return work_.isRunning(); }
+  bool cancel() override;
   /// The last complete run; empty before.
   const std::optional<analysis::ValidationResult>& result() const { return result_; }
 

@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/pages/insert/InsertionController.h"
+
+#include <spdlog/spdlog.h>
+
+#include <utility>
+
+#include "gui/pages/insert/InsertionText.h"
+#include "gui/pages/insert/ReplayPlayer.h"
+#include "gui/parts/DataText.h"
+#include "gui/run/ScenarioDifference.h"
+#include "gui/run/WorkflowPredicates.h"
+#include "gui/setup/PatientSetup.h"
+
+namespace perilymph::gui {
+
+InsertionController::InsertionController(session::Scenario scenario,
+                                         std::optional<std::filesystem::path> record,
+                                         std::shared_ptr<CochleaStore> cochleae)
+    : control_(std::move(scenario), std::move(record), std::move(cochleae)),
+      safety_(control_),
+      setup_(new SetupControl(control_, this)),
+      replay_(new ReplayPlayer(this)),
+      held_(control_)
+{
+  connectSetup();
+  connect(replay_, &ReplayPlayer::opened, this, &InsertionController::beginReplay);
+  connect(replay_, &ReplayPlayer::failed, this, &InsertionController::replayFailed);
+  setup_->history().begin({control_.scenario(), {}}, SetupOrigin::Kind::preset);
+}
+
+InsertionController::~InsertionController() = default;
+
+void InsertionController::connectSetup()
+{
+  SetupHistory* history = &setup_->history();
+  connect(history, &SetupHistory::setupChanged, this, [this] {
+    Q_EMIT setupChanged();
+    setup_->follow();
+  });
+  connect(history, &SetupHistory::refused, this, &InsertionController::showError);
+  connect(setup_, &SetupControl::ready, this, &InsertionController::use);
+  connect(setup_, &SetupControl::failed, this, &InsertionController::showError);
+  connect(setup_, &SetupControl::followed, this, [this] {
+    Q_EMIT stateChanged();
+    Q_EMIT subjectChanged();
+  });
+}
+
+Result<Done> InsertionController::open()
+{
+  control_.use(control_.scenario(), setup_->takeFirst());
+  const Result<Done> ready = control_.prepare(InputSource::scripted);
+  if (!ready) return ready;
+  Q_EMIT cochleaChanged();
+  Q_EMIT prepared();
+  if (inputBefore_ != InputSource::scripted) prepare(inputBefore_);
+  Q_EMIT opened();
+  return Done{};
+}
+
+InsertionController::Memory InsertionController::memory() const
+{
+  return {history().memory(), reference_, replay_->isOpen() ? inputBefore_ : control_.hand(),
+          control_.chosen(), plan_};
+}
+
+void InsertionController::resume(const Memory& memory)
+{
+  setup_->history().resume(memory.setup);
+  setReference(memory.ghost);
+  plan_ = memory.plan;
+  Q_EMIT planChanged();
+  control_.choose(memory.device);
+  inputBefore_ = memory.input;
+  Q_EMIT subjectChanged();
+}
+
+void InsertionController::load(const InsertionRequest& request)
+{
+  if (request.plan) {
+    plan_ = request.plan;
+    Q_EMIT planChanged();
+  }
+  pause();
+  closeReplay();
+  setup_->build(request.setup.scenario, [this, request](const InsertionControl::Parts& parts) {
+    Q_EMIT cochleaEnding();
+    control_.use(request.setup.scenario, parts);
+    setup_->history().begin(request.setup, request.kind);
+    Q_EMIT subjectChanged();
+    prepare(InputSource::scripted);
+    Q_EMIT cochleaChanged();
+    if (request.then == AfterLoading::insert) start();
+  });
+}
+
+void InsertionController::loadPatient(const anatomy::Patient& patient)
+{
+  if (!maySetUp()) return;
+  const auto setup = setupOfPatient(patient, &history().now().scenario);
+  if (!setup) return showError(dataText(setup.error().message));
+  load({*setup});
+}
+
+void InsertionController::use(const session::Scenario& scenario,
+                              const std::optional<InsertionControl::Parts>& parts)
+{
+  const bool looksTheSame = lookAlike(scenario, control_.scenario());
+  if (!looksTheSame) Q_EMIT cochleaEnding();
+  control_.use(scenario, parts);
+  Q_EMIT subjectChanged();
+  prepare(control_.hand());
+  if (!looksTheSame) Q_EMIT cochleaChanged();
+  if (setup_->isStartAsked()) start();
+}
+
+bool InsertionController::maySetUp() const
+{
+  return gui::maySetUp(stateOf(control_)) && !setup_->isStartAsked() && !replay_->isOpen();
+}
+
+void InsertionController::change(const SetupChange& change)
+{
+  if (maySetUp()) Q_EMIT noted(setup_->change(change));
+}
+
+void InsertionController::restore()
+{
+  if (maySetUp()) setup_->history().restore();
+}
+
+void InsertionController::undo()
+{
+  if (maySetUp() && history().stack().canUndo()) setup_->history().undo();
+}
+
+void InsertionController::redo()
+{
+  if (maySetUp() && history().stack().canRedo()) setup_->history().redo();
+}
+
+void InsertionController::start()
+{
+  // Edited values are committed, and the result is built first.
+  const QString refused = maySetUp() && commit_ ? commit_() : QString();
+  if (!refused.isEmpty()) return showError(refused);
+  setup_->history().seal();
+  setup_->startWhenBuilt(setup_->isBuilding());
+  if (setup_->isBuilding()) return stateChanged();
+  const Result<Done> begun = control_.begin();
+  if (!begun) showError(dataText(begun.error().message));
+  Q_EMIT stateChanged();
+}
+
+void InsertionController::pause()
+{
+  control_.pause();
+  setup_->startWhenBuilt(false);
+  held_.letGo();
+  Q_EMIT stateChanged();
+}
+
+bool InsertionController::rest()
+{
+  if (!control_.isMoving() && !control_.isHeld() && !control_.isDeviceActive()) return false;
+  pause();
+  return true;
+}
+
+void InsertionController::withdraw()
+{
+  control_.withdraw();
+  Q_EMIT stateChanged();
+}
+
+void InsertionController::reset() { prepare(control_.hand()); }
+
+void InsertionController::pressSpace()
+{
+  if (control_.hand() == InputSource::pointer) {
+    if (!control_.isRunning()) start();
+    held_.hold(true);
+  } else if (control_.isMoving() || control_.isDeviceActive()) {
+    pause();
+  } else {
+    start();
+  }
+}
+
+bool InsertionController::stopDevice()
+{
+  if (!safety_.stopDevice()) return false;
+  Q_EMIT stateChanged();
+  return true;
+}
+
+void InsertionController::loseKeyboard()
+{
+  safety_.loseKeyboard();
+  held_.letGo();
+}
+
+void InsertionController::chooseInput(InputSource input)
+{
+  if (input != control_.hand()) prepare(input);
+}
+
+void InsertionController::prepare(InputSource input)
+{
+  error_.clear();
+  held_.letGo();
+  const Result<Done> ready = control_.prepare(input);
+  if (!ready && input == InputSource::device) {
+    // If a device cannot be opened, the script remains the input device.
+    prepare(InputSource::scripted);
+    return showError(dataText(ready.error().message));
+  }
+  if (!ready) return showError(dataText(ready.error().message));
+  Q_EMIT prepared();
+}
+
+void InsertionController::openReplay(const std::filesystem::path& file)
+{
+  if (replay_->isOpen()) Q_EMIT cochleaEnding();
+  replay_->open(file);
+}
+
+void InsertionController::beginReplay()
+{
+  // Only the display may move: the insertion ends, and no device remains open.
+  setup_->forget();
+  inputBefore_ = control_.hand();
+  prepare(InputSource::scripted);
+  Q_EMIT replayOpened();
+  Q_EMIT subjectChanged();
+}
+
+void InsertionController::closeReplay()
+{
+  if (!replay_->isOpen()) return;
+  Q_EMIT cochleaEnding();
+  replay_->close();
+  Q_EMIT replayClosed();
+  Q_EMIT subjectChanged();
+  prepare(inputBefore_);
+  Q_EMIT cochleaChanged();
+  Q_EMIT setupChanged();
+  setup_->follow();  // a change that was being built when the replay began
+}
+
+void InsertionController::setReference(const std::optional<ReferenceInsertion>& reference)
+{
+  reference_ = reference;
+  Q_EMIT referenceChanged();
+}
+
+void InsertionController::showError(const QString& sentence)
+{
+  spdlog::warn("{}", sentence.toStdString());
+  error_ = sentence;
+  Q_EMIT errorChanged();
+}
+
+QString InsertionController::error() const { return errorText(control_, error_); }
+
+}  // namespace perilymph::gui

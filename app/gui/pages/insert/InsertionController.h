@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// What happens on the insertion page: the insertion, its setup, its safety, and replays. No widget.
+
+#include <QObject>
+#include <filesystem>
+#include <functional>
+#include <optional>
+
+#include "gui/pages/insert/HeldArray.h"
+#include "gui/pages/insert/SetupControl.h"
+#include "gui/run/InsertionControl.h"
+#include "gui/run/ReferenceInsertion.h"
+#include "gui/run/SafetyStop.h"
+#include "gui/setup/InsertionRequest.h"
+#include "perilymph/foundation/Result.h"
+
+namespace perilymph::gui {
+
+class ReplayPlayer;
+
+/// Requests the steps of an insertion and keeps what belongs together in step: setup and model, array
+/// and input device, insertion and replay. It goes on while other pages are shown. During a replay no
+/// loop runs and no device is open.
+class InsertionController : public QObject {
+  Q_OBJECT
+public:
+  InsertionController(session::Scenario scenario, std::optional<std::filesystem::path> record,
+                      std::shared_ptr<CochleaStore> cochleae);
+  ~InsertionController() override;
+
+  InsertionControl& control() { return control_; }
+  const InsertionControl& control() const { return control_; }
+  SafetyStop& safety() { return safety_; }
+  HeldArray& held() { return held_; }
+  SetupControl& setup() { return *setup_; }
+  const SetupHistory& history() const { return setup_->history(); }
+  ReplayPlayer& replay() { return *replay_; }
+  const ReplayPlayer& replay() const { return *replay_; }
+
+  /// Builds the cochlea and prepares the insertion.
+  Result<Done> open();
+  /// Loads another setup, whose cochlea is built meanwhile.
+  void load(const InsertionRequest& request);
+  /// The same with a patient's cochlea and all else as it is, where a change is possible.
+  void loadPatient(const anatomy::Patient& patient);
+
+  /// What a new window with the same scenario continues.
+  struct Memory {
+    SetupHistory::Memory setup;
+    std::optional<ReferenceInsertion> ghost;
+    InputSource input = InputSource::scripted;
+    InsertionControl::DeviceFactory device;
+    std::optional<PlannedForce> plan = {};
+  };
+  Memory memory() const;
+  /// Before open(), which uses the input.
+  void resume(const Memory& memory);
+
+  /// Commits values that are being edited and returns an error message if one is invalid. Called
+  /// before a start.
+  void commitBy(std::function<QString()> commit) { commit_ = std::move(commit); }
+  void start();
+  /// Releases the array, which keeps its position.
+  void pause();
+  /// Pauses motion. False if nothing moves.
+  bool rest();
+  void withdraw();
+  /// Prepares a new insertion with the array at its start and the same device.
+  void reset();
+  /// The key Space: grasps the array, or starts or pauses.
+  void pressSpace();
+  /// Removes a device's force at once: Esc, the Stop button, a locked screen. True if there was one.
+  bool stopDevice();
+  /// The window lost the keyboard focus.
+  void loseKeyboard();
+
+  /// The setup may be changed now: not during an insertion, nor a replay.
+  bool maySetUp() const;
+  /// Have no effect where the setup may not be changed now.
+  void change(const SetupChange& change);
+  void restore();
+  void undo();
+  void redo();
+
+  void chooseInput(InputSource input);
+  /// Uses a device as input; if it cannot be opened, the script remains, and there is an error.
+  /// @param chosen  A found device, a factory, or the library of a plug-in.
+  template <class Device>
+  void useDevice(const Device& chosen)
+  {
+    control_.choose(chosen);
+    prepare(InputSource::device);
+  }
+
+  /// Opens a recording in place of the insertion; emits replayOpened() or replayFailed().
+  void openReplay(const std::filesystem::path& file);
+  void closeReplay();
+
+  /// An earlier insertion drawn behind the next ones; empty to remove it.
+  void setReference(const std::optional<ReferenceInsertion>& reference);
+  const std::optional<ReferenceInsertion>& reference() const { return reference_; }
+  /// The force expected by a plan, drawn behind insertions of its array into its cochlea.
+  const std::optional<PlannedForce>& plan() const { return plan_; }
+
+  /// Shows an error until the next reset.
+  void showError(const QString& sentence);
+  /// The error in the banner; empty if there is none.
+  QString error() const;
+
+Q_SIGNALS:
+  /// open() has prepared the first insertion.
+  void opened();
+  /// A new insertion with the array at its start, and another recording: control().recording().
+  void prepared();
+  /// The cochlea will be destroyed, and then another one, or another array, is there.
+  void cochleaEnding();
+  void cochleaChanged();
+  /// The setup of the panel is another one.
+  void setupChanged();
+  /// Another scenario or setup applies, or a replay of one.
+  void subjectChanged();
+  /// What the insertion does, or may do, is different.
+  void stateChanged();
+  void referenceChanged();
+  void planChanged();
+  void errorChanged();
+  void replayOpened();
+  void replayClosed();
+  void replayFailed(const QString& sentence);
+  /// A message that needs no answer; empty if there is none.
+  void noted(const QString& sentence);
+
+private:
+  void connectSetup();
+  void prepare(InputSource input);
+  void use(const session::Scenario& scenario, const std::optional<InsertionControl::Parts>& parts);
+  void beginReplay();
+
+  InsertionControl control_;
+  SafetyStop safety_;
+  SetupControl* setup_;
+  ReplayPlayer* replay_;
+  HeldArray held_;
+  std::function<QString()> commit_;
+  std::optional<ReferenceInsertion> reference_;
+  std::optional<PlannedForce> plan_;
+  QString error_;
+  InputSource inputBefore_ = InputSource::scripted;  ///< Before the replay, or in the last window.
+};
+
+}  // namespace perilymph::gui

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// Titles of setups.
+
+#include <QString>
+
+namespace perilymph::gui {
+
+class InsertionControl;
+class SetupHistory;
+
+/// The title of an insertion's setup: "P-017: FLEX28", or what differs from the preset.
+QString setupTitle(const InsertionControl& control, const SetupHistory& setup);
+
+/// The title, or empty if the insertion was not used yet.
+QString currentWork(const InsertionControl& control, const SetupHistory& setup);
+
+}  // namespace perilymph::gui

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/shell/PageLinks.h"
+
+#include "gui/pages/compare/ComparePage.h"
+#include "gui/pages/ct/CtPage.h"
+#include "gui/pages/insert/InsertPage.h"
+#include "gui/pages/plan/PlanPage.h"
+#include "gui/pages/sessions/SessionsPage.h"
+#include "gui/pages/start/StartPage.h"
+#include "gui/parts/Notice.h"
+#include "gui/shell/MainWindow.h"
+#include "gui/shell/Navigation.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+void linkPage(const Page& page, MainWindow& window)
+{
+  QObject::connect(&page, &Page::insertionRequested, &window, &MainWindow::load);
+  QObject::connect(&page, &Page::replayRequested, &window, &MainWindow::replay);
+  QObject::connect(&page, &Page::pageRequested, &window, &MainWindow::openOnPage);
+  QObject::connect(&page, &Page::noted, &window.notice(), &Notice::say);
+}
+
+}  // namespace
+
+void linkPages(MainWindow& window)
+{
+  const PageStack& pages = window.pages();
+  InsertionController& insertion = window.insertion();
+  for (const Page* page : pages.all()) linkPage(*page, window);
+  auto* insert = pages.find<InsertPage>();
+  auto* start = pages.find<StartPage>();
+  auto* ct = pages.find<CtPage>();
+  auto* plan = pages.find<PlanPage>();
+  auto* compare = pages.find<ComparePage>();
+  auto* sessions = pages.find<SessionsPage>();
+  if (ct != nullptr)
+    window.navigation().sendCtOf(
+        [ct](const session::Scenario& shown) { return ct->placedCt(shown); });
+  if (ct != nullptr && plan != nullptr)
+    QObject::connect(ct, &CtPage::planAsked, plan, &PlanPage::planFor);
+  if (insert != nullptr && start != nullptr) {
+    QObject::connect(insert, &InsertPage::allPatientsAsked, start, &StartPage::showPatients);
+    QObject::connect(insert, &InsertPage::newPatientAsked, start, &StartPage::showNewPatient);
+  }
+  if (sessions == nullptr) return;
+  if (compare != nullptr)
+    QObject::connect(sessions, &SessionsPage::compareAsked, compare, &ComparePage::compare);
+  QObject::connect(sessions, &SessionsPage::referenceRead, &insertion,
+                   &InsertionController::setReference);
+  QObject::connect(&insertion, &InsertionController::replayFailed, sessions,
+                   &SessionsPage::showError);
+}
+
+}  // namespace perilymph::gui

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+// A page that the program does not know: one class and one line in the list, and the window shows its
+// button, its key, its dropped files, its work and what it would lose.
+
+#include <gtest/gtest.h>
+
+#include <QAbstractButton>
+#include <QLabel>
+#include <utility>
+
+#include "DroppedUrl.h"
+#include "OwnFolders.h"
+#include "WindowRig.h"
+#include "gui/pages/Page.h"
+#include "gui/parts/Notice.h"
+#include "gui/shell/KeyList.h"
+
+namespace perilymph::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Counts, and opens files that end in .notes.
+class NotesPage : public gui::Page {
+public:
+  explicit NotesPage(QWidget* parent) : Page("notes", "Surgeon's notes", parent) {}
+
+  bool isBusy() const override { return isWorking; }
+  bool cancel() override { return std::exchange(isWorking, false); }
+  Acceptance accepts(const fs::path& file) const override
+  {
+    return file.extension() == ".notes" ? Acceptance::always
+           : file.extension() == ".txt" ? Acceptance::whileShown
+                                        : Acceptance::none;
+  }
+  void open(const fs::path& file) override
+  {
+    opened = file;
+    Q_EMIT pageRequested(id());
+  }
+  void onShown() override { ++shown; }
+  void onChosenAgain() override { ++chosenAgain; }
+  void onHidden() override { ++hidden; }
+  std::optional<Unfinished> unfinished() const override
+  {
+    if (!isUnsaved) return std::nullopt;
+    return Unfinished{"A note is not saved.", "Keep writing"};
+  }
+  void endUnfinished() override { isUnsaved = false; }
+
+  bool isWorking = false, isUnsaved = false;
+  int shown = 0, chosenAgain = 0, hidden = 0;
+  fs::path opened;
+};
+
+/// A window with the page behind all others.
+class APageOfTheTestsOwn : public testing::Test {
+protected:
+  APageOfTheTestsOwn() : rig_({}, std::nullopt, WindowRig::sharedCochleae(), withNotes()) {}
+
+  gui::PageList withNotes()
+  {
+    gui::PageList list = gui::standardPages();
+    list.push_back([this](const auto&, QWidget* parent) { return notes_ = new NotesPage(parent); });
+    return list;
+  }
+  gui::MainWindow& window() { return rig_.window(); }
+
+  DataFolder data_;
+  NotesPage* notes_ = nullptr;
+  WindowRig rig_;
+};
+
+TEST_F(APageOfTheTestsOwn, HasAButtonThatShowsAndMarksIt)
+{
+  auto& button = rig_.button("notesPageButton");
+  EXPECT_EQ(button.text(), "Surgeon's notes");
+  EXPECT_FALSE(button.isChecked());
+  button.click();
+  EXPECT_EQ(window().page(), "notes");
+  EXPECT_TRUE(notes_->isVisible());
+  EXPECT_TRUE(button.isChecked());
+  EXPECT_EQ(notes_->shown, 1);
+  button.click();
+  EXPECT_EQ(notes_->shown, 1);
+  EXPECT_EQ(notes_->chosenAgain, 1);
+  rig_.click("insertPageButton");
+  EXPECT_FALSE(button.isChecked());
+  EXPECT_EQ(notes_->hidden, 1);
+}
+
+TEST_F(APageOfTheTestsOwn, HasTheNextKeyWhichTheListOfKeysNames)
+{
+  const auto place = window().pages().all().size() - 1;
+  rig_.pressKey(Qt::Key(Qt::Key_0 + int(place)), Qt::AltModifier);
+  EXPECT_EQ(window().page(), "notes");
+  QStringList texts;
+  rig_.pressKey(Qt::Key_F1);
+  for (const QLabel* label : window().findChild<gui::KeyList*>()->findChildren<QLabel*>())
+    texts << label->text();
+  EXPECT_TRUE(texts.join('\n').contains("Studies, Surgeon's notes"))
+      << texts.join('\n').toStdString();
+}
+
+TEST_F(APageOfTheTestsOwn, OpensFilesDroppedOnAnyPageOrOnlyOnItself)
+{
+  EXPECT_FALSE(drop(window(), "/tmp/letter.txt"));
+  EXPECT_TRUE(drop(window(), "/tmp/today.notes"));
+  EXPECT_EQ(notes_->opened, "/tmp/today.notes");
+  EXPECT_EQ(window().page(), "notes");
+  EXPECT_TRUE(drop(window(), "/tmp/letter.txt"));
+  EXPECT_EQ(notes_->opened, "/tmp/letter.txt");
+  EXPECT_FALSE(drop(window(), "/tmp/letter.odt"));
+}
+
+TEST_F(APageOfTheTestsOwn, EndsItsWorkAtEscapeOnlyWhileItIsShown)
+{
+  notes_->isWorking = true;
+  rig_.pressKey(Qt::Key_Escape);
+  EXPECT_TRUE(notes_->isBusy());
+  window().showPage("notes");
+  rig_.pressKey(Qt::Key_Escape);
+  EXPECT_FALSE(notes_->isBusy());
+}
+
+TEST_F(APageOfTheTestsOwn, IsAskedAboutBeforeTheWindowClosesAndKeepsItOpen)
+{
+  notes_->isUnsaved = true;
+  window().close();
+  EXPECT_TRUE(window().isVisible());
+  EXPECT_EQ(window().notice().sentence(), "A note is not saved.");
+  rig_.click("noticeDismissButton");
+  EXPECT_TRUE(notes_->isUnsaved);
+  window().close();
+  rig_.click("noticeButton");
+  EXPECT_FALSE(notes_->isUnsaved);
+  EXPECT_FALSE(window().isVisible());
+}
+
+TEST_F(APageOfTheTestsOwn, ThatWouldLoseWorkIsAskedAboutAfterAnInsertion)
+{
+  rig_.click("startButton");
+  ASSERT_TRUE(WindowRig::comes([&] { return rig_.travel_mm() > 0.1; }));
+  notes_->isUnsaved = true;
+  window().close();
+  EXPECT_TRUE(window().notice().sentence().startsWith("An insertion is in progress at "));
+  rig_.click("noticeButton");
+  EXPECT_TRUE(window().isVisible());
+  EXPECT_EQ(window().notice().sentence(), "A note is not saved.");
+  rig_.click("noticeButton");
+  EXPECT_FALSE(window().isVisible());
+}
+
+TEST_F(APageOfTheTestsOwn, ReplaysAndShowsAMessageAndAnotherPage)
+{
+  Q_EMIT notes_->noted("Saved.");
+  EXPECT_EQ(window().notice().sentence(), "Saved.");
+  Q_EMIT notes_->pageRequested("validate");
+  EXPECT_EQ(window().page(), "validate");
+  auto scenario = session::loadScenario("mean-contour");
+  ASSERT_TRUE(scenario);
+  Q_EMIT notes_->insertionRequested({{*scenario, {}}});
+  EXPECT_EQ(window().page(), "insert");
+  EXPECT_TRUE(WindowRig::comes(
+      [&] { return window().control().scenario().anatomy() == anatomy::AnatomySource::mean; }));
+}
+
+TEST(PageList, OfTheWindowHasPagesWithDifferentNames)
+{
+  WindowRig rig;
+  QStringList ids, names;
+  for (const gui::Page* page : rig.window().pages().all()) ids << page->id(), names << page->name();
+  EXPECT_EQ(ids.removeDuplicates(), 0);
+  EXPECT_EQ(names.removeDuplicates(), 0);
+  EXPECT_THROW(rig.window().showPage("nowhere"), std::out_of_range);
+}
+
+}  // namespace
+}  // namespace perilymph::test

@@ -19,7 +19,7 @@ Json described(const ct::Measure& measure)
 
 Json described(const Eigen::Vector3d& vector) { return {vector.x(), vector.y(), vector.z()}; }
 
-Json described(const ct::CochleaMeasures& measures, const std::vector<std::string>& warnings,
+Json described(const ct::CochleaMeasures& measures, const std::vector<Sentence>& warnings,
                double seconds)
 {
   Json json;
@@ -59,14 +59,14 @@ Json described(const ct::CochleaMeasures& measures, const std::vector<std::strin
 
 }  // namespace
 
-std::string measuresJson(const ct::CochleaMeasures& measures,
-                         const std::vector<std::string>& warnings, double seconds)
+std::string measuresJson(const ct::CochleaMeasures& measures, const std::vector<Sentence>& warnings,
+                         double seconds)
 {
   return jsonText(described(measures, warnings, seconds));
 }
 
 std::string measuresJson(const std::array<ct::CochleaMeasures, 2>& ears,
-                         const std::vector<std::string>& warnings, double seconds)
+                         const std::vector<Sentence>& warnings, double seconds)
 {
   Json json;
   json["ears"] = Json::array();

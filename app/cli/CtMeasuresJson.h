@@ -12,11 +12,11 @@ namespace perilymph::cli {
 /// What `ct measure --json` writes.
 ///
 /// @param warnings  Sentences about the series.
-std::string measuresJson(const ct::CochleaMeasures& measures,
-                         const std::vector<std::string>& warnings, double seconds);
+std::string measuresJson(const ct::CochleaMeasures& measures, const std::vector<Sentence>& warnings,
+                         double seconds);
 
 /// What it writes with `--side both`: "ears", the right one first, each as with one ear.
 std::string measuresJson(const std::array<ct::CochleaMeasures, 2>& ears,
-                         const std::vector<std::string>& warnings, double seconds);
+                         const std::vector<Sentence>& warnings, double seconds);
 
 }  // namespace perilymph::cli

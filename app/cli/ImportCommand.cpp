@@ -44,7 +44,8 @@ std::vector<std::string> warningsOf(const anatomy::ImportedScala& scala)
 {
   anatomy::Patient measured;
   measured.basalTurn = anatomy::BasalTurn{scala.a, scala.b, scala.h};
-  std::vector<std::string> warnings = anatomy::unusualMeasures(measured);
+  const std::vector<Sentence> unusual = anatomy::unusualMeasures(measured);
+  std::vector<std::string> warnings(unusual.begin(), unusual.end());
   for (const anatomy::ImportDoubt& doubt : scala.doubts) warnings.push_back(doubt.sentence);
   return warnings;
 }

@@ -52,9 +52,9 @@ Result<Outcome> run(session::Insertion& insertion, CsvRows* rows, LiveBroadcast*
     return !isInterrupted();
   });
   if (isInterrupted())
-    return Error{insertion.recording()
-                     ? "Interrupted; only the recording was kept, as far as it came."
-                     : "Interrupted; nothing was written."};
+    return insertion.recording()
+               ? Error{"Interrupted; only the recording was kept, as far as it came."}
+               : Error{"Interrupted; nothing was written."};
   return outcome;
 }
 

@@ -132,8 +132,13 @@ void definePatient(py::module_& module)
           "seal", [](const Patient& one) { return nameOf(one.seal); },
           "'intact', 'absent' (a file without a seal) or 'changed' (by hand, after the program "
           "wrote it).")
-      .def("unusual", &anatomy::unusualMeasures,
-           "A sentence for each measure that is rare in the population, or does not match another.")
+      .def(
+          "unusual",
+          [](const Patient& one) {
+            const auto unusual = anatomy::unusualMeasures(one);
+            return std::vector<std::string>(unusual.begin(), unusual.end());
+          },
+          "A sentence for each measure that is rare in the population, or does not match another.")
       .def(
           "text", [](const Patient& one) { return textOf(anatomy::patientText(one)); },
           "The patient's file (TOML), as the programs read it.")

@@ -289,7 +289,12 @@ void definePlan(py::module_& module)
           "'intact', 'absent' (of a version without seals) or 'changed' (by hand, after the "
           "program "
           "wrote it).")
-      .def_readonly("limits", &StoredPlan::limits, "What it leaves open, a sentence each.")
+      .def_property_readonly(
+          "limits",
+          [](const StoredPlan& one) {
+            return std::vector<std::string>(one.limits.begin(), one.limits.end());
+          },
+          "What it leaves open, a sentence each.")
       .def_property_readonly(
           "sources",
           [](const StoredPlan& one) {

@@ -80,18 +80,6 @@
         <translation>Silikon, geschmiert (veröffentlicht)</translation>
     </message>
     <message>
-        <source>Soap %1 %: speed-independent</source>
-        <translation>Seife %1 %: geschwindigkeitsunabhängig</translation>
-    </message>
-    <message>
-        <source>Soap %1 %: decreases with speed</source>
-        <translation>Seife %1 %: sinkt mit der Geschwindigkeit</translation>
-    </message>
-    <message>
-        <source>Soap %1 %: increases with speed</source>
-        <translation>Seife %1 %: steigt mit der Geschwindigkeit</translation>
-    </message>
-    <message>
         <source>Tissue-like (endosteum simulant)</source>
         <translation>Gewebeähnlich (Endost-Simulans)</translation>
     </message>
@@ -112,68 +100,12 @@
         <translation>Gleichmäßigkeit</translation>
     </message>
     <message>
-        <source>%1 % of the insertion at %2–%3 mm/s</source>
-        <translation>%1 % der Insertion bei %2–%3 mm/s</translation>
-    </message>
-    <message>
         <source>%1 before maximum insertion depth</source>
         <translation>%1 bis zur maximalen Insertionstiefe</translation>
     </message>
     <message>
-        <source>%1 % of the time at rest (below %2 mm/s)</source>
-        <translation>%1 % der Zeit in Ruhe (unter %2 mm/s)</translation>
-    </message>
-    <message>
-        <source>full score if the whole insertion is within %1–%2 mm/s, none at %3 %</source>
-        <translation>volle Punktzahl, wenn die ganze Insertion bei %1–%2 mm/s liegt, keine bei %3 %</translation>
-    </message>
-    <message>
-        <source>full score at %1, none from %2</source>
-        <translation>volle Punktzahl bei %1, keine ab %2</translation>
-    </message>
-    <message>
-        <source>full score at %1 %, none from %2 %</source>
-        <translation>volle Punktzahl bei %1 %, keine ab %2 %</translation>
-    </message>
-    <message>
         <source>full score up to %1 mN, none from %2 mN</source>
         <translation>volle Punktzahl bis %1 mN, keine ab %2 mN</translation>
-    </message>
-    <message>
-        <source>robotic insertion %1–%2 mm/s (iotaSOFT); manual insertion in cadaver heads %3 ± %4 mm/s; phantom study %5–%6 mm/s (Froehlich et al. %7)</source>
-        <translation>robotische Insertion %1–%2 mm/s (iotaSOFT); manuelle Insertion an Leichenköpfen %3 ± %4 mm/s; Phantomstudie %5–%6 mm/s (Froehlich et al. %7)</translation>
-    </message>
-    <message>
-        <source>Kesler et al. %1: %2 reversals in manual insertions at a target of %3 mm/min</source>
-        <translation>Kesler et al. %1: %2 Richtungswechsel bei manuellen Insertionen mit Zielgeschwindigkeit %3 mm/min</translation>
-    </message>
-    <message>
-        <source>Kesler et al. %1: manual insertions at a target of %2 mm/min paused %3 % of the time</source>
-        <translation>Kesler et al. %1: manuelle Insertionen mit Zielgeschwindigkeit %2 mm/min pausierten %3 % der Zeit</translation>
-    </message>
-    <message>
-        <source>Rau et al. %1: peaks %2 to %3 mN</source>
-        <translation>Rau et al. %1: Spitzen %2 bis %3 mN</translation>
-    </message>
-    <message>
-        <source>force at %1 mm, peak</source>
-        <translation>Kraft bei %1 mm, Maximum der Basalwindung</translation>
-    </message>
-    <message>
-        <source>force at %1 mm, dip</source>
-        <translation>Kraft bei %1 mm, Minimum danach</translation>
-    </message>
-    <message>
-        <source>force at %1 mm, maximum</source>
-        <translation>Kraft bei %1 mm, Maximum</translation>
-    </message>
-    <message>
-        <source>force at %1 mm, end</source>
-        <translation>Kraft bei %1 mm, Ende</translation>
-    </message>
-    <message>
-        <source>largest of these differences</source>
-        <translation>größte dieser Differenzen</translation>
     </message>
     <message>
         <source>largest difference below perception</source>
@@ -200,32 +132,8 @@
         <translation>Rohkraft am ersten Ring</translation>
     </message>
     <message>
-        <source>at most %1 N</source>
-        <translation>höchstens %1 N</translation>
-    </message>
-    <message>
-        <source>at most %1 mN</source>
-        <translation>höchstens %1 mN</translation>
-    </message>
-    <message>
-        <source>between %1 and %2 mm</source>
-        <translation>zwischen %1 und %2 mm</translation>
-    </message>
-    <message>
-        <source>%1 to %2 N</source>
-        <translation>%1 bis %2 N</translation>
-    </message>
-    <message>
-        <source>%1 to %2 mN</source>
-        <translation>%1 bis %2 mN</translation>
-    </message>
-    <message>
         <source>none</source>
         <translation>keine</translation>
-    </message>
-    <message>
-        <source>%1 N</source>
-        <translation>%1 N</translation>
     </message>
     <message>
         <source>%1 mN</source>
@@ -236,32 +144,12 @@
         <translation>%1 mm</translation>
     </message>
     <message>
-        <source>%1 ± %2 N</source>
-        <translation>%1 ± %2 N</translation>
-    </message>
-    <message>
-        <source>%1 ± %2 mN</source>
-        <translation>%1 ± %2 mN</translation>
-    </message>
-    <message>
-        <source>%1 mm ± %2 mm</source>
-        <translation>%1 mm ± %2 mm</translation>
-    </message>
-    <message>
         <source>travel, mm</source>
         <translation>Vorschub, mm</translation>
     </message>
     <message>
-        <source>insertion force, N</source>
-        <translation>Insertionskraft, N</translation>
-    </message>
-    <message>
         <source>insertion force, mN</source>
         <translation>Insertionskraft, mN</translation>
-    </message>
-    <message>
-        <source>difference of mean insertion force, N</source>
-        <translation>Differenz der mittleren Insertionskraft, N</translation>
     </message>
     <message>
         <source>difference of mean insertion force, mN</source>
@@ -280,14 +168,6 @@
         <translation>veröffentlichter Simulator, Mittelwert ± SD</translation>
     </message>
     <message>
-        <source>published measurements, mean ± SD</source>
-        <translation>veröffentlichte Messungen, Mittelwert ± SD</translation>
-    </message>
-    <message>
-        <source>Todd and Naghdy: Nucleus %1 Contour, synthetic scala tympani, soap, %2 mm/s.</source>
-        <translation>Todd und Naghdy: Nucleus %1 Contour, synthetische Scala tympani, Seife, %2 mm/s.</translation>
-    </message>
-    <message>
         <source>Values between points were not reported.</source>
         <translation>Werte zwischen den Punkten wurden nicht berichtet.</translation>
     </message>
@@ -298,10 +178,6 @@
     <message>
         <source>± SD between insertions</source>
         <translation>± SD zwischen Insertionen</translation>
-    </message>
-    <message>
-        <source>%1 % confidence interval of the mean</source>
-        <translation>%1-%-Konfidenzintervall des Mittelwerts</translation>
     </message>
     <message>
         <source>mean of %1 simulated insertions</source>
@@ -316,24 +192,8 @@
         <translation>Wahrnehmungsschwelle ± %1 mN</translation>
     </message>
     <message>
-        <source>Seed %1; least-squares spline through each insertion, resampled every %2 mm.</source>
-        <translation>Startwert %1; Ausgleichsspline durch jede Insertion, neu abgetastet alle %2 mm.</translation>
-    </message>
-    <message>
         <source>Simulator minus experiment</source>
         <translation>Simulator minus Versuch</translation>
-    </message>
-    <message>
-        <source>this simulator, %1 % confidence interval</source>
-        <translation>dieser Simulator, %1-%-Konfidenzintervall</translation>
-    </message>
-    <message>
-        <source>published simulator, %1 % confidence interval where reported (sign corrected)</source>
-        <translation>veröffentlichter Simulator, %1-%-Konfidenzintervall, wo berichtet (Vorzeichen berichtigt)</translation>
-    </message>
-    <message>
-        <source>Shown only where the experiment was reported; its means are from about %1 insertions.</source>
-        <translation>Nur gezeigt, wo der Versuch berichtet ist; seine Mittelwerte stammen aus etwa %1 Insertionen.</translation>
     </message>
     <message>
         <source>Recorded insertions: insertion force over travel</source>
@@ -344,220 +204,12 @@
         <translation>Alle %1 Insertionen erreichten das Ende.</translation>
     </message>
     <message>
-        <source>%1 of %2 insertions reached the end; %3 bowed in front of the opening and slipped out of it (number %4).</source>
-        <translation>%1 von %2 Insertionen erreichten das Ende; %3 bogen sich vor der Öffnung durch und glitten heraus (Nummer %4).</translation>
-    </message>
-    <message>
-        <source>%1 of %2 insertions reached the end; %3 bowed in front of the opening and slipped out of it (numbers %4 and %5).</source>
-        <translation>%1 von %2 Insertionen erreichten das Ende; %3 bogen sich vor der Öffnung durch und glitten heraus (Nummern %4 und %5).</translation>
-    </message>
-    <message>
-        <source>%1 of %2 insertions reached the end; %3 bowed in front of the opening and slipped out of it (numbers %4, %5 and %6).</source>
-        <translation>%1 von %2 Insertionen erreichten das Ende; %3 bogen sich vor der Öffnung durch und glitten heraus (Nummern %4, %5 und %6).</translation>
-    </message>
-    <message>
-        <source>%1 of %2 insertions reached the end; %3 buckled in front of the opening (number %4).</source>
-        <translation>%1 von %2 Insertionen erreichten das Ende; %3 knickten vor der Öffnung ein (Nummer %4).</translation>
-    </message>
-    <message>
-        <source>%1 of %2 insertions reached the end; %3 buckled in front of the opening (numbers %4 and %5).</source>
-        <translation>%1 von %2 Insertionen erreichten das Ende; %3 knickten vor der Öffnung ein (Nummern %4 und %5).</translation>
-    </message>
-    <message>
-        <source>%1 of %2 insertions reached the end; %3 buckled in front of the opening (numbers %4, %5 and %6).</source>
-        <translation>%1 von %2 Insertionen erreichten das Ende; %3 knickten vor der Öffnung ein (Nummern %4, %5 und %6).</translation>
-    </message>
-    <message>
-        <source>%1 of %2 insertions reached the end; %3 stopped with a fault (number %4).</source>
-        <translation>%1 von %2 Insertionen erreichten das Ende; %3 endeten mit einem Fehler (Nummer %4).</translation>
-    </message>
-    <message>
-        <source>%1 of %2 insertions reached the end; %3 stopped with a fault (numbers %4 and %5).</source>
-        <translation>%1 von %2 Insertionen erreichten das Ende; %3 endeten mit einem Fehler (Nummern %4 und %5).</translation>
-    </message>
-    <message>
-        <source>%1 of %2 insertions reached the end; %3 stopped with a fault (numbers %4, %5 and %6).</source>
-        <translation>%1 von %2 Insertionen erreichten das Ende; %3 endeten mit einem Fehler (Nummern %4, %5 und %6).</translation>
-    </message>
-    <message>
-        <source>Choice: the tweezers hold %1 mm behind the greatest depth.</source>
-        <translation>Wahl: Die Pinzette greift %1 mm hinter der größten Tiefe.</translation>
-    </message>
-    <message>
-        <source>%1 mm: general literature; contacts %2 to %3 mm deep as listed in public research code.</source>
-        <translation>%1 mm: allgemeine Literatur; Kontakte in %2 bis %3 mm Tiefe laut öffentlichem Forschungscode.</translation>
-    </message>
-    <message>
-        <source>Tip %1 mm, base %2 mm: general literature, not measured. Between them a straight line, a choice.</source>
-        <translation>Spitze %1 mm, Basis %2 mm: allgemeine Literatur, nicht gemessen. Dazwischen eine Gerade (Wahl).</translation>
-    </message>
-    <message>
-        <source>Estimate by the model of plugins/README.md: silicone of %1 MPa and N(s) platinum-iridium wires of %2 um, one for each contact nearer to the tip, EI = E_s I + E_w I_w (N + c N^%3) with c = %4. Order of the published moduli of a straight array (Kha et al. %5).</source>
-        <translation>Schätzung nach dem Modell in plugins/README.md: Silikon mit %1 MPa und N(s) Platin-Iridium-Drähte von %2 µm, einer je Kontakt näher an der Spitze, EI = E_s I + E_w I_w (N + c N^%3) mit c = %4. Größenordnung der veröffentlichten Moduln eines geraden Trägers (Kha et al. %5).</translation>
-    </message>
-    <message>
-        <source>Estimate: a curl that holds the array in the middle of the scala, wider than that of a perimodiolar array: radius %1 mm behind, %2 mm near the tip; the tip and what lies behind the active part are straight: choices.</source>
-        <translation>Schätzung: eine Krümmung, die den Träger in der Mitte der Skala hält, weiter als bei einem perimodiolaren Träger: Radius %1 mm hinten, %2 mm nahe der Spitze; Spitze und Bereich hinter dem aktiven Teil gerade (Wahl).</translation>
-    </message>
-    <message>
-        <source>%1 contacts over %2 mm (%3 to %4 mm of depth), pitch about %5 mm, as listed in public research code. The first contact&apos;s place and the contact&apos;s length are choices.</source>
-        <translation>%1 Kontakte auf %2 mm (%3 bis %4 mm Tiefe), Abstand etwa %5 mm, laut öffentlichem Forschungscode. Lage des ersten Kontakts und Kontaktlänge sind Wahl.</translation>
-    </message>
-    <message>
-        <source>EI = E pi d^%1 / %2 of a platinum wire, E = %3 GPa, d = %4 mm, as estimated for the Contour. Where it ends and the hold depth, about the straight stretch from the round window to the outer wall of the basal turn, are choices.</source>
-        <translation>EI = E pi d^%1 / %2 eines Platindrahts, E = %3 GPa, d = %4 mm, wie für den Contour geschätzt. Sein Ende und die Haltetiefe, etwa die gerade Strecke vom runden Fenster zur Außenwand der basalen Windung, sind Wahl.</translation>
-    </message>
-    <message>
-        <source>%1 mm: general literature, not measured.</source>
-        <translation>%1 mm: allgemeine Literatur, nicht gemessen.</translation>
-    </message>
-    <message>
-        <source>%1 contacts, pitch %2 mm, %3 mm over all: general literature; public research code has %4 mm from the first to the last (%5 to %6 mm of depth). The first contact&apos;s place and the contact&apos;s length are choices.</source>
-        <translation>%1 Kontakte, Abstand %2 mm, insgesamt %3 mm: allgemeine Literatur; öffentlicher Forschungscode hat %4 mm vom ersten bis zum letzten (%5 bis %6 mm Tiefe). Lage des ersten Kontakts und Kontaktlänge sind Wahl.</translation>
-    </message>
-    <message>
-        <source>Array of %1 to %2 mm, as listed in public research code; its most apical contact lies %3 mm deep there, %4 mm behind the tip.</source>
-        <translation>Träger von %1 bis %2 mm laut öffentlichem Forschungscode; der apikalste Kontakt liegt dort %3 mm tief, %4 mm hinter der Spitze.</translation>
-    </message>
-    <message>
-        <source>Tip %1 mm and base %2 mm as the Contour: general literature, not measured. Between them the Contour&apos;s quarter sine, a choice.</source>
-        <translation>Spitze %1 mm und Basis %2 mm wie beim Contour: allgemeine Literatur, nicht gemessen. Dazwischen die Viertelsinuskurve des Contour (Wahl).</translation>
-    </message>
-    <message>
         <source>The soft, conical tip (Softip) is general literature; its radius and the length of the cone are choices.</source>
         <translation>Die weiche, konische Spitze (Softip) ist allgemeine Literatur; ihr Radius und die Länge des Konus sind Wahl.</translation>
     </message>
     <message>
         <source>Estimate: taken to be the carrier of the Contour; the table of contour.toml before any calibration.</source>
         <translation>Schätzung: als Träger des Contour angenommen; Tabelle aus contour.toml vor jeder Kalibrierung.</translation>
-    </message>
-    <message>
-        <source>Estimate: %1 times the curvature of implanted arrays, from the mean angles between neighboring contacts (Landsberger et al. %2, as tabulated in public research code) and the pitch below: a carrier that hugs the modiolus curls at least as tightly when free. The tip and what lies behind the active part are straight: choices.</source>
-        <translation>Schätzung: das %1-Fache der Krümmung implantierter Träger aus den mittleren Winkeln zwischen benachbarten Kontakten (Landsberger et al. %2, Tabelle in öffentlichem Forschungscode) und dem Abstand unten: Ein Träger, der am Modiolus anliegt, krümmt sich frei mindestens so eng. Spitze und Bereich hinter dem aktiven Teil gerade (Wahl).</translation>
-    </message>
-    <message>
-        <source>%1 contacts over %2 mm (%3 to %4 mm of depth), as listed in public research code. The law of the pitch is the Contour&apos;s, a choice.</source>
-        <translation>%1 Kontakte auf %2 mm (%3 bis %4 mm Tiefe) laut öffentlichem Forschungscode. Der Verlauf der Abstände ist der des Contour (Wahl).</translation>
-    </message>
-    <message>
-        <source>Three marker ribs at the end of the array: general literature; that the last is at the opening at full depth, their distance of %1 mm, height and length are choices.</source>
-        <translation>Drei Markierungsrippen am Ende des Trägers: allgemeine Literatur; dass die letzte bei voller Tiefe an der Öffnung liegt, ihr Abstand von %1 mm, Höhe und Länge sind Wahl.</translation>
-    </message>
-    <message>
-        <source>EI = E pi d^%1 / %2 of a platinum wire, E = %3 GPa, d = %4 mm, as estimated for the Contour. It ends %5 mm behind the tip, before the soft tip: a choice. Hold depth: a choice of the length of the straight stretch from the round window to the outer wall of the basal turn.</source>
-        <translation>EI = E pi d^%1 / %2 eines Platindrahts, E = %3 GPa, d = %4 mm, wie für den Contour geschätzt. Er endet %5 mm hinter der Spitze, vor der weichen Spitze (Wahl). Haltetiefe: gewählt als Länge der geraden Strecke vom runden Fenster zur Außenwand der basalen Windung.</translation>
-    </message>
-    <message>
-        <source>Choice: the tweezers hold %1 mm behind the second rib.</source>
-        <translation>Wahl: Die Pinzette greift %1 mm hinter der zweiten Rippe.</translation>
-    </message>
-    <message>
-        <source>Todd and Naghdy, Real-time haptic modeling and simulation for prosthetic insertion: greatest depth %1 mm.</source>
-        <translation>Todd und Naghdy, Real-time haptic modeling and simulation for prosthetic insertion: größte Tiefe %1 mm.</translation>
-    </message>
-    <message>
-        <source>Tip: Todd and Naghdy, radius %1 mm as measured. Base %2 mm: general literature, not measured. Between them a quarter sine, a choice.</source>
-        <translation>Spitze: Todd und Naghdy, Radius %1 mm, gemessen. Basis %2 mm: allgemeine Literatur, nicht gemessen. Dazwischen eine Viertelsinuskurve (Wahl).</translation>
-    </message>
-    <message>
-        <source>Estimate: %1e-%2 to %3e-%4, growing tenfold from tip to base by exp(%5 s / %6 mm), chosen for the order of the published insertion forces. Physical bounds %7e-%8 to %9e-%10 N m2, from moduli of the order reported for a straight array (Kha et al. %11) and a diameter of %12 to %13 mm.</source>
-        <translation>Schätzung: %1e-%2 bis %3e-%4, von der Spitze zur Basis auf das Zehnfache wachsend nach exp(%5 s / %6 mm), gewählt nach der Größenordnung der veröffentlichten Insertionskräfte. Physikalische Grenzen %7e-%8 bis %9e-%10 N m2 aus Moduln der für einen geraden Träger berichteten Größenordnung (Kha et al. %11) und einem Durchmesser von %12 bis %13 mm.</translation>
-    </message>
-    <message>
-        <source>Estimate: a perimodiolar curl of radius %1 mm that closes to %2 mm near the tip; the tip itself and what lies behind the active part are straight.</source>
-        <translation>Schätzung: eine perimodiolare Krümmung mit Radius %1 mm, die sich nahe der Spitze auf %2 mm schließt; die Spitze selbst und der Bereich hinter dem aktiven Teil sind gerade.</translation>
-    </message>
-    <message>
-        <source>%1 half-band contacts over an active length of %2 mm, pitch %3 to %4 mm growing from the tip: general literature, not measured. The first contact&apos;s place, the law of the pitch and the contact&apos;s length are choices.</source>
-        <translation>%1 Halbbandkontakte auf einer aktiven Länge von %2 mm, Abstand von der Spitze an von %3 auf %4 mm wachsend: allgemeine Literatur, nicht gemessen. Lage des ersten Kontakts, Verlauf der Abstände und Kontaktlänge sind Wahl.</translation>
-    </message>
-    <message>
-        <source>Centers %1 mm behind where a rib first touches the opening. Second rib: full insertion, %2 mm (Todd and Naghdy). First rib: the published curves end before it, %3 mm of travel after a start up to %4 mm inside, so it touches at %5 mm or later; low confidence. Height above the carrier and length along it: choices, low confidence; the height such that the rise at the first rib is of the order of the raw record&apos;s, %6 to %7 N.</source>
-        <translation>Mitten %1 mm hinter der Stelle, an der eine Rippe die Öffnung zuerst berührt. Zweite Rippe: volle Insertion, %2 mm (Todd und Naghdy). Erste Rippe: Die veröffentlichten Kurven enden davor, nach %3 mm Vorschub ab einem Start bis %4 mm innen, sie berührt also bei %5 mm oder später; geringe Sicherheit. Höhe über dem Träger und Länge: Wahl, geringe Sicherheit; die Höhe so, dass der Anstieg an der ersten Rippe in der Größenordnung der Rohaufzeichnung liegt, %6 bis %7 N.</translation>
-    </message>
-    <message>
-        <source>EI = E pi d^%1 / %2 of a platinum wire, E = %3 GPa, d = %4 mm (estimate; %5 to %6 mm gives %7e-%8 to %9e-%10). That the carrier is straight where it is, is a choice; the published experiment saw a slight curvature. That it ends %11 mm behind the tip is a choice made with a look at the experiment: with %12 mm the peak at the basal turn comes %13 mm earlier and stands higher; the forces behind it hardly depend on it. Hold depth: a choice, about the straight stretch from the round window to the outer wall of the basal turn; the published experiment used the standard technique.</source>
-        <translation>EI = E pi d^%1 / %2 eines Platindrahts, E = %3 GPa, d = %4 mm (Schätzung; %5 bis %6 mm ergeben %7e-%8 bis %9e-%10). Dass der Träger dort gerade ist, ist Wahl; im veröffentlichten Experiment war er leicht gekrümmt. Dass er %11 mm hinter der Spitze endet, wurde mit Blick auf das Experiment gewählt: Mit %12 mm kommt das Maximum an der basalen Windung %13 mm früher und ist höher; die Kräfte danach hängen kaum davon ab. Haltetiefe: Wahl, etwa die gerade Strecke vom runden Fenster zur Außenwand der basalen Windung; das veröffentlichte Experiment verwendete die Standardtechnik.</translation>
-    </message>
-    <message>
-        <source>%1 mm, as listed in public research code.</source>
-        <translation>%1 mm laut öffentlichem Forschungscode.</translation>
-    </message>
-    <message>
-        <source>Tip %1 by %2 mm, base %3 by %4 mm: general literature, not measured. That the smaller one lies within the plane of curl, and the straight line between, are choices.</source>
-        <translation>Spitze %1 × %2 mm, Basis %3 × %4 mm: allgemeine Literatur, nicht gemessen. Dass das kleinere Maß in der Krümmungsebene liegt und die Gerade dazwischen sind Wahl.</translation>
-    </message>
-    <message>
-        <source>%1 contacts over %2 mm, as listed in public research code. The first contact&apos;s place and the contact&apos;s length are choices.</source>
-        <translation>%1 Kontakte auf %2 mm laut öffentlichem Forschungscode. Lage des ersten Kontakts und Kontaktlänge sind Wahl.</translation>
-    </message>
-    <message>
-        <source>Tip %1 mm, base %2 mm: general literature, not measured. Between them a straight line over the contacts, a choice.</source>
-        <translation>Spitze %1 mm, Basis %2 mm: allgemeine Literatur, nicht gemessen. Dazwischen eine Gerade über die Kontakte (Wahl).</translation>
-    </message>
-    <message>
-        <source>%1 full bands, %2 mm wide, pitch %3 mm, as listed in public research code. The first contact&apos;s place is a choice.</source>
-        <translation>%1 Vollbänder, %2 mm breit, Abstand %3 mm, laut öffentlichem Forschungscode. Die Lage des ersten Kontakts ist Wahl.</translation>
-    </message>
-    <message>
-        <source>%1 to %2 mm: general literature; its most apical contact lies %3 mm deep as listed in public research code, %4 mm behind the tip.</source>
-        <translation>%1 bis %2 mm: allgemeine Literatur; der apikalste Kontakt liegt laut öffentlichem Forschungscode %3 mm tief, %4 mm hinter der Spitze.</translation>
-    </message>
-    <message>
-        <source>Tip %1 by %2 mm, base %3 by %4 mm: general literature, not measured. That the smaller one lies within the plane of curl, and the straight line between tip and base, are choices.</source>
-        <translation>Spitze %1 × %2 mm, Basis %3 × %4 mm: allgemeine Literatur, nicht gemessen. Dass das kleinere Maß in der Krümmungsebene liegt und die Gerade zwischen Spitze und Basis sind Wahl.</translation>
-    </message>
-    <message>
-        <source>Estimate: a perimodiolar curl of radius %1 mm behind that closes to %2 mm near the tip, at least as tight as implanted perimodiolar arrays (angles of contacts in Landsberger et al. %3); the tip and what lies behind the active part are straight: choices.</source>
-        <translation>Schätzung: eine perimodiolare Krümmung mit Radius %1 mm hinten, die sich nahe der Spitze auf %2 mm schließt, mindestens so eng wie implantierte perimodiolare Träger (Kontaktwinkel in Landsberger et al. %3); Spitze und Bereich hinter dem aktiven Teil gerade (Wahl).</translation>
-    </message>
-    <message>
-        <source>%1 contacts over %2 mm (%3 to %4 mm of depth), pitch about %5 mm, as listed in public research code. The contact&apos;s length is a choice.</source>
-        <translation>%1 Kontakte auf %2 mm (%3 bis %4 mm Tiefe), Abstand etwa %5 mm, laut öffentlichem Forschungscode. Die Kontaktlänge ist Wahl.</translation>
-    </message>
-    <message>
-        <source>EI = E pi (D^%1 - d^%2) / %3 of a polyimide tube, E = %4 GPa, %5 mm outside and %6 mm inside: an estimate. It reaches %7 mm past the opening, where the basal turn begins, and is held there: a choice.</source>
-        <translation>EI = E pi (D^%1 - d^%2) / %3 eines Polyimidrohrs, E = %4 GPa, außen %5 mm, innen %6 mm (Schätzung). Es reicht %7 mm hinter die Öffnung, wo die basale Windung beginnt, und wird dort gehalten (Wahl).</translation>
-    </message>
-    <message>
-        <source>%1 to %2 mm: %3 mm possible, %4 mm recommended, as reported in clinical studies of the CI422.</source>
-        <translation>%1 bis %2 mm: %3 mm möglich, %4 mm empfohlen, berichtet in klinischen Studien zum CI422.</translation>
-    </message>
-    <message>
-        <source>Tip %1 mm, base %2 mm: reported in clinical studies of the CI422. Between them a straight line over %3 mm, a choice.</source>
-        <translation>Spitze %1 mm, Basis %2 mm: berichtet in klinischen Studien zum CI422. Dazwischen eine Gerade über %3 mm (Wahl).</translation>
-    </message>
-    <message>
-        <source>%1 half-band contacts over %2 mm, pitch about %3 mm, as listed in public research code. The first contact&apos;s place and the contact&apos;s length are choices.</source>
-        <translation>%1 Halbbandkontakte auf %2 mm, Abstand etwa %3 mm, laut öffentlichem Forschungscode. Lage des ersten Kontakts und Kontaktlänge sind Wahl.</translation>
-    </message>
-    <message>
-        <source>%1 mm: reported in clinical studies of the device.</source>
-        <translation>%1 mm: berichtet in klinischen Studien zum Gerät.</translation>
-    </message>
-    <message>
-        <source>Tip %1 by %2 mm, base %3 mm: general literature, not measured. That the smaller one lies within the plane of curl, and the straight line to a round base, are choices.</source>
-        <translation>Spitze %1 × %2 mm, Basis %3 mm: allgemeine Literatur, nicht gemessen. Dass das kleinere Maß in der Krümmungsebene liegt und die Gerade zu einer runden Basis sind Wahl.</translation>
-    </message>
-    <message>
-        <source>Estimate by the model of plugins/README.md: silicone of %1 MPa and N(s) platinum-iridium wires of %2 um, one for each contact nearer to the tip, EI = E_s I + E_w I_w (N + c N^%3) with c = %4, where the others have %5: a waved wire stretches by straightening. Below the published moduli of a straight array (Kha et al. %6), whose wires are straight.</source>
-        <translation>Schätzung nach dem Modell in plugins/README.md: Silikon mit %1 MPa und N(s) Platin-Iridium-Drähte von %2 µm, einer je Kontakt näher an der Spitze, EI = E_s I + E_w I_w (N + c N^%3) mit c = %4, wo die anderen %5 haben: Ein gewellter Draht dehnt sich, indem er sich streckt. Unter den veröffentlichten Moduln eines geraden Trägers (Kha et al. %6), dessen Drähte gerade sind.</translation>
-    </message>
-    <message>
-        <source>%1 channels with a pitch of %2 mm, %3 mm from the first to the last: general literature and clinical studies of the device. The first contact&apos;s place and the contact&apos;s length are choices.</source>
-        <translation>%1 Kanäle im Abstand von %2 mm, %3 mm vom ersten bis zum letzten: allgemeine Literatur und klinische Studien zum Gerät. Lage des ersten Kontakts und Kontaktlänge sind Wahl.</translation>
-    </message>
-    <message>
-        <source>About %1 to %2 mm: reported in clinical studies of the device.</source>
-        <translation>Etwa %1 bis %2 mm: berichtet in klinischen Studien zum Gerät.</translation>
-    </message>
-    <message>
-        <source>%1 contacts, pitch %2 mm (%3 mm with the last pitch counted): general literature, not measured. The first contact&apos;s place and the contact&apos;s length are choices.</source>
-        <translation>%1 Kontakte, Abstand %2 mm (%3 mm mit dem letzten Abstand): allgemeine Literatur, nicht gemessen. Lage des ersten Kontakts und Kontaktlänge sind Wahl.</translation>
-    </message>
-    <message>
-        <source>Schuster et al. %1, Otol Neurotol %2:%3: fresh human cochlear partition, mean %4 mN (unverified: original not consulted); force normal to the partition, not the insertion force</source>
-        <translation>Schuster et al. %1, Otol Neurotol %2:%3: frische menschliche cochleäre Trennwand, Mittel %4 mN (ungeprüft: Original nicht eingesehen); Kraft senkrecht zur Trennwand, nicht die Insertionskraft</translation>
     </message>
     <message>
         <source>The recording was not closed: it ends where the program was interrupted.</source>
@@ -568,20 +220,12 @@
         <translation>Das aus dem aufgezeichneten Szenario gebildete Modell weicht vom aufgezeichneten ab.</translation>
     </message>
     <message>
-        <source>Recorded in format %1, which has no hash: that nothing was changed is shown by counts, columns, events and the replay alone.</source>
-        <translation>Aufgezeichnet im Format %1, das keinen Hash hat: Dass nichts geändert wurde, zeigen nur Anzahlen, Spalten, Ereignisse und die Wiedergabe.</translation>
-    </message>
-    <message>
         <source>The recording contains no samples.</source>
         <translation>Die Aufzeichnung enthält keine Messpunkte.</translation>
     </message>
     <message>
         <source>%1 ticks before tick %2 were lost; nothing after them can be compared.</source>
         <translation>%1 Zeitschritte vor Zeitschritt %2 gingen verloren; danach lässt sich nichts vergleichen.</translation>
-    </message>
-    <message>
-        <source>A voxel is longer than %1 mm, the coarsest the measurement was tried with: take a finer series if there is one, or trust the measures less than their error bars say.</source>
-        <translation>Ein Voxel ist länger als %1 mm; gröber wurde die Messung nicht erprobt. Feinere Serie verwenden, falls vorhanden, oder den Maßen weniger trauen, als ihre Fehlerangaben sagen.</translation>
     </message>
     <message>
         <source>The cochlea is filled with air, as in a dried specimen: a patient&apos;s is filled with fluid, so check that this is the right place and the right series.</source>
@@ -592,10 +236,6 @@
         <translation>Die Spirale windet sich wie im anderen Ohr: Die Datei ist gespiegelt oder die Seite falsch. Beides vor jeder Planung prüfen.</translation>
     </message>
     <message>
-        <source>A or B lies more than two standard deviations from the mean of %1 cochleae: check the outline in the images before using the measures.</source>
-        <translation>A oder B liegt mehr als zwei Standardabweichungen vom Mittelwert aus %1 Cochleae entfernt: Vor Verwendung der Maße den Umriss in den Bildern prüfen.</translation>
-    </message>
-    <message>
         <source>The fitted cochlea explains the voxels near its wall badly: check the outline in the images, and measure by hand if it does not lie on the wall.</source>
         <translation>Die angepasste Cochlea passt schlecht zu den Voxeln an ihrer Wand: Den Umriss in den Bildern prüfen und von Hand messen, falls er nicht auf der Wand liegt.</translation>
     </message>
@@ -604,28 +244,12 @@
         <translation>Die in Schnitten durch den Modiolus gefundene Wand weicht von der angepassten ab: Den Umriss in den Bildern prüfen.</translation>
     </message>
     <message>
-        <source>No round window was found, so %1 degrees follows from the spiral alone: mark the round window&apos;s center.</source>
-        <translation>Kein rundes Fenster gefunden; %1 Grad folgt allein aus der Spirale. Die Mitte des runden Fensters markieren.</translation>
-    </message>
-    <message>
         <source>Part of the cochlea lies outside the volume, or where nothing was measured: take a series that shows all of it.</source>
         <translation>Ein Teil der Cochlea liegt außerhalb des Volumens oder dort, wo nicht gemessen wurde: eine Serie verwenden, die sie ganz zeigt.</translation>
     </message>
     <message>
         <source>A landmark placed by hand lies far from the fitted cochlea, and the voxels contradict it: check that landmark in the images.</source>
         <translation>Eine von Hand gesetzte Landmarke liegt weit von der angepassten Cochlea entfernt, und die Voxel widersprechen ihr: diese Landmarke in den Bildern prüfen.</translation>
-    </message>
-    <message>
-        <source>Fewer than %1 turns of the lumen were seen: the cochlea is malformed, or its upper turns are filled with bone. No duct length is given, because its formula assumes %2 turns.</source>
-        <translation>Weniger als %1 Windungen des Lumens wurden gesehen: Die Cochlea ist missgebildet, oder ihre oberen Windungen sind mit Knochen gefüllt. Eine Ganglänge wird nicht angegeben, weil ihre Formel %2 Windungen annimmt.</translation>
-    </message>
-    <message>
-        <source>No modiolus was seen within the middle turn: middle and apical turn may be one cavity (incomplete partition). No duct length is given, because its formula assumes %1 turns, and H is that of the cavity.</source>
-        <translation>In der mittleren Windung wurde kein Modiolus gesehen: Mittlere und apikale Windung könnten ein Hohlraum sein (inkomplette Partition). Eine Ganglänge wird nicht angegeben, weil ihre Formel %1 Windungen annimmt, und H ist das Maß des Hohlraums.</translation>
-    </message>
-    <message>
-        <source>Whether middle and apical turn are one cavity (incomplete partition) could not be judged: the modiolus is faint, the CT too coarse or too noisy, or the middle turn not empty. Look for the septum between both turns in a section through the axis, or take a finer series.</source>
-        <translation>Ob mittlere und apikale Windung ein Hohlraum sind (inkomplette Partition), war nicht zu beurteilen: Der Modiolus ist schwach, die CT zu grob oder zu verrauscht, oder die mittlere Windung nicht leer. In einem Schnitt durch die Achse das Septum zwischen beiden Windungen suchen oder eine feinere Serie verwenden.</translation>
     </message>
     <message>
         <source>Along a fifth or more of the basal turn nothing distinguishes the lumen from the bone: it may be ossified; check the outline in the images.</source>
@@ -652,10 +276,6 @@
         <translation>In oder neben der Cochlea ist Metall (ein Implantat?): %1 Kubikmillimeter sind heller als %2 HU und verdecken ihre Wand. Verwenden Sie eine CT von vor der Implantation.</translation>
     </message>
     <message>
-        <source>The scala tympani is built with %1 turns, which were not seen in this cochlea, so no patient file is written. Use its measures without the model.</source>
-        <translation>Die Scala tympani wird mit %1 Windungen gebaut, die in dieser Cochlea nicht gesehen wurden; deshalb wird keine Patientendatei geschrieben. Verwenden Sie ihre Maße ohne das Modell.</translation>
-    </message>
-    <message>
         <source>%1 scout images were left out.</source>
         <translation>%1 Übersichtsaufnahmen wurden weggelassen.</translation>
     </message>
@@ -666,14 +286,6 @@
     <message>
         <source>The gantry is tilted by %1 degrees; the volume is resampled to right angles.</source>
         <translation>Die Gantry ist um %1 Grad gekippt; das Volumen wird auf rechte Winkel umgerechnet.</translation>
-    </message>
-    <message>
-        <source>%1 of %2 images with its series number are of another patient or study and are listed apart. Check which of them belong together.</source>
-        <translation>%1 von %2 Bildern mit derselben Seriennummer sind von einem anderen Patienten oder einer anderen Studie und stehen für sich. Prüfen Sie, welche zusammengehören.</translation>
-    </message>
-    <message>
-        <source>%1 of %2 images with its series number are of another frame of reference and are listed apart. Check which of them belong together.</source>
-        <translation>%1 von %2 Bildern mit derselben Seriennummer haben ein anderes Bezugssystem und stehen für sich. Prüfen Sie, welche zusammengehören.</translation>
     </message>
     <message>
         <source>The folder holds images of %1 patients; this series is of one of them. Check that it is the right one.</source>
@@ -696,28 +308,8 @@
         <translation>Die Bilder wurden aus anderen berechnet (reformatierte Ebenen); Originale sind schärfer.</translation>
     </message>
     <message>
-        <source>A voxel is %1 mm long; at most %2 mm is advised for a cochlea.</source>
-        <translation>Ein Voxel ist %1 mm lang; für eine Cochlea werden höchstens %2 mm empfohlen.</translation>
-    </message>
-    <message>
-        <source>The volume is only %1 mm thick; a cochlea with its surroundings needs about %2 mm.</source>
-        <translation>Das Volumen ist nur %1 mm dick; eine Cochlea mit Umgebung braucht etwa %2 mm.</translation>
-    </message>
-    <message>
         <source>Booth: FLEX24 in the mean cochlea, tissue-like friction</source>
         <translation>Messestand: FLEX24 in der mittleren Cochlea, gewebeähnliche Reibung</translation>
-    </message>
-    <message>
-        <source>Published experiment: Nucleus %1 Contour, %2 mm/s, soap</source>
-        <translation>Veröffentlichter Versuch: Nucleus %1 Contour, %2 mm/s, Seife</translation>
-    </message>
-    <message>
-        <source>Mean scala tympani: Nucleus %1 Contour, %2 mm/s, soap</source>
-        <translation>Mittlere Scala tympani: Nucleus %1 Contour, %2 mm/s, Seife</translation>
-    </message>
-    <message>
-        <source>Mean scala tympani: FLEX28, %1 mm/s, soap %2 %</source>
-        <translation>Mittlere Scala tympani: FLEX28, %1 mm/s, Seife %2 %</translation>
     </message>
     <message>
         <source>patient</source>
@@ -790,10 +382,6 @@
     <message>
         <source>raw force at the basal turn</source>
         <translation>Rohkraft an der Basalwindung</translation>
-    </message>
-    <message>
-        <source>Todd and Naghdy: the second rib is at the opening at full insertion, %1 mm of travel after a start %2 to %3 mm inside, so it touches %4 to %5 mm from the tip; with the latest start of the validation, %6 mm, at %7 mm, its middle %8 mm behind. The first rib touches where the forces rise between %9 and %10 mm of travel: %11 to %12 mm from the tip. Height above the carrier: chosen such that entering a passage %13 mm wide takes the %14 mN by which the raw record rises at the first rib; length along it: a choice. Low confidence.</source>
-        <translation>Todd und Naghdy: Die zweite Rippe liegt bei voller Insertion an der Öffnung, %1 mm Vorschub nach einem Beginn %2 bis %3 mm innen; sie berührt also %4 bis %5 mm hinter der Spitze; beim spätesten Beginn der Validierung, %6 mm, bei %7 mm, ihre Mitte %8 mm dahinter. Die erste Rippe berührt, wo die Kräfte zwischen %9 und %10 mm Vorschub steigen: %11 bis %12 mm hinter der Spitze. Höhe über dem Träger: so gewählt, dass der Eintritt in einen %13 mm weiten Kanal die %14 mN braucht, um die die Rohaufzeichnung an der ersten Rippe steigt; Länge: Wahl. Geringe Konfidenz.</translation>
     </message>
     <message>
         <source>approach tilt</source>
@@ -872,36 +460,12 @@
         <translation>Die Ausgänge sind die des Modells: Eine Wahrscheinlichkeit ist kein klinisches Risiko.</translation>
     </message>
     <message>
-        <source>Clinical and Experimental Otorhinolaryngology, nine neurotologists in cadaver heads: %1 +- %2 mm/s; a robot&apos;s %3 as the lower limit.</source>
-        <translation>Clinical and Experimental Otorhinolaryngology, neun Neurootologen an Kopfpräparaten: %1 +- %2 mm/s; die %3 eines Roboters als untere Grenze.</translation>
-    </message>
-    <message>
-        <source>Microsurgeons: %1 mm in vivo, %2 at rest, %3 while actuating; that these are distances in three axes is an assumption. %4 Hz: otosurgery (Muerbe %5).</source>
-        <translation>Mikrochirurgen: %1 mm in vivo, %2 in Ruhe, %3 beim Betätigen; dass es Abstände in drei Achsen sind, ist eine Annahme. %4 Hz: Ohrchirurgie (Muerbe %5).</translation>
-    </message>
-    <message>
         <source>Choice: forceps take the array a few millimeters in front of the opening and advance it in strokes.</source>
         <translation>Wahl: Die Pinzette fasst den Elektrodenträger wenige Millimeter vor der Öffnung und schiebt ihn in Hüben vor.</translation>
     </message>
     <message>
-        <source>Peak forces in vivo, %1 to %2 mN (Rau et al. %3, Front Neurol %4:%5), read as the forces at which surgeons stop: the predicted peak rests on it.</source>
-        <translation>Maximalkräfte in vivo, %1 bis %2 mN (Rau et al. %3, Front Neurol %4:%5), gelesen als die Kräfte, bei denen Chirurgen anhalten: Die vorhergesagte Maximalkraft beruht darauf.</translation>
-    </message>
-    <message>
         <source>Choice. Relaxation of the silicone itself is not computed.</source>
         <translation>Wahl. Die Relaxation des Silikons selbst wird nicht berechnet.</translation>
-    </message>
-    <message>
-        <source>Choice: a bow of %1 mm on %2 mm.</source>
-        <translation>Wahl: ein Bogen von %1 mm auf %2 mm.</translation>
-    </message>
-    <message>
-        <source>Dohr et al. %1, Appl. Sci. %2:%3: %4 +- %5 and %6 +- %7, a fifth to a quarter; %8 +- %9 at %10 mm/s is wider.</source>
-        <translation>Dohr et al. %1, Appl. Sci. %2:%3: %4 +- %5 und %6 +- %7, ein Fünftel bis ein Viertel; %8 +- %9 bei %10 mm/s ist breiter.</translation>
-    </message>
-    <message>
-        <source>Schuster et al. %1, Otol Neurotol %2:%3, fresh human partition: %4 to %5 mN, mean %6, as recalled, not read; the standard deviation is a choice.</source>
-        <translation>Schuster et al. %1, Otol Neurotol %2:%3, frische menschliche cochleäre Trennwand: %4 bis %5 mN, Mittel %6, aus der Erinnerung, nicht gelesen; die Standardabweichung ist eine Wahl.</translation>
     </message>
     <message>
         <source>Choice by the confidence that the array&apos;s file gives its bending stiffness: no maker publishes a stiffness or its tolerance.</source>
@@ -910,18 +474,6 @@
     <message>
         <source>Choice: what the view through the facial recess leaves to correct. No source states it for insertions by hand.</source>
         <translation>Wahl: was die Sicht durch die posteriore Tympanotomie zu korrigieren lässt. Keine Quelle nennt es für Insertionen von Hand.</translation>
-    </message>
-    <message>
-        <source>%1 to %2 Hz on %3 channels, the default of MAESTRO for fine-structure strategies, as listed in public fitting-research code that cites the MAESTRO user manual.</source>
-        <translation>%1 bis %2 Hz auf %3 Kanälen, die Vorgabe von MAESTRO für Feinstruktur-Strategien, wie in öffentlichem Forschungscode zur Anpassung, der das Handbuch von MAESTRO zitiert.</translation>
-    </message>
-    <message>
-        <source>%1 to %2 Hz on %3 channels: CI Select App manual (NYU Langone) and PMC11493529, as listed in public fitting-research code that cites both.</source>
-        <translation>%1 bis %2 Hz auf %3 Kanälen: Handbuch der CI Select App (NYU Langone) und PMC11493529, wie in öffentlichem Forschungscode zur Anpassung, der beide zitiert.</translation>
-    </message>
-    <message>
-        <source>%1 to %2 Hz on %3 channels (extended low): SoundWave %4 quick reference, as listed in public fitting-research code that cites it.</source>
-        <translation>%1 bis %2 Hz auf %3 Kanälen (extended low): Kurzanleitung von SoundWave %4, wie in öffentlichem Forschungscode zur Anpassung, der sie zitiert.</translation>
     </message>
     <message>
         <source>Endosteum: low end of the reported range</source>
@@ -942,18 +494,6 @@
     <message>
         <source>measured in this model, defined as in Todd and Naghdy</source>
         <translation>in diesem Modell gemessen, definiert wie bei Todd und Naghdy</translation>
-    </message>
-    <message>
-        <source>Alexiades et al. %1, Otol Neurotol %2:%3</source>
-        <translation>Alexiades et al. %1, Otol Neurotol %2:%3</translation>
-    </message>
-    <message>
-        <source>turn angle of the likeliest half-diameters with these A and B / %1 deg</source>
-        <translation>Windungswinkel der wahrscheinlichsten halben Durchmesser mit diesen A und B / %1°</translation>
-    </message>
-    <message>
-        <source>Pietsch et al. %1, Sci Rep, n = %2; constants seen in public code</source>
-        <translation>Pietsch et al. %1, Sci Rep, n = %2; Konstanten aus öffentlichem Code</translation>
     </message>
     <message>
         <source>angle at which a path along the lateral wall is as long as the array</source>
@@ -984,22 +524,6 @@
         <translation>Die Bilder haben mehrere Modalitäten, %1 und %2. Exportieren Sie jede als eigene Serie.</translation>
     </message>
     <message>
-        <source>%1 of %2 files were not read: sequences are nested deeper than %3, which no image needs. Export the series again.</source>
-        <translation>%1 von %2 Dateien wurden nicht gelesen: Sequenzen sind tiefer als %3 verschachtelt, was kein Bild braucht. Exportieren Sie die Serie noch einmal.</translation>
-    </message>
-    <message>
-        <source>The file %1 states %2 as %3, where one number belongs; export the series again as original images.</source>
-        <translation>Die Datei %1 gibt %2 als %3 an, wo eine Zahl stehen muss; exportieren Sie die Serie noch einmal als Originalbilder.</translation>
-    </message>
-    <message>
-        <source>The file %1 states %2 as %3, where %4 numbers belong; export the series again as original images.</source>
-        <translation>Die Datei %1 gibt %2 als %3 an, wo %4 Zahlen stehen müssen; exportieren Sie die Serie noch einmal als Originalbilder.</translation>
-    </message>
-    <message>
-        <source>The file %1 states %2 as %3, where a whole number from %4 to %5 belongs; export the series again as original images.</source>
-        <translation>Die Datei %1 gibt %2 als %3 an, wo eine ganze Zahl von %4 bis %5 stehen muss; exportieren Sie die Serie noch einmal als Originalbilder.</translation>
-    </message>
-    <message>
         <source>Its images differ in %1, so they may be of two patients. Export the images of each patient apart.</source>
         <translation>Die Bilder unterscheiden sich in %1, sie können also von zwei Patienten sein. Exportieren Sie die Bilder jedes Patienten für sich.</translation>
     </message>
@@ -1010,14 +534,6 @@
     <message>
         <source>PixelRepresentation (0028,0103) differs between its images: signed in %1 and unsigned in %2. Export the series again as original images.</source>
         <translation>PixelRepresentation (0028,0103) ist nicht in allen Bildern gleich: mit Vorzeichen in %1, ohne in %2. Exportieren Sie die Serie noch einmal als Originalbilder.</translation>
-    </message>
-    <message>
-        <source>Its slices alternate in %1, as those of two reconstructions in one series do. Export each reconstruction as a series of its own.</source>
-        <translation>Die Schichten wechseln in %1 hin und her, wie bei zwei Rekonstruktionen in einer Serie. Exportieren Sie jede Rekonstruktion als eigene Serie.</translation>
-    </message>
-    <message>
-        <source>The gray values of slice %1 of %2 (%3) do not join those of the next one: its file states slope %4 and intercept %5, the next one slope %6 and intercept %7. Export the series again as original images.</source>
-        <translation>Die Grauwerte von Schicht %1 von %2 (%3) schließen nicht an die der nächsten an: Ihre Datei gibt Steigung %4 und Achsenabschnitt %5 an, die nächste Steigung %6 und Achsenabschnitt %7. Exportieren Sie die Serie noch einmal als Originalbilder.</translation>
     </message>
     <message>
         <source>The file %1 stores %2 bits (0028,0101) of a voxel in the %3 that are allocated (0028,0100); export the series again as original images.</source>
@@ -1080,10 +596,6 @@
         <translation>%1 von %2 Schichten haben keine Lage oder Ausrichtung im Patienten, so dass keine Länge entlang des Stapels verlässlich ist. Exportieren Sie die Serie noch einmal als Originalbilder.</translation>
     </message>
     <message>
-        <source>%1 of %2 slices have a position more than %3 km from the origin of the patient&apos;s coordinates, where no scanner measures. Export the series again as original images.</source>
-        <translation>%1 von %2 Schichten liegen mehr als %3 km vom Ursprung der Patientenkoordinaten entfernt, wo kein Scanner misst. Exportieren Sie die Serie noch einmal als Originalbilder.</translation>
-    </message>
-    <message>
         <source>%1 of %2 slices have an orientation that is not two unit vectors at right angles. Export the series again as original images.</source>
         <translation>Die Ausrichtung von %1 der %2 Schichten besteht nicht aus zwei Einheitsvektoren im rechten Winkel. Exportieren Sie die Serie noch einmal als Originalbilder.</translation>
     </message>
@@ -1092,24 +604,8 @@
         <translation>%1 von %2 Schichten sind anders ausgerichtet als die erste. Exportieren Sie jede Ausrichtung als eigene Serie.</translation>
     </message>
     <message>
-        <source>%1 slice is missing behind slice %2 of %3 (at %4 mm along the normal), where the gap is %5 mm and the step elsewhere %6 mm. Export the whole series again.</source>
-        <translation>%1 Schicht fehlt hinter Schicht %2 von %3 (bei %4 mm entlang der Normalen); die Lücke ist dort %5 mm und der Abstand sonst %6 mm. Exportieren Sie die ganze Serie noch einmal.</translation>
-    </message>
-    <message>
-        <source>%1 slices are missing, the first behind slice %2 of %3 (at %4 mm along the normal), where the gap is %5 mm and the step elsewhere %6 mm. Export the whole series again.</source>
-        <translation>%1 Schichten fehlen, die erste hinter Schicht %2 von %3 (bei %4 mm entlang der Normalen); die Lücke ist dort %5 mm und der Abstand sonst %6 mm. Exportieren Sie die ganze Serie noch einmal.</translation>
-    </message>
-    <message>
-        <source>The slices are not equally spaced: slice %1 of %2 (at %3 mm along the normal) lies %4 mm from where equal steps of %5 mm put it, and at most %6 mm is allowed. Export the series again as original images.</source>
-        <translation>Die Schichten haben nicht den gleichen Abstand: Schicht %1 von %2 (bei %3 mm entlang der Normalen) liegt %4 mm neben ihrem Ort bei gleichen Abständen von %5 mm, höchstens %6 mm sind erlaubt. Exportieren Sie die Serie noch einmal als Originalbilder.</translation>
-    </message>
-    <message>
         <source>There is no slice. Choose another series.</source>
         <translation>Es ist keine Schicht da. Wählen Sie eine andere Serie.</translation>
-    </message>
-    <message>
-        <source>There is a single slice; at least %1 are needed. Choose another series.</source>
-        <translation>Es ist nur eine Schicht da; mindestens %1 sind nötig. Wählen Sie eine andere Serie.</translation>
     </message>
     <message>
         <source>All %1 slices lie at one position; a volume needs them one above the other. Choose another series.</source>
@@ -1130,198 +626,6 @@
     <message>
         <source>The tilted gantry&apos;s volume could not be resampled to right angles. Export it reformatted without tilt.</source>
         <translation>Das Volumen der gekippten Gantry ließ sich nicht auf rechte Winkel umrechnen. Exportieren Sie es ohne Kippung reformatiert.</translation>
-    </message>
-    <message>
-        <source>is neither a file nor a folder. Give a folder of DICOM files, a DICOMDIR, a DICOM, NIfTI or NRRD file.</source>
-        <translation>ist weder eine Datei noch ein Ordner. Wählen Sie einen Ordner mit DICOM-Dateien, ein DICOMDIR, eine DICOM-, NIfTI- oder NRRD-Datei.</translation>
-    </message>
-    <message>
-        <source>does not exist. Check the path.</source>
-        <translation>gibt es nicht. Prüfen Sie den Pfad.</translation>
-    </message>
-    <message>
-        <source>holds no DICOM image. Give a folder of DICOM files, a DICOMDIR, a DICOM, NIfTI or NRRD file.</source>
-        <translation>enthält kein DICOM-Bild. Wählen Sie einen Ordner mit DICOM-Dateien, ein DICOMDIR, eine DICOM-, NIfTI- oder NRRD-Datei.</translation>
-    </message>
-    <message>
-        <source>holds %1 series of the number %2, of several patients or studies. Choose one of them: %3 and so on.</source>
-        <translation>enthält %1 Serien der Nummer %2, von mehreren Patienten oder Studien. Wählen Sie eine davon: %3 und so weiter.</translation>
-    </message>
-    <message>
-        <source>takes more than 5 minutes to list, because its files are damaged or on a slow drive. Copy the series to a folder of this computer.</source>
-        <translation>braucht zum Auflisten mehr als 5 Minuten, weil die Dateien beschädigt sind oder auf einem langsamen Laufwerk liegen. Kopieren Sie die Serie in einen Ordner dieses Rechners.</translation>
-    </message>
-    <message>
-        <source>is encrypted. Unpack it with its password, and give the folder.</source>
-        <translation>ist verschlüsselt. Entpacken Sie die Datei mit ihrem Kennwort, und geben Sie den Ordner an.</translation>
-    </message>
-    <message>
-        <source>unpacks to more than 4 GB, or to more than a hundred times its size. Unpack it, and give the folder of one series.</source>
-        <translation>wird entpackt größer als 4 GB oder mehr als hundertmal so groß. Entpacken Sie die Datei, und geben Sie den Ordner einer Serie an.</translation>
-    </message>
-    <message>
-        <source>cannot be unpacked: the folder for temporary files (TMPDIR) is missing, full or not writable. Make space, or unpack it and give the folder.</source>
-        <translation>kann nicht entpackt werden: Der Ordner für temporäre Dateien (TMPDIR) fehlt, ist voll oder nicht beschreibbar. Schaffen Sie Platz, oder entpacken Sie die Datei und geben Sie den Ordner an.</translation>
-    </message>
-    <message>
-        <source>is a damaged .zip, or took more than a minute to unpack. Copy it again, or unpack it and give the folder.</source>
-        <translation>ist eine beschädigte ZIP-Datei, oder das Entpacken dauerte länger als eine Minute. Kopieren Sie sie noch einmal, oder entpacken Sie sie und geben Sie den Ordner an.</translation>
-    </message>
-    <message>
-        <source>gives its points in another unit (coordinateUnits) than mm, um, cm or m. Save the points in millimeters.</source>
-        <translation>gibt die Punkte in einer anderen Einheit (coordinateUnits) als mm, um, cm oder m an. Speichern Sie die Punkte in Millimetern.</translation>
-    </message>
-    <message>
-        <source>holds more than %1 files. Give the folder of one examination.</source>
-        <translation>enthält mehr als %1 Dateien. Wählen Sie den Ordner einer Untersuchung.</translation>
-    </message>
-    <message>
-        <source>is a DICOMDIR, but none of the files it names is there. Copy the whole medium, or give a folder of images.</source>
-        <translation>ist ein DICOMDIR, aber keine der Dateien, die es nennt, ist da. Kopieren Sie das ganze Medium, oder wählen Sie einen Ordner mit Bildern.</translation>
-    </message>
-    <message>
-        <source>cannot be read. Check its name and permissions.</source>
-        <translation>ist nicht lesbar. Prüfen Sie Namen und Rechte.</translation>
-    </message>
-    <message>
-        <source>is cut off or damaged. Copy or export it again.</source>
-        <translation>ist abgeschnitten oder beschädigt. Kopieren oder exportieren Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
-        <source>is no NIfTI-1 file with its voxels in it. Save the volume as .nii or .nii.gz.</source>
-        <translation>ist keine NIfTI-1-Datei mit ihren Voxeln. Speichern Sie das Volumen als .nii oder .nii.gz.</translation>
-    </message>
-    <message>
-        <source>holds more than one volume. Save the CT alone.</source>
-        <translation>enthält mehr als ein Volumen. Speichern Sie das CT allein.</translation>
-    </message>
-    <message>
-        <source>holds voxels of the type %1, which are no gray values. Save the CT as 16-bit numbers.</source>
-        <translation>enthält Voxel vom Typ %1, die keine Grauwerte sind. Speichern Sie das CT als 16-Bit-Zahlen.</translation>
-    </message>
-    <message>
-        <source>has neither an SForm nor a QForm in a unit of length, so left and right are not known. Export it with its orientation.</source>
-        <translation>hat weder SForm noch QForm in einer Längeneinheit, so dass links und rechts unbekannt sind. Exportieren Sie die Datei mit ihrer Ausrichtung.</translation>
-    </message>
-    <message>
-        <source>is damaged: its voxels begin nowhere. Export it again.</source>
-        <translation>ist beschädigt: Ihre Voxel haben keinen Anfang. Exportieren Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
-        <source>holds no volume: each of its sizes must be %1 to %2. Export it again.</source>
-        <translation>enthält kein Volumen: Jede Größe muss von %1 bis %2 sein. Exportieren Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
-        <source>has %1 million voxels; at most %2 million are read. Export the region of the temporal bone.</source>
-        <translation>hat %1 Millionen Voxel; höchstens %2 Millionen werden gelesen. Exportieren Sie den Bereich des Felsenbeins.</translation>
-    </message>
-    <message>
-        <source>is no NRRD file with a whole header. Export the CT as NRRD with its voxels in the file.</source>
-        <translation>ist keine NRRD-Datei mit vollständigem Kopf. Exportieren Sie das CT als NRRD mit den Voxeln in der Datei.</translation>
-    </message>
-    <message>
-        <source>holds %1 volumes, the first %2. Give one of these files.</source>
-        <translation>enthält %1 Volumen, das erste %2. Wählen Sie eine dieser Dateien.</translation>
-    </message>
-    <message>
-        <source>states %1 twice: %2 in %3 and %4 in %5; %6.</source>
-        <translation>gibt %1 zweimal an: %2 in %3 und %4 in %5; %6.</translation>
-    </message>
-    <message>
-        <source>has voxels of %1 mm along %2 where 0.01 to 10 mm are read; its unit of length is %3. Export it again in millimeters.</source>
-        <translation>hat Voxel von %1 mm entlang %2, gelesen werden 0,01 bis 10 mm; die Längeneinheit der Datei ist %3. Exportieren Sie die Datei noch einmal in Millimetern.</translation>
-    </message>
-    <message>
-        <source>has axes %1 and %2 that meet at %3 degrees, not at 90 within 0.057. Resample it to right angles, or open the original series.</source>
-        <translation>hat Achsen %1 und %2, die sich unter %3 Grad treffen, nicht unter 90 auf 0,057 genau. Rechnen Sie das Volumen auf rechte Winkel um, oder öffnen Sie die Originalserie.</translation>
-    </message>
-    <message>
-        <source>has a matrix with values that are no finite numbers. Export it again with its orientation.</source>
-        <translation>hat eine Matrix mit Werten, die keine endlichen Zahlen sind. Exportieren Sie die Datei noch einmal mit ihrer Ausrichtung.</translation>
-    </message>
-    <message>
-        <source>states its unit of length by the code %1, which is none. Export it again in millimeters.</source>
-        <translation>gibt die Längeneinheit durch den Code %1 an, der keine ist. Exportieren Sie die Datei noch einmal in Millimetern.</translation>
-    </message>
-    <message>
-        <source>states its unit of length as %1; millimeters, centimeters, meters and micrometers are read, one for each of three axes. Export it again in millimeters.</source>
-        <translation>gibt die Längeneinheit als %1 an; gelesen werden Millimeter, Zentimeter, Meter und Mikrometer, je eine für drei Achsen. Exportieren Sie die Datei noch einmal in Millimetern.</translation>
-    </message>
-    <message>
-        <source>has a QForm that is no rotation: its quaternion is longer than 1, its pixdim[0] not 1 or -1, or a number not finite. Export it again.</source>
-        <translation>hat eine QForm, die keine Drehung ist: Das Quaternion ist länger als 1, pixdim[0] nicht 1 oder -1, oder eine Zahl nicht endlich. Exportieren Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
-        <source>has a scl_slope or scl_inter that scales no gray value: the slope must be above 0 and both finite. Export it again.</source>
-        <translation>hat ein scl_slope oder scl_inter, das keinen Grauwert umrechnet: Die Steigung muss über 0 und beide müssen endlich sein. Exportieren Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
-        <source>holds no volume of three dimensions: its dim[0] is %1. Save the CT alone.</source>
-        <translation>enthält kein Volumen mit drei Dimensionen: dim[0] ist %1. Speichern Sie das CT allein.</translation>
-    </message>
-    <message>
-        <source>is damaged: a line of its header is no field. Copy or export it again.</source>
-        <translation>ist beschädigt: Eine Zeile des Kopfes ist kein Feld. Kopieren oder exportieren Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
-        <source>has an axis of the kind &apos;%1&apos;, which is none in space. Export the CT as NRRD with its voxels in the file.</source>
-        <translation>hat eine Achse der Art &apos;%1&apos;, die keine räumliche ist. Exportieren Sie das CT als NRRD mit den Voxeln in der Datei.</translation>
-    </message>
-    <message>
-        <source>keeps its voxels in &apos;%1&apos;; they are read from one file in the header&apos;s folder. Export the CT as NRRD with its voxels in the file.</source>
-        <translation>hat die Voxel in &apos;%1&apos;; gelesen werden sie aus einer Datei im Ordner des Kopfes. Exportieren Sie das CT als NRRD mit den Voxeln in der Datei.</translation>
-    </message>
-    <message>
-        <source>has a field &apos;%1&apos; that is not one number for each of its three axes: &apos;%2&apos;. Export it again.</source>
-        <translation>hat ein Feld &apos;%1&apos;, das nicht eine Zahl für jede der drei Achsen ist: &apos;%2&apos;. Exportieren Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
-        <source>is no MetaImage file with a whole header. Export the CT as MetaImage (.mha) or NRRD.</source>
-        <translation>ist keine MetaImage-Datei mit vollständigem Kopf. Exportieren Sie das CT als MetaImage (.mha) oder NRRD.</translation>
-    </message>
-    <message>
-        <source>has no TransformMatrix, Offset and ElementSpacing of three dimensions, so left and right or its voxel size are not known. Export the CT as MetaImage (.mha) or NRRD.</source>
-        <translation>hat nicht TransformMatrix, Offset und ElementSpacing in drei Dimensionen, so dass links und rechts oder die Voxelgröße unbekannt sind. Exportieren Sie das CT als MetaImage (.mha) oder NRRD.</translation>
-    </message>
-    <message>
-        <source>holds no volume of three dimensions. Export the CT as MetaImage (.mha) or NRRD.</source>
-        <translation>enthält kein Volumen mit drei Dimensionen. Exportieren Sie das CT als MetaImage (.mha) oder NRRD.</translation>
-    </message>
-    <message>
-        <source>holds voxels that are no gray values. Export the CT as MetaImage (.mha) or NRRD.</source>
-        <translation>enthält Voxel, die keine Grauwerte sind. Exportieren Sie das CT als MetaImage (.mha) oder NRRD.</translation>
-    </message>
-    <message>
-        <source>is a NIfTI-2 file; NIfTI-1 is read. Save the volume as NIfTI-1 (.nii or .nii.gz) or as NRRD.</source>
-        <translation>ist eine NIfTI-2-Datei; gelesen wird NIfTI-1. Speichern Sie das Volumen als NIfTI-1 (.nii oder .nii.gz) oder als NRRD.</translation>
-    </message>
-    <message>
-        <source>is of the modality %1, not CT. Export the CT as NRRD with its voxels in the file.</source>
-        <translation>hat die Modalität %1, nicht CT. Exportieren Sie das CT als NRRD mit den Voxeln in der Datei.</translation>
-    </message>
-    <message>
-        <source>is of the modality %1, not CT. Export the CT as MetaImage (.mha) or NRRD.</source>
-        <translation>hat die Modalität %1, nicht CT. Exportieren Sie das CT als MetaImage (.mha) oder NRRD.</translation>
-    </message>
-    <message>
-        <source>does not hold its voxels as binary numbers in a stated order. Export the CT as MetaImage (.mha) or NRRD.</source>
-        <translation>enthält die Voxel nicht als binäre Zahlen in angegebener Reihenfolge. Exportieren Sie das CT als MetaImage (.mha) oder NRRD.</translation>
-    </message>
-    <message>
-        <source>scales its gray values by ElementToIntensityFunction, which programs read differently. Export the CT as MetaImage (.mha) or NRRD.</source>
-        <translation>rechnet die Grauwerte mit ElementToIntensityFunction um, was Programme verschieden lesen. Exportieren Sie das CT als MetaImage (.mha) oder NRRD.</translation>
-    </message>
-    <message>
-        <source>keeps its voxels in &apos;%1&apos;; they are read from one file in the header&apos;s folder. Export the CT as MetaImage (.mha) or NRRD.</source>
-        <translation>hat die Voxel in &apos;%1&apos;; gelesen werden sie aus einer Datei im Ordner des Kopfes. Exportieren Sie das CT als MetaImage (.mha) oder NRRD.</translation>
-    </message>
-    <message>
-        <source>skips a part of its voxels. Export the CT as MetaImage (.mha) or NRRD.</source>
-        <translation>überspringt einen Teil der Voxel. Exportieren Sie das CT als MetaImage (.mha) oder NRRD.</translation>
-    </message>
-    <message>
-        <source>cannot be inflated: there is no memory. Close programs.</source>
-        <translation>kann nicht entpackt werden: Der Speicher reicht nicht. Schließen Sie Programme.</translation>
     </message>
     <message>
         <source>the voxel size</source>
@@ -1532,52 +836,12 @@
         <translation>nicht angegeben (xyzt_units) und als Millimeter genommen</translation>
     </message>
     <message>
-        <source> along i</source>
-        <translation> entlang i</translation>
-    </message>
-    <message>
-        <source> along j</source>
-        <translation> entlang j</translation>
-    </message>
-    <message>
-        <source> along k</source>
-        <translation> entlang k</translation>
-    </message>
-    <message>
         <source>, the smallest,</source>
         <translation>, den kleinsten,</translation>
     </message>
     <message>
         <source>, the largest,</source>
         <translation>, den größten,</translation>
-    </message>
-    <message>
-        <source>holds no volume of three dimensions. Export the CT as NRRD with its voxels in the file.</source>
-        <translation>enthält kein Volumen mit drei Dimensionen. Exportieren Sie das CT als NRRD mit den Voxeln in der Datei.</translation>
-    </message>
-    <message>
-        <source>holds voxels that are no gray values. Export the CT as NRRD with its voxels in the file.</source>
-        <translation>enthält Voxel, die keine Grauwerte sind. Exportieren Sie das CT als NRRD mit den Voxeln in der Datei.</translation>
-    </message>
-    <message>
-        <source>does not say the order of its bytes. Export the CT as NRRD with its voxels in the file.</source>
-        <translation>nennt die Reihenfolge ihrer Bytes nicht. Exportieren Sie das CT als NRRD mit den Voxeln in der Datei.</translation>
-    </message>
-    <message>
-        <source>has no space, directions and origin in the patient, so left and right are not known. Export the CT as NRRD with its voxels in the file.</source>
-        <translation>hat weder Raum noch Richtungen und Ursprung im Patienten, so dass links und rechts unbekannt sind. Exportieren Sie das CT als NRRD mit den Voxeln in der Datei.</translation>
-    </message>
-    <message>
-        <source>is encoded as &apos;%1&apos;; raw and gzip are read. Export the CT as NRRD with its voxels in the file.</source>
-        <translation>ist als „%1“ kodiert; gelesen werden raw und gzip. Exportieren Sie das CT als NRRD mit den Voxeln in der Datei.</translation>
-    </message>
-    <message>
-        <source>skips a part of its voxels. Export the CT as NRRD with its voxels in the file.</source>
-        <translation>lässt einen Teil ihrer Voxel aus. Exportieren Sie das CT als NRRD mit den Voxeln in der Datei.</translation>
-    </message>
-    <message>
-        <source>asks for more memory than there is. Export the region of the temporal bone.</source>
-        <translation>braucht mehr Speicher, als da ist. Exportieren Sie den Bereich des Felsenbeins.</translation>
     </message>
     <message>
         <source>The volume has %1 x %2 x %3 voxels; at least 2 are needed along every axis. Choose another series.</source>
@@ -1610,14 +874,6 @@
     <message>
         <source>Too few voxels lie near the place given to measure a cochlea. Click into the cochlea, and take a series that shows all of it.</source>
         <translation>Nahe der angeklickten Stelle liegen zu wenige Voxel, um eine Cochlea zu messen. Klicken Sie in die Cochlea, und nehmen Sie eine Serie, die sie ganz zeigt.</translation>
-    </message>
-    <message>
-        <source>The best fit has A %1 mm and B %2 mm; of %3 cochleae A was %4 mm to %5 mm and B %6 mm to %7 mm at four standard deviations. Click into the cochlea; of a malformed or ossified one A, B and H do not apply.</source>
-        <translation>Die beste Anpassung hat A %1 mm und B %2 mm; bei %3 Cochleae war A %4 mm bis %5 mm und B %6 mm bis %7 mm innerhalb von vier Standardabweichungen. Klicken Sie in die Cochlea; für eine missgebildete oder verknöcherte gelten A, B und H nicht.</translation>
-    </message>
-    <message>
-        <source>A voxel is %1 mm long; at most %2 mm is allowed, and %3 mm or less is advised. Take a series with thinner slices.</source>
-        <translation>Ein Voxel ist %1 mm lang; höchstens %2 mm sind erlaubt, %3 mm oder weniger empfohlen. Nehmen Sie eine Serie mit dünneren Schichten.</translation>
     </message>
     <message>
         <source>The port %1 at %2 is taken by another program. End that program, or choose another port.</source>
@@ -1856,20 +1112,8 @@
         <translation>Die Schichten %1 und %2 von %3 haben an verschiedenen Orten dieselben Voxel; eine von beiden kann eine Kopie der anderen sein. Exportieren Sie die Serie noch einmal als Originalbilder.</translation>
     </message>
     <message>
-        <source>Other files have such faults: %1.</source>
-        <translation>Andere Dateien haben solche Fehler: %1.</translation>
-    </message>
-    <message>
         <source> of slice %1 of %2 (%3)</source>
         <translation> der Schicht %1 von %2 (%3)</translation>
-    </message>
-    <message>
-        <source>lies more than 1 km from the origin of the patient&apos;s coordinates, where no scanner measures. Export it again with its orientation.</source>
-        <translation>liegt mehr als 1 km vom Ursprung der Patientenkoordinaten entfernt, wo kein Gerät misst. Exportieren Sie die Datei noch einmal mit ihrer Lage.</translation>
-    </message>
-    <message>
-        <source>states by its intent_code %1 that its voxels are labels or statistics and no gray values. Save the CT itself, with the code 0.</source>
-        <translation>gibt durch intent_code %1 an, dass ihre Voxel Markierungen oder Statistik sind und keine Grauwerte. Speichern Sie den CT selbst, mit dem Code 0.</translation>
     </message>
     <message>
         <source>The measures of %1 were changed by hand after the program wrote them. Do not use them as measured in a CT.</source>
@@ -1932,14 +1176,6 @@
         <translation>%1 ist schon da. Geben Sie den Namen eines neuen Ordners an.</translation>
     </message>
     <message>
-        <source>The library has %1, right ear, already. Rename or remove that patient first.</source>
-        <translation>Die Bibliothek hat %1, rechtes Ohr, schon. Benennen Sie diesen Patienten zuerst um, oder entfernen Sie ihn.</translation>
-    </message>
-    <message>
-        <source>The library has %1, left ear, already. Rename or remove that patient first.</source>
-        <translation>Die Bibliothek hat %1, linkes Ohr, schon. Benennen Sie diesen Patienten zuerst um, oder entfernen Sie ihn.</translation>
-    </message>
-    <message>
         <source>%1 exists; an import replaces no recording. Rename it first.</source>
         <translation>%1 ist schon da; ein Import ersetzt keine Aufzeichnung. Benennen Sie sie zuerst um.</translation>
     </message>
@@ -1992,22 +1228,6 @@
         <translation>%1 hat %2 Insertionen; höchstens %3 können gezeigt werden. Öffnen Sie einen der Teile, oder fragen Sie die Datei mit SQL ab.</translation>
     </message>
     <message>
-        <source>standard deviation at %1 mm, peak</source>
-        <translation>Standardabweichung bei %1 mm, Gipfel</translation>
-    </message>
-    <message>
-        <source>standard deviation at %1 mm, dip</source>
-        <translation>Standardabweichung bei %1 mm, Senke</translation>
-    </message>
-    <message>
-        <source>standard deviation at %1 mm, maximum</source>
-        <translation>Standardabweichung bei %1 mm, Maximum</translation>
-    </message>
-    <message>
-        <source>standard deviation at %1 mm, end</source>
-        <translation>Standardabweichung bei %1 mm, Ende</translation>
-    </message>
-    <message>
         <source>%1 % at friction %2</source>
         <translation>%1 % bei Reibung %2</translation>
     </message>
@@ -2020,12 +1240,2156 @@
         <translation>%1 % bei einer Reibung</translation>
     </message>
     <message>
-        <source>A plan of %1 simulations is too short: the lowest and the highest of fewer than %2 hold less than %3 % of the insertions to come. Choose %4 to %5.</source>
-        <translation>Ein Plan aus %1 Simulationen ist zu kurz: zwischen dem kleinsten und dem größten Wert von weniger als %2 liegen weniger als %3 % der künftigen Insertionen. Wählen Sie %4 bis %5.</translation>
-    </message>
-    <message>
         <source>A plan of %1 simulations is too long. Choose %2 to %3.</source>
         <translation>Ein Plan aus %1 Simulationen ist zu lang. Wählen Sie %2 bis %3.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2. Check the folder&apos;s permissions and the space on the disk.</source>
+        <translation>%1 kann nicht geschrieben werden: %2. Prüfen Sie die Rechte des Ordners und den Platz auf der Platte.</translation>
+    </message>
+    <message>
+        <source>Alexiades et al. 2015, Otol Neurotol 36:904</source>
+        <translation>Alexiades et al. 2015, Otol Neurotol 36:904</translation>
+    </message>
+    <message>
+        <source>No device was chosen. Press H and choose one.</source>
+        <translation>Es wurde kein Gerät gewählt. Drücken Sie H, und wählen Sie eines.</translation>
+    </message>
+    <message>
+        <source>No insertion is prepared. Press Reset.</source>
+        <translation>Es ist keine Insertion vorbereitet. Drücken Sie „Zurücksetzen“.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be created: %2. Check the permissions of its folder and the space on the disk.</source>
+        <translation>%1 kann nicht angelegt werden: %2. Prüfen Sie die Rechte des Ordners und den Platz auf der Platte.</translation>
+    </message>
+    <message>
+        <source>Stopped while reading %1.</source>
+        <translation>Beim Lesen von %1 angehalten.</translation>
+    </message>
+    <message>
+        <source>%1 contains no samples. Record the insertion to another file.</source>
+        <translation>%1 enthält keine Messwerte. Zeichnen Sie die Insertion in eine andere Datei auf.</translation>
+    </message>
+    <message>
+        <source>Canceled.</source>
+        <translation>Abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Stopped; nothing was kept.</source>
+        <translation>Angehalten; nichts wurde behalten.</translation>
+    </message>
+    <message>
+        <source>The reference &apos;surgeons&apos; has no [[value]] of the quantity &apos;force felt, median&apos;.</source>
+        <translation>Die Referenz &apos;surgeons&apos; hat kein [[value]] der Größe &apos;force felt, median&apos;.</translation>
+    </message>
+    <message>
+        <source>%1 % of the insertion at 0.1–2.0 mm/s</source>
+        <translation>%1 % der Insertion bei 0,1–2,0 mm/s</translation>
+    </message>
+    <message>
+        <source>full score if the whole insertion is within 0.1–2.0 mm/s, none at 0 %</source>
+        <translation>volle Punktzahl, wenn die ganze Insertion bei 0,1–2,0 mm/s liegt, keine bei 0 %</translation>
+    </message>
+    <message>
+        <source>robotic insertion 0.1–1.0 mm/s (iotaSOFT); manual insertion in cadaver heads 0.66 ± 0.31 mm/s; phantom study 0.1–2.0 mm/s (Froehlich et al. 2024)</source>
+        <translation>robotische Insertion 0,1–1,0 mm/s (iotaSOFT); manuelle Insertion an Leichenköpfen 0,66 ± 0,31 mm/s; Phantomstudie 0,1–2,0 mm/s (Froehlich et al. 2024)</translation>
+    </message>
+    <message>
+        <source>full score at 0, none from 18.6</source>
+        <translation>volle Punktzahl bei 0, keine ab 18,6</translation>
+    </message>
+    <message>
+        <source>Kesler et al. 2017: 18.6 reversals in manual insertions at a target of 15 mm/min</source>
+        <translation>Kesler et al. 2017: 18,6 Richtungswechsel bei manuellen Insertionen mit Zielgeschwindigkeit 15 mm/min</translation>
+    </message>
+    <message>
+        <source>%1 % of the time at rest (below 0.1 mm/s)</source>
+        <translation>%1 % der Zeit in Ruhe (unter 0,1 mm/s)</translation>
+    </message>
+    <message>
+        <source>full score at 0 %, none from 15.7 %</source>
+        <translation>volle Punktzahl bei 0 %, keine ab 15,7 %</translation>
+    </message>
+    <message>
+        <source>Kesler et al. 2017: manual insertions at a target of 15 mm/min paused 15.7 % of the time</source>
+        <translation>Kesler et al. 2017: manuelle Insertionen mit Zielgeschwindigkeit 15 mm/min pausierten 15,7 % der Zeit</translation>
+    </message>
+    <message>
+        <source>The reference &apos;in-vivo&apos; has no range of the quantity &apos;peak&apos;, so no insertion can be scored. Put the shipped file back.</source>
+        <translation>Die Referenz &apos;in-vivo&apos; hat keinen Bereich der Größe &apos;peak&apos;, so dass keine Insertion bewertet werden kann. Legen Sie die mitgelieferte Datei zurück.</translation>
+    </message>
+    <message>
+        <source>The insertion was stopped before its end. Run it again.</source>
+        <translation>Die Insertion wurde vor ihrem Ende angehalten. Starten Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>The tip did not enter the opening: %1. Aim at the opening (approach_tilt_deg, approach_turn_deg), or start deeper inside (start_inside_mm).</source>
+        <translation>Die Spitze ist nicht in die Öffnung gelangt: %1. Zielen Sie auf die Öffnung (approach_tilt_deg, approach_turn_deg), oder beginnen Sie weiter innen (start_inside_mm).</translation>
+    </message>
+    <message>
+        <source>turn angle of the likeliest half-diameters with these A and B / 360 deg</source>
+        <translation>Windungswinkel der wahrscheinlichsten halben Durchmesser mit diesen A und B / 360°</translation>
+    </message>
+    <message>
+        <source>Pietsch et al. 2017, Sci Rep, n = 138; constants seen in public code</source>
+        <translation>Pietsch et al. 2017, Sci Rep, n = 138; Konstanten aus öffentlichem Code</translation>
+    </message>
+    <message>
+        <source>The reference &apos;%1&apos; lacks a point with feature = &quot;peak&quot; and its deviation; a calibration fits this one.</source>
+        <translation>Der Referenz &apos;%1&apos; fehlt ein Punkt mit feature = &quot;peak&quot; und seiner Abweichung; eine Kalibrierung passt diesen an.</translation>
+    </message>
+    <message>
+        <source>number %1</source>
+        <translation>Nummer %1</translation>
+    </message>
+    <message>
+        <source>numbers %1 and %2 more</source>
+        <translation>Nummern %1 und %2 weitere</translation>
+    </message>
+    <message>
+        <source>numbers %1 and %2</source>
+        <translation>Nummern %1 und %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 insertions reached the end</source>
+        <translation>%1 von %2 Insertionen erreichten das Ende</translation>
+    </message>
+    <message>
+        <source>Stopped before insertion %1.</source>
+        <translation>Vor Insertion %1 angehalten.</translation>
+    </message>
+    <message>
+        <source>Insertion %1 gave too few samples for its spline. Raise knot_spacing_mm or lower the speed.</source>
+        <translation>Insertion %1 ergab zu wenige Messwerte für ihren Spline. Erhöhen Sie knot_spacing_mm, oder verringern Sie die Geschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>A validation of %1 insertions has no spread; ask for at least 2.</source>
+        <translation>Eine Validierung mit %1 Insertionen hat keine Streuung; verlangen Sie mindestens 2.</translation>
+    </message>
+    <message>
+        <source>%1 A mean needs at least 2 of them. Ask for more runs, or name a scenario whose insertions reach the end.%2</source>
+        <translation>%1 Ein Mittelwert braucht mindestens 2 davon. Verlangen Sie mehr Läufe, oder nennen Sie ein Szenario, dessen Insertionen das Ende erreichen.%2</translation>
+    </message>
+    <message>
+        <source>Todd and Naghdy: Nucleus 24 Contour, synthetic scala tympani, soap, 2.0 mm/s.</source>
+        <translation>Todd und Naghdy: Nucleus 24 Contour, synthetische Scala tympani, Seife, 2,0 mm/s.</translation>
+    </message>
+    <message>
+        <source>Simulated insertions and the published %1</source>
+        <translation>Simulierte Insertionen und Veröffentlichung: %1</translation>
+    </message>
+    <message>
+        <source>95 % confidence interval of the mean</source>
+        <translation>95-%-Konfidenzintervall des Mittelwerts</translation>
+    </message>
+    <message>
+        <source>Seed %1; least-squares spline through each insertion, resampled every 0.1 mm.</source>
+        <translation>Startwert %1; Ausgleichsspline durch jede Insertion, neu abgetastet alle 0,1 mm.</translation>
+    </message>
+    <message>
+        <source>Calibrated insertions: fitted and other forces</source>
+        <translation>Kalibrierte Insertionen: angepasste und andere Kräfte</translation>
+    </message>
+    <message>
+        <source>experiment, mean ± SD, used for calibration</source>
+        <translation>Versuch, Mittelwert ± SD, zur Kalibrierung benutzt</translation>
+    </message>
+    <message>
+        <source>experiment, mean ± SD, not used</source>
+        <translation>Versuch, Mittelwert ± SD, nicht benutzt</translation>
+    </message>
+    <message>
+        <source>Stiffness scale %1 ± %2.</source>
+        <translation>Skala der Steifigkeit %1 ± %2.</translation>
+    </message>
+    <message>
+        <source>this simulator, 95 % confidence interval</source>
+        <translation>dieser Simulator, 95-%-Konfidenzintervall</translation>
+    </message>
+    <message>
+        <source>published simulator, 95 % confidence interval where reported (sign corrected)</source>
+        <translation>veröffentlichter Simulator, 95-%-Konfidenzintervall, wo berichtet (Vorzeichen berichtigt)</translation>
+    </message>
+    <message>
+        <source>Shown only where the experiment was reported; its means are from about 11 insertions.</source>
+        <translation>Nur gezeigt, wo der Versuch berichtet ist; seine Mittelwerte stammen aus etwa 11 Insertionen.</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>peak</source>
+        <translation>Maximum der Basalwindung</translation>
+    </message>
+    <message>
+        <source>dip</source>
+        <translation>Minimum danach</translation>
+    </message>
+    <message>
+        <source>maximum</source>
+        <translation>Maximum</translation>
+    </message>
+    <message>
+        <source>end</source>
+        <translation>Ende</translation>
+    </message>
+    <message>
+        <source>standard deviation at %1, %2</source>
+        <translation>Standardabweichung bei %1, %2</translation>
+    </message>
+    <message>
+        <source>force at %1, %2</source>
+        <translation>Kraft bei %1, %2</translation>
+    </message>
+    <message>
+        <source>derived</source>
+        <translation>abgeleitet</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>höchstens %1</translation>
+    </message>
+    <message>
+        <source>p of the predicted forces</source>
+        <translation>p der vorhergesagten Kräfte</translation>
+    </message>
+    <message>
+        <source>%1 (chi-square %2)</source>
+        <translation>%1 (Chi-Quadrat %2)</translation>
+    </message>
+    <message>
+        <source>at least 0.05</source>
+        <translation>mindestens 0,05</translation>
+    </message>
+    <message>
+        <source>between 3 and 7 mm</source>
+        <translation>zwischen 3 und 7 mm</translation>
+    </message>
+    <message>
+        <source>The surface has %1 triangles; a scala tympani needs at least %2. Export the segmentation as triangles.</source>
+        <translation>Die Oberfläche hat %1 Dreiecke; eine Scala tympani braucht mindestens %2. Exportieren Sie die Segmentierung als Dreiecke.</translation>
+    </message>
+    <message>
+        <source>A triangle of the surface names the corner %1, but there are %2. Export the surface again.</source>
+        <translation>Ein Dreieck der Oberfläche nennt die Ecke %1, es gibt aber %2. Exportieren Sie die Oberfläche noch einmal.</translation>
+    </message>
+    <message>
+        <source>A corner of the surface is not a finite number. Export the surface again.</source>
+        <translation>Eine Ecke der Oberfläche ist keine endliche Zahl. Exportieren Sie die Oberfläche noch einmal.</translation>
+    </message>
+    <message>
+        <source>The surface is %1 mm long; a scala tympani is between %2 and %3 mm. Surfaces are read in millimeters; export it so.</source>
+        <translation>Die Oberfläche ist %1 mm lang; eine Scala tympani hat %2 bis %3 mm. Oberflächen werden in Millimetern gelesen; exportieren Sie sie so.</translation>
+    </message>
+    <message>
+        <source>At %1 of %2 edges of the surface more than two triangles meet; it must be the one wall of the scala. Repair it in the segmentation program.</source>
+        <translation>An %1 von %2 Kanten der Oberfläche treffen sich mehr als zwei Dreiecke; sie muss die eine Wand der Scala sein. Reparieren Sie sie im Segmentierungsprogramm.</translation>
+    </message>
+    <message>
+        <source>The surface has %1 separate pieces; it must be one. Keep the scala tympani alone.</source>
+        <translation>Die Oberfläche hat %1 getrennte Teile; es muss eines sein. Behalten Sie nur die Scala tympani.</translation>
+    </message>
+    <message>
+        <source>The surface encloses %1 mm3; a scala tympani holds 23 to 50 mm3, and %2 to %3 are read. Keep the scala tympani alone, in millimeters.</source>
+        <translation>Die Oberfläche umschließt %1 mm³; eine Scala tympani fasst 23 bis 50 mm³, gelesen werden %2 bis %3. Behalten Sie nur die Scala tympani, in Millimetern.</translation>
+    </message>
+    <message>
+        <source>The surface has a hole at (%1, %2, %3) mm, %4 mm from the basal end of its duct, where only the round window may be open. Close it in the segmentation program.</source>
+        <translation>Die Oberfläche hat ein Loch bei (%1, %2, %3) mm, %4 mm vom basalen Ende ihres Gangs, wo nur das runde Fenster offen sein darf. Schließen Sie es im Segmentierungsprogramm.</translation>
+    </message>
+    <message>
+        <source>The surface does not wind about an axis as a scala tympani does. Keep the scala tympani alone, without vestibule and scala vestibuli.</source>
+        <translation>Die Oberfläche windet sich nicht um eine Achse, wie es eine Scala tympani tut. Behalten Sie nur die Scala tympani, ohne Vestibulum und Scala vestibuli.</translation>
+    </message>
+    <message>
+        <source>The duct winds %1 turns about its axis; at least %2 are needed to measure it. Segment the scala tympani farther toward the apex.</source>
+        <translation>Der Gang windet sich %1-mal um seine Achse; mindestens %2 Windungen sind nötig, um ihn zu messen. Segmentieren Sie die Scala tympani weiter zum Apex hin.</translation>
+    </message>
+    <message>
+        <source>The surface is torn at %1: a corner lies %2 mm from the others of its rim. Repair it there in the segmentation program, or export it again.</source>
+        <translation>Die Oberfläche ist bei %1 gerissen: Eine Ecke liegt %2 mm neben den anderen ihres Rands. Reparieren Sie sie dort im Segmentierungsprogramm, oder exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>The surface has more than one opening: rims of %1 mm at %2 and %3 mm at %4. Only the round window may be open; close the other.</source>
+        <translation>Die Oberfläche hat mehr als eine Öffnung: Ränder von %1 mm bei %2 und %3 mm bei %4. Nur das runde Fenster darf offen sein; schließen Sie die andere.</translation>
+    </message>
+    <message>
+        <source>The surface is torn at %1: its longest rim is a slit of %2 mm, not the opening of a scala tympani at the round window. Repair it there in the segmentation program, or export it again.</source>
+        <translation>Die Oberfläche ist bei %1 gerissen: Ihr längster Rand ist ein Schlitz von %2 mm, nicht die Öffnung einer Scala tympani am runden Fenster. Reparieren Sie sie dort im Segmentierungsprogramm, oder exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>The surface has a hole at %1 with a rim of %2 mm in the side of its wall, not across the duct as the opening at the round window. Close it in the segmentation program.</source>
+        <translation>Die Oberfläche hat bei %1 ein Loch mit einem Rand von %2 mm in der Seite ihrer Wand, nicht quer zum Gang wie die Öffnung am runden Fenster. Schließen Sie es im Segmentierungsprogramm.</translation>
+    </message>
+    <message>
+        <source>%1 ends in &apos;%2&apos;; a surface is written as .stl, .ply, .obj, .wrl or .vtp. Choose one of these.</source>
+        <translation>%1 endet auf &apos;%2&apos;; eine Oberfläche wird als .stl, .ply, .obj, .wrl oder .vtp geschrieben. Wählen Sie eines davon.</translation>
+    </message>
+    <message>
+        <source>%1 (%2) is %3 mm; it must be between %4 and %5 mm.</source>
+        <translation>%1 (%2) ist %3 mm; erlaubt sind %4 bis %5 mm.</translation>
+    </message>
+    <message>
+        <source>%1 is %2; it must be between %3 and %4 mm. Measure again.</source>
+        <translation>%1 ist %2; erlaubt sind %3 bis %4 mm. Messen Sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>A (a_mm)</source>
+        <translation>A (a_mm)</translation>
+    </message>
+    <message>
+        <source>B (b_mm)</source>
+        <translation>B (b_mm)</translation>
+    </message>
+    <message>
+        <source>The height H</source>
+        <translation>Die Höhe H</translation>
+    </message>
+    <message>
+        <source>The standard deviation of A</source>
+        <translation>Die Standardabweichung von A</translation>
+    </message>
+    <message>
+        <source>The standard deviation of B</source>
+        <translation>Die Standardabweichung von B</translation>
+    </message>
+    <message>
+        <source>The standard deviation of H</source>
+        <translation>Die Standardabweichung von H</translation>
+    </message>
+    <message>
+        <source>The correlation of two errors (%1) is %2; it must be between -1 and 1.</source>
+        <translation>Die Korrelation zweier Fehler (%1) ist %2; sie muss zwischen -1 und 1 liegen.</translation>
+    </message>
+    <message>
+        <source>The correlations of the errors of A, B and H (ab_correlation, ah_correlation, bh_correlation) contradict each other: no three errors have them. Check them.</source>
+        <translation>Die Korrelationen der Fehler von A, B und H (ab_correlation, ah_correlation, bh_correlation) widersprechen sich: Keine drei Fehler haben sie. Prüfen Sie sie.</translation>
+    </message>
+    <message>
+        <source>The length of the scala tympani</source>
+        <translation>Die Länge der Scala tympani</translation>
+    </message>
+    <message>
+        <source>The width of its section at the round window</source>
+        <translation>Die Breite ihres Querschnitts am runden Fenster</translation>
+    </message>
+    <message>
+        <source>The height of its section at the round window</source>
+        <translation>Die Höhe ihres Querschnitts am runden Fenster</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; cannot be a patient code; use 1 to %2 letters A to Z, digits and hyphens, such as P-017, and no name.</source>
+        <translation>&apos;%1&apos; kann kein Patientencode sein; verwenden Sie 1 bis %2 Buchstaben A bis Z, Ziffern und Bindestriche, etwa P-017, und keinen Namen.</translation>
+    </message>
+    <message>
+        <source>The cochlea drawn with seed %1 is out of limits: %2 Use another seed.</source>
+        <translation>Die mit Startwert %1 gezogene Cochlea liegt außerhalb der Grenzen: %2 Nehmen Sie einen anderen Startwert.</translation>
+    </message>
+    <message>
+        <source>%1 is %2. Check the measurement.</source>
+        <translation>%1 ist %2. Prüfen Sie die Messung.</translation>
+    </message>
+    <message>
+        <source>A and B do not match: with A %1 mm, B is usually %2 mm (SD %3, Pietsch et al. 2017), not %4 mm. Check both measurements.</source>
+        <translation>A und B passen nicht zusammen: Bei A %1 mm ist B gewöhnlich %2 mm (SD %3, Pietsch et al. 2017), nicht %4 mm. Prüfen Sie beide Messungen.</translation>
+    </message>
+    <message>
+        <source>H is %1 mm; cochleae have %2 to %3 mm (Medan; Erixon 2009). Check the measurement.</source>
+        <translation>H ist %1 mm; Cochleae haben %2 bis %3 mm (Medan; Erixon 2009). Prüfen Sie die Messung.</translation>
+    </message>
+    <message>
+        <source>The cochlea of %1 cannot be built: %2</source>
+        <translation>Die Cochlea von %1 kann nicht aufgebaut werden: %2</translation>
+    </message>
+    <message>
+        <source>%1: there are %2 sections; at least 8 over a full turn are needed. Install the program again.</source>
+        <translation>%1: Es gibt %2 Querschnitte; mindestens 8 über eine volle Windung sind nötig. Installieren Sie das Programm neu.</translation>
+    </message>
+    <message>
+        <source>%1: imaginary_mm of section %2 sets it more than 0.16 mm above or below its neighbors: the file is damaged. Install the program again.</source>
+        <translation>%1: imaginary_mm des Querschnitts %2 legt ihn mehr als 0,16 mm über oder unter seine Nachbarn: Die Datei ist beschädigt. Installieren Sie das Programm neu.</translation>
+    </message>
+    <message>
+        <source>The port %1 at %2 cannot be listened at: %3.</source>
+        <translation>Am Port %1 bei %2 kann nicht gelauscht werden: %3.</translation>
+    </message>
+    <message>
+        <source>The port &apos;%1&apos; in &apos;%2&apos; is none to listen at; it must be a number from 1024 to 65535, like 18944.</source>
+        <translation>Der Port &apos;%1&apos; in &apos;%2&apos; geht nicht; er muss eine Zahl von 1024 bis 65535 sein, etwa 18944.</translation>
+    </message>
+    <message>
+        <source>The address &apos;%1&apos; in &apos;%2&apos; is not numeric; use one of this machine, like 127.0.0.1 or [::1].</source>
+        <translation>Die Adresse &apos;%1&apos; in &apos;%2&apos; ist keine Zahlenadresse; nehmen Sie eine dieses Rechners, etwa 127.0.0.1 oder [::1].</translation>
+    </message>
+    <message>
+        <source>%1 has no [[point]]; a curve needs at least one.</source>
+        <translation>%1 hat kein [[point]]; eine Kurve braucht mindestens eines.</translation>
+    </message>
+    <message>
+        <source>The point lies outside the volume. Choose a point inside the scan, in LPS millimeters.</source>
+        <translation>Der Punkt liegt außerhalb des Volumens. Wählen Sie einen Punkt im Scan, in LPS-Millimetern.</translation>
+    </message>
+    <message>
+        <source>A voxel is longer than 0.65 mm, the coarsest the measurement was tried with: take a finer series if there is one, or trust the measures less than their error bars say.</source>
+        <translation>Ein Voxel ist länger als 0,65 mm; gröber wurde die Messung nicht erprobt. Feinere Serie verwenden, falls vorhanden, oder den Maßen weniger trauen, als ihre Fehlerangaben sagen.</translation>
+    </message>
+    <message>
+        <source>A or B lies more than two standard deviations from the mean of 138 cochleae: check the outline in the images before using the measures.</source>
+        <translation>A oder B liegt mehr als zwei Standardabweichungen vom Mittelwert aus 138 Cochleae entfernt: Vor Verwendung der Maße den Umriss in den Bildern prüfen.</translation>
+    </message>
+    <message>
+        <source>No round window was found, so 0 degrees follows from the spiral alone: mark the round window&apos;s center.</source>
+        <translation>Kein rundes Fenster gefunden; 0 Grad folgt allein aus der Spirale. Die Mitte des runden Fensters markieren.</translation>
+    </message>
+    <message>
+        <source>Fewer than 2.15 turns of the lumen were seen: the cochlea is malformed, or its upper turns are filled with bone. No duct length is given, because its formula assumes 2.5 turns.</source>
+        <translation>Weniger als 2,15 Windungen des Lumens wurden gesehen: Die Cochlea ist missgebildet, oder ihre oberen Windungen sind mit Knochen gefüllt. Eine Ganglänge wird nicht angegeben, weil ihre Formel 2,5 Windungen annimmt.</translation>
+    </message>
+    <message>
+        <source>No modiolus was seen within the middle turn: middle and apical turn may be one cavity (incomplete partition). No duct length is given, because its formula assumes 2.5 turns, and H is that of the cavity.</source>
+        <translation>In der mittleren Windung wurde kein Modiolus gesehen: Mittlere und apikale Windung könnten ein Hohlraum sein (inkomplette Partition). Eine Ganglänge wird nicht angegeben, weil ihre Formel 2,5 Windungen annimmt, und H ist das Maß des Hohlraums.</translation>
+    </message>
+    <message>
+        <source>The best fit has A %1 mm and B %2 mm; of 138 cochleae A was %3 mm to %4 mm and B %5 mm to %6 mm at four standard deviations. Click into the cochlea; of a malformed or ossified one A, B and H do not apply.</source>
+        <translation>Die beste Anpassung hat A %1 mm und B %2 mm; bei 138 Cochleae war A %3 mm bis %4 mm und B %5 mm bis %6 mm innerhalb von vier Standardabweichungen. Klicken Sie in die Cochlea; für eine missgebildete oder verknöcherte gelten A, B und H nicht.</translation>
+    </message>
+    <message>
+        <source>slice %1 of %2 (at %3 mm along the normal)</source>
+        <translation>Schicht %1 von %2 (bei %3 mm entlang der Normalen)</translation>
+    </message>
+    <message>
+        <source>%1 of %2 slices have a position more than 1 km from the origin of the patient&apos;s coordinates, where no scanner measures. Export the series again as original images.</source>
+        <translation>%1 von %2 Schichten liegen mehr als 1 km vom Ursprung der Patientenkoordinaten entfernt, wo kein Scanner misst. Exportieren Sie die Serie noch einmal als Originalbilder.</translation>
+    </message>
+    <message>
+        <source>1 slice is missing behind %1, where the gap is %2 mm and the step elsewhere %3 mm. Export the whole series again.</source>
+        <translation>1 Schicht fehlt hinter %1; die Lücke ist dort %2 mm und der Abstand sonst %3 mm. Exportieren Sie die ganze Serie noch einmal.</translation>
+    </message>
+    <message>
+        <source>%1 slices are missing, the first behind %2, where the gap is %3 mm and the step elsewhere %4 mm. Export the whole series again.</source>
+        <translation>%1 Schichten fehlen, die erste hinter %2; die Lücke ist dort %3 mm und der Abstand sonst %4 mm. Exportieren Sie die ganze Serie noch einmal.</translation>
+    </message>
+    <message>
+        <source>There is a single slice; at least 2 are needed. Choose another series.</source>
+        <translation>Es ist nur eine Schicht da; mindestens 2 sind nötig. Wählen Sie eine andere Serie.</translation>
+    </message>
+    <message>
+        <source>The slices are not equally spaced: %1 lies %2 mm from where equal steps of %3 mm put it, and at most %4 mm is allowed. Export the series again as original images.</source>
+        <translation>Die Schichten haben nicht den gleichen Abstand: %1 liegt %2 mm neben ihrem Ort bei gleichen Abständen von %3 mm, höchstens %4 mm sind erlaubt. Exportieren Sie die Serie noch einmal als Originalbilder.</translation>
+    </message>
+    <message>
+        <source>The measurement was canceled.</source>
+        <translation>Die Messung wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>A voxel is %1 mm long; at most 1.0 mm is allowed, and 0.6 mm or less is advised. Take a series with thinner slices.</source>
+        <translation>Ein Voxel ist %1 mm lang; höchstens 1,0 mm sind erlaubt, 0,6 mm oder weniger empfohlen. Nehmen Sie eine Serie mit dünneren Schichten.</translation>
+    </message>
+    <message>
+        <source>The right ear was not measured. %1</source>
+        <translation>Das rechte Ohr wurde nicht gemessen. %1</translation>
+    </message>
+    <message>
+        <source>The left ear was not measured. %1</source>
+        <translation>Das linke Ohr wurde nicht gemessen. %1</translation>
+    </message>
+    <message>
+        <source>No %1 cochlea was found: the one found at x %2 mm (LPS) winds as in a %3 ear. Measure that ear alone, or take a series that shows both.</source>
+        <translation>Keine %1 Cochlea wurde gefunden: Die bei x %2 mm (LPS) gefundene windet sich wie eine %3. Messen Sie dieses Ohr allein, oder nehmen Sie eine Serie, die beide zeigt.</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechte</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>linke</translation>
+    </message>
+    <message>
+        <source>%1 %2, so the file beside it is not opened. Copy %3 alone to another folder.</source>
+        <translation>%1 %2; die Datei daneben wird darum nicht geöffnet. Kopieren Sie %3 allein in einen anderen Ordner.</translation>
+    </message>
+    <message>
+        <source>Reading %1 was stopped.</source>
+        <translation>Das Lesen von %1 wurde angehalten.</translation>
+    </message>
+    <message>
+        <source>%1 is damaged (%2). %3</source>
+        <translation>%1 ist beschädigt (%2). %3</translation>
+    </message>
+    <message>
+        <source>SQLite cannot be set up</source>
+        <translation>SQLite kann nicht eingerichtet werden</translation>
+    </message>
+    <message>
+        <source>%1 is not %2. %3</source>
+        <translation>%1 ist etwas anderes als %2. %3</translation>
+    </message>
+    <message>
+        <source>%1 has format %2; this program reads up to %3. Open it with a newer version.</source>
+        <translation>%1 hat das Format %2; dieses Programm liest bis %3. Öffnen Sie sie mit einer neueren Version.</translation>
+    </message>
+    <message>
+        <source>its format has no number</source>
+        <translation>ihr Format hat keine Nummer</translation>
+    </message>
+    <message>
+        <source>it has content that %1 does not have</source>
+        <translation>sie hat Inhalte, die nicht dazugehören: %1</translation>
+    </message>
+    <message>
+        <source>a table is missing</source>
+        <translation>eine Tabelle fehlt</translation>
+    </message>
+    <message>
+        <source>%1 is a folder. %2</source>
+        <translation>%1 ist ein Ordner. %2</translation>
+    </message>
+    <message>
+        <source>%1 does not exist. Check the name.</source>
+        <translation>%1 gibt es nicht. Prüfen Sie den Namen.</translation>
+    </message>
+    <message>
+        <source>%1 may not be read. Check its permissions.</source>
+        <translation>%1 darf nicht gelesen werden. Prüfen Sie die Rechte.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be found: %2.</source>
+        <translation>%1 kann nicht gefunden werden: %2.</translation>
+    </message>
+    <message>
+        <source>%1 may not be written. Check its permissions and those of its folder.</source>
+        <translation>%1 darf nicht geschrieben werden. Prüfen Sie die Rechte der Datei und ihres Ordners.</translation>
+    </message>
+    <message>
+        <source>it is cut short</source>
+        <translation>sie ist abgeschnitten</translation>
+    </message>
+    <message>
+        <source>%1, but the device has no such axis. Choose another axis in [axes].</source>
+        <translation>%1, aber das Gerät hat keine solche Achse. Wählen Sie eine andere Achse in [axes].</translation>
+    </message>
+    <message>
+        <source>%1, but the device says that it only knows the value %2. Give full_counts in [axes].</source>
+        <translation>%1, aber das Gerät gibt an, dass es nur den Wert %2 kennt. Geben Sie full_counts in [axes] an.</translation>
+    </message>
+    <message>
+        <source>The %1 went away while it was told %2. Check its cable and open it again.</source>
+        <translation>Das Gerät %1 verschwand, während ihm %2 mitgeteilt wurde. Prüfen Sie sein Kabel, und öffnen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>The %1 did not take %2 (report %3, %4 bytes). Unplug it, plug it in again, and close other programs that use it.</source>
+        <translation>Das Gerät %1 nahm %2 nicht an (Report %3, %4 Bytes). Ziehen Sie es ab, stecken Sie es wieder ein, und schließen Sie andere Programme, die es benutzen.</translation>
+    </message>
+    <message>
+        <source>The %1 went away while it made room for a force. Check its cable.</source>
+        <translation>Das Gerät %1 verschwand, während es Platz für eine Kraft schuf. Prüfen Sie sein Kabel.</translation>
+    </message>
+    <message>
+        <source>The %1 has %2 for effect %3. Close other programs that use it, or take a profile with fewer effects (effects = &quot;direction&quot;).</source>
+        <translation>Das Gerät %1 hat %2 für Effekt %3. Schließen Sie andere Programme, die es benutzen, oder nehmen Sie ein Profil mit weniger Effekten (effects = &quot;direction&quot;).</translation>
+    </message>
+    <message>
+        <source>no room</source>
+        <translation>keinen Platz</translation>
+    </message>
+    <message>
+        <source>not answered with room</source>
+        <translation>nicht mit Platz geantwortet</translation>
+    </message>
+    <message>
+        <source>The %1 cannot show forces by the profile %2: its report descriptor lacks %3.</source>
+        <translation>Das Gerät %1 kann mit dem Profil %2 keine Kräfte zeigen: Seiner Report-Beschreibung fehlt %3.</translation>
+    </message>
+    <message>
+        <source>The report descriptor makes no sense at byte %1: %2 The device&apos;s firmware is at fault; Perilymph cannot use it.</source>
+        <translation>Die Report-Beschreibung ergibt bei Byte %1 keinen Sinn: %2 Die Firmware des Geräts ist fehlerhaft; Perilymph kann es nicht benutzen.</translation>
+    </message>
+    <message>
+        <source>The report descriptor is %1 bytes long; at most %2 are read.</source>
+        <translation>Die Report-Beschreibung ist %1 Bytes lang; höchstens %2 werden gelesen.</translation>
+    </message>
+    <message>
+        <source>The profile %1 does not fit the device: its %2 report %3 should have %4 bytes and has %5. Put right &apos;report&apos; and &apos;bytes&apos; in the profile, or take another one.</source>
+        <translation>Das Profil %1 passt nicht zum Gerät: Sein %2-Report %3 sollte %4 Bytes haben und hat %5. Berichtigen Sie &apos;report&apos; und &apos;bytes&apos; im Profil, oder nehmen Sie ein anderes.</translation>
+    </message>
+    <message>
+        <source>The profile %1 finds axes by their usage, but the device&apos;s report descriptor is empty or unreadable. Check that the device may be opened.</source>
+        <translation>Das Profil %1 findet Achsen nach ihrer Verwendung, aber die Report-Beschreibung des Geräts ist leer oder unlesbar. Prüfen Sie, ob das Gerät geöffnet werden darf.</translation>
+    </message>
+    <message>
+        <source>%1 If this program dies, only the device&apos;s own watchdog takes the force away.</source>
+        <translation>%1 Wenn dieses Programm abstürzt, nimmt nur die eigene Überwachung des Geräts die Kraft weg.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be the hand. %2</source>
+        <translation>%1 kann nicht das Eingabegerät sein. %2</translation>
+    </message>
+    <message>
+        <source>There is no device &apos;%1&apos;. %2</source>
+        <translation>Es gibt kein Gerät &apos;%1&apos;. %2</translation>
+    </message>
+    <message>
+        <source>%1 is not plugged in.</source>
+        <translation>%1 ist nicht eingesteckt.</translation>
+    </message>
+    <message>
+        <source>You may not open %1 (%2). Put this line into %3 and plug the device in again: %4</source>
+        <translation>Sie dürfen %1 nicht öffnen (%2). Schreiben Sie diese Zeile in %3, und stecken Sie das Gerät noch einmal ein: %4</translation>
+    </message>
+    <message>
+        <source>The HID device %1 cannot be opened. See &apos;perilymph-cli devices&apos; for what it is and who may open it, then plug it in again.</source>
+        <translation>Das HID-Gerät %1 kann nicht geöffnet werden. &apos;perilymph-cli devices&apos; sagt, was es ist und wer es öffnen darf; stecken Sie es danach noch einmal ein.</translation>
+    </message>
+    <message>
+        <source>The plug-in %1 is not taken: %2</source>
+        <translation>Das Plug-in %1 wird nicht angenommen: %2</translation>
+    </message>
+    <message>
+        <source>The %1 cannot be opened, and its plug-in does not say why.</source>
+        <translation>Das Gerät %1 kann nicht geöffnet werden, und sein Plug-in nennt keinen Grund.</translation>
+    </message>
+    <message>
+        <source>it cannot be loaded: %1. Build it for this machine.</source>
+        <translation>Es kann nicht geladen werden: %1. Bauen Sie es für diesen Rechner.</translation>
+    </message>
+    <message>
+        <source>it exports no %1. It is no device plug-in, or one for a later program.</source>
+        <translation>Es exportiert kein %1. Es ist kein Geräte-Plug-in oder eines für ein späteres Programm.</translation>
+    </message>
+    <message>
+        <source>%1() gives nothing.</source>
+        <translation>%1() ergibt nichts.</translation>
+    </message>
+    <message>
+        <source>it speaks version %1 of the boundary; this program speaks %2. Build it against this program.</source>
+        <translation>Es spricht Version %1 der Schnittstelle; dieses Programm spricht %2. Bauen Sie es für dieses Programm.</translation>
+    </message>
+    <message>
+        <source>one of its functions is missing. Fill in all of PerilymphDeviceV1.</source>
+        <translation>Eine seiner Funktionen fehlt. Füllen Sie PerilymphDeviceV1 ganz aus.</translation>
+    </message>
+    <message>
+        <source>it finds no device. Plug the device in and try again.</source>
+        <translation>Es findet kein Gerät. Stecken Sie das Gerät ein, und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>it does not tell its traits.</source>
+        <translation>Es nennt seine Eigenschaften nicht.</translation>
+    </message>
+    <message>
+        <source>no process can be made for it: %1.</source>
+        <translation>Für es kann kein Prozess angelegt werden: %1.</translation>
+    </message>
+    <message>
+        <source>the program %1, in which plug-ins run, is not installed. Install the package again.</source>
+        <translation>Das Programm %1, in dem Plug-ins laufen, ist nicht installiert. Installieren Sie das Paket neu.</translation>
+    </message>
+    <message>
+        <source>%1 could not be started.</source>
+        <translation>%1 konnte nicht gestartet werden.</translation>
+    </message>
+    <message>
+        <source>%1 is of another version. Install the package again.</source>
+        <translation>%1 ist von einer anderen Version. Installieren Sie das Paket neu.</translation>
+    </message>
+    <message>
+        <source>its device has no name.</source>
+        <translation>Sein Gerät hat keinen Namen.</translation>
+    </message>
+    <message>
+        <source>its period between samples is %1 s; it must be between 0.0001 and 0.1.</source>
+        <translation>Seine Zeit zwischen Messwerten ist %1 s; sie muss zwischen 0,0001 und 0,1 liegen.</translation>
+    </message>
+    <message>
+        <source>its greatest force is %1 N; it must be between 0.01 and 50.</source>
+        <translation>Seine größte Kraft ist %1 N; sie muss zwischen 0,01 und 50 liegen.</translation>
+    </message>
+    <message>
+        <source>one of its traits is negative or not a number.</source>
+        <translation>Eine seiner Eigenschaften ist negativ oder keine Zahl.</translation>
+    </message>
+    <message>
+        <source>it counts %1 axes; there are 0 to 3 of a sort.</source>
+        <translation>Es zählt %1 Achsen; es gibt 0 bis 3 jeder Art.</translation>
+    </message>
+    <message>
+        <source>it counts %1 buttons; 0 to 32 are known.</source>
+        <translation>Es zählt %1 Tasten; 0 bis 32 sind bekannt.</translation>
+    </message>
+    <message>
+        <source>The tape %1 cannot be written. Check that its folder is there and may be written to.</source>
+        <translation>Das Band %1 kann nicht geschrieben werden. Prüfen Sie, ob es seinen Ordner gibt und er beschreibbar ist.</translation>
+    </message>
+    <message>
+        <source>%1, line %2: %3 A tape is written by &apos;perilymph-cli devices --capture&apos; or hid-recorder.</source>
+        <translation>%1, Zeile %2: %3 Ein Band wird von &apos;perilymph-cli devices --capture&apos; oder hid-recorder geschrieben.</translation>
+    </message>
+    <message>
+        <source>%1 holds no report of a device. A tape is written by &apos;perilymph-cli devices --capture&apos; or hid-recorder.</source>
+        <translation>%1 enthält keinen Report eines Geräts. Ein Band wird von &apos;perilymph-cli devices --capture&apos; oder hid-recorder geschrieben.</translation>
+    </message>
+    <message>
+        <source>No profile fits the device on %1 (%2, %3). For a device of a known kind add one (plugins/README.md).</source>
+        <translation>Kein Profil passt zum Gerät an %1 (%2, %3). Für ein Gerät bekannter Art legen Sie eines an (plugins/README.md).</translation>
+    </message>
+    <message>
+        <source>The recorded hand has no samples; play a recording that holds at least one tick.</source>
+        <translation>Die aufgezeichnete Hand hat keine Messwerte; spielen Sie eine Aufzeichnung ab, die mindestens einen Takt enthält.</translation>
+    </message>
+    <message>
+        <source>Cannot write %1: %2</source>
+        <translation>%1 kann nicht geschrieben werden: %2</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: %2</source>
+        <translation>%1 kann nicht gelesen werden: %2</translation>
+    </message>
+    <message>
+        <source>No file is named. Give the path of a file.</source>
+        <translation>Es ist keine Datei genannt. Geben Sie den Pfad einer Datei an.</translation>
+    </message>
+    <message>
+        <source>%1 needs more memory than is available. Close other programs and try again.</source>
+        <translation>%1 braucht mehr Speicher, als frei ist. Schließen Sie andere Programme, und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>%1 failed: %2.</source>
+        <translation>%1 ist fehlgeschlagen: %2.</translation>
+    </message>
+    <message>
+        <source>%1 failed for an unknown reason.</source>
+        <translation>%1 ist aus unbekanntem Grund fehlgeschlagen.</translation>
+    </message>
+    <message>
+        <source>Out of memory.</source>
+        <translation>Der Speicher reicht nicht.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be locked: %2. Copy its folder to another disk.</source>
+        <translation>%1 kann nicht gesperrt werden: %2. Kopieren Sie den Ordner auf eine andere Platte.</translation>
+    </message>
+    <message>
+        <source>it did not end within %1 s</source>
+        <translation>es endete nicht innerhalb von %1 s</translation>
+    </message>
+    <message>
+        <source>There are several files for the %1 &apos;%2&apos;: %3 and %4. Give the path of one.</source>
+        <translation>Es gibt mehrere Dateien für %1 &apos;%2&apos;: %3 und %4. Geben Sie den Pfad einer davon an.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is a folder, not a %2. Give the name of a file in it.</source>
+        <translation>&apos;%1&apos; ist ein Ordner und keine Datei der Art %2. Nennen Sie eine Datei darin.</translation>
+    </message>
+    <message>
+        <source>There is no %1 or file &apos;%2&apos;. %3 Give one of these or the path of a TOML file.</source>
+        <translation>Es gibt weder %1 noch Datei &apos;%2&apos;. %3 Nennen Sie eines davon oder den Pfad einer TOML-Datei.</translation>
+    </message>
+    <message>
+        <source>%1the key &apos;%2%3&apos; is the old name of &apos;%4&apos;, which is given, too. Remove &apos;%3&apos;.</source>
+        <translation>%1Der Schlüssel &apos;%2%3&apos; ist der alte Name von &apos;%4&apos;, der auch angegeben ist. Entfernen Sie &apos;%3&apos;.</translation>
+    </message>
+    <message>
+        <source>%1:%2: this is not UTF-8 text. Check that it is the right file and save it as UTF-8.</source>
+        <translation>%1:%2: Das ist kein UTF-8-Text. Prüfen Sie, ob es die richtige Datei ist, und speichern Sie sie als UTF-8.</translation>
+    </message>
+    <message>
+        <source>%1:%2: a key has more than 16 parts between dots; no file of this program nests so deep.</source>
+        <translation>%1:%2: Ein Schlüssel hat mehr als 16 Teile zwischen Punkten; keine Datei dieses Programms ist so tief.</translation>
+    </message>
+    <message>
+        <source>%1:%2:%3: this is not TOML: %4</source>
+        <translation>%1:%2:%3: Das ist kein TOML: %4</translation>
+    </message>
+    <message>
+        <source>%1: this is not TOML: %2.</source>
+        <translation>%1: Das ist kein TOML: %2.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be created: %2 in its folder. Choose another place.</source>
+        <translation>%1 kann nicht angelegt werden: %2 in seinem Ordner. Wählen Sie einen anderen Ort.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be created: %2. Choose another place.</source>
+        <translation>%1 kann nicht angelegt werden: %2. Wählen Sie einen anderen Ort.</translation>
+    </message>
+    <message>
+        <source>has not ended</source>
+        <translation>endeten nicht</translation>
+    </message>
+    <message>
+        <source>reached its full travel</source>
+        <translation>erreichten den vollen Vorschub</translation>
+    </message>
+    <message>
+        <source>was stopped because the force reached the limit</source>
+        <translation>wurden angehalten, weil die Kraft die Grenze erreichte</translation>
+    </message>
+    <message>
+        <source>buckled in front of the opening</source>
+        <translation>knickten vor der Öffnung ein</translation>
+    </message>
+    <message>
+        <source>bowed in front of the opening and slipped out of it</source>
+        <translation>bogen sich vor der Öffnung durch und glitten heraus</translation>
+    </message>
+    <message>
+        <source>folded over at its tip</source>
+        <translation>schlugen an der Spitze um</translation>
+    </message>
+    <message>
+        <source>jammed</source>
+        <translation>blieben stecken</translation>
+    </message>
+    <message>
+        <source>stopped with a fault</source>
+        <translation>endeten mit einem Fehler</translation>
+    </message>
+    <message>
+        <source>was refused</source>
+        <translation>wurden abgelehnt</translation>
+    </message>
+    <message>
+        <source>%1 does not exist. Check the path.</source>
+        <translation>%1 gibt es nicht. Prüfen Sie den Pfad.</translation>
+    </message>
+    <message>
+        <source>%1 is neither a file nor a folder. Give a folder of DICOM files, a DICOMDIR, a DICOM, NIfTI or NRRD file.</source>
+        <translation>%1 ist weder eine Datei noch ein Ordner. Wählen Sie einen Ordner mit DICOM-Dateien, ein DICOMDIR, eine DICOM-, NIfTI- oder NRRD-Datei.</translation>
+    </message>
+    <message>
+        <source>%1 holds no DICOM image. Give a folder of DICOM files, a DICOMDIR, a DICOM, NIfTI or NRRD file.</source>
+        <translation>%1 enthält kein DICOM-Bild. Wählen Sie einen Ordner mit DICOM-Dateien, ein DICOMDIR, eine DICOM-, NIfTI- oder NRRD-Datei.</translation>
+    </message>
+    <message>
+        <source>%1 holds %2 series of the number %3, of several patients or studies. Choose one of them: %3#1 and so on.</source>
+        <translation>%1 enthält %2 Serien der Nummer %3, von mehreren Patienten oder Studien. Wählen Sie eine davon: %3#1 und so weiter.</translation>
+    </message>
+    <message>
+        <source>%1 holds no series %2; it holds %3. &apos;perilymph-cli ct info&apos; lists them.</source>
+        <translation>%1 enthält keine Serie %2; sie enthält %3. &apos;perilymph-cli ct info&apos; listet sie auf.</translation>
+    </message>
+    <message>
+        <source>%1 holds %2 series, and none of them can be read; of the first: %3</source>
+        <translation>%1 enthält %2 Serien, und keine davon ist lesbar; zur ersten: %3</translation>
+    </message>
+    <message>
+        <source>%1 is one volume and holds no series %2. Leave the series out.</source>
+        <translation>%1 ist ein einzelnes Volumen und enthält keine Serie %2. Lassen Sie die Serie weg.</translation>
+    </message>
+    <message>
+        <source>%1 asks for more memory than there is. Export the region of the temporal bone.</source>
+        <translation>%1 braucht mehr Speicher, als da ist. Exportieren Sie den Bereich des Felsenbeins.</translation>
+    </message>
+    <message>
+        <source>The haptic surface of %1 could not be brought to %2 triangles; it has %3. Use the surface at full resolution, --surface.</source>
+        <translation>Die haptische Oberfläche von %1 konnte nicht auf %2 Dreiecke gebracht werden; sie hat %3. Nehmen Sie die Oberfläche in voller Auflösung, --surface.</translation>
+    </message>
+    <message>
+        <source>%1 gives its points in another unit (coordinateUnits) than mm, um, cm or m. Save the points in millimeters.</source>
+        <translation>%1 gibt die Punkte in einer anderen Einheit (coordinateUnits) als mm, um, cm oder m an. Speichern Sie die Punkte in Millimetern.</translation>
+    </message>
+    <message>
+        <source>The scala tympani is built with 2.5 turns, which were not seen in this cochlea, so no patient file is written. Use its measures without the model.</source>
+        <translation>Die Scala tympani wird mit 2,5 Windungen gebaut, die in dieser Cochlea nicht gesehen wurden; deshalb wird keine Patientendatei geschrieben. Verwenden Sie ihre Maße ohne das Modell.</translation>
+    </message>
+    <message>
+        <source>%1 does not end in .png, the only format of this picture.</source>
+        <translation>%1 endet nicht auf .png, das einzige Format dieses Bilds.</translation>
+    </message>
+    <message>
+        <source>has numbers with a decimal comma, such as &apos;%1&apos;. Export it with points, or replace the commas by points.</source>
+        <translation>hat Zahlen mit Dezimalkomma, etwa &apos;%1&apos;. Exportieren Sie sie mit Punkten, oder ersetzen Sie die Kommas durch Punkte.</translation>
+    </message>
+    <message>
+        <source>%1 ends in &apos;%2&apos;; a surface is read from .stl, .ply or .vtp. Export it as one of these.</source>
+        <translation>%1 endet auf &apos;%2&apos;; eine Oberfläche wird aus .stl, .ply oder .vtp gelesen. Exportieren Sie sie so.</translation>
+    </message>
+    <message>
+        <source>states %1 elements &apos;%2&apos;; at most 5 million are read. Export the surface of the cochlea alone.</source>
+        <translation>gibt %1 Elemente &apos;%2&apos; an; höchstens 5 Millionen werden gelesen. Exportieren Sie nur die Oberfläche der Cochlea.</translation>
+    </message>
+    <message>
+        <source>has no points with x, y and z. Export it again from the segmentation program.</source>
+        <translation>hat keine Punkte mit x, y und z. Exportieren Sie sie noch einmal aus dem Segmentierungsprogramm.</translation>
+    </message>
+    <message>
+        <source>has no faces with a list of their corners. Export it again from the segmentation program.</source>
+        <translation>hat keine Flächen mit einer Liste ihrer Ecken. Exportieren Sie sie noch einmal aus dem Segmentierungsprogramm.</translation>
+    </message>
+    <message>
+        <source>is not a whole .ply file: it does not hold the points and faces that its header states, one line of numbers each. Export it again from the segmentation program.</source>
+        <translation>ist keine vollständige .ply-Datei: Sie enthält nicht die Punkte und Flächen, die ihr Kopf angibt, je eine Zeile mit Zahlen. Exportieren Sie sie noch einmal aus dem Segmentierungsprogramm.</translation>
+    </message>
+    <message>
+        <source>%1 is encrypted. Unpack it with its password, and give the folder.</source>
+        <translation>%1 ist verschlüsselt. Entpacken Sie die Datei mit ihrem Kennwort, und geben Sie den Ordner an.</translation>
+    </message>
+    <message>
+        <source>%1 holds more than %2 files. Give the folder of one examination.</source>
+        <translation>%1 enthält mehr als %2 Dateien. Wählen Sie den Ordner einer Untersuchung.</translation>
+    </message>
+    <message>
+        <source>%1 unpacks to more than 4 GB, or to more than a hundred times its size. Unpack it, and give the folder of one series.</source>
+        <translation>%1 wird entpackt größer als 4 GB oder mehr als hundertmal so groß. Entpacken Sie die Datei, und geben Sie den Ordner einer Serie an.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be unpacked: the folder for temporary files (TMPDIR) is missing, full or not writable. Make space, or unpack it and give the folder.</source>
+        <translation>%1 kann nicht entpackt werden: Der Ordner für temporäre Dateien (TMPDIR) fehlt, ist voll oder nicht beschreibbar. Schaffen Sie Platz, oder entpacken Sie die Datei und geben Sie den Ordner an.</translation>
+    </message>
+    <message>
+        <source>%1 is a damaged .zip, or took more than a minute to unpack. Copy it again, or unpack it and give the folder.</source>
+        <translation>%1 ist eine beschädigte ZIP-Datei, oder das Entpacken dauerte länger als eine Minute. Kopieren Sie sie noch einmal, oder entpacken Sie sie und geben Sie den Ordner an.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read: %2. Check its name and permissions.</source>
+        <translation>%1 kann nicht gelesen werden: %2. Prüfen Sie Namen und Rechte.</translation>
+    </message>
+    <message>
+        <source>%1 is a DICOMDIR, but none of the files it names is there. Copy the whole medium, or give a folder of images.</source>
+        <translation>%1 ist ein DICOMDIR, aber keine der Dateien, die es nennt, ist da. Kopieren Sie das ganze Medium, oder wählen Sie einen Ordner mit Bildern.</translation>
+    </message>
+    <message>
+        <source>Reading was canceled.</source>
+        <translation>Das Lesen wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>sequences are nested deeper than %1, which no image needs. Export the series again.</source>
+        <translation>Sequenzen sind tiefer als %1 verschachtelt, was kein Bild braucht. Exportieren Sie die Serie noch einmal.</translation>
+    </message>
+    <message>
+        <source>%1 takes more than 5 minutes to list, because its files are damaged or on a slow drive. Copy the series to a folder of this computer.</source>
+        <translation>%1 braucht zum Auflisten mehr als 5 Minuten, weil die Dateien beschädigt sind oder auf einem langsamen Laufwerk liegen. Kopieren Sie die Serie in einen Ordner dieses Rechners.</translation>
+    </message>
+    <message>
+        <source>The file %1 states %2; export the series again as original images.</source>
+        <translation>Die Datei %1 gibt %2; exportieren Sie die Serie noch einmal als Originalbilder.</translation>
+    </message>
+    <message>
+        <source>The file %1</source>
+        <translation>Die Datei %1</translation>
+    </message>
+    <message>
+        <source>bytes</source>
+        <translation>Bytes</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source> in %1</source>
+        <translation> in %1</translation>
+    </message>
+    <message>
+        <source>Its intensities span less than 100, so they are no Hounsfield units: a mask, a label or a normalized volume. Export the CT itself.</source>
+        <translation>Die Intensitäten umfassen weniger als 100, sind also keine Hounsfield-Einheiten: eine Maske, ein Label oder ein normiertes Volumen. Exportieren Sie das CT selbst.</translation>
+    </message>
+    <message>
+        <source>The document is no PDF of at most 64 MiB.</source>
+        <translation>Das Dokument ist kein PDF von höchstens 64 MiB.</translation>
+    </message>
+    <message>
+        <source>Title, code and version of a DICOM document have at most 64 ASCII letters.</source>
+        <translation>Titel, Code und Version eines DICOM-Dokuments haben höchstens 64 ASCII-Zeichen.</translation>
+    </message>
+    <message>
+        <source>%1 is not the CT in which this was measured: none of its series has the SHA-256 %2... that the document states. Give the folder of that CT, or leave it out.</source>
+        <translation>%1 ist nicht das CT, in dem dies gemessen wurde: Keine seiner Serien hat den SHA-256 %2..., den das Dokument angibt. Geben Sie den Ordner dieses CT an, oder lassen Sie ihn weg.</translation>
+    </message>
+    <message>
+        <source>The document states no CT series, so it cannot be compared with %1. Leave the CT out; or, if you know that it is the patient&apos;s, add --ct-not-compared.</source>
+        <translation>Das Dokument gibt keine CT-Serie an und kann darum nicht mit %1 verglichen werden. Lassen Sie das CT weg, oder fügen Sie --ct-not-compared hinzu, wenn Sie wissen, dass es das des Patienten ist.</translation>
+    </message>
+    <message>
+        <source>The gray values of slice %1 of %2 (%3) do not join those of the next one: its file states %4, the next one %5. Export the series again as original images.</source>
+        <translation>Die Grauwerte von Schicht %1 von %2 (%3) schließen nicht an die der nächsten an: Ihre Datei gibt %4 an, die nächste %5. Exportieren Sie die Serie noch einmal als Originalbilder.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 files were not read: %3</source>
+        <translation>%1 von %2 Dateien wurden nicht gelesen: %3</translation>
+    </message>
+    <message>
+        <source>%1 Other files have such faults: %2.</source>
+        <translation>%1 Andere Dateien haben solche Fehler: %2.</translation>
+    </message>
+    <message>
+        <source>RescaleType (0028,1054) is %1</source>
+        <translation>RescaleType (0028,1054) ist %1</translation>
+    </message>
+    <message>
+        <source>%1 holds series of several studies. Give the folder of the one study that the report belongs to.</source>
+        <translation>%1 enthält Serien mehrerer Studien. Geben Sie den Ordner der einen Studie an, zu der der Bericht gehört.</translation>
+    </message>
+    <message>
+        <source>%1 holds no DICOM file that states its study. Give the folder of the patient&apos;s CT, or leave it out.</source>
+        <translation>%1 enthält keine DICOM-Datei, die ihre Studie angibt. Geben Sie den Ordner des CT des Patienten an, oder lassen Sie ihn weg.</translation>
+    </message>
+    <message>
+        <source>%1 as %2, where %3</source>
+        <translation>%1 als %2 an, wo %3</translation>
+    </message>
+    <message>
+        <source>one number belongs</source>
+        <translation>eine Zahl stehen muss</translation>
+    </message>
+    <message>
+        <source>%1 numbers belong</source>
+        <translation>%1 Zahlen stehen müssen</translation>
+    </message>
+    <message>
+        <source>a whole number from %1 to %2 belongs</source>
+        <translation>eine ganze Zahl von %1 bis %2 stehen muss</translation>
+    </message>
+    <message>
+        <source>The series&apos; slices are too small for a picture.</source>
+        <translation>Die Schichten der Serie sind zu klein für ein Bild.</translation>
+    </message>
+    <message>
+        <source>%1 states %2 twice: %3 in %4 and %5 in %6; %7.</source>
+        <translation>%1 gibt %2 zweimal an: %3 in %4 und %5 in %6; %7.</translation>
+    </message>
+    <message>
+        <source>pixdim</source>
+        <translation>pixdim</translation>
+    </message>
+    <message>
+        <source>datatype</source>
+        <translation>datatype</translation>
+    </message>
+    <message>
+        <source>bitpix</source>
+        <translation>bitpix</translation>
+    </message>
+    <message>
+        <source>space directions</source>
+        <translation>space directions</translation>
+    </message>
+    <message>
+        <source>spacings</source>
+        <translation>spacings</translation>
+    </message>
+    <message>
+        <source>space units</source>
+        <translation>space units</translation>
+    </message>
+    <message>
+        <source>units</source>
+        <translation>units</translation>
+    </message>
+    <message>
+        <source>sizes</source>
+        <translation>sizes</translation>
+    </message>
+    <message>
+        <source>number</source>
+        <translation>number</translation>
+    </message>
+    <message>
+        <source>space</source>
+        <translation>space</translation>
+    </message>
+    <message>
+        <source>space dimension</source>
+        <translation>space dimension</translation>
+    </message>
+    <message>
+        <source>%1 of %2 images with its series number are of another %3 and are listed apart. Check which of them belong together.</source>
+        <translation>%1 von %2 Bildern mit derselben Seriennummer haben %3 und stehen für sich. Prüfen Sie, welche zusammengehören.</translation>
+    </message>
+    <message>
+        <source>A voxel is %1 mm long; at most 0.65 mm is advised for a cochlea.</source>
+        <translation>Ein Voxel ist %1 mm lang; für eine Cochlea werden höchstens 0,65 mm empfohlen.</translation>
+    </message>
+    <message>
+        <source>The volume is only %1 mm thick; a cochlea with its surroundings needs about 25 mm.</source>
+        <translation>Das Volumen ist nur %1 mm dick; eine Cochlea mit Umgebung braucht etwa 25 mm.</translation>
+    </message>
+    <message>
+        <source>patient or study</source>
+        <translation>einen anderen Patienten oder eine andere Studie</translation>
+    </message>
+    <message>
+        <source>frame of reference</source>
+        <translation>ein anderes Bezugssystem</translation>
+    </message>
+    <message>
+        <source>%1 cannot be inflated: there is no memory. Close programs.</source>
+        <translation>%1 kann nicht entpackt werden: Der Speicher reicht nicht. Schließen Sie Programme.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read. Check its name and permissions.</source>
+        <translation>%1 ist nicht lesbar. Prüfen Sie Namen und Rechte.</translation>
+    </message>
+    <message>
+        <source>%1 is cut off or damaged. Copy or export it again.</source>
+        <translation>%1 ist abgeschnitten oder beschädigt. Kopieren oder exportieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>%1 %2 Export the CT as MetaImage (.mha) or NRRD.</source>
+        <translation>%1 %2 Exportieren Sie das CT als MetaImage (.mha) oder NRRD.</translation>
+    </message>
+    <message>
+        <source>%1 (near)</source>
+        <translation>%1 (etwa)</translation>
+    </message>
+    <message>
+        <source>has no TransformMatrix, Offset and ElementSpacing of three dimensions, so left and right or its voxel size are not known.</source>
+        <translation>hat nicht TransformMatrix, Offset und ElementSpacing in drei Dimensionen, so dass links und rechts oder die Voxelgröße unbekannt sind.</translation>
+    </message>
+    <message>
+        <source>%1 states its unit of length as %2; millimeters, centimeters, meters and micrometers are read, one for each of three axes. Export it again in millimeters.</source>
+        <translation>%1 gibt die Längeneinheit als %2 an; gelesen werden Millimeter, Zentimeter, Meter und Mikrometer, je eine für drei Achsen. Exportieren Sie die Datei noch einmal in Millimetern.</translation>
+    </message>
+    <message>
+        <source>holds no volume of three dimensions.</source>
+        <translation>enthält kein Volumen mit drei Dimensionen.</translation>
+    </message>
+    <message>
+        <source>holds voxels that are no gray values.</source>
+        <translation>enthält Voxel, die keine Grauwerte sind.</translation>
+    </message>
+    <message>
+        <source>is of the modality %1, not CT.</source>
+        <translation>hat die Modalität %1, nicht CT.</translation>
+    </message>
+    <message>
+        <source>does not hold its voxels as binary numbers in a stated order.</source>
+        <translation>enthält die Voxel nicht als binäre Zahlen in angegebener Reihenfolge.</translation>
+    </message>
+    <message>
+        <source>scales its gray values by ElementToIntensityFunction, which programs read differently.</source>
+        <translation>rechnet die Grauwerte mit ElementToIntensityFunction um, was Programme verschieden lesen.</translation>
+    </message>
+    <message>
+        <source>keeps its voxels in &apos;%1&apos;; they are read from one file in the header&apos;s folder.</source>
+        <translation>hat die Voxel in &apos;%1&apos;; gelesen werden sie aus einer Datei im Ordner des Kopfes.</translation>
+    </message>
+    <message>
+        <source>skips a part of its voxels.</source>
+        <translation>überspringt einen Teil der Voxel.</translation>
+    </message>
+    <message>
+        <source>is no MetaImage file with a whole header.</source>
+        <translation>ist keine MetaImage-Datei mit vollständigem Kopf.</translation>
+    </message>
+    <message>
+        <source>%1 has a QForm that is no rotation: its quaternion is longer than 1, its pixdim[0] not 1 or -1, or a number not finite. Export it again.</source>
+        <translation>%1 hat eine QForm, die keine Drehung ist: Das Quaternion ist länger als 1, pixdim[0] nicht 1 oder -1, oder eine Zahl nicht endlich. Exportieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>%1 has neither an SForm nor a QForm in a unit of length, so left and right are not known. Export it with its orientation.</source>
+        <translation>%1 hat weder SForm noch QForm in einer Längeneinheit, so dass links und rechts unbekannt sind. Exportieren Sie die Datei mit ihrer Ausrichtung.</translation>
+    </message>
+    <message>
+        <source>%1 has a scl_slope or scl_inter that scales no gray value: the slope must be above 0 and both finite. Export it again.</source>
+        <translation>%1 hat ein scl_slope oder scl_inter, das keinen Grauwert umrechnet: Die Steigung muss über 0 und beide müssen endlich sein. Exportieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>%1 holds voxels of the type %2, which are no gray values. Save the CT as 16-bit numbers.</source>
+        <translation>%1 enthält Voxel vom Typ %2, die keine Grauwerte sind. Speichern Sie das CT als 16-Bit-Zahlen.</translation>
+    </message>
+    <message>
+        <source>%1 states by its intent_code %2 that its voxels are labels or statistics and no gray values. Save the CT itself, with the code 0.</source>
+        <translation>%1 gibt durch intent_code %2 an, dass ihre Voxel Markierungen oder Statistik sind und keine Grauwerte. Speichern Sie den CT selbst, mit dem Code 0.</translation>
+    </message>
+    <message>
+        <source>%1 holds no volume of three dimensions: its dim[0] is %2. Save the CT alone.</source>
+        <translation>%1 enthält kein Volumen mit drei Dimensionen: dim[0] ist %2. Speichern Sie das CT allein.</translation>
+    </message>
+    <message>
+        <source>%1 holds more than one volume. Save the CT alone.</source>
+        <translation>%1 enthält mehr als ein Volumen. Speichern Sie das CT allein.</translation>
+    </message>
+    <message>
+        <source>%1 is a NIfTI-2 file; NIfTI-1 is read. Save the volume as NIfTI-1 (.nii or .nii.gz) or as NRRD.</source>
+        <translation>%1 ist eine NIfTI-2-Datei; gelesen wird NIfTI-1. Speichern Sie das Volumen als NIfTI-1 (.nii oder .nii.gz) oder als NRRD.</translation>
+    </message>
+    <message>
+        <source>%1 is no NIfTI-1 file with its voxels in it. Save the volume as .nii or .nii.gz.</source>
+        <translation>%1 ist keine NIfTI-1-Datei mit ihren Voxeln. Speichern Sie das Volumen als .nii oder .nii.gz.</translation>
+    </message>
+    <message>
+        <source>%1 states its unit of length by the code %2, which is none. Export it again in millimeters.</source>
+        <translation>%1 gibt die Längeneinheit durch den Code %2 an, der keine ist. Exportieren Sie die Datei noch einmal in Millimetern.</translation>
+    </message>
+    <message>
+        <source>%1 is damaged: its voxels begin nowhere. Export it again.</source>
+        <translation>%1 ist beschädigt: Ihre Voxel haben keinen Anfang. Exportieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>%1 is damaged: a line of its header is no field. Copy or export it again.</source>
+        <translation>%1 ist beschädigt: Eine Zeile des Kopfes ist kein Feld. Kopieren oder exportieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>%1 %2 Export the CT as NRRD with its voxels in the file.</source>
+        <translation>%1 %2 Exportieren Sie das CT als NRRD mit den Voxeln in der Datei.</translation>
+    </message>
+    <message>
+        <source>%1 has a field &apos;%2&apos; that is not one number for each of its three axes: &apos;%3&apos;. Export it again.</source>
+        <translation>%1 hat ein Feld &apos;%2&apos;, das nicht eine Zahl für jede der drei Achsen ist: &apos;%3&apos;. Exportieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>has no space, directions and origin in the patient, so left and right are not known.</source>
+        <translation>hat weder Raum noch Richtungen und Ursprung im Patienten, so dass links und rechts unbekannt sind.</translation>
+    </message>
+    <message>
+        <source>has an axis of the kind &apos;%1&apos;, which is none in space.</source>
+        <translation>hat eine Achse der Art &apos;%1&apos;, die keine räumliche ist.</translation>
+    </message>
+    <message>
+        <source>is encoded as &apos;%1&apos;; raw and gzip are read.</source>
+        <translation>ist als „%1“ kodiert; gelesen werden raw und gzip.</translation>
+    </message>
+    <message>
+        <source>is no NRRD file with a whole header.</source>
+        <translation>ist keine NRRD-Datei mit vollständigem Kopf.</translation>
+    </message>
+    <message>
+        <source>does not say the order of its bytes.</source>
+        <translation>nennt die Reihenfolge ihrer Bytes nicht.</translation>
+    </message>
+    <message>
+        <source>It holds voxels that are not finite numbers. Export the volume as 16-bit Hounsfield units.</source>
+        <translation>Es enthält Voxel, die keine endlichen Zahlen sind. Exportieren Sie das Volumen als Hounsfield-Einheiten mit 16 Bits.</translation>
+    </message>
+    <message>
+        <source>%1 voxels lie beyond -32768 to 32767, which 16 bits hold. Export the volume as Hounsfield units.</source>
+        <translation>%1 Voxel liegen jenseits von -32768 bis 32767, die 16 Bits fassen. Exportieren Sie das Volumen als Hounsfield-Einheiten.</translation>
+    </message>
+    <message>
+        <source>%1 bytes</source>
+        <translation>%1 Bytes</translation>
+    </message>
+    <message>
+        <source>%1 holds %2 volumes, the first %3. Give one of these files.</source>
+        <translation>%1 enthält %2 Volumen, das erste %3. Wählen Sie eine dieser Dateien.</translation>
+    </message>
+    <message>
+        <source>more than %1 bytes</source>
+        <translation>mehr als %1 Bytes</translation>
+    </message>
+    <message>
+        <source>at most %1 bytes</source>
+        <translation>höchstens %1 Bytes</translation>
+    </message>
+    <message>
+        <source> along %1</source>
+        <translation> entlang %1</translation>
+    </message>
+    <message>
+        <source>%1 has a matrix with values that are no finite numbers. Export it again with its orientation.</source>
+        <translation>%1 hat eine Matrix mit Werten, die keine endlichen Zahlen sind. Exportieren Sie die Datei noch einmal mit ihrer Ausrichtung.</translation>
+    </message>
+    <message>
+        <source>%1 has voxels of %2 mm%3 where 0.01 to 10 mm are read; its unit of length is %4. Export it again in millimeters.</source>
+        <translation>%1 hat Voxel von %2 mm%3, gelesen werden 0,01 bis 10 mm; die Längeneinheit der Datei ist %4. Exportieren Sie die Datei noch einmal in Millimetern.</translation>
+    </message>
+    <message>
+        <source>%1 has axes %2 and %3 that meet at %4 degrees, not at 90 within 0.057. Resample it to right angles, or open the original series.</source>
+        <translation>%1 hat Achsen %2 und %3, die sich unter %4 Grad treffen, nicht unter 90 auf 0,057 genau. Rechnen Sie das Volumen auf rechte Winkel um, oder öffnen Sie die Originalserie.</translation>
+    </message>
+    <message>
+        <source>%1 lies more than 1 km from the origin of the patient&apos;s coordinates, where no scanner measures. Export it again with its orientation.</source>
+        <translation>%1 liegt mehr als 1 km vom Ursprung der Patientenkoordinaten entfernt, wo kein Gerät misst. Exportieren Sie die Datei noch einmal mit ihrer Lage.</translation>
+    </message>
+    <message>
+        <source>%1 holds no volume: each of its sizes must be 2 to 65535. Export it again.</source>
+        <translation>%1 enthält kein Volumen: Jede Größe muss von 2 bis 65535 sein. Exportieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>%1 has %2 million voxels; at most %3 million are read. Export the region of the temporal bone.</source>
+        <translation>%1 hat %2 Millionen Voxel; höchstens %3 Millionen werden gelesen. Exportieren Sie den Bereich des Felsenbeins.</translation>
+    </message>
+    <message>
+        <source>%1 has an unknown extension; a CT is written as .nrrd, .nii or .nii.gz.</source>
+        <translation>%1 hat eine unbekannte Endung; ein CT wird als .nrrd, .nii oder .nii.gz geschrieben.</translation>
+    </message>
+    <message>
+        <source>A plan of %1 simulations is too short: the lowest and the highest of fewer than %2 hold less than 88 % of the insertions to come. Choose %2 to %3.</source>
+        <translation>Ein Plan aus %1 Simulationen ist zu kurz: zwischen dem kleinsten und dem größten Wert von weniger als %2 liegen weniger als 88 % der künftigen Insertionen. Wählen Sie %2 bis %3.</translation>
+    </message>
+    <message>
+        <source>%1 has draws of %2 arrays, not of %3. Delete it or give another folder.</source>
+        <translation>%1 hat Ziehungen von %2 Trägern, nicht von %3. Löschen Sie die Datei, oder geben Sie einen anderen Ordner an.</translation>
+    </message>
+    <message>
+        <source>it is not JSON</source>
+        <translation>es ist kein JSON</translation>
+    </message>
+    <message>
+        <source>a value is missing or has another type</source>
+        <translation>ein Wert fehlt oder hat einen anderen Typ</translation>
+    </message>
+    <message>
+        <source>the draws of a plan of Perilymph</source>
+        <translation>die Ziehungen eines Plans von Perilymph</translation>
+    </message>
+    <message>
+        <source>Choose a draws.sqlite that &apos;perilymph-cli plan&apos; wrote.</source>
+        <translation>Wählen Sie eine draws.sqlite, die &apos;perilymph-cli plan&apos; geschrieben hat.</translation>
+    </message>
+    <message>
+        <source>Delete it and make the plan again.</source>
+        <translation>Löschen Sie sie, und erstellen Sie den Plan noch einmal.</translation>
+    </message>
+    <message>
+        <source>belongs to another plan, or the patient, an array, the scenario, resources/planning/uncertainty.toml, resources/planning/frequency-allocation.toml, resources/clinical/hand.toml or resources/reference/surgeons.toml was changed since.</source>
+        <translation>gehört zu einem anderen Plan, oder der Patient, ein Träger, das Szenario, resources/planning/uncertainty.toml, resources/planning/frequency-allocation.toml, resources/clinical/hand.toml oder resources/reference/surgeons.toml wurde seitdem geändert.</translation>
+    </message>
+    <message>
+        <source>draws</source>
+        <translation>Ziehungen</translation>
+    </message>
+    <message>
+        <source>draw %1 is not readable: %2</source>
+        <translation>Ziehung %1 ist nicht lesbar: %2</translation>
+    </message>
+    <message>
+        <source>draw %1 is not readable: it is another one</source>
+        <translation>Ziehung %1 ist nicht lesbar: es ist eine andere</translation>
+    </message>
+    <message>
+        <source>its draws are not consecutive</source>
+        <translation>ihre Ziehungen folgen nicht aufeinander</translation>
+    </message>
+    <message>
+        <source>its last draw is not whole</source>
+        <translation>ihre letzte Ziehung ist nicht vollständig</translation>
+    </message>
+    <message>
+        <source>%1 is of a newer program (format %2). Open it with that one.</source>
+        <translation>%1 ist von einem neueren Programm (Format %2). Öffnen Sie ihn mit diesem.</translation>
+    </message>
+    <message>
+        <source>The array %1 starts at its full depth. Lower start_inside_mm.</source>
+        <translation>Der Träger %1 beginnt in voller Tiefe. Verringern Sie start_inside_mm.</translation>
+    </message>
+    <message>
+        <source>The patient %1 has no A and B, which a plan needs. Measure them, or use &apos;simulate&apos;.</source>
+        <translation>Dem Patienten %1 fehlen A und B, die ein Plan braucht. Messen Sie sie, oder verwenden Sie &apos;simulate&apos;.</translation>
+    </message>
+    <message>
+        <source>A plan needs at least one array. Name one.</source>
+        <translation>Ein Plan braucht mindestens einen Träger. Nennen Sie einen.</translation>
+    </message>
+    <message>
+        <source>A plan of %1 draws is not possible; 1 to %2 are.</source>
+        <translation>Ein Plan mit %1 Ziehungen ist nicht möglich; möglich sind 1 bis %2.</translation>
+    </message>
+    <message>
+        <source>A cochlea of %1 cannot be built: %2. Check A and B and their errors.</source>
+        <translation>Eine Cochlea von %1 kann nicht aufgebaut werden: %2. Prüfen Sie A und B und ihre Fehler.</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>H</source>
+        <translation>H</translation>
+    </message>
+    <message>
+        <source>The plan has no draw %1 of array %2; it has %3 draws of %4 arrays. Choose one of them.</source>
+        <translation>Der Plan hat keine Ziehung %1 des Trägers %2; er hat %3 Ziehungen von %4 Trägern. Wählen Sie eine davon.</translation>
+    </message>
+    <message>
+        <source>An array, the scenario, a distribution or the program was changed since the plan of %1 was made. Make it again.</source>
+        <translation>Ein Träger, das Szenario, eine Verteilung oder das Programm wurde geändert, seit der Plan von %1 erstellt wurde. Erstellen Sie ihn noch einmal.</translation>
+    </message>
+    <message>
+        <source>Stopped.</source>
+        <translation>Angehalten.</translation>
+    </message>
+    <message>
+        <source>dt_ms is %1; with %2, which renders force, it must be at most %3, so that a stop removes the force within 5 ms. Set dt_ms = 1.</source>
+        <translation>dt_ms ist %1; mit %2, das Kräfte zeigt, darf es höchstens %3 sein, damit ein Halt die Kraft innerhalb von 5 ms wegnimmt. Setzen Sie dt_ms = 1.</translation>
+    </message>
+    <message>
+        <source>The insertion of %1 stopped with a fault at tick %2, %3 mm of travel (%4). Try a smaller dt_ms, a lower speed_mm_s or a softer wall.</source>
+        <translation>Die Insertion von %1 endete mit einem Fehler bei Takt %2, nach %3 mm Vorschub (%4). Versuchen Sie ein kleineres dt_ms, ein kleineres speed_mm_s oder eine weichere Wand.</translation>
+    </message>
+    <message>
+        <source>The loop takes no requests: eight are waiting. Run a tick first.</source>
+        <translation>Die Schleife nimmt keine Anforderungen an: acht warten. Lassen Sie zuerst einen Takt laufen.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be run: %2</source>
+        <translation>%1 kann nicht ausgeführt werden: %2</translation>
+    </message>
+    <message>
+        <source>%1 contains no samples and cannot be replayed: the insertion was never started.</source>
+        <translation>%1 enthält keine Messwerte und kann nicht abgespielt werden: Die Insertion wurde nie gestartet.</translation>
+    </message>
+    <message>
+        <source>Stopped after %1 of %2 ticks.</source>
+        <translation>Nach %1 von %2 Takten angehalten.</translation>
+    </message>
+    <message>
+        <source>Recorded by build %1, replayed by build %2.</source>
+        <translation>Aufgezeichnet vom Programmstand %1, abgespielt vom Stand %2.</translation>
+    </message>
+    <message>
+        <source>The file of the array &apos;%1&apos; has changed since the recording was made.</source>
+        <translation>Die Datei des Trägers &apos;%1&apos; hat sich seit der Aufzeichnung geändert.</translation>
+    </message>
+    <message>
+        <source>Recorded in format 1, which has no hash: that nothing was changed is shown by counts, columns, events and the replay alone.</source>
+        <translation>Aufgezeichnet im Format 1, das keinen Hash hat: Dass nichts geändert wurde, zeigen nur Anzahlen, Spalten, Ereignisse und die Wiedergabe.</translation>
+    </message>
+    <message>
+        <source>Stopped after %1 of %2 ticks; %3 is not verified.</source>
+        <translation>Nach %1 von %2 Takten angehalten; %3 ist nicht geprüft.</translation>
+    </message>
+    <message>
+        <source>A version was saved at &quot;%1&quot;, which is no date like 2026-11-20T09:30:00Z.</source>
+        <translation>Eine Version wurde um „%1“ gespeichert, was kein Datum wie 2026-11-20T09:30:00Z ist.</translation>
+    </message>
+    <message>
+        <source>The landmark %1 lies beyond any scanner. Correct it.</source>
+        <translation>Die Landmarke %1 liegt außerhalb jedes Scanners. Berichtigen Sie sie.</translation>
+    </message>
+    <message>
+        <source>An outcome of the series &quot;%1&quot; has no hash or no date.</source>
+        <translation>Ein Ergebnis der Serie „%1“ hat keinen Hash oder kein Datum.</translation>
+    </message>
+    <message>
+        <source>The scan &quot;%1&quot; of &quot;%2&quot; is not possible: it has up to 64 hexadecimal digits and a date like 2026-11-20T09:30:00Z. Correct or remove it.</source>
+        <translation>Der Scan „%1“ von „%2“ ist nicht möglich: Er hat bis zu 64 hexadezimale Ziffern und ein Datum wie 2026-11-20T09:30:00Z. Berichtigen oder entfernen Sie ihn.</translation>
+    </message>
+    <message>
+        <source>The library has %1, %2, already. Rename or remove that patient first.</source>
+        <translation>Die Bibliothek hat %1, %2, schon. Benennen Sie diesen Patienten zuerst um, oder entfernen Sie ihn.</translation>
+    </message>
+    <message>
+        <source>left ear</source>
+        <translation>linkes Ohr</translation>
+    </message>
+    <message>
+        <source>right ear</source>
+        <translation>rechtes Ohr</translation>
+    </message>
+    <message>
+        <source>%1 exists already in %2. Choose another name.</source>
+        <translation>%1 gibt es schon in %2. Wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be moved to %2: %3. Check that you may write into both folders.</source>
+        <translation>%1 kann nicht nach %2 verschoben werden: %3. Prüfen Sie, ob Sie in beide Ordner schreiben dürfen.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a valid recording name. Use 1–120 characters, no slash, no leading period.</source>
+        <translation>&apos;%1&apos; ist kein gültiger Name einer Aufzeichnung. Verwenden Sie 1 bis 120 Zeichen, keinen Schrägstrich und keinen Punkt am Anfang.</translation>
+    </message>
+    <message>
+        <source>The folder %1 cannot be made: %2. Nothing was deleted.</source>
+        <translation>Der Ordner %1 kann nicht angelegt werden: %2. Nichts wurde gelöscht.</translation>
+    </message>
+    <message>
+        <source>%1 is not a folder of the library but a link or a file. Nothing was deleted; move it away first.</source>
+        <translation>%1 ist kein Ordner der Bibliothek, sondern ein Verweis oder eine Datei. Nichts wurde gelöscht; verschieben Sie ihn zuerst.</translation>
+    </message>
+    <message>
+        <source>The folder of sessions %1 cannot be read: %2. Check its permissions.</source>
+        <translation>Der Ordner der Sitzungen %1 kann nicht gelesen werden: %2. Prüfen Sie die Rechte.</translation>
+    </message>
+    <message>
+        <source>its rows are not in order after %1</source>
+        <translation>ihre Zeilen sind nach %1 nicht in Reihenfolge</translation>
+    </message>
+    <message>
+        <source>a fact about it is not text</source>
+        <translation>eine Angabe zu ihr ist kein Text</translation>
+    </message>
+    <message>
+        <source>it says more about itself than a recording does</source>
+        <translation>sie enthält mehr Angaben als eine Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>a fact about it is there twice</source>
+        <translation>eine Angabe zu ihr steht zweimal da</translation>
+    </message>
+    <message>
+        <source>facts about it are missing</source>
+        <translation>Angaben zu ihr fehlen</translation>
+    </message>
+    <message>
+        <source>its format has no hash, and there is one</source>
+        <translation>ihr Format hat keinen Hash, und es ist einer da</translation>
+    </message>
+    <message>
+        <source>its hash is missing</source>
+        <translation>ihr Hash fehlt</translation>
+    </message>
+    <message>
+        <source>it does not say whether it was closed</source>
+        <translation>sie gibt nicht an, ob sie geschlossen wurde</translation>
+    </message>
+    <message>
+        <source>the record of tick %1 cannot be read</source>
+        <translation>der Datensatz des Takts %1 kann nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>%1 is a folder; name a file to record into.</source>
+        <translation>%1 ist ein Ordner; nennen Sie eine Datei für die Aufzeichnung.</translation>
+    </message>
+    <message>
+        <source>%1 exists already; a recording is never overwritten. Choose another name or move the file away.</source>
+        <translation>%1 gibt es schon; eine Aufzeichnung wird nie überschrieben. Wählen Sie einen anderen Namen, oder verschieben Sie die Datei.</translation>
+    </message>
+    <message>
+        <source>The folder %1 does not exist, so %2 cannot be recorded there. Create it first.</source>
+        <translation>Den Ordner %1 gibt es nicht, so dass %2 dort nicht aufgezeichnet werden kann. Legen Sie ihn zuerst an.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2. Choose a folder you may write to.</source>
+        <translation>%1 kann nicht geschrieben werden: %2. Wählen Sie einen Ordner, in den Sie schreiben dürfen.</translation>
+    </message>
+    <message>
+        <source>%1 can no longer be recorded (%2). What is in it stays readable; make space on the disk and start a new recording.</source>
+        <translation>%1 kann nicht weiter aufgezeichnet werden (%2). Was darin steht, bleibt lesbar; schaffen Sie Platz auf der Platte, und beginnen Sie eine neue Aufzeichnung.</translation>
+    </message>
+    <message>
+        <source>%1 was moved or deleted while it was recorded, so nothing more is recorded. Start a new recording, and move recordings only after the insertion.</source>
+        <translation>%1 wurde während der Aufzeichnung verschoben oder gelöscht; darum wird nichts mehr aufgezeichnet. Beginnen Sie eine neue Aufzeichnung, und verschieben Sie Aufzeichnungen erst nach der Insertion.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be begun: %2. Is there space on the disk?</source>
+        <translation>%1 kann nicht begonnen werden: %2. Ist Platz auf der Platte?</translation>
+    </message>
+    <message>
+        <source>%1 stays in several files: %2. Close the other program that reads it, then open the recording once.</source>
+        <translation>%1 bleibt in mehreren Dateien: %2. Schließen Sie das andere Programm, das sie liest, und öffnen Sie die Aufzeichnung dann einmal.</translation>
+    </message>
+    <message>
+        <source>a recording of Perilymph</source>
+        <translation>eine Aufzeichnung von Perilymph</translation>
+    </message>
+    <message>
+        <source>Choose an .insertion file.</source>
+        <translation>Wählen Sie eine .insertion-Datei.</translation>
+    </message>
+    <message>
+        <source>Use another copy of the recording.</source>
+        <translation>Verwenden Sie eine andere Kopie der Aufzeichnung.</translation>
+    </message>
+    <message>
+        <source>a value in %1 has another type</source>
+        <translation>ein Wert in %1 hat einen anderen Typ</translation>
+    </message>
+    <message>
+        <source>the rows of %1 are not in order</source>
+        <translation>die Zeilen von %1 sind nicht in Reihenfolge</translation>
+    </message>
+    <message>
+        <source>%1 cannot be continued: %2.</source>
+        <translation>%1 kann nicht fortgesetzt werden: %2.</translation>
+    </message>
+    <message>
+        <source>a fact about it is not readable</source>
+        <translation>eine Angabe zu ihr ist nicht lesbar</translation>
+    </message>
+    <message>
+        <source>%1 %2 Delete it or give another folder.</source>
+        <translation>%1 %2 Löschen Sie sie, oder geben Sie einen anderen Ordner an.</translation>
+    </message>
+    <message>
+        <source>rows of %1 belong to no insertion</source>
+        <translation>Zeilen von %1 gehören zu keiner Insertion</translation>
+    </message>
+    <message>
+        <source>%1 cannot be closed: %2.</source>
+        <translation>%1 kann nicht geschlossen werden: %2.</translation>
+    </message>
+    <message>
+        <source>%1: technique is &apos;%2&apos;, but the array %3 %4. Set technique to &apos;standard&apos;.</source>
+        <translation>%1: technique ist &apos;%2&apos;, aber der Träger %3 %4. Setzen Sie technique auf &apos;standard&apos;.</translation>
+    </message>
+    <message>
+        <source>names no depth at which its stylet is held</source>
+        <translation>nennt keine Tiefe, in der sein Stilett gehalten wird</translation>
+    </message>
+    <message>
+        <source>has no stylet</source>
+        <translation>hat kein Stilett</translation>
+    </message>
+    <message>
+        <source>%1: start_inside_mm + stop_travel_mm is %2; the array %3 may go in %4 mm at most. Lower stop_travel_mm.</source>
+        <translation>%1: start_inside_mm + stop_travel_mm ist %2; der Träger %3 darf höchstens %4 mm hinein. Verringern Sie stop_travel_mm.</translation>
+    </message>
+    <message>
+        <source>%1: %2 is %3, and the published model of points has %4 only. Set model to &apos;rod&apos;, or %2 to %5.</source>
+        <translation>%1: %2 ist %3, und das veröffentlichte Punktmodell hat nur %4. Setzen Sie model auf &apos;rod&apos; oder %2 auf %5.</translation>
+    </message>
+    <message>
+        <source>The calibration %1 was fitted for the array %2, not for %3. Set calibration to &quot;&quot; or name one of this array.</source>
+        <translation>Die Kalibrierung %1 wurde für den Träger %2 angepasst, nicht für %3. Setzen Sie calibration auf &quot;&quot;, oder nennen Sie eine für diesen Träger.</translation>
+    </message>
+    <message>
+        <source>The model of %1 cannot be built: %2</source>
+        <translation>Das Modell von %1 kann nicht aufgebaut werden: %2</translation>
+    </message>
+    <message>
+        <source>%1: passage_mm is %2, but only a drilled opening has a passage. Set passage_mm to 0 or opening to &apos;cochleostomy&apos;.</source>
+        <translation>%1: passage_mm ist %2, aber nur eine gebohrte Öffnung hat einen Durchgang. Setzen Sie passage_mm auf 0 oder opening auf &apos;cochleostomy&apos;.</translation>
+    </message>
+    <message>
+        <source>%1: passage_mm is %2; the passage lies in the straight stretch before the spiral, whose lead_in_mm is %3. Lower passage_mm or raise lead_in_mm.</source>
+        <translation>%1: passage_mm ist %2; der Durchgang liegt im geraden Stück vor der Spirale, dessen lead_in_mm %3 ist. Verringern Sie passage_mm, oder erhöhen Sie lead_in_mm.</translation>
+    </message>
+    <message>
+        <source>%1 is &quot;%2&quot;, with a line break, another control character or a byte that is not UTF-8, which a batch script cannot hold. Rename it.</source>
+        <translation>%1 ist „%2“, mit einem Zeilenumbruch, einem anderen Steuerzeichen oder einem Byte, das kein UTF-8 ist, was ein Batch-Skript nicht fassen kann. Benennen Sie es um.</translation>
+    </message>
+    <message>
+        <source>--out is &quot;%1&quot;, whose backslash Slurm does not take in the name of a log. Rename the folder.</source>
+        <translation>--out ist „%1“; den Rückstrich darin nimmt Slurm im Namen eines Protokolls nicht. Benennen Sie den Ordner um.</translation>
+    </message>
+    <message>
+        <source>--partition is &quot;%1&quot;; it has letters, digits and _ . , + - only. sinfo lists partitions.</source>
+        <translation>--partition ist „%1“; erlaubt sind nur Buchstaben, Ziffern und _ . , + -. sinfo listet die Partitionen auf.</translation>
+    </message>
+    <message>
+        <source>--time is &quot;%1&quot;; Slurm writes it as 30 (minutes), 02:00:00 or 1-12:00:00. Correct it.</source>
+        <translation>--time ist „%1“; Slurm schreibt sie als 30 (Minuten), 02:00:00 oder 1-12:00:00. Berichtigen Sie sie.</translation>
+    </message>
+    <message>
+        <source>--sbatch-option is &quot;%1&quot;; it begins with a hyphen, such as --sbatch-option=--mem=2G.</source>
+        <translation>--sbatch-option ist „%1“; sie beginnt mit einem Bindestrich, etwa --sbatch-option=--mem=2G.</translation>
+    </message>
+    <message>
+        <source>This Slurm takes no job arrays (MaxArraySize=%1). Ask its administrator, or run the parts by `study shard`.</source>
+        <translation>Dieses Slurm nimmt keine Job-Arrays an (MaxArraySize=%1). Fragen Sie seinen Verwalter, oder führen Sie die Teile mit `study shard` aus.</translation>
+    </message>
+    <message>
+        <source>--shards is %1, which with the merge are more jobs than this Slurm keeps at a time (MaxJobCount=%2). Give fewer parts.</source>
+        <translation>--shards ist %1; das sind mit dem Zusammenführen mehr Jobs, als dieses Slurm auf einmal hält (MaxJobCount=%2). Nennen Sie weniger Teile.</translation>
+    </message>
+    <message>
+        <source>`scontrol show config` names no %1, so that the parts cannot be dealt out. Is it Slurm&apos;s? --dry-run prints the scripts.</source>
+        <translation>`scontrol show config` nennt kein %1, so dass die Teile nicht verteilt werden können. Ist es das von Slurm? --dry-run gibt die Skripte aus.</translation>
+    </message>
+    <message>
+        <source>sbatch answered &quot;%1&quot;, which is no number of a job. `squeue --me` lists whether it made one.</source>
+        <translation>sbatch antwortete „%1“, was keine Nummer eines Jobs ist. `squeue --me` zeigt, ob es einen angelegt hat.</translation>
+    </message>
+    <message>
+        <source>%1 was changed while the study ran. The results before are kept: put the file back to continue, or run the study into another folder.</source>
+        <translation>%1 wurde geändert, während die Studie lief. Die Ergebnisse davor bleiben: Legen Sie die Datei zurück, um fortzufahren, oder rechnen Sie die Studie in einen anderen Ordner.</translation>
+    </message>
+    <message>
+        <source>The array %1 is %2 mm long and would start %3 mm inside. Lower start_inside_mm.</source>
+        <translation>Der Träger %1 ist %2 mm lang und würde %3 mm innen beginnen. Verringern Sie start_inside_mm.</translation>
+    </message>
+    <message>
+        <source>The study in %1 cannot be read again: %2 Put the files it names beside it.</source>
+        <translation>Die Studie in %1 kann nicht noch einmal gelesen werden: %2 Legen Sie die Dateien, die sie nennt, daneben.</translation>
+    </message>
+    <message>
+        <source>The study in %1 names files that differ from those it was run with. Put those beside it.</source>
+        <translation>Die Studie in %1 nennt Dateien, die sich von denen unterscheiden, mit denen sie gerechnet wurde. Legen Sie jene daneben.</translation>
+    </message>
+    <message>
+        <source>Insertion %1 is not in the study, which has %2 of them, counted from 0.</source>
+        <translation>Insertion %1 ist nicht in der Studie, die %2 davon hat, ab 0 gezählt.</translation>
+    </message>
+    <message>
+        <source>is_inserted is %1; it must be 0 or 1</source>
+        <translation>is_inserted ist %1; es muss 0 oder 1 sein</translation>
+    </message>
+    <message>
+        <source>its settings or its ending cannot be read</source>
+        <translation>ihre Einstellungen oder ihr Ende sind nicht lesbar</translation>
+    </message>
+    <message>
+        <source>its ticks are fewer than none</source>
+        <translation>sie hat weniger als null Takte</translation>
+    </message>
+    <message>
+        <source>a study of Perilymph</source>
+        <translation>eine Studie von Perilymph</translation>
+    </message>
+    <message>
+        <source>Choose a .sqlite file that &apos;perilymph-cli study&apos; wrote.</source>
+        <translation>Wählen Sie eine .sqlite-Datei, die &apos;perilymph-cli study&apos; geschrieben hat.</translation>
+    </message>
+    <message>
+        <source>Delete it and run its shard again.</source>
+        <translation>Löschen Sie sie, und rechnen Sie ihren Teil noch einmal.</translation>
+    </message>
+    <message>
+        <source>it does not say which insertions it is for</source>
+        <translation>sie gibt nicht an, für welche Insertionen sie ist</translation>
+    </message>
+    <message>
+        <source>%1 does not say which insertions it is for. Delete it and run its shard again.</source>
+        <translation>%1 gibt nicht an, für welche Insertionen sie ist. Löschen Sie sie, und rechnen Sie ihren Teil noch einmal.</translation>
+    </message>
+    <message>
+        <source>insertion %1 is not readable: %2</source>
+        <translation>Insertion %1 ist nicht lesbar: %2</translation>
+    </message>
+    <message>
+        <source>its insertions are not consecutive</source>
+        <translation>ihre Insertionen folgen nicht aufeinander</translation>
+    </message>
+    <message>
+        <source>%1 has no shards. Run &apos;perilymph-cli study run&apos; or &apos;study shard&apos; into it first.</source>
+        <translation>%1 hat keine Teile. Führen Sie zuerst &apos;perilymph-cli study run&apos; oder &apos;study shard&apos; dorthin aus.</translation>
+    </message>
+    <message>
+        <source>%1 was changed after the program wrote it. Delete it and run its shard again.</source>
+        <translation>%1 wurde geändert, nachdem das Programm sie geschrieben hatte. Löschen Sie sie, und rechnen Sie ihren Teil noch einmal.</translation>
+    </message>
+    <message>
+        <source>%1 carries no seal: it is of an earlier version. Delete it and run its shard again.</source>
+        <translation>%1 trägt kein Siegel: sie ist von einer früheren Version. Löschen Sie sie, und rechnen Sie ihren Teil noch einmal.</translation>
+    </message>
+    <message>
+        <source>%1 is of another study or another build of the program than %2. Remove the one that does not belong here.</source>
+        <translation>%1 ist von einer anderen Studie oder einem anderen Programmstand als %2. Entfernen Sie die, die nicht hierher gehört.</translation>
+    </message>
+    <message>
+        <source>%1 is not complete (%2 of %3 insertions). Run its shard again.</source>
+        <translation>%1 ist nicht vollständig (%2 von %3 Insertionen). Rechnen Sie den Teil noch einmal.</translation>
+    </message>
+    <message>
+        <source>%1 has insertions that another shard has, too (from number %2). Remove the shards of one of the two divisions.</source>
+        <translation>%1 hat Insertionen, die ein anderer Teil auch hat (ab Nummer %2). Entfernen Sie die Teile einer der beiden Aufteilungen.</translation>
+    </message>
+    <message>
+        <source>The insertions %1 to %2 are missing in %3. Run their shard.</source>
+        <translation>Die Insertionen %1 bis %2 fehlen in %3. Rechnen Sie ihren Teil.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read: %2. Check the name.</source>
+        <translation>%1 kann nicht gelesen werden: %2. Prüfen Sie den Namen.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read: %2.</source>
+        <translation>%1 kann nicht gelesen werden: %2.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read: it is no folder. Check the name.</source>
+        <translation>%1 kann nicht gelesen werden: es ist kein Ordner. Prüfen Sie den Namen.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2.</source>
+        <translation>%1 kann nicht geschrieben werden: %2.</translation>
+    </message>
+    <message>
+        <source>The study has no insertion. Run and merge it first.</source>
+        <translation>Die Studie hat keine Insertion. Rechnen und vereinigen Sie sie zuerst.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be created: %2. Give another folder.</source>
+        <translation>%1 kann nicht angelegt werden: %2. Geben Sie einen anderen Ordner an.</translation>
+    </message>
+    <message>
+        <source>There is no scala tympani to draw. Name a scenario, a patient or a preset.</source>
+        <translation>Es gibt keine Scala tympani zu zeichnen. Nennen Sie ein Szenario, einen Patienten oder eine Vorlage.</translation>
+    </message>
+    <message>
+        <source>A picture of %1 x %2 pixels cannot be drawn; each must be 64 to 8192.</source>
+        <translation>Ein Bild von %1 x %2 Pixeln kann nicht gezeichnet werden; beides muss 64 bis 8192 sein.</translation>
+    </message>
+    <message>
+        <source>The picture %1 must end in .png.</source>
+        <translation>Das Bild %1 muss auf .png enden.</translation>
+    </message>
+    <message>
+        <source>There is no display to draw with, and no file could be opened for a private one. Close other programs.</source>
+        <translation>Es gibt keine Anzeige zum Zeichnen, und für eine eigene konnte keine Datei geöffnet werden. Schließen Sie andere Programme.</translation>
+    </message>
+    <message>
+        <source>There is no display to draw with, and Xvfb, which could stand in for one, is not installed. Install the package xvfb or set DISPLAY.</source>
+        <translation>Es gibt keine Anzeige zum Zeichnen, und Xvfb, das eine ersetzen könnte, ist nicht installiert. Installieren Sie das Paket xvfb, oder setzen Sie DISPLAY.</translation>
+    </message>
+    <message>
+        <source>There is no display to draw with, and Xvfb did not start within 10 s. Try `Xvfb -displayfd 1` by hand or set DISPLAY.</source>
+        <translation>Es gibt keine Anzeige zum Zeichnen, und Xvfb startete nicht innerhalb von 10 s. Versuchen Sie `Xvfb -displayfd 1` von Hand, oder setzen Sie DISPLAY.</translation>
+    </message>
+    <message>
+        <source>There is no display to draw with: DISPLAY is not set.</source>
+        <translation>Es gibt keine Anzeige zum Zeichnen: DISPLAY ist nicht gesetzt.</translation>
+    </message>
+    <message>
+        <source>The display %1 does not answer. Check DISPLAY and that its server is running.</source>
+        <translation>Die Anzeige %1 antwortet nicht. Prüfen Sie DISPLAY und ob ihr Server läuft.</translation>
+    </message>
+    <message>
+        <source>The display %1 offers no OpenGL 3.2. Install Mesa&apos;s drivers (libgl1-mesa-dri) or use another.</source>
+        <translation>Die Anzeige %1 bietet kein OpenGL 3.2. Installieren Sie die Treiber von Mesa (libgl1-mesa-dri), oder nehmen Sie eine andere.</translation>
+    </message>
+    <message>
+        <source>Clinical and Experimental Otorhinolaryngology, nine neurotologists in cadaver heads: 0.66 +- 0.31 mm/s; a robot&apos;s 0.1 as the lower limit.</source>
+        <translation>Clinical and Experimental Otorhinolaryngology, neun Neurootologen an Kopfpräparaten: 0,66 +- 0,31 mm/s; die 0,1 eines Roboters als untere Grenze.</translation>
+    </message>
+    <message>
+        <source>Microsurgeons: 0.038 mm in vivo, 0.049 at rest, 0.133 while actuating; that these are distances in three axes is an assumption. 8.1 Hz: otosurgery (Muerbe 2001).</source>
+        <translation>Mikrochirurgen: 0,038 mm in vivo, 0,049 in Ruhe, 0,133 beim Betätigen; dass es Abstände in drei Achsen sind, ist eine Annahme. 8,1 Hz: Ohrchirurgie (Muerbe 2001).</translation>
+    </message>
+    <message>
+        <source>Peak forces in vivo, 44.8 to 102.4 mN (Rau et al. 2024, Front Neurol 15:1400455), read as the forces at which surgeons stop: the predicted peak rests on it.</source>
+        <translation>Maximalkräfte in vivo, 44,8 bis 102,4 mN (Rau et al. 2024, Front Neurol 15:1400455), gelesen als die Kräfte, bei denen Chirurgen anhalten: Die vorhergesagte Maximalkraft beruht darauf.</translation>
+    </message>
+    <message>
+        <source>Choice: a bow of 1.1 mm on 4 mm.</source>
+        <translation>Wahl: ein Bogen von 1,1 mm auf 4 mm.</translation>
+    </message>
+    <message>
+        <source>Dohr et al. 2021, Appl. Sci. 11:5162: 0.59 +- 0.12 and 0.45 +- 0.11, a fifth to a quarter; 0.24 +- 0.13 at 0.1 mm/s is wider.</source>
+        <translation>Dohr et al. 2021, Appl. Sci. 11:5162: 0,59 +- 0,12 und 0,45 +- 0,11, ein Fünftel bis ein Viertel; 0,24 +- 0,13 bei 0,1 mm/s ist breiter.</translation>
+    </message>
+    <message>
+        <source>Schuster et al. 2015, Otol Neurotol 36:657, fresh human partition: 42 to 122 mN, mean 88, as recalled, not read; the standard deviation is a choice.</source>
+        <translation>Schuster et al. 2015, Otol Neurotol 36:657, frische menschliche cochleäre Trennwand: 42 bis 122 mN, Mittel 88, aus der Erinnerung, nicht gelesen; die Standardabweichung ist eine Wahl.</translation>
+    </message>
+    <message>
+        <source>Soap 10 %: speed-independent</source>
+        <translation>Seife 10 %: geschwindigkeitsunabhängig</translation>
+    </message>
+    <message>
+        <source>Soap 50 %: decreases with speed</source>
+        <translation>Seife 50 %: sinkt mit der Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Soap 90 %: increases with speed</source>
+        <translation>Seife 90 %: steigt mit der Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Best speech recognition is quoted at 70 to 75 % (cited in Breitsprecher et al. 2021, Eur Radiol); the band is widened to 65 to 80 % because studies differ: in 154 ears coverage affected speech recognition (Weller et al. 2023, PLoS One, e0287450), six of seven reviewed studies found no effect of the angular depth (Heutink et al. 2019, Otol Neurotol 40:900).</source>
+        <translation>Das beste Sprachverstehen wird bei 70 bis 75 % angegeben (zitiert in Breitsprecher et al. 2021, Eur Radiol); das Band ist auf 65 bis 80 % erweitert, weil Studien sich unterscheiden: In 154 Ohren wirkte sich die Abdeckung auf das Sprachverstehen aus (Weller et al. 2023, PLoS One, e0287450), sechs von sieben ausgewerteten Studien fanden keinen Einfluss der Winkeltiefe (Heutink et al. 2019, Otol Neurotol 40:900).</translation>
+    </message>
+    <message>
+        <source>70 to 8500 Hz on 12 channels, the default of MAESTRO for fine-structure strategies, as listed in public fitting-research code that cites the MAESTRO user manual.</source>
+        <translation>70 bis 8500 Hz auf 12 Kanälen, die Vorgabe von MAESTRO für Feinstruktur-Strategien, wie in öffentlichem Forschungscode zur Anpassung, der das Handbuch von MAESTRO zitiert.</translation>
+    </message>
+    <message>
+        <source>188 to 7938 Hz on 22 channels: CI Select App manual (NYU Langone) and PMC11493529, as listed in public fitting-research code that cites both.</source>
+        <translation>188 bis 7938 Hz auf 22 Kanälen: Handbuch der CI Select App (NYU Langone) und PMC11493529, wie in öffentlichem Forschungscode zur Anpassung, der beide zitiert.</translation>
+    </message>
+    <message>
+        <source>250 to 8700 Hz on 16 channels (extended low): SoundWave 2.2 quick reference, as listed in public fitting-research code that cites it.</source>
+        <translation>250 bis 8700 Hz auf 16 Kanälen (extended low): Kurzanleitung von SoundWave 2,2, wie in öffentlichem Forschungscode zur Anpassung, der sie zitiert.</translation>
+    </message>
+    <message>
+        <source>Avci et al. 2014, J Comp Neurol 522:3245, 16 cochleae: relative standard deviation of the section&apos;s diameter 9 to 15 %; the middle, less in squares the 5 % that go with A and B. Correlation along the scala: measured on the labels of ten bony lumens (Wimmer et al. 2019, Data Brief 25:104782), 0.83, 0.69 and 0.41 over a quarter, a half and three quarters of a turn.</source>
+        <translation>Avci et al. 2014, J Comp Neurol 522:3245, 16 Cochleae: relative Standardabweichung des Querschnittsdurchmessers 9 bis 15 %; die Mitte, quadratisch vermindert um die 5 %, die mit A und B gehen. Korrelation entlang der Scala: an den Labels von zehn knöchernen Lumina gemessen (Wimmer et al. 2019, Data Brief 25:104782), 0,83, 0,69 und 0,41 über eine viertel, eine halbe und drei viertel Windung.</translation>
+    </message>
+    <message>
+        <source>Dips, jumps and peaks differ between cochleae (Avci et al. 2014). Measured on the labels of ten bony lumens (Wimmer et al. 2019), 40 to 400 degrees: beside rise and tilt of the whole, 0.037 to 0.054 mm of the center line&apos;s height are left, with correlations of -0.6, -0.7 and 0.6 over 60, 90 and 180 degrees; a course correlated over 60 degrees leaves them, and 28 % of its deviation: 0.13 to 0.19 mm.</source>
+        <translation>Senken, Sprünge und Gipfel unterscheiden sich zwischen Cochleae (Avci et al. 2014). An den Labels von zehn knöchernen Lumina gemessen (Wimmer et al. 2019), 40 bis 400 Grad: Neben Anstieg und Neigung des Ganzen bleiben 0,037 bis 0,054 mm der Höhe der Mittellinie, mit Korrelationen von -0,6, -0,7 und 0,6 über 60, 90 und 180 Grad; ein über 60 Grad korrelierter Verlauf lässt sie übrig, und 28 % seiner Abweichung: 0,13 bis 0,19 mm.</translation>
+    </message>
+    <message>
+        <source>Measured on the labels of ten bony lumens (Wimmer et al. 2019), 40 to 400 degrees: the population&apos;s spiral leaves 1.3 % of the outer wall&apos;s radius, and 1 % is common to neighbors 10 degrees apart; an upper limit, since a voxel is 4 %.</source>
+        <translation>An den Labels von zehn knöchernen Lumina gemessen (Wimmer et al. 2019), 40 bis 400 Grad: Die Spirale der Population lässt 1,3 % des Radius der Außenwand übrig, und 1 % ist Nachbarn im Abstand von 10 Grad gemeinsam; eine obere Grenze, da ein Voxel 4 % ist.</translation>
+    </message>
+    <message>
+        <source>H 3.26 mm, standard deviation 0.24 mm, in 36 ears (Medan, PMC6449142): the relative deviation alone, because definitions of H differ.</source>
+        <translation>H 3,26 mm, Standardabweichung 0,24 mm, in 36 Ohren (Medan, PMC6449142): nur die relative Abweichung, weil H verschieden definiert wird.</translation>
+    </message>
+    <message>
+        <source>Choice: half to twice the scenario&apos;s 0.08 mm. No stiffness of the lining under an array is published.</source>
+        <translation>Wahl: das Halbe bis Doppelte der 0,08 mm des Szenarios. Eine Steifigkeit der Auskleidung unter einem Träger ist nicht veröffentlicht.</translation>
+    </message>
+    <message>
+        <source>Reported point stiffnesses, 0.6 to 9 N/m, as in the scenario.</source>
+        <translation>Berichtete Punktsteifigkeiten, 0,6 bis 9 N/m, wie im Szenario.</translation>
+    </message>
+    <message>
+        <source>see each range</source>
+        <translation>siehe jeden Bereich</translation>
+    </message>
+    <message>
+        <source>Majdani 2010, Acta Otolaryngol 130:31: Contour Advance class, stylet held back, 3-D model, 26 insertions by surgeons, mean 0.004 ± 0.001 N</source>
+        <translation>Majdani 2010, Acta Otolaryngol 130:31: Klasse Contour Advance, Stilett zurückgehalten, 3-D-Modell, 26 Insertionen durch Chirurgen, Mittel 0,004 ± 0,001 N</translation>
+    </message>
+    <message>
+        <source>Majdani 2010, Acta Otolaryngol 130:31: the same, 8 insertions by a robot, mean 0.005 ± 0.014 N</source>
+        <translation>Majdani 2010, Acta Otolaryngol 130:31: dasselbe, 8 Insertionen durch einen Roboter, Mittel 0,005 ± 0,014 N</translation>
+    </message>
+    <message>
+        <source>Mirsalehi 2017, Eur Arch Otorhinolaryngol: 10 temporal bones, by hand, mean 0.003 ± 0.005 N</source>
+        <translation>Mirsalehi 2017, Eur Arch Otorhinolaryngol: 10 Felsenbeine, von Hand, Mittel 0,003 ± 0,005 N</translation>
+    </message>
+    <message>
+        <source>Schuster et al. 2015, Otol Neurotol 36:657: fresh human cochlear partition, mean 88 mN (unverified: original not consulted); force normal to the partition, not the insertion force</source>
+        <translation>Schuster et al. 2015, Otol Neurotol 36:657: frische menschliche cochleäre Trennwand, Mittel 88 mN (ungeprüft: Original nicht eingesehen); Kraft senkrecht zur Trennwand, nicht die Insertionskraft</translation>
+    </message>
+    <message>
+        <source>Published experiment: Nucleus 24 Contour, 2 mm/s, soap</source>
+        <translation>Veröffentlichter Versuch: Nucleus 24 Contour, 2 mm/s, Seife</translation>
+    </message>
+    <message>
+        <source>Mean scala tympani: Nucleus 24 Contour, 2 mm/s, soap</source>
+        <translation>Mittlere Scala tympani: Nucleus 24 Contour, 2 mm/s, Seife</translation>
+    </message>
+    <message>
+        <source>Mean scala tympani: FLEX28, 0.5 mm/s, soap 10 %</source>
+        <translation>Mittlere Scala tympani: FLEX28, 0,5 mm/s, Seife 10 %</translation>
+    </message>
+    <message>
+        <source>Array length and cochlear size</source>
+        <translation>Länge des Trägers und Größe der Cochlea</translation>
+    </message>
+    <message>
+        <source>Choice: the tweezers hold 3 mm behind the greatest depth.</source>
+        <translation>Wahl: Die Pinzette greift 3 mm hinter der größten Tiefe.</translation>
+    </message>
+    <message>
+        <source>18.5 mm: general literature; contacts 3 to 18 mm deep as listed in public research code.</source>
+        <translation>18,5 mm: allgemeine Literatur; Kontakte in 3 bis 18 mm Tiefe laut öffentlichem Forschungscode.</translation>
+    </message>
+    <message>
+        <source>Tip 0.5 mm, base 0.7 mm: general literature, not measured. Between them a straight line, a choice.</source>
+        <translation>Spitze 0,5 mm, Basis 0,7 mm: allgemeine Literatur, nicht gemessen. Dazwischen eine Gerade (Wahl).</translation>
+    </message>
+    <message>
+        <source>Estimate by the model of plugins/README.md: silicone of 2 MPa and N(s) platinum-iridium wires of 25 um, one for each contact nearer to the tip, EI = E_s I + E_w I_w (N + c N^2) with c = 1.2. Order of the published moduli of a straight array (Kha et al. 2004).</source>
+        <translation>Schätzung nach dem Modell in plugins/README.md: Silikon mit 2 MPa und N(s) Platin-Iridium-Drähte von 25 µm, einer je Kontakt näher an der Spitze, EI = E_s I + E_w I_w (N + c N^2) mit c = 1,2. Größenordnung der veröffentlichten Moduln eines geraden Trägers (Kha et al. 2004).</translation>
+    </message>
+    <message>
+        <source>Estimate: a curl that holds the array in the middle of the scala, wider than that of a perimodiolar array: radius 3.3 mm behind, 1.8 mm near the tip; the tip and what lies behind the active part are straight: choices.</source>
+        <translation>Schätzung: eine Krümmung, die den Träger in der Mitte der Skala hält, weiter als bei einem perimodiolaren Träger: Radius 3,3 mm hinten, 1,8 mm nahe der Spitze; Spitze und Bereich hinter dem aktiven Teil gerade (Wahl).</translation>
+    </message>
+    <message>
+        <source>16 contacts over 15 mm (3 to 18 mm of depth), pitch about 1.0 mm, as listed in public research code. The first contact&apos;s place and the contact&apos;s length are choices.</source>
+        <translation>16 Kontakte auf 15 mm (3 bis 18 mm Tiefe), Abstand etwa 1,0 mm, laut öffentlichem Forschungscode. Lage des ersten Kontakts und Kontaktlänge sind Wahl.</translation>
+    </message>
+    <message>
+        <source>EI = E pi d^4 / 64 of a platinum wire, E = 168 GPa, d = 0.11 mm, as estimated for the Contour. Where it ends and the hold depth, about the straight stretch from the round window to the outer wall of the basal turn, are choices.</source>
+        <translation>EI = E pi d^4 / 64 eines Platindrahts, E = 168 GPa, d = 0,11 mm, wie für den Contour geschätzt. Sein Ende und die Haltetiefe, etwa die gerade Strecke vom runden Fenster zur Außenwand der basalen Windung, sind Wahl.</translation>
+    </message>
+    <message>
+        <source>23 mm: general literature, not measured.</source>
+        <translation>23 mm: allgemeine Literatur, nicht gemessen.</translation>
+    </message>
+    <message>
+        <source>Tip 0.25 mm, base 0.7 mm: general literature, not measured. Between them a straight line, a choice.</source>
+        <translation>Spitze 0,25 mm, Basis 0,7 mm: allgemeine Literatur, nicht gemessen. Dazwischen eine Gerade (Wahl).</translation>
+    </message>
+    <message>
+        <source>16 contacts, pitch 1.3 mm, 20 mm over all: general literature; public research code has 18 mm from the first to the last (4 to 22 mm of depth). The first contact&apos;s place and the contact&apos;s length are choices.</source>
+        <translation>16 Kontakte, Abstand 1,3 mm, insgesamt 20 mm: allgemeine Literatur; öffentlicher Forschungscode hat 18 mm vom ersten bis zum letzten (4 bis 22 mm Tiefe). Lage des ersten Kontakts und Kontaktlänge sind Wahl.</translation>
+    </message>
+    <message>
+        <source>Array of 18 to 19 mm, as listed in public research code; its most apical contact lies 18 mm deep there, 1 mm behind the tip.</source>
+        <translation>Träger von 18 bis 19 mm laut öffentlichem Forschungscode; der apikalste Kontakt liegt dort 18 mm tief, 1 mm hinter der Spitze.</translation>
+    </message>
+    <message>
+        <source>Tip 0.5 mm and base 0.8 mm as the Contour: general literature, not measured. Between them the Contour&apos;s quarter sine, a choice.</source>
+        <translation>Spitze 0,5 mm und Basis 0,8 mm wie beim Contour: allgemeine Literatur, nicht gemessen. Dazwischen die Viertelsinuskurve des Contour (Wahl).</translation>
+    </message>
+    <message>
+        <source>Estimate: 1.1 times the curvature of implanted arrays, from the mean angles between neighboring contacts (Landsberger et al. 2015, as tabulated in public research code) and the pitch below: a carrier that hugs the modiolus curls at least as tightly when free. The tip and what lies behind the active part are straight: choices.</source>
+        <translation>Schätzung: das 1,1-Fache der Krümmung implantierter Träger aus den mittleren Winkeln zwischen benachbarten Kontakten (Landsberger et al. 2015, Tabelle in öffentlichem Forschungscode) und dem Abstand unten: Ein Träger, der am Modiolus anliegt, krümmt sich frei mindestens so eng. Spitze und Bereich hinter dem aktiven Teil gerade (Wahl).</translation>
+    </message>
+    <message>
+        <source>22 contacts over 15 mm (3 to 18 mm of depth), as listed in public research code. The law of the pitch is the Contour&apos;s, a choice.</source>
+        <translation>22 Kontakte auf 15 mm (3 bis 18 mm Tiefe) laut öffentlichem Forschungscode. Der Verlauf der Abstände ist der des Contour (Wahl).</translation>
+    </message>
+    <message>
+        <source>Three marker ribs at the end of the array: general literature; that the last is at the opening at full depth, their distance of 1 mm, height and length are choices.</source>
+        <translation>Drei Markierungsrippen am Ende des Trägers: allgemeine Literatur; dass die letzte bei voller Tiefe an der Öffnung liegt, ihr Abstand von 1 mm, Höhe und Länge sind Wahl.</translation>
+    </message>
+    <message>
+        <source>EI = E pi d^4 / 64 of a platinum wire, E = 168 GPa, d = 0.11 mm, as estimated for the Contour. It ends 1.2 mm behind the tip, before the soft tip: a choice. Hold depth: a choice of the length of the straight stretch from the round window to the outer wall of the basal turn.</source>
+        <translation>EI = E pi d^4 / 64 eines Platindrahts, E = 168 GPa, d = 0,11 mm, wie für den Contour geschätzt. Er endet 1,2 mm hinter der Spitze, vor der weichen Spitze (Wahl). Haltetiefe: gewählt als Länge der geraden Strecke vom runden Fenster zur Außenwand der basalen Windung.</translation>
+    </message>
+    <message>
+        <source>Todd and Naghdy, Real-time haptic modeling and simulation for prosthetic insertion: greatest depth 22 mm.</source>
+        <translation>Todd und Naghdy, Real-time haptic modeling and simulation for prosthetic insertion: größte Tiefe 22 mm.</translation>
+    </message>
+    <message>
+        <source>Tip: Todd and Naghdy, radius 0.25 mm as measured. Base 0.8 mm: general literature, not measured. Between them a quarter sine, a choice.</source>
+        <translation>Spitze: Todd und Naghdy, Radius 0,25 mm, gemessen. Basis 0,8 mm: allgemeine Literatur, nicht gemessen. Dazwischen eine Viertelsinuskurve (Wahl).</translation>
+    </message>
+    <message>
+        <source>Estimate: 0.2e-6 to 2e-6, growing tenfold from tip to base by exp(2.3 s / 25 mm), chosen for the order of the published insertion forces. Physical bounds 0.2e-6 to 3e-6 N m2, from moduli of the order reported for a straight array (Kha et al. 2004) and a diameter of 0.4 to 0.6 mm.</source>
+        <translation>Schätzung: 0,2e-6 bis 2e-6, von der Spitze zur Basis auf das Zehnfache wachsend nach exp(2,3 s / 25 mm), gewählt nach der Größenordnung der veröffentlichten Insertionskräfte. Physikalische Grenzen 0,2e-6 bis 3e-6 N m2 aus Moduln der für einen geraden Träger berichteten Größenordnung (Kha et al. 2004) und einem Durchmesser von 0,4 bis 0,6 mm.</translation>
+    </message>
+    <message>
+        <source>Estimate: a perimodiolar curl of radius 2.5 mm that closes to 1.5 mm near the tip; the tip itself and what lies behind the active part are straight.</source>
+        <translation>Schätzung: eine perimodiolare Krümmung mit Radius 2,5 mm, die sich nahe der Spitze auf 1,5 mm schließt; die Spitze selbst und der Bereich hinter dem aktiven Teil sind gerade.</translation>
+    </message>
+    <message>
+        <source>22 half-band contacts over an active length of 15 mm, pitch 0.4 to 0.8 mm growing from the tip: general literature, not measured. The first contact&apos;s place, the law of the pitch and the contact&apos;s length are choices.</source>
+        <translation>22 Halbbandkontakte auf einer aktiven Länge von 15 mm, Abstand von der Spitze an von 0,4 auf 0,8 mm wachsend: allgemeine Literatur, nicht gemessen. Lage des ersten Kontakts, Verlauf der Abstände und Kontaktlänge sind Wahl.</translation>
+    </message>
+    <message>
+        <source>Todd and Naghdy: the second rib is at the opening at full insertion, 16.5 mm of travel after a start 1 to 3 mm inside, so it touches 17.5 to 19.5 mm from the tip; with the latest start of the validation, 2.3 mm, at 18.8 mm, its middle 0.2 mm behind. The first rib touches where the forces rise between 12.6 and 14.6 mm of travel: 16.4 to 17.5 mm from the tip. Height above the carrier: chosen such that entering a passage 1 mm wide takes the 81 mN by which the raw record rises at the first rib; length along it: a choice. Low confidence.</source>
+        <translation>Todd und Naghdy: Die zweite Rippe liegt bei voller Insertion an der Öffnung, 16,5 mm Vorschub nach einem Beginn 1 bis 3 mm innen; sie berührt also 17,5 bis 19,5 mm hinter der Spitze; beim spätesten Beginn der Validierung, 2,3 mm, bei 18,8 mm, ihre Mitte 0,2 mm dahinter. Die erste Rippe berührt, wo die Kräfte zwischen 12,6 und 14,6 mm Vorschub steigen: 16,4 bis 17,5 mm hinter der Spitze. Höhe über dem Träger: so gewählt, dass der Eintritt in einen 1 mm weiten Kanal die 81 mN braucht, um die die Rohaufzeichnung an der ersten Rippe steigt; Länge: Wahl. Geringe Konfidenz.</translation>
+    </message>
+    <message>
+        <source>EI = E pi d^4 / 64 of a platinum wire, E = 168 GPa, d = 0.11 mm (estimate; 0.10 to 0.15 mm gives 0.82e-6 to 4.2e-6). That the carrier is straight where it is, is a choice; the published experiment saw a slight curvature. That it ends 2 mm behind the tip is a choice made with a look at the experiment: with 0.8 mm the peak at the basal turn comes 1 mm earlier and stands higher; the forces behind it hardly depend on it. Hold depth: a choice, about the straight stretch from the round window to the outer wall of the basal turn; the published experiment used the standard technique.</source>
+        <translation>EI = E pi d^4 / 64 eines Platindrahts, E = 168 GPa, d = 0,11 mm (Schätzung; 0,10 bis 0,15 mm ergeben 0,82e-6 bis 4,2e-6). Dass der Träger dort gerade ist, ist Wahl; im veröffentlichten Experiment war er leicht gekrümmt. Dass er 2 mm hinter der Spitze endet, wurde mit Blick auf das Experiment gewählt: Mit 0,8 mm kommt das Maximum an der basalen Windung 1 mm früher und ist höher; die Kräfte danach hängen kaum davon ab. Haltetiefe: Wahl, etwa die gerade Strecke vom runden Fenster zur Außenwand der basalen Windung; das veröffentlichte Experiment verwendete die Standardtechnik.</translation>
+    </message>
+    <message>
+        <source>16 mm, as listed in public research code.</source>
+        <translation>16 mm laut öffentlichem Forschungscode.</translation>
+    </message>
+    <message>
+        <source>Tip 0.25 by 0.35 mm, base 0.40 by 0.55 mm: general literature, not measured. That the smaller one lies within the plane of curl, and the straight line between, are choices.</source>
+        <translation>Spitze 0,25 × 0,35 mm, Basis 0,40 × 0,55 mm: allgemeine Literatur, nicht gemessen. Dass das kleinere Maß in der Krümmungsebene liegt und die Gerade dazwischen sind Wahl.</translation>
+    </message>
+    <message>
+        <source>22 contacts over 14.5 mm, as listed in public research code. The first contact&apos;s place and the contact&apos;s length are choices.</source>
+        <translation>22 Kontakte auf 14,5 mm laut öffentlichem Forschungscode. Lage des ersten Kontakts und Kontaktlänge sind Wahl.</translation>
+    </message>
+    <message>
+        <source>25 mm, as listed in public research code.</source>
+        <translation>25 mm laut öffentlichem Forschungscode.</translation>
+    </message>
+    <message>
+        <source>Tip 0.4 mm, base 0.6 mm: general literature, not measured. Between them a straight line over the contacts, a choice.</source>
+        <translation>Spitze 0,4 mm, Basis 0,6 mm: allgemeine Literatur, nicht gemessen. Dazwischen eine Gerade über die Kontakte (Wahl).</translation>
+    </message>
+    <message>
+        <source>22 full bands, 0.3 mm wide, pitch 0.75 mm, as listed in public research code. The first contact&apos;s place is a choice.</source>
+        <translation>22 Vollbänder, 0,3 mm breit, Abstand 0,75 mm, laut öffentlichem Forschungscode. Die Lage des ersten Kontakts ist Wahl.</translation>
+    </message>
+    <message>
+        <source>17 to 18 mm: general literature; its most apical contact lies 17 mm deep as listed in public research code, 1 mm behind the tip.</source>
+        <translation>17 bis 18 mm: allgemeine Literatur; der apikalste Kontakt liegt laut öffentlichem Forschungscode 17 mm tief, 1 mm hinter der Spitze.</translation>
+    </message>
+    <message>
+        <source>Tip 0.35 by 0.40 mm, base 0.475 by 0.50 mm: general literature, not measured. That the smaller one lies within the plane of curl, and the straight line between tip and base, are choices.</source>
+        <translation>Spitze 0,35 × 0,40 mm, Basis 0,475 × 0,50 mm: allgemeine Literatur, nicht gemessen. Dass das kleinere Maß in der Krümmungsebene liegt und die Gerade zwischen Spitze und Basis sind Wahl.</translation>
+    </message>
+    <message>
+        <source>Estimate: a perimodiolar curl of radius 3.0 mm behind that closes to 1.1 mm near the tip, at least as tight as implanted perimodiolar arrays (angles of contacts in Landsberger et al. 2015); the tip and what lies behind the active part are straight: choices.</source>
+        <translation>Schätzung: eine perimodiolare Krümmung mit Radius 3,0 mm hinten, die sich nahe der Spitze auf 1,1 mm schließt, mindestens so eng wie implantierte perimodiolare Träger (Kontaktwinkel in Landsberger et al. 2015); Spitze und Bereich hinter dem aktiven Teil gerade (Wahl).</translation>
+    </message>
+    <message>
+        <source>22 contacts over 14 mm (3 to 17 mm of depth), pitch about 0.67 mm, as listed in public research code. The contact&apos;s length is a choice.</source>
+        <translation>22 Kontakte auf 14 mm (3 bis 17 mm Tiefe), Abstand etwa 0,67 mm, laut öffentlichem Forschungscode. Die Kontaktlänge ist Wahl.</translation>
+    </message>
+    <message>
+        <source>EI = E pi (D^4 - d^4) / 64 of a polyimide tube, E = 2.5 GPa, 0.72 mm outside and 0.60 mm inside: an estimate. It reaches 5 mm past the opening, where the basal turn begins, and is held there: a choice.</source>
+        <translation>EI = E pi (D^4 - d^4) / 64 eines Polyimidrohrs, E = 2,5 GPa, außen 0,72 mm, innen 0,60 mm (Schätzung). Es reicht 5 mm hinter die Öffnung, wo die basale Windung beginnt, und wird dort gehalten (Wahl).</translation>
+    </message>
+    <message>
+        <source>20 to 25 mm: 25 mm possible, 20 mm recommended, as reported in clinical studies of the CI422.</source>
+        <translation>20 bis 25 mm: 25 mm möglich, 20 mm empfohlen, berichtet in klinischen Studien zum CI422.</translation>
+    </message>
+    <message>
+        <source>Tip 0.3 mm, base 0.6 mm: reported in clinical studies of the CI422. Between them a straight line over 20 mm, a choice.</source>
+        <translation>Spitze 0,3 mm, Basis 0,6 mm: berichtet in klinischen Studien zum CI422. Dazwischen eine Gerade über 20 mm (Wahl).</translation>
+    </message>
+    <message>
+        <source>22 half-band contacts over 19.1 mm, pitch about 0.9 mm, as listed in public research code. The first contact&apos;s place and the contact&apos;s length are choices.</source>
+        <translation>22 Halbbandkontakte auf 19,1 mm, Abstand etwa 0,9 mm, laut öffentlichem Forschungscode. Lage des ersten Kontakts und Kontaktlänge sind Wahl.</translation>
+    </message>
+    <message>
+        <source>20 mm: reported in clinical studies of the device.</source>
+        <translation>20 mm: berichtet in klinischen Studien zum Gerät.</translation>
+    </message>
+    <message>
+        <source>Tip 0.5 by 0.3 mm, base 0.8 mm: general literature, not measured. That the smaller one lies within the plane of curl, and the straight line to a round base, are choices.</source>
+        <translation>Spitze 0,5 × 0,3 mm, Basis 0,8 mm: allgemeine Literatur, nicht gemessen. Dass das kleinere Maß in der Krümmungsebene liegt und die Gerade zu einer runden Basis sind Wahl.</translation>
+    </message>
+    <message>
+        <source>Estimate by the model of plugins/README.md: silicone of 2 MPa and N(s) platinum-iridium wires of 25 um, one for each contact nearer to the tip, EI = E_s I + E_w I_w (N + c N^2) with c = 0.06, where the others have 1.2: a waved wire stretches by straightening. Below the published moduli of a straight array (Kha et al. 2004), whose wires are straight.</source>
+        <translation>Schätzung nach dem Modell in plugins/README.md: Silikon mit 2 MPa und N(s) Platin-Iridium-Drähte von 25 µm, einer je Kontakt näher an der Spitze, EI = E_s I + E_w I_w (N + c N^2) mit c = 0,06, wo die anderen 1,2 haben: Ein gewellter Draht dehnt sich, indem er sich streckt. Unter den veröffentlichten Moduln eines geraden Trägers (Kha et al. 2004), dessen Drähte gerade sind.</translation>
+    </message>
+    <message>
+        <source>12 channels with a pitch of 1.4 mm, 15.4 mm from the first to the last: general literature and clinical studies of the device. The first contact&apos;s place and the contact&apos;s length are choices.</source>
+        <translation>12 Kanäle im Abstand von 1,4 mm, 15,4 mm vom ersten bis zum letzten: allgemeine Literatur und klinische Studien zum Gerät. Lage des ersten Kontakts und Kontaktlänge sind Wahl.</translation>
+    </message>
+    <message>
+        <source>24 mm: reported in clinical studies of the device.</source>
+        <translation>24 mm: berichtet in klinischen Studien zum Gerät.</translation>
+    </message>
+    <message>
+        <source>12 channels with a pitch of 1.9 mm, 20.9 mm from the first to the last: general literature and clinical studies of the device. The first contact&apos;s place and the contact&apos;s length are choices.</source>
+        <translation>12 Kanäle im Abstand von 1,9 mm, 20,9 mm vom ersten bis zum letzten: allgemeine Literatur und klinische Studien zum Gerät. Lage des ersten Kontakts und Kontaktlänge sind Wahl.</translation>
+    </message>
+    <message>
+        <source>26 mm: reported in clinical studies of the device.</source>
+        <translation>26 mm: berichtet in klinischen Studien zum Gerät.</translation>
+    </message>
+    <message>
+        <source>28 mm: reported in clinical studies of the device.</source>
+        <translation>28 mm: berichtet in klinischen Studien zum Gerät.</translation>
+    </message>
+    <message>
+        <source>Tip 0.5 by 0.4 mm, base 0.8 mm: general literature, not measured. That the smaller one lies within the plane of curl, and the straight line to a round base, are choices.</source>
+        <translation>Spitze 0,5 × 0,4 mm, Basis 0,8 mm: allgemeine Literatur, nicht gemessen. Dass das kleinere Maß in der Krümmungsebene liegt und die Gerade zu einer runden Basis sind Wahl.</translation>
+    </message>
+    <message>
+        <source>12 channels with a pitch of 2.1 mm, 23.1 mm from the first to the last: general literature and clinical studies of the device. The first contact&apos;s place and the contact&apos;s length are choices.</source>
+        <translation>12 Kanäle im Abstand von 2,1 mm, 23,1 mm vom ersten bis zum letzten: allgemeine Literatur und klinische Studien zum Gerät. Lage des ersten Kontakts und Kontaktlänge sind Wahl.</translation>
+    </message>
+    <message>
+        <source>31.5 mm: reported in clinical studies of the device.</source>
+        <translation>31,5 mm: berichtet in klinischen Studien zum Gerät.</translation>
+    </message>
+    <message>
+        <source>Tip 0.5 by 0.4 mm, base 1.3 mm: general literature, not measured. That the smaller one lies within the plane of curl, and the straight line to a round base, are choices.</source>
+        <translation>Spitze 0,5 × 0,4 mm, Basis 1,3 mm: allgemeine Literatur, nicht gemessen. Dass das kleinere Maß in der Krümmungsebene liegt und die Gerade zu einer runden Basis sind Wahl.</translation>
+    </message>
+    <message>
+        <source>12 channels with a pitch of 2.4 mm, 26.4 mm from the first to the last: general literature and clinical studies of the device. The first contact&apos;s place and the contact&apos;s length are choices.</source>
+        <translation>12 Kanäle im Abstand von 2,4 mm, 26,4 mm vom ersten bis zum letzten: allgemeine Literatur und klinische Studien zum Gerät. Lage des ersten Kontakts und Kontaktlänge sind Wahl.</translation>
+    </message>
+    <message>
+        <source>15 mm: reported in clinical studies of the device.</source>
+        <translation>15 mm: berichtet in klinischen Studien zum Gerät.</translation>
+    </message>
+    <message>
+        <source>12 channels with a pitch of 1.1 mm, 12.1 mm from the first to the last: general literature and clinical studies of the device. The first contact&apos;s place and the contact&apos;s length are choices.</source>
+        <translation>12 Kanäle im Abstand von 1,1 mm, 12,1 mm vom ersten bis zum letzten: allgemeine Literatur und klinische Studien zum Gerät. Lage des ersten Kontakts und Kontaktlänge sind Wahl.</translation>
+    </message>
+    <message>
+        <source>24 mm: general literature, not measured.</source>
+        <translation>24 mm: allgemeine Literatur, nicht gemessen.</translation>
+    </message>
+    <message>
+        <source>Tip 0.5 mm, base 0.8 mm: general literature, not measured. Between them a straight line, a choice.</source>
+        <translation>Spitze 0,5 mm, Basis 0,8 mm: allgemeine Literatur, nicht gemessen. Dazwischen eine Gerade (Wahl).</translation>
+    </message>
+    <message>
+        <source>About 31 to 31.5 mm: reported in clinical studies of the device.</source>
+        <translation>Etwa 31 bis 31,5 mm: berichtet in klinischen Studien zum Gerät.</translation>
+    </message>
+    <message>
+        <source>Tip 0.5 mm, base 1.3 mm: general literature, not measured. Between them a straight line, a choice.</source>
+        <translation>Spitze 0,5 mm, Basis 1,3 mm: allgemeine Literatur, nicht gemessen. Dazwischen eine Gerade (Wahl).</translation>
+    </message>
+    <message>
+        <source>25 mm: general literature, not measured.</source>
+        <translation>25 mm: allgemeine Literatur, nicht gemessen.</translation>
+    </message>
+    <message>
+        <source>Tip 0.4 mm, base 0.5 mm: general literature, not measured. Between them a straight line, a choice.</source>
+        <translation>Spitze 0,4 mm, Basis 0,5 mm: allgemeine Literatur, nicht gemessen. Dazwischen eine Gerade (Wahl).</translation>
+    </message>
+    <message>
+        <source>20 contacts, pitch 1.2 mm (24 mm with the last pitch counted): general literature, not measured. The first contact&apos;s place and the contact&apos;s length are choices.</source>
+        <translation>20 Kontakte, Abstand 1,2 mm (24 mm mit dem letzten Abstand): allgemeine Literatur, nicht gemessen. Lage des ersten Kontakts und Kontaktlänge sind Wahl.</translation>
+    </message>
+    <message>
+        <source>%1 mm, %2 standard deviations %3 the mean of %4 mm (SD %5, n = 138, Pietsch et al. 2017)</source>
+        <translation>%1 mm, %2 Standardabweichungen %3 dem Mittel von %4 mm (SD %5, n = 138, Pietsch et al. 2017)</translation>
+    </message>
+    <message>
+        <source>below</source>
+        <translation>unter</translation>
+    </message>
+    <message>
+        <source>above</source>
+        <translation>über</translation>
+    </message>
+    <message>
+        <source>Whether middle and apical turn are one cavity (incomplete partition) could not be judged: the modiolus is faint, the CT too coarse or too noisy, or the middle turn not empty. Look for the septum between both turns in a section through the axis, or take a finer series.</source>
+        <translation>Ob mittlere und apikale Windung ein Hohlraum sind (inkomplette Partition), war nicht zu beurteilen: Der Modiolus ist schwach, die CT zu grob oder zu verrauscht, oder die mittlere Windung nicht leer. In einem Schnitt durch die Achse das Septum zwischen beiden Windungen suchen oder eine feinere Serie verwenden.</translation>
     </message>
 </context>
 <context>
@@ -3485,10 +4849,6 @@
         <translation>ohne Pausen, bis zur größten Tiefe; Richtungswechsel: %1</translation>
     </message>
     <message>
-        <source>not recorded</source>
-        <translation>nicht aufgezeichnet</translation>
-    </message>
-    <message>
         <source>Maximum partition force</source>
         <translation>Maximale Trennwandkraft</translation>
     </message>
@@ -3999,10 +5359,6 @@
     <message>
         <source>%1–%2 %</source>
         <translation>%1–%2 %</translation>
-    </message>
-    <message>
-        <source>%1 ± %2 mm</source>
-        <translation>%1 ± %2 mm</translation>
     </message>
     <message>
         <source>CT, plan, insert, compare, validate, sessions, studies</source>

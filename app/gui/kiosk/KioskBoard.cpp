@@ -94,7 +94,7 @@ void KioskBoard::save()
   std::error_code ignored;  // an error is reported when the file is written
   std::filesystem::create_directories(file_.parent_path(), ignored);
   const Result<Done> written = writeWhole(file_, text.toStdString());
-  error_ = written ? std::string() : written.error().message;
+  error_ = written ? Sentence() : written.error().message;
 }
 
 std::filesystem::path kioskBoardFile()

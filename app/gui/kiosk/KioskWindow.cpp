@@ -11,6 +11,7 @@
 
 #include "gui/kiosk/BoardView.h"
 #include "gui/parts/ChartLabels.h"
+#include "gui/parts/DataText.h"
 #include "gui/parts/Numbers.h"
 #include "gui/parts/Theme.h"
 #include "gui/scene/OperationView.h"
@@ -182,7 +183,7 @@ bool KioskWindow::prepare(InputSource hand)
   turn_ = {};
   const Result<Done> prepared = control_.prepare(hand);
   const Result<Done> begun = prepared ? control_.begin() : prepared;
-  screen_->view().setBanner(begun ? QString() : QString::fromStdString(begun.error().message));
+  screen_->view().setBanner(begun ? QString() : dataText(begun.error().message));
   if (prepared) screen_->view().showArray(control_.now());
   return static_cast<bool>(begun);
 }

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// Translation of texts that come from data files and from the engine, which speaks English.
+// Sentences of the engine, which speaks English, and texts of shipped files in the window's language.
 
 #include <QString>
-#include <string>
 
 #include "perilymph/figures/Figure.h"
+#include "perilymph/foundation/Sentence.h"
 
 namespace perilymph::gui {
 
-/// A shipped text in the window's language, its numbers with the window's decimal sign. Unknown
-/// texts are returned unchanged.
-QString dataText(const std::string& text);
+/// A sentence in the window's language, the numbers in it with the window's decimal sign; a text of a
+/// shipped file as its translation says. What has no translation stays English.
+QString dataText(const Sentence& text);
 
 /// A figure with all its texts in the window's language.
 figures::Figure translated(figures::Figure figure);

@@ -38,7 +38,7 @@ std::string checkDelay(const std::string& text)
 std::string checkEndpoint(const std::string& text)
 {
   const auto endpoint = broadcast::parseEndpoint(text);
-  return endpoint ? std::string() : endpoint.error().message;
+  return endpoint ? Sentence() : endpoint.error().message;
 }
 
 /// Not a ValidationError, which CLI11 would prefix with the option's name again.

@@ -28,8 +28,10 @@ Result<Done> probeDisplay()
 {
   const std::string platform = environment("QT_QPA_PLATFORM");
   if (!platform.empty() && platform != "xcb" && platform != "offscreen")
-    return Error{"QT_QPA_PLATFORM is " + platform +
-                 "; the window can be drawn with xcb or offscreen. Unset it, or use one of these."};
+    return Error{
+        "QT_QPA_PLATFORM is %1; the window can be drawn with xcb or offscreen. Unset it, or use "
+        "one of these.",
+        platform};
 
   const std::string display = environment("DISPLAY");
   if (display.empty())
@@ -39,17 +41,19 @@ Result<Done> probeDisplay()
 
   Display* connection = XOpenDisplay(display.c_str());
   if (connection == nullptr)
-    return Error{"The display " + display +
-                 " cannot be reached. Check DISPLAY and the permission to draw there, or start "
-                 "perilymph under xvfb-run."};
+    return Error{
+        "The display %1 cannot be reached. Check DISPLAY and the permission to draw there, or "
+        "start perilymph under xvfb-run.",
+        display};
   // VTK draws only through GLX; without it Qt would use EGL, and all pictures would stay empty.
   int opcode = 0, event = 0, error = 0;
   const bool hasGlx = XQueryExtension(connection, "GLX", &opcode, &event, &error) != 0;
   XCloseDisplay(connection);
   if (!hasGlx)
-    return Error{"The display " + display +
-                 " offers no OpenGL (its GLX extension is missing). Start perilymph on another "
-                 "display, or under xvfb-run; perilymph-cli simulates without a window."};
+    return Error{
+        "The display %1 offers no OpenGL (its GLX extension is missing). Start perilymph on "
+        "another display, or under xvfb-run; perilymph-cli simulates without a window.",
+        display};
   return Done{};
 }
 
@@ -62,19 +66,19 @@ Result<Done> probeOpenGl()
 
   QOpenGLContext context;
   context.setFormat(wanted);
-  if (!context.create()) return Error{"OpenGL cannot be started on this display." + advice};
+  if (!context.create()) return Error{"OpenGL cannot be started on this display.%1", advice};
 
   QOffscreenSurface surface;
   surface.setFormat(context.format());
   surface.create();
   if (!surface.isValid() || !context.makeCurrent(&surface))
-    return Error{"OpenGL cannot draw on this display." + advice};
+    return Error{"OpenGL cannot draw on this display.%1", advice};
   const QSurfaceFormat got = context.format();
   context.doneCurrent();
 
   if (got.version() < qMakePair(3, 2))
-    return Error{"This display offers OpenGL " + std::to_string(got.majorVersion()) + "." +
-                 std::to_string(got.minorVersion()) + "." + advice};
+    return Error{"This display offers OpenGL %1.%2.%3", got.majorVersion(), got.minorVersion(),
+                 advice};
   return Done{};
 }
 

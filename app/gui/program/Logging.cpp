@@ -44,8 +44,8 @@ Result<Done> startLog(const std::filesystem::path& folder)
   std::filesystem::create_directories(folder, ignored);
   const std::filesystem::path file = folder / "perilymph.log";
   if (std::filesystem::is_symlink(std::filesystem::symlink_status(file, ignored)))
-    return Error{"The log " + file.string() +
-                 " is a link, which is not followed. Remove it, or set XDG_STATE_HOME."};
+    return Error{"The log %1 is a link, which is not followed. Remove it, or set XDG_STATE_HOME.",
+                 file};
   try {
     auto sink =
         std::make_shared<spdlog::sinks::rotating_file_sink_mt>(file.string(), maxBytes, olderFiles);
@@ -53,8 +53,9 @@ Result<Done> startLog(const std::filesystem::path& folder)
     logger->flush_on(spdlog::level::info);
     spdlog::set_default_logger(std::move(logger));
   } catch (const spdlog::spdlog_ex& thrown) {
-    return Error{"The log " + file.string() + " cannot be written: " + thrown.what() +
-                 ". Make its folder writable, or set XDG_STATE_HOME."};
+    return Error{
+        "The log %1 cannot be written: %2. Make its folder writable, or set XDG_STATE_HOME.", file,
+        thrown.what()};
   }
   if (handlerOfQt == nullptr) handlerOfQt = qInstallMessageHandler(log);
   return Done{};

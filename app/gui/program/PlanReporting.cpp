@@ -40,25 +40,25 @@ Result<PlanReportContent> reportedPlan(const CommandLine& options)
   if (options.ct && isExistingBelow(*options.report, options.ct->filename() == "DICOMDIR"
                                                          ? options.ct->parent_path()
                                                          : *options.ct))
-    return Error{"--report would replace " + options.report->string() +
-                 ", which --ct reads. Give --report another name."};
+    return Error{"--report would replace %1, which --ct reads. Give --report another name.",
+                 options.report->string()};
   auto stored = planning::readPlan(*options.plan);
   if (!stored) return stored.error();
   if (options.ct && stored->plan.seal == Seal::changed)
     return Error{
-        options.plan->string() +
-        " was changed by hand after the program wrote it, so it is not filed into a study. "
-        "Make the plan again, or leave --ct out."};
+        "%1 was changed by hand after the program wrote it, so it is not filed into a study. Make "
+        "the plan again, or leave --ct out.",
+        options.plan->string()};
   if (options.ct && stored->plan.request.patient.seal == Seal::changed)
     return Error{
-        options.plan->string() +
-        " is of measures that were changed by hand after the program wrote them, so it is not "
-        "filed into a study. Measure the patient again and make a new plan, or leave --ct out."};
+        "%1 is of measures that were changed by hand after the program wrote them, so it is not "
+        "filed into a study. Measure the patient again and make a new plan, or leave --ct out.",
+        options.plan->string()};
   if (options.ct && stored->plan.seal == Seal::absent && !options.isCtNotCompared)
-    return Error{options.plan->string() +
-                 " carries no seal, so the CT series that it states proves nothing. Make the plan "
-                 "again, leave --ct out, or, if you know that the CT is the patient's, add "
-                 "--ct-not-compared."};
+    return Error{
+        "%1 carries no seal, so the CT series that it states proves nothing. Make the plan again, "
+        "leave --ct out, or, if you know that the CT is the patient's, add --ct-not-compared.",
+        options.plan->string()};
   auto content = planReportContent(*std::move(stored));
   if (content) content->isStudyNotCompared = options.ct && seriesOf(content->plan()).empty();
   return content;

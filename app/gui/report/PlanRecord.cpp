@@ -6,7 +6,6 @@
 #include <algorithm>
 
 #include "gui/parts/DataText.h"
-#include "gui/parts/EngineErrors.h"
 #include "gui/parts/Numbers.h"
 #include "gui/report/MeasureTable.h"
 #include "gui/report/PlanCurves.h"
@@ -138,10 +137,9 @@ double paintArrays(ReportSheet& sheet, const PlanReportContent& content, double 
 QStringList doubtsOf(const PlanReportContent& content)
 {
   QStringList doubts;
-  if (const std::string note = noteOn(content.plan().seal); !note.empty())
-    doubts << engineError(note);
-  if (const std::string note = noteOn(content.plan().request.patient); !note.empty())
-    doubts << engineError(note);
+  if (const Sentence note = noteOn(content.plan().seal); !note.empty()) doubts << dataText(note);
+  if (const Sentence note = noteOn(content.plan().request.patient); !note.empty())
+    doubts << dataText(note);
   if (content.isStudyNotCompared)
     doubts << tr(
         "The plan states no CT series, or carries no seal, so it was not compared with the study "
@@ -158,7 +156,7 @@ QStringList linesOf(const PlanReportContent& content)
          "are drawn again; see the appendix.")
           .arg(content.plan().arrays.front().draws)
           .arg(plannedFriction(content.plan().request))};
-  for (const std::string& limit : content.stored.limits) lines << dataText(limit);
+  for (const Sentence& limit : content.stored.limits) lines << dataText(limit);
   return lines;
 }
 

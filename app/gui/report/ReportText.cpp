@@ -23,7 +23,7 @@ QString tr(const char* caption) { return QCoreApplication::translate("perilymph:
 QString from(const std::string& text) { return QString::fromStdString(text).toHtmlEscaped(); }
 
 /// A sentence of a shipped file or of the replay, translated.
-QString sentence(const std::string& text) { return dataText(text).toHtmlEscaped(); }
+QString sentence(const Sentence& text) { return dataText(text).toHtmlEscaped(); }
 
 QString cell(const QString& caption, const char* kind = "")
 {
@@ -173,7 +173,7 @@ QString limits(const ReportContent& content)
       tr("No value in this report shows that an insertion is atraumatic: trauma thresholds vary "
          "between ears and are not known for the insertion force.")};
   if (content.rupture) sentences << sentence(content.rupture->source);
-  for (const std::string& note : content.verification.notes) sentences << sentence(note);
+  for (const Sentence& note : content.verification.notes) sentences << sentence(note);
   for (const std::string& note : content.scenario.notes()) sentences << sentence(note);
   if (content.lostRecords > 0)
     sentences << tr("%1 samples were lost during recording.").arg(content.lostRecords);

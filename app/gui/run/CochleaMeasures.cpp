@@ -16,13 +16,13 @@ std::vector<Measure> summaryOf(const anatomy::ScalaTympani& scala, anatomy::Anat
                                const electrode::ArrayDesign& array)
 {
   const auto [a, b] = analysis::basalDiameters(scala);
-  const std::string alexiades = "Alexiades et al. 2015, Otol Neurotol 36:904";
+  const std::string alexiades = Sentence{"Alexiades et al. 2015, Otol Neurotol 36:904"};
   const bool isByLength = source == anatomy::AnatomySource::published;
   const Measure duct =
       isByLength
           ? Measure{CochleaMeasures::ductLength, inMillimeters(analysis::organOfCortiLength(scala)),
-                    "path of the organ of Corti in the plan, round window to apex",
-                    "measured in this model, defined as in Todd and Naghdy"}
+                    Sentence{"path of the organ of Corti in the plan, round window to apex"},
+                    Sentence{"measured in this model, defined as in Todd and Naghdy"}}
           : analysis::ductLength(CochleaMeasures::ductLength, a, b);
   std::vector<Measure> measures = {
       duct,

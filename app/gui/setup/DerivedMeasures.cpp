@@ -119,7 +119,7 @@ void DerivedMeasures::compute()
 
 void DerivedMeasures::showContent(const Result<CochleaMeasures>& content)
 {
-  if (!content) return showNone(QString::fromStdString(content.error().message));
+  if (!content) return showNone(dataText(content.error().message));
   bool hasInsertion = false;
   for (std::size_t row = 0; row < rows_.size(); ++row) {
     const RowFormat& format = formats[row];

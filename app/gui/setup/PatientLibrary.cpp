@@ -86,9 +86,9 @@ Result<fs::path> savePatientInLibrary(const anatomy::Patient& patient,
   const bool isRenamed = replaced && *replaced != file;
   const fs::path record = session::recordFileOf(file);
   if (isRenamed && fs::exists(record, ignored))
-    return Error{record.string() +
-                 " holds notes on a patient of this code and ear whose file is missing. Rename it "
-                 "first."};
+    return Error{
+        "%1 holds notes on a patient of this code and ear whose file is missing. Rename it first.",
+        record};
   // a copy: the former file is whole until the new one is
   if (isRenamed) fs::copy_file(session::recordFileOf(*replaced), record, ignored);
   const auto saved = session::savePatientVersion(

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "gui/parts/DataText.h"
 #include "gui/parts/Numbers.h"
 #include "gui/parts/Theme.h"
 #include "gui/setup/DerivedMeasures.h"
@@ -282,7 +283,7 @@ QString PatientSection::codeError() const
   const QString code = label_->text().trimmed();
   if (!label_->isPending() || code.isEmpty()) return {};
   const auto checked = anatomy::checkPatientCode(code.toStdString());
-  return checked ? QString() : QString::fromStdString(checked.error().message);
+  return checked ? QString() : dataText(checked.error().message);
 }
 
 void PatientSection::askNumber(const Number& number, std::optional<Length> value)

@@ -63,8 +63,9 @@ Result<Done> savePlan(const StoredPlan& plan)
   std::error_code failure;
   fs::create_directories(plan.folder, failure);
   if (failure)
-    return Error{plan.folder.string() + " cannot be created: " + failure.message() +
-                 ". Check the permissions of its folder and the space on the disk."};
+    return Error{
+        "%1 cannot be created: %2. Check the permissions of its folder and the space on the disk.",
+        plan.folder, failure.message()};
   if (const auto saved = anatomy::savePatient(plan.request.patient, plan.folder / patientFile);
       !saved)
     return saved;

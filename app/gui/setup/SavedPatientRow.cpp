@@ -9,7 +9,7 @@
 #include <QVariant>
 #include <algorithm>
 
-#include "gui/parts/EngineErrors.h"
+#include "gui/parts/DataText.h"
 #include "gui/parts/Theme.h"
 #include "gui/setup/Selector.h"
 
@@ -107,7 +107,7 @@ void SavedPatientRow::choose(const QString& value)
   const auto patient = anatomy::loadPatient(file);
   status_->setProperty("error", !patient);
   if (!patient) {
-    status_->setText(engineError(patient.error().message));
+    status_->setText(dataText(patient.error().message));
     return showState();
   }
   markUsed(file);
@@ -119,7 +119,7 @@ void SavedPatientRow::save()
   const auto file =
       savePatientInLibrary(patient_, saved_ ? std::optional(saved_->file) : std::nullopt);
   const QString sentence =
-      file ? tr("Saved as %1.").arg(nameOfPatient(patient_)) : engineError(file.error().message);
+      file ? tr("Saved as %1.").arg(nameOfPatient(patient_)) : dataText(file.error().message);
   if (file) saved_ = SavedPatient{patient_, *file};
   status_->setProperty("error", !file);
   status_->style()->unpolish(status_);

@@ -262,24 +262,24 @@ std::vector<std::string> differingText(const session::Scenario& one, const sessi
   const auto named = [](const char* name) {
     return [name](const std::string& key) { return key == name; };
   };
-  const std::pair<const char*, std::function<bool(const std::string&)>> groups[] = {
-      {"patient", [](const std::string& key) { return startsWith(key, "patient"); }},
-      {"ear", named("side")},
-      {"anatomy", named("anatomy")},
-      {"array", [](const std::string& key) { return startsWith(key, "array"); }},
-      {"calibration", isCalibration},
-      {"technique", named("technique")},
-      {"speed", named("speed_mm_s")},
-      {"full depth", named("stop_travel_mm")},
-      {"friction", [](const std::string& key) { return startsWith(key, "friction"); }},
-      {"opening", named("opening")},
-      {"model", named("model")},
-      {"nodes", named("nodes")},
-      {"force scale", named("force_scale")},
+  const std::pair<Phrase, std::function<bool(const std::string&)>> groups[] = {
+      {Phrase{"patient"}, [](const std::string& key) { return startsWith(key, "patient"); }},
+      {Phrase{"ear"}, named("side")},
+      {Phrase{"anatomy"}, named("anatomy")},
+      {Phrase{"array"}, [](const std::string& key) { return startsWith(key, "array"); }},
+      {Phrase{"calibration"}, isCalibration},
+      {Phrase{"technique"}, named("technique")},
+      {Phrase{"speed"}, named("speed_mm_s")},
+      {Phrase{"full depth"}, named("stop_travel_mm")},
+      {Phrase{"friction"}, [](const std::string& key) { return startsWith(key, "friction"); }},
+      {Phrase{"opening"}, named("opening")},
+      {Phrase{"model"}, named("model")},
+      {Phrase{"nodes"}, named("nodes")},
+      {Phrase{"force scale"}, named("force_scale")},
   };
   std::vector<std::string> caption;
   for (const auto& [word, isMeant] : groups)
-    if (differs(isMeant)) caption.emplace_back(word);
+    if (differs(isMeant)) caption.emplace_back(word.english());
   const auto isGrouped = [&groups](const std::string& key) {
     return std::any_of(std::begin(groups), std::end(groups),
                        [&key](const auto& group) { return group.second(key); });

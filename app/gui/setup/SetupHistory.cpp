@@ -99,7 +99,7 @@ void SetupHistory::change(const SetupChange& change)
   auto made = changed(now_, origin_, change);
   if (!made) {
     Q_EMIT setupChanged();  // the fields show the current values again
-    Q_EMIT refused(QString::fromStdString(made.error().message));
+    Q_EMIT refused(dataText(made.error().message));
     return;
   }
   if (made->scenario.text() == now_.scenario.text()) return;

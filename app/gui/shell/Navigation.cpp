@@ -5,7 +5,7 @@
 
 #include "gui/pages/insert/InsertPage.h"
 #include "gui/pages/insert/ReplayControl.h"
-#include "gui/parts/EngineErrors.h"
+#include "gui/parts/DataText.h"
 #include "gui/parts/Notice.h"
 #include "gui/parts/UserSettings.h"
 
@@ -42,7 +42,7 @@ std::optional<InsertionBroadcast::Shown> Navigation::shown() const
 bool Navigation::listen(const broadcast::Endpoint& endpoint)
 {
   const Result<Done> listening = broadcast_.listen(endpoint);
-  error_ = listening ? QString() : engineError(listening.error().message);
+  error_ = listening ? QString() : dataText(listening.error().message);
   follow();
   return isOn();
 }

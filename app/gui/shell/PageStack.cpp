@@ -11,7 +11,7 @@
 #include "gui/pages/start/StartPage.h"
 #include "gui/pages/studies/StudiesPage.h"
 #include "gui/pages/validate/ValidatePage.h"
-#include "gui/parts/EngineErrors.h"
+#include "gui/parts/DataText.h"
 #include "gui/setup/PatientSetup.h"
 #include "gui/shell/FileDrop.h"
 #include "gui/shell/WindowTitle.h"
@@ -104,9 +104,9 @@ void PageStack::connectRecordings()
 void PageStack::openPatient(const std::filesystem::path& file)
 {
   const auto patient = anatomy::loadPatient(file);
-  if (!patient) return refused(engineError(patient.error().message));
+  if (!patient) return refused(dataText(patient.error().message));
   const auto setup = setupOfPatient(*patient);
-  if (!setup) return refused(engineError(setup.error().message));
+  if (!setup) return refused(dataText(setup.error().message));
   Q_EMIT setupChosen(*setup, SetupOrigin::Kind::own, InsertPage::AfterLoading::rest);
 }
 

@@ -12,6 +12,7 @@
 
 #include "gui/pages/insert/HeldArray.h"
 #include "gui/parts/CheckBoxes.h"
+#include "gui/parts/DataText.h"
 #include "gui/parts/SheetScroll.h"
 #include "gui/parts/StateFolder.h"
 #include "gui/parts/Theme.h"
@@ -180,7 +181,7 @@ void SettingsSheet::addLogo(QVBoxLayout& column)
                                : QFileDialog::getOpenFileName(this, tr("Logo for reports"), {},
                                                               tr("Pictures (*.png *.jpg *.jpeg)"));
     const auto logo = file.isEmpty() ? Result<QImage>(QImage()) : readLogo(file);
-    error->setText(logo ? QString() : QString::fromStdString(logo.error().message));
+    error->setText(logo ? QString() : dataText(logo.error().message));
     error->setVisible(!logo);
     if (logo && (isSet || !file.isEmpty())) UserSettings().setValue(key, file);
     show();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/shell/WindowPicture.h"
 
+#include "gui/parts/DataText.h"
+
 #include <QCoreApplication>
 #include <QDateTime>
 #include <QDir>
@@ -25,7 +27,7 @@ QString keepPicture(QWidget& window)
       writeWhole(file.toStdString(), [&picture](const std::filesystem::path& place) {
         return picture.save(QString::fromStdString(place.string()), "PNG");
       });
-  if (!written) return QString::fromStdString(written.error().message);
+  if (!written) return dataText(written.error().message);
   return QCoreApplication::translate("perilymph::gui", "Screenshot saved: %1").arg(file);
 }
 

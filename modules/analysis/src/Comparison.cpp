@@ -52,12 +52,12 @@ Result<ComparedInsertion> readCompared(const std::filesystem::path& file,
     return !stop.stop_requested();
   });
   if (!read) return read.error();
-  if (stop.stop_requested()) return Error{"Stopped while reading " + file.string() + "."};
+  if (stop.stop_requested()) return Error{"Stopped while reading %1.", file};
   compared.profile = profiler.profile();
   compared.reversals = reversals.reversals();
   compared.motion = motion.motion();
   if (compared.profile.ticks == 0)
-    return Error{file.string() + " contains no samples. Record the insertion to another file."};
+    return Error{"%1 contains no samples. Record the insertion to another file.", file};
   return compared;
 }
 
@@ -121,7 +121,7 @@ Figure comparisonFigure(const std::vector<ComparedInsertion>& insertions,
   // Distinguished by color and dashes; from the fifth on by longer dashes, too.
   constexpr figures::Ink inks[] = {ink::blue, ink::vermilion, ink::green, ink::purple};
   Figure figure;
-  figure.title = "Recorded insertions: insertion force over travel";
+  figure.title = Sentence{"Recorded insertions: insertion force over travel"};
   double farthest = 0.0, nearest = 0.0, highest = 0.0, lowest = 0.0;
   for (std::size_t i = 0; i < insertions.size(); ++i) {
     FigureCurve curve;
@@ -155,8 +155,8 @@ Figure comparisonFigure(const std::vector<ComparedInsertion>& insertions,
     }
     figure.values.push_back(std::move(printed));
   }
-  figure.x = figures::axisOver("travel, mm", nearest, farthest);
-  figure.y = figures::axisOver("insertion force, mN", lowest, highest);
+  figure.x = figures::axisOver(Sentence{"travel, mm"}, nearest, farthest);
+  figure.y = figures::axisOver(Sentence{"insertion force, mN"}, lowest, highest);
   return figure;
 }
 

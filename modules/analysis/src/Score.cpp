@@ -49,21 +49,25 @@ InsertionScore scoreOf(const ComparedInsertion& insertion, const PrintedRange& p
 
   InsertionScore score;
   score.criteria = {
-      {"speed", percent(inBand) + " of the insertion at 0.1–2.0 mm/s",
-       "full score if the whole insertion is within 0.1–2.0 mm/s, none at 0 %",
-       "robotic insertion 0.1–1.0 mm/s (iotaSOFT); manual insertion in cadaver heads 0.66 ± 0.31 "
-       "mm/s; phantom study 0.1–2.0 mm/s (Froehlich et al. 2024)",
+      {Sentence{"speed"},
+       Sentence{"%1 % of the insertion at 0.1–2.0 mm/s", fixed(100.0 * inBand, 0)},
+       Sentence{"full score if the whole insertion is within 0.1–2.0 mm/s, none at 0 %"},
+       Sentence{"robotic insertion 0.1–1.0 mm/s (iotaSOFT); manual insertion in cadaver heads "
+                "0.66 ± 0.31 mm/s; phantom study 0.1–2.0 mm/s (Froehlich et al. 2024)"},
        inBand},
-      {"reversals", std::to_string(motion.reversals) + " before maximum insertion depth",
-       "full score at 0, none from 18.6",
-       "Kesler et al. 2017: 18.6 reversals in manual insertions at a target of 15 mm/min",
+      {Sentence{"reversals"}, Sentence{"%1 before maximum insertion depth", motion.reversals},
+       Sentence{"full score at 0, none from 18.6"},
+       Sentence{"Kesler et al. 2017: 18.6 reversals in manual insertions at a target of 15 "
+                "mm/min"},
        between(motion.reversals, 0.0, reversalsOfTooSlowHands)},
-      {"peak force", fixed(inMillinewtons(newtons(peak)), 1) + " mN",
-       "full score up to " + fixed(low_mN, 1) + " mN, none from " + fixed(high_mN, 1) + " mN",
+      {Sentence{"peak force"}, Sentence{"%1 mN", fixed(inMillinewtons(newtons(peak)), 1)},
+       Sentence{"full score up to %1 mN, none from %2 mN", fixed(low_mN, 1), fixed(high_mN, 1)},
        peakBand.source, between(peak, peakBand.low, peakBand.high)},
-      {"smoothness", percent(still) + " of the time at rest (below 0.1 mm/s)",
-       "full score at 0 %, none from 15.7 %",
-       "Kesler et al. 2017: manual insertions at a target of 15 mm/min paused 15.7 % of the time",
+      {Sentence{"smoothness"},
+       Sentence{"%1 % of the time at rest (below 0.1 mm/s)", fixed(100.0 * still, 0)},
+       Sentence{"full score at 0 %, none from 15.7 %"},
+       Sentence{"Kesler et al. 2017: manual insertions at a target of 15 mm/min paused 15.7 % of "
+                "the time"},
        between(still, 0.0, restFractionOfTooSlowHands)}};
   double sum = 0.0;
   for (const ScoreCriterion& criterion : score.criteria) sum += criterion.fraction;

@@ -82,9 +82,10 @@ Result<SimulatedInsertion> simulate(session::Insertion& insertion,
   if (!ran) return ran.error();
   simulated.profile = profiler.profile();
   if (simulated.profile.deepest < minDepth.si())
-    return Error{"The tip did not enter the opening: " + placeOf(simulated.last) +
-                 ". Aim at the opening (approach_tilt_deg, approach_turn_deg), or start deeper "
-                 "inside (start_inside_mm)."};
+    return Error{
+        "The tip did not enter the opening: %1. Aim at the opening (approach_tilt_deg, "
+        "approach_turn_deg), or start deeper inside (start_inside_mm).",
+        placeOf(simulated.last)};
   return simulated;
 }
 

@@ -80,15 +80,16 @@ Address addressOf(const Endpoint& endpoint)
 
 Error refused(const Endpoint& endpoint, int why)
 {
-  const std::string port = "The port " + std::to_string(endpoint.port);
   if (why == EADDRINUSE)
-    return Error{port + " at " + endpoint.address +
-                 " is taken by another program. End that program, or choose another port."};
+    return Error{
+        "The port %1 at %2 is taken by another program. End that program, or choose another port.",
+        endpoint.port, endpoint.address};
   if (why == EADDRNOTAVAIL)
-    return Error{"The address " + endpoint.address +
-                 " is none of this machine. 127.0.0.1 always is; 'ip address' lists all."};
-  return Error{port + " at " + endpoint.address + " cannot be listened at: " + std::strerror(why) +
-               "."};
+    return Error{
+        "The address %1 is none of this machine. 127.0.0.1 always is; 'ip address' lists all.",
+        endpoint.address};
+  return Error{"The port %1 at %2 cannot be listened at: %3.", endpoint.port, endpoint.address,
+               std::strerror(why)};
 }
 
 /// True for an address at which only programs of this machine connect.

@@ -36,11 +36,15 @@ Result<Endpoint> parseEndpoint(const std::string& text)
   const auto read = std::from_chars(port.data(), port.data() + port.size(), number);
   const bool isWhole = read.ec == std::errc() && read.ptr == port.data() + port.size();
   if (!isWhole || number < minPort || number > 65535)
-    return Error{"The port '" + port + "' in '" + text +
-                 "' is none to listen at; it must be a number from 1024 to 65535, like 18944."};
+    return Error{
+        "The port '%1' in '%2' is none to listen at; it must be a number from 1024 to 65535, like "
+        "18944.",
+        port, text};
   if (!isNumeric(endpoint.address))
-    return Error{"The address '" + endpoint.address + "' in '" + text +
-                 "' is not numeric; use one of this machine, like 127.0.0.1 or [::1]."};
+    return Error{
+        "The address '%1' in '%2' is not numeric; use one of this machine, like 127.0.0.1 or "
+        "[::1].",
+        endpoint.address, text};
   endpoint.port = static_cast<std::uint16_t>(number);
   return endpoint;
 }

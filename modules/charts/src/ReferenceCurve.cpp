@@ -12,7 +12,7 @@ Result<ReferenceCurve> loadReference(const std::filesystem::path& file)
   const auto reference = analysis::loadReference(file);
   if (!reference) return reference.error();
   if (reference->points.empty())
-    return Error{file.string() + " has no [[point]]; a curve needs at least one."};
+    return Error{"%1 has no [[point]]; a curve needs at least one.", file};
   ReferenceCurve curve;
   curve.label = reference->label;
   curve.source = reference->source;

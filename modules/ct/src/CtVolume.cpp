@@ -14,15 +14,17 @@ Result<CtVolume> CtVolume::make(const std::array<int, 3>& size, const Eigen::Mat
   std::size_t count = 1;
   for (const int along : size) {
     if (along < 2)
-      return Error{"The volume has " + std::to_string(size[0]) + " x " + std::to_string(size[1]) +
-                   " x " + std::to_string(size[2]) +
-                   " voxels; at least 2 are needed along every axis. Choose another series."};
+      return Error{
+          "The volume has %1 x %2 x %3 voxels; at least 2 are needed along every axis. Choose "
+          "another series.",
+          size[0], size[1], size[2]};
     count *= static_cast<std::size_t>(along);
   }
   if (voxels.size() != count)
-    return Error{"The volume holds " + std::to_string(voxels.size()) +
-                 " voxels where its size says " + std::to_string(count) +
-                 ". The file is damaged; export the series again."};
+    return Error{
+        "The volume holds %1 voxels where its size says %2. The file is damaged; export the series "
+        "again.",
+        voxels.size(), count};
   const Eigen::Matrix3d axes = lps_PI.topLeftCorner<3, 3>();
   const double lengths = axes.colwise().norm().prod();
   if (!lps_PI.allFinite() || !(lengths > 0.0) || !(std::fabs(axes.determinant()) > 0.1 * lengths))

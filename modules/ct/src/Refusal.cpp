@@ -14,27 +14,24 @@ namespace {
 // Misfits of phantoms and of ten real ears are up to 0.25.
 constexpr double refusedMisfit = 0.42;
 
-std::string percent(double fraction)
-{
-  return std::to_string(std::lround(100.0 * fraction)) + " %";
-}
+std::string percent(double fraction) { return std::to_string(std::lround(100.0 * fraction)); }
 
 std::string millimetersOf(double value)
 {
   const long hundredths = std::lround(100.0 * value);
   const std::string decimals = std::to_string(100 + std::labs(hundredths) % 100).substr(1);
-  return std::to_string(hundredths / 100) + "." + decimals + " mm";
+  return std::to_string(hundredths / 100) + "." + decimals;
 }
 
 /// Metal near the fit, which explains it, or else the sentence given.
-Error refusal(const CtVolume& volume, const FitResult& fit, std::string otherwise)
+Error refusal(const CtVolume& volume, const FitResult& fit, Sentence otherwise)
 {
   const double metal_mm3 = metalAround_mm3(volume, fit.state.pose);
   if (metal_mm3 < minMetal_mm3) return Error{std::move(otherwise)};
-  return Error{"There is metal in or beside the cochlea (an implant?): " +
-               std::to_string(std::lround(metal_mm3)) + " cubic millimeters are brighter than " +
-               std::to_string(metalLevel) +
-               " HU and hide its wall. Take a CT from before the implantation."};
+  return Error{
+      "There is metal in or beside the cochlea (an implant?): %1 cubic millimeters are brighter "
+      "than %2 HU and hide its wall. Take a CT from before the implantation.",
+      std::lround(metal_mm3), metalLevel};
 }
 
 }  // namespace
@@ -42,20 +39,22 @@ Error refusal(const CtVolume& volume, const FitResult& fit, std::string otherwis
 Result<Done> checkMisfit(const CtVolume& volume, const FitResult& fit)
 {
   if (fit.misfit <= refusedMisfit) return Done{};
-  return refusal(volume, fit,
-                 "No cochlea of usual shape was found: the best fit leaves " + percent(fit.misfit) +
-                     " of the voxels near its wall unexplained, at most " + percent(refusedMisfit) +
-                     " is allowed. Click into the cochlea; of a malformed or ossified one A, B and "
-                     "H do not apply.");
+  return refusal(
+      volume, fit,
+      Sentence{"No cochlea of usual shape was found: the best fit leaves %1 % of the voxels "
+               "near its wall unexplained, at most %2 % is allowed. Click into the "
+               "cochlea; of a malformed or ossified one A, B and H do not apply.",
+               percent(fit.misfit), percent(refusedMisfit)});
 }
 
 Result<Done> checkClimb(const CtVolume& volume, const LumenShape& family, const FitResult& fit)
 {
   if (climbs(family, fit.state.shape)) return Done{};
-  return refusal(volume, fit,
-                 "No cochlea of usual shape was found: the best fit falls from the base to the "
-                 "middle turn, where a cochlea climbs. Click into the cochlea; of a malformed or "
-                 "ossified one A, B and H do not apply.");
+  return refusal(
+      volume, fit,
+      Sentence{"No cochlea of usual shape was found: the best fit falls from the base to "
+               "the middle turn, where a cochlea climbs. Click into the cochlea; of a "
+               "malformed or ossified one A, B and H do not apply."});
 }
 
 Result<Done> checkDiameters(const CtVolume& volume, const FitResult& fit, double a_mm, double b_mm)
@@ -67,12 +66,12 @@ Result<Done> checkDiameters(const CtVolume& volume, const FitResult& fit, double
   if (!isBeyond(a_mm, a) && !isBeyond(b_mm, b)) return Done{};
   return refusal(
       volume, fit,
-      "The best fit has A " + millimetersOf(a_mm) + " and B " + millimetersOf(b_mm) +
-          "; of 138 cochleae A was " + millimetersOf(inMillimeters(a.low)) + " to " +
-          millimetersOf(inMillimeters(a.high)) + " and B " + millimetersOf(inMillimeters(b.low)) +
-          " to " + millimetersOf(inMillimeters(b.high)) +
-          " at four standard deviations. Click into the cochlea; of a malformed or ossified one A, "
-          "B and H do not apply.");
+      Sentence{"The best fit has A %1 mm and B %2 mm; of 138 cochleae A was %3 mm to %4 mm and B "
+               "%5 mm to %6 mm at four standard deviations. Click into the cochlea; of a malformed "
+               "or ossified one A, B and H do not apply.",
+               millimetersOf(a_mm), millimetersOf(b_mm), millimetersOf(inMillimeters(a.low)),
+               millimetersOf(inMillimeters(a.high)), millimetersOf(inMillimeters(b.low)),
+               millimetersOf(inMillimeters(b.high))});
 }
 
 }  // namespace perilymph::ct

@@ -22,15 +22,14 @@ constexpr double samePlace_mm = 0.01;
 std::string inMm(double value, int digits = 3)
 {
   char text[40];
-  std::snprintf(text, sizeof text, "%.*f mm", digits, value);
+  std::snprintf(text, sizeof text, "%.*f", digits, value);
   return text;
 }
 
-/// "slice 14 of 57 (at 12.40 mm along the normal)"
-std::string nameOf(std::size_t place, std::size_t places, double along_mm)
+Sentence nameOf(std::size_t place, std::size_t places, double along_mm)
 {
-  return "slice " + std::to_string(place + 1) + " of " + std::to_string(places) + " (at " +
-         inMm(along_mm, 2) + " along the normal)";
+  return Sentence{"slice %1 of %2 (at %3 mm along the normal)", place + 1, places,
+                  inMm(along_mm, 2)};
 }
 
 bool isOrientation(const Axes& axes)
@@ -62,28 +61,34 @@ Result<Done> checkPoses(const std::vector<SlicePose>& slices)
     else if (!isOrientation(*slice.axes_P))
       ++odd;
   }
-  const std::string count = " of " + std::to_string(slices.size());
+  const std::size_t count = slices.size();
   if (without > 0)
-    return Error{std::to_string(without) + count +
-                 " slices have no position or orientation in the patient, so no length along the "
-                 "stack can be trusted. Export the series again as original images."};
+    return Error{
+        "%1 of %2 slices have no position or orientation in the patient, so no length along the "
+        "stack "
+        "can be trusted. Export the series again as original images.",
+        without, count};
   if (far > 0)
     return Error{
-        std::to_string(far) + count +
-        " slices have a position more than 1 km from the origin of the patient's "
-        "coordinates, where no scanner measures. Export the series again as original images."};
+        "%1 of %2 slices have a position more than 1 km from the origin of the patient's "
+        "coordinates, "
+        "where no scanner measures. Export the series again as original images.",
+        far, count};
   if (odd > 0)
-    return Error{std::to_string(odd) + count +
-                 " slices have an orientation that is not two unit vectors at right angles. Export "
-                 "the series again as original images."};
+    return Error{
+        "%1 of %2 slices have an orientation that is not two unit vectors at right angles. Export "
+        "the "
+        "series again as original images.",
+        odd, count};
   std::size_t other = 0;
   for (const SlicePose& slice : slices)
     if ((*slice.axes_P - *slices.front().axes_P).cwiseAbs().maxCoeff() > maxDirectionError) ++other;
   if (other > 0)
     return Error{
-        std::to_string(other) + count +
-        " slices have another orientation than the first. Export each orientation as a series of "
-        "its own."};
+        "%1 of %2 slices have another orientation than the first. Export each orientation as a "
+        "series "
+        "of its own.",
+        other, count};
   return Done{};
 }
 
@@ -130,11 +135,17 @@ Result<Done> checkGaps(const std::vector<double>& along_mm)
     missing += std::lround(steps) - 1;
   }
   if (missing == 0) return Done{};
-  const std::string verb = missing == 1 ? " slice is" : " slices are";
-  return Error{std::to_string(missing) + verb + " missing" + (missing == 1 ? "" : ", the first") +
-               " behind " + nameOf(first, along_mm.size(), along_mm[first]) +
-               ", where the gap is " + inMm(gaps[first], 2) + " and the step elsewhere " +
-               inMm(step_mm, 2) + ". Export the whole series again."};
+  const Sentence before = nameOf(first, along_mm.size(), along_mm[first]);
+  const std::string gap = inMm(gaps[first], 2), step = inMm(step_mm, 2);
+  if (missing == 1)
+    return Error{
+        "1 slice is missing behind %1, where the gap is %2 mm and the step elsewhere %3 mm. Export "
+        "the whole series again.",
+        before, gap, step};
+  return Error{
+      "%1 slices are missing, the first behind %2, where the gap is %3 mm and the step elsewhere "
+      "%4 mm. Export the whole series again.",
+      missing, before, gap, step};
 }
 
 /// Whether all coordinates of all positions are multiples of a hundredth of a millimeter.
@@ -158,12 +169,12 @@ Result<SliceStack> stackSlices(const std::vector<SlicePose>& slices)
   stack.places = placesOf(slices, normal_P);
   const std::size_t count = stack.places.size();
   if (count < 2)
-    return Error{slices.size() == 1
-                     ? std::string("There is a single slice; at least 2 are needed. Choose another "
-                                   "series.")
-                     : "All " + std::to_string(slices.size()) +
-                           " slices lie at one position; a volume needs them one above the other. "
-                           "Choose another series."};
+    return slices.size() == 1
+               ? Error{"There is a single slice; at least 2 are needed. Choose another series."}
+               : Error{
+                     "All %1 slices lie at one position; a volume needs them one above the "
+                     "other. Choose another series.",
+                     slices.size()};
 
   std::vector<Eigen::Vector3d> positions_P;
   std::vector<double> along_mm;
@@ -201,10 +212,11 @@ Result<SliceStack> stackSlices(const std::vector<SlicePose>& slices)
   const double allowed_mm =
       areRounded(slices) ? std::max(regular_mm, roundedDeviation_mm) : regular_mm;
   if (stack.maxDeviation_mm > allowed_mm)
-    return Error{"The slices are not equally spaced: " + nameOf(worst, count, along_mm[worst]) +
-                 " lies " + inMm(stack.maxDeviation_mm) + " from where equal steps of " +
-                 inMm(step_mm) + " put it, and at most " + inMm(allowed_mm) +
-                 " is allowed. Export the series again as original images."};
+    return Error{
+        "The slices are not equally spaced: %1 lies %2 mm from where equal steps of %3 mm put it, "
+        "and at most %4 mm is allowed. Export the series again as original images.",
+        nameOf(worst, count, along_mm[worst]), inMm(stack.maxDeviation_mm), inMm(step_mm),
+        inMm(allowed_mm)};
   const double along = stack.planeDistance_mm();
   const double across = (stack.step_P - along * normal_P).norm();
   stack.tilt_deg = inDegrees(radians(arcTangent(across, along)));

@@ -49,7 +49,7 @@ constexpr double contradictedMisfit = 0.03;
 constexpr double fallingScore = 1.0;
 constexpr double axisError_deg = 3.0;  // compared with the frames of real ears and of phantoms
 
-const char* const canceled = "The measurement was canceled.";
+Error canceled() { return Error{"The measurement was canceled."}; }
 
 class Pipeline {
 public:
@@ -72,7 +72,7 @@ public:
     FitResult best = std::move(chosen->best);
     // The voxels are selected again each time, because the wall has moved.
     for (int round = 0; round < 4; ++round) {
-      if (isStopped()) return Error{canceled};
+      if (isStopped()) return canceled();
       const auto voxels =
           observe(volume_, family_, best.state, 1.3, round < 2 ? someVoxels : manyVoxels);
       const FitSettings settings = round == 0   ? FitSettings{Freedom::shape, 12, 0.4, 1.0}
@@ -87,7 +87,7 @@ public:
         corrected = steered(best, GrossError::excluded);
       best = std::move(corrected);
     }
-    if (isStopped()) return Error{canceled};
+    if (isStopped()) return canceled();
     if (const auto done = checkMisfit(volume_, best); !done) return done.error();
     if (const auto done = checkClimb(volume_, family_, best); !done) return done.error();
     return measured(best, chosen->mirrored);
@@ -196,12 +196,12 @@ private:
     } else {
       const auto places = findSeeds(volume_, elsewhere_P, seeds);
       for (std::size_t i = 0; i < places.size(); ++i) {
-        if (isStopped()) return Error{canceled};
+        if (isStopped()) return canceled();
         searchAt(places[i], seedReach_mm, 2, found);
         report(0.3 * static_cast<double>(i + 1) / static_cast<double>(places.size()));
       }
     }
-    if (isStopped()) return Error{canceled};
+    if (isStopped()) return canceled();
     std::stable_sort(found.begin(), found.end(), [](const Start& a, const Start& b) {
       return a.candidate.score > b.candidate.score;
     });
@@ -256,7 +256,7 @@ private:
   {
     std::vector<Scored> results;
     for (std::size_t i = 0; i < from.size(); ++i) {
-      if (isStopped()) return Error{canceled};
+      if (isStopped()) return canceled();
       FitState state;
       state.pose = from[i].candidate.pose;
       state.bone = from[i].bone;
@@ -362,9 +362,9 @@ Result<CochleaMeasures> measureCochlea(const CtVolume& volume, const MeasureRequ
   const double coarsest = volume.spacing_mm().maxCoeff();
   if (!(coarsest <= maxVoxel_mm))
     return Error{
-        "A voxel is " + std::to_string(coarsest).substr(0, 4) +
-        " mm long; at most 1.0 mm is allowed, and 0.6 mm or less is advised. Take a series "
-        "with thinner slices."};
+        "A voxel is %1 mm long; at most 1.0 mm is allowed, and 0.6 mm or less is advised. Take a "
+        "series with thinner slices.",
+        std::to_string(coarsest).substr(0, 4)};
   const auto mean = MeanLumen::make();
   if (!mean) return mean.error();
   const auto marked = withPaddingMarked(volume, request.click_P);

@@ -23,12 +23,15 @@ Result<std::array<CochleaMeasures, 2>> measureBothCochleae(const CtVolume& volum
         request.onProgress(0.5 * (static_cast<double>(ear) + fraction));
       };
     auto found = measureCochlea(volume, one);
-    const std::string wanted = ear == 0 ? "right" : "left", other = ear == 0 ? "left" : "right";
-    if (!found) return Error{"The " + wanted + " ear was not measured. " + found.error().message};
+    if (!found)
+      return ear == 0 ? Error{"The right ear was not measured. %1", found.error().message}
+                      : Error{"The left ear was not measured. %1", found.error().message};
     if (found->side != *one.side)
-      return Error{"No " + wanted + " cochlea was found: the one found at x " +
-                   std::to_string(std::lround(found->center_P.x())) + " mm (LPS) winds as in a " +
-                   other + " ear. Measure that ear alone, or take a series that shows both."};
+      return Error{
+          "No %1 cochlea was found: the one found at x %2 mm (LPS) winds as in a %3 ear. Measure "
+          "that ear alone, or take a series that shows both.",
+          ear == 0 ? Sentence{"right"} : Sentence{"left"}, std::lround(found->center_P.x()),
+          ear == 0 ? Sentence{"left"} : Sentence{"right"}};
     both[ear] = *std::move(found);
   }
   return both;

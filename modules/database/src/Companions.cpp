@@ -33,9 +33,8 @@ Result<Companions> companionsOf(const fs::path& database)
   for (const std::string ending : {"-wal", "-journal", "-shm"}) {
     const fs::path companion = database.string() + ending;
     const auto refused = [&](const std::string& reason) {
-      return Error{companion.string() + " " + reason +
-                   ", so the file beside it is not opened. Copy " + database.filename().string() +
-                   " alone to another folder."};
+      return Error{"%1 %2, so the file beside it is not opened. Copy %3 alone to another folder.",
+                   companion, reason, database.filename()};
     };
     std::error_code ignored;
     const fs::file_status status = fs::symlink_status(companion, ignored);

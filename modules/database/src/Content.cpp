@@ -74,10 +74,10 @@ std::int64_t pragma(sqlite3* database, const char* sql)
 
 }  // namespace
 
-Error Database::Content::error(const std::string& reason) const
+Error Database::Content::error(const Sentence& reason) const
 {
-  if (watch->wasStopped) return Error{"Reading " + file.string() + " was stopped."};
-  return Error{file.string() + " is damaged (" + reason + "). " + remedy};
+  if (watch->wasStopped) return Error{"Reading %1 was stopped.", file};
+  return Error{"%1 is damaged (%2). %3", file, reason, remedy};
 }
 
 Result<Done> Database::Content::open(const fs::path& place, Access access)
@@ -91,7 +91,8 @@ Result<Done> Database::Content::open(const fs::path& place, Access access)
   const int outcome = sqlite3_open_v2((uriOf(place) + (isImmutable ? "?immutable=1" : "")).c_str(),
                                       &opened, flags, vfs);
   database.reset(opened);
-  if (outcome != SQLITE_OK) return Error{opened ? sqlite3_errmsg(opened) : "out of memory"};
+  if (outcome != SQLITE_OK)
+    return Error{std::string(opened ? sqlite3_errmsg(opened) : "out of memory")};
   // Another program that reads a recording in progress locks it only briefly.
   sqlite3_busy_timeout(opened, 2000);
   sqlite3_progress_handler(opened, instructionsBetween, progressed, watch.get());
@@ -104,24 +105,23 @@ Result<Done> Database::Content::check(const FileKind& kind)
   const std::int64_t application = pragma(database.get(), "PRAGMA application_id");
   const int code = sqlite3_errcode(database.get());
   if (code == SQLITE_NOTADB || code == SQLITE_CORRUPT || watch->wasStopped)
-    return error(sqlite3_errmsg(database.get()));
+    return error(std::string(sqlite3_errmsg(database.get())));
   if (pragma(database.get(), "PRAGMA page_count") == 0)
-    return Error{file.string() + " is empty: the program that began it ended before it wrote " +
-                 "anything. Delete it."};
+    return Error{
+        "%1 is empty: the program that began it ended before it wrote anything. Delete it.", file};
   if (application != kind.applicationId)
-    return Error{file.string() + " is not " + kind.name + ". " + kind.choice};
+    return Error{"%1 is not %2. %3", file, kind.name, kind.choice};
   version = pragma(database.get(), "PRAGMA user_version");
   if (version > kind.newestVersion)
-    return Error{file.string() + " has format " + std::to_string(version) +
-                 "; this program reads up to " + std::to_string(kind.newestVersion) +
-                 ". Open it with a newer version."};
-  if (version < 1) return error("its format has no number");
+    return Error{"%1 has format %2; this program reads up to %3. Open it with a newer version.",
+                 file, version, kind.newestVersion};
+  if (version < 1) return error(Sentence{"its format has no number"});
 
   sqlite3_stmt* prepared = nullptr;
   const int outcome = sqlite3_prepare_v2(
       database.get(), "SELECT type, sql FROM sqlite_master ORDER BY rowid", -1, &prepared, nullptr);
   const std::unique_ptr<sqlite3_stmt, int (*)(sqlite3_stmt*)> rows(prepared, sqlite3_finalize);
-  if (outcome != SQLITE_OK) return error(sqlite3_errmsg(database.get()));
+  if (outcome != SQLITE_OK) return error(std::string(sqlite3_errmsg(database.get())));
   std::vector<std::string> missing = kind.tables;
   int step = sqlite3_step(prepared);
   for (; step == SQLITE_ROW; step = sqlite3_step(prepared)) {
@@ -136,11 +136,11 @@ Result<Done> Database::Content::check(const FileKind& kind)
       continue;
     const auto found = std::find(missing.begin(), missing.end(), text(1));
     if (text(0) != "table" || found == missing.end())
-      return error("it has content that " + kind.name + " does not have");
+      return error(Sentence{"it has content that %1 does not have", kind.name});
     missing.erase(found);
   }
-  if (step != SQLITE_DONE) return error(sqlite3_errmsg(database.get()));
-  if (!missing.empty()) return error("a table is missing");
+  if (step != SQLITE_DONE) return error(std::string(sqlite3_errmsg(database.get())));
+  if (!missing.empty()) return error(Sentence{"a table is missing"});
   return Done{};
 }
 

@@ -29,7 +29,7 @@ struct Database::Content {
   };
 
   std::filesystem::path file;
-  std::string remedy;  ///< FileKind::remedy.
+  Sentence remedy;  ///< FileKind::remedy.
   std::string note;
   std::int64_t version = 0;
   std::unique_ptr<Watch> watch = std::make_unique<Watch>();  ///< SQLite keeps its address.
@@ -42,7 +42,7 @@ struct Database::Content {
   Result<Done> open(const std::filesystem::path& place, Access access);
   /// Refuses a schema that differs from the kind's.
   Result<Done> check(const FileKind& kind);
-  Error error(const std::string& reason) const;
+  Error error(const Sentence& reason) const;
 };
 
 }  // namespace perilymph::database

@@ -139,7 +139,7 @@ std::string Database::lastError() const
 
 bool Database::wasStopped() const noexcept { return content_->watch->wasStopped; }
 
-Error Database::readingError(const std::string& reason) const { return content_->error(reason); }
+Error Database::readingError(const Sentence& reason) const { return content_->error(reason); }
 
 std::string creationOf(const FileKind& kind)
 {

@@ -91,16 +91,15 @@ Result<Inspected> inspect(const fs::path& file, const FileKind& kind)
 {
   const std::string name = file.string();
   std::error_code problem;
-  if (fs::is_directory(file, problem)) return Error{name + " is a folder. " + kind.choice};
-  if (!fs::exists(file, problem)) return Error{name + " does not exist. Check the name."};
-  if (!mayAccess(file, R_OK)) return Error{name + " may not be read. Check its permissions."};
+  if (fs::is_directory(file, problem)) return Error{"%1 is a folder. %2", name, kind.choice};
+  if (!fs::exists(file, problem)) return Error{"%1 does not exist. Check the name.", name};
+  if (!mayAccess(file, R_OK)) return Error{"%1 may not be read. Check its permissions.", name};
 
   Inspected inspected;
   inspected.place = fs::canonical(file, problem);
-  if (problem) return Error{name + " cannot be found: " + problem.message() + "."};
+  if (problem) return Error{"%1 cannot be found: %2.", name, problem.message()};
   if (fs::is_regular_file(inspected.place, problem)) inspected.header = readHeader(inspected.place);
-  if (!inspected.header.isDatabase)
-    return Error{name + " is not " + kind.name + ". " + kind.choice};
+  if (!inspected.header.isDatabase) return Error{"%1 is not %2. %3", name, kind.name, kind.choice};
   const auto companions = companionsOf(inspected.place);
   if (!companions) return companions.error();
   inspected.companions = *companions;
@@ -130,19 +129,21 @@ Result<Database> Database::openToAppend(const fs::path& file, const FileKind& ki
   if (!inspected) return inspected.error();
   const std::string name = file.string();
   if (!mayWrite(inspected->place))
-    return Error{name + " may not be written. Check its permissions and those of its folder."};
+    return Error{"%1 may not be written. Check its permissions and those of its folder.", name};
   auto content = std::make_unique<Content>();
   content->file = file;
   content->remedy = kind.remedy;
   if (!inspected->header.isWhole && !inspected->companions.hasLog)
-    return content->error("it is cut short");
+    return content->error(Sentence{"it is cut short"});
   if (const auto done = content->open(inspected->place, Content::Access::readWrite); !done)
     return content->error(done.error().message);
   Database database(std::move(content));
   // Taken at once, so that a second writer is refused before it has done any work.
   if (!database.run("PRAGMA locking_mode=EXCLUSIVE; BEGIN IMMEDIATE; COMMIT"))
-    return Error{name + " is in use: another program works on it, or it cannot be locked (" +
-                 database.lastError() + "). Wait until that program has ended."};
+    return Error{
+        "%1 is in use: another program works on it, or it cannot be locked (%2). Wait until that "
+        "program has ended.",
+        name, database.lastError()};
   if (const auto done = database.content_->check(kind); !done) return done.error();
   return database;
 }
@@ -159,7 +160,7 @@ Result<Database> Database::open(const fs::path& file, const FileKind& kind, std:
   content->remedy = kind.remedy;
   content->watch->stop = std::move(stop);
   content->watch->maxInstructions = maxInstructionsFor(place);
-  if (!header.isWhole && !companions.hasLog) return content->error("it is cut short");
+  if (!header.isWhole && !companions.hasLog) return content->error(Sentence{"it is cut short"});
 
   const bool isWritable = mayWrite(place);
   if (companions.hasLog && !isWritable)

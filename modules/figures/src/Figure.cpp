@@ -246,7 +246,7 @@ double legend(Drawing& page, const Figure& figure, double y)
 
 }  // namespace
 
-FigureAxis axisOver(std::string title, double low, double high)
+FigureAxis axisOver(Sentence title, double low, double high)
 {
   if (!(high > low)) high = low + 1.0;
   const double rough = (high - low) / 6.0;

@@ -33,7 +33,7 @@ bool writeAll(int descriptor, std::string_view content)
 
 Error cannotWrite(const fs::path& file, const std::string& why)
 {
-  return Error{"Cannot write " + file.string() + ": " + why};
+  return Error{"Cannot write %1: %2", file, why};
 }
 
 bool isLink(const fs::path& file)
@@ -224,7 +224,7 @@ void removeUnfinishedFiles() noexcept { UnfinishedName::removeAll(); }
 Result<std::string> readWhole(const fs::path& file, std::size_t maxBytes)
 {
   const auto cannotRead = [&file](const std::string& why) {
-    return Error{"Cannot read " + file.string() + ": " + why};
+    return Error{"Cannot read %1: %2", file, why};
   };
   if (file.empty()) return Error{"No file is named. Give the path of a file."};
   // Without O_NONBLOCK, opening a pipe would block until it has a writer.

@@ -12,12 +12,12 @@ Error currentExceptionError(const std::string& subject) noexcept
     try {
       throw;
     } catch (const std::bad_alloc&) {
-      return Error{subject +
-                   " needs more memory than is available. Close other programs and try again."};
+      return Error{"%1 needs more memory than is available. Close other programs and try again.",
+                   subject};
     } catch (const std::exception& thrown) {
-      return Error{subject + " failed: " + thrown.what() + "."};
+      return Error{"%1 failed: %2.", subject, thrown.what()};
     } catch (...) {
-      return Error{subject + " failed for an unknown reason."};
+      return Error{"%1 failed for an unknown reason.", subject};
     }
   } catch (...) {
     return Error{"Out of memory."};  // short enough to need no allocation

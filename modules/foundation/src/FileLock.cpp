@@ -37,17 +37,18 @@ Result<FileLock> FileLock::take(const std::filesystem::path& file, const std::st
     const int descriptor =
         ::open(file.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC | O_NONBLOCK, 0600);
     if (descriptor < 0)
-      return Error{what + " cannot be locked: " + std::strerror(errno) +
-                   ". Check the folder's permissions and the space on the disk."};
+      return Error{
+          "%1 cannot be locked: %2. Check the folder's permissions and the space on the disk.",
+          what, std::strerror(errno)};
     const bool isHeld = ::flock(descriptor, LOCK_EX | LOCK_NB) == 0;
     const int failure = errno;
     if (isHeld && isStillNamed(descriptor, file)) return FileLock(descriptor, file);
     ::close(descriptor);
     if (!isHeld && failure != EWOULDBLOCK && failure != EINTR)
-      return Error{what + " cannot be locked: " + std::strerror(failure) +
-                   ". Copy its folder to another disk."};
+      return Error{"%1 cannot be locked: %2. Copy its folder to another disk.", what,
+                   std::strerror(failure)};
     if (std::chrono::steady_clock::now() > end)
-      return Error{what + " is in use: another program works on it. Wait until it has ended."};
+      return Error{"%1 is in use: another program works on it. Wait until it has ended.", what};
     std::this_thread::sleep_for(pause);
   }
 }

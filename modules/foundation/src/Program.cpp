@@ -113,9 +113,8 @@ Result<ProgramAnswer> runProgram(const std::string& program,
   int status = 0;
   while (::waitpid(*id, &status, 0) < 0 && errno == EINTR) continue;
   if (!hasEnded)
-    return Error{"it did not end within " +
-                 std::to_string(std::chrono::duration_cast<std::chrono::seconds>(longest).count()) +
-                 " s"};
+    return Error{"it did not end within %1 s",
+                 std::chrono::duration_cast<std::chrono::seconds>(longest).count()};
   if (WIFEXITED(status)) answer.status = WEXITSTATUS(status);
   return answer;
 }

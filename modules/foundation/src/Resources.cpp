@@ -88,22 +88,21 @@ Result<fs::path> findByName(std::string_view kind, std::string_view folder,
     if (file.stem() == nameOrFile) shipped.push_back(file);
   if (shipped.size() == 1) return shipped.front();
   if (shipped.size() > 1)
-    return Error{"There are several files for the " + std::string(kind) + " '" + nameOrFile +
-                 "': " + shipped[0].string() + " and " + shipped[1].string() +
-                 ". Give the path of one."};
+    return Error{"There are several files for the %1 '%2': %3 and %4. Give the path of one.",
+                 std::string(kind), nameOrFile, shipped[0].string(), shipped[1].string()};
 
   std::error_code ignored;
   const fs::path file(nameOrFile);
   if (fs::is_directory(file, ignored))
-    return Error{"'" + nameOrFile + "' is a folder, not a " + std::string(kind) +
-                 ". Give the name of a file in it."};
+    return Error{"'%1' is a folder, not a %2. Give the name of a file in it.", nameOrFile,
+                 std::string(kind)};
   if (fs::exists(file, ignored)) return file;
 
   const std::vector<std::string> names = shippedNames(folder);
   const std::string known = names.empty() ? "None is shipped in " + resource(folder).string() + "."
                                           : "The names there are: " + joined(names) + ".";
-  return Error{"There is no " + std::string(kind) + " or file '" + nameOrFile + "'. " + known +
-               " Give one of these or the path of a TOML file."};
+  return Error{"There is no %1 or file '%2'. %3 Give one of these or the path of a TOML file.",
+               std::string(kind), nameOrFile, known};
 }
 
 fs::path sessionFolder()

@@ -37,19 +37,20 @@ Seal withoutSeal(bool isInFormat, std::string_view program)
 
 }  // namespace
 
-std::string noteOn(Seal seal)
+Sentence noteOn(Seal seal)
 {
   switch (seal) {
     case Seal::intact:
       return {};
     case Seal::absent:
-      return "This file carries no seal: it is of an earlier version of the program.";
+      return Sentence{"This file carries no seal: it is of an earlier version of the program."};
     case Seal::changed:
       break;
   }
-  return "This file was changed by hand after the program wrote it, so it has no number. Do not "
-         "use "
-         "its values as results of the program.";
+  return Sentence{
+      "This file was changed by hand after the program wrote it, so it has no number. Do not "
+      "use "
+      "its values as results of the program."};
 }
 
 bool hasToBeSealed(std::string_view program, Release since)

@@ -73,8 +73,8 @@ Result<Done> renameKeys(toml::table& table, const std::string& name, const std::
     const toml::source_region source = entry->first.source();
     const std::string place = name + ":" + std::to_string(source.begin.line) + ": ";
     if (table.contains(now))
-      return Error{place + "the key '" + path + before + "' is the old name of '" + now +
-                   "', which is given, too. Remove '" + before + "'."};
+      return Error{"%1the key '%2%3' is the old name of '%4', which is given, too. Remove '%3'.",
+                   place, path, before, now};
     table.insert(toml::key(now, source), std::move(entry->second));
     table.erase(before);
     renamed.push_back({place, path + before, now});
@@ -113,12 +113,13 @@ Result<TomlReader> TomlReader::open(const std::filesystem::path& file)
 Result<TomlReader> TomlReader::parse(std::string_view text, std::string name)
 {
   if (const auto line = tomltext::lineNotUtf8(text))
-    return Error{name + ":" + std::to_string(*line) +
-                 ": this is not UTF-8 text. Check that it is the right file and save it as UTF-8."};
+    return Error{
+        "%1:%2: this is not UTF-8 text. Check that it is the right file and save it as UTF-8.",
+        name, *line};
   if (const auto line = tomltext::lineNestedTooDeep(text))
-    return Error{name + ":" + std::to_string(*line) +
-                 ": a key has more than 16 parts between dots; no file of this program nests so "
-                 "deep."};
+    return Error{
+        "%1:%2: a key has more than 16 parts between dots; no file of this program nests so deep.",
+        name, *line};
   auto content = std::make_shared<Content>();
   try {
     content->table = toml::parse(text);
@@ -126,10 +127,9 @@ Result<TomlReader> TomlReader::parse(std::string_view text, std::string name)
     const auto place = error.source().begin;
     std::string reason(error.description());
     if (reason.empty() || reason.back() != '.') reason += '.';
-    return Error{name + ":" + std::to_string(place.line) + ":" + std::to_string(place.column) +
-                 ": this is not TOML: " + reason};
+    return Error{"%1:%2:%3: this is not TOML: %4", name, place.line, place.column, reason};
   } catch (const std::exception& error) {
-    return Error{name + ": this is not TOML: " + error.what() + "."};
+    return Error{"%1: this is not TOML: %2.", name, error.what()};
   }
   const auto renamed = renameKeys(content->table, name, "", content->renamed);
   if (!renamed) return renamed.error();

@@ -107,8 +107,8 @@ Result<UnfinishedFolder> UnfinishedFolder::create(const fs::path& target)
     if (::mkdir(path.c_str(), S_IRWXU) == 0) return UnfinishedFolder(std::move(path), target);
     if (errno != EEXIST) break;
   }
-  return Error{target.string() + " cannot be created: " + reason(errno) +
-               " in its folder. Choose another place."};
+  return Error{"%1 cannot be created: %2 in its folder. Choose another place.", target,
+               reason(errno)};
 }
 
 UnfinishedFolder::UnfinishedFolder(UnfinishedFolder&& other) noexcept
@@ -130,8 +130,7 @@ Result<Done> UnfinishedFolder::finish()
   if (outcome != 0 && errno == EINVAL && !fs::exists(fs::symlink_status(target_, ignored)))
     outcome = ::rename(path_.c_str(), target_.c_str());
   if (outcome != 0)
-    return Error{target_.string() + " cannot be created: " + reason(errno) +
-                 ". Choose another place."};
+    return Error{"%1 cannot be created: %2. Choose another place.", target_, reason(errno)};
   path_.clear();
   return Done{};
 }

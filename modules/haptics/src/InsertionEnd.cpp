@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "perilymph/haptics/InsertionEnd.h"
 
+#include "perilymph/foundation/Sentence.h"
+
 namespace perilymph::haptics {
 
 namespace {
@@ -8,21 +10,21 @@ namespace {
 struct Entry {
   InsertionEnd end;
   const char* name;
-  const char* clause;
+  Phrase clause;
 };
 
 constexpr std::array<Entry, 9> table = {
-    {{InsertionEnd::none, "none", "has not ended"},
-     {InsertionEnd::finished, "finished", "reached its full travel"},
+    {{InsertionEnd::none, "none", Phrase{"has not ended"}},
+     {InsertionEnd::finished, "finished", Phrase{"reached its full travel"}},
      {InsertionEnd::stoppedByResistance, "stopped_by_resistance",
-      "was stopped because the force reached the limit"},
-     {InsertionEnd::buckled, "buckled", "buckled in front of the opening"},
+      Phrase{"was stopped because the force reached the limit"}},
+     {InsertionEnd::buckled, "buckled", Phrase{"buckled in front of the opening"}},
      {InsertionEnd::outOfOpening, "out_of_opening",
-      "bowed in front of the opening and slipped out of it"},
-     {InsertionEnd::foldedTip, "folded_tip", "folded over at its tip"},
-     {InsertionEnd::jammed, "jammed", "jammed"},
-     {InsertionEnd::fault, "fault", "stopped with a fault"},
-     {InsertionEnd::refused, "refused", "was refused"}}};
+      Phrase{"bowed in front of the opening and slipped out of it"}},
+     {InsertionEnd::foldedTip, "folded_tip", Phrase{"folded over at its tip"}},
+     {InsertionEnd::jammed, "jammed", Phrase{"jammed"}},
+     {InsertionEnd::fault, "fault", Phrase{"stopped with a fault"}},
+     {InsertionEnd::refused, "refused", Phrase{"was refused"}}}};
 
 const Entry& entryOf(InsertionEnd end) noexcept
 {
@@ -58,6 +60,6 @@ InsertionEnd endNamed(const std::string& name) noexcept
   return InsertionEnd::none;
 }
 
-const char* clauseOf(InsertionEnd end) noexcept { return entryOf(end).clause; }
+const char* clauseOf(InsertionEnd end) noexcept { return entryOf(end).clause.english(); }
 
 }  // namespace perilymph::haptics

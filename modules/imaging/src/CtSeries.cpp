@@ -45,10 +45,11 @@ Result<Done> checkExists(const fs::path& path)
 {
   std::error_code failed;
   if (fs::is_directory(path, failed) || fs::is_regular_file(path, failed)) return Done{};
-  return Error{path.string() + (fs::exists(path, failed)
-                                    ? " is neither a file nor a folder. Give a folder of DICOM "
-                                      "files, a DICOMDIR, a DICOM, NIfTI or NRRD file."
-                                    : " does not exist. Check the path.")};
+  if (!fs::exists(path, failed)) return Error{"%1 does not exist. Check the path.", path};
+  return Error{
+      "%1 is neither a file nor a folder. Give a folder of DICOM files, a DICOMDIR, a DICOM, NIfTI "
+      "or NRRD file.",
+      path};
 }
 
 Result<ListedFiles> listFiles(const fs::path& path, const ReadingHooks& hooks)
@@ -66,9 +67,10 @@ Result<ListedFiles> listFiles(const fs::path& path, const ReadingHooks& hooks)
   listed.unpacked = files->unpacked;
   listed.series = seriesOf(*std::move(files));
   if (listed.series.empty())
-    return Error{path.string() +
-                 " holds no DICOM image. Give a folder of DICOM files, a DICOMDIR, a DICOM, NIfTI "
-                 "or NRRD file."};
+    return Error{
+        "%1 holds no DICOM image. Give a folder of DICOM files, a DICOMDIR, a DICOM, NIfTI or NRRD "
+        "file.",
+        path};
   return listed;
 }
 
@@ -85,12 +87,13 @@ Result<const DicomSeries*> choose(const ListedFiles& listed, const fs::path& pat
     };
     const auto parts = std::count_if(all.begin(), all.end(), isOneOf);
     if (found == all.end() && parts > 0)
-      return Error{path.string() + " holds " + std::to_string(parts) + " series of the number " +
-                   uid + ", of several patients or studies. Choose one of them: " + uid +
-                   "#1 and so on."};
+      return Error{
+          "%1 holds %2 series of the number %3, of several patients or studies. Choose one of "
+          "them: %3#1 and so on.",
+          path, parts, uid};
     if (found == all.end())
-      return Error{path.string() + " holds no series " + uid + "; it holds " +
-                   std::to_string(all.size()) + ". 'perilymph-cli ct info' lists them."};
+      return Error{"%1 holds no series %2; it holds %3. 'perilymph-cli ct info' lists them.", path,
+                   uid, all.size()};
     return &*found;
   }
   const auto found = std::find_if(all.begin(), all.end(), [](const DicomSeries& series) {
@@ -98,9 +101,8 @@ Result<const DicomSeries*> choose(const ListedFiles& listed, const fs::path& pat
   });
   if (found != all.end()) return &*found;
   if (all.size() == 1) return &all.front();
-  return Error{
-      path.string() + " holds " + std::to_string(all.size()) +
-      " series, and none of them can be read; of the first: " + all.front().summary.obstacle};
+  return Error{"%1 holds %2 series, and none of them can be read; of the first: %3", path,
+               all.size(), all.front().summary.obstacle};
 }
 
 Result<LoadedCt> readListed(const ListedFiles& listed, const fs::path& path, const std::string& uid,
@@ -108,16 +110,15 @@ Result<LoadedCt> readListed(const ListedFiles& listed, const fs::path& path, con
 {
   if (listed.volume) {
     if (!uid.empty())
-      return Error{path.string() + " is one volume and holds no series " + uid +
-                   ". Leave the series out."};
+      return Error{"%1 is one volume and holds no series %2. Leave the series out.", path, uid};
     return readVolumeFile(path, *listed.volume, hooks);
   }
   const auto chosen = choose(listed, path, uid);
   if (!chosen) return chosen.error();
   const CtSeries& summary = (*chosen)->summary;
-  if (!summary.obstacle.empty()) return Error{path.string() + ": " + summary.obstacle};
+  if (!summary.obstacle.empty()) return Error{"%1: %2", path, summary.obstacle};
   auto volume = readVoxels(**chosen, hooks);
-  if (!volume) return Error{path.string() + ": " + volume.error().message};
+  if (!volume) return Error{"%1: %2", path, volume.error().message};
   LoadedCt loaded{std::move(volume->volume), summary};
   loaded.series.warnings.insert(loaded.series.warnings.end(), volume->warnings.begin(),
                                 volume->warnings.end());
@@ -126,8 +127,8 @@ Result<LoadedCt> readListed(const ListedFiles& listed, const fs::path& path, con
 
 Error tooLarge(const fs::path& path)
 {
-  return Error{path.string() +
-               " asks for more memory than there is. Export the region of the temporal bone."};
+  return Error{"%1 asks for more memory than there is. Export the region of the temporal bone.",
+               path};
 }
 
 }  // namespace

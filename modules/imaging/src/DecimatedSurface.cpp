@@ -49,10 +49,10 @@ Result<HapticSurface> hapticSurface(const anatomy::ScalaTympani& scala, int maxT
   result.surface = withoutSparePoints(fromPolyData(*decimation->GetOutput()));
   if (result.surface.triangles.empty() ||
       static_cast<double>(result.surface.triangles.size()) > wanted + 2.0)
-    return Error{"The haptic surface of " + scala.name() + " could not be brought to " +
-                 std::to_string(static_cast<int>(wanted)) + " triangles; it has " +
-                 std::to_string(result.surface.triangles.size()) +
-                 ". Use the surface at full resolution, --surface."};
+    return Error{
+        "The haptic surface of %1 could not be brought to %2 triangles; it has %3. Use the surface "
+        "at full resolution, --surface.",
+        scala.name(), static_cast<int>(wanted), result.surface.triangles.size()};
   result.surfaceDistance = anatomy::surfaceDistance(reachable, result.surface, sampleSpacing);
   return result;
 }

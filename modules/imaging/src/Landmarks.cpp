@@ -144,29 +144,30 @@ Result<ct::Marks> readLandmarks(const std::filesystem::path& file, const std::st
   std::string named;
   const Json json = parsedJson(*content, named);
   if (!named.empty())
-    return Error{file.string() + " states \"" + onOneLine(validUtf8(named.substr(0, maxName))) +
-                 "\" twice in one object. Save the points in Slicer again."};
+    return Error{"%1 states \"%2\" twice in one object. Save the points in Slicer again.", file,
+                 onOneLine(validUtf8(named.substr(0, maxName)))};
   if (!json.is_object()) return other;
   const auto markups = json.find("markups");
   if (markups == json.end() || !markups->is_array()) return other;
   for (const Json& markup : *markups)
     if (markup.is_object() && !unitOf(markup))
-      return Error{file.string() +
-                   " gives its points in another unit (coordinateUnits) than mm, um, cm or m. Save "
-                   "the points in millimeters."};
+      return Error{
+          "%1 gives its points in another unit (coordinateUnits) than mm, um, cm or m. Save the "
+          "points in millimeters.",
+          file};
   for (const Json& markup : *markups)
     if (isOfAnotherSeries(markup, seriesKey))
       return Error{
-          file.string() +
-          " has landmarks of another CT series than the one that is open. Open that CT, or "
-          "place the landmarks in this one."};
+          "%1 has landmarks of another CT series than the one that is open. Open that CT, or place "
+          "the landmarks in this one.",
+          file};
   ct::Marks marks;
   std::optional<ct::Mark> twice;
   for (const Json& markup : *markups)
     if (!addPoints(markup, marks, twice)) return other;
   if (twice)
-    return Error{file.string() + " places the landmark " + nameOf(*twice) +
-                 " at two points. Keep one of them."};
+    return Error{"%1 places the landmark %2 at two points. Keep one of them.", file,
+                 nameOf(*twice)};
   if (!marks[ct::Mark::roundWindow] && !marks[ct::Mark::modiolus] && !marks[ct::Mark::apex])
     return other;
   return marks;

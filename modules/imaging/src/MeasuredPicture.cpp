@@ -112,7 +112,7 @@ Result<Done> writeMeasuredPicture(std::shared_ptr<const ct::CtVolume> volume,
                                   const std::filesystem::path& file)
 {
   if (file.extension() != ".png")
-    return Error{file.string() + " does not end in .png, the only format of this picture."};
+    return Error{"%1 does not end in .png, the only format of this picture.", file};
   PlaneSampler sampler(std::move(volume));
   const auto planes = ct::cochlearPlanes(measures, ct::basalTurnCenter_P(measures));
   const ct::Marks marks = ct::marksOf(measures);

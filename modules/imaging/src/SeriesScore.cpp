@@ -71,9 +71,9 @@ void addSizeWarnings(CtSeries& series)
 {
   if (!(series.spacing_mm.minCoeff() > 0.0)) return;
   if (series.spacing_mm.maxCoeff() > coarseVoxel_mm)
-    series.warnings.push_back(worded(warnings::coarse, {inMm(series.spacing_mm.maxCoeff())}));
+    series.warnings.push_back(Sentence(warnings::coarse, {inMm(series.spacing_mm.maxCoeff())}));
   if (shortestExtent_mm(series) < wholeExtent_mm)
-    series.warnings.push_back(worded(warnings::thin, {inMm(shortestExtent_mm(series))}));
+    series.warnings.push_back(Sentence(warnings::thin, {inMm(shortestExtent_mm(series))}));
 }
 
 }  // namespace perilymph::imaging

@@ -126,11 +126,13 @@ struct Readable {
 /// Refuses what VTK would read wrong, or end with. Without a subject; an empty error for damage.
 Result<Readable> readableForm(const std::string& content, const std::string& ending)
 {
-  const Error damaged;
+  const Error damaged{Sentence()};
   Readable form;
   const auto withPoints = [](const std::string& number) {
-    return Error{"has numbers with a decimal comma, such as '" + number +
-                 "'. Export it with points, or replace the commas by points."};
+    return Error{
+        "has numbers with a decimal comma, such as '%1'. Export it with points, or replace the "
+        "commas by points.",
+        number};
   };
   if (ending == ".vtp") {
     if (content.find("<VTKFile") == std::string::npos) return damaged;
@@ -182,8 +184,9 @@ Result<anatomy::Surface> readSurface(const std::filesystem::path& file)
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   if (ending != ".stl" && ending != ".ply" && ending != ".vtp")
-    return Error{name + " ends in '" + ending +
-                 "'; a surface is read from .stl, .ply or .vtp. Export it as one of these."};
+    return Error{
+        "%1 ends in '%2'; a surface is read from .stl, .ply or .vtp. Export it as one of these.",
+        name, ending};
   const auto content = readWhole(file, maxBytes);
   if (!content) return content.error();
   const Error damaged{name + " is not a whole " + ending +
@@ -192,7 +195,7 @@ Result<anatomy::Surface> readSurface(const std::filesystem::path& file)
   try {
     const auto form = readableForm(*content, ending);
     if (!form)
-      return form.error().message.empty() ? damaged : Error{name + " " + form.error().message};
+      return form.error().message.empty() ? damaged : Error{"%1 %2", name, form.error().message};
     if (auto surface = decodeGuarded(file, ending, *form, content->size()))
       return *std::move(surface);
     return damaged;

@@ -185,8 +185,10 @@ Result<Done> checkPly(const PlyHeader& header, const std::string& content)
 {
   for (const PlyElement& element : header.elements)
     if (element.count > maxPlyElements)
-      return Error{"states " + std::to_string(element.count) + " elements '" + element.name +
-                   "'; at most 5 million are read. Export the surface of the cochlea alone."};
+      return Error{
+          "states %1 elements '%2'; at most 5 million are read. Export the surface of the cochlea "
+          "alone.",
+          element.count, element.name};
   const PlyElement* const points = header.find("vertex");
   const PlyElement* const faces = header.find("face");
   const auto has = [points](const char* name) {

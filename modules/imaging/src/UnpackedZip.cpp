@@ -113,22 +113,25 @@ Error refusalOf(const fs::path& zip, Unpacking answer, std::size_t maxFiles)
   const std::string name = zip.string();
   switch (answer) {
     case Unpacking::encrypted:
-      return Error{name + " is encrypted. Unpack it with its password, and give the folder."};
+      return Error{"%1 is encrypted. Unpack it with its password, and give the folder.", name};
     case Unpacking::tooManyFiles:
-      return Error{name + " holds more than " + std::to_string(maxFiles) +
-                   " files. Give the folder of one examination."};
+      return Error{"%1 holds more than %2 files. Give the folder of one examination.", name,
+                   maxFiles};
     case Unpacking::tooLarge:
-      return Error{name +
-                   " unpacks to more than 4 GB, or to more than a hundred times its size. Unpack "
-                   "it, and give the folder of one series."};
+      return Error{
+          "%1 unpacks to more than 4 GB, or to more than a hundred times its size. Unpack it, and "
+          "give the folder of one series.",
+          name};
     case Unpacking::notWritten:
-      return Error{name +
-                   " cannot be unpacked: the folder for temporary files (TMPDIR) is missing, full "
-                   "or not writable. Make space, or unpack it and give the folder."};
+      return Error{
+          "%1 cannot be unpacked: the folder for temporary files (TMPDIR) is missing, full or not "
+          "writable. Make space, or unpack it and give the folder.",
+          name};
     default:
-      return Error{name +
-                   " is a damaged .zip, or took more than a minute to unpack. Copy it again, or "
-                   "unpack it and give the folder."};
+      return Error{
+          "%1 is a damaged .zip, or took more than a minute to unpack. Copy it again, or unpack it "
+          "and give the folder.",
+          name};
   }
 }
 

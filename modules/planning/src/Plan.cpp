@@ -82,9 +82,8 @@ Result<Plan> viewPlan(const PlanRequest& request, const std::filesystem::path& d
   const std::size_t arrays = request.arrays.size();
   const bool isOfThem = !kept->empty() && kept->back().array + 1 == arrays;
   if (!isOfThem || request.draws == 0 || request.draws > kept->size() / arrays)
-    return Error{draws.string() + " has " + std::to_string(kept->size()) + " insertions, not " +
-                 std::to_string(request.draws) + " of each of " + std::to_string(arrays) +
-                 " arrays. Make the plan again."};
+    return Error{"%1 has %2 insertions, not %3 of each of %4 arrays. Make the plan again.", draws,
+                 kept->size(), request.draws, arrays};
   Plan plan;
   plan.request = request;
   plan.seal = file->seal();
@@ -104,8 +103,7 @@ Result<Plan> viewPlan(const PlanRequest& request, const std::filesystem::path& d
   if (!stored) return stored.error();
   if (stored->plan.request.arrays != request.arrays ||
       (!stored->plan.fingerprint.empty() && stored->plan.fingerprint != fingerprint))
-    return Error{"The plan.json beside " + draws.string() +
-                 " is of another plan. Make the plan again."};
+    return Error{"The plan.json beside %1 is of another plan. Make the plan again.", draws};
   if (stored->plan.seal == Seal::changed || !isOf(stored->plan.request, request))
     plan.seal = Seal::changed;
   if (plan.seal != Seal::changed) plan.fingerprint = fingerprint;
@@ -134,9 +132,8 @@ Result<Plan> makePlan(const PlanRequest& request, const std::filesystem::path& d
     auto kept = insertionsIn(*file);
     if (!kept) return kept.error();
     if (!kept->empty() && kept->back().array + 1 != request.arrays.size())
-      return Error{draws.string() + " has draws of " + std::to_string(kept->back().array + 1) +
-                   " arrays, not of " + std::to_string(request.arrays.size()) +
-                   ". Delete it or give another folder."};
+      return Error{"%1 has draws of %2 arrays, not of %3. Delete it or give another folder.", draws,
+                   kept->back().array + 1, request.arrays.size()};
     plan.insertions = *std::move(kept);
   }
 

@@ -175,9 +175,9 @@ Result<PlannedInsertion> insertionIn(const std::string& content)
 const session::InsertionTableKind& planKind()
 {
   static const session::InsertionTableKind kind = {
-      {"the draws of a plan of Perilymph",
-       "Choose a draws.sqlite that 'perilymph-cli plan' wrote.",
-       "Delete it and make the plan again.",
+      {Sentence{"the draws of a plan of Perilymph"},
+       Sentence{"Choose a draws.sqlite that 'perilymph-cli plan' wrote."},
+       Sentence{"Delete it and make the plan again."},
        0x5065506c,  // "PePl"
        3,
        {"CREATE TABLE meta(key TEXT PRIMARY KEY, value TEXT NOT NULL)",
@@ -186,10 +186,11 @@ const session::InsertionTableKind& planKind()
         "PRIMARY KEY(draw, array)) WITHOUT ROWID"}},
       3,
       {{"insertion", "iit", 2}},
-      "belongs to another plan, or the patient, an array, the scenario, "
-      "resources/planning/uncertainty.toml, resources/planning/frequency-allocation.toml, "
-      "resources/clinical/hand.toml or resources/reference/surgeons.toml was changed since.",
-      "draws",
+      Sentence{
+          "belongs to another plan, or the patient, an array, the scenario, "
+          "resources/planning/uncertainty.toml, resources/planning/frequency-allocation.toml, "
+          "resources/clinical/hand.toml or resources/reference/surgeons.toml was changed since."},
+      Sentence{"draws"},
       Audience::owner};
   return kind;
 }
@@ -218,20 +219,20 @@ Result<std::vector<PlannedInsertion>> insertionsIn(const session::InsertionTable
                array = std::get<std::int64_t>(one.row[1]);
     auto planned = insertionIn(std::get<std::string>(one.row[2]));
     if (!planned)
-      return table.damaged("draw " + std::to_string(draw) +
-                           " is not readable: " + planned.error().message);
+      return table.damaged(Sentence{"draw %1 is not readable: %2", draw, planned.error().message});
     if (static_cast<std::int64_t>(planned->draw) != draw ||
         static_cast<std::int64_t>(planned->array) != array)
-      return table.damaged("draw " + std::to_string(draw) + " is not readable: it is another one");
+      return table.damaged(Sentence{"draw %1 is not readable: it is another one", draw});
     if (planned->draw == 1 && planned->array == arrays) ++arrays;
     if (arrays == 0 || planned->draw != 1 + all.size() / arrays ||
         planned->array != all.size() % arrays)
-      return table.damaged("its draws are not consecutive");
+      return table.damaged(Sentence{"its draws are not consecutive"});
     all.push_back(*std::move(planned));
     return Done{};
   });
   if (!done) return done.error();
-  if (arrays > 0 && all.size() % arrays != 0) return table.damaged("its last draw is not whole");
+  if (arrays > 0 && all.size() % arrays != 0)
+    return table.damaged(Sentence{"its last draw is not whole"});
   return all;
 }
 

@@ -223,9 +223,11 @@ StoredPlan storedIn(const Json& value)
     stored.sources.push_back({textAt(each, "file"), textAt(each, "table"), textAt(each, "source"),
                               textAt(each, "confidence")});
   }
+  std::vector<Phrase> limits;
+  for (const Sentence& each : limitsOfPlans()) limits.emplace_back(each.phrase());
   for (const Json& each : listAt(value, "limits", maxStoredRows)) {
     if (!each.is_string()) throw Unreadable("limits holds something that is no sentence");
-    stored.limits.push_back(each.get<std::string>());
+    stored.limits.push_back(recognized(each.get<std::string>(), limits));
   }
   return stored;
 }
@@ -235,24 +237,23 @@ StoredPlan storedIn(const Json& value)
 Result<StoredPlan> planIn(const std::string& text, const std::string& name)
 {
   const auto refused = [&name](const std::string& reason) {
-    return Error{name + " is not a plan: " + reason +
-                 ". Give the folder that 'perilymph-cli plan' wrote."};
+    return Error{"%1 is not a plan: %2. Give the folder that 'perilymph-cli plan' wrote.", name,
+                 reason};
   };
   try {
     const Json json = Json::parse(text);
     const std::uint64_t format =
         json.is_object() && json.contains("format") ? countAt(json, "format") : 1;
     if (format > planFormat)
-      return Error{name + " is of a newer program (format " + std::to_string(format) +
-                   "). Open it with that one."};
+      return Error{"%1 is of a newer program (format %2). Open it with that one.", name, format};
     StoredPlan stored = storedIn(json);
     stored.plan.seal = sealIn(text, format >= planFormat, stored.program);
     if (stored.plan.seal == Seal::changed) stored.plan.fingerprint.clear();
     if (stored.plan.seal == Seal::absent)
-      stored.limits.emplace_back(
+      stored.limits.push_back(Sentence{
           "The force on the partition is the sum on the basilar membrane, as former versions "
           "computed "
-          "it: not the force that ruptures.");
+          "it: not the force that ruptures."});
     return stored;
   } catch (const Unreadable& error) {
     return refused(error.what());
@@ -270,9 +271,10 @@ Result<StoredPlan> readPlan(const std::filesystem::path& place)
   else if (place.extension() == ".sqlite")
     file = place.parent_path() / "plan.json";
   if (file != place && !std::filesystem::exists(file, ignored))
-    return Error{place.string() +
-                 " holds no plan.json: the plan was not finished. The same 'perilymph-cli plan' "
-                 "continues it."};
+    return Error{
+        "%1 holds no plan.json: the plan was not finished. The same 'perilymph-cli plan' continues "
+        "it.",
+        place};
   const auto text = readWhole(file);
   if (!text) return text.error();
   return planIn(*text, file.string());

@@ -191,12 +191,12 @@ figures::Figure influenceFigure(const ArrayPlan& plan)
   constexpr double width = 0.35;
   figures::Figure figure;
   figure.title = plan.name + ": what the band's width rests on";
-  const auto addBar = [&](const char* label, std::size_t i, double from, double known,
+  const auto addBar = [&](const Sentence& label, std::size_t i, double from, double known,
                           figures::Ink color) {
     const double x = static_cast<double>(i) + 1.0 + from;
     const double narrower = 100.0 * (1.0 - std::sqrt(std::max(0.0, 1.0 - known)));
     figure.bands.push_back(
-        {i == 0 ? label : "", {x, x + width}, {0.0, 0.0}, {narrower, narrower}, color});
+        {i == 0 ? label : Sentence(), {x, x + width}, {0.0, 0.0}, {narrower, narrower}, color});
   };
   const std::size_t bars = std::min(maxBars, plan.influences.size());
   for (std::size_t i = 0; i < bars; ++i) {
@@ -219,24 +219,34 @@ figures::Figure influenceFigure(const ArrayPlan& plan)
 
 }  // namespace
 
-const std::vector<std::string>& limitsOfPlans()
+const std::vector<Sentence>& limitsOfPlans()
 {
-  static const std::vector<std::string> limits = {
-      "The shape of the cochlea is the mean one, scaled to A, B and H; sections, course of the "
-      "center line and outer wall vary along it as in few measured ears. Outline and tilt of the "
-      "sections are those of the mean.",
-      "The partition ruptures at one strength, bone and membrane alike, into a mirrored scala "
-      "vestibuli. The model gives fewer translocations than clinics report.",
-      "Insertions have longer steps than the scenario: their median angle differs by up to 9 "
-      "degrees.",
-      "No friction in a living ear is known. The default, 0.12, is the low end of what is reported "
-      "for arrays on endosteum, chosen with the depths in view that clinics report: four of five "
-      "straight arrays come within 20 degrees of them, FLEXSOFT stops 80 short. With the friction "
-      "of a tissue simulant straight arrays stop at 240 to 350.",
-      "Errors of A, B and H are independent unless the patient's file states their correlations.",
-      "The strength of the cochlear partition and the surgeon's force limit rest on few "
-      "publications; see sources.",
-      "Ends are those of the model: a probability is not a clinical risk."};
+  static const std::vector<Sentence> limits = {
+      Sentence{
+          "The shape of the cochlea is the mean one, scaled to A, B and H; sections, course of the "
+          "center line and outer wall vary along it as in few measured ears. Outline and tilt of "
+          "the "
+          "sections are those of the mean."},
+      Sentence{
+          "The partition ruptures at one strength, bone and membrane alike, into a mirrored scala "
+          "vestibuli. The model gives fewer translocations than clinics report."},
+      Sentence{
+          "Insertions have longer steps than the scenario: their median angle differs by up to %1 "
+          "degrees.",
+          9},
+      Sentence{"No friction in a living ear is known. The default, %1, is the low end of what is "
+               "reported "
+               "for arrays on endosteum, chosen with the depths in view that clinics report: four "
+               "of five "
+               "straight arrays come within %2 degrees of them, FLEXSOFT stops %3 short. With the "
+               "friction "
+               "of a tissue simulant straight arrays stop at %4 to %5.",
+               "0.12", 20, 80, 240, 350},
+      Sentence{"Errors of A, B and H are independent unless the patient's file states their "
+               "correlations."},
+      Sentence{"The strength of the cochlear partition and the surgeon's force limit rest on few "
+               "publications; see sources."},
+      Sentence{"Ends are those of the model: a probability is not a clinical risk."}};
   return limits;
 }
 

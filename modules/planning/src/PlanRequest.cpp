@@ -33,11 +33,13 @@ Result<session::Scenario> scenarioOf(const PlanRequest& request, const std::stri
 Result<Done> checkDraws(std::size_t draws)
 {
   if (draws >= (takesFew() ? std::size_t{1} : fewestDraws) && draws <= maxDraws) return Done{};
-  const std::string count = std::to_string(draws), fewest = std::to_string(fewestDraws),
-                    allowed = ". Choose " + fewest + " to " + std::to_string(maxDraws) + ".";
-  if (draws > maxDraws) return Error{"A plan of " + count + " simulations is too long" + allowed};
-  return Error{"A plan of " + count + " simulations is too short: the lowest and the highest of " +
-               "fewer than " + fewest + " hold less than 88 % of the insertions to come" + allowed};
+  if (draws > maxDraws)
+    return Error{"A plan of %1 simulations is too long. Choose %2 to %3.", draws, fewestDraws,
+                 maxDraws};
+  return Error{
+      "A plan of %1 simulations is too short: the lowest and the highest of fewer than %2 hold "
+      "less than 88 % of the insertions to come. Choose %2 to %3.",
+      draws, fewestDraws, maxDraws};
 }
 
 }  // namespace perilymph::planning

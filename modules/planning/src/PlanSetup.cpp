@@ -21,7 +21,7 @@ Result<Done> addArray(PlanSetup& setup, const PlanRequest& request, const std::s
                       const std::vector<FrequencyAllocation>& allocations)
 {
   const auto scenario = scenarioOf(request, array, session::anyStopTravel);
-  if (!scenario) return Error{array + ": " + scenario.error().message};
+  if (!scenario) return Error{"%1: %2", array, scenario.error().message};
   const electrode::ArrayDesign& design = scenario->array();
   Nominal nominal{scenario->parameters(), scenario->text(), setup.uncertainty.stiffnessOf(design)};
   session::InsertionParameters& parameters = nominal.parameters;
@@ -29,7 +29,7 @@ Result<Done> addArray(PlanSetup& setup, const PlanRequest& request, const std::s
   parameters.cochlea.source = anatomy::AnatomySource::mean;
   parameters.stopTravel = session::fullTravel(parameters.array, parameters.startInside);
   if (!(parameters.stopTravel.si() > 0.0))
-    return Error{"The array " + design.name + " starts at its full depth. Lower start_inside_mm."};
+    return Error{"The array %1 starts at its full depth. Lower start_inside_mm.", design.name};
   parameters.engine.stopTravel = parameters.stopTravel.si();
   setup.arrays.push_back({design.name, filtersOf(design, allocations)});
   setup.nominal.push_back(std::move(nominal));
@@ -53,12 +53,12 @@ Result<std::string> distributionsHash()
 Result<Done> checkRequest(const PlanRequest& request)
 {
   if (!request.patient.basalTurn)
-    return Error{"The patient " + request.patient.label +
-                 " has no A and B, which a plan needs. Measure them, or use 'simulate'."};
+    return Error{
+        "The patient %1 has no A and B, which a plan needs. Measure them, or use 'simulate'.",
+        request.patient.label};
   if (request.arrays.empty()) return Error{"A plan needs at least one array. Name one."};
   if (request.draws < 1 || request.draws > maxDraws)
-    return Error{"A plan of " + std::to_string(request.draws) + " draws is not possible; 1 to " +
-                 std::to_string(maxDraws) + " are."};
+    return Error{"A plan of %1 draws is not possible; 1 to %2 are.", request.draws, maxDraws};
   return Done{};
 }
 
@@ -99,8 +99,8 @@ Result<std::shared_ptr<const anatomy::ScalaTympani>> buildCochlea(const PlanDraw
   try {
     return anatomy::buildMean(draw.patient.label, *draw.patient.basalTurn, draw.shape, leadIn);
   } catch (const std::invalid_argument& error) {
-    return Error{"A cochlea of " + draw.patient.label + " cannot be built: " + error.what() +
-                 ". Check A and B and their errors."};
+    return Error{"A cochlea of %1 cannot be built: %2. Check A and B and their errors.",
+                 draw.patient.label, error.what()};
   }
 }
 

@@ -171,34 +171,34 @@ std::vector<Influence> influencesOn(const Insertions& all, const ArrayPlan& plan
                                     const anatomy::BasalTurnErrors& errors)
 {
   struct Input {
-    const char* name;
+    Phrase name;
     double (*value)(const PlannedInsertion&);
   };
   static constexpr Input inputs[] = {
-      {"A", [](const PlannedInsertion& each) { return each.a_mm; }},
-      {"B", [](const PlannedInsertion& each) { return each.b_mm; }},
-      {"H", [](const PlannedInsertion& each) { return each.h_mm; }},
-      {"share of A", [](const PlannedInsertion& each) { return each.a1_deviate; }},
-      {"share of B", [](const PlannedInsertion& each) { return each.b1_deviate; }},
-      {"section at the base", [](const PlannedInsertion& each) { return each.section; }},
-      {"section in the second turn",
+      {Phrase{"A"}, [](const PlannedInsertion& each) { return each.a_mm; }},
+      {Phrase{"B"}, [](const PlannedInsertion& each) { return each.b_mm; }},
+      {Phrase{"H"}, [](const PlannedInsertion& each) { return each.h_mm; }},
+      {Phrase{"share of A"}, [](const PlannedInsertion& each) { return each.a1_deviate; }},
+      {Phrase{"share of B"}, [](const PlannedInsertion& each) { return each.b1_deviate; }},
+      {Phrase{"section at the base"}, [](const PlannedInsertion& each) { return each.section; }},
+      {Phrase{"section in the second turn"},
        [](const PlannedInsertion& each) { return each.sectionSecond; }},
-      {"dip of the basal turn", [](const PlannedInsertion& each) { return each.dip_mm; }},
-      {"wave of the outer wall", [](const PlannedInsertion& each) { return each.radius; }},
-      {"height without H", [](const PlannedInsertion& each) { return each.height; }},
-      {"lining", [](const PlannedInsertion& each) { return each.lining_mm; }},
-      {"membrane", [](const PlannedInsertion& each) { return each.membrane_N_m; }},
-      {"approach tilt", [](const PlannedInsertion& each) { return each.tilt_deg; }},
-      {"approach turn", [](const PlannedInsertion& each) { return each.turn_deg; }},
-      {"stiffness", [](const PlannedInsertion& each) { return each.stiffness; }},
-      {"friction", [](const PlannedInsertion& each) { return each.friction; }},
-      {"speed", [](const PlannedInsertion& each) { return each.speed_mm_s; }},
-      {"force limit", [](const PlannedInsertion& each) { return each.stop_mN; }}};
+      {Phrase{"dip of the basal turn"}, [](const PlannedInsertion& each) { return each.dip_mm; }},
+      {Phrase{"wave of the outer wall"}, [](const PlannedInsertion& each) { return each.radius; }},
+      {Phrase{"height without H"}, [](const PlannedInsertion& each) { return each.height; }},
+      {Phrase{"lining"}, [](const PlannedInsertion& each) { return each.lining_mm; }},
+      {Phrase{"membrane"}, [](const PlannedInsertion& each) { return each.membrane_N_m; }},
+      {Phrase{"approach tilt"}, [](const PlannedInsertion& each) { return each.tilt_deg; }},
+      {Phrase{"approach turn"}, [](const PlannedInsertion& each) { return each.turn_deg; }},
+      {Phrase{"stiffness"}, [](const PlannedInsertion& each) { return each.stiffness; }},
+      {Phrase{"friction"}, [](const PlannedInsertion& each) { return each.friction; }},
+      {Phrase{"speed"}, [](const PlannedInsertion& each) { return each.speed_mm_s; }},
+      {Phrase{"force limit"}, [](const PlannedInsertion& each) { return each.stop_mN; }}};
   std::vector<Influence> influences;
   for (const Input& input : inputs) {
     const std::vector<double> values = valuesOf(all, input.value);
     Influence one;
-    one.input = input.name;
+    one.input = Sentence(input.name);
     one.onAngle = explained(values, valuesOf(all, angleOf));
     one.onPeak = explained(values, valuesOf(all, peakOf));
     one.angleWidth_deg = widthKnowing(plan.angle_deg, one.onAngle);

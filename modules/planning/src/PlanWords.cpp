@@ -15,16 +15,16 @@ int percentHeld(std::size_t draws)
   return static_cast<int>(std::lround(100.0 * std::min(0.9, (count - 1.0) / (count + 1.0))));
 }
 
-std::string bandsHold(const Plan& plan)
+Sentence bandsHold(const Plan& plan)
 {
   std::size_t fewest = maxDraws;
   for (const ArrayPlan& each : plan.arrays) fewest = std::min(fewest, each.draws);
-  const std::string held = std::to_string(percentHeld(fewest)) + " % at ";
+  const int held = percentHeld(fewest);
   const auto& [low, high] = plan.friction;
-  if (!std::isfinite(low) || !std::isfinite(high)) return held + "one friction";
-  const std::string coefficient = session::shortestDecimal(low);
-  return held + "friction " +
-         (low < high ? coefficient + " to " + session::shortestDecimal(high) : coefficient);
+  if (!std::isfinite(low) || !std::isfinite(high)) return Sentence{"%1 % at one friction", held};
+  const std::string lowest = session::shortestDecimal(low);
+  if (!(low < high)) return Sentence{"%1 % at friction %2", held, lowest};
+  return Sentence{"%1 % at friction %2 to %3", held, lowest, session::shortestDecimal(high)};
 }
 
 }  // namespace perilymph::planning

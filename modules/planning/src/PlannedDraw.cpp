@@ -39,18 +39,17 @@ Result<PlannedShape> shapeOf(const Plan& plan, std::size_t array, std::size_t dr
                   [=](const auto& each) { return each.array == array && each.draw == draw; });
   if (!isRun)
     return Error{
-        "The plan has no draw " + std::to_string(draw) + " of array " + std::to_string(array + 1) +
-        "; it has " +
-        std::to_string(
-            plan.request.arrays.empty() ? 0 : plan.insertions.size() / plan.request.arrays.size()) +
-        " draws of " + std::to_string(plan.request.arrays.size()) + " arrays. Choose one of them."};
+        "The plan has no draw %1 of array %2; it has %3 draws of %4 arrays. Choose one of them.",
+        draw, array + 1,
+        plan.request.arrays.empty() ? 0 : plan.insertions.size() / plan.request.arrays.size(),
+        plan.request.arrays.size()};
   const auto setup = preparePlan(plan.request);
   if (!setup) return setup.error();
   if (!plan.isCurrent || fingerprintOf(plan.request, *setup) != plan.fingerprint)
     return Error{
-        "An array, the scenario, a distribution or the program was changed since the plan "
-        "of " +
-        plan.request.patient.label + " was made. Make it again."};
+        "An array, the scenario, a distribution or the program was changed since the plan of %1 "
+        "was made. Make it again.",
+        plan.request.patient.label};
   auto shape = runShape(plan.request, *setup, array, draw, stop);
   if (!shape) return shape.error();
   if (stop.stop_requested()) return Error{"Stopped."};

@@ -51,19 +51,19 @@ constexpr double maxStepWithForce = 2e-3;
 
 Error tooSlow(const device::DeviceTraits& traits, double timeStep)
 {
-  return Error{"dt_ms is " + std::to_string(timeStep * 1e3) + "; with " + traits.name +
-               ", which renders force, it must be at most " +
-               std::to_string(maxStepWithForce * 1e3) +
-               ", so that a stop removes the force within 5 ms. Set dt_ms = 1."};
+  return Error{
+      "dt_ms is %1; with %2, which renders force, it must be at most %3, so that a stop removes "
+      "the force within 5 ms. Set dt_ms = 1.",
+      std::to_string(timeStep * 1e3), traits.name, std::to_string(maxStepWithForce * 1e3)};
 }
 
 Error fault(const InsertionParameters& parameters, const haptics::TickRecord& record)
 {
-  return Error{"The insertion of " + parameters.name + " stopped with a fault at tick " +
-               std::to_string(record.tick) + ", " +
-               std::to_string(inMillimeters(meters(record.output.travel))) + " mm of travel (" +
-               statusText(record.output.status) +
-               "). Try a smaller dt_ms, a lower speed_mm_s or a softer wall."};
+  return Error{
+      "The insertion of %1 stopped with a fault at tick %2, %3 mm of travel (%4). Try a smaller "
+      "dt_ms, a lower speed_mm_s or a softer wall.",
+      parameters.name, record.tick, std::to_string(inMillimeters(meters(record.output.travel))),
+      statusText(record.output.status)};
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ inline Result<std::unique_ptr<haptics::InsertionEngine>> makeEngine(
     return std::make_unique<haptics::InsertionEngine>(std::move(model),
                                                       withRunParameters(parameters.engine, run));
   } catch (const std::invalid_argument& error) {
-    return Error{parameters.name + " cannot be run: " + error.what()};
+    return Error{"%1 cannot be run: %2", parameters.name, error.what()};
   }
 }
 

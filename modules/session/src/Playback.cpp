@@ -73,8 +73,8 @@ Result<Done> Playback::Content::survey()
   });
   if (!read) return read.error();
   if (ticks == 0)
-    return Error{file.string() +
-                 " contains no samples and cannot be replayed: the insertion was never started."};
+    return Error{"%1 contains no samples and cannot be replayed: the insertion was never started.",
+                 file};
   between = std::max(fewestBetween, ticks / maxStates);
   return Done{};
 }
@@ -157,7 +157,7 @@ Result<Verification> Playback::compute(const std::stop_token& stop)
   auto begun = beginVerification(*recorded);
   if (!begun) return begun.error();
   Verification verification = *std::move(begun);
-  for (const std::string& note : whatChanged(*recorded, content.scenario, *content.model))
+  for (const Sentence& note : whatChanged(*recorded, content.scenario, *content.model))
     verification.notes.push_back(note);
   std::uint64_t done = 0;
   const auto passed = replayThrough(*recorded, **engine, verification, [&] {
@@ -165,9 +165,7 @@ Result<Verification> Playback::compute(const std::stop_token& stop)
     return !stop.stop_requested();
   });
   if (!passed) return passed.error();
-  if (stop.stop_requested())
-    return Error{"Stopped after " + std::to_string(done) + " of " + std::to_string(content.ticks) +
-                 " ticks."};
+  if (stop.stop_requested()) return Error{"Stopped after %1 of %2 ticks.", done, content.ticks};
   return verification;
 }
 

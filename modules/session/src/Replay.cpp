@@ -74,22 +74,24 @@ private:
 
 }  // namespace
 
-std::vector<std::string> whatChanged(const RecordedInsertion& recorded, const Scenario& scenario,
-                                     const mechanics::InsertionModel& model)
+std::vector<Sentence> whatChanged(const RecordedInsertion& recorded, const Scenario& scenario,
+                                  const mechanics::InsertionModel& model)
 {
   const RecordingFacts& facts = recorded.facts();
-  std::vector<std::string> notes;
+  std::vector<Sentence> notes;
   if (!recorded.note().empty()) notes.push_back(recorded.note());
   if (!recorded.wasClosed())
-    notes.push_back("The recording was not closed: it ends where the program was interrupted.");
+    notes.push_back(
+        Sentence{"The recording was not closed: it ends where the program was interrupted."});
   if (facts.buildId != buildId())
-    notes.push_back("Recorded by build " + facts.buildId + ", replayed by build " + buildId() +
-                    ".");
+    notes.push_back(
+        Sentence{"Recorded by build %1, replayed by build %2.", facts.buildId, buildId()});
   if (scenario.expectedArrayFingerprint() != scenario.arrayFingerprint())
-    notes.push_back("The file of the array '" + scenario.arrayName() +
-                    "' has changed since the recording was made.");
+    notes.push_back(Sentence{"The file of the array '%1' has changed since the recording was made.",
+                             scenario.arrayName()});
   if (!model.hasFingerprint(facts.modelFingerprint))
-    notes.push_back("The model built from the recorded scenario differs from the recorded model.");
+    notes.push_back(
+        Sentence{"The model built from the recorded scenario differs from the recorded model."});
   return notes;
 }
 
@@ -104,9 +106,10 @@ Result<Verification> beginVerification(const RecordedInsertion& recorded)
   verification.damage = checked->damage;
   if (!checked->hasHash)
     verification.notes.push_back(
-        "Recorded in format 1, which has no hash: that nothing was changed is shown by counts, "
-        "columns, events and the replay alone.");
-  if (checked->ticks == 0) verification.notes.push_back("The recording contains no samples.");
+        Sentence{"Recorded in format 1, which has no hash: that nothing was changed is shown by "
+                 "counts, columns, events and the replay alone."});
+  if (checked->ticks == 0)
+    verification.notes.push_back(Sentence{"The recording contains no samples."});
   return verification;
 }
 
@@ -117,9 +120,9 @@ Result<Done> replayThrough(const RecordedInsertion& recorded, haptics::Insertion
   std::optional<std::uint64_t> last;
   const auto read = recorded.forEach([&](const haptics::TickRecord& record) {
     if (last && record.tick != *last + 1) {
-      verification.notes.push_back(std::to_string(record.tick - *last - 1) + " ticks before tick " +
-                                   std::to_string(record.tick) +
-                                   " were lost; nothing after them can be compared.");
+      verification.notes.push_back(
+          Sentence{"%1 ticks before tick %2 were lost; nothing after them can be compared.",
+                   record.tick - *last - 1, record.tick});
       return false;
     }
     last = record.tick;
@@ -157,7 +160,7 @@ Result<Verification> verify(const std::filesystem::path& file, const VerifyProgr
   if (!model) return model.error();
   auto engine = makeEngine(scenario->parameters(), *model, facts.run);
   if (!engine) return engine.error();
-  for (const std::string& note : whatChanged(*recorded, *scenario, **model))
+  for (const Sentence& note : whatChanged(*recorded, *scenario, **model))
     verification->notes.push_back(note);
   const auto passed = replayThrough(*recorded, **engine, *verification, [&] {
     ++done;
@@ -166,8 +169,7 @@ Result<Verification> verify(const std::filesystem::path& file, const VerifyProgr
   });
   if (!passed) return passed.error();
   if (stop.stop_requested())
-    return Error{"Stopped after " + std::to_string(done) + " of " + std::to_string(all) +
-                 " ticks; " + file.string() + " is not verified."};
+    return Error{"Stopped after %1 of %2 ticks; %3 is not verified.", done, all, file};
   return verification;
 }
 

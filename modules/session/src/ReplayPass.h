@@ -15,8 +15,8 @@
 namespace perilymph::session {
 
 /// Messages about changes since the recording was made.
-std::vector<std::string> whatChanged(const RecordedInsertion& recorded, const Scenario& scenario,
-                                     const mechanics::InsertionModel& model);
+std::vector<Sentence> whatChanged(const RecordedInsertion& recorded, const Scenario& scenario,
+                                  const mechanics::InsertionModel& model);
 
 /// Checks the consistency of the file and fills the first part of a verification.
 Result<Verification> beginVerification(const RecordedInsertion& recorded);

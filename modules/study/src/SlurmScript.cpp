@@ -73,24 +73,29 @@ Result<Done> checkRequest(const SlurmRequest& request)
   for (const std::string& option : request.options) texts.emplace_back("--sbatch-option", option);
   for (const auto& [name, text] : texts)
     if (onOneLine(text) != text)
-      return Error{name + " is \"" + onOneLine(text) +
-                   "\", with a line break, another control character or a byte that is not UTF-8, "
-                   "which a batch script cannot hold. Rename it."};
+      return Error{
+          "%1 is \"%2\", with a line break, another control character or a byte that is not UTF-8, "
+          "which a batch script cannot hold. Rename it.",
+          name, onOneLine(text)};
   if (request.folder.string().find('\\') != std::string::npos)
     return Error{
-        "--out is \"" + request.folder.string() +
-        "\", whose backslash Slurm does not take in the name of a log. Rename the folder."};
+        "--out is \"%1\", whose backslash Slurm does not take in the name of a log. Rename the "
+        "folder.",
+        request.folder};
   static const std::regex names("[A-Za-z0-9_.,+-]*"), times("[0-9:-]*|UNLIMITED|INFINITE");
   if (!std::regex_match(request.partition, names))
-    return Error{"--partition is \"" + request.partition +
-                 "\"; it has letters, digits and _ . , + - only. sinfo lists partitions."};
+    return Error{
+        "--partition is \"%1\"; it has letters, digits and _ . , + - only. sinfo lists partitions.",
+        request.partition};
   if (!std::regex_match(request.time, times))
-    return Error{"--time is \"" + request.time +
-                 "\"; Slurm writes it as 30 (minutes), 02:00:00 or 1-12:00:00. Correct it."};
+    return Error{
+        "--time is \"%1\"; Slurm writes it as 30 (minutes), 02:00:00 or 1-12:00:00. Correct it.",
+        request.time};
   for (const std::string& option : request.options)
     if (option.empty() || option.front() != '-')
-      return Error{"--sbatch-option is \"" + option +
-                   "\"; it begins with a hyphen, such as --sbatch-option=--mem=2G."};
+      return Error{
+          "--sbatch-option is \"%1\"; it begins with a hyphen, such as --sbatch-option=--mem=2G.",
+          option};
   return Done{};
 }
 
@@ -98,13 +103,14 @@ Result<Done> checkLimits(const SlurmRequest& request, const SlurmLimits& limits)
 {
   if (limits.maxArraySize < 2)
     return Error{
-        "This Slurm takes no job arrays (MaxArraySize=" + std::to_string(limits.maxArraySize) +
-        "). Ask its administrator, or run the parts by `study shard`."};
+        "This Slurm takes no job arrays (MaxArraySize=%1). Ask its administrator, or run the parts "
+        "by `study shard`.",
+        limits.maxArraySize};
   if (request.shards + 1 > limits.maxJobCount)
-    return Error{"--shards is " + std::to_string(request.shards) +
-                 ", which with the merge are more jobs than this Slurm keeps at a time "
-                 "(MaxJobCount=" +
-                 std::to_string(limits.maxJobCount) + "). Give fewer parts."};
+    return Error{
+        "--shards is %1, which with the merge are more jobs than this Slurm keeps at a time "
+        "(MaxJobCount=%2). Give fewer parts.",
+        request.shards, limits.maxJobCount};
   return Done{};
 }
 
@@ -146,9 +152,10 @@ Result<SlurmLimits> readLimits(const std::string& answer)
   for (const auto& [name, number] : {std::pair("MaxArraySize", &limits.maxArraySize),
                                      std::pair("MaxJobCount", &limits.maxJobCount)})
     if (!value(name, *number))
-      return Error{"`scontrol show config` names no " + std::string(name) +
-                   ", so that the parts cannot be dealt out. Is it Slurm's? --dry-run prints the "
-                   "scripts."};
+      return Error{
+          "`scontrol show config` names no %1, so that the parts cannot be dealt out. Is it "
+          "Slurm's? --dry-run prints the scripts.",
+          std::string(name)};
   return limits;
 }
 
@@ -157,8 +164,10 @@ Result<std::string> readJobNumber(const std::string& answer)
   static const std::regex form("([0-9]{1,10})(;[A-Za-z0-9_-]+)?\n?");
   std::smatch found;
   if (answer.size() < 256 && std::regex_match(answer, found, form)) return found[1].str();
-  return Error{"sbatch answered \"" + linesTogether(answer.substr(0, 256)) +
-               "\", which is no number of a job. `squeue --me` lists whether it made one."};
+  return Error{
+      "sbatch answered \"%1\", which is no number of a job. `squeue --me` lists whether it made "
+      "one.",
+      linesTogether(answer.substr(0, 256))};
 }
 
 }  // namespace perilymph::study

@@ -78,7 +78,7 @@ private:
   Result<Done> readFactors();
   Result<Done> readSamples();
   Result<Done> checkCombinations();
-  Error error(const std::string& sentence) const { return Error{file_.string() + ": " + sentence}; }
+  Error error(const std::string& sentence) const { return Error{"%1: %2", file_, sentence}; }
 
   TomlReader reader_;
   fs::path file_;
@@ -249,9 +249,10 @@ Result<Done> Study::checkFiles() const
     const auto content = readWhole(named);
     if (!content) return content.error();
     if (hashOf(*content) != hash)
-      return Error{named.string() +
-                   " was changed while the study ran. The results before are kept: put the file "
-                   "back to continue, or run the study into another folder."};
+      return Error{
+          "%1 was changed while the study ran. The results before are kept: put the file back to "
+          "continue, or run the study into another folder.",
+          named};
   }
   return Done{};
 }

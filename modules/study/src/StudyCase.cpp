@@ -78,11 +78,11 @@ Result<session::InsertionParameters> Study::parametersOf(const StudyCase& one) c
   if (isFullDepth_) {
     const Length travel = session::fullTravel(parameters.array, parameters.startInside);
     if (!(travel.si() > 0.0))
-      return Error{"The array " + parameters.array.name + " is " +
-                   session::shortestDecimal(inMillimeters(parameters.array.insertable)) +
-                   " mm long and would start " +
-                   session::shortestDecimal(inMillimeters(parameters.startInside)) +
-                   " mm inside. Lower start_inside_mm."};
+      return Error{
+          "The array %1 is %2 mm long and would start %3 mm inside. Lower start_inside_mm.",
+          parameters.array.name,
+          session::shortestDecimal(inMillimeters(parameters.array.insertable)),
+          session::shortestDecimal(inMillimeters(parameters.startInside))};
     parameters.stopTravel = travel;
     parameters.engine.stopTravel = parameters.stopTravel.si();
   }

@@ -11,16 +11,18 @@ namespace perilymph::study {
 Result<Study> studyIn(const StudyFileFacts& facts, const std::filesystem::path& file)
 {
   if (facts.seal == Seal::changed)
-    return Error{file.string() +
-                 " was changed by hand after the program wrote it; its insertions are not run "
-                 "again. Use another copy of it."};
+    return Error{
+        "%1 was changed by hand after the program wrote it; its insertions are not run again. Use "
+        "another copy of it.",
+        file};
   auto study = parseStudy(facts.text, file);
   if (!study)
-    return Error{"The study in " + file.string() + " cannot be read again: " +
-                 study.error().message + " Put the files it names beside it."};
+    return Error{"The study in %1 cannot be read again: %2 Put the files it names beside it.", file,
+                 study.error().message};
   if (study->fingerprint() != facts.fingerprint)
-    return Error{"The study in " + file.string() +
-                 " names files that differ from those it was run with. Put those beside it."};
+    return Error{
+        "The study in %1 names files that differ from those it was run with. Put those beside it.",
+        file};
   return study;
 }
 
@@ -28,8 +30,8 @@ Result<StudyResult> recordCase(const Study& study, std::size_t number,
                                const std::filesystem::path& recording, const std::stop_token& stop)
 {
   if (number >= study.size())
-    return Error{"Insertion " + std::to_string(number) + " is not in the study, which has " +
-                 std::to_string(study.size()) + " of them, counted from 0."};
+    return Error{"Insertion %1 is not in the study, which has %2 of them, counted from 0.", number,
+                 study.size()};
   const StudyCase one = study.caseAt(number);
   const auto scenario = study.scenarioOf(one);
   if (!scenario) return scenario.error();

@@ -94,10 +94,10 @@ Result<StudyColumns> StudyColumns::read(const std::filesystem::path& file,
   StudyColumns columns;
   columns.facts_ = opened->facts();
   if (columns.facts_.end - columns.facts_.first > maxInsertions)
-    return Error{file.string() + " has " +
-                 std::to_string(columns.facts_.end - columns.facts_.first) +
-                 " insertions; at most " + std::to_string(maxInsertions) +
-                 " can be shown. Open one of its shards, or query it with SQL."};
+    return Error{
+        "%1 has %2 insertions; at most %3 can be shown. Open one of its shards, or query it with "
+        "SQL.",
+        file, columns.facts_.end - columns.facts_.first, maxInsertions};
   const auto read = opened->read([&](const StudyResult& result) -> Result<Done> {
     if (stop.stop_requested()) return Error{"Canceled."};
     columns.results_.push_back(result);
@@ -107,9 +107,8 @@ Result<StudyColumns> StudyColumns::read(const std::filesystem::path& file,
   });
   if (!read) return read.error();
   if (columns.results_.empty())
-    return Error{file.string() +
-                 " has no insertions yet. Run 'perilymph-cli study run' or merge "
-                 "its shards first."};
+    return Error{
+        "%1 has no insertions yet. Run 'perilymph-cli study run' or merge its shards first.", file};
   for (const auto& [key, number] : ownQuantities) {
     StudyQuantity quantity{key, {}};
     quantity.values.reserve(columns.size());

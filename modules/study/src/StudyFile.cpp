@@ -136,7 +136,7 @@ Result<std::vector<analysis::ContactPosition>> contactsIn(const std::vector<Row>
     contact.number = static_cast<int>(cells.whole());
     const std::int64_t isInserted = cells.whole();
     if (isInserted != inserted[0] && isInserted != inserted[1])
-      return Error{"is_inserted is " + std::to_string(isInserted) + "; it must be 0 or 1"};
+      return Error{"is_inserted is %1; it must be 0 or 1", isInserted};
     contact.isInserted = isInserted == inserted[1];
     contact.angle = degrees(cells.real());
     contact.depth = millimeters(cells.real());
@@ -201,9 +201,9 @@ Result<StudyResult> resultIn(const InsertionRows& rows)
 const session::InsertionTableKind& studyKind()
 {
   static const session::InsertionTableKind kind = {
-      {"a study of Perilymph",
-       "Choose a .sqlite file that 'perilymph-cli study' wrote.",
-       "Delete it and run its shard again.",
+      {Sentence{"a study of Perilymph"},
+       Sentence{"Choose a .sqlite file that 'perilymph-cli study' wrote."},
+       Sentence{"Delete it and run its shard again."},
        0x50655374,  // "PeSt"
        3,           // 1 had no views, 2 no seal
        {"CREATE TABLE meta(key TEXT PRIMARY KEY, value TEXT NOT NULL)",
@@ -259,7 +259,7 @@ Result<StudyFile> StudyFile::open(const fs::path& file)
   auto table = session::InsertionTable::open(file, studyKind());
   if (!table) return table.error();
   auto facts = factsIn(table->facts());
-  if (!facts) return table->damaged("it does not say which insertions it is for");
+  if (!facts) return table->damaged(Sentence{"it does not say which insertions it is for"});
   facts->seal = table->seal();
   if (facts->seal == Seal::changed) facts->fingerprint.clear();
   return StudyFile(*std::move(table), *std::move(facts));
@@ -271,8 +271,8 @@ Result<std::pair<StudyFileFacts, std::size_t>> StudyFile::outlineOf(const fs::pa
   if (!outline) return outline.error();
   auto facts = factsIn(outline->facts);
   if (!facts || outline->count > facts->end - facts->first)
-    return Error{file.string() +
-                 " does not say which insertions it is for. Delete it and run its shard again."};
+    return Error{"%1 does not say which insertions it is for. Delete it and run its shard again.",
+                 file};
   return std::pair{*std::move(facts), outline->count};
 }
 
@@ -290,10 +290,10 @@ Result<Done> StudyFile::read(const std::function<Result<Done>(const StudyResult&
   return table_.read([&](const InsertionRows& rows) -> Result<Done> {
     const auto result = resultIn(rows);
     if (!result)
-      return table_.damaged("insertion " + std::to_string(std::get<std::int64_t>(rows.row[0])) +
-                            " is not readable: " + result.error().message);
+      return table_.damaged(Sentence{"insertion %1 is not readable: %2",
+                                     std::get<std::int64_t>(rows.row[0]), result.error().message});
     if (result->number != next++ || next > facts_.end)
-      return table_.damaged("its insertions are not consecutive");
+      return table_.damaged(Sentence{"its insertions are not consecutive"});
     return each(*result);
   });
 }

@@ -65,9 +65,8 @@ Result<std::vector<StudyFile>> wholeStudy(const fs::path& folder)
   const auto states = shardsIn(folder);
   if (!states) return states.error();
   if (states->empty())
-    return Error{folder.string() +
-                 " has no shards. Run 'perilymph-cli study run' or 'study shard' "
-                 "into it first."};
+    return Error{"%1 has no shards. Run 'perilymph-cli study run' or 'study shard' into it first.",
+                 folder};
   std::vector<StudyFile> files;
   std::size_t next = 0;
   for (const ShardState& state : *states) {
@@ -79,32 +78,35 @@ Result<std::vector<StudyFile>> wholeStudy(const fs::path& folder)
     const StudyFileFacts& one = files.empty() ? facts : files.front().facts();
     // A merged study is sealed anew: what its shards say must be what the program wrote.
     if (facts.seal != Seal::intact)
-      return Error{name +
-                   (facts.seal == Seal::changed
-                        ? " was changed after the program wrote it."
-                        : " carries no seal: it is of an earlier version.") +
-                   " Delete it and run its shard again."};
+      return facts.seal == Seal::changed
+                 ? Error{"%1 was changed after the program wrote it. Delete it and run its shard "
+                         "again.",
+                         name}
+                 : Error{"%1 carries no seal: it is of an earlier version. Delete it and run its "
+                         "shard again.",
+                         name};
     if (facts.fingerprint != one.fingerprint || facts.program != one.program)
-      return Error{name + " is of another study or another build of the program than " +
-                   states->front().file.string() + ". Remove the one that does not belong here."};
+      return Error{
+          "%1 is of another study or another build of the program than %2. Remove the one that "
+          "does not belong here.",
+          name, states->front().file.string()};
     if (state.done != facts.end - facts.first)
-      return Error{name + " is not complete (" + std::to_string(state.done) + " of " +
-                   std::to_string(facts.end - facts.first) + " insertions). Run its shard again."};
+      return Error{"%1 is not complete (%2 of %3 insertions). Run its shard again.", name,
+                   state.done, facts.end - facts.first};
     if (facts.first < next)
-      return Error{name + " has insertions that another shard has, too (from number " +
-                   std::to_string(facts.first) +
-                   "). Remove the shards of one of the two divisions."};
+      return Error{
+          "%1 has insertions that another shard has, too (from number %2). Remove the shards of "
+          "one of the two divisions.",
+          name, facts.first};
     if (facts.first > next)
-      return Error{"The insertions " + std::to_string(next) + " to " +
-                   std::to_string(facts.first - 1) + " are missing in " + folder.string() +
-                   ". Run their shard."};
+      return Error{"The insertions %1 to %2 are missing in %3. Run their shard.", next,
+                   facts.first - 1, folder};
     next = facts.end;
     files.push_back(*std::move(file));
   }
   if (next != files.front().facts().cases)
-    return Error{"The insertions " + std::to_string(next) + " to " +
-                 std::to_string(files.front().facts().cases - 1) + " are missing in " +
-                 folder.string() + ". Run their shard."};
+    return Error{"The insertions %1 to %2 are missing in %3. Run their shard.", next,
+                 files.front().facts().cases - 1, folder};
   return files;
 }
 
@@ -153,10 +155,9 @@ Result<std::vector<ShardState>> shardsIn(const fs::path& folder)
   std::error_code problem;
   std::vector<ShardState> states;
   fs::directory_iterator entry(folder, problem);
-  if (problem)
-    return Error{folder.string() + " cannot be read: " + problem.message() + ". Check the name."};
+  if (problem) return Error{"%1 cannot be read: %2. Check the name.", folder, problem.message()};
   for (; entry != fs::directory_iterator(); entry.increment(problem)) {
-    if (problem) return Error{folder.string() + " cannot be read: " + problem.message() + "."};
+    if (problem) return Error{"%1 cannot be read: %2.", folder, problem.message()};
     const std::string name = entry->path().filename().string();
     if (!name.starts_with("shard-") || !name.ends_with(".sqlite")) continue;
     ShardState state;
@@ -184,7 +185,7 @@ Result<StudyFileFacts> mergeShards(const fs::path& folder)
 {
   std::error_code failure;
   if (!fs::is_directory(folder, failure))
-    return Error{folder.string() + " cannot be read: it is no folder. Check the name."};
+    return Error{"%1 cannot be read: it is no folder. Check the name.", folder};
   const auto lock =
       FileLock::take(folder / (std::string(mergedFile) + ".lock"), (folder / mergedFile).string());
   if (!lock) return lock.error();
@@ -222,8 +223,7 @@ Result<StudyFileFacts> mergeShards(const fs::path& folder)
   for (const char* ending : {"", "-wal", "-shm", "-journal"})
     fs::remove(unfinished.string() + ending, ignored);
   if (!written) return written.error();
-  if (problem)
-    return Error{(folder / mergedFile).string() + " cannot be written: " + problem.message() + "."};
+  if (problem) return Error{"%1 cannot be written: %2.", folder / mergedFile, problem.message()};
   return factsOfAll(*files);
 }
 

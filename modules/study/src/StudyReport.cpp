@@ -184,7 +184,7 @@ figures::Figure overSize(const StudyEvaluation& study, Outcome outcome, const st
       high = std::max(high, each.a_mm);
       top = std::max(top, value);
     }
-    if (series.x.empty()) series.label += " (none finished)";
+    if (series.x.empty()) series.label = series.label + " (none finished)";
     figure.values.push_back(std::move(series));
   }
   if (!(low <= high)) low = 8.0, high = 10.0;

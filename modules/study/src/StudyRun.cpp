@@ -137,8 +137,7 @@ Result<bool> runShard(const Study& study, const Shard& shard, const fs::path& fo
   std::error_code problem;
   fs::create_directories(folder, problem);
   if (problem)
-    return Error{folder.string() + " cannot be created: " + problem.message() +
-                 ". Give another folder."};
+    return Error{"%1 cannot be created: %2. Give another folder.", folder, problem.message()};
   auto file =
       StudyFile::openToContinue(folder / fileNameOf(shard), factsOf(study, shard.first, shard.end));
   if (!file) return file.error();

@@ -21,11 +21,10 @@ Result<Done> check(const PictureRequest& request)
     return Error{"There is no scala tympani to draw. Name a scenario, a patient or a preset."};
   for (const int pixels : {request.width, request.height})
     if (pixels < minPixels || pixels > maxPixels)
-      return Error{"A picture of " + std::to_string(request.width) + " x " +
-                   std::to_string(request.height) +
-                   " pixels cannot be drawn; each must be 64 to 8192."};
+      return Error{"A picture of %1 x %2 pixels cannot be drawn; each must be 64 to 8192.",
+                   request.width, request.height};
   if (request.file.extension() != ".png")
-    return Error{"The picture " + request.file.string() + " must end in .png."};
+    return Error{"The picture %1 must end in .png.", request.file};
   return Done{};
 }
 

@@ -174,13 +174,15 @@ Result<Done> probeDisplay()
     return Error{"There is no display to draw with: DISPLAY is not set."};
   Display* display = XOpenDisplay(nullptr);
   if (display == nullptr)
-    return Error{"The display " + std::string(name) +
-                 " does not answer. Check DISPLAY and that its server is running."};
+    return Error{"The display %1 does not answer. Check DISPLAY and that its server is running.",
+                 std::string(name)};
   const bool works = offersOpenGl(display);
   XCloseDisplay(display);
   if (!works)
-    return Error{"The display " + std::string(name) +
-                 " offers no OpenGL 3.2. Install Mesa's drivers (libgl1-mesa-dri) or use another."};
+    return Error{
+        "The display %1 offers no OpenGL 3.2. Install Mesa's drivers (libgl1-mesa-dri) or use "
+        "another.",
+        std::string(name)};
   return Done{};
 }
 

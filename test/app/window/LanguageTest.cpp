@@ -41,11 +41,20 @@ namespace {
 /// A pseudo-language: every text in brackets, and every word 40 % longer.
 class Bracketed : public QTranslator {
 public:
-  Bracketed() { QCoreApplication::installTranslator(this); }
+  Bracketed()
+  {
+    gui::useLanguage(*QCoreApplication::instance(), "en");
+    EXPECT_TRUE(german_.load(":/translations/perilymph_de.qm"));
+    QCoreApplication::installTranslator(this);
+  }
   ~Bracketed() override { QCoreApplication::removeTranslator(this); }
   bool isEmpty() const override { return false; }
-  QString translate(const char*, const char* source, const char*, int) const override
+  QString translate(const char* context, const char* source, const char*, int) const override
   {
+    // of the engine and of shipped files, only what has German
+    if (QLatin1String(context) == QLatin1String("Data") &&
+        german_.translate(context, source).isEmpty())
+      return {};
     const QString text = QString::fromUtf8(source);
     QStringList words = text.split(QLatin1Char(' '));
     int added = 0;
@@ -57,6 +66,9 @@ public:
     words.last() += QString(std::min(6, text.size() * 2 / 5 - added), QLatin1Char('~'));
     return QLatin1Char('[') + words.join(QLatin1Char(' ')) + QLatin1Char(']');
   }
+
+private:
+  QTranslator german_;
 };
 
 /// The text of any widget.
@@ -207,7 +219,7 @@ QStringList textOf(const figures::Figure& figure)
   for (const auto& each : figure.levels) add(each.label);
   for (const auto& each : figure.curves) add(each.label);
   for (const auto& each : figure.values) add(each.label);
-  for (const std::string& note : figure.notes) add(note);
+  for (const Sentence& note : figure.notes) add(note);
   return texts;
 }
 
@@ -219,7 +231,7 @@ TEST(PseudoLanguage, TextsOfDataFilesAndOfTheEngineAreTranslated)
   const auto score = analysis::scoreOf(analysis::ComparedInsertion{});
   ASSERT_TRUE(score);
   for (const analysis::ScoreCriterion& each : score->criteria)
-    for (const std::string& text : {each.name, each.found, each.band, each.source})
+    for (const Sentence& text : {each.name, each.found, each.band, each.source})
       texts << gui::dataText(text);
   const auto experiment = analysis::shippedReference("todd-naghdy-experiment");
   const auto simulator = analysis::shippedReference("todd-naghdy-simulator");
@@ -231,7 +243,7 @@ TEST(PseudoLanguage, TextsOfDataFilesAndOfTheEngineAreTranslated)
                                         analysis::differenceFigure(none, *difference)})
     texts << textOf(gui::translated(figure));
   for (const analysis::Verdict& verdict : analysis::verdictsOf(none, *experiment))
-    for (const std::string& text : {verdict.what, verdict.wanted}) texts << gui::dataText(text);
+    for (const Sentence& text : {verdict.what, verdict.wanted}) texts << gui::dataText(text);
   for (const QString& text : texts)
     EXPECT_TRUE(text.contains(QLatin1Char('['))) << text.toStdString();
 }
@@ -239,7 +251,7 @@ TEST(PseudoLanguage, TextsOfDataFilesAndOfTheEngineAreTranslated)
 TEST(PseudoLanguage, LimitsOfPlansAreTranslated)
 {
   const Bracketed bracketed;
-  for (const std::string& limit : planning::limitsOfPlans())
+  for (const Sentence& limit : planning::limitsOfPlans())
     EXPECT_TRUE(gui::dataText(limit).startsWith(QLatin1Char('['))) << limit;
 }
 
@@ -307,10 +319,10 @@ TEST(German, NamesTheModifiedScenarioInTheTitleOfTheWindow)
 TEST(German, TranslatesNumbersInTextsOfData)
 {
   gui::useLanguage(*QCoreApplication::instance(), "de");
-  EXPECT_EQ(gui::dataText("Soap 10 %: speed-independent"),
+  EXPECT_EQ(gui::dataText(std::string("Soap 10 %: speed-independent")),
             "Seife 10 %: geschwindigkeitsunabhängig");
-  EXPECT_EQ(gui::dataText("0.0950 N"), "0,0950 N");
-  EXPECT_EQ(gui::dataText("unknown 1.5"), "unknown 1.5");
+  EXPECT_EQ(gui::dataText(Sentence{"%1 mN", "95.0"}), "95,0 mN");
+  EXPECT_EQ(gui::dataText(std::string("unknown 1.5")), "unknown 1.5");
   gui::useLanguage(*QCoreApplication::instance(), "en");
   QLocale::setDefault(QLocale::c());
 }

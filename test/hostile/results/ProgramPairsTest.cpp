@@ -81,7 +81,7 @@ void expectNothingLeft(const fs::path& folder)
 template <class Value>
 std::string errorOf(const Result<Value>& result)
 {
-  return result ? std::string() : result.error().message;
+  return result ? Sentence() : result.error().message;
 }
 
 TEST(TwoPrograms, MakeOnePlan)

@@ -110,7 +110,7 @@ TEST(VariabilityFile, IsRefusedWithTheLineOfTheError)
   const auto changed = [&](const std::string& from, const std::string& to) {
     const auto loaded =
         loadVariability(test::copyChanged(resource(shipped), folder / "v.toml", {{from, to}}));
-    return loaded ? std::string("accepted") : loaded.error().message;
+    return loaded ? "accepted" : loaded.error().message;
   };
   EXPECT_THAT(changed("sd_N = 0.001", "sd_N = 3.0"), HasSubstr("sd_N"));
   EXPECT_THAT(changed("high_mm = 2.3", "high_mm = 0.5"), HasSubstr("below low_mm"));

@@ -251,7 +251,7 @@ TEST(MeasuredSections, ThatAreSpoiledAreRefusedWithASentence)
   const auto error = [](const std::string& text) {
     const OtherResources other(text);
     const auto built = buildMean(millimeters(1));
-    return built ? std::string("built") : built.error().message;
+    return built ? "built" : built.error().message;
   };
   EXPECT_NE(error(head).find("at least 8"), std::string::npos);
   EXPECT_NE(error(head + measures + "real_mm = [1, 2]\n").find("real_mm"), std::string::npos);

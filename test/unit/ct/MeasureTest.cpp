@@ -169,7 +169,7 @@ TEST(Flags, HaveNamesAndSentencesOfTheirOwn)
 {
   const std::vector<Flag> flags = allFlags();
   for (std::size_t i = 0; i < flags.size(); ++i) {
-    EXPECT_GT(std::strlen(sentenceOf(flags[i])), 20U);
+    EXPECT_GT(sentenceOf(flags[i]).size(), 20U);
     for (std::size_t k = 0; k < i; ++k) EXPECT_STRNE(nameOf(flags[i]), nameOf(flags[k]));
   }
 }

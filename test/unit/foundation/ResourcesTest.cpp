@@ -68,7 +68,7 @@ protected:
   std::string messageFor(const std::string& name)
   {
     const Result<fs::path> found = findByName("array", "arrays", name);
-    return found ? "found " + found->string() : found.error().message;
+    return found ? Sentence("found " + found->string()) : found.error().message;
   }
 
   test::TemporaryFolder folder_;

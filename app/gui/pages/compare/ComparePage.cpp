@@ -19,7 +19,6 @@
 #include "gui/pages/compare/ComparisonPlot.h"
 #include "gui/parts/DataText.h"
 #include "gui/parts/EmptyPage.h"
-#include "gui/parts/EngineErrors.h"
 #include "gui/parts/Numbers.h"
 #include "gui/parts/StatusLine.h"
 #include "gui/parts/Theme.h"
@@ -150,7 +149,7 @@ QWidget* ComparePage::addRuns()
   if (published_)
     plot_->setPublished(*published_);
   else
-    legend_->setText(engineError(published_.error().message));
+    legend_->setText(dataText(published_.error().message));
   connect(plot_, &ComparisonPlot::cursorMoved, this, &ComparePage::showCursor);
 
   table_ = new QTableWidget(0, columns, page);
@@ -218,7 +217,7 @@ void ComparePage::compare(const std::vector<std::filesystem::path>& files)
       [this](Result<std::vector<analysis::ComparedInsertion>> runs) {
         if (runs) return showRuns(*std::move(runs));
         empty_->offer(tr("Choose recordings"));
-        empty_->say(tr("Recordings cannot be compared"), engineError(runs.error().message));
+        empty_->say(tr("Recordings cannot be compared"), dataText(runs.error().message));
       });
 }
 
@@ -309,7 +308,7 @@ void ComparePage::showScore()
   const int row = table_->currentRow();
   if (row < 0 || row >= int(scores_.size())) return score_->clear();
   const auto& scored = scores_[std::size_t(row)];
-  if (!scored) return score_->setText(engineError(scored.error().message));
+  if (!scored) return score_->setText(dataText(scored.error().message));
   QStringList lines;
   lines << tr("Score of %1. Rates technique only; it does not assess trauma.")
                .arg(QString::fromStdString(runs_[std::size_t(row)].name));
@@ -340,7 +339,7 @@ void ComparePage::save()
       QFileDialog::getExistingDirectory(this, tr("Export to folder"), documentsFolder());
   if (chosen.isEmpty()) return;
   const auto written = writeInto(chosen.toStdString());
-  if (!written) return status_->say(engineError(written.error().message), true);
+  if (!written) return status_->say(dataText(written.error().message), true);
   status_->sayWritten(tr("4 files saved to %1.").arg(chosen), chosen.toStdString());
 }
 

@@ -17,8 +17,8 @@
 #include "gui/pages/ct/MeasuredSetup.h"
 #include "gui/pages/ct/PlaneView.h"
 #include "gui/pages/ct/SurfaceView.h"
+#include "gui/parts/DataText.h"
 #include "gui/parts/EmptyPage.h"
-#include "gui/parts/EngineErrors.h"
 #include "gui/parts/Theme.h"
 #include "perilymph/anatomy/Surface.h"
 #include "perilymph/foundation/AtomicFile.h"
@@ -85,7 +85,7 @@ void CtPage::connectWork()
   });
   connect(&work_, &CtWork::ctRead, this, [this](const std::shared_ptr<imaging::LoadedCt>& loaded) {
     QStringList notes;
-    for (const std::string& warning : loaded->series.warnings) notes << seriesWarning(warning);
+    for (const Sentence& warning : loaded->series.warnings) notes << dataText(warning);
     study_.setCt(std::move(*loaded));
     panel_->showIdle(notes.join(QLatin1Char('\n')));
     views_[0]->setFocus();
@@ -128,7 +128,7 @@ void CtPage::connectPanel()
   connect(panel_, &CtPanel::insertAsked, this, [this](const QString& code) {
     if (!study_.measures()) return;
     const auto setup = setupOfMeasures(*study_.measures(), code);
-    if (!setup) return panel_->showIdle(QString::fromStdString(setup.error().message), true);
+    if (!setup) return panel_->showIdle(dataText(setup.error().message), true);
     patient_ = imaging::measuredPatient(*study_.measures());
     patient_->label = setup->scenario.patient().label;
     Q_EMIT setupChosen(*setup);
@@ -136,7 +136,7 @@ void CtPage::connectPanel()
   connect(panel_, &CtPanel::planAsked, this, [this](const QString& code) {
     if (!study_.measures()) return;
     const auto patient = patientOfMeasures(*study_.measures(), code);
-    if (!patient) return panel_->showIdle(QString::fromStdString(patient.error().message), true);
+    if (!patient) return panel_->showIdle(dataText(patient.error().message), true);
     patient_ = *patient;
     Q_EMIT planAsked(*patient);
   });
@@ -220,7 +220,7 @@ void CtPage::showDone(const Result<Done>& done, const QString& file)
   if (done)
     panel_->showIdle(tr("Saved to %1.").arg(file));
   else
-    panel_->showIdle(QString::fromStdString(done.error().message), true);
+    panel_->showIdle(dataText(done.error().message), true);
 }
 
 void CtPage::saveSurface()
@@ -251,7 +251,7 @@ void CtPage::loadMarks()
       QFileDialog::getOpenFileName(this, tr("Landmarks"), {}, QStringLiteral("*.mrk.json *.json"));
   if (file.isEmpty()) return;
   const auto marks = imaging::readLandmarks(file.toStdString(), study_.series().key);
-  if (!marks) return panel_->showIdle(QString::fromStdString(marks.error().message), true);
+  if (!marks) return panel_->showIdle(dataText(marks.error().message), true);
   study_.setMarks(*marks);
   if (const auto inside = marks->inside_P()) study_.moveCrosshair(*inside);
 }

@@ -21,7 +21,6 @@
 #include "gui/pages/ct/MarkGuide.h"
 #include "gui/parts/CheckBoxes.h"
 #include "gui/parts/DataText.h"
-#include "gui/parts/EngineErrors.h"
 #include "gui/parts/PanelParts.h"
 #include "gui/parts/Theme.h"
 #include "gui/parts/WrappedLabel.h"
@@ -269,9 +268,9 @@ void CtPanel::showSeries(const imaging::CtSeriesList& list)
     auto* item = new QListWidgetItem(seriesText(series), series_);
     item->setData(Qt::UserRole, QString::fromStdString(series.uid));
     QStringList notes;
-    for (const std::string& warning : series.warnings) notes << seriesWarning(warning);
+    for (const Sentence& warning : series.warnings) notes << dataText(warning);
     if (!series.obstacle.empty()) {
-      notes.prepend(engineError(series.obstacle));
+      notes.prepend(dataText(series.obstacle));
       item->setFlags(Qt::NoItemFlags);
     }
     item->setToolTip(notes.join(QLatin1Char('\n')).toHtmlEscaped());

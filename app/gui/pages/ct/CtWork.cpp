@@ -4,7 +4,7 @@
 #include <stop_token>
 #include <utility>
 
-#include "gui/parts/EngineErrors.h"
+#include "gui/parts/DataText.h"
 
 namespace perilymph::gui {
 
@@ -36,9 +36,9 @@ void CtWork::end()
   progress_.reset();
 }
 
-void CtWork::fail(const std::string& sentence)
+void CtWork::fail(const Sentence& sentence)
 {
-  Q_EMIT failed(isCanceled_ ? QString() : engineError(sentence));
+  Q_EMIT failed(isCanceled_ ? QString() : dataText(sentence));
 }
 
 void CtWork::open(const std::filesystem::path& path)

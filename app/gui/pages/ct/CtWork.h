@@ -52,7 +52,7 @@ private:
 
   Progress begin();
   void end();
-  void fail(const std::string& sentence);
+  void fail(const Sentence& sentence);
 
   Progress progress_;
   bool isCanceled_ = false;

@@ -10,6 +10,7 @@
 
 #include "gui/pages/insert/Pane.h"
 #include "gui/parts/ChartLabels.h"
+#include "gui/parts/DataText.h"
 #include "gui/parts/Theme.h"
 
 namespace perilymph::gui {
@@ -60,7 +61,7 @@ bool ForceCharts::eventFilter(QObject* watched, QEvent* event)
 
 void ForceCharts::setExperiment(const Result<charts::ReferenceCurve>& experiment)
 {
-  if (!experiment) return travelPane_->setTip(QString::fromStdString(experiment.error().message));
+  if (!experiment) return travelPane_->setTip(dataText(experiment.error().message));
   overTravel_.setReference(experiment->points, referenceName(experiment->label).toStdString());
   travelPane_->setTip(QString::fromStdString(experiment->source));
 }

@@ -15,6 +15,7 @@
 #include "gui/pages/insert/ReplayBar.h"
 #include "gui/pages/insert/ReplayControl.h"
 #include "gui/pages/insert/SidePanel.h"
+#include "gui/parts/DataText.h"
 #include "gui/parts/Theme.h"
 #include "gui/run/ScenarioDifference.h"
 #include "gui/run/WorkflowPredicates.h"
@@ -191,7 +192,7 @@ void InsertPage::openPatient(const anatomy::Patient& patient)
 {
   if (!maySetUpNow()) return;
   const auto setup = setupOfPatient(patient, &setup_->history().now().scenario);
-  if (!setup) return showError(QString::fromStdString(setup.error().message));
+  if (!setup) return showError(dataText(setup.error().message));
   load(*setup, SetupOrigin::Kind::own, AfterLoading::rest);
 }
 
@@ -238,7 +239,7 @@ void InsertPage::start()
   setup_->startWhenBuilt(setup_->isBuilding());
   if (setup_->isBuilding()) return showState();
   const Result<Done> begun = control_.begin();
-  if (!begun) showError(QString::fromStdString(begun.error().message));
+  if (!begun) showError(dataText(begun.error().message));
   showState();
 }
 
@@ -279,9 +280,9 @@ void InsertPage::prepare(InputSource input)
   if (!prepared && input == InputSource::device) {
     // If a device cannot be opened, the script remains the input device.
     prepare(InputSource::scripted);
-    return showError(QString::fromStdString(prepared.error().message));
+    return showError(dataText(prepared.error().message));
   }
-  if (!prepared) return showError(QString::fromStdString(prepared.error().message));
+  if (!prepared) return showError(dataText(prepared.error().message));
   showPrepared();
 }
 

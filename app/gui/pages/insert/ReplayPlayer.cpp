@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/pages/insert/ReplayPlayer.h"
 
+#include "gui/parts/DataText.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -38,7 +40,7 @@ void ReplayPlayer::open(const std::filesystem::path& file)
       "The recording " + file.string(),
       [file](const std::stop_token&) { return session::Playback::open(file); },
       [this](Result<std::unique_ptr<session::Playback>> playback) {
-        if (!playback) return failed(QString::fromStdString(playback.error().message));
+        if (!playback) return failed(dataText(playback.error().message));
         playback_ = *std::move(playback);
         isPlaying_ = false;
         speed_ = ordinary;
@@ -67,7 +69,7 @@ void ReplayPlayer::check()
       [playback = playback_](const std::stop_token& stop) { return playback->compute(stop); },
       [this](const Result<session::Verification>& verified) {
         if (!verified) {
-          verdict_ = QString::fromStdString(verified.error().message);
+          verdict_ = dataText(verified.error().message);
           isError_ = true;
         } else if (!verified->damage.empty()) {
           verdict_ =
@@ -130,7 +132,7 @@ bool ReplayPlayer::advance(double elapsed_s)
   isNew_ = false;
   const auto shown = playback_->show(place_, now_);
   if (!shown) {
-    verdict_ = QString::fromStdString(shown.error().message);
+    verdict_ = dataText(shown.error().message);
     isError_ = true;
     pause();
   }

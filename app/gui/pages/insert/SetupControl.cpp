@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "gui/parts/DataText.h"
 #include "gui/run/ScenarioDifference.h"
 #include "gui/setup/StopTravel.h"
 
@@ -57,7 +58,7 @@ void SetupControl::build(const session::Scenario& scenario,
                  [this, use = std::move(use)](const Result<InsertionControl::Parts>& built) {
                    if (built) return use(*built);
                    cancel();
-                   failed(QString::fromStdString(built.error().message));
+                   failed(dataText(built.error().message));
                  });
   Q_EMIT followed();
 }

@@ -57,8 +57,7 @@ void PlanHead::show(const anatomy::Patient& patient)
                            : tr("± 95 %, errors assumed: SD %1 mm").arg(assumed));
   measures_->setText(parts.join(QStringLiteral("   ·   ")));
   QStringList unusual;
-  for (const std::string& sentence : anatomy::unusualMeasures(patient))
-    unusual << dataText(sentence);
+  for (const Sentence& sentence : anatomy::unusualMeasures(patient)) unusual << dataText(sentence);
   measures_->setToolTip(
       (QStringList{tr("A: basal-turn diameter; B: basal-turn width, perpendicular to A; H: height. "
                       "Every draw takes other values within these errors.")} +

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/pages/plan/PlanNotes.h"
 
-#include "gui/parts/EngineErrors.h"
+#include "gui/parts/DataText.h"
 #include "gui/parts/Theme.h"
 #include "gui/setup/PlanStore.h"
 
@@ -30,7 +30,7 @@ void PlanNotes::keep()
 {
   if (folder_.empty()) return;
   const auto saved = saveNotes(folder_, toPlainText());
-  if (!saved) Q_EMIT failed(engineError(saved.error().message));
+  if (!saved) Q_EMIT failed(dataText(saved.error().message));
 }
 
 }  // namespace perilymph::gui

@@ -14,8 +14,8 @@
 #include "gui/pages/plan/PlanPanel.h"
 #include "gui/pages/plan/PlanView.h"
 #include "gui/pages/plan/PlannedSetup.h"
+#include "gui/parts/DataText.h"
 #include "gui/parts/EmptyPage.h"
-#include "gui/parts/EngineErrors.h"
 #include "gui/parts/PanelParts.h"
 #include "gui/parts/StatusLine.h"
 #include "gui/parts/Theme.h"
@@ -163,7 +163,7 @@ void PlanPage::insertArray()
   const std::vector<std::size_t> rows = list_->selected();
   if (!plan_ || rows.size() != 1) return;
   const auto setup = plannedSetup(*plan_, rows.front());
-  if (!setup) return say(engineError(setup.error().message), true);
+  if (!setup) return say(dataText(setup.error().message), true);
   Q_EMIT insertAsked(*setup, plannedForce(*plan_, rows.front()));
 }
 
@@ -208,7 +208,7 @@ void PlanPage::openPlan(const std::filesystem::path& folder)
 {
   stop();
   const auto stored = readStoredPlan(folder);
-  if (!stored) return say(engineError(stored.error().message), true);
+  if (!stored) return say(dataText(stored.error().message), true);
   panel_->refresh();
   openStored(*stored);
 }
@@ -238,7 +238,7 @@ void PlanPage::connectWork()
     panel_->showProgress(std::nullopt);
     panel_->refresh();
     if (sentence.isEmpty() && plan_ && plan_->seal == Seal::changed)
-      return say(engineError(noteOn(Seal::changed)), true);
+      return say(dataText(noteOn(Seal::changed)), true);
     if (sentence.isEmpty() && plan_ && !plan_->isCurrent)
       return say(
           tr("An array, the scenario, a distribution or the program was changed since this "
@@ -257,7 +257,7 @@ void PlanPage::compute()
        anatomy::patientText(plan_->request.patient) != anatomy::patientText(request.patient)))
     forgetPlan();
   if (const auto done = planning::checkDraws(request.draws); !done)
-    return say(engineError(done.error().message), true);
+    return say(dataText(done.error().message), true);
   say(tr("Preparing…"));
   panel_->showProgress(0.0);
   work_.compute(request);

@@ -3,7 +3,7 @@
 
 #include <stop_token>
 
-#include "gui/parts/EngineErrors.h"
+#include "gui/parts/DataText.h"
 #include "gui/report/PlanReportPdf.h"
 #include "perilymph/planning/PlanReport.h"
 
@@ -24,9 +24,9 @@ void PlanReportWork::write(const PlanWork::SharedPlan& plan, const std::filesyst
         return planReportContent(*std::move(stored));
       },
       [this, pdf](const Result<PlanReportContent>& content) {
-        if (!content) return failed(engineError(content.error().message));
+        if (!content) return failed(dataText(content.error().message));
         const auto done = writePlanReport(*content, pdf);
-        if (!done) return failed(engineError(done.error().message));
+        if (!done) return failed(dataText(done.error().message));
         Q_EMIT written(pdf);
       });
 }

@@ -5,7 +5,7 @@
 #include <stop_token>
 #include <utility>
 
-#include "gui/parts/EngineErrors.h"
+#include "gui/parts/DataText.h"
 #include "perilymph/analysis/InParallel.h"
 #include "perilymph/planning/PlannedDraw.h"
 
@@ -36,7 +36,7 @@ void PlanShapeWork::runNext(std::size_t place)
         return std::make_shared<const planning::PlannedShape>(**std::move(shape));
       },
       [this, place](const Result<Shape>& shape) {
-        if (!shape) return failed(engineError(shape.error().message));
+        if (!shape) return failed(dataText(shape.error().message));
         Q_EMIT shapeRun(place, *shape);
         runNext(place + 1);
       });

@@ -23,8 +23,7 @@ QString coverageMethod()
   const QString method =
       tr("Fraction of the organ of Corti that is basal to the most apical contact.");
   const auto reference = coverageReference();
-  if (!reference)
-    return method + QLatin1Char(' ') + QString::fromStdString(reference.error().message);
+  if (!reference) return method + QLatin1Char(' ') + dataText(reference.error().message);
   return method + QLatin1Char('\n') +
          tr("Outlined: %1 to %2 %, for orientation; studies differ. %3")
              .arg(numberText(reference->low_percent, 0), numberText(reference->high_percent, 0),

@@ -7,7 +7,7 @@
 #include <thread>
 #include <utility>
 
-#include "gui/parts/EngineErrors.h"
+#include "gui/parts/DataText.h"
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/planning/Plan.h"
 #include "perilymph/planning/PlanReport.h"
@@ -44,7 +44,7 @@ void PlanWork::compute(const planning::PlanRequest& request)
       [this](const Result<Done>& done) {
         timer_.stop();
         report();
-        Q_EMIT ended(done ? QString() : engineError(done.error().message));
+        Q_EMIT ended(done ? QString() : dataText(done.error().message));
       });
   timer_.start();
 }
@@ -103,7 +103,7 @@ void PlanWork::open(const StoredPlan& stored)
         return std::make_shared<const planning::Plan>(*std::move(plan));
       },
       [this, stored](const Result<SharedPlan>& plan) {
-        if (!plan) return ended(engineError(plan.error().message));
+        if (!plan) return ended(dataText(plan.error().message));
         Q_EMIT shown(*plan, stored);
         Q_EMIT ended({});
       });

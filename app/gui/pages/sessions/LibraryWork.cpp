@@ -5,7 +5,7 @@
 #include <stop_token>
 #include <utility>
 
-#include "gui/parts/EngineErrors.h"
+#include "gui/parts/DataText.h"
 
 namespace perilymph::gui {
 
@@ -61,7 +61,7 @@ void LibraryWork::list(const std::filesystem::path& folder,
                   [this](const Result<std::vector<SessionSummary>>& sessions) {
                     timer_.stop();
                     if (sessions) return listed(*sessions, reading_->all);
-                    failed(engineError(sessions.error().message));
+                    failed(dataText(sessions.error().message));
                   });
   timer_.start();
 }

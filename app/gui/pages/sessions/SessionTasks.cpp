@@ -4,7 +4,7 @@
 #include <stop_token>
 #include <utility>
 
-#include "gui/parts/EngineErrors.h"
+#include "gui/parts/DataText.h"
 #include "gui/report/InsertionReport.h"
 #include "perilymph/analysis/Comparison.h"
 
@@ -38,7 +38,7 @@ void SessionTasks::readReference(const std::filesystem::path& file)
   reading_.run(
       "The reference", [file](const std::stop_token& stop) { return referenceOf(file, stop); },
       [this](const Result<ReferenceInsertion>& reference) {
-        if (!reference) return said(engineError(reference.error().message), true);
+        if (!reference) return said(dataText(reference.error().message), true);
         Q_EMIT referenceRead(*reference);
         said(tr("%1 is shown as reference in the next insertions.").arg(reference->name), false);
       });
@@ -52,9 +52,9 @@ void SessionTasks::writeReportOf(const std::filesystem::path& file,
   reading_.run(
       "The report", [file](const std::stop_token& stop) { return gatherReport(file, stop); },
       [this, pdf](const Result<ReportContent>& content) {
-        if (!content) return said(engineError(content.error().message), true);
+        if (!content) return said(dataText(content.error().message), true);
         const auto written = writeReport(*content, pdf);
-        if (!written) return said(engineError(written.error().message), true);
+        if (!written) return said(dataText(written.error().message), true);
         Q_EMIT reportWritten(pdf);
       });
 }

@@ -20,8 +20,8 @@
 #include "gui/pages/sessions/SessionList.h"
 #include "gui/pages/sessions/SessionTable.h"
 #include "gui/pages/sessions/SessionTasks.h"
+#include "gui/parts/DataText.h"
 #include "gui/parts/EmptyPage.h"
-#include "gui/parts/EngineErrors.h"
 #include "gui/parts/Placeholder.h"
 #include "gui/parts/StatusLine.h"
 #include "gui/parts/Theme.h"
@@ -330,7 +330,7 @@ void SessionsPage::rename(const std::filesystem::path& file, const QString& name
   const auto renamed = session::renameSession(file, name.toStdString());
   if (renamed) return reread();
   editName(file, name);
-  say(engineError(renamed.error().message), true);
+  say(dataText(renamed.error().message), true);
 }
 
 void SessionsPage::editName(const std::filesystem::path& file, const QString& name)
@@ -353,7 +353,7 @@ void SessionsPage::throwAway()
     const auto trashed = session::trashSession(each.file);
     if (!trashed) {
       reread();
-      return say(engineError(trashed.error().message), true);
+      return say(dataText(trashed.error().message), true);
     }
     trashed_.emplace_back(*trashed, each.file);
   }
@@ -364,7 +364,7 @@ void SessionsPage::bringBack()
 {
   for (const auto& [trashed, place] : trashed_) {
     const auto done = session::restoreSession(trashed, place);
-    if (!done) return say(engineError(done.error().message), true);
+    if (!done) return say(dataText(done.error().message), true);
   }
   trashed_.clear();
   reread();

@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "gui/pages/start/PatientHistoryList.h"
+#include "gui/parts/DataText.h"
 #include "gui/parts/ElidedLabel.h"
-#include "gui/parts/EngineErrors.h"
 #include "gui/parts/NotesField.h"
 #include "gui/parts/PanelParts.h"
 #include "gui/parts/Placeholder.h"
@@ -118,7 +118,7 @@ void PatientDetails::keep()
   if (!saved) {
     takeOthersChange(record);
     unsaved_[patient_->file] = record;
-    return said(engineError(saved.error().message));
+    return said(dataText(saved.error().message));
   }
   const bool areTags = record.tags != patient_->record.tags;
   patient_->record = *saved;
@@ -163,7 +163,7 @@ void PatientDetails::readHistory(const std::filesystem::path& beingRecorded)
         return readPatientWork(beingRecorded, stop);
       },
       [this](Result<PatientWork> work) {
-        if (!work) return said(engineError(work.error().message));
+        if (!work) return said(dataText(work.error().message));
         work_ = *std::move(work);
         showHistory();
       });

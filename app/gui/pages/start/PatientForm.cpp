@@ -12,6 +12,7 @@
 #include <algorithm>
 
 #include "gui/parts/CheckBoxes.h"
+#include "gui/parts/DataText.h"
 #include "gui/parts/Placeholder.h"
 #include "gui/parts/Theme.h"
 #include "gui/parts/WrappedLabel.h"
@@ -363,8 +364,7 @@ void PatientForm::showState()
 {
   const std::string code = label_->text().trimmed().toStdString();
   const auto checked = anatomy::checkPatientCode(code);
-  say(*labelError_,
-      code.empty() || checked ? QString() : QString::fromStdString(checked.error().message));
+  say(*labelError_, code.empty() || checked ? QString() : dataText(checked.error().message));
   use_->setEnabled(isComplete() && checked);
   const anatomy::Patient given = patient();
   landmarks_->setVisible(byBasalTurn_->isChecked());
@@ -380,8 +380,8 @@ void PatientForm::showState()
   }
   // each alone is marked beside its field
   if (given.basalTurn && !a_->isUnusual() && !b_->isUnusual())
-    for (const std::string& sentence : anatomy::unusualMeasures(given))
-      say(*warning_, QString::fromStdString(sentence));
+    for (const Sentence& sentence : anatomy::unusualMeasures(given))
+      say(*warning_, dataText(sentence));
   if (given.basalTurn) landmarks_->show(*given.basalTurn, given.side);
   if (array_) derived_->show({sourceScaledBy(measuresOf(given)), given, millimeters(1)}, *array_);
 }

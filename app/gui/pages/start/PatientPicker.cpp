@@ -17,7 +17,7 @@
 
 #include "gui/pages/start/PatientDetails.h"
 #include "gui/parts/CheckBoxes.h"
-#include "gui/parts/EngineErrors.h"
+#include "gui/parts/DataText.h"
 #include "gui/parts/Placeholder.h"
 #include "gui/parts/Theme.h"
 #include "gui/parts/WrappedLabel.h"
@@ -119,8 +119,7 @@ PatientPicker::PatientPicker(QWidget* parent)
     showTransfer(transferred_.isEmpty() ? tr("The patient is imported.")
                                         : tr("%1 is exported to %2.").arg(transferred_, place));
   });
-  connect(transfer_, &PatientTransfer::failed, this,
-          [this](const QString& sentence) { showTransfer(engineError(sentence.toStdString())); });
+  connect(transfer_, &PatientTransfer::failed, this, &PatientPicker::showTransfer);
   setTabOrders();
   setFocusProxy(search_);
 }
@@ -262,7 +261,7 @@ void PatientPicker::showSelected()
 
 void PatientPicker::show(const Result<Done>& done, const QString& sentence)
 {
-  status_->setText(done ? sentence : engineError(done.error().message));
+  status_->setText(done ? sentence : dataText(done.error().message));
 }
 
 void PatientPicker::takeRecord(const SavedPatient& patient)

@@ -5,7 +5,7 @@
 #include <stop_token>
 #include <utility>
 
-#include "gui/parts/EngineErrors.h"
+#include "gui/parts/DataText.h"
 
 namespace perilymph::gui {
 
@@ -36,7 +36,7 @@ void PatientTransfer::start(Copy copy)
     if (place)
       Q_EMIT copied(QString::fromStdString(place->string()));
     else
-      Q_EMIT failed(engineError(place.error().message));
+      Q_EMIT failed(dataText(place.error().message));
   });
   timer_.start();
 }

@@ -16,7 +16,7 @@
 #include "gui/pages/start/PatientForm.h"
 #include "gui/pages/start/PatientPicker.h"
 #include "gui/pages/start/RecentWork.h"
-#include "gui/parts/EngineErrors.h"
+#include "gui/parts/DataText.h"
 #include "gui/parts/FocusRing.h"
 #include "gui/parts/PanelParts.h"
 #include "gui/parts/Theme.h"
@@ -204,7 +204,7 @@ void StartPage::showNewPatient()
 void StartPage::savePatient(const anatomy::Patient& patient)
 {
   const auto file = savePatientInLibrary(patient, form_->edited());
-  if (!file) return showError(engineError(file.error().message));
+  if (!file) return showError(dataText(file.error().message));
   openPatient({patient, *file});
 }
 
@@ -229,14 +229,14 @@ void StartPage::openEntry(const HistoryEntry& entry)
 void StartPage::beginPatient(const anatomy::Patient& patient)
 {
   const auto setup = setupOfPatient(patient);
-  if (!setup) return showError(engineError(setup.error().message));
+  if (!setup) return showError(dataText(setup.error().message));
   Q_EMIT setupChosen(*setup, SetupOrigin::Kind::own, false);
 }
 
 void StartPage::beginShipped(const std::string& name, bool isWatched)
 {
   auto scenario = session::loadScenario(name);
-  if (!scenario) return showError(engineError(scenario.error().message));
+  if (!scenario) return showError(dataText(scenario.error().message));
   Q_EMIT setupChosen({*std::move(scenario), {}}, SetupOrigin::Kind::preset, isWatched);
 }
 

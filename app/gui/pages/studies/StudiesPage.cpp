@@ -15,11 +15,12 @@
 #include "gui/pages/studies/StudyDetails.h"
 #include "gui/pages/studies/StudyPanel.h"
 #include "gui/pages/studies/StudyPlot.h"
+#include "gui/parts/DataText.h"
 #include "gui/parts/ElidedLabel.h"
 #include "gui/parts/EmptyPage.h"
-#include "gui/parts/EngineErrors.h"
 #include "gui/parts/StatusLine.h"
 #include "gui/parts/Theme.h"
+#include "perilymph/anatomy/Patient.h"
 
 namespace perilymph::gui {
 
@@ -157,9 +158,10 @@ void StudiesPage::showStudy(const StudyWork::Columns& columns, const std::filesy
   const Seal seal = columns->facts().seal;
   title_->setText(seal == Seal::changed ? tr("%1 · changed by hand").arg(name) : name);
   // The first of the sentences: those on what was changed come before the others.
-  std::vector<std::string> notes = columns->facts().notes;
-  if (seal != Seal::intact || notes.empty()) notes.insert(notes.begin(), noteOn(seal));
-  say(engineError(notes.front()), seal == Seal::changed || seal == Seal::intact);
+  const std::vector<std::string>& notes = columns->facts().notes;
+  const Sentence note =
+      seal != Seal::intact || notes.empty() ? noteOn(seal) : anatomy::storedNote(notes.front());
+  say(dataText(note), seal == Seal::changed || seal == Seal::intact);
   details_->showNone();
   panel_->offer(*columns);
   stages_->setCurrentIndex(studyStage);

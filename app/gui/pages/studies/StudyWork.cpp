@@ -5,7 +5,7 @@
 #include <stop_token>
 #include <utility>
 
-#include "gui/parts/EngineErrors.h"
+#include "gui/parts/DataText.h"
 #include "gui/parts/Numbers.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/foundation/Unfinished.h"
@@ -48,8 +48,9 @@ Result<CaseRecording> recordingOf(const study::StudyFileFacts& facts, const fs::
     fs::remove(unfinished.string() + ending, ignored);
   if (!result) return result.error();
   if (problem)
-    return Error{recording.string() + " cannot be written: " + problem.message() +
-                 ". Check the folder's permissions and the space on the disk."};
+    return Error{
+        "%1 cannot be written: %2. Check the folder's permissions and the space on the disk.",
+        recording, problem.message()};
   return CaseRecording{recording, inMillinewtons(result->insertion.peak.force)};
 }
 
@@ -65,7 +66,7 @@ void StudyWork::open(const fs::path& file)
         return std::make_shared<const study::StudyColumns>(*std::move(columns));
       },
       [this, file](const Result<Columns>& columns) {
-        if (!columns) return failed(engineError(columns.error().message));
+        if (!columns) return failed(dataText(columns.error().message));
         Q_EMIT opened(*columns, file);
       });
 }
@@ -80,7 +81,7 @@ void StudyWork::runAgain(const Columns& columns, const fs::path& file, std::size
       },
       [this, number = result.number,
        before_mN = inMillinewtons(result.insertion.peak.force)](const Result<CaseRecording>& now) {
-        if (!now) return failed(engineError(now.error().message));
+        if (!now) return failed(dataText(now.error().message));
         QString sentence;
         if (now->peak_mN) {
           // as shown

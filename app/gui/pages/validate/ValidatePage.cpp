@@ -64,7 +64,7 @@ ValidatePage::ValidatePage(QWidget* parent) : QWidget(parent), basis_(shippedBas
         showFigure();
       });
   connect(&work_, &ValidationWork::finished, this, &ValidatePage::finish);
-  if (!basis_) status_->say(QString::fromStdString(basis_.error().message), true);
+  if (!basis_) status_->say(dataText(basis_.error().message), true);
   showFigure();
   showState();
 }
@@ -310,7 +310,7 @@ void ValidatePage::save()
       analysis::validationFiles(basis_->request, *result_, basis_->references);
   const auto keep = [&](const std::string& name, const std::string& content) {
     const auto written = writeWhole(folder / name, content, {Links::refused});
-    if (!written) status_->say(QString::fromStdString(written.error().message), true);
+    if (!written) status_->say(dataText(written.error().message), true);
     return bool(written);
   };
   for (const auto& [name, content] : files.texts)

@@ -3,6 +3,8 @@
 
 #include <stop_token>
 
+#include "gui/parts/DataText.h"
+
 namespace perilymph::gui {
 
 namespace {
@@ -63,7 +65,7 @@ void ValidationWork::start(analysis::ValidationRequest request)
         timer_.stop();
         if (result) return finished(*result, {});
         finished(std::nullopt, wasCanceled_ ? tr("Canceled. No results were saved.")
-                                            : QString::fromStdString(result.error().message));
+                                            : dataText(result.error().message));
       });
   timer_.start();
 }

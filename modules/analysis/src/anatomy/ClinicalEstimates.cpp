@@ -45,8 +45,8 @@ std::vector<Measure> clinicalEstimates(Length a, Length b)
        "1.18 A + 2.69 B - sqrt(0.72 A B)", schurzig},
       {"alexiades_cdl_oc_mm", inMillimeters(anatomy::ductLengthFromA(a)), "4.16 A - 4", alexiades},
       {"pietsch_turns", anatomy::turnAngle(anatomy::likeliestHalfDiameters(a, b)) / degrees(360),
-       "turn angle of the likeliest half-diameters with these A and B / 360 deg",
-       "Pietsch et al. 2017, Sci Rep, n = 138; constants seen in public code"}};
+       Sentence{"turn angle of the likeliest half-diameters with these A and B / 360 deg"},
+       Sentence{"Pietsch et al. 2017, Sci Rep, n = 138; constants seen in public code"}}};
 }
 
 }  // namespace perilymph::analysis

@@ -56,11 +56,12 @@ std::vector<Measure> expectedInsertion(const anatomy::ScalaTympani& scala,
       0.25 * (array.sectionAt(Length{}).within + array.sectionAt(array.insertable).within);
   const SectionRow end = rowAlongLateralWall(rows, array.insertable.si(), radius.si());
   const double organ = rows.back().organOfCortiLength;
-  const std::string source = "geometry of this model; real insertions end earlier";
-  return {{"insertion_angle_deg", inDegrees(radians(end.angle)),
-           "angle at which a path along the lateral wall is as long as the array", source},
-          {"coverage_percent", organ > 0.0 ? 100.0 * end.organOfCortiLength / organ : 0.0,
-           "organ-of-Corti path up to that angle / whole path", source}};
+  const Sentence source{"geometry of this model; real insertions end earlier"};
+  return {
+      {"insertion_angle_deg", inDegrees(radians(end.angle)),
+       Sentence{"angle at which a path along the lateral wall is as long as the array"}, source},
+      {"coverage_percent", organ > 0.0 ? 100.0 * end.organOfCortiLength / organ : 0.0,
+       Sentence{"organ-of-Corti path up to that angle / whole path"}, source}};
 }
 
 }  // namespace perilymph::analysis

@@ -37,9 +37,10 @@ Result<CalibrationResult> fitCalibration(const CalibrationRequest& request,
 {
   const PrintedForce* printed = request.experiment.find(fittedFeature);
   if (!printed || !(printed->standardDeviation > 0.0))
-    return Error{"The reference '" + request.experiment.label +
-                 "' lacks a point with feature = \"peak\" and its deviation; a calibration fits "
-                 "this one."};
+    return Error{
+        "The reference '%1' lacks a point with feature = \"peak\" and its deviation; a calibration "
+        "fits this one.",
+        request.experiment.label};
 
   ValidationRequest trial;
   trial.nominal = request.nominal;

@@ -13,26 +13,25 @@ namespace {
 constexpr std::size_t maxNumbersListed = 5;
 
 /// "number 25", "numbers 25 and 30", "numbers 1, 2, 3, 4, 5 and 7 more".
-std::string numbersText(const std::vector<std::uint64_t>& numbers)
+Sentence numbersText(const std::vector<std::uint64_t>& numbers)
 {
-  std::string text = numbers.size() == 1 ? "number " : "numbers ";
+  if (numbers.size() == 1) return Sentence{"number %1", numbers.front()};
   const std::size_t listed = std::min(numbers.size(), maxNumbersListed);
-  for (std::size_t i = 0; i < listed; ++i) {
-    const bool isLast = i + 1 == numbers.size();
-    text += (i == 0 ? "" : isLast ? " and " : ", ") + std::to_string(numbers[i]);
-  }
-  if (numbers.size() > listed) text += " and " + std::to_string(numbers.size() - listed) + " more";
-  return text;
+  const std::size_t more = numbers.size() - listed;
+  std::string list = std::to_string(numbers.front());
+  for (std::size_t i = 1; i < listed - (more == 0 ? 1 : 0); ++i)
+    list += ", " + std::to_string(numbers[i]);
+  if (more > 0) return Sentence{"numbers %1 and %2 more", list, more};
+  return Sentence{"numbers %1 and %2", list, numbers.back()};
 }
 
 }  // namespace
 
-std::string completionSentence(int runs, const std::vector<IncompleteInsertion>& incomplete)
+Sentence completionSentence(int runs, const std::vector<IncompleteInsertion>& incomplete)
 {
-  const std::string all = std::to_string(runs);
-  if (incomplete.empty()) return "All " + all + " insertions reached the end.";
-  std::string text = std::to_string(runs - static_cast<int>(incomplete.size())) + " of " + all +
-                     " insertions reached the end";
+  if (incomplete.empty()) return Sentence{"All %1 insertions reached the end.", runs};
+  Sentence text{"%1 of %2 insertions reached the end", runs - static_cast<int>(incomplete.size()),
+                runs};
   constexpr std::array ends = {InsertionEnd::outOfOpening,
                                InsertionEnd::buckled,
                                InsertionEnd::foldedTip,
@@ -45,10 +44,10 @@ std::string completionSentence(int runs, const std::vector<IncompleteInsertion>&
     for (const IncompleteInsertion& each : incomplete)
       if (each.end == end) numbers.push_back(each.number);
     if (numbers.empty()) continue;
-    text += "; " + std::to_string(numbers.size()) + " " + clauseOf(end) + " (" +
-            numbersText(numbers) + ")";
+    text = Sentence{"%1; %2 %3 (%4)", text, numbers.size(), Sentence(Phrase(clauseOf(end))),
+                    numbersText(numbers)};
   }
-  return text + ".";
+  return Sentence{"%1.", text};
 }
 
 }  // namespace perilymph::analysis

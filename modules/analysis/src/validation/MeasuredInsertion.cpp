@@ -54,13 +54,12 @@ Result<MeasuredInsertion> measure(const DrawnInsertion& drawn,
   };
   const auto ran =
       (*insertion)->runToEnd(each, session::maxTicks(parameters, (*insertion)->model()));
-  if (stop.stop_requested())
-    return Error{"Stopped before insertion " + std::to_string(drawn.number + 1) + "."};
+  if (stop.stop_requested()) return Error{"Stopped before insertion %1.", drawn.number + 1};
   if (!ran) end = haptics::InsertionEnd::fault;
   if (end != haptics::InsertionEnd::finished)
     measured.incomplete =
         IncompleteInsertion{drawn.number + 1, end,      maxDepth,
-                            crosshead,        maxForce, ran ? std::string() : ran.error().message};
+                            crosshead,        maxForce, ran ? Sentence() : ran.error().message};
   return measured;
 }
 

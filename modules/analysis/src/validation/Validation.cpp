@@ -100,8 +100,10 @@ Result<Done> runOne(const ValidationRequest& request, SpreadSources sources, std
       measured->travel[i] = measured->depth[i] - publishedShift.si();
   auto curve = resampled(measured->travel, measured->force, request.variability.knotSpacing);
   if (!curve)
-    return Error{"Insertion " + std::to_string(number + 1) +
-                 " gave too few samples for its spline. Raise knot_spacing_mm or lower the speed."};
+    return Error{
+        "Insertion %1 gave too few samples for its spline. Raise knot_spacing_mm or lower the "
+        "speed.",
+        number + 1};
   kept.curve = std::move(*curve);
   keepRawPeak(*measured, kept);
   if (const auto rib = firstRib(drawn.parameters)) keepRib(*measured, *rib, kept);
@@ -292,8 +294,7 @@ Result<ValidationResult> validate(const ValidationRequest& request, const RunPro
                                   const std::stop_token& stop)
 {
   if (request.runs < 2)
-    return Error{"A validation of " + std::to_string(request.runs) +
-                 " insertions has no spread; ask for at least 2."};
+    return Error{"A validation of %1 insertions has no spread; ask for at least 2.", request.runs};
   std::shared_ptr<const anatomy::ScalaTympani> anatomy = request.anatomy;
   if (!anatomy) {
     auto built = session::buildAnatomy(request.nominal);
@@ -333,10 +334,11 @@ Result<ValidationResult> validate(const ValidationRequest& request, const RunPro
     if (kept[i].incomplete) result.incomplete.push_back(*kept[i].incomplete);
   const auto curves = curvesOf(kept, 0, runs);
   if (curves.size() < 2)
-    return Error{completionSentence(request.runs, result.incomplete) +
-                 " A mean needs at least 2 of them. Ask for more runs, or name a scenario whose "
-                 "insertions reach the end." +
-                 (result.incomplete.empty() ? "" : " " + result.incomplete.front().fault)};
+    return Error{
+        "%1 A mean needs at least 2 of them. Ask for more runs, or name a scenario whose "
+        "insertions reach the end.%2",
+        completionSentence(request.runs, result.incomplete),
+        (result.incomplete.empty() ? "" : " " + result.incomplete.front().fault)};
   std::vector<CurvePoint> mean;
   for (std::size_t point = 0; point < pointsOfProfile; ++point) {
     const double travel = static_cast<double>(point) * profileStep().si();

@@ -24,26 +24,26 @@ namespace {
 double mm(double travel) { return inMillimeters(meters(travel)); }
 double mN(double force) { return inMillinewtons(newtons(force)); }
 
-FigureAxis travelAxis() { return {"travel, mm", 0.0, 17.0, 2.0, 0}; }
+FigureAxis travelAxis() { return {Sentence{"travel, mm"}, 0.0, 17.0, 2.0, 0}; }
 
 FigureAxis forceAxis(double highest)
 {
-  FigureAxis axis{"insertion force, mN", 0.0, 200.0, 50.0, 0};
+  FigureAxis axis{Sentence{"insertion force, mN"}, 0.0, 200.0, 50.0, 0};
   while (axis.high < highest) axis.high += axis.tick;
   return axis;
 }
 
 /// A level at what surgeons feel; none where the reference is missing.
-void addFelt(Figure& figure, const std::string& label, bool isBothWays)
+void addFelt(Figure& figure, Phrase label, bool isBothWays)
 {
   const Result<Force> felt = forceFeltBySurgeons();
   if (!felt) return;
   figure.levels.push_back(
-      {label + fixed(inMillinewtons(*felt), 1) + " mN", inMillinewtons(*felt), ink::gray, 3.0});
+      {Sentence(label, {fixed(inMillinewtons(*felt), 1)}), inMillinewtons(*felt), ink::gray, 3.0});
   if (isBothWays) figure.levels.push_back({"", -inMillinewtons(*felt), ink::gray, 3.0});
 }
 
-FigureValues printed(const Reference& reference, std::string label, const Ink& color,
+FigureValues printed(const Reference& reference, Sentence label, const Ink& color,
                      MarkerShape shape)
 {
   FigureValues values;
@@ -64,33 +64,32 @@ FigureValues printed(const Reference& reference, std::string label, const Ink& c
 Figure experimentFigure(const Reference& experiment, const Reference& publishedSimulator)
 {
   Figure figure;
-  figure.title = "Published forces";
+  figure.title = Sentence{"Published forces"};
   figure.x = travelAxis();
   figure.y = forceAxis(200.0);
   figure.values.push_back(
-      printed(experiment, "experiment, mean ± SD", ink::black, MarkerShape::disk));
-  figure.values.push_back(printed(publishedSimulator, "published simulator, mean ± SD", ink::green,
-                                  MarkerShape::square));
-  figure.notes = {"Todd and Naghdy: Nucleus 24 Contour, synthetic scala tympani, soap, 2.0 mm/s.",
-                  "Values between points were not reported."};
+      printed(experiment, Sentence{"experiment, mean ± SD"}, ink::black, MarkerShape::disk));
+  figure.values.push_back(printed(publishedSimulator, Sentence{"published simulator, mean ± SD"},
+                                  ink::green, MarkerShape::square));
+  figure.notes = {
+      Sentence{"Todd and Naghdy: Nucleus 24 Contour, synthetic scala tympani, soap, 2.0 mm/s."},
+      Sentence{"Values between points were not reported."}};
   return figure;
 }
 
 Figure simulationFigure(const ValidationResult& result, const Reference& experiment)
 {
   Figure figure;
-  figure.title = "Simulated insertions and the published " + experiment.kind;
+  figure.title = experiment.kind == "experiment"
+                     ? Sentence{"Simulated insertions and the published experiment"}
+                     : Sentence{"Simulated insertions and the published %1", experiment.kind};
   figure.x = travelAxis();
-  FigureBand spread{"± SD between insertions", {}, {}, {}, ink::tint(ink::blue, 0.18)};
+  FigureBand spread{Sentence{"± SD between insertions"}, {}, {}, {}, ink::tint(ink::blue, 0.18)};
   FigureBand confidence{
-      "95 % confidence interval of the mean", {}, {}, {}, ink::tint(ink::blue, 0.45)};
+      Sentence{"95 % confidence interval of the mean"}, {}, {}, {}, ink::tint(ink::blue, 0.45)};
   const int completed = result.runs - static_cast<int>(result.incomplete.size());
-  FigureCurve mean{"mean of " + std::to_string(completed) + " simulated insertions",
-                   {},
-                   {},
-                   ink::blue,
-                   1.6,
-                   0.0};
+  FigureCurve mean{
+      Sentence{"mean of %1 simulated insertions", completed}, {}, {}, ink::blue, 1.6, 0.0};
   double highest = 0.0;
   for (const ProfilePoint& point : result.profile) {
     for (auto* x : {&spread.x, &confidence.x, &mean.x}) x->push_back(mm(point.travel));
@@ -104,10 +103,11 @@ Figure simulationFigure(const ValidationResult& result, const Reference& experim
   figure.y = forceAxis(highest);
   figure.bands = {spread, confidence};
   figure.curves = {mean};
-  addFelt(figure, "perception threshold, median ", false);
+  addFelt(figure, Phrase{"perception threshold, median %1 mN"}, false);
   figure.values.push_back(printed(experiment, experiment.label, ink::black, MarkerShape::disk));
-  figure.notes = {"Seed " + std::to_string(result.seed) +
-                  "; least-squares spline through each insertion, resampled every 0.1 mm."};
+  figure.notes = {
+      Sentence{"Seed %1; least-squares spline through each insertion, resampled every 0.1 mm.",
+               result.seed}};
   if (!result.incomplete.empty())
     figure.notes.push_back(completionSentence(result.runs, result.incomplete));
   return figure;
@@ -125,24 +125,24 @@ Figure calibrationFigure(const CalibrationResult& calibration, const Reference& 
     (isUsed ? used : others).points.push_back(point);
   }
   Figure figure = simulationFigure(calibration.fitted, experiment);
-  figure.title = "Calibrated insertions: fitted and other forces";
+  figure.title = Sentence{"Calibrated insertions: fitted and other forces"};
   figure.values = {
-      printed(used, "experiment, mean ± SD, used for calibration", ink::vermilion,
+      printed(used, Sentence{"experiment, mean ± SD, used for calibration"}, ink::vermilion,
               MarkerShape::diamond),
-      printed(others, "experiment, mean ± SD, not used", ink::black, MarkerShape::disk)};
+      printed(others, Sentence{"experiment, mean ± SD, not used"}, ink::black, MarkerShape::disk)};
   const session::Calibration& fit = calibration.calibration;
-  figure.notes = {"Stiffness scale " + fixed(fit.stiffnessScale.value, 3) + " ± " +
-                  fixed(fit.stiffnessScale.standardDeviation, 3) + "."};
+  figure.notes = {Sentence{"Stiffness scale %1 ± %2.", fixed(fit.stiffnessScale.value, 3),
+                           fixed(fit.stiffnessScale.standardDeviation, 3)}};
   return figure;
 }
 
 Figure differenceFigure(const ValidationResult& result, const Reference& publishedDifference)
 {
   Figure figure;
-  figure.title = "Simulator minus experiment";
+  figure.title = Sentence{"Simulator minus experiment"};
   figure.x = travelAxis();
   FigureValues ours;
-  ours.label = "this simulator, 95 % confidence interval";
+  ours.label = Sentence{"this simulator, 95 % confidence interval"};
   ours.ink = ink::blue;
   double lowest = -80.0, highest = 80.0;
   for (const AnchorComparison& anchor : result.anchors) {
@@ -154,7 +154,8 @@ Figure differenceFigure(const ValidationResult& result, const Reference& publish
     highest = std::max(highest, ours.high.back());
   }
   FigureValues theirs;
-  theirs.label = "published simulator, 95 % confidence interval where reported (sign corrected)";
+  theirs.label =
+      Sentence{"published simulator, 95 % confidence interval where reported (sign corrected)"};
   theirs.ink = ink::green;
   theirs.shape = MarkerShape::square;
   for (const PrintedDifference& difference : publishedDifference.differences) {
@@ -163,11 +164,11 @@ Figure differenceFigure(const ValidationResult& result, const Reference& publish
     theirs.low.push_back(mN(difference.low.value_or(difference.mean)));
     theirs.high.push_back(mN(difference.high.value_or(difference.mean)));
   }
-  figure.y = figures::axisOver("difference of mean insertion force, mN", lowest, highest);
-  addFelt(figure, "perception threshold ± ", true);
+  figure.y = figures::axisOver(Sentence{"difference of mean insertion force, mN"}, lowest, highest);
+  addFelt(figure, Phrase{"perception threshold ± %1 mN"}, true);
   figure.values = {theirs, ours};
-  figure.notes = {
-      "Shown only where the experiment was reported; its means are from about 11 insertions."};
+  figure.notes = {Sentence{
+      "Shown only where the experiment was reported; its means are from about 11 insertions."}};
   return figure;
 }
 

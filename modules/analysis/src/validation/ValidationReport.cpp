@@ -26,9 +26,26 @@ constexpr Length dipSlack = millimeters(0.6);
 
 std::string forceNumber(double force) { return figures::fixed(inMillinewtons(newtons(force)), 1); }
 
-std::string forceText(double force) { return forceNumber(force) + " mN"; }
+Sentence forceText(double force) { return Sentence{"%1 mN", forceNumber(force)}; }
 
-std::string mm(double travel) { return figures::fixed(inMillimeters(meters(travel)), 1) + " mm"; }
+std::string number_mm(double travel) { return figures::fixed(inMillimeters(meters(travel)), 1); }
+
+Sentence mm(double travel) { return Sentence{"%1 mm", number_mm(travel)}; }
+
+Sentence rangeText(double low, double high)
+{
+  return Sentence{"%1 to %2", forceNumber(low), forceText(high)};
+}
+
+/// A feature of a printed curve, which the reference's file names.
+Sentence featureName(const std::string& feature)
+{
+  static constexpr Phrase known[] = {Phrase{"peak"}, Phrase{"dip"}, Phrase{"maximum"},
+                                     Phrase{"end"}};
+  for (const Phrase& phrase : known)
+    if (feature == phrase.english()) return Sentence(phrase);
+  return feature;
+}
 
 /// The spread at one printed value: each is judged, because a mean over them would let one that is
 /// too wide make up for others that are too narrow.
@@ -36,33 +53,32 @@ Verdict deviationVerdict(const AnchorComparison& anchor, double insertions)
 {
   const double found = anchor.simulator.standardDeviation;
   const Range wanted = deviationsBehind(anchor.experiment.standardDeviation, insertions);
-  return {
-      "standard deviation at " + mm(anchor.experiment.travel) + ", " + anchor.experiment.feature,
-      forceText(found), forceNumber(wanted.low) + " to " + forceText(wanted.high),
-      isWithin(found, wanted)};
+  return {Sentence{"standard deviation at %1, %2", mm(anchor.experiment.travel),
+                   featureName(anchor.experiment.feature)},
+          forceText(found), rangeText(wanted.low, wanted.high), isWithin(found, wanted)};
 }
 
-Verdict placeVerdict(const char* what, const std::optional<CurvePoint>& found,
+Verdict placeVerdict(const Sentence& what, const std::optional<CurvePoint>& found,
                      const PrintedForce* wanted, Length slack)
 {
   Verdict verdict;
   verdict.what = what;
-  verdict.found = found ? mm(found->travel) : "none";
+  verdict.found = found ? mm(found->travel) : Sentence{"none"};
   if (!wanted) return verdict;
-  verdict.wanted = mm(wanted->travel) + " ± " + mm(slack.si());
+  verdict.wanted = Sentence{"%1 ± %2", mm(wanted->travel), mm(slack.si())};
   // Travels are multiples of 0.1 mm with rounding errors.
   verdict.isMet = found && std::fabs(found->travel - wanted->travel) <= slack.si() + 1e-9;
   return verdict;
 }
 
-Verdict rangeVerdict(const char* what, const std::optional<double>& found,
+Verdict rangeVerdict(const Sentence& what, const std::optional<double>& found,
                      const PrintedRange* wanted)
 {
   Verdict verdict;
   verdict.what = what;
-  verdict.found = found ? forceText(*found) : "none";
+  verdict.found = found ? forceText(*found) : Sentence{"none"};
   if (!wanted) return verdict;
-  verdict.wanted = forceNumber(wanted->low) + " to " + forceText(wanted->high);
+  verdict.wanted = rangeText(wanted->low, wanted->high);
   verdict.isMet = found && *found >= wanted->low && *found <= wanted->high;
   return verdict;
 }
@@ -100,36 +116,37 @@ std::vector<Verdict> verdictsOf(const ValidationResult& result, const Reference&
   std::vector<Verdict> verdicts;
   for (const AnchorComparison& anchor : result.anchors) {
     const PrintedForce& printed = anchor.experiment;
-    verdicts.push_back({"force at " + mm(printed.travel) + ", " + printed.feature,
-                        forceText(anchor.simulator.mean),
-                        forceNumber(printed.mean) + " ± " + forceText(printed.standardDeviation),
-                        anchor.isWithinStandardDeviation});
+    verdicts.push_back(
+        {Sentence{"force at %1, %2", mm(printed.travel), featureName(printed.feature)},
+         forceText(anchor.simulator.mean),
+         Sentence{"%1 ± %2", forceNumber(printed.mean), forceText(printed.standardDeviation)},
+         anchor.isWithinStandardDeviation});
   }
   for (const IntervalComparison& interval : result.intervals) {
     const PrintedInterval& printed = interval.experiment;
-    verdicts.push_back({"force at " + mm(printed.travel) + ", derived",
-                        forceText(interval.simulator.mean),
-                        forceNumber(printed.low) + " to " + forceText(printed.high),
+    verdicts.push_back({Sentence{"force at %1, %2", mm(printed.travel), Sentence{"derived"}},
+                        forceText(interval.simulator.mean), rangeText(printed.low, printed.high),
                         std::fabs(interval.difference) <= printed.standardDeviation});
   }
   const Agreement agreement = agreementOf(result);
   const double largest = agreement.largest;
-  verdicts.push_back({"largest difference of the predicted", forceText(largest),
-                      "at most " + forceText(maxDifference), largest <= maxDifference});
+  verdicts.push_back({Sentence{"largest difference of the predicted"}, forceText(largest),
+                      Sentence{"at most %1", forceText(maxDifference)}, largest <= maxDifference});
   if (const Result<Force> felt = forceFeltBySurgeons())
-    verdicts.push_back({"largest difference below perception", forceText(largest),
-                        "at most " + forceText(felt->si()), largest <= felt->si()});
+    verdicts.push_back({Sentence{"largest difference below perception"}, forceText(largest),
+                        Sentence{"at most %1", forceText(felt->si())}, largest <= felt->si()});
   if (agreement.degreesOfFreedom > 0)
-    verdicts.push_back({"p of the predicted forces",
-                        figures::fixed(agreement.pValue, 4) + " (chi-square " +
-                            figures::fixed(agreement.chiSquare, 1) + ")",
-                        "at least 0.05", agreement.pValue >= 0.05});
-  verdicts.push_back(placeVerdict("position of the basal-turn peak", result.basalTurn.peak,
-                                  experiment.find("peak"), peakSlack));
-  verdicts.push_back(placeVerdict("position of the following dip", result.basalTurn.dip,
+    verdicts.push_back({Sentence{"p of the predicted forces"},
+                        Sentence{"%1 (chi-square %2)", figures::fixed(agreement.pValue, 4),
+                                 figures::fixed(agreement.chiSquare, 1)},
+                        Sentence{"at least 0.05"}, agreement.pValue >= 0.05});
+  verdicts.push_back(placeVerdict(Sentence{"position of the basal-turn peak"},
+                                  result.basalTurn.peak, experiment.find("peak"), peakSlack));
+  verdicts.push_back(placeVerdict(Sentence{"position of the following dip"}, result.basalTurn.dip,
                                   experiment.find("dip"), dipSlack));
-  verdicts.push_back({"small early peak", result.earlyPeak ? mm(result.earlyPeak->travel) : "none",
-                      "between 3 and 7 mm", result.earlyPeak.has_value()});
+  verdicts.push_back({Sentence{"small early peak"},
+                      result.earlyPeak ? mm(result.earlyPeak->travel) : Sentence{"none"},
+                      Sentence{"between 3 and 7 mm"}, result.earlyPeak.has_value()});
   std::optional<double> before, peak;
   if (result.rib) {
     before = result.rib->before.mean;
@@ -137,12 +154,12 @@ std::vector<Verdict> verdictsOf(const ValidationResult& result, const Reference&
   }
   std::optional<double> basal;
   if (result.rawPeak) basal = result.rawPeak->mean;
-  verdicts.push_back(rangeVerdict("raw force at the basal turn", basal,
+  verdicts.push_back(rangeVerdict(Sentence{"raw force at the basal turn"}, basal,
                                   experiment.findRange("basal-turn peak, raw, 9 to 12 mm")));
-  verdicts.push_back(rangeVerdict("raw force just before the first rib", before,
+  verdicts.push_back(rangeVerdict(Sentence{"raw force just before the first rib"}, before,
                                   experiment.findRange("just before the first rib, raw")));
-  verdicts.push_back(
-      rangeVerdict("raw force at the first rib", peak, experiment.findRange("first rib, raw")));
+  verdicts.push_back(rangeVerdict(Sentence{"raw force at the first rib"}, peak,
+                                  experiment.findRange("first rib, raw")));
   if (experiment.insertions >= 2.0)
     for (const AnchorComparison& anchor : result.anchors)
       verdicts.push_back(deviationVerdict(anchor, experiment.insertions));

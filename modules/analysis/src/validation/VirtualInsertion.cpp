@@ -22,7 +22,7 @@ Result<session::Scenario> fullInsertionOf(const std::string& scenario, const std
       {"dt_ms", session::shortestDecimal(timeStep.si() * 1e3)}};
   all.insert(all.end(), overrides.begin(), overrides.end());
   auto loaded = session::loadScenario(scenario, all);
-  if (!loaded) return Error{array + ": " + loaded.error().message};
+  if (!loaded) return Error{"%1: %2", array, loaded.error().message};
   return loaded;
 }
 

@@ -107,15 +107,18 @@ double volumeOf(const Surface& surface)
 Result<Done> checkPoints(const Surface& soup)
 {
   if (soup.triangles.size() < static_cast<std::size_t>(minTriangles))
-    return Error{"The surface has " + std::to_string(soup.triangles.size()) +
-                 " triangles; a scala tympani needs at least " + std::to_string(minTriangles) +
-                 ". Export the segmentation as triangles."};
+    return Error{
+        "The surface has %1 triangles; a scala tympani needs at least %2. Export the segmentation "
+        "as triangles.",
+        soup.triangles.size(), minTriangles};
   const auto count = static_cast<int>(soup.points.size());
   for (const auto& t : soup.triangles)
     for (const int index : t)
       if (index < 0 || index >= count)
-        return Error{"A triangle of the surface names the corner " + std::to_string(index) +
-                     ", but there are " + std::to_string(count) + ". Export the surface again."};
+        return Error{
+            "A triangle of the surface names the corner %1, but there are %2. Export the surface "
+            "again.",
+            index, count};
   Eigen::Vector3d low = corner(soup, soup.triangles[0][0]), high = low;
   for (const auto& t : soup.triangles)
     for (const int index : t) {
@@ -127,10 +130,10 @@ Result<Done> checkPoints(const Surface& soup)
     }
   const double side = (high - low).maxCoeff();
   if (side < minSide || side > maxSide)
-    return Error{"The surface is " + inText(1e3 * side, "%.4g") +
-                 " mm long; a scala tympani is between " + inText(1e3 * minSide, "%.0f") + " and " +
-                 inText(1e3 * maxSide, "%.0f") +
-                 " mm. Surfaces are read in millimeters; export it so."};
+    return Error{
+        "The surface is %1 mm long; a scala tympani is between %2 and %3 mm. Surfaces are read in "
+        "millimeters; export it so.",
+        inText(1e3 * side, "%.4g"), inText(1e3 * minSide, "%.0f"), inText(1e3 * maxSide, "%.0f")};
   return Done{};
 }
 
@@ -148,12 +151,13 @@ Result<ClosedSurface> closeSurface(const Surface& soup)
     if (triangles.size() > 2) ++crowded;
   if (static_cast<double>(crowded) > maxOddFraction * static_cast<double>(edges.size()))
     return Error{
-        "At " + std::to_string(crowded) + " of " + std::to_string(edges.size()) +
-        " edges of the surface more than two triangles meet; it must be the one wall of the "
-        "scala. Repair it in the segmentation program."};
+        "At %1 of %2 edges of the surface more than two triangles meet; it must be the one wall of "
+        "the scala. Repair it in the segmentation program.",
+        crowded, edges.size()};
   if (const int pieces = turnOneWay(result.surface, edges); pieces != 1)
-    return Error{"The surface has " + std::to_string(pieces) +
-                 " separate pieces; it must be one. Keep the scala tympani alone."};
+    return Error{
+        "The surface has %1 separate pieces; it must be one. Keep the scala tympani alone.",
+        pieces};
 
   // the longest rim is the opening, shorter ones are holes
   const std::vector<SurfaceRim> rims = rimsOf(result.surface);
@@ -183,10 +187,11 @@ Result<ClosedSurface> closeSurface(const Surface& soup)
     result.volume = -result.volume;
   }
   if (result.volume < minVolume || result.volume > maxVolume)
-    return Error{"The surface encloses " + inText(1e9 * result.volume, "%.3g") +
-                 " mm3; a scala tympani holds 23 to 50 mm3, and " +
-                 inText(1e9 * minVolume, "%.0f") + " to " + inText(1e9 * maxVolume, "%.0f") +
-                 " are read. Keep the scala tympani alone, in millimeters."};
+    return Error{
+        "The surface encloses %1 mm3; a scala tympani holds 23 to 50 mm3, and %2 to %3 are read. "
+        "Keep the scala tympani alone, in millimeters.",
+        inText(1e9 * result.volume, "%.3g"), inText(1e9 * minVolume, "%.0f"),
+        inText(1e9 * maxVolume, "%.0f")};
   return result;
 }
 

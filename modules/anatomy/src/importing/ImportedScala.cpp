@@ -96,11 +96,11 @@ Result<Done> checkAtBase(const SurfaceOpening& opening, const RoundWindow& windo
   const double off = std::min((opening.center - base).norm(), (window.center - base).norm());
   if (off <= maxOffBase) return Done{};
   const Eigen::Vector3d place = 1e3 * opening.center;
-  return Error{"The surface has a hole at (" + inText(place.x(), "%.2f") + ", " +
-               inText(place.y(), "%.2f") + ", " + inText(place.z(), "%.2f") + ") mm, " +
-               inText(1e3 * off, "%.1f") +
-               " mm from the basal end of its duct, where only the round window may be open. Close "
-               "it in the segmentation program."};
+  return Error{
+      "The surface has a hole at (%1, %2, %3) mm, %4 mm from the basal end of its duct, where only "
+      "the round window may be open. Close it in the segmentation program.",
+      inText(place.x(), "%.2f"), inText(place.y(), "%.2f"), inText(place.z(), "%.2f"),
+      inText(1e3 * off, "%.1f")};
 }
 
 /// Along the duct at its first section, from the third one on.
@@ -194,9 +194,10 @@ Result<ImportedScala> importScala(const Surface& segmented)
       return fine.error();
   const double last = duct.back().angle - window.angle;
   if (last < 2.0 * pi * minTurns)
-    return Error{"The duct winds " + inText(last / (2.0 * pi), "%.2f") +
-                 " turns about its axis; at least " + inText(minTurns, "%.2f") +
-                 " are needed to measure it. Segment the scala tympani farther toward the apex."};
+    return Error{
+        "The duct winds %1 turns about its axis; at least %2 are needed to measure it. Segment the "
+        "scala tympani farther toward the apex.",
+        inText(last / (2.0 * pi), "%.2f"), inText(minTurns, "%.2f")};
   if (!isOpen) {
     opening.center = window.center;
     opening.inward = startDirection(*axis, duct);

@@ -122,10 +122,10 @@ std::string placeOf(const Surface& surface, int index)
 
 Error tornAt(const Surface& surface, int index, double gap)
 {
-  return Error{"The surface is torn at " + placeOf(surface, index) + ": a corner lies " +
-               inText(1e3 * gap, "%.2f") +
-               " mm from the others of its rim. Repair it there in the segmentation program, or "
-               "export it again."};
+  return Error{
+      "The surface is torn at %1: a corner lies %2 mm from the others of its rim. Repair it there "
+      "in the segmentation program, or export it again.",
+      placeOf(surface, index), inText(1e3 * gap, "%.2f")};
 }
 
 std::vector<SurfaceRim> rimsOf(const Surface& surface)
@@ -172,25 +172,25 @@ Result<Done> checkRims(const Surface& surface, const std::vector<SurfaceRim>& ri
       return tornAt(surface, torn->first, torn->second);
   if (rims.size() > 1 && rims[1].length > openingRim)
     return Error{
-        "The surface has more than one opening: rims of " + inText(1e3 * rims[0].length, "%.2f") +
-        " mm at " + placeOf(surface, rims[0].corners[0]) + " and " +
-        inText(1e3 * rims[1].length, "%.2f") + " mm at " + placeOf(surface, rims[1].corners[0]) +
-        ". Only the round window may be open; close the other."};
+        "The surface has more than one opening: rims of %1 mm at %2 and %3 mm at %4. Only the "
+        "round window may be open; close the other.",
+        inText(1e3 * rims[0].length, "%.2f"), placeOf(surface, rims[0].corners[0]),
+        inText(1e3 * rims[1].length, "%.2f"), placeOf(surface, rims[1].corners[0])};
   if (rims.empty() || !(rims[0].length > openingRim)) return Done{};
   const double circularity =
       4.0 * pi * areaOf(surface, rims[0]).norm() / (rims[0].length * rims[0].length);
   const double flat = inPlane(surface, rims[0], fans);
   if (circularity < minCircularity)
     return Error{
-        "The surface is torn at " + placeOf(surface, rims[0].corners[0]) +
-        ": its longest rim is a slit of " + inText(1e3 * rims[0].length, "%.2f") +
-        " mm, not the opening of a scala tympani at the round window. Repair it there in the "
-        "segmentation program, or export it again."};
+        "The surface is torn at %1: its longest rim is a slit of %2 mm, not the opening of a scala "
+        "tympani at the round window. Repair it there in the segmentation program, or export it "
+        "again.",
+        placeOf(surface, rims[0].corners[0]), inText(1e3 * rims[0].length, "%.2f")};
   if (flat > maxInPlane)
-    return Error{"The surface has a hole at " + placeOf(surface, rims[0].corners[0]) +
-                 " with a rim of " + inText(1e3 * rims[0].length, "%.2f") +
-                 " mm in the side of its wall, not across the duct as the opening at the round "
-                 "window. Close it in the segmentation program."};
+    return Error{
+        "The surface has a hole at %1 with a rim of %2 mm in the side of its wall, not across the "
+        "duct as the opening at the round window. Close it in the segmentation program.",
+        placeOf(surface, rims[0].corners[0]), inText(1e3 * rims[0].length, "%.2f")};
   return Done{};
 }
 

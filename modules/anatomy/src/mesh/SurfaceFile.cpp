@@ -149,8 +149,10 @@ Result<Done> writeSurface(const Surface& surface, const std::string& title,
   if (ending == ".obj") return writeWhole(file, obj(surface, line));
   if (ending == ".wrl") return writeWhole(file, vrml(surface, line));
   if (ending == ".vtp") return writeWhole(file, vtp(surface, line));
-  return Error{file.string() + " ends in '" + ending +
-               "'; a surface is written as .stl, .ply, .obj, .wrl or .vtp. Choose one of these."};
+  return Error{
+      "%1 ends in '%2'; a surface is written as .stl, .ply, .obj, .wrl or .vtp. Choose one of "
+      "these.",
+      file, ending};
 }
 
 }  // namespace perilymph::anatomy

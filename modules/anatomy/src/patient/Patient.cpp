@@ -67,12 +67,15 @@ std::string line(const char* key, Length value)
 }
 
 /// The error for a length out of its limits; empty if it is within.
-std::string complaint(const char* name, const char* key, Length value, Range limits_mm)
+Sentence complaint(const Sentence& name, const char* key, Length value, Range limits_mm)
 {
   if (value >= millimeters(limits_mm.low) && value <= millimeters(limits_mm.high)) return {};
-  return std::string(name) + " (" + key + ") is " + plain(inMillimeters(value)) +
-         " mm; it must be between " + plain(limits_mm.low) + " and " + plain(limits_mm.high) +
-         " mm.";
+  return Sentence{"%1 (%2) is %3 mm; it must be between %4 and %5 mm.",
+                  name,
+                  key,
+                  plain(inMillimeters(value)),
+                  plain(limits_mm.low),
+                  plain(limits_mm.high)};
 }
 
 Range rangeOf(const Spread& spread)
@@ -88,31 +91,36 @@ std::string rounded(Length value)
 }
 
 /// "10.7 mm, 3.4 standard deviations above the mean of 9.23 mm (SD 0.43, n = 138)"
-std::string place(Length value, const Spread& spread)
+Sentence place(Length value, const Spread& spread)
 {
   const double off = (value - spread.mean) / spread.standardDeviation;
   char buffer[32];
   std::snprintf(buffer, sizeof buffer, "%.1f", std::fabs(off));
-  return plain(inMillimeters(value)) + " mm, " + buffer + " standard deviations " +
-         (off < 0.0 ? "below" : "above") + " the mean of " + rounded(spread.mean) + " mm (SD " +
-         rounded(spread.standardDeviation) + ", n = 138, Pietsch et al. 2017)";
+  return Sentence{
+      "%1 mm, %2 standard deviations %3 the mean of %4 mm (SD %5, n = 138, Pietsch et al. 2017)",
+      plain(inMillimeters(value)),
+      buffer,
+      off < 0.0 ? Sentence{"below"} : Sentence{"above"},
+      rounded(spread.mean),
+      rounded(spread.standardDeviation)};
 }
 
 /// The error for a diameter outside the population; empty if it is within.
-std::string complaint(const char* name, Length value, const Spread& spread)
+Sentence complaint(const Sentence& name, Length value, const Spread& spread)
 {
   if (value >= spread.low && value <= spread.high) return {};
-  return std::string(name) + " is " + place(value, spread) + "; it must be between " +
-         rounded(spread.low) + " and " + rounded(spread.high) + " mm. Measure again.";
+  return Sentence{"%1 is %2; it must be between %3 and %4 mm. Measure again.", name,
+                  place(value, spread), rounded(spread.low), rounded(spread.high)};
 }
 
 Result<Done> checkBasalTurn(const BasalTurn& turn)
 {
-  for (const std::string& sentence :
-       {complaint("A (a_mm)", turn.a, spreadOfA()), complaint("B (b_mm)", turn.b, spreadOfB())})
+  for (const Sentence& sentence : {complaint(Sentence{"A (a_mm)"}, turn.a, spreadOfA()),
+                                   complaint(Sentence{"B (b_mm)"}, turn.b, spreadOfB())})
     if (!sentence.empty()) return Error{sentence};
   if (turn.h) {
-    const std::string sentence = complaint("The height H", "h_mm", *turn.h, rangeOf(limitsOfH()));
+    const Sentence sentence =
+        complaint(Sentence{"The height H"}, "h_mm", *turn.h, rangeOf(limitsOfH()));
     if (!sentence.empty()) return Error{sentence};
   }
   return Done{};
@@ -132,15 +140,16 @@ constexpr Range error_mm{0.0, 2.0};
 
 Result<Done> checkErrors(const BasalTurnErrors& errors)
 {
-  for (const std::string& sentence :
-       {complaint("The standard deviation of A", "a_sd_mm", errors.a, error_mm),
-        complaint("The standard deviation of B", "b_sd_mm", errors.b, error_mm),
-        complaint("The standard deviation of H", "h_sd_mm", errors.h.value_or(Length()), error_mm)})
+  for (const Sentence& sentence :
+       {complaint(Sentence{"The standard deviation of A"}, "a_sd_mm", errors.a, error_mm),
+        complaint(Sentence{"The standard deviation of B"}, "b_sd_mm", errors.b, error_mm),
+        complaint(Sentence{"The standard deviation of H"}, "h_sd_mm", errors.h.value_or(Length()),
+                  error_mm)})
     if (!sentence.empty()) return Error{sentence};
   for (const auto& [key, correlation] : correlationKeys)
     if (!(std::fabs(errors.*correlation) < 1.0))
-      return Error{std::string("The correlation of two errors (") + key + ") is " +
-                   plain(errors.*correlation) + "; it must be between -1 and 1."};
+      return Error{"The correlation of two errors (%1) is %2; it must be between -1 and 1.", key,
+                   plain(errors.*correlation)};
   // the determinant of the correlation matrix
   if (!(1.0 + 2.0 * errors.ab * errors.ah * errors.bh - errors.ab * errors.ab -
             errors.ah * errors.ah - errors.bh * errors.bh >
@@ -269,7 +278,7 @@ Result<Patient> readPatient(Result<TomlReader> reader, const std::string& label)
   if (const Result<Done> done = reader->finish(); !done) return done.error();
   patient.seal = sealIn(patient, seal);
   if (const Result<Done> done = checkPatient(patient); !done)
-    return Error{reader->name() + ": " + done.error().message};
+    return Error{"%1: %2", reader->name(), done.error().message};
   return patient;
 }
 
@@ -298,17 +307,6 @@ std::string statedSeries(const Patient& patient)
   return patient.seal == Seal::changed ? std::string() : patient.origin.seriesKey;
 }
 
-std::string noteOn(const Patient& patient)
-{
-  if (patient.seal == Seal::changed)
-    return "The measures of " + patient.label +
-           " were changed by hand after the program wrote them. Do not use them as measured in a "
-           "CT.";
-  if (patient.seal == Seal::intact || patient.origin.software.empty()) return {};
-  return "The measures of " + patient.label +
-         " carry no seal: their file is of an earlier version or of another program.";
-}
-
 Result<Done> savePatient(const Patient& patient, const std::filesystem::path& file)
 {
   return writeWhole(file, patientText(patient), {Links::followed, Audience::owner});
@@ -319,12 +317,12 @@ Result<Done> checkPatient(const Patient& patient)
   if (patient.basalTurn && patient.errors)
     if (const auto done = checkErrors(*patient.errors); !done) return done;
   if (patient.basalTurn) return checkBasalTurn(*patient.basalTurn);
-  for (const std::string& sentence :
-       {complaint("The length of the scala tympani", "st_length_mm", patient.scalaTympaniLength,
-                  length_mm),
-        complaint("The width of its section at the round window", "rw_width_mm",
+  for (const Sentence& sentence :
+       {complaint(Sentence{"The length of the scala tympani"}, "st_length_mm",
+                  patient.scalaTympaniLength, length_mm),
+        complaint(Sentence{"The width of its section at the round window"}, "rw_width_mm",
                   patient.roundWindowWidth, width_mm),
-        complaint("The height of its section at the round window", "rw_height_mm",
+        complaint(Sentence{"The height of its section at the round window"}, "rw_height_mm",
                   patient.roundWindowHeight, height_mm)})
     if (!sentence.empty()) return Error{sentence};
   return Done{};
@@ -334,9 +332,10 @@ Result<Done> checkPatientCode(const std::string& code)
 {
   const bool isPlain = std::all_of(code.begin(), code.end(), isCodeCharacter);
   if (isPlain && !code.empty() && code.size() <= maxCodeLength) return Done{};
-  return Error{"'" + code + "' cannot be a patient code; use 1 to " +
-               std::to_string(maxCodeLength) +
-               " letters A to Z, digits and hyphens, such as P-017, and no name."};
+  return Error{
+      "'%1' cannot be a patient code; use 1 to %2 letters A to Z, digits and hyphens, such as "
+      "P-017, and no name.",
+      code, maxCodeLength};
 }
 
 Result<Patient> samplePatient(std::uint64_t seed)
@@ -347,8 +346,8 @@ Result<Patient> samplePatient(std::uint64_t seed)
   patient.basalTurn = BasalTurn{half.a(), half.b(), std::nullopt};
   // one in ten thousand samples is outside the allowed range
   if (const auto done = checkPatient(patient); !done)
-    return Error{"The cochlea drawn with seed " + std::to_string(seed) +
-                 " is out of limits: " + done.error().message + " Use another seed."};
+    return Error{"The cochlea drawn with seed %1 is out of limits: %2 Use another seed.", seed,
+                 done.error().message};
   return patient;
 }
 
@@ -359,31 +358,30 @@ Result<Patient> samplePatient(std::uint64_t studySeed, std::uint64_t number)
   return samplePatient(studySeed * seedStride + number);
 }
 
-std::vector<std::string> unusualMeasures(const Patient& patient)
+std::vector<Sentence> unusualMeasures(const Patient& patient)
 {
-  std::vector<std::string> sentences;
+  std::vector<Sentence> sentences;
   if (!patient.basalTurn) return sentences;
   const auto look = [&sentences](const char* name, Length value, const Spread& spread) {
     if (std::fabs((value - spread.mean) / spread.standardDeviation) >= unusualFrom)
-      sentences.push_back(std::string(name) + " is " + place(value, spread) +
-                          ". Check the measurement.");
+      sentences.push_back(Sentence{"%1 is %2. Check the measurement.", name, place(value, spread)});
   };
   look("A", patient.basalTurn->a, spreadOfA());
   look("B", patient.basalTurn->b, spreadOfB());
   if (const Spread given = expectedB(patient.basalTurn->a);
       sentences.empty() &&
       std::fabs((patient.basalTurn->b - given.mean) / given.standardDeviation) >= unusualFrom)
-    sentences.push_back(
-        "A and B do not match: with A " + plain(inMillimeters(patient.basalTurn->a)) +
-        " mm, B is usually " + rounded(given.mean) + " mm (SD " + rounded(given.standardDeviation) +
-        ", Pietsch et al. 2017), not " + plain(inMillimeters(patient.basalTurn->b)) +
-        " mm. Check both measurements.");
+    sentences.push_back(Sentence{
+        "A and B do not match: with A %1 mm, B is usually %2 mm (SD %3, Pietsch et al. 2017), not "
+        "%4 mm. Check both measurements.",
+        plain(inMillimeters(patient.basalTurn->a)), rounded(given.mean),
+        rounded(given.standardDeviation), plain(inMillimeters(patient.basalTurn->b))});
   const Spread limits = limitsOfH();
   if (const auto& h = patient.basalTurn->h; h && (*h < limits.low || *h > limits.high))
-    sentences.push_back("H is " + plain(inMillimeters(*h)) + " mm; cochleae have " +
-                        plain(inMillimeters(limits.low)) + " to " +
-                        plain(inMillimeters(limits.high)) +
-                        " mm (Medan; Erixon 2009). Check the measurement.");
+    sentences.push_back(Sentence{
+        "H is %1 mm; cochleae have %2 to %3 mm (Medan; Erixon 2009). Check the measurement.",
+        plain(inMillimeters(*h)), plain(inMillimeters(limits.low)),
+        plain(inMillimeters(limits.high))});
   return sentences;
 }
 

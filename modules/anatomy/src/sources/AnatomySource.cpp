@@ -98,7 +98,7 @@ Built buildAnatomy(const Cochlea& cochlea, const std::string& name)
   try {
     return traitsOf(cochlea.source).build(cochlea.patient, cochlea.leadIn);
   } catch (const std::invalid_argument& error) {
-    return Error{"The cochlea of " + name + " cannot be built: " + error.what()};
+    return Error{"The cochlea of %1 cannot be built: %2", name, error.what()};
   }
 }
 

@@ -127,13 +127,16 @@ Result<std::vector<MeasuredSection>> loadMeasuredSections()
   if (const auto done = reader->finish(); !done) return done.error();
   // a spline needs four knots, the trend a whole turn
   if (sections.size() < 8 || sections.back().angle - sections.front().angle < 2.0 * pi)
-    return Error{reader->name() + ": there are " + std::to_string(sections.size()) +
-                 " sections; at least 8 over a full turn are needed. Install the program again."};
+    return Error{
+        "%1: there are %2 sections; at least 8 over a full turn are needed. Install the program "
+        "again.",
+        reader->name(), sections.size()};
   for (std::size_t i = 1; i + 1 < middles.size(); ++i)
     if (!(std::fabs(middles[i] - 0.5 * (middles[i - 1] + middles[i + 1])) <= maxBend.si()))
-      return Error{reader->name() + ": imaginary_mm of section " + std::to_string(i + 1) +
-                   " sets it more than 0.16 mm above or below its neighbors: the file is damaged. "
-                   "Install the program again."};
+      return Error{
+          "%1: imaginary_mm of section %2 sets it more than 0.16 mm above or below its neighbors: "
+          "the file is damaged. Install the program again.",
+          reader->name(), i + 1};
   return sections;
 }
 

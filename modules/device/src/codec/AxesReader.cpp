@@ -62,10 +62,11 @@ Result<AxesReader> AxesReader::make(const DeviceProfile& profile,
                                "' by the axis with usage " + std::to_string(source.usage.id) +
                                " of page " + std::to_string(source.usage.page);
     if (!slot)
-      return Error{wanted + ", but the device has no such axis. Choose another axis in [axes]."};
+      return Error{"%1, but the device has no such axis. Choose another axis in [axes].", wanted};
     if (slot->high <= slot->low && profile.axes.fullCounts == 0)
-      return Error{wanted + ", but the device says that it only knows the value " +
-                   std::to_string(slot->low) + ". Give full_counts in [axes]."};
+      return Error{
+          "%1, but the device says that it only knows the value %2. Give full_counts in [axes].",
+          wanted, slot->low};
     Axis& axis = reader.axes_[i];
     axis.slot = *slot;
     axis.sign = source.sign;

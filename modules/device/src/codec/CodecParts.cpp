@@ -27,12 +27,13 @@ Result<Done> sendOne(Transport& transport, ReportKind kind, const RawReport& rep
     case Transfer::done:
       return Done{};
     case Transfer::gone:
-      return Error{"The " + device + " went away while it was told " + what +
-                   ". Check its cable and open it again."};
+      return Error{"The %1 went away while it was told %2. Check its cable and open it again.",
+                   device, what};
     default:
-      return Error{"The " + device + " did not take " + what + " (report " +
-                   std::to_string(report.bytes[0]) + ", " + std::to_string(report.size) +
-                   " bytes). Unplug it, plug it in again, and close other programs that use it."};
+      return Error{
+          "The %1 did not take %2 (report %3, %4 bytes). Unplug it, plug it in again, and close "
+          "other programs that use it.",
+          device, what, report.bytes[0], report.size};
   }
 }
 

@@ -77,16 +77,17 @@ Result<Done> PidCodec::addEffect(Transport& transport, std::size_t axis)
     answer = reports_.blockLoad();
     const Transfer transfer = transport.getFeature(answer);
     if (transfer == Transfer::gone)
-      return Error{"The " + profile_.name +
-                   " went away while it made room for a force. Check its cable."};
+      return Error{"The %1 went away while it made room for a force. Check its cable.",
+                   profile_.name};
     if (transfer == Transfer::done) load = reports_.loadStatus(answer);
   }
   if (load != PidReports::Load::done)
-    return Error{"The " + profile_.name + " has " +
-                 (load == PidReports::Load::full ? "no room" : "not answered with room") +
-                 " for effect " + std::to_string(effectCount_ + 1) +
-                 ". Close other programs that use it, or take a profile with fewer effects "
-                 "(effects = \"direction\")."};
+    return Error{
+        "The %1 has %2 for effect %3. Close other programs that use it, or take a profile with "
+        "fewer effects (effects = \"direction\").",
+        profile_.name,
+        load == PidReports::Load::full ? Sentence{"no room"} : Sentence{"not answered with room"},
+        effectCount_ + 1};
   const std::int64_t block = reports_.loadedBlock(answer);
   effects_[effectCount_++] = {block, axis};
 

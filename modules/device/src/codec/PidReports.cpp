@@ -115,8 +115,8 @@ Result<PidReports> PidReports::find(const DeviceProfile& profile,
     lacks("negative magnitudes in Set Constant Force; try effects = \"direction\"");
   if (found.magnitude_.high <= 0) lacks("positive magnitudes in Set Constant Force");
   if (missing.empty()) return found;
-  return Error{"The " + profile.name + " cannot show forces by the profile " + profile.file +
-               ": its report descriptor lacks " + missing + "."};
+  return Error{"The %1 cannot show forces by the profile %2: its report descriptor lacks %3.",
+               profile.name, profile.file, missing};
 }
 
 RawReport PidReports::blank(std::uint8_t report, std::size_t bytes) const noexcept

@@ -37,8 +37,10 @@ std::string hex(std::uint32_t value)
 
 Error atByte(std::size_t offset, const std::string& what)
 {
-  return Error{"The report descriptor makes no sense at byte " + std::to_string(offset) + ": " +
-               what + " The device's firmware is at fault; Perilymph cannot use it."};
+  return Error{
+      "The report descriptor makes no sense at byte %1: %2 The device's firmware is at fault; "
+      "Perilymph cannot use it.",
+      offset, what};
 }
 
 }  // namespace
@@ -59,9 +61,8 @@ Usage ReportDescriptorReader::LocalUsage::with(std::uint16_t page) const noexcep
 Result<ReportDescriptor> ReportDescriptorReader::read(std::span<const std::uint8_t> bytes)
 {
   if (bytes.size() > ReportDescriptor::longest)
-    return Error{"The report descriptor is " + std::to_string(bytes.size()) +
-                 " bytes long; at most " + std::to_string(ReportDescriptor::longest) +
-                 " are read."};
+    return Error{"The report descriptor is %1 bytes long; at most %2 are read.", bytes.size(),
+                 ReportDescriptor::longest};
   std::size_t at = 0;
   while (at < bytes.size()) {
     const std::uint8_t prefix = bytes[at];

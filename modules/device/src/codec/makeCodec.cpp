@@ -18,10 +18,9 @@ Result<Done> checkLengths(const DeviceProfile& profile, const ReportDescriptor& 
     const std::size_t real = descriptor.reportBytes(kind, layout.report);
     if (layout.bytes == 0 || real >= layout.bytes) return Result<Done>(Done{});
     return Result<Done>(
-        Error{"The profile " + profile.file + " does not fit the device: its " + what + " report " +
-              std::to_string(layout.report) + " should have " + std::to_string(layout.bytes) +
-              " bytes and has " + std::to_string(real) +
-              ". Put right 'report' and 'bytes' in the profile, or take another one."});
+        Error{"The profile %1 does not fit the device: its %2 report %3 should have %4 bytes and "
+              "has %5. Put right 'report' and 'bytes' in the profile, or take another one.",
+              profile.file, what, layout.report, layout.bytes, real});
   };
   auto fits = check(ReportKind::input, profile.plain.input, "input");
   if (fits) fits = check(ReportKind::output, profile.plain.output, "output");
@@ -83,9 +82,10 @@ CodecResult makeCodec(const DeviceProfile& profile, const ReportDescriptor& desc
     return std::unique_ptr<DeviceCodec>(std::make_unique<PlainCodec>(profile));
   }
   if (descriptor.fields().empty())
-    return Error{"The profile " + profile.file +
-                 " finds axes by their usage, but the device's report descriptor is empty or "
-                 "unreadable. Check that the device may be opened."};
+    return Error{
+        "The profile %1 finds axes by their usage, but the device's report descriptor is empty or "
+        "unreadable. Check that the device may be opened.",
+        profile.file};
   if (profile.kind == CodecKind::pid) return makePid(profile, descriptor);
   auto reader = AxesReader::make(profile, descriptor);
   if (!reader) return reader.error();

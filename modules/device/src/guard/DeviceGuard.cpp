@@ -112,8 +112,8 @@ private:
 Result<std::unique_ptr<Guard>> post(const OwnedFile& device, const guard::Script& script)
 {
   const auto refused = [](const std::string& what) {
-    return Error{what +
-                 " If this program dies, only the device's own watchdog takes the force away."};
+    return Error{"%1 If this program dies, only the device's own watchdog takes the force away.",
+                 what};
   };
   const fs::path program = companionProgram(programName);
   if (program.empty())

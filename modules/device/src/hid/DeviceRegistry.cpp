@@ -172,11 +172,11 @@ Result<FoundDevice> findDevice(const DeviceSurvey& survey, const std::string& na
   for (const FoundDevice& found : survey.devices) {
     if (isCalled(found, nameOrNode)) {
       if (found.isUsable()) return found;
-      return Error{found.name() + " cannot be the hand. " + found.obstacle};
+      return Error{"%1 cannot be the hand. %2", found.name(), found.obstacle};
     }
     if (found.isUsable()) usable += (usable.empty() ? "" : ", ") + found.name();
   }
-  return Error{"There is no device '" + nameOrNode + "'. " +
+  return Error{"There is no device '%1'. %2", nameOrNode,
                (usable.empty() ? "No device that could be a hand is plugged in."
                                : "There are: " + usable + ".")};
 }
@@ -185,7 +185,7 @@ Result<std::unique_ptr<HapticDevice>> makeHidDevice(const FoundDevice& found,
                                                     const SystemRoots& roots,
                                                     const std::filesystem::path& tape)
 {
-  if (!found.isUsable()) return Error{found.name() + " cannot be the hand. " + found.obstacle};
+  if (!found.isUsable()) return Error{"%1 cannot be the hand. %2", found.name(), found.obstacle};
   auto codec = makeCodec(*found.profile, descriptorOf(found.node));
   if (!codec) return codec.error();
   auto port = hidPort(found.node, roots);

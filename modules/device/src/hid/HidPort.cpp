@@ -36,11 +36,12 @@ public:
       if (!isSameDevice(node, node_)) continue;
       if (found == nullptr || node.path == node_.path) found = &node;
     }
-    if (found == nullptr) return Error{called() + " is not plugged in."};
+    if (found == nullptr) return Error{"%1 is not plugged in.", called()};
     if (found->access == NodeAccess::denied)
-      return Error{"You may not open " + found->path.string() + " (" + called() +
-                   "). Put this line into " + localRulesFile + " and plug the device in again: " +
-                   udevRule(node_.identity.vendor, node_.identity.product)};
+      return Error{
+          "You may not open %1 (%2). Put this line into %3 and plug the device in again: %4",
+          found->path, called(), localRulesFile,
+          udevRule(node_.identity.vendor, node_.identity.product)};
     node_.path = found->path;
     if (!isTape()) return openHidTransport(node_.path, numbers_);
 

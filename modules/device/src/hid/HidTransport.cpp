@@ -148,9 +148,10 @@ Result<std::unique_ptr<Transport>> openHidTransport(const std::filesystem::path&
   const bool canOpen = isHidraw(node) && hid_init() == 0;
   hid_device* handle = canOpen ? hid_open_path(node.c_str()) : nullptr;
   if (handle == nullptr)
-    return Error{"The HID device " + node.string() +
-                 " cannot be opened. See 'perilymph-cli devices' for what it is and who may open "
-                 "it, then plug it in again."};
+    return Error{
+        "The HID device %1 cannot be opened. See 'perilymph-cli devices' for what it is and who "
+        "may open it, then plug it in again.",
+        node};
   return std::unique_ptr<Transport>(std::make_unique<HidTransport>(handle, numbers));
 }
 

@@ -32,7 +32,7 @@ constexpr std::int64_t patienceForExchange = 20'000'000;  // [ns]
 
 Error refused(const fs::path& library, const std::string& why)
 {
-  return Error{"The plug-in " + library.string() + " is not taken: " + why};
+  return Error{"The plug-in %1 is not taken: %2", library, why};
 }
 
 /// Counters of the samples of a plug-in, for its health. Haptic thread.
@@ -129,7 +129,7 @@ Result<Done> PluginDevice::open()
   }
   if (const auto opened = process_->open(); !opened) {
     if (!opened.error().message.empty()) return opened;
-    return Error{"The " + stated_.name + " cannot be opened, and its plug-in does not say why."};
+    return Error{"The %1 cannot be opened, and its plug-in does not say why.", stated_.name};
   }
   newest_ = {};
   seen_ = 0;

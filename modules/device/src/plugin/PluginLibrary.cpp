@@ -33,19 +33,20 @@ Result<Library> Library::load(const std::filesystem::path& file)
   std::unique_ptr<void, CloseLibrary> library(::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL));
   if (!library) {
     const char* why = ::dlerror();
-    return Error{std::string("it cannot be loaded: ") + (why != nullptr ? why : "") +
-                 ". Build it for this machine."};
+    return Error{"it cannot be loaded: %1. Build it for this machine.",
+                 (why != nullptr ? why : "")};
   }
   const auto entry = reinterpret_cast<PerilymphDeviceEntryV1>(::dlsym(library.get(), entryName));
   if (entry == nullptr)
-    return Error{std::string("it exports no ") + entryName +
-                 ". It is no device plug-in, or one for a later program."};
+    return Error{"it exports no %1. It is no device plug-in, or one for a later program.",
+                 entryName};
   const PerilymphDeviceV1* functions = entry();
-  if (functions == nullptr) return Error{std::string(entryName) + "() gives nothing."};
+  if (functions == nullptr) return Error{"%1() gives nothing.", std::string(entryName)};
   if (functions->version != knownVersion)
-    return Error{"it speaks version " + std::to_string(functions->version) +
-                 " of the boundary; this program speaks " + std::to_string(knownVersion) +
-                 ". Build it against this program."};
+    return Error{
+        "it speaks version %1 of the boundary; this program speaks %2. Build it against this "
+        "program.",
+        functions->version, knownVersion};
   if (functions->size < sizeof(PerilymphDeviceV1) || !isComplete(*functions))
     return Error{"one of its functions is missing. Fill in all of PerilymphDeviceV1."};
 

@@ -50,12 +50,13 @@ PluginProcess::~PluginProcess()
 Result<std::unique_ptr<PluginProcess>> PluginProcess::start(const std::filesystem::path& library)
 {
   const auto failed = [] {
-    return Error{std::string("no process can be made for it: ") + std::strerror(errno) + "."};
+    return Error{"no process can be made for it: %1.", std::strerror(errno)};
   };
   const std::filesystem::path program = companionProgram(programName);
   if (program.empty())
-    return Error{"the program " + std::string(programName) +
-                 ", in which plug-ins run, is not installed. Install the package again."};
+    return Error{
+        "the program %1, in which plug-ins run, is not installed. Install the package again.",
+        std::string(programName)};
   int toHost[2] = {-1, -1}, fromHost[2] = {-1, -1};
   if (::pipe2(toHost, O_CLOEXEC) != 0) return failed();
   OwnedFile requests(toHost[1]);
@@ -78,14 +79,14 @@ Result<std::unique_ptr<PluginProcess>> PluginProcess::start(const std::filesyste
                                    CompanionOutput::standardError});
   if (id == 0) {
     ::munmap(place, sizeof(Channel));
-    return Error{program.string() + " could not be started."};
+    return Error{"%1 could not be started.", program};
   }
   std::unique_ptr<PluginProcess> process(new PluginProcess(
       library.filename().string(), id, std::move(requests), std::move(replies), channel));
   const auto loaded = process->await(patienceForOpen_ms);
   if (!loaded) return loaded.error();
   if (loaded->version != plugin::version)
-    return Error{program.string() + " is of another version. Install the package again."};
+    return Error{"%1 is of another version. Install the package again.", program};
   if (loaded->isDone == 0) return Error{sentenceOf(*loaded)};
   process->traits_ = loaded->traits;
   return process;

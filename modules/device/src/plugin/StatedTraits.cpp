@@ -21,21 +21,20 @@ Result<DeviceTraits> checkedTraits(const PerilymphDeviceTraitsV1& said)
     return value >= minimum && value <= maximum;  // false for NaN
   };
   if (!within(said.nominal_period_s, 1e-4, 0.1))
-    return Error{"its period between samples is " + std::to_string(said.nominal_period_s) +
-                 " s; it must be between 0.0001 and 0.1."};
+    return Error{"its period between samples is %1 s; it must be between 0.0001 and 0.1.",
+                 std::to_string(said.nominal_period_s)};
   if (said.renders_force != 0 && !within(said.max_force_N, 0.01, 50.0))
-    return Error{"its greatest force is " + std::to_string(said.max_force_N) +
-                 " N; it must be between 0.01 and 50."};
+    return Error{"its greatest force is %1 N; it must be between 0.01 and 50.",
+                 std::to_string(said.max_force_N)};
   for (const double value :
        {said.workspace_radius_m, said.max_stiffness_N_m, said.max_damping_N_s_m,
         said.position_quantum_m, said.force_quantum_N, said.transport_delay_s, said.watchdog_s})
     if (!within(value, 0.0, 1e6)) return Error{"one of its traits is negative or not a number."};
   for (const std::int32_t axes : {said.sensed_translations, said.sensed_rotations,
                                   said.actuated_translations, said.actuated_rotations})
-    if (axes < 0 || axes > 3)
-      return Error{"it counts " + std::to_string(axes) + " axes; there are 0 to 3 of a sort."};
+    if (axes < 0 || axes > 3) return Error{"it counts %1 axes; there are 0 to 3 of a sort.", axes};
   if (said.buttons < 0 || said.buttons > 32)
-    return Error{"it counts " + std::to_string(said.buttons) + " buttons; 0 to 32 are known."};
+    return Error{"it counts %1 buttons; 0 to 32 are known.", said.buttons};
 
   traits.rendersForce = said.renders_force != 0;
   traits.maxForce = traits.rendersForce ? said.max_force_N : 0.0;

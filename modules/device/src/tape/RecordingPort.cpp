@@ -187,8 +187,9 @@ Result<std::unique_ptr<HidPort>> recordingPort(std::unique_ptr<HidPort> port,
   std::ofstream stream(file, std::ios::binary | std::ios::trunc);
   stream << tapeHead(head) << std::flush;
   if (!stream)
-    return Error{"The tape " + file.string() +
-                 " cannot be written. Check that its folder is there and may be written to."};
+    return Error{
+        "The tape %1 cannot be written. Check that its folder is there and may be written to.",
+        file};
   auto tape = std::make_shared<TapeWriter>(
       std::move(stream), clock != nullptr ? clock : realtime::monotonicNanoseconds);
   return std::unique_ptr<HidPort>(

@@ -99,13 +99,16 @@ public:
       if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
       const std::string error = take(line);
       if (!error.empty())
-        return Error{name_ + ", line " + std::to_string(lineNumber_) + ": " + error +
-                     " A tape is written by 'perilymph-cli devices --capture' or hid-recorder."};
+        return Error{
+            "%1, line %2: %3 A tape is written by 'perilymph-cli devices --capture' or "
+            "hid-recorder.",
+            name_, lineNumber_, error};
     }
     if (lineNumber_ == 0 || (tape_.entries.empty() && tape_.descriptor.empty()))
-      return Error{name_ +
-                   " holds no report of a device. A tape is written by 'perilymph-cli "
-                   "devices --capture' or hid-recorder."};
+      return Error{
+          "%1 holds no report of a device. A tape is written by 'perilymph-cli devices --capture' "
+          "or hid-recorder.",
+          name_};
     finish();
     return std::move(tape_);
   }

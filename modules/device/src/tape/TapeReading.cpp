@@ -80,14 +80,15 @@ Result<TapeReading> readTape(const std::filesystem::path& file)
   const auto tape = loadTape(file);
   if (!tape) return tape.error();
   const auto descriptor = ReportDescriptor::parse(tape->descriptor);
-  if (!descriptor) return Error{file.string() + ": " + descriptor.error().message};
+  if (!descriptor) return Error{"%1: %2", file, descriptor.error().message};
   const ProfileCatalog catalog = allProfiles();
   const DeviceProfile* const profile =
       matchingProfile(catalog.profiles, tape->identity, *descriptor);
   if (profile == nullptr)
-    return Error{"No profile fits the device on " + file.string() + " (" + tape->name + ", " +
-                 identityText(tape->identity) +
-                 "). For a device of a known kind add one (plugins/README.md)."};
+    return Error{
+        "No profile fits the device on %1 (%2, %3). For a device of a known kind add one "
+        "(plugins/README.md).",
+        file, tape->name, identityText(tape->identity)};
   auto codec = makeCodec(*profile, *descriptor);
   if (!codec) return codec.error();
   TapeReading reading = readTape(*tape, **codec, profile->traits.nominalPeriod);

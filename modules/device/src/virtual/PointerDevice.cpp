@@ -84,7 +84,7 @@ void PointerDevice::grasp(bool held) noexcept { isHeld_ = held; }
 DeviceTraits PointerDevice::traits() const
 {
   DeviceTraits traits;
-  traits.name = "Mouse and keyboard";
+  traits.name = Sentence{"Mouse and keyboard"};
   traits.nominalPeriod = timeStep_;
   return traits;
 }

@@ -15,7 +15,7 @@ ReplayDevice::ReplayDevice(std::vector<DeviceSample> samples, double timeStep)
 DeviceTraits ReplayDevice::traits() const
 {
   DeviceTraits traits;
-  traits.name = "Recorded hand";
+  traits.name = Sentence{"Recorded hand"};
   traits.nominalPeriod = timeStep_;
   return traits;
 }

@@ -29,7 +29,7 @@ ScriptedDevice::ScriptedDevice(double speed, double timeStep)
 DeviceTraits ScriptedDevice::traits() const
 {
   DeviceTraits traits;
-  traits.name = "Scripted insertion";
+  traits.name = Sentence{"Scripted insertion"};
   traits.nominalPeriod = timeStep_;
   return traits;
 }

@@ -22,8 +22,8 @@ namespace {
 
 Error tooMany(const fs::path& path)
 {
-  return Error{path.string() + " holds more than " + std::to_string(maxCtFiles) +
-               " files. Give the folder of one examination."};
+  return Error{"%1 holds more than %2 files. Give the folder of one examination.", path,
+               maxCtFiles};
 }
 
 Result<std::vector<fs::path>> filesBelow(const fs::path& folder, const ReadingHooks& hooks)
@@ -33,8 +33,8 @@ Result<std::vector<fs::path>> filesBelow(const fs::path& folder, const ReadingHo
   fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied,
                                          failed);
   if (failed)
-    return Error{folder.string() + " cannot be read: " + failed.message() +
-                 ". Check its name and permissions."};
+    return Error{"%1 cannot be read: %2. Check its name and permissions.", folder,
+                 failed.message()};
   for (const fs::recursive_directory_iterator end; entry != end; entry.increment(failed)) {
     if (failed) break;
     if (hooks.stop.stop_requested()) return canceledReading();
@@ -48,7 +48,7 @@ Result<std::vector<fs::path>> filesBelow(const fs::path& folder, const ReadingHo
 }
 
 /// What is listed in place of a file that is not parsed.
-DicomHeader notParsed(const fs::path& file, std::string why)
+DicomHeader notParsed(const fs::path& file, Sentence why)
 {
   DicomHeader header;
   header.file = file;
@@ -74,7 +74,7 @@ bool isStump(const fs::path& file)
 
 struct Paths {
   std::vector<fs::path> files;
-  std::vector<std::string> warnings;
+  std::vector<Sentence> warnings;
 };
 
 /// The files that a path stands for.
@@ -102,16 +102,16 @@ Result<Paths> pathsOf(const fs::path& path, const ReadingHooks& hooks)
                   [&path](const fs::path& file) { return file.filename() == path.filename(); });
     if (paths.files.empty())
       return Error{
-          path.string() +
-          " is a DICOMDIR, but none of the files it names is there. Copy the whole medium, "
-          "or give a folder of images."};
-    paths.warnings.push_back(worded(warnings::directoryLost, {std::to_string(named)}));
+          "%1 is a DICOMDIR, but none of the files it names is there. Copy the whole medium, or "
+          "give a folder of images.",
+          path};
+    paths.warnings.push_back(Sentence(warnings::directoryLost, {std::to_string(named)}));
     return paths;
   }
   paths.files = std::move(directory->files);
   if (directory->missing > 0)
-    paths.warnings.push_back(worded(warnings::directoryMissing,
-                                    {std::to_string(directory->missing), std::to_string(named)}));
+    paths.warnings.push_back(Sentence(warnings::directoryMissing,
+                                      {std::to_string(directory->missing), std::to_string(named)}));
   if (paths.files.size() > maxCtFiles) return tooMany(path);
   return paths;
 }
@@ -137,18 +137,20 @@ Result<DicomFiles> listDicomFiles(const fs::path& path, const ReadingHooks& hook
   std::vector<fs::path> files;
   for (const fs::path& file : paths->files) {
     if (isNestedTooDeep(file))
-      found.headers.push_back(
-          notParsed(file, "sequences are nested deeper than " + std::to_string(maxSequenceDepth) +
-                              ", which no image needs. Export the series again."));
+      found.headers.push_back(notParsed(
+          file, Sentence{"sequences are nested deeper than %1, which no image needs. Export the "
+                         "series again.",
+                         maxSequenceDepth}));
     else
       files.push_back(file);
   }
   const auto ending = filesThatEndTheParser(files, hooks.stop, longest);
   if (hooks.stop.stop_requested()) return canceledReading();
   if (!ending)
-    return Error{path.string() +
-                 " takes more than 5 minutes to list, because its files are damaged or on a slow "
-                 "drive. Copy the series to a folder of this computer."};
+    return Error{
+        "%1 takes more than 5 minutes to list, because its files are damaged or on a slow drive. "
+        "Copy the series to a folder of this computer.",
+        path};
   for (std::size_t i = 0; i < files.size(); ++i) {
     if (hooks.stop.stop_requested()) return canceledReading();
     if (ending->contains(files[i])) {

@@ -21,7 +21,7 @@ struct DicomFiles {
   std::vector<DicomHeader> headers;
   std::size_t others = 0;                     ///< Files that are not DICOM.
   std::vector<std::filesystem::path> stumps;  ///< Files that end before they say what they are.
-  std::vector<std::string> warnings;          ///< Sentences about all of them.
+  std::vector<Sentence> warnings;             ///< Sentences about all of them.
   /// Where the files of a .zip are, for as long as they are needed.
   std::shared_ptr<const UnpackedZip> unpacked;
 };

@@ -290,9 +290,10 @@ std::optional<DicomHeader> readDicomHeader(const std::filesystem::path& file)
     header.pixelBytes = parsed->pixelLength;
   header.isTruncated = (parsed->hasPixels && isCutOff(header, parsed->fileSize)) ||
                        (parsed->isDamaged && !header.hasPixels);
-  for (const std::string& fault : numbers.faults())
-    header.faults.push_back("The file " + nameOf(header) + " states " + fault +
-                            "; export the series again as original images.");
+  for (const Sentence& fault : numbers.faults())
+    header.faults.push_back(
+        Sentence{"The file %1 states %2; export the series again as original images.",
+                 nameOf(header), fault});
   if (header.hasPixels && !header.isTruncated) checkStoredBits(header);
   return header;
 }

@@ -76,9 +76,9 @@ struct DicomHeader {
   std::int64_t pixelStart = 0;  ///< Byte at which the value of PixelData begins.
   std::optional<std::int64_t> pixelBytes;  ///< Length of that value; none where undefined.
   /// What contradicts itself or cannot be read in this file, sentences.
-  std::vector<std::string> faults;
+  std::vector<Sentence> faults;
   /// Why the file was not parsed, a sentence; empty where it was.
-  std::string notParsed;
+  Sentence notParsed;
 };
 
 /// Reads the header of a file up to its voxels; none where it is no DICOM file.

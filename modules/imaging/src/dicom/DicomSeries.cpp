@@ -20,7 +20,7 @@
 namespace perilymph::imaging {
 namespace {
 
-void doubt(DicomSeries& series, const std::string& sentence)
+void doubt(DicomSeries& series, const Sentence& sentence)
 {
   series.doubts.push_back(sentence);
   series.summary.warnings.push_back(sentence);
@@ -92,7 +92,7 @@ void leaveOutLoneImages(DicomSeries& series)
     return;
   std::erase_if(series.slices, isLone);
   for (const SliceSource& slice : lone)
-    doubt(series, worded(warnings::loneImage, {nameOf(series.headers[slice.header])}));
+    doubt(series, Sentence(warnings::loneImage, {nameOf(series.headers[slice.header])}));
 }
 
 void setUp(DicomSeries& series)
@@ -106,7 +106,7 @@ void setUp(DicomSeries& series)
         series.slices.push_back({h, f});
     }
   if (scouts > 0 && !series.slices.empty())
-    series.summary.warnings.push_back(worded(warnings::scouts, {std::to_string(scouts)}));
+    series.summary.warnings.push_back(Sentence(warnings::scouts, {std::to_string(scouts)}));
   leaveOutLoneImages(series);
 }
 
@@ -124,11 +124,11 @@ void stackUp(DicomSeries& series)
   summary.size[2] = static_cast<int>(stack->places.size());
   summary.spacing_mm.z() = stack->planeDistance_mm();
   if (const std::size_t more = poses.size() - stack->places.size(); more > 0)
-    summary.warnings.push_back(worded(warnings::samePlace, {std::to_string(more)}));
+    summary.warnings.push_back(Sentence(warnings::samePlace, {std::to_string(more)}));
   if (stack->tilt_deg > maxTilt_deg) {
     char tilt[16];
     std::snprintf(tilt, sizeof tilt, "%.1f", stack->tilt_deg);
-    summary.warnings.push_back(worded(warnings::tilted, {tilt}));
+    summary.warnings.push_back(Sentence(warnings::tilted, {std::string(tilt)}));
   }
   series.stack = std::move(*stack);
 }
@@ -160,21 +160,21 @@ void describe(DicomSeries& series)
   if (!summary.obstacle.empty()) return;
   summary.obstacle = orderObstacleOf(series);
   if (!summary.obstacle.empty()) return;
-  for (const std::string& sentence : doubtsOf(series)) doubt(series, sentence);
+  for (const Sentence& sentence : doubtsOf(series)) doubt(series, sentence);
   const auto isLossy = [](const DicomHeader& header) { return header.isLossy; };
-  if (countOf(series.headers, isLossy) > 0) summary.warnings.push_back(worded(warnings::lossy));
+  if (countOf(series.headers, isLossy) > 0) summary.warnings.push_back(Sentence(warnings::lossy));
   const auto isDerived = [](const DicomHeader& header) { return header.isDerived; };
   const bool isAnyDerived = countOf(series.headers, isDerived) > 0;
-  if (isAnyDerived) summary.warnings.push_back(worded(warnings::derived));
+  if (isAnyDerived) summary.warnings.push_back(Sentence(warnings::derived));
   addSizeWarnings(summary);
   summary.score = scoreOf(summary, isAnyDerived);
 }
 
 /// Files in the folders of a series that are cut off so early that they name no series.
-std::vector<std::string> lostBeside(const std::vector<DicomHeader>& headers,
-                                    const std::vector<std::filesystem::path>& stumps)
+std::vector<Sentence> lostBeside(const std::vector<DicomHeader>& headers,
+                                 const std::vector<std::filesystem::path>& stumps)
 {
-  std::vector<std::string> sentences;
+  std::vector<Sentence> sentences;
   for (const std::filesystem::path& stump : stumps) {
     const auto isBeside = [&stump](const DicomHeader& header) {
       return header.file.parent_path() == stump.parent_path();
@@ -182,7 +182,7 @@ std::vector<std::string> lostBeside(const std::vector<DicomHeader>& headers,
     if (std::none_of(headers.begin(), headers.end(), isBeside)) continue;
     DicomHeader named;
     named.file = stump;
-    sentences.push_back(worded(warnings::stump, {nameOf(named)}));
+    sentences.push_back(Sentence(warnings::stump, {nameOf(named)}));
   }
   return sentences;
 }
@@ -208,11 +208,11 @@ std::vector<DicomSeries> seriesOf(DicomFiles files)
   for (SeriesGroup& group : groupsOf(std::move(files.headers))) {
     DicomSeries series;
     series.summary.uid = std::move(group.uid);
-    for (const std::string& warning : files.warnings) doubt(series, warning);
+    for (const Sentence& warning : files.warnings) doubt(series, warning);
     if (patients.size() > 1)
-      doubt(series, worded(warnings::patients, {std::to_string(patients.size())}));
+      doubt(series, Sentence(warnings::patients, {std::to_string(patients.size())}));
     if (!group.warning.empty()) doubt(series, group.warning);
-    for (const std::string& lost : lostBeside(group.headers, files.stumps)) doubt(series, lost);
+    for (const Sentence& lost : lostBeside(group.headers, files.stumps)) doubt(series, lost);
     series.headers = std::move(group.headers);
     describe(series);
     all.push_back(std::move(series));

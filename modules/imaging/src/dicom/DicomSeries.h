@@ -30,7 +30,7 @@ struct DicomSeries {
   std::vector<SliceSource> slices;      ///< Without scouts.
   std::optional<ct::SliceStack> stack;  ///< Its places index `slices`; none where refused.
   /// Those of the summary's warnings that say that something stated is not so, or not there.
-  std::vector<std::string> doubts;
+  std::vector<Sentence> doubts;
 };
 
 /// Number of files of which a claim is true.

@@ -7,7 +7,6 @@ namespace dicomPairs {
 
 namespace {
 
-constexpr const char* check = "check which of them is right before the measures are used";
 // Headers write lengths with three digits or more.
 constexpr double rounding = 2e-3;
 
@@ -18,9 +17,10 @@ constexpr StatedTwice refused(const char* quantity, const char* first, const cha
                      "export the series again as original images");
 }
 
-constexpr StatedTwice warned(const char* quantity, const char* first, const char* second,
-                             const char* unit, double relative, double absolute = 0.0,
-                             const char* remedy = check)
+constexpr StatedTwice warned(
+    const char* quantity, const char* first, const char* second, const char* unit, double relative,
+    double absolute = 0.0,
+    const char* remedy = "check which of them is right before the measures are used")
 {
   return {"DICOM", quantity, first, second, unit, relative, absolute, Disagreement::warn, remedy};
 }
@@ -142,10 +142,10 @@ std::vector<StatedTwice> allDicomPairs()
           realWorldIntercept};
 }
 
-std::optional<std::string> disagreement(const DicomHeader& header, const StatedTwice& pair,
-                                        double first, double second)
+std::optional<Sentence> disagreement(const DicomHeader& header, const StatedTwice& pair,
+                                     double first, double second)
 {
-  return disagreement("The file " + nameOf(header), pair, first, second);
+  return disagreement(Sentence{"The file %1", nameOf(header)}, pair, first, second);
 }
 
 }  // namespace perilymph::imaging

@@ -30,7 +30,7 @@ extern const StatedTwice step, location, locationOfSlice, fieldOfView, imagerCol
 std::vector<StatedTwice> allDicomPairs();
 
 /// The sentence about a file that states a quantity twice; empty where both agree.
-std::optional<std::string> disagreement(const DicomHeader& header, const StatedTwice& pair,
-                                        double first, double second);
+std::optional<Sentence> disagreement(const DicomHeader& header, const StatedTwice& pair,
+                                     double first, double second);
 
 }  // namespace perilymph::imaging

@@ -53,9 +53,9 @@ public:
   std::size_t clipped() const { return clipped_; }
 
   /// Sentences about smallest and largest gray values that files state and do not hold.
-  std::vector<std::string> doubts() const
+  std::vector<Sentence> doubts() const
   {
-    std::vector<std::string> sentences;
+    std::vector<Sentence> sentences;
     for (const auto& doubt : {smallest_, largest_})
       if (doubt) sentences.push_back(*doubt);
     return sentences;
@@ -73,14 +73,13 @@ private:
       minimum = std::min(minimum, voxel == ct::unmeasured ? minimum : voxel);
     }
     const auto compare = [&](const StatedTwice& pair, std::int16_t found,
-                             const std::optional<double>& stated,
-                             std::optional<std::string>& doubt) {
+                             const std::optional<double>& stated, std::optional<Sentence>& doubt) {
       const bool isPadding = stated && header.padding && *stated >= (*header.padding)[0] &&
                              *stated <= (*header.padding)[1];
       if (doubt || !stated || isPadding) return;
-      doubt = disagreement("The series", pair, found,
+      doubt = disagreement(Sentence{"The series"}, pair, found,
                            std::round(frame.slope * *stated + frame.intercept),
-                           " in " + nameOf(header));
+                           Sentence{" in %1", nameOf(header)});
     };
     compare(dicomPairs::smallest, minimum, header.smallest, smallest_);
     compare(dicomPairs::largest, maximum, header.largest, largest_);
@@ -91,15 +90,15 @@ private:
   std::optional<std::size_t> current_;
   DecodedFrames frames_;
   std::size_t clipped_ = 0;
-  std::optional<std::string> smallest_, largest_;
+  std::optional<Sentence> smallest_, largest_;
 };
 
 Error differing(std::size_t place, std::size_t count, std::size_t images)
 {
-  return Error{std::to_string(images) + " images that differ lie at the position of slice " +
-               std::to_string(place + 1) + " of " + std::to_string(count) +
-               ": the series holds several phases or reconstructions. Export each as a series of "
-               "its own."};
+  return Error{
+      "%1 images that differ lie at the position of slice %2 of %3: the series holds several "
+      "phases or reconstructions. Export each as a series of its own.",
+      images, place + 1, count};
 }
 
 Result<Done> checkSpan(const std::vector<std::int16_t>& voxels)
@@ -131,15 +130,15 @@ std::optional<std::string> copiedSlice(const Grid& grid)
     const auto [same, isNew] = known.emplace(std::hash<std::string_view>()(bytes), k);
     if (!isNew && std::ranges::equal(
                       slice, std::span(grid.voxels).subspan(same->second * perSlice, perSlice)))
-      return worded(warnings::copied, {std::to_string(same->second + 1), std::to_string(k + 1),
-                                       std::to_string(count)});
+      return Sentence(warnings::copied, {std::to_string(same->second + 1), std::to_string(k + 1),
+                                         std::to_string(count)});
   }
   return std::nullopt;
 }
 
 /// The grid of a series; adds what is to be said of its voxels.
 Result<Grid> assemble(const DicomSeries& series, const ReadingHooks& hooks,
-                      std::vector<std::string>& warnings)
+                      std::vector<Sentence>& warnings)
 {
   const ct::SliceStack& stack = *series.stack;
   const std::size_t count = stack.places.size();
@@ -171,14 +170,15 @@ Result<Grid> assemble(const DicomSeries& series, const ReadingHooks& hooks,
   const double clipped =
       static_cast<double>(reader.clipped()) / static_cast<double>(grid.voxels.size());
   if (clipped > maxClippedFraction)
-    return Error{std::to_string(reader.clipped()) +
-                 " voxels lie beyond -32768 to 32767, which 16 bits hold. Export the series as "
-                 "Hounsfield units."};
+    return Error{
+        "%1 voxels lie beyond -32768 to 32767, which 16 bits hold. Export the series as Hounsfield "
+        "units.",
+        reader.clipped()};
   if (const auto done = checkSpan(grid.voxels); !done) return done.error();
   auto scales = checkScales(series, grid);
   if (!scales) return scales.error();
   warnings = *std::move(scales);
-  for (const std::string& doubt : reader.doubts()) warnings.push_back(doubt);
+  for (const Sentence& doubt : reader.doubts()) warnings.push_back(doubt);
   if (auto copied = copiedSlice(grid)) warnings.push_back(*std::move(copied));
   return grid;
 }
@@ -199,7 +199,7 @@ std::optional<anatomy::Side> statedSide(const DicomSeries& series)
 
 Result<ReadVolume> readVoxels(const DicomSeries& series, const ReadingHooks& hooks)
 {
-  std::vector<std::string> warnings;
+  std::vector<Sentence> warnings;
   auto grid = assemble(series, hooks, warnings);
   if (!grid) return grid.error();
   ct::CtProvenance provenance{series.summary.key, series.summary.scanner, "DICOM", {}};

@@ -13,7 +13,7 @@ namespace perilymph::imaging {
 
 struct ReadVolume {
   ct::CtVolume volume;
-  std::vector<std::string> warnings;  ///< Sentences about the voxels.
+  std::vector<Sentence> warnings;  ///< Sentences about the voxels.
 };
 
 /// Decodes the slices of a series that has a stack, drops those that are there twice with the same

@@ -164,14 +164,15 @@ Result<Done> checkSeries(const PdfDocument& document, const StudyIdentity& study
   constexpr std::size_t shown = 16;  // digits
   if (!document.seriesKey.empty() && study.seriesKeys.contains(document.seriesKey)) return Done{};
   if (!document.seriesKey.empty())
-    return Error{ct.string() +
-                 " is not the CT in which this was measured: none of its series has the SHA-256 " +
-                 document.seriesKey.substr(0, shown) +
-                 "... that the document states. Give the folder of that CT, or leave it out."};
+    return Error{
+        "%1 is not the CT in which this was measured: none of its series has the SHA-256 %2... "
+        "that the document states. Give the folder of that CT, or leave it out.",
+        ct, document.seriesKey.substr(0, shown)};
   if (document.isFiledWithoutSeries) return Done{};
   return Error{
-      "The document states no CT series, so it cannot be compared with " + ct.string() +
-      ". Leave the CT out; or, if you know that it is the patient's, add --ct-not-compared."};
+      "The document states no CT series, so it cannot be compared with %1. Leave the CT out; or, "
+      "if you know that it is the patient's, add --ct-not-compared.",
+      ct};
 }
 
 }  // namespace

@@ -73,7 +73,7 @@ bool contradicts(const Join& join, bool isOneScaleUsual)
 
 }  // namespace
 
-Result<std::vector<std::string>> checkScales(const DicomSeries& series, const Grid& grid)
+Result<std::vector<Sentence>> checkScales(const DicomSeries& series, const Grid& grid)
 {
   const auto& places = series.stack->places;
   const auto frameAt = [&](std::size_t k) -> const DicomFrame& {
@@ -83,7 +83,7 @@ Result<std::vector<std::string>> checkScales(const DicomSeries& series, const Gr
   const auto scaleAt = [&](std::size_t k) { return Scale(frameAt(k).slope, frameAt(k).intercept); };
   std::map<Scale, std::size_t> uses;
   for (std::size_t k = 0; k < places.size(); ++k) ++uses[scaleAt(k)];
-  if (uses.size() < 2) return std::vector<std::string>{};
+  if (uses.size() < 2) return std::vector<Sentence>{};
   const auto usual = std::max_element(
       uses.begin(), uses.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
   const bool isOneScaleUsual = 2 * usual->second > places.size();
@@ -102,15 +102,18 @@ Result<std::vector<std::string>> checkScales(const DicomSeries& series, const Gr
     const Join join = joinOf(voxelsAt(odd), voxelsAt(other), scaleAt(odd), scaleAt(other));
     if (!contradicts(join, isOneScaleUsual)) continue;
     const SliceSource& slice = series.slices[places[odd].front()];
-    return Error{"The gray values of slice " + std::to_string(odd + 1) + " of " +
-                 std::to_string(places.size()) + " (" + nameOf(series.headers[slice.header]) +
-                 ") do not join those of the next one: its file states " + scaleText(scaleAt(odd)) +
-                 ", the next one " + scaleText(scaleAt(other)) +
-                 ". Export the series again as original images."};
+    return Error{
+        "The gray values of slice %1 of %2 (%3) do not join those of the next one: its file states "
+        "%4, the next one %5. Export the series again as original images.",
+        odd + 1,
+        places.size(),
+        nameOf(series.headers[slice.header]),
+        scaleText(scaleAt(odd)),
+        scaleText(scaleAt(other))};
   }
   const SliceSource& slice = series.slices[places[rarest].front()];
   const Scale odd = scaleAt(rarest);
-  return std::vector<std::string>{worded(
+  return std::vector<Sentence>{Sentence(
       warnings::scales,
       {digitsOfScale(odd.first), digitsOfScale(odd.second), nameOf(series.headers[slice.header]),
        digitsOfScale(usual->first.first), digitsOfScale(usual->first.second)})};

@@ -18,6 +18,6 @@ namespace perilymph::imaging {
 ///
 /// Refuses a slice that its neighbors' scale would fit better, naming its file and values. Where most slices have one
 /// scale, another one must fit better; where each has its own, differences that noise hides are only warned of.
-Result<std::vector<std::string>> checkScales(const DicomSeries& series, const Grid& grid);
+Result<std::vector<Sentence>> checkScales(const DicomSeries& series, const Grid& grid);
 
 }  // namespace perilymph::imaging

@@ -19,38 +19,33 @@ constexpr double maxSpacingChange = 1e-4;  // of the first slice's
 std::string spacingText(double value)
 {
   char text[32];
-  std::snprintf(text, sizeof text, "%.4g mm", value);
+  std::snprintf(text, sizeof text, "%.4g", value);
   return text;
 }
 
-std::string of(std::size_t count, std::size_t all)
-{
-  return std::to_string(count) + " of " + std::to_string(all);
-}
-
 /// Files of which nothing can be read; empty where there are none.
-std::string deflatedObstacle(const DicomSeries& series)
+Sentence deflatedObstacle(const DicomSeries& series)
 {
   const auto isDeflated = [](const DicomHeader& header) {
     return header.coding == PixelCoding::deflated;
   };
   const std::size_t deflated = countOf(series.headers, isDeflated);
   if (deflated == 0) return {};
-  return of(deflated, series.headers.size()) +
-         " files are compressed as a whole (transfer syntax 1.2.840.10008.1.2.1.99, deflated), "
-         "which this "
-         "program does not read. Export the series uncompressed, or convert it with gdcmconv "
-         "--raw.";
+  return Sentence{
+      "%1 of %2 files are compressed as a whole (transfer syntax 1.2.840.10008.1.2.1.99, "
+      "deflated), which this program does not read. Export the series uncompressed, or convert it "
+      "with gdcmconv --raw.",
+      deflated, series.headers.size()};
 }
 
-std::string cutObstacle(const DicomSeries& series)
+Sentence cutObstacle(const DicomSeries& series)
 {
   const auto isCut = [](const DicomHeader& header) { return header.isTruncated; };
   const std::size_t cut = countOf(series.headers, isCut);
   if (cut == 0) return {};
-  return of(cut, series.headers.size()) +
-         " files are cut off: they end before their voxels do. Copy the series "
-         "again.";
+  return Sentence{
+      "%1 of %2 files are cut off: they end before their voxels do. Copy the series again.", cut,
+      series.headers.size()};
 }
 
 /// Classes of DICOM PS3.4, behind "1.2.840.10008.5.1.4.1.1.".
@@ -109,61 +104,69 @@ std::string missingPlace(const DicomSeries& series)
 }
 
 /// Two statements of what the images are; empty where they agree.
-std::string contradictedKind(const DicomSeries& series)
+Sentence contradictedKind(const DicomSeries& series)
 {
   const std::string& modality = series.headers.front().modality;
   for (const DicomHeader& header : series.headers) {
     if (header.modality != modality)
-      return "Its images are of several modalities, " + (modality.empty() ? "(none)" : modality) +
-             " and " + (header.modality.empty() ? "(none)" : header.modality) +
-             ". Export each as a series of its own.";
+      return Sentence{
+          "Its images are of several modalities, %1 and %2. Export each as a series of its own.",
+          (modality.empty() ? "(none)" : modality),
+          (header.modality.empty() ? "(none)" : header.modality)};
     const std::string ofClass = modalityOfClass(header.sopClass);
     if (modality == "CT" && !ofClass.empty() && ofClass != "CT" && !isFlatPanel(ofClass))
-      return *disagreement("The file " + nameOf(header), dicomPairs::modality, modality, ofClass);
+      return *disagreement(Sentence{"The file %1", nameOf(header)}, dicomPairs::modality, modality,
+                           ofClass);
   }
   return {};
 }
 
 /// What kind of image it is not; empty for a CT, and for a volume of another X-ray device.
-std::string kindObstacle(const DicomSeries& series)
+Sentence kindObstacle(const DicomSeries& series)
 {
   const DicomHeader& first = series.headers.front();
   if (!first.notParsed.empty()) {
     const auto isSkipped = [](const DicomHeader& header) { return !header.notParsed.empty(); };
-    return of(countOf(series.headers, isSkipped), series.headers.size()) +
-           " files were not read: " + first.notParsed;
+    return Sentence{"%1 of %2 files were not read: %3", countOf(series.headers, isSkipped),
+                    series.headers.size(), first.notParsed};
   }
   // Of a file that ends the parser, nothing else is known.
   if (first.modality.empty() && first.isTruncated) return cutObstacle(series);
-  if (std::string twice = contradictedKind(series); !twice.empty()) return twice;
+  if (Sentence twice = contradictedKind(series); !twice.empty()) return twice;
   const std::string missing = missingPlace(series);
   const std::string& modality = series.summary.modality;
   if (isCapture(first) && !missing.empty())
-    return "It is a secondary capture, a picture of a screen, without a place in the patient (" +
-           missing + " is missing). Choose a series of original images.";
+    return Sentence{
+        "It is a secondary capture, a picture of a screen, without a place in the patient (%1 is "
+        "missing). Choose a series of original images.",
+        missing};
   if (isFlatPanel(modality) && !missing.empty())
-    return "It is of the modality " + modality + ", a projection without a place in the patient (" +
-           missing + " is missing). Choose the volume that was reconstructed of it.";
+    return Sentence{
+        "It is of the modality %1, a projection without a place in the patient (%2 is missing). "
+        "Choose the volume that was reconstructed of it.",
+        modality, missing};
   const bool isVolume =
       modality == "CT" || isFlatPanel(modality) ||
       (isCapture(first) && (modality.empty() || modality == "OT" || modality == "SC"));
   if (!isVolume)
-    return "It is of the modality " + (modality.empty() ? "(none)" : modality) +
-           ", not CT. Choose a CT series.";
+    return Sentence{"It is of the modality %1, not CT. Choose a CT series.",
+                    (modality.empty() ? "(none)" : modality)};
   if (series.slices.empty() && !first.frames.empty())
-    return "It is a scout (localizer), a projection and no slices. Choose a series of slices.";
+    return Sentence{
+        "It is a scout (localizer), a projection and no slices. Choose a series of slices."};
   const auto isColored = [](const DicomHeader& header) {
     return header.hasPixels &&
            (header.samples != 1 || header.photometric.rfind("MONOCHROME", 0) != 0);
   };
   if (countOf(series.headers, isColored) > 0)
-    return "Its images are in color, as of a picture or a fusion, and hold no Hounsfield units. "
-           "Choose a series of original images.";
+    return Sentence{
+        "Its images are in color, as of a picture or a fusion, and hold no Hounsfield units. "
+        "Choose a series of original images."};
   return {};
 }
 
 /// Whether all images are of one patient; empty if they are.
-std::string patientObstacle(const DicomSeries& series)
+Sentence patientObstacle(const DicomSeries& series)
 {
   const auto& first = series.headers.front().identity.others;
   for (std::size_t i = 0; i < first.size(); ++i) {
@@ -172,8 +175,10 @@ std::string patientObstacle(const DicomSeries& series)
       const std::string& own = header.identity.others.at(i).second;
       if (own.empty()) continue;
       if (!stated.empty() && own != stated)
-        return "Its images differ in " + first[i].first +
-               ", so they may be of two patients. Export the images of each patient apart.";
+        return Sentence{
+            "Its images differ in %1, so they may be of two patients. Export the images of each "
+            "patient apart.",
+            first[i].first};
       stated = own;
     }
   }
@@ -181,10 +186,10 @@ std::string patientObstacle(const DicomSeries& series)
 }
 
 /// Numbers that cannot be read, and what a file states twice.
-std::string faultObstacle(const DicomSeries& series)
+Sentence faultObstacle(const DicomSeries& series)
 {
   std::size_t faulty = 0;
-  std::string first;
+  Sentence first;
   for (const DicomHeader& header : series.headers) {
     const bool isScout = std::all_of(header.frames.begin(), header.frames.end(),
                                      [](const DicomFrame& frame) { return frame.isLocalizer; });
@@ -193,11 +198,11 @@ std::string faultObstacle(const DicomSeries& series)
     if (first.empty()) first = header.faults.front();
   }
   if (faulty < 2) return first;
-  return first + " Other files have such faults: " + std::to_string(faulty - 1) + ".";
+  return Sentence{"%1 Other files have such faults: %2.", first, faulty - 1};
 }
 
 /// Whether every slope is one.
-std::string slopeObstacle(const DicomSeries& series)
+Sentence slopeObstacle(const DicomSeries& series)
 {
   for (const SliceSource& slice : series.slices) {
     const DicomHeader& header = series.headers[slice.header];
@@ -205,30 +210,31 @@ std::string slopeObstacle(const DicomSeries& series)
     if (slope > 0.0) continue;
     char text[40];
     std::snprintf(text, sizeof text, "%.4g", slope);
-    return "The slope of its gray values, RescaleSlope (0028,1053), is " + std::string(text) +
-           " in " + nameOf(header) +
-           "; it must be above 0. Export the series again as original images.";
+    return Sentence{
+        "The slope of its gray values, RescaleSlope (0028,1053), is %1 in %2; it must be above 0. "
+        "Export the series again as original images.",
+        text, nameOf(header)};
   }
   return {};
 }
 
 /// Whether the stored values of all images are of one kind.
-std::string bitsObstacle(const DicomSeries& series)
+Sentence bitsObstacle(const DicomSeries& series)
 {
   const DicomHeader& first = series.headers[series.slices.front().header];
   for (const SliceSource& slice : series.slices) {
     const DicomHeader& header = series.headers[slice.header];
     if (header.isSigned == first.isSigned) continue;
-    return "PixelRepresentation (0028,0103) differs between its images: signed in " +
-           nameOf(header.isSigned ? header : first) + " and unsigned in " +
-           nameOf(header.isSigned ? first : header) +
-           ". Export the series again as original images.";
+    return Sentence{
+        "PixelRepresentation (0028,0103) differs between its images: signed in %1 and unsigned in "
+        "%2. Export the series again as original images.",
+        nameOf(header.isSigned ? header : first), nameOf(header.isSigned ? first : header)};
   }
   return {};
 }
 
 /// Whether every voxel is there and can be decoded.
-std::string fileObstacle(const DicomSeries& series)
+Sentence fileObstacle(const DicomSeries& series)
 {
   const std::vector<DicomHeader>& headers = series.headers;
   const std::size_t all = headers.size();
@@ -239,49 +245,58 @@ std::string fileObstacle(const DicomSeries& series)
     return header.isEncrypted && isIncomplete(header);
   };
   if (const std::size_t locked = countOf(headers, isLocked); locked > 0)
-    return of(locked, all) + " files are encrypted. Export the series again without encryption.";
-  if (std::string cut = cutObstacle(series); !cut.empty()) return cut;
+    return Sentence{"%1 of %2 files are encrypted. Export the series again without encryption.",
+                    locked, all};
+  if (Sentence cut = cutObstacle(series); !cut.empty()) return cut;
   const auto isEmpty = [](const DicomHeader& header) {
     return !header.hasPixels || header.frames.empty();
   };
   if (const std::size_t empty = countOf(headers, isEmpty); empty > 0)
-    return of(empty, all) + " files hold no image. Export the series again.";
+    return Sentence{"%1 of %2 files hold no image. Export the series again.", empty, all};
   for (const DicomHeader& header : headers)
     if (header.coding == PixelCoding::unknown)
-      return "Its voxels are stored in a way this program cannot decode (transfer syntax " +
-             (header.transferSyntax.empty() ? "missing" : header.transferSyntax) +
-             "). Export the series uncompressed, or convert it with gdcmconv --raw.";
+      return Sentence{
+          "Its voxels are stored in a way this program cannot decode (transfer syntax %1). Export "
+          "the series uncompressed, or convert it with gdcmconv --raw.",
+          (header.transferSyntax.empty() ? "missing" : header.transferSyntax)};
   return {};
 }
 
 /// Whether all slices have one size, spacing and kernel.
-std::string sizeObstacle(const DicomSeries& series)
+Sentence sizeObstacle(const DicomSeries& series)
 {
   const DicomHeader& first = series.headers[series.slices.front().header];
   const auto spacing = first.frames[series.slices.front().frame].pixelSpacing_mm;
   for (const SliceSource& slice : series.slices) {
     const DicomHeader& header = series.headers[slice.header];
     if (header.rows != first.rows || header.columns != first.columns)
-      return "Its slices are of several sizes, " + std::to_string(first.columns) + " x " +
-             std::to_string(first.rows) + " and " + std::to_string(header.columns) + " x " +
-             std::to_string(header.rows) + " voxels. Export each size as a series of its own.";
+      return Sentence{
+          "Its slices are of several sizes, %1 x %2 and %3 x %4 voxels. Export each size as a "
+          "series of its own.",
+          first.columns, first.rows, header.columns, header.rows};
     if (header.kernel != first.kernel)
-      return "Its slices are of several reconstruction kernels, " + first.kernel + " and " +
-             header.kernel + ". Export each reconstruction as a series of its own.";
+      return Sentence{
+          "Its slices are of several reconstruction kernels, %1 and %2. Export each reconstruction "
+          "as a series of its own.",
+          first.kernel, header.kernel};
     const auto& own = header.frames[slice.frame].pixelSpacing_mm;
     if (!own)
-      return "Its slices have no pixel spacing, so no length can be measured in them. Export the "
-             "series again as original images.";
+      return Sentence{
+          "Its slices have no pixel spacing, so no length can be measured in them. Export the "
+          "series again as original images."};
     if (((*own - *spacing).cwiseAbs().array() > maxSpacingChange * spacing->array()).any())
-      return "Its slices have several pixel spacings, " + spacingText((*spacing)[0]) + " and " +
-             spacingText((*own)[0]) + ". Export each as a series of its own.";
+      return Sentence{
+          "Its slices have several pixel spacings, %1 mm and %2 mm. Export each as a series of its "
+          "own.",
+          spacingText((*spacing)[0]), spacingText((*own)[0])};
   }
   const double voxels =
       static_cast<double>(first.rows) * first.columns * static_cast<double>(series.slices.size());
   if (voxels > static_cast<double>(maxCtVoxels))
-    return "It has " + std::to_string(std::lround(voxels / 1e6)) + " million voxels; at most " +
-           std::to_string(maxCtVoxels / 1'000'000) +
-           " million are read. Export the region of the temporal bone.";
+    return Sentence{
+        "It has %1 million voxels; at most %2 million are read. Export the region of the temporal "
+        "bone.",
+        std::lround(voxels / 1e6), maxCtVoxels / 1'000'000};
   return {};
 }
 
@@ -308,11 +323,11 @@ std::string statedModality(const DicomHeader& header)
   return header.modality.empty() ? modalityOfClass(header.sopClass) : header.modality;
 }
 
-std::string obstacleOf(const DicomSeries& series)
+Sentence obstacleOf(const DicomSeries& series)
 {
   for (const auto check : {deflatedObstacle, kindObstacle, faultObstacle, fileObstacle,
                            patientObstacle, slopeObstacle, bitsObstacle, sizeObstacle})
-    if (std::string obstacle = check(series); !obstacle.empty()) return obstacle;
+    if (Sentence obstacle = check(series); !obstacle.empty()) return obstacle;
   return {};
 }
 
@@ -336,7 +351,7 @@ Changes changesOf(const DicomSeries& series, std::size_t setting)
   return changes;
 }
 
-std::string orderObstacleOf(const DicomSeries& series)
+Sentence orderObstacleOf(const DicomSeries& series)
 {
   constexpr std::size_t fewest = 3;  // one slice that differs makes two
   const auto& settings = series.headers[series.slices.front().header].settings;
@@ -348,23 +363,23 @@ std::string orderObstacleOf(const DicomSeries& series)
   return {};
 }
 
-std::string grayValueWarning(const DicomSeries& series)
+Sentence grayValueWarning(const DicomSeries& series)
 {
   const DicomHeader& first = series.headers[series.slices.front().header];
-  std::string why;
+  Sentence why;
   std::string type = first.rescaleType;
   for (char& c : type) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
   const std::string ofClass = modalityOfClass(first.sopClass);
   if (isCapture(first))
-    why = warnings::capture;
+    why = Sentence(warnings::capture);
   else if (isFlatPanel(series.summary.modality) || isFlatPanel(ofClass))
-    why = warnings::flatPanel;
+    why = Sentence(warnings::flatPanel);
   else if (!type.empty() && type != "HU")
-    why = "RescaleType (0028,1054) is " + first.rescaleType;
+    why = Sentence{"RescaleType (0028,1054) is %1", first.rescaleType};
   else if (isConeBeam(first.scanner))
-    why = warnings::coneBeam;
+    why = Sentence(warnings::coneBeam);
   if (why.empty()) return {};
-  return worded(warnings::grayValues, {why});
+  return Sentence(warnings::grayValues, {why});
 }
 
 }  // namespace perilymph::imaging

@@ -15,7 +15,7 @@ namespace perilymph::imaging {
 std::string statedModality(const DicomHeader& header);
 
 /// Why the series cannot be read, as far as its files tell one by one: a sentence; empty if it can.
-std::string obstacleOf(const DicomSeries& series);
+Sentence obstacleOf(const DicomSeries& series);
 
 /// How a setting changes along a stack. Empty values change nothing.
 struct Changes {
@@ -28,9 +28,9 @@ struct Changes {
 Changes changesOf(const DicomSeries& series, std::size_t setting);
 
 /// Why the order of the slices in its stack is none of one reconstruction: a setting alternates; empty if it is.
-std::string orderObstacleOf(const DicomSeries& series);
+Sentence orderObstacleOf(const DicomSeries& series);
 
 /// Why its gray values are not Hounsfield units, as its headers say: a sentence; empty if they are.
-std::string grayValueWarning(const DicomSeries& series);
+Sentence grayValueWarning(const DicomSeries& series);
 
 }  // namespace perilymph::imaging

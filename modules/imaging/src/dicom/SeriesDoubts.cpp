@@ -15,7 +15,7 @@
 namespace perilymph::imaging {
 namespace {
 
-constexpr const char* theSeries = "The series";
+constexpr Phrase aSeries{"The series"};
 
 /// A slice in the order of the stack.
 struct Placed {
@@ -23,10 +23,9 @@ struct Placed {
   const DicomHeader& header;
   const DicomFrame& frame;
 
-  std::string which(std::size_t count) const
+  Sentence which(std::size_t count) const
   {
-    return " of slice " + std::to_string(place + 1) + " of " + std::to_string(count) + " (" +
-           nameOf(header) + ")";
+    return Sentence{" of slice %1 of %2 (%3)", place + 1, count, nameOf(header)};
   }
 };
 
@@ -50,7 +49,7 @@ std::string lengthText(double value)
   return {text.data(), done.ptr};
 }
 
-using Sentence = std::optional<std::string>;
+using Doubt = std::optional<Sentence>;
 
 /// Headers of a tilted gantry give the step of the table or the distance of the planes.
 double nearer(double value, const ct::SliceStack& stack)
@@ -59,20 +58,21 @@ double nearer(double value, const ct::SliceStack& stack)
   return std::fabs(value - plane) <= std::fabs(value - table) ? plane : table;
 }
 
-Sentence stepDoubt(const DicomSeries& series, const std::vector<Placed>& slices)
+Doubt stepDoubt(const DicomSeries& series, const std::vector<Placed>& slices)
 {
   for (const Placed& slice : slices) {
     if (!slice.frame.spacing_mm) continue;
     const double stated = std::fabs(*slice.frame.spacing_mm);
-    if (auto found = disagreement(theSeries, dicomPairs::step, nearer(stated, *series.stack),
-                                  stated, slice.which(series.stack->places.size())))
+    if (auto found =
+            disagreement(Sentence(aSeries), dicomPairs::step, nearer(stated, *series.stack), stated,
+                         slice.which(series.stack->places.size())))
       return found;
   }
   return std::nullopt;
 }
 
 /// Slices may overlap by much and still be right; what lies between thinner ones was not measured.
-Sentence thicknessDoubt(const DicomSeries& series, const std::vector<Placed>& slices)
+Doubt thicknessDoubt(const DicomSeries& series, const std::vector<Placed>& slices)
 {
   constexpr double gap = 0.995, overlap = 5.0;
   for (const Placed& slice : slices) {
@@ -80,14 +80,14 @@ Sentence thicknessDoubt(const DicomSeries& series, const std::vector<Placed>& sl
     const double thickness = *slice.frame.thickness_mm;
     const double step = nearer(thickness, *series.stack);
     if (thickness >= gap * step && thickness <= overlap * step) continue;
-    return worded(thickness < step ? warnings::gaps : warnings::overlap,
-                  {std::to_string(slice.place + 1), std::to_string(series.stack->places.size()),
-                   nameOf(slice.header), lengthText(thickness), lengthText(step)});
+    return Sentence(thickness < step ? warnings::gaps : warnings::overlap,
+                    {std::to_string(slice.place + 1), std::to_string(series.stack->places.size()),
+                     nameOf(slice.header), lengthText(thickness), lengthText(step)});
   }
   return std::nullopt;
 }
 
-Sentence locationDoubt(const DicomSeries& series, const std::vector<Placed>& slices)
+Doubt locationDoubt(const DicomSeries& series, const std::vector<Placed>& slices)
 {
   std::vector<Placed> located;
   for (const Placed& slice : slices)
@@ -97,12 +97,13 @@ Sentence locationDoubt(const DicomSeries& series, const std::vector<Placed>& sli
   const double span = *located.back().frame.location_mm - *first.frame.location_mm;
   const auto steps = static_cast<double>(located.back().place - first.place);
   const double step = nearer(std::fabs(span) / steps, *series.stack);
-  if (auto found = disagreement(theSeries, dicomPairs::location, steps * step, std::fabs(span)))
+  if (auto found =
+          disagreement(Sentence(aSeries), dicomPairs::location, steps * step, std::fabs(span)))
     return found;
   for (const Placed& slice : located) {
     const double up =
         (span < 0.0 ? -1.0 : 1.0) * (*slice.frame.location_mm - *first.frame.location_mm);
-    if (auto found = disagreement(theSeries, dicomPairs::locationOfSlice,
+    if (auto found = disagreement(Sentence(aSeries), dicomPairs::locationOfSlice,
                                   step * static_cast<double>(slice.place - first.place), up,
                                   slice.which(series.stack->places.size())))
       return found;
@@ -110,7 +111,7 @@ Sentence locationDoubt(const DicomSeries& series, const std::vector<Placed>& sli
   return std::nullopt;
 }
 
-Sentence fieldDoubt(const DicomSeries&, const std::vector<Placed>& slices)
+Doubt fieldDoubt(const DicomSeries&, const std::vector<Placed>& slices)
 {
   for (const Placed& slice : slices) {
     const auto& diameter = slice.header.reconstructionDiameter_mm;
@@ -118,32 +119,33 @@ Sentence fieldDoubt(const DicomSeries&, const std::vector<Placed>& slices)
     const double width = slice.header.columns * slice.frame.pixelSpacing_mm->x();
     const double height = slice.header.rows * slice.frame.pixelSpacing_mm->y();
     const bool isHeight = std::fabs(height - *diameter) < std::fabs(width - *diameter);
-    if (auto found =
-            disagreement(theSeries, dicomPairs::fieldOfView, isHeight ? height : width, *diameter))
+    if (auto found = disagreement(Sentence(aSeries), dicomPairs::fieldOfView,
+                                  isHeight ? height : width, *diameter))
       return found;
   }
   return std::nullopt;
 }
 
-Sentence imagerDoubt(const DicomSeries&, const std::vector<Placed>& slices)
+Doubt imagerDoubt(const DicomSeries&, const std::vector<Placed>& slices)
 {
   for (const Placed& slice : slices) {
     const auto& imager = slice.header.imagerSpacing_mm;
     const auto& own = slice.frame.pixelSpacing_mm;
     if (!imager || !own) continue;
-    if (auto found = disagreement(theSeries, dicomPairs::imagerColumns, own->x(), imager->x()))
+    if (auto found =
+            disagreement(Sentence(aSeries), dicomPairs::imagerColumns, own->x(), imager->x()))
       return found;
-    if (auto found = disagreement(theSeries, dicomPairs::imagerRows, own->y(), imager->y()))
+    if (auto found = disagreement(Sentence(aSeries), dicomPairs::imagerRows, own->y(), imager->y()))
       return found;
   }
   return std::nullopt;
 }
 
-Sentence tiltDoubt(const DicomSeries& series, const std::vector<Placed>& slices)
+Doubt tiltDoubt(const DicomSeries& series, const std::vector<Placed>& slices)
 {
   for (const Placed& slice : slices)
     if (slice.header.gantryTilt_deg)
-      if (auto found = disagreement(theSeries, dicomPairs::tilt, series.stack->tilt_deg,
+      if (auto found = disagreement(Sentence(aSeries), dicomPairs::tilt, series.stack->tilt_deg,
                                     std::fabs(*slice.header.gantryTilt_deg)))
         return found;
   return std::nullopt;
@@ -157,7 +159,7 @@ std::string setting(const DicomHeader& header, const char* name)
   return {};
 }
 
-Sentence countDoubt(const DicomSeries& series, const std::vector<Placed>&)
+Doubt countDoubt(const DicomSeries& series, const std::vector<Placed>&)
 {
   std::map<std::string, std::size_t> images;
   for (const DicomHeader& header : series.headers)
@@ -165,7 +167,7 @@ Sentence countDoubt(const DicomSeries& series, const std::vector<Placed>&)
   for (const DicomHeader& header : series.headers)
     if (header.imagesInAcquisition && *header.imagesInAcquisition > 0)
       if (auto found =
-              disagreement(theSeries, dicomPairs::imagesInAcquisition,
+              disagreement(Sentence(aSeries), dicomPairs::imagesInAcquisition,
                            static_cast<double>(images[setting(header, "AcquisitionNumber")]),
                            static_cast<double>(*header.imagesInAcquisition)))
         return found;
@@ -173,40 +175,40 @@ Sentence countDoubt(const DicomSeries& series, const std::vector<Placed>&)
 }
 
 /// Settings of one reconstruction that change somewhere. The number of an acquisition may, but not back.
-Sentence settingsDoubt(const DicomSeries& series, const std::vector<Placed>& slices)
+Doubt settingsDoubt(const DicomSeries& series, const std::vector<Placed>& slices)
 {
   const auto& settings = slices.front().header.settings;
   for (std::size_t i = 0; i < settings.size(); ++i) {
     const Changes changes = changesOf(series, i);
     if (changes.count == 0) continue;
     if (settings[i].first.starts_with("AcquisitionNumber") && !changes.returns) continue;
-    return worded(warnings::settings,
-                  {settings[i].first, changes.example.first, changes.example.second});
+    return Sentence(warnings::settings,
+                    {settings[i].first, changes.example.first, changes.example.second});
   }
   return std::nullopt;
 }
 
-Sentence modalityDoubt(const DicomSeries& series, const std::vector<Placed>&)
+Doubt modalityDoubt(const DicomSeries& series, const std::vector<Placed>&)
 {
   if (!series.headers.front().modality.empty()) return std::nullopt;
-  return worded(warnings::noModality,
-                {series.summary.modality.empty() ? "OT" : series.summary.modality});
+  return Sentence(warnings::noModality,
+                  {series.summary.modality.empty() ? "OT" : series.summary.modality});
 }
 
-Sentence classDoubt(const DicomSeries& series, const std::vector<Placed>&)
+Doubt classDoubt(const DicomSeries& series, const std::vector<Placed>&)
 {
   for (const DicomHeader& header : series.headers)
     if (!header.mediaClass.empty() && !header.sopClass.empty())
-      if (auto found = disagreement(theSeries, dicomPairs::mediaClass, header.sopClass,
-                                    header.mediaClass, " in " + nameOf(header)))
+      if (auto found = disagreement(Sentence(aSeries), dicomPairs::mediaClass, header.sopClass,
+                                    header.mediaClass, Sentence{" in %1", nameOf(header)}))
         return found;
   return std::nullopt;
 }
 
-Sentence grayDoubt(const DicomSeries& series, const std::vector<Placed>&)
+Doubt grayDoubt(const DicomSeries& series, const std::vector<Placed>&)
 {
-  std::string warning = grayValueWarning(series);
-  return warning.empty() ? Sentence() : Sentence(std::move(warning));
+  Sentence warning = grayValueWarning(series);
+  return warning.empty() ? Doubt() : Doubt(std::move(warning));
 }
 
 /// The letter of the patient's direction that an axis points along most.
@@ -230,7 +232,7 @@ bool pointsTo(const Eigen::Vector3d& axis_P, char letter)
   return true;  // the orientation of animals
 }
 
-Sentence directionDoubt(const DicomSeries& series, const std::vector<Placed>& slices)
+Doubt directionDoubt(const DicomSeries& series, const std::vector<Placed>& slices)
 {
   for (const Placed& slice : slices) {
     const std::string& stated = slice.header.patientOrientation;
@@ -239,14 +241,14 @@ Sentence directionDoubt(const DicomSeries& series, const std::vector<Placed>& sl
     const auto& axes = *slice.frame.pose.axes_P;
     if (pointsTo(axes.col(0), stated[0]) && pointsTo(axes.col(1), stated[split + 1])) continue;
     const std::string own{letterOf(axes.col(0)), '\\', letterOf(axes.col(1))};
-    return disagreement(theSeries, dicomPairs::directions, own, stated,
+    return disagreement(Sentence(aSeries), dicomPairs::directions, own, stated,
                         slice.which(series.stack->places.size()));
   }
   return std::nullopt;
 }
 
 /// The numbers of a stack's images run up or down along it, with gaps where images were left out.
-Sentence orderDoubt(const DicomSeries& series, const std::vector<Placed>& slices)
+Doubt orderDoubt(const DicomSeries& series, const std::vector<Placed>& slices)
 {
   std::vector<double> numbers;
   for (const Placed& slice : slices) {
@@ -260,48 +262,48 @@ Sentence orderDoubt(const DicomSeries& series, const std::vector<Placed>& slices
     const auto before = std::count_if(numbers.begin(), numbers.end(), [&](double each) {
       return isFalling ? each > own : each < own;
     });
-    if (auto found =
-            disagreement(theSeries, dicomPairs::imageNumber, static_cast<double>(slice.place + 1),
-                         static_cast<double>(before + 1), slice.which(series.stack->places.size())))
+    if (auto found = disagreement(
+            Sentence(aSeries), dicomPairs::imageNumber, static_cast<double>(slice.place + 1),
+            static_cast<double>(before + 1), slice.which(series.stack->places.size())))
       return found;
   }
   return std::nullopt;
 }
 
-Sentence instanceDoubt(const DicomSeries& series, const std::vector<Placed>& slices)
+Doubt instanceDoubt(const DicomSeries& series, const std::vector<Placed>& slices)
 {
   std::map<std::string, std::size_t> places;
   for (const Placed& slice : slices) {
     if (slice.header.frames.size() != 1 || slice.header.instanceUid.empty()) continue;
     const auto [known, isNew] = places.try_emplace(slice.header.instanceUid, slice.place);
     if (isNew || known->second == slice.place) continue;
-    return worded(warnings::sameInstance,
-                  {std::to_string(known->second + 1), std::to_string(slice.place + 1),
-                   std::to_string(series.stack->places.size())});
+    return Sentence(warnings::sameInstance,
+                    {std::to_string(known->second + 1), std::to_string(slice.place + 1),
+                     std::to_string(series.stack->places.size())});
   }
   return std::nullopt;
 }
 
-Sentence sideDoubt(const DicomSeries&, const std::vector<Placed>& slices)
+Doubt sideDoubt(const DicomSeries&, const std::vector<Placed>& slices)
 {
   for (const Placed& slice : slices)
     if (!slice.header.laterality.empty() && !slice.header.imageLaterality.empty())
-      if (auto found = disagreement(theSeries, dicomPairs::side, slice.header.laterality,
+      if (auto found = disagreement(Sentence(aSeries), dicomPairs::side, slice.header.laterality,
                                     slice.header.imageLaterality))
         return found;
   return std::nullopt;
 }
 
-Sentence realWorldDoubt(const DicomSeries&, const std::vector<Placed>& slices)
+Doubt realWorldDoubt(const DicomSeries&, const std::vector<Placed>& slices)
 {
   for (const Placed& slice : slices) {
     const auto& scale = slice.header.realWorldScale;
     if (!scale) continue;
-    if (auto found =
-            disagreement(theSeries, dicomPairs::realWorldSlope, slice.frame.slope, (*scale)[0]))
+    if (auto found = disagreement(Sentence(aSeries), dicomPairs::realWorldSlope, slice.frame.slope,
+                                  (*scale)[0]))
       return found;
-    if (auto found = disagreement(theSeries, dicomPairs::realWorldIntercept, slice.frame.intercept,
-                                  (*scale)[1]))
+    if (auto found = disagreement(Sentence(aSeries), dicomPairs::realWorldIntercept,
+                                  slice.frame.intercept, (*scale)[1]))
       return found;
   }
   return std::nullopt;
@@ -309,10 +311,10 @@ Sentence realWorldDoubt(const DicomSeries&, const std::vector<Placed>& slices)
 
 }  // namespace
 
-std::vector<std::string> doubtsOf(const DicomSeries& series)
+std::vector<Sentence> doubtsOf(const DicomSeries& series)
 {
   const std::vector<Placed> slices = inOrder(series);
-  std::vector<std::string> doubts;
+  std::vector<Sentence> doubts;
   for (const auto check :
        {modalityDoubt, classDoubt, grayDoubt, stepDoubt, thicknessDoubt, locationDoubt, fieldDoubt,
         imagerDoubt, tiltDoubt, countDoubt, settingsDoubt, directionDoubt, orderDoubt,

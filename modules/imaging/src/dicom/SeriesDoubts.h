@@ -12,6 +12,6 @@ namespace perilymph::imaging {
 
 /// Sentences about what the headers of a series that has a stack state otherwise than the positions of its slices, and
 /// about images that are missing. Positions and orientations are what the volume is built from.
-std::vector<std::string> doubtsOf(const DicomSeries& series);
+std::vector<Sentence> doubtsOf(const DicomSeries& series);
 
 }  // namespace perilymph::imaging

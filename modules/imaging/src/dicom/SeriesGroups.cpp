@@ -59,10 +59,10 @@ void split(const std::string& uid, std::vector<DicomHeader> headers, std::vector
     const bool isAlone = sorted.size() == 1 || (studies.size() == 1 && i == 0);
     SeriesGroup group{isAlone ? uid : uidWith(uid, i + 1), {}, std::move(sorted[i])};
     if (sorted.size() > 1)
-      group.warning =
-          worded(warnings::listedApart,
-                 {std::to_string(images - group.headers.size()), std::to_string(images),
-                  studies.size() > 1 ? warnings::patientOrStudy : warnings::frameOfReference});
+      group.warning = Sentence(
+          warnings::listedApart,
+          {std::to_string(images - group.headers.size()), std::to_string(images),
+           Sentence(studies.size() > 1 ? warnings::patientOrStudy : warnings::frameOfReference)});
     all.push_back(std::move(group));
   }
 }

@@ -47,18 +47,17 @@ void checkStoredBits(DicomHeader& header)
 {
   if (header.bitsStored > header.bitsAllocated) {
     header.faults.push_back(
-        "The file " + nameOf(header) + " stores " + std::to_string(header.bitsStored) +
-        " bits (0028,0101) of a voxel in the " + std::to_string(header.bitsAllocated) +
-        " that are allocated (0028,0100); export the series again as original "
-        "images.");
+        Sentence{"The file %1 stores %2 bits (0028,0101) of a voxel in the %3 that are allocated "
+                 "(0028,0100); export the series again as original images.",
+                 nameOf(header), header.bitsStored, header.bitsAllocated});
     return;
   }
   if (header.coding == PixelCoding::plain && !header.pixelBytes)
-    header.faults.push_back("The file " + nameOf(header) +
-                            " holds compressed voxels and states that they are not (transfer "
-                            "syntax " +
-                            (header.transferSyntax.empty() ? "missing" : header.transferSyntax) +
-                            "); export the series again as original images.");
+    header.faults.push_back(
+        Sentence{"The file %1 holds compressed voxels and states that they are not (transfer "
+                 "syntax %2); export the series again as original images.",
+                 nameOf(header),
+                 header.transferSyntax.empty() ? std::string("missing") : header.transferSyntax});
   if (header.bitsStored > 0)
     compare(header, dicomPairs::highBit, header.bitsStored - 1, header.highBit);
   if (header.coding == PixelCoding::plain && header.pixelBytes && header.bitsAllocated > 0)

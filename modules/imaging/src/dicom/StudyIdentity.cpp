@@ -84,18 +84,19 @@ Result<StudyIdentity> readStudyIdentity(const std::filesystem::path& ct)
     if (!identity) continue;
     if (!common) common = identity;
     if (identity->studyUid != common->studyUid || patientIn(*identity) != patientIn(*common))
-      return Error{ct.string() +
-                   " holds series of several studies. Give the folder of the one study that the "
-                   "report belongs to."};
+      return Error{
+          "%1 holds series of several studies. Give the folder of the one study that the report "
+          "belongs to.",
+          ct};
   }
   if (common) {
     common->seriesKeys = std::move(keys);
     return *std::move(common);
   }
   return Error{
-      ct.string() +
-      " holds no DICOM file that states its study. Give the folder of the patient's CT, or "
-      "leave it out."};
+      "%1 holds no DICOM file that states its study. Give the folder of the patient's CT, or leave "
+      "it out.",
+      ct};
 }
 
 }  // namespace perilymph::imaging

@@ -95,9 +95,9 @@ std::string nameOf(vtkDICOMTag tag)
   return (entry.IsValid() ? std::string(entry.GetName()) + " " : std::string()) + text;
 }
 
-void TagNumbers::note(vtkDICOMTag tag, const std::string& text, const std::string& expected)
+void TagNumbers::note(vtkDICOMTag tag, const std::string& text, const Sentence& expected)
 {
-  std::string clause = nameOf(tag) + " as " + shown(text) + ", where " + expected;
+  Sentence clause{"%1 as %2, where %3", nameOf(tag), shown(text), expected};
   if (faults_.size() < maxFaults &&
       std::find(faults_.begin(), faults_.end(), clause) == faults_.end())
     faults_.push_back(std::move(clause));
@@ -107,8 +107,8 @@ std::optional<Eigen::VectorXd> TagNumbers::read(const vtkDICOMValue& value, vtkD
                                                 std::size_t count)
 {
   if (!value.IsValid() || value.GetVL() == 0) return std::nullopt;
-  const std::string expected =
-      count == 1 ? "one number belongs" : std::to_string(count) + " numbers belong";
+  const Sentence expected =
+      count == 1 ? Sentence{"one number belongs"} : Sentence{"%1 numbers belong", count};
   const vtkDICOMVR type = representation(value, tag);
   Eigen::VectorXd numbers;
   std::string text;
@@ -158,9 +158,7 @@ std::optional<int> TagNumbers::readWhole(const vtkDICOMValue& value, vtkDICOMTag
     return static_cast<int>(*number);
   char text[32];
   std::snprintf(text, sizeof text, "%.10g", *number);
-  note(tag, text,
-       "a whole number from " + std::to_string(minimum) + " to " + std::to_string(maximum) +
-           " belongs");
+  note(tag, text, Sentence{"a whole number from %1 to %2 belongs", minimum, maximum});
   return std::nullopt;
 }
 

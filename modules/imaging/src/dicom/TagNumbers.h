@@ -38,12 +38,12 @@ public:
                                int maximum);
 
   /// Clauses, each with the tag and its text: "Rows (0028,0010) as \"two\", where one number belongs".
-  const std::vector<std::string>& faults() const { return faults_; }
+  const std::vector<Sentence>& faults() const { return faults_; }
 
 private:
-  void note(vtkDICOMTag tag, const std::string& text, const std::string& expected);
+  void note(vtkDICOMTag tag, const std::string& text, const Sentence& expected);
 
-  std::vector<std::string> faults_;
+  std::vector<Sentence> faults_;
 };
 
 }  // namespace perilymph::imaging

@@ -24,31 +24,40 @@ bool agree(const StatedTwice& pair, double first, double second)
   return std::isfinite(first) && std::isfinite(second) && std::fabs(first - second) <= allowed;
 }
 
-std::string sentence(const std::string& subject, const StatedTwice& pair, const std::string& first,
-                     const std::string& second, const std::string& which)
+Sentence sentence(const Sentence& subject, const StatedTwice& pair, const Sentence& first,
+                  const Sentence& second, const Sentence& which)
 {
-  return subject + " states " + pair.quantity + which + " twice: " + first + " in " + pair.first +
-         " and " + second + " in " + pair.second + "; " + pair.remedy + ".";
+  return Sentence{"%1 states %2 twice: %3 in %4 and %5 in %6; %7.",
+                  subject,
+                  Sentence{"%1%2", Sentence(Phrase(pair.quantity)), which},
+                  first,
+                  Sentence(Phrase(pair.first)),
+                  second,
+                  Sentence(Phrase(pair.second)),
+                  Sentence(Phrase(pair.remedy))};
 }
 
 }  // namespace
 
-std::optional<std::string> disagreement(const std::string& subject, const StatedTwice& pair,
-                                        double first, double second, const std::string& which)
+std::optional<Sentence> disagreement(const Sentence& subject, const StatedTwice& pair, double first,
+                                     double second, const Sentence& which)
 {
   if (agree(pair, first, second)) return std::nullopt;
   // as many digits as tell them apart
   constexpr int minDigits = 4, maxDigits = 17;
   int digits = minDigits;
   while (digits < maxDigits && digitsOf(first, digits) == digitsOf(second, digits)) ++digits;
-  const std::string unit = *pair.unit == '\0' ? "" : std::string(" ") + pair.unit;
-  return sentence(subject, pair, digitsOf(first, digits) + unit, digitsOf(second, digits) + unit,
-                  which);
+  const auto measured = [&](double value) {
+    const std::string number = digitsOf(value, digits);
+    return *pair.unit == '\0' ? Sentence(number)
+                              : Sentence{"%1 %2", number, Sentence(Phrase(pair.unit))};
+  };
+  return sentence(subject, pair, measured(first), measured(second), which);
 }
 
-std::optional<std::string> disagreement(const std::string& subject, const StatedTwice& pair,
-                                        const std::string& first, const std::string& second,
-                                        const std::string& which)
+std::optional<Sentence> disagreement(const Sentence& subject, const StatedTwice& pair,
+                                     const Sentence& first, const Sentence& second,
+                                     const Sentence& which)
 {
   if (first == second) return std::nullopt;
   return sentence(subject, pair, first, second, which);

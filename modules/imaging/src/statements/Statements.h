@@ -4,7 +4,8 @@
 // The rule for quantities that a file or series states in two places: both statements must agree.
 
 #include <optional>
-#include <string>
+
+#include "perilymph/foundation/Sentence.h"
 
 namespace perilymph::imaging {
 
@@ -41,13 +42,13 @@ constexpr StatedTwice refusedPair(const char* format, const char* quantity, cons
 ///
 /// @param subject  What states it: the file's path, "The series".
 /// @param which    Behind the quantity: " along k", " of slice 12"; may be empty.
-std::optional<std::string> disagreement(const std::string& subject, const StatedTwice& pair,
-                                        double first, double second, const std::string& which = {});
+std::optional<Sentence> disagreement(const Sentence& subject, const StatedTwice& pair, double first,
+                                     double second, const Sentence& which = {});
 
 /// The same for two texts: codes, names, identities.
-std::optional<std::string> disagreement(const std::string& subject, const StatedTwice& pair,
-                                        const std::string& first, const std::string& second,
-                                        const std::string& which = {});
+std::optional<Sentence> disagreement(const Sentence& subject, const StatedTwice& pair,
+                                     const Sentence& first, const Sentence& second,
+                                     const Sentence& which = {});
 
 /// A row of the table of pairs as the guide prints it, in Markdown.
 std::string rowOf(const StatedTwice& pair);

@@ -83,7 +83,7 @@ Result<ByteSource> ByteSource::open(const std::filesystem::path& file, std::size
   if (packing == Packing::required || (packing == Packing::detected && isGzip)) {
     constexpr int detectHeader = 32;
     if (::inflateInit2(&stream->inflater, MAX_WBITS + detectHeader) != Z_OK)
-      return Error{file.string() + " cannot be inflated: there is no memory. Close programs."};
+      return Error{"%1 cannot be inflated: there is no memory. Close programs.", file};
     stream->isPacked = true;
   }
   return ByteSource(std::move(stream));
@@ -115,12 +115,12 @@ std::uintmax_t ByteSource::fileBytes() const noexcept { return stream_->fileByte
 
 Error unreadableFile(const std::filesystem::path& file)
 {
-  return Error{file.string() + " cannot be read. Check its name and permissions."};
+  return Error{"%1 cannot be read. Check its name and permissions.", file};
 }
 
 Error cutOffFile(const std::filesystem::path& file)
 {
-  return Error{file.string() + " is cut off or damaged. Copy or export it again."};
+  return Error{"%1 is cut off or damaged. Copy or export it again.", file};
 }
 
 }  // namespace perilymph::imaging

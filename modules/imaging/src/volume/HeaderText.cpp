@@ -58,7 +58,7 @@ bool HeaderFields::add(const std::string& name, const std::string& value,
   const auto [there, isNew] = values_.emplace(key, trimmed(value));
   if (isNew) return true;
   const auto differs = disagreement(subject, pair, "'" + there->second + "'",
-                                    "'" + trimmed(value) + "'", ", '" + trimmed(name) + "',");
+                                    "'" + trimmed(value) + "'", Sentence{", '%1',", trimmed(name)});
   if (!differs) return true;
   conflict = *differs;
   return false;

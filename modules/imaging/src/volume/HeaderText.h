@@ -29,7 +29,7 @@ public:
   /// Numbers of the value; empty where it is absent or a word is no number.
   std::vector<double> numbers(const std::string& name) const;
 
-  std::string conflict;  ///< The sentence about a broken field or one of two values; may be empty.
+  Sentence conflict;     ///< The sentence about a broken field or one of two values; may be empty.
   std::string modality;  ///< As a key of the user states it; may be empty.
   std::size_t end = 0;   ///< The first byte behind the header.
 

@@ -65,9 +65,9 @@ std::optional<VoxelType> metaType(const std::string& name)
   return found->second;
 }
 
-Error refuseMeta(const std::filesystem::path& file, const std::string& why)
+Error refuseMeta(const std::filesystem::path& file, const Sentence& why)
 {
-  return Error{file.string() + " " + why + " Export the CT as MetaImage (.mha) or NRRD."};
+  return Error{"%1 %2 Export the CT as MetaImage (.mha) or NRRD.", file, why};
 }
 
 /// Where each axis points to, by the letters of where it comes from: R is from right to left.
@@ -95,7 +95,7 @@ Result<Done> checkLetters(const HeaderFields& fields, const std::string& name,
     agrees = (at < 3 ? 1.0 : -1.0) * axes(at % 3, axis) > minCosine;
   }
   if (agrees) return Done{};
-  return Error{*disagreement(name, meta::orientation, found + " (near)", letters)};
+  return Error{*disagreement(name, meta::orientation, Sentence{"%1 (near)", found}, letters)};
 }
 
 Result<Done> metaMatrix(const HeaderFields& fields, const std::filesystem::path& file,
@@ -109,16 +109,17 @@ Result<Done> metaMatrix(const HeaderFields& fields, const std::filesystem::path&
   if (matrix.size() != 9 || offset.size() != 3 || spacing.size() != 3)
     return refuseMeta(
         file,
-        "has no TransformMatrix, Offset and ElementSpacing of three dimensions, so left "
-        "and right or its voxel size are not known.");
+        Sentence{"has no TransformMatrix, Offset and ElementSpacing of three dimensions, so left "
+                 "and right or its voxel size are not known."});
   double unit_mm = 1.0;
-  std::string unit = "not stated and taken as the millimeter";
+  Sentence unit{"not stated and taken as the millimeter"};
   if (fields.has("distanceunits") && fields.text("distanceunits") != "?") {
     const auto stated = millimetersOf(fields.text("distanceunits"));
     if (!stated)
-      return Error{name + " states its unit of length as " + fields.text("distanceunits") +
-                   "; millimeters, centimeters, meters and micrometers are read, one for each of "
-                   "three axes. Export it again in millimeters."};
+      return Error{
+          "%1 states its unit of length as %2; millimeters, centimeters, meters and micrometers "
+          "are read, one for each of three axes. Export it again in millimeters.",
+          name, fields.text("distanceunits")};
     unit_mm = *stated;
     unit = fields.text("distanceunits") + " (DistanceUnits)";
   }
@@ -150,15 +151,15 @@ Result<Done> metaSize(const HeaderFields& fields, const std::filesystem::path& f
   const std::vector<double> sizes = fields.numbers("dimsize");
   const bool isVolume = fields.word("objecttype").empty() || fields.word("objecttype") == "image";
   if (!isVolume || fields.text("ndims") != "3" || sizes.size() != 3)
-    return refuseMeta(file, "holds no volume of three dimensions.");
+    return refuseMeta(file, Sentence{"holds no volume of three dimensions."});
   if (fields.has("elementnumberofchannels") && fields.text("elementnumberofchannels") != "1")
-    return refuseMeta(file, "holds voxels that are no gray values.");
+    return refuseMeta(file, Sentence{"holds voxels that are no gray values."});
   if (const auto done = checkVolumeSize(file, {sizes[0], sizes[1], sizes[2]}); !done) return done;
   for (std::size_t axis = 0; axis < 3; ++axis) volume.size[axis] = static_cast<int>(sizes[axis]);
   const std::string modality = fields.text("modality");
   if (!modality.empty() && modality != "MET_MOD_CT" && modality != "MET_MOD_OTHER" &&
       modality != "MET_MOD_UNKNOWN")
-    return refuseMeta(file, "is of the modality " + modality + ", not CT.");
+    return refuseMeta(file, Sentence{"is of the modality %1, not CT.", modality});
   return Done{};
 }
 
@@ -174,22 +175,24 @@ Result<Done> metaCoding(const HeaderFields& fields, const std::filesystem::path&
                         VolumeFile& volume)
 {
   const auto type = metaType(fields.word("elementtype"));
-  if (!type) return refuseMeta(file, "holds voxels that are no gray values.");
+  if (!type) return refuseMeta(file, Sentence{"holds voxels that are no gray values."});
   volume.coding.type = *type;
   const auto isBigEndian = truthOf(fields.word("byteordermsb"));
   const auto isPacked = truthOf(fields.word("compresseddata"));
   const auto isBinary = truthOf(fields.word("binarydata"));
   if (!isBigEndian || !isPacked || !isBinary || (fields.has("binarydata") && !*isBinary))
-    return refuseMeta(file, "does not hold its voxels as binary numbers in a stated order.");
+    return refuseMeta(file,
+                      Sentence{"does not hold its voxels as binary numbers in a stated order."});
   volume.coding.isBigEndian = *isBigEndian;
   if (*isPacked) volume.packing = Packing::required;
   for (const auto& [field, same] : {std::pair("elementtointensityfunctionslope", 1.0),
                                     std::pair("elementtointensityfunctionoffset", 0.0)}) {
     const std::vector<double> number = fields.numbers(field);
     if (fields.has(field) && (number.size() != 1 || number[0] != same))
-      return refuseMeta(file,
-                        "scales its gray values by ElementToIntensityFunction, which programs read "
-                        "differently.");
+      return refuseMeta(
+          file,
+          Sentence{"scales its gray values by ElementToIntensityFunction, which programs read "
+                   "differently."});
   }
   const auto minimum = fields.numbers("elementmin"), maximum = fields.numbers("elementmax");
   if (minimum.size() == 1 && maximum.size() == 1) volume.grayRange = {minimum[0], maximum[0]};
@@ -205,8 +208,10 @@ Result<Done> metaVoxelPlace(const HeaderFields& fields, const std::filesystem::p
   if (named != "LOCAL" && named != "Local" && named != "local") {
     const auto beside = besideHeader(file, named);
     if (!beside || named == "LIST" || named.find('%') != std::string::npos)
-      return refuseMeta(file, "keeps its voxels in '" + named +
-                                  "'; they are read from one file in the header's folder.");
+      return refuseMeta(
+          file,
+          Sentence{"keeps its voxels in '%1'; they are read from one file in the header's folder.",
+                   named});
     volume.voxelFile = *beside;
     volume.from = 0;
   }
@@ -214,7 +219,7 @@ Result<Done> metaVoxelPlace(const HeaderFields& fields, const std::filesystem::p
     const std::vector<double> skipped = fields.numbers("headersize");
     if (skipped.size() != 1 || !(skipped[0] >= 0.0 && skipped[0] <= 1e9) ||
         skipped[0] != std::floor(skipped[0]))
-      return refuseMeta(file, "skips a part of its voxels.");
+      return refuseMeta(file, Sentence{"skips a part of its voxels."});
     volume.from += static_cast<std::size_t>(skipped[0]);
   }
   if (volume.packing == Packing::none || !fields.has("compresseddatasize")) return Done{};
@@ -235,7 +240,7 @@ Result<VolumeFile> readMetaHeader(const std::filesystem::path& file)
   volume.format = "MetaImage";
   volume.bytes = &meta::bytes;
   const auto fields = metaFields(file);
-  if (!fields) return refuseMeta(file, "is no MetaImage file with a whole header.");
+  if (!fields) return refuseMeta(file, Sentence{"is no MetaImage file with a whole header."});
   if (!fields->conflict.empty()) return Error{fields->conflict};
   if (const auto done = metaSize(*fields, file, volume); !done) return done.error();
   if (const auto done = metaCoding(*fields, file, volume); !done) return done.error();

@@ -61,17 +61,17 @@ std::optional<double> unitOf(int code)
 }
 
 /// The unit of length as the header states it.
-std::string unitText(int code)
+Sentence unitText(int code)
 {
   switch (code & 7) {
     case 1:
-      return "the meter (xyzt_units)";
+      return Sentence{"the meter (xyzt_units)"};
     case 2:
-      return "the millimeter (xyzt_units)";
+      return Sentence{"the millimeter (xyzt_units)"};
     case 3:
-      return "the micrometer (xyzt_units)";
+      return Sentence{"the micrometer (xyzt_units)"};
     default:
-      return "not stated (xyzt_units) and taken as the millimeter";
+      return Sentence{"not stated (xyzt_units) and taken as the millimeter"};
   }
 }
 
@@ -134,9 +134,9 @@ std::string placeText(const Eigen::Vector4d& place)
 
 /// The sentence about a corner voxel that two matrices put at different places; empty where both
 /// agree at all eight.
-std::optional<std::string> differentPlaces(const std::string& subject, const StatedTwice& pair,
-                                           const std::array<int, 3>& size, const Matrix& first,
-                                           const Matrix& second, double unit_mm)
+std::optional<Sentence> differentPlaces(const Sentence& subject, const StatedTwice& pair,
+                                        const std::array<int, 3>& size, const Matrix& first,
+                                        const Matrix& second, double unit_mm)
 {
   for (int corner = 7; corner >= 0; --corner) {
     const Eigen::Vector4d index((corner & 1) * (size[0] - 1), ((corner >> 1) & 1) * (size[1] - 1),
@@ -144,22 +144,22 @@ std::optional<std::string> differentPlaces(const std::string& subject, const Sta
     const Eigen::Vector4d one = first * index, other = second * index;
     if ((one - other).norm() * unit_mm <= pair.absolute) continue;
     return disagreement(subject, pair, placeText(unit_mm * one), placeText(unit_mm * other),
-                        " (" + std::to_string(std::lround(index[0])) + ", " +
-                            std::to_string(std::lround(index[1])) + ", " +
-                            std::to_string(std::lround(index[2])) + ")");
+                        Sentence{" (%1, %2, %3)", std::lround(index[0]), std::lround(index[1]),
+                                 std::lround(index[2])});
   }
   return std::nullopt;
 }
 
-std::string handText(const Matrix& ras)
+Sentence handText(const Matrix& ras)
 {
-  return ras.topLeftCorner<3, 3>().determinant() > 0.0 ? "right-handed" : "left-handed";
+  return ras.topLeftCorner<3, 3>().determinant() > 0.0 ? Sentence{"right-handed"}
+                                                       : Sentence{"left-handed"};
 }
 
 /// What a header says of the place of its voxels.
 struct Place {
   Matrix ras;  ///< Index to RAS, in the header's unit.
-  std::vector<std::string> warnings;
+  std::vector<Sentence> warnings;
 };
 
 /// The SForm, checked against pixdim and the QForm; or the QForm.
@@ -172,19 +172,21 @@ Result<Place> placeOf(const Header& header, const std::string& name, const std::
   const bool isTemplate =
       sformCode(header) > lastCodeOfAScan && qformCode(header) <= lastCodeOfAScan;
   if (hasQ && !qform.allFinite())
-    return Error{name +
-                 " has a QForm that is no rotation: its quaternion is longer than 1, its pixdim[0] "
-                 "not 1 or -1, or a number not finite. Export it again."};
+    return Error{
+        "%1 has a QForm that is no rotation: its quaternion is longer than 1, its pixdim[0] not 1 "
+        "or -1, or a number not finite. Export it again.",
+        name};
   if (!isSUsable && !hasQ)
-    return Error{name +
-                 " has neither an SForm nor a QForm in a unit of length, so left and right are "
-                 "not known. Export it with its orientation."};
+    return Error{
+        "%1 has neither an SForm nor a QForm in a unit of length, so left and right are not known. "
+        "Export it with its orientation.",
+        name};
   if (!isSUsable) {
     Place place{qform, {}};
     if (hasS)
-      place.warnings.push_back(*disagreement("The file", nifti::unusableForm,
+      place.warnings.push_back(*disagreement(Sentence{"The file"}, nifti::unusableForm,
                                              "code " + std::to_string(sformCode(header)),
-                                             "zeros or values that are no numbers"));
+                                             Sentence{"zeros or values that are no numbers"}));
     return place;
   }
   if (hasQ)
@@ -193,8 +195,8 @@ Result<Place> placeOf(const Header& header, const std::string& name, const std::
       return Error{*differs};
   if (hasQ && isTemplate) {
     Place place{qform, {}};
-    if (const auto differs =
-            differentPlaces("The file", nifti::templateSForm, size, qform, sform, unit_mm))
+    if (const auto differs = differentPlaces(Sentence{"The file"}, nifti::templateSForm, size,
+                                             qform, sform, unit_mm))
       place.warnings.push_back(*differs);
     return place;
   }
@@ -206,7 +208,7 @@ Result<Place> placeOf(const Header& header, const std::string& name, const std::
   Place place{sform, {}};
   if (!hasQ) return place;
   const bool isSameSpace = sformCode(header) == qformCode(header);
-  const auto differs = differentPlaces(isSameSpace ? name : "The file",
+  const auto differs = differentPlaces(isSameSpace ? Sentence(name) : Sentence{"The file"},
                                        isSameSpace ? nifti::cornerPlace : nifti::otherQForm, size,
                                        sform, qform, unit_mm);
   if (differs && isSameSpace) return Error{*differs};
@@ -220,14 +222,16 @@ Result<Done> readScaling(const Header& header, const std::string& name, VolumeFi
   const double slope = header.number(112), intercept = header.number(116);
   if (slope == 0.0 && intercept == 0.0) return Done{};
   if (slope == 0.0) {
-    volume.warnings.push_back(*disagreement("The file", nifti::grayValues, "0 (none)",
+    volume.warnings.push_back(*disagreement(Sentence{"The file"}, nifti::grayValues,
+                                            Sentence{"0 (none)"},
                                             std::to_string(std::lround(intercept))));
     return Done{};
   }
   if (!(slope > 0.0) || !std::isfinite(slope) || !std::isfinite(intercept))
-    return Error{name +
-                 " has a scl_slope or scl_inter that scales no gray value: the slope must be above "
-                 "0 and both finite. Export it again."};
+    return Error{
+        "%1 has a scl_slope or scl_inter that scales no gray value: the slope must be above 0 and "
+        "both finite. Export it again.",
+        name};
   volume.coding.slope = slope;
   volume.coding.intercept = intercept;
   return Done{};
@@ -241,14 +245,15 @@ Result<Done> niftiType(const Header& header, const std::string& name, VolumeFile
       {512, VoxelType::uint16}, {768, VoxelType::uint32}};
   const auto type = types.find(header.word(70));
   if (type == types.end())
-    return Error{name + " holds voxels of the type " + std::to_string(header.word(70)) +
-                 ", which are no gray values. Save the CT as 16-bit numbers."};
+    return Error{
+        "%1 holds voxels of the type %2, which are no gray values. Save the CT as 16-bit numbers.",
+        name, header.word(70)};
   volume.coding.type = type->second;
   if (const int intent = header.word(68); intent != 0)
     return Error{
-        name + " states by its intent_code " + std::to_string(intent) +
-        " that its voxels are labels or statistics and no gray values. Save the CT itself, "
-        "with the code 0."};
+        "%1 states by its intent_code %2 that its voxels are labels or statistics and no gray "
+        "values. Save the CT itself, with the code 0.",
+        name, intent};
   if (const auto differs =
           disagreement(name, nifti::voxelBits, 8.0 * static_cast<double>(bytesOf(type->second)),
                        header.word(72)))
@@ -260,11 +265,11 @@ Result<Done> niftiSize(const Header& header, const std::filesystem::path& file, 
 {
   const int dimensions = header.word(40);
   if (dimensions < 3 || dimensions > 7)
-    return Error{file.string() + " holds no volume of three dimensions: its dim[0] is " +
-                 std::to_string(dimensions) + ". Save the CT alone."};
+    return Error{"%1 holds no volume of three dimensions: its dim[0] is %2. Save the CT alone.",
+                 file, dimensions};
   for (int axis = 4; axis <= dimensions; ++axis)
     if (header.word(40 + 2 * static_cast<std::size_t>(axis)) > 1)
-      return Error{file.string() + " holds more than one volume. Save the CT alone."};
+      return Error{"%1 holds more than one volume. Save the CT alone.", file};
   const std::array<double, 3> size{1.0 * header.word(42), 1.0 * header.word(44),
                                    1.0 * header.word(46)};
   if (const auto done = checkVolumeSize(file, size); !done) return done;
@@ -294,12 +299,12 @@ Result<VolumeFile> readNiftiHeader(const std::filesystem::path& file)
   const std::string name = file.string();
   if (bytes->substr(4, 3) == "n+2" || bytes->substr(4, 3) == "ni2")
     return Error{
-        name +
-        " is a NIfTI-2 file; NIfTI-1 is read. Save the volume as NIfTI-1 (.nii or .nii.gz) "
-        "or as NRRD."};
+        "%1 is a NIfTI-2 file; NIfTI-1 is read. Save the volume as NIfTI-1 (.nii or .nii.gz) or as "
+        "NRRD.",
+        name};
   if (header.bits(0, 4) != headerBytes || bytes->substr(344, 4) != std::string("n+1", 4))
-    return Error{name +
-                 " is no NIfTI-1 file with its voxels in it. Save the volume as .nii or .nii.gz."};
+    return Error{"%1 is no NIfTI-1 file with its voxels in it. Save the volume as .nii or .nii.gz.",
+                 name};
   VolumeFile volume;
   volume.format = "NIfTI";
   volume.bytes = &nifti::bytes;
@@ -311,8 +316,10 @@ Result<VolumeFile> readNiftiHeader(const std::filesystem::path& file)
   const int unitCode = static_cast<unsigned char>((*bytes)[123]);
   const auto unit_mm = unitOf(unitCode);
   if (!unit_mm)
-    return Error{name + " states its unit of length by the code " + std::to_string(unitCode & 7) +
-                 ", which is none. Export it again in millimeters."};
+    return Error{
+        "%1 states its unit of length by the code %2, which is none. Export it again in "
+        "millimeters.",
+        name, unitCode & 7};
   const auto place = placeOf(header, name, volume.size, *unit_mm);
   if (!place) return place.error();
   volume.warnings = place->warnings;
@@ -324,7 +331,7 @@ Result<VolumeFile> readNiftiHeader(const std::filesystem::path& file)
   if (const auto done = readScaling(header, name, volume); !done) return done.error();
   const double first = header.number(108);
   if (!(first >= headerBytes && first < 1e7) || first != std::floor(first))
-    return Error{name + " is damaged: its voxels begin nowhere. Export it again."};
+    return Error{"%1 is damaged: its voxels begin nowhere. Export it again.", name};
   volume.skipped = static_cast<std::size_t>(first);
   if (const auto done = checkDataLength(file, volume); !done) return done.error();
   return volume;

@@ -66,8 +66,8 @@ bool addLine(const std::string& line, const std::string& subject, HeaderFields& 
     return true;
   }
   if (field == std::string::npos) {
-    fields.conflict =
-        subject + " is damaged: a line of its header is no field. Copy or export it again.";
+    fields.conflict = Sentence{
+        "%1 is damaged: a line of its header is no field. Copy or export it again.", subject};
     return false;
   }
   return fields.add(line.substr(0, field), line.substr(field + 2), subject, nrrd::field);
@@ -133,9 +133,9 @@ std::optional<HeaderFields> nrrdFields(const std::filesystem::path& file)
 class NrrdRefusal {
 public:
   explicit NrrdRefusal(const std::filesystem::path& file) : name_(file.string()) {}
-  Error operator()(const std::string& why) const
+  Error operator()(const Sentence& why) const
   {
-    return Error{name_ + " " + why + " Export the CT as NRRD with its voxels in the file."};
+    return Error{"%1 %2 Export the CT as NRRD with its voxels in the file.", name_, why};
   }
 
 private:
@@ -145,7 +145,7 @@ private:
 /// Millimeters of the unit of each direction in space, as the header states them.
 struct Units {
   Eigen::Vector3d millimeters = Eigen::Vector3d::Ones();
-  std::string text = "not stated and taken as the millimeter";
+  Sentence text{"not stated and taken as the millimeter"};
 };
 
 Result<Units> unitsOf(const HeaderFields& fields, const std::string& name)
@@ -159,9 +159,10 @@ Result<Units> unitsOf(const HeaderFields& fields, const std::string& name)
       if (words[axis].empty() || words[axis] == "???") continue;
       const auto millimeters = millimetersOf(words[axis]);
       if (!millimeters || words.size() != 3)
-        return Error{name + " states its unit of length as " + fields.text(field) +
-                     "; millimeters, centimeters, meters and micrometers are read, one for each of "
-                     "three axes. Export it again in millimeters."};
+        return Error{
+            "%1 states its unit of length as %2; millimeters, centimeters, meters and micrometers "
+            "are read, one for each of three axes. Export it again in millimeters.",
+            name, fields.text(field)};
       found[static_cast<Eigen::Index>(axis)] = *millimeters;
     }
     if (fields.has("spaceunits") && std::string(field) == "units" && found != units.millimeters)
@@ -185,9 +186,10 @@ Result<Done> checkSpacings(const HeaderFields& fields, const std::string& name,
        {std::pair("spacings", spacings), std::pair("axismins", mins), std::pair("axismaxs", maxs),
         std::pair("thicknesses", thicknesses)})
     if (fields.has(field) && numbers.size() != 3)
-      return Error{name + " has a field '" + field +
-                   "' that is not one number for each of its three axes: '" + fields.text(field) +
-                   "'. Export it again."};
+      return Error{
+          "%1 has a field '%2' that is not one number for each of its three axes: '%3'. Export it "
+          "again.",
+          name, field, fields.text(field)};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto a = static_cast<Eigen::Index>(axis);
     if (!spacings.empty() && !std::isnan(spacings[axis]))
@@ -196,7 +198,7 @@ Result<Done> checkSpacings(const HeaderFields& fields, const std::string& name,
         return Error{*differs};
     if (!thicknesses.empty() && !std::isnan(thicknesses[axis]))
       if (const auto differs =
-              disagreement("The file", nrrd::thickness, lengths[a],
+              disagreement(Sentence{"The file"}, nrrd::thickness, lengths[a],
                            unit_mm[a] * std::fabs(thicknesses[axis]), alongAxis(a)))
         volume.warnings.push_back(*differs);
     if (mins.empty() || maxs.empty() || std::isnan(mins[axis]) || std::isnan(maxs[axis])) continue;
@@ -219,8 +221,8 @@ Result<Done> nrrdMatrix(const HeaderFields& fields, const std::filesystem::path&
   const std::vector<double> directions = fields.numbers("spacedirections");
   const std::vector<double> origin = fields.numbers("spaceorigin");
   if (!signs || directions.size() != 9 || origin.size() != 3)
-    return refuse(
-        "has no space, directions and origin in the patient, so left and right are not known.");
+    return refuse(Sentence{
+        "has no space, directions and origin in the patient, so left and right are not known."});
   if (fields.has("spacedimension"))
     if (const auto differs =
             disagreement(name, nrrd::dimensions, "3", fields.text("spacedimension")))
@@ -245,7 +247,7 @@ Result<Done> nrrdSize(const HeaderFields& fields, const std::filesystem::path& f
   const NrrdRefusal refuse(file);
   const std::vector<double> sizes = fields.numbers("sizes");
   if (fields.text("dimension") != "3" || sizes.size() != 3)
-    return refuse("holds no volume of three dimensions.");
+    return refuse(Sentence{"holds no volume of three dimensions."});
   if (const auto done = checkVolumeSize(file, {sizes[0], sizes[1], sizes[2]}); !done) return done;
   for (std::size_t axis = 0; axis < 3; ++axis) volume.size[axis] = static_cast<int>(sizes[axis]);
   if (fields.has("number")) {
@@ -257,10 +259,10 @@ Result<Done> nrrdSize(const HeaderFields& fields, const std::filesystem::path& f
   }
   if (const std::string modality = lowerCase(fields.modality);
       !modality.empty() && modality != "ct" && modality != "ot" && modality != "xa")
-    return refuse("is of the modality " + fields.modality + ", not CT.");
+    return refuse(Sentence{"is of the modality %1, not CT.", fields.modality});
   for (const std::string& kind : wordsOf(fields.word("kinds")))
     if (kind != "domain" && kind != "space" && kind != "none" && kind != "???")
-      return refuse("has an axis of the kind '" + kind + "', which is none in space.");
+      return refuse(Sentence{"has an axis of the kind '%1', which is none in space.", kind});
   return Done{};
 }
 
@@ -275,8 +277,9 @@ Result<Done> nrrdVoxelPlace(const HeaderFields& fields, const std::filesystem::p
     const auto beside = besideHeader(file, fields.text("datafile"));
     if (!beside || fields.word("datafile").starts_with("list") ||
         fields.text("datafile").find('%') != std::string::npos)
-      return refuse("keeps its voxels in '" + fields.text("datafile") +
-                    "'; they are read from one file in the header's folder.");
+      return refuse(
+          Sentence{"keeps its voxels in '%1'; they are read from one file in the header's folder.",
+                   fields.text("datafile")});
     volume.voxelFile = *beside;
     volume.from = 0;
   }
@@ -284,7 +287,7 @@ Result<Done> nrrdVoxelPlace(const HeaderFields& fields, const std::filesystem::p
   if (encoding == "gzip" || encoding == "gz")
     volume.packing = Packing::required;
   else if (encoding != "raw")
-    return refuse("is encoded as '" + encoding + "'; raw and gzip are read.");
+    return refuse(Sentence{"is encoded as '%1'; raw and gzip are read.", encoding});
   // 0 skips nothing; lines and what is counted from the end are rare and ambiguous
   const std::vector<double> lines = fields.numbers("lineskip"), bytes = fields.numbers("byteskip");
   const auto isWrong = [&fields](const char* field, const std::vector<double>& numbers,
@@ -293,7 +296,7 @@ Result<Done> nrrdVoxelPlace(const HeaderFields& fields, const std::filesystem::p
                                  numbers[0] > largest || numbers[0] != std::floor(numbers[0]));
   };
   if (isWrong("lineskip", lines, 0.0) || isWrong("byteskip", bytes, 1e9))
-    return refuse("skips a part of its voxels.");
+    return refuse(Sentence{"skips a part of its voxels."});
   if (!bytes.empty()) volume.skipped = static_cast<std::size_t>(bytes[0]);
   return Done{};
 }
@@ -307,21 +310,22 @@ Result<VolumeFile> readNrrdHeader(const std::filesystem::path& file)
   volume.bytes = &nrrd::bytes;
   const NrrdRefusal refuse(file);
   const auto fields = nrrdFields(file);
-  if (!fields) return refuse("is no NRRD file with a whole header.");
+  if (!fields) return refuse(Sentence{"is no NRRD file with a whole header."});
   if (!fields->conflict.empty()) return Error{fields->conflict};
   if (const auto done = nrrdSize(*fields, file, volume); !done) return done.error();
   const auto type = nrrdType(fields->word("type"));
-  if (!type) return refuse("holds voxels that are no gray values.");
+  if (!type) return refuse(Sentence{"holds voxels that are no gray values."});
   volume.coding.type = *type;
   static constexpr std::array orders{Choice<bool>{false, "little"}, Choice<bool>{true, "big"}};
   const auto isBigEndian = valueIn(orders, fields->word("endian"));
-  if (bytesOf(*type) > 1 && !isBigEndian) return refuse("does not say the order of its bytes.");
+  if (bytesOf(*type) > 1 && !isBigEndian)
+    return refuse(Sentence{"does not say the order of its bytes."});
   volume.coding.isBigEndian = isBigEndian.value_or(false);
   if (const auto done = nrrdMatrix(*fields, file, volume); !done) return done.error();
   if (const auto done = nrrdVoxelPlace(*fields, file, volume); !done) return done.error();
   if (fields->has("oldmin") || fields->has("oldmax"))
     volume.warnings.push_back(
-        *disagreement("The file", nrrd::grayValues, "as stored",
+        *disagreement(Sentence{"The file"}, nrrd::grayValues, Sentence{"as stored"},
                       "'" + fields->text("oldmin") + "' to '" + fields->text("oldmax") + "'"));
   if (const auto done = checkDataLength(file, volume); !done) return done.error();
   return volume;

@@ -100,9 +100,10 @@ Result<Done> VoxelConverter::check() const
         "It holds voxels that are not finite numbers. Export the volume as 16-bit Hounsfield "
         "units."};
   if (static_cast<double>(clipped_) > maxClippedFraction * static_cast<double>(count_))
-    return Error{std::to_string(clipped_) +
-                 " voxels lie beyond -32768 to 32767, which 16 bits hold. Export the volume as "
-                 "Hounsfield units."};
+    return Error{
+        "%1 voxels lie beyond -32768 to 32767, which 16 bits hold. Export the volume as Hounsfield "
+        "units.",
+        clipped_};
   if (!spansEnough())
     return Error{
         "Its intensities span less than 100, so they are no Hounsfield units: a mask, a label or a "

@@ -29,10 +29,9 @@ Result<ByteSource> openVoxels(const VolumeFile& volume)
 }
 
 Error wrongLength(const std::filesystem::path& file, const VolumeFile& volume, std::size_t stated,
-                  const std::string& found)
+                  const Sentence& found)
 {
-  return Error{
-      *disagreement(file.string(), *volume.bytes, std::to_string(stated) + " bytes", found)};
+  return Error{*disagreement(file.string(), *volume.bytes, Sentence{"%1 bytes", stated}, found)};
 }
 
 bool endsWithOneOf(const std::string& name, std::initializer_list<const char*> endings)
@@ -64,9 +63,8 @@ std::optional<Result<VolumeFile>> volumeOfFolder(const std::filesystem::path& fo
   if (failed || volumes.empty()) return std::nullopt;
   if (volumes.size() == 1) return readVolumeHeader(volumes.front());
   std::sort(volumes.begin(), volumes.end());
-  return Result<VolumeFile>(Error{folder.string() + " holds " + std::to_string(volumes.size()) +
-                                  " volumes, the first " + volumes.front().filename().string() +
-                                  ". Give one of these files."});
+  return Result<VolumeFile>(Error{"%1 holds %2 volumes, the first %3. Give one of these files.",
+                                  folder, volumes.size(), volumes.front().filename()});
 }
 
 /// Fills up to `count` bytes; refuses less.
@@ -78,8 +76,7 @@ Result<Done> readAll(ByteSource& source, char* to, std::size_t before, std::size
     const auto got = source.read(to + done, count - done);
     if (!got) return got.error();
     if (*got == 0)
-      return wrongLength(file, volume, voxelBytesOf(volume),
-                         std::to_string(before + done) + " bytes");
+      return wrongLength(file, volume, voxelBytesOf(volume), Sentence{"%1 bytes", before + done});
     done += *got;
   }
   return Done{};
@@ -105,7 +102,7 @@ Result<Done> checkSpan(const std::filesystem::path& file, const VolumeFile& volu
   }
   const auto checked = seen.check();
   if (!checked && (!seen.isFinite() || !seen.spansEnough()))
-    return Error{file.string() + ": " + checked.error().message};
+    return Error{"%1: %2", file, checked.error().message};
   return Done{};
 }
 
@@ -116,9 +113,9 @@ Result<Done> checkEnd(ByteSource& source, std::string& chunk, std::size_t stated
   const auto more = source.read(chunk.data(), chunkBytes);
   if (!more) return more.error();
   if (*more == 0) return Done{};
-  return wrongLength(
-      file, volume, stated,
-      (*more == chunkBytes ? "more than " : "") + std::to_string(stated + *more) + " bytes");
+  return wrongLength(file, volume, stated,
+                     *more == chunkBytes ? Sentence{"more than %1 bytes", stated + *more}
+                                         : Sentence{"%1 bytes", stated + *more});
 }
 
 }  // namespace
@@ -148,12 +145,11 @@ Result<Done> checkDataLength(const std::filesystem::path& file, const VolumeFile
   const std::uintmax_t stated = voxelBytesOf(volume), there = source->fileBytes();
   if (source->isPacked()) {
     if (stated + volume.skipped <= maxInflation * there) return Done{};
-    return wrongLength(file, volume, stated,
-                       "at most " + std::to_string(maxInflation * there) + " bytes");
+    return wrongLength(file, volume, stated, Sentence{"at most %1 bytes", maxInflation * there});
   }
   const std::uintmax_t found = there - std::min<std::uintmax_t>(there, volume.skipped);
   if (found == stated) return Done{};
-  return wrongLength(file, volume, stated, std::to_string(found) + " bytes");
+  return wrongLength(file, volume, stated, Sentence{"%1 bytes", found});
 }
 
 CtSeries describeVolume(const VolumeFile& volume)
@@ -193,23 +189,24 @@ Result<LoadedCt> readVolumeFile(const std::filesystem::path& file, const VolumeF
   }
   if (const auto done = checkEnd(*source, chunk, stated, file, volume); !done) return done.error();
   if (const auto done = converter.check(); !done)
-    return Error{file.string() + ": " + done.error().message};
+    return Error{"%1: %2", file, done.error().message};
   CtSeries series = describeVolume(volume);
   const std::size_t described = series.warnings.size();
   if (volume.grayRange)
     for (std::size_t end = 0; end < 2; ++end)
       if (const auto differs = disagreement(
-              "The file", meta::grayValues, end == 0 ? converter.smallest() : converter.largest(),
-              (*volume.grayRange)[end], end == 0 ? ", the smallest," : ", the largest,"))
+              Sentence{"The file"}, meta::grayValues,
+              end == 0 ? converter.smallest() : converter.largest(), (*volume.grayRange)[end],
+              end == 0 ? Sentence{", the smallest,"} : Sentence{", the largest,"}))
         series.warnings.push_back(*differs);
-  std::vector<std::string> doubts = volume.warnings;
+  std::vector<std::string> doubts(volume.warnings.begin(), volume.warnings.end());
   doubts.insert(doubts.end(), series.warnings.begin() + static_cast<std::ptrdiff_t>(described),
                 series.warnings.end());
   const bool isInDoubt = !doubts.empty();
   series.key = hash.hex();
   auto made = ct::CtVolume::make(volume.size, volume.lps_PI, std::move(voxels),
                                  {series.key, "", volume.format, std::move(doubts), isInDoubt});
-  if (!made) return Error{file.string() + ": " + made.error().message};
+  if (!made) return Error{"%1: %2", file, made.error().message};
   return LoadedCt{*std::move(made), std::move(series)};
 }
 

@@ -29,7 +29,7 @@ struct VolumeFile {
   const StatedTwice* bytes = nullptr;  ///< The pair of header and length of the voxels.
   /// Smallest and largest gray value that the header states.
   std::optional<std::array<double, 2>> grayRange;
-  std::vector<std::string> warnings;  ///< Sentences.
+  std::vector<Sentence> warnings;  ///< Sentences.
 };
 
 /// Reads a NIfTI-1 header (.nii, .nii.gz): the SForm of code 1 or 2, else the QForm, else another SForm.

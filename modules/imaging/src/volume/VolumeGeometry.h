@@ -13,14 +13,14 @@
 namespace perilymph::imaging {
 
 /// Axis of voxels behind a quantity: " along i".
-std::string alongAxis(Eigen::Index axis);
+Sentence alongAxis(Eigen::Index axis);
 
 /// Refuses a matrix that is not finite, voxels below 0.01 or above 10 mm, and axes that do not meet at
 /// right angles within a thousandth of a radian: a sheared volume would be measured wrong.
 ///
 /// @param unit  The file's unit of length and where it is stated, for the sentence.
 Result<Done> checkVoxels(const std::filesystem::path& file, const Eigen::Matrix4d& lps_PI,
-                         const std::string& unit);
+                         const Sentence& unit);
 
 /// Refuses sizes that are no volume or beyond maxCtVoxels.
 Result<Done> checkVolumeSize(const std::filesystem::path& file, const std::array<double, 3>& size);

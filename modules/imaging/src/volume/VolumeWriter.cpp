@@ -108,9 +108,7 @@ Result<Done> writeVolume(const ct::CtVolume& volume, const fs::path& file)
     return writeWhole(file, [&](const fs::path& place) { return writeNrrd(volume, place); });
   if (name.ends_with(".nii") || name.ends_with(".nii.gz"))
     return writeWhole(file, [&](const fs::path& place) { return writeNifti(volume, place); });
-  return Error{file.string() +
-               " has an unknown extension; a CT is written as .nrrd, .nii or "
-               ".nii.gz."};
+  return Error{"%1 has an unknown extension; a CT is written as .nrrd, .nii or .nii.gz.", file};
 }
 
 }  // namespace perilymph::imaging

@@ -78,15 +78,16 @@ Result<PatientRecord> replaceRecord(const PatientRecord& record, const PatientRe
   if (!continues(record.versions, before.versions) || !continues(record.plans, before.plans) ||
       !continues(record.insertions, before.insertions) ||
       !continues(record.outcomes, before.outcomes))
-    return Error{recordFileOf(patient).string() +
-                 " is not replaced: versions, plans, insertions or outcomes in it would be lost. "
-                 "Read it again."};
+    return Error{
+        "%1 is not replaced: versions, plans, insertions or outcomes in it would be lost. Read it "
+        "again.",
+        recordFileOf(patient).string()};
   PatientRecord kept = record;
   kept.isChangedByHand = record.isChangedByHand || before.isChangedByHand;
   const std::string text = textOf(kept);
   if (text.size() > maxRecordBytes)
-    return Error{recordFileOf(patient).string() +
-                 " would be larger than 4 MiB. Shorten the notes or remove scans."};
+    return Error{"%1 would be larger than 4 MiB. Shorten the notes or remove scans.",
+                 recordFileOf(patient).string()};
   if (const auto done = writeWhole(recordFileOf(patient), text, {Links::followed, Audience::owner});
       !done)
     return done.error();
@@ -148,13 +149,13 @@ Result<std::vector<fs::path>> insertionsIn(const fs::path& folder)
   for (const fs::directory_entry& entry : entries) {
     if (entry.is_symlink(failure) || !entry.is_regular_file(failure) ||
         entry.path().extension() != ".insertion")
-      return Error{entry.path().string() +
-                   " is not a recording; an exported patient has nothing else there. Remove it."};
+      return Error{"%1 is not a recording; an exported patient has nothing else there. Remove it.",
+                   entry.path()};
     if (const auto opened = RecordedInsertion::open(entry.path()); !opened)
-      return Error{entry.path().string() + " cannot be imported: " + opened.error().message};
+      return Error{"%1 cannot be imported: %2", entry.path(), opened.error().message};
     found.push_back(entry.path());
     if (found.size() > maxInsertions)
-      return Error{folder.string() + " holds more than 10000 recordings. Remove some."};
+      return Error{"%1 holds more than 10000 recordings. Remove some.", folder};
   }
   std::sort(found.begin(), found.end());
   return found;
@@ -170,18 +171,18 @@ Result<Done> checkLists(const PatientRecord& record)
   constexpr double largest_mm = 1e4;  // of a position in a scanner
   for (const PatientVersion& version : record.versions) {
     if (!version.savedUtc.empty() && !isDate(version.savedUtc))
-      return Error{"A version was saved at \"" + version.savedUtc +
-                   "\", which is no date like 2026-11-20T09:30:00Z."};
+      return Error{"A version was saved at \"%1\", which is no date like 2026-11-20T09:30:00Z.",
+                   version.savedUtc};
     if (const auto patient = anatomy::patientIn(version.patient, "A version"); !patient)
       return patient.error();
     for (const PatientLandmark& each : version.landmarks)
       for (const double place_mm : each.lps_mm)
         if (!(std::fabs(place_mm) <= largest_mm))
-          return Error{"The landmark " + each.name + " lies beyond any scanner. Correct it."};
+          return Error{"The landmark %1 lies beyond any scanner. Correct it.", each.name};
   }
   for (const PatientOutcome& each : record.outcomes)
     if (!isSeries(each.series) || !isDate(each.utc))
-      return Error{"An outcome of the series \"" + each.series + "\" has no hash or no date."};
+      return Error{"An outcome of the series \"%1\" has no hash or no date.", each.series};
   return Done{};
 }
 
@@ -190,19 +191,18 @@ Result<Done> checkLists(const PatientRecord& record)
 Result<Done> checkRecord(const PatientRecord& record)
 {
   if (record.notes.size() > maxNotes)
-    return Error{"Notes have " + std::to_string(record.notes.size()) +
-                 " characters; at most 4000 are kept. Shorten them."};
+    return Error{"Notes have %1 characters; at most 4000 are kept. Shorten them.",
+                 record.notes.size()};
   if (record.tags.size() > maxTags)
-    return Error{"There are " + std::to_string(record.tags.size()) +
-                 " tags; at most 16 are kept. Remove some."};
+    return Error{"There are %1 tags; at most 16 are kept. Remove some.", record.tags.size()};
   if (record.scans.size() > maxScans)
-    return Error{"There are " + std::to_string(record.scans.size()) +
-                 " scans; at most 64 are kept. Remove some."};
+    return Error{"There are %1 scans; at most 64 are kept. Remove some.", record.scans.size()};
   for (const PatientScan& scan : record.scans)
     if (!isSeries(scan.series) || !isDate(scan.savedUtc))
-      return Error{"The scan \"" + scan.series + "\" of \"" + scan.savedUtc +
-                   "\" is not possible: it has up to 64 hexadecimal digits and a date like "
-                   "2026-11-20T09:30:00Z. Correct or remove it."};
+      return Error{
+          "The scan \"%1\" of \"%2\" is not possible: it has up to 64 hexadecimal digits and a "
+          "date like 2026-11-20T09:30:00Z. Correct or remove it.",
+          scan.series, scan.savedUtc};
   if (const auto possible = checkLists(record); !possible) return possible;
   std::set<std::string> seen;
   for (const std::string& tag : record.tags) {
@@ -210,9 +210,10 @@ Result<Done> checkRecord(const PatientRecord& record)
       return c == ',' || static_cast<unsigned char>(c) < ' ';
     });
     if (tag.empty() || tag.size() > maxTag || !isClean)
-      return Error{"The tag \"" + tag +
-                   "\" is not possible: it has 1 to 24 characters and no comma. Change it."};
-    if (!seen.insert(tag).second) return Error{"The tag \"" + tag + "\" stands twice. Remove one."};
+      return Error{
+          "The tag \"%1\" is not possible: it has 1 to 24 characters and no comma. Change it.",
+          tag};
+    if (!seen.insert(tag).second) return Error{"The tag \"%1\" stands twice. Remove one.", tag};
   }
   return Done{};
 }
@@ -239,9 +240,9 @@ Result<PatientRecord> savePatientRecord(const PatientRecord& record, const fs::p
   const bool isRemoved = before->base.empty() && fs::exists(patient, ignored);
   if (before->base != record.base && !isRemoved)
     return Error{
-        recordFileOf(patient).string() +
-        " was changed by another program meanwhile; it is not replaced. Read it again, and "
-        "make the change in it."};
+        "%1 was changed by another program meanwhile; it is not replaced. Read it again, and make "
+        "the change in it.",
+        recordFileOf(patient).string()};
   return replaceRecord(record, *before, patient);
 }
 
@@ -265,8 +266,8 @@ Result<Done> savePatientVersion(const anatomy::Patient& patient, const fs::path&
   std::error_code failure;
   const bool isThere = fs::exists(file, failure);
   if (isThere && isNew)
-    return Error{file.string() +
-                 " is there already; it is not replaced. Open that patient, or use another code."};
+    return Error{"%1 is there already; it is not replaced. Open that patient, or use another code.",
+                 file};
   const auto before = loadPatientRecord(file);
   if (!before) return before.error();
   PatientRecord record = *before;
@@ -276,8 +277,8 @@ Result<Done> savePatientVersion(const anatomy::Patient& patient, const fs::path&
   if (isThere) {
     const auto former = anatomy::loadPatient(file);
     if (!former)
-      return Error{former.error().message +
-                   " The file is not replaced; move it away, or open it with a newer version."};
+      return Error{"%1 The file is not replaced; move it away, or open it with a newer version.",
+                   former.error().message};
     const std::string text = anatomy::patientText(*former);
     if (!isLast(text)) record.versions.push_back({"", "", text, {}, {}});
   }
@@ -299,7 +300,7 @@ Result<Done> exportPatient(const fs::path& patient, const std::vector<fs::path>&
 {
   std::error_code failure;
   if (fs::exists(fs::symlink_status(folder, failure)))
-    return Error{folder.string() + " exists. Give the name of a new folder."};
+    return Error{"%1 exists. Give the name of a new folder.", folder};
   const auto record = loadPatientRecord(patient);
   if (!record) return record.error();
   auto unfinished = UnfinishedFolder::create(folder);
@@ -337,16 +338,18 @@ Result<fs::path> importPatient(const fs::path& folder, const fs::path& library,
   const auto lock = lockPatient(file);
   if (!lock) return lock.error();
   if (fs::exists(file, failure))
-    return Error{"The library has " + patient->label + ", " + ear +
-                 " ear, already. Rename or remove that patient first."};
+    return Error{
+        "The library has %1, %2, already. Rename or remove that patient first.", patient->label,
+        patient->side == anatomy::Side::left ? Sentence{"left ear"} : Sentence{"right ear"}};
   if (fs::exists(recordFileOf(file), failure))
-    return Error{recordFileOf(file).string() +
-                 " holds notes on a patient of this code and ear whose file is missing; an import "
-                 "does not replace it. Rename it first."};
+    return Error{
+        "%1 holds notes on a patient of this code and ear whose file is missing; an import does "
+        "not replace it. Rename it first.",
+        recordFileOf(file).string()};
   for (const fs::path& each : *insertions)
     if (fs::exists(recordings / each.filename(), failure))
-      return Error{(recordings / each.filename()).string() +
-                   " exists; an import replaces no recording. Rename it first."};
+      return Error{"%1 exists; an import replaces no recording. Rename it first.",
+                   (recordings / each.filename()).string()};
 
   std::vector<fs::path> made;
   const auto written = [&]() -> Result<Done> {

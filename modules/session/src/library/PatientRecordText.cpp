@@ -85,7 +85,8 @@ PatientVersion versionIn(const Json& json)
     version.landmarks.push_back({each.at("name").get<std::string>(),
                                  each.at("lps_mm").get<std::array<double, 3>>(),
                                  each.at("by_hand").get<bool>()});
-  version.warnings = json.at("warnings").get<std::vector<std::string>>();
+  const auto warnings = json.at("warnings").get<std::vector<std::string>>();
+  version.warnings.assign(warnings.begin(), warnings.end());
   return version;
 }
 
@@ -134,7 +135,7 @@ Result<PatientRecord> recordIn(const std::string& text, const std::string& name)
     // A number beyond an int is of no program: as a double it is still greater.
     const auto format = json.at("format").get<double>();
     if (format > recordFormat)
-      return Error{name + " is of a newer program. Open it with that one."};
+      return Error{"%1 is of a newer program. Open it with that one.", name};
     // Format 1 had no versions, whatever the line of the format says.
     const bool isSealed = format >= recordFormat || json.contains("versions");
     record.tags = json.at("tags").get<std::vector<std::string>>();
@@ -147,12 +148,13 @@ Result<PatientRecord> recordIn(const std::string& text, const std::string& name)
     record.seal = sealIn(text, isSealed);
     record.isChangedByHand = record.isChangedByHand || record.seal == Seal::changed;
   } catch (const nlohmann::json::exception&) {
-    return Error{name +
-                 " is not the record of a patient: it needs format, tags, notes and archived. "
-                 "Restore it from a backup, or remove it."};
+    return Error{
+        "%1 is not the record of a patient: it needs format, tags, notes and archived. Restore it "
+        "from a backup, or remove it.",
+        name};
   }
   if (const auto possible = checkRecord(record); !possible)
-    return Error{name + ": " + possible.error().message};
+    return Error{"%1: %2", name, possible.error().message};
   Sha256 hash;
   hash.add(std::string_view(text));
   record.base = hash.hex();

@@ -19,16 +19,15 @@ Result<Done> moveTo(const fs::path& from, const fs::path& to)
 {
   std::error_code failure;
   if (fs::exists(to, failure))
-    return Error{to.filename().string() + " exists already in " + to.parent_path().string() +
-                 ". Choose another name."};
+    return Error{"%1 exists already in %2. Choose another name.", to.filename(), to.parent_path()};
   // The log first: alone it is useless, but a recording without it loses ticks.
   for (const char* tail : {"-wal", "-shm", ""}) {
     const fs::path part = from.string() + tail;
     if (*tail != '\0' && !fs::exists(part, failure)) continue;
     fs::rename(part, to.string() + tail, failure);
     if (failure)
-      return Error{from.string() + " cannot be moved to " + to.string() + ": " + failure.message() +
-                   ". Check that you may write into both folders."};
+      return Error{"%1 cannot be moved to %2: %3. Check that you may write into both folders.",
+                   from, to, failure.message()};
   }
   return Done{};
 }
@@ -54,8 +53,8 @@ Result<fs::path> renameSession(const fs::path& file, const std::string& name)
   if (name.empty() || name.size() > longest || name.front() == '.' ||
       name.find_first_of("/\\\n\r\t") != std::string::npos || name.find('\0') != std::string::npos)
     return Error{
-        "'" + name +
-        "' is not a valid recording name. Use 1–120 characters, no slash, no leading period."};
+        "'%1' is not a valid recording name. Use 1–120 characters, no slash, no leading period.",
+        name};
   const fs::path renamed = file.parent_path() / (name + ending);
   if (renamed == file) return file;
   if (const auto done = moveTo(file, renamed); !done) return done.error();
@@ -68,13 +67,13 @@ Result<fs::path> trashSession(const fs::path& file)
   std::error_code failure;
   fs::create_directory(trash, failure);
   if (failure)
-    return Error{"The folder " + trash.string() + " cannot be made: " + failure.message() +
-                 ". Nothing was deleted."};
+    return Error{"The folder %1 cannot be made: %2. Nothing was deleted.", trash,
+                 failure.message()};
   if (!fs::is_directory(fs::symlink_status(trash, failure)))
     return Error{
-        trash.string() +
-        " is not a folder of the library but a link or a file. Nothing was deleted; move it "
-        "away first."};
+        "%1 is not a folder of the library but a link or a file. Nothing was deleted; move it away "
+        "first.",
+        trash};
   fs::path place = trash / file.filename();
   for (int number = 2; fs::exists(place, failure); ++number)
     place = trash / (file.stem().string() + "-" + std::to_string(number) + ending);

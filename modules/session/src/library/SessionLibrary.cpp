@@ -174,8 +174,8 @@ Result<std::vector<SessionSummary>> listSessions(const fs::path& folder,
   if (!fs::exists(folder, failure)) return sessions;  // nothing was recorded yet
   fs::directory_iterator entries(folder, failure);
   if (failure)
-    return Error{"The folder of sessions " + folder.string() +
-                 " cannot be read: " + failure.message() + ". Check its permissions."};
+    return Error{"The folder of sessions %1 cannot be read: %2. Check its permissions.", folder,
+                 failure.message()};
   std::vector<fs::path> files;
   for (const fs::directory_entry& entry : entries)
     if (entry.path().extension() == ".insertion") files.push_back(entry.path());

@@ -27,7 +27,7 @@ struct RecordedInsertion::Content {
   std::uint64_t lostRecords = 0;
   std::optional<Highlights> highlights;  ///< As stored in the file.
 
-  Error damaged(const std::string& reason) const { return database.readingError(reason); }
+  Error damaged(const Sentence& reason) const { return database.readingError(reason); }
 
   Result<Done> readMeta();
   Result<Done> readFacts();

@@ -34,7 +34,7 @@ Result<Done> RecordedInsertion::Content::forEachRising(
   for (; step == Statement::Step::row; step = rows->step()) {
     const std::int64_t key = rows->integer(0);
     if (key < firstKey || (last && key <= *last))
-      return damaged("its rows are not in order after " + std::to_string(last.value_or(firstKey)));
+      return damaged(Sentence{"its rows are not in order after %1", last.value_or(firstKey)});
     last = key;
     const auto goesOn = each(*rows);
     if (!goesOn) return goesOn.error();
@@ -51,7 +51,7 @@ Result<Done> RecordedInsertion::Content::readMeta()
       "SELECT rowid, key, value FROM meta WHERE rowid >= ? ORDER BY rowid",
       std::numeric_limits<std::int64_t>::min(), [&](const Statement& row) -> Result<bool> {
         if (row.type(1) != Statement::Type::text || row.type(2) != Statement::Type::text)
-          return damaged("a fact about it is not text");
+          return damaged(Sentence{"a fact about it is not text"});
         // Format 1 had other names for some facts.
         const std::string key = database.version() < firstVersionWithHash
                                     ? std::string(currentKey(row.text(1)))
@@ -59,8 +59,9 @@ Result<Done> RecordedInsertion::Content::readMeta()
         const std::string value = row.text(2);
         bytes += key.size() + value.size();
         if (meta.size() >= maxMetaRows || bytes > maxMetaBytes)
-          return damaged("it says more about itself than a recording does");
-        if (!meta.emplace(key, value).second) return damaged("a fact about it is there twice");
+          return damaged(Sentence{"it says more about itself than a recording does"});
+        if (!meta.emplace(key, value).second)
+          return damaged(Sentence{"a fact about it is there twice"});
         return true;
       });
 }
@@ -69,16 +70,16 @@ Result<Done> RecordedInsertion::Content::readFacts()
 {
   if (const auto done = readMeta(); !done) return done.error();
   const auto read = factsIn(meta);
-  if (!read) return damaged("facts about it are missing");
+  if (!read) return damaged(Sentence{"facts about it are missing"});
   facts = *read;
   const bool hasHash = meta.count(MetaKey::contentHash) != 0;
   const bool isInFormat = database.version() >= firstVersionWithHash;
-  if (hasHash && !isInFormat) return damaged("its format has no hash, and there is one");
+  if (hasHash && !isInFormat) return damaged(Sentence{"its format has no hash, and there is one"});
   if (!hasHash && (isInFormat || hasToBeSealed(facts.buildId, sealsRecordings) ||
                    hasToBeSealed(facts.version, sealsRecordings)))
-    return damaged("its hash is missing");
+    return damaged(Sentence{"its hash is missing"});
   const auto closed = flagIn(meta, MetaKey::closed);
-  if (!closed) return damaged("it does not say whether it was closed");
+  if (!closed) return damaged(Sentence{"it does not say whether it was closed"});
   wasClosed = *closed;
   if (wasClosed) highlights = highlightsIn(meta);
   lostRecords = countIn(meta, MetaKey::lostRecords).value_or(0);
@@ -153,8 +154,8 @@ Result<Done> RecordedInsertion::forEach(const std::function<bool(const haptics::
       [&](const Statement& row) -> Result<bool> {
         const auto record = readTick(row.blob(1));
         if (!record || record->tick != static_cast<std::uint64_t>(row.integer(0)))
-          return content_->damaged("the record of tick " + std::to_string(row.integer(0)) +
-                                   " cannot be read");
+          return content_->damaged(
+              Sentence{"the record of tick %1 cannot be read", row.integer(0)});
         return each(*record);
       });
 }

@@ -38,16 +38,17 @@ Error cannotCreate(const fs::path& file, int reason)
   std::error_code ignored;
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
   if (fs::is_directory(file, ignored))
-    return Error{file.string() + " is a folder; name a file to record into."};
+    return Error{"%1 is a folder; name a file to record into.", file};
   if (reason == EEXIST)
-    return Error{file.string() +
-                 " exists already; a recording is never overwritten. Choose another name or "
-                 "move the file away."};
+    return Error{
+        "%1 exists already; a recording is never overwritten. Choose another name or move the file "
+        "away.",
+        file};
   if (!fs::is_directory(folder, ignored))
-    return Error{"The folder " + folder.string() + " does not exist, so " +
-                 file.filename().string() + " cannot be recorded there. Create it first."};
-  return Error{file.string() + " cannot be written: " + std::strerror(reason) +
-               ". Choose a folder you may write to."};
+    return Error{"The folder %1 does not exist, so %2 cannot be recorded there. Create it first.",
+                 folder, file.filename()};
+  return Error{"%1 cannot be written: %2. Choose a folder you may write to.", file,
+               std::strerror(reason)};
 }
 
 std::string insertTick()
@@ -84,16 +85,17 @@ struct Recording::Content {
   Error cannotRecord(const std::string& reason) const
   {
     return Error{
-        file.string() + " can no longer be recorded (" + reason +
-        "). What is in it stays readable; make space on the disk and start a new recording."};
+        "%1 can no longer be recorded (%2). What is in it stays readable; make space on the disk "
+        "and start a new recording.",
+        file, reason};
   }
   bool isAtItsPlace() const { return inodeOf(file) == identity; }
   Error isGone() const
   {
     return Error{
-        file.string() +
-        " was moved or deleted while it was recorded, so nothing more is recorded. Start a "
-        "new recording, and move recordings only after the insertion."};
+        "%1 was moved or deleted while it was recorded, so nothing more is recorded. Start a new "
+        "recording, and move recordings only after the insertion.",
+        file};
   }
 
   bool keep(const char* key, const std::string& value)
@@ -259,8 +261,7 @@ Result<std::unique_ptr<Recording>> Recording::create(const fs::path& file,
   for (const char* ending : {"", "-wal", "-shm", "-journal"})
     fs::remove((isNamed ? file : unfinished).string() + ending, ignored);
   if (problem != 0) return cannotCreate(file, problem);
-  return Error{file.string() + " cannot be begun: " + begun.error().message +
-               ". Is there space on the disk?"};
+  return Error{"%1 cannot be begun: %2. Is there space on the disk?", file, begun.error().message};
 }
 
 Result<Done> Recording::append(std::span<const haptics::TickRecord> records)
@@ -303,8 +304,10 @@ Result<Done> Recording::close(std::uint64_t lostRecords, const std::string& devi
   done = content.database->run("PRAGMA journal_mode=DELETE");
   content.database.reset();
   if (!done)
-    return Error{content.file.string() + " stays in several files: " + done.error().message +
-                 ". Close the other program that reads it, then open the recording once."};
+    return Error{
+        "%1 stays in several files: %2. Close the other program that reads it, then open the "
+        "recording once.",
+        content.file, done.error().message};
   return Done{};
 }
 

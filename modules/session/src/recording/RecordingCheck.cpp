@@ -95,8 +95,7 @@ Result<RecordingCheck> RecordedInsertion::check() const
     const bool isBlob = row.type(1) == Type::blob;
     const auto record = readTick(row.blob(1));
     if (!isBlob || !record || record->tick != static_cast<std::uint64_t>(row.integer(0)))
-      return content.damaged("the record of tick " + std::to_string(row.integer(0)) +
-                             " cannot be read");
+      return content.damaged(Sentence{"the record of tick %1 cannot be read", row.integer(0)});
     ++survey.ticks;
     survey.records.add(row.blob(1));
     const std::vector<Event> found = detector.add(*record);

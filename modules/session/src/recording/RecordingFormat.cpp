@@ -15,9 +15,9 @@ const database::FileKind& recordingKind()
     for (const char* name : std::span(columnNames).first(recordedColumnCount))
       columns += std::string(", ") + name + " REAL";
     return database::FileKind{
-        "a recording of Perilymph",
-        "Choose an .insertion file.",
-        "Use another copy of the recording.",
+        Sentence{"a recording of Perilymph"},
+        Sentence{"Choose an .insertion file."},
+        Sentence{"Use another copy of the recording."},
         0x506c796d,  // "Plym"
         newestRecordingVersion,
         {"CREATE TABLE meta(key TEXT PRIMARY KEY, value TEXT NOT NULL)",

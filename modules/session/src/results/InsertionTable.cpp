@@ -48,8 +48,9 @@ Result<Done> keepFacts(Database& database, const SealedFacts& facts)
 Result<Done> create(const fs::path& file, const InsertionTableKind& kind, const SealedFacts& facts)
 {
   const auto failed = [&file](const std::string& reason) {
-    return Error{file.string() + " cannot be created: " + reason +
-                 ". Check the folder's permissions and the space on the disk."};
+    return Error{
+        "%1 cannot be created: %2. Check the folder's permissions and the space on the disk.", file,
+        reason};
   };
   const std::string unfinished = unfinishedPath(file).string();
   const int descriptor =
@@ -70,9 +71,9 @@ Result<Done> create(const fs::path& file, const InsertionTableKind& kind, const 
   if (!written) return failed(written.error().message);
   if (problem == 0 || problem == EEXIST) return Done{};
   if (problem == EPERM || problem == EOPNOTSUPP)
-    return Error{file.string() +
-                 " cannot be created: its file system has no hard links. Give a folder on another "
-                 "disk."};
+    return Error{
+        "%1 cannot be created: its file system has no hard links. Give a folder on another disk.",
+        file};
   return failed(std::strerror(problem));
 }
 
@@ -149,10 +150,10 @@ public:
     if (step == Statement::Step::row) {
       found = rowOf(rows_, table_->columns);
       if (!found)
-        return database_->readingError("a value in " + table_->name + " has another type");
+        return database_->readingError(Sentence{"a value in %1 has another type", table_->name});
       if (row_ && !std::lexicographical_compare(row_->begin(), row_->begin() + keys(),
                                                 found->begin(), found->begin() + keys()))
-        return database_->readingError("the rows of " + table_->name + " are not in order");
+        return database_->readingError(Sentence{"the rows of %1 are not in order", table_->name});
     }
     row_ = std::move(found);
     return Done{};
@@ -193,7 +194,7 @@ Result<InsertionTable> InsertionTable::openToContinue(const fs::path& file,
   InsertionTable table(*std::move(opened), file, kind);
   if (const auto done = table.database_.run("PRAGMA journal_mode=WAL; PRAGMA synchronous=FULL");
       !done)
-    return Error{file.string() + " cannot be continued: " + done.error().message + "."};
+    return Error{"%1 cannot be continued: %2.", file, done.error().message};
   if (const auto done = table.readFacts(); !done) return done.error();
   if (const auto done = table.checkRows(); !done) return done.error();
   if (const auto done = table.expect(facts); !done) return done.error();
@@ -236,7 +237,7 @@ Result<Done> InsertionTable::readFacts()
   for (; step == Statement::Step::row; step = rows->step())
     if (rows->type(0) != Statement::Type::text || rows->type(1) != Statement::Type::text ||
         !facts_.emplace(rows->text(0), rows->text(1)).second)
-      return damaged("a fact about it is not readable");
+      return damaged(Sentence{"a fact about it is not readable"});
   if (step == Statement::Step::failed) return damaged(database_.lastError());
   return Done{};
 }
@@ -258,24 +259,28 @@ Result<Done> InsertionTable::checkRows()
 
 Result<Done> InsertionTable::expect(const SealedFacts& facts) const
 {
-  const std::string remedy = " Delete it or give another folder.";
   const auto fact = [](const SealedFacts& all, const char* key) {
     const auto found = all.find(key);
     return found == all.end() ? std::string() : found->second;
   };
   if (seal_ == Seal::changed)
-    return Error{file_.string() +
-                 " was changed after the program wrote it, so its results are not continued." +
-                 remedy};
+    return Error{
+        "%1 was changed after the program wrote it, so its results are not continued. Delete it or "
+        "give another folder.",
+        file_};
   if (seal_ == Seal::absent)
-    return Error{file_.string() + " carries no seal: it is of an earlier version." + remedy};
+    return Error{
+        "%1 carries no seal: it is of an earlier version. Delete it or give another folder.",
+        file_};
   if (fact(facts_, fingerprintFact) != fact(facts, fingerprintFact))
-    return Error{file_.string() + " " + kind_->foreign + remedy};
+    return Error{"%1 %2 Delete it or give another folder.", file_, kind_->foreign};
   if (fact(facts_, programFact) != fact(facts, programFact))
-    return Error{file_.string() + " was begun by another build of the program (" +
-                 fact(facts_, programFact) + "; this is " + fact(facts, programFact) + ")." +
-                 remedy};
-  if (facts_ != facts) return Error{file_.string() + " is for other insertions." + remedy};
+    return Error{
+        "%1 was begun by another build of the program (%2; this is %3). Delete it or give another "
+        "folder.",
+        file_, fact(facts_, programFact), fact(facts, programFact)};
+  if (facts_ != facts)
+    return Error{"%1 is for other insertions. Delete it or give another folder.", file_};
   return Done{};
 }
 
@@ -299,11 +304,11 @@ Result<Done> InsertionTable::read(
     if (const auto done = readers.front().next(); !done) return done;
     for (std::size_t i = 1; i < readers.size(); ++i)
       if (const Row* other = readers[i].row(); other && numberOf(*other) <= numberOf(one.row))
-        return damaged("rows of " + kind_->tables[i].name + " belong to no insertion");
+        return damaged(Sentence{"rows of %1 belong to no insertion", kind_->tables[i].name});
   }
   for (std::size_t i = 1; i < readers.size(); ++i)
     if (readers[i].row())
-      return damaged("rows of " + kind_->tables[i].name + " belong to no insertion");
+      return damaged(Sentence{"rows of %1 belong to no insertion", kind_->tables[i].name});
   return Done{};
 }
 
@@ -340,14 +345,14 @@ Result<Done> InsertionTable::append(const std::vector<InsertionRows>& block)
   }
   const std::string reason = written.error().message;
   static_cast<void>(database_.run("ROLLBACK"));
-  return Error{file_.string() + " takes no more " + kind_->results + ": " + reason +
-               ". Those before are kept; make space and run it again."};
+  return Error{"%1 takes no more %2: %3. Those before are kept; make space and run it again.",
+               file_, kind_->results, reason};
 }
 
 Result<Done> InsertionTable::close()
 {
   if (const auto done = database_.run("PRAGMA journal_mode=DELETE"); !done)
-    return Error{file_.string() + " cannot be closed: " + done.error().message + "."};
+    return Error{"%1 cannot be closed: %2.", file_, done.error().message};
   return Done{};
 }
 

@@ -205,11 +205,11 @@ Result<ScenarioContent> readScenario(TomlReader& reader, const std::string& name
 
   if (parameters.technique == Technique::advanceOffStylet) {
     if (!parameters.array.hasStylet || !parameters.array.stylet.holdDepth)
-      return Error{reader.name() + ": technique is '" + nameOf(parameters.technique) +
-                   "', but the array " + parameters.array.name +
-                   (parameters.array.hasStylet ? " names no depth at which its stylet is held."
-                                               : " has no stylet.") +
-                   " Set technique to 'standard'."};
+      return Error{"%1: technique is '%2', but the array %3 %4. Set technique to 'standard'.",
+                   reader.name(), nameOf(parameters.technique), parameters.array.name,
+                   parameters.array.hasStylet
+                       ? Sentence{"names no depth at which its stylet is held"}
+                       : Sentence{"has no stylet"}};
     parameters.engine.styletHoldDepth = parameters.array.stylet.holdDepth->si();
   }
 
@@ -217,10 +217,11 @@ Result<ScenarioContent> readScenario(TomlReader& reader, const std::string& name
   // 2.0 mm + 16.5 mm is a rounding above 18.5 mm.
   const Length rounding = Length::fromSi(1e-9);
   if (deepest > parameters.array.insertable + rounding)
-    return Error{reader.name() + ": start_inside_mm + stop_travel_mm is " +
-                 shortLength_mm(deepest) + "; the array " + parameters.array.name + " may go in " +
-                 shortLength_mm(parameters.array.insertable) +
-                 " mm at most. Lower stop_travel_mm."};
+    return Error{
+        "%1: start_inside_mm + stop_travel_mm is %2; the array %3 may go in %4 mm at most. Lower "
+        "stop_travel_mm.",
+        reader.name(), shortLength_mm(deepest), parameters.array.name,
+        shortLength_mm(parameters.array.insertable)};
 
   if (const auto note = seatNote(parameters, deepest)) scenario.notes.push_back(*note);
   scenario.files = filesOf(scenario, reader.text("friction", "paper"), folder);
@@ -263,10 +264,14 @@ Result<Done> checkPublishedPoints(const InsertionParameters& parameters, const s
       {"coupling_damping_N_s_m", isSpring ? engine.couplingDamping : 1.0, 1.0}};
   for (const Printed& each : all)
     if (each.is != each.printed)
-      return Error{name + ": " + each.key + " is " + shortestDecimal(each.is) +
-                   ", and the published model of points has " + shortestDecimal(each.printed) +
-                   " only. Set model to 'rod', or " + each.key + " to " +
-                   shortestDecimal(each.printed) + "."};
+      return Error{
+          "%1: %2 is %3, and the published model of points has %4 only. Set model to 'rod', or %2 "
+          "to %5.",
+          name,
+          each.key,
+          shortestDecimal(each.is),
+          shortestDecimal(each.printed),
+          shortestDecimal(each.printed)};
   return Done{};
 }
 

@@ -35,9 +35,10 @@ Result<AskedCalibration> readCalibration(TomlReader& reader, ScenarioKeys& keys,
 Result<Done> applyCalibration(const AskedCalibration& asked, ScenarioContent& scenario)
 {
   if (!asked.array.empty() && asked.array != scenario.parameters.array.name)
-    return Error{"The calibration " + scenario.calibrationName + " was fitted for the array " +
-                 asked.array + ", not for " + scenario.parameters.array.name +
-                 ". Set calibration to \"\" or name one of this array."};
+    return Error{
+        "The calibration %1 was fitted for the array %2, not for %3. Set calibration to \"\" or "
+        "name one of this array.",
+        scenario.calibrationName, asked.array, scenario.parameters.array.name};
   const double residual =
       asked.residualCurvature.value_or(scenario.parameters.array.stylet.residualCurvature);
   scenario.parameters.array =

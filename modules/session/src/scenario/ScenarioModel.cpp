@@ -39,7 +39,7 @@ Result<std::shared_ptr<const mechanics::InsertionModel>> buildModel(
   try {
     return mechanics::InsertionModel::build(std::move(parts));
   } catch (const std::invalid_argument& error) {
-    return Error{"The model of " + parameters.name + " cannot be built: " + error.what()};
+    return Error{"The model of %1 cannot be built: %2", parameters.name, error.what()};
   }
 }
 

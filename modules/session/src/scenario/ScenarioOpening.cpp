@@ -57,16 +57,16 @@ Result<Done> checkPassage(const std::string& file, const InsertionParameters& pa
   if (!parameters.opening || !(parameters.opening->passage.si() > 0.0)) return Done{};
   const std::string length = shortLength_mm(parameters.opening->passage);
   if (parameters.openingKind != OpeningKind::cochleostomy)
-    return Error{file + ": passage_mm is " + length +
-                 ", but only a drilled opening has a passage. Set passage_mm to 0 or opening to "
-                 "'cochleostomy'."};
+    return Error{
+        "%1: passage_mm is %2, but only a drilled opening has a passage. Set passage_mm to 0 or "
+        "opening to 'cochleostomy'.",
+        file, length};
   // 1.0 mm of text may be a rounding above 1.0 mm
   if (parameters.opening->passage > parameters.cochlea.leadIn + Length::fromSi(1e-9))
-    return Error{file + ": passage_mm is " + length +
-                 "; the passage lies in the straight stretch before the spiral, whose "
-                 "lead_in_mm is " +
-                 shortLength_mm(parameters.cochlea.leadIn) +
-                 ". Lower passage_mm or raise lead_in_mm."};
+    return Error{
+        "%1: passage_mm is %2; the passage lies in the straight stretch before the spiral, whose "
+        "lead_in_mm is %3. Lower passage_mm or raise lead_in_mm.",
+        file, length, shortLength_mm(parameters.cochlea.leadIn)};
   return Done{};
 }
 

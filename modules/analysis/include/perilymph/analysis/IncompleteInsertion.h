@@ -22,6 +22,6 @@ struct IncompleteInsertion {
 };
 
 /// "198 of 200 insertions reached the end; 2 buckled in front of the opening (numbers 25 and 30)."
-std::string completionSentence(int runs, const std::vector<IncompleteInsertion>& incomplete);
+Sentence completionSentence(int runs, const std::vector<IncompleteInsertion>& incomplete);
 
 }  // namespace perilymph::analysis

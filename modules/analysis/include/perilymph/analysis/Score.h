@@ -15,10 +15,10 @@ namespace perilymph::analysis {
 
 /// One criterion.
 struct ScoreCriterion {
-  std::string name;       ///< "speed"
-  std::string found;      ///< "97 % of the way in at 0.1 to 2.0 mm/s"
-  std::string band;       ///< Values for full and for zero points.
-  std::string source;     ///< Source of the range.
+  Sentence name;          ///< "speed"
+  Sentence found;         ///< "97 % of the way in at 0.1 to 2.0 mm/s"
+  Sentence band;          ///< Values for full and for zero points.
+  Sentence source;        ///< Source of the range.
   double fraction = 0.0;  ///< Fraction of the maximum points: 0 to 1.
 };
 

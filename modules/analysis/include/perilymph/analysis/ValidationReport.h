@@ -15,9 +15,9 @@ namespace perilymph::analysis {
 
 /// One expected value compared with the result.
 struct Verdict {
-  std::string what;    ///< "force at 10.6 mm, peak"
-  std::string found;   ///< "91.2 mN"
-  std::string wanted;  ///< "88.0 ± 18.6 mN"
+  Sentence what;    ///< "force at 10.6 mm, peak"
+  Sentence found;   ///< "91.2 mN"
+  Sentence wanted;  ///< "88.0 ± 18.6 mN"
   bool isMet = false;
 };
 

@@ -67,7 +67,10 @@ std::string statedSeries(const Patient& patient);
 
 /// A sentence about measures that were changed by hand, or that name an origin which no seal vouches
 /// for; else empty.
-std::string noteOn(const Patient& patient);
+Sentence noteOn(const Patient& patient);
+
+/// The same out of a file that keeps it as text; another text as it is.
+Sentence storedNote(const std::string& text);
 
 /// Allowed range of a Patient's values.
 struct PatientLimits {
@@ -109,7 +112,7 @@ Result<Patient> samplePatient(std::uint64_t studySeed, std::uint64_t number);
 /// A sentence for each of A and B that is two standard deviations or more from the population mean,
 /// for a B that is so far from what A predicts (expectedB()), and for an H outside limitsOfH():
 /// allowed, but the measurement should be checked.
-std::vector<std::string> unusualMeasures(const Patient& patient);
+std::vector<Sentence> unusualMeasures(const Patient& patient);
 
 /// The published three-parameter scala tympani of a patient, with a straight lead-in before the
 /// round window. Takes a few tenths of a second; not real-time safe.

@@ -43,7 +43,7 @@ enum class Flag {
 /// Name of a flag as in files: "air_in_cochlea".
 const char* nameOf(Flag flag);
 /// One sentence with the meaning and the recommended action.
-const char* sentenceOf(Flag flag);
+Sentence sentenceOf(Flag flag);
 /// All flags, for help texts.
 std::vector<Flag> allFlags();
 

@@ -94,7 +94,7 @@ public:
   /// True once the stop token ended a query.
   bool wasStopped() const noexcept;
   /// Message for a file that could not be read: damaged, with the reason, or stopped.
-  Error readingError(const std::string& reason) const;
+  Error readingError(const Sentence& reason) const;
 
 private:
   struct Content;

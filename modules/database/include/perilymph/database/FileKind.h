@@ -7,15 +7,17 @@
 #include <string>
 #include <vector>
 
+#include "perilymph/foundation/Sentence.h"
+
 namespace perilymph::database {
 
 /// A kind of file and its exact schema. A file with anything else (other views, triggers, indices,
 /// generated columns, further tables) is refused.
 struct FileKind {
-  std::string name;                 ///< Name with article, for messages: "a recording of
+  Sentence name;                    ///< Name with article, for messages: "a recording of
                                     ///< Perilymph".
-  std::string choice;               ///< What to open instead: "Choose an .insertion file."
-  std::string remedy;               ///< For a damaged one: "Use another copy of the recording."
+  Sentence choice;                  ///< What to open instead: "Choose an .insertion file."
+  Sentence remedy;                  ///< For a damaged one: "Use another copy of the recording."
   std::int64_t applicationId = 0;   ///< SQLite's application_id.
   std::int64_t newestVersion = 1;   ///< Versions 1 to this one are accepted (SQLite's
                                     ///< user_version).

@@ -7,19 +7,20 @@
 #include <vector>
 
 #include "perilymph/figures/Drawing.h"
+#include "perilymph/foundation/Sentence.h"
 
 namespace perilymph::figures {
 
 /// An axis with equally spaced ticks.
 struct FigureAxis {
-  std::string title;  ///< With its unit.
+  Sentence title;  ///< With its unit.
   double low = 0.0, high = 1.0, tick = 0.5;
   int decimals = 1;
 };
 
 /// A polyline through data points.
 struct FigureCurve {
-  std::string label;  ///< Legend entry; none if empty.
+  Sentence label;  ///< Legend entry; none if empty.
   std::vector<double> x, y;
   Ink ink;
   double width = 1.5;
@@ -28,7 +29,7 @@ struct FigureCurve {
 
 /// An area between two curves.
 struct FigureBand {
-  std::string label;
+  Sentence label;
   std::vector<double> x, low, high;
   Ink ink;
 };
@@ -37,7 +38,7 @@ enum class MarkerShape { disk, ring, square, diamond };
 
 /// Single values with intervals, not connected.
 struct FigureValues {
-  std::string label;
+  Sentence label;
   std::vector<double> x, y, low, high;
   Ink ink;
   MarkerShape shape = MarkerShape::disk;
@@ -45,7 +46,7 @@ struct FigureValues {
 
 /// A horizontal line across the figure.
 struct FigureLevel {
-  std::string label;  ///< Text at the line.
+  Sentence label;  ///< Text at the line.
   double y = 0.0;
   Ink ink;
   double dash = 3.0;
@@ -59,14 +60,14 @@ struct FigureText {
 };
 
 struct Figure {
-  std::string title;
+  Sentence title;
   FigureAxis x, y;
   std::vector<FigureBand> bands;
   std::vector<FigureLevel> levels;
   std::vector<FigureCurve> curves;
   std::vector<FigureValues> values;
   std::vector<FigureText> texts;
-  std::vector<std::string> notes;  ///< Lines below the figure.
+  std::vector<Sentence> notes;  ///< Lines below the figure.
 };
 
 namespace ink {
@@ -86,6 +87,6 @@ Drawing draw(const Figure& figure);
 
 /// An axis that contains 0 and the given range, with about six ticks of 1, 2 or 5 times a power of
 /// ten.
-FigureAxis axisOver(std::string title, double low, double high);
+FigureAxis axisOver(Sentence title, double low, double high);
 
 }  // namespace perilymph::figures

@@ -3,17 +3,37 @@
 
 // The result of an operation that can fail: a value, or an error with a message for the user.
 
+#include <concepts>
+#include <cstddef>
 #include <string>
 #include <type_traits>
 #include <utility>
 #include <variant>
+
+#include "perilymph/foundation/Sentence.h"
 
 namespace perilymph {
 
 /// Why an operation on a file, device or scan failed: one or two sentences that name the object,
 /// the value with its unit, the allowed range and the remedy.
 struct Error {
-  std::string message;
+  template <std::size_t size>
+  explicit Error(const char (&phrase)[size]) : message(phrase)
+  {
+  }
+  template <class First, class... Others>
+  Error(PhraseOf<std::type_identity_t<First>, std::type_identity_t<Others>...> phrase,
+        const First& first, const Others&... others)
+      : message(phrase, first, others...)
+  {
+  }
+  explicit Error(Sentence sentence) : message(std::move(sentence)) {}
+  template <std::same_as<std::string> Text>
+  explicit Error(Text text) : message(std::move(text))
+  {
+  }
+
+  Sentence message;
 };
 
 /// The value of an operation that only succeeds or fails.

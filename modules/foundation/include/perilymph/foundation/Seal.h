@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "perilymph/foundation/Choice.h"
+#include "perilymph/foundation/Sentence.h"
 #include "perilymph/foundation/Sha256.h"
 
 namespace perilymph {
@@ -29,7 +30,7 @@ inline constexpr std::array seals{Choice<Seal>{Seal::intact, "intact"},
 constexpr const char* nameOf(Seal seal) { return nameIn(seals, seal); }
 
 /// A sentence about a file whose seal is absent or broken; empty for an intact one.
-std::string noteOn(Seal seal);
+Sentence noteOn(Seal seal);
 
 /// Release of the program.
 struct Release {

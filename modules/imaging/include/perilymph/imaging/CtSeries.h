@@ -40,9 +40,9 @@ struct CtSeries {
   std::array<int, 3> size{};              ///< Voxels along a row, along a column, slices.
   /// Distance between columns, rows and slice planes [mm]; 0 where unknown.
   Eigen::Vector3d spacing_mm = Eigen::Vector3d::Zero();
-  std::vector<std::string> warnings;  ///< Sentences.
-  std::string obstacle;               ///< Why it cannot be read, one sentence; empty if it can.
-  double score = 0.0;                 ///< How well it suits the measurement of a cochlea, 0 to 100.
+  std::vector<Sentence> warnings;  ///< Sentences.
+  Sentence obstacle;               ///< Why it cannot be read, one sentence; empty if it can.
+  double score = 0.0;              ///< How well it suits the measurement of a cochlea, 0 to 100.
 };
 
 struct ListedFiles;

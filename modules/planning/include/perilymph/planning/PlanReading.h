@@ -23,7 +23,7 @@ struct StoredPlan {
   std::string program;  ///< Version of the program that made it: "Perilymph 0.2.0".
   Plan plan;
   std::vector<PlanSource> sources;  ///< Where the distributions come from.
-  std::vector<std::string> limits;  ///< One sentence each.
+  std::vector<Sentence> limits;     ///< One sentence each.
 };
 
 /// Largest number of arrays and of contacts or depths of an array that are read.

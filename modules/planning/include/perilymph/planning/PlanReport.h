@@ -53,6 +53,6 @@ std::string contactsCsv(const Plan& plan);
 std::vector<std::pair<std::string, figures::Figure>> planFigures(const Plan& plan);
 
 /// What a plan leaves open besides what it draws, one sentence each.
-const std::vector<std::string>& limitsOfPlans();
+const std::vector<Sentence>& limitsOfPlans();
 
 }  // namespace perilymph::planning

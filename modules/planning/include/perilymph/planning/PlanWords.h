@@ -16,6 +16,6 @@ int percentHeld(std::size_t draws);
 /// What the bands of a plan hold and what they hold fixed: "90 % at friction 0.12", or "90 % at
 /// friction 0.24 to 0.59" where it depends on the speed; "90 % at one friction" for a plan.json that
 /// does not state it.
-std::string bandsHold(const Plan& plan);
+Sentence bandsHold(const Plan& plan);
 
 }  // namespace perilymph::planning

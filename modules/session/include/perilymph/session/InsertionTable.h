@@ -39,8 +39,8 @@ struct InsertionTableKind {
   database::FileKind file;    ///< Its first table is `meta`.
   std::int64_t sealedFrom;    ///< First version with a seal.
   std::vector<Table> tables;  ///< That of the insertions first.
-  std::string foreign;        ///< Follows the file's name: "belongs to another plan, ...".
-  std::string results;        ///< "draws", for messages.
+  Sentence foreign;           ///< Follows the file's name: "belongs to another plan, ...".
+  Sentence results;           ///< "draws", for messages.
   Audience audience = Audience::everyone;  ///< Who may read a new file.
 };
 
@@ -84,7 +84,7 @@ public:
   Result<Done> close();
 
   /// "FILE is damaged (REASON). ..."
-  Error damaged(const std::string& reason) const { return database_.readingError(reason); }
+  Error damaged(const Sentence& reason) const { return database_.readingError(reason); }
 
 private:
   InsertionTable(database::Database database, std::filesystem::path file,

@@ -46,8 +46,7 @@ struct PatientVersion {
   std::string program;  ///< Build of the program that saved it.
   std::string patient;  ///< anatomy::patientText(): measures, errors, origin, to a picometer.
   std::vector<PatientLandmark> landmarks = {};
-  std::vector<std::string> warnings =
-      {};  ///< What the measurement says of itself, a sentence each.
+  std::vector<Sentence> warnings = {};  ///< What the measurement says of itself, a sentence each.
 
   friend bool operator==(const PatientVersion&, const PatientVersion&) = default;
 };
@@ -121,7 +120,7 @@ struct VersionFacts {
   std::string utc;
   std::string text = {};  ///< Text of the patient's file, with comments; by default patientText().
   std::vector<PatientLandmark> landmarks = {};
-  std::vector<std::string> warnings = {};
+  std::vector<Sentence> warnings = {};
 };
 
 /// Saves a patient's measures: the file, and a new version in the record if they are others than the

@@ -34,7 +34,7 @@ struct Verification {
   std::string damage;
   /// The version of the program that computed the ticks, if it is not this one; its physics may be another.
   std::string otherVersion;
-  std::vector<std::string> notes;  ///< Messages: another build, a changed array file, lost ticks.
+  std::vector<Sentence> notes;  ///< Messages: another build, a changed array file, lost ticks.
 };
 
 /// Receives the number of compared ticks and of all ticks.

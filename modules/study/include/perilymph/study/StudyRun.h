@@ -46,7 +46,7 @@ struct ShardState {
   std::size_t cases = 0;           ///< Insertions of the whole study.
   std::string fingerprint;         ///< Identity of the study.
   std::vector<std::string> notes;  ///< On its patients (Study::notes()).
-  std::string error;               ///< A message if it is not readable.
+  Sentence error;                  ///< Why it is not readable; empty if it is.
 };
 /// The shards in a folder, sorted by their first case.
 Result<std::vector<ShardState>> shardsIn(const std::filesystem::path& folder);

@@ -9,8 +9,9 @@
 #include <fstream>
 
 #include "dicom/DicomStatements.h"
-#include "gui/parts/EngineErrors.h"
+#include "gui/parts/DataText.h"
 #include "gui/program/Languages.h"
+#include "perilymph/anatomy/Patient.h"
 #include "perilymph/ct/SliceStack.h"
 #include "perilymph/foundation/Seal.h"
 #include "perilymph/imaging/CtSeries.h"
@@ -46,7 +47,7 @@ TEST_F(GermanErrors, NameNumbersAndPlacesOfSlices)
 {
   const auto missing = ct::stackSlices(slicesAt({0.0, 0.5, 1.0, 2.5, 3.0, 3.5, 4.0, 4.5}));
   ASSERT_FALSE(missing);
-  EXPECT_EQ(gui::engineError(missing.error().message),
+  EXPECT_EQ(gui::dataText(missing.error().message),
             "2 Schichten fehlen, die erste hinter Schicht 3 von 8 (bei 1,00 mm entlang der "
             "Normalen); die Lücke ist dort 1,50 mm und der Abstand sonst 0,50 mm. Exportieren Sie "
             "die ganze Serie noch einmal.");
@@ -72,9 +73,9 @@ TEST_F(GermanErrors, AreThereForEveryStackThatIsNone)
   for (const auto& stack : stacks) {
     const auto refused = ct::stackSlices(stack);
     ASSERT_FALSE(refused) << &stack - stacks.data();
-    const std::string& english = refused.error().message;
-    const QString german = gui::engineError(english);
-    EXPECT_NE(german.toStdString(), english);
+    const Sentence& english = refused.error().message;
+    const QString german = gui::dataText(english);
+    EXPECT_NE(german, QString::fromStdString(english));
     EXPECT_FALSE(german.contains(" the ")) << german.toStdString();
   }
 }
@@ -89,9 +90,9 @@ TEST_F(GermanErrors, KeepTheNameOfTheFile)
     const std::filesystem::path path = folder / name;
     const auto refused = imaging::findSeries(path);
     ASSERT_FALSE(refused) << name;
-    const std::string& english = refused.error().message;
-    const QString german = gui::engineError(english);
-    EXPECT_NE(german.toStdString(), english);
+    const Sentence& english = refused.error().message;
+    const QString german = gui::dataText(english);
+    EXPECT_NE(german, QString::fromStdString(english));
     EXPECT_TRUE(german.startsWith(QString::fromStdString(path.string() + ' ')))
         << german.toStdString();
     EXPECT_FALSE(german.contains(" the ")) << german.toStdString();
@@ -108,18 +109,17 @@ TEST_F(GermanErrors, NameWhatAFileStatesTwice)
          "little\nencoding: raw\n\n";
   const auto refused = imaging::findSeries(folder / "a.nrrd");
   ASSERT_FALSE(refused);
-  EXPECT_EQ(gui::engineError(refused.error().message).toStdString(),
+  EXPECT_EQ(gui::dataText(refused.error().message).toStdString(),
             (folder / "a.nrrd").string() +
                 " gibt die Voxelgröße entlang k zweimal an: 0,25 mm in space directions und 2,5 mm "
                 "in spacings; exportieren Sie die Datei noch einmal aus der Originalserie.");
-  EXPECT_EQ(
-      gui::engineError("The file states the place of its voxels (11, 9, 7) twice: (1, 2, 3) mm "
-                       "in the SForm and (4, 5, 6) mm in the QForm of another code; the SForm "
-                       "is used, so check the sides.")
-          .toStdString(),
-      "Die Datei gibt den Ort der Voxel (11, 9, 7) zweimal an: (1, 2, 3) mm in der SForm und "
-      "(4, 5, 6) mm in der QForm mit anderem Code; die SForm wird benutzt; prüfen Sie die "
-      "Seiten.");
+  EXPECT_EQ(gui::dataText(*imaging::disagreement(Sentence{"The file"}, imaging::nifti::otherQForm,
+                                                 "(1, 2, 3) mm", "(4, 5, 6) mm",
+                                                 Sentence{" (%1, %2, %3)", 11, 9, 7}))
+                .toStdString(),
+            "Die Datei gibt den Ort der Voxel (11, 9, 7) zweimal an: (1, 2, 3) mm in der SForm und "
+            "(4, 5, 6) mm in der QForm mit anderem Code; die SForm wird benutzt; prüfen Sie die "
+            "Seiten.");
 }
 
 /// What is left of English where a sentence or a word of it was not translated.
@@ -132,20 +132,21 @@ bool isEnglish(const QString& text)
 
 TEST_F(GermanErrors, HaveEveryWarningOfTheReaders)
 {
-  const std::string two = imaging::warnings::patientOrStudy;
-  for (const char* const sentence : imaging::warnings::all) {
-    const std::string english = imaging::worded(
-        sentence, {"7", sentence == imaging::warnings::listedApart ? "9" : "8.5",
-                   sentence == imaging::warnings::listedApart ? two : "6", "5", "4"});
-    const QString german = gui::seriesWarning(english);
-    EXPECT_NE(german.toStdString(), english);
+  const Sentence two(imaging::warnings::patientOrStudy);
+  for (const Phrase& phrase : imaging::warnings::all) {
+    const bool isApart = std::string(phrase.english()) == imaging::warnings::listedApart.english();
+    const Sentence seven = std::string("7"), other = std::string(isApart ? "9" : "8.5");
+    const Sentence english(phrase, {seven, other, isApart ? two : seven, other, seven});
+    const QString german = gui::dataText(english);
+    EXPECT_NE(german, QString::fromStdString(english));
     EXPECT_FALSE(isEnglish(german)) << german.toStdString();
     EXPECT_TRUE(german.contains(QLatin1Char('7')) || english.find('7') == std::string::npos);
+    EXPECT_FALSE(german.contains("8.5")) << german.toStdString();
   }
-  for (const char* const reason :
+  for (const Phrase& reason :
        {imaging::warnings::capture, imaging::warnings::flatPanel, imaging::warnings::coneBeam}) {
     const QString german =
-        gui::seriesWarning(imaging::worded(imaging::warnings::grayValues, {reason}));
+        gui::dataText(Sentence(imaging::warnings::grayValues, {Sentence(reason)}));
     EXPECT_FALSE(isEnglish(german)) << german.toStdString();
   }
 }
@@ -155,44 +156,45 @@ TEST_F(GermanErrors, HaveEveryPairThatAFileOrSeriesStates)
   std::vector<imaging::StatedTwice> pairs = imaging::allDicomPairs();
   for (const imaging::StatedTwice* pair : imaging::volumePairs()) pairs.push_back(*pair);
   for (const imaging::StatedTwice& pair : pairs)
-    for (const char* const subject : {"The series", "The file IM7", "/ct/a.nrrd"}) {
-      const std::string english =
-          *imaging::disagreement(subject, pair, 0.5, 7.25, " of slice 3 of 9 (IM7)");
-      const QString german = gui::seriesWarning(english);
-      EXPECT_NE(german.toStdString(), english);
+    for (const Sentence& subject : {Sentence{"The series"}, Sentence{"The file %1", "IM7"},
+                                    Sentence(std::string("/ct/a.nrrd"))}) {
+      const Sentence english = *imaging::disagreement(
+          subject, pair, 0.5, 7.25, Sentence{" of slice %1 of %2 (%3)", 3, 9, "IM7"});
+      const QString german = gui::dataText(english);
+      EXPECT_NE(german, QString::fromStdString(english));
       EXPECT_FALSE(isEnglish(german)) << german.toStdString();
       EXPECT_TRUE(german.contains("7,25")) << german.toStdString();
     }
 }
 
-TEST_F(GermanErrors, SayThatVoxelsAreLabelsOrFarAway)
+TEST_F(GermanErrors, TranslateASentenceWithinAnother)
 {
-  for (const char* const english :
-       {"/a/b.nii states by its intent_code 1002 that its voxels are labels or statistics and no "
-        "gray values. Save the CT itself, with the code 0.",
-        "/a/b.nii lies more than 1 km from the origin of the patient's coordinates, where no "
-        "scanner "
-        "measures. Export it again with its orientation."}) {
-    const QString german = gui::engineError(english);
-    EXPECT_TRUE(german.startsWith("/a/b.nii ")) << german.toStdString();
-    EXPECT_FALSE(isEnglish(german)) << german.toStdString();
-  }
+  const Error inner{"%1 does not exist. Check the path.", "/ct/1.5 of 2"};
+  const Error outer{"The left ear was not measured. %1", inner.message};
+  EXPECT_EQ(gui::dataText(outer.message).toStdString(),
+            "Das linke Ohr wurde nicht gemessen. /ct/1.5 of 2 gibt es nicht. Prüfen Sie den "
+            "Pfad.");
 }
 
-TEST_F(GermanErrors, SayHowManyOtherFilesHaveSuchFaults)
+TEST_F(GermanErrors, WriteNumbersWithADecimalComma)
 {
-  EXPECT_EQ(gui::engineError("The file IM3 states RescaleSlope (0028,1053) as \"abc\", where one "
-                             "number belongs; export the series again as original images. Other "
-                             "files have such faults: 4.")
+  EXPECT_EQ(gui::dataText(Sentence{"A voxel is %1 mm long; at most 1.0 mm is allowed, and 0.6 mm "
+                                   "or less is advised. Take a series with thinner slices.",
+                                   "1.250"})
+                .left(24)
                 .toStdString(),
-            "Die Datei IM3 gibt RescaleSlope (0028,1053) als \"abc\" an, wo eine Zahl stehen "
-            "muss; exportieren Sie die Serie noch einmal als Originalbilder. Andere Dateien haben "
-            "solche Fehler: 4.");
+            "Ein Voxel ist 1,250 mm l");
+  // a version or an address is no number
+  EXPECT_TRUE(gui::dataText(Sentence{"The address %1 is none of this machine. 127.0.0.1 always is; "
+                                     "'ip address' lists all.",
+                                     "10.1.2.3"})
+                  .contains("10.1.2.3"));
 }
 
 TEST_F(GermanErrors, ThatAreUnknownStayAsTheyAre)
 {
-  EXPECT_EQ(gui::engineError("It failed at 0.5 mm."), "It failed at 0.5 mm.");
+  EXPECT_EQ(gui::dataText(std::string("It failed at 0.5 mm.")), "It failed at 0.5 mm.");
+  EXPECT_EQ(gui::dataText(Sentence()), "");
 }
 
 TEST_F(GermanErrors, AreThereForFilesThatWereChangedAndInUse)
@@ -208,23 +210,21 @@ TEST_F(GermanErrors, AreThereForFilesThatWereChangedAndInUse)
   anatomy::Patient handmade;
   handmade.origin.software = "Other 7";
   handmade.seal = Seal::absent;
-  const std::string unsealed = noteOn(handmade);
+  const Sentence unsealed = noteOn(handmade);
   handmade.seal = Seal::changed;
   const auto tooMany = session::savePatientRecord(
       {std::vector<std::string>(session::maxTags + 1, "EAS"), "", false}, patient);
   const auto exported = session::exportPatient(patient, {}, folder.path());
   const auto none = planning::readPlan(folder.path());
-  for (const std::string& english :
+  for (const Sentence& english :
        {noteOn(Seal::absent), noteOn(Seal::changed), unsealed, noteOn(handmade),
         tooMany.error().message, exported.error().message, none.error().message,
-        meanwhile.error().message, newer.error().message,
-        std::string("/a/draws.sqlite was changed after the program wrote it, so its results are "
-                    "not continued. Delete it or give another folder.")}) {
-    const QString german = gui::engineError(english);
+        meanwhile.error().message, newer.error().message, anatomy::storedNote(noteOn(handmade))}) {
+    const QString german = gui::dataText(english);
     EXPECT_NE(german, QString::fromStdString(english));
     EXPECT_FALSE(german.contains(QLatin1String(" the "))) << german.toStdString();
   }
-  EXPECT_TRUE(gui::engineError(newer.error().message)
+  EXPECT_TRUE(gui::dataText(newer.error().message)
                   .startsWith(QString::fromStdString(session::recordFileOf(patient).string())));
 }
 

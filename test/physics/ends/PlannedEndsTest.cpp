@@ -110,7 +110,7 @@ TEST_F(PlannedInsertions, ThatOnceEndedFalselyAreConsistent)
     const planning::PlanRequest asked = request(each.friction, 0.0, {each.array});
     const auto setup = planning::preparePlan(asked);
     ASSERT_TRUE(setup) << setup.error().message;
-    const auto run = planning::runShape(asked, *setup, 0, each.draw, goesOn);
+    const auto run = planning::runShape(asked, *setup, 0, each.draw, {});
     ASSERT_TRUE(run) << run.error().message;
     const planning::PlanDraw drawn =
         planning::drawPlan(asked.patient, setup->uncertainty, setup->hand, asked.seed, each.draw);

@@ -10,6 +10,7 @@
 
 #include "perilymph/charts/ArrayInScala.h"
 #include "perilymph/foundation/Resources.h"
+#include "perilymph/planning/Plan.h"
 #include "perilymph/planning/PlannedDraw.h"
 #include "perilymph/test/TemporaryFolder.h"
 #include "perilymph/test/copyChanged.h"

@@ -295,7 +295,9 @@ TEST_F(DicomReading, TellsItsProgressAndStopsWhereItIsCanceled)
   ASSERT_TRUE(readCt(folder / "slices", {}, {[&](double done) { told.push_back(done); }, {}}));
   EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
   EXPECT_NEAR(told.back(), 1.0, 1e-12);
-  const auto canceled = readCt(folder / "slices", {}, {{}, [&] { return told.size() > 0; }});
+  std::stop_source stop;
+  stop.request_stop();
+  const auto canceled = readCt(folder / "slices", {}, {{}, stop.get_token()});
   ASSERT_FALSE(canceled);
   EXPECT_EQ(canceled.error().message, "Reading was canceled.");
 }

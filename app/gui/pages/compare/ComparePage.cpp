@@ -274,8 +274,8 @@ void ComparePage::fillTable()
         item->setToolTip(QString::fromStdString(each.name));
       }
       if (column == score)
-        item->setToolTip(
-            QString::fromStdString(scored ? scored->sentence() : scored.error().message));
+        item->setToolTip(scored ? QString::fromStdString(scored->sentence())
+                                : dataText(scored.error().message));
       table_->setItem(row, column, item);
     }
   }

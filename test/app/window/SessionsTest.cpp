@@ -191,8 +191,8 @@ TEST_F(Sessions, AreListedWhileAnotherOneBlocksItsReader)
   WindowRig rig;
   gui::SessionsPage page(rig.window().control(), nullptr,
                          [ended = end.get_future().share()](
-                             const auto&, const auto&, const auto& progress,
-                             const auto& listed) -> Result<std::vector<session::SessionSummary>> {
+                             const auto&, const auto&, const auto& progress, const auto& listed,
+                             const auto&) -> Result<std::vector<session::SessionSummary>> {
                            session::SessionSummary good;
                            good.file = "good.insertion";
                            good.highlights.ticks = 1;

@@ -183,6 +183,7 @@ TEST_F(DicomIdentity, NamesASliceOfAnotherScannerSideOrUnit)
       {tags::bodyPart, "CS", "FOOT", "BodyPartExamined (0018,0015)"},
       {tags::laterality, "CS", "L", "Laterality (0020,0060)"},
       {tags::rescaleType, "LO", "OD", "RescaleType (0028,1054)"},
+      {tags::studyDate, "DA", "20260102", "StudyDate (0008,0020)"},
       {tags::photometric, "CS", "MONOCHROME1", "PhotometricInterpretation (0028,0004)"}};
   for (const auto& setting : settings) {
     Files files = statedSlices();
@@ -192,6 +193,21 @@ TEST_F(DicomIdentity, NamesASliceOfAnotherScannerSideOrUnit)
     EXPECT_THAT(loaded->series.warnings,
                 Contains(HasSubstr(std::string("Its slices differ in ") + setting.name)));
   }
+}
+
+TEST_F(DicomIdentity, OfASliceWithoutAUnitIsThatOfHounsfieldUnits)
+{
+  Files files = statedSlices();
+  for (DicomData& slice : files) slice.remove(tags::rescaleType);
+  files[6].setText(tags::rescaleType, "LO", "HU");
+  auto loaded = readCt(write(files));
+  ASSERT_TRUE(loaded) << loaded.error().message;
+  EXPECT_THAT(loaded->series.warnings, testing::Not(Contains(HasSubstr("RescaleType"))));
+  files[6].setText(tags::rescaleType, "LO", "US");
+  loaded = readCt(write(files));
+  ASSERT_TRUE(loaded) << loaded.error().message;
+  EXPECT_THAT(loaded->series.warnings,
+              Contains(HasSubstr("Its slices differ in RescaleType (0028,1054)")));
 }
 
 TEST_F(DicomIdentity, OfAnImageIsNotThatOfAnother)

@@ -38,7 +38,8 @@ inline constexpr test::DicomTag imageType = 0x00080008, sopClass = 0x00080016,
                                 aspect = 0x00280034, allocated = 0x00280100, stored = 0x00280101,
                                 highBit = 0x00280102, isSigned = 0x00280103, padding = 0x00280120,
                                 paddingLimit = 0x00280121, intercept = 0x00281052,
-                                slope = 0x00281053, rescaleType = 0x00281054, pixels = 0x7FE00010,
+                                slope = 0x00281053, rescaleType = 0x00281054,
+                                studyDate = 0x00080020, pixels = 0x7FE00010,
                                 instanceNumber = 0x00200013, laterality = 0x00200060,
                                 imageLaterality = 0x00200062, patientOrientation = 0x00200020,
                                 manufacturer = 0x00080070, bodyPart = 0x00180015,
@@ -100,6 +101,7 @@ inline std::vector<test::DicomData> statedSlices(const ct::CtVolume& volume = sm
     slice.setNumber(tags::stored, 12);
     slice.setNumber(tags::highBit, 11);
     slice.setText(tags::rescaleType, "LO", "HU");
+    slice.setText(tags::studyDate, "DA", "20260101");
     slice.setText(tags::patientPosition, "CS", "HFS");
     slice.setText(tags::instanceNumber, "IS", std::to_string(k + 1));
     slice.setText(tags::laterality, "CS", "R");

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <fstream>
 #include <sstream>
+#include <stop_token>
 
 #include "perilymph/database/Database.h"
 #include "perilymph/foundation/AtomicFile.h"
@@ -192,8 +193,13 @@ approach_turn_deg = [0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6]
   }();
   ASSERT_EQ(longer.size(), 70u);
   const Shard whole = shardOf(longer.size(), 1, 1);
-  const auto stopped = runShard(longer, whole, folder("stopped"), 1,
-                                [](std::size_t done, std::size_t) { return done < 66; });
+  std::stop_source stop;
+  const auto stopped = runShard(
+      longer, whole, folder("stopped"), 1,
+      [&stop](std::size_t done, std::size_t) {
+        if (done >= 66) stop.request_stop();
+      },
+      stop.get_token());
   ASSERT_TRUE(stopped) << stopped.error().message;
   EXPECT_FALSE(*stopped);
   EXPECT_THAT(mergeErrorOf(folder("stopped")), HasSubstr("is not complete (64 of 70"));

@@ -41,6 +41,7 @@ const vtkDICOMTag queried[] = {DC::MediaStorageSOPClassUID,
                                DC::SOPClassUID,
                                DC::SpecificCharacterSet,
                                DC::StudyInstanceUID,
+                               DC::StudyDate,
                                DC::SeriesInstanceUID,
                                DC::FrameOfReferenceUID,
                                DC::PatientName,
@@ -151,11 +152,14 @@ std::vector<std::pair<std::string, std::string>> settingsOf(vtkDICOMMetaData& va
 {
   std::vector<std::pair<std::string, std::string>> settings;
   for (const auto tag :
-       {DC::AcquisitionNumber, DC::SeriesNumber, DC::ReconstructionDiameter, DC::ImageType,
-        DC::FilterType, DC::KVP, DC::SliceThickness, DC::SpacingBetweenSlices, DC::PatientPosition,
-        DC::RescaleType, DC::PhotometricInterpretation, DC::Manufacturer, DC::ManufacturerModelName,
-        DC::BodyPartExamined, DC::Laterality, DC::ImageLaterality})
+       {DC::AcquisitionNumber, DC::StudyDate, DC::SeriesNumber, DC::ReconstructionDiameter,
+        DC::ImageType, DC::FilterType, DC::KVP, DC::SliceThickness, DC::SpacingBetweenSlices,
+        DC::PatientPosition, DC::RescaleType, DC::PhotometricInterpretation, DC::Manufacturer,
+        DC::ManufacturerModelName, DC::BodyPartExamined, DC::Laterality, DC::ImageLaterality})
     settings.emplace_back(nameOf(tag), textIn(values.Get(tag)));
+  // a slice of a CT that states no unit is in Hounsfield units (DICOM PS3.3, C.11.1.1.2)
+  for (auto& [name, value] : settings)
+    if (name == nameOf(DC::RescaleType) && value.empty()) value = "HU";
   return settings;
 }
 

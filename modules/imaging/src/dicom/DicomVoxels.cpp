@@ -117,7 +117,7 @@ Result<Done> checkSpan(const std::vector<std::int16_t>& voxels)
 
 /// The sentence about two slices with the same voxels, which noise makes impossible: a copy stands for one that is
 /// lost. Slices of one intensity hold nothing.
-std::optional<std::string> copiedSlice(const Grid& grid)
+std::optional<Sentence> copiedSlice(const Grid& grid)
 {
   const auto count = static_cast<std::size_t>(grid.size[2]);
   const std::size_t perSlice = grid.voxels.size() / count;

@@ -4,6 +4,46 @@
 <context>
     <name>Data</name>
     <message>
+        <source>1.71 L + 0.18, L = 1.18 (A - 1) + 2.69 (B - 1) - sqrt(0.72 (A - 1) (B - 1))</source>
+        <translation>1,71 L + 0,18, L = 1,18 (A - 1) + 2,69 (B - 1) - sqrt(0,72 (A - 1) (B - 1))</translation>
+    </message>
+    <message>
+        <source>Schurzig et al. 2018; constants unverified, within 1 % of the average scala tympani (Froehlich et al. 2024)</source>
+        <translation>Schurzig et al. 2018; Konstanten nicht überprüft, bis auf 1 % bei der mittleren Scala tympani (Froehlich et al. 2024)</translation>
+    </message>
+    <message>
+        <source>Rau et al. 2024, Front Neurol 15:1400455: force-sensing hand tool, 5 patients, 4 profiles</source>
+        <translation>Rau et al. 2024, Front Neurol 15:1400455: Handinstrument mit Kraftmessung, 5 Patienten, 4 Verläufe</translation>
+    </message>
+    <message>
+        <source>Rau et al. 2024: end of insertion 17.2 to 43.6 mN</source>
+        <translation>Rau et al. 2024: am Ende der Insertion 17,2 bis 43,6 mN</translation>
+    </message>
+    <message>
+        <source>Rau et al. 2024: peaks 44.8 to 102.4 mN</source>
+        <translation>Rau et al. 2024: Spitzen von 44,8 bis 102,4 mN</translation>
+    </message>
+    <message>
+        <source>in vitro, models and temporal bones</source>
+        <translation>in vitro, Modelle und Felsenbeine</translation>
+    </message>
+    <message>
+        <source>in vivo, lateral-wall arrays, hand-held force sensor</source>
+        <translation>in vivo, Träger der lateralen Wand, Kraftsensor in der Hand</translation>
+    </message>
+    <message>
+        <source>perception threshold</source>
+        <translation>Wahrnehmungsschwelle</translation>
+    </message>
+    <message>
+        <source>published measurements, mean ± SD</source>
+        <translation>veröffentlichte Messungen, Mittelwert ± SD</translation>
+    </message>
+    <message>
+        <source>published simulator minus published experiment, 95 % CI</source>
+        <translation>veröffentlichter Simulator minus veröffentlichtes Experiment, 95-%-KI</translation>
+    </message>
+    <message>
         <source>This file carries no seal: it is of an earlier version of the program.</source>
         <translation>Diese Datei trägt kein Siegel: sie ist von einer früheren Version des Programms.</translation>
     </message>
@@ -4682,8 +4722,8 @@
         <translation>Ductus cochlearis (CDL)</translation>
     </message>
     <message>
-        <source>from A and B, elliptic-circular; ± holds the formula from A</source>
-        <translation>aus A und B, elliptisch-zirkulär; ± umfasst die Formel aus A</translation>
+        <source>elliptic-circular; ± holds what A alone gives</source>
+        <translation>elliptisch-zirkulär; ± umfasst den Wert aus A allein</translation>
     </message>
     <message>
         <source>Schurzig et al. 2018</source>

@@ -16,7 +16,9 @@ ROOT = Path(__file__).resolve().parents[2]
 LITERAL = r'(?:"(?:[^"\\\n]|\\.)*"\s*)+'
 MARKED = re.compile(r"\b(?:Phrase|Sentence|Error)(?:\s+\w+)?[{(]\s*(" + LITERAL + r")(?=[,})])")
 # where the sources of values are sentences; others are names of publications
-SOURCED = ("plugins/electrodes/", "resources/planning/", "resources/clinical/hand.toml", "resources/reference/in-vitro.toml")
+SOURCED = ("plugins/electrodes/", "resources/planning/", "resources/clinical/hand.toml", "resources/reference/in-vitro.toml",
+           "resources/reference/in-vivo.toml")
+LABELED = ("resources/reference/",)  # elsewhere a label is a name
 PAIR = re.compile(r"\bStatedTwice\s+\w+[^;]*;")  # what a file states twice: its words, without names of fields
 NAME = re.compile(r"\w*[A-Z_]\w*( \([0-9A-F]{4},[0-9A-F]{4}\))?")
 
@@ -53,9 +55,9 @@ def texts(value, keys, key=""):
 def of_shipped_files():
     for folder in ("resources", "plugins"):
         for file in sorted((ROOT / folder).rglob("*.toml")):
-            is_sourced = file.relative_to(ROOT).as_posix().startswith(SOURCED)
-            yield from texts(tomllib.loads(file.read_text(encoding="utf-8")),
-                             ("title", "source") if is_sourced else ("title",))
+            path = file.relative_to(ROOT).as_posix()
+            keys = ["title", *(["source"] * path.startswith(SOURCED)), *(["label"] * path.startswith(LABELED))]
+            yield from texts(tomllib.loads(file.read_text(encoding="utf-8")), keys)
 
 
 def phrases():

@@ -78,8 +78,7 @@ QString measureText(const std::vector<analysis::Measure>& measures,
 MeasureRow ductLengthRow(const QString& value)
 {
   return {tr("Cochlear duct length (CDL)"), value,
-          tr("from A and B, elliptic-circular; ± holds the formula from A"),
-          tr("Schurzig et al. 2018")};
+          tr("elliptic-circular; ± holds what A alone gives"), tr("Schurzig et al. 2018")};
 }
 
 double paintMeasures(ReportSheet& sheet, const QString& title, const std::vector<MeasureRow>& rows,

@@ -39,9 +39,9 @@ def test_larger_errors_of_measurement_give_wider_errors_of_measures():
         patient = perilymph.Patient(a_mm=9.0, b_mm=6.8, a_sd_mm=sd_mm, b_sd_mm=sd_mm)
         return perilymph.Cochlea(patient).measure_errors()["A_mm"]
 
-    # A is what was measured, so its error is that of the measurement.
-    assert with_errors(0.1) == pytest.approx(0.1, rel=0.05)
-    assert with_errors(0.3) == pytest.approx(0.3, rel=0.05)
+    # A is what was measured, so its 95 % interval is that of the measurement.
+    assert with_errors(0.1) == pytest.approx(0.196, rel=0.05)
+    assert with_errors(0.3) == pytest.approx(0.588, rel=0.05)
 
 
 def test_points_have_the_shape_of_the_angles(mean):

@@ -122,8 +122,8 @@ TEST_F(PlanReportPdf, StatesTheNumbersOfThePlanFileWithoutADisplay)
   for (const QString& words :
        {plan[QLatin1String("program")].toString(), plan[QLatin1String("plan")].toString(),
         QStringLiteral("20.4 mN"), QStringLiteral("≥ 42.0 mN"), QStringLiteral("≥ 122.0 mN"),
-        QStringLiteral("9.20 ± 0.10 mm"), QStringLiteral("6.80 ± 0.20 mm"),
-        QStringLiteral("4.00 ± 0.30 mm"), QStringLiteral("Signature"), QStringLiteral("P-17"),
+        QStringLiteral("9.20 ± 0.20 mm"), QStringLiteral("6.80 ± 0.39 mm"),
+        QStringLiteral("4.00 ± 0.59 mm"), QStringLiteral("Signature"), QStringLiteral("P-17"),
         QStringLiteral("right ear"), QStringLiteral("Page 1 of 2"),
         QStringLiteral("Arrays in this cochlea: median (90 % at friction 0.12)"),
         QStringLiteral("numbered from the tip: median (90 % at friction 0.12)"),

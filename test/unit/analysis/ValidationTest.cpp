@@ -94,16 +94,16 @@ TEST(Validation, NamesAFractionForEverySourceAndTheyAddUp)
 TEST(Validation, EndsWhenAskedTo)
 {
   std::stop_source stop;
-  std::size_t most = 0;
+  std::size_t told = 0;
   const auto result = validate(
       smallRequest(50),
       [&](std::size_t done, std::size_t) {
-        most = done;
+        told = done;
         stop.request_stop();
       },
       stop.get_token());
   ASSERT_FALSE(result);
-  EXPECT_LT(most, 50u);
+  EXPECT_LT(told, 50u);
   EXPECT_THAT(result.error().message, testing::HasSubstr("Stopped"));
 }
 

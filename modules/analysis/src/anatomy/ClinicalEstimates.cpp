@@ -4,23 +4,24 @@
 #include "perilymph/anatomy/DuctLength.h"
 #include "perilymph/anatomy/Population.h"
 #include "perilymph/foundation/Math.h"
+#include "perilymph/foundation/Sentence.h"
 
 namespace perilymph::analysis {
 
 namespace {
 
 constexpr const char* alexiades = "Alexiades 2015, Otol Neurotol 36:904";
-constexpr const char* schurzig =
+const Sentence schurzig{
     "Schurzig et al. 2018; constants unverified, within 1 % of the average scala tympani "
-    "(Froehlich et al. 2024)";
+    "(Froehlich et al. 2024)"};
 
 }  // namespace
 
 Measure ductLength(const char* key, Length a, Length b)
 {
   return {key, inMillimeters(anatomy::ellipticCircularDuctLength(a, b)),
-          "1.71 L + 0.18, L = 1.18 (A - 1) + 2.69 (B - 1) - sqrt(0.72 (A - 1) (B - 1))", schurzig,
-          inMillimeters(anatomy::ductLengthFormulaError(a, b))};
+          Sentence{"1.71 L + 0.18, L = 1.18 (A - 1) + 2.69 (B - 1) - sqrt(0.72 (A - 1) (B - 1))"},
+          schurzig, inMillimeters(anatomy::ductLengthFormulaError(a, b))};
 }
 
 Length alexiadesTwoTurns(Length a) { return 3.65 * (a - millimeters(1.0)); }

@@ -7914,12 +7914,12 @@
         <translation>H nicht gemessen: um die mittlere Höhe gezogen</translation>
     </message>
     <message>
-        <source>± 95 %, errors as measured</source>
-        <translation>± 95 %, Fehler wie gemessen</translation>
+        <source>95 % intervals, errors as measured</source>
+        <translation>95-%-Intervalle, Fehler wie gemessen</translation>
     </message>
     <message>
-        <source>± 95 %, errors assumed: SD %1 mm</source>
-        <translation>± 95 %, Fehler angenommen: SD %1 mm</translation>
+        <source>95 % intervals, errors assumed: SD %1 mm</source>
+        <translation>95-%-Intervalle, Fehler angenommen: SD %1 mm</translation>
     </message>
     <message>
         <source>A: basal-turn diameter; B: basal-turn width, perpendicular to A; H: height. Every draw takes other values within these errors.</source>

@@ -53,8 +53,8 @@ void PlanHead::show(const anatomy::Patient& patient)
                 ? tr("H %1").arg(measureText(*turn.h, errors.h.value_or(analysis::measuringError)))
                 : tr("H not measured: drawn around the mean height"));
   const QString assumed = numberText(inMillimeters(analysis::measuringError), 1);
-  parts << (patient.errors ? tr("± 95 %, errors as measured")
-                           : tr("± 95 %, errors assumed: SD %1 mm").arg(assumed));
+  parts << (patient.errors ? tr("95 % intervals, errors as measured")
+                           : tr("95 % intervals, errors assumed: SD %1 mm").arg(assumed));
   measures_->setText(parts.join(QStringLiteral("   ·   ")));
   QStringList unusual;
   for (const Sentence& sentence : anatomy::unusualMeasures(patient)) unusual << dataText(sentence);

@@ -157,17 +157,13 @@ Result<Done> describeAnatomy(const AnatomyOptions& options)
   for (std::size_t i = 0; i < measures.size(); ++i)
     print("{:28} {}{}\n", measures[i].key, fixed(measures[i].value, 2),
           bands->empty() ? "" : (" ± " + fixed((*bands)[i], 2)));
-  if (!bands->empty() && patient.errors)
+  if (!bands->empty())
     print(
-        "± is the 95 % interval of the errors of A, B and H as measured in the CT, and of the duct "
-        "length's "
-        "formula; the error of the model is not included.\n");
-  else if (!bands->empty())
-    print(
-        "± is the 95 % interval of an error of {} mm (standard deviation) in each measurement, and "
-        "of the duct "
-        "length's formula; the error of the model is not included.\n",
-        fixed(inMillimeters(analysis::measuringError), 1));
+        "± is the 95 % interval of {}, and of the duct length's formula; the error of the model is "
+        "not included.\n",
+        patient.errors ? "the errors of A, B and H as measured in the CT"
+                       : "an error of " + fixed(inMillimeters(analysis::measuringError), 1) +
+                             " mm (standard deviation) in each measurement");
   if (haptic)
     print("haptic surface: {} of {} triangles, mean deviation {} mm, maximum {} mm\n",
           haptic->triangles, haptic->visualTriangles,

@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "perilymph/ct/Measures.h"
+#include "perilymph/foundation/Normal.h"
 #include "perilymph/foundation/Units.h"
 #include "perilymph/test/CtPhantom.h"
 #include "perilymph/test/RealEarTruth.h"
@@ -48,7 +49,7 @@ public:
       sum_[i] += error;
       squares_[i] += error * error;
       in68_[i] += std::fabs(error) < measures[i]->sd() ? 1.0 : 0.0;
-      in95_[i] += std::fabs(error) < 1.96 * measures[i]->sd() ? 1.0 : 0.0;
+      in95_[i] += std::fabs(error) < halfWidth95 * measures[i]->sd() ? 1.0 : 0.0;
       if (std::fabs(error) > 3.0 * measures[i]->sd() && found.flags.empty()) ++silent_;
     }
     const double tilt = angle_deg(found.axis_P, truth.axis_P);

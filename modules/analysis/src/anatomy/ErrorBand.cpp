@@ -91,9 +91,9 @@ Result<std::vector<double>> errorBands(
   const Eigen::Matrix3d correlations = correlationsOf(cochlea.patient);
   std::vector<double> bands;
   for (std::size_t i = 0; i < changes.size(); ++i) {
-    const double variance = changes[i].dot(correlations * changes[i]);
-    bands.push_back(halfWidth95 *
-                    std::hypot(std::sqrt(std::max(0.0, variance)), measures[i].formulaError));
+    const double ofLengths = changes[i].dot(correlations * changes[i]);
+    const double ofFormula = measures[i].formulaError * measures[i].formulaError;
+    bands.push_back(halfWidth95 * std::sqrt(std::max(0.0, ofLengths) + ofFormula));
   }
   return bands;
 }

@@ -155,11 +155,12 @@ std::vector<std::pair<std::string, std::string>> settingsOf(vtkDICOMMetaData& va
        {DC::AcquisitionNumber, DC::StudyDate, DC::SeriesNumber, DC::ReconstructionDiameter,
         DC::ImageType, DC::FilterType, DC::KVP, DC::SliceThickness, DC::SpacingBetweenSlices,
         DC::PatientPosition, DC::RescaleType, DC::PhotometricInterpretation, DC::Manufacturer,
-        DC::ManufacturerModelName, DC::BodyPartExamined, DC::Laterality, DC::ImageLaterality})
-    settings.emplace_back(nameOf(tag), textIn(values.Get(tag)));
-  // a slice of a CT that states no unit is in Hounsfield units (DICOM PS3.3, C.11.1.1.2)
-  for (auto& [name, value] : settings)
-    if (name == nameOf(DC::RescaleType) && value.empty()) value = "HU";
+        DC::ManufacturerModelName, DC::BodyPartExamined, DC::Laterality, DC::ImageLaterality}) {
+    std::string value = textIn(values.Get(tag));
+    // a slice of a CT that states no unit is in Hounsfield units (DICOM PS3.3, C.11.1.1.2)
+    if (tag == vtkDICOMTag(DC::RescaleType) && value.empty()) value = "HU";
+    settings.emplace_back(nameOf(tag), std::move(value));
+  }
   return settings;
 }
 

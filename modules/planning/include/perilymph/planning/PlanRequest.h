@@ -17,8 +17,8 @@
 namespace perilymph::planning {
 
 /// Nodes of the array and time step of a plan's insertions: a longer step than the scenario's, a third
-/// of the time. With them every straight array that buckles does so within 5 degrees of 400 nodes and
-/// 1 ms (test/physics/ends); with 50 nodes some were 9 off. The bands: test/physics/plan.
+/// of the time. How far they are from 400 nodes and 1 ms: guide, `clinical.md` (test/physics/ends). The
+/// bands: test/physics/plan.
 struct Resolution {
   int nodes = 100;
   Duration step = milliseconds(5);  ///< At most 10 ms, which an engine accepts.

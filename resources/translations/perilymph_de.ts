@@ -4838,24 +4838,8 @@
         <translation>bei Insertionstiefe %1 mm</translation>
     </message>
     <message>
-        <source>Final insertion force</source>
-        <translation>Insertionskraft am Ende</translation>
-    </message>
-    <message>
-        <source>at maximum insertion depth</source>
-        <translation>bei maximaler Insertionstiefe</translation>
-    </message>
-    <message>
         <source>Angular insertion depth</source>
         <translation>Insertionswinkel</translation>
-    </message>
-    <message>
-        <source>of the tip; no contact inserted</source>
-        <translation>der Spitze; kein Kontakt inseriert</translation>
-    </message>
-    <message>
-        <source>of the tip; contacts from %1 to %2</source>
-        <translation>der Spitze; Kontakte von %1 bis %2</translation>
     </message>
     <message>
         <source>Insertion depth</source>
@@ -5386,10 +5370,6 @@
         <translation>%1–%2 %</translation>
     </message>
     <message>
-        <source>%1 ± %2 mm</source>
-        <translation>%1 ± %2 mm</translation>
-    </message>
-    <message>
         <source>Insertion force over depth</source>
         <translation>Insertionskraft über der Tiefe</translation>
     </message>
@@ -5856,6 +5836,86 @@
     <message>
         <source>An insertion is in progress at %1 mm. It is recorded up to here.</source>
         <translation>Eine Insertion läuft bei %1 mm. Sie ist bis hier aufgezeichnet.</translation>
+    </message>
+    <message>
+        <source>recorded</source>
+        <translation>aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>Buckled in front of the opening</source>
+        <translation>Vor der Öffnung ausgeknickt</translation>
+    </message>
+    <message>
+        <source>Slipped out of the opening</source>
+        <translation>Aus der Öffnung geglitten</translation>
+    </message>
+    <message>
+        <source>Tip folded over</source>
+        <translation>Spitze umgeschlagen</translation>
+    </message>
+    <message>
+        <source>Jammed</source>
+        <translation>Verklemmt</translation>
+    </message>
+    <message>
+        <source>Stopped with a fault</source>
+        <translation>Mit einem Fehler angehalten</translation>
+    </message>
+    <message>
+        <source>Withdrawn</source>
+        <translation>Zurückgezogen</translation>
+    </message>
+    <message>
+        <source>Full depth</source>
+        <translation>Volle Tiefe</translation>
+    </message>
+    <message>
+        <source>Stopped as set, %1 mm of the array outside</source>
+        <translation>Wie eingestellt angehalten, %1 mm des Elektrodenträgers außerhalb</translation>
+    </message>
+    <message>
+        <source>Report as PDF</source>
+        <translation>Bericht als PDF</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>tip at %1</source>
+        <translation>Spitze bei %1</translation>
+    </message>
+    <message>
+        <source>mean of the last 0.5 s of the insertion</source>
+        <translation>Mittel der letzten 0,5 s der Insertion</translation>
+    </message>
+    <message>
+        <source>Force after 1 s of rest</source>
+        <translation>Kraft nach 1 s Ruhe</translation>
+    </message>
+    <message>
+        <source>not reached</source>
+        <translation>nicht erreicht</translation>
+    </message>
+    <message>
+        <source>mean of 0.5 s</source>
+        <translation>Mittel über 0,5 s</translation>
+    </message>
+    <message>
+        <source>no contact inside</source>
+        <translation>kein Kontakt innerhalb</translation>
+    </message>
+    <message>
+        <source>of the most apical contact; %1</source>
+        <translation>des apikalsten Kontakts; %1</translation>
+    </message>
+    <message>
+        <source>Contacts inside</source>
+        <translation>Kontakte innerhalb</translation>
+    </message>
+    <message>
+        <source>from %1 to %2</source>
+        <translation>von %1 bis %2</translation>
     </message>
 </context>
 <context>
@@ -7047,6 +7107,10 @@
     <message>
         <source>Keep inserting</source>
         <translation>Weiter inserieren</translation>
+    </message>
+    <message>
+        <source>Report saved to %1.</source>
+        <translation>Bericht gespeichert in %1.</translation>
     </message>
 </context>
 <context>
@@ -8449,6 +8513,49 @@
     </message>
 </context>
 <context>
+    <name>perilymph::gui::ResultCard</name>
+    <message>
+        <source>Close; the recording is kept</source>
+        <translation>Schließen; die Aufzeichnung bleibt</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Report…</source>
+        <translation>Bericht …</translation>
+    </message>
+    <message>
+        <source>Save a report of this insertion as PDF</source>
+        <translation>Einen Bericht dieser Insertion als PDF speichern</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Vergleichen</translation>
+    </message>
+    <message>
+        <source>Compare with the insertion before</source>
+        <translation>Mit der Insertion davor vergleichen</translation>
+    </message>
+    <message>
+        <source>Again</source>
+        <translation>Noch einmal</translation>
+    </message>
+    <message>
+        <source>Insert once more, with a new recording</source>
+        <translation>Noch einmal inserieren, mit einer neuen Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>plan, %1</source>
+        <translation>Plan, %1</translation>
+    </message>
+    <message>
+        <source>outside %1</source>
+        <translation>außerhalb %1</translation>
+    </message>
+</context>
+<context>
     <name>perilymph::gui::SavedPatientRow</name>
     <message>
         <source>Saved patients</source>
@@ -8736,14 +8843,6 @@
     <message>
         <source>Opening %1…</source>
         <translation>%1 wird geöffnet …</translation>
-    </message>
-    <message>
-        <source>Report as PDF</source>
-        <translation>Bericht als PDF</translation>
-    </message>
-    <message>
-        <source>PDF (*.pdf)</source>
-        <translation>PDF (*.pdf)</translation>
     </message>
     <message>
         <source>Reading recording %1 of %2. Esc cancels.</source>
@@ -9323,6 +9422,10 @@
     <message>
         <source>%1 (Alt+Home)</source>
         <translation>%1 (Alt+Pos1)</translation>
+    </message>
+    <message>
+        <source>ended</source>
+        <translation>beendet</translation>
     </message>
 </context>
 <context>

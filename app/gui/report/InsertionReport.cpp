@@ -2,6 +2,7 @@
 #include "gui/report/InsertionReport.h"
 
 #include <QCoreApplication>
+#include <QFileDialog>
 #include <QPainter>
 #include <algorithm>
 
@@ -10,6 +11,7 @@
 #include "gui/report/ReportRecord.h"
 #include "gui/report/ReportText.h"
 #include "gui/widgets/DrawingPainter.h"
+#include "gui/widgets/StatusLine.h"
 #include "perilymph/figures/Figure.h"
 
 namespace perilymph::gui {
@@ -57,6 +59,14 @@ QImage curveOf(const ReportContent& content)
 }
 
 }  // namespace
+
+QString askReportFile(const std::filesystem::path& recording, QWidget* parent)
+{
+  const QString suggested = documentsFolder() + QLatin1Char('/') +
+                            QString::fromStdString(recording.stem().string()) +
+                            QStringLiteral(".pdf");
+  return QFileDialog::getSaveFileName(parent, tr("Report as PDF"), suggested, tr("PDF (*.pdf)"));
+}
 
 Result<Done> writeReport(const ReportContent& content, const std::filesystem::path& file)
 {

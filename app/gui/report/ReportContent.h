@@ -10,6 +10,7 @@
 #include <stop_token>
 #include <vector>
 
+#include "gui/run/PlannedForce.h"
 #include "perilymph/analysis/AnatomyMeasures.h"
 #include "perilymph/analysis/ContactPositions.h"
 #include "perilymph/analysis/Score.h"
@@ -30,6 +31,7 @@ struct ReportContent {
   analysis::ComparedInsertion insertion;
   std::optional<analysis::InsertionScore> score;
   session::Verification verification;
+  std::optional<PlannedForce> plan;  ///< Of this array in this cochlea, if there is one.
   std::optional<analysis::PrintedRange> rupture;  ///< Rupture forces of the cochlear partition.
 
   std::shared_ptr<const anatomy::ScalaTympani> anatomy;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gui/report/InsertionResults.h"
 #include "gui/report/ReportAnatomy.h"
 #include "gui/report/ReportHead.h"
 #include "gui/report/ReportPicture.h"
@@ -22,8 +23,6 @@ constexpr double picture_mm = 84.0;
 
 // lupdate assigns texts of free functions to their namespace.
 QString tr(const char* text) { return QCoreApplication::translate("perilymph::gui", text); }
-
-QString mN(double force_N) { return tr("%1 mN").arg(numberText(force_N * 1e3, 0)); }
 
 /// "Standard, 2.0 mm/s, scripted insertion"
 QString techniqueText(const ReportContent& content)
@@ -64,62 +63,21 @@ double paintIdentification(ReportSheet& sheet, const ReportContent& content,
   return std::max(left, right);
 }
 
-QString ruptureText(const haptics::Translocation& found)
-{
-  const QString angle = numberText(inDegrees(radians(found.angle)), 0);
-  const QString force = numberText(inMillinewtons(newtons(found.force)), 0);
-  if (!(found.lengthAbove > 0.0)) return tr("ruptured at %1° by %2 mN").arg(angle, force);
-  return tr("translocation: ruptured at %1° by %2 mN, %3 mm above")
-      .arg(angle, force, numberText(inMillimeters(meters(found.lengthAbove)), 1));
-}
-
-struct ResultRow {
-  QString name, value, detail;
-};
-
 double paintResults(ReportSheet& sheet, const ReportContent& content, double x_mm, double y_mm,
                     double width_mm)
 {
-  const analysis::ForceProfile& profile = content.insertion.profile;
-  const analysis::Motion& motion = content.insertion.motion;
-  const auto inserted = [](const analysis::ContactPosition& each) { return each.isInserted; };
-  const auto apical = std::find_if(content.contacts.begin(), content.contacts.end(), inserted);
-  const auto basal = std::find_if(content.contacts.rbegin(), content.contacts.rend(), inserted);
-  const auto degreesText = [](Angle angle) {
-    return tr("%1°").arg(numberText(inDegrees(angle), 0));
-  };
-  const auto& torn = content.insertion.translocation;
-  const QString partition = torn              ? ruptureText(*torn)
-                            : content.rupture ? tr("rupture reported at %1–%2 mN (unverified)")
-                                                    .arg(numberText(content.rupture->low * 1e3, 0),
-                                                         numberText(content.rupture->high * 1e3, 0))
-                                              : QString();
-  const std::vector<ResultRow> results = {
-      {tr("Peak insertion force"), mN(profile.peak.force),
-       tr("at insertion depth %1 mm").arg(numberText(profile.peakDepth * 1e3, 1))},
-      {tr("Final insertion force"), mN(content.deepest.output.axialForce),
-       tr("at maximum insertion depth")},
-      {tr("Angular insertion depth"), degreesText(radians(content.deepest.output.angularDepth)),
-       apical == content.contacts.end()
-           ? tr("of the tip; no contact inserted")
-           : tr("of the tip; contacts from %1 to %2")
-                 .arg(degreesText(basal->angle), degreesText(apical->angle))},
-      {tr("Insertion depth"), tr("%1 mm").arg(numberText(content.deepest.output.depth * 1e3, 1)),
-       tr("past the opening")},
-      {tr("Insertion time"), tr("%1 s").arg(numberText(motion.time - motion.timeStill, 1)),
-       tr("without pauses, to maximum depth; reversals: %1").arg(motion.reversals)},
-      {tr("Maximum partition force"),
-       std::isnan(profile.partitionForceMax) ? tr("not recorded") : mN(profile.partitionForceMax),
-       partition}};
   y_mm = sheet.heading(x_mm, y_mm, width_mm, tr("Results"));
   constexpr double name_mm = 4.0, value_mm = 6.0, detail_mm = 3.4, space_mm = 0.2;
-  for (const ResultRow& result : results) {
+  for (const InsertionResult& result : insertionResults(content)) {
     constexpr double number_mm = 27.0;
     const double text_mm = width_mm - number_mm;
     sheet.line({x_mm, y_mm, text_mm, name_mm + 1.2}, result.name, ReportFace::text);
     sheet.line({x_mm + text_mm, y_mm, number_mm, value_mm}, result.value, ReportFace::number,
                Qt::AlignRight);
     sheet.line({x_mm, y_mm + name_mm + 1.0, width_mm, detail_mm}, result.detail, ReportFace::quiet);
+    if (!result.plan.isEmpty())
+      sheet.line({x_mm, y_mm + name_mm + 1.0, width_mm, detail_mm}, tr("plan: %1").arg(result.plan),
+                 ReportFace::quiet, Qt::AlignRight);
     y_mm += name_mm + 1.0 + detail_mm + space_mm;
     sheet.rule(x_mm, y_mm + 0.8, width_mm);
     y_mm += 2.0;

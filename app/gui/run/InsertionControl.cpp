@@ -2,6 +2,7 @@
 #include "gui/run/InsertionControl.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <ctime>
@@ -156,6 +157,8 @@ Result<Done> InsertionControl::build(InputSource hand, std::optional<std::filesy
   styletTarget_.reset();
   styletAsked_ = false;
   askedAt_ = 0;
+  ended_.reset();
+  isConclusionAsked_ = false;
   now_ = haptics::Snapshot{};
   insertion_->loop().engine().fill(now_);  // no thread runs yet
   return Done{};
@@ -250,7 +253,31 @@ bool InsertionControl::update()
   if (isStopShown && !isResuming_) wish_ = Wish::rest;
   if (!isStopShown && !isStopAwaited_) isResuming_ = false;
   pursue();
+  concludeIfOver();
   return isNew;
+}
+
+void InsertionControl::concludeIfOver()
+{
+  // A rest begins after three seconds without motion; a hand that does not rest is not waited for.
+  constexpr std::chrono::seconds longestWait{6};
+  const haptics::Workflow workflow = now_.output.workflow;
+  const auto time = std::chrono::steady_clock::now();
+  if (workflow != haptics::Workflow::finished && workflow != haptics::Workflow::fault) {
+    ended_.reset();
+    isConclusionAsked_ = false;
+    return;
+  }
+  if (!ended_) ended_ = time;
+  const bool isResting = (now_.output.status & haptics::resting) != 0;
+  if (isConclusionAsked_ || (!isResting && time - *ended_ < longestWait)) return;
+  insertion_->concludeRecording();
+  isConclusionAsked_ = true;
+}
+
+bool InsertionControl::isConcluded() const noexcept
+{
+  return isConclusionAsked_ && insertion_ && insertion_->isRecordingConcluded();
 }
 
 bool InsertionControl::ask(Kind kind, double value)

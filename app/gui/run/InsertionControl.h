@@ -3,6 +3,7 @@
 
 // Control of an insertion by the window's buttons and keys, for every input device.
 
+#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -103,6 +104,9 @@ public:
   bool isAtDepth() const noexcept;
   /// The event that ended the insertion before its stop travel; none after the withdrawal.
   haptics::InsertionEnd earlyEnd() const noexcept;
+  /// The insertion has ended (at its stop travel, early, withdrawn or by a fault), rests, and its
+  /// recording is closed, so that it can be read. A withdrawal ends this.
+  bool isConcluded() const noexcept;
   /// The device was told to move, or is grasped.
   bool isMoving() const noexcept;
   /// The input is a device that moves the array or may do so as soon as its button is pressed.
@@ -132,6 +136,7 @@ private:
   void discard();
   Result<Done> build(InputSource hand, std::optional<std::filesystem::path> file);
   void pursue();
+  void concludeIfOver();
   void pursueWithdrawal();
   void pursueResumption();
   void moveHand(device::ScriptedMotion motion);
@@ -156,6 +161,8 @@ private:
   std::optional<double> styletTarget_;  ///< [m]
   bool styletAsked_ = false;
   std::uint64_t askedAt_ = 0;  ///< Tick of the snapshot at the last request.
+  std::optional<std::chrono::steady_clock::time_point> ended_;  ///< When its end was seen.
+  bool isConclusionAsked_ = false;
   std::string recordingError_;
   haptics::Snapshot now_{};
 };

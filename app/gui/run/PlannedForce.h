@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// The force that a plan expects of one array in one patient's cochlea.
+// What a plan expects of one array in one patient's cochlea.
 
 #include <QString>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "perilymph/anatomy/Patient.h"
+#include "perilymph/planning/PlanResult.h"
 #include "perilymph/session/Scenario.h"
 
 namespace perilymph::gui {
@@ -19,6 +21,9 @@ struct PlannedForce {
     double depth_mm = 0.0, low_mN = 0.0, median_mN = 0.0, high_mN = 0.0;
   };
   QString label;
+  QString hold;  ///< What the bands hold and what they hold fixed: "90 % at friction 0.12".
+  planning::Band peak_mN, end_mN, angle_deg;
+  std::optional<planning::Band> after1s_mN;  ///< Empty in plans of versions without it.
   anatomy::Patient patient;
   std::string array;  ///< As in a scenario.
   std::vector<Point> points;

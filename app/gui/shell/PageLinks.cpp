@@ -45,6 +45,8 @@ void linkPages(MainWindow& window)
     QObject::connect(insert, &InsertPage::allPatientsAsked, start, &StartPage::showPatients);
     QObject::connect(insert, &InsertPage::newPatientAsked, start, &StartPage::showNewPatient);
   }
+  if (insert != nullptr && compare != nullptr)
+    QObject::connect(insert, &InsertPage::compareAsked, compare, &ComparePage::compare);
   if (sessions == nullptr) return;
   if (compare != nullptr)
     QObject::connect(sessions, &SessionsPage::compareAsked, compare, &ComparePage::compare);

@@ -312,6 +312,8 @@ void TopBar::showInsertion(const InsertionControl& control, const QString& error
   if (control.isStopped())
     return setDevice(DeviceState::warning, tr("stopped · no force"),
                      tr("%1. Press Start to continue.").arg(hand));
+  if (control.isConcluded() && !control.rendersForce())
+    return setDevice(DeviceState::off, tr("ended"), hand);
   if (now.measuredRate <= 0.0) return setDevice(DeviceState::steady, tr("running"), hand);
   setDevice(DeviceState::steady, tr("running"),
             tr("%1, %2 samples per second").arg(hand, numberText(now.measuredRate, 0)));

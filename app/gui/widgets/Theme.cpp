@@ -165,7 +165,7 @@ QHeaderView::section { border-bottom: 1px solid %line%; padding: 6px 8px; }
 QToolTip { color: %text%; background: %ground%; border: 1px solid %line%; padding: 4px; }
 
 QFrame#notice { background: %banner%; border: none; border-bottom: 1px solid %line%; }
-QFrame#buildingNote, QFrame#about, QFrame#settings { background: %panel%; border: 1px solid %accent%; border-radius: 6px; }
+QFrame#buildingNote, QFrame#resultCard, QFrame#about, QFrame#settings { background: %panel%; border: 1px solid %accent%; border-radius: 6px; }
 QPushButton#settingsButton, QPushButton#menuButton {
   background: transparent; border-color: transparent; color: %quietText%; padding: 0;
 }

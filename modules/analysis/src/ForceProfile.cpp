@@ -25,6 +25,8 @@ std::vector<CurvePoint> smoothed(const std::vector<CurvePoint>& curve)
   return result;
 }
 
+constexpr Duration shortRest = seconds(1);
+
 enum class Extremum { maximum, minimum };
 
 /// The largest local extremum with low <= travel <= high.
@@ -61,6 +63,27 @@ void ForceProfiler::add(const haptics::TickRecord& record)
   before_ = now;
 }
 
+void ForceProfiler::followRest(const haptics::TickOutput& now)
+{
+  last_.push_back({now.time, now.axialForce});
+  sum_ += now.axialForce;
+  constexpr double rounding = 1e-9;  // of a time that is a sum of time steps [s]
+  while (last_.front().time <= now.time - averaged().si() + rounding) {
+    sum_ -= last_.front().force;
+    last_.pop_front();
+  }
+  const double mean = sum_ / static_cast<double>(last_.size());
+  const bool isOver = now.workflow == haptics::Workflow::finished;
+  if (ended_) {
+    isWithdrawn_ = isWithdrawn_ || !isOver;
+    const bool isDue = now.time >= *ended_ + shortRest.si() - rounding;
+    if (isDue && !isWithdrawn_ && !profile_.forceAfter1s) profile_.forceAfter1s = mean;
+    return;
+  }
+  if (isOver && now.depth > 0.5 * profile_.deepest) ended_ = now.time;
+  if (ended_ || now.depth > profile_.deepest) profile_.endForce = mean;
+}
+
 void ForceProfiler::follow(const haptics::TickOutput& now)
 {
   const bool isFirst = !before_.has_value();
@@ -72,6 +95,7 @@ void ForceProfiler::follow(const haptics::TickOutput& now)
   profile_.partitionForceMax = std::isnan(now.partitionForce)
                                    ? now.partitionForce
                                    : std::max(profile_.partitionForceMax, now.partitionForce);
+  followRest(now);
   profile_.deepest = std::max(profile_.deepest, now.depth);
   profile_.finalTravel = now.travel;
   profile_.finalDepth = now.depth;

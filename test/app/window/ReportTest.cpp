@@ -22,6 +22,7 @@
 
 #include "gui/program/Languages.h"
 #include "gui/report/InsertionReport.h"
+#include "gui/report/InsertionResults.h"
 #include "gui/report/ReportIssuer.h"
 #include "gui/report/ReportParameters.h"
 #include "gui/run/UserSettings.h"
@@ -148,7 +149,9 @@ TEST_F(PdfReport, HasOnePageForTheRecordWithPatientEarAndMeasures)
                             "Schurzig",
                             "Cochlear coverage",
                             "Peak insertion force",
-                            "Final insertion force",
+                            "End force",
+                            "Force after 1 s of rest",
+                            "Contacts inside",
                             "Angular insertion depth",
                             "Insertion depth",
                             "Insertion time",
@@ -164,6 +167,29 @@ TEST_F(PdfReport, HasOnePageForTheRecordWithPatientEarAndMeasures)
   EXPECT_THAT(record, HasSubstr("Page 1 of " + std::to_string(pages())));
   EXPECT_GE(pages(), 2);
   EXPECT_LE(pages(), 4);
+}
+
+TEST_F(PdfReport, StatesThePlanBesideTheResultsAndWhatIsOutsideOfIt)
+{
+  auto content = gui::gatherReport(recordingOf("mean-flex28", {{"stop_travel_mm", "6.0"}}), {});
+  ASSERT_TRUE(content) << content.error().message;
+  const double peak_mN = content->insertion.profile.peak.force * 1e3;
+  content->plan.emplace();
+  content->plan->peak_mN.low = peak_mN + 2.0;
+  content->plan->peak_mN.median = peak_mN + 5.0;
+  content->plan->peak_mN.high = peak_mN + 9.0;
+  content->plan->angle_deg.low = 0.0;
+  content->plan->angle_deg.median = 100.0;
+  content->plan->angle_deg.high = 720.0;
+  const auto results = gui::insertionResults(*content);
+  EXPECT_TRUE(results.front().isOutside);
+  std::map<QString, gui::InsertionResult> byName;
+  for (const gui::InsertionResult& each : results) byName[each.name] = each;
+  EXPECT_FALSE(byName["Angular insertion depth"].isOutside);
+  EXPECT_EQ(byName["Angular insertion depth"].plan, QString::fromUtf8("100 (0–720)°"));
+  EXPECT_EQ(byName["Force after 1 s of rest"].plan, QString());  // this plan has none
+  ASSERT_TRUE(gui::writeReport(*content, pdf()));
+  EXPECT_THAT(text(1, 1), HasSubstr("plan: 100 (0–720)°"));
 }
 
 TEST_F(PdfReport, HasAnAppendixThatMakesItReproducible)

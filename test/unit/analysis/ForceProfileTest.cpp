@@ -31,6 +31,60 @@ ForceProfile profileOf(const std::function<double(double)>& force, double stop =
   return profiler.profile();
 }
 
+/// The tick before it, a time later, after the insertion has ended.
+haptics::TickRecord restAfter(haptics::TickRecord record, double time, double force)
+{
+  record.output.workflow = haptics::Workflow::finished;
+  record.output.time += time;
+  record.output.axialForce = force;
+  return record;
+}
+
+TEST(ForcesOfARest, AreMeansOfTheHalfSecondBeforeTheEndAndAfterOneSecond)
+{
+  ForceProfiler profiler;
+  haptics::TickRecord last;
+  for (int i = 0; i <= 8000; ++i) profiler.add(last = tickAt(2e-6 * i, 1e-5 * i));
+  last.output.time += 1e-3;
+  profiler.add(last = restAfter(last, 0.0, 0.08));
+  // 499 ticks of the ramp up to 0.08 N, and the one that ends it
+  EXPECT_NEAR(profiler.profile().endForce, 0.08 - 1e-5 * 499.0 * 249.0 / 500.0, 1e-12);
+  EXPECT_FALSE(profiler.profile().forceAfter1s);
+  for (int i = 1; i <= 500; ++i) profiler.add(restAfter(last, 1e-3 * i, 0.07));
+  for (int i = 501; i < 1000; ++i) profiler.add(restAfter(last, 1e-3 * i, 0.05));
+  EXPECT_FALSE(profiler.profile().forceAfter1s);
+  profiler.add(restAfter(last, 1.0, 0.05));
+  ASSERT_TRUE(profiler.profile().forceAfter1s);
+  EXPECT_NEAR(*profiler.profile().forceAfter1s, 0.05, 1e-12);
+  for (int i = 1001; i < 3000; ++i) profiler.add(restAfter(last, 1e-3 * i, 0.01));
+  EXPECT_NEAR(*profiler.profile().forceAfter1s, 0.05, 1e-12);
+}
+
+TEST(ForcesOfARest, AreThoseAtTheMaximumDepthWhereTheInsertionHasNotEnded)
+{
+  ForceProfiler profiler;
+  for (int i = 0; i <= 8000; ++i) profiler.add(tickAt(2e-6 * i, 0.04));
+  for (int i = 8000; i >= 4000; --i) profiler.add(tickAt(2e-6 * i, -0.02));
+  EXPECT_NEAR(profiler.profile().endForce, 0.04, 1e-12);
+  EXPECT_FALSE(profiler.profile().forceAfter1s);
+}
+
+TEST(ForcesOfARest, AreNotThoseOfAWithdrawal)
+{
+  ForceProfiler profiler;
+  haptics::TickRecord last;
+  for (int i = 0; i <= 8000; ++i) profiler.add(last = tickAt(2e-6 * i, 0.04));
+  for (int i = 1; i <= 500; ++i) profiler.add(restAfter(last, 1e-3 * i, 0.03));
+  for (int i = 501; i <= 2000; ++i) {
+    haptics::TickRecord back = restAfter(last, 1e-3 * i, -0.02);
+    back.output.workflow = haptics::Workflow::inserting;
+    profiler.add(back);
+  }
+  for (int i = 2001; i <= 4000; ++i) profiler.add(restAfter(last, 1e-3 * i, 0.0));
+  EXPECT_NEAR(profiler.profile().endForce, 0.04, 1e-4);
+  EXPECT_FALSE(profiler.profile().forceAfter1s);
+}
+
 TEST(WorkOfTheHand, IsHalfTheStiffnessTimesTheDistanceSquaredForASpring)
 {
   constexpr double stiffness = 10.0;  // [N/m]

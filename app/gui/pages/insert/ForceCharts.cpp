@@ -7,6 +7,7 @@
 #include <vtkRenderWindowInteractor.h>
 
 #include <QEvent>
+#include <algorithm>
 
 #include "gui/pages/insert/Pane.h"
 #include "gui/text/ChartLabels.h"
@@ -125,6 +126,18 @@ void ForceCharts::append(const haptics::TickOutput& now)
   components_.append(
       Duration::fromSi(now.time),
       {Force::fromSi(now.axialForce), along(entry_.outward_W), along(entry_.vertical_W)});
+}
+
+void ForceCharts::showRecorded(const analysis::ForceProfile& profile)
+{
+  overTravel_.clear();
+  std::vector<analysis::CurvePoint> curve = profile.curve;
+  const auto before = [](const analysis::CurvePoint& one, const analysis::CurvePoint& other) {
+    return one.travel < other.travel;
+  };
+  curve.insert(std::upper_bound(curve.begin(), curve.end(), profile.peak, before), profile.peak);
+  for (const analysis::CurvePoint& point : curve)
+    overTravel_.append(meters(point.travel), newtons(point.force));
 }
 
 bool ForceCharts::renderIfDirty()

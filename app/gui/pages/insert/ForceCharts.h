@@ -8,6 +8,7 @@
 
 #include "gui/run/PlannedForce.h"
 #include "gui/run/ReferenceInsertion.h"
+#include "perilymph/analysis/ForceProfile.h"
 #include "perilymph/anatomy/Lumen.h"
 #include "perilymph/charts/ForceDepthChart.h"
 #include "perilymph/charts/ForceTimeChart.h"
@@ -47,6 +48,9 @@ public:
   void begin(const anatomy::Entry& entry);
   /// Adds the values of a snapshot to the curves.
   void append(const haptics::TickOutput& now);
+  /// Replaces the curve over travel by that of a recording, which has every tick: between two
+  /// pictures a peak may be missed.
+  void showRecorded(const analysis::ForceProfile& profile);
   /// Renders the visible charts that changed. True if any did.
   bool renderIfDirty();
 

@@ -18,7 +18,9 @@
 #include "gui/pages/insert/ReplayBar.h"
 #include "gui/pages/insert/ReplayControl.h"
 #include "gui/pages/insert/ReplayPlayer.h"
+#include "gui/pages/insert/ResultCard.h"
 #include "gui/pages/insert/SidePanel.h"
+#include "gui/report/InsertionReport.h"
 #include "gui/run/WorkflowPredicates.h"
 #include "gui/scene/OperationView.h"
 #include "gui/setup/PatientSetup.h"
@@ -49,6 +51,7 @@ InsertPage::InsertPage(InsertionController& insertion, QWidget* parent)
       views_(new InsertionViews(this)),
       bottom_(new BottomBar(this)),
       building_(new BuildingNote(views_->operation())),
+      result_(new ResultCard(views_)),
       replay_(new ReplayControl(insertion.replay(), *views_, this)),
       bars_(new QStackedWidget(this)),
       frames_(new FrameLoop(
@@ -62,6 +65,7 @@ InsertPage::InsertPage(InsertionController& insertion, QWidget* parent)
   connectInsertion();
   connectPanel();
   connectBars();
+  connectResult();
   side_->showSetup(insertion.history());
   showState();
   bottom_->setMain(BottomBar::Main::start, false);
@@ -153,6 +157,37 @@ void InsertPage::connectBars()
   pace();
 }
 
+void InsertPage::connectResult()
+{
+  connect(&insertion_, &InsertionController::resultChanged, this, &InsertPage::showResult);
+  connect(result_, &ResultCard::reportAsked, this, &InsertPage::saveReport);
+  connect(result_, &ResultCard::againAsked, &insertion_, &InsertionController::again);
+  connect(result_, &ResultCard::compareAsked, this, [this] {
+    std::vector<std::filesystem::path> files;
+    if (insertion_.recordingBefore()) files.push_back(*insertion_.recordingBefore());
+    files.push_back(insertion_.result()->file);
+    Q_EMIT compareAsked(files);
+  });
+}
+
+void InsertPage::showResult()
+{
+  if (!insertion_.result()) return result_->hide();
+  const InsertionControl& control = insertion_.control();
+  const bool isInside = control.isAtDepth() || control.earlyEnd() != haptics::InsertionEnd::none;
+  if (isInside) views_->charts()->showRecorded(insertion_.result()->insertion.profile);
+  result_->show(*insertion_.result(), endTitle(control));
+}
+
+void InsertPage::saveReport()
+{
+  const std::shared_ptr<const ReportContent> content = insertion_.result();
+  const QString pdf = askReportFile(content->file, this);
+  if (pdf.isEmpty()) return;
+  const auto written = writeReport(*content, pdf.toStdString());
+  Q_EMIT noted(written ? tr("Report saved to %1.").arg(pdf) : dataText(written.error().message));
+}
+
 Page::Acceptance InsertPage::accepts(const std::filesystem::path& file) const
 {
   const bool isKnown = file.extension() == recordingEnding || file.extension() == patientEnding;
@@ -221,6 +256,7 @@ void InsertPage::step(double elapsed_s)
     replay_->step(elapsed_s, isShown());
   else
     presenter_.step();
+  insertion_.followEnd();
   views_->operation()->stepCamera(elapsed_s);
 }
 

@@ -16,6 +16,7 @@ class FrameLoop;
 class InsertionController;
 class InsertionViews;
 class ReplayControl;
+class ResultCard;
 class SidePanel;
 
 /// Shows an insertion, or a replay in its place, and passes on what the user does; it computes and
@@ -56,6 +57,7 @@ Q_SIGNALS:
   /// The user wants to search all saved patients, or to enter a new one.
   void allPatientsAsked();
   void newPatientAsked();
+  void compareAsked(const std::vector<std::filesystem::path>& files);
 
 protected:
   void wheelEvent(QWheelEvent* event) override;
@@ -65,6 +67,9 @@ private:
   void connectInsertion();
   void connectPanel();
   void connectBars();
+  void connectResult();
+  void showResult();
+  void saveReport();
   void showReplay();
   void showInsertion();
   void step(double elapsed_s);
@@ -76,6 +81,7 @@ private:
   InsertionViews* views_;
   BottomBar* bottom_;
   BuildingNote* building_;
+  ResultCard* result_;
   ReplayControl* replay_;
   QStackedWidget* bars_;
   FrameLoop* frames_;

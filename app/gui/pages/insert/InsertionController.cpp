@@ -21,7 +21,8 @@ InsertionController::InsertionController(session::Scenario scenario,
       safety_(control_),
       setup_(new SetupControl(control_, this)),
       replay_(new ReplayPlayer(this)),
-      held_(control_)
+      held_(control_),
+      reading_(this)
 {
   connectSetup();
   connect(replay_, &ReplayPlayer::opened, this, &InsertionController::beginReplay);
@@ -176,6 +177,39 @@ void InsertionController::withdraw()
 
 void InsertionController::reset() { prepare(control_.hand()); }
 
+void InsertionController::again()
+{
+  reset();
+  if (control_.hand() == InputSource::scripted) start();
+}
+
+void InsertionController::followEnd()
+{
+  const auto workflow = control_.now().output.workflow;
+  if (isResultAsked_ && !isOver(workflow)) return forgetResult();  // it is withdrawn
+  const auto file = control_.recording();
+  if (isResultAsked_ || !control_.isConcluded() || !file) return;
+  isResultAsked_ = true;
+  auto plan = plan_ && plan_->isFor(control_.scenario()) ? plan_ : std::nullopt;
+  reading_.run(
+      "The result",
+      [file = *file](const std::stop_token& stop) { return gatherReport(file, stop); },
+      [this, plan = std::move(plan)](Result<ReportContent> read) {
+        if (!read) return showError(dataText(read.error().message));
+        read->plan = plan;
+        result_ = std::make_shared<const ReportContent>(*std::move(read));
+        Q_EMIT resultChanged();
+      });
+}
+
+void InsertionController::forgetResult()
+{
+  isResultAsked_ = false;
+  reading_.forget();
+  result_.reset();
+  Q_EMIT resultChanged();
+}
+
 void InsertionController::pressSpace()
 {
   if (control_.hand() == InputSource::pointer) {
@@ -210,6 +244,8 @@ void InsertionController::prepare(InputSource input)
 {
   error_.clear();
   held_.letGo();
+  if (control_.isRunning()) before_ = control_.recording();
+  forgetResult();
   const Result<Done> ready = control_.prepare(input);
   if (!ready && input == InputSource::device) {
     // If a device cannot be opened, the script remains the input device.

@@ -6,10 +6,13 @@
 #include <QObject>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 
 #include "gui/pages/insert/HeldArray.h"
 #include "gui/pages/insert/SetupControl.h"
+#include "gui/report/ReportContent.h"
+#include "gui/run/Background.h"
 #include "gui/run/InsertionControl.h"
 #include "gui/run/ReferenceInsertion.h"
 #include "gui/run/SafetyStop.h"
@@ -104,6 +107,16 @@ public:
   /// The force expected by a plan, drawn behind insertions of its array into its cochlea.
   const std::optional<PlannedForce>& plan() const { return plan_; }
 
+  /// The insertion that has ended, read from its recording; null until then, and from the next
+  /// motion or insertion on.
+  const std::shared_ptr<const ReportContent>& result() const { return result_; }
+  /// The recording of the insertion before, if there is one.
+  const std::optional<std::filesystem::path>& recordingBefore() const { return before_; }
+  /// Inserts once more: with a script at once, else from a new start.
+  void again();
+  /// Reads the insertion once it has ended. To be called in every frame.
+  void followEnd();
+
   /// Shows an error until the next reset.
   void showError(const QString& sentence);
   /// The error in the banner; empty if there is none.
@@ -126,6 +139,7 @@ Q_SIGNALS:
   void referenceChanged();
   void planChanged();
   void errorChanged();
+  void resultChanged();
   void replayOpened();
   void replayClosed();
   void replayFailed(const QString& sentence);
@@ -137,6 +151,7 @@ private:
   void prepare(InputSource input);
   void use(const session::Scenario& scenario, const std::optional<InsertionControl::Parts>& parts);
   void beginReplay();
+  void forgetResult();
 
   InsertionControl control_;
   SafetyStop safety_;
@@ -146,6 +161,10 @@ private:
   std::function<QString()> commit_;
   std::optional<ReferenceInsertion> reference_;
   std::optional<PlannedForce> plan_;
+  Background reading_;
+  bool isResultAsked_ = false;
+  std::shared_ptr<const ReportContent> result_;
+  std::optional<std::filesystem::path> before_;
   QString error_;
   InputSource inputBefore_ = InputSource::scripted;  ///< Before the replay, or in the last window.
 };

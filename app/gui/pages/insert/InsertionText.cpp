@@ -55,6 +55,8 @@ QString statusText(const InsertionControl& control, const QString& device)
   QStringList text;
   if (!control.recordingError().empty())
     text << tr("NOT recording");
+  else if (control.isConcluded())
+    text << tr("recorded");
   else if (control.isRunning() && (now.output.status & haptics::resting) != 0)
     text << tr("recording: waiting for motion");
   else if (control.isRunning())
@@ -85,6 +87,31 @@ QString errorText(const InsertionControl& control, const QString& error)
   if (!recording.empty())
     return tr("This insertion is not being recorded: %1").arg(QString::fromStdString(recording));
   return {};
+}
+
+QString endTitle(const InsertionControl& control)
+{
+  switch (haptics::endOf(control.now().output)) {
+    case haptics::InsertionEnd::stoppedByResistance:
+      return tr("Stopped by resistance");
+    case haptics::InsertionEnd::buckled:
+      return tr("Buckled in front of the opening");
+    case haptics::InsertionEnd::outOfOpening:
+      return tr("Slipped out of the opening");
+    case haptics::InsertionEnd::foldedTip:
+      return tr("Tip folded over");
+    case haptics::InsertionEnd::jammed:
+      return tr("Jammed");
+    case haptics::InsertionEnd::fault:
+      return tr("Stopped with a fault");
+    default:
+      break;
+  }
+  if (!control.isAtDepth()) return tr("Withdrawn");
+  const Length outside = outsideAtStop(control.scenario());
+  return outside.si() <= 0.0 ? tr("Full depth")
+                             : tr("Stopped as set, %1 mm of the array outside")
+                                   .arg(numberText(inMillimeters(outside), 1));
 }
 
 QString endText(haptics::InsertionEnd end, const haptics::TickOutput& now)

@@ -9,6 +9,9 @@
 
 namespace perilymph::gui {
 
+/// How an insertion that is over has ended, as a heading: "Full depth".
+QString endTitle(const InsertionControl& control);
+
 /// @param device  Report rate of the device as text; empty without one.
 QString statusText(const InsertionControl& control, const QString& device);
 

@@ -27,7 +27,12 @@ PlannedForce plannedForce(const planning::Plan& plan, std::size_t array)
 {
   const planning::ArrayPlan& planned = plan.arrays[array];
   PlannedForce force;
-  force.label = QCoreApplication::translate("perilymph::gui", "plan: %1").arg(bandsHold(plan));
+  force.hold = bandsHold(plan);
+  force.peak_mN = planned.peak_mN;
+  force.end_mN = planned.end_mN;
+  force.angle_deg = planned.angle_deg;
+  if (planned.after1s_mN.high > 0.0) force.after1s_mN = planned.after1s_mN;
+  force.label = QCoreApplication::translate("perilymph::gui", "plan: %1").arg(force.hold);
   if (!planned.force.empty())
     force.label += QCoreApplication::translate("perilymph::gui", ", at last %1 of %2")
                        .arg(planned.force.back().draws)

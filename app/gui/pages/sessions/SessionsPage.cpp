@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/pages/sessions/SessionsPage.h"
 
-#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QItemSelection>
 #include <QKeyEvent>
@@ -20,6 +19,7 @@
 #include "gui/pages/sessions/SessionList.h"
 #include "gui/pages/sessions/SessionTable.h"
 #include "gui/pages/sessions/SessionTasks.h"
+#include "gui/report/InsertionReport.h"
 #include "gui/text/DataText.h"
 #include "gui/widgets/EmptyPage.h"
 #include "gui/widgets/Placeholder.h"
@@ -194,7 +194,7 @@ QPushButton* SessionsPage::addVerb(const QString& caption, const char* name, con
 void SessionsPage::onShown()
 {
   isRunning_ = control_.isRunning();
-  beingRecorded_ = control_.recording();
+  beingRecorded_ = control_.isConcluded() ? std::nullopt : control_.recording();
   reread();
   setFocus();
 }
@@ -319,10 +319,7 @@ void SessionsPage::reportChosen()
 {
   const auto file = oneChosen();
   if (!file) return;
-  const QString suggested = documentsFolder() + QLatin1Char('/') +
-                            QString::fromStdString(file->stem().string()) + QStringLiteral(".pdf");
-  const QString asked =
-      QFileDialog::getSaveFileName(this, tr("Report as PDF"), suggested, tr("PDF (*.pdf)"));
+  const QString asked = askReportFile(*file, this);
   if (!asked.isEmpty()) saveReport(*file, asked.toStdString());
 }
 

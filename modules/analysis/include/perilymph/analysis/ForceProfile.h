@@ -4,6 +4,7 @@
 // Force over travel, and the key figures of an insertion.
 
 #include <cstdint>
+#include <deque>
 #include <optional>
 #include <vector>
 
@@ -36,7 +37,12 @@ struct ForceProfile {
   double peakDepth = 0.0;                   ///< Depth past the opening at that tick [m].
   std::optional<CurvePoint> basalTurnPeak;  ///< See findBasalTurn().
   std::optional<CurvePoint> basalTurnDip;
-  double work = 0.0;          ///< Work of the hand on the array [J]: minus the integral of F.dx.
+  double work = 0.0;  ///< Work of the hand on the array [J]: minus the integral of F.dx.
+  /// Mean force over the last `averaged` before the hand stops: where the insertion ends, or without
+  /// an end at the maximum depth [N].
+  double endForce = 0.0;
+  /// The same after 1 s of rest there; empty if the hand did not rest as long [N].
+  std::optional<double> forceAfter1s;
   double finalTravel = 0.0;   ///< [m]
   double deepest = 0.0;       ///< Maximum depth past the opening [m].
   double finalDepth = 0.0;    ///< [m]
@@ -54,6 +60,9 @@ struct ForceProfile {
 /// Spacing of the points of ForceProfile::curve: that of the published curves.
 constexpr Length profileStep() { return millimeters(0.1); }
 
+/// Time over which forces at rest are averaged, as in plans.
+constexpr Duration averaged() { return seconds(0.5); }
+
 /// Builds a profile tick by tick, in order.
 class ForceProfiler {
 public:
@@ -64,8 +73,16 @@ public:
 
 private:
   void follow(const haptics::TickOutput& now);
+  void followRest(const haptics::TickOutput& now);
 
   ForceProfile profile_;
+  struct TimedForce {
+    double time, force;
+  };
+  std::deque<TimedForce> last_;  ///< Of the last averaged().
+  double sum_ = 0.0;             ///< Of their forces [N].
+  std::optional<double> ended_;  ///< Time at which the insertion ended [s].
+  bool isWithdrawn_ = false;     ///< After it.
   std::optional<haptics::TickOutput> before_;
   long nextPoint_ = 0;  ///< Multiple of profileStep() of the next point.
 };

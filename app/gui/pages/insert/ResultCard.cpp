@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/pages/insert/ResultCard.h"
+
+#include <QEvent>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "gui/report/InsertionResults.h"
+#include "gui/widgets/PanelParts.h"
+#include "gui/widgets/Theme.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+/// @param tone  Property that the style sheet colors: "quiet", "error"; "value" as usual.
+QLabel* cell(const QString& text, const char* tone, QWidget* parent)
+{
+  auto* label = new QLabel(text, parent);
+  label->setFont(typeface(13));
+  label->setProperty(tone, true);
+  return label;
+}
+
+}  // namespace
+
+ResultCard::ResultCard(QWidget* page)
+    : QFrame(page), title_(new QLabel(this)), subject_(new QLabel(this))
+{
+  setObjectName(QStringLiteral("resultCard"));
+  title_->setObjectName(QStringLiteral("resultTitle"));
+  title_->setFont(typeface(13, QFont::DemiBold));
+  subject_->setFont(typeface(11));
+  subject_->setProperty("quiet", true);
+  auto* close = panelButton(QStringLiteral("×"), "closeResultButton", this);
+  close->setProperty("small", true);
+  close->setFixedWidth(sized(28));
+  close->setToolTip(tr("Close; the recording is kept"));
+  close->setAccessibleName(tr("Close"));
+  connect(close, &QPushButton::clicked, this, &QWidget::hide);
+  auto* head = new QHBoxLayout;
+  head->addWidget(title_, 1);
+  head->addWidget(close);
+
+  report_ = panelButton(tr("Report…"), "resultReportButton", this);
+  report_->setToolTip(tr("Save a report of this insertion as PDF"));
+  auto* compare = panelButton(tr("Compare"), "resultCompareButton", this);
+  compare->setToolTip(tr("Compare with the insertion before"));
+  auto* again = panelButton(tr("Again"), "resultAgainButton", this);
+  again->setToolTip(tr("Insert once more, with a new recording"));
+  connect(report_, &QPushButton::clicked, this, &ResultCard::reportAsked);
+  connect(compare, &QPushButton::clicked, this, &ResultCard::compareAsked);
+  connect(again, &QPushButton::clicked, this, &ResultCard::againAsked);
+  auto* verbs = new QHBoxLayout;
+  verbs->setSpacing(spacing);
+  for (QPushButton* verb : {report_, compare, again}) verbs->addWidget(verb);
+  verbs->addStretch();
+
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(2 * spacing, spacing, spacing, 2 * spacing);
+  column->setSpacing(spacing);
+  column->addLayout(head);
+  column->addWidget(subject_);
+  column->addLayout(verbs);
+  page->installEventFilter(this);
+  hide();
+}
+
+void ResultCard::addRow(int row, const QString& name, const QString& value, const QString& plan,
+                        bool isOutside)
+{
+  auto* grid = static_cast<QGridLayout*>(rows_->layout());
+  grid->addWidget(cell(name, "quiet", rows_), row, 0);
+  grid->addWidget(cell(value, "value", rows_), row, 1, Qt::AlignRight);
+  if (!plan.isEmpty())
+    grid->addWidget(cell(plan, isOutside ? "error" : "quiet", rows_), row, 2, Qt::AlignRight);
+}
+
+void ResultCard::show(const ReportContent& content, const QString& title)
+{
+  title_->setText(title);
+  subject_->setText(QString::fromStdString(content.scenario.array().name));
+  delete rows_;
+  rows_ = new QWidget(this);
+  auto* grid = new QGridLayout(rows_);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setHorizontalSpacing(2 * spacing);
+  grid->setVerticalSpacing(spacing / 2);
+  int row = 0;
+  if (content.plan) {
+    addRow(row, {}, {}, tr("plan, %1").arg(content.plan->hold), false);
+    ++row;
+  }
+  for (const InsertionResult& result : insertionResults(content)) {
+    if (!result.isHeadline) continue;
+    const QString plan = result.isOutside ? tr("outside %1").arg(result.plan) : result.plan;
+    addRow(row, result.name, result.value, plan, result.isOutside);
+    ++row;
+  }
+  if (content.insertion.translocation)
+    grid->addWidget(cell(ruptureText(*content.insertion.translocation), "error", rows_), row, 0, 1,
+                    3);
+  static_cast<QVBoxLayout*>(layout())->insertWidget(2, rows_);
+  rows_->show();
+  setVisible(true);
+  place();
+}
+
+void ResultCard::place()
+{
+  layout()->activate();
+  adjustSize();
+  const QWidget& page = *parentWidget();
+  move(page.width() - width() - spacing, page.height() - height() - spacing);
+  raise();
+}
+
+bool ResultCard::eventFilter(QObject* target, QEvent* event)
+{
+  if (event->type() == QEvent::Resize && !isHidden()) place();
+  return QFrame::eventFilter(target, event);
+}
+
+}  // namespace perilymph::gui

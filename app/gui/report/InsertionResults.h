@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// The results of an insertion, as its report and the card at its end state them.
+
+#include <QString>
+#include <vector>
+
+#include "gui/report/ReportContent.h"
+
+namespace perilymph::gui {
+
+struct InsertionResult {
+  QString name, value, detail;
+  QString plan;  ///< "57 (25–77) mN"; empty without a plan or where it has no such band.
+  bool isOutside = false;   ///< Outside of the plan's band.
+  bool isHeadline = false;  ///< Stated on the card.
+};
+
+/// In the order in which they are read. A value that was not recorded says so.
+std::vector<InsertionResult> insertionResults(const ReportContent& content);
+
+/// "ruptured at 183° by 62 mN", with the length above the partition if it went through.
+QString ruptureText(const haptics::Translocation& found);
+
+}  // namespace perilymph::gui

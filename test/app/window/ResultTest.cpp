@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The card at the end of an insertion, and the recording that it is then.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <QLabel>
+#include <algorithm>
+
+#include "WindowRig.h"
+#include "gui/pages/compare/ComparisonPlot.h"
+#include "gui/pages/insert/InsertionController.h"
+#include "gui/pages/insert/ResultCard.h"
+#include "gui/report/InsertionResults.h"
+#include "gui/text/Numbers.h"
+#include "perilymph/session/RecordedInsertion.h"
+
+namespace perilymph::test {
+namespace {
+
+using haptics::Workflow;
+
+class Result : public testing::Test {
+protected:
+  Result() : rig_(session::Overrides{{"stop_travel_mm", "3.0"}, {"speed_mm_s", "4.0"}}) {}
+
+  gui::ResultCard& card() { return *rig_.window().findChild<gui::ResultCard*>(); }
+  gui::InsertionController& insertion() { return rig_.window().insertion(); }
+  QStringList texts()
+  {
+    QStringList found;
+    for (const auto* label : card().findChildren<QLabel*>()) found << label->text();
+    return found;
+  }
+  void insert()
+  {
+    rig_.click("startButton");
+    ASSERT_TRUE(WindowRig::comes([&] { return rig_.now().output.workflow == Workflow::finished; }));
+    EXPECT_TRUE(card().isHidden());
+    ASSERT_TRUE(WindowRig::comes([&] { return !card().isHidden(); }));
+  }
+  std::uint64_t ticksOfWholeRecording()
+  {
+    const auto recorded = session::RecordedInsertion::open(insertion().result()->file);
+    EXPECT_TRUE(recorded) << recorded.error().message;
+    if (!recorded) return 0;
+    EXPECT_TRUE(recorded->wasClosed());
+    EXPECT_EQ(recorded->check()->damage, "");
+    return recorded->ticks();
+  }
+
+  WindowRig rig_;
+};
+
+TEST_F(Result, IsShownAtTheEndWithNothingToPressAndIsARecordingFromThenOn)
+{
+  insert();
+  EXPECT_TRUE(rig_.label("resultTitle").startsWith("Stopped as set"));
+  const auto recorded = session::RecordedInsertion::open(insertion().result()->file);
+  ASSERT_TRUE(recorded) << recorded.error().message;
+  double peak = 0.0;
+  ASSERT_TRUE(recorded->forEach([&](const haptics::TickRecord& record) {
+    peak = std::max(peak, record.output.axialForce);
+    return true;
+  }));
+  EXPECT_THAT(texts(),
+              testing::Contains(QStringLiteral("%1 mN").arg(gui::numberText(peak * 1e3, 0))));
+  const std::uint64_t inserted = ticksOfWholeRecording();
+
+  // a withdrawal is added to the recording, and it ends once more
+  rig_.click("withdrawButton");
+  ASSERT_TRUE(WindowRig::comes([&] { return card().isHidden(); }));
+  ASSERT_TRUE(WindowRig::comes([&] { return !card().isHidden(); }));
+  EXPECT_EQ(rig_.label("resultTitle"), "Withdrawn");
+  EXPECT_GT(ticksOfWholeRecording(), inserted);
+}
+
+TEST_F(Result, AgainInsertsOnceMoreWithARecordingOfItsOwnAndComparesBoth)
+{
+  insert();
+  const auto first = insertion().result()->file;
+  rig_.click("resultAgainButton");
+  EXPECT_TRUE(card().isHidden());
+  EXPECT_FALSE(insertion().result());
+  EXPECT_EQ(insertion().recordingBefore(), first);
+  EXPECT_NE(rig_.window().control().recording(), first);
+  ASSERT_TRUE(WindowRig::comes([&] { return !card().isHidden(); }));
+  rig_.click("resultCompareButton");
+  const auto* curves = rig_.window().findChild<gui::ComparisonPlot*>();
+  EXPECT_TRUE(WindowRig::comes([&] { return curves != nullptr && curves->isVisible(); }));
+}
+
+}  // namespace
+}  // namespace perilymph::test

@@ -7,8 +7,8 @@
 #include "Interruption.h"
 #include "OutputFolder.h"
 #include "Terminal.h"
-#include "perilymph/analysis/ValidationReport.h"
 #include "perilymph/foundation/Resources.h"
+#include "perilymph/validation/ValidationReport.h"
 
 namespace perilymph::cli {
 
@@ -24,16 +24,17 @@ void printValue(const char* what, const session::FittedValue& fitted)
         fitted.standardDeviation == 0.0 ? " (at a bound, or without effect)" : "");
 }
 
-void printSummary(const analysis::CalibrationResult& result, const analysis::Reference& experiment)
+void printSummary(const validation::CalibrationResult& result,
+                  const analysis::Reference& experiment)
 {
   printValue("stiffness scale", result.calibration.stiffnessScale);
   print("fitted force {} mN before, {} trials\n", forceText(result.before), result.trials);
-  const analysis::Agreement predicted = analysis::agreementOf(result.fitted);
+  const validation::Agreement predicted = validation::agreementOf(result.fitted);
   print(
       "predicted forces: largest difference {} mN, chi-square {}, degrees of freedom: {}, p = {}\n",
       forceText(predicted.largest), fixed(predicted.chiSquare, 1), predicted.degreesOfFreedom,
       fixed(predicted.pValue, 4));
-  for (const analysis::AnchorComparison& anchor : result.fitted.anchors) {
+  for (const validation::AnchorComparison& anchor : result.fitted.anchors) {
     bool isUsed = false;
     for (const session::FittedForce& force : result.calibration.forces)
       isUsed = isUsed || force.travel == anchor.experiment.travel;
@@ -42,7 +43,7 @@ void printSummary(const analysis::CalibrationResult& result, const analysis::Ref
           forceText(anchor.simulator.mean), forceText(anchor.experiment.mean),
           forceText(anchor.experiment.standardDeviation));
   }
-  for (const analysis::IntervalComparison& interval : result.fitted.intervals)
+  for (const validation::IntervalComparison& interval : result.fitted.intervals)
     print("{:10} {} mm: {} mN ({} to {} mN)\n", "not fitted",
           fixed(inMillimeters(meters(interval.experiment.travel)), 1),
           forceText(interval.simulator.mean), forceText(interval.experiment.low),
@@ -66,7 +67,7 @@ Result<Done> calibrate(const CalibrateOptions& options, const CallFiles& files)
 {
   const auto file = findByName("variability", "resources/validation", options.variability);
   if (!file) return file.error();
-  auto variability = analysis::loadVariability(*file);
+  auto variability = validation::loadVariability(*file);
   if (!variability) return variability.error();
   // A new fit starts from the array's own data.
   session::Overrides overrides = options.overrides;
@@ -77,7 +78,7 @@ Result<Done> calibrate(const CalibrateOptions& options, const CallFiles& files)
   auto experiment = analysis::shippedReference("todd-naghdy-experiment");
   if (!experiment) return experiment.error();
 
-  analysis::CalibrationRequest request;
+  validation::CalibrationRequest request;
   request.nominal = scenario->parameters();
   request.variability = std::move(*variability);
   request.experiment = *experiment;
@@ -88,7 +89,7 @@ Result<Done> calibrate(const CalibrateOptions& options, const CallFiles& files)
   print("Calibrating the array of {} against one published force.\n", request.nominal.name);
   flushOutput();
   // The number of trials is not known in advance; about four.
-  const auto result = analysis::fitCalibration(
+  const auto result = validation::fitCalibration(
       request,
       [](std::size_t trials) {
         showProgress("trial", trials + 1, std::max<std::size_t>(trials + 2, 4));
@@ -99,9 +100,9 @@ Result<Done> calibrate(const CalibrateOptions& options, const CallFiles& files)
 
   FolderContent content;
   content.texts = {{"calibration.toml", session::calibrationText(result->calibration)},
-                   {"profile.csv", analysis::profileCsv(result->fitted)},
-                   {"difference.csv", analysis::differenceCsv(result->fitted)}};
-  content.figures = {{"calibration", draw(analysis::calibrationFigure(*result, *experiment))}};
+                   {"profile.csv", validation::profileCsv(result->fitted)},
+                   {"difference.csv", validation::differenceCsv(result->fitted)}};
+  content.figures = {{"calibration", draw(validation::calibrationFigure(*result, *experiment))}};
   if (const auto done = writeFolder(files, options.out, content); !done) return done.error();
   printSummary(*result, *experiment);
   return Done{};

@@ -7,8 +7,8 @@
 #include "Interruption.h"
 #include "OutputFolder.h"
 #include "Terminal.h"
-#include "perilymph/analysis/ClinicalPrediction.h"
-#include "perilymph/analysis/Prediction.h"
+#include "perilymph/validation/ClinicalPrediction.h"
+#include "perilymph/validation/Prediction.h"
 
 namespace perilymph::cli {
 
@@ -28,7 +28,7 @@ void printForce(const char* what, Force found, const analysis::PrintedRange* ran
         milli(newtons(range->low)), milli(newtons(range->high)));
 }
 
-void printArray(const analysis::ArraySummary& array, const analysis::Reference& inVivo)
+void printArray(const validation::ArraySummary& array, const analysis::Reference& inVivo)
 {
   print("{}\n", array.array);
   if (array.mean)
@@ -49,14 +49,14 @@ void printArray(const analysis::ArraySummary& array, const analysis::Reference& 
   printForce("peak", array.medianPeak, inVivo.findRange("peak"));
 }
 
-const char* verdict(analysis::RowVerdict verdict)
+const char* verdict(validation::RowVerdict verdict)
 {
-  if (verdict == analysis::RowVerdict::notJudged) return "-";
-  return analysis::RowVerdict::hit == verdict ? "hit" : "MISS";
+  if (verdict == validation::RowVerdict::notJudged) return "-";
+  return validation::RowVerdict::hit == verdict ? "hit" : "MISS";
 }
 
 /// The prediction with its unit: "412.0 (401.0 to 425.0) deg", a rate "5 of 6" or "83.3 %".
-std::string foundText(const analysis::ClinicalRow& row)
+std::string foundText(const validation::ClinicalRow& row)
 {
   if (row.runs == 0) return "none";
   const auto runs = static_cast<std::size_t>(row.runs);
@@ -72,7 +72,7 @@ std::string foundText(const analysis::ClinicalRow& row)
 }
 
 /// "3 of 6", or "52 % of 90".
-std::string insideText(const analysis::ClinicalRow& row)
+std::string insideText(const validation::ClinicalRow& row)
 {
   const auto runs = static_cast<std::size_t>(row.runs);
   if (const auto count = analysis::countedOf({row.inside, 0.0, 1.0}, runs))
@@ -80,13 +80,13 @@ std::string insideText(const analysis::ClinicalRow& row)
   return fixed(100.0 * row.inside, 0) + " % of " + std::to_string(runs);
 }
 
-void printRows(const std::vector<analysis::ClinicalRow>& rows, bool isClinical)
+void printRows(const std::vector<validation::ClinicalRow>& rows, bool isClinical)
 {
   int hits = 0, judged = 0;
-  for (const analysis::ClinicalRow& row : rows) {
+  for (const validation::ClinicalRow& row : rows) {
     if (row.isClinical != isClinical) continue;
-    hits += row.verdict == analysis::RowVerdict::hit ? 1 : 0;
-    judged += row.verdict == analysis::RowVerdict::notJudged ? 0 : 1;
+    hits += row.verdict == validation::RowVerdict::hit ? 1 : 0;
+    judged += row.verdict == validation::RowVerdict::notJudged ? 0 : 1;
     const std::string published =
         row.high > row.low
             ? fixed(row.low, 1) + " to " + fixed(row.high, 1) + (row.unit == "%" ? " %" : "")
@@ -99,23 +99,24 @@ void printRows(const std::vector<analysis::ClinicalRow>& rows, bool isClinical)
 
 Result<Done> predictAll(const PredictOptions& options, const CallFiles& files)
 {
-  analysis::ClinicalRequest request;
+  validation::ClinicalRequest request;
   request.seeds = options.seeds;
   request.patients = options.patients.value_or(request.patients);
   request.friction = options.friction;
   request.jobs = options.jobs;
   const std::stop_token stop = watchForInterruption();
-  const auto result = analysis::predictClinic(
+  const auto result = validation::predictClinic(
       request, [](std::size_t done, std::size_t all) { showProgress("insertion", done, all); },
       stop);
   if (isInterrupted()) return Error{"Interrupted; nothing was written."};
   if (!result) return result.error();
-  const auto page = analysis::clinicalJson(request, *result);
+  const auto page = validation::clinicalJson(request, *result);
   if (!page) return page.error();
   FolderContent content;
-  content.texts = {{"clinical-table.csv", analysis::clinicalRowsCsv(result->rows)},
-                   {"clinical-insertions.csv", analysis::clinicalInsertionsCsv(result->insertions)},
-                   {"clinical-table.json", *page}};
+  content.texts = {
+      {"clinical-table.csv", validation::clinicalRowsCsv(result->rows)},
+      {"clinical-insertions.csv", validation::clinicalInsertionsCsv(result->insertions)},
+      {"clinical-table.json", *page}};
   if (const auto done = writeFolder(files, options.out, content); !done) return done.error();
   print("Insertions by hand in {} cochleae; medians and quartiles:\n",
         request.seeds.size() * static_cast<std::size_t>(request.patients));
@@ -132,24 +133,24 @@ Result<Done> predict(const PredictOptions& options, const CallFiles& files)
   if (options.isAll) return predictAll(options, files);
   const auto inVivo = analysis::shippedReference("in-vivo");
   if (!inVivo) return inVivo.error();
-  analysis::PredictionRequest request;
+  validation::PredictionRequest request;
   request.arrays = options.arrays;
   request.patients = options.patients.value_or(request.patients);
   request.seed = options.seeds.front();
   request.jobs = options.jobs;
   const std::stop_token stop = watchForInterruption();
-  const auto result = analysis::predict(
+  const auto result = validation::predict(
       request, [](std::size_t done, std::size_t all) { showProgress("insertion", done, all); },
       stop);
   if (isInterrupted()) return Error{"Interrupted; nothing was written."};
   if (!result) return result.error();
 
   FolderContent content;
-  content.texts = {{"prediction.csv", analysis::predictionCsv(*result)},
-                   {"prediction.json", analysis::predictionJson(request, *result, *inVivo)}};
+  content.texts = {{"prediction.csv", validation::predictionCsv(*result)},
+                   {"prediction.json", validation::predictionJson(request, *result, *inVivo)}};
   if (const auto done = writeFolder(files, options.out, content); !done) return done.error();
-  for (const analysis::ArraySummary& array : result->arrays) printArray(array, *inVivo);
-  for (const analysis::PredictedInsertion& each : result->insertions)
+  for (const validation::ArraySummary& array : result->arrays) printArray(array, *inVivo);
+  for (const validation::PredictedInsertion& each : result->insertions)
     if (!each.error.empty()) print("{} in {}: {}\n", each.array, each.patient, each.error);
   return Done{};
 }

@@ -36,19 +36,9 @@ class TestRun(PretendedSystem):
         self.assertEqual(self.presets(), ["dev"])
         self.assertEqual(self.calls("suites"), ["--preset dev summary"])
 
-    def test_the_times_of_all_suites_are_kept(self):
-        self.call(SCRIPT)
-        self.assertIn("--output-junit", self.calls("ctest")[0])
-
     def test_no_tests_at_all_are_no_success(self):
         self.call(SCRIPT)
         self.assertIn("--no-tests=error", self.calls("ctest")[0])
-
-    def test_long_adds_both_sanitizers_and_still_ends_with_the_count(self):
-        result = self.call(SCRIPT, "--long")
-        self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertEqual(sorted(self.presets()), ["asan", "dev", *["long"] * len(HOURS), "tsan"])
-        self.assertEqual(result.stdout.strip().splitlines()[-1], CASES)
 
     def test_a_failed_test_fails_the_run(self):
         self.pretend("ctest", "exit 8")
@@ -78,34 +68,11 @@ class TestRun(PretendedSystem):
         self.call(SCRIPT, "--long")
         self.assertEqual(self.presets().count("asan"), 2)
 
-    def test_a_stage_is_logged_with_the_commit_it_began_on(self):
-        self.pretend("ctest", f'echo "{COUNT}"; printf "#!/bin/bash\\necho later-commit\\n" >"{self.bin}/git"')
-        self.call(SCRIPT, "--long")
-        self.assertIn("\tsome-commit\t", (self.root / "build/proof/stages.tsv").read_text().splitlines()[0])
-
-    def test_skipped_tests_are_logged_with_the_count(self):
-        self.pretend("ctest", f'echo "1/3 Test #1: a ...***Skipped"; echo "{COUNT}"')
-        self.call(SCRIPT, "--long", "soak")
-        self.assertIn(f"{COUNT}; 1 skipped\t", (self.root / "build/proof/stages.tsv").read_text())
-
     def test_a_stage_on_changed_files_is_always_repeated(self):
         self.pretend("git", "echo some-commit-dirty")
         self.call(SCRIPT, "--long")
         self.call(SCRIPT, "--long")
         self.assertEqual(self.presets().count("asan"), 2)
-
-    def test_named_stages_run_alone(self):
-        result = self.call(SCRIPT, "--long", "fuzz", "plan", "soak")
-        self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertEqual(self.stages(), [("fuzz-30", "passed"), ("soak", "passed"), ("plan", "passed")])
-        self.assertIn("^long/soak[_/]", self.calls("ctest")[0])
-        result = self.call(SCRIPT, "--long")
-        self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertEqual(self.presets(), ["long", "long", "asan", "tsan", *["long"] * (len(HOURS) - 1), "dev"])
-
-    def test_the_tests_of_every_day_alone_are_no_proof(self):
-        self.call(SCRIPT)
-        self.assertFalse((self.root / "build/proof").exists())
 
     def test_an_unknown_word_is_refused(self):
         for words in (["--short"], ["long"], ["--long", "asan", "short"]):

@@ -7,8 +7,8 @@
 #include <map>
 #include <stop_token>
 
-#include "RoundedTravel.h"
 #include "perilymph/analysis/CsvField.h"
+#include "perilymph/analysis/RoundedTravel.h"
 #include "perilymph/session/Csv.h"
 
 namespace perilymph::analysis {

@@ -30,11 +30,11 @@
 #include "gui/widgets/Theme.h"
 #include "perilymph/analysis/Reference.h"
 #include "perilymph/analysis/Score.h"
-#include "perilymph/analysis/ValidationReport.h"
 #include "perilymph/ct/Measures.h"
 #include "perilymph/electrode/ArrayDesign.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/planning/PlanReport.h"
+#include "perilymph/validation/ValidationReport.h"
 
 namespace perilymph::test {
 namespace {
@@ -234,12 +234,12 @@ TEST(PseudoLanguage, TextsOfDataFilesAndOfTheEngineAreTranslated)
   const auto simulator = analysis::shippedReference("todd-naghdy-simulator");
   const auto difference = analysis::shippedReference("todd-naghdy-difference");
   ASSERT_TRUE(experiment && simulator && difference);
-  const analysis::ValidationResult none{};
-  for (const figures::Figure& figure : {analysis::experimentFigure(*experiment, *simulator),
-                                        analysis::simulationFigure(none, *experiment),
-                                        analysis::differenceFigure(none, *difference)})
+  const validation::ValidationResult none{};
+  for (const figures::Figure& figure : {validation::experimentFigure(*experiment, *simulator),
+                                        validation::simulationFigure(none, *experiment),
+                                        validation::differenceFigure(none, *difference)})
     texts << textOf(gui::translated(figure));
-  for (const analysis::Verdict& verdict : analysis::verdictsOf(none, *experiment))
+  for (const validation::Verdict& verdict : validation::verdictsOf(none, *experiment))
     for (const Sentence& text : {verdict.what, verdict.wanted}) texts << gui::dataText(text);
   for (const QString& text : texts)
     EXPECT_TRUE(text.contains(QLatin1Char('['))) << text.toStdString();

@@ -15,7 +15,7 @@ if __name__ == "__main__":
 from checks import arrows, sources  # noqa: E402
 
 PICTURE = "resources/pictures/house.svg"
-WIDTH, MARGIN, BOX, STEP, SPACE, SWEEPS = 1180, 20, (190, 44), 92, 232, 12
+WIDTH, MARGIN, BOX, STEP, SPACE, LANE, SWEEPS = 1180, 20, (190, 44), 92, 216, 22, 40
 INK, LINE, PAPER = "#1c2733", "#8a97a5", "#ffffff"
 FILL = {"engine": "#dcebf7", "toolkit": "#e3f0dd", "app": "#f6e7cf"}
 SAID = {"engine": "engine: C++ and Eigen, no VTK, no Qt", "toolkit": "toolkit: may use VTK", "app": "programs"}
@@ -25,24 +25,56 @@ def kind(layer):
     return "engine" if layer <= 6 else "toolkit" if layer <= 7 else "app"
 
 
+def between(layers, above, below):
+    return [layer for layer in layers if below < layer < above]
+
+
+def spread(order, wish, width):
+    """x of each, in that order, as near to its wish as widths and margins allow."""
+    def pushed(order, wish):
+        """As near as those before it in the order allow, and with place for those behind it."""
+        x, edge, rest = {}, MARGIN, sum(map(width, order))
+        for name in order:
+            rest -= width(name)
+            x[name] = min(max(wish[name], edge + width(name) / 2), WIDTH - MARGIN - rest - width(name) / 2)
+            edge = x[name] + width(name) / 2
+        return x
+
+    right = pushed(order, wish)
+    left = pushed(order[::-1], {name: WIDTH - wish[name] for name in order})
+    return {name: (right[name] + WIDTH - left[name]) / 2 for name in order}
+
+
 def places(rows):
-    """Name -> (x, y) of the center of its box: layer 0 at the bottom, each near its neighbors in the graph."""
+    """Name -> (x, y) of the center of its box: layer 0 at the bottom, each near its neighbors in the graph. An arrow
+    crosses a layer in a lane, (name of its end, layer), which has a place there, too."""
     layers = sorted({layer for layer, _, _ in rows.values()})
     y = {layer: MARGIN + 60 + STEP * (len(layers) - 1 - i) for i, layer in enumerate(layers)}
     floors = {layer: [name for name, (each, _, _) in rows.items() if each == layer] for layer in layers}
-    near = {name: list(uses) + [other for other, (_, used, _) in rows.items() if name in used]
-            for name, (_, uses, _) in rows.items()}
+    near = {name: [] for name in rows}
+    for name, (layer, uses, _) in rows.items():
+        for used in uses:
+            chain = [name, *((used, each) for each in reversed(between(layers, layer, rows[used][0]))), used]
+            for upper, lower in zip(chain, chain[1:]):
+                for each in (upper, lower):
+                    if each not in near:
+                        near[each] = []
+                        floors[each[1]].append(each)
+                near[upper].append(lower)
+                near[lower].append(upper)
+
+    def width(item):
+        return LANE if isinstance(item, tuple) else SPACE
+
     x = {name: WIDTH * (i + 1) / (len(names) + 1) for names in floors.values() for i, name in enumerate(names)}
-    for _ in range(SWEEPS):
-        for names in floors.values():
+    for sweep in range(SWEEPS):
+        for layer in layers if sweep % 2 else reversed(layers):
+            names = floors[layer]
             wish = {name: sum(x[other] for other in near[name]) / len(near[name]) if near[name] else x[name]
                     for name in names}
-            names.sort(key=lambda name: (wish[name], name))
-            for i, name in enumerate(names):
-                left = x[names[i - 1]] + SPACE if i else MARGIN + BOX[0] / 2
-                right = WIDTH - MARGIN - BOX[0] / 2 - SPACE * (len(names) - 1 - i)
-                x[name] = min(max(wish[name], left), right)
-    return {name: (round(x[name]), y[layer]) for name, (layer, _, _) in rows.items()}
+            names.sort(key=lambda name: (round(wish[name], 3), str(name)))
+            x.update(spread(names, wish, width))
+    return {name: (round(x[name]), y[layer]) for layer, names in floors.items() for name in names}
 
 
 def draw(root):
@@ -54,15 +86,20 @@ def draw(root):
     rows = {name: (layer, uses, knows[name]) for name, (layer, uses) in drawn.items()}
     middle = places(rows)
     height = max(y for _, y in middle.values()) + BOX[1] + MARGIN
-    lines, boxes = [], []
+    layers = sorted({layer for layer, _, _ in rows.values()})
+    lines, boxes = {}, []
     for name, (layer, uses, what) in rows.items():
-        x, y = middle[name]
         for used in [] if name in every else uses:
-            to_x, to_y = middle[used]
-            begin, end = y + BOX[1] / 2, to_y - BOX[1] / 2
-            bend = (begin + end) / 2
-            lines.append(f'<path d="M{x} {begin:g} C{x} {bend:g} {to_x} {bend:g} {to_x} {end:g}" '
-                         f'marker-end="url(#tip)"/>')
+            (x, y), down = middle[name], middle[name][1] + BOX[1] / 2
+            path = f"M{x} {down:g}"
+            for stop in [*((used, each) for each in reversed(between(layers, layer, rows[used][0]))), used]:
+                to_x, to_y = middle[stop]
+                bend = (down + to_y - BOX[1] / 2) / 2
+                path += f" C{x} {bend:g} {to_x} {bend:g} {to_x} {to_y - BOX[1] / 2:g}"
+                lines[path + '"' + (' marker-end="url(#tip)"' if stop == used else "")] = None
+                x, down = to_x, to_y + BOX[1] / 2
+                path = f"M{x} {to_y - BOX[1] / 2:g} V{down:g}"
+        x, y = middle[name]
         boxes.append(f'<rect x="{x - BOX[0] / 2:g}" y="{y - BOX[1] / 2:g}" width="{BOX[0]}" height="{BOX[1]}" rx="5" '
                      f'fill="{FILL[kind(layer)]}" stroke="{INK}"/>')
         short = what if len(what) <= 34 else what[:what.rfind(" ", 0, 33)].rstrip(",:") + " …"
@@ -81,7 +118,8 @@ def draw(root):
         f'<path d="M0 0 L8 4 L0 8 z" fill="{LINE}"/></marker></defs>',
         f'<rect width="{WIDTH}" height="{height:g}" fill="{PAPER}"/>',
         *legend,
-        f'<g fill="none" stroke="{LINE}" stroke-width="1.2">', *lines, "</g>",
+        f'<g fill="none" stroke="{LINE}" stroke-width="1.2">',
+        *(f'<path d="{line}/>' for line in lines), "</g>",
         *boxes,
         "</svg>", ""])
 

@@ -6,9 +6,9 @@
 
 #include "InputFile.h"
 #include "Seeds.h"
-#include "perilymph/analysis/Variability.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/session/Scenario.h"
+#include "perilymph/validation/Variability.h"
 
 namespace perilymph::fuzz {
 
@@ -24,7 +24,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
   using namespace perilymph;
   static fuzz::InputFile file("variability.toml");
   static const auto nominal = session::loadScenario("contour-published")->parameters();
-  const auto variability = analysis::loadVariability(file.holding({data, size}));
+  const auto variability = validation::loadVariability(file.holding({data, size}));
   if (!variability) {
     fuzz::promise(!variability.error().message.empty(), "a refusal has a sentence");
     return 0;
@@ -32,9 +32,9 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
   fuzz::promise(variability->timeStep.si() > 0.0 && variability->knotSpacing.si() > 0.0,
                 "steps are lengths and durations");
   for (std::uint64_t number = 0; number < 4; ++number) {
-    const auto drawn =
-        analysis::drawInsertion(nominal, *variability, analysis::SpreadSources::all(), 1, number);
-    fuzz::promise(std::isfinite(drawn.speed) && std::isfinite(drawn.tremorAmplitude) &&
+    const auto drawn = validation::drawInsertion(nominal, *variability,
+                                                 validation::SpreadSources::all(), 1, number);
+    fuzz::promise(std::isfinite(drawn.push.speed) && std::isfinite(drawn.push.tremorAmplitude) &&
                       std::isfinite(drawn.noiseDeviation),
                   "a drawn hand has numbers");
   }

@@ -11,11 +11,11 @@
 #include <sstream>
 #include <string>
 
-#include "perilymph/analysis/ValidationReport.h"
 #include "perilymph/test/Places.h"
 #include "perilymph/test/Tolerance.h"
+#include "perilymph/validation/ValidationReport.h"
 
-namespace perilymph::analysis {
+namespace perilymph::validation {
 namespace {
 
 /// The simulated forces of the guide's table [mN], by the first word of their row.
@@ -43,7 +43,7 @@ std::map<std::string, double> tableOfTheGuide()
 
 /// Expects a mean of a few insertions to agree with that of the table's 200.
 void expectAgreement(const std::map<std::string, double>& table, const std::string& name,
-                     const SampleStatistics& few)
+                     const analysis::SampleStatistics& few)
 {
   const auto row = table.find(name);
   ASSERT_NE(row, table.end()) << name;
@@ -77,4 +77,4 @@ TEST(PublishedTable, IsThatOfTheGuideWithinTheErrorOfFewInsertions)
 }
 
 }  // namespace
-}  // namespace perilymph::analysis
+}  // namespace perilymph::validation

@@ -5,10 +5,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "perilymph/analysis/ValidationReport.h"
 #include "perilymph/session/Calibration.h"
+#include "perilymph/validation/ValidationReport.h"
 
-namespace perilymph::analysis {
+namespace perilymph::validation {
 namespace {
 
 ValidationRequest studyOf(std::uint64_t seed, int runs)
@@ -84,4 +84,4 @@ TEST(Study, OfWhichNothingReachesTheEndSaysWhatHappened)
 }
 
 }  // namespace
-}  // namespace perilymph::analysis
+}  // namespace perilymph::validation

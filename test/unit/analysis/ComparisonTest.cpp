@@ -4,8 +4,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "perilymph/analysis/Prediction.h"
-
 namespace perilymph::analysis {
 namespace {
 
@@ -55,19 +53,6 @@ TEST(ComparedRecordings, StateTheRuptureOfThePartition)
   EXPECT_THAT(csv, testing::HasSubstr("final_angle_deg,rupture_angle_deg,rupture_N,above_mm\na,"));
   EXPECT_THAT(csv, testing::HasSubstr(",0,,,\n"));
   EXPECT_THAT(csv, testing::EndsWith(",180,0.0425,3.5\n"));
-}
-
-TEST(ClinicalAngles, HoldTheirMediansWithinTheirRanges)
-{
-  const auto angles = clinicalAngles();
-  ASSERT_TRUE(angles) << angles.error().message;
-  ASSERT_EQ(angles->size(), 5u);
-  for (const ClinicalAngle& angle : *angles) {
-    EXPECT_LE(angle.low, angle.median) << angle.array;
-    EXPECT_LE(angle.median, angle.high) << angle.array;
-  }
-  // FLEX28: median 575, interquartile range 465 to 584 degrees (O'Connell 2017)
-  EXPECT_NEAR(inDegrees(angles->at(1).median), 575.0, 1e-9);
 }
 
 TEST(ACurve, IsStraightBetweenItsPointsAndEndsWithThem)

@@ -18,8 +18,8 @@
 #include "gui/widgets/PanelParts.h"
 #include "gui/widgets/Theme.h"
 #include "gui/widgets/WrappedLabel.h"
-#include "perilymph/analysis/ClinicalPrediction.h"
 #include "perilymph/foundation/Resources.h"
+#include "perilymph/validation/ClinicalPrediction.h"
 
 namespace perilymph::gui {
 
@@ -55,8 +55,8 @@ QString inTheList(const QString& words) { return words.left(1).toUpper() + words
 /// Arrays that are planned unless others are chosen: those with published angular depths.
 bool isUsual(const std::string& array)
 {
-  return std::find(std::begin(analysis::clinicalArrays), std::end(analysis::clinicalArrays),
-                   array) != std::end(analysis::clinicalArrays);
+  return std::find(std::begin(validation::clinicalArrays), std::end(validation::clinicalArrays),
+                   array) != std::end(validation::clinicalArrays);
 }
 
 }  // namespace

@@ -52,7 +52,7 @@ ValidatePage::ValidatePage(QWidget* parent)
 
   connect(
       &work_, &ValidationWork::progressed, this,
-      [this](int done, int all, const analysis::ValidationResult& sofar) {
+      [this](int done, int all, const validation::ValidationResult& sofar) {
         progress_->setRange(0, std::max(all, 1));
         progress_->setValue(done);
         const int runs = typedRuns().value_or(all);
@@ -198,7 +198,7 @@ void ValidatePage::start()
 {
   const auto runs = typedRuns();
   if (isBusy() || !basis_ || !runs) return;
-  analysis::ValidationRequest request = basis_->request;
+  validation::ValidationRequest request = basis_->request;
   request.runs = *runs;
   result_.reset();
   sofar_ = {};
@@ -218,11 +218,11 @@ bool ValidatePage::cancel()
   return true;
 }
 
-void ValidatePage::finish(const std::optional<analysis::ValidationResult>& result,
+void ValidatePage::finish(const std::optional<validation::ValidationResult>& result,
                           const QString& error)
 {
   result_ = result;
-  sofar_ = result.value_or(analysis::ValidationResult{});
+  sofar_ = result.value_or(validation::ValidationResult{});
   if (result) {
     progress_->setValue(progress_->maximum());
     status_->say(tr("%1 of %2 insertions completed, seed %3. Mean SD over travel %4 mN.")
@@ -253,10 +253,10 @@ void ValidatePage::showFigure()
       ->setChecked(true);
   const analysis::Reference& experiment = basis_->request.experiment;
   drawing_->show(figures::draw(
-      translated(shown == Shown::simulation ? analysis::simulationFigure(sofar_, experiment)
+      translated(shown == Shown::simulation ? validation::simulationFigure(sofar_, experiment)
                  : shown == Shown::difference
-                     ? analysis::differenceFigure(*result_, basis_->references.difference)
-                     : analysis::experimentFigure(experiment, basis_->references.simulator))));
+                     ? validation::differenceFigure(*result_, basis_->references.difference)
+                     : validation::experimentFigure(experiment, basis_->references.simulator))));
 }
 
 void ValidatePage::showState()
@@ -276,12 +276,12 @@ void ValidatePage::showVerdicts()
   }
   headline_->setVisible(result_.has_value());
   if (!result_) return;
-  const auto verdicts = analysis::verdictsOf(*result_, basis_->request.experiment);
+  const auto verdicts = validation::verdictsOf(*result_, basis_->request.experiment);
   const auto met = std::count_if(verdicts.begin(), verdicts.end(),
-                                 [](const analysis::Verdict& verdict) { return verdict.isMet; });
+                                 [](const validation::Verdict& verdict) { return verdict.isMet; });
   headline_->setText(tr("%1 of %2 criteria met").arg(met).arg(verdicts.size()));
   int line = 0;
-  for (const analysis::Verdict& verdict : verdicts) {
+  for (const validation::Verdict& verdict : verdicts) {
     // a text in addition to the color
     auto* mark = text(verdict.isMet ? tr("✓ met") : tr("✗ missed"), 13, this);
     mark->setStyleSheet(
@@ -309,8 +309,8 @@ void ValidatePage::save()
       QFileDialog::getExistingDirectory(this, tr("Save to folder"), documentsFolder());
   if (chosen.isEmpty()) return;
   const std::filesystem::path folder = chosen.toStdString();
-  const analysis::ValidationFiles files =
-      analysis::validationFiles(basis_->request, *result_, basis_->references);
+  const validation::ValidationFiles files =
+      validation::validationFiles(basis_->request, *result_, basis_->references);
   const auto keep = [&](const std::string& name, const std::string& content) {
     const auto written = writeWhole(folder / name, content, {Links::refused});
     if (!written) status_->say(dataText(written.error().message), true);

@@ -30,7 +30,7 @@ public:
   bool isBusy() const override { return work_.isRunning(); }
   bool cancel() override;
   /// The last complete run; empty before.
-  const std::optional<analysis::ValidationResult>& result() const { return result_; }
+  const std::optional<validation::ValidationResult>& result() const { return result_; }
 
 private:
   enum class Shown { simulation, experiment, difference };
@@ -40,15 +40,15 @@ private:
   void showFigure();
   void showState();
   void showVerdicts();
-  void finish(const std::optional<analysis::ValidationResult>& result, const QString& error);
+  void finish(const std::optional<validation::ValidationResult>& result, const QString& error);
   void save();
   /// The typed number of insertions; empty if it is not allowed.
   std::optional<int> typedRuns() const;
 
   Result<ValidationBasis> basis_;
   ValidationWork work_;
-  std::optional<analysis::ValidationResult> result_;
-  analysis::ValidationResult sofar_;
+  std::optional<validation::ValidationResult> result_;
+  validation::ValidationResult sofar_;
   Shown shown_ = Shown::experiment;
 
   QLineEdit* runs_ = nullptr;

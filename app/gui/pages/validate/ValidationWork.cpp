@@ -11,9 +11,9 @@ namespace {
 
 constexpr int reportInterval_ms = 250;
 
-analysis::ValidationResult partOf(const std::vector<std::vector<double>>& curves)
+validation::ValidationResult partOf(const std::vector<std::vector<double>>& curves)
 {
-  analysis::ValidationResult part;
+  validation::ValidationResult part;
   part.runs = static_cast<int>(curves.size());
   if (curves.size() < 2) return part;
   std::vector<double> values(curves.size());
@@ -29,9 +29,9 @@ analysis::ValidationResult partOf(const std::vector<std::vector<double>>& curves
 
 Result<ValidationBasis> shippedBasis()
 {
-  auto references = analysis::validationReferences();
+  auto references = validation::validationReferences();
   if (!references) return references.error();
-  auto request = analysis::shippedValidation(*references);
+  auto request = validation::shippedValidation(*references);
   if (!request) return request.error();
   return ValidationBasis{*std::move(request), *std::move(references)};
 }
@@ -42,7 +42,7 @@ ValidationWork::ValidationWork(QObject* parent) : QObject(parent), background_(t
   connect(&timer_, &QTimer::timeout, this, &ValidationWork::report);
 }
 
-void ValidationWork::start(analysis::ValidationRequest request)
+void ValidationWork::start(validation::ValidationRequest request)
 {
   if (isRunning()) return;
   shared_ = std::make_shared<Shared>();
@@ -59,9 +59,9 @@ void ValidationWork::start(analysis::ValidationRequest request)
           shared->done = done;
           shared->all = all;
         };
-        return analysis::validate(request, progress, stop);
+        return validation::validate(request, progress, stop);
       },
-      [this](const Result<analysis::ValidationResult>& result) {
+      [this](const Result<validation::ValidationResult>& result) {
         timer_.stop();
         if (result) return finished(*result, {});
         finished(std::nullopt, wasCanceled_ ? tr("Canceled. No results were saved.")

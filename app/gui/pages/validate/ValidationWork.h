@@ -10,14 +10,14 @@
 #include <optional>
 
 #include "gui/run/Background.h"
-#include "perilymph/analysis/ValidationReport.h"
+#include "perilymph/validation/ValidationReport.h"
 
 namespace perilymph::gui {
 
 /// Input of a validation: the shipped experiment and its variability.
 struct ValidationBasis {
-  analysis::ValidationRequest request;
-  analysis::ValidationReferences references;
+  validation::ValidationRequest request;
+  validation::ValidationReferences references;
 };
 Result<ValidationBasis> shippedBasis();
 
@@ -27,7 +27,7 @@ class ValidationWork : public QObject {
 public:
   explicit ValidationWork(QObject* parent);
 
-  void start(analysis::ValidationRequest request);
+  void start(validation::ValidationRequest request);
   /// Ends it early; finished() is then emitted without a result.
   void cancel();
   bool isRunning() const { return background_.isBusy(); }
@@ -35,8 +35,8 @@ public:
 Q_SIGNALS:
   /// Emitted a few times a second.
   /// @param sofar  Mean and spread over the completed insertions; empty before the second.
-  void progressed(int done, int all, const perilymph::analysis::ValidationResult& sofar);
-  void finished(const std::optional<perilymph::analysis::ValidationResult>& result,
+  void progressed(int done, int all, const perilymph::validation::ValidationResult& sofar);
+  void finished(const std::optional<perilymph::validation::ValidationResult>& result,
                 const QString& error);
 
 private:

@@ -5,8 +5,8 @@
 
 #include <string>
 
-#include "perilymph/analysis/ClinicalPrediction.h"
 #include "perilymph/analysis/FullInsertion.h"
+#include "perilymph/analysis/InsertionByHand.h"
 #include "perilymph/foundation/TomlReader.h"
 
 namespace perilymph::analysis {

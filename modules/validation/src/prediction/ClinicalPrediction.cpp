@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "perilymph/validation/ClinicalPrediction.h"
+
+#include <iterator>
+#include <memory>
+#include <stop_token>
+
+#include "perilymph/analysis/InParallel.h"
+#include "perilymph/analysis/InsertionByHand.h"
+#include "prediction/PhantomRows.h"
+#include "prediction/VirtualInsertion.h"
+
+namespace perilymph::validation {
+
+namespace {
+
+constexpr Length startInside = millimeters(1);
+/// A period of the tremor is 123 ms; see the convergence in the page of mechanics (choice, high).
+constexpr Duration timeStep = milliseconds(1);
+
+constexpr std::size_t arrays = std::size(clinicalArrays);
+
+}  // namespace
+
+std::size_t insertionsOf(const ClinicalRequest& request)
+{
+  return request.seeds.size() * static_cast<std::size_t>(request.patients) * arrays +
+         phantomInsertions;
+}
+
+Result<ClinicalResult> predictClinic(const ClinicalRequest& request,
+                                     const analysis::RunProgress& progress,
+                                     const std::stop_token& stop)
+{
+  const auto hand = analysis::shippedHand();
+  if (!hand) return hand.error();
+  std::vector<session::InsertionParameters> nominal;
+  for (const char* array : clinicalArrays) {
+    auto scenario = fullInsertionOf("surgery-flex28", array, startInside, timeStep,
+                                    {{"friction", request.friction}});
+    if (!scenario) return scenario.error();
+    nominal.push_back(scenario->parameters());
+  }
+
+  // One piece per cochlea, and the phantom as the last.
+  const auto patients = static_cast<std::size_t>(request.patients);
+  const std::size_t cochleae = request.seeds.size() * patients;
+  ClinicalResult result;
+  result.insertions.resize(cochleae * arrays);
+  std::vector<ClinicalRow> phantom;
+  const auto work = [&](std::size_t piece, const std::stop_token& ending) -> Result<Done> {
+    if (piece == cochleae) {
+      auto rows = phantomRows(ending);
+      if (!rows) return rows.error();
+      phantom = *std::move(rows);
+      return Done{};
+    }
+    const std::uint64_t seed = request.seeds[piece / patients];
+    const std::uint64_t patient = piece % patients + 1;
+    const analysis::Surgeon surgeon = analysis::drawSurgeon(*hand, seed, patient);
+    std::shared_ptr<const anatomy::ScalaTympani> anatomy;
+    for (std::size_t i = 0; i < arrays && !ending.stop_requested(); ++i) {
+      const auto parameters = withCochlea(nominal[i], seed, patient);
+      if (!parameters) return parameters.error();
+      if (!anatomy) {
+        auto built = session::buildAnatomy(*parameters);
+        if (!built) return built.error();
+        anatomy = *built;
+      }
+      analysis::ClinicalInsertion& place = result.insertions[piece * arrays + i];
+      place = analysis::insertByHand(*parameters, anatomy, *hand, surgeon, Length{}, ending);
+      place.array = clinicalArrays[i];
+      place.seed = seed;
+      place.patient = patient;
+    }
+    return Done{};
+  };
+  const std::size_t all = insertionsOf(request);
+  const auto done = analysis::doInParallel(
+      cochleae + 1, request.jobs, work,
+      [&](std::size_t count) {
+        if (progress) progress(count > cochleae ? all : count * arrays, all);
+      },
+      stop);
+  if (!done) return done.error();
+
+  auto rows = clinicalRows(result.insertions);
+  if (!rows) return rows.error();
+  result.rows = *std::move(rows);
+  result.rows.insert(result.rows.end(), phantom.begin(), phantom.end());
+  return result;
+}
+
+}  // namespace perilymph::validation

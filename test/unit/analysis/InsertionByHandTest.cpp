@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "perilymph/analysis/InsertionByHand.h"
+
+#include <gtest/gtest.h>
+
+#include "perilymph/session/Scenario.h"
+
+namespace perilymph::analysis {
+namespace {
+
+HandDistribution hand()
+{
+  auto loaded = shippedHand();
+  EXPECT_TRUE(loaded) << loaded.error().message;
+  return *loaded;
+}
+
+TEST(DrawnSurgeon, HasASpeedTremorAndForceWithinTheirRanges)
+{
+  const HandDistribution all = hand();
+  double sum = 0.0;
+  constexpr int draws = 2000;
+  for (std::uint64_t number = 1; number <= draws; ++number) {
+    const Surgeon one = drawSurgeon(all, 1, number);
+    EXPECT_GE(one.stop, all.stopLow);
+    EXPECT_LE(one.stop, all.stopHigh);
+    EXPECT_GE(one.tremor, all.tremorLow);
+    EXPECT_LE(one.tremor, all.tremorHigh);
+    EXPECT_GE(one.rupture, all.ruptureLow);
+    EXPECT_LE(one.rupture, all.ruptureHigh);
+    sum += inMillimetersPerSecond(one.speed);
+  }
+  // 0.66 +- 0.31 mm/s within 0.1 to 1.5: the lower limit takes away more, so the mean is a little
+  // higher
+  EXPECT_NEAR(sum / draws, 0.69, 0.03);
+}
+
+TEST(DrawnSurgeon, IsTheSameForTheSameSeedAndAnotherForTheNext)
+{
+  EXPECT_EQ(drawSurgeon(hand(), 3, 5).stop, drawSurgeon(hand(), 3, 5).stop);
+  EXPECT_NE(drawSurgeon(hand(), 3, 5).stop, drawSurgeon(hand(), 3, 6).stop);
+  EXPECT_NE(drawSurgeon(hand(), 3, 5).stop, drawSurgeon(hand(), 4, 5).stop);
+}
+
+struct ByHand {
+  explicit ByHand(Force stop) : surgeon(drawSurgeon(hand(), 1, 1))
+  {
+    surgeon.stop = stop;
+    auto scenario = session::loadScenario(
+        "surgery-flex28", {{"friction", "tissue"}, {"start_inside_mm", "1"}, {"dt_ms", "5"}});
+    EXPECT_TRUE(scenario) << scenario.error().message;
+    parameters = scenario->parameters();
+    parameters.stopTravel = session::fullTravel(parameters.array, parameters.startInside);
+    anatomy = *session::buildAnatomy(parameters);
+  }
+  ClinicalInsertion insert()
+  {
+    return insertByHand(parameters, anatomy, hand(), surgeon, millimeters(1), {});
+  }
+  Surgeon surgeon;
+  session::InsertionParameters parameters;
+  std::shared_ptr<const anatomy::ScalaTympani> anatomy;
+};
+
+TEST(InsertionByHand, StopsAtTheSurgeonsForceAndRests)
+{
+  ByHand test(newtons(0.02));
+  const ClinicalInsertion done = test.insert();
+  EXPECT_EQ(done.end, haptics::InsertionEnd::stoppedByResistance);
+  EXPECT_LT(done.depth, millimeters(20));
+  EXPECT_GT(done.depth, millimeters(8));
+  EXPECT_GE(done.peak, newtons(0.02));
+  // a mean over half a second of a rising force: below its last value, and not far below
+  EXPECT_LT(done.endForce, done.peak);
+  EXPECT_GT(done.endForce, 0.5 * done.peak);
+  // a point of the profile at every millimeter from the start on
+  ASSERT_GE(done.profile.size(), 7u);
+  EXPECT_NEAR(inMillimeters(done.profile[3].depth), 4.0, 1e-9);
+  EXPECT_TRUE(done.contacts.front().isInserted);
+  // at rest the force falls, and it still presses on the hand
+  ASSERT_TRUE(done.forceAfter1s && done.forceAfter10s);
+  EXPECT_LT(*done.forceAfter1s, done.endForce);
+  EXPECT_LE(*done.forceAfter10s, *done.forceAfter1s);
+  EXPECT_GT(*done.forceAfter10s, newtons(0));
+}
+
+TEST(InsertionByHand, StatesNoForceOfARestThatWasShorter)
+{
+  ByHand test(newtons(0.02));
+  HandDistribution shorter = hand();
+  shorter.rest = seconds(2);
+  const ClinicalInsertion done =
+      insertByHand(test.parameters, test.anatomy, shorter, test.surgeon, Length{}, {});
+  EXPECT_TRUE(done.forceAfter1s);
+  EXPECT_FALSE(done.forceAfter10s);
+  EXPECT_GT(done.endForce, newtons(0));  // of the push, so no rest changes it
+  shorter.rest = seconds(0.1);
+  const ClinicalInsertion brief =
+      insertByHand(test.parameters, test.anatomy, shorter, test.surgeon, Length{}, {});
+  EXPECT_FALSE(brief.forceAfter1s);
+  EXPECT_EQ(brief.endForce, done.endForce);
+}
+
+TEST(InsertionByHand, GoesDeeperWithLessFriction)
+{
+  ByHand rough(newtons(0.02)), smooth(newtons(0.02));
+  smooth.surgeon.frictionFactor = 0.3 * rough.surgeon.frictionFactor;
+  EXPECT_GT(smooth.insert().apical, rough.insert().apical);
+}
+
+}  // namespace
+}  // namespace perilymph::analysis

@@ -5,7 +5,10 @@
 #include <optional>
 #include <utility>
 
+#include "gui/run/UserSettings.h"
 #include "perilymph/anatomy/AnatomySource.h"
+#include "perilymph/session/Csv.h"
+#include "perilymph/session/InsertionParameters.h"
 
 namespace perilymph::gui {
 
@@ -28,16 +31,44 @@ std::map<SetupField, ValueSource> measuredInCt(const anatomy::Patient& patient)
   return sources;
 }
 
+const QString lastArrayKey = QStringLiteral("insertion/array");
+
 }  // namespace
+
+Result<session::Scenario> surgicalScenario(const planning::PlanRequest& request,
+                                           const std::string& array)
+{
+  const auto any = planning::scenarioOf(request, array, session::anyStopTravel);
+  if (!any) return any.error();
+  const Length full = session::fullTravel(any->array(), any->startInside());
+  return planning::scenarioOf(request, array, session::shortestDecimal(inMillimeters(full)));
+}
+
+std::string lastArray()
+{
+  const std::string kept = UserSettings().value(lastArrayKey).toString().toStdString();
+  const planning::PlanRequest usual;
+  // its file may be gone
+  if (!kept.empty() && planning::scenarioOf(usual, kept, session::anyStopTravel)) return kept;
+  const auto scenario = session::loadScenario(usual.scenario);
+  return scenario ? scenario->arrayName() : std::string();
+}
+
+void rememberArray(const session::Scenario& scenario)
+{
+  if (!scenario.patient().basalTurn) return;
+  UserSettings().setValue(lastArrayKey, QString::fromStdString(scenario.arrayName()));
+}
 
 Result<Setup> setupOfPatient(const anatomy::Patient& patient, const session::Scenario* base)
 {
   if (const auto possible = anatomy::checkPatient(patient); !possible) return possible.error();
   std::optional<session::Scenario> preset;
   if (base == nullptr) {
-    auto shipped = session::loadScenario(patient.basalTurn ? "mean-contour" : "contour-published");
-    if (!shipped) return shipped.error();
-    preset = *std::move(shipped);
+    auto usual = patient.basalTurn ? surgicalScenario({}, lastArray())
+                                   : session::loadScenario("contour-published");
+    if (!usual) return usual.error();
+    preset = *std::move(usual);
     base = &*preset;
   }
   auto own = withPatient(*base, patient);

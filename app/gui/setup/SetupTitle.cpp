@@ -6,6 +6,7 @@
 #include "gui/run/InsertionControl.h"
 #include "gui/setup/SetupHistory.h"
 #include "gui/text/DataText.h"
+#include "perilymph/anatomy/AnatomySource.h"
 
 namespace perilymph::gui {
 
@@ -16,7 +17,30 @@ QString scenarioTitle(const session::Scenario& scenario)
   return dataText(scenario.title().empty() ? scenario.name() : scenario.title());
 }
 
+// lupdate assigns texts of free functions to their namespace.
+QString tr(const char* text) { return QCoreApplication::translate("perilymph::gui", text); }
+
 }  // namespace
+
+QString subjectText(const session::Scenario& scenario)
+{
+  const anatomy::Patient& patient = scenario.patient();
+  const QString ear = patient.side == anatomy::Side::left ? tr("left") : tr("right");
+  const bool isPatient = isScaledBy(scenario.anatomy(), patient);
+  if (isPatient && patient.label == "unnamed")
+    return tr("Patient without a code · %1 ear").arg(ear);
+  if (isPatient && patient.label != "published")
+    return tr("Patient %1 · %2 ear").arg(QString::fromStdString(patient.label), ear);
+  switch (scenario.anatomy()) {
+    case anatomy::AnatomySource::published:
+      return tr("Published cochlea · %1 ear").arg(ear);
+    case anatomy::AnatomySource::mean:
+      return tr("Average cochlea · %1 ear").arg(ear);
+    case anatomy::AnatomySource::clark:
+      break;
+  }
+  return tr("Clark’s spiral · %1 ear").arg(ear);
+}
 
 QString setupTitle(const InsertionControl& control, const SetupHistory& setup)
 {

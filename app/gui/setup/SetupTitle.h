@@ -5,10 +5,15 @@
 
 #include <QString>
 
+#include "perilymph/session/Scenario.h"
+
 namespace perilymph::gui {
 
 class InsertionControl;
 class SetupHistory;
+
+/// The patient and the ear, or the anatomy where there is no patient: "Patient P-017 · left ear".
+QString subjectText(const session::Scenario& scenario);
 
 /// The title of an insertion's setup: "P-017: FLEX28", or what differs from the preset.
 QString setupTitle(const InsertionControl& control, const SetupHistory& setup);

@@ -20,10 +20,19 @@ void EndingQuestion::askBefore(const QString& action, const std::function<void()
   Page* page = unfinishedPage();
   const auto unfinished = page == nullptr ? std::nullopt : page->unfinished();
   if (!unfinished) return act();
-  notice_.ask(unfinished->sentence, action, unfinished->keepText, [this, page, action, act] {
+  asked_ = unfinished->sentence;
+  page_ = page;
+  notice_.ask(asked_, action, unfinished->keepText, [this, page, action, act] {
     page->endUnfinished();
     askBefore(action, act);  // another page may have unfinished work, too
   });
+}
+
+void EndingQuestion::forgetIfDone()
+{
+  if (page_ == nullptr || page_->unfinished()) return;
+  notice_.dropQuestion(asked_);
+  page_ = nullptr;
 }
 
 }  // namespace perilymph::gui

@@ -22,12 +22,16 @@ public:
   /// Does something at once, or after the work was ended by the user's answer.
   /// @param action  Text of the button: "End it and close".
   void askBefore(const QString& action, const std::function<void()>& act);
+  /// Takes the question back once its work is finished.
+  void forgetIfDone();
 
 private:
   Page* unfinishedPage() const;
 
   const PageStack& pages_;
   Notice& notice_;
+  QString asked_;               ///< The last question.
+  const Page* page_ = nullptr;  ///< Whose work it is about; null once it has been taken back.
 };
 
 }  // namespace perilymph::gui

@@ -89,8 +89,12 @@ void MainWindow::connectInsertion()
   connect(insertion_.get(), &InsertionController::prepared, this, &MainWindow::recordingChanged);
   connect(insertion_.get(), &InsertionController::subjectChanged, this, &MainWindow::showSubject);
   connect(insert_, &InsertPage::stateShown, this, [this] {
-    top_->showInsertion(control(), insertion_->error());
+    if (insertion_->loading() != nullptr)
+      top_->showPreparing();
+    else
+      top_->showInsertion(control(), insertion_->error());
     if (control().isMoving()) notice_->dropOffer();
+    ending_.forgetIfDone();
     sheets_->showState();
   });
   new StopTriggers(*insertion_, this);
@@ -135,6 +139,7 @@ void MainWindow::showSubject()
   const ReplayPlayer& replay = insertion_->replay();
   setWindowTitle(windowTitleOf(*insertion_));
   if (!pages_->current().showsInsertion()) return top_->showNobody();
+  if (const auto* loading = insertion_->loading()) return top_->showSubject(*loading, {});
   if (replay.isOpen()) return top_->showSubject(replay.playback().scenario(), {});
   top_->showSubject(control().scenario(), setup().isModified() ? setup().changedText() : QString());
 }

@@ -13,6 +13,7 @@
 #include <algorithm>
 
 #include "gui/pages/Page.h"
+#include "gui/setup/SetupTitle.h"
 #include "gui/shell/StopTriggers.h"
 #include "gui/text/Numbers.h"
 #include "gui/widgets/ElidedLabel.h"
@@ -60,28 +61,6 @@ QColor colorOf(DeviceState light)
       break;
   }
   return shownTheme().quietText;
-}
-
-/// The patient, or the anatomy where there is none.
-QString patientText(const session::Scenario& scenario)
-{
-  const anatomy::Patient& patient = scenario.patient();
-  const QString ear =
-      patient.side == anatomy::Side::left ? TopBar::tr("left") : TopBar::tr("right");
-  const bool isPatient = isScaledBy(scenario.anatomy(), patient);
-  if (isPatient && patient.label == "unnamed")
-    return TopBar::tr("Patient without a code · %1 ear").arg(ear);
-  if (isPatient && patient.label != "published")
-    return TopBar::tr("Patient %1 · %2 ear").arg(QString::fromStdString(patient.label), ear);
-  switch (scenario.anatomy()) {
-    case anatomy::AnatomySource::published:
-      return TopBar::tr("Published cochlea · %1 ear").arg(ear);
-    case anatomy::AnatomySource::mean:
-      return TopBar::tr("Average cochlea · %1 ear").arg(ear);
-    case anatomy::AnatomySource::clark:
-      break;
-  }
-  return TopBar::tr("Clark’s spiral · %1 ear").arg(ear);
 }
 
 }  // namespace
@@ -287,7 +266,7 @@ void TopBar::setPage(const Page& page)
 
 void TopBar::showSubject(const session::Scenario& scenario, const QString& changed)
 {
-  patient_->setText(patientText(scenario));
+  patient_->setText(subjectText(scenario));
   modified_->setVisible(!changed.isEmpty());
   modified_->setToolTip(tr("Differs from the preset: %1.").arg(changed));
 }

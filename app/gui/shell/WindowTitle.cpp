@@ -13,6 +13,9 @@ namespace perilymph::gui {
 QString windowTitleOf(const InsertionController& insertion)
 {
   const ReplayPlayer& replay = insertion.replay();
+  if (insertion.loading() != nullptr)
+    return QCoreApplication::translate("perilymph::gui", "%1 — Perilymph")
+        .arg(subjectText(*insertion.loading()));
   if (!replay.isOpen())
     return QCoreApplication::translate("perilymph::gui", "%1 — Perilymph")
         .arg(setupTitle(insertion.control(), insertion.history()));

@@ -76,6 +76,11 @@ void Notice::dropOffer()
   if (timer_.isActive()) hide();
 }
 
+void Notice::dropQuestion(const QString& question)
+{
+  if (!timer_.isActive() && sentence() == question) hide();
+}
+
 QString Notice::sentence() const { return label_->text(); }
 
 void Notice::show(const QString& sentence, const QString& action, const QString& refusal,

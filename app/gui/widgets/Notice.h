@@ -27,6 +27,8 @@ public:
            std::function<void()> act);
   /// Hides an offer; a question stays.
   void dropOffer();
+  /// Hides a question that needs no answer any more, unless another message is shown.
+  void dropQuestion(const QString& question);
   QString sentence() const;
 
 private:

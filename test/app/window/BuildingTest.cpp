@@ -14,6 +14,7 @@
 #include "gui/pages/insert/BuildingNote.h"
 #include "gui/run/ModelBuilder.h"
 #include "gui/run/ScenarioDifference.h"
+#include "gui/setup/PatientSetup.h"
 #include "gui/setup/SetupHistory.h"
 
 namespace perilymph::test {
@@ -109,6 +110,34 @@ TEST_F(BuildingACochlea, StartsTheInsertionIfStartWasPressed)
   EXPECT_TRUE(rig_.label("hintLabel").contains("the insertion then starts"));
   EXPECT_TRUE(WindowRig::comes([&] { return rig_.travel_mm() > 0.2; }));
   EXPECT_EQ(scenario().patient().scalaTympaniLength, millimeters(31.5));
+}
+
+TEST_F(BuildingACochlea, OfAPatientShowsNothingOfTheOneBefore)
+{
+  anatomy::Patient patient;
+  patient.label = "P-301";
+  patient.side = anatomy::Side::left;
+  patient.basalTurn = {millimeters(8.9), millimeters(6.5), millimeters(3.9)};
+  const auto setup = gui::setupOfPatient(patient);
+  ASSERT_TRUE(setup) << setup.error().message;
+  const auto* stage = rig_.window().findChild<QFrame*>("loadingStage");
+  const auto load = [&] {
+    rig_.window().load({*setup});
+    EXPECT_TRUE(stage->isVisible());
+    EXPECT_EQ(stage->geometry(), stage->parentWidget()->rect());
+    EXPECT_TRUE(rig_.label("loadingText").contains("P-301"));
+    EXPECT_TRUE(rig_.label("patientLabel").contains("P-301"));
+    EXPECT_TRUE(rig_.window().windowTitle().contains("P-301"));
+  };
+  load();
+  rig_.pressKey(Qt::Key_Escape);
+  EXPECT_FALSE(stage->isVisible());
+  EXPECT_FALSE(rig_.label("patientLabel").contains("P-301"));
+  EXPECT_FALSE(rig_.window().windowTitle().contains("P-301"));
+  load();
+  ASSERT_TRUE(WindowRig::comes([&] { return !stage->isVisible(); }));
+  EXPECT_EQ(scenario().patient().label, "P-301");
+  EXPECT_TRUE(rig_.label("patientLabel").contains("P-301"));
 }
 
 TEST_F(BuildingACochlea, IsSkippedForChangesThatDoNotAffectTheModel)

@@ -7,10 +7,12 @@
 #include <gtest/gtest.h>
 
 #include "gui/run/ScenarioDifference.h"
+#include "gui/run/UserSettings.h"
 #include "gui/setup/PatientSetup.h"
 #include "gui/setup/Setup.h"
 #include "gui/setup/StopTravel.h"
 #include "perilymph/foundation/Resources.h"
+#include "perilymph/session/InsertionParameters.h"
 
 namespace perilymph::gui {
 namespace {
@@ -248,6 +250,40 @@ TEST(SetupOfAPatient, KeepsArrayAndTechniqueAndNamesNoFile)
   EXPECT_EQ(setup->scenario.title(), "P-017: FLEX28");
   EXPECT_EQ(setup->scenario.patientName(), "");
   EXPECT_EQ(setup->sourceOf(SetupField::lengthA), ValueSource::ct);
+}
+
+TEST(SetupOfAPatient, IsThatOfAPlanWithTheLastArrayFullyInserted)
+{
+  anatomy::Patient patient;
+  patient.label = "P-017";
+  patient.basalTurn = {millimeters(9.1), millimeters(6.7), millimeters(3.9)};
+  UserSettings().remove("insertion/array");
+  const auto first = setupOfPatient(patient);
+  ASSERT_TRUE(first) << first.error().message;
+  const auto usual = session::loadScenario(planning::PlanRequest().scenario);
+  ASSERT_TRUE(usual);
+  EXPECT_EQ(first->scenario.arrayName(), usual->arrayName());
+
+  auto scenario =
+      session::loadScenario("surgery-flex28", {{"array", "flex24"}, {"stop_travel_mm", "9"}});
+  ASSERT_TRUE(scenario) << scenario.error().message;
+  auto own = withPatient(*scenario, patient);
+  ASSERT_TRUE(own);
+  rememberArray(*own);
+  const auto next = setupOfPatient(patient);
+  ASSERT_TRUE(next) << next.error().message;
+  EXPECT_EQ(next->scenario.arrayName(), "flex24");
+  // not the stop of that insertion: the last contact passes the opening by as much as a plan's
+  EXPECT_EQ(next->scenario.stopTravel(),
+            session::fullTravel(next->scenario.array(), next->scenario.startInside()));
+  EXPECT_EQ(next->scenario.speed(), usual->speed());
+
+  // a demonstration is no patient's insertion
+  rememberArray(*session::loadScenario("contour-published"));
+  EXPECT_EQ(lastArray(), "flex24");
+  UserSettings().setValue("insertion/array", "/nowhere/gone.toml");
+  EXPECT_EQ(lastArray(), usual->arrayName());
+  UserSettings().remove("insertion/array");
 }
 
 }  // namespace

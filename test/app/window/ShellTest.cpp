@@ -110,6 +110,17 @@ TEST(Shell, ClosingDuringAnInsertionAsksFirst)
   EXPECT_FALSE(rig.window().isVisible());
 }
 
+TEST(Shell, TakesTheQuestionBackWhenItsInsertionHasEndedOtherwise)
+{
+  WindowRig rig;
+  rig.pressKey(Qt::Key_Space);
+  ASSERT_TRUE(WindowRig::comes([&] { return rig.travel_mm() > 0.2; }));
+  rig.window().close();
+  ASSERT_TRUE(rig.window().notice().isVisible());
+  rig.click("resetButton");
+  EXPECT_TRUE(WindowRig::comes([&] { return !rig.window().notice().isVisible(); }));
+}
+
 TEST(Shell, ReplayDuringAnInsertionAsksFirst)
 {
   WindowRig rig;

@@ -15,6 +15,7 @@
 #include "gui/pages/insert/InsertionController.h"
 #include "gui/pages/insert/InsertionText.h"
 #include "gui/pages/insert/InsertionViews.h"
+#include "gui/pages/insert/LoadingStage.h"
 #include "gui/pages/insert/ReplayBar.h"
 #include "gui/pages/insert/ReplayControl.h"
 #include "gui/pages/insert/ReplayPlayer.h"
@@ -24,6 +25,7 @@
 #include "gui/run/WorkflowPredicates.h"
 #include "gui/scene/OperationView.h"
 #include "gui/setup/PatientSetup.h"
+#include "gui/setup/SetupTitle.h"
 #include "gui/text/DataText.h"
 #include "gui/widgets/Theme.h"
 
@@ -52,6 +54,7 @@ InsertPage::InsertPage(InsertionController& insertion, QWidget* parent)
       bottom_(new BottomBar(this)),
       building_(new BuildingNote(views_->operation())),
       result_(new ResultCard(views_)),
+      loading_(new LoadingStage(this)),
       replay_(new ReplayControl(insertion.replay(), *views_, this)),
       bars_(new QStackedWidget(this)),
       frames_(new FrameLoop(
@@ -110,6 +113,11 @@ void InsertPage::connectInsertion()
   connect(&insertion_, &Insertion::setupChanged, this,
           [this] { side_->showSetup(insertion_.history()); });
   connect(&insertion_, &Insertion::stateChanged, this, &InsertPage::showState);
+  connect(&insertion_, &Insertion::subjectChanged, this, [this] {
+    const session::Scenario* scenario = insertion_.loading();
+    loading_->show(scenario != nullptr ? subjectText(*scenario) : QString());
+  });
+  connect(loading_, &LoadingStage::cancelAsked, &insertion_.setup(), &SetupControl::cancel);
   connect(&insertion_, &Insertion::referenceChanged, this, [this] { presenter_.showReference(); });
   connect(&insertion_, &Insertion::planChanged, this, [this] { presenter_.showPlan(); });
   connect(&insertion_, &Insertion::errorChanged, this, [this] { presenter_.showBanner(); });

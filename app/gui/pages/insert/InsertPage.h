@@ -15,6 +15,7 @@ class BuildingNote;
 class FrameLoop;
 class InsertionController;
 class InsertionViews;
+class LoadingStage;
 class ReplayControl;
 class ResultCard;
 class SidePanel;
@@ -82,6 +83,7 @@ private:
   BottomBar* bottom_;
   BuildingNote* building_;
   ResultCard* result_;
+  LoadingStage* loading_;
   ReplayControl* replay_;
   QStackedWidget* bars_;
   FrameLoop* frames_;

@@ -43,6 +43,7 @@ void InsertionController::connectSetup()
   connect(setup_, &SetupControl::ready, this, &InsertionController::use);
   connect(setup_, &SetupControl::failed, this, &InsertionController::showError);
   connect(setup_, &SetupControl::followed, this, [this] {
+    if (loading_ && !setup_->isBuilding()) setLoading(std::nullopt);
     Q_EMIT stateChanged();
     Q_EMIT subjectChanged();
   });
@@ -85,8 +86,10 @@ void InsertionController::load(const InsertionRequest& request)
   }
   pause();
   closeReplay();
+  setLoading(request.setup.scenario);
   setup_->build(request.setup.scenario, [this, request](const InsertionControl::Parts& parts) {
     Q_EMIT cochleaEnding();
+    loading_.reset();
     control_.use(request.setup.scenario, parts);
     setup_->history().begin(request.setup, request.kind);
     Q_EMIT subjectChanged();
@@ -96,10 +99,18 @@ void InsertionController::load(const InsertionRequest& request)
   });
 }
 
+void InsertionController::setLoading(const std::optional<session::Scenario>& scenario)
+{
+  loading_ = scenario;
+  Q_EMIT stateChanged();
+  Q_EMIT subjectChanged();
+}
+
 void InsertionController::loadPatient(const anatomy::Patient& patient)
 {
   if (!maySetUp()) return;
-  const auto setup = setupOfPatient(patient, &history().now().scenario);
+  const session::Scenario& now = history().now().scenario;
+  const auto setup = setupOfPatient(patient, now.patient().basalTurn ? &now : nullptr);
   if (!setup) return showError(dataText(setup.error().message));
   load({*setup});
 }
@@ -147,6 +158,7 @@ void InsertionController::start()
   const QString refused = maySetUp() && commit_ ? commit_() : QString();
   if (!refused.isEmpty()) return showError(refused);
   setup_->history().seal();
+  rememberArray(history().now().scenario);
   setup_->startWhenBuilt(setup_->isBuilding());
   if (setup_->isBuilding()) return stateChanged();
   const Result<Done> begun = control_.begin();

@@ -46,8 +46,13 @@ public:
   Result<Done> open();
   /// Loads another setup, whose cochlea is built meanwhile.
   void load(const InsertionRequest& request);
-  /// The same with a patient's cochlea and all else as it is, where a change is possible.
+  /// The same with a patient's cochlea, where a change is possible: all else as it is for the patient
+  /// shown, or as for surgery where none is shown.
   void loadPatient(const anatomy::Patient& patient);
+
+  /// The scenario that load() builds; null once it is shown, failed or canceled. Until then nothing of
+  /// the scenario before is to be shown as if it were this one.
+  const session::Scenario* loading() const { return loading_ ? &*loading_ : nullptr; }
 
   /// What a new window with the same scenario continues.
   struct Memory {
@@ -132,7 +137,7 @@ Q_SIGNALS:
   void cochleaChanged();
   /// The setup of the panel is another one.
   void setupChanged();
-  /// Another scenario or setup applies, or a replay of one.
+  /// Another scenario or setup applies, is being built, or a replay of one.
   void subjectChanged();
   /// What the insertion does, or may do, is different.
   void stateChanged();
@@ -151,6 +156,7 @@ private:
   void prepare(InputSource input);
   void use(const session::Scenario& scenario, const std::optional<InsertionControl::Parts>& parts);
   void beginReplay();
+  void setLoading(const std::optional<session::Scenario>& scenario);
   void forgetResult();
 
   InsertionControl control_;
@@ -158,6 +164,7 @@ private:
   SetupControl* setup_;
   ReplayPlayer* replay_;
   HeldArray held_;
+  std::optional<session::Scenario> loading_;
   std::function<QString()> commit_;
   std::optional<ReferenceInsertion> reference_;
   std::optional<PlannedForce> plan_;

@@ -5,20 +5,12 @@
 
 #include "gui/setup/PatientSetup.h"
 #include "gui/setup/PlannedFriction.h"
-#include "perilymph/session/Csv.h"
-#include "perilymph/session/InsertionParameters.h"
 
 namespace perilymph::gui {
 
 Result<Setup> plannedSetup(const planning::Plan& plan, std::size_t array)
 {
-  const auto load = [&](const std::string& travel_mm) {
-    return planning::scenarioOf(plan.request, plan.request.arrays[array], travel_mm);
-  };
-  const auto any = load(session::anyStopTravel);
-  if (!any) return any.error();
-  const Length full = session::fullTravel(any->array(), any->startInside());
-  const auto scenario = load(session::shortestDecimal(inMillimeters(full)));
+  const auto scenario = surgicalScenario(plan.request, plan.request.arrays[array]);
   if (!scenario) return scenario.error();
   return setupOfPatient(plan.request.patient, &*scenario);
 }

@@ -6,8 +6,8 @@
 #include <QVBoxLayout>
 #include <QVariant>
 
-#include "gui/parts/Numbers.h"
-#include "gui/parts/Theme.h"
+#include "gui/text/Numbers.h"
+#include "gui/widgets/Theme.h"
 
 namespace perilymph::gui {
 

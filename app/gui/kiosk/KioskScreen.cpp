@@ -10,8 +10,8 @@
 
 #include "gui/kiosk/BoardView.h"
 #include "gui/kiosk/PushPad.h"
-#include "gui/parts/Theme.h"
 #include "gui/scene/OperationView.h"
+#include "gui/widgets/Theme.h"
 
 namespace perilymph::gui {
 

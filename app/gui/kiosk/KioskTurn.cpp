@@ -4,7 +4,7 @@
 #include <QCoreApplication>
 #include <algorithm>
 
-#include "gui/parts/Numbers.h"
+#include "gui/text/Numbers.h"
 #include "perilymph/foundation/Units.h"
 #include "perilymph/session/Highlights.h"
 

@@ -10,11 +10,11 @@
 #include <utility>
 
 #include "gui/kiosk/BoardView.h"
-#include "gui/parts/ChartLabels.h"
-#include "gui/parts/DataText.h"
-#include "gui/parts/Numbers.h"
-#include "gui/parts/Theme.h"
 #include "gui/scene/OperationView.h"
+#include "gui/text/ChartLabels.h"
+#include "gui/text/DataText.h"
+#include "gui/text/Numbers.h"
+#include "gui/widgets/Theme.h"
 
 namespace perilymph::gui {
 
@@ -151,7 +151,7 @@ Result<Done> KioskWindow::open()
   const session::Scenario& scenario = control_.scenario();
   screen_->view().setScene(std::make_unique<visualization::InsertionScene>(
       control_.anatomy(), scenario.array(), scenario.patient().side,
-      visualization::Quality::software, sceneStyle()));
+      visualization::Quality::software, sceneStyle(shownColorScheme())));
   sinceFrame_.start();
   sinceSlow_.start();
   timer_.start();

@@ -7,7 +7,7 @@
 #include <QPainterPath>
 #include <algorithm>
 
-#include "gui/parts/Theme.h"
+#include "gui/widgets/Theme.h"
 
 namespace perilymph::gui {
 

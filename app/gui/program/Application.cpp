@@ -10,8 +10,8 @@
 #include <exception>
 #include <iostream>
 
-#include "gui/parts/FocusRing.h"
-#include "gui/parts/Theme.h"
+#include "gui/widgets/FocusRing.h"
+#include "gui/widgets/Theme.h"
 #include "perilymph/foundation/Version.h"
 
 namespace perilymph::gui {

@@ -6,10 +6,10 @@
 #include <optional>
 #include <stop_token>
 
-#include "gui/parts/Notice.h"
-#include "gui/parts/Numbers.h"
 #include "gui/run/Background.h"
 #include "gui/shell/MainWindow.h"
+#include "gui/text/Numbers.h"
+#include "gui/widgets/Notice.h"
 #include "perilymph/session/Replay.h"
 
 namespace perilymph::gui {

@@ -5,7 +5,7 @@
 
 #include <filesystem>
 
-#include "gui/parts/StateFolder.h"
+#include "gui/run/StateFolder.h"
 #include "gui/setup/PlanStore.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/foundation/Unfinished.h"

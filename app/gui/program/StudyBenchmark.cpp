@@ -9,11 +9,11 @@
 #include <cstdio>
 #include <memory>
 
+#include "gui/pages/insert/FrameMeter.h"
 #include "gui/pages/studies/StudiesPage.h"
 #include "gui/pages/studies/StudyPlot.h"
-#include "gui/parts/FrameMeter.h"
-#include "gui/parts/Numbers.h"
 #include "gui/shell/MainWindow.h"
+#include "gui/text/Numbers.h"
 
 namespace perilymph::gui {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "gui/parts/Theme.h"
+#include "gui/widgets/Theme.h"
 #include "perilymph/foundation/Units.h"
 
 namespace perilymph::gui {

@@ -5,11 +5,11 @@
 #include <QPainter>
 #include <algorithm>
 
-#include "gui/parts/DrawingPainter.h"
 #include "gui/report/ReportHead.h"
 #include "gui/report/ReportPages.h"
 #include "gui/report/ReportRecord.h"
 #include "gui/report/ReportText.h"
+#include "gui/widgets/DrawingPainter.h"
 #include "perilymph/figures/Figure.h"
 
 namespace perilymph::gui {

@@ -4,7 +4,7 @@
 #include <QCoreApplication>
 #include <cmath>
 
-#include "gui/parts/Numbers.h"
+#include "gui/text/Numbers.h"
 #include "perilymph/analysis/ErrorBand.h"
 #include "perilymph/foundation/Normal.h"
 

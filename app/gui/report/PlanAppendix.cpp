@@ -3,9 +3,9 @@
 
 #include <QCoreApplication>
 
-#include "gui/parts/DataText.h"
-#include "gui/parts/Numbers.h"
 #include "gui/setup/PlannedFriction.h"
+#include "gui/text/DataText.h"
+#include "gui/text/Numbers.h"
 #include "perilymph/foundation/Version.h"
 
 namespace perilymph::gui {

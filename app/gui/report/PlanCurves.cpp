@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gui/parts/Numbers.h"
 #include "gui/setup/PlannedFriction.h"
+#include "gui/text/Numbers.h"
 #include "perilymph/figures/Figure.h"
 #include "perilymph/planning/ForceCourse.h"
 

@@ -5,12 +5,12 @@
 #include <QDateTime>
 #include <algorithm>
 
-#include "gui/parts/DataText.h"
-#include "gui/parts/Numbers.h"
 #include "gui/report/MeasureTable.h"
 #include "gui/report/PlanCurves.h"
 #include "gui/report/PlanPicture.h"
 #include "gui/setup/PlannedFriction.h"
+#include "gui/text/DataText.h"
+#include "gui/text/Numbers.h"
 
 namespace perilymph::gui {
 

@@ -4,8 +4,8 @@
 #include <QCoreApplication>
 #include <array>
 
-#include "gui/parts/Numbers.h"
 #include "gui/setup/PlannedFriction.h"
+#include "gui/text/Numbers.h"
 #include "perilymph/analysis/ErrorBand.h"
 #include "perilymph/session/Scenario.h"
 

@@ -3,8 +3,8 @@
 
 #include <QCoreApplication>
 
-#include "gui/parts/Numbers.h"
 #include "gui/report/MeasureTable.h"
+#include "gui/text/Numbers.h"
 #include "perilymph/analysis/ErrorBand.h"
 
 namespace perilymph::gui {

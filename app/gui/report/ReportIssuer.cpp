@@ -9,7 +9,7 @@
 #include <QLocale>
 #include <QRegularExpression>
 
-#include "gui/parts/UserSettings.h"
+#include "gui/run/UserSettings.h"
 
 namespace perilymph::gui {
 

@@ -7,8 +7,8 @@
 #include <map>
 #include <string_view>
 
-#include "gui/parts/Numbers.h"
 #include "gui/setup/Catalog.h"
+#include "gui/text/Numbers.h"
 
 namespace perilymph::gui {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gui/parts/Theme.h"
 #include "gui/report/CochlearView.h"
+#include "gui/widgets/Theme.h"
 #include "perilymph/foundation/Units.h"
 
 namespace perilymph::gui {

@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gui/parts/Numbers.h"
 #include "gui/report/ReportAnatomy.h"
 #include "gui/report/ReportHead.h"
 #include "gui/report/ReportPicture.h"
+#include "gui/text/Numbers.h"
 
 namespace perilymph::gui {
 

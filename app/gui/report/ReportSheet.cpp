@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "gui/parts/Theme.h"
+#include "gui/widgets/Theme.h"
 
 namespace perilymph::gui {
 

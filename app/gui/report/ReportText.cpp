@@ -6,9 +6,9 @@
 #include <QCoreApplication>
 #include <cmath>
 
-#include "gui/parts/DataText.h"
-#include "gui/parts/Numbers.h"
 #include "gui/report/ReportParameters.h"
+#include "gui/text/DataText.h"
+#include "gui/text/Numbers.h"
 #include "perilymph/foundation/Version.h"
 
 namespace perilymph::gui {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include "gui/parts/Numbers.h"
+#include "gui/text/Numbers.h"
 
 namespace perilymph::gui {
 

@@ -16,9 +16,6 @@
 #include <array>
 #include <cmath>
 
-#include "gui/parts/Numbers.h"
-#include "gui/parts/ReadOut.h"
-#include "gui/parts/Theme.h"
 #include "gui/scene/Banner.h"
 #include "gui/scene/ForceLabel.h"
 #include "gui/scene/PhaseLine.h"
@@ -26,6 +23,9 @@
 #include "gui/scene/ReadOutTips.h"
 #include "gui/scene/StereoWindow.h"
 #include "gui/scene/ViewNames.h"
+#include "gui/text/Numbers.h"
+#include "gui/widgets/ReadOut.h"
+#include "gui/widgets/Theme.h"
 
 namespace perilymph::gui {
 

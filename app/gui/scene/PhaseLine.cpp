@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "gui/parts/Theme.h"
+#include "gui/widgets/Theme.h"
 
 namespace perilymph::gui {
 

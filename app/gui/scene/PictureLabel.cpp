@@ -4,8 +4,8 @@
 #include <QLabel>
 #include <QVariant>
 
-#include "gui/parts/ElidedLabel.h"
-#include "gui/parts/Theme.h"
+#include "gui/widgets/ElidedLabel.h"
+#include "gui/widgets/Theme.h"
 
 namespace perilymph::gui {
 

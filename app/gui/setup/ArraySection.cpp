@@ -5,11 +5,11 @@
 #include <QVBoxLayout>
 #include <QVariant>
 
-#include "gui/parts/Numbers.h"
-#include "gui/parts/Theme.h"
 #include "gui/setup/NumberField.h"
 #include "gui/setup/Selector.h"
 #include "gui/setup/StopTravel.h"
+#include "gui/text/Numbers.h"
+#include "gui/widgets/Theme.h"
 #include "perilymph/mechanics/InsertionState.h"
 #include "perilymph/mechanics/PointSet.h"
 

@@ -8,10 +8,10 @@
 #include <algorithm>
 #include <stop_token>
 
-#include "gui/parts/DataText.h"
-#include "gui/parts/Numbers.h"
-#include "gui/parts/Theme.h"
-#include "gui/parts/WrappedLabel.h"
+#include "gui/text/DataText.h"
+#include "gui/text/Numbers.h"
+#include "gui/widgets/Theme.h"
+#include "gui/widgets/WrappedLabel.h"
 #include "perilymph/analysis/ErrorBand.h"
 
 namespace perilymph::gui {

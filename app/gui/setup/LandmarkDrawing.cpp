@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gui/parts/Theme.h"
+#include "gui/widgets/Theme.h"
 #include "perilymph/anatomy/Population.h"
 
 namespace perilymph::gui {

@@ -6,9 +6,9 @@
 #include <QVariant>
 #include <cmath>
 
-#include "gui/parts/Numbers.h"
-#include "gui/parts/Theme.h"
 #include "gui/setup/ValueEdit.h"
+#include "gui/text/Numbers.h"
+#include "gui/widgets/Theme.h"
 
 namespace perilymph::gui {
 

@@ -7,7 +7,7 @@
 #include <map>
 #include <stop_token>
 
-#include "gui/parts/Numbers.h"
+#include "gui/text/Numbers.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/foundation/Units.h"
 

@@ -8,7 +8,7 @@
 #include <system_error>
 #include <utility>
 
-#include "gui/parts/Numbers.h"
+#include "gui/text/Numbers.h"
 #include "perilymph/foundation/Resources.h"
 
 namespace perilymph::gui {

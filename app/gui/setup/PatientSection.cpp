@@ -8,14 +8,14 @@
 #include <algorithm>
 #include <utility>
 
-#include "gui/parts/DataText.h"
-#include "gui/parts/Numbers.h"
-#include "gui/parts/Theme.h"
 #include "gui/setup/DerivedMeasures.h"
 #include "gui/setup/Populations.h"
 #include "gui/setup/SavedPatientRow.h"
 #include "gui/setup/Selector.h"
 #include "gui/setup/ValueEdit.h"
+#include "gui/text/DataText.h"
+#include "gui/text/Numbers.h"
+#include "gui/widgets/Theme.h"
 #include "perilymph/anatomy/Population.h"
 
 namespace perilymph::gui {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <system_error>
 
-#include "gui/parts/StateFolder.h"
+#include "gui/run/StateFolder.h"
 #include "gui/setup/Setup.h"
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/foundation/Sha256.h"

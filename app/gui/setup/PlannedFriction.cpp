@@ -4,8 +4,8 @@
 #include <QCoreApplication>
 #include <filesystem>
 
-#include "gui/parts/DataText.h"
-#include "gui/parts/Numbers.h"
+#include "gui/text/DataText.h"
+#include "gui/text/Numbers.h"
 #include "perilymph/planning/PlanWords.h"
 
 namespace perilymph::gui {

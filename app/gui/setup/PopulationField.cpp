@@ -11,10 +11,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gui/parts/Numbers.h"
-#include "gui/parts/Placeholder.h"
-#include "gui/parts/Theme.h"
 #include "gui/setup/ValueEdit.h"
+#include "gui/text/Numbers.h"
+#include "gui/widgets/Placeholder.h"
+#include "gui/widgets/Theme.h"
 #include "perilymph/analysis/ErrorBand.h"
 #include "perilymph/foundation/Normal.h"
 

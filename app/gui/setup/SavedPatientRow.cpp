@@ -9,9 +9,9 @@
 #include <QVariant>
 #include <algorithm>
 
-#include "gui/parts/DataText.h"
-#include "gui/parts/Theme.h"
 #include "gui/setup/Selector.h"
+#include "gui/text/DataText.h"
+#include "gui/widgets/Theme.h"
 
 namespace perilymph::gui {
 

@@ -8,9 +8,9 @@
 #include <QVBoxLayout>
 #include <QVariant>
 
-#include "gui/parts/DataText.h"
-#include "gui/parts/Theme.h"
 #include "gui/setup/SetupHistory.h"
+#include "gui/text/DataText.h"
+#include "gui/widgets/Theme.h"
 #include "perilymph/analysis/Reference.h"
 
 namespace perilymph::gui {

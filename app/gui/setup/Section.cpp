@@ -8,7 +8,7 @@
 #include <QVBoxLayout>
 #include <QVariant>
 
-#include "gui/parts/Theme.h"
+#include "gui/widgets/Theme.h"
 
 namespace perilymph::gui {
 

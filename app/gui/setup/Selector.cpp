@@ -9,8 +9,8 @@
 #include <QWheelEvent>
 #include <algorithm>
 
-#include "gui/parts/FocusRing.h"
-#include "gui/parts/Theme.h"
+#include "gui/widgets/FocusRing.h"
+#include "gui/widgets/Theme.h"
 
 namespace perilymph::gui {
 

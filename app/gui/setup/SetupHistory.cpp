@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "gui/parts/DataText.h"
 #include "gui/run/ScenarioDifference.h"
+#include "gui/text/DataText.h"
 
 namespace perilymph::gui {
 

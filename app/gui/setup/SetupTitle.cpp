@@ -3,9 +3,9 @@
 
 #include <QCoreApplication>
 
-#include "gui/parts/DataText.h"
 #include "gui/run/InsertionControl.h"
 #include "gui/setup/SetupHistory.h"
+#include "gui/text/DataText.h"
 
 namespace perilymph::gui {
 

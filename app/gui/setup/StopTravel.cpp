@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gui/parts/Numbers.h"
+#include "gui/text/Numbers.h"
 
 namespace perilymph::gui {
 

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "gui/parts/Notice.h"
 #include "gui/shell/PageStack.h"
+#include "gui/widgets/Notice.h"
 
 namespace perilymph::gui {
 

@@ -17,7 +17,7 @@
 #include <utility>
 #include <vector>
 
-#include "gui/parts/Theme.h"
+#include "gui/widgets/Theme.h"
 #include "perilymph/foundation/Resources.h"
 
 namespace perilymph::gui {

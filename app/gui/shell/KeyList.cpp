@@ -10,10 +10,10 @@
 #include <utility>
 #include <vector>
 
-#include "gui/parts/SheetScroll.h"
-#include "gui/parts/Theme.h"
-#include "gui/parts/WrappedLabel.h"
 #include "gui/shell/KeyActions.h"
+#include "gui/widgets/SheetScroll.h"
+#include "gui/widgets/Theme.h"
+#include "gui/widgets/WrappedLabel.h"
 
 namespace perilymph::gui {
 

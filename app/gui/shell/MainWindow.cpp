@@ -10,8 +10,6 @@
 #include "gui/pages/insert/FrameLoop.h"
 #include "gui/pages/insert/InsertionViews.h"
 #include "gui/pages/insert/ReplayPlayer.h"
-#include "gui/parts/Notice.h"
-#include "gui/parts/Theme.h"
 #include "gui/shell/FileDrop.h"
 #include "gui/shell/Help.h"
 #include "gui/shell/InsertKeys.h"
@@ -26,6 +24,8 @@
 #include "gui/shell/WindowPicture.h"
 #include "gui/shell/WindowPlace.h"
 #include "gui/shell/WindowTitle.h"
+#include "gui/widgets/Notice.h"
+#include "gui/widgets/Theme.h"
 
 namespace perilymph::gui {
 

@@ -5,9 +5,9 @@
 
 #include "gui/pages/insert/InsertionController.h"
 #include "gui/pages/insert/ReplayPlayer.h"
-#include "gui/parts/DataText.h"
-#include "gui/parts/Notice.h"
-#include "gui/parts/UserSettings.h"
+#include "gui/run/UserSettings.h"
+#include "gui/text/DataText.h"
+#include "gui/widgets/Notice.h"
 
 namespace perilymph::gui {
 

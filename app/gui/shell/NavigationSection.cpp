@@ -8,10 +8,10 @@
 #include <QVBoxLayout>
 #include <QVariant>
 
-#include "gui/parts/CheckBoxes.h"
-#include "gui/parts/Theme.h"
-#include "gui/parts/WrappedLabel.h"
 #include "gui/shell/Navigation.h"
+#include "gui/widgets/CheckBoxes.h"
+#include "gui/widgets/Theme.h"
+#include "gui/widgets/WrappedLabel.h"
 
 namespace perilymph::gui {
 

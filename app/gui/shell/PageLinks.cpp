@@ -7,9 +7,9 @@
 #include "gui/pages/plan/PlanPage.h"
 #include "gui/pages/sessions/SessionsPage.h"
 #include "gui/pages/start/StartPage.h"
-#include "gui/parts/Notice.h"
 #include "gui/shell/MainWindow.h"
 #include "gui/shell/Navigation.h"
+#include "gui/widgets/Notice.h"
 
 namespace perilymph::gui {
 

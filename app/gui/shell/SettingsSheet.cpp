@@ -11,14 +11,14 @@
 #include <QVariant>
 
 #include "gui/pages/insert/HeldArray.h"
-#include "gui/parts/CheckBoxes.h"
-#include "gui/parts/DataText.h"
-#include "gui/parts/SheetScroll.h"
-#include "gui/parts/StateFolder.h"
-#include "gui/parts/Theme.h"
-#include "gui/parts/UserSettings.h"
-#include "gui/parts/WrappedLabel.h"
 #include "gui/report/ReportIssuer.h"
+#include "gui/run/StateFolder.h"
+#include "gui/run/UserSettings.h"
+#include "gui/text/DataText.h"
+#include "gui/widgets/CheckBoxes.h"
+#include "gui/widgets/SheetScroll.h"
+#include "gui/widgets/Theme.h"
+#include "gui/widgets/WrappedLabel.h"
 
 namespace perilymph::gui {
 

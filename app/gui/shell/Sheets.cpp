@@ -8,13 +8,13 @@
 #include "gui/pages/insert/InsertPage.h"
 #include "gui/pages/insert/InsertionController.h"
 #include "gui/pages/insert/InsertionViews.h"
-#include "gui/parts/SheetScroll.h"
 #include "gui/run/WorkflowPredicates.h"
 #include "gui/scene/OperationView.h"
 #include "gui/shell/AboutSheet.h"
 #include "gui/shell/Help.h"
 #include "gui/shell/NavigationSection.h"
 #include "gui/shell/SettingsSheet.h"
+#include "gui/widgets/SheetScroll.h"
 
 namespace perilymph::gui {
 

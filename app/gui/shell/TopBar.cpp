@@ -13,10 +13,10 @@
 #include <algorithm>
 
 #include "gui/pages/Page.h"
-#include "gui/parts/ElidedLabel.h"
-#include "gui/parts/Numbers.h"
-#include "gui/parts/Theme.h"
 #include "gui/shell/StopTriggers.h"
+#include "gui/text/Numbers.h"
+#include "gui/widgets/ElidedLabel.h"
+#include "gui/widgets/Theme.h"
 
 namespace perilymph::gui {
 

@@ -7,7 +7,7 @@
 #include <QKeyEvent>
 #include <QLineEdit>
 
-#include "gui/parts/UserSettings.h"
+#include "gui/run/UserSettings.h"
 #include "gui/shell/SettingsSheet.h"
 
 namespace perilymph::gui {

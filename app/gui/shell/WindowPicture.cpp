@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/shell/WindowPicture.h"
 
-#include "gui/parts/DataText.h"
+#include "gui/text/DataText.h"
 
 #include <QCoreApplication>
 #include <QDateTime>

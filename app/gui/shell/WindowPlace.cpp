@@ -5,7 +5,7 @@
 #include <QScreen>
 #include <QWidget>
 
-#include "gui/parts/UserSettings.h"
+#include "gui/run/UserSettings.h"
 
 namespace perilymph::gui {
 

@@ -22,7 +22,7 @@
 #include "gui/pages/compare/ComparePage.h"
 #include "gui/pages/compare/ComparisonPlot.h"
 #include "gui/pages/sessions/SessionsPage.h"
-#include "gui/parts/StatusLine.h"
+#include "gui/widgets/StatusLine.h"
 #include "perilymph/database/Database.h"
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/foundation/Resources.h"

@@ -13,9 +13,9 @@
 #include <QStyleOptionComboBox>
 #include <algorithm>
 
-#include "gui/parts/ElidedLabel.h"
-#include "gui/parts/ReadOut.h"
 #include "gui/setup/Selector.h"
+#include "gui/widgets/ElidedLabel.h"
+#include "gui/widgets/ReadOut.h"
 
 namespace perilymph::test {
 

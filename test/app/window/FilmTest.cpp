@@ -22,7 +22,7 @@
 #include "gui/pages/plan/PlanList.h"
 #include "gui/pages/plan/PlanPage.h"
 #include "gui/pages/plan/PlanView.h"
-#include "gui/parts/Theme.h"
+#include "gui/widgets/Theme.h"
 #include "perilymph/test/CtPhantom.h"
 #include "perilymph/test/DicomWriter.h"
 #include "perilymph/test/TemporaryFolder.h"

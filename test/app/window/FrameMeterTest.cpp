@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/parts/FrameMeter.h"
+#include "gui/pages/insert/FrameMeter.h"
 
 #include <gtest/gtest.h>
 

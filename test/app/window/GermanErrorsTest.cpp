@@ -9,8 +9,8 @@
 #include <fstream>
 
 #include "dicom/DicomStatements.h"
-#include "gui/parts/DataText.h"
 #include "gui/program/Languages.h"
+#include "gui/text/DataText.h"
 #include "perilymph/anatomy/Patient.h"
 #include "perilymph/ct/SliceStack.h"
 #include "perilymph/foundation/Seal.h"

@@ -12,7 +12,7 @@
 
 #include "WindowRig.h"
 #include "gui/pages/insert/FrameLoop.h"
-#include "gui/parts/UserSettings.h"
+#include "gui/run/UserSettings.h"
 #include "gui/shell/KeyList.h"
 
 namespace perilymph::test {

@@ -14,7 +14,6 @@
 
 #include "WindowRig.h"
 #include "gui/pages/insert/BottomBar.h"
-#include "gui/parts/Notice.h"
 #include "gui/setup/SetupHistory.h"
 #include "gui/shell/GuideSheet.h"
 #include "gui/shell/KeyActions.h"
@@ -22,6 +21,7 @@
 #include "gui/shell/SettingsSheet.h"
 #include "gui/shell/TopBar.h"
 #include "gui/shell/WindowMemory.h"
+#include "gui/widgets/Notice.h"
 
 namespace perilymph::test {
 namespace {

@@ -20,13 +20,14 @@
 #include "gui/pages/insert/InsertionViews.h"
 #include "gui/pages/insert/Pane.h"
 #include "gui/pages/insert/SidePanel.h"
-#include "gui/parts/ChartLabels.h"
-#include "gui/parts/DataText.h"
-#include "gui/parts/Numbers.h"
 #include "gui/program/Languages.h"
 #include "gui/setup/Catalog.h"
 #include "gui/setup/Selector.h"
 #include "gui/shell/GuideSheet.h"
+#include "gui/text/ChartLabels.h"
+#include "gui/text/DataText.h"
+#include "gui/text/Numbers.h"
+#include "gui/widgets/Theme.h"
 #include "perilymph/analysis/Reference.h"
 #include "perilymph/analysis/Score.h"
 #include "perilymph/analysis/ValidationReport.h"
@@ -338,16 +339,18 @@ TEST(German, IsShownWhenRequested)
     EXPECT_EQ(keyName(QKeySequence(Qt::ControlModifier | Qt::Key_R)), "Strg+R");
     EXPECT_EQ(gui::guideStart(gui::guideFolder()).parent_path().filename(), "de");
     // texts drawn by VTK in the scene and the charts
-    EXPECT_EQ(gui::sceneStyle().strings.wallForce, "Wandkraft, mN je mm");
-    EXPECT_EQ(gui::sceneStyle().strings.friction, "Reibkraft (Pfeile %1-fach)");
-    EXPECT_EQ(gui::chartStyle().strings.outerWall, "Außenwand");
-    EXPECT_EQ(gui::chartStyle().strings.decimalSign, ',');
+    EXPECT_EQ(gui::sceneStyle(gui::shownColorScheme()).strings.wallForce, "Wandkraft, mN je mm");
+    EXPECT_EQ(gui::sceneStyle(gui::shownColorScheme()).strings.friction,
+              "Reibkraft (Pfeile %1-fach)");
+    EXPECT_EQ(gui::chartStyle(gui::shownColorScheme()).strings.outerWall, "Außenwand");
+    EXPECT_EQ(gui::chartStyle(gui::shownColorScheme()).strings.decimalSign, ',');
     const auto reference = analysis::shippedReference("todd-naghdy-experiment");
     ASSERT_TRUE(reference);
     EXPECT_TRUE(gui::referenceName(reference->label).startsWith("veröffentlichte Messungen"));
   }
   gui::useLanguage(*QCoreApplication::instance(), "en");
-  EXPECT_EQ(gui::sceneStyle().strings.wallForce, visualization::SceneStrings().wallForce);
+  EXPECT_EQ(gui::sceneStyle(gui::shownColorScheme()).strings.wallForce,
+            visualization::SceneStrings().wallForce);
   WindowRig rig;
   EXPECT_EQ(rig.button("resetButton").text(), "Reset");
   QLocale::setDefault(QLocale::c());

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "WindowRig.h"
-#include "gui/parts/ElidedLabel.h"
 #include "gui/scene/ForceLabel.h"
+#include "gui/widgets/ElidedLabel.h"
 
 namespace perilymph::test {
 namespace {

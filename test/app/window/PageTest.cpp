@@ -13,8 +13,8 @@
 #include "OwnFolders.h"
 #include "WindowRig.h"
 #include "gui/pages/Page.h"
-#include "gui/parts/Notice.h"
 #include "gui/shell/KeyList.h"
+#include "gui/widgets/Notice.h"
 
 namespace perilymph::test {
 namespace {

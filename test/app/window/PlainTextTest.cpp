@@ -12,9 +12,9 @@
 #include "OwnFolders.h"
 #include "WindowRig.h"
 #include "gui/pages/sessions/SessionsPage.h"
-#include "gui/parts/Notice.h"
 #include "gui/report/ReportContent.h"
 #include "gui/report/ReportText.h"
+#include "gui/widgets/Notice.h"
 
 namespace perilymph::test {
 namespace {

@@ -8,7 +8,7 @@
 #include <fstream>
 #include <system_error>
 
-#include "gui/parts/UserSettings.h"
+#include "gui/run/UserSettings.h"
 #include "perilymph/planning/PlanReport.h"
 #include "perilymph/test/ChildProcess.h"
 #include "perilymph/test/Places.h"

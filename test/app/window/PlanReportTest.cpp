@@ -17,9 +17,9 @@
 
 #include "PlanReportRig.h"
 #include "SyntheticPlan.h"
-#include "gui/parts/UserSettings.h"
 #include "gui/report/PlanReportPdf.h"
 #include "gui/report/ReportIssuer.h"
+#include "gui/run/UserSettings.h"
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/foundation/Version.h"
 #include "perilymph/planning/PlanReport.h"

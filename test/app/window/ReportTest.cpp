@@ -20,11 +20,11 @@
 #include <string>
 #include <system_error>
 
-#include "gui/parts/UserSettings.h"
 #include "gui/program/Languages.h"
 #include "gui/report/InsertionReport.h"
 #include "gui/report/ReportIssuer.h"
 #include "gui/report/ReportParameters.h"
+#include "gui/run/UserSettings.h"
 #include "gui/shell/SettingsSheet.h"
 #include "perilymph/device/ScriptedDevice.h"
 #include "perilymph/foundation/Version.h"

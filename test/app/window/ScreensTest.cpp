@@ -19,13 +19,13 @@
 #include "CutTexts.h"
 #include "KeptPicture.h"
 #include "gui/pages/start/StartPage.h"
-#include "gui/parts/Theme.h"
-#include "gui/parts/UserSettings.h"
 #include "gui/program/Languages.h"
+#include "gui/run/UserSettings.h"
 #include "gui/shell/Help.h"
 #include "gui/shell/MainWindow.h"
 #include "gui/shell/Sheets.h"
 #include "gui/shell/WindowPlace.h"
+#include "gui/widgets/Theme.h"
 
 namespace perilymph::test {
 namespace {

@@ -15,14 +15,14 @@
 #include "gui/pages/devices/DevicePage.h"
 #include "gui/pages/insert/ForceCharts.h"
 #include "gui/pages/insert/InsertionViews.h"
-#include "gui/parts/Notice.h"
-#include "gui/parts/Theme.h"
-#include "gui/parts/UserSettings.h"
+#include "gui/run/UserSettings.h"
 #include "gui/setup/Selector.h"
 #include "gui/shell/AboutSheet.h"
 #include "gui/shell/KeyList.h"
 #include "gui/shell/WindowMemory.h"
 #include "gui/shell/WindowPlace.h"
+#include "gui/widgets/Notice.h"
+#include "gui/widgets/Theme.h"
 #include "perilymph/foundation/Version.h"
 
 namespace perilymph::test {

@@ -12,8 +12,8 @@
 
 #include "Contrast.h"
 #include "WindowRig.h"
-#include "gui/parts/Theme.h"
 #include "gui/shell/TopBar.h"
+#include "gui/widgets/Theme.h"
 
 namespace perilymph::test {
 namespace {

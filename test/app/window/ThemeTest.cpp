@@ -11,8 +11,8 @@
 #include "Contrast.h"
 #include "WindowRig.h"
 #include "gui/pages/validate/ValidatePage.h"
-#include "gui/parts/DrawingView.h"
-#include "gui/parts/Theme.h"
+#include "gui/widgets/DrawingView.h"
+#include "gui/widgets/Theme.h"
 
 namespace perilymph::test {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "WindowRig.h"
 #include "gui/pages/validate/ValidatePage.h"
-#include "gui/parts/DrawingView.h"
+#include "gui/widgets/DrawingView.h"
 
 namespace perilymph::test {
 namespace {

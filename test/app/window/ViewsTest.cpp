@@ -12,8 +12,8 @@
 #include "gui/pages/insert/InsertionViews.h"
 #include "gui/pages/insert/Pane.h"
 #include "gui/pages/insert/ViewMenu.h"
-#include "gui/parts/UserSettings.h"
 #include "gui/program/DisplayProbe.h"
+#include "gui/run/UserSettings.h"
 #include "gui/scene/StereoWindow.h"
 #include "gui/shell/WindowPlace.h"
 

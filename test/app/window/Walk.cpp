@@ -18,7 +18,7 @@
 #include <algorithm>
 
 #include "gui/pages/insert/Pane.h"
-#include "gui/parts/ReadOut.h"
+#include "gui/widgets/ReadOut.h"
 #include "perilymph/foundation/Resources.h"
 
 namespace perilymph::test {

@@ -9,9 +9,9 @@
 #include <memory>
 #include <string>
 
-#include "gui/parts/ReadOut.h"
 #include "gui/scene/OperationView.h"
 #include "gui/shell/MainWindow.h"
+#include "gui/widgets/ReadOut.h"
 
 namespace perilymph::test {
 

@@ -15,8 +15,8 @@ MARKUP = re.compile(r"\b(?:RichText|AutoText|setHtml|insertHtml|setMarkdown|QSta
                     r"QTextEdit|QTextBrowser|QTextDocument)\b")
 MARKUP_PLACES = {"Application.cpp", "GuideSheet.cpp", "ReportPages.cpp"}
 
-# Works without a display, and so without widgets.
-WITHOUT_WIDGETS = f"{GUI}/run"
+# They work without a display, and so without widgets.
+WITHOUT_WIDGETS = ("run", "text")
 WIDGETS = re.compile(r"Qt(?:Widgets|Gui)/|Q\w*(?:Widget|Window|Pixmap|Painter|Dialog)$")
 
 
@@ -70,8 +70,8 @@ def check_includes(root, arrows, wrong):
                     wrong.append(f"{place}:{line}: includes {name}, but {PAGE} draws no arrow to {used}.")
             elif "/" not in name and name.endswith(".h") and (root / GUI / folder / name).exists():
                 wrong.append(f"{place}:{line}: includes {name} bare; write \"gui/{folder}/{name}\".")
-            elif folder == "run" and WIDGETS.search(name):
-                wrong.append(f"{place}:{line}: includes {name}; {WITHOUT_WIDGETS} works without widgets.")
+            elif folder in WITHOUT_WIDGETS and WIDGETS.search(name):
+                wrong.append(f"{place}:{line}: includes {name}; {GUI}/{folder} works without widgets.")
 
 
 def check_folders(root, arrows, wrong):

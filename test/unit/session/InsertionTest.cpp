@@ -163,6 +163,54 @@ TEST(InsertionByTheClock, RunsRecordsAndStops)
   EXPECT_TRUE(recorded->wasClosed());
 }
 
+TEST(InsertionByTheClock, IsARecordingOnceItHasEndedAndAWithdrawalIsAddedToIt)
+{
+  const test::TemporaryFolder folder;
+  const std::filesystem::path file = folder / "clock.insertion";
+  const auto insertion = prepared(test::shortScenario(), file);
+  ASSERT_TRUE(insertion->start());
+  const auto send = [&](haptics::Command::Kind kind) {
+    haptics::Command command;
+    command.kind = kind;
+    return insertion->send(command);
+  };
+  const auto hasFinished = [&] {
+    insertion->refresh();
+    return insertion->latest().output.workflow == haptics::Workflow::finished;
+  };
+  const auto isResting = [&] {
+    insertion->refresh();
+    return (insertion->latest().output.status & haptics::resting) != 0;
+  };
+  const auto ticksOfClosed = [&]() -> std::uint64_t {
+    const auto recorded = RecordedInsertion::open(file);
+    EXPECT_TRUE(recorded) << recorded.error().message;
+    if (!recorded) return 0;
+    EXPECT_TRUE(recorded->wasClosed());
+    EXPECT_EQ(recorded->check()->damage, "");
+    return recorded->ticks();
+  };
+  ASSERT_TRUE(send(haptics::Command::Kind::arm));
+  insertion->hand().move(device::ScriptedDevice::Motion::insert);
+  ASSERT_TRUE(test::waitUntil(hasFinished));
+  insertion->hand().move(device::ScriptedDevice::Motion::hold);
+  ASSERT_TRUE(test::waitUntil(isResting));
+  EXPECT_FALSE(insertion->isRecordingConcluded());
+  insertion->concludeRecording();
+  ASSERT_TRUE(test::waitUntil([&] { return insertion->isRecordingConcluded(); }));
+  const std::uint64_t inserted = ticksOfClosed();
+  EXPECT_GT(inserted, 0u);
+
+  ASSERT_TRUE(send(haptics::Command::Kind::withdraw));
+  insertion->hand().move(device::ScriptedDevice::Motion::withdraw);
+  ASSERT_TRUE(test::waitUntil([&] { return !insertion->isRecordingConcluded(); }));
+  ASSERT_TRUE(test::waitUntil(hasFinished));
+  insertion->stop();
+  EXPECT_TRUE(insertion->closeRecording());
+  EXPECT_GT(ticksOfClosed(), inserted);
+  EXPECT_EQ(insertion->recordingError(), "");
+}
+
 TEST(ARecordingDeletedWhileItIsWritten, IsReportedAndTheInsertionGoesOn)
 {
   const test::TemporaryFolder folder;

@@ -94,6 +94,55 @@ TEST(Recording, IsOneFileOnceClosed)
   EXPECT_EQ(filesIn(folder.path()), 1u);
 }
 
+TEST(Recording, GoesOnAfterItWasClosed)
+{
+  const test::TemporaryFolder folder;
+  const std::filesystem::path file = folder / "withdrawn.insertion";
+  auto recording = Recording::create(file, test::someFacts());
+  ASSERT_TRUE(recording);
+  ASSERT_TRUE((*recording)->append(test::quietRecords(0, 100)));
+  ASSERT_TRUE((*recording)->close(2));
+  const auto expectWhole = [&](std::uint64_t ticks, std::uint64_t lost, bool isClosed) {
+    const auto recorded = RecordedInsertion::open(file);
+    ASSERT_TRUE(recorded) << recorded.error().message;
+    EXPECT_EQ(recorded->ticks(), ticks);
+    EXPECT_EQ(recorded->highlights()->ticks, ticks);
+    EXPECT_EQ(recorded->lostRecords(), lost);
+    EXPECT_EQ(recorded->wasClosed(), isClosed);
+    const auto check = recorded->check();
+    ASSERT_TRUE(check);
+    EXPECT_EQ(check->damage, "");
+  };
+  expectWhole(100, 2, true);
+  EXPECT_EQ(filesIn(folder.path()), 1u);
+  ASSERT_TRUE((*recording)->append(test::quietRecords(100, 50)));
+  expectWhole(150, 2, false);
+  ASSERT_TRUE((*recording)->close(3));
+  expectWhole(150, 3, true);
+  ASSERT_TRUE((*recording)->close(3, "{}"));  // what the device did, once the loop has ended
+  expectWhole(150, 3, true);
+  EXPECT_EQ(query(file, "SELECT value FROM meta WHERE key = 'device_report'"),
+            std::vector<std::string>{"{}"});
+  EXPECT_EQ(filesIn(folder.path()), 1u);
+}
+
+TEST(Recording, ThatWasMovedAfterItWasClosedStaysAsItIs)
+{
+  const test::TemporaryFolder folder;
+  auto recording = Recording::create(folder / "here.insertion", test::someFacts());
+  ASSERT_TRUE(recording);
+  ASSERT_TRUE((*recording)->append(test::quietRecords(0, 100)));
+  ASSERT_TRUE((*recording)->close());
+  std::filesystem::rename(folder / "here.insertion", folder / "there.insertion");
+  EXPECT_FALSE((*recording)->append(test::quietRecords(100, 50)));
+  recording->reset();
+  const auto recorded = RecordedInsertion::open(folder / "there.insertion");
+  ASSERT_TRUE(recorded) << recorded.error().message;
+  EXPECT_EQ(recorded->ticks(), 100u);
+  EXPECT_TRUE(recorded->wasClosed());
+  EXPECT_EQ(filesIn(folder.path()), 1u);
+}
+
 TEST(Recording, IsReadableForItsOwnerOnly)
 {
   const test::TemporaryFolder folder;

@@ -17,11 +17,11 @@
 #include <stop_token>
 
 #include "gui/pages/compare/ComparisonPlot.h"
-#include "gui/parts/DataText.h"
-#include "gui/parts/EmptyPage.h"
-#include "gui/parts/Numbers.h"
-#include "gui/parts/StatusLine.h"
-#include "gui/parts/Theme.h"
+#include "gui/text/DataText.h"
+#include "gui/text/Numbers.h"
+#include "gui/widgets/EmptyPage.h"
+#include "gui/widgets/StatusLine.h"
+#include "gui/widgets/Theme.h"
 #include "perilymph/anatomy/Patient.h"
 #include "perilymph/charts/FigurePicture.h"
 #include "perilymph/figures/Svg.h"

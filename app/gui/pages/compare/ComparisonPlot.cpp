@@ -9,9 +9,9 @@
 #include <array>
 #include <cmath>
 
-#include "gui/parts/FocusRing.h"
-#include "gui/parts/Numbers.h"
-#include "gui/parts/Theme.h"
+#include "gui/text/Numbers.h"
+#include "gui/widgets/FocusRing.h"
+#include "gui/widgets/Theme.h"
 
 namespace perilymph::gui {
 

@@ -7,8 +7,8 @@
 #include <QVBoxLayout>
 #include <QVariant>
 
-#include "gui/parts/PanelParts.h"
-#include "gui/parts/Theme.h"
+#include "gui/widgets/PanelParts.h"
+#include "gui/widgets/Theme.h"
 
 namespace perilymph::gui {
 

@@ -19,11 +19,11 @@
 #include "gui/pages/ct/CtOnward.h"
 #include "gui/pages/ct/CtText.h"
 #include "gui/pages/ct/MarkGuide.h"
-#include "gui/parts/CheckBoxes.h"
-#include "gui/parts/DataText.h"
-#include "gui/parts/PanelParts.h"
-#include "gui/parts/Theme.h"
-#include "gui/parts/WrappedLabel.h"
+#include "gui/text/DataText.h"
+#include "gui/widgets/CheckBoxes.h"
+#include "gui/widgets/PanelParts.h"
+#include "gui/widgets/Theme.h"
+#include "gui/widgets/WrappedLabel.h"
 
 namespace perilymph::gui {
 

@@ -5,7 +5,7 @@
 #include <QStringList>
 #include <cmath>
 
-#include "gui/parts/Numbers.h"
+#include "gui/text/Numbers.h"
 #include "perilymph/anatomy/DuctLength.h"
 #include "perilymph/foundation/Normal.h"
 

@@ -4,7 +4,7 @@
 #include <stop_token>
 #include <utility>
 
-#include "gui/parts/DataText.h"
+#include "gui/text/DataText.h"
 
 namespace perilymph::gui {
 

@@ -7,8 +7,8 @@
 #include <QVBoxLayout>
 
 #include "gui/pages/ct/CtText.h"
-#include "gui/parts/Theme.h"
 #include "gui/setup/LandmarkDrawing.h"
+#include "gui/widgets/Theme.h"
 #include "perilymph/anatomy/Population.h"
 
 namespace perilymph::gui {

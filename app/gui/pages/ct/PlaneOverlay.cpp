@@ -8,8 +8,8 @@
 #include <cmath>
 
 #include "gui/pages/ct/CtText.h"
-#include "gui/parts/Numbers.h"
-#include "gui/parts/Theme.h"
+#include "gui/text/Numbers.h"
+#include "gui/widgets/Theme.h"
 
 namespace perilymph::gui {
 

@@ -11,8 +11,8 @@
 
 #include "gui/pages/ct/CtText.h"
 #include "gui/pages/ct/PlaneOverlay.h"
-#include "gui/parts/FocusRing.h"
-#include "gui/parts/Theme.h"
+#include "gui/widgets/FocusRing.h"
+#include "gui/widgets/Theme.h"
 
 namespace perilymph::gui {
 

@@ -11,7 +11,8 @@
 #include <cmath>
 #include <vector>
 
-#include "gui/parts/ChartLabels.h"
+#include "gui/text/ChartLabels.h"
+#include "gui/widgets/Theme.h"
 #include "perilymph/imaging/MeasuredSurface.h"
 
 namespace perilymph::gui {
@@ -44,7 +45,7 @@ void SurfaceView::refresh()
   if (shownWindow_P_ != measures->roundWindow_P) {
     if (scene_) renderWindow()->RemoveRenderer(&scene_->renderer());
     scene_ = std::make_unique<visualization::SurfaceScene>(imaging::measuredSurface(*measures),
-                                                           sceneStyle());
+                                                           sceneStyle(shownColorScheme()));
     scene_->attachTo(*renderWindow());
     const ct::ViewPlane view = ct::cochlearPlanes(*measures, measures->center_P)[0];
     scene_->lookAlong(view.away_P(), view.down_P);

@@ -8,10 +8,10 @@
 #include <QVariant>
 #include <algorithm>
 
-#include "gui/parts/DataText.h"
-#include "gui/parts/DeviceRate.h"
-#include "gui/parts/Numbers.h"
-#include "gui/parts/Theme.h"
+#include "gui/text/DataText.h"
+#include "gui/text/DeviceRate.h"
+#include "gui/text/Numbers.h"
+#include "gui/widgets/Theme.h"
 
 namespace perilymph::gui {
 

@@ -7,7 +7,7 @@
 #include <QProgressBar>
 #include <QPushButton>
 
-#include "gui/parts/Theme.h"
+#include "gui/widgets/Theme.h"
 
 namespace perilymph::gui {
 

@@ -4,17 +4,21 @@
 #include <algorithm>
 
 #include "gui/pages/insert/Pane.h"
-#include "gui/parts/ChartLabels.h"
-#include "gui/parts/Numbers.h"
-#include "gui/parts/PlotView.h"
 #include "gui/run/SnapshotDifference.h"
+#include "gui/text/ChartLabels.h"
+#include "gui/text/Numbers.h"
+#include "gui/widgets/PlotView.h"
+#include "gui/widgets/Theme.h"
 #include "perilymph/charts/ContactDistances.h"
 
 namespace perilymph::gui {
 
 struct FlatViews::Scene {
   Scene(const anatomy::ScalaTympani& scala, const electrode::ArrayDesign& design)
-      : array(scala, design), style(chartStyle()), unrolled(scala, style), section(scala, style)
+      : array(scala, design),
+        style(chartStyle(shownColorScheme())),
+        unrolled(scala, style),
+        section(scala, style)
   {
   }
   charts::ArrayInScala array;

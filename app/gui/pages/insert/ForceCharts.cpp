@@ -9,16 +9,16 @@
 #include <QEvent>
 
 #include "gui/pages/insert/Pane.h"
-#include "gui/parts/ChartLabels.h"
-#include "gui/parts/DataText.h"
-#include "gui/parts/Theme.h"
+#include "gui/text/ChartLabels.h"
+#include "gui/text/DataText.h"
+#include "gui/widgets/Theme.h"
 
 namespace perilymph::gui {
 
 ForceCharts::ForceCharts(QWidget* parent)
     : QObject(parent),
-      overTravel_(chartStyle()),
-      components_(chartStyle()),
+      overTravel_(chartStyle(shownColorScheme())),
+      components_(chartStyle(shownColorScheme())),
       travelView_(chartView(parent)),
       timeView_(chartView(parent))
 {

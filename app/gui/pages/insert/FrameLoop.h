@@ -8,7 +8,7 @@
 #include <QTimer>
 #include <functional>
 
-#include "gui/parts/FrameMeter.h"
+#include "gui/pages/insert/FrameMeter.h"
 
 namespace perilymph::gui {
 

@@ -7,10 +7,10 @@
 #include <QVBoxLayout>
 #include <QVariant>
 
-#include "gui/parts/CheckBoxes.h"
-#include "gui/parts/Numbers.h"
-#include "gui/parts/Theme.h"
 #include "gui/setup/NumberField.h"
+#include "gui/text/Numbers.h"
+#include "gui/widgets/CheckBoxes.h"
+#include "gui/widgets/Theme.h"
 
 namespace perilymph::gui {
 

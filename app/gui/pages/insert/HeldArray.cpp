@@ -3,7 +3,7 @@
 
 #include <QtCore/qnamespace.h>
 
-#include "gui/parts/UserSettings.h"
+#include "gui/run/UserSettings.h"
 
 namespace perilymph::gui {
 

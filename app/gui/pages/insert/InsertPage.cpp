@@ -19,11 +19,11 @@
 #include "gui/pages/insert/ReplayControl.h"
 #include "gui/pages/insert/ReplayPlayer.h"
 #include "gui/pages/insert/SidePanel.h"
-#include "gui/parts/DataText.h"
-#include "gui/parts/Theme.h"
 #include "gui/run/WorkflowPredicates.h"
 #include "gui/scene/OperationView.h"
 #include "gui/setup/PatientSetup.h"
+#include "gui/text/DataText.h"
+#include "gui/widgets/Theme.h"
 
 namespace perilymph::gui {
 

@@ -7,10 +7,10 @@
 
 #include "gui/pages/insert/InsertionText.h"
 #include "gui/pages/insert/ReplayPlayer.h"
-#include "gui/parts/DataText.h"
 #include "gui/run/ScenarioDifference.h"
 #include "gui/run/WorkflowPredicates.h"
 #include "gui/setup/PatientSetup.h"
+#include "gui/text/DataText.h"
 
 namespace perilymph::gui {
 

@@ -4,16 +4,16 @@
 #include "gui/pages/insert/BottomBar.h"
 #include "gui/pages/insert/BuildingNote.h"
 #include "gui/pages/insert/ForceCharts.h"
+#include "gui/pages/insert/FrameMeter.h"
 #include "gui/pages/insert/InsertionController.h"
 #include "gui/pages/insert/InsertionText.h"
 #include "gui/pages/insert/InsertionViews.h"
 #include "gui/pages/insert/SidePanel.h"
-#include "gui/parts/DeviceRate.h"
-#include "gui/parts/FrameMeter.h"
 #include "gui/run/SnapshotDifference.h"
 #include "gui/run/WorkflowPredicates.h"
 #include "gui/scene/OperationView.h"
 #include "gui/setup/StopTravel.h"
+#include "gui/text/DeviceRate.h"
 #include "perilymph/analysis/PublishedConditions.h"
 
 namespace perilymph::gui {

@@ -4,8 +4,8 @@
 #include <QCoreApplication>
 #include <QStringList>
 
-#include "gui/parts/Numbers.h"
 #include "gui/setup/StopTravel.h"
+#include "gui/text/Numbers.h"
 
 namespace perilymph::gui {
 

@@ -4,14 +4,14 @@
 #include "gui/pages/insert/FlatViews.h"
 #include "gui/pages/insert/ForceCharts.h"
 #include "gui/pages/insert/ForceSound.h"
+#include "gui/pages/insert/FrameMeter.h"
 #include "gui/pages/insert/Pane.h"
 #include "gui/pages/insert/ViewMenu.h"
-#include "gui/parts/ChartLabels.h"
-#include "gui/parts/FrameMeter.h"
-#include "gui/parts/Theme.h"
-#include "gui/parts/UserSettings.h"
+#include "gui/run/UserSettings.h"
 #include "gui/scene/OperationView.h"
 #include "gui/scene/StereoWindow.h"
+#include "gui/text/ChartLabels.h"
+#include "gui/widgets/Theme.h"
 
 namespace perilymph::gui {
 
@@ -124,7 +124,7 @@ void InsertionViews::offerQuadBuffered(const QString& error)
 std::unique_ptr<visualization::InsertionScene> InsertionViews::madeScene() const
 {
   return std::make_unique<visualization::InsertionScene>(*scala_, array_, side_, pilot_.quality(),
-                                                         sceneStyle());
+                                                         sceneStyle(shownColorScheme()));
 }
 
 void InsertionViews::openTwin()

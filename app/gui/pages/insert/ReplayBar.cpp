@@ -11,8 +11,8 @@
 #include <algorithm>
 
 #include "gui/pages/insert/ReplayPlayer.h"
-#include "gui/parts/Numbers.h"
-#include "gui/parts/Theme.h"
+#include "gui/text/Numbers.h"
+#include "gui/widgets/Theme.h"
 
 namespace perilymph::gui {
 

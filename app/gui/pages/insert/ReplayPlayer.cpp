@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/pages/insert/ReplayPlayer.h"
 
-#include "gui/parts/DataText.h"
+#include "gui/text/DataText.h"
 
 #include <algorithm>
 #include <array>

@@ -3,9 +3,9 @@
 
 #include <utility>
 
-#include "gui/parts/DataText.h"
 #include "gui/run/ScenarioDifference.h"
 #include "gui/setup/StopTravel.h"
+#include "gui/text/DataText.h"
 
 namespace perilymph::gui {
 

@@ -11,12 +11,12 @@
 
 #include "gui/pages/insert/HandSection.h"
 #include "gui/pages/insert/ReferenceRow.h"
-#include "gui/parts/CheckBoxes.h"
-#include "gui/parts/Theme.h"
 #include "gui/setup/ArraySection.h"
 #include "gui/setup/PatientSection.h"
 #include "gui/setup/ScenarioHead.h"
 #include "gui/setup/SetupHistory.h"
+#include "gui/widgets/CheckBoxes.h"
+#include "gui/widgets/Theme.h"
 
 namespace perilymph::gui {
 

@@ -5,7 +5,7 @@
 #include <QActionGroup>
 #include <QMenu>
 
-#include "gui/parts/Theme.h"
+#include "gui/widgets/Theme.h"
 
 namespace perilymph::gui {
 

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gui/parts/Numbers.h"
-#include "gui/parts/Theme.h"
+#include "gui/text/Numbers.h"
+#include "gui/widgets/Theme.h"
 #include "perilymph/foundation/Units.h"
 
 namespace perilymph::gui {

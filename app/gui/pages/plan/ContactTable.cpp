@@ -4,9 +4,9 @@
 #include <QHeaderView>
 #include <algorithm>
 
-#include "gui/parts/Numbers.h"
-#include "gui/parts/TableRows.h"
-#include "gui/parts/Theme.h"
+#include "gui/text/Numbers.h"
+#include "gui/widgets/TableRows.h"
+#include "gui/widgets/Theme.h"
 
 namespace perilymph::gui {
 

@@ -6,9 +6,9 @@
 #include <QTextLayout>
 #include <algorithm>
 
-#include "gui/parts/FocusRing.h"
-#include "gui/parts/Theme.h"
 #include "gui/setup/PlannedFriction.h"
+#include "gui/widgets/FocusRing.h"
+#include "gui/widgets/Theme.h"
 #include "perilymph/planning/ForceCourse.h"
 
 namespace perilymph::gui {

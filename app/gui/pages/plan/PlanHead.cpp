@@ -7,12 +7,12 @@
 #include <QVariant>
 
 #include "gui/pages/plan/PlanText.h"
-#include "gui/parts/DataText.h"
-#include "gui/parts/ElidedLabel.h"
-#include "gui/parts/Numbers.h"
-#include "gui/parts/Theme.h"
-#include "gui/parts/WrappedLabel.h"
 #include "gui/setup/PatientLibrary.h"
+#include "gui/text/DataText.h"
+#include "gui/text/Numbers.h"
+#include "gui/widgets/ElidedLabel.h"
+#include "gui/widgets/Theme.h"
+#include "gui/widgets/WrappedLabel.h"
 #include "perilymph/analysis/ErrorBand.h"
 
 namespace perilymph::gui {

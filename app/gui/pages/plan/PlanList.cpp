@@ -7,8 +7,8 @@
 #include <numeric>
 
 #include "gui/pages/plan/PlanCells.h"
-#include "gui/parts/TableRows.h"
-#include "gui/parts/Theme.h"
+#include "gui/widgets/TableRows.h"
+#include "gui/widgets/Theme.h"
 
 namespace perilymph::gui {
 

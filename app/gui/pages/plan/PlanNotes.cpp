@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/pages/plan/PlanNotes.h"
 
-#include "gui/parts/DataText.h"
-#include "gui/parts/Theme.h"
 #include "gui/setup/PlanStore.h"
+#include "gui/text/DataText.h"
+#include "gui/widgets/Theme.h"
 
 namespace perilymph::gui {
 

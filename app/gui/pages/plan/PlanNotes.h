@@ -5,7 +5,7 @@
 
 #include <filesystem>
 
-#include "gui/parts/NotesField.h"
+#include "gui/widgets/NotesField.h"
 
 namespace perilymph::gui {
 

@@ -14,13 +14,13 @@
 #include "gui/pages/plan/PlanPanel.h"
 #include "gui/pages/plan/PlanView.h"
 #include "gui/pages/plan/PlannedSetup.h"
-#include "gui/parts/DataText.h"
-#include "gui/parts/EmptyPage.h"
-#include "gui/parts/PanelParts.h"
-#include "gui/parts/StatusLine.h"
-#include "gui/parts/Theme.h"
-#include "gui/parts/WrappedLabel.h"
 #include "gui/setup/PlannedFriction.h"
+#include "gui/text/DataText.h"
+#include "gui/widgets/EmptyPage.h"
+#include "gui/widgets/PanelParts.h"
+#include "gui/widgets/StatusLine.h"
+#include "gui/widgets/Theme.h"
+#include "gui/widgets/WrappedLabel.h"
 
 namespace perilymph::gui {
 

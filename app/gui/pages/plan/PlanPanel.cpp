@@ -10,14 +10,14 @@
 #include <QVariant>
 #include <algorithm>
 
-#include "gui/parts/CheckBoxes.h"
-#include "gui/parts/PanelParts.h"
-#include "gui/parts/Theme.h"
-#include "gui/parts/WrappedLabel.h"
 #include "gui/setup/Catalog.h"
 #include "gui/setup/PatientLibrary.h"
 #include "gui/setup/PlannedFriction.h"
 #include "gui/setup/Selector.h"
+#include "gui/widgets/CheckBoxes.h"
+#include "gui/widgets/PanelParts.h"
+#include "gui/widgets/Theme.h"
+#include "gui/widgets/WrappedLabel.h"
 #include "perilymph/analysis/ClinicalPrediction.h"
 #include "perilymph/foundation/Resources.h"
 

@@ -3,8 +3,8 @@
 
 #include <stop_token>
 
-#include "gui/parts/DataText.h"
 #include "gui/report/PlanReportPdf.h"
+#include "gui/text/DataText.h"
 #include "perilymph/planning/PlanReport.h"
 
 namespace perilymph::gui {

@@ -8,8 +8,8 @@
 #include <QWheelEvent>
 #include <cmath>
 
-#include "gui/parts/ChartLabels.h"
-#include "gui/parts/Theme.h"
+#include "gui/text/ChartLabels.h"
+#include "gui/widgets/Theme.h"
 
 namespace perilymph::gui {
 
@@ -42,7 +42,7 @@ void PlanScene::show(const PlanShapeWork::Shape& shape)
   shape_ = shape;
   scene_ = std::make_unique<visualization::InsertionScene>(
       *shape->anatomy, shape->parameters.array, shape->parameters.cochlea.patient.side,
-      visualization::Quality::software, sceneStyle());
+      visualization::Quality::software, sceneStyle(shownColorScheme()));
   scene_->setVisible(visualization::Part::styletAndTweezers, false);
   scene_->setScale(devicePixelRatioF() * textScale());
   scene_->attachTo(*renderWindow());

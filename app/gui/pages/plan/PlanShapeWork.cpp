@@ -5,7 +5,7 @@
 #include <stop_token>
 #include <utility>
 
-#include "gui/parts/DataText.h"
+#include "gui/text/DataText.h"
 #include "perilymph/analysis/InParallel.h"
 #include "perilymph/planning/PlannedDraw.h"
 

@@ -4,9 +4,9 @@
 #include <QCoreApplication>
 
 #include "gui/pages/plan/CoverageReference.h"
-#include "gui/parts/DataText.h"
-#include "gui/parts/Numbers.h"
 #include "gui/setup/PlannedFriction.h"
+#include "gui/text/DataText.h"
+#include "gui/text/Numbers.h"
 #include "perilymph/foundation/Normal.h"
 
 namespace perilymph::gui {

@@ -13,13 +13,13 @@
 #include "gui/pages/plan/ForceBands.h"
 #include "gui/pages/plan/PlanScene.h"
 #include "gui/pages/plan/PlanText.h"
-#include "gui/parts/ChartLabels.h"
-#include "gui/parts/DrawingView.h"
-#include "gui/parts/ElidedLabel.h"
-#include "gui/parts/Numbers.h"
-#include "gui/parts/PlotView.h"
-#include "gui/parts/Theme.h"
-#include "gui/parts/WrappedLabel.h"
+#include "gui/text/ChartLabels.h"
+#include "gui/text/Numbers.h"
+#include "gui/widgets/DrawingView.h"
+#include "gui/widgets/ElidedLabel.h"
+#include "gui/widgets/PlotView.h"
+#include "gui/widgets/Theme.h"
+#include "gui/widgets/WrappedLabel.h"
 
 namespace perilymph::gui {
 
@@ -35,7 +35,7 @@ struct PlanView::Unrolled {
   explicit Unrolled(PlanShapeWork::Shape given)
       : shape(std::move(given)),
         array(*shape->anatomy, shape->parameters.array),
-        scala(*shape->anatomy, chartStyle())
+        scala(*shape->anatomy, chartStyle(shownColorScheme()))
   {
     array.follow(shape->end);
   }

@@ -7,7 +7,7 @@
 #include <thread>
 #include <utility>
 
-#include "gui/parts/DataText.h"
+#include "gui/text/DataText.h"
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/planning/Plan.h"
 #include "perilymph/planning/PlanReport.h"

@@ -7,8 +7,8 @@
 
 #include "gui/pages/sessions/SessionTable.h"
 #include "gui/pages/sessions/Thumbnails.h"
-#include "gui/parts/TableRows.h"
-#include "gui/parts/Theme.h"
+#include "gui/widgets/TableRows.h"
+#include "gui/widgets/Theme.h"
 
 namespace perilymph::gui {
 

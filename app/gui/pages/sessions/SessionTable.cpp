@@ -8,8 +8,8 @@
 #include <iterator>
 #include <map>
 
-#include "gui/parts/Numbers.h"
-#include "gui/parts/Theme.h"
+#include "gui/text/Numbers.h"
+#include "gui/widgets/Theme.h"
 #include "perilymph/anatomy/Patient.h"
 #include "perilymph/foundation/Units.h"
 #include "perilymph/session/ScenarioChoices.h"

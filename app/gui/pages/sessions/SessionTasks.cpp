@@ -4,8 +4,8 @@
 #include <stop_token>
 #include <utility>
 
-#include "gui/parts/DataText.h"
 #include "gui/report/InsertionReport.h"
+#include "gui/text/DataText.h"
 #include "perilymph/analysis/Comparison.h"
 
 namespace perilymph::gui {

@@ -20,11 +20,11 @@
 #include "gui/pages/sessions/SessionList.h"
 #include "gui/pages/sessions/SessionTable.h"
 #include "gui/pages/sessions/SessionTasks.h"
-#include "gui/parts/DataText.h"
-#include "gui/parts/EmptyPage.h"
-#include "gui/parts/Placeholder.h"
-#include "gui/parts/StatusLine.h"
-#include "gui/parts/Theme.h"
+#include "gui/text/DataText.h"
+#include "gui/widgets/EmptyPage.h"
+#include "gui/widgets/Placeholder.h"
+#include "gui/widgets/StatusLine.h"
+#include "gui/widgets/Theme.h"
 #include "perilymph/foundation/Resources.h"
 
 namespace perilymph::gui {

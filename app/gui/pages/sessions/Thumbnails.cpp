@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <stop_token>
 
-#include "gui/parts/Theme.h"
 #include "gui/report/InsertionPicture.h"
+#include "gui/widgets/Theme.h"
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/session/Playback.h"
 

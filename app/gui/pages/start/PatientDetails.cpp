@@ -10,13 +10,13 @@
 #include <utility>
 
 #include "gui/pages/start/PatientHistoryList.h"
-#include "gui/parts/DataText.h"
-#include "gui/parts/ElidedLabel.h"
-#include "gui/parts/NotesField.h"
-#include "gui/parts/PanelParts.h"
-#include "gui/parts/Placeholder.h"
-#include "gui/parts/Theme.h"
-#include "gui/parts/WrappedLabel.h"
+#include "gui/text/DataText.h"
+#include "gui/widgets/ElidedLabel.h"
+#include "gui/widgets/NotesField.h"
+#include "gui/widgets/PanelParts.h"
+#include "gui/widgets/Placeholder.h"
+#include "gui/widgets/Theme.h"
+#include "gui/widgets/WrappedLabel.h"
 
 namespace perilymph::gui {
 

@@ -11,15 +11,15 @@
 #include <QVariant>
 #include <algorithm>
 
-#include "gui/parts/CheckBoxes.h"
-#include "gui/parts/DataText.h"
-#include "gui/parts/Placeholder.h"
-#include "gui/parts/Theme.h"
-#include "gui/parts/WrappedLabel.h"
 #include "gui/setup/DerivedMeasures.h"
 #include "gui/setup/LandmarkDrawing.h"
 #include "gui/setup/PopulationField.h"
 #include "gui/setup/Populations.h"
+#include "gui/text/DataText.h"
+#include "gui/widgets/CheckBoxes.h"
+#include "gui/widgets/Placeholder.h"
+#include "gui/widgets/Theme.h"
+#include "gui/widgets/WrappedLabel.h"
 #include "perilymph/anatomy/Population.h"
 #include "perilymph/foundation/Resources.h"
 

@@ -5,8 +5,8 @@
 #include <QKeyEvent>
 #include <utility>
 
-#include "gui/parts/TableRows.h"
-#include "gui/parts/Theme.h"
+#include "gui/widgets/TableRows.h"
+#include "gui/widgets/Theme.h"
 
 namespace perilymph::gui {
 

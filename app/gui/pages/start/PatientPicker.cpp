@@ -16,11 +16,11 @@
 #include <stop_token>
 
 #include "gui/pages/start/PatientDetails.h"
-#include "gui/parts/CheckBoxes.h"
-#include "gui/parts/DataText.h"
-#include "gui/parts/Placeholder.h"
-#include "gui/parts/Theme.h"
-#include "gui/parts/WrappedLabel.h"
+#include "gui/text/DataText.h"
+#include "gui/widgets/CheckBoxes.h"
+#include "gui/widgets/Placeholder.h"
+#include "gui/widgets/Theme.h"
+#include "gui/widgets/WrappedLabel.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/session/SessionLibrary.h"
 

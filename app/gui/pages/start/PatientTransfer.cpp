@@ -5,7 +5,7 @@
 #include <stop_token>
 #include <utility>
 
-#include "gui/parts/DataText.h"
+#include "gui/text/DataText.h"
 
 namespace perilymph::gui {
 

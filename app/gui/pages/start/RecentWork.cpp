@@ -13,7 +13,7 @@
 #include <system_error>
 #include <utility>
 
-#include "gui/parts/Theme.h"
+#include "gui/widgets/Theme.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/session/SessionLibrary.h"
 

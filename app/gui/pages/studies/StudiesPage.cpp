@@ -15,11 +15,11 @@
 #include "gui/pages/studies/StudyDetails.h"
 #include "gui/pages/studies/StudyPanel.h"
 #include "gui/pages/studies/StudyPlot.h"
-#include "gui/parts/DataText.h"
-#include "gui/parts/ElidedLabel.h"
-#include "gui/parts/EmptyPage.h"
-#include "gui/parts/StatusLine.h"
-#include "gui/parts/Theme.h"
+#include "gui/text/DataText.h"
+#include "gui/widgets/ElidedLabel.h"
+#include "gui/widgets/EmptyPage.h"
+#include "gui/widgets/StatusLine.h"
+#include "gui/widgets/Theme.h"
 #include "perilymph/anatomy/Patient.h"
 
 namespace perilymph::gui {

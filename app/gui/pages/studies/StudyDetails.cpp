@@ -9,9 +9,9 @@
 #include <QVariant>
 
 #include "gui/pages/studies/StudyText.h"
-#include "gui/parts/PanelParts.h"
-#include "gui/parts/Theme.h"
-#include "gui/parts/WrappedLabel.h"
+#include "gui/widgets/PanelParts.h"
+#include "gui/widgets/Theme.h"
+#include "gui/widgets/WrappedLabel.h"
 
 namespace perilymph::gui {
 

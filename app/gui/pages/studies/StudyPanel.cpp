@@ -11,12 +11,12 @@
 #include <algorithm>
 
 #include "gui/pages/studies/StudyText.h"
-#include "gui/parts/CheckBoxes.h"
-#include "gui/parts/Numbers.h"
-#include "gui/parts/PanelParts.h"
-#include "gui/parts/Theme.h"
-#include "gui/parts/WrappedLabel.h"
 #include "gui/setup/Selector.h"
+#include "gui/text/Numbers.h"
+#include "gui/widgets/CheckBoxes.h"
+#include "gui/widgets/PanelParts.h"
+#include "gui/widgets/Theme.h"
+#include "gui/widgets/WrappedLabel.h"
 
 namespace perilymph::gui {
 

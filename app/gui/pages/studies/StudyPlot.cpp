@@ -13,9 +13,9 @@
 #include <limits>
 
 #include "gui/pages/studies/StudyText.h"
-#include "gui/parts/ChartLabels.h"
-#include "gui/parts/Theme.h"
 #include "gui/scene/PlainVtkWidget.h"
+#include "gui/text/ChartLabels.h"
+#include "gui/widgets/Theme.h"
 
 namespace perilymph::gui {
 
@@ -43,7 +43,7 @@ std::pair<double, double> limitsOf(const std::vector<double>& values)
 }  // namespace
 
 StudyPlot::StudyPlot(QWidget* parent)
-    : QFrame(parent), chart_(chartStyle()), view_(new PlainVtkWidget(this))
+    : QFrame(parent), chart_(chartStyle(shownColorScheme())), view_(new PlainVtkWidget(this))
 {
   setObjectName(QStringLiteral("studyPlot"));
   setAccessibleName(tr("Insertions of the study"));

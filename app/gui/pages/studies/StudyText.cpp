@@ -4,8 +4,8 @@
 #include <QCoreApplication>
 #include <map>
 
-#include "gui/parts/Numbers.h"
 #include "gui/setup/Catalog.h"
+#include "gui/text/Numbers.h"
 
 namespace perilymph::gui {
 

@@ -5,8 +5,8 @@
 #include <stop_token>
 #include <utility>
 
-#include "gui/parts/DataText.h"
-#include "gui/parts/Numbers.h"
+#include "gui/text/DataText.h"
+#include "gui/text/Numbers.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/foundation/Unfinished.h"
 #include "perilymph/study/StudyCaseRun.h"

@@ -13,12 +13,12 @@
 #include <QVariant>
 #include <algorithm>
 
-#include "gui/parts/CheckBoxes.h"
-#include "gui/parts/DataText.h"
-#include "gui/parts/DrawingView.h"
-#include "gui/parts/Numbers.h"
-#include "gui/parts/StatusLine.h"
-#include "gui/parts/Theme.h"
+#include "gui/text/DataText.h"
+#include "gui/text/Numbers.h"
+#include "gui/widgets/CheckBoxes.h"
+#include "gui/widgets/DrawingView.h"
+#include "gui/widgets/StatusLine.h"
+#include "gui/widgets/Theme.h"
 #include "perilymph/figures/Svg.h"
 #include "perilymph/foundation/AtomicFile.h"
 

@@ -3,7 +3,7 @@
 
 #include <stop_token>
 
-#include "gui/parts/DataText.h"
+#include "gui/text/DataText.h"
 
 namespace perilymph::gui {
 

@@ -46,7 +46,25 @@ void Recorder::run(const std::stop_token& stop)
       sleep_.wait_for(lock, stop, drainPeriod, [] { return false; });
     }
     drain();
+    concludeIfAsked();
   }
+}
+
+void Recorder::conclude(std::uint64_t lostRecords) noexcept
+{
+  lostAtConclusion_ = static_cast<std::int64_t>(lostRecords);
+}
+
+void Recorder::concludeIfAsked()
+{
+  const std::int64_t lost = lostAtConclusion_.exchange(notAsked);
+  if (lost == notAsked || !recording_) return;
+  const auto done = recording_->close(static_cast<std::uint64_t>(lost));
+  if (!done) {
+    setError(done.error().message);
+    recording_.reset();
+  }
+  isConcluded_ = static_cast<bool>(done);
 }
 
 void Recorder::stop() noexcept
@@ -78,6 +96,7 @@ void Recorder::keep(const haptics::TickRecord& record)
 void Recorder::flush()
 {
   if (recording_ && !waiting_.empty()) {
+    isConcluded_ = false;
     if (const auto done = recording_->append(waiting_); !done) {
       setError(done.error().message);
       // Closing may still merge the written part into one file; the error is kept.

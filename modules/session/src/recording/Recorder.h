@@ -4,7 +4,9 @@
 // Transfers ticks from the loop's channel to a recording: on a thread of its own by the clock, or
 // in the caller's thread in virtual time. File errors never affect the insertion.
 
+#include <atomic>
 #include <condition_variable>
+#include <cstdint>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -30,6 +32,14 @@ public:
   /// Ends the thread; remaining records are stored. The loop must have stopped.
   void stop() noexcept;
 
+  /// Closes the recording within a drain, while the loop goes on: it can then be read as a whole. A
+  /// tick that follows opens it again. Any thread.
+  ///
+  /// @param lostRecords  Records that the loop has lost so far.
+  void conclude(std::uint64_t lostRecords) noexcept;
+  /// The recording is closed, and no tick has followed. Any thread.
+  bool isConcluded() const noexcept { return isConcluded_; }
+
   // --- virtual time, while no thread runs ---
   /// Adds one record; committed together with the others of its 20 ms.
   void keep(const haptics::TickRecord& record);
@@ -48,12 +58,16 @@ public:
 private:
   void run(const std::stop_token& stop);
   void drain();
+  void concludeIfAsked();
   void setError(const std::string& sentence);
 
   haptics::HapticLoop& loop_;
   std::unique_ptr<Recording> recording_;
   std::string deviceReport_;
   std::size_t batch_;
+  static constexpr std::int64_t notAsked = -1;
+  std::atomic<std::int64_t> lostAtConclusion_{notAsked};
+  std::atomic<bool> isConcluded_{false};
   std::vector<haptics::TickRecord> waiting_;
   mutable std::mutex errorMutex_;
   std::string error_;

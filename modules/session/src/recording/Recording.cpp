@@ -117,6 +117,7 @@ struct Recording::Content {
   Result<Done> prepare();
   Result<Done> write(const fs::path& unfinished, const RecordingFacts& facts);
   Result<Done> begin();
+  Result<Done> goOn();
 };
 
 bool Recording::Content::addEvent(const Event& event)
@@ -216,7 +217,6 @@ Result<Done> Recording::Content::write(const fs::path& unfinished, const Recordi
 /// valid recording.
 Result<Done> Recording::Content::begin()
 {
-  identity = inodeOf(file);
   auto opened = Database::openNew(file);
   if (!opened) return opened.error();
   database = std::move(*opened);
@@ -224,6 +224,18 @@ Result<Done> Recording::Content::begin()
   // After a commit the data are with the operating system and survive the end of the process;
   // waiting for the disk at every drain would only protect against a power failure.
   return database->run("PRAGMA journal_mode=WAL; PRAGMA synchronous=NORMAL");
+}
+
+/// Opens a closed recording again.
+Result<Done> Recording::Content::goOn()
+{
+  if (isCut) return cannotRecord("it is closed");
+  if (!isAtItsPlace()) return isGone();
+  auto done = begin();
+  if (done) done = transact([this] { return keep(MetaKey::closed, "0") && keepHash(); });
+  isClosed = !done;
+  if (!done) return cannotRecord(done.error().message);
+  return Done{};
 }
 
 Recording::Recording() : content_(std::make_unique<Content>()) {}
@@ -252,6 +264,7 @@ Result<std::unique_ptr<Recording>> Recording::create(const fs::path& file,
   auto begun = content.write(unfinished, facts);
   const int problem = begun ? giveNewName(unfinished, file) : 0;
   const bool isNamed = begun && problem == 0;
+  content.identity = inodeOf(file);
   if (isNamed) begun = content.begin();
   if (begun && isNamed) {
     content.isClosed = false;
@@ -268,7 +281,8 @@ Result<Done> Recording::append(std::span<const haptics::TickRecord> records)
 {
   if (records.empty()) return Done{};
   Content& content = *content_;
-  if (content.isClosed) return content.cannotRecord("it is closed");
+  if (content.isClosed)
+    if (auto again = content.goOn(); !again) return again;
   const auto done = content.transact([&] {
     return std::all_of(records.begin(), records.end(),
                        [&](const auto& record) { return content.addTick(record); }) &&
@@ -285,6 +299,10 @@ Result<Done> Recording::append(std::span<const haptics::TickRecord> records)
 Result<Done> Recording::close(std::uint64_t lostRecords, const std::string& deviceReport)
 {
   Content& content = *content_;
+  // what a device did is known only when the loop has ended
+  const bool isNews = content.isClosed && !content.isCut && !deviceReport.empty();
+  if (isNews)
+    if (auto again = content.goOn(); !again) return again;
   if (content.isClosed) return Done{};
   content.isClosed = true;
   const bool isGone = !content.isAtItsPlace();

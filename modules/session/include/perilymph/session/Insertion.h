@@ -59,6 +59,11 @@ public:
   const haptics::Snapshot& latest() const noexcept;
   /// A message if the recording failed (disk full); empty if there is no error.
   std::string recordingError() const;
+  /// Closes the recording within some milliseconds while the loop goes on, so that it can be read; the
+  /// ticks of a withdrawal that follows are added to it.
+  void concludeRecording() noexcept;
+  /// It is closed, and no tick has followed.
+  bool isRecordingConcluded() const noexcept;
   /// Ends the recording and merges its log into one file, while nothing runs. Returns the error of
   /// recordingError() if it failed. Otherwise the destructor closes it silently.
   Result<Done> closeRecording();

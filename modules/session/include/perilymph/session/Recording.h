@@ -50,10 +50,12 @@ public:
   Recording& operator=(const Recording&) = delete;
 
   /// Adds ticks in one transaction: after return they survive the end of the process. On failure
-  /// none of them is stored.
+  /// none of them is stored. A closed recording is opened again and goes on, as when an array is
+  /// withdrawn after its insertion.
   Result<Done> append(std::span<const haptics::TickRecord> records);
 
-  /// Marks the recording as closed and merges its log into one file.
+  /// Marks the recording as closed and merges its log into one file, which others may then read,
+  /// compare and report.
   ///
   /// @param lostRecords   Ticks that never reached append(); the recording itself counts gaps in
   ///                      the tick numbers, and the larger count is stored.

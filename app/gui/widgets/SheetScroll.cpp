@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/parts/SheetScroll.h"
+#include "gui/widgets/SheetScroll.h"
 
 #include <QLayout>
 #include <QScrollBar>
 #include <algorithm>
 
-#include "gui/parts/Theme.h"
+#include "gui/widgets/Theme.h"
 
 namespace perilymph::gui {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/parts/PlotView.h"
+#include "gui/widgets/PlotView.h"
 
 #include <QPainter>
 
-#include "gui/parts/DrawingPainter.h"
+#include "gui/widgets/DrawingPainter.h"
 
 namespace perilymph::gui {
 

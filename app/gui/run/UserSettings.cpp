@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/parts/UserSettings.h"
+#include "gui/run/UserSettings.h"
 
 #include <spdlog/spdlog.h>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/parts/DrawingView.h"
+#include "gui/widgets/DrawingView.h"
 
 #include <QPainter>
 #include <QPainterPath>
 #include <algorithm>
 
-#include "gui/parts/DrawingPainter.h"
-#include "gui/parts/Theme.h"
+#include "gui/widgets/DrawingPainter.h"
+#include "gui/widgets/Theme.h"
 
 namespace perilymph::gui {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/parts/StateFolder.h"
+#include "gui/run/StateFolder.h"
 
 #include <QDir>
 #include <QString>

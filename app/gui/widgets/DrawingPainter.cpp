@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/parts/DrawingPainter.h"
+#include "gui/widgets/DrawingPainter.h"
 
 #include <QLocale>
 #include <QRegularExpression>
 #include <algorithm>
 #include <cmath>
 
-#include "gui/parts/Theme.h"
+#include "gui/widgets/Theme.h"
 
 namespace perilymph::gui {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/parts/Numbers.h"
+#include "gui/text/Numbers.h"
 
 #include <QLocale>
 #include <cmath>

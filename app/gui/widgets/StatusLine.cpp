@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/parts/StatusLine.h"
+#include "gui/widgets/StatusLine.h"
 
 #include <QDir>
 #include <QHBoxLayout>
@@ -10,7 +10,7 @@
 #include <QStyle>
 #include <QVariant>
 
-#include "gui/parts/Theme.h"
+#include "gui/widgets/Theme.h"
 
 namespace perilymph::gui {
 

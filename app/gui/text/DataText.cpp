@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/parts/DataText.h"
+#include "gui/text/DataText.h"
 
 #include <QCoreApplication>
 #include <QLocale>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/parts/PanelParts.h"
+#include "gui/widgets/PanelParts.h"
 
 #include <QPushButton>
 #include <QScrollArea>
 #include <QVariant>
 
-#include "gui/parts/Theme.h"
-#include "gui/parts/WrappedLabel.h"
+#include "gui/widgets/Theme.h"
+#include "gui/widgets/WrappedLabel.h"
 
 namespace perilymph::gui {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/parts/DeviceRate.h"
+#include "gui/text/DeviceRate.h"
 
 #include <QCoreApplication>
 
-#include "gui/parts/Numbers.h"
+#include "gui/text/Numbers.h"
 
 namespace perilymph::gui {
 

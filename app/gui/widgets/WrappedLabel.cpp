@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/parts/WrappedLabel.h"
+#include "gui/widgets/WrappedLabel.h"
 
 #include <QResizeEvent>
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/parts/CheckBoxes.h"
+#include "gui/widgets/CheckBoxes.h"
 
 #include <QFontMetrics>
 #include <QPainter>
 #include <QPainterPath>
 #include <algorithm>
 
-#include "gui/parts/FocusRing.h"
-#include "gui/parts/Theme.h"
+#include "gui/widgets/FocusRing.h"
+#include "gui/widgets/Theme.h"
 
 namespace perilymph::gui {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/parts/ElidedLabel.h"
+#include "gui/widgets/ElidedLabel.h"
 
 #include <QEvent>
 #include <QFontMetrics>
@@ -8,7 +8,7 @@
 #include <QStyleOption>
 #include <algorithm>
 
-#include "gui/parts/Theme.h"
+#include "gui/widgets/Theme.h"
 
 namespace perilymph::gui {
 

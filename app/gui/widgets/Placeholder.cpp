@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/parts/Placeholder.h"
+#include "gui/widgets/Placeholder.h"
 
 #include <QLineEdit>
 #include <QStyle>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/parts/Theme.h"
+#include "gui/widgets/Theme.h"
 
 #include <QPainter>
 #include <QStringList>

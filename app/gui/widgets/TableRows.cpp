@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/parts/TableRows.h"
+#include "gui/widgets/TableRows.h"
 
 #include <QHeaderView>
 #include <QTableView>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/parts/EmptyPage.h"
+#include "gui/widgets/EmptyPage.h"
 
 #include <QLabel>
 #include <QPushButton>
@@ -7,7 +7,7 @@
 #include <QVariant>
 #include <algorithm>
 
-#include "gui/parts/Theme.h"
+#include "gui/widgets/Theme.h"
 
 namespace perilymph::gui {
 

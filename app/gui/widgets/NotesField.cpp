@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/parts/NotesField.h"
+#include "gui/widgets/NotesField.h"
 
 #include <QSignalBlocker>
 #include <QStyle>
 #include <QTextCursor>
 #include <QVariant>
 
-#include "gui/parts/Theme.h"
+#include "gui/widgets/Theme.h"
 
 namespace perilymph::gui {
 

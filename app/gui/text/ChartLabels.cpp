@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/parts/ChartLabels.h"
+#include "gui/text/ChartLabels.h"
 
 #include <QCoreApplication>
 #include <QLocale>
 #include <QString>
-
-#include "gui/parts/Theme.h"
 
 namespace perilymph::gui {
 
@@ -25,9 +23,9 @@ char decimalSign() { return QString(QLocale().decimalPoint()).toStdString().fron
 
 }  // namespace
 
-ChartStyle chartStyle()
+ChartStyle chartStyle(figures::ColorScheme scheme)
 {
-  ChartStyle style{shownColorScheme(), {}};
+  ChartStyle style{scheme, {}};
   style.strings = {
       .travel = tr("travel, mm"),
       .axialForce = tr("insertion force, mN"),
@@ -55,9 +53,9 @@ ChartStyle chartStyle()
   return style;
 }
 
-SceneStyle sceneStyle()
+SceneStyle sceneStyle(figures::ColorScheme scheme)
 {
-  SceneStyle style{shownColorScheme(), {}};
+  SceneStyle style{scheme, {}};
   style.strings = {
       .wallForce = tr("wall force, mN per mm"),
       .normalForce = tr("contact force (arrow %1 mm = %2 mN)"),

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/parts/FocusRing.h"
+#include "gui/widgets/FocusRing.h"
 
 #include <QAbstractButton>
 #include <QPainter>
 
-#include "gui/parts/Theme.h"
+#include "gui/widgets/Theme.h"
 
 namespace perilymph::gui {
 

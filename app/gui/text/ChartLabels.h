@@ -11,9 +11,9 @@
 
 namespace perilymph::gui {
 
-/// Current color scheme and language, for charts and scenes made now.
-charts::ChartStyle chartStyle();
-visualization::SceneStyle sceneStyle();
+/// A color scheme and the current language, for charts and scenes made now.
+charts::ChartStyle chartStyle(figures::ColorScheme scheme);
+visualization::SceneStyle sceneStyle(figures::ColorScheme scheme);
 
 /// The translated name of a reference, or its label if there is no translation.
 QString referenceName(const std::string& label);

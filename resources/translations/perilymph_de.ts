@@ -3431,6 +3431,10 @@
         <source>Whether middle and apical turn are one cavity (incomplete partition) could not be judged: the modiolus is faint, the CT too coarse or too noisy, or the middle turn not empty. Look for the septum between both turns in a section through the axis, or take a finer series.</source>
         <translation>Ob mittlere und apikale Windung ein Hohlraum sind (inkomplette Partition), war nicht zu beurteilen: Der Modiolus ist schwach, die CT zu grob oder zu verrauscht, oder die mittlere Windung nicht leer. In einem Schnitt durch die Achse das Septum zwischen beiden Windungen suchen oder eine feinere Serie verwenden.</translation>
     </message>
+    <message>
+        <source>%1 between the landmarks is %2 mm, outside the 95 % interval of the fitted one, %3 to %4 mm. The fitted one is used: check the landmarks in the images.</source>
+        <translation>%1 zwischen den Landmarken ist %2 mm, außerhalb des 95-%-Intervalls des angepassten, %3 bis %4 mm. Verwendet wird das angepasste: Die Landmarken in den Bildern prüfen.</translation>
+    </message>
 </context>
 <context>
     <name>Display</name>
@@ -6580,7 +6584,11 @@
         <translation>Zuerst einen Patientencode eingeben.</translation>
     </message>
     <message>
-        <source>Angular depth, coverage and forces of electrode arrays in this cochlea, before one is inserted</source>
+        <source>The landmarks moved: the cochlea is measured first.</source>
+        <translation>Die Landmarken wurden bewegt: Die Cochlea wird zuerst gemessen.</translation>
+    </message>
+    <message>
+        <source>Angular insertion depth, coverage and forces of electrode arrays in this cochlea, before one is inserted</source>
         <translation>Insertionswinkel, Abdeckung und Kräfte von Elektrodenträgern in dieser Cochlea, bevor einer eingeführt wird</translation>
     </message>
 </context>
@@ -6730,10 +6738,6 @@
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>fitted, 95 %</source>
-        <translation>angepasst, 95 %</translation>
-    </message>
-    <message>
         <source>landmarks</source>
         <translation>Landmarken</translation>
     </message>
@@ -6784,6 +6788,18 @@
     <message>
         <source>Markups for 3D Slicer (.mrk.json, LPS): landmarks, axis, and the inserted array with its contacts</source>
         <translation>Markups für 3D Slicer (.mrk.json, LPS): Landmarken, Achse und der eingeführte Träger mit seinen Kontakten</translation>
+    </message>
+    <message>
+        <source>Landmarks moved: measure again.</source>
+        <translation>Landmarken bewegt: neu messen.</translation>
+    </message>
+    <message>
+        <source>fitted before, 95 %</source>
+        <translation>zuvor angepasst, 95 %</translation>
+    </message>
+    <message>
+        <source>used: fitted, 95 %</source>
+        <translation>verwendet: angepasst, 95 %</translation>
     </message>
 </context>
 <context>

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string>
 
+#include "Refusal.h"
 #include "perilymph/ct/Measures.h"
 
 namespace perilymph::ct {
@@ -116,6 +117,28 @@ MarkedMeasures measuresBetween(const Marks& marks, const std::optional<Eigen::Ve
   if (floor && top)
     measures.h = axis ? std::fabs(axis->dot(*top - *floor)) : (*top - *floor).norm();
   return measures;
+}
+
+std::vector<Sentence> landmarkContradictions(const CochleaMeasures& measures)
+{
+  Marks marks = marksOf(measures);
+  for (std::size_t k = 0; k < markCount; ++k)
+    if (const auto& placed = measures.marksByHand.points_P[k]) marks.points_P[k] = placed;
+  const MarkedMeasures between = measuresBetween(marks, measures.axis_P);
+  const std::array marked{between.a, between.b, between.h};
+  const std::array measured{&measures.a, &measures.b, &measures.h};
+  std::vector<Sentence> sentences;
+  for (std::size_t k = 0; k < measureLines.size(); ++k) {
+    const MeasureLine& line = measureLines[k];
+    if (!measures.marksByHand[line.from] && !measures.marksByHand[line.to]) continue;
+    const auto [low, high] = measured[k]->interval95();
+    if (!marked[k] || (*marked[k] >= low && *marked[k] <= high)) continue;
+    sentences.push_back(Sentence{
+        "%1 between the landmarks is %2 mm, outside the 95 % interval of the fitted one, %3 "
+        "to %4 mm. The fitted one is used: check the landmarks in the images.",
+        line.name, millimetersOf(*marked[k]), millimetersOf(low), millimetersOf(high)});
+  }
+  return sentences;
 }
 
 }  // namespace perilymph::ct

@@ -16,13 +16,6 @@ constexpr double refusedMisfit = 0.42;
 
 std::string percent(double fraction) { return std::to_string(std::lround(100.0 * fraction)); }
 
-std::string millimetersOf(double value)
-{
-  const long hundredths = std::lround(100.0 * value);
-  const std::string decimals = std::to_string(100 + std::labs(hundredths) % 100).substr(1);
-  return std::to_string(hundredths / 100) + "." + decimals;
-}
-
 /// Metal near the fit, which explains it, or else the sentence given.
 Error refusal(const CtVolume& volume, const FitResult& fit, Sentence otherwise)
 {
@@ -35,6 +28,13 @@ Error refusal(const CtVolume& volume, const FitResult& fit, Sentence otherwise)
 }
 
 }  // namespace
+
+std::string millimetersOf(double value)
+{
+  const long hundredths = std::lround(100.0 * value);
+  const std::string decimals = std::to_string(100 + std::labs(hundredths) % 100).substr(1);
+  return std::to_string(hundredths / 100) + "." + decimals;
+}
 
 Result<Done> checkMisfit(const CtVolume& volume, const FitResult& fit)
 {

@@ -30,7 +30,7 @@ namespace {
 TEST_F(TheCtPage, GoesFromAFolderToAnInsertionInThatCochlea)
 {
   rig_.click("measureCtButton");
-  ASSERT_TRUE(WindowRig::comes([this] { return study().measures().has_value(); }));
+  ASSERT_TRUE(WindowRig::comes([this] { return study().measures() != nullptr; }));
   EXPECT_NEAR(study().measures()->a.value, onDisk().phantom.a, 0.4);
   EXPECT_EQ(rig_.label("ctSide"), onDisk().phantom.isRight ? "Right ear" : "Left ear");
   EXPECT_TRUE(rig_.label("fittedA").contains("±"));
@@ -303,7 +303,7 @@ TEST(AWalkThroughACt, OfASurgeonEndsWithTheArrayInTheScan)
   walk.step(1, rig.window());
 
   rig.click("measureHereButton");
-  ASSERT_TRUE(WindowRig::comes([&] { return page.study().measures().has_value(); }));
+  ASSERT_TRUE(WindowRig::comes([&] { return page.study().measures() != nullptr; }));
   walk.step(2, rig.window());
 
   auto* view = rig.window().findChild<gui::PlaneView*>("planeView0");

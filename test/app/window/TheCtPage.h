@@ -55,8 +55,8 @@ protected:
     study().moveCrosshair(onDisk().phantom.inside_P);
     if (measured) return study().setMeasures(*measured);
     rig_.click("measureHereButton");
-    ASSERT_TRUE(WindowRig::comes([this] { return study().measures().has_value(); }));
-    measured = study().measures();
+    ASSERT_TRUE(WindowRig::comes([this] { return study().measures() != nullptr; }));
+    measured = *study().measures();
   }
   void drag(gui::PlaneView& view, const QPointF& from, const QPointF& by)
   {

@@ -98,5 +98,28 @@ TEST(MeasureCochlea, GivesAScalaThatLiesInTheMeasuredWall)
   EXPECT_LT(sum / count, 0.35);
 }
 
+TEST(LandmarkContradictions, AreNamedForWhatAPersonPlacedOutsideTheInterval)
+{
+  CochleaMeasures measured = measures();
+  EXPECT_TRUE(landmarkContradictions(measured).empty());
+  const Marks proposed = marksOf(measured);
+  const Vector3d out = (*proposed[Mark::farWall] - *proposed[Mark::roundWindow]).normalized();
+  // what is between the proposed ends is not the fitted A to a micrometer
+  const double between = measuresBetween(proposed, measured.axis_P).a.value();
+  for (const double outside : {-0.6, -0.1, 0.1, 0.6})
+    for (const int edge : {0, 1}) {
+      const double aimed = measured.a.interval95()[std::size_t(edge)] + outside;
+      const bool isOutside =
+          aimed < measured.a.interval95()[0] || aimed > measured.a.interval95()[1];
+      measured.marksByHand = {};
+      measured.marksByHand[Mark::farWall] = *proposed[Mark::farWall] + (aimed - between) * out;
+      const auto sentences = landmarkContradictions(measured);
+      ASSERT_EQ(sentences.size(), isOutside ? 1U : 0U) << aimed;
+      for (const auto& each : sentences)
+        EXPECT_EQ(each.find("A between the landmarks is " + std::to_string(int(aimed)) + "."), 0U)
+            << each;
+    }
+}
+
 }  // namespace
 }  // namespace perilymph::ct

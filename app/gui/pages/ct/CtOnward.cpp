@@ -49,8 +49,9 @@ CtOnward::CtOnward(QWidget* parent)
   connect(saveSurface_, &QPushButton::clicked, this, &CtOnward::saveSurfaceAsked);
 }
 
-void CtOnward::show(bool isMeasured, bool isFree)
+void CtOnward::show(bool isMeasured, bool isFree, bool isStale)
 {
+  isStale_ = isStale;
   isMeasured_ = isMeasured;
   isFree_ = isFree;
   showState();
@@ -61,12 +62,15 @@ void CtOnward::showState()
   const bool hasCode = !code_->text().isEmpty();
   insert_->setEnabled(isMeasured_ && isFree_ && hasCode);
   plan_->setEnabled(isMeasured_ && isFree_ && hasCode);
-  const QString missing = hasCode ? QString() : tr("Type a patient code first.");
-  insert_->setToolTip(missing);
-  plan_->setToolTip(hasCode ? tr("Angular depth, coverage and forces of electrode arrays in this "
-                                 "cochlea, before one is inserted")
-                            : missing);
-  saveSurface_->setEnabled(isMeasured_);
+  const QString first = !hasCode   ? tr("Type a patient code first.")
+                        : isStale_ ? tr("The landmarks moved: the cochlea is measured first.")
+                                   : QString();
+  insert_->setToolTip(first);
+  plan_->setToolTip(first.isEmpty()
+                        ? tr("Angular insertion depth, coverage and forces of electrode arrays in "
+                             "this cochlea, before one is inserted")
+                        : first);
+  saveSurface_->setEnabled(isMeasured_ && isFree_);
 }
 
 }  // namespace perilymph::gui

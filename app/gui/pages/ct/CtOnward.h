@@ -16,8 +16,9 @@ class CtOnward : public QWidget {
 public:
   explicit CtOnward(QWidget* parent);
 
-  /// @param isFree  No task runs.
-  void show(bool isMeasured, bool isFree);
+  /// @param isFree   No task runs.
+  /// @param isStale  The landmarks moved, so that each way onward measures first.
+  void show(bool isMeasured, bool isFree, bool isStale);
 
 Q_SIGNALS:
   void insertAsked(const QString& code);
@@ -27,7 +28,7 @@ Q_SIGNALS:
 private:
   void showState();
 
-  bool isMeasured_ = false, isFree_ = false;
+  bool isMeasured_ = false, isFree_ = false, isStale_ = false;
   QLineEdit* code_;
   QPushButton *insert_, *plan_, *saveSurface_;
 };

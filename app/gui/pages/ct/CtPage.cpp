@@ -87,12 +87,15 @@ void CtPage::connectWork()
   });
   connect(&thumbnails_, &CtWork::thumbnailsRead, panel_, &CtPanel::showThumbnails);
   connect(&work_, &CtWork::measured, this, [this](const ct::CochleaMeasures& measures) {
-    study_.setMeasures(measures);
-    patient_.reset();
+    study_.setMeasures(measures, atRequest_);
+    const auto then = std::exchange(then_, {});
     panel_->showIdle({});
+    if (then && !study_.isStale() && ct::landmarkContradictions(measures).empty()) then();
   });
-  connect(&work_, &CtWork::failed, this,
-          [this](const QString& sentence) { panel_->showIdle(sentence, true); });
+  connect(&work_, &CtWork::failed, this, [this](const QString& sentence) {
+    then_ = {};
+    panel_->showIdle(sentence, true);
+  });
 }
 
 void CtPage::connectPanel()
@@ -108,11 +111,13 @@ void CtPage::connectPanel()
   });
   connect(panel_, &CtPanel::seriesChosen, this, [this](const std::string& uid) {
     if (study_.hasCt() && study_.series().uid == uid) return;
+    then_ = {};
     task_ = tr("Reading the CT…");
     panel_->showTask(task_, 0.0);
     work_.read(list_, uid);
   });
-  connect(panel_, &CtPanel::measureAsked, this, &CtPage::measure);
+  connect(panel_, &CtPanel::measureAsked, this,
+          [this](bool isAtCrosshair) { measure(isAtCrosshair); });
   connect(panel_, &CtPanel::cancelAsked, this, &CtPage::cancel);
   connect(panel_, &CtPanel::markAsked, this, [this](ct::Mark mark) {
     const auto& point = study_.marks()[mark];
@@ -120,28 +125,19 @@ void CtPage::connectPanel()
     for (PlaneView* view : views_) view->setPlaced(mark);
     panel_->showMark(mark);
   });
-  connect(panel_, &CtPanel::insertAsked, this, [this](const QString& code) {
-    if (!study_.measures()) return;
-    const auto setup = setupOfMeasures(*study_.measures(), code);
-    if (!setup) return panel_->showIdle(dataText(setup.error().message), true);
-    patient_ = imaging::measuredPatient(*study_.measures());
-    patient_->label = setup->scenario.patient().label;
-    Q_EMIT insertionRequested({*setup});
-  });
-  connect(panel_, &CtPanel::planAsked, this, [this](const QString& code) {
-    if (!study_.measures()) return;
-    const auto patient = patientOfMeasures(*study_.measures(), code);
-    if (!patient) return panel_->showIdle(dataText(patient.error().message), true);
-    patient_ = *patient;
-    Q_EMIT planAsked(*patient);
-  });
-  connect(panel_, &CtPanel::saveSurfaceAsked, this, &CtPage::saveSurface);
+  connect(panel_, &CtPanel::insertAsked, this,
+          [this](const QString& code) { withFreshMeasures([this, code] { insert(code); }); });
+  connect(panel_, &CtPanel::planAsked, this,
+          [this](const QString& code) { withFreshMeasures([this, code] { plan(code); }); });
+  connect(panel_, &CtPanel::saveSurfaceAsked, this,
+          [this] { withFreshMeasures([this] { saveSurface(); }); });
   connect(panel_, &CtPanel::saveMarksAsked, this, &CtPage::saveMarks);
   connect(panel_, &CtPanel::loadMarksAsked, this, &CtPage::loadMarks);
 }
 
 void CtPage::open(const std::filesystem::path& path)
 {
+  then_ = {};
   task_ = tr("Reading the CT…");
   panel_->showTask(task_, 0.0);
   work_.open(path);
@@ -188,15 +184,43 @@ std::optional<broadcast::PlacedCt> CtPage::placedCt(const session::Scenario& sce
   return broadcast::PlacedCt{study_.volume(), measures.anatomyAxes_PW, measures.anatomyOrigin_P};
 }
 
-void CtPage::measure(bool isAtCrosshair)
+void CtPage::withFreshMeasures(std::function<void()> then)
+{
+  if (!study_.measures()) return;
+  if (!study_.isStale()) return then();
+  measure(true, std::move(then));
+}
+
+void CtPage::insert(const QString& code)
+{
+  const auto setup = setupOfMeasures(*study_.measures(), code);
+  if (!setup) return panel_->showIdle(dataText(setup.error().message), true);
+  patient_ = imaging::measuredPatient(*study_.measures());
+  patient_->label = setup->scenario.patient().label;
+  Q_EMIT insertionRequested({*setup});
+}
+
+void CtPage::plan(const QString& code)
+{
+  const auto patient = patientOfMeasures(*study_.measures(), code);
+  if (!patient) return panel_->showIdle(dataText(patient.error().message), true);
+  patient_ = *patient;
+  Q_EMIT planAsked(*patient);
+}
+
+void CtPage::measure(bool isAtCrosshair, std::function<void()> then)
 {
   if (!study_.hasCt()) return;
+  atRequest_ = study_.marksByHand();
+  then_ = std::move(then);
   ct::MeasureRequest request;
   if (isAtCrosshair && study_.isCorrected()) {
     // proposed landmarks of a wrong fit lie elsewhere, so those placed by hand come first
     request.marks = study_.marksByHand();
     const bool isEnough = request.marks[ct::Mark::modiolus] || request.marks[ct::Mark::farWall];
     request.click_P = (isEnough ? request.marks : study_.marks()).inside_P();
+  } else if (isAtCrosshair && study_.isStale()) {
+    request.click_P = study_.marks().inside_P();  // landmarks were taken back, not moved
   } else if (isAtCrosshair) {
     request.click_P = study_.crosshair_P();
   }

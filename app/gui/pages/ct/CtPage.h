@@ -5,7 +5,9 @@
 
 #include <array>
 #include <filesystem>
+#include <functional>
 #include <optional>
+#include <utility>
 
 #include "gui/pages/Page.h"
 #include "gui/pages/ct/CtStudy.h"
@@ -42,6 +44,11 @@ public:
   std::optional<broadcast::PlacedCt> placedCt(const session::Scenario& scenario) const;
 
   CtStudy& study() { return study_; }
+  /// Replaces the measurement, by default ct::measureCochlea().
+  void setMeasurement(CtWork::Measurement measurement)
+  {
+    work_.setMeasurement(std::move(measurement));
+  }
 
 Q_SIGNALS:
   /// A plan for the measured cochlea was asked for. The patient is saved.
@@ -51,7 +58,12 @@ private:
   bool isInMeasuredCochlea(const session::Scenario& scenario) const;
   void connectWork();
   void connectPanel();
-  void measure(bool isAtCrosshair);
+  /// @param then  Called if the new fit belongs to the landmarks and does not contradict them.
+  void measure(bool isAtCrosshair, std::function<void()> then = {});
+  /// Calls `then` with a fit of the landmarks as they are now: measures first if they moved.
+  void withFreshMeasures(std::function<void()> then);
+  void insert(const QString& code);
+  void plan(const QString& code);
   /// Shows one view alone, or all again.
   void maximize(QWidget* chosen);
   void saveSurface();
@@ -64,6 +76,8 @@ private:
   CtWork work_;
   CtWork thumbnails_;
   imaging::CtSeriesList list_;
+  ct::Marks atRequest_;                      ///< Landmarks by hand when the measurement began.
+  std::function<void()> then_;               ///< What was asked for and waits for the measurement.
   std::optional<anatomy::Patient> patient_;  ///< Whose cochlea was offered for insertion or a plan.
   QString task_;
   CtPanel* panel_;

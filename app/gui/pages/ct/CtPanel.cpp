@@ -189,7 +189,9 @@ void CtPanel::addMeasurement(QVBoxLayout& column)
   column.addWidget(side_);
   auto* table = new QGridLayout;
   table->setVerticalSpacing(4);
-  table->addWidget(panelHeading(tr("fitted, 95 %"), this), 0, 1);
+  fittedHeading_ = panelHeading({}, this);
+  fittedHeading_->setObjectName(QStringLiteral("fittedHeading"));
+  table->addWidget(fittedHeading_, 0, 1);
   table->addWidget(panelHeading(tr("landmarks"), this), 0, 2);
   const std::array names{QStringLiteral("A"), QStringLiteral("B"), QStringLiteral("H"), tr("CDL")};
   constexpr std::array keys{"A", "B", "H", "Cdl"};
@@ -206,6 +208,10 @@ void CtPanel::addMeasurement(QVBoxLayout& column)
   table->setColumnStretch(1, 3);
   table->setColumnStretch(2, 2);
   column.addLayout(table);
+  stale_ = panelText(tr("Landmarks moved: measure again."), 12, this);
+  stale_->setObjectName(QStringLiteral("ctStale"));
+  stale_->setProperty("error", true);
+  column.addWidget(stale_);
   duct_ = panelText({}, 11, this);
   duct_->setProperty("quiet", true);
   column.addWidget(duct_);
@@ -314,7 +320,7 @@ void CtPanel::showIdle(const QString& sentence, bool isError)
 void CtPanel::refresh()
 {
   const bool isFree = study_.hasCt() && !isBusy_;
-  const bool isMeasured = study_.measures().has_value();
+  const bool isMeasured = study_.measures() != nullptr;
   search_->setVisible(!isBusy_);
   measureHere_->setVisible(!isBusy_);
   progress_->setVisible(isBusy_);
@@ -329,7 +335,7 @@ void CtPanel::refresh()
   for (QPushButton* button : marks_) button->setEnabled(study_.hasCt());
   undo_->setEnabled(study_.canUndo());
   redo_->setEnabled(study_.canRedo());
-  onward_->show(isMeasured, !isBusy_);
+  onward_->show(isMeasured, !isBusy_, study_.isStale());
   saveMarks_->setEnabled(!study_.marks().isEmpty());
   loadMarks_->setEnabled(study_.hasCt());
   window_->setEnabled(study_.hasCt());
@@ -340,6 +346,7 @@ void CtPanel::refresh()
 void CtPanel::showMeasures()
 {
   const auto& measures = study_.measures();
+  const bool isStale = study_.isStale();
   const std::array<const ct::Measure*, 4> fitted =
       measures ? std::array{&measures->a, &measures->b, &measures->h,
                             measures->cdlOc ? &*measures->cdlOc : nullptr}
@@ -349,16 +356,23 @@ void CtPanel::showMeasures()
   for (std::size_t k = 0; k < fitted.size(); ++k) {
     fitted_[k]->setText(fitted[k] ? measureText(*fitted[k]) : QStringLiteral("–"));
     fitted_[k]->setToolTip(fitted[k] ? errorText(*fitted[k]) : QString());
+    fitted_[k]->setEnabled(!isStale);
     marked_[k]->setText(lengthText(marked[k]));
   }
-  side_->setVisible(measures.has_value());
+  fittedHeading_->setText(isStale ? tr("fitted before, 95 %") : tr("used: fitted, 95 %"));
+  stale_->setVisible(isStale);
+  side_->setVisible(measures != nullptr);
   duct_->setVisible(measures && measures->cdlOc);
-  flags_->setVisible(measures && !measures->flags.empty());
+  duct_->setEnabled(!isStale);
+  flags_->setVisible(false);
   if (!measures) return;
   side_->setText(measures->side == anatomy::Side::left ? tr("Left ear") : tr("Right ear"));
   duct_->setText(ductLengthText(*measures));
   QStringList flags;
   for (const ct::Flag flag : measures->flags) flags << dataText(ct::sentenceOf(flag));
+  if (!isStale)
+    for (const Sentence& each : ct::landmarkContradictions(*measures)) flags << dataText(each);
+  flags_->setVisible(!flags.isEmpty());
   flags_->setText(flags.join(QLatin1Char('\n')));
 }
 

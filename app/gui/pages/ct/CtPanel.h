@@ -70,7 +70,7 @@ private:
   QPushButton *search_, *measureHere_, *cancel_;
   QProgressBar* progress_;
   QLabel* status_;
-  QLabel *side_, *flags_, *duct_;
+  QLabel *side_, *fittedHeading_, *stale_, *flags_, *duct_;
   std::array<QLabel*, 4> fitted_{}, marked_{};
   std::array<QPushButton*, ct::markCount> marks_{};
   MarkGuide* guide_;

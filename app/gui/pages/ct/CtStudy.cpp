@@ -21,10 +21,9 @@ void CtStudy::setCt(imaging::LoadedCt ct)
   volume_ = std::make_shared<const ct::CtVolume>(std::move(ct.volume));
   sampler_ = std::make_unique<imaging::PlaneSampler>(volume_);
   series_ = std::move(ct.series);
-  measures_.reset();
+  now_ = {};
+  isChangeOpen_ = false;
   frame_ = PlaneFrame::patient;
-  marks_ = {};
-  isByHand_ = {};
   array_ = {};
   undoStack_.clear();
   redoStack_.clear();
@@ -37,21 +36,29 @@ void CtStudy::setCt(imaging::LoadedCt ct)
   showWhole();
 }
 
-void CtStudy::setMeasures(ct::CochleaMeasures measures)
+void CtStudy::setMeasures(ct::CochleaMeasures measures, const ct::Marks& atRequest)
 {
-  beginChange();
-  measures_ = std::move(measures);
-  marks_ = ct::marksOf(*measures_);
+  const ct::Marks byHand = marksByHand();
+  keepForUndo();
+  isChangeOpen_ = false;
+  now_.marks = ct::marksOf(measures);
   for (std::size_t k = 0; k < ct::markCount; ++k) {
-    const auto& placed = measures_->marksByHand.points_P[k];
-    isByHand_[k] = placed.has_value();
-    if (placed) marks_.points_P[k] = placed;
+    const bool isChangedSince = byHand.points_P[k] != atRequest.points_P[k];
+    const auto& placed = (isChangedSince ? byHand : measures.marksByHand).points_P[k];
+    now_.isByHand[k] = placed.has_value();
+    if (placed) now_.marks.points_P[k] = placed;
   }
+  now_.measures = std::make_shared<const ct::CochleaMeasures>(std::move(measures));
   array_ = {};
   frame_ = PlaneFrame::cochlea;
-  crosshair_P_ = ct::basalTurnCenter_P(*measures_);
+  crosshair_P_ = ct::basalTurnCenter_P(*now_.measures);
   Q_EMIT modelChanged();
   showWhole();
+}
+
+bool CtStudy::isStale() const
+{
+  return now_.measures && marksByHand() != now_.measures->marksByHand;
 }
 
 void CtStudy::announceModel()
@@ -62,16 +69,16 @@ void CtStudy::announceModel()
 
 void CtStudy::setFrame(PlaneFrame frame)
 {
-  if (frame == PlaneFrame::cochlea && !measures_) return;
+  if (frame == PlaneFrame::cochlea && !now_.measures) return;
   frame_ = frame;
-  if (frame == PlaneFrame::cochlea) crosshair_P_ = ct::basalTurnCenter_P(*measures_);
+  if (frame == PlaneFrame::cochlea) crosshair_P_ = ct::basalTurnCenter_P(*now_.measures);
   showWhole();
 }
 
 std::array<ct::ViewPlane, 3> CtStudy::planes() const
 {
-  auto planes = frame_ == PlaneFrame::cochlea && measures_
-                    ? ct::cochlearPlanes(*measures_, center_P_)
+  auto planes = frame_ == PlaneFrame::cochlea && now_.measures
+                    ? ct::cochlearPlanes(*now_.measures, center_P_)
                     : ct::patientPlanes(center_P_);
   for (ct::ViewPlane& plane : planes) plane.center_P += plane.behind(crosshair_P_) * plane.away_P();
   return planes;
@@ -135,21 +142,22 @@ void CtStudy::setArray(InsertedArray array)
 
 ct::MarkedMeasures CtStudy::marked() const
 {
-  return ct::measuresBetween(
-      marks_, measures_ ? std::optional<Eigen::Vector3d>(measures_->axis_P) : std::nullopt);
+  return ct::measuresBetween(now_.marks, now_.measures
+                                             ? std::optional<Eigen::Vector3d>(now_.measures->axis_P)
+                                             : std::nullopt);
 }
 
 ct::Marks CtStudy::marksByHand() const
 {
   ct::Marks placed;
   for (std::size_t k = 0; k < ct::markCount; ++k)
-    if (isByHand_[k]) placed.points_P[k] = marks_.points_P[k];
+    if (now_.isByHand[k]) placed.points_P[k] = now_.marks.points_P[k];
   return placed;
 }
 
-void CtStudy::beginChange()
+void CtStudy::keepForUndo()
 {
-  undoStack_.push_back({marks_, isByHand_});
+  undoStack_.push_back(now_);
   if (undoStack_.size() > maxUndo) undoStack_.erase(undoStack_.begin());
   redoStack_.clear();
 }
@@ -157,26 +165,34 @@ void CtStudy::beginChange()
 void CtStudy::placeMark(ct::Mark mark, const Eigen::Vector3d& point_P)
 {
   if (!hasCt() || !volume_->contains(point_P)) return;
-  marks_[mark] = point_P;
-  isByHand_[static_cast<std::size_t>(mark)] = true;
+  if (!isChangeOpen_) keepForUndo();
+  isChangeOpen_ = true;
+  now_.marks[mark] = point_P;
+  now_.isByHand[static_cast<std::size_t>(mark)] = true;
   announceModel();
 }
 
 void CtStudy::setMarks(const ct::Marks& marks)
 {
-  beginChange();
-  marks_ = marks;
-  for (std::size_t k = 0; k < ct::markCount; ++k) isByHand_[k] = marks.points_P[k].has_value();
+  keepForUndo();
+  isChangeOpen_ = false;
+  now_.marks = marks;
+  for (std::size_t k = 0; k < ct::markCount; ++k) now_.isByHand[k] = marks.points_P[k].has_value();
   announceModel();
 }
 
 void CtStudy::restore(std::vector<Placement>& from, std::vector<Placement>& to)
 {
   if (from.empty()) return;
-  to.push_back({marks_, isByHand_});
-  marks_ = from.back().marks;
-  isByHand_ = from.back().isByHand;
+  if (from.back().measures != now_.measures) array_ = {};  // it lies in the other cochlea
+  to.push_back(std::exchange(now_, std::move(from.back())));
   from.pop_back();
+  isChangeOpen_ = false;
+  if (!now_.measures && frame_ == PlaneFrame::cochlea) {
+    frame_ = PlaneFrame::patient;
+    Q_EMIT modelChanged();
+    return showWhole();
+  }
   announceModel();
 }
 

@@ -6,7 +6,7 @@
 #include <QObject>
 #include <array>
 #include <memory>
-#include <optional>
+#include <utility>
 #include <vector>
 
 #include "perilymph/ct/Marks.h"
@@ -38,8 +38,17 @@ public:
 
   /// Shows measures: the planes become those of the cochlea, landmarks are proposed except for those
   /// that steered the fit, which stay where they were placed. One step for undo.
-  void setMeasures(ct::CochleaMeasures measures);
-  const std::optional<ct::CochleaMeasures>& measures() const { return measures_; }
+  ///
+  /// @param atRequest  marksByHand() when the measurement began: what the user changed since stays.
+  void setMeasures(ct::CochleaMeasures measures, const ct::Marks& atRequest);
+  void setMeasures(ct::CochleaMeasures measures)
+  {
+    setMeasures(std::move(measures), marksByHand());
+  }
+  /// The fit; null without one. It belongs to the landmarks unless isStale().
+  const std::shared_ptr<const ct::CochleaMeasures>& measures() const { return now_.measures; }
+  /// Whether landmarks by hand are others than those that steered the fit.
+  bool isStale() const;
 
   PlaneFrame frame() const { return frame_; }
   /// Turns the planes; those of the cochlea need measures.
@@ -83,19 +92,20 @@ public:
   void setArray(InsertedArray array);
   const InsertedArray& array() const { return array_; }
 
-  const ct::Marks& marks() const { return marks_; }
+  const ct::Marks& marks() const { return now_.marks; }
   /// Measures between the landmarks [mm].
   ct::MarkedMeasures marked() const;
   /// The landmarks that the user placed or moved; the others are proposed.
   ct::Marks marksByHand() const;
   bool isCorrected() const { return !marksByHand().isEmpty(); }
-  /// Begins a change of landmarks that undo() takes back as one.
-  void beginChange();
+  /// Begins a change of landmarks that undo() takes back as one; without a placement it is none.
+  void beginChange() { isChangeOpen_ = false; }
   void placeMark(ct::Mark mark, const Eigen::Vector3d& point_P);
   /// Shows landmarks placed by a person, as from a file.
   void setMarks(const ct::Marks& marks);
   bool canUndo() const { return !undoStack_.empty(); }
   bool canRedo() const { return !redoStack_.empty(); }
+  /// Brings back the landmarks before a change, and the fit that was shown with them.
   void undo();
   void redo();
 
@@ -106,19 +116,20 @@ Q_SIGNALS:
   void modelChanged();
 
 private:
-  /// What undo() brings back.
+  /// Landmarks, who placed them, and the fit: what undo() brings back.
   struct Placement {
     ct::Marks marks;
-    std::array<bool, ct::markCount> isByHand;
+    std::array<bool, ct::markCount> isByHand{};
+    std::shared_ptr<const ct::CochleaMeasures> measures;
   };
 
   void announceModel();
+  void keepForUndo();
   void restore(std::vector<Placement>& from, std::vector<Placement>& to);
 
   std::shared_ptr<const ct::CtVolume> volume_;
   std::unique_ptr<imaging::PlaneSampler> sampler_;
   imaging::CtSeries series_;
-  std::optional<ct::CochleaMeasures> measures_;
   PlaneFrame frame_ = PlaneFrame::patient;
   Eigen::Vector3d crosshair_P_ = Eigen::Vector3d::Zero(), center_P_ = Eigen::Vector3d::Zero();
   bool isCrosshairPlaced_ = false;
@@ -127,9 +138,9 @@ private:
   double thickness_mm_ = 0.0;
   imaging::Projection projection_ = imaging::Projection::mean;
   InsertedArray array_;
-  ct::Marks marks_;
-  std::array<bool, ct::markCount> isByHand_{};
+  Placement now_;
   std::vector<Placement> undoStack_, redoStack_;
+  bool isChangeOpen_ = false;  ///< Whether further placements belong to the same step.
 };
 
 }  // namespace perilymph::gui

@@ -97,11 +97,11 @@ void CtWork::measure(std::shared_ptr<const ct::CtVolume> volume, ct::MeasureRequ
   const Progress progress = begin();
   background_.run(
       "The measurement",
-      [volume = std::move(volume), request = std::move(request),
-       progress](const std::stop_token& stop) mutable {
+      [volume = std::move(volume), request = std::move(request), progress,
+       measurement = measurement_](const std::stop_token& stop) mutable {
         request.onProgress = [progress](double done) { progress->store(done); };
         request.stop = stop;
-        return ct::measureCochlea(*volume, request);
+        return measurement(*volume, request);
       },
       [this](const Result<ct::CochleaMeasures>& measures) {
         end();

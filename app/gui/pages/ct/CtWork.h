@@ -8,8 +8,10 @@
 #include <QTimer>
 #include <atomic>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "gui/run/Background.h"
@@ -22,7 +24,11 @@ namespace perilymph::gui {
 class CtWork : public QObject {
   Q_OBJECT
 public:
+  using Measurement =
+      std::function<Result<ct::CochleaMeasures>(const ct::CtVolume&, const ct::MeasureRequest&)>;
+
   explicit CtWork(QObject* parent);
+  void setMeasurement(Measurement measurement) { measurement_ = std::move(measurement); }
 
   /// Lists the series of a folder or file, then reads the one that suits a cochlea best.
   void open(const std::filesystem::path& path);
@@ -54,6 +60,7 @@ private:
   void end();
   void fail(const Sentence& sentence);
 
+  Measurement measurement_ = ct::measureCochlea;
   Progress progress_;
   bool isCanceled_ = false;
   QTimer timer_;

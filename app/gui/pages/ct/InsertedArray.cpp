@@ -45,7 +45,7 @@ CtStudy::InsertedArray insertedArray(const ct::CochleaMeasures& measures,
 imaging::PlanMarkups planOf(const CtStudy& study)
 {
   imaging::PlanMarkups plan{.seriesKey = study.series().key, .marks = study.marks()};
-  if (const auto& measures = study.measures())
+  if (const auto& measures = study.measures(); measures && !study.isStale())
     plan.axis = {measures->center_P, measures->center_P + measures->h.value * measures->axis_P};
   const CtStudy::InsertedArray& array = study.array();
   if (array.nodes.empty()) return plan;

@@ -34,6 +34,8 @@ Result<anatomy::Patient> patientOfMeasures(const ct::CochleaMeasures& measures, 
     facts.landmarks.push_back(
         {ct::nameOf(ct::Mark::roundWindow), {window_P.x(), window_P.y(), window_P.z()}, false});
   for (const ct::Flag flag : measures.flags) facts.warnings.emplace_back(ct::sentenceOf(flag));
+  for (Sentence& sentence : ct::landmarkContradictions(measures))
+    facts.warnings.push_back(std::move(sentence));
   if (const auto saved = session::savePatientVersion(*measured, file, facts,
                                                      !findSavedPatient(named.label, named.side));
       !saved)

@@ -8,6 +8,9 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
+
+#include "perilymph/foundation/Sentence.h"
 
 namespace perilymph::ct {
 
@@ -65,5 +68,9 @@ struct MarkedMeasures {
 /// @param axis_P  The modiolar axis, unit. Without it the line from modiolus to apex is used, and
 ///                straight distances without that.
 MarkedMeasures measuresBetween(const Marks& marks, const std::optional<Eigen::Vector3d>& axis_P);
+
+/// A sentence for each of A, B and H that lies, between landmarks of which a person placed one or
+/// both, outside the 95 % interval of the fitted one.
+std::vector<Sentence> landmarkContradictions(const CochleaMeasures& measures);
 
 }  // namespace perilymph::ct

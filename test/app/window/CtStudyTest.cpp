@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+// A fit, its landmarks and its undo are one value: what goes onward from the page CT is the fit of the
+// landmarks that are shown, whatever was dragged, undone, measured or canceled before.
+
+#include <gmock/gmock.h>
+
+#include <QLabel>
+#include <QTest>
+#include <cmath>
+#include <condition_variable>
+#include <mutex>
+#include <random>
+
+#include "TheCtPage.h"
+#include "perilymph/foundation/Resources.h"
+#include "perilymph/session/PatientRecord.h"
+
+namespace perilymph::test {
+namespace {
+
+/// A length that no two sets of landmarks share: what the measurement in these tests gives for A.
+double aOf_mm(const ct::Marks& byHand)
+{
+  double sum = 0.0;
+  for (std::size_t k = 0; k < ct::markCount; ++k)
+    if (const auto& point = byHand.points_P[k])
+      sum += double(k + 1) * (0.37 * point->x() + 0.53 * point->y() + 0.71 * point->z() + 1.0);
+  return 9.0 + 0.4 * std::sin(sum);
+}
+
+/// A page CT whose measurement takes no time and gives A of the landmarks.
+class KnownFits {
+public:
+  /// @param page  Shows measures.
+  KnownFits(WindowRig& rig, gui::CtPage& page)
+      : rig_(rig), page_(page), fitted_(*page.study().measures())
+  {
+    page_.setMeasurement([this](const ct::CtVolume&,
+                                const ct::MeasureRequest& request) -> Result<ct::CochleaMeasures> {
+      std::unique_lock lock(mutex_);
+      released_.wait(lock, request.stop, [this] { return !isHeld_; });
+      if (request.stop.stop_requested()) return Error{"Canceled."};
+      ct::CochleaMeasures measures = fitted_;
+      measures.marksByHand = request.marks;
+      measures.a.value = aOf_mm(request.marks);
+      return measures;
+    });
+    // also without landmarks A follows from them
+    page_.study().moveCrosshair(onDisk().phantom.inside_P);
+    remeasure();
+    rig_.type("ctPatientCode", "CT-7");
+  }
+  ~KnownFits() { page_.cancel(); }
+  KnownFits(const KnownFits&) = delete;
+  KnownFits& operator=(const KnownFits&) = delete;
+
+  void move(ct::Mark mark, const Eigen::Vector3d& by_mm)
+  {
+    page_.study().beginChange();
+    page_.study().placeMark(mark, *page_.study().marks()[mark] + by_mm);
+  }
+  void remeasure()
+  {
+    rig_.click("measureHereButton");
+    ASSERT_TRUE(WindowRig::comes([this] { return !page_.isBusy(); }));
+  }
+  bool isShown(const char* label) { return page_.findChild<QLabel*>(label)->isVisible(); }
+  /// Goes onward to a plan, and again if the page stays to show a contradiction; then returns.
+  void plan()
+  {
+    for (int k = 0; k < 2 && rig_.window().page() == "ct"; ++k) {
+      rig_.click("planCtButton");
+      ASSERT_TRUE(WindowRig::comes([this] { return !page_.isBusy(); }));
+    }
+    ASSERT_EQ(rig_.window().page(), "plan");
+    rig_.click("ctPageButton");
+  }
+  /// The file of the patient says what is shown, and which landmarks steered it.
+  void expectSavedIsShown()
+  {
+    ASSERT_FALSE(page_.study().isStale());
+    const std::filesystem::path file =
+        patientFolder() /
+        (fitted_.side == anatomy::Side::left ? "CT-7-left.toml" : "CT-7-right.toml");
+    const auto saved = anatomy::loadPatient(file);
+    ASSERT_TRUE(saved) << saved.error().message;
+    const ct::Marks byHand = page_.study().marksByHand();
+    EXPECT_NEAR(inMillimeters(saved->basalTurn->a), aOf_mm(byHand), 6e-4);
+    std::string names;
+    for (std::size_t k = 0; k < ct::markCount; ++k)
+      if (byHand.points_P[k])
+        names += (names.empty() ? "" : ", ") + std::string(nameOf(static_cast<ct::Mark>(k)));
+    EXPECT_EQ(saved->origin.landmarksByHand, names);
+    const auto record = session::loadPatientRecord(file);
+    ASSERT_TRUE(record) << record.error().message;
+    ct::Marks recorded;
+    for (const auto& landmark : record->versions.back().landmarks)
+      if (landmark.isByHand)
+        recorded[*ct::markNamed(landmark.name)] = Eigen::Vector3d(landmark.lps_mm.data());
+    EXPECT_TRUE(recorded == byHand);
+  }
+  /// A fit that is not marked as stale is that of the landmarks that are shown.
+  void expectShownIsOne()
+  {
+    ASSERT_TRUE(page_.study().measures());
+    EXPECT_EQ(page_.study().isStale(), std::fabs(page_.study().measures()->a.value -
+                                                 aOf_mm(page_.study().marksByHand())) > 1e-12);
+    EXPECT_EQ(isShown("ctStale"), page_.study().isStale());
+    EXPECT_EQ(page_.findChild<QLabel*>("fittedA")->isEnabled(), !page_.study().isStale());
+  }
+
+  void hold(bool isHeld)
+  {
+    const std::scoped_lock lock(mutex_);
+    isHeld_ = isHeld;
+    released_.notify_all();
+  }
+
+private:
+  WindowRig& rig_;
+  gui::CtPage& page_;
+  ct::CochleaMeasures fitted_;
+  std::mutex mutex_;
+  std::condition_variable_any released_;
+  bool isHeld_ = false;
+};
+
+TEST_F(TheCtPage, MeasuresLandmarksThatMovedBeforeAPlan)
+{
+  measure();
+  KnownFits fits(rig_, page());
+  EXPECT_EQ(rig_.label("fittedHeading"), "used: fitted, 95 %");
+  EXPECT_FALSE(fits.isShown("ctStale"));
+  fits.move(ct::Mark::roundWindow, {0.05, 0.0, 0.0});
+  EXPECT_TRUE(fits.isShown("ctStale"));
+  EXPECT_EQ(rig_.label("ctStale"), "Landmarks moved: measure again.");
+  EXPECT_EQ(rig_.label("fittedHeading"), "fitted before, 95 %");
+  EXPECT_FALSE(page().findChild<QLabel*>("fittedA")->isEnabled());
+  fits.plan();
+  fits.expectSavedIsShown();
+}
+
+TEST_F(TheCtPage, MeasuresLandmarksThatMovedBeforeAnInsertion)
+{
+  measure();
+  KnownFits fits(rig_, page());
+  fits.move(ct::Mark::roundWindow, {0.05, 0.0, 0.0});
+  for (int k = 0; k < 2 && rig_.window().page() == "ct"; ++k) {
+    rig_.click("insertCtButton");
+    ASSERT_TRUE(WindowRig::comes([this] { return !page().isBusy(); }));
+  }
+  EXPECT_EQ(rig_.window().page(), "insert");
+  fits.expectSavedIsShown();
+}
+
+TEST_F(TheCtPage, BringsTheFitBackByUndoWithItsLandmarks)
+{
+  measure();
+  KnownFits fits(rig_, page());
+  const double before = study().measures()->a.value;
+  fits.move(ct::Mark::roundWindow, {0.3, 0.1, 0.0});
+  fits.remeasure();
+  const double after = study().measures()->a.value;
+  ASSERT_NE(before, after);
+  rig_.click("undoMarkButton");  // of the measurement
+  EXPECT_EQ(study().measures()->a.value, before);
+  EXPECT_TRUE(study().isStale());
+  rig_.click("undoMarkButton");  // of the landmark
+  EXPECT_FALSE(study().isStale());
+  EXPECT_FALSE(study().isCorrected());
+  fits.plan();
+  fits.expectSavedIsShown();
+  rig_.click("redoMarkButton");
+  rig_.click("redoMarkButton");
+  EXPECT_EQ(study().measures()->a.value, after);
+  EXPECT_FALSE(study().isStale());
+}
+
+TEST_F(TheCtPage, StaysWhereLandmarksContradictTheFit)
+{
+  measure();
+  KnownFits fits(rig_, page());
+  // far beyond an interval of some tenths
+  const Eigen::Vector3d out =
+      2.5 * (*study().marks()[ct::Mark::farWall] - study().measures()->center_P).normalized();
+  fits.move(ct::Mark::farWall, out);
+  rig_.click("planCtButton");
+  ASSERT_TRUE(WindowRig::comes([this] { return !page().isBusy(); }));
+  EXPECT_EQ(rig_.window().page(), "ct");
+  EXPECT_THAT(rig_.label("ctFlags").toStdString(),
+              testing::HasSubstr("A between the landmarks is"));
+  rig_.click("planCtButton");  // read and accepted
+  EXPECT_EQ(rig_.window().page(), "plan");
+  fits.expectSavedIsShown();
+}
+
+TEST_F(TheCtPage, KeepsLandmarksThatMoveWhileItMeasures)
+{
+  measure();
+  KnownFits fits(rig_, page());
+  fits.move(ct::Mark::roundWindow, {0.05, 0.0, 0.0});
+  fits.hold(true);
+  rig_.click("planCtButton");
+  fits.move(ct::Mark::apex, {0.0, 0.05, 0.0});
+  const auto apex = study().marks()[ct::Mark::apex];
+  fits.hold(false);
+  ASSERT_TRUE(WindowRig::comes([this] { return !page().isBusy(); }));
+  EXPECT_EQ(study().marks()[ct::Mark::apex], apex);
+  EXPECT_EQ(rig_.window().page(), "ct");  // not of these landmarks
+  fits.expectShownIsOne();
+  EXPECT_TRUE(study().isStale());
+}
+
+TEST_F(TheCtPage, SavesTheFitOfTheLandmarksAfterAnySequence)
+{
+  measure();
+  KnownFits fits(rig_, page());
+  std::mt19937 random(20261127);
+  const auto upTo = [&random](int end) { return int(random() % unsigned(end)); };
+  for (int step = 0; step < 60; ++step) {
+    const int what = upTo(9);
+    SCOPED_TRACE(testing::Message() << "step " << step << " is " << what);
+    if (what < 3) {
+      fits.move(static_cast<ct::Mark>(upTo(ct::markCount)),
+                0.01 * Eigen::Vector3d(upTo(21) - 10, upTo(21) - 10, upTo(21) - 10));
+    } else if (what == 3) {
+      study().undo();
+    } else if (what == 4) {
+      study().redo();
+    } else if (what == 5) {
+      if (rig_.button("measureHereButton").isEnabled()) fits.remeasure();
+    } else if (what == 6) {  // canceled, or overtaken by a change
+      fits.hold(true);
+      if (rig_.button("measureHereButton").isEnabled()) rig_.click("measureHereButton");
+      if (upTo(2) == 0) study().undo();
+      if (upTo(2) == 0) fits.move(ct::Mark::apex, {0.01, 0.0, 0.01});
+      if (upTo(2) == 0) page().cancel();
+      fits.hold(false);
+      ASSERT_TRUE(WindowRig::comes([this] { return !page().isBusy(); }));
+    } else if (what == 7) {
+      study().beginChange();  // pressed, not dragged
+    } else if (study().measures()) {
+      fits.plan();
+      fits.expectSavedIsShown();
+    }
+    if (HasFatalFailure()) return;
+    if (study().measures())
+      fits.expectShownIsOne();
+    else
+      study().redo();
+  }
+}
+
+}  // namespace
+}  // namespace perilymph::test

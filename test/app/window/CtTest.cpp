@@ -29,7 +29,7 @@ namespace {
 
 TEST_F(TheCtPage, GoesFromAFolderToAnInsertionInThatCochlea)
 {
-  rig_.click("measureCtButton");
+  page().open(onDisk().folder / "ct");
   ASSERT_TRUE(WindowRig::comes([this] { return study().measures() != nullptr; }));
   EXPECT_NEAR(study().measures()->a.value, onDisk().phantom.a, 0.4);
   EXPECT_EQ(rig_.label("ctSide"), onDisk().phantom.isRight ? "Right ear" : "Left ear");
@@ -258,6 +258,27 @@ TEST_F(TheCtPage, LetsEveryCorrectedLandmarkSteerTheFitAndKeepsItInItsPlace)
   EXPECT_FALSE(study().isCorrected());
 }
 
+TEST_F(TheCtPage, MeasuresACtThatIsOpenedAndSaysHowLongItTakes)
+{
+  measure();
+  const ct::CochleaMeasures measures = *study().measures();
+  std::promise<void> hasMeasured;
+  page().setMeasurement([&, waited = hasMeasured.get_future().share()](
+                            const ct::CtVolume&, const ct::MeasureRequest& request) {
+    EXPECT_FALSE(request.click_P);
+    request.onProgress(0.5);
+    waited.wait();
+    return Result<ct::CochleaMeasures>(measures);
+  });
+  page().open(onDisk().folder / "ct");
+  ASSERT_TRUE(WindowRig::comes([&] { return rig_.label("ctStatus").startsWith("Looking"); }));
+  EXPECT_FALSE(study().measures());
+  EXPECT_TRUE(WindowRig::comes([&] { return rig_.label("ctStatus").endsWith(" s left"); }));
+  hasMeasured.set_value();
+  EXPECT_TRUE(WindowRig::comes([&] { return study().measures() != nullptr; }));
+  EXPECT_EQ(rig_.label("ctStatus"), "");
+}
+
 TEST_F(TheCtPage, CancelsAMeasurement)
 {
   rig_.click("measureCtButton");
@@ -299,6 +320,7 @@ TEST(AWalkThroughACt, OfASurgeonEndsWithTheArrayInTheScan)
   gui::CtPage& page = *rig.window().pages().find<gui::CtPage>();
   page.open(onDisk().folder / "ct");
   ASSERT_TRUE(WindowRig::comes([&] { return page.study().hasCt(); }));
+  page.cancel();
   page.study().moveCrosshair(onDisk().phantom.inside_P);
   walk.step(1, rig.window());
 

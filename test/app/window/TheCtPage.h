@@ -39,6 +39,10 @@ protected:
     rig_.click("ctPageButton");
     page().open(onDisk().folder / "ct");
     EXPECT_TRUE(WindowRig::comes([this] { return study().hasCt(); }));
+    // it is measured at once, which takes seconds; cases measure where they need it
+    EXPECT_TRUE(page().isBusy());
+    page().cancel();
+    EXPECT_FALSE(page().isBusy());
   }
 
   gui::CtPage& page() { return *rig_.window().pages().find<gui::CtPage>(); }

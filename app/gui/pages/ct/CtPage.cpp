@@ -71,8 +71,7 @@ CtPage::CtPage(const InsertionControl& control, QWidget* parent)
 
 void CtPage::connectWork()
 {
-  connect(&work_, &CtWork::progressed, this,
-          [this](double fraction) { panel_->showTask(task_, fraction); });
+  connect(&work_, &CtWork::progressed, this, [this](double fraction) { showProgress(fraction); });
   connect(&work_, &CtWork::listed, this, [this](const imaging::CtSeriesList& list) {
     list_ = list;
     panel_->showSeries(list);
@@ -81,15 +80,17 @@ void CtPage::connectWork()
   connect(&work_, &CtWork::ctRead, this, [this](const std::shared_ptr<imaging::LoadedCt>& loaded) {
     QStringList notes;
     for (const Sentence& warning : loaded->series.warnings) notes << dataText(warning);
+    notes_ = notes.join(QLatin1Char('\n'));
     study_.setCt(std::move(*loaded));
-    panel_->showIdle(notes.join(QLatin1Char('\n')));
+    panel_->showIdle(notes_);
     views_[0]->setFocus();
+    measure(false);
   });
   connect(&thumbnails_, &CtWork::thumbnailsRead, panel_, &CtPanel::showThumbnails);
   connect(&work_, &CtWork::measured, this, [this](const ct::CochleaMeasures& measures) {
     study_.setMeasures(measures, atRequest_);
     const auto then = std::exchange(then_, {});
-    panel_->showIdle({});
+    panel_->showIdle(notes_);
     if (then && !study_.isStale() && ct::landmarkContradictions(measures).empty()) then();
   });
   connect(&work_, &CtWork::failed, this, [this](const QString& sentence) {
@@ -102,18 +103,17 @@ void CtPage::connectPanel()
 {
   connect(panel_, &CtPanel::folderAsked, this, [this] {
     const QString folder =
-        QFileDialog::getExistingDirectory(this, tr("Folder with a temporal-bone CT"));
+        QFileDialog::getExistingDirectory(this, tr("Folder with a temporal-bone CT"), folder_);
     if (!folder.isEmpty()) open(folder.toStdString());
   });
   connect(panel_, &CtPanel::fileAsked, this, [this] {
-    const QString file = QFileDialog::getOpenFileName(this, tr("CT"));
+    const QString file = QFileDialog::getOpenFileName(this, tr("CT"), folder_);
     if (!file.isEmpty()) open(file.toStdString());
   });
   connect(panel_, &CtPanel::seriesChosen, this, [this](const std::string& uid) {
     if (study_.hasCt() && study_.series().uid == uid) return;
     then_ = {};
-    task_ = tr("Reading the CT…");
-    panel_->showTask(task_, 0.0);
+    begin(tr("Reading the CT…"));
     work_.read(list_, uid);
   });
   connect(panel_, &CtPanel::measureAsked, this,
@@ -138,9 +138,26 @@ void CtPage::connectPanel()
 void CtPage::open(const std::filesystem::path& path)
 {
   then_ = {};
-  task_ = tr("Reading the CT…");
-  panel_->showTask(task_, 0.0);
+  folder_ = QString::fromStdString(path.parent_path().string());
+  begin(tr("Reading the CT…"));
   work_.open(path);
+}
+
+void CtPage::begin(const QString& task)
+{
+  task_ = task;
+  since_.start();
+  panel_->showTask(task_, 0.0);
+}
+
+void CtPage::showProgress(double fraction)
+{
+  // earlier, the beginning says little of the rest
+  constexpr double shortest_s = 1.0, least = 0.05;
+  const double elapsed_s = 1e-3 * double(since_.elapsed());
+  if (elapsed_s < shortest_s || fraction < least) return panel_->showTask(task_, fraction);
+  const double left_s = elapsed_s * (1.0 - fraction) / fraction;
+  panel_->showTask(tr("%1 about %2 s left").arg(task_).arg(qRound(left_s)), fraction);
 }
 
 bool CtPage::cancel()
@@ -224,8 +241,7 @@ void CtPage::measure(bool isAtCrosshair, std::function<void()> then)
   } else if (isAtCrosshair) {
     request.click_P = study_.crosshair_P();
   }
-  task_ = isAtCrosshair ? tr("Measuring the cochlea…") : tr("Looking for the cochlea…");
-  panel_->showTask(task_, 0.0);
+  begin(isAtCrosshair ? tr("Measuring the cochlea…") : tr("Looking for the cochlea…"));
   work_.measure(study_.volume(), std::move(request));
 }
 

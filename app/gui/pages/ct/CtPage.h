@@ -3,6 +3,7 @@
 
 // The page CT: from the patient's scan to the patient's cochlea.
 
+#include <QElapsedTimer>
 #include <array>
 #include <filesystem>
 #include <functional>
@@ -28,7 +29,8 @@ public:
   /// @param control  The insertion, shown in the pictures if it is in the cochlea measured here.
   CtPage(const InsertionControl& control, QWidget* parent);
 
-  /// Opens a folder or a file with a CT; the series that suits a cochlea best is read.
+  /// Opens a folder or a file with a CT; the series that suits a cochlea best is read, and its cochlea
+  /// is measured. Esc ends that; the CT stays.
   void open(const std::filesystem::path& path) override;
   /// Any: which files hold a CT is known after reading only.
   Acceptance accepts(const std::filesystem::path& /*file*/) const override
@@ -58,6 +60,8 @@ private:
   bool isInMeasuredCochlea(const session::Scenario& scenario) const;
   void connectWork();
   void connectPanel();
+  void begin(const QString& task);
+  void showProgress(double fraction);
   /// @param then  Called if the new fit belongs to the landmarks and does not contradict them.
   void measure(bool isAtCrosshair, std::function<void()> then = {});
   /// Calls `then` with a fit of the landmarks as they are now: measures first if they moved.
@@ -80,6 +84,11 @@ private:
   std::function<void()> then_;               ///< What was asked for and waits for the measurement.
   std::optional<anatomy::Patient> patient_;  ///< Whose cochlea was offered for insertion or a plan.
   QString task_;
+  QElapsedTimer since_;  ///< Begin of the task.
+  QString notes_;        ///< What the reader of the CT remarked.
+  /// Folder of the last CT, where the next one is looked for. It is not kept in the settings: such
+  /// folders often bear patients' names.
+  QString folder_;
   CtPanel* panel_;
   QWidget* pictures_;
   std::array<PlaneView*, 3> views_{};

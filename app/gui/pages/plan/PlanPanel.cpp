@@ -10,6 +10,7 @@
 #include <QVariant>
 #include <algorithm>
 
+#include "gui/run/UserSettings.h"
 #include "gui/setup/Catalog.h"
 #include "gui/setup/PatientLibrary.h"
 #include "gui/setup/PlannedFriction.h"
@@ -52,9 +53,14 @@ QString keyOf(const anatomy::Patient& patient)
 /// With a capital, as the other entries of lists.
 QString inTheList(const QString& words) { return words.left(1).toUpper() + words.mid(1); }
 
-/// Arrays that are planned unless others are chosen: those with published angular depths.
+const QString lastArraysKey = QStringLiteral("plan/arrays");
+
+/// Arrays that are planned unless others are chosen: those of the last plan, and before the first those
+/// with published angular depths.
 bool isUsual(const std::string& array)
 {
+  const QStringList last = UserSettings().value(lastArraysKey).toStringList();
+  if (!last.isEmpty()) return last.contains(QString::fromStdString(array));
   return std::find(std::begin(validation::clinicalArrays), std::end(validation::clinicalArrays),
                    array) != std::end(validation::clinicalArrays);
 }
@@ -168,7 +174,12 @@ void PlanPanel::addFoot(QVBoxLayout& column)
   column.addWidget(progress_);
   column.addWidget(compute_);
   column.addWidget(cancel_);
-  connect(compute_, &QPushButton::clicked, this, &PlanPanel::computeAsked);
+  connect(compute_, &QPushButton::clicked, this, [this] {
+    QStringList arrays;
+    for (const std::string& array : request().arrays) arrays << QString::fromStdString(array);
+    UserSettings().setValue(lastArraysKey, arrays);
+    Q_EMIT computeAsked();
+  });
   connect(cancel_, &QPushButton::clicked, this, &PlanPanel::cancelAsked);
 }
 

@@ -161,7 +161,17 @@ Result<Done> InsertionControl::build(InputSource hand, std::optional<std::filesy
   isConclusionAsked_ = false;
   now_ = haptics::Snapshot{};
   insertion_->loop().engine().fill(now_);  // no thread runs yet
+  if (now_.output.depth > 0.0) now_.output.angularDepth = angleOfTip();
   return Done{};
+}
+
+/// An insertion computes it from the first tick on; the tip is inside before.
+double InsertionControl::angleOfTip() const
+{
+  const auto& tip_W = now_.node_W[now_.nodes - 1];
+  anatomy::LumenTrack track = anatomy_->startTrack();
+  anatomy_->follow({tip_W[0], tip_W[1], tip_W[2]}, track);
+  return std::max(track.angle, 0.0);
 }
 
 Result<Done> InsertionControl::begin()

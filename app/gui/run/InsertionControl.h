@@ -137,6 +137,7 @@ private:
   Result<Done> build(InputSource hand, std::optional<std::filesystem::path> file);
   void pursue();
   void concludeIfOver();
+  double angleOfTip() const;
   void pursueWithdrawal();
   void pursueResumption();
   void moveHand(device::ScriptedMotion motion);

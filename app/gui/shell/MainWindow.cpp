@@ -137,8 +137,10 @@ void MainWindow::openOnPage(const QString& id, const std::filesystem::path& file
 void MainWindow::showSubject()
 {
   const ReplayPlayer& replay = insertion_->replay();
-  setWindowTitle(windowTitleOf(*insertion_));
-  if (!pages_->current().showsInsertion()) return top_->showNobody();
+  const Page& page = pages_->current();
+  setWindowTitle(page.showsInsertion() ? windowTitleOf(*insertion_)
+                                       : tr("%1 — Perilymph").arg(page.name()));
+  if (!page.showsInsertion()) return top_->showNobody();
   if (const auto* loading = insertion_->loading()) return top_->showSubject(*loading, {});
   if (replay.isOpen()) return top_->showSubject(replay.playback().scenario(), {});
   top_->showSubject(control().scenario(), setup().isModified() ? setup().changedText() : QString());

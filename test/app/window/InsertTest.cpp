@@ -42,6 +42,17 @@ TEST(Window, StartMovesTheArrayIntoTheCochlea)
   EXPECT_GT(rig.now().output.depth, depthBefore);
 }
 
+TEST(Window, ShowsTheAngleOfTheTipBeforeTheStart)
+{
+  WindowRig rig;
+  const double before = rig.now().output.angularDepth;
+  EXPECT_GT(before, 0.0);
+  rig.click("startButton");
+  ASSERT_TRUE(WindowRig::comes([&] { return rig.now().output.workflow == Workflow::inserting; }));
+  // 2 mm/s move the tip by less than a degree in the first frames
+  EXPECT_NEAR(rig.now().output.angularDepth, before, 0.1);
+}
+
 TEST(Window, PauseHoldsTheArrayWhereItIs)
 {
   WindowRig rig;

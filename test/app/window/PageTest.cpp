@@ -166,6 +166,16 @@ TEST_F(APageOfTheTestsOwn, ReplaysAndShowsAMessageAndAnotherPage)
       [&] { return window().control().scenario().anatomy() == anatomy::AnatomySource::mean; }));
 }
 
+TEST(TitleOfTheWindow, NamesTheScenarioOnlyWhereItIsShown)
+{
+  WindowRig rig;
+  EXPECT_TRUE(rig.window().windowTitle().startsWith("Published experiment"));
+  rig.click("ctPageButton");
+  EXPECT_EQ(rig.window().windowTitle(), QString::fromUtf8("CT — Perilymph"));
+  rig.click("insertPageButton");
+  EXPECT_TRUE(rig.window().windowTitle().startsWith("Published experiment"));
+}
+
 TEST(PageList, OfTheWindowHasPagesWithDifferentNames)
 {
   WindowRig rig;

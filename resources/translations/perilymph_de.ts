@@ -5921,6 +5921,22 @@
         <source>from %1 to %2</source>
         <translation>von %1 bis %2</translation>
     </message>
+    <message>
+        <source>Patient without a code · %1</source>
+        <translation>Patient ohne Code · %1</translation>
+    </message>
+    <message>
+        <source>Published cochlea · %1</source>
+        <translation>Veröffentlichte Cochlea · %1</translation>
+    </message>
+    <message>
+        <source>Average cochlea · %1</source>
+        <translation>Mittlere Cochlea · %1</translation>
+    </message>
+    <message>
+        <source>Clark’s spiral · %1</source>
+        <translation>Clark-Spirale · %1</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::AboutSheet</name>
@@ -6634,6 +6650,10 @@
         <source>Landmarks</source>
         <translation>Landmarken</translation>
     </message>
+    <message>
+        <source>%1 about %2 s left</source>
+        <translation>%1 noch etwa %2 s</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::CtPanel</name>
@@ -7313,6 +7333,21 @@
     </message>
 </context>
 <context>
+    <name>perilymph::gui::LoadingStage</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Keep the cochlea and array of before (Esc)</source>
+        <translation>Cochlea und Elektrodenträger von vorher behalten (Esc)</translation>
+    </message>
+    <message>
+        <source>Building the cochlea: %1</source>
+        <translation>Die Cochlea wird aufgebaut: %1</translation>
+    </message>
+</context>
+<context>
     <name>perilymph::gui::MainMenu</name>
     <message>
         <source>Open recording…</source>
@@ -7396,6 +7431,10 @@
     <message>
         <source>End it and close</source>
         <translation>Beenden und schließen</translation>
+    </message>
+    <message>
+        <source>%1 — Perilymph</source>
+        <translation>%1 — Perilymph</translation>
     </message>
 </context>
 <context>
@@ -9340,18 +9379,6 @@
         <translation>GEÄNDERT</translation>
     </message>
     <message>
-        <source>Patient %1 · %2 ear</source>
-        <translation>Patient %1 · %2es Ohr</translation>
-    </message>
-    <message>
-        <source>left</source>
-        <translation>link</translation>
-    </message>
-    <message>
-        <source>right</source>
-        <translation>recht</translation>
-    </message>
-    <message>
         <source>ready</source>
         <translation>bereit</translation>
     </message>
@@ -9386,22 +9413,6 @@
     <message>
         <source>A recording is shown. No device is active.</source>
         <translation>Eine Aufzeichnung wird gezeigt. Kein Gerät ist aktiv.</translation>
-    </message>
-    <message>
-        <source>Patient without a code · %1 ear</source>
-        <translation>Patient ohne Code · %1es Ohr</translation>
-    </message>
-    <message>
-        <source>Published cochlea · %1 ear</source>
-        <translation>Veröffentlichte Cochlea · %1es Ohr</translation>
-    </message>
-    <message>
-        <source>Average cochlea · %1 ear</source>
-        <translation>Mittlere Cochlea · %1es Ohr</translation>
-    </message>
-    <message>
-        <source>Clark’s spiral · %1 ear</source>
-        <translation>Clark-Spirale · %1es Ohr</translation>
     </message>
     <message>
         <source>Menu</source>

@@ -25,21 +25,20 @@ QString tr(const char* text) { return QCoreApplication::translate("perilymph::gu
 QString subjectText(const session::Scenario& scenario)
 {
   const anatomy::Patient& patient = scenario.patient();
-  const QString ear = patient.side == anatomy::Side::left ? tr("left") : tr("right");
+  const QString ear = patient.side == anatomy::Side::left ? tr("left ear") : tr("right ear");
   const bool isPatient = isScaledBy(scenario.anatomy(), patient);
-  if (isPatient && patient.label == "unnamed")
-    return tr("Patient without a code · %1 ear").arg(ear);
+  if (isPatient && patient.label == "unnamed") return tr("Patient without a code · %1").arg(ear);
   if (isPatient && patient.label != "published")
-    return tr("Patient %1 · %2 ear").arg(QString::fromStdString(patient.label), ear);
+    return tr("Patient %1 · %2").arg(QString::fromStdString(patient.label), ear);
   switch (scenario.anatomy()) {
     case anatomy::AnatomySource::published:
-      return tr("Published cochlea · %1 ear").arg(ear);
+      return tr("Published cochlea · %1").arg(ear);
     case anatomy::AnatomySource::mean:
-      return tr("Average cochlea · %1 ear").arg(ear);
+      return tr("Average cochlea · %1").arg(ear);
     case anatomy::AnatomySource::clark:
       break;
   }
-  return tr("Clark’s spiral · %1 ear").arg(ear);
+  return tr("Clark’s spiral · %1").arg(ear);
 }
 
 QString setupTitle(const InsertionControl& control, const SetupHistory& setup)

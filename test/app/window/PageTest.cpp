@@ -171,6 +171,7 @@ TEST(TitleOfTheWindow, NamesTheScenarioOnlyWhereItIsShown)
   WindowRig rig;
   EXPECT_TRUE(rig.window().windowTitle().startsWith("Published experiment"));
   rig.click("ctPageButton");
+  EXPECT_EQ(rig.window().page().toStdString(), "ct");
   EXPECT_EQ(rig.window().windowTitle(), QString::fromUtf8("CT — Perilymph"));
   rig.click("insertPageButton");
   EXPECT_TRUE(rig.window().windowTitle().startsWith("Published experiment"));

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <iostream>
 
 #include "perilymph/foundation/Resources.h"
@@ -47,6 +48,15 @@ TEST(CoarseDraws, MoveTheBandsByLessThanHalfTheirQuartileRange)
     };
     compare("angle", a.angle_deg, b.angle_deg);
     compare("peak", a.peak_mN, b.peak_mN);
+  }
+  for (std::size_t k = 0; k < fine->insertions.size(); ++k) {
+    const auto& one = fine->insertions[k].insertion;
+    const auto& other = coarse->insertions[k].insertion;
+    if (one.end == other.end && std::abs(inDegrees(one.apical - other.apical)) < 5.0) continue;
+    std::cout << "insertion " << k << ": " << haptics::nameOf(one.end) << " at "
+              << inDegrees(one.apical) << " deg, " << inMillinewtons(one.peak) << " mN fine, "
+              << haptics::nameOf(other.end) << " at " << inDegrees(other.apical) << " deg, "
+              << inMillinewtons(other.peak) << " mN coarse\n";
   }
 }
 

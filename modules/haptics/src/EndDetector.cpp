@@ -41,10 +41,12 @@ InsertionEnd EndDetector::detect(const mechanics::InsertionModel& model,
 {
   const mechanics::Readings& now = state.readings;
   // the force of a step that is not balanced is none of the array
-  if (!state.isSettling && now.handForce_W.squaredNorm() > maxHandForce * maxHandForce)
+  const bool isBalanced = !state.isSettling;
+  if (isBalanced && now.handForce_W.squaredNorm() > maxHandForce * maxHandForce)
     return InsertionEnd::jammed;
   if (isWithdrawing) return InsertionEnd::none;
-  if (stopForce_ > 0.0 && now.axialForce >= stopForce_) return InsertionEnd::stoppedByResistance;
+  if (isBalanced && stopForce_ > 0.0 && now.axialForce >= stopForce_)
+    return InsertionEnd::stoppedByResistance;
   if (!isRod_) return InsertionEnd::none;
 
   const double outside = model.parts.array.length.si() - now.depth;

@@ -12,6 +12,7 @@
 #include <QTimer>
 #include <chrono>
 
+#include "KeptPicture.h"
 #include "TheCtPage.h"
 #include "gui/pages/insert/InsertionController.h"
 #include "gui/pages/insert/ResultCard.h"
@@ -91,6 +92,7 @@ TEST_F(TheRoad, FromACtToASavedReportTakesTwelveSteps)
   ASSERT_TRUE(WindowRig::comes([&] { return ct.study().measures() != nullptr && !ct.isBusy(); }));
   EXPECT_NEAR(ct.study().measures()->a.value, onDisk().phantom.a, 0.4);
   rig_.type("ctPatientCode", "P-301");
+  keepPicture(rig_.window(), "road-ct");
 
   surgeon.press("planCtButton");
   auto& plan = *rig_.window().findChild<gui::PlanPage*>();
@@ -99,7 +101,9 @@ TEST_F(TheRoad, FromACtToASavedReportTakesTwelveSteps)
   surgeon.press("computePlanButton");
   ASSERT_TRUE(WindowRig::comes([&] { return plan.plan() && !plan.isBusy(); }, 300'000));
   EXPECT_EQ(plan.plan()->arrays.size(), 6u);
+  keepPicture(rig_.window(), "road-plan");
   surgeon.press("insertPlanArrayButton");
+  keepPicture(rig_.window(), "road-loading");
   ASSERT_TRUE(WindowRig::comes([&] {
     return rig_.window().control().scenario().patient().label == "P-301" &&
            rig_.button("startButton").isEnabled();
@@ -111,9 +115,13 @@ TEST_F(TheRoad, FromACtToASavedReportTakesTwelveSteps)
                [&] { return rig_.now().output.workflow == haptics::Workflow::finished; });
   const auto& card = *rig_.window().findChild<gui::ResultCard*>();
   ASSERT_TRUE(WindowRig::comes([&] { return card.isVisible(); }));
+  keepPicture(rig_.window(), "road-result");
   const fs::path pdf = folder_ / "report.pdf";
   surgeon.press("resultReportButton", pdf);
   ASSERT_TRUE(fs::exists(pdf));
+  if (const QString kept = qEnvironmentVariable("PERILYMPH_SCREEN_PICTURES"); !kept.isEmpty())
+    fs::copy_file(pdf, fs::path(kept.toStdString()) / "road-report.pdf",
+                  fs::copy_options::overwrite_existing);
   EXPECT_LE(surgeon.steps(), 12);
   RecordProperty("steps", surgeon.steps());
   RecordProperty("seconds", static_cast<int>(std::chrono::duration_cast<std::chrono::seconds>(

@@ -47,6 +47,21 @@ TEST(PeakForce, IsThatOfTheHandFromTheFirstMotionToTheTickThatEndsIt)
   }
 }
 
+TEST(PeakForce, IsNoneOfATickThatHasNotFoundItsBalance)
+{
+  ForceProfiler profiler;
+  session::Highlights highlights;
+  haptics::TickRecord unbalanced = tick(Workflow::inserting, 2.0, 0.2);
+  unbalanced.output.status = haptics::notConverged;
+  for (const auto& each :
+       {tick(Workflow::inserting, 1.0, 0.05), unbalanced, tick(Workflow::inserting, 3.0, 0.06)}) {
+    profiler.add(each);
+    highlights.add(each);
+  }
+  EXPECT_EQ(profiler.profile().peak.force, 0.06);
+  EXPECT_EQ(highlights.peakForce, 0.06);
+}
+
 TEST(PeakForce, IsNoneOfAHandThatOnlyPulls)
 {
   ForceProfiler profiler;

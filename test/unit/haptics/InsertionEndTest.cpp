@@ -89,6 +89,10 @@ TEST_F(Detected, TheForceAtWhichTheSurgeonStops)
   state_.readings.axialForce = 0.19;
   EXPECT_EQ(stopping.detect(*model_, state_, false), InsertionEnd::none);
   state_.readings.axialForce = 0.21;
+  // the force of a step that has not found its balance is none of the array
+  state_.isSettling = true;
+  EXPECT_EQ(stopping.detect(*model_, state_, false), InsertionEnd::none);
+  state_.isSettling = false;
   EXPECT_EQ(stopping.detect(*model_, state_, false), InsertionEnd::stoppedByResistance);
   EXPECT_EQ(stopping.detect(*model_, state_, true), InsertionEnd::none);
   EXPECT_EQ(next(), InsertionEnd::none);

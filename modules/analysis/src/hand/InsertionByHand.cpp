@@ -97,7 +97,9 @@ public:
     if (now.depth >= fullDepth_) return InsertionEnd::finished;
     if (hasEntered_ && now.depth <= 0.0) return InsertionEnd::outOfOpening;
     if (pushed - (now.depth - startDepth_) > lag_) return InsertionEnd::buckled;
-    if (now.axialForce >= stop_) return InsertionEnd::stoppedByResistance;
+    // the force of a tick that is not balanced is none of the array
+    const bool isBalanced = (now.status & haptics::notConverged) == 0;
+    if (isBalanced && now.axialForce >= stop_) return InsertionEnd::stoppedByResistance;
     return std::nullopt;
   }
 

@@ -113,10 +113,13 @@ void printSummary(const session::Scenario& scenario, const Outcome& outcome)
   printPoint("peak force", profile.peak);
   printPoint("basal-turn peak", profile.basalTurnPeak);
   printPoint("following dip", profile.basalTurnDip);
-  print("{:18} travel {} mm, insertion depth {} mm, angular insertion depth {} deg\n", "at the end",
-        fixed(inMillimeters(meters(profile.finalTravel)), 2),
-        fixed(inMillimeters(meters(profile.finalDepth)), 2),
-        fixed(inDegrees(radians(profile.finalAngle)), 1));
+  print(
+      "{:18} travel {} mm, insertion depth {} mm, angular insertion depth {} deg, tip angle {} "
+      "deg\n",
+      "at the end", fixed(inMillimeters(meters(profile.finalTravel)), 2),
+      fixed(inMillimeters(meters(profile.finalDepth)), 2),
+      fixed(inDegrees(outcome.angularInsertionDepth), 1),
+      fixed(inDegrees(radians(profile.finalAngle)), 1));
   print("{:18} {} mJ\n", "insertion work", fixed(profile.work * 1e3, 4));
   if (profile.ticksNotConverged > 0)
     print("{:18} {} samples: solver residual above tolerance\n", "not converged",

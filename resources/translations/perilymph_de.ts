@@ -536,10 +536,6 @@
         <translation>in diesem Modell gemessen, definiert wie bei Todd und Naghdy</translation>
     </message>
     <message>
-        <source>angle at which a path along the lateral wall is as long as the array</source>
-        <translation>Winkel, bei dem ein Weg entlang der Außenwand so lang ist wie der Elektrodenträger</translation>
-    </message>
-    <message>
         <source>organ-of-Corti path up to that angle / whole path</source>
         <translation>Weg des Corti-Organs bis zu diesem Winkel / ganzer Weg</translation>
     </message>
@@ -3435,6 +3431,10 @@
         <source>%1 between the landmarks is %2 mm, outside the 95 % interval of the fitted one, %3 to %4 mm. The fitted one is used: check the landmarks in the images.</source>
         <translation>%1 zwischen den Landmarken ist %2 mm, außerhalb des 95-%-Intervalls des angepassten, %3 bis %4 mm. Verwendet wird das angepasste: Die Landmarken in den Bildern prüfen.</translation>
     </message>
+    <message>
+        <source>angle of the most apical contact of an array that lies along the lateral wall in its whole length</source>
+        <translation>Winkel des apikalsten Kontakts eines Trägers, der in ganzer Länge an der lateralen Wand liegt</translation>
+    </message>
 </context>
 <context>
     <name>Display</name>
@@ -4386,10 +4386,6 @@
         <translation>Maximale Insertionstiefe</translation>
     </message>
     <message>
-        <source>insertion depth; angular insertion depth of the tip</source>
-        <translation>Insertionstiefe; Insertionswinkel der Spitze</translation>
-    </message>
-    <message>
         <source>from first motion, pauses included</source>
         <translation>ab der ersten Bewegung, mit Pausen</translation>
     </message>
@@ -4570,10 +4566,6 @@
         <translation>Mittelwert %1 mm, n = 15 (Froehlich et al. 2024); Querschnitte variieren um 9–15 % (Avci et al. 2014).</translation>
     </message>
     <message>
-        <source>Organ of Corti: 33.13 ± 2.11 mm, n = 9 (Stakhovskaya et al. 2007). The published model uses 35.58 mm.</source>
-        <translation>Corti-Organ: 33,13 ± 2,11 mm, n = 9 (Stakhovskaya et al. 2007). Das veröffentlichte Modell verwendet 35,58 mm.</translation>
-    </message>
-    <message>
         <source>Definitions of H vary between publications; only limits are given.</source>
         <translation>H ist in der Literatur unterschiedlich definiert; nur Grenzen sind angegeben.</translation>
     </message>
@@ -4680,18 +4672,6 @@
     <message>
         <source>no population mean available</source>
         <translation>kein Populationsmittel verfügbar</translation>
-    </message>
-    <message>
-        <source>at population mean (%1 ± %2 mm)</source>
-        <translation>am Mittel der Population (%1 ± %2 mm)</translation>
-    </message>
-    <message>
-        <source>%1 SD below population mean (%2 ± %3 mm)</source>
-        <translation>%1 SD unter dem Mittel (%2 ± %3 mm)</translation>
-    </message>
-    <message>
-        <source>%1 SD above population mean (%2 ± %3 mm)</source>
-        <translation>%1 SD über dem Mittel (%2 ± %3 mm)</translation>
     </message>
     <message>
         <source>A: basal-turn diameter</source>
@@ -4978,22 +4958,6 @@
         <translation>Rundes Fenster</translation>
     </message>
     <message>
-        <source>Far wall (end of A)</source>
-        <translation>Gegenwand (Ende von A)</translation>
-    </message>
-    <message>
-        <source>B, first end</source>
-        <translation>B, erstes Ende</translation>
-    </message>
-    <message>
-        <source>B, second end</source>
-        <translation>B, zweites Ende</translation>
-    </message>
-    <message>
-        <source>Floor of the basal turn</source>
-        <translation>Boden der Basalwindung</translation>
-    </message>
-    <message>
         <source>Apex</source>
         <translation>Apex</translation>
     </message>
@@ -5006,20 +4970,8 @@
         <translation>Apex</translation>
     </message>
     <message>
-        <source>floor</source>
-        <translation>Boden</translation>
-    </message>
-    <message>
         <source>Cochlear view: the center of the round window, where the basal turn opens.</source>
         <translation>Cochleaansicht: Mitte des runden Fensters, wo sich die Basalwindung öffnet.</translation>
-    </message>
-    <message>
-        <source>Cochlear view: from the round window through the modiolus to the opposite outer wall of the basal turn.</source>
-        <translation>Cochleaansicht: vom runden Fenster durch den Modiolus zur gegenüberliegenden Außenwand der Basalwindung.</translation>
-    </message>
-    <message>
-        <source>Cochlear view: the outer wall of the basal turn on the line through the modiolus, perpendicular to A.</source>
-        <translation>Cochleaansicht: Außenwand der Basalwindung auf der Linie durch den Modiolus, senkrecht zu A.</translation>
     </message>
     <message>
         <source>Mid-modiolar view: the lowest point of the basal turn’s bony lumen.</source>
@@ -5200,10 +5152,6 @@
     <message>
         <source>Advance of the array since the start of the insertion. Insertion depth: length past the round window.</source>
         <translation>Vorschub des Trägers seit Beginn der Insertion. Insertionstiefe: Länge jenseits des runden Fensters.</translation>
-    </message>
-    <message>
-        <source>Angular insertion depth of the tip about the modiolar axis, from the round window.</source>
-        <translation>Insertionswinkel der Spitze um die Modiolusachse, ab dem runden Fenster.</translation>
     </message>
     <message>
         <source>Axial force on the hand that inserts the array; positive while it pushes in.</source>
@@ -5937,6 +5885,66 @@
         <source>Clark’s spiral · %1</source>
         <translation>Clark-Spirale · %1</translation>
     </message>
+    <message>
+        <source>Lateral wall (end of A)</source>
+        <translation>Laterale Wand (Ende von A)</translation>
+    </message>
+    <message>
+        <source>Lateral wall, first end of B</source>
+        <translation>Laterale Wand, erstes Ende von B</translation>
+    </message>
+    <message>
+        <source>Lateral wall, second end of B</source>
+        <translation>Laterale Wand, zweites Ende von B</translation>
+    </message>
+    <message>
+        <source>Base (floor of the basal turn)</source>
+        <translation>Basis (Boden der Basalwindung)</translation>
+    </message>
+    <message>
+        <source>RW</source>
+        <translation>RW</translation>
+    </message>
+    <message>
+        <source>LW</source>
+        <translation>LW</translation>
+    </message>
+    <message>
+        <source>base</source>
+        <translation>Basis</translation>
+    </message>
+    <message>
+        <source>Cochlear view: from the round window through the modiolus to the opposite lateral wall of the basal turn.</source>
+        <translation>Cochleaansicht: vom runden Fenster durch den Modiolus zur gegenüberliegenden lateralen Wand der Basalwindung.</translation>
+    </message>
+    <message>
+        <source>Cochlear view: the lateral wall of the basal turn on the line through the modiolus, perpendicular to A.</source>
+        <translation>Cochleaansicht: die laterale Wand der Basalwindung auf der Linie durch den Modiolus, senkrecht zu A.</translation>
+    </message>
+    <message>
+        <source>at population mean (%1 mm, SD %2)</source>
+        <translation>am Populationsmittel (%1 mm, SD %2)</translation>
+    </message>
+    <message>
+        <source>%1 SD below population mean (%2 mm, SD %3)</source>
+        <translation>%1 SD unter dem Populationsmittel (%2 mm, SD %3)</translation>
+    </message>
+    <message>
+        <source>%1 SD above population mean (%2 mm, SD %3)</source>
+        <translation>%1 SD über dem Populationsmittel (%2 mm, SD %3)</translation>
+    </message>
+    <message>
+        <source>insertion depth; tip angle</source>
+        <translation>Insertionstiefe; Winkel der Spitze</translation>
+    </message>
+    <message>
+        <source>Angular insertion depth: angle of the most apical contact about the modiolar axis, from the round window. The tip lies deeper.</source>
+        <translation>Insertionswinkel: Winkel des apikalsten Kontakts um die Modiolusachse, ab dem runden Fenster. Die Spitze liegt tiefer.</translation>
+    </message>
+    <message>
+        <source>Organ of Corti: 33.13 mm, SD 2.11, n = 9 (Stakhovskaya et al. 2007). The published model uses 35.58 mm.</source>
+        <translation>Corti-Organ: 33,13 mm, SD 2,11, n = 9 (Stakhovskaya et al. 2007). Das veröffentlichte Modell verwendet 35,58 mm.</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::AboutSheet</name>
@@ -6431,10 +6439,6 @@
         <translation>Aufzeichnungen wählen</translation>
     </message>
     <message>
-        <source>Deepest angle</source>
-        <translation>Insertionswinkel</translation>
-    </message>
-    <message>
         <source>rupture at %1°</source>
         <translation>Ruptur bei %1°</translation>
     </message>
@@ -6449,6 +6453,10 @@
     <message>
         <source>Compare</source>
         <translation>Vergleich</translation>
+    </message>
+    <message>
+        <source>Tip angle</source>
+        <translation>Winkel der Spitze</translation>
     </message>
 </context>
 <context>
@@ -6678,10 +6686,6 @@
         <translation>DICOM (.zip), DICOMDIR, Enhanced DICOM, NIfTI (.nii, .nii.gz), NRRD (.nrrd, .nhdr) oder MetaImage (.mha, .mhd)</translation>
     </message>
     <message>
-        <source>Series</source>
-        <translation>Serie</translation>
-    </message>
-    <message>
         <source>VIEW</source>
         <translation>ANSICHT</translation>
     </message>
@@ -6790,10 +6794,6 @@
         <translation>Laden …</translation>
     </message>
     <message>
-        <source>Markups of 3D Slicer with points named RW, C, A …</source>
-        <translation>Markups von 3D Slicer mit Punkten namens RW, C, A …</translation>
-    </message>
-    <message>
         <source>Measure from the landmarks</source>
         <translation>Aus den Landmarken messen</translation>
     </message>
@@ -6821,6 +6821,17 @@
         <source>used: fitted, 95 %</source>
         <translation>verwendet: angepasst, 95 %</translation>
     </message>
+    <message>
+        <source>Markups of 3D Slicer with points named RW, LW, B1, B2, base, apex, M, or as this program saves them</source>
+        <translation>Markups von 3D Slicer mit Punkten namens RW, LW, B1, B2, base, apex, M, oder wie dieses Programm sie speichert</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::CtSeriesList</name>
+    <message>
+        <source>Series</source>
+        <translation>Serien</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::DerivedMeasures</name>
@@ -6839,10 +6850,6 @@
     <message>
         <source>Turns</source>
         <translation>Windungen</translation>
-    </message>
-    <message>
-        <source>Insertion angle, up to</source>
-        <translation>Insertionswinkel, bis zu</translation>
     </message>
     <message>
         <source>%1°</source>
@@ -6879,6 +6886,10 @@
     <message>
         <source>± 95 % interval of the errors in the CT and of the duct length’s formula.</source>
         <translation>± 95-%-Intervall der Messfehler im CT und der Formel der Länge des Ductus.</translation>
+    </message>
+    <message>
+        <source>Angular insertion depth, up to</source>
+        <translation>Insertionswinkel, bis zu</translation>
     </message>
 </context>
 <context>
@@ -7552,10 +7563,6 @@
         <translation>%1 · %2</translation>
     </message>
     <message>
-        <source>angular insertion depth</source>
-        <translation>Insertionswinkel</translation>
-    </message>
-    <message>
         <source>insertion force</source>
         <translation>Insertionskraft</translation>
     </message>
@@ -7582,6 +7589,10 @@
     <message>
         <source>force</source>
         <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>angular insertion depth · tip %1°</source>
+        <translation>Insertionswinkel · Spitze %1°</translation>
     </message>
 </context>
 <context>
@@ -8357,10 +8368,6 @@
         <translation>%1%2 SD: prüfen · CT ± %3 mm</translation>
     </message>
     <message>
-        <source>%1 ± %2 mm</source>
-        <translation>%1 ± %2 mm</translation>
-    </message>
-    <message>
         <source>%1 SD below population mean (%2)</source>
         <translation>%1 SD unter dem Populationsmittel (%2)</translation>
     </message>
@@ -8379,6 +8386,10 @@
     <message>
         <source>estimated from A and B</source>
         <translation>aus A und B geschätzt</translation>
+    </message>
+    <message>
+        <source>%1 mm, SD %2</source>
+        <translation>%1 mm, SD %2</translation>
     </message>
 </context>
 <context>
@@ -8820,12 +8831,12 @@
         <translation>Technik</translation>
     </message>
     <message>
-        <source>Insertion angle</source>
-        <translation>Insertionswinkel</translation>
-    </message>
-    <message>
         <source>Peak force at depth</source>
         <translation>Spitzenkraft bei Tiefe</translation>
+    </message>
+    <message>
+        <source>Tip angle</source>
+        <translation>Winkel der Spitze</translation>
     </message>
 </context>
 <context>
@@ -9558,6 +9569,57 @@
     <message>
         <source>Canceled. No results were saved.</source>
         <translation>Abgebrochen. Keine Ergebnisse gespeichert.</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::VersionQuestion</name>
+    <message>
+        <source>saved</source>
+        <translation>gespeichert</translation>
+    </message>
+    <message>
+        <source>new</source>
+        <translation>neu</translation>
+    </message>
+    <message>
+        <source>difference</source>
+        <translation>Differenz</translation>
+    </message>
+    <message>
+        <source>CDL</source>
+        <translation>CDL</translation>
+    </message>
+    <message>
+        <source>New version</source>
+        <translation>Neue Version</translation>
+    </message>
+    <message>
+        <source>Other code</source>
+        <translation>Anderer Code</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>linke</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechte</translation>
+    </message>
+    <message>
+        <source>%1 %2 exists.</source>
+        <translation>%1 %2 gibt es schon.</translation>
+    </message>
+    <message>
+        <source>%1 %2 exists, saved %3.</source>
+        <translation>%1 %2 gibt es schon, gespeichert am %3.</translation>
+    </message>
+    <message>
+        <source>Beyond the 95 % interval of the difference</source>
+        <translation>Außerhalb des 95-%-Intervalls der Differenz</translation>
+    </message>
+    <message>
+        <source>Within the 95 % interval of the difference</source>
+        <translation>Innerhalb des 95-%-Intervalls der Differenz</translation>
     </message>
 </context>
 <context>

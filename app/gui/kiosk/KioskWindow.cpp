@@ -15,6 +15,7 @@
 #include "gui/text/DataText.h"
 #include "gui/text/Numbers.h"
 #include "gui/widgets/Theme.h"
+#include "perilymph/analysis/ContactPositions.h"
 
 namespace perilymph::gui {
 
@@ -360,7 +361,10 @@ void KioskWindow::onFrame()
   screen_->view().renderIfDirty();
   if (sinceSlow_.elapsed() < slowInterval_ms) return;
   sinceSlow_.restart();
-  screen_->view().showNumbers(control_.now().output, control_.scenario().stopTravel());
+  screen_->view().showNumbers(control_.now().output,
+                              analysis::angularInsertionDepth(
+                                  control_.anatomy(), control_.scenario().array(), control_.now()),
+                              control_.scenario().stopTravel());
 }
 
 void KioskWindow::onPresented()

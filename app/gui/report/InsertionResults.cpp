@@ -16,7 +16,7 @@ namespace {
 // lupdate assigns texts of free functions to their namespace.
 QString tr(const char* text) { return QCoreApplication::translate("perilymph::gui", text); }
 
-QString mN(double force_N) { return tr("%1 mN").arg(numberText(force_N * 1e3, 0)); }
+QString mN(double force_N) { return tr("%1 mN").arg(forceNumber(force_N * 1e3)); }
 
 QString degreesText(Angle angle) { return tr("%1°").arg(numberText(inDegrees(angle), 0)); }
 

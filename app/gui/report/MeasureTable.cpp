@@ -22,16 +22,16 @@ QString withInterval(double value_mm, double half95_mm, int decimals)
   return tr("%1 ± %2 mm").arg(numberText(value_mm, decimals), numberText(half95_mm, decimals));
 }
 
-/// "1.2 SD above population mean (9.2 ± 0.4 mm)"
+/// "1.2 SD above population mean (9.23 mm, SD 0.53)"
 QString placeOf(Length value, const Population& population)
 {
   if (!population.mean || !population.standardDeviation) return tr("no population mean available");
   const double off = (value - *population.mean) / *population.standardDeviation;
   const QString mean = numberText(inMillimeters(*population.mean), 2);
   const QString spread = numberText(inMillimeters(*population.standardDeviation), 2);
-  if (std::fabs(off) < 0.05) return tr("at population mean (%1 ± %2 mm)").arg(mean, spread);
-  return (off < 0.0 ? tr("%1 SD below population mean (%2 ± %3 mm)")
-                    : tr("%1 SD above population mean (%2 ± %3 mm)"))
+  if (std::fabs(off) < 0.05) return tr("at population mean (%1 mm, SD %2)").arg(mean, spread);
+  return (off < 0.0 ? tr("%1 SD below population mean (%2 mm, SD %3)")
+                    : tr("%1 SD above population mean (%2 mm, SD %3)"))
       .arg(numberText(std::fabs(off), 1), mean, spread);
 }
 

@@ -51,7 +51,7 @@ QString heading(const char* caption) { return QStringLiteral("<h2>%1</h2>").arg(
 
 QString mm(double length) { return tr("%1 mm").arg(numberText(inMillimeters(meters(length)), 1)); }
 
-QString mN(double force) { return tr("%1 mN").arg(numberText(inMillinewtons(newtons(force)), 1)); }
+QString mN(double force) { return tr("%1 mN").arg(forceNumber(inMillinewtons(newtons(force)))); }
 
 /// A table of an array's file, for people.
 QString partName(const std::string& part)
@@ -109,7 +109,7 @@ QString numbers(const ReportContent& content)
       row(tr("At the end"),
           tr("%1, %2°").arg(mm(profile.finalDepth),
                             numberText(inDegrees(radians(profile.finalAngle)), 0)),
-          tr("insertion depth; angular insertion depth of the tip")),
+          tr("insertion depth; tip angle")),
       row(tr("Time"), tr("%1 s").arg(numberText(profile.duration, 1)),
           tr("from first motion, pauses included")),
       row(tr("Reversals"), QString::number(content.insertion.reversals),

@@ -21,7 +21,7 @@ struct CochleaMeasures {
   static constexpr auto ductLength = "duct_length_mm";
   static constexpr auto twoTurns = "two_turn_length_mm";
   static constexpr auto turns = "turns";
-  static constexpr auto insertionAngle = "insertion_angle_deg";
+  static constexpr auto angularDepth = "angular_insertion_depth_deg";
 
   std::vector<analysis::Measure> measures;
   std::vector<double> bands;  ///< Their errors; empty if nothing was measured in a patient.

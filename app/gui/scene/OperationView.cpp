@@ -68,7 +68,7 @@ OperationView::OperationView(QWidget* parent)
   setObjectName(QStringLiteral("operationView"));
   addReadOuts();
   sinceMotion_.start();
-  showNumbers({}, millimeters(1));
+  showNumbers({}, {}, millimeters(1));
 }
 
 OperationView::~OperationView() = default;
@@ -109,11 +109,10 @@ void OperationView::addReadOuts()
   column->addWidget(phase_);
 }
 
-void OperationView::captionDepth(const QString& depth_mm)
+void OperationView::captionReadOuts()
 {
-  depth_mm_ = depth_mm;
-  travel_->setCaption(tr("advanced · insertion depth %1 mm").arg(depth_mm));
-  angle_->setCaption(tr("angular insertion depth"));
+  travel_->setCaption(tr("advanced · insertion depth %1 mm").arg(depth_mm_));
+  angle_->setCaption(tr("angular insertion depth · tip %1°").arg(tip_deg_));
   force_->setCaption(tr("insertion force"));
   if (widthOf({travel_, angle_, force_}) > width()) captionShortly();
   // at once: the caption is as wide as its number
@@ -173,12 +172,6 @@ void OperationView::setStereo(visualization::Stereo stereo)
   isDirty_ = true;
 }
 
-void OperationView::setTwin(StereoWindow* twin)
-{
-  twin_ = twin;
-  isDirty_ = true;
-}
-
 void OperationView::showArray(const haptics::Snapshot& now)
 {
   if (!scene_) return;
@@ -197,11 +190,14 @@ void OperationView::showGhost(const electrode::ArrayDesign& array,
   isDirty_ = true;
 }
 
-void OperationView::showNumbers(const haptics::TickOutput& now, Length stopTravel)
+void OperationView::showNumbers(const haptics::TickOutput& now, Angle angularDepth,
+                                Length stopTravel)
 {
   travel_->setNumber(numberText(inMillimeters(Length::fromSi(now.travel)), 1));
-  captionDepth(numberText(inMillimeters(Length::fromSi(now.depth)), 1));
-  angle_->setNumber(numberText(inDegrees(Angle::fromSi(now.angularDepth)), 0));
+  depth_mm_ = numberText(inMillimeters(Length::fromSi(now.depth)), 1);
+  tip_deg_ = numberText(inDegrees(Angle::fromSi(now.angularDepth)), 0);
+  captionReadOuts();
+  angle_->setNumber(numberText(inDegrees(angularDepth), 0));
   force_->setNumber(numberText(inMillinewtons(Force::fromSi(now.axialForce)), 0));
   forceLabel_->show(now);
   speed_->setNumber(numberText(inMillimetersPerSecond(Speed::fromSi(now.speed)), 1));
@@ -352,7 +348,7 @@ void OperationView::resizeEvent(QResizeEvent* event)
 {
   PlainVtkWidget::resizeEvent(event);
   fitReadOuts();
-  if (!depth_mm_.isEmpty()) captionDepth(QString(depth_mm_));
+  if (!depth_mm_.isEmpty()) captionReadOuts();
   placeHint();
   isDirty_ = true;
 }

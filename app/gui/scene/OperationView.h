@@ -42,8 +42,9 @@ public:
   /// Updates the array of a reference insertion: InsertionScene::showGhost().
   void showGhost(const electrode::ArrayDesign& array, std::span<const Eigen::Vector3d> nodes_W);
   /// Updates the read-outs.
-  /// @param stopTravel  Travel at full depth.
-  void showNumbers(const haptics::TickOutput& now, Length stopTravel);
+  /// @param angularDepth  Angular insertion depth, of the most apical contact; the tick has the tip's.
+  /// @param stopTravel    Travel at full depth.
+  void showNumbers(const haptics::TickOutput& now, Angle angularDepth, Length stopTravel);
   /// The stop travel leaves some of the array outside.
   void setPartial(bool isPartial);
   void setPartVisible(visualization::Part part, bool isVisible);
@@ -52,7 +53,11 @@ public:
   /// For stereo shown by another window, this view shows the picture of one eye.
   void setStereo(visualization::Stereo stereo);
   /// Sets a window that shows the same view, or null. It must outlive its use here.
-  void setTwin(StereoWindow* twin);
+  void setTwin(StereoWindow* twin)
+  {
+    twin_ = twin;
+    isDirty_ = true;
+  }
   visualization::Stereo stereo() const { return stereo_; }
   void turnModel(double azimuth_deg, double elevation_deg, double roll_deg);
   /// Moves the model, in fractions of the view's height.
@@ -90,8 +95,8 @@ protected:
 private:
   void addReadOuts();
   /// Captions of depth and angle, shorter where the view is narrow.
-  void captionDepth(const QString& depth_mm);
-  QString depth_mm_;  ///< The depth in the caption.
+  void captionReadOuts();
+  QString depth_mm_, tip_deg_;  ///< In the captions.
   void take(std::unique_ptr<visualization::InsertionScene> scene);
   void describeView();
   void placeHint();

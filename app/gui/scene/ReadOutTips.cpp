@@ -24,7 +24,8 @@ void ReadOutTips::set() const
       "round window.")));
   angle->setToolTip(tipText(QT_TRANSLATE_NOOP(
       "perilymph::gui",
-      "Angular insertion depth of the tip about the modiolar axis, from the round window.")));
+      "Angular insertion depth: angle of the most apical contact about the modiolar axis, from the "
+      "round window. The tip lies deeper.")));
   force->setToolTip(tipText(
       QT_TRANSLATE_NOOP("perilymph::gui",
                         "Axial force on the hand that inserts the array; positive while it pushes "

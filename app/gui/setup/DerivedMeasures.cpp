@@ -39,8 +39,8 @@ constexpr RowFormat formats[] = {
      QT_TRANSLATE_NOOP("perilymph::gui::DerivedMeasures", "%1 mm"), 1},
     {CochleaMeasures::turns, QT_TRANSLATE_NOOP("perilymph::gui::DerivedMeasures", "Turns"), "%1",
      2},
-    {CochleaMeasures::insertionAngle,
-     QT_TRANSLATE_NOOP("perilymph::gui::DerivedMeasures", "Insertion angle, up to"),
+    {CochleaMeasures::angularDepth,
+     QT_TRANSLATE_NOOP("perilymph::gui::DerivedMeasures", "Angular insertion depth, up to"),
      QT_TRANSLATE_NOOP("perilymph::gui::DerivedMeasures", "%1°"), 0},
     {"coverage_percent",
      QT_TRANSLATE_NOOP("perilymph::gui::DerivedMeasures", "Cochlear coverage, up to"),
@@ -128,7 +128,7 @@ void DerivedMeasures::showContent(const Result<CochleaMeasures>& content)
     for (std::size_t i = 0; i < content->measures.size(); ++i) {
       const Measure& measure = content->measures[i];
       if (measure.key != format.key) continue;
-      hasInsertion = hasInsertion || measure.key == CochleaMeasures::insertionAngle;
+      hasInsertion = hasInsertion || measure.key == CochleaMeasures::angularDepth;
       QString number = numberText(measure.value, format.decimals);
       const QString band =
           content->bands.empty() ? QString() : numberText(content->bands[i], format.decimals);

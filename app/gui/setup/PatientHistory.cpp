@@ -75,7 +75,7 @@ HistoryEntry insertionEntry(const session::SessionSummary& session)
   QStringList values{QString::fromStdString(session.array)};
   if (found.ticks > 0)
     values << tr("depth %1 mm").arg(numberText(inMillimeters(meters(found.deepest)), 1))
-           << tr("peak %1 mN").arg(numberText(inMillinewtons(newtons(found.peakForce)), 1));
+           << tr("peak %1 mN").arg(forceNumber(inMillinewtons(newtons(found.peakForce))));
   else
     values << tr("not moved");
   return {HistoryEntry::Kind::insertion,

@@ -63,6 +63,7 @@ PopulationField::PopulationField(const QString& title, const char* name,
   auto* unit = new QLabel(tr("mm"), this);
   unit->setFont(typeface(11));
   unit->setProperty("quiet", true);
+  place_->setObjectName(QLatin1String(name) + QStringLiteral("Place"));
   place_->setFont(typeface(11));
   place_->setProperty("quiet", true);
   place_->setToolTip(population.source);
@@ -190,7 +191,7 @@ QString PopulationField::placeOf(Length value) const
     if (isNarrow)
       return (isUnusual() ? tr("%1%2 SD: check it · CT ± %3 mm") : tr("%1%2 SD · CT ± %3 mm"))
           .arg(isBelow ? QStringLiteral("−") : QStringLiteral("+"), distance, error);
-    const QString mean = tr("%1 ± %2 mm")
+    const QString mean = tr("%1 mm, SD %2")
                              .arg(numberText(inMillimeters(*population_.mean), 2),
                                   numberText(inMillimeters(*population_.standardDeviation), 2));
     const QString place =

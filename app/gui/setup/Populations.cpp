@@ -41,7 +41,7 @@ Population scalaLengthPopulation()
       limits.lengthHigh,
       millimeters(33.13),
       millimeters(2.11),
-      tr("Organ of Corti: 33.13 ± 2.11 mm, n = 9 (Stakhovskaya et al. 2007). The published model "
+      tr("Organ of Corti: 33.13 mm, SD 2.11, n = 9 (Stakhovskaya et al. 2007). The published model "
          "uses 35.58 mm."),
       notInClinicalCt(),
       {}};

@@ -15,6 +15,11 @@ QString numberText(double value, int decimals)
   return locale.toString(rounded == 0.0 ? 0.0 : rounded, 'f', decimals);
 }
 
+QString forceNumber(double force_mN)
+{
+  return numberText(force_mN, std::fabs(force_mN) < 9.95 ? 1 : 0);
+}
+
 std::optional<double> typedNumber(const QString& text)
 {
   // Locales differ in the decimal and the thousands separator; read with a German locale, 34.125 mm

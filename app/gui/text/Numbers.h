@@ -11,6 +11,10 @@ namespace perilymph::gui {
 /// A number in the user's locale with fixed decimals; never "-0.0", no thousands separators.
 QString numberText(double value, int decimals);
 
+/// An insertion's force that is kept: whole millinewtons, one decimal below 10 mN. Every page and report
+/// shows it by this, so that one insertion has one number.
+QString forceNumber(double force_mN);
+
 /// Parses a number in any locale: comma or point is the decimal sign, and there is no thousands
 /// separator. Empty if it is not finite or has two decimal signs.
 std::optional<double> typedNumber(const QString& text);

@@ -48,7 +48,7 @@ FullInsertion runFully(session::Insertion& insertion, Length profileSpacing,
   result.endForce = newtons(last.axialForce);
   insertion.refresh();
   result.contacts = contactPositions(insertion.anatomy(), parameters.array, insertion.latest());
-  if (!result.contacts.empty()) result.apical = result.contacts.front().angle;
+  result.apical = angularInsertionDepth(result.contacts);
   result.coverage = cochlearCoverage(result.contacts);
   return result;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "perilymph/analysis/ContactPositions.h"
 #include "perilymph/analysis/Phase.h"
 #include "perilymph/figures/Strings.h"
 #include "perilymph/foundation/Version.h"
@@ -81,6 +82,9 @@ Result<SimulatedInsertion> simulate(session::Insertion& insertion,
   if (isStopped) return Error{"The insertion was stopped before its end. Run it again."};
   if (!ran) return ran.error();
   simulated.profile = profiler.profile();
+  insertion.refresh();
+  simulated.angularInsertionDepth =
+      angularInsertionDepth(insertion.anatomy(), insertion.parameters().array, insertion.latest());
   if (simulated.profile.deepest < minDepth.si())
     return Error{
         "The tip did not enter the opening: %1. Aim at the opening (approach_tilt_deg, "
@@ -107,6 +111,7 @@ std::string simulationJson(const session::Scenario& scenario, const SimulatedIns
   json["work_J"] = profile.work;
   json["final_travel_mm"] = asMillimeters(profile.finalTravel);
   json["final_depth_mm"] = asMillimeters(profile.finalDepth);
+  json["angular_insertion_depth_deg"] = inDegrees(simulated.angularInsertionDepth);
   json["final_angle_deg"] = inDegrees(radians(profile.finalAngle));
   json["final_phase"] = phaseName(phaseOf(simulated.last, scenario.stopTravel()));
   json["deepest_mm"] = asMillimeters(profile.deepest);

@@ -84,7 +84,7 @@ void fillMeasures(const LumenShape& family, const FitResult& fit, const RoundWin
   const Values turned = valuesOf(family, shape, window, axis_W, window.angleError);
   const auto fill = [&](int i, double value, double there, const ModelError& error) {
     Measure measure;
-    measure.value = value;
+    measure.value = std::round(100.0 * value) / 100.0;  // as it is shown, so that all use the same
     measure.statistical = std::sqrt(std::max(0.0, correlated * propagated(i, i) + byMarks(i, i)));
     measure.model = error.constant + error.perVoxel * voxel;
     measure.definition = std::fabs(there - value);
@@ -102,10 +102,10 @@ void fillMeasures(const LumenShape& family, const FitResult& fit, const RoundWin
   const double ofFormula =
       inMillimeters(anatomy::ductLengthFormulaError(diameter(best.a), diameter(best.b)));
   const double ofDefinition = sum(measures.a.definition, measures.b.definition);
-  measures.cdlOc =
-      Measure{organOfCorti(best.a, best.b), sum(measures.a.statistical, measures.b.statistical),
-              sum(measures.a.model, measures.b.model),
-              std::sqrt(ofDefinition * ofDefinition + ofFormula * ofFormula)};
+  measures.cdlOc = Measure{organOfCorti(measures.a.value, measures.b.value),
+                           sum(measures.a.statistical, measures.b.statistical),
+                           sum(measures.a.model, measures.b.model),
+                           std::sqrt(ofDefinition * ofDefinition + ofFormula * ofFormula)};
 }
 
 }  // namespace perilymph::ct

@@ -15,6 +15,9 @@ namespace perilymph::ct {
 namespace {
 
 constexpr std::array<const char*, markCount> names{"RW", "OW", "B1", "B2", "H", "A", "C"};
+// Read as well; the window shows them.
+constexpr std::array<const char*, markCount> clinicalNames{"RW",   "LW",   "B1", "B2",
+                                                           "base", "apex", "M"};
 constexpr std::size_t basalRings = 90;  // of 4 degrees each
 
 /// The outermost point of the basal turn's wall in a direction across the axis.
@@ -51,9 +54,10 @@ const char* nameOf(Mark mark) { return names[static_cast<std::size_t>(mark)]; }
 
 std::optional<Mark> markNamed(const std::string& name)
 {
-  const auto found = std::ranges::find(names, name);
-  if (found == names.end()) return std::nullopt;
-  return static_cast<Mark>(found - names.begin());
+  for (const auto& each : {names, clinicalNames})
+    if (const auto found = std::ranges::find(each, name); found != each.end())
+      return static_cast<Mark>(found - each.begin());
+  return std::nullopt;
 }
 
 bool Marks::isEmpty() const

@@ -12,8 +12,8 @@ namespace perilymph::imaging {
 
 namespace {
 
-/// To a micrometer, as the measures are given.
-Length rounded(double value_mm) { return millimeters(1e-3 * std::round(1e3 * value_mm)); }
+/// To a nanometer, so that intervals of it round to those of the measurement.
+Length finely(double value_mm) { return millimeters(1e-6 * std::round(1e6 * value_mm)); }
 
 std::string orUnknown(const std::string& text)
 {
@@ -36,10 +36,10 @@ anatomy::Patient measuredPatient(const ct::CochleaMeasures& measures)
 {
   anatomy::Patient patient;
   patient.side = measures.side;
-  patient.basalTurn = anatomy::BasalTurn{rounded(measures.a.value), rounded(measures.b.value),
-                                         rounded(measures.h.value)};
-  patient.errors = anatomy::BasalTurnErrors{rounded(measures.a.sd()), rounded(measures.b.sd()),
-                                            rounded(measures.h.sd())};
+  patient.basalTurn = anatomy::BasalTurn{
+      millimeters(measures.a.value), millimeters(measures.b.value), millimeters(measures.h.value)};
+  patient.errors = anatomy::BasalTurnErrors{finely(measures.a.sd()), finely(measures.b.sd()),
+                                            finely(measures.h.sd())};
   if (!anatomy::checkPatient(patient)) patient.basalTurn->h = patient.errors->h = std::nullopt;
   patient.origin = {"perilymph " + buildId(), measures.provenance.seriesKey,
                     landmarkNames(measures.marksByHand, true),

@@ -194,7 +194,7 @@ TEST_F(Clinician, SeesArrayTechniqueAndPatientOfEachRow)
   for (int row = 0; row < 2; ++row)
     for (const char* part : {"Nucleus 24 Contour", "standard", "published", "right ear"})
       EXPECT_TRUE(cell(row, "Insertion").contains(QLatin1String(part))) << part;
-  EXPECT_TRUE(cell(0, "Deepest angle").endsWith("°"));
+  EXPECT_TRUE(cell(0, "Tip angle").endsWith("°"));
 }
 
 TEST_F(Clinician, SavesIntoTheFolderOfDocuments)

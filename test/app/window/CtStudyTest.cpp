@@ -72,6 +72,7 @@ public:
     for (int k = 0; k < 2 && rig_.window().page() == "ct"; ++k) {
       rig_.click("planCtButton");
       ASSERT_TRUE(WindowRig::comes([this] { return !page_.isBusy(); }));
+      if (page_.findChild<QWidget*>("versionQuestion")->isVisible()) rig_.click("newVersionButton");
     }
     ASSERT_EQ(rig_.window().page(), "plan");
     rig_.click("ctPageButton");
@@ -210,6 +211,75 @@ TEST_F(TheCtPage, KeepsLandmarksThatMoveWhileItMeasures)
   EXPECT_EQ(rig_.window().page(), "ct");  // not of these landmarks
   fits.expectShownIsOne();
   EXPECT_TRUE(study().isStale());
+}
+
+TEST_F(TheCtPage, ShowsMeasuresLandmarksAndUndoWithoutScrollingAt1366x768)
+{
+  rig_.window().resize(1366, 768);
+  measure();
+  QCoreApplication::processEvents();
+  for (const char* name : {"fittedA", "fittedCdl", "markedH", "markRW", "markOW", "markB2", "markC",
+                           "undoMarkButton", "redoMarkButton", "insertCtButton", "planCtButton"}) {
+    const auto* each = page().findChild<QWidget*>(name);
+    EXPECT_EQ(each->visibleRegion().boundingRect(), each->rect()) << name;
+  }
+}
+
+TEST_F(TheCtPage, AsksBeforeOtherMeasuresAreSavedUnderACodeAndComparesBoth)
+{
+  measure();
+  ct::CochleaMeasures first = *study().measures();
+  first.a = {8.87, 0.1, 0.06, 0.03};
+  first.b = {6.20, 0.1, 0.05, 0.02};
+  first.h = {4.00, 0.1, 0.05, 0.02};
+  study().setMeasures(first);
+  rig_.type("ctPatientCode", "P-301");
+  rig_.click("planCtButton");
+  ASSERT_EQ(rig_.window().page(), "plan");  // a new code: nothing to ask
+  rig_.click("ctPageButton");
+  rig_.click("planCtButton");
+  ASSERT_EQ(rig_.window().page(), "plan");  // the same measures
+  rig_.click("ctPageButton");
+
+  ct::CochleaMeasures second = first;
+  second.a.value = 8.70;
+  second.h.value = 4.60;
+  study().setMeasures(second);
+  rig_.click("planCtButton");
+  ASSERT_EQ(rig_.window().page(), "ct");
+  const auto* question = page().findChild<QWidget*>("versionQuestion");
+  ASSERT_TRUE(question->isVisible());
+  const bool isLeft = first.side == anatomy::Side::left;
+  const auto file = patientFolder() / (isLeft ? "P-301-left.toml" : "P-301-right.toml");
+  const auto before = session::loadPatientRecord(file);
+  ASSERT_TRUE(before) << before.error().message;
+  EXPECT_EQ(rig_.label("versionTitle"),
+            QStringLiteral("P-301 %1 exists, saved %2.")
+                .arg(isLeft ? "left" : "right",
+                     QString::fromStdString(before->versions.back().savedUtc).left(10)));
+  // sqrt(0.1^2 + 0.06^2 + 0.03^2) 1.96 = 0.236, and sqrt(2) of it
+  EXPECT_EQ(rig_.label("savedA"), "8.87 ± 0.24");
+  EXPECT_EQ(rig_.label("newA"), "8.70 ± 0.24");
+  EXPECT_EQ(rig_.label("differenceA"), "-0.17 ± 0.33");
+  EXPECT_EQ(page().findChild<QLabel*>("differenceA")->toolTip(),
+            "Within the 95 % interval of the difference");
+  EXPECT_EQ(rig_.label("differenceH"), "+0.60 ± 0.31");
+  EXPECT_EQ(page().findChild<QLabel*>("differenceH")->toolTip(),
+            "Beyond the 95 % interval of the difference");
+  // 1.71 (1.18 (A - 1) + 2.69 (B - 1) - sqrt(0.72 (A - 1) (B - 1))) + 0.18, computed apart
+  EXPECT_EQ(rig_.label("savedCdl").section(' ', 0, 0), "30.7");
+  EXPECT_EQ(rig_.label("newCdl").section(' ', 0, 0), "30.5");
+
+  rig_.click("otherCodeButton");
+  EXPECT_FALSE(question->isVisible());
+  EXPECT_EQ(session::loadPatientRecord(file)->versions, before->versions);
+  rig_.click("planCtButton");
+  rig_.click("newVersionButton");
+  EXPECT_EQ(rig_.window().page(), "plan");
+  const auto after = session::loadPatientRecord(file);
+  ASSERT_EQ(after->versions.size(), 2U);
+  EXPECT_EQ(after->versions[0], before->versions[0]);
+  EXPECT_NEAR(inMillimeters(anatomy::loadPatient(file)->basalTurn->a), 8.70, 1e-9);
 }
 
 TEST_F(TheCtPage, SavesTheFitOfTheLandmarksAfterAnySequence)

@@ -86,7 +86,7 @@ QStringList textOf(const QWidget& widget)
 /// Only numbers, signs, units and landmarks: no two adjacent letters except those of the latter.
 bool needsNoTranslation(QString text)
 {
-  for (const char* unit : {"mm/s", "mm", "mN", "Hz", "ms", "SD", "CT", "RW", "OW"})
+  for (const char* unit : {"mm/s", "mm", "mN", "Hz", "ms", "SD", "CT", "RW", "LW"})
     text.remove(unit);
   for (int i = 1; i < text.size(); ++i)
     if (text[i - 1].isLetter() && text[i].isLetter()) return false;
@@ -155,8 +155,8 @@ TEST(PseudoLanguage, FormulasAndSourcesOfThePatientsMeasuresAreTranslated)
     rig.window().showPage("insert");
     ASSERT_TRUE(measuresCome(rig)) << anatomy;
     int tips = 0;
-    for (const char* row : {"duct_length_mm", "two_turn_length_mm", "turns", "insertion_angle_deg",
-                            "coverage_percent"})
+    for (const char* row : {"duct_length_mm", "two_turn_length_mm", "turns",
+                            "angular_insertion_depth_deg", "coverage_percent"})
       for (const QLabel* label : rig.window().findChildren<QLabel*>(QLatin1String(row))) {
         if (!label->isVisible()) continue;
         for (const QString& line : label->toolTip().split(QLatin1Char('\n'))) {

@@ -189,7 +189,7 @@ TEST_F(FirstScreen, UnusualMeasuresAreMarkedAndStillPossible)
   type("patientName", "P-016");
   type("aValue", "10.4");  // (10.4 - 9.23) / 0.43 = 2.7 standard deviations
   type("bValue", "7.4");
-  EXPECT_TRUE(isMarked("2.7 SD above population mean (9.23 ± 0.43 mm): check the measurement"));
+  EXPECT_TRUE(isMarked("2.7 SD above population mean (9.23 mm, SD 0.43): check the measurement"));
   EXPECT_TRUE(rig_->button("usePatientButton").isEnabled());
   type("aValue", "9.9");  // each within two standard deviations, but not together
   type("bValue", "6.3");
@@ -226,7 +226,7 @@ TEST_F(FirstScreen, TheFormShowsWhatTheMeasuresMean)
   EXPECT_EQ(measure("duct_length_mm"), "33.4 ± 1.2 mm");
   EXPECT_EQ(measure("two_turn_length_mm"), "29.9 ± 0.7 mm");  // 3.65 (A - 1)
   EXPECT_TRUE(measure("turns").startsWith("2."));
-  EXPECT_TRUE(measure("insertion_angle_deg").endsWith("°"));
+  EXPECT_TRUE(measure("angular_insertion_depth_deg").endsWith("°"));
   EXPECT_TRUE(measure("coverage_percent").endsWith(" %"));
   type("aValue", "");
   EXPECT_FALSE(measure("duct_length_mm").contains("33.4"));

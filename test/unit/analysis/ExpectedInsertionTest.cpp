@@ -50,9 +50,9 @@ TEST(ExpectedInsertion, OfALongerArrayIsDeeperAndCoversMore)
   double angle_deg = 0.0, coverage_percent = 0.0;
   for (const char* name : {"flex20", "flex24", "flex28"}) {
     const auto measures = expectedInsertion(*scala, arrayNamed(name));
-    EXPECT_GT(valueOf(measures, "insertion_angle_deg"), angle_deg) << name;
+    EXPECT_GT(valueOf(measures, "angular_insertion_depth_deg"), angle_deg) << name;
     EXPECT_GT(valueOf(measures, "coverage_percent"), coverage_percent) << name;
-    angle_deg = valueOf(measures, "insertion_angle_deg");
+    angle_deg = valueOf(measures, "angular_insertion_depth_deg");
     coverage_percent = valueOf(measures, "coverage_percent");
   }
   EXPECT_LT(coverage_percent, 100.0);
@@ -70,7 +70,7 @@ TEST(ExpectedInsertion, IsNotBelowTheAnglesSeenInPatients)
   const auto scala = meanScala();
   for (const auto& [name, median_deg] : {std::pair{"flex24", 408.0}, std::pair{"flex28", 575.0}}) {
     const double angle_deg =
-        valueOf(expectedInsertion(*scala, arrayNamed(name)), "insertion_angle_deg");
+        valueOf(expectedInsertion(*scala, arrayNamed(name)), "angular_insertion_depth_deg");
     EXPECT_GT(angle_deg, median_deg) << name;
     EXPECT_LT(angle_deg, median_deg + 90.0) << name;
   }

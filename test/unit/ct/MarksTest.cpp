@@ -58,6 +58,11 @@ TEST(Marks, HaveNamesThatAreFoundAgain)
     const auto mark = static_cast<Mark>(k);
     EXPECT_EQ(markNamed(nameOf(mark)), mark);
   }
+  // the window's names, too
+  EXPECT_EQ(markNamed("LW"), Mark::farWall);
+  EXPECT_EQ(markNamed("base"), Mark::floor);
+  EXPECT_EQ(markNamed("apex"), Mark::apex);
+  EXPECT_EQ(markNamed("M"), Mark::modiolus);
   EXPECT_FALSE(markNamed("rw"));
 }
 

@@ -169,7 +169,7 @@ QWidget* ComparePage::addRuns()
   table_->horizontalHeader()->setHighlightSections(false);
   table_->setHorizontalHeaderLabels(
       {tr("Insertion"), tr("At cursor"), tr("Peak force"), tr("at depth"), tr("Insertion work"),
-       tr("Reversals"), tr("Time"), tr("Deepest angle"), tr("Translocation"), tr("Score")});
+       tr("Reversals"), tr("Time"), tr("Tip angle"), tr("Translocation"), tr("Score")});
   const int widths_px[] = {200, 104, 96, 88, 120, 84, 76, 100, 112, 96};
   for (int column = 0; column < columns; ++column) {
     table_->horizontalHeader()->resizeSection(column, widths_px[column]);
@@ -256,7 +256,7 @@ void ComparePage::fillTable()
     const auto& scored = scores_[std::size_t(row)];
     const std::pair<int, QString> cells[] = {
         {run, titleOf(each)},
-        {peak, tr("%1 mN").arg(numberText(inMillinewtons(newtons(profile.peak.force)), 1))},
+        {peak, tr("%1 mN").arg(forceNumber(inMillinewtons(newtons(profile.peak.force))))},
         {peakDepth, tr("%1 mm").arg(numberText(inMillimeters(meters(profile.peakDepth)), 1))},
         {work, tr("%1 mJ").arg(numberText(profile.work * 1e3, 3))},
         {reversals, QString::number(each.reversals)},

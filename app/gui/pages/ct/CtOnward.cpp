@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/pages/ct/CtOnward.h"
 
+#include <QGridLayout>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QRegularExpressionValidator>
-#include <QVBoxLayout>
 #include <QVariant>
+#include <array>
 
 #include "gui/widgets/PanelParts.h"
 #include "gui/widgets/Theme.h"
@@ -37,13 +38,12 @@ CtOnward::CtOnward(QWidget* parent)
   insert_->setProperty("primary", true);
   saveSurface_->setToolTip(
       tr("The fitted wall in the CT’s own frame (LPS): STL, PLY, glTF, OBJ, VTP"));
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(spacing);
-  for (QWidget* each : {static_cast<QWidget*>(code_), static_cast<QWidget*>(insert_),
-                        static_cast<QWidget*>(plan_), static_cast<QWidget*>(saveSurface_)})
-    column->addWidget(each);
+  auto* grid = new QGridLayout(this);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setSpacing(spacing);
+  setWide(false);
   connect(code_, &QLineEdit::textChanged, this, &CtOnward::showState);
+  connect(code_, &QLineEdit::textChanged, this, &CtOnward::codeChanged);
   connect(insert_, &QPushButton::clicked, this, [this] { Q_EMIT insertAsked(code_->text()); });
   connect(plan_, &QPushButton::clicked, this, [this] { Q_EMIT planAsked(code_->text()); });
   connect(saveSurface_, &QPushButton::clicked, this, &CtOnward::saveSurfaceAsked);
@@ -55,6 +55,26 @@ void CtOnward::show(bool isMeasured, bool isFree, bool isStale)
   isMeasured_ = isMeasured;
   isFree_ = isFree;
   showState();
+}
+
+void CtOnward::editCode()
+{
+  code_->setFocus();
+  code_->selectAll();
+}
+
+void CtOnward::setWide(bool isWide)
+{
+  auto* grid = static_cast<QGridLayout*>(layout());
+  const std::array<QWidget*, 4> inOrder{code_, insert_, plan_, saveSurface_};
+  constexpr std::array<std::array<int, 2>, 4> inTwoRows{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+  for (std::size_t k = 0; k < inOrder.size(); ++k) {
+    grid->removeWidget(inOrder[k]);
+    if (isWide)
+      grid->addWidget(inOrder[k], inTwoRows[k][0], inTwoRows[k][1]);
+    else
+      grid->addWidget(inOrder[k], int(k), 0);
+  }
 }
 
 void CtOnward::showState()

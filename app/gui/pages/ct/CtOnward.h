@@ -16,11 +16,17 @@ class CtOnward : public QWidget {
 public:
   explicit CtOnward(QWidget* parent);
 
+  /// In two rows, or below each other.
+  void setWide(bool isWide);
   /// @param isFree   No task runs.
   /// @param isStale  The landmarks moved, so that each way onward measures first.
   void show(bool isMeasured, bool isFree, bool isStale);
 
+  /// Marks the code to be typed again.
+  void editCode();
+
 Q_SIGNALS:
+  void codeChanged();
   void insertAsked(const QString& code);
   void planAsked(const QString& code);
   void saveSurfaceAsked();

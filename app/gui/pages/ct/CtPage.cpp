@@ -9,10 +9,12 @@
 #include <algorithm>
 
 #include "gui/pages/ct/CtPanel.h"
+#include "gui/pages/ct/CtSeriesList.h"
 #include "gui/pages/ct/InsertedArray.h"
 #include "gui/pages/ct/MeasuredSetup.h"
 #include "gui/pages/ct/PlaneView.h"
 #include "gui/pages/ct/SurfaceView.h"
+#include "gui/pages/ct/VersionQuestion.h"
 #include "gui/text/DataText.h"
 #include "gui/widgets/EmptyPage.h"
 #include "gui/widgets/Theme.h"
@@ -24,6 +26,13 @@
 #include "perilymph/imaging/PlanFiles.h"
 
 namespace perilymph::gui {
+
+namespace {
+
+constexpr int wideFrom_px =
+    1200;  // the planes keep more than half of it beside a panel of two columns
+
+}  // namespace
 
 CtPage::CtPage(const InsertionControl& control, QWidget* parent)
     : Page("ct", tr("CT"), parent),
@@ -69,12 +78,18 @@ CtPage::CtPage(const InsertionControl& control, QWidget* parent)
   connectPanel();
 }
 
+void CtPage::resizeEvent(QResizeEvent* event)
+{
+  Page::resizeEvent(event);
+  panel_->setWide(width() >= sized(wideFrom_px));
+}
+
 void CtPage::connectWork()
 {
   connect(&work_, &CtWork::progressed, this, [this](double fraction) { showProgress(fraction); });
   connect(&work_, &CtWork::listed, this, [this](const imaging::CtSeriesList& list) {
     list_ = list;
-    panel_->showSeries(list);
+    panel_->series().show(list);
     thumbnails_.readThumbnails(list);
   });
   connect(&work_, &CtWork::ctRead, this, [this](const std::shared_ptr<imaging::LoadedCt>& loaded) {
@@ -86,7 +101,7 @@ void CtPage::connectWork()
     views_[0]->setFocus();
     measure(false);
   });
-  connect(&thumbnails_, &CtWork::thumbnailsRead, panel_, &CtPanel::showThumbnails);
+  connect(&thumbnails_, &CtWork::thumbnailsRead, &panel_->series(), &CtSeriesList::showThumbnails);
   connect(&work_, &CtWork::measured, this, [this](const ct::CochleaMeasures& measures) {
     study_.setMeasures(measures, atRequest_);
     const auto then = std::exchange(then_, {});
@@ -125,10 +140,12 @@ void CtPage::connectPanel()
     for (PlaneView* view : views_) view->setPlaced(mark);
     panel_->showMark(mark);
   });
-  connect(panel_, &CtPanel::insertAsked, this,
-          [this](const QString& code) { withFreshMeasures([this, code] { insert(code); }); });
-  connect(panel_, &CtPanel::planAsked, this,
-          [this](const QString& code) { withFreshMeasures([this, code] { plan(code); }); });
+  connect(panel_, &CtPanel::insertAsked, this, [this](const QString& code) {
+    withFreshMeasures([this, code] { withFreeCode(code, [this, code] { insert(code); }); });
+  });
+  connect(panel_, &CtPanel::planAsked, this, [this](const QString& code) {
+    withFreshMeasures([this, code] { withFreeCode(code, [this, code] { plan(code); }); });
+  });
   connect(panel_, &CtPanel::saveSurfaceAsked, this,
           [this] { withFreshMeasures([this] { saveSurface(); }); });
   connect(panel_, &CtPanel::saveMarksAsked, this, &CtPage::saveMarks);
@@ -206,6 +223,15 @@ void CtPage::withFreshMeasures(std::function<void()> then)
   if (!study_.measures()) return;
   if (!study_.isStale()) return then();
   measure(true, std::move(then));
+}
+
+void CtPage::withFreeCode(const QString& code, std::function<void()> then)
+{
+  anatomy::Patient measured = imaging::measuredPatient(*study_.measures());
+  measured.label = code.toStdString();
+  const auto saved = findSavedPatient(measured.label, measured.side);
+  if (!saved || haveSameMeasures(saved->patient, measured)) return then();
+  panel_->question().ask(*saved, measured, std::move(then));
 }
 
 void CtPage::insert(const QString& code)

@@ -56,6 +56,9 @@ Q_SIGNALS:
   /// A plan for the measured cochlea was asked for. The patient is saved.
   void planAsked(const perilymph::anatomy::Patient& patient);
 
+protected:
+  void resizeEvent(QResizeEvent* event) override;
+
 private:
   bool isInMeasuredCochlea(const session::Scenario& scenario) const;
   void connectWork();
@@ -66,6 +69,8 @@ private:
   void measure(bool isAtCrosshair, std::function<void()> then = {});
   /// Calls `then` with a fit of the landmarks as they are now: measures first if they moved.
   void withFreshMeasures(std::function<void()> then);
+  /// Calls `then`, after a question if another measurement is saved under this code.
+  void withFreeCode(const QString& code, std::function<void()> then);
   void insert(const QString& code);
   void plan(const QString& code);
   /// Shows one view alone, or all again.

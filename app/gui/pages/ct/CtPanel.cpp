@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/pages/ct/CtPanel.h"
 
+#include <QBoxLayout>
 #include <QButtonGroup>
 #include <QComboBox>
 #include <QGridLayout>
 #include <QHBoxLayout>
-#include <QIcon>
-#include <QImage>
 #include <QLabel>
-#include <QListWidget>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QScrollArea>
@@ -17,8 +15,10 @@
 #include <QVariant>
 
 #include "gui/pages/ct/CtOnward.h"
+#include "gui/pages/ct/CtSeriesList.h"
 #include "gui/pages/ct/CtText.h"
 #include "gui/pages/ct/MarkGuide.h"
+#include "gui/pages/ct/VersionQuestion.h"
 #include "gui/text/DataText.h"
 #include "gui/widgets/CheckBoxes.h"
 #include "gui/widgets/PanelParts.h"
@@ -29,7 +29,7 @@ namespace perilymph::gui {
 
 namespace {
 
-constexpr int panelWidth_px = 300, seriesHeight_px = 66, thumbnail_px = 48;
+constexpr int panelWidth_px = 300, wideWidth_px = 560;
 
 QLabel* panelText(const QString& caption, int size_px, QWidget* parent)
 {
@@ -52,16 +52,23 @@ constexpr std::array<Slab, 4> slabs{{{0.0, imaging::Projection::mean},
 CtPanel::CtPanel(CtStudy& study, QWidget* parent) : QWidget(parent), study_(study)
 {
   setObjectName(QStringLiteral("ctPanel"));
-  setFixedWidth(sized(panelWidth_px));
   auto* upper = new QWidget(this);
-  auto* column = new QVBoxLayout(upper);
-  column->setContentsMargins(2 * spacing, 2 * spacing, 2 * spacing, spacing);
-  column->setSpacing(spacing);
-  addSource(*column);
-  addView(*column);
-  addMeasurement(*column);
-  addMarks(*column);
-  column->addStretch();
+  columns_ = new QBoxLayout(QBoxLayout::TopToBottom, upper);
+  columns_->setContentsMargins(2 * spacing, 2 * spacing, 2 * spacing, spacing);
+  columns_->setSpacing(2 * spacing);
+  auto* before = new QVBoxLayout;
+  auto* found = new QVBoxLayout;
+  for (QVBoxLayout* column : {before, found}) {
+    column->setSpacing(spacing);
+    columns_->addLayout(column, 1);
+  }
+  addSource(*before);
+  addView(*before);
+  addMeasurement(*before);
+  before->addStretch();
+  addMeasures(*found);
+  addMarks(*found);
+  found->addStretch();
   // what follows the measurement stays in view
   auto* foot = new QVBoxLayout;
   foot->setContentsMargins(2 * spacing, spacing, 2 * spacing, 2 * spacing);
@@ -73,7 +80,15 @@ CtPanel::CtPanel(CtStudy& study, QWidget* parent) : QWidget(parent), study_(stud
   whole->addWidget(verticalScroll(upper, this), 1);
   whole->addLayout(foot);
   connect(&study_, &CtStudy::changed, this, &CtPanel::refresh);
+  setWide(false);
   showIdle({});
+}
+
+void CtPanel::setWide(bool isWide)
+{
+  setFixedWidth(sized(isWide ? wideWidth_px : panelWidth_px));
+  columns_->setDirection(isWide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+  onward_->setWide(isWide);
 }
 
 void CtPanel::addSource(QVBoxLayout& column)
@@ -89,20 +104,12 @@ void CtPanel::addSource(QVBoxLayout& column)
   row->addWidget(folder);
   row->addWidget(file);
   column.addLayout(row);
-  series_ = new QListWidget(this);
-  series_->setObjectName(QStringLiteral("ctSeriesList"));
-  series_->setAccessibleName(tr("Series"));
-  series_->setFont(typeface(12));
-  series_->setWordWrap(true);
-  series_->setIconSize({thumbnail_px, thumbnail_px});
-  series_->setFixedHeight(sized(seriesHeight_px));
-  series_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  series_ = new CtSeriesList(this);
   column.addWidget(series_);
   connect(folder, &QPushButton::clicked, this, &CtPanel::folderAsked);
   connect(file, &QPushButton::clicked, this, &CtPanel::fileAsked);
-  connect(series_, &QListWidget::itemClicked, this, [this](QListWidgetItem* item) {
-    Q_EMIT seriesChosen(item->data(Qt::UserRole).toString().toStdString());
-  });
+  connect(series_, &QListWidget::itemClicked, this,
+          [this](QListWidgetItem* item) { Q_EMIT seriesChosen(CtSeriesList::uidOf(*item)); });
 }
 
 void CtPanel::addView(QVBoxLayout& column)
@@ -183,7 +190,10 @@ void CtPanel::addMeasurement(QVBoxLayout& column)
   connect(search_, &QPushButton::clicked, this, [this] { Q_EMIT measureAsked(false); });
   connect(measureHere_, &QPushButton::clicked, this, [this] { Q_EMIT measureAsked(true); });
   connect(cancel_, &QPushButton::clicked, this, &CtPanel::cancelAsked);
+}
 
+void CtPanel::addMeasures(QVBoxLayout& column)
+{
   side_ = panelText({}, 13, this);
   side_->setObjectName(QStringLiteral("ctSide"));
   column.addWidget(side_);
@@ -249,7 +259,9 @@ void CtPanel::addMarks(QVBoxLayout& column)
   saveMarks_->setToolTip(
       tr("Markups for 3D Slicer (.mrk.json, LPS): landmarks, axis, and the inserted array with its "
          "contacts"));
-  loadMarks_->setToolTip(tr("Markups of 3D Slicer with points named RW, C, A …"));
+  loadMarks_->setToolTip(
+      tr("Markups of 3D Slicer with points named RW, LW, B1, B2, base, apex, M, or as this "
+         "program saves them"));
   const std::array buttons{undo_, redo_, saveMarks_, loadMarks_};
   for (int i = 0; i < 4; ++i) verbs->addWidget(buttons[std::size_t(i)], i / 2, i % 2);
   column.addLayout(verbs);
@@ -261,39 +273,15 @@ void CtPanel::addMarks(QVBoxLayout& column)
 
 void CtPanel::addOnward(QVBoxLayout& column)
 {
+  column.addWidget(question_ = new VersionQuestion(this));
   column.addWidget(onward_ = new CtOnward(this));
+  // a question is about these measures and this code
+  connect(&study_, &CtStudy::modelChanged, question_, &VersionQuestion::drop);
+  connect(onward_, &CtOnward::codeChanged, question_, &VersionQuestion::drop);
+  connect(question_, &VersionQuestion::otherCodeWanted, onward_, &CtOnward::editCode);
   connect(onward_, &CtOnward::insertAsked, this, &CtPanel::insertAsked);
   connect(onward_, &CtOnward::planAsked, this, &CtPanel::planAsked);
   connect(onward_, &CtOnward::saveSurfaceAsked, this, &CtPanel::saveSurfaceAsked);
-}
-
-void CtPanel::showSeries(const imaging::CtSeriesList& list)
-{
-  series_->clear();
-  for (const imaging::CtSeries& series : list.series) {
-    auto* item = new QListWidgetItem(seriesText(series), series_);
-    item->setData(Qt::UserRole, QString::fromStdString(series.uid));
-    QStringList notes;
-    for (const Sentence& warning : series.warnings) notes << dataText(warning);
-    if (!series.obstacle.empty()) {
-      notes.prepend(dataText(series.obstacle));
-      item->setFlags(Qt::NoItemFlags);
-    }
-    item->setToolTip(notes.join(QLatin1Char('\n')).toHtmlEscaped());
-  }
-  series_->setCurrentRow(0);
-}
-
-void CtPanel::showThumbnails(const std::vector<imaging::CtThumbnail>& pictures)
-{
-  for (const imaging::CtThumbnail& picture : pictures)
-    for (int row = 0; row < series_->count(); ++row) {
-      QListWidgetItem* item = series_->item(row);
-      if (item->data(Qt::UserRole).toString().toStdString() != picture.uid) continue;
-      const QImage image(picture.gray.data(), picture.width, picture.height, picture.width,
-                         QImage::Format_Grayscale8);
-      item->setIcon(QIcon(QPixmap::fromImage(image)));
-    }
 }
 
 void CtPanel::showMark(const std::optional<ct::Mark>& mark) { guide_->showMark(mark); }
@@ -354,7 +342,7 @@ void CtPanel::showMeasures()
   const ct::MarkedMeasures between = study_.marked();
   const std::array<std::optional<double>, 4> marked{between.a, between.b, between.h, std::nullopt};
   for (std::size_t k = 0; k < fitted.size(); ++k) {
-    fitted_[k]->setText(fitted[k] ? measureText(*fitted[k]) : QStringLiteral("–"));
+    fitted_[k]->setText(fitted[k] ? measureText(*fitted[k], k < 3 ? 2 : 1) : QStringLiteral("–"));
     fitted_[k]->setToolTip(fitted[k] ? errorText(*fitted[k]) : QString());
     fitted_[k]->setEnabled(!isStale);
     marked_[k]->setText(lengthText(marked[k]));

@@ -10,9 +10,9 @@
 
 #include "gui/pages/ct/CtStudy.h"
 
+class QBoxLayout;
 class QComboBox;
 class QLabel;
-class QListWidget;
 class QProgressBar;
 class QPushButton;
 class QVBoxLayout;
@@ -21,7 +21,9 @@ namespace perilymph::gui {
 
 class Choice;
 class CtOnward;
+class CtSeriesList;
 class MarkGuide;
+class VersionQuestion;
 
 /// Shows a study's numbers and asks for what the buttons say.
 class CtPanel : public QWidget {
@@ -29,15 +31,17 @@ class CtPanel : public QWidget {
 public:
   CtPanel(CtStudy& study, QWidget* parent);
 
-  void showSeries(const imaging::CtSeriesList& list);
-  /// Adds pictures to the series of the list.
-  void showThumbnails(const std::vector<imaging::CtThumbnail>& pictures);
+  CtSeriesList& series() { return *series_; }
   /// Shows a task with its progress, 0 to 1, and a button to cancel it.
   void showTask(const QString& task, double fraction);
   /// Ends the display of a task; an empty sentence says nothing.
   void showIdle(const QString& sentence, bool isError = false);
   /// Guides to a landmark that is being placed; none ends it.
   void showMark(const std::optional<ct::Mark>& mark);
+  /// In two columns, so that numbers and landmarks need no scrolling, or in one.
+  void setWide(bool isWide);
+  /// Asked before other measures are saved under a code that exists.
+  VersionQuestion& question() { return *question_; }
   /// Updates numbers and buttons.
   void refresh();
 
@@ -59,12 +63,14 @@ private:
   void addSource(QVBoxLayout& column);
   void addView(QVBoxLayout& column);
   void addMeasurement(QVBoxLayout& column);
+  void addMeasures(QVBoxLayout& column);
   void addMarks(QVBoxLayout& column);
   void addOnward(QVBoxLayout& column);
   void showMeasures();
 
   CtStudy& study_;
-  QListWidget* series_;
+  QBoxLayout* columns_;
+  CtSeriesList* series_;
   Choice *patientPlanes_, *cochleaPlanes_;
   QComboBox *window_, *slab_;
   QPushButton *search_, *measureHere_, *cancel_;
@@ -76,6 +82,7 @@ private:
   MarkGuide* guide_;
   QPushButton *undo_, *redo_;
   CtOnward* onward_;
+  VersionQuestion* question_;
   QPushButton *saveMarks_, *loadMarks_;
   bool isBusy_ = false;
 };

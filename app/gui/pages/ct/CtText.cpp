@@ -33,13 +33,13 @@ QString markName(ct::Mark mark)
     case ct::Mark::roundWindow:
       return tr("Round window");
     case ct::Mark::farWall:
-      return tr("Far wall (end of A)");
+      return tr("Lateral wall (end of A)");
     case ct::Mark::nearB:
-      return tr("B, first end");
+      return tr("Lateral wall, first end of B");
     case ct::Mark::farB:
-      return tr("B, second end");
+      return tr("Lateral wall, second end of B");
     case ct::Mark::floor:
-      return tr("Floor of the basal turn");
+      return tr("Base (floor of the basal turn)");
     case ct::Mark::apex:
       return tr("Apex");
     case ct::Mark::modiolus:
@@ -50,10 +50,23 @@ QString markName(ct::Mark mark)
 
 QString markLabel(ct::Mark mark)
 {
-  // names in files that would be taken for the measures A and H
-  if (mark == ct::Mark::apex) return tr("apex");
-  if (mark == ct::Mark::floor) return tr("floor");
-  return QLatin1String(ct::nameOf(mark));
+  switch (mark) {
+    case ct::Mark::roundWindow:
+      return tr("RW");
+    case ct::Mark::farWall:
+      return tr("LW");
+    case ct::Mark::nearB:
+      return QStringLiteral("B1");
+    case ct::Mark::farB:
+      return QStringLiteral("B2");
+    case ct::Mark::floor:
+      return tr("base");
+    case ct::Mark::apex:
+      return tr("apex");
+    case ct::Mark::modiolus:
+      return QStringLiteral("M");
+  }
+  return {};
 }
 
 QString markGuide(ct::Mark mark)
@@ -63,12 +76,12 @@ QString markGuide(ct::Mark mark)
       return tr("Cochlear view: the center of the round window, where the basal turn opens.");
     case ct::Mark::farWall:
       return tr(
-          "Cochlear view: from the round window through the modiolus to the opposite outer "
+          "Cochlear view: from the round window through the modiolus to the opposite lateral "
           "wall of the basal turn.");
     case ct::Mark::nearB:
     case ct::Mark::farB:
       return tr(
-          "Cochlear view: the outer wall of the basal turn on the line through the modiolus, "
+          "Cochlear view: the lateral wall of the basal turn on the line through the modiolus, "
           "perpendicular to A.");
     case ct::Mark::floor:
       return tr("Mid-modiolar view: the lowest point of the basal turn’s bony lumen.");
@@ -80,10 +93,10 @@ QString markGuide(ct::Mark mark)
   return {};
 }
 
-QString measureText(const ct::Measure& measure)
+QString measureText(const ct::Measure& measure, int decimals)
 {
   return tr("%1 ± %2 mm")
-      .arg(numberText(measure.value, 2), numberText(halfWidth95 * measure.sd(), 2));
+      .arg(numberText(measure.value, decimals), numberText(halfWidth95 * measure.sd(), decimals));
 }
 
 QString errorText(const ct::Measure& measure)

@@ -15,12 +15,12 @@ namespace perilymph::gui {
 QString planeName(PlaneFrame frame, std::size_t plane);
 /// "Round window"
 QString markName(ct::Mark mark);
-/// "RW", "apex": as in the pictures.
+/// "RW", "LW", "base": the clinical short name, as in the pictures. Files have ct::nameOf().
 QString markLabel(ct::Mark mark);
 /// How a landmark is found in the pictures.
 QString markGuide(ct::Mark mark);
 /// "9.12 ± 0.21 mm": value and 95 % interval.
-QString measureText(const ct::Measure& measure);
+QString measureText(const ct::Measure& measure, int decimals = 2);
 /// Sources of the error: statistical, model, definition of 0 degrees.
 QString errorText(const ct::Measure& measure);
 /// "9.12 mm", a dash if not measured.

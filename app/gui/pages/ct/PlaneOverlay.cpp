@@ -2,12 +2,15 @@
 #include "gui/pages/ct/PlaneOverlay.h"
 
 #include <Eigen/Geometry>
+#include <QFontMetricsF>
 #include <QLineF>
 #include <QPainter>
 #include <QVector>
 #include <cmath>
+#include <vector>
 
 #include "gui/pages/ct/CtText.h"
+#include "gui/pages/ct/LabelPlaces.h"
 #include "gui/text/Numbers.h"
 #include "gui/widgets/Theme.h"
 
@@ -112,13 +115,63 @@ double opacityOf(double behind_mm)
   return 1.0 - (1.0 - dimmestMark) * distance / markReach_mm;
 }
 
+/// A label that is to be drawn, and how clearly.
+struct Label {
+  QString text;
+  double opacity;
+};
+
+/// Labels beside their points with lines to them, each on a free place.
+void paintLabels(QPainter& painter, const std::vector<Label>& labels,
+                 const std::vector<LabelledPoint>& points, const QRectF& pane,
+                 const std::vector<QRectF>& taken)
+{
+  const std::vector<QRectF> places = placeLabels(points, pane, taken);
+  for (std::size_t k = 0; k < labels.size(); ++k) {
+    if (places[k].isNull()) continue;
+    painter.setOpacity(labels[k].opacity);
+    const QLineF leader = leaderLine(points[k].at, places[k]);
+    if (!leader.isNull()) {
+      painter.setPen(QPen(QColor::fromRgba(shadowColor), 3.0));
+      painter.drawLine(leader);
+      painter.setPen(QPen(Qt::white, 1.0));
+      painter.drawLine(leader);
+    }
+    drawText(painter, places[k], Qt::AlignCenter, labels[k].text, Qt::white);
+    painter.setOpacity(1.0);
+  }
+}
+
 void paintMarks(QPainter& painter, const CtStudy& study, const Projector& project,
-                const std::optional<ct::Mark>& dragged)
+                const std::optional<ct::Mark>& dragged, const QRectF& pane,
+                const std::vector<QRectF>& taken)
 {
   const ct::Marks& marks = study.marks();
   const auto isDrawn = [&](ct::Mark mark) {
     return marks[mark] && opacityOf(project.plane.behind(*marks[mark])) > 0.0;
   };
+  std::vector<Label> labels;
+  std::vector<LabelledPoint> points;
+  const auto addLabel = [&](const QString& text, const QPointF& at, double opacity) {
+    if (!pane.contains(at)) return;
+    const QFontMetricsF metrics(painter.font());
+    labels.push_back({text, opacity});
+    points.push_back({at, {metrics.horizontalAdvance(text) + 4.0, metrics.height()}});
+  };
+  for (std::size_t k = 0; k < ct::markCount; ++k) {
+    const auto mark = static_cast<ct::Mark>(k);
+    if (!isDrawn(mark)) continue;
+    const double opacity = opacityOf(project.plane.behind(*marks[mark]));
+    const QPointF at = project(*marks[mark]);
+    painter.setOpacity(opacity);
+    painter.setPen(QPen(QColor::fromRgba(shadowColor), 4.0));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawEllipse(at, markRadius_px, markRadius_px);
+    painter.setPen(QPen(dragged == mark ? QColor::fromRgba(outlineColor) : QColor(Qt::white), 1.8));
+    painter.drawEllipse(at, markRadius_px, markRadius_px);
+    painter.setOpacity(1.0);
+    addLabel(markLabel(mark), at, opacity);
+  }
   for (const ct::MeasureLine& line : ct::measureLines) {
     const auto &one = marks[line.from], &other = marks[line.to];
     if (!one || !other || !(isDrawn(line.from) || isDrawn(line.to))) continue;
@@ -126,26 +179,10 @@ void paintMarks(QPainter& painter, const CtStudy& study, const Projector& projec
     const QPointF from = project(*one), to = project(*other);
     painter.setPen(QPen(QColor::fromRgba(measureColor), 1.0, Qt::DashLine));
     painter.drawLine(from, to);
-    const QPointF middle = 0.5 * (from + to) + QPointF(6, -6);
-    drawText(painter, QRectF(middle, QSizeF(24, 18)), Qt::AlignLeft | Qt::AlignTop,
-             QLatin1String(line.name), Qt::white);
+    // not in the middle, where A and B cross
+    addLabel(QLatin1String(line.name), from + 0.3 * (to - from), 1.0);
   }
-  for (std::size_t k = 0; k < ct::markCount; ++k) {
-    const auto mark = static_cast<ct::Mark>(k);
-    if (!isDrawn(mark)) continue;
-    const double opacity = opacityOf(project.plane.behind(*marks[mark]));
-    const QPointF at = project(*marks[mark]);
-    const bool isHeld = dragged == mark;
-    painter.setOpacity(opacity);
-    painter.setPen(QPen(QColor::fromRgba(shadowColor), 4.0));
-    painter.setBrush(Qt::NoBrush);
-    painter.drawEllipse(at, markRadius_px, markRadius_px);
-    painter.setPen(QPen(isHeld ? QColor::fromRgba(outlineColor) : QColor(Qt::white), 1.8));
-    painter.drawEllipse(at, markRadius_px, markRadius_px);
-    drawText(painter, QRectF(at + QPointF(8, -20), QSizeF(60, 18)), Qt::AlignLeft | Qt::AlignBottom,
-             markLabel(mark), Qt::white);
-    painter.setOpacity(1.0);
-  }
+  paintLabels(painter, labels, points, pane, taken);
 }
 
 void paintLetters(QPainter& painter, const QSize& size, const ct::ViewPlane& plane)
@@ -192,11 +229,28 @@ void paintOverlay(QPainter& painter, const QSize& size, const CtStudy& study, st
   paintOutline(painter, study, project);
   paintArray(painter, study, project);
   paintCrosshair(painter, size, study, plane, project);
-  paintMarks(painter, study, project, dragged);
+  const QString name = planeName(study.frame(), plane);
+  const QFontMetricsF metrics(painter.font());
+  const QRectF pane(QPointF(0, 0), size);
+  const QSizeF letter(2.0 * metrics.averageCharWidth() + spacing, metrics.height() + spacing);
+  // name, letters of the four directions, scale bar
+  std::vector<QRectF> taken{
+      QRectF(0, 0, metrics.horizontalAdvance(name) + 2 * spacing, metrics.height() + 2 * spacing),
+      QRectF(QPointF(size.width() - 110.0, size.height() - 36.0), pane.bottomRight())};
+  for (const QPointF& center :
+       {QPointF(0.5 * letter.width(), 0.5 * size.height()),
+        QPointF(size.width() - 0.5 * letter.width(), 0.5 * size.height()),
+        QPointF(0.5 * size.width(), 0.5 * letter.height()),
+        QPointF(0.5 * size.width(), size.height() - 0.5 * letter.height())}) {
+    QRectF area({0, 0}, letter);
+    area.moveCenter(center);
+    taken.push_back(area);
+  }
+  paintMarks(painter, study, project, dragged, pane, taken);
   paintLetters(painter, size, project.plane);
   paintScaleBar(painter, size, study.pixel_mm());
-  drawText(painter, QRectF(spacing, spacing, size.width(), 20), Qt::AlignLeft | Qt::AlignTop,
-           planeName(study.frame(), plane), QColor(planeColors[plane]));
+  drawText(painter, QRectF(spacing, spacing, size.width(), 20), Qt::AlignLeft | Qt::AlignTop, name,
+           QColor(planeColors[plane]));
 }
 
 }  // namespace perilymph::gui

@@ -2,9 +2,11 @@
 #include "gui/pages/ct/PlaneView.h"
 
 #include <Eigen/Geometry>
+#include <QHelpEvent>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QToolTip>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
@@ -89,6 +91,17 @@ std::optional<ct::Mark> PlaneView::markAt(const QPointF& place) const
     nearest = mark;
   }
   return nearest;
+}
+
+bool PlaneView::event(QEvent* event)
+{
+  if (event->type() != QEvent::ToolTip) return QWidget::event(event);
+  const auto& help = static_cast<const QHelpEvent&>(*event);
+  if (const auto mark = markAt(help.pos()))
+    QToolTip::showText(help.globalPos(), markName(*mark), this);
+  else
+    QToolTip::hideText();
+  return true;
 }
 
 void PlaneView::paintEvent(QPaintEvent*)

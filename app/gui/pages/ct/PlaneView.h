@@ -40,6 +40,8 @@ Q_SIGNALS:
   void maximizeAsked();
 
 protected:
+  /// A tool tip names the landmark under the mouse in full.
+  bool event(QEvent* event) override;
   void paintEvent(QPaintEvent*) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;

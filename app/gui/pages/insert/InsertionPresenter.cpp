@@ -14,6 +14,7 @@
 #include "gui/scene/OperationView.h"
 #include "gui/setup/StopTravel.h"
 #include "gui/text/DeviceRate.h"
+#include "perilymph/analysis/ContactPositions.h"
 #include "perilymph/analysis/PublishedConditions.h"
 
 namespace perilymph::gui {
@@ -94,7 +95,11 @@ void InsertionPresenter::stepSlowly(const FrameMeter& meter)
 {
   const haptics::TickOutput& now = control_.now().output;
   const Length stopTravel = control_.scenario().stopTravel();
-  zones_.views->operation()->showNumbers(now, stopTravel);
+  zones_.views->operation()->showNumbers(
+      now,
+      analysis::angularInsertionDepth(control_.anatomy(), control_.scenario().array(),
+                                      control_.now()),
+      stopTravel);
   zones_.views->showSlowly(control_.now());
   zones_.views->weigh(meter);
   zones_.bottom->setProgress(now.travel / stopTravel.si(), now.time);

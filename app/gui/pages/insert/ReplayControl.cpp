@@ -10,6 +10,7 @@
 #include "gui/run/WorkflowPredicates.h"
 #include "gui/scene/OperationView.h"
 #include "gui/setup/StopTravel.h"
+#include "perilymph/analysis/ContactPositions.h"
 #include "perilymph/analysis/PublishedConditions.h"
 
 namespace perilymph::gui {
@@ -72,7 +73,11 @@ void ReplayControl::step(double elapsed_s, bool isSeen)
 
 void ReplayControl::stepSlowly()
 {
-  views_.operation()->showNumbers(player_.now().output, player_.playback().scenario().stopTravel());
+  views_.operation()->showNumbers(
+      player_.now().output,
+      analysis::angularInsertionDepth(*player_.playback().anatomy(),
+                                      player_.playback().scenario().array(), player_.now()),
+      player_.playback().scenario().stopTravel());
   views_.showSlowly(player_.now());
   views_.operation()->setHint(
       player_.isPlaying() ? QString() : tr("Space plays or pauses. ← and → step by 1 ms."));

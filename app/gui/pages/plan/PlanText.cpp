@@ -16,7 +16,11 @@ namespace {
 // lupdate assigns texts of free functions to their namespace.
 QString tr(const char* text) { return QCoreApplication::translate("perilymph::gui", text); }
 
-int decimalsOf(PlanColumn column) { return column == PlanColumn::partition ? 1 : 0; }
+/// Small forces on the partition have a decimal, as in the report.
+int decimalsOf(const planning::Band& band, PlanColumn column)
+{
+  return column == PlanColumn::partition && band.high < 10.0 ? 1 : 0;
+}
 
 QString coverageMethod()
 {
@@ -163,7 +167,7 @@ const analysis::Estimate& estimateOf(const planning::ArrayPlan& plan, PlanColumn
 
 QString medianText(const planning::Band& band, PlanColumn column)
 {
-  const QString median = numberText(band.median, decimalsOf(column));
+  const QString median = numberText(band.median, decimalsOf(band, column));
   if (column == PlanColumn::angle) return tr("%1°").arg(median);
   if (column == PlanColumn::coverage) return tr("%1 %").arg(median);
   return tr("%1 mN").arg(median);
@@ -171,7 +175,7 @@ QString medianText(const planning::Band& band, PlanColumn column)
 
 QString rangeText(const planning::Band& band, PlanColumn column)
 {
-  const int decimals = decimalsOf(column);
+  const int decimals = decimalsOf(band, column);
   const QString low = numberText(band.low, decimals), high = numberText(band.high, decimals);
   if (column == PlanColumn::angle) return tr("%1–%2°").arg(low, high);
   if (column == PlanColumn::coverage) return tr("%1–%2 %").arg(low, high);
@@ -180,7 +184,7 @@ QString rangeText(const planning::Band& band, PlanColumn column)
 
 QString bandText(const planning::Band& band, PlanColumn column)
 {
-  const int decimals = decimalsOf(column);
+  const int decimals = decimalsOf(band, column);
   const QString median = numberText(band.median, decimals), low = numberText(band.low, decimals),
                 high = numberText(band.high, decimals);
   if (column == PlanColumn::angle) return tr("%1 (%2–%3)°").arg(median, low, high);

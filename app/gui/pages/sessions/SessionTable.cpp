@@ -159,7 +159,7 @@ QString SessionTable::text(const Row& row, int column) const
                  : QString();
     case peak:
       return hasNumbers(session) ? tr("%1 mN at %2 mm")
-                                       .arg(numberText(inMillinewtons(newtons(found.peakForce)), 0),
+                                       .arg(forceNumber(inMillinewtons(newtons(found.peakForce))),
                                             numberText(inMillimeters(meters(found.peakDepth)), 1))
                                  : QString();
     default:
@@ -246,7 +246,7 @@ QString SessionTable::title(int column) const
     case duration:
       return tr("Duration");
     case angle:
-      return tr("Insertion angle");
+      return tr("Tip angle");
     case peak:
       return tr("Peak force at depth");
     default:

@@ -10,16 +10,30 @@
 
 namespace perilymph::analysis {
 
-std::vector<ContactPosition> contactPositions(const anatomy::ScalaTympani& scala,
-                                              const electrode::ArrayDesign& array,
-                                              const haptics::Snapshot& now)
+namespace {
+
+/// Every contact of a snapshot, from the tip; none with fewer than 2 nodes.
+std::vector<mechanics::ContactOutcome> outcomesOf(const anatomy::ScalaTympani& scala,
+                                                  const electrode::ArrayDesign& array,
+                                                  const haptics::Snapshot& now)
 {
   const std::size_t count = std::min<std::size_t>(now.nodes, mechanics::maxNodes);
   if (count < 2) return {};
   std::vector<Eigen::Vector3d> nodes_W;
   for (std::size_t i = 0; i < count; ++i)
     nodes_W.emplace_back(now.node_W[i][0], now.node_W[i][1], now.node_W[i][2]);
-  const auto outcome = mechanics::outcomeOf(scala, array, {nodes_W, {}, Eigen::Vector3d::UnitX()});
+  return mechanics::outcomeOf(scala, array, {nodes_W, {}, Eigen::Vector3d::UnitX()});
+}
+
+}  // namespace
+
+std::vector<ContactPosition> contactPositions(const anatomy::ScalaTympani& scala,
+                                              const electrode::ArrayDesign& array,
+                                              const haptics::Snapshot& now)
+{
+  const std::size_t count = std::min<std::size_t>(now.nodes, mechanics::maxNodes);
+  const auto outcome = outcomesOf(scala, array, now);
+  if (outcome.empty()) return {};
   const OrganOfCorti organ(scala);
 
   std::vector<ContactPosition> contacts;
@@ -40,6 +54,20 @@ std::vector<ContactPosition> contactPositions(const anatomy::ScalaTympani& scala
     contacts.push_back(contact);
   }
   return contacts;
+}
+
+Angle angularInsertionDepth(const std::vector<ContactPosition>& contacts)
+{
+  const auto apical = std::ranges::find_if(contacts, &ContactPosition::isInserted);
+  return apical == contacts.end() ? Angle{} : apical->angle;
+}
+
+Angle angularInsertionDepth(const anatomy::ScalaTympani& scala, const electrode::ArrayDesign& array,
+                            const haptics::Snapshot& now)
+{
+  const auto outcome = outcomesOf(scala, array, now);
+  const auto apical = std::ranges::find_if(outcome, &mechanics::ContactOutcome::isInside);
+  return apical == outcome.end() ? Angle{} : radians(apical->angle);
 }
 
 double cochlearCoverage(const std::vector<ContactPosition>& contacts)

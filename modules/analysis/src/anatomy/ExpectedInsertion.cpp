@@ -54,12 +54,16 @@ std::vector<Measure> expectedInsertion(const anatomy::ScalaTympani& scala,
   const auto rows = sectionRows(scala, degrees(sectionStep_deg));
   const Length radius =
       0.25 * (array.sectionAt(Length{}).within + array.sectionAt(array.insertable).within);
-  const SectionRow end = rowAlongLateralWall(rows, array.insertable.si(), radius.si());
+  const Length deepest = array.insertable - array.contactsFromTip.front();
+  const SectionRow end = rowAlongLateralWall(rows, deepest.si(), radius.si());
   const double organ = rows.back().organOfCortiLength;
   const Sentence source{"geometry of this model; real insertions end earlier"};
   return {
-      {"insertion_angle_deg", inDegrees(radians(end.angle)),
-       Sentence{"angle at which a path along the lateral wall is as long as the array"}, source},
+      {"angular_insertion_depth_deg", inDegrees(radians(end.angle)),
+       Sentence{
+           "angle of the most apical contact of an array that lies along the lateral wall in its "
+           "whole length"},
+       source},
       {"coverage_percent", organ > 0.0 ? 100.0 * end.organOfCortiLength / organ : 0.0,
        Sentence{"organ-of-Corti path up to that angle / whole path"}, source}};
 }

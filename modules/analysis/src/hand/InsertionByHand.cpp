@@ -181,7 +181,7 @@ ClinicalInsertion insertByHand(const session::InsertionParameters& nominal,
   (*insertion)->refresh();
   if (shape != nullptr) *shape = (*insertion)->latest();
   result.contacts = contactPositions(*anatomy, nominal.array, (*insertion)->latest());
-  if (!result.contacts.empty()) result.apical = result.contacts.front().angle;
+  result.apical = angularInsertionDepth(result.contacts);
   return result;
 }
 

@@ -32,6 +32,14 @@ std::vector<ContactPosition> contactPositions(const anatomy::ScalaTympani& scala
                                               const electrode::ArrayDesign& array,
                                               const haptics::Snapshot& now);
 
+/// Angular insertion depth, as clinics and trials report it: the angle of the most apical contact from
+/// the center of the round window; 0 while none is inserted. The tip lies deeper by some degrees: its
+/// angle is the tip angle (haptics::TickOutput::angularDepth).
+Angle angularInsertionDepth(const std::vector<ContactPosition>& contacts);
+/// The same in about 0.1 ms, for what is shown while an array moves.
+Angle angularInsertionDepth(const anatomy::ScalaTympani& scala, const electrode::ArrayDesign& array,
+                            const haptics::Snapshot& now);
+
 /// Part of the organ of Corti basal to the most apical inserted contact, 0 to 1.
 double cochlearCoverage(const std::vector<ContactPosition>& contacts);
 

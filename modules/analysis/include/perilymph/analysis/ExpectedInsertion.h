@@ -11,7 +11,7 @@
 
 namespace perilymph::analysis {
 
-/// Angular insertion depth of the tip ("insertion_angle_deg") and cochlear coverage
+/// Angular insertion depth ("angular_insertion_depth_deg") and cochlear coverage
 /// ("coverage_percent") of a straight array that is inserted from the round window to its full
 /// length. Empty for a precurved one, whose distance from the modiolus geometry does not tell.
 ///

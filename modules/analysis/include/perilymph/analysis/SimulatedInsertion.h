@@ -18,6 +18,7 @@ namespace perilymph::analysis {
 struct SimulatedInsertion {
   ForceProfile profile;
   haptics::TickOutput last;
+  Angle angularInsertionDepth;  ///< At the end; 0 if no contact is inserted.
 };
 
 /// Runs a prepared insertion to its end in virtual time.

@@ -24,7 +24,8 @@ inline constexpr std::size_t markCount = 7;
 /// Name of a landmark as in files, with those of the published ears where they exist: "RW", "OW",
 /// "B1", "B2", "H", "A", "C".
 const char* nameOf(Mark mark);
-/// The landmark with a name in a file; empty for other names.
+/// The landmark with a name in a file, or by its clinical one ("LW", "base", "apex", "M"); empty for
+/// other names.
 std::optional<Mark> markNamed(const std::string& name);
 
 /// A measure between two landmarks.

@@ -54,8 +54,7 @@ Result<CochleaMeasures> Pipeline::run()
   if (!request_.click_P) considerOther(*chosen);
   auto free = refined(std::move(chosen->best));
   if (!free) return free.error();
-  const FitResult best =
-      request_.marks.isEmpty() ? *std::move(free) : corrected(*std::move(free));
+  const FitResult best = request_.marks.isEmpty() ? *std::move(free) : corrected(*std::move(free));
   if (isStopped()) return canceled();
   if (const auto done = checkMisfit(volume_, best); !done) return done.error();
   if (const auto done = checkClimb(volume_, family_, best); !done) return done.error();

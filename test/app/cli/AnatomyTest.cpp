@@ -9,8 +9,8 @@
 #include <string>
 #include <utility>
 
-#include "Cli.h"
 #include "perilymph/foundation/Resources.h"
+#include "perilymph/test/Cli.h"
 
 namespace perilymph::test {
 namespace {

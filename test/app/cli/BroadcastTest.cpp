@@ -8,8 +8,8 @@
 #include <cmath>
 #include <csignal>
 
-#include "Cli.h"
 #include "perilymph/test/ChildProcess.h"
+#include "perilymph/test/Cli.h"
 #include "perilymph/test/IgtlClient.h"
 #include "perilymph/test/InetSockets.h"
 #include "perilymph/test/waitUntil.h"

@@ -2,7 +2,7 @@
 #include <iomanip>
 #include <sstream>
 
-#include "Cli.h"
+#include "perilymph/test/Cli.h"
 
 namespace perilymph::test {
 namespace {

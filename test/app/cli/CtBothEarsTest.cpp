@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "Cli.h"
+#include "perilymph/test/Cli.h"
 #include "perilymph/test/CtPhantom.h"
 #include "perilymph/test/DicomWriter.h"
 

@@ -6,9 +6,9 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "Cli.h"
 #include "perilymph/anatomy/Patient.h"
 #include "perilymph/ct/Measures.h"
+#include "perilymph/test/Cli.h"
 #include "perilymph/test/CtPhantom.h"
 #include "perilymph/test/DicomWriter.h"
 

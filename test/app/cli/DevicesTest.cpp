@@ -3,7 +3,7 @@
 
 #include <fstream>
 
-#include "Cli.h"
+#include "perilymph/test/Cli.h"
 
 #include "perilymph/test/Places.h"
 #include "perilymph/test/RecordedTree.h"

@@ -6,7 +6,7 @@
 
 #include <chrono>
 
-#include "Cli.h"
+#include "perilymph/test/Cli.h"
 
 namespace perilymph::test {
 namespace {

@@ -7,8 +7,8 @@
 #include <functional>
 #include <thread>
 
-#include "Cli.h"
 #include "perilymph/foundation/Resources.h"
+#include "perilymph/test/Cli.h"
 #include "perilymph/test/Places.h"
 #include "perilymph/test/waitUntil.h"
 

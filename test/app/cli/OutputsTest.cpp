@@ -7,8 +7,8 @@
 #include <csignal>
 #include <map>
 
-#include "Cli.h"
 #include "perilymph/foundation/Resources.h"
+#include "perilymph/test/Cli.h"
 #include "perilymph/test/waitUntil.h"
 
 namespace perilymph::test {

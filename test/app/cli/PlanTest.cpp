@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <nlohmann/json.hpp>
 
-#include "Cli.h"
 #include "perilymph/anatomy/Patient.h"
+#include "perilymph/test/Cli.h"
 
 namespace perilymph::test {
 namespace {

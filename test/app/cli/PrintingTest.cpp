@@ -7,10 +7,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "Cli.h"
-#include "Forgery.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/foundation/Utf8.h"
+#include "perilymph/test/Cli.h"
+#include "perilymph/test/Forgery.h"
 #include "perilymph/test/RecordedTree.h"
 
 namespace perilymph::test {

@@ -4,7 +4,7 @@
 
 #include <cctype>
 
-#include "Cli.h"
+#include "perilymph/test/Cli.h"
 #include "perilymph/test/waitUntil.h"
 
 namespace perilymph::test {

@@ -4,7 +4,7 @@
 // the C library, whose sine and exponential then differ in the last digit (shown by the tests of
 // foundation's Math.h).
 
-#include "Cli.h"
+#include "perilymph/test/Cli.h"
 
 namespace perilymph::test {
 namespace {

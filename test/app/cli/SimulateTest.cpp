@@ -4,9 +4,9 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "Cli.h"
 #include "perilymph/session/RecordedInsertion.h"
 #include "perilymph/session/SessionLibrary.h"
+#include "perilymph/test/Cli.h"
 #include "perilymph/test/waitUntil.h"
 
 namespace perilymph::test {

@@ -2,8 +2,8 @@
 #include <cstdlib>
 #include <future>
 
-#include "Cli.h"
 #include "perilymph/anatomy/Patient.h"
+#include "perilymph/test/Cli.h"
 
 namespace perilymph::test {
 namespace {

@@ -3,7 +3,7 @@
 #include <csignal>
 #include <nlohmann/json.hpp>
 
-#include "Cli.h"
+#include "perilymph/test/Cli.h"
 
 namespace perilymph::test {
 namespace {

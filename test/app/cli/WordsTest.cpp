@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Cli.h"
+#include "perilymph/test/Cli.h"
 
 namespace perilymph::test {
 namespace {

@@ -11,11 +11,11 @@
 #include <QTest>
 #include <fstream>
 
-#include "TestPicture.h"
 #include "WindowRig.h"
 #include "gui/kiosk/KioskWindow.h"
 #include "gui/kiosk/PushPad.h"
 #include "perilymph/test/TemporaryFolder.h"
+#include "perilymph/test/TestPicture.h"
 
 namespace perilymph::test {
 namespace {

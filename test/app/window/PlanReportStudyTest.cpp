@@ -10,7 +10,6 @@
 #include <iterator>
 
 #include "PlanReportRig.h"
-#include "SyntheticPlan.h"
 #include "gui/report/PlanReportPdf.h"
 #include "gui/report/ReportIssuer.h"
 #include "perilymph/ct/CtVolume.h"
@@ -18,6 +17,7 @@
 #include "perilymph/foundation/Sha256.h"
 #include "perilymph/foundation/Version.h"
 #include "perilymph/test/DicomWriter.h"
+#include "perilymph/test/SyntheticPlan.h"
 
 namespace perilymph::test {
 namespace {

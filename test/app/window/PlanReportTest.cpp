@@ -16,7 +16,6 @@
 #include <regex>
 
 #include "PlanReportRig.h"
-#include "SyntheticPlan.h"
 #include "gui/report/PlanReportPdf.h"
 #include "gui/report/ReportIssuer.h"
 #include "gui/run/UserSettings.h"
@@ -25,6 +24,7 @@
 #include "perilymph/planning/PlanReport.h"
 #include "perilymph/test/ChildProcess.h"
 #include "perilymph/test/Places.h"
+#include "perilymph/test/SyntheticPlan.h"
 #include "perilymph/test/TemporaryFolder.h"
 
 namespace perilymph::test {

@@ -22,7 +22,6 @@
 
 #include "KeptPicture.h"
 #include "OwnFolders.h"
-#include "SyntheticPlan.h"
 #include "Walk.h"
 #include "WindowRig.h"
 #include "gui/pages/insert/ForceCharts.h"
@@ -35,6 +34,7 @@
 #include "gui/setup/PatientLibrary.h"
 #include "gui/setup/Selector.h"
 #include "perilymph/planning/PlanReport.h"
+#include "perilymph/test/SyntheticPlan.h"
 #include "perilymph/test/TemporaryFolder.h"
 
 namespace perilymph::test {

@@ -6,8 +6,8 @@
 
 #include "FuzzTarget.h"
 #include "PlanFile.h"
-#include "SyntheticPlan.h"
 #include "perilymph/planning/PlanSummary.h"
+#include "perilymph/test/SyntheticPlan.h"
 
 namespace perilymph::fuzz {
 

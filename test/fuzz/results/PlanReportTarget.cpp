@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "FuzzTarget.h"
-#include "SyntheticPlan.h"
 #include "perilymph/planning/PlanReading.h"
 #include "perilymph/planning/PlanReport.h"
+#include "perilymph/test/SyntheticPlan.h"
 
 namespace perilymph::fuzz {
 

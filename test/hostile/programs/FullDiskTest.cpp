@@ -5,7 +5,7 @@
 #include <sys/mount.h>
 #include <unistd.h>
 
-#include "Cli.h"
+#include "perilymph/test/Cli.h"
 
 namespace perilymph::test {
 namespace {

@@ -7,8 +7,8 @@
 #include <csignal>
 #include <sstream>
 
-#include "Cli.h"
 #include "perilymph/test/ChildProcess.h"
+#include "perilymph/test/Cli.h"
 #include "perilymph/test/InetSockets.h"
 #include "perilymph/test/Places.h"
 #include "perilymph/test/waitUntil.h"

@@ -14,11 +14,11 @@
 #include <map>
 #include <random>
 
-#include "Cli.h"
-#include "SyntheticPlan.h"
 #include "perilymph/anatomy/Patient.h"
 #include "perilymph/foundation/Unfinished.h"
 #include "perilymph/session/PatientRecord.h"
+#include "perilymph/test/Cli.h"
+#include "perilymph/test/SyntheticPlan.h"
 
 namespace perilymph::test {
 namespace {

@@ -13,12 +13,12 @@
 #include <functional>
 
 #include "PlanFile.h"
-#include "SyntheticPlan.h"
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/planning/Plan.h"
 #include "perilymph/session/PatientRecord.h"
 #include "perilymph/study/StudyFile.h"
 #include "perilymph/study/StudyRun.h"
+#include "perilymph/test/SyntheticPlan.h"
 #include "perilymph/test/TemporaryFolder.h"
 
 namespace perilymph::test {

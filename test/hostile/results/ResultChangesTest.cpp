@@ -14,15 +14,15 @@
 #include <optional>
 #include <random>
 
-#include "OddRecords.h"
 #include "PlanFile.h"
-#include "SyntheticPlan.h"
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/planning/PlanReading.h"
 #include "perilymph/planning/PlanReport.h"
 #include "perilymph/session/PatientRecord.h"
 #include "perilymph/session/RecordedInsertion.h"
 #include "perilymph/study/StudyFile.h"
+#include "perilymph/test/OddRecords.h"
+#include "perilymph/test/SyntheticPlan.h"
 #include "perilymph/test/TemporaryFolder.h"
 
 namespace perilymph::test {

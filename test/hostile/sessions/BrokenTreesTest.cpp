@@ -14,11 +14,11 @@
 #include <stop_token>
 #include <string>
 
-#include "Forgery.h"
-#include "OddRecords.h"
 #include "perilymph/session/RecordedInsertion.h"
 #include "perilymph/session/Replay.h"
 #include "perilymph/session/SessionLibrary.h"
+#include "perilymph/test/Forgery.h"
+#include "perilymph/test/OddRecords.h"
 #include "perilymph/test/TemporaryFolder.h"
 
 namespace perilymph::session {

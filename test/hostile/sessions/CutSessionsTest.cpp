@@ -11,8 +11,8 @@
 #include <filesystem>
 #include <string>
 
-#include "OddRecords.h"
 #include "perilymph/session/RecordedInsertion.h"
+#include "perilymph/test/OddRecords.h"
 #include "perilymph/test/TemporaryFolder.h"
 
 namespace perilymph::session {

@@ -10,9 +10,9 @@
 #include <iterator>
 #include <string>
 
-#include "ForgedJournal.h"
-#include "OddRecords.h"
 #include "perilymph/session/SessionLibrary.h"
+#include "perilymph/test/ForgedJournal.h"
+#include "perilymph/test/OddRecords.h"
 #include "perilymph/test/TemporaryFolder.h"
 
 namespace perilymph::session {

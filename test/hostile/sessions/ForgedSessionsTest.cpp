@@ -15,13 +15,13 @@
 #include <string>
 #include <vector>
 
-#include "ForgedJournal.h"
-#include "Forgery.h"
 #include "MakeEngine.h"
-#include "OddRecords.h"
 #include "perilymph/session/RecordedInsertion.h"
 #include "perilymph/session/Replay.h"
 #include "perilymph/session/Scenario.h"
+#include "perilymph/test/ForgedJournal.h"
+#include "perilymph/test/Forgery.h"
+#include "perilymph/test/OddRecords.h"
 #include "perilymph/test/TemporaryFolder.h"
 
 namespace perilymph::session {

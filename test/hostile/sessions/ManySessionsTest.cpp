@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "OddRecords.h"
 #include "perilymph/session/SessionLibrary.h"
+#include "perilymph/test/OddRecords.h"
 #include "perilymph/test/TemporaryFolder.h"
 
 namespace perilymph::session {

@@ -9,10 +9,10 @@
 #include <functional>
 #include <string>
 
-#include "Forgery.h"
-#include "OddRecords.h"
 #include "perilymph/session/RecordedInsertion.h"
 #include "perilymph/session/Replay.h"
+#include "perilymph/test/Forgery.h"
+#include "perilymph/test/OddRecords.h"
 #include "perilymph/test/TemporaryFolder.h"
 
 namespace perilymph::session {

@@ -16,8 +16,8 @@
 #include <random>
 #include <string>
 
-#include "OddRecords.h"
 #include "perilymph/session/RecordedInsertion.h"
+#include "perilymph/test/OddRecords.h"
 #include "perilymph/test/TemporaryFolder.h"
 
 namespace perilymph::session {

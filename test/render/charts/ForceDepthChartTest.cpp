@@ -11,7 +11,7 @@
 #include <cmath>
 #include <limits>
 
-#include "TestPicture.h"
+#include "perilymph/test/TestPicture.h"
 
 namespace perilymph::charts {
 namespace {

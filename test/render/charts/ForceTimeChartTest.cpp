@@ -7,7 +7,7 @@
 #include <vtkPlot.h>
 #include <vtkTable.h>
 
-#include "TestPicture.h"
+#include "perilymph/test/TestPicture.h"
 
 namespace perilymph::charts {
 namespace {

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <memory>
 
-#include "TestPicture.h"
 #include "perilymph/anatomy/Patient.h"
+#include "perilymph/test/TestPicture.h"
 #include "perilymph/visualization/InsertionScene.h"
 
 namespace perilymph::test {

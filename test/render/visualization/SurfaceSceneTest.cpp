@@ -8,7 +8,7 @@
 #include <vtkNew.h>
 #include <vtkRenderWindow.h>
 
-#include "TestPicture.h"
+#include "perilymph/test/TestPicture.h"
 
 namespace perilymph::test {
 namespace {

@@ -6,10 +6,10 @@
 #include <stop_token>
 #include <vector>
 
-#include "Forgery.h"
 #include "ShortRun.h"
 #include "perilymph/session/RecordedInsertion.h"
 #include "perilymph/session/Replay.h"
+#include "perilymph/test/Forgery.h"
 #include "perilymph/test/TemporaryFolder.h"
 #include "perilymph/test/waitUntil.h"
 

@@ -12,8 +12,8 @@
 #include <stop_token>
 #include <thread>
 
-#include "ForgedJournal.h"
 #include "OwnFilesOnly.h"
+#include "perilymph/test/ForgedJournal.h"
 #include "perilymph/test/TemporaryFolder.h"
 
 namespace perilymph::database {

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <functional>
 
-#include "SyntheticPlan.h"
 #include "perilymph/analysis/SampleStatistics.h"
+#include "perilymph/test/SyntheticPlan.h"
 
 namespace perilymph::test {
 namespace {

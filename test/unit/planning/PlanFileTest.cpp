@@ -5,7 +5,7 @@
 
 #include <fstream>
 
-#include "SyntheticPlan.h"
+#include "perilymph/test/SyntheticPlan.h"
 #include "perilymph/test/TemporaryFolder.h"
 
 namespace perilymph::test {

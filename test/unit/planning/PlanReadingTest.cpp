@@ -9,10 +9,10 @@
 
 #include <fstream>
 
-#include "SyntheticPlan.h"
 #include "perilymph/foundation/Version.h"
 #include "perilymph/planning/PlanReport.h"
 #include "perilymph/planning/PlanWords.h"
+#include "perilymph/test/SyntheticPlan.h"
 #include "perilymph/test/TemporaryFolder.h"
 
 namespace perilymph::test {

@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "SyntheticPlan.h"
 #include "perilymph/planning/PlanWords.h"
+#include "perilymph/test/SyntheticPlan.h"
 
 namespace perilymph::test {
 namespace {

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "SyntheticPlan.h"
 #include "perilymph/analysis/Tonotopy.h"
 #include "perilymph/planning/ForceCourse.h"
 #include "perilymph/planning/PlanSummary.h"
+#include "perilymph/test/SyntheticPlan.h"
 
 namespace perilymph::test {
 namespace {

@@ -16,12 +16,12 @@
 #include <tuple>
 
 #include "PlanFile.h"
-#include "SyntheticPlan.h"
 #include "perilymph/analysis/ContactPositions.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/foundation/Version.h"
 #include "perilymph/planning/PlanReport.h"
 #include "perilymph/planning/PlannedDraw.h"
+#include "perilymph/test/SyntheticPlan.h"
 #include "perilymph/test/TemporaryFolder.h"
 #include "perilymph/test/copyChanged.h"
 

@@ -8,11 +8,11 @@
 #include <fstream>
 #include <stop_token>
 
-#include "Forgery.h"
-#include "OddRecords.h"
 #include "perilymph/session/RecordedInsertion.h"
 #include "perilymph/session/SessionLibrary.h"
 #include "perilymph/test/AllocationLimit.h"
+#include "perilymph/test/Forgery.h"
+#include "perilymph/test/OddRecords.h"
 #include "perilymph/test/TemporaryFolder.h"
 
 namespace perilymph::session {

@@ -12,9 +12,9 @@
 #include <csignal>
 #include <fstream>
 
-#include "Forgery.h"
-#include "OddRecords.h"
 #include "perilymph/session/RecordedInsertion.h"
+#include "perilymph/test/Forgery.h"
+#include "perilymph/test/OddRecords.h"
 #include "perilymph/test/TemporaryFolder.h"
 
 namespace perilymph::session {

@@ -8,9 +8,9 @@
 
 #include <fstream>
 
-#include "OddRecords.h"
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/session/RecordedInsertion.h"
+#include "perilymph/test/OddRecords.h"
 #include "perilymph/test/TemporaryFolder.h"
 #include "perilymph/test/waitUntil.h"
 

@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "OddRecords.h"
 #include "perilymph/session/RecordedInsertion.h"
+#include "perilymph/test/OddRecords.h"
 #include "perilymph/test/TemporaryFolder.h"
 
 namespace perilymph::session {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "SyntheticPlan.h"
+#include "perilymph/test/SyntheticPlan.h"
 
 #include "perilymph/planning/PlanSummary.h"
 

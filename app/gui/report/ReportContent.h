@@ -31,7 +31,7 @@ struct ReportContent {
   analysis::ComparedInsertion insertion;
   std::optional<analysis::InsertionScore> score;
   session::Verification verification;
-  std::optional<PlannedForce> plan;  ///< Of this array in this cochlea, if there is one.
+  std::optional<PlannedForce> plan;               ///< The plan of this array in this cochlea.
   std::optional<analysis::PrintedRange> rupture;  ///< Rupture forces of the cochlear partition.
 
   std::shared_ptr<const anatomy::ScalaTympani> anatomy;

@@ -2,12 +2,10 @@
 #include "gui/run/InsertionControl.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <cstdio>
-#include <ctime>
 #include <utility>
 
+#include "gui/run/RecordingName.h"
 #include "perilymph/device/PluginDevice.h"
 #include "perilymph/device/ScriptedDevice.h"
 #include "perilymph/foundation/Resources.h"
@@ -19,26 +17,6 @@ namespace {
 
 using Kind = haptics::Command::Kind;
 using Motion = device::ScriptedMotion;
-
-/// "20260131T154502Z": sorts by time and is a valid file name on all systems.
-std::string utcNow()
-{
-  const std::time_t now = std::time(nullptr);
-  std::tm utc{};
-  gmtime_r(&now, &utc);
-  char text[24];
-  std::strftime(text, sizeof text, "%Y%m%dT%H%M%SZ", &utc);
-  return text;
-}
-
-std::filesystem::path numbered(const std::filesystem::path& file, int number)
-{
-  if (number < 2) return file;
-  std::filesystem::path other = file;
-  other.replace_filename(file.stem().string() + "-" + std::to_string(number) +
-                         file.extension().string());
-  return other;
-}
 
 }  // namespace
 
@@ -55,12 +33,7 @@ std::filesystem::path InsertionControl::nextRecording()
 {
   // Only the first insertion uses a requested file name; all others get a new name.
   if (record_ && prepared_ == 1) return *record_;
-  const std::filesystem::path file =
-      record_ ? *record_ : sessionFolder() / (utcNow() + "-" + scenario_.name() + ".insertion");
-  std::error_code ignored;
-  int number = record_ ? 2 : 1;
-  while (std::filesystem::exists(numbered(file, number), ignored)) ++number;
-  return numbered(file, number);
+  return record_ ? besides(*record_) : newRecording(scenario_.name());
 }
 
 void InsertionControl::use(session::Scenario scenario, const std::optional<Parts>& parts)
@@ -157,21 +130,11 @@ Result<Done> InsertionControl::build(InputSource hand, std::optional<std::filesy
   styletTarget_.reset();
   styletAsked_ = false;
   askedAt_ = 0;
-  ended_.reset();
-  isConclusionAsked_ = false;
+  conclusion_ = {};
   now_ = haptics::Snapshot{};
   insertion_->loop().engine().fill(now_);  // no thread runs yet
-  if (now_.output.depth > 0.0) now_.output.angularDepth = angleOfTip();
+  if (now_.output.depth > 0.0) now_.output.angularDepth = angleOfTip(*anatomy_, now_);
   return Done{};
-}
-
-/// An insertion computes it from the first tick on; the tip is inside before.
-double InsertionControl::angleOfTip() const
-{
-  const auto& tip_W = now_.node_W[now_.nodes - 1];
-  anatomy::LumenTrack track = anatomy_->startTrack();
-  anatomy_->follow({tip_W[0], tip_W[1], tip_W[2]}, track);
-  return std::max(track.angle, 0.0);
 }
 
 Result<Done> InsertionControl::begin()
@@ -263,31 +226,13 @@ bool InsertionControl::update()
   if (isStopShown && !isResuming_) wish_ = Wish::rest;
   if (!isStopShown && !isStopAwaited_) isResuming_ = false;
   pursue();
-  concludeIfOver();
+  if (conclusion_.isDue(now_.output)) insertion_->concludeRecording();
   return isNew;
-}
-
-void InsertionControl::concludeIfOver()
-{
-  // A rest begins after three seconds without motion; a hand that does not rest is not waited for.
-  constexpr std::chrono::seconds longestWait{6};
-  const haptics::Workflow workflow = now_.output.workflow;
-  const auto time = std::chrono::steady_clock::now();
-  if (workflow != haptics::Workflow::finished && workflow != haptics::Workflow::fault) {
-    ended_.reset();
-    isConclusionAsked_ = false;
-    return;
-  }
-  if (!ended_) ended_ = time;
-  const bool isResting = (now_.output.status & haptics::resting) != 0;
-  if (isConclusionAsked_ || (!isResting && time - *ended_ < longestWait)) return;
-  insertion_->concludeRecording();
-  isConclusionAsked_ = true;
 }
 
 bool InsertionControl::isConcluded() const noexcept
 {
-  return isConclusionAsked_ && insertion_ && insertion_->isRecordingConcluded();
+  return conclusion_.isAsked() && insertion_ && insertion_->isRecordingConcluded();
 }
 
 bool InsertionControl::ask(Kind kind, double value)

@@ -3,7 +3,6 @@
 
 // Control of an insertion by the window's buttons and keys, for every input device.
 
-#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -11,6 +10,7 @@
 #include <string>
 
 #include "gui/run/CochleaStore.h"
+#include "gui/run/Conclusion.h"
 #include "perilymph/device/DeviceRegistry.h"
 #include "perilymph/device/PointerDevice.h"
 #include "perilymph/foundation/Result.h"
@@ -136,8 +136,6 @@ private:
   void discard();
   Result<Done> build(InputSource hand, std::optional<std::filesystem::path> file);
   void pursue();
-  void concludeIfOver();
-  double angleOfTip() const;
   void pursueWithdrawal();
   void pursueResumption();
   void moveHand(device::ScriptedMotion motion);
@@ -162,8 +160,7 @@ private:
   std::optional<double> styletTarget_;  ///< [m]
   bool styletAsked_ = false;
   std::uint64_t askedAt_ = 0;  ///< Tick of the snapshot at the last request.
-  std::optional<std::chrono::steady_clock::time_point> ended_;  ///< When its end was seen.
-  bool isConclusionAsked_ = false;
+  Conclusion conclusion_;
   std::string recordingError_;
   haptics::Snapshot now_{};
 };

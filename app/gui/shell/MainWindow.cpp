@@ -89,10 +89,7 @@ void MainWindow::connectInsertion()
   connect(insertion_.get(), &InsertionController::prepared, this, &MainWindow::recordingChanged);
   connect(insertion_.get(), &InsertionController::subjectChanged, this, &MainWindow::showSubject);
   connect(insert_, &InsertPage::stateShown, this, [this] {
-    if (insertion_->loading() != nullptr)
-      top_->showPreparing();
-    else
-      top_->showInsertion(control(), insertion_->error());
+    top_->showInsertion(*insertion_);
     if (control().isMoving()) notice_->dropOffer();
     ending_.forgetIfDone();
     sheets_->showState();
@@ -137,10 +134,8 @@ void MainWindow::openOnPage(const QString& id, const std::filesystem::path& file
 void MainWindow::showSubject()
 {
   const ReplayPlayer& replay = insertion_->replay();
-  const Page& page = pages_->current();
-  setWindowTitle(page.showsInsertion() ? windowTitleOf(*insertion_)
-                                       : tr("%1 — Perilymph").arg(page.name()));
-  if (!page.showsInsertion()) return top_->showNobody();
+  setWindowTitle(windowTitleOf(pages_->current(), *insertion_));
+  if (!pages_->current().showsInsertion()) return top_->showNobody();
   if (const auto* loading = insertion_->loading()) return top_->showSubject(*loading, {});
   if (replay.isOpen()) return top_->showSubject(replay.playback().scenario(), {});
   top_->showSubject(control().scenario(), setup().isModified() ? setup().changedText() : QString());

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/shell/TopBar.h"
+#include "gui/pages/insert/InsertionController.h"
 
 #include <QFontMetrics>
 #include <QGridLayout>
@@ -277,14 +278,16 @@ void TopBar::showNobody()
   modified_->hide();
 }
 
-void TopBar::showInsertion(const InsertionControl& control, const QString& error)
+void TopBar::showInsertion(const InsertionController& insertion)
 {
+  if (insertion.loading() != nullptr) return showPreparing();
+  const InsertionControl& control = insertion.control();
   const haptics::Snapshot& now = control.now();
   stop_->setVisible(control.rendersForce());
   const QString hand = QString::fromStdString(control.handName());
   if (!control.isRunning()) return setDevice(DeviceState::off, tr("ready"), hand);
   if (now.output.workflow == haptics::Workflow::fault)
-    return setDevice(DeviceState::alarm, tr("fault · no force"), error);
+    return setDevice(DeviceState::alarm, tr("fault · no force"), insertion.error());
   const haptics::InsertionEnd end = control.earlyEnd();
   if (end != haptics::InsertionEnd::none && end != haptics::InsertionEnd::stoppedByResistance)
     return setDevice(DeviceState::warning, tr("ended · no force"), hand);

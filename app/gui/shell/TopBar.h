@@ -79,7 +79,7 @@ public:
 
   /// Shows the state of the device.
   /// @param error  Error message for the tooltip.
-  void showInsertion(const InsertionControl& control, const QString& error);
+  void showInsertion(const InsertionController& insertion);
   /// There is no insertion yet, or a replay instead.
   void showPreparing();
   void showReplay();

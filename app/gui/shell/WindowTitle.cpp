@@ -3,6 +3,7 @@
 
 #include <QCoreApplication>
 
+#include "gui/pages/Page.h"
 #include "gui/pages/insert/InsertionController.h"
 #include "gui/pages/insert/ReplayPlayer.h"
 #include "gui/setup/SetupTitle.h"
@@ -10,15 +11,15 @@
 
 namespace perilymph::gui {
 
-QString windowTitleOf(const InsertionController& insertion)
+QString windowTitleOf(const Page& page, const InsertionController& insertion)
 {
+  const auto title = [](const QString& subject) {
+    return QCoreApplication::translate("perilymph::gui", "%1 — Perilymph").arg(subject);
+  };
   const ReplayPlayer& replay = insertion.replay();
-  if (insertion.loading() != nullptr)
-    return QCoreApplication::translate("perilymph::gui", "%1 — Perilymph")
-        .arg(subjectText(*insertion.loading()));
-  if (!replay.isOpen())
-    return QCoreApplication::translate("perilymph::gui", "%1 — Perilymph")
-        .arg(setupTitle(insertion.control(), insertion.history()));
+  if (!page.showsInsertion()) return title(page.name());
+  if (insertion.loading() != nullptr) return title(subjectText(*insertion.loading()));
+  if (!replay.isOpen()) return title(setupTitle(insertion.control(), insertion.history()));
   return QCoreApplication::translate("perilymph::gui", "Replay of %1 — Perilymph")
       .arg(QString::fromStdString(session::displayNameOf(replay.playback().file())));
 }

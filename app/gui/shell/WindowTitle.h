@@ -8,8 +8,9 @@
 namespace perilymph::gui {
 
 class InsertionController;
+class Page;
 
 /// "P-017: FLEX28 — Perilymph". The program's name is last: a desktop that adds it finds it there.
-QString windowTitleOf(const InsertionController& insertion);
+QString windowTitleOf(const Page& page, const InsertionController& insertion);
 
 }  // namespace perilymph::gui

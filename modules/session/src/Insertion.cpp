@@ -243,10 +243,7 @@ const haptics::Snapshot& Insertion::latest() const noexcept { return content_->l
 
 std::string Insertion::recordingError() const { return content_->recorder->error(); }
 
-void Insertion::concludeRecording() noexcept
-{
-  content_->recorder->conclude(latest().lostRecords);
-}
+void Insertion::concludeRecording() noexcept { content_->recorder->conclude(latest().lostRecords); }
 
 bool Insertion::isRecordingConcluded() const noexcept { return content_->recorder->isConcluded(); }
 

@@ -170,9 +170,9 @@ void CtPage::begin(const QString& task)
 void CtPage::showProgress(double fraction)
 {
   // earlier, the beginning says little of the rest
-  constexpr double shortest_s = 1.0, least = 0.05;
+  constexpr double shortest_s = 1.0, minFraction = 0.05;
   const double elapsed_s = 1e-3 * double(since_.elapsed());
-  if (elapsed_s < shortest_s || fraction < least) return panel_->showTask(task_, fraction);
+  if (elapsed_s < shortest_s || fraction < minFraction) return panel_->showTask(task_, fraction);
   const double left_s = elapsed_s * (1.0 - fraction) / fraction;
   panel_->showTask(tr("%1 about %2 s left").arg(task_).arg(qRound(left_s)), fraction);
 }

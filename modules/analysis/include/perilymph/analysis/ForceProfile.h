@@ -79,8 +79,8 @@ private:
   struct TimedForce {
     double time, force;
   };
-  std::deque<TimedForce> last_;  ///< Of the last averaged().
-  double sum_ = 0.0;             ///< Of their forces [N].
+  std::deque<TimedForce> last_;  ///< The forces within averaged().
+  double sum_ = 0.0;             ///< The sum of these forces [N].
   std::optional<double> ended_;  ///< Time at which the insertion ended [s].
   bool isWithdrawn_ = false;     ///< After it.
   std::optional<haptics::TickOutput> before_;

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// The end of an insertion in the window, and what is known before its beginning.
+
+#include <chrono>
+#include <optional>
+
+#include "perilymph/anatomy/ScalaTympani.h"
+#include "perilymph/haptics/Snapshot.h"
+
+namespace perilymph::gui {
+
+/// Decides when the recording of an insertion that has ended is closed: when it rests, which begins
+/// three seconds after the last motion; a hand that does not rest is not waited for.
+class Conclusion {
+public:
+  static constexpr std::chrono::seconds longestWait{6};
+
+  /// Whether to close the recording now; true once for each end. To be asked in every frame.
+  bool isDue(const haptics::TickOutput& now);
+  /// It was due, and the insertion has not gone on.
+  bool isAsked() const noexcept { return isAsked_; }
+
+private:
+  std::optional<std::chrono::steady_clock::time_point> ended_;  ///< When its end was seen.
+  bool isAsked_ = false;
+};
+
+/// The angle of the tip from the round window before the first tick, which computes it [rad].
+double angleOfTip(const anatomy::ScalaTympani& anatomy, const haptics::Snapshot& now);
+
+}  // namespace perilymph::gui

@@ -13,6 +13,7 @@
 #include "gui/pages/ct/PlaneOverlay.h"
 #include "gui/widgets/FocusRing.h"
 #include "gui/widgets/Theme.h"
+#include "perilymph/figures/FixedInks.h"
 
 namespace perilymph::gui {
 
@@ -94,7 +95,7 @@ std::optional<ct::Mark> PlaneView::markAt(const QPointF& place) const
 void PlaneView::paintEvent(QPaintEvent*)
 {
   QPainter painter(this);
-  painter.fillRect(rect(), Qt::black);
+  painter.fillRect(rect(), colorOf(figures::onCt::ground));
   if (study_.hasCt()) paintPlane(painter);
   if (hasFocus()) paintFocusRing(painter, rect());
 }
@@ -119,7 +120,7 @@ void PlaneView::paintLoupe(QPainter& painter)
                    height() - loupe_px - 4 * spacing, loupe_px, loupe_px);
   painter.drawImage(area.topLeft(), pictureOf(study_, about, area.size(), devicePixelRatioF(),
                                               study_.pixel_mm() / loupeTimes));
-  painter.setPen(QPen(Qt::white, 1.0));
+  painter.setPen(QPen(colorOf(figures::onCt::mark), 1.0));
   painter.setBrush(Qt::NoBrush);
   painter.drawRect(area);
   const QPointF center = QRectF(area).center();

@@ -26,7 +26,7 @@
 namespace perilymph::gui {
 
 CtPage::CtPage(const InsertionControl& control, QWidget* parent)
-    : Page("ct", tr("CT"), parent),
+    : Page("ct", tr("CT"), Icon::ct, parent),
       control_(control),
       work_(this),
       thumbnails_(this),

@@ -5,8 +5,8 @@
 
 namespace perilymph::gui {
 
-Page::Page(const char* id, QString name, QWidget* parent)
-    : QWidget(parent), id_(QLatin1String(id)), name_(std::move(name))
+Page::Page(const char* id, QString name, Icon icon, QWidget* parent)
+    : QWidget(parent), id_(QLatin1String(id)), name_(std::move(name)), icon_(icon)
 {
   setObjectName(id_ + QLatin1String("Page"));
 }

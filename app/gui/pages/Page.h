@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "gui/setup/InsertionRequest.h"
+#include "gui/widgets/Icon.h"
 
 namespace perilymph::gui {
 
@@ -18,10 +19,12 @@ public:
   /// @param id    Identifies the page in requests, and names its objects: `ct` is the page `ctPage`
   ///              with the button `ctPageButton`.
   /// @param name  Text of its button and in the list of keys, translated.
-  Page(const char* id, QString name, QWidget* parent);
+  /// @param icon  Of its button.
+  Page(const char* id, QString name, Icon icon, QWidget* parent);
 
   const QString& id() const { return id_; }
   const QString& name() const { return name_; }
+  Icon icon() const { return icon_; }
 
   /// It works in the background.
   virtual bool isBusy() const { return false; }
@@ -68,6 +71,7 @@ Q_SIGNALS:
 
 private:
   QString id_, name_;
+  Icon icon_;
 };
 
 }  // namespace perilymph::gui

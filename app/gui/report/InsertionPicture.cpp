@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "gui/widgets/Theme.h"
+#include "perilymph/figures/FixedInks.h"
 #include "perilymph/foundation/Units.h"
 
 namespace perilymph::gui {
@@ -92,8 +93,8 @@ PictureInks screenInks()
 
 PictureInks printInks()
 {
-  return {QColor(0x6B, 0x5D, 0x42), QColor(0xE9, 0xDC, 0xC0, 110), QColor(0x8A, 0x99, 0xA4),
-          QColor(0x2F, 0x3B, 0x44)};
+  using namespace figures;
+  return {colorOf(ink::bone), colorOf(ink::lumen), colorOf(ink::silicone), colorOf(ink::platinum)};
 }
 
 void paintInsertion(QPainter& painter, const QRectF& place, const PicturedInsertion& pictured,

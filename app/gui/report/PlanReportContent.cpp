@@ -2,10 +2,10 @@
 #include "gui/report/PlanReportContent.h"
 
 #include <QCoreApplication>
-#include <array>
 
 #include "gui/setup/PlannedFriction.h"
 #include "gui/text/Numbers.h"
+#include "gui/widgets/Theme.h"
 #include "perilymph/analysis/ErrorBand.h"
 #include "perilymph/session/Scenario.h"
 
@@ -42,11 +42,7 @@ QString PlanReportContent::number() const { return numberOf(plan()); }
 
 QColor inkOfArray(std::size_t place)
 {
-  // distinguishable without red and green (Okabe and Ito 2008)
-  static const std::array<QColor, maxDrawnArrays> inks = {
-      QColor(0x00, 0x72, 0xB2), QColor(0xD5, 0x5E, 0x00), QColor(0x00, 0x9E, 0x73),
-      QColor(0xCC, 0x79, 0xA7), QColor(0x5A, 0x4F, 0x1E), QColor(0x3D, 0x9B, 0xD1)};
-  return inks[place % inks.size()];
+  return colorOf(figures::ink::arrays[place % figures::ink::arrays.size()]);
 }
 
 QString numberedName(const planning::ArrayPlan& array, std::size_t place)

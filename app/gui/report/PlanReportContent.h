@@ -11,6 +11,7 @@
 
 #include "perilymph/analysis/AnatomyMeasures.h"
 #include "perilymph/anatomy/ScalaTympani.h"
+#include "perilymph/figures/FixedInks.h"
 #include "perilymph/foundation/Result.h"
 #include "perilymph/planning/PlanReading.h"
 
@@ -34,7 +35,7 @@ struct PlanReportContent {
 };
 
 /// Number of arrays whose curves and depths are drawn on the record, the first ones of the plan.
-inline constexpr std::size_t maxDrawnArrays = 6;
+inline constexpr std::size_t maxDrawnArrays = figures::ink::arrays.size();
 
 /// Color of an array in the drawings, by its place in the plan.
 QColor inkOfArray(std::size_t place);

@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gui/widgets/Theme.h"
+#include "perilymph/figures/FixedInks.h"
 #include "perilymph/foundation/AtomicFile.h"
 
 namespace perilymph::gui {
@@ -37,13 +39,14 @@ QString styleSheet()
   return QStringLiteral(
              "h1 { font-size: %1px; font-weight: 600; margin-top: 0; } "
              "h2 { font-size: %2px; font-weight: 600; margin-top: 10px; margin-bottom: 3px; } "
-             "td { padding: 1px 10px 1px 0; } .quiet { color: #4A5661; } "
+             "td { padding: 1px 10px 1px 0; } .quiet { color: %5; } "
              ".small { font-size: %3px; } .tiny { font-size: %4px; } "
              "td.tiny, td.block { padding: 0 3px 0 0; }")
       .arg(dots(13.0))
       .arg(dots(10.0))
       .arg(dots(7.0))
-      .arg(dots(5.9));
+      .arg(dots(5.9))
+      .arg(colorOf(figures::ink::quiet).name());
 }
 
 QString pageText(int page, int pages) { return tr("Page %1 of %2").arg(page).arg(pages); }

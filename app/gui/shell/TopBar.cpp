@@ -5,7 +5,6 @@
 #include <QFontMetrics>
 #include <QGridLayout>
 #include <QHBoxLayout>
-#include <QIcon>
 #include <QLabel>
 #include <QMenu>
 #include <QPainter>
@@ -18,6 +17,7 @@
 #include "gui/shell/StopTriggers.h"
 #include "gui/text/Numbers.h"
 #include "gui/widgets/ElidedLabel.h"
+#include "gui/widgets/Icon.h"
 #include "gui/widgets/Theme.h"
 
 namespace perilymph::gui {
@@ -26,27 +26,17 @@ namespace {
 
 constexpr int pillHeight_px = 26;
 
-constexpr int gear_px = 18;
+constexpr int gear_px = 18, pageIcon_px = 16;
+/// Between icon and name, which Qt's buttons define, and between buttons with icons.
+constexpr int iconGap_px = 4, iconSpacing_px = 2;
+/// A device's state as text, of usual length.
+constexpr int deviceRoom_px = 110;
 
-/// A gear with eight teeth, in the color of quiet text.
-QIcon gearIcon(double pixelRatio)
+/// Width of a page's button without icon; the style sheet, which defines the size hint, is applied later.
+int widthOfName(const QPushButton& button)
 {
-  QPixmap picture(QSize(gear_px, gear_px) * pixelRatio);
-  picture.setDevicePixelRatio(pixelRatio);
-  picture.fill(Qt::transparent);
-  QPainter painter(&picture);
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.translate(0.5 * gear_px, 0.5 * gear_px);
-  constexpr double radius = 5.6, tooth = 2.4;
-  painter.setPen(QPen(shownTheme().quietText, 2.2));
-  for (int i = 0; i < 8; ++i) {
-    painter.drawLine(QPointF(radius, 0.0), QPointF(radius + tooth, 0.0));
-    painter.rotate(45.0);
-  }
-  painter.setPen(QPen(shownTheme().quietText, 1.8));
-  painter.drawEllipse(QPointF(0.0, 0.0), radius, radius);
-  painter.drawEllipse(QPointF(0.0, 0.0), 0.35 * radius, 0.35 * radius);
-  return QIcon(picture);
+  return std::max(44,
+                  QFontMetrics(button.font()).horizontalAdvance(button.text()) + 2 * spacing + 2);
 }
 
 QColor colorOf(DeviceState light)
@@ -141,7 +131,7 @@ TopBar::TopBar(QWidget* parent)
   keys->setAccessibleName(tr("Keyboard and mouse"));
   connect(keys, &QPushButton::clicked, this, &TopBar::keysAsked);
   auto* settings = new QPushButton(this);
-  settings->setIcon(gearIcon(devicePixelRatioF()));
+  settings->setIcon(iconOf(Icon::settings, gear_px, devicePixelRatioF()));
   settings->setIconSize(QSize(gear_px, gear_px));
   settings->setObjectName(QStringLiteral("settingsButton"));
   settings->setFont(typeface(15));
@@ -252,12 +242,35 @@ void TopBar::addPage(const Page& page)
   button->setProperty("page", true);
   button->setFont(typeface(13, QFont::Medium));
   button->setFixedHeight(sized(28));
-  // the style sheet, which defines the size hint, is applied later
-  const int caption = QFontMetrics(button->font()).horizontalAdvance(page.name());
-  button->setMinimumWidth(std::max(44, caption + 2 * spacing + 2));
+  button->setMinimumWidth(widthOfName(*button));
+  button->setIconSize(QSize(sized(pageIcon_px), sized(pageIcon_px)));
   button->setCheckable(true);
   tabs_->addWidget(button);
   pages_.emplace_back(&page, button);
+}
+
+void TopBar::resizeEvent(QResizeEvent*) { showIconsIfRoom(); }
+
+void TopBar::showIconsIfRoom()
+{
+  if (home_ == nullptr) return;
+  // Icons help to find a page, but cut neither names nor patient: the Stop button is counted, too,
+  // so that pages stay where they are when it appears.
+  int needed = home_->sizeHint().width() + stop_->width() + 3 * sized(32) + 21 * spacing +
+               sized(deviceRoom_px) +
+               QFontMetrics(patient_->font()).horizontalAdvance(patient_->text());
+  if (!modified_->isHidden()) needed += modified_->sizeHint().width() + spacing;
+  const int icon = sized(pageIcon_px) + iconGap_px;
+  for (const auto& [page, button] : pages_) needed += widthOfName(*button) + icon + iconSpacing_px;
+  const bool haveIcons = needed <= width();
+  if (haveIcons == haveIcons_) return;
+  haveIcons_ = haveIcons;
+  tabs_->setSpacing(haveIcons ? iconSpacing_px : spacing);
+  for (const auto& [page, button] : pages_) {
+    button->setIcon(haveIcons ? iconOf(page->icon(), sized(pageIcon_px), devicePixelRatioF())
+                              : QIcon());
+    button->setMinimumWidth(widthOfName(*button) + (haveIcons ? icon : 0));
+  }
 }
 
 void TopBar::setPage(const Page& page)
@@ -270,12 +283,14 @@ void TopBar::showSubject(const session::Scenario& scenario, const QString& chang
   patient_->setText(subjectText(scenario));
   modified_->setVisible(!changed.isEmpty());
   modified_->setToolTip(tr("Differs from the preset: %1.").arg(changed));
+  showIconsIfRoom();
 }
 
 void TopBar::showNobody()
 {
   patient_->clear();
   modified_->hide();
+  showIconsIfRoom();
 }
 
 void TopBar::showInsertion(const InsertionController& insertion)

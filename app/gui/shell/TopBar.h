@@ -91,10 +91,14 @@ Q_SIGNALS:
   void keysAsked();
   void settingsAsked();
 
+protected:
+  void resizeEvent(QResizeEvent*) override;
+
 private:
   void addStop();
   QPushButton* pageButton(const Page& page, const QString& text);
   void addPage(const Page& page);
+  void showIconsIfRoom();
   void setDevice(DeviceState light, const QString& caption, const QString& tip);
 
   QHBoxLayout *left_, *tabs_;
@@ -105,6 +109,7 @@ private:
   StopButton* stop_;  ///< Visible while the input renders force.
   DeviceLight* device_;
   QPushButton* menu_;
+  bool haveIcons_ = false;  ///< The pages' buttons have icons.
 };
 
 }  // namespace perilymph::gui

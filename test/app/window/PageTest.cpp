@@ -7,6 +7,7 @@
 
 #include <QAbstractButton>
 #include <QLabel>
+#include <QTest>
 #include <utility>
 
 #include "DroppedUrl.h"
@@ -24,7 +25,10 @@ namespace fs = std::filesystem;
 /// Counts, and opens files that end in .notes.
 class NotesPage : public gui::Page {
 public:
-  explicit NotesPage(QWidget* parent) : Page("notes", "Surgeon's notes", parent) {}
+  explicit NotesPage(QWidget* parent)
+      : Page("notes", "Surgeon's notes", gui::Icon::sessions, parent)
+  {
+  }
 
   bool isBusy() const override { return isWorking; }
   bool cancel() override { return std::exchange(isWorking, false); }
@@ -88,6 +92,18 @@ TEST_F(APageOfTheTestsOwn, HasAButtonThatShowsAndMarksIt)
   rig_.click("insertPageButton");
   EXPECT_FALSE(button.isChecked());
   EXPECT_EQ(notes_->hidden, 1);
+}
+
+TEST_F(APageOfTheTestsOwn, HasItsIconOnlyWhereTheBarHasRoomForEveryName)
+{
+  const auto& button = rig_.button("notesPageButton");
+  window().resize(2600, 900);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window().width() == 2600; }));
+  EXPECT_FALSE(button.icon().isNull());
+  EXPECT_TRUE(QTest::qWaitFor([&] { return button.width() >= button.sizeHint().width(); }))
+      << button.width() << " of " << button.sizeHint().width();
+  window().resize(window().minimumSize());
+  EXPECT_TRUE(QTest::qWaitFor([&] { return button.icon().isNull(); }));
 }
 
 TEST_F(APageOfTheTestsOwn, HasTheNextKeyWhichTheListOfKeysNames)

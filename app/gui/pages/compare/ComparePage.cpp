@@ -107,7 +107,7 @@ QPixmap swatch(std::size_t number)
 }  // namespace
 
 ComparePage::ComparePage(QWidget* parent)
-    : Page("compare", tr("Compare"), parent),
+    : Page("compare", tr("Compare"), Icon::compare, parent),
       published_(analysis::shippedReference("todd-naghdy-experiment")),
       stack_(new QStackedWidget(this)),
       empty_(new EmptyPage(

@@ -35,7 +35,7 @@ constexpr int wideFrom_px =
 }  // namespace
 
 CtPage::CtPage(const InsertionControl& control, QWidget* parent)
-    : Page("ct", tr("CT"), parent),
+    : Page("ct", tr("CT"), Icon::ct, parent),
       control_(control),
       work_(this),
       thumbnails_(this),

@@ -13,15 +13,14 @@
 #include "gui/pages/ct/LabelPlaces.h"
 #include "gui/text/Numbers.h"
 #include "gui/widgets/Theme.h"
+#include "perilymph/figures/FixedInks.h"
 
 namespace perilymph::gui {
 
+namespace onCt = figures::onCt;
+
 namespace {
 
-// The colors lie on gray pictures in both schemes; each plane is also named.
-constexpr QRgb planeColors[]{0xffe69f00, 0xff56b4e9, 0xff9fd45f};
-constexpr QRgb outlineColor = 0xff45c4b0, measureColor = 0xffffffff, shadowColor = 0xb0000000,
-               arrayColor = 0xffffe08a;
 constexpr double crosshairGap_px = 9.0, markRadius_px = 5.0, minBar_px = 40.0;
 constexpr double dimmestMark = 0.35;
 
@@ -44,7 +43,7 @@ struct Projector {
 void drawText(QPainter& painter, const QRectF& area, int alignment, const QString& text,
               const QColor& color)
 {
-  painter.setPen(QColor::fromRgba(shadowColor));
+  painter.setPen(colorOf(onCt::shadow));
   painter.drawText(area.translated(1, 1), alignment, text);
   painter.setPen(color);
   painter.drawText(area, alignment, text);
@@ -61,7 +60,7 @@ void paintCrosshair(QPainter& painter, const QSize& size, const CtStudy& study, 
     // the other plane's line runs at right angles to its normal
     const Eigen::Vector3d along_P = planes[index].away_P().cross(planes[other].away_P());
     const QPointF along(planes[index].right_P.dot(along_P), planes[index].down_P.dot(along_P));
-    painter.setPen(QPen(QColor(planeColors[other]), 1.0));
+    painter.setPen(QPen(colorOf(onCt::planes[other]), 1.0));
     painter.drawLine(at - reach * along, at - crosshairGap_px * along);
     painter.drawLine(at + crosshairGap_px * along, at + reach * along);
   }
@@ -73,9 +72,9 @@ void paintOutline(QPainter& painter, const CtStudy& study, const Projector& proj
   QVector<QLineF> lines;
   for (const ct::PictureLine& line : ct::wallOutline(*study.measures(), project.plane))
     lines.append(QLineF(project(line[0]), project(line[1])));
-  painter.setPen(QPen(QColor::fromRgba(shadowColor), 3.0));
+  painter.setPen(QPen(colorOf(onCt::shadow), 3.0));
   painter.drawLines(lines);
-  painter.setPen(QPen(QColor::fromRgba(outlineColor), 1.5));
+  painter.setPen(QPen(colorOf(onCt::outline), 1.5));
   painter.drawLines(lines);
 }
 
@@ -83,7 +82,7 @@ void paintOutline(QPainter& painter, const CtStudy& study, const Projector& proj
 void paintArray(QPainter& painter, const CtStudy& study, const Projector& project)
 {
   const auto& nodes = study.array().nodes;
-  painter.setPen(QPen(QColor::fromRgba(arrayColor), 1.5));
+  painter.setPen(QPen(colorOf(onCt::array), 1.5));
   painter.setBrush(Qt::NoBrush);
   for (std::size_t k = 0; k + 1 < nodes.size(); ++k) {
     const Eigen::Vector3d &from = nodes[k].center_P, &to = nodes[k + 1].center_P;
@@ -132,12 +131,12 @@ void paintLabels(QPainter& painter, const std::vector<Label>& labels,
     painter.setOpacity(labels[k].opacity);
     const QLineF leader = leaderLine(points[k].at, places[k]);
     if (!leader.isNull()) {
-      painter.setPen(QPen(QColor::fromRgba(shadowColor), 3.0));
+      painter.setPen(QPen(colorOf(onCt::shadow), 3.0));
       painter.drawLine(leader);
-      painter.setPen(QPen(Qt::white, 1.0));
+      painter.setPen(QPen(colorOf(onCt::mark), 1.0));
       painter.drawLine(leader);
     }
-    drawText(painter, places[k], Qt::AlignCenter, labels[k].text, Qt::white);
+    drawText(painter, places[k], Qt::AlignCenter, labels[k].text, colorOf(onCt::mark));
     painter.setOpacity(1.0);
   }
 }
@@ -164,10 +163,10 @@ void paintMarks(QPainter& painter, const CtStudy& study, const Projector& projec
     const double opacity = opacityOf(project.plane.behind(*marks[mark]));
     const QPointF at = project(*marks[mark]);
     painter.setOpacity(opacity);
-    painter.setPen(QPen(QColor::fromRgba(shadowColor), 4.0));
+    painter.setPen(QPen(colorOf(onCt::shadow), 4.0));
     painter.setBrush(Qt::NoBrush);
     painter.drawEllipse(at, markRadius_px, markRadius_px);
-    painter.setPen(QPen(dragged == mark ? QColor::fromRgba(outlineColor) : QColor(Qt::white), 1.8));
+    painter.setPen(QPen(dragged == mark ? colorOf(onCt::outline) : colorOf(onCt::mark), 1.8));
     painter.drawEllipse(at, markRadius_px, markRadius_px);
     painter.setOpacity(1.0);
     addLabel(markLabel(mark), at, opacity);
@@ -177,7 +176,7 @@ void paintMarks(QPainter& painter, const CtStudy& study, const Projector& projec
     if (!one || !other || !(isDrawn(line.from) || isDrawn(line.to))) continue;
     if (!project.plane.runsAlong(*one, *other)) continue;
     const QPointF from = project(*one), to = project(*other);
-    painter.setPen(QPen(QColor::fromRgba(measureColor), 1.0, Qt::DashLine));
+    painter.setPen(QPen(colorOf(onCt::mark), 1.0, Qt::DashLine));
     painter.drawLine(from, to);
     // not in the middle, where A and B cross
     addLabel(QLatin1String(line.name), from + 0.3 * (to - from), 1.0);
@@ -191,10 +190,14 @@ void paintLetters(QPainter& painter, const QSize& size, const ct::ViewPlane& pla
     return QString::fromStdString(ct::directionLetters(direction_P));
   };
   const QRectF area = QRectF(QPointF(0, 0), size).adjusted(spacing, spacing, -spacing, -spacing);
-  drawText(painter, area, Qt::AlignRight | Qt::AlignVCenter, letters(plane.right_P), Qt::white);
-  drawText(painter, area, Qt::AlignLeft | Qt::AlignVCenter, letters(-plane.right_P), Qt::white);
-  drawText(painter, area, Qt::AlignHCenter | Qt::AlignBottom, letters(plane.down_P), Qt::white);
-  drawText(painter, area, Qt::AlignHCenter | Qt::AlignTop, letters(-plane.down_P), Qt::white);
+  drawText(painter, area, Qt::AlignRight | Qt::AlignVCenter, letters(plane.right_P),
+           colorOf(onCt::mark));
+  drawText(painter, area, Qt::AlignLeft | Qt::AlignVCenter, letters(-plane.right_P),
+           colorOf(onCt::mark));
+  drawText(painter, area, Qt::AlignHCenter | Qt::AlignBottom, letters(plane.down_P),
+           colorOf(onCt::mark));
+  drawText(painter, area, Qt::AlignHCenter | Qt::AlignTop, letters(-plane.down_P),
+           colorOf(onCt::mark));
 }
 
 void paintScaleBar(QPainter& painter, const QSize& size, double pixel_mm)
@@ -206,18 +209,19 @@ void paintScaleBar(QPainter& painter, const QSize& size, double pixel_mm)
   }
   const double length = length_mm / pixel_mm;
   const double right = size.width() - 1.5 * spacing, low = size.height() - 1.5 * spacing;
-  painter.setPen(QPen(QColor::fromRgba(shadowColor), 4.0));
+  painter.setPen(QPen(colorOf(onCt::shadow), 4.0));
   painter.drawLine(QPointF(right - length, low), QPointF(right, low));
-  painter.setPen(QPen(Qt::white, 2.0));
+  painter.setPen(QPen(colorOf(onCt::mark), 2.0));
   painter.drawLine(QPointF(right - length, low), QPointF(right, low));
   drawText(painter, QRectF(right - length - 60, low - 22, length + 60, 18),
            Qt::AlignRight | Qt::AlignBottom,
-           QStringLiteral("%1 mm").arg(numberText(length_mm, length_mm < 1.0 ? 1 : 0)), Qt::white);
+           QStringLiteral("%1 mm").arg(numberText(length_mm, length_mm < 1.0 ? 1 : 0)),
+           colorOf(onCt::mark));
 }
 
 }  // namespace
 
-QColor colorOfPlane(std::size_t plane) { return QColor(planeColors[plane]); }
+QColor colorOfPlane(std::size_t plane) { return colorOf(onCt::planes[plane]); }
 
 void paintOverlay(QPainter& painter, const QSize& size, const CtStudy& study, std::size_t plane,
                   const std::optional<ct::Mark>& dragged)
@@ -250,7 +254,7 @@ void paintOverlay(QPainter& painter, const QSize& size, const CtStudy& study, st
   paintLetters(painter, size, project.plane);
   paintScaleBar(painter, size, study.pixel_mm());
   drawText(painter, QRectF(spacing, spacing, size.width(), 20), Qt::AlignLeft | Qt::AlignTop, name,
-           QColor(planeColors[plane]));
+           colorOf(onCt::planes[plane]));
 }
 
 }  // namespace perilymph::gui

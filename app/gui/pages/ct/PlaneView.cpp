@@ -15,6 +15,7 @@
 #include "gui/pages/ct/PlaneOverlay.h"
 #include "gui/widgets/FocusRing.h"
 #include "gui/widgets/Theme.h"
+#include "perilymph/figures/FixedInks.h"
 
 namespace perilymph::gui {
 
@@ -107,7 +108,7 @@ bool PlaneView::event(QEvent* event)
 void PlaneView::paintEvent(QPaintEvent*)
 {
   QPainter painter(this);
-  painter.fillRect(rect(), Qt::black);
+  painter.fillRect(rect(), colorOf(figures::onCt::ground));
   if (study_.hasCt()) paintPlane(painter);
   if (hasFocus()) paintFocusRing(painter, rect());
 }
@@ -132,7 +133,7 @@ void PlaneView::paintLoupe(QPainter& painter)
                    height() - loupe_px - 4 * spacing, loupe_px, loupe_px);
   painter.drawImage(area.topLeft(), pictureOf(study_, about, area.size(), devicePixelRatioF(),
                                               study_.pixel_mm() / loupeTimes));
-  painter.setPen(QPen(Qt::white, 1.0));
+  painter.setPen(QPen(colorOf(figures::onCt::mark), 1.0));
   painter.setBrush(Qt::NoBrush);
   painter.drawRect(area);
   const QPointF center = QRectF(area).center();

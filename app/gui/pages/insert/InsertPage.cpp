@@ -47,7 +47,7 @@ QFrame* line(QWidget* parent)
 }  // namespace
 
 InsertPage::InsertPage(InsertionController& insertion, QWidget* parent)
-    : Page("insert", tr("Insert"), parent),
+    : Page("insert", tr("Insert"), Icon::insert, parent),
       insertion_(insertion),
       side_(new SidePanel(insertion.control().cochleae(), this)),
       views_(new InsertionViews(this)),

@@ -31,7 +31,7 @@ constexpr int emptyStage = 0, planStage = 1, arraysStage = 2;
 }  // namespace
 
 PlanPage::PlanPage(QWidget* parent)
-    : Page("plan", tr("Plan"), parent),
+    : Page("plan", tr("Plan"), Icon::plan, parent),
       work_(this),
       reporting_(this),
       scenario_(planning::PlanRequest{}.scenario),

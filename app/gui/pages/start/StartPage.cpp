@@ -140,7 +140,7 @@ void StartCard::paintEvent(QPaintEvent*)
 }
 
 StartPage::StartPage(const InsertionControl& control, const SetupHistory& setup, QWidget* parent)
-    : Page("start", tr("Start page"), parent),
+    : Page("start", tr("Start page"), Icon::home, parent),
       control_(control),
       setup_(setup),
       stages_(new QStackedWidget(this))

@@ -31,7 +31,7 @@ constexpr int emptyStage = 0, studyStage = 1;
 }  // namespace
 
 StudiesPage::StudiesPage(QWidget* parent)
-    : Page("studies", tr("Studies"), parent),
+    : Page("studies", tr("Studies"), Icon::studies, parent),
       work_(this),
       stages_(new QStackedWidget(this)),
       empty_(new EmptyPage(tr("Studies"),

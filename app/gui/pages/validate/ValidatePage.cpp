@@ -42,7 +42,7 @@ QLabel* text(const QString& caption, int size_px, QWidget* parent, bool isQuiet 
 }  // namespace
 
 ValidatePage::ValidatePage(QWidget* parent)
-    : Page("validate", tr("Validate"), parent), basis_(shippedBasis()), work_(this)
+    : Page("validate", tr("Validate"), Icon::validate, parent), basis_(shippedBasis()), work_(this)
 {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(3 * spacing, 3 * spacing, 3 * spacing, 2 * spacing);

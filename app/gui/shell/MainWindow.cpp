@@ -9,7 +9,6 @@
 
 #include "gui/pages/insert/FrameLoop.h"
 #include "gui/pages/insert/InsertionViews.h"
-#include "gui/pages/insert/ReplayPlayer.h"
 #include "gui/shell/FileDrop.h"
 #include "gui/shell/Help.h"
 #include "gui/shell/InsertKeys.h"
@@ -133,11 +132,9 @@ void MainWindow::openOnPage(const QString& id, const std::filesystem::path& file
 
 void MainWindow::showSubject()
 {
-  const ReplayPlayer& replay = insertion_->replay();
   setWindowTitle(windowTitleOf(pages_->current(), *insertion_));
   if (!pages_->current().showsInsertion()) return top_->showNobody();
-  if (const auto* loading = insertion_->loading()) return top_->showSubject(*loading, {});
-  if (replay.isOpen()) return top_->showSubject(replay.playback().scenario(), {});
+  if (const auto* other = insertion_->shownInstead()) return top_->showSubject(*other, {});
   top_->showSubject(control().scenario(), setup().isModified() ? setup().changedText() : QString());
 }
 

@@ -17,6 +17,7 @@ class QMenu;
 namespace perilymph::gui {
 
 class ElidedLabel;
+class InsertionController;
 class Page;
 
 /// State of the device light. Every state has a text in addition to its color.

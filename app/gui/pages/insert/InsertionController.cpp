@@ -99,6 +99,12 @@ void InsertionController::load(const InsertionRequest& request)
   });
 }
 
+const session::Scenario* InsertionController::shownInstead() const
+{
+  if (loading_) return &*loading_;
+  return replay_->isOpen() ? &replay_->playback().scenario() : nullptr;
+}
+
 void InsertionController::setLoading(const std::optional<session::Scenario>& scenario)
 {
   loading_ = scenario;

@@ -54,6 +54,9 @@ public:
   /// the scenario before is to be shown as if it were this one.
   const session::Scenario* loading() const { return loading_ ? &*loading_ : nullptr; }
 
+  /// The scenario on the page if it is none of the insertion: that which is built, or that of a replay.
+  const session::Scenario* shownInstead() const;
+
   /// What a new window with the same scenario continues.
   struct Memory {
     SetupHistory::Memory setup;

@@ -6,8 +6,6 @@
 #include <cstdint>
 #include <limits>
 
-#include "perilymph/foundation/RealTime.h"
-
 namespace perilymph::device {
 
 /// Tracks a counter that increments with each report and may wrap at 8, 16 or 32 bits.
@@ -29,14 +27,13 @@ public:
 
   /// Classifies a report that was taken at `now` [ns] from a queue that was last seen empty at
   /// `emptyAt` [ns]. Real-time safe.
-  PERILYMPH_REALTIME Verdict classify(std::uint64_t counter, std::int64_t now,
-                                      std::int64_t emptyAt = never) noexcept;
+  Verdict classify(std::uint64_t counter, std::int64_t now, std::int64_t emptyAt = never) noexcept;
 
   /// Number of reports missing before the last fresh one.
   std::uint64_t lost() const noexcept { return lost_; }
 
   /// Restarts after the device restarted its counter.
-  PERILYMPH_REALTIME void startOver() noexcept;
+  void startOver() noexcept;
 
 private:
   std::int64_t period_;      // [ns]

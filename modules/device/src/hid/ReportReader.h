@@ -8,7 +8,6 @@
 #include "codec/DeviceCodec.h"
 #include "hid/ReportCount.h"
 #include "perilymph/device/DeviceHealth.h"
-#include "perilymph/foundation/RealTime.h"
 #include "perilymph/realtime/TimeHistogram.h"
 
 namespace perilymph::device {
@@ -30,26 +29,26 @@ public:
 
   /// Takes all waiting reports without blocking. `done` if one was fresh, `gone` if the device is
   /// gone.
-  PERILYMPH_REALTIME Transfer drain(Transport& transport) noexcept;
+  Transfer drain(Transport& transport) noexcept;
   /// Waits for one report at most `timeout`, and keeps it for the next drain().
   Transfer await(Transport& transport, Duration timeout) noexcept;
   /// Takes a report from another source. True if it was fresh.
-  PERILYMPH_REALTIME bool accept(const RawReport& report) noexcept;
+  bool accept(const RawReport& report) noexcept;
 
   /// Content of the newest fresh report. `sequence` counts fresh reports.
   const DeviceSample& newest() const noexcept { return sample_; }
   /// Arrival time of the newest fresh report [ns]; 0 before the first.
   std::int64_t lastFresh() const noexcept { return lastFresh_; }
   /// For a device whose silence means no motion: counts the last report as fresh again.
-  PERILYMPH_REALTIME void repeat() noexcept
+  void repeat() noexcept
   {
     if (lastFresh_ != 0) ++sample_.sequence;
   }
   /// Restarts with another handle: counters and times restart, figures and sequence continue.
-  PERILYMPH_REALTIME void startOver() noexcept;
+  void startOver() noexcept;
 
   /// Counters so far; rate and intervals of the last full second and overall.
-  PERILYMPH_REALTIME ReadingFigures figures() const noexcept;
+  ReadingFigures figures() const noexcept;
 
 private:
   void note(std::int64_t now) noexcept;

@@ -9,7 +9,6 @@
 #include <string>
 
 #include "guard/CompanionProcess.h"
-#include "perilymph/foundation/RealTime.h"
 #include "perilymph/foundation/Result.h"
 #include "plugin/PluginChannel.h"
 
@@ -38,9 +37,9 @@ public:
   Channel& channel() noexcept { return *channel_; }
 
   /// The process has ended. Any thread; real-time safe.
-  PERILYMPH_REALTIME bool hasEnded() const noexcept;
+  bool hasEnded() const noexcept;
   /// Kills the process, so that the system closes the device's file. Any thread; real-time safe.
-  PERILYMPH_REALTIME void kill() noexcept;
+  void kill() noexcept;
 
   /// A sentence: how the process ended, or that it was killed; empty while it runs.
   std::string obituary() const;

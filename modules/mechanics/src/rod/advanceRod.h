@@ -3,7 +3,6 @@
 
 // One time step of the elastic rod: advance() for a rod model.
 
-#include "perilymph/foundation/RealTime.h"
 #include "perilymph/mechanics/InsertionModel.h"
 #include "perilymph/mechanics/InsertionState.h"
 #include "rod/RodWorkspace.h"
@@ -11,7 +10,7 @@
 namespace perilymph::mechanics {
 
 /// Advances the rod by one time step, as described at advance(). Real-time safe.
-PERILYMPH_REALTIME void advanceRod(const InsertionModel& model, InsertionState& state,
-                                   const Drive& drive, RodWorkspace& work) noexcept;
+void advanceRod(const InsertionModel& model, InsertionState& state, const Drive& drive,
+                RodWorkspace& work) noexcept;
 
 }  // namespace perilymph::mechanics

@@ -1,15 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// Real-time annotation of functions, and the roles of threads.
-
-#if defined(__clang__) && __clang_major__ >= 20
-/// Marks a function of the tick: it neither allocates, locks, waits, logs nor throws.
-#define PERILYMPH_REALTIME [[clang::nonblocking]]
-#else
-/// Marks a function of the tick: it neither allocates, locks, waits, logs nor throws.
-#define PERILYMPH_REALTIME
-#endif
+// The roles of threads.
 
 namespace perilymph {
 

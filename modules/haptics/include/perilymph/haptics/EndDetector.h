@@ -43,9 +43,8 @@ public:
   EndDetector(const mechanics::InsertionModel& model, double stopForce) noexcept;
 
   /// The event of this tick, or none. O(1).
-  PERILYMPH_REALTIME InsertionEnd detect(const mechanics::InsertionModel& model,
-                                         const mechanics::InsertionState& state,
-                                         bool isWithdrawing) noexcept;
+  InsertionEnd detect(const mechanics::InsertionModel& model,
+                      const mechanics::InsertionState& state, bool isWithdrawing) noexcept;
 
   /// Adds all data that the next tick depends on.
   void addTo(Hash& hash) const noexcept;
@@ -69,8 +68,7 @@ private:
 ///
 /// @param base_W    Position of the tweezers [m].
 /// @param inward_W  Unit: direction of their motion, within 60 degrees of the opening's axis.
-PERILYMPH_REALTIME double distanceToBone(const mechanics::InsertionModel& model,
-                                         const Eigen::Vector3d& base_W,
-                                         const Eigen::Vector3d& inward_W) noexcept;
+double distanceToBone(const mechanics::InsertionModel& model, const Eigen::Vector3d& base_W,
+                      const Eigen::Vector3d& inward_W) noexcept;
 
 }  // namespace perilymph::haptics

@@ -36,7 +36,7 @@ public:
   };
 
   /// The force to render for this sample.
-  PERILYMPH_REALTIME device::Wrench step(const device::DeviceSample& sample) noexcept;
+  device::Wrench step(const device::DeviceSample& sample) noexcept;
 
   /// Every axis was tested.
   bool isDone() const noexcept { return axis_ >= axes_; }

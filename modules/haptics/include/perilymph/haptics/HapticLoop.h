@@ -48,7 +48,7 @@ public:
   void stop() noexcept;
 
   /// Runs one tick in the caller's thread, while no thread runs.
-  PERILYMPH_REALTIME void runOnce() noexcept;
+  void runOnce() noexcept;
 
   /// UI thread: sends a command. False if eight commands are waiting: try again later.
   bool send(const Command& command) noexcept;

@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <string>
 
-#include "perilymph/foundation/RealTime.h"
 #include "perilymph/haptics/Snapshot.h"
 
 namespace perilymph::haptics {
@@ -38,7 +37,7 @@ inline constexpr std::uint32_t anyEnd =
     endedByResistance | endedBuckled | endedOutOfOpening | endedFoldedTip | endedJammed;
 
 /// The status bit of an end; 0 if it has none.
-PERILYMPH_REALTIME std::uint32_t bitOf(InsertionEnd end) noexcept;
+std::uint32_t bitOf(InsertionEnd end) noexcept;
 
 /// How the insertion of this tick ended; the first event counts, whatever follows.
 InsertionEnd endOf(const TickOutput& now) noexcept;

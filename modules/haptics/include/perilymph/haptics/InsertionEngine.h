@@ -9,7 +9,6 @@
 #include <optional>
 
 #include "perilymph/device/HapticDevice.h"
-#include "perilymph/foundation/RealTime.h"
 #include "perilymph/haptics/EndDetector.h"
 #include "perilymph/haptics/Registration.h"
 #include "perilymph/haptics/Rest.h"
@@ -80,15 +79,14 @@ public:
   InsertionEngine(std::shared_ptr<const mechanics::InsertionModel> model, EngineSettings settings);
 
   /// Computes one time step. Real-time safe.
-  PERILYMPH_REALTIME TickOutput tick(const device::DeviceSample& sample,
-                                     const CommandList& commands) noexcept;
+  TickOutput tick(const device::DeviceSample& sample, const CommandList& commands) noexcept;
 
   /// Whether the insertion rests while the hand holds the device: its force stays.
   bool isHeldAtRest() const noexcept { return rest_.isHeld(); }
 
   /// Fills the snapshot of the last tick, except for the loop's own statistics. After an overflow
   /// of the mechanics the shape in the snapshot is left unchanged. Real-time safe.
-  PERILYMPH_REALTIME void fill(Snapshot& snapshot) const noexcept;
+  void fill(Snapshot& snapshot) const noexcept;
 
   /// Limits the maximum rendered force to that of a device [N]; before the first tick.
   void lowerMaxForce(double maxForce) noexcept { safety_.lowerMaxForce(maxForce); }

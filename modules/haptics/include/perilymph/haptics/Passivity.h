@@ -6,7 +6,6 @@
 #include <Eigen/Core>
 
 #include "perilymph/foundation/Hash.h"
-#include "perilymph/foundation/RealTime.h"
 
 namespace perilymph::haptics {
 
@@ -29,18 +28,17 @@ public:
   explicit Passivity(double timeStep) : timeStep_(timeStep) {}
 
   /// Updates the energy for a hand displacement under the rendered force.
-  PERILYMPH_REALTIME void observe(const Eigen::Vector3d& shown_D,
-                                  const Eigen::Vector3d& moved_D) noexcept;
+  void observe(const Eigen::Vector3d& shown_D, const Eigen::Vector3d& moved_D) noexcept;
 
   /// The force to render instead of the wanted one, for a hand that moves by `moved_D` each tick.
-  PERILYMPH_REALTIME Eigen::Vector3d control(const Eigen::Vector3d& wanted_D,
-                                             const Eigen::Vector3d& moved_D) const noexcept;
+  Eigen::Vector3d control(const Eigen::Vector3d& wanted_D,
+                          const Eigen::Vector3d& moved_D) const noexcept;
 
   /// Net energy supplied by the hand [J].
   double energy() const noexcept { return energy_; }
 
   /// Resets the energy to zero.
-  PERILYMPH_REALTIME void reset() noexcept { energy_ = 0.0; }
+  void reset() noexcept { energy_ = 0.0; }
 
   void addTo(Hash& hash) const noexcept { hash.add(energy_); }
 

@@ -8,7 +8,6 @@
 
 #include "perilymph/anatomy/Lumen.h"
 #include "perilymph/foundation/Hash.h"
-#include "perilymph/foundation/RealTime.h"
 #include "perilymph/haptics/SampleValidator.h"
 
 namespace perilymph::haptics {
@@ -37,10 +36,10 @@ public:
   Registration(const anatomy::Entry& entry, const Eigen::Vector3d& approach_W, double motionScale);
 
   /// Sets the anchor: from now on the base moves from `pose`, relative to the current hand.
-  PERILYMPH_REALTIME void anchor(const HandState& hand, const BasePose& pose) noexcept;
+  void anchor(const HandState& hand, const BasePose& pose) noexcept;
 
   /// Pose of the base commanded by the hand.
-  PERILYMPH_REALTIME BasePose pose(const HandState& hand) const noexcept;
+  BasePose pose(const HandState& hand) const noexcept;
 
   Eigen::Vector3d toCochlea(const Eigen::Vector3d& vector_D) const noexcept;
   Eigen::Vector3d toDevice(const Eigen::Vector3d& vector_W) const noexcept;

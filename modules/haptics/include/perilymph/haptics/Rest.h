@@ -8,7 +8,6 @@
 
 #include "perilymph/device/HapticDevice.h"
 #include "perilymph/foundation/Hash.h"
-#include "perilymph/foundation/RealTime.h"
 
 namespace perilymph::haptics {
 
@@ -49,11 +48,11 @@ public:
   bool isHeld() const noexcept { return isOn_ && isHeld_; }
 
   /// Whether a sample ends a held rest: the button is released, or the hand is elsewhere.
-  PERILYMPH_REALTIME bool isLeftBy(const device::DeviceSample& sample) const noexcept;
+  bool isLeftBy(const device::DeviceSample& sample) const noexcept;
   /// The rest ends; a held one begins again after the whole time only.
-  PERILYMPH_REALTIME void end() noexcept;
+  void end() noexcept;
   /// Counts the ticks without motion; rests when there are enough.
-  PERILYMPH_REALTIME void note(const Condition& now) noexcept;
+  void note(const Condition& now) noexcept;
 
   /// Adds all data that the next tick depends on.
   void addTo(Hash& hash) const noexcept;

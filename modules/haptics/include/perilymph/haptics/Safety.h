@@ -9,7 +9,6 @@
 
 #include "perilymph/device/HapticDevice.h"
 #include "perilymph/foundation/Hash.h"
-#include "perilymph/foundation/RealTime.h"
 #include "perilymph/haptics/Passivity.h"
 
 namespace perilymph::haptics {
@@ -56,9 +55,8 @@ public:
   Safety(const SafetyLimits& limits, double timeStep);
 
   /// The force to render in this tick. Adds the limits that acted to `status` (bits of Status).
-  PERILYMPH_REALTIME Eigen::Vector3d show(const Eigen::Vector3d& wanted_D,
-                                          const HandCondition& hand,
-                                          std::uint32_t& status) noexcept;
+  Eigen::Vector3d show(const Eigen::Vector3d& wanted_D, const HandCondition& hand,
+                       std::uint32_t& status) noexcept;
 
   /// Lowers the clamp [N]; never raises it.
   void lowerMaxForce(double maxForce) noexcept;
@@ -66,7 +64,7 @@ public:
   const SafetyLimits& limits() const noexcept { return limits_; }
   double energy() const noexcept { return passivity_.energy(); }
   /// The rendered force is zero, and the next one fades in from the beginning.
-  PERILYMPH_REALTIME bool isZero() const noexcept { return shown_D_.isZero(0.0) && ramp_ == 0.0; }
+  bool isZero() const noexcept { return shown_D_.isZero(0.0) && ramp_ == 0.0; }
 
   /// Adds all data that the next tick depends on.
   void addTo(Hash& hash) const noexcept;

@@ -9,7 +9,6 @@
 
 #include "perilymph/device/HapticDevice.h"
 #include "perilymph/foundation/Hash.h"
-#include "perilymph/foundation/RealTime.h"
 
 namespace perilymph::haptics {
 
@@ -49,7 +48,7 @@ public:
   static double staleTime(double samplePeriod) noexcept;
 
   /// The hand after this sample.
-  PERILYMPH_REALTIME const HandState& take(const device::DeviceSample& sample) noexcept;
+  const HandState& take(const device::DeviceSample& sample) noexcept;
 
   /// Adds all data that the next tick depends on.
   void addTo(Hash& hash) const noexcept;

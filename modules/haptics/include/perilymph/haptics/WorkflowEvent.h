@@ -5,7 +5,6 @@
 
 #include <cstdint>
 
-#include "perilymph/foundation/RealTime.h"
 #include "perilymph/haptics/Snapshot.h"
 
 namespace perilymph::haptics {
@@ -25,6 +24,6 @@ enum class WorkflowEvent : std::uint32_t {
 ///     Idle -arm-> Armed -grasp-> Inserting -release-> Paused -grasp-> Inserting
 ///     Inserting -arrive-> Finished -withdraw-> Inserting
 ///     any -error-> Fault
-PERILYMPH_REALTIME Workflow next(Workflow now, WorkflowEvent event) noexcept;
+Workflow next(Workflow now, WorkflowEvent event) noexcept;
 
 }  // namespace perilymph::haptics

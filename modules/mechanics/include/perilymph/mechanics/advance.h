@@ -3,7 +3,6 @@
 
 // One time step of an insertion.
 
-#include "perilymph/foundation/RealTime.h"
 #include "perilymph/mechanics/InsertionModel.h"
 #include "perilymph/mechanics/InsertionState.h"
 
@@ -34,7 +33,6 @@ namespace perilymph::mechanics {
 ///
 /// Pure: no clock, no file, no randomness, bounded work. The same model, state and drive give the
 /// same bits on every x86-64 machine. Real-time safe.
-PERILYMPH_REALTIME void advance(const InsertionModel& model, InsertionState& state,
-                                const Drive& drive) noexcept;
+void advance(const InsertionModel& model, InsertionState& state, const Drive& drive) noexcept;
 
 }  // namespace perilymph::mechanics

@@ -10,8 +10,6 @@
 #include <cerrno>
 #include <cstdint>
 
-#include "perilymph/foundation/RealTime.h"
-
 namespace perilymph::realtime {
 
 /// Whose memory a channel is in.
@@ -33,7 +31,7 @@ public:
   Doorbell& operator=(const Doorbell&) = delete;
 
   /// Wakes the sleeping thread. Any thread. Real-time safe.
-  PERILYMPH_REALTIME void ring() noexcept
+  void ring() noexcept
   {
     if (!isRung_.exchange(true, std::memory_order_acq_rel)) sem_post(&bell_);
   }

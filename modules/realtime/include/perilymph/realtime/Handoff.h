@@ -6,8 +6,6 @@
 #include <atomic>
 #include <memory>
 
-#include "perilymph/foundation/RealTime.h"
-
 namespace perilymph::realtime {
 
 /// Lends one object at a time from its owner's thread to a user's thread and back. Neither side
@@ -46,7 +44,7 @@ public:
 
   /// Takes the offered object; null if there is none. The user gives back its previous object
   /// before it takes another. User's thread only. Real-time safe.
-  PERILYMPH_REALTIME Value* take() noexcept
+  Value* take() noexcept
   {
     if (offered_.load(std::memory_order_relaxed) == nullptr) return nullptr;
     return offered_.exchange(nullptr, std::memory_order_acq_rel);
@@ -54,10 +52,7 @@ public:
 
   /// Gives an object back to its owner; the user must not access it again. Give each object back
   /// once, and only after the previous one was reclaimed. User's thread only. Real-time safe.
-  PERILYMPH_REALTIME void giveBack(Value* value) noexcept
-  {
-    returned_.store(value, std::memory_order_release);
-  }
+  void giveBack(Value* value) noexcept { returned_.store(value, std::memory_order_release); }
 
 private:
   std::atomic<Value*> offered_{nullptr};

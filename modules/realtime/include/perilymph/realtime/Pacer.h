@@ -5,13 +5,12 @@
 
 #include <cstdint>
 
-#include "perilymph/foundation/RealTime.h"
 #include "perilymph/foundation/Units.h"
 
 namespace perilymph::realtime {
 
 /// Time since an arbitrary start, never decreasing [ns].
-PERILYMPH_REALTIME std::int64_t monotonicNanoseconds() noexcept;
+std::int64_t monotonicNanoseconds() noexcept;
 
 /// Wakes its thread at a fixed period.
 ///
@@ -33,10 +32,10 @@ public:
   std::int64_t due() const noexcept { return due_; }
 
   /// Counts a tick that begins at `now` [ns] and advances due().
-  PERILYMPH_REALTIME void begin(std::int64_t now) noexcept;
+  void begin(std::int64_t now) noexcept;
 
   /// Counts a tick that an external clock began at `now` [ns]; the grid continues from there.
-  PERILYMPH_REALTIME void follow(std::int64_t now) noexcept;
+  void follow(std::int64_t now) noexcept;
 
   /// Sleeps until the next tick is due, then begins it. Returns the time at which it began [ns].
   std::int64_t wait() noexcept;

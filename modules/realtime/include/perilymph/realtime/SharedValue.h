@@ -10,8 +10,6 @@
 #include <cstring>
 #include <type_traits>
 
-#include "perilymph/foundation/RealTime.h"
-
 namespace perilymph::realtime {
 
 /// Passes the newest value from one writer to one reader through memory that
@@ -29,7 +27,7 @@ class SharedValue {
 
 public:
   /// Makes `value` the newest. Writer only. Real-time safe.
-  PERILYMPH_REALTIME void publish(const Value& value) noexcept
+  void publish(const Value& value) noexcept
   {
     std::array<std::uint64_t, words> copy{};
     std::memcpy(copy.data(), &value, sizeof value);
@@ -44,7 +42,7 @@ public:
   /// written.
   ///
   /// @param seen  The reader's own memory of what it took; 0 at first.
-  PERILYMPH_REALTIME bool take(Value& value, std::uint64_t& seen) const noexcept
+  bool take(Value& value, std::uint64_t& seen) const noexcept
   {
     std::array<std::uint64_t, words> copy{};
     for (int i = 0; i < maxAttempts; ++i) {

@@ -10,8 +10,6 @@
 #include <type_traits>
 #include <vector>
 
-#include "perilymph/foundation/RealTime.h"
-
 namespace perilymph::realtime {
 
 /// A queue of fixed capacity from one writer thread to one reader thread. Values arrive complete
@@ -30,7 +28,7 @@ public:
   std::size_t capacity() const noexcept { return slots_.size(); }
 
   /// Appends a value. False if the ring is full. Writer thread only. Real-time safe.
-  PERILYMPH_REALTIME bool push(const Value& value) noexcept
+  bool push(const Value& value) noexcept
   {
     const std::uint64_t at = written_.load(std::memory_order_relaxed);
     if (at - readSeen_ == slots_.size()) {
@@ -43,7 +41,7 @@ public:
   }
 
   /// Takes the oldest value. False if there is none. Reader thread only. Real-time safe.
-  PERILYMPH_REALTIME bool take(Value& value) noexcept
+  bool take(Value& value) noexcept
   {
     const std::uint64_t at = read_.load(std::memory_order_relaxed);
     if (at == writtenSeen_) {

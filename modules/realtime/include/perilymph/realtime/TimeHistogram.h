@@ -6,8 +6,6 @@
 #include <array>
 #include <cstdint>
 
-#include "perilymph/foundation/RealTime.h"
-
 namespace perilymph::realtime {
 
 /// Counts durations in fixed bins: exact below 32 ns, above that 32 bins per octave, so that a
@@ -15,9 +13,9 @@ namespace perilymph::realtime {
 class TimeHistogram {
 public:
   /// Counts one duration [ns]; negative values count as 0.
-  PERILYMPH_REALTIME void add(std::int64_t nanoseconds) noexcept;
+  void add(std::int64_t nanoseconds) noexcept;
 
-  PERILYMPH_REALTIME void clear() noexcept { *this = TimeHistogram(); }
+  void clear() noexcept { *this = TimeHistogram(); }
 
   std::uint64_t count() const noexcept { return count_; }
   /// Maximum duration [s]; 0 if there is none.
@@ -27,7 +25,7 @@ public:
   /// 0 if there is none.
   ///
   /// @param fraction  0 to 1; 0.5 gives the median.
-  PERILYMPH_REALTIME double quantile(double fraction) const noexcept;
+  double quantile(double fraction) const noexcept;
 
 private:
   static constexpr int binsPerOctave = 32;

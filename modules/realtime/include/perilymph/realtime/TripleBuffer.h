@@ -8,8 +8,6 @@
 #include <cstdint>
 #include <type_traits>
 
-#include "perilymph/foundation/RealTime.h"
-
 namespace perilymph::realtime {
 
 /// Passes the newest value from one writer thread to one reader thread. Neither side ever blocks;
@@ -20,7 +18,7 @@ class TripleBuffer {
 
 public:
   /// Makes `value` the newest. Writer thread only. Real-time safe.
-  PERILYMPH_REALTIME void publish(const Value& value) noexcept
+  void publish(const Value& value) noexcept
   {
     draft() = value;
     publishDraft();
@@ -28,10 +26,10 @@ public:
 
   /// The value the writer may build in place, for values too large to copy each tick. It holds an
   /// older value, a different one after each publication. Writer thread only.
-  PERILYMPH_REALTIME Value& draft() noexcept { return slots_[back_]; }
+  Value& draft() noexcept { return slots_[back_]; }
 
   /// Makes the draft the newest. Writer thread only. Real-time safe.
-  PERILYMPH_REALTIME void publishDraft() noexcept
+  void publishDraft() noexcept
   {
     const auto offered = static_cast<std::uint8_t>(back_ | isFresh);
     back_ = middle_.exchange(offered, std::memory_order_acq_rel) & slotMask;

@@ -7443,10 +7443,6 @@
         <source>End it and close</source>
         <translation>Beenden und schließen</translation>
     </message>
-    <message>
-        <source>%1 — Perilymph</source>
-        <translation>%1 — Perilymph</translation>
-    </message>
 </context>
 <context>
     <name>perilymph::gui::Navigation</name>
@@ -7593,6 +7589,10 @@
     <message>
         <source>angular insertion depth · tip %1°</source>
         <translation>Insertionswinkel · Spitze %1°</translation>
+    </message>
+    <message>
+        <source>angular insertion depth</source>
+        <translation>Insertionswinkel</translation>
     </message>
 </context>
 <context>

@@ -114,7 +114,9 @@ void OperationView::captionReadOuts()
   travel_->setCaption(tr("advanced · insertion depth %1 mm").arg(depth_mm_));
   angle_->setCaption(tr("angular insertion depth · tip %1°").arg(tip_deg_));
   force_->setCaption(tr("insertion force"));
-  if (widthOf({travel_, angle_, force_}) > width()) captionShortly();
+  const auto fits = [this] { return widthOf({travel_, angle_, force_}) <= width(); };
+  if (!fits()) angle_->setCaption(tr("angular insertion depth"));
+  if (!fits()) captionShortly();
   // at once: the caption is as wide as its number
   if (travel_->width() < travel_->sizeHint().width()) layout()->activate();
 }

@@ -91,6 +91,7 @@ TEST_F(NamesOfMarkup, AreShownVerbatimInTooltips)
 TEST_F(NamesOfMarkup, AreListedVerbatim)
 {
   ASSERT_TRUE(WindowRig::comes([&] { return !labelsWith(image).empty(); }));
+  ASSERT_TRUE(WindowRig::comes([&] { return rig_.button("startButton").isEnabled(); }));
   rig_.click("startButton");
   ASSERT_TRUE(WindowRig::comes([&] { return rig_.travel_mm() > 0.1; }));
   rig_.click("sessionsPageButton");

@@ -65,7 +65,7 @@ TEST_F(Result, IsShownAtTheEndWithNothingToPressAndIsARecordingFromThenOn)
     return true;
   }));
   EXPECT_THAT(texts(),
-              testing::Contains(QStringLiteral("%1 mN").arg(gui::numberText(peak * 1e3, 0))));
+              testing::Contains(QStringLiteral("%1 mN").arg(gui::numberText(peak * 1e3, 1))));
   const std::uint64_t inserted = ticksOfWholeRecording();
 
   // a withdrawal is added to the recording, and it ends once more

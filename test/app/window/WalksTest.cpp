@@ -21,6 +21,7 @@
 #include "gui/kiosk/PushPad.h"
 #include "gui/pages/compare/ComparePage.h"
 #include "gui/pages/compare/ComparisonPlot.h"
+#include "gui/pages/insert/ResultCard.h"
 #include "gui/pages/sessions/SessionsPage.h"
 
 namespace perilymph::test {
@@ -106,6 +107,8 @@ TEST_F(AWalk, OfASurgeonEndsAtFullDepthOfThePatientsCochlea)
   rig.releaseKey(Qt::Key_Down);
   rig.releaseKey(Qt::Key_Space);
   ASSERT_TRUE(WindowRig::comes([&] { return rig.label("hintLabel").contains("Full depth"); }));
+  const auto& card = *rig.window().findChild<gui::ResultCard*>();
+  ASSERT_TRUE(WindowRig::comes([&] { return card.isVisible(); }));
   walk.step(5, rig.window());
   EXPECT_EQ(rig.window().control().scenario().patient().basalTurn->a, millimeters(9.0));
   EXPECT_EQ(walk.left(), "");

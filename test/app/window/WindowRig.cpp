@@ -69,9 +69,8 @@ void WindowRig::choose(const char* selector, const char* value)
   list.setFocus();
   QTest::keyClick(&list, Qt::Key_Space);
   if (!comes([&] { return list.view()->isVisible(); })) throw std::runtime_error("No list opened.");
-  QTest::keyClick(list.view(), Qt::Key_Home);
-  for (int i = 0; i < list.count() && list.view()->currentIndex().row() != wanted; ++i)
-    QTest::keyClick(list.view(), Qt::Key_Down);
+  // as the arrow keys do, which a pointer at rest over the opened list would take back
+  list.view()->setCurrentIndex(list.model()->index(wanted, 0));
   QTest::keyClick(list.view(), Qt::Key_Return);
   comes([&] { return !list.view()->isVisible(); });
 }

@@ -17,7 +17,8 @@ LoadingStage::LoadingStage(QWidget* page) : QFrame(page), text_(new QLabel(this)
   setAutoFillBackground(true);
   text_->setObjectName(QStringLiteral("loadingText"));
   text_->setFont(typeface(15));
-  auto* bar = new QProgressBar(this);  // the duration is unknown
+  text_->setTextFormat(Qt::PlainText);  // a code may look like markup
+  auto* bar = new QProgressBar(this);   // the duration is unknown
   bar->setRange(0, 0);
   bar->setTextVisible(false);
   bar->setFixedSize(240, 6);

@@ -21,6 +21,7 @@ QLabel* cell(const QString& text, const char* tone, QWidget* parent)
 {
   auto* label = new QLabel(text, parent);
   label->setFont(typeface(13));
+  label->setTextFormat(Qt::PlainText);
   label->setProperty(tone, true);
   return label;
 }
@@ -34,6 +35,7 @@ ResultCard::ResultCard(QWidget* page)
   title_->setObjectName(QStringLiteral("resultTitle"));
   title_->setFont(typeface(13, QFont::DemiBold));
   subject_->setFont(typeface(11));
+  subject_->setTextFormat(Qt::PlainText);
   subject_->setProperty("quiet", true);
   auto* close = panelButton(QStringLiteral("×"), "closeResultButton", this);
   close->setProperty("small", true);

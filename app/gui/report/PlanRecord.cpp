@@ -74,7 +74,7 @@ QStringList cellsOf(const planning::ArrayPlan& array, std::size_t place)
           medianText(array.angle_deg, 0),
           medianText(array.coverage_percent, 0),
           medianText(array.peak_mN, 0),
-          medianText(array.partition_mN, array.partition_mN.high < 10.0 ? 1 : 0),
+          medianText(array.partition_mN, forceDecimals(array.partition_mN.high)),
           chanceText(array.full, array.draws),
           chanceText(array.resisted, array.draws),
           chanceText(array.buckled, array.draws),

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/shell/TopBar.h"
-#include "gui/pages/insert/InsertionController.h"
 
 #include <QFontMetrics>
 #include <QGridLayout>
@@ -13,6 +12,7 @@
 #include <algorithm>
 
 #include "gui/pages/Page.h"
+#include "gui/pages/insert/InsertionController.h"
 #include "gui/setup/SetupTitle.h"
 #include "gui/shell/StopTriggers.h"
 #include "gui/text/Numbers.h"

@@ -78,8 +78,7 @@ public:
   /// Shows that there is no patient yet.
   void showNobody();
 
-  /// Shows the state of the device.
-  /// @param error  Error message for the tooltip.
+  /// Shows the state of the device, or that a cochlea is built.
   void showInsertion(const InsertionController& insertion);
   /// There is no insertion yet, or a replay instead.
   void showPreparing();

@@ -15,10 +15,9 @@ QString numberText(double value, int decimals)
   return locale.toString(rounded == 0.0 ? 0.0 : rounded, 'f', decimals);
 }
 
-QString forceNumber(double force_mN)
-{
-  return numberText(force_mN, std::fabs(force_mN) < 9.95 ? 1 : 0);
-}
+int forceDecimals(double largest_mN) { return std::fabs(largest_mN) < 9.95 ? 1 : 0; }
+
+QString forceNumber(double force_mN) { return numberText(force_mN, forceDecimals(force_mN)); }
 
 std::optional<double> typedNumber(const QString& text)
 {

@@ -11,6 +11,9 @@ namespace perilymph::gui {
 /// A number in the user's locale with fixed decimals; never "-0.0", no thousands separators.
 QString numberText(double value, int decimals);
 
+/// Decimals of forces: none, one where the largest is below 10 mN as it is shown.
+int forceDecimals(double largest_mN);
+
 /// An insertion's force that is kept: whole millinewtons, one decimal below 10 mN. Every page and report
 /// shows it by this, so that one insertion has one number.
 QString forceNumber(double force_mN);

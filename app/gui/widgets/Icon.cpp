@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "gui/widgets/Theme.h"
+#include "perilymph/foundation/Units.h"
 
 namespace perilymph::gui {
 
@@ -53,7 +54,7 @@ void paintInsert(QPainter& painter)
   constexpr int steps = 48;
   for (int i = 0; i <= steps; ++i) {
     const double part = double(i) / steps;
-    const double angle = (0.5 - 2.0 * 1.6 * part) * 3.14159265358979;
+    const double angle = (0.5 - 2.0 * 1.6 * part) * pi;
     const double radius = 6.0 - 4.6 * part;
     spiral.lineTo(8.6 + radius * std::cos(angle), 8.2 + radius * std::sin(angle));
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/widgets/PanelParts.h"
 
+#include <QProgressBar>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QVariant>
@@ -39,6 +40,15 @@ QPushButton* rowButton(const QString& text, const char* name, QWidget* parent)
   QPushButton* button = panelButton(text, name, parent);
   button->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   return button;
+}
+
+QProgressBar* endlessBar(int width_px, QWidget* parent)
+{
+  auto* bar = new QProgressBar(parent);
+  bar->setRange(0, 0);
+  bar->setTextVisible(false);
+  bar->setFixedSize(width_px, 6);
+  return bar;
 }
 
 QScrollArea* verticalScroll(QWidget* content, QWidget* parent)

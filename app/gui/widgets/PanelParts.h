@@ -5,6 +5,7 @@
 
 #include <QString>
 
+class QProgressBar;
 class QPushButton;
 class QScrollArea;
 class QWidget;
@@ -23,6 +24,9 @@ QPushButton* panelButton(const QString& text, const char* name, QWidget* parent)
 
 /// A panelButton() that is as wide as its row gives it: its text does not widen the panel.
 QPushButton* rowButton(const QString& text, const char* name, QWidget* parent);
+
+/// A bar of work whose duration is unknown, 6 px high.
+QProgressBar* endlessBar(int width_px, QWidget* parent);
 
 /// A frameless area in which the content is as wide as the area and scrolls vertically. It takes no
 /// focus, but follows that of its fields.

@@ -25,8 +25,6 @@ std::vector<CurvePoint> smoothed(const std::vector<CurvePoint>& curve)
   return result;
 }
 
-constexpr Duration shortRest = seconds(1);
-
 enum class Extremum { maximum, minimum };
 
 /// The largest local extremum with low <= travel <= high.
@@ -76,7 +74,7 @@ void ForceProfiler::followRest(const haptics::TickOutput& now)
   const bool isOver = now.workflow == haptics::Workflow::finished;
   if (ended_) {
     isWithdrawn_ = isWithdrawn_ || !isOver;
-    const bool isDue = now.time >= *ended_ + shortRest.si() - rounding;
+    const bool isDue = now.time >= *ended_ + shortRest().si() - rounding;
     if (isDue && !isWithdrawn_ && !profile_.forceAfter1s) profile_.forceAfter1s = mean;
     return;
   }

@@ -269,6 +269,10 @@ TEST_F(TheCtPage, AsksBeforeOtherMeasuresAreSavedUnderACodeAndComparesBoth)
   // 1.71 (1.18 (A - 1) + 2.69 (B - 1) - sqrt(0.72 (A - 1) (B - 1))) + 0.18, computed apart
   EXPECT_EQ(rig_.label("savedCdl").section(' ', 0, 0), "30.7");
   EXPECT_EQ(rig_.label("newCdl").section(' ', 0, 0), "30.5");
+  // with what A alone gives, 32.9 and 32.2 mm; the difference has the errors of A and B only
+  EXPECT_EQ(rig_.label("savedCdl"), "30.7 ± 2.4");
+  EXPECT_EQ(rig_.label("newCdl"), "30.5 ± 2.0");
+  EXPECT_EQ(rig_.label("differenceCdl"), "-0.2 ± 1.3");
 
   rig_.click("otherCodeButton");
   EXPECT_FALSE(question->isVisible());

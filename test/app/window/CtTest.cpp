@@ -288,6 +288,8 @@ TEST_F(TheCtPage, CancelsAMeasurement)
   EXPECT_FALSE(page().isBusy());
   EXPECT_FALSE(study().measures());
   EXPECT_TRUE(rig_.button("measureCtButton").isEnabled());
+  // what the reader remarked stays
+  EXPECT_TRUE(rig_.label("ctStatus").startsWith("The volume is only"));
 }
 
 TEST_F(TheCtPage, SaysWhyAFolderCannotBeRead)

@@ -31,7 +31,7 @@ public:
 
   /// Clicks a button, a radio button or a check box by its object name.
   void click(const char* name);
-  /// Opens a list by its object name and selects a value with the keyboard.
+  /// Opens a list by its object name, marks a value and chooses it with the keyboard.
   void choose(const char* selector, const char* value);
   /// Replaces the text of a field and presses Return.
   void type(const char* field, const char* text);

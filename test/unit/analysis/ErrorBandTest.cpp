@@ -6,8 +6,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 
+#include "perilymph/anatomy/DuctLength.h"
 #include "perilymph/test/Tolerance.h"
 
 namespace perilymph::analysis {
@@ -70,6 +72,17 @@ TEST(ErrorBands, UseTheCorrelationsOfTheErrors)
   // by hand, as above: 1.96 sqrt(0.422^2 + 1.121^2 + 2 r 0.422 1.121) and the formula's 0.87
   EXPECT_NEAR(bandAt(0.7), 2.969, test::tolerance(0.12, "measured back"));
   EXPECT_NEAR(bandAt(-0.7), 1.930, test::tolerance(0.12, "measured back"));
+}
+
+TEST(ErrorOfTheDuctLength, IsThatOfAAndBWithTheirCorrelation)
+{
+  // by hand, as above: 0.422 mm for 0.3 mm of A, 1.121 mm for 0.3 mm of B
+  for (const double r : {-0.9, -0.5, 0.0, 0.5, 0.9}) {
+    const anatomy::BasalTurnErrors errors{millimeters(0.3), millimeters(0.3), std::nullopt, r};
+    const double expected = std::sqrt(0.422 * 0.422 + 1.121 * 1.121 + 2.0 * r * 0.422 * 1.121);
+    EXPECT_NEAR(inMillimeters(anatomy::ductLengthError(millimeters(9.2), millimeters(6.8), errors)),
+                expected, test::tolerance(0.01, "curvature over 0.3 mm"));
+  }
 }
 
 TEST(ErrorBands, HoldAtTheEdgeOfWhatIsAllowed)

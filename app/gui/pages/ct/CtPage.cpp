@@ -29,8 +29,8 @@ namespace perilymph::gui {
 
 namespace {
 
-constexpr int wideFrom_px =
-    1200;  // the planes keep more than half of it beside a panel of two columns
+// The planes keep more than half of it beside a panel of two columns.
+constexpr int wideFrom_px = 1200;
 
 }  // namespace
 
@@ -110,7 +110,8 @@ void CtPage::connectWork()
   });
   connect(&work_, &CtWork::failed, this, [this](const QString& sentence) {
     then_ = {};
-    panel_->showIdle(sentence, true);
+    // nothing failed if the user canceled
+    panel_->showIdle(sentence.isEmpty() ? notes_ : sentence, !sentence.isEmpty());
   });
 }
 

@@ -23,13 +23,12 @@ namespace perilymph::gui {
 
 namespace {
 
-/// A measure with its standard deviation [mm].
+/// A measure with the standard deviations of its measurement and of its formula [mm].
 struct Measured {
-  double value = 0.0, sd = 0.0;
+  double value = 0.0, sd = 0.0, formula = 0.0;
 };
 using Compared = std::array<std::optional<Measured>, 4>;  ///< A, B, H, duct length.
 
-/// The duct length's error is that of A and B: the formula is the same on both sides.
 Compared comparedOf(const anatomy::Patient& patient)
 {
   Compared found;
@@ -40,12 +39,9 @@ Compared comparedOf(const anatomy::Patient& patient)
   found[1] = {inMillimeters(turn.b), inMillimeters(errors.b)};
   if (turn.h)
     found[2] = {inMillimeters(*turn.h), inMillimeters(errors.h.value_or(analysis::measuringError))};
-  const Length duct = anatomy::ellipticCircularDuctLength(turn.a, turn.b);
-  found[3] = {
-      inMillimeters(duct),
-      std::hypot(
-          inMillimeters(anatomy::ellipticCircularDuctLength(turn.a + errors.a, turn.b) - duct),
-          inMillimeters(anatomy::ellipticCircularDuctLength(turn.a, turn.b + errors.b) - duct))};
+  found[3] = {inMillimeters(anatomy::ellipticCircularDuctLength(turn.a, turn.b)),
+              inMillimeters(anatomy::ductLengthError(turn.a, turn.b, errors)),
+              inMillimeters(anatomy::ductLengthFormulaError(turn.a, turn.b))};
   return found;
 }
 
@@ -128,14 +124,16 @@ void VersionQuestion::ask(const SavedPatient& saved, const anatomy::Patient& mea
   for (std::size_t row = 0; row < cells_.size(); ++row) {
     const int decimals = row < 3 ? 2 : 1;
     const auto text = [decimals](const std::optional<Measured>& one) {
-      return one ? QStringLiteral("%1 ± %2").arg(numberText(one->value, decimals),
-                                                 numberText(halfWidth95 * one->sd, decimals))
+      return one ? QStringLiteral("%1 ± %2").arg(
+                       numberText(one->value, decimals),
+                       numberText(halfWidth95 * std::hypot(one->sd, one->formula), decimals))
                  : dash();
     };
     cells_[row][0]->setText(text(before[row]));
     cells_[row][1]->setText(text(after[row]));
     const bool areBoth = before[row] && after[row];
     const double by = areBoth ? after[row]->value - before[row]->value : 0.0;
+    // the formula is the same on both sides
     const double within = areBoth ? halfWidth95 * std::hypot(before[row]->sd, after[row]->sd) : 0.0;
     QString difference = dash();
     if (areBoth)

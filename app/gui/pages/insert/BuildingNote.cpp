@@ -1,25 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/pages/insert/BuildingNote.h"
 
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
 
+#include "gui/widgets/PanelParts.h"
 #include "gui/widgets/Theme.h"
 
 namespace perilymph::gui {
 
-BuildingNote::BuildingNote(QWidget* page) : QFrame(page), text_(new QLabel(this))
+BuildingNote::BuildingNote(QWidget* page) : Overlay(page), text_(new QLabel(this))
 {
   setObjectName(QStringLiteral("buildingNote"));
   text_->setObjectName(QStringLiteral("buildingText"));
   text_->setFont(typeface(13));
-  auto* bar = new QProgressBar(this);  // the duration is unknown
-  bar->setRange(0, 0);
-  bar->setTextVisible(false);
-  bar->setFixedSize(120, 6);
   auto* cancel = new QPushButton(tr("Cancel"), this);
   cancel->setObjectName(QStringLiteral("cancelBuildButton"));
   cancel->setFont(typeface(13, QFont::Medium));
@@ -31,9 +27,8 @@ BuildingNote::BuildingNote(QWidget* page) : QFrame(page), text_(new QLabel(this)
   row->setContentsMargins(2 * spacing, spacing, spacing, spacing);
   row->setSpacing(2 * spacing);
   row->addWidget(text_);
-  row->addWidget(bar);
+  row->addWidget(endlessBar(120, this));
   row->addWidget(cancel);
-  page->installEventFilter(this);
   hide();
 }
 
@@ -52,12 +47,6 @@ void BuildingNote::place()
   const QWidget& page = *parentWidget();
   move((page.width() - width()) / 2, page.height() / 2);
   raise();
-}
-
-bool BuildingNote::eventFilter(QObject* target, QEvent* event)
-{
-  if (event->type() == QEvent::Resize && !isHidden()) place();
-  return QFrame::eventFilter(target, event);
 }
 
 }  // namespace perilymph::gui

@@ -3,14 +3,14 @@
 
 // Message about building a cochlea, shown at the bottom of the 3D view after a second.
 
-#include <QFrame>
+#include "gui/widgets/Overlay.h"
 
 class QLabel;
 
 namespace perilymph::gui {
 
 /// Reports that the window waits for a cochlea, and offers to cancel.
-class BuildingNote : public QFrame {
+class BuildingNote : public Overlay {
   Q_OBJECT
 public:
   /// Shorter waits end before the message could be read.
@@ -26,11 +26,9 @@ Q_SIGNALS:
   void cancelAsked();
 
 protected:
-  bool eventFilter(QObject* target, QEvent* event) override;
+  void place() override;
 
 private:
-  void place();
-
   QLabel* text_;
 };
 

@@ -205,8 +205,9 @@ void InsertionController::followEnd()
 {
   const auto workflow = control_.now().output.workflow;
   if (isResultAsked_ && !isOver(workflow)) return forgetResult();  // it is withdrawn
+  if (isResultAsked_ || !control_.isConcluded()) return;
   const auto file = control_.recording();
-  if (isResultAsked_ || !control_.isConcluded() || !file) return;
+  if (!file) return;
   isResultAsked_ = true;
   auto plan = plan_ && plan_->isFor(control_.scenario()) ? plan_ : std::nullopt;
   reading_.run(

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/pages/insert/LoadingStage.h"
 
-#include <QEvent>
 #include <QLabel>
 #include <QProgressBar>
 #include <QVBoxLayout>
@@ -11,17 +10,14 @@
 
 namespace perilymph::gui {
 
-LoadingStage::LoadingStage(QWidget* page) : QFrame(page), text_(new QLabel(this))
+LoadingStage::LoadingStage(QWidget* page) : Overlay(page), text_(new QLabel(this))
 {
   setObjectName(QStringLiteral("loadingStage"));
   setAutoFillBackground(true);
   text_->setObjectName(QStringLiteral("loadingText"));
   text_->setFont(typeface(15));
   text_->setTextFormat(Qt::PlainText);  // a code may look like markup
-  auto* bar = new QProgressBar(this);   // the duration is unknown
-  bar->setRange(0, 0);
-  bar->setTextVisible(false);
-  bar->setFixedSize(240, 6);
+  QProgressBar* bar = endlessBar(240, this);
   auto* cancel = panelButton(tr("Cancel"), "cancelLoadingButton", this);
   cancel->setToolTip(tr("Keep the cochlea and array of before (Esc)"));
   connect(cancel, &QPushButton::clicked, this, &LoadingStage::cancelAsked);
@@ -32,7 +28,6 @@ LoadingStage::LoadingStage(QWidget* page) : QFrame(page), text_(new QLabel(this)
        {static_cast<QWidget*>(text_), static_cast<QWidget*>(bar), static_cast<QWidget*>(cancel)})
     column->addWidget(part, 0, Qt::AlignHCenter);
   column->addStretch();
-  page->installEventFilter(this);
   hide();
 }
 
@@ -41,14 +36,10 @@ void LoadingStage::show(const QString& subject)
   setVisible(!subject.isEmpty());
   if (subject.isEmpty()) return;
   text_->setText(tr("Building the cochlea: %1").arg(subject));
-  setGeometry(parentWidget()->rect());
+  place();
   raise();
 }
 
-bool LoadingStage::eventFilter(QObject* target, QEvent* event)
-{
-  if (event->type() == QEvent::Resize && !isHidden()) setGeometry(parentWidget()->rect());
-  return QFrame::eventFilter(target, event);
-}
+void LoadingStage::place() { setGeometry(parentWidget()->rect()); }
 
 }  // namespace perilymph::gui

@@ -3,14 +3,14 @@
 
 // The insertion page while another patient's cochlea is built: nothing of the one before is shown.
 
-#include <QFrame>
+#include "gui/widgets/Overlay.h"
 
 class QLabel;
 
 namespace perilymph::gui {
 
 /// Covers its page.
-class LoadingStage : public QFrame {
+class LoadingStage : public Overlay {
   Q_OBJECT
 public:
   explicit LoadingStage(QWidget* page);
@@ -22,7 +22,7 @@ Q_SIGNALS:
   void cancelAsked();
 
 protected:
-  bool eventFilter(QObject* target, QEvent* event) override;
+  void place() override;
 
 private:
   QLabel* text_;

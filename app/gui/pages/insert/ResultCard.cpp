@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/pages/insert/ResultCard.h"
 
-#include <QEvent>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -29,7 +28,7 @@ QLabel* cell(const QString& text, const char* tone, QWidget* parent)
 }  // namespace
 
 ResultCard::ResultCard(QWidget* page)
-    : QFrame(page), title_(new QLabel(this)), subject_(new QLabel(this))
+    : Overlay(page), title_(new QLabel(this)), subject_(new QLabel(this))
 {
   setObjectName(QStringLiteral("resultCard"));
   title_->setObjectName(QStringLiteral("resultTitle"));
@@ -67,7 +66,6 @@ ResultCard::ResultCard(QWidget* page)
   column->addLayout(head);
   column->addWidget(subject_);
   column->addLayout(verbs);
-  page->installEventFilter(this);
   hide();
 }
 
@@ -118,12 +116,6 @@ void ResultCard::place()
   const QWidget& page = *parentWidget();
   move(page.width() - width() - spacing, page.height() - height() - spacing);
   raise();
-}
-
-bool ResultCard::eventFilter(QObject* target, QEvent* event)
-{
-  if (event->type() == QEvent::Resize && !isHidden()) place();
-  return QFrame::eventFilter(target, event);
 }
 
 }  // namespace perilymph::gui

@@ -3,9 +3,8 @@
 
 // What an insertion came to, shown over the charts of the last seconds once it has ended.
 
-#include <QFrame>
-
 #include "gui/report/ReportContent.h"
+#include "gui/widgets/Overlay.h"
 
 class QGridLayout;
 class QLabel;
@@ -15,7 +14,7 @@ namespace perilymph::gui {
 
 /// Forces, depth and contacts beside the band of a plan, and what to do next. Hidden until an
 /// insertion has ended; the user may close it.
-class ResultCard : public QFrame {
+class ResultCard : public Overlay {
   Q_OBJECT
 public:
   /// Placed over `page`, whose size it follows.
@@ -30,10 +29,9 @@ Q_SIGNALS:
   void againAsked();
 
 protected:
-  bool eventFilter(QObject* target, QEvent* event) override;
+  void place() override;
 
 private:
-  void place();
   void addRow(int row, const QString& name, const QString& value, const QString& plan,
               bool isOutside);
 

@@ -19,7 +19,7 @@ QString tr(const char* text) { return QCoreApplication::translate("perilymph::gu
 /// Small forces on the partition have a decimal, as in the report.
 int decimalsOf(const planning::Band& band, PlanColumn column)
 {
-  return column == PlanColumn::partition && band.high < 10.0 ? 1 : 0;
+  return column == PlanColumn::partition ? forceDecimals(band.high) : 0;
 }
 
 QString coverageMethod()

@@ -12,6 +12,7 @@
 #include "ProfilePoints.h"
 #include "perilymph/analysis/ContactPositions.h"
 #include "perilymph/analysis/ExperimentDevice.h"
+#include "perilymph/analysis/ForceProfile.h"
 #include "perilymph/session/Highlights.h"
 #include "perilymph/session/Insertion.h"
 
@@ -52,8 +53,8 @@ TremblingPush pushOf(const HandDistribution& hand, const Surgeon& surgeon)
           .tremorPhase = surgeon.tremorPhase};
 }
 
-/// Rests after which the force is read.
-constexpr Duration shortRest = seconds(1), longRest = seconds(10);
+/// The longer rest after which the force is read.
+constexpr Duration longRest = seconds(10);
 
 /// Mean of the last values.
 class LastMean {
@@ -165,7 +166,7 @@ ClinicalInsertion insertByHand(const session::InsertionParameters& nominal,
       note(record.output);
       force.add(record.output.axialForce);
       ++tick;
-      if (tick == ticksIn(shortRest)) result.forceAfter1s = force.mean();
+      if (tick == ticksIn(shortRest())) result.forceAfter1s = force.mean();
       if (tick == ticksIn(longRest)) result.forceAfter10s = force.mean();
       return !stop.stop_requested();
     };

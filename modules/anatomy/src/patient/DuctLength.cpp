@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "perilymph/anatomy/DuctLength.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "perilymph/foundation/Normal.h"
@@ -19,6 +20,15 @@ Length ellipticCircularDuctLength(Length a, Length b)
 }
 
 Length ductLengthFromA(Length a) { return 4.16 * a - millimeters(4.0); }
+
+Length ductLengthError(Length a, Length b, const BasalTurnErrors& errors)
+{
+  const Length length = ellipticCircularDuctLength(a, b);
+  const double byA = (ellipticCircularDuctLength(a + errors.a, b) - length).si();
+  const double byB = (ellipticCircularDuctLength(a, b + errors.b) - length).si();
+  return Length::fromSi(
+      std::sqrt(std::max(0.0, byA * byA + byB * byB + 2.0 * errors.ab * byA * byB)));
+}
 
 Length ductLengthFormulaError(Length a, Length b)
 {

@@ -63,6 +63,9 @@ constexpr Length profileStep() { return millimeters(0.1); }
 /// Time over which forces at rest are averaged, as in plans.
 constexpr Duration averaged() { return seconds(0.5); }
 
+/// Rest after which the force is stated as that after 1 s.
+constexpr Duration shortRest() { return seconds(1); }
+
 /// Builds a profile tick by tick, in order.
 class ForceProfiler {
 public:

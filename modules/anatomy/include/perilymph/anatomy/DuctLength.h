@@ -6,6 +6,7 @@
 // unverified, confidence medium: on the average scala tympani of Froehlich et al. 2024 the basal turn is
 // 22.75 mm, and 22.82 mm are measured).
 
+#include "perilymph/anatomy/Patient.h"
 #include "perilymph/foundation/Units.h"
 
 namespace perilymph::anatomy {
@@ -19,6 +20,11 @@ Length ellipticCircularDuctLength(Length a, Length b);
 
 /// The same from A alone: 4.16 A - 4 mm (Alexiades et al. 2015).
 Length ductLengthFromA(Length a);
+
+/// Standard deviation of the length from A and B that their errors e cause, of correlation r:
+/// d_a = L(a + e_a, b) - L(a, b), d_b likewise, sqrt(d_a^2 + d_b^2 + 2 r d_a d_b). Without that of the
+/// formula.
+Length ductLengthError(Length a, Length b, const BasalTurnErrors& errors);
 
 /// Standard deviation that stands for the choice of the formula: the 95 % interval of the length from A and
 /// B holds that from A alone. Both differ by millimeters in single ears (Timm et al. 2018).

@@ -272,12 +272,12 @@
         <translation>Die Cochlea enthält Luft wie ein getrocknetes Präparat; die eines Patienten ist mit Flüssigkeit gefüllt. Prüfen, ob Ort und Serie stimmen.</translation>
     </message>
     <message>
-        <source>The spiral winds as in the other ear: the file is mirrored or the side is wrong; check both before anything is planned.</source>
-        <translation>Die Spirale windet sich wie im anderen Ohr: Die Datei ist gespiegelt oder die Seite falsch. Beides vor jeder Planung prüfen.</translation>
+        <source>Possible left-right swap: the spiral winds as in the other ear. Check the file and the side before anything is planned.</source>
+        <translation>Mögliche Seitenverwechslung: Die Spirale dreht sich wie im anderen Ohr. Prüfen Sie Datei und Seite, bevor etwas geplant wird.</translation>
     </message>
     <message>
-        <source>The fitted cochlea explains the voxels near its wall badly: check the outline in the images, and measure by hand if it does not lie on the wall.</source>
-        <translation>Die angepasste Cochlea passt schlecht zu den Voxeln an ihrer Wand: Den Umriss in den Bildern prüfen und von Hand messen, falls er nicht auf der Wand liegt.</translation>
+        <source>Poor fit: the outline deviates from the images. Measure by hand if it does not lie on the wall.</source>
+        <translation>Schlechte Anpassung: Der Umriss weicht von den Bildern ab. Messen Sie von Hand, wenn er nicht auf der Wand liegt.</translation>
     </message>
     <message>
         <source>The wall found in sections through the modiolus lies apart from the fitted one: check the outline in the images.</source>
@@ -916,8 +916,8 @@
         <translation>Den Port %1 auf %2 belegt ein anderes Programm. Beenden Sie es, oder wählen Sie einen anderen Port.</translation>
     </message>
     <message>
-        <source>The address %1 is none of this machine. 127.0.0.1 always is; &apos;ip address&apos; lists all.</source>
-        <translation>Die Adresse %1 gehört nicht zu diesem Rechner. 127.0.0.1 gehört immer dazu; „ip address“ nennt alle.</translation>
+        <source>%1 is not an address of this computer. 127.0.0.1 always is; &apos;ip address&apos; lists all.</source>
+        <translation>%1 ist keine Adresse dieses Rechners. 127.0.0.1 ist immer eine; „ip address“ nennt alle.</translation>
     </message>
     <message>
         <source>The image %1 has another size or lies across the others, as a scout does; it was left out.</source>
@@ -2340,8 +2340,8 @@
         <translation>Ein Voxel ist %1 mm lang; für eine Cochlea werden höchstens 0,65 mm empfohlen.</translation>
     </message>
     <message>
-        <source>The volume is only %1 mm thick; a cochlea with its surroundings needs about 25 mm.</source>
-        <translation>Das Volumen ist nur %1 mm dick; eine Cochlea mit Umgebung braucht etwa 25 mm.</translation>
+        <source>Small field of view (%1 mm); 25 mm recommended.</source>
+        <translation>Kleines Bildfeld (%1 mm); 25 mm empfohlen.</translation>
     </message>
     <message>
         <source>patient or study</source>
@@ -2444,7 +2444,7 @@
         <translation>%1 ist eine NIfTI-2-Datei; gelesen wird NIfTI-1. Speichern Sie das Volumen als NIfTI-1 (.nii oder .nii.gz) oder als NRRD.</translation>
     </message>
     <message>
-        <source>%1 is no NIfTI-1 file with its voxels in it. Save the volume as .nii or .nii.gz.</source>
+        <source>%1 is not a NIfTI-1 file with its voxels in it. Save the volume as .nii or .nii.gz.</source>
         <translation>%1 ist keine NIfTI-1-Datei mit ihren Voxeln. Speichern Sie das Volumen als .nii oder .nii.gz.</translation>
     </message>
     <message>
@@ -5130,8 +5130,8 @@
         <translation>%1 Hz</translation>
     </message>
     <message>
-        <source>Stop travel reached, %1 mm of the array outside. Press Withdraw or Reset.</source>
-        <translation>Stopp erreicht, %1 mm des Trägers außerhalb. „Zurückziehen“ oder „Zurücksetzen“ drücken.</translation>
+        <source>Stopped as set; %1 mm of the array remains outside. Press Withdraw or Reset.</source>
+        <translation>Wie eingestellt gestoppt; %1 mm des Trägers bleiben außerhalb. „Zurückziehen“ oder „Zurücksetzen“ drücken.</translation>
     </message>
     <message>
         <source>Back at the start, tip %1 mm inside. Press Reset for a new insertion.</source>
@@ -5186,8 +5186,8 @@
         <translation>beenden</translation>
     </message>
     <message>
-        <source>recording: waiting for motion</source>
-        <translation>Aufzeichnung: wartet auf Bewegung</translation>
+        <source>recording (paused)</source>
+        <translation>Aufzeichnung (pausiert)</translation>
     </message>
     <message>
         <source>Stopped: the force is off. Press Start to continue.</source>
@@ -5210,8 +5210,8 @@
         <translation>Der Träger ist bei %1 mm vor der Öffnung ausgeknickt. Die Kraft ist aus. „Zurückziehen“ oder „Zurücksetzen“ drücken.</translation>
     </message>
     <message>
-        <source>The tip is outside of the opening. The force is off. Press Reset.</source>
-        <translation>Die Spitze ist außerhalb der Öffnung. Die Kraft ist aus. „Zurücksetzen“ drücken.</translation>
+        <source>The tip has left the cochlea. The force is off. Press Reset.</source>
+        <translation>Die Spitze hat die Cochlea verlassen. Die Kraft ist aus. „Zurücksetzen“ drücken.</translation>
     </message>
     <message>
         <source>The tip folded over at %1 mm. The force is off. Press Withdraw or Reset.</source>
@@ -5786,8 +5786,8 @@
         <translation>Endkraft: Mittel der letzten halben Sekunde von 2 s Ruhe, wie sie das Programm las, das diesen Plan rechnete.</translation>
     </message>
     <message>
-        <source>An insertion is in progress at %1 mm. It is recorded up to here.</source>
-        <translation>Eine Insertion läuft bei %1 mm. Sie ist bis hier aufgezeichnet.</translation>
+        <source>Insertion in progress (%1 mm); it is recorded up to here.</source>
+        <translation>Insertion läuft (%1 mm); sie ist bis hierher aufgezeichnet.</translation>
     </message>
     <message>
         <source>recorded</source>
@@ -6584,8 +6584,8 @@
         <translation>In diese Cochlea inserieren</translation>
     </message>
     <message>
-        <source>Compare arrays for it</source>
-        <translation>Träger dafür vergleichen</translation>
+        <source>Plan with this cochlea</source>
+        <translation>Mit dieser Cochlea planen</translation>
     </message>
     <message>
         <source>Save surface…</source>
@@ -6662,13 +6662,13 @@
         <source>%1 about %2 s left</source>
         <translation>%1 noch etwa %2 s</translation>
     </message>
+    <message>
+        <source>Open folder…</source>
+        <translation>Ordner öffnen…</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::CtPanel</name>
-    <message>
-        <source>CT</source>
-        <translation>CT</translation>
-    </message>
     <message>
         <source>Open folder…</source>
         <translation>Ordner öffnen …</translation>
@@ -6742,10 +6742,6 @@
         <translation>2 mm, Maximum</translation>
     </message>
     <message>
-        <source>MEASURES</source>
-        <translation>MESSWERTE</translation>
-    </message>
-    <message>
         <source>Find and measure the cochlea</source>
         <translation>Cochlea suchen und messen</translation>
     </message>
@@ -6754,16 +6750,12 @@
         <translation>Am Fadenkreuz messen</translation>
     </message>
     <message>
-        <source>Click into the cochlea first.</source>
+        <source>Click inside the cochlea first.</source>
         <translation>Zuerst in die Cochlea klicken.</translation>
     </message>
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
-    </message>
-    <message>
-        <source>landmarks</source>
-        <translation>Landmarken</translation>
     </message>
     <message>
         <source>CDL</source>
@@ -6794,8 +6786,8 @@
         <translation>Laden …</translation>
     </message>
     <message>
-        <source>Measure from the landmarks</source>
-        <translation>Aus den Landmarken messen</translation>
+        <source>Re-measure using landmarks</source>
+        <translation>Anhand der Landmarken neu messen</translation>
     </message>
     <message>
         <source>Left ear</source>
@@ -6814,16 +6806,32 @@
         <translation>Landmarken bewegt: neu messen.</translation>
     </message>
     <message>
-        <source>fitted before, 95 %</source>
-        <translation>zuvor angepasst, 95 %</translation>
+        <source>fitted before (95 % CI)</source>
+        <translation>frühere Anpassung (95 %-KI)</translation>
     </message>
     <message>
-        <source>used: fitted, 95 %</source>
-        <translation>verwendet: angepasst, 95 %</translation>
+        <source>used: fitted (95 % CI)</source>
+        <translation>verwendet: Anpassung (95 %-KI)</translation>
     </message>
     <message>
         <source>Markups of 3D Slicer with points named RW, LW, B1, B2, base, apex, M, or as this program saves them</source>
         <translation>Markups von 3D Slicer mit Punkten namens RW, LW, B1, B2, base, apex, M, oder wie dieses Programm sie speichert</translation>
+    </message>
+    <message>
+        <source>1  SCAN</source>
+        <translation>1  SCAN</translation>
+    </message>
+    <message>
+        <source>2  CHECK</source>
+        <translation>2  PRÜFEN</translation>
+    </message>
+    <message>
+        <source>3  USE</source>
+        <translation>3  VERWENDEN</translation>
+    </message>
+    <message>
+        <source>from landmarks</source>
+        <translation>aus Landmarken</translation>
     </message>
 </context>
 <context>
@@ -7478,8 +7486,8 @@
         <translation>ein, für Programme auf diesem Computer</translation>
     </message>
     <message>
-        <source>Send the insertion to 3D Slicer and others</source>
-        <translation>Insertion an 3D Slicer und andere senden</translation>
+        <source>Stream to 3D Slicer (OpenIGTLink)</source>
+        <translation>An 3D Slicer übertragen (OpenIGTLink)</translation>
     </message>
     <message>
         <source>Port</source>
@@ -7942,8 +7950,8 @@
         <translation>Mittel aus 15 menschlichen Scalae tympani, skaliert nach den Durchmessern der Basalwindung. Nach Froehlich et al. 2024, CC BY 4.0.</translation>
     </message>
     <message>
-        <source>Average of 15</source>
-        <translation>Mittel aus 15</translation>
+        <source>Average cochlea</source>
+        <translation>Durchschnittliche Cochlea</translation>
     </message>
     <message>
         <source>Average of 15 human scalae tympani as measured. Adapted from Froehlich, Schurzig, Rau, Lenarz (2024), PLOS ONE, doi 10.1371/journal.pone.0295121, CC BY 4.0.</source>
@@ -8275,6 +8283,14 @@
         <source>No friction in an ear is known. 0.12 is the low end of what is reported for arrays on endosteum; with it most straight arrays come about as deep as clinics report. With the friction measured on a tissue simulant they stop at 240 to 350°.</source>
         <translation>Im Ohr ist keine Reibung bekannt. 0,12 ist das untere Ende dessen, was für Elektrodenträger auf Endost berichtet wird; mit ihr kommen die meisten geraden Elektrodenträger etwa so tief, wie Kliniken berichten. Mit der an einem Gewebe-Simulans gemessenen Reibung enden sie bei 240 bis 350°.</translation>
     </message>
+    <message>
+        <source>Example: %1</source>
+        <translation>Beispiel: %1</translation>
+    </message>
+    <message>
+        <source>Choose a patient</source>
+        <translation>Patient wählen</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::PlanScene</name>
@@ -8328,8 +8344,8 @@
         <translation>muss %1 bis %2 mm sein</translation>
     </message>
     <message>
-        <source>%1%2 SD · CT ± %3 mm</source>
-        <translation>%1%2 SD · CT ± %3 mm</translation>
+        <source>%1%2 SD · ± %3 mm (95 %)</source>
+        <translation>%1%2 SD · ± %3 mm (95 %)</translation>
     </message>
     <message>
         <source>none</source>
@@ -8348,12 +8364,12 @@
         <translation>Wert von %1 bis %2 mm eingeben</translation>
     </message>
     <message>
-        <source>%1–%2 mm · CT ± %3 mm</source>
-        <translation>%1–%2 mm · CT ± %3 mm</translation>
+        <source>%1–%2 mm · ± %3 mm (95 %)</source>
+        <translation>%1–%2 mm · ± %3 mm (95 %)</translation>
     </message>
     <message>
-        <source>range %1–%2 mm · CT ± %3 mm</source>
-        <translation>Bereich %1–%2 mm · CT ± %3 mm</translation>
+        <source>range %1–%2 mm · ± %3 mm (95 %)</source>
+        <translation>Bereich %1–%2 mm · ± %3 mm (95 %)</translation>
     </message>
     <message>
         <source>optional; estimated from A and B</source>
@@ -8364,8 +8380,8 @@
         <translation>Mittel %1</translation>
     </message>
     <message>
-        <source>%1%2 SD: check it · CT ± %3 mm</source>
-        <translation>%1%2 SD: prüfen · CT ± %3 mm</translation>
+        <source>%1%2 SD: check it · ± %3 mm (95 %)</source>
+        <translation>%1%2 SD: prüfen · ± %3 mm (95 %)</translation>
     </message>
     <message>
         <source>%1 SD below population mean (%2)</source>
@@ -8380,8 +8396,8 @@
         <translation>%1: Messung prüfen</translation>
     </message>
     <message>
-        <source>%1 · CT ± %2 mm</source>
-        <translation>%1 · CT ± %2 mm</translation>
+        <source>%1 · ± %2 mm (95 %)</source>
+        <translation>%1 · ± %2 mm (95 %)</translation>
     </message>
     <message>
         <source>estimated from A and B</source>
@@ -8811,8 +8827,8 @@
         <translation>Standard</translation>
     </message>
     <message>
-        <source>Off stylet</source>
-        <translation>Off-Stylet</translation>
+        <source>Advance off-stylet</source>
+        <translation>Advance off-stylet</translation>
     </message>
     <message>
         <source>%1 %2</source>
@@ -9038,18 +9054,6 @@
         <translation>Während der Insertion gesperrt. Zuerst „Zurücksetzen“ drücken.</translation>
     </message>
     <message>
-        <source>Institution, for reports</source>
-        <translation>Einrichtung, für Berichte</translation>
-    </message>
-    <message>
-        <source>Operator, for reports</source>
-        <translation>Operateur, für Berichte</translation>
-    </message>
-    <message>
-        <source>optional</source>
-        <translation>optional</translation>
-    </message>
-    <message>
         <source>Text size</source>
         <translation>Schriftgröße</translation>
     </message>
@@ -9086,8 +9090,8 @@
         <translation>drücken zum Halten, erneut drücken zum Loslassen</translation>
     </message>
     <message>
-        <source>Keys that are letters, digits or symbols alone</source>
-        <translation>Tasten aus einem einzelnen Buchstaben, einer Ziffer oder einem Zeichen</translation>
+        <source>Single-key shortcuts</source>
+        <translation>Tastenkürzel aus einer Taste</translation>
     </message>
     <message>
         <source>on</source>
@@ -9116,6 +9120,14 @@
     <message>
         <source>Logo, for reports</source>
         <translation>Logo, für Berichte</translation>
+    </message>
+    <message>
+        <source>Institution, for reports (optional)</source>
+        <translation>Einrichtung, für Berichte (optional)</translation>
+    </message>
+    <message>
+        <source>Operator, for reports (optional)</source>
+        <translation>Operateur, für Berichte (optional)</translation>
     </message>
 </context>
 <context>

@@ -3612,7 +3612,7 @@
         <translation>Stribeck-Geschwindigkeit der Reibung</translation>
     </message>
     <message>
-        <source>Shares of the bending stiffness that relax</source>
+        <source>Fractions of the bending stiffness that relax</source>
         <translation>Anteile der Biegesteifigkeit, die relaxieren</translation>
     </message>
     <message>
@@ -3620,7 +3620,7 @@
         <translation>Deren Zeitkonstanten</translation>
     </message>
     <message>
-        <source>Share of the friction that relaxes at rest</source>
+        <source>Fraction of the friction that relaxes at rest</source>
         <translation>Anteil der Reibung, der in Ruhe relaxiert</translation>
     </message>
     <message>

@@ -82,12 +82,12 @@ void add(Hash& hash, const FrictionLaw& law)
 void add(Hash& hash, const RelaxationLaw& law)
 {
   const auto& [bending, film] = law;
-  const auto addTerm = [&hash](const RelaxingShare& term) {
-    const auto& [share, time] = term;
-    hash.add(share);
+  const auto addTerm = [&hash](const MaxwellElement& term) {
+    const auto& [fraction, time] = term;
+    hash.add(fraction);
     add(hash, time);
   };
-  for (const RelaxingShare& term : bending) addTerm(term);
+  for (const MaxwellElement& term : bending) addTerm(term);
   addTerm(film);
 }
 

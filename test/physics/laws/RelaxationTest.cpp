@@ -20,10 +20,10 @@ using mechanics::RelaxationLaw;
 using test::RodSpec;
 using test::TestRod;
 
-RelaxationLaw law(double share, double time, double otherShare = 0.0, double otherTime = 1.0)
+RelaxationLaw law(double fraction, double time, double otherFraction = 0.0, double otherTime = 1.0)
 {
   RelaxationLaw law;
-  law.bending = {{{share, seconds(time)}, {otherShare, seconds(otherTime)}}};
+  law.bending = {{{fraction, seconds(time)}, {otherFraction, seconds(otherTime)}}};
   return law;
 }
 
@@ -32,7 +32,7 @@ double remaining(const RelaxationLaw& law, double time)
 {
   double left = 1.0;
   for (const auto& term : law.bending)
-    left -= term.share * (1.0 - std::exp(-time / term.time.si()));
+    left -= term.fraction * (1.0 - std::exp(-time / term.time.si()));
   return left;
 }
 
@@ -75,10 +75,10 @@ TEST(Relaxation, AfterARampIsThatOfItsMaxwellElements)
       for (const double time : {0.05, 0.3, 1.0, 4.0, 10.0}) {
         // M / kappa = B_inf + sum of g B (tau / T) (1 - e^(-T / tau)) e^(-(t - T) / tau)
         double expected = 1.0;
-        for (const auto& [share, tau] : relaxation.bending) {
+        for (const auto& [fraction, tau] : relaxation.bending) {
           const double decayed =
               (tau.si() / ramp) * (1.0 - std::exp(-ramp / tau.si())) * std::exp(-time / tau.si());
-          expected -= share * (1.0 - decayed);
+          expected -= fraction * (1.0 - decayed);
         }
         const double force = forceAfter(rod, time - at);
         at = time;
@@ -91,8 +91,8 @@ TEST(Relaxation, AfterARampIsThatOfItsMaxwellElements)
 TEST(Relaxation, OfABendThatIsReleasedLeavesASetThatCreepsAway)
 {
   // held until all has relaxed, then free: x = g v, and v falls with tau / (1 - g)
-  constexpr double share = 0.4, tau = 0.5;
-  TestRod rod = pressed(cantilever(law(share, tau)), 0.2);
+  constexpr double fraction = 0.4, tau = 0.5;
+  TestRod rod = pressed(cantilever(law(fraction, tau)), 0.2);
   const auto deflection = [&rod] {
     return rod.state().position_W.back().y() - rod.state().base_W.y();
   };
@@ -104,7 +104,7 @@ TEST(Relaxation, OfABendThatIsReleasedLeavesASetThatCreepsAway)
   for (const double time : {0.1, 0.5, 1.0, 2.0}) {
     forceAfter(rod, time - at);
     at = time;
-    const double expected = share * held * std::exp(-(1.0 - share) * time / tau);
+    const double expected = fraction * held * std::exp(-(1.0 - fraction) * time / tau);
     EXPECT_NEAR(deflection(), expected, test::tolerance(0.01, "withdrawal takes 12 ms") * held)
         << time << " s";
   }
@@ -197,7 +197,7 @@ TEST(RelaxingInsertion, MovedInAndOutGivesTheHandNoEnergy)
   RelaxationLaw relaxation = law(0.3, 0.2, 0.3, 2.0);
   relaxation.film = {0.5, seconds(0.3)};
   Insertion insertion(relaxation);
-  double work = 0.0, least = 0.0;
+  double work = 0.0, minimum = 0.0;
   const auto move = [&](double distance, double speed) {
     constexpr int pieces = 400;
     for (int i = 0; i < pieces; ++i) {
@@ -205,7 +205,7 @@ TEST(RelaxingInsertion, MovedInAndOutGivesTheHandNoEnergy)
       insertion.push(distance / pieces, speed);
       work += 0.5 * (before + insertion.rod.readings().axialForce) * distance / pieces;
     }
-    least = std::min(least, work);
+    minimum = std::min(minimum, work);
   };
   double sum = 0.0;
   for (int loop = 0; loop < 3; ++loop) {
@@ -216,7 +216,7 @@ TEST(RelaxingInsertion, MovedInAndOutGivesTheHandNoEnergy)
     EXPECT_GT(work, sum) << "each loop takes energy";
     sum = work;
   }
-  EXPECT_GE(least, -1e-6);
+  EXPECT_GE(minimum, -1e-6);
 }
 
 TEST(RelaxingInsertion, WithAFilmKeepsItsLevelWhileItMovesAndLosesFrictionAtRest)

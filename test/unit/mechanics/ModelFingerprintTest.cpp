@@ -261,9 +261,9 @@ TEST(ModelFingerprint, ChangesWithRelaxation)
   parts.relaxation.film = {0.3, seconds(2)};
   expectEachChangesTheFingerprint(
       parts, {{"presence of relaxation", [](Parts& p) { p.relaxation = {}; }},
-              {"a share", [](Parts& p) { nudge(p.relaxation.bending[0].share); }},
+              {"a fraction", [](Parts& p) { nudge(p.relaxation.bending[0].fraction); }},
               {"a time", [](Parts& p) { nudge(p.relaxation.bending[1].time); }},
-              {"share of the film", [](Parts& p) { nudge(p.relaxation.film.share); }},
+              {"fraction of the film", [](Parts& p) { nudge(p.relaxation.film.fraction); }},
               {"time of the film", [](Parts& p) { nudge(p.relaxation.film.time); }}});
 }
 

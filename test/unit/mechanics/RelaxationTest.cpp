@@ -106,13 +106,13 @@ TEST(Relaxation, OutOfRangeIsRefused)
     return law;
   };
   using testing::HasSubstr;
-  EXPECT_THAT(refusal(changed([](auto& law) { law.bending[0].share = -0.1; })),
-              HasSubstr("A share of -0.1"));
-  EXPECT_THAT(refusal(changed([](auto& law) { law.bending[1].share = 0.9; })),
+  EXPECT_THAT(refusal(changed([](auto& law) { law.bending[0].fraction = -0.1; })),
+              HasSubstr("A fraction of -0.1"));
+  EXPECT_THAT(refusal(changed([](auto& law) { law.bending[1].fraction = 0.9; })),
               HasSubstr("must leave 0.05"));
   EXPECT_THAT(refusal(changed([](auto& law) { law.bending[1].time = seconds(0.001); })),
               HasSubstr("must be 0.01 to 10000 s"));
-  EXPECT_THAT(refusal(changed([](auto& law) { law.film.share = 1.5; })), HasSubstr("0 to 1"));
+  EXPECT_THAT(refusal(changed([](auto& law) { law.film.fraction = 1.5; })), HasSubstr("0 to 1"));
   EXPECT_THAT(refusal(twoTerms(), ModelKind::points), HasSubstr("does not relax"));
 }
 

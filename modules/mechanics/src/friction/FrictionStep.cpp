@@ -71,16 +71,16 @@ Friction frictionWithFilm(const Eigen::Vector3d& stretch_W, const Eigen::Vector3
                           double normal, double stiffness, const SlipBefore& before,
                           const FrictionLaw& law, const InsertionModel& model) noexcept
 {
-  const auto& [share, fraction] = model.film;
+  const auto& [fraction, ratio] = model.film;
   Friction friction;
-  friction.hasFilm = share > 0.0;
+  friction.hasFilm = fraction > 0.0;
   if (!friction.hasFilm) {
     friction.plain = frictionStep(stretch_W, normal, stiffness, before, law, model.timeStep);
     return friction;
   }
-  const double plain = 1.0 - share, kept = 1.0 / (1.0 + fraction);
-  friction.film =
-      frictionStep(film_W, share * normal, kept * share * stiffness, before, law, model.timeStep);
+  const double plain = 1.0 - fraction, kept = 1.0 / (1.0 + ratio);
+  friction.film = frictionStep(film_W, fraction * normal, kept * fraction * stiffness, before, law,
+                               model.timeStep);
   friction.film.spring_W *= kept;
   if (plain > 0.0)
     friction.plain =

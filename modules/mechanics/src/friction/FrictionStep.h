@@ -65,7 +65,7 @@ FrictionStep frictionStep(const Eigen::Vector3d& stretch_W, double normal, doubl
                           const SlipBefore& before, const FrictionLaw& law,
                           double timeStep) noexcept;
 
-/// The same with a film of model.film: of stiffness and friction, its share is that of a spring whose
+/// The same with a film of model.film: of stiffness and friction, its fraction is that of a spring whose
 /// stretch u relaxes with a time constant tau, in a step to (u + motion) / (1 + dt / tau). Its energy
 /// never grows by that.
 ///

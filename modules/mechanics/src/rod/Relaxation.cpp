@@ -9,8 +9,8 @@ namespace perilymph::mechanics {
 
 bool RelaxationLaw::bends() const noexcept
 {
-  for (const RelaxingShare& term : bending)
-    if (term.share > 0.0) return true;
+  for (const MaxwellElement& term : bending)
+    if (term.fraction > 0.0) return true;
   return false;
 }
 
@@ -18,7 +18,7 @@ double relaxedStiffness(const InsertionModel& model, double relaxing) noexcept
 {
   double lost = 0.0;
   for (const RelaxingStep& term : model.relaxing)
-    lost += term.share * term.fraction / (1.0 + term.fraction);
+    lost += term.fraction * term.ratio / (1.0 + term.ratio);
   return 1.0 - relaxing * lost;
 }
 
@@ -27,8 +27,8 @@ void setHeldBend(const InsertionModel& model, const InsertionState& state,
 {
   const auto& [first, second] = model.relaxing;
   const double lost = 1.0 - relaxedStiffness(model, 1.0);
-  const double firstWeight = first.share / (1.0 + first.fraction);
-  const double secondWeight = second.share / (1.0 + second.fraction);
+  const double firstWeight = first.fraction / (1.0 + first.ratio);
+  const double secondWeight = second.fraction / (1.0 + second.ratio);
   inLanes(0, section.restBend.size(), [&](auto lane, std::size_t i) PERILYMPH_KERNEL {
     using T = decltype(lane);
     const T relaxing = load<T>(section.relaxing, i);
@@ -70,8 +70,8 @@ void relaxBends(const InsertionModel& model, const SectionStiffness& section,
                 const RodKinematics& rod, InsertionState& state) noexcept
 {
   for (std::size_t k = 0; k < model.relaxing.size(); ++k) {
-    const double fraction = model.relaxing[k].fraction;
-    const double kept = 1.0 / (1.0 + fraction), taken = fraction * kept;
+    const double ratio = model.relaxing[k].ratio;
+    const double kept = 1.0 / (1.0 + ratio), taken = ratio * kept;
     RelaxedBend& relaxed = state.relaxedBend[k];
     inLanesInPlace(1, state.curl_W.size() - 1, [&](auto lane, std::size_t i) PERILYMPH_KERNEL {
       using T = decltype(lane);

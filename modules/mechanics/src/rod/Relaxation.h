@@ -3,7 +3,7 @@
 
 // Relaxation of the bent carrier: Maxwell elements beside its elastic stiffness.
 //
-// An element with the share g of the stiffness B and the time constant tau stores g B/(2 h) |x - v|^2
+// An element with the fraction g of the stiffness B and the time constant tau stores g B/(2 h) |x - v|^2
 // for the bend x beyond the rest bend and its own, v, which follows x:
 //
 //     v' = (v + (dt/tau) x) / (1 + dt/tau)     backward Euler

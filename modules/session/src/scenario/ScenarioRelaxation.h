@@ -9,7 +9,7 @@
 
 namespace perilymph::session {
 
-/// Reads the shares and time constants of the bending stiffness and of the friction film, and notes
+/// Reads the fractions and time constants of the bending stiffness and of the friction film, and notes
 /// those given.
 void readRelaxation(TomlReader& reader, ScenarioKeys& keys, const InsertionParameters& parameters,
                     mechanics::RelaxationLaw& law);

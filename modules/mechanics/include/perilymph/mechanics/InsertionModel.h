@@ -119,10 +119,10 @@ struct ModelParts {
   SolverParameters solver;  ///< Used for a rod only.
 };
 
-/// A relaxing share of a stiffness in one time step.
+/// A relaxing fraction of a stiffness in one time step.
 struct RelaxingStep {
-  double share = 0.0;
-  double fraction = 0.0;  ///< Time step over time constant.
+  double fraction = 0.0;
+  double ratio = 0.0;  ///< Time step over time constant.
 };
 
 /// A cochlea, an array, material laws and solver settings: immutable, shared between threads.

@@ -124,7 +124,7 @@ struct InsertionState {
   std::vector<Eigen::Vector3d> velocityTrend_W;
   /// Unit direction of curl of each edge (the last one twice).
   std::vector<Eigen::Vector3d> curl_W;
-  /// Of each Maxwell element; empty if bends do not relax.
+  /// Bends that each Maxwell element has taken on; empty if bends do not relax.
   std::array<RelaxedBend, RelaxationLaw::maxTerms> relaxedBend;
   std::vector<Eigen::Vector3d>
       frictionFilm_W;  ///< Stretch of each node's relaxing friction film [m];

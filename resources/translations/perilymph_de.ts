@@ -3612,6 +3612,22 @@
         <translation>Stribeck-Geschwindigkeit der Reibung</translation>
     </message>
     <message>
+        <source>Fractions of the bending stiffness that relax</source>
+        <translation>Anteile der Biegesteifigkeit, die relaxieren</translation>
+    </message>
+    <message>
+        <source>Their time constants</source>
+        <translation>Deren Zeitkonstanten</translation>
+    </message>
+    <message>
+        <source>Fraction of the friction that relaxes at rest</source>
+        <translation>Anteil der Reibung, der in Ruhe relaxiert</translation>
+    </message>
+    <message>
+        <source>Its time constant</source>
+        <translation>Dessen Zeitkonstante</translation>
+    </message>
+    <message>
         <source>Wall stiffness, normal</source>
         <translation>Wandsteifigkeit, normal</translation>
     </message>

@@ -34,6 +34,7 @@ struct InsertionParameters {
   Angle approachTilt, approachTurn;
   std::optional<Length> freeLength;  ///< Between opening and forceps; empty: the whole array.
   mechanics::FrictionLaw friction;
+  mechanics::RelaxationLaw relaxation;  ///< By default nothing relaxes.
   mechanics::WallLaw wall;
   OpeningKind openingKind = OpeningKind::none;
   std::optional<mechanics::Opening> opening;

@@ -129,11 +129,11 @@
     </message>
     <message>
         <source>reversals</source>
-        <translation>Richtungswechsel</translation>
+        <translation>Rückzüge</translation>
     </message>
     <message>
         <source>peak force</source>
-        <translation>Spitzenkraft</translation>
+        <translation>Maximalkraft</translation>
     </message>
     <message>
         <source>smoothness</source>
@@ -1337,7 +1337,7 @@
     </message>
     <message>
         <source>Kesler et al. 2017: 18.6 reversals in manual insertions at a target of 15 mm/min</source>
-        <translation>Kesler et al. 2017: 18,6 Richtungswechsel bei manuellen Insertionen mit Zielgeschwindigkeit 15 mm/min</translation>
+        <translation>Kesler et al. 2017: 18,6 Rückzüge bei manuellen Insertionen mit Zielgeschwindigkeit 15 mm/min</translation>
     </message>
     <message>
         <source>%1 % of the time at rest (below 0.1 mm/s)</source>
@@ -1621,7 +1621,7 @@
     </message>
     <message>
         <source>The cochlea drawn with seed %1 is out of limits: %2 Use another seed.</source>
-        <translation>Die mit Startwert %1 gezogene Cochlea liegt außerhalb der Grenzen: %2 Nehmen Sie einen anderen Startwert.</translation>
+        <translation>Die mit Startwert %1 simulierte Cochlea liegt außerhalb der Grenzen: %2 Nehmen Sie einen anderen Startwert.</translation>
     </message>
     <message>
         <source>%1 is %2. Check the measurement.</source>
@@ -2549,7 +2549,7 @@
     </message>
     <message>
         <source>%1 has draws of %2 arrays, not of %3. Delete it or give another folder.</source>
-        <translation>%1 hat Ziehungen von %2 Trägern, nicht von %3. Löschen Sie die Datei, oder geben Sie einen anderen Ordner an.</translation>
+        <translation>%1 hat Simulationen von %2 Trägern, nicht von %3. Löschen Sie die Datei, oder geben Sie einen anderen Ordner an.</translation>
     </message>
     <message>
         <source>it is not JSON</source>
@@ -2561,7 +2561,7 @@
     </message>
     <message>
         <source>the draws of a plan of Perilymph</source>
-        <translation>die Ziehungen eines Plans von Perilymph</translation>
+        <translation>die Simulationen eines Plans von Perilymph</translation>
     </message>
     <message>
         <source>Choose a draws.sqlite that &apos;perilymph-cli plan&apos; wrote.</source>
@@ -2577,23 +2577,23 @@
     </message>
     <message>
         <source>draws</source>
-        <translation>Ziehungen</translation>
+        <translation>Simulationen</translation>
     </message>
     <message>
         <source>draw %1 is not readable: %2</source>
-        <translation>Ziehung %1 ist nicht lesbar: %2</translation>
+        <translation>Simulation %1 ist nicht lesbar: %2</translation>
     </message>
     <message>
         <source>draw %1 is not readable: it is another one</source>
-        <translation>Ziehung %1 ist nicht lesbar: es ist eine andere</translation>
+        <translation>Simulation %1 ist nicht lesbar: es ist eine andere</translation>
     </message>
     <message>
         <source>its draws are not consecutive</source>
-        <translation>ihre Ziehungen folgen nicht aufeinander</translation>
+        <translation>ihre Simulationen folgen nicht aufeinander</translation>
     </message>
     <message>
         <source>its last draw is not whole</source>
-        <translation>ihre letzte Ziehung ist nicht vollständig</translation>
+        <translation>ihre letzte Simulation ist nicht vollständig</translation>
     </message>
     <message>
         <source>%1 is of a newer program (format %2). Open it with that one.</source>
@@ -2613,7 +2613,7 @@
     </message>
     <message>
         <source>A plan of %1 draws is not possible; 1 to %2 are.</source>
-        <translation>Ein Plan mit %1 Ziehungen ist nicht möglich; möglich sind 1 bis %2.</translation>
+        <translation>Ein Plan mit %1 Simulationen ist nicht möglich; möglich sind 1 bis %2.</translation>
     </message>
     <message>
         <source>A cochlea of %1 cannot be built: %2. Check A and B and their errors.</source>
@@ -2633,7 +2633,7 @@
     </message>
     <message>
         <source>The plan has no draw %1 of array %2; it has %3 draws of %4 arrays. Choose one of them.</source>
-        <translation>Der Plan hat keine Ziehung %1 des Trägers %2; er hat %3 Ziehungen von %4 Trägern. Wählen Sie eine davon.</translation>
+        <translation>Der Plan hat keine Simulation %1 des Trägers %2; er hat %3 Simulationen von %4 Trägern. Wählen Sie eine davon.</translation>
     </message>
     <message>
         <source>An array, the scenario, a distribution or the program was changed since the plan of %1 was made. Make it again.</source>
@@ -2733,7 +2733,7 @@
     </message>
     <message>
         <source>The folder of sessions %1 cannot be read: %2. Check its permissions.</source>
-        <translation>Der Ordner der Sitzungen %1 kann nicht gelesen werden: %2. Prüfen Sie die Rechte.</translation>
+        <translation>Der Ordner der Aufzeichnungen %1 kann nicht gelesen werden: %2. Prüfen Sie die Rechte.</translation>
     </message>
     <message>
         <source>its rows are not in order after %1</source>
@@ -3459,7 +3459,7 @@
     </message>
     <message>
         <source>Peak forces measured in patients: %1–%2 mN (Rau et al. 2024). This comparison is not a safety assessment.</source>
-        <translation>An Patienten gemessene Spitzenkräfte: %1–%2 mN (Rau et al. 2024). Der Vergleich ist keine Bewertung der Sicherheit.</translation>
+        <translation>An Patienten gemessene Maximalkräfte: %1–%2 mN (Rau et al. 2024). Der Vergleich ist keine Bewertung der Sicherheit.</translation>
     </message>
 </context>
 <context>
@@ -3864,7 +3864,7 @@
     </message>
     <message>
         <source>depth of the peak force, mm</source>
-        <translation>Tiefe der Spitzenkraft, mm</translation>
+        <translation>Tiefe der Maximalkraft, mm</translation>
     </message>
     <message>
         <source>final insertion force, mN</source>
@@ -4087,7 +4087,7 @@
     </message>
     <message>
         <source>Reversals</source>
-        <translation>Richtungswechsel</translation>
+        <translation>Rückzüge</translation>
     </message>
     <message>
         <source>of the curve smoothed over 0.5 mm</source>
@@ -4367,7 +4367,7 @@
     </message>
     <message>
         <source>Peak insertion force</source>
-        <translation>Maximale Insertionskraft</translation>
+        <translation>Maximalkraft</translation>
     </message>
     <message>
         <source>%1 at %2 travel, insertion depth %3</source>
@@ -4551,11 +4551,11 @@
     </message>
     <message>
         <source>perceptible; within reported clinical peak forces (%1–%2 mN)</source>
-        <translation>wahrnehmbar; im Bereich klinischer Spitzenkräfte (%1–%2 mN)</translation>
+        <translation>wahrnehmbar; im Bereich klinischer Maximalkräfte (%1–%2 mN)</translation>
     </message>
     <message>
         <source>above reported clinical peak forces (&gt; %1 mN)</source>
-        <translation>über den berichteten klinischen Spitzenkräften (&gt; %1 mN)</translation>
+        <translation>über den berichteten klinischen Maximalkräften (&gt; %1 mN)</translation>
     </message>
     <message>
         <source>cochlear partition ruptured at %1° by %2 mN</source>
@@ -4855,7 +4855,7 @@
     </message>
     <message>
         <source>without pauses, to maximum depth; reversals: %1</source>
-        <translation>ohne Pausen, bis zur größten Tiefe; Richtungswechsel: %1</translation>
+        <translation>ohne Pausen, bis zur größten Tiefe; Rückzüge: %1</translation>
     </message>
     <message>
         <source>Maximum partition force</source>
@@ -5251,7 +5251,7 @@
     </message>
     <message>
         <source>Peak force</source>
-        <translation>Spitzenkraft</translation>
+        <translation>Maximalkraft</translation>
     </message>
     <message>
         <source>End force</source>
@@ -5287,19 +5287,19 @@
     </message>
     <message>
         <source>Every array is inserted in the same drawn cochleae by the same drawn surgeons. Models follow published data; they are not manufacturer data.</source>
-        <translation>Jeder Träger wird in dieselben gezogenen Cochleae von denselben gezogenen Chirurgen eingeführt. Die Modelle beruhen auf veröffentlichten Daten und sind keine Herstellerangaben.</translation>
+        <translation>Jeder Träger wird in dieselben simulierten Cochleae von denselben simulierten Operateuren eingeführt. Die Modelle beruhen auf veröffentlichten Daten und sind keine Herstellerangaben.</translation>
     </message>
     <message>
         <source>Angle of the most apical contact from the round window at the end of each insertion. Median and 5 to 95 % of the draws.</source>
-        <translation>Winkel des apikalsten Kontakts vom runden Fenster am Ende jeder Insertion. Median und 5 bis 95 % der Ziehungen.</translation>
+        <translation>Winkel des apikalsten Kontakts vom runden Fenster am Ende jeder Insertion. Median und 5 bis 95 % der Simulationen.</translation>
     </message>
     <message>
         <source>Maximum axial force on the surgeon’s hand. Median and 5 to 95 % of the draws.</source>
-        <translation>Größte axiale Kraft auf die Hand des Chirurgen. Median und 5 bis 95 % der Ziehungen.</translation>
+        <translation>Größte axiale Kraft auf die Hand des Chirurgen. Median und 5 bis 95 % der Simulationen.</translation>
     </message>
     <message>
         <source>Maximum force on the cochlear partition. Median and 5 to 95 % of the draws.</source>
-        <translation>Größte Kraft auf die cochleäre Trennwand. Median und 5 bis 95 % der Ziehungen.</translation>
+        <translation>Größte Kraft auf die cochleäre Trennwand. Median und 5 bis 95 % der Simulationen.</translation>
     </message>
     <message>
         <source>Fraction of the insertions that reach the array’s full depth, with its 95 % interval (Wilson 1927).</source>
@@ -5307,7 +5307,7 @@
     </message>
     <message>
         <source>Fraction in which the force reaches the limit at which the drawn surgeon stops, with its 95 % interval (Wilson 1927).</source>
-        <translation>Anteil, in dem die Kraft die Grenze erreicht, bei der der gezogene Chirurg anhält, mit 95-%-Intervall (Wilson 1927).</translation>
+        <translation>Anteil, in dem die Kraft die Grenze erreicht, bei der der simulierte Operateur anhält, mit 95-%-Intervall (Wilson 1927).</translation>
     </message>
     <message>
         <source>Fraction in which the array bows in front of the opening, with its 95 % interval (Wilson 1927).</source>
@@ -5319,7 +5319,7 @@
     </message>
     <message>
         <source>Fraction in which the force on the cochlear partition reaches its drawn strength, with its 95 % interval (Wilson 1927). The strength rests on few publications.</source>
-        <translation>Anteil, in dem die Kraft auf die cochleäre Trennwand deren gezogene Festigkeit erreicht, mit 95-%-Intervall (Wilson 1927). Die Festigkeit beruht auf wenigen Veröffentlichungen.</translation>
+        <translation>Anteil, in dem die Kraft auf die cochleäre Trennwand deren simulierte Festigkeit erreicht, mit 95-%-Intervall (Wilson 1927). Die Festigkeit beruht auf wenigen Veröffentlichungen.</translation>
     </message>
     <message>
         <source>%1 (%2–%3)°</source>
@@ -5363,7 +5363,7 @@
     </message>
     <message>
         <source>%1 · draw %2, nearest to the medians: %3°, peak %4 mN</source>
-        <translation>%1 · Ziehung %2, den Medianen am nächsten: %3°, Spitze %4 mN</translation>
+        <translation>%1 · Simulation %2, den Medianen am nächsten: %3°, Spitze %4 mN</translation>
     </message>
     <message>
         <source>Modiolus, mm</source>
@@ -5443,7 +5443,7 @@
     </message>
     <message>
         <source>What is drawn, and from where</source>
-        <translation>Was gezogen wird, und woher</translation>
+        <translation>Verteilungen der Eingaben und ihre Quellen</translation>
     </message>
     <message>
         <source>Plan, SHA-256</source>
@@ -5467,7 +5467,7 @@
     </message>
     <message>
         <source>Draws</source>
-        <translation>Ziehungen</translation>
+        <translation>Simulationen</translation>
     </message>
     <message>
         <source>%1 of each array</source>
@@ -5555,11 +5555,11 @@
     </message>
     <message>
         <source>%1 draws</source>
-        <translation>%1 Ziehungen</translation>
+        <translation>%1 Simulationen</translation>
     </message>
     <message>
         <source>%1 draws, interrupted</source>
-        <translation>%1 Ziehungen, unterbrochen</translation>
+        <translation>%1 Simulationen, unterbrochen</translation>
     </message>
     <message>
         <source> · </source>
@@ -5603,7 +5603,7 @@
     </message>
     <message>
         <source>First resistance: depth of the tip past the opening where the insertion force first reaches %1 mN, the median force that surgeons detect, over the draws in which it does; felt: that it does. ≥ %2 and ≥ %3 mN: that the force on the cochlear partition reaches the weakest and the strongest published strength.</source>
-        <translation>Erster Widerstand: Tiefe der Spitze jenseits der Öffnung, in der die Insertionskraft erstmals %1 mN erreicht, den Median der Kraft, die Operateure wahrnehmen, über die Ziehungen, in denen sie es tut; gespürt: dass sie es tut. ≥ %2 und ≥ %3 mN: dass die Kraft auf die Trennwand die schwächste und die stärkste veröffentlichte Festigkeit erreicht.</translation>
+        <translation>Erster Widerstand: Tiefe der Spitze jenseits der Öffnung, in der die Insertionskraft erstmals %1 mN erreicht, den Median der Kraft, die Operateure wahrnehmen, über die Simulationen, in denen sie es tut; gespürt: dass sie es tut. ≥ %2 und ≥ %3 mN: dass die Kraft auf die Trennwand die schwächste und die stärkste veröffentlichte Festigkeit erreicht.</translation>
     </message>
     <message>
         <source>Sections of the scala tympani</source>
@@ -5723,7 +5723,7 @@
     </message>
     <message>
         <source>Mean axial force on the hand over the last half second before it stops. Median and 5 to 95 % of the draws.</source>
-        <translation>Mittlere axiale Kraft auf die Hand in der letzten halben Sekunde, bevor sie anhält. Median und 5 bis 95 % der Ziehungen.</translation>
+        <translation>Mittlere axiale Kraft auf die Hand in der letzten halben Sekunde, bevor sie anhält. Median und 5 bis 95 % der Simulationen.</translation>
     </message>
     <message>
         <source>Axial force over the depth of the tip past the opening, as deep as any simulation went. Line: median; area: 5 to 95 %; paler and dashed where some simulations have ended. All rows have the same axes.</source>
@@ -5993,7 +5993,7 @@
     </message>
     <message>
         <source>Contacts at their median angles from the round window, seen from the apex; arcs: 5 to 95 % of the draws. The radius is not to scale.</source>
-        <translation>Kontakte an ihren mittleren Winkeln vom runden Fenster, vom Apex gesehen; Bögen: 5 bis 95 % der Ziehungen. Der Radius ist nicht maßstäblich.</translation>
+        <translation>Kontakte an ihren mittleren Winkeln vom runden Fenster, vom Apex gesehen; Bögen: 5 bis 95 % der Simulationen. Der Radius ist nicht maßstäblich.</translation>
     </message>
     <message>
         <source>%1°</source>
@@ -6222,11 +6222,11 @@
     </message>
     <message>
         <source>Lowest peak forces today</source>
-        <translation>Niedrigste Spitzenkräfte heute</translation>
+        <translation>Niedrigste Maximalkräfte heute</translation>
     </message>
     <message>
         <source>peak insertion force at full depth</source>
-        <translation>Spitzenkraft bei voller Tiefe</translation>
+        <translation>Maximalkraft bei voller Tiefe</translation>
     </message>
     <message>
         <source>No insertion has reached full depth yet. Be the first.</source>
@@ -6303,11 +6303,11 @@
     </message>
     <message>
         <source>Peak force</source>
-        <translation>Spitzenkraft</translation>
+        <translation>Maximalkraft</translation>
     </message>
     <message>
         <source>Reversals</source>
-        <translation>Richtungswechsel</translation>
+        <translation>Rückzüge</translation>
     </message>
     <message>
         <source>Time</source>
@@ -6366,7 +6366,7 @@
     </message>
     <message>
         <source>Select two or more recordings on the Sessions page and press Compare to plot their insertion forces on common axes, with the published measurements.</source>
-        <translation>Auf der Seite Sitzungen zwei oder mehr Aufzeichnungen wählen und „Vergleichen“ drücken: Ihre Insertionskräfte erscheinen auf gemeinsamen Achsen, mit den veröffentlichten Messungen.</translation>
+        <translation>Auf der Seite Aufzeichnungen zwei oder mehr wählen und „Vergleichen“ drücken: Ihre Insertionskräfte erscheinen auf gemeinsamen Achsen, mit den veröffentlichten Messungen.</translation>
     </message>
     <message>
         <source>Export table and curves as CSV and the figure as SVG and PNG.</source>
@@ -6410,7 +6410,7 @@
     </message>
     <message>
         <source>Select two or more recordings on the Sessions page and press Compare.</source>
-        <translation>Auf der Seite Sitzungen zwei oder mehr Aufzeichnungen wählen und „Vergleichen“ drücken.</translation>
+        <translation>Auf der Seite Aufzeichnungen zwei oder mehr wählen und „Vergleichen“ drücken.</translation>
     </message>
     <message>
         <source>Score of %1. Rates technique only; it does not assess trauma.</source>
@@ -6514,7 +6514,7 @@
     </message>
     <message>
         <source>From the round window. Median and 5 to 95 % of the draws.</source>
-        <translation>Vom runden Fenster. Median und 5 bis 95 % der Ziehungen.</translation>
+        <translation>Vom runden Fenster. Median und 5 bis 95 % der Simulationen.</translation>
     </message>
     <message>
         <source>To modiolus</source>
@@ -6522,7 +6522,7 @@
     </message>
     <message>
         <source>From the center line of the array to the inner wall. Median and 5 to 95 % of the draws.</source>
-        <translation>Von der Mittellinie des Trägers zur Innenwand. Median und 5 bis 95 % der Ziehungen.</translation>
+        <translation>Von der Mittellinie des Trägers zur Innenwand. Median und 5 bis 95 % der Simulationen.</translation>
     </message>
     <message>
         <source>Greenwood</source>
@@ -6586,7 +6586,7 @@
     </message>
     <message>
         <source>Draws in which the contact is inserted; the other columns are over these</source>
-        <translation>Ziehungen, in denen der Kontakt eingeführt ist; die anderen Spalten gelten für diese</translation>
+        <translation>Simulationen, in denen der Kontakt eingeführt ist; die anderen Spalten gelten für diese</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -7273,11 +7273,11 @@
     </message>
     <message>
         <source>Full depth · peak force %1 mN · place %2 today</source>
-        <translation>Volle Tiefe · Spitzenkraft %1 mN · heute Platz %2</translation>
+        <translation>Volle Tiefe · Maximalkraft %1 mN · heute Platz %2</translation>
     </message>
     <message>
         <source>Full depth · peak force %1 mN</source>
-        <translation>Volle Tiefe · Spitzenkraft %1 mN</translation>
+        <translation>Volle Tiefe · Maximalkraft %1 mN</translation>
     </message>
     <message>
         <source>Perilymph</source>
@@ -7321,11 +7321,11 @@
     </message>
     <message>
         <source>%1 s, no reversals. %2</source>
-        <translation>%1 s, keine Richtungswechsel. %2</translation>
+        <translation>%1 s, keine Rückzüge. %2</translation>
     </message>
     <message>
         <source>%1 s, reversals: %3. %2</source>
-        <translation>%1 s, Richtungswechsel: %3. %2</translation>
+        <translation>%1 s, Rückzüge: %3. %2</translation>
     </message>
     <message>
         <source>Stopped</source>
@@ -7449,7 +7449,7 @@
     <name>perilymph::gui::MainWindow</name>
     <message>
         <source>Show sessions</source>
-        <translation>Sitzungen zeigen</translation>
+        <translation>Aufzeichnungen zeigen</translation>
     </message>
     <message>
         <source>The program closed unexpectedly. Your last insertion (depth %1 mm) was recovered: %2.</source>
@@ -8064,8 +8064,8 @@
         <translation>H %1</translation>
     </message>
     <message>
-        <source>H not measured: drawn around the mean height</source>
-        <translation>H nicht gemessen: um die mittlere Höhe gezogen</translation>
+        <source>H not measured (population mean ± SD used)</source>
+        <translation>H nicht gemessen (Populationsmittel ± SD verwendet)</translation>
     </message>
     <message>
         <source>95 % intervals, errors as measured</source>
@@ -8077,7 +8077,7 @@
     </message>
     <message>
         <source>A: basal-turn diameter; B: basal-turn width, perpendicular to A; H: height. Every draw takes other values within these errors.</source>
-        <translation>A: Durchmesser der basalen Windung; B: Breite der basalen Windung, senkrecht zu A; H: Höhe. Jede Ziehung nimmt andere Werte innerhalb dieser Fehler.</translation>
+        <translation>A: Durchmesser der basalen Windung; B: Breite der basalen Windung, senkrecht zu A; H: Höhe. Jede Simulation nimmt andere Werte innerhalb dieser Fehler.</translation>
     </message>
 </context>
 <context>
@@ -8126,7 +8126,7 @@
     </message>
     <message>
         <source>%1 draws, %2 insertions</source>
-        <translation>%1 Ziehungen, %2 Insertionen</translation>
+        <translation>%1 Simulationen, %2 Insertionen</translation>
     </message>
     <message>
         <source>%1 of at most %2 insertions. Another page can be shown meanwhile.</source>
@@ -8209,7 +8209,7 @@
     </message>
     <message>
         <source>Draws, at most</source>
-        <translation>Ziehungen, höchstens</translation>
+        <translation>Simulationen, höchstens</translation>
     </message>
     <message>
         <source>Compute</source>
@@ -8249,11 +8249,11 @@
     </message>
     <message>
         <source>%1 draws at most</source>
-        <translation>höchstens %1 Ziehungen</translation>
+        <translation>höchstens %1 Simulationen</translation>
     </message>
     <message>
         <source>A draw is a cochlea within the errors of the measures, an approach, a stiffness and a surgeon. Fewer are run if the median angle is known to 5° and the median peak force to 5 %.</source>
-        <translation>Eine Ziehung ist eine Cochlea innerhalb der Fehler der Maße, ein Zugang, eine Steifigkeit und ein Chirurg. Es werden weniger gerechnet, wenn der mittlere Winkel auf 5° und die mittlere Spitzenkraft auf 5 % bekannt sind.</translation>
+        <translation>Eine Simulation ist eine Cochlea innerhalb der Fehler der Maße, ein Zugang, eine Steifigkeit und ein Chirurg. Es werden weniger gerechnet, wenn der mittlere Winkel auf 5° und die mittlere Maximalkraft auf 5 % bekannt sind.</translation>
     </message>
     <message>
         <source>Esc. What is done is kept, and Compute continues there.</source>
@@ -8327,7 +8327,7 @@
     </message>
     <message>
         <source>%1, %2: %3. %4 draws</source>
-        <translation>%1, %2: %3. %4 Ziehungen</translation>
+        <translation>%1, %2: %3. %4 Simulationen</translation>
     </message>
 </context>
 <context>
@@ -8864,7 +8864,7 @@
     </message>
     <message>
         <source>Peak force at depth</source>
-        <translation>Spitzenkraft bei Tiefe</translation>
+        <translation>Maximalkraft bei Tiefe</translation>
     </message>
     <message>
         <source>Tip angle</source>
@@ -9024,7 +9024,7 @@
     </message>
     <message>
         <source>Sessions</source>
-        <translation>Sitzungen</translation>
+        <translation>Aufzeichnungen</translation>
     </message>
 </context>
 <context>
@@ -9385,11 +9385,11 @@
     <name>perilymph::gui::StudyWork</name>
     <message>
         <source>Insertion %1 was run again: peak force %2 mN, as in the study.</source>
-        <translation>Insertion %1 wurde erneut ausgeführt: Spitzenkraft %2 mN, wie in der Studie.</translation>
+        <translation>Insertion %1 wurde erneut ausgeführt: Maximalkraft %2 mN, wie in der Studie.</translation>
     </message>
     <message>
         <source>Insertion %1 was run again: peak force %2 mN; the study, run by another version, has %3 mN.</source>
-        <translation>Insertion %1 wurde erneut ausgeführt: Spitzenkraft %2 mN; die Studie einer anderen Version hat %3 mN.</translation>
+        <translation>Insertion %1 wurde erneut ausgeführt: Maximalkraft %2 mN; die Studie einer anderen Version hat %3 mN.</translation>
     </message>
 </context>
 <context>

@@ -177,9 +177,15 @@ void addValidate(CLI::App& app, FileOptions& files, ValidateOptions& options)
 {
   CLI::App& command =
       *app.add_subcommand("validate", "Reproduce the published experiment with its statistics");
+  CLI::Option* bench = command.add_option("--bench", options.bench,
+                                          "Infer the friction in an ear from curves of a bench "
+                                          "instead: shipped name (slim-straight) or "
+                                          "folder");
+  files.readsBelow(bench);
   command.add_option("--runs", options.runs, "Number of simulated insertions")
       ->capture_default_str()
-      ->check(CLI::Range(2, 100'000));
+      ->check(CLI::Range(2, 100'000))
+      ->excludes(bench);
   command.add_option("--seed", options.seed, "Random seed")
       ->capture_default_str()
       ->check(CLI::NonNegativeNumber);
@@ -197,8 +203,9 @@ void addValidate(CLI::App& app, FileOptions& files, ValidateOptions& options)
               variabilityFolder);
   files.writesInto(
       command.add_option("--out", options.out, "Output folder for tables and figures")->required(),
-      withFigures({"profile.csv", "difference.csv", "summary.json"},
-                  {"experiment", "simulation", "difference"}));
+      withFigures({"profile.csv", "difference.csv", "summary.json", "friction.csv", "predicted.csv",
+                   "scores.csv"},
+                  {"experiment", "simulation", "difference", "friction"}));
 }
 
 void addCalibrate(CLI::App& app, FileOptions& files, CalibrateOptions& options)

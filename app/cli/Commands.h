@@ -52,6 +52,8 @@ struct ValidateOptions {
   int runs = 200;
   std::uint64_t seed = 1;
   unsigned jobs = 0;  ///< 0: one per processor.
+  std::string
+      bench;  ///< Shipped name or folder of curves, in place of the experiment; empty: none.
   std::string out;
 };
 Result<Done> validate(const ValidateOptions& options, const CallFiles& files);

@@ -3435,6 +3435,50 @@
         <source>angle of the most apical contact of an array that lies along the lateral wall in its whole length</source>
         <translation>Winkel des apikalsten Kontakts eines Trägers, der in ganzer Länge an der lateralen Wand liegt</translation>
     </message>
+    <message>
+        <source>The folder &apos;%1&apos; has %2 specimens with a curve in soap; one is needed, whose array stands for all.</source>
+        <translation>Der Ordner „%1“ hat %2 Präparate mit einer Kurve in Seife; genau eines wird gebraucht, dessen Elektrodenträger für alle steht.</translation>
+    </message>
+    <message>
+        <source>PTFE, soap</source>
+        <translation>PTFE, Seife</translation>
+    </message>
+    <message>
+        <source>PTFE, Healon in air</source>
+        <translation>PTFE, Healon in Luft</translation>
+    </message>
+    <message>
+        <source>PTFE, saline and Healon</source>
+        <translation>PTFE, Kochsalzlösung und Healon</translation>
+    </message>
+    <message>
+        <source>PTFE, saline</source>
+        <translation>PTFE, Kochsalzlösung</translation>
+    </message>
+    <message>
+        <source>PTFE, artificial perilymph</source>
+        <translation>PTFE, künstliche Perilymphe</translation>
+    </message>
+    <message>
+        <source>fresh cochlea</source>
+        <translation>frische Cochlea</translation>
+    </message>
+    <message>
+        <source>Friction from one array in one channel</source>
+        <translation>Reibung aus einem Elektrodenträger in einem Kanal</translation>
+    </message>
+    <message>
+        <source>coefficient of friction</source>
+        <translation>Reibungszahl</translation>
+    </message>
+    <message>
+        <source>posterior in steps of a tenth of ln friction</source>
+        <translation>A-posteriori-Dichte je Zehntel von ln Reibung</translation>
+    </message>
+    <message>
+        <source>Measured forces from 8 to 14 mm; the method: the guide&apos;s page friction.md.</source>
+        <translation>Gemessene Kräfte von 8 bis 14 mm; das Verfahren: Seite friction.md des Handbuchs.</translation>
+    </message>
 </context>
 <context>
     <name>Display</name>

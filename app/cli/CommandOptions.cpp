@@ -184,8 +184,7 @@ void addValidate(CLI::App& app, FileOptions& files, ValidateOptions& options)
   files.readsBelow(bench);
   command.add_option("--runs", options.runs, "Number of simulated insertions")
       ->capture_default_str()
-      ->check(CLI::Range(2, 100'000))
-      ->excludes(bench);
+      ->check(CLI::Range(2, 100'000));
   command.add_option("--seed", options.seed, "Random seed")
       ->capture_default_str()
       ->check(CLI::NonNegativeNumber);
@@ -201,6 +200,8 @@ void addValidate(CLI::App& app, FileOptions& files, ValidateOptions& options)
                               "Variability between insertions: shipped name or TOML file")
                   ->capture_default_str(),
               variabilityFolder);
+  for (CLI::Option* other : command.get_options())
+    if (other != bench && other != command.get_help_ptr()) other->excludes(bench);
   files.writesInto(
       command.add_option("--out", options.out, "Output folder for tables and figures")->required(),
       withFigures({"profile.csv", "difference.csv", "summary.json", "friction.csv", "predicted.csv",

@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
 #include <fstream>
+#include <sstream>
 
 #include "bench/CurveLikelihood.h"
 #include "bench/RodInChannel.h"
@@ -34,7 +36,7 @@ TEST(RodInChannel, WithoutFrictionTakesTheWorkOfBending)
     integral *= depth / steps / 3.0;
     const double end = channel.curvatureAt(depth);
     const double expected = 0.5 * end * end + 0.5 * growth / 15e-3 * integral;
-    EXPECT_NEAR(force.at(depth, growth, 3.0), expected, 1e-3 * expected) << growth;
+    EXPECT_NEAR(force.at(depth).force(growth, 3.0), expected, 1e-3 * expected) << growth;
   }
 }
 
@@ -52,7 +54,7 @@ TEST(RodInChannel, InACircleFollowsTheCapstanLaw)
       const double k = 1.0 / 2.5e-3;
       const double expected =
           k * k * ((1.0 + 0.5 * friction * 3.0) * std::exp(friction * k * (depth - 4.0e-3)) - 0.5);
-      EXPECT_NEAR(force.at(depth, 0.0, 3.0), expected, 3e-3 * expected) << friction;
+      EXPECT_NEAR(force.at(depth).force(0.0, 3.0), expected, 3e-3 * expected) << friction;
     }
   }
 }
@@ -129,6 +131,45 @@ TEST(BenchChain, FindsTheFrictionOfCurvesMadeOtherwise)
   EXPECT_GT(result.media[2].friction.low, 0.0605);  // told from soap
   for (const PredictedForce& each : result.predicted) EXPECT_TRUE(each.isInside()) << each.depth;
   EXPECT_EQ(result.predicted.size(), 6u);
+}
+
+/// The cells of a table's row in the guide's page, by its first cell.
+std::vector<std::string> rowOfPage(const std::string& first)
+{
+  std::ifstream page(resource("resources/guide/friction.md"));
+  std::vector<std::string> cells;
+  for (std::string line; std::getline(page, line);) {
+    if (!line.starts_with("| " + first + " |")) continue;
+    std::istringstream rest(line.substr(1));
+    for (std::string cell; std::getline(rest, cell, '|');) {
+      std::erase(cell, '*');
+      cells.push_back(cell.substr(1, cell.size() - 2));
+    }
+    break;
+  }
+  return cells;
+}
+
+TEST(BenchChain, GivesThePagesTableForNumber11)
+{
+  auto specimens = loadBench(resource("resources/bench/slim-straight"));
+  ASSERT_TRUE(specimens) << specimens.error().message;
+  ASSERT_EQ(specimens->size(), 6u);
+  specimens->resize(1);
+  const BenchResult result = inferFriction(*specimens);
+  const std::vector<std::string> row = rowOfPage("11, good");
+  ASSERT_EQ(row.size(), 7u);
+  for (const MediumFriction& each : result.media) {
+    char text[64];
+    std::snprintf(text, sizeof text, "%.3f (%.3f to %.3f)", each.friction.median, each.friction.low,
+                  each.friction.high);
+    EXPECT_EQ(row[1 + static_cast<std::size_t>(each.medium)], text);
+  }
+  char score[16];
+  std::snprintf(score, sizeof score, "%.2f", result.scores.front().capstan);
+  EXPECT_EQ(rowOfPage("friction by the capstan law").at(1), score);
+  std::snprintf(score, sizeof score, "%.2f", result.scores.front().constantRatio);
+  EXPECT_EQ(rowOfPage("constant ratio").at(1), score);
 }
 
 TEST(BenchCurves, AreRefusedWithTheLineOfTheError)

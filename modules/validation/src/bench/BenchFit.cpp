@@ -49,13 +49,14 @@ ShapeTable::ShapeTable(std::vector<double> depths) : depths_(std::move(depths))
         const SpiralChannel channel{1e-3 * radius, 1e3 * tightening, 1e-3 * start};
         for (std::size_t friction = 0; friction < frictions; ++friction) {
           const ChannelForce force(channel, exponential(logFriction(friction)), depths_.back());
+          std::vector<ChannelForce::Parts> parts;
+          for (const double depth : depths_) parts.push_back(force.at(depth));
           std::size_t shape = 0;
           for (const double growth : growths)
             for (const double cotangent : tipCotangents) {
               const std::size_t row = (shape * geometries + geometry) * frictions + friction;
               for (std::size_t i = 0; i < depths_.size(); ++i)
-                values_[row * depths_.size() + i] =
-                    logarithm(force.at(depths_[i], growth, cotangent));
+                values_[row * depths_.size() + i] = logarithm(parts[i].force(growth, cotangent));
               ++shape;
             }
         }
@@ -130,7 +131,7 @@ Eigen::MatrixXd SpecimenFit::cell(std::size_t shape, std::size_t geometry, std::
   Eigen::MatrixXd likelihood(static_cast<Eigen::Index>(grid::frictions),
                              static_cast<Eigen::Index>(curves_.size()));
   const double logStiffness = grid::logStiffness(level);
-  constexpr double negligible = -60.0;
+  constexpr double negligible = -30.0;
   for (Eigen::Index column = 0; column < likelihood.cols(); ++column) {
     const CurveFit& curve = curves_[static_cast<std::size_t>(column)];
     for (Eigen::Index row = 0; row < likelihood.rows(); ++row) {

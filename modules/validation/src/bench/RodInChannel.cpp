@@ -35,18 +35,22 @@ ChannelForce::ChannelForce(const SpiralChannel& channel, double friction, double
   }
 }
 
-double ChannelForce::at(double depth, double growth, double tipCotangent) const
+ChannelForce::Parts ChannelForce::at(double depth) const
 {
   const auto tip = static_cast<std::size_t>(std::lround(depth / step));
-  const auto moment = [&](std::size_t i) {
-    return (1.0 + growth * step * static_cast<double>(tip - i) / taperLength) * curvature_[i];
-  };
-  double force =
-      gain_[tip] * curvature_[tip] * curvature_[tip] * (1.0 + 0.5 * friction_ * tipCotangent);
-  for (std::size_t i = 0; i < tip; ++i)
-    force -= 0.25 * (gain_[i] + gain_[i + 1]) * (curvature_[i] + curvature_[i + 1]) *
-             (moment(i + 1) - moment(i));
-  return force;
+  Parts parts;
+  parts.tip = gain_[tip] * curvature_[tip] * curvature_[tip];
+  parts.tipFriction = 0.5 * friction_ * parts.tip;
+  // the moment falls by k' EI(0), and by r times the rest
+  double lever = step * static_cast<double>(tip) / taperLength * curvature_[0];
+  for (std::size_t i = 0; i < tip; ++i) {
+    const double across = 0.25 * (gain_[i] + gain_[i + 1]) * (curvature_[i] + curvature_[i + 1]);
+    const double next = step * static_cast<double>(tip - i - 1) / taperLength * curvature_[i + 1];
+    parts.uniform -= across * (curvature_[i + 1] - curvature_[i]);
+    parts.growing -= across * (next - lever);
+    lever = next;
+  }
+  return parts;
 }
 
 }  // namespace perilymph::validation

@@ -31,10 +31,19 @@ public:
   /// @param deepest  Depth up to which forces are wanted [m].
   ChannelForce(const SpiralChannel& channel, double friction, double deepest);
 
-  /// @param growth        r of EI(u) = EI(0) (1 + r u / 15 mm), u from the tip.
-  /// @param tipCotangent  cot(a).
-  /// @param depth         Up to `deepest`, on whole steps of 0.05 mm.
-  double at(double depth, double growth, double tipCotangent) const;
+  /// Parts of the force at a depth; it is linear in the array's shape.
+  struct Parts {
+    double tip = 0.0, tipFriction = 0.0, uniform = 0.0, growing = 0.0;
+
+    /// @param growth        r of EI(u) = EI(0) (1 + r u / 15 mm), u from the tip.
+    /// @param tipCotangent  cot(a).
+    double force(double growth, double tipCotangent) const noexcept
+    {
+      return tip + tipCotangent * tipFriction + uniform + growth * growing;
+    }
+  };
+  /// @param depth  Up to `deepest`, on whole steps of 0.05 mm.
+  Parts at(double depth) const;
 
 private:
   double friction_;

@@ -70,9 +70,9 @@ Result<Done> calibrate(const CalibrateOptions& options, const CallFiles& files);
 
 struct PredictOptions {
   std::vector<std::string> arrays;
-  bool isAll = false;               ///< The clinical table in place of chosen arrays.
-  std::string friction = "tissue";  ///< Friction of the clinical table.
-  std::optional<int> patients;      ///< 50, for the clinical table 12.
+  bool isAll = false;  ///< The clinical table in place of chosen arrays.
+  std::string friction = "estimate-from-pig-tissue";  ///< Friction of the clinical table.
+  std::optional<int> patients;                        ///< 50, for the clinical table 12.
   std::vector<std::uint64_t> seeds = {1};
   unsigned jobs = 0;
   std::string out;

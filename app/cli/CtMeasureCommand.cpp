@@ -43,9 +43,8 @@ Result<ct::MeasureRequest> requestOf(const CtMeasureOptions& options, const std:
 
 void printMeasure(const char* name, const ct::Measure& measure)
 {
-  const auto interval = measure.interval95();
-  print("{:12} {} mm, standard deviation {}, 95 % within {} to {}\n", name, fixed(measure.value, 2),
-        fixed(measure.sd(), 2), fixed(interval[0], 2), fixed(interval[1], 2));
+  const double halfWidth = 0.5 * (measure.interval95()[1] - measure.interval95()[0]);
+  print("{:12} {} ± {} mm (95 %)\n", name, fixed(measure.value, 2), fixed(halfWidth, 2));
 }
 
 void printPoint(const char* name, const Eigen::Vector3d& point)

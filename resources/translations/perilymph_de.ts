@@ -129,11 +129,11 @@
     </message>
     <message>
         <source>reversals</source>
-        <translation>Richtungswechsel</translation>
+        <translation>Rückzüge</translation>
     </message>
     <message>
         <source>peak force</source>
-        <translation>Spitzenkraft</translation>
+        <translation>Maximalkraft</translation>
     </message>
     <message>
         <source>smoothness</source>
@@ -272,12 +272,12 @@
         <translation>Die Cochlea enthält Luft wie ein getrocknetes Präparat; die eines Patienten ist mit Flüssigkeit gefüllt. Prüfen, ob Ort und Serie stimmen.</translation>
     </message>
     <message>
-        <source>The spiral winds as in the other ear: the file is mirrored or the side is wrong; check both before anything is planned.</source>
-        <translation>Die Spirale windet sich wie im anderen Ohr: Die Datei ist gespiegelt oder die Seite falsch. Beides vor jeder Planung prüfen.</translation>
+        <source>Possible left-right swap: the spiral winds as in the other ear. Check the file and the side before anything is planned.</source>
+        <translation>Mögliche Seitenverwechslung: Die Spirale dreht sich wie im anderen Ohr. Prüfen Sie Datei und Seite, bevor etwas geplant wird.</translation>
     </message>
     <message>
-        <source>The fitted cochlea explains the voxels near its wall badly: check the outline in the images, and measure by hand if it does not lie on the wall.</source>
-        <translation>Die angepasste Cochlea passt schlecht zu den Voxeln an ihrer Wand: Den Umriss in den Bildern prüfen und von Hand messen, falls er nicht auf der Wand liegt.</translation>
+        <source>Poor fit: the outline deviates from the images. Measure by hand if it does not lie on the wall.</source>
+        <translation>Schlechte Anpassung: Der Umriss weicht von den Bildern ab. Messen Sie von Hand, wenn er nicht auf der Wand liegt.</translation>
     </message>
     <message>
         <source>The wall found in sections through the modiolus lies apart from the fitted one: check the outline in the images.</source>
@@ -916,8 +916,8 @@
         <translation>Den Port %1 auf %2 belegt ein anderes Programm. Beenden Sie es, oder wählen Sie einen anderen Port.</translation>
     </message>
     <message>
-        <source>The address %1 is none of this machine. 127.0.0.1 always is; &apos;ip address&apos; lists all.</source>
-        <translation>Die Adresse %1 gehört nicht zu diesem Rechner. 127.0.0.1 gehört immer dazu; „ip address“ nennt alle.</translation>
+        <source>%1 is not an address of this computer. 127.0.0.1 always is; &apos;ip address&apos; lists all.</source>
+        <translation>%1 ist keine Adresse dieses Rechners. 127.0.0.1 ist immer eine; „ip address“ nennt alle.</translation>
     </message>
     <message>
         <source>The image %1 has another size or lies across the others, as a scout does; it was left out.</source>
@@ -1337,7 +1337,7 @@
     </message>
     <message>
         <source>Kesler et al. 2017: 18.6 reversals in manual insertions at a target of 15 mm/min</source>
-        <translation>Kesler et al. 2017: 18,6 Richtungswechsel bei manuellen Insertionen mit Zielgeschwindigkeit 15 mm/min</translation>
+        <translation>Kesler et al. 2017: 18,6 Rückzüge bei manuellen Insertionen mit Zielgeschwindigkeit 15 mm/min</translation>
     </message>
     <message>
         <source>%1 % of the time at rest (below 0.1 mm/s)</source>
@@ -1621,7 +1621,7 @@
     </message>
     <message>
         <source>The cochlea drawn with seed %1 is out of limits: %2 Use another seed.</source>
-        <translation>Die mit Startwert %1 gezogene Cochlea liegt außerhalb der Grenzen: %2 Nehmen Sie einen anderen Startwert.</translation>
+        <translation>Die mit Startwert %1 simulierte Cochlea liegt außerhalb der Grenzen: %2 Nehmen Sie einen anderen Startwert.</translation>
     </message>
     <message>
         <source>%1 is %2. Check the measurement.</source>
@@ -2340,8 +2340,8 @@
         <translation>Ein Voxel ist %1 mm lang; für eine Cochlea werden höchstens 0,65 mm empfohlen.</translation>
     </message>
     <message>
-        <source>The volume is only %1 mm thick; a cochlea with its surroundings needs about 25 mm.</source>
-        <translation>Das Volumen ist nur %1 mm dick; eine Cochlea mit Umgebung braucht etwa 25 mm.</translation>
+        <source>Small field of view (%1 mm); 25 mm recommended.</source>
+        <translation>Kleines Bildfeld (%1 mm); 25 mm empfohlen.</translation>
     </message>
     <message>
         <source>patient or study</source>
@@ -2444,7 +2444,7 @@
         <translation>%1 ist eine NIfTI-2-Datei; gelesen wird NIfTI-1. Speichern Sie das Volumen als NIfTI-1 (.nii oder .nii.gz) oder als NRRD.</translation>
     </message>
     <message>
-        <source>%1 is no NIfTI-1 file with its voxels in it. Save the volume as .nii or .nii.gz.</source>
+        <source>%1 is not a NIfTI-1 file with its voxels in it. Save the volume as .nii or .nii.gz.</source>
         <translation>%1 ist keine NIfTI-1-Datei mit ihren Voxeln. Speichern Sie das Volumen als .nii oder .nii.gz.</translation>
     </message>
     <message>
@@ -2549,7 +2549,7 @@
     </message>
     <message>
         <source>%1 has draws of %2 arrays, not of %3. Delete it or give another folder.</source>
-        <translation>%1 hat Ziehungen von %2 Trägern, nicht von %3. Löschen Sie die Datei, oder geben Sie einen anderen Ordner an.</translation>
+        <translation>%1 hat Simulationen von %2 Trägern, nicht von %3. Löschen Sie die Datei, oder geben Sie einen anderen Ordner an.</translation>
     </message>
     <message>
         <source>it is not JSON</source>
@@ -2561,7 +2561,7 @@
     </message>
     <message>
         <source>the draws of a plan of Perilymph</source>
-        <translation>die Ziehungen eines Plans von Perilymph</translation>
+        <translation>die Simulationen eines Plans von Perilymph</translation>
     </message>
     <message>
         <source>Choose a draws.sqlite that &apos;perilymph-cli plan&apos; wrote.</source>
@@ -2577,23 +2577,23 @@
     </message>
     <message>
         <source>draws</source>
-        <translation>Ziehungen</translation>
+        <translation>Simulationen</translation>
     </message>
     <message>
         <source>draw %1 is not readable: %2</source>
-        <translation>Ziehung %1 ist nicht lesbar: %2</translation>
+        <translation>Simulation %1 ist nicht lesbar: %2</translation>
     </message>
     <message>
         <source>draw %1 is not readable: it is another one</source>
-        <translation>Ziehung %1 ist nicht lesbar: es ist eine andere</translation>
+        <translation>Simulation %1 ist nicht lesbar: es ist eine andere</translation>
     </message>
     <message>
         <source>its draws are not consecutive</source>
-        <translation>ihre Ziehungen folgen nicht aufeinander</translation>
+        <translation>ihre Simulationen folgen nicht aufeinander</translation>
     </message>
     <message>
         <source>its last draw is not whole</source>
-        <translation>ihre letzte Ziehung ist nicht vollständig</translation>
+        <translation>ihre letzte Simulation ist nicht vollständig</translation>
     </message>
     <message>
         <source>%1 is of a newer program (format %2). Open it with that one.</source>
@@ -2613,7 +2613,7 @@
     </message>
     <message>
         <source>A plan of %1 draws is not possible; 1 to %2 are.</source>
-        <translation>Ein Plan mit %1 Ziehungen ist nicht möglich; möglich sind 1 bis %2.</translation>
+        <translation>Ein Plan mit %1 Simulationen ist nicht möglich; möglich sind 1 bis %2.</translation>
     </message>
     <message>
         <source>A cochlea of %1 cannot be built: %2. Check A and B and their errors.</source>
@@ -2633,7 +2633,7 @@
     </message>
     <message>
         <source>The plan has no draw %1 of array %2; it has %3 draws of %4 arrays. Choose one of them.</source>
-        <translation>Der Plan hat keine Ziehung %1 des Trägers %2; er hat %3 Ziehungen von %4 Trägern. Wählen Sie eine davon.</translation>
+        <translation>Der Plan hat keine Simulation %1 des Trägers %2; er hat %3 Simulationen von %4 Trägern. Wählen Sie eine davon.</translation>
     </message>
     <message>
         <source>An array, the scenario, a distribution or the program was changed since the plan of %1 was made. Make it again.</source>
@@ -2733,7 +2733,7 @@
     </message>
     <message>
         <source>The folder of sessions %1 cannot be read: %2. Check its permissions.</source>
-        <translation>Der Ordner der Sitzungen %1 kann nicht gelesen werden: %2. Prüfen Sie die Rechte.</translation>
+        <translation>Der Ordner der Aufzeichnungen %1 kann nicht gelesen werden: %2. Prüfen Sie die Rechte.</translation>
     </message>
     <message>
         <source>its rows are not in order after %1</source>
@@ -3515,7 +3515,7 @@
     </message>
     <message>
         <source>Peak forces measured in patients: %1–%2 mN (Rau et al. 2024). This comparison is not a safety assessment.</source>
-        <translation>An Patienten gemessene Spitzenkräfte: %1–%2 mN (Rau et al. 2024). Der Vergleich ist keine Bewertung der Sicherheit.</translation>
+        <translation>An Patienten gemessene Maximalkräfte: %1–%2 mN (Rau et al. 2024). Der Vergleich ist keine Bewertung der Sicherheit.</translation>
     </message>
 </context>
 <context>
@@ -3666,6 +3666,22 @@
     <message>
         <source>Stribeck speed of friction</source>
         <translation>Stribeck-Geschwindigkeit der Reibung</translation>
+    </message>
+    <message>
+        <source>Fractions of the bending stiffness that relax</source>
+        <translation>Anteile der Biegesteifigkeit, die relaxieren</translation>
+    </message>
+    <message>
+        <source>Their time constants</source>
+        <translation>Deren Zeitkonstanten</translation>
+    </message>
+    <message>
+        <source>Fraction of the friction that relaxes at rest</source>
+        <translation>Anteil der Reibung, der in Ruhe relaxiert</translation>
+    </message>
+    <message>
+        <source>Its time constant</source>
+        <translation>Dessen Zeitkonstante</translation>
     </message>
     <message>
         <source>Wall stiffness, normal</source>
@@ -3912,7 +3928,7 @@
     </message>
     <message>
         <source>depth of the peak force, mm</source>
-        <translation>Tiefe der Spitzenkraft, mm</translation>
+        <translation>Tiefe der Maximalkraft, mm</translation>
     </message>
     <message>
         <source>final insertion force, mN</source>
@@ -4135,7 +4151,7 @@
     </message>
     <message>
         <source>Reversals</source>
-        <translation>Richtungswechsel</translation>
+        <translation>Rückzüge</translation>
     </message>
     <message>
         <source>of the curve smoothed over 0.5 mm</source>
@@ -4415,7 +4431,7 @@
     </message>
     <message>
         <source>Peak insertion force</source>
-        <translation>Maximale Insertionskraft</translation>
+        <translation>Maximalkraft</translation>
     </message>
     <message>
         <source>%1 at %2 travel, insertion depth %3</source>
@@ -4599,11 +4615,11 @@
     </message>
     <message>
         <source>perceptible; within reported clinical peak forces (%1–%2 mN)</source>
-        <translation>wahrnehmbar; im Bereich klinischer Spitzenkräfte (%1–%2 mN)</translation>
+        <translation>wahrnehmbar; im Bereich klinischer Maximalkräfte (%1–%2 mN)</translation>
     </message>
     <message>
         <source>above reported clinical peak forces (&gt; %1 mN)</source>
-        <translation>über den berichteten klinischen Spitzenkräften (&gt; %1 mN)</translation>
+        <translation>über den berichteten klinischen Maximalkräften (&gt; %1 mN)</translation>
     </message>
     <message>
         <source>cochlear partition ruptured at %1° by %2 mN</source>
@@ -4903,7 +4919,7 @@
     </message>
     <message>
         <source>without pauses, to maximum depth; reversals: %1</source>
-        <translation>ohne Pausen, bis zur größten Tiefe; Richtungswechsel: %1</translation>
+        <translation>ohne Pausen, bis zur größten Tiefe; Rückzüge: %1</translation>
     </message>
     <message>
         <source>Maximum partition force</source>
@@ -5194,8 +5210,8 @@
         <translation>%1 Hz</translation>
     </message>
     <message>
-        <source>Stop travel reached, %1 mm of the array outside. Press Withdraw or Reset.</source>
-        <translation>Stopp erreicht, %1 mm des Trägers außerhalb. „Zurückziehen“ oder „Zurücksetzen“ drücken.</translation>
+        <source>Stopped as set; %1 mm of the array remains outside. Press Withdraw or Reset.</source>
+        <translation>Wie eingestellt gestoppt; %1 mm des Trägers bleiben außerhalb. „Zurückziehen“ oder „Zurücksetzen“ drücken.</translation>
     </message>
     <message>
         <source>Back at the start, tip %1 mm inside. Press Reset for a new insertion.</source>
@@ -5250,8 +5266,8 @@
         <translation>beenden</translation>
     </message>
     <message>
-        <source>recording: waiting for motion</source>
-        <translation>Aufzeichnung: wartet auf Bewegung</translation>
+        <source>recording (paused)</source>
+        <translation>Aufzeichnung (pausiert)</translation>
     </message>
     <message>
         <source>Stopped: the force is off. Press Start to continue.</source>
@@ -5274,8 +5290,8 @@
         <translation>Der Träger ist bei %1 mm vor der Öffnung ausgeknickt. Die Kraft ist aus. „Zurückziehen“ oder „Zurücksetzen“ drücken.</translation>
     </message>
     <message>
-        <source>The tip is outside of the opening. The force is off. Press Reset.</source>
-        <translation>Die Spitze ist außerhalb der Öffnung. Die Kraft ist aus. „Zurücksetzen“ drücken.</translation>
+        <source>The tip has left the cochlea. The force is off. Press Reset.</source>
+        <translation>Die Spitze hat die Cochlea verlassen. Die Kraft ist aus. „Zurücksetzen“ drücken.</translation>
     </message>
     <message>
         <source>The tip folded over at %1 mm. The force is off. Press Withdraw or Reset.</source>
@@ -5299,7 +5315,7 @@
     </message>
     <message>
         <source>Peak force</source>
-        <translation>Spitzenkraft</translation>
+        <translation>Maximalkraft</translation>
     </message>
     <message>
         <source>End force</source>
@@ -5335,19 +5351,19 @@
     </message>
     <message>
         <source>Every array is inserted in the same drawn cochleae by the same drawn surgeons. Models follow published data; they are not manufacturer data.</source>
-        <translation>Jeder Träger wird in dieselben gezogenen Cochleae von denselben gezogenen Chirurgen eingeführt. Die Modelle beruhen auf veröffentlichten Daten und sind keine Herstellerangaben.</translation>
+        <translation>Jeder Träger wird in dieselben simulierten Cochleae von denselben simulierten Operateuren eingeführt. Die Modelle beruhen auf veröffentlichten Daten und sind keine Herstellerangaben.</translation>
     </message>
     <message>
         <source>Angle of the most apical contact from the round window at the end of each insertion. Median and 5 to 95 % of the draws.</source>
-        <translation>Winkel des apikalsten Kontakts vom runden Fenster am Ende jeder Insertion. Median und 5 bis 95 % der Ziehungen.</translation>
+        <translation>Winkel des apikalsten Kontakts vom runden Fenster am Ende jeder Insertion. Median und 5 bis 95 % der Simulationen.</translation>
     </message>
     <message>
         <source>Maximum axial force on the surgeon’s hand. Median and 5 to 95 % of the draws.</source>
-        <translation>Größte axiale Kraft auf die Hand des Chirurgen. Median und 5 bis 95 % der Ziehungen.</translation>
+        <translation>Größte axiale Kraft auf die Hand des Chirurgen. Median und 5 bis 95 % der Simulationen.</translation>
     </message>
     <message>
         <source>Maximum force on the cochlear partition. Median and 5 to 95 % of the draws.</source>
-        <translation>Größte Kraft auf die cochleäre Trennwand. Median und 5 bis 95 % der Ziehungen.</translation>
+        <translation>Größte Kraft auf die cochleäre Trennwand. Median und 5 bis 95 % der Simulationen.</translation>
     </message>
     <message>
         <source>Fraction of the insertions that reach the array’s full depth, with its 95 % interval (Wilson 1927).</source>
@@ -5355,7 +5371,7 @@
     </message>
     <message>
         <source>Fraction in which the force reaches the limit at which the drawn surgeon stops, with its 95 % interval (Wilson 1927).</source>
-        <translation>Anteil, in dem die Kraft die Grenze erreicht, bei der der gezogene Chirurg anhält, mit 95-%-Intervall (Wilson 1927).</translation>
+        <translation>Anteil, in dem die Kraft die Grenze erreicht, bei der der simulierte Operateur anhält, mit 95-%-Intervall (Wilson 1927).</translation>
     </message>
     <message>
         <source>Fraction in which the array bows in front of the opening, with its 95 % interval (Wilson 1927).</source>
@@ -5367,7 +5383,7 @@
     </message>
     <message>
         <source>Fraction in which the force on the cochlear partition reaches its drawn strength, with its 95 % interval (Wilson 1927). The strength rests on few publications.</source>
-        <translation>Anteil, in dem die Kraft auf die cochleäre Trennwand deren gezogene Festigkeit erreicht, mit 95-%-Intervall (Wilson 1927). Die Festigkeit beruht auf wenigen Veröffentlichungen.</translation>
+        <translation>Anteil, in dem die Kraft auf die cochleäre Trennwand deren simulierte Festigkeit erreicht, mit 95-%-Intervall (Wilson 1927). Die Festigkeit beruht auf wenigen Veröffentlichungen.</translation>
     </message>
     <message>
         <source>%1 (%2–%3)°</source>
@@ -5411,7 +5427,7 @@
     </message>
     <message>
         <source>%1 · draw %2, nearest to the medians: %3°, peak %4 mN</source>
-        <translation>%1 · Ziehung %2, den Medianen am nächsten: %3°, Spitze %4 mN</translation>
+        <translation>%1 · Simulation %2, den Medianen am nächsten: %3°, Spitze %4 mN</translation>
     </message>
     <message>
         <source>Modiolus, mm</source>
@@ -5491,7 +5507,7 @@
     </message>
     <message>
         <source>What is drawn, and from where</source>
-        <translation>Was gezogen wird, und woher</translation>
+        <translation>Verteilungen der Eingaben und ihre Quellen</translation>
     </message>
     <message>
         <source>Plan, SHA-256</source>
@@ -5515,7 +5531,7 @@
     </message>
     <message>
         <source>Draws</source>
-        <translation>Ziehungen</translation>
+        <translation>Simulationen</translation>
     </message>
     <message>
         <source>%1 of each array</source>
@@ -5603,11 +5619,11 @@
     </message>
     <message>
         <source>%1 draws</source>
-        <translation>%1 Ziehungen</translation>
+        <translation>%1 Simulationen</translation>
     </message>
     <message>
         <source>%1 draws, interrupted</source>
-        <translation>%1 Ziehungen, unterbrochen</translation>
+        <translation>%1 Simulationen, unterbrochen</translation>
     </message>
     <message>
         <source> · </source>
@@ -5651,7 +5667,7 @@
     </message>
     <message>
         <source>First resistance: depth of the tip past the opening where the insertion force first reaches %1 mN, the median force that surgeons detect, over the draws in which it does; felt: that it does. ≥ %2 and ≥ %3 mN: that the force on the cochlear partition reaches the weakest and the strongest published strength.</source>
-        <translation>Erster Widerstand: Tiefe der Spitze jenseits der Öffnung, in der die Insertionskraft erstmals %1 mN erreicht, den Median der Kraft, die Operateure wahrnehmen, über die Ziehungen, in denen sie es tut; gespürt: dass sie es tut. ≥ %2 und ≥ %3 mN: dass die Kraft auf die Trennwand die schwächste und die stärkste veröffentlichte Festigkeit erreicht.</translation>
+        <translation>Erster Widerstand: Tiefe der Spitze jenseits der Öffnung, in der die Insertionskraft erstmals %1 mN erreicht, den Median der Kraft, die Operateure wahrnehmen, über die Simulationen, in denen sie es tut; gespürt: dass sie es tut. ≥ %2 und ≥ %3 mN: dass die Kraft auf die Trennwand die schwächste und die stärkste veröffentlichte Festigkeit erreicht.</translation>
     </message>
     <message>
         <source>Sections of the scala tympani</source>
@@ -5767,7 +5783,7 @@
     </message>
     <message>
         <source>Mean axial force on the hand over the last half second before it stops. Median and 5 to 95 % of the draws.</source>
-        <translation>Mittlere axiale Kraft auf die Hand in der letzten halben Sekunde, bevor sie anhält. Median und 5 bis 95 % der Ziehungen.</translation>
+        <translation>Mittlere axiale Kraft auf die Hand in der letzten halben Sekunde, bevor sie anhält. Median und 5 bis 95 % der Simulationen.</translation>
     </message>
     <message>
         <source>Axial force over the depth of the tip past the opening, as deep as any simulation went. Line: median; area: 5 to 95 %; paler and dashed where some simulations have ended. All rows have the same axes.</source>
@@ -5846,8 +5862,8 @@
         <translation>Endkraft: Mittel der letzten halben Sekunde von 2 s Ruhe, wie sie das Programm las, das diesen Plan rechnete.</translation>
     </message>
     <message>
-        <source>An insertion is in progress at %1 mm. It is recorded up to here.</source>
-        <translation>Eine Insertion läuft bei %1 mm. Sie ist bis hier aufgezeichnet.</translation>
+        <source>Insertion in progress (%1 mm); it is recorded up to here.</source>
+        <translation>Insertion läuft (%1 mm); sie ist bis hierher aufgezeichnet.</translation>
     </message>
     <message>
         <source>recorded</source>
@@ -6045,7 +6061,7 @@
     </message>
     <message>
         <source>Contacts at their median angles from the round window, seen from the apex; arcs: 5 to 95 % of the draws. The radius is not to scale.</source>
-        <translation>Kontakte an ihren mittleren Winkeln vom runden Fenster, vom Apex gesehen; Bögen: 5 bis 95 % der Ziehungen. Der Radius ist nicht maßstäblich.</translation>
+        <translation>Kontakte an ihren mittleren Winkeln vom runden Fenster, vom Apex gesehen; Bögen: 5 bis 95 % der Simulationen. Der Radius ist nicht maßstäblich.</translation>
     </message>
     <message>
         <source>%1°</source>
@@ -6274,11 +6290,11 @@
     </message>
     <message>
         <source>Lowest peak forces today</source>
-        <translation>Niedrigste Spitzenkräfte heute</translation>
+        <translation>Niedrigste Maximalkräfte heute</translation>
     </message>
     <message>
         <source>peak insertion force at full depth</source>
-        <translation>Spitzenkraft bei voller Tiefe</translation>
+        <translation>Maximalkraft bei voller Tiefe</translation>
     </message>
     <message>
         <source>No insertion has reached full depth yet. Be the first.</source>
@@ -6355,11 +6371,11 @@
     </message>
     <message>
         <source>Peak force</source>
-        <translation>Spitzenkraft</translation>
+        <translation>Maximalkraft</translation>
     </message>
     <message>
         <source>Reversals</source>
-        <translation>Richtungswechsel</translation>
+        <translation>Rückzüge</translation>
     </message>
     <message>
         <source>Time</source>
@@ -6418,7 +6434,7 @@
     </message>
     <message>
         <source>Select two or more recordings on the Sessions page and press Compare to plot their insertion forces on common axes, with the published measurements.</source>
-        <translation>Auf der Seite Sitzungen zwei oder mehr Aufzeichnungen wählen und „Vergleichen“ drücken: Ihre Insertionskräfte erscheinen auf gemeinsamen Achsen, mit den veröffentlichten Messungen.</translation>
+        <translation>Auf der Seite Aufzeichnungen zwei oder mehr wählen und „Vergleichen“ drücken: Ihre Insertionskräfte erscheinen auf gemeinsamen Achsen, mit den veröffentlichten Messungen.</translation>
     </message>
     <message>
         <source>Export table and curves as CSV and the figure as SVG and PNG.</source>
@@ -6462,7 +6478,7 @@
     </message>
     <message>
         <source>Select two or more recordings on the Sessions page and press Compare.</source>
-        <translation>Auf der Seite Sitzungen zwei oder mehr Aufzeichnungen wählen und „Vergleichen“ drücken.</translation>
+        <translation>Auf der Seite Aufzeichnungen zwei oder mehr wählen und „Vergleichen“ drücken.</translation>
     </message>
     <message>
         <source>Score of %1. Rates technique only; it does not assess trauma.</source>
@@ -6566,7 +6582,7 @@
     </message>
     <message>
         <source>From the round window. Median and 5 to 95 % of the draws.</source>
-        <translation>Vom runden Fenster. Median und 5 bis 95 % der Ziehungen.</translation>
+        <translation>Vom runden Fenster. Median und 5 bis 95 % der Simulationen.</translation>
     </message>
     <message>
         <source>To modiolus</source>
@@ -6574,7 +6590,7 @@
     </message>
     <message>
         <source>From the center line of the array to the inner wall. Median and 5 to 95 % of the draws.</source>
-        <translation>Von der Mittellinie des Trägers zur Innenwand. Median und 5 bis 95 % der Ziehungen.</translation>
+        <translation>Von der Mittellinie des Trägers zur Innenwand. Median und 5 bis 95 % der Simulationen.</translation>
     </message>
     <message>
         <source>Greenwood</source>
@@ -6638,7 +6654,7 @@
     </message>
     <message>
         <source>Draws in which the contact is inserted; the other columns are over these</source>
-        <translation>Ziehungen, in denen der Kontakt eingeführt ist; die anderen Spalten gelten für diese</translation>
+        <translation>Simulationen, in denen der Kontakt eingeführt ist; die anderen Spalten gelten für diese</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -6652,8 +6668,8 @@
         <translation>In diese Cochlea inserieren</translation>
     </message>
     <message>
-        <source>Compare arrays for it</source>
-        <translation>Träger dafür vergleichen</translation>
+        <source>Plan with this cochlea</source>
+        <translation>Mit dieser Cochlea planen</translation>
     </message>
     <message>
         <source>Save surface…</source>
@@ -6730,13 +6746,13 @@
         <source>%1 about %2 s left</source>
         <translation>%1 noch etwa %2 s</translation>
     </message>
+    <message>
+        <source>Open folder…</source>
+        <translation>Ordner öffnen…</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::CtPanel</name>
-    <message>
-        <source>CT</source>
-        <translation>CT</translation>
-    </message>
     <message>
         <source>Open folder…</source>
         <translation>Ordner öffnen …</translation>
@@ -6810,10 +6826,6 @@
         <translation>2 mm, Maximum</translation>
     </message>
     <message>
-        <source>MEASURES</source>
-        <translation>MESSWERTE</translation>
-    </message>
-    <message>
         <source>Find and measure the cochlea</source>
         <translation>Cochlea suchen und messen</translation>
     </message>
@@ -6822,16 +6834,12 @@
         <translation>Am Fadenkreuz messen</translation>
     </message>
     <message>
-        <source>Click into the cochlea first.</source>
+        <source>Click inside the cochlea first.</source>
         <translation>Zuerst in die Cochlea klicken.</translation>
     </message>
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
-    </message>
-    <message>
-        <source>landmarks</source>
-        <translation>Landmarken</translation>
     </message>
     <message>
         <source>CDL</source>
@@ -6862,8 +6870,8 @@
         <translation>Laden …</translation>
     </message>
     <message>
-        <source>Measure from the landmarks</source>
-        <translation>Aus den Landmarken messen</translation>
+        <source>Re-measure using landmarks</source>
+        <translation>Anhand der Landmarken neu messen</translation>
     </message>
     <message>
         <source>Left ear</source>
@@ -6882,16 +6890,32 @@
         <translation>Landmarken bewegt: neu messen.</translation>
     </message>
     <message>
-        <source>fitted before, 95 %</source>
-        <translation>zuvor angepasst, 95 %</translation>
+        <source>fitted before (95 % CI)</source>
+        <translation>frühere Anpassung (95 %-KI)</translation>
     </message>
     <message>
-        <source>used: fitted, 95 %</source>
-        <translation>verwendet: angepasst, 95 %</translation>
+        <source>used: fitted (95 % CI)</source>
+        <translation>verwendet: Anpassung (95 %-KI)</translation>
     </message>
     <message>
         <source>Markups of 3D Slicer with points named RW, LW, B1, B2, base, apex, M, or as this program saves them</source>
         <translation>Markups von 3D Slicer mit Punkten namens RW, LW, B1, B2, base, apex, M, oder wie dieses Programm sie speichert</translation>
+    </message>
+    <message>
+        <source>1  SCAN</source>
+        <translation>1  SCAN</translation>
+    </message>
+    <message>
+        <source>2  CHECK</source>
+        <translation>2  PRÜFEN</translation>
+    </message>
+    <message>
+        <source>3  USE</source>
+        <translation>3  VERWENDEN</translation>
+    </message>
+    <message>
+        <source>from landmarks</source>
+        <translation>aus Landmarken</translation>
     </message>
 </context>
 <context>
@@ -7317,11 +7341,11 @@
     </message>
     <message>
         <source>Full depth · peak force %1 mN · place %2 today</source>
-        <translation>Volle Tiefe · Spitzenkraft %1 mN · heute Platz %2</translation>
+        <translation>Volle Tiefe · Maximalkraft %1 mN · heute Platz %2</translation>
     </message>
     <message>
         <source>Full depth · peak force %1 mN</source>
-        <translation>Volle Tiefe · Spitzenkraft %1 mN</translation>
+        <translation>Volle Tiefe · Maximalkraft %1 mN</translation>
     </message>
     <message>
         <source>Perilymph</source>
@@ -7365,11 +7389,11 @@
     </message>
     <message>
         <source>%1 s, no reversals. %2</source>
-        <translation>%1 s, keine Richtungswechsel. %2</translation>
+        <translation>%1 s, keine Rückzüge. %2</translation>
     </message>
     <message>
         <source>%1 s, reversals: %3. %2</source>
-        <translation>%1 s, Richtungswechsel: %3. %2</translation>
+        <translation>%1 s, Rückzüge: %3. %2</translation>
     </message>
     <message>
         <source>Stopped</source>
@@ -7493,7 +7517,7 @@
     <name>perilymph::gui::MainWindow</name>
     <message>
         <source>Show sessions</source>
-        <translation>Sitzungen zeigen</translation>
+        <translation>Aufzeichnungen zeigen</translation>
     </message>
     <message>
         <source>The program closed unexpectedly. Your last insertion (depth %1 mm) was recovered: %2.</source>
@@ -7546,8 +7570,8 @@
         <translation>ein, für Programme auf diesem Computer</translation>
     </message>
     <message>
-        <source>Send the insertion to 3D Slicer and others</source>
-        <translation>Insertion an 3D Slicer und andere senden</translation>
+        <source>Stream to 3D Slicer (OpenIGTLink)</source>
+        <translation>An 3D Slicer übertragen (OpenIGTLink)</translation>
     </message>
     <message>
         <source>Port</source>
@@ -8010,8 +8034,8 @@
         <translation>Mittel aus 15 menschlichen Scalae tympani, skaliert nach den Durchmessern der Basalwindung. Nach Froehlich et al. 2024, CC BY 4.0.</translation>
     </message>
     <message>
-        <source>Average of 15</source>
-        <translation>Mittel aus 15</translation>
+        <source>Average cochlea</source>
+        <translation>Durchschnittliche Cochlea</translation>
     </message>
     <message>
         <source>Average of 15 human scalae tympani as measured. Adapted from Froehlich, Schurzig, Rau, Lenarz (2024), PLOS ONE, doi 10.1371/journal.pone.0295121, CC BY 4.0.</source>
@@ -8108,8 +8132,8 @@
         <translation>H %1</translation>
     </message>
     <message>
-        <source>H not measured: drawn around the mean height</source>
-        <translation>H nicht gemessen: um die mittlere Höhe gezogen</translation>
+        <source>H not measured (population mean ± SD used)</source>
+        <translation>H nicht gemessen (Populationsmittel ± SD verwendet)</translation>
     </message>
     <message>
         <source>95 % intervals, errors as measured</source>
@@ -8121,7 +8145,7 @@
     </message>
     <message>
         <source>A: basal-turn diameter; B: basal-turn width, perpendicular to A; H: height. Every draw takes other values within these errors.</source>
-        <translation>A: Durchmesser der basalen Windung; B: Breite der basalen Windung, senkrecht zu A; H: Höhe. Jede Ziehung nimmt andere Werte innerhalb dieser Fehler.</translation>
+        <translation>A: Durchmesser der basalen Windung; B: Breite der basalen Windung, senkrecht zu A; H: Höhe. Jede Simulation nimmt andere Werte innerhalb dieser Fehler.</translation>
     </message>
 </context>
 <context>
@@ -8170,7 +8194,7 @@
     </message>
     <message>
         <source>%1 draws, %2 insertions</source>
-        <translation>%1 Ziehungen, %2 Insertionen</translation>
+        <translation>%1 Simulationen, %2 Insertionen</translation>
     </message>
     <message>
         <source>%1 of at most %2 insertions. Another page can be shown meanwhile.</source>
@@ -8253,7 +8277,7 @@
     </message>
     <message>
         <source>Draws, at most</source>
-        <translation>Ziehungen, höchstens</translation>
+        <translation>Simulationen, höchstens</translation>
     </message>
     <message>
         <source>Compute</source>
@@ -8293,11 +8317,11 @@
     </message>
     <message>
         <source>%1 draws at most</source>
-        <translation>höchstens %1 Ziehungen</translation>
+        <translation>höchstens %1 Simulationen</translation>
     </message>
     <message>
         <source>A draw is a cochlea within the errors of the measures, an approach, a stiffness and a surgeon. Fewer are run if the median angle is known to 5° and the median peak force to 5 %.</source>
-        <translation>Eine Ziehung ist eine Cochlea innerhalb der Fehler der Maße, ein Zugang, eine Steifigkeit und ein Chirurg. Es werden weniger gerechnet, wenn der mittlere Winkel auf 5° und die mittlere Spitzenkraft auf 5 % bekannt sind.</translation>
+        <translation>Eine Simulation ist eine Cochlea innerhalb der Fehler der Maße, ein Zugang, eine Steifigkeit und ein Chirurg. Es werden weniger gerechnet, wenn der mittlere Winkel auf 5° und die mittlere Maximalkraft auf 5 % bekannt sind.</translation>
     </message>
     <message>
         <source>Esc. What is done is kept, and Compute continues there.</source>
@@ -8343,6 +8367,14 @@
         <source>No friction in a living ear is known. The first one is estimated from force curves in fresh cochleae of pigs, median 0.165; simulations draw it from 0.08 to 0.33. 0.12 is recalled for arrays on endosteum; with the friction measured on a tissue simulant arrays stop at 240 to 350°.</source>
         <translation>Eine Reibung im lebenden Ohr ist nicht bekannt. Die erste ist aus Kraftkurven in frischen Cochleae von Schweinen geschätzt, Median 0,165; Simulationen ziehen sie von 0,08 bis 0,33. 0,12 ist für Elektrodenträger auf Endost erinnert; mit der an einem Gewebe-Simulans gemessenen Reibung halten Träger bei 240 bis 350°.</translation>
     </message>
+    <message>
+        <source>Example: %1</source>
+        <translation>Beispiel: %1</translation>
+    </message>
+    <message>
+        <source>Choose a patient</source>
+        <translation>Patient wählen</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::PlanScene</name>
@@ -8363,7 +8395,7 @@
     </message>
     <message>
         <source>%1, %2: %3. %4 draws</source>
-        <translation>%1, %2: %3. %4 Ziehungen</translation>
+        <translation>%1, %2: %3. %4 Simulationen</translation>
     </message>
 </context>
 <context>
@@ -8396,8 +8428,8 @@
         <translation>muss %1 bis %2 mm sein</translation>
     </message>
     <message>
-        <source>%1%2 SD · CT ± %3 mm</source>
-        <translation>%1%2 SD · CT ± %3 mm</translation>
+        <source>%1%2 SD · ± %3 mm (95 %)</source>
+        <translation>%1%2 SD · ± %3 mm (95 %)</translation>
     </message>
     <message>
         <source>none</source>
@@ -8416,12 +8448,12 @@
         <translation>Wert von %1 bis %2 mm eingeben</translation>
     </message>
     <message>
-        <source>%1–%2 mm · CT ± %3 mm</source>
-        <translation>%1–%2 mm · CT ± %3 mm</translation>
+        <source>%1–%2 mm · ± %3 mm (95 %)</source>
+        <translation>%1–%2 mm · ± %3 mm (95 %)</translation>
     </message>
     <message>
-        <source>range %1–%2 mm · CT ± %3 mm</source>
-        <translation>Bereich %1–%2 mm · CT ± %3 mm</translation>
+        <source>range %1–%2 mm · ± %3 mm (95 %)</source>
+        <translation>Bereich %1–%2 mm · ± %3 mm (95 %)</translation>
     </message>
     <message>
         <source>optional; estimated from A and B</source>
@@ -8432,8 +8464,8 @@
         <translation>Mittel %1</translation>
     </message>
     <message>
-        <source>%1%2 SD: check it · CT ± %3 mm</source>
-        <translation>%1%2 SD: prüfen · CT ± %3 mm</translation>
+        <source>%1%2 SD: check it · ± %3 mm (95 %)</source>
+        <translation>%1%2 SD: prüfen · ± %3 mm (95 %)</translation>
     </message>
     <message>
         <source>%1 SD below population mean (%2)</source>
@@ -8448,8 +8480,8 @@
         <translation>%1: Messung prüfen</translation>
     </message>
     <message>
-        <source>%1 · CT ± %2 mm</source>
-        <translation>%1 · CT ± %2 mm</translation>
+        <source>%1 · ± %2 mm (95 %)</source>
+        <translation>%1 · ± %2 mm (95 %)</translation>
     </message>
     <message>
         <source>estimated from A and B</source>
@@ -8879,8 +8911,8 @@
         <translation>Standard</translation>
     </message>
     <message>
-        <source>Off stylet</source>
-        <translation>Off-Stylet</translation>
+        <source>Advance off-stylet</source>
+        <translation>Advance off-stylet</translation>
     </message>
     <message>
         <source>%1 %2</source>
@@ -8900,7 +8932,7 @@
     </message>
     <message>
         <source>Peak force at depth</source>
-        <translation>Spitzenkraft bei Tiefe</translation>
+        <translation>Maximalkraft bei Tiefe</translation>
     </message>
     <message>
         <source>Tip angle</source>
@@ -9060,7 +9092,7 @@
     </message>
     <message>
         <source>Sessions</source>
-        <translation>Sitzungen</translation>
+        <translation>Aufzeichnungen</translation>
     </message>
 </context>
 <context>
@@ -9106,18 +9138,6 @@
         <translation>Während der Insertion gesperrt. Zuerst „Zurücksetzen“ drücken.</translation>
     </message>
     <message>
-        <source>Institution, for reports</source>
-        <translation>Einrichtung, für Berichte</translation>
-    </message>
-    <message>
-        <source>Operator, for reports</source>
-        <translation>Operateur, für Berichte</translation>
-    </message>
-    <message>
-        <source>optional</source>
-        <translation>optional</translation>
-    </message>
-    <message>
         <source>Text size</source>
         <translation>Schriftgröße</translation>
     </message>
@@ -9154,8 +9174,8 @@
         <translation>drücken zum Halten, erneut drücken zum Loslassen</translation>
     </message>
     <message>
-        <source>Keys that are letters, digits or symbols alone</source>
-        <translation>Tasten aus einem einzelnen Buchstaben, einer Ziffer oder einem Zeichen</translation>
+        <source>Single-key shortcuts</source>
+        <translation>Tastenkürzel aus einer Taste</translation>
     </message>
     <message>
         <source>on</source>
@@ -9184,6 +9204,14 @@
     <message>
         <source>Logo, for reports</source>
         <translation>Logo, für Berichte</translation>
+    </message>
+    <message>
+        <source>Institution, for reports (optional)</source>
+        <translation>Einrichtung, für Berichte (optional)</translation>
+    </message>
+    <message>
+        <source>Operator, for reports (optional)</source>
+        <translation>Operateur, für Berichte (optional)</translation>
     </message>
 </context>
 <context>
@@ -9425,11 +9453,11 @@
     <name>perilymph::gui::StudyWork</name>
     <message>
         <source>Insertion %1 was run again: peak force %2 mN, as in the study.</source>
-        <translation>Insertion %1 wurde erneut ausgeführt: Spitzenkraft %2 mN, wie in der Studie.</translation>
+        <translation>Insertion %1 wurde erneut ausgeführt: Maximalkraft %2 mN, wie in der Studie.</translation>
     </message>
     <message>
         <source>Insertion %1 was run again: peak force %2 mN; the study, run by another version, has %3 mN.</source>
-        <translation>Insertion %1 wurde erneut ausgeführt: Spitzenkraft %2 mN; die Studie einer anderen Version hat %3 mN.</translation>
+        <translation>Insertion %1 wurde erneut ausgeführt: Maximalkraft %2 mN; die Studie einer anderen Version hat %3 mN.</translation>
     </message>
 </context>
 <context>

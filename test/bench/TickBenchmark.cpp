@@ -36,6 +36,18 @@ const Row& published()
   return row;
 }
 
+/// The published insertion with an array and a friction that relax.
+const Row& relaxing()
+{
+  static const Row row{"contour-published",
+                       {{"relaxation_fraction", "[0.13, 0.28]"},
+                        {"relaxation_time_s", "[0.3, 6]"},
+                        {"film_relaxation_fraction", "0.4"},
+                        {"film_relaxation_time_s", "0.5"}},
+                       8250};
+  return row;
+}
+
 /// With the friction of tissue, by hand, to 17.5 mm at 0.66 mm/s.
 const Row& tissueFlex28()
 {
@@ -173,6 +185,7 @@ BENCHMARK_CAPTURE(tickOfWholeInsertion, published, published())
 BENCHMARK_CAPTURE(tickOfWholeInsertion, tissueFlex28, tissueFlex28())
     ->Name("tick/tissue_flex28")
     ->Apply(sizes);
+BENCHMARK_CAPTURE(tickOfWholeInsertion, relaxing, relaxing())->Name("tick/relaxing")->Apply(sizes);
 BENCHMARK_CAPTURE(tickOfWholeInsertion, stiffWall, stiffWall())
     ->Name("tick/stiff_wall")
     ->Apply(sizes);

@@ -6,7 +6,6 @@
 
 #include "gui/text/Numbers.h"
 #include "perilymph/foundation/Units.h"
-#include "perilymph/session/Highlights.h"
 
 namespace perilymph::gui {
 
@@ -19,10 +18,11 @@ QString translated(const char* text) { return QCoreApplication::translate("Kiosk
 
 }  // namespace
 
-void KioskTurn::follow(const haptics::TickOutput& now)
+void KioskTurn::follow(const haptics::Snapshot& snapshot)
 {
+  const haptics::TickOutput& now = snapshot.output;
   if (now.workflow == haptics::Workflow::idle || now.workflow == haptics::Workflow::armed) return;
-  if (session::raisesPeak(now, peakForce_)) peakForce_ = now.axialForce;
+  peakForce_ = snapshot.peak.force;
   deepestTravel_ = std::max(deepestTravel_, now.travel);
   duration_ = now.time;
   turning_ = isAdvancing_ ? std::max(turning_, now.travel) : std::min(turning_, now.travel);

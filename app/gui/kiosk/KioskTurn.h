@@ -16,7 +16,7 @@ namespace perilymph::gui {
 class KioskTurn {
 public:
   /// Adds one snapshot.
-  void follow(const haptics::TickOutput& now);
+  void follow(const haptics::Snapshot& snapshot);
 
   double peakForce() const { return peakForce_; }          ///< [N]
   double deepestTravel() const { return deepestTravel_; }  ///< [m]

@@ -335,7 +335,7 @@ void KioskWindow::stepTurn(double elapsed_s)
     if (isHeld && control_.now().output.workflow == Workflow::inserting)
       control_.advanceBy(Length::fromSi(speed * elapsed_s));
   }
-  turn_.follow(control_.now().output);
+  turn_.follow(control_.now());
   if (control_.isAtDepth() || control_.now().output.workflow == Workflow::fault || hasEndedEarly())
     endTurn();
 }

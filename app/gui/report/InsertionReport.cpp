@@ -6,6 +6,7 @@
 #include <QPainter>
 #include <algorithm>
 
+#include "gui/report/CtPicture.h"
 #include "gui/report/ReportHead.h"
 #include "gui/report/ReportPages.h"
 #include "gui/report/ReportRecord.h"
@@ -79,7 +80,8 @@ Result<Done> writeReport(const ReportContent& content, const std::filesystem::pa
     paintRecord(sheet, content, issuer, area);
   };
   pages.appendix = appendixText(content);
-  pages.images = {{QStringLiteral("curve"), curveOf(content)}};
+  pages.images = {{QStringLiteral("curve"), curveOf(content)},
+                  {QStringLiteral("ct"), ctPictureOf(content.scenario.patient())}};
   return writeReportPages(pages, file);
 }
 

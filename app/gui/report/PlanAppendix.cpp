@@ -3,6 +3,7 @@
 
 #include <QCoreApplication>
 
+#include "gui/report/CtPicture.h"
 #include "gui/setup/PlannedFriction.h"
 #include "gui/text/DataText.h"
 #include "gui/text/Numbers.h"
@@ -257,8 +258,8 @@ QString marks(const PlanReportContent& content)
 QString planAppendixText(const PlanReportContent& content)
 {
   return QStringLiteral("<h1>%1</h1>").arg(tr("Appendix: resistance, contacts and sources")) +
-         resistances(content) + endForces(content) + contacts(content) + influences(content) +
-         sources(content) + marks(content);
+         ctPictureText(content.plan().request.patient) + resistances(content) + endForces(content) +
+         contacts(content) + influences(content) + sources(content) + marks(content);
 }
 
 }  // namespace perilymph::gui

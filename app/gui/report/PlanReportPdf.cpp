@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 #include <QDateTime>
 
+#include "gui/report/CtPicture.h"
 #include "gui/report/PlanAppendix.h"
 #include "gui/report/PlanCurves.h"
 #include "gui/report/PlanRecord.h"
@@ -33,6 +34,7 @@ Result<Done> writePlanReport(const PlanReportContent& content, const std::filesy
                          content);
     });
   pages.appendix = planAppendixText(content);
+  pages.images = {{QStringLiteral("ct"), ctPictureOf(content.plan().request.patient)}};
   return writeReportPages(pages, file);
 }
 

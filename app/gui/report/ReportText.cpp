@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 #include <cmath>
 
+#include "gui/report/CtPicture.h"
 #include "gui/report/ReportParameters.h"
 #include "gui/text/DataText.h"
 #include "gui/text/Numbers.h"
@@ -218,6 +219,7 @@ QString appendixText(const ReportContent& content)
   return QStringLiteral("<h1>%1</h1>").arg(tr("Appendix: data for reproduction")) +
          heading(QT_TRANSLATE_NOOP("perilymph::gui", "Insertion force over travel")) +
          image.arg(QStringLiteral("curve")).arg(curveWidth_px) +
+         ctPictureText(content.scenario.patient()) +
          heading(QT_TRANSLATE_NOOP("perilymph::gui", "All results")) + numbers(content) +
          howItWasDone(content) + limits(content) + marks(content) + parameters(content);
 }

@@ -146,11 +146,8 @@ void OperationView::replaceScene(std::unique_ptr<visualization::InsertionScene> 
 {
   if (!scene_) return setScene(std::move(scene));
   scene->showPartsOf(*scene_);
-  const CameraPreset preset = scene_->preset();
-  const double magnification = scene_->magnification();
+  scene->keepViewOf(*scene_);
   take(std::move(scene));
-  scene_->lookFrom(preset);
-  scene_->setMagnification(magnification);
   describeView();
 }
 

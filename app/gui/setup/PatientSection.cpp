@@ -208,7 +208,7 @@ void PatientSection::addKind(const anatomy::AnatomySourceTraits& traits, Patient
       {AnatomySource::mean, PatientMeasures::basalTurn, tr("A, B and H"),
        tr("Average of 15 human scalae tympani, scaled by the basal-turn diameters. Adapted from "
           "Froehlich et al. 2024, CC BY 4.0.")},
-      {AnatomySource::mean, PatientMeasures::none, tr("Average of 15"),
+      {AnatomySource::mean, PatientMeasures::none, tr("Average cochlea"),
        tr("Average of 15 human scalae tympani as measured. Adapted from Froehlich, Schurzig, Rau, "
           "Lenarz (2024), PLOS ONE, doi 10.1371/journal.pone.0295121, CC BY 4.0.")},
       {AnatomySource::clark, PatientMeasures::none, tr("Clark spiral"),

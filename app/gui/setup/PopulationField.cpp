@@ -189,7 +189,8 @@ QString PopulationField::placeOf(Length value) const
     const bool isBelow = off < -0.05;
     const QString distance = numberText(std::fabs(off), 1);
     if (isNarrow)
-      return (isUnusual() ? tr("%1%2 SD: check it · CT ± %3 mm") : tr("%1%2 SD · CT ± %3 mm"))
+      return (isUnusual() ? tr("%1%2 SD: check it · ± %3 mm (95 %)")
+                          : tr("%1%2 SD · ± %3 mm (95 %)"))
           .arg(isBelow ? QStringLiteral("−") : QStringLiteral("+"), distance, error);
     const QString mean = tr("%1 mm, SD %2")
                              .arg(numberText(inMillimeters(*population_.mean), 2),
@@ -198,9 +199,9 @@ QString PopulationField::placeOf(Length value) const
         (isBelow ? tr("%1 SD below population mean (%2)") : tr("%1 SD above population mean (%2)"))
             .arg(distance, mean);
     return isUnusual() ? tr("%1: check the measurement").arg(place)
-                       : tr("%1 · CT ± %2 mm").arg(place, error);
+                       : tr("%1 · ± %2 mm (95 %)").arg(place, error);
   }
-  return (isNarrow ? tr("%1–%2 mm · CT ± %3 mm") : tr("range %1–%2 mm · CT ± %3 mm"))
+  return (isNarrow ? tr("%1–%2 mm · ± %3 mm (95 %)") : tr("range %1–%2 mm · ± %3 mm (95 %)"))
       .arg(numberText(inMillimeters(population_.low), 1),
            numberText(inMillimeters(population_.high), 1), error);
 }

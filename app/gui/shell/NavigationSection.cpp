@@ -35,7 +35,7 @@ NavigationSection::NavigationSection(Navigation& navigation, QWidget* parent)
       port_(new QLineEdit(this)),
       status_(new WrappedLabel({}, this))
 {
-  auto* heading = new WrappedLabel(tr("Send the insertion to 3D Slicer and others"), this);
+  auto* heading = new WrappedLabel(tr("Stream to 3D Slicer (OpenIGTLink)"), this);
   heading->setFont(typeface(13, QFont::DemiBold));
   off_->setObjectName(QStringLiteral("navigation-off"));
   on_->setObjectName(QStringLiteral("navigation-on"));

@@ -83,11 +83,11 @@ SettingsSheet::SettingsSheet(QWidget* parent) : QFrame(parent), note_(label({}, 
            normalTextSize);
   addGroup(*column, tr("Hold the array (Space or button)"), QStringLiteral("hold"), holdText(),
            {tr("while pressed"), tr("press to hold, press again to release")}, Effect::atOnce);
-  addGroup(*column, tr("Keys that are letters, digits or symbols alone"), QStringLiteral("keys"),
-           letterKeysText(), {tr("on"), tr("off")}, Effect::atOnce);
+  addGroup(*column, tr("Single-key shortcuts"), QStringLiteral("keys"), letterKeysText(),
+           {tr("on"), tr("off")}, Effect::atOnce);
   column->addWidget(note_);
-  addLine(*column, tr("Institution, for reports"), QStringLiteral("report/institution"));
-  addLine(*column, tr("Operator, for reports"), QStringLiteral("report/operator"));
+  addLine(*column, tr("Institution, for reports (optional)"), QStringLiteral("report/institution"));
+  addLine(*column, tr("Operator, for reports (optional)"), QStringLiteral("report/operator"));
   addLogo(*column);
   column->addWidget(label(
       tr("Log file: %1").arg(QString::fromStdString((stateFolder() / "perilymph.log").string())),
@@ -144,7 +144,6 @@ void SettingsSheet::addLine(QVBoxLayout& column, const QString& title, const QSt
   auto* field = new QLineEdit(UserSettings().value(key).toString(), this);
   field->setObjectName(key);
   field->setAccessibleName(title);
-  field->setPlaceholderText(tr("optional"));
   field->setMaxLength(80);
   field->setFont(typeface(13));
   field->setFixedHeight(sized(26));

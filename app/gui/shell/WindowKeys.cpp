@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/shell/WindowKeys.h"
 
-#include <QCoreApplication>
+#include <QApplication>
+#include <QKeyEvent>
 #include <QStringList>
 #include <algorithm>
 #include <array>
@@ -31,6 +32,29 @@ std::function<bool(int)> always(std::function<void(int)> act)
     return true;
   };
 }
+
+/// Keys with Alt are the window's, whatever has the focus: tables and lists would take Alt+Home as
+/// Home.
+class AltKeys : public QObject {
+public:
+  AltKeys(const KeyActions& keys, QWidget& window) : QObject(&window), keys_(keys), window_(window)
+  {
+  }
+
+protected:
+  bool eventFilter(QObject* watched, QEvent* event) override
+  {
+    if (event->type() != QEvent::KeyPress) return false;
+    const auto& key = static_cast<const QKeyEvent&>(*event);
+    const bool isWithAltAlone = (key.modifiers() & ~Qt::KeypadModifier) == Qt::AltModifier;
+    const auto* widget = qobject_cast<const QWidget*>(watched);
+    return isWithAltAlone && widget != nullptr && widget->window() == &window_ && keys_.take(key);
+  }
+
+private:
+  const KeyActions& keys_;
+  QWidget& window_;
+};
 
 /// Alt+Home and Alt+1 to Alt+9, in the order of the pages.
 void addPageKeys(KeyActions& keys, MainWindow& window)
@@ -69,6 +93,7 @@ void addWindowKeys(KeyActions& keys, MainWindow& window, InsertPage& page)
             })});
   keys.add(Gesture{section, tr("Double click"), tr("maximize a view; restore")});
   addPageKeys(keys, window);
+  qApp->installEventFilter(new AltKeys(keys, window));
   keys.add({section,
             {Qt::Key_H},
             tr("devices: list and connection quality"),

@@ -4,6 +4,7 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QStyle>
 #include <QVariant>
 
 #include "gui/widgets/Theme.h"
@@ -40,6 +41,14 @@ QPushButton* rowButton(const QString& text, const char* name, QWidget* parent)
   QPushButton* button = panelButton(text, name, parent);
   button->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   return button;
+}
+
+void setPrimary(QPushButton& button, bool isPrimary)
+{
+  if (button.property("primary").toBool() == isPrimary) return;
+  button.setProperty("primary", isPrimary);
+  button.style()->unpolish(&button);
+  button.style()->polish(&button);
 }
 
 QProgressBar* endlessBar(int width_px, QWidget* parent)

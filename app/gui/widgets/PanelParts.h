@@ -25,6 +25,9 @@ QPushButton* panelButton(const QString& text, const char* name, QWidget* parent)
 /// A panelButton() that is as wide as its row gives it: its text does not widen the panel.
 QPushButton* rowButton(const QString& text, const char* name, QWidget* parent);
 
+/// Draws a button as what most users press next, or as any other.
+void setPrimary(QPushButton& button, bool isPrimary);
+
 /// A bar of work whose duration is unknown, 6 px high.
 QProgressBar* endlessBar(int width_px, QWidget* parent);
 

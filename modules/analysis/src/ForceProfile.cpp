@@ -85,7 +85,7 @@ void ForceProfiler::followRest(const haptics::TickOutput& now)
 void ForceProfiler::follow(const haptics::TickOutput& now)
 {
   const bool isFirst = !before_.has_value();
-  if (session::raisesPeak(now, profile_.peak.force)) {
+  if (haptics::raisesPeak(now, profile_.peak.force)) {
     profile_.peak = {now.travel, now.axialForce};
     profile_.peakDepth = now.depth;
   }

@@ -30,7 +30,7 @@ FullInsertion runFully(session::Insertion& insertion, Length profileSpacing,
     const haptics::TickOutput& now = last = record.output;
     ++result.ticks;
     if ((now.status & haptics::notConverged) != 0) ++result.ticksNotConverged;
-    if (session::raisesPeak(now, result.peak.force.si()))
+    if (haptics::raisesPeak(now, result.peak.force.si()))
       result.peak = {meters(now.depth), newtons(now.axialForce)};
     const bool isMoving =
         now.workflow == haptics::Workflow::inserting || now.workflow == haptics::Workflow::finished;

@@ -86,7 +86,7 @@ Error refused(const Endpoint& endpoint, int why)
         endpoint.port, endpoint.address};
   if (why == EADDRNOTAVAIL)
     return Error{
-        "The address %1 is none of this machine. 127.0.0.1 always is; 'ip address' lists all.",
+        "%1 is not an address of this computer. 127.0.0.1 always is; 'ip address' lists all.",
         endpoint.address};
   return Error{"The port %1 at %2 cannot be listened at: %3.", endpoint.port, endpoint.address,
                std::strerror(why)};

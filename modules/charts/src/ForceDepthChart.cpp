@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "ChartColors.h"
 #include "ChartFrame.h"
@@ -17,8 +18,16 @@ namespace {
 
 constexpr AxisRange usualTravel_mm{0.0, 17.0, 4.0};
 /// Slightly below zero: a free array has forces of some millinewtons of either sign at the
-/// tweezers.
-constexpr AxisRange usualForce_mN{-10.0, 200.0, 50.0};
+/// tweezers. Soft arrays stay below 50 mN, the published one reaches 150.
+constexpr AxisRange usualForces_mN[] = {
+    {-5.0, 50.0, 10.0}, {-10.0, 100.0, 20.0}, {-10.0, 200.0, 50.0}};
+
+const AxisRange& usualForce_mN(double high_mN)
+{
+  const auto* const found = std::ranges::find_if(
+      usualForces_mN, [high_mN](const AxisRange& range) { return high_mN <= range.high; });
+  return found == std::end(usualForces_mN) ? *std::prev(found) : *found;
+}
 
 constexpr double ghostDash_mm = 0.35;  ///< 7 px at the usual range and size.
 
@@ -61,7 +70,7 @@ struct ForceDepthChart::Content {
 
   bool isChanged = true;
   AxisRange travel_mm = usualTravel_mm;
-  AxisRange force_mN = usualForce_mN;
+  AxisRange force_mN = usualForces_mN[0];
 
   void setRanges();
   void setMarks();
@@ -89,7 +98,7 @@ void ForceDepthChart::Content::setRanges()
   // Tremor at the start must not move the axis.
   if (left_mm > -0.5) left_mm = 0.0;
   travel_mm = grown(usualTravel_mm, left_mm, right_mm);
-  force_mN = grown(usualForce_mN, low_mN, high_mN);
+  force_mN = grown(usualForce_mN(high_mN), low_mN, high_mN);
   frame.setXRange(travel_mm);
   frame.setYRange(force_mN, 0);
 }

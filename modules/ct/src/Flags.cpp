@@ -26,17 +26,16 @@ constexpr std::array<Entry, 18> entries{
              "so "
              "check that this is the right place and the right series."}},
      {Flag::mirrored, "mirrored",
-      Phrase{"The spiral winds as in the other ear: the file is mirrored or the side is wrong; "
-             "check both "
-             "before anything is planned."}},
+      Phrase{"Possible left-right swap: the spiral winds as in the other ear. Check the file and "
+             "the side before anything is planned."}},
      {Flag::outsidePopulation, "outside_population",
       Phrase{
           "A or B lies more than two standard deviations from the mean of 138 cochleae: check the "
           "outline in the images before using the measures."}},
      {Flag::poorFit, "poor_fit",
-      Phrase{"The fitted cochlea explains the voxels near its wall badly: check the outline in the "
-             "images, "
-             "and measure by hand if it does not lie on the wall."}},
+      Phrase{
+          "Poor fit: the outline deviates from the images. Measure by hand if it does not lie on "
+          "the wall."}},
      {Flag::sectionsDisagree, "sections_disagree",
       Phrase{"The wall found in sections through the modiolus lies apart from the fitted one: "
              "check the "

@@ -78,6 +78,7 @@ TickOutput InsertionEngine::tick(const device::DeviceSample& sample,
   if (isStopped_) output_.status |= stopped;
   output_.status |= bitOf(end_);
   updateOutput();
+  if (raisesPeak(output_, peak_.force)) peak_ = {output_.axialForce, output_.travel};
 
   // The force is computed after the mechanics, so that it belongs to this tick's pose.
   const Eigen::Vector3d force_D =
@@ -355,6 +356,7 @@ void InsertionEngine::fill(Snapshot& snapshot) const noexcept
 {
   snapshot.tick = ticks_ == 0 ? 0 : ticks_ - 1;
   snapshot.output = output_;
+  snapshot.peak = peak_;
   snapshot.baseAxis_W = asArray(base_.axis_W);
   const bool isSpring = settings_.coupling == mechanics::Coupling::spring;
   snapshot.couplingStiffness = isSpring ? couplingStiffness() : 0.0;

@@ -85,6 +85,25 @@ void check(const SolverParameters& solver)
                                              "; it must be above 0 and at most 1000.");
 }
 
+void check(const RelaxationLaw& law)
+{
+  double sum = 0.0;
+  const auto checkTerm = [](const MaxwellElement& term) {
+    require(term.fraction >= 0.0 && term.fraction <= 1.0,
+            "A fraction of " + std::to_string(term.fraction) + " relaxes; it must be 0 to 1.");
+    require(term.time.si() >= 0.01 && term.time.si() <= 10'000.0,
+            "A time constant of relaxation is " + std::to_string(term.time.si()) +
+                " s; it must be 0.01 to 10000 s.");
+  };
+  for (const MaxwellElement& term : law.bending) {
+    checkTerm(term);
+    sum += term.fraction;
+  }
+  checkTerm(law.film);
+  require(sum <= 0.95, "Relaxation takes " + std::to_string(sum) +
+                           " of the bending stiffness; it must leave 0.05 of it.");
+}
+
 void check(const ModelParts& parts)
 {
   require(parts.lumen != nullptr, "An insertion needs a lumen.");
@@ -138,6 +157,9 @@ void check(const ModelParts& parts)
           "The strength of the cochlear partition is " +
               std::to_string(parts.partitionStrength.si()) + " N; it must be 0 to 2 N.");
   check(parts.solver);
+  check(parts.relaxation);
+  require(parts.relaxation == RelaxationLaw{} || parts.kind == ModelKind::rod,
+          "A point set does not relax; set its fractions that relax to 0.");
   require(parts.partitionStrength.si() == 0.0 || parts.kind == ModelKind::rod,
           "A point set cannot go through the cochlear partition; set its strength to 0.");
   if (parts.opening) check(*parts.opening, parts.array);
@@ -168,6 +190,13 @@ std::shared_ptr<const InsertionModel> InsertionModel::build(ModelParts parts)
   m.timeStep = m.parts.timeStep.si();
   const double length = array.length.si();
   m.spacing = length / (m.nodes - 1);
+  const auto stepOf = [&m](const MaxwellElement& term) {
+    return RelaxingStep{term.fraction, m.timeStep / term.time.si()};
+  };
+  const RelaxationLaw& relaxation = m.parts.relaxation;
+  for (std::size_t k = 0; k < m.relaxing.size(); ++k) m.relaxing[k] = stepOf(relaxation.bending[k]);
+  m.film = stepOf(relaxation.film);
+  m.twists = relaxation.bends();
   m.baseMass = publishedMass;
 
   // the approach: along E.z, rotated toward E.y and toward E.x

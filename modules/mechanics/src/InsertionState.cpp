@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "perilymph/mechanics/InsertionState.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "StepWorkspace.h"
@@ -89,6 +90,12 @@ InsertionState::InsertionState(const InsertionModel& model)
       membraneForce(position_W.size()),
       workspace(model.points ? 0 : position_W.size())
 {
+  if (model.parts.relaxation.bends())
+    for (auto& [along, across] : relaxedBend) {
+      along.resize(position_W.size());
+      across.resize(position_W.size());
+    }
+  if (model.parts.relaxation.hasFilm()) frictionFilm_W.resize(position_W.size());
   if (model.partition) {
     partition.isAbove.resize(position_W.size());
     workspace->rod.contacts.open.resize(position_W.size());
@@ -125,6 +132,11 @@ void InsertionState::reset(const InsertionModel& model) noexcept
     isBeside[i] = 0;
     clearance[i] = 0.0;
   }
+  for (auto& [along, across] : relaxedBend) {
+    std::fill(along.begin(), along.end(), 0.0);
+    std::fill(across.begin(), across.end(), 0.0);
+  }
+  for (Eigen::Vector3d& film : frictionFilm_W) film.setZero();
   rim = RimContact{};
   partition.count = 0;
   partition.first = {};
@@ -171,6 +183,13 @@ std::uint64_t InsertionState::fingerprint() const noexcept
       hash.add(section[i].rate);
     }
   }
+  for (const auto& [along, across] : relaxedBend)
+    for (std::size_t i = 0; i < along.size(); ++i) {
+      hash.add(along[i]);
+      hash.add(across[i]);
+    }
+  for (const Eigen::Vector3d& film : frictionFilm_W) addVector(hash, film);
+  if (!frictionFilm_W.empty()) addVector(hash, rim.film_W);
   addSeen(hash, workspace->rod.contacts);
   workspace->rod.system.factors.addTo(hash);
   addVector(hash, rim.spring_W);

@@ -79,6 +79,18 @@ void add(Hash& hash, const FrictionLaw& law)
   bySpeed.addTo(hash);
 }
 
+void add(Hash& hash, const RelaxationLaw& law)
+{
+  const auto& [bending, film] = law;
+  const auto addTerm = [&hash](const MaxwellElement& term) {
+    const auto& [fraction, time] = term;
+    hash.add(fraction);
+    add(hash, time);
+  };
+  for (const MaxwellElement& term : bending) addTerm(term);
+  addTerm(film);
+}
+
 void add(Hash& hash, const WallLaw& law)
 {
   const auto& [perSamplePoint, tangentialPerSamplePoint, lining, rim, sectionDelay, edge] = law;
@@ -141,9 +153,9 @@ void add(Hash& hash, const anatomy::Entry& entry)
 
 std::uint64_t fingerprintOf(const InsertionModel& model)
 {
-  const auto& [lumen, array, friction, wall, membrane, strength, opening, nodes, timeStep,
-               startInside, approachTilt, approachTurn, freeLength, kind, hapticSurface, solver] =
-      model.parts;
+  const auto& [lumen, array, friction, relaxation, wall, membrane, strength, opening, nodes,
+               timeStep, startInside, approachTilt, approachTurn, freeLength, kind, hapticSurface,
+               solver] = model.parts;
   Hash hash;
   // Derived data: constants of the program affect results through it.
   hash.add(formerFingerprintOf(model));
@@ -170,6 +182,7 @@ std::uint64_t fingerprintOf(const InsertionModel& model)
     hash.add(hold);
   }
   if (strength.si() > 0.0) add(hash, strength);
+  if (relaxation != RelaxationLaw{}) add(hash, relaxation);
   if (solver != SolverParameters{}) add(hash, solver);
   hash.add(kind);
   if (kind == ModelKind::points) add(hash, *hapticSurface);

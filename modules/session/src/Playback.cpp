@@ -60,6 +60,7 @@ Result<Done> Playback::Content::survey()
   const std::uint64_t rows = recorded.ticks();
   const std::uint64_t step = std::max<std::uint64_t>(1, rows / maxSamples);
   bool hasBegun = false;
+  haptics::PeakForce peak;
   const auto read = recorded.forEach([&](const haptics::TickRecord& record) {
     if (ticks == 0) firstTick = record.tick;
     if (record.tick != firstTick + ticks) return false;
@@ -67,7 +68,9 @@ Result<Done> Playback::Content::survey()
       hasBegun = true;
       beginning = ticks;
     }
-    if (ticks % step == 0) samples.push_back({ticks, record.output});
+    if (haptics::raisesPeak(record.output, peak.force))
+      peak = {record.output.axialForce, record.output.travel};
+    if (ticks % step == 0) samples.push_back({ticks, record.output, peak});
     ++ticks;
     return true;
   });

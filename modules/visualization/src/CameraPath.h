@@ -45,6 +45,8 @@ public:
   bool step(double seconds);
 
   const CameraPose& pose() const { return now_; }
+  /// Where its motion ends; the pose itself at rest.
+  const CameraPose& target() const { return isGliding() ? to_ : now_; }
   /// Changes the pose directly; ends a motion.
   CameraPose& take();
   /// Moves the target of a motion, or the pose itself, to follow the tip.

@@ -333,6 +333,15 @@ void InsertionScene::lookAs(const InsertionScene& other)
   content_->placeCamera();
 }
 
+void InsertionScene::keepViewOf(const InsertionScene& other)
+{
+  content_->preset = other.content_->preset;
+  CameraPose pose = presetPose(content_->preset, content_->subject, content_->tip());
+  pose.magnification = other.content_->camera.target().magnification;
+  content_->camera.jump(pose);
+  content_->placeCamera();
+}
+
 void InsertionScene::glideTo(CameraPreset preset)
 {
   content_->preset = preset;

@@ -127,16 +127,34 @@ private:
   bool isHeld_ = false;
 };
 
+TEST_F(TheCtPage, MarksTheStepToTakeNext)
+{
+  const auto next = [this] {
+    QString marked;
+    for (const QLabel* label : page().findChildren<QLabel*>())
+      if (!label->styleSheet().isEmpty() && label->text().at(0).isDigit()) marked += label->text();
+    return marked.toStdString();
+  };
+  EXPECT_EQ(next(), "2  CHECK");  // a CT without measures yet
+  measure();
+  EXPECT_EQ(next(), "2  CHECK");
+  rig_.type("ctPatientCode", "CT-9");
+  EXPECT_EQ(next(), "3  USE");
+  KnownFits fits(rig_, page());
+  fits.move(ct::Mark::roundWindow, {0.05, 0.0, 0.0});
+  EXPECT_EQ(next(), "2  CHECK");
+}
+
 TEST_F(TheCtPage, MeasuresLandmarksThatMovedBeforeAPlan)
 {
   measure();
   KnownFits fits(rig_, page());
-  EXPECT_EQ(rig_.label("fittedHeading"), "used: fitted, 95 %");
+  EXPECT_EQ(rig_.label("fittedHeading"), "used: fitted (95 % CI)");
   EXPECT_FALSE(fits.isShown("ctStale"));
   fits.move(ct::Mark::roundWindow, {0.05, 0.0, 0.0});
   EXPECT_TRUE(fits.isShown("ctStale"));
   EXPECT_EQ(rig_.label("ctStale"), "Landmarks moved: measure again.");
-  EXPECT_EQ(rig_.label("fittedHeading"), "fitted before, 95 %");
+  EXPECT_EQ(rig_.label("fittedHeading"), "fitted before (95 % CI)");
   EXPECT_FALSE(page().findChild<QLabel*>("fittedA")->isEnabled());
   fits.plan();
   fits.expectSavedIsShown();

@@ -17,6 +17,7 @@
 #include "gui/pages/ct/CtPage.h"
 #include "gui/pages/ct/MeasuredSetup.h"
 #include "gui/pages/ct/PlaneView.h"
+#include "gui/report/CtPicture.h"
 #include "gui/setup/PatientLibrary.h"
 #include "gui/setup/PatientSetup.h"
 #include "perilymph/foundation/Resources.h"
@@ -118,6 +119,12 @@ TEST_F(TheCtPage, ShowsTheInsertedArrayInTheScan)
   rig_.click("insertCtButton");
   ASSERT_TRUE(WindowRig::comes(
       [this] { return rig_.window().control().scenario().patient().label == "CT-203"; }));
+  // the reports of this insertion have the cochlea in its CT, those of other measures have not
+  anatomy::Patient patient = rig_.window().control().scenario().patient();
+  EXPECT_EQ(gui::ctPictureOf(patient).width(), 1536);
+  EXPECT_TRUE(gui::ctPictureText(patient).contains("The cochlea in the CT"));
+  patient.basalTurn->a += millimeters(0.01);
+  EXPECT_TRUE(gui::ctPictureText(patient).isEmpty());
   ASSERT_TRUE(WindowRig::comes([this] { return rig_.button("startButton").isEnabled(); }));
   rig_.click("startButton");
   ASSERT_TRUE(WindowRig::comes([this] { return rig_.travel_mm() > 5.0; }));
@@ -224,7 +231,7 @@ TEST_F(TheCtPage, GoesOnFromCorrectedLandmarks)
   const Eigen::Vector3d moved = before.roundWindow_P + 0.6 * before.axes_PW.col(1);
   study().beginChange();
   study().placeMark(ct::Mark::roundWindow, moved);
-  EXPECT_EQ(rig_.button("measureHereButton").text(), "Measure from the landmarks");
+  EXPECT_EQ(rig_.button("measureHereButton").text(), "Re-measure using landmarks");
   rig_.click("measureHereButton");
   ASSERT_TRUE(WindowRig::comes([this] { return !page().isBusy(); }));
   const auto& after = *study().measures();
@@ -277,7 +284,7 @@ TEST_F(TheCtPage, MeasuresACtThatIsOpenedAndSaysHowLongItTakes)
   hasMeasured.set_value();
   EXPECT_TRUE(WindowRig::comes([&] { return study().measures() != nullptr; }));
   // what the reader remarked is shown again
-  EXPECT_TRUE(rig_.label("ctStatus").startsWith("The volume is only"));
+  EXPECT_TRUE(rig_.label("ctStatus").startsWith("Small field of view"));
 }
 
 TEST_F(TheCtPage, CancelsAMeasurement)
@@ -289,7 +296,7 @@ TEST_F(TheCtPage, CancelsAMeasurement)
   EXPECT_FALSE(study().measures());
   EXPECT_TRUE(rig_.button("measureCtButton").isEnabled());
   // what the reader remarked stays
-  EXPECT_TRUE(rig_.label("ctStatus").startsWith("The volume is only"));
+  EXPECT_TRUE(rig_.label("ctStatus").startsWith("Small field of view"));
 }
 
 TEST_F(TheCtPage, SaysWhyAFolderCannotBeRead)

@@ -185,8 +185,8 @@ TEST_F(GermanErrors, WriteNumbersWithADecimalComma)
                 .toStdString(),
             "Ein Voxel ist 1,250 mm l");
   // a version or an address is no number
-  EXPECT_TRUE(gui::dataText(Sentence{"The address %1 is none of this machine. 127.0.0.1 always is; "
-                                     "'ip address' lists all.",
+  EXPECT_TRUE(gui::dataText(Sentence{"%1 is not an address of this computer. 127.0.0.1 always "
+                                     "is; 'ip address' lists all.",
                                      "10.1.2.3"})
                   .contains("10.1.2.3"));
 }

@@ -290,12 +290,12 @@ TEST(KioskBoard, ThatCannotBeKeptSaysSo)
   EXPECT_FALSE(board.error().empty());
 }
 
-haptics::TickOutput moment(double travel_mm, double force_mN)
+haptics::Snapshot moment(double travel_mm, double force_mN)
 {
-  haptics::TickOutput now;
-  now.workflow = haptics::Workflow::inserting;
-  now.travel = 1e-3 * travel_mm;
-  now.axialForce = 1e-3 * force_mN;
+  haptics::Snapshot now;
+  now.output.workflow = haptics::Workflow::inserting;
+  now.output.travel = 1e-3 * travel_mm;
+  now.output.axialForce = now.peak.force = 1e-3 * force_mN;
   return now;
 }
 

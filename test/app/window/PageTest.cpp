@@ -160,7 +160,7 @@ TEST_F(APageOfTheTestsOwn, ThatWouldLoseWorkIsAskedAboutAfterAnInsertion)
   ASSERT_TRUE(WindowRig::comes([&] { return rig_.travel_mm() > 0.1; }));
   notes_->isUnsaved = true;
   window().close();
-  EXPECT_TRUE(window().notice().sentence().startsWith("An insertion is in progress at "));
+  EXPECT_TRUE(window().notice().sentence().startsWith("Insertion in progress ("));
   rig_.click("noticeButton");
   EXPECT_TRUE(window().isVisible());
   EXPECT_EQ(window().notice().sentence(), "A note is not saved.");

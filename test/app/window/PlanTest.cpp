@@ -50,6 +50,12 @@ protected:
     auto& page = *rig.window().findChild<gui::PlanPage*>();
     return page;
   }
+  /// Chooses the first shipped patient, as nobody is chosen in a folder without patients.
+  static void chooseExample(WindowRig& rig)
+  {
+    const auto& patients = *rig.window().findChild<QComboBox*>("planPatientSelector");
+    rig.choose("planPatientSelector", patients.itemData(0).toString().toUtf8());
+  }
   /// Shows the page with these arrays chosen.
   gui::PlanPage& show(WindowRig& rig, const std::vector<std::string>& arrays, const char* draws)
   {
@@ -57,6 +63,7 @@ protected:
     gui::PlanPage& page = pageOf(rig);
     // the guide's pictures show the shipped scenario
     if (!qEnvironmentVariableIsSet("PERILYMPH_GUIDE_PICTURES")) page.setScenario(scenario());
+    chooseExample(rig);
     rig.click("planNoArraysButton");
     for (const std::string& array : arrays) rig.click(("plan-array-" + array).c_str());
     rig.choose("planDraws", draws);
@@ -205,7 +212,18 @@ TEST_F(APlan, IsExplainedBeforeOneIsMade)
   EXPECT_TRUE(std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
     return label->isVisible() && label->text().contains("press Compute");
   }));
+  // nobody's cochlea is planned unless it is chosen
+  EXPECT_FALSE(rig.button("computePlanButton").isEnabled());
+  EXPECT_EQ(rig.button("computePlanButton").toolTip(), "Choose a patient with A and B first.");
+  const auto& patients = *rig.window().findChild<QComboBox*>("planPatientSelector");
+  EXPECT_EQ(patients.currentText(), "Choose a patient");
+  EXPECT_TRUE(patients.itemText(0).startsWith("Example: "));
+  chooseExample(rig);
+  EXPECT_TRUE(rig.button("computePlanButton").isEnabled());
+  const auto& offer = *pageOf(rig).findChild<QPushButton*>("emptyPageButton");
+  EXPECT_TRUE(offer.isVisible());
   rig.click("planNoArraysButton");
+  EXPECT_FALSE(offer.isVisible());
   EXPECT_FALSE(rig.button("computePlanButton").isEnabled());
   EXPECT_EQ(rig.button("computePlanButton").toolTip(), "Choose an array first.");
 }
@@ -274,6 +292,7 @@ TEST_F(APlan, IsMadeSeenInsertedAndOpenedAgainInSteps)
   }
   WindowRig rig;
   rig.click("planPageButton");
+  chooseExample(rig);
   gui::PlanPage& page = pageOf(rig);
   auto* plans = page.findChild<QComboBox*>("planSelector");
   ASSERT_EQ(plans->count(), 2);

@@ -276,17 +276,29 @@ TEST_F(Sessions, ShowEarTechniqueAndNameWholeInTheSmallestWindow)
   };
   ASSERT_TRUE(WindowRig::comes([&] { return list().width() < 1024; }));
   for (const auto& [column, text] :
-       {std::pair{Column::ear, "left"}, std::pair{Column::technique, "Off stylet"},
+       {std::pair{Column::ear, "left"}, std::pair{Column::technique, "Advance off-stylet"},
         std::pair{Column::name, "P-017"}}) {
     EXPECT_EQ(list().model()->index(0, column).data().toString(), text);
     EXPECT_TRUE(isWhole(column)) << text;
   }
+  for (const int column : {Column::recorded, Column::angle, Column::peak})
+    EXPECT_TRUE(isWhole(column)) << column;
   EXPECT_FALSE(list().horizontalScrollBar()->isVisible());
   const auto header = [&](int column) {
     return list().model()->headerData(column, Qt::Horizontal).toString();
   };
   EXPECT_EQ(header(Column::recorded), QString::fromUtf8("Recorded ↓"));  // the newest first
   EXPECT_EQ(header(Column::ear), "Ear");
+}
+
+TEST_F(Sessions, LeaveKeysWithAltToTheWindow)
+{
+  record("first");
+  openLibrary();
+  choose(0);
+  list().setFocus();
+  QTest::keyClick(&list(), Qt::Key_Home, Qt::AltModifier);
+  EXPECT_EQ(rig_->window().page(), "start");
 }
 
 class AReplay : public Sessions {

@@ -11,15 +11,19 @@
 #include <QLineEdit>
 #include <QTableWidget>
 #include <fstream>
+#include <iomanip>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "Readings.h"
 #include "TheCtPage.h"
 #include "gui/pages/compare/ComparePage.h"
 #include "gui/pages/plan/PlanPage.h"
+#include "gui/pages/plan/PlanTable.h"
 #include "gui/report/InsertionReport.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/foundation/Version.h"
+#include "perilymph/planning/PlanReading.h"
 #include "perilymph/test/ChildProcess.h"
 #include "perilymph/test/Places.h"
 
@@ -45,14 +49,14 @@ const std::vector<Carried> measures{
     {"duct length",
      1,
      {"anatomy text", "anatomy json", "python", "plan report", "insertion report", "panel"}}};
-const std::vector<std::string> planOutputs{"plan text", "plan.json", "arrays.csv", "python",
-                                           "plan report"};
+const std::vector<std::string> planOutputs{"plan text", "plan.json",   "arrays.csv",
+                                           "python",    "plan report", "plan table"};
 const std::vector<Carried> plans{
     {"angular insertion depth", 0, planOutputs},
     {"coverage", 0, planOutputs},
     {"peak force", 0, planOutputs},
     {"partition force", 0, planOutputs},
-    {"end force", 0, {"plan text", "plan.json", "arrays.csv", "python"}}};
+    {"end force", 0, {"plan text", "plan.json", "arrays.csv", "python", "plan table"}}};
 const std::vector<Carried> insertions{
     {"angular insertion depth of an insertion",
      0,
@@ -152,17 +156,26 @@ public:
   {
     struct Band {
       const char *quantity, *key, *text;
+      gui::PlanColumn column;
     };
     const Json array = jsonOf("plan/plan.json")["arrays"][0];
     const std::string csv = contentOf(planFolder() / "arrays.csv"), report = planReport();
     const std::string cell = "\\s+[0-9.]+ \\([^)]*\\)";
     std::string before = "1 FLEX24";
+    const auto stored = planning::readPlan(planFolder());
+    ASSERT_TRUE(stored) << stored.error().message;
+    gui::PlanTable table(nullptr);
+    table.setPlan(std::make_shared<const planning::Plan>(stored->plan));
     for (const Band& band :
-         {Band{"angular insertion depth", "angle_deg", "angular insertion depth"},
-          Band{"coverage", "coverage_percent", "cochlear coverage"},
-          Band{"peak force", "peak_mN", "peak insertion force"},
-          Band{"partition force", "partition_mN", "force on the partition"},
-          Band{"end force", "end_mN", "end force"}}) {
+         {Band{"angular insertion depth", "angle_deg", "angular insertion depth",
+               gui::PlanColumn::angle},
+          Band{"coverage", "coverage_percent", "cochlear coverage", gui::PlanColumn::coverage},
+          Band{"peak force", "peak_mN", "peak insertion force", gui::PlanColumn::peak},
+          Band{"partition force", "partition_mN", "force on the partition",
+               gui::PlanColumn::partition},
+          Band{"end force", "end_mN", "end force", gui::PlanColumn::end}}) {
+      readings_.addText(band.quantity, "plan table",
+                        table.index(0, int(band.column)).data().toString().toStdString(), "^");
       readings_.addText(band.quantity, "plan text", plan_, band.text);
       readings_.add(band.quantity, "plan.json", array[band.key]["median"]);
       readings_.add(band.quantity, "arrays.csv", cellOf(csv, std::string(band.key) + "_median"));
@@ -301,7 +314,8 @@ print(json.dumps({
   Readings readings_;
 };
 
-void expectOneTruth(const fs::path& file, const gui::CtPage* ct)
+/// @param measured  What `ct measure` prints of the scan; empty if its measures are others.
+void expectOneTruth(const fs::path& file, const gui::CtPage* ct, const std::string& measured = {})
 {
   Patient patient(file);
   patient.readMeasures();
@@ -318,6 +332,11 @@ void expectOneTruth(const fs::path& file, const gui::CtPage* ct)
         patient.readings().addText(each.quantity, "CT page",
                                    ct->findChild<QLabel*>(label)->text().toStdString(), "^");
         outputs.push_back("CT page");
+        if (!measured.empty()) {
+          patient.readings().addText(each.quantity, "ct measure", measured,
+                                     isDuct ? "CDL \\(OC\\)" : "\n" + std::string(each.quantity));
+          outputs.push_back("ct measure");
+        }
       }
       patient.readings().expectOne(each.quantity, outputs, each.decimals);
     }
@@ -345,7 +364,13 @@ TEST_F(TheCtPage, SaysTheSameOfTypedMeasuresEverywhere)
 TEST_F(TheCtPage, SaysTheSameOfAMeasuredCochleaEverywhere)
 {
   measure();
-  expectOneTruth(savedBy(rig_, *study().measures(), "P-2"), &page());
+  std::ostringstream at;
+  at << std::setprecision(17);
+  for (const double place : onDisk().phantom.inside_P) at << (at.tellp() > 0 ? "," : "") << place;
+  const std::string measured =
+      outputOf(programFolder() / "perilymph-cli",
+               {"ct", "measure", onDisk().folder / "ct", "--at", at.str()});
+  expectOneTruth(savedBy(rig_, *study().measures(), "P-2"), &page(), "\n" + measured);
 }
 
 TEST_F(TheCtPage, SaysTheSameOfCorrectedLandmarksEverywhere)

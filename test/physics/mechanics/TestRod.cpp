@@ -48,6 +48,7 @@ TestRod::TestRod(std::shared_ptr<const anatomy::Lumen> lumen, const RodSpec& spe
   parts.startInside = meters(spec.startInside);
   parts.freeLength = spec.freeLength;
   parts.friction = {spec.friction, spec.friction, spec.friction, millimetersPerSecond(0.1)};
+  parts.relaxation = spec.relaxation;
   parts.wall = {newtonsPerMeter(spec.wallStiffness), newtonsPerMeter(spec.wallStiffness),
                 millimeters(0.002)};
   model_ = std::make_shared<mechanics::InsertionModel>(*mechanics::InsertionModel::build(parts));

@@ -22,6 +22,7 @@ struct RodSpec {
   double bendingAcross = 0.0;  ///< Across the plane of curl [N.m^2]; 0: the same.
   double thickness = 0.0;      ///< Within the plane of curl [m]; 0: round.
   double twisting = 0.0;       ///< GJ [N.m^2]; 0: derived from its sections.
+  mechanics::RelaxationLaw relaxation;
   double friction = 0.0;       ///< Coulomb, the same at rest and sliding.
   double wallStiffness = 1e5;  ///< Per sample point [N/m]: hard against everything tested.
   double startInside = 0.0;    ///< [m]

@@ -250,6 +250,7 @@ std::shared_ptr<const mechanics::InsertionModel> build(const Setting& setting)
   parts.lumen = lumenOf(setting.anatomy);
   parts.array = *array;
   parts.friction = setting.friction;
+  parts.relaxation = setting.relaxation;
   parts.wall.perSamplePoint = newtonsPerMeter(setting.wall);
   parts.wall.tangentialPerSamplePoint = newtonsPerMeter(setting.wall * 200.0 / 441.0);
   if (setting.isLined) parts.wall = mechanics::boneWall();

@@ -19,6 +19,7 @@ struct Setting {
   std::string anatomy = "mean";  ///< "mean" or "published".
   std::string array = "contour";
   mechanics::FrictionLaw friction;
+  mechanics::RelaxationLaw relaxation;
   double wall = 441.0;  ///< Per sample point [N/m].
   mechanics::Coupling coupling = mechanics::Coupling::rigid;
   StyletUse stylet = StyletUse::stays;

@@ -71,6 +71,12 @@ std::vector<Setting> all()
   rows.back().isLined = true;
   rows.push_back(row("lined_bone_on_a_spring", "mean", "contour", tissue(), 0, spring, pulled));
   rows.back().isLined = true;
+  const mechanics::RelaxationLaw relaxation{{{{0.3, seconds(0.05)}, {0.4, seconds(2)}}},
+                                            {0.5, seconds(0.1)}};
+  rows.push_back(row("relaxing", "mean", "flex28", coulomb(0.3), 2'000, rigid, stays));
+  rows.back().relaxation = relaxation;
+  rows.push_back(row("relaxing_on_a_spring", "published", "contour", paper, 441, spring, stays));
+  rows.back().relaxation = relaxation;
   return rows;
 }
 

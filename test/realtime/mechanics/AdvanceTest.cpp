@@ -19,17 +19,19 @@ namespace {
 
 /// A Contour in the published anatomy with scripted motion.
 struct Insertion {
-  Insertion() : model(InsertionModel::build(parts())), state(*model)
+  explicit Insertion(const RelaxationLaw& relaxation = {})
+      : model(InsertionModel::build(parts(relaxation))), state(*model)
   {
     drive.handAxis_W = model->startAxis_W;
     drive.handCurl_W = model->startCurl_W;
     drive.handPosition_W = model->startBase_W;
   }
-  static ModelParts parts()
+  static ModelParts parts(const RelaxationLaw& relaxation)
   {
     ModelParts parts;
     parts.lumen = anatomy::buildPublished({}, millimeters(1));
     parts.array = *electrode::loadArray(resource("plugins/electrodes/cochlear/contour.toml"));
+    parts.relaxation = relaxation;
     return parts;
   }
   void pushTo(double travel, double perTick = 0.02e-3)
@@ -47,10 +49,12 @@ struct Insertion {
 static_assert(noexcept(advance(std::declval<const InsertionModel&>(),
                                std::declval<InsertionState&>(), std::declval<const Drive&>())));
 
-TEST(Advance, AllocatesNothingInDeepContact)
+class AdvanceWith : public testing::TestWithParam<RelaxationLaw> {};
+
+TEST_P(AdvanceWith, AllocatesNothingInDeepContact)
 {
   if (!test::AllocationGuard::isAvailable()) GTEST_SKIP() << test::AllocationGuard::whyNot();
-  Insertion insertion;
+  Insertion insertion(GetParam());
   insertion.pushTo(16e-3);
   ASSERT_GT(insertion.state.readings.contacts, 40);
   const test::AllocationGuard guard;
@@ -62,6 +66,14 @@ TEST(Advance, AllocatesNothingInDeepContact)
   EXPECT_EQ(guard.allocations(), 0u);
   EXPECT_EQ(guard.frees(), 0u);
 }
+
+RelaxationLaw relaxing()
+{
+  return {{{{0.13, seconds(0.3)}, {0.28, seconds(6)}}}, {0.3, seconds(1)}};
+}
+
+INSTANTIATE_TEST_SUITE_P(AndWithoutRelaxation, AdvanceWith,
+                         testing::Values(RelaxationLaw{}, relaxing()));
 
 TEST(Advance, SaysWhenNumbersHaveOverflowed)
 {

@@ -71,14 +71,14 @@ bool nearColor(const test::DrawnPicture& picture, int x, int y, const test::Pixe
   return false;
 }
 
-TEST(ForceDepthChart, ShowsSeventeenMillimetersAndTwoHundredMillinewtonsWhenEmpty)
+TEST(ForceDepthChart, ShowsSeventeenMillimetersAndFiftyMillinewtonsWhenEmpty)
 {
   ChartOnScreen screen;
   screen.picture();
   EXPECT_DOUBLE_EQ(screen.axis(vtkAxis::BOTTOM).GetMinimum(), 0.0);
   EXPECT_DOUBLE_EQ(screen.axis(vtkAxis::BOTTOM).GetMaximum(), 17.0);
-  EXPECT_DOUBLE_EQ(screen.axis(vtkAxis::LEFT).GetMinimum(), -10.0);
-  EXPECT_DOUBLE_EQ(screen.axis(vtkAxis::LEFT).GetMaximum(), 200.0);
+  EXPECT_DOUBLE_EQ(screen.axis(vtkAxis::LEFT).GetMinimum(), -5.0);
+  EXPECT_DOUBLE_EQ(screen.axis(vtkAxis::LEFT).GetMaximum(), 50.0);
 }
 
 TEST(ForceDepthChart, HasNoGapWhereAFreeArrayPullsALittle)

@@ -76,6 +76,23 @@ TEST(Camera, GlidesToAPresetIn250Milliseconds)
   EXPECT_DOUBLE_EQ(glided.scene.magnification(), jumped.scene.magnification());
 }
 
+TEST(Camera, ASceneThatReplacesOneInMotionHasTheMagnificationOfItsEnd)
+{
+  SceneOnScreen moving, next, jumped;
+  moving.scene.lookFrom(CameraPreset::followTip);
+  moving.scene.glideTo(CameraPreset::overview);
+  moving.scene.stepCamera(0.1);
+  next.scene.keepViewOf(moving.scene);
+  jumped.scene.lookFrom(CameraPreset::overview);
+  EXPECT_DOUBLE_EQ(next.scene.magnification(), jumped.scene.magnification());
+  EXPECT_NEAR(lookingDirection(next).dot(lookingDirection(jumped)), 1.0, 1e-12);
+  EXPECT_FALSE(next.scene.stepCamera(0.1));
+  // what the user chose is kept
+  moving.scene.setMagnification(12.5);
+  next.scene.keepViewOf(moving.scene);
+  EXPECT_DOUBLE_EQ(next.scene.magnification(), 12.5);
+}
+
 TEST(Camera, MagnificationTenShowsSeventeenMillimeters)
 {
   SceneOnScreen screen;

@@ -33,11 +33,14 @@ void runSql(const std::filesystem::path& file, const std::string& sql)
   sqlite3_close(database);
 }
 
-class APlayback : public testing::Test {
+/// With and without relaxation, whose states a jump restores.
+class APlayback : public testing::TestWithParam<bool> {
 protected:
   void SetUp() override
   {
-    auto insertion = test::shortRun(file_);
+    Overrides overrides;
+    if (GetParam()) overrides = {{"relaxation_fraction", "[0.3]"}, {"relaxation_time_s", "[0.05]"}};
+    auto insertion = test::shortRun(file_, overrides);
     ASSERT_TRUE(insertion->runToEnd([&](const haptics::TickRecord& record) {
       haptics::Snapshot picture{};
       insertion->loop().engine().fill(picture);
@@ -59,7 +62,7 @@ protected:
   std::map<std::uint64_t, std::string> live_;  ///< Recorded shapes by tick.
 };
 
-TEST_F(APlayback, ShowsTheShapesOfTheInsertionInWhateverOrder)
+TEST_P(APlayback, ShowsTheShapesOfTheInsertionInWhateverOrder)
 {
   const auto playback = open();
   ASSERT_EQ(playback->ticks(), live_.size());
@@ -71,7 +74,7 @@ TEST_F(APlayback, ShowsTheShapesOfTheInsertionInWhateverOrder)
   }
 }
 
-TEST_F(APlayback, ShowsTheSameOnceEverythingIsComputed)
+TEST_P(APlayback, ShowsTheSameOnceEverythingIsComputed)
 {
   const auto playback = open();
   const auto verification = playback->compute();
@@ -86,7 +89,7 @@ TEST_F(APlayback, ShowsTheSameOnceEverythingIsComputed)
   }
 }
 
-TEST_F(APlayback, BeyondTheEndShowsTheLastTick)
+TEST_P(APlayback, BeyondTheEndShowsTheLastTick)
 {
   const auto playback = open();
   haptics::Snapshot picture{};
@@ -95,7 +98,7 @@ TEST_F(APlayback, BeyondTheEndShowsTheLastTick)
   EXPECT_EQ(shapeOf(picture), live_.rbegin()->second);
 }
 
-TEST_F(APlayback, NamesTheFirstTickThatDiffersAndContinues)
+TEST_P(APlayback, NamesTheFirstTickThatDiffersAndContinues)
 {
   sqlite3* database = nullptr;
   ASSERT_EQ(sqlite3_open(file_.c_str(), &database), SQLITE_OK);
@@ -114,7 +117,7 @@ TEST_F(APlayback, NamesTheFirstTickThatDiffersAndContinues)
   EXPECT_EQ(playback->computedTicks(), live_.size());
 }
 
-TEST_F(APlayback, EndsWhereTicksWereLost)
+TEST_P(APlayback, EndsWhereTicksWereLost)
 {
   runSql(file_, "DELETE FROM tick WHERE tick BETWEEN 150 AND 159");
   const auto playback = open();
@@ -124,7 +127,7 @@ TEST_F(APlayback, EndsWhereTicksWereLost)
   EXPECT_THAT(verification->notes, testing::Contains(HasSubstr("10 ticks before tick 160")));
 }
 
-TEST_F(APlayback, StopsComputingWhenAsked)
+TEST_P(APlayback, StopsComputingWhenAsked)
 {
   const auto playback = open();
   std::stop_source stop;
@@ -137,13 +140,15 @@ TEST_F(APlayback, StopsComputingWhenAsked)
   EXPECT_EQ(shapeOf(picture), live_[picture.tick]);
 }
 
-TEST_F(APlayback, OfNoTicksIsRefusedWithASentence)
+TEST_P(APlayback, OfNoTicksIsRefusedWithASentence)
 {
   runSql(file_, "DELETE FROM tick");
   const auto refused = Playback::open(file_);
   ASSERT_FALSE(refused);
   EXPECT_THAT(refused.error().message, HasSubstr("contains no samples"));
 }
+
+INSTANTIATE_TEST_SUITE_P(AndWithRelaxation, APlayback, testing::Bool());
 
 }  // namespace
 }  // namespace perilymph::session

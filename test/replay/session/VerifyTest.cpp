@@ -65,6 +65,19 @@ TEST(Replay, FollowsWithdrawalsPatientsAndSprings)
   EXPECT_TRUE(verified(folder / "run.insertion").isIdentical);
 }
 
+TEST(Replay, FollowsAnArrayThatRelaxes)
+{
+  const test::TemporaryFolder folder;
+  const Overrides overrides = {{"relaxation_fraction", "[0.13, 0.28]"},
+                               {"relaxation_time_s", "[0.03, 0.6]"},
+                               {"film_relaxation_fraction", "0.4"},
+                               {"film_relaxation_time_s", "0.1"},
+                               {"stop_travel_mm", "8"},
+                               {"withdraw", "true"}};
+  ASSERT_TRUE(test::shortRun(folder / "run.insertion", overrides)->runToEnd({}));
+  EXPECT_TRUE(verified(folder / "run.insertion").isIdentical);
+}
+
 TEST(Replay, FollowsThePublishedPointSet)
 {
   const test::TemporaryFolder folder;

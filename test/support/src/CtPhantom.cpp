@@ -48,18 +48,18 @@ void blur(Grid& grid, int axis, double sigma)
   const std::size_t stride = axis == 0   ? 1
                              : axis == 1 ? static_cast<std::size_t>(grid.size[0])
                                          : static_cast<std::size_t>(grid.size[0] * grid.size[1]);
-  std::vector<float> line(static_cast<std::size_t>(n));
+  const auto count = static_cast<std::size_t>(n), margin = static_cast<std::size_t>(reach);
+  std::vector<float> line(count + 2 * margin);  // with its ends repeated
+  std::vector<float> blurred(count);
   for (std::size_t start = 0; start < grid.values.size(); ++start) {
-    if ((start / stride) % static_cast<std::size_t>(n) != 0) continue;
-    for (int i = 0; i < n; ++i)
-      line[static_cast<std::size_t>(i)] = grid.values[start + stride * static_cast<std::size_t>(i)];
-    for (int i = 0; i < n; ++i) {
-      float value = 0.0F;
-      for (int d = -reach; d <= reach; ++d)
-        value += kernel[static_cast<std::size_t>(d + reach)] *
-                 line[static_cast<std::size_t>(std::clamp(i + d, 0, n - 1))];
-      grid.values[start + stride * static_cast<std::size_t>(i)] = value / sum;
-    }
+    if ((start / stride) % count != 0) continue;
+    for (std::size_t i = 0; i < count; ++i) line[margin + i] = grid.values[start + stride * i];
+    std::fill_n(line.begin(), margin, line[margin]);
+    std::fill_n(line.end() - reach, margin, line[margin + count - 1]);
+    std::fill(blurred.begin(), blurred.end(), 0.0F);
+    for (std::size_t d = 0; d < kernel.size(); ++d)
+      for (std::size_t i = 0; i < count; ++i) blurred[i] += kernel[d] * line[i + d];
+    for (std::size_t i = 0; i < count; ++i) grid.values[start + stride * i] = blurred[i] / sum;
   }
 }
 

@@ -237,21 +237,25 @@ double PhantomAnatomy::texture(const Eigen::Vector3d& p) const
 double PhantomAnatomy::surroundings(const Eigen::Vector3d& p, double inLumen, double cell) const
 {
   // Otic capsule around the lumen, pneumatized bone of medium density beyond.
-  const double coarse = texture(p);
+  // What has no share in a point is not calculated: textures are most of the work.
   const double dense = fraction(inLumen + 1.9, 0.6);
-  double value =
-      dense * (capsule_ + 90.0 * coarse) + (1.0 - dense) * (1250.0 + 250.0 * texture(2.0 * p));
+  double value = 0.0;
+  if (dense > 0.0) value += dense * (capsule_ + 90.0 * texture(p));
+  if (dense < 1.0) value += (1.0 - dense) * (1250.0 + 250.0 * texture(2.0 * p));
   // Modiolus: porous, a cone about the axis.
   const double cone = 1.15 - 0.32 * (p.z() + 0.5) - p.head<2>().norm();
   const double porous = p.z() > -0.6 && p.z() < modiolusTop_ ? fraction(cone, 3.0 * cell) : 0.0;
-  value += porous * (modiolus_ + 150.0 * texture(5.0 * p) - value);
+  if (porous > 0.0) value += porous * (modiolus_ + 150.0 * texture(5.0 * p) - value);
   // Internal auditory canal below it, facial canal beside.
   const double canal = insideCapsuleShape(p, {-0.3, 0.2, -3.0}, {-3.0, 4.0, -12.0}, 1.9);
   value += fraction(canal, cell) * (fluid - value);
   const double facial = insideCapsuleShape(p, {-4.0, -8.0, 2.0}, {6.0, -7.0, 0.5}, canal_);
   value += fraction(facial, cell) * (fluid - value);
   // Air cells keep a wall of 0.3 mm and a distance from the capsule.
+  if (-1.3 - inLumen <= -cell) return value;
   for (const Ball& ball : cells_) {
+    const double reach = ball.radius + cell;
+    if ((p - ball.center).squaredNorm() > reach * reach) continue;
     const double in = std::min(ball.radius - (p - ball.center).norm(), -1.3 - inLumen);
     if (in > -cell) value += fraction(in, cell) * (air - value);
   }
@@ -278,7 +282,8 @@ double PhantomAnatomy::intensity(const Eigen::Vector3d& p, double lumen, double 
   // Finally the lumen, except for the spiral lamina.
   const double at_deg = inDegrees(radians(at));
   const bool isOssified = at_deg >= condition_.ossified[0] && at_deg < condition_.ossified[1];
-  const double content = isOssified ? capsule_ - 100.0 + 90.0 * texture(3.0 * p) : lumen;
+  const double content =
+      isOssified && depth > -cell ? capsule_ - 100.0 + 90.0 * texture(3.0 * p) : lumen;
   value += fraction(depth, cell) * (content - value);
   if (depth > 0.0 && !isOssified) {
     const double r = p.head<2>().norm();

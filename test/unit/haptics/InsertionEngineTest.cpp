@@ -134,6 +134,32 @@ TEST(InsertionEngine, SettlesEveryTickOfAPlainInsertion)
   EXPECT_EQ(ticksNotConverged, 0);
 }
 
+TEST(InsertionEngine, ShowsThePeakOfEveryTickNotOfThosePictured)
+{
+  test::InsertionRig rig(test::insertionInRing());
+  rig.start();
+  double force = 0.0, travel = 0.0;
+  std::uint64_t ofPicture = 0, peakTick = 0;
+  Snapshot snapshot;
+  for (std::uint64_t i = 0; i < 6000; ++i) {
+    if (i == 4000) rig.hand().move(ScriptedDevice::Motion::withdraw);  // the peak is behind
+    const TickOutput& now = rig.tick().output;
+    if (now.axialForce > force) {
+      force = now.axialForce;
+      travel = now.travel;
+      peakTick = i;
+    }
+    if (i % 67 != 3) continue;
+    rig.engine().fill(snapshot);
+    ofPicture = i;
+    ASSERT_EQ(snapshot.peak.force, force) << i;
+    ASSERT_EQ(snapshot.peak.travel, travel) << i;
+  }
+  EXPECT_GT(force, 1e-3);
+  EXPECT_LT(peakTick, ofPicture - 67);
+  EXPECT_NE(peakTick % 67, 3u);  // between two pictures
+}
+
 /// An opening at the origin; derived classes define the wall.
 class OpenLumen : public anatomy::Lumen {
 public:

@@ -13,14 +13,18 @@ namespace {
 
 /// A Contour pushed into a narrow tube at 2 mm/s.
 struct SlowInsertion {
-  SlowInsertion() : model(InsertionModel::build(parts())), state(*model) {}
+  explicit SlowInsertion(const RelaxationLaw& relaxation = {})
+      : model(InsertionModel::build(parts(relaxation))), state(*model)
+  {
+  }
 
-  static ModelParts parts()
+  static ModelParts parts(const RelaxationLaw& relaxation)
   {
     ModelParts parts;
     parts.lumen = std::make_shared<anatomy::StraightTube>(0.45e-3);
     parts.array = *electrode::loadArray(resource("plugins/electrodes/cochlear/contour.toml"));
     parts.nodes = 40;
+    parts.relaxation = relaxation;
     parts.approachTilt = degrees(4);
     return parts;
   }
@@ -39,9 +43,19 @@ struct SlowInsertion {
   InsertionState state;
 };
 
-TEST(InsertionState, CopiesContinueEquallyAndIndependently)
+RelaxationLaw relaxing()
 {
-  SlowInsertion run;
+  RelaxationLaw law;
+  law.bending[0] = {0.3, seconds(0.1)};
+  law.film = {0.4, seconds(0.05)};
+  return law;
+}
+
+class InsertionStateOf : public testing::TestWithParam<bool> {};
+
+TEST_P(InsertionStateOf, CopiesContinueEquallyAndIndependently)
+{
+  SlowInsertion run(GetParam() ? relaxing() : RelaxationLaw{});
   for (int i = 0; i < 300; ++i) run.step(run.state);
   ASSERT_GT(run.state.readings.wallForceTotal, 0.0);
 
@@ -54,10 +68,27 @@ TEST(InsertionState, CopiesContinueEquallyAndIndependently)
   EXPECT_EQ(run.state.fingerprint(), copy.fingerprint());
 }
 
+INSTANTIATE_TEST_SUITE_P(RestAndRelaxation, InsertionStateOf, testing::Bool());
+
+TEST(InsertionState, OfARelaxingArrayIsRestoredByAReset)
+{
+  SlowInsertion run(relaxing());
+  const std::uint64_t start = run.state.fingerprint();
+  for (int i = 0; i < 300; ++i) run.step(run.state);
+  InsertionState copy = run.state;
+  copy.relaxedBend[0].along[20] += 1e-9;
+  EXPECT_NE(copy.fingerprint(), run.state.fingerprint()) << "what it holds is part of it";
+  copy = run.state;
+  copy.frictionFilm_W[20].x() += 1e-9;
+  EXPECT_NE(copy.fingerprint(), run.state.fingerprint());
+  run.state.reset(*run.model);
+  EXPECT_EQ(run.state.fingerprint(), start);
+}
+
 TEST(InsertionState, IsAssignedFromAStateOfTheSameModelWithoutAllocating)
 {
   if (!test::AllocationGuard::isAvailable()) GTEST_SKIP() << test::AllocationGuard::whyNot();
-  SlowInsertion run;
+  SlowInsertion run(relaxing());
   InsertionState other = run.state;
   for (int i = 0; i < 100; ++i) run.step(run.state);
   const test::AllocationGuard guard;

@@ -253,6 +253,20 @@ TEST(ModelFingerprint, ChangesWithEveryLawAndSetting)
        {"gain of the prediction", [](Parts& p) { nudge(p.solver.trendGain); }}});
 }
 
+TEST(ModelFingerprint, ChangesWithRelaxation)
+{
+  using Parts = ModelParts;
+  ModelParts parts = fullParts();
+  parts.relaxation.bending = {{{0.1, seconds(1)}, {0.2, seconds(5)}}};
+  parts.relaxation.film = {0.3, seconds(2)};
+  expectEachChangesTheFingerprint(
+      parts, {{"presence of relaxation", [](Parts& p) { p.relaxation = {}; }},
+              {"a fraction", [](Parts& p) { nudge(p.relaxation.bending[0].fraction); }},
+              {"a time", [](Parts& p) { nudge(p.relaxation.bending[1].time); }},
+              {"fraction of the film", [](Parts& p) { nudge(p.relaxation.film.fraction); }},
+              {"time of the film", [](Parts& p) { nudge(p.relaxation.film.time); }}});
+}
+
 TEST(ModelFingerprint, ChangesWithThePassage)
 {
   using Parts = ModelParts;

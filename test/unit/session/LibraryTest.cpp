@@ -87,6 +87,13 @@ TEST(NameOfARecording, LeavesOutTheTimeOfAutomaticNames)
   EXPECT_EQ(displayNameOf("s/20261122T014506Z.insertion"), "20261122T014506Z");
 }
 
+TEST(NameOfARecording, StatesWhenAnAutomaticOneBegan)
+{
+  EXPECT_EQ(startedUtcOf("s/20261122T014506Z-P-017.insertion"), "2026-11-22T01:45:06Z");
+  EXPECT_EQ(startedUtcOf("s/tuesday.insertion"), "");
+  EXPECT_EQ(startedUtcOf("s/20261122T014506Z.insertion"), "");
+}
+
 TEST_F(Library, ListsTheTechnique)
 {
   record(folder_ / "one.insertion", "2026-01-01T00:00:00Z", hillOfForce());

@@ -23,7 +23,7 @@ CtOnward::CtOnward(QWidget* parent)
     : QWidget(parent),
       code_(new QLineEdit(this)),
       insert_(panelButton(tr("Insert into this cochlea"), "insertCtButton", this)),
-      plan_(panelButton(tr("Compare arrays for it"), "planCtButton", this)),
+      plan_(panelButton(tr("Plan with this cochlea"), "planCtButton", this)),
       saveSurface_(panelButton(tr("Save surface…"), "saveCtSurfaceButton", this))
 {
   code_->setObjectName(QStringLiteral("ctPatientCode"));
@@ -57,6 +57,8 @@ void CtOnward::show(bool isMeasured, bool isFree, bool isStale)
   showState();
 }
 
+bool CtOnward::hasCode() const { return !code_->text().isEmpty(); }
+
 void CtOnward::editCode()
 {
   code_->setFocus();
@@ -79,10 +81,9 @@ void CtOnward::setWide(bool isWide)
 
 void CtOnward::showState()
 {
-  const bool hasCode = !code_->text().isEmpty();
-  insert_->setEnabled(isMeasured_ && isFree_ && hasCode);
-  plan_->setEnabled(isMeasured_ && isFree_ && hasCode);
-  const QString first = !hasCode   ? tr("Type a patient code first.")
+  insert_->setEnabled(isMeasured_ && isFree_ && hasCode());
+  plan_->setEnabled(isMeasured_ && isFree_ && hasCode());
+  const QString first = !hasCode() ? tr("Type a patient code first.")
                         : isStale_ ? tr("The landmarks moved: the cochlea is measured first.")
                                    : QString();
   insert_->setToolTip(first);

@@ -22,6 +22,7 @@ public:
   /// @param isStale  The landmarks moved, so that each way onward measures first.
   void show(bool isMeasured, bool isFree, bool isStale);
 
+  bool hasCode() const;
   /// Marks the code to be typed again.
   void editCode();
 

@@ -15,6 +15,7 @@
 #include "gui/pages/ct/PlaneView.h"
 #include "gui/pages/ct/SurfaceView.h"
 #include "gui/pages/ct/VersionQuestion.h"
+#include "gui/setup/KeyImage.h"
 #include "gui/text/DataText.h"
 #include "gui/widgets/EmptyPage.h"
 #include "gui/widgets/Theme.h"
@@ -22,6 +23,7 @@
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/imaging/Landmarks.h"
 #include "perilymph/imaging/MeasuredPatient.h"
+#include "perilymph/imaging/MeasuredPicture.h"
 #include "perilymph/imaging/MeasuredSurface.h"
 #include "perilymph/imaging/PlanFiles.h"
 
@@ -64,6 +66,8 @@ CtPage::CtPage(const InsertionControl& control, QWidget* parent)
                              tr("Open a folder with a temporal-bone CT, or drop it here. The "
                                 "cochlea is found and measured; then insert into it."),
                              this);
+  page->offer(tr("Open folder…"));
+  connect(page, &EmptyPage::actionAsked, panel_, &CtPanel::folderAsked);
   auto* stack = new QStackedLayout;
   stack->addWidget(page);
   stack->addWidget(pictures_);
@@ -241,6 +245,7 @@ void CtPage::insert(const QString& code)
   if (!setup) return panel_->showIdle(dataText(setup.error().message), true);
   patient_ = imaging::measuredPatient(*study_.measures());
   patient_->label = setup->scenario.patient().label;
+  keepKeyImage();
   Q_EMIT insertionRequested({*setup});
 }
 
@@ -249,7 +254,17 @@ void CtPage::plan(const QString& code)
   const auto patient = patientOfMeasures(*study_.measures(), code);
   if (!patient) return panel_->showIdle(dataText(patient.error().message), true);
   patient_ = *patient;
+  keepKeyImage();
   Q_EMIT planAsked(*patient);
+}
+
+void CtPage::keepKeyImage()
+{
+  const std::filesystem::path file = keyImageFile(*patient_);
+  std::error_code failure;
+  std::filesystem::create_directories(file.parent_path(), failure);
+  const auto kept = imaging::writeMeasuredPicture(study_.volume(), *study_.measures(), file);
+  if (!kept) panel_->showIdle(dataText(kept.error().message), true);  // reports do without
 }
 
 void CtPage::measure(bool isAtCrosshair, std::function<void()> then)

@@ -75,6 +75,8 @@ private:
   void plan(const QString& code);
   /// Shows one view alone, or all again.
   void maximize(QWidget* chosen);
+  /// Keeps a picture of the measured cochlea for the reports of its patient.
+  void keepKeyImage();
   void saveSurface();
   void saveMarks();
   void loadMarks();

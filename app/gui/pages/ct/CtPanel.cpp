@@ -62,10 +62,12 @@ CtPanel::CtPanel(CtStudy& study, QWidget* parent) : QWidget(parent), study_(stud
     column->setSpacing(spacing);
     columns_->addLayout(column, 1);
   }
+  addStep(*before, tr("1  SCAN"));
   addSource(*before);
-  addView(*before);
   addMeasurement(*before);
+  addView(*before);
   before->addStretch();
+  addStep(*found, tr("2  CHECK"));
   addMeasures(*found);
   addMarks(*found);
   found->addStretch();
@@ -73,6 +75,7 @@ CtPanel::CtPanel(CtStudy& study, QWidget* parent) : QWidget(parent), study_(stud
   auto* foot = new QVBoxLayout;
   foot->setContentsMargins(2 * spacing, spacing, 2 * spacing, 2 * spacing);
   foot->setSpacing(spacing);
+  addStep(*foot, tr("3  USE"));
   addOnward(*foot);
   auto* whole = new QVBoxLayout(this);
   whole->setContentsMargins(0, 0, 0, 0);
@@ -91,9 +94,14 @@ void CtPanel::setWide(bool isWide)
   onward_->setWide(isWide);
 }
 
+void CtPanel::addStep(QVBoxLayout& column, const QString& title)
+{
+  steps_.push_back(panelHeading(title, this));
+  column.addWidget(steps_.back());
+}
+
 void CtPanel::addSource(QVBoxLayout& column)
 {
-  column.addWidget(panelHeading(tr("CT"), this));
   auto* row = new QHBoxLayout;
   auto* folder = rowButton(tr("Open folder…"), "openCtFolderButton", this);
   auto* file = rowButton(tr("Open file…"), "openCtFileButton", this);
@@ -169,12 +177,10 @@ void CtPanel::addView(QVBoxLayout& column)
 
 void CtPanel::addMeasurement(QVBoxLayout& column)
 {
-  column.addSpacing(spacing);
-  column.addWidget(panelHeading(tr("MEASURES"), this));
   search_ = rowButton(tr("Find and measure the cochlea"), "measureCtButton", this);
   measureHere_ = rowButton(tr("Measure at the crosshair"), "measureHereButton", this);
   search_->setProperty("primary", true);
-  measureHere_->setToolTip(tr("Click into the cochlea first."));
+  measureHere_->setToolTip(tr("Click inside the cochlea first."));
   cancel_ = rowButton(tr("Cancel"), "cancelCtButton", this);
   progress_ = new QProgressBar(this);
   progress_->setTextVisible(false);
@@ -202,7 +208,7 @@ void CtPanel::addMeasures(QVBoxLayout& column)
   fittedHeading_ = panelHeading({}, this);
   fittedHeading_->setObjectName(QStringLiteral("fittedHeading"));
   table->addWidget(fittedHeading_, 0, 1);
-  table->addWidget(panelHeading(tr("landmarks"), this), 0, 2);
+  table->addWidget(panelHeading(tr("from landmarks"), this), 0, 2);
   const std::array names{QStringLiteral("A"), QStringLiteral("B"), QStringLiteral("H"), tr("CDL")};
   constexpr std::array keys{"A", "B", "H", "Cdl"};
   for (std::size_t k = 0; k < names.size(); ++k) {
@@ -278,6 +284,7 @@ void CtPanel::addOnward(QVBoxLayout& column)
   // a question is about these measures and this code
   connect(&study_, &CtStudy::modelChanged, question_, &VersionQuestion::drop);
   connect(onward_, &CtOnward::codeChanged, question_, &VersionQuestion::drop);
+  connect(onward_, &CtOnward::codeChanged, this, &CtPanel::showStep);
   connect(question_, &VersionQuestion::otherCodeWanted, onward_, &CtOnward::editCode);
   connect(onward_, &CtOnward::insertAsked, this, &CtPanel::insertAsked);
   connect(onward_, &CtOnward::planAsked, this, &CtPanel::planAsked);
@@ -316,7 +323,7 @@ void CtPanel::refresh()
   status_->setVisible(!status_->text().isEmpty());
   search_->setEnabled(isFree);
   measureHere_->setEnabled(isFree && (study_.isCrosshairPlaced() || study_.isCorrected()));
-  measureHere_->setText(study_.isCorrected() ? tr("Measure from the landmarks")
+  measureHere_->setText(study_.isCorrected() ? tr("Re-measure using landmarks")
                                              : tr("Measure at the crosshair"));
   cochleaPlanes_->setEnabled(isMeasured);
   (study_.frame() == PlaneFrame::cochlea ? cochleaPlanes_ : patientPlanes_)->setChecked(true);
@@ -328,7 +335,19 @@ void CtPanel::refresh()
   loadMarks_->setEnabled(study_.hasCt());
   window_->setEnabled(study_.hasCt());
   slab_->setEnabled(study_.hasCt());
+  showStep();
   showMeasures();
+}
+
+void CtPanel::showStep()
+{
+  const bool isFitted = study_.measures() != nullptr && !study_.isStale();
+  const std::size_t next = !study_.hasCt() || isBusy_         ? 0
+                           : !isFitted || !onward_->hasCode() ? 1
+                                                              : 2;
+  for (std::size_t k = 0; k < steps_.size(); ++k)
+    steps_[k]->setStyleSheet(
+        k == next ? QStringLiteral("color: %1;").arg(shownTheme().accent.name()) : QString());
 }
 
 void CtPanel::showMeasures()
@@ -347,7 +366,7 @@ void CtPanel::showMeasures()
     fitted_[k]->setEnabled(!isStale);
     marked_[k]->setText(lengthText(marked[k]));
   }
-  fittedHeading_->setText(isStale ? tr("fitted before, 95 %") : tr("used: fitted, 95 %"));
+  fittedHeading_->setText(isStale ? tr("fitted before (95 % CI)") : tr("used: fitted (95 % CI)"));
   stale_->setVisible(isStale);
   side_->setVisible(measures != nullptr);
   duct_->setVisible(measures && measures->cdlOc);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// The panel beside the planes of the CT: series, view, measurement, landmarks, onward.
+// The panel beside the planes of the CT, in three steps: scan, check, use.
 
 #include <QWidget>
 #include <array>
@@ -60,15 +60,19 @@ Q_SIGNALS:
   void loadMarksAsked();
 
 private:
+  void addStep(QVBoxLayout& column, const QString& title);
   void addSource(QVBoxLayout& column);
   void addView(QVBoxLayout& column);
   void addMeasurement(QVBoxLayout& column);
   void addMeasures(QVBoxLayout& column);
   void addMarks(QVBoxLayout& column);
   void addOnward(QVBoxLayout& column);
+  /// Marks the step that is to be taken next.
+  void showStep();
   void showMeasures();
 
   CtStudy& study_;
+  std::vector<QLabel*> steps_;  ///< Headings of the three steps.
   QBoxLayout* columns_;
   CtSeriesList* series_;
   Choice *patientPlanes_, *cochleaPlanes_;

@@ -112,12 +112,17 @@ bool ForceCharts::showPlanIn(const session::Scenario& scenario)
 void ForceCharts::begin(const anatomy::Entry& entry)
 {
   entry_ = entry;
+  peak_N_ = 0.0;
   overTravel_.clear();
   components_.clear();
 }
 
-void ForceCharts::append(const haptics::TickOutput& now)
+void ForceCharts::append(const haptics::TickOutput& now, const haptics::PeakForce& peak)
 {
+  if (peak.force > peak_N_) {
+    peak_N_ = peak.force;
+    overTravel_.append(Length::fromSi(peak.travel), Force::fromSi(peak.force));
+  }
   overTravel_.append(Length::fromSi(now.travel), Force::fromSi(now.axialForce));
   const auto along = [&now](const Eigen::Vector3d& axis_W) {
     return Force::fromSi(now.force_W[0] * axis_W.x() + now.force_W[1] * axis_W.y() +

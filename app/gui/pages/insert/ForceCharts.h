@@ -47,7 +47,9 @@ public:
   /// the axes of `entry`.
   void begin(const anatomy::Entry& entry);
   /// Adds the values of a snapshot to the curves.
-  void append(const haptics::TickOutput& now);
+  ///
+  /// @param peak  So far; it may have been between this snapshot and the one before.
+  void append(const haptics::TickOutput& now, const haptics::PeakForce& peak);
   /// Replaces the curve over travel by that of a recording, which has every tick: between two
   /// pictures a peak may be missed.
   void showRecorded(const analysis::ForceProfile& profile);
@@ -75,6 +77,7 @@ private:
 
   bool isExperimentVisible_ = true, isComparable_ = true;
   bool travelIsDirty_ = true, timeIsDirty_ = true;
+  double peak_N_ = 0.0;  ///< That the curve over travel has.
   anatomy::Entry entry_;
   std::optional<ReferenceInsertion> ghost_;
   std::optional<PlannedForce> plan_;

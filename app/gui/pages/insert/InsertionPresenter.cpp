@@ -88,7 +88,7 @@ void InsertionPresenter::step()
   const bool isResting = (now.output.status & haptics::resting) != 0;
   const bool isMoving = isMoved || now.output.workflow == haptics::Workflow::inserting;
   if (isMoving && !isResting && hasBegun(now.output.workflow))
-    zones_.views->charts()->append(now.output);
+    zones_.views->charts()->append(now.output, now.peak);
 }
 
 void InsertionPresenter::stepSlowly(const FrameMeter& meter)

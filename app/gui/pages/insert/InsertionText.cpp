@@ -34,7 +34,7 @@ QString deviceHint(const InsertionControl& control)
 QString inProgressText(const InsertionControl& control)
 {
   const Length travel = Length::fromSi(control.now().output.travel);
-  return tr("An insertion is in progress at %1 mm. It is recorded up to here.")
+  return tr("Insertion in progress (%1 mm); it is recorded up to here.")
       .arg(numberText(inMillimeters(travel), 1));
 }
 
@@ -58,7 +58,7 @@ QString statusText(const InsertionControl& control, const QString& device)
   else if (control.isConcluded())
     text << tr("recorded");
   else if (control.isRunning() && (now.output.status & haptics::resting) != 0)
-    text << tr("recording: waiting for motion");
+    text << tr("recording (paused)");
   else if (control.isRunning())
     text << (now.lostRecords > 0 ? tr("recording, %1 samples lost").arg(now.lostRecords)
                                  : tr("recording"));
@@ -126,7 +126,7 @@ QString endText(haptics::InsertionEnd end, const haptics::TickOutput& now)
                 "Withdraw or Reset.")
           .arg(depth);
     case haptics::InsertionEnd::outOfOpening:
-      return tr("The tip is outside of the opening. The force is off. Press Reset.");
+      return tr("The tip has left the cochlea. The force is off. Press Reset.");
     case haptics::InsertionEnd::foldedTip:
       return tr("The tip folded over at %1 mm. The force is off. Press Withdraw or Reset.")
           .arg(depth);
@@ -147,7 +147,7 @@ QString hintText(const InsertionControl& control)
     const Length outside = outsideAtStop(control.scenario());
     return outside.si() <= 0.0
                ? tr("Full depth. Press Withdraw or Reset.")
-               : tr("Stop travel reached, %1 mm of the array outside. Press Withdraw or Reset.")
+               : tr("Stopped as set; %1 mm of the array remains outside. Press Withdraw or Reset.")
                      .arg(numberText(inMillimeters(outside), 1));
   }
   if (now.workflow == Workflow::finished) {

@@ -68,7 +68,7 @@ void ReplayControl::step(double elapsed_s, bool isSeen)
   }
   for (; charted_ < samples.size() && samples[charted_].place <= player_.place(); ++charted_)
     if (hasBegun(samples[charted_].output.workflow))
-      views_.charts()->append(samples[charted_].output);
+      views_.charts()->append(samples[charted_].output, samples[charted_].peak);
 }
 
 void ReplayControl::stepSlowly()

@@ -51,7 +51,7 @@ void PlanHead::show(const anatomy::Patient& patient)
                     tr("B %1").arg(measureText(turn.b, errors.b))};
   parts << (turn.h
                 ? tr("H %1").arg(measureText(*turn.h, errors.h.value_or(analysis::measuringError)))
-                : tr("H not measured: drawn around the mean height"));
+                : tr("H not measured (population mean ± SD used)"));
   const QString assumed = numberText(inMillimeters(analysis::measuringError), 1);
   parts << (patient.errors ? tr("95 % intervals, errors as measured")
                            : tr("95 % intervals, errors assumed: SD %1 mm").arg(assumed));

@@ -196,6 +196,9 @@ bool PlanPage::leaveArrays()
 
 void PlanPage::connectPanel()
 {
+  connect(empty_, &EmptyPage::actionAsked, panel_, &PlanPanel::compute);
+  connect(panel_, &PlanPanel::readyChanged, this,
+          [this](bool isReady) { empty_->offer(isReady ? tr("Compute") : QString()); });
   connect(panel_, &PlanPanel::patientChosen, this, &PlanPage::forgetPlan);
   connect(panel_, &PlanPanel::computeAsked, this, &PlanPage::compute);
   connect(panel_, &PlanPanel::cancelAsked, this, &PlanPage::stop);

@@ -30,12 +30,19 @@ constexpr int panelWidth_px = 264;
 constexpr int drawCounts[] = {16, 32, 64, 128, 256};
 constexpr int usualDraws = 64;
 
-/// Saved patients and shipped ones, those with A and B.
-std::vector<anatomy::Patient> plannablePatients()
+/// Saved patients with A and B.
+std::vector<anatomy::Patient> ownPatients()
 {
   std::vector<anatomy::Patient> patients;
   for (const SavedPatient& each : savedPatients())
     if (each.patient.basalTurn) patients.push_back(each.patient);
+  return patients;
+}
+
+/// Shipped patients with A and B.
+std::vector<anatomy::Patient> examples()
+{
+  std::vector<anatomy::Patient> patients;
   for (const std::string& name : shippedNames("resources/patients")) {
     const auto file = findByName("patient", "resources/patients", name);
     if (!file) continue;
@@ -189,12 +196,19 @@ void PlanPanel::addFoot(QVBoxLayout& column)
 void PlanPanel::refresh()
 {
   const std::optional<anatomy::Patient> before = patient_;
-  patients_ = plannablePatients();
+  patients_ = ownPatients();
+  const std::size_t own = patients_.size();
+  for (anatomy::Patient& each : examples()) patients_.push_back(std::move(each));
   patientList_->clear();
-  for (const anatomy::Patient& each : patients_)
-    patientList_->addChoice(nameOfPatient(each), keyOf(each), numbersOfPatient(each));
+  for (std::size_t i = 0; i < patients_.size(); ++i) {
+    const QString name = nameOfPatient(patients_[i]);
+    patientList_->addChoice(i < own ? name : tr("Example: %1").arg(name), keyOf(patients_[i]),
+                            numbersOfPatient(patients_[i]));
+  }
   if (before) return setPatient(*before);
-  if (!patients_.empty()) setPatient(patients_.front());
+  if (own > 0) return setPatient(patients_.front());
+  patientList_->show({}, tr("Choose a patient"));
+  showState();
 }
 
 void PlanPanel::setPatient(const anatomy::Patient& patient)
@@ -276,6 +290,8 @@ void PlanPanel::check(bool isChecked)
   for (const Row& row : arrays_) row.box->setChecked(isChecked);
 }
 
+void PlanPanel::compute() { compute_->click(); }
+
 void PlanPanel::showProgress(std::optional<double> fraction)
 {
   isBusy_ = fraction.has_value();
@@ -294,6 +310,7 @@ void PlanPanel::showState()
   compute_->setToolTip(!patient_  ? tr("Choose a patient with A and B first.")
                        : hasArray ? QString()
                                   : tr("Choose an array first."));
+  Q_EMIT readyChanged(compute_->isEnabled() && !isBusy_);
   for (Selector* field : {patientList_, friction_, draws_}) field->setEnabled(!isBusy_);
   planList_->setEnabled(!isBusy_ && !plans_.empty());
   for (const Row& row : arrays_) row.box->setEnabled(!isBusy_);

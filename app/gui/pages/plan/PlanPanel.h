@@ -37,7 +37,12 @@ public:
   /// Shows the progress of a computation from 0 to 1; none if idle.
   void showProgress(std::optional<double> fraction);
 
+  /// As its button.
+  void compute();
+
 Q_SIGNALS:
+  /// A plan can be computed: there are a patient and an array, and none is computed now.
+  void readyChanged(bool isReady);
   void patientChosen();
   void computeAsked();
   void cancelAsked();

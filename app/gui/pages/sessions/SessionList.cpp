@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/pages/sessions/SessionList.h"
 
+#include <QFontMetrics>
 #include <QHeaderView>
 #include <QSortFilterProxyModel>
 #include <algorithm>
@@ -16,11 +17,12 @@ namespace {
 
 constexpr int rowHeight_px = 60;
 constexpr int minColumn_px = 44;
+constexpr int cellMargins_px = 16;
 
 constexpr int narrow_px = 1100;  // where the duration leaves its place to the name
 
-// In the order of SessionTable::Column.
-constexpr int widths_px[] = {Thumbnails::size.width() + 16, 134, 96, 58, 152, 94, 96, 72, 100, 138};
+// In the order of SessionTable::Column; more where a text needs it.
+constexpr int widths_px[] = {Thumbnails::size.width() + 16, 134, 96, 58, 152, 94, 96, 72, 80, 120};
 static_assert(std::size(widths_px) == SessionTable::columns);
 
 }  // namespace
@@ -43,8 +45,12 @@ SessionList::SessionList(SessionTable& table, QSortFilterProxyModel& sorted, QWi
   header->setSectionsMovable(false);
   header->setMinimumSectionSize(minColumn_px);
   header->setFont(typeface(11));
-  for (int column = 0; column < SessionTable::columns; ++column)
-    header->resizeSection(column, sized(widths_px[column]));
+  for (int column = 0; column < SessionTable::columns; ++column) {
+    int width = sized(widths_px[column]);
+    for (const QString& text : table.widestTexts(column))
+      width = std::max(width, QFontMetrics(font()).horizontalAdvance(text) + cellMargins_px);
+    header->resizeSection(column, width);
+  }
   header->setSectionResizeMode(SessionTable::picture, QHeaderView::Fixed);
   header->setSectionResizeMode(SessionTable::name, QHeaderView::Stretch);
   connect(header, &QHeaderView::sortIndicatorChanged, &table, &SessionTable::showSorting);

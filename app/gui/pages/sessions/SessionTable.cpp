@@ -31,7 +31,7 @@ QString techniqueOf(const SessionSummary& session)
     return session.technique == session::nameOf(technique);
   };
   if (is(session::Technique::standard)) return SessionTable::tr("Standard");
-  if (is(session::Technique::advanceOffStylet)) return SessionTable::tr("Off stylet");
+  if (is(session::Technique::advanceOffStylet)) return SessionTable::tr("Advance off-stylet");
   return QString::fromStdString(session.technique);
 }
 
@@ -162,6 +162,27 @@ QString SessionTable::text(const Row& row, int column) const
                                        .arg(forceNumber(inMillinewtons(newtons(found.peakForce))),
                                             numberText(inMillimeters(meters(found.peakDepth)), 1))
                                  : QString();
+    default:
+      return {};
+  }
+}
+
+QStringList SessionTable::widestTexts(int column) const
+{
+  const QString heading = tr("%1 %2").arg(title(column), QStringLiteral("↓"));
+  switch (column) {
+    case recorded:
+      return {heading, QStringLiteral("2026-08-28 20:48"), tr("recording now")};
+    case ear:
+      return {heading, tr("left"), tr("right")};
+    case technique:
+      return {heading, tr("Standard"), tr("Advance off-stylet")};
+    case duration:
+      return {heading, tr("%1 s").arg(numberText(8888.8, 1))};
+    case angle:
+      return {heading, tr("%1°").arg(888)};
+    case peak:
+      return {heading, tr("%1 mN at %2 mm").arg(forceNumber(888.0), numberText(88.8, 1))};
     default:
       return {};
   }

@@ -39,6 +39,10 @@ public:
   void addSessions(std::vector<session::SessionSummary> sessions);
   const session::SessionSummary& session(int row) const { return rows_[std::size_t(row)].session; }
 
+  /// Title and texts that a column has room for; the name has what is left, patient and array are
+  /// cut.
+  QStringList widestTexts(int column) const;
+
   /// Marks the column that the rows are sorted by: "Recorded ↓".
   void showSorting(int column, Qt::SortOrder order);
 

@@ -22,6 +22,7 @@
 #include "gui/report/InsertionReport.h"
 #include "gui/text/DataText.h"
 #include "gui/widgets/EmptyPage.h"
+#include "gui/widgets/PanelParts.h"
 #include "gui/widgets/Placeholder.h"
 #include "gui/widgets/StatusLine.h"
 #include "gui/widgets/Theme.h"
@@ -286,7 +287,10 @@ void SessionsPage::showChoice()
       });
   const bool isOne = rows.size() == 1;
   for (QPushButton* button : {replay_, ghost_, report_}) button->setEnabled(isOne && isReadable);
-  compare_->setEnabled(rows.size() >= 2 && isReadable);
+  const bool canCompare = rows.size() >= 2 && isReadable;
+  compare_->setEnabled(canCompare);
+  setPrimary(*compare_, canCompare);
+  setPrimary(*replay_, !canCompare);
   rename_->setEnabled(isOne && !rows[0].isBeingRecorded);
   delete_->setEnabled(!rows.empty() && !rows[0].isBeingRecorded);
   undo_->setVisible(!trashed_.empty());

@@ -28,8 +28,18 @@ constexpr int linkWidth_px = 380;
 
 struct Recorded {
   fs::path file;
-  fs::file_time_type time;
+  QDateTime time;  ///< Of its beginning, which its name states; else of its last change.
 };
+
+QDateTime timeOf(const fs::path& file, fs::file_time_type changed)
+{
+  const auto utc =
+      QDateTime::fromString(QString::fromStdString(session::startedUtcOf(file)), Qt::ISODate);
+  if (utc.isValid()) return utc.toLocalTime();
+  const auto before = fs::file_time_type::clock::now() - changed;
+  const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(before).count();
+  return QDateTime::currentDateTime().addSecs(-seconds);
+}
 
 /// The newest recordings, without being read.
 std::vector<Recorded> newestRecordings(const std::optional<fs::path>& beingRecorded)
@@ -41,7 +51,7 @@ std::vector<Recorded> newestRecordings(const std::optional<fs::path>& beingRecor
   for (const fs::directory_entry& entry : entries) {
     if (entry.path().extension() != ".insertion" || entry.path() == beingRecorded) continue;
     const auto time = entry.last_write_time(failure);
-    if (!failure) found.push_back({entry.path(), time});
+    if (!failure) found.push_back({entry.path(), timeOf(entry.path(), time)});
   }
   const std::size_t kept = std::min(found.size(), maxListed);
   std::partial_sort(
@@ -49,14 +59,6 @@ std::vector<Recorded> newestRecordings(const std::optional<fs::path>& beingRecor
       [](const Recorded& one, const Recorded& other) { return one.time > other.time; });
   found.resize(kept);
   return found;
-}
-
-QString timeText(fs::file_time_type time)
-{
-  const auto before = fs::file_time_type::clock::now() - time;
-  const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(before).count();
-  return QDateTime::currentDateTime().addSecs(-seconds).toString(
-      QStringLiteral("yyyy-MM-dd HH:mm"));
 }
 
 QLabel* columnHeading(const QString& text, QWidget* parent)
@@ -152,7 +154,7 @@ void RecentWork::refresh(const QString& current, const std::optional<fs::path>& 
         addLink(*recordings_,
                 tr("Replay %1 · %2")
                     .arg(QString::fromStdString(session::displayNameOf(recordings[i].file)),
-                         timeText(recordings[i].time)),
+                         recordings[i].time.toString(QStringLiteral("yyyy-MM-dd HH:mm"))),
                 QStringLiteral("recentRecording%1").arg(i), right);
     connect(link, &QPushButton::clicked, this,
             [this, file = recordings[i].file] { Q_EMIT replayAsked(file); });

@@ -136,7 +136,7 @@ ClinicalInsertion insertByHand(const session::InsertionParameters& nominal,
   haptics::TickOutput last;
   const auto note = [&](const haptics::TickOutput& now) {
     last = now;
-    if (session::raisesPeak(now, result.peak.si())) result.peak = newtons(now.axialForce);
+    if (haptics::raisesPeak(now, result.peak.si())) result.peak = newtons(now.axialForce);
     result.partition = newtons(std::max(result.partition.si(), now.partitionForce));
   };
   ProfilePoints points(profileSpacing);

@@ -27,7 +27,7 @@ Built clark(const Patient&, Length leadIn) { return buildClark(leadIn); }
 constexpr std::array sources{
     AnatomySourceTraits{AnatomySource::published, "published", "CDL and round-window section",
                         PatientMeasures::threeLengths, true, published},
-    AnatomySourceTraits{AnatomySource::mean, "mean", "Average of 15", PatientMeasures::basalTurn,
+    AnatomySourceTraits{AnatomySource::mean, "mean", "Average cochlea", PatientMeasures::basalTurn,
                         false, mean},
     AnatomySourceTraits{AnatomySource::clark, "clark", "Clark’s spiral", PatientMeasures::none,
                         false, clark},

@@ -38,8 +38,7 @@ inline constexpr Phrase directoryMissing{
     "%1 of %2 files that the DICOMDIR names are not there; slices may be missing. Copy the whole "
     "medium."};
 inline constexpr Phrase coarse{"A voxel is %1 mm long; at most 0.65 mm is advised for a cochlea."};
-inline constexpr Phrase thin{
-    "The volume is only %1 mm thick; a cochlea with its surroundings needs about 25 mm."};
+inline constexpr Phrase thin{"Small field of view (%1 mm); 25 mm recommended."};
 inline constexpr Phrase gaps{
     "The thickness of slice %1 of %2 (%3) is %4 mm at a distance of %5 mm between the slices: "
     "what lies between them was not measured. Take a series without gaps if there is one."};

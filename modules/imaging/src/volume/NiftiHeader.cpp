@@ -303,8 +303,9 @@ Result<VolumeFile> readNiftiHeader(const std::filesystem::path& file)
         "NRRD.",
         name};
   if (header.bits(0, 4) != headerBytes || bytes->substr(344, 4) != std::string("n+1", 4))
-    return Error{"%1 is no NIfTI-1 file with its voxels in it. Save the volume as .nii or .nii.gz.",
-                 name};
+    return Error{
+        "%1 is not a NIfTI-1 file with its voxels in it. Save the volume as .nii or .nii.gz.",
+        name};
   VolumeFile volume;
   volume.format = "NIfTI";
   volume.bytes = &nifti::bytes;

@@ -139,14 +139,20 @@ void friction(const InsertionModel& model, InsertionState& state, const StepStar
   const Eigen::Vector3d moved = state.position_W[i] - start.position_W[i];
   const Eigen::Vector3d slip = moved - normal_W * normal_W.dot(moved);
   const Eigen::Vector3d& spring = state.frictionSpring_W[i];
+  Eigen::Vector3d film_W = slip;
+  if (!state.frictionFilm_W.empty()) {
+    const Eigen::Vector3d& film = state.frictionFilm_W[i];
+    film_W += film - normal_W * normal_W.dot(film);
+  }
   touching.friction =
-      frictionStep(slip + spring - normal_W * normal_W.dot(spring), history.pressedBefore[i],
-                   model.wallTangential[i], {state.isSliding[i] != 0, state.slipSpeed[i]},
-                   model.parts.friction, model.timeStep);
-  state.wallForce_W[i] += touching.friction.force_W;
+      frictionWithFilm(slip + spring - normal_W * normal_W.dot(spring), film_W,
+                       history.pressedBefore[i], model.wallTangential[i],
+                       {state.isSliding[i] != 0, state.slipSpeed[i]}, model.parts.friction, model);
+  state.wallForce_W[i] += touching.friction.force_W();
   if (!touching.isPressed) return;  // a node that left the wall has no friction history
-  history.spring_W[i] = touching.friction.spring_W;
-  history.isSliding[i] = touching.friction.isSliding ? 1 : 0;
+  history.spring_W[i] = touching.friction.plain.spring_W;
+  history.film_W[i] = touching.friction.film.spring_W;
+  history.isSliding[i] = touching.friction.plain.isSliding ? 1 : 0;
   history.slip[i] = slip.norm();
 }
 
@@ -180,6 +186,7 @@ void forgetContacts(bool isOval, InsertionState& state, FrictionHistory& history
   std::fill_n(state.membraneForce.data(), n, 0.0);
   std::fill_n(componentsOf(state.wallForce_W), 3 * n, 0.0);
   std::fill_n(componentsOf(history.spring_W), 3 * n, 0.0);
+  if (!state.frictionFilm_W.empty()) std::fill_n(componentsOf(history.film_W), 3 * n, 0.0);
   std::fill_n(history.isSliding.data(), n, 0);
   std::fill_n(history.slip.data(), n, 0.0);
   if (isOval) std::fill_n(state.wallTorque.data(), n, WallTorque{});

@@ -47,7 +47,7 @@ struct TouchingNode {
   std::size_t node = 0;
   bool isPressed = false;  ///< It touches the wall.
   NormalForce push;        ///< If it does.
-  FrictionStep friction;
+  Friction friction;
 };
 
 /// A node in an open part of the cochlear partition or above the partition, in one step.

@@ -124,9 +124,9 @@ void addSqueeze(const InsertionModel& model, const Crossing& crossing, double si
 }
 
 /// Friction along the passage.
-FrictionStep frictionAlong(const InsertionModel& model, const InsertionState& state,
-                           const StepStart& start, const FrictionHistory& history,
-                           const Crossing& outer, double& slip) noexcept
+Friction frictionAlong(const InsertionModel& model, const InsertionState& state,
+                       const StepStart& start, const FrictionHistory& history,
+                       const Crossing& outer, double& slip) noexcept
 {
   const Eigen::Vector3d& n_W = model.entry.out_W;
   Eigen::Vector3d moved = Eigen::Vector3d::Zero();
@@ -137,9 +137,11 @@ FrictionStep frictionAlong(const InsertionModel& model, const InsertionState& st
   slip = n_W.dot(moved);
   if (!(history.rimPressedBefore > 0.0)) return {};
   const double stretch = slip + n_W.dot(state.rim.spring_W);
-  return frictionStep(
-      stretch * n_W, history.rimPressedBefore, model.parts.wall.tangentialPerSamplePoint.si(),
-      {state.rim.isSliding, state.rim.slipSpeed}, model.passage->friction, model.timeStep);
+  const double film = slip + n_W.dot(state.rim.film_W);
+  return frictionWithFilm(stretch * n_W, film * n_W, history.rimPressedBefore,
+                          model.parts.wall.tangentialPerSamplePoint.si(),
+                          {state.rim.isSliding, state.rim.slipSpeed}, model.passage->friction,
+                          model);
 }
 
 void store(const Crossing& crossing, const Eigen::Matrix3d& s, RimStiffness& stiffness) noexcept
@@ -205,7 +207,7 @@ void addPassageForces(const InsertionModel& model, const InsertionState& state,
   const std::vector<Eigen::Vector3d>& x = state.position_W;
   const std::size_t tip = x.size() - 1;
   double slip = 0.0;
-  const FrictionStep friction = frictionAlong(model, state, start, history, outer, slip);
+  const Friction friction = frictionAlong(model, state, start, history, outer, slip);
   Eigen::Vector3d total_W = Eigen::Vector3d::Zero();
   double normal = 0.0, inner = 0.0;
   Crossing crossing = outer;
@@ -219,7 +221,7 @@ void addPassageForces(const InsertionModel& model, const InsertionState& state,
     addSide(model, crossing, k, depth, contact);
     if (k == 0) {
       addSqueeze(model, crossing, 1.0, contact);
-      contact.force_W += friction.force_W;
+      contact.force_W += friction.force_W();
       const Eigen::Vector3d& n_W = model.entry.out_W;
       const double along = n_W.dot(friction.stiffness(model.entry.outward_W) * n_W);
       contact.stiffness_W += along * n_W * n_W.transpose();
@@ -240,8 +242,9 @@ void addPassageForces(const InsertionModel& model, const InsertionState& state,
   normal += interpolate(passage.radialForce, passage.spacing, outer.fromTip).value - inner;
 
   if (normal > 0.0) {
-    contacts.rim.spring_W = friction.spring_W;
-    contacts.rim.isSliding = friction.isSliding;
+    contacts.rim.spring_W = friction.plain.spring_W;
+    contacts.rim.film_W = friction.film.spring_W;
+    contacts.rim.isSliding = friction.plain.isSliding;
     contacts.rim.slipSpeed = std::fabs(slip) / model.timeStep;
     contacts.rim.normal_W = model.entry.outward_W;
   }

@@ -49,15 +49,17 @@ void rimContact(const InsertionModel& model, const InsertionState& state, const 
   const Eigen::Vector3d& across_W = history.rimNormalBefore_W;
   const Eigen::Vector3d slip = moved - across_W * across_W.dot(moved);
   const Eigen::Vector3d& spring = state.rim.spring_W;
-  FrictionStep friction;
+  const Eigen::Vector3d& film = state.rim.film_W;
+  Friction friction;
   if (history.rimPressedBefore > 0.0)
-    friction = frictionStep(
-        slip + spring - across_W * across_W.dot(spring), history.rimPressedBefore,
-        model.parts.wall.tangentialPerSamplePoint.si(), {state.rim.isSliding, state.rim.slipSpeed},
-        model.parts.friction, model.timeStep);
+    friction =
+        frictionWithFilm(slip + spring - across_W * across_W.dot(spring),
+                         slip + film - across_W * across_W.dot(film), history.rimPressedBefore,
+                         model.parts.wall.tangentialPerSamplePoint.si(),
+                         {state.rim.isSliding, state.rim.slipSpeed}, model.parts.friction, model);
 
   const Eigen::Vector3d pushed_W = -near.law.force * near.gradient_W -
-                                   opposite.law.force * opposite.gradient_W + friction.force_W;
+                                   opposite.law.force * opposite.gradient_W + friction.force_W();
   const Eigen::Matrix3d stiffness =
       near.law.slope * near.gradient_W * near.gradient_W.transpose() +
       opposite.law.slope * opposite.gradient_W * opposite.gradient_W.transpose() + contact.shape_W +
@@ -72,8 +74,9 @@ void rimContact(const InsertionModel& model, const InsertionState& state, const 
                     stiffness(1, 1), stiffness(1, 2), stiffness(2, 2)};
 
   if (normal > 0.0) {
-    contacts.rim.spring_W = friction.spring_W;
-    contacts.rim.isSliding = friction.isSliding;
+    contacts.rim.spring_W = friction.plain.spring_W;
+    contacts.rim.film_W = friction.film.spring_W;
+    contacts.rim.isSliding = friction.plain.isSliding;
     contacts.rim.slipSpeed = slip.norm() / model.timeStep;
     contacts.rim.normal_W = contact.normal_W;
   }

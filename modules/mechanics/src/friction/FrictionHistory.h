@@ -15,6 +15,7 @@ struct FrictionHistory {
       : pressedBefore(nodes),
         normalBefore_W(nodes, Eigen::Vector3d::Zero()),
         spring_W(nodes),
+        film_W(nodes),
         slip(nodes),
         isSliding(nodes)
   {
@@ -25,6 +26,7 @@ struct FrictionHistory {
   double rimPressedBefore = 0.0;                ///< The same at the rim [N].
   Eigen::Vector3d rimNormalBefore_W = Eigen::Vector3d::Zero();
   std::vector<Eigen::Vector3d> spring_W;  ///< After this iteration [m].
+  std::vector<Eigen::Vector3d> film_W;    ///< The same of the relaxing film, if there is one [m].
   std::vector<double> slip;               ///< Slip of each node in this step [m].
   std::vector<unsigned char> isSliding;   ///< After this iteration.
 };

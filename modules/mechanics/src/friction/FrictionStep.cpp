@@ -67,4 +67,27 @@ FrictionStep frictionStep(const Eigen::Vector3d& stretch_W, double normal, doubl
   return step;
 }
 
+Friction frictionWithFilm(const Eigen::Vector3d& stretch_W, const Eigen::Vector3d& film_W,
+                          double normal, double stiffness, const SlipBefore& before,
+                          const FrictionLaw& law, const InsertionModel& model) noexcept
+{
+  const auto& [fraction, ratio] = model.film;
+  Friction friction;
+  friction.hasFilm = fraction > 0.0;
+  if (!friction.hasFilm) {
+    friction.plain = frictionStep(stretch_W, normal, stiffness, before, law, model.timeStep);
+    return friction;
+  }
+  const double plain = 1.0 - fraction, kept = 1.0 / (1.0 + ratio);
+  friction.film = frictionStep(film_W, fraction * normal, kept * fraction * stiffness, before, law,
+                               model.timeStep);
+  friction.film.spring_W *= kept;
+  if (plain > 0.0)
+    friction.plain =
+        frictionStep(stretch_W, plain * normal, plain * stiffness, before, law, model.timeStep);
+  else
+    friction.plain.isSliding = friction.film.isSliding;
+  return friction;
+}
+
 }  // namespace perilymph::mechanics

@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-#include "perilymph/mechanics/FrictionLaw.h"
+#include "perilymph/mechanics/InsertionModel.h"
 
 namespace perilymph::mechanics {
 
@@ -23,6 +23,24 @@ struct FrictionStep {
   ///
   /// @param normal_W  Unit, off the wall: perpendicular to the stretch.
   Eigen::Matrix3d stiffness(const Eigen::Vector3d& normal_W) const noexcept;
+};
+
+/// Friction of a contact by two springs side by side, a plain one and a relaxing film; without a film
+/// only the first.
+struct Friction {
+  FrictionStep plain;
+  FrictionStep film;
+  bool hasFilm = false;
+
+  Eigen::Vector3d force_W() const noexcept  ///< On the node, tangent to the wall [N].
+  {
+    return hasFilm ? Eigen::Vector3d(plain.force_W + film.force_W) : plain.force_W;
+  }
+  Eigen::Matrix3d stiffness(const Eigen::Vector3d& normal_W) const noexcept
+  {
+    const Eigen::Matrix3d stiffness = plain.stiffness(normal_W);
+    return hasFilm ? Eigen::Matrix3d(stiffness + film.stiffness(normal_W)) : stiffness;
+  }
 };
 
 /// Sliding of a node in the last step.
@@ -46,5 +64,14 @@ struct SlipBefore {
 FrictionStep frictionStep(const Eigen::Vector3d& stretch_W, double normal, double stiffness,
                           const SlipBefore& before, const FrictionLaw& law,
                           double timeStep) noexcept;
+
+/// The same with a film of model.film: of stiffness and friction, its fraction is that of a spring whose
+/// stretch u relaxes with a time constant tau, in a step to (u + motion) / (1 + dt / tau). Its energy
+/// never grows by that.
+///
+/// @param film_W     The film's stored stretch plus this step's motion, tangent to the wall [m].
+Friction frictionWithFilm(const Eigen::Vector3d& stretch_W, const Eigen::Vector3d& film_W,
+                          double normal, double stiffness, const SlipBefore& before,
+                          const FrictionLaw& law, const InsertionModel& model) noexcept;
 
 }  // namespace perilymph::mechanics

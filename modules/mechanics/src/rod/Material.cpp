@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "perilymph/foundation/Math.h"
+#include "rod/Relaxation.h"
 #include "rod/Rod.h"
 
 namespace perilymph::mechanics {
@@ -123,6 +124,17 @@ PERILYMPH_IN_LANES TurnEnergy<T> bendingByTurn(const SectionStiffness& section,
   const T moment = load<T>(section.restMoment, i);
   const T c = joint.inverseSum;
   TurnEnergy<T> energy;
+  if (section.holds) {
+    const HeldJoint<T> held(section, joint, i);
+    const T stiffness = load<T>(section.bending, i);
+    energy.last =
+        -stiffness * (c * dot(joint.t, held.lastRate) - 0.25 * dot(held.next, held.lastRate));
+    energy.next =
+        stiffness * (c * dot(joint.p, held.nextRate) + 0.25 * dot(held.last, held.nextRate));
+    energy.both =
+        0.25 * larger(stiffness * c * (dot(joint.t, held.last) - dot(joint.p, held.next)), 0.0);
+    return energy;
+  }
   energy.last =
       -moment * (c * dot(joint.t, joint.dAcross) - 0.25 * rest * dot(joint.e, joint.dAcross));
   energy.next =
@@ -138,13 +150,21 @@ PERILYMPH_IN_LANES void addOval(const InsertionModel& model, const SectionStiffn
                                 TurnEnergy<T>& energy) noexcept
 {
   const T more = load<T>(section.bendingExcess, i);
-  const T rest = load<T>(section.restBend, i);
+  T rest = load<T>(section.restBend, i), aside{};
   const T twice = 2.0 * joint.inverseSum, half = 0.5 * rest;
-  const Triple<T> s = twice * (joint.t - joint.p) - half * (joint.d + joint.e);
+  Triple<T> s = twice * (joint.t - joint.p) - half * (joint.d + joint.e);
+  if (section.holds) {
+    const HeldJoint<T> held(section, joint, i);
+    s = twice * (joint.t - joint.p) - (T{} + 0.5) * (held.last + held.next);
+    rest = load<T>(section.heldAlong, i);
+    aside = load<T>(section.heldAcross, i);
+  }
   const T along = dot(s, stifferWay(model, joint, i));
   const auto isAcross = isStifferAcross(T{}, model, i);
-  const T lastRate = 0.5 * oneOf(isAcross, T(-dot(s, joint.d) - rest), dot(s, joint.dAcross));
-  const T nextRate = 0.5 * oneOf(isAcross, T(-dot(s, joint.e) - rest), dot(s, joint.eAcross));
+  const T lastRate =
+      0.5 * oneOf(isAcross, T(-dot(s, joint.d) - rest), T(dot(s, joint.dAcross) + aside));
+  const T nextRate =
+      0.5 * oneOf(isAcross, T(-dot(s, joint.e) - rest), T(dot(s, joint.eAcross) + aside));
   const T size = root(more);
   const auto isOval = load<T>(model.bendingExcess, i) > 0.0;
   energy.last = oneOf(isOval, T(energy.last + more * along * lastRate), energy.last);
@@ -338,6 +358,7 @@ void turnMaterial(const InsertionModel& model, const Vector3d& curl_W,
     store(scale * cross(joint.p, joint.t), rod.twistRate_W, i);
     if (model.isOval) store(stifferWay(model, joint, i), rod.stiffer_W, i);
   });
+  if (section.holds) holdBends(state, section, rod);
   rod.curlAcross_W.set(1, rod.tangent_W[1].cross(state.curl_W[1]));
   const TurningJoint<double> first(state, rod, 1);
   rod.twistTorque = model.twisting[1] * inverseSpacing * rod.twist[1] -

@@ -4,37 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rod/Joint.h"
 #include "rod/Material.h"
+#include "rod/Relaxation.h"
 
 namespace perilymph::mechanics {
 namespace {
 
 using Eigen::Vector3d;
-
-/// Two successive links and the discrete curvature between them, at one node or at four.
-template <class T>
-struct Joint {
-  Triple<T> last;  ///< Tangent of the link before.
-  Triple<T> next;  ///< Tangent of the link after.
-  T cosine;        ///< Cosine of the angle between them.
-  T c;             ///< 1 / (1 + cosine)
-
-  PERILYMPH_IN_LANES Joint(const RodKinematics& rod, std::size_t i) noexcept
-      : last(load<T>(rod.tangent_W, i - 1)),
-        next(load<T>(rod.tangent_W, i)),
-        cosine(dot(last, next)),
-        c(1.0 / larger(1.0 + cosine, 1e-3))
-  {
-  }
-
-  /// Discrete curvature w = 2 (t - p) / (1 + t . p), a vector in the plane of both tangents that
-  /// points to the inside of the bend. For small angles its length is the angle between them.
-  PERILYMPH_IN_LANES Triple<T> bend_W() const noexcept
-  {
-    const T twice = 2.0 * c;
-    return twice * (next - last);
-  }
-};
 
 /// Moments of a bent joint on its two links, as forces on their far ends.
 template <class T>
@@ -173,6 +150,7 @@ void setStiffness(const InsertionModel& model, double styletWithdrawal, double r
   if (section.styletWithdrawal == styletWithdrawal && section.released == released) return;
   section.styletWithdrawal = styletWithdrawal;
   section.released = released;
+  section.holds = model.parts.relaxation.bends();
   const double h = model.spacing;
   const double styletTip = model.styletFromTip + styletWithdrawal;
   for (std::size_t i = 0; i < section.bending.size(); ++i) {
@@ -185,11 +163,14 @@ void setStiffness(const InsertionModel& model, double styletWithdrawal, double r
       excess = bendingOf(model.bendingCarrier[i] + excess, model.styletBending, covered) - bending;
     const double restBend =
         released * h * model.restCurvature[i] * (1.0 - covered * (1.0 - model.styletResidual));
-    section.bending[i] = bending / h;
-    section.bendingExcess[i] = excess / h;
+    // what a step makes of a relaxing stiffness is constant in it
+    section.relaxing[i] = std::min(model.bendingCarrier[i] / bending, 1.0);
+    const double kept = relaxedStiffness(model, section.relaxing[i]);
+    section.bending[i] = kept * bending / h;
+    section.bendingExcess[i] = kept * excess / h;
     section.twisting[i] = model.twisting[i] / h;
     section.restBend[i] = restBend;
-    section.restMoment[i] = restBend * bending / h;
+    section.restMoment[i] = kept * restBend * bending / h;
   }
   // one edge less than nodes
   for (std::size_t j = 0; j < model.stretching.size(); ++j)

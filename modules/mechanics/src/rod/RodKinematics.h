@@ -35,7 +35,10 @@ struct SectionStiffness {
         bendingExcess(nodes),
         twisting(nodes),
         restBend(nodes),
-        restMoment(nodes)
+        restMoment(nodes),
+        relaxing(nodes),
+        heldAlong(nodes),
+        heldAcross(nodes)
   {
   }
 
@@ -45,6 +48,10 @@ struct SectionStiffness {
   std::vector<double> twisting;       ///< GJ / h at each node [N.m].
   std::vector<double> restBend;       ///< Spacing times rest curvature at each node.
   std::vector<double> restMoment;     ///< EI / h times rest bend [N.m].
+  std::vector<double> relaxing;       ///< Fraction of EI that belongs to the carrier.
+  bool holds = false;                 ///< Bends relax: the next two are set.
+  std::vector<double> heldAlong;   ///< Rest bend with what Maxwell elements hold, toward the curl.
+  std::vector<double> heldAcross;  ///< The same perpendicular to it.
   /// What they were computed for; not a number: not yet.
   double styletWithdrawal = std::numeric_limits<double>::quiet_NaN();  ///< [m]
   double released = 0.0;  ///< Fraction of the rest curvature that the array has taken on.
@@ -63,6 +70,8 @@ struct RodKinematics {
         bendBefore_W(nodes),
         restBend_W(nodes),
         stiffer_W(nodes),
+        bendAlong_W(nodes),
+        bendAcross_W(nodes),
         twist(nodes),
         twistRate_W(nodes),
         curlAcross_W(nodes),
@@ -81,6 +90,8 @@ struct RodKinematics {
   Axes bendBefore_W;                  ///< Bend at each node at the start of the step.
   Axes restBend_W;                    ///< Rest bend at each node, with its direction.
   Axes stiffer_W;                     ///< Direction of the larger EI at each node.
+  Axes bendAlong_W;                   ///< Unit: axis of each node toward its curl, if bends relax.
+  Axes bendAcross_W;                  ///< Unit: perpendicular to it and to the array.
   std::vector<double> twist;  ///< Twist of the edge after each node against the one before [rad].
   /// Gradient of the twist at each node by the motion of the next node relative to the previous one
   /// [1/m].

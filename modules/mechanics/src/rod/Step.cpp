@@ -7,6 +7,7 @@
 #include "contact/OpenPartition.h"
 #include "lanes/Lanes.h"
 #include "rod/Material.h"
+#include "rod/Relaxation.h"
 #include "rod/Rod.h"
 
 namespace perilymph::mechanics {
@@ -89,6 +90,7 @@ Step takeStep(const InsertionModel& model, InsertionState& state, const Drive& d
   if (state.partition.isRuptured()) findSides(model, state, work.contacts);
   setGuide(drive, state.base_W, work.guide);
   setRestShape(model, state.position_W, drive.handCurl_W, work.section, work.rod);
+  if (work.section.holds) setHeldBend(model, state, work.section);
   if (model.twists)
     turnMaterial(model, drive.handCurl_W, work.section, state, work.rod, work.twist);
   const Base base = baseOf(model, state, drive);
@@ -115,7 +117,9 @@ void commitStep(const InsertionModel& model, InsertionState& state,
   // what goes on in the next step has no momentum: nothing that is unbalanced adds energy
   if (state.isSettling) std::fill_n(velocity, 3 * n, 0.0);
   learnTrend(work.prediction, model.parts.solver.trendGain, inverseTimeStep, state);
+  if (work.section.holds) relaxBends(model, work.section, work.rod, state);
   state.frictionSpring_W = work.friction.spring_W;
+  if (!state.frictionFilm_W.empty()) state.frictionFilm_W = work.friction.film_W;
   state.isSliding = work.friction.isSliding;
   inLanes(0, n, [&](auto lane, std::size_t i) PERILYMPH_KERNEL {
     using T = decltype(lane);

@@ -32,19 +32,36 @@ Result<Done> moveTo(const fs::path& from, const fs::path& to)
   return Done{};
 }
 
+/// "20260131T154502Z-P-017": a time of this form, then the scenario's name.
+constexpr std::string_view timePattern = "00000000T000000Z-";
+
+bool beginsWithTime(const std::string& name)
+{
+  if (name.size() <= timePattern.size()) return false;
+  for (std::size_t i = 0; i < timePattern.size(); ++i) {
+    const bool isDigit = name[i] >= '0' && name[i] <= '9';
+    if (timePattern[i] == '0' ? !isDigit : name[i] != timePattern[i]) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 std::string displayNameOf(const fs::path& file)
 {
-  // "20260131T154502Z-P-017": a time of this form, then the scenario's name
-  constexpr std::string_view pattern = "00000000T000000Z-";
   const std::string name = file.stem().string();
-  if (name.size() <= pattern.size()) return name;
-  for (std::size_t i = 0; i < pattern.size(); ++i) {
-    const bool isDigit = name[i] >= '0' && name[i] <= '9';
-    if (pattern[i] == '0' ? !isDigit : name[i] != pattern[i]) return name;
-  }
-  return name.substr(pattern.size());
+  return beginsWithTime(name) ? name.substr(timePattern.size()) : name;
+}
+
+std::string startedUtcOf(const fs::path& file)
+{
+  const std::string name = file.stem().string();
+  if (!beginsWithTime(name)) return {};
+  const auto part = [&name](std::size_t from, std::size_t count) {
+    return name.substr(from, count);
+  };
+  return part(0, 4) + '-' + part(4, 2) + '-' + part(6, 2) + 'T' + part(9, 2) + ':' + part(11, 2) +
+         ':' + part(13, 2) + 'Z';
 }
 
 Result<fs::path> renameSession(const fs::path& file, const std::string& name)

@@ -133,7 +133,7 @@ SessionSummary summarize(const fs::path& file, Subjects& known, const std::stop_
   else
     summary.error = highlights.error().message;
   if (summary.error.empty() && !summary.wasClosed)
-    summary.error = "Not closed: the recording ends where the program was interrupted.";
+    summary.error = "Incomplete: the program was interrupted.";
   if (summary.error.empty() && highlights && highlights->ticks == 0)
     summary.error = "Empty recording: the insertion was never started.";
   // Last, because opening an unclosed recording may have changed the file.

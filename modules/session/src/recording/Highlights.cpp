@@ -17,7 +17,7 @@ void Highlights::add(const haptics::TickRecord& record) noexcept
   if (hasMoved) duration = std::max(duration, now.time);
   deepest = std::max(deepest, now.depth);
   deepestAngle = std::max(deepestAngle, now.angularDepth);
-  if (!raisesPeak(now, peakForce)) return;
+  if (!haptics::raisesPeak(now, peakForce)) return;
   peakForce = now.axialForce;
   peakTravel = now.travel;
   peakDepth = now.depth;

@@ -16,6 +16,7 @@
 #include "scenario/ScenarioFiles.h"
 #include "scenario/ScenarioFriction.h"
 #include "scenario/ScenarioOpening.h"
+#include "scenario/ScenarioRelaxation.h"
 #include "scenario/ScenarioWall.h"
 
 namespace perilymph::session {
@@ -182,6 +183,7 @@ Result<ScenarioContent> readScenario(TomlReader& reader, const std::string& name
                        [&key](const auto& entry) { return entry.first == key; });
   };
   readFriction(reader, keys, isOverridden, parameters.friction, parameters.frictionSpread);
+  readRelaxation(reader, keys, parameters, parameters.relaxation);
   readOpening(keys, reader, parameters);
   readMembrane(keys, reader, parameters);
   readWall(keys, reader, scenario.patientName, parameters, parameters.wall);

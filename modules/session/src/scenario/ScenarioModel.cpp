@@ -26,6 +26,7 @@ Result<std::shared_ptr<const mechanics::InsertionModel>> buildModel(
   parts.lumen = std::move(anatomy);
   parts.array = parameters.array;
   parts.friction = parameters.friction;
+  parts.relaxation = parameters.relaxation;
   parts.wall = parameters.wall;
   parts.opening = parameters.opening;
   parts.membrane = parameters.membrane;

@@ -29,7 +29,7 @@ struct HandDistribution {
   Force stopLow, stopHigh;                               ///< At which the surgeon stops: uniform.
   Duration rest, restMean;  ///< Rest after the push, and the time over which forces are averaged.
   Length bucklingLag;       ///< Lag of the tip at which a bow is visible.
-  /// Of a friction whose spread is not known, the fraction of all coefficients: log-normal with mean 1.
+  /// Fraction of all coefficients where the friction states no spread: log-normal with mean 1.
   double frictionDeviation = 0.0;
   Force ruptureMean, ruptureDeviation, ruptureLow, ruptureHigh;  ///< Normal within the range.
   std::vector<Provenance> provenance;

@@ -141,6 +141,7 @@ private:
   Rest rest_;
   std::uint64_t ticks_ = 0;  // of this engine
   std::uint64_t ticksSinceBegin_ = 0;
+  PeakForce peak_;
   TickOutput output_;  // of the last tick; values remain after an overflow
 };
 

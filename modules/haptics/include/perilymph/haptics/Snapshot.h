@@ -105,6 +105,23 @@ struct TickOutput {
   Translocation translocation;
 };
 
+/// Whether a tick raises the peak of an insertion: the largest axial force on the hand while the array
+/// is inserted, held or withdrawn, the tick that ends it included; 0 N before. A tick that has not found
+/// its balance has no force of the array. Every peak force of the program is found by it.
+///
+/// @param peakForce  The peak of the ticks before [N].
+constexpr bool raisesPeak(const TickOutput& now, double peakForce) noexcept
+{
+  return now.workflow != Workflow::idle && now.workflow != Workflow::armed &&
+         (now.status & notConverged) == 0 && now.axialForce > peakForce;
+}
+
+/// The peak of an insertion so far, see raisesPeak().
+struct PeakForce {
+  double force = 0.0;   ///< [N]
+  double travel = 0.0;  ///< [m]
+};
+
 /// Input and output of one tick: one row of a recording.
 struct TickRecord {
   std::uint64_t tick = 0;  ///< Counts the recorded ticks.
@@ -117,6 +134,7 @@ struct TickRecord {
 struct Snapshot {
   std::uint64_t tick = 0;
   TickOutput output;
+  PeakForce peak;  ///< Of every tick, those between two snapshots included.
   std::uint32_t nodes = 0;
   std::uint32_t ruptures = 0;  ///< Ranges in which the cochlear partition is open.
   /// Angles from the round window at which each of them begins and ends [rad].

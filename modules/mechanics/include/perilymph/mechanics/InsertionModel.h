@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -20,6 +21,7 @@
 #include "perilymph/mechanics/Partition.h"
 #include "perilymph/mechanics/PassageModel.h"
 #include "perilymph/mechanics/PointSet.h"
+#include "perilymph/mechanics/RelaxationLaw.h"
 #include "perilymph/mechanics/SolverParameters.h"
 
 namespace perilymph::mechanics {
@@ -91,6 +93,8 @@ struct ModelParts {
   std::shared_ptr<const anatomy::Lumen> lumen;
   electrode::ArrayDesign array;
   FrictionLaw friction;
+  /// By default nothing relaxes. Needs a rod.
+  RelaxationLaw relaxation;
   WallLaw wall;
   /// If empty, the membrane is as stiff as the bone around it, as in the published experiment and
   /// in a lumen without known membrane.
@@ -113,6 +117,12 @@ struct ModelParts {
   /// Surface that a point set collides with; not used by a rod.
   std::shared_ptr<const anatomy::Surface> hapticSurface;
   SolverParameters solver;  ///< Used for a rod only.
+};
+
+/// A relaxing fraction of a stiffness in one time step.
+struct RelaxingStep {
+  double fraction = 0.0;
+  double ratio = 0.0;  ///< Time step over time constant.
 };
 
 /// A cochlea, an array, material laws and solver settings: immutable, shared between threads.
@@ -151,8 +161,11 @@ struct InsertionModel {
   std::vector<double> halfWithin;            ///< Half of the section within the plane of curl [m].
   std::vector<double> halfAcross;            ///< Half of the section across the plane of curl [m].
   bool isOval = false;                       ///< Sections or their stiffness are not round.
-  bool twists = false;                       ///< Precurved or oval: its rotation about its axis
-                                             ///< matters.
+  bool twists = false;                       ///< Precurved, oval or relaxing: its rotation about
+                                             ///< its axis matters.
+  /// Maxwell elements of the bending stiffness, and the friction film.
+  std::array<RelaxingStep, RelaxationLaw::maxTerms> relaxing;
+  RelaxingStep film;
   std::vector<double> restCurvature;   ///< Rest curvature of the carrier alone at each node [1/m].
   std::vector<double> wallStiffness;   ///< At each node [N/m].
   std::vector<double> wallTangential;  ///< At each node [N/m].

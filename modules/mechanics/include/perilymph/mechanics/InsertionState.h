@@ -4,6 +4,7 @@
 // The variable data of an insertion.
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -71,6 +72,12 @@ struct SectionReach {
   double rate = 0.0;    ///< Derivative by the rotation of the section [m].
 };
 
+/// Bends that one Maxwell element of each node has taken on, along the node's axes.
+struct RelaxedBend {
+  std::vector<double> along;   ///< Toward the curl.
+  std::vector<double> across;  ///< Perpendicular to it.
+};
+
 struct StepWorkspace;
 
 /// Owns the solver's memory: intermediate results of a step, and the last factorization of the
@@ -117,6 +124,11 @@ struct InsertionState {
   std::vector<Eigen::Vector3d> velocityTrend_W;
   /// Unit direction of curl of each edge (the last one twice).
   std::vector<Eigen::Vector3d> curl_W;
+  /// Bends that each Maxwell element has taken on; empty if bends do not relax.
+  std::array<RelaxedBend, RelaxationLaw::maxTerms> relaxedBend;
+  std::vector<Eigen::Vector3d>
+      frictionFilm_W;  ///< Stretch of each node's relaxing friction film [m];
+                       ///< empty without one.
   std::vector<Eigen::Vector3d> frictionSpring_W;  ///< Stretch of each node's friction spring [m].
   std::vector<unsigned char> isSliding;           ///< Whether each node slides.
   std::vector<double> slipSpeed;                  ///< Speed of each node along the wall [m/s].

@@ -9,6 +9,7 @@ namespace perilymph::mechanics {
 
 struct RimContact {
   Eigen::Vector3d spring_W = Eigen::Vector3d::Zero();  ///< Deflection of the friction spring [m].
+  Eigen::Vector3d film_W = Eigen::Vector3d::Zero();    ///< The same of its film, if it has one [m].
   bool isSliding = false;
   Eigen::Vector3d normal_W = Eigen::Vector3d::Zero();  ///< Unit; friction is perpendicular to it.
   double slipSpeed = 0.0;                              ///< Speed of the array along the rim [m/s].

@@ -9,17 +9,6 @@
 
 namespace perilymph::session {
 
-/// Whether a tick raises the peak of an insertion: the largest axial force on the hand while the array
-/// is inserted, held or withdrawn, the tick that ends it included; 0 N before. A tick that has not found
-/// its balance has no force of the array. Every peak force of the program is found by it.
-///
-/// @param peakForce  The peak of the ticks before [N].
-constexpr bool raisesPeak(const haptics::TickOutput& now, double peakForce) noexcept
-{
-  return now.workflow != haptics::Workflow::idle && now.workflow != haptics::Workflow::armed &&
-         (now.status & haptics::notConverged) == 0 && now.axialForce > peakForce;
-}
-
 /// Key figures since the array began to move; earlier ticks are only counted.
 struct Highlights {
   std::uint64_t ticks = 0;

@@ -44,6 +44,7 @@ struct InsertionParameters {
   std::optional<Length> freeLength;  ///< Between opening and forceps; empty: the whole array.
   mechanics::FrictionLaw friction;
   FrictionSpread frictionSpread;
+  mechanics::RelaxationLaw relaxation;  ///< By default nothing relaxes.
   mechanics::WallLaw wall;
   OpeningKind openingKind = OpeningKind::none;
   std::optional<mechanics::Opening> opening;

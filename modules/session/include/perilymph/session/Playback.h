@@ -44,6 +44,7 @@ public:
   struct Sample {
     std::uint64_t place = 0;
     haptics::TickOutput output;
+    haptics::PeakForce peak;  ///< So far, of the ticks between samples, too.
   };
   const std::vector<Sample>& samples() const noexcept;
 

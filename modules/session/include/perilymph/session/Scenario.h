@@ -90,6 +90,7 @@ public:
   Angle approachTilt() const noexcept { return parameters().approachTilt; }
   Angle approachTurn() const noexcept { return parameters().approachTurn; }
   const mechanics::FrictionLaw& friction() const noexcept { return parameters().friction; }
+  const mechanics::RelaxationLaw& relaxation() const noexcept { return parameters().relaxation; }
   const mechanics::WallLaw& wall() const noexcept { return parameters().wall; }
   OpeningKind openingKind() const noexcept { return parameters().openingKind; }
   const std::optional<mechanics::Opening>& opening() const noexcept { return parameters().opening; }

@@ -75,6 +75,8 @@ Result<std::vector<SessionSummary>> listSessions(const std::filesystem::path& fo
 /// Name of a recording for display: that of its file without extension, and without the time with
 /// which automatic names begin.
 std::string displayNameOf(const std::filesystem::path& file);
+/// The time with which an automatic name begins, as "2026-01-31T15:45:02Z"; empty for other names.
+std::string startedUtcOf(const std::filesystem::path& file);
 
 /// Renames a recording in its folder (name without extension).
 Result<std::filesystem::path> renameSession(const std::filesystem::path& file,

@@ -86,6 +86,8 @@ public:
 
   /// Switches to a preset at once; resets rotation, translation and zoom.
   void lookFrom(CameraPreset preset);
+  /// Looks from the preset of another scene, with the magnification that its motion ends at.
+  void keepViewOf(const InsertionScene& other);
   /// Moves to a preset within 250 ms, while stepCamera() is called.
   void glideTo(CameraPreset preset);
   /// Copies the current camera of another scene.

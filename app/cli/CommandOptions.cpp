@@ -177,6 +177,11 @@ void addValidate(CLI::App& app, FileOptions& files, ValidateOptions& options)
 {
   CLI::App& command =
       *app.add_subcommand("validate", "Reproduce the published experiment with its statistics");
+  CLI::Option* bench = command.add_option("--bench", options.bench,
+                                          "Infer the friction in an ear from curves of a bench "
+                                          "instead: shipped name (slim-straight) or "
+                                          "folder");
+  files.readsBelow(bench);
   command.add_option("--runs", options.runs, "Number of simulated insertions")
       ->capture_default_str()
       ->check(CLI::Range(2, 100'000));
@@ -195,10 +200,13 @@ void addValidate(CLI::App& app, FileOptions& files, ValidateOptions& options)
                               "Variability between insertions: shipped name or TOML file")
                   ->capture_default_str(),
               variabilityFolder);
+  for (CLI::Option* other : command.get_options())
+    if (other != bench && other != command.get_help_ptr()) other->excludes(bench);
   files.writesInto(
       command.add_option("--out", options.out, "Output folder for tables and figures")->required(),
-      withFigures({"profile.csv", "difference.csv", "summary.json"},
-                  {"experiment", "simulation", "difference"}));
+      withFigures({"profile.csv", "difference.csv", "summary.json", "friction.csv", "predicted.csv",
+                   "scores.csv"},
+                  {"experiment", "simulation", "difference", "friction"}));
 }
 
 void addCalibrate(CLI::App& app, FileOptions& files, CalibrateOptions& options)

@@ -52,6 +52,8 @@ struct ValidateOptions {
   int runs = 200;
   std::uint64_t seed = 1;
   unsigned jobs = 0;  ///< 0: one per processor.
+  std::string
+      bench;  ///< Shipped name or folder of curves, in place of the experiment; empty: none.
   std::string out;
 };
 Result<Done> validate(const ValidateOptions& options, const CallFiles& files);
@@ -68,9 +70,9 @@ Result<Done> calibrate(const CalibrateOptions& options, const CallFiles& files);
 
 struct PredictOptions {
   std::vector<std::string> arrays;
-  bool isAll = false;               ///< The clinical table in place of chosen arrays.
-  std::string friction = "tissue";  ///< Friction of the clinical table.
-  std::optional<int> patients;      ///< 50, for the clinical table 12.
+  bool isAll = false;  ///< The clinical table in place of chosen arrays.
+  std::string friction = "estimate-from-pig-tissue";  ///< Friction of the clinical table.
+  std::optional<int> patients;                        ///< 50, for the clinical table 12.
   std::vector<std::uint64_t> seeds = {1};
   unsigned jobs = 0;
   std::string out;

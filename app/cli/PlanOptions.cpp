@@ -42,8 +42,9 @@ void addPlan(CLI::App& app, FileOptions& files, PlanOptions& options)
   files.reads(
       command
           .add_option("--friction", options.friction,
-                      "Friction: shipped name or TOML file; 'tissue' was measured on a simulant")
-          ->default_str("endosteum"),
+                      "Friction: shipped name or TOML file; 'tissue' was measured on a simulant, "
+                      "'endosteum' is recalled")
+          ->default_str("estimate-from-pig-tissue"),
       "resources/friction");
   command
       .add_option("--samples", options.samples,

@@ -2,6 +2,7 @@
 
 #include "CallFiles.h"
 
+#include <filesystem>
 #include <stop_token>
 #include "Commands.h"
 #include "Interruption.h"
@@ -9,6 +10,7 @@
 #include "PatientOption.h"
 #include "Terminal.h"
 #include "perilymph/foundation/Resources.h"
+#include "perilymph/validation/BenchReport.h"
 #include "perilymph/validation/ValidationReport.h"
 
 namespace perilymph::cli {
@@ -36,10 +38,56 @@ void printSummary(const ValidationRequest& request, const ValidationResult& resu
           fixed(100.0 * spread.fraction, 1));
 }
 
+std::string text(const validation::Estimate& friction)
+{
+  return fixed(friction.median, 3) + " (" + fixed(friction.low, 3) + " to " +
+         fixed(friction.high, 3) + ")";
+}
+
+void printBench(const validation::BenchResult& result)
+{
+  print("Friction, median and 95 %:\n");
+  for (const auto* list : {&result.media, &result.pairs})
+    for (const validation::MediumFriction& each : *list)
+      print("  {:<4} {:<14} {}\n", each.specimen, nameIn(validation::benchMedia, each.medium),
+            text(each.friction));
+  for (const validation::TissueFriction& each : result.tissue)
+    print("Fresh tissue over {}: median {}, a further specimen {}, SD of ln friction {}\n",
+          each.specimens, text(each.median), text(each.further), fixed(each.between, 2));
+  std::size_t inside = 0;
+  for (const validation::PredictedForce& each : result.predicted) inside += each.isInside() ? 1 : 0;
+  print("From 8 to 13 mm predicted: {} of {} forces up to 14 mm in their 90 % band.\n", inside,
+        result.predicted.size());
+  for (const validation::ModelScore& each : result.scores)
+    print("  {:<4} {} forces, ln p: capstan {}, constant ratio {}\n", each.specimen, each.forces,
+          fixed(each.capstan, 2), fixed(each.constantRatio, 2));
+  print("Most likely array: EI at the tip {} N mm^2, r {}\n", fixed(1e6 * result.tipStiffness, 4),
+        fixed(result.growth, 0));
+}
+
+Result<Done> inferFromBench(const ValidateOptions& options, const CallFiles& files)
+{
+  std::filesystem::path folder = resource("resources/bench") / options.bench;
+  std::error_code ignored;
+  if (!std::filesystem::is_directory(folder, ignored)) folder = options.bench;
+  const auto specimens = validation::loadBench(folder);
+  if (!specimens) return specimens.error();
+  const validation::BenchResult result = validation::inferFriction(*specimens);
+  FolderContent content;
+  content.texts = {{"friction.csv", validation::benchFrictionCsv(result)},
+                   {"predicted.csv", validation::benchPredictedCsv(result)},
+                   {"scores.csv", validation::benchScoresCsv(result)}};
+  content.figures = {{"friction", draw(validation::benchFrictionFigure(result))}};
+  if (const auto done = writeFolder(files, options.out, content); !done) return done.error();
+  printBench(result);
+  return Done{};
+}
+
 }  // namespace
 
 Result<Done> validate(const ValidateOptions& options, const CallFiles& files)
 {
+  if (!options.bench.empty()) return inferFromBench(options, files);
   const auto file = findByName("variability", "resources/validation", options.variability);
   if (!file) return file.error();
   auto variability = validation::loadVariability(*file);

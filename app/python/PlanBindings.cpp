@@ -273,7 +273,8 @@ void definePlan(py::module_& module)
           "The arrays, in the order of the request.")
       .def_property_readonly(
           "bands_hold", [](const StoredPlan& one) { return textOf(planning::bandsHold(one.plan)); },
-          "What its bands hold from 5 to 95 %, and what they hold fixed: '90 % at friction 0.12'.")
+          "What its bands hold from 5 to 95 %: '90 % over friction 0.08 to 0.33'; of a friction "
+          "without a stated spread, '90 % at friction 0.12'.")
       .def_property_readonly(
           "seed", [](const StoredPlan& one) { return one.plan.request.seed; }, "Of the draws.")
       .def_property_readonly(
@@ -324,7 +325,7 @@ void definePlan(py::module_& module)
       "the bands stand, unless "
       "all_samples.\nseed: of the draws. jobs: threads, 0: one per processor; does not affect "
       "the plan.\nscenario: what is neither drawn nor named.\nfriction: name or file; None: the "
-      "scenario's, 0.12 of endosteum, chosen.\ndraws_file: keeps the draws "
+      "scenario's, an estimate from pig tissue.\ndraws_file: keeps the draws "
       "(.sqlite), so that an interrupted plan continues.\nprogress: called with the numbers "
       "of done and of all insertions; an exception in it ends the plan.\n\n"
       "The interpreter's lock is released while it computes; Ctrl+C ends it.");

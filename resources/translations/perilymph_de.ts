@@ -3435,6 +3435,62 @@
         <source>angle of the most apical contact of an array that lies along the lateral wall in its whole length</source>
         <translation>Winkel des apikalsten Kontakts eines Trägers, der in ganzer Länge an der lateralen Wand liegt</translation>
     </message>
+    <message>
+        <source>The folder &apos;%1&apos; has %2 specimens with a curve in soap; one is needed, whose array stands for all.</source>
+        <translation>Der Ordner „%1“ hat %2 Präparate mit einer Kurve in Seife; genau eines wird gebraucht, dessen Elektrodenträger für alle steht.</translation>
+    </message>
+    <message>
+        <source>PTFE, soap</source>
+        <translation>PTFE, Seife</translation>
+    </message>
+    <message>
+        <source>PTFE, Healon in air</source>
+        <translation>PTFE, Healon in Luft</translation>
+    </message>
+    <message>
+        <source>PTFE, saline and Healon</source>
+        <translation>PTFE, Kochsalzlösung und Healon</translation>
+    </message>
+    <message>
+        <source>PTFE, saline</source>
+        <translation>PTFE, Kochsalzlösung</translation>
+    </message>
+    <message>
+        <source>PTFE, artificial perilymph</source>
+        <translation>PTFE, künstliche Perilymphe</translation>
+    </message>
+    <message>
+        <source>fresh cochlea</source>
+        <translation>frische Cochlea</translation>
+    </message>
+    <message>
+        <source>Friction from one array in one channel</source>
+        <translation>Reibung aus einem Elektrodenträger in einem Kanal</translation>
+    </message>
+    <message>
+        <source>coefficient of friction</source>
+        <translation>Reibungszahl</translation>
+    </message>
+    <message>
+        <source>posterior in steps of a tenth of ln friction</source>
+        <translation>A-posteriori-Dichte je Zehntel von ln Reibung</translation>
+    </message>
+    <message>
+        <source>Measured forces from 8 to 14 mm; the method: the guide&apos;s page friction.md.</source>
+        <translation>Gemessene Kräfte von 8 bis 14 mm; das Verfahren: Seite friction.md des Handbuchs.</translation>
+    </message>
+    <message>
+        <source>No friction in a living ear is known. The default is an estimate from pig tissue, median %1; 95 % of what is drawn for the simulations lie from %2 to %3. A second inversion of the same curves gives %4. Frictions chosen by name are drawn about their own values.</source>
+        <translation>Eine Reibung im lebenden Ohr ist nicht bekannt. Voreingestellt ist eine Schätzung aus Schweinegewebe, Median %1; 95 % dessen, was für die Simulationen gezogen wird, liegen von %2 bis %3. Eine zweite Auswertung derselben Kurven ergibt %4. Namentlich gewählte Reibungen werden um ihre eigenen Werte gezogen.</translation>
+    </message>
+    <message>
+        <source>%1 % over friction %2 to %3</source>
+        <translation>%1 % über Reibung %2 bis %3</translation>
+    </message>
+    <message>
+        <source>Estimate from pig tissue</source>
+        <translation>Schätzung aus Schweinegewebe</translation>
+    </message>
 </context>
 <context>
     <name>Display</name>
@@ -3826,6 +3882,14 @@
     <message>
         <source>Free length between opening and forceps</source>
         <translation>Freie Länge zwischen Öffnung und Pinzette</translation>
+    </message>
+    <message>
+        <source>SD of ln friction, common to all ears</source>
+        <translation>SD von ln Reibung, allen Ohren gemeinsam</translation>
+    </message>
+    <message>
+        <source>SD of ln friction between ears</source>
+        <translation>SD von ln Reibung zwischen Ohren</translation>
     </message>
 </context>
 <context>
@@ -5678,10 +5742,6 @@
         <translation>%1 über der Trennwand</translation>
     </message>
     <message>
-        <source>friction of endosteum, chosen</source>
-        <translation>Reibung von Endost, gewählt</translation>
-    </message>
-    <message>
         <source>friction %1</source>
         <translation>Reibung %1</translation>
     </message>
@@ -5960,6 +6020,14 @@
     <message>
         <source>Organ of Corti: 33.13 mm, SD 2.11, n = 9 (Stakhovskaya et al. 2007). The published model uses 35.58 mm.</source>
         <translation>Corti-Organ: 33,13 mm, SD 2,11, n = 9 (Stakhovskaya et al. 2007). Das veröffentlichte Modell verwendet 35,58 mm.</translation>
+    </message>
+    <message>
+        <source>friction estimated from pig tissue</source>
+        <translation>Reibung geschätzt aus Schweinegewebe</translation>
+    </message>
+    <message>
+        <source>friction of endosteum, recalled</source>
+        <translation>Reibung von Endost, erinnert</translation>
     </message>
 </context>
 <context>
@@ -8189,12 +8257,12 @@
         <translation>Seit diesem Plan wurde ein Träger, das Szenario, eine Verteilung oder das Programm geändert: Er wird gezeigt, wie er gemacht wurde, und „Berechnen“ macht einen neuen.</translation>
     </message>
     <message>
-        <source>Values of the model, not clinical risks: the friction, 0.12, was chosen for the depths that clinics report; with that of a tissue simulant straight arrays stop at 240 to 350°. Translocation is rarer than clinics report.</source>
-        <translation>Werte des Modells, keine klinischen Risiken: Die Reibung, 0,12, wurde für die Tiefen gewählt, die Kliniken berichten; mit der eines Gewebe-Simulans enden gerade Elektrodenträger bei 240 bis 350°. Translokationen sind seltener als in klinischen Berichten.</translation>
-    </message>
-    <message>
         <source>Plan</source>
         <translation>Plan</translation>
+    </message>
+    <message>
+        <source>Values of the model, not clinical risks: no friction in a living ear is known; the one that is taken is estimated from pig tissue, and bands hold its uncertainty. Translocation is rarer than clinics report.</source>
+        <translation>Werte des Modells, keine klinischen Risiken: Eine Reibung im lebenden Ohr ist nicht bekannt; die verwendete ist aus Schweinegewebe geschätzt, und die Bandbreiten enthalten ihre Unsicherheit. Translokationen sind seltener, als Kliniken berichten.</translation>
     </message>
 </context>
 <context>
@@ -8296,8 +8364,8 @@
         <translation>Reibung</translation>
     </message>
     <message>
-        <source>No friction in an ear is known. 0.12 is the low end of what is reported for arrays on endosteum; with it most straight arrays come about as deep as clinics report. With the friction measured on a tissue simulant they stop at 240 to 350°.</source>
-        <translation>Im Ohr ist keine Reibung bekannt. 0,12 ist das untere Ende dessen, was für Elektrodenträger auf Endost berichtet wird; mit ihr kommen die meisten geraden Elektrodenträger etwa so tief, wie Kliniken berichten. Mit der an einem Gewebe-Simulans gemessenen Reibung enden sie bei 240 bis 350°.</translation>
+        <source>No friction in a living ear is known. The first one is estimated from force curves in fresh cochleae of pigs, median 0.165; simulations draw it from 0.08 to 0.33. 0.12 is recalled for arrays on endosteum; with the friction measured on a tissue simulant arrays stop at 240 to 350°.</source>
+        <translation>Eine Reibung im lebenden Ohr ist nicht bekannt. Die erste ist aus Kraftkurven in frischen Cochleae von Schweinen geschätzt, Median 0,165; Simulationen ziehen sie von 0,08 bis 0,33. 0,12 ist für Elektrodenträger auf Endost erinnert; mit der an einem Gewebe-Simulans gemessenen Reibung halten Träger bei 240 bis 350°.</translation>
     </message>
     <message>
         <source>Example: %1</source>

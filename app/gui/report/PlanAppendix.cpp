@@ -244,7 +244,7 @@ QString marks(const PlanReportContent& content)
                  row(tr("Planned by"), from(content.stored.program)) +
                  row(tr("Report by"), from(buildId())) +
                  row(tr("Scenario"), from(plan.request.scenario)) +
-                 row(tr("Friction"), plannedFriction(plan.request).toHtmlEscaped()) +
+                 row(tr("Friction"), plannedFriction(plan).toHtmlEscaped()) +
                  row(tr("Seed"), QString::number(plan.request.seed));
   rows += row(tr("CT series, SHA-256"), plan.request.patient.seal == Seal::changed
                                             ? tr("none: the measures were changed")

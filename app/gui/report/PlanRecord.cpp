@@ -155,7 +155,7 @@ QStringList linesOf(const PlanReportContent& content)
          "within their errors, speed, tremor, grip, force limit, friction, approach and stiffness "
          "are drawn again; see the appendix.")
           .arg(content.plan().arrays.front().draws)
-          .arg(plannedFriction(content.plan().request))};
+          .arg(plannedFriction(content.plan()))};
   for (const Sentence& limit : content.stored.limits) lines << dataText(limit);
   return lines;
 }

@@ -21,7 +21,8 @@ struct PlannedForce {
     double depth_mm = 0.0, low_mN = 0.0, median_mN = 0.0, high_mN = 0.0;
   };
   QString label;
-  QString hold;  ///< What the bands hold and what they hold fixed: "90 % at friction 0.12".
+  QString
+      hold;  ///< What the bands hold and what they hold fixed: "90 % over friction 0.08 to 0.33".
   planning::Band peak_mN, end_mN, angle_deg;
   std::optional<planning::Band> after1s_mN;  ///< Empty in plans of versions without it.
   anatomy::Patient patient;

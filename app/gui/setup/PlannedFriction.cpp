@@ -21,13 +21,20 @@ QString nameOf(const std::string& nameOrFile)
   return QString::fromStdString(std::filesystem::path(nameOrFile).stem().string());
 }
 
+/// Whether a request takes the friction of the plans' usual scenario.
+bool isUsual(const planning::PlanRequest& request)
+{
+  return !request.friction && request.scenario == planning::PlanRequest{}.scenario;
+}
+
 }  // namespace
 
 QString plannedFriction(const planning::PlanRequest& request)
 {
-  const bool isUsual = !request.friction && request.scenario == planning::PlanRequest{}.scenario;
-  if (isUsual || request.friction == endosteumFriction)
-    return QCoreApplication::translate("perilymph::gui", "friction of endosteum, chosen");
+  if (isUsual(request) || request.friction == estimatedFriction)
+    return QCoreApplication::translate("perilymph::gui", "friction estimated from pig tissue");
+  if (request.friction == endosteumFriction)
+    return QCoreApplication::translate("perilymph::gui", "friction of endosteum, recalled");
   if (request.friction == simulantFriction)
     return QCoreApplication::translate("perilymph::gui", "friction of a tissue simulant");
   if (request.friction)
@@ -35,6 +42,14 @@ QString plannedFriction(const planning::PlanRequest& request)
         .arg(nameOf(*request.friction));
   return QCoreApplication::translate("perilymph::gui", "friction of %1")
       .arg(nameOf(request.scenario));
+}
+
+QString plannedFriction(const planning::Plan& plan)
+{
+  planning::PlanRequest request = plan.request;
+  // plans of former versions took another friction by default
+  if (isUsual(request) && !(plan.frictionSpread > 0.0)) request.friction = endosteumFriction;
+  return plannedFriction(request);
 }
 
 QString bandsHold(const planning::Plan& plan) { return dataText(planning::bandsHold(plan)); }

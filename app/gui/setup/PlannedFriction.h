@@ -9,15 +9,19 @@
 
 namespace perilymph::gui {
 
-/// The shipped friction of the plans' usual scenario, and the one measured on a tissue simulant.
+/// The shipped friction of the plans' usual scenario, the former one, and the one measured on a tissue
+/// simulant.
+inline constexpr const char* estimatedFriction = "estimate-from-pig-tissue";
 inline constexpr const char* endosteumFriction = "endosteum";
 inline constexpr const char* simulantFriction = "tissue";
 
-/// "friction of endosteum, chosen", "friction of a tissue simulant", "friction soap-50"; of another
-/// scenario, "friction of booth".
+/// The friction that a request asks for: "friction estimated from pig tissue", "friction of a tissue
+/// simulant", "friction soap-50"; of another scenario, "friction of booth".
 QString plannedFriction(const planning::PlanRequest& request);
+/// The friction that a plan was made with, perhaps by a former version with another default.
+QString plannedFriction(const planning::Plan& plan);
 
-/// planning::bandsHold() in the language of the window: "90 % at friction 0.12".
+/// planning::bandsHold() in the language of the window: "90 % over friction 0.08 to 0.33".
 QString bandsHold(const planning::Plan& plan);
 
 /// A share of an array's simulations: "3 of 16"; from analysis::fewestForPercent on "19 %".

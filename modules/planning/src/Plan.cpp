@@ -96,6 +96,7 @@ Result<Plan> viewPlan(const PlanRequest& request, const std::filesystem::path& d
     plan.fingerprint = fingerprint;
     plan.thresholds = setup->thresholds;
     plan.friction = frictionOf(*setup);
+    plan.frictionSpread = frictionSpreadOf(*setup);
     plan.arrays = summarize(request, setup->arrays, plan.thresholds, plan.insertions);
     return plan;
   }
@@ -109,6 +110,7 @@ Result<Plan> viewPlan(const PlanRequest& request, const std::filesystem::path& d
   if (plan.seal != Seal::changed) plan.fingerprint = fingerprint;
   plan.thresholds = stored->plan.thresholds;
   plan.friction = stored->plan.friction;
+  plan.frictionSpread = stored->plan.frictionSpread;
   plan.arrays = summarize(request, arraysOf(stored->plan), plan.thresholds, plan.insertions);
   return plan;
 }
@@ -122,6 +124,7 @@ Result<Plan> makePlan(const PlanRequest& request, const std::filesystem::path& d
   plan.request = request;
   plan.thresholds = setup->thresholds;
   plan.friction = frictionOf(*setup);
+  plan.frictionSpread = frictionSpreadOf(*setup);
   plan.fingerprint = fingerprintOf(request, *setup);
   std::optional<session::InsertionTable> file;
   if (!draws.empty()) {

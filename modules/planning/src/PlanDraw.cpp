@@ -116,7 +116,8 @@ void drawShape(const Stream& stream, const Uncertainty& uncertainty, PlanDraw& d
 }  // namespace
 
 PlanDraw drawPlan(const anatomy::Patient& patient, const Uncertainty& uncertainty,
-                  const analysis::HandDistribution& hand, std::uint64_t seed, std::uint64_t number)
+                  const analysis::HandDistribution& hand, std::uint64_t seed, std::uint64_t number,
+                  const session::FrictionSpread& friction)
 {
   const auto stream = [&](Draw draw) {
     return analysis::RandomStream(seed, number, static_cast<std::uint64_t>(draw));
@@ -138,7 +139,7 @@ PlanDraw drawPlan(const anatomy::Patient& patient, const Uncertainty& uncertaint
   drawn.tilt = deviate() * uncertainty.tiltDeviation;
   drawn.turn = deviate() * uncertainty.turnDeviation;
   drawn.stiffnessDeviate = stream(Draw::stiffness).normal(0.0, 1.0, -maxDeviates, maxDeviates);
-  drawn.surgeon = analysis::drawSurgeon(hand, seed, number);
+  drawn.surgeon = analysis::drawSurgeon(hand, seed, number, friction);
   return drawn;
 }
 

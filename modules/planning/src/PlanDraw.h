@@ -34,7 +34,8 @@ struct PlanDraw {
 ///
 /// @param patient  With A and B.
 PlanDraw drawPlan(const anatomy::Patient& patient, const Uncertainty& uncertainty,
-                  const analysis::HandDistribution& hand, std::uint64_t seed, std::uint64_t number);
+                  const analysis::HandDistribution& hand, std::uint64_t seed, std::uint64_t number,
+                  const session::FrictionSpread& friction = {});
 
 /// The factor of an array's bending and twisting stiffness: log-normal with mean 1.
 double stiffnessFactor(const PlanDraw& draw, double deviation);

@@ -213,6 +213,8 @@ StoredPlan storedIn(const Json& value)
           !reason.empty())
         throw Unreadable(std::move(reason));
   }
+  if (value.contains("friction_sd_log"))
+    stored.plan.frictionSpread = numberAt(value, "friction_sd_log", {0.0, 2.0});
   for (const Json& each : listAt(value, "arrays", maxStoredArrays)) {
     stored.plan.arrays.push_back(arrayIn(each));
     request.arrays.push_back(stored.plan.arrays.back().array);
@@ -224,7 +226,8 @@ StoredPlan storedIn(const Json& value)
                               textAt(each, "confidence")});
   }
   std::vector<Phrase> limits;
-  for (const Sentence& each : limitsOfPlans()) limits.emplace_back(each.phrase());
+  for (const auto* list : {&limitsOfPlans(), &formerLimitsOfPlans()})
+    for (const Sentence& each : *list) limits.emplace_back(each.phrase());
   for (const Json& each : listAt(value, "limits", maxStoredRows)) {
     if (!each.is_string()) throw Unreadable("limits holds something that is no sentence");
     stored.limits.push_back(recognized(each.get<std::string>(), limits));

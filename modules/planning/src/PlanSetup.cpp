@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PlanSetup.h"
 
+#include <cmath>
 #include <stdexcept>
 #include <stop_token>
 #include <utility>
@@ -126,6 +127,12 @@ Result<PlannedInsertion> insertArray(const PlanRequest& request, const PlanSetup
   return planned;
 }
 
+PlanDraw drawOf(const PlanRequest& request, const PlanSetup& setup, std::size_t number)
+{
+  return drawPlan(request.patient, setup.uncertainty, setup.hand, request.seed, number,
+                  setup.nominal.front().parameters.frictionSpread);
+}
+
 }  // namespace
 
 Result<PlanSetup> preparePlan(const PlanRequest& request)
@@ -160,6 +167,12 @@ Range frictionOf(const PlanSetup& setup)
   return range;
 }
 
+double frictionSpreadOf(const PlanSetup& setup)
+{
+  const session::FrictionSpread& spread = setup.nominal.front().parameters.frictionSpread;
+  return std::sqrt(spread.shared * spread.shared + spread.ear * spread.ear);
+}
+
 std::string fingerprintOf(const PlanRequest& request, const PlanSetup& setup)
 {
   Sha256 hash;
@@ -187,8 +200,7 @@ std::string fingerprintOf(const PlanRequest& request, const PlanSetup& setup)
 Result<std::vector<PlannedInsertion>> runDraw(const PlanRequest& request, const PlanSetup& setup,
                                               std::size_t number, const std::stop_token& stop)
 {
-  const PlanDraw draw =
-      drawPlan(request.patient, setup.uncertainty, setup.hand, request.seed, number);
+  const PlanDraw draw = drawOf(request, setup, number);
   PlannedShape shape;
   std::vector<PlannedInsertion> insertions;
   for (std::size_t i = 0; i < setup.nominal.size() && !stop.stop_requested(); ++i) {
@@ -202,8 +214,7 @@ Result<std::vector<PlannedInsertion>> runDraw(const PlanRequest& request, const 
 Result<PlannedShape> runShape(const PlanRequest& request, const PlanSetup& setup, std::size_t array,
                               std::size_t number, const std::stop_token& stop)
 {
-  const PlanDraw draw =
-      drawPlan(request.patient, setup.uncertainty, setup.hand, request.seed, number);
+  const PlanDraw draw = drawOf(request, setup, number);
   PlannedShape shape;
   auto planned = insertArray(request, setup, draw, number, array, traceSpacing, shape, stop);
   if (!planned) return planned.error();

@@ -40,6 +40,8 @@ std::string fingerprintOf(const PlanRequest& request, const PlanSetup& setup);
 
 /// Plan::friction: of the scenario, which all arrays share.
 Range frictionOf(const PlanSetup& setup);
+/// Plan::frictionSpread.
+double frictionSpreadOf(const PlanSetup& setup);
 
 /// The insertions of all arrays in one draw, in one cochlea; fewer if asked to end.
 Result<std::vector<PlannedInsertion>> runDraw(const PlanRequest& request, const PlanSetup& setup,

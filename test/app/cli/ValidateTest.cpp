@@ -55,6 +55,11 @@ TEST(Validate, SaysWhatIsWrongWithTheCall)
   expectUsageError(cli({"validate", "--runs", "1", "--out", folder / "a"}), "--runs");
   expectUsageError(cli({"validate", "--jobs", "0", "--out", folder / "a"}), "--jobs");
   expectUsageError(cli({"validate", "--seed", "-1", "--out", folder / "a"}), "--seed");
+  for (const char* other : {"--seed", "--runs", "--jobs"})
+    expectUsageError(
+        cli({"validate", "--bench", "slim-straight", other, "2", "--out", folder / "a"}), other);
+  expectRefusal(cli({"validate", "--bench", folder / "none", "--out", folder / "a"}),
+                "0 specimens with a curve in soap");
   expectRefusal(cli(shortValidation(folder / "a", {"--variability", "nowhere"})),
                 "published-experiment");
   expectRefusal(cli(shortValidation(folder / "a", {"--set", "nodes=3"})), "between 8 and 1024");

@@ -113,7 +113,8 @@ TEST_F(PlannedInsertions, ThatOnceEndedFalselyAreConsistent)
     const auto run = planning::runShape(asked, *setup, 0, each.draw, {});
     ASSERT_TRUE(run) << run.error().message;
     const planning::PlanDraw drawn =
-        planning::drawPlan(asked.patient, setup->uncertainty, setup->hand, asked.seed, each.draw);
+        planning::drawPlan(asked.patient, setup->uncertainty, setup->hand, asked.seed, each.draw,
+                           setup->nominal.front().parameters.frictionSpread);
     EXPECT_EQ(contradictionIn(run->insertion, drawn.surgeon.rupture), "") << each.array;
     EXPECT_GT(run->insertion.insertion.depth, millimeters(15)) << each.array;
   }
@@ -139,8 +140,9 @@ TEST_F(PlannedInsertions, OfAllArraysTiltsAndFrictionsAreConsistent)
       const auto plan = planning::makePlan(asked, {}, {});
       ASSERT_TRUE(plan) << plan.error().message;
       for (const planning::PlannedInsertion& each : plan->insertions) {
-        const planning::PlanDraw drawn = planning::drawPlan(asked.patient, setup->uncertainty,
-                                                            setup->hand, asked.seed, each.draw);
+        const planning::PlanDraw drawn =
+            planning::drawPlan(asked.patient, setup->uncertainty, setup->hand, asked.seed,
+                               each.draw, setup->nominal.front().parameters.frictionSpread);
         EXPECT_EQ(contradictionIn(each, drawn.surgeon.rupture), "")
             << arrays[each.array] << ", friction " << friction << ", tilt " << tilt_deg;
         ++count;

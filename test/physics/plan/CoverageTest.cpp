@@ -40,7 +40,8 @@ Result<analysis::ClinicalInsertion> insertTruly(const planning::PlanRequest& req
   const auto setup = planning::preparePlan(request);
   if (!setup) return setup.error();
   const planning::PlanDraw luck =
-      planning::drawPlan(patient.measured, setup->uncertainty, setup->hand, seedOfLuck, number);
+      planning::drawPlan(patient.measured, setup->uncertainty, setup->hand, seedOfLuck, number,
+                         setup->nominal.front().parameters.frictionSpread);
   const planning::Nominal& nominal = setup->nominal.front();
   const auto parameters = planning::drawnParameters(
       nominal.parameters, luck, planning::stiffnessFactor(luck, nominal.stiffnessDeviation),

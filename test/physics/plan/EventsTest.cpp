@@ -20,7 +20,7 @@ namespace {
 
 using Changes = std::vector<std::pair<std::string, std::string>>;
 
-const Changes inTissue = {{"friction = \"endosteum\"", "friction = \"tissue\""}};
+const Changes inTissue = {{"friction = \"estimate-from-pig-tissue\"", "friction = \"tissue\""}};
 
 class PlannedEnds : public testing::Test {
 protected:
@@ -47,8 +47,8 @@ protected:
 
 TEST_F(PlannedEnds, AreFullDepthInSoap)
 {
-  const auto arrays =
-      planWith({{"friction = \"endosteum\"", "friction = \"soap-10\""}}, 1, {"flex20"});
+  const auto arrays = planWith(
+      {{"friction = \"estimate-from-pig-tissue\"", "friction = \"soap-10\""}}, 1, {"flex20"});
   EXPECT_EQ(arrays[0].full.value, 1.0);
 }
 
@@ -74,10 +74,11 @@ TEST_F(PlannedEnds, AreAFoldedTipWhereACurvedArrayLeavesItsSheathTooEarly)
 
 TEST_F(PlannedEnds, AreARupturedPartitionWhereACurvedArrayIsPushedUpAgainstIt)
 {
-  const auto arrays = planWith({{"friction = \"endosteum\"", "friction = \"soap-10\""},
-                                {"membrane = \"soft\"", "membrane = \"rigid\""},
-                                {"approach_tilt_deg = 0.0", "approach_tilt_deg = 30.0"}},
-                               3, {"contour"});
+  const auto arrays =
+      planWith({{"friction = \"estimate-from-pig-tissue\"", "friction = \"soap-10\""},
+                {"membrane = \"soft\"", "membrane = \"rigid\""},
+                {"approach_tilt_deg = 0.0", "approach_tilt_deg = 30.0"}},
+               3, {"contour"});
   EXPECT_GT(arrays[0].ruptured.value, 0.0);
   EXPECT_GE(arrays[0].ruptured.value, arrays[0].translocated.value);
 }

@@ -26,10 +26,10 @@ Result<PlannedShape> foldedTip(const std::filesystem::path& folder, const Resolu
   const auto patient = anatomy::loadPatient(resource("resources/patients/measured.toml"));
   if (!patient) return patient.error();
   request.patient = *patient;
-  request.scenario = test::copyChanged(resource("resources/scenarios/surgery-flex28.toml"),
-                                       folder / "scenario.toml",
-                                       {{"technique = \"standard\"", "technique = \"aos\""},
-                                        {"friction = \"endosteum\"", "friction = \"tissue\""}});
+  request.scenario = test::copyChanged(
+      resource("resources/scenarios/surgery-flex28.toml"), folder / "scenario.toml",
+      {{"technique = \"standard\"", "technique = \"aos\""},
+       {"friction = \"estimate-from-pig-tissue\"", "friction = \"tissue\""}});
   request.arrays = {test::copyChanged(resource("plugins/electrodes/cochlear/slim-modiolar.toml"),
                                       folder / "early.toml",
                                       {{"hold_depth_mm = 5.0", "hold_depth_mm = 3.0"}})};

@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <vector>
+
+#include "perilymph/analysis/SampleStatistics.h"
 #include "perilymph/session/Scenario.h"
 
 namespace perilymph::analysis {
@@ -40,6 +44,25 @@ TEST(DrawnSurgeon, IsTheSameForTheSameSeedAndAnotherForTheNext)
   EXPECT_EQ(drawSurgeon(hand(), 3, 5).stop, drawSurgeon(hand(), 3, 5).stop);
   EXPECT_NE(drawSurgeon(hand(), 3, 5).stop, drawSurgeon(hand(), 3, 6).stop);
   EXPECT_NE(drawSurgeon(hand(), 3, 5).stop, drawSurgeon(hand(), 4, 5).stop);
+}
+
+TEST(DrawnSurgeon, HasTheFrictionsSpreadAroundItsMedian)
+{
+  const HandDistribution all = hand();
+  constexpr int draws = 2000;
+  std::vector<double> spread, ofTheHand;
+  for (std::uint64_t number = 1; number <= draws; ++number) {
+    spread.push_back(std::log(drawSurgeon(all, 1, number, {0.283, 0.2}).frictionFactor));
+    ofTheHand.push_back(drawSurgeon(all, 1, number).frictionFactor);
+  }
+  const SampleStatistics logs = statisticsOf(spread);
+  EXPECT_NEAR(logs.mean, 0.0, 4.0 * 0.3465 / std::sqrt(draws));
+  // sqrt(0.283^2 + 0.2^2); its standard error is 1 / sqrt(2 n) of it, and 3 SD are the limit
+  EXPECT_NEAR(logs.standardDeviation, 0.3465, 0.02);
+  // without a spread, mean 1 and the hand's 25 %
+  const SampleStatistics factors = statisticsOf(ofTheHand);
+  EXPECT_NEAR(factors.mean, 1.0, 4.0 * 0.25 / std::sqrt(draws));
+  EXPECT_NEAR(factors.standardDeviation, all.frictionDeviation, 0.02);
 }
 
 struct ByHand {

@@ -84,6 +84,37 @@ TEST(StoredPlan, KeepsWhatItsBandsHoldFixed)
   EXPECT_FALSE(planning::planIn(with(*json, "0.59\n", "\"0.59\"\n"), "plan.json"));
 }
 
+TEST(StoredPlan, KeepsTheSpreadOfItsFriction)
+{
+  planning::Plan plan = syntheticPlan(20);
+  plan.friction = {0.165, 0.165};
+  plan.frictionSpread = 0.3465;
+  const auto json = planning::planJson(plan);
+  ASSERT_TRUE(json) << json.error().message;
+  const auto stored = planning::planIn(*json, "plan.json");
+  ASSERT_TRUE(stored) << stored.error().message;
+  EXPECT_EQ(planning::bandsHold(stored->plan), "90 % over friction 0.08 to 0.33");
+  EXPECT_FALSE(planning::planIn(with(*json, "0.3465", "34.65"), "plan.json"));
+}
+
+TEST(StoredPlan, OfAFormerVersionKeepsItsFrictionAndItsSentence)
+{
+  // as plans stated it whose default was 0.12
+  const std::string former =
+      "No friction in a living ear is known. The default, 0.12, is the low end of what is reported "
+      "for arrays on endosteum, chosen with the depths in view that clinics report: four of five "
+      "straight arrays come within 20 degrees of them, FLEXSOFT stops 80 short. With the friction "
+      "of a tissue simulant straight arrays stop at 240 to 350.";
+  const auto json = planning::planJson(syntheticPlan(20));
+  ASSERT_TRUE(json) << json.error().message;
+  const Sentence& now = planning::limitsOfPlans()[3];
+  const auto stored = planning::planIn(with(*json, now, former), "plan.json");
+  ASSERT_TRUE(stored) << stored.error().message;
+  EXPECT_EQ(planning::bandsHold(stored->plan), "90 % at friction 0.12");
+  EXPECT_EQ(stored->limits[3], former);
+  EXPECT_EQ(stored->limits[3].values().size(), 5u);  // recognized, so that it can be translated
+}
+
 TEST(StoredPlan, OfAVersionWithoutForcesAtRestIsReadWithoutThem)
 {
   std::string former = writtenPlan();

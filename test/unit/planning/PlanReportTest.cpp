@@ -61,6 +61,10 @@ TEST(PlanReport, SaysWhatTheBandsOfFewSimulationsHold)
   EXPECT_EQ(planning::bandsHold(plan), "88 % at friction 0.12");
   plan.friction = {0.24, 0.59};
   EXPECT_EQ(planning::bandsHold(plan), "88 % at friction 0.24 to 0.59");
+  // 0.165 exp(-1.96 0.3465) = 0.0837, 0.165 exp(1.96 0.3465) = 0.3254
+  plan.friction = {0.165, 0.165};
+  plan.frictionSpread = 0.3465;
+  EXPECT_EQ(planning::bandsHold(plan), "88 % over friction 0.08 to 0.33");
   plan.friction = {};  // of a file that does not state it
   EXPECT_EQ(planning::bandsHold(plan), "88 % at one friction");
 }

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -20,6 +21,7 @@
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/foundation/Version.h"
 #include "perilymph/planning/PlanReport.h"
+#include "perilymph/planning/PlanWords.h"
 #include "perilymph/planning/PlannedDraw.h"
 #include "perilymph/test/SyntheticPlan.h"
 #include "perilymph/test/TemporaryFolder.h"
@@ -78,13 +80,17 @@ TEST_F(SmallPlan, StatesTheFrictionThatItsBandsHoldFixed)
   request_.arrays = {"flex20"};
   const auto usual = planning::makePlan(request_, {}, {});
   ASSERT_TRUE(usual) << usual.error().message;
-  EXPECT_EQ(usual->friction.low, 0.12);  // resources/friction/endosteum.toml
-  EXPECT_EQ(usual->friction.high, 0.12);
+  EXPECT_EQ(usual->friction.low, 0.165);  // resources/friction/estimate-from-pig-tissue.toml
+  EXPECT_EQ(usual->friction.high, 0.165);
+  // 0.283 common to all ears and 0.2 between them
+  EXPECT_NEAR(usual->frictionSpread, std::sqrt(0.283 * 0.283 + 0.2 * 0.2), 1e-12);
+  EXPECT_EQ(planning::bandsHold(*usual), "0 % over friction 0.08 to 0.33");
   request_.friction = "paper";
   const auto other = planning::makePlan(request_, {}, {});
   ASSERT_TRUE(other) << other.error().message;
   EXPECT_EQ(other->friction.low, 0.0395);
   EXPECT_EQ(other->friction.high, 0.0605);
+  EXPECT_EQ(other->frictionSpread, 0.0);
 }
 
 TEST(Draws, BelowSixteenAreOfferedToNobodyAndSayWhy)

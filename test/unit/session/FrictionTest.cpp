@@ -37,9 +37,28 @@ double sliding(const std::string& preset, double speed_mm_s)
 TEST(ShippedFriction, AllLoad)
 {
   const auto names = shippedNames("resources/friction");
-  EXPECT_THAT(names, testing::IsSupersetOf(
-                         {"endosteum", "paper", "soap-10", "soap-50", "soap-90", "tissue"}));
+  EXPECT_THAT(names, testing::IsSupersetOf({"endosteum", "estimate-from-pig-tissue", "paper",
+                                            "soap-10", "soap-50", "soap-90", "tissue"}));
   for (const std::string& name : names) EXPECT_EQ(refusal({{"friction", name}}), "accepted");
+}
+
+TEST(ShippedFriction, OfAnEarIsAnEstimateWithItsSpread)
+{
+  const Scenario estimate = with({{"friction", "estimate-from-pig-tissue"}});
+  EXPECT_DOUBLE_EQ(estimate.friction().sliding(0.0), 0.165);
+  EXPECT_DOUBLE_EQ(estimate.parameters().frictionSpread.shared, 0.283);
+  EXPECT_DOUBLE_EQ(estimate.parameters().frictionSpread.ear, 0.2);
+  // a recording keeps it without the file; the text of a friction without spread is as it was
+  const auto again = parseScenario(estimate.text(), "recorded", {});
+  ASSERT_TRUE(again) << again.error().message;
+  EXPECT_DOUBLE_EQ(again->parameters().frictionSpread.shared, 0.283);
+  EXPECT_EQ(again->text(), estimate.text());
+  for (const char* other : {"endosteum", "paper", "tissue"}) {
+    const Scenario without = with({{"friction", other}});
+    EXPECT_FALSE(without.parameters().frictionSpread.isKnown()) << other;
+    EXPECT_EQ(without.text().find("sd_log"), std::string::npos) << other;
+  }
+  EXPECT_THAT(refusal({{"friction_ear_sd_log", "1.5"}}), HasSubstr("friction_ear_sd_log"));
 }
 
 TEST(ShippedFriction, OfTheExperimentIsAsPublished)

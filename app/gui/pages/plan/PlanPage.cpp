@@ -75,12 +75,12 @@ PlanPage::PlanPage(QWidget* parent)
 QWidget* PlanPage::addPlan()
 {
   auto* page = new QWidget(this);
-  auto* limits =
-      new WrappedLabel(tr("Values of the model, not clinical risks: "
-                          "the friction, 0.12, was chosen for the depths that clinics report; with "
-                          "that of a tissue simulant straight arrays stop at 240 to 350°. "
-                          "Translocation is rarer than clinics report."),
-                       page);
+  auto* limits = new WrappedLabel(
+      tr("Values of the model, not clinical risks: "
+         "no friction in a living ear is known; the one that is taken is estimated "
+         "from pig tissue, and bands hold its uncertainty. "
+         "Translocation is rarer than clinics report."),
+      page);
   limits->setObjectName(QStringLiteral("planLimits"));
   limits->setFont(typeface(11));
   limits->setProperty("quiet", true);
@@ -301,7 +301,7 @@ void PlanPage::showPlan(const PlanWork::SharedPlan& plan, const StoredPlan& stor
   const auto draws = plan->arrays.empty() ? 0 : int(plan->arrays.front().draws);
   const QString run = tr("%1 draws, %2 insertions").arg(draws).arg(plan->insertions.size());
   const QString seal = plan->seal == Seal::changed ? tr("changed by hand, ") : QString();
-  head_->setNote(seal + run + QStringLiteral(", ") + plannedFriction(plan->request));
+  head_->setNote(seal + run + QStringLiteral(", ") + plannedFriction(*plan));
   list_->show(plan);
   showVerbs();
   panel_->showPlan(stored);

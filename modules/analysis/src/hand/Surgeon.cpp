@@ -13,7 +13,18 @@ namespace perilymph::analysis {
 namespace {
 
 /// Uses of random numbers, apart from those of a SpreadSource.
-enum class Draw : std::uint64_t { speed = 100, tremor, freeLength, stop, friction, rupture };
+enum class Draw : std::uint64_t {
+  speed = 100,
+  tremor,
+  freeLength,
+  stop,
+  friction,
+  rupture,
+  sharedFriction
+};
+
+/// Deviates beyond which a friction is not drawn (choice, high).
+constexpr double maxDeviates = 3.0;
 
 TomlReader sourcedTable(TomlReader& file, const char* key, HandDistribution& hand)
 {
@@ -84,7 +95,8 @@ std::filesystem::path shippedHandFile() { return resource("resources/clinical/ha
 
 Result<HandDistribution> shippedHand() { return loadHand(shippedHandFile()); }
 
-Surgeon drawSurgeon(const HandDistribution& hand, std::uint64_t seed, std::uint64_t number)
+Surgeon drawSurgeon(const HandDistribution& hand, std::uint64_t seed, std::uint64_t number,
+                    const session::FrictionSpread& spread)
 {
   const auto stream = [&](Draw draw) {
     return RandomStream(seed, number, static_cast<std::uint64_t>(draw));
@@ -102,9 +114,14 @@ Surgeon drawSurgeon(const HandDistribution& hand, std::uint64_t seed, std::uint6
   one.freeLength =
       meters(within(Draw::freeLength, hand.freeLengthLow.si(), hand.freeLengthHigh.si()));
   one.stop = newtons(within(Draw::stop, hand.stopLow.si(), hand.stopHigh.si()));
-  const double variance = logarithm(1.0 + hand.frictionDeviation * hand.frictionDeviation);
-  const double deviate = stream(Draw::friction).normal(0.0, 1.0, -3.0, 3.0);
-  one.frictionFactor = exponential(std::sqrt(variance) * deviate - 0.5 * variance);
+  const double deviate = stream(Draw::friction).normal(0.0, 1.0, -maxDeviates, maxDeviates);
+  if (spread.isKnown()) {
+    const double shared = stream(Draw::sharedFriction).normal(0.0, 1.0, -maxDeviates, maxDeviates);
+    one.frictionFactor = exponential(spread.shared * shared + spread.ear * deviate);
+  } else {
+    const double variance = logarithm(1.0 + hand.frictionDeviation * hand.frictionDeviation);
+    one.frictionFactor = exponential(std::sqrt(variance) * deviate - 0.5 * variance);
+  }
   one.rupture = newtons(stream(Draw::rupture)
                             .normal(hand.ruptureMean.si(), hand.ruptureDeviation.si(),
                                     hand.ruptureLow.si(), hand.ruptureHigh.si()));

@@ -182,7 +182,7 @@ Result<ScenarioContent> readScenario(TomlReader& reader, const std::string& name
     return std::any_of(overrides.begin(), overrides.end(),
                        [&key](const auto& entry) { return entry.first == key; });
   };
-  readFriction(reader, keys, isOverridden, parameters.friction);
+  readFriction(reader, keys, isOverridden, parameters.friction, parameters.frictionSpread);
   readRelaxation(reader, keys, parameters, parameters.relaxation);
   readOpening(keys, reader, parameters);
   readMembrane(keys, reader, parameters);

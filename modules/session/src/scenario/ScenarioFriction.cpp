@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "perilymph/foundation/Resources.h"
@@ -19,6 +20,7 @@ constexpr Range frictionRange{0.0, 1.0};
 // Hands reach up to 200 mm/s when they slip.
 constexpr Range frictionSpeed_mm_s{0.0, 200.0};
 constexpr Range stribeckRange_mm_s{0.001, 100.0};
+constexpr Range spreadRange{0.0, 1.0};
 
 /// Coefficients of friction in the units of their file. In `resources/friction/`, each with source
 /// and confidence.
@@ -29,6 +31,7 @@ struct FrictionPreset {
   double stribeck_mm_s = 0.1;  ///< Choice: below the speeds of hands and of the published test rig.
   std::vector<double> speed_mm_s;
   std::vector<double> coefficient;  ///< At each speed.
+  FrictionSpread spread;
 };
 
 /// A table with the source of its values.
@@ -67,6 +70,11 @@ Result<FrictionPreset> loadFriction(const std::string& nameOrFile)
     TomlReader stribeck = tableOf(*reader, "stribeck");
     preset.stribeck_mm_s = stribeck.number("speed_mm_s", stribeckRange_mm_s);
   }
+  if (reader->has("spread")) {
+    TomlReader spread = tableOf(*reader, "spread");
+    preset.spread.shared = spread.number("shared_sd_log", spreadRange);
+    preset.spread.ear = spread.number("ear_sd_log", spreadRange);
+  }
   if (const auto done = reader->finish(); !done) return done.error();
   return preset;
 }
@@ -103,7 +111,7 @@ mechanics::FrictionBySpeed bySpeed(TomlReader& reader, const std::vector<double>
 
 void readFriction(TomlReader& reader, ScenarioKeys& keys,
                   const std::function<bool(const std::string&)>& isOverridden,
-                  mechanics::FrictionLaw& law)
+                  mechanics::FrictionLaw& law, FrictionSpread& spread)
 {
   const std::string name = keys.text("friction", "paper");
   const bool isNamedAnew = isOverridden("friction");
@@ -152,6 +160,13 @@ void readFriction(TomlReader& reader, ScenarioKeys& keys,
   law.stoppingCoefficient = number("friction_stopping", frictionRange, preset.stoppingCoefficient);
   law.stribeck = millimetersPerSecond(
       number("friction_stribeck_mm_s", stribeckRange_mm_s, preset.stribeck_mm_s));
+  for (const auto& [key, value, usual] :
+       {std::tuple{"friction_shared_sd_log", &spread.shared, preset.spread.shared},
+        std::tuple{"friction_ear_sd_log", &spread.ear, preset.spread.ear}}) {
+    const double read = reader.number(key, spreadRange, usual);
+    *value = isGiven(key) ? read : usual;
+    if (*value > 0.0) keys.note(key, tomlNumber(*value));
+  }
   refuseDisorder(reader, law);
 }
 

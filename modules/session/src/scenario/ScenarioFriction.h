@@ -7,6 +7,7 @@
 #include <string>
 
 #include "perilymph/mechanics/FrictionLaw.h"
+#include "perilymph/session/InsertionParameters.h"
 #include "scenario/EffectiveText.h"
 
 namespace perilymph::session {
@@ -17,6 +18,6 @@ namespace perilymph::session {
 ///                      values of the text except overridden ones.
 void readFriction(TomlReader& reader, ScenarioKeys& keys,
                   const std::function<bool(const std::string&)>& isOverridden,
-                  mechanics::FrictionLaw& law);
+                  mechanics::FrictionLaw& law, FrictionSpread& spread);
 
 }  // namespace perilymph::session

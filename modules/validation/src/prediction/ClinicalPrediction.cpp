@@ -57,7 +57,8 @@ Result<ClinicalResult> predictClinic(const ClinicalRequest& request,
     }
     const std::uint64_t seed = request.seeds[piece / patients];
     const std::uint64_t patient = piece % patients + 1;
-    const analysis::Surgeon surgeon = analysis::drawSurgeon(*hand, seed, patient);
+    const analysis::Surgeon surgeon =
+        analysis::drawSurgeon(*hand, seed, patient, nominal.front().frictionSpread);
     std::shared_ptr<const anatomy::ScalaTympani> anatomy;
     for (std::size_t i = 0; i < arrays && !ending.stop_requested(); ++i) {
       const auto parameters = withCochlea(nominal[i], seed, patient);

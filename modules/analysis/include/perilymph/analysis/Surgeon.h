@@ -11,6 +11,7 @@
 
 #include "perilymph/foundation/Result.h"
 #include "perilymph/foundation/Units.h"
+#include "perilymph/session/InsertionParameters.h"
 
 namespace perilymph::analysis {
 
@@ -28,7 +29,8 @@ struct HandDistribution {
   Force stopLow, stopHigh;                               ///< At which the surgeon stops: uniform.
   Duration rest, restMean;  ///< Rest after the push, and the time over which forces are averaged.
   Length bucklingLag;       ///< Lag of the tip at which a bow is visible.
-  double frictionDeviation = 0.0;  ///< Fraction of all coefficients: log-normal with mean 1.
+  /// Fraction of all coefficients where the friction states no spread: log-normal with mean 1.
+  double frictionDeviation = 0.0;
   Force ruptureMean, ruptureDeviation, ruptureLow, ruptureHigh;  ///< Normal within the range.
   std::vector<Provenance> provenance;
 };
@@ -51,6 +53,9 @@ struct Surgeon {
 };
 
 /// Surgeon `number` of a seed: the same on every machine, in any order.
-Surgeon drawSurgeon(const HandDistribution& hand, std::uint64_t seed, std::uint64_t number);
+///
+/// @param spread  The friction's, if known: the factor is then log-normal with median 1.
+Surgeon drawSurgeon(const HandDistribution& hand, std::uint64_t seed, std::uint64_t number,
+                    const session::FrictionSpread& spread = {});
 
 }  // namespace perilymph::analysis

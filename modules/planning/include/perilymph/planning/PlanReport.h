@@ -54,5 +54,7 @@ std::vector<std::pair<std::string, figures::Figure>> planFigures(const Plan& pla
 
 /// What a plan leaves open besides what it draws, one sentence each.
 const std::vector<Sentence>& limitsOfPlans();
+/// Such sentences of former versions, by which their files are shown in another language.
+const std::vector<Sentence>& formerLimitsOfPlans();
 
 }  // namespace perilymph::planning

@@ -130,6 +130,9 @@ struct Plan {
   /// Lowest and highest coefficient of the friction that every insertion has, but for its drawn
   /// factor; without bounds if the plan.json does not state it.
   Range friction;
+  /// Standard deviation of the logarithm of that factor, where the friction states one. Without, 0, the
+  /// factor is that of resources/clinical/hand.toml, and bands are those at one friction.
+  double frictionSpread = 0.0;
   /// Its number: SHA-256 of everything it depends on but `draws` and `jobs`. Empty for a plan that
   /// was changed after the program wrote it.
   std::string fingerprint;

@@ -13,7 +13,8 @@ namespace perilymph::planning {
 /// simulations: 90 from 19 on; below, the extremes of n hold (n - 1) / (n + 1).
 int percentHeld(std::size_t draws);
 
-/// What the bands of a plan hold and what they hold fixed: "90 % at friction 0.12", or "90 % at
+/// What the bands of a plan hold and what they hold fixed: "90 % over friction 0.08 to 0.33" where
+/// the friction's spread is drawn (95 % of it), "90 % at friction 0.12", or "90 % at
 /// friction 0.24 to 0.59" where it depends on the speed; "90 % at one friction" for a plan.json that
 /// does not state it.
 Sentence bandsHold(const Plan& plan);

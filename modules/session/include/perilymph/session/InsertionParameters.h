@@ -15,6 +15,15 @@
 
 namespace perilymph::session {
 
+/// How uncertain a friction is: standard deviations of the logarithm of all its coefficients, for those
+/// who draw it. An insertion itself has the friction's own values.
+struct FrictionSpread {
+  double shared = 0.0;  ///< What is common to all ears.
+  double ear = 0.0;     ///< Between ears.
+
+  bool isKnown() const noexcept { return shared > 0.0 || ear > 0.0; }
+};
+
 /// Parameters of an insertion. A Scenario contains them together with their text; a study of random
 /// insertions varies a copy, which has no text and is not recorded.
 struct InsertionParameters {
@@ -34,6 +43,7 @@ struct InsertionParameters {
   Angle approachTilt, approachTurn;
   std::optional<Length> freeLength;  ///< Between opening and forceps; empty: the whole array.
   mechanics::FrictionLaw friction;
+  FrictionSpread frictionSpread;
   mechanics::RelaxationLaw relaxation;  ///< By default nothing relaxes.
   mechanics::WallLaw wall;
   OpeningKind openingKind = OpeningKind::none;

@@ -41,8 +41,9 @@ struct ClinicalRow {
 /// Input of the table.
 struct ClinicalRequest {
   std::vector<std::uint64_t> seeds = {1};
-  int patients = 12;                ///< For each seed.
-  std::string friction = "tissue";  ///< A shipped preset or a file, for the insertions by hand.
+  int patients = 12;  ///< For each seed.
+  /// A shipped preset or a file, for the insertions by hand.
+  std::string friction = "estimate-from-pig-tissue";
   unsigned jobs = 0;
 };
 

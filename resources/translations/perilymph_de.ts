@@ -6029,6 +6029,14 @@
         <source>friction of endosteum, recalled</source>
         <translation>Reibung von Endost, erinnert</translation>
     </message>
+    <message>
+        <source>The cochlea in the CT</source>
+        <translation>Die Cochlea im CT</translation>
+    </message>
+    <message>
+        <source>Cochlear view and the mid-modiolar planes along A and along B: the fitted wall, the lines of A, B and H, and a bar of 5 mm.</source>
+        <translation>Cochleäre Ansicht und die mittmodiolären Ebenen entlang A und B: die angepasste Wand, die Linien von A, B und H und ein Balken von 5 mm.</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::AboutSheet</name>
@@ -8263,6 +8271,10 @@
     <message>
         <source>Values of the model, not clinical risks: no friction in a living ear is known; the one that is taken is estimated from pig tissue, and bands hold its uncertainty. Translocation is rarer than clinics report.</source>
         <translation>Werte des Modells, keine klinischen Risiken: Eine Reibung im lebenden Ohr ist nicht bekannt; die verwendete ist aus Schweinegewebe geschätzt, und die Bandbreiten enthalten ihre Unsicherheit. Translokationen sind seltener, als Kliniken berichten.</translation>
+    </message>
+    <message>
+        <source>Compute</source>
+        <translation>Berechnen</translation>
     </message>
 </context>
 <context>

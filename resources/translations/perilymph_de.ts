@@ -5834,8 +5834,8 @@
         <translation>Endkraft: Mittel der letzten halben Sekunde, bevor die Hand anhält; danach Mittel der halben Sekunde vor 1 s und vor 10 s Ruhe.</translation>
     </message>
     <message>
-        <source>mN over depth in mm: median, 25–75 %, %1; rings: ends</source>
-        <translation>mN über der Tiefe in mm: Median, 25–75 %, %1; Ringe: Enden</translation>
+        <source>mN over depth in mm: median, 25–75 % and band; rings: ends</source>
+        <translation>mN über der Tiefe in mm: Median, 25–75 % und Band; Ringe: Enden</translation>
     </message>
     <message>
         <source>Force at rest: %1 (%2–%3) mN after 1 s, %4 (%5–%6) mN after 10 s.</source>

@@ -135,6 +135,7 @@ py::dict insertions(const StoredPlan& stored)
   add("tilt_deg", [](const Row& row) { return row.tilt_deg; });
   add("turn_deg", [](const Row& row) { return row.turn_deg; });
   add("stiffness", [](const Row& row) { return row.stiffness; });
+  add("packing", [](const Row& row) { return row.packing; });
   add("friction", [](const Row& row) { return row.friction; });
   add("speed_mm_s", [](const Row& row) { return row.speed_mm_s; });
   add("stop_mN", [](const Row& row) { return row.stop_mN; });

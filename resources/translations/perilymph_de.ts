@@ -3080,10 +3080,6 @@
         <translation>Wahl: ein Bogen von 1,1 mm auf 4 mm.</translation>
     </message>
     <message>
-        <source>Dohr et al. 2021, Appl. Sci. 11:5162: 0.59 +- 0.12 and 0.45 +- 0.11, a fifth to a quarter; 0.24 +- 0.13 at 0.1 mm/s is wider.</source>
-        <translation>Dohr et al. 2021, Appl. Sci. 11:5162: 0,59 +- 0,12 und 0,45 +- 0,11, ein Fünftel bis ein Viertel; 0,24 +- 0,13 bei 0,1 mm/s ist breiter.</translation>
-    </message>
-    <message>
         <source>Schuster et al. 2015, Otol Neurotol 36:657, fresh human partition: 42 to 122 mN, mean 88, as recalled, not read; the standard deviation is a choice.</source>
         <translation>Schuster et al. 2015, Otol Neurotol 36:657, frische menschliche cochleäre Trennwand: 42 bis 122 mN, Mittel 88, aus der Erinnerung, nicht gelesen; die Standardabweichung ist eine Wahl.</translation>
     </message>
@@ -3490,6 +3486,18 @@
     <message>
         <source>Estimate from pig tissue</source>
         <translation>Schätzung aus Schweinegewebe</translation>
+    </message>
+    <message>
+        <source>packing of the wires</source>
+        <translation>Packung der Drähte</translation>
+    </message>
+    <message>
+        <source>Where the friction&apos;s file states no spread: Dohr et al. 2021, Appl. Sci. 11:5162: 0.59 +- 0.12 and 0.45 +- 0.11, a fifth to a quarter; 0.24 +- 0.13 at 0.1 mm/s is wider.</source>
+        <translation>Wo die Datei der Reibung keine Streuung angibt: Dohr et al. 2021, Appl. Sci. 11:5162: 0,59 +- 0,12 und 0,45 +- 0,11, ein Fünftel bis ein Viertel; 0,24 +- 0,13 bei 0,1 mm/s ist breiter.</translation>
+    </message>
+    <message>
+        <source>One range for all makers, none of whom publishes it: 0.06 is derived for waved wires, 1.2 gives packed wires the order of published moduli (Kha et al. 2004); the files take one end or the other. A Slim Straight dummy in a channel with soap has the forces of 0.4 to 0.5 (Salcher et al. 2019). Where it is drawn, the factor of the stiffness has at most the deviation of a medium confidence.</source>
+        <translation>Ein Bereich für alle Hersteller, von denen keiner den Wert veröffentlicht: 0,06 ist für gewellte Drähte hergeleitet, 1,2 gibt gepackten Drähten die Größenordnung veröffentlichter Moduln (Kha et al. 2004); die Dateien nehmen das eine oder das andere Ende. Ein Slim-Straight-Muster in einem Kanal mit Seife hat die Kräfte von 0,4 bis 0,5 (Salcher et al. 2019). Wo der Wert gezogen wird, hat der Faktor der Steifigkeit höchstens die Streuung eines mittleren Vertrauens.</translation>
     </message>
 </context>
 <context>
@@ -6035,7 +6043,11 @@
     </message>
     <message>
         <source>Cochlear view and the mid-modiolar planes along A and along B: the fitted wall, the lines of A, B and H, and a bar of 5 mm.</source>
-        <translation>Cochleäre Ansicht und die mittmodiolären Ebenen entlang A und B: die angepasste Wand, die Linien von A, B und H und ein Balken von 5 mm.</translation>
+        <translation>Cochleäre Ansicht und die mittmodiolaren Ebenen entlang A und entlang B: die angepasste Wand, die Linien von A, B und H und ein Balken von 5 mm.</translation>
+    </message>
+    <message>
+        <source>Packing of the wires</source>
+        <translation>Packung der Drähte</translation>
     </message>
 </context>
 <context>

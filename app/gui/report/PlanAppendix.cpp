@@ -212,6 +212,7 @@ QString inputName(const std::string& name)
       {"friction", QT_TRANSLATE_NOOP("perilymph::gui", "Friction")},
       {"rupture", QT_TRANSLATE_NOOP("perilymph::gui", "Strength of the cochlear partition")},
       {"stiffness", QT_TRANSLATE_NOOP("perilymph::gui", "Stiffness of the array")},
+      {"wires", QT_TRANSLATE_NOOP("perilymph::gui", "Packing of the wires")},
       {"approach", QT_TRANSLATE_NOOP("perilymph::gui", "Approach to the opening")},
       {"section", QT_TRANSLATE_NOOP("perilymph::gui", "Sections of the scala tympani")},
       {"course", QT_TRANSLATE_NOOP("perilymph::gui", "Course of the center line")},

@@ -12,9 +12,6 @@ namespace perilymph::gui {
 
 namespace {
 
-// lupdate assigns texts of free functions to their namespace.
-QString tr(const char* text) { return QCoreApplication::translate("perilymph::gui", text); }
-
 /// The name of a shipped file as it is, that of another one without its folder.
 QString nameOf(const std::string& nameOrFile)
 {
@@ -57,14 +54,15 @@ QString bandsHold(const planning::Plan& plan) { return dataText(planning::bandsH
 QString shownShare(const analysis::Estimate& fraction, std::size_t draws)
 {
   if (const auto count = analysis::countedOf(fraction, draws))
-    return tr("%1 of %2").arg(*count).arg(draws);
-  return tr("%1 %").arg(numberText(100.0 * fraction.value, 0));
+    return QCoreApplication::translate("perilymph::gui", "%1 of %2").arg(*count).arg(draws);
+  return QCoreApplication::translate("perilymph::gui", "%1 %")
+      .arg(numberText(100.0 * fraction.value, 0));
 }
 
 QString shownShareAndInterval(const analysis::Estimate& fraction, std::size_t draws)
 {
   if (analysis::countedOf(fraction, draws)) return shownShare(fraction, draws);
-  return tr("%1 (%2–%3) %")
+  return QCoreApplication::translate("perilymph::gui", "%1 (%2–%3) %")
       .arg(numberText(100.0 * fraction.value, 0), numberText(100.0 * fraction.low, 0),
            numberText(100.0 * fraction.high, 0));
 }

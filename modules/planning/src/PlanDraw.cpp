@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "WirePacking.h"
 #include "perilymph/analysis/ErrorBand.h"
 #include "perilymph/analysis/RandomStream.h"
 #include "perilymph/anatomy/Population.h"
@@ -23,7 +24,8 @@ enum class Draw : std::uint64_t {
   section,
   course,
   radius,
-  height
+  height,
+  wires
 };
 
 /// Deviates beyond which a measure or a stiffness is not drawn (choice, high).
@@ -139,6 +141,8 @@ PlanDraw drawPlan(const anatomy::Patient& patient, const Uncertainty& uncertaint
   drawn.tilt = deviate() * uncertainty.tiltDeviation;
   drawn.turn = deviate() * uncertainty.turnDeviation;
   drawn.stiffnessDeviate = stream(Draw::stiffness).normal(0.0, 1.0, -maxDeviates, maxDeviates);
+  analysis::RandomStream wires = stream(Draw::wires);
+  drawn.packing = logUniform(wires, uncertainty.packingLow, uncertainty.packingHigh);
   drawn.surgeon = analysis::drawSurgeon(hand, seed, number, friction);
   return drawn;
 }
@@ -162,8 +166,10 @@ session::InsertionParameters drawnParameters(const session::InsertionParameters&
   if (parameters.membrane) parameters.membrane->perSamplePoint = draw.membrane;
   parameters.approachTilt = parameters.approachTilt + draw.tilt;
   parameters.approachTurn = parameters.approachTurn + draw.turn;
-  parameters.array =
-      session::calibrated(nominal.array, stiffness, nominal.array.stylet.residualCurvature);
+  const auto packing = packingOf(nominal.array);
+  parameters.array = session::calibrated(
+      packing ? withPacking(nominal.array, *packing, draw.packing) : nominal.array, stiffness,
+      nominal.array.stylet.residualCurvature);
   return parameters;
 }
 

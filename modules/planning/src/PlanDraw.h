@@ -25,6 +25,7 @@ struct PlanDraw {
   Stiffness membrane;
   Angle tilt, turn;               ///< Added to the scenario's approach.
   double stiffnessDeviate = 0.0;  ///< Standard normal.
+  double packing = 0.0;  ///< c of the wires of arrays that follow its model (WirePacking.h).
   analysis::Surgeon surgeon;
 };
 

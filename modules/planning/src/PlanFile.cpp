@@ -56,7 +56,7 @@ struct Drawn {
   const char* key;
   double PlannedInsertion::*value;
   Range range;
-  bool isInFirstVersions = true;  ///< They drew one factor for all sections.
+  bool isInFirstVersions = true;  ///< They drew one factor for all sections, and no packing.
 };
 constexpr Range factor{0.0, 20.0}, deviates{-20.0, 20.0};
 constexpr Drawn drawn[] = {{"a_mm", &PlannedInsertion::a_mm, analysis::physical::a_mm},
@@ -76,6 +76,7 @@ constexpr Drawn drawn[] = {{"a_mm", &PlannedInsertion::a_mm, analysis::physical:
                            {"tilt_deg", &PlannedInsertion::tilt_deg, {-180.0, 180.0}},
                            {"turn_deg", &PlannedInsertion::turn_deg, {-180.0, 180.0}},
                            {"stiffness", &PlannedInsertion::stiffness, factor},
+                           {"packing", &PlannedInsertion::packing, factor, false},
                            {"friction", &PlannedInsertion::friction, factor},
                            {"speed_mm_s", &PlannedInsertion::speed_mm_s, {0.0, 1000.0}},
                            {"stop_mN", &PlannedInsertion::stop_mN, analysis::physical::force_mN}};

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "FrequencyAllocation.h"
+#include "WirePacking.h"
 #include "perilymph/analysis/InsertionByHand.h"
 #include "perilymph/analysis/PhysicalRanges.h"
 #include "perilymph/analysis/Reference.h"
@@ -122,6 +123,7 @@ Result<PlannedInsertion> insertArray(const PlanRequest& request, const PlanSetup
     shape.anatomy = *std::move(built);
   }
   PlannedInsertion planned = plannedOf(draw, stiffness, number, array);
+  if (packingOf(nominal.parameters.array)) planned.packing = draw.packing;
   planned.insertion = analysis::asPossible(analysis::insertByHand(
       shape.parameters, shape.anatomy, setup.hand, draw.surgeon, profileSpacing, stop, &shape.end));
   return planned;

@@ -191,6 +191,7 @@ std::vector<Influence> influencesOn(const Insertions& all, const ArrayPlan& plan
       {Phrase{"approach tilt"}, [](const PlannedInsertion& each) { return each.tilt_deg; }},
       {Phrase{"approach turn"}, [](const PlannedInsertion& each) { return each.turn_deg; }},
       {Phrase{"stiffness"}, [](const PlannedInsertion& each) { return each.stiffness; }},
+      {Phrase{"packing of the wires"}, [](const PlannedInsertion& each) { return each.packing; }},
       {Phrase{"friction"}, [](const PlannedInsertion& each) { return each.friction; }},
       {Phrase{"speed"}, [](const PlannedInsertion& each) { return each.speed_mm_s; }},
       {Phrase{"force limit"}, [](const PlannedInsertion& each) { return each.stop_mN; }}};

@@ -37,11 +37,14 @@ struct Uncertainty {
   Variation radius;   ///< Relative change of the outer wall's distance from the axis.
   /// Fraction of the mean shape's H where it was not measured: normal, within a limit of deviates.
   double heightDeviation = 0.0, maxHeightDeviates = 0.0;
-  Length liningLow, liningHigh;         ///< Thickness: uniform in its logarithm.
+  Length liningLow, liningHigh;  ///< Thickness: uniform in its logarithm.
+  /// c of the wires (WirePacking.h) of all arrays that follow its model: uniform in its logarithm.
+  double packingLow = 0.0, packingHigh = 0.0;
   Stiffness membraneLow, membraneHigh;  ///< Under a sample point: uniform in its logarithm.
   std::vector<Provenance> provenance;
 
-  /// Standard deviation of an array's stiffness, as a fraction.
+  /// Standard deviation of an array's stiffness, as a fraction; beside a drawn c at most that of a
+  /// medium confidence, because c is most of what is not known.
   double stiffnessOf(const electrode::ArrayDesign& array) const;
 };
 

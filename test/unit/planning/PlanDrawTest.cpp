@@ -104,6 +104,14 @@ TEST_F(PlanDraws, HaveStiffnessFactorsOfMeanOneAndTheGivenDeviation)
   EXPECT_EQ(planning::stiffnessFactor(draw(1), 0.0), 1.0);
 }
 
+TEST_F(PlanDraws, HaveAPackingOfWiresEvenInItsLogarithm)
+{
+  // from 0.06 to 1.2: mean and deviation of a uniform distribution of the logarithm
+  const auto packing = statisticsOf([](const PlanDraw& d) { return std::log(d.packing); });
+  EXPECT_NEAR(packing.mean, 0.5 * std::log(0.06 * 1.2), 4.0 * packing.standardError);
+  EXPECT_NEAR(packing.standardDeviation, std::log(1.2 / 0.06) / std::sqrt(12.0), 0.03);
+}
+
 TEST_F(PlanDraws, HaveIndividualShapesAndTissueWithinTheStatedRanges)
 {
   const auto a1 = statisticsOf([](const PlanDraw& d) { return d.sharing[0]; });

@@ -220,18 +220,21 @@ TEST(RowOfAPlan, OfAFormerVersionHasOneFactorForAllSections)
   planned.section = 0.875;
   planned.sectionSecond = 1.125;
   planned.dip_mm = 0.25;
+  planned.packing = 0.5;
   std::string text = contentOf(planned);
   const auto now = planning::insertionIn(text);
   ASSERT_TRUE(now);
   EXPECT_EQ(now->sectionSecond, 1.125);
   EXPECT_EQ(now->dip_mm, 0.25);
-  for (const char* key : {"section_second", "dip_mm", "radius", "height"})
+  EXPECT_EQ(now->packing, 0.5);
+  for (const char* key : {"section_second", "dip_mm", "radius", "height", "packing"})
     text.replace(text.find(std::string("\"") + key + "\""), 2, "\"x");
   const auto former = planning::insertionIn(text);
   ASSERT_TRUE(former);
   EXPECT_EQ(former->sectionSecond, 0.875);
   EXPECT_EQ(former->dip_mm, 0.0);
   EXPECT_EQ(former->height, 1.0);
+  EXPECT_EQ(former->packing, 0.0);
 }
 
 }  // namespace

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// How tightly the wires of an array are packed: c of the model of stiffness that shipped arrays follow,
+//   EI(s) = E_s I(s) + E_w I_w (N(s) + c N(s)^2)
+// (plugins/README.md). No maker publishes c, so plans draw it from one range for all arrays.
+
+#include <optional>
+
+#include "perilymph/electrode/ArrayDesign.h"
+
+namespace perilymph::planning {
+
+/// N(s): one wire for each contact nearer to the tip, linear between contacts and at least 1.
+double wiresAt(const electrode::ArrayDesign& array, Length fromTip);
+
+/// c of an array's bending stiffness, by least squares over its knots; none if the model does not give
+/// the stiffness to 10 % at every knot, as where it was measured or fitted.
+std::optional<double> packingOf(const electrode::ArrayDesign& array);
+
+/// The array with another c: its bending stiffness differs by (to - from) E_w I_w N(s)^2.
+electrode::ArrayDesign withPacking(electrode::ArrayDesign array, double from, double to);
+
+}  // namespace perilymph::planning

@@ -12,6 +12,7 @@
 #include <mutex>
 #include <random>
 
+#include "KeptPicture.h"
 #include "TheCtPage.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/session/PatientRecord.h"
@@ -241,6 +242,8 @@ TEST_F(TheCtPage, ShowsMeasuresLandmarksAndUndoWithoutScrollingAt1366x768)
     const auto* each = page().findChild<QWidget*>(name);
     EXPECT_EQ(each->visibleRegion().boundingRect(), each->rect()) << name;
   }
+  rig_.type("ctPatientCode", "CT-9");
+  keepPicture(rig_.window(), "ct-three-steps");
 }
 
 TEST_F(TheCtPage, AsksBeforeOtherMeasuresAreSavedUnderACodeAndComparesBoth)

@@ -123,7 +123,7 @@ TEST_F(TheCtPage, ShowsTheInsertedArrayInTheScan)
   anatomy::Patient patient = rig_.window().control().scenario().patient();
   EXPECT_EQ(gui::ctPictureOf(patient).width(), 1536);
   EXPECT_TRUE(gui::ctPictureText(patient).contains("The cochlea in the CT"));
-  patient.basalTurn->a += millimeters(0.01);
+  patient.basalTurn->a = patient.basalTurn->a + millimeters(0.01);
   EXPECT_TRUE(gui::ctPictureText(patient).isEmpty());
   ASSERT_TRUE(WindowRig::comes([this] { return rig_.button("startButton").isEnabled(); }));
   rig_.click("startButton");

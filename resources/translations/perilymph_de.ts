@@ -5842,8 +5842,8 @@
         <translation>Endkraft: Mittel der letzten halben Sekunde, bevor die Hand anhält; danach Mittel der halben Sekunde vor 1 s und vor 10 s Ruhe.</translation>
     </message>
     <message>
-        <source>mN over depth in mm: median, 25–75 %, %1; rings: ends</source>
-        <translation>mN über der Tiefe in mm: Median, 25–75 %, %1; Ringe: Enden</translation>
+        <source>mN over depth in mm: median, 25–75 % and band; rings: ends</source>
+        <translation>mN über der Tiefe in mm: Median, 25–75 % und Band; Ringe: Enden</translation>
     </message>
     <message>
         <source>Force at rest: %1 (%2–%3) mN after 1 s, %4 (%5–%6) mN after 10 s.</source>
@@ -6043,7 +6043,7 @@
     </message>
     <message>
         <source>Cochlear view and the mid-modiolar planes along A and along B: the fitted wall, the lines of A, B and H, and a bar of 5 mm.</source>
-        <translation>Cochleaansicht und die mittmodiolaren Ebenen entlang A und entlang B: die angepasste Wand, die Linien von A, B und H und ein Balken von 5 mm.</translation>
+        <translation>Cochleäre Ansicht und die mittmodiolaren Ebenen entlang A und entlang B: die angepasste Wand, die Linien von A, B und H und ein Balken von 5 mm.</translation>
     </message>
     <message>
         <source>Packing of the wires</source>

@@ -167,10 +167,7 @@ private:
   const Axes& axes_;
 };
 
-QString unitsText(const planning::Plan& plan)
-{
-  return tr("mN over depth in mm: median, 25–75 %, %1; rings: ends").arg(bandsHold(plan));
-}
+QString unitsText() { return tr("mN over depth in mm: median, 25–75 % and band; rings: ends"); }
 
 int rowsOf(std::size_t count, int columns)
 {
@@ -210,7 +207,8 @@ void paintPlanCurves(ReportSheet& sheet, const QRectF& place_mm, const PlanRepor
     sheet.line({place_mm.left(), top_mm, place_mm.width(), label_mm}, text, ReportFace::label);
     top_mm += label_mm;
   };
-  write(unitsText(content.plan()));
+  write(unitsText());
+  write(bandsHold(content.plan()));
   if (count < arrays.size())
     write(tr("Arrays 1 to %1; all %2 on the next page").arg(count).arg(arrays.size()));
   top_mm += 1.0;
@@ -226,8 +224,8 @@ void paintAllPlanCurves(ReportSheet& sheet, const QRectF& place_mm,
   const auto& arrays = content.plan().arrays;
   const double top_mm = sheet.heading(place_mm.left(), place_mm.top(), place_mm.width(),
                                       tr("Insertion force of all arrays"));
-  sheet.line({place_mm.left(), top_mm, place_mm.width(), label_mm}, unitsText(content.plan()),
-             ReportFace::label);
+  sheet.line({place_mm.left(), top_mm, place_mm.width(), label_mm},
+             tr("%1 · %2").arg(unitsText(), bandsHold(content.plan())), ReportFace::label);
   const double first_mm = top_mm + label_mm + 1.0;
   const int columns = arrays.size() > manyArrays ? 4 : 3;
   const double height_mm =

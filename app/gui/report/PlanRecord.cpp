@@ -88,11 +88,12 @@ double paintArrays(ReportSheet& sheet, const PlanReportContent& content, double 
   const QString hold = bandsHold(content.plan());
   y_mm = sheet.heading(0.0, y_mm, width_mm, tr("Arrays in this cochlea: median (%1)").arg(hold));
   constexpr double chance_mm = 16.8;  // of "100 (68–100)"
-  const Column columns[] = {{tr("Array"), {}, 29.0},
-                            {tr("Angular depth"), tr("°"), 19.0},
-                            {tr("Coverage"), tr("%"), 15.0},
-                            {tr("Peak force"), tr("mN"), 16.0},
-                            {tr("On partition"), tr("mN"), 17.0},
+  constexpr double force_mm = 18.2;   // of "100 (100–140)"
+  const Column columns[] = {{tr("Array"), {}, 26.0},
+                            {tr("Angular depth"), tr("°"), force_mm},
+                            {tr("Coverage"), tr("%"), 15.4},
+                            {tr("Peak force"), tr("mN"), force_mm},
+                            {tr("On partition"), tr("mN"), force_mm},
                             {tr("Full"), {}, chance_mm},
                             {tr("Resistance"), {}, chance_mm},
                             {tr("Buckled"), {}, chance_mm},

@@ -225,10 +225,7 @@ void InsertionEngine::moveMechanics(const HandState& hand) noexcept
   mechanics::advance(*model_, state_, drive);
   output_.device_W = asArray(drive.handPosition_W);
 
-  if (!isFinite()) {
-    transition(WorkflowEvent::error);
-    return;
-  }
+  if (!isFinite()) return transition(WorkflowEvent::error);
   if (state_.readings.residual > maxResidual) output_.status |= notConverged;
   if (workflow_ == Workflow::inserting) noteEnd();
   if (workflow_ == Workflow::inserting) noteArrival();

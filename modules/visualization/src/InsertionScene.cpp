@@ -297,10 +297,8 @@ void InsertionScene::setVisible(Part part, bool visible)
 {
   Content& scene = *content_;
   scene.isVisible[static_cast<std::size_t>(part)] = visible;
-  if (part == Part::wallForce) {
-    ContactField none{millimeters(0)};
-    scene.scalaParts.color(visible ? scene.field : none);
-  }
+  if (part == Part::wallForce)
+    scene.scalaParts.color(visible ? scene.field : ContactField{millimeters(0)});
   scene.applyVisibility();
 }
 
@@ -335,11 +333,8 @@ void InsertionScene::lookAs(const InsertionScene& other)
 
 void InsertionScene::keepViewOf(const InsertionScene& other)
 {
-  content_->preset = other.content_->preset;
-  CameraPose pose = presetPose(content_->preset, content_->subject, content_->tip());
-  pose.magnification = other.content_->camera.target().magnification;
-  content_->camera.jump(pose);
-  content_->placeCamera();
+  lookFrom(other.preset());
+  setMagnification(other.content_->camera.target().magnification);
 }
 
 void InsertionScene::glideTo(CameraPreset preset)

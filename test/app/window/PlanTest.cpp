@@ -110,7 +110,7 @@ protected:
   {
     const fs::path file = folder_.path() / "coarse.toml";
     std::ofstream(file) << "title = 'coarse'\narray = 'flex28'\nanatomy = 'mean'\n"
-                           "friction = 'endosteum'\nnodes = 20\ndt_ms = 10.0\n"
+                           "friction = 'estimate-from-pig-tissue'\nnodes = 20\ndt_ms = 10.0\n"
                            "start_inside_mm = 1.0\nstop_travel_mm = 20.0\n";
     return file.string();
   }

@@ -49,14 +49,14 @@ const std::vector<Carried> measures{
     {"duct length",
      1,
      {"anatomy text", "anatomy json", "python", "plan report", "insertion report", "panel"}}};
-const std::vector<std::string> planOutputs{"plan text", "plan.json",   "arrays.csv",
-                                           "python",    "plan report", "plan table"};
+const std::vector<std::string> planOutputs{"plan table", "plan text", "plan.json",
+                                           "arrays.csv", "python",    "plan report"};
 const std::vector<Carried> plans{
     {"angular insertion depth", 0, planOutputs},
     {"coverage", 0, planOutputs},
     {"peak force", 0, planOutputs},
     {"partition force", 0, planOutputs},
-    {"end force", 0, {"plan text", "plan.json", "arrays.csv", "python", "plan table"}}};
+    {"end force", 0, {"plan table", "plan text", "plan.json", "arrays.csv", "python"}}};
 const std::vector<Carried> insertions{
     {"angular insertion depth of an insertion",
      0,

@@ -8,9 +8,11 @@
 #include <filesystem>
 #include <vector>
 
+#include "ShortRun.h"
 #include "lanes/Lanes.h"
 #include "perilymph/session/Replay.h"
 #include "perilymph/test/Places.h"
+#include "perilymph/test/TemporaryFolder.h"
 
 namespace perilymph::session {
 namespace {
@@ -61,6 +63,28 @@ TEST_P(StoredRecordingsOnMachines, ReplayToTheSameBits)
     EXPECT_TRUE(verification->isIdentical) << file;
     EXPECT_GE(verification->ticksCompared, 201u) << file;  // 10 mm at 10 mm/s in steps of 5 ms
   }
+}
+
+// The stored ones are of arrays that do not relax.
+TEST_P(StoredRecordingsOnMachines, AndAnInsertionThatRelaxesHaveTheSameBits)
+{
+  if (GetParam() > mechanics::machineInstructions())
+    GTEST_SKIP() << "This machine does not have these instructions.";
+  const test::TemporaryFolder folder;
+  const fs::path file = folder / "run.insertion";
+  const mechanics::Instructions ofTheTest = mechanics::kernelInstructions;
+  mechanics::kernelInstructions = mechanics::machineInstructions();
+  ASSERT_TRUE(test::shortRun(file, {{"relaxation_fraction", "[0.13, 0.28]"},
+                                    {"relaxation_time_s", "[0.03, 0.6]"},
+                                    {"film_relaxation_fraction", "0.4"},
+                                    {"film_relaxation_time_s", "0.1"},
+                                    {"nodes", "61"},
+                                    {"stop_travel_mm", "6"}})
+                  ->runToEnd({}));
+  mechanics::kernelInstructions = ofTheTest;
+  const auto verification = verify(file);
+  ASSERT_TRUE(verification) << verification.error().message;
+  EXPECT_TRUE(verification->isIdentical);
 }
 
 constexpr std::array names{"WithSse2", "WithAvx2", "WithAvx512"};

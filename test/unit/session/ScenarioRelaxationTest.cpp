@@ -70,7 +70,7 @@ TEST(ScenarioRelaxation, OutOfRangeIsRefused)
       refusal({{"relaxation_fraction", "[0.1, 0.1, 0.1]"}, {"relaxation_time_s", "[1, 2, 3]"}}),
       HasSubstr("at most 2"));
   EXPECT_THAT(refusal(bending, {{"relaxation_fraction", "[0.5, 0.6]"}}),
-              HasSubstr("relaxation_fraction adds up to 1.1; it must leave 0.05 of the bending"));
+              HasSubstr("relaxation_fraction adds up to 1.1; it must be 0.95 at most"));
   EXPECT_THAT(refusal(bending, {{"relaxation_time_s", "[0.3, 0.001]"}}), HasSubstr("0.01"));
   EXPECT_THAT(refusal({{"film_relaxation_fraction", "1.5"}}),
               HasSubstr("film_relaxation_fraction"));

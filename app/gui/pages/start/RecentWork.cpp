@@ -28,7 +28,7 @@ constexpr int linkWidth_px = 380;
 
 struct Recorded {
   fs::path file;
-  QDateTime time;  ///< Of its beginning, which its name states; else of its last change.
+  QDateTime time;  ///< When it began, which its name states; else when it was changed last.
 };
 
 QDateTime timeOf(const fs::path& file, fs::file_time_type changed)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scenario/ScenarioRelaxation.h"
 
+#include <cmath>
 #include <numeric>
 #include <string>
 #include <vector>
@@ -47,9 +48,11 @@ void readRelaxation(TomlReader& reader, ScenarioKeys& keys, const InsertionParam
                         " numbers and " + timeKey + " has " + std::to_string(times.size()) +
                         "; give as many of both, at most " + std::to_string(terms) + ".");
     else if (sum > maxOfBending)
-      reader.refuse(fractionKey, std::string(fractionKey) + " adds up to " + tomlNumber(sum) +
-                                     "; it must leave " + tomlNumber(1.0 - maxOfBending) +
-                                     " of the bending stiffness.");
+      reader.refuse(fractionKey, std::string(fractionKey) + " adds up to " +
+                                     tomlNumber(std::round(1e6 * sum) / 1e6) + "; it must be " +
+                                     tomlNumber(maxOfBending) +
+                                     " at most, so that the array keeps some of its bending "
+                                     "stiffness.");
     else
       for (std::size_t k = 0; k < fractions.size(); ++k)
         law.bending[k] = {fractions[k], seconds(times[k])};

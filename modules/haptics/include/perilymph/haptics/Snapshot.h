@@ -134,7 +134,7 @@ struct TickRecord {
 struct Snapshot {
   std::uint64_t tick = 0;
   TickOutput output;
-  PeakForce peak;  ///< Of every tick, those between two snapshots included.
+  PeakForce peak;  ///< Found in every tick, those between two snapshots included.
   std::uint32_t nodes = 0;
   std::uint32_t ruptures = 0;  ///< Ranges in which the cochlear partition is open.
   /// Angles from the round window at which each of them begins and ends [rad].

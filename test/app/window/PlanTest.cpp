@@ -78,9 +78,10 @@ protected:
     for (int column = 0; column < units.size(); ++column) {
       EXPECT_GT(rows.headerData(column, Qt::Horizontal, Qt::ToolTipRole).toString().size(), 40);
       // heads of bands say what they hold, and what they hold fixed
-      EXPECT_EQ(
-          rows.headerData(column, Qt::Horizontal).toString().contains("88 % at friction 0.12"),
-          column >= 1 && column <= 6)
+      EXPECT_EQ(rows.headerData(column, Qt::Horizontal)
+                    .toString()
+                    .contains("88 % over friction 0.08 to 0.33"),
+                column >= 1 && column <= 6)
           << column;
       for (int row = 0; row < rows.rowCount(); ++row) {
         const QString text = rows.index(row, column).data().toString();
@@ -131,7 +132,7 @@ protected:
     ASSERT_TRUE(charts.plan());
     EXPECT_TRUE(charts.showPlanIn(scenario));
     EXPECT_FALSE(charts.plan()->points.empty());
-    EXPECT_TRUE(charts.plan()->label.contains("88 % at friction 0.12"))
+    EXPECT_TRUE(charts.plan()->label.contains("88 % over friction 0.08 to 0.33"))
         << charts.plan()->label.toStdString();
     settle();
     keepPicture(rig.window(), "plan-inserted");

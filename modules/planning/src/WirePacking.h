@@ -3,7 +3,7 @@
 
 // How tightly the wires of an array are packed: c of the model of stiffness that shipped arrays follow,
 //   EI(s) = E_s I(s) + E_w I_w (N(s) + c N(s)^2)
-// (plugins/README.md). No maker publishes c, so plans draw it from one range for all arrays.
+// (plugins/README.md). No maker publishes c, so plans draw it from one range for all straight arrays.
 
 #include <optional>
 
@@ -15,7 +15,8 @@ namespace perilymph::planning {
 double wiresAt(const electrode::ArrayDesign& array, Length fromTip);
 
 /// c of an array's bending stiffness, by least squares over its knots; none if the model does not give
-/// the stiffness to 10 % at every knot, as where it was measured or fitted.
+/// the stiffness to 10 % at every knot, as where it was measured or fitted, and none of an array with a
+/// stylet or sheath: c would change the moment with which it curls, which that part has to hold.
 std::optional<double> packingOf(const electrode::ArrayDesign& array);
 
 /// The array with another c: its bending stiffness differs by (to - from) E_w I_w N(s)^2.

@@ -71,6 +71,7 @@ void printMeasures(const ct::CochleaMeasures& measures)
   for (const ct::Flag flag : measures.flags)
     print("{}: {}\n", ct::nameOf(flag), ct::sentenceOf(flag));
   for (const Sentence& sentence : ct::landmarkContradictions(measures)) print("{}\n", sentence);
+  if (const auto note = imaging::heightNote(measures)) print("{}\n", *note);
   if (measures.otherCochlea_P)
     print("A second cochlea lies at {},{},{} mm (LPS): give --side or --at.\n",
           fixed(measures.otherCochlea_P->x(), 1), fixed(measures.otherCochlea_P->y(), 1),

@@ -4,6 +4,8 @@
 
 #include <spdlog/spdlog.h>
 
+#include <QGuiApplication>
+#include <QScreen>
 #include <QTimer>
 #include <cstdio>
 #include <cstdlib>
@@ -168,10 +170,14 @@ void applyChoices(gui::Application& application, const gui::CommandLine& options
   const QString look = settings.word(QStringLiteral("look"), gui::colorSchemeText());
   gui::setShownColorScheme(look == QLatin1String("light") ? gui::ColorScheme::light
                                                           : gui::ColorScheme::dark);
-  gui::setTextScale(
+  const double textScale =
       settings.word(QStringLiteral("textSize"), gui::textSizeText(), gui::normalTextSize)
           .toDouble() /
-      100.0);
+      100.0;
+  const QScreen* screen = QGuiApplication::primaryScreen();
+  gui::setTextScale(screen == nullptr
+                        ? textScale
+                        : gui::fittingTextScale(textScale, screen->availableGeometry()));
   gui::useLanguage(application, options.language ? QString::fromStdString(*options.language)
                                                  : settings.word(QStringLiteral("language"),
                                                                  gui::languageText()));

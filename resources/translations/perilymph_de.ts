@@ -3499,6 +3499,14 @@
         <source>One range for all makers, none of whom publishes it: 0.06 is derived for waved wires, 1.2 gives packed wires the order of published moduli (Kha et al. 2004); the files take one end or the other. A Slim Straight dummy in a channel with soap has the forces of 0.4 to 0.5 (Salcher et al. 2019). Where it is drawn, the factor of the stiffness has at most the deviation of a medium confidence.</source>
         <translation>Ein Bereich für alle Hersteller, von denen keiner den Wert veröffentlicht: 0,06 ist für gewellte Drähte hergeleitet, 1,2 gibt gepackten Drähten die Größenordnung veröffentlichter Moduln (Kha et al. 2004); die Dateien nehmen das eine oder das andere Ende. Ein Slim-Straight-Muster in einem Kanal mit Seife hat die Kräfte von 0,4 bis 0,5 (Salcher et al. 2019). Wo der Wert gezogen wird, hat der Faktor der Steifigkeit höchstens die Streuung eines mittleren Vertrauens.</translation>
     </message>
+    <message>
+        <source>H is %1 mm, which its error allows to be within %2 to %3 mm, the heights of whole cochleae: %4 mm is used.</source>
+        <translation>H ist %1 mm; sein Fehler lässt %2 bis %3 mm zu, die Höhen ganzer Cochleae: Verwendet wird %4 mm.</translation>
+    </message>
+    <message>
+        <source>H is %1 mm, outside %2 to %3 mm, the heights of whole cochleae: it is not used, and plans draw H from the population.</source>
+        <translation>H ist %1 mm, außerhalb von %2 bis %3 mm, den Höhen ganzer Cochleae: Es wird nicht verwendet; Pläne nehmen H aus der Population.</translation>
+    </message>
 </context>
 <context>
     <name>Display</name>
@@ -5362,18 +5370,6 @@
         <translation>Jeder Träger wird in dieselben simulierten Cochleae von denselben simulierten Operateuren eingeführt. Die Modelle beruhen auf veröffentlichten Daten und sind keine Herstellerangaben.</translation>
     </message>
     <message>
-        <source>Angle of the most apical contact from the round window at the end of each insertion. Median and 5 to 95 % of the draws.</source>
-        <translation>Winkel des apikalsten Kontakts vom runden Fenster am Ende jeder Insertion. Median und 5 bis 95 % der Simulationen.</translation>
-    </message>
-    <message>
-        <source>Maximum axial force on the surgeon’s hand. Median and 5 to 95 % of the draws.</source>
-        <translation>Größte axiale Kraft auf die Hand des Chirurgen. Median und 5 bis 95 % der Simulationen.</translation>
-    </message>
-    <message>
-        <source>Maximum force on the cochlear partition. Median and 5 to 95 % of the draws.</source>
-        <translation>Größte Kraft auf die cochleäre Trennwand. Median und 5 bis 95 % der Simulationen.</translation>
-    </message>
-    <message>
         <source>Fraction of the insertions that reach the array’s full depth, with its 95 % interval (Wilson 1927).</source>
         <translation>Anteil der Insertionen, die die volle Tiefe des Trägers erreichen, mit 95-%-Intervall (Wilson 1927).</translation>
     </message>
@@ -5794,10 +5790,6 @@
         <translation>Mittlere axiale Kraft auf die Hand in der letzten halben Sekunde, bevor sie anhält. Median und 5 bis 95 % der Simulationen.</translation>
     </message>
     <message>
-        <source>Axial force over the depth of the tip past the opening, as deep as any simulation went. Line: median; area: 5 to 95 %; paler and dashed where some simulations have ended. All rows have the same axes.</source>
-        <translation>Axiale Kraft über der Tiefe der Spitze hinter der Öffnung, so tief irgendeine Simulation kam. Linie: Median; Fläche: 5 bis 95 %; blasser und gepunktet, wo einige Simulationen geendet haben. Alle Zeilen haben dieselben Achsen.</translation>
-    </message>
-    <message>
         <source>Arrays in this cochlea: median (%1)</source>
         <translation>Träger in dieser Cochlea: Median (%1)</translation>
     </message>
@@ -6049,6 +6041,30 @@
         <source>Packing of the wires</source>
         <translation>Packung der Drähte</translation>
     </message>
+    <message>
+        <source>Angle of the most apical contact from the round window at the end of each insertion. Median and the band that the head names.</source>
+        <translation>Winkel des apikalsten Kontakts vom runden Fenster am Ende jeder Insertion. Median und das Band, das der Kopf nennt.</translation>
+    </message>
+    <message>
+        <source>Maximum axial force on the surgeon’s hand. Median and the band that the head names.</source>
+        <translation>Größte axiale Kraft auf die Hand des Operateurs. Median und das Band, das der Kopf nennt.</translation>
+    </message>
+    <message>
+        <source>Axial force over the depth of the tip past the opening, as deep as any simulation went. Line: median; area: the band that the head names; paler and dashed where some simulations have ended. All rows have the same axes.</source>
+        <translation>Axiale Kraft über der Tiefe der Spitze hinter der Öffnung, so weit eine Simulation reichte. Linie: Median; Fläche: das Band, das der Kopf nennt; blasser und gestrichelt, wo Simulationen geendet haben. Alle Zeilen haben dieselben Achsen.</translation>
+    </message>
+    <message>
+        <source>Maximum force on the cochlear partition. Median and the band that the head names.</source>
+        <translation>Größte Kraft auf die cochleäre Trennwand. Median und das Band, das der Kopf nennt.</translation>
+    </message>
+    <message>
+        <source>Results; plan: %1</source>
+        <translation>Ergebnisse; Plan: %1</translation>
+    </message>
+    <message>
+        <source>outside the plan, %1</source>
+        <translation>außerhalb des Plans, %1</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::AboutSheet</name>
@@ -6080,12 +6096,12 @@
         <translation>Winkel der Kontakte vom runden Fenster</translation>
     </message>
     <message>
-        <source>Contacts at their median angles from the round window, seen from the apex; arcs: 5 to 95 % of the draws. The radius is not to scale.</source>
-        <translation>Kontakte an ihren mittleren Winkeln vom runden Fenster, vom Apex gesehen; Bögen: 5 bis 95 % der Simulationen. Der Radius ist nicht maßstäblich.</translation>
-    </message>
-    <message>
         <source>%1°</source>
         <translation>%1°</translation>
+    </message>
+    <message>
+        <source>Contacts at their median angles from the round window, seen from the apex; arcs: the band that the head names. The radius is not to scale.</source>
+        <translation>Kontakte an ihren mittleren Winkeln vom runden Fenster, vom Apex gesehen; Bögen: das Band, das der Kopf nennt. Der Radius ist nicht maßstäblich.</translation>
     </message>
 </context>
 <context>
@@ -6601,10 +6617,6 @@
         <translation>Winkel</translation>
     </message>
     <message>
-        <source>From the round window. Median and 5 to 95 % of the draws.</source>
-        <translation>Vom runden Fenster. Median und 5 bis 95 % der Simulationen.</translation>
-    </message>
-    <message>
         <source>To modiolus</source>
         <translation>Zum Modiolus</translation>
     </message>
@@ -6679,6 +6691,10 @@
     <message>
         <source>%1 of %2</source>
         <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>From the round window. Median and the band that the head names.</source>
+        <translation>Vom runden Fenster. Median und das Band, das der Kopf nennt.</translation>
     </message>
 </context>
 <context>

@@ -66,7 +66,9 @@ double paintIdentification(ReportSheet& sheet, const ReportContent& content,
 double paintResults(ReportSheet& sheet, const ReportContent& content, double x_mm, double y_mm,
                     double width_mm)
 {
-  y_mm = sheet.heading(x_mm, y_mm, width_mm, tr("Results"));
+  y_mm =
+      sheet.heading(x_mm, y_mm, width_mm,
+                    content.plan ? tr("Results; plan: %1").arg(content.plan->hold) : tr("Results"));
   constexpr double name_mm = 4.0, value_mm = 6.0, detail_mm = 3.4, space_mm = 0.2;
   for (const InsertionResult& result : insertionResults(content)) {
     constexpr double number_mm = 27.0;
@@ -76,8 +78,9 @@ double paintResults(ReportSheet& sheet, const ReportContent& content, double x_m
                Qt::AlignRight);
     sheet.line({x_mm, y_mm + name_mm + 1.0, width_mm, detail_mm}, result.detail, ReportFace::quiet);
     if (!result.plan.isEmpty())
-      sheet.line({x_mm, y_mm + name_mm + 1.0, width_mm, detail_mm}, tr("plan: %1").arg(result.plan),
-                 ReportFace::quiet, Qt::AlignRight);
+      sheet.line({x_mm, y_mm + name_mm + 1.0, width_mm, detail_mm},
+                 (result.isOutside ? tr("outside the plan, %1") : tr("plan: %1")).arg(result.plan),
+                 result.isOutside ? ReportFace::label : ReportFace::quiet, Qt::AlignRight);
     y_mm += name_mm + 1.0 + detail_mm + space_mm;
     sheet.rule(x_mm, y_mm + 0.8, width_mm);
     y_mm += 2.0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/report/ReportSheet.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "gui/widgets/Theme.h"
@@ -83,6 +84,14 @@ void ReportSheet::line(const QRectF& place_mm, const QString& text, ReportFace f
   painter_.setFont(font(face));
   painter_.setPen(colorOf(face));
   const QRectF place = dots(place_mm);
+  // a text that is a little too long is set narrower, then cut
+  constexpr double narrowest = 0.8;
+  const double needed = QFontMetricsF(painter_.font(), painter_.device()).horizontalAdvance(text);
+  if (needed > place.width()) {
+    QFont narrow = painter_.font();
+    narrow.setStretch(qRound(100.0 * std::max(narrowest, place.width() / needed)));
+    painter_.setFont(narrow);
+  }
   const QFontMetricsF metrics(painter_.font(), painter_.device());
   painter_.drawText(place, int(alignment | Qt::AlignVCenter) | Qt::TextSingleLine,
                     metrics.elidedText(text, Qt::ElideRight, place.width() + 1.0));

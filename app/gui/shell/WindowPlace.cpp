@@ -4,6 +4,7 @@
 #include <QGuiApplication>
 #include <QScreen>
 #include <QWidget>
+#include <algorithm>
 
 #include "gui/run/UserSettings.h"
 
@@ -24,6 +25,14 @@ InitialSize initialSize(const QRect& available)
   const QSize largest = available.size() - frameAllowance;
   const bool fits = preferredWindowSize.boundedTo(largest) == preferredWindowSize;
   return {preferredWindowSize.boundedTo(largest), preferredMinimumSize.boundedTo(largest), !fits};
+}
+
+double fittingTextScale(double wanted, const QRect& available)
+{
+  const QSize largest = available.size() - frameAllowance;
+  const double fit = std::min({1.0, double(largest.width()) / preferredMinimumSize.width(),
+                               double(largest.height()) / preferredMinimumSize.height()});
+  return wanted * std::max(fit, 0.5);
 }
 
 void restorePlace(QWidget& window)

@@ -25,6 +25,10 @@ struct InitialSize {
 /// @param available  Area of the screen without panels [px]. The window and its frame lie within it.
 InitialSize initialSize(const QRect& available);
 
+/// Text scale with which a window of the minimum size fits on a screen: less than wanted on a small screen
+/// that is scaled up.
+double fittingTextScale(double wanted, const QRect& available);
+
 /// Restores size and position from the settings; a first window is placed within its screen.
 void restorePlace(QWidget& window);
 /// Stores size and position in the settings.

@@ -2,7 +2,9 @@
 #include "gui/widgets/Theme.h"
 
 #include <QPainter>
+#include <QRegularExpression>
 #include <QStringList>
+#include <algorithm>
 
 namespace perilymph::gui {
 
@@ -59,6 +61,7 @@ QLabel[quiet="true"] { color: %quietText%; }
 QLabel[onPicture="true"] {
   color: %quietText%; background: %plate%; border-radius: 4px; padding: 2px 6px;
 }
+QLabel:disabled { color: %quietText%; }
 QLabel[error="true"] { color: %warning%; }
 QLabel[badge="true"] {
   color: %onWarning%; background: %warning%; border-radius: 4px; padding: 1px 6px;
@@ -210,7 +213,9 @@ void setTextScale(double scale)
 {
   shown().textScale = scale;
   const Lengths usual;
-  shown().lengths = {sized(usual.sidePanel), sized(usual.chartColumn), sized(usual.minChartColumn),
+  // on a small screen the gaps between controls do not shrink as their texts do
+  const int sidePanel = scale < 1.0 ? usual.sidePanel * 6 / 5 : usual.sidePanel;
+  shown().lengths = {sized(sidePanel), sized(usual.chartColumn), sized(usual.minChartColumn),
                      sized(usual.bar)};
 }
 
@@ -225,6 +230,26 @@ void paintPlate(QPainter& painter, const QRect& area)
   painter.setBrush(plate);
   painter.drawRoundedRect(area, 6, 6);
 }
+
+namespace {
+
+/// On a small screen margins shrink with the text.
+QString withSmallerMargins(const QString& style)
+{
+  static const QRegularExpression length(QStringLiteral("\\b(\\d+)px"));
+  QString scaled;
+  int from = 0;
+  for (auto each = length.globalMatch(style); each.hasNext();) {
+    const QRegularExpressionMatch found = each.next();
+    const int size_px = found.captured(1).toInt();
+    scaled += style.mid(from, found.capturedStart() - from) +
+              QStringLiteral("%1px").arg(size_px == 0 ? 0 : std::max(1, sized(size_px)));
+    from = found.capturedEnd();
+  }
+  return scaled + style.mid(from);
+}
+
+}  // namespace
 
 QString windowStyle()
 {
@@ -248,7 +273,7 @@ QString windowStyle()
                                                .arg(ground.green())
                                                .arg(ground.blue())
                                                .arg(plateAlpha));
-  return filled;
+  return textScale() < 1.0 ? withSmallerMargins(filled) : filled;
 }
 
 }  // namespace perilymph::gui

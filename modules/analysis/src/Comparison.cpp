@@ -8,6 +8,7 @@
 #include <stop_token>
 
 #include "perilymph/analysis/CsvField.h"
+#include "perilymph/analysis/PublishedConditions.h"
 #include "perilymph/analysis/RoundedTravel.h"
 #include "perilymph/session/Csv.h"
 
@@ -37,6 +38,8 @@ Result<ComparedInsertion> readCompared(const std::filesystem::path& file,
   compared.name = session::displayNameOf(file);
   compared.scenario = recorded->facts().scenarioName;
   compared.subject = session::subjectOf(recorded->facts().scenarioText, file.string());
+  if (const auto scenario = session::parseScenario(recorded->facts().scenarioText, file.string()))
+    compared.hasPublishedConditions = hasPublishedConditions(*scenario);
   compared.startedUtc = recorded->facts().startedUtc;
   ForceProfiler profiler;
   ReversalCounter reversals;
@@ -113,6 +116,11 @@ std::string curvesCsv(const std::vector<ComparedInsertion>& insertions)
     csv += "\n";
   }
   return csv;
+}
+
+bool areComparableWithPublished(const std::vector<ComparedInsertion>& insertions)
+{
+  return std::ranges::any_of(insertions, &ComparedInsertion::hasPublishedConditions);
 }
 
 Figure comparisonFigure(const std::vector<ComparedInsertion>& insertions,

@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "perilymph/imaging/MeasuredPatient.h"
 
+#include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
+#include <optional>
 #include <string>
 
+#include "perilymph/anatomy/Population.h"
 #include "perilymph/foundation/AtomicFile.h"
+#include "perilymph/foundation/Normal.h"
 #include "perilymph/foundation/Utf8.h"
 #include "perilymph/foundation/Version.h"
 
@@ -30,17 +36,55 @@ std::string landmarkNames(const ct::Marks& byHand, bool isByHand)
   return names;
 }
 
+/// The height that the patient has [mm].
+std::optional<double> usedHeight(const ct::Measure& h)
+{
+  const anatomy::Spread limits = anatomy::limitsOfH();
+  const double nearest = std::clamp(h.value, inMillimeters(limits.low), inMillimeters(limits.high));
+  if (std::fabs(h.value - nearest) > halfWidth95 * h.sd()) return std::nullopt;
+  return nearest;
+}
+
 }  // namespace
+
+std::optional<Sentence> heightNote(const ct::CochleaMeasures& measures)
+{
+  const auto used = usedHeight(measures.h);
+  if (used == measures.h.value) return std::nullopt;
+  const auto number = [](double value) {
+    std::array<char, 32> digits;
+    return std::string(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(),
+                                                    value, std::chars_format::fixed, 2)
+                                          .ptr);
+  };
+  const anatomy::Spread limits = anatomy::limitsOfH();
+  const std::string low = number(inMillimeters(limits.low)),
+                    high = number(inMillimeters(limits.high));
+  if (used)
+    return Sentence{
+        "H is %1 mm, which its error allows to be within %2 to %3 mm, the heights of whole "
+        "cochleae: "
+        "%4 mm is used.",
+        number(measures.h.value), low, high, number(*used)};
+  return Sentence{
+      "H is %1 mm, outside %2 to %3 mm, the heights of whole cochleae: it is not used, and plans "
+      "draw "
+      "H from the population.",
+      number(measures.h.value), low, high};
+}
 
 anatomy::Patient measuredPatient(const ct::CochleaMeasures& measures)
 {
   anatomy::Patient patient;
   patient.side = measures.side;
-  patient.basalTurn = anatomy::BasalTurn{
-      millimeters(measures.a.value), millimeters(measures.b.value), millimeters(measures.h.value)};
+  patient.basalTurn = anatomy::BasalTurn{millimeters(measures.a.value),
+                                         millimeters(measures.b.value), std::nullopt};
+  const auto height = usedHeight(measures.h);
+  if (height) patient.basalTurn->h = millimeters(*height);
   patient.errors = anatomy::BasalTurnErrors{finely(measures.a.sd()), finely(measures.b.sd()),
                                             finely(measures.h.sd())};
-  if (!anatomy::checkPatient(patient)) patient.basalTurn->h = patient.errors->h = std::nullopt;
+  if (!height || !anatomy::checkPatient(patient))
+    patient.basalTurn->h = patient.errors->h = std::nullopt;
   patient.origin = {"perilymph " + buildId(), measures.provenance.seriesKey,
                     landmarkNames(measures.marksByHand, true),
                     landmarkNames(measures.marksByHand, false)};
@@ -68,9 +112,7 @@ Result<std::string> measuredPatientText(const ct::CochleaMeasures& measures,
   text += "# Flags: " + (flags.empty() ? "none" : flags) + "\n";
   for (const std::string& note : measures.provenance.notes)
     text += "# Of the CT: " + onOneLine(note) + "\n";
-  if (!patient.basalTurn->h)
-    text += "# H is " + std::to_string(measures.h.value).substr(0, 5) +
-            " mm, beyond what a patient may have.\n";
+  if (const auto note = heightNote(measures)) text += "# " + *note + "\n";
   return text + anatomy::patientText(patient);
 }
 

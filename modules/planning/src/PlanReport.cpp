@@ -12,6 +12,8 @@
 #include "perilymph/analysis/ErrorBand.h"
 #include "perilymph/analysis/PhysicalRanges.h"
 #include "perilymph/analysis/Surgeon.h"
+#include "perilymph/foundation/Resources.h"
+#include "perilymph/foundation/TomlReader.h"
 #include "perilymph/foundation/Version.h"
 #include "perilymph/planning/ForceCourse.h"
 #include "perilymph/planning/PlanWords.h"
@@ -141,6 +143,28 @@ void addSources(ordered_json& list, const char* file, const std::vector<Provenan
                     {"table", each.table},
                     {"source", each.source},
                     {"confidence", each.confidence}});
+}
+
+/// The source of a friction that states its own spread, in place of that of the usual spread.
+void addFrictionSource(ordered_json& list, const PlanRequest& request)
+{
+  std::string name = request.friction.value_or("");
+  if (name.empty()) {
+    const auto file = findByName("scenario", "resources/scenarios", request.scenario);
+    auto scenario = file ? TomlReader::open(*file) : Result<TomlReader>(file.error());
+    if (!scenario) return;
+    name = scenario->text("friction", "");
+  }
+  const auto file = findByName("friction", "resources/friction", name);
+  auto reader = file ? TomlReader::open(*file) : Result<TomlReader>(file.error());
+  if (!reader) return;
+  for (const char* table : {"coefficients", "spread"}) {
+    TomlReader values = reader->table(table);
+    list.push_back({{"file", "friction/" + file->filename().string()},
+                    {"table", "friction"},
+                    {"source", values.text("source", "")},
+                    {"confidence", values.text("confidence", "low")}});
+  }
 }
 
 figures::Figure forceFigure(const Plan& plan, const ArrayPlan& array)
@@ -293,7 +317,12 @@ Result<std::string> planJson(const Plan& plan)
   json["arrays"] = ordered_json::array();
   for (const ArrayPlan& each : plan.arrays) json["arrays"].push_back(arrayJson(each));
   json["sources"] = ordered_json::array();
-  addSources(json["sources"], "clinical/hand.toml", hand->provenance);
+  auto ofHand = hand->provenance;
+  if (plan.frictionSpread > 0.0) {
+    std::erase_if(ofHand, [](const auto& each) { return each.table == "friction"; });
+    addFrictionSource(json["sources"], plan.request);
+  }
+  addSources(json["sources"], "clinical/hand.toml", ofHand);
   addSources(json["sources"], "planning/uncertainty.toml", uncertainty->provenance);
   for (const FrequencyAllocation& each : *allocations)
     json["sources"].push_back({{"file", "planning/frequency-allocation.toml"},

@@ -304,7 +304,7 @@ TEST_F(PdfReport, SpeaksGerman)
     fs::copy_file(pdf(), fs::path(folder) / "report-de.pdf", fs::copy_options::overwrite_existing);
   const std::string all = text();
   for (const char* words :
-       {"Insertionsbericht", "linkes Ohr", "Maximale Insertionskraft", "Insertionswinkel",
+       {"Insertionsbericht", "linkes Ohr", "Maximalkraft", "Insertionswinkel",
         "Abdeckung der Cochlea", "Unterschrift", "Haftreibungskoeffizient", "Seite 1 von"})
     EXPECT_THAT(all, HasSubstr(words));
   for (const char* words : {"Insertion depth", "left ear", "Technique score", "Page 1"})

@@ -52,6 +52,10 @@ struct FirstWindowRig {
   FirstWindowRig()
   {
     gui::UserSettings().clear();
+    // as the program does; what a case has chosen is more than 1
+    if (gui::textScale() <= 1.0)
+      gui::setTextScale(
+          gui::fittingTextScale(1.0, QGuiApplication::primaryScreen()->availableGeometry()));
     auto scenario = session::loadScenario("contour-published");
     if (!scenario) throw std::runtime_error(scenario.error().message);
     window = std::make_unique<gui::MainWindow>(*std::move(scenario), std::nullopt);
@@ -110,6 +114,17 @@ TEST_F(FirstWindow, StaysInTheScreenAtItsMinimumSize)
                window->frameGeometry().size();
       },
       patience_ms));
+}
+
+TEST_F(FirstWindow, CutsNoTextOfAnyPage)
+{
+  for (const gui::Page* page : window->pages().all()) {
+    window->showPage(*page);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return cutTextsOf(*window).empty(); }, patience_ms / 10));
+    keepPicture(*window, "first-" + page->id().toStdString());
+    for (const std::string& text : cutTextsOf(*window))
+      ADD_FAILURE() << page->id().toStdString() << ": " << text;
+  }
 }
 
 class AWindowWithTextOf150Percent : public testing::TestWithParam<const char*> {

@@ -56,6 +56,21 @@ TEST(Shell, AWindowMadeAgainKeepsReferenceInputUndoAndFocus)
   EXPECT_EQ(window.focusWidget(), window.findChild<QWidget*>("panelStop"));
 }
 
+TEST(TextScale, IsWhatTheSmallestWindowNeedsToFit)
+{
+  EXPECT_EQ(gui::fittingTextScale(1.0, {0, 0, 1366, 738}), 1.0);
+  EXPECT_EQ(gui::fittingTextScale(1.5, {0, 0, 1920, 1050}), 1.5);
+  // 1366 x 768 pixels at a scale of 1.5 and 2
+  for (const QRect& screen : {QRect(0, 0, 911, 492), QRect(0, 0, 683, 369)}) {
+    const double scale = gui::fittingTextScale(1.0, screen);
+    const QSizeF needed = scale * QSizeF(gui::preferredMinimumSize);
+    EXPECT_LT(scale, 1.0);
+    EXPECT_LT(needed.width(), screen.width());
+    EXPECT_LT(needed.height(), screen.height() - 37);  // the title bar of GNOME
+    EXPECT_EQ(gui::fittingTextScale(1.3, screen), 1.3 * scale);
+  }
+}
+
 TEST(Shell, TheSheetOfKeysFitsIntoTheSmallestWindow)
 {
   WindowRig rig;

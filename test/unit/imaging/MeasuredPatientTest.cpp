@@ -43,5 +43,27 @@ TEST(MeasuredPatient, KeepsEveryOtherFlag)
   }
 }
 
+TEST(MeasuredPatient, HasTheHeightThatIsAllowedOrNoneAndSaysSo)
+{
+  ct::CochleaMeasures measures = measuredWith(ct::Flag::coarseVoxels);
+  measures.h = {3.9, 0.15, 0.0, 0.0};
+  EXPECT_FALSE(heightNote(measures));
+  EXPECT_EQ(inMillimeters(*measuredPatient(measures).basalTurn->h), 3.9);
+
+  // beyond the highest whole cochlea by less than the error of the measurement, 0.29 mm
+  measures.h.value = 4.81;
+  EXPECT_EQ(inMillimeters(*measuredPatient(measures).basalTurn->h), 4.8);
+  ASSERT_TRUE(heightNote(measures));
+  EXPECT_THAT(*heightNote(measures), HasSubstr("H is 4.81 mm, which its error allows"));
+  EXPECT_THAT(*heightNote(measures), HasSubstr("4.80 mm is used"));
+
+  measures.h.value = 5.2;
+  EXPECT_FALSE(measuredPatient(measures).basalTurn->h);
+  EXPECT_FALSE(measuredPatient(measures).errors->h);
+  ASSERT_TRUE(heightNote(measures));
+  EXPECT_THAT(*heightNote(measures), HasSubstr("outside 2.30 to 4.80 mm"));
+  EXPECT_THAT(*measuredPatientText(measures, "ear"), HasSubstr("# H is 5.20 mm"));
+}
+
 }  // namespace
 }  // namespace perilymph::imaging

@@ -146,10 +146,7 @@ QWidget* ComparePage::addRuns()
   top->addWidget(save_);
 
   plot_ = new ComparisonPlot(page);
-  if (published_)
-    plot_->setPublished(*published_);
-  else
-    legend_->setText(dataText(published_.error().message));
+  if (!published_) legend_->setText(dataText(published_.error().message));
   connect(plot_, &ComparisonPlot::cursorMoved, this, &ComparePage::showCursor);
 
   table_ = new QTableWidget(0, columns, page);
@@ -238,6 +235,9 @@ void ComparePage::showRuns(std::vector<analysis::ComparedInsertion> runs)
   scores_.clear();
   for (const analysis::ComparedInsertion& each : runs_) scores_.push_back(analysis::scoreOf(each));
   plot_->setRuns(runs_);
+  const bool isComparable = analysis::areComparableWithPublished(runs_);
+  plot_->setPublished(isComparable && published_ ? std::optional(*published_) : std::nullopt);
+  legend_->setVisible(isComparable || !published_);
   // initially at the peak of the first one
   if (!runs_.empty()) plot_->setCursor_mm(inMillimeters(meters(runs_[0].profile.peak.travel)));
   fillTable();
@@ -323,8 +323,8 @@ void ComparePage::showScore()
 
 Result<Done> ComparePage::writeInto(const std::filesystem::path& folder) const
 {
-  const figures::Drawing figure =
-      figures::draw(analysis::comparisonFigure(runs_, published_ ? &*published_ : nullptr));
+  const figures::Drawing figure = figures::draw(analysis::comparisonFigure(
+      runs_, published_ && analysis::areComparableWithPublished(runs_) ? &*published_ : nullptr));
   const std::pair<const char*, std::string> files[] = {
       {"comparison.csv", analysis::comparisonCsv(runs_)},
       {"curves.csv", analysis::curvesCsv(runs_)},

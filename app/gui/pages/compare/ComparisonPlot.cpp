@@ -56,7 +56,7 @@ void ComparisonPlot::setRuns(std::vector<analysis::ComparedInsertion> runs)
   update();
 }
 
-void ComparisonPlot::setPublished(const analysis::Reference& published)
+void ComparisonPlot::setPublished(const std::optional<analysis::Reference>& published)
 {
   published_ = published;
   fitAxes();

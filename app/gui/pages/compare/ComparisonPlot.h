@@ -22,7 +22,8 @@ public:
   explicit ComparisonPlot(QWidget* parent);
 
   void setRuns(std::vector<analysis::ComparedInsertion> runs);
-  void setPublished(const analysis::Reference& published);
+  /// Values drawn behind the curves, or none.
+  void setPublished(const std::optional<analysis::Reference>& published);
   void setCursor_mm(double travel_mm);
   double cursor_mm() const { return cursor_mm_; }
 

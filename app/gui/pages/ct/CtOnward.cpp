@@ -91,6 +91,7 @@ void CtOnward::showState()
                         ? tr("Angular insertion depth, coverage and forces of electrode arrays in "
                              "this cochlea, before one is inserted")
                         : first);
+  setPrimary(*insert_, !isStale_);
   saveSurface_->setEnabled(isMeasured_ && isFree_);
 }
 

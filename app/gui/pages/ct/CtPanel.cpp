@@ -24,6 +24,7 @@
 #include "gui/widgets/PanelParts.h"
 #include "gui/widgets/Theme.h"
 #include "gui/widgets/WrappedLabel.h"
+#include "perilymph/imaging/MeasuredPatient.h"
 
 namespace perilymph::gui {
 
@@ -325,6 +326,10 @@ void CtPanel::refresh()
   measureHere_->setEnabled(isFree && (study_.isCrosshairPlaced() || study_.isCorrected()));
   measureHere_->setText(study_.isCorrected() ? tr("Re-measure using landmarks")
                                              : tr("Measure at the crosshair"));
+  // one button is what most users press next
+  const bool isCorrected = study_.isCorrected() && study_.isStale();
+  setPrimary(*search_, !isMeasured && !isCorrected);
+  setPrimary(*measureHere_, isCorrected);
   cochleaPlanes_->setEnabled(isMeasured);
   (study_.frame() == PlaneFrame::cochlea ? cochleaPlanes_ : patientPlanes_)->setChecked(true);
   for (QPushButton* button : marks_) button->setEnabled(study_.hasCt());
@@ -379,6 +384,7 @@ void CtPanel::showMeasures()
   for (const ct::Flag flag : measures->flags) flags << dataText(ct::sentenceOf(flag));
   if (!isStale)
     for (const Sentence& each : ct::landmarkContradictions(*measures)) flags << dataText(each);
+  if (const auto note = imaging::heightNote(*measures)) flags << dataText(*note);
   flags_->setVisible(!flags.isEmpty());
   flags_->setText(flags.join(QLatin1Char('\n')));
 }

@@ -36,6 +36,7 @@ Result<anatomy::Patient> patientOfMeasures(const ct::CochleaMeasures& measures, 
   for (const ct::Flag flag : measures.flags) facts.warnings.emplace_back(ct::sentenceOf(flag));
   for (Sentence& sentence : ct::landmarkContradictions(measures))
     facts.warnings.push_back(std::move(sentence));
+  if (auto note = imaging::heightNote(measures)) facts.warnings.push_back(*std::move(note));
   if (const auto saved = session::savePatientVersion(*measured, file, facts,
                                                      !findSavedPatient(named.label, named.side));
       !saved)

@@ -24,8 +24,8 @@ AngleRing::AngleRing(QWidget* parent) : QWidget(parent)
   setObjectName(QStringLiteral("angleRing"));
   setAccessibleName(tr("Angles of the contacts from the round window"));
   setToolTip(
-      tr("Contacts at their median angles from the round window, seen from the apex; arcs: 5 "
-         "to 95 % of the draws. The radius is not to scale."));
+      tr("Contacts at their median angles from the round window, seen from the apex; arcs: "
+         "the band that the head names. The radius is not to scale."));
 }
 
 void AngleRing::show(const std::vector<planning::ContactBand>& contacts, anatomy::Side side)
@@ -43,10 +43,11 @@ void AngleRing::paintEvent(QPaintEvent*)
   const QPointF center(0.5 * width(), 0.5 * height());
   const double outer = 0.5 * std::min(width(), height()) - ringMargin_px * textScale();
   const double hand = side_ == anatomy::Side::left ? -1.0 : 1.0;
-  // 0 degrees at the left of a right ear, further ones clockwise
+  // as the pictures seen from the apex: 0 degrees at the left of a right ear, further ones
+  // counterclockwise; a left ear is its mirror image
   const auto at = [&](double angle_deg, double radius) {
     const double angle = degrees(angle_deg).si();
-    return center + QPointF(-hand * std::cos(angle), -std::sin(angle)) * radius;
+    return center + QPointF(-hand * std::cos(angle), std::sin(angle)) * radius;
   };
   const auto radiusAt = [&](double angle_deg) {
     return outer * (1.0 - (1.0 - innerRadius) * std::clamp(angle_deg / (360.0 * turns), 0.0, 1.0));

@@ -44,7 +44,7 @@ ContactTable::ContactTable(QWidget* parent)
       {tr("No."), tr("Number of the contact; 1 at the tip")},
       {tr("Inside"),
        tr("Draws in which the contact is inserted; the other columns are over these")},
-      {tr("Angle"), tr("From the round window. Median and 5 to 95 % of the draws.")},
+      {tr("Angle"), tr("From the round window. Median and the band that the head names.")},
       {tr("To modiolus"), tr("From the center line of the array to the inner wall. Median and 5 to "
                              "95 % of the draws.")},
       {tr("Greenwood"), tr("Frequency of the place along the organ of Corti (Greenwood 1990)")},

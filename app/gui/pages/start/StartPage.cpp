@@ -312,7 +312,8 @@ void StartPage::resizeEvent(QResizeEvent* event)
 {
   QWidget::resizeEvent(event);
   const int available = (width() - 10 * spacing) / 3;  // two gaps and margins
-  const int wide = std::clamp(available, minCardWidth_px, cardSize.width());
+  const int wide =
+      std::clamp(available, std::min(minCardWidth_px, sized(minCardWidth_px)), cardSize.width());
   int text = 0;
   for (StartCard* card : {patient_, mean_, demonstration_})
     text = std::max(text, card->textHeight(wide));

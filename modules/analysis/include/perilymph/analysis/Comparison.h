@@ -31,6 +31,7 @@ struct ComparedInsertion {
   /// The rupture of the cochlear partition, with the most of the array that was above it at a time;
   /// empty if the partition held.
   std::optional<haptics::Translocation> translocation;
+  bool hasPublishedConditions = false;  ///< Comparable with the published measurements.
   session::RecordingCheck check;  ///< Whether the file is as it was recorded.
 };
 
@@ -48,6 +49,9 @@ std::string comparisonCsv(const std::vector<ComparedInsertion>& insertions);
 
 /// `travel_mm` and a column `<name>_N` per recording, every 0.1 mm; empty where it has no point.
 std::string curvesCsv(const std::vector<ComparedInsertion>& insertions);
+
+/// Whether one of them has the conditions of the published measurements; else these are not drawn.
+bool areComparableWithPublished(const std::vector<ComparedInsertion>& insertions);
 
 /// The curves over a common axis, with the printed values of a reference if given.
 figures::Figure comparisonFigure(const std::vector<ComparedInsertion>& insertions,

@@ -8297,12 +8297,12 @@
         <translation>Plan</translation>
     </message>
     <message>
-        <source>Values of the model, not clinical risks: no friction in a living ear is known; the one that is taken is estimated from pig tissue, and bands hold its uncertainty. Translocation is rarer than clinics report.</source>
-        <translation>Werte des Modells, keine klinischen Risiken: Eine Reibung im lebenden Ohr ist nicht bekannt; die verwendete ist aus Schweinegewebe geschätzt, und die Bandbreiten enthalten ihre Unsicherheit. Translokationen sind seltener, als Kliniken berichten.</translation>
-    </message>
-    <message>
         <source>Compute</source>
         <translation>Berechnen</translation>
+    </message>
+    <message>
+        <source>Values of the model, not clinical risks: no friction in a living ear is known; the one that is taken is estimated from pig tissue, and bands hold its uncertainty. Many arrays stop earlier here than clinics report, perimodiolar ones far earlier, and peaks are bounded by the force at which the simulated hand stops (45 to 102 mN): do not choose a maker by this table. Translocation is rarer than clinics report.</source>
+        <translation>Werte des Modells, keine klinischen Risiken: Eine Reibung im lebenden Ohr ist nicht bekannt; die verwendete ist aus Schweinegewebe geschätzt, und die Bandbreiten enthalten ihre Unsicherheit. Viele Träger halten hier früher an, als Kliniken berichten, perimodioläre weit früher, und Maximalkräfte sind durch die Kraft begrenzt, bei der die simulierte Hand anhält (45 bis 102 mN): Wählen Sie keinen Hersteller nach dieser Tabelle. Translokationen sind seltener, als Kliniken berichten.</translation>
     </message>
 </context>
 <context>

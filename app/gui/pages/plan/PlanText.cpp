@@ -99,7 +99,8 @@ QString methodOf(PlanColumn column)
     case PlanColumn::coverage:
       return coverageMethod();
     case PlanColumn::peak:
-      return tr("Maximum axial force on the surgeon’s hand. Median and the band that the head names.");
+      return tr(
+          "Maximum axial force on the surgeon’s hand. Median and the band that the head names.");
     case PlanColumn::end:
       return tr(
           "Mean axial force on the hand over the last half second before it stops. Median and 5 to "
@@ -107,10 +108,12 @@ QString methodOf(PlanColumn column)
     case PlanColumn::force:
       return tr(
           "Axial force over the depth of the tip past the opening, as deep as any simulation went. "
-          "Line: median; area: the band that the head names; paler and dashed where some simulations have ended. All "
+          "Line: median; area: the band that the head names; paler and dashed where some "
+          "simulations have ended. All "
           "rows have the same axes.");
     case PlanColumn::partition:
-      return tr("Maximum force on the cochlear partition. Median and the band that the head names.");
+      return tr(
+          "Maximum force on the cochlear partition. Median and the band that the head names.");
     case PlanColumn::full:
       return tr(
           "Fraction of the insertions that reach the array’s full depth, with its 95 % "

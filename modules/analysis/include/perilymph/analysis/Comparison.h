@@ -32,7 +32,7 @@ struct ComparedInsertion {
   /// empty if the partition held.
   std::optional<haptics::Translocation> translocation;
   bool hasPublishedConditions = false;  ///< Comparable with the published measurements.
-  session::RecordingCheck check;  ///< Whether the file is as it was recorded.
+  session::RecordingCheck check;        ///< Whether the file is as it was recorded.
 };
 
 /// The name, with " (changed by hand)" if the file is not as it was recorded.

@@ -116,7 +116,7 @@ TEST(ForceDepthChart, ShowsThePullOfAWithdrawnArrayBelowZero)
   for (int i = 0; i < 500; ++i) screen.chart.append(millimeters(0.02 * i), newtons(0.05));
   for (int i = 500; i > 0; --i) screen.chart.append(millimeters(0.02 * i), newtons(-0.03));
   const test::DrawnPicture picture = screen.picture();
-  EXPECT_DOUBLE_EQ(screen.axis(vtkAxis::LEFT).GetMinimum(), -50.0);
+  EXPECT_DOUBLE_EQ(screen.axis(vtkAxis::LEFT).GetMinimum(), -40.0);
   // half-transparent over the ground
   const test::Pixel faded{0x30, 0x7D, 0x72};
   EXPECT_TRUE(nearColor(picture, screen.x(5.0), screen.y(-0.03), faded));

@@ -98,7 +98,11 @@ QString PhaseLine::tipAt(const QPoint& place) const
   return {};
 }
 
-QSize PhaseLine::sizeHint() const { return {480, sized(height_px)}; }
+QSize PhaseLine::sizeHint() const
+{
+  constexpr int smallest_px = 38;  // its points do not shrink as its texts do
+  return {480, std::max(sized(height_px), smallest_px)};
+}
 
 void PhaseLine::paintEvent(QPaintEvent*)
 {

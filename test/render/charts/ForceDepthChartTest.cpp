@@ -278,20 +278,20 @@ TEST(ForceDepthChart, ShowsThePlansMedianInItsBandAndOmitsItWhenItIsRemoved)
 {
   ChartOnScreen screen;
   const test::DrawnPicture empty = screen.picture();
-  screen.chart.setExpected({{2.0, 40.0, 60.0, 120.0}, {12.0, 40.0, 60.0, 120.0}}, "plan");
+  screen.chart.setExpected({{2.0, 10.0, 15.0, 30.0}, {12.0, 10.0, 15.0, 30.0}}, "plan");
   const test::DrawnPicture drawn = screen.picture();
   for (const double travel_mm : {3.0, 7.0, 11.0}) {
     const int x = screen.x(travel_mm);
-    EXPECT_TRUE(nearColor(drawn, x, screen.y(0.060), blue)) << travel_mm;
-    EXPECT_GT(test::difference(drawn.at(x, screen.y(0.105)), empty.at(x, screen.y(0.105))), 10);
-    EXPECT_EQ(test::difference(drawn.at(x, screen.y(0.135)), empty.at(x, screen.y(0.135))), 0);
+    EXPECT_TRUE(nearColor(drawn, x, screen.y(0.015), blue)) << travel_mm;
+    EXPECT_GT(test::difference(drawn.at(x, screen.y(0.026)), empty.at(x, screen.y(0.026))), 10);
+    EXPECT_EQ(test::difference(drawn.at(x, screen.y(0.034)), empty.at(x, screen.y(0.034))), 0);
   }
   screen.chart.setExpected({{2.0, 40.0, 60.0, 320.0}}, "plan");
   screen.picture();
   EXPECT_GE(screen.axis(vtkAxis::LEFT).GetMaximum(), 320.0);
   screen.chart.setExpected({}, {});
   const test::DrawnPicture removed = screen.picture();
-  const int x = screen.x(7.0), y = screen.y(0.060);
+  const int x = screen.x(7.0), y = screen.y(0.015);
   EXPECT_EQ(test::difference(removed.at(x, y), empty.at(x, y)), 0);
 }
 

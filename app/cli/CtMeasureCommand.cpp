@@ -41,10 +41,11 @@ Result<ct::MeasureRequest> requestOf(const CtMeasureOptions& options, const std:
   return request;
 }
 
-void printMeasure(const char* name, const ct::Measure& measure)
+void printMeasure(const char* name, const ct::Measure& measure, int decimals = 2)
 {
   const double halfWidth = 0.5 * (measure.interval95()[1] - measure.interval95()[0]);
-  print("{:12} {} ± {} mm (95 %)\n", name, fixed(measure.value, 2), fixed(halfWidth, 2));
+  print("{:12} {} ± {} mm (95 %)\n", name, fixed(measure.value, decimals),
+        fixed(halfWidth, decimals));
 }
 
 void printPoint(const char* name, const Eigen::Vector3d& point)
@@ -60,7 +61,7 @@ void printMeasures(const ct::CochleaMeasures& measures)
   printMeasure("B", measures.b);
   printMeasure("H", measures.h);
   if (measures.cdlOc)
-    printMeasure("CDL (OC)", *measures.cdlOc);
+    printMeasure("CDL (OC)", *measures.cdlOc, 1);
   else if (measures.has(ct::Flag::fewTurns))
     print("{:12} not given: {} turns of the lumen were seen\n", "CDL (OC)",
           fixed(measures.turnsSeen, 1));

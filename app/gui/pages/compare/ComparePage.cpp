@@ -235,9 +235,9 @@ void ComparePage::showRuns(std::vector<analysis::ComparedInsertion> runs)
   scores_.clear();
   for (const analysis::ComparedInsertion& each : runs_) scores_.push_back(analysis::scoreOf(each));
   plot_->setRuns(runs_);
-  const bool isComparable = analysis::areComparableWithPublished(runs_);
-  plot_->setPublished(isComparable && published_ ? std::optional(*published_) : std::nullopt);
-  legend_->setVisible(isComparable || !published_);
+  const analysis::Reference* const published = comparedWith();
+  plot_->setPublished(published != nullptr ? std::optional(*published) : std::nullopt);
+  legend_->setVisible(published != nullptr || !published_);
   // initially at the peak of the first one
   if (!runs_.empty()) plot_->setCursor_mm(inMillimeters(meters(runs_[0].profile.peak.travel)));
   fillTable();
@@ -245,6 +245,11 @@ void ComparePage::showRuns(std::vector<analysis::ComparedInsertion> runs)
   status_->say({});
   stack_->setCurrentIndex(1);
   plot_->setFocus();
+}
+
+const analysis::Reference* ComparePage::comparedWith() const
+{
+  return published_ && analysis::areComparableWithPublished(runs_) ? &*published_ : nullptr;
 }
 
 void ComparePage::fillTable()
@@ -323,8 +328,7 @@ void ComparePage::showScore()
 
 Result<Done> ComparePage::writeInto(const std::filesystem::path& folder) const
 {
-  const figures::Drawing figure = figures::draw(analysis::comparisonFigure(
-      runs_, published_ && analysis::areComparableWithPublished(runs_) ? &*published_ : nullptr));
+  const figures::Drawing figure = figures::draw(analysis::comparisonFigure(runs_, comparedWith()));
   const std::pair<const char*, std::string> files[] = {
       {"comparison.csv", analysis::comparisonCsv(runs_)},
       {"curves.csv", analysis::curvesCsv(runs_)},

@@ -40,6 +40,8 @@ public:
 private:
   QWidget* addRuns();
   void showRuns(std::vector<analysis::ComparedInsertion> runs);
+  /// The published measurements, if one of the runs has their conditions.
+  const analysis::Reference* comparedWith() const;
   void fillTable();
   void showCursor();
   void showScore();

@@ -79,8 +79,8 @@ QWidget* PlanPage::addPlan()
       tr("Values of the model, not clinical risks: "
          "no friction in a living ear is known; the one that is taken is estimated "
          "from pig tissue, and bands hold its uncertainty. Many arrays stop earlier here than "
-         "clinics "
-         "report, perimodiolar ones far earlier, and peaks are bounded by the force at which the "
+         "clinics report, perimodiolar ones far earlier, and peaks are bounded by the force at "
+         "which the "
          "simulated hand stops (45 to 102 mN): do not choose a maker by this table. "
          "Translocation is rarer than clinics report."),
       page);

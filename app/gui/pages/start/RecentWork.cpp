@@ -28,17 +28,18 @@ constexpr int linkWidth_px = 380;
 
 struct Recorded {
   fs::path file;
-  QDateTime time;  ///< When it began, which its name states; else when it was changed last.
+  qint64
+      time_ms;  ///< Since 1970: when it began, which its name states; else when it was changed last.
 };
 
-QDateTime timeOf(const fs::path& file, fs::file_time_type changed)
+qint64 timeOf_ms(const fs::path& file, fs::file_time_type changed)
 {
   const auto utc =
       QDateTime::fromString(QString::fromStdString(session::startedUtcOf(file)), Qt::ISODate);
-  if (utc.isValid()) return utc.toLocalTime();
+  if (utc.isValid()) return utc.toMSecsSinceEpoch();
   const auto before = fs::file_time_type::clock::now() - changed;
-  const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(before).count();
-  return QDateTime::currentDateTime().addSecs(-seconds);
+  return QDateTime::currentMSecsSinceEpoch() -
+         std::chrono::duration_cast<std::chrono::milliseconds>(before).count();
 }
 
 /// The newest recordings, without being read.
@@ -51,12 +52,12 @@ std::vector<Recorded> newestRecordings(const std::optional<fs::path>& beingRecor
   for (const fs::directory_entry& entry : entries) {
     if (entry.path().extension() != ".insertion" || entry.path() == beingRecorded) continue;
     const auto time = entry.last_write_time(failure);
-    if (!failure) found.push_back({entry.path(), timeOf(entry.path(), time)});
+    if (!failure) found.push_back({entry.path(), timeOf_ms(entry.path(), time)});
   }
   const std::size_t kept = std::min(found.size(), maxListed);
   std::partial_sort(
       found.begin(), found.begin() + std::ptrdiff_t(kept), found.end(),
-      [](const Recorded& one, const Recorded& other) { return one.time > other.time; });
+      [](const Recorded& one, const Recorded& other) { return one.time_ms > other.time_ms; });
   found.resize(kept);
   return found;
 }
@@ -154,7 +155,8 @@ void RecentWork::refresh(const QString& current, const std::optional<fs::path>& 
         addLink(*recordings_,
                 tr("Replay %1 · %2")
                     .arg(QString::fromStdString(session::displayNameOf(recordings[i].file)),
-                         recordings[i].time.toString(QStringLiteral("yyyy-MM-dd HH:mm"))),
+                         QDateTime::fromMSecsSinceEpoch(recordings[i].time_ms)
+                             .toString(QStringLiteral("yyyy-MM-dd HH:mm"))),
                 QStringLiteral("recentRecording%1").arg(i), right);
     connect(link, &QPushButton::clicked, this,
             [this, file = recordings[i].file] { Q_EMIT replayAsked(file); });

@@ -12,6 +12,7 @@
 #include <QVBoxLayout>
 #include <QVariant>
 #include <algorithm>
+#include <map>
 
 #include "gui/pages/start/PatientForm.h"
 #include "gui/pages/start/PatientPicker.h"
@@ -60,6 +61,23 @@ QImage onLight(const QImage& dark)
   return light;
 }
 
+/// The middle of a picture in the size of a card; empty if there is none. It is read and scaled once,
+/// and not for every window and language.
+QImage fittedPicture(const std::string& file, double ratio)
+{
+  static std::map<std::pair<std::string, double>, QImage> all;
+  QImage& fitted = all[{file, ratio}];
+  const QImage whole = fitted.isNull() ? QImage(QString::fromStdString(file)) : QImage();
+  if (!whole.isNull()) {
+    const int width = int(whole.width() / pictureZoom);
+    const int height = width * pictureHeight_px / cardSize.width();
+    const QRect middle((whole.width() - width) / 2, (whole.height() - height) / 2, width, height);
+    fitted = whole.copy(middle).scaled(QSize(cardSize.width(), pictureHeight_px) * ratio,
+                                       Qt::KeepAspectRatio, Qt::SmoothTransformation);
+  }
+  return fitted;
+}
+
 }  // namespace
 
 StartCard::StartCard(const char* name, const QString& title, const QString& sentence,
@@ -71,14 +89,9 @@ StartCard::StartCard(const char* name, const QString& title, const QString& sent
   setAccessibleDescription(sentence);
   setCursor(Qt::PointingHandCursor);
   setFixedSize(cardSize);
-  const QImage whole(QString::fromStdString(resource(picture).string()));
-  if (whole.isNull()) return;
   const double ratio = devicePixelRatioF();
-  const int width = int(whole.width() / pictureZoom);
-  const int height = width * pictureHeight_px / cardSize.width();
-  const QRect middle((whole.width() - width) / 2, (whole.height() - height) / 2, width, height);
-  const QImage fitted = whole.copy(middle).scaled(QSize(cardSize.width(), pictureHeight_px) * ratio,
-                                                  Qt::KeepAspectRatio, Qt::SmoothTransformation);
+  const QImage fitted = fittedPicture(resource(picture).string(), ratio);
+  if (fitted.isNull()) return;
   const bool isLight = shownColorScheme() == ColorScheme::light;
   picture_ = QPixmap::fromImage(isLight ? onLight(fitted) : fitted);
   picture_.setDevicePixelRatio(ratio);

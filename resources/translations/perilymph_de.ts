@@ -5914,20 +5914,12 @@
         <translation>Spitze bei %1</translation>
     </message>
     <message>
-        <source>mean of the last 0.5 s of the insertion</source>
-        <translation>Mittel der letzten 0,5 s der Insertion</translation>
-    </message>
-    <message>
         <source>Force after 1 s of rest</source>
         <translation>Kraft nach 1 s Ruhe</translation>
     </message>
     <message>
         <source>not reached</source>
         <translation>nicht erreicht</translation>
-    </message>
-    <message>
-        <source>mean of 0.5 s</source>
-        <translation>Mittel über 0,5 s</translation>
     </message>
     <message>
         <source>no contact inside</source>
@@ -6058,12 +6050,60 @@
         <translation>Größte Kraft auf die cochleäre Trennwand. Median und das Band, das der Kopf nennt.</translation>
     </message>
     <message>
-        <source>Results; plan: %1</source>
-        <translation>Ergebnisse; Plan: %1</translation>
-    </message>
-    <message>
         <source>outside the plan, %1</source>
         <translation>außerhalb des Plans, %1</translation>
+    </message>
+    <message>
+        <source>The end force is a mean of 0.5 s in which the force still rose.</source>
+        <translation>Die Endkraft ist ein Mittel über 0,5 s, in denen die Kraft noch stieg.</translation>
+    </message>
+    <message>
+        <source>mean of the last 0.5 s of motion</source>
+        <translation>Mittel der letzten 0,5 s der Bewegung</translation>
+    </message>
+    <message>
+        <source>mean of the last 0.5 s of motion, still rising</source>
+        <translation>Mittel der letzten 0,5 s der Bewegung, noch steigend</translation>
+    </message>
+    <message>
+        <source>mean of 0.5 to 1 s after the stop</source>
+        <translation>Mittel von 0,5 bis 1 s nach dem Halt</translation>
+    </message>
+    <message>
+        <source>Results; %1: %2</source>
+        <translation>Ergebnisse; %1: %2</translation>
+    </message>
+    <message>
+        <source>plan of %1</source>
+        <translation>Plan vom %1</translation>
+    </message>
+    <message>
+        <source>plan</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>ready</source>
+        <translation>bereit</translation>
+    </message>
+    <message>
+        <source>running</source>
+        <translation>läuft</translation>
+    </message>
+    <message>
+        <source>ended, resting</source>
+        <translation>beendet, ruht</translation>
+    </message>
+    <message>
+        <source>ended</source>
+        <translation>beendet</translation>
+    </message>
+    <message>
+        <source>recording now</source>
+        <translation>wird aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>recording the rest</source>
+        <translation>Ruhe wird aufgezeichnet</translation>
     </message>
 </context>
 <context>
@@ -6984,10 +7024,6 @@
         <translation>%1°</translation>
     </message>
     <message>
-        <source>Cochlear coverage, up to</source>
-        <translation>Abdeckung, bis zu</translation>
-    </message>
-    <message>
         <source>%1 %</source>
         <translation>%1 %</translation>
     </message>
@@ -6998,10 +7034,6 @@
     <message>
         <source>–</source>
         <translation>–</translation>
-    </message>
-    <message>
-        <source>Angle and coverage for %1 along the lateral wall, fully inserted.</source>
-        <translation>Winkel und Abdeckung für %1 entlang der Außenwand, vollständig inseriert.</translation>
     </message>
     <message>
         <source>Angle and coverage are estimated for straight arrays only.</source>
@@ -7016,8 +7048,16 @@
         <translation>± 95-%-Intervall der Messfehler im CT und der Formel der Länge des Ductus.</translation>
     </message>
     <message>
-        <source>Angular insertion depth, up to</source>
-        <translation>Insertionswinkel, bis zu</translation>
+        <source>Angular insertion depth at the lateral wall</source>
+        <translation>Insertionswinkel an der Außenwand</translation>
+    </message>
+    <message>
+        <source>Cochlear coverage at the lateral wall</source>
+        <translation>Abdeckung an der Außenwand</translation>
+    </message>
+    <message>
+        <source>Angle and coverage for %1 along the lateral wall, fully inserted: geometry alone. In a plan it may lie nearer the modiolus, at a larger angle, or stop earlier.</source>
+        <translation>Winkel und Abdeckung für %1 entlang der Außenwand, vollständig inseriert: allein aus der Geometrie. In einem Plan kann er näher am Modiolus liegen, mit größerem Winkel, oder früher enden.</translation>
     </message>
 </context>
 <context>
@@ -8753,12 +8793,12 @@
         <translation>Noch einmal inserieren, mit einer neuen Aufzeichnung</translation>
     </message>
     <message>
-        <source>plan, %1</source>
-        <translation>Plan, %1</translation>
-    </message>
-    <message>
         <source>outside %1</source>
         <translation>außerhalb %1</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
     </message>
 </context>
 <context>
@@ -8902,10 +8942,6 @@
 </context>
 <context>
     <name>perilymph::gui::SessionTable</name>
-    <message>
-        <source>recording now</source>
-        <translation>wird aufgezeichnet</translation>
-    </message>
     <message>
         <source>unreadable</source>
         <translation>unlesbar</translation>
@@ -9134,6 +9170,10 @@
         <source>Sessions</source>
         <translation>Aufzeichnungen</translation>
     </message>
+    <message>
+        <source>This insertion has ended; its rest is recorded until nothing moves.</source>
+        <translation>Diese Insertion ist beendet; ihre Ruhe wird aufgezeichnet, bis sich nichts mehr bewegt.</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::SettingsSheet</name>
@@ -9180,26 +9220,6 @@
     <message>
         <source>Text size</source>
         <translation>Schriftgröße</translation>
-    </message>
-    <message>
-        <source>100 %</source>
-        <translation>100 %</translation>
-    </message>
-    <message>
-        <source>90 %</source>
-        <translation>90 %</translation>
-    </message>
-    <message>
-        <source>115 %</source>
-        <translation>115 %</translation>
-    </message>
-    <message>
-        <source>130 %</source>
-        <translation>130 %</translation>
-    </message>
-    <message>
-        <source>150 %</source>
-        <translation>150 %</translation>
     </message>
     <message>
         <source>Hold the array (Space or button)</source>
@@ -9252,6 +9272,10 @@
     <message>
         <source>Operator, for reports (optional)</source>
         <translation>Operateur, für Berichte (optional)</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
     </message>
 </context>
 <context>
@@ -9526,16 +9550,8 @@
         <translation>GEÄNDERT</translation>
     </message>
     <message>
-        <source>ready</source>
-        <translation>bereit</translation>
-    </message>
-    <message>
         <source>fault · no force</source>
         <translation>Fehler · keine Kraft</translation>
-    </message>
-    <message>
-        <source>running</source>
-        <translation>läuft</translation>
     </message>
     <message>
         <source>preparing</source>
@@ -9596,10 +9612,6 @@
     <message>
         <source>%1 (Alt+Home)</source>
         <translation>%1 (Alt+Pos1)</translation>
-    </message>
-    <message>
-        <source>ended</source>
-        <translation>beendet</translation>
     </message>
 </context>
 <context>

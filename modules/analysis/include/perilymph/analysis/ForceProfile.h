@@ -79,7 +79,7 @@ private:
   void followRest(const haptics::TickOutput& now);
 
   ForceProfile profile_;
-  RunningMean last_{averaged()};  ///< Of the force [N].
+  RunningMean last_{averaged()};  ///< The force at rest [N].
   std::optional<double> ended_;   ///< Time at which the insertion ended [s].
   bool isWithdrawn_ = false;      ///< After it.
   std::optional<haptics::TickOutput> before_;

@@ -37,7 +37,7 @@ private:
   };
   double window_;
   std::deque<Timed> last_;  ///< The values within the window.
-  double sum_ = 0.0;        ///< Of these values.
+  double sum_ = 0.0;        ///< The sum of these values.
 };
 
 }  // namespace perilymph::analysis

@@ -5930,20 +5930,12 @@
         <translation>Spitze bei %1</translation>
     </message>
     <message>
-        <source>mean of the last 0.5 s of the insertion</source>
-        <translation>Mittel der letzten 0,5 s der Insertion</translation>
-    </message>
-    <message>
         <source>Force after 1 s of rest</source>
         <translation>Kraft nach 1 s Ruhe</translation>
     </message>
     <message>
         <source>not reached</source>
         <translation>nicht erreicht</translation>
-    </message>
-    <message>
-        <source>mean of 0.5 s</source>
-        <translation>Mittel über 0,5 s</translation>
     </message>
     <message>
         <source>no contact inside</source>
@@ -6074,12 +6066,60 @@
         <translation>Größte Kraft auf die cochleäre Trennwand. Median und das Band, das der Kopf nennt.</translation>
     </message>
     <message>
-        <source>Results; plan: %1</source>
-        <translation>Ergebnisse; Plan: %1</translation>
-    </message>
-    <message>
         <source>outside the plan, %1</source>
         <translation>außerhalb des Plans, %1</translation>
+    </message>
+    <message>
+        <source>The end force is a mean of 0.5 s in which the force still rose.</source>
+        <translation>Die Endkraft ist ein Mittel über 0,5 s, in denen die Kraft noch stieg.</translation>
+    </message>
+    <message>
+        <source>mean of the last 0.5 s of motion</source>
+        <translation>Mittel der letzten 0,5 s der Bewegung</translation>
+    </message>
+    <message>
+        <source>mean of the last 0.5 s of motion, still rising</source>
+        <translation>Mittel der letzten 0,5 s der Bewegung, noch steigend</translation>
+    </message>
+    <message>
+        <source>mean of 0.5 to 1 s after the stop</source>
+        <translation>Mittel von 0,5 bis 1 s nach dem Halt</translation>
+    </message>
+    <message>
+        <source>Results; %1: %2</source>
+        <translation>Ergebnisse; %1: %2</translation>
+    </message>
+    <message>
+        <source>plan of %1</source>
+        <translation>Plan vom %1</translation>
+    </message>
+    <message>
+        <source>plan</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>ready</source>
+        <translation>bereit</translation>
+    </message>
+    <message>
+        <source>running</source>
+        <translation>läuft</translation>
+    </message>
+    <message>
+        <source>ended, resting</source>
+        <translation>beendet, ruht</translation>
+    </message>
+    <message>
+        <source>ended</source>
+        <translation>beendet</translation>
+    </message>
+    <message>
+        <source>recording now</source>
+        <translation>wird aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>recording the rest</source>
+        <translation>Ruhe wird aufgezeichnet</translation>
     </message>
     <message>
         <source>Fraction of the insertions that reach the depth the drawn surgeon intends, between all contacts inside and the array’s greatest depth, with its 95 % interval (Wilson 1927).</source>
@@ -6138,16 +6178,16 @@
         <translation>Erster minus zweiter, Simulation für Simulation: Cochlea, Hand und Reibung sind für beide gleich, ihre Streuung ist also nicht in diesen Bändern.</translation>
     </message>
     <message>
-        <source>%1 (%2 to %3)</source>
-        <translation>%1 (%2 bis %3)</translation>
-    </message>
-    <message>
         <source>Depth that the surgeon intends</source>
         <translation>Tiefe, die der Operateur beabsichtigt</translation>
     </message>
     <message>
         <source>Method: each array is inserted by a simulated hand %1 times (%2). Every time A, B and H within their errors, speed, tremor, grip, force limit, intended depth, friction, approach and stiffness are drawn again; see the appendix.</source>
         <translation>Methode: Jeder Elektrodenträger wird %1-mal von einer simulierten Hand inseriert (%2). Jedes Mal werden A, B und H innerhalb ihrer Fehler, Geschwindigkeit, Tremor, Griff, Kraftgrenze, beabsichtigte Tiefe, Reibung, Zugang und Steifigkeit neu gezogen; siehe Anhang.</translation>
+    </message>
+    <message>
+        <source>%1 (%2 to %3)</source>
+        <translation>%1 (%2 bis %3)</translation>
     </message>
 </context>
 <context>
@@ -7068,10 +7108,6 @@
         <translation>%1°</translation>
     </message>
     <message>
-        <source>Cochlear coverage, up to</source>
-        <translation>Abdeckung, bis zu</translation>
-    </message>
-    <message>
         <source>%1 %</source>
         <translation>%1 %</translation>
     </message>
@@ -7082,10 +7118,6 @@
     <message>
         <source>–</source>
         <translation>–</translation>
-    </message>
-    <message>
-        <source>Angle and coverage for %1 along the lateral wall, fully inserted.</source>
-        <translation>Winkel und Abdeckung für %1 entlang der Außenwand, vollständig inseriert.</translation>
     </message>
     <message>
         <source>Angle and coverage are estimated for straight arrays only.</source>
@@ -7100,8 +7132,16 @@
         <translation>± 95-%-Intervall der Messfehler im CT und der Formel der Länge des Ductus.</translation>
     </message>
     <message>
-        <source>Angular insertion depth, up to</source>
-        <translation>Insertionswinkel, bis zu</translation>
+        <source>Angular insertion depth at the lateral wall</source>
+        <translation>Insertionswinkel an der Außenwand</translation>
+    </message>
+    <message>
+        <source>Cochlear coverage at the lateral wall</source>
+        <translation>Abdeckung an der Außenwand</translation>
+    </message>
+    <message>
+        <source>Angle and coverage for %1 along the lateral wall, fully inserted: geometry alone. In a plan it may lie nearer the modiolus, at a larger angle, or stop earlier.</source>
+        <translation>Winkel und Abdeckung für %1 entlang der Außenwand, vollständig inseriert: allein aus der Geometrie. In einem Plan kann er näher am Modiolus liegen, mit größerem Winkel, oder früher enden.</translation>
     </message>
 </context>
 <context>
@@ -8837,12 +8877,12 @@
         <translation>Noch einmal inserieren, mit einer neuen Aufzeichnung</translation>
     </message>
     <message>
-        <source>plan, %1</source>
-        <translation>Plan, %1</translation>
-    </message>
-    <message>
         <source>outside %1</source>
         <translation>außerhalb %1</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
     </message>
 </context>
 <context>
@@ -8986,10 +9026,6 @@
 </context>
 <context>
     <name>perilymph::gui::SessionTable</name>
-    <message>
-        <source>recording now</source>
-        <translation>wird aufgezeichnet</translation>
-    </message>
     <message>
         <source>unreadable</source>
         <translation>unlesbar</translation>
@@ -9218,6 +9254,10 @@
         <source>Sessions</source>
         <translation>Aufzeichnungen</translation>
     </message>
+    <message>
+        <source>This insertion has ended; its rest is recorded until nothing moves.</source>
+        <translation>Diese Insertion ist beendet; ihre Ruhe wird aufgezeichnet, bis sich nichts mehr bewegt.</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::SettingsSheet</name>
@@ -9264,26 +9304,6 @@
     <message>
         <source>Text size</source>
         <translation>Schriftgröße</translation>
-    </message>
-    <message>
-        <source>100 %</source>
-        <translation>100 %</translation>
-    </message>
-    <message>
-        <source>90 %</source>
-        <translation>90 %</translation>
-    </message>
-    <message>
-        <source>115 %</source>
-        <translation>115 %</translation>
-    </message>
-    <message>
-        <source>130 %</source>
-        <translation>130 %</translation>
-    </message>
-    <message>
-        <source>150 %</source>
-        <translation>150 %</translation>
     </message>
     <message>
         <source>Hold the array (Space or button)</source>
@@ -9336,6 +9356,10 @@
     <message>
         <source>Operator, for reports (optional)</source>
         <translation>Operateur, für Berichte (optional)</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
     </message>
 </context>
 <context>
@@ -9610,16 +9634,8 @@
         <translation>GEÄNDERT</translation>
     </message>
     <message>
-        <source>ready</source>
-        <translation>bereit</translation>
-    </message>
-    <message>
         <source>fault · no force</source>
         <translation>Fehler · keine Kraft</translation>
-    </message>
-    <message>
-        <source>running</source>
-        <translation>läuft</translation>
     </message>
     <message>
         <source>preparing</source>
@@ -9680,10 +9696,6 @@
     <message>
         <source>%1 (Alt+Home)</source>
         <translation>%1 (Alt+Pos1)</translation>
-    </message>
-    <message>
-        <source>ended</source>
-        <translation>beendet</translation>
     </message>
 </context>
 <context>

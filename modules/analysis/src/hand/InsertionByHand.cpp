@@ -3,16 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <optional>
 #include <stdexcept>
 #include <stop_token>
-#include <vector>
 
 #include "ProfilePoints.h"
 #include "perilymph/analysis/ContactPositions.h"
 #include "perilymph/analysis/ExperimentDevice.h"
 #include "perilymph/analysis/ForceProfile.h"
+#include "perilymph/analysis/RunningMean.h"
 #include "perilymph/session/Highlights.h"
 #include "perilymph/session/Insertion.h"
 
@@ -55,25 +54,6 @@ TremblingPush pushOf(const HandDistribution& hand, const Surgeon& surgeon)
 
 /// The longer rest after which the force is read.
 constexpr Duration longRest = seconds(10);
-
-/// Mean of the last values.
-class LastMean {
-public:
-  explicit LastMean(std::size_t count) : values_(std::max<std::size_t>(count, 1)) {}
-  void add(double value) { values_[added_++ % values_.size()] = value; }
-  /// 0 without a value.
-  Force mean() const
-  {
-    const std::size_t count = std::min(added_, values_.size());
-    const auto end = values_.begin() + static_cast<std::ptrdiff_t>(count);
-    return newtons(std::accumulate(values_.begin(), end, 0.0) /
-                   static_cast<double>(std::max<std::size_t>(count, 1)));
-  }
-
-private:
-  std::vector<double> values_;
-  std::size_t added_ = 0;
-};
 
 /// Recognizes the end of the push.
 class Watch {
@@ -153,10 +133,11 @@ ClinicalInsertion insertByHand(const session::InsertionParameters& nominal,
   const auto ticksIn = [step](Duration time) {
     return static_cast<std::size_t>(std::lround(time.si() / step));
   };
-  LastMean force(ticksIn(hand.restMean));
+  RunningMean force(hand.restMean);
   const auto push = [&](const haptics::TickRecord& record) {
     note(record.output);
-    if (record.output.workflow >= haptics::Workflow::inserting) force.add(record.output.axialForce);
+    if (record.output.workflow >= haptics::Workflow::inserting)
+      force.add(record.output.time, record.output.axialForce);
     points.add(result.profile, record.output.depth, record.output.axialForce);
     if (record.output.workflow == haptics::Workflow::inserting) end = watch.take(record.output);
     if (record.output.workflow == haptics::Workflow::finished) end = endOf(record.output);
@@ -167,16 +148,16 @@ ClinicalInsertion insertByHand(const session::InsertionParameters& nominal,
   auto ran = (*insertion)->runToEnd(push, static_cast<std::uint64_t>(ticks));
   if (stop.stop_requested()) return result;
 
-  result.endForce = force.mean();
+  result.endForce = newtons(force.mean());
   if (ran) {
     forceps->rest();
     std::size_t tick = 0;
     const auto rest = [&](const haptics::TickRecord& record) {
       note(record.output);
-      force.add(record.output.axialForce);
+      force.add(record.output.time, record.output.axialForce);
       ++tick;
-      if (tick == ticksIn(shortRest())) result.forceAfter1s = force.mean();
-      if (tick == ticksIn(longRest)) result.forceAfter10s = force.mean();
+      if (tick == ticksIn(shortRest())) result.forceAfter1s = newtons(force.mean());
+      if (tick == ticksIn(longRest)) result.forceAfter10s = newtons(force.mean());
       return !stop.stop_requested();
     };
     ran = (*insertion)->runToEnd(rest, ticksIn(hand.rest));

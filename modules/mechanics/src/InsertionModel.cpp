@@ -196,7 +196,7 @@ std::shared_ptr<const InsertionModel> InsertionModel::build(ModelParts parts)
   const RelaxationLaw& relaxation = m.parts.relaxation;
   for (std::size_t k = 0; k < m.relaxing.size(); ++k) m.relaxing[k] = stepOf(relaxation.bending[k]);
   m.film = stepOf(relaxation.film);
-  m.twists = relaxation.bends();
+  m.twists = relaxation.bends() || array.yields();
   m.baseMass = publishedMass;
 
   // the approach: along E.z, rotated toward E.y and toward E.x
@@ -231,6 +231,18 @@ std::shared_ptr<const InsertionModel> InsertionModel::build(ModelParts parts)
     m.bendingCarrier.push_back(std::min(bendingWithin, bendingAcross));
     m.bendingExcess.push_back(std::fabs(bendingWithin - bendingAcross));
     m.stifferAcross.push_back(bendingAcross > bendingWithin ? 1 : 0);
+    if (array.wires) {
+      const electrode::Wires::Branch branches[] = {array.wires->singleAt(place),
+                                                   array.wires->bundleAt(place)};
+      // a study may make the whole array softer than its wires: their parts shrink with it
+      const double all = branches[0].bending.si() + branches[1].bending.si();
+      const double part =
+          std::min(1.0, std::min(bendingWithin, bendingAcross) / std::max(all, 1e-30));
+      for (std::size_t k = 0; k < m.wires.size(); ++k) {
+        m.wires[k].stiffness.push_back(part * branches[k].bending.si() / m.spacing);
+        m.wires[k].moment.push_back(std::max(branches[k].moment, 1e-12));
+      }
+    }
     m.twisting.push_back(array.twistingAt(place).si());
     m.isOval = m.isOval || within != across || bendingWithin != bendingAcross;
     m.twists = m.twists || m.isOval || array.restCurvature.at(place).si() != 0.0;
@@ -252,6 +264,7 @@ std::shared_ptr<const InsertionModel> InsertionModel::build(ModelParts parts)
     m.stretching.push_back(4.0 * bending / (half * half));
   }
   if (array.hasStylet) {
+    m.styletMoment = array.stylet.yieldMoment();
     m.styletBending = array.stylet.bending.si();
     m.styletFromTip = array.stylet.fromTip.si();
     m.styletResidual = array.stylet.residualCurvature;
@@ -273,6 +286,18 @@ std::shared_ptr<const InsertionModel> InsertionModel::build(ModelParts parts)
   if (m.parts.kind == ModelKind::points)
     m.points = std::make_shared<PointSetModel>(*m.parts.hapticSurface, m.nodes, m.timeStep);
   m.passage = passageOf(m);
+  if (m.styletMoment > 0.0) {
+    double curl = 0.0;
+    for (std::size_t i = 0; i < m.fromTip.size(); ++i)
+      if (m.fromTip[i] >= m.styletFromTip)
+        curl = std::max(curl, array.bending.at(Length::fromSi(m.fromTip[i])).si() *
+                                  std::fabs(m.restCurvature[i]) * (1.0 - m.styletResidual));
+    require(curl <= m.styletMoment,
+            "The stylet yields at " + std::to_string(1e6 * m.styletMoment) +
+                " uN.m, and the carrier that it keeps straight curls with " +
+                std::to_string(1e6 * curl) +
+                " uN.m; only a stylet of a higher yield stress or a thicker one can.");
+  }
   m.fingerprint = fingerprintOf(m);
   m.formerFingerprint = formerFingerprintOf(m);
   return model;

@@ -49,6 +49,30 @@ struct Insertion {
 static_assert(noexcept(advance(std::declval<const InsertionModel&>(),
                                std::declval<InsertionState&>(), std::declval<const Drive&>())));
 
+TEST(Advance, AllocatesNothingWhileWiresYield)
+{
+  if (!test::AllocationGuard::isAvailable()) GTEST_SKIP() << test::AllocationGuard::whyNot();
+  ModelParts parts = Insertion::parts({});
+  electrode::Wires wires;
+  wires.number = {{millimeters(0)}, {20.0}};
+  wires.diameter = millimeters(0.025);
+  wires.modulus = megapascals(168e3);
+  wires.yieldStress.value = megapascals(50);
+  parts.array.wires = wires;
+  const auto model = InsertionModel::build(parts);
+  InsertionState state(*model);
+  Drive drive;
+  drive.handAxis_W = model->startAxis_W;
+  drive.handCurl_W = model->startCurl_W;
+  const test::AllocationGuard guard;
+  for (int i = 1; i <= 700; ++i) {
+    drive.handPosition_W = model->startBase_W + (i * 0.02e-3) * model->startAxis_W;
+    advance(*model, state, drive);
+  }
+  EXPECT_GT(state.readings.plasticWork, 0.0);
+  EXPECT_EQ(guard.allocations(), 0u);
+}
+
 class AdvanceWith : public testing::TestWithParam<RelaxationLaw> {};
 
 TEST_P(AdvanceWith, AllocatesNothingInDeepContact)

@@ -43,6 +43,12 @@ struct AlongArray {
   }
 };
 
+/// A yield stress, as a value within the range of what is possible: no source of one was read.
+struct YieldStress {
+  Modulus value;
+  Modulus minimum, maximum;
+};
+
 /// The element that keeps the array straight until it is withdrawn: a stylet in its lumen, or a
 /// sheath.
 struct Stylet {
@@ -53,6 +59,34 @@ struct Stylet {
   /// Advance off stylet: depth of the tip past the opening from which the stylet is held still.
   std::optional<Length> holdDepth;
   TableSource provenance;
+  std::optional<YieldStress> yieldStress = {};  ///< If it can yield ...
+  Length diameter = {};                         ///< ... as a round wire of this diameter.
+
+  /// Moment at which it yields fully [N.m]; 0 if it cannot.
+  double yieldMoment() const;
+};
+
+/// Wires in the carrier, stated apart from its silicone, so that they can yield. Their stiffness is a
+/// part of the array's bending stiffness:
+///
+///     each for itself   B = N E I          M = N s d^3 / 6              I = pi d^4 / 64
+///     as a bundle       B = c N^2 E I      M = (N / 0.9)^1.5 s d^3 / 6
+///
+/// with the moment M at which they yield fully. The bundle is a round one, nine tenths of it wire.
+struct Wires {
+  AlongArray<double> number;  ///< N at a distance from the tip.
+  Length diameter;            ///< d of one wire.
+  Modulus modulus;            ///< E
+  double coupling = 0.0;      ///< c: 0, they slide freely; about 1, they are packed.
+  YieldStress yieldStress;    ///< s
+
+  /// A stiffness of the wires and the moment at which it yields.
+  struct Branch {
+    BendingStiffness bending;
+    double moment = 0.0;  ///< [N.m]
+  };
+  Branch singleAt(Length place) const;
+  Branch bundleAt(Length place) const;
 };
 
 /// Shape of the array's end: a cap of its own radius, behind which the carrier widens linearly. By
@@ -94,8 +128,11 @@ struct ArrayDesign {
   std::vector<Length> ribsFromTip;      ///< Distance of the marker ribs' centers from the tip.
   Length ribHeight;                     ///< Above the carrier.
   Length ribLength;                     ///< Along the array.
+  std::optional<Wires> wires;           ///< If they can yield.
   bool hasStylet = false;
   Stylet stylet;
+  /// Wires or a stylet that can yield.
+  bool yields() const { return wires.has_value() || (hasStylet && stylet.yieldStress); }
   std::vector<std::pair<std::string, TableSource>> provenance;  ///< For each table of the file.
 
   /// Radius of the tip cap.

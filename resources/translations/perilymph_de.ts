@@ -3507,6 +3507,26 @@
         <source>H is %1 mm, outside %2 to %3 mm, the heights of whole cochleae: it is not used, and plans draw H from the population.</source>
         <translation>H ist %1 mm, außerhalb von %2 bis %3 mm, den Höhen ganzer Cochleae: Es wird nicht verwendet; Pläne nehmen H aus der Population.</translation>
     </message>
+    <message>
+        <source>%1: %2 is %3, and the file of the array %4 states %5 to %6. Set it within them.</source>
+        <translation>%1: %2 ist %3, und die Datei des Trägers %4 nennt %5 bis %6. Wählen Sie einen Wert dazwischen.</translation>
+    </message>
+    <message>
+        <source>%1: %2 is given, and the file of the array %3 has no table [wires]. State its wires there, or leave the key out.</source>
+        <translation>%1: %2 ist angegeben, und die Datei des Trägers %3 hat keine Tabelle [wires]. Geben Sie dort seine Drähte an, oder lassen Sie den Schlüssel weg.</translation>
+    </message>
+    <message>
+        <source>%1: %2 is given, and the array %3 has no stylet. Leave the key out.</source>
+        <translation>%1: %2 ist angegeben, und der Träger %3 hat kein Stilett. Lassen Sie den Schlüssel weg.</translation>
+    </message>
+    <message>
+        <source>%1: the array %2 yields, and the calibration &apos;%3&apos; was fitted with an elastic one: together they count one softness twice. Set calibration to &quot;&quot;, and stiffness_scale to a value fitted with the yield.</source>
+        <translation>%1: Der Träger %2 fließt, und die Kalibrierung &apos;%3&apos; wurde mit einem elastischen angepasst: Zusammen zählen sie dieselbe Nachgiebigkeit doppelt. Setzen Sie calibration auf &quot;&quot; und stiffness_scale auf einen Wert, der mit dem Fließen angepasst ist.</translation>
+    </message>
+    <message>
+        <source>Number, diameter, modulus and c of [bending]. Yield stress: no source was read; the range is recalled for annealed platinum-iridium.</source>
+        <translation>Zahl, Durchmesser, Elastizitätsmodul und c von [bending]. Fließspannung: keine Quelle wurde gelesen; der Bereich ist für geglühtes Platin-Iridium erinnert.</translation>
+    </message>
 </context>
 <context>
     <name>Display</name>
@@ -3906,6 +3926,14 @@
     <message>
         <source>SD of ln friction between ears</source>
         <translation>SD von ln Reibung zwischen Ohren</translation>
+    </message>
+    <message>
+        <source>Yield stress of the wires</source>
+        <translation>Fließspannung der Drähte</translation>
+    </message>
+    <message>
+        <source>Yield stress of the stylet</source>
+        <translation>Fließspannung des Stiletts</translation>
     </message>
 </context>
 <context>
@@ -6064,6 +6092,10 @@
     <message>
         <source>outside the plan, %1</source>
         <translation>außerhalb des Plans, %1</translation>
+    </message>
+    <message>
+        <source>Wires</source>
+        <translation>Drähte</translation>
     </message>
 </context>
 <context>

@@ -14,10 +14,17 @@ Length thicknessAt(const ArrayDesign& array, Length place)
 
 }  // namespace
 
+Length Stylet::wireDiameter() const
+{
+  if (diameter.si() > 0.0) return diameter;
+  constexpr double platinum = 168e9;  // [Pa], as the wires of plugins/README.md
+  return Length::fromSi(std::sqrt(std::sqrt(64.0 * bending.si() / (platinum * pi))));
+}
+
 double Stylet::yieldMoment() const
 {
-  const double d = diameter.si();
-  return yieldStress ? yieldStress->value.si() * d * d * d / 6.0 : 0.0;
+  const double d = wireDiameter().si();
+  return yieldStress.value.si() * d * d * d / 6.0;
 }
 
 Wires::Branch Wires::singleAt(Length place) const

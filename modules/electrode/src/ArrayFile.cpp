@@ -196,7 +196,7 @@ private:
              " mm from the tip.");
   }
 
-  /// A yield stress and its range, which must both be given.
+  /// The range of a yield stress, which must be given, and a value within it, which may.
   YieldStress readYieldStress(TomlReader& table)
   {
     const std::vector<double> range = table.numbers("yield_range_MPa", yield_MPa, 2);
@@ -206,7 +206,7 @@ private:
                    "yield_range_MPa must be two numbers, the smallest and the greatest yield "
                    "stress that is possible, the smallest first.");
     const Range allowed = isRange ? Range{range[0], range[1]} : yield_MPa;
-    const double value = table.number("yield_MPa", allowed);
+    const double value = table.has("yield_MPa") ? table.number("yield_MPa", allowed) : 0.0;
     return {megapascals(value), megapascals(allowed.low), megapascals(allowed.high)};
   }
 
@@ -219,11 +219,11 @@ private:
     wires.modulus = megapascals(1e3 * table.number("modulus_GPa", {20.0, 400.0}));
     wires.coupling = table.number("coupling", {0.0, 2.0});
     wires.yieldStress = readYieldStress(table);
-    // the array's stiffness includes that of its wires
+    // the array's stiffness includes that of its wires; both have few digits
     for (const Length place : wires.number.fromTip) {
       const double minimum = std::min(design.bending.at(place), design.bendingAcrossAt(place)).si();
       const double all = wires.singleAt(place).bending.si() + wires.bundleAt(place).bending.si();
-      if (all <= minimum) continue;
+      if (all <= 1.01 * minimum) continue;
       table.refuse("number", "the wires at " + plain(inMillimeters(place)) +
                                  " mm have a bending "
                                  "stiffness of " +
@@ -245,9 +245,10 @@ private:
       design.stylet.holdDepth =
           millimeters(table.number("hold_depth_mm", {0.0, inMillimeters(design.insertable)}));
     design.stylet.provenance = provenance_.back().second;
-    if (!table.has("yield_MPa") && !table.has("yield_range_MPa")) return;
-    design.stylet.yieldStress = readYieldStress(table);
-    design.stylet.diameter = millimeters(table.number("diameter_mm", {0.02, 0.5}));
+    if (table.has("diameter_mm"))
+      design.stylet.diameter = millimeters(table.number("diameter_mm", {0.02, 0.5}));
+    if (table.has("yield_MPa") || table.has("yield_range_MPa"))
+      design.stylet.yieldStress = readYieldStress(table);
   }
 
   TomlReader& file_;

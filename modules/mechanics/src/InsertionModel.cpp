@@ -32,6 +32,15 @@ void require(bool holds, const std::string& sentence)
   if (!holds) throw std::invalid_argument(sentence);
 }
 
+/// With at most one decimal.
+std::string rounded(double value)
+{
+  const long tenths = std::lround(10.0 * value);
+  std::string text = std::to_string(tenths / 10);
+  if (tenths % 10 != 0) text += "." + std::to_string(tenths % 10);
+  return text;
+}
+
 void check(const Opening& opening, const electrode::ArrayDesign& array)
 {
   const double width_mm = inMillimeters(std::min(opening.width, opening.height));
@@ -160,6 +169,8 @@ void check(const ModelParts& parts)
   check(parts.relaxation);
   require(parts.relaxation == RelaxationLaw{} || parts.kind == ModelKind::rod,
           "A point set does not relax; set its fractions that relax to 0.");
+  require(!parts.array.yields() || parts.kind == ModelKind::rod,
+          "A point set does not yield; take the yield stress out of its array.");
   require(parts.partitionStrength.si() == 0.0 || parts.kind == ModelKind::rod,
           "A point set cannot go through the cochlear partition; set its strength to 0.");
   if (parts.opening) check(*parts.opening, parts.array);
@@ -231,7 +242,7 @@ std::shared_ptr<const InsertionModel> InsertionModel::build(ModelParts parts)
     m.bendingCarrier.push_back(std::min(bendingWithin, bendingAcross));
     m.bendingExcess.push_back(std::fabs(bendingWithin - bendingAcross));
     m.stifferAcross.push_back(bendingAcross > bendingWithin ? 1 : 0);
-    if (array.wires) {
+    if (array.wiresYield()) {
       const electrode::Wires::Branch branches[] = {array.wires->singleAt(place),
                                                    array.wires->bundleAt(place)};
       // a study may make the whole array softer than its wires: their parts shrink with it
@@ -264,7 +275,6 @@ std::shared_ptr<const InsertionModel> InsertionModel::build(ModelParts parts)
     m.stretching.push_back(4.0 * bending / (half * half));
   }
   if (array.hasStylet) {
-    m.styletMoment = array.stylet.yieldMoment();
     m.styletBending = array.stylet.bending.si();
     m.styletFromTip = array.stylet.fromTip.si();
     m.styletResidual = array.stylet.residualCurvature;
@@ -286,17 +296,19 @@ std::shared_ptr<const InsertionModel> InsertionModel::build(ModelParts parts)
   if (m.parts.kind == ModelKind::points)
     m.points = std::make_shared<PointSetModel>(*m.parts.hapticSurface, m.nodes, m.timeStep);
   m.passage = passageOf(m);
-  if (m.styletMoment > 0.0) {
+  if (array.styletYields()) {
+    m.styletMoment = array.stylet.yieldMoment();
     double curl = 0.0;
     for (std::size_t i = 0; i < m.fromTip.size(); ++i)
       if (m.fromTip[i] >= m.styletFromTip)
         curl = std::max(curl, array.bending.at(Length::fromSi(m.fromTip[i])).si() *
                                   std::fabs(m.restCurvature[i]) * (1.0 - m.styletResidual));
+    const double needed_MPa = inMegapascals(array.stylet.yieldStress.value) * curl / m.styletMoment;
     require(curl <= m.styletMoment,
-            "The stylet yields at " + std::to_string(1e6 * m.styletMoment) +
-                " uN.m, and the carrier that it keeps straight curls with " +
-                std::to_string(1e6 * curl) +
-                " uN.m; only a stylet of a higher yield stress or a thicker one can.");
+            "The stylet yields at " + rounded(1e6 * m.styletMoment) +
+                " uN.m, and the carrier that it has to keep straight curls with " +
+                rounded(1e6 * curl) + " uN.m; it needs a yield stress of " +
+                rounded(std::ceil(needed_MPa)) + " MPa, or to be thicker.");
   }
   m.fingerprint = fingerprintOf(m);
   m.formerFingerprint = formerFingerprintOf(m);

@@ -46,8 +46,8 @@ void add(Hash& hash, const electrode::Stylet& stylet)
   hash.add(residualCurvature);
   hash.add(holdDepth.has_value());
   if (holdDepth) add(hash, *holdDepth);
-  if (!stress) return;  // recordings of before have none
-  add(hash, stress->value);
+  if (!(stress.value.si() > 0.0)) return;  // recordings of before have none
+  add(hash, stress.value);
   add(hash, diameter);
 }
 
@@ -82,8 +82,8 @@ void add(Hash& hash, const electrode::ArrayDesign& array)
   add(hash, restCurvature);
   add(hash, contactsFromTip);
   add(hash, ribsFromTip);
-  // recordings of before have none
-  if (wires) add(hash, *wires);
+  // recordings of before have none, and elastic ones are a part of the stiffness
+  if (array.wiresYield()) add(hash, *wires);
   hash.add(hasStylet);
   if (hasStylet) add(hash, stylet);
 }

@@ -113,6 +113,16 @@ TEST_F(ArrayFile, StatesWiresApartFromTheSilicone)
   EXPECT_NEAR(bundle.bending.si(), 0.4 * 9 * 3.2213e-9, 1e-12);
   EXPECT_NEAR(bundle.moment, std::pow(3 / 0.9, 1.5) * 0.65104e-6, 1e-10);
   EXPECT_EQ(inMegapascals(array->wires->yieldStress.maximum), 350.0);
+  EXPECT_TRUE(array->yields());
+}
+
+TEST_F(ArrayFile, WithARangeOfTheYieldStressAloneIsElastic)
+{
+  const auto array =
+      load("[contacts]", withWires("[1.0, 3.0]", "yield_range_MPa = [150.0, 350.0]"));
+  ASSERT_TRUE(array) << array.error().message;
+  EXPECT_EQ(inMegapascals(array->wires->yieldStress.minimum), 150.0);
+  EXPECT_FALSE(array->yields());
 }
 
 TEST_F(ArrayFile, WithImpossibleWiresIsRefused)

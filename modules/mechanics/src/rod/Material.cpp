@@ -333,7 +333,7 @@ void turnMaterial(const InsertionModel& model, const Vector3d& curl_W,
     store(scale * cross(joint.p, joint.t), rod.twistRate_W, i);
     if (model.isOval) store(stifferWay(model, joint, i), rod.stiffer_W, i);
   });
-  if (section.holds) holdBends(state, section, rod);
+  if (section.holds) holdBends(model, state, section, rod);
   rod.curlAcross_W.set(1, rod.tangent_W[1].cross(state.curl_W[1]));
   const TurningJoint<double> first(state, rod, 1);
   rod.twistTorque = model.twisting[1] * inverseSpacing * rod.twist[1] -

@@ -29,7 +29,7 @@ void setHeldBend(const InsertionModel& model, const InsertionState& state,
 {
   section.heldAlong = section.restBend;
   std::fill(section.heldAcross.begin(), section.heldAcross.end(), 0.0);
-  if (section.yields) setPlasticBend(state, section);
+  if (section.branches > 0) setPlasticBend(state, section);
   if (!model.parts.relaxation.bends()) return;
   const auto& [first, second] = model.relaxing;
   const double lost = 1.0 - relaxedStiffness(model, 1.0);
@@ -52,8 +52,8 @@ void setHeldBend(const InsertionModel& model, const InsertionState& state,
   });
 }
 
-void holdBends(const InsertionState& state, const SectionStiffness& section,
-               RodKinematics& rod) noexcept
+void holdBends(const InsertionModel& model, const InsertionState& state,
+               const SectionStiffness& section, RodKinematics& rod) noexcept
 {
   inLanesInPlace(1, state.curl_W.size() - 1, [&](auto lane, std::size_t i) PERILYMPH_KERNEL {
     using T = decltype(lane);
@@ -65,7 +65,7 @@ void holdBends(const InsertionState& state, const SectionStiffness& section,
     store(across, rod.bendAcross_W, i);
     store(load<T>(rod.restBend_W, i) + heldAlong * along + heldAcross * across, rod.restBend_W, i);
   });
-  if (section.yields) offsetWires(state, section, rod);
+  if (section.branches > 0) offsetWires(state, section, rod, model.isOval);
 }
 
 void relaxBends(const InsertionModel& model, const SectionStiffness& section,

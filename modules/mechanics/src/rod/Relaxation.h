@@ -70,8 +70,8 @@ struct HeldJoint {
 };
 
 /// Adds what elements hold to rod.restBend_W, along the axes that each node keeps in this step.
-void holdBends(const InsertionState& state, const SectionStiffness& section,
-               RodKinematics& rod) noexcept;
+void holdBends(const InsertionModel& model, const InsertionState& state,
+               const SectionStiffness& section, RodKinematics& rod) noexcept;
 
 /// Lets the elements follow the bends at the end of the step.
 void relaxBends(const InsertionModel& model, const SectionStiffness& section,

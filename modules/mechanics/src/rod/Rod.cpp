@@ -147,8 +147,11 @@ void setStiffness(const InsertionModel& model, double styletWithdrawal, double r
   if (section.styletWithdrawal == styletWithdrawal && section.released == released) return;
   section.styletWithdrawal = styletWithdrawal;
   section.released = released;
-  section.yields = model.parts.array.yields();
-  section.holds = section.yields || model.parts.relaxation.bends();
+  section.branches = 0;
+  for (std::size_t k = 0; k < model.wires.size(); ++k)
+    if (!model.wires[k].stiffness.empty()) section.branch[section.branches++] = k;
+  if (model.styletMoment > 0.0) section.branch[section.branches++] = yieldingBranches - 1;
+  section.holds = section.branches > 0 || model.parts.relaxation.bends();
   const double h = model.spacing;
   const double styletTip = model.styletFromTip + styletWithdrawal;
   for (std::size_t i = 0; i < section.bending.size(); ++i) {
@@ -163,17 +166,15 @@ void setStiffness(const InsertionModel& model, double styletWithdrawal, double r
         released * h * model.restCurvature[i] * (1.0 - covered * (1.0 - model.styletResidual));
     // what a step makes of a relaxing stiffness is constant in it
     double relaxing = model.bendingCarrier[i];
-    if (section.yields) {
-      for (std::size_t k = 0; k < model.wires.size() && !model.wires[k].stiffness.empty(); ++k) {
-        section.yielding[k].stiffness[i] = model.wires[k].stiffness[i];
-        section.yielding[k].moment[i] = model.wires[k].moment[i];
-        relaxing -= h * model.wires[k].stiffness[i];
-      }
-      if (model.styletMoment > 0.0) {
-        YieldingBranch& stylet = section.yielding.back();
-        stylet.stiffness[i] = (bending - model.bendingCarrier[i]) / h;
-        stylet.moment[i] = std::max(covered * model.styletMoment, 1e-12);
-      }
+    for (std::size_t k = 0; k < model.wires.size() && !model.wires[k].stiffness.empty(); ++k) {
+      section.yielding[k].stiffness[i] = model.wires[k].stiffness[i];
+      section.yielding[k].moment[i] = model.wires[k].moment[i];
+      relaxing -= h * model.wires[k].stiffness[i];
+    }
+    if (model.styletMoment > 0.0) {
+      YieldingBranch& stylet = section.yielding.back();
+      stylet.stiffness[i] = (bending - model.bendingCarrier[i]) / h;
+      stylet.moment[i] = std::max(covered * model.styletMoment, 1e-12);
     }
     section.relaxing[i] = std::clamp(relaxing / bending, 0.0, 1.0);
     const double kept = relaxedStiffness(model, section.relaxing[i]);
@@ -253,11 +254,11 @@ void setRodForces(const InsertionModel& model, const std::vector<Vector3d>& posi
       const Triple<T> way = load<T>(rod.stiffer_W, i);
       T along = dot(way, bent) + damping * dot(way, moved);
       // the excess is the silicone's, which does not yield
-      if (section.yields) along = along + dot(way, load<T>(rod.set_W, i));
+      if (section.branches > 0) along = along + dot(way, load<T>(rod.set_W, i));
       const T moment = load<T>(section.bendingExcess, i) * along;
       stress = oneOf(load<T>(model.bendingExcess, i) > 0.0, stress + moment * way, stress);
     }
-    if (section.yields) stress = stress - momentBeyondYield(section, rod, i, bent);
+    yieldStress(section, rod, i, bent, stress);
     JointForces<T> bending = forcesOf(joint, load<T>(rod.inverseLength, i),
                                       load<T>(rod.inverseLength, i - 1), w, stress);
     if (model.twists) {
@@ -292,7 +293,7 @@ void addRodStiffness(const InsertionModel& model, Compression compression,
   for (std::size_t i = 1; i + 1 < n; ++i) {
     addStretching(i, damping, compression, section, rod, matrix);
     addBending(i, section.bending[i] * (1.0 + damping), rod, matrix);
-    if (section.yields) softenYielding(section, rod, i, matrix);
+    if (section.branches > 0) softenYielding(section, rod, i, matrix);
   }
 }
 

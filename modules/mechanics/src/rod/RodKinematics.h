@@ -44,9 +44,9 @@ struct SectionStiffness {
         setAlong(nodes),
         setAcross(nodes)
   {
-    for (YieldingBranch& branch : yielding) {
-      branch.stiffness.resize(nodes);
-      branch.moment.assign(nodes, 1.0);
+    for (auto& [stiffness, moment] : yielding) {
+      stiffness.resize(nodes);
+      moment.assign(nodes, 1.0);
     }
   }
 
@@ -58,7 +58,8 @@ struct SectionStiffness {
   std::vector<double> restMoment;     ///< EI / h times rest bend [N.m].
   std::vector<double> relaxing;       ///< Fraction of EI that belongs to the carrier.
   bool holds = false;                 ///< Bends relax or wires yield: the next two are set ...
-  bool yields = false;                ///< ... wires yield: and the two after them.
+  std::size_t branches = 0;           ///< ... and, if some can yield, the two after them.
+  std::array<std::size_t, yieldingBranches> branch{};  ///< Those that can, of `yielding`.
   std::vector<double> heldAlong;   ///< Rest bend with what Maxwell elements hold, toward the curl.
   std::vector<double> heldAcross;  ///< The same perpendicular to it.
   std::vector<double> setAlong;    ///< The part of heldAlong that wires hold by what they yielded.

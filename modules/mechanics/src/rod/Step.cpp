@@ -120,7 +120,8 @@ void commitStep(const InsertionModel& model, InsertionState& state, RodWorkspace
   if (state.isSettling) std::fill_n(velocity, 3 * n, 0.0);
   learnTrend(work.prediction, model.parts.solver.trendGain, inverseTimeStep, state);
   if (model.parts.relaxation.bends()) relaxBends(model, work.section, work.rod, state);
-  if (work.section.yields) state.readings.plasticWork += yieldWires(work.section, work.rod, state);
+  if (work.section.branches > 0)
+    state.readings.plasticWork += yieldWires(work.section, work.rod, state);
   state.frictionSpring_W = work.friction.spring_W;
   if (!state.frictionFilm_W.empty()) state.frictionFilm_W = work.friction.film_W;
   state.isSliding = work.friction.isSliding;

@@ -68,16 +68,18 @@ void moveStylet(const InsertionModel& model, double withdrawn, SectionStiffness&
   }
 }
 
-void offsetWires(const InsertionState& state, const SectionStiffness& section,
-                 RodKinematics& rod) noexcept
+void offsetWires(const InsertionState& state, const SectionStiffness& section, RodKinematics& rod,
+                 bool isOval) noexcept
 {
   inLanes(1, state.curl_W.size() - 1, [&](auto lane, std::size_t i) PERILYMPH_KERNEL {
     using T = decltype(lane);
     const Triple<T> m = load<T>(rod.bendAlong_W, i), n = load<T>(rod.bendAcross_W, i);
-    store(load<T>(section.setAlong, i) * m + load<T>(section.setAcross, i) * n, rod.set_W, i);
+    if (isOval)
+      store(load<T>(section.setAlong, i) * m + load<T>(section.setAcross, i) * n, rod.set_W, i);
     const T along = load<T>(section.heldAlong, i) - load<T>(section.restBend, i);
     const T across = load<T>(section.heldAcross, i);
-    for (std::size_t k = 0; k < rod.wireOffset_W.size(); ++k) {
+    for (std::size_t b = 0; b < section.branches; ++b) {
+      const std::size_t k = section.branch[b];
       const T offAlong = along - load<T>(state.plasticBend[k].along, i);
       const T offAcross = across - load<T>(state.plasticBend[k].across, i);
       store(offAlong * m + offAcross * n, rod.wireOffset_W[k], i);
@@ -89,11 +91,13 @@ void softenYielding(const SectionStiffness& section, const RodKinematics& rod, s
                     BandMatrix& matrix) noexcept
 {
   const Triple<double> bent = Joint<double>(rod, i).bend_W() - load<double>(rod.restBend_W, i);
-  for (std::size_t k = 0; k < section.yielding.size(); ++k) {
+  for (std::size_t b = 0; b < section.branches; ++b) {
+    const std::size_t k = section.branch[b];
     const double stiffness = section.yielding[k].stiffness[i];
+    const double moment = section.yielding[k].moment[i];
     const Triple<double> x = bent + load<double>(rod.wireOffset_W[k], i);
-    const double s = elasticFraction(x, stiffness, section.yielding[k].moment[i]);
-    if (!(s < 1.0)) continue;
+    if (isElastic(x, stiffness, moment)) continue;
+    const double s = elasticFraction(x, stiffness, moment);
     // s k (1 - n n^T) is left of k
     addBending(i, -(1.0 - s) * stiffness, rod, matrix);
     const double inverse = 1.0 / root(dot(x, x));
@@ -105,20 +109,29 @@ double yieldWires(const SectionStiffness& section, RodKinematics& rod,
                   InsertionState& state) noexcept
 {
   double work = 0.0;
-  for (std::size_t k = 0; k < section.yielding.size(); ++k) {
+  for (std::size_t b = 0; b < section.branches; ++b) {
+    const std::size_t k = section.branch[b];
     MaterialBend& plastic = state.plasticBend[k];
+    bool areElastic = true;
     inLanesInPlace(1, state.curl_W.size() - 1, [&](auto lane, std::size_t i) PERILYMPH_KERNEL {
       using T = decltype(lane);
       const Triple<T> x =
           Joint<T>(rod, i).bend_W() - load<T>(rod.restBend_W, i) + load<T>(rod.wireOffset_W[k], i);
+      const T stiffness = load<T>(section.yielding[k].stiffness, i);
       const T moment = load<T>(section.yielding[k].moment, i);
-      const T over = 1.0 - elasticFraction(x, load<T>(section.yielding[k].stiffness, i), moment);
+      if (inAll(isElastic(x, stiffness, moment))) {
+        store(T{}, rod.wireSlip, i);
+        return;
+      }
+      areElastic = false;
+      const T over = 1.0 - elasticFraction(x, stiffness, moment);
       store(T(load<T>(plastic.along, i) + over * dot(x, load<T>(rod.bendAlong_W, i))),
             plastic.along, i);
       store(T(load<T>(plastic.across, i) + over * dot(x, load<T>(rod.bendAcross_W, i))),
             plastic.across, i);
       store(T(moment * over * root(dot(x, x))), rod.wireSlip, i);
     });
+    if (areElastic) continue;
     for (std::size_t i = 1; i + 1 < state.curl_W.size(); ++i) work += rod.wireSlip[i];
   }
   return work;

@@ -28,21 +28,29 @@ PERILYMPH_IN_LANES T elasticFraction(const Triple<T>& x, const T& stiffness,
   return moment / larger(stiffness * root(dot(x, x)), moment);
 }
 
-/// The moments that elastic wires would have beyond those that they yield at; `bent` is the bend beyond
-/// rod.restBend_W.
+/// Whether a branch at the bend x has no more than its largest moment. Most have, at most times.
 template <class T>
-PERILYMPH_IN_LANES Triple<T> momentBeyondYield(const SectionStiffness& section,
-                                               const RodKinematics& rod, std::size_t i,
-                                               const Triple<T>& bent) noexcept
+PERILYMPH_IN_LANES auto isElastic(const Triple<T>& x, const T& stiffness, const T& moment) noexcept
 {
-  Triple<T> beyond{};
-  for (std::size_t k = 0; k < section.yielding.size(); ++k) {
+  return (stiffness * stiffness) * dot(x, x) <= moment * moment;
+}
+
+/// Subtracts from a stress what elastic wires would have beyond the moments that they yield at; `bent` is
+/// the bend beyond rod.restBend_W.
+template <class T>
+PERILYMPH_IN_LANES void yieldStress(const SectionStiffness& section, const RodKinematics& rod,
+                                    std::size_t i, const Triple<T>& bent,
+                                    Triple<T>& stress) noexcept
+{
+  for (std::size_t b = 0; b < section.branches; ++b) {
+    const std::size_t k = section.branch[b];
     const T stiffness = load<T>(section.yielding[k].stiffness, i);
+    const T moment = load<T>(section.yielding[k].moment, i);
     const Triple<T> x = bent + load<T>(rod.wireOffset_W[k], i);
-    const T over = 1.0 - elasticFraction(x, stiffness, load<T>(section.yielding[k].moment, i));
-    beyond = beyond + (over * stiffness) * x;
+    if (inAll(isElastic(x, stiffness, moment))) continue;
+    const T over = 1.0 - elasticFraction(x, stiffness, moment);
+    stress = stress - (over * stiffness) * x;
   }
-  return beyond;
 }
 
 /// Sets the rest bend of all branches together, which their plastic bends move.
@@ -54,8 +62,8 @@ void moveStylet(const InsertionModel& model, double withdrawn, SectionStiffness&
                 const RodKinematics& rod, InsertionState& state) noexcept;
 
 /// Sets what each branch is bent beyond its joint, along the axes of this step.
-void offsetWires(const InsertionState& state, const SectionStiffness& section,
-                 RodKinematics& rod) noexcept;
+void offsetWires(const InsertionState& state, const SectionStiffness& section, RodKinematics& rod,
+                 bool isOval) noexcept;
 
 /// Subtracts from the matrix what yielding takes from the stiffness at node i.
 void softenYielding(const SectionStiffness& section, const RodKinematics& rod, std::size_t i,

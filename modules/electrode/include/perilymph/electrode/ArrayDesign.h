@@ -43,9 +43,10 @@ struct AlongArray {
   }
 };
 
-/// A yield stress, as a value within the range of what is possible: no source of one was read.
+/// What is known of a yield stress: the range that is possible. A value within it is taken by whoever
+/// lets the material yield; without one it is elastic.
 struct YieldStress {
-  Modulus value;
+  Modulus value;  ///< 0: none was taken.
   Modulus minimum, maximum;
 };
 
@@ -59,14 +60,16 @@ struct Stylet {
   /// Advance off stylet: depth of the tip past the opening from which the stylet is held still.
   std::optional<Length> holdDepth;
   TableSource provenance;
-  std::optional<YieldStress> yieldStress = {};  ///< If it can yield ...
-  Length diameter = {};                         ///< ... as a round wire of this diameter.
+  YieldStress yieldStress = {};
+  Length diameter = {};  ///< As stated; 0: that of a round platinum wire of its stiffness.
 
-  /// Moment at which it yields fully [N.m]; 0 if it cannot.
+  /// Moment at which it yields fully, as a round wire [N.m]; 0 if it does not.
   double yieldMoment() const;
+  /// The diameter as stated, or of a platinum wire (168 GPa) with its bending stiffness.
+  Length wireDiameter() const;
 };
 
-/// Wires in the carrier, stated apart from its silicone, so that they can yield. Their stiffness is a
+/// Wires in the carrier, stated apart from its silicone, so that they can be let yield. Their stiffness is a
 /// part of the array's bending stiffness:
 ///
 ///     each for itself   B = N E I          M = N s d^3 / 6              I = pi d^4 / 64
@@ -128,11 +131,13 @@ struct ArrayDesign {
   std::vector<Length> ribsFromTip;      ///< Distance of the marker ribs' centers from the tip.
   Length ribHeight;                     ///< Above the carrier.
   Length ribLength;                     ///< Along the array.
-  std::optional<Wires> wires;           ///< If they can yield.
+  std::optional<Wires> wires;           ///< If they are stated.
   bool hasStylet = false;
   Stylet stylet;
-  /// Wires or a stylet that can yield.
-  bool yields() const { return wires.has_value() || (hasStylet && stylet.yieldStress); }
+
+  bool wiresYield() const { return wires && wires->yieldStress.value.si() > 0.0; }
+  bool styletYields() const { return hasStylet && stylet.yieldStress.value.si() > 0.0; }
+  bool yields() const { return wiresYield() || styletYields(); }
   std::vector<std::pair<std::string, TableSource>> provenance;  ///< For each table of the file.
 
   /// Radius of the tip cap.

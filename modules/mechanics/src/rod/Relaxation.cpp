@@ -71,20 +71,20 @@ void holdBends(const InsertionModel& model, const InsertionState& state,
 void relaxBends(const InsertionModel& model, const SectionStiffness& section,
                 const RodKinematics& rod, InsertionState& state) noexcept
 {
-  for (std::size_t k = 0; k < model.relaxing.size(); ++k) {
-    const double ratio = model.relaxing[k].ratio;
-    const double kept = 1.0 / (1.0 + ratio), taken = ratio * kept;
-    MaterialBend& relaxed = state.relaxedBend[k];
-    inLanesInPlace(1, state.curl_W.size() - 1, [&](auto lane, std::size_t i) PERILYMPH_KERNEL {
-      using T = decltype(lane);
-      const Triple<T> bent = Joint<T>(rod, i).bend_W() - load<T>(rod.restBend_W, i);
-      const T along = dot(bent, load<T>(rod.bendAlong_W, i)) + load<T>(section.heldAlong, i) -
-                      load<T>(section.restBend, i);
-      const T across = dot(bent, load<T>(rod.bendAcross_W, i)) + load<T>(section.heldAcross, i);
+  inLanesInPlace(1, state.curl_W.size() - 1, [&](auto lane, std::size_t i) PERILYMPH_KERNEL {
+    using T = decltype(lane);
+    const Triple<T> bent = Joint<T>(rod, i).bend_W() - load<T>(rod.restBend_W, i);
+    const T along = dot(bent, load<T>(rod.bendAlong_W, i)) + load<T>(section.heldAlong, i) -
+                    load<T>(section.restBend, i);
+    const T across = dot(bent, load<T>(rod.bendAcross_W, i)) + load<T>(section.heldAcross, i);
+    for (std::size_t k = 0; k < model.relaxing.size(); ++k) {
+      const double ratio = model.relaxing[k].ratio;
+      const double kept = 1.0 / (1.0 + ratio), taken = ratio * kept;
+      MaterialBend& relaxed = state.relaxedBend[k];
       store(T(kept * load<T>(relaxed.along, i) + taken * along), relaxed.along, i);
       store(T(kept * load<T>(relaxed.across, i) + taken * across), relaxed.across, i);
-    });
-  }
+    }
+  });
 }
 
 }  // namespace perilymph::mechanics

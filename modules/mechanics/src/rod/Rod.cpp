@@ -176,6 +176,12 @@ void setStiffness(const InsertionModel& model, double styletWithdrawal, double r
       stylet.stiffness[i] = (bending - model.bendingCarrier[i]) / h;
       stylet.moment[i] = std::max(covered * model.styletMoment, 1e-12);
     }
+    for (std::size_t b = 0; b < section.branches; ++b) {
+      const std::size_t k = section.branch[b];
+      const double largest =
+          section.yielding[k].moment[i] / std::max(section.yielding[k].stiffness[i], 1e-30);
+      section.elasticSquare[k][i] = largest * largest;
+    }
     section.relaxing[i] = std::clamp(relaxing / bending, 0.0, 1.0);
     const double kept = relaxedStiffness(model, section.relaxing[i]);
     section.bending[i] = kept * bending / h;

@@ -48,6 +48,7 @@ struct SectionStiffness {
       stiffness.resize(nodes);
       moment.assign(nodes, 1.0);
     }
+    for (auto& square : elasticSquare) square.resize(nodes);
   }
 
   std::vector<double> stretching;     ///< EA / h of each edge [N/m].
@@ -65,6 +66,8 @@ struct SectionStiffness {
   std::vector<double> setAlong;    ///< The part of heldAlong that wires hold by what they yielded.
   std::vector<double> setAcross;   ///< The same of heldAcross.
   std::array<YieldingBranch, yieldingBranches> yielding;  ///< If something yields.
+  /// Square of the largest bend at which each of them is elastic.
+  std::array<std::vector<double>, yieldingBranches> elasticSquare;
   /// What they were computed for; not a number: not yet.
   double styletWithdrawal = std::numeric_limits<double>::quiet_NaN();  ///< [m]
   double released = 0.0;  ///< Fraction of the rest curvature that the array has taken on.

@@ -94,10 +94,9 @@ void softenYielding(const SectionStiffness& section, const RodKinematics& rod, s
   for (std::size_t b = 0; b < section.branches; ++b) {
     const std::size_t k = section.branch[b];
     const double stiffness = section.yielding[k].stiffness[i];
-    const double moment = section.yielding[k].moment[i];
     const Triple<double> x = bent + load<double>(rod.wireOffset_W[k], i);
-    if (isElastic(x, stiffness, moment)) continue;
-    const double s = elasticFraction(x, stiffness, moment);
+    if (dot(x, x) <= section.elasticSquare[k][i]) continue;
+    const double s = elasticFraction(x, stiffness, section.yielding[k].moment[i]);
     // s k (1 - n n^T) is left of k
     addBending(i, -(1.0 - s) * stiffness, rod, matrix);
     const double inverse = 1.0 / root(dot(x, x));
@@ -108,32 +107,30 @@ void softenYielding(const SectionStiffness& section, const RodKinematics& rod, s
 double yieldWires(const SectionStiffness& section, RodKinematics& rod,
                   InsertionState& state) noexcept
 {
-  double work = 0.0;
-  for (std::size_t b = 0; b < section.branches; ++b) {
-    const std::size_t k = section.branch[b];
-    MaterialBend& plastic = state.plasticBend[k];
-    bool areElastic = true;
-    inLanesInPlace(1, state.curl_W.size() - 1, [&](auto lane, std::size_t i) PERILYMPH_KERNEL {
-      using T = decltype(lane);
-      const Triple<T> x =
-          Joint<T>(rod, i).bend_W() - load<T>(rod.restBend_W, i) + load<T>(rod.wireOffset_W[k], i);
-      const T stiffness = load<T>(section.yielding[k].stiffness, i);
-      const T moment = load<T>(section.yielding[k].moment, i);
-      if (inAll(isElastic(x, stiffness, moment))) {
-        store(T{}, rod.wireSlip, i);
-        return;
-      }
+  bool areElastic = true;
+  inLanesInPlace(1, state.curl_W.size() - 1, [&](auto lane, std::size_t i) PERILYMPH_KERNEL {
+    using T = decltype(lane);
+    const Triple<T> bent = Joint<T>(rod, i).bend_W() - load<T>(rod.restBend_W, i);
+    T work{};
+    for (std::size_t b = 0; b < section.branches; ++b) {
+      const std::size_t k = section.branch[b];
+      const Triple<T> x = bent + load<T>(rod.wireOffset_W[k], i);
+      if (inAll(dot(x, x) <= load<T>(section.elasticSquare[k], i))) continue;
       areElastic = false;
-      const T over = 1.0 - elasticFraction(x, stiffness, moment);
+      MaterialBend& plastic = state.plasticBend[k];
+      const T moment = load<T>(section.yielding[k].moment, i);
+      const T over = 1.0 - elasticFraction(x, load<T>(section.yielding[k].stiffness, i), moment);
       store(T(load<T>(plastic.along, i) + over * dot(x, load<T>(rod.bendAlong_W, i))),
             plastic.along, i);
       store(T(load<T>(plastic.across, i) + over * dot(x, load<T>(rod.bendAcross_W, i))),
             plastic.across, i);
-      store(T(moment * over * root(dot(x, x))), rod.wireSlip, i);
-    });
-    if (areElastic) continue;
-    for (std::size_t i = 1; i + 1 < state.curl_W.size(); ++i) work += rod.wireSlip[i];
-  }
+      work = work + moment * over * root(dot(x, x));
+    }
+    store(work, rod.wireSlip, i);
+  });
+  double work = 0.0;
+  if (areElastic) return work;
+  for (std::size_t i = 1; i + 1 < state.curl_W.size(); ++i) work += rod.wireSlip[i];
   return work;
 }
 

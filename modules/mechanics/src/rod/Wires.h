@@ -28,13 +28,6 @@ PERILYMPH_IN_LANES T elasticFraction(const Triple<T>& x, const T& stiffness,
   return moment / larger(stiffness * root(dot(x, x)), moment);
 }
 
-/// Whether a branch at the bend x has no more than its largest moment. Most have, at most times.
-template <class T>
-PERILYMPH_IN_LANES auto isElastic(const Triple<T>& x, const T& stiffness, const T& moment) noexcept
-{
-  return (stiffness * stiffness) * dot(x, x) <= moment * moment;
-}
-
 /// Subtracts from a stress what elastic wires would have beyond the moments that they yield at; `bent` is
 /// the bend beyond rod.restBend_W.
 template <class T>
@@ -44,11 +37,11 @@ PERILYMPH_IN_LANES void yieldStress(const SectionStiffness& section, const RodKi
 {
   for (std::size_t b = 0; b < section.branches; ++b) {
     const std::size_t k = section.branch[b];
-    const T stiffness = load<T>(section.yielding[k].stiffness, i);
-    const T moment = load<T>(section.yielding[k].moment, i);
     const Triple<T> x = bent + load<T>(rod.wireOffset_W[k], i);
-    if (inAll(isElastic(x, stiffness, moment))) continue;
-    const T over = 1.0 - elasticFraction(x, stiffness, moment);
+    // most are, at most times
+    if (inAll(dot(x, x) <= load<T>(section.elasticSquare[k], i))) continue;
+    const T stiffness = load<T>(section.yielding[k].stiffness, i);
+    const T over = 1.0 - elasticFraction(x, stiffness, load<T>(section.yielding[k].moment, i));
     stress = stress - (over * stiffness) * x;
   }
 }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Whole insertions of the published Contour on a stylet that yields.
+// Whole insertions whose stylet or wires yield.
 
 #include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
@@ -124,6 +126,44 @@ TEST(YieldingStylet, InAdvanceOffStyletAndOutAgainGivesTheHandNoEnergy)
   // with the stylet in until full depth it is bent in the turns, and yields more
   const Curve standard = run(experiment(0.645, yielding, {{"speed_mm_s", "8"}}));
   EXPECT_LT(curve.plastic, standard.plastic);
+}
+
+/// How far a node of the array is off the line of its first millimeters, maximum [m].
+double bow(const InsertionParameters& parameters)
+{
+  auto insertion = *Insertion::prepare(
+      parameters,
+      std::make_unique<device::ScriptedDevice>(parameters.speed.si(), parameters.timeStep.si()));
+  EXPECT_TRUE(insertion->runToEnd({}));
+  insertion->refresh();
+  const haptics::Snapshot& now = insertion->latest();
+  EXPECT_LT(now.output.travel, 0.1e-3) << "out again";
+  const auto nodeAt = [&](std::size_t i) {
+    return Eigen::Vector3f(now.node_W[i][0], now.node_W[i][1], now.node_W[i][2])
+        .cast<double>()
+        .eval();
+  };
+  const Eigen::Vector3d first = nodeAt(0), axis = (nodeAt(5) - first).normalized();
+  double farthest = 0.0;
+  for (std::size_t i = 0; i < now.nodes; ++i)
+    farthest = std::max(farthest, (nodeAt(i) - first).cross(axis).norm());
+  return farthest;
+}
+
+// 22 packed wires of 250 MPa; the picture draws the same nodes.
+TEST(YieldingWires, LeaveThePublishedCochleaBent)
+{
+  Overrides overrides = {{"array", "slim-straight"},
+                         {"withdraw", "true"},
+                         {"speed_mm_s", "8"},
+                         {"dt_ms", "2"},
+                         {"nodes", "60"},
+                         {"stop_travel_mm", "18"}};
+  const double elastic = bow(loadScenario("contour-published", overrides)->parameters());
+  overrides.emplace_back("wire_yield_MPa", "250");
+  const double yielding = bow(loadScenario("contour-published", overrides)->parameters());
+  EXPECT_LT(elastic, 0.8e-3);
+  EXPECT_GT(yielding, elastic + 1e-3);
 }
 
 }  // namespace

@@ -3492,6 +3492,26 @@
         <translation>H ist %1 mm, außerhalb von %2 bis %3 mm, den Höhen ganzer Cochleae: Es wird nicht verwendet; Pläne nehmen H aus der Population.</translation>
     </message>
     <message>
+        <source>%1: %2 is %3, and the file of the array %4 states %5 to %6. Set it within them.</source>
+        <translation>%1: %2 ist %3, und die Datei des Trägers %4 nennt %5 bis %6. Wählen Sie einen Wert dazwischen.</translation>
+    </message>
+    <message>
+        <source>%1: %2 is given, and the file of the array %3 has no table [wires]. State its wires there, or leave the key out.</source>
+        <translation>%1: %2 ist angegeben, und die Datei des Trägers %3 hat keine Tabelle [wires]. Geben Sie dort seine Drähte an, oder lassen Sie den Schlüssel weg.</translation>
+    </message>
+    <message>
+        <source>%1: %2 is given, and the array %3 has no stylet. Leave the key out.</source>
+        <translation>%1: %2 ist angegeben, und der Träger %3 hat kein Stilett. Lassen Sie den Schlüssel weg.</translation>
+    </message>
+    <message>
+        <source>%1: the array %2 yields, and the calibration &apos;%3&apos; was fitted with an elastic one: together they count one softness twice. Set calibration to &quot;&quot;, and stiffness_scale to a value fitted with the yield.</source>
+        <translation>%1: Der Träger %2 fließt, und die Kalibrierung &apos;%3&apos; wurde mit einem elastischen angepasst: Zusammen zählen sie dieselbe Nachgiebigkeit doppelt. Setzen Sie calibration auf &quot;&quot; und stiffness_scale auf einen Wert, der mit dem Fließen angepasst ist.</translation>
+    </message>
+    <message>
+        <source>Number, diameter, modulus and c of [bending]. Yield stress: no source was read; the range is recalled for annealed platinum-iridium.</source>
+        <translation>Zahl, Durchmesser, Elastizitätsmodul und c von [bending]. Fließspannung: keine Quelle wurde gelesen; der Bereich ist für geglühtes Platin-Iridium erinnert.</translation>
+    </message>
+    <message>
         <source>the same at the median friction</source>
         <translation>dasselbe bei der mittleren Reibung</translation>
     </message>
@@ -3930,6 +3950,14 @@
     <message>
         <source>SD of ln friction between ears</source>
         <translation>SD von ln Reibung zwischen Ohren</translation>
+    </message>
+    <message>
+        <source>Yield stress of the wires</source>
+        <translation>Fließspannung der Drähte</translation>
+    </message>
+    <message>
+        <source>Yield stress of the stylet</source>
+        <translation>Fließspannung des Stiletts</translation>
     </message>
 </context>
 <context>
@@ -6070,56 +6098,8 @@
         <translation>außerhalb des Plans, %1</translation>
     </message>
     <message>
-        <source>The end force is a mean of 0.5 s in which the force still rose.</source>
-        <translation>Die Endkraft ist ein Mittel über 0,5 s, in denen die Kraft noch stieg.</translation>
-    </message>
-    <message>
-        <source>mean of the last 0.5 s of motion</source>
-        <translation>Mittel der letzten 0,5 s der Bewegung</translation>
-    </message>
-    <message>
-        <source>mean of the last 0.5 s of motion, still rising</source>
-        <translation>Mittel der letzten 0,5 s der Bewegung, noch steigend</translation>
-    </message>
-    <message>
-        <source>mean of 0.5 to 1 s after the stop</source>
-        <translation>Mittel von 0,5 bis 1 s nach dem Halt</translation>
-    </message>
-    <message>
-        <source>Results; %1: %2</source>
-        <translation>Ergebnisse; %1: %2</translation>
-    </message>
-    <message>
-        <source>plan of %1</source>
-        <translation>Plan vom %1</translation>
-    </message>
-    <message>
-        <source>plan</source>
-        <translation>Plan</translation>
-    </message>
-    <message>
-        <source>ready</source>
-        <translation>bereit</translation>
-    </message>
-    <message>
-        <source>running</source>
-        <translation>läuft</translation>
-    </message>
-    <message>
-        <source>ended, resting</source>
-        <translation>beendet, ruht</translation>
-    </message>
-    <message>
-        <source>ended</source>
-        <translation>beendet</translation>
-    </message>
-    <message>
-        <source>recording now</source>
-        <translation>wird aufgezeichnet</translation>
-    </message>
-    <message>
-        <source>recording the rest</source>
-        <translation>Ruhe wird aufgezeichnet</translation>
+        <source>Wires</source>
+        <translation>Drähte</translation>
     </message>
     <message>
         <source>Fraction of the insertions that reach the depth the drawn surgeon intends, between all contacts inside and the array’s greatest depth, with its 95 % interval (Wilson 1927).</source>
@@ -6136,6 +6116,22 @@
     <message>
         <source>Differences in the same ear, with the same hand and friction (%1):</source>
         <translation>Unterschiede im selben Ohr, bei gleicher Hand und Reibung (%1):</translation>
+    </message>
+    <message>
+        <source>The end force is a mean of 0.5 s in which the force still rose.</source>
+        <translation>Die Endkraft ist ein Mittel über 0,5 s, in denen die Kraft noch stieg.</translation>
+    </message>
+    <message>
+        <source>mean of the last 0.5 s of motion</source>
+        <translation>Mittel der letzten 0,5 s der Bewegung</translation>
+    </message>
+    <message>
+        <source>mean of the last 0.5 s of motion, still rising</source>
+        <translation>Mittel der letzten 0,5 s der Bewegung, noch steigend</translation>
+    </message>
+    <message>
+        <source>mean of 0.5 to 1 s after the stop</source>
+        <translation>Mittel von 0,5 bis 1 s nach dem Halt</translation>
     </message>
     <message>
         <source>Angular depth, °</source>
@@ -6186,8 +6182,44 @@
         <translation>Methode: Jeder Elektrodenträger wird %1-mal von einer simulierten Hand inseriert (%2). Jedes Mal werden A, B und H innerhalb ihrer Fehler, Geschwindigkeit, Tremor, Griff, Kraftgrenze, beabsichtigte Tiefe, Reibung, Zugang und Steifigkeit neu gezogen; siehe Anhang.</translation>
     </message>
     <message>
+        <source>Results; %1: %2</source>
+        <translation>Ergebnisse; %1: %2</translation>
+    </message>
+    <message>
+        <source>plan of %1</source>
+        <translation>Plan vom %1</translation>
+    </message>
+    <message>
+        <source>plan</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
         <source>%1 (%2 to %3)</source>
         <translation>%1 (%2 bis %3)</translation>
+    </message>
+    <message>
+        <source>ready</source>
+        <translation>bereit</translation>
+    </message>
+    <message>
+        <source>running</source>
+        <translation>läuft</translation>
+    </message>
+    <message>
+        <source>ended, resting</source>
+        <translation>beendet, ruht</translation>
+    </message>
+    <message>
+        <source>ended</source>
+        <translation>beendet</translation>
+    </message>
+    <message>
+        <source>recording now</source>
+        <translation>wird aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>recording the rest</source>
+        <translation>Ruhe wird aufgezeichnet</translation>
     </message>
 </context>
 <context>

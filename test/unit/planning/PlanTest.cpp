@@ -95,7 +95,7 @@ TEST_F(SmallPlan, StatesTheFrictionThatItsBandsHoldFixed)
   EXPECT_EQ(usual->friction.high, 0.165);
   // 0.283 common to all ears and 0.2 between them
   EXPECT_NEAR(usual->frictionSpread, std::sqrt(0.283 * 0.283 + 0.2 * 0.2), 1e-12);
-  EXPECT_EQ(planning::bandsHold(*usual), "0 % over friction 0.08 to 0.33");
+  EXPECT_EQ(planning::bandsHold(*usual), "1 simulation over friction 0.08 to 0.33");
   request_.friction = "paper";
   const auto other = planning::makePlan(request_, {}, {});
   ASSERT_TRUE(other) << other.error().message;

@@ -1264,18 +1264,6 @@
         <translation>%1 hat %2 Insertionen; höchstens %3 können gezeigt werden. Öffnen Sie einen der Teile, oder fragen Sie die Datei mit SQL ab.</translation>
     </message>
     <message>
-        <source>%1 % at friction %2</source>
-        <translation>%1 % bei Reibung %2</translation>
-    </message>
-    <message>
-        <source>%1 % at friction %2 to %3</source>
-        <translation>%1 % bei Reibung %2 bis %3</translation>
-    </message>
-    <message>
-        <source>%1 % at one friction</source>
-        <translation>%1 % bei einer Reibung</translation>
-    </message>
-    <message>
         <source>A plan of %1 simulations is too long. Choose %2 to %3.</source>
         <translation>Ein Plan aus %1 Simulationen ist zu lang. Wählen Sie %2 bis %3.</translation>
     </message>
@@ -3480,10 +3468,6 @@
         <translation>Eine Reibung im lebenden Ohr ist nicht bekannt. Voreingestellt ist eine Schätzung aus Schweinegewebe, Median %1; 95 % dessen, was für die Simulationen gezogen wird, liegen von %2 bis %3. Eine zweite Auswertung derselben Kurven ergibt %4. Namentlich gewählte Reibungen werden um ihre eigenen Werte gezogen.</translation>
     </message>
     <message>
-        <source>%1 % over friction %2 to %3</source>
-        <translation>%1 % über Reibung %2 bis %3</translation>
-    </message>
-    <message>
         <source>Estimate from pig tissue</source>
         <translation>Schätzung aus Schweinegewebe</translation>
     </message>
@@ -3526,6 +3510,46 @@
     <message>
         <source>Number, diameter, modulus and c of [bending]. Yield stress: no source was read; the range is recalled for annealed platinum-iridium.</source>
         <translation>Zahl, Durchmesser, Elastizitätsmodul und c von [bending]. Fließspannung: keine Quelle wurde gelesen; der Bereich ist für geglühtes Platin-Iridium erinnert.</translation>
+    </message>
+    <message>
+        <source>the same at the median friction</source>
+        <translation>dasselbe bei der mittleren Reibung</translation>
+    </message>
+    <message>
+        <source>grip</source>
+        <translation>Griff</translation>
+    </message>
+    <message>
+        <source>intended depth</source>
+        <translation>beabsichtigte Tiefe</translation>
+    </message>
+    <message>
+        <source>1 simulation</source>
+        <translation>1 Simulation</translation>
+    </message>
+    <message>
+        <source>%1 simulations</source>
+        <translation>%1 Simulationen</translation>
+    </message>
+    <message>
+        <source>%1 at one friction</source>
+        <translation>%1 bei einer Reibung</translation>
+    </message>
+    <message>
+        <source>%1 over friction %2 to %3</source>
+        <translation>%1 über Reibung %2 bis %3</translation>
+    </message>
+    <message>
+        <source>%1 at friction %2</source>
+        <translation>%1 bei Reibung %2</translation>
+    </message>
+    <message>
+        <source>%1 at friction %2 to %3</source>
+        <translation>%1 bei Reibung %2 bis %3</translation>
+    </message>
+    <message>
+        <source>Choice: how deep surgeons mean to push is published for no array. Made after the modeled FLEX24 was seen to have the published 408 degrees where its last contact is inside (21.9 mm), and 479 at its full 24 mm.</source>
+        <translation>Festlegung: Wie tief Operateure schieben wollen, ist für keinen Elektrodenträger veröffentlicht. Getroffen, nachdem bekannt war, dass der modellierte FLEX24 die veröffentlichten 408 Grad hat, wo sein letzter Kontakt innen ist (21,9 mm), und 479 bei seinen vollen 24 mm.</translation>
     </message>
 </context>
 <context>
@@ -5398,10 +5422,6 @@
         <translation>Jeder Träger wird in dieselben simulierten Cochleae von denselben simulierten Operateuren eingeführt. Die Modelle beruhen auf veröffentlichten Daten und sind keine Herstellerangaben.</translation>
     </message>
     <message>
-        <source>Fraction of the insertions that reach the array’s full depth, with its 95 % interval (Wilson 1927).</source>
-        <translation>Anteil der Insertionen, die die volle Tiefe des Trägers erreichen, mit 95-%-Intervall (Wilson 1927).</translation>
-    </message>
-    <message>
         <source>Fraction in which the force reaches the limit at which the drawn surgeon stops, with its 95 % interval (Wilson 1927).</source>
         <translation>Anteil, in dem die Kraft die Grenze erreicht, bei der der simulierte Operateur anhält, mit 95-%-Intervall (Wilson 1927).</translation>
     </message>
@@ -5786,10 +5806,6 @@
         <translation>Reibung von %1</translation>
     </message>
     <message>
-        <source>Method: each array is inserted by a simulated hand %1 times (%2). Every time A, B and H within their errors, speed, tremor, grip, force limit, friction, approach and stiffness are drawn again; see the appendix.</source>
-        <translation>Methode: Jeder Elektrodenträger wird %1-mal von einer simulierten Hand inseriert (%2). Jedes Mal werden A, B und H innerhalb ihrer Fehler, Geschwindigkeit, Tremor, Griff, Kraftgrenze, Reibung, Zugang und Steifigkeit neu gezogen; siehe Anhang.</translation>
-    </message>
-    <message>
         <source>Cochlea, measures changed by hand</source>
         <translation>Cochlea, Maße von Hand geändert</translation>
     </message>
@@ -5942,20 +5958,12 @@
         <translation>Spitze bei %1</translation>
     </message>
     <message>
-        <source>mean of the last 0.5 s of the insertion</source>
-        <translation>Mittel der letzten 0,5 s der Insertion</translation>
-    </message>
-    <message>
         <source>Force after 1 s of rest</source>
         <translation>Kraft nach 1 s Ruhe</translation>
     </message>
     <message>
         <source>not reached</source>
         <translation>nicht erreicht</translation>
-    </message>
-    <message>
-        <source>mean of 0.5 s</source>
-        <translation>Mittel über 0,5 s</translation>
     </message>
     <message>
         <source>no contact inside</source>
@@ -6086,16 +6094,132 @@
         <translation>Größte Kraft auf die cochleäre Trennwand. Median und das Band, das der Kopf nennt.</translation>
     </message>
     <message>
-        <source>Results; plan: %1</source>
-        <translation>Ergebnisse; Plan: %1</translation>
-    </message>
-    <message>
         <source>outside the plan, %1</source>
         <translation>außerhalb des Plans, %1</translation>
     </message>
     <message>
         <source>Wires</source>
         <translation>Drähte</translation>
+    </message>
+    <message>
+        <source>Fraction of the insertions that reach the depth the drawn surgeon intends, between all contacts inside and the array’s greatest depth, with its 95 % interval (Wilson 1927).</source>
+        <translation>Anteil der Insertionen, die die Tiefe erreichen, die der gezogene Operateur beabsichtigt, zwischen allen Kontakten innen und der größten Tiefe des Elektrodenträgers, mit seinem 95-%-Intervall (Wilson 1927).</translation>
+    </message>
+    <message>
+        <source>At the median friction, %1, only: %2, peak force %3.</source>
+        <translation>Nur bei der mittleren Reibung, %1: %2, größte Kraft %3.</translation>
+    </message>
+    <message>
+        <source>%1 against %2: %3°, deeper in %4; peak force %5 mN, higher in %6.</source>
+        <translation>%1 gegen %2: %3°, tiefer in %4; größte Kraft %5 mN, höher in %6.</translation>
+    </message>
+    <message>
+        <source>Differences in the same ear, with the same hand and friction (%1):</source>
+        <translation>Unterschiede im selben Ohr, bei gleicher Hand und Reibung (%1):</translation>
+    </message>
+    <message>
+        <source>The end force is a mean of 0.5 s in which the force still rose.</source>
+        <translation>Die Endkraft ist ein Mittel über 0,5 s, in denen die Kraft noch stieg.</translation>
+    </message>
+    <message>
+        <source>mean of the last 0.5 s of motion</source>
+        <translation>Mittel der letzten 0,5 s der Bewegung</translation>
+    </message>
+    <message>
+        <source>mean of the last 0.5 s of motion, still rising</source>
+        <translation>Mittel der letzten 0,5 s der Bewegung, noch steigend</translation>
+    </message>
+    <message>
+        <source>mean of 0.5 to 1 s after the stop</source>
+        <translation>Mittel von 0,5 bis 1 s nach dem Halt</translation>
+    </message>
+    <message>
+        <source>Angular depth, °</source>
+        <translation>Insertionswinkel, °</translation>
+    </message>
+    <message>
+        <source>Peak force, mN</source>
+        <translation>Größte Kraft, mN</translation>
+    </message>
+    <message>
+        <source>At friction %1 only: median (%2)</source>
+        <translation>Nur bei Reibung %1: Median (%2)</translation>
+    </message>
+    <message>
+        <source>From the same simulations, less what follows the logarithm of their friction (least squares). All else is still drawn.</source>
+        <translation>Aus denselben Simulationen, ohne das, was dem Logarithmus ihrer Reibung folgt (kleinste Quadrate). Alles andere ist weiter gezogen.</translation>
+    </message>
+    <message>
+        <source>First against second</source>
+        <translation>Erster gegen zweiten</translation>
+    </message>
+    <message>
+        <source>deeper</source>
+        <translation>tiefer</translation>
+    </message>
+    <message>
+        <source>higher</source>
+        <translation>höher</translation>
+    </message>
+    <message>
+        <source>%1 against %2</source>
+        <translation>%1 gegen %2</translation>
+    </message>
+    <message>
+        <source>Differences between arrays in the same ear: median (%1)</source>
+        <translation>Unterschiede zwischen Elektrodenträgern im selben Ohr: Median (%1)</translation>
+    </message>
+    <message>
+        <source>First minus second, simulation by simulation: cochlea, hand and friction are the same for both, so their spread is not in these bands.</source>
+        <translation>Erster minus zweiter, Simulation für Simulation: Cochlea, Hand und Reibung sind für beide gleich, ihre Streuung ist also nicht in diesen Bändern.</translation>
+    </message>
+    <message>
+        <source>Depth that the surgeon intends</source>
+        <translation>Tiefe, die der Operateur beabsichtigt</translation>
+    </message>
+    <message>
+        <source>Method: each array is inserted by a simulated hand %1 times (%2). Every time A, B and H within their errors, speed, tremor, grip, force limit, intended depth, friction, approach and stiffness are drawn again; see the appendix.</source>
+        <translation>Methode: Jeder Elektrodenträger wird %1-mal von einer simulierten Hand inseriert (%2). Jedes Mal werden A, B und H innerhalb ihrer Fehler, Geschwindigkeit, Tremor, Griff, Kraftgrenze, beabsichtigte Tiefe, Reibung, Zugang und Steifigkeit neu gezogen; siehe Anhang.</translation>
+    </message>
+    <message>
+        <source>Results; %1: %2</source>
+        <translation>Ergebnisse; %1: %2</translation>
+    </message>
+    <message>
+        <source>plan of %1</source>
+        <translation>Plan vom %1</translation>
+    </message>
+    <message>
+        <source>plan</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>%1 (%2 to %3)</source>
+        <translation>%1 (%2 bis %3)</translation>
+    </message>
+    <message>
+        <source>ready</source>
+        <translation>bereit</translation>
+    </message>
+    <message>
+        <source>running</source>
+        <translation>läuft</translation>
+    </message>
+    <message>
+        <source>ended, resting</source>
+        <translation>beendet, ruht</translation>
+    </message>
+    <message>
+        <source>ended</source>
+        <translation>beendet</translation>
+    </message>
+    <message>
+        <source>recording now</source>
+        <translation>wird aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>recording the rest</source>
+        <translation>Ruhe wird aufgezeichnet</translation>
     </message>
 </context>
 <context>
@@ -7016,10 +7140,6 @@
         <translation>%1°</translation>
     </message>
     <message>
-        <source>Cochlear coverage, up to</source>
-        <translation>Abdeckung, bis zu</translation>
-    </message>
-    <message>
         <source>%1 %</source>
         <translation>%1 %</translation>
     </message>
@@ -7030,10 +7150,6 @@
     <message>
         <source>–</source>
         <translation>–</translation>
-    </message>
-    <message>
-        <source>Angle and coverage for %1 along the lateral wall, fully inserted.</source>
-        <translation>Winkel und Abdeckung für %1 entlang der Außenwand, vollständig inseriert.</translation>
     </message>
     <message>
         <source>Angle and coverage are estimated for straight arrays only.</source>
@@ -7048,8 +7164,16 @@
         <translation>± 95-%-Intervall der Messfehler im CT und der Formel der Länge des Ductus.</translation>
     </message>
     <message>
-        <source>Angular insertion depth, up to</source>
-        <translation>Insertionswinkel, bis zu</translation>
+        <source>Angular insertion depth at the lateral wall</source>
+        <translation>Insertionswinkel an der Außenwand</translation>
+    </message>
+    <message>
+        <source>Cochlear coverage at the lateral wall</source>
+        <translation>Abdeckung an der Außenwand</translation>
+    </message>
+    <message>
+        <source>Angle and coverage for %1 along the lateral wall, fully inserted: geometry alone. In a plan it may lie nearer the modiolus, at a larger angle, or stop earlier.</source>
+        <translation>Winkel und Abdeckung für %1 entlang der Außenwand, vollständig inseriert: allein aus der Geometrie. In einem Plan kann er näher am Modiolus liegen, mit größerem Winkel, oder früher enden.</translation>
     </message>
 </context>
 <context>
@@ -8785,12 +8909,12 @@
         <translation>Noch einmal inserieren, mit einer neuen Aufzeichnung</translation>
     </message>
     <message>
-        <source>plan, %1</source>
-        <translation>Plan, %1</translation>
-    </message>
-    <message>
         <source>outside %1</source>
         <translation>außerhalb %1</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
     </message>
 </context>
 <context>
@@ -8934,10 +9058,6 @@
 </context>
 <context>
     <name>perilymph::gui::SessionTable</name>
-    <message>
-        <source>recording now</source>
-        <translation>wird aufgezeichnet</translation>
-    </message>
     <message>
         <source>unreadable</source>
         <translation>unlesbar</translation>
@@ -9166,6 +9286,10 @@
         <source>Sessions</source>
         <translation>Aufzeichnungen</translation>
     </message>
+    <message>
+        <source>This insertion has ended; its rest is recorded until nothing moves.</source>
+        <translation>Diese Insertion ist beendet; ihre Ruhe wird aufgezeichnet, bis sich nichts mehr bewegt.</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::SettingsSheet</name>
@@ -9212,26 +9336,6 @@
     <message>
         <source>Text size</source>
         <translation>Schriftgröße</translation>
-    </message>
-    <message>
-        <source>100 %</source>
-        <translation>100 %</translation>
-    </message>
-    <message>
-        <source>90 %</source>
-        <translation>90 %</translation>
-    </message>
-    <message>
-        <source>115 %</source>
-        <translation>115 %</translation>
-    </message>
-    <message>
-        <source>130 %</source>
-        <translation>130 %</translation>
-    </message>
-    <message>
-        <source>150 %</source>
-        <translation>150 %</translation>
     </message>
     <message>
         <source>Hold the array (Space or button)</source>
@@ -9284,6 +9388,10 @@
     <message>
         <source>Operator, for reports (optional)</source>
         <translation>Operateur, für Berichte (optional)</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
     </message>
 </context>
 <context>
@@ -9558,16 +9666,8 @@
         <translation>GEÄNDERT</translation>
     </message>
     <message>
-        <source>ready</source>
-        <translation>bereit</translation>
-    </message>
-    <message>
         <source>fault · no force</source>
         <translation>Fehler · keine Kraft</translation>
-    </message>
-    <message>
-        <source>running</source>
-        <translation>läuft</translation>
     </message>
     <message>
         <source>preparing</source>
@@ -9628,10 +9728,6 @@
     <message>
         <source>%1 (Alt+Home)</source>
         <translation>%1 (Alt+Pos1)</translation>
-    </message>
-    <message>
-        <source>ended</source>
-        <translation>beendet</translation>
     </message>
 </context>
 <context>

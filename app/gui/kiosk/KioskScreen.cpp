@@ -10,7 +10,9 @@
 
 #include "gui/kiosk/BoardView.h"
 #include "gui/kiosk/PushPad.h"
+#include "gui/scene/ForceLabel.h"
 #include "gui/scene/OperationView.h"
+#include "gui/widgets/ReadOut.h"
 #include "gui/widgets/Theme.h"
 
 namespace perilymph::gui {
@@ -20,6 +22,16 @@ namespace {
 constexpr int buttonHeight_px = 96;  // twice the size of a touch target
 constexpr int headHeight_px = 124;
 constexpr Speed back = millimetersPerSecond(3);
+
+/// Captions on the picture that are read from a distance, without what visitors do not know.
+void captionForVisitors(const OperationView& view)
+{
+  for (ReadOut* number : view.findChildren<ReadOut*>())
+    number->setCaptionSize(KioskScreen::label_px);
+  view.findChild<ForceLabel*>()->setForVisitors(KioskScreen::label_px);
+  view.findChild<QLabel*>(QStringLiteral("viewLabel"))->setFont(typeface(KioskScreen::label_px));
+  view.findChild<QLabel*>(QStringLiteral("magnificationLabel"))->hide();
+}
 
 }  // namespace
 
@@ -31,6 +43,7 @@ KioskScreen::KioskScreen(QWidget* window)
       board_(new BoardView(this)),
       foot_(new QStackedWidget(this))
 {
+  captionForVisitors(*view_);
   title_->setObjectName(QStringLiteral("kioskTitle"));
   title_->setFont(typeface(34, QFont::Light));
   sentence_->setObjectName(QStringLiteral("kioskSentence"));

@@ -28,6 +28,9 @@ enum class KioskStage {
 class KioskScreen : public QWidget {
   Q_OBJECT
 public:
+  /// Captions and legend, to be read from 1.5 m [px, before textScale()].
+  static constexpr int label_px = 20;
+
   explicit KioskScreen(QWidget* window);
 
   OperationView& view() { return *view_; }

@@ -152,7 +152,8 @@ Result<Done> KioskWindow::open()
   const session::Scenario& scenario = control_.scenario();
   screen_->view().setScene(std::make_unique<visualization::InsertionScene>(
       control_.anatomy(), scenario.array(), scenario.patient().side,
-      visualization::Quality::software, sceneStyle(shownColorScheme())));
+      visualization::Quality::software,
+      sceneStyle(shownColorScheme(), KioskScreen::label_px / 12.0 * textScale())));
   sinceFrame_.start();
   sinceSlow_.start();
   timer_.start();

@@ -11,7 +11,7 @@
 namespace perilymph::gui {
 
 struct InsertionResult {
-  QString name, value, detail;
+  QString name, value, detail;  ///< The detail is the definition.
   QString plan;  ///< "57 (25–77) mN"; empty without a plan or where it has no such band.
   bool isOutside = false;   ///< Outside of the plan's band.
   bool isHeadline = false;  ///< Stated on the card.
@@ -19,6 +19,9 @@ struct InsertionResult {
 
 /// In the order in which they are read. A value that was not recorded says so.
 std::vector<InsertionResult> insertionResults(const ReportContent& content);
+
+/// Why the force after 1 s of rest may exceed the end force; empty where it does not.
+QString restNote(const analysis::ForceProfile& profile);
 
 /// "ruptured at 183° by 62 mN", with the length above the partition if it went through.
 QString ruptureText(const haptics::Translocation& found);

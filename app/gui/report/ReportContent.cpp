@@ -7,6 +7,7 @@
 #include <iterator>
 #include <stop_token>
 
+#include "gui/setup/PlannedForces.h"
 #include "perilymph/analysis/ErrorBand.h"
 #include "perilymph/session/Playback.h"
 #include "perilymph/session/RecordedInsertion.h"
@@ -67,6 +68,7 @@ Result<ReportContent> gatherReport(const std::filesystem::path& file, const std:
   const auto playback = session::Playback::open(file);
   if (!playback) return playback.error();
   content.scenario = (*playback)->scenario();
+  content.plan = newestPlannedForce(content.scenario);
   const auto verification = (*playback)->compute(stop);
   if (!verification) return verification.error();
   content.verification = *verification;

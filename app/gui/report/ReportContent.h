@@ -31,7 +31,7 @@ struct ReportContent {
   analysis::ComparedInsertion insertion;
   std::optional<analysis::InsertionScore> score;
   session::Verification verification;
-  std::optional<PlannedForce> plan;               ///< The plan of this array in this cochlea.
+  std::optional<PlannedForce> plan;               ///< What a plan expects of this insertion.
   std::optional<analysis::PrintedRange> rupture;  ///< Rupture forces of the cochlear partition.
 
   std::shared_ptr<const anatomy::ScalaTympani> anatomy;
@@ -48,7 +48,7 @@ struct ReportContent {
   }
 };
 
-/// Replays the recording, in about a tenth of its duration.
+/// Replays the recording, in about a tenth of its duration. The plan is newestPlannedForce().
 Result<ReportContent> gatherReport(const std::filesystem::path& file, const std::stop_token& stop);
 
 }  // namespace perilymph::gui

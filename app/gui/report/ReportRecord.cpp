@@ -68,7 +68,8 @@ double paintResults(ReportSheet& sheet, const ReportContent& content, double x_m
 {
   y_mm =
       sheet.heading(x_mm, y_mm, width_mm,
-                    content.plan ? tr("Results; plan: %1").arg(content.plan->hold) : tr("Results"));
+                    content.plan ? tr("Results; %1: %2").arg(content.plan->name, content.plan->hold)
+                                 : tr("Results"));
   constexpr double name_mm = 4.0, value_mm = 6.0, detail_mm = 3.4, space_mm = 0.2;
   for (const InsertionResult& result : insertionResults(content)) {
     constexpr double number_mm = 27.0;

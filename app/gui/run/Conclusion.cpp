@@ -2,6 +2,7 @@
 #include "gui/run/Conclusion.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace perilymph::gui {
 
@@ -10,12 +11,13 @@ bool Conclusion::isDue(const haptics::TickOutput& now)
   const bool isOver =
       now.workflow == haptics::Workflow::finished || now.workflow == haptics::Workflow::fault;
   if (!isOver) *this = {};
-  if (!isOver || isAsked_) return false;
+  if (!isOver) return false;
+  const bool wasResting = std::exchange(isResting_, (now.status & haptics::resting) != 0);
   const auto time = std::chrono::steady_clock::now();
   if (!ended_) ended_ = time;
-  const bool isResting = (now.status & haptics::resting) != 0;
-  isAsked_ = isResting || time - *ended_ >= longestWait;
-  return isAsked_;
+  const bool isDueNow = (isResting_ && !wasResting) || (!isAsked_ && time - *ended_ >= longestWait);
+  isAsked_ = isAsked_ || isDueNow;
+  return isDueNow;
 }
 
 double angleOfTip(const anatomy::ScalaTympani& anatomy, const haptics::Snapshot& now)

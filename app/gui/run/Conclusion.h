@@ -11,13 +11,13 @@
 
 namespace perilymph::gui {
 
-/// Decides when the recording of an insertion that has ended is closed: when it rests, which begins
-/// three seconds after the last motion; a hand that does not rest is not waited for.
+/// Decides when the recording of an insertion that has ended is closed: whenever it begins to rest,
+/// three seconds after the last motion; for the first end a hand that does not rest is not waited for.
 class Conclusion {
 public:
   static constexpr std::chrono::seconds longestWait{6};
 
-  /// Whether to close the recording now; true once for each end. To be asked in every frame.
+  /// Whether to close the recording now; true once for each rest. To be asked in every frame.
   bool isDue(const haptics::TickOutput& now);
   /// It was due, and the insertion has not gone on.
   bool isAsked() const noexcept { return isAsked_; }
@@ -25,6 +25,7 @@ public:
 private:
   std::optional<std::chrono::steady_clock::time_point> ended_;  ///< When its end was seen.
   bool isAsked_ = false;
+  bool isResting_ = false;
 };
 
 /// The angle of the tip from the round window before the first tick, which computes it [rad].

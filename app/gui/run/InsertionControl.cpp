@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "gui/run/RecordingName.h"
+#include "gui/run/WorkflowPredicates.h"
 #include "perilymph/device/PluginDevice.h"
 #include "perilymph/device/ScriptedDevice.h"
 #include "perilymph/foundation/Resources.h"
@@ -230,9 +231,12 @@ bool InsertionControl::update()
   return isNew;
 }
 
-bool InsertionControl::isConcluded() const noexcept
+Progress InsertionControl::progress() const noexcept
 {
-  return conclusion_.isAsked() && insertion_ && insertion_->isRecordingConcluded();
+  if (!isRunning_) return Progress::ready;
+  if (!isOver(now_.output.workflow)) return Progress::underway;
+  const bool isClosed = conclusion_.isAsked() && insertion_->isRecordingConcluded();
+  return isClosed ? Progress::concluded : Progress::resting;
 }
 
 bool InsertionControl::ask(Kind kind, double value)
@@ -365,6 +369,11 @@ std::string InsertionControl::couplingText() const
 std::optional<std::filesystem::path> InsertionControl::recording() const
 {
   return insertion_ && recordingError().empty() ? insertion_->recording() : std::nullopt;
+}
+
+std::optional<std::filesystem::path> InsertionControl::openRecording() const
+{
+  return progress() == Progress::concluded ? std::nullopt : recording();
 }
 
 std::string InsertionControl::recordingError() const

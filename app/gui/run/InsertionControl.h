@@ -24,6 +24,14 @@ namespace perilymph::gui {
 /// The device that moves the array.
 enum class InputSource { scripted, pointer, device };
 
+/// What an insertion and its recording do, for every page that states it.
+enum class Progress {
+  ready,      ///< It was not started.
+  underway,   ///< Inserting, held on the way, or withdrawing.
+  resting,    ///< It has ended, and what follows is recorded as its rest.
+  concluded,  ///< It has ended, and its recording is closed and can be read.
+};
+
 /// Owns one insertion at a time, controls its device and sends its commands. It computes nothing:
 /// it sends requests, and the haptic loop decides. UI thread only.
 class InsertionControl {
@@ -104,9 +112,8 @@ public:
   bool isAtDepth() const noexcept;
   /// The event that ended the insertion before its stop travel; none after the withdrawal.
   haptics::InsertionEnd earlyEnd() const noexcept;
-  /// The insertion has ended (at its stop travel, early, withdrawn or by a fault), rests, and its
-  /// recording is closed, so that it can be read. A withdrawal ends this.
-  bool isConcluded() const noexcept;
+  /// An insertion ends at its stop travel, early, withdrawn or by a fault; only a withdrawal goes on.
+  Progress progress() const noexcept;
   /// The device was told to move, or is grasped.
   bool isMoving() const noexcept;
   /// The input is a device that moves the array or may do so as soon as its button is pressed.
@@ -126,6 +133,8 @@ public:
   std::string couplingText() const;
   /// The current recording file; empty if there is none.
   std::optional<std::filesystem::path> recording() const;
+  /// The same while ticks may be added to it, so that it cannot be read yet.
+  std::optional<std::filesystem::path> openRecording() const;
   /// A message if the insertion is not being recorded; empty if there is no error.
   std::string recordingError() const;
 

@@ -13,7 +13,6 @@ namespace perilymph::gui {
 
 namespace {
 
-constexpr int lineHeight_px = 18;
 constexpr int plate_px = 6;
 
 QString marked(const ForceMeaning& meaning)
@@ -62,12 +61,22 @@ void ForceLabel::show(const haptics::TickOutput& now)
   update();
 }
 
+void ForceLabel::setForVisitors(int size_px)
+{
+  setFont(typeface(size_px));
+  hasPartition_ = false;
+  updateGeometry();
+  update();
+}
+
+int ForceLabel::lineHeight() const { return font().pixelSize() * 3 / 2; }
+
 QSize ForceLabel::sizeHint() const
 {
   const QFontMetrics metrics(font());
-  const int widest = std::max(metrics.horizontalAdvance(marked(hand_)),
-                              metrics.horizontalAdvance(marked(partition_)));
-  return {widest + 2 * plate_px + 2, 2 * sized(lineHeight_px) + plate_px};
+  int widest = metrics.horizontalAdvance(marked(hand_));
+  if (hasPartition_) widest = std::max(widest, metrics.horizontalAdvance(marked(partition_)));
+  return {widest + 2 * plate_px + 2, (hasPartition_ ? 2 : 1) * lineHeight() + plate_px};
 }
 
 void ForceLabel::paintEvent(QPaintEvent*)
@@ -75,13 +84,14 @@ void ForceLabel::paintEvent(QPaintEvent*)
   QPainter painter(this);
   paintPlate(painter, rect());
   painter.setFont(font());
-  QRect line(plate_px, plate_px / 2, width() - 2 * plate_px, sized(lineHeight_px));
+  QRect line(plate_px, plate_px / 2, width() - 2 * plate_px, lineHeight());
   for (const ForceMeaning* meaning : {&hand_, &partition_}) {
+    if (meaning == &partition_ && !hasPartition_) break;
     painter.setPen(meaning->isBeyond ? shownTheme().warning : shownTheme().quietText);
     painter.drawText(
         line, Qt::AlignRight | Qt::AlignVCenter,
         QFontMetrics(font()).elidedText(marked(*meaning), Qt::ElideRight, line.width()));
-    line.translate(0, sized(lineHeight_px));
+    line.translate(0, lineHeight());
   }
 }
 

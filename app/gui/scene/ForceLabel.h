@@ -18,6 +18,8 @@ public:
 
   /// Shows the forces of a tick, or instead of that on the partition how it ruptured.
   void show(const haptics::TickOutput& now);
+  /// Leaves out the line on the partition, in type of another size [px, before textScale()].
+  void setForVisitors(int size_px);
   const QString& handText() const { return hand_.text; }
   const QString& partitionText() const { return partition_.text; }
   QSize sizeHint() const override;
@@ -26,7 +28,10 @@ protected:
   void paintEvent(QPaintEvent*) override;
 
 private:
+  int lineHeight() const;
+
   ForceThresholds known_;
+  bool hasPartition_ = true;
   QString sources_;  ///< Sources of the thresholds.
   ForceMeaning hand_, partition_;
 };

@@ -40,10 +40,11 @@ constexpr RowFormat formats[] = {
     {CochleaMeasures::turns, QT_TRANSLATE_NOOP("perilymph::gui::DerivedMeasures", "Turns"), "%1",
      2},
     {CochleaMeasures::angularDepth,
-     QT_TRANSLATE_NOOP("perilymph::gui::DerivedMeasures", "Angular insertion depth, up to"),
+     QT_TRANSLATE_NOOP("perilymph::gui::DerivedMeasures",
+                       "Angular insertion depth at the lateral wall"),
      QT_TRANSLATE_NOOP("perilymph::gui::DerivedMeasures", "%1°"), 0},
     {"coverage_percent",
-     QT_TRANSLATE_NOOP("perilymph::gui::DerivedMeasures", "Cochlear coverage, up to"),
+     QT_TRANSLATE_NOOP("perilymph::gui::DerivedMeasures", "Cochlear coverage at the lateral wall"),
      QT_TRANSLATE_NOOP("perilymph::gui::DerivedMeasures", "%1 %"), 0},
 };
 
@@ -141,7 +142,9 @@ void DerivedMeasures::showContent(const Result<CochleaMeasures>& content)
     }
   }
   QStringList notes;
-  notes << (hasInsertion ? tr("Angle and coverage for %1 along the lateral wall, fully inserted.")
+  notes << (hasInsertion ? tr("Angle and coverage for %1 along the lateral wall, fully inserted: "
+                              "geometry alone. In a plan it may lie nearer the modiolus, at a "
+                              "larger angle, or stop earlier.")
                                .arg(QString::fromStdString(array_.name))
                          : tr("Angle and coverage are estimated for straight arrays only."));
   if (!content->bands.empty() && cochlea_.patient.errors)

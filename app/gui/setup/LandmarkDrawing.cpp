@@ -118,19 +118,15 @@ void LandmarkDrawing::paintCochlearView(QPainter& painter, const QRectF& place) 
 {
   const anatomy::HalfDiameters half = anatomy::likeliestHalfDiameters(turn_.a, turn_.b);
   const double mirror = side_ == anatomy::Side::left ? -1.0 : 1.0;
-  // the round window at the bottom right of a right ear, turning upward; in the pictures of a CT,
-  // beside which a point is shown, straight down
-  const bool isUpright = point_ != Point::none;
+  // the round window straight down, as in the cochlear view of a CT
   const auto direction = [&](double angle) {
-    return isUpright ? QPointF(mirror * std::sin(angle), std::cos(angle))
-                     : QPointF(mirror * std::cos(angle), -std::sin(angle));
+    return QPointF(mirror * std::sin(angle), std::cos(angle));
   };
   const double a1 = radius_mm(half, 0.0), a2 = radius_mm(half, pi);
   const double b1 = radius_mm(half, 0.5 * pi), b2 = radius_mm(half, 1.5 * pi);
   const double letters_px = sized(26);  // room for names at both ends
-  const double wide = isUpright ? b1 + b2 : a1 + a2, high = isUpright ? a1 + a2 : b1 + b2;
-  const double scale =
-      std::min((place.width() - 2.0 * letters_px) / wide, (place.height() - letters_px) / high);
+  const double scale = std::min((place.width() - 2.0 * letters_px) / (b1 + b2),
+                                (place.height() - letters_px) / (a1 + a2));
   const QPointF axis =
       place.center() - 0.5 * scale * ((a1 - a2) * direction(0.0) + (b1 - b2) * direction(0.5 * pi));
   const auto at = [&](double angle, double radius) {
@@ -174,19 +170,14 @@ void LandmarkDrawing::paintCochlearView(QPainter& painter, const QRectF& place) 
     letter.moveCenter(where);
     painter.drawText(letter, Qt::AlignCenter, text);
   };
-  name(Landmark::a, far + sized(14) * direction(pi), QStringLiteral("A"));
+  name(Landmark::a, far + QPointF(sized(14), -4.0), QStringLiteral("A"));
   name(Landmark::b, at(0.5 * pi, b1) + QPointF(mirror * sized(12), -2.0), QStringLiteral("B"));
   painter.setFont(typeface(11));
   painter.setPen(shownTheme().quietText);
-  // below the round window, as far as it fits between frame and side view
   const QString windowName = tr("round window");
-  QRectF under(0, window.y() + 8, QFontMetricsF(painter.font()).horizontalAdvance(windowName) + 1,
-               sized(18));
-  under.moveCenter({window.x(), under.center().y()});
-  if (under.right() > place.right() + 8) under.moveRight(place.right() + 8);
-  if (under.left() < place.left() - 4) under.moveLeft(place.left() - 4);
-  if (isUpright) under.moveCenter(window + QPointF(0.5 * under.width() + sized(12), 0.0));
-  painter.drawText(under, Qt::AlignCenter, windowName);
+  QRectF beside(0, 0, QFontMetricsF(painter.font()).horizontalAdvance(windowName) + 1, sized(18));
+  beside.moveCenter(window + QPointF(0.5 * beside.width() + sized(12), 0.0));
+  painter.drawText(beside, Qt::AlignCenter, windowName);
   painter.drawText(QRectF(axis.x() + 6, axis.y() + 4, sized(80), sized(18)), Qt::AlignLeft,
                    tr("modiolus"));
 }

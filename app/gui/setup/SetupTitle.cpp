@@ -3,7 +3,6 @@
 
 #include <QCoreApplication>
 
-#include "gui/run/InsertionControl.h"
 #include "gui/setup/SetupHistory.h"
 #include "gui/text/DataText.h"
 #include "perilymph/anatomy/AnatomySource.h"
@@ -53,6 +52,27 @@ QString currentWork(const InsertionControl& control, const SetupHistory& setup)
   const bool isUsed =
       control.isRunning() || setup.isModified() || setup.origin().kind == SetupOrigin::Kind::own;
   return isUsed ? setupTitle(control, setup) : QString();
+}
+
+QString progressText(Progress progress)
+{
+  switch (progress) {
+    case Progress::ready:
+      return tr("ready");
+    case Progress::underway:
+      return tr("running");
+    case Progress::resting:
+      return tr("ended, resting");
+    case Progress::concluded:
+      break;
+  }
+  return tr("ended");
+}
+
+QString recordingText(Progress progress)
+{
+  if (progress == Progress::underway) return tr("recording now");
+  return progress == Progress::resting ? tr("recording the rest") : QString();
 }
 
 }  // namespace perilymph::gui

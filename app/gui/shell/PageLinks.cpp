@@ -48,6 +48,8 @@ void linkPages(MainWindow& window)
   if (insert != nullptr && compare != nullptr)
     QObject::connect(insert, &InsertPage::compareAsked, compare, &ComparePage::compare);
   if (sessions == nullptr) return;
+  if (insert != nullptr)
+    QObject::connect(insert, &InsertPage::stateShown, sessions, &SessionsPage::follow);
   if (compare != nullptr)
     QObject::connect(sessions, &SessionsPage::compareAsked, compare, &ComparePage::compare);
   QObject::connect(sessions, &SessionsPage::referenceRead, &insertion,

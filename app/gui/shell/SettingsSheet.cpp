@@ -14,6 +14,7 @@
 #include "gui/report/ReportIssuer.h"
 #include "gui/run/StateFolder.h"
 #include "gui/run/UserSettings.h"
+#include "gui/setup/Selector.h"
 #include "gui/text/DataText.h"
 #include "gui/widgets/CheckBoxes.h"
 #include "gui/widgets/SheetScroll.h"
@@ -78,9 +79,7 @@ SettingsSheet::SettingsSheet(QWidget* parent) : QFrame(parent), note_(label({}, 
   addGroup(*column, tr("Language"), QStringLiteral("language"), languageText(),
            {tr("as the system"), QStringLiteral("English"), QStringLiteral("Deutsch")},
            Effect::withNewWindow);
-  addGroup(*column, tr("Text size"), QStringLiteral("textSize"), textSizeText(),
-           {tr("90 %"), tr("100 %"), tr("115 %"), tr("130 %"), tr("150 %")}, Effect::withNewWindow,
-           normalTextSize);
+  addTextSize(*column);
   addGroup(*column, tr("Hold the array (Space or button)"), QStringLiteral("hold"), holdText(),
            {tr("while pressed"), tr("press to hold, press again to release")}, Effect::atOnce);
   addGroup(*column, tr("Single-key shortcuts"), QStringLiteral("keys"), letterKeysText(),
@@ -92,6 +91,7 @@ SettingsSheet::SettingsSheet(QWidget* parent) : QFrame(parent), note_(label({}, 
   column->addWidget(label(
       tr("Log file: %1").arg(QString::fromStdString((stateFolder() / "perilymph.log").string())),
       12, true, this));
+  column->addStretch();
   auto* whole = new QVBoxLayout(this);
   whole->setContentsMargins(1, 1, 1, 1);
   whole->addWidget(new SheetScroll(content, this));
@@ -100,8 +100,7 @@ SettingsSheet::SettingsSheet(QWidget* parent) : QFrame(parent), note_(label({}, 
 }
 
 void SettingsSheet::addGroup(QVBoxLayout& column, const QString& title, const QString& key,
-                             const QStringList& caption, const QStringList& names, Effect effect,
-                             int unset)
+                             const QStringList& caption, const QStringList& names, Effect effect)
 {
   auto* heading = label(title, 13, false, this);
   heading->setFont(typeface(13, QFont::DemiBold));
@@ -110,7 +109,7 @@ void SettingsSheet::addGroup(QVBoxLayout& column, const QString& title, const QS
   row->setSpacing(3 * spacing);
   int needed = 0;
   auto* group = new QButtonGroup(this);
-  const QString now = UserSettings().word(key, caption, unset);
+  const QString now = UserSettings().word(key, caption);
   for (int i = 0; i < caption.size(); ++i) {
     auto* choice = new Choice(names[i], this);
     choice->setObjectName(key + QLatin1Char('-') + caption[i]);
@@ -120,20 +119,42 @@ void SettingsSheet::addGroup(QVBoxLayout& column, const QString& title, const QS
     choices_.push_back(choice);
     row->addWidget(choice);
     needed += choice->sizeHint().width() + 3 * spacing;
-    connect(choice, &QAbstractButton::clicked, this, [this, key, effect, word = caption[i]] {
-      UserSettings settings;
-      if (settings.value(key).toString() == word) return;
-      settings.setValue(key, word);
-      settings.sync();
-      if (effect == Effect::withNewWindow) Q_EMIT chosen();
-    });
+    connect(choice, &QAbstractButton::clicked, this,
+            [this, key, effect, word = caption[i]] { set(key, word, effect); });
   }
-  row->addStretch();
   if (needed > sized(width_px) - 5 * spacing) {
     row->setDirection(QBoxLayout::TopToBottom);
     row->setSpacing(0);
+  } else {
+    row->addStretch();
   }
   column.addLayout(row);
+}
+
+void SettingsSheet::addTextSize(QVBoxLayout& column)
+{
+  const QString key = QStringLiteral("textSize");
+  auto* heading = label(tr("Text size"), 13, false, this);
+  heading->setFont(typeface(13, QFont::DemiBold));
+  auto* sizes = new Selector("textSize", tr("Text size"), this);
+  for (const QString& percent : textSizeText()) sizes->addChoice(tr("%1 %").arg(percent), percent);
+  sizes->show(UserSettings().word(key, textSizeText(), normalTextSize), {});
+  connect(sizes, &Selector::chosen, this,
+          [this, key](const QString& word) { set(key, word, Effect::withNewWindow); });
+  choices_.push_back(sizes);
+  auto* row = new QHBoxLayout;
+  row->addWidget(heading, 1);
+  row->addWidget(sizes);
+  column.addLayout(row);
+}
+
+void SettingsSheet::set(const QString& key, const QString& word, Effect effect)
+{
+  UserSettings settings;
+  if (settings.value(key).toString() == word) return;
+  settings.setValue(key, word);
+  settings.sync();
+  if (effect == Effect::withNewWindow) Q_EMIT chosen();
 }
 
 void SettingsSheet::addLine(QVBoxLayout& column, const QString& title, const QString& key)
@@ -193,12 +214,12 @@ void SettingsSheet::addLogo(QVBoxLayout& column)
 
 void SettingsSheet::append(QWidget* section)
 {
-  column_->insertWidget(column_->count() - 1, section);  // above the log file
+  column_->insertWidget(column_->count() - 2, section);  // above the log file
 }
 
 void SettingsSheet::setChangeable(bool isChangeable)
 {
-  for (Choice* choice : choices_) choice->setEnabled(isChangeable);
+  for (QWidget* choice : choices_) choice->setEnabled(isChangeable);
   note_->setText(isChangeable ? tr("Changes reload the window.")
                               : tr("Settings are locked during an insertion. Press Reset first."));
 }

@@ -11,8 +11,6 @@ class QVBoxLayout;
 
 namespace perilymph::gui {
 
-class Choice;
-
 /// An overlay of the page. A change is saved at once; colors, language and text size make the window
 /// again.
 class SettingsSheet : public QFrame {
@@ -35,13 +33,15 @@ private:
   /// When a change takes effect.
   enum class Effect { withNewWindow, atOnce };
   void addGroup(QVBoxLayout& column, const QString& title, const QString& key,
-                const QStringList& caption, const QStringList& names, Effect effect, int unset = 0);
+                const QStringList& caption, const QStringList& names, Effect effect);
+  void addTextSize(QVBoxLayout& column);
+  void set(const QString& key, const QString& word, Effect effect);
   void addLine(QVBoxLayout& column, const QString& title, const QString& key);
   void addLogo(QVBoxLayout& column);
 
   QLabel* note_;
   QVBoxLayout* column_ = nullptr;
-  std::vector<Choice*> choices_;  ///< Not those of sections.
+  std::vector<QWidget*> choices_;  ///< Not those of sections.
 };
 
 /// Allowed values of a setting; the first one is the default, unless said.

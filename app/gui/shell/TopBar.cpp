@@ -300,7 +300,7 @@ void TopBar::showInsertion(const InsertionController& insertion)
   const haptics::Snapshot& now = control.now();
   stop_->setVisible(control.rendersForce());
   const QString hand = QString::fromStdString(control.handName());
-  if (!control.isRunning()) return setDevice(DeviceState::off, tr("ready"), hand);
+  if (!control.isRunning()) return setDevice(DeviceState::off, progressText(Progress::ready), hand);
   if (now.output.workflow == haptics::Workflow::fault)
     return setDevice(DeviceState::alarm, tr("fault · no force"), insertion.error());
   const haptics::InsertionEnd end = control.earlyEnd();
@@ -309,11 +309,16 @@ void TopBar::showInsertion(const InsertionController& insertion)
   if (control.isStopped())
     return setDevice(DeviceState::warning, tr("stopped · no force"),
                      tr("%1. Press Start to continue.").arg(hand));
-  if (control.isConcluded() && !control.rendersForce())
-    return setDevice(DeviceState::off, tr("ended"), hand);
-  if (now.measuredRate <= 0.0) return setDevice(DeviceState::steady, tr("running"), hand);
-  setDevice(DeviceState::steady, tr("running"),
-            tr("%1, %2 samples per second").arg(hand, numberText(now.measuredRate, 0)));
+  // what still renders force is not off, though its recording is closed
+  const Progress progress = control.progress() == Progress::concluded && control.rendersForce()
+                                ? Progress::resting
+                                : control.progress();
+  const DeviceState light =
+      progress == Progress::concluded ? DeviceState::off : DeviceState::steady;
+  const bool isTimed = progress == Progress::underway && now.measuredRate > 0.0;
+  setDevice(
+      light, progressText(progress),
+      isTimed ? tr("%1, %2 samples per second").arg(hand, numberText(now.measuredRate, 0)) : hand);
 }
 
 void TopBar::showPreparing() { setDevice(DeviceState::off, tr("preparing"), {}); }

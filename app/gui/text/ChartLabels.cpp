@@ -53,9 +53,9 @@ ChartStyle chartStyle(figures::ColorScheme scheme)
   return style;
 }
 
-SceneStyle sceneStyle(figures::ColorScheme scheme)
+SceneStyle sceneStyle(figures::ColorScheme scheme, double textScale)
 {
-  SceneStyle style{scheme, {}};
+  SceneStyle style{scheme, {}, textScale};
   style.strings = {
       .wallForce = tr("wall force, mN per mm"),
       .normalForce = tr("contact force (arrow %1 mm = %2 mN)"),

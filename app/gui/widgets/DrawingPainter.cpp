@@ -48,6 +48,7 @@ struct MarkPainter {
   QPainter& painter;
   Lettering lettering;
   Sheet sheet;
+  double textFactor = 1.0;
 
   QColor colorOf(const figures::Ink& ink) const
   {
@@ -85,7 +86,8 @@ struct MarkPainter {
     QFont font =
         typeface(int(std::lround(label.size)), label.isBold ? QFont::DemiBold : QFont::Normal);
     // the user's text size is for the screen, not for print
-    if (lettering == Lettering::scaled) font.setPixelSize(int(std::lround(label.size * fine)));
+    if (lettering == Lettering::scaled)
+      font.setPixelSize(int(std::lround(textFactor * label.size * fine)));
     const QString text = withDecimalSign(QString::fromStdString(label.text));
     painter.save();
     painter.translate(label.at.x, label.at.y);
@@ -105,10 +107,10 @@ struct MarkPainter {
 }  // namespace
 
 void paintMarks(QPainter& painter, const figures::Drawing& drawing, Lettering lettering,
-                Sheet sheet)
+                Sheet sheet, double textFactor)
 {
   for (const figures::Mark& mark : drawing.marks)
-    std::visit(MarkPainter{painter, lettering, sheet}, mark);
+    std::visit(MarkPainter{painter, lettering, sheet, textFactor}, mark);
 }
 
 }  // namespace perilymph::gui

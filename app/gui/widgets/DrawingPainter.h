@@ -23,7 +23,9 @@ enum class Sheet {
 };
 
 /// Paints the marks in the painter's coordinates; the unit is a page point.
+///
+/// @param textFactor  Size of the text relative to the drawing's.
 void paintMarks(QPainter& painter, const figures::Drawing& drawing, Lettering lettering,
-                Sheet sheet = Sheet::white);
+                Sheet sheet = Sheet::white, double textFactor = 1.0);
 
 }  // namespace perilymph::gui

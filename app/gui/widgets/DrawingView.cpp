@@ -13,6 +13,9 @@ namespace perilymph::gui {
 namespace {
 
 constexpr int dotsPerInch = 72;  // resolution of page points
+// Text as that of the pages, whatever the size of the drawing.
+constexpr double label_pt = figures::Label{}.size;
+constexpr int smallestText_px = 10, text_px = 13;
 
 }  // namespace
 
@@ -41,7 +44,10 @@ void DrawingView::paintEvent(QPaintEvent*)
   sheet.addRoundedRect(QRectF(0.0, 0.0, drawing_.width, drawing_.height), 4.0 / scale, 4.0 / scale);
   painter.fillPath(sheet, shownTheme().ground);
   const bool isDark = shownColorScheme() == ColorScheme::dark;
-  paintMarks(painter, drawing_, Lettering::scaled, isDark ? Sheet::dark : Sheet::white);
+  const double wanted_px =
+      std::clamp(label_pt * scale, double(sized(smallestText_px)), double(sized(text_px)));
+  paintMarks(painter, drawing_, Lettering::scaled, isDark ? Sheet::dark : Sheet::white,
+             wanted_px / (label_pt * scale));
 }
 
 }  // namespace perilymph::gui

@@ -63,23 +63,16 @@ void ForceProfiler::add(const haptics::TickRecord& record)
 
 void ForceProfiler::followRest(const haptics::TickOutput& now)
 {
-  last_.push_back({now.time, now.axialForce});
-  sum_ += now.axialForce;
-  constexpr double rounding = 1e-9;  // of a time that is a sum of time steps [s]
-  while (last_.front().time <= now.time - averaged().si() + rounding) {
-    sum_ -= last_.front().force;
-    last_.pop_front();
-  }
-  const double mean = sum_ / static_cast<double>(last_.size());
+  last_.add(now.time, now.axialForce);
   const bool isOver = now.workflow == haptics::Workflow::finished;
   if (ended_) {
     isWithdrawn_ = isWithdrawn_ || !isOver;
-    const bool isDue = now.time >= *ended_ + shortRest().si() - rounding;
-    if (isDue && !isWithdrawn_ && !profile_.forceAfter1s) profile_.forceAfter1s = mean;
+    const bool isDue = now.time >= *ended_ + shortRest().si() - timeRounding;
+    if (isDue && !isWithdrawn_ && !profile_.forceAfter1s) profile_.forceAfter1s = last_.mean();
     return;
   }
   if (isOver && now.depth > 0.5 * profile_.deepest) ended_ = now.time;
-  if (ended_ || now.depth > profile_.deepest) profile_.endForce = mean;
+  if (ended_ || now.depth > profile_.deepest) profile_.endForce = last_.mean();
 }
 
 void ForceProfiler::follow(const haptics::TickOutput& now)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 
 #include "perilymph/ct/Measures.h"
@@ -133,6 +134,14 @@ double Measure::sd() const
 std::array<double, 2> Measure::interval95() const
 {
   return {value - halfWidth95 * sd(), value + halfWidth95 * sd()};
+}
+
+std::string millimetersOf(double value_mm)
+{
+  std::array<char, 400> digits;
+  const auto done = std::to_chars(digits.data(), digits.data() + digits.size(), value_mm,
+                                  std::chars_format::fixed, 2);
+  return {digits.data(), done.ptr};
 }
 
 }  // namespace perilymph::ct

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <string>
 
-#include "Refusal.h"
 #include "perilymph/ct/Measures.h"
 
 namespace perilymph::ct {

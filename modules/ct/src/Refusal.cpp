@@ -6,6 +6,7 @@
 
 #include "LumenProfile.h"
 #include "perilymph/anatomy/Population.h"
+#include "perilymph/ct/Measures.h"
 #include "perilymph/foundation/Units.h"
 
 namespace perilymph::ct {
@@ -28,13 +29,6 @@ Error refusal(const CtVolume& volume, const FitResult& fit, Sentence otherwise)
 }
 
 }  // namespace
-
-std::string millimetersOf(double value)
-{
-  const long hundredths = std::lround(100.0 * value);
-  const std::string decimals = std::to_string(100 + std::labs(hundredths) % 100).substr(1);
-  return std::to_string(hundredths / 100) + "." + decimals;
-}
 
 Result<Done> checkMisfit(const CtVolume& volume, const FitResult& fit)
 {

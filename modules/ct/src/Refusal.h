@@ -3,8 +3,6 @@
 
 // Why a fit gives no measures.
 
-#include <string>
-
 #include "ImageFit.h"
 #include "perilymph/ct/CtVolume.h"
 #include "perilymph/foundation/Result.h"
@@ -17,8 +15,5 @@ namespace perilymph::ct {
 Result<Done> checkMisfit(const CtVolume& volume, const FitResult& fit);
 Result<Done> checkClimb(const CtVolume& volume, const LumenShape& family, const FitResult& fit);
 Result<Done> checkDiameters(const CtVolume& volume, const FitResult& fit, double a_mm, double b_mm);
-
-/// A length in a sentence, of at least 0 mm: "8.70".
-std::string millimetersOf(double value);
 
 }  // namespace perilymph::ct

@@ -78,7 +78,7 @@ TickOutput InsertionEngine::tick(const device::DeviceSample& sample,
   if (isStopped_) output_.status |= stopped;
   output_.status |= bitOf(end_);
   updateOutput();
-  if (raisesPeak(output_, peak_.force)) peak_ = {output_.axialForce, output_.travel};
+  peak_.follow(output_);
 
   // The force is computed after the mechanics, so that it belongs to this tick's pose.
   const Eigen::Vector3d force_D =

@@ -2,8 +2,6 @@
 #include "perilymph/imaging/MeasuredPatient.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -51,26 +49,20 @@ std::optional<Sentence> heightNote(const ct::CochleaMeasures& measures)
 {
   const auto used = usedHeight(measures.h);
   if (used == measures.h.value) return std::nullopt;
-  const auto number = [](double value) {
-    std::array<char, 32> digits;
-    return std::string(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(),
-                                                    value, std::chars_format::fixed, 2)
-                                          .ptr);
-  };
   const anatomy::Spread limits = anatomy::limitsOfH();
-  const std::string low = number(inMillimeters(limits.low)),
-                    high = number(inMillimeters(limits.high));
+  const std::string low = ct::millimetersOf(inMillimeters(limits.low)),
+                    high = ct::millimetersOf(inMillimeters(limits.high));
   if (used)
     return Sentence{
         "H is %1 mm, which its error allows to be within %2 to %3 mm, the heights of whole "
         "cochleae: "
         "%4 mm is used.",
-        number(measures.h.value), low, high, number(*used)};
+        ct::millimetersOf(measures.h.value), low, high, ct::millimetersOf(*used)};
   return Sentence{
       "H is %1 mm, outside %2 to %3 mm, the heights of whole cochleae: it is not used, and plans "
       "draw "
       "H from the population.",
-      number(measures.h.value), low, high};
+      ct::millimetersOf(measures.h.value), low, high};
 }
 
 anatomy::Patient measuredPatient(const ct::CochleaMeasures& measures)

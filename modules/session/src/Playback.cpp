@@ -68,8 +68,7 @@ Result<Done> Playback::Content::survey()
       hasBegun = true;
       beginning = ticks;
     }
-    if (haptics::raisesPeak(record.output, peak.force))
-      peak = {record.output.axialForce, record.output.travel};
+    peak.follow(record.output);
     if (ticks % step == 0) samples.push_back({ticks, record.output, peak});
     ++ticks;
     return true;

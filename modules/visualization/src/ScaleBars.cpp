@@ -55,6 +55,7 @@ void ScaleBars::setStyle(const SceneStyle& style)
 {
   palette_ = &sceneColorsOf(style.scheme);
   strings_ = style.strings;
+  textScale_ = style.textScale;
   Modified();
 }
 
@@ -67,8 +68,8 @@ std::string ScaleBars::rounded(double value) const
 
 bool ScaleBars::Paint(vtkContext2D* painter)
 {
-  const bool isSmall = GetScene()->GetSceneHeight() < lowPicture_px * pixelRatio ||
-                       GetScene()->GetSceneWidth() < narrowPicture_px * pixelRatio;
+  const bool isSmall = GetScene()->GetSceneHeight() < lowPicture_px * scale() ||
+                       GetScene()->GetSceneWidth() < narrowPicture_px * scale();
   const Corner legend = paintLegend(*painter, isSmall ? std::vector<ArrowKind>{} : arrowKinds());
   paintLength(*painter, legend);
   return true;
@@ -83,7 +84,7 @@ void ScaleBars::setText(vtkContext2D& painter, int justification)
     text.SetFontFamily(VTK_FONT_FILE);
     text.SetFontFile(file.c_str());
   }
-  text.SetFontSize(static_cast<int>(std::lround(labelSize * pixelRatio)));
+  text.SetFontSize(static_cast<int>(std::lround(labelSize * scale())));
   text.SetColor(palette_->quietText[0] / 255.0, palette_->quietText[1] / 255.0,
                 palette_->quietText[2] / 255.0);
   text.SetBold(false);
@@ -109,7 +110,7 @@ float ScaleBars::widthOf(vtkContext2D& painter, const std::string& label)
 void ScaleBars::paintLength(vtkContext2D& painter, const Corner& legend)
 {
   const float length = static_cast<float>(std::round(barLength_mm() / pixel_mm));
-  const float scale = static_cast<float>(pixelRatio);
+  const float scale = static_cast<float>(this->scale());
   const float right = std::round(static_cast<float>(GetScene()->GetSceneWidth()) -
                                  static_cast<float>(margin_px) * scale);
   const float line = std::max(1.0f, std::round(1.4f * scale));
@@ -131,7 +132,7 @@ ScaleBars::Corner ScaleBars::paintLegend(vtkContext2D& painter,
                                          const std::vector<ArrowKind>& arrows)
 {
   if (!showsForce && arrows.empty()) return {};
-  const float scale = static_cast<float>(pixelRatio);
+  const float scale = static_cast<float>(this->scale());
   const float left = static_cast<float>(margin_px) * scale;
   const float y = std::round(static_cast<float>(bottom_px) * scale);
   const float height = std::round(6.0f * scale);
@@ -182,7 +183,7 @@ std::vector<ScaleBars::ArrowKind> ScaleBars::arrowKinds() const
 void ScaleBars::paintArrows(vtkContext2D& painter, const std::vector<ArrowKind>& kinds, float left,
                             float y)
 {
-  const float scale = static_cast<float>(pixelRatio);
+  const float scale = static_cast<float>(this->scale());
   for (const ArrowKind& kind : kinds) {
     fillWith(painter, kind.color);
     painter.DrawRect(left, y - scale, 16.0f * scale, 2.0f * scale);

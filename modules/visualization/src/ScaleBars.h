@@ -50,6 +50,8 @@ private:
   Corner paintLegend(vtkContext2D& painter, const std::vector<ArrowKind>& arrows);
   void paintLength(vtkContext2D& painter, const Corner& legend);
   std::vector<ArrowKind> arrowKinds() const;
+  /// Pixels of a length that is given at pixel ratio 1 and text scale 1.
+  double scale() const { return pixelRatio * textScale_; }
   std::string rounded(double value) const;
   void paintArrows(vtkContext2D& painter, const std::vector<ArrowKind>& kinds, float left, float y);
   void paintPlate(vtkContext2D& painter, float left, float bottom, float right, float top);
@@ -58,6 +60,7 @@ private:
 
   const SceneColors* palette_ = &sceneColorsOf(figures::ColorScheme::dark);
   SceneStrings strings_;
+  double textScale_ = 1.0;
 };
 
 }  // namespace perilymph::visualization

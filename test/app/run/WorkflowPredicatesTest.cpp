@@ -8,6 +8,8 @@
 
 #include <array>
 
+#include "gui/run/Conclusion.h"
+
 namespace perilymph::test {
 namespace {
 
@@ -121,6 +123,27 @@ TEST(TheArray, IsHeldWhileTheLoopRunsWithoutAFault)
   InsertionState state = at(Workflow::idle);
   state.isRunning = false;
   EXPECT_FALSE(gui::mayHold(state));
+}
+
+TEST(TheRecordingOfAnEndedInsertion, IsClosedWheneverItBeginsToRest)
+{
+  gui::Conclusion conclusion;
+  const auto isDue = [&](Workflow workflow, bool isResting) {
+    haptics::TickOutput now;
+    now.workflow = workflow;
+    now.status = isResting ? haptics::resting : haptics::allWell;
+    return conclusion.isDue(now);
+  };
+  EXPECT_FALSE(isDue(Workflow::inserting, true));  // a pause
+  EXPECT_FALSE(isDue(Workflow::finished, false));
+  EXPECT_TRUE(isDue(Workflow::finished, true));
+  EXPECT_FALSE(isDue(Workflow::finished, true));
+  EXPECT_FALSE(isDue(Workflow::finished, false));  // a hand that holds on, moves
+  EXPECT_TRUE(isDue(Workflow::finished, true));
+  EXPECT_TRUE(conclusion.isAsked());
+  EXPECT_FALSE(isDue(Workflow::inserting, false));  // the withdrawal
+  EXPECT_FALSE(conclusion.isAsked());
+  EXPECT_TRUE(isDue(Workflow::finished, true));
 }
 
 }  // namespace

@@ -11,9 +11,11 @@
 #include <QTest>
 #include <fstream>
 
+#include "KeptPicture.h"
 #include "WindowRig.h"
 #include "gui/kiosk/KioskWindow.h"
 #include "gui/kiosk/PushPad.h"
+#include "gui/scene/ForceLabel.h"
 #include "perilymph/test/TemporaryFolder.h"
 #include "perilymph/test/TestPicture.h"
 
@@ -316,6 +318,16 @@ TEST(KioskTurn, ComparesThePeakWithWhatWasMeasuredInPatients)
   EXPECT_TRUE(gui::peakText(0.0447, inVivo).startsWith("Below"));
   EXPECT_TRUE(gui::peakText(0.0449, inVivo).startsWith("Within"));
   EXPECT_TRUE(gui::peakText(0.1025, inVivo).startsWith("Above"));
+}
+
+TEST_F(Booth, IsReadFromOneAndAHalfMeters)
+{
+  open();
+  EXPECT_GE(window_->findChild<gui::ForceLabel*>()->font().pixelSize(), 20);
+  EXPECT_EQ(window_->findChild<gui::ForceLabel*>()->height(), 36);  // one line
+  EXPECT_FALSE(window_->findChild<QLabel*>("magnificationLabel")->isVisible());
+  EXPECT_GE(window_->findChild<QLabel*>("viewLabel")->font().pixelSize(), 20);
+  keepPicture(*window_, "booth");
 }
 
 }  // namespace

@@ -8,11 +8,18 @@
 
 #include <QLabel>
 #include <algorithm>
+#include <cstdlib>
 #include <vector>
 
+#include "KeptPicture.h"
 #include "WindowRig.h"
+#include "gui/run/UserSettings.h"
 #include "gui/scene/ForceLabel.h"
+#include "gui/setup/LandmarkDrawing.h"
+#include "gui/shell/Sheets.h"
 #include "gui/widgets/ElidedLabel.h"
+#include "gui/widgets/Theme.h"
+#include "perilymph/anatomy/Population.h"
 
 namespace perilymph::test {
 namespace {
@@ -141,6 +148,60 @@ TEST(WindowLook, ACheckBoxTakesItsPartOutOfThePicture)
   EXPECT_NE(without, before);
   rig.click("show2");
   EXPECT_EQ(rig.picture(), before);
+}
+
+/// Fraction of the points that differ by a quarter of the range from black to white.
+double differing(const QImage& one, const QImage& other)
+{
+  int differs = 0;
+  for (int y = 0; y < one.height(); ++y)
+    for (int x = 0; x < one.width(); ++x)
+      differs += std::abs(qGray(one.pixel(x, y)) - qGray(other.pixel(x, y))) > 64 ? 1 : 0;
+  return double(differs) / (one.width() * one.height());
+}
+
+TEST(WindowLook, TheCardsOfTheStartPageHavePicturesOfThreeSubjects)
+{
+  WindowRig rig;
+  rig.window().showPage("start");
+  std::vector<QImage> pictures;
+  for (const char* card : {"patientCard", "meanCard", "demonstrationCard"})
+    pictures.push_back(rig.button(card).grab(QRect(10, 10, 270, 100)).toImage());
+  for (std::size_t i = 0; i < pictures.size(); ++i)
+    for (std::size_t j = i + 1; j < pictures.size(); ++j)
+      EXPECT_GT(differing(pictures[i], pictures[j]), 0.1) << i << ", " << j;
+}
+
+TEST(WindowLook, TheDiameterAOfTheFormLiesAsInTheCochlearViewOfACt)
+{
+  const WindowRig rig;  // its theme
+  for (const auto side : {anatomy::Side::left, anatomy::Side::right}) {
+    gui::LandmarkDrawing drawing(nullptr);
+    drawing.show({anatomy::spreadOfA().mean, anatomy::spreadOfB().mean, std::nullopt}, side);
+    drawing.emphasize(gui::LandmarkDrawing::Landmark::a);
+    drawing.resize(400, 250);
+    const QImage picture = drawing.grab().toImage();
+    QRect line;  // around the points of the emphasized line and its letter
+    for (int y = 0; y < picture.height(); ++y)
+      for (int x = 0; x < picture.width(); ++x)
+        if (picture.pixelColor(x, y) == gui::shownTheme().accent) line |= QRect(x, y, 1, 1);
+    EXPECT_GT(line.height(), 0.5 * picture.height());
+    EXPECT_LT(line.width(), 0.3 * line.height());
+    keepPicture(drawing, side == anatomy::Side::left ? "form-left" : "form-right");
+  }
+}
+
+TEST(WindowLook, TheTextSizeIsChosenFromAList)
+{
+  WindowRig rig;
+  rig.window().sheets().toggleSettings();
+  bool isAsked = false;
+  QObject::connect(&rig.window(), &gui::MainWindow::reopenAsked, [&] { isAsked = true; });
+  rig.choose("textSize", "130");
+  EXPECT_TRUE(isAsked);
+  EXPECT_EQ(gui::UserSettings().value("textSize").toString(), "130");
+  keepPicture(rig.window(), "settings");
+  gui::UserSettings().remove("textSize");
 }
 
 }  // namespace

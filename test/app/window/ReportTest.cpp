@@ -20,18 +20,22 @@
 #include <string>
 #include <system_error>
 
+#include "OwnFolders.h"
 #include "gui/program/Languages.h"
 #include "gui/report/InsertionReport.h"
 #include "gui/report/InsertionResults.h"
 #include "gui/report/ReportIssuer.h"
 #include "gui/report/ReportParameters.h"
 #include "gui/run/UserSettings.h"
+#include "gui/setup/PlanStore.h"
 #include "gui/shell/SettingsSheet.h"
 #include "perilymph/device/ScriptedDevice.h"
 #include "perilymph/foundation/Version.h"
+#include "perilymph/planning/PlanReport.h"
 #include "perilymph/session/Insertion.h"
 #include "perilymph/test/ChildProcess.h"
 #include "perilymph/test/ContourFromBelow.h"
+#include "perilymph/test/SyntheticPlan.h"
 #include "perilymph/test/TemporaryFolder.h"
 
 namespace perilymph::test {
@@ -190,6 +194,54 @@ TEST_F(PdfReport, StatesThePlanBesideTheResultsAndWhatIsOutsideOfIt)
   EXPECT_EQ(byName["Force after 1 s of rest"].plan, QString());  // this plan has none
   ASSERT_TRUE(gui::writeReport(*content, pdf()));
   EXPECT_THAT(text(1, 1), HasSubstr("plan: 100 (0–720)°"));
+}
+
+/// A stored plan of the synthetic patient whose insertions have a peak force of 1 to `draws` mN.
+void storePlan(const std::string& name, const std::string& madeUtc, std::size_t draws,
+               const planning::PlanRequest& request)
+{
+  planning::Plan plan = syntheticPlan(draws);
+  gui::StoredPlan stored;
+  stored.folder = gui::plansFolder() / name;
+  stored.request = plan.request = request;
+  stored.shownDraws = draws;
+  stored.madeUtc = madeUtc;
+  ASSERT_TRUE(gui::savePlan(stored));
+  const auto json = planning::planJson(plan);
+  ASSERT_TRUE(json) << json.error().message;
+  std::ofstream(stored.folder / gui::planJsonFile) << *json;
+}
+
+TEST_F(PdfReport, StatesTheNewestStoredPlanOfItsArrayInItsCochleaByDate)
+{
+  const StateFolder state;
+  const planning::PlanRequest own = syntheticPlan(1).request;
+  planning::PlanRequest otherEar = own, otherArrays = own;
+  otherEar.patient.side = anatomy::Side::left;
+  otherArrays.arrays = {"flex24", "flexsoft"};
+  storePlan("a", "2026-03-01T12:00:00Z", 16, own);
+  storePlan("b", "2026-03-05T12:00:00Z", 64, own);
+  storePlan("c", "2026-03-02T12:00:00Z", 32, own);
+  storePlan("d", "2026-03-09T12:00:00Z", 16, otherEar);
+  storePlan("e", "2026-03-09T12:00:00Z", 16, otherArrays);
+  storePlan("f", "2026-03-08T12:00:00Z", 16, own);
+  fs::remove(gui::plansFolder() / "f" / gui::planJsonFile);
+
+  const fs::path patient = state.path() / "patient.toml";
+  ASSERT_TRUE(anatomy::savePatient(own.patient, patient));
+  const auto content = gui::gatherReport(
+      recordingOf("mean-flex28", {{"patient", patient.string()}, {"stop_travel_mm", "3.0"}}), {});
+  ASSERT_TRUE(content) << content.error().message;
+  ASSERT_TRUE(content->plan);
+  EXPECT_EQ(content->plan->name, "plan of 2026-03-05");
+  EXPECT_NEAR(content->plan->peak_mN.median, 32.5, 0.51);  // of 1 to 64 mN
+  ASSERT_TRUE(gui::writeReport(*content, pdf()));
+  EXPECT_THAT(text(1, 1), HasSubstr("Results; plan of 2026-03-05: 90 % at friction 0.12"));
+
+  const auto unplanned =
+      gui::gatherReport(recordingOf("mean-flex28", {{"stop_travel_mm", "3.0"}}), {});
+  ASSERT_TRUE(unplanned) << unplanned.error().message;
+  EXPECT_FALSE(unplanned->plan);
 }
 
 TEST_F(PdfReport, HasAnAppendixThatMakesItReproducible)

@@ -6,13 +6,16 @@
 #include <gtest/gtest.h>
 
 #include <QLabel>
+#include <QTableView>
 #include <algorithm>
 
 #include "WindowRig.h"
 #include "gui/pages/compare/ComparisonPlot.h"
 #include "gui/pages/insert/InsertionController.h"
 #include "gui/pages/insert/ResultCard.h"
+#include "gui/pages/sessions/SessionTable.h"
 #include "gui/report/InsertionResults.h"
+#include "gui/shell/TopBar.h"
 #include "gui/text/Numbers.h"
 #include "perilymph/session/RecordedInsertion.h"
 
@@ -39,6 +42,13 @@ protected:
     ASSERT_TRUE(WindowRig::comes([&] { return rig_.now().output.workflow == Workflow::finished; }));
     EXPECT_TRUE(card().isHidden());
     ASSERT_TRUE(WindowRig::comes([&] { return !card().isHidden(); }));
+  }
+  QString pill() { return rig_.window().findChild<gui::DeviceLight*>()->text(); }
+  /// What the newest row of the sessions says in place of its time.
+  QString newestRow()
+  {
+    const auto* list = rig_.window().findChild<QTableView*>("sessionList");
+    return list->model()->index(0, gui::SessionTable::recorded).data().toString();
   }
   std::uint64_t ticksOfWholeRecording()
   {
@@ -74,6 +84,37 @@ TEST_F(Result, IsShownAtTheEndWithNothingToPressAndIsARecordingFromThenOn)
   ASSERT_TRUE(WindowRig::comes([&] { return !card().isHidden(); }));
   EXPECT_EQ(rig_.label("resultTitle"), "Withdrawn");
   EXPECT_GT(ticksOfWholeRecording(), inserted);
+}
+
+TEST_F(Result, OfAHandThatHoldsOnStatesTheRestOnEveryPageUntilItIsRecorded)
+{
+  rig_.click("pointerChoice");
+  rig_.click("startButton");
+  EXPECT_EQ(pill(), "running");
+  rig_.holdKey(Qt::Key_Space);
+  rig_.holdKey(Qt::Key_Down);
+  ASSERT_TRUE(WindowRig::comes([&] { return rig_.now().output.workflow == Workflow::finished; }));
+  rig_.releaseKey(Qt::Key_Down);
+  ASSERT_TRUE(WindowRig::comes([&] { return pill() == "ended, resting"; }));
+  EXPECT_TRUE(rig_.label("statusLabel").startsWith("recording the rest"));
+  ASSERT_TRUE(WindowRig::comes([&] { return !card().isHidden(); }));
+  EXPECT_EQ(pill(), "ended");
+  const std::uint64_t first = ticksOfWholeRecording();
+
+  // the hand opens, which ends the rest: what follows is recorded, until it rests once more
+  rig_.click("closeResultButton");
+  rig_.releaseKey(Qt::Key_Space);
+  ASSERT_TRUE(WindowRig::comes([&] { return pill() == "ended, resting"; }));
+  rig_.click("sessionsPageButton");
+  ASSERT_TRUE(WindowRig::comes([&] { return newestRow() == "recording the rest"; }));
+  EXPECT_FALSE(rig_.button("reportButton").isEnabled());
+  ASSERT_TRUE(WindowRig::comes([&] { return newestRow().startsWith("20"); }));
+  EXPECT_EQ(pill(), "ended");
+  EXPECT_TRUE(rig_.button("reportButton").isEnabled());
+  const auto* result = insertion().result().get();
+  ASSERT_TRUE(WindowRig::comes([&] { return insertion().result().get() != result; }));
+  EXPECT_GT(ticksOfWholeRecording(), first);
+  EXPECT_TRUE(card().isHidden());  // it was closed
 }
 
 TEST_F(Result, AgainInsertsOnceMoreWithARecordingOfItsOwnAndComparesBoth)

@@ -8,7 +8,10 @@
 #include <QLineEdit>
 #include <QProgressBar>
 #include <QTest>
+#include <algorithm>
+#include <utility>
 
+#include "KeptPicture.h"
 #include "WindowRig.h"
 #include "gui/pages/validate/ValidatePage.h"
 #include "gui/widgets/DrawingView.h"
@@ -112,6 +115,39 @@ TEST_F(ValidationPage, CanBeCanceledAndKeepsNothing)
   EXPECT_FALSE(page().result());
   EXPECT_TRUE(rig_.label("validationStatus").contains("Canceled"));
   EXPECT_TRUE(rig_.button("validateButton").isEnabled());
+}
+
+/// Height of the ink in a picture [px].
+int heightOfInk(const QImage& picture)
+{
+  const QRgb ground = picture.pixel(picture.width() / 2, 2);
+  int first = picture.height(), last = -1;
+  for (int y = 8; y < picture.height() - 8; ++y)
+    for (int x = 8; x < picture.width() - 8; ++x)
+      if (picture.pixel(x, y) != ground) {
+        first = std::min(first, y);
+        last = y;
+      }
+  return last - first + 1;
+}
+
+TEST_F(ValidationPage, HasFiguresWithTextAsLargeAsThePagesWhateverTheSizeOfTheWindow)
+{
+  figures::Drawing drawing;
+  drawing.width = 480.0;
+  drawing.height = 360.0;
+  figures::Label letters;
+  letters.at = {200.0, 180.0};
+  letters.text = "HHH";
+  drawing.marks = {letters};
+  // an upper-case letter of Inter is 0.73 of the size of the type high
+  for (const auto& [width, text_px] : {std::pair{400, 10}, {1000, 13}, {1900, 13}}) {
+    gui::DrawingView view(nullptr);
+    view.show(drawing);
+    view.resize(width, width * 3 / 4);
+    EXPECT_NEAR(heightOfInk(view.grab().toImage()), 0.73 * text_px, 1.6) << width;
+  }
+  keepPicture(rig_.window(), "validate");
 }
 
 }  // namespace

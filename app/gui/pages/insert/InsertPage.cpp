@@ -180,7 +180,7 @@ void InsertPage::connectResult()
 
 void InsertPage::showResult()
 {
-  if (!insertion_.result()) return result_->hide();
+  if (!insertion_.result()) return result_->forget();
   const InsertionControl& control = insertion_.control();
   const bool isInside = control.isAtDepth() || control.earlyEnd() != haptics::InsertionEnd::none;
   if (isInside) views_->charts()->showRecorded(insertion_.result()->insertion.profile);

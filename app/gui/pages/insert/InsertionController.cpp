@@ -205,17 +205,20 @@ void InsertionController::followEnd()
 {
   const auto workflow = control_.now().output.workflow;
   if (isResultAsked_ && !isOver(workflow)) return forgetResult();  // it is withdrawn
-  if (isResultAsked_ || !control_.isConcluded()) return;
+  // a rest that was recorded further is read again
+  const double time = control_.now().output.time;
+  if (control_.progress() != Progress::concluded || (isResultAsked_ && time == readUpTo_)) return;
   const auto file = control_.recording();
   if (!file) return;
   isResultAsked_ = true;
+  readUpTo_ = time;
   auto plan = plan_ && plan_->isFor(control_.scenario()) ? plan_ : std::nullopt;
   reading_.run(
       "The result",
       [file = *file](const std::stop_token& stop) { return gatherReport(file, stop); },
       [this, plan = std::move(plan)](Result<ReportContent> read) {
         if (!read) return showError(dataText(read.error().message));
-        read->plan = plan;
+        if (plan) read->plan = plan;  // the one that is shown during the insertion
         result_ = std::make_shared<const ReportContent>(*std::move(read));
         Q_EMIT resultChanged();
       });

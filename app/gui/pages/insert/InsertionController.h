@@ -173,6 +173,8 @@ private:
   std::optional<PlannedForce> plan_;
   Background reading_;
   bool isResultAsked_ = false;
+  double readUpTo_ =
+      0.0;  ///< Time of the insertion when it was asked, which stands still at rest [s].
   std::shared_ptr<const ReportContent> result_;
   std::optional<std::filesystem::path> before_;
   QString error_;

@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 #include <QStringList>
 
+#include "gui/setup/SetupTitle.h"
 #include "gui/setup/StopTravel.h"
 #include "gui/text/Numbers.h"
 
@@ -55,8 +56,10 @@ QString statusText(const InsertionControl& control, const QString& device)
   QStringList text;
   if (!control.recordingError().empty())
     text << tr("NOT recording");
-  else if (control.isConcluded())
+  else if (control.progress() == Progress::concluded)
     text << tr("recorded");
+  else if (control.progress() == Progress::resting)
+    text << recordingText(Progress::resting);
   else if (control.isRunning() && (now.output.status & haptics::resting) != 0)
     text << tr("recording (paused)");
   else if (control.isRunning())

@@ -41,7 +41,10 @@ ResultCard::ResultCard(QWidget* page)
   close->setFixedWidth(sized(28));
   close->setToolTip(tr("Close; the recording is kept"));
   close->setAccessibleName(tr("Close"));
-  connect(close, &QPushButton::clicked, this, &QWidget::hide);
+  connect(close, &QPushButton::clicked, this, [this] {
+    isClosed_ = true;
+    hide();
+  });
   auto* head = new QHBoxLayout;
   head->addWidget(title_, 1);
   head->addWidget(close);
@@ -91,22 +94,35 @@ void ResultCard::show(const ReportContent& content, const QString& title)
   grid->setVerticalSpacing(spacing / 2);
   int row = 0;
   if (content.plan) {
-    addRow(row, {}, {}, tr("plan, %1").arg(content.plan->hold), false);
+    addRow(row, {}, {}, tr("%1, %2").arg(content.plan->name, content.plan->hold), false);
     ++row;
   }
   for (const InsertionResult& result : insertionResults(content)) {
     if (!result.isHeadline) continue;
     const QString plan = result.isOutside ? tr("outside %1").arg(result.plan) : result.plan;
     addRow(row, result.name, result.value, plan, result.isOutside);
+    for (const int column : {0, 1})
+      grid->itemAtPosition(row, column)->widget()->setToolTip(result.detail);
     ++row;
+  }
+  if (const QString note = restNote(content.insertion.profile); !note.isEmpty()) {
+    auto* said = cell(note, "quiet", rows_);
+    said->setFont(typeface(11));
+    grid->addWidget(said, row++, 0, 1, 3);
   }
   if (content.insertion.translocation)
     grid->addWidget(cell(ruptureText(*content.insertion.translocation), "error", rows_), row, 0, 1,
                     3);
   static_cast<QVBoxLayout*>(layout())->insertWidget(2, rows_);
   rows_->show();
-  setVisible(true);
+  setVisible(!isClosed_);
   place();
+}
+
+void ResultCard::forget()
+{
+  isClosed_ = false;
+  hide();
 }
 
 void ResultCard::place()

@@ -20,8 +20,12 @@ public:
   /// Placed over `page`, whose size it follows.
   explicit ResultCard(QWidget* page);
 
+  /// Stays hidden if the user has closed it.
+  ///
   /// @param title  How the insertion ended: "Full depth".
   void show(const ReportContent& content, const QString& title);
+  /// Hides it until the next insertion has ended.
+  void forget();
 
 Q_SIGNALS:
   void reportAsked();
@@ -38,6 +42,7 @@ private:
   QLabel* title_;
   QLabel* subject_;
   QWidget* rows_ = nullptr;
+  bool isClosed_ = false;  ///< By the user.
   QPushButton* report_;
 };
 

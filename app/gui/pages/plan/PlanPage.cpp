@@ -14,6 +14,7 @@
 #include "gui/pages/plan/PlanPanel.h"
 #include "gui/pages/plan/PlanView.h"
 #include "gui/pages/plan/PlannedSetup.h"
+#include "gui/setup/PlannedForces.h"
 #include "gui/setup/PlannedFriction.h"
 #include "gui/text/DataText.h"
 #include "gui/widgets/EmptyPage.h"
@@ -166,8 +167,8 @@ void PlanPage::insertArray()
   if (!plan_ || rows.size() != 1) return;
   const auto setup = plannedSetup(*plan_, rows.front());
   if (!setup) return say(dataText(setup.error().message), true);
-  Q_EMIT insertionRequested(
-      {*setup, SetupOrigin::Kind::own, AfterLoading::rest, plannedForce(*plan_, rows.front())});
+  Q_EMIT insertionRequested({*setup, SetupOrigin::Kind::own, AfterLoading::rest,
+                             plannedForce(*plan_, rows.front(), madeUtc_)});
 }
 
 void PlanPage::askReport()
@@ -300,6 +301,7 @@ void PlanPage::showPlan(const PlanWork::SharedPlan& plan, const StoredPlan& stor
 {
   plan_ = plan;
   folder_ = stored.folder;
+  madeUtc_ = stored.madeUtc;
   head_->show(plan->request.patient);
   const auto draws = plan->arrays.empty() ? 0 : int(plan->arrays.front().draws);
   const QString run = tr("%1 draws, %2 insertions").arg(draws).arg(plan->insertions.size());

@@ -77,6 +77,7 @@ private:
   PlanReportWork reporting_;
   PlanWork::SharedPlan plan_;
   std::filesystem::path folder_;  ///< Folder of `plan_`.
+  std::string madeUtc_;           ///< When `plan_` was made.
   std::string scenario_;
   std::optional<planning::Resolution> resolution_ = planning::Resolution{};
   PlanPanel* panel_;

@@ -3,7 +3,6 @@
 
 // From a row of a plan to an insertion.
 
-#include "gui/run/PlannedForce.h"
 #include "gui/setup/Setup.h"
 #include "perilymph/planning/PlanResult.h"
 
@@ -11,8 +10,5 @@ namespace perilymph::gui {
 
 /// The plan's scenario with its patient and one of its arrays, inserted fully.
 Result<Setup> plannedSetup(const planning::Plan& plan, std::size_t array);
-
-/// The force that the plan expects of the array.
-PlannedForce plannedForce(const planning::Plan& plan, std::size_t array);
 
 }  // namespace perilymph::gui

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <map>
 
+#include "gui/setup/SetupTitle.h"
 #include "gui/text/Numbers.h"
 #include "gui/widgets/Theme.h"
 #include "perilymph/anatomy/Patient.h"
@@ -59,8 +60,16 @@ SessionTable::SessionTable(QObject* parent)
   connect(thumbnails_, &Thumbnails::painted, this, &SessionTable::showPicture);
 }
 
+/// The file of an insertion that has not begun may be removed.
+void SessionTable::dropUnbegun(std::vector<SessionSummary>& sessions) const
+{
+  if (progress_ == Progress::ready)
+    std::erase_if(sessions, [](const SessionSummary& each) { return each.isBeingRecorded; });
+}
+
 void SessionTable::setSessions(std::vector<SessionSummary> sessions)
 {
+  dropUnbegun(sessions);
   beginResetModel();
   rows_.clear();
   rows_.reserve(sessions.size());
@@ -77,6 +86,7 @@ void SessionTable::showSorting(int column, Qt::SortOrder order)
 
 void SessionTable::addSessions(std::vector<SessionSummary> sessions)
 {
+  dropUnbegun(sessions);
   std::map<std::filesystem::path, std::size_t> places;
   for (std::size_t i = 0; i < rows_.size(); ++i) places.emplace(rows_[i].session.file, i);
   std::vector<Row> added;
@@ -98,11 +108,22 @@ void SessionTable::addSessions(std::vector<SessionSummary> sessions)
   endInsertRows();
 }
 
+void SessionTable::setProgress(Progress progress)
+{
+  if (progress == progress_) return;
+  progress_ = progress;
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    if (!rows_[i].session.isBeingRecorded) continue;
+    rows_[i] = rowOf(std::move(rows_[i].session));
+    Q_EMIT dataChanged(index(int(i), 0), index(int(i), columns - 1));
+  }
+}
+
 SessionTable::Row SessionTable::rowOf(SessionSummary session) const
 {
   Row row;
   row.session = std::move(session);
-  row.recorded = row.session.isBeingRecorded ? tr("recording now") : recordedText(row.session);
+  row.recorded = row.session.isBeingRecorded ? recordingText(progress_) : recordedText(row.session);
   QStringList label;
   for (int column = recorded; column <= name; ++column) label << text(row, column);
   label << QString::fromStdString(row.session.file.stem().string())
@@ -172,7 +193,8 @@ QStringList SessionTable::widestTexts(int column) const
   const QString heading = tr("%1 %2").arg(title(column), QStringLiteral("↓"));
   switch (column) {
     case recorded:
-      return {heading, QStringLiteral("2026-08-28 20:48"), tr("recording now")};
+      return {heading, QStringLiteral("2026-08-28 20:48"), recordingText(Progress::underway),
+              recordingText(Progress::resting)};
     case ear:
       return {heading, tr("left"), tr("right")};
     case technique:

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "gui/pages/sessions/Thumbnails.h"
+#include "gui/run/InsertionControl.h"
 #include "perilymph/session/SessionLibrary.h"
 
 namespace perilymph::gui {
@@ -37,6 +38,8 @@ public:
   void setSessions(std::vector<session::SessionSummary> sessions);
   /// Adds recordings and updates existing ones.
   void addSessions(std::vector<session::SessionSummary> sessions);
+  /// What the insertion does whose recording is being written.
+  void setProgress(Progress progress);
   const session::SessionSummary& session(int row) const { return rows_[std::size_t(row)].session; }
 
   /// Title and texts that a column has room for; the name has what is left, patient and array are
@@ -64,6 +67,7 @@ private:
     QString searched;  ///< Searchable text.
   };
 
+  void dropUnbegun(std::vector<session::SessionSummary>& sessions) const;
   Row rowOf(session::SessionSummary session) const;
   QString text(const Row& row, int column) const;
   QVariant sortValue(const Row& row, int column) const;
@@ -72,6 +76,7 @@ private:
   QString title(int column) const;
 
   std::vector<Row> rows_;
+  Progress progress_ = Progress::underway;
   int sortedBy_ = recorded;
   Qt::SortOrder order_ = Qt::DescendingOrder;
   Thumbnails* thumbnails_;

@@ -194,15 +194,24 @@ QPushButton* SessionsPage::addVerb(const QString& caption, const char* name, con
 
 void SessionsPage::onShown()
 {
-  isRunning_ = control_.isRunning();
-  beingRecorded_ = control_.isConcluded() ? std::nullopt : control_.recording();
   reread();
   setFocus();
 }
 
 void SessionsPage::reread()
 {
-  work_.list(sessionFolder(), beingRecorded_.value_or(std::filesystem::path()));
+  table_->setProgress(insertion_ = control_.progress());
+  work_.list(sessionFolder(), control_.openRecording().value_or(std::filesystem::path()));
+}
+
+void SessionsPage::follow()
+{
+  const Progress now = control_.progress();
+  if (!isVisible() || now == insertion_) return;
+  if (now == Progress::concluded || insertion_ == Progress::concluded || now == Progress::ready)
+    return reread();
+  table_->setProgress(insertion_ = now);
+  showChoice();
 }
 
 bool SessionsPage::cancel()
@@ -216,8 +225,6 @@ void SessionsPage::say(const QString& sentence, bool isError) { status_->say(sen
 
 void SessionsPage::showFresh(std::vector<session::SessionSummary> sessions)
 {
-  if (!isRunning_) std::erase_if(sessions, [](const auto& one) { return one.isBeingRecorded; });
-  if (sessions.empty()) return;
   table_->addSessions(std::move(sessions));
   showChoice();
 }
@@ -225,7 +232,6 @@ void SessionsPage::showFresh(std::vector<session::SessionSummary> sessions)
 void SessionsPage::showList(std::vector<session::SessionSummary> sessions, int all)
 {
   const int read = int(sessions.size());
-  if (!isRunning_) std::erase_if(sessions, [](const auto& one) { return one.isBeingRecorded; });
   // the selection is kept
   std::set<std::filesystem::path> before;
   for (const session::SessionSummary& each : chosen()) before.insert(each.file);
@@ -297,7 +303,9 @@ void SessionsPage::showChoice()
   if (isOne && !rows[0].error.empty())
     say(QString::fromStdString(rows[0].error), true);
   else if (isOne && rows[0].isBeingRecorded)
-    say(tr("This insertion is being recorded. Reset ends the recording."));
+    say(insertion_ == Progress::resting
+            ? tr("This insertion has ended; its rest is recorded until nothing moves.")
+            : tr("This insertion is being recorded. Reset ends the recording."));
   else if (!trashed_.empty())
     say(tr("%n moved to the trash.", nullptr, int(trashed_.size())));
   else

@@ -38,6 +38,8 @@ public:
 
   /// Reads the folder again.
   void onShown() override;
+  /// Shows what the insertion does. To be called whenever it may do something else.
+  void follow();
   void onChosenAgain() override { onShown(); }
   Focus focus() const override { return Focus::pageUntilEscape; }
   bool isBusy() const override { return work_.isBusy(); }
@@ -83,8 +85,7 @@ private:
   SessionTasks* tasks_;
   SessionTable* table_;
   QSortFilterProxyModel* sorted_;
-  std::optional<std::filesystem::path> beingRecorded_;  ///< By this window, when it was shown.
-  bool isRunning_ = false;  ///< Its insertion had begun; otherwise the file may be removed.
+  Progress insertion_ = Progress::ready;  ///< What it does, as shown.
   /// Paths in the trash and previous paths of the last deleted recordings.
   std::vector<std::pair<std::filesystem::path, std::filesystem::path>> trashed_;
 

@@ -41,8 +41,6 @@ constexpr int aroundCards_px = 270;  // title, recent work, foot and margins
 // Indices of the stages.
 constexpr int cardsStage = 0, formStage = 1, pickerStage = 2;
 
-constexpr double pictureZoom = 1.9;  // the cochlea fills the central half of its picture
-
 /// A picture with a dark ground for the light scheme: the same hues with the opposite lightness, and
 /// its ground, the color of its corner, as that of the card.
 QImage onLight(const QImage& dark)
@@ -63,7 +61,7 @@ QImage onLight(const QImage& dark)
 }  // namespace
 
 StartCard::StartCard(const char* name, const QString& title, const QString& sentence,
-                     const std::string& picture, QWidget* parent)
+                     const std::string& picture, Ground ground, QWidget* parent)
     : QPushButton(parent), pictureHeight_px_(pictureHeight_px), title_(title), sentence_(sentence)
 {
   setObjectName(QLatin1String(name));
@@ -71,16 +69,13 @@ StartCard::StartCard(const char* name, const QString& title, const QString& sent
   setAccessibleDescription(sentence);
   setCursor(Qt::PointingHandCursor);
   setFixedSize(cardSize);
-  const QImage whole(QString::fromStdString(resource(picture).string()));
+  const QImage whole(QString::fromStdString(resource("resources/start/" + picture).string()));
   if (whole.isNull()) return;
   const double ratio = devicePixelRatioF();
-  const int width = int(whole.width() / pictureZoom);
-  const int height = width * pictureHeight_px / cardSize.width();
-  const QRect middle((whole.width() - width) / 2, (whole.height() - height) / 2, width, height);
-  const QImage fitted = whole.copy(middle).scaled(QSize(cardSize.width(), pictureHeight_px) * ratio,
-                                                  Qt::KeepAspectRatio, Qt::SmoothTransformation);
-  const bool isLight = shownColorScheme() == ColorScheme::light;
-  picture_ = QPixmap::fromImage(isLight ? onLight(fitted) : fitted);
+  const QImage fitted = whole.scaled(QSize(cardSize.width(), pictureHeight_px) * ratio,
+                                     Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation);
+  const bool isInverted = ground == Ground::ofTheme && shownColorScheme() == ColorScheme::light;
+  picture_ = QPixmap::fromImage(isInverted ? onLight(fitted) : fitted);
   picture_.setDevicePixelRatio(ratio);
 }
 
@@ -197,7 +192,7 @@ void StartPage::addKey(QWidget& page, Qt::Key key, StartCard& card)
 void StartPage::showPatients()
 {
   Q_EMIT pageRequested(id());
-  picker_->refresh(control_.recording().value_or(std::filesystem::path()));
+  picker_->refresh(control_.openRecording().value_or(std::filesystem::path()));
   stages_->setCurrentIndex(pickerStage);
   picker_->setFocus();
 }
@@ -268,16 +263,16 @@ QWidget* StartPage::cards()
       new StartCard("patientCard", tr("New patient"),
                     tr("Build the patient’s scala tympani from A, B and H in CT. Each value is "
                        "compared with the population."),
-                    "resources/pictures/anatomies/patient-small.png", page);
+                    "patient.png", StartCard::Ground::own, page);
   mean_ = new StartCard("meanCard", tr("Average cochlea"),
                         tr("Average of 15 human cochleae. Insert automatically or with mouse and "
                            "keyboard and follow the insertion force."),
-                        "resources/pictures/anatomies/mean.png", page);
+                        "mean.png", StartCard::Ground::ofTheme, page);
   demonstration_ =
       new StartCard("demonstrationCard", tr("Watch a demo insertion"),
                     tr("A Contour array is inserted automatically into the published cochlea; the "
                        "published measurements are shown for comparison."),
-                    "resources/pictures/anatomies/published.png", page);
+                    "demonstration.png", StartCard::Ground::ofTheme, page);
   auto* row = new QHBoxLayout;
   row->setSpacing(3 * spacing);
   row->addStretch();
@@ -327,7 +322,7 @@ void StartPage::resizeEvent(QResizeEvent* event)
 
 void StartPage::showCards()
 {
-  recent_->refresh(currentWork(control_, setup_), control_.recording());
+  recent_->refresh(currentWork(control_, setup_), control_.openRecording());
   stages_->setCurrentIndex(cardsStage);
   error_->hide();
   patient_->setFocus();

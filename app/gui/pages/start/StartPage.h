@@ -28,9 +28,12 @@ class SetupHistory;
 class StartCard : public QPushButton {
   Q_OBJECT
 public:
-  /// @param picture  A shipped picture, cropped to the card's width about its center.
+  /// A rendering has the ground of the theme, a CT is gray in both.
+  enum class Ground { ofTheme, own };
+
+  /// @param picture  A file in resources/start, which resources/pictures/make-start makes.
   StartCard(const char* name, const QString& title, const QString& sentence,
-            const std::string& picture, QWidget* parent);
+            const std::string& picture, Ground ground, QWidget* parent);
   QSize sizeHint() const override;
   /// Height that its text needs at a width [px].
   int textHeight(int width_px) const;

@@ -3,16 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <optional>
 #include <stdexcept>
 #include <stop_token>
-#include <vector>
 
 #include "ProfilePoints.h"
 #include "perilymph/analysis/ContactPositions.h"
 #include "perilymph/analysis/ExperimentDevice.h"
 #include "perilymph/analysis/ForceProfile.h"
+#include "perilymph/analysis/RunningMean.h"
 #include "perilymph/session/Highlights.h"
 #include "perilymph/session/Insertion.h"
 
@@ -56,32 +55,13 @@ TremblingPush pushOf(const HandDistribution& hand, const Surgeon& surgeon)
 /// The longer rest after which the force is read.
 constexpr Duration longRest = seconds(10);
 
-/// Mean of the last values.
-class LastMean {
-public:
-  explicit LastMean(std::size_t count) : values_(std::max<std::size_t>(count, 1)) {}
-  void add(double value) { values_[added_++ % values_.size()] = value; }
-  /// 0 without a value.
-  Force mean() const
-  {
-    const std::size_t count = std::min(added_, values_.size());
-    const auto end = values_.begin() + static_cast<std::ptrdiff_t>(count);
-    return newtons(std::accumulate(values_.begin(), end, 0.0) /
-                   static_cast<double>(std::max<std::size_t>(count, 1)));
-  }
-
-private:
-  std::vector<double> values_;
-  std::size_t added_ = 0;
-};
-
 /// Recognizes the end of the push.
 class Watch {
 public:
   Watch(const session::InsertionParameters& nominal, const HandDistribution& hand,
         const Surgeon& surgeon, const Eigen::Vector3d& out_W)
       : out_W_(out_W),
-        fullDepth_((nominal.startInside + nominal.stopTravel).si()),
+        intendedDepth_(intendedDepth(nominal, surgeon).si()),
         startDepth_(nominal.startInside.si()),
         stop_(surgeon.stop.si()),
         lag_(hand.bucklingLag.si())
@@ -95,7 +75,7 @@ public:
     if (!start_W_) start_W_ = base_W;
     const double pushed = (*start_W_ - base_W).dot(out_W_);
     hasEntered_ = hasEntered_ || now.depth > startDepth_ + entered.si();
-    if (now.depth >= fullDepth_) return InsertionEnd::finished;
+    if (now.depth >= intendedDepth_) return InsertionEnd::finished;
     if (hasEntered_ && now.depth <= 0.0) return InsertionEnd::outOfOpening;
     if (pushed - (now.depth - startDepth_) > lag_) return InsertionEnd::buckled;
     // the force of a tick that is not balanced is none of the array
@@ -106,7 +86,7 @@ public:
 
 private:
   Eigen::Vector3d out_W_;
-  double fullDepth_, startDepth_;           // [m]
+  double intendedDepth_, startDepth_;       // [m]
   double stop_;                             // [N]
   double lag_;                              // [m]
   std::optional<Eigen::Vector3d> start_W_;  // of the tweezers
@@ -114,6 +94,15 @@ private:
 };
 
 }  // namespace
+
+Length intendedDepth(const session::InsertionParameters& nominal, const Surgeon& surgeon)
+{
+  const Length greatest = nominal.startInside + nominal.stopTravel;
+  const auto& contacts = nominal.array.contactsFromTip;
+  if (contacts.empty()) return greatest;
+  const Length allInside = std::min(greatest, contacts.back() + 0.5 * nominal.array.contactLength);
+  return allInside + surgeon.intended * (greatest - allInside);
+}
 
 ClinicalInsertion insertByHand(const session::InsertionParameters& nominal,
                                std::shared_ptr<const anatomy::ScalaTympani> anatomy,
@@ -144,10 +133,11 @@ ClinicalInsertion insertByHand(const session::InsertionParameters& nominal,
   const auto ticksIn = [step](Duration time) {
     return static_cast<std::size_t>(std::lround(time.si() / step));
   };
-  LastMean force(ticksIn(hand.restMean));
+  RunningMean force(hand.restMean);
   const auto push = [&](const haptics::TickRecord& record) {
     note(record.output);
-    if (record.output.workflow >= haptics::Workflow::inserting) force.add(record.output.axialForce);
+    if (record.output.workflow >= haptics::Workflow::inserting)
+      force.add(record.output.time, record.output.axialForce);
     points.add(result.profile, record.output.depth, record.output.axialForce);
     if (record.output.workflow == haptics::Workflow::inserting) end = watch.take(record.output);
     if (record.output.workflow == haptics::Workflow::finished) end = endOf(record.output);
@@ -158,16 +148,16 @@ ClinicalInsertion insertByHand(const session::InsertionParameters& nominal,
   auto ran = (*insertion)->runToEnd(push, static_cast<std::uint64_t>(ticks));
   if (stop.stop_requested()) return result;
 
-  result.endForce = force.mean();
+  result.endForce = newtons(force.mean());
   if (ran) {
     forceps->rest();
     std::size_t tick = 0;
     const auto rest = [&](const haptics::TickRecord& record) {
       note(record.output);
-      force.add(record.output.axialForce);
+      force.add(record.output.time, record.output.axialForce);
       ++tick;
-      if (tick == ticksIn(shortRest())) result.forceAfter1s = force.mean();
-      if (tick == ticksIn(longRest)) result.forceAfter10s = force.mean();
+      if (tick == ticksIn(shortRest())) result.forceAfter1s = newtons(force.mean());
+      if (tick == ticksIn(longRest)) result.forceAfter10s = newtons(force.mean());
       return !stop.stop_requested();
     };
     ran = (*insertion)->runToEnd(rest, ticksIn(hand.rest));

@@ -4,10 +4,10 @@
 // Force over travel, and the key figures of an insertion.
 
 #include <cstdint>
-#include <deque>
 #include <optional>
 #include <vector>
 
+#include "perilymph/analysis/RunningMean.h"
 #include "perilymph/foundation/Units.h"
 #include "perilymph/haptics/Snapshot.h"
 
@@ -79,13 +79,9 @@ private:
   void followRest(const haptics::TickOutput& now);
 
   ForceProfile profile_;
-  struct TimedForce {
-    double time, force;
-  };
-  std::deque<TimedForce> last_;  ///< The forces within averaged().
-  double sum_ = 0.0;             ///< The sum of these forces [N].
-  std::optional<double> ended_;  ///< Time at which the insertion ended [s].
-  bool isWithdrawn_ = false;     ///< After it.
+  RunningMean last_{averaged()};  ///< The force at rest [N].
+  std::optional<double> ended_;   ///< Time at which the insertion ended [s].
+  bool isWithdrawn_ = false;      ///< After it.
   std::optional<haptics::TickOutput> before_;
   long nextPoint_ = 0;  ///< Multiple of profileStep() of the next point.
 };

@@ -59,6 +59,9 @@ struct Measure {
   std::array<double, 2> interval95() const;  ///< value -+ 1.96 sd.
 };
 
+/// A length in a sentence, to 0.01 mm: "8.70".
+std::string millimetersOf(double value_mm);
+
 /// Result of a measurement. Lengths in mm, positions and directions in P (LPS).
 struct CochleaMeasures {
   /// Diameters of the bony lumen's outer wall (half maximum) through the axis: A from 0 to 180

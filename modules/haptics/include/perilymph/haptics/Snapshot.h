@@ -123,6 +123,12 @@ constexpr bool raisesPeak(const TickOutput& now, double peakForce) noexcept
 struct PeakForce {
   double force = 0.0;   ///< [N]
   double travel = 0.0;  ///< [m]
+
+  /// Takes the next tick, in order.
+  constexpr void follow(const TickOutput& now) noexcept
+  {
+    if (raisesPeak(now, force)) *this = {now.axialForce, now.travel};
+  }
 };
 
 /// Input and output of one tick: one row of a recording.

@@ -20,6 +20,7 @@ struct SceneStrings {
 struct SceneStyle {
   figures::ColorScheme scheme = figures::ColorScheme::dark;
   SceneStrings strings;
+  double textScale = 1.0;  ///< Size of the scales and their texts, 12 pixels at 1.
 };
 
 }  // namespace perilymph::visualization

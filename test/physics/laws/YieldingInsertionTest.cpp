@@ -44,7 +44,7 @@ electrode::Stylet& makeWire(electrode::Stylet& stylet, double diameter_mm)
 struct Curve {
   std::array<double, 4> force{};  ///< At the published places [N].
   double peak = 0.0;              ///< [N]
-  double least = 0.0;             ///< Least work that the hand had done at any time [J].
+  double minimumWork = 0.0;       ///< That the hand had done at any time [J].
   double work = 0.0;              ///< That it has done at the end [J].
   double plastic = 0.0;           ///< [J]
   double last = 0.0;              ///< Force at the end [N].
@@ -68,7 +68,7 @@ Curve run(const InsertionParameters& parameters)
       if (away < nearest[i]) nearest[i] = away, curve.force[i] = now.axialForce;
     }
     curve.work += 0.5 * (before + now.axialForce) * (now.travel - place);
-    curve.least = std::min(curve.least, curve.work);
+    curve.minimumWork = std::min(curve.minimumWork, curve.work);
     curve.peak = std::max(curve.peak, now.axialForce);
     before = now.axialForce, place = now.travel;
     if (!std::isnan(now.plasticWork)) {
@@ -118,7 +118,7 @@ TEST(YieldingStylet, InAdvanceOffStyletAndOutAgainGivesTheHandNoEnergy)
   const auto elastic = [](electrode::Stylet& s) { makeWire(s, 0.13); };
   const Curve curve = run(experiment(0.645, yielding, aos));
   const Curve other = run(experiment(0.645, elastic, aos));
-  EXPECT_GE(curve.least, -1e-6);
+  EXPECT_GE(curve.minimumWork, -1e-6);
   EXPECT_GT(curve.work, curve.plastic);
   EXPECT_LE(curve.unbalanced, other.unbalanced);
   EXPECT_LE(curve.peak, 1.02 * other.peak);

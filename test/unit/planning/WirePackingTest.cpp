@@ -40,6 +40,15 @@ TEST(WirePacking, IsWhatTheFilesState)
   }
 }
 
+TEST(WirePacking, IsNotDrawnForWiresThatYield)
+{
+  // what yielding takes is in the lower values of c already
+  electrode::ArrayDesign slimJ = shipped("hifocus-slimj");
+  ASSERT_TRUE(slimJ.wires);
+  slimJ.wires->yieldStress.value = slimJ.wires->yieldStress.minimum;
+  EXPECT_FALSE(packingOf(slimJ));
+}
+
 TEST(WirePacking, ChangesTheWiresTermAlone)
 {
   // SlimJ at the base: 16 wires of 25 um, 168 GPa: E_w I_w = 3.2213e-9 N m^2; silicone of 2 MPa and 0.7 mm:

@@ -52,6 +52,8 @@ private:
   std::vector<ArrowKind> arrowKinds() const;
   /// Pixels of a length that is given at pixel ratio 1 and text scale 1.
   double scale() const { return pixelRatio * textScale_; }
+  /// Height of the line of a scale above the lower edge of the picture [pixels].
+  float bottom() const;
   std::string rounded(double value) const;
   void paintArrows(vtkContext2D& painter, const std::vector<ArrowKind>& kinds, float left, float y);
   void paintPlate(vtkContext2D& painter, float left, float bottom, float right, float top);

@@ -25,7 +25,6 @@ constexpr double longestBar_px = 110.0;
 constexpr double margin_px = 24.0;
 constexpr double swatch_px = 23.0;     // of an arrow's line and the gap behind it
 constexpr double row_px = 17.0;        // line spacing of text
-constexpr double belowLine_px = 18.0;  // from the line of a scale to the lower edge of its plate
 constexpr double plateRim_px = 8.0;    // around the content of a plate
 constexpr double plateOpacity = 0.92;  // as behind the window's text on the picture
 // A lower or narrower picture has space for the scale of wall force only.
@@ -76,11 +75,7 @@ bool ScaleBars::Paint(vtkContext2D* painter)
   return true;
 }
 
-float ScaleBars::bottom() const
-{
-  const double below = belowLine_px * (scale() - pixelRatio);
-  return static_cast<float>(std::round(bottom_px * pixelRatio + below));
-}
+float ScaleBars::bottom() const { return static_cast<float>(std::round(bottom_px * scale())); }
 
 void ScaleBars::setText(vtkContext2D& painter, int justification)
 {

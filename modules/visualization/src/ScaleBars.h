@@ -22,7 +22,7 @@ public:
       bool showsForce = true;
   bool showsArrows = true;
   double pixelRatio = 1.0;
-  int bottom_px = 34;       ///< Distance from the lower edge, at pixel ratio 1.
+  int bottom_px = 34;       ///< Distance from the lower edge, at pixel ratio and text scale 1.
   double pixel_mm = 0.025;  ///< Size of a pixel of the picture.
 
   /// Colors and texts; those of a default SceneStyle until it is called.

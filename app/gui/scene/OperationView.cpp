@@ -47,7 +47,7 @@ int footMargin(const QSize& view, int hintLift)
 {
   const bool isLow = view.height() < sized(lowView_px);
   // gaps and the line of phases do not shrink with the text
-  const int more = isLow ? 0 : std::max(0, 54 - sized(60));
+  const int more = isLow ? 0 : std::max(0, 60 - sized(60));
   return (isLow ? lowFootHeight_px : footHeight_px) + qRound((hintLift + more) / textScale());
 }
 

@@ -8,6 +8,8 @@
 root="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd -P)"
 readonly root
 readonly script="${0##*/}"
+# With it ccache reads a precompiled header of 200 MB once, and not for every file that is compiled with it.
+export CCACHE_INODECACHE=1
 
 # Prints an error message with the remedy and ends the script.
 fail()

@@ -79,8 +79,12 @@ void printArray(const planning::ArrayPlan& array)
   };
   print("{}, {} {}\n", array.name, array.draws, array.draws == 1 ? "simulation" : "simulations");
   print("  angular insertion depth  {} deg\n", bandText(array.angle_deg, 0));
+  if (array.atMedianFriction)
+    print("    at the median friction {} deg\n", bandText(array.atMedianFriction->angle_deg, 0));
   print("  cochlear coverage        {} %\n", bandText(array.coverage_percent, 0));
   print("  peak insertion force     {} mN\n", bandText(array.peak_mN, 1));
+  if (array.atMedianFriction)
+    print("    at the median friction {} mN\n", bandText(array.atMedianFriction->peak_mN, 1));
   print("  end force                {} mN\n", bandText(array.end_mN, 1));
   print("  after 1 s of rest        {} mN\n", bandText(array.after1s_mN, 1));
   print("  after 10 s of rest       {} mN\n", bandText(array.after10s_mN, 1));
@@ -124,6 +128,7 @@ Result<Done> plan(const PlanOptions& options, const CallFiles& files)
   content.texts = {{"plan.json", *json},
                    {"arrays.csv", planning::arraysCsv(*plan)},
                    {"contacts.csv", planning::contactsCsv(*plan)},
+                   {"differences.csv", planning::differencesCsv(*plan)},
                    {"shapes.csv", *shapes}};
   for (const auto& [name, figure] : planning::planFigures(*plan))
     content.figures.emplace_back(name, figures::draw(figure));
@@ -135,6 +140,12 @@ Result<Done> plan(const PlanOptions& options, const CallFiles& files)
       "For research and training; not a medical device.\n",
       planning::bandsHold(*plan), analysis::fewestForPercent);
   for (const planning::ArrayPlan& array : plan->arrays) printArray(array);
+  if (!plan->differences.empty())
+    print("Differences in the same ear, with the same hand and friction:\n");
+  for (const planning::ArrayDifference& each : plan->differences)
+    print("  {} - {}: angle {} deg, peak {} mN; deeper in {}\n", plan->arrays[each.first].name,
+          plan->arrays[each.second].name, bandText(each.angle_deg, 0), bandText(each.peak_mN, 1),
+          analysis::shareText(each.deeper, each.draws));
   return Done{};
 }
 

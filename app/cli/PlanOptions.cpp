@@ -11,7 +11,8 @@ namespace perilymph::cli {
 
 std::vector<std::string> planFiles()
 {
-  std::vector<std::string> names = {"plan.json", "arrays.csv", "contacts.csv", "shapes.csv"};
+  std::vector<std::string> names = {"plan.json", "arrays.csv", "contacts.csv", "differences.csv",
+                                    "shapes.csv"};
   const auto add = [&names](const std::string& figure) {
     for (const std::string& name : figureNames(figure)) names.push_back(name);
   };
@@ -49,7 +50,7 @@ void addPlan(CLI::App& app, FileOptions& files, PlanOptions& options)
   command
       .add_option("--samples", options.samples,
                   "Simulations of each array at most, 16 to 4096: draws of measures, hand, "
-                  "approach and stiffness; fewer if the bands stand after 16, 32, 64, ...")
+                  "approach and stiffness; fewer if the bands stand after 64, 128, ...")
       ->capture_default_str();
   command.add_flag("--all-samples", options.runsAll, "Run all simulations");
   command.add_option("--seed", options.seed, "Random seed of the draws")

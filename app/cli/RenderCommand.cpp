@@ -100,8 +100,10 @@ Result<Done> drawInsertion(const RenderOptions& options, const CallFiles& files,
       std::make_unique<device::ScriptedDevice>(scenario->speed().si(), scenario->timeStep().si());
   auto insertion = session::Insertion::prepare(*scenario, std::move(hand), std::nullopt);
   if (!insertion) return insertion.error();
+  // an array that yielded leaves the cochlea bent
+  const bool toItsEnd = scenario->withdraws() && !options.at_mm;
   const auto ran = (*insertion)->runToEnd([&](const haptics::TickRecord& record) {
-    return record.output.travel < wanted.si();
+    return toItsEnd || record.output.travel < wanted.si();
   });
   if (!ran) return ran.error();
   (*insertion)->refresh();

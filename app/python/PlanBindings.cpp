@@ -70,6 +70,41 @@ py::dict probabilities(const ArrayPlan& plan)
   return found;
 }
 
+py::dict atMedianFriction(const ArrayPlan& plan)
+{
+  py::dict found;
+  if (plan.atMedianFriction)
+    for (const planning::FrictionQuantity& each : planning::frictionQuantities)
+      found[each.key] = bandOf(*plan.atMedianFriction.*each.band);
+  return found;
+}
+
+py::dict differences(const StoredPlan& stored)
+{
+  using Row = planning::ArrayDifference;
+  const std::vector<Row>& rows = stored.plan.differences;
+  const auto names = [&](std::size_t Row::*array) {
+    std::vector<std::string> found;
+    for (const Row& row : rows) found.push_back(stored.plan.arrays[row.*array].array);
+    return found;
+  };
+  py::dict found;
+  found["first"] = arrayOf(names(&Row::first));
+  found["second"] = arrayOf(names(&Row::second));
+  found["draws"] = columnOf(rows, [](const Row& row) { return static_cast<double>(row.draws); });
+  for (const planning::DifferenceQuantity& each : planning::differenceQuantities)
+    found[each.key] = bandsOf(rows, each.band);
+  for (const planning::DifferenceProbability& each : planning::differenceProbabilities) {
+    std::vector<double> values;
+    for (const Row& row : rows) {
+      const analysis::Estimate& estimate = row.*each.estimate;
+      values.insert(values.end(), {estimate.value, estimate.low, estimate.high});
+    }
+    found[each.key] = arrayOf(std::move(values), {static_cast<py::ssize_t>(rows.size()), 3});
+  }
+  return found;
+}
+
 py::dict force(const ArrayPlan& plan)
 {
   using Row = planning::ForceBand;
@@ -139,6 +174,8 @@ py::dict insertions(const StoredPlan& stored)
   add("friction", [](const Row& row) { return row.friction; });
   add("speed_mm_s", [](const Row& row) { return row.speed_mm_s; });
   add("stop_mN", [](const Row& row) { return row.stop_mN; });
+  add("intended_mm", [](const Row& row) { return row.intended_mm; });
+  add("free_mm", [](const Row& row) { return row.free_mm; });
   found["end"] = arrayOf(ends);
   add("depth_mm", [](const Row& row) { return inMillimeters(row.insertion.depth); });
   add("angle_deg", [](const Row& row) { return inDegrees(row.insertion.apical); });
@@ -251,6 +288,10 @@ void definePlan(py::module_& module)
       .def("probabilities", &probabilities,
            "Probabilities by name, each (value, low, high) with its 95 % interval: "
            "'full_insertion', 'stopped_by_resistance', 'buckled', ...")
+      .def("at_median_friction", &atMedianFriction,
+           "Bands 'angle_deg', 'depth_mm', 'peak_mN' and 'end_mN', each of shape (5,), at the "
+           "median of the drawn friction: from the same insertions, less the slope of the value "
+           "on the logarithm of the friction. Empty where the friction states no spread.")
       .def("force", &force, "Force over depth: 'depth_mm' (n,), 'draws' (n,), 'force_mN' (n, 5).")
       .def("contacts", &contacts,
            "The contacts from the tip: 'number' (n,), 'draws' (n,), 'angle_deg' (n, 5), "
@@ -275,7 +316,9 @@ void definePlan(py::module_& module)
       .def_property_readonly(
           "bands_hold", [](const StoredPlan& one) { return textOf(planning::bandsHold(one.plan)); },
           "What its bands hold from 5 to 95 %: '90 % over friction 0.08 to 0.33'; of a friction "
-          "without a stated spread, '90 % at friction 0.12'.")
+          "without a stated spread, '90 % at friction 0.12'; of fewer than 64 simulations, '16 "
+          "simulations at friction "
+          "0.12'.")
       .def_property_readonly(
           "seed", [](const StoredPlan& one) { return one.plan.request.seed; }, "Of the draws.")
       .def_property_readonly(
@@ -307,8 +350,14 @@ void definePlan(py::module_& module)
             return rows;
           },
           "(table, source, confidence) of what was drawn.")
+      .def("differences", &differences,
+           "Every two arrays in the same ears, with the same hands and frictions, first minus "
+           "second: columns 'first', 'second', 'draws', 'angle_deg', 'depth_mm', 'peak_mN' (n, 5) "
+           "and 'first_is_deeper', 'first_has_higher_peak' (n, 3), probabilities with their 95 % "
+           "intervals.")
       .def("insertions", &insertions,
            "Every insertion of a plan that plan() made, as columns: 'draw', 'array', 'A_mm', ..., "
+           "'intended_mm' (depth at which the surgeon means to stop), "
            "'angle_deg', 'peak_mN', 'partition_mN', 'end_mN', 'force_after_1s_mN', "
            "'force_after_10s_mN' (NaN if not computed). Empty for one that was read.")
       .def("__repr__", [](const StoredPlan& one) {

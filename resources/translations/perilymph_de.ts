@@ -1264,18 +1264,6 @@
         <translation>%1 hat %2 Insertionen; höchstens %3 können gezeigt werden. Öffnen Sie einen der Teile, oder fragen Sie die Datei mit SQL ab.</translation>
     </message>
     <message>
-        <source>%1 % at friction %2</source>
-        <translation>%1 % bei Reibung %2</translation>
-    </message>
-    <message>
-        <source>%1 % at friction %2 to %3</source>
-        <translation>%1 % bei Reibung %2 bis %3</translation>
-    </message>
-    <message>
-        <source>%1 % at one friction</source>
-        <translation>%1 % bei einer Reibung</translation>
-    </message>
-    <message>
         <source>A plan of %1 simulations is too long. Choose %2 to %3.</source>
         <translation>Ein Plan aus %1 Simulationen ist zu lang. Wählen Sie %2 bis %3.</translation>
     </message>
@@ -3480,10 +3468,6 @@
         <translation>Eine Reibung im lebenden Ohr ist nicht bekannt. Voreingestellt ist eine Schätzung aus Schweinegewebe, Median %1; 95 % dessen, was für die Simulationen gezogen wird, liegen von %2 bis %3. Eine zweite Auswertung derselben Kurven ergibt %4. Namentlich gewählte Reibungen werden um ihre eigenen Werte gezogen.</translation>
     </message>
     <message>
-        <source>%1 % over friction %2 to %3</source>
-        <translation>%1 % über Reibung %2 bis %3</translation>
-    </message>
-    <message>
         <source>Estimate from pig tissue</source>
         <translation>Schätzung aus Schweinegewebe</translation>
     </message>
@@ -3506,6 +3490,66 @@
     <message>
         <source>H is %1 mm, outside %2 to %3 mm, the heights of whole cochleae: it is not used, and plans draw H from the population.</source>
         <translation>H ist %1 mm, außerhalb von %2 bis %3 mm, den Höhen ganzer Cochleae: Es wird nicht verwendet; Pläne nehmen H aus der Population.</translation>
+    </message>
+    <message>
+        <source>%1: %2 is %3, and the file of the array %4 states %5 to %6. Set it within them.</source>
+        <translation>%1: %2 ist %3, und die Datei des Trägers %4 nennt %5 bis %6. Wählen Sie einen Wert dazwischen.</translation>
+    </message>
+    <message>
+        <source>%1: %2 is given, and the file of the array %3 has no table [wires]. State its wires there, or leave the key out.</source>
+        <translation>%1: %2 ist angegeben, und die Datei des Trägers %3 hat keine Tabelle [wires]. Geben Sie dort seine Drähte an, oder lassen Sie den Schlüssel weg.</translation>
+    </message>
+    <message>
+        <source>%1: %2 is given, and the array %3 has no stylet. Leave the key out.</source>
+        <translation>%1: %2 ist angegeben, und der Träger %3 hat kein Stilett. Lassen Sie den Schlüssel weg.</translation>
+    </message>
+    <message>
+        <source>%1: the array %2 yields, and the calibration &apos;%3&apos; was fitted with an elastic one: together they count one softness twice. Set calibration to &quot;&quot;, and stiffness_scale to a value fitted with the yield.</source>
+        <translation>%1: Der Träger %2 fließt, und die Kalibrierung &apos;%3&apos; wurde mit einem elastischen angepasst: Zusammen zählen sie dieselbe Nachgiebigkeit doppelt. Setzen Sie calibration auf &quot;&quot; und stiffness_scale auf einen Wert, der mit dem Fließen angepasst ist.</translation>
+    </message>
+    <message>
+        <source>Number, diameter, modulus and c of [bending]. Yield stress: no source was read; the range is recalled for annealed platinum-iridium.</source>
+        <translation>Zahl, Durchmesser, Elastizitätsmodul und c von [bending]. Fließspannung: keine Quelle wurde gelesen; der Bereich ist für geglühtes Platin-Iridium erinnert.</translation>
+    </message>
+    <message>
+        <source>the same at the median friction</source>
+        <translation>dasselbe bei der mittleren Reibung</translation>
+    </message>
+    <message>
+        <source>grip</source>
+        <translation>Griff</translation>
+    </message>
+    <message>
+        <source>intended depth</source>
+        <translation>beabsichtigte Tiefe</translation>
+    </message>
+    <message>
+        <source>1 simulation</source>
+        <translation>1 Simulation</translation>
+    </message>
+    <message>
+        <source>%1 simulations</source>
+        <translation>%1 Simulationen</translation>
+    </message>
+    <message>
+        <source>%1 at one friction</source>
+        <translation>%1 bei einer Reibung</translation>
+    </message>
+    <message>
+        <source>%1 over friction %2 to %3</source>
+        <translation>%1 über Reibung %2 bis %3</translation>
+    </message>
+    <message>
+        <source>%1 at friction %2</source>
+        <translation>%1 bei Reibung %2</translation>
+    </message>
+    <message>
+        <source>%1 at friction %2 to %3</source>
+        <translation>%1 bei Reibung %2 bis %3</translation>
+    </message>
+    <message>
+        <source>Choice: how deep surgeons mean to push is published for no array. Made after the modeled FLEX24 was seen to have the published 408 degrees where its last contact is inside (21.9 mm), and 479 at its full 24 mm.</source>
+        <translation>Festlegung: Wie tief Operateure schieben wollen, ist für keinen Elektrodenträger veröffentlicht. Getroffen, nachdem bekannt war, dass der modellierte FLEX24 die veröffentlichten 408 Grad hat, wo sein letzter Kontakt innen ist (21,9 mm), und 479 bei seinen vollen 24 mm.</translation>
     </message>
 </context>
 <context>
@@ -3906,6 +3950,14 @@
     <message>
         <source>SD of ln friction between ears</source>
         <translation>SD von ln Reibung zwischen Ohren</translation>
+    </message>
+    <message>
+        <source>Yield stress of the wires</source>
+        <translation>Fließspannung der Drähte</translation>
+    </message>
+    <message>
+        <source>Yield stress of the stylet</source>
+        <translation>Fließspannung des Stiletts</translation>
     </message>
 </context>
 <context>
@@ -5370,10 +5422,6 @@
         <translation>Jeder Träger wird in dieselben simulierten Cochleae von denselben simulierten Operateuren eingeführt. Die Modelle beruhen auf veröffentlichten Daten und sind keine Herstellerangaben.</translation>
     </message>
     <message>
-        <source>Fraction of the insertions that reach the array’s full depth, with its 95 % interval (Wilson 1927).</source>
-        <translation>Anteil der Insertionen, die die volle Tiefe des Trägers erreichen, mit 95-%-Intervall (Wilson 1927).</translation>
-    </message>
-    <message>
         <source>Fraction in which the force reaches the limit at which the drawn surgeon stops, with its 95 % interval (Wilson 1927).</source>
         <translation>Anteil, in dem die Kraft die Grenze erreicht, bei der der simulierte Operateur anhält, mit 95-%-Intervall (Wilson 1927).</translation>
     </message>
@@ -5758,10 +5806,6 @@
         <translation>Reibung von %1</translation>
     </message>
     <message>
-        <source>Method: each array is inserted by a simulated hand %1 times (%2). Every time A, B and H within their errors, speed, tremor, grip, force limit, friction, approach and stiffness are drawn again; see the appendix.</source>
-        <translation>Methode: Jeder Elektrodenträger wird %1-mal von einer simulierten Hand inseriert (%2). Jedes Mal werden A, B und H innerhalb ihrer Fehler, Geschwindigkeit, Tremor, Griff, Kraftgrenze, Reibung, Zugang und Steifigkeit neu gezogen; siehe Anhang.</translation>
-    </message>
-    <message>
         <source>Cochlea, measures changed by hand</source>
         <translation>Cochlea, Maße von Hand geändert</translation>
     </message>
@@ -6054,6 +6098,26 @@
         <translation>außerhalb des Plans, %1</translation>
     </message>
     <message>
+        <source>Wires</source>
+        <translation>Drähte</translation>
+    </message>
+    <message>
+        <source>Fraction of the insertions that reach the depth the drawn surgeon intends, between all contacts inside and the array’s greatest depth, with its 95 % interval (Wilson 1927).</source>
+        <translation>Anteil der Insertionen, die die Tiefe erreichen, die der gezogene Operateur beabsichtigt, zwischen allen Kontakten innen und der größten Tiefe des Elektrodenträgers, mit seinem 95-%-Intervall (Wilson 1927).</translation>
+    </message>
+    <message>
+        <source>At the median friction, %1, only: %2, peak force %3.</source>
+        <translation>Nur bei der mittleren Reibung, %1: %2, größte Kraft %3.</translation>
+    </message>
+    <message>
+        <source>%1 against %2: %3°, deeper in %4; peak force %5 mN, higher in %6.</source>
+        <translation>%1 gegen %2: %3°, tiefer in %4; größte Kraft %5 mN, höher in %6.</translation>
+    </message>
+    <message>
+        <source>Differences in the same ear, with the same hand and friction (%1):</source>
+        <translation>Unterschiede im selben Ohr, bei gleicher Hand und Reibung (%1):</translation>
+    </message>
+    <message>
         <source>The end force is a mean of 0.5 s in which the force still rose.</source>
         <translation>Die Endkraft ist ein Mittel über 0,5 s, in denen die Kraft noch stieg.</translation>
     </message>
@@ -6070,6 +6134,54 @@
         <translation>Mittel von 0,5 bis 1 s nach dem Halt</translation>
     </message>
     <message>
+        <source>Angular depth, °</source>
+        <translation>Insertionswinkel, °</translation>
+    </message>
+    <message>
+        <source>Peak force, mN</source>
+        <translation>Größte Kraft, mN</translation>
+    </message>
+    <message>
+        <source>At friction %1 only: median (%2)</source>
+        <translation>Nur bei Reibung %1: Median (%2)</translation>
+    </message>
+    <message>
+        <source>From the same simulations, less what follows the logarithm of their friction (least squares). All else is still drawn.</source>
+        <translation>Aus denselben Simulationen, ohne das, was dem Logarithmus ihrer Reibung folgt (kleinste Quadrate). Alles andere ist weiter gezogen.</translation>
+    </message>
+    <message>
+        <source>First against second</source>
+        <translation>Erster gegen zweiten</translation>
+    </message>
+    <message>
+        <source>deeper</source>
+        <translation>tiefer</translation>
+    </message>
+    <message>
+        <source>higher</source>
+        <translation>höher</translation>
+    </message>
+    <message>
+        <source>%1 against %2</source>
+        <translation>%1 gegen %2</translation>
+    </message>
+    <message>
+        <source>Differences between arrays in the same ear: median (%1)</source>
+        <translation>Unterschiede zwischen Elektrodenträgern im selben Ohr: Median (%1)</translation>
+    </message>
+    <message>
+        <source>First minus second, simulation by simulation: cochlea, hand and friction are the same for both, so their spread is not in these bands.</source>
+        <translation>Erster minus zweiter, Simulation für Simulation: Cochlea, Hand und Reibung sind für beide gleich, ihre Streuung ist also nicht in diesen Bändern.</translation>
+    </message>
+    <message>
+        <source>Depth that the surgeon intends</source>
+        <translation>Tiefe, die der Operateur beabsichtigt</translation>
+    </message>
+    <message>
+        <source>Method: each array is inserted by a simulated hand %1 times (%2). Every time A, B and H within their errors, speed, tremor, grip, force limit, intended depth, friction, approach and stiffness are drawn again; see the appendix.</source>
+        <translation>Methode: Jeder Elektrodenträger wird %1-mal von einer simulierten Hand inseriert (%2). Jedes Mal werden A, B und H innerhalb ihrer Fehler, Geschwindigkeit, Tremor, Griff, Kraftgrenze, beabsichtigte Tiefe, Reibung, Zugang und Steifigkeit neu gezogen; siehe Anhang.</translation>
+    </message>
+    <message>
         <source>Results; %1: %2</source>
         <translation>Ergebnisse; %1: %2</translation>
     </message>
@@ -6080,6 +6192,10 @@
     <message>
         <source>plan</source>
         <translation>Plan</translation>
+    </message>
+    <message>
+        <source>%1 (%2 to %3)</source>
+        <translation>%1 (%2 bis %3)</translation>
     </message>
     <message>
         <source>ready</source>

@@ -27,7 +27,8 @@ struct Row {
   const char* scenario;
   session::Overrides overrides;
   int ticks;
-  bool isTimedOnTheWayOut = false;  ///< Goes in untimed, then out again.
+  bool isTimedOnTheWayOut = false;                    ///< Goes in untimed, then out again.
+  void (*change)(electrode::ArrayDesign&) = nullptr;  ///< Changes its array.
 };
 
 const Row& published()
@@ -45,6 +46,25 @@ const Row& relaxing()
                         {"film_relaxation_fraction", "0.4"},
                         {"film_relaxation_time_s", "0.5"}},
                        8250};
+  return row;
+}
+
+/// Lets the Contour yield: 22 wires of 250 MPa, and a stylet that just holds the carrier.
+void letYield(electrode::ArrayDesign& array)
+{
+  electrode::Wires& wires = array.wires.emplace();
+  wires.number = {{millimeters(1), millimeters(25)}, {1.0, 22.0}};
+  wires.diameter = millimeters(0.025);
+  wires.modulus = megapascals(168e3);
+  wires.coupling = 0.9;
+  wires.yieldStress.value = megapascals(250);
+  array.stylet.yieldStress.value = megapascals(1500);
+}
+
+/// The published insertion with all of it: relaxing, and an array that yields.
+const Row& inelastic()
+{
+  static const Row row{"contour-published", relaxing().overrides, 8250, false, letYield};
   return row;
 }
 
@@ -134,7 +154,10 @@ Result<Experiment> build(const Row& row, std::int64_t nodes)
   if (!scala) return Error{"The anatomy could not be built."};
   const auto model = session::buildModel(*scenario, *scala);
   if (!model) return model.error();
-  return Experiment{*scenario, *model};
+  if (row.change == nullptr) return Experiment{*scenario, *model};
+  mechanics::ModelParts parts = (*model)->parts;
+  row.change(parts.array);
+  return Experiment{*scenario, mechanics::InsertionModel::build(std::move(parts))};
 }
 
 void tickOfWholeInsertion(benchmark::State& state, const Row& row)
@@ -186,6 +209,9 @@ BENCHMARK_CAPTURE(tickOfWholeInsertion, tissueFlex28, tissueFlex28())
     ->Name("tick/tissue_flex28")
     ->Apply(sizes);
 BENCHMARK_CAPTURE(tickOfWholeInsertion, relaxing, relaxing())->Name("tick/relaxing")->Apply(sizes);
+BENCHMARK_CAPTURE(tickOfWholeInsertion, inelastic, inelastic())
+    ->Name("tick/inelastic")
+    ->Apply(sizes);
 BENCHMARK_CAPTURE(tickOfWholeInsertion, stiffWall, stiffWall())
     ->Name("tick/stiff_wall")
     ->Apply(sizes);

@@ -142,6 +142,56 @@ QString endForces(const PlanReportContent& content)
          table(rows) + QStringLiteral("<p class=\"quiet tiny\">%1</p>").arg(method);
 }
 
+/// Angle and forces at the median of the drawn friction; nothing where it states no spread.
+QString atMedianFriction(const PlanReportContent& content)
+{
+  QString rows = resistanceRow({tr("Array"), tr("Angular depth, °"), tr("Depth, mm"),
+                                tr("Peak force, mN"), tr("End force, mN")},
+                               "quiet tiny");
+  const auto& arrays = content.plan().arrays;
+  bool isKnown = false;
+  for (std::size_t i = 0; i < arrays.size(); ++i) {
+    const auto& found = arrays[i].atMedianFriction;
+    if (!found) continue;
+    isKnown = true;
+    rows += resistanceRow({numberedName(arrays[i], i).toHtmlEscaped(),
+                           medianText(found->angle_deg, 0), medianText(found->depth_mm, 1),
+                           medianText(found->peak_mN, 1), medianText(found->end_mN, 1)},
+                          "tiny");
+  }
+  if (!isKnown) return {};
+  return heading(tr("At friction %1 only: median (%2)")
+                     .arg(numberText(content.plan().friction.low, 3), bandsShare(content.plan()))) +
+         table(rows) +
+         QStringLiteral("<p class=\"quiet tiny\">%1</p>")
+             .arg(tr("From the same simulations, less what follows the logarithm of their "
+                     "friction (least squares). All else is still drawn."));
+}
+
+/// What two arrays differ by in the same ear; nothing for one array.
+QString differences(const PlanReportContent& content)
+{
+  const planning::Plan& plan = content.plan();
+  if (plan.differences.empty()) return {};
+  QString rows = resistanceRow({tr("First against second"), tr("Angular depth, °"), tr("deeper"),
+                                tr("Peak force, mN"), tr("higher")},
+                               "quiet tiny");
+  for (const planning::ArrayDifference& each : plan.differences)
+    rows += resistanceRow({tr("%1 against %2")
+                               .arg(QString::fromStdString(plan.arrays[each.first].name),
+                                    QString::fromStdString(plan.arrays[each.second].name))
+                               .toHtmlEscaped(),
+                           differenceText(each.angle_deg), chanceText(each.deeper, each.draws),
+                           differenceText(each.peak_mN), chanceText(each.harder, each.draws)},
+                          "tiny");
+  return heading(
+             tr("Differences between arrays in the same ear: median (%1)").arg(bandsShare(plan))) +
+         table(rows) +
+         QStringLiteral("<p class=\"quiet tiny\">%1</p>")
+             .arg(tr("First minus second, simulation by simulation: cochlea, hand and friction are "
+                     "the same for both, so their spread is not in these bands."));
+}
+
 QString contacts(const PlanReportContent& content)
 {
   const auto& arrays = content.plan().arrays;
@@ -183,9 +233,10 @@ QString influences(const PlanReportContent& content)
   for (std::size_t i = 0; i < arrays.size(); ++i) {
     QStringList inputs;
     for (const planning::Influence& each : arrays[i].influences)
-      inputs << tr("%1 %2 / %3")
-                    .arg(dataText(each.input).toHtmlEscaped(), percent(each.onAngle),
-                         percent(each.onPeak));
+      if (std::max(each.onAngle, each.onPeak) >= 0.005)  // not 0 / 0
+        inputs << tr("%1 %2 / %3")
+                      .arg(dataText(each.input).toHtmlEscaped(), percent(each.onAngle),
+                           percent(each.onPeak));
     rows += row(numberedName(arrays[i], i).toHtmlEscaped(), inputs.join(QStringLiteral(" · ")));
   }
   return heading(tr("Influence of the inputs on angle / peak force, % of the variance")) +
@@ -207,6 +258,7 @@ QString inputName(const std::string& name)
       {"tremor", QT_TRANSLATE_NOOP("perilymph::gui", "Tremor")},
       {"free_length", QT_TRANSLATE_NOOP("perilymph::gui", "Grip: length before the opening")},
       {"stop", QT_TRANSLATE_NOOP("perilymph::gui", "Force limit of the surgeon")},
+      {"intended_depth", QT_TRANSLATE_NOOP("perilymph::gui", "Depth that the surgeon intends")},
       {"rest", QT_TRANSLATE_NOOP("perilymph::gui", "Rest before the final force")},
       {"buckling", QT_TRANSLATE_NOOP("perilymph::gui", "Visible buckling")},
       {"friction", QT_TRANSLATE_NOOP("perilymph::gui", "Friction")},
@@ -259,8 +311,9 @@ QString marks(const PlanReportContent& content)
 QString planAppendixText(const PlanReportContent& content)
 {
   return QStringLiteral("<h1>%1</h1>").arg(tr("Appendix: resistance, contacts and sources")) +
-         ctPictureText(content.plan().request.patient) + resistances(content) + endForces(content) +
-         contacts(content) + influences(content) + sources(content) + marks(content);
+         ctPictureText(content.plan().request.patient) + atMedianFriction(content) +
+         differences(content) + resistances(content) + endForces(content) + contacts(content) +
+         influences(content) + sources(content) + marks(content);
 }
 
 }  // namespace perilymph::gui

@@ -153,7 +153,8 @@ QStringList linesOf(const PlanReportContent& content)
 {
   QStringList lines = {
       tr("Method: each array is inserted by a simulated hand %1 times (%2). Every time A, B and H "
-         "within their errors, speed, tremor, grip, force limit, friction, approach and stiffness "
+         "within their errors, speed, tremor, grip, force limit, intended depth, friction, "
+         "approach and stiffness "
          "are drawn again; see the appendix.")
           .arg(content.plan().arrays.front().draws)
           .arg(plannedFriction(content.plan()))};

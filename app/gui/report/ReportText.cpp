@@ -69,6 +69,7 @@ QString partName(const std::string& part)
       {"rest_curvature", QT_TRANSLATE_NOOP("perilymph::gui", "Curvature at rest")},
       {"contacts", QT_TRANSLATE_NOOP("perilymph::gui", "Contacts")},
       {"ribs", QT_TRANSLATE_NOOP("perilymph::gui", "Marker ribs")},
+      {"wires", QT_TRANSLATE_NOOP("perilymph::gui", "Wires")},
       {"stylet", QT_TRANSLATE_NOOP("perilymph::gui", "Stylet")}};
   for (const auto& [key, name] : names)
     if (part == key) return tr(name);

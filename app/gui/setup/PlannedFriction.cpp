@@ -2,6 +2,7 @@
 #include "gui/setup/PlannedFriction.h"
 
 #include <QCoreApplication>
+#include <cmath>
 #include <filesystem>
 
 #include "gui/text/DataText.h"
@@ -50,6 +51,17 @@ QString plannedFriction(const planning::Plan& plan)
 }
 
 QString bandsHold(const planning::Plan& plan) { return dataText(planning::bandsHold(plan)); }
+
+QString bandsShare(const planning::Plan& plan) { return dataText(planning::bandsShare(plan)); }
+
+QString differenceText(const planning::Band& band)
+{
+  const auto signedText = [](double value) {
+    return (std::lround(value) > 0 ? QStringLiteral("+") : QString()) + numberText(value, 0);
+  };
+  return QCoreApplication::translate("perilymph::gui", "%1 (%2 to %3)")
+      .arg(signedText(band.median), signedText(band.low), signedText(band.high));
+}
 
 QString shownShare(const analysis::Estimate& fraction, std::size_t draws)
 {

@@ -24,6 +24,11 @@ QString plannedFriction(const planning::Plan& plan);
 /// planning::bandsHold() in the language of the window: "90 % over friction 0.08 to 0.33".
 QString bandsHold(const planning::Plan& plan);
 
+/// planning::bandsShare() in the language of the window: "90 %".
+QString bandsShare(const planning::Plan& plan);
+/// The median and band of a difference, with signs: "+35 (-20 to +90)".
+QString differenceText(const planning::Band& band);
+
 /// A share of an array's simulations: "3 of 16"; from analysis::fewestForPercent on "19 %".
 QString shownShare(const analysis::Estimate& fraction, std::size_t draws);
 /// The same with the 95 % interval where it is in percent: "19 (11–30) %".

@@ -117,6 +117,7 @@ std::string simulationJson(const session::Scenario& scenario, const SimulatedIns
   json["deepest_mm"] = asMillimeters(profile.deepest);
   json["wall_force_max_N"] = profile.wallForceMax;
   json["partition_force_max_N"] = profile.partitionForceMax;
+  if (scenario.array().yields()) json["plastic_work_J"] = simulated.last.plasticWork;
   if (scenario.parameters().partitionStrength.si() > 0.0)
     json["translocation"] = translocationJson(simulated.last);
   json["duration_s"] = profile.duration;

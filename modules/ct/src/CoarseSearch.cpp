@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <stop_token>
 
+#include "perilymph/foundation/Four.h"
 #include "perilymph/foundation/Math.h"
 #include "perilymph/foundation/Units.h"
 
@@ -21,7 +22,7 @@ constexpr std::size_t polished = 1200;
 /// The center of the basal turn in W, near which a click into the cochlea is expected.
 const Eigen::Vector3d middle_W(0.8, 0.0, 0.8);
 
-/// Indices that the compiler computes two at a time.
+/// Indices that the compiler computes together, as many as the machine's lanes hold.
 constexpr std::size_t block = 32;
 
 /// Points by coordinate, with zeros up to a whole number of blocks.
@@ -82,13 +83,31 @@ public:
   /// The sum of the values at the grid's points nearest to those of one pose.
   double sum(const Rows& rows, const Points& points) const
   {
+    double result = 0.0;
+    withLanes([&]() PERILYMPH_KERNEL { result = sumInLanes(rows, points); });
+    return result;
+  }
+
+  /// Adds to `sums` those of many poses that differ by their origins alone.
+  ///
+  /// @param rows     Those of one of them.
+  /// @param origins  The last number of each row, of every pose.
+  void addSums(const Rows& rows, const Points& origins, const Points& points,
+               std::vector<double>& sums) const
+  {
+    withLanes([&]() PERILYMPH_KERNEL { addSumsInLanes(rows, origins, points, sums); });
+  }
+
+private:
+  PERILYMPH_IN_LANES double sumInLanes(const Rows& rows, const Points& points) const
+  {
     const float* const values = values_.data();
     double result = 0.0;
     for (std::size_t from = 0; from < points.size(); from += block) {
       const double* const x = points.along[0].data() + from;
       const double* const y = points.along[1].data() + from;
       const double* const z = points.along[2].data() + from;
-      const auto along = [&](const std::array<double, 4>& row, std::size_t i) {
+      const auto along = [&](const std::array<double, 4>& row, std::size_t i) PERILYMPH_KERNEL {
         return static_cast<int>(row[0] * x[i] + row[1] * y[i] + row[2] * z[i] + row[3]);
       };
       std::array<unsigned, block> indices;
@@ -100,12 +119,8 @@ public:
     return result;
   }
 
-  /// Adds to `sums` those of many poses that differ by their origins alone.
-  ///
-  /// @param rows     Those of one of them.
-  /// @param origins  The last number of each row, of every pose.
-  void addSums(const Rows& rows, const Points& origins, const Points& points,
-               std::vector<double>& sums) const
+  PERILYMPH_IN_LANES void addSumsInLanes(const Rows& rows, const Points& origins,
+                                         const Points& points, std::vector<double>& sums) const
   {
     const float* const values = values_.data();
     for (std::size_t point = 0; point < points.size(); ++point) {
@@ -130,11 +145,10 @@ public:
     }
   }
 
-private:
   static constexpr float neutral = 0.5F;
 
   /// Without branches: which points lie outside is not to be foreseen.
-  unsigned indexOf(int i, int j, int k) const
+  PERILYMPH_IN_LANES unsigned indexOf(int i, int j, int k) const
   {
     const auto n = static_cast<unsigned>(count_);
     const auto a = static_cast<unsigned>(i), b = static_cast<unsigned>(j),

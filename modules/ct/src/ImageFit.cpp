@@ -52,14 +52,14 @@ public:
   void accumulate(double weight, double residual, Eigen::MatrixXd& matrix,
                   Eigen::VectorXd& right) const
   {
+    // Whole columns, two rows at a time: what is not in the row adds zero.
+    using Whole = Eigen::Matrix<double, fitted, 1>;
+    const Whole weighted = weight * Eigen::Map<const Whole>(values_.data());
+    right += residual * weighted;
     for (int a = 0; a < count_; ++a) {
-      const int i = indices_[static_cast<std::size_t>(a)];
-      const double x = weight * values_[static_cast<std::size_t>(i)];
-      right[i] += x * residual;
-      for (int b = 0; b < count_; ++b) {
-        const int j = indices_[static_cast<std::size_t>(b)];
-        if (j <= i) matrix(i, j) += x * values_[static_cast<std::size_t>(j)];
-      }
+      const int j = indices_[static_cast<std::size_t>(a)];
+      matrix.col(j).tail(fitted - j) +=
+          values_[static_cast<std::size_t>(j)] * weighted.tail(fitted - j);
     }
   }
 

@@ -2,6 +2,7 @@
 #include "perilymph/electrode/ArrayDesign.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace perilymph::electrode {
 namespace {
@@ -12,6 +13,33 @@ Length thicknessAt(const ArrayDesign& array, Length place)
 }
 
 }  // namespace
+
+Length Stylet::wireDiameter() const
+{
+  if (diameter.si() > 0.0) return diameter;
+  constexpr double platinum = 168e9;  // [Pa], as the wires of plugins/README.md
+  return Length::fromSi(std::sqrt(std::sqrt(64.0 * bending.si() / (platinum * pi))));
+}
+
+double Stylet::yieldMoment() const
+{
+  const double d = wireDiameter().si();
+  return yieldStress.value.si() * d * d * d / 6.0;
+}
+
+Wires::Branch Wires::singleAt(Length place) const
+{
+  const double d = diameter.si(), n = number.at(place);
+  return {BendingStiffness::fromSi(n * modulus.si() * pi * d * d * d * d / 64.0),
+          n * yieldStress.value.si() * d * d * d / 6.0};
+}
+
+Wires::Branch Wires::bundleAt(Length place) const
+{
+  const double d = diameter.si(), n = number.at(place), packed = n / 0.9;
+  return {BendingStiffness::fromSi(coupling * n * n * modulus.si() * pi * d * d * d * d / 64.0),
+          packed * std::sqrt(packed) * yieldStress.value.si() * d * d * d / 6.0};
+}
 
 Length ArrayDesign::tipRadius() const
 {

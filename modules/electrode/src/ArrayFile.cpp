@@ -18,6 +18,7 @@ constexpr Range contactLength_mm{0.05, 5.0};
 constexpr Range ribHeight_mm{0.01, 1.0};
 constexpr Range ribLength_mm{0.05, 3.0};
 constexpr double minTipRadius_mm = 0.02;
+constexpr Range yield_MPa{20.0, 3000.0};
 
 /// A number in its shortest form: "0.4", not "0.400000".
 std::string plain(double value)
@@ -58,6 +59,7 @@ public:
     readRestCurvature(design);
     readContacts(design);
     if (file_.has("ribs")) readRibs(design);
+    if (file_.has("wires")) readWires(design);
     if (file_.has("stylet")) readStylet(design);
     design.provenance = std::move(provenance_);
     return design;
@@ -194,6 +196,44 @@ private:
              " mm from the tip.");
   }
 
+  /// The range of a yield stress, which must be given, and a value within it, which may.
+  YieldStress readYieldStress(TomlReader& table)
+  {
+    const std::vector<double> range = table.numbers("yield_range_MPa", yield_MPa, 2);
+    const bool isRange = range.size() == 2 && range[0] < range[1];
+    if (!isRange)
+      table.refuse("yield_range_MPa",
+                   "yield_range_MPa must be two numbers, the smallest and the greatest yield "
+                   "stress that is possible, the smallest first.");
+    const Range allowed = isRange ? Range{range[0], range[1]} : yield_MPa;
+    const double value = table.has("yield_MPa") ? table.number("yield_MPa", allowed) : 0.0;
+    return {megapascals(value), megapascals(allowed.low), megapascals(allowed.high)};
+  }
+
+  void readWires(ArrayDesign& design)
+  {
+    TomlReader table = tableOf("wires");
+    Wires wires;
+    wires.number = along<double>(table, "number", {0.0, 100.0}, [](double n) { return n; });
+    wires.diameter = millimeters(1e-3 * table.number("diameter_um", {5.0, 150.0}));
+    wires.modulus = megapascals(1e3 * table.number("modulus_GPa", {20.0, 400.0}));
+    wires.coupling = table.number("coupling", {0.0, 2.0});
+    wires.yieldStress = readYieldStress(table);
+    // the array's stiffness includes that of its wires; both have few digits
+    for (const Length place : wires.number.fromTip) {
+      const double minimum = std::min(design.bending.at(place), design.bendingAcrossAt(place)).si();
+      const double all = wires.singleAt(place).bending.si() + wires.bundleAt(place).bending.si();
+      if (all <= 1.01 * minimum) continue;
+      table.refuse("number", "the wires at " + plain(inMillimeters(place)) +
+                                 " mm have a bending "
+                                 "stiffness of " +
+                                 plain(all) + " N m2, and bending_N_m2 states " + plain(minimum) +
+                                 " for the whole array there; state fewer or thinner "
+                                 "wires, or a lower coupling.");
+    }
+    design.wires = std::move(wires);
+  }
+
   void readStylet(ArrayDesign& design)
   {
     TomlReader table = tableOf("stylet");
@@ -205,6 +245,10 @@ private:
       design.stylet.holdDepth =
           millimeters(table.number("hold_depth_mm", {0.0, inMillimeters(design.insertable)}));
     design.stylet.provenance = provenance_.back().second;
+    if (table.has("diameter_mm"))
+      design.stylet.diameter = millimeters(table.number("diameter_mm", {0.02, 0.5}));
+    if (table.has("yield_MPa") || table.has("yield_range_MPa"))
+      design.stylet.yieldStress = readYieldStress(table);
   }
 
   TomlReader& file_;

@@ -345,6 +345,7 @@ void InsertionEngine::updateOutput() noexcept
   output_.wallForceMax = now.wallForceMax;
   output_.membraneForce = now.membraneForce;
   output_.partitionForce = now.partitionForce;
+  if (model_->parts.array.yields()) output_.plasticWork = now.plasticWork;
   output_.residual = now.residual;
   notePartition(*model_, state_.partition, output_);
 }

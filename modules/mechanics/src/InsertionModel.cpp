@@ -32,6 +32,15 @@ void require(bool holds, const std::string& sentence)
   if (!holds) throw std::invalid_argument(sentence);
 }
 
+/// With at most one decimal.
+std::string rounded(double value)
+{
+  const long tenths = std::lround(10.0 * value);
+  std::string text = std::to_string(tenths / 10);
+  if (tenths % 10 != 0) text += "." + std::to_string(tenths % 10);
+  return text;
+}
+
 void check(const Opening& opening, const electrode::ArrayDesign& array)
 {
   const double width_mm = inMillimeters(std::min(opening.width, opening.height));
@@ -160,6 +169,8 @@ void check(const ModelParts& parts)
   check(parts.relaxation);
   require(parts.relaxation == RelaxationLaw{} || parts.kind == ModelKind::rod,
           "A point set does not relax; set its fractions that relax to 0.");
+  require(!parts.array.yields() || parts.kind == ModelKind::rod,
+          "A point set does not yield; take the yield stress out of its array.");
   require(parts.partitionStrength.si() == 0.0 || parts.kind == ModelKind::rod,
           "A point set cannot go through the cochlear partition; set its strength to 0.");
   if (parts.opening) check(*parts.opening, parts.array);
@@ -196,7 +207,7 @@ std::shared_ptr<const InsertionModel> InsertionModel::build(ModelParts parts)
   const RelaxationLaw& relaxation = m.parts.relaxation;
   for (std::size_t k = 0; k < m.relaxing.size(); ++k) m.relaxing[k] = stepOf(relaxation.bending[k]);
   m.film = stepOf(relaxation.film);
-  m.twists = relaxation.bends();
+  m.twists = relaxation.bends() || array.yields();
   m.baseMass = publishedMass;
 
   // the approach: along E.z, rotated toward E.y and toward E.x
@@ -231,6 +242,18 @@ std::shared_ptr<const InsertionModel> InsertionModel::build(ModelParts parts)
     m.bendingCarrier.push_back(std::min(bendingWithin, bendingAcross));
     m.bendingExcess.push_back(std::fabs(bendingWithin - bendingAcross));
     m.stifferAcross.push_back(bendingAcross > bendingWithin ? 1 : 0);
+    if (array.wiresYield()) {
+      const electrode::Wires::Branch branches[] = {array.wires->singleAt(place),
+                                                   array.wires->bundleAt(place)};
+      // a study may make the whole array softer than its wires: their parts shrink with it
+      const double all = branches[0].bending.si() + branches[1].bending.si();
+      const double part =
+          std::min(1.0, std::min(bendingWithin, bendingAcross) / std::max(all, 1e-30));
+      for (std::size_t k = 0; k < m.wires.size(); ++k) {
+        m.wires[k].stiffness.push_back(part * branches[k].bending.si() / m.spacing);
+        m.wires[k].moment.push_back(std::max(branches[k].moment, 1e-12));
+      }
+    }
     m.twisting.push_back(array.twistingAt(place).si());
     m.isOval = m.isOval || within != across || bendingWithin != bendingAcross;
     m.twists = m.twists || m.isOval || array.restCurvature.at(place).si() != 0.0;
@@ -273,6 +296,20 @@ std::shared_ptr<const InsertionModel> InsertionModel::build(ModelParts parts)
   if (m.parts.kind == ModelKind::points)
     m.points = std::make_shared<PointSetModel>(*m.parts.hapticSurface, m.nodes, m.timeStep);
   m.passage = passageOf(m);
+  if (array.styletYields()) {
+    m.styletMoment = array.stylet.yieldMoment();
+    double curl = 0.0;
+    for (std::size_t i = 0; i < m.fromTip.size(); ++i)
+      if (m.fromTip[i] >= m.styletFromTip)
+        curl = std::max(curl, array.bending.at(Length::fromSi(m.fromTip[i])).si() *
+                                  std::fabs(m.restCurvature[i]) * (1.0 - m.styletResidual));
+    const double needed_MPa = inMegapascals(array.stylet.yieldStress.value) * curl / m.styletMoment;
+    require(curl <= m.styletMoment,
+            "The stylet yields at " + rounded(1e6 * m.styletMoment) +
+                " uN.m, and the carrier that it has to keep straight curls with " +
+                rounded(1e6 * curl) + " uN.m; it needs a yield stress of " +
+                rounded(std::ceil(needed_MPa)) + " MPa, or to be thicker.");
+  }
   m.fingerprint = fingerprintOf(m);
   m.formerFingerprint = formerFingerprintOf(m);
   return model;

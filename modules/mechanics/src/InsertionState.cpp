@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <span>
 
 #include "StepWorkspace.h"
 #include "perilymph/foundation/Hash.h"
@@ -14,6 +15,23 @@ namespace {
 void addVector(Hash& hash, const Eigen::Vector3d& vector)
 {
   for (int k = 0; k < 3; ++k) hash.add(vector[k]);
+}
+
+void addBends(Hash& hash, std::span<const MaterialBend> bends)
+{
+  for (const auto& [along, across] : bends)
+    for (std::size_t i = 0; i < along.size(); ++i) {
+      hash.add(along[i]);
+      hash.add(across[i]);
+    }
+}
+
+void straighten(std::span<MaterialBend> bends) noexcept
+{
+  for (auto& [along, across] : bends) {
+    std::fill(along.begin(), along.end(), 0.0);
+    std::fill(across.begin(), across.end(), 0.0);
+  }
 }
 
 void addPartition(Hash& hash, const PartitionState& partition)
@@ -95,6 +113,11 @@ InsertionState::InsertionState(const InsertionModel& model)
       along.resize(position_W.size());
       across.resize(position_W.size());
     }
+  if (model.parts.array.yields())
+    for (auto& [along, across] : plasticBend) {
+      along.resize(position_W.size());
+      across.resize(position_W.size());
+    }
   if (model.parts.relaxation.hasFilm()) frictionFilm_W.resize(position_W.size());
   if (model.partition) {
     partition.isAbove.resize(position_W.size());
@@ -132,10 +155,8 @@ void InsertionState::reset(const InsertionModel& model) noexcept
     isBeside[i] = 0;
     clearance[i] = 0.0;
   }
-  for (auto& [along, across] : relaxedBend) {
-    std::fill(along.begin(), along.end(), 0.0);
-    std::fill(across.begin(), across.end(), 0.0);
-  }
+  straighten(relaxedBend);
+  straighten(plasticBend);
   for (Eigen::Vector3d& film : frictionFilm_W) film.setZero();
   rim = RimContact{};
   partition.count = 0;
@@ -183,11 +204,8 @@ std::uint64_t InsertionState::fingerprint() const noexcept
       hash.add(section[i].rate);
     }
   }
-  for (const auto& [along, across] : relaxedBend)
-    for (std::size_t i = 0; i < along.size(); ++i) {
-      hash.add(along[i]);
-      hash.add(across[i]);
-    }
+  addBends(hash, relaxedBend);
+  addBends(hash, plasticBend);
   for (const Eigen::Vector3d& film : frictionFilm_W) addVector(hash, film);
   if (!frictionFilm_W.empty()) addVector(hash, rim.film_W);
   addSeen(hash, workspace->rod.contacts);

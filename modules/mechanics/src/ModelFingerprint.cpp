@@ -39,19 +39,35 @@ void add(Hash& hash, const electrode::AlongArray<Value>& table)
 
 void add(Hash& hash, const electrode::Stylet& stylet)
 {
-  const auto& [fromTip, bending, residualCurvature, holdDepth, provenance] = stylet;
+  const auto& [fromTip, bending, residualCurvature, holdDepth, provenance, stress, diameter] =
+      stylet;
   add(hash, fromTip);
   add(hash, bending);
   hash.add(residualCurvature);
   hash.add(holdDepth.has_value());
   if (holdDepth) add(hash, *holdDepth);
+  if (!(stress.value.si() > 0.0)) return;  // recordings of before have none
+  add(hash, stress.value);
+  add(hash, diameter);
+}
+
+void add(Hash& hash, const electrode::Wires& wires)
+{
+  const auto& [number, diameter, modulus, coupling, stress] = wires;
+  add(hash, number.fromTip);
+  for (const double n : number.value) hash.add(n);
+  add(hash, diameter);
+  add(hash, modulus);
+  hash.add(coupling);
+  // the range states what is known of the stress and moves nothing
+  add(hash, stress.value);
 }
 
 void add(Hash& hash, const electrode::ArrayDesign& array)
 {
   const auto& [name, maker, note, length, insertable, diameter, thickness, tip, bending,
                bendingAcross, twisting, restCurvature, contactsFromTip, contactLength, ribsFromTip,
-               ribHeight, ribLength, hasStylet, stylet, provenance] = array;
+               ribHeight, ribLength, wires, hasStylet, stylet, provenance] = array;
   for (const Length value : {length, insertable, contactLength, ribHeight, ribLength})
     add(hash, value);
   const auto& [tipRadius, taper] = tip;
@@ -66,6 +82,8 @@ void add(Hash& hash, const electrode::ArrayDesign& array)
   add(hash, restCurvature);
   add(hash, contactsFromTip);
   add(hash, ribsFromTip);
+  // recordings of before have none, and elastic ones are a part of the stiffness
+  if (array.wiresYield()) add(hash, *wires);
   hash.add(hasStylet);
   if (hasStylet) add(hash, stylet);
 }

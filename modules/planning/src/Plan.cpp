@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 #include <stop_token>
+#include <utility>
 
 #include "PlanFile.h"
 #include "PlanSetup.h"
@@ -18,10 +19,10 @@ namespace {
 
 /// Draws between two transactions: some seconds of work, which an interruption loses at most.
 constexpr std::size_t blockSize = 8;
-/// Number of draws after which the bands are looked at next: 16, 32, 64, ...
+/// Number of draws after which the bands are looked at next: 64, 128, 256, ...
 std::size_t nextLook(std::size_t done, std::size_t draws)
 {
-  std::size_t look = fewestDraws;
+  std::size_t look = fewestForBand;
   while (look <= done) look *= 2;
   return std::min(look, draws);
 }
@@ -97,7 +98,7 @@ Result<Plan> viewPlan(const PlanRequest& request, const std::filesystem::path& d
     plan.thresholds = setup->thresholds;
     plan.friction = frictionOf(*setup);
     plan.frictionSpread = frictionSpreadOf(*setup);
-    plan.arrays = summarize(request, setup->arrays, plan.thresholds, plan.insertions);
+    addSummary(plan, setup->arrays);
     return plan;
   }
   const auto stored = readPlan(draws);
@@ -111,7 +112,7 @@ Result<Plan> viewPlan(const PlanRequest& request, const std::filesystem::path& d
   plan.thresholds = stored->plan.thresholds;
   plan.friction = stored->plan.friction;
   plan.frictionSpread = stored->plan.frictionSpread;
-  plan.arrays = summarize(request, arraysOf(stored->plan), plan.thresholds, plan.insertions);
+  addSummary(plan, arraysOf(stored->plan));
   return plan;
 }
 
@@ -168,12 +169,12 @@ Result<Plan> makePlan(const PlanRequest& request, const std::filesystem::path& d
       std::move(added.begin(), added.end(), std::back_inserter(plan.insertions));
       done += count;
     }
-    plan.arrays =
-        summarize(request, setup->arrays, setup->thresholds, upTo(look, arrays, plan.insertions));
-    if (look == request.draws || (request.stopsEarly && bandsStand(plan.arrays))) break;
+    auto all = std::exchange(plan.insertions, upTo(look, arrays, plan.insertions));
+    addSummary(plan, setup->arrays);
+    if (look == request.draws || (request.stopsEarly && bandsStand(plan))) break;
+    plan.insertions = std::move(all);
     look = nextLook(look, request.draws);
   }
-  plan.insertions = upTo(look, arrays, plan.insertions);
   if (file)
     if (const auto closed = file->close(); !closed) return closed.error();
   return plan;

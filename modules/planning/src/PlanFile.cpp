@@ -56,30 +56,33 @@ struct Drawn {
   const char* key;
   double PlannedInsertion::*value;
   Range range;
-  bool isInFirstVersions = true;  ///< They drew one factor for all sections, and no packing.
+  bool isInAllVersions = true;  ///< Otherwise its default in files without it.
 };
 constexpr Range factor{0.0, 20.0}, deviates{-20.0, 20.0};
-constexpr Drawn drawn[] = {{"a_mm", &PlannedInsertion::a_mm, analysis::physical::a_mm},
-                           {"b_mm", &PlannedInsertion::b_mm, analysis::physical::b_mm},
-                           {"h_mm",
-                            &PlannedInsertion::h_mm,
-                            {0.0, analysis::physical::h_mm.high}},  // 0: none was measured
-                           {"a1_deviate", &PlannedInsertion::a1_deviate, deviates},
-                           {"b1_deviate", &PlannedInsertion::b1_deviate, deviates},
-                           {"section", &PlannedInsertion::section, factor},
-                           {"section_second", &PlannedInsertion::sectionSecond, factor, false},
-                           {"dip_mm", &PlannedInsertion::dip_mm, {-10.0, 10.0}, false},
-                           {"radius", &PlannedInsertion::radius, factor, false},
-                           {"height", &PlannedInsertion::height, factor, false},
-                           {"lining_mm", &PlannedInsertion::lining_mm, {0.0, 5.0}},
-                           {"membrane_N_m", &PlannedInsertion::membrane_N_m, {0.0, 1e6}},
-                           {"tilt_deg", &PlannedInsertion::tilt_deg, {-180.0, 180.0}},
-                           {"turn_deg", &PlannedInsertion::turn_deg, {-180.0, 180.0}},
-                           {"stiffness", &PlannedInsertion::stiffness, factor},
-                           {"packing", &PlannedInsertion::packing, factor, false},
-                           {"friction", &PlannedInsertion::friction, factor},
-                           {"speed_mm_s", &PlannedInsertion::speed_mm_s, {0.0, 1000.0}},
-                           {"stop_mN", &PlannedInsertion::stop_mN, analysis::physical::force_mN}};
+constexpr Drawn drawn[] = {
+    {"a_mm", &PlannedInsertion::a_mm, analysis::physical::a_mm},
+    {"b_mm", &PlannedInsertion::b_mm, analysis::physical::b_mm},
+    {"h_mm",
+     &PlannedInsertion::h_mm,
+     {0.0, analysis::physical::h_mm.high}},  // 0: none was measured
+    {"a1_deviate", &PlannedInsertion::a1_deviate, deviates},
+    {"b1_deviate", &PlannedInsertion::b1_deviate, deviates},
+    {"section", &PlannedInsertion::section, factor},
+    {"section_second", &PlannedInsertion::sectionSecond, factor, false},
+    {"dip_mm", &PlannedInsertion::dip_mm, {-10.0, 10.0}, false},
+    {"radius", &PlannedInsertion::radius, factor, false},
+    {"height", &PlannedInsertion::height, factor, false},
+    {"lining_mm", &PlannedInsertion::lining_mm, {0.0, 5.0}},
+    {"membrane_N_m", &PlannedInsertion::membrane_N_m, {0.0, 1e6}},
+    {"tilt_deg", &PlannedInsertion::tilt_deg, {-180.0, 180.0}},
+    {"turn_deg", &PlannedInsertion::turn_deg, {-180.0, 180.0}},
+    {"stiffness", &PlannedInsertion::stiffness, factor},
+    {"packing", &PlannedInsertion::packing, factor, false},
+    {"friction", &PlannedInsertion::friction, factor},
+    {"speed_mm_s", &PlannedInsertion::speed_mm_s, {0.0, 1000.0}},
+    {"stop_mN", &PlannedInsertion::stop_mN, analysis::physical::force_mN},
+    {"intended_mm", &PlannedInsertion::intended_mm, analysis::physical::depth_mm, false},
+    {"free_mm", &PlannedInsertion::free_mm, analysis::physical::depth_mm, false}};
 
 /// A force at rest, which insertions of first versions lack.
 struct Rested {
@@ -130,7 +133,7 @@ Result<PlannedInsertion> insertionIn(const std::string& content)
     planned.draw = countIn(row.at("draw"));
     planned.array = countIn(row.at("array"));
     for (const Drawn& each : drawn) {
-      if (!each.isInFirstVersions && !row.contains(each.key)) {
+      if (!each.isInAllVersions && !row.contains(each.key)) {
         if (each.value == &PlannedInsertion::sectionSecond) planned.sectionSecond = planned.section;
         continue;
       }

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "perilymph/planning/PlanReading.h"
 
+#include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <utility>
 
 #include "PlanNames.h"
+#include "PlanNumbers.h"
 #include "perilymph/analysis/PhysicalRanges.h"
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/foundation/Utf8.h"
@@ -136,6 +138,10 @@ ArrayPlan arrayIn(const Json& value)
   const Json& chances = at(value, "probability");
   for (const PlanProbability& each : planProbabilities())
     plan.*each.estimate = probabilityAt(chances, each.key);
+  if (value.contains("at_median_friction"))
+    for (const FrictionQuantity& each : frictionQuantities)
+      plan.atMedianFriction.emplace(plan.atMedianFriction.value_or(AtMedianFriction{})).*each.band =
+          bandAt(at(value, "at_median_friction"), each.key, each.range);
   for (const Json& each : listAt(value, "force", maxStoredRows))
     plan.force.push_back({numberAt(each, "depth_mm", physical::depth_mm), countAt(each, "draws"),
                           bandAt(each, "force_mN", physical::signedForce_mN)});
@@ -156,6 +162,24 @@ ArrayPlan arrayIn(const Json& value)
          numberAt(each, "peak_width_if_known_mN", physical::force_mN),
          each.contains(finerWidth) ? numberAt(each, finerWidth, width_deg) : 0.0});
   return plan;
+}
+
+ArrayDifference differenceIn(const Json& value, const std::vector<std::string>& arrays)
+{
+  const auto place = [&](const char* key) {
+    const auto found = std::ranges::find(arrays, textAt(value, key));
+    if (found == arrays.end()) throw Unreadable(std::string(key) + " is none of its arrays");
+    return static_cast<std::size_t>(found - arrays.begin());
+  };
+  ArrayDifference difference;
+  difference.first = place("first");
+  difference.second = place("second");
+  difference.draws = countAt(value, "draws");
+  for (const DifferenceQuantity& each : differenceQuantities)
+    difference.*each.band = bandAt(value, each.key, each.range);
+  for (const DifferenceProbability& each : differenceProbabilities)
+    difference.*each.estimate = probabilityAt(at(value, "probability"), each.key);
+  return difference;
 }
 
 anatomy::Patient patientIn(const Json& value)
@@ -220,6 +244,9 @@ StoredPlan storedIn(const Json& value)
     request.arrays.push_back(stored.plan.arrays.back().array);
   }
   if (stored.plan.arrays.empty()) throw Unreadable("it has no array");
+  if (value.contains("differences"))
+    for (const Json& each : listAt(value, "differences", maxStoredRows))
+      stored.plan.differences.push_back(differenceIn(each, request.arrays));
   for (const Json& each : listAt(value, "sources", maxStoredRows)) {
     choiceAt(each, "confidence", confidences);
     stored.sources.push_back({textAt(each, "file"), textAt(each, "table"), textAt(each, "source"),

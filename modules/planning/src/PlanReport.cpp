@@ -7,8 +7,8 @@
 
 #include "FrequencyAllocation.h"
 #include "PlanNames.h"
+#include "PlanNumbers.h"
 #include "Uncertainty.h"
-#include "perilymph/analysis/CsvField.h"
 #include "perilymph/analysis/ErrorBand.h"
 #include "perilymph/analysis/PhysicalRanges.h"
 #include "perilymph/analysis/Surgeon.h"
@@ -24,18 +24,7 @@ namespace perilymph::planning {
 namespace {
 
 using nlohmann::ordered_json;
-using session::shortestDecimal;
 namespace ink = figures::ink;
-
-/// A number of a result, to six digits: more would be noise.
-double rounded(double value)
-{
-  if (value == 0.0 || !std::isfinite(value)) return 0.0;
-  const double scale = std::pow(10.0, 5.0 - std::floor(std::log10(std::fabs(value))));
-  return std::round(value * scale) / scale;
-}
-
-std::string number(double value) { return shortestDecimal(rounded(value)); }
 
 namespace physical = analysis::physical;
 
@@ -71,15 +60,33 @@ ordered_json bandJson(const Band& band)
           {"p95", rounded(band.high)}};
 }
 
+ordered_json probabilityJson(const analysis::Estimate& estimate)
+{
+  return {{"value", rounded(estimate.value)},
+          {"ci95", {rounded(estimate.low), rounded(estimate.high)}}};
+}
+
+ordered_json differenceJson(const Plan& plan, const ArrayDifference& difference)
+{
+  ordered_json json = {{"first", plan.arrays[difference.first].array},
+                       {"second", plan.arrays[difference.second].array},
+                       {"draws", difference.draws}};
+  for (const DifferenceQuantity& each : differenceQuantities)
+    json[each.key] = bandJson(difference.*each.band);
+  for (const DifferenceProbability& each : differenceProbabilities)
+    json["probability"][each.key] = probabilityJson(difference.*each.estimate);
+  return json;
+}
+
 ordered_json arrayJson(const ArrayPlan& plan)
 {
   ordered_json json = {{"array", plan.array}, {"name", plan.name}, {"draws", plan.draws}};
   for (const PlanQuantity& each : quantities) json[each.key] = bandJson(plan.*each.band);
-  for (const PlanProbability& each : probabilities) {
-    const analysis::Estimate& estimate = plan.*each.estimate;
-    json["probability"][each.key] = {{"value", rounded(estimate.value)},
-                                     {"ci95", {rounded(estimate.low), rounded(estimate.high)}}};
-  }
+  if (plan.atMedianFriction)
+    for (const FrictionQuantity& each : frictionQuantities)
+      json["at_median_friction"][each.key] = bandJson(*plan.atMedianFriction.*each.band);
+  for (const PlanProbability& each : probabilities)
+    json["probability"][each.key] = probabilityJson(plan.*each.estimate);
   json["force"] = ordered_json::array();
   for (const ForceBand& each : plan.force)
     json["force"].push_back({{"depth_mm", rounded(each.depth_mm)},
@@ -189,20 +196,29 @@ figures::Figure forceFigure(const Plan& plan, const ArrayPlan& array)
 figures::Figure angleFigure(const Plan& plan)
 {
   figures::Figure figure;
-  figure.title = "Angular insertion depth, median with " + bandsHold(plan);
-  figures::FigureValues values;
+  figure.title = "Angular insertion depth: median (" + bandsHold(plan) + ")";
+  figures::FigureValues values, median;
   values.ink = ink::blue;
+  median.ink = ink::vermilion;
+  median.label = Sentence{"the same at the median friction"};
   double top = 90.0;
+  constexpr double beside = 0.15;
+  const auto add = [](figures::FigureValues& to, double x, const Band& band) {
+    to.x.push_back(x);
+    to.y.push_back(band.median);
+    to.low.push_back(band.low);
+    to.high.push_back(band.high);
+  };
   for (std::size_t i = 0; i < plan.arrays.size(); ++i) {
     const Band& band = plan.arrays[i].angle_deg;
-    values.x.push_back(static_cast<double>(i + 1));
-    values.y.push_back(band.median);
-    values.low.push_back(band.low);
-    values.high.push_back(band.high);
+    add(values, static_cast<double>(i + 1), band);
+    if (const auto& other = plan.arrays[i].atMedianFriction)
+      add(median, static_cast<double>(i + 1) + beside, other->angle_deg);
     top = std::max(top, band.high);
     figure.notes.push_back(std::to_string(i + 1) + ": " + plan.arrays[i].name);
   }
   figure.values = {values};
+  if (!median.x.empty()) figure.values.push_back(median);
   figure.x = {"array", 0.5, static_cast<double>(plan.arrays.size()) + 0.5, 1.0, 0};
   figure.y = figures::axisOver("angle of the most apical contact, deg", 0.0, top);
   return figure;
@@ -230,8 +246,9 @@ figures::Figure influenceFigure(const ArrayPlan& plan)
     std::string note = std::to_string(i + 1) + ": " + each.input;
     if (each.finerAngleWidth_deg > 0.0)
       note += "; measured to 0.1 mm: 90 % band of the angle " +
-              number(std::round(each.finerAngleWidth_deg)) + " instead of " +
-              number(std::round(plan.angle_deg.high - plan.angle_deg.low)) + " deg";
+              session::shortestDecimal(std::round(each.finerAngleWidth_deg)) + " instead of " +
+              session::shortestDecimal(std::round(plan.angle_deg.high - plan.angle_deg.low)) +
+              " deg";
     figure.notes.push_back(note);
   }
   figure.x = {"input", 0.5, static_cast<double>(std::max<std::size_t>(bars, 1)) + 0.5, 1.0, 0};
@@ -316,6 +333,9 @@ Result<std::string> planJson(const Plan& plan)
   if (plan.frictionSpread > 0.0) json["friction_sd_log"] = rounded(plan.frictionSpread);
   json["arrays"] = ordered_json::array();
   for (const ArrayPlan& each : plan.arrays) json["arrays"].push_back(arrayJson(each));
+  json["differences"] = ordered_json::array();
+  for (const ArrayDifference& each : plan.differences)
+    json["differences"].push_back(differenceJson(plan, each));
   json["sources"] = ordered_json::array();
   auto ofHand = hand->provenance;
   if (plan.frictionSpread > 0.0) {
@@ -332,55 +352,6 @@ Result<std::string> planJson(const Plan& plan)
   json["limits"] = limitsOfPlans();
   json[sealKey] = sealToBe();
   return sealed(json.dump(2) + "\n");
-}
-
-std::string arraysCsv(const Plan& plan)
-{
-  std::string csv = "array,name,draws";
-  for (const PlanQuantity& each : quantities)
-    for (const char* quantile : {"p5", "p25", "median", "p75", "p95"})
-      csv += std::string(",") + each.key + "_" + quantile;
-  for (const PlanProbability& each : probabilities)
-    csv += std::string(",") + each.key + "_percent," + each.key + "_low," + each.key + "_high";
-  csv += ",bands_hold\n";
-  for (const ArrayPlan& each : plan.arrays) {
-    csv += analysis::csvField(each.array) + "," + analysis::csvField(each.name) + "," +
-           std::to_string(each.draws);
-    for (const PlanQuantity& quantity : quantities) {
-      const Band& band = each.*quantity.band;
-      for (const double value :
-           {band.low, band.lowerQuartile, band.median, band.upperQuartile, band.high})
-        csv += "," + number(value);
-    }
-    for (const PlanProbability& chance : probabilities) {
-      const analysis::Estimate& estimate = each.*chance.estimate;
-      for (const double value : {estimate.value, estimate.low, estimate.high})
-        csv += "," + number(100.0 * value);
-    }
-    csv += "," + analysis::csvField(bandsHold(plan)) + "\n";
-  }
-  return csv;
-}
-
-std::string contactsCsv(const Plan& plan)
-{
-  std::string csv =
-      "array,contact,draws,angle_deg,angle_p5_deg,angle_p95_deg,to_modiolus_mm,to_modiolus_p5_mm,"
-      "to_modiolus_p95_mm,greenwood_Hz,spiral_ganglion_Hz,filter_Hz,mismatch_semitones,"
-      "mismatch_p5_semitones,mismatch_p95_semitones\n";
-  for (const ArrayPlan& array : plan.arrays)
-    for (const ContactBand& each : array.contacts) {
-      csv += analysis::csvField(array.array) + "," + std::to_string(each.number) + "," +
-             std::to_string(each.draws);
-      for (const double value : {each.angle_deg.median, each.angle_deg.low, each.angle_deg.high,
-                                 each.toModiolus_mm.median, each.toModiolus_mm.low,
-                                 each.toModiolus_mm.high, each.greenwood_Hz, each.spiralGanglion_Hz,
-                                 each.filter_Hz, each.mismatch_semitones.median,
-                                 each.mismatch_semitones.low, each.mismatch_semitones.high})
-        csv += "," + number(value);
-      csv += '\n';
-    }
-  return csv;
 }
 
 std::vector<std::pair<std::string, figures::Figure>> planFigures(const Plan& plan)

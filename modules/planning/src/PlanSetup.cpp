@@ -92,6 +92,7 @@ PlannedInsertion plannedOf(const PlanDraw& draw, double stiffness, std::size_t n
   planned.friction = draw.surgeon.frictionFactor;
   planned.speed_mm_s = inMillimetersPerSecond(draw.surgeon.speed);
   planned.stop_mN = inMillinewtons(draw.surgeon.stop);
+  planned.free_mm = inMillimeters(draw.surgeon.freeLength);
   return planned;
 }
 
@@ -124,6 +125,7 @@ Result<PlannedInsertion> insertArray(const PlanRequest& request, const PlanSetup
   }
   PlannedInsertion planned = plannedOf(draw, stiffness, number, array);
   if (packingOf(nominal.parameters.array)) planned.packing = draw.packing;
+  planned.intended_mm = inMillimeters(analysis::intendedDepth(shape.parameters, draw.surgeon));
   planned.insertion = analysis::asPossible(analysis::insertByHand(
       shape.parameters, shape.anatomy, setup.hand, draw.surgeon, profileSpacing, stop, &shape.end));
   return planned;
@@ -181,7 +183,7 @@ std::string fingerprintOf(const PlanRequest& request, const PlanSetup& setup)
   const auto add = [&hash](const std::string& text) {
     hash.add(std::to_string(text.size()) + ":" + text);
   };
-  add("plan 5");
+  add("plan 6");
   if (const auto& resolution = request.resolution) {
     add(std::to_string(resolution->nodes));
     add(session::shortestDecimal(resolution->step.si()));

@@ -4,10 +4,13 @@
 #include "perilymph/planning/PlanSummary.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
 #include "FrequencyAllocation.h"
+#include "PlanComparison.h"
+#include "PlannedValues.h"
 #include "perilymph/analysis/ErrorBand.h"
 #include "perilymph/analysis/Tonotopy.h"
 #include "perilymph/foundation/Quantile.h"
@@ -18,13 +21,18 @@ namespace {
 
 using haptics::InsertionEnd;
 
-/// Tolerances of bandsStand().
-constexpr double angleTolerance_deg = 5.0, peakTolerance = 0.05;
-/// Quartile range of a normal distribution, in standard deviations, and standard error of a median,
-/// in standard errors of a mean.
-constexpr double quartileRange = 1.349, medianError = 1.2533;
+/// Lower edge of a band, and tolerances of bandsStand().
+constexpr double edge = 0.05, edgeTolerance = 0.1, angleTolerance_deg = 5.0, peakTolerance = 0.05;
 
 using Insertions = std::vector<const PlannedInsertion*>;
+
+Insertions runOf(const std::vector<PlannedInsertion>& insertions, std::size_t array)
+{
+  Insertions run;
+  for (const PlannedInsertion& each : insertions)
+    if (each.array == array && isRun(each)) run.push_back(&each);
+  return run;
+}
 
 template <class Value>
 std::vector<double> valuesOf(const Insertions& all, const Value& value)
@@ -149,9 +157,6 @@ double explained(const std::vector<double>& x, const std::vector<double>& y)
   return std::max(0.0, 1.0 - (1.0 - xy * xy / (xx * yy)) * (count - 1.0) / (count - 2.0));
 }
 
-double angleOf(const PlannedInsertion& each) { return inDegrees(each.insertion.apical); }
-double peakOf(const PlannedInsertion& each) { return inMillinewtons(each.insertion.peak); }
-
 /// The part of a band's width that remains if the part `known` of the variance were known.
 double widthKnowing(const Band& band, double known)
 {
@@ -194,7 +199,9 @@ std::vector<Influence> influencesOn(const Insertions& all, const ArrayPlan& plan
       {Phrase{"packing of the wires"}, [](const PlannedInsertion& each) { return each.packing; }},
       {Phrase{"friction"}, [](const PlannedInsertion& each) { return each.friction; }},
       {Phrase{"speed"}, [](const PlannedInsertion& each) { return each.speed_mm_s; }},
-      {Phrase{"force limit"}, [](const PlannedInsertion& each) { return each.stop_mN; }}};
+      {Phrase{"grip"}, [](const PlannedInsertion& each) { return each.free_mm; }},
+      {Phrase{"force limit"}, [](const PlannedInsertion& each) { return each.stop_mN; }},
+      {Phrase{"intended depth"}, [](const PlannedInsertion& each) { return each.intended_mm; }}};
   std::vector<Influence> influences;
   for (const Input& input : inputs) {
     const std::vector<double> values = valuesOf(all, input.value);
@@ -248,20 +255,17 @@ ArrayPlan summaryOf(const Insertions& all, const PlannedArray& array, const Thre
 {
   ArrayPlan plan;
   plan.draws = all.size();
-  // An insertion that could not be prepared has an end and no values.
   Insertions run;
   for (const PlannedInsertion* each : all)
-    if (each->insertion.end != InsertionEnd::refused) run.push_back(each);
+    if (isRun(*each)) run.push_back(each);
   const auto band = [&run](const auto& value) { return bandOf(valuesOf(run, value)); };
   plan.angle_deg = band(angleOf);
   plan.peak_mN = band(peakOf);
   plan.coverage_percent = band([](const PlannedInsertion& each) {
     return 100.0 * analysis::cochlearCoverage(each.insertion.contacts);
   });
-  plan.depth_mm =
-      band([](const PlannedInsertion& each) { return inMillimeters(each.insertion.depth); });
-  plan.end_mN =
-      band([](const PlannedInsertion& each) { return inMillinewtons(each.insertion.endForce); });
+  plan.depth_mm = band(depthOf);
+  plan.end_mN = band(endOf);
   plan.after1s_mN = restedBand(run, &analysis::ClinicalInsertion::forceAfter1s);
   plan.after10s_mN = restedBand(run, &analysis::ClinicalInsertion::forceAfter10s);
   plan.partition_mN =
@@ -309,16 +313,37 @@ std::vector<ArrayPlan> summarize(const PlanRequest& request,
   return plans;
 }
 
-bool bandsStand(const std::vector<ArrayPlan>& arrays)
+void addSummary(Plan& plan, const std::vector<PlannedArray>& arrays)
 {
-  const auto errorOf = [](const Band& band, std::size_t draws) {
-    return medianError * (band.upperQuartile - band.lowerQuartile) / quartileRange /
-           std::sqrt(static_cast<double>(std::max<std::size_t>(draws, 1)));
+  plan.arrays = summarize(plan.request, arrays, plan.thresholds, plan.insertions);
+  plan.differences = differencesOf(plan.arrays.size(), plan.insertions);
+  if (plan.frictionSpread > 0.0)
+    for (std::size_t i = 0; i < plan.arrays.size(); ++i)
+      plan.arrays[i].atMedianFriction = atMedianFriction(runOf(plan.insertions, i));
+}
+
+bool bandsStand(const Plan& plan)
+{
+  const auto stands = [&plan](std::size_t array, double (*value)(const PlannedInsertion&),
+                              double tolerance) {
+    std::vector<double> values = valuesOf(runOf(plan.insertions, array), value);
+    if (values.size() < fewestForBand) return false;
+    std::sort(values.begin(), values.end());
+    const auto at = [&](double fraction) {
+      return quantileOfSorted(values, fraction, QuantileRule::predictive);
+    };
+    // the quantiles one standard error of the fraction below and above
+    const double error = std::sqrt(edge * (1.0 - edge) / static_cast<double>(values.size()));
+    const double allowed = std::max(tolerance, edgeTolerance * (at(1.0 - edge) - at(edge)));
+    return std::ranges::all_of(std::array{edge, 1.0 - edge}, [&](double fraction) {
+      return 0.5 * (at(fraction + error) - at(fraction - error)) <= allowed;
+    });
   };
-  return std::all_of(arrays.begin(), arrays.end(), [&](const ArrayPlan& plan) {
-    return errorOf(plan.angle_deg, plan.draws) <= angleTolerance_deg &&
-           errorOf(plan.peak_mN, plan.draws) <= peakTolerance * plan.peak_mN.median;
-  });
+  for (std::size_t i = 0; i < plan.arrays.size(); ++i)
+    if (!stands(i, angleOf, angleTolerance_deg) ||
+        !stands(i, peakOf, peakTolerance * plan.arrays[i].peak_mN.median))
+      return false;
+  return true;
 }
 
 }  // namespace perilymph::planning

@@ -42,7 +42,8 @@ double wiresAt(const electrode::ArrayDesign& array, Length fromTip)
 
 std::optional<double> packingOf(const electrode::ArrayDesign& array)
 {
-  if (array.hasStylet || array.contactsFromTip.empty() || array.diameter.fromTip.empty())
+  if (array.hasStylet || array.yields() || array.contactsFromTip.empty() ||
+      array.diameter.fromTip.empty())
     return std::nullopt;
   double sum = 0.0, weight = 0.0;
   for (std::size_t i = 0; i < array.bending.fromTip.size(); ++i) {

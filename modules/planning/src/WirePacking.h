@@ -16,7 +16,8 @@ double wiresAt(const electrode::ArrayDesign& array, Length fromTip);
 
 /// c of an array's bending stiffness, by least squares over its knots; none if the model does not give
 /// the stiffness to 10 % at every knot, as where it was measured or fitted, and none of an array with a
-/// stylet or sheath: c would change the moment with which it curls, which that part has to hold.
+/// stylet or sheath: c would change the moment with which it curls, which that part has to hold. None of
+/// wires that yield either: the lower values of c stand for what yielding takes, which would count twice.
 std::optional<double> packingOf(const electrode::ArrayDesign& array);
 
 /// The array with another c: its bending stiffness differs by (to - from) E_w I_w N(s)^2.

@@ -28,11 +28,11 @@ TEST_F(Plans, AreWrittenWithTheirTablesAndFiguresAndContinueToTheSameBytes)
   const auto first = plan("measured", {"--arrays", "flex24"});
   ASSERT_EQ(first.status, 0) << first.err;
   EXPECT_THAT(first.out, HasSubstr("FLEX24, 1 simulation\n"));
-  EXPECT_THAT(first.out, HasSubstr("Median (0 % over friction 0.08 to 0.33)"));
+  EXPECT_THAT(first.out, HasSubstr("Median (1 simulation over friction 0.08 to 0.33)"));
   EXPECT_THAT(first.out,
               HasSubstr("full insertion           0 of 1\n  stopped by resistance    1 of 1\n"));
-  EXPECT_THAT(text("arrays.csv"), HasSubstr(",bands_hold\n"));
-  EXPECT_THAT(text("arrays.csv"), HasSubstr(",0 % over friction 0.08 to 0.33\n"));
+  EXPECT_THAT(text("arrays.csv"), HasSubstr(",bands_hold,at_median_friction_angle_deg_p5,"));
+  EXPECT_THAT(text("arrays.csv"), HasSubstr(",1 simulation over friction 0.08 to 0.33,"));
   EXPECT_THAT(first.out, HasSubstr("angular insertion depth"));
   EXPECT_THAT(first.out, HasSubstr("after 10 s of rest "));
   const std::string json = text("plan.json"), contacts = text("contacts.csv");

@@ -124,9 +124,9 @@ TEST_F(PlanReportPdf, StatesTheNumbersOfThePlanFileWithoutADisplay)
         QStringLiteral("20.4 mN"), QStringLiteral("≥ 42.0 mN"), QStringLiteral("≥ 122.0 mN"),
         QStringLiteral("9.20 ± 0.20 mm"), QStringLiteral("6.80 ± 0.39 mm"),
         QStringLiteral("4.00 ± 0.59 mm"), QStringLiteral("Signature"), QStringLiteral("P-17"),
-        QStringLiteral("right ear"), QStringLiteral("Page 1 of 2"),
-        QStringLiteral("Arrays in this cochlea: median (90 % at friction 0.12)"),
-        QStringLiteral("numbered from the tip: median (90 % at friction 0.12)"),
+        QStringLiteral("right ear"), QStringLiteral("Page 1 of 3"),
+        QStringLiteral("Arrays in this cochlea: median (59 simulations at friction 0.12)"),
+        QStringLiteral("numbered from the tip: median (59 simulations at friction 0.12)"),
         QStringLiteral("share of simulations, %"), QStringLiteral("10 of 59")})
     EXPECT_THAT(text, HasSubstr(words.toStdString()));
 }
@@ -136,7 +136,7 @@ TEST_F(PlanReportPdf, StatesForcesAtTheEndAndAtRestAndSharesOfFewSimulationsAsCo
   store(syntheticPlan(16));
   ASSERT_EQ(report(folder_.path(), pdf()).status, 0);
   const std::string text = textOf(pdf());
-  EXPECT_THAT(text, HasSubstr("median (88 % at friction 0.12)"));
+  EXPECT_THAT(text, HasSubstr("median (16 simulations at friction 0.12)"));
   EXPECT_THAT(text, HasSubstr("number of simulations"));
   // full, stopped at every fourth, buckled, folded, ruptured at every tenth
   EXPECT_TRUE(

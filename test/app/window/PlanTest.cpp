@@ -80,7 +80,7 @@ protected:
       // heads of bands say what they hold, and what they hold fixed
       EXPECT_EQ(rows.headerData(column, Qt::Horizontal)
                     .toString()
-                    .contains("88 % over friction 0.08 to 0.33"),
+                    .contains("16 simulations over friction 0.08 to 0.33"),
                 column >= 1 && column <= 6)
           << column;
       for (int row = 0; row < rows.rowCount(); ++row) {
@@ -132,7 +132,7 @@ protected:
     ASSERT_TRUE(charts.plan());
     EXPECT_TRUE(charts.showPlanIn(scenario));
     EXPECT_FALSE(charts.plan()->points.empty());
-    EXPECT_TRUE(charts.plan()->label.contains("88 % over friction 0.08 to 0.33"))
+    EXPECT_TRUE(charts.plan()->label.contains("16 simulations over friction 0.08 to 0.33"))
         << charts.plan()->label.toStdString();
     settle();
     keepPicture(rig.window(), "plan-inserted");

@@ -26,6 +26,7 @@ electrode::ArrayDesign uniformArray(const RodSpec& spec)
   if (spec.twisting > 0.0)
     array.twisting =
         electrode::AlongArray<BendingStiffness>{{meters(0)}, {newtonSquareMeters(spec.twisting)}};
+  array.wires = spec.wires;
   array.ribsFromTip = spec.ribsFromTip;
   array.ribHeight = meters(spec.ribHeight);
   array.ribLength = meters(spec.ribLength);

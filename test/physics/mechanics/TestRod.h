@@ -23,6 +23,7 @@ struct RodSpec {
   double thickness = 0.0;      ///< Within the plane of curl [m]; 0: round.
   double twisting = 0.0;       ///< GJ [N.m^2]; 0: derived from its sections.
   mechanics::RelaxationLaw relaxation;
+  std::optional<electrode::Wires> wires;
   double friction = 0.0;       ///< Coulomb, the same at rest and sliding.
   double wallStiffness = 1e5;  ///< Per sample point [N/m]: hard against everything tested.
   double startInside = 0.0;    ///< [m]

@@ -238,6 +238,19 @@ private:
   Findings& findings_;
 };
 
+/// Wires with half of the array's stiffness at both ends.
+electrode::Wires wiresThatYieldAt(double moment, const electrode::ArrayDesign& array)
+{
+  electrode::Wires wires;
+  wires.diameter = millimeters(0.1);
+  const double d = wires.diameter.si();
+  const double tip = array.bending.value.front().si(), base = array.bending.value.back().si();
+  wires.number = {{millimeters(0), array.length}, {1.0, base / tip}};
+  wires.modulus = Modulus::fromSi(0.5 * tip * 64.0 / (pi * d * d * d * d));
+  wires.yieldStress.value = Modulus::fromSi(moment * 6.0 / (d * d * d));
+  return wires;
+}
+
 }  // namespace
 
 std::shared_ptr<const mechanics::InsertionModel> build(const Setting& setting)
@@ -251,6 +264,7 @@ std::shared_ptr<const mechanics::InsertionModel> build(const Setting& setting)
   parts.array = *array;
   parts.friction = setting.friction;
   parts.relaxation = setting.relaxation;
+  if (setting.yieldMoment > 0.0) parts.array.wires = wiresThatYieldAt(setting.yieldMoment, *array);
   parts.wall.perSamplePoint = newtonsPerMeter(setting.wall);
   parts.wall.tangentialPerSamplePoint = newtonsPerMeter(setting.wall * 200.0 / 441.0);
   if (setting.isLined) parts.wall = mechanics::boneWall();

@@ -20,7 +20,8 @@ struct Setting {
   std::string array = "contour";
   mechanics::FrictionLaw friction;
   mechanics::RelaxationLaw relaxation;
-  double wall = 441.0;  ///< Per sample point [N/m].
+  double yieldMoment = 0.0;  ///< At which wires with half of the stiffness yield [N.m]; 0: elastic.
+  double wall = 441.0;       ///< Per sample point [N/m].
   mechanics::Coupling coupling = mechanics::Coupling::rigid;
   StyletUse stylet = StyletUse::stays;
   bool isLined = false;          ///< Bone under a soft lining instead of `wall`.

@@ -77,6 +77,11 @@ std::vector<Setting> all()
   rows.back().relaxation = relaxation;
   rows.push_back(row("relaxing_on_a_spring", "published", "contour", paper, 441, spring, stays));
   rows.back().relaxation = relaxation;
+  rows.push_back(row("yielding", "mean", "flex28", coulomb(0.3), 2'000, rigid, stays));
+  rows.back().yieldMoment = 0.5e-6;
+  rows.push_back(row("yielding_and_relaxing", "published", "contour", paper, 441, spring, stays));
+  rows.back().yieldMoment = 10e-6;
+  rows.back().relaxation = relaxation;
   return rows;
 }
 

@@ -17,21 +17,35 @@
 namespace perilymph::mechanics {
 namespace {
 
+/// Whether the array is elastic, or relaxes, as its friction does, while wires and stylet yield.
+enum class Material { elastic, inelastic };
+
 /// A Contour in the published anatomy with scripted motion.
 struct Insertion {
-  explicit Insertion(const RelaxationLaw& relaxation = {})
-      : model(InsertionModel::build(parts(relaxation))), state(*model)
+  explicit Insertion(Material material = Material::elastic)
+      : model(InsertionModel::build(parts(material))), state(*model)
   {
     drive.handAxis_W = model->startAxis_W;
     drive.handCurl_W = model->startCurl_W;
     drive.handPosition_W = model->startBase_W;
   }
-  static ModelParts parts(const RelaxationLaw& relaxation)
+  static ModelParts parts(Material material)
   {
     ModelParts parts;
     parts.lumen = anatomy::buildPublished({}, millimeters(1));
     parts.array = *electrode::loadArray(resource("plugins/electrodes/cochlear/contour.toml"));
-    parts.relaxation = relaxation;
+    if (material == Material::elastic) return parts;
+    parts.relaxation = {{{{0.13, seconds(0.3)}, {0.28, seconds(6)}}}, {0.3, seconds(1)}};
+    electrode::Wires& wires = parts.array.wires.emplace();
+    wires.number = {{millimeters(0)}, {20.0}};
+    wires.diameter = millimeters(0.025);
+    wires.modulus = megapascals(168e3);
+    wires.coupling = 0.1;
+    wires.yieldStress.value = megapascals(50);
+    electrode::Stylet& stylet = parts.array.stylet;
+    stylet.diameter = millimeters(0.15);
+    stylet.bending = newtonSquareMeters(4.2e-6);
+    stylet.yieldStress.value = megapascals(650);
     return parts;
   }
   void pushTo(double travel, double perTick = 0.02e-3)
@@ -49,7 +63,7 @@ struct Insertion {
 static_assert(noexcept(advance(std::declval<const InsertionModel&>(),
                                std::declval<InsertionState&>(), std::declval<const Drive&>())));
 
-class AdvanceWith : public testing::TestWithParam<RelaxationLaw> {};
+class AdvanceWith : public testing::TestWithParam<Material> {};
 
 TEST_P(AdvanceWith, AllocatesNothingInDeepContact)
 {
@@ -60,20 +74,32 @@ TEST_P(AdvanceWith, AllocatesNothingInDeepContact)
   const test::AllocationGuard guard;
   for (int i = 0; i < 200; ++i) {
     insertion.drive.handPosition_W -= 0.01e-3 * insertion.model->entry.out_W;
+    insertion.drive.styletWithdrawal += 0.01e-3;
     advance(*insertion.model, insertion.state, insertion.drive);
+  }
+  if (GetParam() == Material::inelastic) {
+    EXPECT_GT(insertion.state.readings.plasticWork, 0.0);
   }
   insertion.state.reset(*insertion.model);
   EXPECT_EQ(guard.allocations(), 0u);
   EXPECT_EQ(guard.frees(), 0u);
 }
 
-RelaxationLaw relaxing()
-{
-  return {{{{0.13, seconds(0.3)}, {0.28, seconds(6)}}}, {0.3, seconds(1)}};
-}
+INSTANTIATE_TEST_SUITE_P(ElasticAndNot, AdvanceWith,
+                         testing::Values(Material::elastic, Material::inelastic));
 
-INSTANTIATE_TEST_SUITE_P(AndWithoutRelaxation, AdvanceWith,
-                         testing::Values(RelaxationLaw{}, relaxing()));
+TEST(Advance, KeepsTheBoundOfItsWorkWhileWiresAndStyletYield)
+{
+  Insertion insertion(Material::inelastic);
+  for (double at = 0.02e-3; at <= 16e-3; at += 0.02e-3) {
+    insertion.drive.handPosition_W =
+        insertion.model->startBase_W + at * insertion.model->startAxis_W;
+    advance(*insertion.model, insertion.state, insertion.drive);
+    ASSERT_LE(insertion.state.readings.evaluations, SolverParameters{}.maxEvaluations) << at;
+    ASSERT_LE(insertion.state.readings.factorizations, SolverParameters{}.maxFactorizations) << at;
+    ASSERT_LE(insertion.state.readings.residual, SolverParameters{}.forceTolerance) << at;
+  }
+}
 
 TEST(Advance, SaysWhenNumbersHaveOverflowed)
 {

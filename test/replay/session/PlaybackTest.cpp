@@ -33,14 +33,12 @@ void runSql(const std::filesystem::path& file, const std::string& sql)
   sqlite3_close(database);
 }
 
-/// With and without relaxation, whose states a jump restores.
-class APlayback : public testing::TestWithParam<bool> {
+/// With and without relaxation and yield, whose states a jump restores.
+class APlayback : public testing::TestWithParam<Overrides> {
 protected:
   void SetUp() override
   {
-    Overrides overrides;
-    if (GetParam()) overrides = {{"relaxation_fraction", "[0.3]"}, {"relaxation_time_s", "[0.05]"}};
-    auto insertion = test::shortRun(file_, overrides);
+    auto insertion = test::shortRun(file_, GetParam());
     ASSERT_TRUE(insertion->runToEnd([&](const haptics::TickRecord& record) {
       haptics::Snapshot picture{};
       insertion->loop().engine().fill(picture);
@@ -148,7 +146,11 @@ TEST_P(APlayback, OfNoTicksIsRefusedWithASentence)
   EXPECT_THAT(refused.error().message, HasSubstr("contains no samples"));
 }
 
-INSTANTIATE_TEST_SUITE_P(AndWithRelaxation, APlayback, testing::Bool());
+INSTANTIATE_TEST_SUITE_P(AndWithMemory, APlayback,
+                         testing::Values(Overrides{},
+                                         Overrides{{"relaxation_fraction", "[0.3]"},
+                                                   {"relaxation_time_s", "[0.05]"}},
+                                         test::yieldingArray));
 
 }  // namespace
 }  // namespace perilymph::session

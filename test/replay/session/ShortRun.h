@@ -12,6 +12,10 @@
 
 namespace perilymph::test {
 
+/// An array whose wires yield from the first bend on.
+inline const session::Overrides yieldingArray = {{"array", "slim-straight"},
+                                                 {"wire_yield_MPa", "150"}};
+
 inline std::unique_ptr<session::Insertion> shortRun(const std::filesystem::path& file,
                                                     session::Overrides more = {})
 {

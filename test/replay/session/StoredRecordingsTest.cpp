@@ -65,8 +65,8 @@ TEST_P(StoredRecordingsOnMachines, ReplayToTheSameBits)
   }
 }
 
-// The stored ones are of arrays that do not relax.
-TEST_P(StoredRecordingsOnMachines, AndAnInsertionThatRelaxesHaveTheSameBits)
+// The stored ones are of arrays that neither relax nor yield.
+TEST_P(StoredRecordingsOnMachines, AndAnInsertionThatRelaxesAndYieldsHaveTheSameBits)
 {
   if (GetParam() > mechanics::machineInstructions())
     GTEST_SKIP() << "This machine does not have these instructions.";
@@ -74,13 +74,20 @@ TEST_P(StoredRecordingsOnMachines, AndAnInsertionThatRelaxesHaveTheSameBits)
   const fs::path file = folder / "run.insertion";
   const mechanics::Instructions ofTheTest = mechanics::kernelInstructions;
   mechanics::kernelInstructions = mechanics::machineInstructions();
-  ASSERT_TRUE(test::shortRun(file, {{"relaxation_fraction", "[0.13, 0.28]"},
-                                    {"relaxation_time_s", "[0.03, 0.6]"},
-                                    {"film_relaxation_fraction", "0.4"},
-                                    {"film_relaxation_time_s", "0.1"},
-                                    {"nodes", "61"},
-                                    {"stop_travel_mm", "6"}})
-                  ->runToEnd({}));
+  Overrides overrides = test::yieldingArray;
+  overrides.insert(overrides.end(), {{"relaxation_fraction", "[0.13, 0.28]"},
+                                     {"relaxation_time_s", "[0.03, 0.6]"},
+                                     {"film_relaxation_fraction", "0.4"},
+                                     {"film_relaxation_time_s", "0.1"},
+                                     {"nodes", "61"},
+                                     {"speed_mm_s", "5"},
+                                     {"stop_travel_mm", "8"}});
+  double work = 0.0;
+  ASSERT_TRUE(test::shortRun(file, overrides)->runToEnd([&](const haptics::TickRecord& record) {
+    work = record.output.plasticWork;
+    return true;
+  }));
+  EXPECT_GT(work, 0.0);
   mechanics::kernelInstructions = ofTheTest;
   const auto verification = verify(file);
   ASSERT_TRUE(verification) << verification.error().message;

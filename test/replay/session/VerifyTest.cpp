@@ -16,6 +16,7 @@
 namespace perilymph::session {
 namespace {
 
+namespace fs = std::filesystem;
 using testing::HasSubstr;
 
 /// Copies a recording with each tick modified by `change`; ticks that it refuses are lost.
@@ -76,6 +77,36 @@ TEST(Replay, FollowsAnArrayThatRelaxes)
                                {"withdraw", "true"}};
   ASSERT_TRUE(test::shortRun(folder / "run.insertion", overrides)->runToEnd({}));
   EXPECT_TRUE(verified(folder / "run.insertion").isIdentical);
+}
+
+TEST(Replay, FollowsAnArrayThatYields)
+{
+  const test::TemporaryFolder folder;
+  const fs::path file = folder / "run.insertion";
+  Overrides overrides = test::yieldingArray;
+  overrides.insert(overrides.end(), {{"stop_travel_mm", "8"}, {"withdraw", "true"}});
+  double work = 0.0;
+  ASSERT_TRUE(test::shortRun(file, overrides)->runToEnd([&](const haptics::TickRecord& record) {
+    EXPECT_GE(record.output.plasticWork, work);
+    work = record.output.plasticWork;
+    return true;
+  }));
+  EXPECT_GT(work, 1e-6);
+  EXPECT_TRUE(verified(file).isIdentical);
+  double recorded = 0.0;
+  ASSERT_TRUE(RecordedInsertion::open(file)->forEach([&](const haptics::TickRecord& record) {
+    recorded = record.output.plasticWork;
+    return true;
+  }));
+  EXPECT_EQ(recorded, work);
+  // one work that differs is found
+  recordAgain(file, folder / "changed.insertion", [](haptics::TickRecord& record) {
+    if (record.tick == 4500) record.output.plasticWork *= 2.0;
+    return true;
+  });
+  const Verification verification = verified(folder / "changed.insertion");
+  ASSERT_TRUE(verification.difference);
+  EXPECT_EQ(verification.difference->field, "plasticWork");
 }
 
 TEST(Replay, FollowsThePublishedPointSet)

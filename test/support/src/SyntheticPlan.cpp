@@ -73,8 +73,7 @@ planning::Plan syntheticPlan(std::size_t draws)
   plan.insertions = syntheticInsertions(draws);
   plan.thresholds = publishedThresholds();
   plan.friction = {0.12, 0.12};
-  plan.arrays =
-      planning::summarize(plan.request, plannedArrays(), plan.thresholds, plan.insertions);
+  planning::addSummary(plan, plannedArrays());
   return plan;
 }
 

@@ -107,6 +107,47 @@ TEST(InsertionByHand, StopsAtTheSurgeonsForceAndRests)
   EXPECT_GT(*done.forceAfter10s, newtons(0));
 }
 
+TEST(InsertionByHand, EndsBetweenTheLastContactInsideAndTheGreatestDepth)
+{
+  const HandDistribution all = hand();
+  double lowest = 1.0, highest = 0.0;
+  for (std::uint64_t number = 1; number <= 200; ++number) {
+    const double intended = drawSurgeon(all, 1, number).intended;
+    EXPECT_TRUE(0.0 <= intended && intended <= 1.0) << intended;
+    lowest = std::min(lowest, intended);
+    highest = std::max(highest, intended);
+  }
+  EXPECT_LT(lowest, 0.05);
+  EXPECT_GT(highest, 0.95);
+
+  ByHand test(newtons(1.0));
+  // the last contact of FLEX28 is centered at 24.1 mm and 0.5 mm long, its greatest depth is 28 mm
+  test.surgeon.intended = 0.0;
+  EXPECT_NEAR(inMillimeters(intendedDepth(test.parameters, test.surgeon)), 24.35, 1e-9);
+  test.surgeon.intended = 1.0;
+  EXPECT_NEAR(inMillimeters(intendedDepth(test.parameters, test.surgeon)), 28.0, 1e-9);
+  test.surgeon.intended = 0.5;
+  EXPECT_NEAR(inMillimeters(intendedDepth(test.parameters, test.surgeon)), 26.175, 1e-9);
+  // no deeper than the scenario allows, and with no contact there
+  test.parameters.stopTravel = millimeters(20) - test.parameters.startInside;
+  EXPECT_NEAR(inMillimeters(intendedDepth(test.parameters, test.surgeon)), 20.0, 1e-9);
+  test.parameters.array.contactsFromTip.clear();
+  test.parameters.stopTravel = millimeters(28) - test.parameters.startInside;
+  EXPECT_NEAR(inMillimeters(intendedDepth(test.parameters, test.surgeon)), 28.0, 1e-9);
+}
+
+TEST(InsertionByHand, StopsWhereTheSurgeonMeansTo)
+{
+  ByHand test(newtons(1.0));
+  test.surgeon.frictionFactor = 0.05;
+  test.surgeon.intended = 0.0;
+  test.parameters.array.contactsFromTip.resize(5);  // up to 9.4 mm
+  const ClinicalInsertion done = test.insert();
+  EXPECT_EQ(done.end, haptics::InsertionEnd::finished);
+  EXPECT_NEAR(inMillimeters(done.depth), 9.65, 0.3);  // the tremor goes on at rest
+  for (const ContactPosition& each : done.contacts) EXPECT_TRUE(each.isInserted) << each.number;
+}
+
 TEST(InsertionByHand, StatesNoForceOfARestThatWasShorter)
 {
   ByHand test(newtons(0.02));

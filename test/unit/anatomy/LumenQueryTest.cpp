@@ -64,15 +64,16 @@ double bruteDistance(const ScalaTympani& scala, const Eigen::Vector3d& point, do
 /// The lumen of every anatomy, through the same distance table.
 class LumenOf : public testing::TestWithParam<const char*> {
 protected:
-  static std::shared_ptr<const ScalaTympani> build(const std::string& anatomy)
+  /// Built once for all cases.
+  static std::shared_ptr<const ScalaTympani> built(const std::string& anatomy)
   {
-    if (anatomy == "published") return buildPublished({}, millimeters(1));
-    const auto built = anatomy == "mean" ? buildMean(millimeters(1)) : buildClark(millimeters(1));
-    if (!built) throw std::runtime_error(built.error().message);
-    return *built;
+    static const auto mean = buildMean(millimeters(1)), clark = buildClark(millimeters(1));
+    static const auto published = buildPublished({}, millimeters(1));
+    if (anatomy == "published") return published;
+    return anatomy == "mean" ? *mean : *clark;
   }
 
-  std::shared_ptr<const ScalaTympani> scala = build(GetParam());
+  std::shared_ptr<const ScalaTympani> scala = built(GetParam());
 
   /// A point inside the section at an angle, at a fraction of the distance to the wall.
   Eigen::Vector3d inside(double angle, double direction, double fraction) const

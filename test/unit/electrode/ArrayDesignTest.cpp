@@ -90,6 +90,55 @@ TEST_F(ArrayFile, WithoutCurlRibsAndStyletIsStraightAndBare)
   EXPECT_FALSE(array->hasStylet);
 }
 
+std::string withWires(const std::string& number, const std::string& stress)
+{
+  return "[wires]\nfrom_tip_mm = [0.0, 18.0]\nnumber = " + number +
+         "\ndiameter_um = 25.0\nmodulus_GPa = 168.0\ncoupling = 0.4\n" + stress +
+         "\nsource = 'x'\nconfidence = 'low'\n[contacts]";
+}
+
+constexpr const char* stress = "yield_MPa = 250.0\nyield_range_MPa = [150.0, 350.0]";
+
+TEST_F(ArrayFile, StatesWiresApartFromTheSilicone)
+{
+  EXPECT_FALSE(load()->wires.has_value());
+  const Result<ArrayDesign> array = load("[contacts]", withWires("[1.0, 3.0]", stress));
+  ASSERT_TRUE(array) << array.error().message;
+  ASSERT_TRUE(array->wires.has_value());
+  // E pi d^4 / 64 = 3.2213e-9 N m2 and s d^3 / 6 = 0.65104 uN m of each of three wires
+  const Wires::Branch single = array->wires->singleAt(millimeters(18));
+  EXPECT_NEAR(single.bending.si(), 3 * 3.2213e-9, 1e-12);
+  EXPECT_NEAR(single.moment, 3 * 0.65104e-6, 1e-10);
+  const Wires::Branch bundle = array->wires->bundleAt(millimeters(18));
+  EXPECT_NEAR(bundle.bending.si(), 0.4 * 9 * 3.2213e-9, 1e-12);
+  EXPECT_NEAR(bundle.moment, std::pow(3 / 0.9, 1.5) * 0.65104e-6, 1e-10);
+  EXPECT_EQ(inMegapascals(array->wires->yieldStress.maximum), 350.0);
+  EXPECT_TRUE(array->yields());
+}
+
+TEST_F(ArrayFile, WithARangeOfTheYieldStressAloneIsElastic)
+{
+  const auto array =
+      load("[contacts]", withWires("[1.0, 3.0]", "yield_range_MPa = [150.0, 350.0]"));
+  ASSERT_TRUE(array) << array.error().message;
+  EXPECT_EQ(inMegapascals(array->wires->yieldStress.minimum), 150.0);
+  EXPECT_FALSE(array->yields());
+}
+
+TEST_F(ArrayFile, WithImpossibleWiresIsRefused)
+{
+  const auto refused = [this](const std::string& number, const std::string& of) {
+    return error("[contacts]", withWires(number, of));
+  };
+  EXPECT_THAT(refused("[1.0, 3.0]", "yield_MPa = 250.0"), HasSubstr("yield_range_MPa"));
+  EXPECT_THAT(refused("[1.0, 3.0]", "yield_MPa = 400.0\nyield_range_MPa = [150.0, 350.0]"),
+              HasSubstr("yield_MPa"));
+  EXPECT_THAT(refused("[1.0, 3.0]", "yield_MPa = 250.0\nyield_range_MPa = [350.0, 150.0]"),
+              HasSubstr("the smallest first"));
+  EXPECT_THAT(refused("[1.0, 60.0]", stress),
+              HasSubstr("bending_N_m2 states 2.8e-07 for the whole array there"));
+}
+
 TEST_F(ArrayFile, RunsStraightBetweenKnotsAndStaysBeyondThem)
 {
   const Result<ArrayDesign> array = load();

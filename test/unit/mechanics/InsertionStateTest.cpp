@@ -11,21 +11,34 @@
 namespace perilymph::mechanics {
 namespace {
 
+/// What the array holds of its bends.
+enum class Memory { none, relaxation, yield };
+
 /// A Contour pushed into a narrow tube at 2 mm/s.
 struct SlowInsertion {
-  explicit SlowInsertion(const RelaxationLaw& relaxation = {})
-      : model(InsertionModel::build(parts(relaxation))), state(*model)
+  explicit SlowInsertion(Memory memory = Memory::none)
+      : model(InsertionModel::build(parts(memory))), state(*model)
   {
   }
 
-  static ModelParts parts(const RelaxationLaw& relaxation)
+  static ModelParts parts(Memory memory)
   {
     ModelParts parts;
     parts.lumen = std::make_shared<anatomy::StraightTube>(0.45e-3);
     parts.array = *electrode::loadArray(resource("plugins/electrodes/cochlear/contour.toml"));
     parts.nodes = 40;
-    parts.relaxation = relaxation;
     parts.approachTilt = degrees(4);
+    if (memory == Memory::relaxation) {
+      parts.relaxation.bending[0] = {0.3, seconds(0.1)};
+      parts.relaxation.film = {0.4, seconds(0.05)};
+    } else if (memory == Memory::yield) {
+      electrode::Wires& wires = parts.array.wires.emplace();
+      wires.number = {{millimeters(0)}, {20.0}};
+      wires.diameter = millimeters(0.025);
+      wires.modulus = megapascals(168e3);
+      wires.coupling = 0.05;
+      wires.yieldStress.value = megapascals(20);
+    }
     return parts;
   }
 
@@ -43,19 +56,11 @@ struct SlowInsertion {
   InsertionState state;
 };
 
-RelaxationLaw relaxing()
-{
-  RelaxationLaw law;
-  law.bending[0] = {0.3, seconds(0.1)};
-  law.film = {0.4, seconds(0.05)};
-  return law;
-}
-
-class InsertionStateOf : public testing::TestWithParam<bool> {};
+class InsertionStateOf : public testing::TestWithParam<Memory> {};
 
 TEST_P(InsertionStateOf, CopiesContinueEquallyAndIndependently)
 {
-  SlowInsertion run(GetParam() ? relaxing() : RelaxationLaw{});
+  SlowInsertion run(GetParam());
   for (int i = 0; i < 300; ++i) run.step(run.state);
   ASSERT_GT(run.state.readings.wallForceTotal, 0.0);
 
@@ -68,11 +73,12 @@ TEST_P(InsertionStateOf, CopiesContinueEquallyAndIndependently)
   EXPECT_EQ(run.state.fingerprint(), copy.fingerprint());
 }
 
-INSTANTIATE_TEST_SUITE_P(RestAndRelaxation, InsertionStateOf, testing::Bool());
+INSTANTIATE_TEST_SUITE_P(EachMemory, InsertionStateOf,
+                         testing::Values(Memory::none, Memory::relaxation, Memory::yield));
 
 TEST(InsertionState, OfARelaxingArrayIsRestoredByAReset)
 {
-  SlowInsertion run(relaxing());
+  SlowInsertion run(Memory::relaxation);
   const std::uint64_t start = run.state.fingerprint();
   for (int i = 0; i < 300; ++i) run.step(run.state);
   InsertionState copy = run.state;
@@ -85,10 +91,26 @@ TEST(InsertionState, OfARelaxingArrayIsRestoredByAReset)
   EXPECT_EQ(run.state.fingerprint(), start);
 }
 
-TEST(InsertionState, IsAssignedFromAStateOfTheSameModelWithoutAllocating)
+TEST(InsertionState, OfAYieldingArrayIsRestoredByAReset)
+{
+  SlowInsertion run(Memory::yield);
+  const std::uint64_t start = run.state.fingerprint();
+  for (int i = 0; i < 300; ++i) run.step(run.state);
+  ASSERT_GT(run.state.readings.plasticWork, 0.0);
+  for (MaterialBend& bend : run.state.plasticBend) {
+    InsertionState copy = run.state;
+    bend.across[20] += 1e-9;
+    EXPECT_NE(copy.fingerprint(), run.state.fingerprint()) << "what stays bent is part of it";
+  }
+  run.state.reset(*run.model);
+  EXPECT_EQ(run.state.fingerprint(), start);
+  EXPECT_EQ(run.state.readings.plasticWork, 0.0);
+}
+
+TEST_P(InsertionStateOf, IsAssignedFromAStateOfTheSameModelWithoutAllocating)
 {
   if (!test::AllocationGuard::isAvailable()) GTEST_SKIP() << test::AllocationGuard::whyNot();
-  SlowInsertion run(relaxing());
+  SlowInsertion run(GetParam());
   InsertionState other = run.state;
   for (int i = 0; i < 100; ++i) run.step(run.state);
   const test::AllocationGuard guard;

@@ -253,6 +253,26 @@ TEST(ModelFingerprint, ChangesWithEveryLawAndSetting)
        {"gain of the prediction", [](Parts& p) { nudge(p.solver.trendGain); }}});
 }
 
+TEST(ModelFingerprint, ChangesWithWiresThatYield)
+{
+  using Parts = ModelParts;
+  ModelParts parts = fullParts();
+  electrode::Wires wires;
+  wires.number = {{millimeters(1), millimeters(18)}, {1.0, 5.0}};
+  wires.diameter = millimeters(0.025);
+  wires.modulus = megapascals(168e3);
+  wires.coupling = 0.4;
+  wires.yieldStress.value = megapascals(250);
+  parts.array.wires = wires;
+  expectEachChangesTheFingerprint(
+      parts, {{"presence of wires", [](Parts& p) { p.array.wires.reset(); }},
+              {"number of wires", [](Parts& p) { nudge(p.array.wires->number.value[1]); }},
+              {"diameter of a wire", [](Parts& p) { nudge(p.array.wires->diameter); }},
+              {"modulus of the wires", [](Parts& p) { nudge(p.array.wires->modulus); }},
+              {"coupling of the wires", [](Parts& p) { nudge(p.array.wires->coupling); }},
+              {"yield stress", [](Parts& p) { nudge(p.array.wires->yieldStress.value); }}});
+}
+
 TEST(ModelFingerprint, ChangesWithRelaxation)
 {
   using Parts = ModelParts;

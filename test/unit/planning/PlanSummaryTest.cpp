@@ -210,18 +210,39 @@ TEST(PlanSummary, SaysHowWideABandWereWithAnInputKnownOrMeasuredBetter)
   EXPECT_EQ(a->finerAngleWidth_deg, 0.0);  // known to 0.1 mm already
 }
 
-TEST(PlanSummary, FindsThatBandsStandWithEnoughDraws)
+TEST(PlanSummary, FindsThatBandsStandWhereTheirEdgesAreKnown)
 {
-  EXPECT_FALSE(planning::bandsStand(syntheticPlan(16).arrays));
-  EXPECT_FALSE(
-      planning::bandsStand(syntheticPlan(200).arrays));  // its angles spread by 200 degrees
-  auto steady = syntheticInsertions(64);
-  for (auto& each : steady) {
-    each.insertion.apical = degrees(400.0 + static_cast<double>(each.draw % 8));
-    each.insertion.peak = millinewtons(80.0 + static_cast<double>(each.draw % 8));
+  // quantiles of a normal distribution in a mixed order, so that every part of them is like the whole
+  const auto plan = [](std::size_t draws, double spread_deg, double last_deg) {
+    planning::Plan made = syntheticPlan(draws);
+    for (auto& each : made.insertions) {
+      const double place = static_cast<double>(each.draw) / static_cast<double>(draws + 1);
+      const double deviate = std::log(place / (1.0 - place)) / 1.7;  // logistic, nearly normal
+      each.insertion.apical = degrees(400.0 + spread_deg * deviate);
+      each.insertion.peak = millinewtons(80.0 + deviate);
+      if (each.draw > draws - draws / 10) each.insertion.apical = degrees(last_deg);
+    }
+    planning::addSummary(made, plannedArrays());
+    return made;
+  };
+  EXPECT_FALSE(planning::bandsStand(plan(63, 1.0, 403.0)));  // no band yet, however narrow
+  EXPECT_TRUE(planning::bandsStand(plan(64, 1.0, 403.0)));
+  // one in ten far above: the upper edge lies among them, the lower one at the end of a long tail
+  EXPECT_TRUE(planning::bandsStand(plan(64, 40.0, 700.0)));
+  EXPECT_FALSE(planning::bandsStand(syntheticPlan(16)));
+}
+
+TEST(PlanSummary, GoesOnWhereAnEdgeIsWideThoughTheMedianIsKnown)
+{
+  // three in 64 insertions end far below: the 5 % quantile may be on either side of the gap
+  planning::Plan plan = syntheticPlan(64);
+  for (auto& each : plan.insertions) {
+    each.insertion.apical =
+        degrees(each.draw <= 3 ? 100.0 : 400.0 + 0.1 * static_cast<double>(each.draw));
+    each.insertion.peak = millinewtons(80.0);
   }
-  EXPECT_TRUE(planning::bandsStand(planning::summarize(syntheticPlan(1).request, plannedArrays(),
-                                                       publishedThresholds(), steady)));
+  planning::addSummary(plan, plannedArrays());
+  EXPECT_FALSE(planning::bandsStand(plan));
 }
 
 }  // namespace

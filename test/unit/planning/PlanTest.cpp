@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <fstream>
 #include <optional>
+#include <stdexcept>
 #include <stop_token>
 #include <string>
 #include <tuple>
@@ -34,12 +35,25 @@ namespace fs = std::filesystem;
 
 class SmallPlan : public testing::Test {
 protected:
-  SmallPlan()
+  static planning::PlanRequest smallRequest()
   {
-    request_.patient = measuredPatient();
-    request_.arrays = {"flex24", "hifocus-slimj"};
-    request_.resolution = planning::Resolution{30, milliseconds(10)};
-    request_.draws = 3;
+    planning::PlanRequest request;
+    request.patient = measuredPatient();
+    request.arrays = {"flex24", "hifocus-slimj"};
+    request.resolution = planning::Resolution{30, milliseconds(10)};
+    request.draws = 3;
+    return request;
+  }
+  /// The plan of the unchanged request, made once by one thread.
+  static const planning::Plan& usual()
+  {
+    static const auto plan = [] {
+      planning::PlanRequest request = smallRequest();
+      request.jobs = 1;
+      return planning::makePlan(request, {}, {});
+    }();
+    if (!plan) throw std::runtime_error(plan.error().message);
+    return *plan;
   }
   std::filesystem::path draws() const { return folder_.path() / "draws.sqlite"; }
 
@@ -53,15 +67,12 @@ protected:
   }
 
   TemporaryFolder folder_;
-  planning::PlanRequest request_;
+  planning::PlanRequest request_ = smallRequest();
 };
 
 TEST_F(SmallPlan, IsTheSameForOneThreadAndTwoAndAfterAnInterruption)
 {
-  request_.jobs = 1;
-  const auto one = planning::makePlan(request_, {}, {});
-  ASSERT_TRUE(one) << one.error().message;
-  ASSERT_EQ(one->insertions.size(), 6u);
+  ASSERT_EQ(usual().insertions.size(), 6u);
   request_.jobs = 2;
   request_.draws = 1;
   ASSERT_TRUE(planning::makePlan(request_, draws(), {}));
@@ -71,7 +82,7 @@ TEST_F(SmallPlan, IsTheSameForOneThreadAndTwoAndAfterAnInterruption)
   EXPECT_FALSE(planning::makePlan(request_, draws(), atOnce, stop.get_token()));
   const auto two = planning::makePlan(request_, draws(), {});
   ASSERT_TRUE(two) << two.error().message;
-  EXPECT_EQ(textOf(*one), textOf(*two));
+  EXPECT_EQ(textOf(usual()), textOf(*two));
 }
 
 TEST_F(SmallPlan, StatesTheFrictionThatItsBandsHoldFixed)
@@ -84,7 +95,7 @@ TEST_F(SmallPlan, StatesTheFrictionThatItsBandsHoldFixed)
   EXPECT_EQ(usual->friction.high, 0.165);
   // 0.283 common to all ears and 0.2 between them
   EXPECT_NEAR(usual->frictionSpread, std::sqrt(0.283 * 0.283 + 0.2 * 0.2), 1e-12);
-  EXPECT_EQ(planning::bandsHold(*usual), "0 % over friction 0.08 to 0.33");
+  EXPECT_EQ(planning::bandsHold(*usual), "1 simulation over friction 0.08 to 0.33");
   request_.friction = "paper";
   const auto other = planning::makePlan(request_, {}, {});
   ASSERT_TRUE(other) << other.error().message;
@@ -114,33 +125,30 @@ TEST(Draws, BelowSixteenAreOfferedToNobodyAndSayWhy)
 
 TEST_F(SmallPlan, InsertsAllArraysIntoTheSameCochleaByTheSameHand)
 {
-  const auto plan = planning::makePlan(request_, {}, {});
-  ASSERT_TRUE(plan) << plan.error().message;
-  for (std::size_t i = 0; i < plan->insertions.size(); i += 2) {
-    const auto& a = plan->insertions[i];
-    const auto& b = plan->insertions[i + 1];
+  const planning::Plan& plan = usual();
+  for (std::size_t i = 0; i < plan.insertions.size(); i += 2) {
+    const auto& a = plan.insertions[i];
+    const auto& b = plan.insertions[i + 1];
     EXPECT_EQ(a.a_mm, b.a_mm);
     EXPECT_EQ(a.friction, b.friction);
     EXPECT_GT(a.insertion.apical.si(), 0.0);
     EXPECT_FALSE(a.insertion.contacts.empty());
     EXPECT_FALSE(a.insertion.profile.empty());
   }
-  EXPECT_NE(plan->insertions[0].a_mm, plan->insertions[2].a_mm);
+  EXPECT_NE(plan.insertions[0].a_mm, plan.insertions[2].a_mm);
 }
 
 TEST_F(SmallPlan, TakesAnotherFrictionThanTheScenarios)
 {
-  const auto usual = planning::makePlan(request_, {}, {});
-  ASSERT_TRUE(usual) << usual.error().message;
   request_.friction = "tissue";
   const auto scenario = planning::scenarioOf(request_, "flex24", session::anyStopTravel);
   ASSERT_TRUE(scenario) << scenario.error().message;
   EXPECT_EQ(scenario->friction().kineticCoefficient, 0.24);
   const auto rough = planning::makePlan(request_, {}, {});
   ASSERT_TRUE(rough) << rough.error().message;
-  EXPECT_NE(rough->fingerprint, usual->fingerprint);
+  EXPECT_NE(rough->fingerprint, usual().fingerprint);
   for (std::size_t i = 0; i < rough->arrays.size(); ++i)
-    EXPECT_LT(rough->arrays[i].angle_deg.median, usual->arrays[i].angle_deg.median);
+    EXPECT_LT(rough->arrays[i].angle_deg.median, usual().arrays[i].angle_deg.median);
   request_.friction = "butter";
   const auto unknown = planning::makePlan(request_, {}, {});
   ASSERT_FALSE(unknown);
@@ -149,20 +157,19 @@ TEST_F(SmallPlan, TakesAnotherFrictionThanTheScenarios)
 
 TEST_F(SmallPlan, RunsADrawAgainForAView)
 {
-  const auto plan = planning::makePlan(request_, {}, {});
-  ASSERT_TRUE(plan) << plan.error().message;
-  const std::size_t draw = planning::medianDraw(*plan, 1);
+  const planning::Plan& plan = usual();
+  const std::size_t draw = planning::medianDraw(plan, 1);
   ASSERT_GE(draw, 1u);
   ASSERT_LE(draw, 3u);
-  const auto shape = planning::shapeOf(*plan, 1, draw, {});
+  const auto shape = planning::shapeOf(plan, 1, draw, {});
   ASSERT_TRUE(shape) << shape.error().message;
-  const auto& planned = plan->insertions[2 * (draw - 1) + 1].insertion;
+  const auto& planned = plan.insertions[2 * (draw - 1) + 1].insertion;
   const auto& again = shape->insertion.insertion;
   EXPECT_EQ(again.apical.si(), planned.apical.si());
   EXPECT_EQ(again.endForce.si(), planned.endForce.si());
   EXPECT_GT(again.profile.size(), 4 * planned.profile.size());
   EXPECT_EQ(shape->end.nodes, 30u);
-  EXPECT_EQ(shape->parameters.array.name, plan->arrays[1].name);
+  EXPECT_EQ(shape->parameters.array.name, plan.arrays[1].name);
   // the tip is in the draw's cochlea, at the depth that the plan says
   const auto contacts =
       analysis::contactPositions(*shape->anatomy, shape->parameters.array, shape->end);
@@ -171,11 +178,8 @@ TEST_F(SmallPlan, RunsADrawAgainForAView)
 
 TEST_F(SmallPlan, HasNoShapeOfADrawThatWasNotRun)
 {
-  request_.draws = 1;
-  const auto plan = planning::makePlan(request_, {}, {});
-  ASSERT_TRUE(plan) << plan.error().message;
-  EXPECT_FALSE(planning::shapeOf(*plan, 1, 2, {}));
-  EXPECT_FALSE(planning::shapeOf(*plan, 2, 1, {}));
+  EXPECT_FALSE(planning::shapeOf(usual(), 1, 4, {}));
+  EXPECT_FALSE(planning::shapeOf(usual(), 2, 1, {}));
 }
 
 TEST(MedianDraw, IsNearestToTheMediansOfAngleAndPeak)

@@ -25,7 +25,7 @@ TEST(CsvHeader, IsTheContract)
             "time_s,travel_mm,depth_mm,speed_mm_s,angular_depth_deg,force_axial_N,force_x_N,"
             "force_y_N,force_z_N,tip_x_mm,tip_y_mm,tip_z_mm,device_x_mm,device_y_mm,device_z_mm,"
             "proxy_x_mm,proxy_y_mm,proxy_z_mm,contacts,wall_force_max_N,membrane_force_N,"
-            "partition_force_N\n");
+            "partition_force_N,plastic_work_uJ\n");
 }
 
 TEST(CsvRow, SpeaksTheUnitsOfItsHeader)
@@ -47,10 +47,12 @@ TEST(CsvRow, SpeaksTheUnitsOfItsHeader)
   record.output.partitionForce = 1.5;
   const std::string upToMembrane =
       "0.25,0.5,2.5,2,90,0.125,0.5,-0.25,0.0625,1,2,4,8,16,32,64,128,256,17,0.75,0.375,";
-  EXPECT_EQ(csvRow(record), upToMembrane + "1.5\n");
+  EXPECT_EQ(csvRow(record), upToMembrane + "1.5,\n");
+  record.output.plasticWork = 0.5e-6;
+  EXPECT_EQ(csvRow(record), upToMembrane + "1.5,0.5\n");
   // an earlier version did not record it
   record.output.partitionForce = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(csvRow(record), upToMembrane + "\n");
+  EXPECT_EQ(csvRow(record), upToMembrane + ",0.5\n");
 }
 
 TEST(CsvRow, KeepsEveryBit)

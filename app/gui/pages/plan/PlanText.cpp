@@ -2,6 +2,7 @@
 #include "gui/pages/plan/PlanText.h"
 
 #include <QCoreApplication>
+#include <algorithm>
 
 #include "gui/pages/plan/CoverageReference.h"
 #include "gui/setup/PlannedFriction.h"
@@ -116,8 +117,8 @@ QString methodOf(PlanColumn column)
           "Maximum force on the cochlear partition. Median and the band that the head names.");
     case PlanColumn::full:
       return tr(
-          "Fraction of the insertions that reach the array’s full depth, with its 95 % "
-          "interval (Wilson 1927).");
+          "Fraction of the insertions that reach the depth the drawn surgeon intends, between all "
+          "contacts inside and the array’s greatest depth, with its 95 % interval (Wilson 1927).");
     case PlanColumn::resisted:
       return tr(
           "Fraction in which the force reaches the limit at which the drawn surgeon stops, "
@@ -202,8 +203,9 @@ QString intervalText(const analysis::Estimate& estimate, std::size_t draws)
                            numberText(100.0 * estimate.high, 0));
 }
 
-QString factsOf(const planning::ArrayPlan& array, const planning::Thresholds& thresholds)
+QString factsOf(const planning::ArrayPlan& array, const planning::Plan& plan)
 {
+  const planning::Thresholds& thresholds = plan.thresholds;
   const auto newton = [](Force force) { return numberText(inMillinewtons(force), 0); };
   const planning::Band& felt = array.firstResistance_mm;
   QStringList facts{
@@ -223,7 +225,31 @@ QString factsOf(const planning::ArrayPlan& array, const planning::Thresholds& th
                  .arg(numberText(soon.median, 0), numberText(soon.low, 0), numberText(soon.high, 0),
                       numberText(late.median, 0), numberText(late.low, 0),
                       numberText(late.high, 0));
+  if (const auto& found = array.atMedianFriction)
+    facts.prepend(tr("At the median friction, %1, only: %2, peak force %3.")
+                      .arg(numberText(plan.friction.low, 3),
+                           bandText(found->angle_deg, PlanColumn::angle),
+                           bandText(found->peak_mN, PlanColumn::peak)));
   return facts.join(QLatin1Char(' '));
+}
+
+QString differencesOf(const planning::Plan& plan, const std::vector<std::size_t>& arrays)
+{
+  const auto isShown = [&arrays](std::size_t array) {
+    return std::ranges::find(arrays, array) != arrays.end();
+  };
+  QStringList lines;
+  for (const planning::ArrayDifference& each : plan.differences)
+    if (isShown(each.first) && isShown(each.second))
+      lines << tr("%1 against %2: %3°, deeper in %4; peak force %5 mN, higher in %6.")
+                   .arg(QString::fromStdString(plan.arrays[each.first].name),
+                        QString::fromStdString(plan.arrays[each.second].name),
+                        differenceText(each.angle_deg), shownShare(each.deeper, each.draws),
+                        differenceText(each.peak_mN), shownShare(each.harder, each.draws));
+  if (!lines.isEmpty())
+    lines.prepend(tr("Differences in the same ear, with the same hand and friction (%1):")
+                      .arg(bandsShare(plan)));
+  return lines.join(QLatin1Char('\n'));
 }
 
 QString shapeTitle(const planning::ArrayPlan& array, const planning::PlannedInsertion& insertion)

@@ -4,6 +4,7 @@
 // Texts of a plan: columns of its table, bands and probabilities with their units.
 
 #include <QString>
+#include <vector>
 
 #include "perilymph/planning/PlanSummary.h"
 
@@ -47,8 +48,12 @@ QString medianText(const planning::Band& band, PlanColumn column);
 QString rangeText(const planning::Band& band, PlanColumn column);
 /// "85–98 %": the 95 % interval of a share of simulations that is given in percent, else nothing.
 QString intervalText(const analysis::Estimate& estimate, std::size_t draws);
-/// Sentences on an array: first resistance, strength of the partition, full depth.
-QString factsOf(const planning::ArrayPlan& array, const planning::Thresholds& thresholds);
+/// Sentences on an array of a plan: bands at the median friction, first resistance, strength of the
+/// partition, forces at rest.
+QString factsOf(const planning::ArrayPlan& array, const planning::Plan& plan);
+/// A line for every two of some arrays of a plan, with what they differ by in the same ear; empty
+/// where the plan knows no differences.
+QString differencesOf(const planning::Plan& plan, const std::vector<std::size_t>& arrays);
 /// "FLEX28 · draw 13: 421°, peak 80 mN"
 QString shapeTitle(const planning::ArrayPlan& array, const planning::PlannedInsertion& insertion);
 /// "8.94 to 9.52 mm" around a length with a normal error: 95 %.

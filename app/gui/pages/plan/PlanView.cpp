@@ -58,7 +58,8 @@ PlanView::PlanView(QWidget* parent)
       ring_(new AngleRing(this)),
       contacts_(new ContactTable(this)),
       facts_(new WrappedLabel({}, this)),
-      forces_(new DrawingView(this))
+      forces_(new DrawingView(this)),
+      differences_(new WrappedLabel({}, this))
 {
   setObjectName(QStringLiteral("planView"));
   for (Pane& pane : panes_) pane = addPane();
@@ -69,7 +70,7 @@ PlanView::PlanView(QWidget* parent)
   forces_->setAccessibleName(tr("Insertion force over depth"));
   forces_->setMinimumSize(sized(asideWidth_px) - 2 * spacing, sized(200));
   aside_->addWidget(addDetails());
-  aside_->addWidget(forces_);
+  aside_->addWidget(addForces());
   aside_->setFixedWidth(sized(asideWidth_px));
   grid_->setContentsMargins(0, 0, 0, 0);
   grid_->setSpacing(spacing);
@@ -121,6 +122,19 @@ QWidget* PlanView::addDetails()
   return details;
 }
 
+QWidget* PlanView::addForces()
+{
+  auto* forces = new QWidget(this);
+  differences_->setObjectName(QStringLiteral("planDifferences"));
+  differences_->setFont(typeface(12));
+  auto* column = new QVBoxLayout(forces);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(spacing);
+  column->addWidget(forces_, 1);
+  column->addWidget(differences_);
+  return forces;
+}
+
 void PlanView::arrange(std::size_t count)
 {
   // two lie one over the other: the pictures are wider than high
@@ -156,9 +170,10 @@ void PlanView::show(const PlanWork::SharedPlan& plan, std::vector<std::size_t> a
     const planning::ArrayPlan& array = plan->arrays[arrays_.front()];
     ring_->show(array.contacts, plan->request.patient.side);
     contacts_->show(array.contacts, array.draws);
-    facts_->setText(factsOf(array, plan->thresholds));
+    facts_->setText(factsOf(array, *plan));
   } else {
     forces_->show(figures::draw(forceBands(*plan, arrays_)));
+    differences_->setText(differencesOf(*plan, arrays_));
   }
   work_.run(plan, arrays_);
 }

@@ -23,7 +23,7 @@ class PlanScene;
 class PlotView;
 
 /// Linked 3D pictures; beside them the unrolled scala, the angle ring and the contacts of one array,
-/// or the force bands of several.
+/// or the force bands of several and what they differ by.
 class PlanView : public QWidget {
   Q_OBJECT
 public:
@@ -52,6 +52,7 @@ private:
   struct Unrolled;
   Pane addPane();
   QWidget* addDetails();
+  QWidget* addForces();
   void arrange(std::size_t count);
   void showShape(std::size_t place, const PlanShapeWork::Shape& shape);
 
@@ -67,6 +68,7 @@ private:
   ContactTable* contacts_;
   QLabel* facts_;
   DrawingView* forces_;
+  QLabel* differences_;
 };
 
 }  // namespace perilymph::gui

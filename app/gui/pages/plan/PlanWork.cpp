@@ -69,7 +69,7 @@ Result<Done> PlanWork::make(Shared& shared, StoredPlan stored, const std::stop_t
     if (!json) return json.error();
     if (const auto saved = writeWhole(stored.folder / planJsonFile, *json); !saved)
       return saved.error();
-    const bool areStanding = planning::bandsStand(plan->arrays);
+    const bool areStanding = planning::bandsStand(*plan);
     const std::lock_guard lock(shared.mutex);
     shared.plan = std::make_shared<const planning::Plan>(*std::move(plan));
     shared.stored = stored;

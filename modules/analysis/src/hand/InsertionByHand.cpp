@@ -61,7 +61,7 @@ public:
   Watch(const session::InsertionParameters& nominal, const HandDistribution& hand,
         const Surgeon& surgeon, const Eigen::Vector3d& out_W)
       : out_W_(out_W),
-        fullDepth_((nominal.startInside + nominal.stopTravel).si()),
+        intendedDepth_(intendedDepth(nominal, surgeon).si()),
         startDepth_(nominal.startInside.si()),
         stop_(surgeon.stop.si()),
         lag_(hand.bucklingLag.si())
@@ -75,7 +75,7 @@ public:
     if (!start_W_) start_W_ = base_W;
     const double pushed = (*start_W_ - base_W).dot(out_W_);
     hasEntered_ = hasEntered_ || now.depth > startDepth_ + entered.si();
-    if (now.depth >= fullDepth_) return InsertionEnd::finished;
+    if (now.depth >= intendedDepth_) return InsertionEnd::finished;
     if (hasEntered_ && now.depth <= 0.0) return InsertionEnd::outOfOpening;
     if (pushed - (now.depth - startDepth_) > lag_) return InsertionEnd::buckled;
     // the force of a tick that is not balanced is none of the array
@@ -86,7 +86,7 @@ public:
 
 private:
   Eigen::Vector3d out_W_;
-  double fullDepth_, startDepth_;           // [m]
+  double intendedDepth_, startDepth_;       // [m]
   double stop_;                             // [N]
   double lag_;                              // [m]
   std::optional<Eigen::Vector3d> start_W_;  // of the tweezers
@@ -94,6 +94,15 @@ private:
 };
 
 }  // namespace
+
+Length intendedDepth(const session::InsertionParameters& nominal, const Surgeon& surgeon)
+{
+  const Length greatest = nominal.startInside + nominal.stopTravel;
+  const auto& contacts = nominal.array.contactsFromTip;
+  if (contacts.empty()) return greatest;
+  const Length allInside = std::min(greatest, contacts.back() + 0.5 * nominal.array.contactLength);
+  return allInside + surgeon.intended * (greatest - allInside);
+}
 
 ClinicalInsertion insertByHand(const session::InsertionParameters& nominal,
                                std::shared_ptr<const anatomy::ScalaTympani> anatomy,

@@ -20,7 +20,8 @@ enum class Draw : std::uint64_t {
   stop,
   friction,
   rupture,
-  sharedFriction
+  sharedFriction,
+  intended
 };
 
 /// Deviates beyond which a friction is not drawn (choice, high).
@@ -58,6 +59,9 @@ void readEnd(TomlReader& file, HandDistribution& hand)
   TomlReader stop = sourcedTable(file, "stop", hand);
   hand.stopLow = newtons(stop.number("low_N", {0.001, 2.0}));
   hand.stopHigh = newtons(stop.number("high_N", {hand.stopLow.si(), 2.0}));
+  TomlReader intended = sourcedTable(file, "intended_depth", hand);
+  hand.intendedLow = intended.number("low", {0.0, 1.0});
+  hand.intendedHigh = intended.number("high", {hand.intendedLow, 1.0});
   TomlReader rest = sourcedTable(file, "rest", hand);
   hand.rest = seconds(rest.number("duration_s", {0.1, 60.0}));
   hand.restMean = seconds(rest.number("mean_of_last_s", {0.01, hand.rest.si()}));
@@ -114,6 +118,7 @@ Surgeon drawSurgeon(const HandDistribution& hand, std::uint64_t seed, std::uint6
   one.freeLength =
       meters(within(Draw::freeLength, hand.freeLengthLow.si(), hand.freeLengthHigh.si()));
   one.stop = newtons(within(Draw::stop, hand.stopLow.si(), hand.stopHigh.si()));
+  one.intended = within(Draw::intended, hand.intendedLow, hand.intendedHigh);
   const double deviate = stream(Draw::friction).normal(0.0, 1.0, -maxDeviates, maxDeviates);
   if (spread.isKnown()) {
     const double shared = stream(Draw::sharedFriction).normal(0.0, 1.0, -maxDeviates, maxDeviates);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "lumen/SectionWall.h"
+#include "perilymph/foundation/Four.h"
 #include "perilymph/foundation/Math.h"
 
 namespace perilymph::anatomy {
@@ -57,49 +58,63 @@ WallLines::WallLines(const ScalaTympani& scala, double angle)
 // length s of one Newton step, where e is the vector from the outline's point:
 //
 //     s = e.t / (1 - e.c),   d^2 = |e - s t - s^2 c / 2|^2
-inline double WallLines::squaredDistance(std::size_t place, double u, double v) const noexcept
+template <class T>
+PERILYMPH_IN_LANES T WallLines::squaredTo(std::size_t place, double u, double v) const noexcept
 {
-  const double eu = u - u_[place];
-  const double ev = v - v_[place];
-  const double along = eu * alongU_[place] + ev * alongV_[place];
-  const double straightness = 1.0 - eu * bendU_[place] - ev * bendV_[place];
-  const double s =
-      std::min(std::max(along / std::max(straightness, 0.1), -reach_[place]), reach_[place]);
-  const double sag = 0.5 * s * s * bend_[place];
+  const T eu = u - load<T>(u_.data(), place);
+  const T ev = v - load<T>(v_.data(), place);
+  const T along = eu * load<T>(alongU_.data(), place) + ev * load<T>(alongV_.data(), place);
+  const T straightness =
+      1.0 - eu * load<T>(bendU_.data(), place) - ev * load<T>(bendV_.data(), place);
+  const T reach = load<T>(reach_.data(), place);
+  const T s = smaller(larger(along / larger(straightness, 0.1), -reach), reach);
+  const T sag = 0.5 * s * s * load<T>(bend_.data(), place);
   return eu * eu + ev * ev - 2.0 * s * along + s * s * straightness + sag * sag;
+}
+
+PERILYMPH_IN_LANES double WallLines::squaredDistance(double u, double v) const noexcept
+{
+  static_assert(stride == 3 && coarse % 4 == 0);
+  double squared[coarse];
+  Four minima = Four{} + 1e9, places{};
+  for (std::size_t i = 0; i < coarse; i += 4) {
+    const Four found = squaredTo<Four>(i, u, v);
+    store(found, squared, i);
+    const auto isLess = found < minima;
+    minima = oneOf(isLess, found, minima);
+    places = oneOf(isLess, Four{0.0, 1.0, 2.0, 3.0} + static_cast<double>(i), places);
+  }
+  double minimum = 1e9, place = 0.0;  // the first of equals
+  for (int lane = 0; lane < 4; ++lane)
+    if (minima[lane] < minimum || (minima[lane] == minimum && places[lane] < place)) {
+      minimum = minima[lane];
+      place = places[lane];
+    }
+
+  // then the neighbors of the nearest
+  const auto middle = static_cast<std::size_t>(place);
+  const std::size_t before = (middle + coarse - 1) % coarse;
+  const double near[] = {squared[before],
+                         squaredTo<double>(coarse + before, u, v),
+                         squaredTo<double>(2 * coarse + before, u, v),
+                         minimum,
+                         squaredTo<double>(coarse + middle, u, v),
+                         squaredTo<double>(2 * coarse + middle, u, v),
+                         squared[(middle + 1) % coarse]};
+  int nearest = 3;
+  for (const int k : {4, 2, 5, 1})
+    if (near[k] < near[nearest]) nearest = k;
+  minimum = near[nearest];
+  const double slope = near[nearest + 1] - near[nearest - 1];
+  const double bend = near[nearest - 1] - 2.0 * minimum + near[nearest + 1];
+  return bend > 0.0 ? minimum - slope * slope / (8.0 * bend) : minimum;
 }
 
 double WallLines::distance(double u, double v) const noexcept
 {
-  double squared[coarse];
-  for (std::size_t i = 0; i < coarse; ++i) squared[i] = squaredDistance(i, u, v);
-  int nearest = 0;
-  double minimum = 1e9;
-  for (int i = 0; i < coarse; ++i)
-    if (squared[i] < minimum) {
-      minimum = squared[i];
-      nearest = stride * i;
-    }
-
-  // then the neighbors of the nearest
-  const auto squaredTo = [&](int k) { return squaredDistance(placeOf(k), u, v); };
-  const int middle = nearest;
-  const auto consider = [&](int k) {
-    const double found = squaredTo(k);
-    if (found < minimum) {
-      minimum = found;
-      nearest = k;
-    }
-  };
-  for (int k = 1; k < stride; ++k) {
-    consider((middle + k) % points);
-    consider((middle + points - k) % points);
-  }
-  const double before = squaredTo((nearest + points - 1) % points);
-  const double after = squaredTo((nearest + 1) % points);
-  const double bend = before - 2.0 * minimum + after;
-  if (bend > 0.0) minimum -= (after - before) * (after - before) / (8.0 * bend);
-  return std::sqrt(std::max(minimum, 0.0));
+  double squared = 0.0;
+  withLanes([&]() PERILYMPH_KERNEL { squared = squaredDistance(u, v); });
+  return std::sqrt(std::max(squared, 0.0));
 }
 
 }  // namespace perilymph::anatomy

@@ -34,7 +34,11 @@ private:
     return static_cast<std::size_t>(point % stride * coarse + point / stride);
   }
 
-  double squaredDistance(std::size_t place, double u, double v) const noexcept;
+  /// Squared distance in space to the line at a place, for T = Four to those at four places.
+  template <class T>
+  T squaredTo(std::size_t place, double u, double v) const noexcept;
+  /// Squared distance to the wall; negative by rounding only.
+  double squaredDistance(double u, double v) const noexcept;
 
   using Column = std::array<double, points>;
   // A point of the outline; unit tangent and curvature [1/m] of its lengthwise line, their components

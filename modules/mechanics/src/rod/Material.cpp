@@ -5,10 +5,10 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "perilymph/foundation/Math.h"
+#include "rod/BendingAlong.h"
 #include "rod/Relaxation.h"
 #include "rod/Rod.h"
 
@@ -125,7 +125,7 @@ PERILYMPH_IN_LANES TurnEnergy<T> bendingByTurn(const SectionStiffness& section,
   const T c = joint.inverseSum;
   TurnEnergy<T> energy;
   if (section.holds) {
-    const HeldJoint<T> held(section, joint, i);
+    const HeldJoint<T> held(joint, load<T>(section.heldAlong, i), load<T>(section.heldAcross, i));
     const T stiffness = load<T>(section.bending, i);
     energy.last =
         -stiffness * (c * dot(joint.t, held.lastRate) - 0.25 * dot(held.next, held.lastRate));
@@ -154,10 +154,12 @@ PERILYMPH_IN_LANES void addOval(const InsertionModel& model, const SectionStiffn
   const T twice = 2.0 * joint.inverseSum, half = 0.5 * rest;
   Triple<T> s = twice * (joint.t - joint.p) - half * (joint.d + joint.e);
   if (section.holds) {
-    const HeldJoint<T> held(section, joint, i);
+    // what wires hold is none of the silicone's
+    const HeldJoint<T> held(joint, load<T>(section.heldAlong, i) - load<T>(section.setAlong, i),
+                            load<T>(section.heldAcross, i) - load<T>(section.setAcross, i));
     s = twice * (joint.t - joint.p) - (T{} + 0.5) * (held.last + held.next);
-    rest = load<T>(section.heldAlong, i);
-    aside = load<T>(section.heldAcross, i);
+    rest = held.along;
+    aside = held.across;
   }
   const T along = dot(s, stifferWay(model, joint, i));
   const auto isAcross = isStifferAcross(T{}, model, i);
@@ -196,33 +198,6 @@ void addTwist(BandMatrix& matrix, std::size_t i, const Vector3d& b, double k) no
   std::vector<Block<double>>& between = row == column + 1 ? matrix.beside : matrix.beyond;
   between[row] -=
       {block.xx, block.xy, block.xz, block.xy, block.yy, block.yz, block.xz, block.yz, block.zz};
-}
-
-/// Adds k g g^T for the gradients g of a joint by its three nodes.
-void addRankOne(BandMatrix& matrix, std::size_t i, const std::array<Vector3d, 3>& g,
-                double k) noexcept
-{
-  for (std::size_t a = 0; a < 3; ++a)
-    for (std::size_t b = 0; b <= a; ++b) {
-      const Vector3d l = k * g[a];
-      const Vector3d& r = g[b];
-      const Block<double> block{l[0] * r[0], l[0] * r[1], l[0] * r[2], l[1] * r[0], l[1] * r[1],
-                                l[1] * r[2], l[2] * r[0], l[2] * r[1], l[2] * r[2]};
-      const std::size_t row = blockOf(i - 1 + a), column = blockOf(i - 1 + b);
-      if (row == column) {
-        matrix.diagonal[row] += {block.xx, 0.5 * (block.xy + block.yx), 0.5 * (block.xz + block.zx),
-                                 block.yy, 0.5 * (block.yz + block.zy), block.zz};
-        // both nodes belong to the base: their coupling counts twice
-        if (a != b)
-          matrix.diagonal[row] +=
-              {block.xx, 0.5 * (block.xy + block.yx), 0.5 * (block.xz + block.zx),
-               block.yy, 0.5 * (block.yz + block.zy), block.zz};
-      } else if (row == column + 1) {
-        matrix.beside[row] += block;
-      } else {
-        matrix.beyond[row] += block;
-      }
-    }
 }
 
 /// Transports each edge's direction of curl with the edge, and computes the perpendicular.
@@ -358,7 +333,7 @@ void turnMaterial(const InsertionModel& model, const Vector3d& curl_W,
     store(scale * cross(joint.p, joint.t), rod.twistRate_W, i);
     if (model.isOval) store(stifferWay(model, joint, i), rod.stiffer_W, i);
   });
-  if (section.holds) holdBends(state, section, rod);
+  if (section.holds) holdBends(model, state, section, rod);
   rod.curlAcross_W.set(1, rod.tangent_W[1].cross(state.curl_W[1]));
   const TurningJoint<double> first(state, rod, 1);
   rod.twistTorque = model.twisting[1] * inverseSpacing * rod.twist[1] -
@@ -374,13 +349,7 @@ void addMaterialStiffness(const InsertionModel& model, const SectionStiffness& s
   for (std::size_t i = 1; i + 1 < n; ++i) {
     addTwist(matrix, i, rod.twistRate_W[i], section.twisting[i]);
     if (!(model.bendingExcess[i] > 0.0)) continue;
-    const Vector3d last_W = rod.tangent_W[i - 1], next_W = rod.tangent_W[i];
-    const Vector3d way_W = rod.stiffer_W[i];
-    const double c = 2.0 / std::max(1.0 + last_W.dot(next_W), 1e-3);
-    const Vector3d byNext = c * rod.inverseLength[i] * (way_W - way_W.dot(next_W) * next_W);
-    const Vector3d byLast = c * rod.inverseLength[i - 1] * (way_W - way_W.dot(last_W) * last_W);
-    addRankOne(matrix, i, {byLast, -byLast - byNext, byNext},
-               section.bendingExcess[i] * (1.0 + damping));
+    addBendingAlong(matrix, rod, i, rod.stiffer_W[i], section.bendingExcess[i] * (1.0 + damping));
   }
 }
 

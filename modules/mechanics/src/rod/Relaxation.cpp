@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rod/Relaxation.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "rod/Joint.h"
+#include "rod/Wires.h"
 
 namespace perilymph::mechanics {
 
@@ -25,11 +27,15 @@ double relaxedStiffness(const InsertionModel& model, double relaxing) noexcept
 void setHeldBend(const InsertionModel& model, const InsertionState& state,
                  SectionStiffness& section) noexcept
 {
+  section.heldAlong = section.restBend;
+  std::fill(section.heldAcross.begin(), section.heldAcross.end(), 0.0);
+  if (section.branches > 0) setPlasticBend(state, section);
+  if (!model.parts.relaxation.bends()) return;
   const auto& [first, second] = model.relaxing;
   const double lost = 1.0 - relaxedStiffness(model, 1.0);
   const double firstWeight = first.fraction / (1.0 + first.ratio);
   const double secondWeight = second.fraction / (1.0 + second.ratio);
-  inLanes(0, section.restBend.size(), [&](auto lane, std::size_t i) PERILYMPH_KERNEL {
+  inLanesInPlace(0, section.restBend.size(), [&](auto lane, std::size_t i) PERILYMPH_KERNEL {
     using T = decltype(lane);
     const T relaxing = load<T>(section.relaxing, i);
     const T scale = relaxing / (1.0 - lost * relaxing);
@@ -37,52 +43,48 @@ void setHeldBend(const InsertionModel& model, const InsertionState& state,
                           const std::vector<double>& other) PERILYMPH_KERNEL {
       return scale * (firstWeight * load<T>(one, i) + secondWeight * load<T>(other, i));
     };
-    store(T(load<T>(section.restBend, i) +
+    store(T(load<T>(section.heldAlong, i) +
             held(state.relaxedBend[0].along, state.relaxedBend[1].along)),
           section.heldAlong, i);
-    store(T(held(state.relaxedBend[0].across, state.relaxedBend[1].across)), section.heldAcross, i);
+    store(T(load<T>(section.heldAcross, i) +
+            held(state.relaxedBend[0].across, state.relaxedBend[1].across)),
+          section.heldAcross, i);
   });
 }
 
-void holdBends(const InsertionState& state, const SectionStiffness& section,
-               RodKinematics& rod) noexcept
+void holdBends(const InsertionModel& model, const InsertionState& state,
+               const SectionStiffness& section, RodKinematics& rod) noexcept
 {
   inLanesInPlace(1, state.curl_W.size() - 1, [&](auto lane, std::size_t i) PERILYMPH_KERNEL {
     using T = decltype(lane);
-    const Triple<T> p = load<T>(rod.tangent_W, i - 1), t = load<T>(rod.tangent_W, i);
-    const Triple<T> both = p + t;
-    const T inverse = 1.0 / root(larger(dot(both, both), 1e-12));
-    const Triple<T> middle = inverse * both;
-    const Triple<T> curl = load<T>(state.curl_W, i - 1) + load<T>(state.curl_W, i);
-    const Triple<T> rest = curl - dot(curl, middle) * middle;
-    const T inverseRest = 1.0 / root(larger(dot(rest, rest), 1e-12));
-    const Triple<T> along = inverseRest * rest;
-    const Triple<T> across = cross(middle, along);
+    const NodeAxes<T> axes(rod, state.curl_W, i);
+    const auto& [along, across] = axes;
     const T heldAlong = load<T>(section.heldAlong, i) - load<T>(section.restBend, i);
     const T heldAcross = load<T>(section.heldAcross, i);
     store(along, rod.bendAlong_W, i);
     store(across, rod.bendAcross_W, i);
     store(load<T>(rod.restBend_W, i) + heldAlong * along + heldAcross * across, rod.restBend_W, i);
   });
+  if (section.branches > 0) offsetWires(state, section, rod, model.isOval);
 }
 
 void relaxBends(const InsertionModel& model, const SectionStiffness& section,
                 const RodKinematics& rod, InsertionState& state) noexcept
 {
-  for (std::size_t k = 0; k < model.relaxing.size(); ++k) {
-    const double ratio = model.relaxing[k].ratio;
-    const double kept = 1.0 / (1.0 + ratio), taken = ratio * kept;
-    RelaxedBend& relaxed = state.relaxedBend[k];
-    inLanesInPlace(1, state.curl_W.size() - 1, [&](auto lane, std::size_t i) PERILYMPH_KERNEL {
-      using T = decltype(lane);
-      const Triple<T> bent = Joint<T>(rod, i).bend_W() - load<T>(rod.restBend_W, i);
-      const T along = dot(bent, load<T>(rod.bendAlong_W, i)) + load<T>(section.heldAlong, i) -
-                      load<T>(section.restBend, i);
-      const T across = dot(bent, load<T>(rod.bendAcross_W, i)) + load<T>(section.heldAcross, i);
+  inLanesInPlace(1, state.curl_W.size() - 1, [&](auto lane, std::size_t i) PERILYMPH_KERNEL {
+    using T = decltype(lane);
+    const Triple<T> bent = Joint<T>(rod, i).bend_W() - load<T>(rod.restBend_W, i);
+    const T along = dot(bent, load<T>(rod.bendAlong_W, i)) + load<T>(section.heldAlong, i) -
+                    load<T>(section.restBend, i);
+    const T across = dot(bent, load<T>(rod.bendAcross_W, i)) + load<T>(section.heldAcross, i);
+    for (std::size_t k = 0; k < model.relaxing.size(); ++k) {
+      const double ratio = model.relaxing[k].ratio;
+      const double kept = 1.0 / (1.0 + ratio), taken = ratio * kept;
+      MaterialBend& relaxed = state.relaxedBend[k];
       store(T(kept * load<T>(relaxed.along, i) + taken * along), relaxed.along, i);
       store(T(kept * load<T>(relaxed.across, i) + taken * across), relaxed.across, i);
-    });
-  }
+    }
+  });
 }
 
 }  // namespace perilymph::mechanics

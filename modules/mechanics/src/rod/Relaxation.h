@@ -20,6 +20,27 @@
 
 namespace perilymph::mechanics {
 
+/// The axes of a node, or of four: unit vectors perpendicular to the array, toward its direction of curl
+/// and perpendicular to that.
+template <class T>
+struct NodeAxes {
+  Triple<T> along, across;
+
+  PERILYMPH_IN_LANES NodeAxes(const RodKinematics& rod, const std::vector<Eigen::Vector3d>& curl_W,
+                              std::size_t i) noexcept
+  {
+    const Triple<T> p = load<T>(rod.tangent_W, i - 1), t = load<T>(rod.tangent_W, i);
+    const Triple<T> both = p + t;
+    const T inverse = 1.0 / root(larger(dot(both, both), 1e-12));
+    const Triple<T> middle = inverse * both;
+    const Triple<T> curl = load<T>(curl_W, i - 1) + load<T>(curl_W, i);
+    const Triple<T> rest = curl - dot(curl, middle) * middle;
+    const T inverseRest = 1.0 / root(larger(dot(rest, rest), 1e-12));
+    along = inverseRest * rest;
+    across = cross(middle, along);
+  }
+};
+
 /// Fraction of its bending stiffness that a joint has in a step of the model's duration.
 ///
 /// @param relaxing  Fraction of that stiffness that belongs to the carrier and can relax.
@@ -34,13 +55,13 @@ template <class T>
 struct HeldJoint {
   Triple<T> last, next;          ///< Those vectors.
   Triple<T> lastRate, nextRate;  ///< Their derivatives by the rotation of their edge.
+  T along, across;               ///< Components of the rest bend.
 
   /// @param joint  With the directions of curl d and e, and dAcross, eAcross perpendicular to them.
   template <class TurningJoint>
-  PERILYMPH_IN_LANES HeldJoint(const SectionStiffness& section, const TurningJoint& joint,
-                               std::size_t i) noexcept
+  PERILYMPH_IN_LANES HeldJoint(const TurningJoint& joint, const T& toward, const T& aside) noexcept
+      : along(toward), across(aside)
   {
-    const T along = load<T>(section.heldAlong, i), across = load<T>(section.heldAcross, i);
     last = along * joint.d + across * joint.dAcross;
     next = along * joint.e + across * joint.eAcross;
     lastRate = along * joint.dAcross - across * joint.d;
@@ -49,8 +70,8 @@ struct HeldJoint {
 };
 
 /// Adds what elements hold to rod.restBend_W, along the axes that each node keeps in this step.
-void holdBends(const InsertionState& state, const SectionStiffness& section,
-               RodKinematics& rod) noexcept;
+void holdBends(const InsertionModel& model, const InsertionState& state,
+               const SectionStiffness& section, RodKinematics& rod) noexcept;
 
 /// Lets the elements follow the bends at the end of the step.
 void relaxBends(const InsertionModel& model, const SectionStiffness& section,

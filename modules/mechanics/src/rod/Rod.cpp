@@ -7,6 +7,7 @@
 #include "rod/Joint.h"
 #include "rod/Material.h"
 #include "rod/Relaxation.h"
+#include "rod/Wires.h"
 
 namespace perilymph::mechanics {
 namespace {
@@ -104,19 +105,17 @@ void addStretching(std::size_t i, double damping, Compression compression,
   matrix.beside[a + 1] -= asBlock(block);
 }
 
-/// Adds the bending stiffness at node i, to first order in the angle between its links: w changes
-/// by a P_t dx_next at the far end of one link and by b P_p dx_last at that of the other, where P_t
-/// is the projection perpendicular to t.
-void addBending(std::size_t i, double damping, const SectionStiffness& section,
-                const RodKinematics& rod, BandMatrix& matrix) noexcept
+}  // namespace
+
+void addBending(std::size_t i, double stiffness, const RodKinematics& rod,
+                BandMatrix& matrix) noexcept
 {
   const Joint<double> joint(rod, i);
-  const double k = section.bending[i] * (1.0 + damping);
   const double a = 2.0 * joint.c * rod.inverseLength[i];
   const double b = 2.0 * joint.c * rod.inverseLength[i - 1];
-  const SymmetricBlock<double> nextNext = across(joint.next, k * a * a);
-  const SymmetricBlock<double> lastLast = across(joint.last, k * b * b);
-  const Block<double> nextLast = acrossBoth(joint, k * a * b);
+  const SymmetricBlock<double> nextNext = across(joint.next, stiffness * a * a);
+  const SymmetricBlock<double> lastLast = across(joint.last, stiffness * b * b);
+  const Block<double> nextLast = acrossBoth(joint, stiffness * a * b);
 
   // the node itself moves relative to both far ends
   SymmetricBlock<double> hereHere = withMirror(nextLast);
@@ -142,15 +141,17 @@ void addBending(std::size_t i, double damping, const SectionStiffness& section,
   }
 }
 
-}  // namespace
-
 void setStiffness(const InsertionModel& model, double styletWithdrawal, double released,
                   SectionStiffness& section) noexcept
 {
   if (section.styletWithdrawal == styletWithdrawal && section.released == released) return;
   section.styletWithdrawal = styletWithdrawal;
   section.released = released;
-  section.holds = model.parts.relaxation.bends();
+  section.branches = 0;
+  for (std::size_t k = 0; k < model.wires.size(); ++k)
+    if (!model.wires[k].stiffness.empty()) section.branch[section.branches++] = k;
+  if (model.styletMoment > 0.0) section.branch[section.branches++] = yieldingBranches - 1;
+  section.holds = section.branches > 0 || model.parts.relaxation.bends();
   const double h = model.spacing;
   const double styletTip = model.styletFromTip + styletWithdrawal;
   for (std::size_t i = 0; i < section.bending.size(); ++i) {
@@ -164,7 +165,24 @@ void setStiffness(const InsertionModel& model, double styletWithdrawal, double r
     const double restBend =
         released * h * model.restCurvature[i] * (1.0 - covered * (1.0 - model.styletResidual));
     // what a step makes of a relaxing stiffness is constant in it
-    section.relaxing[i] = std::min(model.bendingCarrier[i] / bending, 1.0);
+    double relaxing = model.bendingCarrier[i];
+    for (std::size_t k = 0; k < model.wires.size() && !model.wires[k].stiffness.empty(); ++k) {
+      section.yielding[k].stiffness[i] = model.wires[k].stiffness[i];
+      section.yielding[k].moment[i] = model.wires[k].moment[i];
+      relaxing -= h * model.wires[k].stiffness[i];
+    }
+    if (model.styletMoment > 0.0) {
+      YieldingBranch& stylet = section.yielding.back();
+      stylet.stiffness[i] = (bending - model.bendingCarrier[i]) / h;
+      stylet.moment[i] = std::max(covered * model.styletMoment, 1e-12);
+    }
+    for (std::size_t b = 0; b < section.branches; ++b) {
+      const std::size_t k = section.branch[b];
+      const double largest =
+          section.yielding[k].moment[i] / std::max(section.yielding[k].stiffness[i], 1e-30);
+      section.elasticSquare[k][i] = largest * largest;
+    }
+    section.relaxing[i] = std::clamp(relaxing / bending, 0.0, 1.0);
     const double kept = relaxedStiffness(model, section.relaxing[i]);
     section.bending[i] = kept * bending / h;
     section.bendingExcess[i] = kept * excess / h;
@@ -240,10 +258,13 @@ void setRodForces(const InsertionModel& model, const std::vector<Vector3d>& posi
     Triple<T> stress = stiffness * (bent + (T{} + damping) * moved);
     if (model.isOval) {
       const Triple<T> way = load<T>(rod.stiffer_W, i);
-      const T along = dot(way, bent) + damping * dot(way, moved);
+      T along = dot(way, bent) + damping * dot(way, moved);
+      // the excess is the silicone's, which does not yield
+      if (section.branches > 0) along = along + dot(way, load<T>(rod.set_W, i));
       const T moment = load<T>(section.bendingExcess, i) * along;
       stress = oneOf(load<T>(model.bendingExcess, i) > 0.0, stress + moment * way, stress);
     }
+    yieldStress(section, rod, i, bent, stress);
     JointForces<T> bending = forcesOf(joint, load<T>(rod.inverseLength, i),
                                       load<T>(rod.inverseLength, i - 1), w, stress);
     if (model.twists) {
@@ -277,7 +298,8 @@ void addRodStiffness(const InsertionModel& model, Compression compression,
   const double damping = dampingTime / model.timeStep;
   for (std::size_t i = 1; i + 1 < n; ++i) {
     addStretching(i, damping, compression, section, rod, matrix);
-    addBending(i, damping, section, rod, matrix);
+    addBending(i, section.bending[i] * (1.0 + damping), rod, matrix);
+    if (section.branches > 0) softenYielding(section, rod, i, matrix);
   }
 }
 

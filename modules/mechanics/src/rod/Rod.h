@@ -47,6 +47,12 @@ void setRodForces(const InsertionModel& model, const std::vector<Eigen::Vector3d
                   const SectionStiffness& section, RodKinematics& rod,
                   std::vector<Eigen::Vector3d>& force_W) noexcept;
 
+/// Adds a bending stiffness at node i, to first order in the angle between its links: w changes by
+/// a P_t dx_next at the far end of one link and by b P_p dx_last at that of the other, where P_t is the
+/// projection perpendicular to t.
+void addBending(std::size_t i, double stiffness, const RodKinematics& rod,
+                BandMatrix& matrix) noexcept;
+
 /// Adds the rod's stiffness to the matrix, at the edges stored by setRodForces().
 void addRodStiffness(const InsertionModel& model, Compression compression,
                      const SectionStiffness& section, const RodKinematics& rod,

@@ -4,10 +4,12 @@
 // Geometry of the rod in one iteration, and its section properties in this step.
 
 #include <Eigen/Core>
+#include <array>
 #include <limits>
 #include <vector>
 
 #include "lanes/Lanes.h"
+#include "perilymph/mechanics/InsertionModel.h"
 
 namespace perilymph::mechanics {
 
@@ -38,8 +40,15 @@ struct SectionStiffness {
         restMoment(nodes),
         relaxing(nodes),
         heldAlong(nodes),
-        heldAcross(nodes)
+        heldAcross(nodes),
+        setAlong(nodes),
+        setAcross(nodes)
   {
+    for (auto& [stiffness, moment] : yielding) {
+      stiffness.resize(nodes);
+      moment.assign(nodes, 1.0);
+    }
+    for (auto& square : elasticSquare) square.resize(nodes);
   }
 
   std::vector<double> stretching;     ///< EA / h of each edge [N/m].
@@ -49,9 +58,16 @@ struct SectionStiffness {
   std::vector<double> restBend;       ///< Spacing times rest curvature at each node.
   std::vector<double> restMoment;     ///< EI / h times rest bend [N.m].
   std::vector<double> relaxing;       ///< Fraction of EI that belongs to the carrier.
-  bool holds = false;                 ///< Bends relax: the next two are set.
+  bool holds = false;                 ///< Bends relax or wires yield: the next two are set ...
+  std::size_t branches = 0;           ///< ... and, if some can yield, the two after them.
+  std::array<std::size_t, yieldingBranches> branch{};  ///< Those that can, of `yielding`.
   std::vector<double> heldAlong;   ///< Rest bend with what Maxwell elements hold, toward the curl.
   std::vector<double> heldAcross;  ///< The same perpendicular to it.
+  std::vector<double> setAlong;    ///< The part of heldAlong that wires hold by what they yielded.
+  std::vector<double> setAcross;   ///< The same of heldAcross.
+  std::array<YieldingBranch, yieldingBranches> yielding;  ///< If something yields.
+  /// Square of the largest bend at which each of them is elastic.
+  std::array<std::vector<double>, yieldingBranches> elasticSquare;
   /// What they were computed for; not a number: not yet.
   double styletWithdrawal = std::numeric_limits<double>::quiet_NaN();  ///< [m]
   double released = 0.0;  ///< Fraction of the rest curvature that the array has taken on.
@@ -72,6 +88,9 @@ struct RodKinematics {
         stiffer_W(nodes),
         bendAlong_W(nodes),
         bendAcross_W(nodes),
+        set_W(nodes),
+        wireOffset_W{Axes(nodes), Axes(nodes), Axes(nodes)},
+        wireSlip(nodes),
         twist(nodes),
         twistRate_W(nodes),
         curlAcross_W(nodes),
@@ -92,6 +111,10 @@ struct RodKinematics {
   Axes stiffer_W;                     ///< Direction of the larger EI at each node.
   Axes bendAlong_W;                   ///< Unit: axis of each node toward its curl, if bends relax.
   Axes bendAcross_W;                  ///< Unit: perpendicular to it and to the array.
+  Axes set_W;                         ///< What wires hold of the rest bend.
+  std::array<Axes, yieldingBranches>
+      wireOffset_W;              ///< Bend of each branch of wires beyond that of the joint.
+  std::vector<double> wireSlip;  ///< Work of yielding at each node in a step [J].
   std::vector<double> twist;  ///< Twist of the edge after each node against the one before [rad].
   /// Gradient of the twist at each node by the motion of the next node relative to the previous one
   /// [1/m].

@@ -9,6 +9,7 @@
 #include "rod/Material.h"
 #include "rod/Relaxation.h"
 #include "rod/Rod.h"
+#include "rod/Wires.h"
 
 namespace perilymph::mechanics {
 namespace {
@@ -83,13 +84,15 @@ void remember(const InsertionState& state, bool isOval, RodWorkspace& work) noex
 }  // namespace
 
 Step takeStep(const InsertionModel& model, InsertionState& state, const Drive& drive,
-              RodWorkspace& work) noexcept
+              double styletMoved, RodWorkspace& work) noexcept
 {
   remember(state, model.isOval, work);
   findBone(model, state, work.contacts);
   if (state.partition.isRuptured()) findSides(model, state, work.contacts);
   setGuide(drive, state.base_W, work.guide);
   setRestShape(model, state.position_W, drive.handCurl_W, work.section, work.rod);
+  if (styletMoved != 0.0 && model.styletMoment > 0.0)
+    moveStylet(model, styletMoved, work.section, work.rod, state);
   if (work.section.holds) setHeldBend(model, state, work.section);
   if (model.twists)
     turnMaterial(model, drive.handCurl_W, work.section, state, work.rod, work.twist);
@@ -99,8 +102,7 @@ Step takeStep(const InsertionModel& model, InsertionState& state, const Drive& d
   return {base, solveNewton(model, state, base, work)};
 }
 
-void commitStep(const InsertionModel& model, InsertionState& state,
-                const RodWorkspace& work) noexcept
+void commitStep(const InsertionModel& model, InsertionState& state, RodWorkspace& work) noexcept
 {
   const bool keepsSections = model.isOval && model.parts.wall.sectionDelay.si() > 0.0;
   const double inverseTimeStep = 1.0 / model.timeStep;
@@ -117,7 +119,9 @@ void commitStep(const InsertionModel& model, InsertionState& state,
   // what goes on in the next step has no momentum: nothing that is unbalanced adds energy
   if (state.isSettling) std::fill_n(velocity, 3 * n, 0.0);
   learnTrend(work.prediction, model.parts.solver.trendGain, inverseTimeStep, state);
-  if (work.section.holds) relaxBends(model, work.section, work.rod, state);
+  if (model.parts.relaxation.bends()) relaxBends(model, work.section, work.rod, state);
+  if (work.section.branches > 0)
+    state.readings.plasticWork += yieldWires(work.section, work.rod, state);
   state.frictionSpring_W = work.friction.spring_W;
   if (!state.frictionFilm_W.empty()) state.frictionFilm_W = work.friction.film_W;
   state.isSliding = work.friction.isSliding;

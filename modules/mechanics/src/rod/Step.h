@@ -16,11 +16,12 @@ struct Step {
 /// Predicts the rod and solves for its equilibrium with the wall after a time step. Needs
 /// `work.section`. Afterwards positions, tracks and directions of curl are those of the end of the
 /// step, all other parts of the state those of its start.
+///
+/// @param styletMoved  Motion of the stylet in this step, out of the array [m].
 Step takeStep(const InsertionModel& model, InsertionState& state, const Drive& drive,
-              RodWorkspace& work) noexcept;
+              double styletMoved, RodWorkspace& work) noexcept;
 
 /// Makes the end of the step the start of the next; without momentum if state.isSettling.
-void commitStep(const InsertionModel& model, InsertionState& state,
-                const RodWorkspace& work) noexcept;
+void commitStep(const InsertionModel& model, InsertionState& state, RodWorkspace& work) noexcept;
 
 }  // namespace perilymph::mechanics

@@ -93,14 +93,15 @@ void advanceRod(const InsertionModel& model, InsertionState& state, const Drive&
 {
   // the release of a stylet pulled at once, or of a precurved array, is spread over some time
   const double pulled = fastestStylet * model.timeStep;
-  state.styletWithdrawal +=
+  const double styletMoved =
       std::clamp(drive.styletWithdrawal - state.styletWithdrawal, -pulled, pulled);
+  state.styletWithdrawal += styletMoved;
   const double released =
       std::min(static_cast<double>(state.tick + 1) * model.timeStep / releaseTime, 1.0);
   setStiffness(model, state.styletWithdrawal, released, work.section);
 
   work.done = {};
-  const Step step = takeStep(model, state, drive, work);
+  const Step step = takeStep(model, state, drive, styletMoved, work);
   state.isSettling = !(step.result.residual.maxNorm <= model.parts.solver.settledForce);
   commitStep(model, state, work);
   const Wrench wrench = wrenchOf(model, state, drive, step.base, work);

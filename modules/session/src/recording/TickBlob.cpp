@@ -98,6 +98,8 @@ TickBlobVersion versionOf(const haptics::TickRecord& record)
   const bool isRuptured = (record.output.status & haptics::partitionRuptured) != 0;
   if (std::isnan(record.output.partitionForce))
     return isRuptured ? TickBlobVersion::ruptured : TickBlobVersion::first;
+  if (!std::isnan(record.output.plasticWork))
+    return isRuptured ? TickBlobVersion::yieldingRuptured : TickBlobVersion::yielding;
   return isRuptured ? TickBlobVersion::partitionRuptured : TickBlobVersion::partition;
 }
 
@@ -124,6 +126,7 @@ std::optional<haptics::TickRecord> readTick(std::span<const unsigned char> bytes
   read(versionFound);
   if (versionFound < TickBlobVersion::partition)
     record.output.partitionForce = std::numeric_limits<double>::quiet_NaN();
+  if (versionFound >= TickBlobVersion::yielding) record.output.plasticWork = 0.0;
   forEachInput(record, read);
   if (record.commands.count > haptics::maxCommandsPerTick) return std::nullopt;
   for (std::uint32_t i = 0; i < record.commands.count; ++i) {

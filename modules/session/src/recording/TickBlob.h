@@ -19,6 +19,8 @@ enum class TickBlobVersion : std::uint32_t {
   ruptured = 2,       ///< Those of the rupture, in ticks after the cochlear partition ruptured.
   partition = 3,      ///< The force on the partition.
   partitionRuptured,  ///< Both.
+  yielding,           ///< The force on the partition and the work of yielding.
+  yieldingRuptured,   ///< All.
 };
 
 /// Encodes a record into `bytes`.

@@ -39,6 +39,8 @@ void forEachField(Output& output, Visit&& visit)
   visit("residual", -1, output.residual);
   // recordings of before have none
   if (!std::isnan(output.partitionForce)) visit("partitionForce", -1, output.partitionForce);
+  // recordings of arrays that do not yield, and all of before, have none
+  if (!std::isnan(output.plasticWork)) visit("plasticWork", -1, output.plasticWork);
   // recordings without a rupture, and all of before, have none of these
   if ((output.status & haptics::partitionRuptured) == 0) return;
   visit("ruptureAngle", -1, output.translocation.angle);

@@ -18,6 +18,7 @@
 #include "scenario/ScenarioOpening.h"
 #include "scenario/ScenarioRelaxation.h"
 #include "scenario/ScenarioWall.h"
+#include "scenario/ScenarioYield.h"
 
 namespace perilymph::session {
 
@@ -43,13 +44,14 @@ const std::string* overrideOf(const Overrides& overrides, const char* key)
   return last == overrides.rend() ? nullptr : &last->second;
 }
 
-/// An array chosen again does not take over the calibration that a file gives for its own.
-void forgetCalibrationOfOtherArray(TomlReader& reader, const Overrides& overrides)
+/// An array chosen again does not take over the calibration and the yield that a file gives for its own.
+void forgetFitOfOtherArray(TomlReader& reader, const Overrides& overrides)
 {
   const std::string* array = overrideOf(overrides, "array");
   if (array == nullptr || *array == reader.text("array", "contour")) return;
   // a recorded text gives the numbers themselves, too
-  for (const char* key : {"calibration", "stiffness_scale", "residual_curvature_fraction"})
+  for (const char* key : {"calibration", "stiffness_scale", "residual_curvature_fraction",
+                          "wire_yield_MPa", "stylet_yield_MPa"})
     if (overrideOf(overrides, key) == nullptr) reader.remove(key);
 }
 
@@ -150,7 +152,7 @@ Result<ScenarioContent> readScenario(TomlReader& reader, const std::string& name
                                      const fs::path& folder, const Overrides& overrides)
 {
   forgetNodesOfOtherModel(reader, overrides);
-  forgetCalibrationOfOtherArray(reader, overrides);
+  forgetFitOfOtherArray(reader, overrides);
   const auto overrideNamed = [&](const char* key) { return overrideOf(overrides, key); };
   forgetWallOfOtherCochlea(reader, overrideNamed);
   forgetPassageOfOtherOpening(reader, overrideNamed);
@@ -195,6 +197,7 @@ Result<ScenarioContent> readScenario(TomlReader& reader, const std::string& name
   scenario.arrayName = keys.text("array", "contour");
   scenario.expectedArrayFingerprint = reader.text("array_fingerprint", "");
   const auto calibration = readCalibration(reader, keys, scenario);
+  const AskedYield yield = readYield(reader, keys, parameters.model);
 
   // What the file says itself comes before what the files it names say.
   if (const auto done = reader.finish(); !done) return done.error();
@@ -203,6 +206,7 @@ Result<ScenarioContent> readScenario(TomlReader& reader, const std::string& name
   if (const auto done = anatomy::checkPatient(patient); !done) return done.error();
   if (const auto done = readArray(scenario.arrayName, scenario); !done) return done.error();
   if (!calibration) return calibration.error();
+  if (const auto done = applyYield(yield, reader.name(), scenario); !done) return done.error();
   if (const auto done = applyCalibration(*calibration, scenario); !done) return done.error();
 
   if (parameters.technique == Technique::advanceOffStylet) {

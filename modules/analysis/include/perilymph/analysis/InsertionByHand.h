@@ -43,8 +43,13 @@ struct ClinicalInsertion {
   std::vector<DepthForce> profile;        ///< Force at multiples of a spacing, first passage.
 };
 
-/// Pushes an array until it is fully in, or its force reaches the surgeon's limit, or
-/// the array buckles or slips out; then the hand rests, still trembling, while the force relaxes.
+/// Depth of the tip past the opening to which a surgeon means to push an array: between the depth at
+/// which its most basal contact is just inside and the greatest of the parameters, their fraction
+/// Surgeon::intended; the greatest for an array without contacts.
+Length intendedDepth(const session::InsertionParameters& nominal, const Surgeon& surgeon);
+
+/// Pushes an array until it is as deep as the surgeon means, or its force reaches the surgeon's limit,
+/// or the array buckles or slips out; then the hand rests, still trembling, while the force relaxes.
 ///
 /// @param nominal         The scenario's; the surgeon replaces speed, friction and free length.
 /// @param profileSpacing  Between points of the force profile; 0: no profile.

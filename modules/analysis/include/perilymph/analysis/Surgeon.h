@@ -27,6 +27,9 @@ struct HandDistribution {
   double tremorFrequency = 0.0;                          ///< [Hz]
   Length freeLengthLow, freeLengthHigh;                  ///< From the opening to the forceps.
   Force stopLow, stopHigh;                               ///< At which the surgeon stops: uniform.
+  /// How deep the surgeon means to push, between 0, the most basal contact just inside, and 1, the
+  /// greatest depth: uniform.
+  double intendedLow = 0.0, intendedHigh = 1.0;
   Duration rest, restMean;  ///< Rest after the push, and the time over which forces are averaged.
   Length bucklingLag;       ///< Lag of the tip at which a bow is visible.
   /// Fraction of all coefficients where the friction states no spread: log-normal with mean 1.
@@ -48,6 +51,7 @@ struct Surgeon {
   std::array<double, 3> tremorPhase{};  ///< [rad]
   Length freeLength;
   Force stop;                   ///< Axial force at which this surgeon stops.
+  double intended = 1.0;        ///< How deep this surgeon means to push; see intendedDepth().
   double frictionFactor = 1.0;  ///< Common factor of the coefficients of friction.
   Force rupture;                ///< Force on the partition at which it ruptures.
 };

@@ -43,6 +43,13 @@ struct AlongArray {
   }
 };
 
+/// What is known of a yield stress: the range that is possible. A value within it is taken by whoever
+/// lets the material yield; without one it is elastic.
+struct YieldStress {
+  Modulus value;  ///< 0: none was taken.
+  Modulus minimum, maximum;
+};
+
 /// The element that keeps the array straight until it is withdrawn: a stylet in its lumen, or a
 /// sheath.
 struct Stylet {
@@ -53,6 +60,36 @@ struct Stylet {
   /// Advance off stylet: depth of the tip past the opening from which the stylet is held still.
   std::optional<Length> holdDepth;
   TableSource provenance;
+  YieldStress yieldStress = {};
+  Length diameter = {};  ///< As stated; 0: that of a round platinum wire of its stiffness.
+
+  /// Moment at which it yields fully, as a round wire [N.m]; 0 if it does not.
+  double yieldMoment() const;
+  /// The diameter as stated, or of a platinum wire (168 GPa) with its bending stiffness.
+  Length wireDiameter() const;
+};
+
+/// Wires in the carrier, stated apart from its silicone, so that they can be let yield. Their stiffness is a
+/// part of the array's bending stiffness:
+///
+///     each for itself   B = N E I          M = N s d^3 / 6              I = pi d^4 / 64
+///     as a bundle       B = c N^2 E I      M = (N / 0.9)^1.5 s d^3 / 6
+///
+/// with the moment M at which they yield fully. The bundle is a round one, nine tenths of it wire.
+struct Wires {
+  AlongArray<double> number;  ///< N at a distance from the tip.
+  Length diameter;            ///< d of one wire.
+  Modulus modulus;            ///< E
+  double coupling = 0.0;      ///< c: 0, they slide freely; about 1, they are packed.
+  YieldStress yieldStress;    ///< s
+
+  /// A stiffness of the wires and the moment at which it yields.
+  struct Branch {
+    BendingStiffness bending;
+    double moment = 0.0;  ///< [N.m]
+  };
+  Branch singleAt(Length place) const;
+  Branch bundleAt(Length place) const;
 };
 
 /// Shape of the array's end: a cap of its own radius, behind which the carrier widens linearly. By
@@ -94,8 +131,13 @@ struct ArrayDesign {
   std::vector<Length> ribsFromTip;      ///< Distance of the marker ribs' centers from the tip.
   Length ribHeight;                     ///< Above the carrier.
   Length ribLength;                     ///< Along the array.
+  std::optional<Wires> wires;           ///< If they are stated.
   bool hasStylet = false;
   Stylet stylet;
+
+  bool wiresYield() const { return wires && wires->yieldStress.value.si() > 0.0; }
+  bool styletYields() const { return hasStylet && stylet.yieldStress.value.si() > 0.0; }
+  bool yields() const { return wiresYield() || styletYields(); }
   std::vector<std::pair<std::string, TableSource>> provenance;  ///< For each table of the file.
 
   /// Radius of the tip cap.

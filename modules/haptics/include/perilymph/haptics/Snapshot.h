@@ -6,6 +6,7 @@
 #include <array>
 #include <bitset>
 #include <cstdint>
+#include <limits>
 #include <type_traits>
 
 #include "perilymph/device/HapticDevice.h"
@@ -98,8 +99,10 @@ struct TickOutput {
   std::array<double, 3> proxy_W{};   ///< Actual position of the base [m].
   double wallForceMax = 0.0;         ///< [N]
   double membraneForce = 0.0;        ///< On the basilar membrane, in all [N].
-  double partitionForce = 0.0;    ///< Largest force on the cochlear partition within one contact:
-                                  ///< the force that ruptures it [N].
+  double partitionForce = 0.0;  ///< Largest force on the cochlear partition within one contact:
+                                ///< the force that ruptures it [N].
+  /// Work that wires and stylet took by yielding, since the start [J]; not a number where none can.
+  double plasticWork = std::numeric_limits<double>::quiet_NaN();
   double styletWithdrawal = 0.0;  ///< [m]
   double residual = 0.0;          ///< [N]
   Translocation translocation;

@@ -125,6 +125,16 @@ struct RelaxingStep {
   double ratio = 0.0;  ///< Time step over time constant.
 };
 
+/// Number of parts of a joint's bending stiffness that yield: wires, each for itself and as a bundle,
+/// and the stylet.
+inline constexpr std::size_t yieldingBranches = 3;
+
+/// A part of each joint's bending stiffness that yields.
+struct YieldingBranch {
+  std::vector<double> stiffness;  ///< EI / h at each node [N.m].
+  std::vector<double> moment;     ///< Largest moment [N.m]; above 0.
+};
+
 /// A cochlea, an array, material laws and solver settings: immutable, shared between threads.
 ///
 /// Node 0 is held by the tweezers, node n - 1 is the tip. Arrays have one entry per node; in arrays
@@ -161,11 +171,14 @@ struct InsertionModel {
   std::vector<double> halfWithin;            ///< Half of the section within the plane of curl [m].
   std::vector<double> halfAcross;            ///< Half of the section across the plane of curl [m].
   bool isOval = false;                       ///< Sections or their stiffness are not round.
-  bool twists = false;                       ///< Precurved, oval or relaxing: its rotation about
-                                             ///< its axis matters.
+  bool twists = false;  ///< Precurved, oval, relaxing or yielding: its rotation about
+                        ///< its axis matters.
   /// Maxwell elements of the bending stiffness, and the friction film.
   std::array<RelaxingStep, RelaxationLaw::maxTerms> relaxing;
   RelaxingStep film;
+  /// Wires, each for itself and as a bundle, whose moment is limited; empty if nothing yields.
+  std::array<YieldingBranch, 2> wires;
+  double styletMoment = 0.0;           ///< Moment at which the stylet yields [N.m]; 0: it does not.
   std::vector<double> restCurvature;   ///< Rest curvature of the carrier alone at each node [1/m].
   std::vector<double> wallStiffness;   ///< At each node [N/m].
   std::vector<double> wallTangential;  ///< At each node [N/m].

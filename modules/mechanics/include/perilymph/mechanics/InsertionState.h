@@ -50,13 +50,14 @@ struct Readings {
   /// The largest force on the cochlear partition, bone and membrane, within one width of the array: the
   /// force that ruptures it [N]. That of the last step that was balanced.
   double partitionForce = 0.0;
-  double rimForce = 0.0;   ///< Normal force of the opening's rim on the array [N].
-  int contacts = 0;        ///< Number of nodes that touch the wall.
-  int iterations = 0;      ///< Newton iterations in this step.
-  int evaluations = 0;     ///< Evaluations of all forces in this step.
-  int factorizations = 0;  ///< Factorizations of the stiffness in this step.
-  double residual = 0.0;   ///< Maximum unbalanced force on a node [N].
-  bool isFinite = true;    ///< False: a value overflowed; all others are unreliable.
+  double rimForce = 0.0;     ///< Normal force of the opening's rim on the array [N].
+  double plasticWork = 0.0;  ///< Work that wires took by yielding, since the start [J].
+  int contacts = 0;          ///< Number of nodes that touch the wall.
+  int iterations = 0;        ///< Newton iterations in this step.
+  int evaluations = 0;       ///< Evaluations of all forces in this step.
+  int factorizations = 0;    ///< Factorizations of the stiffness in this step.
+  double residual = 0.0;     ///< Maximum unbalanced force on a node [N].
+  bool isFinite = true;      ///< False: a value overflowed; all others are unreliable.
 };
 
 /// Torque of the wall on an oval section at a node, which turns its thin side toward the wall.
@@ -72,8 +73,9 @@ struct SectionReach {
   double rate = 0.0;    ///< Derivative by the rotation of the section [m].
 };
 
-/// Bends that one Maxwell element of each node has taken on, along the node's axes.
-struct RelaxedBend {
+/// A bend of each node in components along the node's axes: what one of its Maxwell elements has taken
+/// on, or its wires by yielding.
+struct MaterialBend {
   std::vector<double> along;   ///< Toward the curl.
   std::vector<double> across;  ///< Perpendicular to it.
 };
@@ -125,7 +127,10 @@ struct InsertionState {
   /// Unit direction of curl of each edge (the last one twice).
   std::vector<Eigen::Vector3d> curl_W;
   /// Bends that each Maxwell element has taken on; empty if bends do not relax.
-  std::array<RelaxedBend, RelaxationLaw::maxTerms> relaxedBend;
+  std::array<MaterialBend, RelaxationLaw::maxTerms> relaxedBend;
+  /// Bends that remain of wires and stylet that yielded, of each branch; empty if none can. The stylet's
+  /// moves along the array with it.
+  std::array<MaterialBend, yieldingBranches> plasticBend;
   std::vector<Eigen::Vector3d>
       frictionFilm_W;  ///< Stretch of each node's relaxing friction film [m];
                        ///< empty without one.

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "perilymph/analysis/PhysicalRanges.h"
 #include "perilymph/figures/Figure.h"
 #include "perilymph/foundation/Result.h"
 #include "perilymph/foundation/TomlReader.h"
@@ -33,6 +34,43 @@ struct PlanProbability {
 /// All of them, in the order of the files.
 std::span<const PlanProbability> planProbabilities();
 
+/// A quantity of an array at the median friction.
+struct FrictionQuantity {
+  const char* key;
+  Band AtMedianFriction::*band;
+  Range range;
+};
+inline constexpr FrictionQuantity frictionQuantities[] = {
+    {"angle_deg", &AtMedianFriction::angle_deg, analysis::physical::angle_deg},
+    {"depth_mm", &AtMedianFriction::depth_mm, analysis::physical::depth_mm},
+    {"peak_mN", &AtMedianFriction::peak_mN, analysis::physical::force_mN},
+    {"end_mN", &AtMedianFriction::end_mN, analysis::physical::signedForce_mN}};
+
+/// A quantity of a difference of two arrays that has a band.
+struct DifferenceQuantity {
+  const char* key;
+  Band ArrayDifference::*band;
+  Range range;
+};
+/// Range of the difference of two values.
+constexpr Range differenceOf(Range values)
+{
+  return {values.low - values.high, values.high - values.low};
+}
+inline constexpr DifferenceQuantity differenceQuantities[] = {
+    {"angle_deg", &ArrayDifference::angle_deg, differenceOf(analysis::physical::angle_deg)},
+    {"depth_mm", &ArrayDifference::depth_mm, differenceOf(analysis::physical::depth_mm)},
+    {"peak_mN", &ArrayDifference::peak_mN, differenceOf(analysis::physical::force_mN)}};
+
+/// A probability in a difference of two arrays.
+struct DifferenceProbability {
+  const char* key;
+  analysis::Estimate ArrayDifference::*estimate;
+};
+inline constexpr DifferenceProbability differenceProbabilities[] = {
+    {"first_is_deeper", &ArrayDifference::deeper},
+    {"first_has_higher_peak", &ArrayDifference::harder}};
+
 /// Version of the text of planJson(); 1, without the number, had no seal.
 inline constexpr std::uint64_t planFormat = 2;
 
@@ -41,8 +79,13 @@ inline constexpr std::uint64_t planFormat = 2;
 /// without an intact seal, which would get one.
 Result<std::string> planJson(const Plan& plan);
 
-/// One row per array: draws, bands of angle, coverage, depth and forces, probabilities in percent.
+/// One row per array: draws, bands of angle, coverage, depth and forces, probabilities in percent, bands
+/// at the median friction (empty where it has no stated spread).
 std::string arraysCsv(const Plan& plan);
+
+/// One row per pair of arrays: bands of the first minus the second in the same ear, with the same hand
+/// and friction; how often the first is deeper and has the higher peak force, in percent.
+std::string differencesCsv(const Plan& plan);
 
 /// One row per contact of each array: angle and distance with bands, frequencies.
 std::string contactsCsv(const Plan& plan);

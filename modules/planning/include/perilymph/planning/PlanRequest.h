@@ -48,7 +48,8 @@ struct PlanRequest {
 Result<session::Scenario> scenarioOf(const PlanRequest& request, const std::string& array,
                                      const std::string& stopTravel_mm);
 
-/// Smallest and largest number of draws. The extremes of 16 hold 88 % of what is to come; of 8, 78 %.
+/// Smallest and largest number of draws. The extremes of 16 hold 88 % of what is to come; of 8, 78 %;
+/// what is called a band has more (fewestForBand in PlanSummary.h).
 inline constexpr std::size_t fewestDraws = 16, maxDraws = 4096;
 /// Refuses numbers of draws that no user is offered. makePlan() itself takes one draw: a window shows
 /// first bands of few, and tests are cheap. Programs take few if PERILYMPH_FEW_DRAWS is set, which

@@ -4,6 +4,7 @@
 // The insertions of a plan and what they give for each array.
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,9 @@ struct PlannedInsertion {
   double friction = 1.0;                  ///< Factor of the scenario's.
   double speed_mm_s = 0.0;
   double stop_mN = 0.0;  ///< Force at which the surgeon stops.
+  double intended_mm =
+      0.0;               ///< Depth at which the surgeon means to stop; 0 in plans that drew none.
+  double free_mm = 0.0;  ///< From the opening to the forceps; 0 in plans that did not keep it.
   analysis::ClinicalInsertion insertion;
 };
 
@@ -82,6 +86,23 @@ struct Influence {
 /// (choice, medium).
 inline constexpr Length finerError = millimeters(0.1);
 
+/// Bands of an array at the median of its drawn friction, from the same insertions: each value x becomes
+/// x - b u, with u the logarithm of the factor of the friction and b the slope of x on u (least
+/// squares), and is not below 0.
+struct AtMedianFriction {
+  Band angle_deg, depth_mm, peak_mN, end_mN;
+};
+
+/// Two arrays in the same cochleae, with the same hands and frictions: what a difference rests on is
+/// what only one of them feels.
+struct ArrayDifference {
+  std::size_t first = 0, second = 0;  ///< Indices into Plan::arrays.
+  std::size_t draws = 0;              ///< In which both could be prepared.
+  Band angle_deg, depth_mm, peak_mN;  ///< First minus second.
+  analysis::Estimate deeper;          ///< Probability that the first has the larger angle.
+  analysis::Estimate harder;          ///< Probability that the first has the larger peak force.
+};
+
 /// One array over all draws.
 struct ArrayPlan {
   std::string array;  ///< As in the request.
@@ -91,10 +112,12 @@ struct ArrayPlan {
   Band coverage_percent;  ///< Organ of Corti basal to it.
   Band depth_mm;          ///< Depth of the tip past the opening.
   Band peak_mN, end_mN;   ///< Axial, on the hand; at the end of the push.
-  /// The same after 1 s and 10 s of rest; zeros if it was not computed.
+  /// At the median of the friction; absent where the friction states no spread, and in older plans.
+  std::optional<AtMedianFriction> atMedianFriction;
+  /// End force after 1 s and 10 s of rest; zeros if it was not computed.
   Band after1s_mN, after10s_mN;
   Band partition_mN;             ///< Maximum force on the cochlear partition.
-  analysis::Estimate full;       ///< Probability of full depth, with its 95 % interval.
+  analysis::Estimate full;       ///< That the intended depth is reached, with its 95 % interval.
   analysis::Estimate resisted;   ///< That the surgeon stops by resistance.
   analysis::Estimate buckled;    ///< That the array bows in front of the opening.
   analysis::Estimate foldedTip;  ///< That the tip folds over.
@@ -140,6 +163,8 @@ struct Plan {
   Seal seal = Seal::intact;                  ///< State of the file that it was read from.
   std::vector<PlannedInsertion> insertions;  ///< By draw, then by array.
   std::vector<ArrayPlan> arrays;
+  /// One for every two arrays; none in older plans.
+  std::vector<ArrayDifference> differences;
   /// Whether everything it depends on is still as it was. Otherwise it is shown as it was made, but
   /// not continued and no draw of it is run again.
   bool isCurrent = true;

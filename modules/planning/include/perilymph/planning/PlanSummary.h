@@ -22,8 +22,16 @@ std::vector<ArrayPlan> summarize(const PlanRequest& request,
                                  const Thresholds& thresholds,
                                  const std::vector<PlannedInsertion>& insertions);
 
-/// Whether the bands of all arrays stand: the standard errors of the median angle and of the median
-/// peak force are at most 5 degrees and 5 % (choices, medium).
-bool bandsStand(const std::vector<ArrayPlan>& arrays);
+/// Fills a plan's arrays and their differences, from its request, thresholds, friction and insertions.
+void addSummary(Plan& plan, const std::vector<PlannedArray>& arrays);
+
+/// Number of simulations from which on quantiles are called a band: the 90 % band of 16 holds 0.88 +-
+/// 0.08 of what is to come, that of 64 0.90 +- 0.04.
+inline constexpr std::size_t fewestForBand = 64;
+
+/// Whether the bands of angle and peak force of all arrays stand: there are enough simulations, and the
+/// standard errors of both edges are at most a tenth of the width, 5 degrees or 5 % of the median peak
+/// force (choices, medium).
+bool bandsStand(const Plan& plan);
 
 }  // namespace perilymph::planning

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// The readable columns of an insertion, in CSV files and, but for the last, in recordings.
+// The readable columns of an insertion, in CSV files and, but for the last two, in recordings.
 
 #include <array>
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace perilymph::session {
 
-inline constexpr int columnCount = 22;
+inline constexpr int columnCount = 23;
 /// Those at the beginning that a recording has as columns of its table; its records hold all.
 inline constexpr int recordedColumnCount = 21;
 
@@ -19,7 +19,7 @@ extern const std::array<const char*, columnCount> columnNames;
 
 /// The values of one tick in the units of columnNames. x, y, z are in W (right ear); the axial
 /// force is that on the hand, positive while pushing in. The force on the partition is NaN where a
-/// recording of an earlier version has none.
+/// recording of an earlier version has none, the work of yielding where nothing can yield.
 std::array<double, columnCount> columnValues(const haptics::TickRecord& record);
 
 /// The shortest decimal that reads back as the same number, with a decimal point in any locale.

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// Four numbers at a time. A kernel is written once, for T = double or T = Four: the same operations in
+// the same order, so that the bits do not depend on how many numbers are computed together, nor on the
+// instructions that the machine has: SSE2, AVX2 or AVX-512, none with fused multiply-add. AVX-512 has
+// twice the registers; kernels use no lanes wider than four.
+
+#include <cstddef>
+#include <cstring>
+
+/// After the parameters of a kernel: what is not inlined would not be compiled for AVX2 and AVX-512.
+#define PERILYMPH_KERNEL __attribute__((always_inline))
+/// Before what kernels call.
+#define PERILYMPH_IN_LANES [[gnu::always_inline]] inline
+
+// Functions that take or return lanes are inlined: none passes them by a convention that depends on
+// the instructions.
+#pragma GCC diagnostic ignored "-Wpsabi"
+
+namespace perilymph {
+
+using Four [[gnu::vector_size(32)]] = double;
+
+/// Instructions for which kernels are compiled; each has all of those before it.
+enum class Instructions { sse2, avx2, avx512 };
+
+/// The last that this machine has.
+inline Instructions machineInstructions() noexcept
+{
+  if (__builtin_cpu_supports("avx512vl") != 0) return Instructions::avx512;
+  return __builtin_cpu_supports("avx2") != 0 ? Instructions::avx2 : Instructions::sse2;
+}
+
+/// Those that kernels use. Tests set it, to compare the bits.
+inline Instructions kernelInstructions = machineInstructions();
+
+template <class Function>
+[[gnu::target("avx2")]] void callWithAvx2(const Function& function) noexcept
+{
+  function();
+}
+
+template <class Function>
+[[gnu::target("avx2,avx512f,avx512vl")]] void callWithAvx512(const Function& function) noexcept
+{
+  function();
+}
+
+/// Calls a function that computes with lanes itself, compiled for the instructions of kernels.
+template <class Function>
+PERILYMPH_IN_LANES void withLanes(const Function& function) noexcept
+{
+  if (kernelInstructions == Instructions::avx512)
+    callWithAvx512(function);
+  else if (kernelInstructions == Instructions::avx2)
+    callWithAvx2(function);
+  else
+    function();
+}
+
+template <class T>
+PERILYMPH_IN_LANES T load(const double* from, std::size_t i) noexcept
+{
+  T value;
+  std::memcpy(&value, from + i, sizeof value);
+  return value;
+}
+
+template <class T>
+PERILYMPH_IN_LANES void store(const T& value, double* to, std::size_t i) noexcept
+{
+  std::memcpy(to + i, &value, sizeof value);
+}
+
+/// The larger of two numbers, like std::max: the first if one is not a number.
+PERILYMPH_IN_LANES double larger(double a, double b) noexcept { return a < b ? b : a; }
+PERILYMPH_IN_LANES Four larger(const Four& a, double b) noexcept
+{
+  const Four wide = Four{} + b;
+  return a < wide ? wide : a;
+}
+
+PERILYMPH_IN_LANES Four larger(const Four& a, const Four& b) noexcept { return a < b ? b : a; }
+
+/// The smaller of two numbers, like std::min.
+PERILYMPH_IN_LANES double smaller(double a, double b) noexcept { return b < a ? b : a; }
+PERILYMPH_IN_LANES Four smaller(const Four& a, double b) noexcept
+{
+  const Four wide = Four{} + b;
+  return wide < a ? wide : a;
+}
+PERILYMPH_IN_LANES Four smaller(const Four& a, const Four& b) noexcept { return b < a ? b : a; }
+
+/// One of two numbers in each lane; the condition is the result of a comparison of lanes.
+template <class T, class Condition>
+PERILYMPH_IN_LANES T oneOf(const Condition& condition, const T& yes, const T& no) noexcept
+{
+  return condition ? yes : no;
+}
+
+}  // namespace perilymph

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <string>
+
+#include "PlanNumbers.h"
+#include "perilymph/analysis/CsvField.h"
+#include "perilymph/planning/PlanReport.h"
+#include "perilymph/planning/PlanWords.h"
+#include "perilymph/session/Csv.h"
+
+namespace perilymph::planning {
+
+namespace {
+
+std::string number(double value) { return session::shortestDecimal(rounded(value)); }
+
+std::string headOf(const std::string& key)
+{
+  std::string head;
+  for (const char* quantile : {"p5", "p25", "median", "p75", "p95"})
+    head += "," + key + "_" + quantile;
+  return head;
+}
+
+std::string cellsOf(const Band& band)
+{
+  std::string cells;
+  for (const double value :
+       {band.low, band.lowerQuartile, band.median, band.upperQuartile, band.high})
+    cells += "," + number(value);
+  return cells;
+}
+
+std::string headOfShare(const std::string& key)
+{
+  return "," + key + "_percent," + key + "_low," + key + "_high";
+}
+
+std::string cellsOf(const analysis::Estimate& estimate)
+{
+  std::string cells;
+  for (const double value : {estimate.value, estimate.low, estimate.high})
+    cells += "," + number(100.0 * value);
+  return cells;
+}
+
+}  // namespace
+
+std::string arraysCsv(const Plan& plan)
+{
+  std::string csv = "array,name,draws";
+  for (const PlanQuantity& each : planQuantities()) csv += headOf(each.key);
+  for (const PlanProbability& each : planProbabilities()) csv += headOfShare(each.key);
+  csv += ",bands_hold";
+  for (const FrictionQuantity& each : frictionQuantities)
+    csv += headOf(std::string("at_median_friction_") + each.key);
+  csv += '\n';
+  for (const ArrayPlan& each : plan.arrays) {
+    csv += analysis::csvField(each.array) + "," + analysis::csvField(each.name) + "," +
+           std::to_string(each.draws);
+    for (const PlanQuantity& quantity : planQuantities()) csv += cellsOf(each.*quantity.band);
+    for (const PlanProbability& chance : planProbabilities()) csv += cellsOf(each.*chance.estimate);
+    csv += "," + analysis::csvField(bandsHold(plan));
+    for (const FrictionQuantity& quantity : frictionQuantities)
+      csv += each.atMedianFriction ? cellsOf(*each.atMedianFriction.*quantity.band) : ",,,,,";
+    csv += '\n';
+  }
+  return csv;
+}
+
+std::string differencesCsv(const Plan& plan)
+{
+  std::string csv = "first,second,draws";
+  for (const DifferenceQuantity& each : differenceQuantities) csv += headOf(each.key);
+  for (const DifferenceProbability& each : differenceProbabilities) csv += headOfShare(each.key);
+  csv += '\n';
+  for (const ArrayDifference& each : plan.differences) {
+    csv += analysis::csvField(plan.arrays[each.first].array) + "," +
+           analysis::csvField(plan.arrays[each.second].array) + "," + std::to_string(each.draws);
+    for (const DifferenceQuantity& quantity : differenceQuantities)
+      csv += cellsOf(each.*quantity.band);
+    for (const DifferenceProbability& chance : differenceProbabilities)
+      csv += cellsOf(each.*chance.estimate);
+    csv += '\n';
+  }
+  return csv;
+}
+
+std::string contactsCsv(const Plan& plan)
+{
+  std::string csv =
+      "array,contact,draws,angle_deg,angle_p5_deg,angle_p95_deg,to_modiolus_mm,to_modiolus_p5_mm,"
+      "to_modiolus_p95_mm,greenwood_Hz,spiral_ganglion_Hz,filter_Hz,mismatch_semitones,"
+      "mismatch_p5_semitones,mismatch_p95_semitones\n";
+  for (const ArrayPlan& array : plan.arrays)
+    for (const ContactBand& each : array.contacts) {
+      csv += analysis::csvField(array.array) + "," + std::to_string(each.number) + "," +
+             std::to_string(each.draws);
+      for (const double value : {each.angle_deg.median, each.angle_deg.low, each.angle_deg.high,
+                                 each.toModiolus_mm.median, each.toModiolus_mm.low,
+                                 each.toModiolus_mm.high, each.greenwood_Hz, each.spiralGanglion_Hz,
+                                 each.filter_Hz, each.mismatch_semitones.median,
+                                 each.mismatch_semitones.low, each.mismatch_semitones.high})
+        csv += "," + number(value);
+      csv += '\n';
+    }
+  return csv;
+}
+
+}  // namespace perilymph::planning

@@ -12,6 +12,7 @@
 #include "gui/kiosk/PushPad.h"
 #include "gui/scene/ForceLabel.h"
 #include "gui/scene/OperationView.h"
+#include "gui/scene/PhaseLine.h"
 #include "gui/widgets/ReadOut.h"
 #include "gui/widgets/Theme.h"
 
@@ -28,6 +29,7 @@ void captionForVisitors(const OperationView& view)
 {
   for (ReadOut* number : view.findChildren<ReadOut*>())
     number->setCaptionSize(KioskScreen::label_px);
+  view.findChild<PhaseLine*>()->setNameSize(KioskScreen::label_px);
   view.findChild<ForceLabel*>()->setForVisitors(KioskScreen::label_px);
   view.findChild<QLabel*>(QStringLiteral("viewLabel"))->setFont(typeface(KioskScreen::label_px));
   view.findChild<QLabel*>(QStringLiteral("magnificationLabel"))->hide();

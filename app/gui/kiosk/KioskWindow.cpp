@@ -153,7 +153,7 @@ Result<Done> KioskWindow::open()
   screen_->view().setScene(std::make_unique<visualization::InsertionScene>(
       control_.anatomy(), scenario.array(), scenario.patient().side,
       visualization::Quality::software,
-      sceneStyle(shownColorScheme(), KioskScreen::label_px / 12.0 * textScale())));
+      sceneStyle(shownColorScheme(), KioskScreen::label_px / 12.0)));
   sinceFrame_.start();
   sinceSlow_.start();
   timer_.start();

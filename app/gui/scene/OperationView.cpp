@@ -45,8 +45,10 @@ constexpr qint64 restTime_ms = 1000;
 /// Height of what lies below the scale bars of a view, at a text of 100 %: the scene scales it.
 int footMargin(const QSize& view, int hintLift)
 {
-  const int foot = view.height() < sized(lowView_px) ? lowFootHeight_px : footHeight_px;
-  return foot + qRound(hintLift / textScale());
+  const bool isLow = view.height() < sized(lowView_px);
+  // gaps and the line of phases do not shrink with the text
+  const int more = isLow ? 0 : std::max(0, 60 - sized(60));
+  return (isLow ? lowFootHeight_px : footHeight_px) + qRound((hintLift + more) / textScale());
 }
 
 }  // namespace

@@ -14,6 +14,7 @@ namespace {
 
 using analysis::Phase;
 
+constexpr int name_px = 12;
 constexpr int height_px = 44;
 constexpr int sideMargin_px = 36;  // half a name beyond the outer stations, at the usual size
 constexpr double stationY_px = 14.0;
@@ -21,9 +22,9 @@ constexpr double stationY_px = 14.0;
 constexpr std::array stations{Phase::opening, Phase::outerWall, Phase::basalTurn, Phase::full};
 
 /// The largest font in which a name fits, within limits.
-QFont fitting(const QString& name, QFont::Weight weight, int width)
+QFont fitting(const QString& name, QFont::Weight weight, int width, int largest_px)
 {
-  constexpr int largest_px = 12, smallest_px = 9;
+  constexpr int smallest_px = 9;
   for (int size = largest_px; size > smallest_px; --size) {
     const QFont font = typeface(size, weight);
     if (QFontMetrics(font).horizontalAdvance(name) <= width) return font;
@@ -50,7 +51,7 @@ QString PhaseLine::nameOf(Phase phase) const
   return tr("Outside");
 }
 
-PhaseLine::PhaseLine(QWidget* parent) : QWidget(parent)
+PhaseLine::PhaseLine(QWidget* parent) : QWidget(parent), name_px_(name_px)
 {
   setObjectName(QStringLiteral("phaseLine"));
   setAttribute(Qt::WA_TransparentForMouseEvents);
@@ -74,9 +75,17 @@ void PhaseLine::setPartial(bool isPartial)
   update();
 }
 
+void PhaseLine::setNameSize(int size_px)
+{
+  name_px_ = size_px;
+  updateGeometry();
+}
+
+int PhaseLine::lengthOf(int usual_px) const { return sized(usual_px * name_px_ / name_px); }
+
 QString PhaseLine::tipAt(const QPoint& place) const
 {
-  const int margin = sized(sideMargin_px);
+  const int margin = lengthOf(sideMargin_px);
   const double step = double(width() - 2 * margin) / double(stations.size() - 1);
   const double nearest = std::round((place.x() - margin) / step);
   const double offset = place.x() - margin - nearest * step;
@@ -101,7 +110,7 @@ QString PhaseLine::tipAt(const QPoint& place) const
 QSize PhaseLine::sizeHint() const
 {
   constexpr int smallest_px = 38;  // its points do not shrink as its texts do
-  return {480, std::max(sized(height_px), smallest_px)};
+  return {480, std::max(lengthOf(height_px), smallest_px)};
 }
 
 void PhaseLine::paintEvent(QPaintEvent*)
@@ -109,7 +118,7 @@ void PhaseLine::paintEvent(QPaintEvent*)
   QPainter painter(this);
   paintPlate(painter, rect());
 
-  const int margin = sized(sideMargin_px);
+  const int margin = lengthOf(sideMargin_px);
   const double step = double(width() - 2 * margin) / double(stations.size() - 1);
   const QColor ahead = shownTheme().ahead;
   const int available = std::max(1, int(step) - 4);
@@ -128,9 +137,10 @@ void PhaseLine::paintEvent(QPaintEvent*)
     painter.drawEllipse(place, radius, radius);
 
     const QString caption = nameOf(stations[i]);
-    painter.setFont(fitting(caption, isHere ? QFont::DemiBold : QFont::Normal, available));
+    painter.setFont(
+        fitting(caption, isHere ? QFont::DemiBold : QFont::Normal, available, name_px_));
     painter.setPen(isHere ? shownTheme().text : shownTheme().quietText);
-    const QRectF name(place.x() - margin, stationY_px + 10, 2 * margin, sized(20));
+    const QRectF name(place.x() - margin, stationY_px + 10, 2 * margin, lengthOf(20));
     painter.drawText(name, Qt::AlignCenter | Qt::TextDontClip,
                      QFontMetrics(painter.font()).elidedText(caption, Qt::ElideRight, available));
   }

@@ -20,6 +20,8 @@ public:
   analysis::Phase phase() const { return phase_; }
   /// Names the last station: full depth, or the stop of a partial insertion.
   void setPartial(bool isPartial);
+  /// Size of the names, where there is room [px, before textScale()].
+  void setNameSize(int size_px);
   /// Explanation of the station at a place of this widget; empty between them.
   QString tipAt(const QPoint& place) const;
   QSize sizeHint() const override;
@@ -29,9 +31,12 @@ protected:
 
 private:
   QString nameOf(analysis::Phase phase) const;
+  /// A length at the usual size of the names, at the chosen one [px].
+  int lengthOf(int usual_px) const;
 
   analysis::Phase phase_ = analysis::Phase::outside;
   bool isPartial_ = false;
+  int name_px_;
 };
 
 }  // namespace perilymph::gui

@@ -146,7 +146,7 @@ void PatientSection::addWho()
   connect(ear_, &Selector::chosen, this, [this](const QString& side) {
     Q_EMIT changeAsked({SetupField::side, {{"side", tomlQuoted(side)}}, ear_->currentText(), {}});
   });
-  ear_->setFixedWidth(std::max(earWidth_px, ear_->widest_px()));
+  ear_->setFixedWidth(std::max(sized(earWidth_px), ear_->widest_px()));
   auto* who = new QWidget(body());
   auto* row = new QHBoxLayout(who);
   row->setContentsMargins(0, 0, 0, 0);

@@ -13,7 +13,7 @@ namespace perilymph::gui {
 
 /// A color scheme and the current language, for charts and scenes made now.
 charts::ChartStyle chartStyle(figures::ColorScheme scheme);
-visualization::SceneStyle sceneStyle(figures::ColorScheme scheme, double textScale);
+visualization::SceneStyle sceneStyle(figures::ColorScheme scheme, double textScale = 1.0);
 
 /// The translated name of a reference, or its label if there is no translation.
 QString referenceName(const std::string& label);

@@ -75,6 +75,8 @@ bool ScaleBars::Paint(vtkContext2D* painter)
   return true;
 }
 
+float ScaleBars::bottom() const { return static_cast<float>(std::round(bottom_px * scale())); }
+
 void ScaleBars::setText(vtkContext2D& painter, int justification)
 {
   vtkTextProperty& text = *painter.GetTextProp();
@@ -116,7 +118,7 @@ void ScaleBars::paintLength(vtkContext2D& painter, const Corner& legend)
   const float line = std::max(1.0f, std::round(1.4f * scale));
   const float cap = std::round(8.0f * scale);
   const float rim = static_cast<float>(plateRim_px) * scale;
-  float y = std::round(static_cast<float>(bottom_px) * scale);
+  float y = bottom();
   // beside the legend, or above it where it is as wide
   if (right - length - rim < legend.right) y = std::round(legend.top) + cap;
   paintPlate(painter, right - length - rim, y - cap, right + rim, y + 26.0f * scale);
@@ -134,7 +136,7 @@ ScaleBars::Corner ScaleBars::paintLegend(vtkContext2D& painter,
   if (!showsForce && arrows.empty()) return {};
   const float scale = static_cast<float>(this->scale());
   const float left = static_cast<float>(margin_px) * scale;
-  const float y = std::round(static_cast<float>(bottom_px) * scale);
+  const float y = bottom();
   const float height = std::round(6.0f * scale);
   const int cells = 64;
   const float cell = std::max(1.0f, std::round(2.0f * scale));

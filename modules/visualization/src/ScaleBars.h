@@ -22,7 +22,7 @@ public:
       bool showsForce = true;
   bool showsArrows = true;
   double pixelRatio = 1.0;
-  int bottom_px = 34;       ///< Distance from the lower edge, at pixel ratio 1.
+  int bottom_px = 34;       ///< Distance from the lower edge, at pixel ratio and text scale 1.
   double pixel_mm = 0.025;  ///< Size of a pixel of the picture.
 
   /// Colors and texts; those of a default SceneStyle until it is called.
@@ -52,6 +52,8 @@ private:
   std::vector<ArrowKind> arrowKinds() const;
   /// Pixels of a length that is given at pixel ratio 1 and text scale 1.
   double scale() const { return pixelRatio * textScale_; }
+  /// Height of the line of a scale above the lower edge of the picture [pixels].
+  float bottom() const;
   std::string rounded(double value) const;
   void paintArrows(vtkContext2D& painter, const std::vector<ArrowKind>& kinds, float left, float y);
   void paintPlate(vtkContext2D& painter, float left, float bottom, float right, float top);

@@ -339,9 +339,8 @@ TEST(German, IsShownWhenRequested)
     EXPECT_EQ(keyName(QKeySequence(Qt::ControlModifier | Qt::Key_R)), "Strg+R");
     EXPECT_EQ(gui::guideStart(gui::guideFolder()).parent_path().filename(), "de");
     // texts drawn by VTK in the scene and the charts
-    EXPECT_EQ(gui::sceneStyle(gui::shownColorScheme(), 1.0).strings.wallForce,
-              "Wandkraft, mN je mm");
-    EXPECT_EQ(gui::sceneStyle(gui::shownColorScheme(), 1.0).strings.friction,
+    EXPECT_EQ(gui::sceneStyle(gui::shownColorScheme()).strings.wallForce, "Wandkraft, mN je mm");
+    EXPECT_EQ(gui::sceneStyle(gui::shownColorScheme()).strings.friction,
               "Reibkraft (Pfeile %1-fach)");
     EXPECT_EQ(gui::chartStyle(gui::shownColorScheme()).strings.outerWall, "Außenwand");
     EXPECT_EQ(gui::chartStyle(gui::shownColorScheme()).strings.decimalSign, ',');
@@ -350,7 +349,7 @@ TEST(German, IsShownWhenRequested)
     EXPECT_TRUE(gui::referenceName(reference->label).startsWith("veröffentlichte Messungen"));
   }
   gui::useLanguage(*QCoreApplication::instance(), "en");
-  EXPECT_EQ(gui::sceneStyle(gui::shownColorScheme(), 1.0).strings.wallForce,
+  EXPECT_EQ(gui::sceneStyle(gui::shownColorScheme()).strings.wallForce,
             visualization::SceneStrings().wallForce);
   WindowRig rig;
   EXPECT_EQ(rig.button("resetButton").text(), "Reset");

@@ -118,6 +118,9 @@ TEST_P(EveryColorScheme, IsThatOfTheStartCardsAndOfTheFigures)
   rig.window().showPage("start");
   for (const char* name : {"patientCard", "meanCard", "demonstrationCard"}) {
     const QImage card = rig.button(name).grab().toImage();
+    EXPECT_EQ(qGray(card.pixel(card.width() / 2, card.height() - 6)) > 128, isLight) << name;
+    // a CT is as gray in every scheme
+    if (QLatin1String(name) == QLatin1String("patientCard")) continue;
     EXPECT_EQ(qGray(card.pixel(card.width() / 2, 8)) > 128, isLight) << name;
   }
   rig.click("validatePageButton");

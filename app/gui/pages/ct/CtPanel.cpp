@@ -110,8 +110,11 @@ void CtPanel::addSource(QVBoxLayout& column)
   file->setToolTip(
       tr("DICOM (.zip), DICOMDIR, enhanced DICOM, NIfTI (.nii, .nii.gz), NRRD (.nrrd, .nhdr) or "
          "MetaImage (.mha, .mhd)"));
-  row->addWidget(folder);
-  row->addWidget(file);
+  row->setSpacing(4);
+  for (QPushButton* button : {folder, file}) {
+    button->setProperty("small", true);
+    row->addWidget(button);
+  }
   column.addLayout(row);
   series_ = new CtSeriesList(this);
   column.addWidget(series_);
@@ -248,6 +251,7 @@ void CtPanel::addMarks(QVBoxLayout& column)
     const auto mark = static_cast<ct::Mark>(k);
     auto* button = rowButton(markLabel(mark), "", this);
     button->setObjectName(QStringLiteral("mark%1").arg(QLatin1String(ct::nameOf(mark))));
+    button->setProperty("small", true);
     button->setAccessibleName(markName(mark));
     button->setToolTip(
         tr("%1. Press, then click into a picture. %2").arg(markName(mark), markGuide(mark)));

@@ -44,8 +44,8 @@ void SurfaceView::refresh()
   }
   if (shownWindow_P_ != measures->roundWindow_P) {
     if (scene_) renderWindow()->RemoveRenderer(&scene_->renderer());
-    scene_ = std::make_unique<visualization::SurfaceScene>(
-        imaging::measuredSurface(*measures), sceneStyle(shownColorScheme(), textScale()));
+    scene_ = std::make_unique<visualization::SurfaceScene>(imaging::measuredSurface(*measures),
+                                                           sceneStyle(shownColorScheme()));
     scene_->attachTo(*renderWindow());
     const ct::ViewPlane view = ct::cochlearPlanes(*measures, measures->center_P)[0];
     scene_->lookAlong(view.away_P(), view.down_P);

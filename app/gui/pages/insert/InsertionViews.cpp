@@ -123,8 +123,8 @@ void InsertionViews::offerQuadBuffered(const QString& error)
 
 std::unique_ptr<visualization::InsertionScene> InsertionViews::madeScene() const
 {
-  return std::make_unique<visualization::InsertionScene>(
-      *scala_, array_, side_, pilot_.quality(), sceneStyle(shownColorScheme(), textScale()));
+  return std::make_unique<visualization::InsertionScene>(*scala_, array_, side_, pilot_.quality(),
+                                                         sceneStyle(shownColorScheme()));
 }
 
 void InsertionViews::openTwin()

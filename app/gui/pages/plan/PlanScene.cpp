@@ -42,7 +42,7 @@ void PlanScene::show(const PlanShapeWork::Shape& shape)
   shape_ = shape;
   scene_ = std::make_unique<visualization::InsertionScene>(
       *shape->anatomy, shape->parameters.array, shape->parameters.cochlea.patient.side,
-      visualization::Quality::software, sceneStyle(shownColorScheme(), textScale()));
+      visualization::Quality::software, sceneStyle(shownColorScheme()));
   scene_->setVisible(visualization::Part::styletAndTweezers, false);
   scene_->setScale(devicePixelRatioF() * textScale());
   scene_->attachTo(*renderWindow());

@@ -116,8 +116,12 @@ void StartCard::paintEvent(QPaintEvent*)
   QPainterPath top;
   top.addRect(0, 0, width(), pictureHeight_px_);
   painter.setClipPath(edge.intersected(top));
-  painter.drawPixmap((width() - cardSize.width()) / 2, (pictureHeight_px_ - pictureHeight_px) / 2,
-                     picture_);
+  const QSizeF whole = QSizeF(cardSize.width(), pictureHeight_px)
+                           .scaled(width(), pictureHeight_px_, Qt::KeepAspectRatioByExpanding);
+  painter.setRenderHint(QPainter::SmoothPixmapTransform);
+  painter.drawPixmap(
+      QRectF({0.5 * (width() - whole.width()), 0.5 * (pictureHeight_px_ - whole.height())}, whole),
+      picture_, QRectF({}, QSizeF(picture_.size())));
   painter.restore();
   painter.setPen(QPen(shownTheme().line, 1.0));
   painter.drawPath(edge);

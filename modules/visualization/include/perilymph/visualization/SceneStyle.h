@@ -20,7 +20,8 @@ struct SceneStrings {
 struct SceneStyle {
   figures::ColorScheme scheme = figures::ColorScheme::dark;
   SceneStrings strings;
-  double textScale = 1.0;  ///< Size of the scales and their texts, 12 pixels at 1.
+  double textScale =
+      1.0;  ///< Size of the scales and their texts, 12 pixels at 1 and InsertionScene::setScale(1).
 };
 
 }  // namespace perilymph::visualization

@@ -47,7 +47,7 @@ TEST(CsvRow, SpeaksTheUnitsOfItsHeader)
   record.output.partitionForce = 1.5;
   const std::string upToMembrane =
       "0.25,0.5,2.5,2,90,0.125,0.5,-0.25,0.0625,1,2,4,8,16,32,64,128,256,17,0.75,0.375,";
-  EXPECT_EQ(csvRow(record), upToMembrane + "1.5,\n");
+  EXPECT_EQ(csvRow(record), upToMembrane + "1.5,0\n");  // elastic
   record.output.plasticWork = 0.5e-6;
   EXPECT_EQ(csvRow(record), upToMembrane + "1.5,0.5\n");
   // an earlier version did not record it

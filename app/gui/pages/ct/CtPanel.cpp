@@ -161,6 +161,7 @@ void CtPanel::addView(QVBoxLayout& column)
   slab_->addItems(
       {tr("Single layer"), tr("Slab 1 mm, mean"), tr("Slab 2 mm, mean"), tr("Slab 2 mm, maximum")});
   auto* boxes = new QHBoxLayout;
+  boxes->setSpacing(4);
   for (QComboBox* box : {window_, slab_}) {
     box->setFont(typeface(13));
     box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
@@ -184,6 +185,7 @@ void CtPanel::addMeasurement(QVBoxLayout& column)
   search_ = rowButton(tr("Find and measure the cochlea"), "measureCtButton", this);
   measureHere_ = rowButton(tr("Measure at the crosshair"), "measureHereButton", this);
   search_->setProperty("primary", true);
+  for (QPushButton* button : {search_, measureHere_}) button->setProperty("small", true);
   measureHere_->setToolTip(tr("Click inside the cochlea first."));
   cancel_ = rowButton(tr("Cancel"), "cancelCtButton", this);
   progress_ = new QProgressBar(this);

@@ -19,29 +19,15 @@ std::array<double, columnCount> columnValues(const haptics::TickRecord& record)
 {
   const haptics::TickOutput& now = record.output;
   const auto mm = [](double length) { return inMillimeters(meters(length)); };
-  return {now.time,
-          mm(now.travel),
-          mm(now.depth),
-          inMillimetersPerSecond(metersPerSecond(now.speed)),
-          inDegrees(radians(now.angularDepth)),
-          now.axialForce,
-          now.force_W[0],
-          now.force_W[1],
-          now.force_W[2],
-          mm(now.tip_W[0]),
-          mm(now.tip_W[1]),
-          mm(now.tip_W[2]),
-          mm(now.device_W[0]),
-          mm(now.device_W[1]),
-          mm(now.device_W[2]),
-          mm(now.proxy_W[0]),
-          mm(now.proxy_W[1]),
-          mm(now.proxy_W[2]),
-          static_cast<double>(now.contacts),
-          now.wallForceMax,
-          now.membraneForce,
+  return {now.time, mm(now.travel), mm(now.depth),
+          inMillimetersPerSecond(metersPerSecond(now.speed)), inDegrees(radians(now.angularDepth)),
+          now.axialForce, now.force_W[0], now.force_W[1], now.force_W[2], mm(now.tip_W[0]),
+          mm(now.tip_W[1]), mm(now.tip_W[2]), mm(now.device_W[0]), mm(now.device_W[1]),
+          mm(now.device_W[2]), mm(now.proxy_W[0]), mm(now.proxy_W[1]), mm(now.proxy_W[2]),
+          static_cast<double>(now.contacts), now.wallForceMax, now.membraneForce,
           now.partitionForce,
-          1e6 * now.plasticWork};
+          // an elastic array states none, and dissipates nothing
+          std::isnan(now.plasticWork) ? 0.0 : 1e6 * now.plasticWork};
 }
 
 std::string shortestDecimal(double value)

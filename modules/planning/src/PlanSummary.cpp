@@ -26,12 +26,18 @@ constexpr double edge = 0.05, edgeTolerance = 0.1, angleTolerance_deg = 5.0, pea
 
 using Insertions = std::vector<const PlannedInsertion*>;
 
-Insertions runOf(const std::vector<PlannedInsertion>& insertions, std::size_t array)
+Insertions insertionsOf(const std::vector<PlannedInsertion>& all, std::size_t array)
 {
-  Insertions run;
-  for (const PlannedInsertion& each : insertions)
-    if (each.array == array && isRun(each)) run.push_back(&each);
-  return run;
+  Insertions own;
+  for (const PlannedInsertion& each : all)
+    if (each.array == array) own.push_back(&each);
+  return own;
+}
+
+Insertions runOf(Insertions all)
+{
+  std::erase_if(all, [](const PlannedInsertion* each) { return !isRun(*each); });
+  return all;
 }
 
 template <class Value>
@@ -255,9 +261,7 @@ ArrayPlan summaryOf(const Insertions& all, const PlannedArray& array, const Thre
 {
   ArrayPlan plan;
   plan.draws = all.size();
-  Insertions run;
-  for (const PlannedInsertion* each : all)
-    if (isRun(*each)) run.push_back(each);
+  const Insertions run = runOf(all);
   const auto band = [&run](const auto& value) { return bandOf(valuesOf(run, value)); };
   plan.angle_deg = band(angleOf);
   plan.peak_mN = band(peakOf);
@@ -302,10 +306,8 @@ std::vector<ArrayPlan> summarize(const PlanRequest& request,
 {
   std::vector<ArrayPlan> plans;
   for (std::size_t i = 0; i < request.arrays.size(); ++i) {
-    Insertions own;
-    for (const PlannedInsertion& each : insertions)
-      if (each.array == i) own.push_back(&each);
-    ArrayPlan plan = summaryOf(own, arrays[i], thresholds, analysis::errorsOf(request.patient));
+    ArrayPlan plan = summaryOf(insertionsOf(insertions, i), arrays[i], thresholds,
+                               analysis::errorsOf(request.patient));
     plan.array = request.arrays[i];
     plan.name = arrays[i].name;
     plans.push_back(std::move(plan));
@@ -319,14 +321,14 @@ void addSummary(Plan& plan, const std::vector<PlannedArray>& arrays)
   plan.differences = differencesOf(plan.arrays.size(), plan.insertions);
   if (plan.frictionSpread > 0.0)
     for (std::size_t i = 0; i < plan.arrays.size(); ++i)
-      plan.arrays[i].atMedianFriction = atMedianFriction(runOf(plan.insertions, i));
+      plan.arrays[i].atMedianFriction = atMedianFriction(runOf(insertionsOf(plan.insertions, i)));
 }
 
 bool bandsStand(const Plan& plan)
 {
   const auto stands = [&plan](std::size_t array, double (*value)(const PlannedInsertion&),
                               double tolerance) {
-    std::vector<double> values = valuesOf(runOf(plan.insertions, array), value);
+    std::vector<double> values = valuesOf(runOf(insertionsOf(plan.insertions, array)), value);
     if (values.size() < fewestForBand) return false;
     std::sort(values.begin(), values.end());
     const auto at = [&](double fraction) {

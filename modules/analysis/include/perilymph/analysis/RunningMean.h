@@ -10,7 +10,7 @@
 namespace perilymph::analysis {
 
 /// Rounding of a time that is a sum of time steps [s].
-constexpr double timeRounding = 1e-9;
+inline constexpr double timeRounding = 1e-9;
 
 /// Mean of a value over the last moments, tick by tick, in order.
 class RunningMean {

@@ -5830,8 +5830,8 @@
         <translation>Linien: Median; Flächen: %1. Blasser und gepunktet, wo Simulationen geendet haben (Ringe), mit der Anzahl, die so tief kam.</translation>
     </message>
     <message>
-        <source>Mean axial force on the hand over the last half second before it stops. Median and 5 to 95 % of the draws.</source>
-        <translation>Mittlere axiale Kraft auf die Hand in der letzten halben Sekunde, bevor sie anhält. Median und 5 bis 95 % der Simulationen.</translation>
+        <source>Mean axial force on the hand over the last half second before it stops. Median and the band that the head names.</source>
+        <translation>Mittlere axiale Kraft auf die Hand in der letzten halben Sekunde, bevor sie anhält. Median und das Band, das der Kopf nennt.</translation>
     </message>
     <message>
         <source>Arrays in this cochlea: median (%1)</source>
@@ -6777,8 +6777,8 @@
         <translation>Zum Modiolus</translation>
     </message>
     <message>
-        <source>From the center line of the array to the inner wall. Median and 5 to 95 % of the draws.</source>
-        <translation>Von der Mittellinie des Trägers zur Innenwand. Median und 5 bis 95 % der Simulationen.</translation>
+        <source>From the center line of the array to the inner wall. Median and the band that the head names.</source>
+        <translation>Von der Mittellinie des Trägers zur Innenwand. Median und das Band, das der Kopf nennt.</translation>
     </message>
     <message>
         <source>Greenwood</source>

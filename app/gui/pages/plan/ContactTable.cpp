@@ -45,8 +45,8 @@ ContactTable::ContactTable(QWidget* parent)
       {tr("Inside"),
        tr("Draws in which the contact is inserted; the other columns are over these")},
       {tr("Angle"), tr("From the round window. Median and the band that the head names.")},
-      {tr("To modiolus"), tr("From the center line of the array to the inner wall. Median and 5 to "
-                             "95 % of the draws.")},
+      {tr("To modiolus"), tr("From the center line of the array to the inner wall. Median and the "
+                             "band that the head names.")},
       {tr("Greenwood"), tr("Frequency of the place along the organ of Corti (Greenwood 1990)")},
       {tr("Spiral ganglion"),
        tr("Frequency of the spiral ganglion at the angle (Stakhovskaya et al. 2007)")},

@@ -104,8 +104,8 @@ QString methodOf(PlanColumn column)
           "Maximum axial force on the surgeon’s hand. Median and the band that the head names.");
     case PlanColumn::end:
       return tr(
-          "Mean axial force on the hand over the last half second before it stops. Median and 5 to "
-          "95 % of the draws.");
+          "Mean axial force on the hand over the last half second before it stops. Median and the "
+          "band that the head names.");
     case PlanColumn::force:
       return tr(
           "Axial force over the depth of the tip past the opening, as deep as any simulation went. "

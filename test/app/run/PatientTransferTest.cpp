@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int patience_ms = 60'000;
+constexpr int transferPatience_ms = 60'000;
 
 class PatientTransfers : public testing::Test {
 protected:
@@ -48,11 +48,11 @@ TEST_F(PatientTransfers, ShowHowFarTheyAreWhileTheyRun)
     let.wait();
     return fs::path("/there");
   });
-  ASSERT_TRUE(QTest::qWaitFor([&] { return percent_ == 25; }, patience_ms));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return percent_ == 25; }, transferPatience_ms));
   EXPECT_TRUE(transfer_.isBusy());
   EXPECT_TRUE(place_.isEmpty());
   let_.set_value();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !place_.isEmpty(); }, patience_ms));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !place_.isEmpty(); }, transferPatience_ms));
   EXPECT_EQ(place_, "/there");
 }
 
@@ -78,10 +78,10 @@ TEST_F(PatientTransfers, LeaveNothingIfTheyAreCanceled)
         if (!done) return done.error();
         return exported;
       });
-  ASSERT_TRUE(QTest::qWaitFor([&] { return percent_ > 0; }, patience_ms));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return percent_ > 0; }, transferPatience_ms));
   transfer_.cancel();
   let_.set_value();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !sentence_.isEmpty(); }, patience_ms));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !sentence_.isEmpty(); }, transferPatience_ms));
   EXPECT_TRUE(sentence_.contains("canceled")) << sentence_.toStdString();
   EXPECT_TRUE(fs::is_empty(folder / "exported"));
   EXPECT_FALSE(transfer_.isBusy());

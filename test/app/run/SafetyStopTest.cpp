@@ -21,7 +21,7 @@ namespace {
 using gui::InputSource;
 using gui::InsertionControl;
 
-constexpr int patience_ms = 60'000;
+constexpr int stopPatience_ms = 60'000;
 
 /// The forces written to a device.
 struct Told {
@@ -87,7 +87,7 @@ protected:
           control_.update();
           return claim();
         },
-        patience_ms);
+        stopPatience_ms);
   }
 
   TemporaryFolder folder_;

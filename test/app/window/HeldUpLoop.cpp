@@ -51,7 +51,7 @@ void HeldUpLoop::hear()
   heardAt_ = realtime::monotonicNanoseconds();
   entriesBefore_ = log_->size();
   release_ = std::thread([this, used = processorTime(windowClock_)] {
-    realtime::Pacer poll(milliseconds(0.05));
+    realtime::Pacer poll(perilymph::milliseconds(0.05));
     poll.start(heardAt_);
     while (!isHandled_ && processorTime(windowClock_) - used < millisecond &&
            realtime::monotonicNanoseconds() - heardAt_ < longestWait)

@@ -21,7 +21,7 @@ namespace {
 using haptics::Workflow;
 using visualization::CameraPreset;
 
-constexpr double rest_mm = 0.01;
+constexpr double atRest_mm = 0.01;
 
 double pictureHeight_mm(WindowRig& rig)
 {
@@ -146,7 +146,7 @@ TEST(PointerDevice, DoesNotMoveTheArrayUnlessItIsHeld)
   rig.turnWheel(-4);
   rig.holdKey(Qt::Key_Down);
   ASSERT_TRUE(rig.liveForTicks(1000));
-  EXPECT_NEAR(rig.travel_mm(), 0.0, rest_mm);
+  EXPECT_NEAR(rig.travel_mm(), 0.0, atRest_mm);
 }
 
 class PointerAtFrameRate : public ::testing::TestWithParam<int> {};
@@ -183,7 +183,7 @@ TEST(PointerDevice, LetsGoWhenSpaceIsReleased)
   ASSERT_TRUE(WindowRig::comes([&] { return rig.now().output.workflow == Workflow::paused; }));
   const double held_mm = rig.travel_mm();
   ASSERT_TRUE(rig.liveForTicks(1000));
-  EXPECT_NEAR(rig.travel_mm(), held_mm, rest_mm);
+  EXPECT_NEAR(rig.travel_mm(), held_mm, atRest_mm);
 }
 
 TEST(PointerDevice, CanBeHeldFromOnePressToTheNext)

@@ -210,9 +210,9 @@ TEST_F(PlanReportPdf, CarriesInstitutionAndLogoOfTheSettings)
   const std::size_t before = countImages(pdf());
 
   const fs::path logo = folder_ / "logo.png";
-  QImage image(200, 50, QImage::Format_RGB32);
-  image.fill(Qt::darkBlue);
-  ASSERT_TRUE(image.save(QString::fromStdString(logo.string())));
+  QImage drawn(200, 50, QImage::Format_RGB32);
+  drawn.fill(Qt::darkBlue);
+  ASSERT_TRUE(drawn.save(QString::fromStdString(logo.string())));
   gui::UserSettings().setValue(QStringLiteral("report/institution"), "ENT Clinic, Booth 7");
   gui::UserSettings().setValue(QStringLiteral("report/logo"),
                                QString::fromStdString(logo.string()));

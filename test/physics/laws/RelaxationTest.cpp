@@ -50,7 +50,7 @@ constexpr double gap = 0.3e-3;    // [m] of the wall from the center line
 constexpr double press = 0.3e-3;  // [m] of the base beyond first contact
 
 /// A cantilever whose tip a wall deflects, in a ramp of the given duration [s].
-TestRod pressed(const RodSpec& spec, double ramp)
+TestRod pressedRod(const RodSpec& spec, double ramp)
 {
   TestRod rod(std::make_shared<test::SideWall>(gap), spec);
   rod.move({0.0, -(gap - spec.radius), 0.0}, 2e-3, 0.2);
@@ -66,11 +66,11 @@ double forceAfter(TestRod& rod, double time)
 
 TEST(Relaxation, AfterARampIsThatOfItsMaxwellElements)
 {
-  TestRod elastic = pressed(cantilever(), 0.5);
+  TestRod elastic = pressedRod(cantilever(), 0.5);
   const double full = forceAfter(elastic, 0.5);
   for (const double ramp : {0.2, 2.0})
     for (const RelaxationLaw& relaxation : {law(0.13, 0.3, 0.28, 6.0), law(0.5, 1.0)}) {
-      TestRod rod = pressed(cantilever(relaxation), ramp);
+      TestRod rod = pressedRod(cantilever(relaxation), ramp);
       double at = 0.0;
       for (const double time : {0.05, 0.3, 1.0, 4.0, 10.0}) {
         // M / kappa = B_inf + sum of g B (tau / T) (1 - e^(-T / tau)) e^(-(t - T) / tau)
@@ -92,7 +92,7 @@ TEST(Relaxation, OfABendThatIsReleasedLeavesASetThatCreepsAway)
 {
   // held until all has relaxed, then free: x = g v, and v falls with tau / (1 - g)
   constexpr double fraction = 0.4, tau = 0.5;
-  TestRod rod = pressed(cantilever(law(fraction, tau)), 0.2);
+  TestRod rod = pressedRod(cantilever(law(fraction, tau)), 0.2);
   const auto deflection = [&rod] {
     return rod.state().position_W.back().y() - rod.state().base_W.y();
   };

@@ -22,7 +22,7 @@ constexpr double bare = 8e-3;       // [m] in front of the stylet when it is ful
 constexpr int nodes = 41;
 constexpr double spacing = length / (nodes - 1);
 
-constexpr double gap = 1e-3;  // between the wall and the straight rod's center line [m]
+constexpr double rimGap = 1e-3;  // between the wall and the straight rod's center line [m]
 
 /// @param across  EI of the carrier across the plane of curl [N.m^2].
 electrode::ArrayDesign steppedArray(double across)
@@ -45,7 +45,7 @@ electrode::ArrayDesign steppedArray(double across)
 double compliance(double withdrawal, double across)
 {
   mechanics::ModelParts parts;
-  parts.lumen = std::make_shared<test::SideWall>(gap);
+  parts.lumen = std::make_shared<test::SideWall>(rimGap);
   parts.array = steppedArray(across);
   parts.nodes = nodes;
   parts.startInside = meters(0.5 * length);
@@ -58,7 +58,7 @@ double compliance(double withdrawal, double across)
   drive.handAxis_W = model->startAxis_W;
   drive.handCurl_W = model->startCurl_W;
   drive.styletWithdrawal = withdrawal;
-  constexpr double aside = gap - radius + 0.2e-3;
+  constexpr double aside = rimGap - radius + 0.2e-3;
   constexpr int steps = 500;
   for (int i = 1; i <= 3 * steps; ++i) {
     const double fraction = std::min(1.0, static_cast<double>(i) / steps);

@@ -67,8 +67,8 @@ dead_zone = 0.05
 )");
 }
 
-struct Rig {
-  Rig(const DeviceProfile& profile, const std::vector<std::uint8_t>& descriptor)
+struct AxesRig {
+  AxesRig(const DeviceProfile& profile, const std::vector<std::uint8_t>& descriptor)
       : codec(*makeCodec(profile, *ReportDescriptor::parse(descriptor)))
   {
   }
@@ -105,7 +105,7 @@ std::vector<std::uint8_t> stickReport(unsigned x, unsigned y, std::uint8_t butto
 
 TEST(Joystick, MovesFromEndToEndOfItsTravel)
 {
-  Rig rig(stickProfile(), test::joystickDescriptor());
+  AxesRig rig(stickProfile(), test::joystickDescriptor());
   ASSERT_TRUE(rig.takes(stickReport(0, 1023, 0)));
   EXPECT_NEAR(rig.hand.position_D[0], -15e-3, 1e-15);
   EXPECT_NEAR(rig.hand.position_D[2], 15e-3, 1e-15);
@@ -114,7 +114,7 @@ TEST(Joystick, MovesFromEndToEndOfItsTravel)
 
 TEST(Joystick, StandsHalfAStepFromTheMiddleOfAnEvenRange)
 {
-  Rig rig(stickProfile(), test::joystickDescriptor());
+  AxesRig rig(stickProfile(), test::joystickDescriptor());
   ASSERT_TRUE(rig.takes(stickReport(512, 511, 0)));
   EXPECT_NEAR(rig.hand.position_D[0], 15e-3 * 0.5 / 511.5, 1e-15);
   EXPECT_NEAR(rig.hand.position_D[2], -15e-3 * 0.5 / 511.5, 1e-15);
@@ -122,7 +122,7 @@ TEST(Joystick, StandsHalfAStepFromTheMiddleOfAnEvenRange)
 
 TEST(Joystick, PutsTheGraspButtonFirstAndLosesNoOther)
 {
-  Rig rig(stickProfile(), test::joystickDescriptor());
+  AxesRig rig(stickProfile(), test::joystickDescriptor());
   rig.takes(stickReport(0, 0, 0b0000'0100));
   EXPECT_EQ(rig.hand.buttons, graspButton);
   rig.takes(stickReport(0, 0, 0b0000'0011));
@@ -135,7 +135,7 @@ TEST(Joystick, PutsTheGraspButtonFirstAndLosesNoOther)
 
 TEST(Joystick, IgnoresReportsThatAreShortOrOfAnotherNumber)
 {
-  Rig rig(stickProfile(), test::joystickDescriptor());
+  AxesRig rig(stickProfile(), test::joystickDescriptor());
   ASSERT_TRUE(rig.takes(stickReport(1023, 1023, 0xff)));
   const DeviceSample before = rig.hand;
   EXPECT_FALSE(rig.takes(std::vector<std::uint8_t>{1, 0, 0, 0}));
@@ -147,7 +147,7 @@ TEST(Joystick, IgnoresReportsThatAreShortOrOfAnotherNumber)
 
 TEST(Joystick, ShowsNoForce)
 {
-  Rig rig(stickProfile(), test::joystickDescriptor());
+  AxesRig rig(stickProfile(), test::joystickDescriptor());
   ReportList reports;
   rig.codec->encode({{1.0, 1.0, 1.0}, {}}, reports);
   EXPECT_EQ(reports.count, 0u);
@@ -177,7 +177,7 @@ TEST(JoystickProfile, IsRefusedForADeviceWithoutItsAxis)
 
 TEST(Knob, DriftsWithASpeedWhileItIsPushed)
 {
-  Rig rig(knobProfile(), test::knobDescriptor());
+  AxesRig rig(knobProfile(), test::knobDescriptor());
   // Fully away from the user (-Y) for one second: 125 reports of 8 ms at 20 mm/s.
   for (int i = 0; i < 125; ++i) ASSERT_TRUE(rig.takes(1, 0, -350, 0));
   EXPECT_NEAR(rig.hand.position_D[2], -20e-3, 1e-12);
@@ -186,21 +186,21 @@ TEST(Knob, DriftsWithASpeedWhileItIsPushed)
 
 TEST(Knob, RestsWhileReleasedOrWithinItsDeadZone)
 {
-  Rig rig(knobProfile(), test::knobDescriptor());
+  AxesRig rig(knobProfile(), test::knobDescriptor());
   for (int i = 0; i < 100; ++i) rig.takes(1, 17, -17, 17);  // within 5 % of 350
   EXPECT_EQ(rig.hand.position_D, (std::array<double, 3>{}));
 }
 
 TEST(Knob, LiftsWhenPulledUpWhichItsMakerCountsDownward)
 {
-  Rig rig(knobProfile(), test::knobDescriptor());
+  AxesRig rig(knobProfile(), test::knobDescriptor());
   rig.takes(1, 0, 0, -350);
   EXPECT_GT(rig.hand.position_D[1], 0.0);
 }
 
 TEST(Knob, DoesNotShiftByReportsOfRotationOrButtons)
 {
-  Rig rig(knobProfile(), test::knobDescriptor());
+  AxesRig rig(knobProfile(), test::knobDescriptor());
   rig.takes(1, 350, 0, 0);
   const double once = rig.hand.position_D[0];
   rig.takes(2, 0, 0, 0);
@@ -211,7 +211,7 @@ TEST(Knob, DoesNotShiftByReportsOfRotationOrButtons)
 
 TEST(Knob, TurnsByTheAngleOfItsSpeedAndStaysARotation)
 {
-  Rig rig(knobProfile(), test::knobDescriptor());
+  AxesRig rig(knobProfile(), test::knobDescriptor());
   // 250 reports of 8 ms at 45 deg/s about D's z (the device's Ry): a quarter turn.
   for (int i = 0; i < 250; ++i) rig.takes(2, 0, 350, 0);
   EXPECT_NEAR(rig.hand.rotation_D[0], std::sqrt(0.5), 1e-12);
@@ -220,8 +220,8 @@ TEST(Knob, TurnsByTheAngleOfItsSpeedAndStaysARotation)
 
 TEST(Knob, GivesTheSameMotionInOneReportAsInTwo)
 {
-  Rig two(knobProfile(), test::knobDescriptor());
-  Rig one(knobProfile(), test::combinedKnobDescriptor());
+  AxesRig two(knobProfile(), test::knobDescriptor());
+  AxesRig one(knobProfile(), test::combinedKnobDescriptor());
   two.takes(1, 100, -200, 50);
   two.takes(2, 30, -300, 70);
   std::vector<std::uint8_t> bytes{1};
@@ -238,7 +238,7 @@ TEST(Knob, AllocatesNothingInATick)
 {
   using perilymph::test::AllocationGuard;
   if (!AllocationGuard::isAvailable()) GTEST_SKIP() << AllocationGuard::whyNot();
-  Rig rig(knobProfile(), test::knobDescriptor());
+  AxesRig rig(knobProfile(), test::knobDescriptor());
   RawReport report;
   report.size = 7;
   const AllocationGuard guard;
@@ -251,7 +251,7 @@ TEST(Knob, AllocatesNothingInATick)
 
 TEST(Knob, StopsAtTheEdgeOfItsWorkspace)
 {
-  Rig rig(knobProfile(), test::knobDescriptor());
+  AxesRig rig(knobProfile(), test::knobDescriptor());
   for (int i = 0; i < 1000; ++i) rig.takes(1, 350, 0, 0);
   EXPECT_DOUBLE_EQ(rig.hand.position_D[0], 60e-3);
 }

@@ -21,7 +21,7 @@ using test::FakeHid;
 using test::FakeReport;
 using testing::HasSubstr;
 
-constexpr Wrench pushing(double newtons) { return Wrench{{newtons, 0.0, 0.0}, {}}; }
+constexpr Wrench pushed(double newtons) { return Wrench{{newtons, 0.0, 0.0}, {}}; }
 
 class FailingHidDevice : public testing::Test {
 protected:
@@ -183,7 +183,7 @@ TEST_F(FailingHidDevice, ThatAnswersWithoutAForceOfItsOwnIsWrittenToAllTheSame)
   const std::size_t before = hid.written().size();
   expectSoon([&] {
     hand.read();
-    hand.write(pushing(1.0));
+    hand.write(pushed(1.0));
     return hid.written().size() > before;
   });
   EXPECT_FALSE(hasShownAForce());
@@ -209,7 +209,7 @@ TEST_F(FailingHidDevice, IsToldZeroAgainUntilItTakesIt)
   hand.read();
   hid.send(next());
   hand.read();
-  hand.write(pushing(0.5));
+  hand.write(pushed(0.5));
   expectSoon([this] { return hasShownAForce(); });
   // The loop stops calling, and the device refuses the zero force that is sent in response.
   hid.refuseWrites(true);
@@ -284,13 +284,13 @@ TEST_F(PolledHidDevice, FeelsAForceWhileItAnswersAndNoneAfterwards)
   ASSERT_TRUE(hand.open());
   expectSoon([&] {
     hand.read();
-    hand.write(pushing(0.25));
+    hand.write(pushed(0.25));
     return hasShownAForce();
   });
   answers = false;
   expectSoon([&] {
     hand.read();
-    hand.write(pushing(0.25));
+    hand.write(pushed(0.25));
     return hid.forces().back()[0] == 0.0;
   });
 }
@@ -312,7 +312,7 @@ TEST_F(PolledHidDevice, WithoutAForceIsPolled)
   HidDevice& hand = handOf(traits);
   ASSERT_TRUE(hand.open());
   expectSoon([&hand] { return hand.read().sequence > 2; });
-  hand.write(pushing(1.0));
+  hand.write(pushed(1.0));
   hand.close();
   EXPECT_FALSE(hasShownAForce());
 }

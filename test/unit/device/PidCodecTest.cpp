@@ -35,8 +35,8 @@ travel_mm = 40.0
   return *profile;
 }
 
-struct Rig {
-  explicit Rig(const std::string& pid) : codec(*makeCodec(profileWith(pid), stick())) {}
+struct PidRig {
+  explicit PidRig(const std::string& pid) : codec(*makeCodec(profileWith(pid), stick())) {}
 
   void show(double x_N, double z_N)
   {
@@ -61,7 +61,7 @@ constexpr double directionStep = 0.025;
 
 TEST(PidDevice, IsQuietUntilItsActuatorsAreEnabledAsTheLastThing)
 {
-  Rig rig(byPolar);
+  PidRig rig(byPolar);
   ASSERT_TRUE(rig.codec->begin(rig.device));
   EXPECT_THAT(rig.device.story,
               ElementsAre("stop all", "reset", "gain", "create", "effect", "force", "start",
@@ -73,7 +73,7 @@ TEST(PidDevice, IsQuietUntilItsActuatorsAreEnabledAsTheLastThing)
 TEST(PidDevice, GetsUsagesInTheOrderOfItsDescriptor)
 {
   // This device lists "disable" before "enable" and ramp before constant force.
-  Rig rig(byAxes);
+  PidRig rig(byAxes);
   rig.device.actuatorsOn = false;
   ASSERT_TRUE(rig.codec->begin(rig.device));
   EXPECT_TRUE(rig.device.actuatorsOn);
@@ -85,7 +85,7 @@ TEST(PidDevice, GetsUsagesInTheOrderOfItsDescriptor)
 TEST(PidDevice, ShowsTheForceInEveryWayOfTellingADirection)
 {
   for (const char* pid : {byAxes, byPolar, byDirection}) {
-    Rig rig(pid);
+    PidRig rig(pid);
     ASSERT_TRUE(rig.codec->begin(rig.device)) << pid;
     for (const auto& [x, z] : {std::pair{2.0, 0.0},
                                {-2.0, 0.0},
@@ -103,7 +103,7 @@ TEST(PidDevice, ShowsTheForceInEveryWayOfTellingADirection)
 
 TEST(PidDevice, KeepsTheDirectionOfAForceThatIsTooGreat)
 {
-  Rig rig(byAxes);
+  PidRig rig(byAxes);
   ASSERT_TRUE(rig.codec->begin(rig.device));
   rig.show(30.0, 40.0);
   EXPECT_NEAR(rig.device.shown()[0], 0.6, 1e-4);
@@ -112,7 +112,7 @@ TEST(PidDevice, KeepsTheDirectionOfAForceThatIsTooGreat)
 
 TEST(PidDevice, GetsNoForceThatIsNoNumber)
 {
-  Rig rig(byAxes);
+  PidRig rig(byAxes);
   ASSERT_TRUE(rig.codec->begin(rig.device));
   rig.show(2.0, 2.0);
   rig.show(std::numeric_limits<double>::quiet_NaN(), 1.0);
@@ -122,7 +122,7 @@ TEST(PidDevice, GetsNoForceThatIsNoNumber)
 
 TEST(PidDevice, GetsNothingBeforeItsEffectsExist)
 {
-  Rig rig(byAxes);
+  PidRig rig(byAxes);
   ReportList reports;
   rig.codec->encode({{1.0, 0.0, 0.0}, {}}, reports);
   EXPECT_EQ(reports.count, 0u);
@@ -130,7 +130,7 @@ TEST(PidDevice, GetsNothingBeforeItsEffectsExist)
 
 TEST(PidDevice, NeedsAReportForEachAxisAndTick)
 {
-  Rig rig(byAxes);
+  PidRig rig(byAxes);
   ASSERT_TRUE(rig.codec->begin(rig.device));
   ReportList reports;
   rig.codec->encode({{1.0, 0.0, 0.0}, {}}, reports);
@@ -139,7 +139,7 @@ TEST(PidDevice, NeedsAReportForEachAxisAndTick)
 
 TEST(PidDevice, RunsItsEffectsWithoutEndAtFullGain)
 {
-  Rig rig(byPolar);
+  PidRig rig(byPolar);
   ASSERT_TRUE(rig.codec->begin(rig.device));
   EXPECT_EQ(rig.device.effects[1].duration, 0xffff);
   EXPECT_EQ(rig.device.effects[1].gain, 255);
@@ -147,7 +147,7 @@ TEST(PidDevice, RunsItsEffectsWithoutEndAtFullGain)
 
 TEST(PidDevice, IsLeftWithoutForceEffectsOrActuators)
 {
-  Rig rig(byAxes);
+  PidRig rig(byAxes);
   ASSERT_TRUE(rig.codec->begin(rig.device));
   rig.show(2.0, 1.0);
   rig.device.story.clear();
@@ -159,14 +159,14 @@ TEST(PidDevice, IsLeftWithoutForceEffectsOrActuators)
 
 TEST(PidDevice, MayAnswerSlowly)
 {
-  Rig rig(byAxes);
+  PidRig rig(byAxes);
   rig.device.slowAnswers = 5;
   EXPECT_TRUE(rig.codec->begin(rig.device));
 }
 
 TEST(PidDevice, WithoutFreeMemoryIsAnErrorAndLeftWithoutForce)
 {
-  Rig rig(byAxes);
+  PidRig rig(byAxes);
   rig.device.capacity = 1;
   const auto begun = rig.codec->begin(rig.device);
   ASSERT_FALSE(begun);
@@ -178,7 +178,7 @@ TEST(PidDevice, WithoutFreeMemoryIsAnErrorAndLeftWithoutForce)
 TEST(PidDevice, UnpluggedWhileItIsPreparedIsAnsweredWithASentence)
 {
   for (int writes = 0; writes < 10; ++writes) {
-    Rig rig(byAxes);
+    PidRig rig(byAxes);
     rig.device.writesBeforeUnplug = writes;
     const auto begun = rig.codec->begin(rig.device);
     ASSERT_FALSE(begun) << writes;
@@ -209,7 +209,7 @@ TEST(PidTick, AllocatesNothing)
 {
   if (!perilymph::test::AllocationGuard::isAvailable())
     GTEST_SKIP() << perilymph::test::AllocationGuard::whyNot();
-  Rig rig(byDirection);
+  PidRig rig(byDirection);
   ASSERT_TRUE(rig.codec->begin(rig.device));
   RawReport report;
   report.bytes = {1, 0, 1, 0, 2, 1};

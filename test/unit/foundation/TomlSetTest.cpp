@@ -9,7 +9,7 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr Range speeds{0.01, 200.0};
+constexpr Range allowedSpeeds{0.01, 200.0};
 
 TomlReader withSet(const std::string& text, const std::string& key, const std::string& value)
 {
@@ -28,7 +28,7 @@ std::string errorOf(TomlReader& reader)
 TEST(TomlSet, ChangesAValueOfTheFile)
 {
   TomlReader reader = withSet("speed_mm_s = 2", "speed_mm_s", "3.5");
-  EXPECT_EQ(reader.number("speed_mm_s", speeds), 3.5);
+  EXPECT_EQ(reader.number("speed_mm_s", allowedSpeeds), 3.5);
   EXPECT_EQ(errorOf(reader), "fine");
 }
 
@@ -41,7 +41,7 @@ TEST(TomlSet, AddsAValueTheFileHasNot)
 TEST(TomlSet, NamesTheCommandLineInPlaceOfALine)
 {
   TomlReader reader = withSet("\n\nspeed_mm_s = 2", "speed_mm_s", "-3");
-  reader.number("speed_mm_s", speeds);
+  reader.number("speed_mm_s", allowedSpeeds);
   EXPECT_EQ(errorOf(reader),
             "--set speed_mm_s=-3: speed_mm_s is -3; it must be between 0.01 and 200.");
 }
@@ -49,7 +49,7 @@ TEST(TomlSet, NamesTheCommandLineInPlaceOfALine)
 TEST(TomlSet, GuessesWhatAnUnknownKeyMeant)
 {
   TomlReader reader = withSet("", "sped_mm_s", "3");
-  reader.number("speed_mm_s", speeds, 2.0);
+  reader.number("speed_mm_s", allowedSpeeds, 2.0);
   EXPECT_EQ(errorOf(reader),
             "--set sped_mm_s=3: unknown key 'sped_mm_s'; did you mean speed_mm_s?");
 }
@@ -69,7 +69,7 @@ TEST(TomlSet, NeedsNoQuotationMarks)
 TEST(TomlSet, CannotSmuggleInASecondKey)
 {
   TomlReader reader = withSet("", "speed_mm_s", "2\nnodes = 7");
-  reader.number("speed_mm_s", speeds);
+  reader.number("speed_mm_s", allowedSpeeds);
   EXPECT_EQ(reader.integer("nodes", 1, 10, 3), 3);
   EXPECT_THAT(errorOf(reader), HasSubstr("it must be a number, between 0.01 and 200."));
 }
@@ -85,7 +85,7 @@ TEST(TomlSet, ReachesIntoTables)
 TEST(TomlSet, SaysThatAValueIsNoTable)
 {
   TomlReader reader = withSet("speed_mm_s = 2", "speed_mm_s.x", "1");
-  reader.number("speed_mm_s", speeds);
+  reader.number("speed_mm_s", allowedSpeeds);
   EXPECT_EQ(errorOf(reader), "--set speed_mm_s.x=1: speed_mm_s is not a table.");
 }
 

@@ -12,8 +12,8 @@
 namespace perilymph::haptics {
 namespace {
 
-constexpr double timeStep = 1e-3;
-constexpr double rounding = 1e-12;
+constexpr double tick_s = 1e-3;
+constexpr double tolerance = 1e-12;
 
 HandCondition holding()
 {
@@ -25,7 +25,7 @@ HandCondition holding()
 /// A safety chain after fading in, with the force `force`.
 Safety shownFor(const Eigen::Vector3d& force_D, SafetyLimits limits = {})
 {
-  Safety safety(limits, timeStep);
+  Safety safety(limits, tick_s);
   std::uint32_t status = 0;
   for (int i = 0; i < 1000; ++i) safety.show(force_D, holding(), status);
   return safety;
@@ -46,8 +46,8 @@ TEST(Safety, ClampsTheMagnitudeAndKeepsTheDirection)
   Safety safety = shownFor(wanted_D);
   std::uint32_t status = allWell;
   const Eigen::Vector3d shown_D = safety.show(wanted_D, holding(), status);
-  EXPECT_NEAR(shown_D.norm(), 3.3, rounding);
-  EXPECT_NEAR(shown_D.x() / shown_D.y(), -0.75, rounding);
+  EXPECT_NEAR(shown_D.norm(), 3.3, tolerance);
+  EXPECT_NEAR(shown_D.x() / shown_D.y(), -0.75, tolerance);
   EXPECT_NE(status & forceClamped, 0u);
 }
 
@@ -56,7 +56,7 @@ TEST(Safety, ClampsForcesWhoseSquareOverflows)
   Safety safety = shownFor({1e300, 1e300, -1e300});
   std::uint32_t status = allWell;
   const Eigen::Vector3d shown_D = safety.show({1e300, 1e300, -1e300}, holding(), status);
-  EXPECT_NEAR(shown_D.norm(), 3.3, rounding);
+  EXPECT_NEAR(shown_D.norm(), 3.3, tolerance);
 }
 
 TEST(Safety, TakesAForceThatIsNoNumberAsNone)
@@ -81,9 +81,9 @@ TEST(Safety, TakesAForceOfWhichOneComponentIsNoNumberAsNone)
 
 TEST(Safety, NeverStepsByMoreThanTheSlewLimit)
 {
-  const double maxStep = SafetyLimits{}.maxSlew * timeStep;
-  const double offStep = SafetyLimits{}.maxForce / SafetyLimits{}.offTime * timeStep;
-  Safety safety(SafetyLimits{}, timeStep);
+  const double maxStep = SafetyLimits{}.maxSlew * tick_s;
+  const double offStep = SafetyLimits{}.maxForce / SafetyLimits{}.offTime * tick_s;
+  Safety safety(SafetyLimits{}, tick_s);
   Eigen::Vector3d before_D = Eigen::Vector3d::Zero();
   for (int i = 0; i < 5000; ++i) {
     // a force that changes sign, a hand that releases, becomes stale, jumps and faults
@@ -97,20 +97,20 @@ TEST(Safety, NeverStepsByMoreThanTheSlewLimit)
     std::uint32_t status = allWell;
     const Eigen::Vector3d now_D = safety.show({sign * 10.0, 3.0, -sign}, hand, status);
     const bool isOff = !hand.isHeld || hand.isStale || hand.hasFault;
-    ASSERT_LE((now_D - before_D).norm(), (isOff ? offStep : maxStep) * (1.0 + rounding)) << i;
-    ASSERT_LE(now_D.norm(), 3.3 * (1.0 + rounding)) << i;
+    ASSERT_LE((now_D - before_D).norm(), (isOff ? offStep : maxStep) * (1.0 + tolerance)) << i;
+    ASSERT_LE(now_D.norm(), 3.3 * (1.0 + tolerance)) << i;
     before_D = now_D;
   }
 }
 
 TEST(Safety, FadesInLinearlyOverTheRampTime)
 {
-  Safety safety(SafetyLimits{}, timeStep);
+  Safety safety(SafetyLimits{}, tick_s);
   const Eigen::Vector3d wanted_D(0.1, 0.0, 0.0);
   for (int tick = 1; tick <= 500; ++tick) {
     std::uint32_t status = allWell;
     const Eigen::Vector3d shown_D = safety.show(wanted_D, holding(), status);
-    ASSERT_NEAR(shown_D.x(), 0.1 * tick * timeStep / 0.5, 1e-9) << tick;
+    ASSERT_NEAR(shown_D.x(), 0.1 * tick * tick_s / 0.5, 1e-9) << tick;
     if (tick < 499) {
       ASSERT_NE(status & rampingIn, 0u) << tick;
     }
@@ -127,11 +127,11 @@ TEST_P(SafetyOff, ShowsNoForceAndFadesInAfterwards)
   std::uint32_t status = allWell;
   // 0.3 N at 100 N/s: three ticks
   for (int i = 0; i < 3; ++i) safety.show(wanted_D, GetParam(), status);
-  EXPECT_NEAR(safety.show(wanted_D, GetParam(), status).norm(), 0.0, rounding);
+  EXPECT_NEAR(safety.show(wanted_D, GetParam(), status).norm(), 0.0, tolerance);
 
   status = allWell;
   const Eigen::Vector3d first_D = safety.show(wanted_D, holding(), status);
-  EXPECT_LE(first_D.norm(), 0.3 * timeStep / 0.5 * (1.0 + rounding));
+  EXPECT_LE(first_D.norm(), 0.3 * tick_s / 0.5 * (1.0 + tolerance));
   EXPECT_NE(status & rampingIn, 0u);
 }
 
@@ -160,7 +160,7 @@ TEST_P(SafetyOff, IsGoneAsSoonAsTheDevicesOwnGuardWouldAct)
     for (int i = 0; i < 20000; ++i) safety.show(wanted_D, holding(), status);
     const int ticks = static_cast<int>(std::lround(3e-3 / step));
     for (int i = 0; i + 1 < ticks; ++i) safety.show(wanted_D, GetParam(), status);
-    EXPECT_NEAR(safety.show(wanted_D, GetParam(), status).norm(), 0.0, rounding) << step << " s";
+    EXPECT_NEAR(safety.show(wanted_D, GetParam(), status).norm(), 0.0, tolerance) << step << " s";
   }
 }
 
@@ -168,7 +168,7 @@ TEST_P(SafetyOff, StillGivesNoStep)
 {
   Safety safety = shownFor({0.0, 0.0, 3.3});
   std::uint32_t status = allWell;
-  EXPECT_NEAR(safety.show(Eigen::Vector3d::Zero(), GetParam(), status).norm(), 2.2, rounding);
+  EXPECT_NEAR(safety.show(Eigen::Vector3d::Zero(), GetParam(), status).norm(), 2.2, tolerance);
 }
 
 TEST(Safety, TakesItsTimeToSwitchOffWhereItIsToldNone)
@@ -178,7 +178,7 @@ TEST(Safety, TakesItsTimeToSwitchOffWhereItIsToldNone)
   Safety safety = shownFor({0.0, 0.0, 3.3}, limits);
   std::uint32_t status = allWell;
   EXPECT_NEAR(safety.show(Eigen::Vector3d::Zero(), released(), status).norm(), 3.2,
-              rounding);  // 100 N/s for 1 ms
+              tolerance);  // 100 N/s for 1 ms
 }
 
 TEST(Safety, SaysThatTheHandIsStale)
@@ -232,20 +232,20 @@ TEST(Safety, MayBeToldToShowLessButNeverMore)
   const Eigen::Vector3d wanted_D(0.0, 5.0, 0.0);
   for (const auto& [told, shown] :
        {std::pair{1.0, 1.0}, {20.0, 3.3}, {0.0, 3.3}, {-1.0, 3.3}, {std::nan(""), 3.3}}) {
-    Safety safety({}, timeStep);
+    Safety safety({}, tick_s);
     safety.lowerMaxForce(told);
     std::uint32_t status = allWell;
     for (int i = 0; i < 1000; ++i) safety.show(wanted_D, holding(), status);
-    EXPECT_NEAR(safety.show(wanted_D, holding(), status).y(), shown, rounding) << told;
+    EXPECT_NEAR(safety.show(wanted_D, holding(), status).y(), shown, tolerance) << told;
   }
 }
 
 TEST(Safety, RefusesLimitsThatLimitNothing)
 {
   for (const double bad : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
-    EXPECT_THROW(Safety({bad, 100.0, 0.5}, timeStep), std::invalid_argument) << bad;
-    EXPECT_THROW(Safety({3.3, bad, 0.5}, timeStep), std::invalid_argument) << bad;
-    EXPECT_THROW(Safety({3.3, 100.0, bad}, timeStep), std::invalid_argument) << bad;
+    EXPECT_THROW(Safety({bad, 100.0, 0.5}, tick_s), std::invalid_argument) << bad;
+    EXPECT_THROW(Safety({3.3, bad, 0.5}, tick_s), std::invalid_argument) << bad;
+    EXPECT_THROW(Safety({3.3, 100.0, bad}, tick_s), std::invalid_argument) << bad;
   }
 }
 

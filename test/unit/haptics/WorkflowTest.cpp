@@ -17,7 +17,7 @@ using device::ScriptedDevice;
 using Kind = Command::Kind;
 
 /// A rig that has inserted for some ticks.
-test::InsertionRig inserting(int ticks = 100)
+test::InsertionRig rigInserting(int ticks = 100)
 {
   test::InsertionRig rig(test::insertionInTube());
   rig.start();
@@ -51,7 +51,7 @@ TEST(InsertionWorkflow, WaitsForTheGraspOnceArmed)
 
 TEST(InsertionWorkflow, TravelsAtTheSpeedOfTheHand)
 {
-  test::InsertionRig rig = inserting(501);
+  test::InsertionRig rig = rigInserting(501);
   // 2 mm/s since the tick in which the hand took hold
   EXPECT_NEAR(rig.output().time, 0.5, 1e-12);
   EXPECT_NEAR(rig.output().travel, 2e-3 * 0.5, 1e-9);
@@ -60,7 +60,7 @@ TEST(InsertionWorkflow, TravelsAtTheSpeedOfTheHand)
 
 TEST(InsertionWorkflow, HoldsTheBaseFromTheTickTheHandLetsGo)
 {
-  test::InsertionRig rig = inserting();
+  test::InsertionRig rig = rigInserting();
   const auto before = rig.output().proxy_W;
   rig.hand().move(ScriptedDevice::Motion::hold);
   for (int i = 0; i < 20; ++i) {
@@ -72,7 +72,7 @@ TEST(InsertionWorkflow, HoldsTheBaseFromTheTickTheHandLetsGo)
 
 TEST(InsertionWorkflow, CountsPausesInItsTime)
 {
-  test::InsertionRig rig = inserting(101);
+  test::InsertionRig rig = rigInserting(101);
   rig.hand().move(ScriptedDevice::Motion::hold);
   for (int i = 0; i < 100; ++i) rig.tick();
   EXPECT_NEAR(rig.output().time, 0.2, 1e-12);
@@ -80,7 +80,7 @@ TEST(InsertionWorkflow, CountsPausesInItsTime)
 
 TEST(InsertionWorkflow, ContinuesWhereItPaused)
 {
-  test::InsertionRig rig = inserting(101);
+  test::InsertionRig rig = rigInserting(101);
   const double travel = rig.output().travel;
   rig.hand().move(ScriptedDevice::Motion::hold);
   for (int i = 0; i < 10; ++i) rig.tick();
@@ -188,7 +188,7 @@ TEST(Stop, AtFullDepthTakesTheForceAndLeavesTheInsertionFinished)
 
 TEST(Stop, EndsTheWithdrawalOfTheStylet)
 {
-  test::InsertionRig rig = inserting();
+  test::InsertionRig rig = rigInserting();
   rig.send(Kind::pullStylet, 5e-3);
   for (int i = 0; i < 100; ++i) rig.tick();
   rig.loop().requestStop();
@@ -210,7 +210,7 @@ TEST(InsertionWorkflow, IgnoresRequestsItCannotMeet)
 
 TEST(InsertionWorkflow, PullsTheStyletAtItsSpeedAndNeverPushesItBack)
 {
-  test::InsertionRig rig = inserting();
+  test::InsertionRig rig = rigInserting();
   rig.send(Kind::pullStylet, 2e-3);
   for (int i = 0; i < 100; ++i) rig.tick();
   EXPECT_NEAR(rig.output().styletWithdrawal, 5e-3 * 0.1, 1e-12);
@@ -223,7 +223,7 @@ TEST(InsertionWorkflow, PullsTheStyletAtItsSpeedAndNeverPushesItBack)
 
 TEST(InsertionWorkflow, RejectsInvalidCommands)
 {
-  test::InsertionRig rig = inserting();
+  test::InsertionRig rig = rigInserting();
   for (const double bad : {std::nan(""), -1.0, -std::numeric_limits<double>::infinity()}) {
     rig.send(Kind::pullStylet, bad);
     rig.tick();

@@ -16,7 +16,7 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr test::DicomTag imageType = 0x00080008, sopClass = 0x00080016, modality = 0x00080060,
+constexpr test::DicomTag imageType = 0x00080008, sopClass = 0x00080016, modalityTag = 0x00080060,
                          kernel = 0x00181210, position = 0x00200032, orientation = 0x00200037,
                          samples = 0x00280002, photometric = 0x00280004, frameCount = 0x00280008,
                          rows = 0x00280010, pixelSpacing = 0x00280030, pixels = 0x7FE00010;
@@ -130,7 +130,7 @@ TEST_F(DicomRefusal, RequiresOneOrientationSizeAndSpacing)
 TEST_F(DicomRefusal, RefusesImagesThatAreNoCt)
 {
   auto magnetic = slices, screen = slices, scouts = slices, colored = slices;
-  for (auto& slice : magnetic) slice.setText(modality, "CS", "MR");
+  for (auto& slice : magnetic) slice.setText(modalityTag, "CS", "MR");
   expectRefusal(magnetic, "of the modality MR, not CT");
   for (auto& slice : screen) {
     slice.setText(sopClass, "UI", "1.2.840.10008.5.1.4.1.1.7");

@@ -113,10 +113,10 @@ TEST(DicomStatementTable, IsThatOfTheGuide)
 {
   const auto page = readWhole(test::projectFolder() / "resources/guide/dicom.md");
   ASSERT_TRUE(page) << page.error().message;
-  std::string rows;
-  for (const StatedTwice& pair : allDicomPairs()) rows += rowOf(pair) + "\n";
+  std::string listed;
+  for (const StatedTwice& pair : allDicomPairs()) listed += rowOf(pair) + "\n";
   EXPECT_THAT(*page,
-              HasSubstr("|---|---|---|---|---|---|\n" + rows + "<!-- /statements of DICOM -->"));
+              HasSubstr("|---|---|---|---|---|---|\n" + listed + "<!-- /statements of DICOM -->"));
 }
 
 TEST_F(DicomStatements, InDoubtReachThePatientFile)

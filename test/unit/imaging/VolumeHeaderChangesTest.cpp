@@ -227,23 +227,23 @@ std::string cutShort(std::string bytes, Random& random)
   return bytes;
 }
 
-constexpr int accepted = 1, refused = 2, contradicted = 3;
+constexpr int wasAccepted = 1, wasRefused = 2, wasContradicted = 3;
 
 /// Reads a changed file and judges the answer.
 int judged(const fs::path& file, const std::string& content)
 {
   const auto loaded = readCt(file);
   if (!loaded)
-    return loaded.error().message.find('\n') == std::string::npos ? refused : contradicted;
+    return loaded.error().message.find('\n') == std::string::npos ? wasRefused : wasContradicted;
   for (const std::string& warning : loaded->series.warnings)
-    if (warning.find("twice") != std::string::npos) return accepted;
+    if (warning.find("twice") != std::string::npos) return wasAccepted;
   const std::string ending = file.extension().string();
   const Stated stated = ending == ".nii" || ending == ".gz"
                             ? statedByNifti(content)
                             : statedByText(content, ending == ".mha");
   const std::string why = contradictionIn(stated, content.size());
   if (!why.empty()) std::ofstream(file.string() + ".why") << why;
-  return why.empty() ? accepted : contradicted;
+  return why.empty() ? wasAccepted : wasContradicted;
 }
 
 /// The same in a child with 10 s of processor time and 1 GB of addresses.
@@ -272,20 +272,20 @@ TEST(ChangedVolumeHeaders, NeitherCrashNorContradictThemselves)
     const fs::path file = folder / format.name;
     Random random(43);
     std::ofstream(file, std::ios::binary) << fileOf(format, format.content);
-    ASSERT_EQ(judgedInChild(file, format.content), accepted) << format.name << ": the original";
+    ASSERT_EQ(judgedInChild(file, format.content), wasAccepted) << format.name << ": the original";
     int read = 0;
     for (int change = 0; change < HEADER_CHANGES; ++change) {
       const std::string content = cutShort(changed(format, random), random);
       const std::string whole = fileOf(format, content), bytes = cutShort(whole, random);
       std::ofstream(file, std::ios::binary | std::ios::trunc) << bytes;
       int answer = judgedInChild(file, content);
-      if (answer == accepted && bytes != whole) answer = contradicted;
+      if (answer == wasAccepted && bytes != whole) answer = wasContradicted;
       std::string why;
       std::getline(std::ifstream(file.string() + ".why"), why);
-      ASSERT_TRUE(answer == accepted || answer == refused)
+      ASSERT_TRUE(answer == wasAccepted || answer == wasRefused)
           << format.name << ", change " << change << ": " << answer << " " << why << "\n"
           << (format.headerBytes == 348 ? "" : content.substr(0, format.headerBytes));
-      read += answer == accepted ? 1 : 0;
+      read += answer == wasAccepted ? 1 : 0;
     }
     RecordProperty(std::string(format.name) + "_read", read);
     EXPECT_GT(read, 0) << format.name;

@@ -123,7 +123,7 @@ double stiffnessOfAJoint(double bending) { return bending / (20e-3 / 40.0); }
 
 TEST(Wires, BentBeyondYieldKeepTheBendBeyondIt)
 {
-  const double k = stiffnessOfAJoint(wires), yield = moment / k;
+  const double stiffness = stiffnessOfAJoint(wires), yield = moment / stiffness;
   for (const double turned : {0.0, 1.0})
     for (const double times : {1.2, 1.6, 1.95}) {
       Arc arc(model(0.2e-6), turned);
@@ -138,7 +138,7 @@ TEST(Wires, BentBeyondYieldKeepTheBendBeyondIt)
       EXPECT_NEAR(arc.set(20), bend - yield, 1e-4 * bend) << "k1 - M / B";
       EXPECT_NEAR(arc.dissipated, work, 1e-6 * work);
       // no moment is left at this bend
-      const double free = k / (soft + k) * (bend - yield);
+      const double free = stiffness / (soft + stiffness) * (bend - yield);
       EXPECT_NEAR(arc.bendTo(free), 0.0, 1e-3 * moment) << "(B / (A + B)) (k1 - M / B)";
     }
 }

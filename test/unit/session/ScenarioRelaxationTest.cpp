@@ -20,7 +20,7 @@ Result<Scenario> with(Overrides overrides, const Overrides& more = {})
   return loadScenario("contour-published", overrides);
 }
 
-std::string refusal(const Overrides& overrides, const Overrides& more = {})
+std::string refusalOfRelaxation(const Overrides& overrides, const Overrides& more = {})
 {
   const auto scenario = with(overrides, more);
   return scenario ? "accepted" : scenario.error().message;
@@ -61,20 +61,22 @@ TEST(ScenarioRelaxation, ReachesTheModel)
 
 TEST(ScenarioRelaxation, OutOfRangeIsRefused)
 {
-  EXPECT_THAT(refusal({{"relaxation_fraction", "[0.13]"}}), HasSubstr("relaxation_time_s"));
+  EXPECT_THAT(refusalOfRelaxation({{"relaxation_fraction", "[0.13]"}}),
+              HasSubstr("relaxation_time_s"));
   EXPECT_THAT(
-      refusal(bending, {{"relaxation_time_s", "[0.3]"}}),
+      refusalOfRelaxation(bending, {{"relaxation_time_s", "[0.3]"}}),
       HasSubstr("relaxation_fraction has 2 numbers and relaxation_time_s has 1; give as many "
                 "of both, at most 2."));
-  EXPECT_THAT(
-      refusal({{"relaxation_fraction", "[0.1, 0.1, 0.1]"}, {"relaxation_time_s", "[1, 2, 3]"}}),
-      HasSubstr("at most 2"));
-  EXPECT_THAT(refusal(bending, {{"relaxation_fraction", "[0.5, 0.6]"}}),
+  EXPECT_THAT(refusalOfRelaxation(
+                  {{"relaxation_fraction", "[0.1, 0.1, 0.1]"}, {"relaxation_time_s", "[1, 2, 3]"}}),
+              HasSubstr("at most 2"));
+  EXPECT_THAT(refusalOfRelaxation(bending, {{"relaxation_fraction", "[0.5, 0.6]"}}),
               HasSubstr("relaxation_fraction adds up to 1.1; it must be 0.95 at most"));
-  EXPECT_THAT(refusal(bending, {{"relaxation_time_s", "[0.3, 0.001]"}}), HasSubstr("0.01"));
-  EXPECT_THAT(refusal({{"film_relaxation_fraction", "1.5"}}),
+  EXPECT_THAT(refusalOfRelaxation(bending, {{"relaxation_time_s", "[0.3, 0.001]"}}),
+              HasSubstr("0.01"));
+  EXPECT_THAT(refusalOfRelaxation({{"film_relaxation_fraction", "1.5"}}),
               HasSubstr("film_relaxation_fraction"));
-  EXPECT_THAT(refusal(bending, {{"model", "points"}}),
+  EXPECT_THAT(refusalOfRelaxation(bending, {{"model", "points"}}),
               HasSubstr("the published model of points does not relax"));
 }
 

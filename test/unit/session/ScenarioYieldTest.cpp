@@ -28,7 +28,7 @@ Result<Scenario> with(Overrides overrides, const Overrides& more = {})
   return loadScenario("contour-published", overrides);
 }
 
-std::string refusal(const Overrides& overrides, const Overrides& more = {})
+std::string refusalOfYield(const Overrides& overrides, const Overrides& more = {})
 {
   const auto scenario = with(overrides, more);
   return scenario ? "accepted" : scenario.error().message;
@@ -83,20 +83,21 @@ TEST(ScenarioYield, OfAnotherArrayIsForgotten)
 
 TEST(ScenarioYield, OutOfPlaceIsRefused)
 {
-  EXPECT_THAT(refusal(elasticWires, {{"wire_yield_MPa", "10"}}), HasSubstr("20"));
-  EXPECT_THAT(refusal(elasticWires, {{"wire_yield_MPa", "400"}}),
+  EXPECT_THAT(refusalOfYield(elasticWires, {{"wire_yield_MPa", "10"}}), HasSubstr("20"));
+  EXPECT_THAT(refusalOfYield(elasticWires, {{"wire_yield_MPa", "400"}}),
               HasSubstr("wire_yield_MPa is 400, and the file of the array Nucleus Slim Straight "
                         "(CI422, CI522, CI622) states 150 to 350. Set it within them."));
-  EXPECT_THAT(refusal({{"calibration", ""}}, {{"wire_yield_MPa", "250"}}),
+  EXPECT_THAT(refusalOfYield({{"calibration", ""}}, {{"wire_yield_MPa", "250"}}),
               HasSubstr("the file of the array Nucleus 24 Contour has no table [wires]"));
-  EXPECT_THAT(refusal(elasticWires, {{"stylet_yield_MPa", "250"}}), HasSubstr("has no stylet"));
-  EXPECT_THAT(refusal(yieldingWires, {{"model", "points"}}),
+  EXPECT_THAT(refusalOfYield(elasticWires, {{"stylet_yield_MPa", "250"}}),
+              HasSubstr("has no stylet"));
+  EXPECT_THAT(refusalOfYield(yieldingWires, {{"model", "points"}}),
               HasSubstr("the published model of points does not yield"));
 }
 
 TEST(ScenarioYield, AndACalibrationOfTheElasticArrayAreRefused)
 {
-  EXPECT_THAT(refusal({{"stylet_yield_MPa", "1500"}}),
+  EXPECT_THAT(refusalOfYield({{"stylet_yield_MPa", "1500"}}),
               HasSubstr("the calibration 'contour-published' was fitted with an elastic one: "
                         "together they count one softness twice"));
 }

@@ -376,7 +376,7 @@ std::optional<std::filesystem::path> InsertionControl::openRecording() const
   return progress() == Progress::concluded ? std::nullopt : recording();
 }
 
-std::string InsertionControl::recordingError() const
+Sentence InsertionControl::recordingError() const
 {
   if (!recordingError_.empty() || !insertion_) return recordingError_;
   return insertion_->recordingError();

@@ -136,7 +136,7 @@ public:
   /// The same while ticks may be added to it, so that it cannot be read yet.
   std::optional<std::filesystem::path> openRecording() const;
   /// A message if the insertion is not being recorded; empty if there is no error.
-  std::string recordingError() const;
+  Sentence recordingError() const;
 
 private:
   enum class Wish { rest, insert, withdraw };
@@ -170,7 +170,7 @@ private:
   bool styletAsked_ = false;
   std::uint64_t askedAt_ = 0;  ///< Tick of the snapshot at the last request.
   Conclusion conclusion_;
-  std::string recordingError_;
+  Sentence recordingError_;
   haptics::Snapshot now_{};
 };
 

@@ -137,6 +137,12 @@ std::string Database::lastError() const
   return sqlite3_errmsg(content_->database.get());
 }
 
+bool Database::isBusy() const noexcept
+{
+  const int code = sqlite3_errcode(content_->database.get());
+  return code == SQLITE_BUSY || code == SQLITE_LOCKED;
+}
+
 bool Database::wasStopped() const noexcept { return content_->watch->wasStopped; }
 
 Error Database::readingError(const Sentence& reason) const { return content_->error(reason); }

@@ -241,7 +241,7 @@ bool Insertion::refresh() noexcept { return content_->loop->refresh(); }
 
 const haptics::Snapshot& Insertion::latest() const noexcept { return content_->loop->latest(); }
 
-std::string Insertion::recordingError() const { return content_->recorder->error(); }
+Sentence Insertion::recordingError() const { return content_->recorder->error(); }
 
 void Insertion::concludeRecording() noexcept { content_->recorder->conclude(latest().lostRecords); }
 
@@ -250,7 +250,7 @@ bool Insertion::isRecordingConcluded() const noexcept { return content_->recorde
 Result<Done> Insertion::closeRecording()
 {
   content_->recorder->close();
-  const std::string error = recordingError();
+  const Sentence error = recordingError();
   if (!error.empty()) return Error{error};
   return Done{};
 }

@@ -126,6 +126,53 @@ TEST(Recording, GoesOnAfterItWasClosed)
   EXPECT_EQ(filesIn(folder.path()), 1u);
 }
 
+TEST(Recording, IsConcludedBesideAReaderAndGoesOn)
+{
+  const test::TemporaryFolder folder;
+  const std::filesystem::path file = folder / "read.insertion";
+  auto recording = Recording::create(file, test::someFacts());
+  ASSERT_TRUE(recording);
+  ASSERT_TRUE((*recording)->append(test::quietRecords(0, 100)));
+  std::optional<Result<RecordedInsertion>> reader(RecordedInsertion::open(file));
+  ASSERT_TRUE(*reader) << reader->error().message;
+  const auto concluded = [&] {
+    const auto merged = (*recording)->conclude(0);
+    EXPECT_TRUE(merged) << (merged ? "" : merged.error().message);
+    return merged && *merged;
+  };
+  EXPECT_FALSE(concluded()) << "it has a reader";
+  EXPECT_FALSE(concluded()) << "asked again";
+  ASSERT_TRUE((*recording)->append(test::quietRecords(100, 50)));
+  EXPECT_FALSE(RecordedInsertion::open(file)->wasClosed()) << "it went on";
+  EXPECT_FALSE(concluded());
+  EXPECT_TRUE(RecordedInsertion::open(file)->wasClosed());
+  reader.reset();
+  EXPECT_TRUE(concluded());
+  EXPECT_EQ(filesIn(folder.path()), 1u);
+  const auto whole = RecordedInsertion::open(file);
+  ASSERT_TRUE(whole) << whole.error().message;
+  EXPECT_EQ(whole->ticks(), 150u);
+  EXPECT_EQ(whole->check()->damage, "");
+}
+
+TEST(Recording, ThatIsStillReadAtItsEndIsCompleteAndMergedByItsReader)
+{
+  const test::TemporaryFolder folder;
+  const std::filesystem::path file = folder / "read.insertion";
+  auto recording = Recording::create(file, test::someFacts());
+  ASSERT_TRUE(recording);
+  ASSERT_TRUE((*recording)->append(test::quietRecords(0, 100)));
+  {
+    const auto reader = RecordedInsertion::open(file);
+    ASSERT_TRUE(reader);
+    const auto closed = (*recording)->close();
+    ASSERT_FALSE(closed);
+    EXPECT_NE(closed.error().message.find("is complete, but in several files"), std::string::npos);
+  }
+  EXPECT_TRUE(RecordedInsertion::open(file)->wasClosed());
+  EXPECT_EQ(filesIn(folder.path()), 1u);
+}
+
 TEST(Recording, ThatWasMovedAfterItWasClosedStaysAsItIs)
 {
   const test::TemporaryFolder folder;

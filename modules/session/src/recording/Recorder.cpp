@@ -57,14 +57,16 @@ void Recorder::conclude(std::uint64_t lostRecords) noexcept
 
 void Recorder::concludeIfAsked()
 {
-  const std::int64_t lost = lostAtConclusion_.exchange(notAsked);
+  std::int64_t lost = lostAtConclusion_;
   if (lost == notAsked || !recording_) return;
-  const auto done = recording_->close(static_cast<std::uint64_t>(lost));
-  if (!done) {
-    setError(done.error().message);
+  const auto merged = recording_->conclude(static_cast<std::uint64_t>(lost));
+  if (merged && !*merged) return;  // somebody reads it: at the next drain
+  if (!merged) {
+    setError(merged.error().message);
     recording_.reset();
   }
-  isConcluded_ = static_cast<bool>(done);
+  isConcluded_ = static_cast<bool>(merged);
+  lostAtConclusion_.compare_exchange_strong(lost, notAsked);
 }
 
 void Recorder::stop() noexcept
@@ -82,7 +84,7 @@ void Recorder::drain()
     while (loop_.take(record)) keep(record);
     flush();
   } catch (const std::exception& error) {
-    setError(std::string("The recording stopped: ") + error.what() + ".");
+    setError(Sentence("The recording stopped: %1.", std::string(error.what())));
   }
 }
 
@@ -115,17 +117,17 @@ void Recorder::close() noexcept
       setError(done.error().message);
     recording_.reset();
   } catch (const std::exception& error) {
-    setError(std::string("The recording could not be closed: ") + error.what() + ".");
+    setError(Sentence("The recording could not be closed: %1.", std::string(error.what())));
   }
 }
 
-void Recorder::setError(const std::string& sentence)
+void Recorder::setError(const Sentence& sentence)
 {
   const std::lock_guard lock(errorMutex_);
   if (error_.empty()) error_ = sentence;
 }
 
-std::string Recorder::error() const
+Sentence Recorder::error() const
 {
   const std::lock_guard lock(errorMutex_);
   return error_;

@@ -53,13 +53,13 @@ public:
   void close() noexcept;
 
   /// Why recording stopped; empty if there is no error. Any thread.
-  std::string error() const;
+  Sentence error() const;
 
 private:
   void run(const std::stop_token& stop);
   void drain();
   void concludeIfAsked();
-  void setError(const std::string& sentence);
+  void setError(const Sentence& sentence);
 
   haptics::HapticLoop& loop_;
   std::unique_ptr<Recording> recording_;
@@ -70,7 +70,7 @@ private:
   std::atomic<bool> isConcluded_{false};
   std::vector<haptics::TickRecord> waiting_;
   mutable std::mutex errorMutex_;
-  std::string error_;
+  Sentence error_;
   std::mutex sleepMutex_;
   std::condition_variable_any sleep_;
   std::jthread thread_;

@@ -7,10 +7,12 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <functional>
 #include <optional>
 #include <span>
+#include <thread>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -75,7 +77,8 @@ struct Recording::Content {
   std::optional<Statement> insertTick, insertEvent, setMeta;
   std::vector<unsigned char> blob;
   bool isClosed = false;
-  bool isCut = false;  ///< A drain failed.
+  bool isEnded = false;  ///< Marked as closed; its log is not merged yet.
+  bool isCut = false;    ///< A drain failed.
 
   MetaRows meta;   ///< As in the file.
   Sha256 records;  ///< Hash of all ticks so far.
@@ -118,6 +121,8 @@ struct Recording::Content {
   Result<Done> write(const fs::path& unfinished, const RecordingFacts& facts);
   Result<Done> begin();
   Result<Done> goOn();
+  Result<Done> end(std::uint64_t lostRecords, const std::string& deviceReport);
+  Result<bool> mergeLog();
 };
 
 bool Recording::Content::addEvent(const Event& event)
@@ -284,16 +289,62 @@ Result<Done> Recording::append(std::span<const haptics::TickRecord> records)
   if (content.isClosed)
     if (auto again = content.goOn(); !again) return again;
   const auto done = content.transact([&] {
-    return std::all_of(records.begin(), records.end(),
+    return (!content.isEnded || content.keep(MetaKey::closed, "0")) &&
+           std::all_of(records.begin(), records.end(),
                        [&](const auto& record) { return content.addTick(record); }) &&
            content.keepHash();
   });
+  if (done) content.isEnded = false;
   const bool isGone = !content.isAtItsPlace();
   content.isCut = !done || isGone;
   if (!done && !isGone) return content.cannotRecord(done.error().message);
   if (isGone) return content.isGone();
   for (const haptics::TickRecord& record : records) content.highlights.add(record);
   return Done{};
+}
+
+/// Marks the recording as closed. One that is incomplete never is, even if there is space to do so.
+Result<Done> Recording::Content::end(std::uint64_t lostRecords, const std::string& deviceReport)
+{
+  const bool isInPlace = isAtItsPlace();
+  Result<Done> done = Done{};
+  if (!isCut && isInPlace) done = transact([&] { return keepEnding(lostRecords, deviceReport); });
+  isEnded = isInPlace && done;
+  isClosed = !isEnded;
+  if (!isInPlace) {
+    for (auto* statement : {&insertTick, &insertEvent, &setMeta}) statement->reset();
+    database->abandon();
+    return isGone();
+  }
+  if (!done) return cannotRecord(done.error().message);
+  return Done{};
+}
+
+/// Leaves WAL mode, which merges the log into the file and removes it.
+///
+/// @return  False while the file has readers; nothing is lost, and the log stays.
+Result<bool> Recording::Content::mergeLog()
+{
+  for (auto* statement : {&insertTick, &insertEvent, &setMeta}) statement->reset();
+  const auto done = database->run("PRAGMA busy_timeout=0; PRAGMA journal_mode=DELETE");
+  if (!done && database->isBusy()) {
+    const auto goesOn = database->run("PRAGMA busy_timeout=2000");
+    if (const auto prepared = prepare(); goesOn && prepared) return false;
+  }
+  isClosed = true;
+  isEnded = false;
+  database.reset();
+  if (!done) return cannotRecord(done.error().message);
+  return true;
+}
+
+Result<bool> Recording::conclude(std::uint64_t lostRecords)
+{
+  Content& content = *content_;
+  if (content.isClosed) return true;
+  if (!content.isEnded)
+    if (auto ended = content.end(lostRecords, {}); !ended) return ended.error();
+  return content.mergeLog();
 }
 
 Result<Done> Recording::close(std::uint64_t lostRecords, const std::string& deviceReport)
@@ -304,29 +355,23 @@ Result<Done> Recording::close(std::uint64_t lostRecords, const std::string& devi
   if (isNews)
     if (auto again = content.goOn(); !again) return again;
   if (content.isClosed) return Done{};
-  content.isClosed = true;
-  const bool isGone = !content.isAtItsPlace();
-  // An incomplete recording is never marked as closed, even if there is space to do so.
-  Result<Done> done = Done{};
-  if (!content.isCut && !isGone)
-    done = content.transact([&] { return content.keepEnding(lostRecords, deviceReport); });
-  content.insertTick.reset();
-  content.insertEvent.reset();
-  content.setMeta.reset();
-  if (isGone) {
-    content.database->abandon();
-    return content.isGone();
+  if (auto ended = content.end(lostRecords, deviceReport); !ended) return ended;
+  constexpr int attempts = 100;
+  for (int i = 0; i < attempts; ++i) {
+    const auto merged = content.mergeLog();
+    if (!merged) return merged.error();
+    if (*merged) return Done{};
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
-  if (!done) return content.cannotRecord(done.error().message);
-  // Leaving WAL mode merges the log into the file and removes it.
-  done = content.database->run("PRAGMA journal_mode=DELETE");
+  content.isClosed = true;
+  content.isEnded = false;
+  for (auto* statement : {&content.insertTick, &content.insertEvent, &content.setMeta})
+    statement->reset();
   content.database.reset();
-  if (!done)
-    return Error{
-        "%1 stays in several files: %2. Close the other program that reads it, then open the "
-        "recording once.",
-        content.file, done.error().message};
-  return Done{};
+  return Error{
+      "%1 is complete, but in several files, because another program reads it. Close that program; "
+      "the recording is one file when it has been opened once more.",
+      content.file};
 }
 
 const fs::path& Recording::file() const noexcept { return content_->file; }

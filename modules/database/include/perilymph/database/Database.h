@@ -91,6 +91,8 @@ public:
 
   /// The cause of the last failure, from SQLite or from this module.
   std::string lastError() const;
+  /// The last failure was that others use the file.
+  bool isBusy() const noexcept;
   /// True once the stop token ended a query.
   bool wasStopped() const noexcept;
   /// Message for a file that could not be read: damaged, with the reason, or stopped.

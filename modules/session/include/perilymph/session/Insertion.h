@@ -58,7 +58,7 @@ public:
   bool refresh() noexcept;
   const haptics::Snapshot& latest() const noexcept;
   /// A message if the recording failed (disk full); empty if there is no error.
-  std::string recordingError() const;
+  Sentence recordingError() const;
   /// Closes the recording within some milliseconds while the loop goes on, so that it can be read; the
   /// ticks of a withdrawal that follows are added to it.
   void concludeRecording() noexcept;

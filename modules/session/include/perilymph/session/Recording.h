@@ -63,6 +63,11 @@ public:
   ///                      if empty.
   Result<Done> close(std::uint64_t lostRecords = 0, const std::string& deviceReport = {});
 
+  /// Closes a recording that may go on, without waiting for those who read it.
+  ///
+  /// @return  Whether the log is merged; while it has readers it is not: ask again later. Nothing is lost.
+  Result<bool> conclude(std::uint64_t lostRecords);
+
   const std::filesystem::path& file() const noexcept;
 
 private:

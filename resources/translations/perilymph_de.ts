@@ -2788,8 +2788,8 @@
         <translation>%1 kann nicht begonnen werden: %2. Ist Platz auf der Platte?</translation>
     </message>
     <message>
-        <source>%1 stays in several files: %2. Close the other program that reads it, then open the recording once.</source>
-        <translation>%1 bleibt in mehreren Dateien: %2. Schließen Sie das andere Programm, das sie liest, und öffnen Sie die Aufzeichnung dann einmal.</translation>
+        <source>%1 is complete, but in several files, because another program reads it. Close that program; the recording is one file when it has been opened once more.</source>
+        <translation>%1 ist vollständig, aber in mehreren Dateien, weil ein anderes Programm sie liest. Beenden Sie dieses Programm; die Aufzeichnung ist eine Datei, sobald sie noch einmal geöffnet wurde.</translation>
     </message>
     <message>
         <source>a recording of Perilymph</source>
@@ -4878,6 +4878,10 @@
         <translation>Cochlea, CT-Messwerte ± 95-%-Intervall</translation>
     </message>
     <message>
+        <source>Cochlea, measures entered by hand ± 95 % interval</source>
+        <translation>Cochlea, von Hand eingegebene Maße ± 95-%-Intervall</translation>
+    </message>
+    <message>
         <source>Cochlea: average of 15 human cochleae</source>
         <translation>Cochlea: Mittel aus 15 menschlichen Cochleae</translation>
     </message>
@@ -5354,8 +5358,8 @@
         <translation>Bei %1 mm und %2 mN durch Widerstand gestoppt. „Zurückziehen“ oder „Zurücksetzen“ drücken.</translation>
     </message>
     <message>
-        <source>The array buckled in front of the opening at %1 mm. The force is off. Press Withdraw or Reset.</source>
-        <translation>Der Träger ist bei %1 mm vor der Öffnung ausgeknickt. Die Kraft ist aus. „Zurückziehen“ oder „Zurücksetzen“ drücken.</translation>
+        <source>The array buckled in front of the opening. The force is off. Press Withdraw or Reset.</source>
+        <translation>Der Träger ist vor der Öffnung ausgeknickt. Die Kraft ist aus. „Zurückziehen“ oder „Zurücksetzen“ drücken.</translation>
     </message>
     <message>
         <source>The tip has left the cochlea. The force is off. Press Reset.</source>

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "gui/report/Outcome.h"
 #include "gui/report/PlanReportContent.h"
 #include "gui/text/Numbers.h"
 
@@ -63,7 +64,9 @@ QString ruptureText(const haptics::Translocation& found)
       .arg(angle, force, numberText(inMillimeters(meters(found.lengthAbove)), 1));
 }
 
-std::vector<InsertionResult> insertionResults(const ReportContent& content)
+namespace {
+
+std::vector<InsertionResult> measuredResults(const ReportContent& content)
 {
   const analysis::ForceProfile& profile = content.insertion.profile;
   const analysis::Motion& motion = content.insertion.motion;
@@ -139,6 +142,15 @@ std::vector<InsertionResult> insertionResults(const ReportContent& content)
        {},
        false,
        true}};
+}
+
+}  // namespace
+
+std::vector<InsertionResult> insertionResults(const ReportContent& content)
+{
+  std::vector<InsertionResult> results = measuredResults(content);
+  results.insert(results.begin(), outcomeOf(content));
+  return results;
 }
 
 }  // namespace perilymph::gui

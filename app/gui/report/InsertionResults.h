@@ -15,6 +15,7 @@ struct InsertionResult {
   QString plan;  ///< "57 (25–77) mN"; empty without a plan or where it has no such band.
   bool isOutside = false;   ///< Outside of the plan's band.
   bool isHeadline = false;  ///< Stated on the card.
+  bool isSentence = false;  ///< The value is words; the detail may have several lines.
 };
 
 /// In the order in which they are read. A value that was not recorded says so.

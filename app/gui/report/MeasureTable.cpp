@@ -60,8 +60,9 @@ std::vector<MeasureRow> basalTurnRows(const anatomy::Patient& patient)
 
 QString measuresTitle(const anatomy::Patient& patient)
 {
-  return patient.seal == Seal::changed ? tr("Cochlea, measures changed by hand")
-                                       : tr("Cochlea, CT measurements ± 95 % interval");
+  if (patient.seal == Seal::changed) return tr("Cochlea, measures changed by hand");
+  return anatomy::isFromCt(patient) ? tr("Cochlea, CT measurements ± 95 % interval")
+                                    : tr("Cochlea, measures entered by hand ± 95 % interval");
 }
 
 QString measureText(const std::vector<analysis::Measure>& measures,

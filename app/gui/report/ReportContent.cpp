@@ -73,6 +73,10 @@ Result<ReportContent> gatherReport(const std::filesystem::path& file, const std:
   if (!verification) return verification.error();
   content.verification = *verification;
   if (const auto done = findDeepest(**playback, content.deepest); !done) return done.error();
+  haptics::Snapshot last{};
+  if (const auto done = (*playback)->show((*playback)->ticks() - 1, last); !done)
+    return done.error();
+  content.last = last.output;
 
   content.anatomy = (*playback)->anatomy();
   content.contacts =

@@ -27,6 +27,8 @@ struct ReportContent {
   session::RecordingFacts facts;
   std::uint64_t lostRecords = 0;
   bool wasClosed = true;
+  bool mayGoOn =
+      false;  ///< The insertion is still in the window: what it does next is recorded, too.
   session::Scenario scenario;
   analysis::ComparedInsertion insertion;
   std::optional<analysis::InsertionScore> score;
@@ -38,6 +40,7 @@ struct ReportContent {
   std::vector<analysis::Measure> measures;          ///< Measures of the cochlea.
   std::vector<double> bands;                        ///< Their uncertainty, or empty.
   haptics::Snapshot deepest{};                      ///< At maximum depth.
+  haptics::TickOutput last{};                       ///< At the end of the recording.
   std::vector<analysis::ContactPosition> contacts;  ///< At maximum depth, from the tip.
 
   /// True if the cochlea is scaled by the measures of a patient, not of the published model.

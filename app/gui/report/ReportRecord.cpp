@@ -72,6 +72,17 @@ double paintResults(ReportSheet& sheet, const ReportContent& content, double x_m
                                  : tr("Results"));
   constexpr double name_mm = 4.0, value_mm = 6.0, detail_mm = 3.4, space_mm = 0.2;
   for (const InsertionResult& result : insertionResults(content)) {
+    if (result.isSentence) {
+      sheet.line({x_mm, y_mm, width_mm, value_mm}, result.value, ReportFace::bold);
+      y_mm += name_mm + 1.0;
+      for (const QString& each : result.detail.split(QLatin1Char('\n'), Qt::SkipEmptyParts)) {
+        sheet.line({x_mm, y_mm, width_mm, detail_mm}, each, ReportFace::quiet);
+        y_mm += detail_mm + space_mm;
+      }
+      sheet.rule(x_mm, y_mm + 0.8, width_mm);
+      y_mm += 2.0;
+      continue;
+    }
     constexpr double number_mm = 27.0;
     const double text_mm = width_mm - number_mm;
     sheet.line({x_mm, y_mm, text_mm, name_mm + 1.2}, result.name, ReportFace::text);

@@ -198,7 +198,11 @@ QString marks(const ReportContent& content)
   return heading(QT_TRANSLATE_NOOP("perilymph::gui", "Traceability")) +
          table({row(tr("Recording"), from(content.file.filename().string()),
                     tr("%1 bytes").arg(content.bytes)),
-                wideRow(tr("SHA-256"), content.sha256), row(tr("Replay"), replay, {}),
+                wideRow(content.mayGoOn
+                            ? tr("SHA-256 when this report was made; later motion is recorded, too")
+                            : tr("SHA-256"),
+                        content.sha256),
+                row(tr("Replay"), replay, {}),
                 row(tr("Patient"), from(content.scenario.patient().label), {}),
                 row(tr("Scenario"), from(content.facts.scenarioName), {}),
                 row(tr("Input device"), sentence(content.facts.device), {}),

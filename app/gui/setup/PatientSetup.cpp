@@ -14,20 +14,20 @@ namespace perilymph::gui {
 
 namespace {
 
-/// What was measured in a CT, unless it was changed afterward.
-std::map<SetupField, ValueSource> measuredInCt(const anatomy::Patient& patient)
+/// Where a patient's measures come from: a CT only if the patient names it.
+std::map<SetupField, ValueSource> sourcesOf(const anatomy::Patient& patient)
 {
+  const ValueSource source = isFromCt(patient) ? ValueSource::ct : ValueSource::typed;
   std::map<SetupField, ValueSource> sources;
-  if (patient.seal == Seal::changed) return sources;
   if (patient.basalTurn) {
-    sources[SetupField::lengthA] = ValueSource::ct;
-    sources[SetupField::widthB] = ValueSource::ct;
-    if (patient.basalTurn->h) sources[SetupField::heightH] = ValueSource::ct;
+    sources[SetupField::lengthA] = source;
+    sources[SetupField::widthB] = source;
+    if (patient.basalTurn->h) sources[SetupField::heightH] = source;
     return sources;
   }
   for (const SetupField field :
        {SetupField::scalaLength, SetupField::windowWidth, SetupField::windowHeight})
-    sources[field] = ValueSource::ct;
+    sources[field] = source;
   return sources;
 }
 
@@ -73,7 +73,7 @@ Result<Setup> setupOfPatient(const anatomy::Patient& patient, const session::Sce
   }
   auto own = withPatient(*base, patient);
   if (!own) return own.error();
-  return Setup{*std::move(own), measuredInCt(patient)};
+  return Setup{*std::move(own), sourcesOf(patient)};
 }
 
 Result<Setup> setupOfPatientFile(const std::filesystem::path& file)

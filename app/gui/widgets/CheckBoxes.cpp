@@ -15,13 +15,17 @@ namespace {
 
 constexpr int mark_px = 14;
 constexpr int rowHeight_px = 24;
-constexpr int textLeft_px = mark_px + 10;
 constexpr int ringGap_px = 6;  ///< Between text and the edge of its focus ring.
+
+/// As large as the text, which shrinks on small screens.
+int markSize() { return sized(mark_px); }
+
+int textLeft() { return markSize() + 10; }
 
 QSize rowSize(const QAbstractButton& button)
 {
   const int text = QFontMetrics(button.font()).horizontalAdvance(button.text());
-  return {textLeft_px + text + ringGap_px, sized(rowHeight_px)};
+  return {textLeft() + text + ringGap_px, sized(rowHeight_px)};
 }
 
 QSize minSize(const QAbstractButton& button)
@@ -29,30 +33,31 @@ QSize minSize(const QAbstractButton& button)
   int widest = 0;
   for (const QString& word : button.text().split(QLatin1Char(' ')))
     widest = std::max(widest, QFontMetrics(button.font()).horizontalAdvance(word));
-  return {textLeft_px + widest + ringGap_px, sized(rowHeight_px)};
+  return {textLeft() + widest + ringGap_px, sized(rowHeight_px)};
 }
 
 int heightOf(const QAbstractButton& button, int width)
 {
   const QFontMetrics metrics(button.font());
-  const QRect available(0, 0, std::max(1, width - textLeft_px), 1000);
+  const QRect available(0, 0, std::max(1, width - textLeft()), 1000);
   const int label = metrics.boundingRect(available, Qt::TextWordWrap, button.text()).height();
   return std::max(sized(rowHeight_px), label + sized(rowHeight_px) - metrics.height());
 }
 
 QRectF markPlace(const QWidget& widget)
 {
-  return {0.5, (widget.height() - mark_px) / 2.0, mark_px, mark_px};
+  const int size = markSize();
+  return {0.5, (widget.height() - size) / 2.0, double(size), double(size)};
 }
 
 void drawText(QPainter& painter, const QAbstractButton& button)
 {
   painter.setPen(button.isEnabled() ? shownTheme().text : shownTheme().quietText);
-  painter.drawText(button.rect().adjusted(textLeft_px, 0, 0, 0),
+  painter.drawText(button.rect().adjusted(textLeft(), 0, 0, 0),
                    Qt::AlignVCenter | Qt::AlignLeft | Qt::TextWordWrap, button.text());
   if (!button.hasFocus()) return;
   const int width = QFontMetrics(button.font()).horizontalAdvance(button.text());
-  const QRect label(textLeft_px - ringGap_px, 0, width + 2 * ringGap_px, button.height());
+  const QRect label(textLeft() - ringGap_px, 0, width + 2 * ringGap_px, button.height());
   paintFocusRing(painter, label.intersected(button.rect()));
 }
 
@@ -78,9 +83,10 @@ void CheckBox::paintEvent(QPaintEvent*)
   painter.setBrush(isChecked() ? QBrush(shownTheme().accent) : QBrush(Qt::NoBrush));
   painter.drawRoundedRect(place, 3, 3);
   if (isChecked()) {
-    QPainterPath tick(place.topLeft() + QPointF(3.2, 7.2));
-    tick.lineTo(place.topLeft() + QPointF(6.0, 10.0));
-    tick.lineTo(place.topLeft() + QPointF(10.8, 4.4));
+    const double scale = place.width() / mark_px;
+    QPainterPath tick(place.topLeft() + scale * QPointF(3.2, 7.2));
+    tick.lineTo(place.topLeft() + scale * QPointF(6.0, 10.0));
+    tick.lineTo(place.topLeft() + scale * QPointF(10.8, 4.4));
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(shownTheme().ground, 1.8, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter.drawPath(tick);
@@ -111,7 +117,8 @@ void Choice::paintEvent(QPaintEvent*)
   if (isChecked()) {
     painter.setPen(Qt::NoPen);
     painter.setBrush(ring);
-    painter.drawEllipse(place.adjusted(3.6, 3.6, -3.6, -3.6));
+    const double inset = 3.6 * place.width() / mark_px;
+    painter.drawEllipse(place.adjusted(inset, inset, -inset, -inset));
   }
   drawText(painter, *this);
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "perilymph/analysis/Phase.h"
 
+#include "perilymph/haptics/InsertionEnd.h"
+
 namespace perilymph::analysis {
 
 namespace {
@@ -12,10 +14,11 @@ constexpr Length startTolerance = millimeters(0.05);  // shown as 0.0 mm
 Phase phaseOf(const haptics::TickOutput& now, Length stopTravel) noexcept
 {
   // A finished withdrawal ends near the start: only the depth distinguishes it from a finished
-  // insertion.
+  // insertion. One that buckled, jammed or met too much resistance has not arrived.
+  const bool isFinished =
+      now.workflow == haptics::Workflow::finished && (now.status & haptics::anyEnd) == 0;
   const bool hasArrived =
-      now.travel >= stopTravel.si() ||
-      (now.workflow == haptics::Workflow::finished && now.travel > 0.5 * stopTravel.si());
+      now.travel >= stopTravel.si() || (isFinished && now.travel > 0.5 * stopTravel.si());
   if (hasArrived) return Phase::full;
   if (now.depth <= 0.0) return Phase::outside;
   // Back at the start, a curved array may still touch the wall behind the opening.

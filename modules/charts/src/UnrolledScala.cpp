@@ -25,6 +25,7 @@ constexpr double usualEnd_deg = 540.0, tick_deg = 90.0;
 constexpr double ahead_deg = 30.0;                              ///< Space kept free before the tip.
 constexpr double outerMargin_mm = 0.95, innerMargin_mm = 0.65;  ///< Beyond the walls, for the bars.
 constexpr double minShown_mN = 1.0;
+constexpr double fewestForNames_px = 56.0;  ///< Height in which the walls' names do not meet.
 
 /// Forces on one millimeter of the array.
 struct Stretch {
@@ -213,9 +214,11 @@ figures::Drawing UnrolledScala::draw(const ArrayInScala& now, double width, doub
   const double x = sheet.right() - 6.0;
   const double shared = widthOfLabel(strings.wallForceScale) + widthOfLabel(strings.modiolus);
   const bool areBeside = shared + 30.0 <= sheet.right() - sheet.left();
-  sheet.write({x, sheet.top() + 14.0}, strings.outerWall, ink.quiet, Anchor::end);
-  sheet.write({x, sheet.bottom() - (areBeside ? 6.0 : 22.0)}, strings.modiolus, ink.quiet,
-              Anchor::end);
+  if (sheet.bottom() - sheet.top() >= fewestForNames_px) {
+    sheet.write({x, sheet.top() + 14.0}, strings.outerWall, ink.quiet, Anchor::end);
+    sheet.write({x, sheet.bottom() - (areBeside ? 6.0 : 22.0)}, strings.modiolus, ink.quiet,
+                Anchor::end);
+  }
   const double legend = sheet.left() + 8.0;
   const double foot = sheet.bottom() - 4.0;
   sheet.add(Area{{{legend, foot},

@@ -6,10 +6,13 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QLabel>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QTest>
 
 #include "WindowRig.h"
+#include "gui/pages/ct/CtOnward.h"
 #include "gui/pages/insert/ForceCharts.h"
 #include "gui/pages/insert/InsertionViews.h"
 #include "gui/pages/insert/SidePanel.h"
@@ -302,6 +305,26 @@ TEST(PanelRecording, ToldByNameIsKeptThereWithTheChangesMadeBefore)
   EXPECT_THAT(kept->facts().scenarioText, HasSubstr("speed_mm_s = 5.0"));
   EXPECT_THAT(kept->facts().scenarioText, HasSubstr("Modified (speed)"));
   EXPECT_EQ(kept->facts().scenarioName, "contour-published-modified");
+}
+
+TEST(TheCodeOfAMeasuredCochlea, IsRefusedWithASentenceWhereItIsAName)
+{
+  gui::CtOnward onward(nullptr);
+  onward.show(true, true, false);
+  onward.QWidget::show();
+  auto& code = *onward.findChild<QLineEdit*>("ctPatientCode");
+  const auto& plan = *onward.findChild<QPushButton*>("planCtButton");
+  const auto& refusal = *onward.findChild<QLabel*>("ctCodeRefusal");
+  QTest::keyClicks(&code, QStringLiteral("Anna Muster"));
+  EXPECT_EQ(code.text(), "Anna Muster") << "what is typed is shown as it is";
+  EXPECT_TRUE(refusal.isVisible());
+  EXPECT_TRUE(refusal.text().startsWith("'Anna Muster' cannot be a patient code"));
+  EXPECT_FALSE(plan.isEnabled());
+  code.clear();
+  EXPECT_FALSE(refusal.isVisible()) << "nothing is typed yet";
+  QTest::keyClicks(&code, QStringLiteral("P-301"));
+  EXPECT_FALSE(refusal.isVisible());
+  EXPECT_TRUE(plan.isEnabled());
 }
 
 }  // namespace

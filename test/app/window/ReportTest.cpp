@@ -24,6 +24,7 @@
 #include "gui/program/Languages.h"
 #include "gui/report/InsertionReport.h"
 #include "gui/report/InsertionResults.h"
+#include "gui/report/Outcome.h"
 #include "gui/report/ReportIssuer.h"
 #include "gui/report/ReportParameters.h"
 #include "gui/run/UserSettings.h"
@@ -142,6 +143,7 @@ private:
 TEST_F(PdfReport, HasOnePageForTheRecordWithPatientEarAndMeasures)
 {
   report("mean-flex28", {{"patient", leftPatient()}, {"stop_travel_mm", "6.0"}});
+  EXPECT_THAT(text(), HasSubstr("measures entered by hand")) << "no CT is named";
   const std::string record = text(1, 1);
   for (const char* words : {"Insertion report",
                             "left ear",
@@ -186,9 +188,9 @@ TEST_F(PdfReport, StatesThePlanBesideTheResultsAndWhatIsOutsideOfIt)
   content->plan->angle_deg.median = 100.0;
   content->plan->angle_deg.high = 720.0;
   const auto results = gui::insertionResults(*content);
-  EXPECT_TRUE(results.front().isOutside);
   std::map<QString, gui::InsertionResult> byName;
   for (const gui::InsertionResult& each : results) byName[each.name] = each;
+  EXPECT_TRUE(byName["Peak insertion force"].isOutside);
   EXPECT_FALSE(byName["Angular insertion depth"].isOutside);
   EXPECT_EQ(byName["Angular insertion depth"].plan, QString::fromUtf8("100 (0–720)°"));
   EXPECT_EQ(byName["Force after 1 s of rest"].plan, QString());  // this plan has none
@@ -244,6 +246,29 @@ TEST_F(PdfReport, StatesTheNewestStoredPlanOfItsArrayInItsCochleaByDate)
   EXPECT_FALSE(unplanned->plan);
 }
 
+TEST_F(PdfReport, SaysFirstHowTheInsertionEndedAndWhatMakesItsResultsDoubtful)
+{
+  auto content = gui::gatherReport(recordingOf("mean-flex28", {{"stop_travel_mm", "3.0"}}), {});
+  ASSERT_TRUE(content) << content.error().message;
+  EXPECT_EQ(gui::outcomeOf(*content).value, "Stopped as set, 24.0 mm of the array outside");
+  EXPECT_EQ(gui::outcomeOf(*content).detail, QString());
+
+  content->last.status |= haptics::endedBuckled;
+  content->insertion.profile.finalDepth = 0.5e-3;
+  content->insertion.profile.finalAngle = 0.05;
+  content->insertion.profile.ticksNotConverged = 337;
+  ASSERT_TRUE(gui::writeReport(*content, pdf()));
+  const std::string record = text(1, 1);
+  EXPECT_THAT(record, HasSubstr("Buckled in front of the opening"));
+  EXPECT_THAT(record, HasSubstr("at the end 0.5 mm, tip at 3°"));
+  EXPECT_THAT(record, HasSubstr("337 samples did not converge"));
+  EXPECT_EQ(gui::insertionResults(*content).front().name, "Outcome");
+
+  content->last.status &= ~haptics::anyEnd;
+  content->deepest.output.travel = 1e-3;
+  EXPECT_EQ(gui::outcomeOf(*content).value, "Ended before its stop at 3.0 mm");
+}
+
 TEST_F(PdfReport, HasAnAppendixThatMakesItReproducible)
 {
   report("mean-flex28", {{"stop_travel_mm", "3.0"}});
@@ -259,6 +284,12 @@ TEST_F(PdfReport, HasAnAppendixThatMakesItReproducible)
   EXPECT_THAT(appendix, Not(HasSubstr("_N")));
   EXPECT_THAT(text(), Not(HasSubstr(fs::temp_directory_path().string())));
   EXPECT_THAT(text(), Not(HasSubstr("/home/")));
+
+  auto content = gui::gatherReport(recordingOf("mean-flex28", {{"stop_travel_mm", "3.0"}}), {});
+  ASSERT_TRUE(content);
+  content->mayGoOn = true;
+  ASSERT_TRUE(gui::writeReport(*content, pdf()));
+  EXPECT_THAT(text(2), HasSubstr("when this report was made"));
 }
 
 TEST(ParametersOfAReport, AreAllThatAScenarioHas)

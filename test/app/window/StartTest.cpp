@@ -341,11 +341,11 @@ TEST_F(FirstScreen, ASurgeonInsertsAnotherArrayIntoThePatientsCochleaAndTakesItB
   type("rwHeight", "1.7");
   rig_->click("usePatientButton");
   ASSERT_TRUE(WindowRig::comes([&] { return scenario().patient().label == "P-014"; }));
-  // measured, as in the form, and no preset
-  int measured = 0;
+  // entered in the form, and no preset
+  int entered = 0;
   for (const QLabel* label : rig_->window().findChildren<QLabel*>())
-    measured += label->isVisible() && label->text() == "from CT" ? 1 : 0;
-  EXPECT_EQ(measured, 3);
+    entered += label->isVisible() && label->text() == "entered" ? 1 : 0;
+  EXPECT_EQ(entered, 3);
   rig_->choose("arraySelector", "slim-straight");
   rig_->type("panelSpeed", "8");
   EXPECT_FALSE(rig_->window().findChild<QLabel*>("modifiedLabel")->isVisible());

@@ -42,5 +42,21 @@ TEST(Phase, FollowsTheTipThroughTheCochlea)
   }
 }
 
+TEST(Phase, IsNotThatOfFullDepthAfterAnEarlyEnd)
+{
+  haptics::TickOutput now;
+  now.depth = millimeters(23.3).si();
+  now.travel = millimeters(22.3).si();
+  now.angularDepth = degrees(430.0).si();
+  now.contacts = 60;
+  now.workflow = haptics::Workflow::finished;
+  EXPECT_EQ(phaseOf(now, millimeters(27.0)), Phase::full);
+  for (const std::uint32_t end : {haptics::endedBuckled, haptics::endedByResistance,
+                                  haptics::endedFoldedTip, haptics::endedJammed}) {
+    now.status = end;
+    EXPECT_EQ(phaseOf(now, millimeters(27.0)), Phase::basalTurn) << end;
+  }
+}
+
 }  // namespace
 }  // namespace perilymph::analysis

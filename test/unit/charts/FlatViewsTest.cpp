@@ -106,6 +106,19 @@ TEST(UnrolledScala, GrowsByQuarterTurnsWithTheTip)
   EXPECT_TRUE(label(deeper, "720°"));
 }
 
+TEST(UnrolledScala, NamesItsWallsWhereTheNamesDoNotMeet)
+{
+  ArrayInScala array(*test::ringScala(), test::plainArray());
+  array.follow(test::laidTo(300.0, 0.0));
+  const UnrolledScala scala(*test::ringScala());
+  const ChartStrings words;
+  const Drawing high = scala.draw(array, 600.0, 150.0);
+  ASSERT_TRUE(label(high, words.outerWall) && label(high, words.modiolus));
+  EXPECT_LT(label(high, words.outerWall)->at.y + 14.0, label(high, words.modiolus)->at.y);
+  const Drawing low = scala.draw(array, 600.0, 60.0);
+  EXPECT_FALSE(label(low, words.outerWall) || label(low, words.modiolus));
+}
+
 TEST(UnrolledScala, AForceOfTheOuterWallStandsBeyondTheOuterWall)
 {
   haptics::Snapshot now = test::laidTo(300.0, 0.7);

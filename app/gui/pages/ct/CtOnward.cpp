@@ -2,26 +2,31 @@
 #include "gui/pages/ct/CtOnward.h"
 
 #include <QGridLayout>
+#include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QRegularExpressionValidator>
 #include <QVariant>
 #include <array>
 
+#include "gui/text/DataText.h"
 #include "gui/widgets/PanelParts.h"
+#include "gui/widgets/Placeholder.h"
 #include "gui/widgets/Theme.h"
+#include "gui/widgets/WrappedLabel.h"
+#include "perilymph/anatomy/Patient.h"
 
 namespace perilymph::gui {
 
 namespace {
 
-constexpr int codeHeight_px = 28, maxCodeLength = 24;
+constexpr int codeHeight_px = 28, longestTyped = 60;
 
 }  // namespace
 
 CtOnward::CtOnward(QWidget* parent)
     : QWidget(parent),
       code_(new QLineEdit(this)),
+      refusal_(new WrappedLabel({}, this)),
       insert_(panelButton(tr("Insert into this cochlea"), "insertCtButton", this)),
       plan_(panelButton(tr("Plan with this cochlea"), "planCtButton", this)),
       saveSurface_(panelButton(tr("Save surface…"), "saveCtSurfaceButton", this))
@@ -29,12 +34,13 @@ CtOnward::CtOnward(QWidget* parent)
   code_->setObjectName(QStringLiteral("ctPatientCode"));
   code_->setFont(typeface(13));
   code_->setFixedHeight(sized(codeHeight_px));
-  code_->setMaxLength(maxCodeLength);
+  code_->setMaxLength(longestTyped);
   code_->setAccessibleName(tr("Patient code"));
-  code_->setPlaceholderText(tr("Patient code (no names)"));
-  // codes become file names
-  code_->setValidator(new QRegularExpressionValidator(
-      QRegularExpression(QStringLiteral("[A-Za-z0-9][A-Za-z0-9-]*")), code_));
+  markPlaceholder(*code_, tr("Patient code (no names)"));
+  refusal_->setObjectName(QStringLiteral("ctCodeRefusal"));
+  refusal_->setFont(typeface(11));
+  refusal_->setTextFormat(Qt::PlainText);
+  refusal_->setProperty("error", true);
   insert_->setProperty("primary", true);
   saveSurface_->setToolTip(
       tr("The fitted wall in the CT’s own frame (LPS): STL, PLY, glTF, OBJ, VTP"));
@@ -57,7 +63,10 @@ void CtOnward::show(bool isMeasured, bool isFree, bool isStale)
   showState();
 }
 
-bool CtOnward::hasCode() const { return !code_->text().isEmpty(); }
+bool CtOnward::hasCode() const
+{
+  return static_cast<bool>(anatomy::checkPatientCode(code_->text().toStdString()));
+}
 
 void CtOnward::editCode()
 {
@@ -69,6 +78,8 @@ void CtOnward::setWide(bool isWide)
 {
   auto* grid = static_cast<QGridLayout*>(layout());
   const std::array<QWidget*, 4> inOrder{code_, insert_, plan_, saveSurface_};
+  grid->removeWidget(refusal_);
+  grid->addWidget(refusal_, int(inOrder.size()), 0, 1, -1);
   constexpr std::array<std::array<int, 2>, 4> inTwoRows{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
   for (std::size_t k = 0; k < inOrder.size(); ++k) {
     grid->removeWidget(inOrder[k]);
@@ -81,6 +92,11 @@ void CtOnward::setWide(bool isWide)
 
 void CtOnward::showState()
 {
+  const std::string code = code_->text().toStdString();
+  const auto checked = anatomy::checkPatientCode(code);
+  const bool isRefused = !code.empty() && !checked;
+  refusal_->setText(isRefused ? dataText(checked.error().message) : QString());
+  refusal_->setVisible(isRefused);
   insert_->setEnabled(isMeasured_ && isFree_ && hasCode());
   plan_->setEnabled(isMeasured_ && isFree_ && hasCode());
   const QString first = !hasCode() ? tr("Type a patient code first.")

@@ -5,6 +5,7 @@
 
 #include <QWidget>
 
+class QLabel;
 class QLineEdit;
 class QPushButton;
 
@@ -22,6 +23,7 @@ public:
   /// @param isStale  The landmarks moved, so that each way onward measures first.
   void show(bool isMeasured, bool isFree, bool isStale);
 
+  /// A code that may stand for a patient is typed.
   bool hasCode() const;
   /// Marks the code to be typed again.
   void editCode();
@@ -37,6 +39,7 @@ private:
 
   bool isMeasured_ = false, isFree_ = false, isStale_ = false;
   QLineEdit* code_;
+  QLabel* refusal_;  ///< Why the code is none.
   QPushButton *insert_, *plan_, *saveSurface_;
 };
 

@@ -4,8 +4,10 @@
 #include <QCoreApplication>
 #include <QStringList>
 
+#include "gui/report/Outcome.h"
 #include "gui/setup/SetupTitle.h"
 #include "gui/setup/StopTravel.h"
+#include "gui/text/DataText.h"
 #include "gui/text/Numbers.h"
 
 namespace perilymph::gui {
@@ -86,35 +88,15 @@ QString errorText(const InsertionControl& control, const QString& error)
     return what + tr(" The force is off and the array is stationary. Press Reset to start again.");
   }
   if (!error.isEmpty()) return error;
-  const std::string recording = control.recordingError();
+  const Sentence recording = control.recordingError();
   if (!recording.empty())
-    return tr("This insertion is not being recorded: %1").arg(QString::fromStdString(recording));
+    return tr("This insertion is not being recorded: %1").arg(dataText(recording));
   return {};
 }
 
 QString endTitle(const InsertionControl& control)
 {
-  switch (haptics::endOf(control.now().output)) {
-    case haptics::InsertionEnd::stoppedByResistance:
-      return tr("Stopped by resistance");
-    case haptics::InsertionEnd::buckled:
-      return tr("Buckled in front of the opening");
-    case haptics::InsertionEnd::outOfOpening:
-      return tr("Slipped out of the opening");
-    case haptics::InsertionEnd::foldedTip:
-      return tr("Tip folded over");
-    case haptics::InsertionEnd::jammed:
-      return tr("Jammed");
-    case haptics::InsertionEnd::fault:
-      return tr("Stopped with a fault");
-    default:
-      break;
-  }
-  if (!control.isAtDepth()) return tr("Withdrawn");
-  const Length outside = outsideAtStop(control.scenario());
-  return outside.si() <= 0.0 ? tr("Full depth")
-                             : tr("Stopped as set, %1 mm of the array outside")
-                                   .arg(numberText(inMillimeters(outside), 1));
+  return outcomeText(haptics::endOf(control.now().output), control.isAtDepth(), control.scenario());
 }
 
 QString endText(haptics::InsertionEnd end, const haptics::TickOutput& now)
@@ -125,9 +107,9 @@ QString endText(haptics::InsertionEnd end, const haptics::TickOutput& now)
       return tr("Stopped by resistance at %1 mm, %2 mN. Press Withdraw or Reset.")
           .arg(depth, numberText(inMillinewtons(Force::fromSi(now.axialForce)), 0));
     case haptics::InsertionEnd::buckled:
-      return tr("The array buckled in front of the opening at %1 mm. The force is off. Press "
-                "Withdraw or Reset.")
-          .arg(depth);
+      // how deep it was is on the card: what is left inside slips out
+      return tr(
+          "The array buckled in front of the opening. The force is off. Press Withdraw or Reset.");
     case haptics::InsertionEnd::outOfOpening:
       return tr("The tip has left the cochlea. The force is off. Press Reset.");
     case haptics::InsertionEnd::foldedTip:

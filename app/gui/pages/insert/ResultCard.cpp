@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 
 #include "gui/report/InsertionResults.h"
+#include "gui/report/Outcome.h"
 #include "gui/widgets/PanelParts.h"
 #include "gui/widgets/Theme.h"
 
@@ -35,6 +36,7 @@ ResultCard::ResultCard(QWidget* page)
   title_->setFont(typeface(13, QFont::DemiBold));
   subject_->setFont(typeface(11));
   subject_->setTextFormat(Qt::PlainText);
+  subject_->setWordWrap(true);
   subject_->setProperty("quiet", true);
   auto* close = panelButton(QStringLiteral("×"), "closeResultButton", this);
   close->setProperty("small", true);
@@ -85,7 +87,9 @@ void ResultCard::addRow(int row, const QString& name, const QString& value, cons
 void ResultCard::show(const ReportContent& content, const QString& title)
 {
   title_->setText(title);
-  subject_->setText(QString::fromStdString(content.scenario.array().name));
+  const QString array = QString::fromStdString(content.scenario.array().name);
+  const QString place = deepestNote(content);
+  subject_->setText(place.isEmpty() ? array : tr("%1: %2").arg(array, place));
   delete rows_;
   rows_ = new QWidget(this);
   auto* grid = new QGridLayout(rows_);

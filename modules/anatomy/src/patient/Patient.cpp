@@ -307,6 +307,12 @@ std::string statedSeries(const Patient& patient)
   return patient.seal == Seal::changed ? std::string() : patient.origin.seriesKey;
 }
 
+bool isFromCt(const Patient& patient)
+{
+  return patient.seal != Seal::changed &&
+         !(patient.origin.seriesKey.empty() && patient.origin.software.empty());
+}
+
 Result<Done> savePatient(const Patient& patient, const std::filesystem::path& file)
 {
   return writeWhole(file, patientText(patient), {Links::followed, Audience::owner});

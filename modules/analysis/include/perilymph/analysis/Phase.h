@@ -16,7 +16,7 @@ enum class Phase : std::uint32_t {
   opening,    ///< The tip is inside; nothing touches the wall beyond the lead-in.
   outerWall,  ///< The array touches and slides along the outer wall.
   basalTurn,  ///< The tip is at or beyond basalTurnAngle.
-  full,       ///< The stop travel is reached, or the insertion is finished.
+  full,       ///< The stop travel is reached, or the insertion is finished without an early end.
 };
 
 /// Angle from which the tip is in the basal turn. The published experiment's force peaks at 10.6 mm

@@ -65,6 +65,10 @@ struct Patient {
 /// The CT series in which the measures were taken; empty if they were changed afterward.
 std::string statedSeries(const Patient& patient);
 
+/// Whether the measures were taken in a CT: the patient names its series or the software that measured
+/// in it, and they were not changed afterward. Others were entered by a person.
+bool isFromCt(const Patient& patient);
+
 /// A sentence about measures that were changed by hand, or that name an origin which no seal vouches
 /// for; else empty.
 Sentence noteOn(const Patient& patient);

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// How an insertion ended: the first line of its results.
+
+#include <QString>
+
+#include "gui/report/InsertionResults.h"
+#include "gui/report/ReportContent.h"
+#include "perilymph/haptics/InsertionEnd.h"
+
+namespace perilymph::gui {
+
+/// "Buckled in front of the opening", "Full depth", "Withdrawn".
+///
+/// @param isAtDepth  It came to the stop travel of its scenario.
+QString outcomeText(haptics::InsertionEnd end, bool isAtDepth, const session::Scenario& scenario);
+
+/// Where the results are from, and where the array lies at the end, if it is not as deep by more than half a
+/// millimeter; else empty.
+QString deepestNote(const ReportContent& content);
+
+/// The outcome as a result, with what makes the others doubtful.
+InsertionResult outcomeOf(const ReportContent& content);
+
+}  // namespace perilymph::gui

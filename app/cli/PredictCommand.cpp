@@ -61,7 +61,7 @@ std::string foundText(const validation::ClinicalRow& row)
 {
   if (row.runs == 0) return "none";
   const auto runs = static_cast<std::size_t>(row.runs);
-  if (row.unit == "%") {
+  if (row.unit == "%" && row.isClinical) {
     if (const auto count = analysis::countedOf({row.median / 100.0, 0.0, 1.0}, runs))
       return std::to_string(*count) + " of " + std::to_string(runs);
     return fixed(row.median, 1) + " %";

@@ -9840,8 +9840,8 @@
         </translation>
     </message>
     <message>
-        <source>Simulates repeated insertions with realistic variability in start position, alignment, array curvature and friction. Their mean is compared with the published forces. One force was used to calibrate the array; the others are predictions.</source>
-        <translation>Simuliert wiederholte Insertionen mit realistischer Variabilität von Startposition, Ausrichtung, Krümmung des Trägers und Reibung. Ihr Mittelwert wird mit den veröffentlichten Kräften verglichen. Eine Kraft diente der Kalibrierung des Trägers; die anderen sind Vorhersagen.</translation>
+        <source>Simulates repeated insertions with realistic variability in start position, alignment, array curvature and friction. Their mean is compared with the published forces. One force was used to calibrate the array; the others are predictions from one choice of each constant. A mean is met within 1.96 standard errors.</source>
+        <translation>Simuliert wiederholte Insertionen mit realistischer Variabilität von Startposition, Ausrichtung, Krümmung des Trägers und Reibung. Ihr Mittelwert wird mit den veröffentlichten Kräften verglichen. Eine Kraft diente der Kalibrierung des Trägers; die anderen sind Vorhersagen mit je einer Wahl jeder Konstante. Ein Mittelwert ist getroffen, wenn er innerhalb von 1,96 Standardfehlern liegt.</translation>
     </message>
     <message>
         <source>Validate</source>

@@ -123,9 +123,9 @@ void addSqueeze(const InsertionModel& model, const Crossing& crossing, double si
   contact.stiffness_W += (advance * advance * std::max(sign * slope, 0.0)) * n_W * n_W.transpose();
 }
 
-/// Slip speed at which the loss at the inner edge has grown to 0.7 of its value [m/s]: a hundredth of
-/// the slowest speed of insertions by machine (choice, high: of no effect on a moving array).
-constexpr double lossSpeed = 1e-6;
+/// Slip speed at which the loss at the inner edge has grown to 0.7 of its value [m/s]: the Stribeck speed
+/// of the friction law (choice, low). With a hundredth of it steps that reverse there found no balance.
+constexpr double lossSpeed = 1e-4;
 
 /// Adds the hysteresis of what is released at the inner edge: a fraction of that force, against the
 /// slip of the step. It takes energy in both directions and gives none.

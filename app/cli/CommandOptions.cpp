@@ -200,12 +200,24 @@ void addValidate(CLI::App& app, FileOptions& files, ValidateOptions& options)
                               "Variability between insertions: shipped name or TOML file")
                   ->capture_default_str(),
               variabilityFolder);
-  for (CLI::Option* other : command.get_options())
+  CLI::Option* prior = command.add_flag("--prior-predictive", options.isPriorPredictive,
+                                        "Repeat the experiment with inputs drawn from their "
+                                        "declared ranges, each fitted anew");
+  command.add_option("--draws", options.draws, "Repetitions that are fitted")
+      ->capture_default_str()
+      ->check(CLI::Range(20, 10'000))
+      ->needs(prior);
+  for (CLI::Option* other : command.get_options()) {
     if (other != bench && other != command.get_help_ptr()) other->excludes(bench);
+    const std::string name = other->get_name();
+    if (name == "--runs" || name == "--model" || name == "--set" || name == "--variability")
+      other->excludes(prior);
+  }
   files.writesInto(
       command.add_option("--out", options.out, "Output folder for tables and figures")->required(),
       withFigures({"profile.csv", "difference.csv", "summary.json", "friction.csv", "predicted.csv",
-                   "scores.csv"},
+                   "scores.csv", "prior-predictive.csv", "prior-predictive-draws.csv",
+                   "prior-predictive.json"},
                   {"experiment", "simulation", "difference", "friction"}));
 }
 

@@ -54,6 +54,8 @@ struct ValidateOptions {
   unsigned jobs = 0;  ///< 0: one per processor.
   std::string
       bench;  ///< Shipped name or folder of curves, in place of the experiment; empty: none.
+  bool isPriorPredictive = false;  ///< Draws the inputs in place of one choice of each.
+  int draws = 400;                 ///< Number of repetitions.
   std::string out;
 };
 Result<Done> validate(const ValidateOptions& options, const CallFiles& files);

@@ -2,6 +2,7 @@
 
 #include "CallFiles.h"
 
+#include <cmath>
 #include <stop_token>
 #include "Commands.h"
 #include "Interruption.h"
@@ -60,7 +61,7 @@ std::string foundText(const validation::ClinicalRow& row)
 {
   if (row.runs == 0) return "none";
   const auto runs = static_cast<std::size_t>(row.runs);
-  if (row.unit == "%") {
+  if (row.unit == "%" && row.isClinical) {
     if (const auto count = analysis::countedOf({row.median / 100.0, 0.0, 1.0}, runs))
       return std::to_string(*count) + " of " + std::to_string(runs);
     return fixed(row.median, 1) + " %";
@@ -71,13 +72,36 @@ std::string foundText(const validation::ClinicalRow& row)
   return fixed(row.median, 1) + quartiles + " " + row.unit;
 }
 
-/// "3 of 6", or "52 % of 90".
-std::string insideText(const validation::ClinicalRow& row)
+/// What is beside a verdict: its tolerance and power, the spread, the companions.
+std::string besideText(const validation::ClinicalRow& row)
 {
-  const auto runs = static_cast<std::size_t>(row.runs);
-  if (const auto count = analysis::countedOf({row.inside, 0.0, 1.0}, runs))
-    return std::to_string(*count) + " of " + std::to_string(runs);
-  return fixed(100.0 * row.inside, 0) + " % of " + std::to_string(runs);
+  std::string text;
+  if (row.tolerance > 0.0)
+    text += ", hit within " + fixed(row.tolerance, 0) + " " + row.unit + " of it (" +
+            verdict(row.atMedianFriction) + " at the median friction)";
+  if (row.power > 0.0) text += ", power " + fixed(row.power, 2);
+  if (row.spread != validation::RowVerdict::notJudged)
+    text += "; spread " + fixed(row.spreadFactor, 2) + " times (" + verdict(row.spread) + ")";
+  if (row.depth_mm > 0.0) text += "; depth " + fixed(row.depth_mm, 1) + " mm";
+  if (row.contactsInside) {
+    text += "; contacts inside " + fixed(row.contactsInside->found, 1);
+    if (std::isfinite(row.contactsInside->published))
+      text += " (published " + fixed(row.contactsInside->published, 1) + ")";
+  }
+  if (row.angleAtLength && row.angleAtLength->runs > 0)
+    text += "; " + fixed(row.angleAtLength->found, 0) + " deg at that length (published " +
+            fixed(row.angleAtLength->published, 0) + ", " +
+            std::to_string(row.angleAtLength->runs) + " as deep)";
+  return text + (row.note.empty() ? "" : "; " + row.note);
+}
+
+std::string publishedText(const validation::ClinicalRow& row)
+{
+  if (!(row.high > row.low)) return "none";
+  const std::string range = fixed(row.low, 1) + " to " + fixed(row.high, 1);
+  const std::string patients = row.patients > 0 ? ", n " + std::to_string(row.patients) : "";
+  if (row.tolerance == 0.0) return range + (row.unit == "%" ? " %" : "") + patients;
+  return fixed(row.published, 0) + " (" + range + ")" + patients;
 }
 
 void printRows(const std::vector<validation::ClinicalRow>& rows, bool isClinical)
@@ -87,12 +111,8 @@ void printRows(const std::vector<validation::ClinicalRow>& rows, bool isClinical
     if (row.isClinical != isClinical) continue;
     hits += row.verdict == validation::RowVerdict::hit ? 1 : 0;
     judged += row.verdict == validation::RowVerdict::notJudged ? 0 : 1;
-    const std::string published =
-        row.high > row.low
-            ? fixed(row.low, 1) + " to " + fixed(row.high, 1) + (row.unit == "%" ? " %" : "")
-            : "none";
-    print("  {:5} {:<58} {:>7}, published {}; {} inside{}\n", verdict(row.verdict), row.quantity,
-          foundText(row), published, insideText(row), row.note.empty() ? "" : "; " + row.note);
+    print("  {:5} {:<58} {:>7}, published {}{}\n", verdict(row.verdict), row.quantity,
+          foundText(row), publishedText(row), besideText(row));
   }
   print("{} of {} judged rows met.\n", hits, judged);
 }
@@ -121,6 +141,9 @@ Result<Done> predictAll(const PredictOptions& options, const CallFiles& files)
   print("Insertions by hand in {} cochleae; medians and quartiles:\n",
         request.seeds.size() * static_cast<std::size_t>(request.patients));
   printRows(result->rows, true);
+  if (result->perfect.rows > 0)
+    print("A perfect model would meet {} of {} on average, all of them with probability {}.\n",
+          fixed(result->perfect.expected, 1), result->perfect.rows, fixed(result->perfect.all, 2));
   print("Experiment with a phantom:\n");
   printRows(result->rows, false);
   return Done{};

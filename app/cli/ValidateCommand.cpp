@@ -2,6 +2,8 @@
 
 #include "CallFiles.h"
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <stop_token>
 #include "Commands.h"
@@ -11,6 +13,7 @@
 #include "Terminal.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/validation/BenchReport.h"
+#include "perilymph/validation/PriorPredictive.h"
 #include "perilymph/validation/ValidationReport.h"
 
 namespace perilymph::cli {
@@ -83,11 +86,70 @@ Result<Done> inferFromBench(const ValidateOptions& options, const CallFiles& fil
   return Done{};
 }
 
+void printPrior(const validation::PriorSummary& summary)
+{
+  const auto milli = [](double force) { return fixed(inMillinewtons(newtons(force)), 1); };
+  print("{} repetitions of the experiment, {} others cannot be fitted or end early.\n",
+        summary.counted, summary.leftOut);
+  for (const validation::PredictedAnchor& anchor : summary.anchors) {
+    const std::string experiment = anchor.high > anchor.low
+                                       ? milli(anchor.low) + " to " + milli(anchor.high)
+                                       : milli(anchor.low);
+    print(
+        "{:5} {} mm: experiment {} mN, standard error {}; inputs {} mN (90 % {} to {}), with the "
+        "experiment's errors {} to {}; rank {} %, with errors {} %\n",
+        anchor.isInside ? "in" : "OUT", fixed(anchor.travel_mm, 1), experiment,
+        milli(anchor.standardError), milli(anchor.mean), milli(anchor.low90), milli(anchor.high90),
+        milli(anchor.low90WithError), milli(anchor.high90WithError), fixed(100.0 * anchor.rank, 0),
+        fixed(100.0 * anchor.rankWithError, 0));
+    std::vector<std::size_t> order(validation::inputCount);
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      return std::fabs(anchor.correlation[a]) > std::fabs(anchor.correlation[b]);
+    });
+    print("      depends on");
+    for (std::size_t i = 0; i < 4; ++i)
+      print(" {} ({})", validation::inputNames[order[i]], fixed(anchor.correlation[order[i]], 2));
+    print("\n");
+  }
+  for (const validation::JointTest& joint : summary.joint)
+    print(
+        "All five, errors correlated by {}: chi-square {}, p {}; {} of the repetitions are "
+        "farther\n",
+        fixed(joint.correlation, 1), fixed(joint.distance, 1), fixed(joint.pValue, 3),
+        fixed(joint.counted, 3));
+}
+
+Result<Done> repeatWithDrawnInputs(const ValidateOptions& options, const CallFiles& files)
+{
+  auto request = validation::shippedPrior();
+  if (!request) return request.error();
+  request->draws = options.draws;
+  request->seed = options.seed;
+  request->jobs = options.jobs;
+  const std::stop_token stop = watchForInterruption();
+  const auto repetitions = validation::repeatExperiments(
+      *request, [](std::size_t done, std::size_t all) { showProgress("repetition", done, all); },
+      stop);
+  if (isInterrupted()) return Error{"Interrupted; nothing was written."};
+  if (!repetitions) return repetitions.error();
+  const auto summary = validation::summarize(*repetitions, request->experiment);
+  if (!summary) return summary.error();
+  FolderContent content;
+  content.texts = {{"prior-predictive.csv", validation::priorSummaryCsv(*summary)},
+                   {"prior-predictive-draws.csv", validation::priorCsv(*repetitions)},
+                   {"prior-predictive.json", validation::priorJson(*request, *summary)}};
+  if (const auto done = writeFolder(files, options.out, content); !done) return done.error();
+  printPrior(*summary);
+  return Done{};
+}
+
 }  // namespace
 
 Result<Done> validate(const ValidateOptions& options, const CallFiles& files)
 {
   if (!options.bench.empty()) return inferFromBench(options, files);
+  if (options.isPriorPredictive) return repeatWithDrawnInputs(options, files);
   const auto file = findByName("variability", "resources/validation", options.variability);
   if (!file) return file.error();
   auto variability = validation::loadVariability(*file);

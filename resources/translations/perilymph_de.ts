@@ -164,12 +164,12 @@
         <translation>kleines frühes Maximum</translation>
     </message>
     <message>
-        <source>raw force just before the first rib</source>
-        <translation>Rohkraft kurz vor dem ersten Ring</translation>
+        <source>mean raw force just before the first rib</source>
+        <translation>mittlere Rohkraft kurz vor dem ersten Ring</translation>
     </message>
     <message>
-        <source>raw force at the first rib</source>
-        <translation>Rohkraft am ersten Ring</translation>
+        <source>mean raw force at the first rib</source>
+        <translation>mittlere Rohkraft am ersten Ring</translation>
     </message>
     <message>
         <source>none</source>
@@ -420,8 +420,8 @@
         <translation>größter Unterschied der Vorhersagen</translation>
     </message>
     <message>
-        <source>raw force at the basal turn</source>
-        <translation>Rohkraft an der Basalwindung</translation>
+        <source>mean raw force at the basal turn</source>
+        <translation>mittlere Rohkraft an der Basalwindung</translation>
     </message>
     <message>
         <source>approach tilt</source>
@@ -1464,8 +1464,8 @@
         <translation>Standardabweichung bei %1, %2</translation>
     </message>
     <message>
-        <source>force at %1, %2</source>
-        <translation>Kraft bei %1, %2</translation>
+        <source>mean force at %1, %2</source>
+        <translation>mittlere Kraft bei %1, %2</translation>
     </message>
     <message>
         <source>derived</source>
@@ -3551,6 +3551,22 @@
         <source>Choice: how deep surgeons mean to push is published for no array. Made after the modeled FLEX24 was seen to have the published 408 degrees where its last contact is inside (21.9 mm), and 479 at its full 24 mm.</source>
         <translation>Festlegung: Wie tief Operateure schieben wollen, ist für keinen Elektrodenträger veröffentlicht. Getroffen, nachdem bekannt war, dass der modellierte FLEX24 die veröffentlichten 408 Grad hat, wo sein letzter Kontakt innen ist (21,9 mm), und 479 bei seinen vollen 24 mm.</translation>
     </message>
+    <message>
+        <source>Only %1 of %2 repetitions can be fitted; a comparison needs at least %3. Widen the ranges or ask for more draws.</source>
+        <translation>Nur %1 von %2 Wiederholungen lassen sich anpassen; ein Vergleich braucht mindestens %3. Erweitern Sie die Bereiche, oder verlangen Sie mehr Ziehungen.</translation>
+    </message>
+    <message>
+        <source>The reference &apos;%1&apos; has no force at %2 mm, or does not say of how many.</source>
+        <translation>Die Referenz &apos;%1&apos; hat keine Kraft bei %2 mm oder nennt die Zahl der Insertionen nicht.</translation>
+    </message>
+    <message>
+        <source>A record gave too few samples for its spline.</source>
+        <translation>Eine Aufzeichnung hat zu wenige Messwerte für ihren Spline.</translation>
+    </message>
+    <message>
+        <source>The reference &apos;%1&apos; has no force to fit.</source>
+        <translation>Die Referenz &apos;%1&apos; hat keine Kraft, an die angepasst werden kann.</translation>
+    </message>
 </context>
 <context>
     <name>Display</name>
@@ -3934,6 +3950,10 @@
     <message>
         <source>Friction in the passage</source>
         <translation>Reibung im Kanal</translation>
+    </message>
+    <message>
+        <source>Energy lost where a rib leaves the passage</source>
+        <translation>Energieverlust, wo ein Ring den Kanal verlässt</translation>
     </message>
     <message>
         <source>Force limit of the surgeon, 0 if none</source>
@@ -9824,8 +9844,8 @@
         </translation>
     </message>
     <message>
-        <source>Simulates repeated insertions with realistic variability in start position, alignment, array curvature and friction. Their mean is compared with the published forces. One force was used to calibrate the array; the others are predictions.</source>
-        <translation>Simuliert wiederholte Insertionen mit realistischer Variabilität von Startposition, Ausrichtung, Krümmung des Trägers und Reibung. Ihr Mittelwert wird mit den veröffentlichten Kräften verglichen. Eine Kraft diente der Kalibrierung des Trägers; die anderen sind Vorhersagen.</translation>
+        <source>Simulates repeated insertions with realistic variability in start position, alignment, array curvature and friction. Their mean is compared with the published forces. One force was used to calibrate the array; the others are predictions from one choice of each constant. A mean is met within 1.96 standard errors.</source>
+        <translation>Simuliert wiederholte Insertionen mit realistischer Variabilität von Startposition, Ausrichtung, Krümmung des Trägers und Reibung. Ihr Mittelwert wird mit den veröffentlichten Kräften verglichen. Eine Kraft diente der Kalibrierung des Trägers; die anderen sind Vorhersagen mit je einer Wahl jeder Konstante. Ein Mittelwert ist getroffen, wenn er innerhalb von 1,96 Standardfehlern liegt.</translation>
     </message>
     <message>
         <source>Validate</source>

@@ -17,9 +17,10 @@ ROOT = Path(__file__).resolve().parents[2]
 PROGRAMS = Path(sys.argv.pop(1)).resolve()
 DOCUMENT = Path(sys.argv.pop(1)).resolve() if len(sys.argv) > 1 else None
 WITH_DISPLAY = ROOT / "test/support/with-display"
-# Statistics of 200 insertions take a minute; three insertions suffice to test the call, and the average cochlea
-# without virtual patients.
+# Statistics of 200 insertions take a minute; three insertions suffice to test the call, the average cochlea
+# without virtual patients, and the smallest number of repetitions.
 FEWER = [(re.compile(r"--runs \d+"), "--runs 3"),
+         (re.compile(r"--prior-predictive"), "--prior-predictive --draws 20"),
          (re.compile(r"--all --seed 1 2 3"), "--all --patients 0 --seed 1"),
          (re.compile(r"^(perilymph-cli plan .*)$"), r"\1 --samples 2")]
 

@@ -52,6 +52,8 @@ constexpr ParameterName parameterNames[] = {
     {"passage_modulus_MPa",
      QT_TRANSLATE_NOOP("ReportParameters", "Modulus of the array in the passage"), "MPa"},
     {"passage_friction", QT_TRANSLATE_NOOP("ReportParameters", "Friction in the passage")},
+    {"rib_exit_loss",
+     QT_TRANSLATE_NOOP("ReportParameters", "Energy lost where a rib leaves the passage")},
     {"approach_tilt_deg", QT_TRANSLATE_NOOP("ReportParameters", "Approach angle, tilt"), "°"},
     {"approach_turn_deg", QT_TRANSLATE_NOOP("ReportParameters", "Approach angle, rotation"), "°"},
     {"free_length_mm",

@@ -77,6 +77,9 @@ void check(const Opening& opening, const electrode::ArrayDesign& array)
               (*opening.passageFriction >= 0.0 && *opening.passageFriction <= 2.0),
           "The coefficient of friction in the passage is " +
               std::to_string(opening.passageFriction.value_or(0.0)) + "; it must be 0 to 2.");
+  require(opening.ribExitLoss >= 0.0 && opening.ribExitLoss <= 1.0,
+          "A rib that leaves the passage loses " + std::to_string(opening.ribExitLoss) +
+              " of its energy; it must be 0 to 1.");
 }
 
 void check(const SolverParameters& solver)

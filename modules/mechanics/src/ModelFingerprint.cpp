@@ -130,13 +130,15 @@ void add(Hash& hash, const MembraneLaw& law)
 
 void add(Hash& hash, const Opening& opening)
 {
-  const auto& [width, height, edgeRadius, outward, vertical, passage, modulus, friction] = opening;
+  const auto& [width, height, edgeRadius, outward, vertical, passage, modulus, friction, loss] =
+      opening;
   for (const Length value : {width, height, edgeRadius, outward, vertical}) add(hash, value);
   if (!(passage.si() > 0.0)) return;  // recordings of before have none
   add(hash, passage);
   add(hash, modulus);
   hash.add(friction.has_value());
   if (friction) hash.add(*friction);
+  if (loss > 0.0) hash.add(loss);  // recordings of before have none
 }
 
 void add(Hash& hash, const SolverParameters& solver)

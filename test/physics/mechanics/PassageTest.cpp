@@ -140,6 +140,48 @@ TEST(Passage, GivesTheEnergyBackWhereTheRibLeavesAtItsFarEnd)
   EXPECT_EQ(rod.readings().rimForce, 0.0);
 }
 
+TEST(Passage, GivesBackWhatARibDoesNotLose)
+{
+  for (const double loss : {0.3, 1.0})
+    for (const double timeStep : {1e-3, 5e-3}) {
+      RodSpec spec = Ribbed::spec();
+      spec.opening->ribExitLoss = loss;
+      spec.timeStep = timeStep;
+      TestRod rod(wideTube(), spec);
+      push(rod, 1.5e-3);
+      const double work = push(rod, 1e-3).work - dragWork(1e-3);
+      EXPECT_NEAR(work, -(1.0 - loss) * Ribbed::energy(),
+                  test::tolerance(0.02, "steps of 2 to 10 um") * Ribbed::energy())
+          << loss << ", " << timeStep << " s";
+    }
+}
+
+TEST(Passage, LosesTheEnergyOfARibOnTheWayBackToo)
+{
+  // in and out again: what is lost at the inner edge, twice
+  RodSpec spec = Ribbed::spec();
+  spec.opening->ribExitLoss = 0.5;
+  TestRod rod(wideTube(), spec);
+  const double loop =
+      push(rod, 2.5e-3).work + push(rod, 2.5e-3, -1.0).work - 2.0 * dragWork(2.5e-3);
+  EXPECT_NEAR(loop, 2.0 * 0.5 * Ribbed::energy(),
+              test::tolerance(0.02, "steps of 2 um") * Ribbed::energy());
+}
+
+TEST(Passage, FindsItsBalanceWhereARibTurnsBackWhileItLeaves)
+{
+  RodSpec spec = Ribbed::spec();
+  spec.opening->ribExitLoss = 1.0;
+  TestRod rod(wideTube(), spec);
+  push(rod, 1.95e-3);
+  for (int turn = 0; turn < 20; ++turn) {
+    push(rod, 10e-6, turn % 2 == 0 ? -1.0 : 1.0);
+    EXPECT_LT(rod.readings().residual, 2e-6) << turn;  // the solver's tolerance
+    rod.tick();
+    EXPECT_LT(rod.readings().residual, 2e-6) << turn << ", at rest";
+  }
+}
+
 TEST(Passage, HasNoNetEnergyOverALoopInAndOut)
 {
   for (const double turn : {1.3e-3, 2.0e-3, 2.5e-3}) {

@@ -24,7 +24,7 @@ std::map<std::string, double> tableOfTheGuide()
   std::ifstream page(test::projectFolder() / "resources/guide/constants.md");
   std::map<std::string, double> forces;
   std::string line;
-  while (std::getline(page, line) && line != "## Results") continue;
+  while (std::getline(page, line) && line != "### Results") continue;
   while (std::getline(page, line) && line.rfind("## ", 0) != 0) {
     std::istringstream row(line);
     std::string cell, name, experiment, simulated;

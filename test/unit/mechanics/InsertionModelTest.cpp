@@ -150,6 +150,12 @@ TEST(InsertionModel, RefusesImpossibleSettings)
                   p.opening->passage = millimeters(length_mm);
                 }),
                 HasSubstr("must be 0 to 2 mm"));
+  EXPECT_THAT(refused([](ModelParts& p) {
+                p.opening = cochleostomy();
+                p.opening->passage = millimeters(1);
+                p.opening->ribExitLoss = 1.1;
+              }),
+              HasSubstr("must be 0 to 1"));
 }
 
 }  // namespace

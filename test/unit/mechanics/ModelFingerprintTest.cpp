@@ -296,7 +296,8 @@ TEST(ModelFingerprint, ChangesWithThePassage)
       parts, {{"presence of a passage", [](Parts& p) { p.opening->passage = millimeters(0); }},
               {"length of the passage", [](Parts& p) { nudge(p.opening->passage); }},
               {"modulus in the passage", [](Parts& p) { nudge(p.opening->passageModulus); }},
-              {"friction in the passage", [](Parts& p) { p.opening->passageFriction = 0.1; }}});
+              {"friction in the passage", [](Parts& p) { p.opening->passageFriction = 0.1; }},
+              {"loss where a rib leaves it", [](Parts& p) { p.opening->ribExitLoss = 0.1; }}});
 }
 
 TEST(ModelFingerprint, ChangesWithTheSpeedsAndCoefficientsOfMeasuredFriction)

@@ -150,6 +150,7 @@ TEST(Scenario, TakesEveryKeyOfTheContract)
                           {"passage_mm", "1.5"},
                           {"passage_modulus_MPa", "3"},
                           {"passage_friction", "0.2"},
+                          {"rib_exit_loss", "0.7"},
                           {"approach_tilt_deg", "-4"},
                           {"approach_turn_deg", "4"},
                           {"friction", "paper"},
@@ -179,6 +180,7 @@ TEST(Scenario, TakesEveryKeyOfTheContract)
   EXPECT_EQ(scenario->parameters().opening->passage, millimeters(1.5));
   EXPECT_EQ(scenario->parameters().opening->passageModulus, megapascals(3));
   EXPECT_EQ(scenario->parameters().opening->passageFriction, 0.2);
+  EXPECT_EQ(scenario->parameters().opening->ribExitLoss, 0.7);
   EXPECT_EQ(scenario->approachTilt(), degrees(-4));
   EXPECT_EQ(scenario->approachTurn(), degrees(4));
   EXPECT_EQ(scenario->friction().staticCoefficient, 0.3);

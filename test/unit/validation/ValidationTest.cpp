@@ -173,16 +173,52 @@ TEST(Verdicts, ListAgreementAndDisagreement)
   AnchorComparison miss;
   miss.experiment = experiment->points[2];
   miss.simulator = {0.1009, 0.02, 0.001};
-  miss.difference.mean = -0.0500;
+  miss.difference = {-0.0500, 0.02, 0.0057};
+  hit.difference = {0.0, 0.02, 0.0057};
   result.anchors = {hit, miss};
   const auto verdicts = verdictsOf(result, *experiment);
   EXPECT_TRUE(verdicts[0].isMet);
   EXPECT_FALSE(verdicts[1].isMet);
   EXPECT_EQ(verdicts[0].found, "88.0 mN");
-  EXPECT_EQ(verdicts[0].wanted, "88.0 ± 18.6 mN");
-  EXPECT_EQ(verdicts[2].found, "50.0 mN");  // the largest difference
+  EXPECT_EQ(verdicts[0].what, "mean force at 10.6 mm, peak");
+  EXPECT_EQ(verdicts[0].wanted, "88.0 ± 11.2 mN");  // 1.96 standard errors of a difference of means
+  EXPECT_EQ(verdicts[2].found, "50.0 mN");          // the largest difference
   EXPECT_EQ(verdicts[2].wanted, "at most 27.0 mN");
   EXPECT_FALSE(verdicts[2].isMet);
+}
+
+TEST(Verdicts, JudgeMeansByTheErrorsOfMeans)
+{
+  auto experiment = analysis::shippedReference("todd-naghdy-experiment");
+  ASSERT_TRUE(experiment);
+  ValidationResult result;
+  // 15 mN: within one printed standard deviation of 18.6 mN, but not within 1.96 standard errors
+  AnchorComparison anchor;
+  anchor.experiment = experiment->points[0];
+  anchor.simulator = {0.1030, 0.004, 0.0003};
+  const double error = std::hypot(0.0186 / std::sqrt(11.0), 0.0003);
+  anchor.difference = {0.0150, 0.019, error};
+  anchor.isWithinStandardDeviation = true;
+  result.anchors = {anchor};
+  // raw, printed 95 ± 13.2 mN: 1.96 standard errors are 7.8 mN
+  result.rawPeak = analysis::SampleStatistics{0.0880, 0.004, 0.0003};
+  auto verdicts = verdictsOf(result, *experiment);
+  EXPECT_FALSE(verdicts.front().isMet);
+  const auto raw = [&] {
+    for (const Verdict& each : verdicts)
+      if (each.what == "mean raw force at the basal turn") return each;
+    ADD_FAILURE();
+    return Verdict{};
+  };
+  EXPECT_TRUE(raw().isMet);
+  EXPECT_EQ(raw().wanted, "95.0 ± 7.8 mN");
+  result.rawPeak->mean = 0.0860;
+  verdicts = verdictsOf(result, *experiment);
+  EXPECT_FALSE(raw().isMet);
+  // where their number is not known, only the standard deviation is left
+  experiment->insertions = 0.0;
+  verdicts = verdictsOf(result, *experiment);
+  EXPECT_TRUE(verdicts.front().isMet);
 }
 
 TEST(Verdicts, JudgeTheSpreadAtEachPrintedValue)

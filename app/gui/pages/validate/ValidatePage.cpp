@@ -83,7 +83,8 @@ QWidget* ValidatePage::addColumn()
       text(tr("Simulates repeated insertions with realistic variability in start position, "
               "alignment, array curvature and friction. Their mean is compared with the "
               "published forces. One force was used to calibrate the array; the others "
-              "are predictions."),
+              "are predictions from one choice of each constant. A mean is met within "
+              "1.96 standard errors."),
            13, page, true);
   what->setWordWrap(true);
   column->addWidget(what);

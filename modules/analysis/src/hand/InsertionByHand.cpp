@@ -111,6 +111,7 @@ ClinicalInsertion insertByHand(const session::InsertionParameters& nominal,
                                haptics::Snapshot* shape)
 {
   ClinicalInsertion result;
+  result.sharedFriction = surgeon.sharedFriction;
   const session::InsertionParameters parameters = withSurgeon(nominal, surgeon);
   const auto forceps =
       std::make_shared<ExperimentDevice>(pushOf(hand, surgeon), parameters.timeStep);

@@ -122,6 +122,7 @@ Surgeon drawSurgeon(const HandDistribution& hand, std::uint64_t seed, std::uint6
   const double deviate = stream(Draw::friction).normal(0.0, 1.0, -maxDeviates, maxDeviates);
   if (spread.isKnown()) {
     const double shared = stream(Draw::sharedFriction).normal(0.0, 1.0, -maxDeviates, maxDeviates);
+    one.sharedFriction = spread.shared * shared;
     one.frictionFactor = exponential(spread.shared * shared + spread.ear * deviate);
   } else {
     const double variance = logarithm(1.0 + hand.frictionDeviation * hand.frictionDeviation);

@@ -123,6 +123,28 @@ void addSqueeze(const InsertionModel& model, const Crossing& crossing, double si
   contact.stiffness_W += (advance * advance * std::max(sign * slope, 0.0)) * n_W * n_W.transpose();
 }
 
+/// Slip speed at which the loss at the inner edge has grown to 0.7 of its value [m/s]: the Stribeck speed
+/// of the friction law (choice, low). With a hundredth of it steps that reverse there found no balance.
+constexpr double lossSpeed = 1e-4;
+
+/// Adds the hysteresis of what is released at the inner edge: a fraction of that force, against the
+/// slip of the step. It takes energy in both directions and gives none.
+void addExitLoss(const InsertionModel& model, const Crossing& crossing, double slip,
+                 RingContact& contact) noexcept
+{
+  const PassageModel& passage = *model.passage;
+  const Eigen::Vector3d& n_W = model.entry.out_W;
+  const Along m = interpolate(passage.interference, passage.spacing, crossing.fromTip);
+  if (!(m.value > 0.0)) return;
+  const double advance = model.spacing / -steepnessOf(model, crossing);
+  const double lost = passage.exitLoss * advance * 2.0 * pi * passage.modulus * m.value * m.value;
+  const double softness = lossSpeed * model.timeStep;
+  const double length = std::sqrt(slip * slip + softness * softness);
+  const double ratio = softness / length;
+  contact.force_W -= (lost * slip / length) * n_W;
+  contact.stiffness_W += (lost * ratio * ratio / length) * n_W * n_W.transpose();
+}
+
 /// Friction along the passage.
 Friction frictionAlong(const InsertionModel& model, const InsertionState& state,
                        const StepStart& start, const FrictionHistory& history,
@@ -162,6 +184,7 @@ std::optional<PassageModel> passageOf(const InsertionModel& model)
   passage.radius = 0.5 * opening.width.si();
   passage.modulus = opening.passageModulus.si();
   passage.friction = model.parts.friction;
+  passage.exitLoss = opening.ribExitLoss;
   if (opening.passageFriction) {
     const double coefficient = *opening.passageFriction;
     passage.friction = {coefficient, coefficient, coefficient, model.parts.friction.stribeck};
@@ -227,6 +250,7 @@ void addPassageForces(const InsertionModel& model, const InsertionState& state,
       contact.stiffness_W += along * n_W * n_W.transpose();
     } else if (k + 1 == passage.rings) {
       addSqueeze(model, crossing, -1.0, contact);
+      if (passage.exitLoss > 0.0) addExitLoss(model, crossing, slip, contact);
       inner = interpolate(passage.radialForce, passage.spacing, crossing.fromTip).value;
     } else if (!(contact.normalForce > 0.0)) {
       continue;

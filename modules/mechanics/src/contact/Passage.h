@@ -32,7 +32,8 @@ std::optional<PassageModel> passageOf(const InsertionModel& model);
 /// from the tip: a solid cylinder of modulus E and Poisson's ratio 1/2 that can expand along its axis
 /// is pressed by p = 2 E m / R. Because m belongs to the array, the derivative of the integral is
 /// that at its limits: a rib pushes back at the outer edge while it enters, and forward at the inner
-/// edge while it leaves; in between it only rubs. p is the overlap of the array at one side, the
+/// edge while it leaves; in between it only rubs. A fraction of what it gives there may be lost
+/// (Opening::ribExitLoss), as a force against the motion in either direction. p is the overlap of the array at one side, the
 /// distance of its axis from that of the hole minus the clearance there, which ends smoothly at a
 /// rib. A ring sets in over one radius of the tip once it has passed.
 ///

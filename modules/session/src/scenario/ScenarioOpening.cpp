@@ -19,7 +19,7 @@ void forgetPassageOfOtherOpening(TomlReader& reader,
 {
   const std::string* opening = overrideOf("opening");
   if (opening == nullptr || *opening == reader.text("opening", "")) return;
-  for (const char* key : {"passage_mm", "passage_modulus_MPa", "passage_friction"})
+  for (const char* key : {"passage_mm", "passage_modulus_MPa", "passage_friction", "rib_exit_loss"})
     if (overrideOf(key) == nullptr) reader.remove(key);
 }
 
@@ -40,6 +40,7 @@ void readOpening(ScenarioKeys& keys, TomlReader& reader, InsertionParameters& pa
   std::optional<double> friction;
   // Up to twice the highest coefficient measured for an array, 0.59 (Dohr et al. 2021).
   if (reader.has("passage_friction")) friction = keys.number("passage_friction", {0.0, 1.2}, 0.0);
+  const double loss = keys.number("rib_exit_loss", {0.0, 1.0}, usual.ribExitLoss);
   if (parameters.openingKind == OpeningKind::roundWindow)
     parameters.opening = mechanics::roundWindow();
   if (parameters.openingKind == OpeningKind::cochleostomy)
@@ -50,6 +51,7 @@ void readOpening(ScenarioKeys& keys, TomlReader& reader, InsertionParameters& pa
   parameters.opening->passage = millimeters(passage);
   parameters.opening->passageModulus = megapascals(modulus);
   parameters.opening->passageFriction = friction;
+  parameters.opening->ribExitLoss = loss;
 }
 
 Result<Done> checkPassage(const std::string& file, const InsertionParameters& parameters)

@@ -71,15 +71,29 @@ Verdict placeVerdict(const Sentence& what, const std::optional<analysis::CurvePo
   return verdict;
 }
 
-Verdict rangeVerdict(const Sentence& what, const std::optional<double>& found,
-                     const analysis::PrintedRange* wanted)
+/// Half width of the differences of two means that 95 % of right models have; of an experiment whose
+/// number of insertions is unknown, its standard deviation.
+double halfWidthOf(double standardError, double deviation, double insertions)
+{
+  return insertions >= 2.0 ? halfWidth95 * standardError : deviation;
+}
+
+/// A mean of the raw records; the printed range is its mean ± standard deviation.
+Verdict rangeVerdict(const Sentence& what, const std::optional<analysis::SampleStatistics>& found,
+                     const analysis::PrintedRange* wanted, double insertions)
 {
   Verdict verdict;
   verdict.what = what;
-  verdict.found = found ? forceText(*found) : Sentence{"none"};
+  verdict.found = found ? forceText(found->mean) : Sentence{"none"};
   if (!wanted) return verdict;
-  verdict.wanted = rangeText(wanted->low, wanted->high);
-  verdict.isMet = found && *found >= wanted->low && *found <= wanted->high;
+  const double deviation = 0.5 * (wanted->high - wanted->low);
+  const analysis::SampleStatistics printed{0.5 * (wanted->low + wanted->high), deviation,
+                                           deviation / std::sqrt(std::max(1.0, insertions))};
+  const analysis::SampleStatistics difference =
+      analysis::differenceOf(found.value_or(printed), printed);
+  const double half = halfWidthOf(difference.standardError, deviation, insertions);
+  verdict.wanted = Sentence{"%1 ± %2", forceNumber(printed.mean), forceText(half)};
+  verdict.isMet = found && std::fabs(difference.mean) <= half;
   return verdict;
 }
 
@@ -117,17 +131,22 @@ std::vector<Verdict> verdictsOf(const ValidationResult& result,
   std::vector<Verdict> verdicts;
   for (const AnchorComparison& anchor : result.anchors) {
     const analysis::PrintedForce& printed = anchor.experiment;
+    const double half = halfWidthOf(anchor.difference.standardError, printed.standardDeviation,
+                                    experiment.insertions);
     verdicts.push_back(
-        {Sentence{"force at %1, %2", mm(printed.travel), featureName(printed.feature)},
+        {Sentence{"mean force at %1, %2", mm(printed.travel), featureName(printed.feature)},
          forceText(anchor.simulator.mean),
-         Sentence{"%1 ± %2", forceNumber(printed.mean), forceText(printed.standardDeviation)},
-         anchor.isWithinStandardDeviation});
+         Sentence{"%1 ± %2", forceNumber(printed.mean), forceText(half)},
+         std::fabs(anchor.difference.mean) <= half});
   }
   for (const IntervalComparison& interval : result.intervals) {
     const analysis::PrintedInterval& printed = interval.experiment;
-    verdicts.push_back({Sentence{"force at %1, %2", mm(printed.travel), Sentence{"derived"}},
-                        forceText(interval.simulator.mean), rangeText(printed.low, printed.high),
-                        std::fabs(interval.difference) <= printed.standardDeviation});
+    const double half =
+        halfWidthOf(interval.standardError, printed.standardDeviation, experiment.insertions);
+    verdicts.push_back({Sentence{"mean force at %1, %2", mm(printed.travel), Sentence{"derived"}},
+                        forceText(interval.simulator.mean),
+                        rangeText(printed.low - half, printed.high + half),
+                        std::fabs(interval.difference) <= half});
   }
   const Agreement agreement = agreementOf(result);
   const double largest = agreement.largest;
@@ -148,19 +167,22 @@ std::vector<Verdict> verdictsOf(const ValidationResult& result,
   verdicts.push_back({Sentence{"small early peak"},
                       result.earlyPeak ? mm(result.earlyPeak->travel) : Sentence{"none"},
                       Sentence{"between 3 and 7 mm"}, result.earlyPeak.has_value()});
-  std::optional<double> before, peak;
+  std::optional<analysis::SampleStatistics> before, peak;
   if (result.rib) {
-    before = result.rib->before.mean;
-    peak = result.rib->peak.mean;
+    before = result.rib->before;
+    peak = result.rib->peak;
   }
-  std::optional<double> basal;
-  if (result.rawPeak) basal = result.rawPeak->mean;
-  verdicts.push_back(rangeVerdict(Sentence{"raw force at the basal turn"}, basal,
-                                  experiment.findRange("basal-turn peak, raw, 9 to 12 mm")));
-  verdicts.push_back(rangeVerdict(Sentence{"raw force just before the first rib"}, before,
-                                  experiment.findRange("just before the first rib, raw")));
-  verdicts.push_back(rangeVerdict(Sentence{"raw force at the first rib"}, peak,
-                                  experiment.findRange("first rib, raw")));
+  const auto addRaw = [&](const Sentence& what,
+                          const std::optional<analysis::SampleStatistics>& found,
+                          const char* range) {
+    verdicts.push_back(
+        rangeVerdict(what, found, experiment.findRange(range), experiment.insertions));
+  };
+  addRaw(Sentence{"mean raw force at the basal turn"}, result.rawPeak,
+         "basal-turn peak, raw, 9 to 12 mm");
+  addRaw(Sentence{"mean raw force just before the first rib"}, before,
+         "just before the first rib, raw");
+  addRaw(Sentence{"mean raw force at the first rib"}, peak, "first rib, raw");
   if (experiment.insertions >= 2.0)
     for (const AnchorComparison& anchor : result.anchors)
       verdicts.push_back(deviationVerdict(anchor, experiment.insertions));
@@ -218,7 +240,9 @@ std::string summaryJson(const ValidationRequest& request, const ValidationResult
          {"experiment_sd_N", anchor.experiment.standardDeviation},
          {"simulator", json(anchor.simulator)},
          {"difference", json(anchor.difference)},
-         {"within_1_sd", anchor.isWithinStandardDeviation}});
+         {"within_1_sd", anchor.isWithinStandardDeviation},
+         {"mean_within_95",
+          std::fabs(anchor.difference.mean) <= halfWidth95 * anchor.difference.standardError}});
   page["intervals"] = Json::array();
   for (const IntervalComparison& interval : result.intervals)
     page["intervals"].push_back(

@@ -18,14 +18,19 @@ constexpr Length startInside = millimeters(1);
 /// A period of the tremor is 123 ms; see the convergence in the page of mechanics (choice, high).
 constexpr Duration timeStep = milliseconds(1);
 
-constexpr std::size_t arrays = std::size(clinicalArrays);
+std::vector<std::string> arraysOf(const ClinicalRequest& request)
+{
+  if (!request.arrays.empty()) return request.arrays;
+  return {std::begin(clinicalArrays), std::end(clinicalArrays)};
+}
 
 }  // namespace
 
 std::size_t insertionsOf(const ClinicalRequest& request)
 {
-  return request.seeds.size() * static_cast<std::size_t>(request.patients) * arrays +
-         phantomInsertions;
+  return request.seeds.size() * static_cast<std::size_t>(request.patients) *
+             arraysOf(request).size() +
+         (request.arrays.empty() ? phantomInsertions : 0);
 }
 
 Result<ClinicalResult> predictClinic(const ClinicalRequest& request,
@@ -34,15 +39,17 @@ Result<ClinicalResult> predictClinic(const ClinicalRequest& request,
 {
   const auto hand = analysis::shippedHand();
   if (!hand) return hand.error();
+  const std::vector<std::string> names = arraysOf(request);
+  const std::size_t arrays = names.size();
   std::vector<session::InsertionParameters> nominal;
-  for (const char* array : clinicalArrays) {
+  for (const std::string& array : names) {
     auto scenario = fullInsertionOf("surgery-flex28", array, startInside, timeStep,
                                     {{"friction", request.friction}});
     if (!scenario) return scenario.error();
     nominal.push_back(scenario->parameters());
   }
 
-  // One piece per cochlea, and the phantom as the last.
+  // One piece per cochlea, and the phantom as the last, unless arrays are named.
   const auto patients = static_cast<std::size_t>(request.patients);
   const std::size_t cochleae = request.seeds.size() * patients;
   ClinicalResult result;
@@ -70,7 +77,7 @@ Result<ClinicalResult> predictClinic(const ClinicalRequest& request,
       }
       analysis::ClinicalInsertion& place = result.insertions[piece * arrays + i];
       place = analysis::insertByHand(*parameters, anatomy, *hand, surgeon, Length{}, ending);
-      place.array = clinicalArrays[i];
+      place.array = names[i];
       place.seed = seed;
       place.patient = patient;
     }
@@ -78,7 +85,7 @@ Result<ClinicalResult> predictClinic(const ClinicalRequest& request,
   };
   const std::size_t all = insertionsOf(request);
   const auto done = analysis::doInParallel(
-      cochleae + 1, request.jobs, work,
+      cochleae + (request.arrays.empty() ? 1 : 0), request.jobs, work,
       [&](std::size_t count) {
         if (progress) progress(count > cochleae ? all : count * arrays, all);
       },
@@ -89,6 +96,9 @@ Result<ClinicalResult> predictClinic(const ClinicalRequest& request,
   if (!rows) return rows.error();
   result.rows = *std::move(rows);
   result.rows.insert(result.rows.end(), phantom.begin(), phantom.end());
+  auto perfect = perfectModel(result.insertions);
+  if (!perfect) return perfect.error();
+  result.perfect = *std::move(perfect);
   return result;
 }
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "perilymph/analysis/CsvField.h"
@@ -14,6 +16,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+Json jsonNumber(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
 const char* nameOf(RowVerdict verdict)
 {
   switch (verdict) {
@@ -27,12 +31,22 @@ const char* nameOf(RowVerdict verdict)
   return "not judged";
 }
 
+Json json(const ClinicalCompanion& companion)
+{
+  return {{"found", jsonNumber(companion.found)},
+          {"published", jsonNumber(companion.published)},
+          {"runs", companion.runs},
+          {"is_met", companion.isMet}};
+}
+
 Json json(const ClinicalRow& row)
 {
   Json page;
   page["quantity"] = row.quantity;
   page["unit"] = row.unit;
-  if (row.high > row.low) page["published"] = {{"low", row.low}, {"high", row.high}};
+  if (row.high > row.low)
+    page["published"] = {{"low", row.low}, {"high", row.high}, {"median", row.published}};
+  page["patients"] = row.patients;
   page["source"] = row.source;
   page["confidence"] = row.confidence;
   page["runs"] = row.runs;
@@ -41,9 +55,24 @@ Json json(const ClinicalRow& row)
   page["upper_quartile"] = row.upperQuartile;
   page["inside_fraction"] = row.inside;
   page["verdict"] = nameOf(row.verdict);
+  page["tolerance"] = row.tolerance;
+  page["power"] = row.power;
+  page["verdict_at_median_friction"] = nameOf(row.atMedianFriction);
+  page["spread"] = {{"verdict", nameOf(row.spread)},
+                    {"factor", row.spreadFactor},
+                    {"tolerance", row.spreadTolerance}};
+  if (row.contactsInside) page["contacts_inside"] = json(*row.contactsInside);
+  if (row.angleAtLength) page["angle_at_published_length"] = json(*row.angleAtLength);
+  if (row.depth_mm > 0.0) page["depth_mm"] = row.depth_mm;
   page["is_clinical"] = row.isClinical;
   page["note"] = row.note;
   return page;
+}
+
+/// Text of a number; empty for NaN.
+std::string cell(double value)
+{
+  return std::isfinite(value) ? session::shortestDecimal(value) : std::string();
 }
 
 }  // namespace
@@ -52,7 +81,12 @@ std::string clinicalRowsCsv(const std::vector<ClinicalRow>& rows)
 {
   std::string csv =
       "quantity,unit,published_low,published_high,median,lower_quartile,upper_quartile,"
-      "inside_fraction,runs,verdict,is_clinical,confidence,source,note\n";
+      "inside_fraction,runs,verdict,is_clinical,confidence,source,note,published_median,patients,"
+      "tolerance,power,verdict_at_median_friction,spread_factor,spread_tolerance,spread_verdict,"
+      "contacts_inside,published_contacts_inside,angle_at_length,angle_at_length_runs,"
+      "published_angle_at_length,depth_mm\n";
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  const ClinicalCompanion nothing{none, none, 0, true};
   for (const ClinicalRow& row : rows) {
     csv += analysis::csvQuoted(row.quantity) + "," + row.unit;
     for (const double value :
@@ -60,7 +94,15 @@ std::string clinicalRowsCsv(const std::vector<ClinicalRow>& rows)
       csv += "," + session::shortestDecimal(value);
     csv += "," + std::to_string(row.runs) + "," + nameOf(row.verdict) + "," +
            (row.isClinical ? "true" : "false") + "," + row.confidence + "," +
-           analysis::csvQuoted(row.source) + "," + analysis::csvQuoted(row.note) + "\n";
+           analysis::csvQuoted(row.source) + "," + analysis::csvQuoted(row.note) + "," +
+           cell(row.published) + "," + std::to_string(row.patients) + "," + cell(row.tolerance) +
+           "," + cell(row.power) + "," + nameOf(row.atMedianFriction) + "," +
+           cell(row.spreadFactor) + "," + cell(row.spreadTolerance) + "," + nameOf(row.spread);
+    const ClinicalCompanion inside = row.contactsInside.value_or(nothing);
+    const ClinicalCompanion angle = row.angleAtLength.value_or(nothing);
+    csv += "," + cell(inside.found) + "," + cell(inside.published) + "," + cell(angle.found) + "," +
+           std::to_string(angle.runs) + "," + cell(angle.published) + "," + cell(row.depth_mm) +
+           "\n";
   }
   return csv;
 }
@@ -69,7 +111,7 @@ std::string clinicalInsertionsCsv(const std::vector<analysis::ClinicalInsertion>
 {
   std::string csv =
       "seed,patient,array,end,apical_deg,depth_mm,end_N,peak_N,partition_N,is_ruptured,reason,"
-      "after_1s_N,after_10s_N\n";
+      "after_1s_N,after_10s_N,shared_ln_friction,contacts_inside,contacts,is_translocated\n";
   for (const analysis::ClinicalInsertion& each : insertions) {
     csv += std::to_string(each.seed) + "," + std::to_string(each.patient) + "," +
            analysis::csvField(each.array) + "," + haptics::nameOf(each.end);
@@ -80,7 +122,12 @@ std::string clinicalInsertionsCsv(const std::vector<analysis::ClinicalInsertion>
            (each.reason.empty() ? std::string() : analysis::csvQuoted(each.reason));
     for (const auto& force : {each.forceAfter1s, each.forceAfter10s})
       csv += "," + (force ? session::shortestDecimal(force->si()) : std::string());
-    csv += '\n';
+    const auto inside =
+        std::count_if(each.contacts.begin(), each.contacts.end(),
+                      [](const analysis::ContactPosition& contact) { return contact.isInserted; });
+    csv += "," + session::shortestDecimal(each.sharedFriction) + "," + std::to_string(inside) +
+           "," + std::to_string(each.contacts.size()) + "," +
+           (each.isTranslocated ? "true" : "false") + '\n';
   }
   return csv;
 }
@@ -95,9 +142,13 @@ Result<std::string> clinicalJson(const ClinicalRequest& request, const ClinicalR
   page["patients_per_seed"] = request.patients;
   page["friction"] = request.friction;
   page["rule"] =
-      "hit: the median and at least half of the runs are within the published range; a rate: "
-      "within "
-      "the 95 % interval of the published count";
+      "angle: hit if the medians differ by at most 1.96 standard errors, of both samples, the "
+      "uncertain friction and the differences between centers; rate: hit if the published count is "
+      "within 95 % of those expected after the simulated one";
+  page["perfect_model"] = {{"rows", result.perfect.rows},
+                           {"expected_hits", result.perfect.expected},
+                           {"probability_of_all", result.perfect.all},
+                           {"probability_of_hits", result.perfect.exactly}};
   page["hand"] = Json::array();
   for (const analysis::HandDistribution::Provenance& each : hand->provenance)
     page["hand"].push_back(

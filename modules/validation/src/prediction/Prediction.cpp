@@ -2,6 +2,7 @@
 #include "perilymph/validation/Prediction.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stop_token>
 
@@ -19,6 +20,13 @@ namespace {
 /// A fifth of the ticks of a live insertion; with the friction of tissue 1 ms gives peaks of FLEX24
 /// and FLEX28 within 2 % of it.
 constexpr Duration predictionStep = milliseconds(5);
+
+constexpr std::array<Choice<PublishedSpread>, 4> publishedSpreads{{
+    {PublishedSpread::interquartile, "interquartile"},
+    {PublishedSpread::range, "range"},
+    {PublishedSpread::deviation, "sd"},
+    {PublishedSpread::none, "none"},
+}};
 
 PredictedInsertion insert(const session::InsertionParameters& parameters,
                           std::shared_ptr<const anatomy::ScalaTympani> anatomy,
@@ -64,7 +72,7 @@ ArraySummary summaryOf(const std::string& array, const std::vector<PredictedInse
     summary.medianPeak = newtons(quantile(peaks, 0.5));
   }
   for (const ClinicalAngle& angle : clinical)
-    if (angle.array == array) summary.clinical = angle;
+    if (angle.array == array && angle.spread != PublishedSpread::none) summary.clinical = angle;
   if (summary.clinical) {
     const Angle found = angles.empty() && summary.mean ? summary.mean->apical : summary.median;
     summary.hitsAngle = (summary.mean || !angles.empty()) && found >= summary.clinical->low &&
@@ -84,9 +92,18 @@ Result<std::vector<ClinicalAngle>> clinicalAngles()
   for (TomlReader& table : reader->tables("angle")) {
     ClinicalAngle angle;
     angle.array = table.text("array");
-    angle.low = degrees(table.number("low_deg", {0.0, 1100.0}));
-    angle.median = degrees(table.number("median_deg", {inDegrees(angle.low), 1100.0}));
-    angle.high = degrees(table.number("high_deg", {inDegrees(angle.median), 1100.0}));
+    angle.median = degrees(table.number("median_deg", {0.0, 1100.0}));
+    angle.spread = table.choice("spread", publishedSpreads);
+    angle.low = angle.high = angle.median;
+    if (angle.spread != PublishedSpread::none) {
+      angle.low = degrees(table.number("low_deg", {0.0, inDegrees(angle.median)}));
+      angle.high = degrees(table.number("high_deg", {inDegrees(angle.median), 1100.0}));
+    }
+    angle.patients = static_cast<int>(table.integer("patients", 2, 100'000, 2));
+    if (table.has("contacts_inside")) {
+      angle.contactsInside = table.number("contacts_inside", {0.0, 100.0});
+      angle.contactsDeviation = table.number("contacts_sd", {0.0, 100.0});
+    }
     angle.source = table.text("source");
     angles.push_back(angle);
   }

@@ -25,6 +25,7 @@ namespace perilymph::analysis {
 struct ClinicalInsertion {
   std::string array;
   std::uint64_t seed = 0, patient = 0;
+  double sharedFriction = 0.0;  ///< Surgeon::sharedFriction.
   haptics::InsertionEnd end = haptics::InsertionEnd::refused;
   std::string reason;  ///< A message if the engine stopped or refused it.
   Length depth;        ///< At the end, past the opening.

@@ -53,6 +53,7 @@ struct Surgeon {
   Force stop;                   ///< Axial force at which this surgeon stops.
   double intended = 1.0;        ///< How deep this surgeon means to push; see intendedDepth().
   double frictionFactor = 1.0;  ///< Common factor of the coefficients of friction.
+  double sharedFriction = 0.0;  ///< The part of its logarithm that is common to all ears.
   Force rupture;                ///< Force on the partition at which it ruptures.
 };
 

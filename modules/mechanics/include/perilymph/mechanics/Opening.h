@@ -28,6 +28,9 @@ struct Opening {
   Modulus passageModulus = megapascals(2.0);
   /// Coefficient of friction in the passage; that of the wall if empty.
   std::optional<double> passageFriction = std::nullopt;
+  /// Fraction of a rib's elastic energy that is lost where it leaves the passage, 0 to 1. Silicone has
+  /// hysteresis, and a fin that folds back gives nothing; of both nothing was measured (choice, low).
+  double ribExitLoss = 0.0;
 };
 
 /// The round window: 1.37 by 1.91 mm, the mean of 20 (SD 0.43 and 0.78; Benha Med J 2018;35:246).

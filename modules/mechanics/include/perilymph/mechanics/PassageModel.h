@@ -26,6 +26,7 @@ struct PassageModel {
   double radius = 0.0;    ///< Radius of the hole [m].
   double modulus = 0.0;   ///< Young's modulus of what it squeezes [Pa].
   FrictionLaw friction;   ///< Friction in it.
+  double exitLoss = 0.0;  ///< Fraction of the energy that is lost at the inner edge.
   std::size_t rings = 0;  ///< The outer edge, rings on the wall, and the inner edge.
   std::array<double, maxPassageRings> plane = {};      ///< Height of each ring, from 0 down [m].
   std::array<double, maxPassageRings> stiffness = {};  ///< Stiffness of each ring [N/m].

@@ -16,14 +16,22 @@
 
 namespace perilymph::validation {
 
-/// Clinically reported angular insertion depths of an array.
+/// What a published range is.
+enum class PublishedSpread { interquartile, range, deviation, none };
+
+/// Clinically reported angular insertion depths of an array at one center.
 struct ClinicalAngle {
   std::string array;  ///< Name of its file.
-  Angle median, low, high;
+  Angle median;       ///< Or the mean.
+  Angle low, high;    ///< Both the median if only that is published.
+  PublishedSpread spread = PublishedSpread::none;
+  int patients = 0;
+  /// Mean and standard deviation of the number of contacts inside; absent if not published.
+  std::optional<double> contactsInside, contactsDeviation;
   std::string source;
 };
 
-/// The shipped data: resources/clinical/insertion-angles.toml.
+/// The shipped data, resources/clinical/insertion-angles.toml; an array may have several centers.
 Result<std::vector<ClinicalAngle>> clinicalAngles();
 
 /// Input of a prediction.

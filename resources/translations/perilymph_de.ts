@@ -3551,6 +3551,14 @@
         <source>Choice: how deep surgeons mean to push is published for no array. Made after the modeled FLEX24 was seen to have the published 408 degrees where its last contact is inside (21.9 mm), and 479 at its full 24 mm.</source>
         <translation>Festlegung: Wie tief Operateure schieben wollen, ist für keinen Elektrodenträger veröffentlicht. Getroffen, nachdem bekannt war, dass der modellierte FLEX24 die veröffentlichten 408 Grad hat, wo sein letzter Kontakt innen ist (21,9 mm), und 479 bei seinen vollen 24 mm.</translation>
     </message>
+    <message>
+        <source>taper of the array</source>
+        <translation>Verjüngung des Trägers</translation>
+    </message>
+    <message>
+        <source>No drawing was read. At its most basal contact the array is at least as thick as the base of FLEX28, 0.8 mm, which holds the same 12 wires, and at most as its own base, 1.3 mm; the straight line has 1.2 mm there. Uniform. The silicone is that of [bending].</source>
+        <translation>Es wurde keine Zeichnung gelesen. Am basalsten Kontakt ist der Träger mindestens so dick wie die Basis des FLEX28, 0,8 mm, die dieselben 12 Drähte enthält, und höchstens so dick wie seine eigene Basis, 1,3 mm; die Gerade hat dort 1,2 mm. Gleichverteilt. Das Silikon ist das von [bending].</translation>
+    </message>
 </context>
 <context>
     <name>Display</name>
@@ -6220,6 +6228,14 @@
     <message>
         <source>recording the rest</source>
         <translation>Ruhe wird aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>Taper of the array</source>
+        <translation>Verjüngung des Trägers</translation>
+    </message>
+    <message>
+        <source>Taper</source>
+        <translation>Verjüngung</translation>
     </message>
 </context>
 <context>

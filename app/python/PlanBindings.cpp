@@ -171,6 +171,7 @@ py::dict insertions(const StoredPlan& stored)
   add("turn_deg", [](const Row& row) { return row.turn_deg; });
   add("stiffness", [](const Row& row) { return row.stiffness; });
   add("packing", [](const Row& row) { return row.packing; });
+  add("last_contact_mm", [](const Row& row) { return row.lastContact_mm; });
   add("friction", [](const Row& row) { return row.friction; });
   add("speed_mm_s", [](const Row& row) { return row.speed_mm_s; });
   add("stop_mN", [](const Row& row) { return row.stop_mN; });

@@ -265,6 +265,7 @@ QString inputName(const std::string& name)
       {"rupture", QT_TRANSLATE_NOOP("perilymph::gui", "Strength of the cochlear partition")},
       {"stiffness", QT_TRANSLATE_NOOP("perilymph::gui", "Stiffness of the array")},
       {"wires", QT_TRANSLATE_NOOP("perilymph::gui", "Packing of the wires")},
+      {"taper", QT_TRANSLATE_NOOP("perilymph::gui", "Taper of the array")},
       {"approach", QT_TRANSLATE_NOOP("perilymph::gui", "Approach to the opening")},
       {"section", QT_TRANSLATE_NOOP("perilymph::gui", "Sections of the scala tympani")},
       {"course", QT_TRANSLATE_NOOP("perilymph::gui", "Course of the center line")},

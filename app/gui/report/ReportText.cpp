@@ -62,6 +62,7 @@ QString partName(const std::string& part)
       {"insertable", QT_TRANSLATE_NOOP("perilymph::gui", "Insertable length")},
       {"diameter", QT_TRANSLATE_NOOP("perilymph::gui", "Diameter")},
       {"thickness", QT_TRANSLATE_NOOP("perilymph::gui", "Thickness")},
+      {"taper", QT_TRANSLATE_NOOP("perilymph::gui", "Taper")},
       {"tip", QT_TRANSLATE_NOOP("perilymph::gui", "Tip")},
       {"bending", QT_TRANSLATE_NOOP("perilymph::gui", "Bending stiffness")},
       {"bending_across", QT_TRANSLATE_NOOP("perilymph::gui", "Bending stiffness, other axis")},

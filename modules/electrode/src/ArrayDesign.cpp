@@ -12,6 +12,30 @@ Length thicknessAt(const ArrayDesign& array, Length place)
   return array.thickness.fromTip.empty() ? array.diameter.at(place) : array.thickness.at(place);
 }
 
+/// A quantity with a knot at a place, its values as they were.
+template <class Value>
+AlongArray<Value> withKnot(AlongArray<Value> along, Length place)
+{
+  const auto next = std::lower_bound(along.fromTip.begin(), along.fromTip.end(), place);
+  if (next != along.fromTip.end() && *next == place) return along;
+  const Value here = along.at(place);
+  along.value.insert(along.value.begin() + (next - along.fromTip.begin()), here);
+  along.fromTip.insert(next, place);
+  return along;
+}
+
+/// A quantity in a straight line from the tip to a value at a place, and as before behind it.
+AlongArray<Length> straightTo(const AlongArray<Length>& along, Length place, Length there)
+{
+  AlongArray<Length> straight{{millimeters(0), place}, {along.at(millimeters(0)), there}};
+  for (std::size_t i = 0; i < along.fromTip.size(); ++i) {
+    if (along.fromTip[i] <= place) continue;
+    straight.fromTip.push_back(along.fromTip[i]);
+    straight.value.push_back(along.value[i]);
+  }
+  return straight;
+}
+
 }  // namespace
 
 Length Stylet::wireDiameter() const
@@ -80,6 +104,34 @@ BendingStiffness ArrayDesign::twistingAt(Length place) const
   const double within = bending.at(place).si();
   const double across = bendingAcrossAt(place).si();
   return BendingStiffness::fromSi(4.0 / 3.0 * within * across / (within + across));
+}
+
+ArrayDesign withTaper(ArrayDesign array, double fraction)
+{
+  if (!array.taper) return array;
+  const TaperRange& range = *array.taper;
+  const ArrayDesign former = array;
+  const Length place = array.contactsFromTip.back(),
+               width = range.thinnest + fraction * (range.thickest - range.thinnest),
+               thickness = (width / former.diameter.at(place)) * thicknessAt(former, place);
+  array.diameter = straightTo(former.diameter, place, width);
+  if (!former.thickness.fromTip.empty())
+    array.thickness = straightTo(former.thickness, place, thickness);
+  array.bending = withKnot(former.bending, place);
+  if (!former.bendingAcross.fromTip.empty())
+    array.bendingAcross = withKnot(former.bendingAcross, place);
+  const auto silicone = [&](const ArrayDesign& of, Length at, bool isAcross) {
+    const double w = of.diameter.at(at).si(), t = thicknessAt(of, at).si();
+    return range.carrier.si() * pi * (isAcross ? w * w * w * t : w * t * t * t) / 64.0;
+  };
+  for (auto* bending : {&array.bending, &array.bendingAcross})
+    for (std::size_t i = 0; i < bending->fromTip.size(); ++i) {
+      const Length at = bending->fromTip[i];
+      const bool isAcross = bending == &array.bendingAcross;
+      bending->value[i] = bending->value[i] + newtonSquareMeters(silicone(array, at, isAcross) -
+                                                                 silicone(former, at, isAcross));
+    }
+  return array;
 }
 
 }  // namespace perilymph::electrode

@@ -58,6 +58,7 @@ public:
     readStiffness(design);
     readRestCurvature(design);
     readContacts(design);
+    if (file_.has("taper")) readTaper(design);
     if (file_.has("ribs")) readRibs(design);
     if (file_.has("wires")) readWires(design);
     if (file_.has("stylet")) readStylet(design);
@@ -196,6 +197,42 @@ private:
              " mm from the tip.");
   }
 
+  void readTaper(ArrayDesign& design)
+  {
+    TomlReader table = tableOf("taper");
+    const Length last = design.contactsFromTip.back();
+    const double tip = inMillimeters(design.diameter.at(millimeters(0))),
+                 base = inMillimeters(design.diameter.value.back());
+    const std::vector<double> range = table.numbers("last_contact_mm", diameter_mm, 2);
+    const bool isRange =
+        range.size() == 2 && range[0] < range[1] && range[0] >= tip && range[1] <= base;
+    if (!isRange)
+      table.refuse("last_contact_mm",
+                   "last_contact_mm must be two widths at the most basal contact, the smaller "
+                   "first, between the tip's " +
+                       plain(tip) + " mm and the base's " + plain(base) + " mm.");
+    if (design.diameter.fromTip.back() <= last)
+      table.refuse("last_contact_mm",
+                   "last_contact_mm needs the width of the base: give [diameter] a place behind "
+                   "the most basal contact, at " +
+                       plain(inMillimeters(last)) + " mm.");
+    const Modulus carrier = megapascals(table.number("carrier_MPa", {0.1, 20.0}));
+    // the array's stiffness includes that of its silicone; both have few digits
+    for (std::size_t i = 0; i < design.bending.fromTip.size(); ++i) {
+      const Length place = design.bending.fromTip[i];
+      const double w = design.diameter.at(place).si(), t = design.thickness.at(place).si(),
+                   silicone = carrier.si() * pi * w * t * t * t / 64.0,
+                   all = design.bending.value[i].si();
+      if (silicone <= 1.01 * all) continue;
+      table.refuse("carrier_MPa", "silicone of " + plain(inMegapascals(carrier)) + " MPa gives " +
+                                      "the section at " + plain(inMillimeters(place)) +
+                                      " mm a bending stiffness of " + plain(silicone) +
+                                      " N m2, and bending_N_m2 states " + plain(all) +
+                                      " for the whole array there; state a softer one.");
+    }
+    if (isRange) design.taper = {millimeters(range[0]), millimeters(range[1]), carrier};
+  }
+
   /// The range of a yield stress, which must be given, and a value within it, which may.
   YieldStress readYieldStress(TomlReader& table)
   {
@@ -257,6 +294,8 @@ private:
 };
 
 }  // namespace
+
+std::string nameOf(Confidence confidence) { return std::string(nameIn(confidences, confidence)); }
 
 Result<ArrayDesign> loadArray(const std::filesystem::path& file)
 {

@@ -65,7 +65,8 @@ void add(Hash& hash, const electrode::Wires& wires)
 
 void add(Hash& hash, const electrode::ArrayDesign& array)
 {
-  const auto& [name, maker, note, length, insertable, diameter, thickness, tip, bending,
+  // a range of the taper states what is known of it and moves nothing
+  const auto& [name, maker, note, length, insertable, diameter, thickness, tip, taperRange, bending,
                bendingAcross, twisting, restCurvature, contactsFromTip, contactLength, ribsFromTip,
                ribHeight, ribLength, wires, hasStylet, stylet, provenance] = array;
   for (const Length value : {length, insertable, contactLength, ribHeight, ribLength})

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "WirePacking.h"
+#include "perilymph/analysis/ArrayTaper.h"
 #include "perilymph/analysis/ErrorBand.h"
 #include "perilymph/analysis/RandomStream.h"
 #include "perilymph/anatomy/Population.h"
@@ -143,6 +144,7 @@ PlanDraw drawPlan(const anatomy::Patient& patient, const Uncertainty& uncertaint
   drawn.stiffnessDeviate = stream(Draw::stiffness).normal(0.0, 1.0, -maxDeviates, maxDeviates);
   analysis::RandomStream wires = stream(Draw::wires);
   drawn.packing = logUniform(wires, uncertainty.packingLow, uncertainty.packingHigh);
+  drawn.taper = analysis::drawTaper(seed, number);
   drawn.surgeon = analysis::drawSurgeon(hand, seed, number, friction);
   return drawn;
 }
@@ -168,8 +170,9 @@ session::InsertionParameters drawnParameters(const session::InsertionParameters&
   parameters.approachTurn = parameters.approachTurn + draw.turn;
   const auto packing = packingOf(nominal.array);
   parameters.array = session::calibrated(
-      packing ? withPacking(nominal.array, *packing, draw.packing) : nominal.array, stiffness,
-      nominal.array.stylet.residualCurvature);
+      electrode::withTaper(
+          packing ? withPacking(nominal.array, *packing, draw.packing) : nominal.array, draw.taper),
+      stiffness, nominal.array.stylet.residualCurvature);
   return parameters;
 }
 

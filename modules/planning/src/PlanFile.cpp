@@ -78,6 +78,7 @@ constexpr Drawn drawn[] = {
     {"turn_deg", &PlannedInsertion::turn_deg, {-180.0, 180.0}},
     {"stiffness", &PlannedInsertion::stiffness, factor},
     {"packing", &PlannedInsertion::packing, factor, false},
+    {"last_contact_mm", &PlannedInsertion::lastContact_mm, {0.0, 2.0}, false},
     {"friction", &PlannedInsertion::friction, factor},
     {"speed_mm_s", &PlannedInsertion::speed_mm_s, {0.0, 1000.0}},
     {"stop_mN", &PlannedInsertion::stop_mN, analysis::physical::force_mN},

@@ -152,6 +152,23 @@ void addSources(ordered_json& list, const char* file, const std::vector<Provenan
                     {"confidence", each.confidence}});
 }
 
+/// The sources of the tapers that are drawn: those of the arrays' files that are there.
+void addTaperSources(ordered_json& list, const PlanRequest& request)
+{
+  for (const std::string& name : request.arrays) {
+    const auto file = findByName("array", "plugins/electrodes", name);
+    if (!file) continue;
+    const auto array = electrode::loadArray(*file);
+    if (!array) continue;
+    for (const auto& [table, provenance] : array->provenance)
+      if (table == "taper")
+        list.push_back({{"file", file->filename().string()},
+                        {"table", table},
+                        {"source", provenance.source},
+                        {"confidence", electrode::nameOf(provenance.confidence)}});
+  }
+}
+
 /// The source of a friction that states its own spread, in place of that of the usual spread.
 void addFrictionSource(ordered_json& list, const PlanRequest& request)
 {
@@ -344,6 +361,7 @@ Result<std::string> planJson(const Plan& plan)
   }
   addSources(json["sources"], "clinical/hand.toml", ofHand);
   addSources(json["sources"], "planning/uncertainty.toml", uncertainty->provenance);
+  addTaperSources(json["sources"], plan.request);
   for (const FrequencyAllocation& each : *allocations)
     json["sources"].push_back({{"file", "planning/frequency-allocation.toml"},
                                {"table", each.maker},

@@ -125,6 +125,10 @@ Result<PlannedInsertion> insertArray(const PlanRequest& request, const PlanSetup
   }
   PlannedInsertion planned = plannedOf(draw, stiffness, number, array);
   if (packingOf(nominal.parameters.array)) planned.packing = draw.packing;
+  if (nominal.parameters.array.taper) {
+    const electrode::ArrayDesign& drawn = shape.parameters.array;
+    planned.lastContact_mm = inMillimeters(drawn.diameter.at(drawn.contactsFromTip.back()));
+  }
   planned.intended_mm = inMillimeters(analysis::intendedDepth(shape.parameters, draw.surgeon));
   planned.insertion = analysis::asPossible(analysis::insertByHand(
       shape.parameters, shape.anatomy, setup.hand, draw.surgeon, profileSpacing, stop, &shape.end));

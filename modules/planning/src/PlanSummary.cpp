@@ -203,6 +203,8 @@ std::vector<Influence> influencesOn(const Insertions& all, const ArrayPlan& plan
       {Phrase{"approach turn"}, [](const PlannedInsertion& each) { return each.turn_deg; }},
       {Phrase{"stiffness"}, [](const PlannedInsertion& each) { return each.stiffness; }},
       {Phrase{"packing of the wires"}, [](const PlannedInsertion& each) { return each.packing; }},
+      {Phrase{"taper of the array"},
+       [](const PlannedInsertion& each) { return each.lastContact_mm; }},
       {Phrase{"friction"}, [](const PlannedInsertion& each) { return each.friction; }},
       {Phrase{"speed"}, [](const PlannedInsertion& each) { return each.speed_mm_s; }},
       {Phrase{"grip"}, [](const PlannedInsertion& each) { return each.free_mm; }},

@@ -86,6 +86,25 @@ TEST_P(ShippedArray, NeverGetsThinnerOrSofterTowardItsBase)
   }
 }
 
+TEST_P(ShippedArray, StatesARangeOfItsTaperWhereItsBaseFillsTheScala)
+{
+  // 1.25 mm: the largest circle in the mean scala tympani behind the opening, at 45 degrees
+  ASSERT_EQ(array.taper.has_value(), array.diameter.at(array.length) > millimeters(1.25));
+  if (!array.taper) return;
+  for (const double fraction : {0.0, 0.5, 1.0}) {
+    const ArrayDesign drawn = withTaper(array, fraction);
+    EXPECT_EQ(drawn.diameter.at(millimeters(0)), array.diameter.at(millimeters(0)));
+    EXPECT_EQ(drawn.diameter.at(array.length), array.diameter.at(array.length));
+    for (double place_mm = 0.25; place_mm <= inMillimeters(array.length); place_mm += 0.25) {
+      const Length here = millimeters(place_mm), before = millimeters(place_mm - 0.25);
+      EXPECT_GE(drawn.sectionAt(here).across, drawn.sectionAt(before).across) << place_mm;
+      EXPECT_GE(drawn.sectionAt(here).within, drawn.sectionAt(before).within) << place_mm;
+      EXPECT_GE(drawn.bending.at(here), drawn.bending.at(before)) << place_mm;
+      EXPECT_LE(drawn.bending.at(here), drawn.bendingAcrossAt(here)) << place_mm;
+    }
+  }
+}
+
 TEST_P(ShippedArray, BendsNoMoreEasilyAcrossItsPlaneOfCurlThanWithinIt)
 {
   // The thinner side faces the modiolus, so the array bends more easily in the plane of the spiral.

@@ -76,7 +76,7 @@ TEST(Relaxation, OfABendThatIsHeldFallsByTheFactorOfBackwardEuler)
       // the turn of the material takes the axes of a bend that is not in its plane to second order
       const double within = turned == 0.0 ? 1e-12 : 1e-5;
       ASSERT_LT((force(*model) - left * full).norm(), within * full.norm()) << n << ' ' << turned;
-      relaxBends(*model, work.section, work.rod, state);
+      commitBends(*model, work.section, work.rod, state);
     }
   }
 }

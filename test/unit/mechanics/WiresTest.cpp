@@ -73,7 +73,7 @@ public:
       work_.rod.bendBefore_W.set(
           i, Eigen::Vector3d(2.0 * std::tan(0.5 * angle_) * bisector(static_cast<double>(i))));
     setRodForces(*model_, state_.position_W, work_.section, work_.rod, work_.force_W);
-    if (work_.section.branches > 0) dissipated += yieldWires(work_.section, work_.rod, state_);
+    if (work_.section.holds) dissipated += commitBends(*model_, work_.section, work_.rod, state_);
     // the last link turns about its node by the moment
     const Eigen::Vector3d across(std::cos(lastAngle()), 0.0, -std::sin(lastAngle()));
     return -work_.force_W.back().dot(across) * model_->spacing;

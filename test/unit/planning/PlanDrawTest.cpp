@@ -8,6 +8,7 @@
 #include <functional>
 
 #include "perilymph/analysis/SampleStatistics.h"
+#include "perilymph/foundation/Resources.h"
 #include "perilymph/test/SyntheticPlan.h"
 
 namespace perilymph::test {
@@ -110,6 +111,42 @@ TEST_F(PlanDraws, HaveAPackingOfWiresEvenInItsLogarithm)
   const auto packing = statisticsOf([](const PlanDraw& d) { return std::log(d.packing); });
   EXPECT_NEAR(packing.mean, 0.5 * std::log(0.06 * 1.2), 4.0 * packing.standardError);
   EXPECT_NEAR(packing.standardDeviation, std::log(1.2 / 0.06) / std::sqrt(12.0), 0.03);
+}
+
+TEST_F(PlanDraws, HaveATaperEvenInItsRange)
+{
+  const auto taper = statisticsOf([](const PlanDraw& d) { return d.taper; });
+  EXPECT_NEAR(taper.mean, 0.5, 4.0 * taper.standardError);
+  EXPECT_NEAR(taper.standardDeviation, 1.0 / std::sqrt(12.0), 0.01);
+}
+
+TEST_F(PlanDraws, TaperTheArraysThatStateARangeAndNoOther)
+{
+  PlanDraw drawn = draw(1);
+  drawn.packing = 0.3;
+  const auto parameters = [&](const char* name, double taper) {
+    session::InsertionParameters nominal;
+    const auto file = findByName("array", "plugins/electrodes", name);
+    EXPECT_TRUE(file) << name;
+    nominal.array = *electrode::loadArray(*file);
+    drawn.taper = taper;
+    return planning::drawnParameters(nominal, drawn, 1.0, std::nullopt).array;
+  };
+  // silicone of 2 MPa in 0.8, 1.05 and 1.3 mm, and 12 wires of 3.2213e-9 N m^2 with c = 0.3; files have
+  // three digits
+  const double wires = 3.2213e-9 * (12.0 + 0.3 * 144.0);
+  const Length lastContact = millimeters(27.4);
+  for (const auto& [taper, width] :
+       {std::pair{0.0, 0.8e-3}, std::pair{0.5, 1.05e-3}, std::pair{1.0, 1.3e-3}}) {
+    const electrode::ArrayDesign standard = parameters("medel-standard", taper);
+    EXPECT_NEAR(standard.diameter.at(lastContact).si(), width, 1e-9);
+    const double silicone = 2e6 * pi * width * width * width * width / 64.0;
+    EXPECT_NEAR(standard.bending.at(lastContact).si(), silicone + wires, 2e-9);
+    EXPECT_NEAR(parameters("flexsoft", taper).diameter.at(lastContact).si(), width, 1e-9);
+  }
+  const electrode::ArrayDesign thin = parameters("flex28", 0.0), thick = parameters("flex28", 1.0);
+  EXPECT_EQ(thin.diameter.value, thick.diameter.value);
+  EXPECT_EQ(thin.bending.value, thick.bending.value);
 }
 
 TEST_F(PlanDraws, HaveIndividualShapesAndTissueWithinTheStatedRanges)

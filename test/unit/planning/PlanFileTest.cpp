@@ -221,13 +221,16 @@ TEST(RowOfAPlan, OfAFormerVersionHasOneFactorForAllSections)
   planned.sectionSecond = 1.125;
   planned.dip_mm = 0.25;
   planned.packing = 0.5;
+  planned.lastContact_mm = 0.9;
   std::string text = contentOf(planned);
   const auto now = planning::insertionIn(text);
   ASSERT_TRUE(now);
   EXPECT_EQ(now->sectionSecond, 1.125);
   EXPECT_EQ(now->dip_mm, 0.25);
   EXPECT_EQ(now->packing, 0.5);
-  for (const char* key : {"section_second", "dip_mm", "radius", "height", "packing"})
+  EXPECT_EQ(now->lastContact_mm, 0.9);
+  for (const char* key :
+       {"section_second", "dip_mm", "radius", "height", "packing", "last_contact_mm"})
     text.replace(text.find(std::string("\"") + key + "\""), 2, "\"x");
   const auto former = planning::insertionIn(text);
   ASSERT_TRUE(former);
@@ -235,6 +238,7 @@ TEST(RowOfAPlan, OfAFormerVersionHasOneFactorForAllSections)
   EXPECT_EQ(former->dip_mm, 0.0);
   EXPECT_EQ(former->height, 1.0);
   EXPECT_EQ(former->packing, 0.0);
+  EXPECT_EQ(former->lastContact_mm, 0.0);
 }
 
 }  // namespace

@@ -77,6 +77,23 @@ TEST(PlanReport, NamesTheSourceOfEveryDistributionAndWhatIsNotDrawn)
   EXPECT_EQ(json["limits"].size(), planning::limitsOfPlans().size());
 }
 
+TEST(PlanReport, NamesTheSourceOfATaperThatIsDrawn)
+{
+  planning::Plan plan = syntheticPlan(20);
+  plan.request.arrays = {"flexsoft", "flex28"};
+  const auto text = planning::planJson(plan);
+  ASSERT_TRUE(text);
+  const auto json = nlohmann::json::parse(*text);
+  int tapers = 0;
+  for (const auto& source : json["sources"]) {
+    if (source["table"] != "taper") continue;
+    ++tapers;
+    EXPECT_EQ(source["file"], "flexsoft.toml");
+    EXPECT_EQ(source["confidence"], "low");
+  }
+  EXPECT_EQ(tapers, 1);
+}
+
 TEST(PlanReport, HasARowPerContact)
 {
   const std::string csv = planning::contactsCsv(syntheticPlan(20));

@@ -178,15 +178,20 @@ SymmetricBlock<double> stiffnessOf(const TouchingNode& touching, const ContactSe
   return stiffness;
 }
 
-/// No node touches the wall.
-void forgetContacts(bool isOval, InsertionState& state, FrictionHistory& history) noexcept
+/// No node touches the wall. Forces and friction springs are those of the touching nodes alone.
+void forgetContacts(bool isOval, ContactSet& contacts, InsertionState& state,
+                    FrictionHistory& history) noexcept
 {
+  for (std::size_t k = 0; k < contacts.touches; ++k) {
+    const std::size_t i = contacts.touching[k].node;
+    state.wallForce_W[i].setZero();
+    history.spring_W[i].setZero();
+    history.film_W[i].setZero();
+  }
+  contacts.touches = 0;
   const std::size_t n = state.normalForce.size();
   std::fill_n(state.normalForce.data(), n, 0.0);
   std::fill_n(state.membraneForce.data(), n, 0.0);
-  std::fill_n(componentsOf(state.wallForce_W), 3 * n, 0.0);
-  std::fill_n(componentsOf(history.spring_W), 3 * n, 0.0);
-  if (!state.frictionFilm_W.empty()) std::fill_n(componentsOf(history.film_W), 3 * n, 0.0);
   std::fill_n(history.isSliding.data(), n, 0);
   std::fill_n(history.slip.data(), n, 0.0);
   if (isOval) std::fill_n(state.wallTorque.data(), n, WallTorque{});
@@ -239,8 +244,7 @@ void addWallForces(const InsertionModel& model, InsertionState& state, const Ste
   findWall(model, start, state, contacts);
 
   const bool isOpen = state.partition.isRuptured();
-  contacts.touches = 0;
-  forgetContacts(model.isOval, state, history);
+  forgetContacts(model.isOval, contacts, state, history);
   for (std::size_t i = 0; i < n; ++i) {
     const bool isNear = contacts.isNear[i] != 0;
     const bool hasFriction = history.pressedBefore[i] > 0.0;

@@ -14,8 +14,8 @@ struct FrictionHistory {
   explicit FrictionHistory(std::size_t nodes = 0)
       : pressedBefore(nodes),
         normalBefore_W(nodes, Eigen::Vector3d::Zero()),
-        spring_W(nodes),
-        film_W(nodes),
+        spring_W(nodes, Eigen::Vector3d::Zero()),
+        film_W(nodes, Eigen::Vector3d::Zero()),
         slip(nodes),
         isSliding(nodes)
   {
@@ -25,10 +25,11 @@ struct FrictionHistory {
   std::vector<Eigen::Vector3d> normalBefore_W;  ///< Unit: friction is perpendicular to it.
   double rimPressedBefore = 0.0;                ///< The same at the rim [N].
   Eigen::Vector3d rimNormalBefore_W = Eigen::Vector3d::Zero();
-  std::vector<Eigen::Vector3d> spring_W;  ///< After this iteration [m].
-  std::vector<Eigen::Vector3d> film_W;    ///< The same of the relaxing film, if there is one [m].
-  std::vector<double> slip;               ///< Slip of each node in this step [m].
-  std::vector<unsigned char> isSliding;   ///< After this iteration.
+  std::vector<Eigen::Vector3d>
+      spring_W;                         ///< After this iteration [m]; 0 of nodes that do not touch.
+  std::vector<Eigen::Vector3d> film_W;  ///< The same of the relaxing film, if there is one.
+  std::vector<double> slip;             ///< Slip of each node in this step [m].
+  std::vector<unsigned char> isSliding;  ///< After this iteration.
 };
 
 }  // namespace perilymph::mechanics

@@ -157,6 +157,15 @@ PERILYMPH_IN_LANES Triple<T> oneOf(const Condition& condition, const Triple<T>& 
           oneOf(condition, yes.z, no.z)};
 }
 
+/// Joins the four lanes of a comparison: half with half, then the two that are left.
+template <class Condition, class Join>
+PERILYMPH_IN_LANES auto bothHalves(const Condition& condition, const Join& join) noexcept
+{
+  const auto two = join(__builtin_shufflevector(condition, condition, 0, 1),
+                        __builtin_shufflevector(condition, condition, 2, 3));
+  return join(two[0], two[1]);
+}
+
 /// Whether a comparison holds in every lane.
 template <class Condition>
 PERILYMPH_IN_LANES bool inAll(const Condition& condition) noexcept
@@ -164,7 +173,7 @@ PERILYMPH_IN_LANES bool inAll(const Condition& condition) noexcept
   if constexpr (std::is_arithmetic_v<Condition>)
     return condition != 0;
   else
-    return (condition[0] & condition[1] & condition[2] & condition[3]) != 0;
+    return bothHalves(condition, [](const auto& a, const auto& b) { return a & b; }) != 0;
 }
 
 /// Whether a comparison holds in any lane.
@@ -174,7 +183,7 @@ PERILYMPH_IN_LANES bool inAny(const Condition& condition) noexcept
   if constexpr (std::is_arithmetic_v<Condition>)
     return condition != 0;
   else
-    return (condition[0] | condition[1] | condition[2] | condition[3]) != 0;
+    return bothHalves(condition, [](const auto& a, const auto& b) { return a | b; }) != 0;
 }
 
 /// The values of a function in each lane, for what is too rare for lanes.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rod/Relaxation.h"
 
-#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "rod/Joint.h"
@@ -27,28 +27,33 @@ double relaxedStiffness(const InsertionModel& model, double relaxing) noexcept
 void setHeldBend(const InsertionModel& model, const InsertionState& state,
                  SectionStiffness& section) noexcept
 {
-  section.heldAlong = section.restBend;
-  std::fill(section.heldAcross.begin(), section.heldAcross.end(), 0.0);
-  if (section.branches > 0) setPlasticBend(state, section);
-  if (!model.parts.relaxation.bends()) return;
+  const bool relaxes = model.parts.relaxation.bends(), yields = section.branches > 0;
   const auto& [first, second] = model.relaxing;
   const double lost = 1.0 - relaxedStiffness(model, 1.0);
   const double firstWeight = first.fraction / (1.0 + first.ratio);
   const double secondWeight = second.fraction / (1.0 + second.ratio);
-  inLanesInPlace(0, section.restBend.size(), [&](auto lane, std::size_t i) PERILYMPH_KERNEL {
+  inLanes(0, section.restBend.size(), [&](auto lane, std::size_t i) PERILYMPH_KERNEL {
     using T = decltype(lane);
-    const T relaxing = load<T>(section.relaxing, i);
-    const T scale = relaxing / (1.0 - lost * relaxing);
-    const auto held = [&](const std::vector<double>& one,
-                          const std::vector<double>& other) PERILYMPH_KERNEL {
-      return scale * (firstWeight * load<T>(one, i) + secondWeight * load<T>(other, i));
-    };
-    store(T(load<T>(section.heldAlong, i) +
-            held(state.relaxedBend[0].along, state.relaxedBend[1].along)),
-          section.heldAlong, i);
-    store(T(load<T>(section.heldAcross, i) +
-            held(state.relaxedBend[0].across, state.relaxedBend[1].across)),
-          section.heldAcross, i);
+    T along = load<T>(section.restBend, i), across{};
+    if (yields) {
+      const auto [setAlong, setAcross] = setOfWires<T>(state, section, i);
+      store(setAlong, section.setAlong, i);
+      store(setAcross, section.setAcross, i);
+      along = along + setAlong;
+      across = setAcross;
+    }
+    if (relaxes) {
+      const T relaxing = load<T>(section.relaxing, i);
+      const T scale = relaxing / (1.0 - lost * relaxing);
+      const auto held = [&](const std::vector<double>& one,
+                            const std::vector<double>& other) PERILYMPH_KERNEL {
+        return scale * (firstWeight * load<T>(one, i) + secondWeight * load<T>(other, i));
+      };
+      along = along + held(state.relaxedBend[0].along, state.relaxedBend[1].along);
+      across = across + held(state.relaxedBend[0].across, state.relaxedBend[1].across);
+    }
+    store(along, section.heldAlong, i);
+    store(across, section.heldAcross, i);
   });
 }
 
@@ -64,27 +69,42 @@ void holdBends(const InsertionModel& model, const InsertionState& state,
     store(along, rod.bendAlong_W, i);
     store(across, rod.bendAcross_W, i);
     store(load<T>(rod.restBend_W, i) + heldAlong * along + heldAcross * across, rod.restBend_W, i);
+    if (section.branches > 0)
+      offsetWires(state, section, rod, i, along, across, heldAlong, heldAcross, model.isOval);
   });
-  if (section.branches > 0) offsetWires(state, section, rod, model.isOval);
 }
 
-void relaxBends(const InsertionModel& model, const SectionStiffness& section,
-                const RodKinematics& rod, InsertionState& state) noexcept
+double commitBends(const InsertionModel& model, const SectionStiffness& section, RodKinematics& rod,
+                   InsertionState& state) noexcept
 {
-  inLanesInPlace(1, state.curl_W.size() - 1, [&](auto lane, std::size_t i) PERILYMPH_KERNEL {
+  const bool relaxes = model.parts.relaxation.bends(), yields = section.branches > 0;
+  const std::size_t end = state.curl_W.size() - 1;
+  struct Element {
+    std::size_t index;
+    double kept, taken;
+  };
+  const auto elementOf = [&](std::size_t k) {
+    const double kept = 1.0 / (1.0 + model.relaxing[k].ratio);
+    return Element{k, kept, model.relaxing[k].ratio * kept};
+  };
+  const std::array elements{elementOf(0), elementOf(1)};
+  inLanesInPlace(1, end, [&](auto lane, std::size_t i) PERILYMPH_KERNEL {
     using T = decltype(lane);
+    const Triple<T> m = load<T>(rod.bendAlong_W, i), n = load<T>(rod.bendAcross_W, i);
     const Triple<T> bent = Joint<T>(rod, i).bend_W() - load<T>(rod.restBend_W, i);
-    const T along = dot(bent, load<T>(rod.bendAlong_W, i)) + load<T>(section.heldAlong, i) -
-                    load<T>(section.restBend, i);
-    const T across = dot(bent, load<T>(rod.bendAcross_W, i)) + load<T>(section.heldAcross, i);
-    for (std::size_t k = 0; k < model.relaxing.size(); ++k) {
-      const double ratio = model.relaxing[k].ratio;
-      const double kept = 1.0 / (1.0 + ratio), taken = ratio * kept;
+    if (yields) store(yieldWires(section, rod, i, bent, m, n, state), rod.wireSlip, i);
+    if (!relaxes) return;
+    const T along = dot(bent, m) + load<T>(section.heldAlong, i) - load<T>(section.restBend, i);
+    const T across = dot(bent, n) + load<T>(section.heldAcross, i);
+    for (const auto& [k, kept, taken] : elements) {
       MaterialBend& relaxed = state.relaxedBend[k];
       store(T(kept * load<T>(relaxed.along, i) + taken * along), relaxed.along, i);
       store(T(kept * load<T>(relaxed.across, i) + taken * across), relaxed.across, i);
     }
   });
+  double work = 0.0;
+  for (std::size_t i = 1; yields && i < end; ++i) work += rod.wireSlip[i];
+  return work;
 }
 
 }  // namespace perilymph::mechanics

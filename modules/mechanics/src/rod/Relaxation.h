@@ -46,7 +46,7 @@ struct NodeAxes {
 /// @param relaxing  Fraction of that stiffness that belongs to the carrier and can relax.
 double relaxedStiffness(const InsertionModel& model, double relaxing) noexcept;
 
-/// Sets the rest bend in components along the axes of each node, with what elements hold of it.
+/// Sets the rest bend in components along the axes of each node, with what elements and wires hold of it.
 void setHeldBend(const InsertionModel& model, const InsertionState& state,
                  SectionStiffness& section) noexcept;
 
@@ -69,12 +69,14 @@ struct HeldJoint {
   }
 };
 
-/// Adds what elements hold to rod.restBend_W, along the axes that each node keeps in this step.
+/// Adds what elements and wires hold to rod.restBend_W, along the axes that each node keeps in this step.
 void holdBends(const InsertionModel& model, const InsertionState& state,
                const SectionStiffness& section, RodKinematics& rod) noexcept;
 
-/// Lets the elements follow the bends at the end of the step.
-void relaxBends(const InsertionModel& model, const SectionStiffness& section,
-                const RodKinematics& rod, InsertionState& state) noexcept;
+/// Lets the elements follow the bends at the end of a step, and wires take up what they yielded.
+///
+/// @return  Work dissipated by yielding [J].
+double commitBends(const InsertionModel& model, const SectionStiffness& section, RodKinematics& rod,
+                   InsertionState& state) noexcept;
 
 }  // namespace perilymph::mechanics

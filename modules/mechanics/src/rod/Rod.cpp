@@ -298,8 +298,9 @@ void addRodStiffness(const InsertionModel& model, Compression compression,
   const double damping = dampingTime / model.timeStep;
   for (std::size_t i = 1; i + 1 < n; ++i) {
     addStretching(i, damping, compression, section, rod, matrix);
-    addBending(i, section.bending[i] * (1.0 + damping), rod, matrix);
-    if (section.branches > 0) softenYielding(section, rod, i, matrix);
+    double bending = section.bending[i] * (1.0 + damping);
+    if (section.branches > 0) bending -= softenYielding(section, rod, i, matrix);
+    addBending(i, bending, rod, matrix);
   }
 }
 

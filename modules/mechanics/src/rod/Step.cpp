@@ -68,9 +68,10 @@ void learnTrend(const Prediction& prediction, double trendGain, double inverseTi
   });
 }
 
-/// Stores the state at the start of the step.
-void remember(const InsertionState& state, bool isOval, RodWorkspace& work) noexcept
+/// Stores the state at the start of the step; forces of the wall begin at zero.
+void remember(InsertionState& state, bool isOval, RodWorkspace& work) noexcept
 {
+  std::fill_n(componentsOf(state.wallForce_W), 3 * state.wallForce_W.size(), 0.0);
   work.start.position_W = state.position_W;
   work.friction.pressedBefore = state.normalForce;
   work.friction.normalBefore_W = state.wallNormal_W;
@@ -119,11 +120,11 @@ void commitStep(const InsertionModel& model, InsertionState& state, RodWorkspace
   // what goes on in the next step has no momentum: nothing that is unbalanced adds energy
   if (state.isSettling) std::fill_n(velocity, 3 * n, 0.0);
   learnTrend(work.prediction, model.parts.solver.trendGain, inverseTimeStep, state);
-  if (model.parts.relaxation.bends()) relaxBends(model, work.section, work.rod, state);
-  if (work.section.branches > 0)
-    state.readings.plasticWork += yieldWires(work.section, work.rod, state);
-  state.frictionSpring_W = work.friction.spring_W;
-  if (!state.frictionFilm_W.empty()) state.frictionFilm_W = work.friction.film_W;
+  if (work.section.holds)
+    state.readings.plasticWork += commitBends(model, work.section, work.rod, state);
+  std::copy_n(componentsOf(work.friction.spring_W), 3 * n, componentsOf(state.frictionSpring_W));
+  if (!state.frictionFilm_W.empty())
+    std::copy_n(componentsOf(work.friction.film_W), 3 * n, componentsOf(state.frictionFilm_W));
   state.isSliding = work.friction.isSliding;
   inLanes(0, n, [&](auto lane, std::size_t i) PERILYMPH_KERNEL {
     using T = decltype(lane);

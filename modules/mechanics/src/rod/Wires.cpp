@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rod/Wires.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "rod/BendingAlong.h"
@@ -18,24 +17,6 @@ double lengthOf(double along, double across) noexcept
 }
 
 }  // namespace
-
-void setPlasticBend(const InsertionState& state, SectionStiffness& section) noexcept
-{
-  const auto& [single, bundle, stylet] = section.yielding;
-  const auto& [q, r, s] = state.plasticBend;
-  inLanesInPlace(0, section.restBend.size(), [&](auto lane, std::size_t i) PERILYMPH_KERNEL {
-    using T = decltype(lane);
-    const T inverse = 1.0 / load<T>(section.bending, i);
-    const T a = inverse * load<T>(single.stiffness, i), b = inverse * load<T>(bundle.stiffness, i);
-    const T c = inverse * load<T>(stylet.stiffness, i);
-    const T along = a * load<T>(q.along, i) + b * load<T>(r.along, i) + c * load<T>(s.along, i);
-    const T across = a * load<T>(q.across, i) + b * load<T>(r.across, i) + c * load<T>(s.across, i);
-    store(along, section.setAlong, i);
-    store(across, section.setAcross, i);
-    store(T(load<T>(section.heldAlong, i) + along), section.heldAlong, i);
-    store(T(load<T>(section.heldAcross, i) + across), section.heldAcross, i);
-  });
-}
 
 void moveStylet(const InsertionModel& model, double withdrawn, SectionStiffness& section,
                 const RodKinematics& rod, InsertionState& state) noexcept
@@ -68,29 +49,11 @@ void moveStylet(const InsertionModel& model, double withdrawn, SectionStiffness&
   }
 }
 
-void offsetWires(const InsertionState& state, const SectionStiffness& section, RodKinematics& rod,
-                 bool isOval) noexcept
-{
-  inLanes(1, state.curl_W.size() - 1, [&](auto lane, std::size_t i) PERILYMPH_KERNEL {
-    using T = decltype(lane);
-    const Triple<T> m = load<T>(rod.bendAlong_W, i), n = load<T>(rod.bendAcross_W, i);
-    if (isOval)
-      store(load<T>(section.setAlong, i) * m + load<T>(section.setAcross, i) * n, rod.set_W, i);
-    const T along = load<T>(section.heldAlong, i) - load<T>(section.restBend, i);
-    const T across = load<T>(section.heldAcross, i);
-    for (std::size_t b = 0; b < section.branches; ++b) {
-      const std::size_t k = section.branch[b];
-      const T offAlong = along - load<T>(state.plasticBend[k].along, i);
-      const T offAcross = across - load<T>(state.plasticBend[k].across, i);
-      store(offAlong * m + offAcross * n, rod.wireOffset_W[k], i);
-    }
-  });
-}
-
-void softenYielding(const SectionStiffness& section, const RodKinematics& rod, std::size_t i,
-                    BandMatrix& matrix) noexcept
+double softenYielding(const SectionStiffness& section, const RodKinematics& rod, std::size_t i,
+                      BandMatrix& matrix) noexcept
 {
   const Triple<double> bent = Joint<double>(rod, i).bend_W() - load<double>(rod.restBend_W, i);
+  double lost = 0.0;
   for (std::size_t b = 0; b < section.branches; ++b) {
     const std::size_t k = section.branch[b];
     const double stiffness = section.yielding[k].stiffness[i];
@@ -98,40 +61,11 @@ void softenYielding(const SectionStiffness& section, const RodKinematics& rod, s
     if (dot(x, x) <= section.elasticSquare[k][i]) continue;
     const double s = elasticFraction(x, stiffness, section.yielding[k].moment[i]);
     // s k (1 - n n^T) is left of k
-    addBending(i, -(1.0 - s) * stiffness, rod, matrix);
+    lost += (1.0 - s) * stiffness;
     const double inverse = 1.0 / root(dot(x, x));
     addBendingAlong(matrix, rod, i, {inverse * x.x, inverse * x.y, inverse * x.z}, -s * stiffness);
   }
-}
-
-double yieldWires(const SectionStiffness& section, RodKinematics& rod,
-                  InsertionState& state) noexcept
-{
-  bool areElastic = true;
-  inLanesInPlace(1, state.curl_W.size() - 1, [&](auto lane, std::size_t i) PERILYMPH_KERNEL {
-    using T = decltype(lane);
-    const Triple<T> bent = Joint<T>(rod, i).bend_W() - load<T>(rod.restBend_W, i);
-    T work{};
-    for (std::size_t b = 0; b < section.branches; ++b) {
-      const std::size_t k = section.branch[b];
-      const Triple<T> x = bent + load<T>(rod.wireOffset_W[k], i);
-      if (inAll(dot(x, x) <= load<T>(section.elasticSquare[k], i))) continue;
-      areElastic = false;
-      MaterialBend& plastic = state.plasticBend[k];
-      const T moment = load<T>(section.yielding[k].moment, i);
-      const T over = 1.0 - elasticFraction(x, load<T>(section.yielding[k].stiffness, i), moment);
-      store(T(load<T>(plastic.along, i) + over * dot(x, load<T>(rod.bendAlong_W, i))),
-            plastic.along, i);
-      store(T(load<T>(plastic.across, i) + over * dot(x, load<T>(rod.bendAcross_W, i))),
-            plastic.across, i);
-      work = work + moment * over * root(dot(x, x));
-    }
-    store(work, rod.wireSlip, i);
-  });
-  double work = 0.0;
-  if (areElastic) return work;
-  for (std::size_t i = 1; i + 1 < state.curl_W.size(); ++i) work += rod.wireSlip[i];
-  return work;
+  return lost;
 }
 
 }  // namespace perilymph::mechanics

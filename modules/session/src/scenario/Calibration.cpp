@@ -85,6 +85,7 @@ electrode::ArrayDesign calibrated(electrode::ArrayDesign array, double stiffness
   scale(array.bending, stiffnessScale);
   scale(array.bendingAcross, stiffnessScale);
   if (array.wires) array.wires->modulus = stiffnessScale * array.wires->modulus;
+  if (array.taper) array.taper->carrier = stiffnessScale * array.taper->carrier;
   if (array.twisting) scale(*array.twisting, stiffnessScale);
   if (!array.hasStylet) return array;
   array.stylet.bending = stiffnessScale * array.stylet.bending;

@@ -4,7 +4,9 @@
 #include <iterator>
 #include <memory>
 #include <stop_token>
+#include <utility>
 
+#include "perilymph/analysis/ArrayTaper.h"
 #include "perilymph/analysis/InParallel.h"
 #include "perilymph/analysis/InsertionByHand.h"
 #include "prediction/PhantomRows.h"
@@ -68,8 +70,10 @@ Result<ClinicalResult> predictClinic(const ClinicalRequest& request,
         analysis::drawSurgeon(*hand, seed, patient, nominal.front().frictionSpread);
     std::shared_ptr<const anatomy::ScalaTympani> anatomy;
     for (std::size_t i = 0; i < arrays && !ending.stop_requested(); ++i) {
-      const auto parameters = withCochlea(nominal[i], seed, patient);
+      auto parameters = withCochlea(nominal[i], seed, patient);
       if (!parameters) return parameters.error();
+      parameters->array =
+          electrode::withTaper(std::move(parameters->array), analysis::drawTaper(seed, patient));
       if (!anatomy) {
         auto built = session::buildAnatomy(*parameters);
         if (!built) return built.error();

@@ -18,6 +18,8 @@ namespace perilymph::electrode {
 
 /// Confidence in a value.
 enum class Confidence { high, medium, low };
+/// Its name in files: "high".
+std::string nameOf(Confidence confidence);
 
 /// Source of a value.
 struct TableSource {
@@ -92,6 +94,13 @@ struct Wires {
   Branch bundleAt(Length place) const;
 };
 
+/// What is possible between tip and base of an array of which no drawing was read: the width of its section
+/// at the most basal contact, and of what the section is made, because its stiffness changes with it.
+struct TaperRange {
+  Length thinnest, thickest;
+  Modulus carrier;  ///< Young's modulus of the silicone.
+};
+
 /// Shape of the array's end: a cap of its own radius, behind which the carrier widens linearly. By
 /// default the cap has half the carrier's width and there is no taper.
 struct TipShape {
@@ -117,6 +126,7 @@ struct ArrayDesign {
   AlongArray<Length> thickness;  ///< Within the plane of curl; without knots: equal to the
                                  ///< diameter.
   TipShape tip;
+  std::optional<TaperRange> taper;  ///< If it is stated.
   /// Bending stiffness of the carrier without stylet, within the plane of curl.
   AlongArray<BendingStiffness> bending;
   /// Bending stiffness across the plane of curl; without knots: equal to `bending`.
@@ -151,6 +161,14 @@ struct ArrayDesign {
   /// GJ: as given, else that of an ellipse of incompressible material with the two EI.
   BendingStiffness twistingAt(Length place) const;
 };
+
+/// The array with another taper within the range that it states, the same if it states none: its section
+/// widens in a straight line from the tip to the most basal contact, and from there to the next knot as in
+/// the file. The ratio of thickness to width at that contact is kept; the bending stiffness changes by that of the silicone,
+/// E pi (w t^3 - w' t'^3) / 64 within the plane of curl, width w and thickness t.
+///
+/// @param fraction  0: the thinnest, 1: the thickest.
+ArrayDesign withTaper(ArrayDesign array, double fraction);
 
 /// Reads an array from its TOML file.
 Result<ArrayDesign> loadArray(const std::filesystem::path& file);

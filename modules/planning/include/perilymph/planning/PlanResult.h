@@ -38,7 +38,9 @@ struct PlannedInsertion {
   double tilt_deg = 0.0, turn_deg = 0.0;  ///< From the scenario's approach.
   double stiffness = 1.0;                 ///< Factor of the array's.
   double packing = 0.0;                   ///< c of the array's wires; 0 if it was not drawn.
-  double friction = 1.0;                  ///< Factor of the scenario's.
+  /// The array's width at its most basal contact; 0 if its taper was not drawn.
+  double lastContact_mm = 0.0;
+  double friction = 1.0;  ///< Factor of the scenario's.
   double speed_mm_s = 0.0;
   double stop_mN = 0.0;  ///< Force at which the surgeon stops.
   double intended_mm =

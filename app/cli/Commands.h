@@ -93,6 +93,8 @@ Result<Done> plan(const PlanOptions& options, const CallFiles& files);
 
 struct CompareOptions {
   std::vector<std::string> files;
+  std::string over = "travel";
+  std::vector<std::string> groups;  ///< "array", "technique", "patient".
   std::string out;
 };
 Result<Done> compare(const CompareOptions& options, const CallFiles& files);

@@ -144,10 +144,6 @@
         <translation>%1 bis zur maximalen Insertionstiefe</translation>
     </message>
     <message>
-        <source>full score up to %1 mN, none from %2 mN</source>
-        <translation>volle Punktzahl bis %1 mN, keine ab %2 mN</translation>
-    </message>
-    <message>
         <source>largest difference below perception</source>
         <translation>größte Differenz unter der Wahrnehmung</translation>
     </message>
@@ -234,10 +230,6 @@
     <message>
         <source>Simulator minus experiment</source>
         <translation>Simulator minus Versuch</translation>
-    </message>
-    <message>
-        <source>Recorded insertions: insertion force over travel</source>
-        <translation>Aufgezeichnete Insertionen: Insertionskraft über Vorschub</translation>
     </message>
     <message>
         <source>All %1 insertions reached the end.</source>
@@ -1320,20 +1312,12 @@
         <translation>robotische Insertion 0,1–1,0 mm/s (iotaSOFT); manuelle Insertion an Leichenköpfen 0,66 ± 0,31 mm/s; Phantomstudie 0,1–2,0 mm/s (Froehlich et al. 2024)</translation>
     </message>
     <message>
-        <source>full score at 0, none from 18.6</source>
-        <translation>volle Punktzahl bei 0, keine ab 18,6</translation>
-    </message>
-    <message>
         <source>Kesler et al. 2017: 18.6 reversals in manual insertions at a target of 15 mm/min</source>
         <translation>Kesler et al. 2017: 18,6 Rückzüge bei manuellen Insertionen mit Zielgeschwindigkeit 15 mm/min</translation>
     </message>
     <message>
         <source>%1 % of the time at rest (below 0.1 mm/s)</source>
         <translation>%1 % der Zeit in Ruhe (unter 0,1 mm/s)</translation>
-    </message>
-    <message>
-        <source>full score at 0 %, none from 15.7 %</source>
-        <translation>volle Punktzahl bei 0 %, keine ab 15,7 %</translation>
     </message>
     <message>
         <source>Kesler et al. 2017: manual insertions at a target of 15 mm/min paused 15.7 % of the time</source>
@@ -3550,6 +3534,106 @@
     <message>
         <source>Choice: how deep surgeons mean to push is published for no array. Made after the modeled FLEX24 was seen to have the published 408 degrees where its last contact is inside (21.9 mm), and 479 at its full 24 mm.</source>
         <translation>Festlegung: Wie tief Operateure schieben wollen, ist für keinen Elektrodenträger veröffentlicht. Getroffen, nachdem bekannt war, dass der modellierte FLEX24 die veröffentlichten 408 Grad hat, wo sein letzter Kontakt innen ist (21,9 mm), und 479 bei seinen vollen 24 mm.</translation>
+    </message>
+    <message>
+        <source>rib %1 at the opening</source>
+        <translation>Rippe %1 an der Öffnung</translation>
+    </message>
+    <message>
+        <source>%1, mean ± SD, n = %2</source>
+        <translation>%1, Mittelwert ± SD, n = %2</translation>
+    </message>
+    <message>
+        <source>insertion depth, mm</source>
+        <translation>Insertionstiefe, mm</translation>
+    </message>
+    <message>
+        <source>tip angle, °</source>
+        <translation>Winkel der Spitze, °</translation>
+    </message>
+    <message>
+        <source>Recorded insertions: insertion force</source>
+        <translation>Aufgezeichnete Insertionen: Insertionskraft</translation>
+    </message>
+    <message>
+        <source>peak insertion force</source>
+        <translation>maximale Insertionskraft</translation>
+    </message>
+    <message>
+        <source>peak without ribs at the opening</source>
+        <translation>Maximum ohne Rippen an der Öffnung</translation>
+    </message>
+    <message>
+        <source>end force</source>
+        <translation>Endkraft</translation>
+    </message>
+    <message>
+        <source>insertion work</source>
+        <translation>Insertionsarbeit</translation>
+    </message>
+    <message>
+        <source>insertion depth at the end</source>
+        <translation>Insertionstiefe am Ende</translation>
+    </message>
+    <message>
+        <source>tip angle</source>
+        <translation>Winkel der Spitze</translation>
+    </message>
+    <message>
+        <source>duration</source>
+        <translation>Dauer</translation>
+    </message>
+    <message>
+        <source>score</source>
+        <translation>Bewertung</translation>
+    </message>
+    <message>
+        <source>first palpable resistance</source>
+        <translation>erster fühlbarer Widerstand</translation>
+    </message>
+    <message>
+        <source>stylet withdrawal begins</source>
+        <translation>Beginn des Stilettrückzugs</translation>
+    </message>
+    <message>
+        <source>rupture of the partition</source>
+        <translation>Ruptur der Trennwand</translation>
+    </message>
+    <message>
+        <source>translocation</source>
+        <translation>Translokation</translation>
+    </message>
+    <message>
+        <source>stopped by resistance</source>
+        <translation>durch Widerstand gestoppt</translation>
+    </message>
+    <message>
+        <source>out of the opening</source>
+        <translation>aus der Öffnung</translation>
+    </message>
+    <message>
+        <source>tip fold-over</source>
+        <translation>Umschlagen der Spitze</translation>
+    </message>
+    <message>
+        <source>end of the insertion</source>
+        <translation>Ende der Insertion</translation>
+    </message>
+    <message>
+        <source>withdrawal begins</source>
+        <translation>Beginn des Rückzugs</translation>
+    </message>
+    <message>
+        <source>full score at 0, half at 18.6</source>
+        <translation>volle Punkte bei 0, die Hälfte bei 18,6</translation>
+    </message>
+    <message>
+        <source>without ribs at the opening: full score at 0 mN, half at %1 mN, the middle of the peaks in patients</source>
+        <translation>ohne Rippen an der Öffnung: volle Punkte bei 0 mN, die Hälfte bei %1 mN, der Mitte der Maximalkräfte bei Patienten</translation>
+    </message>
+    <message>
+        <source>full score at 0 %, half at 15.7 %</source>
+        <translation>volle Punkte bei 0 %, die Hälfte bei 15,7 %</translation>
     </message>
 </context>
 <context>
@@ -6557,26 +6641,6 @@
         <source>Export…</source>
         <translation>Exportieren …</translation>
     </message>
-    <message>
-        <source>Insertion</source>
-        <translation>Insertion</translation>
-    </message>
-    <message>
-        <source>Peak force</source>
-        <translation>Maximalkraft</translation>
-    </message>
-    <message>
-        <source>Reversals</source>
-        <translation>Rückzüge</translation>
-    </message>
-    <message>
-        <source>Time</source>
-        <translation>Zeit</translation>
-    </message>
-    <message>
-        <source>Score</source>
-        <translation>Bewertung</translation>
-    </message>
     <message numerus="yes">
         <source>Reading %n recording(s)…</source>
         <translation>
@@ -6585,76 +6649,12 @@
         </translation>
     </message>
     <message>
-        <source>%1 mN</source>
-        <translation>%1 mN</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>%1 mJ</source>
-        <translation>%1 mJ</translation>
-    </message>
-    <message>
-        <source>%1 s</source>
-        <translation>%1 s</translation>
-    </message>
-    <message>
-        <source>%1°</source>
-        <translation>%1°</translation>
-    </message>
-    <message>
-        <source>%1 of 100</source>
-        <translation>%1 von 100</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>keine</translation>
-    </message>
-    <message>
-        <source>–</source>
-        <translation>–</translation>
-    </message>
-    <message>
-        <source>At %1 mm</source>
-        <translation>Bei %1 mm</translation>
-    </message>
-    <message>
         <source>Compare insertions</source>
         <translation>Insertionen vergleichen</translation>
     </message>
     <message>
         <source>Select two or more recordings on the Sessions page and press Compare to plot their insertion forces on common axes, with the published measurements.</source>
         <translation>Auf der Seite Aufzeichnungen zwei oder mehr wählen und „Vergleichen“ drücken: Ihre Insertionskräfte erscheinen auf gemeinsamen Achsen, mit den veröffentlichten Messungen.</translation>
-    </message>
-    <message>
-        <source>Export table and curves as CSV and the figure as SVG and PNG.</source>
-        <translation>Tabelle und Kurven als CSV, die Abbildung als SVG und PNG exportieren.</translation>
-    </message>
-    <message>
-        <source>○  published measurements, mean ± SD</source>
-        <translation>○  veröffentlichte Messungen, Mittelwert ± SD</translation>
-    </message>
-    <message>
-        <source>Insertion force over travel</source>
-        <translation>Insertionskraft über Vorschub</translation>
-    </message>
-    <message>
-        <source>Results</source>
-        <translation>Ergebnisse</translation>
-    </message>
-    <message>
-        <source>At cursor</source>
-        <translation>Am Cursor</translation>
-    </message>
-    <message>
-        <source>at depth</source>
-        <translation>bei Tiefe</translation>
-    </message>
-    <message>
-        <source>Insertion work</source>
-        <translation>Insertionsarbeit</translation>
     </message>
     <message>
         <source>Esc cancels.</source>
@@ -6685,54 +6685,72 @@
         <translation>In Ordner exportieren</translation>
     </message>
     <message>
-        <source>4 files saved to %1.</source>
-        <translation>4 Dateien gespeichert in %1.</translation>
-    </message>
-    <message>
-        <source>advance off stylet</source>
-        <translation>Advance-off-Stylet</translation>
-    </message>
-    <message>
-        <source>standard</source>
-        <translation>Standard</translation>
-    </message>
-    <message>
-        <source>%1 · %2
-%3 · %4 ear · %5</source>
-        <translation>%1 · %2
-%3 · %4es Ohr · %5</translation>
-    </message>
-    <message>
-        <source>left</source>
-        <translation>link</translation>
-    </message>
-    <message>
-        <source>right</source>
-        <translation>recht</translation>
-    </message>
-    <message>
         <source>Choose recordings</source>
         <translation>Aufzeichnungen wählen</translation>
-    </message>
-    <message>
-        <source>rupture at %1°</source>
-        <translation>Ruptur bei %1°</translation>
-    </message>
-    <message>
-        <source>Translocation</source>
-        <translation>Translokation</translation>
-    </message>
-    <message>
-        <source>%1 · changed by hand</source>
-        <translation>%1 · von Hand geändert</translation>
     </message>
     <message>
         <source>Compare</source>
         <translation>Vergleich</translation>
     </message>
     <message>
-        <source>Tip angle</source>
+        <source>Export tables, curves and events as CSV and the figure as SVG and PNG.</source>
+        <translation>Tabellen, Kurven und Ereignisse als CSV und die Abbildung als SVG und PNG exportieren.</translation>
+    </message>
+    <message>
+        <source>○  published measurements of this array, mean ± SD</source>
+        <translation>○  veröffentlichte Messungen dieses Elektrodenträgers, Mittelwert ± SD</translation>
+    </message>
+    <message>
+        <source>Insertion force</source>
+        <translation>Insertionskraft</translation>
+    </message>
+    <message>
+        <source>over</source>
+        <translation>über</translation>
+    </message>
+    <message>
+        <source>travel</source>
+        <translation>Vorschub</translation>
+    </message>
+    <message>
+        <source>insertion depth</source>
+        <translation>Insertionstiefe</translation>
+    </message>
+    <message>
+        <source>tip angle</source>
         <translation>Winkel der Spitze</translation>
+    </message>
+    <message>
+        <source>groups</source>
+        <translation>Gruppen</translation>
+    </message>
+    <message>
+        <source>none: each insertion</source>
+        <translation>keine: jede Insertion</translation>
+    </message>
+    <message>
+        <source>by array</source>
+        <translation>nach Elektrodenträger</translation>
+    </message>
+    <message>
+        <source>by technique</source>
+        <translation>nach Technik</translation>
+    </message>
+    <message>
+        <source>by patient</source>
+        <translation>nach Patient</translation>
+    </message>
+    <message>
+        <source>by array and technique</source>
+        <translation>nach Elektrodenträger und Technik</translation>
+    </message>
+    <message>
+        <source>rib %1 at the opening</source>
+        <translation>Rippe %1 an der Öffnung</translation>
+    </message>
+    <message>
+        <source>%1 files saved to %2.</source>
+        <translation>%1 Dateien in %2 gespeichert.</translation>
     </message>
 </context>
 <context>
@@ -6742,16 +6760,28 @@
         <translation>%1 mm</translation>
     </message>
     <message>
-        <source>Insertion force over travel</source>
-        <translation>Insertionskraft über Vorschub</translation>
-    </message>
-    <message>
         <source>travel, mm</source>
         <translation>Vorschub, mm</translation>
     </message>
     <message>
         <source>insertion force, mN</source>
         <translation>Insertionskraft, mN</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>Insertion force</source>
+        <translation>Insertionskraft</translation>
+    </message>
+    <message>
+        <source>insertion depth, mm</source>
+        <translation>Insertionstiefe, mm</translation>
+    </message>
+    <message>
+        <source>tip angle, °</source>
+        <translation>Winkel der Spitze, °</translation>
     </message>
 </context>
 <context>
@@ -7333,6 +7363,45 @@
     <message>
         <source>built without audio support</source>
         <translation>ohne Audiounterstützung gebaut</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::GroupsTable</name>
+    <message>
+        <source>%1 ± %2</source>
+        <translation>%1 ± %2</translation>
+    </message>
+    <message>
+        <source>%1 (%2 to %3)</source>
+        <translation>%1 (%2 bis %3)</translation>
+    </message>
+    <message>
+        <source>Groups</source>
+        <translation>Gruppen</translation>
+    </message>
+    <message>
+        <source>Mean ± SD</source>
+        <translation>Mittelwert ± SD</translation>
+    </message>
+    <message>
+        <source>%1, n = %2</source>
+        <translation>%1, n = %2</translation>
+    </message>
+    <message>
+        <source>%1 − %2</source>
+        <translation>%1 − %2</translation>
+    </message>
+    <message>
+        <source>Difference of the means with its 95 % interval (Welch). Without an interval where a group has fewer than two insertions, or where none of them differ.</source>
+        <translation>Differenz der Mittelwerte mit 95-%-Intervall (Welch). Ohne Intervall, wo eine Gruppe weniger als zwei Insertionen hat oder keine sich unterscheiden.</translation>
+    </message>
+    <message>
+        <source>insertion force at %1</source>
+        <translation>Insertionskraft bei %1</translation>
+    </message>
+    <message>
+        <source>mN</source>
+        <translation>mN</translation>
     </message>
 </context>
 <context>
@@ -8843,6 +8912,10 @@
         <source>%1 of %2 s</source>
         <translation>%1 von %2 s</translation>
     </message>
+    <message>
+        <source>%1 s, %2 mm, %3 mN: %4</source>
+        <translation>%1 s, %2 mm, %3 mN: %4</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::ReplayControl</name>
@@ -8915,6 +8988,131 @@
     <message>
         <source>%1, %2</source>
         <translation>%1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::RunsTable</name>
+    <message>
+        <source>left</source>
+        <translation>link</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>recht</translation>
+    </message>
+    <message>
+        <source>%1 · changed by hand</source>
+        <translation>%1 · von Hand geändert</translation>
+    </message>
+    <message>
+        <source>%1 · %2
+%3 · %4 ear · %5</source>
+        <translation>%1 · %2
+%3 · %4es Ohr · %5</translation>
+    </message>
+    <message>
+        <source>–</source>
+        <translation>–</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>rupture at %1°</source>
+        <translation>Ruptur bei %1°</translation>
+    </message>
+    <message>
+        <source>%1 mN</source>
+        <translation>%1 mN</translation>
+    </message>
+    <message>
+        <source>%1 (rib %2)</source>
+        <translation>%1 (Rippe %2)</translation>
+    </message>
+    <message>
+        <source>advance off stylet</source>
+        <translation>Advance-off-Stylet</translation>
+    </message>
+    <message>
+        <source>standard</source>
+        <translation>Standard</translation>
+    </message>
+    <message>
+        <source>Results</source>
+        <translation>Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Insertion</source>
+        <translation>Insertion</translation>
+    </message>
+    <message>
+        <source>At cursor</source>
+        <translation>Am Cursor</translation>
+    </message>
+    <message>
+        <source>Peak force</source>
+        <translation>Maximalkraft</translation>
+    </message>
+    <message>
+        <source>at depth</source>
+        <translation>bei Tiefe</translation>
+    </message>
+    <message>
+        <source>Without ribs</source>
+        <translation>Ohne Rippen</translation>
+    </message>
+    <message>
+        <source>Insertion work</source>
+        <translation>Insertionsarbeit</translation>
+    </message>
+    <message>
+        <source>Reversals</source>
+        <translation>Rückzüge</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Tip angle</source>
+        <translation>Winkel der Spitze</translation>
+    </message>
+    <message>
+        <source>Translocation</source>
+        <translation>Translokation</translation>
+    </message>
+    <message>
+        <source>Score</source>
+        <translation>Bewertung</translation>
+    </message>
+    <message>
+        <source>Peak force with no marker rib at the opening: that of the array in the cochlea.</source>
+        <translation>Maximalkraft ohne Markierungsrippe an der Öffnung: die des Elektrodenträgers in der Cochlea.</translation>
+    </message>
+    <message>
+        <source>%1 mJ</source>
+        <translation>%1 mJ</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>%1 of 100</source>
+        <translation>%1 von 100</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>At %1</source>
+        <translation>Bei %1</translation>
     </message>
 </context>
 <context>

@@ -5930,10 +5930,6 @@
         <translation>Anteil der Simulationen, %</translation>
     </message>
     <message>
-        <source>Angle and coverage of the most apical contact. Shares, from %1 simulations on with 95 % intervals: full insertion, stop by resistance, buckling in front of the opening, tip fold-over, a force that reaches the strength of the cochlear partition.</source>
-        <translation>Winkel und Abdeckung des apikalsten Kontakts. Anteile, ab %1 Simulationen mit 95-%-Intervallen: volle Insertion, Halt durch Widerstand, Ausknicken vor der Öffnung, Umschlagen der Spitze, eine Kraft, die die Festigkeit der Trennwand erreicht.</translation>
-    </message>
-    <message>
         <source>≥ %1 mN</source>
         <translation>≥ %1 mN</translation>
     </message>
@@ -6304,6 +6300,62 @@
     <message>
         <source>recording the rest</source>
         <translation>Ruhe wird aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>not validated; clinics</source>
+        <translation>nicht validiert; Kliniken</translation>
+    </message>
+    <message>
+        <source>clinics report</source>
+        <translation>Kliniken berichten</translation>
+    </message>
+    <message>
+        <source>Angle and coverage of the most apical contact. Shares, from %1 simulations on with 95 % intervals: full insertion, stop by resistance, buckling in front of the opening, tip fold-over, a force that reaches the strength of the cochlear partition. Clinics: medians or means of patients, angular depth, complete insertions, tip fold-over and translocation; sources in the guide. Not validated: the program’s clinical table misses a row of this array.</source>
+        <translation>Winkel und Abdeckung des apikalsten Kontakts. Anteile, ab %1 Simulationen mit 95-%-Intervall: volle Insertion, Halt durch Widerstand, Ausknicken vor der Öffnung, Umschlagen der Spitze, eine Kraft, die die Festigkeit der Trennwand erreicht. Kliniken: Mediane oder Mittelwerte von Patienten für Winkel-Insertionstiefe, vollständige Insertionen, Umschlagen der Spitze und Translokation; Quellen im Handbuch. Nicht validiert: Die klinische Tabelle des Programms verfehlt eine Zeile dieses Elektrodenträgers.</translation>
+    </message>
+    <message>
+        <source>%1; clinics: %2</source>
+        <translation>%1; Kliniken: %2</translation>
+    </message>
+    <message>
+        <source>%1–%2</source>
+        <translation>%1–%2</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>median</source>
+        <translation>Median</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>Mittelwert</translation>
+    </message>
+    <message>
+        <source>quartiles</source>
+        <translation>Quartile</translation>
+    </message>
+    <message>
+        <source>range</source>
+        <translation>Spanne</translation>
+    </message>
+    <message>
+        <source>± SD</source>
+        <translation>± SD</translation>
+    </message>
+    <message>
+        <source>n = %1</source>
+        <translation>n = %1</translation>
+    </message>
+    <message>
+        <source>Clinics report %1: %2. %3</source>
+        <translation>Kliniken berichten %1: %2. %3</translation>
+    </message>
+    <message>
+        <source>Not validated: the program’s clinical table misses %1.</source>
+        <translation>Nicht validiert: Die klinische Tabelle des Programms verfehlt %1.</translation>
     </message>
 </context>
 <context>
@@ -8379,6 +8431,17 @@
     </message>
 </context>
 <context>
+    <name>perilymph::gui::PlanCells</name>
+    <message>
+        <source>not validated</source>
+        <translation>nicht validiert</translation>
+    </message>
+    <message>
+        <source>clin. %1</source>
+        <translation>klin. %1</translation>
+    </message>
+</context>
+<context>
     <name>perilymph::gui::PlanHead</name>
     <message>
         <source>A %1</source>
@@ -8661,6 +8724,10 @@
     <message>
         <source>%1, %2: %3. %4 draws</source>
         <translation>%1, %2: %3. %4 Simulationen</translation>
+    </message>
+    <message>
+        <source>%1; clinics report %2</source>
+        <translation>%1; Kliniken berichten %2</translation>
     </message>
 </context>
 <context>
@@ -8988,6 +9055,10 @@
     <message>
         <source>%1, %2</source>
         <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>clinics report</source>
+        <translation>Kliniken berichten</translation>
     </message>
 </context>
 <context>

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "ClinicalJson.h"
 #include "FrequencyAllocation.h"
 #include "PlanNames.h"
 #include "PlanNumbers.h"
@@ -113,6 +114,7 @@ ordered_json arrayJson(const ArrayPlan& plan)
       influence["angle_width_if_measured_to_0.1_mm_deg"] = rounded(each.finerAngleWidth_deg);
     json["influence"].push_back(std::move(influence));
   }
+  json["clinical"] = clinicalJson(plan.array);
   return json;
 }
 

@@ -9,6 +9,7 @@
 #include <QTableView>
 #include <algorithm>
 
+#include "KeptPicture.h"
 #include "WindowRig.h"
 #include "gui/pages/compare/ComparisonPlot.h"
 #include "gui/pages/insert/InsertionController.h"
@@ -130,6 +131,19 @@ TEST_F(Result, AgainInsertsOnceMoreWithARecordingOfItsOwnAndComparesBoth)
   rig_.click("resultCompareButton");
   const auto* curves = rig_.window().findChild<gui::ComparisonPlot*>();
   EXPECT_TRUE(WindowRig::comes([&] { return curves != nullptr && curves->isVisible(); }));
+}
+
+TEST_F(Result, StatesWhatClinicsReportOfItsArray)
+{
+  rig_.choose("arraySelector", "flex28");
+  ASSERT_TRUE(WindowRig::comes([&] {
+    return rig_.window().control().scenario().array().name == "FLEX28" &&
+           rig_.button("startButton").isEnabled();
+  }));
+  insert();
+  EXPECT_TRUE(texts().contains("clinics report"));
+  EXPECT_TRUE(texts().contains("575 (465–584)°")) << texts().join('|').toStdString();
+  keepPicture(rig_.window(), "result-clinics");
 }
 
 }  // namespace

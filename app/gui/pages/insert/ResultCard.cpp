@@ -6,8 +6,10 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "gui/report/InsertionResults.h"
+#include "gui/text/ClinicalText.h"
 #include "gui/widgets/PanelParts.h"
 #include "gui/widgets/Theme.h"
 
@@ -73,13 +75,17 @@ ResultCard::ResultCard(QWidget* page)
 }
 
 void ResultCard::addRow(int row, const QString& name, const QString& value, const QString& plan,
-                        bool isOutside)
+                        bool isOutside, const QString& clinics, const QString& clinicsDetail)
 {
   auto* grid = static_cast<QGridLayout*>(rows_->layout());
   grid->addWidget(cell(name, "quiet", rows_), row, 0);
   grid->addWidget(cell(value, "value", rows_), row, 1, Qt::AlignRight);
   if (!plan.isEmpty())
     grid->addWidget(cell(plan, isOutside ? "error" : "quiet", rows_), row, 2, Qt::AlignRight);
+  if (clinics.isEmpty()) return;
+  auto* report = cell(clinics, "quiet", rows_);
+  report->setToolTip(clinicsDetail);
+  grid->addWidget(report, row, 3, Qt::AlignRight);
 }
 
 void ResultCard::show(const ReportContent& content, const QString& title)
@@ -93,14 +99,21 @@ void ResultCard::show(const ReportContent& content, const QString& title)
   grid->setHorizontalSpacing(2 * spacing);
   grid->setVerticalSpacing(spacing / 2);
   int row = 0;
-  if (content.plan) {
-    addRow(row, {}, {}, tr("%1, %2").arg(content.plan->name, content.plan->hold), false);
+  const auto results = insertionResults(content);
+  const bool hasClinics = std::ranges::any_of(
+      results, [](const InsertionResult& each) { return !each.clinics.isEmpty(); });
+  if (content.plan || hasClinics) {
+    const QString plan =
+        content.plan ? tr("%1, %2").arg(content.plan->name, content.plan->hold) : QString();
+    addRow(row, {}, {}, plan, false, hasClinics ? tr("clinics report") : QString(),
+           notValidatedNote(content.scenario.arrayName()));
     ++row;
   }
-  for (const InsertionResult& result : insertionResults(content)) {
+  for (const InsertionResult& result : results) {
     if (!result.isHeadline) continue;
     const QString plan = result.isOutside ? tr("outside %1").arg(result.plan) : result.plan;
-    addRow(row, result.name, result.value, plan, result.isOutside);
+    addRow(row, result.name, result.value, plan, result.isOutside, result.clinics,
+           result.clinicsDetail);
     for (const int column : {0, 1})
       grid->itemAtPosition(row, column)->widget()->setToolTip(result.detail);
     ++row;

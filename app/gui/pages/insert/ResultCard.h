@@ -37,7 +37,7 @@ protected:
 
 private:
   void addRow(int row, const QString& name, const QString& value, const QString& plan,
-              bool isOutside);
+              bool isOutside, const QString& clinics, const QString& clinicsDetail);
 
   QLabel* title_;
   QLabel* subject_;

@@ -10,6 +10,7 @@
 #include <QFileDialog>
 #include <QImage>
 #include <QLabel>
+#include <QScrollBar>
 #include <QTableView>
 #include <QTableWidget>
 #include <QTest>
@@ -255,6 +256,10 @@ TEST_F(Clinician, ComparesTwoTechniquesOfFiveRecordingsEach)
             .arg(gui::numberText(mean[group], 0), gui::numberText(std::sqrt(variance[group]), 0))
             .toStdString());
   EXPECT_TRUE(groups.item(1, 3)->text().startsWith(gui::numberText(mean[0] - mean[1], 0) + " ("));
+  int turns = 0;  // of the event loop: the table has its height
+  ASSERT_TRUE(WindowRig::comes([&] { return ++turns > 20; }));
+  EXPECT_EQ(groups.verticalScrollBar()->maximum(), 0);  // every row is seen
+  EXPECT_LE(groups.mapTo(&page(), groups.rect().bottomLeft()).y(), page().height());
   keepPicture(rig_->window(), "compare-two-techniques");
   chooseIn("comparisonGroups", 0);
   keepPicture(rig_->window(), "compare-ten");

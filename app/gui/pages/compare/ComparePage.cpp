@@ -110,6 +110,7 @@ QWidget* ComparePage::addRuns()
                      top, page);
   for (QComboBox* box : {axis_, grouping_})
     connect(box, QOverload<int>::of(&QComboBox::activated), this, &ComparePage::showContent);
+  connect(axis_, QOverload<int>::of(&QComboBox::activated), this, &ComparePage::placeCursor);
   top->addStretch();
   top->addWidget(save_);
 
@@ -183,12 +184,16 @@ void ComparePage::showRuns(std::vector<analysis::ComparedInsertion> runs)
   runsTable_->show(runs_, scores_);
   showScore();
   showContent();
-  // initially at the peak of the first one
-  if (!runs_.empty())
-    plot_->setCursorPlace(shownPlace(axis(), analysis::placeOf(runs_[0].arrayPeak, axis())));
+  placeCursor();
   status_->say({});
   stack_->setCurrentIndex(1);
   plot_->setFocus();
+}
+
+void ComparePage::placeCursor()
+{
+  if (runs_.empty()) return;
+  plot_->setCursorPlace(shownPlace(axis(), analysis::placeOf(runs_[0].arrayPeak, axis())));
 }
 
 analysis::CurveAxis ComparePage::axis() const

@@ -49,6 +49,8 @@ private:
   const std::vector<analysis::GroupKey>& keys() const;
   /// Shows curves and table of the chosen axis and groups.
   void showContent();
+  /// Sets the cursor to the peak of the first insertion, without ribs.
+  void placeCursor();
   void showCursor();
   void showScore();
   void save();

@@ -120,7 +120,7 @@ RunsTable::RunsTable(QWidget* parent) : QTableWidget(0, columns, parent)
                              tr("Tip angle"), tr("Translocation"), tr("Score")});
   horizontalHeaderItem(arrayPeak)->setToolTip(
       tr("Peak force with no marker rib at the opening: that of the array in the cochlea."));
-  const int widths_px[] = {200, 88, 112, 72, 92, 100, 72, 60, 76, 96, 80};
+  const int widths_px[] = {200, 88, 116, 84, 92, 104, 76, 64, 80, 100, 96};
   for (int column = 0; column < columns; ++column) {
     horizontalHeader()->resizeSection(column, widths_px[column]);
     horizontalHeaderItem(column)->setTextAlignment(

@@ -43,6 +43,7 @@ struct ReplayOptions {
   std::string file;
   bool verifies = false;
   std::string csv;
+  std::string contacts;
 };
 Result<Done> replay(const ReplayOptions& options);
 

@@ -13,6 +13,7 @@
 #include "perilymph/analysis/ClinicalReports.h"
 #include "perilymph/analysis/CsvField.h"
 #include "perilymph/foundation/Resources.h"
+#include "perilymph/planning/ContactsCsv.h"
 #include "perilymph/planning/Plan.h"
 #include "perilymph/planning/PlanReport.h"
 #include "perilymph/planning/PlanWords.h"
@@ -153,6 +154,7 @@ Result<Done> plan(const PlanOptions& options, const CallFiles& files)
   content.texts = {{"plan.json", *json},
                    {"arrays.csv", planning::arraysCsv(*plan)},
                    {"contacts.csv", planning::contactsCsv(*plan)},
+                   {"contacts-dictionary.csv", planning::contactsDictionaryCsv()},
                    {"differences.csv", planning::differencesCsv(*plan)},
                    {"shapes.csv", *shapes}};
   for (const auto& [name, figure] : planning::planFigures(*plan))

@@ -6357,6 +6357,14 @@
         <source>Not validated: the program’s clinical table misses %1.</source>
         <translation>Nicht validiert: Die klinische Tabelle des Programms verfehlt %1.</translation>
     </message>
+    <message>
+        <source>Save the contacts</source>
+        <translation>Kontakte speichern</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tabellen (*.csv)</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::AboutSheet</name>
@@ -8433,12 +8441,12 @@
 <context>
     <name>perilymph::gui::PlanCells</name>
     <message>
-        <source>not validated</source>
-        <translation>nicht validiert</translation>
-    </message>
-    <message>
         <source>clin. %1</source>
         <translation>klin. %1</translation>
+    </message>
+    <message>
+        <source>not validated</source>
+        <translation>nicht validiert</translation>
     </message>
 </context>
 <context>
@@ -8747,6 +8755,14 @@
     <message>
         <source>%1 in the cochlea, 3D</source>
         <translation>%1 in der Cochlea, 3D</translation>
+    </message>
+    <message>
+        <source>Save table…</source>
+        <translation>Tabelle speichern…</translation>
+    </message>
+    <message>
+        <source>Save the contacts for whoever programs the processor, as CSV with a dictionary of its columns</source>
+        <translation>Kontakte für die Prozessoranpassung als CSV mit einem Verzeichnis der Spalten speichern</translation>
     </message>
 </context>
 <context>
@@ -9059,6 +9075,14 @@
     <message>
         <source>clinics report</source>
         <translation>Kliniken berichten</translation>
+    </message>
+    <message>
+        <source>Contacts…</source>
+        <translation>Kontakte…</translation>
+    </message>
+    <message>
+        <source>Save the contacts for whoever programs the processor, as CSV with a dictionary of its columns</source>
+        <translation>Kontakte für die Prozessoranpassung als CSV mit einem Verzeichnis der Spalten speichern</translation>
     </message>
 </context>
 <context>

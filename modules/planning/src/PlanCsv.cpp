@@ -119,25 +119,4 @@ std::string differencesCsv(const Plan& plan)
   return csv;
 }
 
-std::string contactsCsv(const Plan& plan)
-{
-  std::string csv =
-      "array,contact,draws,angle_deg,angle_p5_deg,angle_p95_deg,to_modiolus_mm,to_modiolus_p5_mm,"
-      "to_modiolus_p95_mm,greenwood_Hz,spiral_ganglion_Hz,filter_Hz,mismatch_semitones,"
-      "mismatch_p5_semitones,mismatch_p95_semitones\n";
-  for (const ArrayPlan& array : plan.arrays)
-    for (const ContactBand& each : array.contacts) {
-      csv += analysis::csvField(array.array) + "," + std::to_string(each.number) + "," +
-             std::to_string(each.draws);
-      for (const double value : {each.angle_deg.median, each.angle_deg.low, each.angle_deg.high,
-                                 each.toModiolus_mm.median, each.toModiolus_mm.low,
-                                 each.toModiolus_mm.high, each.greenwood_Hz, each.spiralGanglion_Hz,
-                                 each.filter_Hz, each.mismatch_semitones.median,
-                                 each.mismatch_semitones.low, each.mismatch_semitones.high})
-        csv += "," + number(value);
-      csv += '\n';
-    }
-  return csv;
-}
-
 }  // namespace perilymph::planning

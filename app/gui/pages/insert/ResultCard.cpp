@@ -8,10 +8,13 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "gui/report/ContactExport.h"
 #include "gui/report/InsertionResults.h"
 #include "gui/text/ClinicalText.h"
+#include "gui/text/DataText.h"
 #include "gui/widgets/PanelParts.h"
 #include "gui/widgets/Theme.h"
+#include "perilymph/planning/ContactsCsv.h"
 
 namespace perilymph::gui {
 
@@ -30,7 +33,7 @@ QLabel* cell(const QString& text, const char* tone, QWidget* parent)
 }  // namespace
 
 ResultCard::ResultCard(QWidget* page)
-    : Overlay(page), title_(new QLabel(this)), subject_(new QLabel(this))
+    : Overlay(page), title_(new QLabel(this)), subject_(new QLabel(this)), contacts_(std::string())
 {
   setObjectName(QStringLiteral("resultCard"));
   title_->setObjectName(QStringLiteral("resultTitle"));
@@ -55,6 +58,11 @@ ResultCard::ResultCard(QWidget* page)
   report_->setToolTip(tr("Save a report of this insertion as PDF"));
   auto* compare = panelButton(tr("Compare"), "resultCompareButton", this);
   compare->setToolTip(tr("Compare with the insertion before"));
+  auto* contacts = panelButton(tr("Contacts…"), "resultContactsButton", this);
+  contacts->setToolTip(
+      tr("Save the contacts for whoever programs the processor, as CSV with a dictionary of its "
+         "columns"));
+  connect(contacts, &QPushButton::clicked, this, &ResultCard::saveContacts);
   auto* again = panelButton(tr("Again"), "resultAgainButton", this);
   again->setToolTip(tr("Insert once more, with a new recording"));
   connect(report_, &QPushButton::clicked, this, &ResultCard::reportAsked);
@@ -62,7 +70,7 @@ ResultCard::ResultCard(QWidget* page)
   connect(again, &QPushButton::clicked, this, &ResultCard::againAsked);
   auto* verbs = new QHBoxLayout;
   verbs->setSpacing(spacing);
-  for (QPushButton* verb : {report_, compare, again}) verbs->addWidget(verb);
+  for (QPushButton* verb : {report_, compare, contacts, again}) verbs->addWidget(verb);
   verbs->addStretch();
 
   auto* column = new QVBoxLayout(this);
@@ -88,8 +96,19 @@ void ResultCard::addRow(int row, const QString& name, const QString& value, cons
   grid->addWidget(report, row, 3, Qt::AlignRight);
 }
 
+void ResultCard::saveContacts()
+{
+  if (!contacts_) return subject_->setText(dataText(contacts_.error().message));
+  const auto file = chooseContactFile(this, array_);
+  if (!file) return;
+  if (const auto written = writeContactTable(*file, *contacts_); !written)
+    subject_->setText(dataText(written.error().message));
+}
+
 void ResultCard::show(const ReportContent& content, const QString& title)
 {
+  array_ = content.scenario.arrayName();
+  contacts_ = planning::insertionContactsCsv(array_, content.scenario.array(), content.contacts);
   title_->setText(title);
   subject_->setText(QString::fromStdString(content.scenario.array().name));
   delete rows_;

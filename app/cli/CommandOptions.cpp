@@ -171,6 +171,9 @@ void addReplay(CLI::App& app, FileOptions& files, ReplayOptions& options)
   command.add_flag("--verify", options.verifies,
                    "Replay the recording and verify that every sample is identical");
   files.writes(command.add_option("--csv", options.csv, "Write time series (CSV)"));
+  files.writes(command.add_option("--contacts", options.contacts,
+                                  "Write the contacts at the maximum depth: angle, frequencies, "
+                                  "default filter, mismatch (CSV)"));
 }
 
 void addValidate(CLI::App& app, FileOptions& files, ValidateOptions& options)
@@ -292,7 +295,15 @@ void addCompare(CLI::App& app, FileOptions& files, CompareOptions& options)
   files.reads(command.add_option("files", options.files, "Recordings (.insertion)")->required());
   files.writesInto(
       command.add_option("--out", options.out, "Output folder for tables and curves")->required(),
-      withFigures({"comparison.csv", "curves.csv"}, {"curves"}));
+      withFigures({"comparison.csv", "curves.csv", "differences.csv", "events.csv", "groups.csv"},
+                  {"curves"}));
+  command.add_option("--over", options.over, "Axis of the curves: travel, depth or angle")
+      ->check(CLI::IsMember({"travel", "depth", "angle"}));
+  command
+      .add_option("--group", options.groups,
+                  "Groups insertions by array, technique, patient or several of them: means, "
+                  "standard deviations and differences")
+      ->check(CLI::IsMember({"array", "technique", "patient"}));
 }
 
 void addRender(CLI::App& app, FileOptions& files, RenderOptions& options)

@@ -43,6 +43,7 @@ struct ReplayOptions {
   std::string file;
   bool verifies = false;
   std::string csv;
+  std::string contacts;
 };
 Result<Done> replay(const ReplayOptions& options);
 
@@ -95,6 +96,8 @@ Result<Done> plan(const PlanOptions& options, const CallFiles& files);
 
 struct CompareOptions {
   std::vector<std::string> files;
+  std::string over = "travel";
+  std::vector<std::string> groups;  ///< "array", "technique", "patient".
   std::string out;
 };
 Result<Done> compare(const CompareOptions& options, const CallFiles& files);

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <algorithm>
+
 #include "CallFiles.h"
 #include "Commands.h"
 #include "OutputFolder.h"
 #include "Terminal.h"
-#include "perilymph/analysis/Comparison.h"
+#include "perilymph/analysis/ComparisonGroups.h"
 
 namespace perilymph::cli {
 
@@ -21,6 +23,45 @@ void printSummary(const std::vector<analysis::ComparedInsertion>& insertions)
           fixed(each.profile.work * 1e3, 4), each.reversals, fixed(each.profile.duration, 2));
 }
 
+void printDifferences(const std::vector<analysis::ComparedInsertion>& insertions,
+                      const std::vector<analysis::InsertionGroup>& groups)
+{
+  for (const analysis::InsertionGroup& group : groups)
+    print("{}: n = {}\n", group.name(), group.members.size());
+  for (std::size_t i = 1; i < groups.size(); ++i) {
+    print("\n{} - {}, 95 % interval:\n", groups[0].name(), groups[i].name());
+    for (const analysis::ComparedQuantity& quantity : analysis::comparedQuantities()) {
+      const auto welch = analysis::welchDifference(valuesOf(insertions, groups[0], quantity),
+                                                   valuesOf(insertions, groups[i], quantity));
+      if (!welch) continue;
+      const auto number = [&](double value) {
+        return fixed(quantity.factor * value, quantity.decimals + 1);
+      };
+      print("{:36} {:>9} ({} to {}) {}\n", quantity.name.english(), number(welch->difference.value),
+            number(welch->difference.low), number(welch->difference.high), quantity.unit);
+    }
+  }
+}
+
+analysis::CurveAxis axisOf(const std::string& name)
+{
+  if (name == "depth") return analysis::CurveAxis::depth;
+  return name == "angle" ? analysis::CurveAxis::angle : analysis::CurveAxis::travel;
+}
+
+/// In the order array, technique, patient, each once.
+std::vector<analysis::GroupKey> keysOf(const std::vector<std::string>& names)
+{
+  using analysis::GroupKey;
+  constexpr std::pair<const char*, GroupKey> all[] = {{"array", GroupKey::array},
+                                                      {"technique", GroupKey::technique},
+                                                      {"patient", GroupKey::patient}};
+  std::vector<GroupKey> keys;
+  for (const auto& [name, key] : all)
+    if (std::ranges::find(names, name) != names.end()) keys.push_back(key);
+  return keys;
+}
+
 }  // namespace
 
 Result<Done> compare(const CompareOptions& options, const CallFiles& files)
@@ -34,12 +75,21 @@ Result<Done> compare(const CompareOptions& options, const CallFiles& files)
     insertions.push_back(std::move(*compared));
   }
   analysis::tellApart(insertions);
+  const analysis::CurveAxis axis = axisOf(options.over);
+  const auto groups = analysis::groupsOf(insertions, keysOf(options.groups));
   FolderContent content;
   content.texts = {{"comparison.csv", analysis::comparisonCsv(insertions)},
-                   {"curves.csv", analysis::curvesCsv(insertions)}};
-  content.figures = {{"curves", draw(analysis::comparisonFigure(insertions))}};
+                   {"curves.csv", analysis::curvesCsv(insertions, axis)},
+                   {"events.csv", analysis::eventsCsv(insertions)}};
+  if (!groups.empty()) {
+    content.texts.emplace_back("groups.csv", analysis::groupsCsv(insertions, groups));
+    content.texts.emplace_back("differences.csv", analysis::differencesCsv(insertions, groups));
+  }
+  content.figures = {
+      {"curves", draw(analysis::comparisonFigure(insertions, nullptr, axis, groups))}};
   if (const auto done = writeFolder(files, options.out, content); !done) return done.error();
   printSummary(insertions);
+  if (!groups.empty()) printDifferences(insertions, groups);
   return Done{};
 }
 

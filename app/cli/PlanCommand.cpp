@@ -10,8 +10,10 @@
 #include "PatientOption.h"
 #include "PlanOptions.h"
 #include "Terminal.h"
+#include "perilymph/analysis/ClinicalReports.h"
 #include "perilymph/analysis/CsvField.h"
 #include "perilymph/foundation/Resources.h"
+#include "perilymph/planning/ContactsCsv.h"
 #include "perilymph/planning/Plan.h"
 #include "perilymph/planning/PlanReport.h"
 #include "perilymph/planning/PlanWords.h"
@@ -72,28 +74,52 @@ Result<std::string> shapesCsv(const planning::Plan& plan)
   return csv;
 }
 
+/// "clinics report 408 (373 to 449) deg, n = 48 (O'Connell 2017)" below a simulated value.
+void printReported(const std::string& array, analysis::ReportedQuantity quantity, const char* unit)
+{
+  const auto& evidence = analysis::ClinicalEvidence::shipped();
+  const analysis::ClinicalReport* report = evidence ? evidence->find(array, quantity) : nullptr;
+  if (report == nullptr) return;
+  const std::string ears =
+      report->n > 0 && !report->count ? ", n = " + std::to_string(report->n) : "";
+  print("    clinics report         {}{}{} ({})\n", numbersOf(*report),
+        report->count ? "" : std::string(" ") + unit, ears, report->reference);
+}
+
 void printArray(const planning::ArrayPlan& array)
 {
   const auto counted = [&array](const analysis::Estimate& estimate) {
     return analysis::shareText(estimate, array.draws);
   };
   print("{}, {} {}\n", array.name, array.draws, array.draws == 1 ? "simulation" : "simulations");
+  using analysis::ReportedQuantity;
+  const auto& evidence = analysis::ClinicalEvidence::shipped();
+  if (evidence && evidence->verdictOf(array.array) == analysis::ArrayVerdict::miss)
+    for (const std::string& row : evidence->missedRows(array.array))
+      print("  not validated: the clinical table misses {}\n", row);
   print("  angular insertion depth  {} deg\n", bandText(array.angle_deg, 0));
+  printReported(array.array, ReportedQuantity::angle, "deg");
   if (array.atMedianFriction)
     print("    at the median friction {} deg\n", bandText(array.atMedianFriction->angle_deg, 0));
   print("  cochlear coverage        {} %\n", bandText(array.coverage_percent, 0));
   print("  peak insertion force     {} mN\n", bandText(array.peak_mN, 1));
   if (array.atMedianFriction)
     print("    at the median friction {} mN\n", bandText(array.atMedianFriction->peak_mN, 1));
+  printReported(array.array, ReportedQuantity::peakForce, "mN");
   print("  end force                {} mN\n", bandText(array.end_mN, 1));
+  printReported(array.array, ReportedQuantity::endForce, "mN");
   print("  after 1 s of rest        {} mN\n", bandText(array.after1s_mN, 1));
   print("  after 10 s of rest       {} mN\n", bandText(array.after10s_mN, 1));
   print("  force on the partition   {} mN\n", bandText(array.partition_mN, 2));
   print("  first resistance         {} mm\n", bandText(array.firstResistance_mm, 1));
   print("  full insertion           {}\n", counted(array.full));
+  printReported(array.array, ReportedQuantity::complete, "%");
   print("  stopped by resistance    {}\n", counted(array.resisted));
   print("  buckled                  {}\n", counted(array.buckled));
   print("  tip folded over          {}\n", counted(array.foldedTip));
+  printReported(array.array, ReportedQuantity::foldOver, "%");
+  print("  translocated             {}\n", counted(array.translocated));
+  printReported(array.array, ReportedQuantity::translocation, "%");
 }
 
 }  // namespace
@@ -128,6 +154,7 @@ Result<Done> plan(const PlanOptions& options, const CallFiles& files)
   content.texts = {{"plan.json", *json},
                    {"arrays.csv", planning::arraysCsv(*plan)},
                    {"contacts.csv", planning::contactsCsv(*plan)},
+                   {"contacts-dictionary.csv", planning::contactsDictionaryCsv()},
                    {"differences.csv", planning::differencesCsv(*plan)},
                    {"shapes.csv", *shapes}};
   for (const auto& [name, figure] : planning::planFigures(*plan))

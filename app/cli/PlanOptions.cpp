@@ -11,8 +11,9 @@ namespace perilymph::cli {
 
 std::vector<std::string> planFiles()
 {
-  std::vector<std::string> names = {"plan.json", "arrays.csv", "contacts.csv", "differences.csv",
-                                    "shapes.csv"};
+  std::vector<std::string> names = {"plan.json",       "arrays.csv",
+                                    "contacts.csv",    "contacts-dictionary.csv",
+                                    "differences.csv", "shapes.csv"};
   const auto add = [&names](const std::string& figure) {
     for (const std::string& name : figureNames(figure)) names.push_back(name);
   };

@@ -4,10 +4,13 @@
 
 #include "Commands.h"
 #include "Terminal.h"
+#include "perilymph/analysis/ContactPositions.h"
 #include "perilymph/analysis/ForceProfile.h"
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/foundation/Version.h"
+#include "perilymph/planning/ContactsCsv.h"
 #include "perilymph/session/Csv.h"
+#include "perilymph/session/Playback.h"
 #include "perilymph/session/RecordedInsertion.h"
 #include "perilymph/session/Replay.h"
 
@@ -91,6 +94,33 @@ Result<Done> verifyBits(const std::string& file)
   return Error{sentence};
 }
 
+/// Recomputes the insertion up to its maximum depth, and writes its contacts there.
+Result<Done> writeContacts(const session::RecordedInsertion& recorded, const std::string& file,
+                           const std::string& csv)
+{
+  std::uint64_t place = 0, deepest = 0;
+  double depth = 0.0;
+  const auto read = recorded.forEach([&](const haptics::TickRecord& record) {
+    if (record.output.depth > depth) {
+      depth = record.output.depth;
+      deepest = place;
+    }
+    ++place;
+    return true;
+  });
+  if (!read) return read.error();
+  const auto playback = session::Playback::open(file);
+  if (!playback) return playback.error();
+  haptics::Snapshot shape{};
+  if (const auto done = (*playback)->show(deepest, shape); !done) return done.error();
+  const session::Scenario& scenario = (*playback)->scenario();
+  const auto table = planning::insertionContactsCsv(
+      scenario.arrayName(), scenario.array(),
+      analysis::contactPositions(*(*playback)->anatomy(), scenario.array(), shape));
+  if (!table) return table.error();
+  return writeWhole(csv, *table);
+}
+
 }  // namespace
 
 Result<Done> replay(const ReplayOptions& options)
@@ -106,6 +136,9 @@ Result<Done> replay(const ReplayOptions& options)
   }
   if (!options.csv.empty())
     if (const auto done = writeRows(*recorded, options.csv); !done) return done.error();
+  if (!options.contacts.empty())
+    if (const auto done = writeContacts(*recorded, options.file, options.contacts); !done)
+      return done.error();
   if (options.verifies) return verifyBits(options.file);
   return printContent(*recorded);
 }

@@ -8,6 +8,7 @@
 
 #include "gui/report/Outcome.h"
 #include "gui/report/PlanReportContent.h"
+#include "gui/text/ClinicalText.h"
 #include "gui/text/Numbers.h"
 
 namespace perilymph::gui {
@@ -37,6 +38,23 @@ InsertionResult beside(InsertionResult result, const std::optional<planning::Ban
   const double shown = std::round(*value);
   result.isOutside = shown < std::round(band->low) || shown > std::round(band->high);
   return result;
+}
+
+/// Adds what clinics report of an array to the results that it is about.
+void addClinics(std::vector<InsertionResult>& results, const std::string& array)
+{
+  using analysis::ReportedQuantity;
+  const std::pair<QString, ReportedQuantity> reported[] = {
+      {tr("Peak insertion force"), ReportedQuantity::peakForce},
+      {tr("End force"), ReportedQuantity::endForce},
+      {tr("Angular insertion depth"), ReportedQuantity::angle},
+      {tr("Contacts inside"), ReportedQuantity::contactsInside}};
+  for (InsertionResult& each : results)
+    for (const auto& [name, quantity] : reported)
+      if (each.name == name) {
+        each.clinics = clinicsReport(array, quantity);
+        each.clinicsDetail = clinicsReportDetails(array, quantity);
+      }
 }
 
 QString partitionText(const ReportContent& content)
@@ -93,19 +111,23 @@ std::vector<InsertionResult> measuredResults(const ReportContent& content)
   const QString endDetail = restNote(profile).isEmpty()
                                 ? tr("mean of the last 0.5 s of motion")
                                 : tr("mean of the last 0.5 s of motion, still rising");
-  return {
+  std::vector<InsertionResult> results = {
       beside({tr("Peak insertion force"),
               mN(profile.peak.force),
               tr("at insertion depth %1 mm").arg(numberText(profile.peakDepth * 1e3, 1)),
               {},
+              {},
+              {},
               false,
               true},
              peak, profile.peak.force * 1e3, force),
-      beside({tr("End force"), mN(profile.endForce), endDetail, {}, false, true}, end,
+      beside({tr("End force"), mN(profile.endForce), endDetail, {}, {}, {}, false, true}, end,
              profile.endForce * 1e3, force),
       beside({tr("Force after 1 s of rest"),
               profile.forceAfter1s ? mN(*profile.forceAfter1s) : tr("not reached"),
               tr("mean of 0.5 to 1 s after the stop"),
+              {},
+              {},
               {},
               false,
               true},
@@ -113,6 +135,8 @@ std::vector<InsertionResult> measuredResults(const ReportContent& content)
       beside({tr("Angular insertion depth"),
               hasContact ? degreesText(apical->angle) : tr("no contact inside"),
               hasContact ? tr("of the most apical contact; %1").arg(tip) : tip,
+              {},
+              {},
               {},
               false,
               true},
@@ -122,11 +146,15 @@ std::vector<InsertionResult> measuredResults(const ReportContent& content)
        hasContact ? tr("from %1 to %2").arg(degreesText(basal->angle), degreesText(apical->angle))
                   : QString(),
        {},
+       {},
+       {},
        false,
        true},
       {tr("Insertion depth"),
        tr("%1 mm").arg(numberText(content.deepest.output.depth * 1e3, 1)),
        tr("past the opening"),
+       {},
+       {},
        {},
        false,
        false},
@@ -134,14 +162,20 @@ std::vector<InsertionResult> measuredResults(const ReportContent& content)
        tr("%1 s").arg(numberText(motion.time - motion.timeStill, 1)),
        tr("without pauses, to maximum depth; reversals: %1").arg(motion.reversals),
        {},
+       {},
+       {},
        false,
        false},
       {tr("Maximum partition force"),
        std::isnan(profile.partitionForceMax) ? tr("not recorded") : mN(profile.partitionForceMax),
        partitionText(content),
        {},
+       {},
+       {},
        false,
        true}};
+  addClinics(results, content.scenario.arrayName());
+  return results;
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "gui/report/PlanCurves.h"
 #include "gui/report/PlanPicture.h"
 #include "gui/setup/PlannedFriction.h"
+#include "gui/text/ClinicalText.h"
 #include "gui/text/DataText.h"
 #include "gui/text/Numbers.h"
 
@@ -82,6 +83,25 @@ QStringList cellsOf(const planning::ArrayPlan& array, std::size_t place)
           chanceText(array.ruptured, array.draws)};
 }
 
+/// What clinics report below the values of an array, in the order of the columns.
+QStringList clinicsOf(const planning::ArrayPlan& array)
+{
+  using analysis::ReportedQuantity;
+  const auto reported = [&array](ReportedQuantity quantity) {
+    return clinicsReportShort(array.array, quantity);
+  };
+  return {isNotValidated(array.array) ? tr("not validated; clinics") : tr("clinics report"),
+          reported(ReportedQuantity::angle),
+          {},
+          reported(ReportedQuantity::peakForce),
+          {},
+          reported(ReportedQuantity::complete),
+          {},
+          {},
+          reported(ReportedQuantity::foldOver),
+          reported(ReportedQuantity::translocation)};
+}
+
 double paintArrays(ReportSheet& sheet, const PlanReportContent& content, double y_mm,
                    double width_mm)
 {
@@ -101,10 +121,10 @@ double paintArrays(ReportSheet& sheet, const PlanReportContent& content, double 
                             {tr("Rupture"), {}, chance_mm}};
   const auto& arrays = content.plan().arrays;
   double high_mm = row_mm;
-  const auto paintRow = [&](const QStringList& cells) {
+  const auto paintRow = [&](const QStringList& cells, ReportFace face = ReportFace::label) {
     double x_mm = 0.0;
     for (int i = 0; i < cells.size(); ++i) {
-      sheet.line({x_mm, y_mm, columns[i].width_mm - 0.2, high_mm}, cells[i], ReportFace::label,
+      sheet.line({x_mm, y_mm, columns[i].width_mm - 0.2, high_mm}, cells[i], face,
                  i == 0 ? Qt::AlignLeft : Qt::AlignRight);
       x_mm += columns[i].width_mm;
     }
@@ -122,14 +142,23 @@ double paintArrays(ReportSheet& sheet, const PlanReportContent& content, double 
   paintRow(units);
   sheet.rule(0.0, y_mm, width_mm);
   if (arrays.size() > manyArrays) high_mm = lowRow_mm;
-  for (std::size_t i = 0; i < arrays.size(); ++i) paintRow(cellsOf(arrays[i], i));
+  for (std::size_t i = 0; i < arrays.size(); ++i) {
+    paintRow(cellsOf(arrays[i], i));
+    const QStringList clinics = clinicsOf(arrays[i]);
+    if (clinics.mid(1).join(QString()).isEmpty()) continue;
+    y_mm -= 0.6;
+    paintRow(clinics, ReportFace::quiet);
+  }
   y_mm += 0.6;
   return y_mm + sheet.paragraph(
                     0.0, y_mm, width_mm,
                     tr("Angle and coverage of the most apical contact. Shares, from %1 simulations "
                        "on with 95 % intervals: full insertion, stop by resistance, buckling in "
                        "front of the opening, tip fold-over, a force that reaches the strength of "
-                       "the cochlear partition.")
+                       "the cochlear partition. Clinics: medians or means of patients, angular "
+                       "depth, complete insertions, tip fold-over and translocation; sources in "
+                       "the guide. Not validated: the program’s clinical table misses a row of "
+                       "this array.")
                         .arg(analysis::fewestForPercent),
                     ReportFace::quiet);
 }

@@ -88,7 +88,10 @@ double paintResults(ReportSheet& sheet, const ReportContent& content, double x_m
     sheet.line({x_mm, y_mm, text_mm, name_mm + 1.2}, result.name, ReportFace::text);
     sheet.line({x_mm + text_mm, y_mm, number_mm, value_mm}, result.value, ReportFace::number,
                Qt::AlignRight);
-    sheet.line({x_mm, y_mm + name_mm + 1.0, width_mm, detail_mm}, result.detail, ReportFace::quiet);
+    const QString detail = result.clinics.isEmpty()
+                               ? result.detail
+                               : tr("%1; clinics: %2").arg(result.detail, result.clinics);
+    sheet.line({x_mm, y_mm + name_mm + 1.0, width_mm, detail_mm}, detail, ReportFace::quiet);
     if (!result.plan.isEmpty())
       sheet.line({x_mm, y_mm + name_mm + 1.0, width_mm, detail_mm},
                  (result.isOutside ? tr("outside the plan, %1") : tr("plan: %1")).arg(result.plan),

@@ -7,24 +7,50 @@
 #include <map>
 #include <stop_token>
 
+#include "ComparisonColumns.h"
+#include "ProfilePoints.h"
 #include "perilymph/analysis/CsvField.h"
 #include "perilymph/analysis/PublishedConditions.h"
+#include "perilymph/analysis/Reference.h"
 #include "perilymph/analysis/RoundedTravel.h"
+#include "perilymph/analysis/Score.h"
 #include "perilymph/session/Csv.h"
 
 namespace perilymph::analysis {
 
-using figures::Figure;
-using figures::FigureCurve;
-using figures::FigureValues;
-namespace ink = figures::ink;
-
 namespace {
 
-/// The multiple of the step at which a point lies.
-long stepOf(const CurvePoint& point) { return std::lround(point.travel / profileStep().si()); }
+/// The forces over depth and over the angle.
+class AxisCurves {
+public:
+  void add(const haptics::TickOutput& now, ComparedInsertion& compared)
+  {
+    if (now.workflow == haptics::Workflow::idle) return;
+    depth_.add(now.depth, now.axialForce, [&](double place, double force) {
+      compared.overDepth.push_back({place, force});
+    });
+    angle_.add(now.angularDepth, now.axialForce, [&](double place, double force) {
+      compared.overAngle.push_back({place, force});
+    });
+  }
+
+private:
+  FirstPassages depth_{stepOf(CurveAxis::depth)}, angle_{stepOf(CurveAxis::angle)};
+};
+
+/// A place on an axis in the unit of files: mm or degrees.
+double inFile(CurveAxis axis, double place)
+{
+  return axis == CurveAxis::angle ? std::round(inDegrees(radians(place)) * 1e6) / 1e6
+                                  : roundedMillimeters(place);
+}
 
 }  // namespace
+
+double stepOf(CurveAxis axis)
+{
+  return axis == CurveAxis::angle ? degrees(1.0).si() : profileStep().si();
+}
 
 Result<ComparedInsertion> readCompared(const std::filesystem::path& file,
                                        const std::stop_token& stop)
@@ -38,8 +64,18 @@ Result<ComparedInsertion> readCompared(const std::filesystem::path& file,
   compared.name = session::displayNameOf(file);
   compared.scenario = recorded->facts().scenarioName;
   compared.subject = session::subjectOf(recorded->facts().scenarioText, file.string());
-  if (const auto scenario = session::parseScenario(recorded->facts().scenarioText, file.string()))
+  electrode::ArrayDesign array;  // without ribs if the scenario can no longer be read
+  Length passage;
+  if (const auto scenario = session::parseScenario(recorded->facts().scenarioText, file.string())) {
     compared.hasPublishedConditions = hasPublishedConditions(*scenario);
+    array = scenario->array();
+    if (const auto& opening = scenario->parameters().opening) passage = opening->passage;
+  }
+  const auto felt = forceFeltBySurgeons();
+  RibPeaks ribs(array, passage);
+  EventFinder events(array, felt ? felt->si() : 0.0);
+  haptics::PeakForce peak;
+  AxisCurves curves;
   compared.startedUtc = recorded->facts().startedUtc;
   ForceProfiler profiler;
   ReversalCounter reversals;
@@ -48,6 +84,10 @@ Result<ComparedInsertion> readCompared(const std::filesystem::path& file,
     profiler.add(record);
     reversals.add(record.output.travel);
     motion.add(record.output);
+    ribs.add(record.output);
+    peak.follow(record.output);
+    events.add(record.tick, record.output, peak);
+    curves.add(record.output, compared);
     if ((record.output.status & haptics::partitionRuptured) != 0 &&
         (!compared.translocation ||
          compared.translocation->lengthAbove < record.output.translocation.lengthAbove))
@@ -59,6 +99,10 @@ Result<ComparedInsertion> readCompared(const std::filesystem::path& file,
   compared.profile = profiler.profile();
   compared.reversals = reversals.reversals();
   compared.motion = motion.motion();
+  compared.arrayPeak = ribs.array();
+  compared.ribPeak = ribs.rib();
+  compared.ribNumber = ribs.ribNumber();
+  compared.events = events.events();
   if (compared.profile.ticks == 0)
     return Error{"%1 contains no samples. Record the insertion to another file.", file};
   return compared;
@@ -69,115 +113,106 @@ std::string labelOf(const ComparedInsertion& insertion)
   return insertion.check.damage.empty() ? insertion.name : insertion.name + " (changed by hand)";
 }
 
+std::vector<AxisPoint> curveOver(const ComparedInsertion& insertion, CurveAxis axis)
+{
+  if (axis == CurveAxis::depth) return insertion.overDepth;
+  if (axis == CurveAxis::angle) return insertion.overAngle;
+  std::vector<AxisPoint> curve;
+  for (const CurvePoint& point : insertion.profile.curve)
+    curve.push_back({point.travel, point.force});
+  return curve;
+}
+
 std::string comparisonCsv(const std::vector<ComparedInsertion>& insertions)
 {
   std::string csv =
       "name,scenario,peak_N,peak_travel_mm,peak_depth_mm,work_mJ,reversals,duration_s,"
-      "final_depth_mm,final_angle_deg,rupture_angle_deg,rupture_N,above_mm\n";
+      "final_depth_mm,final_angle_deg,rupture_angle_deg,rupture_N,above_mm,array,technique,patient,"
+      "side,array_peak_N,array_peak_depth_mm,rib_peak_N,rib_peak_depth_mm,end_N,deepest_angle_deg,"
+      "score\n";
   for (const ComparedInsertion& each : insertions) {
     const ForceProfile& profile = each.profile;
     csv += csvField(labelOf(each)) + "," + csvField(each.scenario);
     for (const double value :
-         {profile.peak.force, inMillimeters(meters(profile.peak.travel)),
-          inMillimeters(meters(profile.peakDepth)), profile.work * 1e3,
-          static_cast<double>(each.reversals), profile.duration,
-          inMillimeters(meters(profile.finalDepth)), inDegrees(radians(profile.finalAngle))})
-      csv += "," + session::shortestDecimal(value);
+         {profile.peak.force, asMillimeters(profile.peak.travel), asMillimeters(profile.peakDepth),
+          profile.work * 1e3, static_cast<double>(each.reversals), profile.duration,
+          asMillimeters(profile.finalDepth), asDegrees(profile.finalAngle)})
+      csv += nextField(value);
     if (const auto& found = each.translocation)
-      csv += "," + session::shortestDecimal(inDegrees(radians(found->angle))) + "," +
-             session::shortestDecimal(found->force) + "," +
-             session::shortestDecimal(inMillimeters(meters(found->lengthAbove)));
+      csv += nextField(asDegrees(found->angle)) + nextField(found->force) +
+             nextField(asMillimeters(found->lengthAbove));
     else
       csv += ",,,";
-    csv += "\n";
+    for (const std::string* text :
+         {&each.subject.array, &each.subject.technique, &each.subject.patient, &each.subject.side})
+      csv += "," + csvField(*text);
+    csv += nextField(each.arrayPeak.force) + nextField(asMillimeters(each.arrayPeak.depth));
+    csv += each.ribPeak
+               ? nextField(each.ribPeak->force) + nextField(asMillimeters(each.ribPeak->depth))
+               : ",,";
+    csv += nextField(profile.endForce) + nextField(asDegrees(profile.deepestAngle));
+    const auto score = scoreOf(each);
+    csv += (score ? nextField(score->total) : ",") + "\n";
   }
   return csv;
 }
 
-std::string curvesCsv(const std::vector<ComparedInsertion>& insertions)
+std::string curvesCsv(const std::vector<ComparedInsertion>& insertions, CurveAxis axis)
 {
-  std::string csv = "travel_mm";
+  std::string csv = axis == CurveAxis::travel  ? "travel_mm"
+                    : axis == CurveAxis::depth ? "depth_mm"
+                                               : "angle_deg";
+  const double spacing = stepOf(axis);
   std::map<long, std::vector<double>> rows;
   const double missing = std::numeric_limits<double>::quiet_NaN();
   for (std::size_t i = 0; i < insertions.size(); ++i) {
     csv += "," + csvField(labelOf(insertions[i]) + "_N");
-    for (const CurvePoint& point : insertions[i].profile.curve) {
-      auto& row = rows[stepOf(point)];
+    for (const AxisPoint& point : curveOver(insertions[i], axis)) {
+      auto& row = rows[std::lround(point.place / spacing)];
       row.resize(insertions.size(), missing);
       row[i] = point.force;
     }
   }
   csv += "\n";
   for (const auto& [step, forces] : rows) {
-    csv += session::shortestDecimal(
-        roundedMillimeters(static_cast<double>(step) * profileStep().si()));
+    csv += session::shortestDecimal(inFile(axis, static_cast<double>(step) * spacing));
     for (const double force : forces)
-      csv += "," + (std::isnan(force) ? std::string() : session::shortestDecimal(force));
+      csv += std::isnan(force) ? std::string(",") : nextField(force);
     csv += "\n";
   }
   return csv;
 }
 
+std::string eventsCsv(const std::vector<ComparedInsertion>& insertions)
+{
+  std::string csv = "name,event,rib,time_s,travel_mm,depth_mm,angle_deg,force_N\n";
+  for (const ComparedInsertion& each : insertions)
+    for (const InsertionEvent& event : each.events)
+      csv += csvField(labelOf(each)) + "," + nameOf(event.kind) + "," +
+             (event.number > 0 ? std::to_string(event.number) : std::string()) +
+             nextField(event.time) + nextField(asMillimeters(event.travel)) +
+             nextField(asMillimeters(event.depth)) + nextField(asDegrees(event.angle)) +
+             nextField(event.force) + "\n";
+  return csv;
+}
+
 bool areComparableWithPublished(const std::vector<ComparedInsertion>& insertions)
 {
-  return std::ranges::any_of(insertions, &ComparedInsertion::hasPublishedConditions);
+  const auto hasArrayOfFirst = [&](const ComparedInsertion& each) {
+    return each.subject.array == insertions.front().subject.array;
+  };
+  return std::ranges::any_of(insertions, &ComparedInsertion::hasPublishedConditions) &&
+         std::ranges::all_of(insertions, hasArrayOfFirst);
 }
 
-Figure comparisonFigure(const std::vector<ComparedInsertion>& insertions,
-                        const Reference* published)
+std::optional<double> forceAt(const std::vector<AxisPoint>& curve, double place)
 {
-  // Distinguished by color and dashes; from the fifth on by longer dashes, too.
-  constexpr figures::Ink inks[] = {ink::blue, ink::vermilion, ink::green, ink::purple};
-  Figure figure;
-  figure.title = Sentence{"Recorded insertions: insertion force over travel"};
-  double farthest = 0.0, nearest = 0.0, highest = 0.0, lowest = 0.0;
-  for (std::size_t i = 0; i < insertions.size(); ++i) {
-    FigureCurve curve;
-    curve.label = labelOf(insertions[i]);
-    curve.ink = inks[i % 4];
-    curve.dash = 2.0 * static_cast<double>(i);
-    for (const CurvePoint& point : insertions[i].profile.curve) {
-      curve.x.push_back(inMillimeters(meters(point.travel)));
-      curve.y.push_back(inMillinewtons(newtons(point.force)));
-      nearest = std::min(nearest, curve.x.back());
-      farthest = std::max(farthest, curve.x.back());
-      lowest = std::min(lowest, curve.y.back());
-      highest = std::max(highest, curve.y.back());
-    }
-    figure.curves.push_back(std::move(curve));
-  }
-  if (published != nullptr) {
-    FigureValues printed;
-    printed.label = published->label;
-    printed.ink = ink::black;
-    printed.shape = figures::MarkerShape::ring;
-    for (const PrintedForce& point : published->points) {
-      printed.x.push_back(inMillimeters(meters(point.travel)));
-      const double mean = inMillinewtons(newtons(point.mean));
-      const double deviation = inMillinewtons(newtons(point.standardDeviation));
-      printed.y.push_back(mean);
-      printed.low.push_back(mean - deviation);
-      printed.high.push_back(mean + deviation);
-      farthest = std::max(farthest, printed.x.back());
-      highest = std::max(highest, printed.high.back());
-    }
-    figure.values.push_back(std::move(printed));
-  }
-  figure.x = figures::axisOver(Sentence{"travel, mm"}, nearest, farthest);
-  figure.y = figures::axisOver(Sentence{"insertion force, mN"}, lowest, highest);
-  return figure;
-}
-
-std::optional<double> forceAt(const std::vector<CurvePoint>& curve, double travel)
-{
-  if (curve.empty() || travel < curve.front().travel || travel > curve.back().travel)
+  if (curve.empty() || place < curve.front().place || place > curve.back().place)
     return std::nullopt;
-  const auto after =
-      std::lower_bound(curve.begin(), curve.end(), travel,
-                       [](const CurvePoint& point, double place) { return point.travel < place; });
-  if (after == curve.begin() || after->travel == travel) return after->force;
-  const CurvePoint& before = *std::prev(after);
-  const double fraction = (travel - before.travel) / (after->travel - before.travel);
+  const auto after = std::ranges::lower_bound(curve, place, {}, &AxisPoint::place);
+  if (after == curve.begin() || after->place == place) return after->force;
+  const AxisPoint& before = *std::prev(after);
+  const double fraction = (place - before.place) / (after->place - before.place);
   return before.force + fraction * (after->force - before.force);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// Force over depth at equally spaced depths.
+// A value at equally spaced places: force over depth, force over the angle.
 
 #include <algorithm>
 #include <cmath>
@@ -11,37 +11,56 @@
 
 namespace perilymph::analysis {
 
-/// Adds the force at each multiple of the spacing that the tip passes for the first time, linear
+/// Finds the value at each multiple of the spacing that a place passes for the first time, linear
 /// between ticks.
-class ProfilePoints {
+class FirstPassages {
 public:
-  /// @param spacing  0: no points.
-  explicit ProfilePoints(Length spacing) : spacing_(spacing.si()) {}
+  /// @param spacing  In the unit of the places; 0: no points.
+  explicit FirstPassages(double spacing) : spacing_(spacing) {}
 
-  /// @param depth  [m]
-  /// @param force  [N]
-  void add(std::vector<DepthForce>& profile, double depth, double force)
+  /// @param take  Is called with place and value of each new point, in ascending order.
+  template <class Take>
+  void add(double place, double value, Take&& take)
   {
     if (!(spacing_ > 0.0)) return;
-    if (hasBegun_ && depth > depth_) {
-      for (; static_cast<double>(next_) * spacing_ <= depth; ++next_) {
-        const double place = static_cast<double>(next_) * spacing_;
-        const double fraction = (place - depth_) / (depth - depth_);
-        profile.push_back({meters(place), newtons(force_ + fraction * (force - force_))});
+    if (hasBegun_ && place > place_) {
+      for (; static_cast<double>(next_) * spacing_ <= place; ++next_) {
+        const double passed = static_cast<double>(next_) * spacing_;
+        const double fraction = (passed - place_) / (place - place_);
+        take(passed, value_ + fraction * (value - value_));
       }
     }
-    if (!hasBegun_) next_ = static_cast<long>(std::ceil(std::max(depth, 0.0) / spacing_));
-    if (hasBegun_ && depth < depth_) return;  // the force at the first passage counts
+    if (!hasBegun_) next_ = static_cast<long>(std::ceil(std::max(place, 0.0) / spacing_));
+    if (hasBegun_ && place < place_) return;  // the value at the first passage counts
     hasBegun_ = true;
-    depth_ = depth;
-    force_ = force;
+    place_ = place;
+    value_ = value;
   }
 
 private:
   double spacing_;
   bool hasBegun_ = false;
   long next_ = 0;
-  double depth_ = 0.0, force_ = 0.0;
+  double place_ = 0.0, value_ = 0.0;
+};
+
+/// Adds the force at each multiple of the spacing that the tip passes for the first time.
+class ProfilePoints {
+public:
+  /// @param spacing  0: no points.
+  explicit ProfilePoints(Length spacing) : passages_(spacing.si()) {}
+
+  /// @param depth  [m]
+  /// @param force  [N]
+  void add(std::vector<DepthForce>& profile, double depth, double force)
+  {
+    passages_.add(depth, force, [&profile](double place, double value) {
+      profile.push_back({meters(place), newtons(value)});
+    });
+  }
+
+private:
+  FirstPassages passages_;
 };
 
 }  // namespace perilymph::analysis

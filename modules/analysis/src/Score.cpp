@@ -22,11 +22,8 @@ std::string fixed(double value, int decimals)
 
 std::string percent(double fraction) { return fixed(100.0 * fraction, 0) + " %"; }
 
-/// 1 at the best value, 0 at the worst, linear in between.
-double between(double value, double best, double worst)
-{
-  return std::clamp((worst - value) / (worst - best), 0.0, 1.0);
-}
+/// 1 at 0, 1/2 at `half`, 1/3 at twice that: the more, the less, without an end.
+double fallingOff(double value, double half) { return half / (half + std::max(value, 0.0)); }
 
 }  // namespace
 
@@ -43,9 +40,8 @@ InsertionScore scoreOf(const ComparedInsertion& insertion, const PrintedRange& p
   const Motion& motion = insertion.motion;
   const double inBand = motion.wayIn > 0.0 ? motion.wayInBand / motion.wayIn : 0.0;
   const double still = motion.time > 0.0 ? motion.timeStill / motion.time : 0.0;
-  const double peak = insertion.profile.peak.force;
-  const double low_mN = inMillinewtons(newtons(peakBand.low));
-  const double high_mN = inMillinewtons(newtons(peakBand.high));
+  const double peak = insertion.arrayPeak.force;
+  const double middle = 0.5 * (peakBand.low + peakBand.high);
 
   InsertionScore score;
   score.criteria = {
@@ -56,19 +52,21 @@ InsertionScore scoreOf(const ComparedInsertion& insertion, const PrintedRange& p
                 "0.66 ± 0.31 mm/s; phantom study 0.1–2.0 mm/s (Froehlich et al. 2024)"},
        inBand},
       {Sentence{"reversals"}, Sentence{"%1 before maximum insertion depth", motion.reversals},
-       Sentence{"full score at 0, none from 18.6"},
+       Sentence{"full score at 0, half at 18.6"},
        Sentence{"Kesler et al. 2017: 18.6 reversals in manual insertions at a target of 15 "
                 "mm/min"},
-       between(motion.reversals, 0.0, reversalsOfTooSlowHands)},
+       fallingOff(motion.reversals, reversalsOfTooSlowHands)},
       {Sentence{"peak force"}, Sentence{"%1 mN", fixed(inMillinewtons(newtons(peak)), 1)},
-       Sentence{"full score up to %1 mN, none from %2 mN", fixed(low_mN, 1), fixed(high_mN, 1)},
-       peakBand.source, between(peak, peakBand.low, peakBand.high)},
+       Sentence{"without ribs at the opening: full score at 0 mN, half at %1 mN, the middle of the "
+                "peaks in patients",
+                fixed(inMillinewtons(newtons(middle)), 1)},
+       peakBand.source, fallingOff(peak, middle)},
       {Sentence{"smoothness"},
        Sentence{"%1 % of the time at rest (below 0.1 mm/s)", fixed(100.0 * still, 0)},
-       Sentence{"full score at 0 %, none from 15.7 %"},
+       Sentence{"full score at 0 %, half at 15.7 %"},
        Sentence{"Kesler et al. 2017: manual insertions at a target of 15 mm/min paused 15.7 % of "
                 "the time"},
-       between(still, 0.0, restFractionOfTooSlowHands)}};
+       fallingOff(still, restFractionOfTooSlowHands)}};
   double sum = 0.0;
   for (const ScoreCriterion& criterion : score.criteria) sum += criterion.fraction;
   score.total = 100.0 * sum / static_cast<double>(score.criteria.size());

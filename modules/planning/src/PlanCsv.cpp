@@ -2,6 +2,7 @@
 #include <string>
 
 #include "PlanNumbers.h"
+#include "perilymph/analysis/ClinicalReports.h"
 #include "perilymph/analysis/CsvField.h"
 #include "perilymph/planning/PlanReport.h"
 #include "perilymph/planning/PlanWords.h"
@@ -43,6 +44,39 @@ std::string cellsOf(const analysis::Estimate& estimate)
   return cells;
 }
 
+constexpr analysis::ReportedQuantity besideArrays[] = {
+    analysis::ReportedQuantity::angle,         analysis::ReportedQuantity::complete,
+    analysis::ReportedQuantity::translocation, analysis::ReportedQuantity::foldOver,
+    analysis::ReportedQuantity::peakForce,     analysis::ReportedQuantity::endForce};
+
+std::string headOfReports()
+{
+  std::string head;
+  for (const analysis::ReportedQuantity quantity : besideArrays)
+    for (const char* part : {"", "_low", "_high", "_n"})
+      head += std::string(",reported_") + analysis::nameOf(quantity) + part;
+  return head + ",clinical_table";
+}
+
+/// The first report of each quantity; empty fields where there is none.
+std::string cellsOfReports(const std::string& array)
+{
+  const auto& evidence = analysis::ClinicalEvidence::shipped();
+  std::string cells;
+  for (const analysis::ReportedQuantity quantity : besideArrays) {
+    const analysis::ClinicalReport* report = evidence ? evidence->find(array, quantity) : nullptr;
+    if (report == nullptr) {
+      cells += ",,,,";
+      continue;
+    }
+    const bool hasBounds = report->spread != analysis::ReportedSpread::none;
+    cells += "," + (report->value ? number(*report->value) : std::string());
+    cells += hasBounds ? "," + number(report->low) + "," + number(report->high) : ",,";
+    cells += "," + (report->n > 0 ? std::to_string(report->n) : std::string());
+  }
+  return cells + "," + (evidence ? analysis::nameOf(evidence->verdictOf(array)) : "");
+}
+
 }  // namespace
 
 std::string arraysCsv(const Plan& plan)
@@ -53,7 +87,7 @@ std::string arraysCsv(const Plan& plan)
   csv += ",bands_hold";
   for (const FrictionQuantity& each : frictionQuantities)
     csv += headOf(std::string("at_median_friction_") + each.key);
-  csv += '\n';
+  csv += headOfReports() + "\n";
   for (const ArrayPlan& each : plan.arrays) {
     csv += analysis::csvField(each.array) + "," + analysis::csvField(each.name) + "," +
            std::to_string(each.draws);
@@ -62,7 +96,7 @@ std::string arraysCsv(const Plan& plan)
     csv += "," + analysis::csvField(bandsHold(plan));
     for (const FrictionQuantity& quantity : frictionQuantities)
       csv += each.atMedianFriction ? cellsOf(*each.atMedianFriction.*quantity.band) : ",,,,,";
-    csv += '\n';
+    csv += cellsOfReports(each.array) + "\n";
   }
   return csv;
 }
@@ -82,27 +116,6 @@ std::string differencesCsv(const Plan& plan)
       csv += cellsOf(each.*chance.estimate);
     csv += '\n';
   }
-  return csv;
-}
-
-std::string contactsCsv(const Plan& plan)
-{
-  std::string csv =
-      "array,contact,draws,angle_deg,angle_p5_deg,angle_p95_deg,to_modiolus_mm,to_modiolus_p5_mm,"
-      "to_modiolus_p95_mm,greenwood_Hz,spiral_ganglion_Hz,filter_Hz,mismatch_semitones,"
-      "mismatch_p5_semitones,mismatch_p95_semitones\n";
-  for (const ArrayPlan& array : plan.arrays)
-    for (const ContactBand& each : array.contacts) {
-      csv += analysis::csvField(array.array) + "," + std::to_string(each.number) + "," +
-             std::to_string(each.draws);
-      for (const double value : {each.angle_deg.median, each.angle_deg.low, each.angle_deg.high,
-                                 each.toModiolus_mm.median, each.toModiolus_mm.low,
-                                 each.toModiolus_mm.high, each.greenwood_Hz, each.spiralGanglion_Hz,
-                                 each.filter_Hz, each.mismatch_semitones.median,
-                                 each.mismatch_semitones.low, each.mismatch_semitones.high})
-        csv += "," + number(value);
-      csv += '\n';
-    }
   return csv;
 }
 

@@ -145,7 +145,7 @@ ArrayPlan arrayIn(const Json& value)
   for (const Json& each : listAt(value, "force", maxStoredRows))
     plan.force.push_back({numberAt(each, "depth_mm", physical::depth_mm), countAt(each, "draws"),
                           bandAt(each, "force_mN", physical::signedForce_mN)});
-  for (const Json& each : listAt(value, "contacts", maxStoredRows))
+  for (const Json& each : listAt(value, "contacts", maxStoredRows)) {
     plan.contacts.push_back({static_cast<int>(countAt(each, "number")), countAt(each, "draws"),
                              bandAt(each, "angle_deg", physical::angle_deg),
                              bandAt(each, "to_modiolus_mm", physical::toModiolus_mm),
@@ -153,6 +153,11 @@ ArrayPlan arrayIn(const Json& value)
                              numberAt(each, "spiral_ganglion_Hz", physical::frequency_Hz),
                              numberAt(each, "filter_Hz", physical::frequency_Hz),
                              bandAt(each, "mismatch_semitones", physical::semitones)});
+    if (!each.contains("greenwood_p5_Hz")) continue;  // of a former version
+    ContactBand& contact = plan.contacts.back();
+    contact.greenwoodLow_Hz = numberAt(each, "greenwood_p5_Hz", physical::frequency_Hz);
+    contact.greenwoodHigh_Hz = numberAt(each, "greenwood_p95_Hz", physical::frequency_Hz);
+  }
   const Range width_deg{0.0, physical::angle_deg.high - physical::angle_deg.low};
   for (const Json& each : listAt(value, "influence", maxStoredRows))
     plan.influences.push_back(

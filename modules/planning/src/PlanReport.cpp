@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "ClinicalJson.h"
 #include "FrequencyAllocation.h"
 #include "PlanNames.h"
 #include "PlanNumbers.h"
@@ -93,7 +94,7 @@ ordered_json arrayJson(const ArrayPlan& plan)
                              {"draws", each.draws},
                              {"force_mN", bandJson(each.force_mN)}});
   json["contacts"] = ordered_json::array();
-  for (const ContactBand& each : plan.contacts)
+  for (const ContactBand& each : plan.contacts) {
     json["contacts"].push_back({{"number", each.number},
                                 {"draws", each.draws},
                                 {"angle_deg", bandJson(each.angle_deg)},
@@ -102,6 +103,10 @@ ordered_json arrayJson(const ArrayPlan& plan)
                                 {"spiral_ganglion_Hz", rounded(each.spiralGanglion_Hz)},
                                 {"filter_Hz", rounded(each.filter_Hz)},
                                 {"mismatch_semitones", bandJson(each.mismatch_semitones)}});
+    if (each.greenwoodHigh_Hz <= 0.0) continue;
+    json["contacts"].back()["greenwood_p5_Hz"] = rounded(each.greenwoodLow_Hz);
+    json["contacts"].back()["greenwood_p95_Hz"] = rounded(each.greenwoodHigh_Hz);
+  }
   json["influence"] = ordered_json::array();
   for (const Influence& each : plan.influences) {
     ordered_json influence = {{"input", each.input},
@@ -113,6 +118,7 @@ ordered_json arrayJson(const ArrayPlan& plan)
       influence["angle_width_if_measured_to_0.1_mm_deg"] = rounded(each.finerAngleWidth_deg);
     json["influence"].push_back(std::move(influence));
   }
+  json["clinical"] = clinicalJson(plan.array);
   return json;
 }
 

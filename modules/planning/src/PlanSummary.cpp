@@ -123,6 +123,8 @@ std::vector<ContactBand> contactBands(const Insertions& all, const std::vector<d
       band.angle_deg = bandOf(angles);
       if (!distances.empty()) band.toModiolus_mm = bandOf(distances);
       band.greenwood_Hz = analysis::greenwoodFrequency(1.0 - quantile(places, 0.5));
+      band.greenwoodLow_Hz = analysis::greenwoodFrequency(1.0 - quantile(places, 0.95));
+      band.greenwoodHigh_Hz = analysis::greenwoodFrequency(1.0 - quantile(places, 0.05));
       band.spiralGanglion_Hz = analysis::spiralGanglionFrequency(degrees(band.angle_deg.median));
     }
     bands.push_back(band);

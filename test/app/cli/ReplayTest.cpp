@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <sqlite3.h>
 
+#include <nlohmann/json.hpp>
+
 #include "perilymph/test/Cli.h"
 
 namespace perilymph::test {
@@ -24,6 +26,26 @@ TEST(ReplayCommand, VerifiesAndWritesTheRowsOfTheRun)
   EXPECT_EQ(shown.status, 0) << shown.err;
   EXPECT_THAT(shown.out, HasSubstr("contour-published"));
   EXPECT_EQ(contentOf(folder / "run.csv"), contentOf(folder / "again.csv"));
+}
+
+TEST(ReplayCommand, WritesTheContactsAtTheMaximumDepth)
+{
+  const TemporaryFolder folder;
+  const auto simulated =
+      cli(shortSimulation({"--set", "stop_travel_mm=8", "--record", folder / "run.insertion",
+                           "--json", folder / "run.json"}));
+  ASSERT_EQ(simulated.status, 0) << simulated.err;
+  const auto written =
+      cli({"replay", folder / "run.insertion", "--contacts", folder / "contacts.csv"});
+  ASSERT_EQ(written.status, 0) << written.err;
+  const auto rows = linesOf(folder / "contacts.csv");
+  ASSERT_EQ(rows.size(), 23u);  // 22 contacts
+  EXPECT_EQ(rows[0].substr(0, 29), "array,contact,draws,angle_deg");
+  EXPECT_EQ(rows[1].substr(0, 12), "contour,1,1,");
+  // the angle of the most apical contact, which the simulation states, too
+  const auto json = nlohmann::json::parse(contentOf(folder / "run.json"));
+  EXPECT_NEAR(std::stod(rows[1].substr(12)), json["angular_insertion_depth_deg"].get<double>(),
+              0.05);
 }
 
 TEST(ReplayCommand, SaysWhatIsWrongWithTheFile)

@@ -6,14 +6,17 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QComboBox>
 #include <QFileDialog>
 #include <QImage>
 #include <QLabel>
+#include <QScrollBar>
 #include <QTableView>
 #include <QTableWidget>
 #include <QTest>
 #include <QTimer>
 #include <algorithm>
+#include <cmath>
 #include <system_error>
 
 #include "KeptPicture.h"
@@ -22,11 +25,14 @@
 #include "gui/pages/compare/ComparePage.h"
 #include "gui/pages/compare/ComparisonPlot.h"
 #include "gui/pages/sessions/SessionsPage.h"
+#include "gui/text/Numbers.h"
 #include "gui/widgets/StatusLine.h"
 #include "perilymph/database/Database.h"
+#include "perilymph/device/ScriptedDevice.h"
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/foundation/Version.h"
+#include "perilymph/session/Insertion.h"
 #include "perilymph/test/ChildProcess.h"
 #include "perilymph/test/TemporaryFolder.h"
 
@@ -67,6 +73,14 @@ protected:
     ASSERT_TRUE(WindowRig::comes([&] { return page().runs().size() == 2; }));
   }
 
+  /// Chooses an entry by the keyboard.
+  void chooseIn(const char* name, int index)
+  {
+    auto& box = *rig_->window().findChild<QComboBox*>(QLatin1String(name));
+    while (box.currentIndex() != index)
+      QTest::keyClick(&box, box.currentIndex() < index ? Qt::Key_Down : Qt::Key_Up);
+  }
+
   QTableView& list() { return *rig_->window().findChild<QTableView*>("sessionList"); }
   QTableWidget& table() { return *rig_->window().findChild<QTableWidget*>("comparisonTable"); }
   gui::ComparePage& page() { return *rig_->window().findChild<gui::ComparePage*>(); }
@@ -88,12 +102,13 @@ TEST_F(Clinician, SeesTheForceOfEachRunAtTheCursor)
   compareBoth();
   EXPECT_EQ(rig_->window().page(), "compare");
   QTest::mouseClick(&plot(), Qt::LeftButton, Qt::NoModifier, QPoint(plot().width() / 12, 100));
-  const double before_mm = plot().cursor_mm();
+  const double before_mm = plot().cursorPlace();
   QTest::keyClick(&plot(), Qt::Key_Right);
-  EXPECT_NEAR(plot().cursor_mm(), before_mm + 0.1, 1e-9);
+  EXPECT_NEAR(plot().cursorPlace(), before_mm + 0.1, 1e-9);
   for (int row = 0; row < 2; ++row) {
-    const auto force =
-        analysis::forceAt(page().runs()[std::size_t(row)].profile.curve, plot().cursor_mm() * 1e-3);
+    const auto force = analysis::forceAt(
+        analysis::curveOver(page().runs()[std::size_t(row)], analysis::CurveAxis::travel),
+        plot().cursorPlace() * 1e-3);
     ASSERT_TRUE(force);
     EXPECT_NEAR(cell(row, "At ").section(QLatin1Char(' '), 0, 0).toDouble(), *force * 1e3, 0.051);
   }
@@ -153,6 +168,101 @@ TEST_F(Clinician, ExportsTableCurvesAndFigure)
   EXPECT_NE(curves->find("published measurements"),
             std::string::npos);  // of the published experiment
   EXPECT_FALSE(QImage(QString::fromStdString((folder / "curves.png").string())).isNull());
+}
+
+TEST_F(Clinician, ComparesOverTheAngle)
+{
+  compareBoth();
+  chooseIn("comparisonAxis", 2);
+  EXPECT_EQ(plot().content().axis, analysis::CurveAxis::angle);
+  EXPECT_FALSE(plot().content().published);  // printed over travel
+  // the tip is some degrees inside when the insertion begins
+  const auto& curve = page().runs()[0].overAngle;
+  ASSERT_GT(curve.size(), 2u);
+  const analysis::AxisPoint& point = curve[curve.size() / 2];
+  const double place_deg = inDegrees(radians(point.place));
+  plot().setCursorPlace(place_deg);
+  EXPECT_EQ(table().horizontalHeaderItem(1)->text(),
+            QStringLiteral("At %1°").arg(gui::numberText(place_deg, 0)));
+  EXPECT_NEAR(cell(0, "At ").section(QLatin1Char(' '), 0, 0).toDouble(), point.force * 1e3, 0.051);
+  const TemporaryFolder folder;
+  ASSERT_TRUE(page().writeInto(folder.path()));
+  const auto curves = readWhole(folder / "curves.csv");
+  ASSERT_TRUE(curves);
+  EXPECT_EQ(curves->substr(0, 10), "angle_deg,");
+  chooseIn("comparisonAxis", 0);
+  EXPECT_TRUE(plot().content().published);
+}
+
+TEST_F(Clinician, ReadsMeanAndNumberOfOneGroup)
+{
+  compareBoth();
+  auto& groups = *rig_->window().findChild<QTableWidget*>("groupsTable");
+  EXPECT_FALSE(groups.isVisible());
+  chooseIn("comparisonGroups", 2);
+  EXPECT_TRUE(groups.isVisible());
+  EXPECT_FALSE(table().isVisible());
+  ASSERT_EQ(groups.columnCount(), 2);  // nothing to differ from
+  EXPECT_EQ(groups.horizontalHeaderItem(1)->text(), "standard, n = 2");
+  const TemporaryFolder folder;
+  ASSERT_TRUE(page().writeInto(folder.path()));
+  EXPECT_TRUE(fs::exists(folder / "groups.csv"));
+  EXPECT_TRUE(fs::exists(folder / "differences.csv"));
+}
+
+/// An insertion of the published experiment with few nodes.
+void record(const fs::path& file, const session::Overrides& overrides)
+{
+  const auto scenario = session::loadScenario("contour-published", overrides);
+  ASSERT_TRUE(scenario) << scenario.error().message;
+  auto insertion = session::Insertion::prepare(
+      *scenario,
+      std::make_unique<device::ScriptedDevice>(scenario->speed().si(), scenario->timeStep().si()),
+      file);
+  ASSERT_TRUE(insertion) << insertion.error().message;
+  ASSERT_TRUE((*insertion)->runToEnd([](const haptics::TickRecord&) { return true; }, 60'000));
+  ASSERT_TRUE((*insertion)->closeRecording());
+}
+
+TEST_F(Clinician, ComparesTwoTechniquesOfFiveRecordingsEach)
+{
+  const TemporaryFolder folder;
+  std::vector<fs::path> files;
+  for (const char* technique : {"standard", "aos"})
+    for (const char* stop_mm : {"11.0", "11.3", "11.6", "11.9", "12.2"}) {
+      files.push_back(folder / (std::string(technique) + stop_mm + ".insertion"));
+      record(files.back(),
+             {{"technique", technique}, {"stop_travel_mm", stop_mm}, {"nodes", "30"}});
+    }
+  page().compare(files);
+  ASSERT_TRUE(WindowRig::comes([&] { return page().runs().size() == 10; }));
+  chooseIn("comparisonAxis", 2);
+  chooseIn("comparisonGroups", 2);
+  ASSERT_EQ(plot().content().curves.size(), 2u);
+  auto& groups = *rig_->window().findChild<QTableWidget*>("groupsTable");
+  // textbook formulas over the peaks, in mN; advance off stylet is the first group by name
+  double mean[2] = {}, variance[2] = {};
+  for (std::size_t i = 0; i < 10; ++i)
+    mean[i < 5 ? 1 : 0] += page().runs()[i].profile.peak.force * 1e3 / 5.0;
+  for (std::size_t i = 0; i < 10; ++i) {
+    const double off = page().runs()[i].profile.peak.force * 1e3 - mean[i < 5 ? 1 : 0];
+    variance[i < 5 ? 1 : 0] += off * off / 4.0;
+  }
+  ASSERT_EQ(groups.item(1, 0)->text(), "peak insertion force");
+  for (int group = 0; group < 2; ++group)
+    EXPECT_EQ(
+        groups.item(1, 1 + group)->text().toStdString(),
+        QStringLiteral("%1 ± %2 mN")
+            .arg(gui::numberText(mean[group], 0), gui::numberText(std::sqrt(variance[group]), 0))
+            .toStdString());
+  EXPECT_TRUE(groups.item(1, 3)->text().startsWith(gui::numberText(mean[0] - mean[1], 0) + " ("));
+  int turns = 0;  // of the event loop: the table has its height
+  ASSERT_TRUE(WindowRig::comes([&] { return ++turns > 20; }));
+  EXPECT_EQ(groups.verticalScrollBar()->maximum(), 0);  // every row is seen
+  EXPECT_LE(groups.mapTo(&page(), groups.rect().bottomLeft()).y(), page().height());
+  keepPicture(rig_->window(), "compare-two-techniques");
+  chooseIn("comparisonGroups", 0);
+  keepPicture(rig_->window(), "compare-ten");
 }
 
 TEST_F(Clinician, PutsAReferenceBehindTheNextInsertionIsWarnedAndRemovesIt)

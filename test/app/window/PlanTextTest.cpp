@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
+
+#include "gui/pages/plan/PlanTable.h"
+#include "perilymph/analysis/ClinicalReports.h"
 #include "perilymph/test/SyntheticPlan.h"
 
 namespace perilymph::test {
@@ -32,6 +36,28 @@ TEST(PlanText, StatesWhatTheShownArraysDifferBy)
             "higher in 0 %.");
   EXPECT_TRUE(gui::differencesOf(plan, {0}).isEmpty());
   EXPECT_TRUE(gui::differencesOf(syntheticPlan(16), {0, 1}).contains("(16 simulations)"));
+}
+
+TEST(PlanTable, StatesWhatClinicsReportBesideItsValues)
+{
+  planning::Plan plan = syntheticPlan(64);
+  const char* arrays[] = {"flex24", "contour"};
+  for (std::size_t i = 0; i < 2; ++i) plan.arrays[i].array = arrays[i];
+  gui::PlanTable table(nullptr);
+  table.setPlan(std::make_shared<const planning::Plan>(plan));
+  const auto angle = [&](int row, int role) {
+    return table.index(row, int(gui::PlanColumn::angle)).data(role).toString();
+  };
+  // O'Connell et al. 2017
+  EXPECT_TRUE(angle(0, Qt::AccessibleTextRole).endsWith("clinics report 408 (373–449)°"))
+      << angle(0, Qt::AccessibleTextRole).toStdString();
+  EXPECT_TRUE(angle(0, Qt::ToolTipRole).contains("n = 48"));
+  EXPECT_FALSE(angle(1, Qt::AccessibleTextRole).contains("clinics"));
+  const auto& evidence = analysis::ClinicalEvidence::shipped();
+  ASSERT_TRUE(evidence) << evidence.error().message;
+  for (int row = 0; row < 2; ++row)
+    EXPECT_EQ(angle(row, Qt::ToolTipRole).contains("Not validated"),
+              evidence->verdictOf(arrays[row]) == analysis::ArrayVerdict::miss);
 }
 
 }  // namespace

@@ -5,10 +5,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <QApplication>
+#include <QFileDialog>
 #include <QLabel>
 #include <QTableView>
+#include <QTimer>
 #include <algorithm>
+#include <filesystem>
 
+#include "KeptPicture.h"
 #include "WindowRig.h"
 #include "gui/pages/compare/ComparisonPlot.h"
 #include "gui/pages/insert/InsertionController.h"
@@ -17,7 +22,9 @@
 #include "gui/report/InsertionResults.h"
 #include "gui/shell/TopBar.h"
 #include "gui/text/Numbers.h"
+#include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/session/RecordedInsertion.h"
+#include "perilymph/test/TemporaryFolder.h"
 
 namespace perilymph::test {
 namespace {
@@ -130,6 +137,43 @@ TEST_F(Result, AgainInsertsOnceMoreWithARecordingOfItsOwnAndComparesBoth)
   rig_.click("resultCompareButton");
   const auto* curves = rig_.window().findChild<gui::ComparisonPlot*>();
   EXPECT_TRUE(WindowRig::comes([&] { return curves != nullptr && curves->isVisible(); }));
+}
+
+TEST_F(Result, StatesWhatClinicsReportOfItsArray)
+{
+  rig_.choose("arraySelector", "flex28");
+  ASSERT_TRUE(WindowRig::comes([&] {
+    return rig_.window().control().scenario().array().name == "FLEX28" &&
+           rig_.button("startButton").isEnabled();
+  }));
+  insert();
+  EXPECT_TRUE(texts().contains("clinics report"));
+  EXPECT_TRUE(texts().contains("575 (465–584)°")) << texts().join('|').toStdString();
+  keepPicture(rig_.window(), "result-clinics");
+}
+
+TEST_F(Result, SavesItsContactsWithADictionaryOfTheirColumns)
+{
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder / "contacts.csv";
+  insert();
+  QTimer watch;
+  QObject::connect(&watch, &QTimer::timeout, &watch, [&] {
+    auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+    if (dialog == nullptr) return;
+    dialog->selectFile(QString::fromStdString(file.string()));
+    static_cast<QDialog*>(dialog)->done(QDialog::Accepted);
+  });
+  watch.start(20);
+  rig_.click("resultContactsButton");
+  watch.stop();
+  const auto table = readWhole(file);
+  ASSERT_TRUE(table);
+  EXPECT_EQ(std::ranges::count(*table, '\n'), 23);  // 22 contacts of a Contour
+  EXPECT_THAT(*table, testing::StartsWith("array,contact,draws,angle_deg,"));
+  const auto dictionary = readWhole(folder / "contacts-dictionary.csv");
+  ASSERT_TRUE(dictionary);
+  EXPECT_THAT(*dictionary, testing::HasSubstr("mismatch_semitones,semitones,"));
 }
 
 }  // namespace

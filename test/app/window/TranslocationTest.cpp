@@ -5,11 +5,13 @@
 #include <gtest/gtest.h>
 
 #include <QTableWidget>
+#include <algorithm>
 
 #include "KeptPicture.h"
 #include "OwnFolders.h"
 #include "WindowRig.h"
 #include "gui/pages/compare/ComparePage.h"
+#include "gui/pages/insert/ReplayBar.h"
 #include "gui/pages/insert/ReplayPlayer.h"
 #include "gui/scene/ForceLabel.h"
 #include "perilymph/device/ScriptedDevice.h"
@@ -93,6 +95,16 @@ TEST_F(ATranslocation, IsSeenInEveryViewOfItsReplay)
   EXPECT_TRUE(WindowRig::comes([&] {
     return rig.window().findChild<gui::ForceLabel*>()->accessibleName().contains(known);
   }));
+  auto* line = rig.window().findChild<gui::Scrubber*>();
+  const auto mark = std::ranges::find_if(line->marks(), [](const gui::ReplayMark& each) {
+    return each.text.contains("rupture of the partition");
+  });
+  ASSERT_NE(mark, line->marks().end());
+  EXPECT_TRUE(mark->isAlarm);
+  QStringList texts;
+  for (const gui::ReplayMark& each : line->marks()) texts << each.text.section(": ", 1);
+  EXPECT_TRUE(texts.contains("translocation")) << texts.join(", ").toStdString();
+  EXPECT_TRUE(texts.contains("peak insertion force"));
   int turns = 0;  // of the event loop: the picture that was due is shown
   ASSERT_TRUE(WindowRig::comes([&] { return ++turns > 20; }));
   keepPicture(rig.window(), "translocation-replay");

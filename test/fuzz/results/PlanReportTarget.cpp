@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "FuzzTarget.h"
+#include "perilymph/planning/ContactsCsv.h"
 #include "perilymph/planning/PlanReading.h"
 #include "perilymph/planning/PlanReport.h"
 #include "perilymph/test/SyntheticPlan.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "perilymph/analysis/Comparison.h"
+#include "perilymph/analysis/ComparisonGroups.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -50,14 +50,14 @@ TEST(ComparedRecordings, StateTheRuptureOfThePartition)
   torn.translocation = haptics::Translocation{
       .angle = degrees(180.0).si(), .force = 0.0425, .depth = 12e-3, .lengthAbove = 3.5e-3};
   const std::string csv = comparisonCsv({whole, torn});
-  EXPECT_THAT(csv, testing::HasSubstr("final_angle_deg,rupture_angle_deg,rupture_N,above_mm\na,"));
-  EXPECT_THAT(csv, testing::HasSubstr(",0,,,\n"));
-  EXPECT_THAT(csv, testing::EndsWith(",180,0.0425,3.5\n"));
+  EXPECT_THAT(csv, testing::HasSubstr("final_angle_deg,rupture_angle_deg,rupture_N,above_mm,"));
+  EXPECT_THAT(csv, testing::HasSubstr("\na,,0,0,0,0,0,0,0,0,,,,"));
+  EXPECT_THAT(csv, testing::HasSubstr("\na,,0,0,0,0,0,0,0,0,180,0.0425,3.5,"));
 }
 
 TEST(ACurve, IsStraightBetweenItsPointsAndEndsWithThem)
 {
-  const std::vector<CurvePoint> curve = {{1e-3, 0.1}, {2e-3, 0.3}};
+  const std::vector<AxisPoint> curve = {{1e-3, 0.1}, {2e-3, 0.3}};
   EXPECT_DOUBLE_EQ(*forceAt(curve, 1e-3), 0.1);
   EXPECT_DOUBLE_EQ(*forceAt(curve, 1.25e-3), 0.15);
   EXPECT_DOUBLE_EQ(*forceAt(curve, 2e-3), 0.3);
@@ -75,6 +75,145 @@ TEST(InsertionsOfOneName, GetDistinctLabels)
   EXPECT_EQ(insertions[0].name, "a");
   EXPECT_EQ(insertions[1].name, "b");
   EXPECT_EQ(insertions[2].name, "a (3)");
+}
+
+TEST(PublishedPoints, StandBehindInsertionsOfTheirArrayOnly)
+{
+  std::vector<ComparedInsertion> insertions(2);
+  insertions[0].subject.array = insertions[1].subject.array = "Nucleus 24 Contour";
+  EXPECT_FALSE(areComparableWithPublished(insertions));
+  insertions[0].hasPublishedConditions = true;
+  EXPECT_TRUE(areComparableWithPublished(insertions));
+  insertions[1].subject.array = "FLEX24";
+  EXPECT_FALSE(areComparableWithPublished(insertions));
+}
+
+/// Insertions of two techniques with the given peaks [N].
+std::vector<ComparedInsertion> twoTechniques(const std::vector<double>& standard,
+                                             const std::vector<double>& aos)
+{
+  std::vector<ComparedInsertion> insertions;
+  for (const auto* peaks : {&standard, &aos})
+    for (const double peak : *peaks) {
+      auto& each = insertions.emplace_back();
+      each.subject.array = "Contour";
+      each.subject.technique = peaks == &aos ? "aos" : "standard";
+      each.profile.peak.force = peak;
+    }
+  return insertions;
+}
+
+TEST(Groups, HoldInsertionsWithEqualValuesInOrderOfTheirNames)
+{
+  const auto insertions = twoTechniques({0.1, 0.2}, {0.3});
+  EXPECT_TRUE(groupsOf(insertions, {}).empty());
+  const auto groups = groupsOf(insertions, {GroupKey::array, GroupKey::technique});
+  ASSERT_EQ(groups.size(), 2u);
+  EXPECT_EQ(groups[0].name(), "Contour · aos");
+  EXPECT_THAT(groups[0].members, testing::ElementsAre(2u));
+  EXPECT_THAT(groups[1].members, testing::ElementsAre(0u, 1u));
+}
+
+TEST(Groups, HaveMeanDeviationAndDifferenceOfATextbook)
+{
+  // SciPy, [.2, .24, .19, .21] and [.1, .12, .14] with unequal variances: difference 0.09,
+  // standard error 0.0158114, 4.65517 degrees of freedom, 95 % interval 0.0484331 to 0.131567
+  const auto insertions = twoTechniques({0.10, 0.12, 0.14}, {0.20, 0.24, 0.19, 0.21});
+  const auto groups = groupsOf(insertions, {GroupKey::technique});
+  const std::string means = groupsCsv(insertions, groups);
+  EXPECT_THAT(means, testing::HasSubstr("\nstandard,peak_N,3,0.12"));
+  const ComparedQuantity& peak = comparedQuantities().front();
+  ASSERT_STREQ(peak.key, "peak_N");
+  const auto welch =
+      welchDifference(valuesOf(insertions, groups[0], peak), valuesOf(insertions, groups[1], peak));
+  ASSERT_TRUE(welch);
+  EXPECT_NEAR(welch->difference.value, 0.09, 1e-12);
+  EXPECT_NEAR(welch->degreesOfFreedom, 4.65517, 1e-4);
+  EXPECT_NEAR(welch->difference.low, 0.0484331, 1e-6);
+  EXPECT_NEAR(welch->difference.high, 0.131567, 1e-6);
+  EXPECT_THAT(differencesCsv(insertions, groups),
+              testing::HasSubstr("\naos,standard,peak_N,4,3,0.0"));
+}
+
+TEST(TheMeanCurveOfAGroup, GoesAsFarAsHalfOfTheInsertionsDo)
+{
+  std::vector<ComparedInsertion> insertions(3);
+  for (std::size_t i = 0; i < 3; ++i)
+    for (int step = 1; step <= 2 + static_cast<int>(i); ++step)
+      insertions[i].profile.curve.push_back({step * 1e-4, 0.1 * static_cast<double>(i)});
+  const MeanCurve curve = meanCurve(insertions, {{"all"}, {0, 1, 2}}, CurveAxis::travel);
+  ASSERT_THAT(curve.count, testing::ElementsAre(3u, 3u, 2u));  // the last step of one is left out
+  EXPECT_NEAR(curve.mean[0], 0.1, 1e-12);
+  EXPECT_NEAR(curve.sd[0], 0.1, 1e-12);
+  EXPECT_NEAR(curve.mean[2], 0.15, 1e-12);
+  EXPECT_NEAR(curve.place[2], 3e-4, 1e-12);
+}
+
+TEST(CurvesOfRecordings, CanRunOverTheAngle)
+{
+  ComparedInsertion one = insertion("a", {});
+  one.overAngle = {{degrees(1.0).si(), 0.5}, {degrees(2.0).si(), 0.25}};
+  EXPECT_EQ(curvesCsv({one}, CurveAxis::angle), "angle_deg,a_N\n1,0.5\n2,0.25\n");
+}
+
+/// A tick while the array is pushed in.
+haptics::TickOutput pushed(double depth_mm, double force)
+{
+  haptics::TickOutput now;
+  now.workflow = haptics::Workflow::inserting;
+  now.depth = depth_mm * 1e-3;
+  now.travel = (depth_mm - 2.0) * 1e-3;
+  now.time = depth_mm;
+  now.axialForce = force;
+  return now;
+}
+
+TEST(TheForceOfARib, IsToldFromThatOfTheArray)
+{
+  electrode::ArrayDesign array;
+  array.ribsFromTip = {millimeters(17), millimeters(19)};
+  RibPeaks peaks(array, millimeters(1));
+  // 17.8 mm: the first rib is in the passage of 1 mm; 18.5 and more is near the second
+  for (const auto& [depth_mm, force] : {std::pair{16.0, 0.10},
+                                        {16.4, 0.11},
+                                        {17.0, 0.20},
+                                        {17.8, 0.15},
+                                        {18.2, 0.06},
+                                        {18.6, 0.14}})
+    peaks.add(pushed(depth_mm, force));
+  EXPECT_EQ(peaks.array().force, 0.11);
+  EXPECT_NEAR(peaks.array().depth, 16.4e-3, 1e-12);
+  ASSERT_TRUE(peaks.rib());
+  EXPECT_EQ(peaks.rib()->force, 0.20);
+  EXPECT_EQ(peaks.ribNumber(), 1);
+}
+
+TEST(TheEventsOfAnInsertion, AreInOrderOfTimeAndEachOnce)
+{
+  electrode::ArrayDesign array;
+  array.ribsFromTip = {millimeters(5)};
+  EventFinder finder(array, 0.02);
+  std::vector<haptics::TickOutput> ticks = {pushed(3, 0.01), pushed(4, 0.03), pushed(5, 0.09),
+                                            pushed(6, 0.05), pushed(6, 0.05)};
+  ticks[3].status = ticks[4].status = haptics::partitionRuptured | haptics::translocated;
+  haptics::TickOutput end = pushed(6, 0.04);
+  end.workflow = haptics::Workflow::finished;
+  end.status = ticks[4].status | haptics::endedBuckled;
+  ticks.insert(ticks.end(), {end, end});
+  haptics::PeakForce peak;
+  for (std::size_t i = 0; i < ticks.size(); ++i) {
+    peak.follow(ticks[i]);
+    finder.add(i, ticks[i], peak);
+  }
+  std::vector<std::string> names;
+  std::vector<std::uint64_t> places;
+  for (const InsertionEvent& event : finder.events()) {
+    names.emplace_back(nameOf(event.kind));
+    places.push_back(event.place);
+  }
+  EXPECT_THAT(names, testing::ElementsAre("first_resistance", "rib_at_opening", "peak", "rupture",
+                                          "translocation", "buckled"));
+  EXPECT_THAT(places, testing::ElementsAre(1u, 2u, 2u, 3u, 3u, 5u));
 }
 
 }  // namespace

@@ -64,5 +64,29 @@ TEST(Proportion, HasTheIntervalOfWilson)
   EXPECT_GT(proportionOf(0, 20).high, 0.1);
   EXPECT_NEAR(proportionOf(0, 20).low, 0.0, 1e-12);
 }
+
+TEST(StudentsDistribution, HasTheQuantilesOfTables)
+{
+  // scipy.stats.t.ppf(0.975, f)
+  const std::pair<double, double> quantiles[] = {
+      {1.0, 12.706204736432095},  {1.5, 6.016663107990447},  {2.0, 4.302652729911275},
+      {4.0, 2.7764451051977987},  {4.5, 2.6589123472044034}, {8.0, 2.3060041350333704},
+      {30.0, 2.0422724563012373}, {1e6, 1.9599663568141066}};
+  for (const auto& [freedom, quantile] : quantiles)
+    EXPECT_NEAR(studentHalfWidth95(freedom), quantile, 1e-8 * quantile) << freedom;
+}
+
+TEST(WelchsDifference, NeedsTwoValuesOfEachAndASpread)
+{
+  const std::vector<double> one = {1.0}, two = {1.0, 2.0}, equal = {3.0, 3.0};
+  EXPECT_FALSE(welchDifference(one, two));
+  EXPECT_FALSE(welchDifference(equal, equal));
+  EXPECT_FALSE(meanWithInterval(one));
+  // one sample does not vary: the other alone gives the interval, with its n - 1
+  const auto difference = welchDifference(two, equal);
+  ASSERT_TRUE(difference);
+  EXPECT_NEAR(difference->degreesOfFreedom, 1.0, 1e-12);
+  EXPECT_NEAR(difference->difference.high, -1.5 + 12.706204736 * 0.5, 1e-6);
+}
 }  // namespace
 }  // namespace perilymph::analysis

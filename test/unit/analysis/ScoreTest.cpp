@@ -65,7 +65,7 @@ ComparedInsertion insertion(const Motion& motion, double peak)
 {
   ComparedInsertion made;
   made.motion = motion;
-  made.profile.peak.force = peak;
+  made.arrayPeak.force = peak;
   return made;
 }
 
@@ -175,10 +175,9 @@ TEST(TheMotionOfAnInsertion, ReversesTwiceForOneStepBack)
   EXPECT_EQ(motion.reversals, 2);
 }
 
-TEST(AScore, GivesEverythingToASlowSteadyGentleInsertion)
+TEST(AScore, GivesEverythingForSpeedAndMotionOfASteadyInsertion)
 {
-  const InsertionScore score =
-      scoreOf(insertion(Course().go(1.0, 16.0).motion(), 0.03), patients());
+  const InsertionScore score = scoreOf(insertion(Course().go(1.0, 16.0).motion(), 0.0), patients());
   EXPECT_DOUBLE_EQ(score.total, 100.0);
 }
 
@@ -189,20 +188,24 @@ TEST(AScore, GivesHalfThePointsInTheMiddleOfThePeaksInPatients)
   const InsertionScore score = scoreOf(insertion(steady, middle), patients());
   EXPECT_NEAR(score.criteria[2].fraction, 0.5, 1e-12);
   EXPECT_NEAR(score.total, 100.0 * 3.5 / 4.0, 1e-9);
+  EXPECT_NEAR(scoreOf(insertion(steady, 2.0 * middle), patients()).criteria[2].fraction, 1.0 / 3.0,
+              1e-12);
 }
 
-TEST(AScore, GivesNothingBeyondTheGreatestPeakInPatients)
+TEST(AScore, IsHigherForTheGentlerOfTwoInsertionsBeyondThePeaksInPatients)
 {
   const Motion steady = Course().go(1.0, 16.0).motion();
-  EXPECT_EQ(scoreOf(insertion(steady, 0.5), patients()).criteria[2].fraction, 0.0);
+  EXPECT_GT(scoreOf(insertion(steady, 0.166), patients()).total,
+            scoreOf(insertion(steady, 0.200), patients()).total + 0.5);
+  EXPECT_GT(scoreOf(insertion(steady, 0.010), patients()).total,
+            scoreOf(insertion(steady, 0.030), patients()).total + 0.5);
 }
 
-TEST(AScore, TakesOnePartIn18Point6ForEachReversal)
+TEST(AScore, GivesHalfThePointsAt18Point6Reversals)
 {
   Motion motion = Course().go(1.0, 16.0).motion();
   motion.reversals = 2;
-  EXPECT_NEAR(scoreOf(insertion(motion, 0.0), patients()).criteria[1].fraction, 1.0 - 2.0 / 18.6,
-              1e-12);
+  EXPECT_NEAR(scoreOf(insertion(motion, 0.0), patients()).criteria[1].fraction, 18.6 / 20.6, 1e-12);
 }
 
 TEST(AScore, NamesNumberBandAndSourceOfEveryCriterion)

@@ -4,9 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "perilymph/analysis/Tonotopy.h"
+#include "perilymph/foundation/Resources.h"
+#include "perilymph/planning/ContactsCsv.h"
 #include "perilymph/planning/PlanWords.h"
 #include "perilymph/test/SyntheticPlan.h"
 
@@ -98,6 +102,59 @@ TEST(PlanReport, HasARowPerContact)
 {
   const std::string csv = planning::contactsCsv(syntheticPlan(20));
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 2 * 2);
+}
+
+/// The first fields of the lines of a table, joined by commas.
+std::string firstFields(const std::string& csv)
+{
+  std::string fields;
+  std::istringstream lines(csv);
+  for (std::string line; std::getline(lines, line);)
+    fields += (fields.empty() ? "" : ",") + line.substr(0, line.find(','));
+  return fields;
+}
+
+TEST(ContactTable, HasAnEntryOfTheDictionaryForEachColumn)
+{
+  const std::string csv = planning::contactsCsv(syntheticPlan(20));
+  EXPECT_EQ(firstFields(planning::contactsDictionaryCsv()),
+            "column," + csv.substr(0, csv.find('\n')));
+}
+
+TEST(ContactTable, OfOneInsertionStatesPlaceFrequenciesAndMismatch)
+{
+  const auto file = findByName("array", "plugins/electrodes", "flex28");
+  ASSERT_TRUE(file);
+  const auto array = electrode::loadArray(*file);
+  ASSERT_TRUE(array);
+  std::vector<analysis::ContactPosition> contacts(12);
+  for (std::size_t i = 0; i < contacts.size(); ++i) contacts[i].number = static_cast<int>(i) + 1;
+  contacts[0].isInserted = true;
+  contacts[0].angle = degrees(360.0);
+  contacts[0].frequency_Hz = 900.0;
+  contacts[0].toModiolus = millimeters(0.5);
+  const auto csv = planning::insertionContactsCsv("flex28", *array, contacts);
+  ASSERT_TRUE(csv) << csv.error().message;
+  std::vector<std::vector<std::string>> rows;
+  std::istringstream lines(*csv);
+  for (std::string line; std::getline(lines, line);) rows.push_back(fieldsOf(line));
+  ASSERT_EQ(rows.size(), 13u);
+  const auto cell = [&](std::size_t row, const char* key) {
+    const auto column = std::ranges::find(rows[0], key) - rows[0].begin();
+    return rows[row].at(static_cast<std::size_t>(column));
+  };
+  EXPECT_EQ(cell(1, "angle_deg"), "360");
+  EXPECT_EQ(cell(1, "angle_p5_deg"), "");  // one insertion has no band
+  EXPECT_EQ(cell(1, "greenwood_Hz"), "900");
+  // Stakhovskaya et al. 2007: the spiral ganglion at 360 degrees
+  const double ganglion_Hz = std::stod(cell(1, "spiral_ganglion_Hz"));
+  EXPECT_NEAR(ganglion_Hz, analysis::spiralGanglionFrequency(degrees(360.0)), 0.01);
+  const double filter_Hz = std::stod(cell(1, "filter_Hz"));
+  EXPECT_NEAR(std::stod(cell(1, "mismatch_semitones")), 12.0 * std::log2(ganglion_Hz / filter_Hz),
+              0.01);
+  EXPECT_EQ(cell(2, "draws"), "0");
+  EXPECT_EQ(cell(2, "angle_deg"), "");
+  EXPECT_GT(std::stod(cell(2, "filter_Hz")), filter_Hz);
 }
 
 TEST(PlanReport, DrawsTheBandsOfEachArray)

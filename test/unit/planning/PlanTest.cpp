@@ -21,6 +21,7 @@
 #include "perilymph/analysis/ContactPositions.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/foundation/Version.h"
+#include "perilymph/planning/ContactsCsv.h"
 #include "perilymph/planning/PlanReport.h"
 #include "perilymph/planning/PlanWords.h"
 #include "perilymph/planning/PlannedDraw.h"

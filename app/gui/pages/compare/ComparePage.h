@@ -1,25 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// Comparison of several recorded insertions: curves with a common cursor, and a table.
+// Comparison of several recorded insertions: curves with a common cursor, and tables of insertions and
+// of groups.
 
 #include <filesystem>
 #include <vector>
 
 #include "gui/pages/Page.h"
 #include "gui/run/Background.h"
-#include "perilymph/analysis/Comparison.h"
+#include "perilymph/analysis/ComparisonGroups.h"
 #include "perilymph/analysis/Score.h"
 
+class QComboBox;
 class QLabel;
 class QPushButton;
 class QStackedWidget;
-class QTableWidget;
 
 namespace perilymph::gui {
 
 class ComparisonPlot;
 class EmptyPage;
+class GroupsTable;
+class RunsTable;
 class StatusLine;
 
 /// The comparison page.
@@ -34,7 +37,7 @@ public:
   bool cancel() override;
   const std::vector<analysis::ComparedInsertion>& runs() const { return runs_; }
 
-  /// Writes table and curves as CSV, the figure as SVG and PNG, into a folder.
+  /// Writes tables, curves and events as CSV, the figure as SVG and PNG, into a folder.
   Result<Done> writeInto(const std::filesystem::path& folder) const;
 
 private:
@@ -42,18 +45,26 @@ private:
   void showRuns(std::vector<analysis::ComparedInsertion> runs);
   /// The published measurements, if one of the runs has their conditions.
   const analysis::Reference* comparedWith() const;
-  void fillTable();
+  analysis::CurveAxis axis() const;
+  const std::vector<analysis::GroupKey>& keys() const;
+  /// Shows curves and table of the chosen axis and groups.
+  void showContent();
+  /// Sets the cursor to the peak of the first insertion, without ribs.
+  void placeCursor();
   void showCursor();
   void showScore();
   void save();
 
   std::vector<analysis::ComparedInsertion> runs_;
   std::vector<Result<analysis::InsertionScore>> scores_;
+  std::vector<analysis::InsertionGroup> groups_;
   Result<analysis::Reference> published_;
   QStackedWidget* stack_;
   EmptyPage* empty_;
   ComparisonPlot* plot_ = nullptr;
-  QTableWidget* table_ = nullptr;
+  RunsTable* runsTable_ = nullptr;
+  GroupsTable* groupsTable_ = nullptr;
+  QComboBox *axis_ = nullptr, *grouping_ = nullptr;
   QLabel *legend_ = nullptr, *score_ = nullptr;
   StatusLine* status_ = nullptr;
   QPushButton* save_ = nullptr;

@@ -20,9 +20,7 @@ namespace {
 constexpr double left_px = 56.0, right_px = 20.0, top_px = 36.0, bottom_px = 44.0;
 // Below the resolution of the plot: the vibration of an array at rest does not move the axis.
 constexpr double negligible_N = 0.01;
-constexpr double step_mm = 0.1, bigStep_mm = 1.0;
-
-double millimetersOf(double travel) { return inMillimeters(meters(travel)); }
+constexpr int bigSteps = 10;
 
 }  // namespace
 
@@ -38,10 +36,27 @@ QPen penOfRun(std::size_t run)
   return pen;
 }
 
+double shownPlace(analysis::CurveAxis axis, double place)
+{
+  return axis == analysis::CurveAxis::angle ? inDegrees(radians(place))
+                                            : inMillimeters(meters(place));
+}
+
+double placeAt(analysis::CurveAxis axis, double shown)
+{
+  return axis == analysis::CurveAxis::angle ? degrees(shown).si() : millimeters(shown).si();
+}
+
+QString placeText(analysis::CurveAxis axis, double shown)
+{
+  return axis == analysis::CurveAxis::angle ? ComparisonPlot::tr("%1°").arg(numberText(shown, 0))
+                                            : ComparisonPlot::tr("%1 mm").arg(numberText(shown, 1));
+}
+
 ComparisonPlot::ComparisonPlot(QWidget* parent) : QWidget(parent)
 {
   setObjectName(QStringLiteral("comparisonPlot"));
-  setAccessibleName(tr("Insertion force over travel"));
+  setAccessibleName(tr("Insertion force"));
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
   setMinimumHeight(200);
@@ -49,35 +64,38 @@ ComparisonPlot::ComparisonPlot(QWidget* parent) : QWidget(parent)
   fitAxes();
 }
 
-void ComparisonPlot::setRuns(std::vector<analysis::ComparedInsertion> runs)
+void ComparisonPlot::setContent(PlottedContent content)
 {
-  runs_ = std::move(runs);
+  content_ = std::move(content);
   fitAxes();
   update();
 }
 
-void ComparisonPlot::setPublished(const std::optional<analysis::Reference>& published)
+double ComparisonPlot::step() const
 {
-  published_ = published;
-  fitAxes();
-  update();
+  return shownPlace(content_.axis, analysis::stepOf(content_.axis));
 }
 
 void ComparisonPlot::fitAxes()
 {
-  // initial ranges equal to those of the insertion chart
-  double nearest = 0.0, farthest = 17.0, lowest = 0.0, highest = 0.2;
-  for (const analysis::ComparedInsertion& run : runs_)
-    for (const analysis::CurvePoint& point : run.profile.curve) {
-      nearest = std::min(nearest, millimetersOf(point.travel));
-      farthest = std::max(farthest, millimetersOf(point.travel));
-      lowest = std::min(lowest, point.force);
-      highest = std::max(highest, point.force);
+  // initial ranges: those of the insertion chart, one turn of the cochlea
+  double nearest = 0.0, farthest = content_.axis == analysis::CurveAxis::angle ? 360.0 : 17.0;
+  double lowest = 0.0, highest = 0.05;
+  for (const PlottedCurve& curve : content_.curves)
+    for (std::size_t i = 0; i < curve.points.size(); ++i) {
+      const double sd = curve.sd.empty() ? 0.0 : curve.sd[i];
+      nearest = std::min(nearest, shownPlace(content_.axis, curve.points[i].place));
+      farthest = std::max(farthest, shownPlace(content_.axis, curve.points[i].place));
+      lowest = std::min(lowest, curve.points[i].force - sd);
+      highest = std::max(highest, curve.points[i].force + sd);
     }
+  if (content_.published)
+    for (const analysis::PrintedForce& point : content_.published->points)
+      highest = std::max(highest, point.mean + point.standardDeviation);
   if (lowest > -negligible_N) lowest = 0.0;
   x_ = figures::axisOver({}, nearest, farthest);
   y_ = figures::axisOver({}, lowest, highest);
-  cursor_mm_ = std::clamp(cursor_mm_, x_.low, x_.high);
+  cursor_ = std::clamp(cursor_, x_.low, x_.high);
 }
 
 QRectF ComparisonPlot::place() const
@@ -85,20 +103,25 @@ QRectF ComparisonPlot::place() const
   return QRectF(rect()).adjusted(left_px, top_px, -right_px, -bottom_px);
 }
 
-QPointF ComparisonPlot::at(double travel_mm, double force_N) const
+QPointF ComparisonPlot::at(double shown, double force_N) const
 {
   const QRectF inside = place();
-  return {inside.left() + (travel_mm - x_.low) / (x_.high - x_.low) * inside.width(),
+  return {inside.left() + (shown - x_.low) / (x_.high - x_.low) * inside.width(),
           inside.bottom() - (force_N - y_.low) / (y_.high - y_.low) * inside.height()};
 }
 
-void ComparisonPlot::setCursor_mm(double travel_mm)
+QPointF ComparisonPlot::at(const analysis::AxisPoint& point, double offset_N) const
 {
-  const double inside = std::clamp(travel_mm, x_.low, x_.high);
-  if (inside == cursor_mm_) return;
-  cursor_mm_ = inside;
+  return at(shownPlace(content_.axis, point.place), point.force + offset_N);
+}
+
+void ComparisonPlot::setCursorPlace(double place)
+{
+  const double inside = std::clamp(place, x_.low, x_.high);
+  if (inside == cursor_) return;
+  cursor_ = inside;
   update();
-  Q_EMIT cursorMoved(cursor_mm_);
+  Q_EMIT cursorMoved(cursor_);
 }
 
 void ComparisonPlot::paintEvent(QPaintEvent*)
@@ -115,7 +138,9 @@ void ComparisonPlot::paintEvent(QPaintEvent*)
   painter.save();
   painter.setClipRect(place().adjusted(-6, -6, 6, 6));
   paintPublished(painter);
-  paintRuns(painter);
+  paintBands(painter);
+  paintCurves(painter);
+  paintNotes(painter);
   painter.restore();
   if (hasFocus()) paintFocusRing(painter, rect());
 }
@@ -145,18 +170,20 @@ void ComparisonPlot::paintAxes(QPainter& painter) const
     painter.drawText(QRectF(here.x() - 30, here.y() + 4, 60, 16), Qt::AlignCenter,
                      numberText(travel, 0));
   }
+  const QString titles[] = {tr("travel, mm"), tr("insertion depth, mm"), tr("tip angle, °")};
   painter.drawText(QRectF(inside.left(), inside.bottom() + 22, inside.width(), 18), Qt::AlignCenter,
-                   tr("travel, mm"));
+                   titles[int(content_.axis)]);
   painter.drawText(QRectF(8, 8, 260, 20), Qt::AlignLeft | Qt::AlignVCenter,
                    tr("insertion force, mN"));
 }
 
 void ComparisonPlot::paintPublished(QPainter& painter) const
 {
-  if (!published_ || published_->points.empty()) return;
+  const auto& published = content_.published;
+  if (!published || content_.axis != analysis::CurveAxis::travel) return;
   constexpr double cap_px = 4.0, ring_px = 4.0;
-  for (const analysis::PrintedForce& point : published_->points) {
-    const double travel = millimetersOf(point.travel);
+  for (const analysis::PrintedForce& point : published->points) {
+    const double travel = inMillimeters(meters(point.travel));
     const QPointF low = at(travel, point.mean - point.standardDeviation);
     const QPointF high = at(travel, point.mean + point.standardDeviation);
     painter.setPen(QPen(shownTheme().text, 1.0));
@@ -169,37 +196,69 @@ void ComparisonPlot::paintPublished(QPainter& painter) const
   }
 }
 
-void ComparisonPlot::paintRuns(QPainter& painter) const
+void ComparisonPlot::paintBands(QPainter& painter) const
+{
+  painter.setPen(Qt::NoPen);
+  for (const PlottedCurve& curve : content_.curves) {
+    if (curve.sd.empty()) continue;
+    QPolygonF band;
+    for (std::size_t i = 0; i < curve.points.size(); ++i) band << at(curve.points[i], curve.sd[i]);
+    for (std::size_t i = curve.points.size(); i-- > 0;) band << at(curve.points[i], -curve.sd[i]);
+    QColor tint = curve.pen.color();
+    tint.setAlphaF(0.18);
+    painter.setBrush(tint);
+    painter.drawPolygon(band);
+  }
+}
+
+void ComparisonPlot::paintCurves(QPainter& painter) const
 {
   painter.setBrush(Qt::NoBrush);
-  for (std::size_t i = 0; i < runs_.size(); ++i) {
+  for (const PlottedCurve& curve : content_.curves) {
     QPolygonF line;
-    for (const analysis::CurvePoint& point : runs_[i].profile.curve)
-      line << at(millimetersOf(point.travel), point.force);
-    painter.setPen(penOfRun(i));
+    for (const analysis::AxisPoint& point : curve.points) line << at(point);
+    painter.setPen(curve.pen);
     painter.drawPolyline(line);
+  }
+}
+
+void ComparisonPlot::paintNotes(QPainter& painter) const
+{
+  constexpr double half_px = 4.0, width_px = 220.0, height_px = 16.0;
+  painter.setFont(typeface(11));
+  for (const PlottedNote& note : content_.notes) {
+    const QPointF here = at(shownPlace(content_.axis, note.place), note.force);
+    painter.setPen(QPen(note.color, 1.5));
+    painter.setBrush(shownTheme().ground);
+    painter.drawPolygon(QPolygonF({here + QPointF(0, -half_px), here + QPointF(half_px, 0),
+                                   here + QPointF(0, half_px), here + QPointF(-half_px, 0)}));
+    painter.setPen(shownTheme().text);
+    painter.drawText(QRectF(here.x() - width_px - 2.0 * half_px, here.y() - 0.5 * height_px,
+                            width_px, height_px),
+                     Qt::AlignRight | Qt::AlignVCenter, note.text);
   }
 }
 
 void ComparisonPlot::paintCursor(QPainter& painter) const
 {
-  if (runs_.empty()) return;
+  if (content_.curves.empty()) return;
   const QRectF inside = place();
-  const double x = at(cursor_mm_, 0.0).x();
+  const double x = at(cursor_, 0.0).x();
   painter.setPen(QPen(shownTheme().quietText, 1.0));
   painter.drawLine(QPointF(x, inside.top()), QPointF(x, inside.bottom()));
-  for (std::size_t i = 0; i < runs_.size(); ++i) {
-    const auto force = analysis::forceAt(runs_[i].profile.curve, millimeters(cursor_mm_).si());
+  const double here = placeAt(content_.axis, cursor_);
+  for (const PlottedCurve& curve : content_.curves) {
+    const auto force = analysis::forceAt(curve.points, here);
     if (!force) continue;
     painter.setPen(QPen(shownTheme().ground, 1.5));
-    painter.setBrush(penOfRun(i).color());
-    painter.drawEllipse(at(cursor_mm_, *force), 4.5, 4.5);
+    painter.setBrush(curve.pen.color());
+    painter.drawEllipse(at(cursor_, *force), 4.5, 4.5);
   }
-  const QString text = tr("%1 mm").arg(numberText(cursor_mm_, 1));
   const bool isRight = x > inside.right() - 70.0;
   painter.setPen(shownTheme().text);
   painter.drawText(QRectF(isRight ? x - 76 : x + 6, inside.top() - 22, 70, 20),
-                   int(isRight ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter, text);
+                   int(isRight ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter,
+                   placeText(content_.axis, cursor_));
 }
 
 void ComparisonPlot::mousePressEvent(QMouseEvent* event) { mouseMoveEvent(event); }
@@ -208,16 +267,16 @@ void ComparisonPlot::mouseMoveEvent(QMouseEvent* event)
 {
   const QRectF inside = place();
   const double fraction = (event->pos().x() - inside.left()) / inside.width();
-  const double travel = x_.low + fraction * (x_.high - x_.low);
-  setCursor_mm(std::round(travel / step_mm) * step_mm);
+  const double shown = x_.low + fraction * (x_.high - x_.low);
+  setCursorPlace(std::round(shown / step()) * step());
 }
 
 void ComparisonPlot::keyPressEvent(QKeyEvent* event)
 {
   const bool isShift = (event->modifiers() & Qt::ShiftModifier) != 0;
-  const double step = isShift ? bigStep_mm : step_mm;
-  if (event->key() == Qt::Key_Left) return setCursor_mm(cursor_mm_ - step);
-  if (event->key() == Qt::Key_Right) return setCursor_mm(cursor_mm_ + step);
+  const double by = (isShift ? bigSteps : 1) * step();
+  if (event->key() == Qt::Key_Left) return setCursorPlace(cursor_ - by);
+  if (event->key() == Qt::Key_Right) return setCursorPlace(cursor_ + by);
   QWidget::keyPressEvent(event);
 }
 

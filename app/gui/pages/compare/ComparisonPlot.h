@@ -3,32 +3,63 @@
 
 // Curves of several insertions over one axis, with a common cursor.
 
+#include <QPen>
 #include <QWidget>
 #include <optional>
 #include <vector>
 
-#include "perilymph/analysis/Comparison.h"
+#include "perilymph/analysis/ComparisonGroups.h"
 
 namespace perilymph::gui {
 
-/// The line style of a run: color and dashes.
+/// The line style of a run or of a group: color and dashes.
 QPen penOfRun(std::size_t run);
 
-/// Axial force over travel. The cursor follows the mouse; Left and Right move it by 0.1 mm, with
-/// Shift by 1 mm.
+/// A place on an axis as it is shown: mm or degrees.
+double shownPlace(analysis::CurveAxis axis, double place);
+/// The place [m or rad] that is shown as a number in mm or degrees.
+double placeAt(analysis::CurveAxis axis, double shown);
+/// "3.2 mm", "210°".
+QString placeText(analysis::CurveAxis axis, double shown);
+
+/// One curve of the plot.
+struct PlottedCurve {
+  QPen pen;
+  std::vector<analysis::AxisPoint> points;
+  std::vector<double> sd;  ///< Standard deviation at each point [N]; empty for a single insertion.
+};
+
+/// A mark at a point, with a text beside it.
+struct PlottedNote {
+  double place = 0.0;  ///< [m] or [rad]
+  double force = 0.0;  ///< [N]
+  QString text;        ///< Empty: the mark alone.
+  QColor color;
+};
+
+/// What a plot shows.
+struct PlottedContent {
+  analysis::CurveAxis axis = analysis::CurveAxis::travel;
+  std::vector<PlottedCurve> curves;
+  std::vector<PlottedNote> notes;
+  std::optional<analysis::Reference> published;  ///< Drawn over travel only.
+};
+
+/// Axial force over travel, insertion depth or tip angle. The cursor follows the mouse; Left and Right
+/// move it by 0.1 mm or one degree, with Shift by ten times that.
 class ComparisonPlot : public QWidget {
   Q_OBJECT
 public:
   explicit ComparisonPlot(QWidget* parent);
 
-  void setRuns(std::vector<analysis::ComparedInsertion> runs);
-  /// Values drawn behind the curves, or none.
-  void setPublished(const std::optional<analysis::Reference>& published);
-  void setCursor_mm(double travel_mm);
-  double cursor_mm() const { return cursor_mm_; }
+  void setContent(PlottedContent content);
+  const PlottedContent& content() const { return content_; }
+  /// In mm or degrees.
+  void setCursorPlace(double place);
+  double cursorPlace() const { return cursor_; }
 
 Q_SIGNALS:
-  void cursorMoved(double travel_mm);
+  void cursorMoved(double place);
 
 protected:
   void paintEvent(QPaintEvent*) override;
@@ -38,17 +69,20 @@ protected:
 
 private:
   QRectF place() const;
-  QPointF at(double travel_mm, double force_N) const;
+  QPointF at(double shown, double force_N) const;
+  QPointF at(const analysis::AxisPoint& point, double offset_N = 0.0) const;
+  double step() const;
   void paintAxes(QPainter& painter) const;
   void paintPublished(QPainter& painter) const;
-  void paintRuns(QPainter& painter) const;
+  void paintBands(QPainter& painter) const;
+  void paintCurves(QPainter& painter) const;
+  void paintNotes(QPainter& painter) const;
   void paintCursor(QPainter& painter) const;
   void fitAxes();
 
-  std::vector<analysis::ComparedInsertion> runs_;
-  std::optional<analysis::Reference> published_;
+  PlottedContent content_;
   figures::FigureAxis x_, y_;
-  double cursor_mm_ = 0.0;
+  double cursor_ = 0.0;  ///< [mm] or [degrees]
 };
 
 }  // namespace perilymph::gui

@@ -2,27 +2,51 @@
 #include "gui/pages/insert/ReplayBar.h"
 
 #include <QHBoxLayout>
+#include <QHelpEvent>
 #include <QLabel>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPushButton>
 #include <QStyle>
+#include <QToolTip>
 #include <QVariant>
 #include <algorithm>
+#include <cmath>
 
 #include "gui/pages/insert/ReplayPlayer.h"
+#include "gui/text/DataText.h"
 #include "gui/text/Numbers.h"
 #include "gui/widgets/Theme.h"
+#include "perilymph/analysis/InsertionEvents.h"
+#include "perilymph/analysis/Reference.h"
 
 namespace perilymph::gui {
 
 namespace {
 
 constexpr double knob_px = 6.0;
+constexpr double markReach_px = 4.0;
 
 QString speedText(double speed)
 {
   return ReplayBar::tr("%1 ×").arg(numberText(speed, speed == 0.25 ? 2 : speed < 1.0 ? 1 : 0));
+}
+
+bool isAlarm(analysis::EventKind kind)
+{
+  using analysis::EventKind;
+  switch (kind) {
+    case EventKind::rupture:
+    case EventKind::translocation:
+    case EventKind::resistance:
+    case EventKind::buckled:
+    case EventKind::outOfOpening:
+    case EventKind::foldedTip:
+    case EventKind::jammed:
+      return true;
+    default:
+      return false;
+  }
 }
 
 }  // namespace
@@ -44,14 +68,52 @@ void Scrubber::setFractions(double here, double ready)
   update();
 }
 
+void Scrubber::setMarks(std::vector<ReplayMark> marks)
+{
+  marks_ = std::move(marks);
+  QStringList texts;
+  for (const ReplayMark& mark : marks_) texts << mark.text;
+  setAccessibleDescription(texts.join(QStringLiteral("; ")));
+  update();
+}
+
+double Scrubber::xOf(double fraction) const
+{
+  return knob_px + fraction * (width() - 2.0 * knob_px);
+}
+
+const ReplayMark* Scrubber::markAt(double x) const
+{
+  const ReplayMark* nearest = nullptr;
+  for (const ReplayMark& mark : marks_) {
+    const double distance = std::abs(x - xOf(mark.fraction));
+    if (distance <= markReach_px &&
+        (nearest == nullptr || distance < std::abs(x - xOf(nearest->fraction))))
+      nearest = &mark;
+  }
+  return nearest;
+}
+
+bool Scrubber::event(QEvent* event)
+{
+  if (event->type() != QEvent::ToolTip) return QWidget::event(event);
+  const auto* help = static_cast<QHelpEvent*>(event);
+  QStringList texts;  // all that lie there: events may coincide
+  for (const ReplayMark& mark : marks_)
+    if (std::abs(help->pos().x() - xOf(mark.fraction)) <= markReach_px) texts << mark.text;
+  if (texts.isEmpty())
+    QToolTip::hideText();
+  else
+    QToolTip::showText(help->globalPos(), texts.join(QLatin1Char('\n')), this);
+  return true;
+}
+
 void Scrubber::paintEvent(QPaintEvent*)
 {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  const double middle = height() / 2.0, left = knob_px, right = width() - knob_px;
-  const auto at = [&](double fraction) {
-    return QPointF(left + fraction * (right - left), middle);
-  };
+  const double middle = height() / 2.0;
+  const auto at = [&](double fraction) { return QPointF(xOf(fraction), middle); };
   const auto line = [&](double fraction, const QColor& color) {
     painter.setPen(QPen(color, 4.0, Qt::SolidLine, Qt::RoundCap));
     painter.drawLine(at(0.0), at(fraction));
@@ -59,6 +121,11 @@ void Scrubber::paintEvent(QPaintEvent*)
   line(1.0, shownTheme().line);
   line(ready_, shownTheme().line.lighter(170));
   if (here_ > 0.0) line(here_, shownTheme().ghost);
+  for (const ReplayMark& mark : marks_) {
+    const double half = mark.isAlarm ? 10.0 : 7.0;
+    painter.setPen(QPen(mark.isAlarm ? shownTheme().alarm : shownTheme().text, 2.0));
+    painter.drawLine(at(mark.fraction) - QPointF(0, half), at(mark.fraction) + QPointF(0, half));
+  }
   painter.setPen(Qt::NoPen);
   painter.setBrush(shownTheme().text);
   painter.drawEllipse(at(here_), knob_px, knob_px);
@@ -67,7 +134,10 @@ void Scrubber::paintEvent(QPaintEvent*)
 void Scrubber::mousePressEvent(QMouseEvent* event)
 {
   const double way = width() - 2.0 * knob_px;
-  Q_EMIT draggedTo(std::clamp((event->pos().x() - knob_px) / way, 0.0, 1.0));
+  const ReplayMark* const mark =
+      event->type() == QEvent::MouseButtonPress ? markAt(event->pos().x()) : nullptr;
+  Q_EMIT draggedTo(mark != nullptr ? mark->fraction
+                                   : std::clamp((event->pos().x() - knob_px) / way, 0.0, 1.0));
   event->accept();
 }
 
@@ -166,6 +236,25 @@ void ReplayBar::showPlace(const ReplayPlayer& replay)
   status_->setProperty("error", replay.isError());
   status_->style()->unpolish(status_);
   status_->style()->polish(status_);
+}
+
+void ReplayBar::showEvents(const ReplayPlayer& replay)
+{
+  const session::Playback& playback = replay.playback();
+  const auto felt = analysis::forceFeltBySurgeons();
+  analysis::EventFinder finder(playback.scenario().array(), felt ? felt->si() : 0.0);
+  for (const session::Playback::Sample& sample : playback.samples())
+    finder.add(sample.place, sample.output, sample.peak);
+  const double last = double(std::max<std::uint64_t>(playback.ticks(), 2) - 1);
+  std::vector<ReplayMark> marks;
+  for (const analysis::InsertionEvent& event : finder.events())
+    marks.push_back(
+        {double(event.place) / last,
+         tr("%1 s, %2 mm, %3 mN: %4")
+             .arg(numberText(event.time, 2), numberText(inMillimeters(meters(event.depth)), 1),
+                  numberText(inMillinewtons(newtons(event.force)), 0), dataText(textOf(event))),
+         isAlarm(event.kind)});
+  scrubber_->setMarks(std::move(marks));
 }
 
 }  // namespace perilymph::gui

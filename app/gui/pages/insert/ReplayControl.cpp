@@ -51,6 +51,7 @@ void ReplayControl::begin()
   views_.charts()->begin(player_.playback().anatomy()->entry());
   charted_ = 0;
   views_.operation()->setBanner({});
+  bar_->showEvents(player_);
   player_.play();
 }
 

@@ -6,11 +6,16 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <algorithm>
 
+#include "gui/report/ContactExport.h"
 #include "gui/report/InsertionResults.h"
 #include "gui/report/Outcome.h"
+#include "gui/text/ClinicalText.h"
+#include "gui/text/DataText.h"
 #include "gui/widgets/PanelParts.h"
 #include "gui/widgets/Theme.h"
+#include "perilymph/planning/ContactsCsv.h"
 
 namespace perilymph::gui {
 
@@ -29,7 +34,7 @@ QLabel* cell(const QString& text, const char* tone, QWidget* parent)
 }  // namespace
 
 ResultCard::ResultCard(QWidget* page)
-    : Overlay(page), title_(new QLabel(this)), subject_(new QLabel(this))
+    : Overlay(page), title_(new QLabel(this)), subject_(new QLabel(this)), contacts_(std::string())
 {
   setObjectName(QStringLiteral("resultCard"));
   title_->setObjectName(QStringLiteral("resultTitle"));
@@ -55,6 +60,11 @@ ResultCard::ResultCard(QWidget* page)
   report_->setToolTip(tr("Save a report of this insertion as PDF"));
   auto* compare = panelButton(tr("Compare"), "resultCompareButton", this);
   compare->setToolTip(tr("Compare with the insertion before"));
+  auto* contacts = panelButton(tr("Contacts…"), "resultContactsButton", this);
+  contacts->setToolTip(
+      tr("Save the contacts for whoever programs the processor, as CSV with a dictionary of its "
+         "columns"));
+  connect(contacts, &QPushButton::clicked, this, &ResultCard::saveContacts);
   auto* again = panelButton(tr("Again"), "resultAgainButton", this);
   again->setToolTip(tr("Insert once more, with a new recording"));
   connect(report_, &QPushButton::clicked, this, &ResultCard::reportAsked);
@@ -62,7 +72,7 @@ ResultCard::ResultCard(QWidget* page)
   connect(again, &QPushButton::clicked, this, &ResultCard::againAsked);
   auto* verbs = new QHBoxLayout;
   verbs->setSpacing(spacing);
-  for (QPushButton* verb : {report_, compare, again}) verbs->addWidget(verb);
+  for (QPushButton* verb : {report_, compare, contacts, again}) verbs->addWidget(verb);
   verbs->addStretch();
 
   auto* column = new QVBoxLayout(this);
@@ -75,17 +85,32 @@ ResultCard::ResultCard(QWidget* page)
 }
 
 void ResultCard::addRow(int row, const QString& name, const QString& value, const QString& plan,
-                        bool isOutside)
+                        bool isOutside, const QString& clinics, const QString& clinicsDetail)
 {
   auto* grid = static_cast<QGridLayout*>(rows_->layout());
   grid->addWidget(cell(name, "quiet", rows_), row, 0);
   grid->addWidget(cell(value, "value", rows_), row, 1, Qt::AlignRight);
   if (!plan.isEmpty())
     grid->addWidget(cell(plan, isOutside ? "error" : "quiet", rows_), row, 2, Qt::AlignRight);
+  if (clinics.isEmpty()) return;
+  auto* report = cell(clinics, "quiet", rows_);
+  report->setToolTip(clinicsDetail);
+  grid->addWidget(report, row, 3, Qt::AlignRight);
+}
+
+void ResultCard::saveContacts()
+{
+  if (!contacts_) return subject_->setText(dataText(contacts_.error().message));
+  const auto file = chooseContactFile(this, array_);
+  if (!file) return;
+  if (const auto written = writeContactTable(*file, *contacts_); !written)
+    subject_->setText(dataText(written.error().message));
 }
 
 void ResultCard::show(const ReportContent& content, const QString& title)
 {
+  array_ = content.scenario.arrayName();
+  contacts_ = planning::insertionContactsCsv(array_, content.scenario.array(), content.contacts);
   title_->setText(title);
   const QString array = QString::fromStdString(content.scenario.array().name);
   const QString place = deepestNote(content);
@@ -97,14 +122,21 @@ void ResultCard::show(const ReportContent& content, const QString& title)
   grid->setHorizontalSpacing(2 * spacing);
   grid->setVerticalSpacing(spacing / 2);
   int row = 0;
-  if (content.plan) {
-    addRow(row, {}, {}, tr("%1, %2").arg(content.plan->name, content.plan->hold), false);
+  const auto results = insertionResults(content);
+  const bool hasClinics = std::ranges::any_of(
+      results, [](const InsertionResult& each) { return !each.clinics.isEmpty(); });
+  if (content.plan || hasClinics) {
+    const QString plan =
+        content.plan ? tr("%1, %2").arg(content.plan->name, content.plan->hold) : QString();
+    addRow(row, {}, {}, plan, false, hasClinics ? tr("clinics report") : QString(),
+           notValidatedNote(content.scenario.arrayName()));
     ++row;
   }
-  for (const InsertionResult& result : insertionResults(content)) {
+  for (const InsertionResult& result : results) {
     if (!result.isHeadline) continue;
     const QString plan = result.isOutside ? tr("outside %1").arg(result.plan) : result.plan;
-    addRow(row, result.name, result.value, plan, result.isOutside);
+    addRow(row, result.name, result.value, plan, result.isOutside, result.clinics,
+           result.clinicsDetail);
     for (const int column : {0, 1})
       grid->itemAtPosition(row, column)->widget()->setToolTip(result.detail);
     ++row;

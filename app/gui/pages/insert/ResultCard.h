@@ -36,13 +36,16 @@ protected:
   void place() override;
 
 private:
+  void saveContacts();
   void addRow(int row, const QString& name, const QString& value, const QString& plan,
-              bool isOutside);
+              bool isOutside, const QString& clinics, const QString& clinicsDetail);
 
   QLabel* title_;
   QLabel* subject_;
   QWidget* rows_ = nullptr;
   bool isClosed_ = false;  ///< By the user.
+  std::string array_;
+  Result<std::string> contacts_;  ///< Table of the contacts of the shown insertion.
   QPushButton* report_;
 };
 

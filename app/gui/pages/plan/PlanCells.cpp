@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "gui/setup/PlannedFriction.h"
+#include "gui/text/ClinicalText.h"
 #include "gui/widgets/FocusRing.h"
 #include "gui/widgets/Theme.h"
 #include "perilymph/planning/ForceCourse.h"
@@ -61,6 +62,21 @@ void paintTexts(QPainter& painter, const QRectF& place, const QString& value, co
   painter.drawText(place.adjusted(0, sized(15), 0, 0), Qt::AlignTop | Qt::AlignLeft, shown);
 }
 
+/// What clinics report, below value and range.
+void paintClinics(QPainter& painter, const QRectF& place, const planning::ArrayPlan& array,
+                  PlanColumn column)
+{
+  const auto reported = reportedOf(column);
+  const QString clinics = reported ? clinicsReportShort(array.array, *reported) : QString();
+  if (clinics.isEmpty()) return;
+  painter.setFont(typeface(11));
+  painter.setPen(shownTheme().text);
+  const QString shown =
+      QFontMetricsF(painter.font())
+          .elidedText(PlanCells::tr("clin. %1").arg(clinics), Qt::ElideRight, place.width());
+  painter.drawText(place.adjusted(0, sized(29), 0, 0), Qt::AlignTop | Qt::AlignLeft, shown);
+}
+
 void paintSpan(QPainter& painter, const QRectF& place, double from, double to, double height,
                const QColor& color)
 {
@@ -107,19 +123,28 @@ void PlanCells::paint(QPainter* painter, const QStyleOptionViewItem& option,
   const QRectF inside = QRectF(option.rect).adjusted(margin_px, 4, -margin_px, -5);
   const PlanCellKind kind = kindOf(column);
   painter->setFont(kind == PlanCellKind::name ? typeface(12, QFont::Medium) : typeface(12));
-  painter->setPen(shownTheme().text);
+  const bool isDoubtful = isNotValidated(array.array);
+  painter->setPen(isDoubtful ? shownTheme().quietText : shownTheme().text);
   if (kind == PlanCellKind::name) {
-    paintName(*painter, inside, index.data().toString());
+    const double mark_px = isDoubtful ? sized(15) : 0.0;
+    paintName(*painter, inside.adjusted(0, 0, 0, -mark_px), index.data().toString());
+    if (isDoubtful) {
+      painter->setFont(typeface(11));
+      painter->setPen(shownTheme().warning);
+      painter->drawText(inside, Qt::AlignBottom | Qt::AlignLeft, tr("not validated"));
+    }
   } else if (kind == PlanCellKind::curve) {
     paintCurve(*painter, inside, array);
   } else if (kind == PlanCellKind::probability) {
     paintProbability(*painter, inside, estimateOf(array, column), array.draws);
+    paintClinics(*painter, inside, array, column);
   } else {
     const planning::Band& band = bandOf(array, column);
     paintTexts(*painter, inside, medianText(band, column), rangeText(band, column));
     const QRectF below(inside.left(), inside.bottom() - bandHeight_px, inside.width(),
                        bandHeight_px);
     paintBand(*painter, below, band, column);
+    paintClinics(*painter, inside, array, column);
   }
   painter->restore();
 }

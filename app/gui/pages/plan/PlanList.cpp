@@ -14,7 +14,7 @@ namespace perilymph::gui {
 
 namespace {
 
-constexpr int rowHeight_px = 54, headerHeight_px = 92;
+constexpr int rowHeight_px = 70, headerHeight_px = 92;
 
 // In the order of PlanColumn; they fit beside the panel on a screen of 1280 pixels.
 constexpr int widths_px[] = {96, 84, 80, 82, 82, 86, 92, 66, 80, 68, 66, 78};
@@ -43,7 +43,8 @@ PlanList::PlanList(QWidget* parent) : QTableView(parent), table_(nullptr)
   header->setMinimumSectionSize(44);
   connect(header, &QHeaderView::sortIndicatorChanged, &table_, &PlanTable::showSorting);
   setSortingEnabled(true);
-  sortByColumn(int(PlanColumn::angle), Qt::DescendingOrder);
+  // by name: another order would read as a recommendation
+  sortByColumn(int(PlanColumn::array), Qt::AscendingOrder);
   connect(selectionModel(), &QItemSelectionModel::selectionChanged, this,
           &PlanList::selectionMoved);
   connect(this, &QTableView::doubleClicked, this, &PlanList::openAsked);

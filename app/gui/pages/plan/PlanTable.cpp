@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "gui/setup/PlannedFriction.h"
+#include "gui/text/ClinicalText.h"
 
 namespace perilymph::gui {
 
@@ -74,6 +75,19 @@ QString PlanTable::text(const planning::ArrayPlan& array, PlanColumn column) con
   return tr("peak %1").arg(bandText(array.peak_mN, PlanColumn::peak));
 }
 
+QString PlanTable::toolTip(const planning::ArrayPlan& array, PlanColumn column) const
+{
+  QStringList lines{
+      tr("%1, %2: %3. %4 draws")
+          .arg(QString::fromStdString(array.name), titleOf(column), text(array, column))
+          .arg(array.draws)};
+  if (const auto reported = reportedOf(column))
+    if (const QString details = clinicsReportDetails(array.array, *reported); !details.isEmpty())
+      lines << details;
+  if (const QString note = notValidatedNote(array.array); !note.isEmpty()) lines << note;
+  return lines.join(QLatin1Char('\n'));
+}
+
 QVariant PlanTable::sortValue(const planning::ArrayPlan& array, PlanColumn column) const
 {
   switch (kindOf(column)) {
@@ -97,14 +111,16 @@ QVariant PlanTable::data(const QModelIndex& index, int role) const
   switch (role) {
     case Qt::DisplayRole:
       return text(array, column);
-    case Qt::AccessibleTextRole:
-      return tr("%1: %2").arg(titleOf(column), text(array, column));
+    case Qt::AccessibleTextRole: {
+      const QString shown = tr("%1: %2").arg(titleOf(column), text(array, column));
+      const auto reported = reportedOf(column);
+      const QString clinics = reported ? clinicsReport(array.array, *reported) : QString();
+      return clinics.isEmpty() ? shown : tr("%1; clinics report %2").arg(shown, clinics);
+    }
     case sortRole:
       return sortValue(array, column);
     case Qt::ToolTipRole:
-      return tr("%1, %2: %3. %4 draws")
-          .arg(QString::fromStdString(array.name), titleOf(column), text(array, column))
-          .arg(array.draws);
+      return toolTip(array, column);
     default:
       return {};
   }

@@ -41,6 +41,7 @@ public:
 
 private:
   QString text(const planning::ArrayPlan& array, PlanColumn column) const;
+  QString toolTip(const planning::ArrayPlan& array, PlanColumn column) const;
   QVariant sortValue(const planning::ArrayPlan& array, PlanColumn column) const;
 
   PlanWork::SharedPlan plan_;

@@ -196,6 +196,27 @@ QString bandText(const planning::Band& band, PlanColumn column)
   return tr("%1 (%2–%3) mN").arg(median, low, high);
 }
 
+std::optional<analysis::ReportedQuantity> reportedOf(PlanColumn column)
+{
+  using analysis::ReportedQuantity;
+  switch (column) {
+    case PlanColumn::angle:
+      return ReportedQuantity::angle;
+    case PlanColumn::peak:
+      return ReportedQuantity::peakForce;
+    case PlanColumn::end:
+      return ReportedQuantity::endForce;
+    case PlanColumn::full:
+      return ReportedQuantity::complete;
+    case PlanColumn::foldedTip:
+      return ReportedQuantity::foldOver;
+    case PlanColumn::ruptured:
+      return ReportedQuantity::translocation;
+    default:
+      return std::nullopt;
+  }
+}
+
 QString intervalText(const analysis::Estimate& estimate, std::size_t draws)
 {
   if (analysis::countedOf(estimate, draws)) return {};

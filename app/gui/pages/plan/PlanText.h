@@ -4,8 +4,10 @@
 // Texts of a plan: columns of its table, bands and probabilities with their units.
 
 #include <QString>
+#include <optional>
 #include <vector>
 
+#include "perilymph/analysis/ClinicalReports.h"
 #include "perilymph/planning/PlanSummary.h"
 
 namespace perilymph::gui {
@@ -46,6 +48,8 @@ QString bandText(const planning::Band& band, PlanColumn column);
 /// "421°" and "380–455°".
 QString medianText(const planning::Band& band, PlanColumn column);
 QString rangeText(const planning::Band& band, PlanColumn column);
+/// What clinics report beside the values of a column; nothing for other columns.
+std::optional<analysis::ReportedQuantity> reportedOf(PlanColumn column);
 /// "85–98 %": the 95 % interval of a share of simulations that is given in percent, else nothing.
 QString intervalText(const analysis::Estimate& estimate, std::size_t draws);
 /// Sentences on an array of a plan: bands at the median friction, first resistance, strength of the

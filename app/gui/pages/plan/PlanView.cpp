@@ -4,6 +4,7 @@
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 #include <QVariant>
@@ -13,13 +14,17 @@
 #include "gui/pages/plan/ForceBands.h"
 #include "gui/pages/plan/PlanScene.h"
 #include "gui/pages/plan/PlanText.h"
+#include "gui/report/ContactExport.h"
 #include "gui/text/ChartLabels.h"
+#include "gui/text/DataText.h"
 #include "gui/text/Numbers.h"
 #include "gui/widgets/DrawingView.h"
 #include "gui/widgets/ElidedLabel.h"
+#include "gui/widgets/PanelParts.h"
 #include "gui/widgets/PlotView.h"
 #include "gui/widgets/Theme.h"
 #include "gui/widgets/WrappedLabel.h"
+#include "perilymph/planning/ContactsCsv.h"
 
 namespace perilymph::gui {
 
@@ -119,7 +124,23 @@ QWidget* PlanView::addDetails()
   column->addWidget(ring_);
   column->addWidget(facts_);
   column->addWidget(contacts_, 1);
+  auto* save = panelButton(tr("Save table…"), "savePlanContactsButton", details);
+  save->setToolTip(
+      tr("Save the contacts for whoever programs the processor, as CSV with a dictionary of its "
+         "columns"));
+  connect(save, &QPushButton::clicked, this, &PlanView::saveContacts);
+  column->addWidget(save, 0, Qt::AlignLeft);
   return details;
+}
+
+void PlanView::saveContacts()
+{
+  if (!plan_ || arrays_.size() != 1) return;
+  const auto file = chooseContactFile(this, plan_->arrays[arrays_.front()].array);
+  if (!file) return;
+  if (const auto written = writeContactTable(*file, planning::contactsCsv(*plan_, arrays_));
+      !written)
+    Q_EMIT failed(dataText(written.error().message));
 }
 
 QWidget* PlanView::addForces()

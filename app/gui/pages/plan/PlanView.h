@@ -53,6 +53,7 @@ private:
   Pane addPane();
   QWidget* addDetails();
   QWidget* addForces();
+  void saveContacts();
   void arrange(std::size_t count);
   void showShape(std::size_t place, const PlanShapeWork::Shape& shape);
 

@@ -3,6 +3,7 @@
 
 // Comparison of recorded insertions.
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <stop_token>
@@ -10,14 +11,29 @@
 #include <vector>
 
 #include "perilymph/analysis/ForceProfile.h"
+#include "perilymph/analysis/InsertionEvents.h"
 #include "perilymph/analysis/MotionCounter.h"
-#include "perilymph/analysis/Reference.h"
-#include "perilymph/figures/Figure.h"
 #include "perilymph/foundation/Result.h"
 #include "perilymph/session/RecordedInsertion.h"
 #include "perilymph/session/SessionLibrary.h"
 
 namespace perilymph::analysis {
+
+/// The quantity over which forces are compared.
+enum class CurveAxis : std::uint8_t {
+  travel,  ///< Depth minus depth at the start.
+  depth,   ///< Depth of the tip past the opening.
+  angle    ///< Angle of the tip from the round window.
+};
+
+/// A point of a curve over an axis.
+struct AxisPoint {
+  double place = 0.0;  ///< [m] or [rad]
+  double force = 0.0;  ///< Axial, on the hand [N].
+};
+
+/// Spacing of the points over an axis [m or rad]: 0.1 mm, 1 degree.
+double stepOf(CurveAxis axis);
 
 /// Data of one recording.
 struct ComparedInsertion {
@@ -26,8 +42,14 @@ struct ComparedInsertion {
   session::ScenarioSubject subject;
   std::string startedUtc;  ///< "2010-05-17T09:30:00Z".
   ForceProfile profile;
-  int reversals = 0;  ///< Over the whole insertion.
-  Motion motion;      ///< Up to the maximum depth.
+  /// The force at each multiple of stepOf() that depth and angle first pass.
+  std::vector<AxisPoint> overDepth, overAngle;
+  ForceAtDepth arrayPeak;               ///< With no marker rib at the opening.
+  std::optional<ForceAtDepth> ribPeak;  ///< With one there; empty if none came there.
+  int ribNumber = 0;                    ///< Rib of ribPeak, from the tip: 1, 2, ...
+  std::vector<InsertionEvent> events;   ///< In the order of time.
+  int reversals = 0;                    ///< Over the whole insertion.
+  Motion motion;                        ///< Up to the maximum depth.
   /// The rupture of the cochlear partition, with the most of the array that was above it at a time;
   /// empty if the partition held.
   std::optional<haptics::Translocation> translocation;
@@ -42,23 +64,30 @@ std::string labelOf(const ComparedInsertion& insertion);
 Result<ComparedInsertion> readCompared(const std::filesystem::path& file,
                                        const std::stop_token& stop = {});
 
+/// The force over an axis, in ascending order of places.
+std::vector<AxisPoint> curveOver(const ComparedInsertion& insertion, CurveAxis axis);
+
 /// `name, scenario, peak_N, peak_travel_mm, peak_depth_mm, work_mJ, reversals, duration_s,
-/// final_depth_mm, final_angle_deg, rupture_angle_deg, rupture_N, above_mm`, one row per recording;
-/// the last three are empty if the partition held.
+/// final_depth_mm, final_angle_deg, rupture_angle_deg, rupture_N, above_mm, array, technique, patient,
+/// side, array_peak_N, array_peak_depth_mm, rib_peak_N, rib_peak_depth_mm, end_N, deepest_angle_deg,
+/// score`, one row per recording. Those of a rupture are empty if the partition held, those of a rib if
+/// none came to the opening.
 std::string comparisonCsv(const std::vector<ComparedInsertion>& insertions);
 
-/// `travel_mm` and a column `<name>_N` per recording, every 0.1 mm; empty where it has no point.
-std::string curvesCsv(const std::vector<ComparedInsertion>& insertions);
+/// `travel_mm`, `depth_mm` or `angle_deg` and a column `<name>_N` per recording, every stepOf(); empty
+/// where it has no point.
+std::string curvesCsv(const std::vector<ComparedInsertion>& insertions,
+                      CurveAxis axis = CurveAxis::travel);
 
-/// Whether one of them has the conditions of the published measurements; else these are not drawn.
+/// `name, event, rib, time_s, travel_mm, depth_mm, angle_deg, force_N`, one row per event.
+std::string eventsCsv(const std::vector<ComparedInsertion>& insertions);
+
+/// Whether all have the same array and one of them has the conditions of the published measurements;
+/// else these are not drawn.
 bool areComparableWithPublished(const std::vector<ComparedInsertion>& insertions);
 
-/// The curves over a common axis, with the printed values of a reference if given.
-figures::Figure comparisonFigure(const std::vector<ComparedInsertion>& insertions,
-                                 const Reference* published = nullptr);
-
-/// The force of a curve at a travel [m], linearly interpolated; empty outside its range.
-std::optional<double> forceAt(const std::vector<CurvePoint>& curve, double travel);
+/// The force of a curve at a place [m or rad], linearly interpolated; empty outside its range.
+std::optional<double> forceAt(const std::vector<AxisPoint>& curve, double place);
 
 /// Appends a number to insertions with equal names, which would share a column.
 void tellApart(std::vector<ComparedInsertion>& insertions);

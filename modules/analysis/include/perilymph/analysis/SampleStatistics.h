@@ -28,10 +28,29 @@ SampleStatistics statisticsOf(std::span<const double> values);
 /// Statistics of the difference of two independent means, a - b: variances are added.
 SampleStatistics differenceOf(const SampleStatistics& a, const SampleStatistics& b);
 
+/// Quantile 0.975 of Student's t distribution: half the width of a 95 % interval, in standard errors.
+/// Absolute error below 1e-8.
+///
+/// @param degreesOfFreedom  1 or more, not necessarily whole.
+double studentHalfWidth95(double degreesOfFreedom);
+
 /// A value with its 95 % confidence interval.
 struct Estimate {
   double value = 0.0, low = 0.0, high = 0.0;
 };
+
+/// The 95 % interval of a mean by Student's t; empty for fewer than two values.
+std::optional<Estimate> meanWithInterval(std::span<const double> values);
+
+/// The difference of two means with its 95 % interval, for two variances that may differ (Welch,
+/// Biometrika 34, 28, 1947).
+struct WelchDifference {
+  Estimate difference;  ///< a - b
+  double degreesOfFreedom = 0.0;
+};
+/// Empty if one of the samples has fewer than two values, or if neither varies.
+std::optional<WelchDifference> welchDifference(std::span<const double> a,
+                                               std::span<const double> b);
 
 /// Confidence interval of a proportion (Wilson, J Am Stat Assoc 22, 209, 1927).
 Estimate proportionOf(std::size_t hits, std::size_t all);

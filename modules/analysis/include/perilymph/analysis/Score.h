@@ -17,7 +17,7 @@ namespace perilymph::analysis {
 struct ScoreCriterion {
   Sentence name;          ///< "speed"
   Sentence found;         ///< "97 % of the way in at 0.1 to 2.0 mm/s"
-  Sentence band;          ///< Values for full and for zero points.
+  Sentence band;          ///< Values for full and for half of the points.
   Sentence source;        ///< Source of the range.
   double fraction = 0.0;  ///< Fraction of the maximum points: 0 to 1.
 };
@@ -27,14 +27,15 @@ struct InsertionScore {
   std::vector<ScoreCriterion> criteria;
   double total = 0.0;  ///< 0 to 100.
 
-  /// "78 of 100: speed 100 %, reversals 95 %, peak force 17 %, stops 100 %".
+  /// "78 of 100: speed 100 %, reversals 95 %, peak force 37 %, stops 100 %".
   std::string sentence() const;
 };
 
-/// Rates speed, reversals, peak force and stops of an insertion up to the maximum depth.
+/// Rates speed, reversals, peak force and stops of an insertion up to the maximum depth. Points of
+/// reversals, force and stops are h / (h + x) with the value x and its half h, so that a better value
+/// gives more points wherever it lies. The force is that with no marker rib at the opening.
 ///
-/// @param peakBand  Peak forces measured in patients: full points up to the minimum, zero from the
-///                  maximum on, linear in between.
+/// @param peakBand  Peak forces measured in patients: half of the points at their middle.
 InsertionScore scoreOf(const ComparedInsertion& insertion, const PrintedRange& peakBand);
 
 /// The same with the shipped range of peak forces in patients.

@@ -87,9 +87,6 @@ std::string arraysCsv(const Plan& plan);
 /// and friction; how often the first is deeper and has the higher peak force, in percent.
 std::string differencesCsv(const Plan& plan);
 
-/// One row per contact of each array: angle and distance with bands, frequencies.
-std::string contactsCsv(const Plan& plan);
-
 /// Figures by name: "angle", the angular insertion depths side by side; "force-1", "force-2", ...,
 /// the force over depth with its bands, and "influence-1", ..., ranked bars of what the bands' width
 /// rests on.

@@ -71,6 +71,8 @@ struct ContactBand {
   /// Frequency of its place on the spiral ganglion above its filter's center; positive: it hears
   /// a lower frequency than its place. Zeros without a filter.
   Band mismatch_semitones;
+  /// From 5 to 95 % of greenwood_Hz; both 0 in plans of former versions.
+  double greenwoodLow_Hz = 0.0, greenwoodHigh_Hz = 0.0;
 };
 
 /// How much of an outcome's variance an input explains: squared rank correlation (Spearman 1904),

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "perilymph/analysis/ComparisonGroups.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "ComparisonColumns.h"
+#include "perilymph/analysis/CsvField.h"
+#include "perilymph/analysis/Score.h"
+
+namespace perilymph::analysis {
+
+namespace {
+
+const std::string& valueOf(const session::ScenarioSubject& subject, GroupKey key)
+{
+  switch (key) {
+    case GroupKey::array:
+      return subject.array;
+    case GroupKey::technique:
+      return subject.technique;
+    case GroupKey::patient:
+      break;
+  }
+  return subject.patient;
+}
+
+std::optional<double> scoreTotal(const ComparedInsertion& each)
+{
+  const auto score = scoreOf(each);
+  return score ? std::optional(score->total) : std::nullopt;
+}
+
+}  // namespace
+
+std::string InsertionGroup::name() const
+{
+  std::string joined;
+  for (const std::string& value : values) joined += (joined.empty() ? "" : " · ") + value;
+  return joined;
+}
+
+std::vector<InsertionGroup> groupsOf(const std::vector<ComparedInsertion>& insertions,
+                                     const std::vector<GroupKey>& keys)
+{
+  if (keys.empty()) return {};
+  std::map<std::vector<std::string>, std::vector<std::size_t>> found;
+  for (std::size_t i = 0; i < insertions.size(); ++i) {
+    std::vector<std::string> values;
+    for (const GroupKey key : keys) values.push_back(valueOf(insertions[i].subject, key));
+    found[values].push_back(i);
+  }
+  std::vector<InsertionGroup> groups;
+  for (const auto& [values, members] : found) groups.push_back({values, members});
+  return groups;
+}
+
+const std::vector<ComparedQuantity>& comparedQuantities()
+{
+  using Insertion = ComparedInsertion;
+  using Value = std::optional<double>;
+  static const std::vector<ComparedQuantity> quantities = {
+      {"peak_N", Phrase{"peak insertion force"}, "mN", 1e3, 0,
+       [](const Insertion& each) -> Value { return each.profile.peak.force; }},
+      {"array_peak_N", Phrase{"peak without ribs at the opening"}, "mN", 1e3, 0,
+       [](const Insertion& each) -> Value { return each.arrayPeak.force; }},
+      {"end_N", Phrase{"end force"}, "mN", 1e3, 0,
+       [](const Insertion& each) -> Value { return each.profile.endForce; }},
+      {"work_mJ", Phrase{"insertion work"}, "mJ", 1.0, 3,
+       [](const Insertion& each) -> Value { return each.profile.work * 1e3; }},
+      {"final_depth_mm", Phrase{"insertion depth at the end"}, "mm", 1.0, 1,
+       [](const Insertion& each) -> Value { return asMillimeters(each.profile.finalDepth); }},
+      {"deepest_angle_deg", Phrase{"tip angle"}, "°", 1.0, 0,
+       [](const Insertion& each) -> Value { return asDegrees(each.profile.deepestAngle); }},
+      {"duration_s", Phrase{"duration"}, "s", 1.0, 1,
+       [](const Insertion& each) -> Value { return each.profile.duration; }},
+      {"reversals", Phrase{"reversals"}, "", 1.0, 1,
+       [](const Insertion& each) -> Value { return each.reversals; }},
+      {"score", Phrase{"score"}, "", 1.0, 0, scoreTotal}};
+  return quantities;
+}
+
+std::vector<double> valuesOf(const std::vector<ComparedInsertion>& insertions,
+                             const InsertionGroup& group, const ComparedQuantity& quantity)
+{
+  std::vector<double> values;
+  for (const std::size_t member : group.members)
+    if (const auto value = quantity.of(insertions[member])) values.push_back(*value);
+  return values;
+}
+
+std::string groupsCsv(const std::vector<ComparedInsertion>& insertions,
+                      const std::vector<InsertionGroup>& groups)
+{
+  std::string csv = "group,quantity,n,mean,sd,low95,high95\n";
+  for (const InsertionGroup& group : groups)
+    for (const ComparedQuantity& quantity : comparedQuantities()) {
+      const std::vector<double> values = valuesOf(insertions, group, quantity);
+      csv += csvField(group.name()) + "," + quantity.key + "," + std::to_string(values.size());
+      csv += values.empty() ? std::string(",") : nextField(statisticsOf(values).mean);
+      if (const auto interval = meanWithInterval(values))
+        csv += nextField(statisticsOf(values).standardDeviation) + nextField(interval->low) +
+               nextField(interval->high);
+      else
+        csv += ",,,";
+      csv += "\n";
+    }
+  return csv;
+}
+
+std::string differencesCsv(const std::vector<ComparedInsertion>& insertions,
+                           const std::vector<InsertionGroup>& groups)
+{
+  std::string csv = "group,other,quantity,n,n_other,difference,low95,high95,degrees_of_freedom\n";
+  for (std::size_t i = 0; i < groups.size(); ++i)
+    for (std::size_t j = i + 1; j < groups.size(); ++j)
+      for (const ComparedQuantity& quantity : comparedQuantities()) {
+        const auto one = valuesOf(insertions, groups[i], quantity);
+        const auto other = valuesOf(insertions, groups[j], quantity);
+        if (one.empty() || other.empty()) continue;
+        csv += csvField(groups[i].name()) + "," + csvField(groups[j].name()) + "," + quantity.key +
+               "," + std::to_string(one.size()) + "," + std::to_string(other.size()) +
+               nextField(statisticsOf(one).mean - statisticsOf(other).mean);
+        if (const auto welch = welchDifference(one, other))
+          csv += nextField(welch->difference.low) + nextField(welch->difference.high) +
+                 nextField(welch->degreesOfFreedom);
+        else
+          csv += ",,,";
+        csv += "\n";
+      }
+  return csv;
+}
+
+MeanCurve meanCurve(const std::vector<ComparedInsertion>& insertions, const InsertionGroup& group,
+                    CurveAxis axis)
+{
+  const double spacing = stepOf(axis);
+  std::map<long, std::vector<double>> forces;
+  for (const std::size_t member : group.members)
+    for (const AxisPoint& point : curveOver(insertions[member], axis))
+      forces[std::lround(point.place / spacing)].push_back(point.force);
+  MeanCurve curve;
+  for (const auto& [step, values] : forces) {
+    if (2 * values.size() < group.members.size()) continue;
+    const SampleStatistics here = statisticsOf(values);
+    curve.place.push_back(static_cast<double>(step) * spacing);
+    curve.mean.push_back(here.mean);
+    curve.sd.push_back(here.standardDeviation);
+    curve.count.push_back(values.size());
+  }
+  return curve;
+}
+
+}  // namespace perilymph::analysis

@@ -144,10 +144,6 @@
         <translation>%1 bis zur maximalen Insertionstiefe</translation>
     </message>
     <message>
-        <source>full score up to %1 mN, none from %2 mN</source>
-        <translation>volle Punktzahl bis %1 mN, keine ab %2 mN</translation>
-    </message>
-    <message>
         <source>largest difference below perception</source>
         <translation>größte Differenz unter der Wahrnehmung</translation>
     </message>
@@ -234,10 +230,6 @@
     <message>
         <source>Simulator minus experiment</source>
         <translation>Simulator minus Versuch</translation>
-    </message>
-    <message>
-        <source>Recorded insertions: insertion force over travel</source>
-        <translation>Aufgezeichnete Insertionen: Insertionskraft über Vorschub</translation>
     </message>
     <message>
         <source>All %1 insertions reached the end.</source>
@@ -1320,20 +1312,12 @@
         <translation>robotische Insertion 0,1–1,0 mm/s (iotaSOFT); manuelle Insertion an Leichenköpfen 0,66 ± 0,31 mm/s; Phantomstudie 0,1–2,0 mm/s (Froehlich et al. 2024)</translation>
     </message>
     <message>
-        <source>full score at 0, none from 18.6</source>
-        <translation>volle Punktzahl bei 0, keine ab 18,6</translation>
-    </message>
-    <message>
         <source>Kesler et al. 2017: 18.6 reversals in manual insertions at a target of 15 mm/min</source>
         <translation>Kesler et al. 2017: 18,6 Rückzüge bei manuellen Insertionen mit Zielgeschwindigkeit 15 mm/min</translation>
     </message>
     <message>
         <source>%1 % of the time at rest (below 0.1 mm/s)</source>
         <translation>%1 % der Zeit in Ruhe (unter 0,1 mm/s)</translation>
-    </message>
-    <message>
-        <source>full score at 0 %, none from 15.7 %</source>
-        <translation>volle Punktzahl bei 0 %, keine ab 15,7 %</translation>
     </message>
     <message>
         <source>Kesler et al. 2017: manual insertions at a target of 15 mm/min paused 15.7 % of the time</source>
@@ -3566,6 +3550,122 @@
     <message>
         <source>The reference &apos;%1&apos; has no force to fit.</source>
         <translation>Die Referenz &apos;%1&apos; hat keine Kraft, an die angepasst werden kann.</translation>
+    </message>
+    <message>
+        <source>rib %1 at the opening</source>
+        <translation>Rippe %1 an der Öffnung</translation>
+    </message>
+    <message>
+        <source>%1, mean ± SD, n = %2</source>
+        <translation>%1, Mittelwert ± SD, n = %2</translation>
+    </message>
+    <message>
+        <source>insertion depth, mm</source>
+        <translation>Insertionstiefe, mm</translation>
+    </message>
+    <message>
+        <source>tip angle, °</source>
+        <translation>Winkel der Spitze, °</translation>
+    </message>
+    <message>
+        <source>Recorded insertions: insertion force</source>
+        <translation>Aufgezeichnete Insertionen: Insertionskraft</translation>
+    </message>
+    <message>
+        <source>peak insertion force</source>
+        <translation>maximale Insertionskraft</translation>
+    </message>
+    <message>
+        <source>peak without ribs at the opening</source>
+        <translation>Maximum ohne Rippen an der Öffnung</translation>
+    </message>
+    <message>
+        <source>end force</source>
+        <translation>Endkraft</translation>
+    </message>
+    <message>
+        <source>insertion work</source>
+        <translation>Insertionsarbeit</translation>
+    </message>
+    <message>
+        <source>insertion depth at the end</source>
+        <translation>Insertionstiefe am Ende</translation>
+    </message>
+    <message>
+        <source>tip angle</source>
+        <translation>Winkel der Spitze</translation>
+    </message>
+    <message>
+        <source>duration</source>
+        <translation>Dauer</translation>
+    </message>
+    <message>
+        <source>score</source>
+        <translation>Bewertung</translation>
+    </message>
+    <message>
+        <source>first palpable resistance</source>
+        <translation>erster fühlbarer Widerstand</translation>
+    </message>
+    <message>
+        <source>stylet withdrawal begins</source>
+        <translation>Beginn des Stilettrückzugs</translation>
+    </message>
+    <message>
+        <source>rupture of the partition</source>
+        <translation>Ruptur der Trennwand</translation>
+    </message>
+    <message>
+        <source>translocation</source>
+        <translation>Translokation</translation>
+    </message>
+    <message>
+        <source>stopped by resistance</source>
+        <translation>durch Widerstand gestoppt</translation>
+    </message>
+    <message>
+        <source>out of the opening</source>
+        <translation>aus der Öffnung</translation>
+    </message>
+    <message>
+        <source>tip fold-over</source>
+        <translation>Umschlagen der Spitze</translation>
+    </message>
+    <message>
+        <source>end of the insertion</source>
+        <translation>Ende der Insertion</translation>
+    </message>
+    <message>
+        <source>withdrawal begins</source>
+        <translation>Beginn des Rückzugs</translation>
+    </message>
+    <message>
+        <source>full score at 0, half at 18.6</source>
+        <translation>volle Punkte bei 0, die Hälfte bei 18,6</translation>
+    </message>
+    <message>
+        <source>without ribs at the opening: full score at 0 mN, half at %1 mN, the middle of the peaks in patients</source>
+        <translation>ohne Rippen an der Öffnung: volle Punkte bei 0 mN, die Hälfte bei %1 mN, der Mitte der Maximalkräfte bei Patienten</translation>
+    </message>
+    <message>
+        <source>full score at 0 %, half at 15.7 %</source>
+        <translation>volle Punkte bei 0 %, die Hälfte bei 15,7 %</translation>
+    </message>
+    <message>
+        <source>taper of the array</source>
+        <translation>Verjüngung des Trägers</translation>
+    </message>
+    <message>
+        <source>The recording stopped: %1.</source>
+        <translation>Die Aufzeichnung hat angehalten: %1.</translation>
+    </message>
+    <message>
+        <source>The recording could not be closed: %1.</source>
+        <translation>Die Aufzeichnung ließ sich nicht schließen: %1.</translation>
+    </message>
+    <message>
+        <source>No drawing was read. At its most basal contact the array is at least as thick as the base of FLEX28, 0.8 mm, which holds the same 12 wires, and at most as its own base, 1.3 mm; the straight line has 1.2 mm there. Uniform. The silicone is that of [bending].</source>
+        <translation>Es wurde keine Zeichnung gelesen. Am basalsten Kontakt ist der Träger mindestens so dick wie die Basis des FLEX28, 0,8 mm, die dieselben 12 Drähte enthält, und höchstens so dick wie seine eigene Basis, 1,3 mm; die Gerade hat dort 1,2 mm. Gleichverteilt. Das Silikon ist das von [bending].</translation>
     </message>
 </context>
 <context>
@@ -5870,10 +5970,6 @@
         <translation>Anteil der Simulationen, %</translation>
     </message>
     <message>
-        <source>Angle and coverage of the most apical contact. Shares, from %1 simulations on with 95 % intervals: full insertion, stop by resistance, buckling in front of the opening, tip fold-over, a force that reaches the strength of the cochlear partition.</source>
-        <translation>Winkel und Abdeckung des apikalsten Kontakts. Anteile, ab %1 Simulationen mit 95-%-Intervallen: volle Insertion, Halt durch Widerstand, Ausknicken vor der Öffnung, Umschlagen der Spitze, eine Kraft, die die Festigkeit der Trennwand erreicht.</translation>
-    </message>
-    <message>
         <source>≥ %1 mN</source>
         <translation>≥ %1 mN</translation>
     </message>
@@ -6245,6 +6341,98 @@
         <source>recording the rest</source>
         <translation>Ruhe wird aufgezeichnet</translation>
     </message>
+    <message>
+        <source>Save the contacts</source>
+        <translation>Kontakte speichern</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tabellen (*.csv)</translation>
+    </message>
+    <message>
+        <source>depth, angle and contacts at the deepest place, %1; at the end %2, tip at %3°</source>
+        <translation>Tiefe, Winkel und Kontakte an der tiefsten Stelle, %1; am Ende %2, Spitze bei %3°</translation>
+    </message>
+    <message>
+        <source>Outcome</source>
+        <translation>Ausgang</translation>
+    </message>
+    <message>
+        <source>Ended before its stop at %1</source>
+        <translation>Vor dem Halt bei %1 beendet</translation>
+    </message>
+    <message>
+        <source>%1 samples did not converge</source>
+        <translation>%1 Abtastwerte sind nicht konvergiert</translation>
+    </message>
+    <message>
+        <source>Taper of the array</source>
+        <translation>Verjüngung des Trägers</translation>
+    </message>
+    <message>
+        <source>not validated; clinics</source>
+        <translation>nicht validiert; Kliniken</translation>
+    </message>
+    <message>
+        <source>clinics report</source>
+        <translation>Kliniken berichten</translation>
+    </message>
+    <message>
+        <source>Angle and coverage of the most apical contact. Shares, from %1 simulations on with 95 % intervals: full insertion, stop by resistance, buckling in front of the opening, tip fold-over, a force that reaches the strength of the cochlear partition. Clinics: medians or means of patients, angular depth, complete insertions, tip fold-over and translocation; sources in the guide. Not validated: the program’s clinical table misses a row of this array.</source>
+        <translation>Winkel und Abdeckung des apikalsten Kontakts. Anteile, ab %1 Simulationen mit 95-%-Intervall: volle Insertion, Halt durch Widerstand, Ausknicken vor der Öffnung, Umschlagen der Spitze, eine Kraft, die die Festigkeit der Trennwand erreicht. Kliniken: Mediane oder Mittelwerte von Patienten für Winkel-Insertionstiefe, vollständige Insertionen, Umschlagen der Spitze und Translokation; Quellen im Handbuch. Nicht validiert: Die klinische Tabelle des Programms verfehlt eine Zeile dieses Elektrodenträgers.</translation>
+    </message>
+    <message>
+        <source>%1; clinics: %2</source>
+        <translation>%1; Kliniken: %2</translation>
+    </message>
+    <message>
+        <source>Taper</source>
+        <translation>Verjüngung</translation>
+    </message>
+    <message>
+        <source>SHA-256 when this report was made; later motion is recorded, too</source>
+        <translation>SHA-256 zur Zeit dieses Berichts; spätere Bewegung wird auch aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>%1–%2</source>
+        <translation>%1–%2</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>median</source>
+        <translation>Median</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>Mittelwert</translation>
+    </message>
+    <message>
+        <source>quartiles</source>
+        <translation>Quartile</translation>
+    </message>
+    <message>
+        <source>range</source>
+        <translation>Spanne</translation>
+    </message>
+    <message>
+        <source>± SD</source>
+        <translation>± SD</translation>
+    </message>
+    <message>
+        <source>n = %1</source>
+        <translation>n = %1</translation>
+    </message>
+    <message>
+        <source>Clinics report %1: %2. %3</source>
+        <translation>Kliniken berichten %1: %2. %3</translation>
+    </message>
+    <message>
+        <source>Not validated: the program’s clinical table misses %1.</source>
+        <translation>Nicht validiert: Die klinische Tabelle des Programms verfehlt %1.</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::AboutSheet</name>
@@ -6581,26 +6769,6 @@
         <source>Export…</source>
         <translation>Exportieren …</translation>
     </message>
-    <message>
-        <source>Insertion</source>
-        <translation>Insertion</translation>
-    </message>
-    <message>
-        <source>Peak force</source>
-        <translation>Maximalkraft</translation>
-    </message>
-    <message>
-        <source>Reversals</source>
-        <translation>Rückzüge</translation>
-    </message>
-    <message>
-        <source>Time</source>
-        <translation>Zeit</translation>
-    </message>
-    <message>
-        <source>Score</source>
-        <translation>Bewertung</translation>
-    </message>
     <message numerus="yes">
         <source>Reading %n recording(s)…</source>
         <translation>
@@ -6609,76 +6777,12 @@
         </translation>
     </message>
     <message>
-        <source>%1 mN</source>
-        <translation>%1 mN</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>%1 mJ</source>
-        <translation>%1 mJ</translation>
-    </message>
-    <message>
-        <source>%1 s</source>
-        <translation>%1 s</translation>
-    </message>
-    <message>
-        <source>%1°</source>
-        <translation>%1°</translation>
-    </message>
-    <message>
-        <source>%1 of 100</source>
-        <translation>%1 von 100</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>keine</translation>
-    </message>
-    <message>
-        <source>–</source>
-        <translation>–</translation>
-    </message>
-    <message>
-        <source>At %1 mm</source>
-        <translation>Bei %1 mm</translation>
-    </message>
-    <message>
         <source>Compare insertions</source>
         <translation>Insertionen vergleichen</translation>
     </message>
     <message>
         <source>Select two or more recordings on the Sessions page and press Compare to plot their insertion forces on common axes, with the published measurements.</source>
         <translation>Auf der Seite Aufzeichnungen zwei oder mehr wählen und „Vergleichen“ drücken: Ihre Insertionskräfte erscheinen auf gemeinsamen Achsen, mit den veröffentlichten Messungen.</translation>
-    </message>
-    <message>
-        <source>Export table and curves as CSV and the figure as SVG and PNG.</source>
-        <translation>Tabelle und Kurven als CSV, die Abbildung als SVG und PNG exportieren.</translation>
-    </message>
-    <message>
-        <source>○  published measurements, mean ± SD</source>
-        <translation>○  veröffentlichte Messungen, Mittelwert ± SD</translation>
-    </message>
-    <message>
-        <source>Insertion force over travel</source>
-        <translation>Insertionskraft über Vorschub</translation>
-    </message>
-    <message>
-        <source>Results</source>
-        <translation>Ergebnisse</translation>
-    </message>
-    <message>
-        <source>At cursor</source>
-        <translation>Am Cursor</translation>
-    </message>
-    <message>
-        <source>at depth</source>
-        <translation>bei Tiefe</translation>
-    </message>
-    <message>
-        <source>Insertion work</source>
-        <translation>Insertionsarbeit</translation>
     </message>
     <message>
         <source>Esc cancels.</source>
@@ -6709,54 +6813,72 @@
         <translation>In Ordner exportieren</translation>
     </message>
     <message>
-        <source>4 files saved to %1.</source>
-        <translation>4 Dateien gespeichert in %1.</translation>
-    </message>
-    <message>
-        <source>advance off stylet</source>
-        <translation>Advance-off-Stylet</translation>
-    </message>
-    <message>
-        <source>standard</source>
-        <translation>Standard</translation>
-    </message>
-    <message>
-        <source>%1 · %2
-%3 · %4 ear · %5</source>
-        <translation>%1 · %2
-%3 · %4es Ohr · %5</translation>
-    </message>
-    <message>
-        <source>left</source>
-        <translation>link</translation>
-    </message>
-    <message>
-        <source>right</source>
-        <translation>recht</translation>
-    </message>
-    <message>
         <source>Choose recordings</source>
         <translation>Aufzeichnungen wählen</translation>
-    </message>
-    <message>
-        <source>rupture at %1°</source>
-        <translation>Ruptur bei %1°</translation>
-    </message>
-    <message>
-        <source>Translocation</source>
-        <translation>Translokation</translation>
-    </message>
-    <message>
-        <source>%1 · changed by hand</source>
-        <translation>%1 · von Hand geändert</translation>
     </message>
     <message>
         <source>Compare</source>
         <translation>Vergleich</translation>
     </message>
     <message>
-        <source>Tip angle</source>
+        <source>Export tables, curves and events as CSV and the figure as SVG and PNG.</source>
+        <translation>Tabellen, Kurven und Ereignisse als CSV und die Abbildung als SVG und PNG exportieren.</translation>
+    </message>
+    <message>
+        <source>○  published measurements of this array, mean ± SD</source>
+        <translation>○  veröffentlichte Messungen dieses Elektrodenträgers, Mittelwert ± SD</translation>
+    </message>
+    <message>
+        <source>Insertion force</source>
+        <translation>Insertionskraft</translation>
+    </message>
+    <message>
+        <source>over</source>
+        <translation>über</translation>
+    </message>
+    <message>
+        <source>travel</source>
+        <translation>Vorschub</translation>
+    </message>
+    <message>
+        <source>insertion depth</source>
+        <translation>Insertionstiefe</translation>
+    </message>
+    <message>
+        <source>tip angle</source>
         <translation>Winkel der Spitze</translation>
+    </message>
+    <message>
+        <source>groups</source>
+        <translation>Gruppen</translation>
+    </message>
+    <message>
+        <source>none: each insertion</source>
+        <translation>keine: jede Insertion</translation>
+    </message>
+    <message>
+        <source>by array</source>
+        <translation>nach Elektrodenträger</translation>
+    </message>
+    <message>
+        <source>by technique</source>
+        <translation>nach Technik</translation>
+    </message>
+    <message>
+        <source>by patient</source>
+        <translation>nach Patient</translation>
+    </message>
+    <message>
+        <source>by array and technique</source>
+        <translation>nach Elektrodenträger und Technik</translation>
+    </message>
+    <message>
+        <source>rib %1 at the opening</source>
+        <translation>Rippe %1 an der Öffnung</translation>
+    </message>
+    <message>
+        <source>%1 files saved to %2.</source>
+        <translation>%1 Dateien in %2 gespeichert.</translation>
     </message>
 </context>
 <context>
@@ -6766,16 +6888,28 @@
         <translation>%1 mm</translation>
     </message>
     <message>
-        <source>Insertion force over travel</source>
-        <translation>Insertionskraft über Vorschub</translation>
-    </message>
-    <message>
         <source>travel, mm</source>
         <translation>Vorschub, mm</translation>
     </message>
     <message>
         <source>insertion force, mN</source>
         <translation>Insertionskraft, mN</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>Insertion force</source>
+        <translation>Insertionskraft</translation>
+    </message>
+    <message>
+        <source>insertion depth, mm</source>
+        <translation>Insertionstiefe, mm</translation>
+    </message>
+    <message>
+        <source>tip angle, °</source>
+        <translation>Winkel der Spitze, °</translation>
     </message>
 </context>
 <context>
@@ -7357,6 +7491,45 @@
     <message>
         <source>built without audio support</source>
         <translation>ohne Audiounterstützung gebaut</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::GroupsTable</name>
+    <message>
+        <source>%1 ± %2</source>
+        <translation>%1 ± %2</translation>
+    </message>
+    <message>
+        <source>%1 (%2 to %3)</source>
+        <translation>%1 (%2 bis %3)</translation>
+    </message>
+    <message>
+        <source>Groups</source>
+        <translation>Gruppen</translation>
+    </message>
+    <message>
+        <source>Mean ± SD</source>
+        <translation>Mittelwert ± SD</translation>
+    </message>
+    <message>
+        <source>%1, n = %2</source>
+        <translation>%1, n = %2</translation>
+    </message>
+    <message>
+        <source>%1 − %2</source>
+        <translation>%1 − %2</translation>
+    </message>
+    <message>
+        <source>Difference of the means with its 95 % interval (Welch). Without an interval where a group has fewer than two insertions, or where none of them differ.</source>
+        <translation>Differenz der Mittelwerte mit 95-%-Intervall (Welch). Ohne Intervall, wo eine Gruppe weniger als zwei Insertionen hat oder keine sich unterscheiden.</translation>
+    </message>
+    <message>
+        <source>insertion force at %1</source>
+        <translation>Insertionskraft bei %1</translation>
+    </message>
+    <message>
+        <source>mN</source>
+        <translation>mN</translation>
     </message>
 </context>
 <context>
@@ -8334,6 +8507,17 @@
     </message>
 </context>
 <context>
+    <name>perilymph::gui::PlanCells</name>
+    <message>
+        <source>clin. %1</source>
+        <translation>klin. %1</translation>
+    </message>
+    <message>
+        <source>not validated</source>
+        <translation>nicht validiert</translation>
+    </message>
+</context>
+<context>
     <name>perilymph::gui::PlanHead</name>
     <message>
         <source>A %1</source>
@@ -8617,6 +8801,10 @@
         <source>%1, %2: %3. %4 draws</source>
         <translation>%1, %2: %3. %4 Simulationen</translation>
     </message>
+    <message>
+        <source>%1; clinics report %2</source>
+        <translation>%1; Kliniken berichten %2</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::PlanView</name>
@@ -8635,6 +8823,14 @@
     <message>
         <source>%1 in the cochlea, 3D</source>
         <translation>%1 in der Cochlea, 3D</translation>
+    </message>
+    <message>
+        <source>Save table…</source>
+        <translation>Tabelle speichern…</translation>
+    </message>
+    <message>
+        <source>Save the contacts for whoever programs the processor, as CSV with a dictionary of its columns</source>
+        <translation>Kontakte für die Prozessoranpassung als CSV mit einem Verzeichnis der Spalten speichern</translation>
     </message>
 </context>
 <context>
@@ -8867,6 +9063,10 @@
         <source>%1 of %2 s</source>
         <translation>%1 von %2 s</translation>
     </message>
+    <message>
+        <source>%1 s, %2 mm, %3 mN: %4</source>
+        <translation>%1 s, %2 mm, %3 mN: %4</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::ReplayControl</name>
@@ -8939,6 +9139,147 @@
     <message>
         <source>%1, %2</source>
         <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Contacts…</source>
+        <translation>Kontakte…</translation>
+    </message>
+    <message>
+        <source>Save the contacts for whoever programs the processor, as CSV with a dictionary of its columns</source>
+        <translation>Kontakte für die Prozessoranpassung als CSV mit einem Verzeichnis der Spalten speichern</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>clinics report</source>
+        <translation>Kliniken berichten</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::RunsTable</name>
+    <message>
+        <source>left</source>
+        <translation>link</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>recht</translation>
+    </message>
+    <message>
+        <source>%1 · changed by hand</source>
+        <translation>%1 · von Hand geändert</translation>
+    </message>
+    <message>
+        <source>%1 · %2
+%3 · %4 ear · %5</source>
+        <translation>%1 · %2
+%3 · %4es Ohr · %5</translation>
+    </message>
+    <message>
+        <source>–</source>
+        <translation>–</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>rupture at %1°</source>
+        <translation>Ruptur bei %1°</translation>
+    </message>
+    <message>
+        <source>%1 mN</source>
+        <translation>%1 mN</translation>
+    </message>
+    <message>
+        <source>%1 (rib %2)</source>
+        <translation>%1 (Rippe %2)</translation>
+    </message>
+    <message>
+        <source>advance off stylet</source>
+        <translation>Advance-off-Stylet</translation>
+    </message>
+    <message>
+        <source>standard</source>
+        <translation>Standard</translation>
+    </message>
+    <message>
+        <source>Results</source>
+        <translation>Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Insertion</source>
+        <translation>Insertion</translation>
+    </message>
+    <message>
+        <source>At cursor</source>
+        <translation>Am Cursor</translation>
+    </message>
+    <message>
+        <source>Peak force</source>
+        <translation>Maximalkraft</translation>
+    </message>
+    <message>
+        <source>at depth</source>
+        <translation>bei Tiefe</translation>
+    </message>
+    <message>
+        <source>Without ribs</source>
+        <translation>Ohne Rippen</translation>
+    </message>
+    <message>
+        <source>Insertion work</source>
+        <translation>Insertionsarbeit</translation>
+    </message>
+    <message>
+        <source>Reversals</source>
+        <translation>Rückzüge</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Tip angle</source>
+        <translation>Winkel der Spitze</translation>
+    </message>
+    <message>
+        <source>Translocation</source>
+        <translation>Translokation</translation>
+    </message>
+    <message>
+        <source>Score</source>
+        <translation>Bewertung</translation>
+    </message>
+    <message>
+        <source>Peak force with no marker rib at the opening: that of the array in the cochlea.</source>
+        <translation>Maximalkraft ohne Markierungsrippe an der Öffnung: die des Elektrodenträgers in der Cochlea.</translation>
+    </message>
+    <message>
+        <source>%1 mJ</source>
+        <translation>%1 mJ</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>%1 of 100</source>
+        <translation>%1 von 100</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>At %1</source>
+        <translation>Bei %1</translation>
     </message>
 </context>
 <context>

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-#include "gui/report/Outcome.h"
+#include "gui/report/InsertionOutcome.h"
 #include "gui/report/PlanReportContent.h"
 #include "gui/text/ClinicalText.h"
 #include "gui/text/Numbers.h"

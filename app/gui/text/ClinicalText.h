@@ -22,7 +22,7 @@ QString clinicsReportDetails(const std::string& array, analysis::ReportedQuantit
 /// Whether the program's clinical table misses a row of an array.
 bool isNotValidated(const std::string& array);
 
-/// "Not validated: the clinical table misses angle of FLEX24."; empty for other arrays.
+/// "Not validated: the clinical table misses angular depth of flex24."; empty for other arrays.
 QString notValidatedNote(const std::string& array);
 
 }  // namespace perilymph::gui

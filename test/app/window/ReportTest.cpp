@@ -22,9 +22,9 @@
 
 #include "OwnFolders.h"
 #include "gui/program/Languages.h"
+#include "gui/report/InsertionOutcome.h"
 #include "gui/report/InsertionReport.h"
 #include "gui/report/InsertionResults.h"
-#include "gui/report/Outcome.h"
 #include "gui/report/ReportIssuer.h"
 #include "gui/report/ReportParameters.h"
 #include "gui/run/UserSettings.h"

@@ -5,6 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <map>
+#include <regex>
+#include <string>
+#include <vector>
 
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/test/TemporaryFolder.h"
@@ -69,6 +73,29 @@ TEST(ShippedReports, AgreeWithTheRangesOfTheClinicalTable)
     EXPECT_EQ(report->high, number("high_deg = ")) << array;
   }
   EXPECT_THAT(text("resources/clinical/rates.toml"), HasSubstr("count = 49\nof = 51"));
+}
+
+TEST(ShippedVerdicts, AreThoseOfTheClinicalTable)
+{
+  const auto& evidence = ClinicalEvidence::shipped();
+  ASSERT_TRUE(evidence) << evidence.error().message;
+  std::ifstream table(resource("resources/clinical/clinical-table.csv"));
+  const std::regex ofArray(
+      "\"((?:angular depth|complete insertion) of ([a-z0-9-]+))\",(?:[^,]*,){8}([^,]*),.*");
+  std::map<std::string, std::vector<std::string>> missed;
+  int rows = 0;
+  for (std::string line; std::getline(table, line);) {
+    std::smatch found;
+    if (!std::regex_match(line, found, ofArray)) continue;
+    ++rows;
+    missed[found[2]];
+    if (found[3] == "miss") missed[found[2]].push_back(found[1]);
+  }
+  EXPECT_EQ(rows, 6);
+  for (const auto& [array, misses] : missed) {
+    EXPECT_EQ(evidence->missedRows(array), misses) << array;
+    EXPECT_EQ(evidence->verdictOf(array), misses.empty() ? ArrayVerdict::hit : ArrayVerdict::miss);
+  }
 }
 
 TEST(Verdicts, MarkAnArrayWithAMissedRow)

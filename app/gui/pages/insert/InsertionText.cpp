@@ -4,7 +4,7 @@
 #include <QCoreApplication>
 #include <QStringList>
 
-#include "gui/report/Outcome.h"
+#include "gui/report/InsertionOutcome.h"
 #include "gui/setup/SetupTitle.h"
 #include "gui/setup/StopTravel.h"
 #include "gui/text/DataText.h"

@@ -9,8 +9,8 @@
 #include <algorithm>
 
 #include "gui/report/ContactExport.h"
+#include "gui/report/InsertionOutcome.h"
 #include "gui/report/InsertionResults.h"
-#include "gui/report/Outcome.h"
 #include "gui/text/ClinicalText.h"
 #include "gui/text/DataText.h"
 #include "gui/widgets/PanelParts.h"

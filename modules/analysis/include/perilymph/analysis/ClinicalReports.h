@@ -81,7 +81,7 @@ public:
   std::vector<const ClinicalReport*> findAll(const std::string& array,
                                              ReportedQuantity quantity) const;
   ArrayVerdict verdictOf(const std::string& array) const;
-  /// The rows that are missed for an array: "angle of FLEX24".
+  /// The rows that are missed for an array: "angular depth of flex24".
   std::vector<std::string> missedRows(const std::string& array) const;
   /// What the verdicts are from.
   const std::string& verdictSource() const { return verdictSource_; }

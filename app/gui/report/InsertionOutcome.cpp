@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/report/Outcome.h"
+#include "gui/report/InsertionOutcome.h"
 
 #include <QCoreApplication>
 #include <QStringList>

@@ -88,7 +88,8 @@ double paintResults(ReportSheet& sheet, const ReportContent& content, double x_m
     sheet.line({x_mm, y_mm, text_mm, name_mm + 1.2}, result.name, ReportFace::text);
     sheet.line({x_mm + text_mm, y_mm, number_mm, value_mm}, result.value, ReportFace::number,
                Qt::AlignRight);
-    const QString detail = result.clinics.isEmpty()
+    // the plan's band has the same line
+    const QString detail = result.clinics.isEmpty() || !result.plan.isEmpty()
                                ? result.detail
                                : tr("%1; clinics: %2").arg(result.detail, result.clinics);
     sheet.line({x_mm, y_mm + name_mm + 1.0, width_mm, detail_mm}, detail, ReportFace::quiet);

@@ -16,8 +16,8 @@ namespace perilymph::gui {
 
 namespace {
 
-constexpr int margin_px = 6, bar_px = 8, quartileBar_px = 4;
-constexpr double bandHeight_px = 10.0;
+// At the window's usual text size: they shrink with the text, beside which they stand.
+constexpr int margin_px = 6, bar_px = 8, quartileBar_px = 4, bandHeight_px = 10, shareHeight_px = 7;
 
 QColor faded(QColor color, double opacity)
 {
@@ -141,8 +141,8 @@ void PlanCells::paint(QPainter* painter, const QStyleOptionViewItem& option,
   } else {
     const planning::Band& band = bandOf(array, column);
     paintTexts(*painter, inside, medianText(band, column), rangeText(band, column));
-    const QRectF below(inside.left(), inside.bottom() - bandHeight_px, inside.width(),
-                       bandHeight_px);
+    const QRectF below(inside.left(), inside.bottom() - sized(bandHeight_px), inside.width(),
+                       sized(bandHeight_px));
     paintBand(*painter, below, band, column);
     paintClinics(*painter, inside, array, column);
   }
@@ -161,10 +161,10 @@ void PlanCells::paintBand(QPainter& painter, const QRectF& place, const planning
     painter.setBrush(Qt::NoBrush);
     painter.drawRect(QRectF(left, place.top() - 1.0, right - left, place.height() + 2.0));
   }
-  paintSpan(painter, place, band.low / limit, band.high / limit, bar_px,
+  paintSpan(painter, place, band.low / limit, band.high / limit, sized(bar_px),
             faded(shownTheme().ghost, 0.4));
-  paintSpan(painter, place, band.lowerQuartile / limit, band.upperQuartile / limit, quartileBar_px,
-            shownTheme().ghost);
+  paintSpan(painter, place, band.lowerQuartile / limit, band.upperQuartile / limit,
+            sized(quartileBar_px), shownTheme().ghost);
   const double x = place.left() + std::clamp(band.median / limit, 0.0, 1.0) * place.width();
   painter.fillRect(QRectF(x - 1.0, place.top(), 2.0, place.height()), shownTheme().text);
 }
@@ -173,9 +173,10 @@ void PlanCells::paintProbability(QPainter& painter, const QRectF& place,
                                  const analysis::Estimate& estimate, std::size_t draws) const
 {
   paintTexts(painter, place, shownShare(estimate, draws), intervalText(estimate, draws));
-  const QRectF bar(place.left(), place.bottom() - 7.0, place.width(), 7.0);
+  const QRectF bar(place.left(), place.bottom() - sized(shareHeight_px), place.width(),
+                   sized(shareHeight_px));
   paintTrack(painter, bar);
-  paintSpan(painter, bar, estimate.low, estimate.high, quartileBar_px,
+  paintSpan(painter, bar, estimate.low, estimate.high, sized(quartileBar_px),
             faded(shownTheme().quietText, 0.7));
   const double x = bar.left() + std::clamp(estimate.value, 0.0, 1.0) * bar.width();
   painter.fillRect(QRectF(x - 1.0, bar.top(), 2.0, bar.height()), shownTheme().text);

@@ -6,6 +6,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 #include <QVariant>
@@ -17,6 +18,7 @@
 #include "gui/text/DataText.h"
 #include "gui/text/Numbers.h"
 #include "gui/widgets/EmptyPage.h"
+#include "gui/widgets/PanelParts.h"
 #include "gui/widgets/StatusLine.h"
 #include "gui/widgets/Theme.h"
 #include "perilymph/charts/FigurePicture.h"
@@ -81,7 +83,8 @@ ComparePage::ComparePage(QWidget* parent)
   connect(empty_, &EmptyPage::actionAsked, this,
           [this] { Q_EMIT pageRequested(QStringLiteral("sessions")); });
   stack_->addWidget(empty_);
-  stack_->addWidget(addRuns());
+  // what does not fit on a small screen is reached by scrolling, never drawn over the rest
+  stack_->addWidget(verticalScroll(addRuns(), this));
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(3 * spacing, 3 * spacing, 3 * spacing, 2 * spacing);
   column->addWidget(stack_);
@@ -124,7 +127,7 @@ QWidget* ComparePage::addRuns()
   score_ = text({}, 11, page, true);
   score_->setObjectName(QStringLiteral("scoreReasons"));
   score_->setWordWrap(true);
-  score_->setMinimumHeight(84);
+  score_->setMinimumHeight(sized(84));
   score_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   status_ = new StatusLine("comparisonStatus", page);
 

@@ -59,7 +59,7 @@ ComparisonPlot::ComparisonPlot(QWidget* parent) : QWidget(parent)
   setAccessibleName(tr("Insertion force"));
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
-  setMinimumHeight(200);
+  setMinimumHeight(sized(200));
   setFont(typeface(11));
   fitAxes();
 }

@@ -66,7 +66,7 @@ InsertionResult outcomeOf(const ReportContent& content)
   outcome.value = isEarly && !isAtDepth ? tr("Ended before its stop at %1").arg(mm(stop))
                                         : outcomeText(end, isAtDepth, content.scenario);
   QStringList doubts;
-  if (const QString note = deepestNote(content); !note.isEmpty()) doubts << note;
+  doubts << deepestNote(content).split(QStringLiteral("; "), Qt::SkipEmptyParts);
   if (const auto unbalanced = content.insertion.profile.ticksNotConverged; unbalanced > 0)
     doubts << tr("%1 samples did not converge").arg(unbalanced);
   outcome.detail = doubts.join(QLatin1Char('\n'));

@@ -141,26 +141,31 @@ double paintArrays(ReportSheet& sheet, const PlanReportContent& content, double 
              ReportFace::label, Qt::AlignHCenter);
   paintRow(units);
   sheet.rule(0.0, y_mm, width_mm);
-  if (arrays.size() > manyArrays) high_mm = lowRow_mm;
+  const bool areMany = arrays.size() > manyArrays;
+  if (areMany) high_mm = lowRow_mm;
   for (std::size_t i = 0; i < arrays.size(); ++i) {
-    paintRow(cellsOf(arrays[i], i));
+    QStringList cells = cellsOf(arrays[i], i);
+    if (areMany && isNotValidated(arrays[i].array)) cells[0] += QStringLiteral(" *");
+    paintRow(cells);
     const QStringList clinics = clinicsOf(arrays[i]);
-    if (clinics.mid(1).join(QString()).isEmpty()) continue;
+    // what clinics report of many would leave no room for the signature
+    if (areMany || clinics.mid(1).join(QString()).isEmpty()) continue;
     y_mm -= 0.6;
     paintRow(clinics, ReportFace::quiet);
   }
   y_mm += 0.6;
-  return y_mm + sheet.paragraph(
-                    0.0, y_mm, width_mm,
-                    tr("Angle and coverage of the most apical contact. Shares, from %1 simulations "
-                       "on with 95 % intervals: full insertion, stop by resistance, buckling in "
-                       "front of the opening, tip fold-over, a force that reaches the strength of "
-                       "the cochlear partition. Clinics: medians or means of patients, angular "
-                       "depth, complete insertions, tip fold-over and translocation; sources in "
-                       "the guide. Not validated: the program’s clinical table misses a row of "
-                       "this array.")
-                        .arg(analysis::fewestForPercent),
-                    ReportFace::quiet);
+  return y_mm +
+         sheet.paragraph(
+             0.0, y_mm, width_mm,
+             tr("Angle and coverage of the most apical contact. Shares, from %1 simulations "
+                "on with 95 % intervals: full insertion, stop by resistance, buckling in "
+                "front of the opening, tip fold-over, a force that reaches the strength of "
+                "the cochlear partition. Clinics: medians or means of patients, angular "
+                "depth, complete insertions, tip fold-over and translocation; sources in "
+                "the guide. Not validated, or *: the program’s clinical table misses a row of "
+                "this array.")
+                 .arg(analysis::fewestForPercent),
+             ReportFace::quiet);
 }
 
 /// Why the whole report may not be of this patient, or not of this program; first on the page.

@@ -250,7 +250,7 @@ TEST_F(PdfReport, SaysFirstHowTheInsertionEndedAndWhatMakesItsResultsDoubtful)
 {
   auto content = gui::gatherReport(recordingOf("mean-flex28", {{"stop_travel_mm", "3.0"}}), {});
   ASSERT_TRUE(content) << content.error().message;
-  EXPECT_EQ(gui::outcomeOf(*content).value, "Stopped as set, 24.0 mm of the array outside");
+  EXPECT_EQ(gui::outcomeOf(*content).value.toStdString(), "Stopped as set, 24.0 mm of the array outside");
   EXPECT_EQ(gui::outcomeOf(*content).detail, QString());
 
   content->last.status |= haptics::endedBuckled;

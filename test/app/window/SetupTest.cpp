@@ -249,7 +249,13 @@ TEST(SetupOfAPatient, KeepsArrayAndTechniqueAndNamesNoFile)
   EXPECT_EQ(setup->scenario.name(), "P-017");
   EXPECT_EQ(setup->scenario.title(), "P-017: FLEX28");
   EXPECT_EQ(setup->scenario.patientName(), "");
-  EXPECT_EQ(setup->sourceOf(SetupField::lengthA), ValueSource::ct);
+  EXPECT_EQ(setup->sourceOf(SetupField::lengthA), ValueSource::typed) << "no CT is named";
+  patient.origin.seriesKey = std::string(64, 'a');
+  EXPECT_EQ(setupOfPatient(patient, &base.scenario)->sourceOf(SetupField::lengthA),
+            ValueSource::ct);
+  patient.seal = Seal::changed;
+  EXPECT_EQ(setupOfPatient(patient, &base.scenario)->sourceOf(SetupField::lengthA),
+            ValueSource::typed);
 }
 
 TEST(SetupOfAPatient, IsThatOfAPlanWithTheLastArrayFullyInserted)

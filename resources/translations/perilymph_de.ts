@@ -4998,8 +4998,8 @@
         <translation>Cochlea, CT-Messwerte ± 95-%-Intervall</translation>
     </message>
     <message>
-        <source>Cochlea, measures entered by hand ± 95 % interval</source>
-        <translation>Cochlea, von Hand eingegebene Maße ± 95-%-Intervall</translation>
+        <source>Cochlea, measures ± 95 % interval</source>
+        <translation>Cochlea, Maße ± 95-%-Intervall</translation>
     </message>
     <message>
         <source>Cochlea: average of 15 human cochleae</source>
@@ -6302,10 +6302,6 @@
         <translation>Methode: Jeder Elektrodenträger wird %1-mal von einer simulierten Hand inseriert (%2). Jedes Mal werden A, B und H innerhalb ihrer Fehler, Geschwindigkeit, Tremor, Griff, Kraftgrenze, beabsichtigte Tiefe, Reibung, Zugang und Steifigkeit neu gezogen; siehe Anhang.</translation>
     </message>
     <message>
-        <source>Results; %1: %2</source>
-        <translation>Ergebnisse; %1: %2</translation>
-    </message>
-    <message>
         <source>plan of %1</source>
         <translation>Plan vom %1</translation>
     </message>
@@ -6432,6 +6428,10 @@
     <message>
         <source>Not validated: the program’s clinical table misses %1.</source>
         <translation>Nicht validiert: Die klinische Tabelle des Programms verfehlt %1.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>

@@ -61,8 +61,9 @@ std::vector<MeasureRow> basalTurnRows(const anatomy::Patient& patient)
 QString measuresTitle(const anatomy::Patient& patient)
 {
   if (patient.seal == Seal::changed) return tr("Cochlea, measures changed by hand");
+  // a recording keeps the measures, not where they are from
   return anatomy::isFromCt(patient) ? tr("Cochlea, CT measurements ± 95 % interval")
-                                    : tr("Cochlea, measures entered by hand ± 95 % interval");
+                                    : tr("Cochlea, measures ± 95 % interval");
 }
 
 QString measureText(const std::vector<analysis::Measure>& measures,

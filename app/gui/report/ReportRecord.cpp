@@ -66,11 +66,13 @@ double paintIdentification(ReportSheet& sheet, const ReportContent& content,
 double paintResults(ReportSheet& sheet, const ReportContent& content, double x_mm, double y_mm,
                     double width_mm)
 {
-  y_mm =
-      sheet.heading(x_mm, y_mm, width_mm,
-                    content.plan ? tr("Results; %1: %2").arg(content.plan->name, content.plan->hold)
-                                 : tr("Results"));
+  y_mm = sheet.heading(x_mm, y_mm, width_mm, tr("Results"));
   constexpr double name_mm = 4.0, value_mm = 6.0, detail_mm = 3.4, space_mm = 0.2;
+  if (content.plan) {
+    sheet.line({x_mm, y_mm, width_mm, detail_mm},
+               tr("%1: %2").arg(content.plan->name, content.plan->hold), ReportFace::quiet);
+    y_mm += detail_mm + space_mm;
+  }
   for (const InsertionResult& result : insertionResults(content)) {
     if (result.isSentence) {
       sheet.line({x_mm, y_mm, width_mm, value_mm}, result.value, ReportFace::bold);

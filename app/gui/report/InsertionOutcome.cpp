@@ -60,11 +60,12 @@ InsertionResult outcomeOf(const ReportContent& content)
   const haptics::InsertionEnd end = haptics::endOf(content.last);
   const double stop = content.scenario.stopTravel().si();
   const bool isAtDepth = content.deepest.output.travel >= stop - sameDepth;
-  const bool isEarly = end == haptics::InsertionEnd::none || end == haptics::InsertionEnd::finished;
+  const bool endedByHand =
+      end == haptics::InsertionEnd::none || end == haptics::InsertionEnd::finished;
   InsertionResult outcome;
   outcome.name = tr("Outcome");
-  outcome.value = isEarly && !isAtDepth ? tr("Ended before its stop at %1").arg(mm(stop))
-                                        : outcomeText(end, isAtDepth, content.scenario);
+  outcome.value = endedByHand && !isAtDepth ? tr("Ended before its stop at %1").arg(mm(stop))
+                                            : outcomeText(end, isAtDepth, content.scenario);
   QStringList doubts;
   doubts << deepestNote(content).split(QStringLiteral("; "), Qt::SkipEmptyParts);
   if (const auto unbalanced = content.insertion.profile.ticksNotConverged; unbalanced > 0)

@@ -6346,10 +6346,6 @@
         <translation>Tabellen (*.csv)</translation>
     </message>
     <message>
-        <source>depth, angle and contacts at the deepest place, %1; at the end %2, tip at %3°</source>
-        <translation>Tiefe, Winkel und Kontakte an der tiefsten Stelle, %1; am Ende %2, Spitze bei %3°</translation>
-    </message>
-    <message>
         <source>Outcome</source>
         <translation>Ausgang</translation>
     </message>
@@ -6432,6 +6428,14 @@
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>depth, angle and contacts at the deepest place, %1</source>
+        <translation>Tiefe, Winkel und Kontakte an der tiefsten Stelle, %1</translation>
+    </message>
+    <message>
+        <source>at the end %1, tip at %2°</source>
+        <translation>am Ende %1, Spitze bei %2°</translation>
     </message>
 </context>
 <context>

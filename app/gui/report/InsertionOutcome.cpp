@@ -46,13 +46,13 @@ QString outcomeText(haptics::InsertionEnd end, bool isAtDepth, const session::Sc
                                    .arg(numberText(inMillimeters(outside), 1));
 }
 
-QString deepestNote(const ReportContent& content)
+QStringList deepestNotes(const ReportContent& content)
 {
   const analysis::ForceProfile& profile = content.insertion.profile;
   if (profile.finalDepth > profile.deepest - sameDepth) return {};
-  return tr("depth, angle and contacts at the deepest place, %1; at the end %2, tip at %3°")
-      .arg(mm(profile.deepest), mm(profile.finalDepth),
-           numberText(inDegrees(radians(profile.finalAngle)), 0));
+  return {tr("depth, angle and contacts at the deepest place, %1").arg(mm(profile.deepest)),
+          tr("at the end %1, tip at %2°")
+              .arg(mm(profile.finalDepth), numberText(inDegrees(radians(profile.finalAngle)), 0))};
 }
 
 InsertionResult outcomeOf(const ReportContent& content)
@@ -66,8 +66,7 @@ InsertionResult outcomeOf(const ReportContent& content)
   outcome.name = tr("Outcome");
   outcome.value = endedByHand && !isAtDepth ? tr("Ended before its stop at %1").arg(mm(stop))
                                             : outcomeText(end, isAtDepth, content.scenario);
-  QStringList doubts;
-  doubts << deepestNote(content).split(QStringLiteral("; "), Qt::SkipEmptyParts);
+  QStringList doubts = deepestNotes(content);
   if (const auto unbalanced = content.insertion.profile.ticksNotConverged; unbalanced > 0)
     doubts << tr("%1 samples did not converge").arg(unbalanced);
   outcome.detail = doubts.join(QLatin1Char('\n'));

@@ -3,7 +3,7 @@
 
 // How an insertion ended: the first line of its results.
 
-#include <QString>
+#include <QStringList>
 
 #include "gui/report/InsertionResults.h"
 #include "gui/report/ReportContent.h"
@@ -18,7 +18,7 @@ QString outcomeText(haptics::InsertionEnd end, bool isAtDepth, const session::Sc
 
 /// Where the results are from, and where the array lies at the end, if it is not as deep by more than half a
 /// millimeter; else empty.
-QString deepestNote(const ReportContent& content);
+QStringList deepestNotes(const ReportContent& content);
 
 /// The outcome as a result, with what makes the others doubtful.
 InsertionResult outcomeOf(const ReportContent& content);

@@ -47,6 +47,11 @@ double inFile(CurveAxis axis, double place)
 
 }  // namespace
 
+double shownPlace(CurveAxis axis, double place)
+{
+  return axis == CurveAxis::angle ? asDegrees(place) : asMillimeters(place);
+}
+
 double stepOf(CurveAxis axis)
 {
   return axis == CurveAxis::angle ? degrees(1.0).si() : profileStep().si();

@@ -16,11 +16,6 @@ namespace {
 // Distinguished by color and dashes; from the fifth on by longer dashes, too.
 constexpr figures::Ink inks[] = {ink::blue, ink::vermilion, ink::green, ink::purple};
 
-double shown(CurveAxis axis, double place)
-{
-  return axis == CurveAxis::angle ? inDegrees(radians(place)) : inMillimeters(meters(place));
-}
-
 double shownForce(double force) { return inMillinewtons(newtons(force)); }
 
 FigureCurve emptyCurve(Sentence label, std::size_t number)
@@ -37,13 +32,14 @@ void addInsertion(Figure& figure, const ComparedInsertion& insertion, CurveAxis 
 {
   FigureCurve curve = emptyCurve(labelOf(insertion), number);
   for (const AxisPoint& point : curveOver(insertion, axis)) {
-    curve.x.push_back(shown(axis, point.place));
+    curve.x.push_back(shownPlace(axis, point.place));
     curve.y.push_back(shownForce(point.force));
   }
   const auto& rib = insertion.ribPeak;
   if (rib && figure.texts.empty())  // one text: those of several would lie on each other
     figure.texts.push_back({Sentence{"rib %1 at the opening", insertion.ribNumber},
-                            shown(axis, placeOf(*rib, axis)), shownForce(rib->force), curve.ink});
+                            shownPlace(axis, placeOf(*rib, axis)), shownForce(rib->force),
+                            curve.ink});
   figure.curves.push_back(std::move(curve));
 }
 
@@ -55,7 +51,7 @@ void addGroup(Figure& figure, const MeanCurve& mean, const InsertionGroup& group
   FigureBand band;
   band.ink = ink::tint(curve.ink, 0.15);
   for (std::size_t i = 0; i < mean.place.size(); ++i) {
-    curve.x.push_back(shown(axis, mean.place[i]));
+    curve.x.push_back(shownPlace(axis, mean.place[i]));
     curve.y.push_back(shownForce(mean.mean[i]));
     band.low.push_back(shownForce(mean.mean[i] - mean.sd[i]));
     band.high.push_back(shownForce(mean.mean[i] + mean.sd[i]));
@@ -72,7 +68,7 @@ FigureValues valuesOfPublished(const Reference& published)
   printed.ink = ink::black;
   printed.shape = figures::MarkerShape::ring;
   for (const PrintedForce& point : published.points) {
-    printed.x.push_back(shown(CurveAxis::travel, point.travel));
+    printed.x.push_back(shownPlace(CurveAxis::travel, point.travel));
     printed.y.push_back(shownForce(point.mean));
     printed.low.push_back(shownForce(point.mean - point.standardDeviation));
     printed.high.push_back(shownForce(point.mean + point.standardDeviation));

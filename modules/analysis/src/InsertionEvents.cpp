@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "perilymph/haptics/InsertionEnd.h"
+
 namespace perilymph::analysis {
 
 namespace {
@@ -16,15 +18,22 @@ std::vector<double> ribsOf(const electrode::ArrayDesign& array)
   return ribs;
 }
 
-/// How an insertion ended, by the bits of a tick.
-EventKind endOf(std::uint32_t status)
+EventKind kindOf(haptics::InsertionEnd end)
 {
-  if ((status & haptics::endedByResistance) != 0) return EventKind::resistance;
-  if ((status & haptics::endedBuckled) != 0) return EventKind::buckled;
-  if ((status & haptics::endedOutOfOpening) != 0) return EventKind::outOfOpening;
-  if ((status & haptics::endedFoldedTip) != 0) return EventKind::foldedTip;
-  if ((status & haptics::endedJammed) != 0) return EventKind::jammed;
-  return EventKind::end;
+  switch (end) {
+    case haptics::InsertionEnd::stoppedByResistance:
+      return EventKind::resistance;
+    case haptics::InsertionEnd::buckled:
+      return EventKind::buckled;
+    case haptics::InsertionEnd::outOfOpening:
+      return EventKind::outOfOpening;
+    case haptics::InsertionEnd::foldedTip:
+      return EventKind::foldedTip;
+    case haptics::InsertionEnd::jammed:
+      return EventKind::jammed;
+    default:
+      return EventKind::end;
+  }
 }
 
 }  // namespace
@@ -136,7 +145,7 @@ void EventFinder::add(std::uint64_t place, const haptics::TickOutput& now,
     note(EventKind::translocation, place, now);
   if (now.workflow == haptics::Workflow::finished && !hasEnded_) {
     hasEnded_ = true;
-    note(endOf(now.status), place, now);
+    note(kindOf(haptics::endOf(now)), place, now);
   }
   if (hasEnded_ && !isWithdrawn_ && now.workflow == haptics::Workflow::inserting) {
     isWithdrawn_ = true;

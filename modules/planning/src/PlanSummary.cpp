@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 
 #include "FrequencyAllocation.h"
 #include "PlanComparison.h"
 #include "PlannedValues.h"
 #include "perilymph/analysis/ErrorBand.h"
+#include "perilymph/analysis/SampleStatistics.h"
 #include "perilymph/analysis/Tonotopy.h"
 #include "perilymph/foundation/Quantile.h"
 
@@ -132,27 +132,10 @@ std::vector<ContactBand> contactBands(const Insertions& all, const std::vector<d
   return bands;
 }
 
-/// Ranks from 0; equal values share their mean rank.
-std::vector<double> ranksOf(const std::vector<double>& values)
-{
-  std::vector<std::size_t> order(values.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
-  std::vector<double> ranks(values.size());
-  for (std::size_t i = 0; i < order.size();) {
-    std::size_t end = i + 1;
-    while (end < order.size() && values[order[end]] == values[order[i]]) ++end;
-    for (std::size_t k = i; k < end; ++k) ranks[order[k]] = 0.5 * static_cast<double>(i + end - 1);
-    i = end;
-  }
-  return ranks;
-}
-
 /// Squared rank correlation, adjusted for chance; 0 if one does not vary.
 double explained(const std::vector<double>& x, const std::vector<double>& y)
 {
-  const std::vector<double> a = ranksOf(x), b = ranksOf(y);
+  const std::vector<double> a = analysis::ranksOf(x), b = analysis::ranksOf(y);
   const double middle = 0.5 * (static_cast<double>(x.size()) - 1.0);
   double xx = 0.0, xy = 0.0, yy = 0.0;
   for (std::size_t i = 0; i < a.size(); ++i) {

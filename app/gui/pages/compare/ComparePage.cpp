@@ -196,7 +196,8 @@ void ComparePage::showRuns(std::vector<analysis::ComparedInsertion> runs)
 void ComparePage::placeCursor()
 {
   if (runs_.empty()) return;
-  plot_->setCursorPlace(shownPlace(axis(), analysis::placeOf(runs_[0].arrayPeak, axis())));
+  plot_->setCursorPlace(
+      analysis::shownPlace(axis(), analysis::placeOf(runs_[0].arrayPeak, axis())));
 }
 
 analysis::CurveAxis ComparePage::axis() const

@@ -36,12 +36,6 @@ QPen penOfRun(std::size_t run)
   return pen;
 }
 
-double shownPlace(analysis::CurveAxis axis, double place)
-{
-  return axis == analysis::CurveAxis::angle ? inDegrees(radians(place))
-                                            : inMillimeters(meters(place));
-}
-
 double placeAt(analysis::CurveAxis axis, double shown)
 {
   return axis == analysis::CurveAxis::angle ? degrees(shown).si() : millimeters(shown).si();
@@ -73,7 +67,7 @@ void ComparisonPlot::setContent(PlottedContent content)
 
 double ComparisonPlot::step() const
 {
-  return shownPlace(content_.axis, analysis::stepOf(content_.axis));
+  return analysis::shownPlace(content_.axis, analysis::stepOf(content_.axis));
 }
 
 void ComparisonPlot::fitAxes()
@@ -84,8 +78,8 @@ void ComparisonPlot::fitAxes()
   for (const PlottedCurve& curve : content_.curves)
     for (std::size_t i = 0; i < curve.points.size(); ++i) {
       const double sd = curve.sd.empty() ? 0.0 : curve.sd[i];
-      nearest = std::min(nearest, shownPlace(content_.axis, curve.points[i].place));
-      farthest = std::max(farthest, shownPlace(content_.axis, curve.points[i].place));
+      nearest = std::min(nearest, analysis::shownPlace(content_.axis, curve.points[i].place));
+      farthest = std::max(farthest, analysis::shownPlace(content_.axis, curve.points[i].place));
       lowest = std::min(lowest, curve.points[i].force - sd);
       highest = std::max(highest, curve.points[i].force + sd);
     }
@@ -112,7 +106,7 @@ QPointF ComparisonPlot::at(double shown, double force_N) const
 
 QPointF ComparisonPlot::at(const analysis::AxisPoint& point, double offset_N) const
 {
-  return at(shownPlace(content_.axis, point.place), point.force + offset_N);
+  return at(analysis::shownPlace(content_.axis, point.place), point.force + offset_N);
 }
 
 void ComparisonPlot::setCursorPlace(double place)
@@ -227,7 +221,7 @@ void ComparisonPlot::paintNotes(QPainter& painter) const
   constexpr double half_px = 4.0, width_px = 220.0, height_px = 16.0;
   painter.setFont(typeface(11));
   for (const PlottedNote& note : content_.notes) {
-    const QPointF here = at(shownPlace(content_.axis, note.place), note.force);
+    const QPointF here = at(analysis::shownPlace(content_.axis, note.place), note.force);
     painter.setPen(QPen(note.color, 1.5));
     painter.setBrush(shownTheme().ground);
     painter.drawPolygon(QPolygonF({here + QPointF(0, -half_px), here + QPointF(half_px, 0),

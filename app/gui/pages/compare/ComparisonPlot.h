@@ -15,8 +15,6 @@ namespace perilymph::gui {
 /// The line style of a run or of a group: color and dashes.
 QPen penOfRun(std::size_t run);
 
-/// A place on an axis as it is shown: mm or degrees.
-double shownPlace(analysis::CurveAxis axis, double place);
 /// The place [m or rad] that is shown as a number in mm or degrees.
 double placeAt(analysis::CurveAxis axis, double shown);
 /// "3.2 mm", "210°".

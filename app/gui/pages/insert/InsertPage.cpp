@@ -192,9 +192,7 @@ void InsertPage::saveReport()
   const std::shared_ptr<const ReportContent> content = insertion_.result();
   const QString pdf = askReportFile(content->file, this);
   if (pdf.isEmpty()) return;
-  ReportContent asOfNow = *content;
-  asOfNow.mayGoOn = true;
-  const auto written = writeReport(asOfNow, pdf.toStdString());
+  const auto written = writeReport(*content, pdf.toStdString());
   Q_EMIT noted(written ? tr("Report saved to %1.").arg(pdf) : dataText(written.error().message));
 }
 

@@ -219,6 +219,7 @@ void InsertionController::followEnd()
       [this, plan = std::move(plan)](Result<ReportContent> read) {
         if (!read) return showError(dataText(read.error().message));
         if (plan) read->plan = plan;  // the one that is shown during the insertion
+        read->mayGoOn = true;
         result_ = std::make_shared<const ReportContent>(*std::move(read));
         Q_EMIT resultChanged();
       });

@@ -113,8 +113,8 @@ void ResultCard::show(const ReportContent& content, const QString& title)
   contacts_ = planning::insertionContactsCsv(array_, content.scenario.array(), content.contacts);
   title_->setText(title);
   const QString array = QString::fromStdString(content.scenario.array().name);
-  const QString doubt = deepestNote(content);
-  subject_->setText(doubt.isEmpty() ? array : tr("%1: %2").arg(array, doubt));
+  const QString doubts = deepestNotes(content).join(QStringLiteral("; "));
+  subject_->setText(doubts.isEmpty() ? array : tr("%1: %2").arg(array, doubts));
   delete rows_;
   rows_ = new QWidget(this);
   auto* grid = new QGridLayout(rows_);

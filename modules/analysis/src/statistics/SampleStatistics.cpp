@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "perilymph/figures/Strings.h"
 #include "perilymph/foundation/Math.h"
@@ -78,6 +79,21 @@ SampleStatistics differenceOf(const SampleStatistics& a, const SampleStatistics&
   result.standardError =
       std::sqrt(a.standardError * a.standardError + b.standardError * b.standardError);
   return result;
+}
+
+std::vector<double> ranksOf(std::span<const double> values)
+{
+  std::vector<std::size_t> order(values.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return values[i]; });
+  std::vector<double> ranks(values.size());
+  for (std::size_t i = 0; i < order.size();) {
+    std::size_t end = i + 1;
+    while (end < order.size() && values[order[end]] == values[order[i]]) ++end;
+    for (std::size_t k = i; k < end; ++k) ranks[order[k]] = 0.5 * static_cast<double>(i + end - 1);
+    i = end;
+  }
+  return ranks;
 }
 
 double studentHalfWidth95(double degreesOfFreedom)

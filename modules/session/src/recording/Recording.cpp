@@ -122,6 +122,7 @@ struct Recording::Content {
   Result<Done> begin();
   Result<Done> goOn();
   Result<Done> end(std::uint64_t lostRecords, const std::string& deviceReport);
+  void letGo();
   Result<bool> mergeLog();
 };
 
@@ -320,20 +321,23 @@ Result<Done> Recording::Content::end(std::uint64_t lostRecords, const std::strin
   return Done{};
 }
 
+/// Closes the file.
+void Recording::Content::letGo()
+{
+  for (auto* statement : {&insertTick, &insertEvent, &setMeta}) statement->reset();
+  database.reset();
+  isClosed = true;
+  isEnded = false;
+}
+
 /// Leaves WAL mode, which merges the log into the file and removes it.
 ///
 /// @return  False while the file has readers; nothing is lost, and the log stays.
 Result<bool> Recording::Content::mergeLog()
 {
-  for (auto* statement : {&insertTick, &insertEvent, &setMeta}) statement->reset();
-  const auto done = database->run("PRAGMA busy_timeout=0; PRAGMA journal_mode=DELETE");
-  if (!done && database->isBusy()) {
-    const auto goesOn = database->run("PRAGMA busy_timeout=2000");
-    if (const auto prepared = prepare(); goesOn && prepared) return false;
-  }
-  isClosed = true;
-  isEnded = false;
-  database.reset();
+  const auto done = database->run("PRAGMA journal_mode=DELETE");
+  if (!done && database->isBusy()) return false;
+  letGo();
   if (!done) return cannotRecord(done.error().message);
   return true;
 }
@@ -363,11 +367,7 @@ Result<Done> Recording::close(std::uint64_t lostRecords, const std::string& devi
     if (*merged) return Done{};
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
-  content.isClosed = true;
-  content.isEnded = false;
-  for (auto* statement : {&content.insertTick, &content.insertEvent, &content.setMeta})
-    statement->reset();
-  content.database.reset();
+  content.letGo();
   return Error{
       "%1 is complete, but in several files, because another program reads it. Close that program; "
       "the recording is one file when it has been opened once more.",

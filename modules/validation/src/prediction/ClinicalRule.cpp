@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "perilymph/analysis/SampleStatistics.h"
 #include "perilymph/foundation/Math.h"
 #include "perilymph/foundation/Normal.h"
 #include "perilymph/foundation/Quantile.h"
@@ -20,13 +21,6 @@ constexpr double spreadTolerance = 2.29;  // 1.96 times 1.166
 double normalBelow(double z) { return 0.5 * std::erfc(-z / std::sqrt(2.0)); }
 
 double squared(double value) { return value * value; }
-
-double meanOf(std::span<const double> values)
-{
-  double sum = 0.0;
-  for (const double value : values) sum += value;
-  return sum / static_cast<double>(values.size());
-}
 
 double interquartileOf(const std::vector<double>& values)
 {
@@ -100,7 +94,7 @@ Distance compare(const PooledSample& published, const SimulatedSample& simulated
   const std::vector<double>& x = simulated.values;
   const std::vector<double>& u = simulated.sharedFriction;
   const double n = static_cast<double>(x.size());
-  const double meanX = meanOf(x), meanU = meanOf(u);
+  const double meanX = analysis::statisticsOf(x).mean, meanU = analysis::statisticsOf(u).mean;
   double both = 0.0, alone = 0.0;
   for (std::size_t i = 0; i < x.size(); ++i) {
     both += (x[i] - meanX) * (u[i] - meanU);

@@ -6,9 +6,9 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "perilymph/analysis/RandomStream.h"
+#include "perilymph/analysis/SampleStatistics.h"
 #include "perilymph/foundation/Quantile.h"
 #include "perilymph/validation/PriorPredictive.h"
 #include "perilymph/validation/Validation.h"
@@ -48,27 +48,10 @@ std::optional<Printed> printedAt(const analysis::Reference& experiment, double t
   return std::nullopt;
 }
 
-/// Ranks from 0; of equal values their mean.
-std::vector<double> ranksOf(const std::vector<double>& values)
-{
-  std::vector<std::size_t> order(values.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(),
-            [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
-  std::vector<double> ranks(values.size());
-  for (std::size_t i = 0; i < order.size();) {
-    std::size_t end = i;
-    while (end < order.size() && values[order[end]] == values[order[i]]) ++end;
-    for (std::size_t k = i; k < end; ++k) ranks[order[k]] = 0.5 * static_cast<double>(i + end - 1);
-    i = end;
-  }
-  return ranks;
-}
-
 /// Spearman's rank correlation; 0 if one of both is constant.
 double rankCorrelation(const std::vector<double>& a, const std::vector<double>& b)
 {
-  const std::vector<double> x = ranksOf(a), y = ranksOf(b);
+  const std::vector<double> x = analysis::ranksOf(a), y = analysis::ranksOf(b);
   const double middle = 0.5 * static_cast<double>(x.size() - 1);
   double xy = 0.0, xx = 0.0, yy = 0.0;
   for (std::size_t i = 0; i < x.size(); ++i) {

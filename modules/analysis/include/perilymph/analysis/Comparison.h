@@ -35,6 +35,9 @@ struct AxisPoint {
 /// Spacing of the points over an axis [m or rad]: 0.1 mm, 1 degree.
 double stepOf(CurveAxis axis);
 
+/// A place on an axis as it is shown: mm or degrees.
+double shownPlace(CurveAxis axis, double place);
+
 /// Data of one recording.
 struct ComparedInsertion {
   std::string name;  ///< Name for display, see session::displayNameOf().

@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "perilymph/foundation/Normal.h"
 
@@ -27,6 +28,9 @@ SampleStatistics statisticsOf(std::span<const double> values);
 
 /// Statistics of the difference of two independent means, a - b: variances are added.
 SampleStatistics differenceOf(const SampleStatistics& a, const SampleStatistics& b);
+
+/// The rank of each value, from 0; equal values share the mean of theirs.
+std::vector<double> ranksOf(std::span<const double> values);
 
 /// Quantile 0.975 of Student's t distribution: half the width of a 95 % interval, in standard errors.
 /// Absolute error below 1e-8.

@@ -46,6 +46,7 @@ py::dict highlightsOf(const session::Highlights& highlights)
 {
   py::dict found;
   found["ticks"] = highlights.ticks;
+  found["end"] = haptics::nameOf(highlights.end);
   found["duration_s"] = highlights.duration;
   found["deepest_mm"] = inMillimeters(meters(highlights.deepest));
   found["deepest_angle_deg"] = inDegrees(radians(highlights.deepestAngle));

@@ -3667,6 +3667,26 @@
         <source>No drawing was read. At its most basal contact the array is at least as thick as the base of FLEX28, 0.8 mm, which holds the same 12 wires, and at most as its own base, 1.3 mm; the straight line has 1.2 mm there. Uniform. The silicone is that of [bending].</source>
         <translation>Es wurde keine Zeichnung gelesen. Am basalsten Kontakt ist der Träger mindestens so dick wie die Basis des FLEX28, 0,8 mm, die dieselben 12 Drähte enthält, und höchstens so dick wie seine eigene Basis, 1,3 mm; die Gerade hat dort 1,2 mm. Gleichverteilt. Das Silikon ist das von [bending].</translation>
     </message>
+    <message>
+        <source>insertion</source>
+        <translation>Insertion</translation>
+    </message>
+    <message>
+        <source>not known, because the scenario can no longer be read</source>
+        <translation>nicht bekannt, weil das Szenario nicht mehr gelesen werden kann</translation>
+    </message>
+    <message>
+        <source>%1 of %2 mm</source>
+        <translation>%1 von %2 mm</translation>
+    </message>
+    <message>
+        <source>the mean of the others counts by this fraction</source>
+        <translation>der Mittelwert der übrigen zählt zu diesem Anteil</translation>
+    </message>
+    <message>
+        <source>travel that the scenario sets</source>
+        <translation>Vorschub, den das Szenario vorgibt</translation>
+    </message>
 </context>
 <context>
     <name>Display</name>
@@ -4680,10 +4700,6 @@
     <message>
         <source>Technique score</source>
         <translation>Bewertung der Technik</translation>
-    </message>
-    <message>
-        <source>%1 of 100, the mean of four criteria. Rates technique only; it does not assess trauma.</source>
-        <translation>%1 von 100, Mittelwert aus vier Kriterien. Bewertet nur die Technik, nicht das Trauma.</translation>
     </message>
     <message>
         <source>Simulation parameters</source>
@@ -6436,6 +6452,46 @@
     <message>
         <source>at the end %1, tip at %2°</source>
         <translation>am Ende %1, Spitze bei %2°</translation>
+    </message>
+    <message>
+        <source>stop reached</source>
+        <translation>Ziel erreicht</translation>
+    </message>
+    <message>
+        <source>resistance</source>
+        <translation>Widerstand</translation>
+    </message>
+    <message>
+        <source>buckled</source>
+        <translation>ausgeknickt</translation>
+    </message>
+    <message>
+        <source>slipped out</source>
+        <translation>herausgerutscht</translation>
+    </message>
+    <message>
+        <source>tip folded</source>
+        <translation>Spitze umgeschlagen</translation>
+    </message>
+    <message>
+        <source>jammed</source>
+        <translation>verklemmt</translation>
+    </message>
+    <message>
+        <source>fault</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>ended early</source>
+        <translation>früh beendet</translation>
+    </message>
+    <message>
+        <source>%1 of 100: the mean of the first four criteria, by the fraction of the insertion that was done. Rates technique only; it does not assess trauma.</source>
+        <translation>%1 von 100: Mittelwert der ersten vier Kriterien, mal dem Anteil der Insertion, der ausgeführt wurde. Bewertet nur die Technik, nicht das Trauma.</translation>
+    </message>
+    <message>
+        <source>rib %1</source>
+        <translation>Rippe %1</translation>
     </message>
 </context>
 <context>
@@ -9498,6 +9554,10 @@
     <message>
         <source>Tip angle</source>
         <translation>Winkel der Spitze</translation>
+    </message>
+    <message>
+        <source>Outcome</source>
+        <translation>Ergebnis</translation>
     </message>
 </context>
 <context>

@@ -46,6 +46,30 @@ QString outcomeText(haptics::InsertionEnd end, bool isAtDepth, const session::Sc
                                    .arg(numberText(inMillimeters(outside), 1));
 }
 
+QString outcomeWord(haptics::InsertionEnd end)
+{
+  switch (end) {
+    case haptics::InsertionEnd::finished:
+      return tr("stop reached");
+    case haptics::InsertionEnd::stoppedByResistance:
+      return tr("resistance");
+    case haptics::InsertionEnd::buckled:
+      return tr("buckled");
+    case haptics::InsertionEnd::outOfOpening:
+      return tr("slipped out");
+    case haptics::InsertionEnd::foldedTip:
+      return tr("tip folded");
+    case haptics::InsertionEnd::jammed:
+      return tr("jammed");
+    case haptics::InsertionEnd::fault:
+    case haptics::InsertionEnd::refused:
+      return tr("fault");
+    case haptics::InsertionEnd::none:
+      break;
+  }
+  return tr("ended early");
+}
+
 QStringList deepestNotes(const ReportContent& content)
 {
   const analysis::ForceProfile& profile = content.insertion.profile;

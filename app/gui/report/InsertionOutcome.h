@@ -16,6 +16,9 @@ namespace perilymph::gui {
 /// @param isAtDepth  It came to the stop travel of its scenario.
 QString outcomeText(haptics::InsertionEnd end, bool isAtDepth, const session::Scenario& scenario);
 
+/// The same in one or two words, for lists: "buckled", "stop reached".
+QString outcomeWord(haptics::InsertionEnd end);
+
 /// Where the results are from, and where the array lies at the end, if it is not as deep by more than half a
 /// millimeter; else empty.
 QStringList deepestNotes(const ReportContent& content);

@@ -142,8 +142,9 @@ QString howItWasDone(const ReportContent& content)
                          dataText(each.source).toHtmlEscaped()));
   return heading(QT_TRANSLATE_NOOP("perilymph::gui", "Technique score")) +
          QStringLiteral("<p>%1</p>")
-             .arg(tr("%1 of 100, the mean of four criteria. Rates technique only; it does not "
-                     "assess trauma.")
+             .arg(tr("%1 of 100: the mean of the first four criteria, by the fraction of the "
+                     "insertion that "
+                     "was done. Rates technique only; it does not assess trauma.")
                       .arg(numberText(content.score->total, 0))) +
          table(rows);
 }

@@ -48,6 +48,7 @@ ChartStyle chartStyle(figures::ColorScheme scheme)
       .meanAndAbove = tr("mean %1 mm, %2 below the partition, %3 above"),
       .onlyAbove = tr("%1 above the partition"),
       .rupture = tr("rupture"),
+      .rib = tr("rib %1"),
       .decimalSign = decimalSign(),
   };
   return style;

@@ -74,6 +74,7 @@ Result<ComparedInsertion> readCompared(const std::filesystem::path& file,
   if (const auto scenario = session::parseScenario(recorded->facts().scenarioText, file.string())) {
     compared.hasPublishedConditions = hasPublishedConditions(*scenario);
     array = scenario->array();
+    compared.stopTravel = scenario->stopTravel().si();
     if (const auto& opening = scenario->parameters().opening) passage = opening->passage;
   }
   const auto felt = forceFeltBySurgeons();

@@ -13,6 +13,9 @@ namespace {
 constexpr double reversalsOfTooSlowHands = 18.6;
 constexpr double restFractionOfTooSlowHands = 0.157;
 
+// An array this near to its stop is there, as in the outcome of a report.
+constexpr double nearStop = 0.5e-3;  // [m]
+
 std::string fixed(double value, int decimals)
 {
   char text[64];
@@ -24,6 +27,20 @@ std::string percent(double fraction) { return fixed(100.0 * fraction, 0) + " %";
 
 /// 1 at 0, 1/2 at `half`, 1/3 at twice that: the more, the less, without an end.
 double fallingOff(double value, double half) { return half / (half + std::max(value, 0.0)); }
+
+/// Travel of the array where it was farthest in, and its fraction of the stop travel.
+ScoreCriterion insertionDone(const ComparedInsertion& insertion)
+{
+  const auto& curve = insertion.profile.curve;
+  const double stop = insertion.stopTravel, done = curve.empty() ? 0.0 : curve.back().travel;
+  const double fraction = done >= stop - nearStop ? 1.0 : std::max(done, 0.0) / stop;
+  return {Sentence{"insertion"},
+          stop <= 0.0 ? Sentence{"not known, because the scenario can no longer be read"}
+                      : Sentence{"%1 of %2 mm", fixed(inMillimeters(meters(done)), 1),
+                                 fixed(inMillimeters(meters(stop)), 1)},
+          Sentence{"the mean of the others counts by this fraction"},
+          Sentence{"travel that the scenario sets"}, fraction};
+}
 
 }  // namespace
 
@@ -69,7 +86,9 @@ InsertionScore scoreOf(const ComparedInsertion& insertion, const PrintedRange& p
        fallingOff(still, restFractionOfTooSlowHands)}};
   double sum = 0.0;
   for (const ScoreCriterion& criterion : score.criteria) sum += criterion.fraction;
-  score.total = 100.0 * sum / static_cast<double>(score.criteria.size());
+  const ScoreCriterion done = insertionDone(insertion);
+  score.total = 100.0 * done.fraction * sum / static_cast<double>(score.criteria.size());
+  score.criteria.push_back(done);
   return score;
 }
 

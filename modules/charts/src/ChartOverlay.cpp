@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 #include "ChartColors.h"
 #include "TextStyle.h"
@@ -94,6 +95,7 @@ bool ChartOverlay::Paint(vtkContext2D* painter)
   paintExpected(*painter, area);
   paintZero(*painter, area);
   paintThreshold(*painter, area);
+  paintMarks(*painter, area);
   paintBars(*painter, area);
   paintNow(*painter, area);
   paintLegend(*painter, area);
@@ -153,6 +155,27 @@ void ChartOverlay::paintExpected(vtkContext2D& painter, const Area& area) const
     const float from = y(expected[i - 1].median_mN), to = y(expected[i].median_mN);
     for (float at = left; at < right; at += 2.0f * dot)
       bar(painter, at, from + (to - from) * (at - left) / (right - left), dot, dot);
+  }
+}
+
+void ChartOverlay::paintMarks(vtkContext2D& painter, const Area& area) const
+{
+  const float row = legendRow_px * scale_, gap = 4.0f * scale_, dash = 2.0f * scale_;
+  std::array<float, 3> ends{};  // of the labels in each row
+  for (const auto& [place, label] : marks) {
+    if (place < area.xLow || place > area.xHigh) continue;
+    const float x = area.x(place), width = widthOf(painter, label) + gap;
+    fillWith(painter, colorOf(inks_->zero));
+    for (float y = area.bottom; y < area.top; y += 3.0f * dash)
+      bar(painter, x, y, scale_, std::min(dash, area.top - y));
+    // beside its line, left of it at the right edge, and below where there is another one
+    const float left = x + gap + width > area.right ? x - width - gap : x + gap;
+    const auto* const free = std::ranges::find_if(ends, [left](float end) { return end <= left; });
+    if (free == ends.end()) continue;
+    const auto level = std::distance(ends.cbegin(), free);
+    ends[std::size_t(level)] = left + width;
+    setText(painter, colorOf(inks_->text), VTK_TEXT_LEFT);
+    painter.DrawString(left, area.top - (0.6f + float(level)) * row, label);
   }
 }
 

@@ -9,6 +9,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "perilymph/charts/ExpectedForce.h"
@@ -59,6 +60,8 @@ public:
   std::vector<LegendEntry> legend;
   std::vector<ReferencePoint> bars;
   std::vector<ExpectedForce> expected;
+  std::vector<std::pair<double, std::string>>
+      marks;  ///< Places on the x axis, ascending, with labels.
   std::optional<Threshold> threshold;
   std::optional<Dot> now;
 
@@ -76,6 +79,7 @@ private:
   void paintZero(vtkContext2D& painter, const Area& area) const;
   void paintThreshold(vtkContext2D& painter, const Area& area) const;
   void paintExpected(vtkContext2D& painter, const Area& area) const;
+  void paintMarks(vtkContext2D& painter, const Area& area) const;
   void paintBars(vtkContext2D& painter, const Area& area) const;
   void paintNow(vtkContext2D& painter, const Area& area) const;
   void paintLegend(vtkContext2D& painter, const Area& area) const;

@@ -66,6 +66,7 @@ struct ForceDepthChart::Content {
   std::string referenceLabel;
   std::vector<ExpectedForce> expected;
   std::string expectedLabel;
+  std::vector<std::pair<double, std::string>> travelMarks;
   bool showsGhost = true, showsReference = true, showsThreshold = true;
 
   bool isChanged = true;
@@ -117,6 +118,7 @@ void ForceDepthChart::Content::setMarks()
     overlay.legend.push_back({Swatch::dots, colorOf(inks.blue), expectedLabel});
 
   overlay.expected = expected;
+  overlay.marks = travelMarks;
   overlay.bars = showsReference ? reference : std::vector<ReferencePoint>();
   overlay.threshold.reset();
   if (showsThreshold && felt) {
@@ -180,6 +182,12 @@ void ForceDepthChart::setExpected(std::vector<ExpectedForce> points, std::string
 {
   content_->expected = std::move(points);
   content_->expectedLabel = std::move(label);
+  content_->isChanged = true;
+}
+
+void ForceDepthChart::setTravelMarks(std::vector<std::pair<double, std::string>> marks)
+{
+  content_->travelMarks = std::move(marks);
   content_->isChanged = true;
 }
 

@@ -163,6 +163,17 @@ std::optional<Length> errorOf(const std::string& input, const anatomy::BasalTurn
   return std::nullopt;
 }
 
+/// Independent inputs explain no more than all of the variance, though estimates may add to more by chance:
+/// these are reduced in proportion.
+void limitToOne(std::vector<Influence>& influences, double Influence::*part)
+{
+  double sum = 0.0;
+  for (const Influence& each : influences) sum += each.*part;
+  if (sum > 1.0)
+    for (Influence& each : influences) each.*part /= sum;
+}
+
+/// None of fewer than `fewestForBand` insertions, where chance would decide them.
 std::vector<Influence> influencesOn(const Insertions& all, const ArrayPlan& plan,
                                     const anatomy::BasalTurnErrors& errors)
 {
@@ -196,19 +207,24 @@ std::vector<Influence> influencesOn(const Insertions& all, const ArrayPlan& plan
       {Phrase{"force limit"}, [](const PlannedInsertion& each) { return each.stop_mN; }},
       {Phrase{"intended depth"}, [](const PlannedInsertion& each) { return each.intended_mm; }}};
   std::vector<Influence> influences;
+  if (all.size() < fewestForBand) return influences;
   for (const Input& input : inputs) {
     const std::vector<double> values = valuesOf(all, input.value);
     Influence one;
     one.input = Sentence(input.name);
     one.onAngle = explained(values, valuesOf(all, angleOf));
     one.onPeak = explained(values, valuesOf(all, peakOf));
+    influences.push_back(one);
+  }
+  limitToOne(influences, &Influence::onAngle);
+  limitToOne(influences, &Influence::onPeak);
+  for (Influence& one : influences) {
     one.angleWidth_deg = widthKnowing(plan.angle_deg, one.onAngle);
     one.peakWidth_mN = widthKnowing(plan.peak_mN, one.onPeak);
     if (const auto error = errorOf(one.input, errors); error && *error > finerError) {
       const double rest = finerError / *error;
       one.finerAngleWidth_deg = widthKnowing(plan.angle_deg, one.onAngle * (1.0 - rest * rest));
     }
-    influences.push_back(one);
   }
   std::stable_sort(influences.begin(), influences.end(),
                    [](const Influence& a, const Influence& b) { return a.onAngle > b.onAngle; });
@@ -307,8 +323,10 @@ void addSummary(Plan& plan, const std::vector<PlannedArray>& arrays)
   plan.arrays = summarize(plan.request, arrays, plan.thresholds, plan.insertions);
   plan.differences = differencesOf(plan.arrays.size(), plan.insertions);
   if (plan.frictionSpread > 0.0)
-    for (std::size_t i = 0; i < plan.arrays.size(); ++i)
-      plan.arrays[i].atMedianFriction = atMedianFriction(runOf(insertionsOf(plan.insertions, i)));
+    for (std::size_t i = 0; i < plan.arrays.size(); ++i) {
+      const Insertions run = runOf(insertionsOf(plan.insertions, i));
+      if (run.size() >= fewestForBand) plan.arrays[i].atMedianFriction = atMedianFriction(run);
+    }
 }
 
 bool bandsStand(const Plan& plan)

@@ -124,7 +124,7 @@ TEST_F(PlanReportPdf, StatesTheNumbersOfThePlanFileWithoutADisplay)
         QStringLiteral("20.4 mN"), QStringLiteral("≥ 42.0 mN"), QStringLiteral("≥ 122.0 mN"),
         QStringLiteral("9.20 ± 0.20 mm"), QStringLiteral("6.80 ± 0.39 mm"),
         QStringLiteral("4.00 ± 0.59 mm"), QStringLiteral("Signature"), QStringLiteral("P-17"),
-        QStringLiteral("right ear"), QStringLiteral("Page 1 of 3"),
+        QStringLiteral("right ear"), QStringLiteral("Page 1 of 2"),
         QStringLiteral("Arrays in this cochlea: median (59 simulations at friction 0.12)"),
         QStringLiteral("numbered from the tip: median (59 simulations at friction 0.12)"),
         QStringLiteral("share of simulations, %"), QStringLiteral("10 of 59")})

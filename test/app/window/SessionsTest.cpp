@@ -263,6 +263,19 @@ TEST_F(Sessions, AreReadAgainByTheirOwnTab)
   EXPECT_TRUE(WindowRig::comes([&] { return rows() == 2; }));
 }
 
+TEST_F(Sessions, SayHowEachInsertionEnded)
+{
+  record("20260101T000000Z-complete");
+  record("20260102T000000Z-resisted", {{"stop_travel_mm", "10.0"}, {"stop_force_N", "0.02"}});
+  openLibrary();
+  ASSERT_EQ(rows(), 2);
+  const auto outcome = [&](int row) {
+    return list().model()->index(row, gui::SessionTable::outcome).data().toString();
+  };
+  EXPECT_EQ(outcome(0), "resistance");  // the newest first
+  EXPECT_EQ(outcome(1), "stop reached");
+}
+
 TEST_F(Sessions, ShowEarTechniqueAndNameWholeInTheSmallestWindow)
 {
   using Column = gui::SessionTable::Column;

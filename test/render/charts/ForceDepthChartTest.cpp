@@ -258,6 +258,34 @@ TEST(ForceDepthChart, DrawsThePrintedValuesAndNothingBetweenThem)
   EXPECT_EQ(between, 0);
 }
 
+TEST(ForceDepthChart, MarksRibsAtTheirTravelsWithLabelsThatDoNotOverlap)
+{
+  ChartOnScreen screen;
+  const test::DrawnPicture empty = screen.picture();
+  const test::Pixel line{0x55, 0x61, 0x6B};
+  const auto pixelsOfLabels = [&](const std::vector<std::pair<double, std::string>>& marks) {
+    screen.chart.setTravelMarks(marks);
+    const test::DrawnPicture drawn = screen.picture();
+    for (const auto& [place, label] : marks) {
+      int dots = 0;
+      for (int y = screen.y(0.005); y < screen.y(0.045); ++y)
+        for (int dx = -1; dx <= 1; ++dx)
+          dots += test::difference(drawn.at(screen.x(place) + dx, y), line) < 12 ? 1 : 0;
+      EXPECT_GT(dots, 20) << label;
+    }
+    return test::countPixels(drawn, [&](const test::Pixel& p, int x, int y) {
+      return p[0] > 0x80 && test::difference(p, empty.at(x, y)) > 40;
+    });
+  };
+  // two labels at one place have as much ink as two apart, because neither is drawn over the other
+  const int apart = pixelsOfLabels({{3.0, "rib 1"}, {9.0, "rib 1"}});
+  const int together = pixelsOfLabels({{9.0, "rib 1"}, {9.6, "rib 1"}});
+  EXPECT_GT(apart, 40);
+  EXPECT_NEAR(together, apart, 0.1 * apart);
+  EXPECT_EQ(pixelsOfLabels({}), 0);
+  EXPECT_DOUBLE_EQ(screen.axis(vtkAxis::BOTTOM).GetMaximum(), 17.0);
+}
+
 TEST(ForceDepthChart, LooksAsAccepted)
 {
   ChartOnScreen screen;

@@ -212,7 +212,7 @@ TEST(AScore, NamesNumberBandAndSourceOfEveryCriterion)
 {
   const auto score = scoreOf(insertion(Course().go(1.0, 16.0).motion(), 0.06));
   ASSERT_TRUE(score) << score.error().message;
-  ASSERT_EQ(score->criteria.size(), 4u);
+  ASSERT_EQ(score->criteria.size(), 5u);
   for (const ScoreCriterion& criterion : score->criteria) {
     EXPECT_FALSE(criterion.found.empty()) << criterion.name;
     EXPECT_FALSE(criterion.band.empty()) << criterion.name;
@@ -220,6 +220,21 @@ TEST(AScore, NamesNumberBandAndSourceOfEveryCriterion)
     EXPECT_THAT(score->sentence(), HasSubstr(criterion.name));
   }
   EXPECT_THAT(score->criteria[2].source, HasSubstr("Rau"));
+}
+
+TEST(AScore, CountsByTheFractionOfTheInsertionThatWasDone)
+{
+  const Motion steady = Course().go(1.0, 5.0).motion();
+  const auto totalAt = [&steady](double travel_mm) {
+    ComparedInsertion made = insertion(steady, 0.0);
+    made.stopTravel = 20e-3;
+    made.profile.curve = {{0.0, 0.0}, {1e-3 * travel_mm, 0.0}};
+    return scoreOf(made, patients()).total;
+  };
+  EXPECT_NEAR(totalAt(5.0), 25.0, 1e-9);
+  EXPECT_NEAR(totalAt(19.4), 97.0, 1e-9);
+  EXPECT_EQ(totalAt(19.6), 100.0);  // there, as reports say it
+  EXPECT_EQ(totalAt(20.0), 100.0);
 }
 
 TEST(AScore, WithoutMotionGivesNoPoints)

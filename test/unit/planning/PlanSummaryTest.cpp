@@ -183,6 +183,24 @@ TEST(PlanSummary, RanksWhatExplainsTheAngle)
   for (const auto& each : arrays[1].influences) EXPECT_EQ(each.onAngle, 0.0) << each.input;
 }
 
+TEST(PlanSummary, GivesNoInfluencesWhereChanceDecidesThemAndNeverMoreThanAllOfTheVariance)
+{
+  EXPECT_TRUE(syntheticPlan(63).arrays[0].influences.empty());
+  // two inputs that were drawn alike by chance: each alone would explain all
+  auto insertions = syntheticInsertions(64);
+  for (auto& each : insertions) each.b_mm = each.a_mm;
+  const auto arrays = planning::summarize(syntheticPlan(1).request, plannedArrays(),
+                                          publishedThresholds(), insertions);
+  ASSERT_FALSE(arrays[0].influences.empty());
+  double angle = 0.0, peak = 0.0;
+  for (const auto& each : arrays[0].influences) {
+    angle += each.onAngle;
+    peak += each.onPeak;
+  }
+  EXPECT_NEAR(angle, 1.0, 1e-12);
+  EXPECT_NEAR(peak, 1.0, 1e-12);
+}
+
 TEST(PlanSummary, SaysHowWideABandWereWithAnInputKnownOrMeasuredBetter)
 {
   // the angle is the sum of two independent, equally wide inputs: each explains half its variance

@@ -13,6 +13,8 @@
 #include "gui/text/ChartLabels.h"
 #include "gui/text/DataText.h"
 #include "gui/widgets/Theme.h"
+#include "perilymph/analysis/InsertionEvents.h"
+#include "perilymph/figures/Strings.h"
 
 namespace perilymph::gui {
 
@@ -107,6 +109,20 @@ bool ForceCharts::showPlanIn(const session::Scenario& scenario)
   const bool isShown = !points.empty();
   overTravel_.setExpected(std::move(points), isShown ? plan_->label.toStdString() : std::string());
   return isShown;
+}
+
+void ForceCharts::showRibsOf(const session::Scenario& scenario)
+{
+  std::vector<Length> ribs = scenario.array().ribsFromTip;
+  std::ranges::sort(ribs);
+  const std::string name = chartStyle(shownColorScheme()).strings.rib;
+  std::vector<std::pair<double, std::string>> marks;
+  for (std::size_t i = 0; i < ribs.size(); ++i) {
+    const Length travel = ribs[i] - scenario.startInside();
+    if (travel.si() >= 0.0 && travel <= scenario.stopTravel() + analysis::ribReach())
+      marks.emplace_back(inMillimeters(travel), figures::filled(name, {std::to_string(i + 1)}));
+  }
+  overTravel_.setTravelMarks(std::move(marks));
 }
 
 void ForceCharts::begin(const anatomy::Entry& entry)

@@ -42,6 +42,9 @@ public:
   const std::optional<PlannedForce>& plan() const { return plan_; }
   /// Another scenario is shown. True if the plan is drawn behind it.
   bool showPlanIn(const session::Scenario& scenario);
+  /// Marks the travels at which marker ribs of the scenario's array reach the opening, where a spike of the
+  /// force is the rib's and not the cochlea's.
+  void showRibsOf(const session::Scenario& scenario);
 
   /// Starts a new insertion: clears the curves, but not the earlier run. Forces are resolved along
   /// the axes of `entry`.

@@ -59,6 +59,7 @@ void InsertionPresenter::showPrepared()
   zones_.side->setComparable(isComparable);
   zones_.views->charts()->setComparable(isComparable);
   zones_.views->charts()->showPlanIn(scenario);
+  zones_.views->charts()->showRibsOf(scenario);
   zones_.views->charts()->begin(control_.anatomy().entry());
   zones_.views->operation()->setPartial(outsideAtStop(scenario).si() > 0.0);
   zones_.views->operation()->showArray(control_.now());

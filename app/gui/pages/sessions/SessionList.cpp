@@ -22,7 +22,8 @@ constexpr int cellMargins_px = 16;
 constexpr int narrow_px = 1100;  // where the duration leaves its place to the name
 
 // In the order of SessionTable::Column; more where a text needs it.
-constexpr int widths_px[] = {Thumbnails::size.width() + 16, 134, 96, 58, 152, 94, 96, 72, 80, 120};
+constexpr int widths_px[] = {
+    Thumbnails::size.width() + 16, 134, 96, 58, 152, 94, 84, 96, 72, 80, 120};
 static_assert(std::size(widths_px) == SessionTable::columns);
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <map>
 
+#include "gui/report/InsertionOutcome.h"
 #include "gui/setup/SetupTitle.h"
 #include "gui/text/Numbers.h"
 #include "gui/widgets/Theme.h"
@@ -45,6 +46,14 @@ QIcon plainIcon(const QPixmap& pixmap)
 }
 
 bool hasNumbers(const SessionSummary& session) { return session.highlights.ticks > 0; }
+
+/// It neither reached its stop nor was ended by the hand.
+bool hasFailed(const SessionSummary& session)
+{
+  const haptics::InsertionEnd end = session.highlights.end;
+  return end != haptics::InsertionEnd::none && end != haptics::InsertionEnd::finished &&
+         end != haptics::InsertionEnd::stoppedByResistance;
+}
 
 }  // namespace
 
@@ -170,6 +179,8 @@ QString SessionTable::text(const Row& row, int column) const
       return session.side == anatomy::nameOf(anatomy::Side::right) ? tr("right") : QString();
     case technique:
       return techniqueOf(session);
+    case outcome:
+      return hasNumbers(session) ? outcomeWord(found.end) : QString();
     case array:
       return QString::fromStdString(session.array);
     case duration:
@@ -199,6 +210,9 @@ QStringList SessionTable::widestTexts(int column) const
       return {heading, tr("left"), tr("right")};
     case technique:
       return {heading, tr("Standard"), tr("Advance off-stylet")};
+    case outcome:
+      return {heading, outcomeWord(haptics::InsertionEnd::finished),
+              outcomeWord(haptics::InsertionEnd::none)};
     case duration:
       return {heading, tr("%1 s").arg(numberText(8888.8, 1))};
     case angle:
@@ -249,6 +263,7 @@ QVariant SessionTable::data(const QModelIndex& index, int role) const
                                         : int(Qt::AlignLeft | Qt::AlignVCenter);
     case Qt::ForegroundRole:
       if (!shown.error.empty()) return shownTheme().warning;
+      if (index.column() == outcome && hasFailed(shown)) return shownTheme().warning;
       return index.column() == name ? shownTheme().quietText : shownTheme().text;
     case sortRole:
       return sortValue(row, index.column());
@@ -284,6 +299,8 @@ QString SessionTable::title(int column) const
       return tr("Ear");
     case technique:
       return tr("Technique");
+    case outcome:
+      return tr("Outcome");
     case array:
       return tr("Array");
     case duration:

@@ -22,6 +22,7 @@ public:
     ear,
     array,
     technique,
+    outcome,
     name,
     duration,
     angle,

@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 // Incremented when the keys or their meaning change; an index with another number is ignored.
-constexpr int format = 4;
+constexpr int format = 5;
 
 constexpr std::pair<const char*, std::string SessionSummary::*> texts[] = {
     {"started_utc", &SessionSummary::startedUtc},
@@ -40,7 +40,8 @@ json toJson(const SessionSummary& summary)
   json entry = {{"bytes", summary.bytes},
                 {"modified_ns", summary.modified_ns},
                 {"ticks", summary.highlights.ticks},
-                {"closed", summary.wasClosed}};
+                {"closed", summary.wasClosed},
+                {"end", haptics::nameOf(summary.highlights.end)}};
   for (const auto& [key, text] : texts) entry[key] = summary.*text;
   for (const auto& [key, number] : numbers) entry[key] = summary.highlights.*number;
   return entry;
@@ -54,6 +55,7 @@ SessionSummary fromJson(const json& entry)
   entry.at("modified_ns").get_to(summary.modified_ns);
   entry.at("ticks").get_to(summary.highlights.ticks);
   entry.at("closed").get_to(summary.wasClosed);
+  summary.highlights.end = haptics::endNamed(entry.at("end").get<std::string>());
   for (const auto& [key, text] : texts) entry.at(key).get_to(summary.*text);
   for (const auto& [key, number] : numbers) entry.at(key).get_to(summary.highlights.*number);
   return summary;

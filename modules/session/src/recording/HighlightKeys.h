@@ -19,4 +19,7 @@ inline constexpr std::array<std::pair<const char*, double Highlights::*>, 6> hig
      {"peak_travel_m", &Highlights::peakTravel},
      {"peak_depth_m", &Highlights::peakDepth}}};
 
+/// How the insertion ended, by haptics::nameOf().
+inline constexpr const char* highlightEnd = "end";
+
 }  // namespace perilymph::session

@@ -17,6 +17,8 @@ void Highlights::add(const haptics::TickRecord& record) noexcept
   if (hasMoved) duration = std::max(duration, now.time);
   deepest = std::max(deepest, now.depth);
   deepestAngle = std::max(deepestAngle, now.angularDepth);
+  if (end == haptics::InsertionEnd::none || end == haptics::InsertionEnd::finished)
+    if (const auto ended = haptics::endOf(now); ended != haptics::InsertionEnd::none) end = ended;
   if (!haptics::raisesPeak(now, peakForce)) return;
   peakForce = now.axialForce;
   peakTravel = now.travel;

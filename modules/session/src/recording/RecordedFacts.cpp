@@ -120,6 +120,9 @@ std::optional<Highlights> highlightsIn(const MetaRows& rows)
     if (!number) return std::nullopt;
     noted.*field = *number;
   }
+  const auto end = rows.find(highlightEnd);  // not in recordings before this key
+  if (end == rows.end()) return std::nullopt;
+  noted.end = haptics::endNamed(end->second);
   return noted;
 }
 

@@ -155,7 +155,9 @@ bool Recording::Content::addTick(const haptics::TickRecord& record)
 
 bool Recording::Content::keepHighlights()
 {
-  if (!keep(MetaKey::ticks, std::to_string(highlights.ticks))) return false;
+  if (!keep(MetaKey::ticks, std::to_string(highlights.ticks)) ||
+      !keep(highlightEnd, haptics::nameOf(highlights.end)))
+    return false;
   return std::all_of(highlightKeys.begin(), highlightKeys.end(), [this](const auto& entry) {
     return keep(entry.first, shortestDecimal(highlights.*entry.second));
   });

@@ -53,6 +53,8 @@ struct ComparedInsertion {
   std::vector<InsertionEvent> events;   ///< In the order of time.
   int reversals = 0;                    ///< Over the whole insertion.
   Motion motion;                        ///< Up to the maximum depth.
+  /// Travel that the scenario sets as the goal [m]; 0 if the scenario can no longer be read.
+  double stopTravel = 0.0;
   /// The rupture of the cochlear partition, with the most of the array that was above it at a time;
   /// empty if the partition held.
   std::optional<haptics::Translocation> translocation;

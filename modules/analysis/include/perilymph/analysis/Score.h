@@ -22,16 +22,19 @@ struct ScoreCriterion {
   double fraction = 0.0;  ///< Fraction of the maximum points: 0 to 1.
 };
 
-/// All criteria have equal weight. The total is never shown without them.
+/// Four criteria of technique have equal weight; their mean counts by the fraction of the insertion that was
+/// done, which is the fifth. So an insertion that failed early scores little however gentle it was. The total
+/// is never shown without them.
 struct InsertionScore {
   std::vector<ScoreCriterion> criteria;
   double total = 0.0;  ///< 0 to 100.
 
-  /// "78 of 100: speed 100 %, reversals 95 %, peak force 37 %, stops 100 %".
+  /// "78 of 100: insertion 100 %, speed 100 %, reversals 95 %, peak force 37 %, smoothness 80 %".
   std::string sentence() const;
 };
 
-/// Rates speed, reversals, peak force and stops of an insertion up to the maximum depth. Points of
+/// Rates speed, reversals, peak force and stops of an insertion up to the maximum depth, and how much of the
+/// travel that its scenario sets was done. Points of
 /// reversals, force and stops are h / (h + x) with the value x and its half h, so that a better value
 /// gives more points wherever it lies. The force is that with no marker rib at the opening.
 ///

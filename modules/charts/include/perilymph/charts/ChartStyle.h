@@ -29,6 +29,7 @@ struct ChartStrings {
   std::string meanAndAbove = "mean %1 mm, %2 below the partition, %3 above";
   std::string onlyAbove = "%1 above the partition";
   std::string rupture = "rupture";
+  std::string rib = "rib %1";
   char decimalSign = '.';
 };
 

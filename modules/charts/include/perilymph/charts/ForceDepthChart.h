@@ -49,6 +49,9 @@ public:
   /// Force expected by a plan, in order of travel: an area with a dotted median; an empty list
   /// removes it.
   void setExpected(std::vector<ExpectedForce> points, std::string label);
+  /// Travels [mm] at which something reaches the opening, with a short label each ("rib 1"), in ascending order:
+  /// dotted lines. They do not extend the range.
+  void setTravelMarks(std::vector<std::pair<double, std::string>> marks);
   void setVisible(ChartLayer layer, bool visible);
 
   /// Scales fonts and lines for a screen's pixel ratio; 1 by default.

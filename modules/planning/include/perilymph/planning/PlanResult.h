@@ -77,7 +77,8 @@ struct ContactBand {
 
 /// How much of an outcome's variance an input explains: squared rank correlation (Spearman 1904),
 /// adjusted for what chance gives it in as many draws, 1 - (1 - r^2) (n - 1) / (n - 2) or 0. Inputs
-/// are independent; were one known, the outcome's deviation and band would be sqrt(1 - r^2) as wide.
+/// are independent; were one known, the outcome's deviation and band would be sqrt(1 - r^2) as wide. Values
+/// that add to more than 1 by chance are reduced in proportion; none of fewer than fewestForBand insertions.
 struct Influence {
   std::string input;
   double onAngle = 0.0, onPeak = 0.0;
@@ -92,7 +93,8 @@ inline constexpr Length finerError = millimeters(0.1);
 
 /// Bands of an array at the median of its drawn friction, from the same insertions: each value x becomes
 /// x - b u, with u the logarithm of the factor of the friction and b the slope of x on u (least
-/// squares), and is not below 0.
+/// squares), and is not below 0. None of fewer than fewestForBand insertions, where chance can make it
+/// wider than the total band.
 struct AtMedianFriction {
   Band angle_deg, depth_mm, peak_mN, end_mN;
 };

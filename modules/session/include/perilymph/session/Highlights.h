@@ -5,6 +5,7 @@
 
 #include <cstdint>
 
+#include "perilymph/haptics/InsertionEnd.h"
 #include "perilymph/haptics/Snapshot.h"
 
 namespace perilymph::session {
@@ -18,8 +19,10 @@ struct Highlights {
   double peakForce = 0.0;     ///< Maximum axial force on the hand [N].
   double peakTravel = 0.0;    ///< Travel at that force [m].
   double peakDepth = 0.0;     ///< [m]
-  bool hasBegun = false;      ///< There was a tick after the first motion.
-  bool isMoving = false;      ///< The hand moved the array in the last tick.
+  haptics::InsertionEnd end =
+      haptics::InsertionEnd::none;  ///< The first end other than finished, if any.
+  bool hasBegun = false;            ///< There was a tick after the first motion.
+  bool isMoving = false;            ///< The hand moved the array in the last tick.
 
   /// Adds the next tick.
   void add(const haptics::TickRecord& record) noexcept;
@@ -29,7 +32,7 @@ struct Highlights {
   {
     return a.ticks == b.ticks && a.duration == b.duration && a.deepest == b.deepest &&
            a.deepestAngle == b.deepestAngle && a.peakForce == b.peakForce &&
-           a.peakTravel == b.peakTravel && a.peakDepth == b.peakDepth;
+           a.peakTravel == b.peakTravel && a.peakDepth == b.peakDepth && a.end == b.end;
   }
 };
 

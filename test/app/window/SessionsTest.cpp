@@ -284,7 +284,7 @@ TEST_F(Sessions, ShowEarTechniqueAndNameWholeInTheSmallestWindow)
   rig_->window().resize(rig_->window().minimumSize());
   const auto isWhole = [&](int column) {
     const QString text = list().model()->index(0, column).data().toString();
-    constexpr int padding_px = 16;  // of the style sheet, both sides
+    constexpr int padding_px = 24;  // of the style sheet and around texts, both sides
     return list().fontMetrics().horizontalAdvance(text) + padding_px <= list().columnWidth(column);
   };
   ASSERT_TRUE(WindowRig::comes([&] { return list().width() < 1024; }));
@@ -294,7 +294,7 @@ TEST_F(Sessions, ShowEarTechniqueAndNameWholeInTheSmallestWindow)
     EXPECT_EQ(list().model()->index(0, column).data().toString(), text);
     EXPECT_TRUE(isWhole(column)) << text;
   }
-  for (const int column : {Column::recorded, Column::angle, Column::peak})
+  for (const int column : {Column::recorded, Column::outcome, Column::angle, Column::peak})
     EXPECT_TRUE(isWhole(column)) << column;
   EXPECT_FALSE(list().horizontalScrollBar()->isVisible());
   const auto header = [&](int column) {

@@ -17,7 +17,7 @@ namespace {
 
 constexpr int rowHeight_px = 60;
 constexpr int minColumn_px = 44;
-constexpr int cellMargins_px = 16;
+constexpr int cellMargins_px = 24;  // of the style sheet, and the margins in which Qt draws a text
 
 constexpr int narrow_px = 1100;  // where the duration leaves its place to the name
 

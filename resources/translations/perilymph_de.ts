@@ -6493,6 +6493,30 @@
         <source>rib %1</source>
         <translation>Rippe %1</translation>
     </message>
+    <message>
+        <source>Click; drag a landmark</source>
+        <translation>Klick; Landmarke ziehen</translation>
+    </message>
+    <message>
+        <source>move the crosshair; move the landmark</source>
+        <translation>Fadenkreuz setzen; Landmarke verschieben</translation>
+    </message>
+    <message>
+        <source>Wheel, Up, Down; Ctrl+wheel, +, -</source>
+        <translation>Rad, Auf, Ab; Strg+Rad, +, -</translation>
+    </message>
+    <message>
+        <source>layers; zoom</source>
+        <translation>Schichten; Zoom</translation>
+    </message>
+    <message>
+        <source>Right drag; middle or Shift+drag</source>
+        <translation>Rechts ziehen; Mitte oder Umschalt+Ziehen</translation>
+    </message>
+    <message>
+        <source>brightness and contrast; pan</source>
+        <translation>Helligkeit und Kontrast; verschieben</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::AboutSheet</name>
@@ -7165,11 +7189,11 @@
     <name>perilymph::gui::CtPanel</name>
     <message>
         <source>Open folder…</source>
-        <translation>Ordner öffnen …</translation>
+        <translation>Ordner …</translation>
     </message>
     <message>
         <source>Open file…</source>
-        <translation>Datei öffnen …</translation>
+        <translation>Datei …</translation>
     </message>
     <message>
         <source>A folder with DICOM files, or the folder of a DICOMDIR</source>
@@ -7734,6 +7758,10 @@
         <source>Four tutorials, step by step (Shift+F1)</source>
         <translation>Vier Anleitungen, Schritt für Schritt (Umschalt+F1)</translation>
     </message>
+    <message>
+        <source>CT</source>
+        <translation>CT</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::KioskScreen</name>
@@ -8288,6 +8316,10 @@
     <message>
         <source>Save changes</source>
         <translation>Änderungen speichern</translation>
+    </message>
+    <message>
+        <source>Measure a CT…</source>
+        <translation>CT vermessen…</translation>
     </message>
 </context>
 <context>
@@ -9908,12 +9940,12 @@
         <translation>Ein Contour-Träger wird automatisch in die veröffentlichte Cochlea eingeführt; die veröffentlichten Messungen werden zum Vergleich gezeigt.</translation>
     </message>
     <message>
-        <source>Build the patient’s scala tympani from A, B and H in CT. Each value is compared with the population.</source>
-        <translation>Scala tympani des Patienten aus A, B und H im CT. Jeder Wert wird mit der Population verglichen.</translation>
-    </message>
-    <message>
         <source>Start page</source>
         <translation>Startseite</translation>
+    </message>
+    <message>
+        <source>Measure the patient’s CT, or enter A, B and H. Each value is compared with the population.</source>
+        <translation>Das CT des Patienten vermessen oder A, B und H eingeben. Jeder Wert wird mit der Population verglichen.</translation>
     </message>
 </context>
 <context>

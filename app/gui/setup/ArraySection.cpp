@@ -6,9 +6,9 @@
 #include <QVariant>
 
 #include "gui/setup/NumberField.h"
-#include "gui/setup/Selector.h"
 #include "gui/setup/StopTravel.h"
 #include "gui/text/Numbers.h"
+#include "gui/widgets/Selector.h"
 #include "gui/widgets/Theme.h"
 #include "perilymph/mechanics/InsertionState.h"
 #include "perilymph/mechanics/PointSet.h"

@@ -11,10 +11,10 @@
 #include "gui/setup/DerivedMeasures.h"
 #include "gui/setup/Populations.h"
 #include "gui/setup/SavedPatientRow.h"
-#include "gui/setup/Selector.h"
 #include "gui/setup/ValueEdit.h"
 #include "gui/text/DataText.h"
 #include "gui/text/Numbers.h"
+#include "gui/widgets/Selector.h"
 #include "gui/widgets/Theme.h"
 #include "perilymph/anatomy/Population.h"
 

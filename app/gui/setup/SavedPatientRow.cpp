@@ -9,8 +9,8 @@
 #include <QVariant>
 #include <algorithm>
 
-#include "gui/setup/Selector.h"
 #include "gui/text/DataText.h"
+#include "gui/widgets/Selector.h"
 #include "gui/widgets/Theme.h"
 
 namespace perilymph::gui {

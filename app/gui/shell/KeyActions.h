@@ -20,7 +20,7 @@ inline QKeySequence with(Qt::KeyboardModifiers held, Qt::Key key)
 }
 
 /// Sections of the list of keys.
-enum class KeySection { insertion, picture, replay, window };
+enum class KeySection { insertion, picture, ct, replay, window };
 
 /// An action triggered by keys.
 struct KeyAction {

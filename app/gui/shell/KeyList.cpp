@@ -62,7 +62,9 @@ KeyList::KeyList(const KeyActions& actions, QWidget* parent) : QFrame(parent)
   whole->setContentsMargins(1, 1, 1, 1);
   whole->addWidget(new SheetScroll(content, this));
   const std::vector<std::pair<KeySection, QString>> halves[] = {
-      {{KeySection::insertion, tr("Insertion")}, {KeySection::picture, tr("View")}},
+      {{KeySection::insertion, tr("Insertion")},
+       {KeySection::picture, tr("View")},
+       {KeySection::ct, tr("CT")}},
       {{KeySection::replay, tr("Replay")}, {KeySection::window, tr("Window")}}};
   for (const auto& half : halves) {
     auto* column = new QVBoxLayout;

@@ -164,12 +164,12 @@ TopBar::TopBar(QWidget* parent)
   auto* columns = new QGridLayout(this);
   columns->setContentsMargins(2 * spacing, 0, 2 * spacing, 0);
   columns->addLayout(left_, 0, 0);
-  auto* middle = new QHBoxLayout;
-  middle->setContentsMargins(3 * spacing, 0, 3 * spacing, 0);
-  middle->setSpacing(spacing);
-  middle->addWidget(patient_);
-  middle->addWidget(modified_);
-  columns->addLayout(middle, 0, 1);
+  middle_ = new QHBoxLayout;
+  middle_->setSpacing(spacing);
+  middle_->addWidget(patient_);
+  middle_->addWidget(modified_);
+  columns->addLayout(middle_, 0, 1);
+  showNobody();
   columns->addLayout(right, 0, 2);
   columns->setColumnStretch(0, 1);
   columns->setColumnStretch(2, 1);
@@ -281,6 +281,7 @@ void TopBar::setPage(const Page& page)
 void TopBar::showSubject(const session::Scenario& scenario, const QString& changed)
 {
   patient_->setText(subjectText(scenario));
+  middle_->setContentsMargins(3 * spacing, 0, 3 * spacing, 0);
   modified_->setVisible(!changed.isEmpty());
   modified_->setToolTip(tr("Differs from the preset: %1.").arg(changed));
   showIconsIfRoom();
@@ -289,6 +290,7 @@ void TopBar::showSubject(const session::Scenario& scenario, const QString& chang
 void TopBar::showNobody()
 {
   patient_->clear();
+  middle_->setContentsMargins(spacing, 0, spacing, 0);  // the pages need the room
   modified_->hide();
   showIconsIfRoom();
 }

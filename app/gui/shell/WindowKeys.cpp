@@ -92,6 +92,10 @@ void addWindowKeys(KeyActions& keys, MainWindow& window, InsertPage& page)
               page.views().setArrangement(layouts[std::size_t(which)]);
             })});
   keys.add(Gesture{section, tr("Double click"), tr("maximize a view; restore")});
+  const auto ct = KeySection::ct;
+  keys.add(Gesture{ct, tr("Click; drag a landmark"), tr("move the crosshair; move the landmark")});
+  keys.add(Gesture{ct, tr("Wheel, Up, Down; Ctrl+wheel, +, -"), tr("layers; zoom")});
+  keys.add(Gesture{ct, tr("Right drag; middle or Shift+drag"), tr("brightness and contrast; pan")});
   addPageKeys(keys, window);
   qApp->installEventFilter(new AltKeys(keys, window));
   keys.add({section,

@@ -13,9 +13,9 @@
 #include <QStyleOptionComboBox>
 #include <algorithm>
 
-#include "gui/setup/Selector.h"
 #include "gui/widgets/ElidedLabel.h"
 #include "gui/widgets/ReadOut.h"
+#include "gui/widgets/Selector.h"
 
 namespace perilymph::test {
 

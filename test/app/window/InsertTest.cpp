@@ -9,7 +9,7 @@
 
 #include "WindowRig.h"
 #include "gui/scene/PhaseLine.h"
-#include "gui/setup/Selector.h"
+#include "gui/widgets/Selector.h"
 #include "perilymph/analysis/ContactPositions.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/session/RecordedInsertion.h"

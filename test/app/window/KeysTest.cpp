@@ -13,7 +13,9 @@
 #include <QTextBrowser>
 
 #include "WindowRig.h"
+#include "gui/pages/ct/CtPage.h"
 #include "gui/pages/insert/BottomBar.h"
+#include "gui/pages/start/PatientForm.h"
 #include "gui/setup/SetupHistory.h"
 #include "gui/shell/GuideSheet.h"
 #include "gui/shell/KeyActions.h"
@@ -86,6 +88,32 @@ TEST(WindowHabits, F1ShowsTheSheetOnEveryPageAndEscapeLeavesIt)
     EXPECT_FALSE(sheet->isVisible());
     EXPECT_EQ(rig.window().page(), page);
   }
+}
+
+TEST(WindowHabits, EscapeClosesAListOfKeysBeforeTheFormOfAPatient)
+{
+  WindowRig rig;
+  rig.window().showPage("start");
+  rig.click("patientCard");
+  rig.pressKey(Qt::Key_F1);
+  auto* keys = rig.window().findChild<QWidget*>("keys");
+  ASSERT_TRUE(keys->isVisible());
+  const auto* form = rig.window().findChild<gui::PatientForm*>();
+  QTest::keyClick(rig.window().focusWidget(), Qt::Key_Escape);
+  EXPECT_FALSE(keys->isVisible());
+  EXPECT_TRUE(form->isVisible());
+  QTest::keyClick(rig.window().focusWidget(), Qt::Key_Escape);
+  EXPECT_FALSE(form->isVisible());
+}
+
+TEST(WindowHabits, TheFormOfAPatientLeadsToThePageThatMeasuresACt)
+{
+  WindowRig rig;
+  rig.window().showPage("start");
+  rig.click("patientCard");
+  rig.click("patientCtButton");
+  EXPECT_TRUE(
+      WindowRig::comes([&] { return rig.window().findChild<gui::CtPage*>()->isVisible(); }));
 }
 
 TEST(WindowHabits, F11FillsTheScreenAndGoesBack)

@@ -16,9 +16,9 @@
 #include "gui/pages/insert/ForceCharts.h"
 #include "gui/pages/insert/InsertionViews.h"
 #include "gui/pages/insert/SidePanel.h"
-#include "gui/setup/Selector.h"
 #include "gui/setup/SetupHistory.h"
 #include "gui/widgets/Notice.h"
+#include "gui/widgets/Selector.h"
 #include "perilymph/session/RecordedInsertion.h"
 #include "perilymph/test/TemporaryFolder.h"
 

@@ -32,7 +32,7 @@
 #include "gui/pages/plan/PlanScene.h"
 #include "gui/pages/plan/PlanView.h"
 #include "gui/setup/PatientLibrary.h"
-#include "gui/setup/Selector.h"
+#include "gui/widgets/Selector.h"
 #include "perilymph/planning/PlanReport.h"
 #include "perilymph/test/SyntheticPlan.h"
 #include "perilymph/test/TemporaryFolder.h"

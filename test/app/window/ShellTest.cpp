@@ -16,12 +16,12 @@
 #include "gui/pages/insert/ForceCharts.h"
 #include "gui/pages/insert/InsertionViews.h"
 #include "gui/run/UserSettings.h"
-#include "gui/setup/Selector.h"
 #include "gui/shell/AboutSheet.h"
 #include "gui/shell/KeyList.h"
 #include "gui/shell/WindowMemory.h"
 #include "gui/shell/WindowPlace.h"
 #include "gui/widgets/Notice.h"
+#include "gui/widgets/Selector.h"
 #include "gui/widgets/Theme.h"
 #include "perilymph/foundation/Version.h"
 

@@ -10,7 +10,7 @@
 #include <QWheelEvent>
 #include <stdexcept>
 
-#include "gui/setup/Selector.h"
+#include "gui/widgets/Selector.h"
 
 namespace perilymph::test {
 

@@ -19,6 +19,7 @@
 #include "gui/text/Numbers.h"
 #include "gui/widgets/EmptyPage.h"
 #include "gui/widgets/PanelParts.h"
+#include "gui/widgets/Selector.h"
 #include "gui/widgets/StatusLine.h"
 #include "gui/widgets/Theme.h"
 #include "perilymph/charts/FigurePicture.h"
@@ -42,10 +43,7 @@ QComboBox* choice(const QString& caption, const char* name, const QStringList& t
                   QHBoxLayout* row, QWidget* parent)
 {
   auto* label = text(caption, 13, parent, true);
-  auto* box = new QComboBox(parent);
-  box->setObjectName(QLatin1String(name));
-  box->setAccessibleName(caption);
-  box->setFont(typeface(13));
+  auto* box = new Selector(name, caption, parent);
   box->addItems(texts);
   label->setBuddy(box);
   row->addWidget(label);

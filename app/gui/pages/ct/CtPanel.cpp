@@ -22,6 +22,7 @@
 #include "gui/text/DataText.h"
 #include "gui/widgets/CheckBoxes.h"
 #include "gui/widgets/PanelParts.h"
+#include "gui/widgets/Selector.h"
 #include "gui/widgets/Theme.h"
 #include "gui/widgets/WrappedLabel.h"
 #include "perilymph/imaging/MeasuredPatient.h"
@@ -148,26 +149,18 @@ void CtPanel::addView(QVBoxLayout& column)
   connect(cochleaPlanes_, &QAbstractButton::clicked, this,
           [this] { study_.setFrame(PlaneFrame::cochlea); });
 
-  window_ = new QComboBox(this);
-  window_->setObjectName(QStringLiteral("grayWindow"));
-  window_->setAccessibleName(tr("Gray values"));
+  window_ = new Selector("grayWindow", tr("Gray values"), this);
   window_->addItems({tr("Bone"), tr("Soft tissue"), tr("All values")});
   window_->setToolTip(
       tr("Bone: level 700, width 4000 HU. Soft tissue: level 40, width 400 HU. Drag "
          "with the right mouse button to change brightness and contrast."));
-  slab_ = new QComboBox(this);
-  slab_->setObjectName(QStringLiteral("slab"));
-  slab_->setAccessibleName(tr("Slab"));
+  slab_ = new Selector("slab", tr("Slab"), this);
   slab_->addItems(
       {tr("Single layer"), tr("Slab 1 mm, mean"), tr("Slab 2 mm, mean"), tr("Slab 2 mm, maximum")});
-  auto* boxes = new QHBoxLayout;
-  boxes->setSpacing(4);
   for (QComboBox* box : {window_, slab_}) {
-    box->setFont(typeface(13));
     box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-    boxes->addWidget(box, box == window_ ? 3 : 4);  // the longer names
+    column.addWidget(box);
   }
-  column.addLayout(boxes);
   connect(window_, QOverload<int>::of(&QComboBox::activated), this, [this](int which) {
     if (!study_.hasCt()) return;
     study_.setWindow(which == 0   ? imaging::boneWindow

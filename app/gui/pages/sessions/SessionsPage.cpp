@@ -216,8 +216,11 @@ void SessionsPage::follow()
 
 bool SessionsPage::cancel()
 {
-  if (!isBusy()) return false;
-  work_.cancel();
+  if (!isBusy() && search_->text().isEmpty()) return false;
+  if (isBusy())
+    work_.cancel();
+  else
+    search_->clear();
   return true;
 }
 
@@ -392,8 +395,6 @@ void SessionsPage::keyPressEvent(QKeyEvent* event)
   if (event->matches(QKeySequence::Undo)) return bringBack();
   if (key == Qt::Key_Delete) return throwAway();
   if (key == Qt::Key_Return || key == Qt::Key_Enter) return replayChosen();
-  if (key == Qt::Key_Escape && cancel()) return;
-  if (key == Qt::Key_Escape && !search_->text().isEmpty()) return search_->clear();
   QWidget::keyPressEvent(event);
 }
 

@@ -49,8 +49,7 @@ QLabel* heading(const QString& caption, QWidget* parent)
 
 QLabel* errorLabel(QWidget* parent)
 {
-  auto* label = new WrappedLabel({}, parent);
-  label->setFont(typeface(11));
+  QLabel* label = text({}, 11, parent, false);
   label->setProperty("error", true);
   label->hide();
   return label;
@@ -175,7 +174,10 @@ QWidget* PatientForm::addExplanations()
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(spacing);
   column->addStretch(1);
-  column->addWidget(heading(tr("HOW TO MEASURE IN CT"), side));
+  auto* measure = new QPushButton(tr("Measure a CT…"), side);
+  measure->setObjectName(QStringLiteral("patientCtButton"));
+  connect(measure, &QPushButton::clicked, this, &PatientForm::ctAsked);
+  column->addLayout(sideBySide(heading(tr("HOW TO MEASURE IN CT"), side), measure));
   column->addWidget(landmarks_, 8);
   column->addWidget(
       text(tr("Cochlear view: the oblique plane through the basal turn, perpendicular "

@@ -46,6 +46,8 @@ public:
 Q_SIGNALS:
   void patientGiven(const perilymph::anatomy::Patient& patient);
   void leaveAsked();
+  /// The user wants the measures from a CT.
+  void ctAsked();
 
 private:
   QWidget* addForm();

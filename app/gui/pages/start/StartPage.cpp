@@ -2,7 +2,6 @@
 #include "gui/pages/start/StartPage.h"
 
 #include <QHBoxLayout>
-#include <QKeyEvent>
 #include <QLabel>
 #include <QPainter>
 #include <QPainterPath>
@@ -160,6 +159,8 @@ StartPage::StartPage(const InsertionControl& control, const SetupHistory& setup,
           [this] { beginShipped("contour-published", AfterLoading::insert); });
   connect(form_, &PatientForm::leaveAsked, this, [this] { showCards(); });
   connect(form_, &PatientForm::patientGiven, this, &StartPage::savePatient);
+  connect(form_, &PatientForm::ctAsked, this,
+          [this] { Q_EMIT pageRequested(QStringLiteral("ct")); });
   connect(picker_, &PatientPicker::leaveAsked, this, [this] { showCards(); });
   connect(picker_, &PatientPicker::openAsked, this, &StartPage::openPatient);
   connect(picker_, &PatientPicker::editAsked, this, [this](const SavedPatient& patient) {
@@ -263,11 +264,11 @@ QWidget* StartPage::cards()
   error_->setProperty("error", true);
   error_->hide();
 
-  patient_ =
-      new StartCard("patientCard", tr("New patient"),
-                    tr("Build the patient’s scala tympani from A, B and H in CT. Each value is "
-                       "compared with the population."),
-                    "patient.png", StartCard::Ground::own, page);
+  patient_ = new StartCard(
+      "patientCard", tr("New patient"),
+      tr("Measure the patient’s CT, or enter A, B and H. Each value is compared with the "
+         "population."),
+      "patient.png", StartCard::Ground::own, page);
   mean_ = new StartCard("meanCard", tr("Average cochlea"),
                         tr("Average of 15 human cochleae. Insert automatically or with mouse and "
                            "keyboard and follow the insertion force."),
@@ -339,10 +340,11 @@ void StartPage::showError(const QString& sentence)
   form_->showError(sentence);
 }
 
-void StartPage::keyPressEvent(QKeyEvent* event)
+bool StartPage::cancel()
 {
-  if (event->key() == Qt::Key_Escape && stages_->currentIndex() != cardsStage) return showCards();
-  QWidget::keyPressEvent(event);
+  if (stages_->currentIndex() == cardsStage) return false;
+  showCards();
+  return true;
 }
 
 }  // namespace perilymph::gui

@@ -59,6 +59,8 @@ public:
 
   /// Shows the three cards again, and recent work.
   void onShown() override { showCards(); }
+  /// Leaves the form or the list for the cards.
+  bool cancel() override;
   Focus focus() const override { return Focus::page; }
   /// Requests to be shown with the list of saved patients.
   void showPatients();
@@ -68,7 +70,6 @@ public:
   void showError(const QString& sentence);
 
 protected:
-  void keyPressEvent(QKeyEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 
 private:

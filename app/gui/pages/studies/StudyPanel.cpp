@@ -11,10 +11,10 @@
 #include <algorithm>
 
 #include "gui/pages/studies/StudyText.h"
-#include "gui/setup/Selector.h"
 #include "gui/text/Numbers.h"
 #include "gui/widgets/CheckBoxes.h"
 #include "gui/widgets/PanelParts.h"
+#include "gui/widgets/Selector.h"
 #include "gui/widgets/Theme.h"
 #include "gui/widgets/WrappedLabel.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/setup/Selector.h"
+#include "gui/widgets/Selector.h"
 
 #include <QAbstractItemView>
 #include <QFontMetrics>
@@ -97,7 +97,9 @@ int Selector::widest_px() const
 
 QString Selector::text() const
 {
-  return shown_.isEmpty() ? itemData(currentIndex(), textRole).toString() : shown_;
+  if (!shown_.isEmpty()) return shown_;
+  const QVariant own = itemData(currentIndex(), textRole);
+  return own.isValid() ? own.toString() : currentText();
 }
 
 bool Selector::isWhole() const

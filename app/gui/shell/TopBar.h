@@ -102,7 +102,7 @@ private:
   void setDevice(DeviceState light, const QString& caption, const QString& tip);
 
   QHBoxLayout *left_, *tabs_;
-  QHBoxLayout* middle_ = nullptr;  ///< Of the patient.
+  QHBoxLayout* middle_ = nullptr;  ///< Holds the patient.
   QPushButton* home_ = nullptr;
   std::vector<std::pair<const Page*, QPushButton*>> pages_;  ///< After the first one.
   ElidedLabel* patient_;

@@ -217,10 +217,7 @@ void SessionsPage::follow()
 bool SessionsPage::cancel()
 {
   if (!isBusy() && search_->text().isEmpty()) return false;
-  if (isBusy())
-    work_.cancel();
-  else
-    search_->clear();
+  isBusy() ? work_.cancel() : search_->clear();
   return true;
 }
 

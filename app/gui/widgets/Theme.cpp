@@ -115,6 +115,11 @@ QScrollBar::handle:vertical { background: %raised%; border-radius: 3px; min-heig
 QScrollBar::handle:vertical:hover { background: %pressed%; }
 QScrollBar::add-line:vertical, QScrollBar::sub-line:vertical { height: 0; }
 QScrollBar::add-page:vertical, QScrollBar::sub-page:vertical { background: transparent; }
+QScrollBar:horizontal { background: transparent; height: 8px; margin: 0; }
+QScrollBar::handle:horizontal { background: %raised%; border-radius: 3px; min-width: 32px; }
+QScrollBar::handle:horizontal:hover { background: %pressed%; }
+QScrollBar::add-line:horizontal, QScrollBar::sub-line:horizontal { width: 0; }
+QScrollBar::add-page:horizontal, QScrollBar::sub-page:horizontal { background: transparent; }
 QLineEdit:disabled { color: %quietText%; background: %panel%; }
 QPlainTextEdit { background: %ground%; border: 1px solid %border%; border-radius: 4px; padding: 2px 4px; }
 QPlainTextEdit[hint="true"] { color: %quietText%; }

@@ -35,8 +35,8 @@ SessionList::SessionList(SessionTable& table, QSortFilterProxyModel& sorted, QWi
   setAccessibleName(tr("Recorded insertions"));
   setModel(&sorted);
   setFont(typeface(13));
-  setIconSize(Thumbnails::size);
-  showInRows(*this, std::max(rowHeight_px, sized(40)));
+  setIconSize({sized(Thumbnails::size.width()), sized(Thumbnails::size.height())});
+  showInRows(*this, sized(rowHeight_px));
   setSelectionMode(QAbstractItemView::ExtendedSelection);
   setEditTriggers(QAbstractItemView::EditKeyPressed);
   setWordWrap(false);

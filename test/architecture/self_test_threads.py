@@ -30,14 +30,23 @@ PAGE = """
 | newest? | `Newest` | overwritten |
 <!-- /channels -->
 """
+SHARED_PAGE = """
+<!-- shared -->
+| Declared in | How | Value | Shared by |
+|---|---|---|---|
+| `Guard.cpp` | mutex, condition; atomic | the last call | sound, window |
+<!-- /shared -->
+"""
 VOICE = "void f() { std::thread([] { declareThread(ThreadRole::sound); }).join(); }\n"
 GOOD = {
     "modules/README.md": PAGE,
+    threads.SHARED_PAGE: SHARED_PAGE,
     threads.ROLES: "enum class ThreadRole { none, window, ///< Draws.\n sound };\n",
     f"{threads.CHANNELS}/Newest.h": "template <class Value>\nclass Newest {};\n",
     "app/gui/main.cpp": "int main() { declareThread(ThreadRole::window); realtime::Newest<int> now; }\n",
     "modules/tone/src/Voice.cpp": VOICE,
-    "modules/device/src/Guard.cpp": "int f() { return startProgram(call); }\n",
+    "modules/device/src/Guard.cpp": "int f() { return startProgram(call); }\n"
+                                    "std::mutex a; std::condition_variable b; std::atomic<bool> c;\n",
 }
 
 
@@ -81,6 +90,17 @@ class Threads(unittest.TestCase):
 
     def test_a_member_in_the_header_belongs_to_its_source(self):
         self.assertEqual(self.complaints({"modules/tone/src/Voice.h": "std::jthread thread_;\n"}), [])
+
+    def test_what_threads_share_stands_in_the_table_of_its_file(self):
+        for value in ("std::mutex m;", "std::once_flag once;", "std::array<std::atomic<double>, 3> angles{};"):
+            self.assert_found("tells of Voice.h: nothing; it declares", {"modules/tone/src/Voice.h": f"{value}\n"})
+        self.assert_found("tells of Guard.cpp: atomic, condition, mutex; it declares atomic that threads share", {
+            "modules/device/src/Guard.cpp": "int f() { return startProgram(call); }\nstd::atomic<bool> c;\n"})
+
+    def test_references_and_locks_are_no_shared_values(self):
+        self.assertEqual(self.complaints({"modules/tone/src/Voice.h": (
+            "void f(const std::atomic<bool>& isEnding, std::mutex& m);\nstd::unique_lock<std::mutex> lock(m);\n"
+            "auto p = std::make_shared<std::atomic<int>>(0);\n")}), [])
 
     def test_a_process_that_the_table_does_not_tell_is_found(self):
         for begin in ("fork();", "::fork();", "startProgram(call);", "runProgram(name);", "QProcess other;"):

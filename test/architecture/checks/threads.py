@@ -20,6 +20,10 @@ PROCESS = re.compile(r"\b(?:start|run)Program\(|(?<![.>\w])(?:::)?v?fork\s*\(\)|
 PROGRAMS = "modules/foundation/src/Program.cpp"
 OTHER_WAYS = re.compile(r"\bposix_spawnp?\s*\(|\bstd::system\s*\(|(?<![.>\w])::system\s*\(|\bpopen\s*\(|"
                         r"\b(?:f?exec(?:l|le|lp|v|ve|vp|vpe|veat))\s*\(|\bwordexp\s*\(")
+# Declarations of what threads share, not references to it or locks of it.
+SHARED = re.compile(r"(?<!make_shared<)(?<!lock<)(?<!lock_guard<)std::(?:(?:shared_|recursive_|timed_)?mutex|"
+                    r"condition_variable(?:_any)?|once_flag|atomic(?:_flag\b|<[^<>]*>))(?!\s*&)(?!::)")
+SHARED_PAGE = "modules/realtime/README.md"
 USED = re.compile(r"\brealtime::(\w+)\s*<")
 
 
@@ -110,9 +114,32 @@ def check_channels(root, wrong):
         wrong.append(f"{PAGE} tells the channel `{name}`, which nobody uses.")
 
 
+def check_shared(root, wrong):
+    text = sources.read(root / SHARED_PAGE) if (root / SHARED_PAGE).is_file() else ""
+    table = sources.table(text, "shared")
+    if table is None:
+        wrong.append(f"{SHARED_PAGE} has no table between <!-- shared --> and <!-- /shared -->.")
+        return
+    told = {sources.quoted(row[0])[0]: row[1] for row in table}
+    found = {}  # name of the file -> what it declares
+    for file, text in code(root):
+        place = file.relative_to(root).as_posix()
+        if not place.startswith("modules/realtime/"):
+            kinds = {("atomic" if "atomic" in each else "once flag" if "once" in each else
+                      "condition" if "condition" in each else "mutex") for each in SHARED.findall(text)}
+            if kinds:
+                found[file.name] = kinds
+    for name in sorted(set(found) | set(told)):
+        kinds = {kind for kind in ("atomic", "once flag", "condition", "mutex") if kind in told.get(name, "")}
+        if kinds != found.get(name, set()):
+            wrong.append(f"{SHARED_PAGE} tells of {name}: {', '.join(sorted(kinds)) or 'nothing'}; it declares "
+                         f"{', '.join(sorted(found.get(name, []))) or 'nothing'} that threads share.")
+
+
 def check(root):
     root = Path(root)
     wrong = []
+    check_shared(root, wrong)
     check_threads(root, wrong)
     check_processes(root, wrong)
     check_channels(root, wrong)

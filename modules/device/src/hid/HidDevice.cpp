@@ -148,7 +148,7 @@ Result<Done> HidDevice::Content::openHandles(Handles& handles)
   if (!begun) codec->end(*handles.writing);
   if (!begun || !traits.rendersForce) return begun;
 
-  // The device works without a guard, too; the doctor and the session report it.
+  // The device works without a guard, too; `perilymph-cli devices` and the recording report it.
   GuardedHandle watched = guarded(std::move(handles.writing), port->fileForGuard(),
                                   codec->farewell(), Duration::fromSi(patienceOfGuard));
   handles.writing = std::move(watched.handle);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// Health of a device and its connection, for the status bar, the doctor and the session.
+// Health of a device and its connection, for the status bar, `perilymph-cli devices` and the recording.
 
 #include <cstdint>
 #include <string>

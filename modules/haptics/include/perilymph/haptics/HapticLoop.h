@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// The haptic loop: device input, tick, device output; one thread, four channels.
+// The haptic loop: device input, tick, device output; one thread, which exchanges values by channels and atomics.
 
 #include <cstdint>
 #include <memory>

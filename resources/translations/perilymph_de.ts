@@ -3496,10 +3496,6 @@
         <translation>Zahl, Durchmesser, Elastizitätsmodul und c von [bending]. Fließspannung: keine Quelle wurde gelesen; der Bereich ist für geglühtes Platin-Iridium erinnert.</translation>
     </message>
     <message>
-        <source>the same at the median friction</source>
-        <translation>dasselbe bei der mittleren Reibung</translation>
-    </message>
-    <message>
         <source>grip</source>
         <translation>Griff</translation>
     </message>
@@ -3686,6 +3682,18 @@
     <message>
         <source>travel that the scenario sets</source>
         <translation>Vorschub, den das Szenario vorgibt</translation>
+    </message>
+    <message>
+        <source>simulated</source>
+        <translation>simuliert</translation>
+    </message>
+    <message>
+        <source>simulated, at the median friction</source>
+        <translation>simuliert, bei der mittleren Reibung</translation>
+    </message>
+    <message>
+        <source>clinics report</source>
+        <translation>Kliniken berichten</translation>
     </message>
 </context>
 <context>
@@ -5722,10 +5730,6 @@
         <translation>Gemessen mit</translation>
     </message>
     <message>
-        <source>Draws</source>
-        <translation>Simulationen</translation>
-    </message>
-    <message>
         <source>%1 of each array</source>
         <translation>%1 je Elektrodenträger</translation>
     </message>
@@ -5808,14 +5812,6 @@
     <message>
         <source>%1 arrays</source>
         <translation>%1 Träger</translation>
-    </message>
-    <message>
-        <source>%1 draws</source>
-        <translation>%1 Simulationen</translation>
-    </message>
-    <message>
-        <source>%1 draws, interrupted</source>
-        <translation>%1 Simulationen, unterbrochen</translation>
     </message>
     <message>
         <source> · </source>
@@ -6516,6 +6512,18 @@
     <message>
         <source>brightness and contrast; pan</source>
         <translation>Helligkeit und Kontrast; verschieben</translation>
+    </message>
+    <message>
+        <source>Simulations</source>
+        <translation>Simulationen</translation>
+    </message>
+    <message>
+        <source>%1 simulations</source>
+        <translation>%1 Simulationen</translation>
+    </message>
+    <message>
+        <source>%1 simulations so far</source>
+        <translation>bisher %1 Simulationen</translation>
     </message>
 </context>
 <context>
@@ -8685,10 +8693,6 @@
         <translation>Abgebrochen. Was fertig ist, bleibt; „Berechnen“ setzt dort fort.</translation>
     </message>
     <message>
-        <source>%1 draws, %2 insertions</source>
-        <translation>%1 Simulationen, %2 Insertionen</translation>
-    </message>
-    <message>
         <source>%1 of at most %2 insertions. Another page can be shown meanwhile.</source>
         <translation>%1 von höchstens %2 Insertionen. Währenddessen kann eine andere Seite gezeigt werden.</translation>
     </message>
@@ -8760,6 +8764,10 @@
         <source>Values of the model, not clinical risks: no friction in a living ear is known; the one that is taken is estimated from pig tissue, and bands hold its uncertainty. Many arrays stop earlier here than clinics report, perimodiolar ones far earlier, and peaks are bounded by the force at which the simulated hand stops (45 to 102 mN): do not choose a maker by this table. Translocation is rarer than clinics report.</source>
         <translation>Werte des Modells, keine klinischen Risiken: Eine Reibung im lebenden Ohr ist nicht bekannt; die verwendete ist aus Schweinegewebe geschätzt, und die Bandbreiten enthalten ihre Unsicherheit. Viele Träger halten hier früher an, als Kliniken berichten, perimodioläre weit früher, und Maximalkräfte sind durch die Kraft begrenzt, bei der die simulierte Hand anhält (45 bis 102 mN): Wählen Sie keinen Hersteller nach dieser Tabelle. Translokationen sind seltener, als Kliniken berichten.</translation>
     </message>
+    <message>
+        <source>%1 simulations, %2 insertions</source>
+        <translation>%1 Simulationen, %2 Insertionen</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::PlanPanel</name>
@@ -8770,10 +8778,6 @@
     <message>
         <source>Saved plans</source>
         <translation>Gespeicherte Pläne</translation>
-    </message>
-    <message>
-        <source>Draws, at most</source>
-        <translation>Simulationen, höchstens</translation>
     </message>
     <message>
         <source>Compute</source>
@@ -8810,10 +8814,6 @@
     <message>
         <source>Choose no array</source>
         <translation>Keinen Träger wählen</translation>
-    </message>
-    <message>
-        <source>%1 draws at most</source>
-        <translation>höchstens %1 Simulationen</translation>
     </message>
     <message>
         <source>A draw is a cochlea within the errors of the measures, an approach, a stiffness and a surgeon. Fewer are run if the median angle is known to 5° and the median peak force to 5 %.</source>
@@ -8871,6 +8871,18 @@
         <source>Choose a patient</source>
         <translation>Patient wählen</translation>
     </message>
+    <message>
+        <source>Simulations, at most</source>
+        <translation>Simulationen, höchstens</translation>
+    </message>
+    <message>
+        <source>%1 simulations at most</source>
+        <translation>höchstens %1 Simulationen</translation>
+    </message>
+    <message>
+        <source>%1 · %2 · being computed</source>
+        <translation>%1 · %2 · wird berechnet</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::PlanScene</name>
@@ -8890,12 +8902,12 @@
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>%1, %2: %3. %4 draws</source>
-        <translation>%1, %2: %3. %4 Simulationen</translation>
-    </message>
-    <message>
         <source>%1; clinics report %2</source>
         <translation>%1; Kliniken berichten %2</translation>
+    </message>
+    <message>
+        <source>%1, %2: %3. %4 simulations</source>
+        <translation>%1, %2: %3. %4 Simulationen</translation>
     </message>
 </context>
 <context>

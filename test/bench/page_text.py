@@ -112,7 +112,7 @@ def wall_lines(found):
 # Row, figure, text before the value, unit.
 WORK = (("simulate", "seconds", "one insertion, 8,250 ticks, with the building of cochlea and model (`simulate`)", "s"),
         ("validate", "seconds", "the published experiment, 200 times, with the shares of its variability (`validate`)", "s"),
-        ("plan", "seconds", "a plan of one array with 16 draws (`plan`)", "s"),
+        ("plan", "seconds", "a plan of one array with 16 simulations (`plan`)", "s"),
         ("study/insertions/jobs:1/real_time", "insertions_per_s", "a study's insertions in steps of 5 ms, one thread", "a second"),
         ("study/insertions/jobs:2/real_time", "insertions_per_s", "the same, two threads", "a second"),
         ("library/first/sessions:10000/iterations:1", "real_time", "a library of 10,000 recordings, opened for the first time", "ms"),

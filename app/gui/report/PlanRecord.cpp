@@ -50,7 +50,7 @@ double paintIdentification(ReportSheet& sheet, const PlanReportContent& content,
                     {tr("Measured with"), isChanged          ? tr("changed by hand")
                                           : software.empty() ? QStringLiteral("–")
                                                              : QString::fromStdString(software)},
-                    {tr("Draws"), tr("%1 of each array").arg(plan.arrays.front().draws)}},
+                    {tr("Simulations"), tr("%1 of each array").arg(plan.arrays.front().draws)}},
                    0.0, y_mm, left_mm);
   const double right = paintEntries(
       sheet,

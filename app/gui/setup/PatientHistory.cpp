@@ -59,8 +59,8 @@ HistoryEntry planEntry(const StoredPlan& plan)
 {
   const std::size_t arrays = plan.request.arrays.size();
   QStringList values{arrays == 1 ? tr("1 array") : tr("%1 arrays").arg(arrays)};
-  values << (plan.isComplete ? tr("%1 draws").arg(plan.shownDraws)
-                             : tr("%1 draws, interrupted").arg(plan.shownDraws));
+  values << (plan.isComplete ? tr("%1 simulations").arg(plan.shownDraws)
+                             : tr("%1 simulations so far").arg(plan.shownDraws));
   return {HistoryEntry::Kind::plan,
           plan.madeUtc,
           tr("Plan"),

@@ -10,6 +10,7 @@
 #include "PlanNames.h"
 #include "PlanNumbers.h"
 #include "Uncertainty.h"
+#include "perilymph/analysis/ClinicalReports.h"
 #include "perilymph/analysis/ErrorBand.h"
 #include "perilymph/analysis/PhysicalRanges.h"
 #include "perilymph/analysis/Surgeon.h"
@@ -221,11 +222,16 @@ figures::Figure angleFigure(const Plan& plan)
   figures::Figure figure;
   figure.title = "Angular insertion depth: median (" + bandsHold(plan) + ")";
   figures::FigureValues values, median;
+  figures::FigureValues clinics;
   values.ink = ink::blue;
+  values.label = Sentence{"simulated"};
   median.ink = ink::vermilion;
-  median.label = Sentence{"the same at the median friction"};
+  median.label = Sentence{"simulated, at the median friction"};
+  clinics.ink = ink::green;
+  clinics.label = Sentence{"clinics report"};
   double top = 90.0;
   constexpr double beside = 0.15;
+  const auto& evidence = analysis::ClinicalEvidence::shipped();
   const auto add = [](figures::FigureValues& to, double x, const Band& band) {
     to.x.push_back(x);
     to.y.push_back(band.median);
@@ -238,10 +244,28 @@ figures::Figure angleFigure(const Plan& plan)
     if (const auto& other = plan.arrays[i].atMedianFriction)
       add(median, static_cast<double>(i + 1) + beside, other->angle_deg);
     top = std::max(top, band.high);
-    figure.notes.push_back(std::to_string(i + 1) + ": " + plan.arrays[i].name);
+    std::string note = std::to_string(i + 1) + ": " + plan.arrays[i].name;
+    const analysis::ClinicalReport* report =
+        evidence ? evidence->find(plan.arrays[i].array, analysis::ReportedQuantity::angle)
+                 : nullptr;
+    if (report != nullptr && report->value) {
+      const bool isBounded = report->spread != analysis::ReportedSpread::none;
+      add(clinics, static_cast<double>(i + 1) + 2.0 * beside,
+          {isBounded ? report->low : *report->value, 0.0, *report->value, 0.0,
+           isBounded ? report->high : *report->value});
+      top = std::max(top, clinics.high.back());
+      note += "; clinics: " + report->statistic + " " + analysis::numbersOf(*report) + " deg" +
+              (isBounded ? std::string(", ") + analysis::nameOf(report->spread) : std::string()) +
+              (report->n > 0 ? ", n " + std::to_string(report->n) : std::string()) + ", " +
+              report->reference;
+      if (evidence->verdictOf(plan.arrays[i].array) == analysis::ArrayVerdict::miss)
+        note += "; simulated: not validated";
+    }
+    figure.notes.push_back(note);
   }
   figure.values = {values};
   if (!median.x.empty()) figure.values.push_back(median);
+  if (!clinics.x.empty()) figure.values.push_back(clinics);
   figure.x = {"array", 0.5, static_cast<double>(plan.arrays.size()) + 0.5, 1.0, 0};
   figure.y = figures::axisOver("angle of the most apical contact, deg", 0.0, top);
   return figure;

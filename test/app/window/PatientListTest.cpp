@@ -316,7 +316,7 @@ TEST_F(HistoryOfAPatient, IsNewestFirstAndOpenedByAClickOrEnter)
                                std::regex("FLEX28 · depth [0-9]+\\.[0-9] mm · peak [0-9.]+ mN")))
       << cell(0, 2);
   EXPECT_EQ(cell(1, 1), "Plan");
-  EXPECT_EQ(cell(1, 2), "2 arrays · 2 draws");
+  EXPECT_EQ(cell(1, 2), "2 arrays · 2 simulations");
   EXPECT_EQ(cell(1, 0).substr(0, 10), "2022-02-03");
   EXPECT_EQ(cell(2, 1), "Scan");
   EXPECT_EQ(cell(2, 2), "series 5ca1ab1e0000");

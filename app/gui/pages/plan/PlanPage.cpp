@@ -304,7 +304,7 @@ void PlanPage::showPlan(const PlanWork::SharedPlan& plan, const StoredPlan& stor
   madeUtc_ = stored.madeUtc;
   head_->show(plan->request.patient);
   const auto draws = plan->arrays.empty() ? 0 : int(plan->arrays.front().draws);
-  const QString run = tr("%1 draws, %2 insertions").arg(draws).arg(plan->insertions.size());
+  const QString run = tr("%1 simulations, %2 insertions").arg(draws).arg(plan->insertions.size());
   const QString seal = plan->seal == Seal::changed ? tr("changed by hand, ") : QString();
   head_->setNote(seal + run + QStringLiteral(", ") + plannedFriction(*plan));
   list_->show(plan);

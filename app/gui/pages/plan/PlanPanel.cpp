@@ -79,7 +79,7 @@ PlanPanel::PlanPanel(QWidget* parent)
       patientList_(new Selector("planPatientSelector", tr("Patient"), this)),
       planList_(new Selector("planSelector", tr("Saved plans"), this)),
       friction_(new Selector("planFriction", tr("Friction"), this)),
-      draws_(new Selector("planDraws", tr("Draws, at most"), this)),
+      draws_(new Selector("planDraws", tr("Simulations, at most"), this)),
       compute_(rowButton(tr("Compute"), "computePlanButton", this)),
       cancel_(rowButton(tr("Cancel"), "cancelPlanButton", this)),
       progress_(new QProgressBar(this))
@@ -169,7 +169,7 @@ void PlanPanel::addFoot(QVBoxLayout& column)
       "350°."));
   column.addWidget(friction_);
   for (const int count : drawCounts)
-    draws_->addChoice(tr("%1 draws at most").arg(count), QString::number(count));
+    draws_->addChoice(tr("%1 simulations at most").arg(count), QString::number(count));
   draws_->show(QString::number(usualDraws), {});
   draws_->setToolTip(
       tr("A draw is a cochlea within the errors of the measures, an approach, a stiffness and a "
@@ -251,7 +251,9 @@ void PlanPanel::listPlans()
                          ? tr("1 array")
                          : tr("%1 arrays").arg(each.request.arrays.size());
     if (each.request.friction) arrays += QStringLiteral(", ") + plannedFriction(each.request);
+    const bool isRunning = isBusy_ && each.folder == folderOfPlan(request());
     planList_->addChoice(each.isComplete ? tr("%1 · %2").arg(when, arrays)
+                         : isRunning     ? tr("%1 · %2 · being computed").arg(when, arrays)
                                          : tr("%1 · %2 · interrupted").arg(when, arrays),
                          QString::fromStdString(each.folder.string()),
                          QString::fromStdString(each.folder.string()));
@@ -280,7 +282,8 @@ void PlanPanel::showPlan(const StoredPlan& plan)
     row.box->setChecked(std::find(arrays.begin(), arrays.end(), row.array) != arrays.end());
   const QString friction = QString::fromStdString(plan.request.friction.value_or(""));
   friction_->show(friction, inTheList(plannedFriction(plan.request)));
-  draws_->show(QString::number(plan.request.draws), tr("%1 draws at most").arg(plan.request.draws));
+  draws_->show(QString::number(plan.request.draws),
+               tr("%1 simulations at most").arg(plan.request.draws));
   const QString folder = QString::fromStdString(plan.folder.string());
   if (planList_->findData(folder) >= 0) planList_->show(folder, {});
 }

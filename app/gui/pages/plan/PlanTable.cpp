@@ -78,7 +78,7 @@ QString PlanTable::text(const planning::ArrayPlan& array, PlanColumn column) con
 QString PlanTable::toolTip(const planning::ArrayPlan& array, PlanColumn column) const
 {
   QStringList lines{
-      tr("%1, %2: %3. %4 draws")
+      tr("%1, %2: %3. %4 simulations")
           .arg(QString::fromStdString(array.name), titleOf(column), text(array, column))
           .arg(array.draws)};
   if (const auto reported = reportedOf(column))

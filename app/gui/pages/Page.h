@@ -31,7 +31,7 @@ public:
   /// Esc on this page: ends what it works on. False if there was nothing to end.
   virtual bool cancel() { return false; }
 
-  /// Which files may be dropped.
+  /// Which files may be dropped; those that a page always accepts may also be named on the command line.
   enum class Acceptance { none, whileShown, always };
   virtual Acceptance accepts(const std::filesystem::path& file) const;
   /// Opens a file or folder that was dropped, or that another page requested to be opened here. A

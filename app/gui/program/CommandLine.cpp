@@ -11,6 +11,14 @@ namespace perilymph::gui {
 
 namespace {
 
+/// Error for a file to open that is not there; empty if it is.
+std::string checkFile(const std::string& file)
+{
+  std::error_code failure;
+  if (std::filesystem::exists(file, failure)) return {};
+  return file + " does not exist, so it cannot be opened; check its name.";
+}
+
 /// Error for an unsupported screenshot file; empty if it is supported.
 std::string checkPicture(const std::string& file)
 {
@@ -76,10 +84,15 @@ std::variant<CommandLine, Exit> parseCommandLine(int argc, const char* const* ar
                "perilymph");
   app.set_version_flag("--version", "perilymph " + buildId());
 
-  std::string record, plugin, screenshot, study, plan, report, ct, igtl;
+  std::string file, record, plugin, screenshot, study, plan, report, ct, igtl;
   app.add_option("--scenario", options.scenario,
                  "Scenario: shipped name or TOML file (default: start page)")
       ->type_name("FILE|NAME");
+  auto* fileOption = app.add_option("FILE", file,
+                                    "Recording (.insertion), patient (.toml), plan (its folder), "
+                                    "study (.sqlite) or CT (a DICOM "
+                                    "folder, a NIfTI or NRRD file) to open")
+                         ->check(checkFile);
   auto* demoOption = app.add_flag("--demo", options.isDemo, "Start the insertion automatically");
   auto* recordOption =
       app.add_option("--record", record, "File of the recording (default: in the session folder)")
@@ -151,6 +164,8 @@ std::variant<CommandLine, Exit> parseCommandLine(int argc, const char* const* ar
       ->excludes(pluginOption)
       ->excludes(studyOption)
       ->excludes("--measure-frames");
+  for (const char* other : {"--demo", "--study", "--plan", "--kiosk", "--measure-frames"})
+    fileOption->excludes(other);
 
   try {
     refuseEmptyValues(app, argc, argv);
@@ -162,6 +177,7 @@ std::variant<CommandLine, Exit> parseCommandLine(int argc, const char* const* ar
     std::cerr << error.what() << "\nperilymph --help lists the options.\n";
     return Exit{2};
   }
+  if (fileOption->count() > 0) options.file = std::filesystem::absolute(file);
   if (recordOption->count() > 0) options.record = record;
   if (studyOption->count() > 0) options.study = study;
   if (planOption->count() > 0) options.plan = plan;

@@ -15,9 +15,10 @@ namespace perilymph::gui {
 
 /// Parsed options.
 struct CommandLine {
-  std::optional<std::string> scenario;          ///< A shipped name or a path.
-  bool isKiosk = false;                         ///< The booth instead of the workstation.
-  bool isDemo = false;                          ///< Starts an insertion automatically.
+  std::optional<std::string> scenario;        ///< A shipped name or a path.
+  std::optional<std::filesystem::path> file;  ///< A recording, patient, plan, study or CT to open.
+  bool isKiosk = false;                       ///< The booth instead of the workstation.
+  bool isDemo = false;                        ///< Starts an insertion automatically.
   std::optional<std::filesystem::path> record;  ///< File of the recording.
   std::optional<std::filesystem::path> study;   ///< A study's result to open.
   std::optional<std::filesystem::path> plan;    ///< A plan to report, without a window.

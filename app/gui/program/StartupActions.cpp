@@ -60,6 +60,8 @@ void arrangeStartupActions(MainWindow& window, const CommandLine& options)
       measureFrames(window, options.measuredTicks);
     else if (options.study)
       window.openOnPage(QStringLiteral("studies"), *options.study);
+    else if (options.file)
+      window.openFile(*options.file);
     takeScreenshotLater(window, options);
   });
 }

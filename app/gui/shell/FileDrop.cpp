@@ -4,7 +4,6 @@
 #include <QDropEvent>
 #include <QMimeData>
 #include <QUrl>
-#include <algorithm>
 
 #include "gui/shell/PageStack.h"
 
@@ -18,16 +17,6 @@ std::filesystem::path fileOf(const QMimeData& data)
   const QList<QUrl> urls = data.urls();
   if (urls.size() != 1 || !urls[0].isLocalFile()) return {};
   return urls[0].toLocalFile().toStdString();
-}
-
-Page* acceptingPage(const PageStack& pages, const std::filesystem::path& file)
-{
-  if (file.empty()) return nullptr;
-  if (pages.current().accepts(file) != Page::Acceptance::none) return &pages.current();
-  const auto found = std::ranges::find_if(pages.all(), [&](const Page* page) {
-    return page->accepts(file) == Page::Acceptance::always;
-  });
-  return found == pages.all().end() ? nullptr : *found;
 }
 
 }  // namespace
@@ -44,7 +33,7 @@ bool FileDrop::eventFilter(QObject* watched, QEvent* event)
     return QObject::eventFilter(watched, event);
   auto* drop = static_cast<QDropEvent*>(event);
   const std::filesystem::path file = fileOf(*drop->mimeData());
-  Page* page = acceptingPage(pages_, file);
+  Page* page = pages_.pageFor(file);
   if (page == nullptr) {
     drop->ignore();
     return true;

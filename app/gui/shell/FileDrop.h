@@ -9,8 +9,7 @@ namespace perilymph::gui {
 
 class PageStack;
 
-/// Passes one file to the page that accepts it, the visible one first, and refuses all else while it
-/// is dragged.
+/// Passes one file to the page that opens it, and refuses all else while it is dragged.
 class FileDrop : public QObject {
   Q_OBJECT
 public:

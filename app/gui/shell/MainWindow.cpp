@@ -130,6 +130,12 @@ void MainWindow::openOnPage(const QString& id, const std::filesystem::path& file
   if (!file.empty()) pages_->page(id).open(file);
 }
 
+void MainWindow::openFile(const std::filesystem::path& file)
+{
+  const Page* page = pages_->pageFor(file);
+  openOnPage(page != nullptr ? page->id() : QStringLiteral("ct"), file);
+}
+
 void MainWindow::showSubject()
 {
   setWindowTitle(windowTitleOf(pages_->current(), *insertion_));

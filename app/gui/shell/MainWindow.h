@@ -42,6 +42,9 @@ public:
   void showPage(const Page& page) { showPage(page.id()); }
   void showPage(const QString& id);
   /// Shows a page and opens a file there.
+  /// Opens a recording, patient, plan, study or CT that was named when the program was started. What no other page
+  /// knows is taken for a CT.
+  void openFile(const std::filesystem::path& file);
   void openOnPage(const QString& id, const std::filesystem::path& file);
   /// The id of the visible page.
   const QString& page() const { return pages_->current().id(); }

@@ -26,6 +26,15 @@ Page& PageStack::page(const QString& id) const
   return **found;
 }
 
+Page* PageStack::pageFor(const std::filesystem::path& file) const
+{
+  if (file.empty()) return nullptr;
+  if (current().accepts(file) != Page::Acceptance::none) return &current();
+  const auto found = std::ranges::find_if(
+      all_, [&](const Page* page) { return page->accepts(file) == Page::Acceptance::always; });
+  return found == all_.end() ? nullptr : *found;
+}
+
 void PageStack::show(Page& page)
 {
   current().onHidden();

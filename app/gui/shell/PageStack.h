@@ -29,6 +29,10 @@ public:
     return findChild<Wanted*>(QString(), Qt::FindDirectChildrenOnly);
   }
 
+  /// The page that opens a file or folder that is dropped or named: the one that is shown if it accepts it,
+  /// else one that always does; null if none does.
+  Page* pageFor(const std::filesystem::path& file) const;
+
   /// Shows a page, which is told so, like the one before it.
   void show(Page& page);
 

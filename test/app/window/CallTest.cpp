@@ -95,6 +95,14 @@ TEST(PerilymphCall, AMissingScenarioIsNamed)
   expectRefused(perilymph({"--scenario", "no-such-scenario"}), "no-such-scenario");
 }
 
+TEST(PerilymphCall, AMissingFileToOpenIsNamed)
+{
+  const ProgramOutcome outcome = perilymph({"/no/such/P-017.insertion"});
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_THAT(outcome.err,
+              HasSubstr("/no/such/P-017.insertion does not exist, so it cannot be opened"));
+}
+
 TEST(PerilymphCall, WithoutADisplayItSaysWhatToDo)
 {
   expectRefused(perilymph({"--demo"}, {{"DISPLAY", std::nullopt}}), "DISPLAY is not set");

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 #include "DroppedUrl.h"
 #include "OwnFolders.h"
 #include "WindowRig.h"
@@ -51,6 +53,30 @@ TEST_F(DroppedFile, OfARecordingIsReplayedAndNamedOnceInTheTitle)
       WindowRig::comes([&] { return rig_.window().findChild<gui::ReplayBar*>()->isVisible(); }));
   EXPECT_EQ(rig_.window().windowTitle(),
             QString::fromUtf8("Replay of contour-published — Perilymph"));
+}
+
+/// A file that is named when the program is started goes where one goes that is dropped.
+TEST_F(DroppedFile, IsOpenedByItsNameAlone)
+{
+  gui::MainWindow& window = rig_.window();
+  const fs::path recording = record();
+  window.showPage("start");
+  window.openFile(resource("resources/patients/left.toml"));
+  EXPECT_TRUE(WindowRig::comes([&] {
+    return window.control().scenario().patient().side == anatomy::Side::left &&
+           window.page() == "insert";
+  }));
+  window.openFile(recording);
+  EXPECT_TRUE(WindowRig::comes([&] { return window.findChild<gui::ReplayBar*>()->isVisible(); }));
+  const fs::path plan = data_.path() / "plan/plan.json";
+  for (const auto& [file, page] : {std::pair{plan, "plan"}, std::pair{plan.parent_path(), "plan"},
+                                   std::pair{data_.path() / "study.sqlite", "studies"},
+                                   std::pair{data_.path() / "scans", "ct"}}) {
+    fs::create_directories(plan.parent_path());
+    std::ofstream(plan) << "{}";
+    window.openFile(file);
+    EXPECT_EQ(window.page(), page) << file;
+  }
 }
 
 TEST_F(DroppedFile, OfAnotherKindIsNotTaken)

@@ -211,10 +211,19 @@ void PlanPage::connectPanel()
   connect(panel_, &PlanPanel::planChosen, this, &PlanPage::openStored);
 }
 
+Page::Acceptance PlanPage::accepts(const std::filesystem::path& file) const
+{
+  std::error_code ignored;
+  const bool isPlan = file.filename() == "plan.json" ||
+                      std::filesystem::is_regular_file(file / "plan.json", ignored);
+  return isPlan ? Acceptance::always : Acceptance::none;
+}
+
 void PlanPage::open(const std::filesystem::path& folder)
 {
   stop();
-  const auto stored = readStoredPlan(folder);
+  const auto stored =
+      readStoredPlan(folder.filename() == "plan.json" ? folder.parent_path() : folder);
   if (!stored) return say(dataText(stored.error().message), true);
   panel_->refresh();
   openStored(*stored);

@@ -32,6 +32,8 @@ public:
 
   /// Plans for a patient with A and B, as measured in a CT; requests to be shown.
   void planFor(const anatomy::Patient& patient);
+  /// The folder of a plan, or its plan.json.
+  Acceptance accepts(const std::filesystem::path& file) const override;
   /// Opens a saved plan. A computation ends, of which is kept what is done.
   void open(const std::filesystem::path& folder) override;
   /// Reads patients and plans from the disk again.

@@ -27,6 +27,11 @@ class StudiesPage : public Page {
 public:
   explicit StudiesPage(QWidget* parent);
 
+  /// The result of a study.
+  Acceptance accepts(const std::filesystem::path& file) const override
+  {
+    return file.extension() == ".sqlite" ? Acceptance::always : Acceptance::none;
+  }
   /// Opens a result without asking.
   void open(const std::filesystem::path& file) override;
   /// Ends reading or running. False if there was nothing.

@@ -257,7 +257,7 @@ figures::Figure angleFigure(const Plan& plan)
       note += "; clinics: " + report->statistic + " " + analysis::numbersOf(*report) + " deg" +
               (isBounded ? std::string(", ") + analysis::nameOf(report->spread) : std::string()) +
               (report->n > 0 ? ", n " + std::to_string(report->n) : std::string()) + ", " +
-              report->reference;
+              report->source + " (" + report->definition + ")";
       if (evidence->verdictOf(plan.arrays[i].array) == analysis::ArrayVerdict::miss)
         note += "; simulated: not validated";
     }

@@ -7,6 +7,7 @@
 #include <stop_token>
 
 #include "perilymph/analysis/FullInsertion.h"
+#include "perilymph/analysis/InParallel.h"
 
 namespace perilymph::study {
 
@@ -33,26 +34,30 @@ double bytesOf(const Study& study, const analysis::FullInsertion& found)
 Result<StudyEstimate> estimate(const Study& study, const std::stop_token& stop)
 {
   const std::size_t measured = std::min(study.casesPerCochlea(), maxMeasured);
-  std::shared_ptr<const anatomy::ScalaTympani> anatomy;
   double buildTime = 0.0, insertionTime = 0.0, bytes = 0.0;
-  for (std::size_t i = 0; i < measured; ++i) {
-    const auto parameters =
-        study.parametersOf(study.caseAt(i * (study.casesPerCochlea() / measured)));
-    if (!parameters) return parameters.error();
-    auto begin = Clock::now();
-    if (!anatomy) {
-      auto built = session::buildAnatomy(*parameters);
-      if (!built) return built.error();
-      anatomy = *built;
-      buildTime = secondsSince(begin);
-      begin = Clock::now();
+  // one after the other, in a thread that may run insertions
+  const auto measure = [&](std::size_t, const std::stop_token& ending) -> Result<Done> {
+    std::shared_ptr<const anatomy::ScalaTympani> anatomy;
+    for (std::size_t i = 0; i < measured && !ending.stop_requested(); ++i) {
+      const auto parameters =
+          study.parametersOf(study.caseAt(i * (study.casesPerCochlea() / measured)));
+      if (!parameters) return parameters.error();
+      auto begin = Clock::now();
+      if (!anatomy) {
+        auto built = session::buildAnatomy(*parameters);
+        if (!built) return built.error();
+        anatomy = *built;
+        buildTime = secondsSince(begin);
+        begin = Clock::now();
+      }
+      const analysis::FullInsertion found =
+          analysis::insertFully(*parameters, anatomy, study.profileSpacing(), ending);
+      insertionTime += secondsSince(begin) / static_cast<double>(measured);
+      bytes += bytesOf(study, found) / static_cast<double>(measured);
     }
-    const analysis::FullInsertion found =
-        analysis::insertFully(*parameters, anatomy, study.profileSpacing(), stop);
-    if (stop.stop_requested()) return Error{"Canceled."};
-    insertionTime += secondsSince(begin) / static_cast<double>(measured);
-    bytes += bytesOf(study, found) / static_cast<double>(measured);
-  }
+    return Done{};
+  };
+  if (const auto done = analysis::doInParallel(1, 1, measure, {}, stop); !done) return done.error();
   const auto cases = static_cast<double>(study.size());
   return StudyEstimate{
       static_cast<double>(study.cochleae().size()) * buildTime + cases * insertionTime,

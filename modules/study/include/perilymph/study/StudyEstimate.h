@@ -20,7 +20,7 @@ struct StudyEstimate {
 
 /// Runs up to three of the combinations in the first cochlea. Depends on the load of the machine.
 ///
-/// @param stop  Ends the work with the error "Canceled.".
+/// @param stop  Ends the work with an error.
 Result<StudyEstimate> estimate(const Study& study, const std::stop_token& stop = {});
 
 }  // namespace perilymph::study

@@ -10362,10 +10362,6 @@
         <translation>Differenzen der Gruppen</translation>
     </message>
     <message>
-        <source>Medians (quartiles) of all insertions that ran, the stopped ones with what they reached. Intervals of 95 %: Wilson for complete insertions, Student for means of pairs that share cochlea and draw, Welch for groups without pairs; not corrected for several comparisons. Lines: least squares, with the 95 % band of the mean.</source>
-        <translation>Mediane (Quartile) aller gerechneten Insertionen, gestoppte mit dem Erreichten. 95-%-Intervalle: Wilson für vollständige Insertionen, Student für Mittelwerte von Paaren mit gleicher Cochlea und gleichen gezogenen Werten, Welch für Gruppen ohne Paare; nicht für mehrere Vergleiche korrigiert. Geraden: kleinste Quadrate mit dem 95-%-Band des Mittelwerts.</translation>
-    </message>
-    <message>
         <source>Slope</source>
         <translation>Steigung</translation>
     </message>
@@ -10406,10 +10402,6 @@
         <translation>%1 − %2</translation>
     </message>
     <message>
-        <source>%1 pairs</source>
-        <translation>%1 Paare</translation>
-    </message>
-    <message>
         <source>Welch, %1 and %2</source>
         <translation>Welch, %1 und %2</translation>
     </message>
@@ -10420,6 +10412,14 @@
     <message>
         <source>Of</source>
         <translation>Aus</translation>
+    </message>
+    <message>
+        <source>Medians (quartiles) of all insertions that ran, the stopped ones with what they reached. Intervals of 95 %: Wilson for complete insertions, Student for means over cochleae of pairs that share the draw, Welch for groups without pairs; not corrected for several comparisons. Lines: least squares, with the 95 % band of the mean.</source>
+        <translation>Mediane (Quartile) aller gerechneten Insertionen, gestoppte mit dem Erreichten. 95-%-Intervalle: Wilson für vollständige Insertionen, Student für Mittelwerte über Cochleae aus Paaren mit gleichen gezogenen Werten, Welch für Gruppen ohne Paare; nicht für mehrere Vergleiche korrigiert. Geraden: kleinste Quadrate mit dem 95-%-Band des Mittelwerts.</translation>
+    </message>
+    <message>
+        <source>%1 pairs, %2 cochleae</source>
+        <translation>%1 Paare, %2 Cochleae</translation>
     </message>
 </context>
 <context>

@@ -103,14 +103,38 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> pairsOf(const Draws& one, c
   return pairs;
 }
 
+using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+
+/// The differences of pairs: one for each cochlea, the mean of its pairs; of a single cochlea one for
+/// each pair.
+std::vector<double> differencesOf(const StudyColumns& columns, const Pairs& pairs,
+                                  const std::vector<double>& values)
+{
+  std::map<std::string, std::vector<double>> byCochlea;
+  for (const auto& [row, partner] : pairs)
+    byCochlea[columns.result(row).cochlea].push_back(values[row] - values[partner]);
+  if (byCochlea.size() == 1) return byCochlea.begin()->second;
+  std::vector<double> means;
+  for (const auto& [cochlea, own] : byCochlea) means.push_back(analysis::statisticsOf(own).mean);
+  return means;
+}
+
+std::size_t cochleaeOf(const StudyColumns& columns, const Pairs& pairs)
+{
+  std::set<std::string> names;
+  for (const auto& pair : pairs) names.insert(columns.result(pair.first).cochlea);
+  return names.size();
+}
+
 StudyDifference differenceOf(const StudyColumns& columns, const std::vector<StudyGroup>& groups,
                              std::size_t group, std::size_t other, const std::vector<Draws>& draws)
 {
   StudyDifference found;
   found.group = group;
   found.other = other;
-  const auto pairs = pairsOf(draws[group], draws[other]);
+  const Pairs pairs = pairsOf(draws[group], draws[other]);
   found.isPaired = pairs.size() >= 2;
+  if (found.isPaired) found.cochleae = cochleaeOf(columns, pairs);
   const auto ran = [&](std::size_t index) {
     return found.isPaired
                ? pairs.size()
@@ -121,14 +145,11 @@ StudyDifference differenceOf(const StudyColumns& columns, const std::vector<Stud
   found.otherCount = ran(other);
   for (std::size_t i = 0; i < summarizedQuantities.size(); ++i) {
     const auto& values = columns.quantity(summarizedQuantities[i].key)->values;
-    if (found.isPaired) {
-      std::vector<double> differences;
-      for (const auto& [row, partner] : pairs) differences.push_back(values[row] - values[partner]);
-      found.means[i] = analysis::meanWithInterval(differences);
-    } else if (const auto welch = analysis::welchDifference(finiteOf(values, groups[group].rows),
-                                                            finiteOf(values, groups[other].rows))) {
+    if (found.isPaired)
+      found.means[i] = analysis::meanWithInterval(differencesOf(columns, pairs, values));
+    else if (const auto welch = analysis::welchDifference(finiteOf(values, groups[group].rows),
+                                                          finiteOf(values, groups[other].rows)))
       found.means[i] = welch->difference;
-    }
   }
   return found;
 }
@@ -171,11 +192,12 @@ std::string groupsTable(const StudySummary& summary)
 std::string differencesTable(const StudySummary& summary)
 {
   std::string csv =
-      "group,other,method,n,n_other" + columnsOf("difference", "low95", "high95") + "\n";
+      "group,other,method,n,n_other,cochleae" + columnsOf("difference", "low95", "high95") + "\n";
   for (const StudyDifference& each : summary.differences) {
     csv += csvField(summary.groups[each.group].level) + "," +
            csvField(summary.groups[each.other].level) + (each.isPaired ? ",paired," : ",Welch,") +
-           std::to_string(each.count) + "," + std::to_string(each.otherCount);
+           std::to_string(each.count) + "," + std::to_string(each.otherCount) + "," +
+           (each.isPaired ? std::to_string(each.cochleae) : std::string());
     for (const auto& mean : each.means) csv += fields(mean);
     csv += "\n";
   }

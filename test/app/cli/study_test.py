@@ -89,7 +89,7 @@ class Groups(unittest.TestCase):
     def test_differences_are_those_of_pairs(self):
         self.assertEqual(len(self.differences), 1)
         row = self.differences[0]
-        self.assertEqual((row["method"], row["n"], row["n_other"]), ("paired", "9", "9"))
+        self.assertEqual((row["method"], row["n"], row["n_other"], row["cochleae"]), ("paired", "9", "9", "9"))
         one, other = ({each["cochlea"]: each for each in self.own[row[key]]} for key in ("group", "other"))
         for name, unit, key in QUANTITIES:
             pairs = [float(each[key]) - float(other[cochlea][key]) for cochlea, each in one.items()]

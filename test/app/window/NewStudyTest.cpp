@@ -114,7 +114,7 @@ TEST_F(ANewStudy, OfSixtyInsertionsIsRunFilteredAndExported)
   EXPECT_EQ(groups.item(0, 2)->text(), "0 of 30");  // stopped
   auto& differences = *page.findChild<QTableWidget*>("studyDifferences");
   ASSERT_EQ(differences.rowCount(), 1);
-  EXPECT_EQ(differences.item(0, 1)->text(), "30 pairs");
+  EXPECT_EQ(differences.item(0, 1)->text(), "30 pairs, 30 cochleae");
   ASSERT_TRUE(page.summary()->groups[0].trend);
   EXPECT_LT(page.summary()->groups[0].trend->slope().high, 0.0);  // larger cochleae, less angle
 

@@ -220,7 +220,9 @@ TEST_F(AStudy, IsReadRunAgainAndReplayedInSteps)
   WindowRig rig;
   ASSERT_TRUE(open(rig));
   gui::StudiesPage& page = pageOf(rig);
+  rig.click("study-friction-tissue");
   QTest::keyClick(&page.plot(), Qt::Key_End);
+  ASSERT_TRUE(WindowRig::comes([&] { return page.summary() != nullptr; }));
   page.plot().render();
   walk.step(1, rig.window());
   rig.click("replayStudyButton");

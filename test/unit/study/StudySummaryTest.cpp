@@ -98,6 +98,29 @@ TEST_F(ASummary, PairsInsertionsOfOneDraw)
   EXPECT_NEAR(found.means[2]->low, -1.0, nearby);
 }
 
+TEST_F(ASummary, TakesThePairsOfOneCochleaTogether)
+{
+  // each insertion twice, with another friction and 4 degrees more: no further information
+  auto results = tenResults();
+  for (std::size_t i = 0; i < 10; ++i) {
+    StudyResult again = results[i];
+    again.number += 10;
+    again.settings.emplace_back("friction", "tissue");
+    again.insertion.apical = again.insertion.apical + degrees(4.0);
+    results[i].settings.emplace_back("friction", "soap-10");
+    results.push_back(again);
+  }
+  const StudyColumns columns = columnsOf(results);
+  const StudyDifference found = summaryOfAll(columns, "array").differences.at(0);
+  EXPECT_EQ(found.count, 10u);
+  EXPECT_EQ(found.cochleae, 5u);
+  EXPECT_NEAR(found.means[0]->high, -34.0 + 2.7764451052 * std::sqrt(10.0 / 5.0), 1e-6);
+  // in one cochlea over the pairs
+  const auto one = summaryOf(columns, {0, 1, 10, 11}, {"A_mm", "angle_deg", "array"});
+  EXPECT_EQ(one.differences.at(0).cochleae, 1u);
+  EXPECT_NEAR(one.differences.at(0).means[0]->value, -30.0, nearby);
+}
+
 TEST_F(ASummary, TakesGroupsWithoutCommonDrawsAsIndependent)
 {
   auto results = tenResults();
@@ -169,7 +192,7 @@ TEST_F(ASummary, IsWrittenWithUnitsInTheHeaders)
   EXPECT_THAT(tables[0].second, StartsWith("number,cochlea,A_mm,B_mm,st_length_mm,array,"));
   EXPECT_THAT(tables[1].second, HasSubstr(",angle_median_deg,angle_quartile25_deg,"));
   EXPECT_THAT(tables[1].second, HasSubstr("\nflex28,5,4,1,80,"));
-  EXPECT_THAT(tables[2].second, HasSubstr("\nflex24,flex28,paired,5,5,"));
+  EXPECT_THAT(tables[2].second, HasSubstr("\nflex24,flex28,paired,5,5,5,"));
   EXPECT_THAT(tables[3].second, HasSubstr("\nflex24,A_mm,angle_deg,5,"));
 }
 

@@ -82,6 +82,7 @@ NewStudy::NewStudy(QWidget* parent) : QWidget(parent), estimate_(this)
   addArrays(*arrays);
   addCochleae(*cochleae);
   addHand(*hand);
+  setFocusProxy(title_);
   for (QVBoxLayout* each : {arrays, cochleae, hand, run}) each->addStretch();
   auto* whole = new QVBoxLayout(this);
   whole->setContentsMargins(0, 0, 0, 0);

@@ -112,9 +112,9 @@ SummaryTables::SummaryTables(QWidget* parent)
       differences_(tableOf("studyDifferences", tr("Differences of groups"), this)),
       method_(new WrappedLabel(
           tr("Medians (quartiles) of all insertions that ran, the stopped ones with what they "
-             "reached. Intervals of 95 %: Wilson for complete insertions, Student for means of "
-             "pairs that share cochlea and draw, Welch for groups without pairs; not corrected for "
-             "several comparisons. Lines: least squares, with the 95 % band of the mean."),
+             "reached. Intervals of 95 %: Wilson for complete insertions, Student for means over "
+             "cochleae of pairs that share the draw, Welch for groups without pairs; not corrected "
+             "for several comparisons. Lines: least squares, with the 95 % band of the mean."),
           this))
 {
   method_->setFont(typeface(11));
@@ -168,7 +168,7 @@ void SummaryTables::showDifferences(const study::StudySummary& summary)
   for (const study::StudyDifference& each : summary.differences) {
     QStringList row{
         tr("%1 − %2").arg(nameOf(summary.groups[each.group]), nameOf(summary.groups[each.other])),
-        each.isPaired ? tr("%1 pairs").arg(each.count)
+        each.isPaired ? tr("%1 pairs, %2 cochleae").arg(each.count).arg(each.cochleae)
                       : tr("Welch, %1 and %2").arg(each.count).arg(each.otherCount)};
     for (std::size_t i = 0; i < each.means.size(); ++i)
       row << rangeText(each.means[i], decimals[i]);

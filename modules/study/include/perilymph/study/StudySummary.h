@@ -48,10 +48,12 @@ struct StudyGroup {
 /// The difference of two groups, first minus other.
 struct StudyDifference {
   std::size_t group = 0, other = 0;  ///< Indices of the groups.
-  /// The mean over pairs of insertions that share the cochlea and every other setting, the drawn ones
-  /// too, with Student's interval; otherwise Welch's difference of the means.
+  /// By pairs of insertions that share the cochlea and every other setting, the drawn ones too: the mean
+  /// over cochleae of the mean of their pairs, with Student's interval, as pairs in one cochlea resemble
+  /// each other; in a single cochlea over its pairs. Otherwise Welch's difference of the means.
   bool isPaired = false;
   std::size_t count = 0, otherCount = 0;  ///< Insertions of each; pairs if paired.
+  std::size_t cochleae = 0;               ///< In which the pairs are; 0 without pairs.
   OfEachQuantity<std::optional<analysis::Estimate>> means;  ///< Empty without an interval.
 };
 

@@ -10346,10 +10346,6 @@
         <translation>%1 von %2</translation>
     </message>
     <message>
-        <source>%1 % (%2 to %3)</source>
-        <translation>%1 % (%2 bis %3)</translation>
-    </message>
-    <message>
         <source>All insertions</source>
         <translation>Alle Insertionen</translation>
     </message>
@@ -10394,10 +10390,6 @@
         <translation>Größte Kraft, mN</translation>
     </message>
     <message>
-        <source>%1 of %2 complete: %3 % (%4 to %5)</source>
-        <translation>%1 von %2 vollständig: %3 % (%4 bis %5)</translation>
-    </message>
-    <message>
         <source>%1 − %2</source>
         <translation>%1 − %2</translation>
     </message>
@@ -10420,6 +10412,18 @@
     <message>
         <source>%1 pairs, %2 cochleae</source>
         <translation>%1 Paare, %2 Cochleae</translation>
+    </message>
+    <message>
+        <source>%1 (%2–%3)</source>
+        <translation>%1 (%2–%3)</translation>
+    </message>
+    <message>
+        <source>%1 % (%2–%3)</source>
+        <translation>%1 % (%2–%3)</translation>
+    </message>
+    <message>
+        <source>%1 of %2 complete: %3 % (%4–%5)</source>
+        <translation>%1 von %2 vollständig: %3 % (%4–%5)</translation>
     </message>
 </context>
 <context>

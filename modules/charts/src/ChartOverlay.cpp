@@ -200,6 +200,8 @@ void ChartOverlay::paintTrends(vtkContext2D& painter, const Area& area) const
     painter.GetPen()->SetWidth(lineWidth * scale_);
     for (std::size_t i = 1; i < trend.points.size(); ++i) {
       const TrendPoint &from = trend.points[i - 1], &to = trend.points[i];
+      if (std::min(from.value, to.value) < area.yLow || std::max(from.value, to.value) > area.yHigh)
+        continue;
       painter.DrawLine(x(from.x), y(from.value), x(to.x), y(to.value));
     }
     painter.GetPen()->SetLineType(vtkPen::NO_PEN);

@@ -3,6 +3,7 @@
 
 #include <QHeaderView>
 #include <QLabel>
+#include <QScrollBar>
 #include <QTableWidget>
 #include <QVBoxLayout>
 #include <QVariant>
@@ -67,7 +68,10 @@ void fill(QTableWidget& table, const QStringList& heads, const std::vector<QStri
   table.horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table.horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
   const int shown = std::min(int(rows.size()), maxRows);
-  table.setFixedHeight(table.horizontalHeader()->sizeHint().height() + shown * sized(row_px) +
+  // in a narrow window the columns are scrolled
+  const bool isWide = table.horizontalHeader()->length() > table.width() - 2 * table.frameWidth();
+  const int bar = isWide ? table.horizontalScrollBar()->sizeHint().height() : 0;
+  table.setFixedHeight(table.horizontalHeader()->sizeHint().height() + shown * sized(row_px) + bar +
                        2 * table.frameWidth() + 2);
 }
 
@@ -76,6 +80,15 @@ QString rangeText(const std::optional<analysis::Estimate>& found, int places)
 {
   if (!found) return none;
   return SummaryTables::tr("%1 (%2 to %3)")
+      .arg(numberText(found->value, places), numberText(found->low, places),
+           numberText(found->high, places));
+}
+
+/// "554 (542–566)", for values that are not negative.
+QString quartilesText(const std::optional<analysis::Estimate>& found, int places)
+{
+  if (!found) return none;
+  return SummaryTables::tr("%1 (%2–%3)")
       .arg(numberText(found->value, places), numberText(found->low, places),
            numberText(found->high, places));
 }
@@ -89,12 +102,12 @@ int placesOf(double value)
 
 QString percent(double value) { return numberText(100.0 * value, 0); }
 
-/// "19 % (11 to 30)"; of few insertions "3 of 16".
+/// "19 % (11–30)"; of few insertions "3 of 16".
 QString completeText(const study::StudyGroup& group)
 {
   if (const auto count = analysis::countedOf(group.rate, group.rows.size()))
     return SummaryTables::tr("%1 of %2").arg(*count).arg(group.rows.size());
-  return SummaryTables::tr("%1 % (%2 to %3)")
+  return SummaryTables::tr("%1 % (%2–%3)")
       .arg(percent(group.rate.value), percent(group.rate.low), percent(group.rate.high));
 }
 
@@ -141,7 +154,7 @@ void SummaryTables::showGroups(const study::StudySummary& summary)
     QStringList row{nameOf(group), completeText(group),
                     tr("%1 of %2").arg(group.stopped()).arg(group.rows.size())};
     for (std::size_t i = 0; i < group.quartiles.size(); ++i)
-      row << rangeText(group.quartiles[i], decimals[i]);
+      row << quartilesText(group.quartiles[i], decimals[i]);
     row << (group.trend ? rangeText(group.trend->slope(), placesOf(group.trend->slope().value))
                         : none);
     rows.push_back(row);
@@ -155,7 +168,7 @@ void SummaryTables::showGroups(const study::StudySummary& summary)
   for (int row = 0; row < int(summary.groups.size()); ++row) {
     const study::StudyGroup& group = summary.groups[std::size_t(row)];
     groups_->item(row, 1)->setToolTip(
-        tr("%1 of %2 complete: %3 % (%4 to %5)")
+        tr("%1 of %2 complete: %3 % (%4–%5)")
             .arg(group.finished)
             .arg(group.rows.size())
             .arg(percent(group.rate.value), percent(group.rate.low), percent(group.rate.high)));

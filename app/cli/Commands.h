@@ -148,6 +148,7 @@ struct StudyOptions {
   std::size_t index = 1, shards = 1;  ///< Part `index` of `shards`, from 1.
   std::string partition, time;        ///< For Slurm; its defaults if empty.
   std::vector<std::string> sbatchOptions;
+  std::string group;  ///< Setting whose groups are tabulated; none if empty.
   bool isDryRun = false;
 };
 Result<Done> checkStudy(const StudyOptions& options);

@@ -13,10 +13,11 @@
 #include "OutputFolder.h"
 #include "StudyOptions.h"
 #include "Terminal.h"
-#include "perilymph/analysis/FullInsertion.h"
+#include "perilymph/study/StudyEstimate.h"
 #include "perilymph/study/StudyFile.h"
 #include "perilymph/study/StudyReport.h"
 #include "perilymph/study/StudyRun.h"
+#include "perilymph/study/StudySummary.h"
 
 namespace perilymph::cli {
 
@@ -126,38 +127,11 @@ Result<Done> checkStudy(const StudyOptions& options)
   print("{}: {} insertions, {} cochleae with {} each\n", study->title(), study->size(),
         study->cochleae().size(), study->casesPerCochlea());
 
-  // One insertion of each of some combinations in the first cochlea, as a sample of the duration.
-  const std::size_t tried = std::min<std::size_t>(study->casesPerCochlea(), 3);
-  std::shared_ptr<const anatomy::ScalaTympani> anatomy;
-  double buildTime = 0.0, insertionTime = 0.0, bytes = 0.0;
-  for (std::size_t i = 0; i < tried; ++i) {
-    const auto parameters =
-        study->parametersOf(study->caseAt(i * (study->casesPerCochlea() / tried)));
-    if (!parameters) return parameters.error();
-    auto begin = Clock::now();
-    if (!anatomy) {
-      auto built = session::buildAnatomy(*parameters);
-      if (!built) return built.error();
-      anatomy = *built;
-      buildTime = secondsSince(begin);
-      begin = Clock::now();
-    }
-    const analysis::FullInsertion found =
-        analysis::insertFully(*parameters, anatomy, study->profileSpacing(), {});
-    insertionTime += secondsSince(begin) / static_cast<double>(tried);
-    // Bytes of a row of each table, in the shard and in the merged file and table.
-    const double contacts =
-        study->keepsContacts() ? static_cast<double>(found.contacts.size()) : 0.0;
-    bytes += (2.0 * (330.0 + 55.0 * contacts + 30.0 * static_cast<double>(found.profile.size())) +
-              250.0) /
-             static_cast<double>(tried);
-  }
-  const auto cochleae = static_cast<double>(study->cochleae().size());
-  const auto cases = static_cast<double>(study->size());
-  const double seconds = cochleae * buildTime + cases * insertionTime;
+  const auto cost = study::estimate(*study);
+  if (!cost) return cost.error();
   const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
-  print("about {} on {} cores of this machine, {} on disk\n", durationText(seconds / cores), cores,
-        sizeText(cases * bytes));
+  print("about {} on {} cores of this machine, {} on disk\n",
+        durationText(cost->processorTime_s / cores), cores, sizeText(cost->bytes));
   return Done{};
 }
 
@@ -193,6 +167,31 @@ Result<Done> mergeStudy(const StudyOptions& options)
   return Done{};
 }
 
+namespace {
+
+/// Tables of the groups of a setting, with the angle over the size of the cochlea as their trend.
+Result<std::vector<std::pair<std::string, std::string>>> groupTables(const StudyOptions& options)
+{
+  const auto columns =
+      study::StudyColumns::read(std::filesystem::path(options.folder) / study::mergedFile, {});
+  if (!columns) return columns.error();
+  std::string known;
+  for (const study::StudyFactor& factor : columns->factors()) {
+    known += (known.empty() ? "" : ", ") + factor.key;
+    if (factor.key != options.group) continue;
+    const auto rows = columns->rows({});
+    const auto summary = study::summaryOf(*columns, rows, {"A_mm", "angle_deg", options.group});
+    std::vector<std::pair<std::string, std::string>> tables;
+    for (auto& [name, text] : study::tablesOf(*columns, rows, summary))
+      tables.emplace_back(name, std::move(text));
+    return tables;
+  }
+  return Error{"--group %1 is no setting of this study with 2 to 12 values. Give one of: %2.",
+               options.group, known.empty() ? std::string("none") : known};
+}
+
+}  // namespace
+
 Result<Done> reportStudy(const StudyOptions& options, const CallFiles& files)
 {
   const auto file =
@@ -204,6 +203,11 @@ Result<Done> reportStudy(const StudyOptions& options, const CallFiles& files)
   printNotesOn(file->facts().notes);
   FolderContent content;
   content.texts = {{"report.md", report->text}};
+  if (!options.group.empty()) {
+    auto tables = groupTables(options);
+    if (!tables) return tables.error();
+    for (auto& table : *tables) content.texts.push_back(std::move(table));
+  }
   for (const auto& [name, figure] : report->figures)
     content.figures.emplace_back(name, figures::draw(figure));
   return writeFolder(files, options.folder, content);

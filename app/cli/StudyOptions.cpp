@@ -6,6 +6,7 @@
 #include "Commands.h"
 #include "FileOptions.h"
 #include "perilymph/study/StudyRun.h"
+#include "perilymph/study/StudySummary.h"
 
 namespace perilymph::cli {
 
@@ -89,8 +90,11 @@ void addStudy(CLI::App& app, FileOptions& files, StudyOptions& options)
   std::vector<std::string> names = {"report.md"};
   for (const char* figure : {"angle", "peak-force"})
     for (const std::string& name : figureNames(figure)) names.push_back(name);
+  names.insert(names.end(), study::summaryTables.begin(), study::summaryTables.end());
   files.writesInto(report.add_option("folder", options.folder, "Folder of the study")->required(),
                    names);
+  report.add_option("--group", options.group,
+                    "Also write tables of the groups of this setting, such as array");
   addSubmit(study, files, options);
 }
 

@@ -4191,10 +4191,6 @@
         <translation>Zeitschritt, ms</translation>
     </message>
     <message>
-        <source>how it ended</source>
-        <translation>Ende</translation>
-    </message>
-    <message>
         <source>array</source>
         <translation>Träger</translation>
     </message>
@@ -4217,10 +4213,6 @@
     <message>
         <source>array model</source>
         <translation>Trägermodell</translation>
-    </message>
-    <message>
-        <source>coupling to the hand</source>
-        <translation>Kopplung an die Hand</translation>
     </message>
     <message>
         <source>anatomy</source>
@@ -4297,6 +4289,50 @@
     <message>
         <source>jammed</source>
         <translation>verklemmt</translation>
+    </message>
+    <message>
+        <source>force limit, N</source>
+        <translation>Kraftgrenze, N</translation>
+    </message>
+    <message>
+        <source>outcome</source>
+        <translation>Ausgang</translation>
+    </message>
+    <message>
+        <source>input coupling</source>
+        <translation>Kopplung der Eingabe</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>%1 h</source>
+        <translation>%1 h</translation>
+    </message>
+    <message>
+        <source>Simulated cochlea %1</source>
+        <translation>Simulierte Cochlea %1</translation>
+    </message>
+    <message>
+        <source>Average cochlea</source>
+        <translation>Mittlere Cochlea</translation>
+    </message>
+    <message>
+        <source>insertion</source>
+        <translation>Insertion</translation>
+    </message>
+    <message>
+        <source>cochlea</source>
+        <translation>Cochlea</translation>
+    </message>
+    <message>
+        <source>reason</source>
+        <translation>Grund</translation>
     </message>
 </context>
 <context>
@@ -6525,6 +6561,10 @@
         <source>%1 simulations so far</source>
         <translation>bisher %1 Simulationen</translation>
     </message>
+    <message>
+        <source>Simulated cochlea %1 · %2</source>
+        <translation>Simulierte Cochlea %1 · %2</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::AboutSheet</name>
@@ -8065,6 +8105,201 @@
     <message>
         <source>The port must be a number from %1 to %2.</source>
         <translation>Der Port muss eine Zahl von %1 bis %2 sein.</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::NewStudy</name>
+    <message>
+        <source>Arrays</source>
+        <translation>Träger</translation>
+    </message>
+    <message>
+        <source>Cochleae</source>
+        <translation>Cochleae</translation>
+    </message>
+    <message>
+        <source>Hand and friction</source>
+        <translation>Hand und Reibung</translation>
+    </message>
+    <message>
+        <source>New study</source>
+        <translation>Neue Studie</translation>
+    </message>
+    <message>
+        <source>%1 insertions, about %2 on %3 of %4 cores: an estimate from %5 that were run now.</source>
+        <translation>%1 Insertionen, etwa %2 auf %3 von %4 Kernen: eine Schätzung aus %5, die eben gerechnet wurden.</translation>
+    </message>
+    <message>
+        <source>Simulated, from the population</source>
+        <translation>Simuliert, aus der Population</translation>
+    </message>
+    <message>
+        <source>Drawn by the seed from the mean, the spread and the correlation of A and B</source>
+        <translation>Mit dem Startwert aus Mittelwert, Streuung und Korrelation von A und B gezogen</translation>
+    </message>
+    <message>
+        <source>Average cochlea</source>
+        <translation>Mittlere Cochlea</translation>
+    </message>
+    <message>
+        <source>%1, from</source>
+        <translation>%1, von</translation>
+    </message>
+    <message>
+        <source>%1, to</source>
+        <translation>%1, bis</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>bis</translation>
+    </message>
+    <message>
+        <source>Speed, mm/s</source>
+        <translation>Geschwindigkeit, mm/s</translation>
+    </message>
+    <message>
+        <source>By hand, 0.66 ± 0.31 mm/s in cadaver heads (Kesler et al. 2017)</source>
+        <translation>Von Hand, 0,66 ± 0,31 mm/s in Präparaten (Kesler et al. 2017)</translation>
+    </message>
+    <message>
+        <source>Force limit, mN</source>
+        <translation>Kraftgrenze, mN</translation>
+    </message>
+    <message>
+        <source>The surgeon stops there: highest peak in vivo (Rau et al. 2024); 0: never</source>
+        <translation>Dort hält der Operateur an: höchste Kraft in vivo (Rau et al. 2024); 0: nie</translation>
+    </message>
+    <message>
+        <source>Approach angle, tilt, °</source>
+        <translation>Zugangswinkel, Neigung, °</translation>
+    </message>
+    <message>
+        <source>From the axis of the opening</source>
+        <translation>Gegen die Achse der Öffnung</translation>
+    </message>
+    <message>
+        <source>Approach angle, rotation, °</source>
+        <translation>Zugangswinkel, Drehung, °</translation>
+    </message>
+    <message>
+        <source>Samples in each cochlea</source>
+        <translation>Stichproben je Cochlea</translation>
+    </message>
+    <message>
+        <source>Of values that go from one limit to another: a Latin hypercube</source>
+        <translation>Für Werte, die von einer Grenze zur anderen gehen: ein lateinischer Hyperwürfel</translation>
+    </message>
+    <message>
+        <source>FRICTION</source>
+        <translation>REIBUNG</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Titel</translation>
+    </message>
+    <message>
+        <source>Study of %1</source>
+        <translation>Studie vom %1</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Startwert</translation>
+    </message>
+    <message>
+        <source>Everything that is drawn depends on it; the same seed gives the same study</source>
+        <translation>Alles Gezogene hängt davon ab; derselbe Startwert gibt dieselbe Studie</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>Auflösung</translation>
+    </message>
+    <message>
+        <source>Coarse and fast</source>
+        <translation>Grob und schnell</translation>
+    </message>
+    <message>
+        <source>Usual</source>
+        <translation>Üblich</translation>
+    </message>
+    <message>
+        <source>Fine and slow</source>
+        <translation>Fein und langsam</translation>
+    </message>
+    <message>
+        <source>%1: %2 nodes, %3 ms</source>
+        <translation>%1: %2 Knoten, %3 ms</translation>
+    </message>
+    <message>
+        <source>Cores</source>
+        <translation>Kerne</translation>
+    </message>
+    <message>
+        <source>1 core</source>
+        <translation>1 Kern</translation>
+    </message>
+    <message>
+        <source>%1 cores</source>
+        <translation>%1 Kerne</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>PATIENTS</source>
+        <translation>PATIENTEN</translation>
+    </message>
+    <message>
+        <source>No saved patient has A and B.</source>
+        <translation>Kein gespeicherter Patient hat A und B.</translation>
+    </message>
+    <message>
+        <source>SHIPPED EXAMPLES</source>
+        <translation>MITGELIEFERTE BEISPIELE</translation>
+    </message>
+    <message>
+        <source>Estimating the time…</source>
+        <translation>Die Dauer wird geschätzt …</translation>
+    </message>
+    <message>
+        <source>%1 is “%2”; a whole number from %3 to 1,000,000 is needed.</source>
+        <translation>%1 ist „%2“; nötig ist eine ganze Zahl von %3 bis 1.000.000.</translation>
+    </message>
+    <message>
+        <source>%1: “%2” is no number. Enter one.</source>
+        <translation>%1: „%2“ ist keine Zahl. Geben Sie eine ein.</translation>
+    </message>
+    <message>
+        <source>%1 is %2, above the other limit, %3. Exchange them.</source>
+        <translation>%1 ist %2, über der anderen Grenze, %3. Tauschen Sie beide.</translation>
+    </message>
+    <message>
+        <source>The study has no title. Enter one.</source>
+        <translation>Die Studie hat keinen Titel. Geben Sie einen ein.</translation>
+    </message>
+    <message>
+        <source>No array is chosen. Choose one or more.</source>
+        <translation>Kein Träger ist gewählt. Wählen Sie einen oder mehrere.</translation>
+    </message>
+    <message>
+        <source>No friction is chosen. Choose one or more.</source>
+        <translation>Keine Reibung ist gewählt. Wählen Sie eine oder mehrere.</translation>
+    </message>
+    <message>
+        <source>There is no cochlea. Enter a number of simulated ones, or choose another.</source>
+        <translation>Es gibt keine Cochlea. Geben Sie eine Anzahl simulierter ein oder wählen Sie eine andere.</translation>
+    </message>
+    <message>
+        <source>A study is running.</source>
+        <translation>Eine Studie läuft.</translation>
     </message>
 </context>
 <context>
@@ -9975,6 +10210,41 @@
     </message>
 </context>
 <context>
+    <name>perilymph::gui::StoredStudies</name>
+    <message>
+        <source>Studies made here</source>
+        <translation>Hier erstellte Studien</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>STUDIES MADE HERE</source>
+        <translation>HIER ERSTELLTE STUDIEN</translation>
+    </message>
+    <message>
+        <source>%1 · complete</source>
+        <translation>%1 · vollständig</translation>
+    </message>
+    <message>
+        <source>%1 · not begun</source>
+        <translation>%1 · nicht begonnen</translation>
+    </message>
+    <message>
+        <source>%1 · %2 of %3</source>
+        <translation>%1 · %2 von %3</translation>
+    </message>
+    <message>
+        <source>none yet</source>
+        <translation>noch keine</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>Fortsetzen</translation>
+    </message>
+</context>
+<context>
     <name>perilymph::gui::StudiesPage</name>
     <message>
         <source>%1 · changed by hand</source>
@@ -9985,20 +10255,12 @@
         <translation>Studien</translation>
     </message>
     <message>
-        <source>A study runs many insertions: arrays, cochleae and techniques. Run one with perilymph-cli study, then open its result here.</source>
-        <translation>Eine Studie führt viele Insertionen aus: Träger, Cochleae und Techniken. Mit perilymph-cli study ausführen und das Ergebnis hier öffnen.</translation>
-    </message>
-    <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
     </message>
     <message>
         <source>Open study…</source>
         <translation>Studie öffnen …</translation>
-    </message>
-    <message>
-        <source>Esc</source>
-        <translation>Esc</translation>
     </message>
     <message>
         <source>Open study</source>
@@ -10024,6 +10286,62 @@
         <source>Running insertion %1 again…</source>
         <translation>Insertion %1 wird erneut ausgeführt …</translation>
     </message>
+    <message>
+        <source>A study runs many insertions: arrays, cochleae and techniques. Make one here, or open what perilymph-cli study or an earlier study has written.</source>
+        <translation>Eine Studie rechnet viele Insertionen: Träger, Cochleae und Techniken. Erstellen Sie hier eine, oder öffnen Sie, was perilymph-cli study oder eine frühere Studie geschrieben hat.</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exportieren …</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>Fortsetzen</translation>
+    </message>
+    <message>
+        <source>New study…</source>
+        <translation>Neue Studie …</translation>
+    </message>
+    <message>
+        <source>Esc. Of a study that runs, what is done is kept.</source>
+        <translation>Esc. Von einer laufenden Studie bleibt, was fertig ist.</translation>
+    </message>
+    <message>
+        <source>Runs the rest of the study that was canceled</source>
+        <translation>Rechnet den Rest der abgebrochenen Studie</translation>
+    </message>
+    <message>
+        <source>Export the shown insertions, groups, differences and slopes as CSV, with units.</source>
+        <translation>Die gezeigten Insertionen, Gruppen, Differenzen und Steigungen als CSV mit Einheiten exportieren.</translation>
+    </message>
+    <message>
+        <source>Preparing the study…</source>
+        <translation>Die Studie wird vorbereitet …</translation>
+    </message>
+    <message>
+        <source>%1, about %2 left. You can switch pages meanwhile.</source>
+        <translation>%1, noch etwa %2. Sie können inzwischen die Seite wechseln.</translation>
+    </message>
+    <message>
+        <source>Canceled. %1 of %2 insertions are kept; Continue runs the rest.</source>
+        <translation>Abgebrochen. %1 von %2 Insertionen bleiben; Fortsetzen rechnet den Rest.</translation>
+    </message>
+    <message>
+        <source>Canceling…</source>
+        <translation>Wird abgebrochen …</translation>
+    </message>
+    <message>
+        <source>The study is complete. Its settings, study.toml, are beside it.</source>
+        <translation>Die Studie ist vollständig. Ihre Einstellungen, study.toml, liegen daneben.</translation>
+    </message>
+    <message>
+        <source>Export to folder</source>
+        <translation>In Ordner exportieren</translation>
+    </message>
+    <message>
+        <source>%1 files saved to %2.</source>
+        <translation>%1 Dateien in %2 gespeichert.</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::StudyDetails</name>
@@ -10032,12 +10350,12 @@
         <translation>Einen Punkt anklicken, um seine Insertion zu sehen. Mit der Tastatur: Pfeiltasten, Pos1 für den kleinsten, Ende für den größten Wert.</translation>
     </message>
     <message>
-        <source>Run again and replay</source>
-        <translation>Erneut ausführen, zeigen</translation>
+        <source>Replay this insertion</source>
+        <translation>Diese Insertion wiedergeben</translation>
     </message>
     <message>
-        <source>The insertion depends on the study, its seed and its number alone (Enter)</source>
-        <translation>Die Insertion hängt nur von der Studie, ihrem Seed und ihrer Nummer ab (Eingabe)</translation>
+        <source>Runs it again, as the study, its seed and its number say, and replays it (Enter)</source>
+        <translation>Rechnet sie erneut, wie Studie, Startwert und Nummer es sagen, und gibt sie wieder (Eingabe)</translation>
     </message>
 </context>
 <context>
@@ -10094,12 +10412,20 @@
         <source>nothing</source>
         <translation>nichts</translation>
     </message>
+    <message>
+        <source>New study…</source>
+        <translation>Neue Studie …</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::StudyPlot</name>
     <message>
         <source>Insertions of the study</source>
         <translation>Insertionen der Studie</translation>
+    </message>
+    <message>
+        <source>stopped before full depth</source>
+        <translation>vor voller Tiefe gestoppt</translation>
     </message>
 </context>
 <context>
@@ -10111,6 +10437,97 @@
     <message>
         <source>Insertion %1 was run again: peak force %2 mN; the study, run by another version, has %3 mN.</source>
         <translation>Insertion %1 wurde erneut ausgeführt: Maximalkraft %2 mN; die Studie einer anderen Version hat %3 mN.</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::SummaryTables</name>
+    <message>
+        <source>%1 (%2 to %3)</source>
+        <translation>%1 (%2 bis %3)</translation>
+    </message>
+    <message>
+        <source>%1 (%2–%3)</source>
+        <translation>%1 (%2–%3)</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>%1 % (%2–%3)</source>
+        <translation>%1 % (%2–%3)</translation>
+    </message>
+    <message>
+        <source>All insertions</source>
+        <translation>Alle Insertionen</translation>
+    </message>
+    <message>
+        <source>Groups of insertions</source>
+        <translation>Gruppen von Insertionen</translation>
+    </message>
+    <message>
+        <source>Differences of groups</source>
+        <translation>Differenzen der Gruppen</translation>
+    </message>
+    <message>
+        <source>Medians (quartiles) of all insertions that ran, the stopped ones with what they reached. Intervals of 95 %: Wilson for complete insertions, Student for means over cochleae of pairs that share the draw, Welch for groups without pairs; not corrected for several comparisons. Lines: least squares, with the 95 % band of the mean.</source>
+        <translation>Mediane (Quartile) aller gerechneten Insertionen, gestoppte mit dem Erreichten. 95-%-Intervalle: Wilson für vollständige Insertionen, Student für Mittelwerte über Cochleae aus Paaren mit gleichen gezogenen Werten, Welch für Gruppen ohne Paare; nicht für mehrere Vergleiche korrigiert. Geraden: kleinste Quadrate mit dem 95-%-Band des Mittelwerts.</translation>
+    </message>
+    <message>
+        <source>Slope</source>
+        <translation>Steigung</translation>
+    </message>
+    <message>
+        <source>Slope, %1/%2</source>
+        <translation>Steigung, %1/%2</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Gruppe</translation>
+    </message>
+    <message>
+        <source>Complete (95 %)</source>
+        <translation>Vollständig (95 %)</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Gestoppt</translation>
+    </message>
+    <message>
+        <source>Angle, °</source>
+        <translation>Winkel, °</translation>
+    </message>
+    <message>
+        <source>Depth, mm</source>
+        <translation>Tiefe, mm</translation>
+    </message>
+    <message>
+        <source>Peak force, mN</source>
+        <translation>Größte Kraft, mN</translation>
+    </message>
+    <message>
+        <source>%1 of %2 complete: %3 % (%4–%5)</source>
+        <translation>%1 von %2 vollständig: %3 % (%4–%5)</translation>
+    </message>
+    <message>
+        <source>%1 − %2</source>
+        <translation>%1 − %2</translation>
+    </message>
+    <message>
+        <source>%1 pairs, %2 cochleae</source>
+        <translation>%1 Paare, %2 Cochleae</translation>
+    </message>
+    <message>
+        <source>Welch, %1 and %2</source>
+        <translation>Welch, %1 und %2</translation>
+    </message>
+    <message>
+        <source>Difference (95 %)</source>
+        <translation>Differenz (95 %)</translation>
+    </message>
+    <message>
+        <source>Of</source>
+        <translation>Aus</translation>
     </message>
 </context>
 <context>

@@ -27,8 +27,11 @@ QString subjectText(const session::Scenario& scenario)
   const QString ear = patient.side == anatomy::Side::left ? tr("left ear") : tr("right ear");
   const bool isPatient = isScaledBy(scenario.anatomy(), patient);
   if (isPatient && patient.label == "unnamed") return tr("Patient without a code · %1").arg(ear);
-  if (isPatient && patient.label != "published")
-    return tr("Patient %1 · %2").arg(QString::fromStdString(patient.label), ear);
+  const QString label = QString::fromStdString(patient.label);
+  const QString simulated = QStringLiteral("Simulated cochlea ");  // of a study
+  if (isPatient && label.startsWith(simulated))
+    return tr("Simulated cochlea %1 · %2").arg(label.mid(simulated.size()), ear);
+  if (isPatient && patient.label != "published") return tr("Patient %1 · %2").arg(label, ear);
   switch (scenario.anatomy()) {
     case anatomy::AnatomySource::published:
       return tr("Published cochlea · %1").arg(ear);

@@ -21,14 +21,19 @@ EmptyPage::EmptyPage(const QString& title, const QString& sentence, QWidget* par
     : QWidget(parent),
       title_(new QLabel(title, this)),
       sentence_(new QLabel(sentence, this)),
-      action_(new QPushButton(this))
+      action_(new QPushButton(this)),
+      other_(new QPushButton(this))
 {
   action_->setObjectName(QStringLiteral("emptyPageButton"));
   action_->setProperty("primary", true);
-  action_->setFont(typeface(13, QFont::Medium));
-  action_->setFixedHeight(sized(32));
-  action_->hide();
+  other_->setObjectName(QStringLiteral("emptyPageOtherButton"));
+  for (QPushButton* each : {action_, other_}) {
+    each->setFont(typeface(13, QFont::Medium));
+    each->setFixedHeight(sized(32));
+    each->hide();
+  }
   connect(action_, &QPushButton::clicked, this, &EmptyPage::actionAsked);
+  connect(other_, &QPushButton::clicked, this, &EmptyPage::otherAsked);
   title_->setFont(typeface(22));
   title_->setAlignment(Qt::AlignCenter);
   sentence_->setFont(typeface(13));
@@ -42,6 +47,7 @@ EmptyPage::EmptyPage(const QString& title, const QString& sentence, QWidget* par
   column->addWidget(title_);
   column->addWidget(sentence_, 0, Qt::AlignHCenter);
   column->addWidget(action_, 0, Qt::AlignHCenter);
+  column->addWidget(other_, 0, Qt::AlignHCenter);
   column->addStretch(3);
   say(title, sentence);
 }
@@ -58,6 +64,12 @@ void EmptyPage::offer(const QString& action)
 {
   action_->setText(action);
   action_->setVisible(!action.isEmpty());
+}
+
+void EmptyPage::offerAlso(const QString& action)
+{
+  other_->setText(action);
+  other_->setVisible(!action.isEmpty());
 }
 
 }  // namespace perilymph::gui

@@ -19,14 +19,18 @@ public:
   void say(const QString& title, const QString& sentence);
   /// Shows a button under the sentence; none if empty.
   void offer(const QString& action);
+  /// Shows a second, plain button under the first.
+  void offerAlso(const QString& action);
 
 Q_SIGNALS:
   void actionAsked();
+  void otherAsked();
 
 private:
   QLabel* title_;
   QLabel* sentence_;
   QPushButton* action_;
+  QPushButton* other_;
 };
 
 }  // namespace perilymph::gui

@@ -93,11 +93,13 @@ bool ChartOverlay::Paint(vtkContext2D* painter)
   if (area.right <= area.left || area.top <= area.bottom) return true;
 
   paintExpected(*painter, area);
+  paintTrends(*painter, area);
   paintZero(*painter, area);
   paintThreshold(*painter, area);
   paintMarks(*painter, area);
   paintBars(*painter, area);
   paintNow(*painter, area);
+  paintRing(*painter, area);
   paintLegend(*painter, area);
   return true;
 }
@@ -201,6 +203,41 @@ void ChartOverlay::paintBars(vtkContext2D& painter, const Area& area) const
 void ChartOverlay::paintNow(vtkContext2D& painter, const Area& area) const
 {
   if (now) disc(painter, area.x(now->x), area.y(now->y), 4.0f * scale_, now->color);
+}
+
+void ChartOverlay::paintTrends(vtkContext2D& painter, const Area& area) const
+{
+  const auto x = [&](double value) { return std::clamp(area.x(value), area.left, area.right); };
+  const auto y = [&](double value) { return std::clamp(area.y(value), area.bottom, area.top); };
+  for (const Trend& trend : trends) {
+    vtkColor4ub light = trend.color;
+    light.SetAlpha(60);
+    fillWith(painter, light);
+    for (std::size_t i = 1; i < trend.points.size(); ++i) {
+      const TrendPoint &from = trend.points[i - 1], &to = trend.points[i];
+      painter.DrawQuad(x(from.x), y(from.low), x(from.x), y(from.high), x(to.x), y(to.high),
+                       x(to.x), y(to.low));
+    }
+    painter.GetPen()->SetLineType(vtkPen::SOLID_LINE);
+    painter.GetPen()->SetColor(trend.color);
+    painter.GetPen()->SetWidth(lineWidth * scale_);
+    for (std::size_t i = 1; i < trend.points.size(); ++i) {
+      const TrendPoint &from = trend.points[i - 1], &to = trend.points[i];
+      if (std::min(from.value, to.value) < area.yLow || std::max(from.value, to.value) > area.yHigh)
+        continue;
+      painter.DrawLine(x(from.x), y(from.value), x(to.x), y(to.value));
+    }
+    painter.GetPen()->SetLineType(vtkPen::NO_PEN);
+  }
+}
+
+void ChartOverlay::paintRing(vtkContext2D& painter, const Area& area) const
+{
+  if (!ringed) return;
+  fillWith(painter, ringed->color);
+  const float inner = 8.0f * scale_, outer = 10.0f * scale_;
+  painter.DrawEllipseWedge(area.x(ringed->x), area.y(ringed->y), outer, outer, inner, inner, 0.0f,
+                           360.0f);
 }
 
 void ChartOverlay::paintSwatch(vtkContext2D& painter, const LegendEntry& entry, float x,

@@ -14,6 +14,7 @@
 
 #include "perilymph/charts/ExpectedForce.h"
 #include "perilymph/charts/ReferenceCurve.h"
+#include "perilymph/charts/ScatterChart.h"
 #include "perilymph/figures/Palette.h"
 
 class vtkChartXY;
@@ -43,6 +44,12 @@ struct Dot {
   vtkColor4ub color;
 };
 
+/// A line with its band.
+struct Trend {
+  std::vector<TrendPoint> points;
+  vtkColor4ub color;
+};
+
 /// Drawn after the chart, in pixels; computes positions from the chart's axes.
 class ChartOverlay : public vtkContextItem {
 public:
@@ -64,6 +71,8 @@ public:
       marks;  ///< Places on the x axis, ascending, with labels.
   std::optional<Threshold> threshold;
   std::optional<Dot> now;
+  std::vector<Trend> trends;
+  std::optional<Dot> ringed;  ///< A point with a ring around it.
 
   bool Paint(vtkContext2D* painter) override;
   /// Rows of the legend above a plot of this width [px].
@@ -82,6 +91,8 @@ private:
   void paintMarks(vtkContext2D& painter, const Area& area) const;
   void paintBars(vtkContext2D& painter, const Area& area) const;
   void paintNow(vtkContext2D& painter, const Area& area) const;
+  void paintTrends(vtkContext2D& painter, const Area& area) const;
+  void paintRing(vtkContext2D& painter, const Area& area) const;
   void paintLegend(vtkContext2D& painter, const Area& area) const;
   float widthOf(vtkContext2D& painter, const std::string& label) const;
   /// The label, with an ellipsis at its end if it is wider than that [px].

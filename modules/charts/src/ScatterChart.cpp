@@ -21,15 +21,19 @@ namespace perilymph::charts {
 
 namespace {
 
-constexpr double mark_px = 6.0, selectedMark_px = 15.0;
+/// Marks are smaller where there are many (choice, high).
+constexpr double mark_px = 9.0, smallMark_px = 6.0;
+constexpr std::size_t manyPoints = 3000;
 constexpr int ticksOfAnAxis = 7;
 /// Opacity of a mark: dense clouds stay readable.
 constexpr unsigned char markAlpha = 190;
 
-/// Shapes tell the groups apart without their colors.
+/// Shapes tell the groups apart without their colors; the last one is a smaller disk. A cross is on
+/// points that are crossed out.
 constexpr std::array<int, ScatterChart::distinctGroups> shapes{
     vtkPlotPoints::CIRCLE, vtkPlotPoints::SQUARE, vtkPlotPoints::DIAMOND, vtkPlotPoints::PLUS,
-    vtkPlotPoints::CROSS};
+    vtkPlotPoints::CIRCLE};
+constexpr std::array<double, ScatterChart::distinctGroups> sizes{1.0, 1.0, 1.0, 1.0, 0.6};
 
 std::array<figures::Ink, ScatterChart::distinctGroups> inksOfGroups(const figures::Palette& inks)
 {
@@ -58,8 +62,7 @@ int decimalsOf(const AxisRange& range)
 /// Points with their table.
 class ScatterMarks {
 public:
-  ScatterMarks(vtkChartXY& chart, const vtkColor4ub& color, int shape, double size_px)
-      : size_px_(size_px)
+  ScatterMarks(vtkChartXY& chart, const vtkColor4ub& color, int shape, double size) : size_(size)
   {
     x_->SetName("x");
     y_->SetName("y");
@@ -71,7 +74,7 @@ public:
     plot_->SetColor(color.GetRed(), color.GetGreen(), color.GetBlue(), color.GetAlpha());
     plot_->SetSelectable(false);
     plot_->SetVisible(false);
-    setScale(1.0);
+    setSize(mark_px, 1.0);
   }
 
   void set(const std::vector<float>& x, const std::vector<float>& y)
@@ -89,14 +92,14 @@ public:
     plot_->SetVisible(count > 0);  // a plot without points issues a warning
   }
 
-  void setScale(double pixelRatio)
+  void setSize(double size_px, double pixelRatio)
   {
-    plot_->SetMarkerSize(static_cast<float>(size_px_ * pixelRatio));
+    plot_->SetMarkerSize(static_cast<float>(size_ * size_px * pixelRatio));
     plot_->SetWidth(static_cast<float>(1.5 * pixelRatio));
   }
 
 private:
-  double size_px_;
+  double size_;  // relative to the others
   vtkNew<vtkTable> table_;
   vtkNew<vtkFloatArray> x_, y_;
   vtkPlotPoints* plot_;  // owned by the chart
@@ -110,10 +113,10 @@ struct ScatterChart::Content {
     for (std::size_t i = 0; i < distinctGroups; ++i) {
       vtkColor4ub color = colorOf(colors[i]);
       color.SetAlpha(markAlpha);
-      marks.push_back(std::make_unique<ScatterMarks>(frame.chart(), color, shapes[i], mark_px));
+      marks.push_back(std::make_unique<ScatterMarks>(frame.chart(), color, shapes[i], sizes[i]));
     }
-    ring = std::make_unique<ScatterMarks>(frame.chart(), colorOf(inks.text), vtkPlotPoints::CROSS,
-                                          selectedMark_px);
+    crosses = std::make_unique<ScatterMarks>(frame.chart(), colorOf(inks.text),
+                                             vtkPlotPoints::CROSS, 1.0);
   }
 
   const ScatterGroup* groupOf(std::uint32_t id, std::size_t& index) const;
@@ -122,7 +125,9 @@ struct ScatterChart::Content {
   const figures::Palette& inks;
   ChartFrame frame;
   std::vector<std::unique_ptr<ScatterMarks>> marks;
-  std::unique_ptr<ScatterMarks> ring;
+  std::unique_ptr<ScatterMarks> crosses;
+  std::string crossedLabel;
+  double pixelRatio = 1.0;
   std::vector<ScatterGroup> groups;
   std::optional<std::uint32_t> selected;
   AxisRange x, y;
@@ -142,6 +147,20 @@ const ScatterGroup* ScatterChart::Content::groupOf(std::uint32_t id, std::size_t
 
 void ScatterChart::Content::showPoints()
 {
+  std::size_t count = 0;
+  std::vector<float> crossedX, crossedY;
+  for (const ScatterGroup& group : groups) {
+    count += group.ids.size();
+    for (std::size_t i = 0; i < group.isCrossed.size(); ++i)
+      if (group.isCrossed[i]) {
+        crossedX.push_back(group.x[i]);
+        crossedY.push_back(group.y[i]);
+      }
+  }
+  const double size_px = count > manyPoints ? smallMark_px : mark_px;
+  for (const auto& each : marks) each->setSize(size_px, pixelRatio);
+  crosses->setSize(size_px, pixelRatio);
+  crosses->set(crossedX, crossedY);
   for (std::size_t i = 0; i < distinctGroups; ++i) {
     std::vector<float> allX, allY;
     for (std::size_t k = i; k < groups.size(); k += distinctGroups) {
@@ -157,14 +176,19 @@ void ScatterChart::Content::showPoints()
     if (!groups[i].label.empty())
       overlay.legend.push_back({Swatch::mark, colorOf(colors[i % distinctGroups]), groups[i].label,
                                 shapes[i % distinctGroups]});
-  overlay.Modified();
+  if (!crossedX.empty() && !crossedLabel.empty())
+    overlay.legend.push_back(
+        {Swatch::mark, colorOf(inks.text), crossedLabel, vtkPlotPoints::CROSS});
+  overlay.trends.clear();
+  for (std::size_t i = 0; i < groups.size(); ++i)
+    if (!groups[i].trend.empty())
+      overlay.trends.push_back({groups[i].trend, colorOf(colors[i % distinctGroups])});
 
   std::size_t index = 0;
   const ScatterGroup* group = selected ? groupOf(*selected, index) : nullptr;
-  if (group != nullptr)
-    ring->set({group->x[index]}, {group->y[index]});
-  else
-    ring->set({}, {});
+  overlay.ringed.reset();
+  if (group != nullptr) overlay.ringed = Dot{group->x[index], group->y[index], colorOf(inks.text)};
+  overlay.Modified();
   frame.setXRange(x, decimalsOf(x));
   frame.setYRange(y, decimalsOf(y));
 }
@@ -178,8 +202,7 @@ void ScatterChart::attachTo(vtkRenderWindow& window) { content_->frame.attachTo(
 void ScatterChart::setScale(double pixelRatio)
 {
   content_->frame.setScale(pixelRatio);
-  for (const auto& marks : content_->marks) marks->setScale(pixelRatio);
-  content_->ring->setScale(pixelRatio);
+  content_->pixelRatio = pixelRatio;
   content_->isChanged = true;
 }
 
@@ -196,10 +219,16 @@ void ScatterChart::setRanges(double lowX, double highX, double lowY, double high
   content_->isChanged = true;
 }
 
+void ScatterChart::setCrossedLabel(const std::string& label)
+{
+  content_->crossedLabel = label;
+  content_->isChanged = true;
+}
+
 void ScatterChart::setGroups(std::vector<ScatterGroup> groups)
 {
   for (ScatterGroup& group : groups) {
-    ScatterGroup finite{std::move(group.label), {}, {}, {}};
+    ScatterGroup finite{std::move(group.label), {}, {}, {}, {}, std::move(group.trend)};
     const std::size_t count = std::min({group.x.size(), group.y.size(), group.ids.size()});
     finite.x.reserve(count);
     finite.y.reserve(count);
@@ -209,6 +238,7 @@ void ScatterChart::setGroups(std::vector<ScatterGroup> groups)
       finite.x.push_back(group.x[i]);
       finite.y.push_back(group.y[i]);
       finite.ids.push_back(group.ids[i]);
+      if (i < group.isCrossed.size()) finite.isCrossed.push_back(group.isCrossed[i]);
     }
     group = std::move(finite);
   }

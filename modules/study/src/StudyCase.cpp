@@ -108,7 +108,8 @@ Result<session::Scenario> Study::scenarioOf(const StudyCase& one) const
   text += "title = \"Insertion " + std::to_string(one.number) + " of a study\"\n";
   text += "withdraw = false\nstop_travel_mm = " + decimalOf(parameters->stopTravel) + '\n';
   if (const auto& turn = parameters->cochlea.patient.basalTurn; turn && !hasOwnPatient) {
-    numbers += "label = \"" + parameters->cochlea.patient.label + "\"\n";
+    numbers +=
+        "label = \"Simulated cochlea " + std::to_string(cochleae_[one.cochlea].draw) + "\"\n";
     numbers += "a_mm = " + decimalOf(turn->a) + "\nb_mm = " + decimalOf(turn->b) + '\n';
   }
   if (!numbers.empty()) text += "\n[patient_numbers]\n" + numbers;

@@ -17,6 +17,9 @@ namespace {
 
 using Number = double (*)(const StudyResult&);
 
+/// The first of ownQuantities that an insertion has only if it ran.
+constexpr std::size_t firstOfInsertion = 3;
+
 /// The numbers that every study has, in the order in which people ask for them.
 constexpr std::pair<const char*, Number> ownQuantities[] = {
     {"A_mm", [](const StudyResult& one) { return one.a_mm; }},
@@ -109,10 +112,16 @@ Result<StudyColumns> StudyColumns::read(const std::filesystem::path& file,
   if (columns.results_.empty())
     return Error{
         "%1 has no insertions yet. Run 'perilymph-cli study run' or merge its shards first.", file};
-  for (const auto& [key, number] : ownQuantities) {
+  for (std::size_t i = 0; i < std::size(ownQuantities); ++i) {
+    const auto& [key, number] = ownQuantities[i];
     StudyQuantity quantity{key, {}};
     quantity.values.reserve(columns.size());
-    for (const StudyResult& result : columns.results_) quantity.values.push_back(number(result));
+    for (const StudyResult& result : columns.results_) {
+      const bool isMissing =
+          i >= firstOfInsertion && result.insertion.end == analysis::InsertionEnd::refused;
+      quantity.values.push_back(isMissing ? std::numeric_limits<double>::quiet_NaN()
+                                          : number(result));
+    }
     columns.quantities_.push_back(std::move(quantity));
   }
   columns.addSettings();

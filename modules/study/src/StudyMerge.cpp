@@ -7,11 +7,10 @@
 #include <optional>
 #include <set>
 
-#include "perilymph/analysis/CsvField.h"
+#include "InsertionsTable.h"
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/foundation/FileLock.h"
 #include "perilymph/foundation/Unfinished.h"
-#include "perilymph/session/Csv.h"
 #include "perilymph/study/StudyFile.h"
 #include "perilymph/study/StudyRun.h"
 
@@ -24,40 +23,6 @@ namespace fs = std::filesystem;
 /// Rows of one transaction of the merged file; a constant, so that its bytes do not depend on the
 /// shards.
 constexpr std::size_t rowsAtOnce = 1000;
-
-std::string number(double value) { return session::shortestDecimal(value); }
-
-/// "number,cochlea,<settings>,ending,..." with the study's own settings as columns.
-std::string headerOf(const std::set<std::string>& settings)
-{
-  std::string header = "number,cochlea,A_mm,B_mm,st_length_mm";
-  for (const std::string& key : settings) header += "," + analysis::csvField(key);
-  return header +
-         ",ending,depth_mm,max_depth_mm,angle_deg,coverage_percent,peak_mN,peak_depth_mm,end_mN,"
-         "partition_mN,ticks,ticks_not_converged,reason\n";
-}
-
-std::string rowOf(const StudyResult& result, const std::set<std::string>& settings)
-{
-  const analysis::FullInsertion& found = result.insertion;
-  std::string row = std::to_string(result.number) + "," + analysis::csvField(result.cochlea) + "," +
-                    number(result.a_mm) + "," + number(result.b_mm) + "," +
-                    number(result.scalaLength_mm);
-  for (const std::string& key : settings) {
-    const auto is = [&key](const auto& each) { return each.first == key; };
-    const auto value = std::find_if(result.settings.begin(), result.settings.end(), is);
-    row +=
-        "," + (value == result.settings.end() ? std::string() : analysis::csvField(value->second));
-  }
-  row += std::string(",") + haptics::nameOf(found.end);
-  for (const double value :
-       {inMillimeters(found.depth), inMillimeters(found.maxDepth), inDegrees(found.apical),
-        100.0 * found.coverage, inMillinewtons(found.peak.force), inMillimeters(found.peak.depth),
-        inMillinewtons(found.endForce), inMillinewtons(found.partition)})
-    row += "," + number(value);
-  return row + "," + std::to_string(found.ticks) + "," + std::to_string(found.ticksNotConverged) +
-         "," + analysis::csvField(found.reason) + "\n";
-}
 
 /// The shards that together are the whole study, in order; or what is missing.
 Result<std::vector<StudyFile>> wholeStudy(const fs::path& folder)
@@ -203,9 +168,9 @@ Result<StudyFileFacts> mergeShards(const fs::path& folder)
       writeWhole(folder / mergedTable,
                  [&](const fs::path& place) {
                    std::ofstream stream(place, std::ios::binary);
-                   stream << headerOf(settings);
+                   stream << insertionsHeader(settings);
                    copied = readAll(*files, [&](const StudyResult& result) -> Result<Done> {
-                     stream << rowOf(result, settings);
+                     stream << insertionsRow(result, settings);
                      return Done{};
                    });
                    stream.close();

@@ -20,7 +20,9 @@
 #include "gui/pages/studies/StudiesPage.h"
 #include "gui/pages/studies/StudyPanel.h"
 #include "gui/pages/studies/StudyPlot.h"
+#include "gui/pages/studies/StudyText.h"
 #include "gui/scene/PlainVtkWidget.h"
+#include "gui/setup/SetupTitle.h"
 #include "perilymph/foundation/Version.h"
 #include "perilymph/study/StudyFile.h"
 #include "perilymph/study/StudyRun.h"
@@ -179,6 +181,23 @@ TEST_F(AStudy, ShowsTheInsertionOfAPointThatIsClicked)
   EXPECT_TRUE(rig.button("replayStudyButton").isEnabled());
 }
 
+TEST_F(AStudy, NamesSettingsAndCochleaeInWords)
+{
+  EXPECT_EQ(gui::inTheList(gui::settingTitle("ending")), "Outcome");
+  EXPECT_EQ(gui::inTheList(gui::settingTitle("coupling")), "Input coupling");
+  EXPECT_EQ(gui::inTheList(gui::settingTitle("stop_force_N")), "Force limit, N");
+  EXPECT_EQ(gui::unitOf("peak_mN"), "mN");
+  EXPECT_EQ(gui::levelText("medel-standard"), "MED-EL Standard");
+  EXPECT_EQ(gui::levelText("soap-10"), "Soap 10 %: speed-independent");
+  WindowRig rig;
+  ASSERT_TRUE(open(rig));
+  QTest::keyClick(&pageOf(rig).plot(), Qt::Key_End);
+  const auto labels = pageOf(rig).findChildren<QLabel*>();
+  EXPECT_TRUE(std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
+    return label->text().startsWith("Simulated cochlea ");
+  }));
+}
+
 TEST_F(AStudy, IsWalkedThroughWithTheKeyboard)
 {
   WindowRig rig;
@@ -201,12 +220,17 @@ TEST_F(AStudy, IsReadRunAgainAndReplayedInSteps)
   WindowRig rig;
   ASSERT_TRUE(open(rig));
   gui::StudiesPage& page = pageOf(rig);
+  rig.click("study-friction-tissue");
   QTest::keyClick(&page.plot(), Qt::Key_End);
+  ASSERT_TRUE(WindowRig::comes([&] { return page.summary() != nullptr; }));
   page.plot().render();
   walk.step(1, rig.window());
   rig.click("replayStudyButton");
   ASSERT_TRUE(isReplaying(rig)) << rig.label("studyStatus").toStdString();
   EXPECT_EQ(rig.window().page(), "insert");
+  EXPECT_TRUE(gui::subjectText(rig.window().insertion().replay().playback().scenario())
+                  .startsWith("Simulated cochlea "))
+      << gui::subjectText(rig.window().insertion().replay().playback().scenario()).toStdString();
   EXPECT_TRUE(rig.label("studyStatus").contains("as in the study"))
       << rig.label("studyStatus").toStdString();
   EXPECT_EQ(walk.left(), "");

@@ -94,6 +94,9 @@ TEST_F(AnInsertionOfAStudy, IsRecordedSoThatItsReplayHasTheSameBits)
   const auto study = studyIn(opened->facts(), file());
   ASSERT_TRUE(study);
   const fs::path recording = folder_ / "again.insertion";
+  const auto scenario = study->scenarioOf(study->caseAt(1));
+  ASSERT_TRUE(scenario);
+  EXPECT_EQ(scenario->patient().label, "Simulated cochlea 1");
   const auto again = recordCase(*study, 1, recording, {});  // in the virtual cochlea
   ASSERT_TRUE(again) << again.error().message;
   const auto verified = session::verify(recording);

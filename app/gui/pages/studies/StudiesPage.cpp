@@ -11,44 +11,61 @@
 #include <QVBoxLayout>
 #include <QVariant>
 #include <algorithm>
+#include <stop_token>
 
+#include "gui/pages/studies/NewStudy.h"
 #include "gui/pages/studies/StudyDetails.h"
 #include "gui/pages/studies/StudyPanel.h"
 #include "gui/pages/studies/StudyPlot.h"
+#include "gui/pages/studies/StudyText.h"
+#include "gui/pages/studies/SummaryTables.h"
 #include "gui/text/DataText.h"
 #include "gui/widgets/ElidedLabel.h"
 #include "gui/widgets/EmptyPage.h"
+#include "gui/widgets/PanelParts.h"
 #include "gui/widgets/StatusLine.h"
 #include "gui/widgets/Theme.h"
 #include "perilymph/anatomy/Patient.h"
+#include "perilymph/foundation/AtomicFile.h"
+#include "perilymph/study/StudyRun.h"
 
 namespace perilymph::gui {
 
 namespace {
 
-constexpr int emptyStage = 0, studyStage = 1;
+constexpr int emptyStage = 0, studyStage = 1, formStage = 2;
+constexpr int progressSteps = 1000;
 
 }  // namespace
 
 StudiesPage::StudiesPage(QWidget* parent)
     : Page("studies", tr("Studies"), Icon::studies, parent),
       work_(this),
+      running_(this),
+      summarizing_(this),
       stages_(new QStackedWidget(this)),
       empty_(new EmptyPage(tr("Studies"),
-                           tr("A study runs many insertions: arrays, cochleae and techniques. Run "
-                              "one with perilymph-cli study, then open its result here."),
+                           tr("A study runs many insertions: arrays, cochleae and techniques. Make "
+                              "one here, or open what perilymph-cli study or an earlier study has "
+                              "written."),
                            this)),
+      form_(new NewStudy(this)),
       panel_(new StudyPanel(this)),
       plot_(new StudyPlot(this)),
+      tables_(new SummaryTables(this)),
       details_(new StudyDetails(this)),
       title_(new ElidedLabel(this)),
       count_(new QLabel(this)),
+      export_(panelButton(tr("Export…"), "exportStudyButton", this)),
       progress_(new QProgressBar(this)),
-      cancel_(new QPushButton(tr("Cancel"), this)),
+      continue_(panelButton(tr("Continue"), "continueStudyButton", this)),
+      cancel_(panelButton(tr("Cancel"), "cancelStudyButton", this)),
       status_(new StatusLine("studyStatus", this))
 {
-  empty_->offer(tr("Open study…"));
-  connect(empty_, &EmptyPage::actionAsked, this, &StudiesPage::ask);
+  empty_->offer(tr("New study…"));
+  empty_->offerAlso(tr("Open study…"));
+  connect(empty_, &EmptyPage::actionAsked, this, &StudiesPage::askNew);
+  connect(empty_, &EmptyPage::otherAsked, this, &StudiesPage::ask);
   auto* study = new QWidget(this);
   auto* row = new QHBoxLayout(study);
   row->setContentsMargins(0, 0, 0, 0);
@@ -58,30 +75,19 @@ StudiesPage::StudiesPage(QWidget* parent)
   row->addWidget(details_);
   stages_->addWidget(empty_);
   stages_->addWidget(study);
-
-  cancel_->setObjectName(QStringLiteral("cancelStudyButton"));
-  cancel_->setFont(typeface(13));
-  cancel_->setFixedHeight(sized(28));
-  cancel_->setToolTip(tr("Esc"));
-  connect(cancel_, &QPushButton::clicked, this, &StudiesPage::cancel);
-  progress_->setTextVisible(false);
-  progress_->setFixedSize(sized(120), 6);
-  progress_->setRange(0, 0);
-  auto* foot = new QHBoxLayout;
-  foot->setContentsMargins(2 * spacing, 0, 2 * spacing, spacing);
-  foot->setSpacing(spacing);
-  foot->addWidget(status_, 1);
-  foot->addWidget(progress_);
-  foot->addWidget(cancel_);
+  stages_->addWidget(form_);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   column->addWidget(stages_, 1);
-  column->addLayout(foot);
+  column->addWidget(addFoot());
 
+  connect(panel_, &StudyPanel::newAsked, this, &StudiesPage::askNew);
   connect(panel_, &StudyPanel::openAsked, this, &StudiesPage::ask);
-  connect(panel_, &StudyPanel::axesChanged, this,
-          [this] { plot_->show(columns_, panel_->axes()); });
+  connect(panel_, &StudyPanel::axesChanged, this, [this] {
+    plot_->show(columns_, panel_->axes());
+    summarize();
+  });
   connect(panel_, &StudyPanel::filterChanged, this, &StudiesPage::showRows);
   connect(plot_, &StudyPlot::chosen, this, &StudiesPage::choose);
   connect(plot_, &StudyPlot::opened, this, [this](std::uint32_t chosen) {
@@ -89,18 +95,52 @@ StudiesPage::StudiesPage(QWidget* parent)
     runAgain();
   });
   connect(details_, &StudyDetails::replayAsked, this, &StudiesPage::runAgain);
+  connect(form_, &NewStudy::startAsked, this, &StudiesPage::startStudy);
+  connect(form_, &NewStudy::storedAsked, this, &StudiesPage::takeStored);
+  connect(form_, &NewStudy::leaveAsked, this, &StudiesPage::leaveForm);
+  connectWork();
+  continue_->hide();
+  showBusy();
+}
+
+QWidget* StudiesPage::addFoot()
+{
+  auto* foot = new QWidget(this);
+  cancel_->setToolTip(tr("Esc. Of a study that runs, what is done is kept."));
+  connect(cancel_, &QPushButton::clicked, this, &StudiesPage::endWork);
+  continue_->setToolTip(tr("Runs the rest of the study that was canceled"));
+  connect(continue_, &QPushButton::clicked, this, &StudiesPage::resume);
+  progress_->setTextVisible(false);
+  progress_->setFixedSize(sized(120), 6);
+  auto* row = new QHBoxLayout(foot);
+  row->setContentsMargins(2 * spacing, 0, 2 * spacing, spacing);
+  row->setSpacing(spacing);
+  row->addWidget(status_, 1);
+  row->addWidget(progress_);
+  row->addWidget(continue_);
+  row->addWidget(cancel_);
+  return foot;
+}
+
+void StudiesPage::connectWork()
+{
   connect(&work_, &StudyWork::opened, this, &StudiesPage::showStudy);
   connect(&work_, &StudyWork::recorded, this,
           [this](const std::filesystem::path& recording, const QString& sentence) {
-            setBusy(false);
+            showBusy();
             say(sentence);
             Q_EMIT replayRequested(recording);
           });
   connect(&work_, &StudyWork::failed, this, [this](const QString& sentence) {
-    setBusy(false);
+    showBusy();
     say(sentence, true);
   });
-  setBusy(false);
+  connect(&running_, &StudyRunWork::progressed, this, &StudiesPage::showRun);
+  connect(&running_, &StudyRunWork::ended, this, &StudiesPage::showEnd);
+  connect(&running_, &StudyRunWork::failed, this, [this](const QString& sentence) {
+    showBusy();
+    say(sentence, true);
+  });
 }
 
 QWidget* StudiesPage::addPlot()
@@ -111,15 +151,20 @@ QWidget* StudiesPage::addPlot()
   count_->setObjectName(QStringLiteral("studyCount"));
   count_->setFont(typeface(13));
   count_->setProperty("quiet", true);
+  export_->setToolTip(
+      tr("Export the shown insertions, groups, differences and slopes as CSV, with units."));
+  connect(export_, &QPushButton::clicked, this, &StudiesPage::save);
   auto* head = new QHBoxLayout;
   head->setSpacing(2 * spacing);
   head->addWidget(title_, 1);
   head->addWidget(count_);
+  head->addWidget(export_);
   auto* column = new QVBoxLayout(middle);
   column->setContentsMargins(0, 2 * spacing, 0, spacing);
   column->setSpacing(spacing);
   column->addLayout(head);
   column->addWidget(plot_, 1);
+  column->addWidget(tables_);
   return middle;
 }
 
@@ -133,23 +178,95 @@ void StudiesPage::ask()
 
 void StudiesPage::open(const std::filesystem::path& file)
 {
-  setBusy(true);
   say(tr("Reading %1…").arg(QString::fromStdString(file.filename().string())));
   work_.open(file);
+  showBusy();
+}
+
+void StudiesPage::askNew()
+{
+  form_->refresh();
+  stages_->setCurrentIndex(formStage);
+  form_->setFocus();
+}
+
+void StudiesPage::leaveForm()
+{
+  if (stages_->currentIndex() == formStage)
+    stages_->setCurrentIndex(columns_ ? studyStage : emptyStage);
+}
+
+void StudiesPage::startStudy(const StudyDraft& draft)
+{
+  say(tr("Preparing the study…"));
+  running_.start(draft, form_->jobs());
+  leaveForm();
+  showBusy();
+}
+
+void StudiesPage::takeStored(const StoredStudy& study)
+{
+  leaveForm();
+  if (study.isComplete) return open(study.folder / study::mergedFile);
+  folder_ = study.folder;
+  resume();
+}
+
+void StudiesPage::resume()
+{
+  say(tr("Preparing the study…"));
+  running_.resume(folder_, form_->jobs());
+  showBusy();
+}
+
+void StudiesPage::showRun(std::size_t done, std::size_t all, double left_s)
+{
+  progress_->setRange(0, progressSteps);
+  progress_->setValue(int(progressSteps * done / all));
+  if (work_.isBusy()) return;
+  const QString count = tr("%1 of %2 insertions").arg(done).arg(all);
+  say(left_s < 0.0 ? count
+                   : tr("%1, about %2 left. You can switch pages meanwhile.")
+                         .arg(count, durationText(left_s)));
+}
+
+void StudiesPage::showEnd(const StoredStudy& study)
+{
+  folder_ = study.folder;
+  showBusy();
+  if (study.isComplete) return open(study.folder / study::mergedFile);
+  continue_->show();
+  say(tr("Canceled. %1 of %2 insertions are kept; Continue runs the rest.")
+          .arg(study.done)
+          .arg(study.cases));
 }
 
 bool StudiesPage::cancel()
 {
-  if (!work_.isBusy()) return false;
-  work_.cancel();
-  setBusy(false);
-  say(tr("Canceled."));
+  if (stages_->currentIndex() == formStage) {
+    leaveForm();
+    return true;
+  }
+  return endWork();
+}
+
+bool StudiesPage::endWork()
+{
+  if (work_.isBusy()) {
+    work_.cancel();
+    showBusy();
+    say(tr("Canceled."));
+    return true;
+  }
+  if (!running_.isBusy()) return false;
+  running_.requestStop();
+  say(tr("Canceling…"));
   return true;
 }
 
 void StudiesPage::showStudy(const StudyWork::Columns& columns, const std::filesystem::path& file)
 {
-  setBusy(false);
+  showBusy();
   columns_ = columns;
   file_ = file;
   const QString title = QString::fromStdString(columns->facts().title);
@@ -160,10 +277,14 @@ void StudiesPage::showStudy(const StudyWork::Columns& columns, const std::filesy
   const std::vector<std::string>& notes = columns->facts().notes;
   const Sentence note =
       seal != Seal::intact || notes.empty() ? noteOn(seal) : anatomy::storedNote(notes.front());
-  say(dataText(note), seal == Seal::changed || seal == Seal::intact);
+  if (note.empty() && file.parent_path() == folder_)
+    status_->sayWritten(tr("The study is complete. Its settings, study.toml, are beside it."),
+                        folder_);
+  else
+    say(dataText(note), seal == Seal::changed || seal == Seal::intact);
   details_->showNone();
   panel_->offer(*columns);
-  stages_->setCurrentIndex(studyStage);
+  if (stages_->currentIndex() == emptyStage) stages_->setCurrentIndex(studyStage);
   plot_->select(std::nullopt);
   plot_->show(columns, panel_->axes());
   showRows();
@@ -184,6 +305,30 @@ void StudiesPage::showRows()
     details_->showNone();
   }
   plot_->showRows(std::move(rows));
+  summarize();
+}
+
+/// In the background: of a million insertions it takes seconds.
+void StudiesPage::summarize()
+{
+  if (!columns_) return;
+  summary_.reset();
+  export_->setEnabled(false);
+  using Summary = std::shared_ptr<const study::StudySummary>;
+  summarizing_.run(
+      "The summary",
+      [columns = columns_, rows = plot_->rows(),
+       axes = panel_->axes()](const std::stop_token& stop) -> Result<Summary> {
+        return std::make_shared<const study::StudySummary>(
+            study::summaryOf(*columns, rows, axes, stop));
+      },
+      [this](const Result<Summary>& summary) {
+        if (!summary) return say(dataText(summary.error().message), true);
+        summary_ = *summary;
+        export_->setEnabled(true);
+        tables_->show(*summary_);
+        plot_->showTrends(*summary_);
+      });
 }
 
 void StudiesPage::choose(std::uint32_t row)
@@ -196,18 +341,41 @@ void StudiesPage::runAgain()
 {
   const auto row = plot_->selected();
   if (!row || work_.isBusy()) return;
-  setBusy(true);
   say(tr("Running insertion %1 again…").arg(columns_->result(*row).number));
   work_.runAgain(columns_, file_, *row);
+  showBusy();
+}
+
+Result<Done> StudiesPage::writeInto(const std::filesystem::path& folder) const
+{
+  if (!summary_) return Done{};
+  for (const auto& [name, content] : study::tablesOf(*columns_, plot_->rows(), *summary_))
+    if (const auto written = writeWhole(folder / name, content, {Links::refused}); !written)
+      return written;
+  return Done{};
+}
+
+void StudiesPage::save()
+{
+  const QString chosen =
+      QFileDialog::getExistingDirectory(this, tr("Export to folder"), documentsFolder());
+  if (chosen.isEmpty()) return;
+  const auto written = writeInto(chosen.toStdString());
+  if (!written) return say(dataText(written.error().message), true);
+  status_->sayWritten(tr("%1 files saved to %2.").arg(study::summaryTables.size()).arg(chosen),
+                      chosen.toStdString());
 }
 
 void StudiesPage::say(const QString& sentence, bool isError) { status_->say(sentence, isError); }
 
-void StudiesPage::setBusy(bool isBusy)
+void StudiesPage::showBusy()
 {
-  progress_->setVisible(isBusy);
-  cancel_->setVisible(isBusy);
-  details_->setBusy(isBusy);
+  progress_->setRange(0, 0);
+  progress_->setVisible(isBusy());
+  cancel_->setVisible(isBusy());
+  if (running_.isBusy()) continue_->hide();
+  details_->setBusy(work_.isBusy());
+  form_->setBusy(running_.isBusy());
 }
 
 }  // namespace perilymph::gui

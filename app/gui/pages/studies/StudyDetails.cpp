@@ -29,7 +29,7 @@ StudyDetails::StudyDetails(QWidget* parent)
                            this)),
       list_(new QWidget(this)),
       grid_(new QGridLayout(list_)),
-      replay_(new QPushButton(tr("Run again and replay"), this))
+      replay_(new QPushButton(tr("Replay this insertion"), this))
 {
   setFixedWidth(sized(detailsWidth_px));
   hint_->setFont(typeface(13));
@@ -45,7 +45,7 @@ StudyDetails::StudyDetails(QWidget* parent)
   replay_->setFixedHeight(sized(32));
   replay_->setFocusPolicy(Qt::TabFocus);
   replay_->setToolTip(
-      tr("The insertion depends on the study, its seed and its number alone (Enter)"));
+      tr("Runs it again, as the study, its seed and its number say, and replays it (Enter)"));
   auto* inside = new QWidget(this);
   auto* stack = new QVBoxLayout(inside);
   stack->setContentsMargins(0, 0, 0, 0);

@@ -45,6 +45,9 @@ StudyPanel::StudyPanel(QWidget* parent)
   auto* column = new QVBoxLayout(content);
   column->setContentsMargins(2 * spacing, 2 * spacing, 2 * spacing, 2 * spacing);
   column->setSpacing(spacing);
+  auto* make = panelButton(tr("New study…"), "newStudyButton", content);
+  connect(make, &QPushButton::clicked, this, &StudyPanel::newAsked);
+  column->addWidget(make);
   auto* open = panelButton(tr("Open study…"), "openStudyButton", content);
   open->setToolTip(tr("study.sqlite, or a shard, as 'perilymph-cli study' writes them"));
   connect(open, &QPushButton::clicked, this, &StudyPanel::openAsked);
@@ -102,10 +105,10 @@ void StudyPanel::offer(const study::StudyColumns& columns)
   for (Selector* list : {x_, y_, group_}) list->clear();
   for (const study::StudyQuantity& each : columns.quantities())
     for (Selector* list : {x_, y_})
-      list->addChoice(quantityTitle(each.key), QString::fromStdString(each.key));
-  group_->addChoice(tr("nothing"), QString());
+      list->addChoice(inTheList(quantityTitle(each.key)), QString::fromStdString(each.key));
+  group_->addChoice(inTheList(tr("nothing")), QString());
   for (const study::StudyFactor& each : columns.factors())
-    group_->addChoice(settingTitle(each.key), QString::fromStdString(each.key));
+    group_->addChoice(inTheList(settingTitle(each.key)), QString::fromStdString(each.key));
   select(*x_, QString::fromStdString(before.x), QStringLiteral("A_mm"));
   select(*y_, QString::fromStdString(before.y), QStringLiteral("angle_deg"));
   select(*group_, QString::fromStdString(before.group), QStringLiteral("array"));
@@ -125,7 +128,7 @@ void StudyPanel::offerFilters(const study::StudyColumns& columns)
     column->addWidget(panelHeading(settingTitle(factor.key).toUpper(), boxesOfStudy_));
     boxes_.emplace_back();
     for (std::size_t i = 0; i < factor.levels.size(); ++i) {
-      auto* box = new CheckBox(levelText(factor.levels[i]), boxesOfStudy_);
+      auto* box = new CheckBox(inTheList(levelText(factor.levels[i])), boxesOfStudy_);
       box->setObjectName(
           QStringLiteral("study-%1-%2")
               .arg(QString::fromStdString(factor.key), QString::fromStdString(factor.levels[i])));

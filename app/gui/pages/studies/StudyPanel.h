@@ -31,6 +31,7 @@ public:
   void reset();
 
 Q_SIGNALS:
+  void newAsked();
   void openAsked();
   void axesChanged();
   void filterChanged();

@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 #include <QVariant>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "gui/pages/studies/StudyText.h"
@@ -22,6 +23,7 @@ namespace perilymph::gui {
 namespace {
 
 constexpr double reach_px = 12.0;  // of the mouse to a point
+constexpr int trendSteps = 32;     // of a band, whose limits are curved
 
 const std::vector<double>& columnOf(const study::StudyColumns& columns, const std::string& key)
 {
@@ -40,6 +42,23 @@ std::pair<double, double> limitsOf(const std::vector<double>& values)
   return low <= high ? std::pair{low, high} : std::pair{0.0, 1.0};
 }
 
+/// The line of a group between its first and its last point.
+std::vector<charts::TrendPoint> trendOf(const study::StudyGroup& group,
+                                        const std::vector<double>& x, const std::vector<double>& y)
+{
+  std::vector<double> places;
+  for (const std::uint32_t row : group.rows)
+    if (std::isfinite(x[row]) && std::isfinite(y[row])) places.push_back(x[row]);
+  const auto [low, high] = limitsOf(places);
+  std::vector<charts::TrendPoint> points;
+  for (int i = 0; i <= trendSteps; ++i) {
+    const double place = low + (high - low) * i / trendSteps;
+    const analysis::Estimate there = group.trend->at(place);
+    points.push_back({place, there.value, there.low, there.high});
+  }
+  return points;
+}
+
 }  // namespace
 
 StudyPlot::StudyPlot(QWidget* parent)
@@ -53,6 +72,7 @@ StudyPlot::StudyPlot(QWidget* parent)
   column->setContentsMargins(2, 2, 2, 2);
   column->addWidget(view_);
   chart_.setScale(devicePixelRatioF() * textScale());
+  chart_.setCrossedLabel(tr("stopped before full depth").toStdString());
   chart_.attachTo(*view_->renderWindow());
   view_->installEventFilter(this);
 }
@@ -73,14 +93,20 @@ void StudyPlot::show(const StudyWork::Columns& columns, const Axes& axes)
 void StudyPlot::showRows(std::vector<std::uint32_t> rows)
 {
   rows_ = std::move(rows);
-  if (!columns_) return;
+  if (columns_) showGroups(nullptr);
+}
+
+void StudyPlot::showTrends(const study::StudySummary& summary) { showGroups(&summary); }
+
+void StudyPlot::showGroups(const study::StudySummary* summary)
+{
   const auto& factors = columns_->factors();
   const auto factor = std::find_if(factors.begin(), factors.end(),
                                    [this](const auto& each) { return each.key == axes_.group; });
   const bool isGrouped = factor != factors.end();
   std::vector<charts::ScatterGroup> groups(isGrouped ? factor->levels.size() : 1);
   for (std::size_t i = 0; isGrouped && i < groups.size(); ++i)
-    groups[i].label = levelText(factor->levels[i]).toStdString();
+    groups[i].label = inTheList(levelText(factor->levels[i])).toStdString();
   const std::vector<double>& x = columnOf(*columns_, axes_.x);
   const std::vector<double>& y = columnOf(*columns_, axes_.y);
   for (const std::uint32_t row : rows_) {
@@ -88,6 +114,14 @@ void StudyPlot::showRows(std::vector<std::uint32_t> rows)
     group.x.push_back(static_cast<float>(x[row]));
     group.y.push_back(static_cast<float>(y[row]));
     group.ids.push_back(row);
+    group.isCrossed.push_back(columns_->result(row).insertion.end !=
+                              analysis::InsertionEnd::finished);
+  }
+  for (std::size_t i = 0; summary != nullptr && i < summary->groups.size(); ++i) {
+    const study::StudyGroup& found = summary->groups[i];
+    if (!found.trend) continue;
+    const std::size_t index = isGrouped ? factor->level[found.rows.front()] : 0;
+    groups[index].trend = trendOf(found, x, y);
   }
   chart_.setGroups(std::move(groups));
   later();
@@ -149,7 +183,10 @@ void StudyPlot::step(bool isAlongX, int by)
 {
   if (!columns_ || rows_.empty()) return;
   const std::vector<double>& values = columnOf(*columns_, isAlongX ? axes_.x : axes_.y);
-  std::vector<std::uint32_t> ordered = rows_;
+  std::vector<std::uint32_t> ordered;
+  for (const std::uint32_t row : rows_)
+    if (std::isfinite(values[row])) ordered.push_back(row);
+  if (ordered.empty()) return;
   std::stable_sort(ordered.begin(), ordered.end(),
                    [&values](std::uint32_t a, std::uint32_t b) { return values[a] < values[b]; });
   const auto here =

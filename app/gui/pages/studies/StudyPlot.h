@@ -10,6 +10,7 @@
 
 #include "gui/pages/studies/StudyWork.h"
 #include "perilymph/charts/ScatterChart.h"
+#include "perilymph/study/StudySummary.h"
 
 namespace perilymph::gui {
 
@@ -23,12 +24,12 @@ public:
   ~StudyPlot() override;
 
   /// What is plotted. All three are keys; an empty group is one group.
-  struct Axes {
-    std::string x, y, group;
-  };
+  using Axes = study::SummaryAxes;
   void show(const StudyWork::Columns& columns, const Axes& axes);
   /// Shows some rows; the axes keep the ranges of all.
   void showRows(std::vector<std::uint32_t> rows);
+  /// Draws the lines of a summary of the shown rows, until other rows or axes are shown.
+  void showTrends(const study::StudySummary& summary);
   void select(std::optional<std::uint32_t> row);
   std::optional<std::uint32_t> selected() const { return selected_; }
   const std::vector<std::uint32_t>& rows() const { return rows_; }
@@ -48,6 +49,7 @@ protected:
   void focusOutEvent(QFocusEvent* event) override;
 
 private:
+  void showGroups(const study::StudySummary* summary);
   std::optional<std::uint32_t> rowAt(const QPointF& place) const;
   void step(bool isAlongX, int by);
   void showFocus(bool isFocused);

@@ -32,6 +32,7 @@ constexpr Name quantities[] = {
     {"end_mN", QT_TRANSLATE_NOOP("Study", "final insertion force, mN")},
     {"partition_mN", QT_TRANSLATE_NOOP("Study", "maximum partition force, mN")},
     {"speed_mm_s", QT_TRANSLATE_NOOP("Study", "speed, mm/s")},
+    {"stop_force_N", QT_TRANSLATE_NOOP("Study", "force limit, N")},
     {"start_inside_mm", QT_TRANSLATE_NOOP("Study", "depth at the start, mm")},
     {"stop_travel_mm", QT_TRANSLATE_NOOP("Study", "stop travel, mm")},
     {"approach_tilt_deg", QT_TRANSLATE_NOOP("Study", "approach angle, tilt, °")},
@@ -43,14 +44,14 @@ constexpr Name quantities[] = {
 };
 
 constexpr Name settings[] = {
-    {"ending", QT_TRANSLATE_NOOP("Study", "how it ended")},
+    {"ending", QT_TRANSLATE_NOOP("Study", "outcome")},
     {"array", QT_TRANSLATE_NOOP("Study", "array")},
     {"friction", QT_TRANSLATE_NOOP("Study", "friction")},
     {"technique", QT_TRANSLATE_NOOP("Study", "technique")},
     {"opening", QT_TRANSLATE_NOOP("Study", "opening")},
     {"membrane", QT_TRANSLATE_NOOP("Study", "basilar membrane")},
     {"model", QT_TRANSLATE_NOOP("Study", "array model")},
-    {"coupling", QT_TRANSLATE_NOOP("Study", "coupling to the hand")},
+    {"coupling", QT_TRANSLATE_NOOP("Study", "input coupling")},
     {"anatomy", QT_TRANSLATE_NOOP("Study", "anatomy")},
 };
 
@@ -89,6 +90,7 @@ const char* textOf(const Name (&names)[Count], const std::string& key)
 std::map<QString, QString> catalogTitles()
 {
   std::map<QString, QString> titles;
+  for (const CatalogFriction& friction : catalogFrictions()) titles[friction.name] = friction.title;
   for (const CatalogArray& array : catalogArrays()) titles[array.name] = array.title;
   return titles;
 }
@@ -122,15 +124,42 @@ QString levelText(const std::string& level)
   return level.empty() ? QStringLiteral("–") : QString::fromStdString(level);
 }
 
+QString unitOf(const std::string& key)
+{
+  const QString title = quantityTitle(key);
+  const auto comma = title.lastIndexOf(QStringLiteral(", "));
+  return comma < 0 ? QString() : title.mid(comma + 2);
+}
+
+QString inTheList(const QString& words) { return words.left(1).toUpper() + words.mid(1); }
+
+QString durationText(double seconds)
+{
+  constexpr double minute_s = 60.0, hour_s = 3600.0;
+  if (seconds < 100.0) return QCoreApplication::translate("Study", "%1 s").arg(number(seconds, 0));
+  if (seconds < 100.0 * minute_s)
+    return QCoreApplication::translate("Study", "%1 min").arg(number(seconds / minute_s, 0));
+  return QCoreApplication::translate("Study", "%1 h").arg(number(seconds / hour_s, 1));
+}
+
+QString cochleaText(const std::string& name)
+{
+  const QString text = QString::fromStdString(name);
+  const QString drawn = QStringLiteral("virtual ");
+  if (text.startsWith(drawn))
+    return QCoreApplication::translate("Study", "Simulated cochlea %1").arg(text.mid(drawn.size()));
+  return name == "mean" ? QCoreApplication::translate("Study", "Average cochlea") : text;
+}
+
 std::vector<std::pair<QString, QString>> valuesOf(const study::StudyResult& result)
 {
   const analysis::FullInsertion& found = result.insertion;
   std::vector<std::pair<QString, QString>> values{
-      {tr(QT_TRANSLATE_NOOP("Study", "insertion")), QString::number(result.number)},
-      {tr(QT_TRANSLATE_NOOP("Study", "cochlea")), QString::fromStdString(result.cochlea)},
+      {QCoreApplication::translate("Study", "insertion"), QString::number(result.number)},
+      {QCoreApplication::translate("Study", "cochlea"), cochleaText(result.cochlea)},
       {settingTitle("ending"), levelText(haptics::nameOf(found.end))}};
   if (!found.reason.empty())
-    values.emplace_back(tr(QT_TRANSLATE_NOOP("Study", "reason")),
+    values.emplace_back(QCoreApplication::translate("Study", "reason"),
                         QString::fromStdString(found.reason));
   for (const auto& [key, value] : result.settings)
     values.emplace_back(settingTitle(key), levelText(value));
@@ -148,6 +177,7 @@ std::vector<std::pair<QString, QString>> valuesOf(const study::StudyResult& resu
   add("peak_depth_mm", inMillimeters(found.peak.depth), 2);
   add("end_mN", inMillinewtons(found.endForce), 1);
   add("partition_mN", inMillinewtons(found.partition), 1);
+  for (auto& [name, value] : values) name = inTheList(name);
   return values;
 }
 

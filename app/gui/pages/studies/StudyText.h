@@ -14,11 +14,20 @@ namespace perilymph::gui {
 
 /// "angular insertion depth, °" for "angle_deg". Unknown keys are returned unchanged.
 QString quantityTitle(const std::string& key);
-/// "array" for "array"; "how it ended" for "ending". Unknown keys are returned unchanged.
+/// "array" for "array"; "outcome" for "ending". Unknown keys are returned unchanged.
 QString settingTitle(const std::string& key);
 /// "advance off stylet" for "aos", "folded tip" for "folded_tip". Unknown values, such as names
 /// of arrays, are returned unchanged.
 QString levelText(const std::string& level);
+
+/// "mN" for "peak_mN"; empty of a quantity without a unit.
+QString unitOf(const std::string& key);
+/// "Simulated cochlea 4" for "virtual 4"; names of patients are returned unchanged.
+QString cochleaText(const std::string& name);
+/// "40 s", "12 min", "3.5 h".
+QString durationText(double seconds);
+/// The words with a capital, as entries of lists have it.
+QString inTheList(const QString& words);
 
 /// All values of an insertion, with their names.
 std::vector<std::pair<QString, QString>> valuesOf(const study::StudyResult& result);

@@ -16,11 +16,18 @@ class vtkRenderWindow;
 
 namespace perilymph::charts {
 
+/// A line with a band at one place.
+struct TrendPoint {
+  double x, value, low, high;
+};
+
 /// Points of one color and shape.
 struct ScatterGroup {
   std::string label;               ///< In the legend; empty: not listed.
   std::vector<float> x, y;         ///< As many of each.
   std::vector<std::uint32_t> ids;  ///< What the caller calls the points; as many.
+  std::vector<bool> isCrossed;     ///< Points that are crossed out; as many, or none.
+  std::vector<TrendPoint> trend;   ///< From left to right; none if empty.
 };
 
 /// A scatter plot. Its ranges contain all points and are extended by whole ticks.
@@ -44,6 +51,8 @@ public:
   /// Ranges of all points that may be shown, so that a filter does not move the axes. Equal limits
   /// are widened.
   void setRanges(double lowX, double highX, double lowY, double highY);
+  /// Name of points that are crossed out, in the legend.
+  void setCrossedLabel(const std::string& label);
   /// Replaces all points. Those that are not finite are left out.
   void setGroups(std::vector<ScatterGroup> groups);
   /// Rings a point; none if it has no such id.

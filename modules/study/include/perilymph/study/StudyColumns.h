@@ -17,7 +17,7 @@ namespace perilymph::study {
 /// A number of every insertion.
 struct StudyQuantity {
   std::string key;             ///< As in the table: "peak_mN", or the key of a setting.
-  std::vector<double> values;  ///< One per insertion; NaN where the setting is missing.
+  std::vector<double> values;  ///< One per insertion; NaN where it has none.
 };
 
 /// A setting with 2 to StudyColumns::maxLevels values, or how the insertions ended.

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// Groups of a study's insertions and their differences as tables.
+
+#include <QWidget>
+
+#include "perilymph/study/StudySummary.h"
+
+class QLabel;
+class QTableWidget;
+
+namespace perilymph::gui {
+
+/// A row for each group, and one for each pair of groups; under them how they were computed.
+class SummaryTables : public QWidget {
+  Q_OBJECT
+public:
+  explicit SummaryTables(QWidget* parent);
+
+  void show(const study::StudySummary& summary);
+
+private:
+  void showGroups(const study::StudySummary& summary);
+  void showDifferences(const study::StudySummary& summary);
+
+  QTableWidget* groups_;
+  QTableWidget* differences_;
+  QLabel* method_;
+};
+
+}  // namespace perilymph::gui

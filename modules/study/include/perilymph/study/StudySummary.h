@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// What selected insertions of a study say together: groups, their differences, and trends.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "perilymph/analysis/LinearTrend.h"
+#include "perilymph/study/StudyColumns.h"
+
+namespace perilymph::study {
+
+/// A quantity of the summary.
+struct SummarizedQuantity {
+  const char* key;     ///< As in StudyColumns.
+  const char* column;  ///< Beginning of its columns in tables: "angle".
+  const char* unit;    ///< End of the same: "deg".
+};
+inline constexpr std::array<SummarizedQuantity, 3> summarizedQuantities{{
+    {"angle_deg", "angle", "deg"},
+    {"depth_mm", "depth", "mm"},
+    {"peak_mN", "peak", "mN"},
+}};
+/// One value for each of them.
+template <class Value>
+using OfEachQuantity = std::array<Value, summarizedQuantities.size()>;
+
+/// Insertions with one value of a setting.
+struct StudyGroup {
+  std::string level;                ///< The value; empty of all insertions together.
+  std::vector<std::uint32_t> rows;  ///< Ascending.
+  std::size_t finished = 0;         ///< Complete insertions among them.
+  analysis::Estimate rate;          ///< Part of them that is complete, with Wilson's interval.
+  /// Median, lower and upper quartile of all insertions, the stopped ones with what they reached; none
+  /// of insertions that could not be prepared.
+  OfEachQuantity<std::optional<analysis::Estimate>> quartiles;
+  std::optional<analysis::LinearTrend> trend;  ///< Vertical over horizontal quantity.
+
+  std::size_t stopped() const { return rows.size() - finished; }
+};
+
+/// The difference of two groups, first minus other.
+struct StudyDifference {
+  std::size_t group = 0, other = 0;  ///< Indices of the groups.
+  /// By pairs of insertions that share the cochlea and every other setting, the drawn ones too: the mean
+  /// over cochleae of the mean of their pairs, with Student's interval, as pairs in one cochlea resemble
+  /// each other; in a single cochlea over its pairs. Otherwise Welch's difference of the means.
+  bool isPaired = false;
+  std::size_t count = 0, otherCount = 0;  ///< Insertions of each; pairs if paired.
+  std::size_t cochleae = 0;               ///< In which the pairs are; 0 without pairs.
+  OfEachQuantity<std::optional<analysis::Estimate>> means;  ///< Empty without an interval.
+};
+
+/// What the groups are, and which quantities are plotted.
+struct SummaryAxes {
+  std::string x, y;   ///< Keys of quantities; unknown ones give no trend.
+  std::string group;  ///< Key of a factor; any other text makes one group of all.
+};
+
+/// The summary of selected insertions.
+struct StudySummary {
+  SummaryAxes axes;
+  std::vector<StudyGroup> groups;  ///< In the order of the factor's values; none is empty.
+  /// Every pair of groups. None of the groups of the endings: these are results, not settings.
+  std::vector<StudyDifference> differences;
+};
+
+/// @param stop  Ends the work early; the summary is then incomplete.
+StudySummary summaryOf(const StudyColumns& columns, const std::vector<std::uint32_t>& rows,
+                       const SummaryAxes& axes, const std::stop_token& stop = {});
+
+/// The tables of a summary as CSV files by name, with units in their headers: `points.csv` is as
+/// insertions.csv of the study, for the selected insertions; then `groups.csv`, `differences.csv` and
+/// `trends.csv`. Numbers have all their digits.
+std::vector<std::pair<const char*, std::string>> tablesOf(const StudyColumns& columns,
+                                                          const std::vector<std::uint32_t>& rows,
+                                                          const StudySummary& summary);
+
+/// Names of the files of tablesOf().
+inline constexpr std::array summaryTables{"points.csv", "groups.csv", "differences.csv",
+                                          "trends.csv"};
+
+}  // namespace perilymph::study

@@ -3124,10 +3124,6 @@
         <translation>Mirsalehi 2017, Eur Arch Otorhinolaryngol: 10 Felsenbeine, von Hand, Mittel 0,003 ± 0,005 N</translation>
     </message>
     <message>
-        <source>Schuster et al. 2015, Otol Neurotol 36:657: fresh human cochlear partition, mean 88 mN (unverified: original not consulted); force normal to the partition, not the insertion force</source>
-        <translation>Schuster et al. 2015, Otol Neurotol 36:657: frische menschliche cochleäre Trennwand, Mittel 88 mN (ungeprüft: Original nicht eingesehen); Kraft senkrecht zur Trennwand, nicht die Insertionskraft</translation>
-    </message>
-    <message>
         <source>Published experiment: Nucleus 24 Contour, 2 mm/s, soap</source>
         <translation>Veröffentlichter Versuch: Nucleus 24 Contour, 2 mm/s, Seife</translation>
     </message>
@@ -3678,6 +3674,10 @@
     <message>
         <source>The report states no CT series for which a seal vouches, so it cannot be compared with %1. Save it without a CT.</source>
         <translation>Der Bericht nennt keine CT-Serie, für die ein Siegel bürgt, und lässt sich daher nicht mit %1 vergleichen. Bitte ohne CT speichern.</translation>
+    </message>
+    <message>
+        <source>Schuster et al. 2015, Otol Neurotol 36:657: fresh human cochlear partition, mean 88 mN (assumption: original not available); force normal to the partition, not the insertion force</source>
+        <translation>Schuster et al. 2015, Otol Neurotol 36:657: frische menschliche cochleäre Trennwand, Mittel 88 mN (Annahme: Original nicht verfügbar); Kraft senkrecht zur Trennwand, nicht die Insertionskraft</translation>
     </message>
 </context>
 <context>
@@ -4924,14 +4924,6 @@
     <message>
         <source>Screenshot saved: %1</source>
         <translation>Bildschirmfoto gespeichert: %1</translation>
-    </message>
-    <message>
-        <source>cochlear partition %1 mN (rupture reported at %2–%3 mN, unverified)</source>
-        <translation>cochleäre Trennwand %1 mN (Ruptur berichtet bei %2–%3 mN, ungeprüft)</translation>
-    </message>
-    <message>
-        <source>cochlear partition %1 mN: within or above reported rupture forces (%2–%3 mN, unverified)</source>
-        <translation>cochleäre Trennwand %1 mN: im Bereich berichteter Rupturkräfte (%2–%3 mN, ungeprüft) oder darüber</translation>
     </message>
     <message>
         <source>insertion force, mN</source>
@@ -6548,6 +6540,18 @@
     <message>
         <source>friction of endosteum, assumed</source>
         <translation>Reibung des Endosts, angenommen</translation>
+    </message>
+    <message>
+        <source>general literature</source>
+        <translation>allgemeine Literatur</translation>
+    </message>
+    <message>
+        <source>cochlear partition %1 mN (rupture assumed at %2–%3 mN)</source>
+        <translation>cochleäre Trennwand %1 mN (Ruptur angenommen bei %2–%3 mN)</translation>
+    </message>
+    <message>
+        <source>cochlear partition %1 mN: within or above assumed rupture forces (%2–%3 mN)</source>
+        <translation>cochleäre Trennwand %1 mN: im Bereich der angenommenen Rupturkräfte oder darüber (%2–%3 mN)</translation>
     </message>
 </context>
 <context>

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "gui/report/CochlearView.h"
-#include "gui/text/Numbers.h"
 #include "gui/widgets/Theme.h"
 #include "perilymph/foundation/Units.h"
 
@@ -93,10 +92,8 @@ void paintArray(ReportSheet& sheet, const QRectF& place_mm, const PlanReportCont
   QPainter& painter = sheet.painter();
   const planning::ArrayPlan& array = content.plan().arrays[i];
   const anatomy::Side side = content.plan().request.patient.side;
-  sheet.line(
-      {place_mm.left(), place_mm.top(), place_mm.width(), title_mm},
-      QStringLiteral("%1 · %2°").arg(numberedName(array, i), numberText(array.angle_deg.median, 0)),
-      ReportFace::label);
+  sheet.line({place_mm.left(), place_mm.top(), place_mm.width() - 1.5, title_mm},
+             numberedName(array, i), ReportFace::label);
   const QRectF place = sheet.dots(place_mm.adjusted(0.0, title_mm, 0.0, 0.0));
   const CochlearView view(place, *content.anatomy, side, hasRing);
   painter.save();

@@ -137,7 +137,7 @@ double paintArrays(ReportSheet& sheet, const PlanReportContent& content, Referen
   const auto paintRow = [&](const QStringList& cells, ReportFace face = ReportFace::label) {
     double x_mm = 0.0;
     for (int i = 0; i < cells.size(); ++i) {
-      sheet.line({x_mm, y_mm, columns[i].width_mm - 0.2, high_mm}, cells[i], face,
+      sheet.line({x_mm, y_mm, columns[i].width_mm - 1.0, high_mm}, cells[i], face,
                  i == 0 ? Qt::AlignLeft : Qt::AlignRight);
       x_mm += columns[i].width_mm;
     }

@@ -12,6 +12,14 @@ namespace {
 // lupdate assigns texts of free functions to their namespace.
 QString tr(const char* text) { return QCoreApplication::translate("perilymph::gui", text); }
 
+/// Whether a text rests on literature that it does not name.
+bool isGeneral(const std::string& source)
+{
+  for (const char* words : {"general literature", "clinical studies", "public research code"})
+    if (source.find(words) != std::string::npos) return true;
+  return false;
+}
+
 constexpr Publication known[] = {
     {"Avci", "Avci et al. 2014, J Comp Neurol 522:3245. Sections of 16 scalae tympani."},
     {"Canfarotta", "Canfarotta et al. 2021, PMC8943918. 51 flexible arrays of 31.5 mm."},
@@ -67,6 +75,7 @@ constexpr Publication known[] = {
 
 // Outside of the class, whose texts lupdate would assign to it.
 QString assumptionText() { return tr("assumption"); }
+QString generalText() { return tr("general literature"); }
 QString headingText() { return tr("References"); }
 QString noteText()
 {
@@ -88,10 +97,17 @@ QString References::label(const std::string& source)
     numbers.push_back(std::size_t(found - cited_.begin()) + 1);
     if (found == cited_.end()) cited_.push_back(&each);
   }
-  if (numbers.empty()) return assumptionText();
+  if (numbers.empty()) return isGeneral(source) ? generalText() : assumptionText();
   std::sort(numbers.begin(), numbers.end());
   QStringList texts;
-  for (const std::size_t number : numbers) texts << QString::number(number);
+  for (std::size_t i = 0; i < numbers.size();) {
+    std::size_t last = i;
+    while (last + 1 < numbers.size() && numbers[last + 1] == numbers[last] + 1) ++last;
+    if (last < i + 2) last = i;  // two are not a range
+    texts << (last == i ? QString::number(numbers[i])
+                        : QStringLiteral("%1–%2").arg(numbers[i]).arg(numbers[last]));
+    i = last + 1;
+  }
   return QStringLiteral("[%1]").arg(texts.join(QStringLiteral(", ")));
 }
 

@@ -86,6 +86,7 @@ protected:
     return file.string();
   }
 
+  const fs::path& folder() const { return folder_.path(); }
   fs::path pdf() const { return folder_.path() / "report.pdf"; }
 
   /// The text of pages, in its layout.

@@ -229,7 +229,10 @@ TEST(ReferencesOfReports, AreNumberedAsTheyAreCitedAndNeverUnread)
   EXPECT_EQ(references.label("Avci et al. 2014; Rau et al. 2024"), "[1, 2]");
   EXPECT_EQ(references.label("Schuster et al. 2015, Otol Neurotol 36:657"), "assumption");
   EXPECT_EQ(references.label("Choice: a bow of 1.1 mm on 4 mm."), "assumption");
+  EXPECT_EQ(references.label("28 mm: reported in clinical studies of the device."),
+            "general literature");
   EXPECT_EQ(references.label("Avci et al. 2014"), "[2]");
+  EXPECT_EQ(references.label("Rau, Avci, Dohr and Medan").toStdString(), "[1–4]");
   const std::string list = references.list().toStdString();
   EXPECT_THAT(list, HasSubstr("Front Neurol 15:1400455"));
   EXPECT_LT(list.find("Rau"), list.find("Avci"));

@@ -6410,10 +6410,6 @@
         <translation>Trennwandkraft</translation>
     </message>
     <message>
-        <source>Angle and coverage of the most apical contact. Shares, from %1 simulations on with 95 % intervals: full insertion, stop by resistance, buckling in front of the opening, tip fold-over, a force that reaches the strength of the cochlear partition. Clinics: medians or means of patients, angular depth, complete insertions, tip fold-over and translocation %2. Strength of the partition: assumed; original not available. Not validated, or *: the program’s clinical table misses a row of this array.</source>
-        <translation>Winkel und Abdeckung des apikalsten Kontakts. Anteile, ab %1 Simulationen mit 95-%-Intervallen: vollständige Insertion, Halt durch Widerstand, Knicken vor der Öffnung, Umschlagen der Spitze, eine Kraft, die die Festigkeit der cochleären Trennwand erreicht. Kliniken: Mediane oder Mittelwerte von Patienten, Insertionswinkel, vollständige Insertionen, Umschlagen der Spitze und Translokation %2. Festigkeit der Trennwand: angenommen; Original nicht verfügbar. Nicht validiert, oder *: die klinische Tabelle des Programms verfehlt eine Zeile dieses Elektrodenträgers.</translation>
-    </message>
-    <message>
         <source>Method and limits; all limits in the appendix</source>
         <translation>Methode und Grenzen; alle Grenzen im Anhang</translation>
     </message>
@@ -6494,10 +6490,6 @@
         <translation>M</translation>
     </message>
     <message>
-        <source>%1, %2 %3</source>
-        <translation>%1, %2 %3</translation>
-    </message>
-    <message>
         <source>own value</source>
         <translation>eigener Wert</translation>
     </message>
@@ -6552,6 +6544,14 @@
     <message>
         <source>cochlear partition %1 mN: within or above assumed rupture forces (%2–%3 mN)</source>
         <translation>cochleäre Trennwand %1 mN: im Bereich der angenommenen Rupturkräfte oder darüber (%2–%3 mN)</translation>
+    </message>
+    <message>
+        <source>%1; %2 %3</source>
+        <translation>%1; %2 %3</translation>
+    </message>
+    <message>
+        <source>Angle and coverage of the most apical contact. Shares, from %1 simulations on with 95 % intervals: full insertion, stop by resistance, buckling in front of the opening, tip fold-over, a force that reaches the strength of the cochlear partition. Clinics: medians or means of patients, angular depth, complete insertions, tip fold-over and translocation %2. Strength of the partition: assumed; original not available; the model gives fewer translocations than clinics report. Not validated, or *: the program’s clinical table misses a row of this array.</source>
+        <translation>Winkel und Abdeckung des apikalsten Kontakts. Anteile, ab %1 Simulationen mit 95-%-Intervallen: vollständige Insertion, Halt durch Widerstand, Knicken vor der Öffnung, Umschlagen der Spitze, eine Kraft, die die Festigkeit der cochleären Trennwand erreicht. Kliniken: Mediane oder Mittelwerte von Patienten, Insertionswinkel, vollständige Insertionen, Umschlagen der Spitze und Translokation %2. Festigkeit der Trennwand: angenommen; Original nicht verfügbar; das Modell ergibt weniger Translokationen, als Kliniken berichten. Nicht validiert, oder *: die klinische Tabelle des Programms verfehlt eine Zeile dieses Elektrodenträgers.</translation>
     </message>
 </context>
 <context>

@@ -90,7 +90,7 @@ void CochlearView::paintFrame(ReportSheet& sheet) const
   painter.setPen(textInk);
   drawCentered(painter, left + QPointF(0.5 * length, -0.45 * scale_), barText());
   const bool isLeft = side_ == anatomy::Side::left;
-  painter.setFont(sheet.font(ReportFace::heading));
+  painter.setFont(sheet.font(ReportFace::label));
   painter.setPen(textInk);
   painter.drawText(place_, int((isLeft ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignTop),
                    earText(side_));

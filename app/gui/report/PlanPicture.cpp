@@ -131,7 +131,7 @@ void paintPlanPicture(ReportSheet& sheet, const QRectF& place_mm, const PlanRepo
   const std::size_t rows = (count + columns - 1) / columns;
   const double width_mm = place_mm.width() / double(columns),
                height_mm = place_mm.height() / double(rows);
-  constexpr double ring_mm = 40.0;  // narrower, its numbers would touch
+  constexpr double ring_mm = 48.0;  // narrower, its numbers would touch
   for (std::size_t i = 0; i < count; ++i)
     paintArray(sheet,
                {place_mm.left() + double(i % columns) * width_mm,

@@ -167,19 +167,19 @@ double paintArrays(ReportSheet& sheet, const PlanReportContent& content, Referen
     paintRow(clinics, ReportFace::quiet);
   }
   y_mm += 0.6;
-  return y_mm +
-         sheet.paragraph(
-             0.0, y_mm, width_mm,
-             tr("Angle and coverage of the most apical contact. Shares, from %1 simulations "
-                "on with 95 % intervals: full insertion, stop by resistance, buckling in "
-                "front of the opening, tip fold-over, a force that reaches the strength of "
-                "the cochlear partition. Clinics: medians or means of patients, angular "
-                "depth, complete insertions, tip fold-over and translocation %2. Strength "
-                "of the partition: assumed; original not available. Not validated, or *: the "
-                "program’s clinical table misses a row of this array.")
-                 .arg(analysis::fewestForPercent)
-                 .arg(clinicsLabel(arrays, references)),
-             ReportFace::quiet);
+  return y_mm + sheet.paragraph(
+                    0.0, y_mm, width_mm,
+                    tr("Angle and coverage of the most apical contact. Shares, from %1 simulations "
+                       "on with 95 % intervals: full insertion, stop by resistance, buckling in "
+                       "front of the opening, tip fold-over, a force that reaches the strength of "
+                       "the cochlear partition. Clinics: medians or means of patients, angular "
+                       "depth, complete insertions, tip fold-over and translocation %2. Strength "
+                       "of the partition: assumed; original not available; the model gives fewer "
+                       "translocations than clinics report. Not validated, or *: the "
+                       "program’s clinical table misses a row of this array.")
+                        .arg(analysis::fewestForPercent)
+                        .arg(clinicsLabel(arrays, references)),
+                    ReportFace::quiet);
 }
 
 /// Why the whole report may not be of this patient, or not of this program; first on the page.

@@ -70,7 +70,7 @@ double paintIdentification(ReportSheet& sheet, const ReportContent& content,
 }
 
 /// Columns of the results [mm]: name, value, definition, plan, clinics.
-constexpr double resultColumns_mm[] = {39.0, 20.0, 60.0, 33.0, 28.0};
+constexpr double resultColumns_mm[] = {39.0, 20.0, 54.0, 41.0, 26.0};
 
 void paintResultRow(ReportSheet& sheet, const QStringList& cells, double y_mm, ReportFace first,
                     ReportFace second, ReportFace plan)

@@ -67,7 +67,7 @@ QString frictionText(const session::Scenario& scenario, References& references)
   const std::vector<CatalogFriction> catalog = catalogFrictions();
   const auto found = std::ranges::find(catalog, name, &CatalogFriction::name);
   const bool isShipped = found != catalog.end();
-  return tr("%1, %2 %3")
+  return tr("%1; %2 %3")
       .arg(coefficientText(scenario), isShipped ? found->title : tr("own value"),
            references.label(isShipped ? found->source.toStdString() : std::string()));
 }

@@ -10,7 +10,7 @@
 
 namespace perilymph::gui {
 
-/// "0.165 (95 % 0.08–0.33), estimate from pig tissue [4]": coefficient, interval where the friction's
+/// "0.165 (95 % 0.08–0.33); estimate from pig tissue [4]": coefficient, interval where the friction's
 /// file states a spread, and origin.
 QString frictionText(const session::Scenario& scenario, References& references);
 

@@ -102,7 +102,7 @@ TEST_F(RecordOfAnInsertion, StatesFrictionWithItsIntervalAndOrigin)
   ASSERT_TRUE(plans);
   // 0.165 times and by exp(1.96 * 0.346), the spread of 0.20, 0.20 and 0.20
   EXPECT_EQ(gui::frictionText(*plans, references).toStdString(),
-            "0.165 (95 % 0.08–0.33), Estimate from pig tissue [1]");
+            "0.165 (95 % 0.08–0.33); Estimate from pig tissue [1]");
   const auto soap = session::loadScenario("mean-flex28", {{"friction_static", "0.09"}});
   ASSERT_TRUE(soap);
   EXPECT_EQ(gui::frictionText(*soap, references).left(5), "0.090");

@@ -70,7 +70,7 @@ double paintIdentification(ReportSheet& sheet, const ReportContent& content,
 }
 
 /// Columns of the results [mm]: name, value, definition, plan, clinics.
-constexpr double resultColumns_mm[] = {39.0, 20.0, 54.0, 41.0, 26.0};
+constexpr double resultColumns_mm[] = {39.0, 20.0, 57.0, 38.0, 26.0};
 
 void paintResultRow(ReportSheet& sheet, const QStringList& cells, double y_mm, ReportFace first,
                     ReportFace second, ReportFace plan)
@@ -124,7 +124,7 @@ double paintResults(ReportSheet& sheet, const ReportContent& content, References
             : tr("%1 %2").arg(result.clinics, references.label(result.clinicsSource));
     paintResultRow(sheet, {result.name, result.value, result.detail, plan, clinics}, y_mm,
                    ReportFace::text, ReportFace::bold,
-                   result.isOutside ? ReportFace::bold : ReportFace::quiet);
+                   result.isOutside ? ReportFace::text : ReportFace::quiet);
     sheet.rule(0.0, y_mm + resultRow_mm - 0.2, width_mm);
     y_mm += resultRow_mm;
   }

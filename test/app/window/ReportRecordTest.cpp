@@ -21,6 +21,7 @@ namespace perilymph::test {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 /// A patient who was measured in a CT.
 anatomy::Patient patientFromCt()
@@ -121,6 +122,17 @@ TEST_F(RecordOfAnInsertion, HasTheBandOfItsPlanInTheCurve)
   EXPECT_THAT(record, HasSubstr("gray: median and band of the plan"));
   EXPECT_THAT(record, HasSubstr("plan of 2026-11-27: 90 % over friction 0.08 to 0.33"));
   EXPECT_THAT(record, HasSubstr("peaks in patients 45–102 mN"));
+  for (planning::Band* band : {&content.plan->peak_mN, &content.plan->end_mN}) {
+    band->low = 119.0;
+    band->median = 172.0;
+    band->high = 200.0;
+  }
+  for (const char* language : {"en", "de"}) {  // nothing is cut
+    gui::useLanguage(*QCoreApplication::instance(), QString::fromLatin1(language));
+    ASSERT_TRUE(gui::writeReport(content, pdf()));
+    EXPECT_THAT(text(1, 1), HasSubstr("172 (119–200) mN"));
+    EXPECT_THAT(text(1, 1), Not(HasSubstr("…"))) << text(1, 1);
+  }
   // the axis holds the plan, 48 mN at 16 mm
   EXPECT_TRUE(std::regex_search(record, std::regex("\\b16\\b|\\b20\\b")));
 }

@@ -3124,10 +3124,6 @@
         <translation>Mirsalehi 2017, Eur Arch Otorhinolaryngol: 10 Felsenbeine, von Hand, Mittel 0,003 ± 0,005 N</translation>
     </message>
     <message>
-        <source>Schuster et al. 2015, Otol Neurotol 36:657: fresh human cochlear partition, mean 88 mN (unverified: original not consulted); force normal to the partition, not the insertion force</source>
-        <translation>Schuster et al. 2015, Otol Neurotol 36:657: frische menschliche cochleäre Trennwand, Mittel 88 mN (ungeprüft: Original nicht eingesehen); Kraft senkrecht zur Trennwand, nicht die Insertionskraft</translation>
-    </message>
-    <message>
         <source>Published experiment: Nucleus 24 Contour, 2 mm/s, soap</source>
         <translation>Veröffentlichter Versuch: Nucleus 24 Contour, 2 mm/s, Seife</translation>
     </message>
@@ -3694,6 +3690,22 @@
     <message>
         <source>clinics report</source>
         <translation>Kliniken berichten</translation>
+    </message>
+    <message>
+        <source>The report would replace %1, a file of the CT. Give the report another name.</source>
+        <translation>Der Bericht würde %1 ersetzen, eine Datei des CT. Bitte einen anderen Namen wählen.</translation>
+    </message>
+    <message>
+        <source>No temporary folder can be made for the report. Check the space on the disk.</source>
+        <translation>Für den Bericht lässt sich kein temporärer Ordner anlegen. Bitte den freien Speicherplatz prüfen.</translation>
+    </message>
+    <message>
+        <source>The report states no CT series for which a seal vouches, so it cannot be compared with %1. Save it without a CT.</source>
+        <translation>Der Bericht nennt keine CT-Serie, für die ein Siegel bürgt, und lässt sich daher nicht mit %1 vergleichen. Bitte ohne CT speichern.</translation>
+    </message>
+    <message>
+        <source>Schuster et al. 2015, Otol Neurotol 36:657: fresh human cochlear partition, mean 88 mN (assumption: original not available); force normal to the partition, not the insertion force</source>
+        <translation>Schuster et al. 2015, Otol Neurotol 36:657: frische menschliche cochleäre Trennwand, Mittel 88 mN (Annahme: Original nicht verfügbar); Kraft senkrecht zur Trennwand, nicht die Insertionskraft</translation>
     </message>
 </context>
 <context>
@@ -4414,10 +4426,6 @@
         <translation>%1 %: %2</translation>
     </message>
     <message>
-        <source>%1. %2</source>
-        <translation>%1. %2</translation>
-    </message>
-    <message>
         <source>Recording</source>
         <translation>Aufzeichnung</translation>
     </message>
@@ -4806,10 +4814,6 @@
         <translation>Ergebnisse</translation>
     </message>
     <message>
-        <source>Insertion force over travel</source>
-        <translation>Insertionskraft über Vorschub</translation>
-    </message>
-    <message>
         <source>perception threshold %1 mN</source>
         <translation>Wahrnehmungsschwelle %1 mN</translation>
     </message>
@@ -4982,14 +4986,6 @@
         <translation>Bildschirmfoto gespeichert: %1</translation>
     </message>
     <message>
-        <source>cochlear partition %1 mN (rupture reported at %2–%3 mN, unverified)</source>
-        <translation>cochleäre Trennwand %1 mN (Ruptur berichtet bei %2–%3 mN, ungeprüft)</translation>
-    </message>
-    <message>
-        <source>cochlear partition %1 mN: within or above reported rupture forces (%2–%3 mN, unverified)</source>
-        <translation>cochleäre Trennwand %1 mN: im Bereich berichteter Rupturkräfte (%2–%3 mN, ungeprüft) oder darüber</translation>
-    </message>
-    <message>
         <source>insertion force, mN</source>
         <translation>Insertionskraft, mN</translation>
     </message>
@@ -5036,10 +5032,6 @@
     <message>
         <source>elliptic-circular; ± holds what A alone gives</source>
         <translation>elliptisch-zirkulär; ± umfasst den Wert aus A allein</translation>
-    </message>
-    <message>
-        <source>Schurzig et al. 2018</source>
-        <translation>Schurzig et al. 2018</translation>
     </message>
     <message>
         <source>Cochlear coverage</source>
@@ -5146,10 +5138,6 @@
         <translation>%1°</translation>
     </message>
     <message>
-        <source>rupture reported at %1–%2 mN (unverified)</source>
-        <translation>Ruptur berichtet bei %1–%2 mN (ungeprüft)</translation>
-    </message>
-    <message>
         <source>at insertion depth %1 mm</source>
         <translation>bei Insertionstiefe %1 mm</translation>
     </message>
@@ -5190,24 +5178,12 @@
         <translation>Winkel, °</translation>
     </message>
     <message>
-        <source>Frequency, Hz</source>
-        <translation>Frequenz, Hz</translation>
-    </message>
-    <message>
         <source>To modiolus, mm</source>
         <translation>Modiolus, mm</translation>
     </message>
     <message>
         <source>Depth, mm</source>
         <translation>Tiefe, mm</translation>
-    </message>
-    <message>
-        <source>not inserted</source>
-        <translation>nicht inseriert</translation>
-    </message>
-    <message>
-        <source>Angle from the center of the round window. Frequency by Greenwood (1990) at the place on the organ of Corti. Distance from the center line of the array to the inner wall. Depth past the opening.</source>
-        <translation>Winkel ab der Mitte des runden Fensters. Frequenz nach Greenwood (1990) am Ort des Corti-Organs. Abstand der Mittellinie des Trägers zur Innenwand. Tiefe jenseits der Öffnung.</translation>
     </message>
     <message>
         <source>Date</source>
@@ -5324,18 +5300,6 @@
     <message>
         <source>CDL from A and B (elliptic-circular). Its interval holds what A alone gives: %1 mm (Alexiades).</source>
         <translation>CDL aus A und B (elliptisch-zirkulär). Ihr Intervall umfasst, was A allein ergibt: %1 mm (Alexiades).</translation>
-    </message>
-    <message>
-        <source>Pietsch et al. 2017, n = 138</source>
-        <translation>Pietsch et al. 2017, n = 138</translation>
-    </message>
-    <message>
-        <source>Froehlich et al. 2024, n = 15</source>
-        <translation>Froehlich et al. 2024, n = 15</translation>
-    </message>
-    <message>
-        <source>Stakhovskaya et al. 2007, n = 9</source>
-        <translation>Stakhovskaya et al. 2007, n = 9</translation>
     </message>
     <message>
         <source>Length</source>
@@ -5686,18 +5650,6 @@
         <translation>Nicht inseriert: %1</translation>
     </message>
     <message>
-        <source>Angle from the center of the round window. Modiolus: distance from the center line of the array to the inner wall. GW: frequency by Greenwood (1990), Hz, at the place on the organ of Corti. SG: frequency of the spiral ganglion, Hz, at the angle; st: its semitones above the center of the default filter.</source>
-        <translation>Winkel ab der Mitte des runden Fensters. Modiolus: Abstand der Mittellinie des Elektrodenträgers von der Innenwand. GW: Frequenz nach Greenwood (1990), Hz, am Ort auf dem Corti-Organ. SG: Frequenz des Spiralganglions, Hz, beim Winkel; HT: ihre Halbtöne über der Mitte des Standardfilters.</translation>
-    </message>
-    <message>
-        <source>%1 %2 / %3</source>
-        <translation>%1 %2 / %3</translation>
-    </message>
-    <message>
-        <source>Influence of the inputs on angle / peak force, % of the variance</source>
-        <translation>Einfluss der Eingangsgrößen auf Winkel / Maximalkraft, % der Varianz</translation>
-    </message>
-    <message>
         <source>Insertion speed</source>
         <translation>Insertionsgeschwindigkeit</translation>
     </message>
@@ -5740,10 +5692,6 @@
     <message>
         <source>Default filters: %1</source>
         <translation>Standardfilter: %1</translation>
-    </message>
-    <message>
-        <source>What is drawn, and from where</source>
-        <translation>Verteilungen der Eingaben und ihre Quellen</translation>
     </message>
     <message>
         <source>Plan, SHA-256</source>
@@ -5794,10 +5742,6 @@
         <translation>mN</translation>
     </message>
     <message>
-        <source>On partition</source>
-        <translation>Trennwand</translation>
-    </message>
-    <message>
         <source>Full</source>
         <translation>Ganz</translation>
     </message>
@@ -5820,10 +5764,6 @@
     <message>
         <source>Insertion plan</source>
         <translation>Insertionsplan</translation>
-    </message>
-    <message>
-        <source>Method and limits</source>
-        <translation>Methode und Grenzen</translation>
     </message>
     <message>
         <source>%1 cannot be used as a logo; choose a PNG or JPEG of at most %2 × %2 pixels.</source>
@@ -5888,10 +5828,6 @@
     <message>
         <source>≥ %1 mN, %</source>
         <translation>≥ %1 mN, %</translation>
-    </message>
-    <message>
-        <source>First resistance: depth of the tip past the opening where the insertion force first reaches %1 mN, the median force that surgeons detect, over the draws in which it does; felt: that it does. ≥ %2 and ≥ %3 mN: that the force on the cochlear partition reaches the weakest and the strongest published strength.</source>
-        <translation>Erster Widerstand: Tiefe der Spitze jenseits der Öffnung, in der die Insertionskraft erstmals %1 mN erreicht, den Median der Kraft, die Operateure wahrnehmen, über die Simulationen, in denen sie es tut; gespürt: dass sie es tut. ≥ %2 und ≥ %3 mN: dass die Kraft auf die Trennwand die schwächste und die stärkste veröffentlichte Festigkeit erreicht.</translation>
     </message>
     <message>
         <source>Sections of the scala tympani</source>
@@ -6026,10 +5962,6 @@
         <translation>gespürt</translation>
     </message>
     <message>
-        <source>Contacts, numbered from the tip: median (%1)</source>
-        <translation>Kontakte, von der Spitze an gezählt: Median (%1)</translation>
-    </message>
-    <message>
         <source>End force, mN</source>
         <translation>Endkraft, mN</translation>
     </message>
@@ -6060,14 +5992,6 @@
     <message>
         <source>, at last %1 of %2</source>
         <translation>, zuletzt %1 von %2</translation>
-    </message>
-    <message>
-        <source>First resistance and force on the partition: median (%1)</source>
-        <translation>Erster Widerstand und Kraft auf die Trennwand: Median (%1)</translation>
-    </message>
-    <message>
-        <source>Force at the end and at rest: median (%1)</source>
-        <translation>Kraft am Ende und in Ruhe: Median (%1)</translation>
     </message>
     <message>
         <source>End force: mean of the last half second of 2 s of rest, as the program that made this plan read it.</source>
@@ -6112,10 +6036,6 @@
     <message>
         <source>Stopped as set, %1 mm of the array outside</source>
         <translation>Wie eingestellt angehalten, %1 mm des Elektrodenträgers außerhalb</translation>
-    </message>
-    <message>
-        <source>Report as PDF</source>
-        <translation>Bericht als PDF</translation>
     </message>
     <message>
         <source>PDF (*.pdf)</source>
@@ -6230,10 +6150,6 @@
         <translation>Reibung geschätzt aus Schweinegewebe</translation>
     </message>
     <message>
-        <source>friction of endosteum, recalled</source>
-        <translation>Reibung von Endost, erinnert</translation>
-    </message>
-    <message>
         <source>The cochlea in the CT</source>
         <translation>Die Cochlea im CT</translation>
     </message>
@@ -6260,10 +6176,6 @@
     <message>
         <source>Maximum force on the cochlear partition. Median and the band that the head names.</source>
         <translation>Größte Kraft auf die cochleäre Trennwand. Median und das Band, das der Kopf nennt.</translation>
-    </message>
-    <message>
-        <source>outside the plan, %1</source>
-        <translation>außerhalb des Plans, %1</translation>
     </message>
     <message>
         <source>Wires</source>
@@ -6310,10 +6222,6 @@
         <translation>Größte Kraft, mN</translation>
     </message>
     <message>
-        <source>At friction %1 only: median (%2)</source>
-        <translation>Nur bei Reibung %1: Median (%2)</translation>
-    </message>
-    <message>
         <source>From the same simulations, less what follows the logarithm of their friction (least squares). All else is still drawn.</source>
         <translation>Aus denselben Simulationen, ohne das, was dem Logarithmus ihrer Reibung folgt (kleinste Quadrate). Alles andere ist weiter gezogen.</translation>
     </message>
@@ -6332,10 +6240,6 @@
     <message>
         <source>%1 against %2</source>
         <translation>%1 gegen %2</translation>
-    </message>
-    <message>
-        <source>Differences between arrays in the same ear: median (%1)</source>
-        <translation>Unterschiede zwischen Elektrodenträgern im selben Ohr: Median (%1)</translation>
     </message>
     <message>
         <source>First minus second, simulation by simulation: cochlea, hand and friction are the same for both, so their spread is not in these bands.</source>
@@ -6418,14 +6322,6 @@
         <translation>Kliniken berichten</translation>
     </message>
     <message>
-        <source>Angle and coverage of the most apical contact. Shares, from %1 simulations on with 95 % intervals: full insertion, stop by resistance, buckling in front of the opening, tip fold-over, a force that reaches the strength of the cochlear partition. Clinics: medians or means of patients, angular depth, complete insertions, tip fold-over and translocation; sources in the guide. Not validated, or *: the program’s clinical table misses a row of this array.</source>
-        <translation>Winkel und Abdeckung des apikalsten Kontakts. Anteile, ab %1 Simulationen mit 95-%-Intervall: volle Insertion, Halt durch Widerstand, Ausknicken vor der Öffnung, Umschlagen der Spitze, eine Kraft, die die Festigkeit der Trennwand erreicht. Kliniken: Mediane oder Mittelwerte von Patienten für Winkel-Insertionstiefe, vollständige Insertionen, Umschlagen der Spitze und Translokation; Quellen im Handbuch. Nicht validiert, oder *: Die klinische Tabelle des Programms verfehlt eine Zeile dieses Elektrodenträgers.</translation>
-    </message>
-    <message>
-        <source>%1; clinics: %2</source>
-        <translation>%1; Kliniken: %2</translation>
-    </message>
-    <message>
         <source>Taper</source>
         <translation>Verjüngung</translation>
     </message>
@@ -6472,10 +6368,6 @@
     <message>
         <source>Not validated: the program’s clinical table misses %1.</source>
         <translation>Nicht validiert: Die klinische Tabelle des Programms verfehlt %1.</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
     </message>
     <message>
         <source>depth, angle and contacts at the deepest place, %1</source>
@@ -6564,6 +6456,230 @@
     <message>
         <source>Simulated cochlea %1 · %2</source>
         <translation>Simulierte Cochlea %1 · %2</translation>
+    </message>
+    <message>
+        <source>peaks in patients %1–%2 mN</source>
+        <translation>Spitzen bei Patienten %1–%2 mN</translation>
+    </message>
+    <message>
+        <source>felt from %1 mN</source>
+        <translation>spürbar ab %1 mN</translation>
+    </message>
+    <message>
+        <source>Insertion force, mN over depth, mm</source>
+        <translation>Insertionskraft, mN über Tiefe, mm</translation>
+    </message>
+    <message>
+        <source>blue: this insertion; gray: median and band of the plan</source>
+        <translation>blau: diese Insertion; grau: Median und Band des Plans</translation>
+    </message>
+    <message>
+        <source>blue: this insertion; no plan of it is stored</source>
+        <translation>blau: diese Insertion; kein Plan dazu gespeichert</translation>
+    </message>
+    <message>
+        <source>Report of the insertion</source>
+        <translation>Bericht der Insertion</translation>
+    </message>
+    <message>
+        <source>&lt; %1 mN</source>
+        <translation>&lt; %1 mN</translation>
+    </message>
+    <message>
+        <source>rupture assumed at %1–%2 mN; original not available</source>
+        <translation>Ruptur angenommen bei %1–%2 mN; Original nicht verfügbar</translation>
+    </message>
+    <message>
+        <source>First resistance and force on the partition: median (band)</source>
+        <translation>Erster Widerstand und Kraft auf die Trennwand: Median (Band)</translation>
+    </message>
+    <message>
+        <source>First resistance: depth of the tip past the opening where the insertion force first reaches %1 mN, the median force that surgeons detect %4, over the draws in which it does; felt: that it does. ≥ %2 and ≥ %3 mN: that the force on the cochlear partition reaches its weakest and its strongest assumed strength; original not available.</source>
+        <translation>Erster Widerstand: Tiefe der Spitze jenseits der Öffnung, in der die Insertionskraft zuerst %1 mN erreicht, den Median der Kraft, die Operateure spüren %4, über die Simulationen, in denen sie das tut; spürbar: dass sie es tut. ≥ %2 und ≥ %3 mN: dass die Kraft auf die cochleäre Trennwand deren geringste und höchste angenommene Festigkeit erreicht; Original nicht verfügbar.</translation>
+    </message>
+    <message>
+        <source>Force at the end and at rest: median (band)</source>
+        <translation>Kraft am Ende und in Ruhe: Median (Band)</translation>
+    </message>
+    <message>
+        <source>At friction %1 only: median (band)</source>
+        <translation>Nur bei Reibung %1: Median (Band)</translation>
+    </message>
+    <message>
+        <source>Differences between arrays in the same ear: median (band)</source>
+        <translation>Unterschiede zwischen Elektrodenträgern im selben Ohr: Median (Band)</translation>
+    </message>
+    <message>
+        <source>Contacts, numbered from the tip: median (band)</source>
+        <translation>Kontakte, gezählt ab der Spitze: Median (Band)</translation>
+    </message>
+    <message>
+        <source>Angle from the center of the round window. Modiolus: distance from the center line of the array to the inner wall. GW: frequency by Greenwood&apos;s map, Hz, at the place on the organ of Corti. SG: frequency of the spiral ganglion, Hz, at the angle; st: its semitones above the center of the default filter.</source>
+        <translation>Winkel ab der Mitte des runden Fensters. Modiolus: Abstand der Mittellinie des Elektrodenträgers zur Innenwand. GW: Frequenz nach der Greenwood-Funktion, Hz, am Ort des Corti-Organs. SG: Frequenz des Spiralganglions, Hz, am Winkel; HT: Halbtöne über der Mitte des Standardfilters.</translation>
+    </message>
+    <message>
+        <source>Inputs and their sources</source>
+        <translation>Eingangsgrößen und ihre Quellen</translation>
+    </message>
+    <message>
+        <source>angle, %</source>
+        <translation>Winkel, %</translation>
+    </message>
+    <message>
+        <source>peak force, %</source>
+        <translation>Maximalkraft, %</translation>
+    </message>
+    <message>
+        <source>What decides angle and peak force: share of the variance</source>
+        <translation>Was Winkel und Maximalkraft bestimmt: Anteil an der Varianz</translation>
+    </message>
+    <message>
+        <source>Inputs from the strongest on, at most %1 of each array; shares below %2 % are not drawn. Blue: angular depth; orange: peak force.</source>
+        <translation>Eingangsgrößen, die stärkste zuerst, höchstens %1 je Elektrodenträger; Anteile unter %2 % sind nicht gezeichnet. Blau: Insertionswinkel; orange: Maximalkraft.</translation>
+    </message>
+    <message>
+        <source>Partition force</source>
+        <translation>Trennwandkraft</translation>
+    </message>
+    <message>
+        <source>Angle and coverage of the most apical contact. Shares, from %1 simulations on with 95 % intervals: full insertion, stop by resistance, buckling in front of the opening, tip fold-over, a force that reaches the strength of the cochlear partition. Clinics: medians or means of patients, angular depth, complete insertions, tip fold-over and translocation %2. Strength of the partition: assumed; original not available; the model gives fewer translocations than clinics report. Not validated, or *: the program’s clinical table misses a row of this array.</source>
+        <translation>Winkel und Abdeckung des apikalsten Kontakts. Anteile, ab %1 Simulationen mit 95-%-Intervallen: vollständige Insertion, Halt durch Widerstand, Knicken vor der Öffnung, Umschlagen der Spitze, eine Kraft, die die Festigkeit der cochleären Trennwand erreicht. Kliniken: Mediane oder Mittelwerte von Patienten, Insertionswinkel, vollständige Insertionen, Umschlagen der Spitze und Translokation %2. Festigkeit der Trennwand: angenommen; Original nicht verfügbar; das Modell ergibt weniger Translokationen, als Kliniken berichten. Nicht validiert, oder *: die klinische Tabelle des Programms verfehlt eine Zeile dieses Elektrodenträgers.</translation>
+    </message>
+    <message>
+        <source>Method and limits; all limits in the appendix</source>
+        <translation>Methode und Grenzen; alle Grenzen im Anhang</translation>
+    </message>
+    <message>
+        <source>assumption</source>
+        <translation>Annahme</translation>
+    </message>
+    <message>
+        <source>general literature</source>
+        <translation>allgemeine Literatur</translation>
+    </message>
+    <message>
+        <source>References</source>
+        <translation>Literatur</translation>
+    </message>
+    <message>
+        <source>Assumption: a choice, or a value whose source was not at hand in the original. The guide lists them (The method, Assumptions).</source>
+        <translation>Annahme: eine Festlegung oder ein Wert, dessen Quelle nicht im Original vorlag. Das Handbuch führt sie auf (The method, Assumptions).</translation>
+    </message>
+    <message>
+        <source>Landmarks</source>
+        <translation>Landmarken</translation>
+    </message>
+    <message>
+        <source>Friction μ</source>
+        <translation>Reibung μ</translation>
+    </message>
+    <message>
+        <source>Clinics: median or mean (quartiles, range or ± SD) of patients.</source>
+        <translation>Kliniken: Median oder Mittelwert (Quartile, Spanne oder ± SD) von Patienten.</translation>
+    </message>
+    <message>
+        <source>Partition: the model gives fewer translocations than clinics report.</source>
+        <translation>Trennwand: Das Modell ergibt weniger Translokationen, als Kliniken berichten.</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation>%1: %2.</translation>
+    </message>
+    <message>
+        <source>outside: %1</source>
+        <translation>außerhalb: %1</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Angle from the center of the round window. Frequency by Greenwood&apos;s map at the place on the organ of Corti. Distance from the center line of the array to the inner wall. Depth past the opening. –: not inserted.</source>
+        <translation>Winkel ab der Mitte des runden Fensters. Frequenz nach der Greenwood-Funktion am Ort des Corti-Organs. Abstand der Mittellinie des Elektrodenträgers zur Innenwand. Tiefe jenseits der Öffnung. –: nicht inseriert.</translation>
+    </message>
+    <message>
+        <source>Frequency, kHz</source>
+        <translation>Frequenz, kHz</translation>
+    </message>
+    <message>
+        <source>Array in the cochlea</source>
+        <translation>Träger in der Cochlea</translation>
+    </message>
+    <message>
+        <source>CT, cochlear view</source>
+        <translation>CT, cochleäre Ansicht</translation>
+    </message>
+    <message>
+        <source>The report was saved as %1. It names the patient, as the CT does.</source>
+        <translation>Der Bericht wurde als %1 gespeichert. Er nennt den Patienten wie das CT.</translation>
+    </message>
+    <message>
+        <source>The report was saved as %1.</source>
+        <translation>Der Bericht wurde als %1 gespeichert.</translation>
+    </message>
+    <message>
+        <source>DICOM with the patient’s code (*.dcm)</source>
+        <translation>DICOM mit dem Patientencode (*.dcm)</translation>
+    </message>
+    <message>
+        <source>DICOM in the study of the CT, with the patient’s name (*.dcm)</source>
+        <translation>DICOM in der Studie des CT, mit dem Namen des Patienten (*.dcm)</translation>
+    </message>
+    <message>
+        <source>Folder of the patient’s CT; the report takes name and number from it</source>
+        <translation>Ordner des CT; der Bericht übernimmt daraus Namen und Nummer</translation>
+    </message>
+    <message>
+        <source>%1 to %2 by speed</source>
+        <translation>%1 bis %2 je nach Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>%1 (95 % %2–%3)</source>
+        <translation>%1 (95 % %2–%3)</translation>
+    </message>
+    <message>
+        <source>M</source>
+        <translation>M</translation>
+    </message>
+    <message>
+        <source>%1; %2 %3</source>
+        <translation>%1; %2 %3</translation>
+    </message>
+    <message>
+        <source>own value</source>
+        <translation>eigener Wert</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>none; measures were entered</source>
+        <translation>keine; Maße eingegeben</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>automatisch</translation>
+    </message>
+    <message>
+        <source>moved by hand: %1</source>
+        <translation>von Hand versetzt: %1</translation>
+    </message>
+    <message>
+        <source>Strength of the cochlear partition, %1 to %2 mN: assumed; original not available. The model gives fewer translocations than clinics report.</source>
+        <translation>Festigkeit der cochleären Trennwand, %1 bis %2 mN: angenommen; Original nicht verfügbar. Das Modell ergibt weniger Translokationen, als Kliniken berichten.</translation>
+    </message>
+    <message>
+        <source>cochlear partition %1 mN (rupture assumed at %2–%3 mN)</source>
+        <translation>cochleäre Trennwand %1 mN (Ruptur angenommen bei %2–%3 mN)</translation>
+    </message>
+    <message>
+        <source>cochlear partition %1 mN: within or above assumed rupture forces (%2–%3 mN)</source>
+        <translation>cochleäre Trennwand %1 mN: im Bereich der angenommenen Rupturkräfte oder darüber (%2–%3 mN)</translation>
+    </message>
+    <message>
+        <source>friction of endosteum, assumed</source>
+        <translation>Reibung des Endosts, angenommen</translation>
     </message>
 </context>
 <context>
@@ -7768,10 +7884,6 @@
         <source>Keep inserting</source>
         <translation>Weiter inserieren</translation>
     </message>
-    <message>
-        <source>Report saved to %1.</source>
-        <translation>Bericht gespeichert in %1.</translation>
-    </message>
 </context>
 <context>
     <name>perilymph::gui::InsertionViews</name>
@@ -8964,14 +9076,6 @@
         <translation>Bericht …</translation>
     </message>
     <message>
-        <source>Report of this plan as PDF: a page for the record and an appendix</source>
-        <translation>Bericht dieses Plans als PDF: eine Seite für die Akte und ein Anhang</translation>
-    </message>
-    <message>
-        <source>The report was saved as %1.</source>
-        <translation>Der Bericht wurde als %1 gespeichert.</translation>
-    </message>
-    <message>
         <source>Report of the plan</source>
         <translation>Bericht des Plans</translation>
     </message>
@@ -9002,6 +9106,14 @@
     <message>
         <source>%1 simulations, %2 insertions</source>
         <translation>%1 Simulationen, %2 Insertionen</translation>
+    </message>
+    <message>
+        <source>Report of this plan as PDF or DICOM: a page for the record and an appendix</source>
+        <translation>Bericht dieses Plans als PDF oder DICOM: eine Seite für die Akte und ein Anhang</translation>
+    </message>
+    <message>
+        <source>%1%2, %3. Medians; bands: %4</source>
+        <translation>%1%2, %3. Mediane; Bänder: %4</translation>
     </message>
 </context>
 <context>
@@ -9943,10 +10055,6 @@
         <translation>Ihre Kraft in den nächsten Insertionen als Referenzkurve zeigen</translation>
     </message>
     <message>
-        <source>Save a report as PDF</source>
-        <translation>Bericht als PDF speichern</translation>
-    </message>
-    <message>
         <source>Rename the recording (F2)</source>
         <translation>Aufzeichnung umbenennen (F2)</translation>
     </message>
@@ -9987,16 +10095,16 @@
         <translation>Mehrere mit Strg oder Umschalt auswählen, um sie zu vergleichen.</translation>
     </message>
     <message>
-        <source>Report saved to %1.</source>
-        <translation>Bericht gespeichert in %1.</translation>
-    </message>
-    <message>
         <source>Sessions</source>
         <translation>Aufzeichnungen</translation>
     </message>
     <message>
         <source>This insertion has ended; its rest is recorded until nothing moves.</source>
         <translation>Diese Insertion ist beendet; ihre Ruhe wird aufgezeichnet, bis sich nichts mehr bewegt.</translation>
+    </message>
+    <message>
+        <source>Save a report as PDF or DICOM</source>
+        <translation>Bericht als PDF oder DICOM speichern</translation>
     </message>
 </context>
 <context>

@@ -6,42 +6,28 @@
 #include <QString>
 
 #include "gui/report/PlanReportPdf.h"
+#include "gui/report/ReportFile.h"
 #include "perilymph/foundation/AtomicFile.h"
-#include "perilymph/foundation/FileIdentity.h"
-#include "perilymph/foundation/Unfinished.h"
-#include "perilymph/foundation/Version.h"
-#include "perilymph/imaging/EncapsulatedPdf.h"
 
 namespace perilymph::gui {
 
 namespace {
 
-bool isDicom(const std::filesystem::path& file) { return file.extension() == ".dcm"; }
+ReportPlace placeOf(const CommandLine& options)
+{
+  return {*options.report, options.ct, options.isCtNotCompared};
+}
 
 QtMessageHandler qtHandler = nullptr;  // before drawWithoutDisplay()
 
-constexpr std::size_t maxPdfBytes = std::size_t{64} << 20;
-
 }  // namespace
-
-/// The series in which a plan's patient was measured; none where nobody vouches for it.
-std::string seriesOf(const planning::Plan& plan)
-{
-  const anatomy::Patient& patient = plan.request.patient;
-  return plan.seal == Seal::intact && patient.seal == Seal::intact ? patient.origin.seriesKey
-                                                                   : std::string();
-}
 
 Result<PlanReportContent> reportedPlan(const CommandLine& options)
 {
   if (const auto place = checkWritable(*options.report); !place) return place.error();
-  if (options.ct && !isDicom(*options.report))
+  if (options.ct && !placeOf(options).isDicom())
     return Error{"--ct needs a report that ends in .dcm, because a PDF carries no study."};
-  if (options.ct && isExistingBelow(*options.report, options.ct->filename() == "DICOMDIR"
-                                                         ? options.ct->parent_path()
-                                                         : *options.ct))
-    return Error{"--report would replace %1, which --ct reads. Give --report another name.",
-                 options.report->string()};
+  if (const auto place = checkPlace(placeOf(options)); !place) return place.error();
   auto stored = planning::readPlan(*options.plan);
   if (!stored) return stored.error();
   if (options.ct && stored->plan.seal == Seal::changed)
@@ -60,28 +46,18 @@ Result<PlanReportContent> reportedPlan(const CommandLine& options)
         "leave --ct out, or, if you know that the CT is the patient's, add --ct-not-compared.",
         options.plan->string()};
   auto content = planReportContent(*std::move(stored));
-  if (content) content->isStudyNotCompared = options.ct && seriesOf(content->plan()).empty();
+  if (content) content->isStudyNotCompared = options.ct && content->identity().seriesKey.empty();
   return content;
 }
 
 Result<Done> writeReport(const PlanReportContent& content, const CommandLine& options)
 {
-  if (!isDicom(*options.report)) return writePlanReport(content, *options.report);
-  std::error_code failure;
-  const auto folder =
-      UnfinishedFolder::create(std::filesystem::temp_directory_path(failure) / "perilymph-report");
-  if (failure || !folder)
-    return Error{"No temporary folder can be made for the report. Check the space on the disk."};
-  const std::filesystem::path pdf = folder->path() / "plan.pdf";
-  if (const auto written = writePlanReport(content, pdf); !written) return written;
-  auto bytes = readWhole(pdf, maxPdfBytes);
-  if (!bytes) return bytes.error();
-  const bool hasCode(anatomy::checkPatientCode(content.plan().request.patient.label));
-  return imaging::writeEncapsulatedPdf(
-      {*std::move(bytes), "Insertion plan",
-       hasCode ? content.plan().request.patient.label : std::string(), buildId().substr(0, 64),
-       seriesOf(content.plan()), options.isCtNotCompared},
-      options.ct, *options.report);
+  const ReportPlace place = placeOf(options);
+  if (!place.isDicom()) return writePlanReport(content, place.file);
+  auto pdf = pdfBytes(
+      [&content](const std::filesystem::path& file) { return writePlanReport(content, file); });
+  if (!pdf) return pdf.error();
+  return writeDicom(*std::move(pdf), content.identity(), place);
 }
 
 void drawWithoutDisplay()

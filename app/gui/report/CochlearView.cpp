@@ -50,20 +50,21 @@ void drawCentered(QPainter& painter, const QPointF& at, const QString& text)
 }
 
 CochlearView::CochlearView(const QRectF& place, const anatomy::ScalaTympani& scala,
-                           anatomy::Side side)
+                           anatomy::Side side, bool hasRing)
     : place_(place),
       center_(place.center()),
       side_(side),
       plane_(scala, side),
       radius_mm_(outerRadius_mm(scala) + ringMargin_mm),
-      half_mm_(radius_mm_ + labelMargin_mm + 0.6),
+      half_mm_(hasRing ? radius_mm_ + labelMargin_mm + 1.1 : radius_mm_),
       scale_(0.5 * std::min(place.width(), place.height()) / half_mm_)
 {
 }
 
 void CochlearView::paintScala(QPainter& painter, const PicturedInsertion& pictured) const
 {
-  constexpr int pixels = 1600;
+  const double side = 2.0 * half_mm_ * scale_;
+  const int pixels = std::clamp(int(2.0 * side), 400, 1600);
   QImage image(pixels, pixels, QImage::Format_RGB32);
   image.fill(Qt::white);
   QPainter inner(&image);
@@ -72,7 +73,6 @@ void CochlearView::paintScala(QPainter& painter, const PicturedInsertion& pictur
   inner.setRenderHint(QPainter::Antialiasing);
   paintProjected(inner, plane_, pictured, printInks());
   inner.end();
-  const double side = 2.0 * half_mm_ * scale_;
   QRectF square(0.0, 0.0, side, side);
   square.moveCenter(center_);
   painter.drawImage(square, image);
@@ -90,7 +90,7 @@ void CochlearView::paintFrame(ReportSheet& sheet) const
   painter.setPen(textInk);
   drawCentered(painter, left + QPointF(0.5 * length, -0.45 * scale_), barText());
   const bool isLeft = side_ == anatomy::Side::left;
-  painter.setFont(sheet.font(ReportFace::heading));
+  painter.setFont(sheet.font(ReportFace::label));
   painter.setPen(textInk);
   painter.drawText(place_, int((isLeft ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignTop),
                    earText(side_));

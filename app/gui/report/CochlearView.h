@@ -13,7 +13,9 @@ namespace perilymph::gui {
 /// Maps the projection's millimeters to a rectangle of a page [dots].
 class CochlearView {
 public:
-  CochlearView(const QRectF& place, const anatomy::ScalaTympani& scala, anatomy::Side side);
+  /// @param hasRing  Whether there is room for paintFrame() around the cochlea.
+  CochlearView(const QRectF& place, const anatomy::ScalaTympani& scala, anatomy::Side side,
+               bool hasRing = true);
 
   const ScalaProjection& plane() const { return plane_; }
   /// Dots per millimeter of the cochlea.

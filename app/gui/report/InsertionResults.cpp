@@ -54,14 +54,23 @@ void addClinics(std::vector<InsertionResult>& results, const std::string& array)
       if (each.name == name) {
         each.clinics = clinicsReport(array, quantity);
         each.clinicsDetail = clinicsReportDetails(array, quantity);
+        each.clinicsSource = clinicsSource(array, quantity);
       }
+}
+
+/// No bare zero: the model hardly reaches the partition where patients have translocations.
+QString partitionForce(double force_N)
+{
+  if (std::isnan(force_N)) return tr("not recorded");
+  constexpr double smallest_mN = 0.1;
+  return force_N * 1e3 < smallest_mN ? tr("< %1 mN").arg(numberText(smallest_mN, 1)) : mN(force_N);
 }
 
 QString partitionText(const ReportContent& content)
 {
   if (content.insertion.translocation) return ruptureText(*content.insertion.translocation);
   if (!content.rupture) return {};
-  return tr("rupture reported at %1–%2 mN (unverified)")
+  return tr("rupture assumed at %1–%2 mN; original not available")
       .arg(numberText(content.rupture->low * 1e3, 0), numberText(content.rupture->high * 1e3, 0));
 }
 
@@ -167,7 +176,7 @@ std::vector<InsertionResult> measuredResults(const ReportContent& content)
        false,
        false},
       {tr("Maximum partition force"),
-       std::isnan(profile.partitionForceMax) ? tr("not recorded") : mN(profile.partitionForceMax),
+       partitionForce(profile.partitionForceMax),
        partitionText(content),
        {},
        {},

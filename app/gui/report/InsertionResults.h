@@ -14,10 +14,11 @@ struct InsertionResult {
   QString name, value, detail;  ///< The detail is the definition.
   QString plan;     ///< "57 (25–77) mN"; empty without a plan or where it has no such band.
   QString clinics;  ///< What clinics report of this array: "408 (373–449)°"; empty if nothing.
-  QString clinicsDetail;    ///< With n, definition and source.
-  bool isOutside = false;   ///< Outside of the plan's band.
-  bool isHeadline = false;  ///< Stated on the card.
-  bool isSentence = false;  ///< The value is words; the detail may have several lines.
+  QString clinicsDetail;           ///< With n, definition and source.
+  bool isOutside = false;          ///< Outside of the plan's band.
+  bool isHeadline = false;         ///< Stated on the card.
+  bool isSentence = false;         ///< The value is words; the detail may have several lines.
+  std::string clinicsSource = {};  ///< For References::label().
 };
 
 /// In the order in which they are read. A value that was not recorded says so.

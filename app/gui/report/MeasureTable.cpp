@@ -38,7 +38,7 @@ QString placeOf(Length value, const Population& population)
 }  // namespace
 
 MeasureRow measuredRow(const QString& name, Length value, const Population& population,
-                       const QString& source, Length error)
+                       const std::string& source, Length error)
 {
   return {name, withInterval(inMillimeters(value), halfWidth95 * inMillimeters(error), 2),
           placeOf(value, population), source};
@@ -46,7 +46,7 @@ MeasureRow measuredRow(const QString& name, Length value, const Population& popu
 
 std::vector<MeasureRow> basalTurnRows(const anatomy::Patient& patient)
 {
-  const QString source = tr("Pietsch et al. 2017, n = 138");
+  const std::string source = "Pietsch et al. 2017";
   const anatomy::BasalTurnErrors errors = analysis::errorsOf(patient);
   std::vector<MeasureRow> rows = {measuredRow(tr("A: basal-turn diameter"), patient.basalTurn->a,
                                               lengthAPopulation(), source, errors.a),
@@ -80,16 +80,17 @@ QString measureText(const std::vector<analysis::Measure>& measures,
 MeasureRow ductLengthRow(const QString& value)
 {
   return {tr("Cochlear duct length (CDL)"), value,
-          tr("elliptic-circular; ± holds what A alone gives"), tr("Schurzig et al. 2018")};
+          tr("elliptic-circular; ± holds what A alone gives"), "Schurzig et al. 2018"};
 }
 
 double paintMeasures(ReportSheet& sheet, const QString& title, const std::vector<MeasureRow>& rows,
-                     double y_mm, double width_mm)
+                     References& references, double y_mm, double width_mm)
 {
   y_mm = sheet.heading(0.0, y_mm, width_mm, title);
-  const double ends[] = {0.0, 0.28 * width_mm, 0.43 * width_mm, 0.77 * width_mm, width_mm};
+  const double ends[] = {0.0, 0.27 * width_mm, 0.42 * width_mm, 0.88 * width_mm, width_mm};
   for (const MeasureRow& row : rows) {
-    const QString cells[] = {row.name, row.value, row.place, row.source};
+    const QString source = row.source.empty() ? QString() : references.label(row.source);
+    const QString cells[] = {row.name, row.value, row.place, source};
     const ReportFace faces[] = {ReportFace::text, ReportFace::bold, ReportFace::quiet,
                                 ReportFace::quiet};
     for (int i = 0; i < 4; ++i)

@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "gui/report/References.h"
 #include "gui/report/ReportSheet.h"
 #include "gui/setup/Populations.h"
 #include "perilymph/analysis/AnatomyMeasures.h"
@@ -13,12 +14,13 @@
 namespace perilymph::gui {
 
 struct MeasureRow {
-  QString name, value, place, source;
+  QString name, value, place;
+  std::string source;  ///< For References::label(); empty without one.
 };
 
 /// A length measured in a patient, compared with its population.
 MeasureRow measuredRow(const QString& name, Length value, const Population& population,
-                       const QString& source, Length error);
+                       const std::string& source, Length error);
 
 /// A, B and H of a patient who has them, with the errors of their measurement.
 std::vector<MeasureRow> basalTurnRows(const anatomy::Patient& patient);
@@ -37,6 +39,6 @@ MeasureRow ductLengthRow(const QString& value);
 ///
 /// @return  Its lower end [mm].
 double paintMeasures(ReportSheet& sheet, const QString& title, const std::vector<MeasureRow>& rows,
-                     double y_mm, double width_mm);
+                     References& references, double y_mm, double width_mm);
 
 }  // namespace perilymph::gui

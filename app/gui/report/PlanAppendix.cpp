@@ -83,7 +83,7 @@ QString resistanceRow(const QStringList& texts, const char* kind)
 
 /// Where a surgeon would feel the first resistance, and how often the published strengths of the
 /// partition are reached.
-QString resistances(const PlanReportContent& content)
+QString resistances(const PlanReportContent& content, References& references)
 {
   const planning::Thresholds& thresholds = content.plan().thresholds;
   const auto force = [](Force value) { return numberText(inMillinewtons(value), 1); };
@@ -104,16 +104,14 @@ QString resistances(const PlanReportContent& content)
                            chanceText(arrays[i].reachesWeakest, arrays[i].draws),
                            chanceText(arrays[i].reachesStrongest, arrays[i].draws)},
                           "tiny");
-  return heading(tr("First resistance and force on the partition: median (%1)")
-                     .arg(bandsHold(content.plan()))) +
-         table(rows) +
+  return heading(tr("First resistance and force on the partition: median (band)")) + table(rows) +
          QStringLiteral("<p class=\"quiet tiny\">%1</p>")
              .arg(tr("First resistance: depth of the tip past the opening where the insertion "
-                     "force first reaches %1 mN, the median force that surgeons detect, over the "
-                     "draws in which it does; felt: that it does. ≥ %2 and ≥ %3 mN: that the force "
-                     "on the cochlear partition reaches the weakest and the strongest published "
-                     "strength.")
-                      .arg(felt, weakest, strongest));
+                     "force first reaches %1 mN, the median force that surgeons detect %4, over "
+                     "the draws in which it does; felt: that it does. ≥ %2 and ≥ %3 mN: that the "
+                     "force on the cochlear partition reaches its weakest and its strongest "
+                     "assumed strength; original not available.")
+                      .arg(felt, weakest, strongest, references.label("Kratchman")));
 }
 
 /// Forces on the hand at the end of the push and at rest.
@@ -138,8 +136,8 @@ QString endForces(const PlanReportContent& content)
                     "made this plan read it.")
                : tr("End force: mean of the last half second before the hand stops; then means of "
                     "the half second before 1 s and before 10 s of rest.");
-  return heading(tr("Force at the end and at rest: median (%1)").arg(bandsHold(content.plan()))) +
-         table(rows) + QStringLiteral("<p class=\"quiet tiny\">%1</p>").arg(method);
+  return heading(tr("Force at the end and at rest: median (band)")) + table(rows) +
+         QStringLiteral("<p class=\"quiet tiny\">%1</p>").arg(method);
 }
 
 /// Angle and forces at the median of the drawn friction; nothing where it states no spread.
@@ -160,8 +158,8 @@ QString atMedianFriction(const PlanReportContent& content)
                           "tiny");
   }
   if (!isKnown) return {};
-  return heading(tr("At friction %1 only: median (%2)")
-                     .arg(numberText(content.plan().friction.low, 3), bandsShare(content.plan()))) +
+  return heading(tr("At friction %1 only: median (band)")
+                     .arg(numberText(content.plan().friction.low, 3))) +
          table(rows) +
          QStringLiteral("<p class=\"quiet tiny\">%1</p>")
              .arg(tr("From the same simulations, less what follows the logarithm of their "
@@ -184,9 +182,7 @@ QString differences(const PlanReportContent& content)
                            differenceText(each.angle_deg), chanceText(each.deeper, each.draws),
                            differenceText(each.peak_mN), chanceText(each.harder, each.draws)},
                           "tiny");
-  return heading(
-             tr("Differences between arrays in the same ear: median (%1)").arg(bandsShare(plan))) +
-         table(rows) +
+  return heading(tr("Differences between arrays in the same ear: median (band)")) + table(rows) +
          QStringLiteral("<p class=\"quiet tiny\">%1</p>")
              .arg(tr("First minus second, simulation by simulation: cochlea, hand and friction are "
                      "the same for both, so their spread is not in these bands."));
@@ -203,44 +199,22 @@ QString contacts(const PlanReportContent& content)
           QStringLiteral("<td width=\"33%\" class=\"block\">%1</td>").arg(contactsOf(arrays[k], k));
     rows += QStringLiteral("<tr>%1</tr>").arg(row);
   }
-  return heading(
-             tr("Contacts, numbered from the tip: median (%1)").arg(bandsHold(content.plan()))) +
-         table(rows) +
+  return heading(tr("Contacts, numbered from the tip: median (band)")) + table(rows) +
          QStringLiteral("<p class=\"quiet tiny\">%1</p>")
              .arg(
                  tr("Angle from the center of the round window. Modiolus: distance from the center "
-                    "line of the array to the inner wall. GW: frequency by Greenwood (1990), Hz, "
+                    "line of the array to the inner wall. GW: frequency by Greenwood's map, Hz, "
                     "at the "
                     "place on the organ of Corti. SG: frequency of the spiral ganglion, Hz, at the "
                     "angle; st: its semitones above the center of the default filter."));
 }
 
-/// A row with a name, a text, and a short remark if there is one.
-QString row(const QString& name, const QString& text, const QString& remark = {})
+/// A row with a name and a text.
+QString row(const QString& name, const QString& text)
 {
-  const QString last = QStringLiteral("<td width=\"13%\" class=\"quiet tiny\">%1</td>").arg(remark);
   return QStringLiteral(
-             "<tr><td width=\"18%\" class=\"quiet tiny\">%1</td><td class=\"tiny\">%2</td>%3</tr>")
-      .arg(name, text, remark.isEmpty() ? QString() : last);
-}
-
-/// The influences on angle and peak force.
-QString influences(const PlanReportContent& content)
-{
-  const auto& arrays = content.plan().arrays;
-  const auto percent = [](double fraction) { return numberText(100.0 * fraction, 0); };
-  QString rows;
-  for (std::size_t i = 0; i < arrays.size(); ++i) {
-    QStringList inputs;
-    for (const planning::Influence& each : arrays[i].influences)
-      if (std::max(each.onAngle, each.onPeak) >= 0.005)  // not 0 / 0
-        inputs << tr("%1 %2 / %3")
-                      .arg(dataText(each.input).toHtmlEscaped(), percent(each.onAngle),
-                           percent(each.onPeak));
-    rows += row(numberedName(arrays[i], i).toHtmlEscaped(), inputs.join(QStringLiteral(" · ")));
-  }
-  return heading(tr("Influence of the inputs on angle / peak force, % of the variance")) +
-         table(rows);
+             "<tr><td width=\"18%\" class=\"quiet tiny\">%1</td><td class=\"tiny\">%2</td></tr>")
+      .arg(name, text);
 }
 
 QString confidenceText(const std::string& confidence)
@@ -278,13 +252,30 @@ QString inputName(const std::string& name)
   return tr("Default filters: %1").arg(QString::fromStdString(name));
 }
 
-QString sources(const PlanReportContent& content)
+QString sources(const PlanReportContent& content, References& references)
 {
+  constexpr std::size_t inARow = 2;
   QString rows;
-  for (const planning::PlanSource& each : content.stored.sources)
-    rows += row(inputName(each.table).toHtmlEscaped(), dataText(each.source).toHtmlEscaped(),
-                confidenceText(each.confidence));
-  return heading(tr("What is drawn, and from where")) + table(rows);
+  const auto& all = content.stored.sources;
+  for (std::size_t i = 0; i < all.size(); i += inARow) {
+    rows += QStringLiteral("<tr>");
+    for (std::size_t k = i; k < std::min(all.size(), i + inARow); ++k)
+      rows += QStringLiteral(
+                  "<td width=\"20%\" class=\"quiet tiny\">%1</td><td width=\"12%\" "
+                  "class=\"tiny\">%2</td><td width=\"18%\" class=\"quiet tiny\">%3</td>")
+                  .arg(inputName(all[k].table).toHtmlEscaped(), references.label(all[k].source),
+                       confidenceText(all[k].confidence));
+    rows += QStringLiteral("</tr>");
+  }
+  return heading(tr("Inputs and their sources")) + table(rows);
+}
+
+QString limits(const PlanReportContent& content)
+{
+  QString items;
+  for (const Sentence& limit : content.stored.limits)
+    items += QStringLiteral("<li>%1</li>").arg(dataText(limit).toHtmlEscaped());
+  return heading(tr("Limits")) + QStringLiteral("<ul>%1</ul>").arg(items);
 }
 
 QString marks(const PlanReportContent& content)
@@ -309,12 +300,14 @@ QString marks(const PlanReportContent& content)
 
 }  // namespace
 
-QString planAppendixText(const PlanReportContent& content)
+QString planAppendixText(const PlanReportContent& content, References& references)
 {
-  return QStringLiteral("<h1>%1</h1>").arg(tr("Appendix: resistance, contacts and sources")) +
-         ctPictureText(content.plan().request.patient) + atMedianFriction(content) +
-         differences(content) + resistances(content) + endForces(content) + contacts(content) +
-         influences(content) + sources(content) + marks(content);
+  const QString text =
+      QStringLiteral("<h1>%1</h1>").arg(tr("Appendix: resistance, contacts and sources")) +
+      ctPictureText(content.plan().request.patient) + atMedianFriction(content) +
+      differences(content) + resistances(content, references) + endForces(content) +
+      contacts(content) + limits(content) + sources(content, references) + marks(content);
+  return text + references.list();  // of what the text cites
 }
 
 }  // namespace perilymph::gui

@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gui/setup/PlannedFriction.h"
-#include "gui/text/Numbers.h"
+#include "gui/report/ReportChart.h"
 #include "perilymph/figures/Figure.h"
 #include "perilymph/planning/ForceCourse.h"
 
@@ -14,13 +13,10 @@ namespace perilymph::gui {
 
 namespace {
 
-constexpr double axis_mm = 7.0;        // left of a chart, for its numbers
-constexpr double label_mm = 3.2;       // height of a line of text
+constexpr double axis_mm = ReportChart::axis_mm, label_mm = ReportChart::label_mm;
 constexpr double minHeight_mm = 16.0;  // of a chart
-constexpr double head_mm = 15.0;       // heading and two lines of text above the charts
+constexpr double head_mm = 12.0;       // heading and a line of text above the charts
 constexpr double broad_mm = 110.0;     // has room for three charts side by side
-
-const QColor gridInk(0xD8, 0xDE, 0xE2);
 
 // lupdate assigns texts of free functions to their namespace.
 QString tr(const char* text) { return QCoreApplication::translate("perilymph::gui", text); }
@@ -48,7 +44,8 @@ class Chart {
 public:
   Chart(ReportSheet& sheet, const QRectF& place_mm, const Axes& axes)
       : sheet_(sheet),
-        plot_mm_(place_mm.adjusted(axis_mm, label_mm + 0.6, -2.0, -label_mm - 1.2)),
+        chart_(sheet, place_mm, axes.depth, axes.force),
+        plot_mm_(chart_.plot_mm()),
         place_mm_(place_mm),
         axes_(axes)
   {
@@ -58,7 +55,7 @@ public:
   {
     sheet_.line({place_mm_.left() + axis_mm, place_mm_.top(), plot_mm_.width(), label_mm},
                 numberedName(array, place), ReportFace::label);
-    paintGrid();
+    chart_.paintGrid();
     QPainter& painter = sheet_.painter();
     painter.save();
     painter.setClipRect(sheet_.dots(plot_mm_));
@@ -75,7 +72,7 @@ public:
                 0.35 * strength);
       QPolygonF median;
       for (std::size_t i = rows.first; i < rows.second; ++i)
-        median << at(array.force[i].depth_mm, array.force[i].force_mN.median);
+        median << chart_.at(array.force[i].depth_mm, array.force[i].force_mN.median);
       painter.setBrush(Qt::NoBrush);
       painter.setPen(QPen(ink, sheet_.dots({0, 0, 0.35, 0}).width(),
                           strength < 1.0 ? Qt::DotLine : Qt::SolidLine));
@@ -85,7 +82,7 @@ public:
     painter.setPen(QPen(ink, sheet_.dots({0, 0, 0.2, 0}).width()));
     painter.setBrush(Qt::white);
     for (const planning::ForceCourse::Mark& each : course.ends)
-      painter.drawEllipse(at(each.depth_mm, each.force_mN), radius, radius);
+      painter.drawEllipse(chart_.at(each.depth_mm, each.force_mN), radius, radius);
     painter.restore();
     paintCounts(array, course);
   }
@@ -98,51 +95,11 @@ private:
     for (const planning::ForceCourse::Mark* each :
          {&course.counts.front(), &course.counts.back()}) {
       const double x_mm = plot_mm_.left() + plot_mm_.width() * each->depth_mm / axes_.depth.high,
-                   y_mm =
-                       plot_mm_.bottom() -
-                       plot_mm_.height() * std::clamp(each->force_mN / axes_.force.high, 0.0, 1.0);
+                   y_mm = chart_.top_mm(each->force_mN);
       sheet_.line(
           {x_mm - width_mm, std::max(plot_mm_.top(), y_mm - label_mm - 0.6), width_mm, label_mm},
           countText(each->draws, array.draws), ReportFace::label, Qt::AlignRight);
       if (course.counts.size() == 1) return;
-    }
-  }
-
-  QPointF at(double depth_mm, double force_mN) const
-  {
-    const QRectF plot = sheet_.dots(plot_mm_);
-    return {plot.left() + plot.width() * depth_mm / axes_.depth.high,
-            plot.bottom() - plot.height() * force_mN / axes_.force.high};
-  }
-
-  /// A number is at every line of the force, at every second, ..., so that they do not touch.
-  int numberedLines() const
-  {
-    const double apart_mm = plot_mm_.height() * axes_.force.tick / axes_.force.high;
-    return apart_mm > 0.0 ? std::max(1, int(std::ceil(label_mm / apart_mm))) : 1;
-  }
-
-  void paintGrid() const
-  {
-    QPainter& painter = sheet_.painter();
-    const QPen pen(gridInk, sheet_.dots({0, 0, 0.12, 0}).width());
-    const int every = numberedLines();
-    int lines = 0;
-    for (double force = 0.0; force <= axes_.force.high * 1.001; force += axes_.force.tick) {
-      painter.setPen(pen);
-      painter.drawLine(at(0.0, force), at(axes_.depth.high, force));
-      if (lines++ % every != 0) continue;
-      const double y_mm =
-          plot_mm_.bottom() - plot_mm_.height() * force / axes_.force.high - 0.5 * label_mm;
-      sheet_.line({place_mm_.left(), y_mm, axis_mm - 1.0, label_mm},
-                  numberText(force, axes_.force.decimals), ReportFace::label, Qt::AlignRight);
-    }
-    for (double depth = 0.0; depth <= axes_.depth.high * 1.001; depth += axes_.depth.tick) {
-      painter.setPen(pen);
-      painter.drawLine(at(depth, 0.0), at(depth, axes_.force.high));
-      const double x_mm = plot_mm_.left() + plot_mm_.width() * depth / axes_.depth.high;
-      sheet_.line({x_mm - 5.0, plot_mm_.bottom(), 10.0, label_mm},
-                  numberText(depth, axes_.depth.decimals), ReportFace::label, Qt::AlignHCenter);
     }
   }
 
@@ -152,9 +109,9 @@ private:
   {
     QPolygonF area;
     for (std::size_t i = rows.first; i < rows.second; ++i)
-      area << at(array.force[i].depth_mm, array.force[i].force_mN.*low);
+      area << chart_.at(array.force[i].depth_mm, array.force[i].force_mN.*low);
     for (std::size_t i = rows.second; i-- > rows.first;)
-      area << at(array.force[i].depth_mm, array.force[i].force_mN.*high);
+      area << chart_.at(array.force[i].depth_mm, array.force[i].force_mN.*high);
     ink.setAlphaF(opacity);
     QPainter& painter = sheet_.painter();
     painter.setPen(Qt::NoPen);
@@ -163,6 +120,7 @@ private:
   }
 
   ReportSheet& sheet_;
+  ReportChart chart_;
   QRectF plot_mm_, place_mm_;
   const Axes& axes_;
 };
@@ -208,7 +166,6 @@ void paintPlanCurves(ReportSheet& sheet, const QRectF& place_mm, const PlanRepor
     top_mm += label_mm;
   };
   write(unitsText());
-  write(bandsHold(content.plan()));
   if (count < arrays.size())
     write(tr("Arrays 1 to %1; all %2 on the next page").arg(count).arg(arrays.size()));
   top_mm += 1.0;
@@ -224,8 +181,7 @@ void paintAllPlanCurves(ReportSheet& sheet, const QRectF& place_mm,
   const auto& arrays = content.plan().arrays;
   const double top_mm = sheet.heading(place_mm.left(), place_mm.top(), place_mm.width(),
                                       tr("Insertion force of all arrays"));
-  sheet.line({place_mm.left(), top_mm, place_mm.width(), label_mm},
-             tr("%1 · %2").arg(unitsText(), bandsHold(content.plan())), ReportFace::label);
+  sheet.line({place_mm.left(), top_mm, place_mm.width(), label_mm}, unitsText(), ReportFace::label);
   const double first_mm = top_mm + label_mm + 1.0;
   const int columns = arrays.size() > manyArrays ? 4 : 3;
   const double height_mm =

@@ -8,8 +8,9 @@
 
 namespace perilymph::gui {
 
-/// Paints the first arrays side by side in the scala: a line to the median of the most apical
-/// contact's angle, a broad one from 5 to 95 % of the draws, the contacts at their medians.
+/// Paints the first arrays, each in a picture of its own: a line to the median of the most apical
+/// contact's angle, a broad one from 5 to 95 % of the draws, the contacts at their medians, at the
+/// median distances of the contacts from the inner wall.
 void paintPlanPicture(ReportSheet& sheet, const QRectF& place_mm, const PlanReportContent& content);
 
 }  // namespace perilymph::gui

@@ -102,18 +102,31 @@ QStringList clinicsOf(const planning::ArrayPlan& array)
           reported(ReportedQuantity::translocation)};
 }
 
-double paintArrays(ReportSheet& sheet, const PlanReportContent& content, double y_mm,
-                   double width_mm)
+/// The label of all that the rows of clinics rest on.
+QString clinicsLabel(const std::vector<planning::ArrayPlan>& arrays, References& references)
+{
+  using analysis::ReportedQuantity;
+  std::string sources;
+  for (const planning::ArrayPlan& each : arrays)
+    for (const ReportedQuantity quantity :
+         {ReportedQuantity::angle, ReportedQuantity::peakForce, ReportedQuantity::complete,
+          ReportedQuantity::foldOver, ReportedQuantity::translocation})
+      sources += clinicsSource(each.array, quantity) + "; ";
+  return references.label(sources);
+}
+
+double paintArrays(ReportSheet& sheet, const PlanReportContent& content, References& references,
+                   double y_mm, double width_mm)
 {
   const QString hold = bandsHold(content.plan());
   y_mm = sheet.heading(0.0, y_mm, width_mm, tr("Arrays in this cochlea: median (%1)").arg(hold));
-  constexpr double chance_mm = 16.8;  // of "100 (68–100)"
+  constexpr double chance_mm = 15.4;  // of "100 (68–100)"
   constexpr double force_mm = 18.2;   // of "100 (100–140)"
-  const Column columns[] = {{tr("Array"), {}, 26.0},
+  const Column columns[] = {{tr("Array"), {}, 33.0},
                             {tr("Angular depth"), tr("°"), force_mm},
                             {tr("Coverage"), tr("%"), 15.4},
                             {tr("Peak force"), tr("mN"), force_mm},
-                            {tr("On partition"), tr("mN"), force_mm},
+                            {tr("Partition force"), tr("mN"), force_mm},
                             {tr("Full"), {}, chance_mm},
                             {tr("Resistance"), {}, chance_mm},
                             {tr("Buckled"), {}, chance_mm},
@@ -124,7 +137,7 @@ double paintArrays(ReportSheet& sheet, const PlanReportContent& content, double 
   const auto paintRow = [&](const QStringList& cells, ReportFace face = ReportFace::label) {
     double x_mm = 0.0;
     for (int i = 0; i < cells.size(); ++i) {
-      sheet.line({x_mm, y_mm, columns[i].width_mm - 0.2, high_mm}, cells[i], face,
+      sheet.line({x_mm, y_mm, columns[i].width_mm - 1.0, high_mm}, cells[i], face,
                  i == 0 ? Qt::AlignLeft : Qt::AlignRight);
       x_mm += columns[i].width_mm;
     }
@@ -154,18 +167,19 @@ double paintArrays(ReportSheet& sheet, const PlanReportContent& content, double 
     paintRow(clinics, ReportFace::quiet);
   }
   y_mm += 0.6;
-  return y_mm +
-         sheet.paragraph(
-             0.0, y_mm, width_mm,
-             tr("Angle and coverage of the most apical contact. Shares, from %1 simulations "
-                "on with 95 % intervals: full insertion, stop by resistance, buckling in "
-                "front of the opening, tip fold-over, a force that reaches the strength of "
-                "the cochlear partition. Clinics: medians or means of patients, angular "
-                "depth, complete insertions, tip fold-over and translocation; sources in "
-                "the guide. Not validated, or *: the program’s clinical table misses a row of "
-                "this array.")
-                 .arg(analysis::fewestForPercent),
-             ReportFace::quiet);
+  return y_mm + sheet.paragraph(
+                    0.0, y_mm, width_mm,
+                    tr("Angle and coverage of the most apical contact. Shares, from %1 simulations "
+                       "on with 95 % intervals: full insertion, stop by resistance, buckling in "
+                       "front of the opening, tip fold-over, a force that reaches the strength of "
+                       "the cochlear partition. Clinics: medians or means of patients, angular "
+                       "depth, complete insertions, tip fold-over and translocation %2. Strength "
+                       "of the partition: assumed; original not available; the model gives fewer "
+                       "translocations than clinics report. Not validated, or *: the "
+                       "program’s clinical table misses a row of this array.")
+                        .arg(analysis::fewestForPercent)
+                        .arg(clinicsLabel(arrays, references)),
+                    ReportFace::quiet);
 }
 
 /// Why the whole report may not be of this patient, or not of this program; first on the page.
@@ -182,8 +196,19 @@ QStringList doubtsOf(const PlanReportContent& content)
   return doubts;
 }
 
-/// Method and limits at the lower end of the page.
-QStringList linesOf(const PlanReportContent& content)
+/// Height of paragraphs [mm].
+double heightOf(const ReportSheet& sheet, const QStringList& lines, double width_mm)
+{
+  double height_mm = 0.0;
+  for (const QString& line : lines)
+    height_mm += sheet.heightOf(width_mm, line, ReportFace::quiet) + 0.4;
+  return height_mm;
+}
+
+/// Method and limits at the lower end of the page: as many of the limits, the last first, as leave
+/// the pictures their room; the appendix has all.
+QStringList linesOf(const ReportSheet& sheet, const PlanReportContent& content, double width_mm,
+                    double room_mm)
 {
   QStringList lines = {
       tr("Method: each array is inserted by a simulated hand %1 times (%2). Every time A, B and H "
@@ -192,24 +217,20 @@ QStringList linesOf(const PlanReportContent& content)
          "are drawn again; see the appendix.")
           .arg(content.plan().arrays.front().draws)
           .arg(plannedFriction(content.plan()))};
-  for (const Sentence& limit : content.stored.limits) lines << dataText(limit);
+  const auto& limits = content.stored.limits;
+  for (auto limit = limits.rbegin(); limit != limits.rend(); ++limit) {
+    lines.insert(1, dataText(*limit));
+    if (limit == limits.rbegin() || heightOf(sheet, lines, width_mm) <= room_mm) continue;
+    lines.removeAt(1);
+    break;
+  }
   return lines;
-}
-
-/// Height of paragraphs [mm], measured outside of the page.
-double heightOf(ReportSheet& sheet, const QStringList& lines, double width_mm)
-{
-  constexpr double outside_mm = 1000.0;
-  double height_mm = 0.0;
-  for (const QString& line : lines)
-    height_mm += sheet.paragraph(0.0, outside_mm, width_mm, line, ReportFace::quiet) + 0.4;
-  return height_mm;
 }
 
 }  // namespace
 
 void paintPlanRecord(ReportSheet& sheet, const PlanReportContent& content,
-                     const ReportIssuer& issuer, const ReportArea& area)
+                     const ReportIssuer& issuer, References& references, const ReportArea& area)
 {
   const double width_mm = area.width_mm;
   double y_mm = paintReportTitle(sheet, tr("Insertion plan"), area);
@@ -218,22 +239,27 @@ void paintPlanRecord(ReportSheet& sheet, const PlanReportContent& content,
   y_mm = paintIdentification(sheet, content, issuer, y_mm, width_mm) + gap_mm;
   std::vector<MeasureRow> rows = basalTurnRows(content.plan().request.patient);
   rows.push_back(ductLengthRow(measureText(content.measures, content.bands, "cdl_oc_mm")));
-  y_mm = paintMeasures(sheet, measuresTitle(content.plan().request.patient), rows, y_mm, width_mm) +
+  y_mm = paintMeasures(sheet, measuresTitle(content.plan().request.patient), rows, references, y_mm,
+                       width_mm) +
          gap_mm;
-  y_mm = paintArrays(sheet, content, y_mm, width_mm) + gap_mm;
+  y_mm = paintArrays(sheet, content, references, y_mm, width_mm) + gap_mm;
 
-  constexpr double heading_mm = 7.0, signature_mm = 17.0;
-  const QStringList lines = linesOf(content);
+  constexpr double heading_mm = 7.0, signature_mm = 17.0, wantedPicture_mm = 66.0;
+  const QStringList lines =
+      linesOf(sheet, content, width_mm,
+              area.bottom_mm - signature_mm - heading_mm - gap_mm - wantedPicture_mm - y_mm);
   const double limits_mm = heading_mm + heightOf(sheet, lines, width_mm);
   const double free_mm = area.bottom_mm - signature_mm - limits_mm - gap_mm - y_mm;
   if (free_mm >= minPicture_mm) {
     const double picture_mm = std::min(free_mm, maxPicture_mm);
-    paintPlanPicture(sheet, {0.0, y_mm, picture_mm, picture_mm}, content);
-    const double right_mm = picture_mm + gutter_mm;
+    const bool isAlone = content.plan().arrays.size() == 1;
+    const double left_mm = isAlone ? picture_mm : std::max(picture_mm, 0.45 * width_mm);
+    paintPlanPicture(sheet, {0.0, y_mm, left_mm, picture_mm}, content);
+    const double right_mm = left_mm + gutter_mm;
     paintPlanCurves(sheet, {right_mm, y_mm, width_mm - right_mm, picture_mm}, content);
     y_mm += picture_mm + gap_mm;
   }
-  y_mm = sheet.heading(0.0, y_mm, width_mm, tr("Method and limits"));
+  y_mm = sheet.heading(0.0, y_mm, width_mm, tr("Method and limits; all limits in the appendix"));
   for (const QString& line : lines)
     y_mm += sheet.paragraph(0.0, y_mm, width_mm, line, ReportFace::quiet) + 0.4;
   paintSignature(sheet, y_mm, area);

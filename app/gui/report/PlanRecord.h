@@ -5,12 +5,13 @@
 // method and limits, signature.
 
 #include "gui/report/PlanReportContent.h"
+#include "gui/report/References.h"
 #include "gui/report/ReportPages.h"
 
 namespace perilymph::gui {
 
 /// Paints the page for the record.
 void paintPlanRecord(ReportSheet& sheet, const PlanReportContent& content,
-                     const ReportIssuer& issuer, const ReportArea& area);
+                     const ReportIssuer& issuer, References& references, const ReportArea& area);
 
 }  // namespace perilymph::gui

@@ -38,6 +38,14 @@ QString PlanReportContent::code() const
 
 QString PlanReportContent::ear() const { return earText(plan().request.patient.side); }
 
+ReportIdentity PlanReportContent::identity() const
+{
+  const anatomy::Patient& patient = plan().request.patient;
+  const bool isVouchedFor = plan().seal == Seal::intact && patient.seal == Seal::intact;
+  return {"Insertion plan", codeOf(patient),
+          isVouchedFor ? patient.origin.seriesKey : std::string()};
+}
+
 QString PlanReportContent::number() const { return numberOf(plan()); }
 
 QColor inkOfArray(std::size_t place)

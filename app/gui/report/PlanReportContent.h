@@ -9,6 +9,7 @@
 #include <memory>
 #include <vector>
 
+#include "gui/report/ReportFile.h"
 #include "perilymph/analysis/AnatomyMeasures.h"
 #include "perilymph/anatomy/ScalaTympani.h"
 #include "perilymph/figures/FixedInks.h"
@@ -32,6 +33,8 @@ struct PlanReportContent {
   QString ear() const;
   /// The plan's number; that it was changed by hand, which leaves it none.
   QString number() const;
+  /// Its series is that in which the patient was measured; none where no seal vouches for it.
+  ReportIdentity identity() const;
 };
 
 /// Number of arrays whose curves and depths are drawn on the record, the first ones of the plan.

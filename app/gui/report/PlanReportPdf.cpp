@@ -7,6 +7,7 @@
 #include "gui/report/CtPicture.h"
 #include "gui/report/PlanAppendix.h"
 #include "gui/report/PlanCurves.h"
+#include "gui/report/PlanInfluences.h"
 #include "gui/report/PlanRecord.h"
 
 namespace perilymph::gui {
@@ -24,16 +25,21 @@ Result<Done> writePlanReport(const PlanReportContent& content, const std::filesy
   pages.title = tr("Insertion plan");
   pages.subject = tr("Patient %1 · %2").arg(content.code(), content.ear());
   pages.time = localTimeOf(QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString());
-  pages.paintRecord = [&content](ReportSheet& sheet, const ReportIssuer& issuer,
-                                 const ReportArea& area) {
-    paintPlanRecord(sheet, content, issuer, area);
+  References references;
+  pages.paintRecord = [&](ReportSheet& sheet, const ReportIssuer& issuer, const ReportArea& area) {
+    paintPlanRecord(sheet, content, issuer, references, area);
   };
-  if (content.plan().arrays.size() > maxDrawnArrays)
+  constexpr std::size_t fewArrays = 3;  // have their curves on the record
+  if (content.plan().arrays.size() > fewArrays)
     pages.figures.push_back([&content](ReportSheet& sheet, const ReportArea& area) {
       paintAllPlanCurves(sheet, {0.0, area.top_mm, area.width_mm, area.bottom_mm - area.top_mm},
                          content);
     });
-  pages.appendix = planAppendixText(content);
+  for (std::size_t page = 0; page < influencePages(content); ++page)
+    pages.figures.push_back([&content, page](ReportSheet& sheet, const ReportArea& area) {
+      paintPlanInfluences(sheet, content, page, area);
+    });
+  pages.appendix = [&] { return planAppendixText(content, references); };
   pages.images = {{QStringLiteral("ct"), ctPictureOf(content.plan().request.patient)}};
   return writeReportPages(pages, file);
 }

@@ -27,31 +27,33 @@ std::vector<MeasureRow> rowsOf(const ReportContent& content)
   } else if (patient.basalTurn) {
     rows = basalTurnRows(patient);
   } else {
-    const QString sections = tr("Froehlich et al. 2024, n = 15");
-    rows = {measuredRow(tr("Organ of Corti length"), patient.scalaTympaniLength,
-                        scalaLengthPopulation(), tr("Stakhovskaya et al. 2007, n = 9"),
-                        analysis::measuringError),
-            measuredRow(tr("Scala width at round window"), patient.roundWindowWidth,
-                        windowWidthPopulation(), sections, analysis::measuringError),
-            measuredRow(tr("Scala height at round window"), patient.roundWindowHeight,
-                        windowHeightPopulation(), sections, analysis::measuringError)};
+    const std::string sections = "Froehlich et al. 2024";
+    rows = {
+        measuredRow(tr("Organ of Corti length"), patient.scalaTympaniLength,
+                    scalaLengthPopulation(), "Stakhovskaya et al. 2007", analysis::measuringError),
+        measuredRow(tr("Scala width at round window"), patient.roundWindowWidth,
+                    windowWidthPopulation(), sections, analysis::measuringError),
+        measuredRow(tr("Scala height at round window"), patient.roundWindowHeight,
+                    windowHeightPopulation(), sections, analysis::measuringError)};
   }
   rows.push_back(ductLengthRow(valueOf("cdl_oc_mm")));
   rows.push_back({tr("Cochlear coverage"),
                   tr("%1 %").arg(numberText(100.0 * cochlearCoverage(content.contacts), 0)),
-                  tr("organ of Corti basal to the most apical contact"), tr("this insertion")});
+                  tr("organ of Corti basal to the most apical contact"),
+                  {}});
   return rows;
 }
 
 }  // namespace
 
-double paintAnatomy(ReportSheet& sheet, const ReportContent& content, double y_mm, double width_mm)
+double paintAnatomy(ReportSheet& sheet, const ReportContent& content, References& references,
+                    double y_mm, double width_mm)
 {
-  const QString title = content.hasPatient() ? measuresTitle(content.scenario.patient())
+  const QString title = content.hasPatient() ? measuresTitle(content.patient())
                         : content.scenario.anatomy() == anatomy::AnatomySource::mean
                             ? tr("Cochlea: average of 15 human cochleae")
                             : tr("Cochlea: model");
-  return paintMeasures(sheet, title, rowsOf(content), y_mm, width_mm);
+  return paintMeasures(sheet, title, rowsOf(content), references, y_mm, width_mm);
 }
 
 }  // namespace perilymph::gui

@@ -3,6 +3,7 @@
 
 // The cochlea in a report: measures with their place in the population and their uncertainty.
 
+#include "gui/report/References.h"
 #include "gui/report/ReportContent.h"
 #include "gui/report/ReportSheet.h"
 
@@ -11,6 +12,7 @@ namespace perilymph::gui {
 /// Paints the table of measures, cochlear duct length and coverage.
 ///
 /// @return  Its lower end [mm].
-double paintAnatomy(ReportSheet& sheet, const ReportContent& content, double y_mm, double width_mm);
+double paintAnatomy(ReportSheet& sheet, const ReportContent& content, References& references,
+                    double y_mm, double width_mm);
 
 }  // namespace perilymph::gui

@@ -7,6 +7,8 @@
 #include <iterator>
 #include <stop_token>
 
+#include "gui/setup/KeyImage.h"
+#include "gui/setup/PatientLibrary.h"
 #include "gui/setup/PlannedForces.h"
 #include "perilymph/analysis/ErrorBand.h"
 #include "perilymph/session/Playback.h"
@@ -43,7 +45,21 @@ Result<Done> findDeepest(session::Playback& playback, haptics::Snapshot& deepest
   return Done{};
 }
 
+/// The saved patient of a recording, if it still has the measures of the insertion.
+std::optional<anatomy::Patient> savedPatientOf(const anatomy::Patient& patient)
+{
+  const auto saved = findSavedPatient(patient.label, patient.side);
+  if (!saved || keyImageFile(saved->patient) != keyImageFile(patient)) return std::nullopt;
+  return saved->patient;
+}
+
 }  // namespace
+
+ReportIdentity ReportContent::identity() const
+{
+  return {"Insertion report", hasPatient() ? codeOf(scenario.patient()) : std::string(),
+          anatomy::statedSeries(patient())};
+}
 
 Result<ReportContent> gatherReport(const std::filesystem::path& file, const std::stop_token& stop)
 {
@@ -68,6 +84,7 @@ Result<ReportContent> gatherReport(const std::filesystem::path& file, const std:
   const auto playback = session::Playback::open(file);
   if (!playback) return playback.error();
   content.scenario = (*playback)->scenario();
+  if (content.hasPatient()) content.measured = savedPatientOf(content.scenario.patient());
   content.plan = newestPlannedForce(content.scenario);
   const auto verification = (*playback)->compute(stop);
   if (!verification) return verification.error();

@@ -10,6 +10,7 @@
 #include <stop_token>
 #include <vector>
 
+#include "gui/report/ReportFile.h"
 #include "gui/run/PlannedForce.h"
 #include "perilymph/analysis/AnatomyMeasures.h"
 #include "perilymph/analysis/ContactPositions.h"
@@ -43,6 +44,13 @@ struct ReportContent {
   haptics::TickOutput last{};                       ///< At the end of the recording.
   std::vector<analysis::ContactPosition> contacts;  ///< At maximum depth, from the tip.
 
+  /// The saved patient with these measures: a recording keeps the measures, not where they are from.
+  std::optional<anatomy::Patient> measured;
+
+  /// The patient of the insertion, with the origin of the measures where it is known.
+  const anatomy::Patient& patient() const { return measured ? *measured : scenario.patient(); }
+  /// For a DICOM object; its series is that in which the saved patient was measured.
+  ReportIdentity identity() const;
   /// True if the cochlea is scaled by the measures of a patient, not of the published model.
   bool hasPatient() const
   {

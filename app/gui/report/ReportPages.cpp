@@ -98,17 +98,18 @@ void paintPages(QPdfWriter& writer, QTextDocument& appendix, const ReportPages& 
   const double height_mm = writer.height() * perInch_mm / dotsPerInch;
   const PageFrame frame(report, issuer, width_mm, height_mm);
   const double textHeight = writer.height() - dotsOf(head_mm) - dotsOf(foot_mm);
-  appendix.setPageSize({double(writer.width()), textHeight});
   const int painted = 1 + int(report.figures.size());
-  const int pages = painted + appendix.pageCount();
   const ReportArea area{head_mm, height_mm - foot_mm, width_mm};
 
   QPainter painter(&writer);
   painter.setRenderHint(QPainter::LosslessImageRendering);
   ReportSheet sheet(painter, dotsPerInch);
-  frame.paint(sheet, 1, pages);
   paintLogo(sheet, issuer.logo, width_mm);
   report.paintRecord(sheet, issuer, area);
+  appendix.setHtml(report.appendix());  // it lists what the record cites
+  appendix.setPageSize({double(writer.width()), textHeight});
+  const int pages = painted + appendix.pageCount();
+  frame.paint(sheet, 1, pages);
   for (int i = 1; i < painted; ++i) {
     writer.newPage();
     frame.paint(sheet, i + 1, pages);
@@ -134,7 +135,6 @@ Result<Done> writeReportPages(const ReportPages& report, const std::filesystem::
   appendix.setDefaultStyleSheet(styleSheet());
   for (const auto& [name, image] : report.images)
     appendix.addResource(QTextDocument::ImageResource, QUrl(name), image);
-  appendix.setHtml(report.appendix);
   return writeWhole(file, [&](const std::filesystem::path& place) {
     QPdfWriter writer(QString::fromStdString(place.string()));
     writer.setResolution(dotsPerInch);

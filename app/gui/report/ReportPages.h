@@ -34,7 +34,8 @@ struct ReportPages {
   std::function<void(ReportSheet&, const ReportIssuer&, const ReportArea&)> paintRecord;
   /// Painted pages between the record and the appendix's text.
   std::vector<std::function<void(ReportSheet&, const ReportArea&)>> figures;
-  QString appendix;                                ///< HTML with all names escaped.
+  /// HTML with all names escaped; asked for after the record was painted.
+  std::function<QString()> appendix;
   std::vector<std::pair<QString, QImage>> images;  ///< Those of the appendix, by name.
 };
 

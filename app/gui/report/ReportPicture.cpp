@@ -14,17 +14,20 @@ namespace {
 
 const QColor textInk = themeOf(ColorScheme::light).text;
 
-/// The numbers of the contacts beside the array, on its side away from the modiolar axis.
+/// The numbers of the contacts beside the array, on its side away from the modiolar axis; one that would
+/// touch the last is left out.
 void paintNumbers(ReportSheet& sheet, const CochlearView& view, const ReportContent& content)
 {
   QPainter& painter = sheet.painter();
-  painter.setFont(reportFont(0.8 * sheet.font(ReportFace::label).pixelSize(), QFont::DemiBold));
+  painter.setFont(reportFont(sheet.font(ReportFace::label).pixelSize(), QFont::DemiBold));
   painter.setPen(textInk);
   const haptics::Snapshot& now = content.deepest;
   const electrode::ArrayDesign& array = content.scenario.array();
   const auto node = [&](std::size_t i) {
     return view.plane().at(double(now.node_W[i][0]), double(now.node_W[i][1]));
   };
+  const QFontMetricsF metrics(painter.font(), painter.device());
+  QRectF last;
   for (const analysis::ContactPosition& contact : content.contacts) {
     if (!contact.isInserted) continue;
     const Length fromTip = meters(now.output.depth) - contact.depth;
@@ -34,8 +37,13 @@ void paintNumbers(ReportSheet& sheet, const CochlearView& view, const ReportCont
     QPointF aside(-along.y(), along.x());
     aside /= std::max(1e-9, std::hypot(aside.x(), aside.y()));
     if (QPointF::dotProduct(aside, at) < 0.0) aside = -aside;
-    const double off_mm = 0.5 * inMillimeters(array.sectionAt(fromTip).within) + 0.4;
-    drawCentered(painter, view(at + off_mm * aside), QString::number(contact.number));
+    const double off_mm = 0.5 * inMillimeters(array.sectionAt(fromTip).within) + 0.6;
+    const QString number = QString::number(contact.number);
+    QRectF box(QPointF(), QSizeF(metrics.horizontalAdvance(number), metrics.ascent()));
+    box.moveCenter(view(at + off_mm * aside));
+    if (box.intersects(last)) continue;
+    drawCentered(painter, box.center(), number);
+    last = box;
   }
 }
 

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/report/ReportRecord.h"
 
-// In this order: identification, anatomy, picture and results, contacts, limits, signature.
+// In this order: identification, anatomy, results, curve and pictures, contacts, limits, signature.
 
 #include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
 
+#include "gui/report/CtPicture.h"
+#include "gui/report/InsertionCurve.h"
 #include "gui/report/InsertionResults.h"
 #include "gui/report/ReportAnatomy.h"
 #include "gui/report/ReportHead.h"
 #include "gui/report/ReportPicture.h"
+#include "gui/report/ReportSetup.h"
 #include "gui/text/Numbers.h"
 
 namespace perilymph::gui {
@@ -19,7 +22,7 @@ namespace {
 
 constexpr double gap_mm = 3.0;     // between blocks
 constexpr double gutter_mm = 6.0;  // between columns
-constexpr double picture_mm = 84.0;
+constexpr double resultRow_mm = 4.6, contactRow_mm = 4.0;
 
 // lupdate assigns texts of free functions to their namespace.
 QString tr(const char* text) { return QCoreApplication::translate("perilymph::gui", text); }
@@ -41,16 +44,18 @@ QString techniqueText(const ReportContent& content)
 }
 
 double paintIdentification(ReportSheet& sheet, const ReportContent& content,
-                           const ReportIssuer& issuer, double y_mm, double width_mm)
+                           const ReportIssuer& issuer, References& references, double y_mm,
+                           double width_mm)
 {
   const session::Scenario& scenario = content.scenario;
   const bool isLeft = scenario.patient().side == anatomy::Side::left;
-  const double left_mm = 0.43 * width_mm;
+  const double left_mm = 0.38 * width_mm;
   const double left = paintEntries(
       sheet,
       {{tr("Patient code"), content.hasPatient() ? QString::fromStdString(scenario.patient().label)
                                                  : QStringLiteral("–")},
        {tr("Ear"), isLeft ? tr("left ear") : tr("right ear")},
+       {tr("Landmarks"), landmarksText(content)},
        {tr("Electrode array"), QString::fromStdString(scenario.array().name)},
        {tr("Manufacturer"), QString::fromStdString(scenario.array().maker)}},
       0.0, y_mm, left_mm);
@@ -58,138 +63,195 @@ double paintIdentification(ReportSheet& sheet, const ReportContent& content,
                                     {{tr("Institution"), issuer.institution},
                                      {tr("Operator"), issuer.operatorName},
                                      {tr("Date and time"), localTimeOf(content.facts.startedUtc)},
-                                     {tr("Technique"), techniqueText(content)}},
+                                     {tr("Technique"), techniqueText(content)},
+                                     {tr("Friction μ"), frictionText(scenario, references)}},
                                     left_mm + gutter_mm, y_mm, width_mm - left_mm - gutter_mm);
   return std::max(left, right);
 }
 
-double paintResults(ReportSheet& sheet, const ReportContent& content, double x_mm, double y_mm,
-                    double width_mm)
+/// Columns of the results [mm]: name, value, definition, plan, clinics.
+constexpr double resultColumns_mm[] = {39.0, 20.0, 57.0, 38.0, 26.0};
+
+void paintResultRow(ReportSheet& sheet, const QStringList& cells, double y_mm, ReportFace first,
+                    ReportFace second, ReportFace plan)
 {
-  y_mm = sheet.heading(x_mm, y_mm, width_mm, tr("Results"));
-  constexpr double name_mm = 4.0, value_mm = 6.0, detail_mm = 3.4, space_mm = 0.2;
-  if (content.plan) {
-    sheet.line({x_mm, y_mm, width_mm, detail_mm},
-               tr("%1: %2").arg(content.plan->name, content.plan->hold), ReportFace::quiet);
-    y_mm += detail_mm + space_mm;
+  const ReportFace faces[] = {first, second, ReportFace::quiet, plan, ReportFace::quiet};
+  double x_mm = 0.0;
+  for (int i = 0; i < cells.size(); ++i) {
+    // a definition has the room of a plan that is not there
+    const double cell_mm =
+        resultColumns_mm[i] + (i == 2 && cells[3].isEmpty() ? resultColumns_mm[3] : 0.0);
+    sheet.line({x_mm, y_mm, cell_mm - 2.0, resultRow_mm}, cells[i], faces[i],
+               i == 1 ? Qt::AlignRight : Qt::AlignLeft);
+    x_mm += resultColumns_mm[i];
   }
-  for (const InsertionResult& result : insertionResults(content)) {
-    if (result.isSentence) {
-      sheet.line({x_mm, y_mm, width_mm, value_mm}, result.value, ReportFace::bold);
-      y_mm += name_mm + 1.0;
-      for (const QString& each : result.detail.split(QLatin1Char('\n'), Qt::SkipEmptyParts)) {
-        sheet.line({x_mm, y_mm, width_mm, detail_mm}, each, ReportFace::quiet);
-        y_mm += detail_mm + space_mm;
-      }
-      sheet.rule(x_mm, y_mm + 0.8, width_mm);
-      y_mm += 2.0;
-      continue;
-    }
-    constexpr double number_mm = 27.0;
-    const double text_mm = width_mm - number_mm;
-    sheet.line({x_mm, y_mm, text_mm, name_mm + 1.2}, result.name, ReportFace::text);
-    sheet.line({x_mm + text_mm, y_mm, number_mm, value_mm}, result.value, ReportFace::number,
-               Qt::AlignRight);
-    // the plan's band has the same line
-    const QString detail = result.clinics.isEmpty() || !result.plan.isEmpty()
-                               ? result.detail
-                               : tr("%1; clinics: %2").arg(result.detail, result.clinics);
-    sheet.line({x_mm, y_mm + name_mm + 1.0, width_mm, detail_mm}, detail, ReportFace::quiet);
-    if (!result.plan.isEmpty())
-      sheet.line({x_mm, y_mm + name_mm + 1.0, width_mm, detail_mm},
-                 (result.isOutside ? tr("outside the plan, %1") : tr("plan: %1")).arg(result.plan),
-                 result.isOutside ? ReportFace::label : ReportFace::quiet, Qt::AlignRight);
-    y_mm += name_mm + 1.0 + detail_mm + space_mm;
-    sheet.rule(x_mm, y_mm + 0.8, width_mm);
-    y_mm += 2.0;
-  }
-  return y_mm;
 }
 
-struct Column {
-  QString title;
-  double fraction;
-};
+/// What the columns of plan and clinics hold.
+QString resultsNote(const ReportContent& content)
+{
+  const QString clinics = tr("Clinics: median or mean (quartiles, range or ± SD) of patients.");
+  const QString partition =
+      tr("Partition: the model gives fewer translocations than clinics report.");
+  if (!content.plan) return clinics + QLatin1Char(' ') + partition;
+  return tr("%1: %2.").arg(content.plan->name, content.plan->hold) + QLatin1Char(' ') + clinics +
+         QLatin1Char(' ') + partition;
+}
 
-/// The contacts in two blocks side by side.
+double paintResults(ReportSheet& sheet, const ReportContent& content, References& references,
+                    double y_mm, double width_mm)
+{
+  y_mm = sheet.heading(0.0, y_mm, width_mm, tr("Results"));
+  const auto results = insertionResults(content);
+  for (const InsertionResult& result : results) {
+    if (!result.isSentence) continue;
+    sheet.line({0.0, y_mm, width_mm, resultRow_mm}, result.value, ReportFace::bold);
+    y_mm += resultRow_mm;
+    for (const QString& each : result.detail.split(QLatin1Char('\n'), Qt::SkipEmptyParts)) {
+      sheet.line({0.0, y_mm, width_mm, resultRow_mm}, each, ReportFace::quiet);
+      y_mm += resultRow_mm;
+    }
+  }
+  paintResultRow(sheet, {{}, {}, {}, content.plan ? tr("plan") : QString(), tr("clinics report")},
+                 y_mm, ReportFace::quiet, ReportFace::quiet, ReportFace::quiet);
+  y_mm += resultRow_mm - 0.6;
+  for (const InsertionResult& result : results) {
+    if (result.isSentence) continue;
+    const QString plan = result.isOutside ? tr("outside: %1").arg(result.plan) : result.plan;
+    const QString clinics =
+        result.clinics.isEmpty()
+            ? QString()
+            : tr("%1 %2").arg(result.clinics, references.label(result.clinicsSource));
+    paintResultRow(sheet, {result.name, result.value, result.detail, plan, clinics}, y_mm,
+                   ReportFace::text, ReportFace::bold,
+                   result.isOutside ? ReportFace::text : ReportFace::quiet);
+    sheet.rule(0.0, y_mm + resultRow_mm - 0.2, width_mm);
+    y_mm += resultRow_mm;
+  }
+  y_mm += 0.6;
+  return y_mm + sheet.paragraph(0.0, y_mm, width_mm, resultsNote(content), ReportFace::quiet);
+}
+
+QString contactsNote(const ReportContent& content)
+{
+  const QString above =
+      std::ranges::any_of(content.contacts, &analysis::ContactPosition::isAbove)
+          ? QLatin1Char('\n') + tr("SV: above the cochlear partition, in the scala vestibuli.")
+          : QString();
+  return tr("Angle from the center of the round window. Frequency by Greenwood's map at the place "
+            "on the organ of Corti. Distance from the center line of the array to the inner wall. "
+            "Depth past the opening. –: not inserted.") +
+         above;
+}
+
+constexpr std::size_t contactsOfAStrip = 24;
+constexpr int contactRows = 5;
+
+std::size_t stripsOf(const ReportContent& content)
+{
+  return (content.contacts.size() + contactsOfAStrip - 1) / contactsOfAStrip;
+}
+
+double contactsHeight(const ReportSheet& sheet, const ReportContent& content, double width_mm)
+{
+  constexpr double heading_mm = 7.0;
+  return heading_mm + double(stripsOf(content) * contactRows) * contactRow_mm +
+         sheet.heightOf(width_mm, contactsNote(content), ReportFace::quiet);
+}
+
+/// "0.35", "12.7"
+QString kilohertz(double frequency_Hz)
+{
+  constexpr double unit = 1e3;
+  return numberText(frequency_Hz / unit, frequency_Hz < 10.0 * unit ? 2 : 1);
+}
+
+/// A contact from its number down to its depth.
+QStringList cellsOf(const analysis::ContactPosition& contact)
+{
+  const QString none = QStringLiteral("–");
+  if (!contact.isInserted) return {QString::number(contact.number), none, none, none, none};
+  const QString distance = contact.isAbove ? tr("SV")
+                           : contact.toModiolus.si() < 0.0
+                               ? none
+                               : numberText(inMillimeters(contact.toModiolus), 2);
+  return {QString::number(contact.number), numberText(inDegrees(contact.angle), 0),
+          kilohertz(contact.frequency_Hz), distance, numberText(inMillimeters(contact.depth), 1)};
+}
+
+/// The contacts side by side, from the tip.
 double paintContacts(ReportSheet& sheet, const ReportContent& content, double y_mm, double width_mm)
 {
   y_mm = sheet.heading(0.0, y_mm, width_mm, tr("Contacts, numbered from the tip"));
-  const Column columns[] = {{tr("Contact"), 0.13},
-                            {tr("Angle, °"), 0.16},
-                            {tr("Frequency, Hz"), 0.25},
-                            {tr("To modiolus, mm"), 0.28},
-                            {tr("Depth, mm"), 0.18}};
-  const std::size_t half = (content.contacts.size() + 1) / 2;
-  const double block_mm = 0.5 * (width_mm - gutter_mm);
-  constexpr double contactRow_mm = 4.0;
-  const auto paintRow = [&](double x_mm, double top_mm, const QStringList& cells, ReportFace face) {
-    for (int i = 0; i < cells.size(); ++i) {
-      const double cell_mm = columns[i].fraction * block_mm;
-      sheet.line({x_mm, top_mm, cell_mm, contactRow_mm}, cells[i], face,
-                 i == 0 ? Qt::AlignLeft : Qt::AlignRight);
-      x_mm += cell_mm;
+  const QString names[contactRows] = {tr("Contact"), tr("Angle, °"), tr("Frequency, kHz"),
+                                      tr("To modiolus, mm"), tr("Depth, mm")};
+  constexpr double names_mm = 26.0;
+  const std::size_t across =
+      std::min(contactsOfAStrip, std::max<std::size_t>(12, content.contacts.size()));
+  const double cell_mm = (width_mm - names_mm) / double(across);
+  for (std::size_t strip = 0; strip < stripsOf(content); ++strip) {
+    for (int row = 0; row < contactRows; ++row)
+      sheet.line({0.0, y_mm + row * contactRow_mm, names_mm - 1.0, contactRow_mm}, names[row],
+                 ReportFace::quiet);
+    const std::size_t first = strip * contactsOfAStrip;
+    for (std::size_t i = first; i < std::min(content.contacts.size(), first + across); ++i) {
+      const QStringList cells = cellsOf(content.contacts[i]);
+      for (int row = 0; row < contactRows; ++row)
+        sheet.line({names_mm + double(i - first) * cell_mm, y_mm + row * contactRow_mm,
+                    cell_mm - 0.6, contactRow_mm},
+                   cells[row], row == 0 ? ReportFace::bold : ReportFace::text, Qt::AlignRight);
     }
-  };
-  QStringList titles;
-  for (const Column& column : columns) titles << column.title;
-  for (const double x_mm : {0.0, block_mm + gutter_mm})
-    paintRow(x_mm, y_mm, titles, ReportFace::quiet);
-  y_mm += contactRow_mm;
-  for (std::size_t i = 0; i < content.contacts.size(); ++i) {
-    const analysis::ContactPosition& contact = content.contacts[i];
-    const double x_mm = i < half ? 0.0 : block_mm + gutter_mm;
-    const double top_mm = y_mm + contactRow_mm * double(i < half ? i : i - half);
-    const QString number = QString::number(contact.number);
-    if (!contact.isInserted) {
-      paintRow(x_mm, top_mm, {number}, ReportFace::quiet);
-      sheet.line({x_mm, top_mm, 0.54 * block_mm, contactRow_mm}, tr("not inserted"),
-                 ReportFace::quiet, Qt::AlignRight);
-      continue;
-    }
-    const QString distance = contact.isAbove ? tr("SV")
-                             : contact.toModiolus.si() < 0.0
-                                 ? QStringLiteral("–")
-                                 : numberText(inMillimeters(contact.toModiolus), 2);
-    paintRow(x_mm, top_mm,
-             {number, numberText(inDegrees(contact.angle), 0), numberText(contact.frequency_Hz, 0),
-              distance, numberText(inMillimeters(contact.depth), 1)},
-             ReportFace::text);
+    y_mm += contactRows * contactRow_mm;
   }
-  y_mm += contactRow_mm * double(half) + 0.8;
-  if (std::ranges::any_of(content.contacts, &analysis::ContactPosition::isAbove))
-    y_mm += sheet.paragraph(0.0, y_mm, width_mm,
-                            tr("SV: above the cochlear partition, in the scala vestibuli."),
-                            ReportFace::quiet);
-  return y_mm +
-         sheet.paragraph(
-             0.0, y_mm, width_mm,
-             tr("Angle from the center of the round window. Frequency by Greenwood (1990) at "
-                "the place on the organ of Corti. Distance from the center line of the "
-                "array to the inner wall. Depth past the opening."),
-             ReportFace::quiet);
+  return y_mm + sheet.paragraph(0.0, y_mm, width_mm, contactsNote(content), ReportFace::quiet);
+}
+
+QString limitsText()
+{
+  return tr(
+      "Limits: computed with a model based on published data, not measured in an ear and not "
+      "manufacturer data; no value shows that an insertion is atraumatic.");
+}
+
+/// Force over depth, the array in the cochlea, and the cochlea in the CT where it is kept.
+void paintPictures(ReportSheet& sheet, const ReportContent& content, double y_mm, double height_mm,
+                   double width_mm)
+{
+  constexpr double heading_mm = 7.0, fewest_mm = 62.0;
+  const QImage ct = cochlearViewOf(content.patient());
+  const int pictures = ct.isNull() ? 1 : 2;
+  const double side_mm =
+      std::min(height_mm - heading_mm, (width_mm - fewest_mm) / pictures - gap_mm);
+  const double curve_mm = width_mm - pictures * (side_mm + gap_mm);
+  paintInsertionCurve(sheet, {0.0, y_mm, curve_mm, height_mm}, content);
+  const double array_mm = curve_mm + gap_mm;
+  const double top_mm = sheet.heading(array_mm, y_mm, side_mm, tr("Array in the cochlea"));
+  paintReportPicture(sheet, {array_mm, top_mm, side_mm, side_mm}, content);
+  if (ct.isNull()) return;
+  const double ct_mm = array_mm + side_mm + gap_mm;
+  sheet.heading(ct_mm, y_mm, side_mm, tr("CT, cochlear view"));
+  paintCtPicture(sheet, {ct_mm, top_mm, side_mm, side_mm}, ct, content.patient());
 }
 
 }  // namespace
 
 void paintRecord(ReportSheet& sheet, const ReportContent& content, const ReportIssuer& issuer,
-                 const ReportArea& area)
+                 References& references, const ReportArea& area)
 {
   const double width_mm = area.width_mm;
   double y_mm = paintReportTitle(sheet, tr("Insertion report"), area);
-  y_mm = paintIdentification(sheet, content, issuer, y_mm, width_mm) + gap_mm;
-  y_mm = paintAnatomy(sheet, content, y_mm, width_mm) + gap_mm;
+  y_mm = paintIdentification(sheet, content, issuer, references, y_mm, width_mm) + gap_mm;
+  y_mm = paintAnatomy(sheet, content, references, y_mm, width_mm) + gap_mm;
+  y_mm = paintResults(sheet, content, references, y_mm, width_mm) + gap_mm;
 
-  paintReportPicture(sheet, {0.0, y_mm, picture_mm, picture_mm}, content);
-  const double right_mm = picture_mm + gutter_mm;
-  const double resultsEnd_mm = paintResults(sheet, content, right_mm, y_mm, width_mm - right_mm);
-  y_mm = std::max(y_mm + picture_mm, resultsEnd_mm) + gap_mm;
+  constexpr double signature_mm = 17.0;
+  const double below_mm = contactsHeight(sheet, content, width_mm) + gap_mm +
+                          sheet.heightOf(width_mm, limitsText(), ReportFace::text);
+  const double pictures_mm = area.bottom_mm - signature_mm - below_mm - gap_mm - y_mm;
+  paintPictures(sheet, content, y_mm, pictures_mm, width_mm);
+  y_mm += pictures_mm + gap_mm;
   y_mm = paintContacts(sheet, content, y_mm, width_mm) + gap_mm;
-  y_mm += sheet.paragraph(
-      0.0, y_mm, width_mm,
-      tr("Limits: computed with a model based on published data, not measured in an ear and not "
-         "manufacturer data; no value shows that an insertion is atraumatic."),
-      ReportFace::text);
+  y_mm += sheet.paragraph(0.0, y_mm, width_mm, limitsText(), ReportFace::text);
   paintSignature(sheet, y_mm, area);
 }
 

@@ -3,6 +3,7 @@
 
 // The first page of a report, for the patient's record.
 
+#include "gui/report/References.h"
 #include "gui/report/ReportContent.h"
 #include "gui/report/ReportPages.h"
 
@@ -10,6 +11,6 @@ namespace perilymph::gui {
 
 /// Paints the record, with the signature at its lower end.
 void paintRecord(ReportSheet& sheet, const ReportContent& content, const ReportIssuer& issuer,
-                 const ReportArea& area);
+                 References& references, const ReportArea& area);
 
 }  // namespace perilymph::gui

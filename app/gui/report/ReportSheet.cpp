@@ -27,7 +27,7 @@ double pointsOf(ReportFace face)
       return 8.5;
     case ReportFace::quiet:
     case ReportFace::label:
-      return 7.0;
+      return 8.0;
     case ReportFace::heading:
       return 10.0;
     case ReportFace::title:
@@ -106,6 +106,15 @@ double ReportSheet::paragraph(double x_mm, double y_mm, double width_mm, const Q
   const QRectF place = dots({x_mm, y_mm, width_mm, whole_mm});
   QRectF used;
   painter_.drawText(place, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, text, &used);
+  return used.height() * perInch_mm / dotsPerInch_;
+}
+
+double ReportSheet::heightOf(double width_mm, const QString& text, ReportFace face) const
+{
+  const QRectF endless(0.0, 0.0, dots({0.0, 0.0, width_mm, 0.0}).width(), 1e6);
+  const QRectF used =
+      QFontMetricsF(font(face), painter_.device())
+          .boundingRect(endless, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, text);
   return used.height() * perInch_mm / dotsPerInch_;
 }
 

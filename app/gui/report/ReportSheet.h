@@ -32,6 +32,8 @@ public:
   ///
   /// @return  Its height [mm].
   double paragraph(double x_mm, double y_mm, double width_mm, const QString& text, ReportFace face);
+  /// The height of a paragraph [mm].
+  double heightOf(double width_mm, const QString& text, ReportFace face) const;
   /// A heading with a rule below it.
   ///
   /// @return  Where the content begins [mm].

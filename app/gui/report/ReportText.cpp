@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/report/ReportText.h"
 
-// In this order: curve, all results, technique score, limits, traceability, parameters.
+// In this order: CT, all results, technique score, limits, traceability, parameters,
+// references.
 
 #include <QCoreApplication>
 #include <cmath>
@@ -15,8 +16,6 @@
 namespace perilymph::gui {
 
 namespace {
-
-constexpr int curveWidth_px = 430;  // in 1/96 inch: the text of an A4 page is 680 wide
 
 // lupdate assigns texts of free functions to their namespace.
 QString tr(const char* caption) { return QCoreApplication::translate("perilymph::gui", caption); }
@@ -129,7 +128,7 @@ QString numbers(const ReportContent& content)
   return table(rows);
 }
 
-QString howItWasDone(const ReportContent& content)
+QString howItWasDone(const ReportContent& content, References& references)
 {
   if (!content.score) return {};
   QStringList rows;
@@ -138,8 +137,7 @@ QString howItWasDone(const ReportContent& content)
         dataText(each.name).toHtmlEscaped(),
         tr("%1 %: %2")
             .arg(numberText(100.0 * each.fraction, 0), dataText(each.found).toHtmlEscaped()),
-        tr("%1. %2").arg(dataText(each.band).toHtmlEscaped(),
-                         dataText(each.source).toHtmlEscaped()));
+        tr("%1 %2").arg(dataText(each.band).toHtmlEscaped(), references.label(each.source)));
   return heading(QT_TRANSLATE_NOOP("perilymph::gui", "Technique score")) +
          QStringLiteral("<p>%1</p>")
              .arg(tr("%1 of 100: the mean of the first four criteria, by the fraction of the "
@@ -149,7 +147,7 @@ QString howItWasDone(const ReportContent& content)
          table(rows);
 }
 
-QString parameters(const ReportContent& content)
+QString parameters(const ReportContent& content, References& references)
 {
   // two parameters in a row
   QStringList cells;
@@ -162,7 +160,7 @@ QString parameters(const ReportContent& content)
     rows << QStringLiteral("<tr>%1%2</tr>").arg(cells[i], cells[half + i]);
   QStringList sources;
   for (const auto& [part, provenance] : content.scenario.array().provenance)
-    sources << row(partName(part).toHtmlEscaped(), sentence(provenance.source),
+    sources << row(partName(part).toHtmlEscaped(), references.label(provenance.source),
                    confidenceName(provenance.confidence));
   return heading(QT_TRANSLATE_NOOP("perilymph::gui", "Simulation parameters")) + table(rows) +
          heading(QT_TRANSLATE_NOOP("perilymph::gui", "Array: sources of the values")) +
@@ -176,7 +174,11 @@ QString limits(const ReportContent& content)
       tr("The array model is based on published data and is not manufacturer data."),
       tr("No value in this report shows that an insertion is atraumatic: trauma thresholds vary "
          "between ears and are not known for the insertion force.")};
-  if (content.rupture) sentences << sentence(content.rupture->source);
+  if (content.rupture)
+    sentences << tr("Strength of the cochlear partition, %1 to %2 mN: assumed; original not "
+                    "available. The model gives fewer translocations than clinics report.")
+                     .arg(numberText(content.rupture->low * 1e3, 0),
+                          numberText(content.rupture->high * 1e3, 0));
   for (const Sentence& note : content.verification.notes) sentences << sentence(note);
   for (const std::string& note : content.scenario.notes()) sentences << sentence(note);
   if (content.lostRecords > 0)
@@ -220,15 +222,14 @@ QString marks(const ReportContent& content)
 
 }  // namespace
 
-QString appendixText(const ReportContent& content)
+QString appendixText(const ReportContent& content, References& references)
 {
-  const QString image = QStringLiteral("<p><img src=\"%1\" width=\"%2\"></p>");
-  return QStringLiteral("<h1>%1</h1>").arg(tr("Appendix: data for reproduction")) +
-         heading(QT_TRANSLATE_NOOP("perilymph::gui", "Insertion force over travel")) +
-         image.arg(QStringLiteral("curve")).arg(curveWidth_px) +
-         ctPictureText(content.scenario.patient()) +
-         heading(QT_TRANSLATE_NOOP("perilymph::gui", "All results")) + numbers(content) +
-         howItWasDone(content) + limits(content) + marks(content) + parameters(content);
+  const QString text = QStringLiteral("<h1>%1</h1>").arg(tr("Appendix: data for reproduction")) +
+                       ctPictureText(content.patient()) +
+                       heading(QT_TRANSLATE_NOOP("perilymph::gui", "All results")) +
+                       numbers(content) + howItWasDone(content, references) + limits(content) +
+                       marks(content) + parameters(content, references);
+  return text + references.list();  // of what the text cites
 }
 
 }  // namespace perilymph::gui

@@ -60,13 +60,11 @@ ForceMeaning meaningOnPartition(Force force, const ForceThresholds& known)
   const QString low = millinewtonsText(known.rupture->low);
   const QString high = millinewtonsText(known.rupture->high);
   if (force.si() < known.rupture->low)
-    return {tr("cochlear partition %1 mN (rupture reported at %2–%3 mN, unverified)")
-                .arg(now, low, high),
+    return {tr("cochlear partition %1 mN (rupture assumed at %2–%3 mN)").arg(now, low, high),
             false};
-  return {
-      tr("cochlear partition %1 mN: within or above reported rupture forces (%2–%3 mN, unverified)")
-          .arg(now, low, high),
-      true};
+  return {tr("cochlear partition %1 mN: within or above assumed rupture forces (%2–%3 mN)")
+              .arg(now, low, high),
+          true};
 }
 
 ForceMeaning meaningOfRupture(const haptics::Translocation& rupture)

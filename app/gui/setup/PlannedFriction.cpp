@@ -32,7 +32,7 @@ QString plannedFriction(const planning::PlanRequest& request)
   if (isUsual(request) || request.friction == estimatedFriction)
     return QCoreApplication::translate("perilymph::gui", "friction estimated from pig tissue");
   if (request.friction == endosteumFriction)
-    return QCoreApplication::translate("perilymph::gui", "friction of endosteum, recalled");
+    return QCoreApplication::translate("perilymph::gui", "friction of endosteum, assumed");
   if (request.friction == simulantFriction)
     return QCoreApplication::translate("perilymph::gui", "friction of a tissue simulant");
   if (request.friction)

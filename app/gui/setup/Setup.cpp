@@ -289,7 +289,7 @@ std::vector<std::string> differingText(const session::Scenario& one, const sessi
   return caption;
 }
 
-std::string fileNameOf(const std::string& name)
+std::string fileStemOf(const std::string& name)
 {
   std::string file;
   for (const char c : name) {
@@ -300,8 +300,10 @@ std::string fileNameOf(const std::string& name)
       file += '-';
   }
   while (!file.empty() && file.back() == '-') file.pop_back();
-  return (file.empty() ? "patient" : file) + ".toml";
+  return file.empty() ? "patient" : file;
 }
+
+std::string fileNameOf(const std::string& name) { return fileStemOf(name) + ".toml"; }
 
 Result<session::Scenario> withPatient(const session::Scenario& scenario,
                                       const anatomy::Patient& patient)

@@ -88,7 +88,10 @@ std::vector<std::string> differingText(const session::Scenario& one,
 Result<session::Scenario> withPatient(const session::Scenario& scenario,
                                       const anatomy::Patient& patient);
 
-/// A file name for a patient: letters and digits are kept, all else between them becomes one dash.
+/// A patient's label in a file's name: letters and digits are kept, all else between them becomes
+/// one dash.
+std::string fileStemOf(const std::string& label);
+/// The same with the ending of a patient file.
 std::string fileNameOf(const std::string& label);
 
 /// The scenario of the user's own patient: named after the patient instead of a preset.

@@ -100,6 +100,12 @@ QString clinicsReportDetails(const std::string& array, ReportedQuantity quantity
   return lines.join(QLatin1Char('\n'));
 }
 
+std::string clinicsSource(const std::string& array, ReportedQuantity quantity)
+{
+  const ClinicalReport* report = find(array, quantity);
+  return report == nullptr ? std::string() : report->source;
+}
+
 bool isNotValidated(const std::string& array)
 {
   const auto& evidence = analysis::ClinicalEvidence::shipped();

@@ -19,6 +19,9 @@ QString clinicsReportShort(const std::string& array, analysis::ReportedQuantity 
 /// A line for each report: numbers, n, what they are and where from; empty where there is none.
 QString clinicsReportDetails(const std::string& array, analysis::ReportedQuantity quantity);
 
+/// The source of clinicsReport(); empty where nothing is reported.
+std::string clinicsSource(const std::string& array, analysis::ReportedQuantity quantity);
+
 /// Whether the program's clinical table misses a row of an array.
 bool isNotValidated(const std::string& array);
 

@@ -332,7 +332,7 @@ TEST_F(Clinician, WritesAReportThatCanBeReadAgain)
   for (const auto& entry : fs::directory_iterator(sessionFolder()))
     if (entry.path().extension() == ".insertion" &&
         entry.path() != rig_->window().control().recording())
-      rig_->window().findChild<gui::SessionsPage*>()->saveReport(entry.path(), pdf);
+      rig_->window().findChild<gui::SessionsPage*>()->saveReport(entry.path(), {pdf});
   ASSERT_TRUE(WindowRig::comes([&] { return fs::exists(pdf); }));
   ProgramOutcome read;
   try {

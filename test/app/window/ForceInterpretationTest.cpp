@@ -48,7 +48,7 @@ TEST(WordsOfAForceOnThePartition, SayWhatItBearsBeforeAndBeyond)
 {
   const ForceThresholds known = ForceThresholds::shipped();
   EXPECT_THAT(onPartition(7.0), HasSubstr("cochlear partition 7 mN"));
-  EXPECT_THAT(onPartition(7.0), HasSubstr("rupture reported at 42–122 mN, unverified"));
+  EXPECT_THAT(onPartition(7.0), HasSubstr("rupture assumed at 42–122 mN"));
   EXPECT_FALSE(meaningOnPartition(millinewtons(41.0), known).isBeyond);
   EXPECT_TRUE(meaningOnPartition(millinewtons(43.0), known).isBeyond);
 }
@@ -71,13 +71,13 @@ TEST(WordsOfAForceOnThePartition, SayWhereItRupturedAndWhatIsAboveIt)
             "translocation: partition ruptured at 59° by 42 mN, 7.3 mm above it");
 }
 
-TEST(WordsOfAForceOnThePartition, MarkTheRuptureForcesAsUnverified)
+TEST(WordsOfAForceOnThePartition, MarkTheRuptureForcesAsAssumed)
 {
   const std::string source = ForceThresholds::shipped().rupture->source;
   EXPECT_THAT(source, HasSubstr("Schuster et al. 2015"));
-  EXPECT_THAT(source, HasSubstr("unverified"));
+  EXPECT_THAT(source, HasSubstr("assumption: original not available"));
   EXPECT_THAT(source, Not(HasSubstr("memory")));
-  EXPECT_THAT(onPartition(200.0), HasSubstr("unverified"));
+  EXPECT_THAT(onPartition(200.0), HasSubstr("assumed rupture forces"));
 }
 
 TEST(WordsOfAForce, NeverCallItSafe)

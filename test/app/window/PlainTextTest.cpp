@@ -108,7 +108,8 @@ TEST_F(NamesOfMarkup, AreEscapedInTheReport)
   content.facts.device = bold;
   content.facts.scenarioName = bold;
   content.file = "<u>.insertion";
-  const QString text = gui::appendixText(content);
+  gui::References references;
+  const QString text = gui::appendixText(content, references);
   EXPECT_TRUE(text.contains("&lt;img"));
   EXPECT_TRUE(text.contains("&lt;b&gt;bold"));
   EXPECT_FALSE(text.contains(image));

@@ -10,13 +10,11 @@
 #include <iterator>
 
 #include "PlanReportRig.h"
+#include "StudyOfTwoSlices.h"
 #include "gui/report/PlanReportPdf.h"
 #include "gui/report/ReportIssuer.h"
-#include "perilymph/ct/CtVolume.h"
 #include "perilymph/foundation/AtomicFile.h"
-#include "perilymph/foundation/Sha256.h"
 #include "perilymph/foundation/Version.h"
-#include "perilymph/test/DicomWriter.h"
 #include "perilymph/test/SyntheticPlan.h"
 
 namespace perilymph::test {
@@ -37,27 +35,13 @@ TEST_F(PlanReportPdf, IsHeldByADicomObject)
   EXPECT_THAT(bytes, HasSubstr("P-17"));
 }
 
-/// Two slices of a series in a study.
-void writeCt(const fs::path& folder, const std::string& series)
-{
-  Eigen::Matrix4d lps = Eigen::Matrix4d::Identity();
-  lps.topLeftCorner<3, 3>() *= 0.3;
-  const auto volume = ct::CtVolume::make({4, 4, 2}, lps, std::vector<std::int16_t>(32, 7), {});
-  ASSERT_TRUE(volume) << volume.error().message;
-  auto slices = dicomSlices(*volume, series);
-  for (DicomData& slice : slices) slice.setText(0x0020000D, "UI", "1.2.840.99");
-  writeDicomFiles(slices, folder);
-}
-
 TEST_F(PlanReportPdf, BecomesPartOfTheStudyInWhichItsPatientWasMeasuredAndOfNoOther)
 {
   planning::Plan plan = syntheticPlan(8);
-  Sha256 series;
-  series.add(std::string_view("1.2.840.99.1"));
-  plan.request.patient.origin.seriesKey = series.hex();
+  plan.request.patient.origin.seriesKey = keyOfSeries("1.2.840.99.1");
   store(plan);
-  writeCt(folder_ / "own", "1.2.840.99.1");
-  writeCt(folder_ / "other", "1.2.840.99.2");
+  writeStudy(folder_ / "own", "1.2.840.99.1", "Doe^Jane");
+  writeStudy(folder_ / "other", "1.2.840.99.2", "Roe^Richard");
   const fs::path file = folder_ / "plan.dcm";
   const auto into = [&](const char* ct, const std::vector<std::string>& more = {}) {
     ProgramCall call = callOf(folder_.path(), file);
@@ -81,7 +65,7 @@ TEST_F(PlanReportPdf, BecomesPartOfTheStudyInWhichItsPatientWasMeasuredAndOfNoOt
   onto.arguments.insert(onto.arguments.end(), {"--ct", (folder_ / "own").string()});
   const auto refused = run(onto);
   EXPECT_EQ(refused.status, 1);
-  EXPECT_THAT(refused.err, HasSubstr("1.dcm, which --ct reads. Give --report another name."));
+  EXPECT_THAT(refused.err, HasSubstr("1.dcm, a file of the CT. Give the report another name."));
   EXPECT_TRUE(*readWhole(folder_ / "own" / "1.dcm") == bytes);
 
   // As of an earlier version: nobody vouches for the series that it states.
@@ -126,7 +110,7 @@ TEST_F(PlanReportPdf, OfAPlanThatWasChangedByHandSaysSoAndIsFiledNowhere)
   ASSERT_EQ(report(folder_.path(), pdf()).status, 0);
   EXPECT_THAT(textOf(pdf()), HasSubstr("changed by hand"));
   EXPECT_THAT(textOf(pdf()), Not(HasSubstr(std::string(16, 'f'))));
-  writeCt(folder_ / "ct", "1.2.840.99.1");
+  writeStudy(folder_ / "ct", "1.2.840.99.1", "Doe^Jane");
   ProgramCall call = callOf(folder_.path(), folder_ / "plan.dcm");
   call.arguments.insert(call.arguments.end(),
                         {"--ct", (folder_ / "ct").string(), "--ct-not-compared"});
@@ -143,9 +127,7 @@ TEST_F(PlanReportPdf, OfAPlanThatWasChangedByHandSaysSoAndIsFiledNowhere)
 TEST_F(PlanReportPdf, OfMeasuresThatWereChangedByHandSaysSoAndIsFiledNowhere)
 {
   planning::Plan plan = syntheticPlan(8);
-  Sha256 series;
-  series.add(std::string_view("1.2.840.99.1"));
-  plan.request.patient.origin = {"perilymph 0.3.0", series.hex(), "", "RW"};
+  plan.request.patient.origin = {"perilymph 0.3.0", keyOfSeries("1.2.840.99.1"), "", "RW"};
   plan.request.patient.seal = Seal::changed;
   store(plan);
   ASSERT_EQ(report(folder_.path(), pdf()).status, 0);
@@ -155,7 +137,7 @@ TEST_F(PlanReportPdf, OfMeasuresThatWereChangedByHandSaysSoAndIsFiledNowhere)
   EXPECT_THAT(text, HasSubstr("none: the measures were changed"));
   EXPECT_THAT(text, Not(HasSubstr("perilymph 0.3.0")));
   EXPECT_THAT(text, Not(HasSubstr("CT measurements")));
-  writeCt(folder_ / "ct", "1.2.840.99.1");
+  writeStudy(folder_ / "ct", "1.2.840.99.1", "Doe^Jane");
   for (const bool isCompared : {true, false}) {
     ProgramCall call = callOf(folder_.path(), folder_ / "plan.dcm");
     call.arguments.insert(call.arguments.end(), {"--ct", (folder_ / "ct").string()});

@@ -31,9 +31,9 @@ namespace {
 
 using haptics::Workflow;
 
-class Result : public testing::Test {
+class ShownResult : public testing::Test {
 protected:
-  Result() : rig_(session::Overrides{{"stop_travel_mm", "3.0"}, {"speed_mm_s", "4.0"}}) {}
+  ShownResult() : rig_(session::Overrides{{"stop_travel_mm", "3.0"}, {"speed_mm_s", "4.0"}}) {}
 
   gui::ResultCard& card() { return *rig_.window().findChild<gui::ResultCard*>(); }
   gui::InsertionController& insertion() { return rig_.window().insertion(); }
@@ -70,7 +70,7 @@ protected:
   WindowRig rig_;
 };
 
-TEST_F(Result, IsShownAtTheEndWithNothingToPressAndIsARecordingFromThenOn)
+TEST_F(ShownResult, IsShownAtTheEndWithNothingToPressAndIsARecordingFromThenOn)
 {
   insert();
   EXPECT_TRUE(rig_.label("resultTitle").startsWith("Stopped as set"));
@@ -93,7 +93,7 @@ TEST_F(Result, IsShownAtTheEndWithNothingToPressAndIsARecordingFromThenOn)
   EXPECT_GT(ticksOfWholeRecording(), inserted);
 }
 
-TEST_F(Result, OfAHandThatHoldsOnStatesTheRestOnEveryPageUntilItIsRecorded)
+TEST_F(ShownResult, OfAHandThatHoldsOnStatesTheRestOnEveryPageUntilItIsRecorded)
 {
   rig_.click("pointerChoice");
   rig_.click("startButton");
@@ -124,7 +124,7 @@ TEST_F(Result, OfAHandThatHoldsOnStatesTheRestOnEveryPageUntilItIsRecorded)
   EXPECT_TRUE(card().isHidden());  // it was closed
 }
 
-TEST_F(Result, AgainInsertsOnceMoreWithARecordingOfItsOwnAndComparesBoth)
+TEST_F(ShownResult, AgainInsertsOnceMoreWithARecordingOfItsOwnAndComparesBoth)
 {
   insert();
   const auto first = insertion().result()->file;
@@ -139,7 +139,7 @@ TEST_F(Result, AgainInsertsOnceMoreWithARecordingOfItsOwnAndComparesBoth)
   EXPECT_TRUE(WindowRig::comes([&] { return curves != nullptr && curves->isVisible(); }));
 }
 
-TEST_F(Result, StatesWhatClinicsReportOfItsArray)
+TEST_F(ShownResult, StatesWhatClinicsReportOfItsArray)
 {
   rig_.choose("arraySelector", "flex28");
   ASSERT_TRUE(WindowRig::comes([&] {
@@ -152,7 +152,7 @@ TEST_F(Result, StatesWhatClinicsReportOfItsArray)
   keepPicture(rig_.window(), "result-clinics");
 }
 
-TEST_F(Result, SavesItsContactsWithADictionaryOfTheirColumns)
+TEST_F(ShownResult, SavesItsContactsWithADictionaryOfTheirColumns)
 {
   const TemporaryFolder folder;
   const std::filesystem::path file = folder / "contacts.csv";

@@ -56,6 +56,7 @@ InsertPage::InsertPage(InsertionController& insertion, QWidget* parent)
       result_(new ResultCard(views_)),
       loading_(new LoadingStage(this)),
       replay_(new ReplayControl(insertion.replay(), *views_, this)),
+      saving_(new ReportSaving(this)),
       bars_(new QStackedWidget(this)),
       frames_(new FrameLoop(
           {[this](double elapsed_s) { step(elapsed_s); }, [this] { stepSlowly(); },
@@ -169,6 +170,9 @@ void InsertPage::connectResult()
 {
   connect(&insertion_, &InsertionController::resultChanged, this, &InsertPage::showResult);
   connect(result_, &ResultCard::reportAsked, this, &InsertPage::saveReport);
+  connect(saving_, &ReportSaving::saved, this,
+          [this](const std::filesystem::path&, const QString& sentence) { noted(sentence); });
+  connect(saving_, &ReportSaving::failed, this, &InsertPage::noted);
   connect(result_, &ResultCard::againAsked, &insertion_, &InsertionController::again);
   connect(result_, &ResultCard::compareAsked, this, [this] {
     std::vector<std::filesystem::path> files;
@@ -190,10 +194,10 @@ void InsertPage::showResult()
 void InsertPage::saveReport()
 {
   const std::shared_ptr<const ReportContent> content = insertion_.result();
-  const QString pdf = askReportFile(content->file, this);
-  if (pdf.isEmpty()) return;
-  const auto written = writeReport(*content, pdf.toStdString());
-  Q_EMIT noted(written ? tr("Report saved to %1.").arg(pdf) : dataText(written.error().message));
+  if (const auto place = askReportPlace(content->file, this))
+    saving_->save(
+        [content](const std::filesystem::path& pdf) { return writeReport(*content, pdf); },
+        content->identity(), *place);
 }
 
 Page::Acceptance InsertPage::accepts(const std::filesystem::path& file) const

@@ -17,6 +17,7 @@ class InsertionController;
 class InsertionViews;
 class LoadingStage;
 class ReplayControl;
+class ReportSaving;
 class ResultCard;
 class SidePanel;
 
@@ -85,6 +86,7 @@ private:
   ResultCard* result_;
   LoadingStage* loading_;
   ReplayControl* replay_;
+  ReportSaving* saving_;
   QStackedWidget* bars_;
   FrameLoop* frames_;
   InsertionPresenter presenter_;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/pages/plan/PlanHead.h"
 
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QVBoxLayout>
 #include <QVariant>
@@ -21,7 +20,7 @@ PlanHead::PlanHead(QWidget* parent)
     : QWidget(parent),
       name_(new ElidedLabel(this)),
       measures_(new WrappedLabel({}, this)),
-      note_(new QLabel(this))
+      note_(new WrappedLabel({}, this))
 {
   name_->setObjectName(QStringLiteral("planPatient"));
   name_->setFont(typeface(15, QFont::DemiBold));
@@ -30,15 +29,12 @@ PlanHead::PlanHead(QWidget* parent)
   note_->setObjectName(QStringLiteral("planNote"));
   note_->setFont(typeface(12));
   note_->setProperty("quiet", true);
-  auto* row = new QHBoxLayout;
-  row->setSpacing(2 * spacing);
-  row->addWidget(name_, 1);
-  row->addWidget(note_);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(4);
-  column->addLayout(row);
+  column->addWidget(name_);
   column->addWidget(measures_);
+  column->addWidget(note_);
 }
 
 void PlanHead::show(const anatomy::Patient& patient)

@@ -14,7 +14,7 @@ namespace perilymph::gui {
 
 namespace {
 
-constexpr int rowHeight_px = 70, headerHeight_px = 92;
+constexpr int rowHeight_px = 70, headerHeight_px = 66;
 
 // In the order of PlanColumn; they fit beside the panel on a screen of 1280 pixels.
 constexpr int widths_px[] = {96, 84, 80, 82, 82, 86, 92, 66, 80, 68, 66, 78};

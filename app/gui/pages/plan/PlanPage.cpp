@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/pages/plan/PlanPage.h"
 
-#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QPushButton>
 #include <QStackedWidget>
@@ -126,16 +125,17 @@ void PlanPage::addVerbs(QHBoxLayout& row)
       tr("Sets patient and array on the page Insert, where the force is compared "
          "with this plan."));
   row.addWidget(insert_);
-  report_->setToolTip(tr("Report of this plan as PDF: a page for the record and an appendix"));
+  report_->setToolTip(
+      tr("Report of this plan as PDF or DICOM: a page for the record and an appendix"));
   row.addWidget(report_);
   row.addStretch();
   connect(report_, &QPushButton::clicked, this, &PlanPage::askReport);
   connect(&reporting_, &PlanReportWork::failed, this,
           [this](const QString& sentence) { say(sentence, true); });
-  connect(&reporting_, &PlanReportWork::written, this, [this](const std::filesystem::path& pdf) {
-    const QString name = QString::fromStdString(pdf.filename().string());
-    status_->sayWritten(tr("The report was saved as %1.").arg(name), pdf.parent_path());
-  });
+  connect(&reporting_, &PlanReportWork::written, this,
+          [this](const std::filesystem::path& report, const QString& sentence) {
+            status_->sayWritten(sentence, report.parent_path());
+          });
   connect(insert_, &QPushButton::clicked, this, &PlanPage::insertArray);
   connect(open_, &QPushButton::clicked, this, &PlanPage::openArrays);
   connect(list_, &PlanList::openAsked, this, &PlanPage::openArrays);
@@ -174,18 +174,17 @@ void PlanPage::insertArray()
 void PlanPage::askReport()
 {
   if (!plan_) return;
-  const QString name = QString::fromStdString(fileNameOf(plan_->request.patient.label));
-  const QString file = QFileDialog::getSaveFileName(
-      this, tr("Report of the plan"), documentsFolder() + QStringLiteral("/%1-plan.pdf").arg(name),
-      QStringLiteral("PDF (*.pdf)"));
-  if (!file.isEmpty()) writeReport(file.toStdString());
+  const QString code = QString::fromStdString(fileStemOf(plan_->request.patient.label));
+  if (const auto place =
+          askReportPlace(tr("Report of the plan"), QStringLiteral("%1-plan").arg(code), this))
+    writeReport(*place);
 }
 
-void PlanPage::writeReport(const std::filesystem::path& pdf)
+void PlanPage::writeReport(const ReportPlace& place)
 {
   if (!plan_) return;
   say(tr("Preparing the report…"));
-  reporting_.write(plan_, folder_, pdf);
+  reporting_.write(plan_, folder_, place);
 }
 
 bool PlanPage::leaveArrays()
@@ -315,7 +314,8 @@ void PlanPage::showPlan(const PlanWork::SharedPlan& plan, const StoredPlan& stor
   const auto draws = plan->arrays.empty() ? 0 : int(plan->arrays.front().draws);
   const QString run = tr("%1 simulations, %2 insertions").arg(draws).arg(plan->insertions.size());
   const QString seal = plan->seal == Seal::changed ? tr("changed by hand, ") : QString();
-  head_->setNote(seal + run + QStringLiteral(", ") + plannedFriction(*plan));
+  head_->setNote(
+      tr("%1%2, %3. Medians; bands: %4").arg(seal, run, plannedFriction(*plan), bandsHold(*plan)));
   list_->show(plan);
   showVerbs();
   panel_->showPlan(stored);

@@ -42,7 +42,7 @@ public:
   /// there was neither.
   bool cancel() override;
   /// Writes the report of the plan that is shown.
-  void writeReport(const std::filesystem::path& pdf);
+  void writeReport(const ReportPlace& place);
   bool isBusy() const override { return work_.isBusy(); }
   /// The plan that is shown; null before.
   const PlanWork::SharedPlan& plan() const { return plan_; }

@@ -9,8 +9,14 @@
 
 namespace perilymph::gui {
 
+PlanReportWork::PlanReportWork(QObject* parent) : QObject(parent), background_(this), saving_(this)
+{
+  connect(&saving_, &ReportSaving::saved, this, &PlanReportWork::written);
+  connect(&saving_, &ReportSaving::failed, this, &PlanReportWork::failed);
+}
+
 void PlanReportWork::write(const PlanWork::SharedPlan& plan, const std::filesystem::path& folder,
-                           const std::filesystem::path& pdf)
+                           const ReportPlace& place)
 {
   background_.run(
       "The report",
@@ -23,11 +29,11 @@ void PlanReportWork::write(const PlanWork::SharedPlan& plan, const std::filesyst
         if (!stored) return stored.error();
         return planReportContent(*std::move(stored));
       },
-      [this, pdf](const Result<PlanReportContent>& content) {
+      [this, place](const Result<PlanReportContent>& content) {
         if (!content) return failed(dataText(content.error().message));
-        const auto done = writePlanReport(*content, pdf);
-        if (!done) return failed(dataText(done.error().message));
-        Q_EMIT written(pdf);
+        saving_.save(
+            [&content](const std::filesystem::path& pdf) { return writePlanReport(*content, pdf); },
+            content->identity(), place);
       });
 }
 

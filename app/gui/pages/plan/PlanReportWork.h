@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// The report of a plan as PDF.
+// The report of a plan.
 
 #include <QObject>
 #include <filesystem>
 
 #include "gui/pages/plan/PlanWork.h"
+#include "gui/report/ReportSaving.h"
 #include "gui/run/Background.h"
 
 namespace perilymph::gui {
@@ -15,18 +16,19 @@ namespace perilymph::gui {
 class PlanReportWork : public QObject {
   Q_OBJECT
 public:
-  explicit PlanReportWork(QObject* parent) : QObject(parent), background_(this) {}
+  explicit PlanReportWork(QObject* parent);
 
   /// @param folder  The plan's: a plan that is not current is reported as its plan.json states it.
   void write(const PlanWork::SharedPlan& plan, const std::filesystem::path& folder,
-             const std::filesystem::path& pdf);
+             const ReportPlace& place);
 
 Q_SIGNALS:
-  void written(const std::filesystem::path& pdf);
+  void written(const std::filesystem::path& report, const QString& sentence);
   void failed(const QString& sentence);
 
 private:
   Background background_;
+  ReportSaving saving_;
 };
 
 }  // namespace perilymph::gui

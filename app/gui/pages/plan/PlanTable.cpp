@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gui/setup/PlannedFriction.h"
 #include "gui/text/ClinicalText.h"
 
 namespace perilymph::gui {
@@ -135,9 +134,6 @@ QVariant PlanTable::headerData(int section, Qt::Orientation orientation, int rol
       QString head = titleOf(column);
       if (section == sortedBy_)
         head += QLatin1Char(' ') + (order_ == Qt::AscendingOrder ? QChar(0x25b4) : QChar(0x25be));
-      const PlanCellKind kind = kindOf(column);
-      if (plan_ && (kind == PlanCellKind::band || kind == PlanCellKind::curve))
-        head += QLatin1Char('\n') + bandsHold(*plan_);
       return head;
     }
     case Qt::ToolTipRole:

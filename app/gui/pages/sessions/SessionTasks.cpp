@@ -30,7 +30,12 @@ Result<ReferenceInsertion> referenceOf(const std::filesystem::path& file,
 
 }  // namespace
 
-SessionTasks::SessionTasks(QObject* parent) : QObject(parent), reading_(this) {}
+SessionTasks::SessionTasks(QObject* parent) : QObject(parent), reading_(this), saving_(this)
+{
+  connect(&saving_, &ReportSaving::saved, this, &SessionTasks::reportWritten);
+  connect(&saving_, &ReportSaving::failed, this,
+          [this](const QString& sentence) { said(sentence, true); });
+}
 
 void SessionTasks::readReference(const std::filesystem::path& file)
 {
@@ -44,18 +49,17 @@ void SessionTasks::readReference(const std::filesystem::path& file)
       });
 }
 
-void SessionTasks::writeReportOf(const std::filesystem::path& file,
-                                 const std::filesystem::path& pdf)
+void SessionTasks::writeReportOf(const std::filesystem::path& file, const ReportPlace& place)
 {
   said(tr("Replaying %1 for the report…").arg(QString::fromStdString(session::displayNameOf(file))),
        false);
   reading_.run(
       "The report", [file](const std::stop_token& stop) { return gatherReport(file, stop); },
-      [this, pdf](const Result<ReportContent>& content) {
+      [this, place](const Result<ReportContent>& content) {
         if (!content) return said(dataText(content.error().message), true);
-        const auto written = writeReport(*content, pdf);
-        if (!written) return said(dataText(written.error().message), true);
-        Q_EMIT reportWritten(pdf);
+        saving_.save(
+            [&content](const std::filesystem::path& pdf) { return writeReport(*content, pdf); },
+            content->identity(), place);
       });
 }
 

@@ -6,6 +6,7 @@
 #include <QObject>
 #include <filesystem>
 
+#include "gui/report/ReportSaving.h"
 #include "gui/run/Background.h"
 #include "gui/run/ReferenceInsertion.h"
 
@@ -19,16 +20,17 @@ public:
 
   /// Reads the force-travel curve; emits referenceRead().
   void readReference(const std::filesystem::path& file);
-  /// Writes a report as PDF.
-  void writeReportOf(const std::filesystem::path& file, const std::filesystem::path& pdf);
+  /// Writes the report of a recording.
+  void writeReportOf(const std::filesystem::path& file, const ReportPlace& place);
 
 Q_SIGNALS:
   void said(const QString& sentence, bool isError);
   void referenceRead(const perilymph::gui::ReferenceInsertion& reference);
-  void reportWritten(const std::filesystem::path& pdf);
+  void reportWritten(const std::filesystem::path& report, const QString& sentence);
 
 private:
   Background reading_;
+  ReportSaving saving_;
 };
 
 }  // namespace perilymph::gui

@@ -143,7 +143,7 @@ QWidget* SessionsPage::addVerbs()
       addVerb(tr("Compare"), "compareButton", tr("Plot two or more recordings on common axes"));
   ghost_ = addVerb(tr("Use as reference"), "ghostButton",
                    tr("Show its force as reference trace in the next insertions"));
-  report_ = addVerb(tr("Report…"), "reportButton", tr("Save a report as PDF"));
+  report_ = addVerb(tr("Report…"), "reportButton", tr("Save a report as PDF or DICOM"));
   rename_ = addVerb(tr("Rename"), "renameButton", tr("Rename the recording (F2)"));
   delete_ = addVerb(tr("Delete"), "deleteButton", tr("Move to the trash (Delete)"));
   undo_ = addVerb(tr("Undo"), "undoDeleteButton", tr("Restore from the trash (Ctrl+Z)"));
@@ -164,10 +164,10 @@ QWidget* SessionsPage::addVerbs()
   });
   connect(tasks_, &SessionTasks::said, this, &SessionsPage::say);
   connect(tasks_, &SessionTasks::referenceRead, this, &SessionsPage::referenceRead);
-  connect(tasks_, &SessionTasks::reportWritten, this, [this](const std::filesystem::path& pdf) {
-    status_->sayWritten(tr("Report saved to %1.").arg(QString::fromStdString(pdf.string())),
-                        pdf.parent_path());
-  });
+  connect(tasks_, &SessionTasks::reportWritten, this,
+          [this](const std::filesystem::path& report, const QString& sentence) {
+            status_->sayWritten(sentence, report.parent_path());
+          });
   connect(compare_, &QPushButton::clicked, this, [this] {
     std::vector<std::filesystem::path> files;
     for (const session::SessionSummary& each : chosen()) files.push_back(each.file);
@@ -331,13 +331,12 @@ void SessionsPage::reportChosen()
 {
   const auto file = oneChosen();
   if (!file) return;
-  const QString asked = askReportFile(*file, this);
-  if (!asked.isEmpty()) saveReport(*file, asked.toStdString());
+  if (const auto place = askReportPlace(*file, this)) saveReport(*file, *place);
 }
 
-void SessionsPage::saveReport(const std::filesystem::path& file, const std::filesystem::path& pdf)
+void SessionsPage::saveReport(const std::filesystem::path& file, const ReportPlace& place)
 {
-  tasks_->writeReportOf(file, pdf);
+  tasks_->writeReportOf(file, place);
 }
 
 void SessionsPage::rename(const std::filesystem::path& file, const QString& name)

@@ -51,8 +51,8 @@ public:
   void say(const QString& sentence, bool isError = false);
   void showError(const QString& sentence) { say(sentence, true); }
 
-  /// Writes a PDF report of a recording in the background; the page shows the result.
-  void saveReport(const std::filesystem::path& file, const std::filesystem::path& pdf);
+  /// Writes the report of a recording in the background; the page shows the result.
+  void saveReport(const std::filesystem::path& file, const ReportPlace& place);
 
 Q_SIGNALS:
   void compareAsked(const std::vector<std::filesystem::path>& files);

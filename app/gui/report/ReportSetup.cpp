@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/report/ReportSetup.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+#include <algorithm>
+#include <cmath>
+
+#include "gui/setup/Catalog.h"
+#include "gui/text/Numbers.h"
+#include "perilymph/foundation/Normal.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+// lupdate assigns texts of free functions to their namespace.
+QString tr(const char* text) { return QCoreApplication::translate("perilymph::gui", text); }
+
+/// A value of a scenario without quotation marks; empty if it has none.
+QString valueOf(const session::Scenario& scenario, const std::string& key)
+{
+  for (const auto& [name, value] : scenario.values())
+    if (name == key) return QString::fromStdString(value).remove(QLatin1Char('"'));
+  return {};
+}
+
+/// "0.165 (95 % 0.08–0.33)", or what it is between speeds.
+QString coefficientText(const session::Scenario& scenario)
+{
+  const mechanics::FrictionLaw& law = scenario.friction();
+  if (!law.bySpeed.isEmpty())
+    return tr("%1 to %2 by speed")
+        .arg(numberText(law.bySpeed.minimum(), 2), numberText(law.bySpeed.maximum(), 2));
+  const QString coefficient = numberText(law.staticCoefficient, 3);
+  const double spread = std::hypot(valueOf(scenario, "friction_shared_sd_log").toDouble(),
+                                   valueOf(scenario, "friction_ear_sd_log").toDouble());
+  if (!(spread > 0.0)) return coefficient;
+  const double factor = std::exp(halfWidth95 * spread);
+  return tr("%1 (95 % %2–%3)")
+      .arg(coefficient, numberText(law.staticCoefficient / factor, 2),
+           numberText(law.staticCoefficient * factor, 2));
+}
+
+/// Names of landmarks as in the window, of those in a patient's file.
+QString clinicalNames(const std::string& names)
+{
+  static constexpr const char* clinical[][2] = {{"OW", QT_TRANSLATE_NOOP("perilymph::gui", "LW")},
+                                                {"H", QT_TRANSLATE_NOOP("perilymph::gui", "base")},
+                                                {"A", QT_TRANSLATE_NOOP("perilymph::gui", "apex")},
+                                                {"C", QT_TRANSLATE_NOOP("perilymph::gui", "M")}};
+  QStringList shown = QString::fromStdString(names).split(QStringLiteral(", "));
+  for (QString& name : shown)
+    for (const auto& [inFile, inWindow] : clinical)
+      if (name == QLatin1String(inFile)) {
+        name = tr(inWindow);
+        break;
+      }
+  return shown.join(QStringLiteral(", "));
+}
+
+}  // namespace
+
+QString frictionText(const session::Scenario& scenario, References& references)
+{
+  const QString name = valueOf(scenario, "friction");
+  const std::vector<CatalogFriction> catalog = catalogFrictions();
+  const auto found = std::ranges::find(catalog, name, &CatalogFriction::name);
+  const bool isShipped = found != catalog.end();
+  return tr("%1; %2 %3")
+      .arg(coefficientText(scenario), isShipped ? found->title : tr("own value"),
+           references.label(isShipped ? found->source.toStdString() : std::string()));
+}
+
+QString landmarksText(const ReportContent& content)
+{
+  if (!content.hasPatient() || !content.scenario.patient().basalTurn) return QStringLiteral("–");
+  if (!content.measured) return tr("not known");
+  if (!anatomy::isFromCt(*content.measured)) return tr("none; measures were entered");
+  const anatomy::MeasurementOrigin& origin = content.measured->origin;
+  if (origin.landmarksByHand.empty()) return tr("automatic");
+  return tr("moved by hand: %1").arg(clinicalNames(origin.landmarksByHand));
+}
+
+}  // namespace perilymph::gui

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// The color map of wall force: transparent, yellow, red, perceptually uniform.
+// The color map of wall force: from transparent to a low and a high color, perceptually uniform.
 
 #include "SceneColors.h"
 

@@ -58,7 +58,7 @@ struct ImportedScala {
 ///
 /// The axis is first that of the spiral motion that best maps the surface onto itself, then the one
 /// about which log r and z of the duct's center line are best fitted by polynomials in the angle
-/// (`src/ModiolarAxis.h`). The round window is the rim of an open surface, after a straight lead-in
+/// (`src/importing/ModiolarAxis.h`). The round window is the rim of an open surface, after a straight lead-in
 /// if there is one; in a closed surface it is the end of the duct in its widest turn.
 ///
 /// Refuses, with a message, every surface that cannot be a scala tympani. Takes about a second.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// The scala vestibuli, where an array is that went through the cochlear partition.
+// The scala vestibuli, which an array enters after it ruptured the cochlear partition.
 
 #include <memory>
 

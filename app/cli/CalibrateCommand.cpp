@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "CallFiles.h"
+#include "CommandFiles.h"
 
 #include <stop_token>
 #include "Commands.h"
@@ -63,7 +63,7 @@ void printSummary(const validation::CalibrationResult& result,
 
 }  // namespace
 
-Result<Done> calibrate(const CalibrateOptions& options, const CallFiles& files)
+Result<Done> calibrate(const CalibrateOptions& options, const CommandFiles& files)
 {
   const auto file = findByName("variability", "resources/validation", options.variability);
   if (!file) return file.error();

@@ -347,7 +347,8 @@ void addCommands(CLI::App& app, FileOptions& files, CommandOptions& options)
   refuseEmptyValues(app);
 }
 
-Result<Done> runCommand(const CLI::App& app, const CallFiles& files, const CommandOptions& options)
+Result<Done> runCommand(const CLI::App& app, const CommandFiles& files,
+                        const CommandOptions& options)
 {
   // What these write describes a patient: it is for the owner only.
   if (app.got_subcommand("plan") || app.got_subcommand("ct")) ::umask(S_IRWXG | S_IRWXO);

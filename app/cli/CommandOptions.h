@@ -3,7 +3,7 @@
 
 // Definition of the commands on the command line.
 
-#include "CallFiles.h"
+#include "CommandFiles.h"
 #include "Commands.h"
 #include "FileOptions.h"
 
@@ -17,6 +17,7 @@ namespace perilymph::cli {
 void addCommands(CLI::App& app, FileOptions& files, CommandOptions& options);
 
 /// Runs the parsed command.
-Result<Done> runCommand(const CLI::App& app, const CallFiles& files, const CommandOptions& options);
+Result<Done> runCommand(const CLI::App& app, const CommandFiles& files,
+                        const CommandOptions& options);
 
 }  // namespace perilymph::cli

@@ -2,7 +2,7 @@
 #pragma once
 
 // The subcommands: their options and functions. Each function prints its summary to standard output
-// and returns an error if it failed. Output files are checked before (CallFiles.h).
+// and returns an error if it failed. Output files are checked before (CommandFiles.h).
 
 #include <array>
 #include <cstdint>
@@ -16,7 +16,7 @@
 
 namespace perilymph::cli {
 
-class CallFiles;
+class CommandFiles;
 
 struct SimulateOptions {
   std::string scenario;
@@ -25,7 +25,7 @@ struct SimulateOptions {
   double every_ms = 0.0;          ///< Interval of CSV rows; 0: every tick.
   std::string igtl;               ///< "[ADDRESS:]PORT" to broadcast at; empty: none.
 };
-Result<Done> simulate(const SimulateOptions& options, const CallFiles& files);
+Result<Done> simulate(const SimulateOptions& options, const CommandFiles& files);
 
 struct AnatomyOptions {
   std::string preset, patient, import;
@@ -59,7 +59,7 @@ struct ValidateOptions {
   int draws = 400;                 ///< Number of repetitions.
   std::string out;
 };
-Result<Done> validate(const ValidateOptions& options, const CallFiles& files);
+Result<Done> validate(const ValidateOptions& options, const CommandFiles& files);
 
 struct CalibrateOptions {
   std::string variability = "published-experiment";
@@ -69,7 +69,7 @@ struct CalibrateOptions {
   unsigned jobs = 0;
   std::string out;
 };
-Result<Done> calibrate(const CalibrateOptions& options, const CallFiles& files);
+Result<Done> calibrate(const CalibrateOptions& options, const CommandFiles& files);
 
 struct PredictOptions {
   std::vector<std::string> arrays;
@@ -80,7 +80,7 @@ struct PredictOptions {
   unsigned jobs = 0;
   std::string out;
 };
-Result<Done> predict(const PredictOptions& options, const CallFiles& files);
+Result<Done> predict(const PredictOptions& options, const CommandFiles& files);
 
 struct PlanOptions {
   std::string patient;
@@ -92,7 +92,7 @@ struct PlanOptions {
   bool runsAll = false;  ///< All samples, though the bands may stand earlier.
   std::string out;
 };
-Result<Done> plan(const PlanOptions& options, const CallFiles& files);
+Result<Done> plan(const PlanOptions& options, const CommandFiles& files);
 
 struct CompareOptions {
   std::vector<std::string> files;
@@ -100,7 +100,7 @@ struct CompareOptions {
   std::vector<std::string> groups;  ///< "array", "technique", "patient".
   std::string out;
 };
-Result<Done> compare(const CompareOptions& options, const CallFiles& files);
+Result<Done> compare(const CompareOptions& options, const CommandFiles& files);
 
 struct RenderOptions {
   std::string scenario;
@@ -109,7 +109,7 @@ struct RenderOptions {
   std::string view = "surgeon";
   std::string out;
 };
-Result<Done> render(const RenderOptions& options, const CallFiles& files);
+Result<Done> render(const RenderOptions& options, const CommandFiles& files);
 
 struct DevicesOptions {
   std::string json;
@@ -155,7 +155,7 @@ Result<Done> checkStudy(const StudyOptions& options);
 Result<Done> runWholeStudy(const StudyOptions& options);
 Result<Done> runStudyShard(const StudyOptions& options);
 Result<Done> mergeStudy(const StudyOptions& options);
-Result<Done> reportStudy(const StudyOptions& options, const CallFiles& files);
+Result<Done> reportStudy(const StudyOptions& options, const CommandFiles& files);
 Result<Done> showStudyStatus(const StudyOptions& options);
 Result<Done> submitStudy(const StudyOptions& options);
 

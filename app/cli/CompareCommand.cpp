@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "CallFiles.h"
+#include "CommandFiles.h"
 #include "Commands.h"
 #include "OutputFolder.h"
 #include "Terminal.h"
@@ -64,7 +64,7 @@ std::vector<analysis::GroupKey> keysOf(const std::vector<std::string>& names)
 
 }  // namespace
 
-Result<Done> compare(const CompareOptions& options, const CallFiles& files)
+Result<Done> compare(const CompareOptions& options, const CommandFiles& files)
 {
   std::vector<analysis::ComparedInsertion> insertions;
   for (const std::string& file : options.files) {

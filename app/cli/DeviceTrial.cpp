@@ -23,9 +23,9 @@ constexpr double listeningTime = 3.0;   // [s]
 constexpr double minForce = 1e-3;  // [N]
 
 /// Ticks at 1 kHz, triggered by the device's reports if possible.
-class Beat {
+class TickClock {
 public:
-  explicit Beat(device::HapticDevice& hand)
+  explicit TickClock(device::HapticDevice& hand)
       : hand_(hand),
         pacer_(Duration::fromSi(timeStep)),
         follows_(haptics::followsReports(hand.traits(), timeStep))
@@ -51,7 +51,7 @@ private:
 
 int ticks(double time) { return static_cast<int>(std::lround(time / timeStep)); }
 
-void listen(device::HapticDevice& hand, Beat& beat, TrialOutcome& outcome)
+void listen(device::HapticDevice& hand, TickClock& beat, TrialOutcome& outcome)
 {
   print("Listening for {} s. Move the device.\n", fixed(listeningTime, 0));
   flushOutput();
@@ -79,7 +79,7 @@ std::string whyUntested(device::HapticDevice& hand, const TrialOutcome& outcome,
                    : "the button was not held";
 }
 
-void showForces(device::HapticDevice& hand, Beat& beat, TrialOutcome& outcome)
+void showForces(device::HapticDevice& hand, TickClock& beat, TrialOutcome& outcome)
 {
   haptics::ForceTrial trial(hand.traits(), timeStep);
   outcome.greatest = trial.greatest();
@@ -113,7 +113,7 @@ Result<TrialOutcome> tryOpened(device::HapticDevice& hand)
     outcome.passiveHandleDamping = haptics::passiveHandleDamping(
         outcome.stiffness, shippedDamping, haptics::delayOf(outcome.traits, timeStep), timeStep);
   }
-  Beat beat(hand);
+  TickClock beat(hand);
   listen(hand, beat, outcome);
   if (outcome.axes > 0) showForces(hand, beat, outcome);
   outcome.health = hand.health();

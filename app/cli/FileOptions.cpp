@@ -46,7 +46,7 @@ void FileOptions::writesInto(CLI::Option* option, const std::vector<std::string>
   marked_.push_back({option, Use::writesInto, {}, names});
 }
 
-void FileOptions::add(CallFiles& files, const Marked& marked, const std::string& value)
+void FileOptions::add(CommandFiles& files, const Marked& marked, const std::string& value)
 {
   const std::string name = marked.option->get_name();
   switch (marked.use) {
@@ -74,9 +74,9 @@ void FileOptions::add(CallFiles& files, const Marked& marked, const std::string&
   }
 }
 
-CallFiles FileOptions::filesOfCall() const
+CommandFiles FileOptions::filesOfCall() const
 {
-  CallFiles files;
+  CommandFiles files;
   for (const Marked& marked : marked_)
     for (const std::string& value : marked.option->results()) add(files, marked, value);
   return files;

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "CallFiles.h"
+#include "CommandFiles.h"
 
 namespace CLI {
 class Option;
@@ -32,7 +32,7 @@ public:
   void writesInto(CLI::Option* option, const std::vector<std::string>& names);
 
   /// Files of the options given in the call.
-  CallFiles filesOfCall() const;
+  CommandFiles filesOfCall() const;
 
 private:
   enum class Use { reads, readsBelow, readsSettings, writes, records, writesInto };
@@ -42,7 +42,7 @@ private:
     std::string shippedFolder;
     std::vector<std::string> names;
   };
-  static void add(CallFiles& files, const Marked& marked, const std::string& value);
+  static void add(CommandFiles& files, const Marked& marked, const std::string& value);
 
   std::vector<Marked> marked_;
 };

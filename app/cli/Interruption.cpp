@@ -17,7 +17,7 @@ namespace {
 
 constexpr unsigned grace_s = 3;  // longer than any insertion of a validation takes
 
-volatile std::sig_atomic_t wasAsked = 0;
+volatile std::sig_atomic_t wasRequested = 0;
 
 // Handlers call nothing but what signal-safety(7) allows.
 extern "C" void endNow(int)
@@ -40,8 +40,8 @@ constexpr std::initializer_list<int> ends = {SIGINT, SIGTERM, SIGHUP};
 
 extern "C" void askForEnd(int)
 {
-  if (wasAsked != 0) endNow(0);
-  wasAsked = 1;
+  if (wasRequested != 0) endNow(0);
+  wasRequested = 1;
   handle(SIGALRM, endNow);
   ::alarm(grace_s);
 }
@@ -80,7 +80,7 @@ std::stop_token watchForInterruption()
 
 bool isInterrupted()
 {
-  if (wasAsked == 0) return false;
+  if (wasRequested == 0) return false;
   interruption().request_stop();
   return true;
 }

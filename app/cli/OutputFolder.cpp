@@ -36,7 +36,7 @@ Result<Done> writePicture(const fs::path& file, const figures::Drawing& drawing)
 }
 
 /// Every file of a folder is checked before the work begins, so it must have been declared.
-void expectOutput(const CallFiles& files, const fs::path& file)
+void expectOutput(const CommandFiles& files, const fs::path& file)
 {
   if (!files.isOutput(file))
     throw std::logic_error(file.string() + " is not declared as an output of the command");
@@ -82,7 +82,7 @@ Result<Done> checkReplaced(const fs::path& folder, const std::vector<std::string
   return Done{};
 }
 
-Result<Done> writeFolder(const CallFiles& files, const std::string& folder,
+Result<Done> writeFolder(const CommandFiles& files, const std::string& folder,
                          const FolderContent& content)
 {
   const fs::path place(folder);

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "CallFiles.h"
+#include "CommandFiles.h"
 #include "perilymph/figures/Drawing.h"
 #include "perilymph/foundation/Result.h"
 
@@ -35,7 +35,7 @@ struct FolderContent {
 /// this build supports it. Prints the written files.
 ///
 /// @throws std::logic_error for a file that is not a declared output of the call.
-Result<Done> writeFolder(const CallFiles& files, const std::string& folder,
+Result<Done> writeFolder(const CommandFiles& files, const std::string& folder,
                          const FolderContent& content);
 
 /// Shows progress if standard error is a terminal, and looks for a request to end.

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <stop_token>
 
-#include "CallFiles.h"
+#include "CommandFiles.h"
 #include "Commands.h"
 #include "Interruption.h"
 #include "OutputFolder.h"
@@ -124,7 +124,7 @@ void printArray(const planning::ArrayPlan& array)
 
 }  // namespace
 
-Result<Done> plan(const PlanOptions& options, const CallFiles& files)
+Result<Done> plan(const PlanOptions& options, const CommandFiles& files)
 {
   const auto request = requestOf(options);
   if (!request) return request.error();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "CallFiles.h"
+#include "CommandFiles.h"
 
 #include <cmath>
 #include <stop_token>
@@ -117,7 +117,7 @@ void printRows(const std::vector<validation::ClinicalRow>& rows, bool isClinical
   print("{} of {} judged rows met.\n", hits, judged);
 }
 
-Result<Done> predictAll(const PredictOptions& options, const CallFiles& files)
+Result<Done> predictAll(const PredictOptions& options, const CommandFiles& files)
 {
   validation::ClinicalRequest request;
   request.seeds = options.seeds;
@@ -151,7 +151,7 @@ Result<Done> predictAll(const PredictOptions& options, const CallFiles& files)
 
 }  // namespace
 
-Result<Done> predict(const PredictOptions& options, const CallFiles& files)
+Result<Done> predict(const PredictOptions& options, const CommandFiles& files)
 {
   if (options.isAll) return predictAll(options, files);
   const auto inVivo = analysis::shippedReference("in-vivo");

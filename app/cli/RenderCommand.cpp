@@ -6,7 +6,7 @@
 #include <array>
 #include <utility>
 
-#include "CallFiles.h"
+#include "CommandFiles.h"
 #include "PatientOption.h"
 #include "Terminal.h"
 #include "perilymph/charts/FigurePicture.h"
@@ -80,7 +80,7 @@ Result<Done> drawAnatomy(const RenderOptions& options, visualization::PictureReq
 }
 
 /// The array in its cochlea, inserted to a travel in virtual time.
-Result<Done> drawInsertion(const RenderOptions& options, const CallFiles& files,
+Result<Done> drawInsertion(const RenderOptions& options, const CommandFiles& files,
                            visualization::PictureRequest request)
 {
   session::Overrides overrides;
@@ -116,7 +116,7 @@ Result<Done> drawInsertion(const RenderOptions& options, const CallFiles& files,
 
 }  // namespace
 
-Result<Done> render(const RenderOptions& options, const CallFiles& files)
+Result<Done> render(const RenderOptions& options, const CommandFiles& files)
 {
   const auto view = presetOf(options.view);
   if (!view) return view.error();
@@ -133,7 +133,7 @@ Result<Done> render(const RenderOptions& options, const CallFiles& files)
 
 namespace perilymph::cli {
 
-Result<Done> render(const RenderOptions&, const CallFiles&)
+Result<Done> render(const RenderOptions&, const CommandFiles&)
 {
   return Error{"This build has no VTK, so it cannot draw; use a build of the preset release."};
 }

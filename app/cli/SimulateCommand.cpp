@@ -2,7 +2,7 @@
 #include <fstream>
 #include <optional>
 
-#include "CallFiles.h"
+#include "CommandFiles.h"
 #include "Commands.h"
 #include "Interruption.h"
 #include "LiveBroadcast.h"
@@ -128,7 +128,7 @@ void printSummary(const session::Scenario& scenario, const Outcome& outcome)
 
 }  // namespace
 
-Result<Done> simulate(const SimulateOptions& options, const CallFiles& files)
+Result<Done> simulate(const SimulateOptions& options, const CommandFiles& files)
 {
   const auto scenario = session::loadScenario(options.scenario, options.overrides);
   if (!scenario) return scenario.error();

@@ -192,7 +192,7 @@ Result<std::vector<std::pair<std::string, std::string>>> groupTables(const Study
 
 }  // namespace
 
-Result<Done> reportStudy(const StudyOptions& options, const CallFiles& files)
+Result<Done> reportStudy(const StudyOptions& options, const CommandFiles& files)
 {
   const auto file =
       study::StudyFile::open(std::filesystem::path(options.folder) / study::mergedFile);

@@ -10,14 +10,15 @@ class App;
 
 namespace perilymph::cli {
 
-class CallFiles;
+class CommandFiles;
 class FileOptions;
 struct StudyOptions;
 
 /// Declares `study check`, `run`, `shard`, `merge`, `status`, `report` and `submit`.
 void addStudy(CLI::App& app, FileOptions& files, StudyOptions& options);
 /// Runs the one that was given.
-Result<Done> runStudy(const CLI::App& study, const CallFiles& files, const StudyOptions& options);
+Result<Done> runStudy(const CLI::App& study, const CommandFiles& files,
+                      const StudyOptions& options);
 
 /// Reads the study of a call, and says on standard error which of its patients' measures were changed
 /// by hand or carry no seal.

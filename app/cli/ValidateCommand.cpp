@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "CallFiles.h"
+#include "CommandFiles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -68,7 +68,7 @@ void printBench(const validation::BenchResult& result)
         fixed(result.growth, 0));
 }
 
-Result<Done> inferFromBench(const ValidateOptions& options, const CallFiles& files)
+Result<Done> inferFromBench(const ValidateOptions& options, const CommandFiles& files)
 {
   std::filesystem::path folder = resource("resources/bench") / options.bench;
   std::error_code ignored;
@@ -120,7 +120,7 @@ void printPrior(const validation::PriorSummary& summary)
         fixed(joint.counted, 3));
 }
 
-Result<Done> repeatWithDrawnInputs(const ValidateOptions& options, const CallFiles& files)
+Result<Done> repeatWithDrawnInputs(const ValidateOptions& options, const CommandFiles& files)
 {
   auto request = validation::shippedPrior();
   if (!request) return request.error();
@@ -146,7 +146,7 @@ Result<Done> repeatWithDrawnInputs(const ValidateOptions& options, const CallFil
 
 }  // namespace
 
-Result<Done> validate(const ValidateOptions& options, const CallFiles& files)
+Result<Done> validate(const ValidateOptions& options, const CommandFiles& files)
 {
   if (!options.bench.empty()) return inferFromBench(options, files);
   if (options.isPriorPredictive) return repeatWithDrawnInputs(options, files);

@@ -74,7 +74,7 @@ int run(int argc, char** argv)
     if (variable == "PERILYMPH_RESOURCES")
       printError("{} is set: shipped scenarios, cochleae, patients and arrays are those of {}.\n",
                  variable, resourceRoot().string());
-  const CallFiles files = fileOptions.filesOfCall();
+  const CommandFiles files = fileOptions.filesOfCall();
   if (const auto checked = files.check(); !checked) return report(checked);
   return report(runCommand(app, files, options));
 }

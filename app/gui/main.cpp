@@ -33,7 +33,7 @@
 #include "gui/setup/SetupHistory.h"
 #include "gui/shell/MainWindow.h"
 #include "gui/shell/Navigation.h"
-#include "gui/shell/SettingsSheet.h"
+#include "gui/shell/SettingsOverlay.h"
 #include "gui/shell/WindowMemory.h"
 #include "gui/shell/WindowPlace.h"
 #include "gui/widgets/Theme.h"
@@ -136,7 +136,7 @@ WindowEnd runWindow(gui::Application& application, const gui::TerminationSignals
   const gui::ScreenLock screen(nullptr);
   QObject::connect(&screen, &gui::ScreenLock::locked, &window.insertion(),
                    &gui::InsertionController::stopDevice);
-  QObject::connect(&window, &gui::MainWindow::reopenAsked, &window,
+  QObject::connect(&window, &gui::MainWindow::reopenRequested, &window,
                    [] { QCoreApplication::exit(openAnew); });
   // a screenshot or a benchmark uses the default size, not the last one
   const bool isPlain = !options.screenshot && !options.measuresFrames;

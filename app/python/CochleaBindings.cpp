@@ -50,7 +50,7 @@ BuiltCochlea fromScenario(const session::Scenario& scenario)
   return built(scenario.parameters().cochlea);
 }
 
-GivenNumbers anglesOf(const py::object& given, const ScalaTympani& scala)
+NumberArray anglesOf(const py::object& given, const ScalaTympani& scala)
 {
   return numbersOf(given, "angle_deg", "deg", 0.0, inDegrees(scala.lastAngle()));
 }
@@ -63,8 +63,8 @@ py::array axis(const BuiltCochlea& one, const py::object& angle_deg)
 
 py::array wall(const BuiltCochlea& one, const py::object& angle_deg, const py::object& around_deg)
 {
-  const GivenNumbers angles = anglesOf(angle_deg, *one.scala);
-  const GivenNumbers around = numbersOf(around_deg, "around_deg", "deg", -360.0, 360.0);
+  const NumberArray angles = anglesOf(angle_deg, *one.scala);
+  const NumberArray around = numbersOf(around_deg, "around_deg", "deg", -360.0, 360.0);
   if (around.values.size() != 0 && angles.values.size() > maxValues / around.values.size())
     throw EngineError("angle_deg and around_deg ask for more than " + std::to_string(maxValues) +
                       " points. Divide them.");
@@ -149,7 +149,7 @@ LumenPlace placeIn(const ScalaTympani& scala, const Eigen::Vector3d& point_W)
 
 py::dict distance(const BuiltCochlea& one, const py::object& points_mm)
 {
-  const GivenPoints given = pointsOf(points_mm, "points_mm");
+  const PointArray given = pointsOf(points_mm, "points_mm");
   std::vector<double> distances, angles, normals;
   withoutLock([&] {
     for (const Eigen::Vector3d& point : given.points) {

@@ -37,8 +37,8 @@ py::array ownedArray(std::vector<Value> values, std::vector<py::ssize_t> shape)
 
 }  // namespace
 
-GivenNumbers numbersOf(const py::object& given, const char* name, const char* unit, double low,
-                       double high)
+NumberArray numbersOf(const py::object& given, const char* name, const char* unit, double low,
+                      double high)
 {
   const py::array array = py::array::ensure(given);
   if (!array) {
@@ -56,7 +56,7 @@ GivenNumbers numbersOf(const py::object& given, const char* name, const char* un
   const auto numbers =
       py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(array);
   if (!numbers) throw py::error_already_set();
-  GivenNumbers found;
+  NumberArray found;
   found.shape.assign(numbers.shape(), numbers.shape() + numbers.ndim());
   found.values.assign(numbers.data(), numbers.data() + numbers.size());
   for (const double value : found.values)
@@ -64,16 +64,16 @@ GivenNumbers numbersOf(const py::object& given, const char* name, const char* un
   return found;
 }
 
-GivenPoints pointsOf(const py::object& given_mm, const char* name)
+PointArray pointsOf(const py::object& given_mm, const char* name)
 {
   // No cochlea is larger than some centimeters; a meter is a mistaken unit (choice, high).
   constexpr double farthest_mm = 1000.0;
-  GivenNumbers numbers = numbersOf(given_mm, name, "mm", -farthest_mm, farthest_mm);
+  NumberArray numbers = numbersOf(given_mm, name, "mm", -farthest_mm, farthest_mm);
   if (numbers.shape.empty() || numbers.shape.back() != 3)
     throw EngineError(
         std::string(name) +
         " must have the shape (..., 3): x, y and z in mm. Give three values per point.");
-  GivenPoints found;
+  PointArray found;
   found.shape.assign(numbers.shape.begin(), numbers.shape.end() - 1);
   found.points.reserve(numbers.values.size() / 3);
   for (std::size_t i = 0; i + 2 < numbers.values.size(); i += 3)
@@ -112,7 +112,7 @@ py::array arrayOf(const std::vector<std::string>& texts)
   return py::module_::import("numpy").attr("array")(list, py::arg("dtype") = py::str("str"));
 }
 
-py::array mapped(const GivenNumbers& given, const std::function<double(double)>& function)
+py::array mapped(const NumberArray& given, const std::function<double(double)>& function)
 {
   std::vector<double> values = withoutLock([&] {
     std::vector<double> found;
@@ -123,7 +123,7 @@ py::array mapped(const GivenNumbers& given, const std::function<double(double)>&
   return arrayOf(std::move(values), given.shape);
 }
 
-py::array mappedPoints(const GivenNumbers& given,
+py::array mappedPoints(const NumberArray& given,
                        const std::function<Eigen::Vector3d(double)>& function)
 {
   std::vector<double> values = withoutLock([&] {

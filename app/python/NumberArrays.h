@@ -19,7 +19,7 @@ namespace perilymph::python {
 inline constexpr std::size_t maxValues = 10'000'000;
 
 /// Real numbers as given: a number, a sequence or an array of any shape.
-struct GivenNumbers {
+struct NumberArray {
   std::vector<py::ssize_t> shape;
   std::vector<double> values;
 };
@@ -28,15 +28,15 @@ struct GivenNumbers {
 /// maxValues, and values that are not finite or out of range.
 ///
 /// @param unit  For the message: "mm".
-GivenNumbers numbersOf(const py::object& given, const char* name, const char* unit, double low,
-                       double high);
+NumberArray numbersOf(const py::object& given, const char* name, const char* unit, double low,
+                      double high);
 
 /// Points as given, of shape (..., 3): the shape before the last axis, and the points in meters.
-struct GivenPoints {
+struct PointArray {
   std::vector<py::ssize_t> shape;
   std::vector<Eigen::Vector3d> points;
 };
-GivenPoints pointsOf(const py::object& given_mm, const char* name);
+PointArray pointsOf(const py::object& given_mm, const char* name);
 
 /// One number of an argument, finite and within a range.
 double numberOf(double value, const char* name, const char* unit, double low, double high);
@@ -49,9 +49,9 @@ py::array arrayOf(std::vector<std::int64_t> values);
 py::array arrayOf(const std::vector<std::string>& texts);
 
 /// An array of the given shape, of the values of `function` at the numbers.
-py::array mapped(const GivenNumbers& given, const std::function<double(double)>& function);
+py::array mapped(const NumberArray& given, const std::function<double(double)>& function);
 /// The same for points [m], as millimeters in a last axis of three.
-py::array mappedPoints(const GivenNumbers& given,
+py::array mappedPoints(const NumberArray& given,
                        const std::function<Eigen::Vector3d(double)>& function);
 
 /// A point or vector of three, times a factor.

@@ -3716,7 +3716,7 @@
     </message>
 </context>
 <context>
-    <name>KioskTurn</name>
+    <name>VisitorSession</name>
     <message>
         <source>Below the forces measured in patients.</source>
         <translation>Unter den an Patienten gemessenen Kräften.</translation>

@@ -19,7 +19,7 @@ MIN_FRACTION = 0.9
 # the coupling limit, and time-outs of a device.
 SAFETY = re.compile(r"modules/(haptics/.*/(Safety|Passivity|SampleValidator|CouplingLimit|"
                     r"WorkflowEvent|checkedSettings|InsertionEngine)|"
-                    r"device/.*/(HidDevice|ForceWriter|ListenFirst|PlugWatch|ReportReader))\.(cpp|h)$")
+                    r"device/.*/(HidDevice|ForceWriter|OpeningMeasurement|PlugWatch|ReportReader))\.(cpp|h)$")
 BY_CHANCE = "By chance: "  # how the reason of a race begins
 REASONS = Path(__file__).with_name("coverage_unreached.txt")
 

@@ -8,8 +8,8 @@
 #include <QVBoxLayout>
 #include <QVariant>
 
-#include "gui/kiosk/BoardView.h"
-#include "gui/kiosk/PushPad.h"
+#include "gui/kiosk/LeaderboardView.h"
+#include "gui/kiosk/SpeedPad.h"
 #include "gui/scene/ForceLabel.h"
 #include "gui/scene/OperationView.h"
 #include "gui/scene/PhaseLine.h"
@@ -42,7 +42,7 @@ KioskScreen::KioskScreen(QWidget* window)
       title_(new QLabel(this)),
       sentence_(new QLabel(this)),
       view_(new OperationView(this)),
-      board_(new BoardView(this)),
+      board_(new LeaderboardView(this)),
       foot_(new QStackedWidget(this))
 {
   captionForVisitors(*view_);
@@ -112,7 +112,7 @@ QWidget* KioskScreen::addTurnFoot()
   auto* row = new QHBoxLayout(page);
   row->setSpacing(2 * spacing);
   pull_ = addButton(tr("Hold to withdraw"), "pullButton", page);
-  pad_ = new PushPad(page);
+  pad_ = new SpeedPad(page);
   handle_ = addButton(tr("Use the haptic device"), "handleButton", page);
   stop_ = addButton(tr("STOP"), "stopButton", page);
   stop_->setFont(typeface(34, QFont::Bold));
@@ -125,9 +125,9 @@ QWidget* KioskScreen::addTurnFoot()
   row->addWidget(again);
   handle_->hide();
   stop_->hide();
-  connect(stop_, &QPushButton::pressed, this, &KioskScreen::stopAsked);
-  connect(again, &QPushButton::clicked, this, &KioskScreen::startOverAsked);
-  connect(handle_, &QPushButton::clicked, this, &KioskScreen::handleAsked);
+  connect(stop_, &QPushButton::pressed, this, &KioskScreen::stopRequested);
+  connect(again, &QPushButton::clicked, this, &KioskScreen::startOverRequested);
+  connect(handle_, &QPushButton::clicked, this, &KioskScreen::handleRequested);
   return page;
 }
 
@@ -141,18 +141,18 @@ QWidget* KioskScreen::addResultFoot()
   again->setProperty("primary", true);
   row->addWidget(leave);
   row->addWidget(again, 1);
-  connect(again, &QPushButton::clicked, this, &KioskScreen::startOverAsked);
-  connect(leave, &QPushButton::clicked, this, &KioskScreen::leaveAsked);
+  connect(again, &QPushButton::clicked, this, &KioskScreen::startOverRequested);
+  connect(leave, &QPushButton::clicked, this, &KioskScreen::leaveRequested);
   return page;
 }
 
-void KioskScreen::say(const QString& title, const QString& sentence)
+void KioskScreen::showMessage(const QString& title, const QString& sentence)
 {
   title_->setText(title);
   sentence_->setText(sentence);
 }
 
-void KioskScreen::showFoot(KioskStage stage) { foot_->setCurrentIndex(static_cast<int>(stage)); }
+void KioskScreen::showFooter(KioskStage stage) { foot_->setCurrentIndex(static_cast<int>(stage)); }
 
 void KioskScreen::offerHandle(bool isThere) { handle_->setVisible(isThere); }
 

@@ -13,9 +13,9 @@ class QStackedWidget;
 
 namespace perilymph::gui {
 
-class BoardView;
+class LeaderboardView;
 class OperationView;
-class PushPad;
+class SpeedPad;
 
 /// Stage of the booth.
 enum class KioskStage {
@@ -34,10 +34,10 @@ public:
   explicit KioskScreen(QWidget* window);
 
   OperationView& view() { return *view_; }
-  BoardView& board() { return *board_; }
+  LeaderboardView& board() { return *board_; }
 
-  void say(const QString& title, const QString& sentence);
-  void showFoot(KioskStage stage);
+  void showMessage(const QString& title, const QString& sentence);
+  void showFooter(KioskStage stage);
   /// Whether a haptic device can be used instead of the screen.
   void offerHandle(bool isThere);
   /// The visitor inserts with the haptic device, and can stop it, or with the screen.
@@ -52,11 +52,11 @@ public:
   void release();
 
 Q_SIGNALS:
-  void startOverAsked();
-  void handleAsked();
-  void leaveAsked();
+  void startOverRequested();
+  void handleRequested();
+  void leaveRequested();
   /// Remove the force of the device at once.
-  void stopAsked();
+  void stopRequested();
 
 private:
   QWidget* addInvitation();
@@ -67,9 +67,9 @@ private:
   QLabel* title_;
   QLabel* sentence_;
   OperationView* view_;
-  BoardView* board_;
+  LeaderboardView* board_;
   QStackedWidget* foot_;
-  PushPad* pad_ = nullptr;
+  SpeedPad* pad_ = nullptr;
   QPushButton* pull_ = nullptr;
   QPushButton* handle_ = nullptr;
   QPushButton* stop_ = nullptr;

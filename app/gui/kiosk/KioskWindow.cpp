@@ -9,7 +9,7 @@
 #include <array>
 #include <utility>
 
-#include "gui/kiosk/BoardView.h"
+#include "gui/kiosk/LeaderboardView.h"
 #include "gui/scene/OperationView.h"
 #include "gui/text/ChartLabels.h"
 #include "gui/text/DataText.h"
@@ -55,7 +55,7 @@ KioskWindow::KioskWindow(session::Scenario scenario, std::filesystem::path board
       inVivo_(analysis::shippedReference("in-vivo")),
       screen_(new KioskScreen(this))
 {
-  control_.keepNothing();
+  control_.disableRecording();
   setObjectName(QStringLiteral("kioskWindow"));
   setWindowTitle(tr("Perilymph"));
   setFont(typeface(16));
@@ -68,10 +68,10 @@ KioskWindow::KioskWindow(session::Scenario scenario, std::filesystem::path board
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(screen_);
   screen_->board().setSource(peakSource(inVivo_));
-  connect(screen_, &KioskScreen::startOverAsked, this, [this] { beginTurn(control_.hand()); });
-  connect(screen_, &KioskScreen::handleAsked, this, &KioskWindow::chooseHandle);
-  connect(screen_, &KioskScreen::leaveAsked, this, &KioskWindow::beginAttract);
-  connect(screen_, &KioskScreen::stopAsked, this, &KioskWindow::letGo);
+  connect(screen_, &KioskScreen::startOverRequested, this, [this] { beginTurn(control_.hand()); });
+  connect(screen_, &KioskScreen::handleRequested, this, &KioskWindow::chooseHandle);
+  connect(screen_, &KioskScreen::leaveRequested, this, &KioskWindow::beginAttract);
+  connect(screen_, &KioskScreen::stopRequested, this, &KioskWindow::letGo);
   timer_.setTimerType(Qt::PreciseTimer);
   timer_.setInterval(frameInterval_ms);
   connect(&timer_, &QTimer::timeout, this, &KioskWindow::onFrame);
@@ -166,7 +166,7 @@ void KioskWindow::setStage(KioskStage stage)
   stage_ = stage;
   stageAt_s_ = now_s();
   touchedAt_s_ = now_s();
-  screen_->showFoot(stage);
+  screen_->showFooter(stage);
   setFocus();
 }
 
@@ -208,7 +208,7 @@ void KioskWindow::stepAttract()
   if (station != station_) {
     station_ = station;
     screen_->view().glideTo(tour[std::size_t(station)]);
-    screen_->say(tr("Inserting a cochlear implant"), tourSentences()[std::size_t(station)]);
+    screen_->showMessage(tr("Inserting a cochlear implant"), tourSentences()[std::size_t(station)]);
   }
   const Workflow workflow = control_.now().output.workflow;
   const bool isOver = control_.isAtDepth() || workflow == Workflow::fault || hasEndedEarly();
@@ -243,7 +243,7 @@ void KioskWindow::beginTurn(InputSource hand)
   setStage(KioskStage::turn);
   if (!prepare(hand)) {
     if (hand == InputSource::device) return beginTurn(InputSource::pointer);
-    screen_->say(tr("Not available now"), tr("Please ask the booth staff."));
+    screen_->showMessage(tr("Not available now"), tr("Please ask the booth staff."));
     return setStage(KioskStage::result);
   }
   const bool isHandle = hand == InputSource::device;
@@ -256,7 +256,7 @@ void KioskWindow::beginTurn(InputSource hand)
 void KioskWindow::inviteToTurn()
 {
   const bool isHandle = control_.hand() == InputSource::device;
-  screen_->say(
+  screen_->showMessage(
       tr("Your turn"),
       isHandle
           ? tr("Hold the device button and advance gently. Keep the force low until full depth.")
@@ -273,14 +273,15 @@ void KioskWindow::endTurn()
 {
   letGo();
   if (control_.now().output.workflow == Workflow::fault) {
-    screen_->say(
+    screen_->showMessage(
         tr("The insertion was stopped"),
         tr("The simulation became unstable and was stopped. The force is off. Try again."));
     return setStage(KioskStage::result);
   }
   if (hasEndedEarly()) {
-    screen_->say(tr("The array is stuck"),
-                 tr("It bent or jammed before full depth. The force is off. Try again, slower."));
+    screen_->showMessage(
+        tr("The array is stuck"),
+        tr("It bent or jammed before full depth. The force is off. Try again, slower."));
     return setStage(KioskStage::result);
   }
   const QDateTime today = clock_.today();
@@ -290,7 +291,7 @@ void KioskWindow::endTurn()
   const QString peak = numberText(entry.peak_mN, 0);
   const QString duration = numberText(entry.duration_s, 1),
                 meaning = peakText(turn_.peakForce(), inVivo_);
-  screen_->say(
+  screen_->showMessage(
       place ? tr("Full depth · peak force %1 mN · place %2 today").arg(peak).arg(*place)
             : tr("Full depth · peak force %1 mN").arg(peak),
       entry.reversals == 0
@@ -307,7 +308,7 @@ void KioskWindow::letGo()
   control_.pause();
   screen_->release();
   if (stage_ == KioskStage::turn && control_.isStopped())
-    screen_->say(tr("Stopped"), tr("The force is off. Touch the screen to continue."));
+    screen_->showMessage(tr("Stopped"), tr("The force is off. Touch the screen to continue."));
 }
 
 void KioskWindow::stopDevice()

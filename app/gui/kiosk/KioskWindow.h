@@ -10,10 +10,10 @@
 #include <filesystem>
 #include <optional>
 
-#include "gui/kiosk/KioskBoard.h"
 #include "gui/kiosk/KioskClock.h"
 #include "gui/kiosk/KioskScreen.h"
-#include "gui/kiosk/KioskTurn.h"
+#include "gui/kiosk/Leaderboard.h"
+#include "gui/kiosk/VisitorSession.h"
 #include "gui/run/InsertionControl.h"
 #include "perilymph/session/Scenario.h"
 
@@ -41,7 +41,7 @@ public:
 
   KioskStage stage() const { return stage_; }
   const InsertionControl& control() const { return control_; }
-  const KioskTurn& turn() const { return turn_; }
+  const VisitorSession& turn() const { return turn_; }
   /// Number of timer events so far.
   std::uint64_t frames() const { return frames_; }
 
@@ -80,9 +80,9 @@ private:
 
   InsertionControl control_;
   KioskClock clock_;
-  KioskBoard board_;
+  Leaderboard board_;
   Result<analysis::Reference> inVivo_;
-  KioskTurn turn_;
+  VisitorSession turn_;
   KioskStage stage_ = KioskStage::attract;
 
   KioskScreen* screen_;

@@ -18,11 +18,11 @@ namespace {
 
 constexpr std::uint64_t replayedTicks = 1000;
 
-using Kept = std::optional<session::SessionSummary>;
+using LastRecording = std::optional<session::SessionSummary>;
 
 /// The first recording that is not empty.
-Kept firstKept(const std::vector<std::filesystem::path>& recordings, const Summarize& summarize,
-               const std::stop_token& stop)
+LastRecording firstKept(const std::vector<std::filesystem::path>& recordings,
+                        const Summarize& summarize, const std::stop_token& stop)
 {
   for (const std::filesystem::path& recording : recordings) {
     if (stop.stop_requested()) break;
@@ -76,10 +76,10 @@ void offerRecovery(MainWindow& window, const std::vector<std::filesystem::path>&
   const auto read = [reading, &window, recordings, summarize] {
     reading->run(
         "The interrupted insertion",
-        [recordings, summarize](const std::stop_token& stop) -> Result<Kept> {
+        [recordings, summarize](const std::stop_token& stop) -> Result<LastRecording> {
           return firstKept(recordings, summarize, stop);
         },
-        [&window](const Result<Kept>& kept) {
+        [&window](const Result<LastRecording>& kept) {
           if (!kept) return spdlog::warn("{}", kept.error().message);
           if (*kept) offer(window, **kept);
         });

@@ -4,7 +4,7 @@
 #include <QCoreApplication>
 
 #include "gui/report/CtPicture.h"
-#include "gui/report/ReportHead.h"
+#include "gui/report/ReportHeader.h"
 #include "gui/report/ReportPages.h"
 #include "gui/report/ReportRecord.h"
 #include "gui/report/ReportText.h"

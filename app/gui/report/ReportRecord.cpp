@@ -11,7 +11,7 @@
 #include "gui/report/InsertionCurve.h"
 #include "gui/report/InsertionResults.h"
 #include "gui/report/ReportAnatomy.h"
-#include "gui/report/ReportHead.h"
+#include "gui/report/ReportHeader.h"
 #include "gui/report/ReportPicture.h"
 #include "gui/report/ReportSetup.h"
 #include "gui/text/Numbers.h"

@@ -15,8 +15,9 @@ bool Conclusion::isDue(const haptics::TickOutput& now)
   const bool wasResting = std::exchange(isResting_, (now.status & haptics::resting) != 0);
   const auto time = std::chrono::steady_clock::now();
   if (!ended_) ended_ = time;
-  const bool isDueNow = (isResting_ && !wasResting) || (!isAsked_ && time - *ended_ >= longestWait);
-  isAsked_ = isAsked_ || isDueNow;
+  const bool isDueNow =
+      (isResting_ && !wasResting) || (!isRequested_ && time - *ended_ >= longestWait);
+  isRequested_ = isRequested_ || isDueNow;
   return isDueNow;
 }
 

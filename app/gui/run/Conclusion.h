@@ -20,11 +20,11 @@ public:
   /// Whether to close the recording now; true once for each rest. To be asked in every frame.
   bool isDue(const haptics::TickOutput& now);
   /// It was due, and the insertion has not gone on.
-  bool isAsked() const noexcept { return isAsked_; }
+  bool isRequested() const noexcept { return isRequested_; }
 
 private:
   std::optional<std::chrono::steady_clock::time_point> ended_;  ///< When its end was seen.
-  bool isAsked_ = false;
+  bool isRequested_ = false;
   bool isResting_ = false;
 };
 

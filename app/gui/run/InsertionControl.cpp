@@ -124,12 +124,12 @@ Result<Done> InsertionControl::build(InputSource hand, std::optional<std::filesy
   model_ = insertion_->sharedModel();
   pointer_ = std::move(pointer);
   hand_ = hand;
-  wish_ = Wish::rest;
+  wish_ = PendingRequest::rest;
   isHeld_ = false;
   isStopAwaited_ = false;
   isResuming_ = false;
   styletTarget_.reset();
-  styletAsked_ = false;
+  styletRequested_ = false;
   askedAt_ = 0;
   conclusion_ = {};
   now_ = haptics::Snapshot{};
@@ -146,10 +146,10 @@ Result<Done> InsertionControl::begin()
     if (!started) return started;
     isRunning_ = true;
   }
-  wish_ = Wish::insert;
+  wish_ = PendingRequest::insert;
   continueDevice();
   isResuming_ = hand_ == InputSource::device;
-  pursue();
+  applyPendingRequest();
   return Done{};
 }
 
@@ -161,9 +161,9 @@ void InsertionControl::pause()
     isResuming_ = false;
     // The stop also ends a withdrawal of the stylet.
     if (styletTarget_ && now_.output.styletWithdrawal < *styletTarget_) styletTarget_.reset();
-    styletAsked_ = styletTarget_.has_value();
+    styletRequested_ = styletTarget_.has_value();
   }
-  wish_ = Wish::rest;
+  wish_ = PendingRequest::rest;
   hold(false);
   moveHand(Motion::hold);
 }
@@ -182,9 +182,9 @@ void InsertionControl::continueDevice()
 void InsertionControl::withdraw()
 {
   if (!isRunning_) return;
-  wish_ = Wish::withdraw;
+  wish_ = PendingRequest::withdraw;
   isResuming_ = hand_ == InputSource::device;
-  pursue();
+  applyPendingRequest();
 }
 
 void InsertionControl::pullStylet()
@@ -192,7 +192,7 @@ void InsertionControl::pullStylet()
   const bool isArmed = isRunning_ && now_.output.workflow != haptics::Workflow::idle;
   if (!isArmed || !scenario_.array().hasStylet) return;
   styletTarget_ = scenario_.array().length.si();
-  pursue();
+  applyPendingRequest();
 }
 
 void InsertionControl::hold(bool isHeld)
@@ -224,9 +224,9 @@ bool InsertionControl::update()
   if (isNew) now_ = insertion_->latest();
   const bool isStopShown = (now_.output.status & haptics::stopped) != 0;
   if (isStopShown) isStopAwaited_ = false;
-  if (isStopShown && !isResuming_) wish_ = Wish::rest;
+  if (isStopShown && !isResuming_) wish_ = PendingRequest::rest;
   if (!isStopShown && !isStopAwaited_) isResuming_ = false;
-  pursue();
+  applyPendingRequest();
   if (conclusion_.isDue(now_.output)) insertion_->concludeRecording();
   return isNew;
 }
@@ -235,7 +235,7 @@ Progress InsertionControl::progress() const noexcept
 {
   if (!isRunning_) return Progress::ready;
   if (!isOver(now_.output.workflow)) return Progress::underway;
-  const bool isClosed = conclusion_.isAsked() && insertion_->isRecordingConcluded();
+  const bool isClosed = conclusion_.isRequested() && insertion_->isRecordingConcluded();
   return isClosed ? Progress::concluded : Progress::resting;
 }
 
@@ -247,28 +247,28 @@ bool InsertionControl::ask(Kind kind, double value)
   return insertion_->send(command);
 }
 
-void InsertionControl::pursue()
+void InsertionControl::applyPendingRequest()
 {
   const haptics::Workflow workflow = now_.output.workflow;
   if (workflow == haptics::Workflow::fault) {
     moveHand(Motion::hold);
-    wish_ = Wish::rest;
+    wish_ = PendingRequest::rest;
     return;
   }
   if (isResuming_) pursueResumption();
-  if (wish_ == Wish::rest && !styletTarget_) return;
+  if (wish_ == PendingRequest::rest && !styletTarget_) return;
 
   if (workflow == haptics::Workflow::idle) {
     if (now_.tick >= askedAt_ && ask(Kind::arm)) askedAt_ = now_.tick + 1;
     return;
   }
-  if (styletTarget_ && !styletAsked_) styletAsked_ = ask(Kind::pullStylet, *styletTarget_);
+  if (styletTarget_ && !styletRequested_) styletRequested_ = ask(Kind::pullStylet, *styletTarget_);
 
-  if (wish_ == Wish::insert) {
+  if (wish_ == PendingRequest::insert) {
     const bool isDone = workflow == haptics::Workflow::finished || isAtDepth();
     moveHand(isDone ? Motion::hold : Motion::insert);
-    if (isDone) wish_ = Wish::rest;
-  } else if (wish_ == Wish::withdraw) {
+    if (isDone) wish_ = PendingRequest::rest;
+  } else if (wish_ == PendingRequest::withdraw) {
     pursueWithdrawal();
   }
 }
@@ -292,7 +292,7 @@ void InsertionControl::pursueWithdrawal()
   }
   const bool isOut = now.travel <= 0.0 || now.workflow == haptics::Workflow::finished;
   moveHand(isOut ? Motion::hold : Motion::withdraw);
-  if (isOut) wish_ = Wish::rest;
+  if (isOut) wish_ = PendingRequest::rest;
 }
 
 bool InsertionControl::isAtDepth() const noexcept
@@ -323,7 +323,7 @@ void InsertionControl::moveHand(Motion motion)
 bool InsertionControl::isMoving() const noexcept
 {
   if (hand_ == InputSource::device) return now_.output.workflow == haptics::Workflow::inserting;
-  return hand_ == InputSource::pointer ? isHeld_ : wish_ != Wish::rest;
+  return hand_ == InputSource::pointer ? isHeld_ : wish_ != PendingRequest::rest;
 }
 
 bool InsertionControl::isDeviceActive() const noexcept
@@ -343,7 +343,7 @@ bool InsertionControl::rendersForce() const
   return hand_ == InputSource::device && insertion_ && insertion_->hand().traits().rendersForce;
 }
 
-std::string InsertionControl::handName() const
+std::string InsertionControl::inputName() const
 {
   return insertion_ ? insertion_->hand().traits().name : std::string();
 }
@@ -356,7 +356,7 @@ std::optional<device::DeviceHealth> InsertionControl::deviceHealth()
 haptics::LoopStatistics InsertionControl::halt()
 {
   if (!insertion_) return {};
-  wish_ = Wish::rest;
+  wish_ = PendingRequest::rest;
   insertion_->stop();
   return insertion_->loop().statistics();
 }

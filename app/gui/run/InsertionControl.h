@@ -59,7 +59,7 @@ public:
   Result<Done> prepare(InputSource hand);
 
   /// Disables recording from the next prepare() on.
-  void keepNothing() { keepsNothing_ = true; }
+  void disableRecording() { keepsNothing_ = true; }
 
   /// Makes a device that is not yet open.
   using DeviceFactory = std::function<Result<std::unique_ptr<device::HapticDevice>>()>;
@@ -124,7 +124,7 @@ public:
   bool rendersForce() const;
   bool isStyletPulled() const noexcept { return styletTarget_.has_value(); }
   const session::Scenario& scenario() const noexcept { return scenario_; }
-  std::string handName() const;
+  std::string inputName() const;
   /// Health of the device; empty without hardware.
   std::optional<device::DeviceHealth> deviceHealth();
   /// Stops the loop and returns its timing statistics. Ends the insertion.
@@ -139,12 +139,12 @@ public:
   Sentence recordingError() const;
 
 private:
-  enum class Wish { rest, insert, withdraw };
+  enum class PendingRequest { rest, insert, withdraw };
 
   std::filesystem::path nextRecording();
   void discard();
   Result<Done> build(InputSource hand, std::optional<std::filesystem::path> file);
-  void pursue();
+  void applyPendingRequest();
   void pursueWithdrawal();
   void pursueResumption();
   void moveHand(device::ScriptedMotion motion);
@@ -161,13 +161,13 @@ private:
   std::shared_ptr<device::PointerDevice> pointer_;  ///< The insertion's device, if it is one.
   DeviceFactory chosen_;
   InputSource hand_ = InputSource::scripted;
-  Wish wish_ = Wish::rest;
+  PendingRequest wish_ = PendingRequest::rest;
   bool isRunning_ = false;
   bool isHeld_ = false;
   bool isStopAwaited_ = false;          ///< Requested, not yet in a snapshot.
   bool isResuming_ = false;             ///< The user wants a stopped device to continue.
   std::optional<double> styletTarget_;  ///< [m]
-  bool styletAsked_ = false;
+  bool styletRequested_ = false;
   std::uint64_t askedAt_ = 0;  ///< Tick of the snapshot at the last request.
   Conclusion conclusion_;
   Sentence recordingError_;

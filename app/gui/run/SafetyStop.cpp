@@ -18,7 +18,7 @@ void SafetyStop::loseKeyboard()
 
 void SafetyStop::regainKeyboard() { control_.continueDevice(); }
 
-bool SafetyStop::leaveSight()
+bool SafetyStop::onPageHidden()
 {
   if (!control_.isMoving() && !control_.isHeld() && !control_.isDeviceActive()) return false;
   control_.pause();

@@ -33,7 +33,7 @@ public:
 
   /// Another page is shown and the array is not visible: pauses it.
   /// @return Whether it moved, was grasped, or was moved by a device.
-  bool leaveSight();
+  bool onPageHidden();
 
   /// The window ends: stops the loop, which sets the device's force to zero. Call before saving
   /// settings and files, which may take time. The recording is closed with the insertion.

@@ -57,8 +57,10 @@ bool mayStart(const InsertionState& state)
 
 bool mayWithdraw(const InsertionState& state)
 {
-  const bool isAsked = state.input == InputSource::scripted || state.workflow == Workflow::finished;
-  return isUnderway(state) && state.workflow != Workflow::fault && state.travel > 0.0 && isAsked;
+  const bool isRequested =
+      state.input == InputSource::scripted || state.workflow == Workflow::finished;
+  return isUnderway(state) && state.workflow != Workflow::fault && state.travel > 0.0 &&
+         isRequested;
 }
 
 bool mayPullStylet(const InsertionState& state)

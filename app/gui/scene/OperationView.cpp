@@ -135,7 +135,7 @@ ReadOutTips OperationView::tips() const
   return {travel_, angle_, force_, forceLabel_, speed_, magnification_, viewName_, phase_};
 }
 
-void OperationView::addToFoot(QWidget* control) { foot_->addWidget(control); }
+void OperationView::addFooterControl(QWidget* control) { foot_->addWidget(control); }
 
 void OperationView::setScene(std::unique_ptr<visualization::InsertionScene> scene)
 {
@@ -391,7 +391,7 @@ void OperationView::mouseReleaseEvent(QMouseEvent* event) { event->accept(); }
 void OperationView::mouseDoubleClickEvent(QMouseEvent* event)
 {
   event->accept();
-  if (event->button() == Qt::LeftButton) Q_EMIT maximizeAsked();
+  if (event->button() == Qt::LeftButton) Q_EMIT maximizeRequested();
 }
 
 }  // namespace perilymph::gui

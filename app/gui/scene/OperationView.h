@@ -72,7 +72,7 @@ public:
   void setHint(const QString& hint);
 
   /// Adds a control at the bottom right of the view.
-  void addToFoot(QWidget* control);
+  void addFooterControl(QWidget* control);
 
   /// Renders if anything changed. True if it did.
   bool renderIfDirty();
@@ -81,7 +81,7 @@ public:
 
 Q_SIGNALS:
   /// A double click on the view.
-  void maximizeAsked();
+  void maximizeRequested();
   void presetChanged(perilymph::visualization::CameraPreset preset);
 
 protected:

@@ -62,7 +62,7 @@ void ArraySection::addArrays()
     QString title = name;
     for (const CatalogArray& array : arrays_)
       if (array.name == name) title = array.title;
-    Q_EMIT changeAsked(
+    Q_EMIT changeRequested(
         {SetupField::array, {{"array", tomlQuoted(name)}}, tr("array %1").arg(title), {}});
   });
   rows().addWidget(array_);
@@ -77,10 +77,10 @@ void ArraySection::addArrays()
       tr("Advance off stylet"), QLatin1String(nameOf(session::Technique::advanceOffStylet)),
       tr("The stylet is held at a fixed depth and the array is advanced off it."));
   connect(technique_, &Selector::chosen, this, [this](const QString& technique) {
-    Q_EMIT changeAsked({SetupField::technique,
-                        {{"technique", tomlQuoted(technique)}},
-                        tr("technique: %1").arg(technique_->currentText()),
-                        {}});
+    Q_EMIT changeRequested({SetupField::technique,
+                            {{"technique", tomlQuoted(technique)}},
+                            tr("technique: %1").arg(technique_->currentText()),
+                            {}});
   });
   rows().addWidget(namedRow(tr("Technique"), technique_, body()));
 }
@@ -112,7 +112,7 @@ void ArraySection::addContact()
   for (const CatalogFriction& friction : frictions_)
     friction_->addChoice(friction.title, friction.name, friction.source);
   connect(friction_, &Selector::chosen, this, [this](const QString& name) {
-    Q_EMIT changeAsked(
+    Q_EMIT changeRequested(
         {SetupField::friction, {{"friction", tomlQuoted(name)}}, tr("friction: %1").arg(name), {}});
   });
   rows().addWidget(namedRow(tr("Friction"), friction_, body()));
@@ -133,10 +133,10 @@ void ArraySection::addContact()
                       QLatin1String(nameOf(session::OpeningKind::none)),
                       tr("The array contacts the scala wall only."));
   connect(opening_, &Selector::chosen, this, [this](const QString& opening) {
-    Q_EMIT changeAsked({SetupField::opening,
-                        {{"opening", tomlQuoted(opening)}},
-                        tr("opening: %1").arg(opening_->currentText()),
-                        {}});
+    Q_EMIT changeRequested({SetupField::opening,
+                            {{"opening", tomlQuoted(opening)}},
+                            tr("opening: %1").arg(opening_->currentText()),
+                            {}});
   });
   rows().addWidget(namedRow(tr("Opening"), opening_, body()));
 }
@@ -151,10 +151,10 @@ void ArraySection::addModel()
       tr("Point set (published)"), QLatin1String(session::nameOf(mechanics::ModelKind::points)),
       tr("The published model: sample points coupled by springs, with its known limits."));
   connect(model_, &Selector::chosen, this, [this](const QString& model) {
-    Q_EMIT changeAsked({SetupField::model,
-                        {{"model", tomlQuoted(model)}},
-                        tr("model: %1").arg(model_->currentText()),
-                        {}});
+    Q_EMIT changeRequested({SetupField::model,
+                            {{"model", tomlQuoted(model)}},
+                            tr("model: %1").arg(model_->currentText()),
+                            {}});
   });
   expert_->rows().addWidget(namedRow(tr("Model"), model_, expert_->body()));
   nodes_ = new NumberField({tr("Nodes"), "panelNodes", QString(), 0,
@@ -162,10 +162,10 @@ void ArraySection::addModel()
                            expert_->body());
   connect(nodes_, &NumberField::given, this, [this](double value) {
     const QString count = numberText(value, 0);
-    Q_EMIT changeAsked({SetupField::nodes,
-                        {{"nodes", QString::number(qRound(value)).toStdString()}},
-                        tr("%1 nodes").arg(count),
-                        {}});
+    Q_EMIT changeRequested({SetupField::nodes,
+                            {{"nodes", QString::number(qRound(value)).toStdString()}},
+                            tr("%1 nodes").arg(count),
+                            {}});
   });
   expert_->rows().addWidget(nodes_);
   timing_ = quietLine(expert_->body(), "timingLabel");
@@ -180,7 +180,8 @@ void ArraySection::askNumber(NumberField* field, SetupField what, const char* ke
                              const QString& caption)
 {
   connect(field, &NumberField::given, this, [this, what, key, caption](double value) {
-    Q_EMIT changeAsked({what, {{key, tomlFloat(value)}}, caption.arg(numberText(value, 1)), {}});
+    Q_EMIT changeRequested(
+        {what, {{key, tomlFloat(value)}}, caption.arg(numberText(value, 1)), {}});
   });
 }
 

@@ -32,7 +32,7 @@ public:
   Section* expert() { return expert_; }
 
 Q_SIGNALS:
-  void changeAsked(const perilymph::gui::SetupChange& change);
+  void changeRequested(const perilymph::gui::SetupChange& change);
 
 private:
   void addArrays();

@@ -84,7 +84,7 @@ DerivedMeasures::DerivedMeasures(std::shared_ptr<CochleaStore> cochleae, QWidget
   showNone({});
 }
 
-void DerivedMeasures::say(const QString& sentence) { note_->setText(sentence); }
+void DerivedMeasures::showMessage(const QString& sentence) { note_->setText(sentence); }
 
 void DerivedMeasures::show(const anatomy::Cochlea& cochlea, const electrode::ArrayDesign& array)
 {
@@ -93,7 +93,7 @@ void DerivedMeasures::show(const anatomy::Cochlea& cochlea, const electrode::Arr
   shown_ = std::move(key);
   cochlea_ = cochlea;
   array_ = array;
-  say(tr("computing…"));
+  showMessage(tr("computing…"));
   note_->show();
   delay_.start();
 }
@@ -104,7 +104,7 @@ void DerivedMeasures::showNone(const QString& sentence)
   background_.forget();
   shown_.clear();
   for (const auto& [name, value] : rows_) value->setText(tr("–"));
-  say(sentence);
+  showMessage(sentence);
   note_->setVisible(!sentence.isEmpty());
 }
 
@@ -153,7 +153,7 @@ void DerivedMeasures::showContent(const Result<CochleaMeasures>& content)
     notes << tr("± 95 % interval of an error of %1 mm (SD) in each measure and of the duct "
                 "length’s formula.")
                  .arg(numberText(inMillimeters(analysis::measuringError), 1));
-  say(notes.join(QLatin1Char(' ')));
+  showMessage(notes.join(QLatin1Char(' ')));
   note_->show();
 }
 

@@ -33,7 +33,7 @@ public:
   void showNone(const QString& sentence);
 
 private:
-  void say(const QString& sentence);
+  void showMessage(const QString& sentence);
   void compute();
   void showContent(const Result<CochleaMeasures>& content);
 

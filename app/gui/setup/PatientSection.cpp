@@ -119,8 +119,10 @@ PatientSection::PatientSection(std::shared_ptr<CochleaStore> cochleae, QWidget* 
   addNumbers();
   rows().addWidget(derived_);
   connect(saved_, &SavedPatientRow::patientChosen, this, &PatientSection::patientChosen);
-  connect(saved_, &SavedPatientRow::allPatientsAsked, this, &PatientSection::allPatientsAsked);
-  connect(saved_, &SavedPatientRow::newPatientAsked, this, &PatientSection::newPatientAsked);
+  connect(saved_, &SavedPatientRow::allPatientsRequested, this,
+          &PatientSection::allPatientsRequested);
+  connect(saved_, &SavedPatientRow::newPatientRequested, this,
+          &PatientSection::newPatientRequested);
 }
 
 void PatientSection::addWho()
@@ -144,7 +146,8 @@ void PatientSection::addWho()
   ear_->addChoice(tr("left ear"), QStringLiteral("left"),
                   tr("A left ear is the mirror image of a right ear; the forces are identical."));
   connect(ear_, &Selector::chosen, this, [this](const QString& side) {
-    Q_EMIT changeAsked({SetupField::side, {{"side", tomlQuoted(side)}}, ear_->currentText(), {}});
+    Q_EMIT changeRequested(
+        {SetupField::side, {{"side", tomlQuoted(side)}}, ear_->currentText(), {}});
   });
   ear_->setFixedWidth(std::max(sized(earWidth_px), ear_->widest_px()));
   auto* who = new QWidget(body());
@@ -291,10 +294,10 @@ void PatientSection::askNumber(const Number& number, std::optional<Length> value
   const QString caption =
       value ? tr("%1 %2 mm").arg(number.title, numberText(inMillimeters(*value), 2))
             : tr("%1 not given").arg(number.title);
-  Q_EMIT changeAsked({number.field,
-                      {{keyOf(number.key), value ? tomlMillimeters(*value) : std::string()}},
-                      caption,
-                      ValueSource::typed});
+  Q_EMIT changeRequested({number.field,
+                          {{keyOf(number.key), value ? tomlMillimeters(*value) : std::string()}},
+                          caption,
+                          ValueSource::typed});
 }
 
 void PatientSection::askKind(const QString& kind)
@@ -308,7 +311,7 @@ void PatientSection::askKind(const QString& kind)
   if (asked->measures == PatientMeasures::basalTurn) change.values = lastBasalTurn_;
   change.values.emplace_back("anatomy", tomlQuoted(QString::fromUtf8(nameOf(asked->source))));
   change.values.emplace_back("patient", "\"\"");
-  Q_EMIT changeAsked(change);
+  Q_EMIT changeRequested(change);
 }
 
 void PatientSection::askLabel()
@@ -316,10 +319,10 @@ void PatientSection::askLabel()
   if (!label_->isPending() || !codeError().isEmpty()) return;
   const QString label = label_->text().trimmed();
   if (label.isEmpty()) return label_->takeBack();
-  Q_EMIT changeAsked({SetupField::patientLabel,
-                      {{keyOf("label"), tomlQuoted(label)}},
-                      tr("patient %1").arg(label),
-                      {}});
+  Q_EMIT changeRequested({SetupField::patientLabel,
+                          {{keyOf("label"), tomlQuoted(label)}},
+                          tr("patient %1").arg(label),
+                          {}});
 }
 
 }  // namespace perilymph::gui

@@ -31,11 +31,11 @@ public:
   QString commit();
 
 Q_SIGNALS:
-  void changeAsked(const perilymph::gui::SetupChange& change);
+  void changeRequested(const perilymph::gui::SetupChange& change);
   /// The user selected a saved patient, wants to search all of them, or to enter a new one.
   void patientChosen(const perilymph::anatomy::Patient& patient);
-  void allPatientsAsked();
-  void newPatientAsked();
+  void allPatientsRequested();
+  void newPatientRequested();
 
 private:
   struct Number {

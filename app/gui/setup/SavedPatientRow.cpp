@@ -100,8 +100,8 @@ void SavedPatientRow::showState()
 void SavedPatientRow::choose(const QString& value)
 {
   list_->show(shown_, {});  // until the choice has taken effect
-  if (value == QLatin1String(all)) return allPatientsAsked();
-  if (value == QLatin1String(fresh)) return newPatientAsked();
+  if (value == QLatin1String(all)) return allPatientsRequested();
+  if (value == QLatin1String(fresh)) return newPatientRequested();
   if (value == QLatin1String(none)) return;
   const std::filesystem::path file = value.toStdString();
   const auto patient = anatomy::loadPatient(file);

@@ -29,8 +29,8 @@ Q_SIGNALS:
   /// The user selected a saved patient.
   void patientChosen(const perilymph::anatomy::Patient& patient);
   /// The user wants to search all saved patients, or to enter a new one.
-  void allPatientsAsked();
-  void newPatientAsked();
+  void allPatientsRequested();
+  void newPatientRequested();
 
 private:
   void choose(const QString& value);

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/shell/Help.h"
 
-#include "gui/shell/GuideSheet.h"
+#include "gui/shell/GuideOverlay.h"
 #include "gui/shell/KeyList.h"
 
 namespace perilymph::gui {
 
-Help::Help(QWidget* window) : QObject(window), window_(window), guide_(new GuideSheet(window))
+Help::Help(QWidget* window) : QObject(window), window_(window), guide_(new GuideOverlay(window))
 {
-  connect(guide_, &GuideSheet::closeAsked, this, &Help::toggleGuide);
+  connect(guide_, &GuideOverlay::closeRequested, this, &Help::toggleGuide);
 }
 
 void Help::listKeys(const KeyActions& actions)
 {
   keys_ = new KeyList(actions, window_);
-  connect(keys_, &KeyList::guideAsked, this, &Help::toggleGuide);
+  connect(keys_, &KeyList::guideRequested, this, &Help::toggleGuide);
 }
 
 void Help::toggleKeys()

@@ -9,7 +9,7 @@ class QWidget;
 
 namespace perilymph::gui {
 
-class GuideSheet;
+class GuideOverlay;
 class KeyActions;
 class KeyList;
 
@@ -33,7 +33,7 @@ public:
 
 private:
   QWidget* window_;
-  GuideSheet* guide_;
+  GuideOverlay* guide_;
   KeyList* keys_ = nullptr;
 };
 

@@ -53,7 +53,7 @@ KeyList::KeyList(const KeyActions& actions, QWidget* parent) : QFrame(parent)
   guide->setFixedHeight(sized(28));
   guide->setFocusPolicy(Qt::TabFocus);
   guide->setToolTip(tr("Four tutorials, step by step (Shift+F1)"));
-  connect(guide, &QPushButton::clicked, this, &KeyList::guideAsked);
+  connect(guide, &QPushButton::clicked, this, &KeyList::guideRequested);
   auto* content = new QWidget(this);
   columns_ = new QBoxLayout(QBoxLayout::LeftToRight, content);
   columns_->setContentsMargins(2 * spacing, spacing, 2 * spacing, spacing);

@@ -21,7 +21,7 @@ public:
   void fit();
 
 Q_SIGNALS:
-  void guideAsked();
+  void guideRequested();
 
 private:
   QBoxLayout* columns_;

@@ -37,7 +37,7 @@ MainWindow::MainWindow(session::Scenario scenario, std::optional<std::filesystem
       navigation_(new Navigation(*insertion_, *notice_, this)),
       pages_(new PageStack(pages, *insertion_, this)),
       insert_(pages_->find<InsertPage>()),
-      sheets_(new Sheets(*insertion_, *insert_, *navigation_, this)),
+      sheets_(new OverlayStack(*insertion_, *insert_, *navigation_, this)),
       ending_(*pages_, *notice_)
 {
   setObjectName(QStringLiteral("mainWindow"));
@@ -94,15 +94,15 @@ void MainWindow::connectInsertion()
     sheets_->showState();
   });
   new StopTriggers(*insertion_, this);
-  connect(top_, &TopBar::stopAsked, insertion_.get(), &InsertionController::stopDevice);
+  connect(top_, &TopBar::stopRequested, insertion_.get(), &InsertionController::stopDevice);
   connect(insertion_.get(), &InsertionController::replayOpened, this, [this] {
     showPage(*insert_);
     top_->showReplay();
   });
-  connect(top_, &TopBar::keysAsked, &sheets_->help(), &Help::toggleKeys);
-  connect(top_, &TopBar::settingsAsked, sheets_, &Sheets::toggleSettings);
+  connect(top_, &TopBar::keysRequested, &sheets_->help(), &Help::toggleKeys);
+  connect(top_, &TopBar::settingsRequested, sheets_, &OverlayStack::toggleSettings);
   top_->setMenu(new MainMenu(*this, top_));
-  connect(sheets_, &Sheets::settingChosen, this, &MainWindow::reopenAsked);
+  connect(sheets_, &OverlayStack::settingChosen, this, &MainWindow::reopenRequested);
 }
 
 void MainWindow::load(const InsertionRequest& request)
@@ -146,7 +146,7 @@ void MainWindow::showSubject()
 
 OperationView& MainWindow::view() { return *views().operation(); }
 
-void MainWindow::takePicture() { notice_->say(keepPicture(*this)); }
+void MainWindow::takePicture() { notice_->showMessage(keepPicture(*this)); }
 
 void MainWindow::leave()
 {

@@ -11,7 +11,7 @@
 
 #include "gui/pages/insert/InsertPage.h"
 #include "gui/pages/insert/InsertionController.h"
-#include "gui/shell/EndingQuestion.h"
+#include "gui/shell/EndConfirmation.h"
 #include "gui/shell/KeyActions.h"
 #include "gui/shell/PageStack.h"
 #include "perilymph/foundation/Result.h"
@@ -20,7 +20,7 @@ namespace perilymph::gui {
 
 class Navigation;
 class Notice;
-class Sheets;
+class OverlayStack;
 class TopBar;
 
 class MainWindow : public QWidget {
@@ -64,7 +64,7 @@ public:
   InsertPage& insertPage() { return *insert_; }
   OperationView& view();
   InsertionViews& views() { return insert_->views(); }
-  Sheets& sheets() { return *sheets_; }
+  OverlayStack& sheets() { return *sheets_; }
   Navigation& navigation() { return *navigation_; }
 
   /// Saves a screenshot of the window and shows its path.
@@ -78,7 +78,7 @@ Q_SIGNALS:
   /// Another insertion is being recorded: control().recording().
   void recordingChanged();
   /// A setting was changed that requires a new window.
-  void reopenAsked();
+  void reopenRequested();
 
 protected:
   void closeEvent(QCloseEvent* event) override;
@@ -97,9 +97,9 @@ private:
   Navigation* navigation_;
   PageStack* pages_;
   InsertPage* insert_;  ///< One of the pages.
-  Sheets* sheets_;
+  OverlayStack* sheets_;
   KeyActions keys_;
-  EndingQuestion ending_;
+  EndConfirmation ending_;
 };
 
 }  // namespace perilymph::gui

@@ -26,7 +26,7 @@ Navigation::Navigation(const InsertionController& insertion, Notice& notice, QOb
       broadcast_([this] { return shown(); }, nullptr)
 {
   connect(&broadcast_, &InsertionBroadcast::changed, this, &Navigation::follow);
-  connect(&broadcast_, &InsertionBroadcast::clientRefused, this, &Navigation::say);
+  connect(&broadcast_, &InsertionBroadcast::clientRefused, this, &Navigation::showMessage);
 }
 
 std::optional<InsertionBroadcast::Shown> Navigation::shown() const
@@ -106,14 +106,14 @@ void Navigation::follow()
 {
   Q_EMIT changed();
   // Not during an insertion: the notice takes a strip of the picture.
-  if (isError() || !insertion_.control().isMoving()) say(status());
+  if (isError() || !insertion_.control().isMoving()) showMessage(status());
 }
 
-void Navigation::say(const QString& sentence)
+void Navigation::showMessage(const QString& sentence)
 {
   // A question keeps its place; the settings show the state at any time.
   if (notice_.isVisible() && notice_.sentence() != said_) return;
-  notice_.say(sentence);
+  notice_.showMessage(sentence);
   said_ = sentence;
 }
 

@@ -56,7 +56,7 @@ Q_SIGNALS:
 
 private:
   void follow();
-  void say(const QString& sentence);
+  void showMessage(const QString& sentence);
 
   std::optional<InsertionBroadcast::Shown> shown() const;
 

@@ -20,7 +20,7 @@ void linkPage(const Page& page, MainWindow& window)
   QObject::connect(&page, &Page::insertionRequested, &window, &MainWindow::load);
   QObject::connect(&page, &Page::replayRequested, &window, &MainWindow::replay);
   QObject::connect(&page, &Page::pageRequested, &window, &MainWindow::openOnPage);
-  QObject::connect(&page, &Page::noted, &window.notice(), &Notice::say);
+  QObject::connect(&page, &Page::noted, &window.notice(), &Notice::showMessage);
 }
 
 }  // namespace
@@ -40,18 +40,18 @@ void linkPages(MainWindow& window)
     window.navigation().sendCtOf(
         [ct](const session::Scenario& shown) { return ct->placedCt(shown); });
   if (ct != nullptr && plan != nullptr)
-    QObject::connect(ct, &CtPage::planAsked, plan, &PlanPage::planFor);
+    QObject::connect(ct, &CtPage::planRequested, plan, &PlanPage::planFor);
   if (insert != nullptr && start != nullptr) {
-    QObject::connect(insert, &InsertPage::allPatientsAsked, start, &StartPage::showPatients);
-    QObject::connect(insert, &InsertPage::newPatientAsked, start, &StartPage::showNewPatient);
+    QObject::connect(insert, &InsertPage::allPatientsRequested, start, &StartPage::showPatients);
+    QObject::connect(insert, &InsertPage::newPatientRequested, start, &StartPage::showNewPatient);
   }
   if (insert != nullptr && compare != nullptr)
-    QObject::connect(insert, &InsertPage::compareAsked, compare, &ComparePage::compare);
+    QObject::connect(insert, &InsertPage::compareRequested, compare, &ComparePage::compare);
   if (sessions == nullptr) return;
   if (insert != nullptr)
     QObject::connect(insert, &InsertPage::stateShown, sessions, &SessionsPage::follow);
   if (compare != nullptr)
-    QObject::connect(sessions, &SessionsPage::compareAsked, compare, &ComparePage::compare);
+    QObject::connect(sessions, &SessionsPage::compareRequested, compare, &ComparePage::compare);
   QObject::connect(sessions, &SessionsPage::referenceRead, &insertion,
                    &InsertionController::setReference);
   QObject::connect(&insertion, &InsertionController::replayFailed, sessions,

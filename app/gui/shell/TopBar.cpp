@@ -96,7 +96,7 @@ void DeviceLight::paintEvent(QPaintEvent*)
 
 void StopButton::mousePressEvent(QMouseEvent* event)
 {
-  Q_EMIT stopAsked();
+  Q_EMIT stopRequested();
   QPushButton::mousePressEvent(event);
 }
 
@@ -129,7 +129,7 @@ TopBar::TopBar(QWidget* parent)
   keys->setFocusPolicy(Qt::TabFocus);
   keys->setToolTip(tr("Keyboard and mouse (F1)"));
   keys->setAccessibleName(tr("Keyboard and mouse"));
-  connect(keys, &QPushButton::clicked, this, &TopBar::keysAsked);
+  connect(keys, &QPushButton::clicked, this, &TopBar::keysRequested);
   auto* settings = new QPushButton(this);
   settings->setIcon(iconOf(Icon::settings, gear_px, devicePixelRatioF()));
   settings->setIconSize(QSize(gear_px, gear_px));
@@ -139,7 +139,7 @@ TopBar::TopBar(QWidget* parent)
   settings->setFocusPolicy(Qt::TabFocus);
   settings->setToolTip(tr("Settings (Ctrl+,)"));
   settings->setAccessibleName(tr("Settings"));
-  connect(settings, &QPushButton::clicked, this, &TopBar::settingsAsked);
+  connect(settings, &QPushButton::clicked, this, &TopBar::settingsRequested);
   menu_->setObjectName(QStringLiteral("menuButton"));
   menu_->setFont(typeface(15));
   menu_->setFixedSize(sized(32), sized(28));
@@ -208,8 +208,8 @@ void TopBar::addStop()
   stop_->setToolTip(tr("Remove the force of the device at once (Esc)"));
   stop_->setAccessibleName(tr("Stop: remove the force of the device"));
   stop_->hide();
-  connect(stop_, &StopButton::stopAsked, this, &TopBar::stopAsked);
-  connect(stop_, &QPushButton::pressed, this, &TopBar::stopAsked);  // by a key
+  connect(stop_, &StopButton::stopRequested, this, &TopBar::stopRequested);
+  connect(stop_, &QPushButton::pressed, this, &TopBar::stopRequested);  // by a key
 }
 
 QPushButton* TopBar::pageButton(const Page& page, const QString& text)
@@ -301,7 +301,7 @@ void TopBar::showInsertion(const InsertionController& insertion)
   const InsertionControl& control = insertion.control();
   const haptics::Snapshot& now = control.now();
   stop_->setVisible(control.rendersForce());
-  const QString hand = QString::fromStdString(control.handName());
+  const QString hand = QString::fromStdString(control.inputName());
   if (!control.isRunning()) return setDevice(DeviceState::off, progressText(Progress::ready), hand);
   if (now.output.workflow == haptics::Workflow::fault)
     return setDevice(DeviceState::alarm, tr("fault · no force"), insertion.error());

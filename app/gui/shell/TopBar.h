@@ -49,7 +49,7 @@ public:
   using QPushButton::QPushButton;
 
 Q_SIGNALS:
-  void stopAsked();
+  void stopRequested();
 
 protected:
   void mousePressEvent(QMouseEvent* event) override;
@@ -86,10 +86,10 @@ public:
 
 Q_SIGNALS:
   /// The Stop button was pressed (not only after its release).
-  void stopAsked();
+  void stopRequested();
   void pageChosen(const QString& id);
-  void keysAsked();
-  void settingsAsked();
+  void keysRequested();
+  void settingsRequested();
 
 protected:
   void resizeEvent(QResizeEvent*) override;

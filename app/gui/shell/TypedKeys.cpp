@@ -8,7 +8,7 @@
 #include <QLineEdit>
 
 #include "gui/run/UserSettings.h"
-#include "gui/shell/SettingsSheet.h"
+#include "gui/shell/SettingsOverlay.h"
 
 namespace perilymph::gui {
 

@@ -2,7 +2,7 @@
 #include "gui/shell/WindowMemory.h"
 
 #include "gui/shell/MainWindow.h"
-#include "gui/shell/SettingsSheet.h"
+#include "gui/shell/SettingsOverlay.h"
 #include "gui/shell/Sheets.h"
 
 namespace perilymph::gui {
@@ -19,7 +19,7 @@ void resume(MainWindow& window, const WindowMemory& memory)
   window.insertion().resume(memory.insertion);
   auto* focus = memory.focus.isEmpty() ? nullptr : window.findChild<QWidget*>(memory.focus);
   if (focus == nullptr) return;
-  const auto* settings = window.findChild<SettingsSheet*>();
+  const auto* settings = window.findChild<SettingsOverlay*>();
   if (settings->isAncestorOf(focus)) window.sheets().toggleSettings();
   focus->setFocus();
 }

@@ -32,8 +32,8 @@ EmptyPage::EmptyPage(const QString& title, const QString& sentence, QWidget* par
     each->setFixedHeight(sized(32));
     each->hide();
   }
-  connect(action_, &QPushButton::clicked, this, &EmptyPage::actionAsked);
-  connect(other_, &QPushButton::clicked, this, &EmptyPage::otherAsked);
+  connect(action_, &QPushButton::clicked, this, &EmptyPage::actionRequested);
+  connect(other_, &QPushButton::clicked, this, &EmptyPage::otherRequested);
   title_->setFont(typeface(22));
   title_->setAlignment(Qt::AlignCenter);
   sentence_->setFont(typeface(13));
@@ -49,10 +49,10 @@ EmptyPage::EmptyPage(const QString& title, const QString& sentence, QWidget* par
   column->addWidget(action_, 0, Qt::AlignHCenter);
   column->addWidget(other_, 0, Qt::AlignHCenter);
   column->addStretch(3);
-  say(title, sentence);
+  showMessage(title, sentence);
 }
 
-void EmptyPage::say(const QString& title, const QString& sentence)
+void EmptyPage::showMessage(const QString& title, const QString& sentence)
 {
   title_->setText(title);
   sentence_->setText(sentence);

@@ -16,15 +16,15 @@ class EmptyPage : public QWidget {
 public:
   EmptyPage(const QString& title, const QString& sentence, QWidget* parent);
 
-  void say(const QString& title, const QString& sentence);
+  void showMessage(const QString& title, const QString& sentence);
   /// Shows a button under the sentence; none if empty.
   void offer(const QString& action);
   /// Shows a second, plain button under the first.
   void offerAlso(const QString& action);
 
 Q_SIGNALS:
-  void actionAsked();
-  void otherAsked();
+  void actionRequested();
+  void otherRequested();
 
 private:
   QLabel* title_;

@@ -52,7 +52,7 @@ Notice::Notice(QWidget* parent)
   hide();
 }
 
-void Notice::say(const QString& sentence)
+void Notice::showMessage(const QString& sentence)
 {
   if (sentence.isEmpty()) return;
   show(sentence, {}, tr("Dismiss"), nullptr);

@@ -18,7 +18,7 @@ public:
   explicit Notice(QWidget* parent);
 
   /// Shows a message for some seconds; nothing if it is empty.
-  void say(const QString& sentence);
+  void showMessage(const QString& sentence);
   /// Shows a message with an action for half a minute.
   void offer(const QString& sentence, const QString& action, std::function<void()> act);
   /// Asks a question that stays until one of its buttons answers it.

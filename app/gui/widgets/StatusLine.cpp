@@ -31,12 +31,12 @@ StatusLine::StatusLine(const char* name, QWidget* parent)
   connect(open_, &QPushButton::clicked, this, [this] {
     // the desktop's file manager, for a local folder only
     const QString folder = QString::fromStdString(folder_.string());
-    if (!QProcess::startDetached(QStringLiteral("xdg-open"), {folder})) say(folder);
+    if (!QProcess::startDetached(QStringLiteral("xdg-open"), {folder})) showMessage(folder);
   });
-  say({});
+  showMessage({});
 }
 
-void StatusLine::say(const QString& sentence, bool isError)
+void StatusLine::showMessage(const QString& sentence, bool isError)
 {
   label_->setText(sentence);
   label_->setProperty("error", isError);
@@ -48,7 +48,7 @@ void StatusLine::say(const QString& sentence, bool isError)
 
 void StatusLine::sayWritten(const QString& sentence, const std::filesystem::path& folder)
 {
-  say(sentence);
+  showMessage(sentence);
   folder_ = folder;
   open_->setToolTip(QString::fromStdString(folder.string()));
   open_->show();

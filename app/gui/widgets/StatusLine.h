@@ -18,7 +18,7 @@ public:
   /// @param name  Object name of the label, for tests.
   StatusLine(const char* name, QWidget* parent);
 
-  void say(const QString& sentence, bool isError = false);
+  void showMessage(const QString& sentence, bool isError = false);
   /// Says that files were written, and offers to open their folder.
   void sayWritten(const QString& sentence, const std::filesystem::path& folder);
 

@@ -81,7 +81,7 @@ std::string impossibility(const char* quantity, const char* unit, double value, 
          " is possible";
 }
 
-std::string impossibility(const FullInsertion& insertion)
+std::string impossibility(const InsertionRun& insertion)
 {
   const Checked values[] = {
       {"the depth", "mm", inMillimeters(insertion.depth), physical::depth_mm},
@@ -118,7 +118,7 @@ std::string impossibility(const ClinicalInsertion& insertion)
   return reason.empty() ? impossibility(insertion.contacts, insertion.profile) : reason;
 }
 
-FullInsertion asPossible(FullInsertion insertion)
+InsertionRun asPossible(InsertionRun insertion)
 {
   if (insertion.end == InsertionEnd::jammed) {
     limit(insertion.peak.force, physical::force_mN);

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-#include "perilymph/analysis/FullInsertion.h"
+#include "perilymph/analysis/InsertionRun.h"
 
 namespace perilymph::analysis {
 

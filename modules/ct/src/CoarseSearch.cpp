@@ -49,9 +49,9 @@ private:
 
 /// Similarity of a grid point to lumen: 1 at its level, 0 at bone's and at other levels, such as
 /// air in an ear filled with fluid. A search asks for hundreds of millions.
-class Likeness {
+class TemplateScore {
 public:
-  Likeness(const Region& region, double bone, double lumen)
+  TemplateScore(const Region& region, double bone, double lumen)
       : count_(region.count()), corner_(region.corner_P())
   {
     const auto n = static_cast<std::size_t>(count_);
@@ -177,21 +177,21 @@ struct Sampling {
   Points inside, outside;
 };
 
-double score(const Likeness& image, const Sampling& points, const Pose& pose)
+double score(const TemplateScore& image, const Sampling& points, const Pose& pose)
 {
-  const Likeness::Rows rows = image.rowsOf(pose);
+  const TemplateScore::Rows rows = image.rowsOf(pose);
   return points.score(image.sum(rows, points.inside), image.sum(rows, points.outside));
 }
 
 /// The best of poses that differ by their origins alone, the first of equals.
-Candidate bestOf(const Likeness& image, const Sampling& points, const std::vector<Pose>& poses)
+Candidate bestOf(const TemplateScore& image, const Sampling& points, const std::vector<Pose>& poses)
 {
   Points origins(poses.size());
   for (std::size_t i = 0; i < poses.size(); ++i) {
-    const Likeness::Rows rows = image.rowsOf(poses[i]);
+    const TemplateScore::Rows rows = image.rowsOf(poses[i]);
     for (std::size_t axis = 0; axis < 3; ++axis) origins.along[axis][i] = rows[axis][3];
   }
-  const Likeness::Rows rows = image.rowsOf(poses.front());
+  const TemplateScore::Rows rows = image.rowsOf(poses.front());
   std::vector<double> inside(poses.size()), outside(poses.size());
   image.addSums(rows, origins, points.inside, inside);
   image.addSums(rows, origins, points.outside, outside);
@@ -223,7 +223,7 @@ Eigen::Matrix3d axesOf(int direction, int roll, bool isRight)
 }
 
 /// Improves a pose by hill climbing in steps along and about the axes of W.
-Candidate climb(const Likeness& image, const Sampling& points, Candidate candidate)
+Candidate climb(const TemplateScore& image, const Sampling& points, Candidate candidate)
 {
   candidate.score = score(image, points, candidate.pose);
   for (const double step : {1.0, 0.5, 0.25}) {
@@ -289,7 +289,7 @@ std::vector<Candidate> searchPoses(const Region& region, double bone, double lum
                                    const Template& points, const Eigen::Vector3d& near_P,
                                    double reach_mm, std::size_t count, const std::stop_token& stop)
 {
-  const Likeness image(region, bone, lumen);
+  const TemplateScore image(region, bone, lumen);
   const int steps = static_cast<int>(std::ceil(reach_mm / offsetStep));
   std::vector<Eigen::Vector3d> offsets;
   for (int k = -steps; k <= steps; ++k)

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "VtkComplaints.h"
+#include "VtkErrorCollector.h"
 #include "perilymph/ct/Marks.h"
 #include "perilymph/ct/ViewPlane.h"
 #include "perilymph/foundation/AtomicFile.h"
@@ -62,7 +62,7 @@ public:
           rgb_.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(row) * row_bytes),
           row_bytes, static_cast<unsigned char*>(image->GetScalarPointer(0, edge_px - 1 - row, 0)));
     vtkNew<vtkPNGWriter> writer;
-    vtkNew<Complaints> complaints;
+    vtkNew<ErrorCollector> complaints;
     complaints->listenTo({writer});
     writer->SetInputData(image);
     writer->SetFileName(file.c_str());

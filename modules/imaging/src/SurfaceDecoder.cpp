@@ -13,7 +13,7 @@
 #include <type_traits>
 
 #include "PolyData.h"
-#include "VtkComplaints.h"
+#include "VtkErrorCollector.h"
 
 namespace perilymph::imaging {
 namespace {
@@ -40,7 +40,7 @@ bool cornersExist(vtkPolyData& data)
 template <class Reader>
 vtkSmartPointer<vtkPolyData> readWith(const std::filesystem::path& file, std::size_t& corners)
 {
-  const auto complaints = vtkSmartPointer<Complaints>::New();
+  const auto complaints = vtkSmartPointer<ErrorCollector>::New();
   const auto reader = vtkSmartPointer<Reader>::New();
   const auto triangles = vtkSmartPointer<vtkTriangleFilter>::New();
   complaints->listenTo({reader, reader->GetExecutive(), triangles, triangles->GetExecutive()});

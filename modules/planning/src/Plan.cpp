@@ -171,7 +171,7 @@ Result<Plan> makePlan(const PlanRequest& request, const std::filesystem::path& d
     }
     auto all = std::exchange(plan.insertions, upTo(look, arrays, plan.insertions));
     addSummary(plan, setup->arrays);
-    if (look == request.draws || (request.stopsEarly && bandsStand(plan))) break;
+    if (look == request.draws || (request.stopsEarly && hasConverged(plan))) break;
     plan.insertions = std::move(all);
     look = nextLook(look, request.draws);
   }

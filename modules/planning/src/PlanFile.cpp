@@ -22,19 +22,19 @@ Row contactJson(const analysis::ContactPosition& contact)
 constexpr std::size_t maxContacts = 1024, maxProfile = 4096;
 
 /// Thrown within this file only: why a row is of no insertion.
-struct Impossible {
+struct InvalidRow {
   std::string reason = "a value has another type";
 };
 
 std::size_t countIn(const Row& value)
 {
-  if (!value.is_number_unsigned()) throw Impossible();
+  if (!value.is_number_unsigned()) throw InvalidRow();
   return value.get<std::size_t>();
 }
 
 const Row& listIn(const Row& value, std::size_t maxSize)
 {
-  if (!value.is_array() || value.size() > maxSize) throw Impossible();
+  if (!value.is_array() || value.size() > maxSize) throw InvalidRow();
   return value;
 }
 
@@ -141,11 +141,11 @@ Result<PlannedInsertion> insertionIn(const std::string& content)
       planned.*each.value = row.at(each.key).get<double>();
       if (auto reason = analysis::impossibility(each.key, "", planned.*each.value, each.range);
           !reason.empty())
-        throw Impossible{std::move(reason)};
+        throw InvalidRow{std::move(reason)};
     }
     analysis::ClinicalInsertion& found = planned.insertion;
     found.end = haptics::endNamed(row.at("end").get<std::string>());
-    if (found.end == InsertionEnd::none) throw Impossible{"its end has no known name"};
+    if (found.end == InsertionEnd::none) throw InvalidRow{"its end has no known name"};
     found.reason = row.at("reason").get<std::string>();
     found.depth = meters(row.at("depth").get<double>());
     found.apical = radians(row.at("apical").get<double>());
@@ -164,15 +164,15 @@ Result<PlannedInsertion> insertionIn(const std::string& content)
       found.contacts.push_back(contactIn(contact, static_cast<int>(found.contacts.size()) + 1));
     const Row& depths = listIn(row.at("profile_depth"), maxProfile);
     const Row& forces = listIn(row.at("profile_force"), maxProfile);
-    if (depths.size() != forces.size()) throw Impossible{"its profile has gaps"};
+    if (depths.size() != forces.size()) throw InvalidRow{"its profile has gaps"};
     for (std::size_t i = 0; i < depths.size(); ++i)
       found.profile.push_back({meters(depths[i].get<double>()), newtons(forces[i].get<double>())});
     if (auto reason = analysis::impossibility(found); !reason.empty())
-      throw Impossible{std::move(reason)};
+      throw InvalidRow{std::move(reason)};
     return planned;
   } catch (const Row::exception&) {
     return Error{"a value is missing or has another type"};
-  } catch (const Impossible& impossible) {
+  } catch (const InvalidRow& impossible) {
     return Error{impossible.reason};
   }
 }

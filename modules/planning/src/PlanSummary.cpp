@@ -21,7 +21,7 @@ namespace {
 
 using haptics::InsertionEnd;
 
-/// Lower edge of a band, and tolerances of bandsStand().
+/// Lower edge of a band, and tolerances of hasConverged().
 constexpr double edge = 0.05, edgeTolerance = 0.1, angleTolerance_deg = 5.0, peakTolerance = 0.05;
 
 using Insertions = std::vector<const PlannedInsertion*>;
@@ -329,7 +329,7 @@ void addSummary(Plan& plan, const std::vector<PlannedArray>& arrays)
     }
 }
 
-bool bandsStand(const Plan& plan)
+bool hasConverged(const Plan& plan)
 {
   const auto stands = [&plan](std::size_t array, double (*value)(const PlannedInsertion&),
                               double tolerance) {

@@ -25,7 +25,7 @@ std::string insertionsHeader(const std::set<std::string>& settings)
 
 std::string insertionsRow(const StudyResult& result, const std::set<std::string>& settings)
 {
-  const analysis::FullInsertion& found = result.insertion;
+  const analysis::InsertionRun& found = result.insertion;
   std::string row = std::to_string(result.number) + "," + analysis::csvField(result.cochlea) + "," +
                     number(result.a_mm) + "," + number(result.b_mm) + "," +
                     number(result.scalaLength_mm);

@@ -38,11 +38,11 @@ Result<StudyResult> recordCase(const Study& study, std::size_t number,
   const auto anatomy = session::buildAnatomy(*scenario);
   if (!anatomy) return anatomy.error();
   // in a thread that may compute whole insertions, whatever the caller's is
-  std::optional<Result<analysis::FullInsertion>> ran;
+  std::optional<Result<analysis::InsertionRun>> ran;
   const auto done = analysis::doInParallel(
       1, 1,
       [&](std::size_t, const std::stop_token& ending) -> Result<Done> {
-        ran = analysis::insertFully(*scenario, *anatomy, recording, ending);
+        ran = analysis::runInsertion(*scenario, *anatomy, recording, ending);
         return *ran ? Result<Done>(Done{}) : Result<Done>(ran->error());
       },
       {}, stop);

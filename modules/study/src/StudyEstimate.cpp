@@ -6,8 +6,8 @@
 #include <memory>
 #include <stop_token>
 
-#include "perilymph/analysis/FullInsertion.h"
 #include "perilymph/analysis/InParallel.h"
+#include "perilymph/analysis/InsertionRun.h"
 
 namespace perilymph::study {
 
@@ -23,7 +23,7 @@ double secondsSince(Clock::time_point begin)
 }
 
 /// Bytes of a row of each table, in the shard and in the merged file and table.
-double bytesOf(const Study& study, const analysis::FullInsertion& found)
+double bytesOf(const Study& study, const analysis::InsertionRun& found)
 {
   const double contacts = study.keepsContacts() ? static_cast<double>(found.contacts.size()) : 0.0;
   return 2.0 * (330.0 + 55.0 * contacts + 30.0 * static_cast<double>(found.profile.size())) + 250.0;
@@ -50,8 +50,8 @@ Result<StudyEstimate> estimate(const Study& study, const std::stop_token& stop)
         buildTime = secondsSince(begin);
         begin = Clock::now();
       }
-      const analysis::FullInsertion found =
-          analysis::insertFully(*parameters, anatomy, study.profileSpacing(), ending);
+      const analysis::InsertionRun found =
+          analysis::runInsertion(*parameters, anatomy, study.profileSpacing(), ending);
       insertionTime += secondsSince(begin) / static_cast<double>(measured);
       bytes += bytesOf(study, found) / static_cast<double>(measured);
     }

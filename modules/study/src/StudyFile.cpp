@@ -91,7 +91,7 @@ std::optional<StudyFileFacts> factsIn(SealedFacts found)
 
 InsertionRows rowsOf(const StudyResult& result)
 {
-  const analysis::FullInsertion& found = result.insertion;
+  const analysis::InsertionRun& found = result.insertion;
   const auto number = static_cast<std::int64_t>(result.number);
   InsertionRows rows{
       {number, result.cochlea, jsonOf(result.settings), std::string(haptics::nameOf(found.end)),
@@ -169,7 +169,7 @@ Result<StudyResult> resultIn(const InsertionRows& rows)
   const auto end = endNamed(cells.text());
   if (!settings || !end) return Error{"its settings or its ending cannot be read"};
   result.settings = *settings;
-  analysis::FullInsertion& found = result.insertion;
+  analysis::InsertionRun& found = result.insertion;
   found.end = *end;
   found.reason = cells.text();
   result.a_mm = cells.real();

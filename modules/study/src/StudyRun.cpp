@@ -8,8 +8,8 @@
 #include <tuple>
 
 #include "perilymph/analysis/AnatomyMeasures.h"
-#include "perilymph/analysis/FullInsertion.h"
 #include "perilymph/analysis/InParallel.h"
+#include "perilymph/analysis/InsertionRun.h"
 #include "perilymph/analysis/PhysicalRanges.h"
 #include "perilymph/study/StudyFile.h"
 
@@ -81,7 +81,7 @@ StudyResult resultOf(const Study& study, std::size_t number, const BuiltCochlea&
     return result;
   }
   result.insertion = analysis::asPossible(
-      analysis::insertFully(*parameters, cochlea.anatomy, study.profileSpacing(), stop));
+      analysis::runInsertion(*parameters, cochlea.anatomy, study.profileSpacing(), stop));
   if (!study.keepsContacts()) result.insertion.contacts.clear();
   return result;
 }

@@ -78,9 +78,10 @@ protected:
   {
     ASSERT_TRUE(control_.prepare(hand));
     ASSERT_TRUE(control_.begin());
-    ASSERT_TRUE(comes([&] { return control_.now().output.workflow != haptics::Workflow::idle; }));
+    ASSERT_TRUE(
+        waitUntil([&] { return control_.now().output.workflow != haptics::Workflow::idle; }));
   }
-  bool comes(const std::function<bool()>& claim)
+  bool waitUntil(const std::function<bool()>& claim)
   {
     return QTest::qWaitFor(
         [&] {
@@ -103,7 +104,7 @@ TEST_F(TheSafetyStop, AtTheEndLeavesTheDeviceWithoutForceAndTheLoopStopped)
         std::make_unique<PushingDevice>(control_.scenario(), told_));
   });
   begin(InputSource::device);
-  ASSERT_TRUE(comes([&] { return told_.hasPushed.load(); }));
+  ASSERT_TRUE(waitUntil([&] { return told_.hasPushed.load(); }));
   safety_.end();
   EXPECT_TRUE(told_.isZero);
   const std::uint64_t writes = told_.writes;
@@ -115,7 +116,7 @@ TEST_F(TheSafetyStop, AtTheEndLeavesTheDeviceWithoutForceAndTheLoopStopped)
 TEST_F(TheSafetyStop, AtTheEndKeepsTheRecordingWhole)
 {
   begin(InputSource::scripted);
-  ASSERT_TRUE(comes([&] { return control_.now().output.travel > 1e-4; }));
+  ASSERT_TRUE(waitUntil([&] { return control_.now().output.travel > 1e-4; }));
   safety_.end();
   ASSERT_TRUE(control_.prepare(InputSource::scripted));  // the insertion starts as in the window
   const auto recorded = session::RecordedInsertion::open(folder_ / "it.insertion");
@@ -127,7 +128,7 @@ TEST_F(TheSafetyStop, AtTheEndKeepsTheRecordingWhole)
 TEST_F(TheSafetyStop, WithoutAnInsertionDoesNothing)
 {
   safety_.loseKeyboard();
-  EXPECT_FALSE(safety_.leaveSight());
+  EXPECT_FALSE(safety_.onPageHidden());
   safety_.end();
   EXPECT_FALSE(control_.isRunning());
 }
@@ -152,12 +153,12 @@ TEST_F(TheSafetyStop, PausesOrReleasesTheArrayOnAnotherPage)
 {
   begin(InputSource::scripted);
   ASSERT_TRUE(control_.isMoving());
-  EXPECT_TRUE(safety_.leaveSight());
+  EXPECT_TRUE(safety_.onPageHidden());
   EXPECT_FALSE(control_.isMoving());
 
   begin(InputSource::pointer);
   control_.hold(true);
-  EXPECT_TRUE(safety_.leaveSight());
+  EXPECT_TRUE(safety_.onPageHidden());
   EXPECT_FALSE(control_.isHeld());
 }
 

@@ -140,9 +140,9 @@ TEST(TheRecordingOfAnEndedInsertion, IsClosedWheneverItBeginsToRest)
   EXPECT_FALSE(isDue(Workflow::finished, true));
   EXPECT_FALSE(isDue(Workflow::finished, false));  // a hand that holds on, moves
   EXPECT_TRUE(isDue(Workflow::finished, true));
-  EXPECT_TRUE(conclusion.isAsked());
+  EXPECT_TRUE(conclusion.isRequested());
   EXPECT_FALSE(isDue(Workflow::inserting, false));  // the withdrawal
-  EXPECT_FALSE(conclusion.isAsked());
+  EXPECT_FALSE(conclusion.isRequested());
   EXPECT_TRUE(isDue(Workflow::finished, true));
 }
 

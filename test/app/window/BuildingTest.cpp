@@ -26,7 +26,7 @@ protected:
   bool isBuilding() { return !rig_.button("startButton").isEnabled(); }
   bool ends()
   {
-    return WindowRig::comes([&] { return rig_.button("startButton").isEnabled(); });
+    return WindowRig::waitUntil([&] { return rig_.button("startButton").isEnabled(); });
   }
   QString field(const char* name)
   {
@@ -108,7 +108,7 @@ TEST_F(BuildingACochlea, StartsTheInsertionIfStartWasPressed)
   rig_.window().setFocus();
   rig_.pressKey(Qt::Key_Space);
   EXPECT_TRUE(rig_.label("hintLabel").contains("the insertion then starts"));
-  EXPECT_TRUE(WindowRig::comes([&] { return rig_.travel_mm() > 0.2; }));
+  EXPECT_TRUE(WindowRig::waitUntil([&] { return rig_.travel_mm() > 0.2; }));
   EXPECT_EQ(scenario().patient().scalaTympaniLength, millimeters(31.5));
 }
 
@@ -135,7 +135,7 @@ TEST_F(BuildingACochlea, OfAPatientShowsNothingOfTheOneBefore)
   EXPECT_FALSE(rig_.label("patientLabel").contains("P-301"));
   EXPECT_FALSE(rig_.window().windowTitle().contains("P-301"));
   load();
-  ASSERT_TRUE(WindowRig::comes([&] { return !stage->isVisible(); }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return !stage->isVisible(); }));
   EXPECT_EQ(scenario().patient().label, "P-301");
   EXPECT_TRUE(rig_.label("patientLabel").contains("P-301"));
 }
@@ -163,7 +163,7 @@ TEST(ANoteOfWhatIsBuilt, ComesAfterASecondAndCanBeCanceled)
   EXPECT_EQ(note.findChild<QLabel*>("buildingText")->text(), QString("Building the cochlea… 2 s"));
   EXPECT_TRUE(page.rect().contains(note.geometry()));
   int canceled = 0;
-  QObject::connect(&note, &gui::BuildingNote::cancelAsked, &note, [&canceled] { ++canceled; });
+  QObject::connect(&note, &gui::BuildingNote::cancelRequested, &note, [&canceled] { ++canceled; });
   QTest::mouseClick(note.findChild<QAbstractButton*>("cancelBuildButton"), Qt::LeftButton);
   EXPECT_EQ(canceled, 1);
   note.show(0);

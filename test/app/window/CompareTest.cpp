@@ -54,14 +54,14 @@ protected:
   {
     rig_->click("insertPageButton");
     rig_->click("startButton");
-    ASSERT_TRUE(WindowRig::comes(
+    ASSERT_TRUE(WindowRig::waitUntil(
         [&] { return rig_->now().output.workflow == haptics::Workflow::finished; }));
     rig_->click("resetButton");
   }
   void openLibrary(int rows)
   {
     rig_->click("sessionsPageButton");
-    ASSERT_TRUE(WindowRig::comes([&] { return list().model()->rowCount() == rows; }));
+    ASSERT_TRUE(WindowRig::waitUntil([&] { return list().model()->rowCount() == rows; }));
   }
   void compareBoth()
   {
@@ -70,7 +70,7 @@ protected:
     openLibrary(2);
     list().selectAll();
     rig_->click("compareButton");
-    ASSERT_TRUE(WindowRig::comes([&] { return page().runs().size() == 2; }));
+    ASSERT_TRUE(WindowRig::waitUntil([&] { return page().runs().size() == 2; }));
   }
 
   /// Chooses an entry by the keyboard.
@@ -131,7 +131,7 @@ TEST_F(Clinician, SeesThatARecordingWasChangedByHand)
     ASSERT_TRUE(database->run("UPDATE meta SET value = '9' WHERE key = 'seed'"));
   }
   page().compare(files);
-  ASSERT_TRUE(WindowRig::comes([&] { return page().runs().size() == 2; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return page().runs().size() == 2; }));
   rig_->window().showPage("compare");
   for (int row = 0; row < 2; ++row)
     EXPECT_EQ(table().item(row, 0)->text().contains("changed by hand"), row == 0);
@@ -235,7 +235,7 @@ TEST_F(Clinician, ComparesTwoTechniquesOfFiveRecordingsEach)
              {{"technique", technique}, {"stop_travel_mm", stop_mm}, {"nodes", "30"}});
     }
   page().compare(files);
-  ASSERT_TRUE(WindowRig::comes([&] { return page().runs().size() == 10; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return page().runs().size() == 10; }));
   chooseIn("comparisonAxis", 2);
   chooseIn("comparisonGroups", 2);
   ASSERT_EQ(plot().content().curves.size(), 2u);
@@ -257,7 +257,7 @@ TEST_F(Clinician, ComparesTwoTechniquesOfFiveRecordingsEach)
             .toStdString());
   EXPECT_TRUE(groups.item(1, 3)->text().startsWith(gui::numberText(mean[0] - mean[1], 0) + " ("));
   int turns = 0;  // of the event loop: the table has its height
-  ASSERT_TRUE(WindowRig::comes([&] { return ++turns > 20; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return ++turns > 20; }));
   EXPECT_EQ(groups.verticalScrollBar()->maximum(), 0);  // every row is seen
   EXPECT_LE(groups.mapTo(&page(), groups.rect().bottomLeft()).y(), page().height());
   keepPicture(rig_->window(), "compare-two-techniques");
@@ -268,27 +268,28 @@ TEST_F(Clinician, ComparesTwoTechniquesOfFiveRecordingsEach)
 TEST_F(Clinician, PutsAReferenceBehindTheNextInsertionIsWarnedAndRemovesIt)
 {
   insertOnce();
-  ASSERT_TRUE(WindowRig::comes([&] { return rig_->travel_mm() == 0.0; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig_->travel_mm() == 0.0; }));
   const QImage withoutReference = rig_->picture();
   openLibrary(1);
   rig_->click("ghostButton");
-  ASSERT_TRUE(WindowRig::comes([&] { return rig_->label("sessionStatus").contains("reference"); }));
+  ASSERT_TRUE(
+      WindowRig::waitUntil([&] { return rig_->label("sessionStatus").contains("reference"); }));
   rig_->click("insertPageButton");
   EXPECT_TRUE(rig_->label("referenceName").contains("contour-published"));
   const auto* warning = rig_->window().findChild<QLabel*>("referenceWarning");
   EXPECT_FALSE(warning->isVisible());
   EXPECT_NE(rig_->picture(), withoutReference);  // its array, too
   rig_->choose("arraySelector", "flex28");
-  ASSERT_TRUE(WindowRig::comes([&] { return warning->isVisible(); }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return warning->isVisible(); }));
   EXPECT_TRUE(warning->text().contains("another array (Nucleus 24 Contour)"))
       << warning->text().toStdString();
   EXPECT_FALSE(warning->text().contains("cochlea"));
   rig_->choose("anatomySelector", "mean");
-  EXPECT_TRUE(WindowRig::comes([&] { return warning->text().contains("another cochlea"); }));
+  EXPECT_TRUE(WindowRig::waitUntil([&] { return warning->text().contains("another cochlea"); }));
   rig_->click("removeReferenceButton");
   EXPECT_FALSE(rig_->window().findChild<QLabel*>("referenceName")->isVisible());
   rig_->click("restoreButton");
-  EXPECT_TRUE(WindowRig::comes([&] { return rig_->picture() == withoutReference; }));
+  EXPECT_TRUE(WindowRig::waitUntil([&] { return rig_->picture() == withoutReference; }));
 }
 
 TEST_F(Clinician, IsLedFromAnEmptyComparisonToTheRecordings)
@@ -333,7 +334,7 @@ TEST_F(Clinician, WritesAReportThatCanBeReadAgain)
     if (entry.path().extension() == ".insertion" &&
         entry.path() != rig_->window().control().recording())
       rig_->window().findChild<gui::SessionsPage*>()->saveReport(entry.path(), {pdf});
-  ASSERT_TRUE(WindowRig::comes([&] { return fs::exists(pdf); }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return fs::exists(pdf); }));
   ProgramOutcome read;
   try {
     read = run({.program = "pdftotext",

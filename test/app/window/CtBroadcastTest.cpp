@@ -35,10 +35,10 @@ TEST_F(TheBroadcastScan, IsInTheFrameOfTheArray)
   EXPECT_FALSE(page().placedCt(control.scenario()));  // of another cochlea
   rig_.type("ctPatientCode", "CT-203");
   rig_.click("insertCtButton");
-  ASSERT_TRUE(WindowRig::comes([&] { return control.scenario().patient().label == "CT-203"; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return control.scenario().patient().label == "CT-203"; }));
   ASSERT_TRUE(navigation.listen({"127.0.0.1", 0}));
   auto coming = std::async(std::launch::async, imageFrom, navigation.port());
-  ASSERT_TRUE(WindowRig::comes(
+  ASSERT_TRUE(WindowRig::waitUntil(
       [&] { return coming.wait_for(std::chrono::seconds(0)) == std::future_status::ready; }));
   const igtl::ImageMessage::Pointer image = coming.get();
 

@@ -64,7 +64,7 @@ public:
   void remeasure()
   {
     rig_.click("measureHereButton");
-    ASSERT_TRUE(WindowRig::comes([this] { return !page_.isBusy(); }));
+    ASSERT_TRUE(WindowRig::waitUntil([this] { return !page_.isBusy(); }));
   }
   bool isShown(const char* label) { return page_.findChild<QLabel*>(label)->isVisible(); }
   /// Goes onward to a plan, and again if the page stays to show a contradiction; then returns.
@@ -72,7 +72,7 @@ public:
   {
     for (int k = 0; k < 2 && rig_.window().page() == "ct"; ++k) {
       rig_.click("planCtButton");
-      ASSERT_TRUE(WindowRig::comes([this] { return !page_.isBusy(); }));
+      ASSERT_TRUE(WindowRig::waitUntil([this] { return !page_.isBusy(); }));
       if (page_.findChild<QWidget*>("versionQuestion")->isVisible()) rig_.click("newVersionButton");
     }
     ASSERT_EQ(rig_.window().page(), "plan");
@@ -168,7 +168,7 @@ TEST_F(TheCtPage, MeasuresLandmarksThatMovedBeforeAnInsertion)
   fits.move(ct::Mark::roundWindow, {0.05, 0.0, 0.0});
   for (int k = 0; k < 2 && rig_.window().page() == "ct"; ++k) {
     rig_.click("insertCtButton");
-    ASSERT_TRUE(WindowRig::comes([this] { return !page().isBusy(); }));
+    ASSERT_TRUE(WindowRig::waitUntil([this] { return !page().isBusy(); }));
   }
   EXPECT_EQ(rig_.window().page(), "insert");
   fits.expectSavedIsShown();
@@ -206,7 +206,7 @@ TEST_F(TheCtPage, StaysWhereLandmarksContradictTheFit)
       2.5 * (*study().marks()[ct::Mark::farWall] - study().measures()->center_P).normalized();
   fits.move(ct::Mark::farWall, out);
   rig_.click("planCtButton");
-  ASSERT_TRUE(WindowRig::comes([this] { return !page().isBusy(); }));
+  ASSERT_TRUE(WindowRig::waitUntil([this] { return !page().isBusy(); }));
   EXPECT_EQ(rig_.window().page(), "ct");
   EXPECT_THAT(rig_.label("ctFlags").toStdString(),
               testing::HasSubstr("A between the landmarks is"));
@@ -225,7 +225,7 @@ TEST_F(TheCtPage, KeepsLandmarksThatMoveWhileItMeasures)
   fits.move(ct::Mark::apex, {0.0, 0.05, 0.0});
   const auto apex = study().marks()[ct::Mark::apex];
   fits.hold(false);
-  ASSERT_TRUE(WindowRig::comes([this] { return !page().isBusy(); }));
+  ASSERT_TRUE(WindowRig::waitUntil([this] { return !page().isBusy(); }));
   EXPECT_EQ(study().marks()[ct::Mark::apex], apex);
   EXPECT_EQ(rig_.window().page(), "ct");  // not of these landmarks
   fits.expectShownIsOne();
@@ -332,7 +332,7 @@ TEST_F(TheCtPage, SavesTheFitOfTheLandmarksAfterAnySequence)
       if (upTo(2) == 0) fits.move(ct::Mark::apex, {0.01, 0.0, 0.01});
       if (upTo(2) == 0) page().cancel();
       fits.hold(false);
-      ASSERT_TRUE(WindowRig::comes([this] { return !page().isBusy(); }));
+      ASSERT_TRUE(WindowRig::waitUntil([this] { return !page().isBusy(); }));
     } else if (what == 7) {
       study().beginChange();  // pressed, not dragged
     } else if (study().measures()) {

@@ -31,14 +31,14 @@ namespace {
 TEST_F(TheCtPage, GoesFromAFolderToAnInsertionInThatCochlea)
 {
   page().open(onDisk().folder / "ct");
-  ASSERT_TRUE(WindowRig::comes([this] { return study().measures() != nullptr; }));
+  ASSERT_TRUE(WindowRig::waitUntil([this] { return study().measures() != nullptr; }));
   EXPECT_NEAR(study().measures()->a.value, onDisk().phantom.a, 0.4);
   EXPECT_EQ(rig_.label("ctSide"), onDisk().phantom.isRight ? "Right ear" : "Left ear");
   EXPECT_TRUE(rig_.label("fittedA").contains("±"));
   EXPECT_FALSE(rig_.button("insertCtButton").isEnabled());  // no code yet
   rig_.type("ctPatientCode", "CT-203");
   rig_.click("insertCtButton");
-  ASSERT_TRUE(WindowRig::comes(
+  ASSERT_TRUE(WindowRig::waitUntil(
       [this] { return rig_.window().control().scenario().patient().label == "CT-203"; }));
   EXPECT_EQ(rig_.window().page(), "insert");
   const auto& patient = rig_.window().control().scenario().patient();
@@ -117,7 +117,7 @@ TEST_F(TheCtPage, ShowsTheInsertedArrayInTheScan)
   measure();
   rig_.type("ctPatientCode", "CT-203");
   rig_.click("insertCtButton");
-  ASSERT_TRUE(WindowRig::comes(
+  ASSERT_TRUE(WindowRig::waitUntil(
       [this] { return rig_.window().control().scenario().patient().label == "CT-203"; }));
   // the reports of this insertion have the cochlea in its CT, those of other measures have not
   anatomy::Patient patient = rig_.window().control().scenario().patient();
@@ -125,9 +125,9 @@ TEST_F(TheCtPage, ShowsTheInsertedArrayInTheScan)
   EXPECT_TRUE(gui::ctPictureText(patient).contains("The cochlea in the CT"));
   patient.basalTurn->a = patient.basalTurn->a + millimeters(0.01);
   EXPECT_TRUE(gui::ctPictureText(patient).isEmpty());
-  ASSERT_TRUE(WindowRig::comes([this] { return rig_.button("startButton").isEnabled(); }));
+  ASSERT_TRUE(WindowRig::waitUntil([this] { return rig_.button("startButton").isEnabled(); }));
   rig_.click("startButton");
-  ASSERT_TRUE(WindowRig::comes([this] { return rig_.travel_mm() > 5.0; }));
+  ASSERT_TRUE(WindowRig::waitUntil([this] { return rig_.travel_mm() > 5.0; }));
   rig_.click("ctPageButton");
   const auto& array = study().array().nodes;
   ASSERT_EQ(array.size(), rig_.now().nodes);
@@ -233,7 +233,7 @@ TEST_F(TheCtPage, GoesOnFromCorrectedLandmarks)
   study().placeMark(ct::Mark::roundWindow, moved);
   EXPECT_EQ(rig_.button("measureHereButton").text(), "Re-measure using landmarks");
   rig_.click("measureHereButton");
-  ASSERT_TRUE(WindowRig::comes([this] { return !page().isBusy(); }));
+  ASSERT_TRUE(WindowRig::waitUntil([this] { return !page().isBusy(); }));
   const auto& after = *study().measures();
   EXPECT_LT((after.roundWindow_P - moved).norm(), (before.roundWindow_P - moved).norm());
 }
@@ -248,7 +248,7 @@ TEST_F(TheCtPage, LetsEveryCorrectedLandmarkSteerTheFitAndKeepsItInItsPlace)
     study().placeMark(mark, *truth[mark]);
   }
   rig_.click("measureHereButton");
-  ASSERT_TRUE(WindowRig::comes([this] { return !page().isBusy(); }));
+  ASSERT_TRUE(WindowRig::waitUntil([this] { return !page().isBusy(); }));
   const ct::Marks& used = study().measures()->marksByHand;
   EXPECT_EQ(used[ct::Mark::apex], truth[ct::Mark::apex]);
   EXPECT_EQ(used[ct::Mark::farB], truth[ct::Mark::farB]);
@@ -278,11 +278,11 @@ TEST_F(TheCtPage, MeasuresACtThatIsOpenedAndSaysHowLongItTakes)
     return Result<ct::CochleaMeasures>(measures);
   });
   page().open(onDisk().folder / "ct");
-  ASSERT_TRUE(WindowRig::comes([&] { return rig_.label("ctStatus").startsWith("Looking"); }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig_.label("ctStatus").startsWith("Looking"); }));
   EXPECT_FALSE(study().measures());
-  EXPECT_TRUE(WindowRig::comes([&] { return rig_.label("ctStatus").endsWith(" s left"); }));
+  EXPECT_TRUE(WindowRig::waitUntil([&] { return rig_.label("ctStatus").endsWith(" s left"); }));
   hasMeasured.set_value();
-  EXPECT_TRUE(WindowRig::comes([&] { return study().measures() != nullptr; }));
+  EXPECT_TRUE(WindowRig::waitUntil([&] { return study().measures() != nullptr; }));
   // what the reader remarked is shown again
   EXPECT_TRUE(rig_.label("ctStatus").startsWith("Small field of view"));
 }
@@ -303,7 +303,7 @@ TEST_F(TheCtPage, SaysWhyAFolderCannotBeRead)
 {
   const TemporaryFolder empty;
   page().open(empty.path());
-  ASSERT_TRUE(WindowRig::comes([this] { return !page().isBusy(); }));
+  ASSERT_TRUE(WindowRig::waitUntil([this] { return !page().isBusy(); }));
   EXPECT_FALSE(rig_.label("ctStatus").isEmpty());
   EXPECT_TRUE(study().hasCt());  // the previous one stays
 }
@@ -312,7 +312,7 @@ TEST_F(TheCtPage, ShowsAPictureOfEachSeries)
 {
   auto* list = rig_.window().findChild<QListWidget*>("ctSeriesList");
   ASSERT_EQ(list->count(), 1);
-  EXPECT_TRUE(WindowRig::comes([&] { return !list->item(0)->icon().isNull(); }));
+  EXPECT_TRUE(WindowRig::waitUntil([&] { return !list->item(0)->icon().isNull(); }));
 }
 
 TEST_F(TheCtPage, NeverShowsThePatientsName)
@@ -329,13 +329,13 @@ TEST(AWalkThroughACt, OfASurgeonEndsWithTheArrayInTheScan)
   rig.click("ctPageButton");
   gui::CtPage& page = *rig.window().pages().find<gui::CtPage>();
   page.open(onDisk().folder / "ct");
-  ASSERT_TRUE(WindowRig::comes([&] { return page.study().hasCt(); }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return page.study().hasCt(); }));
   page.cancel();
   page.study().moveCrosshair(onDisk().phantom.inside_P);
   walk.step(1, rig.window());
 
   rig.click("measureHereButton");
-  ASSERT_TRUE(WindowRig::comes([&] { return page.study().measures() != nullptr; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return page.study().measures() != nullptr; }));
   walk.step(2, rig.window());
 
   auto* view = rig.window().findChild<gui::PlaneView*>("planeView0");
@@ -351,10 +351,10 @@ TEST(AWalkThroughACt, OfASurgeonEndsWithTheArrayInTheScan)
 
   rig.type("ctPatientCode", "CT-203");
   rig.click("insertCtButton");
-  ASSERT_TRUE(WindowRig::comes(
+  ASSERT_TRUE(WindowRig::waitUntil(
       [&] { return rig.window().control().scenario().patient().label == "CT-203"; }));
-  ASSERT_TRUE(WindowRig::comes([&] { return rig.button("startButton").isEnabled(); }));
-  ASSERT_TRUE(WindowRig::comes([&] {
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig.button("startButton").isEnabled(); }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] {
     const auto labels = rig.window().findChildren<QLabel*>();
     return std::none_of(labels.begin(), labels.end(), [](const QLabel* label) {
       return label->isVisible() && label->text() == "computing…";
@@ -363,7 +363,7 @@ TEST(AWalkThroughACt, OfASurgeonEndsWithTheArrayInTheScan)
   walk.step(4, rig.window());
 
   rig.click("startButton");
-  ASSERT_TRUE(WindowRig::comes([&] { return rig.travel_mm() > 14.0; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig.travel_mm() > 14.0; }));
   rig.click("ctPageButton");
   page.study().moveCrosshair(ct::basalTurnCenter_P(*page.study().measures()) -
                              0.3 * page.study().measures()->axis_P);

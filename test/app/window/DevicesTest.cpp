@@ -90,7 +90,7 @@ TEST_F(DevicesOfTheWindow, ThatCannotRenderTheCouplingAreSaidToBeSoftened)
   const auto isSoftened = [this] {
     return rig_->label("statusLabel").contains(QLatin1String("coupling"));
   };
-  ASSERT_TRUE(WindowRig::comes([&] { return isSoftened(); }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return isSoftened(); }));
   // 0.75 b / (T/2 + half a period + delay) is at most 0.75 x 0.5 / 1 ms = 375 N/m of 441.
   EXPECT_TRUE(pageSays("of the 441 N/m asked for"));
   EXPECT_TRUE(pageSays("Input: WoodenHaptics"));
@@ -109,11 +109,11 @@ TEST_F(DevicesOfTheWindow, OfAPlugInBecomesTheHandAndMovesTheArray)
 {
   open();
   rig_->window().insertion().useDevice(examplePlugin());
-  EXPECT_EQ(rig_->window().control().handName(), "Example handle");
+  EXPECT_EQ(rig_->window().control().inputName(), "Example handle");
   EXPECT_TRUE(rig_->button("deviceChoice").text().contains("Example handle"));
   // Its virtual hand pushes inward with 0.2 N and never releases the button.
   rig_->click("startButton");
-  EXPECT_TRUE(WindowRig::comes([&] { return rig_->travel_mm() > 1.0; }));
+  EXPECT_TRUE(WindowRig::waitUntil([&] { return rig_->travel_mm() > 1.0; }));
 }
 
 TEST_F(DevicesOfTheWindow, OfAFileThatIsNoPlugInLeaveTheScriptAndSayWhy)

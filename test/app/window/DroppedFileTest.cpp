@@ -26,7 +26,7 @@ protected:
   fs::path record()
   {
     rig_.click("startButton");
-    EXPECT_TRUE(WindowRig::comes([&] { return rig_.travel_mm() > 0.5; }));
+    EXPECT_TRUE(WindowRig::waitUntil([&] { return rig_.travel_mm() > 0.5; }));
     const fs::path file = *rig_.window().control().recording();
     rig_.click("resetButton");
     return file;
@@ -40,7 +40,7 @@ TEST_F(DroppedFile, OfAPatientIsOpened)
 {
   rig_.window().showPage("start");
   EXPECT_TRUE(drop(resource("resources/patients/left.toml")));
-  EXPECT_TRUE(WindowRig::comes([&] {
+  EXPECT_TRUE(WindowRig::waitUntil([&] {
     return rig_.window().control().scenario().patient().side == anatomy::Side::left &&
            rig_.window().page() == "insert";
   }));
@@ -49,8 +49,8 @@ TEST_F(DroppedFile, OfAPatientIsOpened)
 TEST_F(DroppedFile, OfARecordingIsReplayedAndNamedOnceInTheTitle)
 {
   EXPECT_TRUE(drop(record()));
-  ASSERT_TRUE(
-      WindowRig::comes([&] { return rig_.window().findChild<gui::ReplayBar*>()->isVisible(); }));
+  ASSERT_TRUE(WindowRig::waitUntil(
+      [&] { return rig_.window().findChild<gui::ReplayBar*>()->isVisible(); }));
   EXPECT_EQ(rig_.window().windowTitle(),
             QString::fromUtf8("Replay of contour-published — Perilymph"));
 }
@@ -62,12 +62,13 @@ TEST_F(DroppedFile, IsOpenedByItsNameAlone)
   const fs::path recording = record();
   window.showPage("start");
   window.openFile(resource("resources/patients/left.toml"));
-  EXPECT_TRUE(WindowRig::comes([&] {
+  EXPECT_TRUE(WindowRig::waitUntil([&] {
     return window.control().scenario().patient().side == anatomy::Side::left &&
            window.page() == "insert";
   }));
   window.openFile(recording);
-  EXPECT_TRUE(WindowRig::comes([&] { return window.findChild<gui::ReplayBar*>()->isVisible(); }));
+  EXPECT_TRUE(
+      WindowRig::waitUntil([&] { return window.findChild<gui::ReplayBar*>()->isVisible(); }));
   const fs::path plan = data_.path() / "plan/plan.json";
   for (const auto& [file, page] : {std::pair{plan, "plan"}, std::pair{plan.parent_path(), "plan"},
                                    std::pair{data_.path() / "study.sqlite", "studies"},

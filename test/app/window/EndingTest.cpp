@@ -67,7 +67,7 @@ TEST_P(TheWorkstationTold, ToEndClosesItsRecordingAndSaysNothingAtTheNextStart)
   const int signal = GetParam();
   ChildProcess program(call({"--demo"}));
   ASSERT_TRUE(program.waitForOutput("first frame after", 120s));
-  ASSERT_TRUE(WindowRig::comes([&] { return !recording().empty(); }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return !recording().empty(); }));
   const fs::path kept = recording();
   program.send(signal);
   const ProgramOutcome outcome = program.wait(60s);
@@ -93,7 +93,7 @@ TEST_F(TheWorkstation, KilledOffersItsRecordingAtTheNextStart)
 {
   ChildProcess program(call({"--demo"}));
   ASSERT_TRUE(program.waitForOutput("first frame after", 120s));
-  ASSERT_TRUE(WindowRig::comes([&] { return !recording().empty(); }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return !recording().empty(); }));
   program.send(SIGKILL);
   program.wait(60s);
   EXPECT_THAT(marks(), testing::SizeIs(1));
@@ -106,7 +106,7 @@ TEST_F(TheWorkstation, AtABoothEndsWhenTold)
 {
   ChildProcess program(
       call({"--kiosk", "--screenshot", (folder_ / "k.png").string(), "--after", "3000"}));
-  ASSERT_TRUE(WindowRig::comes([&] { return log().find("perilymph") != std::string::npos; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return log().find("perilymph") != std::string::npos; }));
   program.send(SIGTERM);
   EXPECT_EQ(program.wait(60s).signal, 0);
 }

@@ -81,7 +81,7 @@ protected:
   gui::PlanPage& plan() { return *rig_.window().findChild<gui::PlanPage*>(); }
   bool isComputed()
   {
-    return WindowRig::comes([&] {
+    return WindowRig::waitUntil([&] {
       const auto labels = rig_.window().findChildren<QLabel*>();
       return std::none_of(labels.begin(), labels.end(), [](const QLabel* label) {
         return label->isVisible() && label->text() == "computing…";
@@ -102,10 +102,10 @@ protected:
   {
     rig_.click("ctPageButton");
     ct().open(folder_ / "ct");
-    ASSERT_TRUE(WindowRig::comes([&] { return ct().study().hasCt(); }));
+    ASSERT_TRUE(WindowRig::waitUntil([&] { return ct().study().hasCt(); }));
     ct().study().moveCrosshair(phantom_.inside_P);
     film_.frame(rig_.window(), "1. Open the CT of a temporal bone. This one is synthetic.", 5.0);
-    ASSERT_TRUE(WindowRig::comes([&] { return ct().study().measures() != nullptr; }));
+    ASSERT_TRUE(WindowRig::waitUntil([&] { return ct().study().measures() != nullptr; }));
     EXPECT_NEAR(ct().study().measures()->a.value, phantom_.a, 0.4);
     film_.frame(rig_.window(),
                 "2. The cochlea is found and measured: A, B, H and duct length, with their errors.",
@@ -122,14 +122,14 @@ protected:
     rig_.choose("planDraws", film_.isTaken() ? "32" : "16");
     film_.frame(rig_.window(), "3. Choose electrode arrays for a plan.", 5.0);
     rig_.click("computePlanButton");
-    ASSERT_TRUE(WindowRig::comes([&] { return plan().plan() && !plan().isBusy(); }, 600'000));
+    ASSERT_TRUE(WindowRig::waitUntil([&] { return plan().plan() && !plan().isBusy(); }, 600'000));
     film_.frame(
         rig_.window(),
         "4. Each array is inserted many times: angle, force and risks, with bands of 5 to 95 %.",
         8.0);
     plan().list().selectRow(0);
     rig_.click("openPlanArrayButton");
-    ASSERT_TRUE(WindowRig::comes([&] { return plan().view().shownScenes() == 1; }));
+    ASSERT_TRUE(WindowRig::waitUntil([&] { return plan().view().shownScenes() == 1; }));
     film_.frame(rig_.window(), "5. One array in this cochlea: where its contacts come to lie.",
                 7.0);
     rig_.click("planTableButton");
@@ -140,7 +140,7 @@ protected:
     const std::string array = plan().list().model()->index(0, 0).data().toString().toStdString();
     plan().list().selectRow(0);
     rig_.click("insertPlanArrayButton");
-    ASSERT_TRUE(WindowRig::comes([&] {
+    ASSERT_TRUE(WindowRig::waitUntil([&] {
       return rig_.window().page() == "insert" &&
              rig_.window().control().scenario().array().name == array &&
              rig_.button("startButton").isEnabled();
@@ -154,7 +154,7 @@ protected:
     const double median_mm = planned->depth_mm.median;
     const double stop_mm = film_.isTaken() ? median_mm - start_mm : 5.0;
     rig_.type("panelStop", QString::number(stop_mm, 'f', 1).toUtf8());
-    ASSERT_TRUE(WindowRig::comes([&] {
+    ASSERT_TRUE(WindowRig::waitUntil([&] {
       const Length stop = rig_.window().control().scenario().stopTravel();
       return std::abs(inMillimeters(stop) - stop_mm) < 0.1 &&
              rig_.button("startButton").isEnabled();
@@ -166,14 +166,14 @@ protected:
     rig_.click("startButton");
     const int steps = film_.isTaken() ? 17 : 3;
     for (int i = 1; i < steps; ++i) {
-      ASSERT_TRUE(WindowRig::comes([&] { return rig_.travel_mm() > stop_mm * i / steps; }));
+      ASSERT_TRUE(WindowRig::waitUntil([&] { return rig_.travel_mm() > stop_mm * i / steps; }));
       film_.frame(rig_.window(),
                   "7. A thousand times a second: how the array bends, touches the wall and slides "
                   "along it.",
                   0.8);
     }
     film_.keepLast();
-    ASSERT_TRUE(WindowRig::comes([&] { return isOver(); }));
+    ASSERT_TRUE(WindowRig::waitUntil([&] { return isOver(); }));
     EXPECT_NEAR(rig_.travel_mm(), stop_mm, 0.1);
     film_.frame(rig_.window(),
                 "8. At the median depth of the plan: angle and force, beside its band.", 8.0);

@@ -55,7 +55,7 @@ int loudest(const std::vector<std::int16_t>& written)
 TEST(ToneSamples, SwingAsOftenAsTheToneSays)
 {
   ToneWriter writer;
-  writer.hear({440.0, 1.0});
+  writer.setTone({440.0, 1.0});
   const auto written = samples(writer, 0.2);
   int rises = 0;
   for (std::size_t i = 1; i < written.size(); ++i) rises += written[i - 1] < 0 && written[i] >= 0;
@@ -67,7 +67,7 @@ TEST(ToneSamples, DoNotJump)
   ToneWriter writer;
   std::vector<std::int16_t> all;
   for (const gui::Tone tone : {gui::Tone{3520.0, 1.0}, gui::Tone{}, gui::Tone{220.0, 1.0}}) {
-    writer.hear(tone);
+    writer.setTone(tone);
     const auto more = samples(writer, 0.05);
     all.insert(all.end(), more.begin(), more.end());
   }
@@ -81,7 +81,7 @@ TEST(ToneSamples, DoNotJump)
 TEST(ToneSamples, FadeWhenNobodyRenewsTheTone)
 {
   ToneWriter writer;
-  writer.hear({440.0, 1.0});
+  writer.setTone({440.0, 1.0});
   EXPECT_GT(loudest(samples(writer, 0.2)), 1000);
   samples(writer, 0.1);
   EXPECT_EQ(loudest(samples(writer, 0.1)), 0);

@@ -45,7 +45,7 @@ bool HeldUpLoop::begin()
   return waitUntil([this] { return log_->isHeldUp.load(); }, patience);
 }
 
-void HeldUpLoop::hear()
+void HeldUpLoop::setTone()
 {
   if (heardAt_ != 0) return;
   heardAt_ = realtime::monotonicNanoseconds();

@@ -31,7 +31,7 @@ public:
   /// The window hears of a stop; the first time counts. The loop goes on as soon as the window has used
   /// a millisecond of processor time or has handled the event. A busy machine may keep the window waiting
   /// far longer than that. A window that waits for its loop gets it back after ten seconds.
-  void hear();
+  void setTone();
   /// When it heard, monotonic [ns]; 0 before.
   std::int64_t heardAt() const { return heardAt_; }
 

@@ -30,7 +30,7 @@ double pictureHeight_mm(WindowRig& rig)
 
 bool hasGlidedTo(WindowRig& rig, CameraPreset preset)
 {
-  return WindowRig::comes([&] { return rig.window().view().scene()->preset() == preset; });
+  return WindowRig::waitUntil([&] { return rig.window().view().scene()->preset() == preset; });
 }
 
 class TurningKey : public ::testing::TestWithParam<Qt::Key> {};
@@ -85,9 +85,9 @@ TEST(WindowKeys, SpaceStartsAndPausesTheScriptedHand)
 {
   WindowRig rig;
   rig.pressKey(Qt::Key_Space);
-  ASSERT_TRUE(WindowRig::comes([&] { return rig.travel_mm() > 0.2; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig.travel_mm() > 0.2; }));
   rig.pressKey(Qt::Key_Space);
-  EXPECT_TRUE(WindowRig::comes([&] { return rig.now().output.workflow == Workflow::paused; }));
+  EXPECT_TRUE(WindowRig::waitUntil([&] { return rig.now().output.workflow == Workflow::paused; }));
 }
 
 TEST(WindowKeys, TheQuestionMarkListsTheKeysAndEscapeClosesTheList)
@@ -130,11 +130,12 @@ TEST(PointerDevice, MovesTheArrayWithTheWheelWhileSpaceIsDown)
   rig.click("pointerChoice");
   rig.click("startButton");
   rig.holdKey(Qt::Key_Space);
-  ASSERT_TRUE(WindowRig::comes([&] { return rig.now().output.workflow == Workflow::inserting; }));
+  ASSERT_TRUE(
+      WindowRig::waitUntil([&] { return rig.now().output.workflow == Workflow::inserting; }));
   rig.turnWheel(-4);  // down is in, as with the arrow keys; 1 mm
-  EXPECT_TRUE(WindowRig::comes([&] { return rig.travel_mm() > 0.9; }));
+  EXPECT_TRUE(WindowRig::waitUntil([&] { return rig.travel_mm() > 0.9; }));
   rig.turnWheel(2);
-  EXPECT_TRUE(WindowRig::comes([&] { return rig.travel_mm() < 0.6; }));
+  EXPECT_TRUE(WindowRig::waitUntil([&] { return rig.travel_mm() < 0.6; }));
 }
 
 TEST(PointerDevice, DoesNotMoveTheArrayUnlessItIsHeld)
@@ -142,10 +143,10 @@ TEST(PointerDevice, DoesNotMoveTheArrayUnlessItIsHeld)
   WindowRig rig;
   rig.click("pointerChoice");
   rig.click("startButton");
-  ASSERT_TRUE(WindowRig::comes([&] { return rig.now().output.workflow == Workflow::armed; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig.now().output.workflow == Workflow::armed; }));
   rig.turnWheel(-4);
   rig.holdKey(Qt::Key_Down);
-  ASSERT_TRUE(rig.liveForTicks(1000));
+  ASSERT_TRUE(rig.runForTicks(1000));
   EXPECT_NEAR(rig.travel_mm(), 0.0, atRest_mm);
 }
 
@@ -158,11 +159,12 @@ TEST_P(PointerAtFrameRate, TheDownKeyAdvancesAtTheScenariosSpeed)
   rig.click("startButton");
   rig.window().insertPage().frames().setInterval(GetParam());
   rig.holdKey(Qt::Key_Space);
-  ASSERT_TRUE(WindowRig::comes([&] { return rig.now().output.workflow == Workflow::inserting; }));
+  ASSERT_TRUE(
+      WindowRig::waitUntil([&] { return rig.now().output.workflow == Workflow::inserting; }));
   rig.holdKey(Qt::Key_Down);
-  ASSERT_TRUE(WindowRig::comes([&] { return rig.travel_mm() > 1.0; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig.travel_mm() > 1.0; }));
   const haptics::TickOutput before = rig.now().output;
-  ASSERT_TRUE(rig.liveForTicks(2000));
+  ASSERT_TRUE(rig.runForTicks(2000));
   const haptics::TickOutput after = rig.now().output;
   const double speed = (after.travel - before.travel) / (after.time - before.time);
   constexpr double published = 2e-3;  // [m/s]
@@ -178,11 +180,11 @@ TEST(PointerDevice, LetsGoWhenSpaceIsReleased)
   rig.click("startButton");
   rig.holdKey(Qt::Key_Space);
   rig.holdKey(Qt::Key_Down);
-  ASSERT_TRUE(WindowRig::comes([&] { return rig.travel_mm() > 0.3; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig.travel_mm() > 0.3; }));
   rig.releaseKey(Qt::Key_Space);
-  ASSERT_TRUE(WindowRig::comes([&] { return rig.now().output.workflow == Workflow::paused; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig.now().output.workflow == Workflow::paused; }));
   const double held_mm = rig.travel_mm();
-  ASSERT_TRUE(rig.liveForTicks(1000));
+  ASSERT_TRUE(rig.runForTicks(1000));
   EXPECT_NEAR(rig.travel_mm(), held_mm, atRest_mm);
 }
 
@@ -195,7 +197,7 @@ TEST(PointerDevice, CanBeHeldFromOnePressToTheNext)
   rig.pressKey(Qt::Key_Space);  // pressed and released
   EXPECT_TRUE(rig.window().control().isHeld());
   rig.holdKey(Qt::Key_Down);
-  EXPECT_TRUE(WindowRig::comes([&] { return rig.travel_mm() > 0.3; }));
+  EXPECT_TRUE(WindowRig::waitUntil([&] { return rig.travel_mm() > 0.3; }));
   rig.releaseKey(Qt::Key_Down);
   rig.pressKey(Qt::Key_Space);
   EXPECT_FALSE(rig.window().control().isHeld());
@@ -208,10 +210,11 @@ TEST(PointerDevice, LetsGoWhenTheWindowIsLeft)
   rig.click("pointerChoice");
   rig.click("startButton");
   rig.holdKey(Qt::Key_Space);
-  ASSERT_TRUE(WindowRig::comes([&] { return rig.now().output.workflow == Workflow::inserting; }));
+  ASSERT_TRUE(
+      WindowRig::waitUntil([&] { return rig.now().output.workflow == Workflow::inserting; }));
   QEvent left(QEvent::WindowDeactivate);
   QCoreApplication::sendEvent(&rig.window(), &left);
-  EXPECT_TRUE(WindowRig::comes([&] { return rig.now().output.workflow == Workflow::paused; }));
+  EXPECT_TRUE(WindowRig::waitUntil([&] { return rig.now().output.workflow == Workflow::paused; }));
 }
 
 TEST(PointerDevice, TheHoldControlHoldsWhileItIsPressed)
@@ -219,11 +222,12 @@ TEST(PointerDevice, TheHoldControlHoldsWhileItIsPressed)
   WindowRig rig;
   rig.click("pointerChoice");
   rig.click("startButton");
-  ASSERT_TRUE(WindowRig::comes([&] { return rig.button("holdButton").isEnabled(); }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig.button("holdButton").isEnabled(); }));
   QTest::mousePress(&rig.button("holdButton"), Qt::LeftButton);
-  ASSERT_TRUE(WindowRig::comes([&] { return rig.now().output.workflow == Workflow::inserting; }));
+  ASSERT_TRUE(
+      WindowRig::waitUntil([&] { return rig.now().output.workflow == Workflow::inserting; }));
   QTest::mouseRelease(&rig.button("holdButton"), Qt::LeftButton);
-  EXPECT_TRUE(WindowRig::comes([&] { return rig.now().output.workflow == Workflow::paused; }));
+  EXPECT_TRUE(WindowRig::waitUntil([&] { return rig.now().output.workflow == Workflow::paused; }));
 }
 
 }  // namespace

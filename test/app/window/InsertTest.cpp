@@ -39,7 +39,7 @@ TEST(Window, StartMovesTheArrayIntoTheCochlea)
   WindowRig rig;
   const double depthBefore = rig.now().output.depth;
   rig.click("startButton");
-  EXPECT_TRUE(WindowRig::comes([&] { return rig.travel_mm() > 0.5; }));
+  EXPECT_TRUE(WindowRig::waitUntil([&] { return rig.travel_mm() > 0.5; }));
   EXPECT_GT(rig.now().output.depth, depthBefore);
 }
 
@@ -49,7 +49,8 @@ TEST(Window, ShowsTheAngleOfTheTipBeforeTheStart)
   const double before = rig.now().output.angularDepth;
   EXPECT_GT(before, 0.0);
   rig.click("startButton");
-  ASSERT_TRUE(WindowRig::comes([&] { return rig.now().output.workflow == Workflow::inserting; }));
+  ASSERT_TRUE(
+      WindowRig::waitUntil([&] { return rig.now().output.workflow == Workflow::inserting; }));
   // 2 mm/s move the tip by less than a degree in the first frames
   EXPECT_NEAR(rig.now().output.angularDepth, before, 0.1);
 }
@@ -58,11 +59,11 @@ TEST(Window, PauseHoldsTheArrayWhereItIs)
 {
   WindowRig rig;
   rig.click("startButton");
-  ASSERT_TRUE(WindowRig::comes([&] { return rig.travel_mm() > 0.5; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig.travel_mm() > 0.5; }));
   rig.click("startButton");  // its text is now Pause
-  ASSERT_TRUE(WindowRig::comes([&] { return rig.now().output.workflow == Workflow::paused; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig.now().output.workflow == Workflow::paused; }));
   const double held_mm = rig.travel_mm();
-  ASSERT_TRUE(rig.liveForTicks(1000));
+  ASSERT_TRUE(rig.runForTicks(1000));
   EXPECT_NEAR(rig.travel_mm(), held_mm, rest_mm);
 }
 
@@ -70,11 +71,11 @@ TEST(Window, WithdrawTakesTheArrayBackToItsStartAndNoFurther)
 {
   WindowRig rig;
   rig.click("startButton");
-  ASSERT_TRUE(WindowRig::comes([&] { return rig.travel_mm() > 1.0; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig.travel_mm() > 1.0; }));
   rig.click("withdrawButton");
-  ASSERT_TRUE(WindowRig::comes([&] { return rig.travel_mm() < 0.2; }));
-  ASSERT_TRUE(WindowRig::comes([&] { return !rig.window().control().isMoving(); }));
-  ASSERT_TRUE(rig.liveForTicks(500));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig.travel_mm() < 0.2; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return !rig.window().control().isMoving(); }));
+  ASSERT_TRUE(rig.runForTicks(500));
   EXPECT_NEAR(rig.travel_mm(), 0.0, overshoot_mm);
 }
 
@@ -83,14 +84,14 @@ TEST(Window, ResetReturnsToTheStartWithARecordingOfItsOwn)
   const auto before = sessions();
   WindowRig rig;
   rig.click("startButton");
-  ASSERT_TRUE(WindowRig::comes([&] { return rig.travel_mm() > 0.5; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig.travel_mm() > 0.5; }));
   rig.click("resetButton");
   EXPECT_EQ(rig.travel_mm(), 0.0);
   EXPECT_EQ(rig.readOut("travelReadOut"), "0.0");
   EXPECT_FALSE(rig.window().control().isRunning());
 
   rig.click("startButton");
-  ASSERT_TRUE(WindowRig::comes([&] { return rig.travel_mm() > 0.5; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig.travel_mm() > 0.5; }));
   EXPECT_EQ(sessions().size(), before.size() + 2);
 }
 
@@ -107,31 +108,33 @@ TEST(Window, StopsAtFullDepthAndOffersTheWayOut)
 {
   WindowRig rig(session::Overrides{{"stop_travel_mm", "1.0"}, {"speed_mm_s", "4.0"}});
   rig.click("startButton");
-  ASSERT_TRUE(WindowRig::comes([&] { return rig.now().output.workflow == Workflow::finished; }));
+  ASSERT_TRUE(
+      WindowRig::waitUntil([&] { return rig.now().output.workflow == Workflow::finished; }));
   EXPECT_NEAR(rig.travel_mm(), 1.0, rest_mm);
-  ASSERT_TRUE(WindowRig::comes([&] { return !rig.button("startButton").isEnabled(); }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return !rig.button("startButton").isEnabled(); }));
   auto* phase = rig.window().findChild<gui::PhaseLine*>();
-  EXPECT_TRUE(WindowRig::comes([&] { return phase->phase() == analysis::Phase::full; }));
+  EXPECT_TRUE(WindowRig::waitUntil([&] { return phase->phase() == analysis::Phase::full; }));
 
   rig.click("withdrawButton");
-  EXPECT_TRUE(WindowRig::comes([&] { return rig.travel_mm() < 0.3; }));
+  EXPECT_TRUE(WindowRig::waitUntil([&] { return rig.travel_mm() < 0.3; }));
 }
 
 TEST(Window, StartingAgainOnTheWayOutStillStopsAtFullDepth)
 {
   WindowRig rig(session::Overrides{{"stop_travel_mm", "2.0"}, {"speed_mm_s", "0.5"}});
   rig.click("startButton");
-  ASSERT_TRUE(WindowRig::comes([&] { return rig.now().output.workflow == Workflow::finished; }));
-  ASSERT_TRUE(WindowRig::comes([&] { return rig.button("withdrawButton").isEnabled(); }));
+  ASSERT_TRUE(
+      WindowRig::waitUntil([&] { return rig.now().output.workflow == Workflow::finished; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig.button("withdrawButton").isEnabled(); }));
   rig.click("withdrawButton");
-  ASSERT_TRUE(WindowRig::comes([&] { return rig.travel_mm() < 1.9; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig.travel_mm() < 1.9; }));
   rig.click("startButton");  // its text is Pause while the array is withdrawn
-  ASSERT_TRUE(WindowRig::comes([&] { return rig.now().output.workflow == Workflow::paused; }));
-  ASSERT_TRUE(WindowRig::comes([&] { return rig.button("startButton").isEnabled(); }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig.now().output.workflow == Workflow::paused; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig.button("startButton").isEnabled(); }));
   rig.click("startButton");
-  ASSERT_TRUE(WindowRig::comes([&] { return rig.travel_mm() > 1.9; }));
-  ASSERT_TRUE(WindowRig::comes([&] { return !rig.window().control().isMoving(); }));
-  ASSERT_TRUE(rig.liveForTicks(500));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig.travel_mm() > 1.9; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return !rig.window().control().isMoving(); }));
+  ASSERT_TRUE(rig.runForTicks(500));
   EXPECT_LT(rig.travel_mm(), 2.0 + overshoot_mm);
 }
 
@@ -139,17 +142,18 @@ TEST(Window, RecognizesFullDepthAgainAfterAWithdrawal)
 {
   WindowRig rig(session::Overrides{{"stop_travel_mm", "2.0"}, {"speed_mm_s", "0.5"}});
   rig.pressKey(Qt::Key_Space);
-  ASSERT_TRUE(WindowRig::comes([&] { return rig.now().output.workflow == Workflow::finished; }));
-  ASSERT_TRUE(WindowRig::comes([&] { return rig.button("withdrawButton").isEnabled(); }));
+  ASSERT_TRUE(
+      WindowRig::waitUntil([&] { return rig.now().output.workflow == Workflow::finished; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig.button("withdrawButton").isEnabled(); }));
   rig.pressKey(Qt::Key_Backspace);
-  ASSERT_TRUE(WindowRig::comes([&] { return rig.travel_mm() < 1.9; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig.travel_mm() < 1.9; }));
   rig.pressKey(Qt::Key_Space);  // pauses
-  ASSERT_TRUE(WindowRig::comes([&] { return rig.now().output.workflow == Workflow::paused; }));
-  ASSERT_TRUE(WindowRig::comes([&] { return rig.button("startButton").isEnabled(); }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig.now().output.workflow == Workflow::paused; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig.button("startButton").isEnabled(); }));
   rig.pressKey(Qt::Key_Space);
-  ASSERT_TRUE(WindowRig::comes([&] { return rig.travel_mm() >= 2.0; }));
-  EXPECT_TRUE(WindowRig::comes([&] { return !rig.button("startButton").isEnabled(); }));
-  EXPECT_TRUE(WindowRig::comes(
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig.travel_mm() >= 2.0; }));
+  EXPECT_TRUE(WindowRig::waitUntil([&] { return !rig.button("startButton").isEnabled(); }));
+  EXPECT_TRUE(WindowRig::waitUntil(
       [&] { return rig.window().findChild<gui::Selector*>("arraySelector")->isEnabled(); }));
   EXPECT_TRUE(rig.label("hintLabel").contains("Press Withdraw or Reset"))
       << rig.label("hintLabel").toStdString();
@@ -160,14 +164,16 @@ TEST(Window, SaysWhereTheTipIsWhenTheArrayIsBackAtItsStart)
 {
   WindowRig rig(session::Overrides{{"stop_travel_mm", "1.0"}, {"speed_mm_s", "4.0"}});
   rig.click("startButton");
-  ASSERT_TRUE(WindowRig::comes([&] { return rig.now().output.workflow == Workflow::finished; }));
-  ASSERT_TRUE(WindowRig::comes([&] { return rig.button("withdrawButton").isEnabled(); }));
+  ASSERT_TRUE(
+      WindowRig::waitUntil([&] { return rig.now().output.workflow == Workflow::finished; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig.button("withdrawButton").isEnabled(); }));
   rig.click("withdrawButton");
-  ASSERT_TRUE(WindowRig::comes([&] {
+  ASSERT_TRUE(WindowRig::waitUntil([&] {
     return !rig.window().control().isAtDepth() && rig.now().output.workflow == Workflow::finished;
   }));
-  EXPECT_TRUE(WindowRig::comes([&] { return rig.label("hintLabel").contains("2.0 mm inside"); }))
-      << rig.label("hintLabel").toStdString();
+  EXPECT_TRUE(WindowRig::waitUntil([&] {
+    return rig.label("hintLabel").contains("2.0 mm inside");
+  })) << rig.label("hintLabel").toStdString();
   EXPECT_FALSE(rig.label("hintLabel").contains("withdrawn"));
   auto* phase = rig.window().findChild<gui::PhaseLine*>();
   EXPECT_EQ(phase->phase(), analysis::Phase::opening);
@@ -177,11 +183,11 @@ TEST(Window, NumbersOnThePictureAreThoseOfTheLoop)
 {
   WindowRig rig;
   rig.click("startButton");
-  ASSERT_TRUE(WindowRig::comes([&] { return rig.travel_mm() > 2.0; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig.travel_mm() > 2.0; }));
   rig.click("startButton");
-  ASSERT_TRUE(WindowRig::comes([&] { return rig.now().output.workflow == Workflow::paused; }));
-  ASSERT_TRUE(rig.liveForTicks(1000));
-  EXPECT_TRUE(WindowRig::comes([&] {
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig.now().output.workflow == Workflow::paused; }));
+  ASSERT_TRUE(rig.runForTicks(1000));
+  EXPECT_TRUE(WindowRig::waitUntil([&] {
     return rig.readOut("travelReadOut").toDouble() == std::round(10 * rig.travel_mm()) / 10;
   })) << rig.readOut("travelReadOut").toStdString()
       << " instead of " << rig.travel_mm();
@@ -199,13 +205,13 @@ TEST(Window, PullsTheStyletWhileTheArrayStays)
 {
   WindowRig rig;
   rig.click("startButton");
-  ASSERT_TRUE(WindowRig::comes([&] { return rig.travel_mm() > 0.5; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig.travel_mm() > 0.5; }));
   rig.click("startButton");
-  ASSERT_TRUE(WindowRig::comes([&] { return rig.now().output.workflow == Workflow::paused; }));
-  ASSERT_TRUE(WindowRig::comes([&] { return rig.button("styletButton").isEnabled(); }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig.now().output.workflow == Workflow::paused; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig.button("styletButton").isEnabled(); }));
   const double held_mm = rig.travel_mm();
   rig.click("styletButton");
-  EXPECT_TRUE(WindowRig::comes([&] { return rig.now().output.styletWithdrawal > 1e-3; }));
+  EXPECT_TRUE(WindowRig::waitUntil([&] { return rig.now().output.styletWithdrawal > 1e-3; }));
   EXPECT_NEAR(rig.travel_mm(), held_mm, 0.5);  // the curling tip changes the depth a little
 }
 
@@ -216,7 +222,7 @@ TEST(Window, RecordsWhereItIsTold)
   {
     WindowRig rig({}, file);
     rig.click("startButton");
-    ASSERT_TRUE(WindowRig::comes([&] { return rig.travel_mm() > 0.5; }));
+    ASSERT_TRUE(WindowRig::waitUntil([&] { return rig.travel_mm() > 0.5; }));
   }
   const auto kept = session::RecordedInsertion::open(file);
   ASSERT_TRUE(kept) << kept.error().message;
@@ -231,7 +237,7 @@ TEST(Window, WithoutARecordingTheInsertionGoesOnAndSaysSo)
   WindowRig rig;
   setenv("XDG_DATA_HOME", before.c_str(), 1);
   rig.click("startButton");
-  EXPECT_TRUE(WindowRig::comes([&] { return rig.travel_mm() > 0.5; }));
+  EXPECT_TRUE(WindowRig::waitUntil([&] { return rig.travel_mm() > 0.5; }));
   EXPECT_TRUE(rig.label("statusLabel").contains("NOT recording"))
       << rig.label("statusLabel").toStdString();
   EXPECT_TRUE(rig.label("bannerText").contains("not being recorded"))

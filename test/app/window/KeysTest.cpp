@@ -17,10 +17,10 @@
 #include "gui/pages/insert/BottomBar.h"
 #include "gui/pages/start/PatientForm.h"
 #include "gui/setup/SetupHistory.h"
-#include "gui/shell/GuideSheet.h"
+#include "gui/shell/GuideOverlay.h"
 #include "gui/shell/KeyActions.h"
 #include "gui/shell/KeyList.h"
-#include "gui/shell/SettingsSheet.h"
+#include "gui/shell/SettingsOverlay.h"
 #include "gui/shell/TopBar.h"
 #include "gui/shell/WindowMemory.h"
 #include "gui/widgets/Notice.h"
@@ -113,7 +113,7 @@ TEST(WindowHabits, TheFormOfAPatientLeadsToThePageThatMeasuresACt)
   rig.click("patientCard");
   rig.click("patientCtButton");
   EXPECT_TRUE(
-      WindowRig::comes([&] { return rig.window().findChild<gui::CtPage*>()->isVisible(); }));
+      WindowRig::waitUntil([&] { return rig.window().findChild<gui::CtPage*>()->isVisible(); }));
 }
 
 TEST(WindowHabits, F11FillsTheScreenAndGoesBack)
@@ -146,9 +146,9 @@ TEST(WindowHabits, EscapePausesAnArrayThatMoves)
 {
   WindowRig rig;
   rig.pressKey(Qt::Key_Space);
-  ASSERT_TRUE(WindowRig::comes([&] { return rig.travel_mm() > 0.2; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig.travel_mm() > 0.2; }));
   rig.pressKey(Qt::Key_Escape);
-  EXPECT_TRUE(WindowRig::comes([&] { return rig.now().output.workflow == Workflow::paused; }));
+  EXPECT_TRUE(WindowRig::waitUntil([&] { return rig.now().output.workflow == Workflow::paused; }));
 }
 
 TEST(WindowHabits, KeysAloneGoFromTheFirstScreenThroughAnInsertionAndBack)
@@ -161,14 +161,14 @@ TEST(WindowHabits, KeysAloneGoFromTheFirstScreenThroughAnInsertionAndBack)
     QTest::keyClick(focus, key, modifiers);
   };
   rig.window().activateWindow();
-  ASSERT_TRUE(WindowRig::comes([] { return QApplication::focusWidget() != nullptr; }));
+  ASSERT_TRUE(WindowRig::waitUntil([] { return QApplication::focusWidget() != nullptr; }));
   press(Qt::Key_3);
-  ASSERT_TRUE(WindowRig::comes([&] { return rig.travel_mm() > 0.3; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig.travel_mm() > 0.3; }));
   press(Qt::Key_Space);
-  ASSERT_TRUE(WindowRig::comes([&] { return rig.now().output.workflow == Workflow::paused; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig.now().output.workflow == Workflow::paused; }));
   const double paused_mm = rig.travel_mm();
   press(Qt::Key_Backspace);
-  ASSERT_TRUE(WindowRig::comes([&] { return rig.travel_mm() < 0.5 * paused_mm; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig.travel_mm() < 0.5 * paused_mm; }));
   press(Qt::Key_5, Qt::AltModifier);
   EXPECT_EQ(rig.window().page(), "validate");
   press(Qt::Key_Home, Qt::AltModifier);
@@ -189,10 +189,10 @@ TEST(WindowHabits, SpaceBelongsToTheInsertionInANewWindow)
 {
   WindowRig rig;
   rig.window().activateWindow();
-  ASSERT_TRUE(WindowRig::comes([&] { return QApplication::focusWidget() != nullptr; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return QApplication::focusWidget() != nullptr; }));
   QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);
   EXPECT_EQ(rig.window().page(), "insert");
-  EXPECT_TRUE(WindowRig::comes([&] { return rig.travel_mm() > 0.2; }));
+  EXPECT_TRUE(WindowRig::waitUntil([&] { return rig.travel_mm() > 0.2; }));
 }
 
 TEST(WindowHabits, TheFocusIsVisible)
@@ -202,7 +202,7 @@ TEST(WindowHabits, TheFocusIsVisible)
   const QImage before = button->grab().toImage();
   rig.window().activateWindow();
   button->setFocus(Qt::TabFocusReason);
-  ASSERT_TRUE(WindowRig::comes([&] { return button->hasFocus(); }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return button->hasFocus(); }));
   EXPECT_NE(button->grab().toImage(), before);
 }
 
@@ -226,10 +226,10 @@ TEST(WindowHabits, TheSettingsSheetOpensAndAChoiceIsKept)
 {
   WindowRig rig;
   int reopenings = 0;
-  QObject::connect(&rig.window(), &gui::MainWindow::reopenAsked, &rig.window(),
+  QObject::connect(&rig.window(), &gui::MainWindow::reopenRequested, &rig.window(),
                    [&] { ++reopenings; });
   rig.pressKey(Qt::Key_Comma, Qt::ControlModifier);
-  auto* sheet = rig.window().findChild<gui::SettingsSheet*>();
+  auto* sheet = rig.window().findChild<gui::SettingsOverlay*>();
   ASSERT_TRUE(sheet->isVisible());
   rig.click("look-light");
   EXPECT_EQ(reopenings, 1);
@@ -244,7 +244,7 @@ TEST(WindowHabits, TheGuideOpensFromTheSheetAndItsPagesFollowTheirLinks)
   WindowRig rig;
   rig.pressKey(Qt::Key_F1);
   rig.click("guideButton");
-  auto& sheet = *rig.window().findChild<gui::GuideSheet*>();
+  auto& sheet = *rig.window().findChild<gui::GuideOverlay*>();
   auto& page = *rig.window().findChild<QTextBrowser*>("guidePage");
   ASSERT_TRUE(sheet.isVisible());
   EXPECT_TRUE(rig.window().rect().contains(sheet.geometry()));

@@ -72,12 +72,13 @@ protected:
     window_->useDevice([this] {
       return Result<std::unique_ptr<device::HapticDevice>>(std::make_unique<PushedDevice>(log_));
     });
-    ASSERT_EQ(window_->control().handName(), "Pushed device");
+    ASSERT_EQ(window_->control().inputName(), "Pushed device");
     log_->isPushed = true;
-    ASSERT_TRUE(WindowRig::comes([&] { return log_->isAtDepth.load(); }));
+    ASSERT_TRUE(WindowRig::waitUntil([&] { return log_->isAtDepth.load(); }));
     // It holds the array there, and does not push that of a following insertion.
     log_->isPushed = false;
-    ASSERT_TRUE(WindowRig::comes([&] { return log_->newest() > 0.99 * PushedDevice::maxForce; }));
+    ASSERT_TRUE(
+        WindowRig::waitUntil([&] { return log_->newest() > 0.99 * PushedDevice::maxForce; }));
   }
 
   const std::shared_ptr<ForceLog> log_ = std::make_shared<ForceLog>();
@@ -96,7 +97,7 @@ TEST_P(EveryWayToLeave, TakesTheForceAwayWithinFiveTicks)
   // A following insertion renders the force of an array at its start: the log is searched for the
   // first zero, because the newest force is zero only for some ticks.
   std::size_t zero = before;
-  ASSERT_TRUE(WindowRig::comes([&] {
+  ASSERT_TRUE(WindowRig::waitUntil([&] {
     while (zero < log_->size() && (*log_)[zero].magnitude > 0.0) ++zero;
     return zero < log_->size();
   }));
@@ -104,7 +105,7 @@ TEST_P(EveryWayToLeave, TakesTheForceAwayWithinFiveTicks)
   std::size_t last = zero;
   while (last > before && (*log_)[last - 1].magnitude < 0.99 * PushedDevice::maxForce) --last;
   EXPECT_LE(zero - last + 1, 5u);
-  ASSERT_TRUE(WindowRig::comes([&] { return log_->size() > zero + 50 || !GetParam().goesOn; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return log_->size() > zero + 50 || !GetParam().goesOn; }));
   const double atStart = GetParam().goesOn ? 0.01 : 0.0;  // [N], twenty times the physical force
   for (std::size_t i = zero; i < log_->size(); ++i) ASSERT_LE((*log_)[i].magnitude, atStart) << i;
   EXPECT_EQ(window_->stage(), GetParam().stage);
@@ -127,7 +128,7 @@ TEST_F(BoothDevice, HasAStopButtonWithWholeTextOnASmallGermanScreen)
   keepPicture(*window_, "kiosk-stop-de");
   for (const std::string& text : cutTextsOf(*window_)) ADD_FAILURE() << text;
   press(*window_, "stopButton");
-  ASSERT_TRUE(WindowRig::comes([&] { return log_->newest() == 0.0; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return log_->newest() == 0.0; }));
   keepPicture(*window_, "kiosk-stopped-de");
   gui::useLanguage(*QCoreApplication::instance(), "en");
   QLocale::setDefault(QLocale::c());
@@ -138,12 +139,12 @@ TEST_F(BoothDevice, GoesOnAfterAStopWhenTheScreenIsTouched)
   push();
   if (HasFatalFailure()) return;
   press(*window_, "stopButton");
-  ASSERT_TRUE(WindowRig::comes([&] { return window_->control().isStopped(); }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return window_->control().isStopped(); }));
   press(*window_, "stopButton");  // once more changes nothing
-  ASSERT_TRUE(WindowRig::comes([&] { return log_->newest() == 0.0; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return log_->newest() == 0.0; }));
   EXPECT_TRUE(window_->control().isStopped());
   QTest::mouseClick(window_->findChild<QWidget*>("kioskTitle"), Qt::LeftButton);
-  EXPECT_TRUE(WindowRig::comes([&] { return log_->newest() > 0.0; }));
+  EXPECT_TRUE(WindowRig::waitUntil([&] { return log_->newest() > 0.0; }));
 }
 
 }  // namespace

@@ -14,7 +14,7 @@
 #include "KeptPicture.h"
 #include "WindowRig.h"
 #include "gui/kiosk/KioskWindow.h"
-#include "gui/kiosk/PushPad.h"
+#include "gui/kiosk/SpeedPad.h"
 #include "gui/scene/ForceLabel.h"
 #include "perilymph/test/TemporaryFolder.h"
 #include "perilymph/test/TestPicture.h"
@@ -41,7 +41,7 @@ protected:
     window_->show();
     const auto opened = window_->open();
     ASSERT_TRUE(opened) << opened.error().message;
-    ASSERT_TRUE(WindowRig::comes([&] { return travel_mm() > 0.0; }));
+    ASSERT_TRUE(WindowRig::waitUntil([&] { return travel_mm() > 0.0; }));
   }
 
   std::filesystem::path boardFile() const { return folder_.path() / "booth" / "board.txt"; }
@@ -53,13 +53,13 @@ protected:
   bool framesPass()
   {
     const std::uint64_t end = window_->frames() + 3;
-    return WindowRig::comes([&] { return window_->frames() >= end; });
+    return WindowRig::waitUntil([&] { return window_->frames() >= end; });
   }
-  bool comes(KioskStage stage)
+  bool waitUntil(KioskStage stage)
   {
-    return WindowRig::comes([&] { return window_->stage() == stage; });
+    return WindowRig::waitUntil([&] { return window_->stage() == stage; });
   }
-  gui::PushPad& pad() { return *window_->findChild<gui::PushPad*>(); }
+  gui::SpeedPad& pad() { return *window_->findChild<gui::SpeedPad*>(); }
   QString label(const char* name)
   {
     return window_->findChild<QLabel*>(QLatin1String(name))->text();
@@ -84,7 +84,7 @@ TEST_F(Booth, ShowsAnInsertionUntilSomebodyTouches)
 {
   open();
   EXPECT_EQ(window_->stage(), KioskStage::attract);
-  EXPECT_TRUE(WindowRig::comes([&] { return travel_mm() > 0.5; }));
+  EXPECT_TRUE(WindowRig::waitUntil([&] { return travel_mm() > 0.5; }));
   click("inviteButton");
   EXPECT_EQ(window_->stage(), KioskStage::turn);
   EXPECT_EQ(window_->control().hand(), gui::InputSource::pointer);
@@ -94,24 +94,24 @@ TEST_F(Booth, ShowsAnInsertionUntilSomebodyTouches)
 TEST_F(Booth, RepeatsTheInsertionWhenItIsOver)
 {
   open({{"stop_travel_mm", "1.0"}});
-  ASSERT_TRUE(WindowRig::comes([&] { return window_->control().isAtDepth(); }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return window_->control().isAtDepth(); }));
   seconds_ += 1.0;
   ASSERT_TRUE(framesPass());
   seconds_ += 30.0;
-  EXPECT_TRUE(WindowRig::comes([&] { return travel_mm() < 0.5; }));
-  EXPECT_TRUE(WindowRig::comes([&] { return travel_mm() > 0.5; }));
+  EXPECT_TRUE(WindowRig::waitUntil([&] { return travel_mm() < 0.5; }));
+  EXPECT_TRUE(WindowRig::waitUntil([&] { return travel_mm() > 0.5; }));
 }
 
 TEST_F(Booth, AVisitorInsertsByHoldingAFingerAndSeesTheirPlace)
 {
   open({{"stop_travel_mm", "2.0"}});
   click("inviteButton");
-  ASSERT_TRUE(comes(KioskStage::turn));
+  ASSERT_TRUE(waitUntil(KioskStage::turn));
   pressPad();
-  ASSERT_TRUE(comes(KioskStage::result));
+  ASSERT_TRUE(waitUntil(KioskStage::result));
   EXPECT_TRUE(label("kioskTitle").contains("place 1")) << label("kioskTitle").toStdString();
   EXPECT_TRUE(label("kioskTitle").contains("mN"));
-  gui::KioskBoard kept(boardFile());
+  gui::Leaderboard kept(boardFile());
   ASSERT_EQ(kept.entriesOf(aDay).size(), 1u);
   EXPECT_NEAR(kept.entriesOf(aDay)[0].peak_mN, 1e3 * window_->turn().peakForce(), 0.01);
 }
@@ -121,13 +121,13 @@ TEST_F(Booth, TheArrayRestsWhenTheFingerIsLifted)
   open();
   click("inviteButton");
   pressPad();
-  ASSERT_TRUE(WindowRig::comes([&] { return travel_mm() > 0.5; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return travel_mm() > 0.5; }));
   releasePad();
-  ASSERT_TRUE(WindowRig::comes(
+  ASSERT_TRUE(WindowRig::waitUntil(
       [&] { return window_->control().now().output.workflow == haptics::Workflow::paused; }));
   const double rested_mm = travel_mm();
   const std::uint64_t tick = window_->control().now().tick;
-  ASSERT_TRUE(WindowRig::comes([&] { return window_->control().now().tick > tick + 500; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return window_->control().now().tick > tick + 500; }));
   EXPECT_NEAR(travel_mm(), rested_mm, 0.01);
 }
 
@@ -136,11 +136,11 @@ TEST_F(Booth, TheFartherRightTheFingerTheFasterTheArray)
   open();
   click("inviteButton");
   QTest::mousePress(&pad(), Qt::LeftButton, {}, QPoint(2, 10));
-  EXPECT_EQ(pad().speed(), gui::PushPad::slowest);
+  EXPECT_EQ(pad().speed(), gui::SpeedPad::slowest);
   QTest::mouseRelease(&pad(), Qt::LeftButton);
   EXPECT_EQ(pad().speed().si(), 0.0);
   QTest::mousePress(&pad(), Qt::LeftButton, {}, QPoint(pad().width() - 2, 10));
-  EXPECT_EQ(pad().speed(), gui::PushPad::fastest);
+  EXPECT_EQ(pad().speed(), gui::SpeedPad::fastest);
 }
 
 TEST_F(Booth, AfterAMinuteUntouchedItShowsItselfAgain)
@@ -152,7 +152,7 @@ TEST_F(Booth, AfterAMinuteUntouchedItShowsItselfAgain)
   ASSERT_TRUE(framesPass());
   EXPECT_EQ(window_->stage(), KioskStage::turn);
   seconds_ += 2.0;
-  EXPECT_TRUE(comes(KioskStage::attract));
+  EXPECT_TRUE(waitUntil(KioskStage::attract));
 }
 
 TEST_F(Booth, AFingerThatStaysIsNotForgotten)
@@ -171,12 +171,12 @@ TEST_F(Booth, TheKeyboardAloneIsEnough)
 {
   open({{"stop_travel_mm", "1.0"}});
   QTest::keyClick(window_.get(), Qt::Key_Space);
-  ASSERT_TRUE(comes(KioskStage::turn));
+  ASSERT_TRUE(waitUntil(KioskStage::turn));
   QTest::keyPress(window_.get(), Qt::Key_Space);
-  ASSERT_TRUE(comes(KioskStage::result));
+  ASSERT_TRUE(waitUntil(KioskStage::result));
   QTest::keyRelease(window_.get(), Qt::Key_Space);
   QTest::keyClick(window_.get(), Qt::Key_Escape);
-  EXPECT_TRUE(comes(KioskStage::attract));
+  EXPECT_TRUE(waitUntil(KioskStage::attract));
 }
 
 TEST_F(Booth, OnlyItsOwnKeysEndIt)
@@ -228,9 +228,9 @@ TEST_F(Booth, InvitesAsAccepted)
 {
   // at rest, because a moving array would be at a different position each time
   open({{"stop_travel_mm", "2.0"}, {"speed_mm_s", "10.0"}});
-  ASSERT_TRUE(WindowRig::comes([&] { return window_->control().isAtDepth(); }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return window_->control().isAtDepth(); }));
   QImage before, now;
-  ASSERT_TRUE(WindowRig::comes([&] {
+  ASSERT_TRUE(WindowRig::waitUntil([&] {
     before = now;
     if (!framesPass()) return false;
     now = window_->grab().toImage();
@@ -244,50 +244,50 @@ TEST_F(Booth, InvitesAsAccepted)
 
 gui::KioskEntry entry(int minute, double peak_mN) { return {QTime(14, minute), peak_mN, 9.0, 0}; }
 
-TEST(KioskBoard, RanksTheLowestPeakFirstAndTheEarlierOfEquals)
+TEST(Leaderboard, RanksTheLowestPeakFirstAndTheEarlierOfEquals)
 {
   const TemporaryFolder folder;
-  gui::KioskBoard board(folder.path() / "board");
+  gui::Leaderboard board(folder.path() / "board");
   EXPECT_EQ(board.enter(aDay, entry(1, 80.0)), 1);
   EXPECT_EQ(board.enter(aDay, entry(2, 70.0)), 1);
   EXPECT_EQ(board.enter(aDay, entry(3, 80.0)), 3);
 }
 
-TEST(KioskBoard, IsBounded)
+TEST(Leaderboard, IsBounded)
 {
   const TemporaryFolder folder;
-  gui::KioskBoard board(folder.path() / "board");
+  gui::Leaderboard board(folder.path() / "board");
   for (int i = 0; i < 30; ++i) board.enter(aDay, entry(i, 50.0 + i));
-  EXPECT_EQ(board.entriesOf(aDay).size(), gui::KioskBoard::capacity);
+  EXPECT_EQ(board.entriesOf(aDay).size(), gui::Leaderboard::capacity);
   EXPECT_FALSE(board.enter(aDay, entry(50, 200.0)));
-  gui::KioskBoard again(folder.path() / "board");
-  EXPECT_EQ(again.entriesOf(aDay).size(), gui::KioskBoard::capacity);
+  gui::Leaderboard again(folder.path() / "board");
+  EXPECT_EQ(again.entriesOf(aDay).size(), gui::Leaderboard::capacity);
 }
 
-TEST(KioskBoard, RestartsEveryDay)
+TEST(Leaderboard, RestartsEveryDay)
 {
   const TemporaryFolder folder;
-  gui::KioskBoard board(folder.path() / "board");
+  gui::Leaderboard board(folder.path() / "board");
   board.enter(aDay, entry(1, 80.0));
   EXPECT_TRUE(board.entriesOf(aDay.addDays(1)).empty());
 }
 
-TEST(KioskBoard, ADamagedFileCostsItsDamagedLinesOnly)
+TEST(Leaderboard, ADamagedFileCostsItsDamagedLinesOnly)
 {
   const TemporaryFolder folder;
   const auto file = folder.path() / "board";
   std::ofstream(file) << "perilymph booth 1\n2026-11-20\n14:00:00 80.5 9.0 1\nnonsense\n"
                          "14:01:00 nan 9.0 1\n14:02:00 -3 9.0 1\n99:00:00 70 9.0 1\n";
-  gui::KioskBoard board(file);
+  gui::Leaderboard board(file);
   ASSERT_EQ(board.entriesOf(aDay).size(), 1u);
   EXPECT_EQ(board.entriesOf(aDay)[0].peak_mN, 80.5);
 }
 
-TEST(KioskBoard, ThatCannotBeKeptSaysSo)
+TEST(Leaderboard, ThatCannotBeKeptSaysSo)
 {
   const TemporaryFolder folder;
   std::ofstream(folder.path() / "taken") << "a file where a folder is needed";
-  gui::KioskBoard board(folder.path() / "taken" / "board");
+  gui::Leaderboard board(folder.path() / "taken" / "board");
   EXPECT_EQ(board.enter(aDay, entry(1, 80.0)), 1);
   EXPECT_FALSE(board.error().empty());
 }
@@ -301,16 +301,16 @@ haptics::Snapshot moment(double travel_mm, double force_mN)
   return now;
 }
 
-TEST(KioskTurn, CountsTurningBackButNotTrembling)
+TEST(VisitorSession, CountsTurningBackButNotTrembling)
 {
-  gui::KioskTurn turn;
+  gui::VisitorSession turn;
   for (const double travel_mm : {0.0, 1.0, 2.0, 1.9, 2.1, 2.0, 3.0, 2.0, 1.0, 1.1, 1.0, 4.0, 3.0})
     turn.follow(moment(travel_mm, 10.0));
   EXPECT_EQ(turn.reversals(), 2);  // at 3 mm and at 4 mm
   EXPECT_NEAR(turn.deepestTravel(), 4e-3, 1e-12);
 }
 
-TEST(KioskTurn, ComparesThePeakWithWhatWasMeasuredInPatients)
+TEST(VisitorSession, ComparesThePeakWithWhatWasMeasuredInPatients)
 {
   const auto inVivo = analysis::shippedReference("in-vivo");
   ASSERT_TRUE(inVivo);

@@ -22,7 +22,7 @@
 #include "gui/pages/insert/SidePanel.h"
 #include "gui/program/Languages.h"
 #include "gui/setup/Catalog.h"
-#include "gui/shell/GuideSheet.h"
+#include "gui/shell/GuideOverlay.h"
 #include "gui/text/ChartLabels.h"
 #include "gui/text/DataText.h"
 #include "gui/text/Numbers.h"
@@ -101,7 +101,7 @@ bool isName(const QString& text, WindowRig& rig)
                           QString::fromStdString(scenario.array().note),
                           QString::fromStdString(scenario.patient().label),
                           QString::fromUtf8(nameOf(scenario.anatomy())),
-                          QString::fromStdString(rig.window().control().handName()),
+                          QString::fromStdString(rig.window().control().inputName()),
                           QStringLiteral("English"),
                           QStringLiteral("Deutsch")};
   for (const gui::CatalogFriction& friction : gui::catalogFrictions())
@@ -138,7 +138,7 @@ void expectFits(WindowRig& rig, const char* where)
 /// Waits until the measures of the patient shown have come. Their tooltips name formulas and sources.
 bool measuresCome(WindowRig& rig)
 {
-  return rig.comes([&] {
+  return rig.waitUntil([&] {
     const auto labels = rig.window().findChildren<QLabel*>(QStringLiteral("turns"));
     return std::any_of(labels.begin(), labels.end(), [](const QLabel* each) {
       return each->isVisible() && !each->toolTip().isEmpty();
@@ -305,7 +305,7 @@ TEST(German, NamesTheModifiedScenarioInTheTitleOfTheWindow)
     EXPECT_TRUE(rig.label("scenarioTitle").startsWith("Veröffentlichter Versuch"));
     EXPECT_TRUE(rig.window().windowTitle().startsWith("Veröffentlichter Versuch"));
     rig.choose("techniqueSelector", "aos");
-    EXPECT_TRUE(WindowRig::comes([&] {
+    EXPECT_TRUE(WindowRig::waitUntil([&] {
       return rig.window().windowTitle().startsWith("Geändert (Technik): Veröffentlichter Versuch");
     })) << rig.window().windowTitle().toStdString();
   }
@@ -378,14 +378,14 @@ TEST(ALengthTyped, IsThePatientsInAGermanWindow)
     for (const char* typed : {"34,125", "34.125"}) {
       rig.type("panelScalaLength", "30");
       rig.type("panelScalaLength", typed);
-      EXPECT_TRUE(WindowRig::comes([&] {
+      EXPECT_TRUE(WindowRig::waitUntil([&] {
         return rig.window().control().scenario().patient().scalaTympaniLength ==
                millimeters(34.125);
       })) << typed;
     }
     // a thousand in German notation is not read as one
     rig.type("panelNodes", "1.000");
-    ASSERT_TRUE(WindowRig::comes([&] { return rig.button("startButton").isEnabled(); }));
+    ASSERT_TRUE(WindowRig::waitUntil([&] { return rig.button("startButton").isEnabled(); }));
     rig.click("startButton");
     EXPECT_TRUE(rig.label("bannerText").contains("1024")) << rig.label("bannerText").toStdString();
     EXPECT_EQ(rig.window().control().scenario().nodes(), 100);

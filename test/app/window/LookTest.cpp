@@ -55,14 +55,14 @@ std::string illegible(WindowRig& rig)
 void expectEverythingLegible(WindowRig& rig)
 {
   EXPECT_EQ(rig.window().findChildren<gui::ReadOut*>().size(), 4);
-  EXPECT_TRUE(WindowRig::comes([&] { return illegible(rig).empty(); })) << illegible(rig);
+  EXPECT_TRUE(WindowRig::waitUntil([&] { return illegible(rig).empty(); })) << illegible(rig);
 }
 
 TEST(WindowLook, NothingIsClippedDuringAnInsertion)
 {
   WindowRig rig(session::Overrides{{"speed_mm_s", "10.0"}});
   rig.click("startButton");
-  ASSERT_TRUE(WindowRig::comes([&] { return rig.travel_mm() > 10.5; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig.travel_mm() > 10.5; }));
   expectEverythingLegible(rig);
 }
 
@@ -70,7 +70,8 @@ TEST(WindowLook, NothingIsClippedInTheSmallestWindow)
 {
   WindowRig rig;
   rig.window().resize(rig.window().minimumSize());
-  ASSERT_TRUE(WindowRig::comes([&] { return rig.window().size() == rig.window().minimumSize(); }));
+  ASSERT_TRUE(
+      WindowRig::waitUntil([&] { return rig.window().size() == rig.window().minimumSize(); }));
   expectEverythingLegible(rig);
 }
 
@@ -110,7 +111,7 @@ TEST(WindowLook, KeepsThePartsOfTheBarApart)
   rig.window().findChild<QWidget*>("modifiedLabel")->show();
   for (const int width : {1024, 1280, 1366}) {
     rig.window().resize(width, 700);
-    ASSERT_TRUE(WindowRig::comes([&] { return rig.window().width() == width; }));
+    ASSERT_TRUE(WindowRig::waitUntil([&] { return rig.window().width() == width; }));
     QRect before;
     std::vector<QRect> parts;
     for (const QWidget* part : patient->parentWidget()->findChildren<QWidget*>())
@@ -195,10 +196,10 @@ TEST(WindowLook, TheTextSizeIsChosenFromAList)
 {
   WindowRig rig;
   rig.window().sheets().toggleSettings();
-  bool isAsked = false;
-  QObject::connect(&rig.window(), &gui::MainWindow::reopenAsked, [&] { isAsked = true; });
+  bool isRequested = false;
+  QObject::connect(&rig.window(), &gui::MainWindow::reopenRequested, [&] { isRequested = true; });
   rig.choose("textSize", "130");
-  EXPECT_TRUE(isAsked);
+  EXPECT_TRUE(isRequested);
   EXPECT_EQ(gui::UserSettings().value("textSize").toString(), "130");
   keepPicture(rig.window(), "settings");
   gui::UserSettings().remove("textSize");

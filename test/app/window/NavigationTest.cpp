@@ -80,7 +80,8 @@ Received receiveAll(int port)
 Received receiveInTheMeantime(int port)
 {
   auto received = std::async(std::launch::async, [port] { return receiveAll(port); });
-  EXPECT_TRUE(WindowRig::comes([&] { return received.wait_for(0s) == std::future_status::ready; }));
+  EXPECT_TRUE(
+      WindowRig::waitUntil([&] { return received.wait_for(0s) == std::future_status::ready; }));
   return received.get();
 }
 
@@ -123,7 +124,7 @@ TEST_F(NavigationSetting, IsOffByDefaultAndNothingListens)
 {
   open();
   rig_->window().navigation().listenAsSet();
-  ASSERT_TRUE(rig_->liveForTicks(0));
+  ASSERT_TRUE(rig_->runForTicks(0));
   EXPECT_THAT(sockets(), IsEmpty());
   EXPECT_TRUE(rig_->button("navigation-off").isChecked());
   EXPECT_EQ(rig_->window().findChild<QLineEdit*>("navigation-port")->text(), "18944");
@@ -142,16 +143,16 @@ TEST_F(NavigationSetting, SendsWhatIsShownAndEndsWhenItIsTurnedOff)
 
   // into the cochlea, and at rest there
   rig_->window().insertion().start();
-  ASSERT_TRUE(WindowRig::comes([&] { return rig_->travel_mm() > 2.0; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig_->travel_mm() > 2.0; }));
   EXPECT_TRUE(rig_->button("navigation-off").isEnabled());
   EXPECT_FALSE(rig_->button("look-light").isEnabled());
   rig_->window().insertion().pause();
   const auto shape = [&] { return rig_->now().output.tip_W; };
   auto before = shape();
-  ASSERT_TRUE(WindowRig::comes([&] {
+  ASSERT_TRUE(WindowRig::waitUntil([&] {
     const bool isSame = shape() == before && rig_->now().output.speed == 0.0;
     before = shape();
-    return isSame && rig_->liveForTicks(200) && shape() == before;
+    return isSame && rig_->runForTicks(200) && shape() == before;
   }));
   const Received received = receiveInTheMeantime(port);
   expectShown(received, rig_->now());
@@ -165,7 +166,8 @@ TEST_F(NavigationSetting, SendsWhatIsShownAndEndsWhenItIsTurnedOff)
 
   igtl::ClientSocket::Pointer client = igtl::ClientSocket::New();
   ASSERT_EQ(client->ConnectToServer("127.0.0.1", port), 0);
-  EXPECT_TRUE(WindowRig::comes([&] { return status().find(", 1 client") != std::string::npos; }));
+  EXPECT_TRUE(
+      WindowRig::waitUntil([&] { return status().find(", 1 client") != std::string::npos; }));
   rig_->click("navigation-off");
   EXPECT_EQ(kept(), "off");
   client->SetReceiveTimeout(WindowRig::patience_ms);
@@ -183,17 +185,17 @@ TEST_F(NavigationSetting, SendsTheReplayThatIsShown)
   {
     WindowRig recorded({}, file);
     recorded.window().insertion().start();
-    ASSERT_TRUE(recorded.liveForTicks(300));
+    ASSERT_TRUE(recorded.runForTicks(300));
     recorded.window().close();
   }
   open();
   const int port = turnOn();
   rig_->window().replay(file);
   const auto& replay = rig_->window().insertion().replay();
-  ASSERT_TRUE(WindowRig::comes([&] { return replay.isOpen() && replay.now().tick >= 250; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return replay.isOpen() && replay.now().tick >= 250; }));
   rig_->window().insertion().replay().pause();
   int turns = 0;  // of the event loop: the picture that was due is shown
-  ASSERT_TRUE(WindowRig::comes([&] { return ++turns > 10; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return ++turns > 10; }));
   expectShown(receiveInTheMeantime(port), replay.now());
 }
 
@@ -265,7 +267,8 @@ TEST_F(NavigationSetting, KeepsAPortThatIsBeingTyped)
   QTest::keyClicks(&field, "20");
   auto client = igtl::ClientSocket::New();
   ASSERT_EQ(client->ConnectToServer("127.0.0.1", port), 0);
-  ASSERT_TRUE(WindowRig::comes([&] { return status().find(", 1 client") != std::string::npos; }));
+  ASSERT_TRUE(
+      WindowRig::waitUntil([&] { return status().find(", 1 client") != std::string::npos; }));
   EXPECT_EQ(field.text(), "20");
   QTest::keyClick(&field, Qt::Key_Return);
   EXPECT_EQ(field.text(), QString::number(port));  // 20 is none
@@ -279,7 +282,7 @@ TEST_F(NavigationSetting, TellsOfAClientThatIsRefused)
   ASSERT_EQ(client->ConnectToServer("127.0.0.1", port), 0);
   const std::vector<char> nonsense(58, char(0xff));
   client->Send(nonsense.data(), int(nonsense.size()));
-  EXPECT_TRUE(WindowRig::comes(
+  EXPECT_TRUE(WindowRig::waitUntil(
       [&] { return rig_->window().notice().sentence().contains("header has version 65535"); }));
 }
 
@@ -291,10 +294,10 @@ TEST_F(NavigationSetting, CutsNoTextInBothLanguages)
     const TakenPort taken;
     rig_->type("navigation-port", std::to_string(taken.number()).c_str());
     rig_->click("navigation-on");
-    EXPECT_TRUE(WindowRig::comes([&] { return cutTextsOf(rig_->window()).empty(); }));
+    EXPECT_TRUE(WindowRig::waitUntil([&] { return cutTextsOf(rig_->window()).empty(); }));
     keepPicture(rig_->window(), std::string("navigation-taken-") + language);
     turnOn();
-    EXPECT_TRUE(WindowRig::comes([&] { return cutTextsOf(rig_->window()).empty(); }));
+    EXPECT_TRUE(WindowRig::waitUntil([&] { return cutTextsOf(rig_->window()).empty(); }));
     keepPicture(rig_->window(), std::string("navigation-on-") + language);
     rig_.reset();
   }

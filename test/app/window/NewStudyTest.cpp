@@ -24,8 +24,8 @@
 #include "gui/pages/studies/StudyPanel.h"
 #include "gui/pages/studies/StudyPlot.h"
 #include "gui/pages/studies/StudyStore.h"
-#include "gui/widgets/Selector.h"
 #include "gui/widgets/CheckBoxes.h"
+#include "gui/widgets/Selector.h"
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/study/StudyRun.h"
 #include "perilymph/test/TemporaryFolder.h"
@@ -70,13 +70,13 @@ void enter(WindowRig& rig, const char* title, const char* cochleae)
 
 bool canStart(WindowRig& rig)
 {
-  return WindowRig::comes([&] { return rig.button("startStudyButton").isEnabled(); });
+  return WindowRig::waitUntil([&] { return rig.button("startStudyButton").isEnabled(); });
 }
 
 bool isComplete(WindowRig& rig, std::size_t insertions)
 {
   gui::StudiesPage& page = pageOf(rig);
-  return WindowRig::comes([&] {
+  return WindowRig::waitUntil([&] {
     return page.columns() && page.columns()->size() == insertions && page.summary() != nullptr;
   });
 }
@@ -120,7 +120,7 @@ TEST_F(ANewStudy, OfSixtyInsertionsIsRunFilteredAndExported)
 
   // the filter, and the export of what is shown
   rig.click("study-array-flex28");
-  ASSERT_TRUE(WindowRig::comes([&] { return page.summary() && groups.rowCount() == 1; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return page.summary() && groups.rowCount() == 1; }));
   const TemporaryFolder exported;
   ASSERT_TRUE(page.writeInto(exported.path()));
   const std::string points = contentOf(exported / "points.csv");
@@ -153,9 +153,9 @@ TEST_F(ANewStudy, ThatWasCanceledContinuesToTheSameBytes)
   gui::StudiesPage& page = pageOf(rig);
   auto& bar = *page.findChild<QProgressBar*>();
   // the first block of 64 of 120 is kept
-  ASSERT_TRUE(WindowRig::comes([&] { return bar.maximum() == 1000 && bar.value() > 540; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return bar.maximum() == 1000 && bar.value() > 540; }));
   rig.click("cancelStudyButton");
-  ASSERT_TRUE(WindowRig::comes([&] { return !page.isBusy(); }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return !page.isBusy(); }));
   const gui::StoredStudy kept = gui::readStoredStudy(page.folder());
   EXPECT_FALSE(kept.isComplete);
   EXPECT_EQ(kept.cases, 120u);
@@ -183,7 +183,7 @@ TEST_F(ANewStudy, IsRefusedInOneSentenceWhileAFieldIsWrong)
   WindowRig rig;
   enter(rig, "Wrong", "2");
   const auto says = [&](const char* sentence) {
-    return WindowRig::comes([&] { return rig.label("newStudyNote").contains(sentence); });
+    return WindowRig::waitUntil([&] { return rig.label("newStudyNote").contains(sentence); });
   };
   rig.type("newStudy-speed_mm_s-low", "fast");
   EXPECT_TRUE(says("Speed, mm/s, from: “fast” is no number."));
@@ -226,7 +226,8 @@ TEST_F(ANewStudy, HasShippedPatientsBesideItsSettings)
 
   // and it is offered when the next one is made
   rig.click("newStudyButton");
-  ASSERT_TRUE(WindowRig::comes([&] { return rig.button("openStoredStudyButton").isEnabled(); }));
+  ASSERT_TRUE(
+      WindowRig::waitUntil([&] { return rig.button("openStoredStudyButton").isEnabled(); }));
   auto& stored = *pageOf(rig).findChild<gui::Selector*>("storedStudies");
   EXPECT_EQ(stored.currentText(), "One patient · complete");
 }

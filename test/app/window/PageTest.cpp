@@ -157,7 +157,7 @@ TEST_F(APageOfTheTestsOwn, IsAskedAboutBeforeTheWindowClosesAndKeepsItOpen)
 TEST_F(APageOfTheTestsOwn, ThatWouldLoseWorkIsAskedAboutAfterAnInsertion)
 {
   rig_.click("startButton");
-  ASSERT_TRUE(WindowRig::comes([&] { return rig_.travel_mm() > 0.1; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig_.travel_mm() > 0.1; }));
   notes_->isUnsaved = true;
   window().close();
   EXPECT_TRUE(window().notice().sentence().startsWith("Insertion in progress ("));
@@ -178,7 +178,7 @@ TEST_F(APageOfTheTestsOwn, ReplaysAndShowsAMessageAndAnotherPage)
   ASSERT_TRUE(scenario);
   Q_EMIT notes_->insertionRequested({{*scenario, {}}});
   EXPECT_EQ(window().page(), "insert");
-  EXPECT_TRUE(WindowRig::comes(
+  EXPECT_TRUE(WindowRig::waitUntil(
       [&] { return window().control().scenario().anatomy() == anatomy::AnatomySource::mean; }));
 }
 

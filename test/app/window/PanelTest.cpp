@@ -12,7 +12,7 @@
 #include <QTest>
 
 #include "WindowRig.h"
-#include "gui/pages/ct/CtOnward.h"
+#include "gui/pages/ct/CtNextSteps.h"
 #include "gui/pages/insert/ForceCharts.h"
 #include "gui/pages/insert/InsertionViews.h"
 #include "gui/pages/insert/SidePanel.h"
@@ -33,7 +33,7 @@ protected:
   /// The window shows the panel's setup, and nothing is being built.
   bool settles()
   {
-    return WindowRig::comes([&] {
+    return WindowRig::waitUntil([&] {
       return scenario().text() == rig_.window().setup().now().scenario.text() &&
              rig_.button("startButton").isEnabled();
     });
@@ -64,7 +64,7 @@ TEST_F(Panel, ThreeNumbersAndAnArrayMakeTheInsertion)
   EXPECT_EQ(scenario().arrayName(), "slim-straight");
   EXPECT_EQ(scenario().speed(), millimetersPerSecond(5));
   rig_.click("startButton");
-  EXPECT_TRUE(WindowRig::comes([&] { return rig_.travel_mm() > 0.5; }));
+  EXPECT_TRUE(WindowRig::waitUntil([&] { return rig_.travel_mm() > 0.5; }));
 }
 
 TEST_F(Panel, AnotherCochleaIsAnotherPicture)
@@ -111,7 +111,7 @@ TEST_F(Panel, AnInsertionBetweenTwoEditsSeparatesThem)
 {
   rig_.type("panelSpeed", "4.0");
   rig_.click("startButton");
-  ASSERT_TRUE(WindowRig::comes([&] { return rig_.travel_mm() > 0.2; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig_.travel_mm() > 0.2; }));
   rig_.click("resetButton");
   rig_.type("panelSpeed", "1.0");
   EXPECT_EQ(rig_.window().setup().stack().count(), 2);
@@ -193,7 +193,7 @@ TEST_F(Panel, NumericalSettingsAndTimingAreFoldedAwayForExperts)
   rig_.click("expertFold");
   for (const char* name : {"modelSelector", "panelNodes", "timingLabel"})
     EXPECT_TRUE(part(name).isVisible()) << name;
-  EXPECT_TRUE(WindowRig::comes([&] { return rig_.label("timingLabel").contains("fps"); }));
+  EXPECT_TRUE(WindowRig::waitUntil([&] { return rig_.label("timingLabel").contains("fps"); }));
 }
 
 TEST_F(Panel, WhatAnArrayCannotIsGreyedWithTheReason)
@@ -208,8 +208,8 @@ TEST_F(Panel, WhatAnArrayCannotIsGreyedWithTheReason)
 TEST_F(Panel, NothingCanBeChangedDuringAnInsertionButAfterIt)
 {
   rig_.click("startButton");
-  ASSERT_TRUE(WindowRig::comes([&] { return rig_.travel_mm() > 0.3; }));
-  ASSERT_TRUE(WindowRig::comes([&] { return part("lockedLabel").isVisible(); }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig_.travel_mm() > 0.3; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return part("lockedLabel").isVisible(); }));
   for (const char* name : {"panelScalaLength", "panelSpeed", "arraySelector", "scriptedChoice"})
     EXPECT_FALSE(part(name).isEnabled()) << name;
   rig_.pressKey(Qt::Key_Z, Qt::ControlModifier);
@@ -225,7 +225,7 @@ TEST_F(Panel, WhatIsTypedCountsWhenStartIsPressed)
   length.selectAll();
   QTest::keyClicks(&length, "31.5");
   rig_.click("startButton");
-  ASSERT_TRUE(WindowRig::comes([&] { return rig_.travel_mm() > 0.2; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig_.travel_mm() > 0.2; }));
   EXPECT_EQ(scenario().patient().scalaTympaniLength, millimeters(31.5));
 }
 
@@ -265,7 +265,7 @@ TEST_F(Panel, TabGoesThroughTheFieldsAndReturnGivesTheKeysBack)
   part("panelSpeed").setFocus();
   QTest::keyClick(&part("panelSpeed"), Qt::Key_Return);
   rig_.pressKey(Qt::Key_2);
-  EXPECT_TRUE(WindowRig::comes([&] {
+  EXPECT_TRUE(WindowRig::waitUntil([&] {
     return rig_.window().view().scene()->preset() == visualization::CameraPreset::microscope;
   }));
 }
@@ -276,7 +276,7 @@ TEST_F(Panel, FoldsAwayAndComesBack)
   const int wide = rig_.window().view().width();
   rig_.pressKey(Qt::Key_B);
   EXPECT_TRUE(panel->isCollapsed());
-  EXPECT_TRUE(WindowRig::comes([&] { return rig_.window().view().width() > wide; }));
+  EXPECT_TRUE(WindowRig::waitUntil([&] { return rig_.window().view().width() > wide; }));
   rig_.click("expandButton");
   EXPECT_FALSE(panel->isCollapsed());
 }
@@ -298,7 +298,7 @@ TEST(PanelRecording, ToldByNameIsKeptThereWithTheChangesMadeBefore)
     WindowRig rig({}, file);
     rig.type("panelSpeed", "5.0");
     rig.click("startButton");
-    ASSERT_TRUE(WindowRig::comes([&] { return rig.travel_mm() > 0.5; }));
+    ASSERT_TRUE(WindowRig::waitUntil([&] { return rig.travel_mm() > 0.5; }));
   }
   const auto kept = session::RecordedInsertion::open(file);
   ASSERT_TRUE(kept) << kept.error().message;
@@ -309,7 +309,7 @@ TEST(PanelRecording, ToldByNameIsKeptThereWithTheChangesMadeBefore)
 
 TEST(TheCodeOfAMeasuredCochlea, IsRefusedWithASentenceWhereItIsAName)
 {
-  gui::CtOnward onward(nullptr);
+  gui::CtNextSteps onward(nullptr);
   onward.show(true, true, false);
   onward.QWidget::show();
   auto& code = *onward.findChild<QLineEdit*>("ctPatientCode");

@@ -36,9 +36,9 @@ namespace fs = std::filesystem;
 const std::string seriesHash = "5ca1ab1e" + std::string(56, '0');
 
 /// Folders of its own with two patients, and their list.
-class ListOfPatients : public testing::Test {
+class PatientList : public testing::Test {
 protected:
-  ListOfPatients() : other_(save("P-019")), file_(save("P-018")) {}
+  PatientList() : other_(save("P-019")), file_(save("P-018")) {}
 
   static anatomy::Patient patient(const char* code)
   {
@@ -66,7 +66,7 @@ protected:
   {
     rig_ = std::make_unique<WindowRig>();
     rig_->window().activateWindow();
-    ASSERT_TRUE(WindowRig::comes([&] { return rig_->window().isActiveWindow(); }));
+    ASSERT_TRUE(WindowRig::waitUntil([&] { return rig_->window().isActiveWindow(); }));
     openAgain(code);
   }
   void openAgain(const char* code)
@@ -115,7 +115,7 @@ protected:
   std::unique_ptr<WindowRig> rig_;
 };
 
-TEST_F(ListOfPatients, SaysOfMeasuresThatTheyWereChangedByHandAndOfNoScanOfThem)
+TEST_F(PatientList, SaysOfMeasuresThatTheyWereChangedByHandAndOfNoScanOfThem)
 {
   const std::string forged(64, 'd');
   std::string text = *readWhole(file_);
@@ -128,7 +128,7 @@ TEST_F(ListOfPatients, SaysOfMeasuresThatTheyWereChangedByHandAndOfNoScanOfThem)
             1);
   EXPECT_EQ(list().findItems(QStringLiteral("changed by hand"), Qt::MatchContains).size(), 1);
   keepPicture(rig_->window(), "patient-changed-by-hand");
-  ASSERT_TRUE(WindowRig::comes([&] { return history().rowCount() > 0; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return history().rowCount() > 0; }));
   ASSERT_EQ(history().rowCount(), 1);  // the scan of the record
   for (int i = 0; i < history().columnCount(); ++i) {
     const auto* cell = history().item(0, i);
@@ -138,7 +138,7 @@ TEST_F(ListOfPatients, SaysOfMeasuresThatTheyWereChangedByHandAndOfNoScanOfThem)
   EXPECT_FALSE(rig_->label("patientDetailsName").contains(mark));
 }
 
-TEST_F(ListOfPatients, LosesNoNoteOfAnotherWindow)
+TEST_F(PatientList, LosesNoNoteOfAnotherWindow)
 {
   open("P-018");
   auto record = *session::loadPatientRecord(file_);
@@ -152,7 +152,7 @@ TEST_F(ListOfPatients, LosesNoNoteOfAnotherWindow)
   EXPECT_EQ(notes().toPlainText(), "theirs\n\nours");
 }
 
-TEST_F(ListOfPatients, SaysWhichRecordWasChangedByHand)
+TEST_F(PatientList, SaysWhichRecordWasChangedByHand)
 {
   std::string text = *readWhole(session::recordFileOf(file_));
   text.replace(text.find("2021-07-08"), 10, "2020-07-08");
@@ -163,7 +163,7 @@ TEST_F(ListOfPatients, SaysWhichRecordWasChangedByHand)
   EXPECT_FALSE(rig_->label("patientDetailsName").contains("changed by hand"));
 }
 
-TEST_F(ListOfPatients, SaysWhoseMeasuresWereChangedByHand)
+TEST_F(PatientList, SaysWhoseMeasuresWereChangedByHand)
 {
   std::string text = *readWhole(file_);
   text.replace(text.find("9.1"), 3, "9.4");
@@ -174,7 +174,7 @@ TEST_F(ListOfPatients, SaysWhoseMeasuresWereChangedByHand)
   EXPECT_FALSE(rig_->label("patientDetailsName").contains("changed by hand"));
 }
 
-TEST_F(ListOfPatients, FindsATagAndHidesTheArchived)
+TEST_F(PatientList, FindsATagAndHidesTheArchived)
 {
   open("P-018");
   ASSERT_EQ(list().count(), 2);
@@ -198,7 +198,7 @@ TEST_F(ListOfPatients, FindsATagAndHidesTheArchived)
   EXPECT_NE(isTagged("recentPatient0"), isTagged("recentPatient1"));
 }
 
-TEST_F(ListOfPatients, KeepsNotesWhenTheirFieldPatientOrPageIsLeft)
+TEST_F(PatientList, KeepsNotesWhenTheirFieldPatientOrPageIsLeft)
 {
   open("P-018");
   EXPECT_TRUE(notes().placeholderText().contains("no names"));
@@ -223,7 +223,7 @@ TEST_F(ListOfPatients, KeepsNotesWhenTheirFieldPatientOrPageIsLeft)
   EXPECT_TRUE(list().item(0)->text().startsWith("P-019"));
 }
 
-TEST_F(ListOfPatients, LosesNoNoteThatCannotBeSavedAndTakesNoneThatIsTooLong)
+TEST_F(PatientList, LosesNoNoteThatCannotBeSavedAndTakesNoneThatIsTooLong)
 {
   open("P-018");
   const fs::path record = session::recordFileOf(file_);
@@ -247,7 +247,7 @@ TEST_F(ListOfPatients, LosesNoNoteThatCannotBeSavedAndTakesNoneThatIsTooLong)
 }
 
 /// A patient's left ear with a scan, a plan and an insertion.
-class HistoryOfAPatient : public ListOfPatients {
+class PatientHistoryPage : public PatientList {
 protected:
   std::string scenario() const
   {
@@ -291,7 +291,7 @@ protected:
   void openHistory()
   {
     open("P-018");
-    ASSERT_TRUE(WindowRig::comes([&] { return history().isVisible(); }));
+    ASSERT_TRUE(WindowRig::waitUntil([&] { return history().isVisible(); }));
     ASSERT_EQ(history().rowCount(), 3);
   }
   std::string cell(int row, int column)
@@ -305,7 +305,7 @@ protected:
   }
 };
 
-TEST_F(HistoryOfAPatient, IsNewestFirstAndOpenedByAClickOrEnter)
+TEST_F(PatientHistoryPage, IsNewestFirstAndOpenedByAClickOrEnter)
 {
   plan();
   insert();
@@ -326,32 +326,32 @@ TEST_F(HistoryOfAPatient, IsNewestFirstAndOpenedByAClickOrEnter)
   clickRow(1);
   ASSERT_EQ(rig_->window().page(), "plan");
   auto& page = *rig_->window().findChild<gui::PlanPage*>();
-  ASSERT_TRUE(WindowRig::comes([&] { return page.plan() && !page.isBusy(); }))
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return page.plan() && !page.isBusy(); }))
       << rig_->label("planStatus").toStdString();
   EXPECT_EQ(page.plan()->request.patient.label, "P-018");
   EXPECT_EQ(page.plan()->arrays.size(), 2u);
 
   openAgain("P-018");
-  ASSERT_TRUE(WindowRig::comes([&] { return history().isVisible(); }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return history().isVisible(); }));
   clickRow(2);
   EXPECT_EQ(rig_->window().page(), "ct");
 
   openAgain("P-018");
-  ASSERT_TRUE(WindowRig::comes([&] { return history().isVisible(); }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return history().isVisible(); }));
   notes().setFocus();
   QTest::keyClick(&notes(), Qt::Key_Tab);
   EXPECT_TRUE(history().hasFocus());
   QTest::keyClick(&history(), Qt::Key_Return);
-  EXPECT_TRUE(WindowRig::comes([&] { return rig_->window().page() == "insert"; }));
-  EXPECT_TRUE(
-      WindowRig::comes([&] { return rig_->window().findChild<gui::ReplayBar*>()->isVisible(); }));
+  EXPECT_TRUE(WindowRig::waitUntil([&] { return rig_->window().page() == "insert"; }));
+  EXPECT_TRUE(WindowRig::waitUntil(
+      [&] { return rig_->window().findChild<gui::ReplayBar*>()->isVisible(); }));
 }
 
-TEST_F(HistoryOfAPatient, IsThatOfTheSelectedEar)
+TEST_F(PatientHistoryPage, IsThatOfTheSelectedEar)
 {
   insert();
   open("P-019");
-  ASSERT_TRUE(WindowRig::comes([&] { return history().isVisible(); }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return history().isVisible(); }));
   ASSERT_EQ(history().rowCount(), 2);  // its own insertion and scan
   EXPECT_NE(history().item(0, 2)->toolTip().toStdString().find("P-019-left"), std::string::npos);
   EXPECT_EQ(cell(1, 1), "Scan");

@@ -23,9 +23,9 @@ constexpr auto image = "<img src=\"file:///gone.png\">";
 constexpr auto bold = "<b>bold</b>";
 
 /// A window with a patient and a scenario whose names contain markup.
-class NamesOfMarkup : public testing::Test {
+class MarkupNames : public testing::Test {
 protected:
-  NamesOfMarkup() { rig_.window().load({{scenario(), {}}}); }
+  MarkupNames() { rig_.window().load({{scenario(), {}}}); }
 
   session::Scenario scenario() const
   {
@@ -60,22 +60,22 @@ protected:
   WindowRig rig_;
 };
 
-TEST_F(NamesOfMarkup, AreShownVerbatim)
+TEST_F(MarkupNames, AreShownVerbatim)
 {
-  ASSERT_TRUE(WindowRig::comes([&] { return !labelsWith(image).empty(); }));
-  ASSERT_TRUE(WindowRig::comes([&] { return !labelsWith(bold).empty(); }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return !labelsWith(image).empty(); }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return !labelsWith(bold).empty(); }));
   for (const QLabel* label : labelsWith("<")) expectLiteral(*label);
 }
 
-TEST_F(NamesOfMarkup, AreShownVerbatimInEverySentence)
+TEST_F(MarkupNames, AreShownVerbatimInEverySentence)
 {
-  rig_.window().notice().say(bold);
+  rig_.window().notice().showMessage(bold);
   rig_.window().showError(image);
-  ASSERT_TRUE(WindowRig::comes([&] { return labelsWith("<").size() >= 3; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return labelsWith("<").size() >= 3; }));
   for (const QLabel* label : labelsWith("<")) expectLiteral(*label);
 }
 
-TEST_F(NamesOfMarkup, AreShownVerbatimInTooltips)
+TEST_F(MarkupNames, AreShownVerbatimInTooltips)
 {
   QToolTip::showText({10, 10}, bold, &rig_.window());
   const auto tip = [] {
@@ -83,25 +83,25 @@ TEST_F(NamesOfMarkup, AreShownVerbatimInTooltips)
       if (widget->inherits("QTipLabel")) return qobject_cast<QLabel*>(widget);
     return static_cast<QLabel*>(nullptr);
   };
-  ASSERT_TRUE(WindowRig::comes([&] { return tip() != nullptr && tip()->isVisible(); }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return tip() != nullptr && tip()->isVisible(); }));
   expectLiteral(*tip());
   QToolTip::hideText();
 }
 
-TEST_F(NamesOfMarkup, AreListedVerbatim)
+TEST_F(MarkupNames, AreListedVerbatim)
 {
-  ASSERT_TRUE(WindowRig::comes([&] { return !labelsWith(image).empty(); }));
-  ASSERT_TRUE(WindowRig::comes([&] { return rig_.button("startButton").isEnabled(); }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return !labelsWith(image).empty(); }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig_.button("startButton").isEnabled(); }));
   rig_.click("startButton");
-  ASSERT_TRUE(WindowRig::comes([&] { return rig_.travel_mm() > 0.1; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig_.travel_mm() > 0.1; }));
   rig_.click("sessionsPageButton");
   auto* page = rig_.window().findChild<gui::SessionsPage*>();
-  page->say(image, true);
-  ASSERT_TRUE(WindowRig::comes([&] { return !labelsWith(image).empty(); }));
+  page->showMessage(image, true);
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return !labelsWith(image).empty(); }));
   for (const QLabel* label : labelsWith("<")) expectLiteral(*label);
 }
 
-TEST_F(NamesOfMarkup, AreEscapedInTheReport)
+TEST_F(MarkupNames, AreEscapedInTheReport)
 {
   gui::ReportContent content;
   content.scenario = scenario();

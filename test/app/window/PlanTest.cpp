@@ -103,7 +103,7 @@ protected:
   }
   static bool isDone(gui::PlanPage& page)
   {
-    return WindowRig::comes([&] { return page.plan() && !page.isBusy(); });
+    return WindowRig::waitUntil([&] { return page.plan() && !page.isBusy(); });
   }
   std::string scenario() const
   {
@@ -119,7 +119,7 @@ protected:
     page.list().selectRow(0);
     const std::string name = page.list().model()->index(0, 0).data().toString().toStdString();
     rig.click("insertPlanArrayButton");
-    ASSERT_TRUE(WindowRig::comes([&] {
+    ASSERT_TRUE(WindowRig::waitUntil([&] {
       return rig.window().page() == "insert" &&
              rig.window().control().scenario().array().name == name &&
              rig.button("startButton").isEnabled();
@@ -136,7 +136,7 @@ protected:
     keepPicture(rig.window(), "plan-inserted");
     walk.step(4, rig.window());
     rig.choose("arraySelector", "medel-standard");  // the plan is of another array
-    ASSERT_TRUE(WindowRig::comes(
+    ASSERT_TRUE(WindowRig::waitUntil(
         [&] { return rig.window().control().scenario().arrayName() == "medel-standard"; }));
     EXPECT_FALSE(charts.showPlanIn(rig.window().control().scenario()));
     rig.click("planPageButton");
@@ -146,7 +146,7 @@ protected:
   {
     page.list().selectRow(0);
     QTest::keyClick(&page.list(), Qt::Key_Return);
-    ASSERT_TRUE(WindowRig::comes([&] { return page.view().shownScenes() == 1; }))
+    ASSERT_TRUE(WindowRig::waitUntil([&] { return page.view().shownScenes() == 1; }))
         << rig.label("planStatus").toStdString();
     const auto& contacts = *page.findChild<QTableWidget*>("planContacts");
     EXPECT_EQ(contacts.rowCount(), 12);
@@ -161,7 +161,7 @@ protected:
     page.list().selectAll();
     EXPECT_EQ(rig.button("openPlanArrayButton").text(), "Compare 2 arrays");
     rig.click("openPlanArrayButton");
-    ASSERT_TRUE(WindowRig::comes([&] { return page.view().shownScenes() == 2; }));
+    ASSERT_TRUE(WindowRig::waitUntil([&] { return page.view().shownScenes() == 2; }));
     expectLinked(page.view());
     settle();
     keepPicture(rig.window(), "plan-compared");
@@ -282,7 +282,8 @@ TEST_F(APlan, IsMadeSeenInsertedAndOpenedAgainInSteps)
     made = jsonOf(page);
     const fs::path pdf = saveBy(rig, "planReportButton", {folder_.path()});
     EXPECT_THAT(pdf.filename().string(), testing::MatchesRegex("[A-Za-z0-9-]+-plan\\.pdf"));
-    ASSERT_TRUE(WindowRig::comes([&] { return rig.label("planStatus").contains("-plan.pdf"); }));
+    ASSERT_TRUE(
+        WindowRig::waitUntil([&] { return rig.label("planStatus").contains("-plan.pdf"); }));
     EXPECT_GT(fs::file_size(pdf), 20'000u);
     expectArrayAndComparison(rig, page, walk);
     expectInsertion(rig, page, walk);
@@ -312,7 +313,7 @@ TEST_F(APlan, GoesOnBehindAnotherPageAndContinuesAfterItWasCanceled)
   rig.click("computePlanButton");
   ASSERT_TRUE(page.isBusy());
   rig.click("startPageButton");
-  ASSERT_TRUE(WindowRig::comes([&] { return page.plan() != nullptr; }));  // the first 8 draws
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return page.plan() != nullptr; }));  // the first 8 draws
   rig.click("planPageButton");
   rig.click("cancelPlanButton");
   EXPECT_FALSE(page.isBusy());
@@ -346,7 +347,7 @@ TEST_F(APlan, WithTheFrictionOfASimulantStopsEarlierAndSaysSo)
   keepPicture(rig.window(), "plan-simulant");
   page.list().selectRow(0);
   rig.click("insertPlanArrayButton");
-  ASSERT_TRUE(WindowRig::comes([&] {
+  ASSERT_TRUE(WindowRig::waitUntil([&] {
     return rig.window().page() == "insert" &&
            rig.window().control().scenario().friction().kineticCoefficient == 0.24;
   }));
@@ -389,7 +390,7 @@ TEST_F(APlan, ThatCannotBeKeptSaysSoInOneSentence)
   gui::PlanPage& page = show(rig, {"flex24"}, "16");
   std::ofstream(state_.path() / "perilymph") << "a file in place of the folder";
   rig.click("computePlanButton");
-  ASSERT_TRUE(WindowRig::comes([&] { return !page.isBusy(); }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return !page.isBusy(); }));
   EXPECT_TRUE(rig.label("planStatus").contains("cannot be created"))
       << rig.label("planStatus").toStdString();
   EXPECT_TRUE(rig.button("computePlanButton").isEnabled());

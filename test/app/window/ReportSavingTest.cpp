@@ -54,7 +54,7 @@ protected:
     rig_ = std::make_unique<WindowRig>();
     rig_->click("sessionsPageButton");
     auto& list = *rig_->window().findChild<QTableView*>("sessionList");
-    ASSERT_TRUE(WindowRig::comes([&] { return list.model()->rowCount() == 1; }));
+    ASSERT_TRUE(WindowRig::waitUntil([&] { return list.model()->rowCount() == 1; }));
     const QRect place = list.visualRect(list.model()->index(0, 2));
     QTest::mouseClick(list.viewport(), Qt::LeftButton, {}, place.center());
   }
@@ -63,7 +63,7 @@ protected:
   fs::path save(int kind, const fs::path& ct = {})
   {
     const fs::path file = saveBy(*rig_, "reportButton", {folder_.path(), kind, ct});
-    EXPECT_TRUE(WindowRig::comes([&] {
+    EXPECT_TRUE(WindowRig::waitUntil([&] {
       return rig_->label("sessionStatus").contains("saved as") ||
              rig_->label("sessionStatus").contains("CT");
     })) << rig_->label("sessionStatus").toStdString();
@@ -105,8 +105,8 @@ TEST_F(SavedReport, BecomesPartOfTheStudyOfItsCtAndOfNoOtherAndThenNamesThePatie
   EXPECT_FALSE(fs::exists(refused));
 
   const fs::path file = save(2, folder_ / "own");
-  ASSERT_TRUE(WindowRig::comes([&] { return fs::exists(file); }));
-  EXPECT_TRUE(WindowRig::comes(
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return fs::exists(file); }));
+  EXPECT_TRUE(WindowRig::waitUntil(
       [&] { return rig_->label("sessionStatus").contains("names the patient, as the CT does"); }));
   EXPECT_NE(readWhole(file)->find("Doe^Jane"), std::string::npos);
   EXPECT_EQ(file.filename(), "20260101T000000Z.dcm");

@@ -26,7 +26,7 @@
 #include "gui/report/ReportParameters.h"
 #include "gui/run/UserSettings.h"
 #include "gui/setup/PlanStore.h"
-#include "gui/shell/SettingsSheet.h"
+#include "gui/shell/SettingsOverlay.h"
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/foundation/Version.h"
 #include "perilymph/planning/PlanReport.h"
@@ -288,7 +288,7 @@ TEST_F(PdfReport, SaysThatThereIsNoPatient)
 TEST(SettingsOfReports, AreKeptAsTheyAreTyped)
 {
   {
-    gui::SettingsSheet sheet(nullptr);
+    gui::SettingsOverlay sheet(nullptr);
     auto* field = sheet.findChild<QLineEdit*>(QStringLiteral("report/institution"));
     ASSERT_NE(field, nullptr);
     field->setText(QStringLiteral(" ENT Clinic "));

@@ -46,9 +46,10 @@ protected:
   void insert()
   {
     rig_.click("startButton");
-    ASSERT_TRUE(WindowRig::comes([&] { return rig_.now().output.workflow == Workflow::finished; }));
+    ASSERT_TRUE(
+        WindowRig::waitUntil([&] { return rig_.now().output.workflow == Workflow::finished; }));
     EXPECT_TRUE(card().isHidden());
-    ASSERT_TRUE(WindowRig::comes([&] { return !card().isHidden(); }));
+    ASSERT_TRUE(WindowRig::waitUntil([&] { return !card().isHidden(); }));
   }
   QString pill() { return rig_.window().findChild<gui::DeviceLight*>()->text(); }
   /// What the newest row of the sessions says in place of its time.
@@ -87,8 +88,8 @@ TEST_F(ShownResult, IsShownAtTheEndWithNothingToPressAndIsARecordingFromThenOn)
 
   // a withdrawal is added to the recording, and it ends once more
   rig_.click("withdrawButton");
-  ASSERT_TRUE(WindowRig::comes([&] { return card().isHidden(); }));
-  ASSERT_TRUE(WindowRig::comes([&] { return !card().isHidden(); }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return card().isHidden(); }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return !card().isHidden(); }));
   EXPECT_EQ(rig_.label("resultTitle"), "Withdrawn");
   EXPECT_GT(ticksOfWholeRecording(), inserted);
 }
@@ -100,26 +101,27 @@ TEST_F(ShownResult, OfAHandThatHoldsOnStatesTheRestOnEveryPageUntilItIsRecorded)
   EXPECT_EQ(pill(), "running");
   rig_.holdKey(Qt::Key_Space);
   rig_.holdKey(Qt::Key_Down);
-  ASSERT_TRUE(WindowRig::comes([&] { return rig_.now().output.workflow == Workflow::finished; }));
+  ASSERT_TRUE(
+      WindowRig::waitUntil([&] { return rig_.now().output.workflow == Workflow::finished; }));
   rig_.releaseKey(Qt::Key_Down);
-  ASSERT_TRUE(WindowRig::comes([&] { return pill() == "ended, resting"; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return pill() == "ended, resting"; }));
   EXPECT_TRUE(rig_.label("statusLabel").startsWith("recording the rest"));
-  ASSERT_TRUE(WindowRig::comes([&] { return !card().isHidden(); }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return !card().isHidden(); }));
   EXPECT_EQ(pill(), "ended");
   const std::uint64_t first = ticksOfWholeRecording();
 
   // the hand opens, which ends the rest: what follows is recorded, until it rests once more
   rig_.click("closeResultButton");
   rig_.releaseKey(Qt::Key_Space);
-  ASSERT_TRUE(WindowRig::comes([&] { return pill() == "ended, resting"; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return pill() == "ended, resting"; }));
   rig_.click("sessionsPageButton");
-  ASSERT_TRUE(WindowRig::comes([&] { return newestRow() == "recording the rest"; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return newestRow() == "recording the rest"; }));
   EXPECT_FALSE(rig_.button("reportButton").isEnabled());
-  ASSERT_TRUE(WindowRig::comes([&] { return newestRow().startsWith("20"); }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return newestRow().startsWith("20"); }));
   EXPECT_EQ(pill(), "ended");
   EXPECT_TRUE(rig_.button("reportButton").isEnabled());
   const auto* result = insertion().result().get();
-  ASSERT_TRUE(WindowRig::comes([&] { return insertion().result().get() != result; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return insertion().result().get() != result; }));
   EXPECT_GT(ticksOfWholeRecording(), first);
   EXPECT_TRUE(card().isHidden());  // it was closed
 }
@@ -133,16 +135,16 @@ TEST_F(ShownResult, AgainInsertsOnceMoreWithARecordingOfItsOwnAndComparesBoth)
   EXPECT_FALSE(insertion().result());
   EXPECT_EQ(insertion().recordingBefore(), first);
   EXPECT_NE(rig_.window().control().recording(), first);
-  ASSERT_TRUE(WindowRig::comes([&] { return !card().isHidden(); }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return !card().isHidden(); }));
   rig_.click("resultCompareButton");
   const auto* curves = rig_.window().findChild<gui::ComparisonPlot*>();
-  EXPECT_TRUE(WindowRig::comes([&] { return curves != nullptr && curves->isVisible(); }));
+  EXPECT_TRUE(WindowRig::waitUntil([&] { return curves != nullptr && curves->isVisible(); }));
 }
 
 TEST_F(ShownResult, StatesWhatClinicsReportOfItsArray)
 {
   rig_.choose("arraySelector", "flex28");
-  ASSERT_TRUE(WindowRig::comes([&] {
+  ASSERT_TRUE(WindowRig::waitUntil([&] {
     return rig_.window().control().scenario().array().name == "FLEX28" &&
            rig_.button("startButton").isEnabled();
   }));

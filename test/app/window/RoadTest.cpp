@@ -62,7 +62,7 @@ public:
     rig_.window().setFocus();
     rig_.holdKey(first);
     rig_.holdKey(second);
-    EXPECT_TRUE(WindowRig::comes(until));
+    EXPECT_TRUE(WindowRig::waitUntil(until));
     rig_.releaseKey(second);
     rig_.releaseKey(first);
     ++steps_;
@@ -90,7 +90,8 @@ TEST_F(TheRoad, FromACtToASavedReportTakesTwelveSteps)
   rig_.window().showPage("start");
   surgeon.press("ctPageButton");
   surgeon.press("openCtFolderButton", onDisk().folder / "ct");
-  ASSERT_TRUE(WindowRig::comes([&] { return ct.study().measures() != nullptr && !ct.isBusy(); }));
+  ASSERT_TRUE(
+      WindowRig::waitUntil([&] { return ct.study().measures() != nullptr && !ct.isBusy(); }));
   EXPECT_NEAR(ct.study().measures()->a.value, onDisk().phantom.a, 0.4);
   rig_.type("ctPatientCode", "P-301");
   keepPicture(rig_.window(), "road-ct");
@@ -100,12 +101,12 @@ TEST_F(TheRoad, FromACtToASavedReportTakesTwelveSteps)
   surgeon.press("plan-array-evo");  // beside the five that are chosen
   rig_.choose("planDraws", "16");   // a surgeon leaves the 64; this takes less time
   surgeon.press("computePlanButton");
-  ASSERT_TRUE(WindowRig::comes([&] { return plan.plan() && !plan.isBusy(); }, 300'000));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return plan.plan() && !plan.isBusy(); }, 300'000));
   EXPECT_EQ(plan.plan()->arrays.size(), 6u);
   keepPicture(rig_.window(), "road-plan");
   surgeon.press("insertPlanArrayButton");
   keepPicture(rig_.window(), "road-loading");
-  ASSERT_TRUE(WindowRig::comes([&] {
+  ASSERT_TRUE(WindowRig::waitUntil([&] {
     return rig_.window().control().scenario().patient().label == "P-301" &&
            rig_.button("startButton").isEnabled();
   }));
@@ -115,7 +116,7 @@ TEST_F(TheRoad, FromACtToASavedReportTakesTwelveSteps)
   surgeon.hold(Qt::Key_Space, Qt::Key_Down,
                [&] { return rig_.now().output.workflow == haptics::Workflow::finished; });
   const auto& card = *rig_.window().findChild<gui::ResultCard*>();
-  ASSERT_TRUE(WindowRig::comes([&] { return card.isVisible(); }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return card.isVisible(); }));
   keepPicture(rig_.window(), "road-result");
   const fs::path pdf = folder_ / "report.pdf";
   surgeon.press("resultReportButton", pdf);

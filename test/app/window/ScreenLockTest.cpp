@@ -81,9 +81,9 @@ TEST_F(LockedScreen, IsHeardFromLogind)
 {
   QSignalSpy spy(lock_.get(), &gui::ScreenLock::locked);
   announce("/org/freedesktop/login1/session/_31", "org.freedesktop.login1.Session", "Lock", {});
-  ASSERT_TRUE(WindowRig::comes([&] { return spy.count() == 1; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return spy.count() == 1; }));
   announceHint(true);
-  EXPECT_TRUE(WindowRig::comes([&] { return spy.count() == 2; }));
+  EXPECT_TRUE(WindowRig::waitUntil([&] { return spy.count() == 2; }));
 }
 
 TEST_F(LockedScreen, IsHeardFromTheScreenSaversOfTheDesktops)
@@ -93,7 +93,7 @@ TEST_F(LockedScreen, IsHeardFromTheScreenSaversOfTheDesktops)
   for (const char* desktop : {"freedesktop", "gnome", "cinnamon", "mate", "xfce"}) {
     announceActive(desktop, true);
     ++heard;
-    EXPECT_TRUE(WindowRig::comes([&] { return spy.count() == heard; })) << desktop;
+    EXPECT_TRUE(WindowRig::waitUntil([&] { return spy.count() == heard; })) << desktop;
   }
 }
 
@@ -103,7 +103,7 @@ TEST_F(LockedScreen, IsNotHeardWhenTheScreenIsUnlocked)
   announceActive("freedesktop", false);
   announceHint(false);
   announceHint(true);  // in order behind them
-  ASSERT_TRUE(WindowRig::comes([&] { return spy.count() > 0; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return spy.count() > 0; }));
   EXPECT_EQ(spy.count(), 1);
 }
 
@@ -118,17 +118,18 @@ TEST_F(LockedScreen, TakesTheForceOfADeviceAway)
     return Result<std::unique_ptr<device::HapticDevice>>(std::make_unique<PushedDevice>(log));
   });
   HeldUpLoop loop(log);
-  QObject::connect(lock_.get(), &gui::ScreenLock::locked, &rig.window(), [&loop] { loop.hear(); });
+  QObject::connect(lock_.get(), &gui::ScreenLock::locked, &rig.window(),
+                   [&loop] { loop.setTone(); });
   QObject::connect(lock_.get(), &gui::ScreenLock::locked, &rig.window().insertion(),
                    &gui::InsertionController::stopDevice);
   rig.click("startButton");
-  ASSERT_TRUE(
-      WindowRig::comes([&] { return rig.now().output.workflow == haptics::Workflow::inserting; }));
+  ASSERT_TRUE(WindowRig::waitUntil(
+      [&] { return rig.now().output.workflow == haptics::Workflow::inserting; }));
   log->isPushed = true;
-  ASSERT_TRUE(WindowRig::comes([&] { return log->newest() > 0.99 * PushedDevice::maxForce; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return log->newest() > 0.99 * PushedDevice::maxForce; }));
   ASSERT_TRUE(loop.begin());
   announceActive("freedesktop", true);
-  ASSERT_TRUE(WindowRig::comes([&] { return loop.heardAt() != 0; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return loop.heardAt() != 0; }));
   ASSERT_TRUE(loop.block(loop.heardAt()));
   loop.expectStop("screen locked", loop.heardAt());
 }

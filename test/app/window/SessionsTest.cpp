@@ -54,7 +54,7 @@ protected:
   {
     rig_ = std::make_unique<WindowRig>();
     rig_->click("sessionsPageButton");
-    ASSERT_TRUE(WindowRig::comes([&] { return !page().isBusy(); }));
+    ASSERT_TRUE(WindowRig::waitUntil([&] { return !page().isBusy(); }));
   }
   gui::SessionsPage& page() { return *rig_->window().findChild<gui::SessionsPage*>(); }
   QTableView& list() { return *rig_->window().findChild<QTableView*>("sessionList"); }
@@ -124,7 +124,7 @@ TEST_F(Sessions, OfThousandsAreDrawnWhereVisible)
   list().scrollToBottom();
   const QRect last = list().visualRect(list().model()->index(rows() - 1, gui::SessionTable::name));
   EXPECT_TRUE(list().viewport()->rect().intersects(last));
-  ASSERT_TRUE(WindowRig::comes([] { return picturesKept() > 0; }));
+  ASSERT_TRUE(WindowRig::waitUntil([] { return picturesKept() > 0; }));
   const int seen = list().viewport()->height() / list().rowHeight(0) + 2;
   EXPECT_LE(picturesKept(), std::size_t(2 * seen) + gui::Thumbnails::maxRequests);
   rig_->window().findChild<QLineEdit*>("sessionSearch")->setText("001999");
@@ -139,14 +139,14 @@ TEST_F(Sessions, CanBeCanceledWhileTheyAreReadAndAreListedUpToThere)
   ASSERT_TRUE(page().isBusy());
   rig_->window().findChild<gui::SessionsPage*>()->setFocus();
   QTest::keyClick(&page(), Qt::Key_Escape);
-  ASSERT_TRUE(WindowRig::comes([&] { return !page().isBusy(); }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return !page().isBusy(); }));
   EXPECT_LT(rows(), 2000);
   EXPECT_TRUE(rig_->label("sessionStatus").contains("Canceled:"))
       << rows() << " rows: " << rig_->label("sessionStatus").toStdString();
   // nothing is lost: reading continues when the page is opened again
   rig_->click("insertPageButton");
   rig_->click("sessionsPageButton");
-  EXPECT_TRUE(WindowRig::comes([&] { return rows() == 2000; }));
+  EXPECT_TRUE(WindowRig::waitUntil([&] { return rows() == 2000; }));
 }
 
 TEST_F(Sessions, HoldTheInsertionThatRanInThisWindow)
@@ -154,10 +154,10 @@ TEST_F(Sessions, HoldTheInsertionThatRanInThisWindow)
   openLibrary();
   rig_->click("insertPageButton");
   rig_->click("startButton");
-  ASSERT_TRUE(WindowRig::comes([&] { return rig_->travel_mm() > 0.5; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig_->travel_mm() > 0.5; }));
   rig_->click("resetButton");
   rig_->click("sessionsPageButton");
-  EXPECT_TRUE(WindowRig::comes([&] { return rows() == 1; }));
+  EXPECT_TRUE(WindowRig::waitUntil([&] { return rows() == 1; }));
 }
 
 TEST_F(Sessions, AreFoundByTyping)
@@ -202,13 +202,13 @@ TEST_F(Sessions, AreListedWhileAnotherOneBlocksItsReader)
   page.show();
   page.onShown();
   auto* list = page.findChild<QTableView*>("sessionList");
-  ASSERT_TRUE(WindowRig::comes([&] { return list->model()->rowCount() == 1; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return list->model()->rowCount() == 1; }));
   EXPECT_TRUE(page.isBusy());
   EXPECT_TRUE(list->isVisible());
   list->selectRow(0);
   EXPECT_TRUE(page.findChild<QAbstractButton*>("replayButton")->isEnabled());
   end.set_value();
-  EXPECT_TRUE(WindowRig::comes([&] { return !page.isBusy(); }));
+  EXPECT_TRUE(WindowRig::waitUntil([&] { return !page.isBusy(); }));
 }
 
 TEST_F(Sessions, ThatWereDeletedAreRestored)
@@ -217,10 +217,10 @@ TEST_F(Sessions, ThatWereDeletedAreRestored)
   openLibrary();
   choose(0);
   QTest::keyClick(&list(), Qt::Key_Delete);
-  ASSERT_TRUE(WindowRig::comes([&] { return rows() == 0; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rows() == 0; }));
   EXPECT_FALSE(fs::exists(file));
   rig_->click("undoDeleteButton");
-  EXPECT_TRUE(WindowRig::comes([&] { return rows() == 1; }));
+  EXPECT_TRUE(WindowRig::waitUntil([&] { return rows() == 1; }));
   EXPECT_TRUE(fs::exists(file));
 }
 
@@ -231,7 +231,8 @@ TEST_F(Sessions, AreRenamed)
   choose(0);
   rename("tuesday");
   if (HasFatalFailure()) return;
-  EXPECT_TRUE(WindowRig::comes([&] { return fs::exists(sessionFolder() / "tuesday.insertion"); }));
+  EXPECT_TRUE(
+      WindowRig::waitUntil([&] { return fs::exists(sessionFolder() / "tuesday.insertion"); }));
 }
 
 TEST_F(Sessions, KeepTheTypedTextWhereANameIsRefused)
@@ -241,14 +242,14 @@ TEST_F(Sessions, KeepTheTypedTextWhereANameIsRefused)
   choose(0);
   rename("a/b");
   if (HasFatalFailure()) return;
-  ASSERT_TRUE(WindowRig::comes([&] { return rig_->label("sessionStatus").contains("a/b"); }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig_->label("sessionStatus").contains("a/b"); }));
   auto* editor = list().viewport()->findChild<QLineEdit*>();
   ASSERT_NE(editor, nullptr);
   EXPECT_EQ(editor->text(), "a/b");
   QTest::keyClick(editor, Qt::Key_Backspace);
   QTest::keyClick(editor, Qt::Key_Backspace);
   QTest::keyClick(editor, Qt::Key_Return);
-  EXPECT_TRUE(WindowRig::comes([&] { return fs::exists(sessionFolder() / "a.insertion"); }));
+  EXPECT_TRUE(WindowRig::waitUntil([&] { return fs::exists(sessionFolder() / "a.insertion"); }));
 }
 
 TEST_F(Sessions, AreReadAgainByTheirOwnTab)
@@ -258,7 +259,7 @@ TEST_F(Sessions, AreReadAgainByTheirOwnTab)
   ASSERT_EQ(rows(), 1);
   record("second");
   rig_->click("sessionsPageButton");
-  EXPECT_TRUE(WindowRig::comes([&] { return rows() == 2; }));
+  EXPECT_TRUE(WindowRig::waitUntil([&] { return rows() == 2; }));
 }
 
 TEST_F(Sessions, SayHowEachInsertionEnded)
@@ -283,7 +284,7 @@ TEST_F(Sessions, ShowEarTechniqueAndNameWholeInTheSmallestWindow)
     constexpr int padding_px = 24;  // of the style sheet and around texts, both sides
     return list().fontMetrics().horizontalAdvance(text) + padding_px <= list().columnWidth(column);
   };
-  ASSERT_TRUE(WindowRig::comes([&] { return list().width() < 1024; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return list().width() < 1024; }));
   for (const auto& [column, text] :
        {std::pair{Column::ear, "left"}, std::pair{Column::technique, "Advance off-stylet"},
         std::pair{Column::name, "P-017"}}) {
@@ -318,7 +319,7 @@ protected:
     openLibrary();
     choose(0);
     rig_->click("replayButton");
-    ASSERT_TRUE(WindowRig::comes([&] { return replayBarIsShown(); }));
+    ASSERT_TRUE(WindowRig::waitUntil([&] { return replayBarIsShown(); }));
   }
 
   gui::ReplayPlayer& replay() { return rig_->window().insertion().replay(); }
@@ -330,18 +331,19 @@ TEST_F(AReplay, PlaysToItsEndAndSaysThatItsBitsAgree)
 {
   openReplay();
   EXPECT_EQ(rig_->window().page(), "insert");
-  ASSERT_TRUE(WindowRig::comes([&] {
+  ASSERT_TRUE(WindowRig::waitUntil([&] {
     return rig_->label("replayStatus").contains("identical replay");
   })) << rig_->label("replayStatus").toStdString();
-  EXPECT_TRUE(WindowRig::comes([&] { return rig_->readOut("travelReadOut") == "1.0"; }))
+  EXPECT_TRUE(WindowRig::waitUntil([&] { return rig_->readOut("travelReadOut") == "1.0"; }))
       << rig_->readOut("travelReadOut").toStdString();
-  EXPECT_TRUE(WindowRig::comes([&] { return rig_->button("replayPlayButton").text() == "Play"; }));
+  EXPECT_TRUE(
+      WindowRig::waitUntil([&] { return rig_->button("replayPlayButton").text() == "Play"; }));
 }
 
 TEST_F(AReplay, RunsNoHapticLoop)
 {
   openReplay();
-  ASSERT_TRUE(WindowRig::comes([&] { return rig_->readOut("travelReadOut") == "1.0"; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig_->readOut("travelReadOut") == "1.0"; }));
   EXPECT_FALSE(rig_->window().control().isRunning());
   EXPECT_EQ(rig_->window().control().hand(), gui::InputSource::scripted);
   EXPECT_EQ(rig_->now().tick, 0u);
@@ -350,7 +352,7 @@ TEST_F(AReplay, RunsNoHapticLoop)
 TEST_F(AReplay, StepsByOneTickWithTheArrowKeys)
 {
   openReplay();
-  ASSERT_TRUE(WindowRig::comes([&] { return replay().place() > 100; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return replay().place() > 100; }));
   rig_->pressKey(Qt::Key_Space);
   EXPECT_FALSE(replay().isPlaying());
   const std::uint64_t there = replay().place();
@@ -359,40 +361,40 @@ TEST_F(AReplay, StepsByOneTickWithTheArrowKeys)
   rig_->pressKey(Qt::Key_Left);
   rig_->pressKey(Qt::Key_Left);
   EXPECT_EQ(replay().place(), there - 1);
-  EXPECT_TRUE(WindowRig::comes(
+  EXPECT_TRUE(WindowRig::waitUntil(
       [&] { return replay().now().tick > 0 && replayedTick() == replay().now().tick; }));
 }
 
 TEST_F(AReplay, GoesWhereTheScrubberIsClicked)
 {
   openReplay();
-  ASSERT_TRUE(WindowRig::comes([&] { return replay().isChecked(); }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return replay().isChecked(); }));
   replay().pause();
   auto* scrubber = rig_->window().findChild<gui::Scrubber*>();
   QTest::mouseClick(scrubber, Qt::LeftButton, Qt::NoModifier, scrubber->rect().center());
   const double ticks = double(replay().playback().ticks());
   const double pixel = ticks / scrubber->width();
   EXPECT_NEAR(double(replay().place()), 0.5 * ticks, 2.0 * pixel);
-  EXPECT_TRUE(WindowRig::comes([&] { return std::abs(scrubber->fraction() - 0.5) < 0.05; }));
+  EXPECT_TRUE(WindowRig::waitUntil([&] { return std::abs(scrubber->fraction() - 0.5) < 0.05; }));
 }
 
 TEST_F(AReplay, GoesSlowerAndFasterInSteps)
 {
   openReplay();
-  ASSERT_TRUE(WindowRig::comes([&] { return rig_->label("replaySpeed") == "1 ×"; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig_->label("replaySpeed") == "1 ×"; }));
   for (int i = 0; i < 5; ++i) rig_->click("replaySlowerButton");
-  EXPECT_TRUE(WindowRig::comes([&] { return rig_->label("replaySpeed") == "0.1 ×"; }));
+  EXPECT_TRUE(WindowRig::waitUntil([&] { return rig_->label("replaySpeed") == "0.1 ×"; }));
   for (int i = 0; i < 9; ++i) rig_->click("replayFasterButton");
-  EXPECT_TRUE(WindowRig::comes([&] { return rig_->label("replaySpeed") == "4 ×"; }));
+  EXPECT_TRUE(WindowRig::waitUntil([&] { return rig_->label("replaySpeed") == "4 ×"; }));
 }
 
 TEST_F(AReplay, ReturnsToTheInsertion)
 {
   openReplay();
   rig_->pressKey(Qt::Key_Escape);
-  EXPECT_TRUE(WindowRig::comes([&] { return !replayBarIsShown(); }));
+  EXPECT_TRUE(WindowRig::waitUntil([&] { return !replayBarIsShown(); }));
   rig_->click("startButton");
-  EXPECT_TRUE(WindowRig::comes([&] { return rig_->travel_mm() > 0.3; }));
+  EXPECT_TRUE(WindowRig::waitUntil([&] { return rig_->travel_mm() > 0.3; }));
 }
 
 }  // namespace

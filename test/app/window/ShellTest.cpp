@@ -16,7 +16,7 @@
 #include "gui/pages/insert/ForceCharts.h"
 #include "gui/pages/insert/InsertionViews.h"
 #include "gui/run/UserSettings.h"
-#include "gui/shell/AboutSheet.h"
+#include "gui/shell/AboutOverlay.h"
 #include "gui/shell/KeyList.h"
 #include "gui/shell/WindowMemory.h"
 #include "gui/shell/WindowPlace.h"
@@ -75,7 +75,8 @@ TEST(Shell, TheSheetOfKeysFitsIntoTheSmallestWindow)
 {
   WindowRig rig;
   rig.window().resize(gui::preferredMinimumSize);
-  ASSERT_TRUE(WindowRig::comes([&] { return rig.window().size() == gui::preferredMinimumSize; }));
+  ASSERT_TRUE(
+      WindowRig::waitUntil([&] { return rig.window().size() == gui::preferredMinimumSize; }));
   rig.pressKey(Qt::Key_F1);
   const auto* sheet = rig.window().findChild<gui::KeyList*>();
   EXPECT_TRUE(rig.window().rect().contains(sheet->geometry()))
@@ -104,7 +105,7 @@ TEST(Shell, LettersAloneCanBeSwitchedOffAndSpaceStillActs)
   rig.pressKey(Qt::Key_H);
   EXPECT_FALSE(rig.window().findChild<gui::DevicePage*>()->isVisible());
   rig.pressKey(Qt::Key_Space);
-  EXPECT_TRUE(WindowRig::comes([&] { return rig.travel_mm() > 0.1; }));
+  EXPECT_TRUE(WindowRig::waitUntil([&] { return rig.travel_mm() > 0.1; }));
   gui::UserSettings().remove("keys");
 }
 
@@ -112,7 +113,7 @@ TEST(Shell, ClosingDuringAnInsertionAsksFirst)
 {
   WindowRig rig;
   rig.pressKey(Qt::Key_Space);
-  ASSERT_TRUE(WindowRig::comes([&] { return rig.travel_mm() > 0.2; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig.travel_mm() > 0.2; }));
   rig.window().close();
   EXPECT_TRUE(rig.window().isVisible());
   ASSERT_TRUE(rig.window().notice().isVisible());
@@ -129,18 +130,18 @@ TEST(Shell, TakesTheQuestionBackWhenItsInsertionHasEndedOtherwise)
 {
   WindowRig rig;
   rig.pressKey(Qt::Key_Space);
-  ASSERT_TRUE(WindowRig::comes([&] { return rig.travel_mm() > 0.2; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig.travel_mm() > 0.2; }));
   rig.window().close();
   ASSERT_TRUE(rig.window().notice().isVisible());
   rig.click("resetButton");
-  EXPECT_TRUE(WindowRig::comes([&] { return !rig.window().notice().isVisible(); }));
+  EXPECT_TRUE(WindowRig::waitUntil([&] { return !rig.window().notice().isVisible(); }));
 }
 
 TEST(Shell, ReplayDuringAnInsertionAsksFirst)
 {
   WindowRig rig;
   rig.pressKey(Qt::Key_Space);
-  ASSERT_TRUE(WindowRig::comes([&] { return rig.travel_mm() > 0.2; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig.travel_mm() > 0.2; }));
   rig.window().replay("earlier.insertion");
   EXPECT_TRUE(rig.window().notice().isVisible());
   EXPECT_TRUE(rig.window().control().isRunning());
@@ -153,7 +154,7 @@ TEST(Shell, TheMenuShowsVersionAndLicense)
 {
   WindowRig rig;
   rig.window().findChild<QAction*>("aboutAction")->trigger();
-  const auto* about = rig.window().findChild<gui::AboutSheet*>();
+  const auto* about = rig.window().findChild<gui::AboutOverlay*>();
   ASSERT_TRUE(about->isVisible());
   QString text;
   for (const QLabel* label : about->findChildren<QLabel*>()) text += label->text() + ' ';
@@ -169,13 +170,13 @@ TEST(Shell, ANoticeCoversNothing)
 {
   WindowRig rig;
   rig.window().notice().offer("A recording was recovered.", "Show sessions", [] {});
-  ASSERT_TRUE(WindowRig::comes([&] { return rig.window().notice().height() > 20; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig.window().notice().height() > 20; }));
   EXPECT_FALSE(
       rig.window().notice().geometry().intersects(rig.window().insertPage().geometry().translated(
           rig.window().insertPage().mapTo(&rig.window(), QPoint(0, 0)) -
           rig.window().insertPage().pos())));
   rig.pressKey(Qt::Key_Space);
-  EXPECT_TRUE(WindowRig::comes([&] { return !rig.window().notice().isVisible(); }));
+  EXPECT_TRUE(WindowRig::waitUntil([&] { return !rig.window().notice().isVisible(); }));
 }
 
 TEST(Shell, TheReadOutsExplainThemselves)

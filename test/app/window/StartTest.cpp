@@ -67,14 +67,14 @@ TEST_F(FirstScreen, OneClickShowsAMovingArray)
 {
   rig_->click("demonstrationCard");
   EXPECT_EQ(rig_->window().page(), "insert");
-  EXPECT_TRUE(WindowRig::comes([&] { return rig_->travel_mm() > 0.2; }));
+  EXPECT_TRUE(WindowRig::waitUntil([&] { return rig_->travel_mm() > 0.2; }));
 }
 
 TEST_F(FirstScreen, TheMeanCochleaIsOneClickAway)
 {
   rig_->click("meanCard");
   EXPECT_TRUE(
-      WindowRig::comes([&] { return scenario().anatomy() == anatomy::AnatomySource::mean; }));
+      WindowRig::waitUntil([&] { return scenario().anatomy() == anatomy::AnatomySource::mean; }));
   EXPECT_EQ(rig_->travel_mm(), 0.0);
   EXPECT_TRUE(rig_->button("startButton").isEnabled());
 }
@@ -89,7 +89,7 @@ TEST_F(FirstScreen, APatientsThreeLengthsMakeThePatientsCochlea)
   type("rwHeight", "1.7");
   rig_->click("leftEar");
   rig_->click("usePatientButton");
-  ASSERT_TRUE(WindowRig::comes([&] { return scenario().patient().label == "P-014"; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return scenario().patient().label == "P-014"; }));
   EXPECT_EQ(scenario().anatomy(), anatomy::AnatomySource::published);
   EXPECT_EQ(scenario().patient().side, anatomy::Side::left);
   EXPECT_EQ(scenario().patient().scalaTympaniLength, millimeters(34.2));
@@ -107,10 +107,10 @@ TEST_F(FirstScreen, TheFormShowsItsComputedMeasuresAndTheirNoteWhole)
   type("patientName", "P-014");
   type("aValue", "9.0");
   type("bValue", "6.6");
-  ASSERT_TRUE(WindowRig::comes([&] { return isSaid("± 95 % interval of an error of"); }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return isSaid("± 95 % interval of an error of"); }));
   for (const QSize& size : {QSize(1280, 800), QSize(1366, 768)}) {
     rig_->window().resize(size);
-    WindowRig::comes([&] { return cutTextsOf(rig_->window()).empty(); });
+    WindowRig::waitUntil([&] { return cutTextsOf(rig_->window()).empty(); });
     EXPECT_EQ(cutTextsOf(rig_->window()), std::vector<std::string>{}) << size.width();
     keepPicture(rig_->window(), "form-" + std::to_string(size.width()));
   }
@@ -123,7 +123,7 @@ TEST_F(FirstScreen, AAndBMakeAMeanCochleaOfThatSize)
   type("aValue", "9.0");
   type("bValue", "6.5");
   rig_->click("usePatientButton");
-  ASSERT_TRUE(WindowRig::comes([&] { return scenario().patient().basalTurn.has_value(); }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return scenario().patient().basalTurn.has_value(); }));
   EXPECT_EQ(scenario().anatomy(), anatomy::AnatomySource::mean);
   EXPECT_EQ(scenario().patient().basalTurn->a, millimeters(9.0));
   EXPECT_EQ(scenario().patient().basalTurn->b, millimeters(6.5));
@@ -136,7 +136,7 @@ TEST_F(FirstScreen, TheFormIsFilledWithTheKeyboardInItsOrder)
   const auto focused = [&] { return rig_->window().focusWidget(); };
   const auto typeHere = [&](const char* text) { QTest::keyClicks(focused(), QLatin1String(text)); };
   const auto tab = [&] { QTest::keyClick(focused(), Qt::Key_Tab); };
-  ASSERT_TRUE(WindowRig::comes(
+  ASSERT_TRUE(WindowRig::waitUntil(
       [&] { return focused() != nullptr && focused()->objectName() == "patientName"; }));
   typeHere("P-016");
   for (const auto& [name, text] : {std::pair{"rightEar", ""}, std::pair{"aValue", "9.1"},
@@ -153,7 +153,7 @@ TEST_F(FirstScreen, TheFormIsFilledWithTheKeyboardInItsOrder)
   QTest::keyClick(focused(), Qt::Key_Tab, Qt::ShiftModifier);
   ASSERT_EQ(focused()->objectName(), "hValue");
   QTest::keyClick(focused(), Qt::Key_Return);
-  ASSERT_TRUE(WindowRig::comes([&] { return scenario().patient().label == "P-016"; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return scenario().patient().label == "P-016"; }));
   EXPECT_EQ(*scenario().patient().basalTurn->h, millimeters(3.9));
 }
 
@@ -222,7 +222,7 @@ TEST_F(FirstScreen, TheFormShowsWhatTheMeasuresMean)
   type("aValue", "9.20");
   type("bValue", "6.80");
   // by hand: elliptic-circular, with the errors of A and B (SD 0.1 mm) and the 0.9 mm to 4.16 A - 4
-  ASSERT_TRUE(WindowRig::comes([&] { return measure("duct_length_mm").contains("±"); }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return measure("duct_length_mm").contains("±"); }));
   EXPECT_EQ(measure("duct_length_mm"), "33.4 ± 1.2 mm");
   EXPECT_EQ(measure("two_turn_length_mm"), "29.9 ± 0.7 mm");  // 3.65 (A - 1)
   EXPECT_TRUE(measure("turns").startsWith("2."));
@@ -242,7 +242,7 @@ TEST_F(FirstScreen, APatientIsEditedFoundAndReopenedWithMouseAndKeyboard)
     type("aValue", a);
     type("bValue", b);
     rig_->click("usePatientButton");
-    ASSERT_TRUE(WindowRig::comes([&] { return scenario().patient().label == code; })) << code;
+    ASSERT_TRUE(WindowRig::waitUntil([&] { return scenario().patient().label == code; })) << code;
   }
   // the program is closed and opened again
   rig_.reset();
@@ -250,7 +250,7 @@ TEST_F(FirstScreen, APatientIsEditedFoundAndReopenedWithMouseAndKeyboard)
   rig_->window().showPage("start");
   EXPECT_TRUE(rig_->button("recentPatient0").text().contains("K-2"));  // the last one first
   rig_->click("recentPatient1");
-  ASSERT_TRUE(WindowRig::comes([&] { return scenario().patient().label == "P-017"; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return scenario().patient().label == "P-017"; }));
 
   // found by typing, and edited
   rig_->click("startPageButton");
@@ -263,7 +263,7 @@ TEST_F(FirstScreen, APatientIsEditedFoundAndReopenedWithMouseAndKeyboard)
   type("aValue", "9.5");
   EXPECT_EQ(rig_->button("usePatientButton").text(), "Save changes");
   rig_->click("usePatientButton");
-  ASSERT_TRUE(WindowRig::comes([&] { return scenario().patient().label == "K-2"; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return scenario().patient().label == "K-2"; }));
   EXPECT_EQ(scenario().patient().basalTurn->a, millimeters(9.5));
   EXPECT_EQ(anatomy::loadPatient(patientFolder() / "K-2-right.toml")->basalTurn->a,
             millimeters(9.5));
@@ -271,10 +271,10 @@ TEST_F(FirstScreen, APatientIsEditedFoundAndReopenedWithMouseAndKeyboard)
   // opened from the panel; a change there is saved when asked for
   const std::string other = (patientFolder() / "P-017-right.toml").string();
   rig_->choose("savedPatients", other.c_str());
-  ASSERT_TRUE(WindowRig::comes([&] { return scenario().patient().label == "P-017"; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return scenario().patient().label == "P-017"; }));
   EXPECT_FALSE(rig_->button("savePatientButton").isVisible());
   rig_->type("panelA", "9.2");
-  ASSERT_TRUE(WindowRig::comes([&] { return rig_->button("savePatientButton").isVisible(); }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig_->button("savePatientButton").isVisible(); }));
   EXPECT_EQ(anatomy::loadPatient(other)->basalTurn->a, millimeters(9.1));
   rig_->click("savePatientButton");
   EXPECT_EQ(anatomy::loadPatient(other)->basalTurn->a, millimeters(9.2));
@@ -291,42 +291,43 @@ TEST_F(FirstScreen, ACodeIsNotGivenToTwoPatients)
     type("bValue", "6.8");
     rig_->click("usePatientButton");
     if (i > 0) continue;
-    ASSERT_TRUE(WindowRig::comes([&] { return scenario().patient().label == "P-018"; }));
+    ASSERT_TRUE(WindowRig::waitUntil([&] { return scenario().patient().label == "P-018"; }));
   }
   EXPECT_TRUE(isMarked("saved already"));
   EXPECT_EQ(anatomy::loadPatient(patientFolder() / "P-018-right.toml")->basalTurn->a,
             millimeters(9.1));
   rig_->click("leftEar");  // the other ear is another cochlea
   rig_->click("usePatientButton");
-  EXPECT_TRUE(WindowRig::comes([&] { return scenario().patient().side == anatomy::Side::left; }));
+  EXPECT_TRUE(
+      WindowRig::waitUntil([&] { return scenario().patient().side == anatomy::Side::left; }));
 }
 
 TEST_F(FirstScreen, ItsKeysWorkWhereverTheFocusIs)
 {
   rig_->window().activateWindow();
-  ASSERT_TRUE(WindowRig::comes([&] { return rig_->window().isActiveWindow(); }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig_->window().isActiveWindow(); }));
   rig_->button("keysButton").setFocus();
   QTest::keyClick(&rig_->button("keysButton"), Qt::Key_2);
-  EXPECT_TRUE(WindowRig::comes([&] { return rig_->window().page() == "insert"; }));
+  EXPECT_TRUE(WindowRig::waitUntil([&] { return rig_->window().page() == "insert"; }));
   EXPECT_TRUE(
-      WindowRig::comes([&] { return scenario().anatomy() == anatomy::AnatomySource::mean; }));
+      WindowRig::waitUntil([&] { return scenario().anatomy() == anatomy::AnatomySource::mean; }));
 }
 
 TEST_F(FirstScreen, WorkIsContinuedAndTheLastInsertionReplayed)
 {
   EXPECT_EQ(rig_->window().findChild<QAbstractButton*>("continueButton"), nullptr);
   rig_->click("demonstrationCard");
-  ASSERT_TRUE(WindowRig::comes([&] { return rig_->travel_mm() > 0.5; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig_->travel_mm() > 0.5; }));
   rig_->click("resetButton");
   rig_->choose("arraySelector", "flex24");
-  ASSERT_TRUE(WindowRig::comes([&] { return scenario().arrayName() == "flex24"; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return scenario().arrayName() == "flex24"; }));
   rig_->click("startPageButton");
   rig_->click("continueButton");
   EXPECT_EQ(rig_->window().page(), "insert");
   EXPECT_EQ(scenario().arrayName(), "flex24");
   rig_->click("startPageButton");
   rig_->click("recentRecording0");
-  EXPECT_TRUE(WindowRig::comes(
+  EXPECT_TRUE(WindowRig::waitUntil(
       [&] { return rig_->window().windowTitle().startsWith("Replay of contour-published"); }));
   EXPECT_EQ(rig_->window().windowTitle().count("Perilymph"), 1);
 }
@@ -340,7 +341,7 @@ TEST_F(FirstScreen, ASurgeonInsertsAnotherArrayIntoThePatientsCochleaAndTakesItB
   type("rwWidth", "2.05");
   type("rwHeight", "1.7");
   rig_->click("usePatientButton");
-  ASSERT_TRUE(WindowRig::comes([&] { return scenario().patient().label == "P-014"; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return scenario().patient().label == "P-014"; }));
   // entered in the form, and no preset
   int entered = 0;
   for (const QLabel* label : rig_->window().findChildren<QLabel*>())
@@ -351,14 +352,15 @@ TEST_F(FirstScreen, ASurgeonInsertsAnotherArrayIntoThePatientsCochleaAndTakesItB
   EXPECT_FALSE(rig_->window().findChild<QLabel*>("modifiedLabel")->isVisible());
   EXPECT_TRUE(rig_->label("scenarioTitle").contains("P-014: Nucleus Slim Straight"));
 
-  ASSERT_TRUE(WindowRig::comes([&] { return rig_->button("startButton").isEnabled(); }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig_->button("startButton").isEnabled(); }));
   rig_->click("startButton");
-  ASSERT_TRUE(WindowRig::comes([&] { return rig_->now().output.axialForce > 2e-3; }));
-  EXPECT_TRUE(WindowRig::comes([&] { return rig_->readOut("forceReadOut").toDouble() >= 2.0; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig_->now().output.axialForce > 2e-3; }));
+  EXPECT_TRUE(
+      WindowRig::waitUntil([&] { return rig_->readOut("forceReadOut").toDouble() >= 2.0; }));
   rig_->click("resetButton");
   rig_->pressKey(Qt::Key_Z, Qt::ControlModifier);
   rig_->pressKey(Qt::Key_Z, Qt::ControlModifier);
-  EXPECT_TRUE(WindowRig::comes([&] { return scenario().arrayName() == "contour"; }));
+  EXPECT_TRUE(WindowRig::waitUntil([&] { return scenario().arrayName() == "contour"; }));
   EXPECT_EQ(scenario().patient().scalaTympaniLength, millimeters(34.2));
   EXPECT_TRUE(rig_->label("scenarioTitle").contains("P-014: Nucleus 24 Contour"));
 }
@@ -386,12 +388,12 @@ TEST_F(FirstScreen, AnImpossibleNumberIsRefusedWithTheAllowedRange)
 TEST_F(FirstScreen, AnArrayThatMovesRestsWhileAnotherPageIsShown)
 {
   rig_->click("demonstrationCard");
-  ASSERT_TRUE(WindowRig::comes([&] { return rig_->travel_mm() > 0.2; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig_->travel_mm() > 0.2; }));
   rig_->click("startPageButton");
   EXPECT_FALSE(rig_->window().control().isMoving());
-  ASSERT_TRUE(rig_->liveForTicks(200));
+  ASSERT_TRUE(rig_->runForTicks(200));
   const double rested = rig_->travel_mm();
-  ASSERT_TRUE(rig_->liveForTicks(200));
+  ASSERT_TRUE(rig_->runForTicks(200));
   EXPECT_NEAR(rig_->travel_mm(), rested, 1e-6);
 }
 

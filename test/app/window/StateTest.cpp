@@ -197,7 +197,7 @@ TEST(AnInterruptedInsertion, IsOfferedWithItsDepth)
   WindowRig rig;
   gui::offerRecovery(rig.window(), {"tuesday.insertion"}, threeMillimeters);
   Q_EMIT rig.window().firstFrameShown();
-  ASSERT_TRUE(WindowRig::comes([&] { return rig.window().notice().isVisible(); }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig.window().notice().isVisible(); }));
   EXPECT_TRUE(rig.window().notice().sentence().contains("3.0 mm"));
   EXPECT_TRUE(rig.window().notice().sentence().contains("tuesday"));
 }
@@ -232,7 +232,7 @@ TEST(AnInterruptedInsertion, WhoseRecordingBlocksItsReaderDoesNotBlockTheWindow)
                        });
     Q_EMIT rig.window().firstFrameShown();
     rig.click("startButton");
-    EXPECT_TRUE(WindowRig::comes([&] { return rig.travel_mm() > 0.1; }));
+    EXPECT_TRUE(WindowRig::waitUntil([&] { return rig.travel_mm() > 0.1; }));
   }
   gate.set_value();
 }
@@ -249,7 +249,7 @@ TEST(AnInterruptedInsertion, WhoseRecordingNeedsTooMuchMemoryDoesNotEndTheWindow
       });
   Q_EMIT rig.window().firstFrameShown();
   rig.click("startButton");
-  EXPECT_TRUE(WindowRig::comes([&] { return wasRead && rig.travel_mm() > 0.1; }));
+  EXPECT_TRUE(WindowRig::waitUntil([&] { return wasRead && rig.travel_mm() > 0.1; }));
 }
 
 /// A window in a locale with decimal commas: 9,1.
@@ -284,7 +284,7 @@ TEST_P(TypedNumber, WithACommaOrAPointIsTheSameAndTheFileHasAPoint)
   type("aValue", GetParam());
   type("bValue", "6,5");
   rig.click("usePatientButton");
-  ASSERT_TRUE(WindowRig::comes(
+  ASSERT_TRUE(WindowRig::waitUntil(
       [&] { return rig.window().control().scenario().patient().basalTurn.has_value(); }));
   EXPECT_EQ(rig.window().control().scenario().patient().basalTurn->a, millimeters(9.1));
   const auto text = readWhole(patientFolder() / "comma-right.toml");

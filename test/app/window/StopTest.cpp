@@ -31,7 +31,7 @@ public:
   }
   bool eventFilter(QObject*, QEvent* event) override
   {
-    if (event->type() == type_) loop_.hear();
+    if (event->type() == type_) loop_.setTone();
     return false;
   }
 
@@ -82,15 +82,16 @@ protected:
     rig_->window().insertion().useDevice([this] {
       return Result<std::unique_ptr<device::HapticDevice>>(std::make_unique<PushedDevice>(log_));
     });
-    ASSERT_EQ(rig_->window().control().handName(), "Pushed device");
+    ASSERT_EQ(rig_->window().control().inputName(), "Pushed device");
     // Shown fifteen times a second.
-    ASSERT_TRUE(WindowRig::comes([&] { return rig_->button("stopButton").isVisible(); }));
+    ASSERT_TRUE(WindowRig::waitUntil([&] { return rig_->button("stopButton").isVisible(); }));
     rig_->click("startButton");
     ASSERT_TRUE(
-        WindowRig::comes([&] { return rig_->now().output.workflow == Workflow::inserting; }));
+        WindowRig::waitUntil([&] { return rig_->now().output.workflow == Workflow::inserting; }));
     log_->isPushed = true;
-    ASSERT_TRUE(WindowRig::comes([&] { return isLargest(log_->newest()); }));
-    ASSERT_TRUE(WindowRig::comes([&] { return rig_->button("startButton").text() == "Pause"; }));
+    ASSERT_TRUE(WindowRig::waitUntil([&] { return isLargest(log_->newest()); }));
+    ASSERT_TRUE(
+        WindowRig::waitUntil([&] { return rig_->button("startButton").text() == "Pause"; }));
     ASSERT_TRUE(isLargest(log_->newest()));
   }
   static bool isLargest(double magnitude) { return magnitude > 0.99 * PushedDevice::maxForce; }
@@ -146,15 +147,16 @@ TEST_F(AForceOfTheWindow, ComesBackOnlyOnAskingAndThenFadesIn)
 {
   push();
   rig_->click("stopButton");
-  ASSERT_TRUE(WindowRig::comes([&] { return rig_->now().output.workflow == Workflow::paused; }));
-  ASSERT_TRUE(rig_->liveForTicks(300));
+  ASSERT_TRUE(
+      WindowRig::waitUntil([&] { return rig_->now().output.workflow == Workflow::paused; }));
+  ASSERT_TRUE(rig_->runForTicks(300));
   EXPECT_EQ(log_->newest(), 0.0);
   EXPECT_TRUE(rig_->label("hintLabel").contains(QLatin1String("Stopped")));
   EXPECT_EQ(rig_->button("startButton").text(), "Start");
 
   const std::size_t asked = log_->size();
   rig_->click("startButton");
-  ASSERT_TRUE(WindowRig::comes([&] { return isLargest(log_->newest()); }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return isLargest(log_->newest()); }));
   EXPECT_EQ(rig_->now().output.workflow, Workflow::inserting);
   // The physical force is about twice the clamp, and fades in over half a second.
   double before = 0.0;
@@ -179,7 +181,7 @@ TEST_F(AForceOfTheWindow, StaysIfTheFocusComesBackWithinASecond)
 TEST_F(AForceOfTheWindow, IsOfferedNoStopWhereThereIsNone)
 {
   rig_ = std::make_unique<WindowRig>();
-  ASSERT_TRUE(WindowRig::comes([&] { return rig_->button("startButton").isEnabled(); }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig_->button("startButton").isEnabled(); }));
   EXPECT_FALSE(rig_->button("stopButton").isVisible());
 }
 

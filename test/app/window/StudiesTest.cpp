@@ -78,14 +78,14 @@ protected:
     rig.window().showPage("studies");
     gui::StudiesPage& page = pageOf(rig);
     page.open(file());
-    if (!WindowRig::comes([&] { return page.columns() != nullptr; })) return false;
+    if (!WindowRig::waitUntil([&] { return page.columns() != nullptr; })) return false;
     for (int i = 0; i < 8; ++i) QCoreApplication::processEvents();  // nested layouts
     page.plot().render();
     return true;
   }
   static bool isReplaying(WindowRig& rig)
   {
-    return WindowRig::comes([&] { return rig.window().insertion().replay().isOpen(); });
+    return WindowRig::waitUntil([&] { return rig.window().insertion().replay().isOpen(); });
   }
 
   DataFolder data_;
@@ -115,8 +115,8 @@ TEST_F(AStudy, ThatIsNoneIsRefusedInOneSentence)
   const fs::path other = folder.path() / "other.sqlite";
   std::ofstream(other) << "a text";
   pageOf(rig).open(other);
-  ASSERT_TRUE(WindowRig::comes([&] { return !pageOf(rig).isBusy(); }));
-  EXPECT_TRUE(WindowRig::comes([&] {
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return !pageOf(rig).isBusy(); }));
+  EXPECT_TRUE(WindowRig::waitUntil([&] {
     return rig.label("studyStatus").contains("other.sqlite is not a study of Perilymph");
   })) << rig.label("studyStatus").toStdString();
   EXPECT_EQ(pageOf(rig).columns(), nullptr);
@@ -140,10 +140,10 @@ TEST_F(AStudy, OfMeasuresThatWereChangedByHandSaysSo)
   WindowRig rig;
   rig.window().showPage("studies");
   pageOf(rig).open(changed);
-  ASSERT_TRUE(WindowRig::comes([&] { return pageOf(rig).columns() != nullptr; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return pageOf(rig).columns() != nullptr; }));
   EXPECT_EQ(rig.label("studyStatus").toStdString(), note);
   pageOf(rig).open(file());
-  ASSERT_TRUE(WindowRig::comes([&] { return pageOf(rig).columns()->size() == insertions; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return pageOf(rig).columns()->size() == insertions; }));
   EXPECT_EQ(rig.label("studyStatus"), "");
 }
 
@@ -222,7 +222,7 @@ TEST_F(AStudy, IsReadRunAgainAndReplayedInSteps)
   gui::StudiesPage& page = pageOf(rig);
   rig.click("study-friction-tissue");
   QTest::keyClick(&page.plot(), Qt::Key_End);
-  ASSERT_TRUE(WindowRig::comes([&] { return page.summary() != nullptr; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return page.summary() != nullptr; }));
   page.plot().render();
   walk.step(1, rig.window());
   rig.click("replayStudyButton");
@@ -248,7 +248,7 @@ TEST_F(AStudy, RunsAnInsertionOnceOnly)
   const auto written = fs::last_write_time(recording);
   rig.window().showPage("studies");
   QTest::keyClick(&page.plot(), Qt::Key_Return);
-  ASSERT_TRUE(WindowRig::comes([&] { return rig.window().page() == "insert"; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig.window().page() == "insert"; }));
   EXPECT_EQ(fs::last_write_time(recording), written);
 }
 

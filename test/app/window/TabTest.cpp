@@ -52,7 +52,7 @@ std::string nameOf(const QWidget* stop)
 std::vector<QWidget*> walkTab(WindowRig& rig, const std::function<void(QWidget*)>& atStop)
 {
   rig.window().activateWindow();
-  if (!WindowRig::comes([] { return QApplication::focusWidget() != nullptr; })) return {};
+  if (!WindowRig::waitUntil([] { return QApplication::focusWidget() != nullptr; })) return {};
   rig.window().setFocus();
   std::vector<QWidget*> stops;
   for (int i = 0; i < 200; ++i) {

@@ -38,7 +38,7 @@ protected:
   {
     rig_.click("ctPageButton");
     page().open(onDisk().folder / "ct");
-    EXPECT_TRUE(WindowRig::comes([this] { return study().hasCt(); }));
+    EXPECT_TRUE(WindowRig::waitUntil([this] { return study().hasCt(); }));
     // it is measured at once, which takes seconds; cases measure where they need it
     EXPECT_TRUE(page().isBusy());
     page().cancel();
@@ -59,7 +59,7 @@ protected:
     study().moveCrosshair(onDisk().phantom.inside_P);
     if (measured) return study().setMeasures(*measured);
     rig_.click("measureHereButton");
-    ASSERT_TRUE(WindowRig::comes([this] { return study().measures() != nullptr; }));
+    ASSERT_TRUE(WindowRig::waitUntil([this] { return study().measures() != nullptr; }));
     measured = *study().measures();
   }
   void drag(gui::PlaneView& view, const QPointF& from, const QPointF& by)

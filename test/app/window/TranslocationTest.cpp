@@ -60,7 +60,7 @@ TEST_F(ATranslocation, IsComparedWithAnInsertionInWhichThePartitionHeld)
   auto& page = *rig.window().findChild<gui::ComparePage*>();
   rig.click("comparePageButton");
   page.compare({through(), held()});
-  ASSERT_TRUE(WindowRig::comes([&] { return page.runs().size() == 2; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return page.runs().size() == 2; }));
   const auto& table = *rig.window().findChild<QTableWidget*>("comparisonTable");
   int column = 0;
   while (column < table.columnCount() &&
@@ -74,7 +74,7 @@ TEST_F(ATranslocation, IsComparedWithAnInsertionInWhichThePartitionHeld)
   keepPicture(rig.window(), "translocation-compare");
 
   page.compare({held(), held()});
-  ASSERT_TRUE(WindowRig::comes([&] { return !page.runs()[0].translocation; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return !page.runs()[0].translocation; }));
   EXPECT_TRUE(table.isColumnHidden(column));
 }
 
@@ -83,16 +83,16 @@ TEST_F(ATranslocation, IsSeenInEveryViewOfItsReplay)
   WindowRig rig;
   rig.window().replay(through());
   const auto& replay = rig.window().insertion().replay();
-  ASSERT_TRUE(WindowRig::comes([&] { return replay.isOpen(); }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return replay.isOpen(); }));
   auto& player = rig.window().insertion().replay();
   player.pause();
-  ASSERT_TRUE(WindowRig::comes([&] {
+  ASSERT_TRUE(WindowRig::waitUntil([&] {
     player.seek(replay.playback().ticks() - 1);  // as far as it is computed
     return replay.now().isAbove.any();
   }));
   rig.pressKey(Qt::Key_L);
   const QString known = QStringLiteral("translocation: partition ruptured at 57° by 42 mN");
-  EXPECT_TRUE(WindowRig::comes([&] {
+  EXPECT_TRUE(WindowRig::waitUntil([&] {
     return rig.window().findChild<gui::ForceLabel*>()->accessibleName().contains(known);
   }));
   auto* line = rig.window().findChild<gui::Scrubber*>();
@@ -106,7 +106,7 @@ TEST_F(ATranslocation, IsSeenInEveryViewOfItsReplay)
   EXPECT_TRUE(texts.contains("translocation")) << texts.join(", ").toStdString();
   EXPECT_TRUE(texts.contains("peak insertion force"));
   int turns = 0;  // of the event loop: the picture that was due is shown
-  ASSERT_TRUE(WindowRig::comes([&] { return ++turns > 20; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return ++turns > 20; }));
   keepPicture(rig.window(), "translocation-replay");
 }
 

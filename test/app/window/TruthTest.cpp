@@ -224,7 +224,7 @@ public:
     WindowRig rig({{"patient", file_.string()}, {"anatomy", "mean"}, {"array", "\"flex28\""}});
     // the start page's form has such labels, too, still empty
     QString duct;
-    ASSERT_TRUE(WindowRig::comes([&] {
+    ASSERT_TRUE(WindowRig::waitUntil([&] {
       for (const QLabel* each : rig.window().findChildren<QLabel*>("duct_length_mm"))
         if (each->text().contains("±")) duct = each->text();
       return !duct.isEmpty();
@@ -250,11 +250,11 @@ public:
 
     rig.click("sessionsPageButton");
     const auto& sessions = *rig.window().findChild<QAbstractItemView*>("sessionList");
-    ASSERT_TRUE(WindowRig::comes([&] { return sessions.model()->rowCount() > 0; }));
+    ASSERT_TRUE(WindowRig::waitUntil([&] { return sessions.model()->rowCount() > 0; }));
     auto& compare = *rig.window().findChild<gui::ComparePage*>();
     compare.compare({recording_});
     const auto& compared = *rig.window().findChild<QTableWidget*>("comparisonTable");
-    ASSERT_TRUE(WindowRig::comes([&] { return compared.rowCount() > 0; }));
+    ASSERT_TRUE(WindowRig::waitUntil([&] { return compared.rowCount() > 0; }));
     for (const auto& [quantity, inSessions, inComparison] :
          {std::tuple{"tip angle", "Tip", "Tip"},
           std::tuple{"peak force of an insertion", "Peak", "Peak"},

@@ -79,12 +79,12 @@ TEST_F(ValidationPage, CountsTheInsertionsThatWereAskedFor)
 {
   setRuns(12);
   rig_.click("validateButton");
-  EXPECT_TRUE(WindowRig::comes([&] {
+  EXPECT_TRUE(WindowRig::waitUntil([&] {
     return rig_.label("validationStatus").startsWith("Insertion ") &&
            rig_.label("validationStatus").endsWith("of 12");
   }));
   page().cancel();
-  EXPECT_TRUE(WindowRig::comes([&] { return !page().isBusy(); }));
+  EXPECT_TRUE(WindowRig::waitUntil([&] { return !page().isBusy(); }));
 }
 
 TEST_F(ValidationPage, EndsWithAVerdictForEachPrintedValue)
@@ -93,7 +93,7 @@ TEST_F(ValidationPage, EndsWithAVerdictForEachPrintedValue)
   rig_.click("validateButton");
   // Another hundred insertions determine the sources of the spread; with sanitizers they take
   // minutes.
-  ASSERT_TRUE(WindowRig::comes([&] { return page().result().has_value(); }, 900'000));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return page().result().has_value(); }, 900'000));
   EXPECT_EQ(page().result()->runs, 2);
   EXPECT_GE(verdicts("✓ met") + verdicts("missed"), 4);
   EXPECT_EQ(rig_.label("validationHeadline"), QStringLiteral("%1 of %2 criteria met")
@@ -109,9 +109,9 @@ TEST_F(ValidationPage, CanBeCanceledAndKeepsNothing)
   setRuns(1000);
   rig_.click("validateButton");
   auto* progress = page().findChild<QProgressBar*>();
-  ASSERT_TRUE(WindowRig::comes([&] { return progress->value() >= 1; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return progress->value() >= 1; }));
   rig_.pressKey(Qt::Key_Escape);
-  ASSERT_TRUE(WindowRig::comes([&] { return !page().isBusy(); }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return !page().isBusy(); }));
   EXPECT_FALSE(page().result());
   EXPECT_TRUE(rig_.label("validationStatus").contains("Canceled"));
   EXPECT_TRUE(rig_.button("validateButton").isEnabled());

@@ -20,9 +20,9 @@
 namespace perilymph::test {
 namespace {
 
+using gui::AdaptiveQuality;
 using gui::Pane;
 using gui::PaneLayout;
-using gui::QualityPilot;
 using visualization::Quality;
 using visualization::Stereo;
 
@@ -83,7 +83,7 @@ TEST_F(Views, FourFitIntoTheSmallestWindowWithReadOutsThatDoNotOverlap)
   rig.window().resize(gui::preferredMinimumSize);
   rig.pressKey(Qt::Key_4, Qt::ControlModifier);
   const gui::OperationView& view = rig.window().view();
-  ASSERT_TRUE(WindowRig::comes([&] { return view.height() < 380; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return view.height() < 380; }));
   EXPECT_FALSE(rig.window().findChild<QWidget*>("phaseLine")->isVisible());
   QList<const QWidget*> parts;
   for (const char* name : {"travelReadOut", "angleReadOut", "forceReadOut", "forceWords",
@@ -181,7 +181,7 @@ TEST_F(Views, QuadBufferedStereoOpensAWindowOfItsOwnWhereTheDisplayHasBuffersFor
   EXPECT_EQ(rig.window().view().stereo(), Stereo::quadBuffered);
   const gui::StereoWindow* twin = rig.window().views().stereoWindow();
   ASSERT_NE(twin, nullptr);
-  EXPECT_TRUE(WindowRig::comes([&] { return twin->isOpen(); }));
+  EXPECT_TRUE(WindowRig::waitUntil([&] { return twin->isOpen(); }));
   EXPECT_EQ(rig.picture(), mono);  // the overlays of the operation view stay
   entry(rig, "viewOverview").trigger();
   rig.pressKey(Qt::Key_G);
@@ -196,7 +196,7 @@ TEST_F(Views, SideBySideFillsAWindowOfItsOwn)
   entry(rig, "stereoSideBySide").trigger();
   const gui::StereoWindow* twin = rig.window().views().stereoWindow();
   ASSERT_NE(twin, nullptr);
-  EXPECT_TRUE(WindowRig::comes([&] { return twin->isOpen(); }));
+  EXPECT_TRUE(WindowRig::waitUntil([&] { return twin->isOpen(); }));
   EXPECT_EQ(rig.picture(), mono);  // read-outs stay readable in the main window
   entry(rig, "stereoOff").trigger();
   EXPECT_EQ(rig.window().views().stereoWindow(), nullptr);
@@ -209,7 +209,7 @@ TEST_F(Views, StereoIsOffOnceItsWindowIsClosed)
   rig.window().views().setStereo(Stereo::quadBuffered);
   ASSERT_NE(rig.window().views().stereoWindow(), nullptr);
   rig.window().views().stereoWindow()->close();
-  EXPECT_TRUE(WindowRig::comes([&] { return rig.window().view().stereo() == Stereo::off; }));
+  EXPECT_TRUE(WindowRig::waitUntil([&] { return rig.window().view().stereo() == Stereo::off; }));
   EXPECT_EQ(rig.window().views().stereoWindow(), nullptr);
 }
 
@@ -234,7 +234,7 @@ TEST_F(Views, OpeningTheMenuFindsOutWhetherTheForceCanBeHeardHere)
   const QAction& sound = entry(rig, "soundOfForce");
   const QString looking = sound.text();
   Q_EMIT rig.window().findChild<gui::ViewMenu*>()->menu()->aboutToShow();
-  EXPECT_TRUE(WindowRig::comes([&] { return sound.text() != looking; }));
+  EXPECT_TRUE(WindowRig::waitUntil([&] { return sound.text() != looking; }));
 }
 
 TEST_F(Views, TheMenuChoosesWhatTheKeysChoose)
@@ -261,13 +261,13 @@ TEST_F(Views, AnotherTierDrawsTheSameFromTheSamePlace)
 
 TEST(QualityOfAMachine, IsKnownByTheRenderersName)
 {
-  EXPECT_EQ(QualityPilot("llvmpipe (LLVM 15.0.6, 256 bits)").quality(), Quality::software);
-  EXPECT_EQ(QualityPilot("Mesa Intel(R) UHD Graphics 620 (KBL GT2)").quality(), Quality::gpu);
+  EXPECT_EQ(AdaptiveQuality("llvmpipe (LLVM 15.0.6, 256 bits)").quality(), Quality::software);
+  EXPECT_EQ(AdaptiveQuality("Mesa Intel(R) UHD Graphics 620 (KBL GT2)").quality(), Quality::gpu);
 }
 
 TEST(QualityOfAMachine, StepsDownOnceWhenItsFirstSecondIsSlow)
 {
-  QualityPilot pilot("llvmpipe");
+  AdaptiveQuality pilot("llvmpipe");
   EXPECT_FALSE(pilot.weigh(4, 2.0, 200.0));   // too few frames
   EXPECT_FALSE(pilot.weigh(40, 0.5, 200.0));  // too early
   EXPECT_TRUE(pilot.weigh(40, 2.0, 200.0));
@@ -277,7 +277,7 @@ TEST(QualityOfAMachine, StepsDownOnceWhenItsFirstSecondIsSlow)
 
 TEST(QualityOfAMachine, StaysWhenItsFirstSecondIsQuick)
 {
-  QualityPilot pilot("llvmpipe");
+  AdaptiveQuality pilot("llvmpipe");
   EXPECT_FALSE(pilot.weigh(40, 2.0, 30.0));
   EXPECT_FALSE(pilot.weigh(80, 4.0, 200.0));  // a later busy moment does not count
   EXPECT_EQ(pilot.quality(), Quality::software);
@@ -285,7 +285,7 @@ TEST(QualityOfAMachine, StaysWhenItsFirstSecondIsQuick)
 
 TEST(QualityOfAMachine, IsRestoredWhileNothingMoves)
 {
-  QualityPilot pilot("llvmpipe");
+  AdaptiveQuality pilot("llvmpipe");
   EXPECT_FALSE(pilot.rest(true));
   EXPECT_FALSE(pilot.rest(false));
   ASSERT_TRUE(pilot.weigh(40, 2.0, 200.0));
@@ -297,7 +297,7 @@ TEST(QualityOfAMachine, IsRestoredWhileNothingMoves)
 
 TEST(QualityOfAMachine, GivesWayToAChoice)
 {
-  QualityPilot pilot("llvmpipe");
+  AdaptiveQuality pilot("llvmpipe");
   pilot.choose(Quality::gpu);
   EXPECT_FALSE(pilot.weigh(40, 2.0, 500.0));
   EXPECT_EQ(pilot.quality(), Quality::gpu);

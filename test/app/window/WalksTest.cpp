@@ -18,7 +18,7 @@
 #include "Walk.h"
 #include "WindowRig.h"
 #include "gui/kiosk/KioskWindow.h"
-#include "gui/kiosk/PushPad.h"
+#include "gui/kiosk/SpeedPad.h"
 #include "gui/pages/compare/ComparePage.h"
 #include "gui/pages/compare/ComparisonPlot.h"
 #include "gui/pages/insert/ResultCard.h"
@@ -32,12 +32,12 @@ class AWalk : public testing::Test {
 protected:
   static bool canStart(WindowRig& rig)
   {
-    return WindowRig::comes([&] { return rig.button("startButton").isEnabled(); });
+    return WindowRig::waitUntil([&] { return rig.button("startButton").isEnabled(); });
   }
   /// The array is at full depth, and the window shows it.
   static bool isThere(WindowRig& rig)
   {
-    return WindowRig::comes([&] {
+    return WindowRig::waitUntil([&] {
       return rig.now().output.workflow == haptics::Workflow::finished &&
              rig.button("startButton").text() == "Start";
     });
@@ -45,7 +45,7 @@ protected:
   /// All measures of the shown cochlea are shown.
   static bool isComputed(WindowRig& rig)
   {
-    return WindowRig::comes([&] {
+    return WindowRig::waitUntil([&] {
       const auto labels = rig.window().findChildren<QLabel*>();
       return std::none_of(labels.begin(), labels.end(), [](const QLabel* label) {
         return label->isVisible() && label->text() == "computing…";
@@ -60,7 +60,7 @@ protected:
       const QImage picture = icon.value<QIcon>().pixmap(list.iconSize()).toImage();
       return !picture.isNull() && picture.pixelColor(picture.rect().center()).alpha() > 0;
     };
-    return WindowRig::comes([&] {
+    return WindowRig::waitUntil([&] {
       for (int row = 0; row < list.model()->rowCount(); ++row)
         if (!isPainted(row)) return false;
       return true;
@@ -89,7 +89,7 @@ TEST_F(AWalk, OfASurgeonEndsAtFullDepthOfThePatientsCochlea)
   walk.step(2, rig.window());
 
   rig.click("usePatientButton");
-  ASSERT_TRUE(WindowRig::comes(
+  ASSERT_TRUE(WindowRig::waitUntil(
       [&] { return rig.window().control().scenario().patient().label == "P-014"; }));
   rig.choose("arraySelector", "slim-straight");
   ASSERT_TRUE(canStart(rig));
@@ -100,15 +100,15 @@ TEST_F(AWalk, OfASurgeonEndsAtFullDepthOfThePatientsCochlea)
   rig.window().setFocus();
   rig.holdKey(Qt::Key_Space);
   rig.holdKey(Qt::Key_Down);
-  ASSERT_TRUE(WindowRig::comes([&] { return rig.travel_mm() > 13.0; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig.travel_mm() > 13.0; }));
   walk.step(4, rig.window());
 
-  ASSERT_TRUE(WindowRig::comes([&] { return rig.window().control().isAtDepth(); }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig.window().control().isAtDepth(); }));
   rig.releaseKey(Qt::Key_Down);
   rig.releaseKey(Qt::Key_Space);
-  ASSERT_TRUE(WindowRig::comes([&] { return rig.label("hintLabel").contains("Full depth"); }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig.label("hintLabel").contains("Full depth"); }));
   const auto& card = *rig.window().findChild<gui::ResultCard*>();
-  ASSERT_TRUE(WindowRig::comes([&] { return card.isVisible(); }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return card.isVisible(); }));
   walk.step(5, rig.window());
   EXPECT_EQ(rig.window().control().scenario().patient().basalTurn->a, millimeters(9.0));
   EXPECT_EQ(walk.left(), "");
@@ -130,7 +130,7 @@ TEST_F(AWalk, OfAClinicianSetsTwoTechniquesSideBySide)
   rig.click("resetButton");
   rig.click("sessionsPageButton");
   auto& list = *rig.window().findChild<QTableView*>("sessionList");
-  ASSERT_TRUE(WindowRig::comes([&] { return list.model()->rowCount() == 2; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return list.model()->rowCount() == 2; }));
   ASSERT_TRUE(picturesCome(list));
   list.setFocus();
   QTest::keyClick(&list, Qt::Key_A, Qt::ControlModifier);
@@ -138,21 +138,22 @@ TEST_F(AWalk, OfAClinicianSetsTwoTechniquesSideBySide)
 
   rig.click("compareButton");
   auto& page = *rig.window().findChild<gui::ComparePage*>();
-  ASSERT_TRUE(WindowRig::comes([&] { return page.runs().size() == 2; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return page.runs().size() == 2; }));
   auto& plot = *rig.window().findChild<gui::ComparisonPlot*>();
   QTest::mouseClick(&plot, Qt::LeftButton, Qt::NoModifier,
                     QPoint(plot.width() * 2 / 3, plot.height() / 2));
   walk.step(3, rig.window());
 
   rig.click("sessionsPageButton");
-  ASSERT_TRUE(
-      WindowRig::comes([&] { return !rig.window().findChild<gui::SessionsPage*>()->isBusy(); }));
+  ASSERT_TRUE(WindowRig::waitUntil(
+      [&] { return !rig.window().findChild<gui::SessionsPage*>()->isBusy(); }));
   list.selectRow(1);
   rig.click("ghostButton");
-  ASSERT_TRUE(WindowRig::comes([&] { return rig.label("sessionStatus").contains("reference"); }));
+  ASSERT_TRUE(
+      WindowRig::waitUntil([&] { return rig.label("sessionStatus").contains("reference"); }));
   rig.click("insertPageButton");
   rig.click("startButton");
-  ASSERT_TRUE(WindowRig::comes([&] { return rig.travel_mm() > 12.0; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig.travel_mm() > 12.0; }));
   walk.step(4, rig.window());
   EXPECT_EQ(walk.left(), "");
 }
@@ -168,17 +169,17 @@ TEST_F(AWalk, OfAVisitorEndsOnTheBoardOfTheDay)
   const auto travel_mm = [&window] {
     return inMillimeters(Length::fromSi(window.control().now().output.travel));
   };
-  ASSERT_TRUE(WindowRig::comes([&] { return travel_mm() > 12.0; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return travel_mm() > 12.0; }));
   walk.step(1, window);
 
   QTest::mouseClick(window.findChild<QAbstractButton*>("inviteButton"), Qt::LeftButton);
-  ASSERT_TRUE(WindowRig::comes([&] { return window.stage() == gui::KioskStage::turn; }));
-  auto& pad = *window.findChild<gui::PushPad*>();
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return window.stage() == gui::KioskStage::turn; }));
+  auto& pad = *window.findChild<gui::SpeedPad*>();
   QTest::mousePress(&pad, Qt::LeftButton, {}, QPoint(pad.width() * 3 / 4, pad.height() / 2));
-  ASSERT_TRUE(WindowRig::comes([&] { return travel_mm() > 11.0; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return travel_mm() > 11.0; }));
   walk.step(2, window);
 
-  ASSERT_TRUE(WindowRig::comes([&] { return window.stage() == gui::KioskStage::result; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return window.stage() == gui::KioskStage::result; }));
   walk.step(3, window);
   EXPECT_EQ(walk.left(), "");
 }

@@ -52,7 +52,7 @@ WindowRig::WindowRig(const session::Overrides& overrides,
   window_->show();
   const auto opened = window_->open();
   if (!opened) throw std::runtime_error(opened.error().message);
-  if (!comes([&] { return isShown; })) throw std::runtime_error("No frame came.");
+  if (!waitUntil([&] { return isShown; })) throw std::runtime_error("No frame came.");
   QObject::disconnect(shown);  // a test may say it again
 }
 
@@ -68,11 +68,12 @@ void WindowRig::choose(const char* selector, const char* value)
   if (wanted < 0) throw std::runtime_error(std::string("There is no choice ") + value + ".");
   list.setFocus();
   QTest::keyClick(&list, Qt::Key_Space);
-  if (!comes([&] { return list.view()->isVisible(); })) throw std::runtime_error("No list opened.");
+  if (!waitUntil([&] { return list.view()->isVisible(); }))
+    throw std::runtime_error("No list opened.");
   // as the arrow keys do, which a pointer at rest over the opened list would take back
   list.view()->setCurrentIndex(list.model()->index(wanted, 0));
   QTest::keyClick(list.view(), Qt::Key_Return);
-  comes([&] { return !list.view()->isVisible(); });
+  waitUntil([&] { return !list.view()->isVisible(); });
 }
 
 void WindowRig::type(const char* field, const char* text)
@@ -113,15 +114,15 @@ void WindowRig::turnWheel(int notches)
   qApp->notify(&view, &event);
 }
 
-bool WindowRig::comes(const std::function<bool()>& claim, int longest_ms)
+bool WindowRig::waitUntil(const std::function<bool()>& claim, int longest_ms)
 {
   return QTest::qWaitFor(claim, longest_ms);
 }
 
-bool WindowRig::liveForTicks(std::uint64_t ticks)
+bool WindowRig::runForTicks(std::uint64_t ticks)
 {
   const std::uint64_t end = now().tick + ticks;
-  return comes([&] { return now().tick >= end; });
+  return waitUntil([&] { return now().tick >= end; });
 }
 
 QImage WindowRig::picture()

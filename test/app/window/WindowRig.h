@@ -52,9 +52,9 @@ public:
   static constexpr int patience_ms = 60'000;
 #endif
   /// Processes events until the condition holds; false after the time limit.
-  static bool comes(const std::function<bool()>& claim, int longest_ms = patience_ms);
+  static bool waitUntil(const std::function<bool()>& claim, int longest_ms = patience_ms);
   /// Runs the loop for some ticks.
-  bool liveForTicks(std::uint64_t ticks);
+  bool runForTicks(std::uint64_t ticks);
 
   /// The image of the scene without its texts.
   QImage picture();

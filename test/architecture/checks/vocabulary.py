@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Vocabulary: obsolete identifiers, doc comments that are no sentences, headers with equal names."""
+"""Vocabulary: retired identifiers, doc comments that are no sentences, headers with equal names."""
 
 import re
 from collections import defaultdict
@@ -9,34 +9,36 @@ from checks import sources
 
 FOLDERS = ("modules", "app", "plugins", "test")
 
-# Obsolete identifiers and their replacements.
-GIVEN_UP = {
-    "StepRoom": "StepWorkspace", "Balance": "Residual", "Settled": "SolveResult",
-    "descend": "minimizeEnergy", "goDown": "lineSearch", "pullAlong": "directionalDerivative",
-    "findStep": "solveLinearSystem", "tryStep": "attemptStep", "keepStep": "commitStep",
-    "undoStep": "rollBackStep", "perRoot": "inverseRoot", "perSum": "inverseSum",
-    "perTime": "inverseTimeStep", "turning_W": "shapeOperator_W", "roundness": "edgeRadius",
-    "bendingMore": "bendingExcess", "HidHand": "HidDevice", "KnownHands": "DeviceRegistry",
-    "ScriptedHand": "ScriptedDevice", "PointerHand": "PointerDevice", "ReplayHand": "ReplayDevice",
-    "SampleWatch": "SampleValidator", "believed": "accepted", "doubted": "rejected",
-    "obey": "applyCommand", "happen": "transition", "Wording": "Strings", "ChartWords": "ChartLabels",
-    "ForceWords": "ForceInterpretation", "Words": "Labels", "trouble": "error", "mistake": "error",
-    "wrong": "error", "Errands": "StartupActions", "Logbook": "Logging", "RunMark": "CrashMarker",
-    "ProgramAge": "ProcessUptime", "Interrupted": "CrashRecovery", "Look": "ColorScheme",
-    "SmallAlgebra": "DenseSolvers", "TwoFit": "GaussNewton2", "share": "fraction or weight",
-    "shares": "fractions or weights", "room": "workspace, buffer or capacity", "most": "maximum",
-    "least": "minimum",
+# Retired identifiers (whole words) and the names that replace them.
+RETIRED = {
+    "AboutSheet": "AboutOverlay", "Beat": "TickClock", "BoardView": "LeaderboardView", "CallFiles": "CommandFiles",
+    "CallMark": "CallGuard", "CallWatch": "CallTimeout", "CompanionCall": "ChildCommand",
+    "Complaints": "ErrorCollector", "CtOnward": "CtNextSteps", "EndingQuestion": "EndConfirmation",
+    "Farewell": "ShutdownReports", "FirstImpression": "OpeningMeasurement", "FullInsertion": "InsertionRun",
+    "GivenNumbers": "NumberArray", "GivenPoints": "PointArray", "GuideSheet": "GuideOverlay",
+    "HandSection": "InputSection", "HeldArray": "GraspControl", "HistoryOfAPatient": "PatientHistoryPage",
+    "Impossible": "InvalidRow", "Intactness": "IntactFraction", "Kept": "RunResult", "KioskBoard": "Leaderboard",
+    "KioskTurn": "VisitorSession", "Lean": "MeanTilt", "Likeness": "TemplateScore", "ListOfPatients": "PatientList",
+    "ListenFirst": "OpeningMeasurement", "NamesOfMarkup": "MarkupNames", "PlanHead": "PlanHeader",
+    "PushPad": "SpeedPad", "QualityPilot": "AdaptiveQuality", "ReportHead": "ReportHeader",
+    "RibMeeting": "RibEntry", "RimPush": "RimContactForce", "ScenarioHead": "ScenarioHeader",
+    "SettingsSheet": "SettingsOverlay", "Sheets": "OverlayStack", "Taken": "EliminatedRows",
+    "TakenRight": "EliminatedRhs", "VtkComplaints": "VtkErrorCollector", "Wish": "PendingRequest",
+    "WordsOfVtk": "VtkMessages", "addToFoot": "addFooterControl", "areStanding": "haveConverged",
+    "bandsStand": "hasConverged", "farewell": "shutdownReports", "handChosen": "inputChosen",
+    "handName": "inputName", "insertFully": "runInsertion", "isAsked": "isRequested",
+    "keepNothing": "disableRecording", "leaveSight": "onPageHidden", "listenFirst": "measureOnOpening",
+    "liveForTicks": "runForTicks", "pursue": "applyPendingRequest", "showFoot": "showFooter",
+    "stepSlowly": "updateReadouts",
 }
-# Identifiers that are obsolete only in some folders.
-GIVEN_UP_IN = {
-    "modules/mechanics": {
-        "press": "normalContact", "rub": "friction", "Push": "ContactForce", "grip": "effectiveStiffness",
-        "settle": "solveNewton", "Way": "SolveStrategy", "worst": "maxNorm", "starting": "staticCoefficient",
-        "dynamic": "kineticCoefficient", "stopping": "stoppingCoefficient"},
-    "modules/haptics": {"Hand": "HandState", "judge": "validate", "report": "updateOutput"},
-    "app/gui": {"Hand": "InputSource", "Field": "SetupField", "Change": "SetupChange",
-                "Origin": "SetupOrigin", "Then": "AfterLoading", "Provenance": "ValueSource"},
+# Retired in some folders only, because elsewhere the word means what it says.
+RETIRED_IN = {
+    "app/gui": {"say": "showMessage", "hear": "setTone", "Hand": "InputSource"},
+    "test": {"comes": "waitUntil"},
+    "modules/mechanics": {"press": "normalContact", "rub": "friction", "settle": "solveNewton"},
 }
+# Signals and requests: closeRequested, not closeAsked.
+ASKED = re.compile(r"[a-z]\w*Asked")
 # Names of the standard library.
 OTHERS_NAMES = re.compile(r"\bget_future\(\)\.share\(\)")
 EXTREME = re.compile(r"\b(most|least)([A-Z]\w*)")
@@ -53,19 +55,22 @@ def words_of(code):
 
 def check_words(root, file, errors):
     place = file.relative_to(root).as_posix()
-    given_up = dict(GIVEN_UP)
-    for folder, words in GIVEN_UP_IN.items():
+    retired = dict(RETIRED)
+    for folder, words in RETIRED_IN.items():
         if place.startswith(folder + "/"):
-            given_up.update(words)
+            retired.update(words)
     text = sources.read(file)
     for number, word in words_of(OTHERS_NAMES.sub("", sources.without_comments(text))):
         extreme = EXTREME.fullmatch(word)
         if extreme and not LEAST_SQUARES.match(word):
             better = ("max" if extreme[1] == "most" else "min") + extreme[2]
             errors.append(f"{place}:{number}: '{word}' is not the field's word; call it {better}.")
-        elif word.rstrip("_") in given_up:
+        elif ASKED.fullmatch(word.rstrip("_")):
             errors.append(f"{place}:{number}: '{word}' is not the field's word; call it "
-                         f"{given_up[word.rstrip('_')]}.")
+                         f"{word.rstrip('_').removesuffix('Asked')}Requested.")
+        elif word.rstrip("_") in retired:
+            errors.append(f"{place}:{number}: '{word}' is not the field's word; call it "
+                         f"{retired[word.rstrip('_')]}.")
     for match in SENTENCE.finditer(text):
         number = text.count("\n", 0, match.start()) + 1
         errors.append(f"{place}:{number}: a doc comment is a sentence about what it stands at; it "

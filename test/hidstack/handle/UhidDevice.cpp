@@ -82,7 +82,7 @@ UhidEvent UhidDevice::take(std::span<const std::uint8_t>& report) noexcept
       return UhidEvent::featureSet;
     case UHID_GET_REPORT:
       report = {&incoming.u.get_report.rnum, 1};
-      return UhidEvent::featureAsked;
+      return UhidEvent::featureRequested;
     default:
       return UhidEvent::other;
   }

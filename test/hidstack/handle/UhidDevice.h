@@ -14,12 +14,12 @@ namespace perilymph::hidstack {
 
 /// Events from the kernel.
 enum class UhidEvent : std::uint8_t {
-  nothing,       ///< No event.
-  output,        ///< An output report arrived, in `report`.
-  featureSet,    ///< A feature report arrived, in `report`; requires accept() or refuse().
-  featureAsked,  ///< A feature report is requested, its number in `report`; requires answer() or
-                 ///< refuse().
-  other,         ///< Started, opened, closed: no action required.
+  nothing,           ///< No event.
+  output,            ///< An output report arrived, in `report`.
+  featureSet,        ///< A feature report arrived, in `report`; requires accept() or refuse().
+  featureRequested,  ///< A feature report is requested, its number in `report`; requires answer() or
+                     ///< refuse().
+  other,             ///< Started, opened, closed: no action required.
 };
 
 /// Connected during its lifetime.

@@ -60,7 +60,7 @@ public:
       event = cable_.take(bytes);
       if (event == UhidEvent::output) firmware_.write(raw(bytes));
       if (event == UhidEvent::featureSet && answers_) set(bytes);
-      if (event == UhidEvent::featureAsked && answers_) ask(bytes[0]);
+      if (event == UhidEvent::featureRequested && answers_) ask(bytes[0]);
       wasOn_ = wasOn_ || firmware_.actuatorsOn;
       maxShown_ = std::max(maxShown_, std::abs(firmware_.shown()[0]));
     }

@@ -27,9 +27,9 @@ constexpr std::int64_t period = 1'000'000;  // [ns]
 constexpr int priority = 90;
 
 /// A periodic timer on the monotonic clock, for poll().
-class Beat {
+class TickClock {
 public:
-  Beat()
+  TickClock()
       : file_(::timerfd_create(CLOCK_MONOTONIC, TFD_CLOEXEC)),
         due_(realtime::monotonicNanoseconds())
   {
@@ -39,9 +39,9 @@ public:
     grid.it_interval = {0, period};
     ::timerfd_settime(file_, TFD_TIMER_ABSTIME, &grid, nullptr);
   }
-  ~Beat() { ::close(file_); }
-  Beat(const Beat&) = delete;
-  Beat& operator=(const Beat&) = delete;
+  ~TickClock() { ::close(file_); }
+  TickClock(const TickClock&) = delete;
+  TickClock& operator=(const TickClock&) = delete;
 
   int file() const { return file_; }
   std::uint64_t missed() const { return missed_; }
@@ -76,7 +76,7 @@ void listen(UhidDevice& device, VirtualHandle& handle)
   std::span<const std::uint8_t> bytes;
   for (UhidEvent event = UhidEvent::other; event != UhidEvent::nothing;) {
     event = device.take(bytes);
-    if (event == UhidEvent::featureSet || event == UhidEvent::featureAsked) device.refuse();
+    if (event == UhidEvent::featureSet || event == UhidEvent::featureRequested) device.refuse();
     if (event != UhidEvent::output) continue;
     if (const auto report = decodeOutput(bytes))
       handle.take(*report, realtime::monotonicNanoseconds());
@@ -84,7 +84,7 @@ void listen(UhidDevice& device, VirtualHandle& handle)
   }
 }
 
-Result<Done> play(VirtualHandle& handle, Beat& beat)
+Result<Done> play(VirtualHandle& handle, TickClock& beat)
 {
   UhidDevice device;
   while (true) {
@@ -119,7 +119,7 @@ int main(int count, char** text)
     std::cout << "note: the virtual handle runs without real-time priority\n";
 
   VirtualHandle handle(*script, HandleBody{});
-  Beat beat;
+  TickClock beat;
   if (const auto played = play(handle, beat); !played) {
     std::cerr << played.error().message << '\n';
     return 1;

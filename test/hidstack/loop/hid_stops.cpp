@@ -40,14 +40,14 @@ std::vector<std::function<void(gui::InsertionControl&, gui::SafetyStop&)>> calls
   return {[](auto& control, auto&) { control.pause(); },
           [](auto&, auto& safety) { safety.stopDevice(); },
           [](auto&, auto& safety) { safety.stopDevice(); },
-          [](auto&, auto& safety) { safety.leaveSight(); },
+          [](auto&, auto& safety) { safety.onPageHidden(); },
           [](auto&, auto& safety) { safety.loseKeyboard(); },
           [](auto&, auto& safety) { safety.stopDevice(); },
           [](auto&, auto& safety) { safety.end(); }};
 }
 
 /// Lets the window live until something is true. False after `patience`.
-bool comes(gui::InsertionControl& control, const std::function<bool()>& claim)
+bool waitUntil(gui::InsertionControl& control, const std::function<bool()>& claim)
 {
   for (int waited_ms = 0; waited_ms < static_cast<int>(1e3 * patience); waited_ms += glance_ms) {
     control.update();
@@ -62,7 +62,7 @@ Result<Done> pushSteadily(gui::InsertionControl& control)
   if (const auto prepared = control.prepare(gui::InputSource::device); !prepared) return prepared;
   if (const auto begun = control.begin(); !begun) return begun;
   int steady = 0;
-  const bool isPushing = comes(control, [&] {
+  const bool isPushing = waitUntil(control, [&] {
     const auto& force_D = control.now().output.wrench_D.force_D;
     steady = force_D[2] > 0.95 * strongPush ? steady + 1 : 0;
     return steady >= steadyGlances;
@@ -87,7 +87,7 @@ Result<Done> stop(std::size_t way, gui::InsertionControl& control, std::vector<R
   std::cout << "measure stops." << stopWays[way] << "_paused " << (isPaused ? 1 : 0) << '\n';
   // The device is closed before the handle is unplugged.
   if (const auto closed = control.prepare(gui::InputSource::scripted); !closed) return closed;
-  if (comes(control, [] { return device::findHidNodes().empty(); })) return Done{};
+  if (waitUntil(control, [] { return device::findHidNodes().empty(); })) return Done{};
   return Error{"The handle was not unplugged."};
 }
 
@@ -102,7 +102,7 @@ Result<Done> stopInEveryWay(const std::string& profile, const std::string& log)
   auto anatomy = session::buildAnatomy(*scenario);
   if (!anatomy) return anatomy.error();
   gui::InsertionControl control(*scenario, std::nullopt);
-  control.keepNothing();
+  control.disableRecording();
   control.use(*scenario, gui::InsertionControl::Parts{*anatomy, flatWallModel()});
   control.choose([&profile]() -> Result<std::unique_ptr<device::HapticDevice>> {
     auto hand = openVirtualDevice(profile, patience);

@@ -63,9 +63,9 @@ AnswerMeasure answersIn(const std::vector<HandleTick>& handle, const std::vector
   std::vector<double> fromTick, fromReport, engine, besides;
   for (std::size_t i = 1; i + 1 < handle.size(); ++i) {
     const HandleTick& tick = handle[i];
-    const bool isAsked =
+    const bool isRequested =
         std::find(passages.begin(), passages.end(), tick.passage) != passages.end();
-    if (!isAsked || tick.sent == 0 || handle[i - 1].passage != tick.passage) continue;
+    if (!isRequested || tick.sent == 0 || handle[i - 1].passage != tick.passage) continue;
     ++measure.ticks;
     if (tick.answered == 0 || tick.outputs != 1) continue;
     ++measure.answered;

@@ -66,7 +66,7 @@ TEST_F(ClockThatJumps, IsSeenByThisProgram)
   test::setTimeOfDay(-hour);
   const std::time_t after = std::time(nullptr);
   EXPECT_LT(after, before);
-  EXPECT_GT(test::timeOfDayAsked(), 0);
+  EXPECT_GT(test::timeOfDayRequested(), 0);
 }
 
 TEST_F(ClockThatJumps, LeavesEveryTickItsPlaceAndItsTime)

@@ -19,7 +19,7 @@ namespace perilymph::test {
 
 void setTimeOfDay(long later) { jump = later; }
 
-long timeOfDayAsked() { return asked; }
+long timeOfDayRequested() { return asked; }
 
 }  // namespace perilymph::test
 

@@ -10,6 +10,6 @@ namespace perilymph::test {
 void setTimeOfDay(long later);
 
 /// Number of requests of the time of day.
-long timeOfDayAsked();
+long timeOfDayRequested();
 
 }  // namespace perilymph::test

@@ -52,15 +52,15 @@ TEST(ProgramsAndTheNetwork, MeetOnlyWhereItIsAskedFor)
   const TemporaryFolder folder;
   const std::vector<std::string> simulate = {"simulate", "--scenario", "contour-published", "--csv",
                                              folder / "run.csv"};
-  for (const bool isAsked : {false, true}) {
+  for (const bool isRequested : {false, true}) {
     std::vector<std::string> text = simulate;
-    if (isAsked) text.insert(text.end(), {"--igtl", "[::1]:18977"});
+    if (isRequested) text.insert(text.end(), {"--igtl", "[::1]:18977"});
     ChildProcess program(cliCall(text));
     // While it runs, it writes its table into an unfinished file beside the place of the whole one.
     ASSERT_TRUE(waitUntil([&] { return !std::filesystem::is_empty(folder.path()); }));
     const auto sockets = inetSocketsOf(program.id());
-    ASSERT_EQ(sockets.size(), isAsked ? 1u : 0u);
-    if (isAsked) {
+    ASSERT_EQ(sockets.size(), isRequested ? 1u : 0u);
+    if (isRequested) {
       EXPECT_TRUE(sockets[0].isListening);
       EXPECT_EQ(sockets[0].place, "00000000000000000000000001000000:4A21");  // [::1]:18977
     }

@@ -42,7 +42,7 @@ double penetrationAt(double force, double k, double t)
   return force < 0.5 * k * t ? std::sqrt(2.0 * force * t / k) : force / k + 0.5 * t;
 }
 
-Full insertFully(const Case& of)
+Full runInsertion(const Case& of)
 {
   Overrides overrides = {{"dt_ms", "2"}, {"speed_mm_s", "2"}};
   if (*of.patient != '\0') overrides.emplace_back("patient", of.patient);
@@ -88,7 +88,7 @@ class BoneWall : public testing::TestWithParam<Case> {};
 
 TEST_P(BoneWall, KeepsTheArrayWithin30MicrometersOfItsSurface)
 {
-  const Full full = insertFully(GetParam());
+  const Full full = runInsertion(GetParam());
   const mechanics::WallLaw& wall = full.insertion->model().parts.wall;
   EXPECT_TRUE(full.arrived);
   EXPECT_GE(wall.perSamplePoint, newtonsPerMeter(2000));
@@ -115,7 +115,7 @@ TEST(BoneWallOfTissue, KeepsArraysWithinATenthOfAMillimeterUpToTheForcesInPatien
   for (const auto& [array, friction] :
        {std::pair("medel-standard", "endosteum"), std::pair("nucleus-straight", "tissue"),
         std::pair("hifocus-slimj", "tissue")}) {
-    const Full full = insertFully({"surgery-flex28", array, "", friction});
+    const Full full = runInsertion({"surgery-flex28", array, "", friction});
     EXPECT_GE(full.peak, extremeForce) << array;
     EXPECT_LE(full.wallDepth_mm,
               inMillimeters(full.insertion->model().parts.wall.lining) + extreme_mm)
@@ -125,7 +125,7 @@ TEST(BoneWallOfTissue, KeepsArraysWithinATenthOfAMillimeterUpToTheForcesInPatien
 
 TEST(PublishedWall, YieldsAsSiliconeOnAHardModel)
 {
-  const Full full = insertFully({"contour-published", "", ""});
+  const Full full = runInsertion({"contour-published", "", ""});
   EXPECT_TRUE(full.arrived);
   EXPECT_EQ(full.insertion->model().parts.wall.perSamplePoint, newtonsPerMeter(2700));
   EXPECT_GT(full.wallDepth_mm, 0.1);

@@ -18,12 +18,12 @@ namespace {
 using test::SceneOnScreen;
 
 /// Collects the messages of VTK until it is destroyed.
-class WordsOfVtk {
+class VtkMessages {
 public:
-  WordsOfVtk() { vtkOutputWindow::SetInstance(window_); }
-  ~WordsOfVtk() { vtkOutputWindow::SetInstance(nullptr); }
-  WordsOfVtk(const WordsOfVtk&) = delete;
-  WordsOfVtk& operator=(const WordsOfVtk&) = delete;
+  VtkMessages() { vtkOutputWindow::SetInstance(window_); }
+  ~VtkMessages() { vtkOutputWindow::SetInstance(nullptr); }
+  VtkMessages(const VtkMessages&) = delete;
+  VtkMessages& operator=(const VtkMessages&) = delete;
   const std::string& text() const { return window_->said; }
 
 private:
@@ -361,7 +361,7 @@ TEST(InsertionScene, VtkReportsNoErrorsWhenContactsAppearAndDisappear)
   const haptics::Snapshot released = test::insertedTo(degrees(200));
   haptics::Snapshot pressed = released;
   test::press(pressed, 80, millinewtons(20));
-  const WordsOfVtk label;
+  const VtkMessages label;
   for (int picture = 0; picture < 330; ++picture) {
     screen.scene.show(picture % 3 == 0 ? pressed : released);
     screen.window->Render();

@@ -217,7 +217,7 @@ void FakeHid::maxOpen(int handles)
   state_->maxHandles = handles;
 }
 
-void FakeHid::whenAsked(std::function<Transfer(RawReport&)> answer)
+void FakeHid::whenRequested(std::function<Transfer(RawReport&)> answer)
 {
   const std::lock_guard lock(state_->mutex);
   state_->answer = std::move(answer);

@@ -7,7 +7,7 @@
 #include <stop_token>
 
 #include "perilymph/analysis/ForceProfile.h"
-#include "perilymph/analysis/FullInsertion.h"
+#include "perilymph/analysis/InsertionRun.h"
 #include "perilymph/device/ScriptedDevice.h"
 #include "perilymph/session/Highlights.h"
 #include "perilymph/session/Insertion.h"
@@ -98,7 +98,7 @@ TEST(PeakForce, OfOneInsertionIsTheSameInAStudyAChartAndAList)
                         return true;
                       },
                       session::maxTicks(parameters, (*insertion)->model())));
-  const FullInsertion full = insertFully(parameters, *anatomy, millimeters(1), {});
+  const InsertionRun full = runInsertion(parameters, *anatomy, millimeters(1), {});
   EXPECT_GT(full.peak.force, millinewtons(1));
   EXPECT_EQ(full.peak.force.si(), profiler.profile().peak.force);
   EXPECT_EQ(full.peak.depth.si(), profiler.profile().peakDepth);

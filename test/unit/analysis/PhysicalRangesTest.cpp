@@ -11,9 +11,9 @@ namespace {
 
 using testing::HasSubstr;
 
-FullInsertion possible()
+InsertionRun possible()
 {
-  FullInsertion insertion;
+  InsertionRun insertion;
   insertion.end = InsertionEnd::finished;
   insertion.depth = insertion.maxDepth = millimeters(25.0);
   insertion.apical = degrees(540.0);
@@ -26,7 +26,7 @@ FullInsertion possible()
 TEST(PhysicalRanges, NameTheFirstValueThatIsOutOfThem)
 {
   EXPECT_EQ(impossibility(possible()), "");
-  FullInsertion other = possible();
+  InsertionRun other = possible();
   other.peak.force = millinewtons(-5000.0);
   EXPECT_EQ(impossibility(other), "the peak force is -5000 mN; 0 to 2000 is possible");
   other = possible();
@@ -46,11 +46,11 @@ TEST(PhysicalRanges, NameTheFirstValueThatIsOutOfThem)
 TEST(PhysicalRanges, LimitTheForceOfAnArrayThatJammed)
 {
   // it jammed because it exceeded 2 N: that is all that its peak says
-  FullInsertion jammed = possible();
+  InsertionRun jammed = possible();
   jammed.end = InsertionEnd::jammed;
   jammed.peak.force = newtons(2.3);
   jammed.endForce = newtons(2.3);
-  const FullInsertion kept = asPossible(jammed);
+  const InsertionRun kept = asPossible(jammed);
   EXPECT_EQ(kept.end, InsertionEnd::jammed);
   EXPECT_NEAR(kept.peak.force.si(), 2.0, 1e-12);
   EXPECT_EQ(kept.peak.depth, jammed.peak.depth);
@@ -59,9 +59,9 @@ TEST(PhysicalRanges, LimitTheForceOfAnArrayThatJammed)
 
 TEST(PhysicalRanges, KeepNoInsertionThatIsImpossible)
 {
-  FullInsertion other = possible();
+  InsertionRun other = possible();
   other.peak.force = newtons(41.0);
-  const FullInsertion kept = asPossible(other);
+  const InsertionRun kept = asPossible(other);
   EXPECT_EQ(kept.end, InsertionEnd::refused);
   EXPECT_EQ(kept.peak.force.si(), 0.0);
   EXPECT_THAT(kept.reason, HasSubstr("the peak force is 41000 mN"));

@@ -243,7 +243,7 @@ protected:
   {
     traits.reporting = Reporting::polled;
     traits.polledReport = 4;
-    hid.whenAsked([this](RawReport& report) {
+    hid.whenRequested([this](RawReport& report) {
       EXPECT_EQ(report.bytes[0], 4);
       virtualNow += answerTime;
       if (!answers) return Transfer::failed;

@@ -81,7 +81,7 @@ TEST_F(Reading, ShowsAHoleInTheTimingOfTheWholeTestThoughTheLastSecondIsRegular)
   };
   run(1000);
   virtualNow += 700 * millisecond;
-  reader.startOver();  // reconnected
+  reader.reset();  // reconnected
   run(2500);
   const ReadingFigures figures = reader.figures();
   EXPECT_NEAR(figures.intervalMax, 1e-3, 1e-5);

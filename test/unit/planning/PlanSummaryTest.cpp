@@ -243,11 +243,11 @@ TEST(PlanSummary, FindsThatBandsStandWhereTheirEdgesAreKnown)
     planning::addSummary(made, plannedArrays());
     return made;
   };
-  EXPECT_FALSE(planning::bandsStand(plan(63, 1.0, 403.0)));  // no band yet, however narrow
-  EXPECT_TRUE(planning::bandsStand(plan(64, 1.0, 403.0)));
+  EXPECT_FALSE(planning::hasConverged(plan(63, 1.0, 403.0)));  // no band yet, however narrow
+  EXPECT_TRUE(planning::hasConverged(plan(64, 1.0, 403.0)));
   // one in ten far above: the upper edge lies among them, the lower one at the end of a long tail
-  EXPECT_TRUE(planning::bandsStand(plan(64, 40.0, 700.0)));
-  EXPECT_FALSE(planning::bandsStand(syntheticPlan(16)));
+  EXPECT_TRUE(planning::hasConverged(plan(64, 40.0, 700.0)));
+  EXPECT_FALSE(planning::hasConverged(syntheticPlan(16)));
 }
 
 TEST(PlanSummary, GoesOnWhereAnEdgeIsWideThoughTheMedianIsKnown)
@@ -260,7 +260,7 @@ TEST(PlanSummary, GoesOnWhereAnEdgeIsWideThoughTheMedianIsKnown)
     each.insertion.peak = millinewtons(80.0);
   }
   planning::addSummary(plan, plannedArrays());
-  EXPECT_FALSE(planning::bandsStand(plan));
+  EXPECT_FALSE(planning::hasConverged(plan));
 }
 
 }  // namespace

@@ -149,7 +149,7 @@ TEST_F(StudyRuns, HoldWhatEachInsertionWas)
   std::size_t next = 0;
   const auto done = file->read([&](const StudyResult& result) -> Result<Done> {
     EXPECT_EQ(result.number, next++);
-    const analysis::FullInsertion& found = result.insertion;
+    const analysis::InsertionRun& found = result.insertion;
     EXPECT_EQ(found.end, analysis::InsertionEnd::finished) << found.reason;
     // 2 mm inside at the start, then the stop travel
     const auto& settings = result.settings;

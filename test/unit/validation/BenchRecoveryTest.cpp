@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "perilymph/analysis/FullInsertion.h"
+#include "perilymph/analysis/InsertionRun.h"
 #include "perilymph/session/Calibration.h"
 #include "perilymph/session/Insertion.h"
 #include "perilymph/validation/BenchChain.h"
@@ -44,7 +44,7 @@ BenchCurve simulatedCurve(BenchMedium medium, double friction)
   const auto anatomy = session::buildAnatomy(parameters);
   EXPECT_TRUE(anatomy) << anatomy.error().message;
   if (!anatomy) return curve;
-  const auto full = analysis::insertFully(parameters, *anatomy, millimeters(0.5), {});
+  const auto full = analysis::runInsertion(parameters, *anatomy, millimeters(0.5), {});
   EXPECT_EQ(full.end, haptics::InsertionEnd::finished) << full.reason;
   for (const analysis::DepthForce& each : full.profile) {
     const double depth_mm = inMillimeters(each.depth);

@@ -78,7 +78,7 @@ ComparePage::ComparePage(QWidget* parent)
       reading_(this)
 {
   empty_->offer(tr("Choose recordings"));
-  connect(empty_, &EmptyPage::actionAsked, this,
+  connect(empty_, &EmptyPage::actionRequested, this,
           [this] { Q_EMIT pageRequested(QStringLiteral("sessions")); });
   stack_->addWidget(empty_);
   // what does not fit on a small screen is reached by scrolling, never drawn over the rest
@@ -147,7 +147,8 @@ void ComparePage::compare(const std::vector<std::filesystem::path>& files)
   Q_EMIT pageRequested(id());
   stack_->setCurrentIndex(0);
   empty_->offer({});
-  empty_->say(tr("Reading %n recording(s)…", nullptr, int(files.size())), tr("Esc cancels."));
+  empty_->showMessage(tr("Reading %n recording(s)…", nullptr, int(files.size())),
+                      tr("Esc cancels."));
   reading_.run(
       "The comparison",
       [files](const std::stop_token& stop) -> Result<std::vector<analysis::ComparedInsertion>> {
@@ -163,7 +164,7 @@ void ComparePage::compare(const std::vector<std::filesystem::path>& files)
       [this](Result<std::vector<analysis::ComparedInsertion>> runs) {
         if (runs) return showRuns(*std::move(runs));
         empty_->offer(tr("Choose recordings"));
-        empty_->say(tr("Recordings cannot be compared"), dataText(runs.error().message));
+        empty_->showMessage(tr("Recordings cannot be compared"), dataText(runs.error().message));
       });
 }
 
@@ -172,8 +173,8 @@ bool ComparePage::cancel()
   if (!isBusy()) return false;
   reading_.forget();
   empty_->offer(tr("Choose recordings"));
-  empty_->say(tr("Canceled"),
-              tr("Select two or more recordings on the Sessions page and press Compare."));
+  empty_->showMessage(tr("Canceled"),
+                      tr("Select two or more recordings on the Sessions page and press Compare."));
   return true;
 }
 
@@ -186,7 +187,7 @@ void ComparePage::showRuns(std::vector<analysis::ComparedInsertion> runs)
   showScore();
   showContent();
   placeCursor();
-  status_->say({});
+  status_->showMessage({});
   stack_->setCurrentIndex(1);
   plot_->setFocus();
 }
@@ -297,7 +298,7 @@ void ComparePage::save()
       QFileDialog::getExistingDirectory(this, tr("Export to folder"), documentsFolder());
   if (chosen.isEmpty()) return;
   const auto written = writeInto(chosen.toStdString());
-  if (!written) return status_->say(dataText(written.error().message), true);
+  if (!written) return status_->showMessage(dataText(written.error().message), true);
   status_->sayWritten(tr("%1 files saved to %2.").arg(groups_.empty() ? 5 : 7).arg(chosen),
                       chosen.toStdString());
 }

@@ -50,7 +50,7 @@ CtPage::CtPage(const InsertionControl& control, QWidget* parent)
   grid->setSpacing(1);
   for (std::size_t k = 0; k < views_.size(); ++k) {
     views_[k] = new PlaneView(study_, k, pictures_);
-    connect(views_[k], &PlaneView::maximizeAsked, this, [this, k] { maximize(views_[k]); });
+    connect(views_[k], &PlaneView::maximizeRequested, this, [this, k] { maximize(views_[k]); });
     connect(views_[k], &PlaneView::markPlaced, this, [this] {
       for (PlaneView* view : views_) view->setPlaced({});
       panel_->showMark({});
@@ -60,14 +60,14 @@ CtPage::CtPage(const InsertionControl& control, QWidget* parent)
   grid->addWidget(views_[1], 0, 1);
   grid->addWidget(surface_, 1, 0);
   grid->addWidget(views_[2], 1, 1);
-  connect(surface_, &SurfaceView::maximizeAsked, this, [this] { maximize(surface_); });
+  connect(surface_, &SurfaceView::maximizeRequested, this, [this] { maximize(surface_); });
 
   auto* page = new EmptyPage(tr("A patient’s CT"),
                              tr("Open a folder with a temporal-bone CT, or drop it here. The "
                                 "cochlea is found and measured; then insert into it."),
                              this);
   page->offer(tr("Open folder…"));
-  connect(page, &EmptyPage::actionAsked, panel_, &CtPanel::folderAsked);
+  connect(page, &EmptyPage::actionRequested, panel_, &CtPanel::folderRequested);
   auto* stack = new QStackedLayout;
   stack->addWidget(page);
   stack->addWidget(pictures_);
@@ -121,12 +121,12 @@ void CtPage::connectWork()
 
 void CtPage::connectPanel()
 {
-  connect(panel_, &CtPanel::folderAsked, this, [this] {
+  connect(panel_, &CtPanel::folderRequested, this, [this] {
     const QString folder =
         QFileDialog::getExistingDirectory(this, tr("Folder with a temporal-bone CT"), folder_);
     if (!folder.isEmpty()) open(folder.toStdString());
   });
-  connect(panel_, &CtPanel::fileAsked, this, [this] {
+  connect(panel_, &CtPanel::fileRequested, this, [this] {
     const QString file = QFileDialog::getOpenFileName(this, tr("CT"), folder_);
     if (!file.isEmpty()) open(file.toStdString());
   });
@@ -136,25 +136,25 @@ void CtPage::connectPanel()
     begin(tr("Reading the CT…"));
     work_.read(list_, uid);
   });
-  connect(panel_, &CtPanel::measureAsked, this,
+  connect(panel_, &CtPanel::measureRequested, this,
           [this](bool isAtCrosshair) { measure(isAtCrosshair); });
-  connect(panel_, &CtPanel::cancelAsked, this, &CtPage::cancel);
-  connect(panel_, &CtPanel::markAsked, this, [this](ct::Mark mark) {
+  connect(panel_, &CtPanel::cancelRequested, this, &CtPage::cancel);
+  connect(panel_, &CtPanel::markRequested, this, [this](ct::Mark mark) {
     const auto& point = study_.marks()[mark];
     if (point) study_.moveCrosshair(*point);
     for (PlaneView* view : views_) view->setPlaced(mark);
     panel_->showMark(mark);
   });
-  connect(panel_, &CtPanel::insertAsked, this, [this](const QString& code) {
+  connect(panel_, &CtPanel::insertRequested, this, [this](const QString& code) {
     withFreshMeasures([this, code] { withFreeCode(code, [this, code] { insert(code); }); });
   });
-  connect(panel_, &CtPanel::planAsked, this, [this](const QString& code) {
+  connect(panel_, &CtPanel::planRequested, this, [this](const QString& code) {
     withFreshMeasures([this, code] { withFreeCode(code, [this, code] { plan(code); }); });
   });
-  connect(panel_, &CtPanel::saveSurfaceAsked, this,
+  connect(panel_, &CtPanel::saveSurfaceRequested, this,
           [this] { withFreshMeasures([this] { saveSurface(); }); });
-  connect(panel_, &CtPanel::saveMarksAsked, this, &CtPage::saveMarks);
-  connect(panel_, &CtPanel::loadMarksAsked, this, &CtPage::loadMarks);
+  connect(panel_, &CtPanel::saveMarksRequested, this, &CtPage::saveMarks);
+  connect(panel_, &CtPanel::loadMarksRequested, this, &CtPage::loadMarks);
 }
 
 void CtPage::open(const std::filesystem::path& path)
@@ -255,7 +255,7 @@ void CtPage::plan(const QString& code)
   if (!patient) return panel_->showIdle(dataText(patient.error().message), true);
   patient_ = *patient;
   keepKeyImage();
-  Q_EMIT planAsked(*patient);
+  Q_EMIT planRequested(*patient);
 }
 
 void CtPage::keepKeyImage()

@@ -54,7 +54,7 @@ public:
 
 Q_SIGNALS:
   /// A plan for the measured cochlea was asked for. The patient is saved.
-  void planAsked(const perilymph::anatomy::Patient& patient);
+  void planRequested(const perilymph::anatomy::Patient& patient);
 
 protected:
   void resizeEvent(QResizeEvent* event) override;

@@ -14,7 +14,7 @@
 #include <QVBoxLayout>
 #include <QVariant>
 
-#include "gui/pages/ct/CtOnward.h"
+#include "gui/pages/ct/CtNextSteps.h"
 #include "gui/pages/ct/CtSeriesList.h"
 #include "gui/pages/ct/CtText.h"
 #include "gui/pages/ct/MarkGuide.h"
@@ -119,8 +119,8 @@ void CtPanel::addSource(QVBoxLayout& column)
   column.addLayout(row);
   series_ = new CtSeriesList(this);
   column.addWidget(series_);
-  connect(folder, &QPushButton::clicked, this, &CtPanel::folderAsked);
-  connect(file, &QPushButton::clicked, this, &CtPanel::fileAsked);
+  connect(folder, &QPushButton::clicked, this, &CtPanel::folderRequested);
+  connect(file, &QPushButton::clicked, this, &CtPanel::fileRequested);
   connect(series_, &QListWidget::itemClicked, this,
           [this](QListWidgetItem* item) { Q_EMIT seriesChosen(CtSeriesList::uidOf(*item)); });
 }
@@ -192,9 +192,9 @@ void CtPanel::addMeasurement(QVBoxLayout& column)
   column.addWidget(status_);
   column.addWidget(progress_);
   column.addWidget(cancel_);
-  connect(search_, &QPushButton::clicked, this, [this] { Q_EMIT measureAsked(false); });
-  connect(measureHere_, &QPushButton::clicked, this, [this] { Q_EMIT measureAsked(true); });
-  connect(cancel_, &QPushButton::clicked, this, &CtPanel::cancelAsked);
+  connect(search_, &QPushButton::clicked, this, [this] { Q_EMIT measureRequested(false); });
+  connect(measureHere_, &QPushButton::clicked, this, [this] { Q_EMIT measureRequested(true); });
+  connect(cancel_, &QPushButton::clicked, this, &CtPanel::cancelRequested);
 }
 
 void CtPanel::addMeasures(QVBoxLayout& column)
@@ -252,7 +252,7 @@ void CtPanel::addMarks(QVBoxLayout& column)
         tr("%1. Press, then click into a picture. %2").arg(markName(mark), markGuide(mark)));
     grid->addWidget(button, int(k / 4), int(k % 4));
     marks_[k] = button;
-    connect(button, &QPushButton::clicked, this, [this, mark] { Q_EMIT markAsked(mark); });
+    connect(button, &QPushButton::clicked, this, [this, mark] { Q_EMIT markRequested(mark); });
   }
   column.addLayout(grid);
   column.addWidget(guide_ = new MarkGuide(study_, this));
@@ -273,22 +273,22 @@ void CtPanel::addMarks(QVBoxLayout& column)
   column.addLayout(verbs);
   connect(undo_, &QPushButton::clicked, &study_, &CtStudy::undo);
   connect(redo_, &QPushButton::clicked, &study_, &CtStudy::redo);
-  connect(saveMarks_, &QPushButton::clicked, this, &CtPanel::saveMarksAsked);
-  connect(loadMarks_, &QPushButton::clicked, this, &CtPanel::loadMarksAsked);
+  connect(saveMarks_, &QPushButton::clicked, this, &CtPanel::saveMarksRequested);
+  connect(loadMarks_, &QPushButton::clicked, this, &CtPanel::loadMarksRequested);
 }
 
 void CtPanel::addOnward(QVBoxLayout& column)
 {
   column.addWidget(question_ = new VersionQuestion(this));
-  column.addWidget(onward_ = new CtOnward(this));
+  column.addWidget(onward_ = new CtNextSteps(this));
   // a question is about these measures and this code
   connect(&study_, &CtStudy::modelChanged, question_, &VersionQuestion::drop);
-  connect(onward_, &CtOnward::codeChanged, question_, &VersionQuestion::drop);
-  connect(onward_, &CtOnward::codeChanged, this, &CtPanel::showStep);
-  connect(question_, &VersionQuestion::otherCodeWanted, onward_, &CtOnward::editCode);
-  connect(onward_, &CtOnward::insertAsked, this, &CtPanel::insertAsked);
-  connect(onward_, &CtOnward::planAsked, this, &CtPanel::planAsked);
-  connect(onward_, &CtOnward::saveSurfaceAsked, this, &CtPanel::saveSurfaceAsked);
+  connect(onward_, &CtNextSteps::codeChanged, question_, &VersionQuestion::drop);
+  connect(onward_, &CtNextSteps::codeChanged, this, &CtPanel::showStep);
+  connect(question_, &VersionQuestion::otherCodeWanted, onward_, &CtNextSteps::editCode);
+  connect(onward_, &CtNextSteps::insertRequested, this, &CtPanel::insertRequested);
+  connect(onward_, &CtNextSteps::planRequested, this, &CtPanel::planRequested);
+  connect(onward_, &CtNextSteps::saveSurfaceRequested, this, &CtPanel::saveSurfaceRequested);
 }
 
 void CtPanel::showMark(const std::optional<ct::Mark>& mark) { guide_->showMark(mark); }

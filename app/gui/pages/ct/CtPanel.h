@@ -20,7 +20,7 @@ class QVBoxLayout;
 namespace perilymph::gui {
 
 class Choice;
-class CtOnward;
+class CtNextSteps;
 class CtSeriesList;
 class MarkGuide;
 class VersionQuestion;
@@ -46,18 +46,18 @@ public:
   void refresh();
 
 Q_SIGNALS:
-  void folderAsked();
-  void fileAsked();
+  void folderRequested();
+  void fileRequested();
   void seriesChosen(const std::string& uid);
   /// @param isAtCrosshair  From the crosshair; else the volume is searched.
-  void measureAsked(bool isAtCrosshair);
-  void cancelAsked();
-  void markAsked(perilymph::ct::Mark mark);
-  void insertAsked(const QString& code);
-  void planAsked(const QString& code);
-  void saveSurfaceAsked();
-  void saveMarksAsked();
-  void loadMarksAsked();
+  void measureRequested(bool isAtCrosshair);
+  void cancelRequested();
+  void markRequested(perilymph::ct::Mark mark);
+  void insertRequested(const QString& code);
+  void planRequested(const QString& code);
+  void saveSurfaceRequested();
+  void saveMarksRequested();
+  void loadMarksRequested();
 
 private:
   void addStep(QVBoxLayout& column, const QString& title);
@@ -85,7 +85,7 @@ private:
   std::array<QPushButton*, ct::markCount> marks_{};
   MarkGuide* guide_;
   QPushButton *undo_, *redo_;
-  CtOnward* onward_;
+  CtNextSteps* onward_;
   VersionQuestion* question_;
   QPushButton *saveMarks_, *loadMarks_;
   bool isBusy_ = false;

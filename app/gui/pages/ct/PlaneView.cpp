@@ -198,7 +198,7 @@ void PlaneView::mouseReleaseEvent(QMouseEvent*)
 
 void PlaneView::mouseDoubleClickEvent(QMouseEvent* event)
 {
-  if (event->button() == Qt::LeftButton) Q_EMIT maximizeAsked();
+  if (event->button() == Qt::LeftButton) Q_EMIT maximizeRequested();
 }
 
 void PlaneView::stepLayers(double layers)

@@ -37,7 +37,7 @@ Q_SIGNALS:
   /// The chosen landmark was placed.
   void markPlaced(perilymph::ct::Mark mark);
   /// A double click.
-  void maximizeAsked();
+  void maximizeRequested();
 
 protected:
   /// A tool tip names the landmark under the mouse in full.

@@ -91,7 +91,7 @@ void SurfaceView::mouseMoveEvent(QMouseEvent* event)
 
 void SurfaceView::mouseDoubleClickEvent(QMouseEvent* event)
 {
-  if (event->button() == Qt::LeftButton) Q_EMIT maximizeAsked();
+  if (event->button() == Qt::LeftButton) Q_EMIT maximizeRequested();
 }
 
 void SurfaceView::wheelEvent(QWheelEvent* event)

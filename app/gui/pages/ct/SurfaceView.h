@@ -22,7 +22,7 @@ public:
 
 Q_SIGNALS:
   /// A double click.
-  void maximizeAsked();
+  void maximizeRequested();
 
 protected:
   void mousePressEvent(QMouseEvent* event) override;

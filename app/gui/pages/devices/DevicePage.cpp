@@ -53,7 +53,7 @@ DevicePage::DevicePage(QWidget* parent)
   QPushButton* again = button(tr("Refresh"), "devicesRefreshButton");
   QPushButton* shut = button(tr("Close (H)"), "devicesCloseButton");
   connect(again, &QPushButton::clicked, this, &DevicePage::refresh);
-  connect(shut, &QPushButton::clicked, this, &DevicePage::closeAsked);
+  connect(shut, &QPushButton::clicked, this, &DevicePage::closeRequested);
 
   auto* head = new QHBoxLayout;
   head->setSpacing(spacing);

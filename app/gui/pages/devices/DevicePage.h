@@ -34,7 +34,7 @@ public:
 
 Q_SIGNALS:
   void deviceChosen(const perilymph::device::FoundDevice& found);
-  void closeAsked();
+  void closeRequested();
 
 private:
   void fit();

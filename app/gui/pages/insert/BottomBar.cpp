@@ -89,10 +89,10 @@ BottomBar::BottomBar(QWidget* parent)
   start_->installEventFilter(this);
   connect(start_, &QPushButton::clicked, this, [this] {
     if (std::exchange(hasPaused_, false)) return;
-    main_ == Main::start ? Q_EMIT startAsked() : Q_EMIT pauseAsked();
+    main_ == Main::start ? Q_EMIT startRequested() : Q_EMIT pauseRequested();
   });
-  connect(withdraw_, &QPushButton::clicked, this, &BottomBar::withdrawAsked);
-  connect(reset_, &QPushButton::clicked, this, &BottomBar::resetAsked);
+  connect(withdraw_, &QPushButton::clicked, this, &BottomBar::withdrawRequested);
+  connect(reset_, &QPushButton::clicked, this, &BottomBar::resetRequested);
 }
 
 bool BottomBar::eventFilter(QObject* target, QEvent* event)
@@ -100,7 +100,7 @@ bool BottomBar::eventFilter(QObject* target, QEvent* event)
   if (target == start_ && event->type() == QEvent::MouseButtonRelease && start_->isDown() &&
       main_ == Main::pause) {
     hasPaused_ = true;
-    Q_EMIT pauseAsked();
+    Q_EMIT pauseRequested();
   }
   return QWidget::eventFilter(target, event);
 }

@@ -44,10 +44,10 @@ public:
   void setStatus(const QString& label, bool isError);
 
 Q_SIGNALS:
-  void startAsked();
-  void pauseAsked();
-  void withdrawAsked();
-  void resetAsked();
+  void startRequested();
+  void pauseRequested();
+  void withdrawRequested();
+  void resetRequested();
 
 protected:
   /// The pause precedes the painting of its button, which may take tens of milliseconds.

@@ -22,7 +22,7 @@ BuildingNote::BuildingNote(QWidget* page) : Overlay(page), text_(new QLabel(this
   cancel->setFixedHeight(sized(28));
   cancel->setFocusPolicy(Qt::TabFocus);
   cancel->setToolTip(tr("Keep the cochlea and array shown (Esc)"));
-  connect(cancel, &QPushButton::clicked, this, &BuildingNote::cancelAsked);
+  connect(cancel, &QPushButton::clicked, this, &BuildingNote::cancelRequested);
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(2 * spacing, spacing, spacing, spacing);
   row->setSpacing(2 * spacing);

@@ -23,7 +23,7 @@ public:
   void show(qint64 busyFor_ms);
 
 Q_SIGNALS:
-  void cancelAsked();
+  void cancelRequested();
 
 protected:
   void place() override;

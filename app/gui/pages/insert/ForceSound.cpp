@@ -35,7 +35,7 @@ QAudioFormat format()
 class Stream : public QIODevice {
 public:
   explicit Stream(QObject* parent) : QIODevice(parent) { open(QIODevice::ReadOnly); }
-  void hear(const Tone& tone) { writer_.hear(tone); }
+  void setTone(const Tone& tone) { writer_.setTone(tone); }
   bool isSequential() const override { return true; }
   qint64 bytesAvailable() const override { return 8192 + QIODevice::bytesAvailable(); }
 
@@ -81,9 +81,9 @@ public:
     }
   }
 
-  void hear(const Tone& tone)
+  void setTone(const Tone& tone)
   {
-    if (stream_ != nullptr) stream_->hear(tone);
+    if (stream_ != nullptr) stream_->setTone(tone);
   }
 
 private:
@@ -97,7 +97,7 @@ class ForceVoice : public QObject {
 public:
   QString reason() const { return ForceSound::tr("built without audio support"); }
   void play(bool) {}
-  void hear(const Tone&) {}
+  void setTone(const Tone&) {}
 };
 
 #endif
@@ -136,7 +136,8 @@ void ForceSound::setOn(bool isOn)
 void ForceSound::show(Force onHand)
 {
   if (!isOn_) return;
-  QMetaObject::invokeMethod(voice_, [voice = voice_, tone = toneOf(onHand)] { voice->hear(tone); });
+  QMetaObject::invokeMethod(voice_,
+                            [voice = voice_, tone = toneOf(onHand)] { voice->setTone(tone); });
 }
 
 }  // namespace perilymph::gui

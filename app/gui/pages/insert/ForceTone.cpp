@@ -26,7 +26,7 @@ Tone toneOf(Force onHand)
   return {lowest_Hz * std::exp2(std::min(maxOctaves, force / perOctave.si())), 1.0};
 }
 
-void ToneWriter::hear(const Tone& tone)
+void ToneWriter::setTone(const Tone& tone)
 {
   wished_ = tone;
   left_ = int(forgotten_s * samplesPerSecond);

@@ -27,7 +27,7 @@ public:
   static constexpr int samplesPerSecond = 44100;
 
   /// Sets the tone.
-  void hear(const Tone& tone);
+  void setTone(const Tone& tone);
   /// Fills the next samples of one channel.
   void write(std::int16_t* samples, int count);
 

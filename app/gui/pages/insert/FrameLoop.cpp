@@ -36,7 +36,7 @@ void FrameLoop::takeTurn()
   bool isDrawn = isSeen && turn_.drawPicture();
   if (sinceSlow_.elapsed() >= slowInterval_ms) {
     sinceSlow_.restart();
-    turn_.stepSlowly();
+    turn_.updateReadouts();
     if (isSeen && turn_.drawCharts()) isDrawn = true;
   }
   if (!isDrawn) meter_.cancel();

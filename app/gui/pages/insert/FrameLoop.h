@@ -20,7 +20,7 @@ public:
   /// Functions called in a timer event. Drawing functions return whether anything was drawn.
   struct Turn {
     std::function<void(double elapsed_s)> step;
-    std::function<void()> stepSlowly;
+    std::function<void()> updateReadouts;
     std::function<bool()> drawPicture, drawCharts;
     std::function<bool()> isSeen;  ///< Whether the page is visible.
   };

@@ -59,7 +59,7 @@ InsertPage::InsertPage(InsertionController& insertion, QWidget* parent)
       saving_(new ReportSaving(this)),
       bars_(new QStackedWidget(this)),
       frames_(new FrameLoop(
-          {[this](double elapsed_s) { step(elapsed_s); }, [this] { stepSlowly(); },
+          {[this](double elapsed_s) { step(elapsed_s); }, [this] { updateReadouts(); },
            [this] { return views_->operation()->renderIfDirty(); },
            [this] { return views_->charts()->renderIfDirty(); }, [this] { return isShown(); }},
           this)),
@@ -107,7 +107,7 @@ void InsertPage::connectInsertion()
   connect(&insertion_, &Insertion::opened, this, [this] { frames_->start(); });
   connect(&insertion_, &Insertion::prepared, this, [this] {
     presenter_.showPrepared();
-    stepSlowly();
+    updateReadouts();
   });
   connect(&insertion_, &Insertion::cochleaEnding, views_, &InsertionViews::forgetScene);
   connect(&insertion_, &Insertion::cochleaChanged, this, [this] { presenter_.showCochlea(); });
@@ -118,45 +118,45 @@ void InsertPage::connectInsertion()
     const session::Scenario* scenario = insertion_.loading();
     loading_->show(scenario != nullptr ? subjectText(*scenario) : QString());
   });
-  connect(loading_, &LoadingStage::cancelAsked, &insertion_.setup(), &SetupControl::cancel);
+  connect(loading_, &LoadingStage::cancelRequested, &insertion_.setup(), &SetupControl::cancel);
   connect(&insertion_, &Insertion::referenceChanged, this, [this] { presenter_.showReference(); });
   connect(&insertion_, &Insertion::planChanged, this, [this] { presenter_.showPlan(); });
   connect(&insertion_, &Insertion::errorChanged, this, [this] { presenter_.showBanner(); });
   connect(&insertion_, &Insertion::replayOpened, this, &InsertPage::showReplay);
   connect(&insertion_, &Insertion::replayClosed, this, &InsertPage::showInsertion);
   connect(&insertion_, &Insertion::noted, this, &Page::noted);
-  connect(&insertion_.held(), &HeldArray::heldChanged, side_, &SidePanel::setHeld);
+  connect(&insertion_.held(), &GraspControl::heldChanged, side_, &SidePanel::setHeld);
 }
 
 void InsertPage::connectPanel()
 {
   using Insertion = InsertionController;
-  connect(side_, &SidePanel::handChosen, &insertion_, &Insertion::chooseInput);
-  connect(side_, &SidePanel::devicesAsked, this, &InsertPage::devicesAsked);
-  connect(side_, &SidePanel::holdChanged, &insertion_.held(), &HeldArray::hold);
-  connect(side_, &SidePanel::styletAsked, this, [this] { insertion_.control().pullStylet(); });
+  connect(side_, &SidePanel::inputChosen, &insertion_, &Insertion::chooseInput);
+  connect(side_, &SidePanel::devicesRequested, this, &InsertPage::devicesRequested);
+  connect(side_, &SidePanel::holdChanged, &insertion_.held(), &GraspControl::hold);
+  connect(side_, &SidePanel::styletRequested, this, [this] { insertion_.control().pullStylet(); });
   connect(side_, &SidePanel::partShown, views_->operation(), &OperationView::setPartVisible);
-  connect(side_, &SidePanel::removeReferenceAsked, &insertion_,
+  connect(side_, &SidePanel::removeReferenceRequested, &insertion_,
           [this] { insertion_.setReference(std::nullopt); });
   connect(side_, &SidePanel::experimentShown, views_->charts(), &ForceCharts::setExperimentVisible);
-  connect(side_, &SidePanel::changeAsked, &insertion_, &Insertion::change);
-  connect(side_, &SidePanel::restoreAsked, &insertion_, &Insertion::restore);
+  connect(side_, &SidePanel::changeRequested, &insertion_, &Insertion::change);
+  connect(side_, &SidePanel::restoreRequested, &insertion_, &Insertion::restore);
   connect(side_, &SidePanel::patientChosen, &insertion_, &Insertion::loadPatient);
-  connect(side_, &SidePanel::allPatientsAsked, this, &InsertPage::allPatientsAsked);
-  connect(side_, &SidePanel::newPatientAsked, this, &InsertPage::newPatientAsked);
-  connect(side_, &SidePanel::undoAsked, &insertion_, &Insertion::undo);
-  connect(side_, &SidePanel::redoAsked, &insertion_, &Insertion::redo);
+  connect(side_, &SidePanel::allPatientsRequested, this, &InsertPage::allPatientsRequested);
+  connect(side_, &SidePanel::newPatientRequested, this, &InsertPage::newPatientRequested);
+  connect(side_, &SidePanel::undoRequested, &insertion_, &Insertion::undo);
+  connect(side_, &SidePanel::redoRequested, &insertion_, &Insertion::redo);
 }
 
 void InsertPage::connectBars()
 {
   using Insertion = InsertionController;
-  connect(bottom_, &BottomBar::startAsked, &insertion_, &Insertion::start);
-  connect(bottom_, &BottomBar::pauseAsked, &insertion_, &Insertion::pause);
-  connect(bottom_, &BottomBar::withdrawAsked, &insertion_, &Insertion::withdraw);
-  connect(bottom_, &BottomBar::resetAsked, &insertion_, &Insertion::reset);
-  connect(building_, &BuildingNote::cancelAsked, &insertion_.setup(), &SetupControl::cancel);
-  connect(replay_, &ReplayControl::closeAsked, &insertion_, &Insertion::closeReplay);
+  connect(bottom_, &BottomBar::startRequested, &insertion_, &Insertion::start);
+  connect(bottom_, &BottomBar::pauseRequested, &insertion_, &Insertion::pause);
+  connect(bottom_, &BottomBar::withdrawRequested, &insertion_, &Insertion::withdraw);
+  connect(bottom_, &BottomBar::resetRequested, &insertion_, &Insertion::reset);
+  connect(building_, &BuildingNote::cancelRequested, &insertion_.setup(), &SetupControl::cancel);
+  connect(replay_, &ReplayControl::closeRequested, &insertion_, &Insertion::closeReplay);
   views_->charts()->setExperiment(charts::publishedExperiment());
   connect(views_->operation(), &QOpenGLWidget::frameSwapped, frames_, &FrameLoop::present);
   const auto pace = [this] {
@@ -169,16 +169,16 @@ void InsertPage::connectBars()
 void InsertPage::connectResult()
 {
   connect(&insertion_, &InsertionController::resultChanged, this, &InsertPage::showResult);
-  connect(result_, &ResultCard::reportAsked, this, &InsertPage::saveReport);
+  connect(result_, &ResultCard::reportRequested, this, &InsertPage::saveReport);
   connect(saving_, &ReportSaving::saved, this,
           [this](const std::filesystem::path&, const QString& sentence) { noted(sentence); });
   connect(saving_, &ReportSaving::failed, this, &InsertPage::noted);
-  connect(result_, &ResultCard::againAsked, &insertion_, &InsertionController::again);
-  connect(result_, &ResultCard::compareAsked, this, [this] {
+  connect(result_, &ResultCard::againRequested, &insertion_, &InsertionController::again);
+  connect(result_, &ResultCard::compareRequested, this, [this] {
     std::vector<std::filesystem::path> files;
     if (insertion_.recordingBefore()) files.push_back(*insertion_.recordingBefore());
     files.push_back(insertion_.result()->file);
-    Q_EMIT compareAsked(files);
+    Q_EMIT compareRequested(files);
   });
 }
 
@@ -227,7 +227,7 @@ bool InsertPage::takeKey(const QKeyEvent& event) { return replay_->takeKey(event
 
 void InsertPage::onHidden()
 {
-  if (insertion_.safety().leaveSight()) insertion_.pause();
+  if (insertion_.safety().onPageHidden()) insertion_.pause();
 }
 
 bool InsertPage::leavePanel()
@@ -272,10 +272,10 @@ void InsertPage::step(double elapsed_s)
   views_->operation()->stepCamera(elapsed_s);
 }
 
-void InsertPage::stepSlowly()
+void InsertPage::updateReadouts()
 {
-  if (insertion_.replay().isOpen()) return replay_->stepSlowly();
-  presenter_.stepSlowly(frames_->meter());
+  if (insertion_.replay().isOpen()) return replay_->updateReadouts();
+  presenter_.updateReadouts(frames_->meter());
   showState();
 }
 

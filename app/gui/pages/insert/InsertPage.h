@@ -55,11 +55,11 @@ public:
 Q_SIGNALS:
   /// The display was updated; emitted fifteen times a second while the insertion runs.
   void stateShown();
-  void devicesAsked();
+  void devicesRequested();
   /// The user wants to search all saved patients, or to enter a new one.
-  void allPatientsAsked();
-  void newPatientAsked();
-  void compareAsked(const std::vector<std::filesystem::path>& files);
+  void allPatientsRequested();
+  void newPatientRequested();
+  void compareRequested(const std::vector<std::filesystem::path>& files);
 
 protected:
   void wheelEvent(QWheelEvent* event) override;
@@ -75,7 +75,7 @@ private:
   void showReplay();
   void showInsertion();
   void step(double elapsed_s);
-  void stepSlowly();
+  void updateReadouts();
   void showState();
 
   InsertionController& insertion_;

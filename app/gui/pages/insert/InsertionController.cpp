@@ -130,12 +130,12 @@ void InsertionController::use(const session::Scenario& scenario,
   Q_EMIT subjectChanged();
   prepare(control_.hand());
   if (!looksTheSame) Q_EMIT cochleaChanged();
-  if (setup_->isStartAsked()) start();
+  if (setup_->isStartRequested()) start();
 }
 
 bool InsertionController::maySetUp() const
 {
-  return gui::maySetUp(stateOf(control_)) && !setup_->isStartAsked() && !replay_->isOpen();
+  return gui::maySetUp(stateOf(control_)) && !setup_->isStartRequested() && !replay_->isOpen();
 }
 
 void InsertionController::change(const SetupChange& change)
@@ -204,13 +204,14 @@ void InsertionController::again()
 void InsertionController::followEnd()
 {
   const auto workflow = control_.now().output.workflow;
-  if (isResultAsked_ && !isOver(workflow)) return forgetResult();  // it is withdrawn
+  if (isResultRequested_ && !isOver(workflow)) return forgetResult();  // it is withdrawn
   // a rest that was recorded further is read again
   const double time = control_.now().output.time;
-  if (control_.progress() != Progress::concluded || (isResultAsked_ && time == readUpTo_)) return;
+  if (control_.progress() != Progress::concluded || (isResultRequested_ && time == readUpTo_))
+    return;
   const auto file = control_.recording();
   if (!file) return;
-  isResultAsked_ = true;
+  isResultRequested_ = true;
   readUpTo_ = time;
   auto plan = plan_ && plan_->isFor(control_.scenario()) ? plan_ : std::nullopt;
   reading_.run(
@@ -227,7 +228,7 @@ void InsertionController::followEnd()
 
 void InsertionController::forgetResult()
 {
-  isResultAsked_ = false;
+  isResultRequested_ = false;
   reading_.forget();
   result_.reset();
   Q_EMIT resultChanged();

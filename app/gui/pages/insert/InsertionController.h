@@ -9,7 +9,7 @@
 #include <memory>
 #include <optional>
 
-#include "gui/pages/insert/HeldArray.h"
+#include "gui/pages/insert/GraspControl.h"
 #include "gui/pages/insert/SetupControl.h"
 #include "gui/report/ReportContent.h"
 #include "gui/run/Background.h"
@@ -36,7 +36,7 @@ public:
   InsertionControl& control() { return control_; }
   const InsertionControl& control() const { return control_; }
   SafetyStop& safety() { return safety_; }
-  HeldArray& held() { return held_; }
+  GraspControl& held() { return held_; }
   SetupControl& setup() { return *setup_; }
   const SetupHistory& history() const { return setup_->history(); }
   ReplayPlayer& replay() { return *replay_; }
@@ -166,13 +166,13 @@ private:
   SafetyStop safety_;
   SetupControl* setup_;
   ReplayPlayer* replay_;
-  HeldArray held_;
+  GraspControl held_;
   std::optional<session::Scenario> loading_;
   std::function<QString()> commit_;
   std::optional<ReferenceInsertion> reference_;
   std::optional<PlannedForce> plan_;
   Background reading_;
-  bool isResultAsked_ = false;
+  bool isResultRequested_ = false;
   double readUpTo_ =
       0.0;  ///< Time of the insertion when it was asked, which stands still at rest [s].
   std::shared_ptr<const ReportContent> result_;

@@ -68,7 +68,7 @@ void InsertionPresenter::showPrepared()
 
 void InsertionPresenter::showInput()
 {
-  zones_.side->setHand(control_.hand(), QString::fromStdString(control_.handName()));
+  zones_.side->setHand(control_.hand(), QString::fromStdString(control_.inputName()));
 }
 
 bool InsertionPresenter::isNew(const haptics::Snapshot& now)
@@ -92,7 +92,7 @@ void InsertionPresenter::step()
     zones_.views->charts()->append(now.output, now.peak);
 }
 
-void InsertionPresenter::stepSlowly(const FrameMeter& meter)
+void InsertionPresenter::updateReadouts(const FrameMeter& meter)
 {
   const haptics::TickOutput& now = control_.now().output;
   const Length stopTravel = control_.scenario().stopTravel();
@@ -119,7 +119,7 @@ void InsertionPresenter::showState(const FrameMeter& meter)
   zones_.bottom->setStatus(statusText(control_, deviceRateText(control_.deviceHealth())),
                            !control_.recordingError().empty());
   showBanner();
-  zones_.views->operation()->setHint(setup.isBuilding() ? buildingHint(setup.isStartAsked())
+  zones_.views->operation()->setHint(setup.isBuilding() ? buildingHint(setup.isStartRequested())
                                                         : hintText(control_));
 }
 

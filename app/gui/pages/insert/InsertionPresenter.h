@@ -36,7 +36,7 @@ public:
   /// Takes the newest snapshot; draws it only if it differs from the last one.
   void step();
   /// Updates numbers and flat views, fifteen times a second.
-  void stepSlowly(const FrameMeter& meter);
+  void updateReadouts(const FrameMeter& meter);
   /// Updates buttons, bars, hint and banner.
   void showState(const FrameMeter& meter);
   void showInput();

@@ -150,10 +150,10 @@ QString hintText(const InsertionControl& control)
   return tr("Holding. Scroll down or press ↓ to advance, scroll up or press ↑ to withdraw.");
 }
 
-QString buildingHint(bool isStartAsked)
+QString buildingHint(bool isStartRequested)
 {
-  return isStartAsked ? tr("Building the cochlea; the insertion then starts…")
-                      : tr("Building the cochlea…");
+  return isStartRequested ? tr("Building the cochlea; the insertion then starts…")
+                          : tr("Building the cochlea…");
 }
 
 QString styletText(const InsertionControl& control)

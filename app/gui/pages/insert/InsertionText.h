@@ -30,7 +30,7 @@ QString endText(haptics::InsertionEnd end, const haptics::TickOutput& now);
 
 /// Possible next actions; empty if no hint is needed.
 QString hintText(const InsertionControl& control);
-QString buildingHint(bool isStartAsked);
+QString buildingHint(bool isStartRequested);
 
 /// "no stylet", "in", "3.0 mm out".
 QString styletText(const InsertionControl& control);

@@ -61,7 +61,7 @@ InsertionViews::InsertionViews(QWidget* parent)
   add(PaneRole::travel, charts_->overTravel());
   add(PaneRole::components, charts_->components());
   for (const auto& [role, pane] : flat_->panes()) add(role, pane);
-  operation_->addToFoot(menu_);
+  operation_->addFooterControl(menu_);
   setArrangement(keptLayout());
   connectParts();
 }
@@ -74,8 +74,8 @@ void InsertionViews::connectParts()
   panes.emplace_back(PaneRole::travel, charts_->overTravel());
   panes.emplace_back(PaneRole::components, charts_->components());
   for (const auto& [role, pane] : panes)
-    connect(pane, &Pane::maximizeAsked, this, [this, asked = role] { toggleMaximized(asked); });
-  connect(operation_, &OperationView::maximizeAsked, this,
+    connect(pane, &Pane::maximizeRequested, this, [this, asked = role] { toggleMaximized(asked); });
+  connect(operation_, &OperationView::maximizeRequested, this,
           [this] { toggleMaximized(PaneRole::picture); });
   connect(this, &PaneArea::arrangementChanged, this, [this](PaneLayout layout) {
     keepLayout(layout);
@@ -152,7 +152,7 @@ void InsertionViews::closeTwin()
 
 void InsertionViews::drawBy(const std::string& renderer, std::optional<QualityChoice> asked)
 {
-  pilot_ = QualityPilot(renderer);
+  pilot_ = AdaptiveQuality(renderer);
   measures_ = true;
   pilot_.choose(asked ? *asked : keptQuality());
   menu_->setQuality(pilot_.choice());
@@ -170,8 +170,8 @@ void InsertionViews::chooseQuality(QualityChoice choice)
 void InsertionViews::weigh(const FrameMeter& meter)
 {
   if (pilot_.rest(operation_->isResting())) redraw();
-  const bool isEnough =
-      meter.frames() >= QualityPilot::minFrames && meter.span_s() >= QualityPilot::firstSecond_s;
+  const bool isEnough = meter.frames() >= AdaptiveQuality::minFrames &&
+                        meter.span_s() >= AdaptiveQuality::firstSecond_s;
   if (!measures_ || !isEnough) return;
   measures_ = false;  // once: sorting an hour of frame times would itself cost frames
   if (pilot_.weigh(meter.frames(), meter.span_s(), meter.quantile_ms(0.5))) redraw();

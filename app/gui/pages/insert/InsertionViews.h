@@ -5,8 +5,8 @@
 
 #include <QWidget>
 
+#include "gui/pages/insert/AdaptiveQuality.h"
 #include "gui/pages/insert/PaneArea.h"
-#include "gui/pages/insert/QualityPilot.h"
 #include "perilymph/foundation/Result.h"
 #include "perilymph/haptics/Snapshot.h"
 #include "perilymph/session/Scenario.h"
@@ -75,7 +75,7 @@ private:
   FlatViews* flat_;
   ViewMenu* menu_;
   ForceSound* sound_;
-  QualityPilot pilot_;
+  AdaptiveQuality pilot_;
   bool hasQuadBuffers_ = false;
   std::unique_ptr<StereoWindow> twin_;
   bool measures_ = false;

@@ -20,7 +20,7 @@ LoadingStage::LoadingStage(QWidget* page) : Overlay(page), text_(new QLabel(this
   QProgressBar* bar = endlessBar(240, this);
   auto* cancel = panelButton(tr("Cancel"), "cancelLoadingButton", this);
   cancel->setToolTip(tr("Keep the cochlea and array of before (Esc)"));
-  connect(cancel, &QPushButton::clicked, this, &LoadingStage::cancelAsked);
+  connect(cancel, &QPushButton::clicked, this, &LoadingStage::cancelRequested);
   auto* column = new QVBoxLayout(this);
   column->setSpacing(2 * spacing);
   column->addStretch();

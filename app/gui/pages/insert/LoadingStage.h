@@ -19,7 +19,7 @@ public:
   void show(const QString& subject);
 
 Q_SIGNALS:
-  void cancelAsked();
+  void cancelRequested();
 
 protected:
   void place() override;

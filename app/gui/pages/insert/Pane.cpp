@@ -66,7 +66,7 @@ void Pane::setTip(const QString& tip) { title_->setToolTip(tip); }
 void Pane::mouseDoubleClickEvent(QMouseEvent* event)
 {
   event->accept();
-  Q_EMIT maximizeAsked();
+  Q_EMIT maximizeRequested();
 }
 
 }  // namespace perilymph::gui

@@ -23,7 +23,7 @@ public:
   void setTip(const QString& tip);
 
 Q_SIGNALS:
-  void maximizeAsked();
+  void maximizeRequested();
 
 protected:
   void mouseDoubleClickEvent(QMouseEvent* event) override;

@@ -39,7 +39,7 @@ ReferenceRow::ReferenceRow(QWidget* parent)
   column->setSpacing(2);
   column->addLayout(row);
   column->addWidget(warning_);
-  connect(remove_, &QPushButton::clicked, this, &ReferenceRow::removeAsked);
+  connect(remove_, &QPushButton::clicked, this, &ReferenceRow::removeRequested);
   showState();
 }
 

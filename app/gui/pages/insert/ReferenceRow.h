@@ -24,7 +24,7 @@ public:
   void showCurrent(const session::ScenarioSubject& current);
 
 Q_SIGNALS:
-  void removeAsked();
+  void removeRequested();
 
 private:
   void showState();

@@ -196,12 +196,12 @@ ReplayBar::ReplayBar(QWidget* parent)
   row->addWidget(status_, 4);
   row->addWidget(close_);
 
-  connect(play_, &QPushButton::clicked, this, &ReplayBar::playAsked);
-  connect(back_, &QPushButton::clicked, this, [this] { Q_EMIT stepAsked(-1); });
-  connect(forth_, &QPushButton::clicked, this, [this] { Q_EMIT stepAsked(1); });
-  connect(slower_, &QPushButton::clicked, this, &ReplayBar::slowerAsked);
-  connect(faster_, &QPushButton::clicked, this, &ReplayBar::fasterAsked);
-  connect(close_, &QPushButton::clicked, this, &ReplayBar::closeAsked);
+  connect(play_, &QPushButton::clicked, this, &ReplayBar::playRequested);
+  connect(back_, &QPushButton::clicked, this, [this] { Q_EMIT stepRequested(-1); });
+  connect(forth_, &QPushButton::clicked, this, [this] { Q_EMIT stepRequested(1); });
+  connect(slower_, &QPushButton::clicked, this, &ReplayBar::slowerRequested);
+  connect(faster_, &QPushButton::clicked, this, &ReplayBar::fasterRequested);
+  connect(close_, &QPushButton::clicked, this, &ReplayBar::closeRequested);
   connect(scrubber_, &Scrubber::draggedTo, this, &ReplayBar::draggedTo);
 }
 

@@ -61,12 +61,12 @@ public:
   void showEvents(const ReplayPlayer& replay);
 
 Q_SIGNALS:
-  void playAsked();
-  void stepAsked(int ticks);
-  void slowerAsked();
-  void fasterAsked();
+  void playRequested();
+  void stepRequested(int ticks);
+  void slowerRequested();
+  void fasterRequested();
   void draggedTo(double fraction);
-  void closeAsked();
+  void closeRequested();
 
 private:
   QPushButton* addButton(const QString& text, const char* name, int width, const QString& tip);

@@ -29,15 +29,15 @@ ReplayControl::ReplayControl(ReplayPlayer& player, InsertionViews& views, QWidge
 
 void ReplayControl::connectBar()
 {
-  connect(bar_, &ReplayBar::playAsked, this, &ReplayControl::togglePlaying);
-  connect(bar_, &ReplayBar::stepAsked, &player_, &ReplayPlayer::stepBy);
-  connect(bar_, &ReplayBar::slowerAsked, &player_, &ReplayPlayer::slower);
-  connect(bar_, &ReplayBar::fasterAsked, &player_, &ReplayPlayer::faster);
+  connect(bar_, &ReplayBar::playRequested, this, &ReplayControl::togglePlaying);
+  connect(bar_, &ReplayBar::stepRequested, &player_, &ReplayPlayer::stepBy);
+  connect(bar_, &ReplayBar::slowerRequested, &player_, &ReplayPlayer::slower);
+  connect(bar_, &ReplayBar::fasterRequested, &player_, &ReplayPlayer::faster);
   connect(bar_, &ReplayBar::draggedTo, this, [this](double fraction) {
     if (player_.isOpen())
       player_.seek(std::uint64_t(fraction * double(player_.playback().ticks() - 1)));
   });
-  connect(bar_, &ReplayBar::closeAsked, this, &ReplayControl::closeAsked);
+  connect(bar_, &ReplayBar::closeRequested, this, &ReplayControl::closeRequested);
 }
 
 void ReplayControl::togglePlaying() { player_.isPlaying() ? player_.pause() : player_.play(); }
@@ -72,7 +72,7 @@ void ReplayControl::step(double elapsed_s, bool isSeen)
       views_.charts()->append(samples[charted_].output, samples[charted_].peak);
 }
 
-void ReplayControl::stepSlowly()
+void ReplayControl::updateReadouts()
 {
   views_.operation()->showNumbers(
       player_.now().output,
@@ -114,7 +114,7 @@ bool ReplayControl::takeKey(const QKeyEvent& event)
       player_.faster();
       return true;
     case Qt::Key_Escape:
-      Q_EMIT closeAsked();
+      Q_EMIT closeRequested();
       return true;
     // Keys that would move an array.
     case Qt::Key_Backspace:

@@ -27,13 +27,13 @@ public:
 
   /// One timer event. Pauses while the page is not visible.
   void step(double elapsed_s, bool isSeen);
-  void stepSlowly();
-  /// Handles a key while a recording is open; Escape emits closeAsked(). False if the key is not
+  void updateReadouts();
+  /// Handles a key while a recording is open; Escape emits closeRequested(). False if the key is not
   /// handled.
   bool takeKey(const QKeyEvent& event);
 
 Q_SIGNALS:
-  void closeAsked();
+  void closeRequested();
 
 private:
   void connectBar();

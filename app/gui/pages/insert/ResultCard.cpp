@@ -67,9 +67,9 @@ ResultCard::ResultCard(QWidget* page)
   connect(contacts, &QPushButton::clicked, this, &ResultCard::saveContacts);
   auto* again = panelButton(tr("Again"), "resultAgainButton", this);
   again->setToolTip(tr("Insert once more, with a new recording"));
-  connect(report_, &QPushButton::clicked, this, &ResultCard::reportAsked);
-  connect(compare, &QPushButton::clicked, this, &ResultCard::compareAsked);
-  connect(again, &QPushButton::clicked, this, &ResultCard::againAsked);
+  connect(report_, &QPushButton::clicked, this, &ResultCard::reportRequested);
+  connect(compare, &QPushButton::clicked, this, &ResultCard::compareRequested);
+  connect(again, &QPushButton::clicked, this, &ResultCard::againRequested);
   auto* verbs = new QHBoxLayout;
   verbs->setSpacing(spacing);
   for (QPushButton* verb : {report_, compare, contacts, again}) verbs->addWidget(verb);

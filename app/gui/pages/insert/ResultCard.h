@@ -28,9 +28,9 @@ public:
   void forget();
 
 Q_SIGNALS:
-  void reportAsked();
-  void compareAsked();
-  void againAsked();
+  void reportRequested();
+  void compareRequested();
+  void againRequested();
 
 protected:
   void place() override;

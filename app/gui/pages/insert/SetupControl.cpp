@@ -80,7 +80,7 @@ void SetupControl::giveUp()
 void SetupControl::forget()
 {
   builder_.forget();
-  isStartAsked_ = false;
+  isStartRequested_ = false;
 }
 
 }  // namespace perilymph::gui

@@ -43,8 +43,8 @@ public:
   qint64 buildingFor_ms() const { return builder_.busyFor_ms(); }
 
   /// Starts the insertion when building has finished.
-  void startWhenBuilt(bool isAsked) { isStartAsked_ = isAsked; }
-  bool isStartAsked() const { return isStartAsked_; }
+  void startWhenBuilt(bool isRequested) { isStartRequested_ = isRequested; }
+  bool isStartRequested() const { return isStartRequested_; }
 
 Q_SIGNALS:
   /// A new scenario applies to the next insertions.
@@ -62,7 +62,7 @@ private:
   SetupHistory* history_;
   std::optional<InsertionControl::Parts> first_;
   ModelBuilder firstBuilder_, builder_;
-  bool isStartAsked_ = false;
+  bool isStartRequested_ = false;
 };
 
 }  // namespace perilymph::gui

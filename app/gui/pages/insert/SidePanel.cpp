@@ -9,11 +9,11 @@
 #include <QVariant>
 #include <QWheelEvent>
 
-#include "gui/pages/insert/HandSection.h"
+#include "gui/pages/insert/InputSection.h"
 #include "gui/pages/insert/ReferenceRow.h"
 #include "gui/setup/ArraySection.h"
 #include "gui/setup/PatientSection.h"
-#include "gui/setup/ScenarioHead.h"
+#include "gui/setup/ScenarioHeader.h"
 #include "gui/setup/SetupHistory.h"
 #include "gui/widgets/CheckBoxes.h"
 #include "gui/widgets/Theme.h"
@@ -35,10 +35,10 @@ SidePanel::SidePanel(std::shared_ptr<CochleaStore> cochleae, QWidget* parent)
   setObjectName(QStringLiteral("sidePanel"));
   auto* content = new QWidget(scroll_);
   // in tab order
-  head_ = new ScenarioHead(content);
+  head_ = new ScenarioHeader(content);
   patient_ = new PatientSection(std::move(cochleae), content);
   array_ = new ArraySection(content);
-  hand_ = new HandSection(content);
+  hand_ = new InputSection(content);
   auto* rows = new QVBoxLayout(content);
   rows->setContentsMargins(2 * spacing, spacing, 2 * spacing - scrollBar_px, spacing);
   rows->setSpacing(spacing);
@@ -77,21 +77,21 @@ SidePanel::SidePanel(std::shared_ptr<CochleaStore> cochleae, QWidget* parent)
 
 void SidePanel::connectSections()
 {
-  connect(head_, &ScenarioHead::undoAsked, this, &SidePanel::undoAsked);
-  connect(head_, &ScenarioHead::redoAsked, this, &SidePanel::redoAsked);
-  connect(head_, &ScenarioHead::restoreAsked, this, &SidePanel::restoreAsked);
-  connect(head_, &ScenarioHead::collapseAsked, this, [this] { setCollapsed(true); });
+  connect(head_, &ScenarioHeader::undoRequested, this, &SidePanel::undoRequested);
+  connect(head_, &ScenarioHeader::redoRequested, this, &SidePanel::redoRequested);
+  connect(head_, &ScenarioHeader::restoreRequested, this, &SidePanel::restoreRequested);
+  connect(head_, &ScenarioHeader::collapseRequested, this, [this] { setCollapsed(true); });
   connect(expand_, &QPushButton::clicked, this, [this] { setCollapsed(false); });
-  connect(patient_, &PatientSection::changeAsked, this, &SidePanel::changeAsked);
+  connect(patient_, &PatientSection::changeRequested, this, &SidePanel::changeRequested);
   connect(patient_, &PatientSection::patientChosen, this, &SidePanel::patientChosen);
-  connect(patient_, &PatientSection::allPatientsAsked, this, &SidePanel::allPatientsAsked);
-  connect(patient_, &PatientSection::newPatientAsked, this, &SidePanel::newPatientAsked);
-  connect(array_, &ArraySection::changeAsked, this, &SidePanel::changeAsked);
-  connect(hand_, &HandSection::changeAsked, this, &SidePanel::changeAsked);
-  connect(hand_, &HandSection::handChosen, this, &SidePanel::handChosen);
-  connect(hand_, &HandSection::devicesAsked, this, &SidePanel::devicesAsked);
-  connect(hand_, &HandSection::holdChanged, this, &SidePanel::holdChanged);
-  connect(hand_, &HandSection::styletAsked, this, &SidePanel::styletAsked);
+  connect(patient_, &PatientSection::allPatientsRequested, this, &SidePanel::allPatientsRequested);
+  connect(patient_, &PatientSection::newPatientRequested, this, &SidePanel::newPatientRequested);
+  connect(array_, &ArraySection::changeRequested, this, &SidePanel::changeRequested);
+  connect(hand_, &InputSection::changeRequested, this, &SidePanel::changeRequested);
+  connect(hand_, &InputSection::inputChosen, this, &SidePanel::inputChosen);
+  connect(hand_, &InputSection::devicesRequested, this, &SidePanel::devicesRequested);
+  connect(hand_, &InputSection::holdChanged, this, &SidePanel::holdChanged);
+  connect(hand_, &InputSection::styletRequested, this, &SidePanel::styletRequested);
   // scroll to a field that gets the focus by Tab
   connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) {
     if (now != nullptr && scroll_->widget()->isAncestorOf(now))
@@ -127,7 +127,7 @@ Section* SidePanel::showSection(QWidget* parent)
   connect(experiment_, &QAbstractButton::toggled, this, &SidePanel::experimentShown);
   section->rows().addWidget(experiment_);
   reference_ = new ReferenceRow(section->body());
-  connect(reference_, &ReferenceRow::removeAsked, this, &SidePanel::removeReferenceAsked);
+  connect(reference_, &ReferenceRow::removeRequested, this, &SidePanel::removeReferenceRequested);
   section->rows().addWidget(reference_);
   return section;
 }

@@ -20,10 +20,10 @@ namespace perilymph::gui {
 
 class ArraySection;
 class CheckBox;
-class HandSection;
+class InputSection;
 class PatientSection;
 class ReferenceRow;
-class ScenarioHead;
+class ScenarioHeader;
 class Section;
 class SetupHistory;
 
@@ -58,19 +58,19 @@ public:
   void announceParts();
 
 Q_SIGNALS:
-  void changeAsked(const perilymph::gui::SetupChange& change);
+  void changeRequested(const perilymph::gui::SetupChange& change);
   /// The user selected a saved patient, wants to search all of them, or to enter a new one.
   void patientChosen(const perilymph::anatomy::Patient& patient);
-  void allPatientsAsked();
-  void newPatientAsked();
-  void removeReferenceAsked();
-  void undoAsked();
-  void redoAsked();
-  void restoreAsked();
-  void handChosen(perilymph::gui::InputSource hand);
-  void devicesAsked();
+  void allPatientsRequested();
+  void newPatientRequested();
+  void removeReferenceRequested();
+  void undoRequested();
+  void redoRequested();
+  void restoreRequested();
+  void inputChosen(perilymph::gui::InputSource hand);
+  void devicesRequested();
   void holdChanged(bool isHeld);
-  void styletAsked();
+  void styletRequested();
   void partShown(perilymph::visualization::Part part, bool isVisible);
   void experimentShown(bool isVisible);
 
@@ -84,11 +84,11 @@ private:
 
   QScrollArea* scroll_;
   QPushButton* expand_;
-  ScenarioHead* head_;
+  ScenarioHeader* head_;
   PatientSection* patient_;
   ArraySection* array_;
   ReferenceRow* reference_ = nullptr;
-  HandSection* hand_;
+  InputSection* hand_;
   std::vector<std::pair<visualization::Part, CheckBox*>> parts_;
   CheckBox* experiment_ = nullptr;
   bool isChangeable_ = true;

@@ -47,7 +47,7 @@ PlanList::PlanList(QWidget* parent) : QTableView(parent), table_(nullptr)
   sortByColumn(int(PlanColumn::array), Qt::AscendingOrder);
   connect(selectionModel(), &QItemSelectionModel::selectionChanged, this,
           &PlanList::selectionMoved);
-  connect(this, &QTableView::doubleClicked, this, &PlanList::openAsked);
+  connect(this, &QTableView::doubleClicked, this, &PlanList::openRequested);
   fitColumns();
 }
 
@@ -70,7 +70,7 @@ std::vector<std::size_t> PlanList::selected() const
 
 void PlanList::keyPressEvent(QKeyEvent* event)
 {
-  if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) return openAsked();
+  if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) return openRequested();
   QTableView::keyPressEvent(event);
 }
 

@@ -24,7 +24,7 @@ public:
 Q_SIGNALS:
   void selectionMoved();
   /// Return or a double click.
-  void openAsked();
+  void openRequested();
 
 protected:
   void keyPressEvent(QKeyEvent* event) override;

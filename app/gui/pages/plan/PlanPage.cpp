@@ -7,7 +7,7 @@
 #include <QVBoxLayout>
 #include <QVariant>
 
-#include "gui/pages/plan/PlanHead.h"
+#include "gui/pages/plan/PlanHeader.h"
 #include "gui/pages/plan/PlanList.h"
 #include "gui/pages/plan/PlanNotes.h"
 #include "gui/pages/plan/PlanPanel.h"
@@ -43,7 +43,7 @@ PlanPage::PlanPage(QWidget* parent)
                               "array is inserted many times; the table shows what to expect, as "
                               "bands."),
                            this)),
-      head_(new PlanHead(this)),
+      head_(new PlanHeader(this)),
       list_(new PlanList(this)),
       view_(new PlanView(this)),
       open_(panelButton(QString(), "openPlanArrayButton", this)),
@@ -112,7 +112,8 @@ QWidget* PlanPage::addArrays()
   column->addLayout(head);
   column->addWidget(view_, 1);
   connect(back_, &QPushButton::clicked, this, &PlanPage::leaveArrays);
-  connect(view_, &PlanView::failed, this, [this](const QString& sentence) { say(sentence, true); });
+  connect(view_, &PlanView::failed, this,
+          [this](const QString& sentence) { showMessage(sentence, true); });
   return page;
 }
 
@@ -131,14 +132,14 @@ void PlanPage::addVerbs(QHBoxLayout& row)
   row.addStretch();
   connect(report_, &QPushButton::clicked, this, &PlanPage::askReport);
   connect(&reporting_, &PlanReportWork::failed, this,
-          [this](const QString& sentence) { say(sentence, true); });
+          [this](const QString& sentence) { showMessage(sentence, true); });
   connect(&reporting_, &PlanReportWork::written, this,
           [this](const std::filesystem::path& report, const QString& sentence) {
             status_->sayWritten(sentence, report.parent_path());
           });
   connect(insert_, &QPushButton::clicked, this, &PlanPage::insertArray);
   connect(open_, &QPushButton::clicked, this, &PlanPage::openArrays);
-  connect(list_, &PlanList::openAsked, this, &PlanPage::openArrays);
+  connect(list_, &PlanList::openRequested, this, &PlanPage::openArrays);
   connect(list_, &PlanList::selectionMoved, this, &PlanPage::showVerbs);
   showVerbs();
 }
@@ -154,7 +155,7 @@ void PlanPage::showVerbs()
 void PlanPage::openArrays()
 {
   if (!plan_ || !open_->isEnabled()) return;
-  say({});
+  showMessage({});
   view_->show(plan_, list_->selected());
   stages_->setCurrentIndex(arraysStage);
   panel_->hide();
@@ -166,7 +167,7 @@ void PlanPage::insertArray()
   const std::vector<std::size_t> rows = list_->selected();
   if (!plan_ || rows.size() != 1) return;
   const auto setup = plannedSetup(*plan_, rows.front());
-  if (!setup) return say(dataText(setup.error().message), true);
+  if (!setup) return showMessage(dataText(setup.error().message), true);
   Q_EMIT insertionRequested({*setup, SetupOrigin::Kind::own, AfterLoading::rest,
                              plannedForce(*plan_, rows.front(), madeUtc_)});
 }
@@ -183,7 +184,7 @@ void PlanPage::askReport()
 void PlanPage::writeReport(const ReportPlace& place)
 {
   if (!plan_) return;
-  say(tr("Preparing the report…"));
+  showMessage(tr("Preparing the report…"));
   reporting_.write(plan_, folder_, place);
 }
 
@@ -199,14 +200,14 @@ bool PlanPage::leaveArrays()
 
 void PlanPage::connectPanel()
 {
-  connect(empty_, &EmptyPage::actionAsked, panel_, &PlanPanel::compute);
+  connect(empty_, &EmptyPage::actionRequested, panel_, &PlanPanel::compute);
   connect(panel_, &PlanPanel::readyChanged, this,
           [this](bool isReady) { empty_->offer(isReady ? tr("Compute") : QString()); });
   connect(panel_, &PlanPanel::patientChosen, this, &PlanPage::forgetPlan);
-  connect(panel_, &PlanPanel::computeAsked, this, &PlanPage::compute);
-  connect(panel_, &PlanPanel::cancelAsked, this, &PlanPage::stop);
+  connect(panel_, &PlanPanel::computeRequested, this, &PlanPage::compute);
+  connect(panel_, &PlanPanel::cancelRequested, this, &PlanPage::stop);
   connect(notes_, &PlanNotes::failed, this,
-          [this](const QString& sentence) { say(sentence, true); });
+          [this](const QString& sentence) { showMessage(sentence, true); });
   connect(panel_, &PlanPanel::planChosen, this, &PlanPage::openStored);
 }
 
@@ -223,7 +224,7 @@ void PlanPage::open(const std::filesystem::path& folder)
   stop();
   const auto stored =
       readStoredPlan(folder.filename() == "plan.json" ? folder.parent_path() : folder);
-  if (!stored) return say(dataText(stored.error().message), true);
+  if (!stored) return showMessage(dataText(stored.error().message), true);
   panel_->refresh();
   openStored(*stored);
 }
@@ -233,14 +234,15 @@ void PlanPage::openStored(const StoredPlan& stored)
   panel_->showPlan(stored);
   if (stored.shownDraws == 0) {
     forgetPlan();
-    return say(stored.folder == folderOfPlan(stored.request)
-                   ? tr("This plan was interrupted before its first bands; Compute continues it.")
-                   : tr("This plan was interrupted before its first bands, and an array, the "
-                        "scenario, a distribution or the program was changed since; Compute makes "
-                        "a new one."));
+    return showMessage(
+        stored.folder == folderOfPlan(stored.request)
+            ? tr("This plan was interrupted before its first bands; Compute continues it.")
+            : tr("This plan was interrupted before its first bands, and an array, the "
+                 "scenario, a distribution or the program was changed since; Compute makes "
+                 "a new one."));
   }
   leaveArrays();
-  say(tr("Opening the plan…"));
+  showMessage(tr("Opening the plan…"));
   panel_->showProgress(0.0);
   work_.open(stored);
 }
@@ -253,12 +255,12 @@ void PlanPage::connectWork()
     panel_->showProgress(std::nullopt);
     panel_->refresh();
     if (sentence.isEmpty() && plan_ && plan_->seal == Seal::changed)
-      return say(dataText(noteOn(Seal::changed)), true);
+      return showMessage(dataText(noteOn(Seal::changed)), true);
     if (sentence.isEmpty() && plan_ && !plan_->isCurrent)
-      return say(
+      return showMessage(
           tr("An array, the scenario, a distribution or the program was changed since this "
              "plan: it is shown as it was made, and Compute makes a new one."));
-    say(sentence, !sentence.isEmpty());
+    showMessage(sentence, !sentence.isEmpty());
   });
 }
 
@@ -272,8 +274,8 @@ void PlanPage::compute()
        anatomy::patientText(plan_->request.patient) != anatomy::patientText(request.patient)))
     forgetPlan();
   if (const auto done = planning::checkDraws(request.draws); !done)
-    return say(dataText(done.error().message), true);
-  say(tr("Preparing…"));
+    return showMessage(dataText(done.error().message), true);
+  showMessage(tr("Preparing…"));
   panel_->showProgress(0.0);
   work_.compute(request);
 }
@@ -286,7 +288,7 @@ bool PlanPage::stop()
   work_.cancel();
   panel_->showProgress(std::nullopt);
   panel_->refresh();
-  say(tr("Canceled. What is done is kept; Compute continues there."));
+  showMessage(tr("Canceled. What is done is kept; Compute continues there."));
   return true;
 }
 
@@ -327,7 +329,8 @@ void PlanPage::showProgress(std::size_t done, std::size_t all)
 {
   if (!work_.isBusy()) return;
   panel_->showProgress(double(done) / double(all));
-  say(tr("%1 of at most %2 insertions. Another page can be shown meanwhile.").arg(done).arg(all));
+  showMessage(
+      tr("%1 of at most %2 insertions. Another page can be shown meanwhile.").arg(done).arg(all));
 }
 
 void PlanPage::forgetPlan()
@@ -339,9 +342,12 @@ void PlanPage::forgetPlan()
   notes_->show({});
   stages_->setCurrentIndex(emptyStage);
   if (panel_->patient()) head_->show(*panel_->patient());
-  say({});
+  showMessage({});
 }
 
-void PlanPage::say(const QString& sentence, bool isError) { status_->say(sentence, isError); }
+void PlanPage::showMessage(const QString& sentence, bool isError)
+{
+  status_->showMessage(sentence, isError);
+}
 
 }  // namespace perilymph::gui

@@ -17,7 +17,7 @@ class QStackedWidget;
 namespace perilymph::gui {
 
 class EmptyPage;
-class PlanHead;
+class PlanHeader;
 class PlanList;
 class PlanNotes;
 class PlanPanel;
@@ -73,7 +73,7 @@ private:
   void showPlan(const PlanWork::SharedPlan& plan, const StoredPlan& stored);
   void showProgress(std::size_t done, std::size_t all);
   void forgetPlan();
-  void say(const QString& sentence, bool isError = false);
+  void showMessage(const QString& sentence, bool isError = false);
 
   PlanWork work_;
   PlanReportWork reporting_;
@@ -85,7 +85,7 @@ private:
   PlanPanel* panel_;
   QStackedWidget* stages_;
   EmptyPage* empty_;
-  PlanHead* head_;
+  PlanHeader* head_;
   PlanList* list_;
   PlanView* view_;
   QPushButton *open_, *insert_, *report_, *back_;

@@ -188,9 +188,9 @@ void PlanPanel::addFoot(QVBoxLayout& column)
     QStringList arrays;
     for (const std::string& array : request().arrays) arrays << QString::fromStdString(array);
     UserSettings().setValue(lastArraysKey, arrays);
-    Q_EMIT computeAsked();
+    Q_EMIT computeRequested();
   });
-  connect(cancel_, &QPushButton::clicked, this, &PlanPanel::cancelAsked);
+  connect(cancel_, &QPushButton::clicked, this, &PlanPanel::cancelRequested);
 }
 
 void PlanPanel::refresh()

@@ -44,8 +44,8 @@ Q_SIGNALS:
   /// A plan can be computed: there are a patient and an array, and none is computed now.
   void readyChanged(bool isReady);
   void patientChosen();
-  void computeAsked();
-  void cancelAsked();
+  void computeRequested();
+  void cancelRequested();
   void planChosen(const perilymph::gui::StoredPlan& plan);
 
 private:

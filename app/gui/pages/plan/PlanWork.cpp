@@ -69,19 +69,19 @@ Result<Done> PlanWork::make(Shared& shared, StoredPlan stored, const std::stop_t
     if (!json) return json.error();
     if (const auto saved = writeWhole(stored.folder / planJsonFile, *json); !saved)
       return saved.error();
-    const bool areStanding = planning::bandsStand(*plan);
+    const bool haveConverged = planning::hasConverged(*plan);
     const std::lock_guard lock(shared.mutex);
     shared.plan = std::make_shared<const planning::Plan>(*std::move(plan));
     shared.stored = stored;
-    return areStanding;
+    return haveConverged;
   };
   for (std::size_t draws = firstDraws; draws < all.draws; draws *= 2) {
     planning::PlanRequest part = all;
     part.draws = draws;
     part.stopsEarly = false;
-    const auto areStanding = show(part);
-    if (!areStanding) return areStanding.error();
-    if (*areStanding && draws > firstDraws && all.stopsEarly) break;
+    const auto haveConverged = show(part);
+    if (!haveConverged) return haveConverged.error();
+    if (*haveConverged && draws > firstDraws && all.stopsEarly) break;
   }
   stored.isComplete = true;
   const auto last = show(all);

@@ -327,7 +327,7 @@ bool SessionTable::setData(const QModelIndex& index, const QVariant& value, int 
   if (role != Qt::EditRole || index.column() != name) return false;
   const QString asked = value.toString().trimmed();
   if (asked == nameOf(session(index.row()))) return false;
-  Q_EMIT renameAsked(session(index.row()).file, asked);
+  Q_EMIT renameRequested(session(index.row()).file, asked);
   return true;
 }
 

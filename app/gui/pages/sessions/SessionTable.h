@@ -59,7 +59,7 @@ public:
 
 Q_SIGNALS:
   /// The user entered another name.
-  void renameAsked(const std::filesystem::path& file, const QString& name);
+  void renameRequested(const std::filesystem::path& file, const QString& name);
 
 private:
   struct Row {

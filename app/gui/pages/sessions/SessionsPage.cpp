@@ -69,17 +69,17 @@ SessionsPage::SessionsPage(const InsertionControl& control, QWidget* parent,
     progress_->setVisible(true);
     progress_->setRange(0, all);
     progress_->setValue(done);
-    say(tr("Reading recording %1 of %2. Esc cancels.").arg(done).arg(all));
+    showMessage(tr("Reading recording %1 of %2. Esc cancels.").arg(done).arg(all));
     end_->setVisible(true);
   });
   connect(&work_, &LibraryWork::listed, this, &SessionsPage::showList);
   connect(&work_, &LibraryWork::failed, this, [this](const QString& sentence) {
     progress_->setVisible(false);
     end_->setVisible(false);
-    say(sentence, true);
+    showMessage(sentence, true);
   });
   // After the editor has closed, because the rows are rebuilt.
-  connect(table_, &SessionTable::renameAsked, this,
+  connect(table_, &SessionTable::renameRequested, this,
           [this](const std::filesystem::path& file, const QString& name) {
             QMetaObject::invokeMethod(
                 this, [this, file, name] { rename(file, name); }, Qt::QueuedConnection);
@@ -162,7 +162,7 @@ QWidget* SessionsPage::addVerbs()
   connect(ghost_, &QPushButton::clicked, this, [this] {
     if (const auto file = oneChosen()) tasks_->readReference(*file);
   });
-  connect(tasks_, &SessionTasks::said, this, &SessionsPage::say);
+  connect(tasks_, &SessionTasks::said, this, &SessionsPage::showMessage);
   connect(tasks_, &SessionTasks::referenceRead, this, &SessionsPage::referenceRead);
   connect(tasks_, &SessionTasks::reportWritten, this,
           [this](const std::filesystem::path& report, const QString& sentence) {
@@ -171,7 +171,7 @@ QWidget* SessionsPage::addVerbs()
   connect(compare_, &QPushButton::clicked, this, [this] {
     std::vector<std::filesystem::path> files;
     for (const session::SessionSummary& each : chosen()) files.push_back(each.file);
-    if (!files.empty()) Q_EMIT compareAsked(files);
+    if (!files.empty()) Q_EMIT compareRequested(files);
   });
   connect(rename_, &QPushButton::clicked, this, [this] {
     const QModelIndex current = list_->currentIndex();
@@ -221,7 +221,10 @@ bool SessionsPage::cancel()
   return true;
 }
 
-void SessionsPage::say(const QString& sentence, bool isError) { status_->say(sentence, isError); }
+void SessionsPage::showMessage(const QString& sentence, bool isError)
+{
+  status_->showMessage(sentence, isError);
+}
 
 void SessionsPage::showFresh(std::vector<session::SessionSummary> sessions)
 {
@@ -237,7 +240,7 @@ void SessionsPage::showList(std::vector<session::SessionSummary> sessions, int a
   for (const session::SessionSummary& each : chosen()) before.insert(each.file);
   progress_->setVisible(false);
   end_->setVisible(false);
-  say({});
+  showMessage({});
   table_->setSessions(std::move(sessions));
   QItemSelection again;
   for (int row = 0; row < table_->rowCount() && !before.empty(); ++row) {
@@ -250,9 +253,9 @@ void SessionsPage::showList(std::vector<session::SessionSummary> sessions, int a
     list_->setCurrentIndex(sorted_->index(0, SessionTable::recorded));
   showChoice();
   if (read < all)
-    say(tr("Canceled: %1 of %2 recordings listed. Open this page again to continue.")
-            .arg(read)
-            .arg(all));
+    showMessage(tr("Canceled: %1 of %2 recordings listed. Open this page again to continue.")
+                    .arg(read)
+                    .arg(all));
 }
 
 std::vector<session::SessionSummary> SessionsPage::chosen() const
@@ -273,11 +276,11 @@ void SessionsPage::showChoice()
                   : shown == all ? tr("%n in the library", nullptr, all)
                                  : tr("%1 of %2").arg(shown).arg(all));
   if (all == 0)
-    empty_->say(tr("No recorded insertions"),
-                tr("Every insertion is recorded automatically. Recordings can be replayed, "
-                   "compared and reported here."));
+    empty_->showMessage(tr("No recorded insertions"),
+                        tr("Every insertion is recorded automatically. Recordings can be replayed, "
+                           "compared and reported here."));
   else
-    empty_->say(
+    empty_->showMessage(
         tr("No results"),
         tr("No recording matches “%1” by patient, array, date or name.").arg(search_->text()));
   stack_->setCurrentIndex(shown == 0 ? 0 : 1);
@@ -301,15 +304,15 @@ void SessionsPage::showChoice()
   delete_->setEnabled(!rows.empty() && !rows[0].isBeingRecorded);
   undo_->setVisible(!trashed_.empty());
   if (isOne && !rows[0].error.empty())
-    say(QString::fromStdString(rows[0].error), true);
+    showMessage(QString::fromStdString(rows[0].error), true);
   else if (isOne && rows[0].isBeingRecorded)
-    say(insertion_ == Progress::resting
-            ? tr("This insertion has ended; its rest is recorded until nothing moves.")
-            : tr("This insertion is being recorded. Reset ends the recording."));
+    showMessage(insertion_ == Progress::resting
+                    ? tr("This insertion has ended; its rest is recorded until nothing moves.")
+                    : tr("This insertion is being recorded. Reset ends the recording."));
   else if (!trashed_.empty())
-    say(tr("%n moved to the trash.", nullptr, int(trashed_.size())));
+    showMessage(tr("%n moved to the trash.", nullptr, int(trashed_.size())));
   else
-    say(isOne && all > 1 ? tr("Select several with Ctrl or Shift to compare.") : QString());
+    showMessage(isOne && all > 1 ? tr("Select several with Ctrl or Shift to compare.") : QString());
 }
 
 std::optional<std::filesystem::path> SessionsPage::oneChosen() const
@@ -323,7 +326,7 @@ void SessionsPage::replayChosen()
 {
   const auto file = oneChosen();
   if (!file) return;
-  say(tr("Opening %1…").arg(QString::fromStdString(session::displayNameOf(*file))));
+  showMessage(tr("Opening %1…").arg(QString::fromStdString(session::displayNameOf(*file))));
   Q_EMIT replayRequested(*file);
 }
 
@@ -344,7 +347,7 @@ void SessionsPage::rename(const std::filesystem::path& file, const QString& name
   const auto renamed = session::renameSession(file, name.toStdString());
   if (renamed) return reread();
   editName(file, name);
-  say(dataText(renamed.error().message), true);
+  showMessage(dataText(renamed.error().message), true);
 }
 
 void SessionsPage::editName(const std::filesystem::path& file, const QString& name)
@@ -367,7 +370,7 @@ void SessionsPage::throwAway()
     const auto trashed = session::trashSession(each.file);
     if (!trashed) {
       reread();
-      return say(dataText(trashed.error().message), true);
+      return showMessage(dataText(trashed.error().message), true);
     }
     trashed_.emplace_back(*trashed, each.file);
   }
@@ -378,7 +381,7 @@ void SessionsPage::bringBack()
 {
   for (const auto& [trashed, place] : trashed_) {
     const auto done = session::restoreSession(trashed, place);
-    if (!done) return say(dataText(done.error().message), true);
+    if (!done) return showMessage(dataText(done.error().message), true);
   }
   trashed_.clear();
   reread();

@@ -48,14 +48,14 @@ public:
 
   /// The selected readable recordings, in the order of the table.
   std::vector<session::SessionSummary> chosen() const;
-  void say(const QString& sentence, bool isError = false);
-  void showError(const QString& sentence) { say(sentence, true); }
+  void showMessage(const QString& sentence, bool isError = false);
+  void showError(const QString& sentence) { showMessage(sentence, true); }
 
   /// Writes the report of a recording in the background; the page shows the result.
   void saveReport(const std::filesystem::path& file, const ReportPlace& place);
 
 Q_SIGNALS:
-  void compareAsked(const std::vector<std::filesystem::path>& files);
+  void compareRequested(const std::vector<std::filesystem::path>& files);
   void referenceRead(const perilymph::gui::ReferenceInsertion& reference);
 
 protected:

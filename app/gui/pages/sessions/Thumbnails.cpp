@@ -91,7 +91,7 @@ QPixmap Thumbnails::find(const session::SessionSummary& summary)
       !summary.isBeingRecorded && summary.highlights.ticks > 0 && !impossible_.contains(key);
   if (!canBePainted || key == painting_) return blank;
   const auto wish = std::find_if(wishes_.begin(), wishes_.end(),
-                                 [&key](const Wish& each) { return each.key == key; });
+                                 [&key](const PendingRequest& each) { return each.key == key; });
   if (wish != wishes_.end()) {
     std::rotate(wish, wish + 1, wishes_.end());
     return blank;
@@ -111,7 +111,7 @@ void Thumbnails::paintNext()
 {
   painting_.clear();
   if (wishes_.empty()) return;
-  const Wish wish = std::move(wishes_.back());
+  const PendingRequest wish = std::move(wishes_.back());
   wishes_.pop_back();
   painting_ = wish.key;
   background_.run(

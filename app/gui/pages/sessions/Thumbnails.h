@@ -34,7 +34,7 @@ Q_SIGNALS:
   void painted(const std::filesystem::path& file);
 
 private:
-  struct Wish {
+  struct PendingRequest {
     session::SessionSummary summary;
     QString key;
   };
@@ -42,8 +42,8 @@ private:
 
   QHash<QString, QPixmap> known_;
   QSet<QString> impossible_;
-  std::vector<Wish> wishes_;  ///< The last one is painted first.
-  QString painting_;          ///< Current work of the thread.
+  std::vector<PendingRequest> wishes_;  ///< The last one is painted first.
+  QString painting_;                    ///< Current work of the thread.
   Background background_;
 };
 

@@ -55,7 +55,7 @@ QLabel* errorLabel(QWidget* parent)
   return label;
 }
 
-void say(QLabel& label, const QString& sentence)
+void showMessage(QLabel& label, const QString& sentence)
 {
   label.setText(sentence);
   label.setVisible(!sentence.isEmpty());
@@ -176,7 +176,7 @@ QWidget* PatientForm::addExplanations()
   column->addStretch(1);
   auto* measure = new QPushButton(tr("Measure a CT…"), side);
   measure->setObjectName(QStringLiteral("patientCtButton"));
-  connect(measure, &QPushButton::clicked, this, &PatientForm::ctAsked);
+  connect(measure, &QPushButton::clicked, this, &PatientForm::ctRequested);
   column->addLayout(sideBySide(heading(tr("HOW TO MEASURE IN CT"), side), measure));
   column->addWidget(landmarks_, 8);
   column->addWidget(
@@ -246,7 +246,7 @@ void PatientForm::connectFields()
   connect(left_, &QAbstractButton::toggled, this, &PatientForm::showState);
   connect(label_, &QLineEdit::textChanged, this, &PatientForm::showState);
   connect(label_, &QLineEdit::returnPressed, this, &PatientForm::submit);
-  connect(back_, &QPushButton::clicked, this, &PatientForm::leaveAsked);
+  connect(back_, &QPushButton::clicked, this, &PatientForm::leaveRequested);
   connect(use_, &QPushButton::clicked, this, &PatientForm::submit);
 }
 
@@ -347,7 +347,7 @@ anatomy::Patient PatientForm::patient() const
   return patient;
 }
 
-void PatientForm::showError(const QString& sentence) { say(*error_, sentence); }
+void PatientForm::showError(const QString& sentence) { showMessage(*error_, sentence); }
 
 std::vector<PopulationField*> PatientForm::fields() const
 {
@@ -366,7 +366,8 @@ void PatientForm::showState()
 {
   const std::string code = label_->text().trimmed().toStdString();
   const auto checked = anatomy::checkPatientCode(code);
-  say(*labelError_, code.empty() || checked ? QString() : dataText(checked.error().message));
+  showMessage(*labelError_,
+              code.empty() || checked ? QString() : dataText(checked.error().message));
   use_->setEnabled(isComplete() && checked);
   const anatomy::Patient given = patient();
   landmarks_->setVisible(byBasalTurn_->isChecked());
@@ -374,7 +375,7 @@ void PatientForm::showState()
   a_->setMeasuringError(given.errors ? Errors(given.errors->a) : Errors());
   b_->setMeasuringError(given.errors ? Errors(given.errors->b) : Errors());
   h_->setMeasuringError(given.errors ? given.errors->h : Errors());
-  say(*warning_, {});
+  showMessage(*warning_, {});
   if (!isComplete()) {
     landmarks_->show({anatomy::spreadOfA().mean, anatomy::spreadOfB().mean, std::nullopt},
                      given.side);
@@ -383,7 +384,7 @@ void PatientForm::showState()
   // each alone is marked beside its field
   if (given.basalTurn && !a_->isUnusual() && !b_->isUnusual())
     for (const Sentence& sentence : anatomy::unusualMeasures(given))
-      say(*warning_, dataText(sentence));
+      showMessage(*warning_, dataText(sentence));
   if (given.basalTurn) landmarks_->show(*given.basalTurn, given.side);
   if (array_) derived_->show({sourceScaledBy(measuresOf(given)), given, millimeters(1)}, *array_);
 }

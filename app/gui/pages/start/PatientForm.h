@@ -45,9 +45,9 @@ public:
 
 Q_SIGNALS:
   void patientGiven(const perilymph::anatomy::Patient& patient);
-  void leaveAsked();
+  void leaveRequested();
   /// The user wants the measures from a CT.
-  void ctAsked();
+  void ctRequested();
 
 private:
   QWidget* addForm();

@@ -97,13 +97,13 @@ PatientPicker::PatientPicker(QWidget* parent)
   connect(list_, &QListWidget::itemActivated, this, &PatientPicker::openSelected);
   connect(open_, &QPushButton::clicked, this, &PatientPicker::openSelected);
   connect(edit_, &QPushButton::clicked, this, [this] {
-    if (const SavedPatient* patient = selected()) Q_EMIT editAsked(SavedPatient(*patient));
+    if (const SavedPatient* patient = selected()) Q_EMIT editRequested(SavedPatient(*patient));
   });
-  connect(back_, &QPushButton::clicked, this, &PatientPicker::leaveAsked);
+  connect(back_, &QPushButton::clicked, this, &PatientPicker::leaveRequested);
   connect(list_, &QListWidget::currentRowChanged, this, &PatientPicker::showSelected);
   connect(details_, &PatientDetails::recordKept, this, &PatientPicker::takeRecord);
   connect(details_, &PatientDetails::said, status_, &QLabel::setText);
-  connect(details_, &PatientDetails::opened, this, &PatientPicker::entryAsked);
+  connect(details_, &PatientDetails::opened, this, &PatientPicker::entryRequested);
   connect(archived_, &QAbstractButton::toggled, this, &PatientPicker::showMatches);
   connect(archive_, &QPushButton::clicked, this, &PatientPicker::changeArchived);
   connect(export_, &QPushButton::clicked, this, &PatientPicker::exportSelected);
@@ -247,7 +247,7 @@ const SavedPatient* PatientPicker::selected() const
 
 void PatientPicker::openSelected()
 {
-  if (const SavedPatient* patient = selected()) Q_EMIT openAsked(SavedPatient(*patient));
+  if (const SavedPatient* patient = selected()) Q_EMIT openRequested(SavedPatient(*patient));
 }
 
 void PatientPicker::showSelected()

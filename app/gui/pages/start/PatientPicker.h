@@ -34,11 +34,11 @@ public:
   void refresh(const std::filesystem::path& beingRecorded);
 
 Q_SIGNALS:
-  void openAsked(const perilymph::gui::SavedPatient& patient);
-  void editAsked(const perilymph::gui::SavedPatient& patient);
+  void openRequested(const perilymph::gui::SavedPatient& patient);
+  void editRequested(const perilymph::gui::SavedPatient& patient);
   /// An entry of a patient's history was opened.
-  void entryAsked(const perilymph::gui::HistoryEntry& entry);
-  void leaveAsked();
+  void entryRequested(const perilymph::gui::HistoryEntry& entry);
+  void leaveRequested();
 
 protected:
   bool eventFilter(QObject* watched, QEvent* event) override;

@@ -135,12 +135,12 @@ void RecentWork::refresh(const QString& current, const std::optional<fs::path>& 
     auto* link = addLink(*patients_, tags.isEmpty() ? whole : tr("%1 · %2").arg(whole, tags),
                          QStringLiteral("recentPatient%1").arg(i), left);
     connect(link, &QPushButton::clicked, this,
-            [this, patient = patients[i]] { Q_EMIT patientAsked(patient); });
+            [this, patient = patients[i]] { Q_EMIT patientRequested(patient); });
   }
   if (!patients.empty())
     connect(addLink(*patients_, tr("All patients: search and edit"),
                     QStringLiteral("allPatientsButton"), left),
-            &QPushButton::clicked, this, &RecentWork::allPatientsAsked);
+            &QPushButton::clicked, this, &RecentWork::allPatientsRequested);
 
   const auto recordings = newestRecordings(beingRecorded);
   if (!current.isEmpty() || !recordings.empty())
@@ -148,7 +148,7 @@ void RecentWork::refresh(const QString& current, const std::optional<fs::path>& 
   if (!current.isEmpty())
     connect(addLink(*recordings_, tr("Continue: %1").arg(current), QStringLiteral("continueButton"),
                     right),
-            &QPushButton::clicked, this, &RecentWork::continueAsked);
+            &QPushButton::clicked, this, &RecentWork::continueRequested);
   const std::size_t listed = std::min(recordings.size(), maxListed - (current.isEmpty() ? 0 : 1));
   for (std::size_t i = 0; i < listed; ++i) {
     auto* link =
@@ -159,12 +159,12 @@ void RecentWork::refresh(const QString& current, const std::optional<fs::path>& 
                              .toString(QStringLiteral("yyyy-MM-dd HH:mm"))),
                 QStringLiteral("recentRecording%1").arg(i), right);
     connect(link, &QPushButton::clicked, this,
-            [this, file = recordings[i].file] { Q_EMIT replayAsked(file); });
+            [this, file = recordings[i].file] { Q_EMIT replayRequested(file); });
   }
   if (!recordings.empty())
     connect(addLink(*recordings_, tr("All recorded insertions"),
                     QStringLiteral("allRecordingsButton"), right),
-            &QPushButton::clicked, this, &RecentWork::allRecordingsAsked);
+            &QPushButton::clicked, this, &RecentWork::allRecordingsRequested);
   left->setVisible(!patients.empty());
   right->setVisible(!current.isEmpty() || !recordings.empty());
 }

@@ -25,11 +25,11 @@ public:
   void refresh(const QString& current, const std::optional<std::filesystem::path>& beingRecorded);
 
 Q_SIGNALS:
-  void patientAsked(const perilymph::gui::SavedPatient& patient);
-  void allPatientsAsked();
-  void continueAsked();
-  void replayAsked(const std::filesystem::path& recording);
-  void allRecordingsAsked();
+  void patientRequested(const perilymph::gui::SavedPatient& patient);
+  void allPatientsRequested();
+  void continueRequested();
+  void replayRequested(const std::filesystem::path& recording);
+  void allRecordingsRequested();
 
 private:
   QVBoxLayout *patients_, *recordings_;

@@ -157,24 +157,24 @@ StartPage::StartPage(const InsertionControl& control, const SetupHistory& setup,
           [this] { beginShipped("mean-contour", AfterLoading::rest); });
   connect(demonstration_, &QPushButton::clicked, this,
           [this] { beginShipped("contour-published", AfterLoading::insert); });
-  connect(form_, &PatientForm::leaveAsked, this, [this] { showCards(); });
+  connect(form_, &PatientForm::leaveRequested, this, [this] { showCards(); });
   connect(form_, &PatientForm::patientGiven, this, &StartPage::savePatient);
-  connect(form_, &PatientForm::ctAsked, this,
+  connect(form_, &PatientForm::ctRequested, this,
           [this] { Q_EMIT pageRequested(QStringLiteral("ct")); });
-  connect(picker_, &PatientPicker::leaveAsked, this, [this] { showCards(); });
-  connect(picker_, &PatientPicker::openAsked, this, &StartPage::openPatient);
-  connect(picker_, &PatientPicker::editAsked, this, [this](const SavedPatient& patient) {
+  connect(picker_, &PatientPicker::leaveRequested, this, [this] { showCards(); });
+  connect(picker_, &PatientPicker::openRequested, this, &StartPage::openPatient);
+  connect(picker_, &PatientPicker::editRequested, this, [this](const SavedPatient& patient) {
     form_->beginEditing(patient.patient, patient.file);
     stages_->setCurrentIndex(formStage);
     form_->setFocus();
   });
-  connect(picker_, &PatientPicker::entryAsked, this, &StartPage::openEntry);
-  connect(recent_, &RecentWork::patientAsked, this, &StartPage::openPatient);
-  connect(recent_, &RecentWork::allPatientsAsked, this, &StartPage::showPatients);
-  connect(recent_, &RecentWork::continueAsked, this,
+  connect(picker_, &PatientPicker::entryRequested, this, &StartPage::openEntry);
+  connect(recent_, &RecentWork::patientRequested, this, &StartPage::openPatient);
+  connect(recent_, &RecentWork::allPatientsRequested, this, &StartPage::showPatients);
+  connect(recent_, &RecentWork::continueRequested, this,
           [this] { Q_EMIT pageRequested(QStringLiteral("insert")); });
-  connect(recent_, &RecentWork::replayAsked, this, &StartPage::replayRequested);
-  connect(recent_, &RecentWork::allRecordingsAsked, this,
+  connect(recent_, &RecentWork::replayRequested, this, &StartPage::replayRequested);
+  connect(recent_, &RecentWork::allRecordingsRequested, this,
           [this] { Q_EMIT pageRequested(QStringLiteral("sessions")); });
 }
 

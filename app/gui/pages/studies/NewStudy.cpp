@@ -19,10 +19,10 @@
 #include "gui/setup/Catalog.h"
 #include "gui/setup/PatientLibrary.h"
 #include "gui/setup/Section.h"
-#include "gui/widgets/Selector.h"
 #include "gui/text/Numbers.h"
 #include "gui/widgets/CheckBoxes.h"
 #include "gui/widgets/PanelParts.h"
+#include "gui/widgets/Selector.h"
 #include "gui/widgets/Theme.h"
 #include "gui/widgets/WrappedLabel.h"
 #include "perilymph/foundation/Resources.h"
@@ -88,10 +88,11 @@ NewStudy::NewStudy(QWidget* parent) : QWidget(parent), estimate_(this)
   whole->setContentsMargins(0, 0, 0, 0);
   whole->addWidget(verticalScroll(content, this));
   connect(&estimate_, &StudyEstimateWork::refused, this,
-          [this](const QString& sentence) { say(sentence, false); });
+          [this](const QString& sentence) { showMessage(sentence, false); });
   connect(&estimate_, &StudyEstimateWork::estimated, this,
           [this](const study::StudyEstimate& cost, std::size_t insertions) {
-            say(tr("%1 insertions, about %2 on %3 of %4 cores: an estimate from %5 that were run "
+            showMessage(
+                tr("%1 insertions, about %2 on %3 of %4 cores: an estimate from %5 that were run "
                    "now.")
                     .arg(QLocale().toString(qulonglong(insertions)),
                          durationText(cost.processorTime_s / jobs()))
@@ -254,17 +255,17 @@ void NewStudy::addRun(QVBoxLayout& column)
   start_ = panelButton(tr("Start"), "startStudyButton", this);
   start_->setProperty("primary", true);
   connect(start_, &QPushButton::clicked, this, [this] {
-    if (const auto asked = draft()) Q_EMIT startAsked(*asked);
+    if (const auto asked = draft()) Q_EMIT startRequested(*asked);
   });
   auto* back = panelButton(tr("Back"), "leaveNewStudyButton", this);
   back->setToolTip(tr("Esc"));
-  connect(back, &QPushButton::clicked, this, &NewStudy::leaveAsked);
+  connect(back, &QPushButton::clicked, this, &NewStudy::leaveRequested);
   column.addWidget(start_);
   column.addWidget(back);
   column.addSpacing(2 * spacing);
   stored_ = new StoredStudies(this);
   column.addWidget(stored_);
-  connect(stored_, &StoredStudies::asked, this, &NewStudy::storedAsked);
+  connect(stored_, &StoredStudies::asked, this, &NewStudy::storedRequested);
 }
 
 void NewStudy::refresh()
@@ -341,7 +342,7 @@ void NewStudy::edited()
 {
   if (note_ == nullptr || seed_ == nullptr || limits_.empty()) return;  // still being made
   estimate_.forget();
-  say(tr("Estimating the time…"), false);
+  showMessage(tr("Estimating the time…"), false);
   waiting_.start();
 }
 
@@ -349,34 +350,35 @@ void NewStudy::check()
 {
   for (const QLineEdit* each : {simulated_, samples_, seed_})
     if (!wholeIn(*each, each == samples_ ? 1.0 : 0.0))
-      return say(tr("%1 is “%2”; a whole number from %3 to 1,000,000 is needed.")
-                     .arg(each->accessibleName(), each->text())
-                     .arg(each == samples_ ? 1 : 0),
-                 false);
+      return showMessage(tr("%1 is “%2”; a whole number from %3 to 1,000,000 is needed.")
+                             .arg(each->accessibleName(), each->text())
+                             .arg(each == samples_ ? 1 : 0),
+                         false);
   for (const Limits& each : limits_)
     for (const QLineEdit* end : {each.low, each.high})
       if (!typedNumber(end->text()))
-        return say(tr("%1: “%2” is no number. Enter one.").arg(end->accessibleName(), end->text()),
-                   false);
+        return showMessage(
+            tr("%1: “%2” is no number. Enter one.").arg(end->accessibleName(), end->text()), false);
   const auto entered = draft();
   if (!entered) return;
   for (std::size_t i = 0; i < limits_.size(); ++i)
     if (entered->values[i].low > entered->values[i].high)
-      return say(tr("%1 is %2, above the other limit, %3. Exchange them.")
-                     .arg(limits_[i].low->accessibleName(), limits_[i].low->text(),
-                          limits_[i].high->text()),
-                 false);
-  if (entered->title.empty()) return say(tr("The study has no title. Enter one."), false);
-  if (entered->arrays.empty()) return say(tr("No array is chosen. Choose one or more."), false);
+      return showMessage(tr("%1 is %2, above the other limit, %3. Exchange them.")
+                             .arg(limits_[i].low->accessibleName(), limits_[i].low->text(),
+                                  limits_[i].high->text()),
+                         false);
+  if (entered->title.empty()) return showMessage(tr("The study has no title. Enter one."), false);
+  if (entered->arrays.empty())
+    return showMessage(tr("No array is chosen. Choose one or more."), false);
   if (entered->frictions.empty())
-    return say(tr("No friction is chosen. Choose one or more."), false);
+    return showMessage(tr("No friction is chosen. Choose one or more."), false);
   if (entered->simulated == 0 && !entered->hasMean && entered->patients.empty())
-    return say(tr("There is no cochlea. Enter a number of simulated ones, or choose another."),
-               false);
+    return showMessage(
+        tr("There is no cochlea. Enter a number of simulated ones, or choose another."), false);
   estimate_.check(*entered);
 }
 
-void NewStudy::say(const QString& sentence, bool canStart)
+void NewStudy::showMessage(const QString& sentence, bool canStart)
 {
   note_->setText(sentence);
   canStart_ = canStart;

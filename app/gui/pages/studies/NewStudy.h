@@ -38,10 +38,10 @@ public:
   std::optional<StudyDraft> draft() const;
 
 Q_SIGNALS:
-  void startAsked(const perilymph::gui::StudyDraft& draft);
+  void startRequested(const perilymph::gui::StudyDraft& draft);
   /// A study of before: to be opened, or continued if it is not complete.
-  void storedAsked(const perilymph::gui::StoredStudy& study);
-  void leaveAsked();
+  void storedRequested(const perilymph::gui::StoredStudy& study);
+  void leaveRequested();
 
 private:
   struct Listed {
@@ -66,7 +66,7 @@ private:
   void listPatients();
   void edited();
   void check();
-  void say(const QString& sentence, bool canStart);
+  void showMessage(const QString& sentence, bool canStart);
   void showState();
 
   StudyEstimateWork estimate_;

@@ -6,8 +6,8 @@
 #include <stop_token>
 #include <utility>
 
-#include "gui/widgets/Selector.h"
 #include "gui/widgets/PanelParts.h"
+#include "gui/widgets/Selector.h"
 #include "gui/widgets/Theme.h"
 #include "gui/widgets/WrappedLabel.h"
 

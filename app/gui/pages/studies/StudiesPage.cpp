@@ -64,8 +64,8 @@ StudiesPage::StudiesPage(QWidget* parent)
 {
   empty_->offer(tr("New study…"));
   empty_->offerAlso(tr("Open study…"));
-  connect(empty_, &EmptyPage::actionAsked, this, &StudiesPage::askNew);
-  connect(empty_, &EmptyPage::otherAsked, this, &StudiesPage::ask);
+  connect(empty_, &EmptyPage::actionRequested, this, &StudiesPage::askNew);
+  connect(empty_, &EmptyPage::otherRequested, this, &StudiesPage::ask);
   auto* study = new QWidget(this);
   auto* row = new QHBoxLayout(study);
   row->setContentsMargins(0, 0, 0, 0);
@@ -82,8 +82,8 @@ StudiesPage::StudiesPage(QWidget* parent)
   column->addWidget(stages_, 1);
   column->addWidget(addFoot());
 
-  connect(panel_, &StudyPanel::newAsked, this, &StudiesPage::askNew);
-  connect(panel_, &StudyPanel::openAsked, this, &StudiesPage::ask);
+  connect(panel_, &StudyPanel::newRequested, this, &StudiesPage::askNew);
+  connect(panel_, &StudyPanel::openRequested, this, &StudiesPage::ask);
   connect(panel_, &StudyPanel::axesChanged, this, [this] {
     plot_->show(columns_, panel_->axes());
     summarize();
@@ -94,10 +94,10 @@ StudiesPage::StudiesPage(QWidget* parent)
     choose(chosen);
     runAgain();
   });
-  connect(details_, &StudyDetails::replayAsked, this, &StudiesPage::runAgain);
-  connect(form_, &NewStudy::startAsked, this, &StudiesPage::startStudy);
-  connect(form_, &NewStudy::storedAsked, this, &StudiesPage::takeStored);
-  connect(form_, &NewStudy::leaveAsked, this, &StudiesPage::leaveForm);
+  connect(details_, &StudyDetails::replayRequested, this, &StudiesPage::runAgain);
+  connect(form_, &NewStudy::startRequested, this, &StudiesPage::startStudy);
+  connect(form_, &NewStudy::storedRequested, this, &StudiesPage::takeStored);
+  connect(form_, &NewStudy::leaveRequested, this, &StudiesPage::leaveForm);
   connectWork();
   continue_->hide();
   showBusy();
@@ -128,18 +128,18 @@ void StudiesPage::connectWork()
   connect(&work_, &StudyWork::recorded, this,
           [this](const std::filesystem::path& recording, const QString& sentence) {
             showBusy();
-            say(sentence);
+            showMessage(sentence);
             Q_EMIT replayRequested(recording);
           });
   connect(&work_, &StudyWork::failed, this, [this](const QString& sentence) {
     showBusy();
-    say(sentence, true);
+    showMessage(sentence, true);
   });
   connect(&running_, &StudyRunWork::progressed, this, &StudiesPage::showRun);
   connect(&running_, &StudyRunWork::ended, this, &StudiesPage::showEnd);
   connect(&running_, &StudyRunWork::failed, this, [this](const QString& sentence) {
     showBusy();
-    say(sentence, true);
+    showMessage(sentence, true);
   });
 }
 
@@ -178,7 +178,7 @@ void StudiesPage::ask()
 
 void StudiesPage::open(const std::filesystem::path& file)
 {
-  say(tr("Reading %1…").arg(QString::fromStdString(file.filename().string())));
+  showMessage(tr("Reading %1…").arg(QString::fromStdString(file.filename().string())));
   work_.open(file);
   showBusy();
 }
@@ -198,7 +198,7 @@ void StudiesPage::leaveForm()
 
 void StudiesPage::startStudy(const StudyDraft& draft)
 {
-  say(tr("Preparing the study…"));
+  showMessage(tr("Preparing the study…"));
   running_.start(draft, form_->jobs());
   leaveForm();
   showBusy();
@@ -214,7 +214,7 @@ void StudiesPage::takeStored(const StoredStudy& study)
 
 void StudiesPage::resume()
 {
-  say(tr("Preparing the study…"));
+  showMessage(tr("Preparing the study…"));
   running_.resume(folder_, form_->jobs());
   showBusy();
 }
@@ -225,9 +225,9 @@ void StudiesPage::showRun(std::size_t done, std::size_t all, double left_s)
   progress_->setValue(int(progressSteps * done / all));
   if (work_.isBusy()) return;
   const QString count = tr("%1 of %2 insertions").arg(done).arg(all);
-  say(left_s < 0.0 ? count
-                   : tr("%1, about %2 left. You can switch pages meanwhile.")
-                         .arg(count, durationText(left_s)));
+  showMessage(left_s < 0.0 ? count
+                           : tr("%1, about %2 left. You can switch pages meanwhile.")
+                                 .arg(count, durationText(left_s)));
 }
 
 void StudiesPage::showEnd(const StoredStudy& study)
@@ -236,9 +236,9 @@ void StudiesPage::showEnd(const StoredStudy& study)
   showBusy();
   if (study.isComplete) return open(study.folder / study::mergedFile);
   continue_->show();
-  say(tr("Canceled. %1 of %2 insertions are kept; Continue runs the rest.")
-          .arg(study.done)
-          .arg(study.cases));
+  showMessage(tr("Canceled. %1 of %2 insertions are kept; Continue runs the rest.")
+                  .arg(study.done)
+                  .arg(study.cases));
 }
 
 bool StudiesPage::cancel()
@@ -255,12 +255,12 @@ bool StudiesPage::endWork()
   if (work_.isBusy()) {
     work_.cancel();
     showBusy();
-    say(tr("Canceled."));
+    showMessage(tr("Canceled."));
     return true;
   }
   if (!running_.isBusy()) return false;
   running_.requestStop();
-  say(tr("Canceling…"));
+  showMessage(tr("Canceling…"));
   return true;
 }
 
@@ -281,7 +281,7 @@ void StudiesPage::showStudy(const StudyWork::Columns& columns, const std::filesy
     status_->sayWritten(tr("The study is complete. Its settings, study.toml, are beside it."),
                         folder_);
   else
-    say(dataText(note), seal == Seal::changed || seal == Seal::intact);
+    showMessage(dataText(note), seal == Seal::changed || seal == Seal::intact);
   details_->showNone();
   panel_->offer(*columns);
   if (stages_->currentIndex() == emptyStage) stages_->setCurrentIndex(studyStage);
@@ -323,7 +323,7 @@ void StudiesPage::summarize()
             study::summaryOf(*columns, rows, axes, stop));
       },
       [this](const Result<Summary>& summary) {
-        if (!summary) return say(dataText(summary.error().message), true);
+        if (!summary) return showMessage(dataText(summary.error().message), true);
         summary_ = *summary;
         export_->setEnabled(true);
         tables_->show(*summary_);
@@ -341,7 +341,7 @@ void StudiesPage::runAgain()
 {
   const auto row = plot_->selected();
   if (!row || work_.isBusy()) return;
-  say(tr("Running insertion %1 again…").arg(columns_->result(*row).number));
+  showMessage(tr("Running insertion %1 again…").arg(columns_->result(*row).number));
   work_.runAgain(columns_, file_, *row);
   showBusy();
 }
@@ -361,12 +361,15 @@ void StudiesPage::save()
       QFileDialog::getExistingDirectory(this, tr("Export to folder"), documentsFolder());
   if (chosen.isEmpty()) return;
   const auto written = writeInto(chosen.toStdString());
-  if (!written) return say(dataText(written.error().message), true);
+  if (!written) return showMessage(dataText(written.error().message), true);
   status_->sayWritten(tr("%1 files saved to %2.").arg(study::summaryTables.size()).arg(chosen),
                       chosen.toStdString());
 }
 
-void StudiesPage::say(const QString& sentence, bool isError) { status_->say(sentence, isError); }
+void StudiesPage::showMessage(const QString& sentence, bool isError)
+{
+  status_->showMessage(sentence, isError);
+}
 
 void StudiesPage::showBusy()
 {

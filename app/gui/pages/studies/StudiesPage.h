@@ -72,7 +72,7 @@ private:
   void choose(std::uint32_t row);
   void runAgain();
   void save();
-  void say(const QString& sentence, bool isError = false);
+  void showMessage(const QString& sentence, bool isError = false);
   void showBusy();
 
   StudyWork work_;

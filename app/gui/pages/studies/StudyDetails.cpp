@@ -57,7 +57,7 @@ StudyDetails::StudyDetails(QWidget* parent)
   column->setSpacing(spacing);
   column->addWidget(verticalScroll(inside, this), 1);
   column->addWidget(replay_);
-  connect(replay_, &QPushButton::clicked, this, &StudyDetails::replayAsked);
+  connect(replay_, &QPushButton::clicked, this, &StudyDetails::replayRequested);
   showNone();
 }
 

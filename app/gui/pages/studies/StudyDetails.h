@@ -25,7 +25,7 @@ public:
   void setBusy(bool isBusy);
 
 Q_SIGNALS:
-  void replayAsked();
+  void replayRequested();
 
 private:
   void clear();

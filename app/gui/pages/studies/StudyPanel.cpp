@@ -46,11 +46,11 @@ StudyPanel::StudyPanel(QWidget* parent)
   column->setContentsMargins(2 * spacing, 2 * spacing, 2 * spacing, 2 * spacing);
   column->setSpacing(spacing);
   auto* make = panelButton(tr("New study…"), "newStudyButton", content);
-  connect(make, &QPushButton::clicked, this, &StudyPanel::newAsked);
+  connect(make, &QPushButton::clicked, this, &StudyPanel::newRequested);
   column->addWidget(make);
   auto* open = panelButton(tr("Open study…"), "openStudyButton", content);
   open->setToolTip(tr("study.sqlite, or a shard, as 'perilymph-cli study' writes them"));
-  connect(open, &QPushButton::clicked, this, &StudyPanel::openAsked);
+  connect(open, &QPushButton::clicked, this, &StudyPanel::openRequested);
   column->addWidget(open);
   addAxes(*column);
   addSize(*column);

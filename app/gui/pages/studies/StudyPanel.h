@@ -31,8 +31,8 @@ public:
   void reset();
 
 Q_SIGNALS:
-  void newAsked();
-  void openAsked();
+  void newRequested();
+  void openRequested();
   void axesChanged();
   void filterChanged();
 

@@ -153,7 +153,7 @@ QString cochleaText(const std::string& name)
 
 std::vector<std::pair<QString, QString>> valuesOf(const study::StudyResult& result)
 {
-  const analysis::FullInsertion& found = result.insertion;
+  const analysis::InsertionRun& found = result.insertion;
   std::vector<std::pair<QString, QString>> values{
       {QCoreApplication::translate("Study", "insertion"), QString::number(result.number)},
       {QCoreApplication::translate("Study", "cochlea"), cochleaText(result.cochlea)},

@@ -56,7 +56,7 @@ ValidatePage::ValidatePage(QWidget* parent)
         progress_->setRange(0, std::max(all, 1));
         progress_->setValue(done);
         const int runs = typedRuns().value_or(all);
-        status_->say(
+        status_->showMessage(
             done <= runs
                 ? tr("Insertion %1 of %2").arg(done).arg(runs)
                 : tr("Causes of the spread: insertion %1 of %2").arg(done - runs).arg(all - runs));
@@ -64,7 +64,7 @@ ValidatePage::ValidatePage(QWidget* parent)
         showFigure();
       });
   connect(&work_, &ValidationWork::finished, this, &ValidatePage::finish);
-  if (!basis_) status_->say(dataText(basis_.error().message), true);
+  if (!basis_) status_->showMessage(dataText(basis_.error().message), true);
   showFigure();
   showState();
 }
@@ -204,7 +204,7 @@ void ValidatePage::start()
   result_.reset();
   sofar_ = {};
   shown_ = Shown::simulation;
-  status_->say(tr("Building the cochlea…"));
+  status_->showMessage(tr("Building the cochlea…"));
   work_.start(std::move(request));
   showVerdicts();
   showFigure();
@@ -215,7 +215,7 @@ bool ValidatePage::cancel()
 {
   if (!isBusy()) return false;
   work_.cancel();
-  status_->say(tr("Stopping…"));
+  status_->showMessage(tr("Stopping…"));
   return true;
 }
 
@@ -226,13 +226,13 @@ void ValidatePage::finish(const std::optional<validation::ValidationResult>& res
   sofar_ = result.value_or(validation::ValidationResult{});
   if (result) {
     progress_->setValue(progress_->maximum());
-    status_->say(tr("%1 of %2 insertions completed, seed %3. Mean SD over travel %4 mN.")
-                     .arg(result->runs - static_cast<int>(result->incomplete.size()))
-                     .arg(result->runs)
-                     .arg(result->seed)
-                     .arg(numberText(1e3 * result->standardDeviation, 1)));
+    status_->showMessage(tr("%1 of %2 insertions completed, seed %3. Mean SD over travel %4 mN.")
+                             .arg(result->runs - static_cast<int>(result->incomplete.size()))
+                             .arg(result->runs)
+                             .arg(result->seed)
+                             .arg(numberText(1e3 * result->standardDeviation, 1)));
   } else {
-    status_->say(error);
+    status_->showMessage(error);
     progress_->reset();
   }
   showVerdicts();
@@ -314,7 +314,7 @@ void ValidatePage::save()
       validation::validationFiles(basis_->request, *result_, basis_->references);
   const auto keep = [&](const std::string& name, const std::string& content) {
     const auto written = writeWhole(folder / name, content, {Links::refused});
-    if (!written) status_->say(dataText(written.error().message), true);
+    if (!written) status_->showMessage(dataText(written.error().message), true);
     return bool(written);
   };
   for (const auto& [name, content] : files.texts)

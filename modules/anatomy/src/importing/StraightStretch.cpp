@@ -222,18 +222,18 @@ std::optional<double> stretchOfRings(const ClosedSurface& closed, const RimFrame
 
 /// Inclination of a band of wall against the inward direction, n . inward = tilt . n + growth: a
 /// band may bend aside and may widen.
-struct Lean {
+struct MeanTilt {
   double depth = 0.0;  ///< Mean over the band [m].
   double sine = 0.0;   ///< Tilt and growth combined.
   double error = 0.0;  ///< Standard error of the sine.
 };
 
-Lean leanOf(const std::vector<int>& band, const Surface& surface, const RimFrame& rim)
+MeanTilt leanOf(const std::vector<int>& band, const Surface& surface, const RimFrame& rim)
 {
   const Eigen::Vector3d x = rim.inward.unitOrthogonal();
   const Eigen::Vector3d y = rim.inward.cross(x);
   LeastSquares fit(3);
-  Lean lean;
+  MeanTilt lean;
   double whole = 0.0;
   std::vector<std::pair<std::vector<double>, double>> rows;
   for (const int triangle : band) {
@@ -268,7 +268,7 @@ double noisyStretch(const ClosedSurface& closed, const RimFrame& rim)
 {
   WallWalk walk(closed, rim);
   std::vector<int> beyond, band;
-  std::optional<Lean> first, last;
+  std::optional<MeanTilt> first, last;
   for (int i = 1; i * bandLength < longest; ++i) {
     for (const int triangle : std::exchange(beyond, {})) band.push_back(triangle);
     std::vector<int> inBand;
@@ -284,7 +284,7 @@ double noisyStretch(const ClosedSurface& closed, const RimFrame& rim)
     while (!walk.isOver()) sort(walk.pop());
     if (inBand.size() < 3) continue;
 
-    const Lean here = leanOf(inBand, closed.surface, rim);
+    const MeanTilt here = leanOf(inBand, closed.surface, rim);
     if (!first) first = here;
     const double noise = std::sqrt(first->error * first->error + here.error * here.error);
     const double allowed = std::clamp(standardErrors * noise, straight, maxTilt);

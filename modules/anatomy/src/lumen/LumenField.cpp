@@ -150,20 +150,20 @@ LumenField::Unrolled LumenField::unroll(const Eigen::Vector3d& point_W,
 
 CubicBlock LumenField::distanceAt(Unrolled& at) const noexcept
 {
-  const double pAsked = (at.p + margin) * samplesPerUnit;
-  const double qAsked = (at.q + margin) * samplesPerUnit;
-  const double pIndex = std::clamp(pAsked, 0.0, across - 3.001);
-  const double qIndex = std::clamp(qAsked, 0.0, across - 3.001);
+  const double pRequested = (at.p + margin) * samplesPerUnit;
+  const double qRequested = (at.q + margin) * samplesPerUnit;
+  const double pIndex = std::clamp(pRequested, 0.0, across - 3.001);
+  const double qIndex = std::clamp(qRequested, 0.0, across - 3.001);
   const auto pFirst = static_cast<std::size_t>(pIndex);
   const auto qFirst = static_cast<std::size_t>(qIndex);
   const CubicWeights p(pIndex - static_cast<double>(pFirst));
   const CubicWeights q(qIndex - static_cast<double>(qFirst));
 
   at.cell = (at.section * across + pFirst) * across + qFirst;
-  at.isInTable = pAsked == pIndex && qAsked == qIndex;
+  at.isInTable = pRequested == pIndex && qRequested == qIndex;
   CubicBlock spline(distance_.data() + at.cell, page, across, at.weights, p, q);
   // beyond the table: linear extrapolation
-  spline.value += (pAsked - pIndex) * spline.byP + (qAsked - qIndex) * spline.byQ;
+  spline.value += (pRequested - pIndex) * spline.byP + (qRequested - qIndex) * spline.byQ;
   return spline;
 }
 

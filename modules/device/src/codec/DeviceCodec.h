@@ -25,7 +25,7 @@ struct ReportList {
 };
 
 /// The reports that remove the force when the program can no longer compute one.
-struct Farewell {
+struct ShutdownReports {
   std::vector<FixedReport> noForce;    ///< Every actuator at zero; the device stays enabled.
   std::vector<FixedReport> switchOff;  ///< Effects stopped, actuators off; the last reports.
 };
@@ -53,7 +53,7 @@ public:
   virtual void end(Transport& transport) noexcept = 0;
   /// The reports of end(), to be sent by another process; valid after begin(). Empty for a device
   /// that renders no force.
-  virtual Farewell farewell() const { return {}; }
+  virtual ShutdownReports shutdownReports() const { return {}; }
 };
 
 struct DeviceProfile;

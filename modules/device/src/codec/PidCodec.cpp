@@ -150,23 +150,23 @@ void PidCodec::end(Transport& transport) noexcept
   sendQuietly(transport, profile_.onClose);
 }
 
-Farewell PidCodec::farewell() const
+ShutdownReports PidCodec::shutdownReports() const
 {
-  Farewell farewell;
+  ShutdownReports shutdownReports;
   for (std::size_t i = 0; i < effectCount_; ++i) {
     RawReport zero;
     reports_.constantForce(zero, effects_[i].block, 0.0);
-    farewell.noForce.push_back(fixed(zero));
+    shutdownReports.noForce.push_back(fixed(zero));
   }
   const auto add = [&](const std::optional<RawReport>& report) {
-    if (report) farewell.switchOff.push_back(fixed(*report));
+    if (report) shutdownReports.switchOff.push_back(fixed(*report));
   };
   add(reports_.control(Control::stopAll));
   for (std::size_t i = 0; i < effectCount_; ++i) add(reports_.free(effects_[i].block));
   add(reports_.control(Control::disable));
-  farewell.switchOff.insert(farewell.switchOff.end(), profile_.onClose.begin(),
-                            profile_.onClose.end());
-  return farewell;
+  shutdownReports.switchOff.insert(shutdownReports.switchOff.end(), profile_.onClose.begin(),
+                                   profile_.onClose.end());
+  return shutdownReports;
 }
 
 }  // namespace perilymph::device

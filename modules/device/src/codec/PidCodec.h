@@ -26,7 +26,7 @@ public:
   /// the actuators are enabled last.
   Result<Done> begin(Transport& transport) override;
   void end(Transport& transport) noexcept override;
-  Farewell farewell() const override;
+  ShutdownReports shutdownReports() const override;
 
 private:
   struct Effect {

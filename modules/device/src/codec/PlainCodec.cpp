@@ -115,17 +115,17 @@ void PlainCodec::end(Transport& transport) noexcept
   sendQuietly(transport, profile_.onClose);
 }
 
-Farewell PlainCodec::farewell() const
+ShutdownReports PlainCodec::shutdownReports() const
 {
   if (!profile_.traits.rendersForce) return {};
   RawReport zero;
   clear(zero, profile_.plain.output.report, profile_.plain.output.bytes);
   const FixedReport noForce = fixed(zero);
   // Twice, as end() does.
-  Farewell farewell{{noForce}, {noForce}};
-  farewell.switchOff.insert(farewell.switchOff.end(), profile_.onClose.begin(),
-                            profile_.onClose.end());
-  return farewell;
+  ShutdownReports shutdownReports{{noForce}, {noForce}};
+  shutdownReports.switchOff.insert(shutdownReports.switchOff.end(), profile_.onClose.begin(),
+                                   profile_.onClose.end());
+  return shutdownReports;
 }
 
 }  // namespace perilymph::device

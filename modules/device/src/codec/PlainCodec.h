@@ -19,7 +19,7 @@ public:
   void encode(const Wrench& wrench_D, ReportList& reports) noexcept override;
   Result<Done> begin(Transport& transport) override;
   void end(Transport& transport) noexcept override;
-  Farewell farewell() const override;
+  ShutdownReports shutdownReports() const override;
 
 private:
   Vector3 position_B(const Vector3& counts) noexcept;

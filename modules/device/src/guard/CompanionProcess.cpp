@@ -33,7 +33,7 @@ fs::path companionProgram(const char* name)
   return {};
 }
 
-pid_t startCompanion(const CompanionCall& call)
+pid_t startCompanion(const ChildCommand& call)
 {
   const OwnedFile nowhere(::open("/dev/null", O_WRONLY | O_CLOEXEC));
   const int output =

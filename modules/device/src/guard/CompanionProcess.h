@@ -39,7 +39,7 @@ enum class CompanionOutput {
 };
 
 /// How a companion is started.
-struct CompanionCall {
+struct ChildCommand {
   std::filesystem::path program;
   std::vector<std::string> arguments;
   /// Descriptors here and there.
@@ -53,7 +53,7 @@ std::filesystem::path companionProgram(const char* name);
 
 /// Starts a companion in a session of its own, so that it does not receive the signals of a
 /// terminal's process group. 0 if that fails.
-pid_t startCompanion(const CompanionCall& call);
+pid_t startCompanion(const ChildCommand& call);
 
 /// Writes one letter into a pipe to a companion; false, and no SIGPIPE, if it is gone.
 bool say(const OwnedFile& pipe, std::uint8_t letter) noexcept;

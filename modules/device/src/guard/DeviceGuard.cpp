@@ -148,13 +148,13 @@ Result<std::unique_ptr<Guard>> post(const OwnedFile& device, const guard::Script
 
 }  // namespace
 
-GuardedHandle guarded(std::unique_ptr<Transport> handle, int file, const Farewell& farewell,
-                      Duration patience)
+GuardedHandle guarded(std::unique_ptr<Transport> handle, int file,
+                      const ShutdownReports& shutdownReports, Duration patience)
 {
   const OwnedFile device(file);
   GuardedHandle result;
   result.handle = std::move(handle);
-  if (device.get() < 0 || farewell.noForce.empty()) {
+  if (device.get() < 0 || shutdownReports.noForce.empty()) {
     result.obstacle =
         "This device cannot be guarded: only its own watchdog takes the force away if "
         "this program dies.";
@@ -163,9 +163,9 @@ GuardedHandle guarded(std::unique_ptr<Transport> handle, int file, const Farewel
   const double patience_ms = std::clamp(std::ceil(patience.si() * 1e3), 0.0, 255.0);
   guard::Script script(static_cast<std::uint8_t>(patience_ms));
   bool fits = true;
-  for (const FixedReport& report : farewell.noForce)
+  for (const FixedReport& report : shutdownReports.noForce)
     fits = fits && script.addNoForce({report.kind == ReportKind::feature, report.bytes});
-  for (const FixedReport& report : farewell.switchOff)
+  for (const FixedReport& report : shutdownReports.switchOff)
     fits = fits && script.addSwitchOff({report.kind == ReportKind::feature, report.bytes});
   if (!fits) {
     result.obstacle = "The device cannot be guarded: its last reports are more than " +
@@ -178,7 +178,7 @@ GuardedHandle guarded(std::unique_ptr<Transport> handle, int file, const Farewel
     return result;
   }
   result.handle = std::make_unique<WatchedTransport>(std::move(result.handle), *std::move(posted),
-                                                     farewell.noForce);
+                                                     shutdownReports.noForce);
   return result;
 }
 

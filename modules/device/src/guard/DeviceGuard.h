@@ -23,7 +23,7 @@ struct GuardedHandle {
 /// @param handle    Open for writing.
 /// @param file      Descriptor of the device's node (HidPort::fileForGuard), taken over; -1: none.
 /// @param farewell  The reports that remove the force.
-GuardedHandle guarded(std::unique_ptr<Transport> handle, int file, const Farewell& farewell,
-                      Duration patience);
+GuardedHandle guarded(std::unique_ptr<Transport> handle, int file,
+                      const ShutdownReports& shutdownReports, Duration patience);
 
 }  // namespace perilymph::device

@@ -11,7 +11,7 @@
 #include "guard/DeviceGuard.h"
 #include "hid/ForceWriter.h"
 #include "hid/Intervals.h"
-#include "hid/ListenFirst.h"
+#include "hid/OpeningMeasurement.h"
 #include "perilymph/foundation/RealTime.h"
 #include "perilymph/realtime/Pacer.h"
 
@@ -150,7 +150,7 @@ Result<Done> HidDevice::Content::openHandles(Handles& handles)
 
   // The device works without a guard, too; `perilymph-cli devices` and the recording report it.
   GuardedHandle watched = guarded(std::move(handles.writing), port->fileForGuard(),
-                                  codec->farewell(), Duration::fromSi(patienceOfGuard));
+                                  codec->shutdownReports(), Duration::fromSi(patienceOfGuard));
   handles.writing = std::move(watched.handle);
   isGuarded = watched.obstacle.empty();
   const std::lock_guard lock(errorMutex);
@@ -160,8 +160,8 @@ Result<Done> HidDevice::Content::openHandles(Handles& handles)
 
 void HidDevice::Content::listen(const Handles& handles)
 {
-  const FirstImpression heard =
-      listenFirst(*handles.reading, handles.writing.get(), profile, *writer, clock);
+  const OpeningMeasurement heard =
+      measureOnOpening(*handles.reading, handles.writing.get(), profile, *writer, clock);
   isPeriodMeasured = heard.period > 0.0;
   if (isPeriodMeasured) traits.nominalPeriod = heard.period;
   // Without answers the delay of a report is assumed equal to that of a write.
@@ -214,7 +214,7 @@ DeviceSample HidDevice::read() noexcept
   }
   if (hand.reading == nullptr) {
     hand.reading = channels.reading.take();
-    hand.reader.startOver();
+    hand.reader.reset();
     hand.listeningSince = hand.clock();
   }
   if (hand.reading == nullptr) return sample;

@@ -33,7 +33,7 @@ ReportCount::ReportCount(double period) noexcept
 {
 }
 
-void ReportCount::startOver() noexcept
+void ReportCount::reset() noexcept
 {
   hasCounter_ = false;
   lost_ = 0;
@@ -58,7 +58,7 @@ ReportCount::Verdict ReportCount::classify(std::uint64_t counter, std::int64_t n
     const auto wrapped = stepsOverWrap(last_, counter);
     if (!wrapped && last_ - counter <= maxBack) return Verdict::old;
     if (!wrapped) {
-      startOver();
+      reset();
       return classify(counter, now, emptyAt);
     }
     steps = *wrapped;

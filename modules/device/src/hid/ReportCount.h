@@ -33,7 +33,7 @@ public:
   std::uint64_t lost() const noexcept { return lost_; }
 
   /// Restarts after the device restarted its counter.
-  void startOver() noexcept;
+  void reset() noexcept;
 
 private:
   std::int64_t period_;      // [ns]

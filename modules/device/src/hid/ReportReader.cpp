@@ -121,9 +121,9 @@ Transfer ReportReader::await(Transport& transport, Duration timeout) noexcept
   return transfer;
 }
 
-void ReportReader::startOver() noexcept
+void ReportReader::reset() noexcept
 {
-  count_.startOver();
+  count_.reset();
   lastFresh_ = 0;
   emptyAt_ = ReportCount::never;
   isHolding_ = false;

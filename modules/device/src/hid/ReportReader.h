@@ -45,7 +45,7 @@ public:
     if (lastFresh_ != 0) ++sample_.sequence;
   }
   /// Restarts with another handle: counters and times restart, figures and sequence continue.
-  void startOver() noexcept;
+  void reset() noexcept;
 
   /// Counters so far; rate and intervals of the last full second and overall.
   ReadingFigures figures() const noexcept;

@@ -48,7 +48,7 @@ TapeReading readTape(const ReportTape& tape, DeviceCodec& codec, double period)
     // Never 0, which means before any report.
     timeOnTape = entry.time + 1;
     if (entry.event == TapeEvent::refused) ++result.writing.refused;
-    if (entry.event == TapeEvent::gone) reader.startOver();
+    if (entry.event == TapeEvent::gone) reader.reset();
     if (entry.event == TapeEvent::written) {
       ++result.writing.accepted;
       writes.add(entry.took);

@@ -7,7 +7,7 @@
 #include <array>
 #include <fstream>
 
-#include "../VtkComplaints.h"
+#include "../VtkErrorCollector.h"
 #include "perilymph/foundation/Utf8.h"
 
 namespace perilymph::imaging {
@@ -29,7 +29,7 @@ bool beginsAsDicom(const std::filesystem::path& file)
 std::optional<ParsedDicom> parseDicom(const std::filesystem::path& file, vtkDICOMMetaData* wanted)
 {
   if (!beginsAsDicom(file)) return std::nullopt;
-  const auto complaints = vtkSmartPointer<Complaints>::New();
+  const auto complaints = vtkSmartPointer<ErrorCollector>::New();
   const auto parser = vtkSmartPointer<vtkDICOMParser>::New();
   ParsedDicom parsed;
   parsed.values = vtkSmartPointer<vtkDICOMMetaData>::New();

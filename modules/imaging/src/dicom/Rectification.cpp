@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "../VtkComplaints.h"
+#include "../VtkErrorCollector.h"
 #include "perilymph/ct/CtVolume.h"
 
 namespace perilymph::imaging {
@@ -70,7 +70,7 @@ Result<Grid> rectified(const Grid& sheared)
   std::transform(sheared.voxels.begin(), sheared.voxels.end(),
                  static_cast<std::int16_t*>(image->GetScalarPointer()), ct::asAir);
 
-  const auto complaints = vtkSmartPointer<Complaints>::New();
+  const auto complaints = vtkSmartPointer<ErrorCollector>::New();
   const auto rectifier = vtkSmartPointer<vtkDICOMCTRectifier>::New();
   complaints->listenTo({rectifier, rectifier->GetExecutive()});
   rectifier->SetInputData(image);

@@ -8,7 +8,7 @@
 
 #include <set>
 
-#include "../VtkComplaints.h"
+#include "../VtkErrorCollector.h"
 #include "DicomFiles.h"
 #include "DicomSeries.h"
 
@@ -47,7 +47,7 @@ std::optional<StudyIdentity> identityIn(const std::filesystem::path& file)
   const auto wanted = vtkSmartPointer<vtkDICOMMetaData>::New();
   for (const auto& [group, element] : tags)
     wanted->Set(vtkDICOMTag(group, element), vtkDICOMValue(vtkDICOMVR::UN));
-  const auto complaints = vtkSmartPointer<Complaints>::New();
+  const auto complaints = vtkSmartPointer<ErrorCollector>::New();
   const auto parser = vtkSmartPointer<vtkDICOMParser>::New();
   const auto found = vtkSmartPointer<vtkDICOMMetaData>::New();
   complaints->listenTo({parser, found});

@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "../VtkComplaints.h"
+#include "../VtkErrorCollector.h"
 #include "imageOf.h"
 #include "perilymph/foundation/AtomicFile.h"
 
@@ -89,7 +89,7 @@ bool writeNifti(const ct::CtVolume& volume, const fs::path& file)
   for (int row = 0; row < 4; ++row)
     for (int column = 0; column < 4; ++column) matrix->SetElement(row, column, ras(row, column));
   vtkNew<vtkNIFTIImageWriter> writer;
-  vtkNew<Complaints> complaints;
+  vtkNew<ErrorCollector> complaints;
   complaints->listenTo({writer});
   writer->SetInputData(image);
   writer->SetSFormMatrix(matrix);

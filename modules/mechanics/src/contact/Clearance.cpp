@@ -93,7 +93,7 @@ void findWall(const InsertionModel& model, const StepStart& start, InsertionStat
   setSquaredMotions(start, state, contacts.squaredMotion);
   for (std::size_t i = 0; i < n; ++i) {
     const double clearance = state.clearance[i];
-    contacts.isAsked[i] = 0;
+    contacts.isRequested[i] = 0;
     if (state.isBeside[i] != 0) {
       seeBone(model, state, i, contacts);
       continue;
@@ -109,7 +109,7 @@ void findWall(const InsertionModel& model, const StepStart& start, InsertionStat
         model.parts.lumen->follow(state.position_W[i], state.track[i]);
       continue;
     }
-    contacts.isAsked[i] = 1;
+    contacts.isRequested[i] = 1;
     contacts.isKnown[i] = 1;
     contacts.wall[i].isNear = false;
     contacts.wall[i].trustRadius = 0.0;
@@ -118,7 +118,7 @@ void findWall(const InsertionModel& model, const StepStart& start, InsertionStat
   // neighboring nodes in one query
   for (std::size_t first = 0; first < n;) {
     std::size_t count = 0;
-    while (first + count < n && contacts.isAsked[first + count] != 0) ++count;
+    while (first + count < n && contacts.isRequested[first + count] != 0) ++count;
     if (count > 0)
       model.parts.lumen->nearestWall(std::span(state.position_W).subspan(first, count),
                                      std::span(contacts.reach).subspan(first, count),

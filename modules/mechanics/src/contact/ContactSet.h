@@ -64,7 +64,7 @@ struct ContactSet {
       : reach(nodes),
         height(nodes),
         squaredMotion(nodes),
-        isAsked(nodes),
+        isRequested(nodes),
         isKnown(nodes),
         isNear(nodes),
         seen(nodes),
@@ -75,21 +75,21 @@ struct ContactSet {
   {
   }
 
-  std::vector<double> reach;             ///< Reach of the lumen query at each node [m].
-  std::vector<double> height;            ///< Height of each node above the opening [m].
-  std::vector<double> squaredMotion;     ///< Squared motion of each node in this step [m^2].
-  std::vector<unsigned char> isAsked;    ///< Whether the lumen was queried for each node.
-  std::vector<unsigned char> isKnown;    ///< Whether `wall` was found in this step.
-  std::vector<unsigned char> isNear;     ///< wall.isNear of each node.
-  std::vector<SeenWall> seen;            ///< What it was found from.
-  std::vector<anatomy::WallPoint> wall;  ///< Wall at each node.
-  std::vector<SectionReach> section;     ///< Section of each node, if it is oval.
-  std::vector<double> onPartition;       ///< Force of each node on the cochlear partition [N].
-  std::vector<OpenNode> open;            ///< Empty if the partition cannot rupture.
-  std::size_t touches = 0;               ///< Number of nodes that touch the wall.
-  std::vector<TouchingNode> touching;    ///< Those nodes, from the base on.
-  RimContact rim;                        ///< State of the rim contact after this iteration.
-  RimStiffness rimStiffness;             ///< Stiffness of the rim contact.
+  std::vector<double> reach;               ///< Reach of the lumen query at each node [m].
+  std::vector<double> height;              ///< Height of each node above the opening [m].
+  std::vector<double> squaredMotion;       ///< Squared motion of each node in this step [m^2].
+  std::vector<unsigned char> isRequested;  ///< Whether the lumen was queried for each node.
+  std::vector<unsigned char> isKnown;      ///< Whether `wall` was found in this step.
+  std::vector<unsigned char> isNear;       ///< wall.isNear of each node.
+  std::vector<SeenWall> seen;              ///< What it was found from.
+  std::vector<anatomy::WallPoint> wall;    ///< Wall at each node.
+  std::vector<SectionReach> section;       ///< Section of each node, if it is oval.
+  std::vector<double> onPartition;         ///< Force of each node on the cochlear partition [N].
+  std::vector<OpenNode> open;              ///< Empty if the partition cannot rupture.
+  std::size_t touches = 0;                 ///< Number of nodes that touch the wall.
+  std::vector<TouchingNode> touching;      ///< Those nodes, from the base on.
+  RimContact rim;                          ///< State of the rim contact after this iteration.
+  RimStiffness rimStiffness;               ///< Stiffness of the rim contact.
   std::array<RimStiffness, maxPassageRings - 1>
       innerRings;  ///< The same at the rings of a passage behind it.
 };

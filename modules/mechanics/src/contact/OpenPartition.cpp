@@ -116,18 +116,18 @@ void addTurning(double force, const anatomy::WallPoint& wall,
 
 }  // namespace
 
-Intactness PartitionState::at(double angle) const noexcept
+IntactFraction PartitionState::at(double angle) const noexcept
 {
   for (std::size_t k = 0; k < count; ++k) {
     const RupturedRange& range = ranges[k];
     if (!(angle > range.begin && angle < range.end)) continue;
     const auto ramp = [](double from, double perEdge) {
       const double x = std::min(from * perEdge, 1.0);
-      return Intactness{x * x * (3.0 - 2.0 * x), 6.0 * x * (1.0 - x) * perEdge,
-                        x < 1.0 ? (6.0 - 12.0 * x) * perEdge * perEdge : 0.0};
+      return IntactFraction{x * x * (3.0 - 2.0 * x), 6.0 * x * (1.0 - x) * perEdge,
+                            x < 1.0 ? (6.0 - 12.0 * x) * perEdge * perEdge : 0.0};
     };
-    const Intactness a = ramp(angle - range.begin, range.beginRadius / PartitionModel::edge);
-    const Intactness b = ramp(range.end - angle, range.endRadius / PartitionModel::edge);
+    const IntactFraction a = ramp(angle - range.begin, range.beginRadius / PartitionModel::edge);
+    const IntactFraction b = ramp(range.end - angle, range.endRadius / PartitionModel::edge);
     return {1.0 - a.value * b.value, a.value * b.slope - a.slope * b.value,
             -a.bend * b.value + 2.0 * a.slope * b.slope - a.value * b.bend};
   }
@@ -175,7 +175,7 @@ bool openContact(const InsertionModel& model, InsertionState& state, const RodKi
   const Vector3d& at_W = state.position_W[i];
   model.parts.lumen->follow(at_W, state.track[i]);
   const anatomy::LumenTrack& track = state.track[i];
-  const Intactness whole = state.partition.at(track.angle);
+  const IntactFraction whole = state.partition.at(track.angle);
 
   anatomy::WallPoint own = contacts.wall[i];
   WallContact side, both;

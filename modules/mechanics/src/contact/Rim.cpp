@@ -24,7 +24,7 @@ struct ContactForce {
 };
 
 /// Normal component of a rim contact.
-struct RimPush {
+struct RimContactForce {
   ContactForce near, opposite;
   Eigen::Vector3d normal_W;                           ///< Unit; friction is perpendicular to it.
   Eigen::Matrix3d shape_W = Eigen::Matrix3d::Zero();  ///< Stiffness due to the rotation of the
@@ -33,8 +33,9 @@ struct RimPush {
 
 /// Computes normal forces, stiffness and friction between rim and array at a crossing.
 void rimContact(const InsertionModel& model, const InsertionState& state, const StepStart& start,
-                const FrictionHistory& history, const Crossing& crossing, const RimPush& contact,
-                ContactSet& contacts, std::vector<Eigen::Vector3d>& force_W) noexcept
+                const FrictionHistory& history, const Crossing& crossing,
+                const RimContactForce& contact, ContactSet& contacts,
+                std::vector<Eigen::Vector3d>& force_W) noexcept
 {
   const ContactForce& near = contact.near;
   const ContactForce& opposite = contact.opposite;
@@ -102,7 +103,7 @@ void tipContact(const InsertionModel& model, const InsertionState& state, const 
   const double distance = std::sqrt(above * above + aside * aside);
   if (distance >= reach) return;
 
-  RimPush contact;
+  RimContactForce contact;
   contact.near.law = normalForce(reach - distance, model.parts.wall.rimStiffness().si(),
                                  model.parts.wall.bareOnset().si());
   const Eigen::Vector3d u_W =
@@ -232,7 +233,7 @@ void addRimForces(const InsertionModel& model, const InsertionState& state, cons
                            ((across_W.dot(crossing.along_W) + radiusRate) / steep) * n_W);
   };
 
-  RimPush contact;
+  RimContactForce contact;
   ContactForce& near = contact.near;
   ContactForce& opposite = contact.opposite;
   near.law = normalForce(overlap, stiffness, onset);

@@ -17,7 +17,7 @@ struct MatrixColumn {
 
 /// Contribution of eliminated columns to the next two.
 template <class T>
-struct Taken {
+struct EliminatedRows {
   SymmetricBlock<T> diagonal;      ///< Diagonal block of the next column.
   Block<T> beside;                 ///< Block below the diagonal of the next column.
   SymmetricBlock<T> nextDiagonal;  ///< Diagonal block of the column after it.
@@ -25,7 +25,7 @@ struct Taken {
 
 /// The same for a right-hand side.
 template <class T>
-struct TakenRight {
+struct EliminatedRhs {
   Triple<T> next;
   Triple<T> second;
 };
@@ -60,7 +60,7 @@ bool invert(SymmetricBlock<T>& a) noexcept
 
 /// Eliminates one unknown: computes the column of the factors and its contribution to the next two.
 template <class T, class Column>
-bool eliminate(MatrixColumn<T> a, Taken<T>& taken, Column& factors) noexcept
+bool eliminate(MatrixColumn<T> a, EliminatedRows<T>& taken, Column& factors) noexcept
 {
   a.diagonal -= taken.diagonal;
   a.beside -= taken.beside;
@@ -76,7 +76,7 @@ bool eliminate(MatrixColumn<T> a, Taken<T>& taken, Column& factors) noexcept
 }
 
 template <class T, class Column>
-PERILYMPH_IN_LANES void substitute(const Triple<T>& right, TakenRight<T>& taken,
+PERILYMPH_IN_LANES void substitute(const Triple<T>& right, EliminatedRhs<T>& taken,
                                    Column& factors) noexcept
 {
   factors.solution = right;
@@ -158,7 +158,7 @@ bool BandFactors::factorize(const BandMatrix& matrix) noexcept
   const auto& [diagonal, beside, beyond, firstIsHeld] = matrix;
   firstIsHeld_ = firstIsHeld;
   bool isDefinite = true;
-  Taken<Lanes> taken{};
+  EliminatedRows<Lanes> taken{};
   for (std::size_t k = 0; k < steps_; ++k) {
     const std::size_t mirrored = blocks_ - 1 - k;
     const MatrixColumn<Lanes> column{pair<Lanes>(diagonal[k], diagonal[mirrored]),
@@ -179,8 +179,9 @@ bool BandFactors::factorize(const BandMatrix& matrix) noexcept
     middle[left_ - 2].diagonal -= laneOf(taken.nextDiagonal, fromTip);
     middle[left_ - 2].beside -= transposed(laneOf(taken.beside, fromTip));
   }
-  Taken<double> takenBefore{laneOf(taken.diagonal, fromBase), laneOf(taken.beside, fromBase),
-                            laneOf(taken.nextDiagonal, fromBase)};
+  EliminatedRows<double> takenBefore{laneOf(taken.diagonal, fromBase),
+                                     laneOf(taken.beside, fromBase),
+                                     laneOf(taken.nextDiagonal, fromBase)};
   for (std::size_t k = 0; k < left_; ++k)
     isDefinite = eliminate(middle[k], takenBefore, middle_[k]) && isDefinite;
   exist_ = isDefinite;
@@ -195,7 +196,7 @@ void BandFactors::solve(std::vector<Eigen::Vector3d>& right) noexcept
 PERILYMPH_IN_LANES void BandFactors::solveInLanes(std::vector<Eigen::Vector3d>& right) noexcept
 {
   const std::size_t last = blocks_ - 1;
-  TakenRight<Lanes> taken{};
+  EliminatedRhs<Lanes> taken{};
   for (std::size_t k = 0; k < steps_; ++k)
     substitute(pair<Lanes>(tripleOf(right[k]), tripleOf(right[last - k])), taken, ends_[k]);
 
@@ -205,7 +206,7 @@ PERILYMPH_IN_LANES void BandFactors::solveInLanes(std::vector<Eigen::Vector3d>& 
     middle[left_ - 1] -= laneOf(taken.next, fromTip);
     middle[left_ - 2] -= laneOf(taken.second, fromTip);
   }
-  TakenRight<double> takenBefore{laneOf(taken.next, fromBase), laneOf(taken.second, fromBase)};
+  EliminatedRhs<double> takenBefore{laneOf(taken.next, fromBase), laneOf(taken.second, fromBase)};
   for (std::size_t k = 0; k < left_; ++k) substitute(middle[k], takenBefore, middle_[k]);
 
   Triple<double> next{}, second{};

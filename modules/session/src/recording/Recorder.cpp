@@ -46,7 +46,7 @@ void Recorder::run(const std::stop_token& stop)
       sleep_.wait_for(lock, stop, drainPeriod, [] { return false; });
     }
     drain();
-    concludeIfAsked();
+    concludeIfRequested();
   }
 }
 
@@ -55,10 +55,10 @@ void Recorder::conclude(std::uint64_t lostRecords) noexcept
   lostAtConclusion_ = static_cast<std::int64_t>(lostRecords);
 }
 
-void Recorder::concludeIfAsked()
+void Recorder::concludeIfRequested()
 {
   std::int64_t lost = lostAtConclusion_;
-  if (lost == notAsked || !recording_) return;
+  if (lost == notRequested || !recording_) return;
   const auto merged = recording_->conclude(static_cast<std::uint64_t>(lost));
   if (merged && !*merged) return;  // somebody reads it: at the next drain
   if (!merged) {
@@ -66,7 +66,7 @@ void Recorder::concludeIfAsked()
     recording_.reset();
   }
   isConcluded_ = static_cast<bool>(merged);
-  lostAtConclusion_.compare_exchange_strong(lost, notAsked);
+  lostAtConclusion_.compare_exchange_strong(lost, notRequested);
 }
 
 void Recorder::stop() noexcept

@@ -58,15 +58,15 @@ public:
 private:
   void run(const std::stop_token& stop);
   void drain();
-  void concludeIfAsked();
+  void concludeIfRequested();
   void setError(const Sentence& sentence);
 
   haptics::HapticLoop& loop_;
   std::unique_ptr<Recording> recording_;
   std::string deviceReport_;
   std::size_t batch_;
-  static constexpr std::int64_t notAsked = -1;
-  std::atomic<std::int64_t> lostAtConclusion_{notAsked};
+  static constexpr std::int64_t notRequested = -1;
+  std::atomic<std::int64_t> lostAtConclusion_{notRequested};
   std::atomic<bool> isConcluded_{false};
   std::vector<haptics::TickRecord> waiting_;
   mutable std::mutex errorMutex_;

@@ -31,7 +31,7 @@ bool isPublishedModel(const session::InsertionParameters& nominal)
 }
 
 /// Data kept of one insertion.
-struct Kept {
+struct RunResult {
   std::vector<double> curve;  ///< Empty if it was incomplete.
   std::optional<IncompleteInsertion> incomplete;
   std::optional<double> rawPeak, beforeRib, ribPeak;
@@ -59,7 +59,7 @@ Length stopOf(const session::InsertionParameters& nominal)
   return std::min(stop, nominal.array.insertable - nominal.startInside);
 }
 
-void keepRib(const MeasuredInsertion& measured, Length rib, Kept& kept)
+void keepRib(const MeasuredInsertion& measured, Length rib, RunResult& kept)
 {
   double sum = 0.0;
   double count = 0.0;
@@ -75,7 +75,7 @@ void keepRib(const MeasuredInsertion& measured, Length rib, Kept& kept)
   if (count > 0.0) kept.beforeRib = sum / count;
 }
 
-void keepRawPeak(const MeasuredInsertion& measured, Kept& kept)
+void keepRawPeak(const MeasuredInsertion& measured, RunResult& kept)
 {
   for (std::size_t i = 0; i < measured.travel.size(); ++i)
     if (measured.travel[i] >= rawPeakFrom.si() && measured.travel[i] <= rawPeakTo.si())
@@ -84,7 +84,7 @@ void keepRawPeak(const MeasuredInsertion& measured, Kept& kept)
 
 Result<Done> runOne(const ValidationRequest& request, SpreadSources sources, std::uint64_t number,
                     const std::shared_ptr<const anatomy::ScalaTympani>& anatomy,
-                    const std::stop_token& stop, Kept& kept)
+                    const std::stop_token& stop, RunResult& kept)
 {
   const DrawnInsertion drawn =
       drawInsertion(request.nominal, request.variability, sources, request.seed, number);
@@ -111,8 +111,8 @@ Result<Done> runOne(const ValidationRequest& request, SpreadSources sources, std
 }
 
 /// The curves of the complete ones among some insertions.
-std::vector<const std::vector<double>*> curvesOf(const std::vector<Kept>& kept, std::size_t first,
-                                                 std::size_t count)
+std::vector<const std::vector<double>*> curvesOf(const std::vector<RunResult>& kept,
+                                                 std::size_t first, std::size_t count)
 {
   std::vector<const std::vector<double>*> curves;
   for (std::size_t i = first; i < first + count; ++i)
@@ -182,7 +182,7 @@ std::vector<IntervalComparison> compareIntervals(const analysis::Reference& expe
 }
 
 std::optional<analysis::SampleStatistics> rawPeakOf(const ValidationRequest& request,
-                                                    const std::vector<Kept>& kept)
+                                                    const std::vector<RunResult>& kept)
 {
   std::vector<double> peaks;
   for (std::size_t i = 0; i < static_cast<std::size_t>(request.runs); ++i)
@@ -191,7 +191,8 @@ std::optional<analysis::SampleStatistics> rawPeakOf(const ValidationRequest& req
   return analysis::statisticsOf(peaks);
 }
 
-std::optional<RibMeeting> meetRib(const ValidationRequest& request, const std::vector<Kept>& kept)
+std::optional<RibEntry> meetRib(const ValidationRequest& request,
+                                const std::vector<RunResult>& kept)
 {
   const auto rib = firstRib(request.nominal);
   if (!rib) return std::nullopt;
@@ -202,7 +203,7 @@ std::optional<RibMeeting> meetRib(const ValidationRequest& request, const std::v
     peak.push_back(*kept[i].ribPeak);
   }
   if (before.empty()) return std::nullopt;
-  return RibMeeting{rib->si(), analysis::statisticsOf(before), analysis::statisticsOf(peak)};
+  return RibEntry{rib->si(), analysis::statisticsOf(before), analysis::statisticsOf(peak)};
 }
 
 /// Sources that need insertions of their own; noise is added to a curve at rest instead.
@@ -229,7 +230,7 @@ double noiseSpread(const ValidationRequest& request, std::size_t count)
 {
   const double way =
       request.nominal.speed.si() * request.variability.samplePeriod.si();  // between samples
-  std::vector<Kept> kept(count);
+  std::vector<RunResult> kept(count);
   for (std::size_t number = 0; number < count; ++number) {
     analysis::RandomStream noise(request.seed, number,
                                  static_cast<std::uint64_t>(SpreadSource::noise));
@@ -246,7 +247,8 @@ double noiseSpread(const ValidationRequest& request, std::size_t count)
 }
 
 std::vector<SourceSpread> sourceSpreads(const ValidationRequest& request,
-                                        const std::vector<Kept>& kept, std::size_t runsPerSource)
+                                        const std::vector<RunResult>& kept,
+                                        std::size_t runsPerSource)
 {
   std::vector<SourceSpread> spreads;
   std::size_t first = static_cast<std::size_t>(request.runs);
@@ -311,7 +313,7 @@ Result<ValidationResult> validate(const ValidationRequest& request,
   const std::size_t runsPerSource = runsForSources(request);
   const std::vector<SpreadSource> alone = mechanicalSources(request);
   const std::size_t all = runs + alone.size() * runsPerSource;
-  std::vector<Kept> kept(all);
+  std::vector<RunResult> kept(all);
   const auto work = [&](std::size_t piece, const std::stop_token& ending) {
     SpreadSources sources = SpreadSources::all();
     std::size_t number = piece;
@@ -350,7 +352,7 @@ Result<ValidationResult> validate(const ValidationRequest& request,
     result.profile.push_back({travel, statisticsAt(curves, point)});
     mean.push_back({travel, result.profile.back().force.mean});
   }
-  for (const Kept& each : kept) {
+  for (const RunResult& each : kept) {
     result.ticks += each.ticks;
     result.ticksNotConverged += each.ticksNotConverged;
   }

@@ -5,7 +5,7 @@
 #include <stop_token>
 #include <string>
 
-#include "perilymph/analysis/FullInsertion.h"
+#include "perilymph/analysis/InsertionRun.h"
 #include "perilymph/mechanics/InsertionModel.h"
 #include "prediction/VirtualInsertion.h"
 
@@ -38,8 +38,8 @@ struct Phantom {
   {
     const auto scenario = machineInsertion(friction, speed);
     if (!scenario) return scenario.error();
-    const analysis::FullInsertion full =
-        analysis::insertFully(scenario->parameters(), anatomy, Length{}, stop);
+    const analysis::InsertionRun full =
+        analysis::runInsertion(scenario->parameters(), anatomy, Length{}, stop);
     return inMillinewtons(full.peak.force);
   }
 };

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <stop_token>
 
-#include "perilymph/analysis/FullInsertion.h"
 #include "perilymph/analysis/InParallel.h"
+#include "perilymph/analysis/InsertionRun.h"
 #include "perilymph/foundation/Quantile.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/foundation/TomlReader.h"
@@ -32,8 +32,8 @@ PredictedInsertion insert(const session::InsertionParameters& parameters,
                           std::shared_ptr<const anatomy::ScalaTympani> anatomy,
                           const std::stop_token& stop)
 {
-  const analysis::FullInsertion full =
-      analysis::insertFully(parameters, std::move(anatomy), Length{}, stop);
+  const analysis::InsertionRun full =
+      analysis::runInsertion(parameters, std::move(anatomy), Length{}, stop);
   PredictedInsertion predicted;
   if (full.end != haptics::InsertionEnd::finished)
     predicted.error =

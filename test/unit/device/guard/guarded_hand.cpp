@@ -42,8 +42,8 @@ kind = "output"
 bytes = [9, 77]
 )";
 
-std::atomic<bool> isAsked{false};
-void ask(int) { isAsked = true; }
+std::atomic<bool> isRequested{false};
+void ask(int) { isRequested = true; }
 
 }  // namespace
 
@@ -64,7 +64,7 @@ int main(int count, char** text)
   std::fflush(stdout);
   device::Wrench push;
   push.force_D[2] = 0.5;
-  for (int ticks = 0; !isAsked; ++ticks) {
+  for (int ticks = 0; !isRequested; ++ticks) {
     hand.await(milliseconds(5));
     hand.read();
     hand.write(push);

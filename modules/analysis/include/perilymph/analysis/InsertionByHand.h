@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "perilymph/analysis/ContactPositions.h"
-#include "perilymph/analysis/FullInsertion.h"
+#include "perilymph/analysis/InsertionRun.h"
 #include "perilymph/analysis/Surgeon.h"
 #include "perilymph/anatomy/ScalaTympani.h"
 #include "perilymph/foundation/Units.h"

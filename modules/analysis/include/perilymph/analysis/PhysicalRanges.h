@@ -5,8 +5,8 @@
 
 #include <string>
 
-#include "perilymph/analysis/FullInsertion.h"
 #include "perilymph/analysis/InsertionByHand.h"
+#include "perilymph/analysis/InsertionRun.h"
 #include "perilymph/foundation/TomlReader.h"
 
 namespace perilymph::analysis {
@@ -39,12 +39,12 @@ constexpr bool isWithin(double value, Range range)
 std::string impossibility(const char* quantity, const char* unit, double value, Range range);
 
 /// The same for the first value of an insertion that is out of its range.
-std::string impossibility(const FullInsertion& insertion);
+std::string impossibility(const InsertionRun& insertion);
 std::string impossibility(const ClinicalInsertion& insertion);
 
 /// An insertion as it is kept: forces of one that jammed are 2 N at most, which it exceeds by
 /// definition; another one with an impossible value was not computed and says so.
-FullInsertion asPossible(FullInsertion insertion);
+InsertionRun asPossible(InsertionRun insertion);
 ClinicalInsertion asPossible(ClinicalInsertion insertion);
 
 }  // namespace perilymph::analysis

@@ -90,7 +90,7 @@ void PluginRun::write(const Force& force) noexcept
   for (std::size_t i = 0; i < 3 && scale > 0.0; ++i) wrench.force_D_N[i] = scale * f[i];
   isPushing_ = scale > 0.0 && squared > 0.0;
 
-  const CallMark mark(channel_, Function::write);
+  const CallGuard mark(channel_, Function::write);
   newest_.isRefusing = library_.functions().write(library_.device(), &wrench) != 0 ? 1 : 0;
   if (newest_.isRefusing == 0 && force.number != 0) newest_.written = force.number;
 }
@@ -103,7 +103,7 @@ void PluginRun::read() noexcept
   stated.rotation_D[0] = 1.0;
   bool isRead = false;
   {
-    const CallMark mark(channel_, Function::read);
+    const CallGuard mark(channel_, Function::read);
     isRead = library_.functions().read(library_.device(), &stated) == 0;
   }
   newest_.isFaulty = isRead && !isFinite(stated) ? 1 : 0;

@@ -12,19 +12,19 @@
 namespace perilymph::device::plugin {
 
 /// Marks which function of the plug-in runs, for the watch and the program.
-class CallMark {
+class CallGuard {
 public:
-  CallMark(Channel& channel, Function function) noexcept : channel_(channel)
+  CallGuard(Channel& channel, Function function) noexcept : channel_(channel)
   {
     channel_.function = function;
   }
-  ~CallMark()
+  ~CallGuard()
   {
     channel_.function = Function::none;
     ++channel_.calls;
   }
-  CallMark(const CallMark&) = delete;
-  CallMark& operator=(const CallMark&) = delete;
+  CallGuard(const CallGuard&) = delete;
+  CallGuard& operator=(const CallGuard&) = delete;
 
 private:
   Channel& channel_;

@@ -5,7 +5,7 @@
 //
 //   perilymph-plugin-host LIBRARY    started by the program with the files of PluginChannel.h
 //
-// The main thread calls the plug-in; a second one watches it (CallWatch). When the program is gone,
+// The main thread calls the plug-in; a second one watches it (CallTimeout). When the program is gone,
 // the force is set to zero, the device is closed, and the process ends.
 
 #include <sys/mman.h>
@@ -19,7 +19,7 @@
 #include <string>
 
 #include "perilymph/realtime/RealTimePriority.h"
-#include "plugin/host/CallWatch.h"
+#include "plugin/host/CallTimeout.h"
 #include "plugin/host/PluginRun.h"
 
 namespace {
@@ -78,12 +78,12 @@ void reply(Reply answer, const std::string& sentence = {})
   if (::write(replies, &answer, sizeof answer) < 0) return;  // the program is gone
 }
 
-void open(Channel& memory, const Library& library, const CallWatch& watch)
+void open(Channel& memory, const Library& library, const CallTimeout& watch)
 {
   Reply answer;
   const auto capacity = static_cast<std::uint32_t>(answer.sentence.size() - 1);
   {
-    const CallMark mark(memory, Function::open);
+    const CallGuard mark(memory, Function::open);
     answer.isDone =
         library.functions().open(library.device(), answer.sentence.data(), capacity) == 0 ? 1 : 0;
   }
@@ -91,12 +91,12 @@ void open(Channel& memory, const Library& library, const CallWatch& watch)
   if (answer.isDone == 0) return;
   PluginRun(memory, library, watch.isAlone(), watch.isDoomed()).run();
   while (watch.isDoomed()) ::pause();
-  const CallMark mark(memory, Function::close);
+  const CallGuard mark(memory, Function::close);
   library.functions().close(library.device());
 }
 
 /// Serves the requests of the program until it says goodbye or is gone.
-void serve(Channel& memory, const Library& library, const CallWatch& watch)
+void serve(Channel& memory, const Library& library, const CallTimeout& watch)
 {
   char request = 0;
   while (::read(requests, &request, 1) == 1 && request != goodbye) {
@@ -123,8 +123,8 @@ int main(int count, char** text)
   if (place == MAP_FAILED) return 1;
   auto& memory = *static_cast<Channel*>(place);
 
-  CallWatch watch(memory);
-  std::optional<CallMark> loading(std::in_place, memory, Function::load);
+  CallTimeout watch(memory);
+  std::optional<CallGuard> loading(std::in_place, memory, Function::load);
   const auto library = Library::load(text[1]);
   loading.reset();
   if (!library) {

@@ -67,8 +67,8 @@ struct Rupture {
 /// Maximum number of separate ruptures; at more places the partition holds.
 inline constexpr std::size_t maxRuptures = 4;
 
-/// Intactness w of the partition at an angle.
-struct Intactness {
+/// IntactFraction w of the partition at an angle.
+struct IntactFraction {
   double value = 1.0;
   double slope = 0.0;  ///< Derivative by the angle [1/rad].
   double bend = 0.0;   ///< Second derivative.
@@ -87,7 +87,7 @@ struct PartitionState {
   /// Length of the array above the partition, for the spacing of its nodes [m]. Real-time safe.
   double lengthAbove(double spacing) const noexcept;
   /// Real-time safe.
-  Intactness at(double angle) const noexcept;
+  IntactFraction at(double angle) const noexcept;
 };
 
 }  // namespace perilymph::mechanics

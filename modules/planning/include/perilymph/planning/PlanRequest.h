@@ -34,7 +34,7 @@ struct PlanRequest {
   std::string scenario = "surgery-flex28";  ///< Defines everything that is neither drawn nor named.
   std::optional<std::string> friction;      ///< Shipped name or file; without it, the scenario's.
   std::size_t draws = 64;                   ///< At most.
-  /// Whether fewer draws are run if the bands stand earlier (see bandsStand()).
+  /// Whether fewer draws are run if the bands stand earlier (see hasConverged()).
   bool stopsEarly = true;
   std::uint64_t seed = 1;
   /// Without one, the scenario's own nodes and time step.

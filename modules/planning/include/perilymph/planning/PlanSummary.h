@@ -32,6 +32,6 @@ inline constexpr std::size_t fewestForBand = 64;
 /// Whether the bands of angle and peak force of all arrays stand: there are enough simulations, and the
 /// standard errors of both edges are at most a tenth of the width, 5 degrees or 5 % of the median peak
 /// force (choices, medium).
-bool bandsStand(const Plan& plan);
+bool hasConverged(const Plan& plan);
 
 }  // namespace perilymph::planning

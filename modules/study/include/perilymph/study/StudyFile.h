@@ -20,7 +20,7 @@
 #include <utility>
 #include <vector>
 
-#include "perilymph/analysis/FullInsertion.h"
+#include "perilymph/analysis/InsertionRun.h"
 #include "perilymph/foundation/Result.h"
 #include "perilymph/session/InsertionTable.h"
 #include "perilymph/study/Study.h"
@@ -32,9 +32,9 @@ struct StudyResult {
   std::size_t number = 0;
   std::string cochlea;
   session::Overrides settings;
-  double a_mm = 0.0, b_mm = 0.0;      ///< Diameters of the basal turn of the cochlea as built.
-  double scalaLength_mm = 0.0;        ///< Length of its scala tympani along the organ of Corti.
-  analysis::FullInsertion insertion;  ///< Contacts and profile empty unless they are kept.
+  double a_mm = 0.0, b_mm = 0.0;     ///< Diameters of the basal turn of the cochlea as built.
+  double scalaLength_mm = 0.0;       ///< Length of its scala tympani along the organ of Corti.
+  analysis::InsertionRun insertion;  ///< Contacts and profile empty unless they are kept.
 };
 
 /// Identity of a file.

@@ -85,7 +85,7 @@ struct SourceSpread {
 };
 
 /// Forces in the raw record where the first marker rib reaches the opening, means over insertions.
-struct RibMeeting {
+struct RibEntry {
   double depth = 0.0;  ///< Distance of the rib from the tip, which is the depth then [m].
   analysis::SampleStatistics before;  ///< Force from 1.0 to 0.5 mm before it [N].
   analysis::SampleStatistics peak;    ///< Maximum force within 0.5 mm of it [N].
@@ -100,7 +100,7 @@ struct ValidationResult {
       earlyPeak;  ///< At 3 to 7 mm, if the force then falls by 1 mN.
   std::optional<analysis::SampleStatistics>
       rawPeak;                     ///< Maximum of each raw record at 9 to 12 mm [N].
-  std::optional<RibMeeting> rib;   ///< Only if the array has ribs.
+  std::optional<RibEntry> rib;     ///< Only if the array has ribs.
   double standardDeviation = 0.0;  ///< Root mean square over travel of the SD [N].
   std::vector<SourceSpread> spreads;
   std::uint64_t ticks = 0, ticksNotConverged = 0;

@@ -45,7 +45,7 @@ public:
   /// Limits the number of handles that can be opened, as if another program used the device.
   void maxOpen(int handles);
   /// Called without a lock when a feature report is requested; without it the request fails.
-  void whenAsked(std::function<device::Transfer(device::RawReport&)> answer);
+  void whenRequested(std::function<device::Transfer(device::RawReport&)> answer);
   /// Called without a lock by a read that would wait: time passes, and a report may arrive.
   void whenWaiting(std::function<void(Duration)> passTime);
 

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/pages/plan/PlanHeader.h"
+
+#include <QLabel>
+#include <QVBoxLayout>
+#include <QVariant>
+
+#include "gui/pages/plan/PlanText.h"
+#include "gui/setup/PatientLibrary.h"
+#include "gui/text/DataText.h"
+#include "gui/text/Numbers.h"
+#include "gui/widgets/ElidedLabel.h"
+#include "gui/widgets/Theme.h"
+#include "gui/widgets/WrappedLabel.h"
+#include "perilymph/analysis/ErrorBand.h"
+
+namespace perilymph::gui {
+
+PlanHeader::PlanHeader(QWidget* parent)
+    : QWidget(parent),
+      name_(new ElidedLabel(this)),
+      measures_(new WrappedLabel({}, this)),
+      note_(new WrappedLabel({}, this))
+{
+  name_->setObjectName(QStringLiteral("planPatient"));
+  name_->setFont(typeface(15, QFont::DemiBold));
+  measures_->setObjectName(QStringLiteral("planMeasures"));
+  measures_->setFont(typeface(13));
+  note_->setObjectName(QStringLiteral("planNote"));
+  note_->setFont(typeface(12));
+  note_->setProperty("quiet", true);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(4);
+  column->addWidget(name_);
+  column->addWidget(measures_);
+  column->addWidget(note_);
+}
+
+void PlanHeader::show(const anatomy::Patient& patient)
+{
+  name_->setText(nameOfPatient(patient) + handChange(patient));
+  if (!patient.basalTurn) return measures_->clear();
+  const anatomy::BasalTurn& turn = *patient.basalTurn;
+  const anatomy::BasalTurnErrors errors = analysis::errorsOf(patient);
+  QStringList parts{tr("A %1").arg(measureText(turn.a, errors.a)),
+                    tr("B %1").arg(measureText(turn.b, errors.b))};
+  parts << (turn.h
+                ? tr("H %1").arg(measureText(*turn.h, errors.h.value_or(analysis::measuringError)))
+                : tr("H not measured (population mean ± SD used)"));
+  const QString assumed = numberText(inMillimeters(analysis::measuringError), 1);
+  parts << (patient.errors ? tr("95 % intervals, errors as measured")
+                           : tr("95 % intervals, errors assumed: SD %1 mm").arg(assumed));
+  measures_->setText(parts.join(QStringLiteral("   ·   ")));
+  QStringList unusual;
+  for (const Sentence& sentence : anatomy::unusualMeasures(patient)) unusual << dataText(sentence);
+  measures_->setToolTip(
+      (QStringList{tr("A: basal-turn diameter; B: basal-turn width, perpendicular to A; H: height. "
+                      "Every draw takes other values within these errors.")} +
+       unusual)
+          .join(QLatin1Char('\n')));
+}
+
+void PlanHeader::setNote(const QString& note) { note_->setText(note); }
+
+}  // namespace perilymph::gui

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// The patient of a plan: code, ear, and the measures with their errors.
+
+#include <QWidget>
+
+#include "perilymph/anatomy/Patient.h"
+
+class QLabel;
+
+namespace perilymph::gui {
+
+/// A line over the plan.
+class PlanHeader : public QWidget {
+  Q_OBJECT
+public:
+  explicit PlanHeader(QWidget* parent);
+
+  void show(const anatomy::Patient& patient);
+  /// Text at the right end: "64 draws · 320 insertions".
+  void setNote(const QString& note);
+
+private:
+  QLabel* name_;
+  QLabel* measures_;
+  QLabel* note_;
+};
+
+}  // namespace perilymph::gui

@@ -7,7 +7,7 @@
 #include "gui/run/WorkflowPredicates.h"
 #include "gui/shell/Help.h"
 #include "gui/shell/MainWindow.h"
-#include "gui/shell/Sheets.h"
+#include "gui/shell/OverlayStack.h"
 #include "perilymph/foundation/Resources.h"
 
 namespace perilymph::gui {

@@ -15,7 +15,7 @@
 #include "gui/shell/MainMenu.h"
 #include "gui/shell/Navigation.h"
 #include "gui/shell/PageLinks.h"
-#include "gui/shell/Sheets.h"
+#include "gui/shell/OverlayStack.h"
 #include "gui/shell/StopTriggers.h"
 #include "gui/shell/TopBar.h"
 #include "gui/shell/TypedKeys.h"

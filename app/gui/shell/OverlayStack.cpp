@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/shell/Sheets.h"
+#include "gui/shell/OverlayStack.h"
 
 #include <QTimer>
 #include <algorithm>

@@ -16,7 +16,7 @@
 #include "gui/shell/InsertKeys.h"
 #include "gui/shell/KeyActions.h"
 #include "gui/shell/MainWindow.h"
-#include "gui/shell/Sheets.h"
+#include "gui/shell/OverlayStack.h"
 
 namespace perilymph::gui {
 

@@ -3,7 +3,7 @@
 
 #include "gui/shell/MainWindow.h"
 #include "gui/shell/SettingsOverlay.h"
-#include "gui/shell/Sheets.h"
+#include "gui/shell/OverlayStack.h"
 
 namespace perilymph::gui {
 

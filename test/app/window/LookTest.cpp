@@ -16,7 +16,7 @@
 #include "gui/run/UserSettings.h"
 #include "gui/scene/ForceLabel.h"
 #include "gui/setup/LandmarkDrawing.h"
-#include "gui/shell/Sheets.h"
+#include "gui/shell/OverlayStack.h"
 #include "gui/widgets/ElidedLabel.h"
 #include "gui/widgets/Theme.h"
 #include "perilymph/anatomy/Population.h"

@@ -21,7 +21,7 @@
 #include "gui/program/Languages.h"
 #include "gui/run/UserSettings.h"
 #include "gui/shell/Navigation.h"
-#include "gui/shell/Sheets.h"
+#include "gui/shell/OverlayStack.h"
 #include "gui/widgets/Notice.h"
 #include "perilymph/test/IgtlClient.h"
 #include "perilymph/test/InetSockets.h"

@@ -23,7 +23,7 @@
 #include "gui/run/UserSettings.h"
 #include "gui/shell/Help.h"
 #include "gui/shell/MainWindow.h"
-#include "gui/shell/Sheets.h"
+#include "gui/shell/OverlayStack.h"
 #include "gui/shell/WindowPlace.h"
 #include "gui/widgets/Theme.h"
 

@@ -2,8 +2,8 @@
 #include "gui/shell/WindowMemory.h"
 
 #include "gui/shell/MainWindow.h"
-#include "gui/shell/SettingsOverlay.h"
 #include "gui/shell/OverlayStack.h"
+#include "gui/shell/SettingsOverlay.h"
 
 namespace perilymph::gui {
 

@@ -141,6 +141,29 @@ struct CtExportOptions {
 };
 Result<Done> ctExport(const CtExportOptions& options);
 
+/// Options of all `archive` commands; each uses some.
+struct ArchiveOptions {
+  std::string server;  ///< Name in servers.toml.
+  std::string json;
+  // servers
+  std::string add, remove;  ///< Names of servers.
+  std::string aeTitle, host, ownAeTitle = "PERILYMPH", retrieve = "get";
+  int port = 104, ownPort = 11112;
+  std::string tlsAuthority, tlsCertificate, tlsKey;
+  // find
+  std::string patientId, patientName, birthDate, from, until, modality;
+  bool showsPatients = false;
+  // find, fetch
+  std::string study, series, out;
+  // send
+  std::string file;
+};
+Result<Done> archiveServers(const ArchiveOptions& options);
+Result<Done> archiveEcho(const ArchiveOptions& options);
+Result<Done> archiveFind(const ArchiveOptions& options);
+Result<Done> archiveFetch(const ArchiveOptions& options);
+Result<Done> archiveSend(const ArchiveOptions& options);
+
 /// Options of all `study` commands; each uses some.
 struct StudyOptions {
   std::string file, folder;
@@ -173,6 +196,7 @@ struct CommandOptions {
   CtInfoOptions ctInfo;
   CtMeasureOptions ctMeasure;
   CtExportOptions ctExport;
+  ArchiveOptions archive;
   StudyOptions study;
 };
 

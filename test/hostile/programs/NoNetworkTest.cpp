@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The programs use no network: they work without it and contain no call that could open a
-// connection to another machine. Only --igtl, and a setting of the window, make one listen; for the
-// running window see test/app/window/NavigationCallTest.cpp.
+// The programs use no network unless they are asked to: they work without it and contain no call that
+// could open a connection to another machine. `perilymph-cli archive` does, through DCMTK's library;
+// its tests are in test/unit/archive and test/app/cli/ArchiveTest.cpp. Only --igtl, a setting of the
+// window and a move make one listen; for the running window see test/app/window/NavigationCallTest.cpp.
 
 #include <csignal>
 #include <sstream>

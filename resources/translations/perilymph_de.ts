@@ -3760,10 +3760,6 @@
         <translation>%1 hat keine Serie %2 in der Studie %3. &apos;perilymph-cli archive find&apos; nennt die Serien einer Studie.</translation>
     </message>
     <message>
-        <source>%1 was stopped: %2. Ask its administrator.</source>
-        <translation>%1 wurde beendet: %2. Fragen Sie den Administrator.</translation>
-    </message>
-    <message>
         <source>%1 does not know where %2 is. Ask its administrator to enter this AE title with the address of this machine and port %3.</source>
         <translation>%1 weiß nicht, wo %2 ist. Bitten Sie den Administrator, diesen AE-Titel mit der Adresse dieses Rechners und Port %3 einzutragen.</translation>
     </message>
@@ -3822,26 +3818,6 @@
     <message>
         <source>&apos;%1&apos; is no UID of a %2: digits and dots, at most 64. Take it from &apos;perilymph-cli archive find&apos;.</source>
         <translation>&apos;%1&apos; ist keine UID (%2): höchstens 64 Ziffern und Punkte. Nehmen Sie sie aus &apos;perilymph-cli archive find&apos;.</translation>
-    </message>
-    <message>
-        <source>it sent an object that is no DICOM</source>
-        <translation>er hat ein Objekt gesendet, das kein DICOM ist</translation>
-    </message>
-    <message>
-        <source>it sent an object of another series</source>
-        <translation>er hat ein Objekt einer anderen Serie gesendet</translation>
-    </message>
-    <message>
-        <source>it sent an object that it had not listed</source>
-        <translation>er hat ein Objekt gesendet, das er nicht aufgeführt hatte</translation>
-    </message>
-    <message>
-        <source>it sent objects of several patients under one series</source>
-        <translation>er hat unter einer Serie Objekte mehrerer Patienten gesendet</translation>
-    </message>
-    <message>
-        <source>a file of it could not be written: %1</source>
-        <translation>eine Datei davon konnte nicht geschrieben werden: %1</translation>
     </message>
     <message>
         <source>%1 is no file of at most 128 MiB. Give a DICOM file that this program wrote.</source>
@@ -3966,6 +3942,26 @@
     <message>
         <source>storage of this kind of object</source>
         <translation>Speichern von Objekten dieser Art</translation>
+    </message>
+    <message>
+        <source>The server sent an object that is no DICOM. Ask its administrator.</source>
+        <translation>Der Server hat ein Objekt gesendet, das kein DICOM ist. Fragen Sie den Administrator.</translation>
+    </message>
+    <message>
+        <source>The server sent an object of another series, which was deleted. Ask its administrator.</source>
+        <translation>Der Server hat ein Objekt einer anderen Serie gesendet, das gelöscht wurde. Fragen Sie den Administrator.</translation>
+    </message>
+    <message>
+        <source>The server sent an object that it had not listed, which was deleted. Fetch the series again.</source>
+        <translation>Der Server hat ein Objekt gesendet, das er nicht aufgeführt hatte und das gelöscht wurde. Holen Sie die Serie noch einmal.</translation>
+    </message>
+    <message>
+        <source>The server sent objects of several patients under one series, and the last was deleted. Ask its administrator.</source>
+        <translation>Der Server hat unter einer Serie Objekte mehrerer Patienten gesendet; das letzte wurde gelöscht. Fragen Sie den Administrator.</translation>
+    </message>
+    <message>
+        <source>A file in %1 could not be written: %2. Free some space, and fetch again.</source>
+        <translation>Eine Datei in %1 konnte nicht geschrieben werden: %2. Schaffen Sie Platz und holen Sie die Serie noch einmal.</translation>
     </message>
 </context>
 <context>

@@ -188,8 +188,7 @@ private:
   std::optional<Error> obstacleOf() const
   {
     if (!received_.obstacle()) return std::nullopt;
-    return Error{"%1 was stopped: %2. Ask its administrator.", association_.server().name,
-                 *received_.obstacle()};
+    return Error{*received_.obstacle()};
   }
 
   /// Reports what has arrived since the last time.

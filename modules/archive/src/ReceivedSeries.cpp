@@ -64,17 +64,28 @@ fs::path ReceivedSeries::newPlace() const { return unfinishedPath(folder_ / "obj
 std::optional<Sentence> ReceivedSeries::faultOf(const fs::path& place, std::string& instanceUid)
 {
   const auto found = identityIn(place);
-  if (!found) return Sentence{"it sent an object that is no DICOM"};
+  if (!found) return Sentence{"The server sent an object that is no DICOM. Ask its administrator."};
   if (found->study != series_.studyUid || found->series != series_.seriesUid)
-    return Sentence{"it sent an object of another series"};
+    return Sentence{
+        "The server sent an object of another series, which was deleted. Ask its administrator."};
   if (!expected_.contains(found->instance))
-    return Sentence{"it sent an object that it had not listed"};
+    return Sentence{
+        "The server sent an object that it had not listed, which was deleted. Fetch the series "
+        "again."};
   const std::pair patient{found->patientId, found->birthDate};
   if (patient_ && *patient_ != patient)
-    return Sentence{"it sent objects of several patients under one series"};
+    return Sentence{
+        "The server sent objects of several patients under one series, and the last was deleted. "
+        "Ask its administrator."};
   patient_ = patient;
   instanceUid = found->instance;
   return std::nullopt;
+}
+
+void ReceivedSeries::setUnwritable(const std::string& why)
+{
+  setObstacle(Sentence{"A file in %1 could not be written: %2. Free some space, and fetch again.",
+                       folder_, why});
 }
 
 bool ReceivedSeries::take(const fs::path& place)
@@ -89,7 +100,7 @@ bool ReceivedSeries::take(const fs::path& place)
   fs::permissions(place, fs::perms::owner_read | fs::perms::owner_write, failed);
   fs::rename(place, placeOf(instanceUid), failed);
   if (failed) {
-    setObstacle(Sentence{"a file of it could not be written: %1", failed.message()});
+    setUnwritable(failed.message());
     fs::remove(place, failed);
     return false;
   }

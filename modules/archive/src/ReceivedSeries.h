@@ -33,9 +33,11 @@ public:
   /// obstacle() says why, and nothing more is to be accepted.
   bool take(const std::filesystem::path& place);
   const std::optional<Sentence>& obstacle() const { return obstacle_; }
-  void setObstacle(Sentence why) { obstacle_ = std::move(why); }
+  /// The file of an object could not be written, which is an obstacle.
+  void setUnwritable(const std::string& why);
 
 private:
+  void setObstacle(Sentence why) { obstacle_ = std::move(why); }
   std::filesystem::path placeOf(const std::string& instanceUid) const;
   std::optional<Sentence> faultOf(const std::filesystem::path& place, std::string& instanceUid);
 

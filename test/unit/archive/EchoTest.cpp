@@ -7,15 +7,19 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "TestServers.h"
+#include "perilymph/test/DicomServers.h"
 #include "perilymph/test/InetSockets.h"
 #include "perilymph/test/waitUntil.h"
 
 namespace perilymph::archive {
 namespace {
 
+using test::DicomServer;
+using test::missingProgram;
+using test::networkObstacle;
+using test::TestCertificates;
 using testing::HasSubstr;
-using Kind = TestServer::Kind;
+using Kind = DicomServer::Kind;
 
 std::string answerOf(const Server& server, const Exchange& exchange = {})
 {
@@ -35,7 +39,7 @@ protected:
 
 TEST_P(EchoOf, AnswersOrSaysWhatFailed)
 {
-  TestServer running(GetParam());
+  DicomServer running(GetParam());
   EXPECT_EQ(answerOf(running.entry()), "answers");
 
   Server other = running.entry();
@@ -109,7 +113,7 @@ TEST_F(EchoByTls, NeedsTheCertificatesOfBothSides)
   std::filesystem::create_directories(folder_ / "own");
   std::filesystem::create_directories(folder_ / "other");
   const TestCertificates own(folder_ / "own"), other(folder_ / "other");
-  TestServer running(Kind::orthanc, &own);
+  DicomServer running(Kind::orthanc, &own);
   EXPECT_EQ(answerOf(running.entry()), "answers");
 
   Server changed = running.entry();

@@ -12,16 +12,20 @@
 #include <iterator>
 #include <set>
 
-#include "TestServers.h"
+#include "SmallStudy.h"
 #include "perilymph/imaging/CtSeries.h"
+#include "perilymph/test/DicomServers.h"
 #include "perilymph/test/InetSockets.h"
 
 namespace perilymph::archive {
 namespace {
 
 namespace fs = std::filesystem;
+using test::DicomServer;
+using test::missingProgram;
+using test::networkObstacle;
 using testing::HasSubstr;
-using Kind = TestServer::Kind;
+using Kind = DicomServer::Kind;
 
 std::string contentOf(const fs::path& file)
 {
@@ -58,7 +62,7 @@ protected:
     if (!networkObstacle().empty()) GTEST_SKIP() << networkObstacle();
     const std::string missing = missingProgram(GetParam().kind);
     if (!missing.empty()) GTEST_SKIP() << missing << " is not installed.";
-    running_ = std::make_unique<TestServer>(GetParam().kind);
+    running_ = std::make_unique<DicomServer>(GetParam().kind);
     server_ = running_->entry();
     server_.retrieval = GetParam().retrieval;
     test::writeDicomFiles(smallStudy(), folder_ / "sent");
@@ -77,7 +81,7 @@ protected:
   }
 
   test::TemporaryFolder folder_;
-  std::unique_ptr<TestServer> running_;
+  std::unique_ptr<DicomServer> running_;
   Server server_;
 };
 

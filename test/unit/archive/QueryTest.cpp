@@ -7,13 +7,17 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "TestServers.h"
+#include "SmallStudy.h"
+#include "perilymph/test/DicomServers.h"
 
 namespace perilymph::archive {
 namespace {
 
+using test::DicomServer;
+using test::missingProgram;
+using test::networkObstacle;
 using testing::HasSubstr;
-using Kind = TestServer::Kind;
+using Kind = DicomServer::Kind;
 
 class QueryOf : public testing::TestWithParam<Kind> {
 protected:
@@ -22,7 +26,7 @@ protected:
     if (!networkObstacle().empty()) GTEST_SKIP() << networkObstacle();
     const std::string missing = missingProgram(GetParam());
     if (!missing.empty()) GTEST_SKIP() << missing << " is not installed.";
-    running_ = std::make_unique<TestServer>(GetParam());
+    running_ = std::make_unique<DicomServer>(GetParam());
     auto other = smallStudy(3, "1.2.840.99.18.1");
     for (test::DicomData& file : other) {
       file.setText(0x0020000D, "UI", "1.2.840.99.18");
@@ -49,7 +53,7 @@ protected:
   }
 
   test::TemporaryFolder folder_;
-  std::unique_ptr<TestServer> running_;
+  std::unique_ptr<DicomServer> running_;
 };
 
 StudyQuery of(std::string StudyQuery::*field, const std::string& value)

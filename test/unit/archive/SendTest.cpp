@@ -7,17 +7,21 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "TestServers.h"
+#include "SmallStudy.h"
 #include "perilymph/archive/Query.h"
 #include "perilymph/imaging/CtSeries.h"
 #include "perilymph/imaging/EncapsulatedPdf.h"
+#include "perilymph/test/DicomServers.h"
 
 namespace perilymph::archive {
 namespace {
 
 namespace fs = std::filesystem;
+using test::DicomServer;
+using test::missingProgram;
+using test::networkObstacle;
 using testing::HasSubstr;
-using Kind = TestServer::Kind;
+using Kind = DicomServer::Kind;
 
 class SendTo : public testing::TestWithParam<Kind> {
 protected:
@@ -26,7 +30,7 @@ protected:
     if (!networkObstacle().empty()) GTEST_SKIP() << networkObstacle();
     const std::string missing = missingProgram(GetParam());
     if (!missing.empty()) GTEST_SKIP() << missing << " is not installed.";
-    running_ = std::make_unique<TestServer>(GetParam());
+    running_ = std::make_unique<DicomServer>(GetParam());
     auto files = smallStudy();
     for (test::DicomData& file : files) file.setText(0x00200011, "IS", "1");
     test::writeDicomFiles(files, folder_ / "ct");
@@ -62,7 +66,7 @@ protected:
   }
 
   test::TemporaryFolder folder_;
-  std::unique_ptr<TestServer> running_;
+  std::unique_ptr<DicomServer> running_;
 };
 
 TEST_P(SendTo, TheStudyOfTheCt)

@@ -5,12 +5,12 @@
 
 #include <gmock/gmock.h>
 
-#include "TestServers.h"
+#include "perilymph/test/DicomServers.h"
 #include "perilymph/test/runTests.h"
 
 int main(int argc, char** argv)
 {
-  perilymph::archive::makeOwnNetwork();
+  perilymph::test::makeOwnNetwork();
   testing::InitGoogleMock(&argc, argv);
   return perilymph::test::runTests();
 }

@@ -7,14 +7,12 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "perilymph/archive/Servers.h"
 #include "perilymph/test/ChildProcess.h"
-#include "perilymph/test/DicomWriter.h"
 #include "perilymph/test/TemporaryFolder.h"
 
-namespace perilymph::archive {
+namespace perilymph::test {
 
 /// Gives this process a network with a loopback alone.
 void makeOwnNetwork();
@@ -31,31 +29,25 @@ struct TestCertificates {
 };
 
 /// A running server.
-class TestServer {
+class DicomServer {
 public:
   enum class Kind { orthanc, dcmqrscp };
   /// Starts a server and waits until it answers. @throws std::runtime_error if it does not.
-  explicit TestServer(Kind kind, const TestCertificates* tls = nullptr);
+  explicit DicomServer(Kind kind, const TestCertificates* tls = nullptr);
 
   /// How this program reaches it.
-  const Server& entry() const { return entry_; }
+  const archive::Server& entry() const { return entry_; }
   /// Stores files by DCMTK's storescu. @return What it says if it fails.
   std::string store(const std::filesystem::path& folder) const;
   void stop() { process_.reset(); }
 
 private:
-  test::TemporaryFolder folder_;
-  Server entry_;
-  std::unique_ptr<test::ChildProcess> process_;
+  TemporaryFolder folder_;
+  archive::Server entry_;
+  std::unique_ptr<ChildProcess> process_;
 };
 
 /// The name of a program that a kind of server needs and that is not installed; empty if it is.
-std::string missingProgram(TestServer::Kind kind);
+std::string missingProgram(DicomServer::Kind kind);
 
-inline constexpr const char* ctStudy = "1.2.840.99.17";
-inline constexpr const char* ctSeries = "1.2.840.99.17.1";
-
-/// A small CT of a patient with a name, one file a slice.
-std::vector<test::DicomData> smallStudy(int slices = 12, const std::string& series = ctSeries);
-
-}  // namespace perilymph::archive
+}  // namespace perilymph::test

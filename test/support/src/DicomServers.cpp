@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "TestServers.h"
+#include "perilymph/test/DicomServers.h"
 
 #include <net/if.h>
 #include <sched.h>
@@ -11,12 +11,11 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "../imaging/SmallCt.h"
 #include "perilymph/archive/Echo.h"
 #include "perilymph/test/InetSockets.h"
 #include "perilymph/test/waitUntil.h"
 
-namespace perilymph::archive {
+namespace perilymph::test {
 
 namespace fs = std::filesystem;
 
@@ -29,7 +28,7 @@ const std::pair<std::string, std::optional<std::string>> atOnce = {"TCP_NODELAY"
 
 void write(const fs::path& file, const std::string& text) { std::ofstream(file) << text; }
 
-std::string orthancSettings(const fs::path& folder, const Server& server,
+std::string orthancSettings(const fs::path& folder, const archive::Server& server,
                             const TestCertificates* tls)
 {
   const std::string quoted = '"' + (folder / "db").string() + '"';
@@ -51,7 +50,7 @@ std::string orthancSettings(const fs::path& folder, const Server& server,
          ", \"UseDicomTls\": " + isSecure + " } } }\n";
 }
 
-std::string dcmqrscpSettings(const fs::path& folder, const Server& server)
+std::string dcmqrscpSettings(const fs::path& folder, const archive::Server& server)
 {
   return "NetworkTCPPort = " + std::to_string(server.port) +
          "\nMaxPDUSize = 16384\nMaxAssociations = 16\nHostTable BEGIN\nown = (" +
@@ -88,9 +87,9 @@ std::optional<std::string> programOf(const std::string& name)
   return std::nullopt;
 }
 
-std::string missingProgram(TestServer::Kind kind)
+std::string missingProgram(DicomServer::Kind kind)
 {
-  const std::string server = kind == TestServer::Kind::orthanc ? "Orthanc" : "dcmqrscp";
+  const std::string server = kind == DicomServer::Kind::orthanc ? "Orthanc" : "dcmqrscp";
   for (const std::string& name : {server, std::string("storescu")})
     if (!programOf(name)) return name;
   return {};
@@ -105,7 +104,7 @@ TestCertificates::TestCertificates(const fs::path& folder)
 {
   const fs::path authorityKey = folder / "authority.key";
   const auto openssl = [](std::vector<std::string> arguments) {
-    const auto outcome = test::run({"openssl", std::move(arguments), {}, {}});
+    const auto outcome = run({"openssl", std::move(arguments), {}, {}});
     if (outcome.status != 0) throw std::runtime_error("openssl: " + outcome.err);
   };
   openssl({"req", "-x509", "-newkey", "rsa:2048", "-nodes", "-days", "1", "-subj", "/CN=authority",
@@ -120,27 +119,27 @@ TestCertificates::TestCertificates(const fs::path& folder)
   }
 }
 
-TestServer::TestServer(Kind kind, const TestCertificates* tls)
+DicomServer::DicomServer(Kind kind, const TestCertificates* tls)
 {
   const bool isOrthanc = kind == Kind::orthanc;
   entry_.name = isOrthanc ? "orthanc" : "dcmqrscp";
   entry_.aeTitle = isOrthanc ? "ORTHANC" : "QRSCP";
   entry_.host = "127.0.0.1";
-  entry_.port = test::freePort();
-  entry_.ownPort = test::freePort();
-  if (tls != nullptr) entry_.tls = TlsFiles{tls->authority, tls->certificate, tls->key};
+  entry_.port = freePort();
+  entry_.ownPort = freePort();
+  if (tls != nullptr) entry_.tls = archive::TlsFiles{tls->authority, tls->certificate, tls->key};
   fs::create_directories(folder_ / "db");
   const fs::path settings = folder_ / (isOrthanc ? "orthanc.json" : "dcmqrscp.cfg");
   write(settings, isOrthanc ? orthancSettings(folder_.path(), entry_, tls)
                             : dcmqrscpSettings(folder_.path(), entry_));
   std::vector<std::string> arguments = {settings};
   if (!isOrthanc) arguments.insert(arguments.begin(), {"--quiet", "--config"});
-  process_ = std::make_unique<test::ChildProcess>(test::ProgramCall{
+  process_ = std::make_unique<ChildProcess>(ProgramCall{
       programOf(isOrthanc ? "Orthanc" : "dcmqrscp").value(), arguments, {atOnce}, folder_.path()});
   std::string last;
-  const bool answers = test::waitUntil(
+  const bool answers = waitUntil(
       [&] {
-        const auto asked = echo(entry_);
+        const auto asked = archive::echo(entry_);
         if (!asked) last = asked.error().message;
         return static_cast<bool>(asked);
       },
@@ -148,7 +147,7 @@ TestServer::TestServer(Kind kind, const TestCertificates* tls)
   if (!answers) throw std::runtime_error("A server of the test does not start: " + last);
 }
 
-std::string TestServer::store(const fs::path& folder) const
+std::string DicomServer::store(const fs::path& folder) const
 {
   std::vector<std::string> arguments = {"--aetitle",
                                         "STORESCU",
@@ -159,27 +158,8 @@ std::string TestServer::store(const fs::path& folder) const
                                         "127.0.0.1",
                                         std::to_string(entry_.port),
                                         folder};
-  const auto outcome = test::run({programOf("storescu").value(), arguments, {atOnce}, {}});
+  const auto outcome = run({programOf("storescu").value(), arguments, {atOnce}, {}});
   return outcome.status == 0 ? "" : outcome.err;
 }
 
-std::vector<test::DicomData> smallStudy(int slices, const std::string& series)
-{
-  auto files = test::dicomSlices(imaging::smallCt(Eigen::Matrix3d::Identity(),
-                                                  Eigen::Vector3d(0.3, 0.3, 0.3), {16, 16, slices}),
-                                 series);
-  for (test::DicomData& file : files) {
-    file.setText(0x00080005, "CS", "ISO_IR 100");
-    file.setText(0x00080020, "DA", "20250102");
-    file.setText(0x00081030, "LO", "Temporal bone");
-    file.setText(0x0008103E, "LO", "0.3 mm");
-    file.setText(0x00100010, "PN", "M\xfcller^Jane");  // ISO 8859-1
-    file.setText(0x00100020, "LO", "MRN-4711");
-    file.setText(0x00100030, "DA", "19700102");
-    file.setText(0x0020000D, "UI", ctStudy);
-    file.setText(0x00200011, "IS", "3");
-  }
-  return files;
-}
-
-}  // namespace perilymph::archive
+}  // namespace perilymph::test

@@ -3963,6 +3963,26 @@
         <source>A file in %1 could not be written: %2. Free some space, and fetch again.</source>
         <translation>Eine Datei in %1 konnte nicht geschrieben werden: %2. Schaffen Sie Platz und holen Sie die Serie noch einmal.</translation>
     </message>
+    <message>
+        <source>%1 holds more than %2 files. Give the folder of the one CT.</source>
+        <translation>%1 enthält mehr als %2 Dateien. Geben Sie den Ordner des einen CT an.</translation>
+    </message>
+    <message>
+        <source>%1 holds no file of the series that was measured. Give the folder of that CT.</source>
+        <translation>%1 enthält keine Datei der gemessenen Serie. Geben Sie den Ordner dieses CT an.</translation>
+    </message>
+    <message>
+        <source>A report without measures is not written.</source>
+        <translation>Ein Bericht ohne Messwerte wird nicht geschrieben.</translation>
+    </message>
+    <message>
+        <source>The version of a report has at most 64 ASCII letters.</source>
+        <translation>Die Version eines Berichts hat höchstens 64 ASCII-Zeichen.</translation>
+    </message>
+    <message>
+        <source>The measures cannot be written as a structured report of %1: %2.</source>
+        <translation>Die Messwerte können nicht als strukturierter Bericht zu %1 geschrieben werden: %2.</translation>
+    </message>
 </context>
 <context>
     <name>Display</name>

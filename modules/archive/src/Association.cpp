@@ -19,25 +19,28 @@ namespace {
 /// Limit of reads and writes of DCMTK that have begun. They begin only where there is data, or place for it.
 constexpr int socketSeconds = 10;
 
-/// Once a program: DCMTK logs nothing, because it would log names, and resolves no names of callers.
-void prepare(const Exchange& exchange)
-{
-  static std::once_flag isDone;
-  std::call_once(isDone, [&exchange] {
-    OFLog::configure(OFLogger::OFF_LOG_LEVEL);
-    dcmDisableGethostbyaddr.set(OFTrue);
-    dcmSocketReceiveTimeout.set(socketSeconds);
-    dcmSocketSendTimeout.set(socketSeconds);
-    dcmConnectionTimeout.set(static_cast<Sint32>(exchange.limits.connection.count()));
-  });
-}
-
 bool isOf(const OFCondition& why, unsigned short code)
 {
   return why.module() == OFM_dcmnet && why.code() == code;
 }
 
 }  // namespace
+
+Result<Done> prepareDcmtk()
+{
+  static std::once_flag isDone;
+  std::call_once(isDone, [] {
+    OFLog::configure(OFLogger::OFF_LOG_LEVEL);
+    dcmDisableGethostbyaddr.set(OFTrue);
+    dcmSocketReceiveTimeout.set(socketSeconds);
+    dcmSocketSendTimeout.set(socketSeconds);
+  });
+  if (dcmDataDict.isDictionaryLoaded()) return Done{};
+  return Error{
+      "The DICOM dictionary of DCMTK is not there, so no server can be asked. Install the package "
+      "of "
+      "libdcmtk again; DCMDICTPATH must not be set."};
+}
 
 std::vector<const char*> plainSyntaxes()
 {
@@ -84,11 +87,8 @@ Result<std::unique_ptr<Association>> Association::open(const Server& server,
                                                        const std::vector<Context>& contexts,
                                                        const Exchange& exchange, int listensAt)
 {
-  prepare(exchange);
-  if (!dcmDataDict.isDictionaryLoaded())
-    return Error{
-        "The DICOM dictionary of DCMTK is not there, so no server can be asked. Install "
-        "the package of libdcmtk again; DCMDICTPATH must not be set."};
+  if (const auto ready = prepareDcmtk(); !ready) return ready.error();
+  dcmConnectionTimeout.set(static_cast<Sint32>(exchange.limits.connection.count()));
   std::unique_ptr<Association> made(new Association(server, exchange));
   if (made->watch_.isOver()) return made->failure(EC_Normal);
   auto layer = watchedLayer(server, made->watch_);

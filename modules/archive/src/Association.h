@@ -35,6 +35,10 @@ void copyText(const std::string& text, char (&field)[size])
   copyText(text, field, size);
 }
 
+/// Turns off the log of DCMTK for the whole program, because it would hold names. The error says that
+/// its dictionary is not installed.
+Result<Done> prepareDcmtk();
+
 class Association {
 public:
   /// Opens an association. The error says what failed.

@@ -3983,6 +3983,10 @@
         <source>The measures cannot be written as a structured report of %1: %2.</source>
         <translation>Die Messwerte können nicht als strukturierter Bericht zu %1 geschrieben werden: %2.</translation>
     </message>
+    <message>
+        <source>%1 Ask its administrator whether %2 is entered with the address of this machine and port %3.</source>
+        <translation>%1 Fragen Sie den Administrator, ob %2 mit der Adresse dieses Rechners und Port %3 eingetragen ist.</translation>
+    </message>
 </context>
 <context>
     <name>Display</name>

@@ -214,6 +214,14 @@ private:
           "The images for %1 came from another machine or another AE title than %2, and were "
           "refused. Enter the archive's own AE title and host.",
           association_.server().ownAeTitle, association_.server().aeTitle};
+    // some archives answer so, too, if they do not know where to send
+    if (DICOM_FAILURE_STATUS(status) && received_.arrivedCount() == 0)
+      return Error{
+          "%1 Ask its administrator whether %2 is entered with the address of this machine and "
+          "port "
+          "%3.",
+          association_.refusal(status, DU_cmoveStatusString(status)).message,
+          association_.server().ownAeTitle, association_.server().ownPort};
     return FinalAnswer{status, DU_cmoveStatusString(status)};
   }
 

@@ -40,8 +40,14 @@ TEST(ProgramsAndTheNetwork, HaveNoCallThatOpensAConnection)
     for (const char* call :
          {"connect", "sendto", "recvfrom", "getaddrinfo", "gethostbyname", "res_query"})
       EXPECT_THAT(imports, testing::Not(testing::Contains(std::string(call)))) << name;
-    // The server of --igtl is in the two programs that have the option.
+    // Of DICOM's associations only the program that has `archive` knows.
     const std::string is = name;
+    const bool isClient =
+        std::any_of(imports.begin(), imports.end(), [](const std::string& import) {
+          return import.find("ASC_requestAssociation") != std::string::npos;
+        });
+    EXPECT_EQ(isClient, is == "perilymph-cli" && PERILYMPH_HAS_VTK) << name;
+    // The server of --igtl is in the two programs that have the option.
     if (is == "perilymph-cli" || is == "perilymph") continue;
     for (const char* call : {"socket", "bind", "listen", "accept", "accept4"})
       EXPECT_THAT(imports, testing::Not(testing::Contains(std::string(call)))) << name;

@@ -147,7 +147,8 @@ DicomServer::DicomServer(Kind kind, const TestCertificates* tls)
   if (!answers) throw std::runtime_error("A server of the test does not start: " + last);
 }
 
-std::string DicomServer::store(const fs::path& folder) const
+std::string DicomServer::store(const fs::path& folder,
+                               const std::vector<std::string>& options) const
 {
   std::vector<std::string> arguments = {"--aetitle",
                                         "STORESCU",
@@ -158,6 +159,7 @@ std::string DicomServer::store(const fs::path& folder) const
                                         "127.0.0.1",
                                         std::to_string(entry_.port),
                                         folder};
+  arguments.insert(arguments.begin(), options.begin(), options.end());
   const auto outcome = run({programOf("storescu").value(), arguments, {atOnce}, {}});
   return outcome.status == 0 ? "" : outcome.err;
 }

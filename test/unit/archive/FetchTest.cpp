@@ -178,14 +178,98 @@ TEST_P(FetchBy, LetsOneOfTwoIntoAFolder)
   EXPECT_THAT(second, testing::Not(HasSubstr("images,")));
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    EachServer, FetchBy,
-    testing::Values(Way{Kind::orthanc, Retrieval::get}, Way{Kind::orthanc, Retrieval::move},
-                    Way{Kind::dcmqrscp, Retrieval::get}, Way{Kind::dcmqrscp, Retrieval::move}),
-    [](const auto& way) {
-      return std::string(way.param.kind == Kind::orthanc ? "Orthanc" : "Dcmqrscp") +
-             (way.param.retrieval == Retrieval::get ? "Get" : "Move");
-    });
+TEST_P(FetchBy, SaysWhenItsPortIsTaken)
+{
+  if (server_.retrieval == Retrieval::get) {
+    const test::TakenPort taken;
+    server_.ownPort = taken.number();
+    EXPECT_EQ(fetch(), "12 images, 0 resumed");  // it listens at none
+    return;
+  }
+  const test::TakenPort taken;
+  server_.ownPort = taken.number();
+  EXPECT_THAT(fetch(), HasSubstr("cannot be listened at"));
+}
+
+TEST_P(FetchBy, SaysWhenTheServerDoesNotKnowWhereToSend)
+{
+  server_.ownAeTitle = "UNKNOWN";
+  if (server_.retrieval == Retrieval::get) return;
+  const auto fetched = fetchSeries(server_, {ctStudy, ctSeries}, target());
+  ASSERT_FALSE(fetched);
+  EXPECT_THAT(fetched.error().message, HasSubstr("with the address of this machine and port " +
+                                                 std::to_string(server_.ownPort)));
+  EXPECT_FALSE(fs::exists(partial()));
+}
+
+std::string nameOf(const testing::TestParamInfo<Way>& way)
+{
+  return way.param.retrieval == Retrieval::get ? "Get" : "Move";
+}
+
+INSTANTIATE_TEST_SUITE_P(Orthanc, FetchBy,
+                         testing::Values(Way{Kind::orthanc, Retrieval::get},
+                                         Way{Kind::orthanc, Retrieval::move}),
+                         nameOf);
+INSTANTIATE_TEST_SUITE_P(Dcmqrscp, FetchBy,
+                         testing::Values(Way{Kind::dcmqrscp, Retrieval::get},
+                                         Way{Kind::dcmqrscp, Retrieval::move}),
+                         nameOf);
+
+class FetchFromOrthanc : public testing::TestWithParam<Retrieval> {
+protected:
+  void SetUp() override
+  {
+    if (!networkObstacle().empty()) GTEST_SKIP() << networkObstacle();
+    const std::string missing = missingProgram(Kind::orthanc);
+    if (!missing.empty()) GTEST_SKIP() << missing << " is not installed.";
+    test::writeDicomFiles(smallStudy(), folder_ / "sent");
+  }
+  test::TemporaryFolder folder_;
+};
+
+TEST_P(FetchFromOrthanc, IsEncryptedIfAskedFor)
+{
+  fs::create_directories(folder_ / "tls");
+  const test::TestCertificates certificates(folder_ / "tls");
+  const DicomServer running(Kind::orthanc, &certificates);
+  ASSERT_EQ(
+      running.store(folder_ / "sent", {"--enable-tls", certificates.key, certificates.certificate,
+                                       "--add-cert-file", certificates.authority}),
+      "");
+  Server server = running.entry();
+  server.retrieval = GetParam();
+  const auto fetched = fetchSeries(server, {ctStudy, ctSeries}, folder_ / "fetched");
+  ASSERT_TRUE(fetched) << fetched.error().message;
+  EXPECT_EQ(dataSetsIn(folder_ / "fetched"), dataSetsIn(folder_ / "sent"));
+}
+
+TEST_P(FetchFromOrthanc, LeavesImagesCompressedAsTheyAre)
+{
+  const auto compress = test::programOf("dcmcjpls");
+  if (!compress) GTEST_SKIP() << "Install the package dcmtk.";
+  fs::create_directories(folder_ / "packed");
+  for (const auto& file : fs::directory_iterator(folder_ / "sent"))
+    ASSERT_EQ(
+        test::run({*compress, {file.path(), folder_ / "packed" / file.path().filename()}, {}, {}})
+            .status,
+        0);
+  const DicomServer running(Kind::orthanc);
+  ASSERT_EQ(running.store(folder_ / "packed", {"--propose-jls-lossless"}), "");
+  Server server = running.entry();
+  server.retrieval = GetParam();
+  const auto fetched = fetchSeries(server, {ctStudy, ctSeries}, folder_ / "fetched");
+  ASSERT_TRUE(fetched) << fetched.error().message;
+  EXPECT_EQ(dataSetsIn(folder_ / "fetched"), dataSetsIn(folder_ / "packed"));
+  const auto ct = imaging::readCt(folder_ / "fetched");
+  ASSERT_TRUE(ct) << ct.error().message;
+  EXPECT_EQ(ct->series.size[2], 12);
+}
+
+INSTANTIATE_TEST_SUITE_P(EachWay, FetchFromOrthanc,
+                         testing::Values(Retrieval::get, Retrieval::move), [](const auto& way) {
+                           return way.param == Retrieval::get ? "Get" : "Move";
+                         });
 
 }  // namespace
 }  // namespace perilymph::archive

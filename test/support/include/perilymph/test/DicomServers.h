@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "perilymph/archive/Servers.h"
 #include "perilymph/test/ChildProcess.h"
@@ -38,7 +39,8 @@ public:
   /// How this program reaches it.
   const archive::Server& entry() const { return entry_; }
   /// Stores files by DCMTK's storescu. @return What it says if it fails.
-  std::string store(const std::filesystem::path& folder) const;
+  std::string store(const std::filesystem::path& folder,
+                    const std::vector<std::string>& options = {}) const;
   void stop() { process_.reset(); }
 
 private:

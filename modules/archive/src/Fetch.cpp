@@ -9,7 +9,6 @@
 #include <chrono>
 #include <optional>
 #include <system_error>
-#include <thread>
 
 #include "Association.h"
 #include "MoveReceiver.h"
@@ -26,8 +25,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t imagesOfRequest = 200;   // 200 UIDs are 13 kB; a text has at most 64 kB
-constexpr std::chrono::milliseconds pause{5};  // between two looks during a move
+constexpr std::size_t imagesOfRequest = 200;    // 200 UIDs are 13 kB; a text has at most 64 kB
+constexpr std::chrono::milliseconds pause{20};  // between two looks for a new association
 
 /// Final answer of a server to a get or a move.
 struct FinalAnswer {
@@ -149,7 +148,7 @@ public:
       } else if (!hadObject) {
         if (Clock::now() - idleFrom > exchange_.limits.answer)
           return association_.failure(DIMSE_NODATAAVAILABLE);
-        std::this_thread::sleep_for(pause);
+        association_.watch().waitForData(pause);
         continue;
       }
       idleFrom = Clock::now();

@@ -9,6 +9,7 @@
 #include <sys/socket.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 
 namespace perilymph::archive {
@@ -27,7 +28,13 @@ public:
       : DcmTransportConnection(socket), inner_(inner), watch_(watch)
   {
     if (watch.socket < 0) watch.socket = socket;
+    watch.latest = socket;
     setNow(TCP_NODELAY);
+  }
+
+  ~WatchedConnection() override
+  {
+    if (watch_.latest == getSocket()) watch_.latest = -1;
   }
 
   OFCondition serverSideHandshake() override { return inner_->serverSideHandshake(); }
@@ -156,6 +163,13 @@ bool Watch::isOver()
   if (ending == Ending::none && stop.stop_requested()) ending = Ending::canceled;
   if (ending == Ending::none && bytesLeft == 0) ending = Ending::tooLarge;
   return ending != Ending::none;
+}
+
+void Watch::waitForData(std::chrono::milliseconds longest) const
+{
+  // poll() passes over negative numbers
+  std::array<pollfd, 2> places = {pollfd{socket, POLLIN, 0}, pollfd{latest, POLLIN, 0}};
+  ::poll(places.data(), places.size(), static_cast<int>(longest.count()));
 }
 
 Result<std::unique_ptr<DcmTransportLayer>> watchedLayer(const Server& server, Watch& watch)

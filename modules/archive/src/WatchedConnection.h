@@ -29,9 +29,12 @@ struct Watch {
   std::uint64_t bytesLeft = std::numeric_limits<std::uint64_t>::max();
   Ending ending = Ending::none;
   int socket = -1;  ///< The connection that was opened first, to the server.
+  int latest = -1;  ///< The one that was opened last, while it is open.
 
   /// Whether nothing more is to be read.
   bool isOver();
+  /// Waits until one of both has data, at most so long.
+  void waitForData(std::chrono::milliseconds longest) const;
 };
 
 /// A layer that opens watched connections, with TLS if the server asks for it. `watch` outlives it.

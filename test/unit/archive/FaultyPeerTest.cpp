@@ -146,6 +146,21 @@ TEST_P(FaultyArchive, IsNamedIfItSendsAPart)
   EXPECT_EQ(filesInPart(), 2u);
 }
 
+TEST_P(FaultyArchive, MayHaveTenThousandImages)
+{
+  constexpr int many = 10'000;
+  Faults faults;
+  faults.rows = faults.objects = many;
+  faults.row = listed;
+  faults.object = slice;
+  FaultyPeer peer(faults);
+  Server server = peer.entry();
+  server.retrieval = GetParam();
+  const auto fetched = fetchSeries(server, {ctStudy, ctSeries}, folder_ / "ct");
+  ASSERT_TRUE(fetched) << fetched.error().message;
+  EXPECT_EQ(fetched->images, std::size_t{many});
+}
+
 INSTANTIATE_TEST_SUITE_P(EachWay, FaultyArchive, testing::Values(Retrieval::get, Retrieval::move),
                          [](const auto& way) {
                            return way.param == Retrieval::get ? "Get" : "Move";

@@ -149,6 +149,15 @@ private:
   Watch& watch_;
 };
 
+/// Sets the own certificate; DCMTK 3.6.8 and later want to know the profile.
+OFCondition setCertificate(auto& layer, const char* file)
+{
+  if constexpr (requires { layer.setCertificateFile(file, DCF_Filetype_PEM, TSP_Profile_BCP195); })
+    return layer.setCertificateFile(file, DCF_Filetype_PEM, TSP_Profile_BCP195);
+  else
+    return layer.setCertificateFile(file, DCF_Filetype_PEM);
+}
+
 Error unusable(const std::filesystem::path& file, const OFCondition& why)
 {
   return Error{"The file %1 cannot be used for TLS: %2. Check that it is a PEM file of this kind.",
@@ -189,9 +198,7 @@ Result<std::unique_ptr<DcmTransportLayer>> watchedLayer(const Server& server, Wa
     if (const OFCondition set = layer->setPrivateKeyFile(files.key.c_str(), DCF_Filetype_PEM);
         set.bad())
       return unusable(files.key, set);
-    if (const OFCondition set =
-            layer->setCertificateFile(files.certificate.c_str(), DCF_Filetype_PEM);
-        set.bad())
+    if (const OFCondition set = setCertificate(*layer, files.certificate.c_str()); set.bad())
       return unusable(files.certificate, set);
     if (!layer->checkPrivateKeyMatchesCertificate())
       return Error{

@@ -208,7 +208,9 @@ Result<Done> archiveEcho(const ArchiveOptions& options)
   if (!server) return server.error();
   if (const auto answered = archive::echo(*server, interruptible()); !answered) return answered;
   print("{} answers\n", server->name);
-  return Done{};
+  Json json = newResult(server->name);
+  json["answers"] = true;
+  return writeJson(options, json);
 }
 
 Result<Done> archiveFind(const ArchiveOptions& options)

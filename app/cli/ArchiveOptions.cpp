@@ -71,10 +71,11 @@ void addServers(CLI::App& archive, FileOptions& files, ArchiveOptions& options)
   addJson(command, files, options);
 }
 
-void addEcho(CLI::App& archive, ArchiveOptions& options)
+void addEcho(CLI::App& archive, FileOptions& files, ArchiveOptions& options)
 {
   CLI::App& command = *archive.add_subcommand("echo", "Test whether a server answers");
   addServer(command, options);
+  addJson(command, files, options);
 }
 
 void addFind(CLI::App& archive, FileOptions& files, ArchiveOptions& options)
@@ -133,7 +134,7 @@ void addArchive(CLI::App& app, FileOptions& files, ArchiveOptions& options)
       "archive", "Fetch a CT from a DICOM server, and send results into its study");
   archive.require_subcommand(1);
   addServers(archive, files, options);
-  addEcho(archive, options);
+  addEcho(archive, files, options);
   addFind(archive, files, options);
   addFetch(archive, files, options);
   addSend(archive, files, options);

@@ -96,7 +96,8 @@ TEST_P(ArchiveWalk, GoesFromTheCtToTheReportBesideIt)
   ASSERT_EQ(server.store(folder_ / "sent"), "");
   const std::string name = server.entry().name;
   add(server.entry(), GetParam().retrieve);
-  EXPECT_EQ(archive({"echo", name}).out, name + " answers\n");
+  EXPECT_EQ(archive({"echo", name, "--json", jsonFile()}).out, name + " answers\n");
+  EXPECT_EQ(json()["answers"], true);
 
   // nobody is named unless it is asked for
   auto found = archive({"find", name, "--patient-id", "SECRET*", "--json", jsonFile()});

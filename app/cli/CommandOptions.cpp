@@ -8,6 +8,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "ArchiveOptions.h"
 #include "CtOptions.h"
 #include "EmptyValues.h"
 #include "FileOptions.h"
@@ -343,6 +344,7 @@ void addCommands(CLI::App& app, FileOptions& files, CommandOptions& options)
   addCompare(app, files, options.compare);
   addDevices(app, files, options.devices);
   addCt(app, files, options);
+  addArchive(app, files, options.archive);
   addStudy(app, files, options.study);
   refuseEmptyValues(app);
 }
@@ -351,7 +353,8 @@ Result<Done> runCommand(const CLI::App& app, const CommandFiles& files,
                         const CommandOptions& options)
 {
   // What these write describes a patient: it is for the owner only.
-  if (app.got_subcommand("plan") || app.got_subcommand("ct")) ::umask(S_IRWXG | S_IRWXO);
+  for (const char* command : {"plan", "ct", "archive"})
+    if (app.got_subcommand(command)) ::umask(S_IRWXG | S_IRWXO);
   if (app.got_subcommand("simulate")) return simulate(options.simulate, files);
   if (app.got_subcommand("anatomy")) return describeAnatomy(options.anatomy);
   if (app.got_subcommand("replay")) return replay(options.replay);
@@ -364,6 +367,8 @@ Result<Done> runCommand(const CLI::App& app, const CommandFiles& files,
   if (app.got_subcommand("study"))
     return runStudy(*app.get_subcommand("study"), files, options.study);
   if (app.got_subcommand("ct")) return runCt(*app.get_subcommand("ct"), options);
+  if (app.got_subcommand("archive"))
+    return runArchive(*app.get_subcommand("archive"), options.archive);
   return render(options.render, files);
 }
 

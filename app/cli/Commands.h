@@ -132,7 +132,7 @@ struct CtMeasureOptions {
   std::optional<std::array<double, 3>> at_mm;  ///< A point in the cochlea, LPS.
   std::string landmarks;                       ///< A file of Slicer's markups.
   std::string side;                            ///< "left", "right" or empty.
-  std::string json, patient, surface, picture;
+  std::string json, patient, surface, picture, structuredReport;
 };
 Result<Done> ctMeasure(const CtMeasureOptions& options);
 
@@ -140,6 +140,29 @@ struct CtExportOptions {
   std::string path, series, out;
 };
 Result<Done> ctExport(const CtExportOptions& options);
+
+/// Options of all `archive` commands; each uses some.
+struct ArchiveOptions {
+  std::string server;  ///< Name in servers.toml.
+  std::string json;
+  // servers
+  std::string add, remove;  ///< Names of servers.
+  std::string aeTitle, host, ownAeTitle = "PERILYMPH", retrieve = "get";
+  int port = 104, ownPort = 11112;
+  std::string tlsAuthority, tlsCertificate, tlsKey;
+  // find
+  std::string patientId, patientName, birthDate, from, until, modality;
+  bool showsPatients = false;
+  // find, fetch
+  std::string study, series, out;
+  // send
+  std::string file;
+};
+Result<Done> archiveServers(const ArchiveOptions& options);
+Result<Done> archiveEcho(const ArchiveOptions& options);
+Result<Done> archiveFind(const ArchiveOptions& options);
+Result<Done> archiveFetch(const ArchiveOptions& options);
+Result<Done> archiveSend(const ArchiveOptions& options);
 
 /// Options of all `study` commands; each uses some.
 struct StudyOptions {
@@ -174,6 +197,7 @@ struct CommandOptions {
   CtInfoOptions ctInfo;
   CtMeasureOptions ctMeasure;
   CtExportOptions ctExport;
+  ArchiveOptions archive;
   StudyOptions study;
 };
 

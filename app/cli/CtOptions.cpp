@@ -75,6 +75,9 @@ void addMeasure(CLI::App& ct, FileOptions& files, CtMeasureOptions& options)
   files.writes(
       command.add_option("--picture", options.picture,
                          "Write the cochlear and mid-modiolar views with the fitted wall (.png)"));
+  files.writes(command.add_option(
+      "--structured-report", options.structuredReport,
+      "Write the measures as a DICOM structured report (TID 1500) of the CT's study (.dcm)"));
   command.footer(flagsText());
 }
 

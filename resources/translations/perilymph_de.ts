@@ -3707,31 +3707,332 @@
         <source>Schuster et al. 2015, Otol Neurotol 36:657: fresh human cochlear partition, mean 88 mN (assumption: original not available); force normal to the partition, not the insertion force</source>
         <translation>Schuster et al. 2015, Otol Neurotol 36:657: frische menschliche cochleäre Trennwand, Mittel 88 mN (Annahme: Original nicht verfügbar); Kraft senkrecht zur Trennwand, nicht die Insertionskraft</translation>
     </message>
+    <message>
+        <source>The DICOM dictionary of DCMTK is not there, so no server can be asked. Install the package of libdcmtk again; DCMDICTPATH must not be set.</source>
+        <translation>Das DICOM-Wörterbuch von DCMTK fehlt, so dass kein Server gefragt werden kann. Installieren Sie das Paket libdcmtk noch einmal; DCMDICTPATH darf nicht gesetzt sein.</translation>
+    </message>
+    <message>
+        <source>Port %1 of this machine cannot be listened at: %2. End what uses it, or enter another own port, which the archive must know.</source>
+        <translation>An Port %1 dieses Rechners kann nicht gelauscht werden: %2. Beenden Sie, was ihn benutzt, oder geben Sie einen anderen eigenen Port an, den das Archiv kennen muss.</translation>
+    </message>
+    <message>
+        <source>%1 offers none of the services that this needs. Ask its administrator to enable them for %2.</source>
+        <translation>%1 bietet keinen der Dienste an, die dafür nötig sind. Bitten Sie den Administrator, sie für %2 freizugeben.</translation>
+    </message>
+    <message>
+        <source>%1 does not offer %2 to %3. Ask its administrator to enable it.</source>
+        <translation>%1 bietet %3 dies nicht an: %2. Bitten Sie den Administrator, es freizugeben.</translation>
+    </message>
+    <message>
+        <source>%1: no machine of this name is known. Check the host.</source>
+        <translation>%1: Kein Rechner dieses Namens ist bekannt. Prüfen Sie den Host.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be reached: %2. Check host and port, that the server runs, and that no firewall is between.</source>
+        <translation>%1 ist nicht erreichbar: %2. Prüfen Sie Host und Port, ob der Server läuft und ob keine Firewall dazwischen ist.</translation>
+    </message>
+    <message>
+        <source>%1: TLS failed: %2. Check that the server speaks TLS at this port, and the files of certificates.</source>
+        <translation>%1: TLS ist fehlgeschlagen: %2. Prüfen Sie, ob der Server an diesem Port TLS spricht, und die Dateien der Zertifikate.</translation>
+    </message>
+    <message>
+        <source>%1 accepted the connection but no association within %2 s. Check that a DICOM server is at this port.</source>
+        <translation>%1 hat die Verbindung angenommen, aber innerhalb von %2 s keine Assoziation. Prüfen Sie, ob an diesem Port ein DICOM-Server ist.</translation>
+    </message>
+    <message>
+        <source>%1 closed the connection before it agreed on an association. Check that a DICOM server is at this port, and whether it demands TLS.</source>
+        <translation>%1 hat die Verbindung geschlossen, bevor eine Assoziation bestand. Prüfen Sie, ob an diesem Port ein DICOM-Server ist und ob er TLS verlangt.</translation>
+    </message>
+    <message>
+        <source>%1: no association: %2.</source>
+        <translation>%1: keine Assoziation: %2.</translation>
+    </message>
+    <message>
+        <source>%1 is not called %2: it does not know this AE title. Check the server&apos;s AE title.</source>
+        <translation>%1 heißt nicht %2: Er kennt diesen AE-Titel nicht. Prüfen Sie den AE-Titel des Servers.</translation>
+    </message>
+    <message>
+        <source>%1 does not know this workstation as %2. Ask its administrator to enter this AE title with the address of this machine.</source>
+        <translation>%1 kennt diese Workstation nicht als %2. Bitten Sie den Administrator, diesen AE-Titel mit der Adresse dieses Rechners einzutragen.</translation>
+    </message>
+    <message>
+        <source>%1 has too many connections. Try again later.</source>
+        <translation>%1 hat zu viele Verbindungen. Versuchen Sie es später noch einmal.</translation>
+    </message>
+    <message>
+        <source>%1 refused the association without a reason. Ask its administrator whether %2 is allowed.</source>
+        <translation>%1 hat die Assoziation ohne Begründung abgelehnt. Fragen Sie den Administrator, ob %2 erlaubt ist.</translation>
+    </message>
+    <message>
+        <source>The exchange with %1 was canceled.</source>
+        <translation>Der Austausch mit %1 wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>%1 sent less than 64 KiB in %2 s. Try again when the network is faster.</source>
+        <translation>%1 hat in %2 s weniger als 64 KiB gesendet. Versuchen Sie es noch einmal, wenn das Netz schneller ist.</translation>
+    </message>
+    <message>
+        <source>%1 sent more bytes than a CT of a temporal bone has. Choose another series.</source>
+        <translation>%1 hat mehr Bytes gesendet, als ein CT eines Felsenbeins hat. Wählen Sie eine andere Serie.</translation>
+    </message>
+    <message>
+        <source>%1 did not answer within %2 s. Try again; ask its administrator if it stays so.</source>
+        <translation>%1 hat innerhalb von %2 s nicht geantwortet. Versuchen Sie es noch einmal; fragen Sie den Administrator, wenn es so bleibt.</translation>
+    </message>
+    <message>
+        <source>%1 ended the connection in the middle of an answer. Try again.</source>
+        <translation>%1 hat die Verbindung mitten in einer Antwort beendet. Versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>The exchange with %1 failed: %2.</source>
+        <translation>Der Austausch mit %1 ist fehlgeschlagen: %2.</translation>
+    </message>
+    <message>
+        <source>%1 refused the request: %2 (status %3).</source>
+        <translation>%1 hat die Anfrage abgelehnt: %2 (Status %3).</translation>
+    </message>
+    <message>
+        <source>image</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>The series %1 has more than %2 images, which is no CT of a temporal bone. Choose another series.</source>
+        <translation>Die Serie %1 hat mehr als %2 Bilder und ist kein CT eines Felsenbeins. Wählen Sie eine andere Serie.</translation>
+    </message>
+    <message>
+        <source>%1 has no series %2 in the study %3. &apos;perilymph-cli archive find&apos; lists the series of a study.</source>
+        <translation>%1 hat keine Serie %2 in der Studie %3. &apos;perilymph-cli archive find&apos; nennt die Serien einer Studie.</translation>
+    </message>
+    <message>
+        <source>retrieval by C-GET</source>
+        <translation>Abruf mit C-GET</translation>
+    </message>
+    <message>
+        <source>retrieval by C-MOVE</source>
+        <translation>Abruf mit C-MOVE</translation>
+    </message>
+    <message>
+        <source>%1 does not know where %2 is. Ask its administrator to enter this AE title with the address of this machine and port %3.</source>
+        <translation>%1 weiß nicht, wo %2 ist. Bitten Sie den Administrator, diesen AE-Titel mit der Adresse dieses Rechners und Port %3 einzutragen.</translation>
+    </message>
+    <message>
+        <source>The images for %1 came from another machine or another AE title than %2, and were refused. Enter the archive&apos;s own AE title and host.</source>
+        <translation>Die Bilder für %1 kamen von einem anderen Rechner oder unter einem anderen AE-Titel als %2 und wurden abgelehnt. Geben Sie den eigenen AE-Titel und Host des Archivs an.</translation>
+    </message>
+    <message>
+        <source>%1 Ask its administrator whether %2 is entered with the address of this machine and port %3.</source>
+        <translation>%1 Fragen Sie den Administrator, ob %2 mit der Adresse dieses Rechners und Port %3 eingetragen ist.</translation>
+    </message>
+    <message>
+        <source>%1 did not send %2 of the images that it lists. It may hold them in a form that cannot be read here; ask its administrator.</source>
+        <translation>%1 hat %2 der Bilder nicht gesendet, die er aufführt. Vielleicht hat er sie in einer Form, die hier nicht gelesen werden kann; fragen Sie den Administrator.</translation>
+    </message>
+    <message>
+        <source>The folder %1 cannot be made: %2.</source>
+        <translation>Der Ordner %1 kann nicht angelegt werden: %2.</translation>
+    </message>
+    <message>
+        <source>%1 is in the way and is no folder. Move it away.</source>
+        <translation>%1 ist im Weg und kein Ordner. Verschieben Sie es.</translation>
+    </message>
+    <message>
+        <source>%1 belongs to somebody else. Choose another place.</source>
+        <translation>%1 gehört jemand anderem. Wählen Sie einen anderen Ort.</translation>
+    </message>
+    <message>
+        <source>study</source>
+        <translation>Studie</translation>
+    </message>
+    <message>
+        <source>series</source>
+        <translation>Serie</translation>
+    </message>
+    <message>
+        <source>%1 exists already. Name a new folder.</source>
+        <translation>%1 gibt es schon. Nennen Sie einen neuen Ordner.</translation>
+    </message>
+    <message>
+        <source>%1 %2 of %3 images are in %4: fetch the series again to request the others.</source>
+        <translation>%1 %2 von %3 Bildern sind in %4: Holen Sie die Serie noch einmal, um die übrigen anzufordern.</translation>
+    </message>
+    <message>
+        <source>%1 cannot get the name %2: %3.</source>
+        <translation>%1 kann den Namen %2 nicht bekommen: %3.</translation>
+    </message>
+    <message>
+        <source>%1 holds more than %2 files. Give the folder of the one CT.</source>
+        <translation>%1 enthält mehr als %2 Dateien. Geben Sie den Ordner des einen CT an.</translation>
+    </message>
+    <message>
+        <source>%1 holds no file of the series that was measured. Give the folder of that CT.</source>
+        <translation>%1 enthält keine Datei der gemessenen Serie. Geben Sie den Ordner dieses CT an.</translation>
+    </message>
+    <message>
+        <source>A report without measures is not written.</source>
+        <translation>Ein Bericht ohne Messwerte wird nicht geschrieben.</translation>
+    </message>
+    <message>
+        <source>The version of a report has at most 64 ASCII letters.</source>
+        <translation>Die Version eines Berichts hat höchstens 64 ASCII-Zeichen.</translation>
+    </message>
+    <message>
+        <source>The measures cannot be written as a structured report of %1: %2.</source>
+        <translation>Die Messwerte können nicht als strukturierter Bericht zu %1 geschrieben werden: %2.</translation>
+    </message>
+    <message>
+        <source>The %1 of a query has at most 64 bytes of UTF-8 without \ and control characters. Shorten it with *.</source>
+        <translation>Bei einer Anfrage hat dies höchstens 64 Bytes UTF-8 ohne \ und Steuerzeichen: %1. Kürzen Sie es mit *.</translation>
+    </message>
+    <message>
+        <source>patient number</source>
+        <translation>Patientennummer</translation>
+    </message>
+    <message>
+        <source>patient name</source>
+        <translation>Patientenname</translation>
+    </message>
+    <message>
+        <source>A date of a query is no date of the calendar. Write YYYYMMDD, as in 20260131.</source>
+        <translation>Ein Datum der Anfrage ist kein Kalenderdatum. Schreiben Sie JJJJMMTT wie in 20260131.</translation>
+    </message>
+    <message>
+        <source>The study dates of the query end before they begin. Exchange them.</source>
+        <translation>Der Zeitraum der Anfrage endet, bevor er beginnt. Vertauschen Sie die beiden Daten.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no modality. Write its code, as in CT.</source>
+        <translation>&apos;%1&apos; ist keine Modalität. Schreiben Sie deren Code wie in CT.</translation>
+    </message>
+    <message>
+        <source>The query has no condition and would list the whole archive. Give a patient number, a name, a date or a modality.</source>
+        <translation>Die Anfrage hat keine Bedingung und würde das ganze Archiv aufführen. Geben Sie Patientennummer, Namen, Datum oder Modalität an.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no UID of a %2: digits and dots, at most 64. Take it from &apos;perilymph-cli archive find&apos;.</source>
+        <translation>&apos;%1&apos; ist keine UID (%2): höchstens 64 Ziffern und Punkte. Nehmen Sie sie aus &apos;perilymph-cli archive find&apos;.</translation>
+    </message>
+    <message>
+        <source>queries (C-FIND)</source>
+        <translation>Anfragen (C-FIND)</translation>
+    </message>
+    <message>
+        <source>The server sent an object that is no DICOM. Ask its administrator.</source>
+        <translation>Der Server hat ein Objekt gesendet, das kein DICOM ist. Fragen Sie den Administrator.</translation>
+    </message>
+    <message>
+        <source>The server sent an object of another series, which was deleted. Ask its administrator.</source>
+        <translation>Der Server hat ein Objekt einer anderen Serie gesendet, das gelöscht wurde. Fragen Sie den Administrator.</translation>
+    </message>
+    <message>
+        <source>The server sent an object that it had not listed, which was deleted. Fetch the series again.</source>
+        <translation>Der Server hat ein Objekt gesendet, das er nicht aufgeführt hatte und das gelöscht wurde. Holen Sie die Serie noch einmal.</translation>
+    </message>
+    <message>
+        <source>The server sent objects of several patients under one series, and the last was deleted. Ask its administrator.</source>
+        <translation>Der Server hat unter einer Serie Objekte mehrerer Patienten gesendet; das letzte wurde gelöscht. Fragen Sie den Administrator.</translation>
+    </message>
+    <message>
+        <source>A file in %1 could not be written: %2. Free some space, and fetch again.</source>
+        <translation>Eine Datei in %1 konnte nicht geschrieben werden: %2. Schaffen Sie Platz und holen Sie die Serie noch einmal.</translation>
+    </message>
+    <message>
+        <source>%1 is no file of at most 128 MiB. Give a DICOM file that this program wrote.</source>
+        <translation>%1 ist keine Datei von höchstens 128 MiB. Geben Sie eine DICOM-Datei an, die dieses Programm geschrieben hat.</translation>
+    </message>
+    <message>
+        <source>%1 is no DICOM file: %2. Give one that this program wrote.</source>
+        <translation>%1 ist keine DICOM-Datei: %2. Geben Sie eine an, die dieses Programm geschrieben hat.</translation>
+    </message>
+    <message>
+        <source>%1 is no result of this program: only those are sent. Give a report that it wrote as DICOM.</source>
+        <translation>%1 ist kein Ergebnis dieses Programms: Nur solche werden gesendet. Geben Sie einen Bericht an, den es als DICOM geschrieben hat.</translation>
+    </message>
+    <message>
+        <source>object</source>
+        <translation>Objekt</translation>
+    </message>
+    <message>
+        <source>%1 has no study %2, of which %3 is a part. Write the report with the CT of the archive&apos;s study, or send it to the archive that has it.</source>
+        <translation>%1 hat keine Studie %2, zu der %3 gehört. Schreiben Sie den Bericht mit dem CT aus der Studie des Archivs, oder senden Sie ihn an das Archiv, das sie hat.</translation>
+    </message>
+    <message>
+        <source>%1 has the study %2 under another patient number or birth date than %3 states: nothing was sent. Compare both before you send it again.</source>
+        <translation>%1 hat die Studie %2 unter einer anderen Patientennummer oder einem anderen Geburtsdatum, als %3 angibt: Es wurde nichts gesendet. Vergleichen Sie beides, bevor Sie noch einmal senden.</translation>
+    </message>
+    <message>
+        <source>storage of this kind of object</source>
+        <translation>Speichern von Objekten dieser Art</translation>
+    </message>
+    <message>
+        <source>The server stored it with a change of its own: %1.</source>
+        <translation>Der Server hat es mit einer eigenen Änderung gespeichert: %1.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no AE title: 1 to 16 ASCII letters, digits and signs, without \ and &apos;. Enter the one that the archive&apos;s administrator states.</source>
+        <translation>&apos;%1&apos; ist kein AE-Titel: 1 bis 16 ASCII-Buchstaben, Ziffern und Zeichen, ohne \ und &apos;. Geben Sie den an, den der Administrator des Archivs nennt.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no absolute path without quotation marks. Enter the whole path of the PEM file.</source>
+        <translation>&apos;%1&apos; ist kein absoluter Pfad ohne Anführungszeichen. Geben Sie den ganzen Pfad der PEM-Datei an.</translation>
+    </message>
+    <message>
+        <source>TLS needs the certificate of the authority that signed the server&apos;s. Enter its PEM file.</source>
+        <translation>TLS braucht das Zertifikat der Stelle, die das des Servers unterschrieben hat. Geben Sie dessen PEM-Datei an.</translation>
+    </message>
+    <message>
+        <source>A certificate of this workstation and its key belong together. Enter both, or none.</source>
+        <translation>Ein Zertifikat dieser Workstation und sein Schlüssel gehören zusammen. Geben Sie beide an oder keines.</translation>
+    </message>
+    <message>
+        <source>%1 is no port; a port is 1 to 65535.</source>
+        <translation>%1 ist kein Port; ein Port ist 1 bis 65535.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no name of a server: 1 to 64 letters, without &apos;.</source>
+        <translation>&apos;%1&apos; ist kein Name eines Servers: 1 bis 64 Buchstaben, ohne &apos;.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no name or IPv4 address of a machine. Enter one such as pacs.hospital.example or 10.1.2.3.</source>
+        <translation>&apos;%1&apos; ist kein Name und keine IPv4-Adresse eines Rechners. Geben Sie etwas wie pacs.hospital.example oder 10.1.2.3 an.</translation>
+    </message>
+    <message>
+        <source>%1 is not changed. %2: %3</source>
+        <translation>%1 ist unverändert. %2: %3</translation>
+    </message>
+    <message>
+        <source>%1 is not changed: two servers would be called &apos;%2&apos;. Give each a name of its own.</source>
+        <translation>%1 ist unverändert: Zwei Server hießen &apos;%2&apos;. Geben Sie jedem einen eigenen Namen.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is the name of another server, too. Give each its own.</source>
+        <translation>&apos;%1&apos; heißt auch ein anderer Server. Geben Sie jedem einen eigenen Namen.</translation>
+    </message>
+    <message>
+        <source>There is no server &apos;%1&apos;: %2 has none. Add it with &apos;perilymph-cli archive servers --add&apos;.</source>
+        <translation>Es gibt keinen Server &apos;%1&apos;: %2 hat keinen. Fügen Sie ihn mit &apos;perilymph-cli archive servers --add&apos; hinzu.</translation>
+    </message>
+    <message>
+        <source>There is no server &apos;%1&apos; in %2. There are: %3.</source>
+        <translation>Es gibt keinen Server &apos;%1&apos; in %2. Es gibt: %3.</translation>
+    </message>
+    <message>
+        <source>The file %1 cannot be used for TLS: %2. Check that it is a PEM file of this kind.</source>
+        <translation>Die Datei %1 kann nicht für TLS verwendet werden: %2. Prüfen Sie, ob sie eine PEM-Datei dieser Art ist.</translation>
+    </message>
+    <message>
+        <source>The key %1 is not that of the certificate %2. Enter the pair that belongs together.</source>
+        <translation>Der Schlüssel %1 ist nicht der des Zertifikats %2. Geben Sie das Paar an, das zusammengehört.</translation>
+    </message>
+    <message>
+        <source>TLS cannot be set up as DICOM&apos;s profile BCP 195 demands: %1.</source>
+        <translation>TLS kann nicht so eingerichtet werden, wie es das DICOM-Profil BCP 195 verlangt: %1.</translation>
+    </message>
 </context>
 <context>
     <name>Display</name>
     <message>
         <source>not supported by this display</source>
         <translation>von dieser Anzeige nicht unterstützt</translation>
-    </message>
-</context>
-<context>
-    <name>VisitorSession</name>
-    <message>
-        <source>Below the forces measured in patients.</source>
-        <translation>Unter den an Patienten gemessenen Kräften.</translation>
-    </message>
-    <message>
-        <source>Above the forces measured in patients.</source>
-        <translation>Über den an Patienten gemessenen Kräften.</translation>
-    </message>
-    <message>
-        <source>Within the range of forces measured in patients.</source>
-        <translation>Im Bereich der an Patienten gemessenen Kräfte.</translation>
-    </message>
-    <message>
-        <source>Peak forces measured in patients: %1–%2 mN (Rau et al. 2024). This comparison is not a safety assessment.</source>
-        <translation>An Patienten gemessene Maximalkräfte: %1–%2 mN (Rau et al. 2024). Der Vergleich ist keine Bewertung der Sicherheit.</translation>
     </message>
 </context>
 <context>
@@ -4345,6 +4646,25 @@
     <message>
         <source>reason</source>
         <translation>Grund</translation>
+    </message>
+</context>
+<context>
+    <name>VisitorSession</name>
+    <message>
+        <source>Below the forces measured in patients.</source>
+        <translation>Unter den an Patienten gemessenen Kräften.</translation>
+    </message>
+    <message>
+        <source>Above the forces measured in patients.</source>
+        <translation>Über den an Patienten gemessenen Kräften.</translation>
+    </message>
+    <message>
+        <source>Within the range of forces measured in patients.</source>
+        <translation>Im Bereich der an Patienten gemessenen Kräfte.</translation>
+    </message>
+    <message>
+        <source>Peak forces measured in patients: %1–%2 mN (Rau et al. 2024). This comparison is not a safety assessment.</source>
+        <translation>An Patienten gemessene Maximalkräfte: %1–%2 mN (Rau et al. 2024). Der Vergleich ist keine Bewertung der Sicherheit.</translation>
     </message>
 </context>
 <context>
@@ -6683,7 +7003,7 @@
     </message>
 </context>
 <context>
-    <name>perilymph::gui::AboutSheet</name>
+    <name>perilymph::gui::AboutOverlay</name>
     <message>
         <source>Version %1</source>
         <translation>Version %1</translation>
@@ -6932,29 +7252,6 @@
     <message>
         <source>Sample rate of the haptic loop, samples that started more than one period late, and frames per second of the window.</source>
         <translation>Abtastrate der haptischen Schleife, Abtastwerte mit mehr als einer Periode Verspätung, und Bilder pro Sekunde des Fensters.</translation>
-    </message>
-</context>
-<context>
-    <name>perilymph::gui::BoardView</name>
-    <message>
-        <source>%1 mN</source>
-        <translation>%1 mN</translation>
-    </message>
-    <message>
-        <source>Lowest peak forces today</source>
-        <translation>Niedrigste Maximalkräfte heute</translation>
-    </message>
-    <message>
-        <source>peak insertion force at full depth</source>
-        <translation>Maximalkraft bei voller Tiefe</translation>
-    </message>
-    <message>
-        <source>No insertion has reached full depth yet. Be the first.</source>
-        <translation>Noch keine Insertion hat die volle Tiefe erreicht.</translation>
-    </message>
-    <message>
-        <source>you</source>
-        <translation>Sie</translation>
     </message>
 </context>
 <context>
@@ -7260,7 +7557,7 @@
     </message>
 </context>
 <context>
-    <name>perilymph::gui::CtOnward</name>
+    <name>perilymph::gui::CtNextSteps</name>
     <message>
         <source>Insert into this cochlea</source>
         <translation>In diese Cochlea inserieren</translation>
@@ -7781,7 +8078,7 @@
     </message>
 </context>
 <context>
-    <name>perilymph::gui::GuideSheet</name>
+    <name>perilymph::gui::GuideOverlay</name>
     <message>
         <source>User guide</source>
         <translation>Handbuch</translation>
@@ -7804,7 +8101,11 @@
     </message>
 </context>
 <context>
-    <name>perilymph::gui::HandSection</name>
+    <name>perilymph::gui::InputSection</name>
+    <message>
+        <source>Input</source>
+        <translation>Eingabe</translation>
+    </message>
     <message>
         <source>Scripted insertion</source>
         <translation>Automatische Insertion</translation>
@@ -7820,18 +8121,6 @@
     <message>
         <source>Hold the array (Space)</source>
         <translation>Träger halten (Leertaste)</translation>
-    </message>
-    <message>
-        <source>Stylet</source>
-        <translation>Stilett</translation>
-    </message>
-    <message>
-        <source>Array held</source>
-        <translation>Träger gehalten</translation>
-    </message>
-    <message>
-        <source>Input</source>
-        <translation>Eingabe</translation>
     </message>
     <message>
         <source>Withdraw stylet (S)</source>
@@ -7870,8 +8159,16 @@
         <translation>Der Träger bewegt sich nur, solange diese Schaltfläche oder die Leertaste gehalten wird.</translation>
     </message>
     <message>
+        <source>Stylet</source>
+        <translation>Stilett</translation>
+    </message>
+    <message>
         <source>Force feedback gain %1. Enter a valid value or press Esc.</source>
         <translation>Kraftfaktor %1. Gültigen Wert eingeben oder Esc drücken.</translation>
+    </message>
+    <message>
+        <source>Array held</source>
+        <translation>Träger gehalten</translation>
     </message>
 </context>
 <context>
@@ -8070,6 +8367,29 @@
     <message>
         <source>modiolus</source>
         <translation>Modiolus</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::LeaderboardView</name>
+    <message>
+        <source>Lowest peak forces today</source>
+        <translation>Niedrigste Maximalkräfte heute</translation>
+    </message>
+    <message>
+        <source>peak insertion force at full depth</source>
+        <translation>Maximalkraft bei voller Tiefe</translation>
+    </message>
+    <message>
+        <source>No insertion has reached full depth yet. Be the first.</source>
+        <translation>Noch keine Insertion hat die volle Tiefe erreicht.</translation>
+    </message>
+    <message>
+        <source>%1 mN</source>
+        <translation>%1 mN</translation>
+    </message>
+    <message>
+        <source>you</source>
+        <translation>Sie</translation>
     </message>
 </context>
 <context>
@@ -8965,7 +9285,7 @@
     </message>
 </context>
 <context>
-    <name>perilymph::gui::PlanHead</name>
+    <name>perilymph::gui::PlanHeader</name>
     <message>
         <source>A %1</source>
         <translation>A %1</translation>
@@ -9357,25 +9677,6 @@
     <message>
         <source>%1 mm, SD %2</source>
         <translation>%1 mm, SD %2</translation>
-    </message>
-</context>
-<context>
-    <name>perilymph::gui::PushPad</name>
-    <message>
-        <source>Hold here to insert</source>
-        <translation>Hier halten zum Einführen</translation>
-    </message>
-    <message>
-        <source>slow</source>
-        <translation>langsam</translation>
-    </message>
-    <message>
-        <source>fast</source>
-        <translation>schnell</translation>
-    </message>
-    <message>
-        <source>Release to pause</source>
-        <translation>Loslassen zum Anhalten</translation>
     </message>
 </context>
 <context>
@@ -9777,7 +10078,7 @@
     </message>
 </context>
 <context>
-    <name>perilymph::gui::ScenarioHead</name>
+    <name>perilymph::gui::ScenarioHeader</name>
     <message>
         <source>MODIFIED</source>
         <translation>GEÄNDERT</translation>
@@ -9785,6 +10086,10 @@
     <message>
         <source>Locked during an insertion</source>
         <translation>Während der Insertion gesperrt</translation>
+    </message>
+    <message>
+        <source>Restore the published values</source>
+        <translation>Veröffentlichte Werte wiederherstellen</translation>
     </message>
     <message>
         <source>Undo</source>
@@ -9807,6 +10112,26 @@
         <translation>Seitenleiste ausblenden</translation>
     </message>
     <message>
+        <source>The setup can be changed before and after an insertion. Press Reset.</source>
+        <translation>Die Einstellungen lassen sich vor und nach einer Insertion ändern. „Zurücksetzen“ drücken.</translation>
+    </message>
+    <message>
+        <source>%1 · modified from %2</source>
+        <translation>%1 · geändert gegenüber %2</translation>
+    </message>
+    <message>
+        <source>%1. Changed: %2. %3</source>
+        <translation>%1. Geändert: %2. %3</translation>
+    </message>
+    <message>
+        <source>Differs from the preset: %1.</source>
+        <translation>Weicht von der Vorlage ab: %1.</translation>
+    </message>
+    <message>
+        <source>Restore the preset</source>
+        <translation>Vorlage wiederherstellen</translation>
+    </message>
+    <message>
         <source>Changed: %1. %2</source>
         <translation>Geändert: %1. %2</translation>
     </message>
@@ -9825,30 +10150,6 @@
     <message>
         <source>%1 (Ctrl+Shift+Z)</source>
         <translation>%1 (Strg+Umschalt+Z)</translation>
-    </message>
-    <message>
-        <source>Restore the published values</source>
-        <translation>Veröffentlichte Werte wiederherstellen</translation>
-    </message>
-    <message>
-        <source>The setup can be changed before and after an insertion. Press Reset.</source>
-        <translation>Die Einstellungen lassen sich vor und nach einer Insertion ändern. „Zurücksetzen“ drücken.</translation>
-    </message>
-    <message>
-        <source>Differs from the preset: %1.</source>
-        <translation>Weicht von der Vorlage ab: %1.</translation>
-    </message>
-    <message>
-        <source>Restore the preset</source>
-        <translation>Vorlage wiederherstellen</translation>
-    </message>
-    <message>
-        <source>%1 · modified from %2</source>
-        <translation>%1 · geändert gegenüber %2</translation>
-    </message>
-    <message>
-        <source>%1. Changed: %2. %3</source>
-        <translation>%1. Geändert: %2. %3</translation>
     </message>
 </context>
 <context>
@@ -10108,7 +10409,7 @@
     </message>
 </context>
 <context>
-    <name>perilymph::gui::SettingsSheet</name>
+    <name>perilymph::gui::SettingsOverlay</name>
     <message>
         <source>Settings</source>
         <translation>Einstellungen</translation>
@@ -10138,22 +10439,6 @@
         <translation>wie das System</translation>
     </message>
     <message>
-        <source>Log file: %1</source>
-        <translation>Protokolldatei: %1</translation>
-    </message>
-    <message>
-        <source>Changes reload the window.</source>
-        <translation>Änderungen laden das Fenster neu.</translation>
-    </message>
-    <message>
-        <source>Settings are locked during an insertion. Press Reset first.</source>
-        <translation>Während der Insertion gesperrt. Zuerst „Zurücksetzen“ drücken.</translation>
-    </message>
-    <message>
-        <source>Text size</source>
-        <translation>Schriftgröße</translation>
-    </message>
-    <message>
         <source>Hold the array (Space or button)</source>
         <translation>Träger halten (Leertaste oder Schaltfläche)</translation>
     </message>
@@ -10178,6 +10463,26 @@
         <translation>aus</translation>
     </message>
     <message>
+        <source>Institution, for reports (optional)</source>
+        <translation>Einrichtung, für Berichte (optional)</translation>
+    </message>
+    <message>
+        <source>Operator, for reports (optional)</source>
+        <translation>Operateur, für Berichte (optional)</translation>
+    </message>
+    <message>
+        <source>Log file: %1</source>
+        <translation>Protokolldatei: %1</translation>
+    </message>
+    <message>
+        <source>Text size</source>
+        <translation>Schriftgröße</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
         <source>Choose…</source>
         <translation>Wählen…</translation>
     </message>
@@ -10198,16 +10503,12 @@
         <translation>Logo, für Berichte</translation>
     </message>
     <message>
-        <source>Institution, for reports (optional)</source>
-        <translation>Einrichtung, für Berichte (optional)</translation>
+        <source>Changes reload the window.</source>
+        <translation>Änderungen laden das Fenster neu.</translation>
     </message>
     <message>
-        <source>Operator, for reports (optional)</source>
-        <translation>Operateur, für Berichte (optional)</translation>
-    </message>
-    <message>
-        <source>%1 %</source>
-        <translation>%1 %</translation>
+        <source>Settings are locked during an insertion. Press Reset first.</source>
+        <translation>Während der Insertion gesperrt. Zuerst „Zurücksetzen“ drücken.</translation>
     </message>
 </context>
 <context>
@@ -10258,6 +10559,25 @@
     <message>
         <source>Not comparable: array, technique, cochlea, friction or speed differ from the published experiment.</source>
         <translation>Nicht vergleichbar: Träger, Technik, Cochlea, Reibung oder Geschwindigkeit weichen vom veröffentlichten Versuch ab.</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::SpeedPad</name>
+    <message>
+        <source>Hold here to insert</source>
+        <translation>Hier halten zum Einführen</translation>
+    </message>
+    <message>
+        <source>Release to pause</source>
+        <translation>Loslassen zum Anhalten</translation>
+    </message>
+    <message>
+        <source>slow</source>
+        <translation>langsam</translation>
+    </message>
+    <message>
+        <source>fast</source>
+        <translation>schnell</translation>
     </message>
 </context>
 <context>

@@ -8,7 +8,8 @@ TEST(CommandLine, ExplainsItself)
 {
   const auto help = cli({"--help"});
   EXPECT_EQ(help.status, 0);
-  for (const char* command : {"simulate", "anatomy", "replay", "render", "devices", "ct"}) {
+  for (const char* command :
+       {"simulate", "anatomy", "replay", "render", "devices", "ct", "archive"}) {
     EXPECT_THAT(help.out, testing::HasSubstr(command));
     EXPECT_EQ(cli({command, "--help"}).status, 0) << command;
   }

@@ -6974,7 +6974,7 @@
         <translation>nicht bekannt</translation>
     </message>
     <message>
-        <source>none; measures were entered</source>
+        <source>none; entered by hand</source>
         <translation>keine; Maße eingegeben</translation>
     </message>
     <message>

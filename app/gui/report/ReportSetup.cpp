@@ -76,7 +76,7 @@ QString landmarksText(const ReportContent& content)
 {
   if (!content.hasPatient() || !content.scenario.patient().basalTurn) return QStringLiteral("–");
   if (!content.measured) return tr("not known");
-  if (!anatomy::isFromCt(*content.measured)) return tr("none; measures were entered");
+  if (!anatomy::isFromCt(*content.measured)) return tr("none; entered by hand");
   const anatomy::MeasurementOrigin& origin = content.measured->origin;
   if (origin.landmarksByHand.empty()) return tr("automatic");
   return tr("moved by hand: %1").arg(clinicalNames(origin.landmarksByHand));

@@ -207,7 +207,7 @@ public:
     readings_.addText(depth, "simulate text", simulate_, "insertion depth");
     readings_.add(depth, "simulate json", simulated["final_depth_mm"]);
     readings_.add(depth, "recording", recorded["deepest_mm"]);
-    readings_.addText(depth, "insertion report", record, " Insertion depth");
+    readings_.addText(depth, "insertion report", record, "\\sInsertion depth");
     readings_.addText(peak, "simulate text", simulate_, "peak force");
     readings_.add(peak, "simulate json", 1e3 * simulated["peak_force_N"].get<double>());
     readings_.add(peak, "recording", 1e3 * recorded["peak_force_N"].get<double>());

@@ -4297,7 +4297,7 @@
         <translation>Standard</translation>
     </message>
     <message>
-        <source>advance off stylet</source>
+        <source>advance off-stylet</source>
         <translation>Advance-off-Stylet</translation>
     </message>
     <message>
@@ -4552,7 +4552,7 @@
         <translation>Standard</translation>
     </message>
     <message>
-        <source>advance off stylet</source>
+        <source>advance off-stylet</source>
         <translation>Advance-off-Stylet</translation>
     </message>
     <message>
@@ -5402,7 +5402,7 @@
         <translation>%1, %2 (%3)</translation>
     </message>
     <message>
-        <source>Advance off stylet</source>
+        <source>Advance off-stylet</source>
         <translation>Advance-off-Stylet</translation>
     </message>
     <message>
@@ -5946,7 +5946,7 @@
         <translation>Die Kraft auf die Trennwand erreicht %1 mN, die schwächste veröffentlichte Festigkeit, in %2 und %3 mN, die größte, in %4.</translation>
     </message>
     <message>
-        <source>%1 · draw %2, nearest to the medians: %3°, peak %4 mN</source>
+        <source>%1 · simulation %2, closest to the medians: %3°, peak %4 mN</source>
         <translation>%1 · Simulation %2, den Medianen am nächsten: %3°, Spitze %4 mN</translation>
     </message>
     <message>
@@ -6834,10 +6834,6 @@
         <translation>Kontakte, gezählt ab der Spitze: Median (Band)</translation>
     </message>
     <message>
-        <source>Angle from the center of the round window. Modiolus: distance from the center line of the array to the inner wall. GW: frequency by Greenwood&apos;s map, Hz, at the place on the organ of Corti. SG: frequency of the spiral ganglion, Hz, at the angle; st: its semitones above the center of the default filter.</source>
-        <translation>Winkel ab der Mitte des runden Fensters. Modiolus: Abstand der Mittellinie des Elektrodenträgers zur Innenwand. GW: Frequenz nach der Greenwood-Funktion, Hz, am Ort des Corti-Organs. SG: Frequenz des Spiralganglions, Hz, am Winkel; HT: Halbtöne über der Mitte des Standardfilters.</translation>
-    </message>
-    <message>
         <source>Inputs and their sources</source>
         <translation>Eingangsgrößen und ihre Quellen</translation>
     </message>
@@ -7001,6 +6997,14 @@
         <source>friction of endosteum, assumed</source>
         <translation>Reibung des Endosts, angenommen</translation>
     </message>
+    <message>
+        <source>in</source>
+        <translation>in</translation>
+    </message>
+    <message>
+        <source>Angle from the center of the round window. Modiolus: distance from the center line of the array to the inner wall. GW: frequency by Greenwood&apos;s map, Hz, at the place on the organ of Corti. SG: frequency of the spiral ganglion, Hz, at the angle; st: its semitones above the center of the default filter; in: number of simulations in which the contact is inside; its row is of these.</source>
+        <translation>Winkel ab der Mitte des runden Fensters. Modiolus: Abstand der Mittellinie des Elektrodenträgers zur Innenwand. GW: Frequenz nach der Greenwood-Funktion, Hz, am Ort des Corti-Organs. SG: Frequenz des Spiralganglions, Hz, am Winkel; HT: Halbtöne über der Mitte des Standardfilters; in: Zahl der Simulationen, in denen der Kontakt innen liegt; seine Zeile gilt für diese.</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::AboutOverlay</name>
@@ -7070,7 +7074,7 @@
         <translation>Standard</translation>
     </message>
     <message>
-        <source>Advance off stylet</source>
+        <source>Advance off-stylet</source>
         <translation>Advance-off-Stylet</translation>
     </message>
     <message>
@@ -9950,7 +9954,7 @@
         <translation>%1 (Rippe %2)</translation>
     </message>
     <message>
-        <source>advance off stylet</source>
+        <source>advance off-stylet</source>
         <translation>Advance-off-Stylet</translation>
     </message>
     <message>

@@ -28,7 +28,7 @@ QString table(const QString& rows)
 /// A row of a contact, in columns of fixed width: text would break within its brackets.
 QString contactRow(const QStringList& texts, const char* kind)
 {
-  static constexpr int percents[] = {7, 28, 32, 13, 13, 7};
+  static constexpr int percents[] = {5, 28, 31, 13, 12, 5, 6};
   QString row;
   for (int i = 0; i < texts.size(); ++i)
     row += QStringLiteral("<td width=\"%1%\" class=\"%2\">%3</td>")
@@ -44,12 +44,12 @@ QString mismatchText(const planning::ContactBand& contact)
                                  : QStringLiteral("–");
 }
 
-/// The contacts of one array, from the tip; those that are inserted in no draw in one row.
+/// The contacts of one array, from the tip; those that are inserted in no simulation in one row.
 QString contactsOf(const planning::ArrayPlan& array, std::size_t place)
 {
-  QString rows = contactRow(
-      {QStringLiteral("#"), tr("Angle, °"), tr("Modiolus, mm"), tr("GW"), tr("SG"), tr("st")},
-      "quiet tiny");
+  QString rows = contactRow({QStringLiteral("#"), tr("Angle, °"), tr("Modiolus, mm"), tr("GW"),
+                             tr("SG"), tr("st"), tr("in")},
+                            "quiet tiny");
   QStringList absent;
   for (const planning::ContactBand& each : array.contacts) {
     const QString number = QString::number(each.number);
@@ -58,7 +58,7 @@ QString contactsOf(const planning::ArrayPlan& array, std::size_t place)
     else
       rows += contactRow({number, medianText(each.angle_deg, 0), medianText(each.toModiolus_mm, 2),
                           numberText(each.greenwood_Hz, 0), numberText(each.spiralGanglion_Hz, 0),
-                          mismatchText(each)},
+                          mismatchText(each), QString::number(each.draws)},
                          "tiny");
   }
   QString text =
@@ -206,7 +206,8 @@ QString contacts(const PlanReportContent& content)
                     "line of the array to the inner wall. GW: frequency by Greenwood's map, Hz, "
                     "at the "
                     "place on the organ of Corti. SG: frequency of the spiral ganglion, Hz, at the "
-                    "angle; st: its semitones above the center of the default filter."));
+                    "angle; st: its semitones above the center of the default filter; in: "
+                    "number of simulations in which the contact is inside; its row is of these."));
 }
 
 /// A row with a name and a text.

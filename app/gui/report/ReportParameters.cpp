@@ -138,7 +138,7 @@ constexpr const char* valueNames[][2] = {
     {"round-window", QT_TRANSLATE_NOOP("ReportParameters", "round window")},
     {"cochleostomy", QT_TRANSLATE_NOOP("ReportParameters", "cochleostomy")},
     {"standard", QT_TRANSLATE_NOOP("ReportParameters", "standard")},
-    {"aos", QT_TRANSLATE_NOOP("ReportParameters", "advance off stylet")},
+    {"aos", QT_TRANSLATE_NOOP("ReportParameters", "advance off-stylet")},
     {"rigid", QT_TRANSLATE_NOOP("ReportParameters", "rigid")},
     {"soft", QT_TRANSLATE_NOOP("ReportParameters", "soft")},
     {"true", QT_TRANSLATE_NOOP("ReportParameters", "yes")},

@@ -32,7 +32,7 @@ QString techniqueText(const ReportContent& content)
 {
   const session::Scenario& scenario = content.scenario;
   const QString technique = scenario.technique() == session::Technique::advanceOffStylet
-                                ? tr("Advance off stylet")
+                                ? tr("Advance off-stylet")
                                 : tr("Standard");
   const std::string& device = content.facts.device;
   if (device == "Scripted insertion")

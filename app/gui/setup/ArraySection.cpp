@@ -74,7 +74,7 @@ void ArraySection::addArrays()
   technique_->addChoice(tr("Standard"), QLatin1String(nameOf(session::Technique::standard)),
                         tr("The stylet stays in place until full depth."));
   technique_->addChoice(
-      tr("Advance off stylet"), QLatin1String(nameOf(session::Technique::advanceOffStylet)),
+      tr("Advance off-stylet"), QLatin1String(nameOf(session::Technique::advanceOffStylet)),
       tr("The stylet is held at a fixed depth and the array is advanced off it."));
   connect(technique_, &Selector::chosen, this, [this](const QString& technique) {
     Q_EMIT changeRequested({SetupField::technique,

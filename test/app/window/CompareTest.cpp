@@ -240,7 +240,7 @@ TEST_F(Clinician, ComparesTwoTechniquesOfFiveRecordingsEach)
   chooseIn("comparisonGroups", 2);
   ASSERT_EQ(plot().content().curves.size(), 2u);
   auto& groups = *rig_->window().findChild<QTableWidget*>("groupsTable");
-  // textbook formulas over the peaks, in mN; advance off stylet is the first group by name
+  // textbook formulas over the peaks, in mN; advance off-stylet is the first group by name
   double mean[2] = {}, variance[2] = {};
   for (std::size_t i = 0; i < 10; ++i)
     mean[i < 5 ? 1 : 0] += page().runs()[i].profile.peak.force * 1e3 / 5.0;

@@ -107,6 +107,36 @@ TEST_F(AStudy, IsExplainedBeforeOneIsOpened)
   }));
 }
 
+TEST_F(AStudy, IsFollowedByASmallerOneWhilePointsAreChosen)
+{
+  TemporaryFolder folder;
+  const auto study = study::parseStudy(R"(
+scenario = "surgery-flex28"
+seed = 1
+depth = "full"
+[cochleae]
+virtual = 1
+[vary]
+array = ["flex24", "flex28"]
+nodes = [30]
+dt_ms = [10.0]
+)",
+                                       folder.path() / "study.toml");
+  ASSERT_TRUE(study) << study.error().message;
+  ASSERT_TRUE(study::runShard(*study, study::shardOf(study->size(), 1, 1), folder.path(), 1, {}));
+  ASSERT_TRUE(study::mergeShards(folder.path()));
+  WindowRig rig;
+  ASSERT_TRUE(open(rig));
+  gui::StudiesPage& page = pageOf(rig);
+  QTest::keyClick(&page.plot(), Qt::Key_End);  // the last of the many
+  ASSERT_TRUE(page.plot().selected());
+  page.open(folder.path() / study::mergedFile);
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return page.columns()->size() == 2; }));
+  page.plot().render();
+  EXPECT_FALSE(page.plot().selected());
+  EXPECT_EQ(page.plot().rows().size(), 2u);
+}
+
 TEST_F(AStudy, ThatIsNoneIsRefusedInOneSentence)
 {
   WindowRig rig;

@@ -27,7 +27,7 @@ private:
 enum class StyletUse {
   stays,   ///< It stays in.
   pulled,  ///< It is pulled out at a depth and a speed drawn by lot.
-  held,    ///< Advance off stylet: it is held still at the array's hold depth.
+  held,    ///< Advance off-stylet: it is held still at the array's hold depth.
   out,     ///< It is out from the first tick on.
 };
 

@@ -88,7 +88,7 @@ QString peakText(const analysis::ComparedInsertion& each)
 QString techniqueText(const std::string& name)
 {
   return name == session::nameOf(session::Technique::advanceOffStylet)
-             ? RunsTable::tr("advance off stylet")
+             ? RunsTable::tr("advance off-stylet")
              : RunsTable::tr("standard");
 }
 

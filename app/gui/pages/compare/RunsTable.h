@@ -13,7 +13,7 @@ class QPixmap;
 
 namespace perilymph::gui {
 
-/// "standard", "advance off stylet".
+/// "standard", "advance off-stylet".
 QString techniqueText(const std::string& name);
 /// The line of a run or a group, for tables.
 QPixmap swatchOf(std::size_t number);

@@ -48,6 +48,8 @@ void ReplayControl::begin()
   const session::Scenario& scenario = player_.playback().scenario();
   views_.charts()->setComparable(analysis::hasPublishedConditions(scenario));
   views_.operation()->setPartial(outsideAtStop(scenario).si() > 0.0);
+  views_.charts()->showPlanIn(scenario);
+  views_.charts()->showRibsOf(scenario);
   views_.charts()->begin(player_.playback().anatomy()->entry());
   charted_ = 0;
   views_.operation()->setBanner({});

@@ -275,7 +275,7 @@ QString differencesOf(const planning::Plan& plan, const std::vector<std::size_t>
 
 QString shapeTitle(const planning::ArrayPlan& array, const planning::PlannedInsertion& insertion)
 {
-  return tr("%1 · draw %2, nearest to the medians: %3°, peak %4 mN")
+  return tr("%1 · simulation %2, closest to the medians: %3°, peak %4 mN")
       .arg(QString::fromStdString(array.name))
       .arg(insertion.draw)
       .arg(numberText(inDegrees(insertion.insertion.apical), 0),

@@ -81,6 +81,10 @@ StudyPlot::~StudyPlot() = default;
 
 void StudyPlot::show(const StudyWork::Columns& columns, const Axes& axes)
 {
+  if (columns != columns_) {  // rows and selection are of the study before
+    rows_.clear();
+    selected_.reset();
+  }
   columns_ = columns;
   axes_ = axes;
   const auto [lowX, highX] = limitsOf(columnOf(*columns, axes.x));

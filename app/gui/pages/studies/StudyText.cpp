@@ -65,7 +65,7 @@ constexpr Name levels[] = {
     {"fault", QT_TRANSLATE_NOOP("Study", "stopped with a fault")},
     {"refused", QT_TRANSLATE_NOOP("Study", "could not be prepared")},
     {"standard", QT_TRANSLATE_NOOP("Study", "standard")},
-    {"aos", QT_TRANSLATE_NOOP("Study", "advance off stylet")},
+    {"aos", QT_TRANSLATE_NOOP("Study", "advance off-stylet")},
     {"none", QT_TRANSLATE_NOOP("Study", "wide opening")},
     {"round-window", QT_TRANSLATE_NOOP("Study", "round window")},
     {"cochleostomy", QT_TRANSLATE_NOOP("Study", "cochleostomy")},

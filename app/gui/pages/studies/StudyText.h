@@ -16,7 +16,7 @@ namespace perilymph::gui {
 QString quantityTitle(const std::string& key);
 /// "array" for "array"; "outcome" for "ending". Unknown keys are returned unchanged.
 QString settingTitle(const std::string& key);
-/// "advance off stylet" for "aos", "folded tip" for "folded_tip". Unknown values, such as names
+/// "advance off-stylet" for "aos", "folded tip" for "folded_tip". Unknown values, such as names
 /// of arrays, are returned unchanged.
 QString levelText(const std::string& level);
 

@@ -59,7 +59,7 @@ struct Stylet {
                                    ///< inserted.
   BendingStiffness bending;        ///< Bending stiffness that it adds to the array's.
   double residualCurvature = 0.0;  ///< Fraction of the free curvature that remains along it.
-  /// Advance off stylet: depth of the tip past the opening from which the stylet is held still.
+  /// Advance off-stylet: depth of the tip past the opening from which the stylet is held still.
   std::optional<Length> holdDepth;
   TableSource provenance;
   YieldStress yieldStress = {};

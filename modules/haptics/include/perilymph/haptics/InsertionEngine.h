@@ -41,7 +41,7 @@ struct EngineSettings {
   double forceScale = 1.0;    ///< Rendered force over physical force.
   double motionScale = 1.0;   ///< Motion of the base over motion of the hand.
   double styletSpeed = 5e-3;  ///< Speed of the stylet while it is pulled [m/s].
-  /// Advance off stylet: depth of the stylet's tip past the opening from which it is held still
+  /// Advance off-stylet: depth of the stylet's tip past the opening from which it is held still
   /// [m].
   std::optional<double> styletHoldDepth;
   double samplePeriod = 1e-3;  ///< Nominal report period of the device [s].

@@ -13,7 +13,7 @@ namespace perilymph::gui {
 
 namespace {
 
-constexpr std::size_t blocksPerRow = 3;
+constexpr std::size_t blocksPerRow = 2;
 
 // lupdate assigns texts of free functions to their namespace.
 QString tr(const char* text) { return QCoreApplication::translate("perilymph::gui", text); }
@@ -28,7 +28,7 @@ QString table(const QString& rows)
 /// A row of a contact, in columns of fixed width: text would break within its brackets.
 QString contactRow(const QStringList& texts, const char* kind)
 {
-  static constexpr int percents[] = {5, 28, 31, 13, 12, 5, 6};
+  static constexpr int percents[] = {6, 27, 30, 13, 12, 6, 6};
   QString row;
   for (int i = 0; i < texts.size(); ++i)
     row += QStringLiteral("<td width=\"%1%\" class=\"%2\">%3</td>")
@@ -196,7 +196,7 @@ QString contacts(const PlanReportContent& content)
     QString row;
     for (std::size_t k = i; k < std::min(arrays.size(), i + blocksPerRow); ++k)
       row +=
-          QStringLiteral("<td width=\"33%\" class=\"block\">%1</td>").arg(contactsOf(arrays[k], k));
+          QStringLiteral("<td width=\"50%\" class=\"block\">%1</td>").arg(contactsOf(arrays[k], k));
     rows += QStringLiteral("<tr>%1</tr>").arg(row);
   }
   return heading(tr("Contacts, numbered from the tip: median (band)")) + table(rows) +

@@ -5882,8 +5882,8 @@
         <translation>Umschlagen der Spitze</translation>
     </message>
     <message>
-        <source>Partition strength reached</source>
-        <translation>Festigkeit der Trennwand erreicht</translation>
+        <source>Partition rupture</source>
+        <translation>Ruptur der Trennwand</translation>
     </message>
     <message>
         <source>Every array is inserted in the same drawn cochleae by the same drawn surgeons. Models follow published data; they are not manufacturer data.</source>
@@ -5942,8 +5942,8 @@
         <translation>Erster Widerstand, den Chirurgen spüren (%1 mN): bei %2 (%3–%4) mm, in %5 der Insertionen.</translation>
     </message>
     <message>
-        <source>Force on the partition reaches %1 mN, the weakest published, in %2, and %3 mN, the strongest, in %4.</source>
-        <translation>Die Kraft auf die Trennwand erreicht %1 mN, die schwächste veröffentlichte Festigkeit, in %2 und %3 mN, die größte, in %4.</translation>
+        <source>Force on the partition reaches %1 mN, the lowest strength that is assumed, in %2, and %3 mN, the highest, in %4.</source>
+        <translation>Die Kraft auf die Trennwand erreicht %1 mN, die kleinste angenommene Festigkeit, in %2 und %3 mN, die größte, in %4.</translation>
     </message>
     <message>
         <source>%1 · simulation %2, closest to the medians: %3°, peak %4 mN</source>
@@ -9286,6 +9286,10 @@
     <message>
         <source>not validated</source>
         <translation>nicht validiert</translation>
+    </message>
+    <message>
+        <source>transl. %1</source>
+        <translation>Transl. %1</translation>
     </message>
 </context>
 <context>

@@ -111,7 +111,8 @@ TEST_F(AStudy, IsFollowedByASmallerOneWhilePointsAreChosen)
 {
   TemporaryFolder folder;
   const auto study = study::parseStudy(R"(
-scenario = "surgery-flex28"
+title = "Two insertions"
+scenario = "mean-flex28"
 seed = 1
 depth = "full"
 [cochleae]

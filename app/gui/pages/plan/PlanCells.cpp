@@ -71,9 +71,12 @@ void paintClinics(QPainter& painter, const QRectF& place, const planning::ArrayP
   if (clinics.isEmpty()) return;
   painter.setFont(typeface(11));
   painter.setPen(shownTheme().text);
-  const QString shown =
-      QFontMetricsF(painter.font())
-          .elidedText(PlanCells::tr("clin. %1").arg(clinics), Qt::ElideRight, place.width());
+  const QString shown = QFontMetricsF(painter.font())
+                            .elidedText((*reported == analysis::ReportedQuantity::translocation
+                                             ? PlanCells::tr("transl. %1")
+                                             : PlanCells::tr("clin. %1"))
+                                            .arg(clinics),
+                                        Qt::ElideRight, place.width());
   painter.drawText(place.adjusted(0, sized(29), 0, 0), Qt::AlignTop | Qt::AlignLeft, shown);
 }
 

@@ -81,7 +81,7 @@ QString titleOf(PlanColumn column)
     case PlanColumn::foldedTip:
       return tr("Tip fold-over");
     case PlanColumn::ruptured:
-      return tr("Partition strength reached");
+      return tr("Partition rupture");
   }
   return {};
 }
@@ -236,8 +236,8 @@ QString factsOf(const planning::ArrayPlan& array, const planning::Plan& plan)
       tr("First resistance that surgeons feel (%1 mN): at %2 (%3–%4) mm, in %5 of the insertions.")
           .arg(newton(thresholds.felt), numberText(felt.median, 1), numberText(felt.low, 1),
                numberText(felt.high, 1), shownShare(array.felt, array.draws)),
-      tr("Force on the partition reaches %1 mN, the weakest published, in %2, and %3 mN, the "
-         "strongest, in %4.")
+      tr("Force on the partition reaches %1 mN, the lowest strength that is assumed, in %2, and "
+         "%3 mN, the highest, in %4.")
           .arg(newton(thresholds.ruptureLow), shownShare(array.reachesWeakest, array.draws),
                newton(thresholds.ruptureHigh), shownShare(array.reachesStrongest, array.draws))};
   const planning::Band &soon = array.after1s_mN, &late = array.after10s_mN;

@@ -33,9 +33,9 @@ QString coefficientText(const session::Scenario& scenario)
     return tr("%1 to %2 by speed")
         .arg(numberText(law.bySpeed.minimum(), 2), numberText(law.bySpeed.maximum(), 2));
   const QString coefficient = numberText(law.staticCoefficient, 3);
-  const double spread = std::hypot(valueOf(scenario, "friction_shared_sd_log").toDouble(),
-                                   valueOf(scenario, "friction_ear_sd_log").toDouble());
-  if (!(spread > 0.0)) return coefficient;
+  const session::FrictionSpread& known = scenario.parameters().frictionSpread;
+  const double spread = std::hypot(known.shared, known.ear);
+  if (!known.isKnown()) return coefficient;
   const double factor = std::exp(halfWidth95 * spread);
   return tr("%1 (95 % %2–%3)")
       .arg(coefficient, numberText(law.staticCoefficient / factor, 2),

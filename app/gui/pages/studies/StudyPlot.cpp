@@ -81,10 +81,7 @@ StudyPlot::~StudyPlot() = default;
 
 void StudyPlot::show(const StudyWork::Columns& columns, const Axes& axes)
 {
-  if (columns != columns_) {  // rows and selection are of the study before
-    rows_.clear();
-    selected_.reset();
-  }
+  if (columns != columns_) rows_.clear();  // they are of the study before
   columns_ = columns;
   axes_ = axes;
   const auto [lowX, highX] = limitsOf(columnOf(*columns, axes.x));

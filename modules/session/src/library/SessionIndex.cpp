@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "perilymph/foundation/AtomicFile.h"
+#include "recording/HighlightKeys.h"
 
 namespace perilymph::session {
 
@@ -27,23 +28,15 @@ constexpr std::pair<const char*, std::string SessionSummary::*> texts[] = {
     {"version", &SessionSummary::version},
     {"error", &SessionSummary::error}};
 
-constexpr std::pair<const char*, double Highlights::*> numbers[] = {
-    {"duration_s", &Highlights::duration},
-    {"deepest_m", &Highlights::deepest},
-    {"deepest_angle_rad", &Highlights::deepestAngle},
-    {"peak_force_N", &Highlights::peakForce},
-    {"peak_travel_m", &Highlights::peakTravel},
-    {"peak_depth_m", &Highlights::peakDepth}};
-
 json toJson(const SessionSummary& summary)
 {
   json entry = {{"bytes", summary.bytes},
                 {"modified_ns", summary.modified_ns},
                 {"ticks", summary.highlights.ticks},
                 {"closed", summary.wasClosed},
-                {"end", haptics::nameOf(summary.highlights.end)}};
+                {highlightEnd, haptics::nameOf(summary.highlights.end)}};
   for (const auto& [key, text] : texts) entry[key] = summary.*text;
-  for (const auto& [key, number] : numbers) entry[key] = summary.highlights.*number;
+  for (const auto& [key, number] : highlightKeys) entry[key] = summary.highlights.*number;
   return entry;
 }
 
@@ -55,9 +48,9 @@ SessionSummary fromJson(const json& entry)
   entry.at("modified_ns").get_to(summary.modified_ns);
   entry.at("ticks").get_to(summary.highlights.ticks);
   entry.at("closed").get_to(summary.wasClosed);
-  summary.highlights.end = haptics::endNamed(entry.at("end").get<std::string>());
+  summary.highlights.end = haptics::endNamed(entry.at(highlightEnd).get<std::string>());
   for (const auto& [key, text] : texts) entry.at(key).get_to(summary.*text);
-  for (const auto& [key, number] : numbers) entry.at(key).get_to(summary.highlights.*number);
+  for (const auto& [key, number] : highlightKeys) entry.at(key).get_to(summary.highlights.*number);
   return summary;
 }
 

@@ -151,6 +151,13 @@ const StudyQuantity* StudyColumns::quantity(const std::string& key) const
   return found == quantities_.end() ? nullptr : &*found;
 }
 
+const StudyFactor* StudyColumns::factor(const std::string& key) const
+{
+  const auto found = std::find_if(factors_.begin(), factors_.end(),
+                                  [&key](const StudyFactor& each) { return each.key == key; });
+  return found == factors_.end() ? nullptr : &*found;
+}
+
 std::vector<std::uint32_t> StudyColumns::rows(const StudyFilter& filter) const
 {
   std::vector<char> isSelected(size(), 1);

@@ -74,12 +74,14 @@ StudyGroup groupOf(const StudyColumns& columns, StudyGroup group, const SummaryA
   return group;
 }
 
+using Draws = std::map<std::string, std::uint32_t>;
+using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+
 /// The rows of a group by what its partners in other groups share with them: the cochlea and every
 /// setting but that of the groups.
-std::map<std::string, std::uint32_t> byDraw(const StudyColumns& columns, const StudyGroup& group,
-                                            const std::string& key)
+Draws byDraw(const StudyColumns& columns, const StudyGroup& group, const std::string& key)
 {
-  std::map<std::string, std::uint32_t> rows;
+  Draws rows;
   for (const std::uint32_t row : group.rows) {
     const StudyResult& result = columns.result(row);
     if (result.insertion.end == analysis::InsertionEnd::refused) continue;
@@ -91,19 +93,15 @@ std::map<std::string, std::uint32_t> byDraw(const StudyColumns& columns, const S
   return rows;
 }
 
-using Draws = std::map<std::string, std::uint32_t>;
-
 /// Rows of insertions that share their draw.
-std::vector<std::pair<std::uint32_t, std::uint32_t>> pairsOf(const Draws& one, const Draws& other)
+Pairs pairsOf(const Draws& one, const Draws& other)
 {
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+  Pairs pairs;
   for (const auto& [draw, row] : one)
     if (const auto partner = other.find(draw); partner != other.end())
       pairs.emplace_back(row, partner->second);
   return pairs;
 }
-
-using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
 /// The differences of pairs: one for each cochlea, the mean of its pairs; of a single cochlea one for
 /// each pair.
@@ -223,10 +221,8 @@ StudySummary summaryOf(const StudyColumns& columns, const std::vector<std::uint3
                        const SummaryAxes& axes, const std::stop_token& stop)
 {
   StudySummary summary{axes, {}, {}};
-  const auto& factors = columns.factors();
-  const auto factor = std::find_if(factors.begin(), factors.end(),
-                                   [&axes](const auto& each) { return each.key == axes.group; });
-  const bool isGrouped = factor != factors.end();
+  const StudyFactor* factor = columns.factor(axes.group);
+  const bool isGrouped = factor != nullptr;
   std::vector<StudyGroup> groups(isGrouped ? factor->levels.size() : 1);
   for (std::size_t i = 0; isGrouped && i < groups.size(); ++i) groups[i].level = factor->levels[i];
   for (const std::uint32_t row : rows)

@@ -101,10 +101,8 @@ void StudyPlot::showTrends(const study::StudySummary& summary) { showGroups(&sum
 
 void StudyPlot::showGroups(const study::StudySummary* summary)
 {
-  const auto& factors = columns_->factors();
-  const auto factor = std::find_if(factors.begin(), factors.end(),
-                                   [this](const auto& each) { return each.key == axes_.group; });
-  const bool isGrouped = factor != factors.end();
+  const study::StudyFactor* factor = columns_->factor(axes_.group);
+  const bool isGrouped = factor != nullptr;
   std::vector<charts::ScatterGroup> groups(isGrouped ? factor->levels.size() : 1);
   for (std::size_t i = 0; isGrouped && i < groups.size(); ++i)
     groups[i].label = inTheList(levelText(factor->levels[i])).toStdString();

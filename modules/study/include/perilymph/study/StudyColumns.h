@@ -53,6 +53,8 @@ public:
   const StudyResult& result(std::size_t row) const { return results_[row]; }
   /// The quantity with a key; null if there is none.
   const StudyQuantity* quantity(const std::string& key) const;
+  /// The factor with a key; null if there is none.
+  const StudyFactor* factor(const std::string& key) const;
 
   /// The rows that a filter selects, in order.
   std::vector<std::uint32_t> rows(const StudyFilter& filter) const;

@@ -22,6 +22,7 @@ WITH_DISPLAY = ROOT / "test/support/with-display"
 FEWER = [(re.compile(r"--runs \d+"), "--runs 3"),
          (re.compile(r"--prior-predictive"), "--prior-predictive --draws 20"),
          (re.compile(r"--all --seed 1 2 3"), "--all --patients 0 --seed 1"),
+         (re.compile(r"^(perilymph-cli plan .*?) --samples \d+"), r"\1"),
          (re.compile(r"^(perilymph-cli plan .*)$"), r"\1 --samples 2")]
 
 

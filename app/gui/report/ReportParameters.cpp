@@ -89,6 +89,8 @@ constexpr ParameterName parameterNames[] = {
     {"film_relaxation_fraction",
      QT_TRANSLATE_NOOP("ReportParameters", "Fraction of the friction that relaxes at rest")},
     {"film_relaxation_time_s", QT_TRANSLATE_NOOP("ReportParameters", "Its time constant"), "s"},
+    {"wire_packing",
+     QT_TRANSLATE_NOOP("ReportParameters", "Packing of the wires of straight arrays")},
     {"wire_yield_MPa", QT_TRANSLATE_NOOP("ReportParameters", "Yield stress of the wires"), "MPa"},
     {"stylet_yield_MPa", QT_TRANSLATE_NOOP("ReportParameters", "Yield stress of the stylet"),
      "MPa"},

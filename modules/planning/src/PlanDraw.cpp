@@ -3,11 +3,11 @@
 
 #include <cmath>
 
-#include "WirePacking.h"
 #include "perilymph/analysis/ArrayTaper.h"
 #include "perilymph/analysis/ErrorBand.h"
 #include "perilymph/analysis/RandomStream.h"
 #include "perilymph/anatomy/Population.h"
+#include "perilymph/electrode/WirePacking.h"
 #include "perilymph/foundation/Math.h"
 #include "perilymph/session/Calibration.h"
 
@@ -25,8 +25,7 @@ enum class Draw : std::uint64_t {
   section,
   course,
   radius,
-  height,
-  wires
+  height
 };
 
 /// Deviates beyond which a measure or a stiffness is not drawn (choice, high).
@@ -142,8 +141,7 @@ PlanDraw drawPlan(const anatomy::Patient& patient, const Uncertainty& uncertaint
   drawn.tilt = deviate() * uncertainty.tiltDeviation;
   drawn.turn = deviate() * uncertainty.turnDeviation;
   drawn.stiffnessDeviate = stream(Draw::stiffness).normal(0.0, 1.0, -maxDeviates, maxDeviates);
-  analysis::RandomStream wires = stream(Draw::wires);
-  drawn.packing = logUniform(wires, uncertainty.packingLow, uncertainty.packingHigh);
+  drawn.packing = analysis::drawPacking(uncertainty.packing, seed, number);
   drawn.taper = analysis::drawTaper(seed, number);
   drawn.surgeon = analysis::drawSurgeon(hand, seed, number, friction);
   return drawn;
@@ -168,10 +166,8 @@ session::InsertionParameters drawnParameters(const session::InsertionParameters&
   if (parameters.membrane) parameters.membrane->perSamplePoint = draw.membrane;
   parameters.approachTilt = parameters.approachTilt + draw.tilt;
   parameters.approachTurn = parameters.approachTurn + draw.turn;
-  const auto packing = packingOf(nominal.array);
   parameters.array = session::calibrated(
-      electrode::withTaper(
-          packing ? withPacking(nominal.array, *packing, draw.packing) : nominal.array, draw.taper),
+      electrode::withTaper(electrode::withWirePacking(nominal.array, draw.packing), draw.taper),
       stiffness, nominal.array.stylet.residualCurvature);
   return parameters;
 }

@@ -25,7 +25,7 @@ struct PlanDraw {
   Stiffness membrane;
   Angle tilt, turn;               ///< Added to the scenario's approach.
   double stiffnessDeviate = 0.0;  ///< Standard normal.
-  double packing = 0.0;  ///< c of the wires of arrays that follow its model (WirePacking.h).
+  double packing = 0.0;  ///< c of the wires of arrays that have one (electrode::wirePacking()).
   double taper = 0.0;    ///< Place in the range of arrays that state one: 0, thinnest, to 1.
   analysis::Surgeon surgeon;
 };

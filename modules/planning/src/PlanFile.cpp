@@ -191,10 +191,11 @@ const session::InsertionTableKind& planKind()
         "PRIMARY KEY(draw, array)) WITHOUT ROWID"}},
       3,
       {{"insertion", "iit", 2}},
-      Sentence{
-          "belongs to another plan, or the patient, an array, the scenario, "
-          "resources/planning/uncertainty.toml, resources/planning/frequency-allocation.toml, "
-          "resources/clinical/hand.toml or resources/reference/surgeons.toml was changed since."},
+      Sentence{"belongs to another plan, or the patient, an array, the scenario, "
+               "resources/planning/uncertainty.toml, resources/planning/frequency-allocation.toml, "
+               "resources/clinical/hand.toml, resources/clinical/wires.toml or "
+               "resources/reference/surgeons.toml "
+               "was changed since."},
       Sentence{"draws"},
       Audience::owner};
   return kind;

@@ -391,6 +391,10 @@ Result<std::string> planJson(const Plan& plan)
   }
   addSources(json["sources"], "clinical/hand.toml", ofHand);
   addSources(json["sources"], "planning/uncertainty.toml", uncertainty->provenance);
+  json["sources"].push_back({{"file", "clinical/wires.toml"},
+                             {"table", "wires"},
+                             {"source", uncertainty->packing.source},
+                             {"confidence", uncertainty->packing.confidence}});
   addTaperSources(json["sources"], plan.request);
   for (const FrequencyAllocation& each : *allocations)
     json["sources"].push_back({{"file", "planning/frequency-allocation.toml"},

@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "FrequencyAllocation.h"
-#include "WirePacking.h"
 #include "perilymph/analysis/InsertionByHand.h"
 #include "perilymph/analysis/PhysicalRanges.h"
 #include "perilymph/analysis/Reference.h"
+#include "perilymph/electrode/WirePacking.h"
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/foundation/Sha256.h"
 #include "perilymph/session/Csv.h"
@@ -43,7 +43,7 @@ Result<std::string> distributionsHash()
 {
   Sha256 hash;
   for (const std::filesystem::path& file :
-       {shippedUncertaintyFile(), analysis::shippedHandFile()}) {
+       {shippedUncertaintyFile(), analysis::shippedHandFile(), analysis::shippedPackingFile()}) {
     const auto text = readWhole(file);
     if (!text) return text.error();
     hash.add(std::uint64_t{text->size()});
@@ -124,7 +124,7 @@ Result<PlannedInsertion> insertArray(const PlanRequest& request, const PlanSetup
     shape.anatomy = *std::move(built);
   }
   PlannedInsertion planned = plannedOf(draw, stiffness, number, array);
-  if (packingOf(nominal.parameters.array)) planned.packing = draw.packing;
+  if (electrode::wirePacking(nominal.parameters.array)) planned.packing = draw.packing;
   if (nominal.parameters.array.taper) {
     const electrode::ArrayDesign& drawn = shape.parameters.array;
     planned.lastContact_mm = inMillimeters(drawn.diameter.at(drawn.contactsFromTip.back()));

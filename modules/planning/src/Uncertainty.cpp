@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "WirePacking.h"
+#include "perilymph/electrode/WirePacking.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/foundation/TomlReader.h"
 
@@ -34,7 +34,7 @@ Uncertainty::Variation variation(TomlReader& file, const char* table, const char
 
 double Uncertainty::stiffnessOf(const electrode::ArrayDesign& array) const
 {
-  const double lowest = packingOf(array) ? mediumStiffness : lowStiffness;
+  const double lowest = electrode::wirePacking(array) ? mediumStiffness : lowStiffness;
   for (const auto& [table, source] : array.provenance) {
     if (table != "bending") continue;
     if (source.confidence == electrode::Confidence::high) return highStiffness;
@@ -55,9 +55,6 @@ Result<Uncertainty> loadUncertainty(const std::filesystem::path& file)
       stiffness.number("medium_sd_fraction", {uncertainty.highStiffness, 1.0});
   uncertainty.lowStiffness =
       stiffness.number("low_sd_fraction", {uncertainty.mediumStiffness, 1.0});
-  TomlReader wires = sourcedTable(*reader, "wires", uncertainty);
-  uncertainty.packingLow = wires.number("packing_low", {0.001, 2.0});
-  uncertainty.packingHigh = wires.number("packing_high", {uncertainty.packingLow, 2.0});
   TomlReader approach = sourcedTable(*reader, "approach", uncertainty);
   uncertainty.tiltDeviation = degrees(approach.number("tilt_sd_deg", {0.0, 15.0}));
   uncertainty.turnDeviation = degrees(approach.number("turn_sd_deg", {0.0, 15.0}));
@@ -86,6 +83,14 @@ std::filesystem::path shippedUncertaintyFile()
   return resource("resources/planning/uncertainty.toml");
 }
 
-Result<Uncertainty> shippedUncertainty() { return loadUncertainty(shippedUncertaintyFile()); }
+Result<Uncertainty> shippedUncertainty()
+{
+  auto uncertainty = loadUncertainty(shippedUncertaintyFile());
+  if (!uncertainty) return uncertainty;
+  const auto packing = analysis::shippedPackingRange();
+  if (!packing) return packing.error();
+  uncertainty->packing = *packing;
+  return uncertainty;
+}
 
 }  // namespace perilymph::planning

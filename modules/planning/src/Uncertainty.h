@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "perilymph/analysis/PackingRange.h"
 #include "perilymph/electrode/ArrayDesign.h"
 #include "perilymph/foundation/Result.h"
 #include "perilymph/foundation/Units.h"
@@ -37,9 +38,8 @@ struct Uncertainty {
   Variation radius;   ///< Relative change of the outer wall's distance from the axis.
   /// Fraction of the mean shape's H where it was not measured: normal, within a limit of deviates.
   double heightDeviation = 0.0, maxHeightDeviates = 0.0;
-  Length liningLow, liningHigh;  ///< Thickness: uniform in its logarithm.
-  /// c of the wires (WirePacking.h) of all arrays that follow its model: uniform in its logarithm.
-  double packingLow = 0.0, packingHigh = 0.0;
+  Length liningLow, liningHigh;         ///< Thickness: uniform in its logarithm.
+  analysis::PackingRange packing;       ///< How tightly wires are packed; from a file of its own.
   Stiffness membraneLow, membraneHigh;  ///< Under a sample point: uniform in its logarithm.
   std::vector<Provenance> provenance;
 
@@ -48,9 +48,9 @@ struct Uncertainty {
   double stiffnessOf(const electrode::ArrayDesign& array) const;
 };
 
-/// Reads the deviations from a TOML file.
+/// Reads the deviations but those of the wires from a TOML file.
 Result<Uncertainty> loadUncertainty(const std::filesystem::path& file);
-/// The shipped file: resources/planning/uncertainty.toml.
+/// The shipped file without the wires: resources/planning/uncertainty.toml.
 std::filesystem::path shippedUncertaintyFile();
 Result<Uncertainty> shippedUncertainty();
 

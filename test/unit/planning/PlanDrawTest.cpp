@@ -8,7 +8,10 @@
 #include <functional>
 
 #include "perilymph/analysis/SampleStatistics.h"
+#include "perilymph/electrode/WirePacking.h"
 #include "perilymph/foundation/Resources.h"
+#include "perilymph/planning/PlanRequest.h"
+#include "perilymph/session/Scenario.h"
 #include "perilymph/test/SyntheticPlan.h"
 
 namespace perilymph::test {
@@ -111,6 +114,43 @@ TEST_F(PlanDraws, HaveAPackingOfWiresEvenInItsLogarithm)
   const auto packing = statisticsOf([](const PlanDraw& d) { return std::log(d.packing); });
   EXPECT_NEAR(packing.mean, 0.5 * std::log(0.06 * 1.2), 4.0 * packing.standardError);
   EXPECT_NEAR(packing.standardDeviation, std::log(1.2 / 0.06) / std::sqrt(12.0), 0.03);
+}
+
+TEST_F(PlanDraws, PackTheWiresOfAllStraightArraysAlikeAndLeaveTheOthers)
+{
+  EXPECT_EQ(uncertainty_.packing.low, 0.06);
+  EXPECT_EQ(uncertainty_.packing.high, 1.2);
+  PlanDraw drawn = draw(1);
+  drawn.packing = 0.3;
+  const auto shipped = [](const char* name) {
+    const auto file = findByName("array", "plugins/electrodes", name);
+    EXPECT_TRUE(file) << name;
+    return *electrode::loadArray(*file);
+  };
+  EXPECT_EQ(uncertainty_.stiffnessOf(shipped("flex28")), uncertainty_.mediumStiffness);
+  EXPECT_EQ(uncertainty_.stiffnessOf(shipped("contour")), uncertainty_.lowStiffness);
+  for (const char* name : {"hifocus-slimj", "flex28"}) {
+    session::InsertionParameters nominal;
+    nominal.array = shipped(name);
+    const auto parameters = planning::drawnParameters(nominal, drawn, 1.0, std::nullopt);
+    EXPECT_NEAR(*electrode::wirePacking(parameters.array), 0.3, 0.003) << name;
+  }
+  session::InsertionParameters nominal;
+  nominal.array = shipped("contour");
+  EXPECT_EQ(planning::drawnParameters(nominal, drawn, 1.0, std::nullopt).array.bending.value,
+            nominal.array.bending.value);
+}
+
+// What is inserted from a plan is what the plan shows: the middle of what it draws.
+TEST_F(PlanDraws, HaveTheScenarioInTheMiddleOfTheirPacking)
+{
+  for (const char* array : {"flex28", "slim-straight"}) {
+    const auto scenario = session::loadScenario(planning::PlanRequest{}.scenario,
+                                                {{"array", array}, {"stop_travel_mm", "10"}});
+    ASSERT_TRUE(scenario) << scenario.error().message;
+    EXPECT_NEAR(*electrode::wirePacking(scenario->array()), uncertainty_.packing.median(), 0.005)
+        << array;
+  }
 }
 
 TEST_F(PlanDraws, HaveATaperEvenInItsRange)

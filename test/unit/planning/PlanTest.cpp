@@ -271,6 +271,7 @@ TEST_F(SmallPlan, IsViewedButNotContinuedAfterADistributionOrAThresholdWasChange
   const std::tuple<const char*, const char*, const char*> changes[] = {
       {"resources/planning/uncertainty.toml", "tilt_sd_deg = 4.0", "tilt_sd_deg = 5.0"},
       {"resources/clinical/hand.toml", "lag_mm = 1.0", "lag_mm = 1.5"},
+      {"resources/clinical/wires.toml", "packing_low = 0.06", "packing_low = 0.1"},
       // not of the draws but of what the summary compares them with
       {"resources/reference/surgeons.toml", "value_N = 0.0204", "value_N = 0.0102"},
       {"resources/planning/frequency-allocation.toml", "[120, 235,", "[140, 235,"}};

@@ -4,11 +4,12 @@
 #include <fstream>
 #include <sstream>
 
+#include "perilymph/electrode/WirePacking.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/session/Scenario.h"
 #include "perilymph/test/TemporaryFolder.h"
 
-// Keys of yield: absent in all earlier texts, and then arrays are elastic.
+// Keys of wires: absent in all earlier texts, and then arrays are elastic and packed as in their files.
 
 namespace perilymph::session {
 namespace {
@@ -111,6 +112,45 @@ TEST(ScenarioYield, OfAStyletThatCannotHoldItsCarrierIsRefused)
   // 600 MPa hold 133.3 uN m; EI kappa of the carrier is 0.8 x 0.87e-6 N m2 x 400 / m 16 mm from the tip
   EXPECT_THAT(model.error().message, HasSubstr("The stylet yields at 133.3 uN.m, and the carrier "
                                                "that it has to keep straight curls with 27"));
+}
+
+TEST(ScenarioWirePacking, IsThatOfTheFileWithoutTheKey)
+{
+  const auto scenario = with(elasticWires);
+  ASSERT_TRUE(scenario);
+  EXPECT_THAT(scenario->text(), Not(HasSubstr("wire_packing")));
+  EXPECT_NEAR(*electrode::wirePacking(scenario->array()), 1.2, 0.012);
+}
+
+TEST(ScenarioWirePacking, IsThatOfTheKeyForEveryStraightArray)
+{
+  const auto scenario = with(elasticWires, {{"wire_packing", "0.3"}});
+  ASSERT_TRUE(scenario) << scenario.error().message;
+  EXPECT_NEAR(*electrode::wirePacking(scenario->array()), 0.3, 1e-9);
+  const auto again = parseScenario(scenario->text(), "recording");
+  ASSERT_TRUE(again) << again.error().message;
+  EXPECT_EQ(again->array().bending.value, scenario->array().bending.value);
+  EXPECT_EQ(again->text(), scenario->text());
+  // chosen after a precurved one, whose stiffness the key leaves as it is
+  const auto contour = again->with({{"array", "contour"}, {"stop_travel_mm", "10"}});
+  ASSERT_TRUE(contour) << contour.error().message;
+  EXPECT_EQ(contour->array().bending.value, with({{"calibration", ""}})->array().bending.value);
+  const auto flex = contour->with({{"array", "flex28"}});
+  ASSERT_TRUE(flex) << flex.error().message;
+  EXPECT_NEAR(*electrode::wirePacking(flex->array()), 0.3, 1e-9);
+}
+
+TEST(ScenarioWirePacking, DoesNotSoftenWiresThatYieldOnceMore)
+{
+  const auto both = with(yieldingWires, {{"wire_packing", "0.3"}});
+  ASSERT_TRUE(both) << both.error().message;
+  EXPECT_EQ(both->array().bending.value, with(yieldingWires)->array().bending.value);
+}
+
+TEST(ScenarioWirePacking, IsRefusedBeyondItsRange)
+{
+  EXPECT_THAT(refusalOfYield(elasticWires, {{"wire_packing", "2.5"}}), HasSubstr("wire_packing"));
+  EXPECT_THAT(refusalOfYield(elasticWires, {{"wire_packing", "-0.1"}}), HasSubstr("wire_packing"));
 }
 
 }  // namespace

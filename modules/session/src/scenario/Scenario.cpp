@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <limits>
 
+#include "perilymph/electrode/WirePacking.h"
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/foundation/Hash.h"
 #include "perilymph/foundation/Resources.h"
@@ -198,6 +199,9 @@ Result<ScenarioContent> readScenario(TomlReader& reader, const std::string& name
   scenario.expectedArrayFingerprint = reader.text("array_fingerprint", "");
   const auto calibration = readCalibration(reader, keys, scenario);
   const AskedYield yield = readYield(reader, keys, parameters.model);
+  // Wires that slide freely have 0, wires that are one solid rod 1.2 (plugins/README.md).
+  std::optional<double> packing;
+  if (reader.has("wire_packing")) packing = keys.number("wire_packing", {0.0, 2.0}, 0.0);
 
   // What the file says itself comes before what the files it names say.
   if (const auto done = reader.finish(); !done) return done.error();
@@ -207,6 +211,7 @@ Result<ScenarioContent> readScenario(TomlReader& reader, const std::string& name
   if (const auto done = readArray(scenario.arrayName, scenario); !done) return done.error();
   if (!calibration) return calibration.error();
   if (const auto done = applyYield(yield, reader.name(), scenario); !done) return done.error();
+  if (packing) parameters.array = electrode::withWirePacking(std::move(parameters.array), *packing);
   if (const auto done = applyCalibration(*calibration, scenario); !done) return done.error();
 
   if (parameters.technique == Technique::advanceOffStylet) {

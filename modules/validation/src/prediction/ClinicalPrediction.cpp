@@ -9,6 +9,8 @@
 #include "perilymph/analysis/ArrayTaper.h"
 #include "perilymph/analysis/InParallel.h"
 #include "perilymph/analysis/InsertionByHand.h"
+#include "perilymph/analysis/PackingRange.h"
+#include "perilymph/electrode/WirePacking.h"
 #include "prediction/PhantomRows.h"
 #include "prediction/VirtualInsertion.h"
 
@@ -41,6 +43,8 @@ Result<ClinicalResult> predictClinic(const ClinicalRequest& request,
 {
   const auto hand = analysis::shippedHand();
   if (!hand) return hand.error();
+  const auto packing = analysis::shippedPackingRange();
+  if (!packing) return packing.error();
   const std::vector<std::string> names = arraysOf(request);
   const std::size_t arrays = names.size();
   std::vector<session::InsertionParameters> nominal;
@@ -72,8 +76,10 @@ Result<ClinicalResult> predictClinic(const ClinicalRequest& request,
     for (std::size_t i = 0; i < arrays && !ending.stop_requested(); ++i) {
       auto parameters = withCochlea(nominal[i], seed, patient);
       if (!parameters) return parameters.error();
-      parameters->array =
-          electrode::withTaper(std::move(parameters->array), analysis::drawTaper(seed, patient));
+      parameters->array = electrode::withTaper(
+          electrode::withWirePacking(std::move(parameters->array),
+                                     analysis::drawPacking(*packing, seed, patient)),
+          analysis::drawTaper(seed, patient));
       if (!anatomy) {
         auto built = session::buildAnatomy(*parameters);
         if (!built) return built.error();

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "WirePacking.h"
+#include "perilymph/electrode/WirePacking.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 
-namespace perilymph::planning {
+namespace perilymph::electrode {
 
 namespace {
 
@@ -18,7 +18,7 @@ constexpr double oneWire =
 constexpr double allowedDeviation = 0.1;
 
 /// E_s I of the section, which bends within the plane of curl.
-double siliconeAt(const electrode::ArrayDesign& array, Length fromTip)
+double siliconeAt(const ArrayDesign& array, Length fromTip)
 {
   const double within =
       (array.thickness.fromTip.empty() ? array.diameter : array.thickness).at(fromTip).si();
@@ -27,7 +27,7 @@ double siliconeAt(const electrode::ArrayDesign& array, Length fromTip)
 
 }  // namespace
 
-double wiresAt(const electrode::ArrayDesign& array, Length fromTip)
+double wiresAt(const ArrayDesign& array, Length fromTip)
 {
   const auto& contacts = array.contactsFromTip;
   double wires = static_cast<double>(contacts.size());
@@ -40,7 +40,7 @@ double wiresAt(const electrode::ArrayDesign& array, Length fromTip)
   return std::max(1.0, wires);
 }
 
-std::optional<double> packingOf(const electrode::ArrayDesign& array)
+std::optional<double> wirePacking(const ArrayDesign& array)
 {
   if (array.hasStylet || array.yields() || array.contactsFromTip.empty() ||
       array.diameter.fromTip.empty())
@@ -62,15 +62,17 @@ std::optional<double> packingOf(const electrode::ArrayDesign& array)
   return packing;
 }
 
-electrode::ArrayDesign withPacking(electrode::ArrayDesign array, double from, double to)
+ArrayDesign withWirePacking(ArrayDesign array, double packing)
 {
+  const auto present = wirePacking(array);
+  if (!present) return array;
   for (auto* bending : {&array.bending, &array.bendingAcross})
     for (std::size_t i = 0; i < bending->fromTip.size(); ++i) {
       const double wires = wiresAt(array, bending->fromTip[i]);
       bending->value[i] =
-          bending->value[i] + newtonSquareMeters((to - from) * oneWire * wires * wires);
+          bending->value[i] + newtonSquareMeters((packing - *present) * oneWire * wires * wires);
     }
   return array;
 }
 
-}  // namespace perilymph::planning
+}  // namespace perilymph::electrode

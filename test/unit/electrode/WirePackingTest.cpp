@@ -1,21 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "WirePacking.h"
+#include "perilymph/electrode/WirePacking.h"
 
 #include <gtest/gtest.h>
 
 #include <map>
 
-#include "PlanDraw.h"
 #include "perilymph/foundation/Resources.h"
 
-namespace perilymph::planning {
+namespace perilymph::electrode {
 namespace {
 
-electrode::ArrayDesign shipped(const std::string& name)
+ArrayDesign shipped(const std::string& name)
 {
   const auto file = findByName("array", "plugins/electrodes", name);
   EXPECT_TRUE(file) << name;
-  const auto array = electrode::loadArray(*file);
+  const auto array = loadArray(*file);
   EXPECT_TRUE(array) << array.error().message;
   return *array;
 }
@@ -32,7 +31,7 @@ TEST(WirePacking, IsWhatTheFilesState)
       {"contour", 0.0},           {"contour-advance", 0.0}};
   for (const std::string& name : shippedNames("plugins/electrodes")) {
     ASSERT_TRUE(stated.contains(name)) << name;
-    const auto packing = packingOf(shipped(name));
+    const auto packing = wirePacking(shipped(name));
     ASSERT_EQ(packing.has_value(), stated.at(name) > 0.0) << name;
     if (packing) {
       EXPECT_NEAR(*packing, stated.at(name), 0.01 * stated.at(name)) << name;
@@ -43,26 +42,28 @@ TEST(WirePacking, IsWhatTheFilesState)
 TEST(WirePacking, IsNotDrawnForWiresThatYield)
 {
   // what yielding takes is in the lower values of c already
-  electrode::ArrayDesign slimJ = shipped("hifocus-slimj");
+  ArrayDesign slimJ = shipped("hifocus-slimj");
   ASSERT_TRUE(slimJ.wires);
   slimJ.wires->yieldStress.value = slimJ.wires->yieldStress.minimum;
-  EXPECT_FALSE(packingOf(slimJ));
+  EXPECT_FALSE(wirePacking(slimJ));
+  EXPECT_EQ(withWirePacking(slimJ, 0.3).bending.value, slimJ.bending.value);
 }
 
 TEST(WirePacking, ChangesTheWiresTermAlone)
 {
   // SlimJ at the base: 16 wires of 25 um, 168 GPa: E_w I_w = 3.2213e-9 N m^2; silicone of 2 MPa and 0.7 mm:
   // 2.3572e-8 N m^2; with c = 0.3: 2.3572e-8 + 3.2213e-9 (16 + 0.3 256) = 3.2251e-7
-  const electrode::ArrayDesign slimJ = shipped("hifocus-slimj");
-  const auto packing = packingOf(slimJ);
+  const ArrayDesign slimJ = shipped("hifocus-slimj");
+  const auto packing = wirePacking(slimJ);
   ASSERT_TRUE(packing);
-  const electrode::ArrayDesign looser = withPacking(slimJ, *packing, 0.3);
+  const ArrayDesign looser = withWirePacking(slimJ, 0.3);
   EXPECT_NEAR(looser.bending.at(millimeters(23)).si(), 3.2251e-7,
               5e-9);  // the file has 1.06e-6, rounded to 0.01e-6
   EXPECT_NEAR(looser.bending.at(millimeters(0)).si(), slimJ.bending.at(millimeters(0)).si(), 4e-9);
-  EXPECT_NEAR(*packingOf(looser), 0.3, 0.003);
+  EXPECT_NEAR(*wirePacking(looser), 0.3, 0.003);
   // an oval array gets the same term in both directions
-  const electrode::ArrayDesign flex = shipped("flex28"), stiffer = withPacking(flex, 0.06, 1.2);
+  const ArrayDesign flex = shipped("flex28"),
+                    stiffer = withWirePacking(flex, *wirePacking(flex) + 1.14);
   const Length base = millimeters(28);
   EXPECT_NEAR((stiffer.bending.at(base) - flex.bending.at(base)).si(), 1.14 * 3.2213e-9 * 144,
               1e-11);
@@ -70,27 +71,5 @@ TEST(WirePacking, ChangesTheWiresTermAlone)
               1.14 * 3.2213e-9 * 144, 1e-11);
 }
 
-TEST(WirePacking, IsDrawnFromOneRangeForAllStraightArrays)
-{
-  const auto uncertainty = shippedUncertainty();
-  ASSERT_TRUE(uncertainty) << uncertainty.error().message;
-  EXPECT_EQ(uncertainty->packingLow, 0.06);
-  EXPECT_EQ(uncertainty->packingHigh, 1.2);
-  EXPECT_EQ(uncertainty->stiffnessOf(shipped("flex28")), uncertainty->mediumStiffness);
-  EXPECT_EQ(uncertainty->stiffnessOf(shipped("contour")), uncertainty->lowStiffness);
-  PlanDraw draw;
-  draw.packing = 0.3;
-  for (const char* name : {"hifocus-slimj", "flex28"}) {
-    session::InsertionParameters nominal;
-    nominal.array = shipped(name);
-    const auto drawn = drawnParameters(nominal, draw, 1.0, std::nullopt);
-    EXPECT_NEAR(*packingOf(drawn.array), 0.3, 0.003) << name;
-  }
-  session::InsertionParameters nominal;
-  nominal.array = shipped("contour");
-  EXPECT_EQ(drawnParameters(nominal, draw, 1.0, std::nullopt).array.bending.value,
-            nominal.array.bending.value);
-}
-
 }  // namespace
-}  // namespace perilymph::planning
+}  // namespace perilymph::electrode

@@ -2544,10 +2544,6 @@
         <translation>Löschen Sie sie, und erstellen Sie den Plan noch einmal.</translation>
     </message>
     <message>
-        <source>belongs to another plan, or the patient, an array, the scenario, resources/planning/uncertainty.toml, resources/planning/frequency-allocation.toml, resources/clinical/hand.toml or resources/reference/surgeons.toml was changed since.</source>
-        <translation>gehört zu einem anderen Plan, oder der Patient, ein Träger, das Szenario, resources/planning/uncertainty.toml, resources/planning/frequency-allocation.toml, resources/clinical/hand.toml oder resources/reference/surgeons.toml wurde seitdem geändert.</translation>
-    </message>
-    <message>
         <source>draws</source>
         <translation>Simulationen</translation>
     </message>
@@ -3460,10 +3456,6 @@
         <translation>Wo die Datei der Reibung keine Streuung angibt: Dohr et al. 2021, Appl. Sci. 11:5162: 0,59 +- 0,12 und 0,45 +- 0,11, ein Fünftel bis ein Viertel; 0,24 +- 0,13 bei 0,1 mm/s ist breiter.</translation>
     </message>
     <message>
-        <source>One range for all makers, none of whom publishes it: 0.06 is derived for waved wires, 1.2 gives packed wires the order of published moduli (Kha et al. 2004); the files take one end or the other. A Slim Straight dummy in a channel with soap has the forces of 0.4 to 0.5 (Salcher et al. 2019). Where it is drawn, the factor of the stiffness has at most the deviation of a medium confidence.</source>
-        <translation>Ein Bereich für alle Hersteller, von denen keiner den Wert veröffentlicht: 0,06 ist für gewellte Drähte hergeleitet, 1,2 gibt gepackten Drähten die Größenordnung veröffentlichter Moduln (Kha et al. 2004); die Dateien nehmen das eine oder das andere Ende. Ein Slim-Straight-Muster in einem Kanal mit Seife hat die Kräfte von 0,4 bis 0,5 (Salcher et al. 2019). Wo der Wert gezogen wird, hat der Faktor der Steifigkeit höchstens die Streuung eines mittleren Vertrauens.</translation>
-    </message>
-    <message>
         <source>H is %1 mm, which its error allows to be within %2 to %3 mm, the heights of whole cochleae: %4 mm is used.</source>
         <translation>H ist %1 mm; sein Fehler lässt %2 bis %3 mm zu, die Höhen ganzer Cochleae: Verwendet wird %4 mm.</translation>
     </message>
@@ -3529,7 +3521,7 @@
     </message>
     <message>
         <source>Only %1 of %2 repetitions can be fitted; a comparison needs at least %3. Widen the ranges or ask for more draws.</source>
-        <translation>Nur %1 von %2 Wiederholungen lassen sich anpassen; ein Vergleich braucht mindestens %3. Erweitern Sie die Bereiche, oder verlangen Sie mehr Ziehungen.</translation>
+        <translation>Nur %1 von %2 Wiederholungen lassen sich anpassen; ein Vergleich braucht mindestens %3. Erweitern Sie die Bereiche, oder verlangen Sie mehr Simulationen.</translation>
     </message>
     <message>
         <source>The reference &apos;%1&apos; has no force at %2 mm, or does not say of how many.</source>
@@ -4027,6 +4019,14 @@
         <source>TLS cannot be set up as DICOM&apos;s profile BCP 195 demands: %1.</source>
         <translation>TLS kann nicht so eingerichtet werden, wie es das DICOM-Profil BCP 195 verlangt: %1.</translation>
     </message>
+    <message>
+        <source>belongs to another plan, or the patient, an array, the scenario, resources/planning/uncertainty.toml, resources/planning/frequency-allocation.toml, resources/clinical/hand.toml, resources/clinical/wires.toml or resources/reference/surgeons.toml was changed since.</source>
+        <translation>gehört zu einem anderen Plan, oder der Patient, ein Träger, das Szenario, resources/planning/uncertainty.toml, resources/planning/frequency-allocation.toml, resources/clinical/hand.toml, resources/clinical/wires.toml oder resources/reference/surgeons.toml wurde seitdem geändert.</translation>
+    </message>
+    <message>
+        <source>One range for all makers, none of whom publishes it: 0.06 is derived for waved wires, 1.2 gives packed wires the order of published moduli (Kha et al. 2004); the files take one end or the other. A Slim Straight dummy in a channel with soap has the forces of 0.4 to 0.5 (Salcher et al. 2019). Where it is drawn, the factor of the stiffness has at most the deviation of a medium confidence.</source>
+        <translation>Ein Bereich für alle Hersteller, von denen keiner den Wert veröffentlicht: 0,06 ist für gewellte Drähte hergeleitet, 1,2 gibt gepackten Drähten die Größenordnung veröffentlichter Moduln (Kha et al. 2004); die Dateien nehmen das eine oder das andere Ende. Ein Slim-Straight-Muster in einem Kanal mit Seife hat die Kräfte von 0,4 bis 0,5 (Salcher et al. 2019). Wo der Wert gezogen wird, hat der Faktor der Steifigkeit höchstens die Streuung eines mittleren Vertrauens.</translation>
+    </message>
 </context>
 <context>
     <name>Display</name>
@@ -4419,6 +4419,10 @@
     <message>
         <source>Yield stress of the stylet</source>
         <translation>Fließspannung des Stiletts</translation>
+    </message>
+    <message>
+        <source>Packing of the wires of straight arrays</source>
+        <translation>Packung der Drähte gerader Träger</translation>
     </message>
 </context>
 <context>

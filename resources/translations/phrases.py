@@ -16,8 +16,8 @@ ROOT = Path(__file__).resolve().parents[2]
 LITERAL = r'(?:"(?:[^"\\\n]|\\.)*"\s*)+'
 MARKED = re.compile(r"\b(?:Phrase|Sentence|Error)(?:\s+\w+)?[{(]\s*(" + LITERAL + r")(?=[,})])")
 # where the sources of values are sentences; others are names of publications
-SOURCED = ("plugins/electrodes/", "resources/planning/", "resources/clinical/hand.toml", "resources/reference/in-vitro.toml",
-           "resources/reference/in-vivo.toml")
+SOURCED = ("plugins/electrodes/", "resources/planning/", "resources/clinical/hand.toml", "resources/clinical/wires.toml",
+           "resources/reference/in-vitro.toml", "resources/reference/in-vivo.toml")
 LABELED = ("resources/reference/",)  # elsewhere a label is a name
 PAIR = re.compile(r"\bStatedTwice\s+\w+[^;]*;")  # what a file states twice: its words, without names of fields
 NAME = re.compile(r"\w*[A-Z_]\w*( \([0-9A-F]{4},[0-9A-F]{4}\))?")

@@ -36,6 +36,7 @@ struct Hand {
   const char* friction;
   const char* freeLength_mm;
   const char* stop_N = largestStop_N;
+  const char* packing = "0.06";  ///< Loosely packed wires buckle at lower forces.
 };
 
 ScenarioRun runOf(const Hand& hand, int nodes, double step_ms)
@@ -45,6 +46,7 @@ ScenarioRun runOf(const Hand& hand, int nodes, double step_ms)
                                         {"friction", hand.friction},
                                         {"free_length_mm", hand.freeLength_mm},
                                         {"stop_force_N", hand.stop_N},
+                                        {"wire_packing", hand.packing},
                                         {"nodes", std::to_string(nodes)},
                                         {"dt_ms", session::shortestDecimal(step_ms)}});
 }

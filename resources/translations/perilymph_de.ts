@@ -4424,6 +4424,10 @@
         <source>Packing of the wires of straight arrays</source>
         <translation>Packung der Drähte gerader Träger</translation>
     </message>
+    <message>
+        <source>Taper within the range of its file</source>
+        <translation>Verjüngung im Bereich seiner Datei</translation>
+    </message>
 </context>
 <context>
     <name>Study</name>

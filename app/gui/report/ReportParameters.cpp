@@ -91,6 +91,7 @@ constexpr ParameterName parameterNames[] = {
     {"film_relaxation_time_s", QT_TRANSLATE_NOOP("ReportParameters", "Its time constant"), "s"},
     {"wire_packing",
      QT_TRANSLATE_NOOP("ReportParameters", "Packing of the wires of straight arrays")},
+    {"taper_fraction", QT_TRANSLATE_NOOP("ReportParameters", "Taper within the range of its file")},
     {"wire_yield_MPa", QT_TRANSLATE_NOOP("ReportParameters", "Yield stress of the wires"), "MPa"},
     {"stylet_yield_MPa", QT_TRANSLATE_NOOP("ReportParameters", "Yield stress of the stylet"),
      "MPa"},

@@ -142,14 +142,49 @@ TEST_F(PlanDraws, PackTheWiresOfAllStraightArraysAlikeAndLeaveTheOthers)
 }
 
 // What is inserted from a plan is what the plan shows: the middle of what it draws.
-TEST_F(PlanDraws, HaveTheScenarioInTheMiddleOfTheirPacking)
+TEST_F(PlanDraws, HaveTheScenarioInTheirMiddle)
 {
-  for (const char* array : {"flex28", "slim-straight"}) {
+  for (const char* array : {"flex28", "slim-straight", "flexsoft", "medel-standard"}) {
     const auto scenario = session::loadScenario(planning::PlanRequest{}.scenario,
                                                 {{"array", array}, {"stop_travel_mm", "10"}});
     ASSERT_TRUE(scenario) << scenario.error().message;
-    EXPECT_NEAR(*electrode::wirePacking(scenario->array()), uncertainty_.packing.median(), 0.005)
+    const electrode::ArrayDesign& inserted = scenario->array();
+    EXPECT_NEAR(*electrode::wirePacking(inserted), uncertainty_.packing.median(), 0.005) << array;
+    const session::InsertionParameters& parameters = scenario->parameters();
+    const double lining = inMillimeters(parameters.wall.lining),
+                 membrane = parameters.membrane->perSamplePoint.si();
+    EXPECT_NEAR(
+        lining,
+        std::sqrt(inMillimeters(uncertainty_.liningLow) * inMillimeters(uncertainty_.liningHigh)),
+        0.005);
+    EXPECT_NEAR(membrane, std::sqrt(uncertainty_.membraneLow.si() * uncertainty_.membraneHigh.si()),
+                0.05);
+    if (!inserted.taper) continue;
+    EXPECT_NEAR(inMillimeters(inserted.diameter.at(inserted.contactsFromTip.back())), 1.05, 1e-9)
         << array;
+  }
+}
+
+// A draw replaces the middle that the scenario states; it does not add to it.
+TEST_F(PlanDraws, OfAnArrayAreTheSameWhateverTheScenarioStates)
+{
+  PlanDraw drawn = draw(1);
+  drawn.packing = 0.9;
+  drawn.taper = 0.2;
+  for (const char* array : {"flexsoft", "medel-standard", "slim-straight"}) {
+    const auto bending = [&](const session::Overrides& more) {
+      session::Overrides overrides = {{"array", array}, {"stop_travel_mm", "10"}};
+      overrides.insert(overrides.end(), more.begin(), more.end());
+      const auto scenario = session::loadScenario(planning::PlanRequest{}.scenario, overrides);
+      EXPECT_TRUE(scenario) << scenario.error().message;
+      return planning::drawnParameters(scenario->parameters(), drawn, 1.0, std::nullopt)
+          .array.bending;
+    };
+    const auto middle = bending({}),
+               other = bending({{"wire_packing", "0.06"}, {"taper_fraction", "1"}});
+    ASSERT_EQ(middle.value.size(), other.value.size());
+    for (std::size_t i = 0; i < middle.value.size(); ++i)
+      EXPECT_NEAR(middle.value[i] / other.value[i], 1.0, 1e-6) << array << ", knot " << i;
   }
 }
 

@@ -9,7 +9,7 @@
 #include "perilymph/session/Scenario.h"
 #include "perilymph/test/TemporaryFolder.h"
 
-// Keys of wires: absent in all earlier texts, and then arrays are elastic and packed as in their files.
+// Keys of wires and taper: absent in all earlier texts, and then arrays are elastic and as in their files.
 
 namespace perilymph::session {
 namespace {
@@ -145,6 +145,27 @@ TEST(ScenarioWirePacking, DoesNotSoftenWiresThatYieldOnceMore)
   const auto both = with(yieldingWires, {{"wire_packing", "0.3"}});
   ASSERT_TRUE(both) << both.error().message;
   EXPECT_EQ(both->array().bending.value, with(yieldingWires)->array().bending.value);
+}
+
+TEST(ScenarioTaper, IsAPlaceInTheRangeOfTheFile)
+{
+  // 0.8 to 1.3 mm at the most basal contact; the straight line of the file has 1.2
+  const auto width_mm = [](const Overrides& more) {
+    const auto scenario = with({{"array", "flexsoft"}}, more);
+    EXPECT_TRUE(scenario) << scenario.error().message;
+    const auto again = parseScenario(scenario->text(), "recording");
+    EXPECT_TRUE(again) << again.error().message;
+    const electrode::ArrayDesign& array = again->array();
+    return inMillimeters(array.diameter.at(array.contactsFromTip.back()));
+  };
+  EXPECT_NEAR(width_mm({}), 1.196, 0.001);
+  EXPECT_NEAR(width_mm({{"taper_fraction", "0"}}), 0.8, 1e-9);
+  EXPECT_NEAR(width_mm({{"taper_fraction", "0.5"}}), 1.05, 1e-9);
+  const auto none = with({{"array", "flex28"}}, {{"taper_fraction", "0.5"}});
+  ASSERT_TRUE(none) << none.error().message;
+  EXPECT_EQ(none->array().diameter.value, with({{"array", "flex28"}})->array().diameter.value);
+  EXPECT_THAT(refusalOfYield({{"array", "flexsoft"}}, {{"taper_fraction", "1.1"}}),
+              HasSubstr("taper_fraction"));
 }
 
 TEST(ScenarioWirePacking, IsRefusedBeyondItsRange)

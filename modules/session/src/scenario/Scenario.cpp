@@ -199,9 +199,11 @@ Result<ScenarioContent> readScenario(TomlReader& reader, const std::string& name
   scenario.expectedArrayFingerprint = reader.text("array_fingerprint", "");
   const auto calibration = readCalibration(reader, keys, scenario);
   const AskedYield yield = readYield(reader, keys, parameters.model);
-  // Wires that slide freely have 0, wires that are one solid rod 1.2 (plugins/README.md).
-  std::optional<double> packing;
+  // What array files leave open. Wires that slide freely have 0, wires that are one solid rod 1.2; the
+  // taper is the thinnest at 0 and the thickest at 1 (plugins/README.md).
+  std::optional<double> packing, taper;
   if (reader.has("wire_packing")) packing = keys.number("wire_packing", {0.0, 2.0}, 0.0);
+  if (reader.has("taper_fraction")) taper = keys.number("taper_fraction", {0.0, 1.0}, 0.0);
 
   // What the file says itself comes before what the files it names say.
   if (const auto done = reader.finish(); !done) return done.error();
@@ -212,6 +214,7 @@ Result<ScenarioContent> readScenario(TomlReader& reader, const std::string& name
   if (!calibration) return calibration.error();
   if (const auto done = applyYield(yield, reader.name(), scenario); !done) return done.error();
   if (packing) parameters.array = electrode::withWirePacking(std::move(parameters.array), *packing);
+  if (taper) parameters.array = electrode::withTaper(std::move(parameters.array), *taper);
   if (const auto done = applyCalibration(*calibration, scenario); !done) return done.error();
 
   if (parameters.technique == Technique::advanceOffStylet) {

@@ -79,5 +79,15 @@ TEST(FrictionLaw, WithoutATableFallsFromStartingToDynamicOverTheStribeckSpeed)
   EXPECT_NEAR(law.sliding(1.0), 0.1, 1e-6);
 }
 
+TEST(FrictionLaw, ScaledHasItsCoefficientsTimesTheFactorAtTheSameSpeeds)
+{
+  const FrictionLaw law{0.3, 0.1, 0.05, millimetersPerSecond(0.4), {}};
+  const FrictionLaw half = law.scaled(0.5);
+  EXPECT_DOUBLE_EQ(half.staticCoefficient, 0.15);
+  EXPECT_DOUBLE_EQ(half.stoppingCoefficient, 0.025);
+  EXPECT_NEAR(half.sliding(0.4e-3), 0.1, 1e-12);  // half of 0.2, half way at the Stribeck speed
+  EXPECT_DOUBLE_EQ(law.scaled(100.0).staticCoefficient, 2.0);  // the maximum of a coefficient
+}
+
 }  // namespace
 }  // namespace perilymph::mechanics

@@ -48,8 +48,12 @@ struct FrictionLaw {
   {
     const double highest = std::max(staticCoefficient, bySpeed.isEmpty() ? 0.0 : bySpeed.maximum());
     const double allowed = std::min(factor, 2.0 / std::max(highest, 1e-9));
-    return {allowed * staticCoefficient, allowed * kineticCoefficient,
-            allowed * stoppingCoefficient, stribeck, bySpeed.scaled(allowed)};
+    FrictionLaw law = *this;
+    law.staticCoefficient *= allowed;
+    law.kineticCoefficient *= allowed;
+    law.stoppingCoefficient *= allowed;
+    law.bySpeed = bySpeed.scaled(allowed);
+    return law;
   }
 };
 

@@ -26,10 +26,11 @@ namespace perilymph::mechanics {
 ///     read                rod/advanceRod.cpp   reaction at the base, into state.readings
 ///     contactWithPartition, rupturePartition   contact/PartitionRupture.h; of a balanced step
 ///
-/// The work is bounded and its precision set by SolverParameters: no force exceeds 2 uN after a
-/// step, unless it still has more than 0.1 mN with that work, as when an array snaps. It is then
-/// continued in the next step from its configuration, with zero velocity (state.isSettling), and the
-/// readings hold the gradient of the energy there.
+/// The work is bounded and its precision set by SolverParameters. The iteration ends at 2 uN of
+/// unbalanced force on a node, or earlier if it makes no progress or has used its work; up to 0.1 mN is
+/// then accepted as balanced. A step with more, as when an array snaps, is continued in the next one
+/// from its configuration, with zero velocity (state.isSettling), and the readings hold the gradient of
+/// the energy there.
 ///
 /// Pure: no clock, no file, no randomness, bounded work. The same model, state and drive give the
 /// same bits on every x86-64 machine. Real-time safe.

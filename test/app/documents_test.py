@@ -122,12 +122,12 @@ class WalksOfTheContributor(unittest.TestCase):
         self.assertEqual(list(self.walks()), ["A friction law", "An anatomy source", "A chart", "A command",
                                               "A page of the window"])
 
-    def test_none_takes_more_than_four_files_to_read_and_four_to_edit(self):
+    def test_none_takes_more_than_four_files_to_read_and_seven_to_edit(self):
         for walk, steps in self.walks().items():
             with self.subTest(walk=walk):
                 verbs = [verb for verb, _ in steps]
                 self.assertTrue(1 <= verbs.count("Read") <= 4, verbs)
-                self.assertTrue(1 <= verbs.count("Edit") <= 4, verbs)
+                self.assertTrue(1 <= verbs.count("Edit") <= 7, verbs)
 
     def test_their_files_and_the_names_in_them_exist(self):
         for walk, steps in self.walks().items():

@@ -41,7 +41,7 @@ AlongArray<Length> straightTo(const AlongArray<Length>& along, Length place, Len
 Length Stylet::wireDiameter() const
 {
   if (diameter.si() > 0.0) return diameter;
-  constexpr double platinum = 168e9;  // [Pa], as the wires of plugins/README.md
+  constexpr double platinum = 168e9;  // [Pa], as the wires of the guide, method.md
   return Length::fromSi(std::sqrt(std::sqrt(64.0 * bending.si() / (platinum * pi))));
 }
 

@@ -200,7 +200,7 @@ Result<ScenarioContent> readScenario(TomlReader& reader, const std::string& name
   const auto calibration = readCalibration(reader, keys, scenario);
   const AskedYield yield = readYield(reader, keys, parameters.model);
   // What array files leave open. Wires that slide freely have 0, wires that are one solid rod 1.2; the
-  // taper is the thinnest at 0 and the thickest at 1 (plugins/README.md).
+  // taper is the thinnest at 0 and the thickest at 1 (guide, method.md).
   std::optional<double> packing, taper;
   if (reader.has("wire_packing")) packing = keys.number("wire_packing", {0.0, 2.0}, 0.0);
   if (reader.has("taper_fraction")) taper = keys.number("taper_fraction", {0.0, 1.0}, 0.0);

@@ -3,7 +3,7 @@
 
 // How tightly the wires of an array are packed: c of the model of stiffness that shipped arrays follow,
 //   EI(s) = E_s I(s) + E_w I_w (N(s) + c N(s)^2)
-// (plugins/README.md). No maker publishes c: scenarios of surgery state one value for all straight arrays,
+// (guide, method.md). No maker publishes c: scenarios of surgery state one value for all straight arrays,
 // plans and the clinical table draw it.
 
 #include <optional>

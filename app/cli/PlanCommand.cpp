@@ -112,8 +112,9 @@ void printArray(const planning::ArrayPlan& array)
   print("  after 10 s of rest       {} mN\n", bandText(array.after10s_mN, 1));
   print("  force on the partition   {} mN\n", bandText(array.partition_mN, 2));
   print("  first resistance         {} mm\n", bandText(array.firstResistance_mm, 1));
-  print("  full insertion           {}\n", counted(array.full));
+  print("  all contacts inside      {}\n", counted(array.allInside));
   printReported(array.array, ReportedQuantity::complete, "%");
+  print("  intended depth reached   {}\n", counted(array.full));
   print("  stopped by resistance    {}\n", counted(array.resisted));
   print("  buckled                  {}\n", counted(array.buckled));
   print("  tip folded over          {}\n", counted(array.foldedTip));

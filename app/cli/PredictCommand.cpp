@@ -19,14 +19,12 @@ std::string degreesOf(Angle angle) { return fixed(inDegrees(angle), 0); }
 
 std::string milli(Force force) { return fixed(inMillinewtons(force), 1); }
 
-const char* verdict(bool isHit) { return isHit ? "hit" : "MISS"; }
-
 void printForce(const char* what, Force found, const analysis::PrintedRange* range)
 {
   if (!range) return;
-  print("  {:5} {} force {} mN (in vivo {} to {} mN)\n",
-        verdict(found.si() >= range->low && found.si() <= range->high), what, milli(found),
-        milli(newtons(range->low)), milli(newtons(range->high)));
+  const bool isWithin = found.si() >= range->low && found.si() <= range->high;
+  print("  {} the range in vivo: {} force {} mN ({} to {} mN)\n", isWithin ? "within" : "outside",
+        what, milli(found), milli(newtons(range->low)), milli(newtons(range->high)));
 }
 
 void printArray(const validation::ArraySummary& array, const analysis::Reference& inVivo)
@@ -42,9 +40,9 @@ void printArray(const validation::ArraySummary& array, const analysis::Reference
           array.complete, degreesOf(array.median), degreesOf(array.lowerQuartile),
           degreesOf(array.upperQuartile));
   if (array.clinical)
-    print("  {:5} clinical median {} deg, {} to {}\n", verdict(array.hitsAngle),
-          degreesOf(array.clinical->median), degreesOf(array.clinical->low),
-          degreesOf(array.clinical->high));
+    print("  {} the range of clinics: median {} deg, {} to {}\n",
+          array.hitsAngle ? "within" : "outside", degreesOf(array.clinical->median),
+          degreesOf(array.clinical->low), degreesOf(array.clinical->high));
   if (array.patients == 0) return;
   printForce("end", array.medianEnd, inVivo.findRange("end of insertion"));
   printForce("peak", array.medianPeak, inVivo.findRange("peak"));
@@ -172,6 +170,11 @@ Result<Done> predict(const PredictOptions& options, const CommandFiles& files)
   content.texts = {{"prediction.csv", validation::predictionCsv(*result)},
                    {"prediction.json", validation::predictionJson(request, *result, *inVivo)}};
   if (const auto done = writeFolder(files, options.out, content); !done) return done.error();
+  print(
+      "Scenario {}, each array pushed to its full depth, whatever the force: not comparable with "
+      "the "
+      "clinical table (predict --all) or a plan, in which a hand stops.\n",
+      request.scenario);
   for (const validation::ArraySummary& array : result->arrays) printArray(array, *inVivo);
   for (const validation::PredictedInsertion& each : result->insertions)
     if (!each.error.empty()) print("{} in {}: {}\n", each.array, each.patient, each.error);

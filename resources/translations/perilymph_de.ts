@@ -4027,6 +4027,14 @@
         <source>One range for all makers, none of whom publishes it: 0.06 is derived for waved wires, 1.2 gives packed wires the order of published moduli (Kha et al. 2004); the files take one end or the other. A Slim Straight dummy in a channel with soap has the forces of 0.4 to 0.5 (Salcher et al. 2019). Where it is drawn, the factor of the stiffness has at most the deviation of a medium confidence.</source>
         <translation>Ein Bereich für alle Hersteller, von denen keiner den Wert veröffentlicht: 0,06 ist für gewellte Drähte hergeleitet, 1,2 gibt gepackten Drähten die Größenordnung veröffentlichter Moduln (Kha et al. 2004); die Dateien nehmen das eine oder das andere Ende. Ein Slim-Straight-Muster in einem Kanal mit Seife hat die Kräfte von 0,4 bis 0,5 (Salcher et al. 2019). Wo der Wert gezogen wird, hat der Faktor der Steifigkeit höchstens die Streuung eines mittleren Vertrauens.</translation>
     </message>
+    <message>
+        <source>The array %1 is named twice. Name it once.</source>
+        <translation>Der Träger %1 ist zweimal genannt. Nennen Sie ihn einmal.</translation>
+    </message>
+    <message>
+        <source>Seed %1 is given twice: its cochleae would count double. Give it once.</source>
+        <translation>Der Startwert %1 ist zweimal angegeben: Seine Cochleae zählten doppelt. Geben Sie ihn einmal an.</translation>
+    </message>
 </context>
 <context>
     <name>Display</name>
@@ -5874,10 +5882,6 @@
         <translation>Kraft auf die Trennwand</translation>
     </message>
     <message>
-        <source>Full insertion</source>
-        <translation>Volle Insertion</translation>
-    </message>
-    <message>
         <source>Stopped by resistance</source>
         <translation>Durch Widerstand gestoppt</translation>
     </message>
@@ -6068,10 +6072,6 @@
     <message>
         <source>mN</source>
         <translation>mN</translation>
-    </message>
-    <message>
-        <source>Full</source>
-        <translation>Ganz</translation>
     </message>
     <message>
         <source>Resistance</source>
@@ -6510,10 +6510,6 @@
         <translation>Drähte</translation>
     </message>
     <message>
-        <source>Fraction of the insertions that reach the depth the drawn surgeon intends, between all contacts inside and the array’s greatest depth, with its 95 % interval (Wilson 1927).</source>
-        <translation>Anteil der Insertionen, die die Tiefe erreichen, die der gezogene Operateur beabsichtigt, zwischen allen Kontakten innen und der größten Tiefe des Elektrodenträgers, mit seinem 95-%-Intervall (Wilson 1927).</translation>
-    </message>
-    <message>
         <source>At the median friction, %1, only: %2, peak force %3.</source>
         <translation>Nur bei der mittleren Reibung, %1: %2, größte Kraft %3.</translation>
     </message>
@@ -6866,10 +6862,6 @@
         <translation>Trennwandkraft</translation>
     </message>
     <message>
-        <source>Angle and coverage of the most apical contact. Shares, from %1 simulations on with 95 % intervals: full insertion, stop by resistance, buckling in front of the opening, tip fold-over, a force that reaches the strength of the cochlear partition. Clinics: medians or means of patients, angular depth, complete insertions, tip fold-over and translocation %2. Strength of the partition: assumed; original not available; the model gives fewer translocations than clinics report. Not validated, or *: the program’s clinical table misses a row of this array.</source>
-        <translation>Winkel und Abdeckung des apikalsten Kontakts. Anteile, ab %1 Simulationen mit 95-%-Intervallen: vollständige Insertion, Halt durch Widerstand, Knicken vor der Öffnung, Umschlagen der Spitze, eine Kraft, die die Festigkeit der cochleären Trennwand erreicht. Kliniken: Mediane oder Mittelwerte von Patienten, Insertionswinkel, vollständige Insertionen, Umschlagen der Spitze und Translokation %2. Festigkeit der Trennwand: angenommen; Original nicht verfügbar; das Modell ergibt weniger Translokationen, als Kliniken berichten. Nicht validiert, oder *: die klinische Tabelle des Programms verfehlt eine Zeile dieses Elektrodenträgers.</translation>
-    </message>
-    <message>
         <source>Method and limits; all limits in the appendix</source>
         <translation>Methode und Grenzen; alle Grenzen im Anhang</translation>
     </message>
@@ -7012,6 +7004,22 @@
     <message>
         <source>Angle from the center of the round window. Modiolus: distance from the center line of the array to the inner wall. GW: frequency by Greenwood&apos;s map, Hz, at the place on the organ of Corti. SG: frequency of the spiral ganglion, Hz, at the angle; st: its semitones above the center of the default filter; in: number of simulations in which the contact is inside; its row is of these.</source>
         <translation>Winkel ab der Mitte des runden Fensters. Modiolus: Abstand der Mittellinie des Elektrodenträgers zur Innenwand. GW: Frequenz nach der Greenwood-Funktion, Hz, am Ort des Corti-Organs. SG: Frequenz des Spiralganglions, Hz, am Winkel; HT: Halbtöne über der Mitte des Standardfilters; in: Zahl der Simulationen, in denen der Kontakt innen liegt; seine Zeile gilt für diese.</translation>
+    </message>
+    <message>
+        <source>All contacts inside</source>
+        <translation>Alle Kontakte innen</translation>
+    </message>
+    <message>
+        <source>Fraction of the insertions that end with all contacts inside the cochlea, which clinics count as complete, with its 95 % interval (Wilson 1927).</source>
+        <translation>Anteil der Insertionen, die mit allen Kontakten in der Cochlea enden, was Kliniken als vollständig zählen, mit seinem 95-%-Intervall (Wilson 1927).</translation>
+    </message>
+    <message>
+        <source>All inside</source>
+        <translation>Alle innen</translation>
+    </message>
+    <message>
+        <source>Angle and coverage of the most apical contact. Shares, from %1 simulations on with 95 % intervals: all contacts inside, stop by resistance, buckling in front of the opening, tip fold-over, a force that reaches the strength of the cochlear partition. Clinics: medians or means of patients, angular depth, complete insertions, tip fold-over and translocation %2. Strength of the partition: assumed; original not available; the model gives fewer translocations than clinics report. Not validated, or *: the program’s clinical table misses a row of this array.</source>
+        <translation>Winkel und Abdeckung des apikalsten Kontakts. Anteile, ab %1 Simulationen mit 95-%-Intervallen: alle Kontakte innen, Halt durch Widerstand, Knicken vor der Öffnung, Umschlagen der Spitze, eine Kraft, die die Festigkeit der cochleären Trennwand erreicht. Kliniken: Mediane oder Mittelwerte von Patienten, Insertionswinkel, vollständige Insertionen, Umschlagen der Spitze und Translokation %2. Festigkeit der Trennwand: angenommen; Original nicht verfügbar; das Modell ergibt weniger Translokationen, als Kliniken berichten. Nicht validiert, oder *: die klinische Tabelle des Programms verfehlt eine Zeile dieses Elektrodenträgers.</translation>
     </message>
 </context>
 <context>

@@ -76,7 +76,7 @@ QStringList cellsOf(const planning::ArrayPlan& array, std::size_t place)
           medianText(array.coverage_percent, 0),
           medianText(array.peak_mN, 0),
           medianText(array.partition_mN, forceDecimals(array.partition_mN.high)),
-          chanceText(array.full, array.draws),
+          chanceText(array.allInside, array.draws),
           chanceText(array.resisted, array.draws),
           chanceText(array.buckled, array.draws),
           chanceText(array.foldedTip, array.draws),
@@ -127,7 +127,7 @@ double paintArrays(ReportSheet& sheet, const PlanReportContent& content, Referen
                             {tr("Coverage"), tr("%"), 15.4},
                             {tr("Peak force"), tr("mN"), force_mm},
                             {tr("Partition force"), tr("mN"), force_mm},
-                            {tr("Full"), {}, chance_mm},
+                            {tr("All inside"), {}, chance_mm},
                             {tr("Resistance"), {}, chance_mm},
                             {tr("Buckled"), {}, chance_mm},
                             {tr("Tip fold"), {}, chance_mm},
@@ -167,19 +167,20 @@ double paintArrays(ReportSheet& sheet, const PlanReportContent& content, Referen
     paintRow(clinics, ReportFace::quiet);
   }
   y_mm += 0.6;
-  return y_mm + sheet.paragraph(
-                    0.0, y_mm, width_mm,
-                    tr("Angle and coverage of the most apical contact. Shares, from %1 simulations "
-                       "on with 95 % intervals: full insertion, stop by resistance, buckling in "
-                       "front of the opening, tip fold-over, a force that reaches the strength of "
-                       "the cochlear partition. Clinics: medians or means of patients, angular "
-                       "depth, complete insertions, tip fold-over and translocation %2. Strength "
-                       "of the partition: assumed; original not available; the model gives fewer "
-                       "translocations than clinics report. Not validated, or *: the "
-                       "program’s clinical table misses a row of this array.")
-                        .arg(analysis::fewestForPercent)
-                        .arg(clinicsLabel(arrays, references)),
-                    ReportFace::quiet);
+  return y_mm +
+         sheet.paragraph(
+             0.0, y_mm, width_mm,
+             tr("Angle and coverage of the most apical contact. Shares, from %1 simulations "
+                "on with 95 % intervals: all contacts inside, stop by resistance, buckling in "
+                "front of the opening, tip fold-over, a force that reaches the strength of "
+                "the cochlear partition. Clinics: medians or means of patients, angular "
+                "depth, complete insertions, tip fold-over and translocation %2. Strength "
+                "of the partition: assumed; original not available; the model gives fewer "
+                "translocations than clinics report. Not validated, or *: the "
+                "program’s clinical table misses a row of this array.")
+                 .arg(analysis::fewestForPercent)
+                 .arg(clinicsLabel(arrays, references)),
+             ReportFace::quiet);
 }
 
 /// Why the whole report may not be of this patient, or not of this program; first on the page.

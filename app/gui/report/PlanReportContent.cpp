@@ -2,6 +2,7 @@
 #include "gui/report/PlanReportContent.h"
 
 #include <QCoreApplication>
+#include <cmath>
 
 #include "gui/setup/PlannedFriction.h"
 #include "gui/text/Numbers.h"
@@ -68,7 +69,8 @@ QString medianText(const planning::Band& band, int decimals)
 
 QString chanceText(const analysis::Estimate& estimate, std::size_t draws)
 {
-  if (analysis::countedOf(estimate, draws)) return shownShare(estimate, draws);
+  if (!std::isfinite(estimate.value) || analysis::countedOf(estimate, draws))
+    return shownShare(estimate, draws);
   return QStringLiteral("%1 (%2–%3)")
       .arg(numberText(100.0 * estimate.value, 0), numberText(100.0 * estimate.low, 0),
            numberText(100.0 * estimate.high, 0));

@@ -65,6 +65,7 @@ QString differenceText(const planning::Band& band)
 
 QString shownShare(const analysis::Estimate& fraction, std::size_t draws)
 {
+  if (!std::isfinite(fraction.value)) return QStringLiteral("–");
   if (const auto count = analysis::countedOf(fraction, draws))
     return QCoreApplication::translate("perilymph::gui", "%1 of %2").arg(*count).arg(draws);
   return QCoreApplication::translate("perilymph::gui", "%1 %")
@@ -73,7 +74,8 @@ QString shownShare(const analysis::Estimate& fraction, std::size_t draws)
 
 QString shownShareAndInterval(const analysis::Estimate& fraction, std::size_t draws)
 {
-  if (analysis::countedOf(fraction, draws)) return shownShare(fraction, draws);
+  if (!std::isfinite(fraction.value) || analysis::countedOf(fraction, draws))
+    return shownShare(fraction, draws);
   return QCoreApplication::translate("perilymph::gui", "%1 (%2–%3) %")
       .arg(numberText(100.0 * fraction.value, 0), numberText(100.0 * fraction.low, 0),
            numberText(100.0 * fraction.high, 0));

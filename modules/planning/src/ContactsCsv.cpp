@@ -32,7 +32,7 @@ constexpr ContactColumn contactColumns[] = {
     {"contact", "", "number of the contact; 1 is the most apical one. Makers number otherwise", ""},
     {"draws", "", "simulations in which the contact is inserted; 1 or 0 of one insertion", ""},
     {"angle_deg", "degrees", "from the center of the round window, median", anglesFrom},
-    {"angle_p5_deg", "degrees", "5 % of the simulations are below; empty of one insertion",
+    {"angle_p5_deg", "degrees", "5 % of those simulations are below; empty of one insertion",
      anglesFrom},
     {"angle_p95_deg", "degrees", "95 % are below", anglesFrom},
     {"to_modiolus_mm", "mm", "from the center line of the array to the inner wall, median",

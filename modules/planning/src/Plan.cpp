@@ -17,7 +17,7 @@ namespace perilymph::planning {
 
 namespace {
 
-/// Draws between two transactions: some seconds of work, which an interruption loses at most.
+/// Draws between two transactions: what a crash loses at most.
 constexpr std::size_t blockSize = 8;
 /// Number of draws after which the bands are looked at next: 64, 128, 256, ...
 std::size_t nextLook(std::size_t done, std::size_t draws)
@@ -152,7 +152,8 @@ Result<Plan> makePlan(const PlanRequest& request, const std::filesystem::path& d
       const auto work = [&](std::size_t piece, const std::stop_token& ending) -> Result<Done> {
         auto run = runDraw(request, *setup, done + piece + 1, ending);
         if (!run) return run.error();
-        block[piece] = *std::move(run);
+        // an insertion that was interrupted has ended nowhere
+        if (!ending.stop_requested()) block[piece] = *std::move(run);
         return Done{};
       };
       const auto ran = analysis::doInParallel(
@@ -161,11 +162,13 @@ Result<Plan> makePlan(const PlanRequest& request, const std::filesystem::path& d
             if (progress) progress((done + pieces) * arrays, request.draws * arrays);
           },
           stop);
-      if (!ran) return ran.error();
+      // what is complete up to the first draw that is not, also of a block that was interrupted
       std::vector<PlannedInsertion> added;
-      for (auto& draw : block) std::move(draw.begin(), draw.end(), std::back_inserter(added));
-      if (file)
+      for (auto draw = block.begin(); draw != block.end() && draw->size() == arrays; ++draw)
+        std::move(draw->begin(), draw->end(), std::back_inserter(added));
+      if (file && !added.empty())
         if (const auto kept = file->append(rowsOf(added)); !kept) return kept.error();
+      if (!ran) return ran.error();
       std::move(added.begin(), added.end(), std::back_inserter(plan.insertions));
       done += count;
     }

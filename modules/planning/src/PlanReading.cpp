@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <utility>
@@ -136,8 +137,11 @@ ArrayPlan arrayIn(const Json& value)
     if (each.isInFirstVersions || value.contains(each.key))
       plan.*each.band = bandAt(value, each.key, each.range);
   const Json& chances = at(value, "probability");
+  constexpr double notStated = std::numeric_limits<double>::quiet_NaN();
   for (const PlanProbability& each : planProbabilities())
-    plan.*each.estimate = probabilityAt(chances, each.key);
+    plan.*each.estimate = each.isInFirstVersions || chances.contains(each.key)
+                              ? probabilityAt(chances, each.key)
+                              : analysis::Estimate{notStated, notStated, notStated};
   if (value.contains("at_median_friction"))
     for (const FrictionQuantity& each : frictionQuantities)
       plan.atMedianFriction.emplace(plan.atMedianFriction.value_or(AtMedianFriction{})).*each.band =

@@ -51,7 +51,8 @@ constexpr PlanProbability probabilities[] = {
     {"translocated", &ArrayPlan::translocated},
     {"partition_reaches_weakest", &ArrayPlan::reachesWeakest},
     {"partition_reaches_strongest", &ArrayPlan::reachesStrongest},
-    {"resistance_felt", &ArrayPlan::felt}};
+    {"resistance_felt", &ArrayPlan::felt},
+    {"all_contacts_inside", &ArrayPlan::allInside, false}};
 
 ordered_json bandJson(const Band& band)
 {
@@ -285,9 +286,13 @@ figures::Figure influenceFigure(const ArrayPlan& plan)
     figure.bands.push_back(
         {i == 0 ? label : Sentence(), {x, x + width}, {0.0, 0.0}, {narrower, narrower}, color});
   };
-  const std::size_t bars = std::min(maxBars, plan.influences.size());
+  std::vector<Influence> largest = plan.influences;
+  std::stable_sort(largest.begin(), largest.end(), [](const Influence& a, const Influence& b) {
+    return std::max(a.onAngle, a.onPeak) > std::max(b.onAngle, b.onPeak);
+  });
+  const std::size_t bars = std::min(maxBars, largest.size());
   for (std::size_t i = 0; i < bars; ++i) {
-    const Influence& each = plan.influences[i];
+    const Influence& each = largest[i];
     addBar("angular insertion depth", i, -width, each.onAngle, ink::tint(ink::blue, 0.8));
     addBar("peak force", i, 0.0, each.onPeak, ink::tint(ink::vermilion, 0.5));
     std::string note = std::to_string(i + 1) + ": " + each.input;
@@ -300,8 +305,11 @@ figures::Figure influenceFigure(const ArrayPlan& plan)
   }
   figure.x = {"input", 0.5, static_cast<double>(std::max<std::size_t>(bars, 1)) + 0.5, 1.0, 0};
   figure.y = figures::axisOver("narrower if it were known, %", 0.0, 100.0);
-  figure.notes.push_back("1 - sqrt(1 - r^2) with the squared rank correlation r^2 over " +
-                         std::to_string(plan.draws) + " draws, adjusted for chance.");
+  figure.notes.push_back(
+      "1 - sqrt(1 - r^2) with the squared rank correlation r^2 over " + std::to_string(plan.draws) +
+      " simulations, adjusted for chance and, where all add up to more, reduced "
+      "to a sum of 1. The " +
+      std::to_string(bars) + " largest inputs of " + std::to_string(largest.size()) + ".");
   return figure;
 }
 
@@ -411,7 +419,8 @@ std::vector<std::pair<std::string, figures::Figure>> planFigures(const Plan& pla
   std::vector<std::pair<std::string, figures::Figure>> figures = {{"angle", angleFigure(plan)}};
   for (std::size_t i = 0; i < plan.arrays.size(); ++i) {
     figures.emplace_back("force-" + std::to_string(i + 1), forceFigure(plan, plan.arrays[i]));
-    figures.emplace_back("influence-" + std::to_string(i + 1), influenceFigure(plan.arrays[i]));
+    if (!plan.arrays[i].influences.empty())
+      figures.emplace_back("influence-" + std::to_string(i + 1), influenceFigure(plan.arrays[i]));
   }
   return figures;
 }

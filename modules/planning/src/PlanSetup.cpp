@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PlanSetup.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <stop_token>
@@ -59,6 +60,9 @@ Result<Done> checkRequest(const PlanRequest& request)
         "The patient %1 has no A and B, which a plan needs. Measure them, or use 'simulate'.",
         request.patient.label};
   if (request.arrays.empty()) return Error{"A plan needs at least one array. Name one."};
+  for (auto each = request.arrays.begin(); each != request.arrays.end(); ++each)
+    if (std::find(request.arrays.begin(), each, *each) != each)
+      return Error{"The array %1 is named twice. Name it once.", *each};
   if (request.draws < 1 || request.draws > maxDraws)
     return Error{"A plan of %1 draws is not possible; 1 to %2 are.", request.draws, maxDraws};
   return Done{};

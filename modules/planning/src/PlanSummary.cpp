@@ -278,6 +278,11 @@ ArrayPlan summaryOf(const Insertions& all, const PlannedArray& array, const Thre
   plan.partition_mN =
       band([](const PlannedInsertion& each) { return inMillinewtons(each.insertion.partition); });
   plan.full = probabilityOf(all, {InsertionEnd::finished});
+  plan.allInside = probability(all, [](const PlannedInsertion& each) {
+    const auto& contacts = each.insertion.contacts;
+    return !contacts.empty() && std::all_of(contacts.begin(), contacts.end(),
+                                            [](const auto& one) { return one.isInserted; });
+  });
   plan.resisted = probabilityOf(all, {InsertionEnd::stoppedByResistance});
   plan.buckled = probabilityOf(all, {InsertionEnd::buckled});
   plan.foldedTip = probabilityOf(all, {InsertionEnd::foldedTip});

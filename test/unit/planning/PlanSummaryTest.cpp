@@ -54,6 +54,7 @@ TEST(PlanSummary, CountsEveryEnd)
   EXPECT_NEAR(array.buckled.value, 0.0, 1e-12);
   EXPECT_GT(array.buckled.high, 0.03);  // none in a hundred is no proof of none
   EXPECT_NEAR(array.ruptured.value, 0.1, 1e-12);
+  EXPECT_NEAR(array.allInside.value, 0.5, 1e-12);  // both contacts in every second draw
 }
 
 TEST(PlanSummary, LeavesAnInsertionThatCouldNotBePreparedOutOfTheBandsButNotOutOfTheCount)

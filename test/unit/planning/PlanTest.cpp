@@ -86,6 +86,29 @@ TEST_F(SmallPlan, IsTheSameForOneThreadAndTwoAndAfterAnInterruption)
   EXPECT_EQ(textOf(usual()), textOf(*two));
 }
 
+TEST_F(SmallPlan, KeepsTheDrawsThatWereFinishedWhenItIsInterrupted)
+{
+  request_.jobs = 1;
+  request_.draws = 3;
+  std::stop_source stop;
+  const auto afterOne = [&](std::size_t, std::size_t) { stop.request_stop(); };
+  EXPECT_FALSE(planning::makePlan(request_, draws(), afterOne, stop.get_token()));
+  request_.draws = 1;
+  const auto seen = planning::viewPlan(request_, draws());
+  ASSERT_TRUE(seen) << seen.error().message;
+  const auto made = planning::makePlan(request_, {}, {});
+  ASSERT_TRUE(made) << made.error().message;
+  EXPECT_EQ(textOf(*seen), textOf(*made));
+}
+
+TEST_F(SmallPlan, NamesEachArrayOnce)
+{
+  request_.arrays = {"flex20", "flex24", "flex20"};
+  const auto made = planning::makePlan(request_, {}, {});
+  ASSERT_FALSE(made);
+  EXPECT_EQ(made.error().message, "The array flex20 is named twice. Name it once.");
+}
+
 TEST_F(SmallPlan, StatesTheFrictionThatItsBandsHoldFixed)
 {
   request_.draws = 1;

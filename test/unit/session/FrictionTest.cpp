@@ -109,6 +109,20 @@ TEST(Friction, OfARecordedTextNeedsNoFile)
   EXPECT_DOUBLE_EQ(second->friction().sliding(7.7e-3), 0.33);
 }
 
+// Without a spread a factor of 25 % would be drawn silently.
+TEST(Friction, WithASpreadOfZeroIsRefused)
+{
+  const test::TemporaryFolder folder;
+  const std::filesystem::path file = folder / "mine.toml";
+  std::ofstream(file)
+      << "title = 'Mine'\n[coefficients]\nstatic = 0.2\ndynamic = 0.2\nsource = 'x'\n"
+         "confidence = 'low'\n[stopping]\ncoefficient = 0.05\nsource = 'x'\n"
+         "confidence = 'low'\n[spread]\nshared_sd_log = 0.0\near_sd_log = 0.0\n"
+         "source = 'x'\nconfidence = 'low'\n";
+  EXPECT_THAT(refusal({{"friction", file.string()}}),
+              HasSubstr("shared_sd_log and ear_sd_log are 0: no spread."));
+}
+
 TEST(Friction, NamedAgainReplacesTheNumbersOfTheText)
 {
   const std::string text = with({{"friction", "tissue"}}).text();

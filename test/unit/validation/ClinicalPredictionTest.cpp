@@ -38,6 +38,16 @@ ClinicalRow rowOf(const std::vector<analysis::ClinicalInsertion>& insertions,
   return {};
 }
 
+TEST(ClinicalPrediction, RefusesASeedThatIsGivenTwice)
+{
+  ClinicalRequest request;
+  request.seeds = {1, 2, 1};
+  const auto result = predictClinic(request, {});
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().message,
+            "Seed 1 is given twice: its cochleae would count double. Give it once.");
+}
+
 // O'Connell 2017: FLEX24 median 408, interquartile range 373 to 449 degrees, here of 16 patients
 TEST(ClinicalRow, ComparesTheMedianWithThatOfThePatients)
 {

@@ -44,7 +44,7 @@ PlanCellKind kindOf(PlanColumn column)
       return PlanCellKind::name;
     case PlanColumn::force:
       return PlanCellKind::curve;
-    case PlanColumn::full:
+    case PlanColumn::complete:
     case PlanColumn::resisted:
     case PlanColumn::buckled:
     case PlanColumn::foldedTip:
@@ -72,8 +72,8 @@ QString titleOf(PlanColumn column)
       return tr("Force over depth");
     case PlanColumn::partition:
       return tr("Force on the partition");
-    case PlanColumn::full:
-      return tr("Full insertion");
+    case PlanColumn::complete:
+      return tr("All contacts inside");
     case PlanColumn::resisted:
       return tr("Stopped by resistance");
     case PlanColumn::buckled:
@@ -115,10 +115,10 @@ QString methodOf(PlanColumn column)
     case PlanColumn::partition:
       return tr(
           "Maximum force on the cochlear partition. Median and the band that the head names.");
-    case PlanColumn::full:
+    case PlanColumn::complete:
       return tr(
-          "Fraction of the insertions that reach the depth the drawn surgeon intends, between all "
-          "contacts inside and the array’s greatest depth, with its 95 % interval (Wilson 1927).");
+          "Fraction of the insertions that end with all contacts inside the cochlea, which clinics "
+          "count as complete, with its 95 % interval (Wilson 1927).");
     case PlanColumn::resisted:
       return tr(
           "Fraction in which the force reaches the limit at which the drawn surgeon stops, "
@@ -165,7 +165,7 @@ const analysis::Estimate& estimateOf(const planning::ArrayPlan& plan, PlanColumn
     case PlanColumn::ruptured:
       return plan.ruptured;
     default:
-      return plan.full;
+      return plan.allInside;
   }
 }
 
@@ -206,7 +206,7 @@ std::optional<analysis::ReportedQuantity> reportedOf(PlanColumn column)
       return ReportedQuantity::peakForce;
     case PlanColumn::end:
       return ReportedQuantity::endForce;
-    case PlanColumn::full:
+    case PlanColumn::complete:
       return ReportedQuantity::complete;
     case PlanColumn::foldedTip:
       return ReportedQuantity::foldOver;

@@ -21,7 +21,7 @@ enum class PlanColumn {
   end,
   force,
   partition,
-  full,
+  complete,
   resisted,
   buckled,
   foldedTip,

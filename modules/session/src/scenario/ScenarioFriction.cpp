@@ -74,6 +74,10 @@ Result<FrictionPreset> loadFriction(const std::string& nameOrFile)
     TomlReader spread = tableOf(*reader, "spread");
     preset.spread.shared = spread.number("shared_sd_log", spreadRange);
     preset.spread.ear = spread.number("ear_sd_log", spreadRange);
+    if (!preset.spread.isKnown())
+      spread.refuse("ear_sd_log",
+                    "shared_sd_log and ear_sd_log are 0: no spread. Give one of them, or leave the "
+                    "table out; then a factor with a standard deviation of 25 % is drawn.");
   }
   if (const auto done = reader->finish(); !done) return done.error();
   return preset;

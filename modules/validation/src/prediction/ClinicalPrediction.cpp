@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "perilymph/validation/ClinicalPrediction.h"
 
+#include <algorithm>
 #include <iterator>
 #include <memory>
 #include <stop_token>
@@ -43,6 +44,9 @@ Result<ClinicalResult> predictClinic(const ClinicalRequest& request,
 {
   const auto hand = analysis::shippedHand();
   if (!hand) return hand.error();
+  for (auto each = request.seeds.begin(); each != request.seeds.end(); ++each)
+    if (std::find(request.seeds.begin(), each, *each) != each)
+      return Error{"Seed %1 is given twice: its cochleae would count double. Give it once.", *each};
   const auto packing = analysis::shippedPackingRange();
   if (!packing) return packing.error();
   const std::vector<std::string> names = arraysOf(request);

@@ -30,6 +30,7 @@ std::span<const PlanQuantity> planQuantities();
 struct PlanProbability {
   const char* key;  ///< Its name in files.
   analysis::Estimate ArrayPlan::*estimate;
+  bool isInFirstVersions = true;
 };
 /// All of them, in the order of the files.
 std::span<const PlanProbability> planProbabilities();

@@ -122,8 +122,11 @@ struct ArrayPlan {
   std::optional<AtMedianFriction> atMedianFriction;
   /// End force after 1 s and 10 s of rest; zeros if it was not computed.
   Band after1s_mN, after10s_mN;
-  Band partition_mN;             ///< Maximum force on the cochlear partition.
-  analysis::Estimate full;       ///< That the intended depth is reached, with its 95 % interval.
+  Band partition_mN;        ///< Maximum force on the cochlear partition.
+  analysis::Estimate full;  ///< That the intended depth is reached, with its 95 % interval.
+  /// That all contacts end inside: a complete insertion as clinics count it, whether or not the surgeon meant
+  /// to push further. NaN in a plan.json that does not state it.
+  analysis::Estimate allInside;
   analysis::Estimate resisted;   ///< That the surgeon stops by resistance.
   analysis::Estimate buckled;    ///< That the array bows in front of the opening.
   analysis::Estimate foldedTip;  ///< That the tip folds over.

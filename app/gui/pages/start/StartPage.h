@@ -69,6 +69,9 @@ public:
   /// Shows why the selection failed.
   void showError(const QString& sentence);
 
+Q_SIGNALS:
+  void ctRequested(const perilymph::gui::CtRequest& request);
+
 protected:
   void resizeEvent(QResizeEvent* event) override;
 

@@ -272,7 +272,7 @@ TEST_F(APlan, IsMadeSeenInsertedAndOpenedAgainInSteps)
     const auto isSaid = [&page](const char* text) {
       const auto labels = page.findChildren<QLabel*>();
       return std::any_of(labels.begin(), labels.end(), [text](const QLabel* each) {
-        return each->isVisible() && each->text().contains(QLatin1String(text));
+        return each->isVisible() && each->text().contains(QString::fromUtf8(text));
       });
     };
     EXPECT_TRUE(isSaid("Computing the plan"));

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "gui/pages/Page.h"
+#include "gui/setup/CtRequest.h"
 #include "perilymph/anatomy/Patient.h"
 
 class QLabel;

@@ -50,7 +50,7 @@ Result<Done> printContent(const session::RecordedInsertion& recorded)
         facts.device);
   print("{:18} {}, lost {}, {}\n", "samples", profile.ticks, recorded.lostRecords(),
         recorded.wasClosed() ? "closed properly" : "not closed: interrupted");
-  print("{:18} {} N at {} mm travel\n", "peak force", fixed(profile.peak.force, 4),
+  print("{:18} {} mN at {} mm travel\n", "peak force", fixed(1e3 * profile.peak.force, 1),
         fixed(inMillimeters(meters(profile.peak.travel)), 1));
   print("{:18} travel {} mm, insertion depth {} mm\n", "at the end",
         fixed(inMillimeters(meters(profile.finalTravel)), 2),

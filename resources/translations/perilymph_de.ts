@@ -1264,10 +1264,6 @@
         <translation>%1 kann nicht geschrieben werden: %2. Prüfen Sie die Rechte des Ordners und den Platz auf der Platte.</translation>
     </message>
     <message>
-        <source>Alexiades et al. 2015, Otol Neurotol 36:904</source>
-        <translation>Alexiades et al. 2015, Otol Neurotol 36:904</translation>
-    </message>
-    <message>
         <source>No device was chosen. Press H and choose one.</source>
         <translation>Es wurde kein Gerät gewählt. Drücken Sie H, und wählen Sie eines.</translation>
     </message>
@@ -2598,10 +2594,6 @@
     <message>
         <source>H</source>
         <translation>H</translation>
-    </message>
-    <message>
-        <source>The plan has no draw %1 of array %2; it has %3 draws of %4 arrays. Choose one of them.</source>
-        <translation>Der Plan hat keine Simulation %1 des Trägers %2; er hat %3 Simulationen von %4 Trägern. Wählen Sie eine davon.</translation>
     </message>
     <message>
         <source>An array, the scenario, a distribution or the program was changed since the plan of %1 was made. Make it again.</source>
@@ -4035,6 +4027,22 @@
         <source>Seed %1 is given twice: its cochleae would count double. Give it once.</source>
         <translation>Der Startwert %1 ist zweimal angegeben: Seine Cochleae zählten doppelt. Geben Sie ihn einmal an.</translation>
     </message>
+    <message>
+        <source>The plan has no simulation %1 of array %2; it has %3 of each of %4 arrays. Choose one of them.</source>
+        <translation>Der Plan hat keine Simulation %1 des Trägers %2; er hat %3 von jedem von %4 Trägern. Wählen Sie eine davon.</translation>
+    </message>
+    <message>
+        <source>Can be compared but not replayed: %1</source>
+        <translation>Kann verglichen, aber nicht wiedergegeben werden: %1</translation>
+    </message>
+    <message>
+        <source>Empty: the program ended before the insertion began; delete it.</source>
+        <translation>Leer: Das Programm endete, bevor die Insertion begann; löschen Sie sie.</translation>
+    </message>
+    <message>
+        <source>Incomplete: the program was interrupted.</source>
+        <translation>Unvollständig: Das Programm wurde unterbrochen.</translation>
+    </message>
 </context>
 <context>
     <name>Display</name>
@@ -4742,10 +4750,6 @@
         <translation>%1, %2°</translation>
     </message>
     <message>
-        <source>Time</source>
-        <translation>Zeit</translation>
-    </message>
-    <message>
         <source>%1 s</source>
         <translation>%1 s</translation>
     </message>
@@ -5060,10 +5064,6 @@
     <message>
         <source>Maximum insertion depth</source>
         <translation>Maximale Insertionstiefe</translation>
-    </message>
-    <message>
-        <source>from first motion, pauses included</source>
-        <translation>ab der ersten Bewegung, mit Pausen</translation>
     </message>
     <message>
         <source>withdrawal of 0.1 mm or more</source>
@@ -5494,10 +5494,6 @@
         <translation>Insertionsdauer</translation>
     </message>
     <message>
-        <source>without pauses, to maximum depth; reversals: %1</source>
-        <translation>ohne Pausen, bis zur größten Tiefe; Rückzüge: %1</translation>
-    </message>
-    <message>
         <source>Maximum partition force</source>
         <translation>Maximale Trennwandkraft</translation>
     </message>
@@ -5632,10 +5628,6 @@
     <message>
         <source>95 % interval. Standard deviations: noise and voxels %1 mm, shape model %2 mm, position of the round window %3 mm.</source>
         <translation>95-%-Intervall. Standardabweichungen: Rauschen und Voxel %1 mm, Formmodell %2 mm, Position des runden Fensters %3 mm.</translation>
-    </message>
-    <message>
-        <source>CDL from A and B (elliptic-circular). Its interval holds what A alone gives: %1 mm (Alexiades).</source>
-        <translation>CDL aus A und B (elliptisch-zirkulär). Ihr Intervall umfasst, was A allein ergibt: %1 mm (Alexiades).</translation>
     </message>
     <message>
         <source>Length</source>
@@ -6106,10 +6098,6 @@
         <translation>Serie %1</translation>
     </message>
     <message>
-        <source>Measured in the CT series with the SHA-256 %1. The CT itself is not kept: open its folder on the page CT.</source>
-        <translation>Gemessen in der CT-Serie mit dem SHA-256 %1. Das CT selbst wird nicht gespeichert: seinen Ordner auf der Seite CT öffnen.</translation>
-    </message>
-    <message>
         <source>1 array</source>
         <translation>1 Träger</translation>
     </message>
@@ -6132,10 +6120,6 @@
     <message>
         <source>peak %1 mN</source>
         <translation>Maximum %1 mN</translation>
-    </message>
-    <message>
-        <source>not moved</source>
-        <translation>nicht bewegt</translation>
     </message>
     <message>
         <source>Insertion</source>
@@ -6266,10 +6250,6 @@
         <translation>Linien: Median; Flächen: %1. Blasser und gepunktet, wo Simulationen geendet haben (Ringe), mit der Anzahl, die so tief kam.</translation>
     </message>
     <message>
-        <source>Mean axial force on the hand over the last half second before it stops. Median and the band that the head names.</source>
-        <translation>Mittlere axiale Kraft auf die Hand in der letzten halben Sekunde, bevor sie anhält. Median und das Band, das der Kopf nennt.</translation>
-    </message>
-    <message>
         <source>Arrays in this cochlea: median (%1)</source>
         <translation>Träger in dieser Cochlea: Median (%1)</translation>
     </message>
@@ -6300,10 +6280,6 @@
     <message>
         <source>after 10 s, mN</source>
         <translation>nach 10 s, mN</translation>
-    </message>
-    <message>
-        <source>End force: mean of the last half second before the hand stops; then means of the half second before 1 s and before 10 s of rest.</source>
-        <translation>Endkraft: Mittel der letzten halben Sekunde, bevor die Hand anhält; danach Mittel der halben Sekunde vor 1 s und vor 10 s Ruhe.</translation>
     </message>
     <message>
         <source>mN over depth in mm: median, 25–75 % and band; rings: ends</source>
@@ -6520,18 +6496,6 @@
     <message>
         <source>Differences in the same ear, with the same hand and friction (%1):</source>
         <translation>Unterschiede im selben Ohr, bei gleicher Hand und Reibung (%1):</translation>
-    </message>
-    <message>
-        <source>The end force is a mean of 0.5 s in which the force still rose.</source>
-        <translation>Die Endkraft ist ein Mittel über 0,5 s, in denen die Kraft noch stieg.</translation>
-    </message>
-    <message>
-        <source>mean of the last 0.5 s of motion</source>
-        <translation>Mittel der letzten 0,5 s der Bewegung</translation>
-    </message>
-    <message>
-        <source>mean of the last 0.5 s of motion, still rising</source>
-        <translation>Mittel der letzten 0,5 s der Bewegung, noch steigend</translation>
     </message>
     <message>
         <source>mean of 0.5 to 1 s after the stop</source>
@@ -6818,10 +6782,6 @@
         <translation>Erster Widerstand und Kraft auf die Trennwand: Median (Band)</translation>
     </message>
     <message>
-        <source>First resistance: depth of the tip past the opening where the insertion force first reaches %1 mN, the median force that surgeons detect %4, over the draws in which it does; felt: that it does. ≥ %2 and ≥ %3 mN: that the force on the cochlear partition reaches its weakest and its strongest assumed strength; original not available.</source>
-        <translation>Erster Widerstand: Tiefe der Spitze jenseits der Öffnung, in der die Insertionskraft zuerst %1 mN erreicht, den Median der Kraft, die Operateure spüren %4, über die Simulationen, in denen sie das tut; spürbar: dass sie es tut. ≥ %2 und ≥ %3 mN: dass die Kraft auf die cochleäre Trennwand deren geringste und höchste angenommene Festigkeit erreicht; Original nicht verfügbar.</translation>
-    </message>
-    <message>
         <source>Force at the end and at rest: median (band)</source>
         <translation>Kraft am Ende und in Ruhe: Median (Band)</translation>
     </message>
@@ -7002,10 +6962,6 @@
         <translation>in</translation>
     </message>
     <message>
-        <source>Angle from the center of the round window. Modiolus: distance from the center line of the array to the inner wall. GW: frequency by Greenwood&apos;s map, Hz, at the place on the organ of Corti. SG: frequency of the spiral ganglion, Hz, at the angle; st: its semitones above the center of the default filter; in: number of simulations in which the contact is inside; its row is of these.</source>
-        <translation>Winkel ab der Mitte des runden Fensters. Modiolus: Abstand der Mittellinie des Elektrodenträgers zur Innenwand. GW: Frequenz nach der Greenwood-Funktion, Hz, am Ort des Corti-Organs. SG: Frequenz des Spiralganglions, Hz, am Winkel; HT: Halbtöne über der Mitte des Standardfilters; in: Zahl der Simulationen, in denen der Kontakt innen liegt; seine Zeile gilt für diese.</translation>
-    </message>
-    <message>
         <source>All contacts inside</source>
         <translation>Alle Kontakte innen</translation>
     </message>
@@ -7020,6 +6976,74 @@
     <message>
         <source>Angle and coverage of the most apical contact. Shares, from %1 simulations on with 95 % intervals: all contacts inside, stop by resistance, buckling in front of the opening, tip fold-over, a force that reaches the strength of the cochlear partition. Clinics: medians or means of patients, angular depth, complete insertions, tip fold-over and translocation %2. Strength of the partition: assumed; original not available; the model gives fewer translocations than clinics report. Not validated, or *: the program’s clinical table misses a row of this array.</source>
         <translation>Winkel und Abdeckung des apikalsten Kontakts. Anteile, ab %1 Simulationen mit 95-%-Intervallen: alle Kontakte innen, Halt durch Widerstand, Knicken vor der Öffnung, Umschlagen der Spitze, eine Kraft, die die Festigkeit der cochleären Trennwand erreicht. Kliniken: Mediane oder Mittelwerte von Patienten, Insertionswinkel, vollständige Insertionen, Umschlagen der Spitze und Translokation %2. Festigkeit der Trennwand: angenommen; Original nicht verfügbar; das Modell ergibt weniger Translokationen, als Kliniken berichten. Nicht validiert, oder *: die klinische Tabelle des Programms verfehlt eine Zeile dieses Elektrodenträgers.</translation>
+    </message>
+    <message>
+        <source>Its interval holds what the formula of A alone gives: %1 mm (Alexiades et al. 2015).</source>
+        <translation>Ihr Intervall enthält, was die Formel aus A allein ergibt: %1 mm (Alexiades et al. 2015).</translation>
+    </message>
+    <message>
+        <source>CDL: cochlear duct length along the organ of Corti, from A and B (elliptic-circular).</source>
+        <translation>CDL: Länge des Ductus cochlearis entlang des Corti-Organs, aus A und B (elliptisch-kreisförmig).</translation>
+    </message>
+    <message>
+        <source>Axial force on the hand at its stop, by the line through the last half second of motion. Median and the band that the head names.</source>
+        <translation>Axiale Kraft auf die Hand bei ihrem Halt, nach der Geraden durch die letzte halbe Sekunde der Bewegung. Median und das Band, das der Kopf nennt.</translation>
+    </message>
+    <message>
+        <source>at the stop: line through the last 0.5 s of motion</source>
+        <translation>beim Halt: Gerade durch die letzten 0,5 s der Bewegung</translation>
+    </message>
+    <message>
+        <source>first to last motion, pauses included; reversals: %1</source>
+        <translation>erste bis letzte Bewegung, mit Pausen; Umkehrungen: %1</translation>
+    </message>
+    <message>
+        <source>First resistance: depth of the tip past the opening where the insertion force first reaches %1 mN, the median force that surgeons detect %4, over the simulations in which it does; felt: that it does. ≥ %2 and ≥ %3 mN: that the force on the cochlear partition reaches its weakest and its strongest assumed strength; original not available.</source>
+        <translation>Erster Widerstand: Tiefe der Spitze jenseits der Öffnung, in der die Insertionskraft zuerst %1 mN erreicht, den Median der Kraft, die Operateure spüren %4, über die Simulationen, in denen sie das tut; spürbar: dass sie es tut. ≥ %2 und ≥ %3 mN: dass die Kraft auf die cochleäre Trennwand deren geringste und höchste angenommene Festigkeit erreicht; Original nicht verfügbar.</translation>
+    </message>
+    <message>
+        <source>End force: at the stop, by the line through the last half second of motion; then means of the half second before 1 s and before 10 s of rest.</source>
+        <translation>Endkraft: beim Halt, nach der Geraden durch die letzte halbe Sekunde der Bewegung; danach Mittel der halben Sekunde vor 1 s und vor 10 s Ruhe.</translation>
+    </message>
+    <message>
+        <source>Angle from the center of the round window. Modiolus: distance from the center line of the array to the inner wall. GW: frequency by Greenwood&apos;s map, kHz, at the place on the organ of Corti. SG: frequency of the spiral ganglion, kHz, at the angle; st: its semitones above the center of the default filter; in: number of simulations in which the contact is inside; its row is of these.</source>
+        <translation>Winkel ab der Mitte des runden Fensters. Modiolus: Abstand der Mittellinie des Elektrodenträgers zur Innenwand. GW: Frequenz nach der Greenwood-Funktion, kHz, am Ort des Corti-Organs. SG: Frequenz des Spiralganglions, kHz, am Winkel; HT: Halbtöne über der Mitte des Standardfilters; in: Zahl der Simulationen, in denen der Kontakt innen liegt; seine Zeile gilt für diese.</translation>
+    </message>
+    <message>
+        <source>first to last motion, pauses included</source>
+        <translation>erste bis letzte Bewegung, mit Pausen</translation>
+    </message>
+    <message>
+        <source>entered</source>
+        <translation>eingegeben</translation>
+    </message>
+    <message>
+        <source>by hand: %1</source>
+        <translation>von Hand: %1</translation>
+    </message>
+    <message>
+        <source>CDL</source>
+        <translation>CDL</translation>
+    </message>
+    <message>
+        <source>Beyond the 95 % interval of the difference</source>
+        <translation>Außerhalb des 95-%-Intervalls der Differenz</translation>
+    </message>
+    <message>
+        <source>Within the 95 % interval of the difference</source>
+        <translation>Innerhalb des 95-%-Intervalls der Differenz</translation>
+    </message>
+    <message>
+        <source>%1 %2 → %3 mm</source>
+        <translation>%1 %2 → %3 mm</translation>
+    </message>
+    <message>
+        <source>Measures before (%1): %2</source>
+        <translation>Messwerte davor (%1): %2</translation>
+    </message>
+    <message>
+        <source>Opens the CT series with the SHA-256 %1 where it was read. The CT itself is not kept.</source>
+        <translation>Öffnet die CT-Serie mit dem SHA-256 %1, wo sie gelesen wurde. Das CT selbst wird nicht aufbewahrt.</translation>
     </message>
 </context>
 <context>
@@ -7312,6 +7336,10 @@
         <source>The cochlea is being built; the insertion can start afterwards.</source>
         <translation>Die Cochlea wird berechnet; danach kann die Insertion beginnen.</translation>
     </message>
+    <message>
+        <source>Recorded time since the first motion; after the insertion time it includes the rest</source>
+        <translation>Aufgezeichnete Zeit seit der ersten Bewegung; nach der Insertionsdauer enthält sie die Ruhe</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::BuildingNote</name>
@@ -7540,10 +7568,6 @@
         <translation>–</translation>
     </message>
     <message>
-        <source>%1 Hz</source>
-        <translation>%1 Hz</translation>
-    </message>
-    <message>
         <source>%1 kHz</source>
         <translation>%1 kHz</translation>
     </message>
@@ -7564,16 +7588,16 @@
         <translation>Innen</translation>
     </message>
     <message>
-        <source>Draws in which the contact is inserted; the other columns are over these</source>
-        <translation>Simulationen, in denen der Kontakt eingeführt ist; die anderen Spalten gelten für diese</translation>
-    </message>
-    <message>
         <source>%1 of %2</source>
         <translation>%1 von %2</translation>
     </message>
     <message>
         <source>From the round window. Median and the band that the head names.</source>
         <translation>Vom runden Fenster. Median und das Band, das der Kopf nennt.</translation>
+    </message>
+    <message>
+        <source>Simulations in which the contact is inserted; the other columns are over these</source>
+        <translation>Simulationen, in denen der Kontakt eingeführt ist; die anderen Spalten gelten für diese</translation>
     </message>
 </context>
 <context>
@@ -7664,6 +7688,10 @@
     <message>
         <source>Open folder…</source>
         <translation>Ordner öffnen…</translation>
+    </message>
+    <message>
+        <source>The CT in which %1 was measured is no longer where it was read, or was never read on this computer. Open its folder here.</source>
+        <translation>Das CT, in dem %1 vermessen wurde, ist nicht mehr, wo es gelesen wurde, oder wurde nie auf diesem Rechner gelesen. Öffnen Sie seinen Ordner hier.</translation>
     </message>
 </context>
 <context>
@@ -7832,6 +7860,14 @@
         <source>from landmarks</source>
         <translation>aus Landmarken</translation>
     </message>
+    <message>
+        <source>Measured again: %1</source>
+        <translation>Erneut vermessen: %1</translation>
+    </message>
+    <message>
+        <source>Measured again after landmarks were moved: %1</source>
+        <translation>Erneut vermessen, nachdem Landmarken verschoben wurden: %1</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::CtSeriesList</name>
@@ -7849,14 +7885,6 @@
     <message>
         <source>%1 mm</source>
         <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>Two-turn length</source>
-        <translation>Länge zweier Windungen</translation>
-    </message>
-    <message>
-        <source>Turns</source>
-        <translation>Windungen</translation>
     </message>
     <message>
         <source>%1°</source>
@@ -8514,6 +8542,33 @@
     </message>
 </context>
 <context>
+    <name>perilymph::gui::MeasureVersionList</name>
+    <message>
+        <source>Measures of this ear, the newest first</source>
+        <translation>Messwerte dieses Ohrs, die neuesten zuerst</translation>
+    </message>
+    <message>
+        <source>Saved</source>
+        <translation>Gespeichert</translation>
+    </message>
+    <message>
+        <source>How</source>
+        <translation>Wie</translation>
+    </message>
+    <message>
+        <source>%1, mm</source>
+        <translation>%1, mm</translation>
+    </message>
+    <message>
+        <source>in use: %1</source>
+        <translation>gilt: %1</translation>
+    </message>
+    <message>
+        <source>In use: %1 mm. %2</source>
+        <translation>Geltende: %1 mm. %2</translation>
+    </message>
+</context>
+<context>
     <name>perilymph::gui::Navigation</name>
     <message>
         <source>OpenIGTLink is off: no program can connect.</source>
@@ -8912,6 +8967,10 @@
     <message>
         <source>Choose a patient.</source>
         <translation>Einen Patienten wählen.</translation>
+    </message>
+    <message>
+        <source>MEASURES</source>
+        <translation>MESSWERTE</translation>
     </message>
 </context>
 <context>
@@ -9335,7 +9394,7 @@
         <translation>95-%-Intervalle, Fehler angenommen: SD %1 mm</translation>
     </message>
     <message>
-        <source>A: basal-turn diameter; B: basal-turn width, perpendicular to A; H: height. Every draw takes other values within these errors.</source>
+        <source>A: basal-turn diameter; B: basal-turn width, perpendicular to A; H: height. Every simulation takes other values within these errors.</source>
         <translation>A: Durchmesser der basalen Windung; B: Breite der basalen Windung, senkrecht zu A; H: Höhe. Jede Simulation nimmt andere Werte innerhalb dieser Fehler.</translation>
     </message>
 </context>
@@ -9382,10 +9441,6 @@
     <message>
         <source>Canceled. What is done is kept; Compute continues there.</source>
         <translation>Abgebrochen. Was fertig ist, bleibt; „Berechnen“ setzt dort fort.</translation>
-    </message>
-    <message>
-        <source>%1 of at most %2 insertions. Another page can be shown meanwhile.</source>
-        <translation>%1 von höchstens %2 Insertionen. Währenddessen kann eine andere Seite gezeigt werden.</translation>
     </message>
     <message>
         <source>Back to the table</source>
@@ -9459,6 +9514,46 @@
         <source>%1%2, %3. Medians; bands: %4</source>
         <translation>%1%2, %3. Mediane; Bänder: %4</translation>
     </message>
+    <message>
+        <source>Computing the plan</source>
+        <translation>Der Plan wird berechnet</translation>
+    </message>
+    <message>
+        <source>%1
+
+%2
+
+The first bands come after 8 simulations of each array.</source>
+        <translation>%1
+
+%2
+
+Die ersten Bänder kommen nach 8 Simulationen jedes Trägers.</translation>
+    </message>
+    <message>
+        <source> · </source>
+        <translation> · </translation>
+    </message>
+    <message>
+        <source>%1 of at most %2 insertions.</source>
+        <translation>%1 von höchstens %2 Insertionen.</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>%1 Another page can be shown meanwhile.</source>
+        <translation>%1 Währenddessen kann eine andere Seite gezeigt werden.</translation>
+    </message>
+    <message>
+        <source>Less than a minute left.</source>
+        <translation>Noch weniger als eine Minute.</translation>
+    </message>
+    <message>
+        <source>At most about %1 min left.</source>
+        <translation>Noch höchstens etwa %1 min.</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::PlanPanel</name>
@@ -9507,10 +9602,6 @@
         <translation>Keinen Träger wählen</translation>
     </message>
     <message>
-        <source>A draw is a cochlea within the errors of the measures, an approach, a stiffness and a surgeon. Fewer are run if the median angle is known to 5° and the median peak force to 5 %.</source>
-        <translation>Eine Simulation ist eine Cochlea innerhalb der Fehler der Maße, ein Zugang, eine Steifigkeit und ein Chirurg. Es werden weniger gerechnet, wenn der mittlere Winkel auf 5° und die mittlere Maximalkraft auf 5 % bekannt sind.</translation>
-    </message>
-    <message>
         <source>Esc. What is done is kept, and Compute continues there.</source>
         <translation>Esc. Was fertig ist, bleibt, und „Berechnen“ setzt dort fort.</translation>
     </message>
@@ -9551,10 +9642,6 @@
         <translation>Reibung</translation>
     </message>
     <message>
-        <source>No friction in a living ear is known. The first one is estimated from force curves in fresh cochleae of pigs, median 0.165; simulations draw it from 0.08 to 0.33. 0.12 is recalled for arrays on endosteum; with the friction measured on a tissue simulant arrays stop at 240 to 350°.</source>
-        <translation>Eine Reibung im lebenden Ohr ist nicht bekannt. Die erste ist aus Kraftkurven in frischen Cochleae von Schweinen geschätzt, Median 0,165; Simulationen ziehen sie von 0,08 bis 0,33. 0,12 ist für Elektrodenträger auf Endost erinnert; mit der an einem Gewebe-Simulans gemessenen Reibung halten Träger bei 240 bis 350°.</translation>
-    </message>
-    <message>
         <source>Example: %1</source>
         <translation>Beispiel: %1</translation>
     </message>
@@ -9573,6 +9660,14 @@
     <message>
         <source>%1 · %2 · being computed</source>
         <translation>%1 · %2 · wird berechnet</translation>
+    </message>
+    <message>
+        <source>No friction in a living ear is known. The first one is estimated from force curves in fresh cochleae of pigs, median 0.165; simulations take it from 0.08 to 0.33. 0.12 is recalled for arrays on endosteum; with the friction measured on a tissue simulant arrays stop at 240 to 350°.</source>
+        <translation>Eine Reibung im lebenden Ohr ist nicht bekannt. Die erste ist aus Kraftkurven in frischen Cochleae von Schweinen geschätzt, Median 0,165; Simulationen nehmen sie von 0,08 bis 0,33. 0,12 ist für Elektrodenträger auf Endost erinnert; mit der an einem Gewebe-Simulans gemessenen Reibung halten Träger bei 240 bis 350°.</translation>
+    </message>
+    <message>
+        <source>A simulation has a cochlea within the errors of the measures, an approach, a stiffness and a surgeon. Fewer are run if the median angle is known to 5° and the median peak force to 5 %.</source>
+        <translation>Eine Simulation hat eine Cochlea innerhalb der Fehler der Maße, einen Zugang, eine Steifigkeit und einen Chirurgen. Es werden weniger gerechnet, wenn der mittlere Winkel auf 5° und die mittlere Maximalkraft auf 5 % bekannt sind.</translation>
     </message>
 </context>
 <context>
@@ -9836,12 +9931,16 @@
         <translation>1 ms vor</translation>
     </message>
     <message>
-        <source>%1 of %2 s</source>
-        <translation>%1 von %2 s</translation>
-    </message>
-    <message>
         <source>%1 s, %2 mm, %3 mN: %4</source>
         <translation>%1 s, %2 mm, %3 mN: %4</translation>
+    </message>
+    <message>
+        <source>Recorded time since the first motion; after the insertion time it includes the rest</source>
+        <translation>Aufgezeichnete Zeit seit der ersten Bewegung; nach der Insertionsdauer enthält sie die Ruhe</translation>
+    </message>
+    <message>
+        <source>%1 of %2 s recorded</source>
+        <translation>%1 von %2 s aufgezeichnet</translation>
     </message>
 </context>
 <context>
@@ -10236,10 +10335,6 @@
         <translation>Träger</translation>
     </message>
     <message>
-        <source>Duration</source>
-        <translation>Dauer</translation>
-    </message>
-    <message>
         <source>Standard</source>
         <translation>Standard</translation>
     </message>
@@ -10274,6 +10369,14 @@
     <message>
         <source>Outcome</source>
         <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>empty</source>
+        <translation>leer</translation>
+    </message>
+    <message>
+        <source>Insertion time</source>
+        <translation>Insertionsdauer</translation>
     </message>
 </context>
 <context>
@@ -10430,6 +10533,10 @@
     <message>
         <source>Save a report as PDF or DICOM</source>
         <translation>Bericht als PDF oder DICOM speichern</translation>
+    </message>
+    <message>
+        <source>Only insertions can be compared; the selection has a recording that is none.</source>
+        <translation>Nur Insertionen können verglichen werden; in der Auswahl ist eine Aufzeichnung, die keine ist.</translation>
     </message>
 </context>
 <context>
@@ -11192,10 +11299,6 @@
         <translation>Differenz</translation>
     </message>
     <message>
-        <source>CDL</source>
-        <translation>CDL</translation>
-    </message>
-    <message>
         <source>New version</source>
         <translation>Neue Version</translation>
     </message>
@@ -11218,14 +11321,6 @@
     <message>
         <source>%1 %2 exists, saved %3.</source>
         <translation>%1 %2 gibt es schon, gespeichert am %3.</translation>
-    </message>
-    <message>
-        <source>Beyond the 95 % interval of the difference</source>
-        <translation>Außerhalb des 95-%-Intervalls der Differenz</translation>
-    </message>
-    <message>
-        <source>Within the 95 % interval of the difference</source>
-        <translation>Innerhalb des 95-%-Intervalls der Differenz</translation>
     </message>
 </context>
 <context>

@@ -20,7 +20,7 @@ constexpr std::uint64_t replayedTicks = 1000;
 
 using LastRecording = std::optional<session::SessionSummary>;
 
-/// The first recording that is not empty.
+/// The first recording of an insertion.
 LastRecording firstKept(const std::vector<std::filesystem::path>& recordings,
                         const Summarize& summarize, const std::stop_token& stop)
 {
@@ -29,7 +29,7 @@ LastRecording firstKept(const std::vector<std::filesystem::path>& recordings,
     session::SessionSummary left = summarize(recording, stop);
     spdlog::warn("The program ended while it was writing {}; {} ticks of it are kept.",
                  recording.string(), left.highlights.ticks);
-    if (left.highlights.ticks > 0) return left;
+    if (session::isInsertion(left)) return left;
   }
   return std::nullopt;
 }
@@ -51,7 +51,7 @@ session::SessionSummary summarizeReplayable(const std::filesystem::path& file,
                                             const std::stop_token& stop)
 {
   session::SessionSummary left = session::summarize(file, stop);
-  if (left.highlights.ticks == 0) return left;
+  if (!session::isInsertion(left)) return left;
   bool isEnough = false;
   std::stop_source end;
   const std::stop_callback forward(stop, [&end] { end.request_stop(); });
@@ -64,7 +64,7 @@ session::SessionSummary summarizeReplayable(const std::filesystem::path& file,
   if (isEnough || isSame) return left;
   spdlog::warn("{} cannot be replayed: {}", file.string(),
                replayed ? replayed->damage : replayed.error().message);
-  left.highlights.ticks = 0;
+  left.highlights = {};
   return left;
 }
 

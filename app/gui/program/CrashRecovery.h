@@ -18,7 +18,7 @@ class MainWindow;
 using Summarize = std::function<session::SessionSummary(const std::filesystem::path&,
                                                         const std::stop_token& stop)>;
 
-/// As session::summarize(), but without ticks if the recording is damaged or its first second of
+/// As session::summarize(), but no insertion if the recording is damaged or its first second of
 /// replay differs.
 session::SessionSummary summarizeReplayable(const std::filesystem::path& file,
                                             const std::stop_token& stop);

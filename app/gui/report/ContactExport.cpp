@@ -2,8 +2,10 @@
 #include "gui/report/ContactExport.h"
 
 #include <QCoreApplication>
+#include <QDateTime>
 #include <QFileDialog>
 
+#include "gui/setup/Setup.h"
 #include "gui/widgets/StatusLine.h"
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/planning/ContactsCsv.h"
@@ -18,11 +20,21 @@ Result<Done> writeContactTable(const std::filesystem::path& file, const std::str
   return writeWhole(dictionary, planning::contactsDictionaryCsv(), {Links::refused});
 }
 
-std::optional<std::filesystem::path> chooseContactFile(QWidget* parent, const std::string& array)
+std::string contactFileStem(const ContactSubject& subject)
 {
-  const std::string stem = std::filesystem::path(array).stem().string();
-  const QString proposed =
-      documentsFolder() + QStringLiteral("/contacts-%1.csv").arg(QString::fromStdString(stem));
+  const auto utc = QDateTime::fromString(QString::fromStdString(subject.utc), Qt::ISODate);
+  const std::string date = utc.toLocalTime().toString(QStringLiteral("yyyy-MM-dd")).toStdString();
+  return fileStemOf(subject.patient.label) + "-" + anatomy::nameOf(subject.patient.side) + "-" +
+         std::filesystem::path(subject.array).stem().string() + "-contacts" +
+         (date.empty() ? "" : "-" + date);
+}
+
+std::optional<std::filesystem::path> chooseContactFile(QWidget* parent,
+                                                       const ContactSubject& subject)
+{
+  const QString proposed = documentsFolder() + QLatin1Char('/') +
+                           QString::fromStdString(contactFileStem(subject)) +
+                           QStringLiteral(".csv");
   const QString chosen = QFileDialog::getSaveFileName(
       parent, QCoreApplication::translate("perilymph::gui", "Save the contacts"), proposed,
       QCoreApplication::translate("perilymph::gui", "Tables (*.csv)"));

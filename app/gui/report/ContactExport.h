@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "perilymph/anatomy/Patient.h"
 #include "perilymph/foundation/Result.h"
 
 class QWidget;
@@ -16,9 +17,20 @@ namespace perilymph::gui {
 /// Writes a table and, beside it, "<name>-dictionary.csv", which states what its columns are.
 Result<Done> writeContactTable(const std::filesystem::path& file, const std::string& csv);
 
+/// Whose contacts a table has.
+struct ContactSubject {
+  anatomy::Patient patient;
+  std::string array;
+  std::string utc;  ///< When the plan was made, or the insertion began: "2026-11-20T09:30:00Z".
+};
+
+/// "P-017-left-flex28-contacts-2026-11-20", with the local date.
+std::string contactFileStem(const ContactSubject& subject);
+
 /// Lets the user choose a file in the folder of documents. Empty if the user cancels.
 ///
-/// @param array  Part of the proposed name.
-std::optional<std::filesystem::path> chooseContactFile(QWidget* parent, const std::string& array);
+/// @param subject  For the proposed name.
+std::optional<std::filesystem::path> chooseContactFile(QWidget* parent,
+                                                       const ContactSubject& subject);
 
 }  // namespace perilymph::gui

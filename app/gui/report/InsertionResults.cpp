@@ -76,12 +76,6 @@ QString partitionText(const ReportContent& content)
 
 }  // namespace
 
-QString restNote(const analysis::ForceProfile& profile)
-{
-  if (!profile.forceAfter1s || !(*profile.forceAfter1s > profile.endForce)) return {};
-  return tr("The end force is a mean of 0.5 s in which the force still rose.");
-}
-
 QString ruptureText(const haptics::Translocation& found)
 {
   const QString angle = numberText(inDegrees(radians(found.angle)), 0);
@@ -117,9 +111,6 @@ std::vector<InsertionResult> measuredResults(const ReportContent& content)
   if (profile.forceAfter1s) after1s_mN = *profile.forceAfter1s * 1e3;
   if (hasContact) angle_deg = inDegrees(apical->angle);
   const QString force = tr("%1 mN"), degrees = tr("%1°");
-  const QString endDetail = restNote(profile).isEmpty()
-                                ? tr("mean of the last 0.5 s of motion")
-                                : tr("mean of the last 0.5 s of motion, still rising");
   std::vector<InsertionResult> results = {
       beside({tr("Peak insertion force"),
               mN(profile.peak.force),
@@ -130,8 +121,15 @@ std::vector<InsertionResult> measuredResults(const ReportContent& content)
               false,
               true},
              peak, profile.peak.force * 1e3, force),
-      beside({tr("End force"), mN(profile.endForce), endDetail, {}, {}, {}, false, true}, end,
-             profile.endForce * 1e3, force),
+      beside({tr("End force"),
+              mN(profile.endForce),
+              tr("at the stop: line through the last 0.5 s of motion"),
+              {},
+              {},
+              {},
+              false,
+              true},
+             end, profile.endForce * 1e3, force),
       beside({tr("Force after 1 s of rest"),
               profile.forceAfter1s ? mN(*profile.forceAfter1s) : tr("not reached"),
               tr("mean of 0.5 to 1 s after the stop"),
@@ -168,8 +166,8 @@ std::vector<InsertionResult> measuredResults(const ReportContent& content)
        false,
        false},
       {tr("Insertion time"),
-       tr("%1 s").arg(numberText(motion.time - motion.timeStill, 1)),
-       tr("without pauses, to maximum depth; reversals: %1").arg(motion.reversals),
+       tr("%1 s").arg(numberText(profile.duration, 1)),
+       tr("first to last motion, pauses included; reversals: %1").arg(motion.reversals),
        {},
        {},
        {},

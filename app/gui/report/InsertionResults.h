@@ -24,9 +24,6 @@ struct InsertionResult {
 /// In the order in which they are read. A value that was not recorded says so.
 std::vector<InsertionResult> insertionResults(const ReportContent& content);
 
-/// Why the force after 1 s of rest may exceed the end force; empty where it does not.
-QString restNote(const analysis::ForceProfile& profile);
-
 /// "ruptured at 183° by 62 mN", with the length above the partition if it went through.
 QString ruptureText(const haptics::Translocation& found);
 

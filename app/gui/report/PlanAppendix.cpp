@@ -57,7 +57,7 @@ QString contactsOf(const planning::ArrayPlan& array, std::size_t place)
       absent << number;
     else
       rows += contactRow({number, medianText(each.angle_deg, 0), medianText(each.toModiolus_mm, 2),
-                          numberText(each.greenwood_Hz, 0), numberText(each.spiralGanglion_Hz, 0),
+                          kilohertzText(each.greenwood_Hz), kilohertzText(each.spiralGanglion_Hz),
                           mismatchText(each), QString::number(each.draws)},
                          "tiny");
   }
@@ -108,7 +108,8 @@ QString resistances(const PlanReportContent& content, References& references)
          QStringLiteral("<p class=\"quiet tiny\">%1</p>")
              .arg(tr("First resistance: depth of the tip past the opening where the insertion "
                      "force first reaches %1 mN, the median force that surgeons detect %4, over "
-                     "the draws in which it does; felt: that it does. ≥ %2 and ≥ %3 mN: that the "
+                     "the simulations in which it does; felt: that it does. ≥ %2 and ≥ %3 mN: that "
+                     "the "
                      "force on the cochlear partition reaches its weakest and its strongest "
                      "assumed strength; original not available.")
                       .arg(felt, weakest, strongest, references.label("Kratchman")));
@@ -134,8 +135,8 @@ QString endForces(const PlanReportContent& content)
   const QString method =
       isOfRest ? tr("End force: mean of the last half second of 2 s of rest, as the program that "
                     "made this plan read it.")
-               : tr("End force: mean of the last half second before the hand stops; then means of "
-                    "the half second before 1 s and before 10 s of rest.");
+               : tr("End force: at the stop, by the line through the last half second of motion; "
+                    "then means of the half second before 1 s and before 10 s of rest.");
   return heading(tr("Force at the end and at rest: median (band)")) + table(rows) +
          QStringLiteral("<p class=\"quiet tiny\">%1</p>").arg(method);
 }
@@ -201,13 +202,13 @@ QString contacts(const PlanReportContent& content)
   }
   return heading(tr("Contacts, numbered from the tip: median (band)")) + table(rows) +
          QStringLiteral("<p class=\"quiet tiny\">%1</p>")
-             .arg(
-                 tr("Angle from the center of the round window. Modiolus: distance from the center "
-                    "line of the array to the inner wall. GW: frequency by Greenwood's map, Hz, "
-                    "at the "
-                    "place on the organ of Corti. SG: frequency of the spiral ganglion, Hz, at the "
-                    "angle; st: its semitones above the center of the default filter; in: "
-                    "number of simulations in which the contact is inside; its row is of these."));
+             .arg(tr(
+                 "Angle from the center of the round window. Modiolus: distance from the center "
+                 "line of the array to the inner wall. GW: frequency by Greenwood's map, kHz, "
+                 "at the "
+                 "place on the organ of Corti. SG: frequency of the spiral ganglion, kHz, at the "
+                 "angle; st: its semitones above the center of the default filter; in: "
+                 "number of simulations in which the contact is inside; its row is of these."));
 }
 
 /// A row with a name and a text.

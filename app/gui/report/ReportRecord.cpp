@@ -159,13 +159,6 @@ double contactsHeight(const ReportSheet& sheet, const ReportContent& content, do
          sheet.heightOf(width_mm, contactsNote(content), ReportFace::quiet);
 }
 
-/// "0.35", "12.7"
-QString kilohertz(double frequency_Hz)
-{
-  constexpr double unit = 1e3;
-  return numberText(frequency_Hz / unit, frequency_Hz < 10.0 * unit ? 2 : 1);
-}
-
 /// A contact from its number down to its depth.
 QStringList cellsOf(const analysis::ContactPosition& contact)
 {
@@ -176,7 +169,8 @@ QStringList cellsOf(const analysis::ContactPosition& contact)
                                ? none
                                : numberText(inMillimeters(contact.toModiolus), 2);
   return {QString::number(contact.number), numberText(inDegrees(contact.angle), 0),
-          kilohertz(contact.frequency_Hz), distance, numberText(inMillimeters(contact.depth), 1)};
+          kilohertzText(contact.frequency_Hz), distance,
+          numberText(inMillimeters(contact.depth), 1)};
 }
 
 /// The contacts side by side, from the tip.

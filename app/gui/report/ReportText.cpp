@@ -112,8 +112,8 @@ QString numbers(const ReportContent& content)
           tr("%1, %2°").arg(mm(profile.finalDepth),
                             numberText(inDegrees(radians(profile.finalAngle)), 0)),
           tr("insertion depth; tip angle")),
-      row(tr("Time"), tr("%1 s").arg(numberText(profile.duration, 1)),
-          tr("from first motion, pauses included")),
+      row(tr("Insertion time"), tr("%1 s").arg(numberText(profile.duration, 1)),
+          tr("first to last motion, pauses included")),
       row(tr("Reversals"), QString::number(content.insertion.reversals),
           tr("withdrawal of 0.1 mm or more"))};
   if (profile.basalTurnPeak)

@@ -16,7 +16,6 @@ std::vector<Measure> summaryOf(const anatomy::ScalaTympani& scala, anatomy::Anat
                                const electrode::ArrayDesign& array)
 {
   const auto [a, b] = analysis::basalDiameters(scala);
-  const std::string alexiades = Sentence{"Alexiades et al. 2015, Otol Neurotol 36:904"};
   const bool isByLength = source == anatomy::AnatomySource::published;
   const Measure duct =
       isByLength
@@ -24,13 +23,7 @@ std::vector<Measure> summaryOf(const anatomy::ScalaTympani& scala, anatomy::Anat
                     Sentence{"path of the organ of Corti in the plan, round window to apex"},
                     Sentence{"measured in this model, defined as in Todd and Naghdy"}}
           : analysis::ductLength(CochleaMeasures::ductLength, a, b);
-  std::vector<Measure> measures = {
-      duct,
-      {CochleaMeasures::twoTurns, inMillimeters(analysis::alexiadesTwoTurns(a)), "3.65 (A − 1 mm)",
-       alexiades}};
-  for (const Measure& each : analysis::clinicalEstimates(a, b))
-    if (each.key == "pietsch_turns")
-      measures.push_back({CochleaMeasures::turns, each.value, each.formula, each.source});
+  std::vector<Measure> measures = {duct};
   for (Measure& each : analysis::expectedInsertion(scala, array))
     measures.push_back(std::move(each));
   return measures;

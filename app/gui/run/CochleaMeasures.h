@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// What a patient's measures mean: duct length, turns, and how far an array reaches.
+// What a patient's measures mean: duct length, and how far an array reaches.
 
 #include <map>
 #include <mutex>
@@ -19,8 +19,6 @@ namespace perilymph::gui {
 struct CochleaMeasures {
   // Keys of the measures.
   static constexpr auto ductLength = "duct_length_mm";
-  static constexpr auto twoTurns = "two_turn_length_mm";
-  static constexpr auto turns = "turns";
   static constexpr auto angularDepth = "angular_insertion_depth_deg";
 
   std::vector<analysis::Measure> measures;

@@ -25,16 +25,29 @@ bool isOf(const anatomy::Patient& patient, const std::string& code, anatomy::Sid
   return patient.label == code && patient.side == side;
 }
 
-HistoryEntry scanEntry(const std::string& series, const std::string& utc)
+/// The series, with the landmarks of the newest measures that were taken in it.
+CtRequest requestOf(const SavedPatient& patient, const std::string& series)
+{
+  CtRequest request{QString::fromStdString(patient.patient.label), series};
+  for (const session::PatientVersion& each : patient.record.versions) {
+    const auto measured = anatomy::patientIn(each.patient, patient.file.string());
+    if (measured && statedSeries(*measured) == series) request.landmarks = each.landmarks;
+  }
+  return request;
+}
+
+HistoryEntry scanEntry(const SavedPatient& patient, const std::string& series,
+                       const std::string& utc)
 {
   return {HistoryEntry::Kind::scan,
           utc,
           tr("Scan"),
           tr("series %1").arg(QString::fromStdString(series.substr(0, shownDigits))),
-          tr("Measured in the CT series with the SHA-256 %1. The CT itself is not kept: open its "
-             "folder on the page CT.")
+          tr("Opens the CT series with the SHA-256 %1 where it was read. The CT itself is not "
+             "kept.")
               .arg(QString::fromStdString(series)),
-          {}};
+          {},
+          requestOf(patient, series)};
 }
 
 /// The series that the measures of the patient and of its plans were taken from.
@@ -51,7 +64,7 @@ std::vector<HistoryEntry> scansOf(const SavedPatient& patient,
   for (const StoredPlan* plan : plans) add(statedSeries(plan->request.patient), plan->madeUtc);
   add(statedSeries(patient.patient), {});
   std::vector<HistoryEntry> entries;
-  for (const auto& [series, utc] : first) entries.push_back(scanEntry(series, utc));
+  for (const auto& [series, utc] : first) entries.push_back(scanEntry(patient, series, utc));
   return entries;
 }
 
@@ -72,12 +85,10 @@ HistoryEntry planEntry(const StoredPlan& plan)
 HistoryEntry insertionEntry(const session::SessionSummary& session)
 {
   const session::Highlights& found = session.highlights;
-  QStringList values{QString::fromStdString(session.array)};
-  if (found.ticks > 0)
-    values << tr("depth %1 mm").arg(numberText(inMillimeters(meters(found.deepest)), 1))
-           << tr("peak %1 mN").arg(forceNumber(inMillinewtons(newtons(found.peakForce))));
-  else
-    values << tr("not moved");
+  const QStringList values{
+      QString::fromStdString(session.array),
+      tr("depth %1 mm").arg(numberText(inMillimeters(meters(found.deepest)), 1)),
+      tr("peak %1 mN").arg(forceNumber(inMillinewtons(newtons(found.peakForce))))};
   return {HistoryEntry::Kind::insertion,
           session.startedUtc,
           tr("Insertion"),
@@ -107,7 +118,7 @@ std::vector<HistoryEntry> historyOf(const SavedPatient& patient, const PatientWo
   std::vector<HistoryEntry> entries = scansOf(patient, plans);
   for (const StoredPlan* each : plans) entries.push_back(planEntry(*each));
   for (const session::SessionSummary& each : work.sessions)
-    if (each.patient == one.label && each.side == side && !each.isBeingRecorded)
+    if (each.patient == one.label && each.side == side && session::isInsertion(each))
       entries.push_back(insertionEntry(each));
   std::stable_sort(entries.begin(), entries.end(),
                    [](const HistoryEntry& a, const HistoryEntry& b) { return a.utc > b.utc; });

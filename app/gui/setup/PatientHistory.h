@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "gui/setup/CtRequest.h"
 #include "gui/setup/PatientLibrary.h"
 #include "gui/setup/PlanStore.h"
 #include "perilymph/session/SessionLibrary.h"
@@ -35,6 +36,7 @@ struct HistoryEntry {
   QString what, values;
   QString detail;               ///< A sentence about it.
   std::filesystem::path place;  ///< A plan's folder, or the recording; empty for a scan.
+  CtRequest scan = {};          ///< How a scan is opened again.
 };
 
 /// The history of a patient's ear, newest first; what has no date comes last.

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "gui/setup/DerivedMeasures.h"
+#include "gui/setup/MeasureVersions.h"
 #include "gui/setup/Populations.h"
 #include "gui/setup/SavedPatientRow.h"
 #include "gui/setup/ValueEdit.h"
@@ -16,6 +17,7 @@
 #include "gui/text/Numbers.h"
 #include "gui/widgets/Selector.h"
 #include "gui/widgets/Theme.h"
+#include "gui/widgets/WrappedLabel.h"
 #include "perilymph/anatomy/Population.h"
 
 namespace perilymph::gui {
@@ -106,7 +108,8 @@ PatientSection::PatientSection(std::shared_ptr<CochleaStore> cochleae, QWidget* 
       labelError_(new QLabel(body())),
       ear_(new Selector("earSelector", tr("Ear"), body())),
       kind_(new Selector("anatomySelector", tr("Cochlea"), body())),
-      derived_(new DerivedMeasures(std::move(cochleae), body()))
+      derived_(new DerivedMeasures(std::move(cochleae), body())),
+      change_(new WrappedLabel({}, body()))
 {
   rows().addWidget(saved_);
   addWho();
@@ -117,6 +120,10 @@ PatientSection::PatientSection(std::shared_ptr<CochleaStore> cochleae, QWidget* 
   connect(kind_, &Selector::chosen, this, [this](const QString& kind) { askKind(kind); });
   rows().addWidget(namedRow(tr("Cochlea"), kind_, body()));
   addNumbers();
+  change_->setObjectName(QStringLiteral("panelMeasureChange"));
+  change_->setFont(typeface(11));
+  change_->hide();
+  rows().addWidget(change_);
   rows().addWidget(derived_);
   connect(saved_, &SavedPatientRow::patientChosen, this, &PatientSection::patientChosen);
   connect(saved_, &SavedPatientRow::allPatientsRequested, this,
@@ -251,6 +258,11 @@ void PatientSection::show(const Setup& setup)
   ear_->show(scenario.patient().side == anatomy::Side::left ? QStringLiteral("left")
                                                             : QStringLiteral("right"),
              {});
+  if (std::string shown = anatomy::patientText(scenario.patient()); shown != changeOf_) {
+    changeOf_ = std::move(shown);
+    change_->setText(remeasuredText(scenario.patient()));
+    change_->setVisible(!change_->text().isEmpty());
+  }
   const PatientMeasures measures = scaledBy(scenario);
   heldKind_ = kindOf(scenario.anatomy(), measures);
   kind_->show(heldKind_, {});

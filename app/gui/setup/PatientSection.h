@@ -75,6 +75,8 @@ private:
                                                     ///< selected again.
   QString heldKind_;
   DerivedMeasures* derived_;
+  QLabel* change_;        ///< What the measures were before.
+  std::string changeOf_;  ///< Patient of that text.
 };
 
 }  // namespace perilymph::gui

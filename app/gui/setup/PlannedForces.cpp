@@ -24,10 +24,14 @@ PlannedForce plannedForce(const planning::Plan& plan, std::size_t array, const s
   force.angle_deg = planned.angle_deg;
   if (planned.after1s_mN.high > 0.0) force.after1s_mN = planned.after1s_mN;
   force.label = QCoreApplication::translate("perilymph::gui", "plan: %1").arg(force.hold);
-  if (!planned.force.empty())
-    force.label += QCoreApplication::translate("perilymph::gui", ", at last %1 of %2")
+  if (!planned.force.empty()) {
+    QString last = QCoreApplication::translate("perilymph::gui", ", at last %1 of %2")
                        .arg(planned.force.back().draws)
                        .arg(planned.draws);
+    // in one line, after the comma
+    last.replace(QLatin1Char(' '), QChar(QChar::Nbsp)).replace(1, 1, QLatin1Char(' '));
+    force.label += last;
+  }
   force.patient = plan.request.patient;
   force.array = plan.request.arrays[array];
   for (const planning::ForceBand& each : planned.force)

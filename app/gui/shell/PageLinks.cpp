@@ -41,6 +41,9 @@ void linkPages(MainWindow& window)
         [ct](const session::Scenario& shown) { return ct->placedCt(shown); });
   if (ct != nullptr && plan != nullptr)
     QObject::connect(ct, &CtPage::planRequested, plan, &PlanPage::planFor);
+  if (ct != nullptr && start != nullptr)
+    QObject::connect(start, &StartPage::ctRequested, ct,
+                     qOverload<const CtRequest&>(&CtPage::begin));
   if (insert != nullptr && start != nullptr) {
     QObject::connect(insert, &InsertPage::allPatientsRequested, start, &StartPage::showPatients);
     QObject::connect(insert, &InsertPage::newPatientRequested, start, &StartPage::showNewPatient);
@@ -54,8 +57,12 @@ void linkPages(MainWindow& window)
     QObject::connect(sessions, &SessionsPage::compareRequested, compare, &ComparePage::compare);
   QObject::connect(sessions, &SessionsPage::referenceRead, &insertion,
                    &InsertionController::setReference);
+  // on the page of the click
   QObject::connect(&insertion, &InsertionController::replayFailed, sessions,
-                   &SessionsPage::showError);
+                   [sessions, &window](const QString& sentence) {
+                     if (sessions->isVisible()) return sessions->showError(sentence);
+                     window.notice().showMessage(sentence);
+                   });
 }
 
 }  // namespace perilymph::gui

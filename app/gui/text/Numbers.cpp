@@ -19,6 +19,12 @@ int forceDecimals(double largest_mN) { return std::fabs(largest_mN) < 9.95 ? 1 :
 
 QString forceNumber(double force_mN) { return numberText(force_mN, forceDecimals(force_mN)); }
 
+QString kilohertzText(double frequency_Hz)
+{
+  constexpr double kilo = 1e3;
+  return numberText(frequency_Hz / kilo, frequency_Hz < 9.995 * kilo ? 2 : 1);
+}
+
 std::optional<double> typedNumber(const QString& text)
 {
   // Locales differ in the decimal and the thousands separator; read with a German locale, 34.125 mm

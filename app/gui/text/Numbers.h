@@ -18,6 +18,9 @@ int forceDecimals(double largest_mN);
 /// shows it by this, so that one insertion has one number.
 QString forceNumber(double force_mN);
 
+/// A frequency in kHz with two decimals, one from 10 kHz: "0.35", "12.7". Every table of contacts has it.
+QString kilohertzText(double frequency_Hz);
+
 /// Parses a number in any locale: comma or point is the decimal sign, and there is no thousands
 /// separator. Empty if it is not finite or has two decimal signs.
 std::optional<double> typedNumber(const QString& text);

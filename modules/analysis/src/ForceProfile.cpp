@@ -55,6 +55,7 @@ void ForceProfiler::add(const haptics::TickRecord& record)
   // Idle: the array was reset to its start, which is not work of the hand.
   if (now.workflow == haptics::Workflow::idle) {
     before_.reset();
+    stop_.add(now);
     return;
   }
   follow(now);
@@ -63,16 +64,23 @@ void ForceProfiler::add(const haptics::TickRecord& record)
 
 void ForceProfiler::followRest(const haptics::TickOutput& now)
 {
-  last_.add(now.time, now.axialForce);
   const bool isOver = now.workflow == haptics::Workflow::finished;
   if (ended_) {
+    rest_.add(now.time, now.axialForce);
     isWithdrawn_ = isWithdrawn_ || !isOver;
     const bool isDue = now.time >= *ended_ + shortRest().si() - timeRounding;
-    if (isDue && !isWithdrawn_ && !profile_.forceAfter1s) profile_.forceAfter1s = last_.mean();
+    if (isDue && !isWithdrawn_ && !profile_.forceAfter1s) profile_.forceAfter1s = rest_.mean();
     return;
   }
-  if (isOver && now.depth > 0.5 * profile_.deepest) ended_ = now.time;
-  if (ended_ || now.depth > profile_.deepest) profile_.endForce = last_.mean();
+  // the line is only computed where the deepest tick may have been
+  const bool isDeeper = now.depth > profile_.deepest;
+  if (isDeepest_ && !isDeeper) profile_.endForce = stop_.value();
+  isDeepest_ = isDeeper;
+  stop_.add(now);
+  if (!isOver || now.depth <= 0.5 * profile_.deepest) return;
+  ended_ = now.time;
+  isDeepest_ = false;
+  profile_.endForce = stop_.value();
 }
 
 void ForceProfiler::follow(const haptics::TickOutput& now)
@@ -123,6 +131,7 @@ void ForceProfiler::follow(const haptics::TickOutput& now)
 ForceProfile ForceProfiler::profile() const
 {
   ForceProfile result = profile_;
+  if (isDeepest_) result.endForce = stop_.value();
   const BasalTurn turn = findBasalTurn(result.curve);
   result.basalTurnPeak = turn.peak;
   result.basalTurnDip = turn.dip;

@@ -6,6 +6,8 @@
 #include <stop_token>
 
 #include "ProfilePoints.h"
+#include "perilymph/analysis/ForceProfile.h"
+#include "perilymph/analysis/StopForce.h"
 #include "perilymph/device/ScriptedDevice.h"
 #include "perilymph/session/Highlights.h"
 #include "perilymph/session/Insertion.h"
@@ -26,8 +28,10 @@ InsertionRun runFully(session::Insertion& insertion, Length profileSpacing,
   InsertionRun result;
   haptics::TickOutput last;
   ProfilePoints points(profileSpacing);
+  StopForce stopForce(averaged());
   const auto each = [&](const haptics::TickRecord& record) {
     const haptics::TickOutput& now = last = record.output;
+    stopForce.add(now);
     ++result.ticks;
     if ((now.status & haptics::notConverged) != 0) ++result.ticksNotConverged;
     if (haptics::raisesPeak(now, result.peak.force.si()))
@@ -45,7 +49,7 @@ InsertionRun runFully(session::Insertion& insertion, Length profileSpacing,
   result.end = ran ? endOf(last) : InsertionEnd::fault;
   if (!ran) result.reason = ran.error().message;
   result.depth = meters(last.depth);
-  result.endForce = newtons(last.axialForce);
+  result.endForce = newtons(stopForce.value());
   insertion.refresh();
   result.contacts = contactPositions(insertion.anatomy(), parameters.array, insertion.latest());
   result.apical = angularInsertionDepth(result.contacts);

@@ -62,7 +62,7 @@ std::string placeOf(const haptics::TickOutput& now)
   const auto& f = now.force_W;
   const double force = std::sqrt(f[0] * f[0] + f[1] * f[1] + f[2] * f[2]);
   return "at " + figures::fixed(asMillimeters(now.depth), 2) + " mm of depth, " +
-         figures::fixed(force, 3) + " N on the hand";
+         figures::fixed(inMillinewtons(newtons(force)), 0) + " mN on the hand";
 }
 
 Result<SimulatedInsertion> simulate(session::Insertion& insertion,

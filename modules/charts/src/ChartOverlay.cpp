@@ -299,38 +299,66 @@ std::string ChartOverlay::fitted(vtkContext2D& painter, const std::string& label
   return part + "…";
 }
 
+std::vector<std::string> ChartOverlay::wrapped(vtkContext2D& painter, const std::string& label,
+                                               float width) const
+{
+  std::vector<std::string> lines{label};
+  while (widthOf(painter, lines.back()) > width) {
+    const std::string whole = lines.back();
+    std::size_t end = whole.rfind(' ');
+    while (end != std::string::npos && end > 0 && widthOf(painter, whole.substr(0, end)) > width)
+      end = whole.rfind(' ', end - 1);
+    if (end == std::string::npos || end == 0) break;  // one word, which is cut
+    lines.back() = whole.substr(0, end);
+    lines.push_back(whole.substr(end + 1));
+  }
+  return lines;
+}
+
 int ChartOverlay::legendRows(vtkContext2D& painter, float width) const
 {
-  int rows = legend.empty() ? 0 : 1;
-  float x = 0.0f;
-  for (const LegendEntry& entry : legend) {
-    const float entryWidth = (swatchWidth + 7.0f) * scale_ + widthOf(painter, entry.text);
-    if (x > 0.0f && x + entryWidth > width) {
-      x = 0.0f;
-      ++rows;
-    }
-    x += entryWidth + legendGap * scale_;
-  }
+  int rows = 0;
+  placeLegend(
+      painter, width,
+      [&rows](const LegendEntry&, const std::string&, float, int row, bool) { rows = row + 1; });
   return rows;
+}
+
+void ChartOverlay::placeLegend(
+    vtkContext2D& painter, float width,
+    const std::function<void(const LegendEntry&, const std::string&, float, int, bool)>& line) const
+{
+  const float swatch = (swatchWidth + 7.0f) * scale_;
+  float x = 0.0f;
+  int row = 0;
+  for (const LegendEntry& entry : legend) {
+    const auto lines = wrapped(painter, entry.text, width - swatch);
+    const float entryWidth = swatch + widthOf(painter, lines.front());
+    if (x > 0.0f && (lines.size() > 1 || x + entryWidth > width)) {
+      x = 0.0f;
+      ++row;
+    }
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      if (i > 0) ++row;
+      line(entry, fitted(painter, lines[i], width - swatch), x, row, i == 0);
+    }
+    x += lines.size() > 1 ? width : entryWidth + legendGap * scale_;
+  }
 }
 
 void ChartOverlay::paintLegend(vtkContext2D& painter, const Area& area) const
 {
   const float width = area.right - area.left;
-  float x = area.left;
-  float y = area.top + (11.0f + legendRow_px * float(legendRows(painter, width) - 1)) * scale_;
-  for (const LegendEntry& entry : legend) {
-    const float entryWidth = (swatchWidth + 7.0f) * scale_ + widthOf(painter, entry.text);
-    if (x > area.left && x + entryWidth > area.left + width) {
-      x = area.left;
-      y -= legendRow_px * scale_;
-    }
-    paintSwatch(painter, entry, x, y);
-    const std::string text = fitted(painter, entry.text, width - (swatchWidth + 7.0f) * scale_);
-    setText(painter, colorOf(inks_->text), VTK_TEXT_LEFT);
-    painter.DrawString(x + (swatchWidth + 7.0f) * scale_, y, text);
-    x += entryWidth + legendGap * scale_;
-  }
+  const float first_y =
+      area.top + (11.0f + legendRow_px * float(legendRows(painter, width) - 1)) * scale_;
+  placeLegend(
+      painter, width,
+      [&](const LegendEntry& entry, const std::string& text, float x, int row, bool isFirst) {
+        const float left = area.left + x, y = first_y - float(row) * legendRow_px * scale_;
+        if (isFirst) paintSwatch(painter, entry, left, y);
+        setText(painter, colorOf(inks_->text), VTK_TEXT_LEFT);
+        painter.DrawString(left + (swatchWidth + 7.0f) * scale_, y, text);
+      });
 }
 
 }  // namespace perilymph::charts

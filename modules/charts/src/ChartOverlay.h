@@ -7,6 +7,7 @@
 #include <vtkColor.h>
 #include <vtkContextItem.h>
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -97,6 +98,13 @@ private:
   float widthOf(vtkContext2D& painter, const std::string& label) const;
   /// The label, with an ellipsis at its end if it is wider than that [px].
   std::string fitted(vtkContext2D& painter, const std::string& label, float width) const;
+  /// A text in lines of at most this width; a longer word stands alone.
+  std::vector<std::string> wrapped(vtkContext2D& painter, const std::string& label,
+                                   float width) const;
+  /// Calls `line(entry, text, x, row, isFirst)` for each line of the legend, from the top.
+  void placeLegend(vtkContext2D& painter, float width,
+                   const std::function<void(const LegendEntry&, const std::string&, float, int,
+                                            bool)>& line) const;
   void paintSwatch(vtkContext2D& painter, const LegendEntry& entry, float x, float y) const;
   void setText(vtkContext2D& painter, const vtkColor4ub& color, int justification) const;
 

@@ -39,7 +39,8 @@ Result<PlannedShape> shapeOf(const Plan& plan, std::size_t array, std::size_t dr
                   [=](const auto& each) { return each.array == array && each.draw == draw; });
   if (!isRun)
     return Error{
-        "The plan has no draw %1 of array %2; it has %3 draws of %4 arrays. Choose one of them.",
+        "The plan has no simulation %1 of array %2; it has %3 of each of %4 arrays. Choose one of "
+        "them.",
         draw, array + 1,
         plan.request.arrays.empty() ? 0 : plan.insertions.size() / plan.request.arrays.size(),
         plan.request.arrays.size()};

@@ -11,6 +11,7 @@
 #include <QTest>
 #include <algorithm>
 
+#include "KeptPicture.h"
 #include "TheCtPage.h"
 #include "Walk.h"
 #include "WindowRig.h"
@@ -18,8 +19,11 @@
 #include "gui/pages/ct/MeasuredSetup.h"
 #include "gui/pages/ct/PlaneView.h"
 #include "gui/report/CtPicture.h"
+#include "gui/setup/MeasureVersions.h"
 #include "gui/setup/PatientLibrary.h"
 #include "gui/setup/PatientSetup.h"
+#include "gui/setup/ScanFolders.h"
+#include "perilymph/anatomy/DuctLength.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/test/CtPhantom.h"
 #include "perilymph/test/DicomWriter.h"
@@ -236,6 +240,94 @@ TEST_F(TheCtPage, GoesOnFromCorrectedLandmarks)
   ASSERT_TRUE(WindowRig::waitUntil([this] { return !page().isBusy(); }));
   const auto& after = *study().measures();
   EXPECT_LT((after.roundWindow_P - moved).norm(), (before.roundWindow_P - moved).norm());
+}
+
+TEST_F(TheCtPage, ShowsWhatItMeasuredBeforeHereAndOnThePagesThatFollow)
+{
+  measure();
+  const ct::CochleaMeasures before = *study().measures();
+  // the fit with the landmark is slow, and another test looks at it
+  ct::CochleaMeasures after = before;
+  after.a.value += 0.37;
+  after.cdlOc->value = inMillimeters(
+      anatomy::ellipticCircularDuctLength(millimeters(after.a.value), millimeters(after.b.value)));
+  page().setMeasurement([&after](const ct::CtVolume&, const ct::MeasureRequest& request) {
+    after.marksByHand = request.marks;
+    return Result<ct::CochleaMeasures>(after);
+  });
+  rig_.type("ctPatientCode", "P-77");
+  study().beginChange();
+  const Eigen::Vector3d wall = *study().marks()[ct::Mark::farWall];
+  const Eigen::Vector3d alongA = (wall - *study().marks()[ct::Mark::roundWindow]).normalized();
+  study().placeMark(ct::Mark::farWall, wall + (after.a.value - before.a.value) * alongA);
+  rig_.click("planCtButton");
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig_.window().page() == "plan"; }));
+  const QString change =
+      QStringLiteral("A %1 → %2 mm").arg(before.a.value, 0, 'f', 2).arg(after.a.value, 0, 'f', 2);
+  EXPECT_TRUE(rig_.label("planMeasureChange").contains(change))
+      << rig_.label("planMeasureChange").toStdString();
+  EXPECT_TRUE(rig_.label("planMeasureChange").contains("automatic"));
+  keepPicture(rig_.window(), "remeasured-plan");
+  rig_.click("ctPageButton");
+  EXPECT_TRUE(rig_.label("ctChange").contains(change)) << rig_.label("ctChange").toStdString();
+  keepPicture(rig_.window(), "remeasured-ct");
+  // both are versions of the patient
+  const auto saved = gui::findSavedPatient("P-77", before.side);
+  ASSERT_TRUE(saved);
+  const auto versions = gui::versionsOf(*saved);
+  ASSERT_EQ(versions.size(), 2u);
+  EXPECT_TRUE(versions[0].isUsed);
+  EXPECT_TRUE(versions[0].how.startsWith("by hand: ")) << versions[0].how.toStdString();
+  EXPECT_EQ(versions[1].how, "automatic");
+  EXPECT_NEAR(inMillimeters(versions[1].patient.basalTurn->a), before.a.value, 1e-6);
+  rig_.click("insertCtButton");
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig_.window().page() == "insert"; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] {
+    return rig_.window().control().scenario().patient().label == "P-77" &&
+           rig_.button("startButton").isEnabled();
+  }));
+  EXPECT_TRUE(rig_.label("panelMeasureChange").contains(change))
+      << rig_.label("panelMeasureChange").toStdString();
+  keepPicture(rig_.window(), "remeasured-insert");
+}
+
+TEST_F(TheCtPage, OpensTheScanOfAPatientAgainWhereItWasRead)
+{
+  const StateFolder state;
+  measure();
+  const ct::CochleaMeasures measures = *study().measures();
+  page().setMeasurement([&measures](const ct::CtVolume&, const ct::MeasureRequest&) {
+    return Result<ct::CochleaMeasures>(measures);
+  });
+  rig_.type("ctPatientCode", "P-78");
+  rig_.click("planCtButton");
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig_.window().page() == "plan"; }));
+  const auto saved = gui::findSavedPatient("P-78", measures.side);
+  ASSERT_TRUE(saved);
+  const std::string series = statedSeries(saved->patient);
+  EXPECT_EQ(gui::placeOfScan(series), onDisk().folder / "ct");
+
+  // a window without a CT
+  WindowRig other;
+  auto& again = *other.window().pages().find<gui::CtPage>();
+  again.setMeasurement([&measures](const ct::CtVolume&, const ct::MeasureRequest&) {
+    return Result<ct::CochleaMeasures>(measures);
+  });
+  again.begin(gui::CtRequest{"P-78", series});
+  EXPECT_EQ(other.window().page(), "ct");
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return again.study().measures() != nullptr; }));
+  EXPECT_EQ(again.study().series().key, series);
+  EXPECT_EQ(other.window().findChild<QLineEdit*>("ctPatientCode")->text(), "P-78");
+
+  // another series is there now
+  gui::rememberScan("0123abcd", onDisk().folder / "ct");
+  again.begin(gui::CtRequest{"P-79", "0123abcd"});
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return other.label("ctStatus").contains("P-79"); }));
+  EXPECT_TRUE(other.label("ctStatus").contains("no longer where it was read"));
+  EXPECT_EQ(again.study().series().key, series);
+  // nothing is known of it
+  again.begin(gui::CtRequest{"P-80", "4567"});
+  EXPECT_TRUE(other.label("ctStatus").contains("P-80"));
 }
 
 TEST_F(TheCtPage, LetsEveryCorrectedLandmarkSteerTheFitAndKeepsItInItsPlace)

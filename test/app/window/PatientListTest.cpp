@@ -335,6 +335,8 @@ TEST_F(PatientHistoryPage, IsNewestFirstAndOpenedByAClickOrEnter)
   ASSERT_TRUE(WindowRig::waitUntil([&] { return history().isVisible(); }));
   clickRow(2);
   EXPECT_EQ(rig_->window().page(), "ct");
+  EXPECT_TRUE(
+      rig_->label("ctStatus").contains("P-018 was measured is no longer where it was read"));
 
   openAgain("P-018");
   ASSERT_TRUE(WindowRig::waitUntil([&] { return history().isVisible(); }));
@@ -345,6 +347,30 @@ TEST_F(PatientHistoryPage, IsNewestFirstAndOpenedByAClickOrEnter)
   EXPECT_TRUE(WindowRig::waitUntil([&] { return rig_->window().page() == "insert"; }));
   EXPECT_TRUE(WindowRig::waitUntil(
       [&] { return rig_->window().findChild<gui::ReplayBar*>()->isVisible(); }));
+}
+
+TEST_F(PatientHistoryPage, HasEveryVersionOfTheMeasuresBesideTheOneInUse)
+{
+  anatomy::Patient other = gui::findSavedPatient("P-018", patient("P-018").side)->patient;
+  const double before_mm = inMillimeters(other.basalTurn->a);
+  other.basalTurn->a = other.basalTurn->a + millimeters(0.6);
+  ASSERT_TRUE(session::savePatientVersion(other, file_, {"2031-07-08T09:10:11Z"}, false));
+  open("P-018");
+  const auto& versions = *rig_->window().findChild<QTableWidget*>("measureVersions");
+  keepPicture(rig_->window(), "patient-measures");
+  ASSERT_GE(versions.rowCount(), 2);
+  EXPECT_TRUE(versions.item(0, 0)->text().startsWith("2031-07-08"));
+  EXPECT_TRUE(versions.item(0, 1)->text().startsWith("in use: "));
+  const auto start = [](double value_mm) {
+    return QStringLiteral("%1 ± ").arg(value_mm, 0, 'f', 2);
+  };
+  EXPECT_TRUE(versions.item(0, 2)->text().startsWith(start(before_mm + 0.6)));
+  EXPECT_TRUE(versions.item(1, 2)->text().startsWith(start(before_mm)));
+  EXPECT_FALSE(versions.item(1, 1)->text().contains("in use"));
+  // 0.6 mm is beyond what an error of 0.1 mm in each explains, B is the same
+  EXPECT_TRUE(versions.item(1, 2)->toolTip().contains("+0.60 ± "));
+  EXPECT_TRUE(versions.item(1, 2)->toolTip().contains("Beyond"));
+  EXPECT_TRUE(versions.item(1, 3)->toolTip().contains("Within"));
 }
 
 TEST_F(PatientHistoryPage, IsThatOfTheSelectedEar)

@@ -268,6 +268,19 @@ TEST_F(APlan, IsMadeSeenInsertedAndOpenedAgainInSteps)
     gui::PlanPage& page = show(rig, {"flex24", "flex28"}, "16");
     walk.step(1, rig.window());
     rig.click("computePlanButton");
+    // before the first bands the page says what it computes, and how long it takes
+    const auto isSaid = [&page](const char* text) {
+      const auto labels = page.findChildren<QLabel*>();
+      return std::any_of(labels.begin(), labels.end(), [text](const QLabel* each) {
+        return each->isVisible() && each->text().contains(QString::fromUtf8(text));
+      });
+    };
+    EXPECT_TRUE(isSaid("Computing the plan"));
+    EXPECT_TRUE(isSaid("FLEX24 · FLEX28"));
+    EXPECT_FALSE(isSaid("press Compute"));
+    EXPECT_TRUE(WindowRig::waitUntil([&] { return !page.isBusy() || isSaid(" left. "); }));
+    EXPECT_TRUE(page.isBusy()) << "it said nothing of the time left";
+    keepPicture(rig.window(), "plan-computing");
     ASSERT_TRUE(isDone(page)) << rig.label("planStatus").toStdString();
     settle();
     keepPicture(rig.window(), "plan-table");

@@ -13,6 +13,7 @@
 #include <fstream>
 #include <future>
 
+#include "KeptPicture.h"
 #include "OwnFolders.h"
 #include "WindowRig.h"
 #include "gui/pages/insert/ReplayBar.h"
@@ -20,9 +21,11 @@
 #include "gui/pages/sessions/SessionTable.h"
 #include "gui/pages/sessions/SessionsPage.h"
 #include "gui/pages/sessions/Thumbnails.h"
+#include "gui/widgets/Notice.h"
 #include "perilymph/device/ScriptedDevice.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/session/Insertion.h"
+#include "perilymph/session/Recording.h"
 
 namespace perilymph::test {
 namespace {
@@ -183,6 +186,81 @@ TEST_F(Sessions, ThatCannotBeReadAreListedWithASentence)
   EXPECT_FALSE(rig_->button("replayButton").isEnabled());
 }
 
+/// A recording of which the program was killed before the array moved: no tick, not closed.
+fs::path recordNothing(const std::string& name)
+{
+  const fs::path file = sessionFolder() / (name + ".insertion");
+  const auto scenario = session::loadScenario("contour-published");
+  EXPECT_TRUE(scenario);
+  session::RecordingFacts facts;
+  facts.scenarioName = "contour-published";
+  facts.scenarioText = scenario->text();
+  facts.startedUtc = "2031-01-02T03:04:05Z";
+  fs::create_directories(sessionFolder());
+  const fs::path whole = file.string() + ".begun";
+  {
+    auto recording = session::Recording::create(whole, facts);
+    EXPECT_TRUE(recording) << recording.error().message;
+    // what a kill leaves on the disk
+    for (const char* tail : {"-wal", ""})
+      if (fs::exists(whole.string() + tail))
+        fs::copy_file(whole.string() + tail, file.string() + tail);
+  }
+  fs::remove(whole);
+  return file;
+}
+
+TEST_F(Sessions, OfNoInsertionAreMarkedSayWhyAndCanBeDeleted)
+{
+  const fs::path empty = recordNothing("20310102T030405Z-contour-published");
+  record("20100102T030405Z-done");
+  openLibrary();
+  keepPicture(rig_->window(), "sessions-empty");
+  ASSERT_EQ(rows(), 2);  // the newest first
+  EXPECT_EQ(list().model()->index(0, gui::SessionTable::outcome).data().toString(), "empty");
+  choose(0);
+  EXPECT_TRUE(rig_->label("sessionStatus").contains("ended before the insertion began"))
+      << rig_->label("sessionStatus").toStdString();
+  EXPECT_FALSE(rig_->button("replayButton").isEnabled());
+  const QPoint place = list().visualRect(list().model()->index(0, 2)).center();
+  QTest::mouseDClick(list().viewport(), Qt::LeftButton, Qt::NoModifier, place);
+  EXPECT_EQ(rig_->window().page(), "sessions");
+  EXPECT_TRUE(rig_->label("sessionStatus").contains("ended before the insertion began"));
+  choose(1, Qt::ControlModifier);
+  EXPECT_FALSE(rig_->button("compareButton").isEnabled());
+  EXPECT_TRUE(rig_->label("sessionStatus").contains("Only insertions can be compared"));
+  choose(0);
+  rig_->click("deleteButton");
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return !page().isBusy() && rows() == 1; }));
+  EXPECT_FALSE(fs::exists(empty));
+}
+
+TEST_F(Sessions, OfNoInsertionAreNotAmongTheLastInsertions)
+{
+  recordNothing("20310102T030405Z-contour-published");
+  record("20100102T030405Z-done");
+  rig_ = std::make_unique<WindowRig>();
+  rig_->window().showPage("start");
+  ASSERT_TRUE(WindowRig::waitUntil(
+      [&] { return rig_->window().findChild<QAbstractButton*>("recentRecording0") != nullptr; }));
+  EXPECT_TRUE(rig_->button("recentRecording0").text().startsWith("Replay done"));
+  EXPECT_EQ(rig_->window().findChild<QAbstractButton*>("recentRecording1"), nullptr);
+}
+
+TEST_F(Sessions, ThatCannotBeReplayedSayWhyOnThePageOfTheClick)
+{
+  const fs::path file = record("20100102T030405Z-done");
+  rig_ = std::make_unique<WindowRig>();
+  rig_->window().showPage("start");
+  ASSERT_TRUE(WindowRig::waitUntil(
+      [&] { return rig_->window().findChild<QAbstractButton*>("recentRecording0") != nullptr; }));
+  fs::remove(file);
+  rig_->click("recentRecording0");
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig_->window().notice().isVisible(); }));
+  EXPECT_TRUE(rig_->window().notice().sentence().contains("20100102T030405Z-done"));
+  EXPECT_EQ(rig_->window().page(), "start");
+}
+
 TEST_F(Sessions, AreListedWhileAnotherOneBlocksItsReader)
 {
   std::promise<void> end;
@@ -193,7 +271,7 @@ TEST_F(Sessions, AreListedWhileAnotherOneBlocksItsReader)
                              const auto&) -> Result<std::vector<session::SessionSummary>> {
                            session::SessionSummary good;
                            good.file = "good.insertion";
-                           good.highlights.ticks = 1;
+                           good.highlights.duration = 1.0;
                            progress(0, 2);
                            listed(good);
                            ended.wait();

@@ -40,24 +40,60 @@ haptics::TickRecord restAfter(haptics::TickRecord record, double time, double fo
   return record;
 }
 
-TEST(ForcesOfARest, AreMeansOfTheHalfSecondBeforeTheEndAndAfterOneSecond)
+TEST(ForceAtTheStop, IsWhereAStraightRampEnds)
 {
   ForceProfiler profiler;
   haptics::TickRecord last;
   for (int i = 0; i <= 8000; ++i) profiler.add(last = tickAt(2e-6 * i, 1e-5 * i));
   last.output.time += 1e-3;
   profiler.add(last = restAfter(last, 0.0, 0.08));
-  // 499 ticks of the ramp up to 0.08 N, and the one that ends it
-  EXPECT_NEAR(profiler.profile().endForce, 0.08 - 1e-5 * 499.0 * 249.0 / 500.0, 1e-12);
+  // a mean over the half second would be 2.5 mN less, below the force at rest
+  EXPECT_NEAR(profiler.profile().endForce, 0.08, 1e-12);
   EXPECT_FALSE(profiler.profile().forceAfter1s);
-  for (int i = 1; i <= 500; ++i) profiler.add(restAfter(last, 1e-3 * i, 0.07));
-  for (int i = 501; i < 1000; ++i) profiler.add(restAfter(last, 1e-3 * i, 0.05));
+  for (int i = 1; i <= 500; ++i) profiler.add(restAfter(last, 1e-3 * i, 0.079));
+  for (int i = 501; i < 1000; ++i) profiler.add(restAfter(last, 1e-3 * i, 0.078));
   EXPECT_FALSE(profiler.profile().forceAfter1s);
-  profiler.add(restAfter(last, 1.0, 0.05));
+  profiler.add(restAfter(last, 1.0, 0.078));
   ASSERT_TRUE(profiler.profile().forceAfter1s);
-  EXPECT_NEAR(*profiler.profile().forceAfter1s, 0.05, 1e-12);
+  EXPECT_NEAR(*profiler.profile().forceAfter1s, 0.078, 1e-12);
   for (int i = 1001; i < 3000; ++i) profiler.add(restAfter(last, 1e-3 * i, 0.01));
-  EXPECT_NEAR(*profiler.profile().forceAfter1s, 0.05, 1e-12);
+  EXPECT_NEAR(*profiler.profile().forceAfter1s, 0.078, 1e-12);
+  EXPECT_NEAR(profiler.profile().endForce, 0.08, 1e-12);
+}
+
+TEST(ForceAtTheStop, IsTheMeanOfASteadyForceWithTremor)
+{
+  // four periods of 8 Hz in the half second: the sum over them is 0, and a line through a sine ends
+  // within 12 / (2 pi 4) of half its amplitude
+  ForceProfiler profiler;
+  constexpr double amplitude = 0.005;
+  for (int i = 0; i <= 8000; ++i)
+    profiler.add(tickAt(2e-6 * i, 0.04 + amplitude * std::sin(2.0 * M_PI * 8.0 * 1e-3 * i)));
+  EXPECT_NEAR(profiler.profile().endForce, 0.04, 0.5 * amplitude * 12.0 / (2.0 * M_PI * 4.0));
+}
+
+TEST(ForceAtTheStop, IsOfTheMotionHoweverLongTheHandPausedBeforeItsEnd)
+{
+  const auto withPause = [](int pause) {
+    ForceProfiler profiler;
+    haptics::TickRecord last;
+    for (int i = 0; i <= 7900; ++i) profiler.add(last = tickAt(2e-6 * i, 1e-5 * i));
+    for (int i = 1; i <= pause; ++i) {
+      haptics::TickRecord held = last;
+      held.output.workflow = haptics::Workflow::paused;
+      held.output.time += 1e-3 * i;
+      held.output.axialForce = 0.0;
+      profiler.add(held);
+    }
+    for (int i = 7901; i <= 8000; ++i) {
+      haptics::TickRecord on = tickAt(2e-6 * i, 1e-5 * i);
+      on.output.time += 1e-3 * pause;
+      profiler.add(on);
+    }
+    return profiler.profile().endForce;
+  };
+  EXPECT_NEAR(withPause(0), 0.08, 1e-12);
+  EXPECT_NEAR(withPause(3000), 0.08, 2e-5);  // the first tick after the pause is none of the motion
 }
 
 TEST(ForcesOfARest, AreThoseAtTheMaximumDepthWhereTheInsertionHasNotEnded)

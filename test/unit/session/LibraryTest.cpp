@@ -209,7 +209,24 @@ TEST_F(Library, GivesEachRecordingBeforeItReadsTheNext)
 TEST_F(Library, ListsAnInsertionThatNeverRan)
 {
   record(folder_ / "a.insertion", "2010-05-17T09:30:00Z", {});
-  EXPECT_THAT(list().at(0).error, HasSubstr("never started"));
+  EXPECT_THAT(list().at(0).error, HasSubstr("before the insertion began"));
+  EXPECT_FALSE(isInsertion(list().at(0)));
+}
+
+TEST_F(Library, TakesOnlyWhatMovedTheArrayForAnInsertion)
+{
+  std::vector<haptics::TickRecord> armed = hillOfForce();
+  for (haptics::TickRecord& each : armed) each.output.workflow = haptics::Workflow::armed;
+  record(folder_ / "armed.insertion", "2010-05-17T09:30:00Z", armed);
+  record(folder_ / "moved.insertion", "2010-05-18T09:30:00Z", hillOfForce());
+  for (int i = 0; i < 2; ++i) {  // from the recordings, then from the index
+    const auto sessions = list();
+    ASSERT_EQ(sessions.size(), 2u);
+    EXPECT_TRUE(isInsertion(sessions[0]));
+    EXPECT_FALSE(isInsertion(sessions[1]));
+    EXPECT_GT(sessions[1].highlights.ticks, 0u);
+    EXPECT_THAT(sessions[1].error, HasSubstr("delete it"));
+  }
 }
 
 TEST_F(Library, LeavesTheFileAloneThatIsBeingRecorded)

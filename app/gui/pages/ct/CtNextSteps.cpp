@@ -68,6 +68,8 @@ bool CtNextSteps::hasCode() const
   return static_cast<bool>(anatomy::checkPatientCode(code_->text().toStdString()));
 }
 
+void CtNextSteps::setCode(const QString& code) { code_->setText(code); }
+
 void CtNextSteps::editCode()
 {
   code_->setFocus();

@@ -25,6 +25,8 @@ public:
 
   /// A code that may stand for a patient is typed.
   bool hasCode() const;
+  /// Fills the code in.
+  void setCode(const QString& code);
   /// Marks the code to be typed again.
   void editCode();
 

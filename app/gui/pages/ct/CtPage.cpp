@@ -16,6 +16,8 @@
 #include "gui/pages/ct/SurfaceView.h"
 #include "gui/pages/ct/VersionQuestion.h"
 #include "gui/setup/KeyImage.h"
+#include "gui/setup/MeasureVersions.h"
+#include "gui/setup/ScanFolders.h"
 #include "gui/text/DataText.h"
 #include "gui/widgets/EmptyPage.h"
 #include "gui/widgets/Theme.h"
@@ -33,6 +35,14 @@ namespace {
 
 // The planes keep more than half of it beside a panel of two columns.
 constexpr int wideFrom_px = 1200;
+
+QString notThere(const CtRequest& request)
+{
+  return CtPage::tr(
+             "The CT in which %1 was measured is no longer where it was read, or was never read "
+             "on this computer. Open its folder here.")
+      .arg(request.code);
+}
 
 }  // namespace
 
@@ -96,15 +106,10 @@ void CtPage::connectWork()
     panel_->series().show(list);
     thumbnails_.readThumbnails(list);
   });
-  connect(&work_, &CtWork::ctRead, this, [this](const std::shared_ptr<imaging::LoadedCt>& loaded) {
-    QStringList notes;
-    for (const Sentence& warning : loaded->series.warnings) notes << dataText(warning);
-    notes_ = notes.join(QLatin1Char('\n'));
-    study_.setCt(std::move(*loaded));
-    panel_->showIdle(notes_);
-    views_[0]->setFocus();
-    measure(false);
-  });
+  connect(&work_, &CtWork::seriesMissed, this,
+          [this] { panel_->showIdle(notThere(std::exchange(wanted_, {})), true); });
+  connect(&work_, &CtWork::ctRead, this,
+          [this](const std::shared_ptr<imaging::LoadedCt>& loaded) { showCt(std::move(*loaded)); });
   connect(&thumbnails_, &CtWork::thumbnailsRead, &panel_->series(), &CtSeriesList::showThumbnails);
   connect(&work_, &CtWork::measured, this, [this](const ct::CochleaMeasures& measures) {
     study_.setMeasures(measures, atRequest_);
@@ -114,9 +119,45 @@ void CtPage::connectWork()
   });
   connect(&work_, &CtWork::failed, this, [this](const QString& sentence) {
     then_ = {};
+    wanted_ = {};
     // nothing failed if the user canceled
     panel_->showIdle(sentence.isEmpty() ? notes_ : sentence, !sentence.isEmpty());
   });
+}
+
+void CtPage::showCt(imaging::LoadedCt&& loaded)
+{
+  const CtRequest wanted = std::exchange(wanted_, {});
+  // of NIfTI and NRRD the key is known now only
+  if (!wanted.series.empty() && loaded.series.key != wanted.series)
+    return panel_->showIdle(notThere(wanted), true);
+  QStringList notes;
+  for (const Sentence& warning : loaded.series.warnings) notes << dataText(warning);
+  notes_ = notes.join(QLatin1Char('\n'));
+  study_.setCt(std::move(loaded));
+  panel_->showIdle(notes_);
+  views_[0]->setFocus();
+  ct::Marks marks;
+  for (const session::PatientLandmark& each : wanted.landmarks)
+    if (const auto mark = ct::markNamed(each.name); mark && each.isByHand)
+      marks[*mark] = Eigen::Vector3d(each.lps_mm[0], each.lps_mm[1], each.lps_mm[2]);
+  if (marks.isEmpty()) return measure(false);
+  study_.setMarks(marks);
+  measure(true);
+}
+
+void CtPage::begin(const CtRequest& request)
+{
+  Q_EMIT pageRequested(id());
+  if (!request.code.isEmpty()) panel_->setCode(request.code);
+  if (request.series.empty()) return;
+  if (study_.hasCt() && study_.series().key == request.series) return;
+  const std::filesystem::path place = placeOfScan(request.series);
+  std::error_code ignored;
+  if (place.empty() || !std::filesystem::exists(place, ignored))
+    return panel_->showIdle(notThere(request), true);
+  openSeries(place, request.series);
+  wanted_ = request;
 }
 
 void CtPage::connectPanel()
@@ -133,7 +174,7 @@ void CtPage::connectPanel()
   connect(panel_, &CtPanel::seriesChosen, this, [this](const std::string& uid) {
     if (study_.hasCt() && study_.series().uid == uid) return;
     then_ = {};
-    begin(tr("Reading the CT…"));
+    beginTask(tr("Reading the CT…"));
     work_.read(list_, uid);
   });
   connect(panel_, &CtPanel::measureRequested, this,
@@ -157,15 +198,18 @@ void CtPage::connectPanel()
   connect(panel_, &CtPanel::loadMarksRequested, this, &CtPage::loadMarks);
 }
 
-void CtPage::open(const std::filesystem::path& path)
+void CtPage::open(const std::filesystem::path& path) { openSeries(path, {}); }
+
+void CtPage::openSeries(const std::filesystem::path& path, const std::string& series)
 {
   then_ = {};
+  wanted_ = {};
   folder_ = QString::fromStdString(path.parent_path().string());
-  begin(tr("Reading the CT…"));
-  work_.open(path);
+  beginTask(tr("Reading the CT…"));
+  work_.open(path, series);
 }
 
-void CtPage::begin(const QString& task)
+void CtPage::beginTask(const QString& task)
 {
   task_ = task;
   since_.start();
@@ -241,7 +285,7 @@ void CtPage::withFreeCode(const QString& code, std::function<void()> then)
 
 void CtPage::insert(const QString& code)
 {
-  const auto setup = setupOfMeasures(*study_.measures(), code);
+  const auto setup = setupOfMeasures(*study_.measures(), code, study_.former().get());
   if (!setup) return panel_->showIdle(dataText(setup.error().message), true);
   patient_ = imaging::measuredPatient(*study_.measures());
   patient_->label = setup->scenario.patient().label;
@@ -251,7 +295,7 @@ void CtPage::insert(const QString& code)
 
 void CtPage::plan(const QString& code)
 {
-  const auto patient = patientOfMeasures(*study_.measures(), code);
+  const auto patient = patientOfMeasures(*study_.measures(), code, study_.former().get());
   if (!patient) return panel_->showIdle(dataText(patient.error().message), true);
   patient_ = *patient;
   keepKeyImage();
@@ -260,6 +304,7 @@ void CtPage::plan(const QString& code)
 
 void CtPage::keepKeyImage()
 {
+  rememberScan(study_.series().key, list_.path);
   const std::filesystem::path file = keyImageFile(*patient_);
   std::error_code failure;
   std::filesystem::create_directories(file.parent_path(), failure);
@@ -283,7 +328,7 @@ void CtPage::measure(bool isAtCrosshair, std::function<void()> then)
   } else if (isAtCrosshair) {
     request.click_P = study_.crosshair_P();
   }
-  begin(isAtCrosshair ? tr("Measuring the cochlea…") : tr("Looking for the cochlea…"));
+  beginTask(isAtCrosshair ? tr("Measuring the cochlea…") : tr("Looking for the cochlea…"));
   work_.measure(study_.volume(), std::move(request));
 }
 

@@ -14,6 +14,7 @@
 #include "gui/pages/ct/CtStudy.h"
 #include "gui/pages/ct/CtWork.h"
 #include "gui/run/InsertionControl.h"
+#include "gui/setup/CtRequest.h"
 #include "perilymph/broadcast/CtImage.h"
 
 namespace perilymph::gui {
@@ -37,6 +38,9 @@ public:
   {
     return Acceptance::whileShown;
   }
+  /// Shows itself for a patient, with the series of the request if it is still where it was read;
+  /// else says that it is not.
+  void begin(const CtRequest& request);
   bool isBusy() const override { return work_.isBusy(); }
   bool cancel() override;
   /// Shows the array where it is now.
@@ -63,7 +67,10 @@ private:
   bool isInMeasuredCochlea(const session::Scenario& scenario) const;
   void connectWork();
   void connectPanel();
-  void begin(const QString& task);
+  void beginTask(const QString& task);
+  /// @param series  SHA-256 of the series that is read; empty for the one that suits best.
+  void openSeries(const std::filesystem::path& path, const std::string& series);
+  void showCt(imaging::LoadedCt&& loaded);
   void showProgress(double fraction);
   /// @param then  Called if the new fit belongs to the landmarks and does not contradict them.
   void measure(bool isAtCrosshair, std::function<void()> then = {});
@@ -87,6 +94,7 @@ private:
   CtWork work_;
   CtWork thumbnails_;
   imaging::CtSeriesList list_;
+  CtRequest wanted_;                         ///< Series that is opened again; else empty.
   ct::Marks atRequest_;                      ///< Landmarks by hand when the measurement began.
   std::function<void()> then_;               ///< What was asked for and waits for the measurement.
   std::optional<anatomy::Patient> patient_;  ///< Whose cochlea was offered for insertion or a plan.

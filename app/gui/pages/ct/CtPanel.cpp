@@ -19,6 +19,7 @@
 #include "gui/pages/ct/CtText.h"
 #include "gui/pages/ct/MarkGuide.h"
 #include "gui/pages/ct/VersionQuestion.h"
+#include "gui/setup/MeasureVersions.h"
 #include "gui/text/DataText.h"
 #include "gui/widgets/CheckBoxes.h"
 #include "gui/widgets/PanelParts.h"
@@ -227,6 +228,9 @@ void CtPanel::addMeasures(QVBoxLayout& column)
   stale_->setObjectName(QStringLiteral("ctStale"));
   stale_->setProperty("error", true);
   column.addWidget(stale_);
+  change_ = panelText({}, 12, this);
+  change_->setObjectName(QStringLiteral("ctChange"));
+  column.addWidget(change_);
   duct_ = panelText({}, 11, this);
   duct_->setProperty("quiet", true);
   column.addWidget(duct_);
@@ -290,6 +294,8 @@ void CtPanel::addOnward(QVBoxLayout& column)
   connect(onward_, &CtNextSteps::planRequested, this, &CtPanel::planRequested);
   connect(onward_, &CtNextSteps::saveSurfaceRequested, this, &CtPanel::saveSurfaceRequested);
 }
+
+void CtPanel::setCode(const QString& code) { onward_->setCode(code); }
 
 void CtPanel::showMark(const std::optional<ct::Mark>& mark) { guide_->showMark(mark); }
 
@@ -372,6 +378,14 @@ void CtPanel::showMeasures()
   }
   fittedHeading_->setText(isStale ? tr("fitted before (95 % CI)") : tr("used: fitted (95 % CI)"));
   stale_->setVisible(isStale);
+  const auto& former = study_.former();
+  change_->setVisible(measures && former && !isStale);
+  if (measures && former)
+    change_->setText((measures->marksByHand.isEmpty()
+                          ? tr("Measured again: %1")
+                          : tr("Measured again after landmarks were moved: %1"))
+                         .arg(changeText(imaging::measuredPatient(*former),
+                                         imaging::measuredPatient(*measures))));
   side_->setVisible(measures != nullptr);
   duct_->setVisible(measures && measures->cdlOc);
   duct_->setEnabled(!isStale);
@@ -379,6 +393,7 @@ void CtPanel::showMeasures()
   if (!measures) return;
   side_->setText(measures->side == anatomy::Side::left ? tr("Left ear") : tr("Right ear"));
   duct_->setText(ductLengthText(*measures));
+  duct_->setToolTip(ductLengthDetail(*measures));
   QStringList flags;
   for (const ct::Flag flag : measures->flags) flags << dataText(ct::sentenceOf(flag));
   if (!isStale)

@@ -42,6 +42,8 @@ public:
   void setWide(bool isWide);
   /// Asked before other measures are saved under a code that exists.
   VersionQuestion& question() { return *question_; }
+  /// Fills the patient's code in.
+  void setCode(const QString& code);
   /// Updates numbers and buttons.
   void refresh();
 
@@ -80,7 +82,7 @@ private:
   QPushButton *search_, *measureHere_, *cancel_;
   QProgressBar* progress_;
   QLabel* status_;
-  QLabel *side_, *fittedHeading_, *stale_, *flags_, *duct_;
+  QLabel *side_, *fittedHeading_, *stale_, *change_, *flags_, *duct_;
   std::array<QLabel*, 4> fitted_{}, marked_{};
   std::array<QPushButton*, ct::markCount> marks_{};
   MarkGuide* guide_;

@@ -48,6 +48,7 @@ void CtStudy::setMeasures(ct::CochleaMeasures measures, const ct::Marks& atReque
     now_.isByHand[k] = placed.has_value();
     if (placed) now_.marks.points_P[k] = placed;
   }
+  now_.former = std::move(now_.measures);
   now_.measures = std::make_shared<const ct::CochleaMeasures>(std::move(measures));
   array_ = {};
   frame_ = PlaneFrame::cochlea;

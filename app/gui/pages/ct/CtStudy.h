@@ -47,6 +47,8 @@ public:
   }
   /// The fit; null without one. It belongs to the landmarks unless isStale().
   const std::shared_ptr<const ct::CochleaMeasures>& measures() const { return now_.measures; }
+  /// The fit before this one in the same CT; null without one.
+  const std::shared_ptr<const ct::CochleaMeasures>& former() const { return now_.former; }
   /// Whether landmarks by hand are others than those that steered the fit.
   bool isStale() const;
 
@@ -120,7 +122,7 @@ private:
   struct Placement {
     ct::Marks marks;
     std::array<bool, ct::markCount> isByHand{};
-    std::shared_ptr<const ct::CochleaMeasures> measures;
+    std::shared_ptr<const ct::CochleaMeasures> measures, former;
   };
 
   void announceModel();

@@ -125,14 +125,19 @@ QString seriesText(const imaging::CtSeries& series)
   return scanner.isEmpty() ? text : text + QStringLiteral(" · ") + scanner;
 }
 
+QString ductLengthDetail(const ct::CochleaMeasures& measures)
+{
+  const Length fromA = anatomy::ductLengthFromA(millimeters(measures.a.value));
+  return tr("Its interval holds what the formula of A alone gives: %1 mm (Alexiades et al. 2015).")
+      .arg(numberText(inMillimeters(fromA), 1));
+}
+
 QString ductLengthText(const ct::CochleaMeasures& measures)
 {
   // The formulas assume 2.5 turns; the flag says so.
   if (!measures.cdlOc) return {};
-  const Length fromA = anatomy::ductLengthFromA(millimeters(measures.a.value));
-  return tr("CDL from A and B (elliptic-circular). Its interval holds what A alone gives: %1 mm "
-            "(Alexiades).")
-      .arg(numberText(inMillimeters(fromA), 1));
+  return tr(
+      "CDL: cochlear duct length along the organ of Corti, from A and B (elliptic-circular).");
 }
 
 }  // namespace perilymph::gui

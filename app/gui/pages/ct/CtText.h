@@ -27,7 +27,9 @@ QString errorText(const ct::Measure& measure);
 QString lengthText(const std::optional<double>& value_mm);
 /// "512 x 512 x 200 · 0.40 x 0.40 x 0.60 mm · maker and model"
 QString seriesText(const imaging::CtSeries& series);
-/// The formula of the duct length, and what the other one gives.
+/// What the formula of A alone gives, in the interval of the duct length.
+QString ductLengthDetail(const ct::CochleaMeasures& measures);
+/// What the duct length is, and from what.
 QString ductLengthText(const ct::CochleaMeasures& measures);
 
 }  // namespace perilymph::gui

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/pages/ct/CtWork.h"
 
+#include <algorithm>
 #include <stop_token>
 #include <utility>
 
@@ -41,7 +42,7 @@ void CtWork::fail(const Sentence& sentence)
   Q_EMIT failed(isCanceled_ ? QString() : dataText(sentence));
 }
 
-void CtWork::open(const std::filesystem::path& path)
+void CtWork::open(const std::filesystem::path& path, const std::string& series)
 {
   const Progress progress = begin();
   background_.run(
@@ -50,14 +51,19 @@ void CtWork::open(const std::filesystem::path& path)
         return imaging::findSeries(path,
                                    {[progress](double done) { progress->store(done); }, stop});
       },
-      [this](const Result<imaging::CtSeriesList>& list) {
+      [this, series](const Result<imaging::CtSeriesList>& list) {
         end();
         if (!list) return fail(list.error().message);
         Q_EMIT listed(*list);
         if (list->series.empty()) return fail({});
-        const imaging::CtSeries& best = list->series.front();
-        if (!best.obstacle.empty()) return fail(best.obstacle);
-        read(*list, best.uid);
+        // the key of NIfTI and NRRD is empty until they are read
+        const auto chosen =
+            std::ranges::find_if(list->series, [&series](const imaging::CtSeries& each) {
+              return series.empty() || each.key.empty() || each.key == series;
+            });
+        if (chosen == list->series.end()) return seriesMissed();
+        if (!chosen->obstacle.empty()) return fail(chosen->obstacle);
+        read(*list, chosen->uid);
       });
 }
 

@@ -30,8 +30,10 @@ public:
   explicit CtWork(QObject* parent);
   void setMeasurement(Measurement measurement) { measurement_ = std::move(measurement); }
 
-  /// Lists the series of a folder or file, then reads the one that suits a cochlea best.
-  void open(const std::filesystem::path& path);
+  /// Lists the series of a folder or file, then reads one.
+  ///
+  /// @param series  Its SHA-256; empty for the one that suits a cochlea best.
+  void open(const std::filesystem::path& path, const std::string& series = {});
   /// Reads a series of a list.
   void read(const imaging::CtSeriesList& list, const std::string& uid);
   /// Reads a small picture of each series of a list.
@@ -44,6 +46,8 @@ public:
 Q_SIGNALS:
   void progressed(double fraction);
   void listed(const perilymph::imaging::CtSeriesList& list);
+  /// The series that was asked for is not there.
+  void seriesMissed();
   void ctRead(std::shared_ptr<perilymph::imaging::LoadedCt> ct);
   void measured(const perilymph::ct::CochleaMeasures& measures);
   void thumbnailsRead(const std::vector<perilymph::imaging::CtThumbnail>& pictures);

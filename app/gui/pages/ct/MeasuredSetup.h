@@ -14,12 +14,14 @@ namespace perilymph::gui {
 
 /// Writes the patient file of a measured cochlea, with errors and provenance, and reads it back.
 ///
-/// @param code   The patient's code.
+/// @param code    The patient's code.
+/// @param former  Measures before these in the same CT, kept as a version before them; may be null.
 /// Refuses measures that no patient may have, and files that cannot be written.
-Result<anatomy::Patient> patientOfMeasures(const ct::CochleaMeasures& measures,
-                                           const QString& code);
+Result<anatomy::Patient> patientOfMeasures(const ct::CochleaMeasures& measures, const QString& code,
+                                           const ct::CochleaMeasures* former = nullptr);
 
 /// The same, and a setup of the mean anatomy with these measures.
-Result<Setup> setupOfMeasures(const ct::CochleaMeasures& measures, const QString& code);
+Result<Setup> setupOfMeasures(const ct::CochleaMeasures& measures, const QString& code,
+                              const ct::CochleaMeasures* former = nullptr);
 
 }  // namespace perilymph::gui

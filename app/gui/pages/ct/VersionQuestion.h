@@ -36,7 +36,4 @@ private:
   std::function<void()> then_;
 };
 
-/// Whether two patients have the same measures, errors, scan and landmarks.
-bool haveSameMeasures(const anatomy::Patient& one, const anatomy::Patient& other);
-
 }  // namespace perilymph::gui

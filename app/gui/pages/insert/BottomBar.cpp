@@ -68,6 +68,8 @@ BottomBar::BottomBar(QWidget* parent)
   time_->setProperty("quiet", true);
   time_->setMinimumWidth(sized(56));
   time_->setObjectName(QStringLiteral("timeLabel"));
+  time_->setToolTip(
+      tr("Recorded time since the first motion; after the insertion time it includes the rest"));
   status_->setFont(typeface(11));
   status_->setProperty("quiet", true);
   status_->setObjectName(QStringLiteral("statusLabel"));

@@ -172,6 +172,8 @@ ReplayBar::ReplayBar(QWidget* parent)
   speed_->setAlignment(Qt::AlignCenter);
   speed_->setFixedWidth(sized(52));
   time_->setObjectName(QStringLiteral("replayTime"));
+  time_->setToolTip(
+      tr("Recorded time since the first motion; after the insertion time it includes the rest"));
   time_->setFont(typeface(13));
   time_->setProperty("quiet", true);
   time_->setMinimumWidth(sized(188));
@@ -228,7 +230,7 @@ void ReplayBar::showPlace(const ReplayPlayer& replay)
                           std::min(1.0, double(replay.ready()) / last));
   const double end_s = replay.playback().samples().back().output.time;
   time_->setText(
-      tr("%1 of %2 s").arg(numberText(replay.now().output.time, 3), numberText(end_s, 3)));
+      tr("%1 of %2 s recorded").arg(numberText(replay.now().output.time, 3), numberText(end_s, 3)));
   const QString label = tr("replay · %1 · not a medical device").arg(replay.verdict());
   if (status_->text() == label) return;
   status_->setText(label);

@@ -8,7 +8,6 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "gui/report/ContactExport.h"
 #include "gui/report/InsertionOutcome.h"
 #include "gui/report/InsertionResults.h"
 #include "gui/text/ClinicalText.h"
@@ -101,7 +100,7 @@ void ResultCard::addRow(int row, const QString& name, const QString& value, cons
 void ResultCard::saveContacts()
 {
   if (!contacts_) return subject_->setText(dataText(contacts_.error().message));
-  const auto file = chooseContactFile(this, array_);
+  const auto file = chooseContactFile(this, contactsOf_);
   if (!file) return;
   if (const auto written = writeContactTable(*file, *contacts_); !written)
     subject_->setText(dataText(written.error().message));
@@ -109,8 +108,10 @@ void ResultCard::saveContacts()
 
 void ResultCard::show(const ReportContent& content, const QString& title)
 {
-  array_ = content.scenario.arrayName();
-  contacts_ = planning::insertionContactsCsv(array_, content.scenario.array(), content.contacts);
+  contactsOf_ = {content.scenario.patient(), content.scenario.arrayName(),
+                 content.facts.startedUtc};
+  contacts_ =
+      planning::insertionContactsCsv(contactsOf_.array, content.scenario.array(), content.contacts);
   title_->setText(title);
   const QString array = QString::fromStdString(content.scenario.array().name);
   const QString doubts = deepestNotes(content).join(QStringLiteral("; "));
@@ -140,11 +141,6 @@ void ResultCard::show(const ReportContent& content, const QString& title)
     for (const int column : {0, 1})
       grid->itemAtPosition(row, column)->widget()->setToolTip(result.detail);
     ++row;
-  }
-  if (const QString note = restNote(content.insertion.profile); !note.isEmpty()) {
-    auto* said = cell(note, "quiet", rows_);
-    said->setFont(typeface(11));
-    grid->addWidget(said, row++, 0, 1, 3);
   }
   if (content.insertion.translocation)
     grid->addWidget(cell(ruptureText(*content.insertion.translocation), "error", rows_), row, 0, 1,

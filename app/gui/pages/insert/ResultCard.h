@@ -3,6 +3,7 @@
 
 // What an insertion came to, shown over the charts of the last seconds once it has ended.
 
+#include "gui/report/ContactExport.h"
 #include "gui/report/ReportContent.h"
 #include "gui/widgets/Overlay.h"
 
@@ -44,7 +45,7 @@ private:
   QLabel* subject_;
   QWidget* rows_ = nullptr;
   bool isClosed_ = false;  ///< By the user.
-  std::string array_;
+  ContactSubject contactsOf_;
   Result<std::string> contacts_;  ///< Table of the contacts of the shown insertion.
   QPushButton* report_;
 };

@@ -43,7 +43,7 @@ ContactTable::ContactTable(QWidget* parent)
   const std::pair<QString, QString> columns[] = {
       {tr("No."), tr("Number of the contact; 1 at the tip")},
       {tr("Inside"),
-       tr("Draws in which the contact is inserted; the other columns are over these")},
+       tr("Simulations in which the contact is inserted; the other columns are over these")},
       {tr("Angle"), tr("From the round window. Median and the band that the head names.")},
       {tr("To modiolus"), tr("From the center line of the array to the inner wall. Median and the "
                              "band that the head names.")},
@@ -65,10 +65,8 @@ ContactTable::ContactTable(QWidget* parent)
 void ContactTable::show(const std::vector<planning::ContactBand>& contacts, std::size_t draws)
 {
   setRowCount(int(contacts.size()));
-  const auto hertz = [](double value) {
-    if (value <= 0.0) return tr("–");
-    return value < 1000.0 ? tr("%1 Hz").arg(numberText(value, 0))
-                          : tr("%1 kHz").arg(numberText(value / 1000.0, 1));
+  const auto kilohertz = [](double value_Hz) {
+    return value_Hz > 0.0 ? tr("%1 kHz").arg(kilohertzText(value_Hz)) : tr("–");
   };
   for (int row = 0; row < int(contacts.size()); ++row) {
     const planning::ContactBand& each = contacts[std::size_t(row)];
@@ -79,7 +77,8 @@ void ContactTable::show(const std::vector<planning::ContactBand>& contacts, std:
       texts << tr("%1°").arg(spanText(each.angle_deg, 0))
             << (each.toModiolus_mm.high > 0.0 ? tr("%1 mm").arg(spanText(each.toModiolus_mm, 2))
                                               : tr("–"))
-            << hertz(each.greenwood_Hz) << hertz(each.spiralGanglion_Hz) << hertz(each.filter_Hz)
+            << kilohertz(each.greenwood_Hz) << kilohertz(each.spiralGanglion_Hz)
+            << kilohertz(each.filter_Hz)
             << (each.filter_Hz > 0.0 ? tr("%1 st").arg(spanText(each.mismatch_semitones, 0))
                                      : tr("–"));
     for (int column = 0; column < texts.size(); ++column)

@@ -6,7 +6,7 @@
 #include <QVariant>
 
 #include "gui/pages/plan/PlanText.h"
-#include "gui/setup/PatientLibrary.h"
+#include "gui/setup/MeasureVersions.h"
 #include "gui/text/DataText.h"
 #include "gui/text/Numbers.h"
 #include "gui/widgets/ElidedLabel.h"
@@ -20,12 +20,15 @@ PlanHeader::PlanHeader(QWidget* parent)
     : QWidget(parent),
       name_(new ElidedLabel(this)),
       measures_(new WrappedLabel({}, this)),
+      change_(new WrappedLabel({}, this)),
       note_(new WrappedLabel({}, this))
 {
   name_->setObjectName(QStringLiteral("planPatient"));
   name_->setFont(typeface(15, QFont::DemiBold));
   measures_->setObjectName(QStringLiteral("planMeasures"));
   measures_->setFont(typeface(13));
+  change_->setObjectName(QStringLiteral("planMeasureChange"));
+  change_->setFont(typeface(12));
   note_->setObjectName(QStringLiteral("planNote"));
   note_->setFont(typeface(12));
   note_->setProperty("quiet", true);
@@ -34,12 +37,15 @@ PlanHeader::PlanHeader(QWidget* parent)
   column->setSpacing(4);
   column->addWidget(name_);
   column->addWidget(measures_);
+  column->addWidget(change_);
   column->addWidget(note_);
 }
 
 void PlanHeader::show(const anatomy::Patient& patient)
 {
   name_->setText(nameOfPatient(patient) + handChange(patient));
+  change_->setText(remeasuredText(patient));
+  change_->setVisible(!change_->text().isEmpty());
   if (!patient.basalTurn) return measures_->clear();
   const anatomy::BasalTurn& turn = *patient.basalTurn;
   const anatomy::BasalTurnErrors errors = analysis::errorsOf(patient);
@@ -56,7 +62,7 @@ void PlanHeader::show(const anatomy::Patient& patient)
   for (const Sentence& sentence : anatomy::unusualMeasures(patient)) unusual << dataText(sentence);
   measures_->setToolTip(
       (QStringList{tr("A: basal-turn diameter; B: basal-turn width, perpendicular to A; H: height. "
-                      "Every draw takes other values within these errors.")} +
+                      "Every simulation takes other values within these errors.")} +
        unusual)
           .join(QLatin1Char('\n')));
 }

@@ -24,6 +24,7 @@ public:
 private:
   QLabel* name_;
   QLabel* measures_;
+  QLabel* change_;  ///< What the measures were before.
   QLabel* note_;
 };
 

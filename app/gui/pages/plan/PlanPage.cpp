@@ -6,6 +6,7 @@
 #include <QStackedWidget>
 #include <QVBoxLayout>
 #include <QVariant>
+#include <algorithm>
 
 #include "gui/pages/plan/PlanHeader.h"
 #include "gui/pages/plan/PlanList.h"
@@ -13,6 +14,7 @@
 #include "gui/pages/plan/PlanPanel.h"
 #include "gui/pages/plan/PlanView.h"
 #include "gui/pages/plan/PlannedSetup.h"
+#include "gui/setup/Catalog.h"
 #include "gui/setup/PlannedForces.h"
 #include "gui/setup/PlannedFriction.h"
 #include "gui/text/DataText.h"
@@ -37,12 +39,7 @@ PlanPage::PlanPage(QWidget* parent)
       scenario_(planning::PlanRequest{}.scenario),
       panel_(new PlanPanel(this)),
       stages_(new QStackedWidget(this)),
-      empty_(new EmptyPage(tr("Plan an insertion"),
-                           tr("Choose a patient with the measures A and B, or measure a CT on the "
-                              "page CT. Choose the arrays to be compared and press Compute. Each "
-                              "array is inserted many times; the table shows what to expect, as "
-                              "bands."),
-                           this)),
+      empty_(new EmptyPage({}, {}, this)),
       head_(new PlanHeader(this)),
       list_(new PlanList(this)),
       view_(new PlanView(this)),
@@ -69,7 +66,25 @@ PlanPage::PlanPage(QWidget* parent)
   row->addLayout(right, 1);
   connectPanel();
   connectWork();
+  showEmpty();
   forgetPlan();
+}
+
+void PlanPage::showEmpty()
+{
+  if (progress_.isEmpty())
+    return empty_->showMessage(
+        tr("Plan an insertion"),
+        tr("Choose a patient with the measures A and B, or measure a CT on the page CT. Choose the "
+           "arrays to be compared and press Compute. Each array is inserted many times; the table "
+           "shows what to expect, as bands."));
+  QStringList arrays;
+  const std::vector<std::string> chosen = panel_->request().arrays;
+  for (const CatalogArray& each : catalogArrays())
+    if (std::ranges::find(chosen, each.name.toStdString()) != chosen.end()) arrays << each.title;
+  empty_->showMessage(tr("Computing the plan"),
+                      tr("%1\n\n%2\n\nThe first bands come after 8 simulations of each array.")
+                          .arg(arrays.join(tr(" · ")), progress_));
 }
 
 QWidget* PlanPage::addPlan()
@@ -156,7 +171,7 @@ void PlanPage::openArrays()
 {
   if (!plan_ || !open_->isEnabled()) return;
   showMessage({});
-  view_->show(plan_, list_->selected());
+  view_->show(plan_, list_->selected(), madeUtc_);
   stages_->setCurrentIndex(arraysStage);
   panel_->hide();
   back_->setFocus();
@@ -252,7 +267,7 @@ void PlanPage::connectWork()
   connect(&work_, &PlanWork::progressed, this, &PlanPage::showProgress);
   connect(&work_, &PlanWork::shown, this, &PlanPage::showPlan);
   connect(&work_, &PlanWork::ended, this, [this](const QString& sentence) {
-    panel_->showProgress(std::nullopt);
+    endProgress();
     panel_->refresh();
     if (sentence.isEmpty() && plan_ && plan_->seal == Seal::changed)
       return showMessage(dataText(noteOn(Seal::changed)), true);
@@ -275,7 +290,10 @@ void PlanPage::compute()
     forgetPlan();
   if (const auto done = planning::checkDraws(request.draws); !done)
     return showMessage(dataText(done.error().message), true);
-  showMessage(tr("Preparing…"));
+  progress_ = tr("Preparing…");
+  sinceFirst_.invalidate();
+  showEmpty();
+  showMessage(progress_);
   panel_->showProgress(0.0);
   work_.compute(request);
 }
@@ -286,7 +304,7 @@ bool PlanPage::stop()
 {
   if (!work_.isBusy()) return false;
   work_.cancel();
-  panel_->showProgress(std::nullopt);
+  endProgress();
   panel_->refresh();
   showMessage(tr("Canceled. What is done is kept; Compute continues there."));
   return true;
@@ -329,8 +347,34 @@ void PlanPage::showProgress(std::size_t done, std::size_t all)
 {
   if (!work_.isBusy()) return;
   panel_->showProgress(double(done) / double(all));
-  showMessage(
-      tr("%1 of at most %2 insertions. Another page can be shown meanwhile.").arg(done).arg(all));
+  progress_ = tr("%1 of at most %2 insertions.").arg(done).arg(all);
+  if (const QString left = timeLeft(done, all); !left.isEmpty())
+    progress_ = tr("%1 %2").arg(progress_, left);
+  showEmpty();
+  showMessage(tr("%1 Another page can be shown meanwhile.").arg(progress_));
+}
+
+QString PlanPage::timeLeft(std::size_t done, std::size_t all)
+{
+  if (!sinceFirst_.isValid()) {
+    sinceFirst_.start();
+    firstDone_ = done;
+  }
+  // fewer and sooner say little of the rest
+  constexpr std::size_t fewest = 4;
+  constexpr qint64 shortest_ms = 3000, minute_ms = 60000;
+  if (done < firstDone_ + fewest || sinceFirst_.elapsed() < shortest_ms) return {};
+  const double left_ms =
+      double(sinceFirst_.elapsed()) * double(all - done) / double(done - firstDone_);
+  if (left_ms < minute_ms) return tr("Less than a minute left.");
+  return tr("At most about %1 min left.").arg(qRound(left_ms / minute_ms));
+}
+
+void PlanPage::endProgress()
+{
+  progress_.clear();
+  showEmpty();
+  panel_->showProgress(std::nullopt);
 }
 
 void PlanPage::forgetPlan()

@@ -3,6 +3,7 @@
 
 // The page Plan: electrode arrays compared in one patient's cochlea before surgery.
 
+#include <QElapsedTimer>
 #include <optional>
 #include <string>
 
@@ -72,6 +73,11 @@ private:
   void openStored(const StoredPlan& stored);
   void showPlan(const PlanWork::SharedPlan& plan, const StoredPlan& stored);
   void showProgress(std::size_t done, std::size_t all);
+  /// "about 4 min left at most", once there is enough to go by; else empty.
+  QString timeLeft(std::size_t done, std::size_t all);
+  void endProgress();
+  /// What the page says before the first bands.
+  void showEmpty();
   void forgetPlan();
   void showMessage(const QString& sentence, bool isError = false);
 
@@ -81,6 +87,9 @@ private:
   std::filesystem::path folder_;  ///< Folder of `plan_`.
   std::string madeUtc_;           ///< When `plan_` was made.
   std::string scenario_;
+  QElapsedTimer sinceFirst_;   ///< Begins with the first progress of a computation.
+  std::size_t firstDone_ = 0;  ///< Insertions that were done then.
+  QString progress_;           ///< What is said of the computation; empty without one.
   std::optional<planning::Resolution> resolution_ = planning::Resolution{};
   PlanPanel* panel_;
   QStackedWidget* stages_;

@@ -164,7 +164,7 @@ void PlanPanel::addFoot(QVBoxLayout& column)
   }
   friction_->setToolTip(tr(
       "No friction in a living ear is known. The first one is estimated from force curves in fresh "
-      "cochleae of pigs, median 0.165; simulations draw it from 0.08 to 0.33. 0.12 is recalled for "
+      "cochleae of pigs, median 0.165; simulations take it from 0.08 to 0.33. 0.12 is recalled for "
       "arrays on endosteum; with the friction measured on a tissue simulant arrays stop at 240 to "
       "350°."));
   column.addWidget(friction_);
@@ -172,7 +172,8 @@ void PlanPanel::addFoot(QVBoxLayout& column)
     draws_->addChoice(tr("%1 simulations at most").arg(count), QString::number(count));
   draws_->show(QString::number(usualDraws), {});
   draws_->setToolTip(
-      tr("A draw is a cochlea within the errors of the measures, an approach, a stiffness and a "
+      tr("A simulation has a cochlea within the errors of the measures, an approach, a stiffness "
+         "and a "
          "surgeon. Fewer are run if the median angle is known to 5° and the median peak force to "
          "5 %."));
   column.addWidget(draws_);

@@ -104,8 +104,9 @@ QString methodOf(PlanColumn column)
           "Maximum axial force on the surgeon’s hand. Median and the band that the head names.");
     case PlanColumn::end:
       return tr(
-          "Mean axial force on the hand over the last half second before it stops. Median and the "
-          "band that the head names.");
+          "Axial force on the hand at its stop, by the line through the last half second of "
+          "motion. "
+          "Median and the band that the head names.");
     case PlanColumn::force:
       return tr(
           "Axial force over the depth of the tip past the opening, as deep as any simulation went. "

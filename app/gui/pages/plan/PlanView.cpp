@@ -136,7 +136,8 @@ QWidget* PlanView::addDetails()
 void PlanView::saveContacts()
 {
   if (!plan_ || arrays_.size() != 1) return;
-  const auto file = chooseContactFile(this, plan_->arrays[arrays_.front()].array);
+  const auto file = chooseContactFile(
+      this, {plan_->request.patient, plan_->arrays[arrays_.front()].array, madeUtc_});
   if (!file) return;
   if (const auto written = writeContactTable(*file, planning::contactsCsv(*plan_, arrays_));
       !written)
@@ -174,10 +175,12 @@ void PlanView::arrange(std::size_t count)
   aside_->setCurrentIndex(isOne ? detailsStage : forcesStage);
 }
 
-void PlanView::show(const PlanWork::SharedPlan& plan, std::vector<std::size_t> arrays)
+void PlanView::show(const PlanWork::SharedPlan& plan, std::vector<std::size_t> arrays,
+                    std::string madeUtc)
 {
   plan_ = plan;
   arrays_ = std::move(arrays);
+  madeUtc_ = std::move(madeUtc);
   if (arrays_.size() > maxArrays) arrays_.resize(maxArrays);
   unrolled_.reset();
   unrolledView_->refresh();

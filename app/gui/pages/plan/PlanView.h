@@ -33,7 +33,7 @@ public:
   ~PlanView() override;
 
   /// @param arrays  Indices into the plan's arrays; at most maxArrays.
-  void show(const PlanWork::SharedPlan& plan, std::vector<std::size_t> arrays);
+  void show(const PlanWork::SharedPlan& plan, std::vector<std::size_t> arrays, std::string madeUtc);
   /// Ends the computation of the pictures.
   void cancel() { work_.cancel(); }
   /// Pictures that show their array.
@@ -60,6 +60,7 @@ private:
   PlanShapeWork work_;
   PlanWork::SharedPlan plan_;
   std::vector<std::size_t> arrays_;
+  std::string madeUtc_;  ///< When the plan was made.
   std::unique_ptr<Unrolled> unrolled_;
   QGridLayout* grid_;
   std::array<Pane, maxArrays> panes_{};

@@ -10,6 +10,7 @@
 
 #include "gui/report/InsertionOutcome.h"
 #include "gui/setup/SetupTitle.h"
+#include "gui/text/DataText.h"
 #include "gui/text/Numbers.h"
 #include "gui/widgets/Theme.h"
 #include "perilymph/anatomy/Patient.h"
@@ -44,8 +45,6 @@ QIcon plainIcon(const QPixmap& pixmap)
   icon.addPixmap(pixmap, QIcon::Selected);
   return icon;
 }
-
-bool hasNumbers(const SessionSummary& session) { return session.highlights.ticks > 0; }
 
 /// It neither reached its stop nor was ended by the hand.
 bool hasFailed(const SessionSummary& session)
@@ -180,20 +179,23 @@ QString SessionTable::text(const Row& row, int column) const
     case technique:
       return techniqueOf(session);
     case outcome:
-      return hasNumbers(session) ? outcomeWord(found.end) : QString();
+      if (session::isInsertion(session)) return outcomeWord(found.end);
+      return session.isBeingRecorded || session.startedUtc.empty() ? QString() : tr("empty");
     case array:
       return QString::fromStdString(session.array);
     case duration:
-      return hasNumbers(session) ? tr("%1 s").arg(numberText(found.duration, 1)) : QString();
+      return session::isInsertion(session) ? tr("%1 s").arg(numberText(found.duration, 1))
+                                           : QString();
     case angle:
-      return hasNumbers(session)
+      return session::isInsertion(session)
                  ? tr("%1°").arg(numberText(inDegrees(radians(found.deepestAngle)), 0))
                  : QString();
     case peak:
-      return hasNumbers(session) ? tr("%1 mN at %2 mm")
-                                       .arg(forceNumber(inMillinewtons(newtons(found.peakForce))),
-                                            numberText(inMillimeters(meters(found.peakDepth)), 1))
-                                 : QString();
+      return session::isInsertion(session)
+                 ? tr("%1 mN at %2 mm")
+                       .arg(forceNumber(inMillinewtons(newtons(found.peakForce))),
+                            numberText(inMillimeters(meters(found.peakDepth)), 1))
+                 : QString();
     default:
       return {};
   }
@@ -212,7 +214,7 @@ QStringList SessionTable::widestTexts(int column) const
       return {heading, tr("Standard"), tr("Advance off-stylet")};
     case outcome:
       return {heading, outcomeWord(haptics::InsertionEnd::finished),
-              outcomeWord(haptics::InsertionEnd::none)};
+              outcomeWord(haptics::InsertionEnd::none), tr("empty")};
     case duration:
       return {heading, tr("%1 s").arg(numberText(8888.8, 1))};
     case angle:
@@ -257,7 +259,7 @@ QVariant SessionTable::data(const QModelIndex& index, int role) const
       return index.column() == picture ? QVariant(plainIcon(thumbnails_->find(shown))) : QVariant();
     case Qt::ToolTipRole:
       return shown.error.empty() ? QString::fromStdString(shown.file.string())
-                                 : QString::fromStdString(shown.error);
+                                 : dataText(shown.error);
     case Qt::TextAlignmentRole:
       return index.column() >= duration ? int(Qt::AlignRight | Qt::AlignVCenter)
                                         : int(Qt::AlignLeft | Qt::AlignVCenter);
@@ -304,7 +306,7 @@ QString SessionTable::title(int column) const
     case array:
       return tr("Array");
     case duration:
-      return tr("Duration");
+      return tr("Insertion time");
     case angle:
       return tr("Tip angle");
     case peak:

@@ -291,9 +291,7 @@ void SessionsPage::showChoice()
 
   const auto rows = chosen();
   const bool isReadable =
-      !rows.empty() && std::all_of(rows.begin(), rows.end(), [](const auto& each) {
-        return !each.isBeingRecorded && each.highlights.ticks > 0;
-      });
+      !rows.empty() && std::all_of(rows.begin(), rows.end(), session::isInsertion);
   const bool isOne = rows.size() == 1;
   for (QPushButton* button : {replay_, ghost_, report_}) button->setEnabled(isOne && isReadable);
   const bool canCompare = rows.size() >= 2 && isReadable;
@@ -304,11 +302,14 @@ void SessionsPage::showChoice()
   delete_->setEnabled(!rows.empty() && !rows[0].isBeingRecorded);
   undo_->setVisible(!trashed_.empty());
   if (isOne && !rows[0].error.empty())
-    showMessage(QString::fromStdString(rows[0].error), true);
+    showMessage(dataText(rows[0].error), true);
   else if (isOne && rows[0].isBeingRecorded)
     showMessage(insertion_ == Progress::resting
                     ? tr("This insertion has ended; its rest is recorded until nothing moves.")
                     : tr("This insertion is being recorded. Reset ends the recording."));
+  else if (!rows.empty() && !isReadable)
+    showMessage(tr("Only insertions can be compared; the selection has a recording that is none."),
+                true);
   else if (!trashed_.empty())
     showMessage(tr("%n moved to the trash.", nullptr, int(trashed_.size())));
   else
@@ -318,14 +319,14 @@ void SessionsPage::showChoice()
 std::optional<std::filesystem::path> SessionsPage::oneChosen() const
 {
   const auto rows = chosen();
-  const bool isOne = rows.size() == 1 && !rows[0].isBeingRecorded && rows[0].highlights.ticks > 0;
+  const bool isOne = rows.size() == 1 && session::isInsertion(rows[0]);
   return isOne ? std::optional(rows[0].file) : std::nullopt;
 }
 
 void SessionsPage::replayChosen()
 {
   const auto file = oneChosen();
-  if (!file) return;
+  if (!file) return showChoice();  // which says why
   showMessage(tr("Opening %1…").arg(QString::fromStdString(session::displayNameOf(*file))));
   Q_EMIT replayRequested(*file);
 }

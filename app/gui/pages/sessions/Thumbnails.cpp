@@ -87,8 +87,7 @@ QPixmap Thumbnails::find(const session::SessionSummary& summary)
   QPixmap blank(fineness * size);
   blank.setDevicePixelRatio(fineness);
   blank.fill(Qt::transparent);
-  const bool canBePainted =
-      !summary.isBeingRecorded && summary.highlights.ticks > 0 && !impossible_.contains(key);
+  const bool canBePainted = session::isInsertion(summary) && !impossible_.contains(key);
   if (!canBePainted || key == painting_) return blank;
   const auto wish = std::find_if(wishes_.begin(), wishes_.end(),
                                  [&key](const PendingRequest& each) { return each.key == key; });

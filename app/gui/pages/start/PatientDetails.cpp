@@ -9,6 +9,7 @@
 #include <stop_token>
 #include <utility>
 
+#include "gui/pages/start/MeasureVersionList.h"
 #include "gui/pages/start/PatientHistoryList.h"
 #include "gui/text/DataText.h"
 #include "gui/widgets/ElidedLabel.h"
@@ -33,6 +34,7 @@ PatientDetails::PatientDetails(QWidget* parent)
       tags_(new QLineEdit(this)),
       notes_(new NotesField("patientNotes", tr("Notes on this ear; no names"), this,
                             session::maxNotes)),
+      versions_(new MeasureVersionList(this)),
       empty_(new WrappedLabel(QString(), this)),
       history_(new PatientHistoryList(this))
 {
@@ -53,6 +55,8 @@ PatientDetails::PatientDetails(QWidget* parent)
   column->addWidget(name_);
   column->addWidget(tags_);
   column->addWidget(notes_);
+  column->addWidget(panelHeading(tr("MEASURES"), this));
+  column->addWidget(versions_);
   column->addWidget(panelHeading(tr("SCANS, PLANS, INSERTIONS"), this));
   column->addWidget(empty_, 1);  // in the place of the list
   column->addWidget(history_, 1);
@@ -90,6 +94,7 @@ void PatientDetails::show(const std::optional<SavedPatient>& patient)
       left != unsaved_.end())
     record = left->second;
   const QString notes = QString::fromStdString(record.notes);
+  versions_->show(patient ? versionsOf(*patient) : std::vector<MeasureVersion>());
   tags_->setText(tagsText(record));
   // the same text is not set again: its changes can still be undone
   if (!isSame || notes_->toPlainText() != notes) notes_->setNotes(notes);

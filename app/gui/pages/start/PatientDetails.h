@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// Tags, notes and history of one patient.
+// Tags, notes, measures and history of one patient.
 
 #include <QWidget>
 #include <array>
@@ -17,6 +17,7 @@ class QLineEdit;
 namespace perilymph::gui {
 
 class ElidedLabel;
+class MeasureVersionList;
 class NotesField;
 class PatientHistoryList;
 
@@ -64,6 +65,7 @@ private:
   ElidedLabel* name_;
   QLineEdit* tags_;
   NotesField* notes_;
+  MeasureVersionList* versions_;
   QLabel* empty_;
   PatientHistoryList* history_;
 };

@@ -176,7 +176,8 @@ QWidget* PatientForm::addExplanations()
   column->addStretch(1);
   auto* measure = new QPushButton(tr("Measure a CT…"), side);
   measure->setObjectName(QStringLiteral("patientCtButton"));
-  connect(measure, &QPushButton::clicked, this, &PatientForm::ctRequested);
+  connect(measure, &QPushButton::clicked, this,
+          [this] { Q_EMIT ctRequested(label_->text().trimmed()); });
   column->addLayout(sideBySide(heading(tr("HOW TO MEASURE IN CT"), side), measure));
   column->addWidget(landmarks_, 8);
   column->addWidget(

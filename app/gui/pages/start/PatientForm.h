@@ -46,8 +46,8 @@ public:
 Q_SIGNALS:
   void patientGiven(const perilymph::anatomy::Patient& patient);
   void leaveRequested();
-  /// The user wants the measures from a CT.
-  void ctRequested();
+  /// The user wants the measures from a CT, under the code that is typed.
+  void ctRequested(const QString& code);
 
 private:
   QWidget* addForm();

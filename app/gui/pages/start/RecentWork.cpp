@@ -9,13 +9,12 @@
 #include <QVBoxLayout>
 #include <QVariant>
 #include <algorithm>
-#include <chrono>
-#include <system_error>
+#include <functional>
+#include <stop_token>
 #include <utility>
 
 #include "gui/widgets/Theme.h"
 #include "perilymph/foundation/Resources.h"
-#include "perilymph/session/SessionLibrary.h"
 
 namespace perilymph::gui {
 
@@ -26,40 +25,10 @@ namespace fs = std::filesystem;
 constexpr std::size_t maxListed = 3;
 constexpr int linkWidth_px = 380;
 
-struct Recorded {
-  fs::path file;
-  qint64
-      time_ms;  ///< Since 1970: when it began, which its name states; else when it was changed last.
-};
-
-qint64 timeOf_ms(const fs::path& file, fs::file_time_type changed)
+QString dateOf(const session::SessionSummary& session)
 {
-  const auto utc =
-      QDateTime::fromString(QString::fromStdString(session::startedUtcOf(file)), Qt::ISODate);
-  if (utc.isValid()) return utc.toMSecsSinceEpoch();
-  const auto before = fs::file_time_type::clock::now() - changed;
-  return QDateTime::currentMSecsSinceEpoch() -
-         std::chrono::duration_cast<std::chrono::milliseconds>(before).count();
-}
-
-/// The newest recordings, without being read.
-std::vector<Recorded> newestRecordings(const std::optional<fs::path>& beingRecorded)
-{
-  std::vector<Recorded> found;
-  std::error_code failure;
-  fs::directory_iterator entries(sessionFolder(), failure);
-  if (failure) return found;  // nothing was recorded yet
-  for (const fs::directory_entry& entry : entries) {
-    if (entry.path().extension() != ".insertion" || entry.path() == beingRecorded) continue;
-    const auto time = entry.last_write_time(failure);
-    if (!failure) found.push_back({entry.path(), timeOf_ms(entry.path(), time)});
-  }
-  const std::size_t kept = std::min(found.size(), maxListed);
-  std::partial_sort(
-      found.begin(), found.begin() + std::ptrdiff_t(kept), found.end(),
-      [](const Recorded& one, const Recorded& other) { return one.time_ms > other.time_ms; });
-  found.resize(kept);
-  return found;
+  const auto utc = QDateTime::fromString(QString::fromStdString(session.startedUtc), Qt::ISODate);
+  return utc.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm"));
 }
 
 QLabel* columnHeading(const QString& text, QWidget* parent)
@@ -101,7 +70,7 @@ void clear(QVBoxLayout& column)
 
 }  // namespace
 
-RecentWork::RecentWork(QWidget* parent) : QWidget(parent)
+RecentWork::RecentWork(QWidget* parent) : QWidget(parent), background_(this)
 {
   setObjectName(QStringLiteral("recentWork"));
   auto* row = new QHBoxLayout(this);
@@ -122,11 +91,9 @@ RecentWork::RecentWork(QWidget* parent) : QWidget(parent)
 void RecentWork::refresh(const QString& current, const std::optional<fs::path>& beingRecorded)
 {
   clear(*patients_);
-  clear(*recordings_);
   auto patients = savedPatients();
   std::erase_if(patients, [](const SavedPatient& each) { return each.record.isArchived; });
   QWidget* left = patients_->parentWidget();
-  QWidget* right = recordings_->parentWidget();
   if (!patients.empty()) patients_->addWidget(columnHeading(tr("RECENT PATIENTS"), left));
   for (std::size_t i = 0; i < std::min(patients.size(), maxListed); ++i) {
     const QString tags = tagsText(patients[i].record);
@@ -142,31 +109,48 @@ void RecentWork::refresh(const QString& current, const std::optional<fs::path>& 
                     QStringLiteral("allPatientsButton"), left),
             &QPushButton::clicked, this, &RecentWork::allPatientsRequested);
 
-  const auto recordings = newestRecordings(beingRecorded);
-  if (!current.isEmpty() || !recordings.empty())
-    recordings_->addWidget(columnHeading(tr("LAST INSERTIONS"), right));
-  if (!current.isEmpty())
-    connect(addLink(*recordings_, tr("Continue: %1").arg(current), QStringLiteral("continueButton"),
-                    right),
+  left->setVisible(!patients.empty());
+  current_ = current;
+  showInsertions();
+  background_.run(
+      "The list of the last insertions",
+      [file = beingRecorded.value_or(fs::path())](const std::stop_token& stop) {
+        return session::listSessions(sessionFolder(), file, {}, {}, stop);
+      },
+      [this](Result<std::vector<session::SessionSummary>> sessions) {
+        if (!sessions) return;  // the page Sessions says why
+        std::erase_if(*sessions, std::not_fn(session::isInsertion));
+        insertions_ = *std::move(sessions);
+        showInsertions();
+      });
+}
+
+void RecentWork::showInsertions()
+{
+  clear(*recordings_);
+  QWidget* right = recordings_->parentWidget();
+  right->setVisible(!current_.isEmpty() || !insertions_.empty());
+  if (!right->isVisibleTo(this)) return;
+  recordings_->addWidget(columnHeading(tr("LAST INSERTIONS"), right));
+  if (!current_.isEmpty())
+    connect(addLink(*recordings_, tr("Continue: %1").arg(current_),
+                    QStringLiteral("continueButton"), right),
             &QPushButton::clicked, this, &RecentWork::continueRequested);
-  const std::size_t listed = std::min(recordings.size(), maxListed - (current.isEmpty() ? 0 : 1));
+  const std::size_t listed = std::min(insertions_.size(), maxListed - (current_.isEmpty() ? 0 : 1));
   for (std::size_t i = 0; i < listed; ++i) {
+    const session::SessionSummary& each = insertions_[i];
     auto* link =
         addLink(*recordings_,
                 tr("Replay %1 · %2")
-                    .arg(QString::fromStdString(session::displayNameOf(recordings[i].file)),
-                         QDateTime::fromMSecsSinceEpoch(recordings[i].time_ms)
-                             .toString(QStringLiteral("yyyy-MM-dd HH:mm"))),
+                    .arg(QString::fromStdString(session::displayNameOf(each.file)), dateOf(each)),
                 QStringLiteral("recentRecording%1").arg(i), right);
     connect(link, &QPushButton::clicked, this,
-            [this, file = recordings[i].file] { Q_EMIT replayRequested(file); });
+            [this, file = each.file] { Q_EMIT replayRequested(file); });
   }
-  if (!recordings.empty())
-    connect(addLink(*recordings_, tr("All recorded insertions"),
-                    QStringLiteral("allRecordingsButton"), right),
-            &QPushButton::clicked, this, &RecentWork::allRecordingsRequested);
-  left->setVisible(!patients.empty());
-  right->setVisible(!current.isEmpty() || !recordings.empty());
+  if (insertions_.empty()) return;
+  connect(addLink(*recordings_, tr("All recorded insertions"),
+                  QStringLiteral("allRecordingsButton"), right),
+          &QPushButton::clicked, this, &RecentWork::allRecordingsRequested);
 }
 
 }  // namespace perilymph::gui

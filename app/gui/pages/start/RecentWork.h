@@ -6,8 +6,11 @@
 #include <QWidget>
 #include <filesystem>
 #include <optional>
+#include <vector>
 
+#include "gui/run/Background.h"
 #include "gui/setup/PatientLibrary.h"
+#include "perilymph/session/SessionLibrary.h"
 
 class QVBoxLayout;
 
@@ -19,7 +22,7 @@ class RecentWork : public QWidget {
 public:
   explicit RecentWork(QWidget* parent);
 
-  /// Reads both folders again.
+  /// Reads both folders again, recordings in the background.
   /// @param current        Title of the setup on the insertion page; empty if it was not used yet.
   /// @param beingRecorded  Not listed.
   void refresh(const QString& current, const std::optional<std::filesystem::path>& beingRecorded);
@@ -32,6 +35,11 @@ Q_SIGNALS:
   void allRecordingsRequested();
 
 private:
+  void showInsertions();
+
+  QString current_;
+  std::vector<session::SessionSummary> insertions_;  ///< As last read, the newest first.
+  Background background_;
   QVBoxLayout *patients_, *recordings_;
 };
 

@@ -160,7 +160,7 @@ StartPage::StartPage(const InsertionControl& control, const SetupHistory& setup,
   connect(form_, &PatientForm::leaveRequested, this, [this] { showCards(); });
   connect(form_, &PatientForm::patientGiven, this, &StartPage::savePatient);
   connect(form_, &PatientForm::ctRequested, this,
-          [this] { Q_EMIT pageRequested(QStringLiteral("ct")); });
+          [this](const QString& code) { Q_EMIT ctRequested({code}); });
   connect(picker_, &PatientPicker::leaveRequested, this, [this] { showCards(); });
   connect(picker_, &PatientPicker::openRequested, this, &StartPage::openPatient);
   connect(picker_, &PatientPicker::editRequested, this, [this](const SavedPatient& patient) {
@@ -227,7 +227,7 @@ void StartPage::openEntry(const HistoryEntry& entry)
 {
   switch (entry.kind) {
     case HistoryEntry::Kind::scan:
-      return pageRequested(QStringLiteral("ct"));
+      return ctRequested(entry.scan);
     case HistoryEntry::Kind::plan:
       return pageRequested(QStringLiteral("plan"), entry.place);
     case HistoryEntry::Kind::insertion:

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "gui/pages/Page.h"
+#include "gui/setup/CtRequest.h"
 #include "perilymph/anatomy/Patient.h"
 
 class QLabel;
@@ -68,6 +69,9 @@ public:
   void showNewPatient();
   /// Shows why the selection failed.
   void showError(const QString& sentence);
+
+Q_SIGNALS:
+  void ctRequested(const perilymph::gui::CtRequest& request);
 
 protected:
   void resizeEvent(QResizeEvent* event) override;

@@ -12,6 +12,7 @@
 #include "perilymph/analysis/ExperimentDevice.h"
 #include "perilymph/analysis/ForceProfile.h"
 #include "perilymph/analysis/RunningMean.h"
+#include "perilymph/analysis/StopForce.h"
 #include "perilymph/session/Highlights.h"
 #include "perilymph/session/Insertion.h"
 
@@ -134,11 +135,10 @@ ClinicalInsertion insertByHand(const session::InsertionParameters& nominal,
   const auto ticksIn = [step](Duration time) {
     return static_cast<std::size_t>(std::lround(time.si() / step));
   };
-  RunningMean force(hand.restMean);
+  StopForce force(hand.restMean);
   const auto push = [&](const haptics::TickRecord& record) {
     note(record.output);
-    if (record.output.workflow >= haptics::Workflow::inserting)
-      force.add(record.output.time, record.output.axialForce);
+    force.add(record.output);
     points.add(result.profile, record.output.depth, record.output.axialForce);
     if (record.output.workflow == haptics::Workflow::inserting) end = watch.take(record.output);
     if (record.output.workflow == haptics::Workflow::finished) end = endOf(record.output);
@@ -149,16 +149,17 @@ ClinicalInsertion insertByHand(const session::InsertionParameters& nominal,
   auto ran = (*insertion)->runToEnd(push, static_cast<std::uint64_t>(ticks));
   if (stop.stop_requested()) return result;
 
-  result.endForce = newtons(force.mean());
+  result.endForce = newtons(force.value());
   if (ran) {
     forceps->rest();
+    RunningMean atRest(hand.restMean);
     std::size_t tick = 0;
     const auto rest = [&](const haptics::TickRecord& record) {
       note(record.output);
-      force.add(record.output.time, record.output.axialForce);
+      atRest.add(record.output.time, record.output.axialForce);
       ++tick;
-      if (tick == ticksIn(shortRest())) result.forceAfter1s = newtons(force.mean());
-      if (tick == ticksIn(longRest)) result.forceAfter10s = newtons(force.mean());
+      if (tick == ticksIn(shortRest())) result.forceAfter1s = newtons(atRest.mean());
+      if (tick == ticksIn(longRest)) result.forceAfter10s = newtons(atRest.mean());
       return !stop.stop_requested();
     };
     ran = (*insertion)->runToEnd(rest, ticksIn(hand.rest));

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 // Incremented when the keys or their meaning change; an index with another number is ignored.
-constexpr int format = 5;
+constexpr int format = 6;
 
 constexpr std::pair<const char*, std::string SessionSummary::*> texts[] = {
     {"started_utc", &SessionSummary::startedUtc},
@@ -25,8 +25,7 @@ constexpr std::pair<const char*, std::string SessionSummary::*> texts[] = {
     {"array", &SessionSummary::array},
     {"technique", &SessionSummary::technique},
     {"device", &SessionSummary::device},
-    {"version", &SessionSummary::version},
-    {"error", &SessionSummary::error}};
+    {"version", &SessionSummary::version}};
 
 json toJson(const SessionSummary& summary)
 {
@@ -34,6 +33,7 @@ json toJson(const SessionSummary& summary)
                 {"modified_ns", summary.modified_ns},
                 {"ticks", summary.highlights.ticks},
                 {"closed", summary.wasClosed},
+                {"error", static_cast<const std::string&>(summary.error)},
                 {highlightEnd, haptics::nameOf(summary.highlights.end)}};
   for (const auto& [key, text] : texts) entry[key] = summary.*text;
   for (const auto& [key, number] : highlightKeys) entry[key] = summary.highlights.*number;
@@ -48,6 +48,7 @@ SessionSummary fromJson(const json& entry)
   entry.at("modified_ns").get_to(summary.modified_ns);
   entry.at("ticks").get_to(summary.highlights.ticks);
   entry.at("closed").get_to(summary.wasClosed);
+  summary.error = entry.at("error").get<std::string>();
   summary.highlights.end = haptics::endNamed(entry.at(highlightEnd).get<std::string>());
   for (const auto& [key, text] : texts) entry.at(key).get_to(summary.*text);
   for (const auto& [key, number] : highlightKeys) entry.at(key).get_to(summary.highlights.*number);

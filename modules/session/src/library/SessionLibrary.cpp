@@ -64,6 +64,11 @@ bool isWorthKeeping(const SessionSummary& summary)
 
 }  // namespace
 
+bool isInsertion(const SessionSummary& summary) noexcept
+{
+  return !summary.isBeingRecorded && summary.highlights.duration > 0.0;
+}
+
 ScenarioSubject subjectOf(const std::string& text, const std::string& name)
 {
   ScenarioSubject subject;
@@ -85,7 +90,8 @@ ScenarioSubject subjectOf(const std::string& text, const std::string& name)
   subject.cochlea = anatomy;
   const auto scenario = parseScenario(text, name);
   if (!scenario) {
-    subject.error = "Can be compared but not replayed: " + scenario.error().message;
+    subject.error =
+        Sentence{"Can be compared but not replayed: %1", Sentence(scenario.error().message)};
     return subject;
   }
   subject.array = scenario->array().name;
@@ -132,10 +138,10 @@ SessionSummary summarize(const fs::path& file, Subjects& known, const std::stop_
     summary.highlights = *highlights;
   else
     summary.error = highlights.error().message;
-  if (summary.error.empty() && !summary.wasClosed)
-    summary.error = "Incomplete: the program was interrupted.";
-  if (summary.error.empty() && highlights && highlights->ticks == 0)
-    summary.error = "Empty recording: the insertion was never started.";
+  if (summary.error.empty() && !isInsertion(summary))
+    summary.error = Sentence{"Empty: the program ended before the insertion began; delete it."};
+  else if (summary.error.empty() && !summary.wasClosed)
+    summary.error = Sentence{"Incomplete: the program was interrupted."};
   // Last, because opening an unclosed recording may have changed the file.
   stamp(summary);
   return summary;

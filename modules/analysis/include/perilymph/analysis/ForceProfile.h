@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "perilymph/analysis/RunningMean.h"
+#include "perilymph/analysis/StopForce.h"
 #include "perilymph/foundation/Units.h"
 #include "perilymph/haptics/Snapshot.h"
 
@@ -38,10 +39,9 @@ struct ForceProfile {
   std::optional<CurvePoint> basalTurnPeak;  ///< See findBasalTurn().
   std::optional<CurvePoint> basalTurnDip;
   double work = 0.0;  ///< Work of the hand on the array [J]: minus the integral of F.dx.
-  /// Mean force over the last `averaged` before the hand stops: where the insertion ends, or without
-  /// an end at the maximum depth [N].
+  /// StopForce over `averaged` where the insertion ends, or without an end at the maximum depth [N].
   double endForce = 0.0;
-  /// The same after 1 s of rest there; empty if the hand did not rest as long [N].
+  /// Mean force over the last `averaged` of 1 s of rest there; empty if the hand did not rest as long [N].
   std::optional<double> forceAfter1s;
   double finalTravel = 0.0;   ///< [m]
   double deepest = 0.0;       ///< Maximum depth past the opening [m].
@@ -60,7 +60,7 @@ struct ForceProfile {
 /// Spacing of the points of ForceProfile::curve: that of the published curves.
 constexpr Length profileStep() { return millimeters(0.1); }
 
-/// Time over which forces at rest are averaged, as in plans.
+/// Time over which the force at the stop and at rest is read, as in plans.
 constexpr Duration averaged() { return seconds(0.5); }
 
 /// Rest after which the force is stated as that after 1 s.
@@ -79,7 +79,9 @@ private:
   void followRest(const haptics::TickOutput& now);
 
   ForceProfile profile_;
-  RunningMean last_{averaged()};  ///< The force at rest [N].
+  StopForce stop_{averaged()};
+  bool isDeepest_ = false;        ///< The tick before was the deepest.
+  RunningMean rest_{averaged()};  ///< The force after the end [N].
   std::optional<double> ended_;   ///< Time at which the insertion ended [s].
   bool isWithdrawn_ = false;      ///< After it.
   std::optional<haptics::TickOutput> before_;

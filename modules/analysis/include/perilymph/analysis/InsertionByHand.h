@@ -31,9 +31,8 @@ struct ClinicalInsertion {
   Length depth;        ///< At the end, past the opening.
   Angle apical;        ///< Angle of the most apical contact from the round window.
   Force peak;          ///< Maximum axial force on the hand.
-  /// Mean axial force on the hand over the last HandDistribution::restMean before it stops.
-  Force endForce;
-  /// The same before it has rested for 1 s and for 10 s; absent if it did not rest so long, and from
+  Force endForce;      ///< StopForce over HandDistribution::restMean.
+  /// Mean force over the last HandDistribution::restMean of 1 s and of 10 s of rest; absent if it did not rest so long, and from
   /// files of versions whose endForce was that after 2 s.
   std::optional<Force> forceAfter1s, forceAfter10s;
   Force partition;              ///< Maximum force on the cochlear partition, within one contact.

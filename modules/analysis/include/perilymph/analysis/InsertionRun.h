@@ -35,7 +35,7 @@ struct InsertionRun {
   Length depth;           ///< Depth of the tip past the opening.
   Length maxDepth;        ///< Its maximum: of an array out of the opening, where it turned back.
   Angle apical;           ///< Angle of the most apical contact from the round window.
-  Force endForce;         ///< Axial, on the hand.
+  Force endForce;         ///< StopForce over averaged().
   DepthForce peak;        ///< Maximum axial force, and where it first occurred.
   Force partition;        ///< Maximum force on the cochlear partition, within one contact.
   double coverage = 0.0;  ///< Part of the organ of Corti basal to the most apical contact.

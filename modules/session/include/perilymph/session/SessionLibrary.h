@@ -20,7 +20,7 @@ namespace perilymph::session {
 struct ScenarioSubject {
   std::string patient, side, array, technique;
   std::string cochlea;  ///< Equal for equal cochleae, regardless of the ear.
-  std::string error;    ///< Why the text cannot be replayed; else empty.
+  Sentence error;       ///< Why the text cannot be replayed; else empty.
 };
 
 /// From the text alone, so that a recording whose array was removed from the catalog can be listed.
@@ -39,8 +39,13 @@ struct SessionSummary {
   Highlights highlights;
   bool wasClosed = true;
   bool isBeingRecorded = false;
-  std::string error;  ///< One message if it cannot be read or is incomplete; else empty.
+  Sentence error;  ///< Why it cannot be read, is incomplete or is no insertion; else empty.
 };
+
+/// Whether a recording is one of an insertion, which can be replayed, compared and reported: its writing
+/// has ended, and the array moved in it. Others are left where the program ended before an insertion
+/// began, or cannot be read; `error` says which.
+bool isInsertion(const SessionSummary& summary) noexcept;
 
 /// Summarizes one recording. Never fails: errors are reported in `error`.
 ///

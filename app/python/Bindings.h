@@ -4,6 +4,7 @@
 // What the module offers, by subject. Lengths in mm, angles in degrees, forces in N or mN, as each
 // name says.
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -27,6 +28,7 @@ void defineCochlea(py::module_& module);
 void defineArrays(py::module_& module);
 void defineScenario(py::module_& module);
 void defineSimulation(py::module_& module);
+void defineInsertion(py::module_& module);
 void definePlan(py::module_& module);
 void defineStudy(py::module_& module);
 void defineRecording(py::module_& module);
@@ -36,6 +38,9 @@ session::Scenario scenarioOf(const py::object& given, const py::object& override
 
 /// Name or path as text: str or os.PathLike. @throws py::type_error for anything else.
 std::string nameOrFileOf(const py::object& given, const char* name);
+
+/// A fingerprint as 16 hexadecimal digits.
+std::string fingerprintText(std::uint64_t fingerprint);
 
 /// What a JSON text says, as Python's json reads it.
 py::object fromJson(const std::string& text);

@@ -25,9 +25,6 @@ struct Recording {
 
 py::dict factsOf(const session::RecordingFacts& facts)
 {
-  char fingerprint[17];
-  std::snprintf(fingerprint, sizeof fingerprint, "%016llx",
-                static_cast<unsigned long long>(facts.modelFingerprint));
   py::dict found;
   found["scenario_name"] = textOf(facts.scenarioName);
   found["scenario_text"] = textOf(facts.scenarioText);
@@ -35,7 +32,7 @@ py::dict factsOf(const session::RecordingFacts& facts)
   found["time_step_s"] = facts.timeStep;
   found["device_delay_s"] = facts.deviceDelay;
   found["seed"] = facts.seed;
-  found["model_fingerprint"] = fingerprint;
+  found["model_fingerprint"] = fingerprintText(facts.modelFingerprint);
   found["version"] = textOf(facts.version);
   found["build_id"] = textOf(facts.buildId);
   found["started_utc"] = textOf(facts.startedUtc);
@@ -103,6 +100,13 @@ Recording readRecording(const py::object& given, double every_ms, bool check)
 }
 
 }  // namespace
+
+std::string fingerprintText(std::uint64_t fingerprint)
+{
+  char text[17];
+  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(fingerprint));
+  return text;
+}
 
 void defineRecording(py::module_& module)
 {

@@ -19,6 +19,7 @@ PYBIND11_MODULE(_engine, module)
   python::defineScenario(module);
   python::defineCochlea(module);
   python::defineSimulation(module);
+  python::defineInsertion(module);
   python::defineRecording(module);
   python::definePlan(module);
   python::defineStudy(module);

@@ -12,7 +12,7 @@ from conftest import ROOT
 
 EXAMPLES = ROOT / "resources/examples/python"
 # Fewer draws and cochleae than in the guide's pictures: the calls are tested.
-FEWER = {"force_over_depth": [], "plan_bands": ["2"], "depth_over_size": ["2"]}
+FEWER = {"force_over_depth": [], "plan_bands": ["2"], "depth_over_size": ["2"], "force_controller": [], "environment": []}
 
 
 def run(tmp_path, *words):

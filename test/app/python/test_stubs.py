@@ -16,7 +16,7 @@ import perilymph
 PACKAGE = Path(perilymph.__file__).parent
 STUB = ast.parse((PACKAGE / "__init__.pyi").read_text())
 # What Python gives every class; a mapping's methods are listed where they are defined.
-OWN = re.compile(r"__(getitem|len|init)__|[^_].*")
+OWN = re.compile(r"__(getitem|len|init|copy|deepcopy)__|[^_].*")
 
 
 def stubbed(body):

@@ -119,6 +119,19 @@ void defineRecording(py::module_& module)
             return one.columns.attr("__getitem__")(name);
           },
           py::arg("name"), "A column by its name.")
+      .def(
+          "keys", [](const Recording& one) { return py::list(one.columns); },
+          "Names of the columns.")
+      .def(
+          "__len__", [](const Recording& one) { return one.columns.size(); }, "Number of columns.")
+      .def("__iter__", [](const Recording& one) { return py::iter(one.columns); })
+      .def(
+          "__contains__",
+          [](const Recording& one, const py::object& name) { return one.columns.contains(name); },
+          py::arg("name"))
+      .def(
+          "to_pandas", [](const Recording& one) { return dataFrameOf(one.columns); },
+          "The columns as a pandas DataFrame.")
       .def_readonly("facts", &Recording::facts,
                     "What was recorded: 'scenario_name', 'scenario_text', 'device', 'time_step_s', "
                     "'device_delay_s', 'seed', 'model_fingerprint', 'version', 'build_id', "

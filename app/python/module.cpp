@@ -23,5 +23,6 @@ PYBIND11_MODULE(_engine, module)
   python::defineRecording(module);
   python::definePlan(module);
   python::defineStudy(module);
+  python::giveSignatures(module);
   module.attr("__name__") = name;
 }

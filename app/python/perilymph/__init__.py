@@ -7,6 +7,7 @@ An operation that fails raises perilymph.Error, a ValueError, whose text says wh
 For research and training; not a medical device.
 """
 
+from perilymph import ct
 from perilymph._ct import CtMeasures, read_both_measures, read_measures
 from perilymph._engine import (
     Array,
@@ -37,12 +38,15 @@ from perilymph._engine import (
     scenarios,
     simulate,
 )
+from perilymph._friction import Friction
+from perilymph._study import study
 
 __all__ = [
     "Array",
     "Cochlea",
     "CtMeasures",
     "Error",
+    "Friction",
     "Insertion",
     "InsertionSnapshot",
     "Patient",
@@ -57,6 +61,7 @@ __all__ = [
     "anatomies",
     "arrays",
     "build_id",
+    "ct",
     "patients",
     "plan",
     "read_array",
@@ -69,4 +74,5 @@ __all__ = [
     "read_study",
     "scenarios",
     "simulate",
+    "study",
 ]

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The guide's program and the three examples run, and each example draws what it computed."""
 
+import os
 import re
 import subprocess
 import sys
@@ -16,7 +17,8 @@ FEWER = {"force_over_depth": [], "plan_bands": ["2"], "depth_over_size": ["2"], 
 
 
 def run(tmp_path, *words):
-    done = subprocess.run([sys.executable, *map(str, words)], cwd=tmp_path, capture_output=True, text=True, timeout=240, check=False)
+    done = subprocess.run([sys.executable, *map(str, words)], cwd=tmp_path, env={**os.environ, "XDG_DATA_HOME": str(tmp_path / "data")},
+                          capture_output=True, text=True, timeout=240, check=False)
     assert (done.returncode, done.stderr) == (0, "")
     return done.stdout
 

@@ -268,7 +268,8 @@ void defineScenario(py::module_& module)
           [](const Scenario& one, const std::string& key) -> py::object {
             for (const auto& [name, value] : one.values())
               if (name == key) return fromJson(value);
-            throw py::key_error(key);
+            PyErr_SetObject(PyExc_KeyError, textOf(key).ptr());
+            throw py::error_already_set();
           },
           py::arg("key"))
       .def("with_values", &withValues, py::arg("overrides"),

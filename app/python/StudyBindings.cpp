@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pybind11/stl.h>
 
+#include <charconv>
 #include <set>
 #include <stop_token>
 
@@ -27,6 +28,19 @@ std::shared_ptr<StudyColumns> readStudy(const py::object& given)
   })));
 }
 
+/// Values of a setting: numbers if all of them are.
+py::array settingColumn(const std::vector<std::string>& texts)
+{
+  std::vector<double> numbers;
+  for (const std::string& text : texts) {
+    double number = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error != std::errc{} || end != text.data() + text.size()) return arrayOf(texts);
+    numbers.push_back(number);
+  }
+  return arrayOf(std::move(numbers));
+}
+
 /// Numbers by insertion first, then settings that are text or have one value only.
 py::dict columnsOf(const StudyColumns& study)
 {
@@ -51,7 +65,7 @@ py::dict columnsOf(const StudyColumns& study)
     std::vector<std::string> texts;
     for (std::size_t row = 0; row < study.size(); ++row)
       texts.push_back(study::StudyEvaluation::settingOf(study.result(row), key));
-    columns[textOf(key)] = arrayOf(texts);
+    columns[textOf(key)] = settingColumn(texts);
   }
   return columns;
 }

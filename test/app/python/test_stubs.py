@@ -2,6 +2,7 @@
 """The typed stubs say what the module has: the same names, arguments and defaults; every name is documented."""
 
 import ast
+import importlib.metadata
 import inspect
 import os
 import pydoc
@@ -144,3 +145,9 @@ def test_help_shows_signatures_and_texts():
     said = pydoc.plain(pydoc.render_doc(perilymph.Insertion))
     assert "advance(self, speed_mm_s=None, *, ticks=1)" in said and "negative out of it" in said
     assert "overrides=None, *, record=None" in pydoc.plain(pydoc.render_doc(perilymph.simulate))
+
+
+def test_the_package_is_known_by_its_version():
+    numbers = importlib.metadata.version("perilymph").replace(".dev0", "-dev")
+    assert numbers == perilymph.__version__
+    assert importlib.metadata.requires("perilymph") == ["numpy"]

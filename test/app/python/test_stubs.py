@@ -136,9 +136,18 @@ def test_stubtest_finds_the_stubs_as_the_package_is(tmp_path):
     (tmp_path / "wrong").mkdir()
     shutil.copytree(PACKAGE, tmp_path / "wrong/perilymph", ignore=shutil.ignore_patterns("__pycache__", "*.so"))
     stub = tmp_path / "wrong/perilymph/__init__.pyi"
-    stub.write_text(stub.read_text().replace("every_ms: float = 0.0,", "every: float = 0.0,"))
+    stub.write_text(stub.read_text().replace("every_ms: float=0.0,", "every: float=0.0,"))
     done = stubtest(tmp_path / "wrong")
     assert done.returncode == 1 and "perilymph.simulate" in done.stdout, done.stdout + done.stderr
+
+
+def test_the_stub_has_the_texts_of_the_module_for_editors():
+    for name in ("simulate", "Insertion", "Patient"):
+        node = stubbed(STUB.body)[name]
+        assert ast.get_docstring(node) == inspect.getdoc(getattr(perilymph, name))
+    methods = stubbed(stubbed(STUB.body)["Patient"].body)
+    assert ast.get_docstring(methods["from_lengths"]) == inspect.getdoc(perilymph.Patient.from_lengths)
+    assert ast.get_docstring(methods["a_mm"]) == "Diameter A of the basal turn [mm], or None."
 
 
 def test_help_shows_signatures_and_texts():

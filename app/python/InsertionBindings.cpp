@@ -49,8 +49,8 @@ struct InsertionSnapshot {
 /// without a device.
 class SteppedInsertion {
 public:
-  explicit SteppedInsertion(session::Scenario scenario)
-      : scenario_(std::make_shared<const session::Scenario>(std::move(scenario)))
+  explicit SteppedInsertion(const session::Scenario& scenario)
+      : scenario_(std::make_shared<const session::Scenario>(scenario))
   {
     auto hand = std::make_shared<device::ScriptedDevice>(scenario_->speed().si(),
                                                          scenario_->timeStep().si());

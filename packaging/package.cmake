@@ -53,7 +53,7 @@ foreach(document IN LISTS documents)
   get_filename_component(place "${document}" DIRECTORY)
   install(FILES "${document}" DESTINATION "${share}/doc/perilymph/${place}" COMPONENT program)
 endforeach()
-install(DIRECTORY resources/pictures resources/guide DESTINATION "${share}/doc/perilymph/resources" COMPONENT program
+install(DIRECTORY resources/pictures resources/guide resources/schemas DESTINATION "${share}/doc/perilymph/resources" COMPONENT program
   PATTERN make-pictures EXCLUDE PATTERN make-film EXCLUDE PATTERN make-start EXCLUDE)
 
 # The development files of device plug-ins.

@@ -6,8 +6,11 @@
 
 #include "Bindings.h"
 #include "NumberArrays.h"
+#include "ObjectText.h"
 #include "perilymph/analysis/AnatomyMeasures.h"
 #include "perilymph/analysis/ErrorBand.h"
+#include "perilymph/anatomy/Surface.h"
+#include "perilymph/figures/Strings.h"
 
 namespace perilymph::python {
 
@@ -61,8 +64,24 @@ py::array axis(const BuiltCochlea& one, const py::object& angle_deg)
                       [&](double angle) { return one.scala->center_W(degrees(angle).si()); });
 }
 
-py::array wall(const BuiltCochlea& one, const py::object& angle_deg, const py::object& around_deg)
+/// Points of the wall at angles and directions of one shape.
+py::array pairedWall(const BuiltCochlea& one, const NumberArray& angles, const NumberArray& around)
 {
+  std::size_t i = 0;
+  return mappedPoints(angles, [&](double angle) {
+    return one.scala->wall_W(degrees(angle).si(), degrees(around.values[i++]).si());
+  });
+}
+
+py::array wall(const BuiltCochlea& one, const py::object& angle_deg, const py::object& around_deg,
+               bool paired)
+{
+  if (paired) {
+    const py::object pair =
+        py::module_::import("numpy").attr("broadcast_arrays")(angle_deg, around_deg);
+    return pairedWall(one, anglesOf(pair[py::int_(0)], *one.scala),
+                      numbersOf(pair[py::int_(1)], "around_deg", "deg", -360.0, 360.0));
+  }
   const NumberArray angles = anglesOf(angle_deg, *one.scala);
   const NumberArray around = numbersOf(around_deg, "around_deg", "deg", -360.0, 360.0);
   if (around.values.size() != 0 && angles.values.size() > maxValues / around.values.size())
@@ -189,19 +208,39 @@ py::dict measureErrors(const BuiltCochlea& one)
   return found;
 }
 
+py::dict surface(const BuiltCochlea& one, int triangles)
+{
+  numberOf(triangles, "triangles", "(whole numbers)", 200, 1e6);
+  const anatomy::Surface wall =
+      withoutLock([&] { return anatomy::wallSurface(*one.scala, triangles); });
+  std::vector<double> vertices;
+  vertices.reserve(3 * wall.points.size());
+  for (const auto& point : wall.points)
+    for (const double value : point) vertices.push_back(value * 1e3);
+  std::vector<std::int64_t> faces;
+  faces.reserve(3 * wall.triangles.size());
+  for (const auto& triangle : wall.triangles)
+    faces.insert(faces.end(), triangle.begin(), triangle.end());
+  py::dict found;
+  found["vertices_mm"] =
+      arrayOf(std::move(vertices), {static_cast<py::ssize_t>(wall.points.size()), 3});
+  found["faces"] = arrayOf(std::move(faces), {static_cast<py::ssize_t>(wall.triangles.size()), 3});
+  return found;
+}
+
 }  // namespace
 
 void defineCochlea(py::module_& module)
 {
   module.def("anatomies", &anatomy::anatomySourceNames,
              "Names of the anatomies that need no patient: 'published', 'mean', 'clark'.");
-  py::class_<BuiltCochlea>(
+  py::class_<BuiltCochlea> kind(
       module, "Cochlea",
       "The scala tympani of one cochlea. Points are in mm in its frame: z along the modiolus "
       "toward "
       "the apex, angle zero at the center of the round window on the x axis, right ear (a left one "
-      "is mirrored). Angles are in degrees from the round window, full turns included.")
-      .def(
+      "is mirrored). Angles are in degrees from the round window, full turns included.");
+  kind.def(
           py::init(&fromPatient), py::arg("patient"),
           "Builds a patient's cochlea: the mean anatomy scaled by A, B and H, or the published one "
           "by three lengths. Takes some tenths of a second.")
@@ -228,9 +267,11 @@ void defineCochlea(py::module_& module)
           "Straight length before the round window [mm].")
       .def("axis", &axis, py::arg("angle_deg"),
            "Centers of the sections at angles of shape (...): points (..., 3) [mm].")
-      .def("wall", &wall, py::arg("angle_deg"), py::arg("around_deg"),
+      .def("wall", &wall, py::arg("angle_deg"), py::arg("around_deg"), py::kw_only(),
+           py::arg("paired") = false,
            "Points of the wall at angles (...) and directions around the section (---), 0 outward, "
-           "90 toward the apex [deg]: points (..., ---, 3) [mm].")
+           "90 toward the apex [deg]: points (..., ---, 3) [mm]. paired: the angles and directions "
+           "are broadcast against each other, as NumPy does: points (..., 3).")
       .def("membrane", &membrane, py::arg("angle_deg"), py::arg("across") = 0.5,
            "Points of the basilar membrane at angles (...), across from 0 (inner edge) to 1 (outer "
            "edge): points (..., 3) [mm].")
@@ -254,10 +295,50 @@ void defineCochlea(py::module_& module)
            "the patient states none, and for the duct length by the choice of its formula; not by "
            "the error of "
            "the model. Empty without a patient's measures.")
-      .def("__repr__", [](const BuiltCochlea& one) {
-        return textOf("<perilymph.Cochlea '" + one.cochlea.patient.label + "', " +
-                      nameOf(one.cochlea.source) + ">");
-      });
+      .def("surface", &surface, py::arg("triangles") = 20000,
+           "The wall as triangles, open at the opening: 'vertices_mm' (n, 3) [mm] and 'faces' "
+           "(m, 3), indices of corners in the order that makes the normal point outward; m is at "
+           "most `triangles`, 200 to 1,000,000.")
+      .def(py::pickle(
+          [](const BuiltCochlea& one) {
+            return py::make_tuple(one.cochlea.patient, std::string(nameOf(one.cochlea.source)),
+                                  one.cochlea.leadIn.si());
+          },
+          [](const py::tuple& state) {
+            anatomy::Cochlea cochlea;
+            cochlea.patient = state[0].cast<anatomy::Patient>();
+            const auto source = anatomy::anatomySourceNamed(state[1].cast<std::string>());
+            if (!source)
+              throw EngineError("The pickled cochlea is of another version. Make it again.");
+            cochlea.source = *source;
+            cochlea.leadIn = Length::fromSi(state[2].cast<double>());
+            return built(cochlea);
+          }))
+      .def("__repr__",
+           [](const BuiltCochlea& one) {
+             std::string size;
+             if (const auto& turn = one.cochlea.patient.basalTurn)
+               size = ", A " + figures::fixed(inMillimeters(turn->a), 2) + " mm, B " +
+                      figures::fixed(inMillimeters(turn->b), 2) + " mm";
+             return textOf("<perilymph.Cochlea '" + one.cochlea.patient.label + "', " +
+                           nameOf(one.cochlea.source) + size + ", to " +
+                           figures::fixed(inDegrees(one.scala->lastAngle()), 0) + " deg>");
+           })
+      .def(
+          "_repr_html_",
+          [](const BuiltCochlea& one) {
+            std::vector<std::pair<std::string, std::string>> rows{
+                {"anatomy", nameOf(one.cochlea.source)}};
+            for (const analysis::Measure& each : analysis::measure(*one.scala))
+              rows.emplace_back(each.key, figures::fixed(each.value, 2));
+            return htmlTable(one.cochlea.patient.label, rows);
+          },
+          "A table of its measures for notebooks.");
+  defineIdentity(kind, [](const BuiltCochlea& one) {
+    return std::string(
+        py::repr(py::make_tuple(py::cast(one.cochlea.patient).attr("__getstate__")(),
+                                std::string(nameOf(one.cochlea.source)), one.cochlea.leadIn.si())));
+  });
 }
 
 }  // namespace perilymph::python

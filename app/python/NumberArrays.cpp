@@ -105,6 +105,11 @@ py::array arrayOf(std::vector<std::int64_t> values)
   return ownedArray(std::move(values), {count});
 }
 
+py::array arrayOf(std::vector<std::int64_t> values, std::vector<py::ssize_t> shape)
+{
+  return ownedArray(std::move(values), std::move(shape));
+}
+
 py::array arrayOf(const std::vector<std::string>& texts)
 {
   py::list list;

@@ -45,6 +45,7 @@ double numberOf(double value, const char* name, const char* unit, double low, do
 py::array arrayOf(std::vector<double> values, std::vector<py::ssize_t> shape);
 py::array arrayOf(std::vector<double> values);
 py::array arrayOf(std::vector<std::int64_t> values);
+py::array arrayOf(std::vector<std::int64_t> values, std::vector<py::ssize_t> shape);
 /// An array of text.
 py::array arrayOf(const std::vector<std::string>& texts);
 

@@ -192,24 +192,18 @@ py::dict insertions(const StoredPlan& stored)
 }
 
 planning::PlanRequest requestOf(const py::object& patient, const py::object& arrays, long samples,
-                                bool allSamples, long seed, long jobs, const std::string& scenario,
+                                bool allSamples, long seed, long jobs, const py::object& scenario,
                                 const py::object& friction)
 {
   planning::PlanRequest request;
-  if (py::isinstance<anatomy::Patient>(patient)) {
-    request.patient = patient.cast<anatomy::Patient>();
-  } else {
-    const std::string name = nameOrFileOf(patient, "patient");
-    const auto file = valueOf(findByName("patient", "resources/patients", name));
-    request.patient = valueOf(withoutLock([&] { return anatomy::loadPatient(file); }));
-  }
+  request.patient = patientOf(patient);
   if (arrays.is_none())
     request.arrays = shippedNames("plugins/electrodes");
   else if (py::isinstance<py::str>(arrays))
-    throw py::type_error("arrays must be a list of names or paths");
+    throw py::type_error("arrays must be a list of names, paths or Array objects");
   else
     for (const py::handle each : py::iter(arrays))
-      request.arrays.push_back(nameOrFileOf(py::reinterpret_borrow<py::object>(each), "arrays"));
+      request.arrays.push_back(arrayNameOf(py::reinterpret_borrow<py::object>(each), "arrays"));
   if (request.arrays.size() > planning::maxStoredArrays)
     throw EngineError(std::to_string(request.arrays.size()) +
                       " arrays are too many; a plan compares " +
@@ -224,13 +218,13 @@ planning::PlanRequest requestOf(const py::object& patient, const py::object& arr
   request.stopsEarly = !allSamples;
   request.seed = static_cast<std::uint64_t>(seed);
   request.jobs = static_cast<unsigned>(jobs);
-  request.scenario = scenario;
-  if (!friction.is_none()) request.friction = nameOrFileOf(friction, "friction");
+  request.scenario = scenarioNameOf(scenario);
+  if (!friction.is_none()) request.friction = frictionNameOf(friction);
   return request;
 }
 
 StoredPlan plan(const py::object& patient, const py::object& arrays, long samples, bool allSamples,
-                long seed, long jobs, const std::string& scenario, const py::object& friction,
+                long seed, long jobs, const py::object& scenario, const py::object& friction,
                 const py::object& draws, const py::object& progress)
 {
   const planning::PlanRequest request =
@@ -297,6 +291,9 @@ void definePlan(py::module_& module)
       .def("contacts", &contacts,
            "The contacts from the tip: 'number' (n,), 'draws' (n,), 'angle_deg' (n, 5), "
            "'to_modiolus_mm' (n, 5), frequencies (n,) [Hz], 'mismatch_semitones' (n, 5).")
+      .def(
+          "contacts_to_pandas", [](const ArrayPlan& one) { return dataFrameOf(contacts(one)); },
+          "contacts() as a pandas DataFrame, a row each, with columns such as 'angle_deg_p50'.")
       .def("influence", &influence,
            "How much of the variance of angle and peak force each input explains, 0 to 1, and the "
            "widths of their bands if it were known: columns of shape (inputs,).")
@@ -361,6 +358,9 @@ void definePlan(py::module_& module)
            "'intended_mm' (depth at which the surgeon means to stop), "
            "'angle_deg', 'peak_mN', 'partition_mN', 'end_mN', 'force_after_1s_mN', "
            "'force_after_10s_mN' (NaN if not computed). Empty for one that was read.")
+      .def(
+          "to_pandas", [](const StoredPlan& one) { return dataFrameOf(insertions(one)); },
+          "insertions() as a pandas DataFrame.")
       .def("__repr__", [](const StoredPlan& one) {
         return textOf("<perilymph.Plan for '" + one.plan.request.patient.label + "'>");
       });
@@ -371,11 +371,13 @@ void definePlan(py::module_& module)
       py::arg("jobs") = 0, py::arg("scenario") = "surgery-flex28", py::arg("friction") = py::none(),
       py::arg("draws_file") = py::none(), py::arg("progress") = py::none(),
       "Makes a plan, as 'perilymph-cli plan' does.\n\n"
-      "patient: a Patient, or the name or file of one, with A and B.\narrays: names or files; "
+      "patient: a Patient, a Cochlea of one, or the name or file of one, with A and B.\narrays: "
+      "names, files or Array objects; "
       "all shipped ones if None.\nsamples: simulations of each array at most, 16 to 4096; fewer if "
       "the bands stand, unless "
       "all_samples.\nseed: of the draws. jobs: threads, 0: one per processor; does not affect "
-      "the plan.\nscenario: what is neither drawn nor named.\nfriction: name or file; None: the "
+      "the plan.\nscenario: what is neither drawn nor named: a Scenario, or the name or path of "
+      "one.\nfriction: a Friction, or the name or file of one; None: the "
       "scenario's, an estimate from pig tissue.\ndraws_file: keeps the draws "
       "(.sqlite), so that an interrupted plan continues.\nprogress: called with the numbers "
       "of done and of all insertions; an exception in it ends the plan.\n\n"

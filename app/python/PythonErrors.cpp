@@ -42,7 +42,7 @@ void translate(std::exception_ptr thrown)
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const EngineError& error) {
-    setError(error.what());
+    setError(error.sentence());
   } catch (const std::invalid_argument& error) {
     setError(error.what());
   } catch (const std::exception& error) {

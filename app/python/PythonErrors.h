@@ -17,10 +17,17 @@ namespace perilymph::python {
 
 namespace py = pybind11;
 
-/// An error of the engine: becomes perilymph.Error with the same sentence.
+/// An error of the engine: becomes perilymph.Error with the same sentence, which may name a text with
+/// a zero in it.
 class EngineError : public std::runtime_error {
 public:
-  using std::runtime_error::runtime_error;
+  explicit EngineError(const std::string& sentence) : runtime_error(sentence), sentence_(sentence)
+  {
+  }
+  const std::string& sentence() const noexcept { return sentence_; }
+
+private:
+  std::string sentence_;
 };
 
 /// The value of a result. @throws EngineError if it has none.

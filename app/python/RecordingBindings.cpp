@@ -25,9 +25,6 @@ struct Recording {
 
 py::dict factsOf(const session::RecordingFacts& facts)
 {
-  char fingerprint[17];
-  std::snprintf(fingerprint, sizeof fingerprint, "%016llx",
-                static_cast<unsigned long long>(facts.modelFingerprint));
   py::dict found;
   found["scenario_name"] = textOf(facts.scenarioName);
   found["scenario_text"] = textOf(facts.scenarioText);
@@ -35,7 +32,7 @@ py::dict factsOf(const session::RecordingFacts& facts)
   found["time_step_s"] = facts.timeStep;
   found["device_delay_s"] = facts.deviceDelay;
   found["seed"] = facts.seed;
-  found["model_fingerprint"] = fingerprint;
+  found["model_fingerprint"] = fingerprintText(facts.modelFingerprint);
   found["version"] = textOf(facts.version);
   found["build_id"] = textOf(facts.buildId);
   found["started_utc"] = textOf(facts.startedUtc);
@@ -104,6 +101,13 @@ Recording readRecording(const py::object& given, double every_ms, bool check)
 
 }  // namespace
 
+std::string fingerprintText(std::uint64_t fingerprint)
+{
+  char text[17];
+  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(fingerprint));
+  return text;
+}
+
 void defineRecording(py::module_& module)
 {
   py::class_<Recording>(module, "Recording", "A recorded insertion (.insertion).")
@@ -115,6 +119,19 @@ void defineRecording(py::module_& module)
             return one.columns.attr("__getitem__")(name);
           },
           py::arg("name"), "A column by its name.")
+      .def(
+          "keys", [](const Recording& one) { return py::list(one.columns); },
+          "Names of the columns.")
+      .def(
+          "__len__", [](const Recording& one) { return one.columns.size(); }, "Number of columns.")
+      .def("__iter__", [](const Recording& one) { return py::iter(one.columns); })
+      .def(
+          "__contains__",
+          [](const Recording& one, const py::object& name) { return one.columns.contains(name); },
+          py::arg("name"))
+      .def(
+          "to_pandas", [](const Recording& one) { return dataFrameOf(one.columns); },
+          "The columns as a pandas DataFrame.")
       .def_readonly("facts", &Recording::facts,
                     "What was recorded: 'scenario_name', 'scenario_text', 'device', 'time_step_s', "
                     "'device_delay_s', 'seed', 'model_fingerprint', 'version', 'build_id', "

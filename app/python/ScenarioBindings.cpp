@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pybind11/stl.h>
+#include <stdlib.h>
+
+#include <system_error>
 
 #include "Bindings.h"
 #include "NumberArrays.h"
+#include "ObjectText.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/session/Csv.h"
 
@@ -13,31 +17,160 @@ namespace {
 using session::Overrides;
 using session::Scenario;
 
-/// A value as it would follow `--set key=` on the command line.
-std::string overrideText(const std::string& key, const py::handle& value)
+/// Values that replace a scenario's, with the files they name while it is read.
+class GivenValues {
+public:
+  explicit GivenValues(const py::object& given)
+  {
+    if (given.is_none()) return;
+    const bool isMapping = py::hasattr(given, "keys") && py::hasattr(given, "__getitem__");
+    if (!isMapping || py::isinstance<Scenario>(given))
+      throw py::type_error("overrides must be a dict from keys of the scenario to values");
+    try {
+      const py::dict values(given);
+      for (const auto& [key, value] : values) {
+        if (!py::isinstance<py::str>(key)) throw py::type_error("keys of overrides must be text");
+        add(key.cast<std::string>(), py::reinterpret_borrow<py::object>(value));
+      }
+    } catch (...) {
+      removeFiles();
+      throw;
+    }
+  }
+  ~GivenValues() { removeFiles(); }
+  GivenValues(const GivenValues&) = delete;
+  GivenValues& operator=(const GivenValues&) = delete;
+
+  const Overrides& overrides() const { return overrides_; }
+  /// A scenario that was read with them, in which the patient has its label in place of the file.
+  Result<Scenario> named(Result<Scenario> read) const
+  {
+    if (!read || patientFile_.empty()) return read;
+    std::string text = read->text();
+    const std::size_t place = text.find(patientFile_);
+    if (place == std::string::npos) return read;
+    text.replace(place, patientFile_.size(), patientLabel_);
+    return session::parseScenario(text, read->name() + ".toml");
+  }
+  /// The cochlea that was given as a Cochlea.
+  const std::optional<anatomy::Cochlea>& cochlea() const { return cochlea_; }
+
+private:
+  void add(const std::string& key, const py::object& value)
+  {
+    if (py::isinstance<anatomy::Patient>(value)) {
+      require(key, "patient", "a Patient");
+      addPatient(value.cast<const anatomy::Patient&>());
+    } else if (py::isinstance<BuiltCochlea>(value)) {
+      require(key, "cochlea", "a Cochlea");
+      addCochlea(value.cast<const BuiltCochlea&>().cochlea);
+    } else if (py::isinstance<NamedArray>(value)) {
+      require(key, "array", "an Array");
+      overrides_.emplace_back(key, arrayNameOf(value, "array"));
+    } else if (py::hasattr(value, "scenario_values")) {
+      require(key, "friction", "a Friction");
+      for (const auto& [each, number] : value.attr("scenario_values")().cast<py::dict>())
+        add(each.cast<std::string>(), py::reinterpret_borrow<py::object>(number));
+    } else {
+      overrides_.emplace_back(key, textFor(key, value));
+    }
+  }
+
+  static void require(const std::string& key, const char* expected, const char* what)
+  {
+    if (key != expected)
+      throw py::type_error("the value of '" + key + "' is " + what + ", which belongs to '" +
+                           expected + "'");
+  }
+
+  /// A value as it would follow `--set key=` on the command line.
+  static std::string textFor(const std::string& key, const py::object& value)
+  {
+    if (py::isinstance<py::bool_>(value)) return value.cast<bool>() ? "true" : "false";
+    if (py::isinstance<py::str>(value)) return value.cast<std::string>();
+    const bool isList = py::isinstance<py::list>(value) || py::isinstance<py::tuple>(value) ||
+                        (py::isinstance<py::array>(value) && value.cast<py::array>().ndim() > 0);
+    if (isList) return listFor(key, value);
+    if (PyIndex_Check(value.ptr()) != 0) return std::string(py::str(value));
+    if (py::hasattr(value, "__fspath__")) return nameOrFileOf(value, key.c_str());
+    if (py::hasattr(value, "__float__"))
+      return session::shortestDecimal(py::float_(value).cast<double>());
+    throw py::type_error("the value of '" + key +
+                         "' must be a number, numbers, text, True or False, a path, or an object "
+                         "of this package");
+  }
+
+  static std::string listFor(const std::string& key, const py::object& value)
+  {
+    constexpr double anything = 1e12;
+    std::string list;
+    for (const double each :
+         numbersOf(value, key.c_str(), "(units of its name)", -anything, anything).values)
+      list += (list.empty() ? "" : ", ") + session::shortestDecimal(each);
+    return '[' + list + ']';
+  }
+
+  void addPatient(const anatomy::Patient& patient)
+  {
+    const auto folder = valueOf(temporaryFolder());
+    files_.push_back(folder);
+    const auto file = folder / "patient.toml";
+    valueOf(withoutLock([&] { return anatomy::savePatient(patient, file); }));
+    overrides_.emplace_back("patient", file.string());
+    patientFile_ = file.string();
+    for (const char each : patient.label)  // as text in a scenario's file
+      if (each != '"' && each != '\\' && static_cast<unsigned char>(each) >= 0x20)
+        patientLabel_ += each;
+  }
+
+  void addCochlea(const anatomy::Cochlea& cochlea)
+  {
+    cochlea_ = cochlea;
+    if (isScaledBy(cochlea.source, cochlea.patient)) addPatient(cochlea.patient);
+    overrides_.emplace_back("anatomy", nameOf(cochlea.source));
+    overrides_.emplace_back("lead_in_mm", session::shortestDecimal(inMillimeters(cochlea.leadIn)));
+  }
+
+  static Result<std::filesystem::path> temporaryFolder()
+  {
+    std::error_code error;
+    auto pattern = (std::filesystem::temp_directory_path(error) / "perilymph-XXXXXX").string();
+    if (error || mkdtemp(pattern.data()) == nullptr)
+      return Error{"No temporary folder can be made. Make TMPDIR a folder that is writable."};
+    return std::filesystem::path(pattern);
+  }
+
+  void removeFiles() noexcept
+  {
+    std::error_code ignored;
+    for (const std::filesystem::path& folder : files_) std::filesystem::remove_all(folder, ignored);
+    files_.clear();
+  }
+
+  Overrides overrides_;
+  std::optional<anatomy::Cochlea> cochlea_;
+  std::string patientFile_, patientLabel_;
+  std::vector<std::filesystem::path> files_;  ///< Folders with names and measures of patients.
+};
+
+/// Refuses a scenario that keeps a patient where a Cochlea without one was given.
+Scenario checkedCochlea(Scenario scenario, const GivenValues& given)
 {
-  if (py::isinstance<py::bool_>(value)) return value.cast<bool>() ? "true" : "false";
-  if (py::isinstance<py::str>(value)) return value.cast<std::string>();
-  if (PyIndex_Check(value.ptr()) != 0) return std::string(py::str(value));
-  if (py::isinstance<py::float_>(value)) return session::shortestDecimal(value.cast<double>());
-  if (py::hasattr(value, "__fspath__"))
-    return nameOrFileOf(py::reinterpret_borrow<py::object>(value), key.c_str());
-  throw py::type_error("the value of '" + key +
-                       "' must be a number, text, True or False, or a path");
+  const auto& cochlea = given.cochlea();
+  if (cochlea && !isScaledBy(cochlea->source, cochlea->patient) &&
+      isScaledBy(scenario.anatomy(), scenario.patient()))
+    throw EngineError("The scenario '" + scenario.name() +
+                      "' is of a patient, and the cochlea is of none. Give a scenario without a "
+                      "patient.");
+  return scenario;
 }
 
-Overrides overridesOf(const py::object& given)
+Scenario withValues(const Scenario& scenario, const py::object& overrides)
 {
-  Overrides overrides;
-  if (given.is_none()) return overrides;
-  if (!py::isinstance<py::dict>(given))
-    throw py::type_error("overrides must be a dict from keys of the scenario to values");
-  for (const auto& [key, value] : given.cast<py::dict>()) {
-    if (!py::isinstance<py::str>(key)) throw py::type_error("keys of overrides must be text");
-    const auto name = key.cast<std::string>();
-    overrides.emplace_back(name, overrideText(name, value));
-  }
-  return overrides;
+  const GivenValues given(overrides);
+  if (given.overrides().empty()) return scenario;
+  return checkedCochlea(
+      valueOf(withoutLock([&] { return given.named(scenario.with(given.overrides())); })), given);
 }
 
 py::dict valuesOf(const Scenario& scenario)
@@ -93,22 +226,21 @@ py::object fromJson(const std::string& text)
 
 Scenario scenarioOf(const py::object& given, const py::object& overrides)
 {
-  const Overrides values = overridesOf(overrides);
-  if (py::isinstance<Scenario>(given)) {
-    const Scenario& scenario = given.cast<const Scenario&>();
-    if (values.empty()) return scenario;
-    return valueOf(withoutLock([&] { return scenario.with(values); }));
-  }
+  if (py::isinstance<Scenario>(given)) return withValues(given.cast<const Scenario&>(), overrides);
+  const GivenValues values(overrides);
   const std::string name = nameOrFileOf(given, "scenario");
-  return valueOf(withoutLock([&] { return session::loadScenario(name, values); }));
+  return checkedCochlea(valueOf(withoutLock([&] {
+                          return values.named(session::loadScenario(name, values.overrides()));
+                        })),
+                        values);
 }
 
 void defineScenario(py::module_& module)
 {
-  py::class_<Scenario>(module, "Scenario",
-                       "What an insertion is made of: cochlea, array, motion, friction, wall. "
-                       "Immutable; keys have the names of the scenario's file, with units.")
-      .def_property_readonly(
+  py::class_<Scenario> kind(module, "Scenario",
+                            "What an insertion is made of: cochlea, array, motion, friction, wall. "
+                            "Immutable; keys have the names of the scenario's file, with units.");
+  kind.def_property_readonly(
           "name", [](const Scenario& one) { return textOf(one.name()); }, "Name of its file.")
       .def_property_readonly(
           "title", [](const Scenario& one) { return textOf(one.title()); }, "One line for display.")
@@ -121,7 +253,10 @@ void defineScenario(py::module_& module)
           "Sentences for the user.")
       .def_property_readonly("files", &filesOf, "All files it was read from.")
       .def_property_readonly(
-          "array", [](const Scenario& one) { return one.array(); },
+          "array",
+          [](const Scenario& one) {
+            return NamedArray{one.array(), {}};
+          },
           "The electrode array as run: calibrated, if the scenario names a calibration.")
       .def_property_readonly(
           "patient", [](const Scenario& one) { return one.patient(); }, "The patient.")
@@ -133,19 +268,46 @@ void defineScenario(py::module_& module)
           [](const Scenario& one, const std::string& key) -> py::object {
             for (const auto& [name, value] : one.values())
               if (name == key) return fromJson(value);
-            throw py::key_error(key);
+            PyErr_SetObject(PyExc_KeyError, textOf(key).ptr());
+            throw py::error_already_set();
           },
           py::arg("key"))
+      .def("with_values", &withValues, py::arg("overrides"),
+           "The scenario with other values, by key, as with '--set key=value'; lists of numbers, a "
+           "Patient, an Array, a Friction, and a Cochlea as 'cochlea', too.")
+      .def("__len__", [](const Scenario& one) { return one.values().size(); })
+      .def("__iter__", [](const Scenario& one) { return py::iter(py::cast(keysOf(one))); })
       .def(
-          "with_values",
-          [](const Scenario& one, const py::object& overrides) {
-            const Overrides values = overridesOf(overrides);
-            return valueOf(withoutLock([&] { return one.with(values); }));
+          "__contains__",
+          [](const Scenario& one, const py::object& key) {
+            return py::cast(keysOf(one)).contains(key);
           },
-          py::arg("overrides"),
-          "The scenario with other values, by key, as with '--set key=value'.")
+          py::arg("key"))
+      .def(py::pickle(
+          [](const Scenario& one) {
+            return py::make_tuple(py::bytes(one.text()), py::bytes(one.name()));
+          },
+          [](const py::tuple& state) {
+            const auto text = state[0].cast<std::string>(), name = state[1].cast<std::string>();
+            return valueOf(
+                withoutLock([&] { return session::parseScenario(text, name + ".toml"); }));
+          }))
       .def("__repr__",
-           [](const Scenario& one) { return textOf("<perilymph.Scenario '" + one.name() + "'>"); });
+           [](const Scenario& one) {
+             return textOf("<perilymph.Scenario '" + one.name() + "': array '" + one.arrayName() +
+                           "', " + nameOf(one.anatomy()) + " cochlea of '" + one.patient().label +
+                           "', " + session::shortestDecimal(inMillimetersPerSecond(one.speed())) +
+                           " mm/s>");
+           })
+      .def(
+          "_repr_html_",
+          [](const Scenario& one) {
+            std::vector<std::pair<std::string, std::string>> rows(one.values().begin(),
+                                                                  one.values().end());
+            return htmlTable(one.name(), rows);
+          },
+          "A table of its values for notebooks.");
+  defineIdentity(kind, [](const Scenario& one) { return one.name() + '\n' + one.text(); });
 
   module.def(
       "scenarios", [] { return shippedNames("resources/scenarios"); },

@@ -7,9 +7,11 @@
 #include "Bindings.h"
 #include "ContactColumns.h"
 #include "NumberArrays.h"
+#include "ObjectText.h"
 #include "RecordColumns.h"
 #include "perilymph/analysis/SimulatedInsertion.h"
 #include "perilymph/device/ScriptedDevice.h"
+#include "perilymph/figures/Strings.h"
 #include "perilymph/haptics/InsertionEnd.h"
 #include "perilymph/session/Insertion.h"
 
@@ -133,6 +135,28 @@ Simulation simulate(const py::object& given, const py::object& overrides, const 
   return simulation;
 }
 
+/// Key figures with their units.
+std::vector<std::pair<std::string, std::string>> figuresOf(const Simulation& one)
+{
+  std::vector<std::pair<std::string, std::string>> rows;
+  const auto add = [&](const char* name, const char* key, double factor, int digits,
+                       const char* unit) {
+    rows.emplace_back(name,
+                      figures::fixed(one.summary[key].cast<double>() * factor, digits) + unit);
+  };
+  add("depth", "final_depth_mm", 1.0, 2, " mm");
+  add("angular insertion depth", "angular_insertion_depth_deg", 1.0, 0, " deg");
+  add("peak insertion force", "peak_force_N", 1e3, 1, " mN");
+  return rows;
+}
+
+py::str htmlOf(const Simulation& one)
+{
+  auto rows = figuresOf(one);
+  rows.emplace(rows.begin(), "end", one.end);
+  return htmlTable(one.scenario.name(), rows);
+}
+
 }  // namespace
 
 void defineSimulation(py::module_& module)
@@ -148,6 +172,41 @@ void defineSimulation(py::module_& module)
             return one.columns.attr("__getitem__")(name);
           },
           py::arg("name"), "A column by its name.")
+      .def(
+          "keys", [](const Simulation& one) { return py::list(one.columns); },
+          "Names of the columns.")
+      .def(
+          "__len__", [](const Simulation& one) { return one.columns.size(); }, "Number of columns.")
+      .def("__iter__", [](const Simulation& one) { return py::iter(one.columns); })
+      .def(
+          "__contains__",
+          [](const Simulation& one, const py::object& name) { return one.columns.contains(name); },
+          py::arg("name"))
+      .def(
+          "to_pandas", [](const Simulation& one) { return dataFrameOf(one.columns); },
+          "The columns as a pandas DataFrame.")
+      .def(
+          "contacts_to_pandas", [](const Simulation& one) { return dataFrameOf(one.contacts); },
+          "The contacts as a pandas DataFrame, a row each.")
+      .def(py::pickle(
+          [](const Simulation& one) {
+            return py::make_tuple(one.columns, one.summary, one.contacts, one.end, one.endClause,
+                                  one.nodes_mm, one.shapes_mm, one.shapeDepths_mm, one.scenario);
+          },
+          [](const py::tuple& state) {
+            Simulation one;
+            one.columns = state[0].cast<py::dict>();
+            one.summary = state[1].cast<py::dict>();
+            one.contacts = state[2].cast<py::dict>();
+            one.end = state[3].cast<std::string>();
+            one.endClause = state[4].cast<std::string>();
+            one.nodes_mm = state[5].cast<py::array>();
+            one.shapes_mm = state[6].cast<py::array>();
+            one.shapeDepths_mm = state[7].cast<py::array>();
+            one.scenario = state[8].cast<session::Scenario>();
+            return one;
+          }))
+      .def("_repr_html_", &htmlOf, "A table of its key figures for notebooks.")
       .def_readonly("end", &Simulation::end,
                     "How it ended: 'finished', 'stopped_by_resistance', 'buckled', "
                     "'out_of_opening', 'folded_tip', 'jammed' or 'none'.")
@@ -169,7 +228,9 @@ void defineSimulation(py::module_& module)
       .def_property_readonly(
           "scenario", [](const Simulation& one) { return one.scenario; }, "The scenario as run.")
       .def("__repr__", [](const Simulation& one) {
-        return textOf("<perilymph.Simulation of '" + one.scenario.name() + "': " + one.end + ">");
+        std::string text = "<perilymph.Simulation of '" + one.scenario.name() + "': " + one.end;
+        for (const auto& [name, value] : figuresOf(one)) text += ", " + name + ' ' + value;
+        return textOf(text + '>');
       });
 
   module.def("simulate", &simulate, py::arg("scenario"), py::arg("overrides") = py::none(),
@@ -177,7 +238,8 @@ void defineSimulation(py::module_& module)
              py::arg("depths_mm") = py::tuple(),
              "Runs an insertion at the scenario's speed to its end, in virtual time.\n\n"
              "scenario: a Scenario, or the name or path of one; overrides: values by key, as with "
-             "'--set'.\nrecord: file of the recording (.insertion), which must not exist.\n"
+             "'--set', with objects too: a Patient, an Array, a Friction, and a Cochlea as "
+             "'cochlea'.\nrecord: file of the recording (.insertion), which must not exist.\n"
              "every_ms: interval between rows of the columns [ms]; 0: every time step.\n"
              "depths_mm: depths of the tip past the opening at which the array's shape is kept "
              "[mm].\n\nThe interpreter's lock is released while it computes; Ctrl+C ends it.");

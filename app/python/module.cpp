@@ -19,8 +19,10 @@ PYBIND11_MODULE(_engine, module)
   python::defineScenario(module);
   python::defineCochlea(module);
   python::defineSimulation(module);
+  python::defineInsertion(module);
   python::defineRecording(module);
   python::definePlan(module);
   python::defineStudy(module);
+  python::giveSignatures(module);
   module.attr("__name__") = name;
 }

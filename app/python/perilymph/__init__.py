@@ -7,14 +7,18 @@ An operation that fails raises perilymph.Error, a ValueError, whose text says wh
 For research and training; not a medical device.
 """
 
+from perilymph import ct
 from perilymph._ct import CtMeasures, read_both_measures, read_measures
 from perilymph._engine import (
     Array,
     Cochlea,
     Error,
+    Insertion,
+    InsertionSnapshot,
     Patient,
     Plan,
     PlannedArray,
+    Reading,
     Recording,
     Scenario,
     Simulation,
@@ -34,15 +38,21 @@ from perilymph._engine import (
     scenarios,
     simulate,
 )
+from perilymph._friction import Friction
+from perilymph._study import study
 
 __all__ = [
     "Array",
     "Cochlea",
     "CtMeasures",
     "Error",
+    "Friction",
+    "Insertion",
+    "InsertionSnapshot",
     "Patient",
     "Plan",
     "PlannedArray",
+    "Reading",
     "Recording",
     "Scenario",
     "Simulation",
@@ -51,6 +61,7 @@ __all__ = [
     "anatomies",
     "arrays",
     "build_id",
+    "ct",
     "patients",
     "plan",
     "read_array",
@@ -63,4 +74,5 @@ __all__ = [
     "read_study",
     "scenarios",
     "simulate",
+    "study",
 ]

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "perilymph/electrode/ArrayDesign.h"
+#include "perilymph/electrode/ArrayText.h"
 
 #include <cmath>
 #include <cstdio>
@@ -297,13 +297,26 @@ private:
 
 std::string nameOf(Confidence confidence) { return std::string(nameIn(confidences, confidence)); }
 
-Result<ArrayDesign> loadArray(const std::filesystem::path& file)
+namespace {
+
+Result<ArrayDesign> arrayIn(Result<TomlReader> reader)
 {
-  Result<TomlReader> reader = TomlReader::open(file);
   if (!reader) return reader.error();
   ArrayDesign design = ArrayReader(*reader).read();
   if (const Result<Done> done = reader->finish(); !done) return done.error();
   return design;
+}
+
+}  // namespace
+
+Result<ArrayDesign> loadArray(const std::filesystem::path& file)
+{
+  return arrayIn(TomlReader::open(file));
+}
+
+Result<ArrayDesign> parseArray(const std::string& text, const std::string& name)
+{
+  return arrayIn(TomlReader::parse(text, name));
 }
 
 }  // namespace perilymph::electrode

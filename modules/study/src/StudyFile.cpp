@@ -222,7 +222,8 @@ const session::InsertionTableKind& studyKind()
         "INTEGER "
         "NOT NULL, angle_deg REAL NOT NULL, depth_mm REAL NOT NULL, to_modiolus_mm REAL NOT NULL, "
         "frequency_Hz REAL NOT NULL, PRIMARY KEY(number, contact)) WITHOUT ROWID"},
-       studyViews()},
+       studyViews(),
+       formerStudyViews()},
       3,
       {{"insertion",
         "itttt"

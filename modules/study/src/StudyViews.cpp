@@ -3,12 +3,97 @@
 
 namespace perilymph::study {
 
+namespace {
+
+/// What a column of a table is.
+struct ColumnMeaning {
+  const char* table;
+  const char* column;
+  const char* unit;  ///< Empty without one.
+  const char* meaning;
+};
+constexpr ColumnMeaning columnMeanings[] = {
+    {"insertion", "number", "",
+     "Number of the insertion, from 0; the study, its seed and this number give it again"},
+    {"insertion", "cochlea", "", "'mean', 'virtual 17' or the file of the patient"},
+    {"insertion", "settings", "",
+     "JSON object of the values that replace those of the scenario, each as text"},
+    {"insertion", "ending", "",
+     "How it ended: 'finished', 'stopped_by_resistance', 'buckled', 'out_of_opening', "
+     "'folded_tip', 'jammed', 'fault' or 'refused'"},
+    {"insertion", "reason", "", "Why it is 'fault' or 'refused'; else empty"},
+    {"insertion", "A_mm", "mm",
+     "Diameter A of the basal turn of the cochlea as built; 0 if it was not"},
+    {"insertion", "B_mm", "mm",
+     "Diameter B of the basal turn of the cochlea as built; 0 if it was not"},
+    {"insertion", "st_length_mm", "mm", "Length of the scala tympani along the organ of Corti"},
+    {"insertion", "depth_mm", "mm",
+     "Insertion depth at the end: length of the array past the opening"},
+    {"insertion", "max_depth_mm", "mm", "Largest insertion depth"},
+    {"insertion", "angle_deg", "deg",
+     "Angular insertion depth: angle of the most apical contact from the round window; 0 if none "
+     "is inserted"},
+    {"insertion", "coverage_percent", "%",
+     "Part of the organ of Corti basal to the most apical contact"},
+    {"insertion", "peak_mN", "mN", "Peak insertion force: largest axial force on the hand"},
+    {"insertion", "peak_depth_mm", "mm", "Insertion depth at the peak insertion force"},
+    {"insertion", "end_mN", "mN", "Mean axial force of the last half second before the hand stops"},
+    {"insertion", "partition_mN", "mN",
+     "Largest force on the cochlear partition within one contact"},
+    {"insertion", "ticks", "", "Time steps"},
+    {"insertion", "ticks_not_converged", "", "Time steps without equilibrium within the tolerance"},
+    {"profile", "number", "", "Number of the insertion"},
+    {"profile", "depth_mm", "mm", "Insertion depth"},
+    {"profile", "force_mN", "mN", "Axial force where the tip first passed that depth"},
+    {"contact", "number", "", "Number of the insertion"},
+    {"contact", "contact", "", "Number of the electrode contact, 1 at the tip"},
+    {"contact", "is_inserted", "", "1 if it is past the opening, else 0"},
+    {"contact", "angle_deg", "deg", "Angle from the round window"},
+    {"contact", "depth_mm", "mm", "Length along the array past the opening; negative outside"},
+    {"contact", "to_modiolus_mm", "mm",
+     "Distance from the center line of the array to the inner wall; negative where no wall is in "
+     "that direction"},
+    {"contact", "frequency_Hz", "Hz", "Frequency by Greenwood of its place"},
+    {"meta", "key", "",
+     "'title', 'study' (its file), 'fingerprint', 'program', 'cases', 'first', 'end', 'notes', "
+     "'content_sha256' (the seal)"},
+    {"meta", "value", "", "Text of the fact"},
+};
+
+/// The view `dictionary`: one row per column of the tables.
+std::string dictionaryView()
+{
+  const auto quoted = [](const std::string& text) {
+    std::string result = "'";
+    for (const char each : text) result += each == '\'' ? std::string("''") : std::string(1, each);
+    return result + "'";
+  };
+  std::string rows;
+  for (const ColumnMeaning& each : columnMeanings)
+    rows += (rows.empty() ? "(" : ", (") + quoted(each.table) + ", " + quoted(each.column) + ", " +
+            quoted(each.unit) + ", " + quoted(each.meaning) + ")";
+  return "CREATE VIEW dictionary(table_name, column_name, unit, meaning) AS VALUES " + rows;
+}
+
+/// Columns of the insertions that stopped before their stop travel.
+std::string ofStopped()
+{
+  const std::string stopped = "ending NOT IN ('finished', 'fault', 'refused', 'none')";
+  return "sum(" + stopped + ") AS stopped, avg(CASE WHEN " + stopped +
+         " THEN angle_deg END) AS mean_stopped_angle_deg, avg(CASE WHEN " + stopped +
+         " THEN peak_mN END) AS mean_stopped_peak_mN";
+}
+
+}  // namespace
+
 std::vector<std::string> studyViews()
 {
   return {
-      // Which values does each insertion have? One row per insertion and key.
+      // Which values does each insertion have? One row per insertion and key; numbers are numbers.
       "CREATE VIEW setting AS SELECT insertion.number AS number, json_each.key AS key, "
-      "json_each.value AS value FROM insertion, json_each(insertion.settings)",
+      "CASE WHEN json_valid(json_each.value) THEN CASE WHEN json_type(json_each.value) IN "
+      "('integer', 'real') THEN json_extract(json_each.value, '$') ELSE json_each.value END "
+      "ELSE json_each.value END AS value FROM insertion, json_each(insertion.settings)",
       // How do insertions end, by value of each setting?
       "CREATE VIEW ending_by_setting AS SELECT key, value, count(*) AS insertions, "
       "sum(ending = 'finished') AS finished, sum(ending = 'out_of_opening') AS out_of_opening, "
@@ -16,20 +101,28 @@ std::vector<std::string> studyViews()
       "sum(ending = 'refused') AS refused, "
       "100.0 * sum(ending = 'finished') / count(*) AS finished_percent "
       "FROM setting JOIN insertion USING (number) GROUP BY key, value",
-      // How deep do finished insertions go, and with which forces, by value of each setting?
-      "CREATE VIEW outcome_by_setting AS SELECT key, value, count(*) AS finished, "
-      "avg(angle_deg) AS mean_angle_deg, min(angle_deg) AS min_angle_deg, "
-      "max(angle_deg) AS max_angle_deg, avg(coverage_percent) AS mean_coverage_percent, "
-      "avg(peak_mN) AS mean_peak_mN, max(peak_mN) AS max_peak_mN, "
-      "avg(partition_mN) AS mean_partition_mN, max(partition_mN) AS max_partition_mN "
-      "FROM setting JOIN insertion USING (number) WHERE ending = 'finished' GROUP BY key, value",
+      // How deep do insertions go, and with which forces, by value of each setting that has few?
+      // Means without another word are of finished ones; a stopped one ended before its stop travel.
+      "CREATE VIEW outcome_by_setting AS SELECT key, value, sum(ending = 'finished') AS finished, "
+      "avg(CASE WHEN ending = 'finished' THEN angle_deg END) AS mean_angle_deg, "
+      "min(CASE WHEN ending = 'finished' THEN angle_deg END) AS min_angle_deg, "
+      "max(CASE WHEN ending = 'finished' THEN angle_deg END) AS max_angle_deg, "
+      "avg(CASE WHEN ending = 'finished' THEN coverage_percent END) AS mean_coverage_percent, "
+      "avg(CASE WHEN ending = 'finished' THEN peak_mN END) AS mean_peak_mN, "
+      "max(CASE WHEN ending = 'finished' THEN peak_mN END) AS max_peak_mN, "
+      "avg(CASE WHEN ending = 'finished' THEN partition_mN END) AS mean_partition_mN, "
+      "max(CASE WHEN ending = 'finished' THEN partition_mN END) AS max_partition_mN, "
+      "count(*) AS insertions, " +
+          ofStopped() +
+          " FROM setting JOIN insertion USING (number) WHERE key IN (SELECT key FROM setting "
+          "GROUP BY key HAVING count(DISTINCT value) <= 12) GROUP BY key, value",
       // How do depth and force depend on the size of the cochlea? Classes of 0.5 mm of A.
       "CREATE VIEW outcome_by_size AS SELECT 0.5 * CAST(A_mm / 0.5 AS INTEGER) AS A_from_mm, "
       "count(*) AS insertions, sum(ending = 'finished') AS finished, "
       "avg(CASE WHEN ending = 'finished' THEN angle_deg END) AS mean_angle_deg, "
       "avg(CASE WHEN ending = 'finished' THEN coverage_percent END) AS mean_coverage_percent, "
-      "avg(CASE WHEN ending = 'finished' THEN peak_mN END) AS mean_peak_mN "
-      "FROM insertion GROUP BY A_from_mm",
+      "avg(CASE WHEN ending = 'finished' THEN peak_mN END) AS mean_peak_mN, " +
+          ofStopped() + " FROM insertion GROUP BY A_from_mm",
       // Which insertions are the extreme ones?
       "CREATE VIEW extreme AS SELECT number, ending, peak_mN, partition_mN, angle_deg, "
       "peak_mN = (SELECT max(peak_mN) FROM insertion) AS has_max_peak, "
@@ -38,6 +131,35 @@ std::vector<std::string> studyViews()
       "ending = 'finished' AND angle_deg = (SELECT min(angle_deg) FROM insertion "
       "WHERE ending = 'finished') AS has_min_finished_angle FROM insertion "
       "WHERE has_max_peak OR has_max_partition OR has_max_angle OR has_min_finished_angle",
+      // What is in each column of the tables, and in which unit?
+      dictionaryView(),
+  };
+}
+
+std::vector<std::string> formerStudyViews()
+{
+  return {
+      // every value was text, and outcomes were of finished insertions alone
+      "CREATE VIEW setting AS SELECT insertion.number AS number, json_each.key AS key, "
+      "json_each.value AS value FROM insertion, json_each(insertion.settings)",
+      "CREATE VIEW ending_by_setting AS SELECT key, value, count(*) AS insertions, "
+      "sum(ending = 'finished') AS finished, sum(ending = 'out_of_opening') AS out_of_opening, "
+      "sum(ending = 'buckled') AS buckled, sum(ending = 'fault') AS fault, "
+      "sum(ending = 'refused') AS refused, "
+      "100.0 * sum(ending = 'finished') / count(*) AS finished_percent "
+      "FROM setting JOIN insertion USING (number) GROUP BY key, value",
+      "CREATE VIEW outcome_by_setting AS SELECT key, value, count(*) AS finished, "
+      "avg(angle_deg) AS mean_angle_deg, min(angle_deg) AS min_angle_deg, "
+      "max(angle_deg) AS max_angle_deg, avg(coverage_percent) AS mean_coverage_percent, "
+      "avg(peak_mN) AS mean_peak_mN, max(peak_mN) AS max_peak_mN, "
+      "avg(partition_mN) AS mean_partition_mN, max(partition_mN) AS max_partition_mN "
+      "FROM setting JOIN insertion USING (number) WHERE ending = 'finished' GROUP BY key, value",
+      "CREATE VIEW outcome_by_size AS SELECT 0.5 * CAST(A_mm / 0.5 AS INTEGER) AS A_from_mm, "
+      "count(*) AS insertions, sum(ending = 'finished') AS finished, "
+      "avg(CASE WHEN ending = 'finished' THEN angle_deg END) AS mean_angle_deg, "
+      "avg(CASE WHEN ending = 'finished' THEN coverage_percent END) AS mean_coverage_percent, "
+      "avg(CASE WHEN ending = 'finished' THEN peak_mN END) AS mean_peak_mN "
+      "FROM insertion GROUP BY A_from_mm",
   };
 }
 

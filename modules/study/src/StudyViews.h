@@ -9,4 +9,7 @@ namespace perilymph::study {
 /// The views of a study's file: `CREATE VIEW` statements, one per question.
 std::vector<std::string> studyViews();
 
+/// The same of files that earlier versions wrote, where they differ.
+std::vector<std::string> formerStudyViews();
+
 }  // namespace perilymph::study

@@ -112,7 +112,7 @@ def test_a_study_has_a_row_for_every_insertion(study_folder):
     assert list(columns["number"]) == list(range(8))
     assert set(columns["array"]) == {"flex24", "flex28"}
     assert set(columns["cochlea"]) == {"mean", "virtual 1"}
-    assert set(columns["stop_travel_mm"]) == {"3"}  # a setting with one value, as its text
+    assert set(columns["stop_travel_mm"]) == {3.0}  # a setting with one value is a number, too
     assert (columns["speed_mm_s"] >= 0.5).all() and (columns["speed_mm_s"] <= 2.0).all()
     assert len(study.fingerprint) == 64 and study.notes == []
     assert STUDY.strip().splitlines()[0] in study.text

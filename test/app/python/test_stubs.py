@@ -2,7 +2,10 @@
 """The typed stubs say what the module has: the same names, arguments and defaults; every name is documented."""
 
 import ast
+import importlib.metadata
 import inspect
+import os
+import pydoc
 import re
 import shutil
 import subprocess
@@ -16,7 +19,7 @@ import perilymph
 PACKAGE = Path(perilymph.__file__).parent
 STUB = ast.parse((PACKAGE / "__init__.pyi").read_text())
 # What Python gives every class; a mapping's methods are listed where they are defined.
-OWN = re.compile(r"__(getitem|len|init)__|[^_].*")
+OWN = re.compile(r"__(getitem|len|init|copy|deepcopy|iter|contains|eq|hash)__|_repr_html_|[^_].*")
 
 
 def stubbed(body):
@@ -27,6 +30,8 @@ def stubbed(body):
             found[node.name] = node
         elif isinstance(node, ast.AnnAssign):
             found[node.target.id] = node
+        elif isinstance(node, ast.ImportFrom):
+            found.update({each.asname: node for each in node.names if each.asname})
     return found
 
 
@@ -41,21 +46,9 @@ def arguments_of_stub(function):
 
 
 def arguments_of_module(function):
-    """The same, from the signature that begins a compiled function's documentation, or from Python's own."""
-    text = function.__doc__.splitlines()[0]
-    inside = re.fullmatch(r"\w+\((.*)\) -> .*", text)
-    if inside is None:
-        return [(each.name, None if each.default is each.empty else each.default, each.kind is each.KEYWORD_ONLY)
-                for each in inspect.signature(function).parameters.values() if each.name != "self"]
-    rows, only = [], False
-    for part in re.split(r", (?=\w+:|\*)", inside.group(1)):
-        if part == "*":
-            only = True
-            continue
-        match = re.fullmatch(r"(\w+): .*?(?: = (.*))?", part)
-        if match and match.group(1) != "self":
-            rows.append((match.group(1), None if match.group(2) is None else ast.literal_eval(match.group(2)), only))
-    return rows
+    """The same, from the signature that help() and inspect show."""
+    return [(each.name, None if each.default is each.empty else each.default, each.kind is each.KEYWORD_ONLY)
+            for each in inspect.signature(function).parameters.values() if each.name != "self"]
 
 
 def test_the_stub_has_the_names_of_the_module():
@@ -85,7 +78,8 @@ def test_classes_have_the_members_of_the_stub(name):
     kind = getattr(perilymph, name)
     assert kind.__doc__.strip() and kind.__module__.startswith("perilymph")
     # Attributes of instances are tested where instances are made.
-    told = {member: node for member, node in stubbed(stubbed(STUB.body)[name].body).items() if not isinstance(node, ast.AnnAssign)}
+    told = {member: node for member, node in stubbed(stubbed(STUB.body)[name].body).items()
+            if not isinstance(node, ast.AnnAssign) and OWN.fullmatch(member)}
     has = members(kind)
     if "__init__" not in told:  # made by functions of the module only
         has.pop("__init__", None)
@@ -120,3 +114,49 @@ def test_mypy_accepts_the_stub_and_a_program_that_uses_it(tmp_path):
     assert accepted.returncode == 0, accepted.stdout + accepted.stderr
     refused = mypy(tmp_path / "misuse.py")
     assert refused.returncode == 1 and refused.stdout.count("error:") >= 2, refused.stdout + refused.stderr
+
+
+# Classes of the engine have pybind11's own metaclass, and those that functions make have no constructor.
+ALLOWED = r"""
+perilymph\.[A-Z]\w+
+perilymph\.[A-Z]\w+\.__init__
+"""
+
+
+@pytest.mark.skipif(shutil.which("mypy") is None, reason="the package mypy is not installed")
+def test_stubtest_finds_the_stubs_as_the_package_is(tmp_path):
+    (tmp_path / "allowed").write_text(ALLOWED)
+    def stubtest(path):
+        return subprocess.run(
+            [sys.executable, "-m", "mypy.stubtest", "perilymph", "--allowlist", "allowed", "--ignore-unused-allowlist"],
+            env={**os.environ, "MYPYPATH": str(path)}, cwd=tmp_path, capture_output=True, text=True, check=False)
+
+    done = stubtest(PACKAGE.parent)
+    assert done.returncode == 0, done.stdout + done.stderr
+    (tmp_path / "wrong").mkdir()
+    shutil.copytree(PACKAGE, tmp_path / "wrong/perilymph", ignore=shutil.ignore_patterns("__pycache__", "*.so"))
+    stub = tmp_path / "wrong/perilymph/__init__.pyi"
+    stub.write_text(stub.read_text().replace("every_ms: float=0.0,", "every: float=0.0,"))
+    done = stubtest(tmp_path / "wrong")
+    assert done.returncode == 1 and "perilymph.simulate" in done.stdout, done.stdout + done.stderr
+
+
+def test_the_stub_has_the_texts_of_the_module_for_editors():
+    for name in ("simulate", "Insertion", "Patient"):
+        node = stubbed(STUB.body)[name]
+        assert ast.get_docstring(node) == inspect.getdoc(getattr(perilymph, name))
+    methods = stubbed(stubbed(STUB.body)["Patient"].body)
+    assert ast.get_docstring(methods["from_lengths"]) == inspect.getdoc(perilymph.Patient.from_lengths)
+    assert ast.get_docstring(methods["a_mm"]) == "Diameter A of the basal turn [mm], or None."
+
+
+def test_help_shows_signatures_and_texts():
+    said = pydoc.plain(pydoc.render_doc(perilymph.Insertion))
+    assert "advance(self, speed_mm_s=None, *, ticks=1)" in said and "negative out of it" in said
+    assert "overrides=None, *, record=None" in pydoc.plain(pydoc.render_doc(perilymph.simulate))
+
+
+def test_the_package_is_known_by_its_version():
+    numbers = importlib.metadata.version("perilymph").replace(".dev0", "-dev")
+    assert numbers == perilymph.__version__
+    assert importlib.metadata.requires("perilymph") == ["numpy"]

@@ -73,6 +73,8 @@ public:
 
   /// The profile of the ticks so far.
   ForceProfile profile() const;
+  /// ForceProfile::work of the ticks so far [J].
+  double work() const noexcept { return profile_.work; }
 
 private:
   void follow(const haptics::TickOutput& now);

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ObjectText.h"
+
+#include "Bindings.h"
+
+namespace perilymph::python {
+
+py::str htmlTable(const std::string& title,
+                  const std::vector<std::pair<std::string, std::string>>& rows)
+{
+  const py::object escape = py::module_::import("html").attr("escape");
+  const auto escaped = [&](const std::string& text) {
+    return escape(textOf(text)).cast<std::string>();
+  };
+  std::string html = "<table><caption>" + escaped(title) + "</caption>";
+  for (const auto& [name, value] : rows)
+    html += "<tr><th>" + escaped(name) + "</th><td>" + escaped(value) + "</td></tr>";
+  return textOf(html + "</table>");
+}
+
+py::object dataFrameOf(const py::dict& columns)
+{
+  return py::module_::import("perilymph._tables").attr("data_frame")(columns);
+}
+
+}  // namespace perilymph::python

@@ -1,0 +1,299 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Patients, cochleae, arrays, frictions and scenarios as objects: given to every function, changed, compared, copied and shown."""
+
+import copy
+import html.parser
+import multiprocessing
+import pickle
+
+import numpy as np
+import pytest
+from conftest import SHORT, same_bits
+
+import perilymph
+
+COARSE = {"nodes": 30, "dt_ms": 5, "stop_travel_mm": 3}
+
+
+@pytest.fixture(autouse=True)
+def own_data_folder(tmp_path, monkeypatch):
+    monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path / "data"))
+
+
+def measured():
+    return perilymph.Patient(a_mm=9.3, b_mm=6.9, h_mm=4.1, a_sd_mm=0.1, b_sd_mm=0.15, h_sd_mm=0.2, side="left", label='P "1" \\ Ü')
+
+
+OBJECTS = {
+    "patient": (measured, lambda: perilymph.Patient(a_mm=9.3, b_mm=6.9)),
+    "patient of lengths": (lambda: perilymph.Patient.from_lengths(st_length_mm=36, rw_width_mm=1.9, rw_height_mm=1.8),
+                           lambda: perilymph.Patient.from_lengths(st_length_mm=35, rw_width_mm=1.9, rw_height_mm=1.8)),
+    "cochlea": (lambda: perilymph.Cochlea(measured()), lambda: perilymph.Cochlea.named("mean")),
+    "array": (lambda: perilymph.read_array("flex28"), lambda: perilymph.read_array("flex28").replace(note="")),
+    "scenario": (lambda: perilymph.read_scenario("surgery-flex28", {"dt_ms": 5}), lambda: perilymph.read_scenario("surgery-flex28")),
+    "friction": (lambda: perilymph.Friction(0.2, speed_mm_s=[0, 1], coefficient=[0.2, 0.1]), lambda: perilymph.Friction(0.2)),
+}
+
+
+@pytest.mark.parametrize("name", OBJECTS)
+def test_equal_objects_are_equal_and_copies_are(name):
+    make, other = OBJECTS[name]
+    one = make()
+    for same in (make(), copy.copy(one), copy.deepcopy(one), pickle.loads(pickle.dumps(one))):
+        assert same == one and hash(same) == hash(one) and not same != one
+    assert one != other() and one != 3 and one != "text" and one is not None
+    assert {one: 1}[make()] == 1
+
+
+@pytest.mark.parametrize("name", perilymph.arrays())
+def test_the_text_of_a_shipped_array_reads_back_to_the_bit(tmp_path, name):
+    array = perilymph.read_array(name)
+    (tmp_path / "array.toml").write_text(array.text())
+    again = perilymph.read_array(tmp_path / "array.toml")
+    assert again == array
+    places = np.linspace(0.0, array.length_mm, 301)
+    for quantity in ("width_mm", "thickness_mm", "bending_stiffness_Nm2", "bending_stiffness_across_Nm2", "torsional_stiffness_Nm2",
+                     "rest_curvature_per_mm"):
+        assert same_bits(getattr(array, quantity)(places), getattr(again, quantity)(places)), quantity
+    assert same_bits(array.contacts_from_tip_mm, again.contacts_from_tip_mm)
+    assert (again.sources, again.has_stylet, again.note) == (array.sources, array.has_stylet, array.note)
+
+
+@pytest.mark.parametrize("scenario", perilymph.scenarios())
+def test_an_array_as_run_and_a_scenario_can_be_copied(scenario):
+    one = perilymph.read_scenario(scenario)
+    again = pickle.loads(pickle.dumps(one))
+    assert again == one and again.values() == one.values()
+    assert pickle.loads(pickle.dumps(one.array)) == one.array
+
+
+def test_an_insertion_has_the_same_bits_with_names_and_with_objects():
+    by_name = perilymph.simulate("surgery-flex28", {**COARSE, "array": "flex24", "friction": "tissue"})
+    again = perilymph.Array.text(perilymph.read_array("flex24"))
+    objects = {"array": perilymph.read_array("flex24"), "cochlea": perilymph.Cochlea.of_scenario(by_name.scenario)}
+    by_object = perilymph.simulate("surgery-flex28", {**COARSE, "friction": "tissue", **objects})
+    assert all(same_bits(by_name[name], by_object[name]) for name in by_name)
+    assert by_object.scenario["array"] == "flex24"  # the shipped one, as long as nothing was changed
+    assert perilymph.read_array("flex24").text() == again
+
+
+def test_a_patient_and_a_cochlea_are_those_of_the_insertion():
+    patient = measured()
+    scenario = perilymph.read_scenario("surgery-flex28", {**COARSE, "patient": patient})
+    assert (scenario.patient.a_mm, scenario.patient.h_mm, scenario.patient.side) == (9.3, 4.1, "left")
+    assert scenario["patient"] == "P 1  Ü" and scenario.patient.label == patient.label
+    cochlea = perilymph.Cochlea(patient)
+    other = perilymph.read_scenario("surgery-flex28", {**COARSE, "cochlea": cochlea})
+    assert perilymph.Cochlea.of_scenario(other).measures() == perilymph.Cochlea.of_scenario(scenario).measures()
+    deeper = scenario.with_values({"stop_travel_mm": 4})  # needs no file of the patient
+    assert deeper.patient.a_mm == 9.3
+    with pytest.raises(perilymph.Error, match="patient"):
+        scenario.with_values({"cochlea": perilymph.Cochlea.named("mean")})
+    assert perilymph.read_scenario("surgery-flex28", {"cochlea": perilymph.Cochlea.named("mean")}).patient.a_mm is None
+
+
+def test_a_friction_is_that_of_the_insertion(tmp_path):
+    scenario = perilymph.read_scenario("surgery-flex28", {"friction": perilymph.Friction(0.3, 0.2, stopping=0.1)})
+    assert [scenario[f"friction_{each}"] for each in ("static", "dynamic", "stopping")] == [0.3, 0.2, 0.1]
+    by_speed = perilymph.Friction(0.3, speed_mm_s=[0.1, 1.0], coefficient=np.array([0.25, 0.15]), ear_sd_log=0.2)
+    scenario = scenario.with_values({"friction": by_speed})
+    assert scenario["friction_coefficient"] == [0.25, 0.15] and scenario["friction_dynamic"] == 0.15
+    (tmp_path / "friction.toml").write_text(by_speed.text())
+    read = perilymph.read_scenario("surgery-flex28", {"friction": tmp_path / "friction.toml"})
+    assert all(read[key] == scenario[key] for key in scenario if key.startswith("friction_"))
+    with pytest.raises(perilymph.Error, match="friction_dynamic"):
+        perilymph.read_scenario("surgery-flex28", {"friction": perilymph.Friction(0.1, 0.2)})
+
+
+def test_an_array_is_changed_by_arrays_of_numbers():
+    array = perilymph.read_array("flex28")
+    places = np.linspace(0.0, array.length_mm, 8)
+    widths = np.linspace(0.4, 1.0, 8)
+    ratio = array.thickness_mm(places) / array.width_mm(places)
+    wide = array.replace(name="Wide", width_mm=(places, widths))
+    assert wide.name == "Wide" and array.name == "FLEX28"
+    assert wide.width_mm(places[3:]) == pytest.approx(widths[3:])  # behind the taper of the tip
+    assert (wide.thickness_mm(places) / wide.width_mm(places))[3:] == pytest.approx(ratio[3:], rel=0.02)
+    assert wide.bending_stiffness_Nm2(places) == pytest.approx(array.bending_stiffness_Nm2(places))
+    assert dict((table, source) for table, source, _ in wide.sources)["diameter"] == "changed in Python"
+    twice = array.replace(bending_stiffness_Nm2=(places, 2 * array.bending_stiffness_Nm2(places)))
+    assert twice.bending_stiffness_Nm2(places) == pytest.approx(2 * array.bending_stiffness_Nm2(places))
+    assert twice.bending_stiffness_across_Nm2(places) == pytest.approx(2 * array.bending_stiffness_across_Nm2(places))
+    few = array.replace(contacts_from_tip_mm=[1.0, 3.5], rest_curvature_per_mm=0.1, without=["tip"])
+    assert list(few.contacts_from_tip_mm) == [1.0, 3.5]
+    assert few.rest_curvature_per_mm([0.0, 20.0]) == pytest.approx([0.1, 0.1])
+
+
+def test_a_stiffer_array_needs_more_force():
+    array = perilymph.read_array("flex28")
+    places = array.knots_mm["bending_stiffness_Nm2"]
+    deeper = {**COARSE, "stop_travel_mm": 12, "nodes": 50}
+
+    def peak(factor):
+        one = array.replace(bending_stiffness_Nm2=(places, factor * array.bending_stiffness_Nm2(places)))
+        return perilymph.simulate("surgery-flex28", {**deeper, "array": one}).summary["peak_force_N"]
+
+    assert peak(1.0) < peak(3.0) < peak(9.0)
+
+
+@pytest.mark.parametrize("change, said", [
+    ({"width_mm": 50}, "diameter_mm"), ({"width_mm": ([0, 1], [0.5])}, "width_mm"), ({"width_mm": ([], [])}, "width_mm"),
+    ({"width_mm": ([1, 1], [0.5, 0.5])}, "from_tip_mm"), ({"width_mm": float("nan")}, "width_mm"), ({"insertable_mm": 99}, "value_mm"),
+    ({"contacts_from_tip_mm": [1.0, 1.1]}, "overlaps"), ({"contacts_from_tip_mm": []}, "from_tip_mm"),
+    ({"rest_curvature_per_mm": 100}, "curvature_per_mm"), ({"bending_stiffness_Nm2": -1e-8}, "bending_N_m2"),
+    ({"without": ["contacts"]}, "without"), ({"length_mm": float("inf")}, "value_mm")])
+def test_a_change_out_of_range_is_refused_in_a_sentence(change, said):
+    with pytest.raises(perilymph.Error, match=said):
+        perilymph.read_array("flex28").replace(**change)
+
+
+def test_a_changed_array_is_kept_for_scenarios_that_name_it(tmp_path):
+    array = perilymph.read_array("flex28").replace(name="Own array", width_mm=0.6)
+    scenario = perilymph.read_scenario("surgery-flex28", {**COARSE, "array": array})
+    file = scenario["array"]
+    assert file.startswith(str(tmp_path / "data/perilymph/arrays/ownarray-"))
+    assert perilymph.read_array(file) == array == scenario.array
+    assert perilymph.read_scenario("surgery-flex28", {**COARSE, "array": array})["array"] == file
+    assert pickle.loads(pickle.dumps(scenario)).array == array
+
+
+def test_a_plan_takes_objects(tmp_path):
+    array = perilymph.read_array("flex24").replace(name="Own array", width_mm=0.6, without=["tip"])
+    scenario = perilymph.read_scenario("surgery-flex28", {"nodes": 30, "dt_ms": 10})
+    plan = perilymph.plan(perilymph.Cochlea(perilymph.Patient(a_mm=9.2, b_mm=6.9, label="P-1")), ["flex24", array], samples=2,
+                          all_samples=True, scenario=scenario, friction=perilymph.Friction(0.1, ear_sd_log=0.2))
+    assert [one.name for one in plan.arrays] == ["FLEX24", "Own array"]
+    assert plan.patient.label == "P-1"
+    # The factor on the friction's own value is drawn for each ear, the same for both arrays.
+    factor = plan.insertions()["friction"]
+    assert len(np.unique(factor)) == 2 and np.abs(np.log(factor)).max() < 4 * 0.2
+    assert plan.bands_hold.endswith("over friction 0.07 to 0.15")  # 0.1 exp(-+ 1.96 0.2)
+
+
+def test_a_study_takes_objects_and_goes_on(tmp_path):
+    own = perilymph.read_array("flex24").replace(name="Own array", bending_stiffness_Nm2=5e-8, without=["wires"])
+    seen = []
+    request = dict(vary={"array": ["flex24", own], "stop_force_N": [0.05]}, ranges={"speed_mm_s": (0.3, 1.0)}, samples=2, seed=3,
+                   patients=[measured()], mean=True, title="Objects", jobs=2, progress=lambda done, of: seen.append((done, of)))
+    scenario = perilymph.read_scenario("surgery-flex28", {"nodes": 30, "dt_ms": 10})
+    study = perilymph.study(scenario, tmp_path / "study", **request)
+    assert (study.title, len(study)) == ("Objects", 8)
+    assert seen and seen[-1] == (8, 8)
+    columns = study.columns()
+    assert len(set(columns["array"])) == 2 and set(columns["cochlea"]) == {"mean", "patients/1.toml"}
+    assert columns["A_mm"][columns["cochlea"] == "patients/1.toml"] == pytest.approx(9.3, abs=0.02)
+    assert columns["peak_mN"].max() <= 50.0 * 1.1
+    again = perilymph.study(scenario, tmp_path / "study", **request)
+    assert all(np.array_equal(columns[name], again.columns()[name]) for name in columns)
+    with pytest.raises(perilymph.Error):  # another study in the same folder
+        perilymph.study(scenario, tmp_path / "study", mean=True)
+
+
+def test_an_exception_of_progress_ends_a_study_and_the_study_goes_on(tmp_path):
+    def stop(done, of):
+        raise KeyError("enough")
+
+    scenario = perilymph.read_scenario("surgery-flex28", {"nodes": 30, "dt_ms": 10})
+    with pytest.raises(KeyError, match="enough"):
+        perilymph.study(scenario, tmp_path / "s", cochleae=40, progress=stop)
+    assert not (tmp_path / "s/study.sqlite").exists()
+
+
+def test_a_simulation_is_a_mapping_and_can_be_copied():
+    one = perilymph.simulate("contour-published", SHORT, depths_mm=[2.2])
+    assert list(one) == one.keys() == list(one.columns) and len(one) == len(one.columns)
+    assert "depth_mm" in one and "nothing" not in one
+    again = pickle.loads(pickle.dumps(one))
+    assert all(same_bits(one[name], again[name]) for name in one)
+    assert (again.summary, again.end, again.scenario) == (one.summary, one.end, one.scenario)
+    assert same_bits(again.shapes_mm, one.shapes_mm) and same_bits(again.contacts["angle_deg"], one.contacts["angle_deg"])
+    scenario = one.scenario
+    assert list(scenario) == scenario.keys() and len(scenario) == len(scenario.keys()) and "nodes" in scenario
+    assert dict(scenario) == scenario.values()
+
+
+class Cells(html.parser.HTMLParser):
+    def __init__(self):
+        super().__init__()
+        self.open, self.text = [], []
+
+    def handle_starttag(self, tag, attributes):
+        self.open.append(tag)
+
+    def handle_endtag(self, tag):
+        assert self.open.pop() == tag
+
+    def handle_data(self, data):
+        self.text.append(data)
+
+
+def test_objects_show_their_values():
+    patient = perilymph.Patient(a_mm=9.3, b_mm=6.9, label="<b>&")
+    for one, values in ((patient, ["9.30 mm", "6.90 mm"]), (perilymph.read_array("flex28"), ["FLEX28", "12 contacts"]),
+                        (perilymph.Cochlea(patient), ["9.30 mm"]), (perilymph.read_scenario("surgery-flex28"), ["flex28", "0.66 mm/s"]),
+                        (perilymph.Friction(0.2), ["0.2"]),
+                        (perilymph.simulate("contour-published", SHORT), ["finished", "2.50 mm"])):
+        for value in values:
+            assert value in repr(one)
+        if hasattr(one, "_repr_html_"):
+            cells = Cells()
+            cells.feed(one._repr_html_())
+            assert cells.open == [] and len(cells.text) >= 5
+    assert "<b>" not in patient._repr_html_()
+
+
+def test_tables_for_pandas_are_tidy():
+    pandas = pytest.importorskip("pandas")
+    one = perilymph.simulate("contour-published", SHORT)
+    frame = one.to_pandas()
+    assert isinstance(frame, pandas.DataFrame) and list(frame) == one.keys()
+    assert np.array_equal(frame["depth_mm"], one["depth_mm"])
+    assert len(one.contacts_to_pandas()) == len(one.contacts["number"])
+
+
+def test_bands_become_columns_with_their_percentiles():
+    from perilymph._tables import flat
+
+    found = flat({"number": np.arange(2), "angle_deg": np.arange(10.0).reshape(2, 5), "rate": np.arange(6.0).reshape(2, 3)})
+    assert list(found) == ["number", "angle_deg_p5", "angle_deg_p25", "angle_deg_p50", "angle_deg_p75", "angle_deg_p95", "rate", "rate_low95",
+                           "rate_high95"]
+    assert list(found["angle_deg_p50"]) == [2.0, 7.0] and list(found["rate_low95"]) == [1.0, 4.0]
+
+
+def test_a_surface_lies_on_the_wall_and_points_outward():
+    cochlea = perilymph.Cochlea.named("mean")
+    surface = cochlea.surface(4000)
+    vertices, faces = surface["vertices_mm"], surface["faces"]
+    assert 3000 < len(faces) <= 4000 and faces.min() == 0 and faces.max() == len(vertices) - 1
+    corners = vertices[faces]
+    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    # The centroid of a triangle, moved along its normal, is farther outside.
+    middle = corners.mean(axis=1)
+    unit = normals / np.linalg.norm(normals, axis=1, keepdims=True)
+    inside = cochlea.distance(middle - 0.1 * unit)["distance_mm"]
+    outside = cochlea.distance(middle + 0.1 * unit)["distance_mm"]
+    known = np.isfinite(inside) & np.isfinite(outside)
+    assert known.mean() > 0.9 and (inside > outside)[known].mean() > 0.99
+    with pytest.raises(perilymph.Error, match="triangles"):
+        cochlea.surface(10)
+
+
+def test_directions_are_broadcast_against_angles():
+    cochlea = perilymph.Cochlea.named("mean")
+    grid = cochlea.wall([10.0, 50.0], [0.0, 90.0, 180.0])
+    assert np.array_equal(cochlea.wall([[10.0], [50.0]], [0.0, 90.0, 180.0], paired=True), grid)
+    assert np.array_equal(cochlea.wall([10.0, 50.0], [0.0, 180.0], paired=True), grid[[0, 1], [0, 2]])
+    with pytest.raises(ValueError):
+        cochlea.wall([10.0, 50.0], [0.0, 90.0, 180.0], paired=True)
+
+
+def depth_of(overrides):
+    return perilymph.simulate("surgery-flex28", {**COARSE, **overrides}).summary["final_depth_mm"]
+
+
+@pytest.mark.parametrize("method", ["spawn", "fork"])
+def test_processes_take_objects_and_return_results(method):
+    tasks = [{"array": perilymph.read_array("flex24")}, {"cochlea": perilymph.Cochlea(measured())}, {"friction": perilymph.Friction(0.1)}]
+    expected = [depth_of(each) for each in tasks]
+    with multiprocessing.get_context(method).Pool(2) as pool:
+        assert pool.map_async(depth_of, tasks).get(timeout=200) == expected

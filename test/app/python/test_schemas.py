@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the programs write as JSON is as its schema says, every key of it, and a file that is not is refused by the schema."""
+
+import copy
+import json
+import os
+import subprocess
+from pathlib import Path
+
+import pytest
+from conftest import ROOT
+
+SCHEMAS = ROOT / "resources/schemas"
+TYPES = {"object": dict, "array": list, "string": str, "number": (int, float), "integer": int, "boolean": bool, "null": type(None)}
+# What the schemas use of JSON Schema 2020-12; any other word would not be checked.
+WORDS = {"$schema", "$defs", "$ref", "title", "description", "type", "properties", "required", "additionalProperties", "items", "minItems",
+         "maxItems", "enum", "anyOf"}
+
+
+def is_of(value, name):
+    return isinstance(value, TYPES[name]) and (name == "boolean" or not isinstance(value, bool))
+
+
+def faults(value, schema, root, place="$"):
+    """What is wrong with a value, a line each."""
+    if "$ref" in schema:
+        return faults(value, root["$defs"][schema["$ref"].removeprefix("#/$defs/")], root, place)
+    if "anyOf" in schema:
+        found = [faults(value, each, root, place) for each in schema["anyOf"]]
+        return [] if [] in found else min(found, key=len)
+    types = schema.get("type", list(TYPES))
+    if not any(is_of(value, name) for name in ([types] if isinstance(types, str) else types)):
+        return [f"{place} is {value!r}, not {types}"]
+    wrong = [] if value in schema.get("enum", [value]) else [f"{place} is {value!r}, not one of {schema['enum']}"]
+    if isinstance(value, dict):
+        known, others = schema.get("properties", {}), schema.get("additionalProperties", True)
+        wrong += [f"{place} lacks {key}" for key in schema.get("required", []) if key not in value]
+        for key, each in value.items():
+            if key in known:
+                wrong += faults(each, known[key], root, f"{place}.{key}")
+            elif others is False:
+                wrong.append(f"{place}.{key} is not known")
+            elif isinstance(others, dict):
+                wrong += faults(each, others, root, f"{place}.{key}")
+    if isinstance(value, list):
+        if not schema.get("minItems", 0) <= len(value) <= schema.get("maxItems", len(value)):
+            wrong.append(f"{place} has {len(value)} items")
+        for number, each in enumerate(value):
+            wrong += faults(each, schema.get("items", {}), root, f"{place}[{number}]")
+    return wrong
+
+
+def check(name, value):
+    schema = json.loads((SCHEMAS / f"{name}.schema.json").read_text())
+    assert faults(value, schema, schema) == []
+    # Each key that is required is missed, and one that is unknown is found.
+    for key in list(value):
+        less = copy.deepcopy(value)
+        del less[key]
+        assert bool(faults(less, schema, schema)) == (key in schema.get("required", [key])), key
+    assert faults({**value, "unknown": 1}, schema, schema) != []
+
+
+@pytest.mark.parametrize("file", sorted(SCHEMAS.glob("*.json")), ids=lambda file: file.stem)
+def test_schemas_use_what_is_checked_and_name_the_command(file):
+    schema = json.loads(file.read_text())
+    assert schema["$schema"] == "https://json-schema.org/draft/2020-12/schema" and "perilymph-cli" in schema["title"]
+
+    def look(node):
+        assert set(node) <= WORDS, set(node) - WORDS
+        for key in ("properties", "$defs"):
+            for each in node.get(key, {}).values():
+                look(each)
+        for each in [*node.get("anyOf", []), *[node[key] for key in ("items", "additionalProperties") if isinstance(node.get(key), dict)]]:
+            look(each)
+
+    look(schema)
+
+
+@pytest.mark.parametrize("words", [
+    ["contour-published", "--nodes", 30, "--set", "stop_travel_mm=0.5"],
+    ["surgery-flex28", "--nodes", 50, "--set", "dt_ms=5", "--set", "stop_force_N=0.05", "--set", "partition_strength_N=0.05"],
+    ["contour-published", "--nodes", 50, "--set", "dt_ms=5", "--set", "friction=soap-90"]])
+def test_simulations_are_as_their_schema_says(cli, tmp_path, words):
+    cli("simulate", "--scenario", *words, "--json", tmp_path / "a.json")
+    check("simulate", json.loads((tmp_path / "a.json").read_text()))
+
+
+@pytest.mark.parametrize("words", [["--preset", "published"], ["--preset", "clark"], ["--a-mm", 9.0, "--b-mm", 6.8], ["--patient", "measured"],
+                                   ["--a-mm", 10.6, "--b-mm", 6.6, "--h-mm", 4.0], ["--sample", 3]])
+def test_measures_of_anatomies_are_as_their_schema_says(cli, tmp_path, words):
+    cli("anatomy", *words, "--json", tmp_path / "a.json")
+    value = json.loads((tmp_path / "a.json").read_text())
+    schema = json.loads((SCHEMAS / "anatomy.schema.json").read_text())
+    assert faults(value, schema, schema) == []
+
+
+def test_plans_are_as_their_schema_says(cli, tmp_path):
+    cli("plan", "--patient", "measured", "--arrays", "flex24", "--arrays", "contour-advance", "--samples", 2, "--all-samples", "--out",
+        tmp_path / "plan")
+    check("plan", json.loads((tmp_path / "plan/plan.json").read_text()))
+
+
+PHANTOM = Path(os.environ["PERILYMPH_PROGRAMS"]) / "perilymph-ct-phantom"
+
+
+@pytest.mark.skipif(not PHANTOM.exists(), reason="this build has no VTK and cannot read a CT")
+def test_measures_of_a_ct_are_as_their_schema_says(cli, tmp_path):
+    subprocess.run([PHANTOM, "1", tmp_path / "ct", "clinical"], check=True, capture_output=True)
+    cli("ct", "info", tmp_path / "ct", "--json", tmp_path / "info.json")
+    check("ct-info", json.loads((tmp_path / "info.json").read_text()))
+    cli("ct", "measure", tmp_path / "ct", "--json", tmp_path / "m.json")
+    value = json.loads((tmp_path / "m.json").read_text())
+    schema = json.loads((SCHEMAS / "ct-measure.schema.json").read_text())
+    assert faults(value, schema, schema) == [] == faults({"ears": [value, value]}, schema, schema)
+    for key in ("A_mm", "side", "provenance"):
+        assert faults({each: value[each] for each in value if each != key}, schema, schema) != []
+    assert faults({"ears": [value]}, schema, schema) != []

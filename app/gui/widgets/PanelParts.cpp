@@ -49,6 +49,7 @@ void setPrimary(QPushButton& button, bool isPrimary)
   button.setProperty("primary", isPrimary);
   button.style()->unpolish(&button);
   button.style()->polish(&button);
+  button.updateGeometry();  // its text needs another width
 }
 
 QProgressBar* endlessBar(int width_px, QWidget* parent)

@@ -16,8 +16,11 @@
 #include "gui/run/InsertionControl.h"
 #include "perilymph/broadcast/CtImage.h"
 
+class QStackedLayout;
+
 namespace perilymph::gui {
 
+class ArchiveView;
 class CtPanel;
 class PlaneView;
 class SurfaceView;
@@ -32,18 +35,19 @@ public:
   /// Opens a folder or a file with a CT; the series that suits a cochlea best is read, and its cochlea
   /// is measured. Esc ends that; the CT stays.
   void open(const std::filesystem::path& path) override;
-  /// Any: which files hold a CT is known after reading only.
-  Acceptance accepts(const std::filesystem::path& /*file*/) const override
-  {
-    return Acceptance::whileShown;
-  }
-  bool isBusy() const override { return work_.isBusy(); }
+  /// A .zip, a DICOMDIR and a folder with one on every page; here any file, for which files hold a CT
+  /// is known after reading only.
+  Acceptance accepts(const std::filesystem::path& file) const override;
+  bool isBusy() const override;
   bool cancel() override;
   /// Shows the array where it is now.
   void onShown() override;
 
   /// The CT and the cochlea in it, if that is the scenario's.
   std::optional<broadcast::PlacedCt> placedCt(const session::Scenario& scenario) const;
+
+  /// The folder of the CT that is shown, if it is this series of DICOM files.
+  std::optional<std::filesystem::path> placeOf(const std::string& seriesKey) const;
 
   CtStudy& study() { return study_; }
   /// Replaces the measurement, by default ct::measureCochlea().
@@ -52,9 +56,14 @@ public:
     work_.setMeasurement(std::move(measurement));
   }
 
+  /// Reads the list of archives again.
+  void showServers();
+
 Q_SIGNALS:
   /// A plan for the measured cochlea was asked for. The patient is saved.
   void planRequested(const perilymph::anatomy::Patient& patient);
+  /// The archives in the settings are to be shown.
+  void serversRequested();
 
 protected:
   void resizeEvent(QResizeEvent* event) override;
@@ -63,6 +72,10 @@ private:
   bool isInMeasuredCochlea(const session::Scenario& scenario) const;
   void connectWork();
   void connectPanel();
+  void connectArchive();
+  void read(const std::filesystem::path& path);
+  /// Shows the search in archives, or ends it.
+  void showArchive(bool isShown);
   void begin(const QString& task);
   void showProgress(double fraction);
   /// @param then  Called if the new fit belongs to the landmarks and does not contradict them.
@@ -78,6 +91,8 @@ private:
   /// Keeps a picture of the measured cochlea for the reports of its patient.
   void keepKeyImage();
   void saveSurface();
+  /// Offers measures, lumen and picture to an archive.
+  void send();
   void saveMarks();
   void loadMarks();
   void showDone(const Result<Done>& done, const QString& file);
@@ -97,7 +112,9 @@ private:
   /// folders often bear patients' names.
   QString folder_;
   CtPanel* panel_;
+  QStackedLayout* stages_;
   QWidget* pictures_;
+  ArchiveView* archive_;
   std::array<PlaneView*, 3> views_{};
   SurfaceView* surface_;
 };

@@ -3,8 +3,10 @@
 
 // The page Plan: electrode arrays compared in one patient's cochlea before surgery.
 
+#include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "gui/pages/Page.h"
 #include "gui/pages/plan/PlanReportWork.h"
@@ -53,6 +55,10 @@ public:
     scenario_ = std::move(scenario);
     resolution_.reset();  // its own
   }
+  /// Where the CT of a series is, as far as it is open.
+  using CtPlaces =
+      std::function<std::optional<std::filesystem::path>(const std::string& seriesKey)>;
+  void setCtPlaces(CtPlaces places) { ctPlaces_ = std::move(places); }
   PlanList& list() { return *list_; }
   PlanView& view() { return *view_; }
 
@@ -63,6 +69,7 @@ private:
   void openArrays();
   void insertArray();
   void askReport();
+  void send(const std::string& pdf, const ReportIdentity& identity);
   bool leaveArrays();
   void showVerbs();
   void connectPanel();
@@ -81,6 +88,7 @@ private:
   std::filesystem::path folder_;  ///< Folder of `plan_`.
   std::string madeUtc_;           ///< When `plan_` was made.
   std::string scenario_;
+  CtPlaces ctPlaces_;
   std::optional<planning::Resolution> resolution_ = planning::Resolution{};
   PlanPanel* panel_;
   QStackedWidget* stages_;
@@ -88,7 +96,7 @@ private:
   PlanHeader* head_;
   PlanList* list_;
   PlanView* view_;
-  QPushButton *open_, *insert_, *report_, *back_;
+  QPushButton *open_, *insert_, *report_, *send_, *back_;
   PlanNotes* notes_;
   StatusLine* status_;
 };

@@ -47,6 +47,8 @@ ArchiveView::ArchiveView(QWidget* parent)
   progress_->setTextVisible(false);
   progress_->setFixedHeight(6);
   progress_->setRange(0, 1000);
+  // its text has room when it becomes the primary button, too
+  fetch_->setMinimumWidth(fetch_->fontMetrics().horizontalAdvance(fetch_->text()) + 5 * spacing);
   pause_.setSingleShot(true);
   pause_.setInterval(pause_ms);
 

@@ -68,6 +68,8 @@ void OverlayStack::showServers()
 {
   if (!settings_->isVisible()) toggleSettings();
   servers_->focusFirst();
+  // once the sheet has its size
+  QTimer::singleShot(0, this, [this] { settings_->scrollTo(*servers_); });
 }
 
 void OverlayStack::toggleAbout()

@@ -49,7 +49,6 @@ void setPrimary(QPushButton& button, bool isPrimary)
   button.setProperty("primary", isPrimary);
   button.style()->unpolish(&button);
   button.style()->polish(&button);
-  button.updateGeometry();  // its text needs another width
 }
 
 QProgressBar* endlessBar(int width_px, QWidget* parent)

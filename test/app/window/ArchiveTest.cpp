@@ -4,8 +4,10 @@
 
 #include <gmock/gmock.h>
 
+#include <QGuiApplication>
 #include <QLabel>
 #include <QLineEdit>
+#include <QScreen>
 #include <QTableWidget>
 #include <chrono>
 #include <fstream>
@@ -51,7 +53,9 @@ protected:
   void open()
   {
     rig_ = std::make_unique<WindowRig>();
-    rig_->window().show();
+    gui::MainWindow& window = rig_->window();
+    window.resize(window.size().boundedTo(QGuiApplication::primaryScreen()->availableSize()));
+    window.show();
     rig_->click("ctPageButton");
   }
   gui::CtPage& page() { return *rig_->window().pages().find<gui::CtPage>(); }
@@ -139,6 +143,9 @@ TEST_F(ArchiveInTheWindow, IsEnteredTestedChangedAndRemovedInTheSettings)
   EXPECT_THAT(said("archiveServerStatus"),
               testing::AllOf(HasSubstr("cannot be reached"), HasSubstr("AE title PERILYMPH"),
                              HasSubstr("port 11112")));
+  const auto* answer = rig_->window().findChild<QLabel*>("archiveServerStatus");
+  EXPECT_TRUE(waits([&] { return answer->height() >= answer->heightForWidth(answer->width()); }));
+  EXPECT_GT(answer->height(), 3 * answer->fontMetrics().height());  // it is whole
   keepPicture(rig_->window(), "archive-settings");
   auto read = archive::readServers();
   ASSERT_TRUE(read);
@@ -220,6 +227,8 @@ TEST_P(ACtFromTheArchive, IsMeasuredAtOnceAndNothingOfThePatientIsKept)
   findAll();
   EXPECT_EQ(cell("archiveStudies", 0, 1), "Secretname, Patient");
   EXPECT_EQ(cell("archiveStudies", 0, 3), "1901-02-03");
+  const auto& fetch = rig_->button("archiveFetchButton");
+  EXPECT_GE(fetch.width(), fetch.fontMetrics().horizontalAdvance(fetch.text()) + 2 * 17);
   keepPicture(rig_->window(), "archive-found");
   const std::string images = std::to_string(onDisk().phantom.volume.size()[2]);
   // dcmqrscp does not count them

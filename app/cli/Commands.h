@@ -132,7 +132,7 @@ struct CtMeasureOptions {
   std::optional<std::array<double, 3>> at_mm;  ///< A point in the cochlea, LPS.
   std::string landmarks;                       ///< A file of Slicer's markups.
   std::string side;                            ///< "left", "right" or empty.
-  std::string json, patient, surface, picture, structuredReport;
+  std::string json, patient, surface, picture, structuredReport, segmentation, keyImage;
 };
 Result<Done> ctMeasure(const CtMeasureOptions& options);
 

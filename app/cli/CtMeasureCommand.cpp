@@ -13,7 +13,8 @@
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/foundation/Version.h"
 #if PERILYMPH_HAS_TOOLKIT
-#include "perilymph/archive/MeasurementReport.h"
+#include "perilymph/archive/MeasuredObjects.h"
+#include "perilymph/archive/SecondaryCapture.h"
 #include "perilymph/imaging/CtSeries.h"
 #include "perilymph/imaging/Landmarks.h"
 #include "perilymph/imaging/MeasuredPatient.h"
@@ -86,24 +87,6 @@ void printWarnings(const imaging::CtSeries& series)
   for (const std::string& warning : series.warnings) print("{}\n", warning);
 }
 
-archive::MeasurementReport reportOf(const ct::CochleaMeasures& measures)
-{
-  using archive::Quantity;
-  const auto row = [](Quantity quantity, const ct::Measure& measure) {
-    const auto interval = measure.interval95();
-    return archive::ReportedMeasure{quantity, measure.value, 0.5 * (interval[1] - interval[0])};
-  };
-  archive::MeasurementReport report;
-  report.measures = {row(Quantity::a, measures.a), row(Quantity::b, measures.b),
-                     row(Quantity::h, measures.h)};
-  if (measures.cdlOc) report.measures.push_back(row(Quantity::ductLength, *measures.cdlOc));
-  report.isRight = measures.side == anatomy::Side::right;
-  report.hasMarksByHand = !measures.marksByHand.isEmpty();
-  report.software = buildId();
-  report.seriesKey = measures.provenance.seriesKey;
-  return report;
-}
-
 Result<Done> writeFiles(const CtMeasureOptions& options, const ct::CochleaMeasures& measures,
                         const imaging::LoadedCt& loaded, double seconds)
 {
@@ -125,10 +108,30 @@ Result<Done> writeFiles(const CtMeasureOptions& options, const ct::CochleaMeasur
         !done)
       return done.error();
   if (!options.structuredReport.empty())
-    if (const auto done = archive::writeMeasurementReport(reportOf(measures), options.path,
+    if (const auto done = archive::writeMeasurementReport(archive::reportOf(measures), options.path,
                                                           options.structuredReport);
         !done)
       return done.error();
+  if (!options.segmentation.empty())
+    if (const auto done = archive::writeSegmentation(archive::lumenOf(measures), options.path,
+                                                     options.segmentation);
+        !done)
+      return done.error();
+  if (!options.keyImage.empty()) {
+    auto picture =
+        imaging::measuredPicture(std::make_shared<const ct::CtVolume>(loaded.volume), measures);
+    const archive::SecondaryCapture image{picture.width,
+                                          picture.height,
+                                          std::move(picture.rgb),
+                                          picture.pixel_mm,
+                                          measures.side == anatomy::Side::right,
+                                          archive::pictureDescription(measures),
+                                          archive::reportOf(measures).software,
+                                          measures.provenance.seriesKey};
+    if (const auto done = archive::writeSecondaryCapture(image, options.path, options.keyImage);
+        !done)
+      return done.error();
+  }
   if (options.surface.empty()) return Done{};
   return anatomy::writeSurface(imaging::measuredSurface(measures), imaging::measuredSurfaceTitle,
                                options.surface);
@@ -147,10 +150,12 @@ Result<Done> measureBoth(const CtMeasureOptions& options)
         "--side both searches for both ears, so --at and --landmarks are not used. Leave them out, "
         "or give --side left or right."};
   if (!options.patient.empty() || !options.surface.empty() || !options.picture.empty() ||
-      !options.structuredReport.empty())
+      !options.structuredReport.empty() || !options.segmentation.empty() ||
+      !options.keyImage.empty())
     return Error{
-        "--patient, --surface, --picture and --structured-report hold one ear, and --side both "
-        "measures two. Measure each ear by --side left and right for its files."};
+        "--patient, --surface, --picture, --structured-report, --segmentation and --key-image hold "
+        "one ear, and --side both measures two. Measure each ear by --side left and right for its "
+        "files."};
   const auto start = std::chrono::steady_clock::now();
   const auto loaded = imaging::readCt(options.path, options.series);
   if (!loaded) return loaded.error();

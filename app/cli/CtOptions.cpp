@@ -78,6 +78,12 @@ void addMeasure(CLI::App& ct, FileOptions& files, CtMeasureOptions& options)
   files.writes(command.add_option(
       "--structured-report", options.structuredReport,
       "Write the measures as a DICOM structured report (TID 1500) of the CT's study (.dcm)"));
+  files.writes(command.add_option(
+      "--segmentation", options.segmentation,
+      "Write the fitted lumen as a DICOM segmentation of the CT's series (.dcm)"));
+  files.writes(command.add_option(
+      "--key-image", options.keyImage,
+      "Write the views of --picture as a DICOM secondary capture in the CT's study (.dcm)"));
   command.footer(flagsText());
 }
 

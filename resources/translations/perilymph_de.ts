@@ -4043,6 +4043,70 @@
         <source>Incomplete: the program was interrupted.</source>
         <translation>Unvollständig: Das Programm wurde unterbrochen.</translation>
     </message>
+    <message>
+        <source>&apos;%1&apos; is no date. Type it as 1970-01-31 or 31.1.1970.</source>
+        <translation>&apos;%1&apos; ist kein Datum. Geben Sie es als 1970-01-31 oder 31.1.1970 ein.</translation>
+    </message>
+    <message>
+        <source>Type a patient number, a name, a birth date or a study date: without one the whole archive would be listed.</source>
+        <translation>Geben Sie eine Patientennummer, einen Namen, ein Geburtsdatum oder ein Untersuchungsdatum ein: ohne sie würde das ganze Archiv aufgelistet.</translation>
+    </message>
+    <message>
+        <source>No temporary folder can be made for what is sent. Check the space on the disk.</source>
+        <translation>Für das, was gesendet wird, kann kein temporärer Ordner angelegt werden. Prüfen Sie den Platz auf der Festplatte.</translation>
+    </message>
+    <message>
+        <source>The sending was canceled.</source>
+        <translation>Das Senden wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 objects were stored, as series %3. Then: %4</source>
+        <translation>%1 von %2 Objekten wurden gespeichert, als Serie %3. Dann: %4</translation>
+    </message>
+    <message>
+        <source>Stored in the study of the CT, as series %1. %2</source>
+        <translation>In der Studie des CT gespeichert, als Serie %1. %2</translation>
+    </message>
+    <message>
+        <source>Stored in the study of the CT, as series %1.</source>
+        <translation>In der Studie des CT gespeichert, als Serie %1.</translation>
+    </message>
+    <message>
+        <source>The report states no CT series for which a seal vouches, so it cannot be filed in the study of a CT. Save it without a CT.</source>
+        <translation>Der Bericht nennt keine CT-Serie, für die ein Siegel bürgt, und kann daher nicht in der Studie eines CT abgelegt werden. Speichern Sie ihn ohne CT.</translation>
+    </message>
+    <message>
+        <source>A key image has three bytes for each of its pixels, at most 8192 a side, and a description of at most 1024 ASCII letters.</source>
+        <translation>Ein Schlüsselbild hat drei Bytes je Pixel, höchstens 8192 Pixel je Seite und eine Beschreibung aus höchstens 1024 ASCII-Zeichen.</translation>
+    </message>
+    <message>
+        <source>The picture cannot be written as a key image of %1: %2.</source>
+        <translation>Das Bild kann nicht als Schlüsselbild von %1 geschrieben werden: %2.</translation>
+    </message>
+    <message>
+        <source>A segmentation is written for a series of one slice a file, and %1 holds another. Save the surface instead.</source>
+        <translation>Eine Segmentation wird für eine Serie mit einer Schicht je Datei geschrieben, und %1 enthält eine andere. Speichern Sie stattdessen die Oberfläche.</translation>
+    </message>
+    <message>
+        <source>The slices in %1 differ in size, direction or frame of reference. Save the surface instead.</source>
+        <translation>Die Schichten in %1 unterscheiden sich in Größe, Richtung oder Bezugssystem. Speichern Sie stattdessen die Oberfläche.</translation>
+    </message>
+    <message>
+        <source>The series in %1 states no frame of reference, so a segmentation would lie nowhere. Save the surface instead.</source>
+        <translation>Die Serie in %1 nennt kein Bezugssystem (Frame of Reference), eine Segmentation läge daher nirgends. Speichern Sie stattdessen die Oberfläche.</translation>
+    </message>
+    <message>
+        <source>A lumen has at least two whole rings of at least three points.</source>
+        <translation>Ein Lumen hat mindestens zwei ganze Ringe aus mindestens drei Punkten.</translation>
+    </message>
+    <message>
+        <source>The lumen lies in no slice of %1. Give the folder of the CT that was measured.</source>
+        <translation>Das Lumen liegt in keiner Schicht von %1. Geben Sie den Ordner des gemessenen CT an.</translation>
+    </message>
+    <message>
+        <source>The lumen cannot be written as a segmentation of %1: %2.</source>
+        <translation>Das Lumen kann nicht als Segmentation von %1 geschrieben werden: %2.</translation>
+    </message>
 </context>
 <context>
     <name>Display</name>
@@ -7045,6 +7109,22 @@
         <source>Opens the CT series with the SHA-256 %1 where it was read. The CT itself is not kept.</source>
         <translation>Öffnet die CT-Serie mit dem SHA-256 %1, wo sie gelesen wurde. Das CT selbst wird nicht aufbewahrt.</translation>
     </message>
+    <message>
+        <source>A, B, H and duct length with their errors (structured report)</source>
+        <translation>A, B, H und Ganglänge mit ihren Fehlern (Structured Report)</translation>
+    </message>
+    <message>
+        <source>The fitted lumen (segmentation)</source>
+        <translation>Das angepasste Lumen (Segmentation)</translation>
+    </message>
+    <message>
+        <source>The cochlear view with A and B (picture)</source>
+        <translation>Die Cochleaansicht mit A und B (Bild)</translation>
+    </message>
+    <message>
+        <source>%1 about %2 s left</source>
+        <translation>%1 noch etwa %2 s</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::AboutOverlay</name>
@@ -7093,6 +7173,127 @@
     <message>
         <source>Something went wrong. See the log.</source>
         <translation>Es ist ein Fehler aufgetreten. Siehe Protokoll.</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::ArchiveQuery</name>
+    <message>
+        <source>YYYY-MM-DD</source>
+        <translation>JJJJ-MM-TT</translation>
+    </message>
+    <message>
+        <source>Patient number</source>
+        <translation>Patientennummer</translation>
+    </message>
+    <message>
+        <source>4711, 47*</source>
+        <translation>4711, 47*</translation>
+    </message>
+    <message>
+        <source>Patient name</source>
+        <translation>Patientenname</translation>
+    </message>
+    <message>
+        <source>Doe^Jane, Doe*</source>
+        <translation>Doe^Jane, Doe*</translation>
+    </message>
+    <message>
+        <source>Birth date</source>
+        <translation>Geburtsdatum</translation>
+    </message>
+    <message>
+        <source>Study date from</source>
+        <translation>Untersucht ab</translation>
+    </message>
+    <message>
+        <source>Study date until</source>
+        <translation>Untersucht bis</translation>
+    </message>
+    <message>
+        <source>CT only</source>
+        <translation>Nur CT</translation>
+    </message>
+    <message>
+        <source>Some archives ignore this. Cone-beam scans are CT in DICOM, too.</source>
+        <translation>Manche Archive beachten dies nicht. Auch DVT-Aufnahmen sind in DICOM CT.</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::ArchiveView</name>
+    <message>
+        <source>Archive</source>
+        <translation>Archiv</translation>
+    </message>
+    <message>
+        <source>Find</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>Retrieve and measure</source>
+        <translation>Abrufen und messen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Archives…</source>
+        <translation>Archive …</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Enter, change and test archives</source>
+        <translation>Archive eintragen, ändern und prüfen</translation>
+    </message>
+    <message>
+        <source>From the archive</source>
+        <translation>Aus dem Archiv</translation>
+    </message>
+    <message>
+        <source>The first %1 studies; the archive has more: narrow the query.</source>
+        <translation>Die ersten %1 Studien; das Archiv hat mehr: Grenzen Sie die Suche ein.</translation>
+    </message>
+    <message>
+        <source>No study matches.</source>
+        <translation>Keine Studie passt.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n studies</source>
+        <translation>
+            <numerusform>%n Studie</numerusform>
+            <numerusform>%n Studien</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Choose a series of thin slices with a bone kernel, and retrieve it.</source>
+        <translation>Wählen Sie eine Serie dünner Schichten mit Knochenkernel, und rufen Sie sie ab.</translation>
+    </message>
+    <message>
+        <source>Canceled.</source>
+        <translation>Abgebrochen.</translation>
+    </message>
+    <message>
+        <source>No archive is entered yet. Press Archives… and ask its administrator for AE title, host and port.</source>
+        <translation>Noch ist kein Archiv eingetragen. Drücken Sie Archive … und fragen Sie seinen Administrator nach AE-Titel, Rechner und Port.</translation>
+    </message>
+    <message>
+        <source>Asking the archive…</source>
+        <translation>Das Archiv wird gefragt …</translation>
+    </message>
+    <message>
+        <source>Asking for the series…</source>
+        <translation>Nach den Serien wird gefragt …</translation>
+    </message>
+    <message>
+        <source>Retrieving the series…</source>
+        <translation>Die Serie wird abgerufen …</translation>
     </message>
 </context>
 <context>
@@ -7638,6 +7839,14 @@
         <source>Angular insertion depth, coverage and forces of electrode arrays in this cochlea, before one is inserted</source>
         <translation>Insertionswinkel, Abdeckung und Kräfte von Elektrodenträgern in dieser Cochlea, bevor einer eingeführt wird</translation>
     </message>
+    <message>
+        <source>Send to the archive…</source>
+        <translation>An das Archiv senden …</translation>
+    </message>
+    <message>
+        <source>Measures, lumen and picture into the study of this CT, as DICOM (SR, SEG, secondary capture)</source>
+        <translation>Maße, Lumen und Bild in die Studie dieses CT, als DICOM (SR, SEG, Secondary Capture)</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::CtPage</name>
@@ -7682,16 +7891,16 @@
         <translation>Landmarken</translation>
     </message>
     <message>
-        <source>%1 about %2 s left</source>
-        <translation>%1 noch etwa %2 s</translation>
-    </message>
-    <message>
         <source>Open folder…</source>
         <translation>Ordner öffnen…</translation>
     </message>
     <message>
         <source>The CT in which %1 was measured is no longer where it was read, or was never read on this computer. Open its folder here.</source>
         <translation>Das CT, in dem %1 vermessen wurde, ist nicht mehr, wo es gelesen wurde, oder wurde nie auf diesem Rechner gelesen. Öffnen Sie seinen Ordner hier.</translation>
+    </message>
+    <message>
+        <source>From the archive…</source>
+        <translation>Aus dem Archiv …</translation>
     </message>
 </context>
 <context>
@@ -7867,6 +8076,14 @@
     <message>
         <source>Measured again after landmarks were moved: %1</source>
         <translation>Erneut vermessen, nachdem Landmarken verschoben wurden: %1</translation>
+    </message>
+    <message>
+        <source>From the archive…</source>
+        <translation>Aus dem Archiv …</translation>
+    </message>
+    <message>
+        <source>Find the CT in a DICOM archive (PACS) and retrieve it</source>
+        <translation>Das CT in einem DICOM-Archiv (PACS) suchen und abrufen</translation>
     </message>
 </context>
 <context>
@@ -9554,6 +9771,18 @@ Die ersten Bänder kommen nach 8 Simulationen jedes Trägers.</translation>
         <source>At most about %1 min left.</source>
         <translation>Noch höchstens etwa %1 min.</translation>
     </message>
+    <message>
+        <source>Send to the archive…</source>
+        <translation>An das Archiv senden …</translation>
+    </message>
+    <message>
+        <source>Report of this plan into the study of the patient’s CT, as DICOM</source>
+        <translation>Bericht dieses Plans in die Studie des CT, als DICOM</translation>
+    </message>
+    <message>
+        <source>Report of the plan (PDF)</source>
+        <translation>Bericht des Plans (PDF)</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::PlanPanel</name>
@@ -10290,6 +10519,211 @@ Die ersten Bänder kommen nach 8 Simulationen jedes Trägers.</translation>
     </message>
 </context>
 <context>
+    <name>perilymph::gui::SendDialog</name>
+    <message>
+        <source>Archive</source>
+        <translation>Archiv</translation>
+    </message>
+    <message>
+        <source>Folder of the CT…</source>
+        <translation>Ordner des CT …</translation>
+    </message>
+    <message>
+        <source>Send</source>
+        <translation>Senden</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Send to the archive</source>
+        <translation>An das Archiv senden</translation>
+    </message>
+    <message>
+        <source>Folder of the patient’s CT; the objects take name and number from it</source>
+        <translation>Ordner des CT; daraus stammen Name und Nummer der Objekte</translation>
+    </message>
+    <message>
+        <source>No archive is entered yet: see Settings, DICOM archives.</source>
+        <translation>Noch ist kein Archiv eingetragen: siehe Einstellungen, DICOM-Archive.</translation>
+    </message>
+    <message>
+        <source>What is sent names the patient, as the CT does. It goes into the study of that CT and into no other; the archive must have it under the same patient number and birth date. Results are for research and training, not a diagnosis.</source>
+        <translation>Was gesendet wird, nennt den Patienten wie das CT. Es geht in die Studie dieses CT und in keine andere; das Archiv muss sie unter derselben Patientennummer und demselben Geburtsdatum haben. Ergebnisse dienen der Forschung und Ausbildung, sie sind keine Diagnose.</translation>
+    </message>
+    <message>
+        <source>Sending…</source>
+        <translation>Wird gesendet …</translation>
+    </message>
+    <message>
+        <source>The CT that this was made from is not open. Choose its folder.</source>
+        <translation>Das CT, aus dem dies entstand, ist nicht geöffnet. Wählen Sie seinen Ordner.</translation>
+    </message>
+    <message>
+        <source>The CT is the one that is open on the page CT.</source>
+        <translation>Das CT ist das auf der Seite CT geöffnete.</translation>
+    </message>
+    <message>
+        <source>CT: %1</source>
+        <translation>CT: %1</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::SeriesRows</name>
+    <message>
+        <source>Series</source>
+        <translation>Serien</translation>
+    </message>
+    <message>
+        <source>Series no.</source>
+        <translation>Serie Nr.</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Images</source>
+        <translation>Bilder</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::ServersSection</name>
+    <message>
+        <source>Archives</source>
+        <translation>Archive</translation>
+    </message>
+    <message>
+        <source>C-GET, without a port of this machine</source>
+        <translation>C-GET, ohne Port dieses Rechners</translation>
+    </message>
+    <message>
+        <source>C-MOVE, to a port of this machine</source>
+        <translation>C-MOVE, an einen Port dieses Rechners</translation>
+    </message>
+    <message>
+        <source>Encrypted (TLS)</source>
+        <translation>Verschlüsselt (TLS)</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>Prüfen</translation>
+    </message>
+    <message>
+        <source>%1 answers.</source>
+        <translation>%1 antwortet.</translation>
+    </message>
+    <message>
+        <source>DICOM archives (PACS)</source>
+        <translation>DICOM-Archive (PACS)</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>as you call it</source>
+        <translation>wie Sie es nennen</translation>
+    </message>
+    <message>
+        <source>AE title</source>
+        <translation>AE-Titel</translation>
+    </message>
+    <message>
+        <source>of the archive</source>
+        <translation>des Archivs</translation>
+    </message>
+    <message>
+        <source>Host</source>
+        <translation>Rechner</translation>
+    </message>
+    <message>
+        <source>name or IPv4 address</source>
+        <translation>Name oder IPv4-Adresse</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>Port</translation>
+    </message>
+    <message>
+        <source>Own AE title</source>
+        <translation>Eigener AE-Titel</translation>
+    </message>
+    <message>
+        <source>Own port</source>
+        <translation>Eigener Port</translation>
+    </message>
+    <message>
+        <source>Authority (PEM)</source>
+        <translation>Zertifizierungsstelle (PEM)</translation>
+    </message>
+    <message>
+        <source>Own certificate (PEM)</source>
+        <translation>Eigenes Zertifikat (PEM)</translation>
+    </message>
+    <message>
+        <source>Own key (PEM)</source>
+        <translation>Eigener Schlüssel (PEM)</translation>
+    </message>
+    <message>
+        <source>Choose the file: %1</source>
+        <translation>Datei wählen: %1</translation>
+    </message>
+    <message>
+        <source>Choose the file</source>
+        <translation>Datei wählen</translation>
+    </message>
+    <message>
+        <source>PEM (*.pem *.crt *.key);;All files (*)</source>
+        <translation>PEM (*.pem *.crt *.key);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Saved. Test it.</source>
+        <translation>Gespeichert. Prüfen Sie es.</translation>
+    </message>
+    <message>
+        <source>%1 was removed.</source>
+        <translation>%1 wurde entfernt.</translation>
+    </message>
+    <message>
+        <source>Asking %1…</source>
+        <translation>%1 wird gefragt …</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source> or </source>
+        <translation> oder </translation>
+    </message>
+    <message>
+        <source>The administrator of the archive has to enter: AE title %1, address %2, port %3, and allow it to query, to move to this port and to store. The firewall must let the archive in at this port.</source>
+        <translation>Der Administrator des Archivs muss eintragen: AE-Titel %1, Adresse %2, Port %3, und Suchen, Übertragen an diesen Port (C-MOVE) und Speichern erlauben. Die Firewall muss das Archiv an diesem Port einlassen.</translation>
+    </message>
+    <message>
+        <source>The administrator of the archive has to enter: AE title %1, address %2, and allow it to query, to get (C-GET) and to store. No port is needed.</source>
+        <translation>Der Administrator des Archivs muss eintragen: AE-Titel %1, Adresse %2, und Suchen, Abrufen (C-GET) und Speichern erlauben. Ein Port ist nicht nötig.</translation>
+    </message>
+</context>
+<context>
     <name>perilymph::gui::SessionList</name>
     <message>
         <source>Recorded insertions</source>
@@ -10985,6 +11419,37 @@ Die ersten Bänder kommen nach 8 Simulationen jedes Trägers.</translation>
     <message>
         <source>stopped before full depth</source>
         <translation>vor voller Tiefe gestoppt</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::StudyRows</name>
+    <message>
+        <source>Studies</source>
+        <translation>Studien</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>Patient</source>
+        <translation>Patient</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Nummer</translation>
+    </message>
+    <message>
+        <source>Born</source>
+        <translation>Geboren</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>Studie</translation>
     </message>
 </context>
 <context>

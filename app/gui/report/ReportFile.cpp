@@ -34,6 +34,16 @@ Result<Done> checkPlace(const ReportPlace& place)
   return Done{};
 }
 
+Result<Done> checkFiled(const ReportIdentity& identity)
+{
+  if (identity.seriesKey.empty())
+    return Error{
+        "The report states no CT series for which a seal vouches, so it cannot be filed in the "
+        "study "
+        "of a CT. Save it without a CT."};
+  return Done{};
+}
+
 Result<std::string> pdfBytes(const PdfWriting& writing)
 {
   std::error_code failure;

@@ -40,6 +40,9 @@ std::string codeOf(const anatomy::Patient& patient);
 /// Refuses a place whose file would replace one of the CT.
 Result<Done> checkPlace(const ReportPlace& place);
 
+/// Refuses to file a report in the study of a CT if it states no series to compare with.
+Result<Done> checkFiled(const ReportIdentity& identity);
+
 /// The bytes of a PDF, written to a temporary folder. UI thread.
 Result<std::string> pdfBytes(const PdfWriting& writing);
 

@@ -4,6 +4,7 @@
 #include <QTimer>
 #include <algorithm>
 
+#include "gui/archive/ServersSection.h"
 #include "gui/pages/devices/DevicePage.h"
 #include "gui/pages/insert/InsertPage.h"
 #include "gui/pages/insert/InsertionController.h"
@@ -26,10 +27,13 @@ OverlayStack::OverlayStack(InsertionController& insertion, InsertPage& page, Nav
       page_(page),
       help_(new Help(window)),
       settings_(new SettingsOverlay(window)),
+      servers_(new ServersSection(settings_)),
       devices_(new DevicePage(&page)),
       about_(new AboutOverlay(window))
 {
+  settings_->append(servers_);
   settings_->append(new NavigationSection(navigation, settings_));
+  connect(servers_, &ServersSection::changed, this, &OverlayStack::serversChanged);
   connect(settings_, &SettingsOverlay::closeRequested, this, &OverlayStack::toggleSettings);
   connect(settings_, &SettingsOverlay::chosen, this, &OverlayStack::settingChosen);
   connect(about_, &AboutOverlay::closeRequested, this, &OverlayStack::toggleAbout);
@@ -58,6 +62,14 @@ void OverlayStack::toggleSettings()
   help_->leaveKeys();
   placeAtOnceAndLater();
   settings_->raise();
+}
+
+void OverlayStack::showServers()
+{
+  if (!settings_->isVisible()) toggleSettings();
+  servers_->focusFirst();
+  // once the sheet has its size
+  QTimer::singleShot(0, this, [this] { settings_->scrollTo(*servers_); });
 }
 
 void OverlayStack::toggleAbout()

@@ -13,6 +13,7 @@ class Help;
 class InsertPage;
 class InsertionController;
 class Navigation;
+class ServersSection;
 class SettingsOverlay;
 
 /// Shows, hides and centers the overlays.
@@ -25,6 +26,8 @@ public:
   Help& help() { return *help_; }
   void toggleDevices();
   void toggleSettings();
+  /// Shows the settings, with the focus in the archives.
+  void showServers();
   void toggleAbout();
 
   /// Updates the overlays: what may be changed now, and the health of the device.
@@ -39,6 +42,8 @@ public:
 Q_SIGNALS:
   /// A setting was changed that requires a new window.
   void settingChosen();
+  /// The list of archives was changed.
+  void serversChanged();
 
 private:
   void placeDevices();
@@ -49,6 +54,7 @@ private:
   InsertPage& page_;
   Help* help_;
   SettingsOverlay* settings_;
+  ServersSection* servers_;
   DevicePage* devices_;
   AboutOverlay* about_;
 };

@@ -9,6 +9,7 @@
 #include "gui/pages/start/StartPage.h"
 #include "gui/shell/MainWindow.h"
 #include "gui/shell/Navigation.h"
+#include "gui/shell/OverlayStack.h"
 #include "gui/widgets/Notice.h"
 
 namespace perilymph::gui {
@@ -39,8 +40,14 @@ void linkPages(MainWindow& window)
   if (ct != nullptr)
     window.navigation().sendCtOf(
         [ct](const session::Scenario& shown) { return ct->placedCt(shown); });
-  if (ct != nullptr && plan != nullptr)
+  if (ct != nullptr) {
+    QObject::connect(ct, &CtPage::serversRequested, &window.sheets(), &OverlayStack::showServers);
+    QObject::connect(&window.sheets(), &OverlayStack::serversChanged, ct, &CtPage::showServers);
+  }
+  if (ct != nullptr && plan != nullptr) {
     QObject::connect(ct, &CtPage::planRequested, plan, &PlanPage::planFor);
+    plan->setCtPlaces([ct](const std::string& seriesKey) { return ct->placeOf(seriesKey); });
+  }
   if (ct != nullptr && start != nullptr)
     QObject::connect(start, &StartPage::ctRequested, ct,
                      qOverload<const CtRequest&>(&CtPage::begin));

@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QVBoxLayout>
 #include <QVariant>
 
@@ -94,7 +95,8 @@ SettingsOverlay::SettingsOverlay(QWidget* parent) : QFrame(parent), note_(label(
   column->addStretch();
   auto* whole = new QVBoxLayout(this);
   whole->setContentsMargins(1, 1, 1, 1);
-  whole->addWidget(new SheetScroll(content, this));
+  scroll_ = new SheetScroll(content, this);
+  whole->addWidget(scroll_);
   setChangeable(true);
   hide();
 }
@@ -215,6 +217,11 @@ void SettingsOverlay::addLogo(QVBoxLayout& column)
 void SettingsOverlay::append(QWidget* section)
 {
   column_->insertWidget(column_->count() - 2, section);  // above the log file
+}
+
+void SettingsOverlay::scrollTo(const QWidget& section)
+{
+  scroll_->verticalScrollBar()->setValue(section.y());
 }
 
 void SettingsOverlay::setChangeable(bool isChangeable)

@@ -7,6 +7,7 @@
 #include <vector>
 
 class QLabel;
+class QScrollArea;
 class QVBoxLayout;
 
 namespace perilymph::gui {
@@ -23,6 +24,8 @@ public:
 
   /// Adds a section, which may be changed at any time.
   void append(QWidget* section);
+  /// Scrolls to a section.
+  void scrollTo(const QWidget& section);
 
 Q_SIGNALS:
   /// A setting was changed that requires a new window.
@@ -41,6 +44,7 @@ private:
 
   QLabel* note_;
   QVBoxLayout* column_ = nullptr;
+  QScrollArea* scroll_ = nullptr;
   std::vector<QWidget*> choices_;  ///< Not those of sections.
 };
 

@@ -66,6 +66,7 @@ QLabel[error="true"] { color: %warning%; }
 QLabel[badge="true"] {
   color: %onWarning%; background: %warning%; border-radius: 4px; padding: 1px 6px;
 }
+QDialog#sendDialog { background: %panel%; }
 QFrame#line { background: %line%; border: none; }
 
 QPushButton {

@@ -267,7 +267,9 @@ Result<Done> retrieve(const Server& server, const SeriesAddress& series, Receive
     bytesLeft = association.watch().bytesLeft;
     association.release();
     if (received.missing().empty()) break;
-    if (answer->status != STATUS_Success && received.arrivedCount() == before)
+    const bool isRefused =
+        answer->status != STATUS_Success && !DICOM_WARNING_STATUS(answer->status);
+    if (isRefused && received.arrivedCount() == before)
       return association.refusal(answer->status, answer->meaning);
     if (isWhole || received.arrivedCount() == before)
       return Error{

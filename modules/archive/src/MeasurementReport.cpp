@@ -10,10 +10,9 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <memory>
-#include <system_error>
 
 #include "Association.h"
+#include "CtHeaders.h"
 #include "Rows.h"
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/foundation/Sha256.h"
@@ -24,8 +23,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t maxFiles = 20'000;
-constexpr std::size_t maxLetters = 64;  // of LO, PS3.5
 // Codes of this program, PS3.16 section 8.2: designators that begin with 99 are private.
 constexpr const char* scheme = "99PERILYMPH";
 
@@ -91,47 +88,15 @@ std::string trackingUid(const MeasurementReport& report)
   return "2.25." + decimal(bytes);
 }
 
-/// What is before the voxels in each file of the series.
-Result<std::vector<std::unique_ptr<DcmFileFormat>>> readHeaders(const fs::path& ct,
-                                                                const std::string& seriesKey)
-{
-  std::error_code failed;
-  std::vector<std::unique_ptr<DcmFileFormat>> headers;
-  std::size_t files = 0;
-  for (fs::recursive_directory_iterator place(ct, failed), end; !failed && place != end;
-       place.increment(failed)) {
-    if (!place->is_regular_file(failed)) continue;
-    if (++files > maxFiles)
-      return Error{"%1 holds more than %2 files. Give the folder of the one CT.", ct, maxFiles};
-    auto header = std::make_unique<DcmFileFormat>();
-    const OFCondition read =
-        header->loadFileUntilTag(place->path().c_str(), EXS_Unknown, EGL_noChange,
-                                 DCM_MaxReadLength, ERM_autoDetect, DCM_PixelData);
-    if (read.bad()) continue;
-    Sha256 hash;
-    hash.add(textIn(*header->getDataset(), DCM_SeriesInstanceUID));
-    if (hash.hex() == seriesKey) headers.push_back(std::move(header));
-  }
-  if (failed) return Error{"%1 cannot be read: %2.", ct, failed.message()};
-  if (headers.empty())
-    return Error{"%1 holds no file of the series that was measured. Give the folder of that CT.",
-                 ct};
-  return headers;
-}
-
 Result<Done> check(const MeasurementReport& report)
 {
   if (report.measures.empty()) return Error{"A report without measures is not written."};
-  const bool isText = report.software.size() <= maxLetters &&
-                      std::all_of(report.software.begin(), report.software.end(),
-                                  [](char c) { return c >= ' ' && c <= '~' && c != '\\'; });
-  if (!isText) return Error{"The version of a report has at most 64 ASCII letters."};
-  return Done{};
+  return checkSoftware(report.software);
 }
 
 /// The tree of TID 1500.
 OFCondition fill(TID1500_MeasurementReport& tree, const MeasurementReport& report,
-                 const std::vector<std::unique_ptr<DcmFileFormat>>& headers)
+                 const Headers& headers)
 {
   OFCondition done = tree.setLanguage(CID5000_Languages::English);
   const auto then = [&done](const auto& step) {
@@ -205,7 +170,7 @@ OFCondition addErrors(DSRDocumentTree& tree, const MeasurementReport& report)
 
 /// Patient, study, equipment and evidence.
 OFCondition setHeader(DSRDocument& document, const MeasurementReport& report,
-                      const std::vector<std::unique_ptr<DcmFileFormat>>& headers)
+                      const Headers& headers)
 {
   DcmDataset& first = *headers.front()->getDataset();
   OFCondition done = document.createNewDocument(DSRTypes::DT_EnhancedSR);

@@ -31,9 +31,10 @@ Result<Done> load(DcmFileFormat& file, const fs::path& place)
     return Error{"%1 is no DICOM file: %2. Give one that this program wrote.", place, read.text()};
   DcmDataset& data = *file.getDataset();
   const std::string kind = textIn(data, DCM_SOPClassUID);
-  const bool isDocument = std::any_of(documentClasses().begin(), documentClasses().end(),
-                                      [&kind](const char* each) { return kind == each; });
-  if (!isDocument || textIn(data, DCM_Manufacturer) != manufacturer)
+  const bool isResult = kind == UID_SecondaryCaptureImageStorage ||
+                        std::any_of(documentClasses().begin(), documentClasses().end(),
+                                    [&kind](const char* each) { return kind == each; });
+  if (!isResult || textIn(data, DCM_Manufacturer) != manufacturer)
     return Error{
         "%1 is no result of this program: only those are sent. Give a report that it wrote "
         "as DICOM.",

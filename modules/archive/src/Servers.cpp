@@ -154,12 +154,18 @@ std::string asToml(const Server& server)
   return toml;
 }
 
+std::optional<Fault> wholeFault(const Server& server)
+{
+  auto fault = faultOf(server);
+  if (!fault && server.tls) fault = tlsFault(*server.tls);
+  return fault;
+}
+
 Result<Done> check(const std::vector<Server>& servers, const fs::path& file)
 {
   std::set<std::string> names;
   for (const Server& server : servers) {
-    auto fault = faultOf(server);
-    if (!fault && server.tls) fault = tlsFault(*server.tls);
+    const auto fault = wholeFault(server);
     if (fault) return Error{"%1 is not changed. %2: %3", file, fault->key, fault->sentence};
     if (!names.insert(server.name).second)
       return Error{
@@ -214,6 +220,12 @@ Result<Server> readServer(const std::string& name, const fs::path& file)
         "--add'.",
         name, file};
   return Error{"There is no server '%1' in %2. There are: %3.", name, file, known};
+}
+
+Result<Done> checkServer(const Server& server)
+{
+  if (const auto fault = wholeFault(server)) return Error{fault->sentence};
+  return Done{};
 }
 
 Result<Done> writeServers(const std::vector<Server>& servers, const fs::path& file)

@@ -70,6 +70,8 @@ public:
     return !complaints->isAny;
   }
 
+  RgbPicture picture() && { return {views * edge_px, edge_px, std::move(rgb_), pixel_mm}; }
+
 private:
   std::uint8_t* pixel(int view, int column, int row)
   {
@@ -105,14 +107,8 @@ void drawMeasures(Canvas& canvas, int view, const ct::ViewPlane& plane, const ct
   }
 }
 
-}  // namespace
-
-Result<Done> writeMeasuredPicture(std::shared_ptr<const ct::CtVolume> volume,
-                                  const ct::CochleaMeasures& measures,
-                                  const std::filesystem::path& file)
+Canvas drawn(std::shared_ptr<const ct::CtVolume> volume, const ct::CochleaMeasures& measures)
 {
-  if (file.extension() != ".png")
-    return Error{"%1 does not end in .png, the only format of this picture.", file};
   PlaneSampler sampler(std::move(volume));
   const auto planes = ct::cochlearPlanes(measures, ct::basalTurnCenter_P(measures));
   const ct::Marks marks = ct::marksOf(measures);
@@ -133,6 +129,24 @@ Result<Done> writeMeasuredPicture(std::shared_ptr<const ct::CtVolume> volume,
     canvas.draw(view, {Eigen::Vector2d(right - bar_mm, right), Eigen::Vector2d(right, right)},
                 markColor);
   }
+  return canvas;
+}
+
+}  // namespace
+
+RgbPicture measuredPicture(std::shared_ptr<const ct::CtVolume> volume,
+                           const ct::CochleaMeasures& measures)
+{
+  return drawn(std::move(volume), measures).picture();
+}
+
+Result<Done> writeMeasuredPicture(std::shared_ptr<const ct::CtVolume> volume,
+                                  const ct::CochleaMeasures& measures,
+                                  const std::filesystem::path& file)
+{
+  if (file.extension() != ".png")
+    return Error{"%1 does not end in .png, the only format of this picture.", file};
+  const Canvas canvas = drawn(std::move(volume), measures);
   return writeWhole(file, [&](const std::filesystem::path& place) { return canvas.write(place); });
 }
 

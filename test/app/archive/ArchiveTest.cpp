@@ -7,6 +7,7 @@
 
 #include <atomic>
 #include <csignal>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "../../unit/archive/FaultyPeer.h"
@@ -125,11 +126,17 @@ TEST_P(ArchiveWalk, GoesFromTheCtToTheReportBesideIt)
   // it is measured as any other folder, and A is the phantom's within its own error
   if (GetParam().kind == Kind::orthanc) {  // once: it takes seconds
     const std::string measures = folder_ / "measures.json", sr = folder_ / "measures.dcm";
-    const auto measured = cli({"ct", "measure", ct, "--json", measures, "--structured-report", sr});
+    const std::string lumen = folder_ / "lumen.dcm", view = folder_ / "view.dcm";
+    const auto measured = cli({"ct", "measure", ct, "--json", measures, "--structured-report", sr,
+                               "--segmentation", lumen, "--key-image", view});
     ASSERT_EQ(measured.status, 0) << measured.err;
     const Json a = Json::parse(contentOf(measures))["A_mm"];
     EXPECT_NEAR(a["value"].get<double>(), phantom.a, 1.96 * a["sd"].get<double>());
-    EXPECT_EQ(archive({"send", name, sr}).status, 0);
+    for (const std::string& file : {sr, lumen, view}) {
+      const auto sent = archive({"send", name, file});
+      EXPECT_EQ(sent.status, 0) << sent.err;
+      expectNoPatient(sent.out + sent.err);
+    }
   }
 
   const auto list = imaging::findSeries(ct);
@@ -141,7 +148,7 @@ TEST_P(ArchiveWalk, GoesFromTheCtToTheReportBesideIt)
   ASSERT_EQ(sent.status, 0) << sent.err;
   expectNoPatient(sent.out + sent.err + contentOf(jsonFile()));
   found = archive({"find", name, "--study", study, "--json", jsonFile()});
-  EXPECT_EQ(json()["series"].size(), GetParam().kind == Kind::orthanc ? 3u : 2u);
+  EXPECT_EQ(json()["series"].size(), GetParam().kind == Kind::orthanc ? 5u : 2u);
   EXPECT_THAT(found.out, HasSubstr("DOC"));
   expectNoPatient(contentOf(folder_ / "config" / "perilymph" / "servers.toml"));
 }
@@ -246,6 +253,36 @@ TEST_F(ArchiveCommand, SaysWhenTheDiskIsFullAndKeepsWhatIsWhole)
   expectRefusal(run(limited), "could not be written");
   EXPECT_FALSE(fs::exists(ct));
   EXPECT_FALSE(fs::exists(ct + ".partial"));
+}
+
+TEST_F(ArchiveCommand, KeepsTheImagesThatFitOnASmallDisk)
+{
+  if (::geteuid() != 0) GTEST_SKIP() << "Only root may mount a file system of its own.";
+  if (run({"unshare", {"-m", "mount", "-t", "tmpfs", "none", "/mnt"}, {}, {}}).status != 0)
+    GTEST_SKIP() << "No file system may be mounted here.";
+  if (!missingProgram(Kind::dcmqrscp).empty()) GTEST_SKIP() << "dcmqrscp is not installed.";
+  const CtPhantom phantom = makeCtPhantom(3, clinicalScan());
+  writeDicomFiles(dicomSlices(phantom.volume, "1.2.3.33"), folder_ / "sent");
+  const auto slice = fs::file_size(fs::directory_iterator(folder_ / "sent")->path());
+  const DicomServer server(Kind::dcmqrscp);
+  ASSERT_EQ(server.store(folder_ / "sent"), "");
+  add(server.entry(), "get");
+  ProgramCall limited =
+      call({"fetch", "dcmqrscp", "--study", "1.2.3", "--series", "1.2.3.33", "--out", "/mnt/ct"});
+  // room for five slices and a half; afterward, what is on the disk
+  const std::string script = "mount -t tmpfs -o size=" + std::to_string(slice * 11 / 2) +
+                             " none /mnt && \"$@\"; status=$?; ls -A /mnt /mnt/ct.partial; "
+                             "exit $status";
+  limited.arguments.insert(limited.arguments.begin(),
+                           {"-m", "sh", "-c", script, "sh", limited.program});
+  limited.program = "unshare";
+  const ProgramOutcome outcome = run(limited);
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("could not be written: No space left on device"));
+  EXPECT_THAT(outcome.err, testing::ContainsRegex("[1-5] of [0-9]+ images are in /mnt/ct.partial"));
+  EXPECT_THAT(outcome.out, HasSubstr("ct.partial"));
+  EXPECT_THAT(outcome.out, Not(HasSubstr("\nct\n")));
+  EXPECT_THAT(outcome.out, Not(HasSubstr(".part.dcm")));  // nothing half-written
 }
 
 }  // namespace

@@ -93,6 +93,23 @@ TEST_F(DroppedFile, ThatIsNoPatientSaysWhy)
       << rig_.label("noticeText").toStdString();
 }
 
+TEST_F(DroppedFile, OfAnExaminationIsReadOnThePageOfTheCtFromEveryPage)
+{
+  const fs::path zip = data_.path() / "ct.zip", disc = data_.path() / "disc";
+  fs::create_directories(disc);
+  std::ofstream(disc / "DICOMDIR") << "no DICOM";
+  std::ofstream(zip) << "PK\x03\x04 cut off";
+  for (const fs::path& file : {zip, disc, disc / "DICOMDIR"}) {
+    rig_.window().showPage("start");
+    EXPECT_TRUE(drop(file)) << file;
+    EXPECT_EQ(rig_.window().page(), "ct") << file;
+    gui::CtPage& page = *rig_.window().pages().find<gui::CtPage>();
+    EXPECT_TRUE(WindowRig::waitUntil([&] { return !page.isBusy(); }));
+    EXPECT_FALSE(rig_.label("ctStatus").isEmpty()) << file;  // why it is none
+    EXPECT_FALSE(page.study().hasCt());
+  }
+}
+
 TEST_F(DroppedFile, OnThePageOfTheCtIsReadThereWhateverItIs)
 {
   rig_.window().showPage("ct");

@@ -13,6 +13,7 @@
 #include "gui/program/Application.h"
 #include "gui/program/DisplayProbe.h"
 #include "gui/run/Background.h"
+#include "perilymph/test/DicomServers.h"
 #include "perilymph/test/TemporaryFolder.h"
 #include "perilymph/test/runTests.h"
 
@@ -33,6 +34,8 @@ int main(int argc, char** argv)
 {
   ::testing::InitGoogleTest(&argc, argv);
   if (GTEST_FLAG_GET(list_tests)) return perilymph::test::runTests();  // needs no display
+  // The display is reached by a file. Servers of the tests are reached by nothing outside.
+  perilymph::test::makeOwnNetwork();
   const perilymph::test::TemporaryFolder data;  // keeps the tests' sessions apart from the user's
   setenv("XDG_DATA_HOME", data.path().c_str(), 1);
   setenv("XDG_CONFIG_HOME", (data.path() / "config").c_str(), 1);

@@ -93,6 +93,7 @@ DicomData common(const ct::CtVolume& volume, const std::string& seriesUid)
   data.setText(0x00181210, "SH", "Hr64");
   data.setText(0x0020000D, "UI", "1.2.3");
   data.setText(0x0020000E, "UI", seriesUid);
+  data.setText(0x00200052, "UI", seriesUid + ".52");  // frame of reference
   data.setNumber(0x00280002, 1);
   data.setText(0x00280004, "CS", "MONOCHROME2");
   data.setNumber(0x00280010, static_cast<std::uint16_t>(volume.size()[1]));

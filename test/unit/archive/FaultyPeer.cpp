@@ -2,6 +2,7 @@
 #include "FaultyPeer.h"
 
 #include <arpa/inet.h>
+#include <dcmtk/dcmdata/dcostrmb.h>
 #include <dcmtk/dcmdata/dctk.h>
 #include <dcmtk/dcmdata/dcuid.h>
 #include <poll.h>
@@ -68,9 +69,10 @@ void FaultyPeer::run(const std::stop_token& stop)
     if (ASC_receiveAssociation(network_, &association, ASC_DEFAULTMAXPDU, nullptr, nullptr, OFFalse,
                                DUL_NOBLOCK, seconds)
             .good()) {
-      if (faults_.rejects) {
-        const T_ASC_RejectParameters reject = {ASC_RESULT_REJECTEDPERMANENT, ASC_SOURCE_SERVICEUSER,
-                                               ASC_REASON_SU_NOREASON};
+      if (faults_.rejection != 0) {
+        const T_ASC_RejectParameters reject = {
+            ASC_RESULT_REJECTEDPERMANENT, ASC_SOURCE_SERVICEUSER,
+            static_cast<T_ASC_RejectParametersReason>(faults_.rejection)};
         ASC_rejectAssociation(association, &reject);
       } else {
         serve(association);
@@ -138,6 +140,49 @@ void FaultyPeer::answerFind(T_ASC_Association* association, T_ASC_PresentationCo
   DIMSE_sendFindResponse(association, context, &request, &answer, nullptr, nullptr);
 }
 
+bool FaultyPeer::storeRaw(T_ASC_Association* association, T_ASC_PresentationContextID context,
+                          const T_DIMSE_C_StoreRQ& request)
+{
+  // DCMTK sends no command without its data set
+  DcmDataset command;
+  command.putAndInsertString(DCM_AffectedSOPClassUID, request.AffectedSOPClassUID);
+  command.putAndInsertUint16(DCM_CommandField, DIMSE_C_STORE_RQ);
+  command.putAndInsertUint16(DCM_MessageID, request.MessageID);
+  command.putAndInsertUint16(DCM_Priority, 0);
+  command.putAndInsertUint16(DCM_CommandDataSetType, DIMSE_DATASET_PRESENT);
+  command.putAndInsertString(DCM_AffectedSOPInstanceUID, request.AffectedSOPInstanceUID);
+  std::string bytes(4096, '\0');
+  DcmOutputBufferStream stream(bytes.data(), static_cast<offile_off_t>(bytes.size()));
+  command.transferInit();
+  command.write(stream, EXS_LittleEndianImplicit, EET_ExplicitLength, nullptr, EGL_withGL);
+  command.transferEnd();
+  void* written = nullptr;
+  offile_off_t length = 0;
+  stream.flushBuffer(written, length);
+  bytes.resize(static_cast<std::size_t>(length));
+  const auto send = [&](std::string& content, DUL_DATAPDV kind) {
+    DUL_PDV piece{};
+    piece.fragmentLength = static_cast<unsigned long>(content.size());
+    piece.presentationContextID = context;
+    piece.pdvType = kind;
+    piece.lastPDV = OFTrue;
+    piece.data = content.data();
+    DUL_PDVLIST pieces{};
+    pieces.count = 1;
+    pieces.pdv = &piece;
+    return DUL_WritePDVs(&association->DULassociation, &pieces).good();
+  };
+  std::string raw = faults_.raw;
+  if (!send(bytes, DUL_COMMANDPDV) || !send(raw, DUL_DATASETPDV)) return false;
+  T_DIMSE_Message answer{};
+  T_ASC_PresentationContextID from = 0;
+  DcmDataset* detail = nullptr;
+  const OFCondition got =
+      DIMSE_receiveCommand(association, DIMSE_NONBLOCKING, seconds, &from, &answer, &detail);
+  delete detail;
+  return got.good();
+}
+
 bool FaultyPeer::store(T_ASC_Association* association)
 {
   for (int i = 0; i < faults_.objects; ++i) {
@@ -152,6 +197,10 @@ bool FaultyPeer::store(T_ASC_Association* association)
     DcmDataset* detail = nullptr;
     const auto context =
         ASC_findAcceptedPresentationContextID(association, request.AffectedSOPClassUID);
+    if (i == 1 && !faults_.raw.empty()) {
+      if (!storeRaw(association, context, request)) return false;
+      continue;
+    }
     const OFCondition sent =
         DIMSE_storeUser(association, context, &request, nullptr, &object, nullptr, nullptr,
                         DIMSE_NONBLOCKING, seconds, &answer, &detail);
@@ -191,7 +240,7 @@ void FaultyPeer::answerMove(T_ASC_Association* association, T_ASC_PresentationCo
                   request.MoveDestination, nullptr);
   const std::string place = "127.0.0.1:" + std::to_string(entry_.ownPort);
   ASC_setPresentationAddresses(parameters, "localhost", place.c_str());
-  const char* syntaxes[] = {UID_LittleEndianExplicitTransferSyntax};
+  const char* syntaxes[] = {faults_.moveSyntax.c_str()};
   ASC_addPresentationContext(parameters, 1, UID_CTImageStorage, syntaxes, 1);
   T_ASC_Association* sending = nullptr;
   if (ASC_requestAssociation(network_, parameters, &sending).good()) {

@@ -20,15 +20,19 @@ namespace perilymph::archive {
 
 /// What the peer does. Functions make data sets, which it owns.
 struct Faults {
-  bool rejects = false;  ///< Every association, without a reason.
+  /// Rejects every association for this reason; 0: none.
+  unsigned long rejection = 0;
   /// Rows of every query: `row(i)` for i below `rows`.
   int rows = 0;
   std::function<void(DcmDataset& row, int i)> row = {};
   /// Objects of every retrieval.
   int objects = 0;
   std::function<void(DcmDataset& object, int i)> object = {};
+  std::string raw = {};  ///< Bytes that are sent in place of the second object's data set.
   DIC_US finalStatus = STATUS_Success;
   std::string movesAs = {};  ///< AE title under which it sends during a move; empty: its own.
+  /// The one transfer syntax that it proposes during a move.
+  std::string moveSyntax = UID_LittleEndianExplicitTransferSyntax;
 };
 
 /// The peer, on a thread of its own, at a free port of the loopback.
@@ -52,6 +56,9 @@ private:
                   T_DIMSE_C_MoveRQ& request);
   /// Sends the objects. False if one was not taken.
   bool store(T_ASC_Association* association);
+  /// Sends bytes that are no data set. False if there was no answer.
+  bool storeRaw(T_ASC_Association* association, T_ASC_PresentationContextID context,
+                const T_DIMSE_C_StoreRQ& request);
 
   Faults faults_;
   Server entry_;

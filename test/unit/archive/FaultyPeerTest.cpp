@@ -123,6 +123,24 @@ TEST_P(FaultyArchive, MayNotSendWhatItDidNotList)
   EXPECT_FALSE(fs::exists(folder_ / "ct"));
 }
 
+TEST_P(FaultyArchive, MayNotSendWhatIsNoDicom)
+{
+  for (const std::string& raw :
+       {std::string("GIF89a no data set at all!"), std::string(12'000, '\xff'),
+        std::string("\x08\x00\x18\x00UI\xf0\xff"
+                    "1.2\0",
+                    12)}) {
+    Faults faults;
+    faults.raw = raw;
+    const auto answer = fetch(nothing, faults);
+    EXPECT_THAT(answer, testing::AnyOf(HasSubstr("an object that is no DICOM"),
+                                       HasSubstr("an object of another series")));
+    EXPECT_THAT(answer, HasSubstr("1 of 3 images are in"));
+    EXPECT_EQ(filesInPart(), 1u);
+    fs::remove_all(folder_ / "ct.partial");
+  }
+}
+
 TEST_P(FaultyArchive, MaySendAnImageTwice)
 {
   Faults faults;
@@ -201,10 +219,42 @@ TEST_F(FaultyServer, IsQuotedIfItRefuses)
   ASSERT_FALSE(found);
   EXPECT_THAT(found.error().message, HasSubstr("(status A700)"));
 
-  FaultyPeer rejecting({.rejects = true});
+  FaultyPeer rejecting({.rejection = ASC_REASON_SU_NOREASON});
   const auto asked = echo(rejecting.entry());
   ASSERT_FALSE(asked);
   EXPECT_THAT(asked.error().message, HasSubstr("refused the association without a reason"));
+}
+
+TEST_F(FaultyServer, MayNotKnowThisWorkstation)
+{
+  FaultyPeer peer({.rejection = ASC_REASON_SU_CALLINGAETITLENOTRECOGNIZED});
+  const auto asked = echo(peer.entry());
+  ASSERT_FALSE(asked);
+  EXPECT_THAT(asked.error().message,
+              testing::AllOf(HasSubstr("does not know this workstation as PERILYMPH"),
+                             HasSubstr("administrator")));
+  const auto fetched = fetchSeries(peer.entry(), {ctStudy, ctSeries}, folder_ / "ct");
+  ASSERT_FALSE(fetched);
+  EXPECT_THAT(fetched.error().message, HasSubstr("does not know this workstation"));
+  EXPECT_FALSE(fs::exists(folder_ / "ct.partial"));
+}
+
+TEST_F(FaultyServer, MayHaveAFormOfImagesThatIsNotRead)
+{
+  Faults faults;
+  faults.rows = images;
+  faults.row = listed;
+  faults.objects = images;
+  faults.object = slice;
+  faults.finalStatus = STATUS_MOVE_Warning_SubOperationsCompleteOneOrMoreFailures;
+  faults.moveSyntax = UID_MPEG2MainProfileAtMainLevelTransferSyntax;
+  FaultyPeer peer(faults);
+  Server server = peer.entry();
+  server.retrieval = Retrieval::move;
+  const auto fetched = fetchSeries(server, {ctStudy, ctSeries}, folder_ / "ct");
+  ASSERT_FALSE(fetched);
+  EXPECT_THAT(fetched.error().message, HasSubstr("did not send 3 of the images that it lists"));
+  EXPECT_FALSE(fs::exists(folder_ / "ct"));
 }
 
 TEST_F(FaultyServer, IsReadUpToAMaximumOfRows)

@@ -178,6 +178,23 @@ TEST_P(FetchBy, LetsOneOfTwoIntoAFolder)
   EXPECT_THAT(second, testing::Not(HasSubstr("images,")));
 }
 
+TEST_P(FetchBy, LetsOneOfTwoMovesListenAtAPort)
+{
+  if (GetParam().kind == Kind::dcmqrscp) return;  // it answers one request at a time
+  std::string second;
+  Exchange exchange;
+  exchange.onProgress = [&](double) {
+    if (!second.empty()) return;
+    const auto other = fetchSeries(server_, {ctStudy, ctSeries}, folder_ / "second");
+    second = other ? std::to_string(other->images) + " images" : std::string(other.error().message);
+  };
+  EXPECT_EQ(fetch(exchange), "12 images, 0 resumed");
+  if (server_.retrieval == Retrieval::get)
+    EXPECT_EQ(second, "12 images");
+  else
+    EXPECT_THAT(second, HasSubstr("cannot be listened at"));
+}
+
 TEST_P(FetchBy, SaysWhenItsPortIsTaken)
 {
   if (server_.retrieval == Retrieval::get) {

@@ -29,7 +29,8 @@ CtNextSteps::CtNextSteps(QWidget* parent)
       refusal_(new WrappedLabel({}, this)),
       insert_(panelButton(tr("Insert into this cochlea"), "insertCtButton", this)),
       plan_(panelButton(tr("Plan with this cochlea"), "planCtButton", this)),
-      saveSurface_(panelButton(tr("Save surface…"), "saveCtSurfaceButton", this))
+      saveSurface_(panelButton(tr("Save surface…"), "saveCtSurfaceButton", this)),
+      send_(panelButton(tr("Send to the archive…"), "sendCtResultsButton", this))
 {
   code_->setObjectName(QStringLiteral("ctPatientCode"));
   code_->setFont(typeface(13));
@@ -44,6 +45,9 @@ CtNextSteps::CtNextSteps(QWidget* parent)
   insert_->setProperty("primary", true);
   saveSurface_->setToolTip(
       tr("The fitted wall in the CT’s own frame (LPS): STL, PLY, glTF, OBJ, VTP"));
+  send_->setToolTip(
+      tr("Measures, lumen and picture into the study of this CT, as DICOM (SR, SEG, secondary "
+         "capture)"));
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setSpacing(spacing);
@@ -53,6 +57,7 @@ CtNextSteps::CtNextSteps(QWidget* parent)
   connect(insert_, &QPushButton::clicked, this, [this] { Q_EMIT insertRequested(code_->text()); });
   connect(plan_, &QPushButton::clicked, this, [this] { Q_EMIT planRequested(code_->text()); });
   connect(saveSurface_, &QPushButton::clicked, this, &CtNextSteps::saveSurfaceRequested);
+  connect(send_, &QPushButton::clicked, this, &CtNextSteps::sendRequested);
 }
 
 void CtNextSteps::show(bool isMeasured, bool isFree, bool isStale)
@@ -79,10 +84,10 @@ void CtNextSteps::editCode()
 void CtNextSteps::setWide(bool isWide)
 {
   auto* grid = static_cast<QGridLayout*>(layout());
-  const std::array<QWidget*, 4> inOrder{code_, insert_, plan_, saveSurface_};
+  const std::array<QWidget*, 5> inOrder{code_, insert_, plan_, saveSurface_, send_};
   grid->removeWidget(refusal_);
   grid->addWidget(refusal_, int(inOrder.size()), 0, 1, -1);
-  constexpr std::array<std::array<int, 2>, 4> inTwoRows{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+  constexpr std::array<std::array<int, 2>, 5> inTwoRows{{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {2, 1}}};
   for (std::size_t k = 0; k < inOrder.size(); ++k) {
     grid->removeWidget(inOrder[k]);
     if (isWide)
@@ -111,6 +116,7 @@ void CtNextSteps::showState()
                         : first);
   setPrimary(*insert_, !isStale_);
   saveSurface_->setEnabled(isMeasured_ && isFree_);
+  send_->setEnabled(isMeasured_ && isFree_);
 }
 
 }  // namespace perilymph::gui

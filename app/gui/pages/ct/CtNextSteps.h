@@ -35,6 +35,7 @@ Q_SIGNALS:
   void insertRequested(const QString& code);
   void planRequested(const QString& code);
   void saveSurfaceRequested();
+  void sendRequested();
 
 private:
   void showState();
@@ -42,7 +43,7 @@ private:
   bool isMeasured_ = false, isFree_ = false, isStale_ = false;
   QLineEdit* code_;
   QLabel* refusal_;  ///< Why the code is none.
-  QPushButton *insert_, *plan_, *saveSurface_;
+  QPushButton *insert_, *plan_, *saveSurface_, *send_;
 };
 
 }  // namespace perilymph::gui

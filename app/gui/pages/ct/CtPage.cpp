@@ -8,7 +8,10 @@
 #include <QStackedLayout>
 #include <algorithm>
 
+#include "gui/archive/ArchiveView.h"
+#include "gui/archive/SendDialog.h"
 #include "gui/pages/ct/CtPanel.h"
+#include "gui/pages/ct/CtParts.h"
 #include "gui/pages/ct/CtSeriesList.h"
 #include "gui/pages/ct/InsertedArray.h"
 #include "gui/pages/ct/MeasuredSetup.h"
@@ -19,6 +22,7 @@
 #include "gui/setup/MeasureVersions.h"
 #include "gui/setup/ScanFolders.h"
 #include "gui/text/DataText.h"
+#include "gui/text/TaskText.h"
 #include "gui/widgets/EmptyPage.h"
 #include "gui/widgets/Theme.h"
 #include "perilymph/anatomy/Surface.h"
@@ -36,6 +40,8 @@ namespace {
 // The planes keep more than half of it beside a panel of two columns.
 constexpr int wideFrom_px = 1200;
 
+constexpr int emptyStage = 0, pictureStage = 1;
+
 QString notThere(const CtRequest& request)
 {
   return CtPage::tr(
@@ -52,7 +58,9 @@ CtPage::CtPage(const InsertionControl& control, QWidget* parent)
       work_(this),
       thumbnails_(this),
       panel_(new CtPanel(study_, this)),
+      stages_(new QStackedLayout),
       pictures_(new QWidget(this)),
+      archive_(new ArchiveView(this)),
       surface_(new SurfaceView(study_, pictures_))
 {
   auto* grid = new QGridLayout(pictures_);
@@ -77,19 +85,31 @@ CtPage::CtPage(const InsertionControl& control, QWidget* parent)
                                 "cochlea is found and measured; then insert into it."),
                              this);
   page->offer(tr("Open folder…"));
+  page->offerAlso(tr("From the archive…"));
   connect(page, &EmptyPage::actionRequested, panel_, &CtPanel::folderRequested);
-  auto* stack = new QStackedLayout;
-  stack->addWidget(page);
-  stack->addWidget(pictures_);
+  connect(page, &EmptyPage::otherRequested, panel_, &CtPanel::archiveRequested);
+  for (QWidget* stage : {static_cast<QWidget*>(page), pictures_, static_cast<QWidget*>(archive_)})
+    stages_->addWidget(stage);
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(0);
   row->addWidget(panel_);
-  row->addLayout(stack, 1);
-  connect(&study_, &CtStudy::changed, this,
-          [this, stack] { stack->setCurrentIndex(study_.hasCt() ? 1 : 0); });
+  row->addLayout(stages_, 1);
+  connect(&study_, &CtStudy::changed, this, [this] {
+    if (stages_->currentWidget() != archive_) showArchive(false);
+  });
   connectWork();
   connectPanel();
+  connectArchive();
+}
+
+Page::Acceptance CtPage::accepts(const std::filesystem::path& file) const
+{
+  std::error_code failed;
+  const bool isExamination = file.extension() == ".zip" || file.extension() == ".ZIP" ||
+                             file.filename() == "DICOMDIR" ||
+                             std::filesystem::is_regular_file(file / "DICOMDIR", failed);
+  return isExamination ? Acceptance::always : Acceptance::whileShown;
 }
 
 void CtPage::resizeEvent(QResizeEvent* event)
@@ -171,6 +191,7 @@ void CtPage::connectPanel()
     const QString file = QFileDialog::getOpenFileName(this, tr("CT"), folder_);
     if (!file.isEmpty()) open(file.toStdString());
   });
+  connect(panel_, &CtPanel::archiveRequested, this, [this] { showArchive(true); });
   connect(panel_, &CtPanel::seriesChosen, this, [this](const std::string& uid) {
     if (study_.hasCt() && study_.series().uid == uid) return;
     then_ = {};
@@ -179,7 +200,7 @@ void CtPage::connectPanel()
   });
   connect(panel_, &CtPanel::measureRequested, this,
           [this](bool isAtCrosshair) { measure(isAtCrosshair); });
-  connect(panel_, &CtPanel::cancelRequested, this, &CtPage::cancel);
+  connect(panel_, &CtPanel::cancelRequested, &work_, &CtWork::cancel);
   connect(panel_, &CtPanel::markRequested, this, [this](ct::Mark mark) {
     const auto& point = study_.marks()[mark];
     if (point) study_.moveCrosshair(*point);
@@ -194,17 +215,50 @@ void CtPage::connectPanel()
   });
   connect(panel_, &CtPanel::saveSurfaceRequested, this,
           [this] { withFreshMeasures([this] { saveSurface(); }); });
+  connect(panel_, &CtPanel::sendRequested, this, [this] { withFreshMeasures([this] { send(); }); });
   connect(panel_, &CtPanel::saveMarksRequested, this, &CtPage::saveMarks);
   connect(panel_, &CtPanel::loadMarksRequested, this, &CtPage::loadMarks);
 }
 
-void CtPage::open(const std::filesystem::path& path) { openSeries(path, {}); }
+void CtPage::connectArchive()
+{
+  connect(archive_, &ArchiveView::leaveRequested, this, [this] { showArchive(false); });
+  connect(archive_, &ArchiveView::serversRequested, this, &CtPage::serversRequested);
+  connect(archive_, &ArchiveView::fetched, this,
+          [this](const std::filesystem::path& folder) { read(folder, {}); });
+}
+
+void CtPage::showArchive(bool isShown)
+{
+  if (!isShown && stages_->currentWidget() == archive_) archive_->leave();
+  if (isShown)
+    stages_->setCurrentWidget(archive_);
+  else
+    stages_->setCurrentIndex(study_.hasCt() ? pictureStage : emptyStage);
+  if (isShown) archive_->enter();
+}
+
+void CtPage::showServers() { archive_->showServers(); }
+
+bool CtPage::isBusy() const { return work_.isBusy() || archive_->isBusy(); }
+
+void CtPage::open(const std::filesystem::path& path)
+{
+  Q_EMIT pageRequested(id());  // it may have been dropped on another page
+  openSeries(path, {});
+}
 
 void CtPage::openSeries(const std::filesystem::path& path, const std::string& series)
 {
+  folder_ = QString::fromStdString(path.parent_path().string());
+  read(path, series);
+}
+
+void CtPage::read(const std::filesystem::path& path, const std::string& series)
+{
+  showArchive(false);
   then_ = {};
   wanted_ = {};
-  folder_ = QString::fromStdString(path.parent_path().string());
   beginTask(tr("Reading the CT…"));
   work_.open(path, series);
 }
@@ -218,16 +272,15 @@ void CtPage::beginTask(const QString& task)
 
 void CtPage::showProgress(double fraction)
 {
-  // earlier, the beginning says little of the rest
-  constexpr double shortest_s = 1.0, minFraction = 0.05;
-  const double elapsed_s = 1e-3 * double(since_.elapsed());
-  if (elapsed_s < shortest_s || fraction < minFraction) return panel_->showTask(task_, fraction);
-  const double left_s = elapsed_s * (1.0 - fraction) / fraction;
-  panel_->showTask(tr("%1 about %2 s left").arg(task_).arg(qRound(left_s)), fraction);
+  panel_->showTask(taskText(task_, fraction, 1e-3 * double(since_.elapsed())), fraction);
 }
 
 bool CtPage::cancel()
 {
+  if (stages_->currentWidget() == archive_) {
+    if (!archive_->cancel()) showArchive(false);
+    return true;
+  }
   if (!work_.isBusy()) return false;
   work_.cancel();
   return true;
@@ -359,6 +412,20 @@ void CtPage::saveSurface()
                ? imaging::writeGltf(surface, imaging::measuredSurfaceTitle, path)
                : anatomy::writeSurface(surface, imaging::measuredSurfaceTitle, path),
            file);
+}
+
+std::optional<std::filesystem::path> CtPage::placeOf(const std::string& seriesKey) const
+{
+  std::error_code failed;
+  const bool isFolder =
+      list_.path.filename() == "DICOMDIR" || std::filesystem::is_directory(list_.path, failed);
+  if (!study_.hasCt() || study_.series().key != seriesKey || !isFolder) return std::nullopt;
+  return list_.path;
+}
+
+void CtPage::send()
+{
+  (new SendDialog(ctParts(study_), placeOf(study_.series().key), this))->open();
 }
 
 void CtPage::saveMarks()

@@ -17,8 +17,11 @@
 #include "gui/setup/CtRequest.h"
 #include "perilymph/broadcast/CtImage.h"
 
+class QStackedLayout;
+
 namespace perilymph::gui {
 
+class ArchiveView;
 class CtPanel;
 class PlaneView;
 class SurfaceView;
@@ -33,21 +36,22 @@ public:
   /// Opens a folder or a file with a CT; the series that suits a cochlea best is read, and its cochlea
   /// is measured. Esc ends that; the CT stays.
   void open(const std::filesystem::path& path) override;
-  /// Any: which files hold a CT is known after reading only.
-  Acceptance accepts(const std::filesystem::path& /*file*/) const override
-  {
-    return Acceptance::whileShown;
-  }
+  /// A .zip, a DICOMDIR and a folder with one on every page; here any file, for which files hold a CT
+  /// is known after reading only.
+  Acceptance accepts(const std::filesystem::path& file) const override;
   /// Shows itself for a patient, with the series of the request if it is still where it was read;
   /// else says that it is not.
   void begin(const CtRequest& request);
-  bool isBusy() const override { return work_.isBusy(); }
+  bool isBusy() const override;
   bool cancel() override;
   /// Shows the array where it is now.
   void onShown() override;
 
   /// The CT and the cochlea in it, if that is the scenario's.
   std::optional<broadcast::PlacedCt> placedCt(const session::Scenario& scenario) const;
+
+  /// The folder of the CT that is shown, if it is this series of DICOM files.
+  std::optional<std::filesystem::path> placeOf(const std::string& seriesKey) const;
 
   CtStudy& study() { return study_; }
   /// Replaces the measurement, by default ct::measureCochlea().
@@ -56,9 +60,14 @@ public:
     work_.setMeasurement(std::move(measurement));
   }
 
+  /// Reads the list of archives again.
+  void showServers();
+
 Q_SIGNALS:
   /// A plan for the measured cochlea was asked for. The patient is saved.
   void planRequested(const perilymph::anatomy::Patient& patient);
+  /// The archives in the settings are to be shown.
+  void serversRequested();
 
 protected:
   void resizeEvent(QResizeEvent* event) override;
@@ -67,10 +76,15 @@ private:
   bool isInMeasuredCochlea(const session::Scenario& scenario) const;
   void connectWork();
   void connectPanel();
+  void connectArchive();
   void beginTask(const QString& task);
   /// @param series  SHA-256 of the series that is read; empty for the one that suits best.
   void openSeries(const std::filesystem::path& path, const std::string& series);
+  /// The same, and the next CT is not looked for beside it.
+  void read(const std::filesystem::path& path, const std::string& series);
   void showCt(imaging::LoadedCt&& loaded);
+  /// Shows the search in archives, or ends it.
+  void showArchive(bool isShown);
   void showProgress(double fraction);
   /// @param then  Called if the new fit belongs to the landmarks and does not contradict them.
   void measure(bool isAtCrosshair, std::function<void()> then = {});
@@ -85,6 +99,8 @@ private:
   /// Keeps a picture of the measured cochlea for the reports of its patient.
   void keepKeyImage();
   void saveSurface();
+  /// Offers measures, lumen and picture to an archive.
+  void send();
   void saveMarks();
   void loadMarks();
   void showDone(const Result<Done>& done, const QString& file);
@@ -105,7 +121,9 @@ private:
   /// folders often bear patients' names.
   QString folder_;
   CtPanel* panel_;
+  QStackedLayout* stages_;
   QWidget* pictures_;
+  ArchiveView* archive_;
   std::array<PlaneView*, 3> views_{};
   SurfaceView* surface_;
 };

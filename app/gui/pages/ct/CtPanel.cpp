@@ -118,6 +118,11 @@ void CtPanel::addSource(QVBoxLayout& column)
     row->addWidget(button);
   }
   column.addLayout(row);
+  auto* archive = rowButton(tr("From the archive…"), "openArchiveButton", this);
+  archive->setToolTip(tr("Find the CT in a DICOM archive (PACS) and retrieve it"));
+  archive->setProperty("small", true);
+  column.addWidget(archive);
+  connect(archive, &QPushButton::clicked, this, &CtPanel::archiveRequested);
   series_ = new CtSeriesList(this);
   column.addWidget(series_);
   connect(folder, &QPushButton::clicked, this, &CtPanel::folderRequested);
@@ -293,6 +298,7 @@ void CtPanel::addOnward(QVBoxLayout& column)
   connect(onward_, &CtNextSteps::insertRequested, this, &CtPanel::insertRequested);
   connect(onward_, &CtNextSteps::planRequested, this, &CtPanel::planRequested);
   connect(onward_, &CtNextSteps::saveSurfaceRequested, this, &CtPanel::saveSurfaceRequested);
+  connect(onward_, &CtNextSteps::sendRequested, this, &CtPanel::sendRequested);
 }
 
 void CtPanel::setCode(const QString& code) { onward_->setCode(code); }

@@ -50,6 +50,7 @@ public:
 Q_SIGNALS:
   void folderRequested();
   void fileRequested();
+  void archiveRequested();
   void seriesChosen(const std::string& uid);
   /// @param isAtCrosshair  From the crosshair; else the volume is searched.
   void measureRequested(bool isAtCrosshair);
@@ -58,6 +59,7 @@ Q_SIGNALS:
   void insertRequested(const QString& code);
   void planRequested(const QString& code);
   void saveSurfaceRequested();
+  void sendRequested();
   void saveMarksRequested();
   void loadMarksRequested();
 

@@ -8,6 +8,7 @@
 #include <QVariant>
 #include <algorithm>
 
+#include "gui/archive/SendDialog.h"
 #include "gui/pages/plan/PlanHeader.h"
 #include "gui/pages/plan/PlanList.h"
 #include "gui/pages/plan/PlanNotes.h"
@@ -46,6 +47,7 @@ PlanPage::PlanPage(QWidget* parent)
       open_(panelButton(QString(), "openPlanArrayButton", this)),
       insert_(panelButton(tr("Insert this array"), "insertPlanArrayButton", this)),
       report_(panelButton(tr("Report…"), "planReportButton", this)),
+      send_(panelButton(tr("Send to the archive…"), "sendPlanButton", this)),
       back_(panelButton(tr("Back to the table"), "planTableButton", this)),
       notes_(new PlanNotes(this)),
       status_(new StatusLine("planStatus", this))
@@ -144,8 +146,16 @@ void PlanPage::addVerbs(QHBoxLayout& row)
   report_->setToolTip(
       tr("Report of this plan as PDF or DICOM: a page for the record and an appendix"));
   row.addWidget(report_);
+  send_->setToolTip(tr("Report of this plan into the study of the patient’s CT, as DICOM"));
+  row.addWidget(send_);
   row.addStretch();
   connect(report_, &QPushButton::clicked, this, &PlanPage::askReport);
+  connect(send_, &QPushButton::clicked, this, [this] {
+    if (!plan_) return;
+    showMessage(tr("Preparing the report…"));
+    reporting_.prepare(plan_, folder_);
+  });
+  connect(&reporting_, &PlanReportWork::prepared, this, &PlanPage::send);
   connect(&reporting_, &PlanReportWork::failed, this,
           [this](const QString& sentence) { showMessage(sentence, true); });
   connect(&reporting_, &PlanReportWork::written, this,
@@ -194,6 +204,18 @@ void PlanPage::askReport()
   if (const auto place =
           askReportPlace(tr("Report of the plan"), QStringLiteral("%1-plan").arg(code), this))
     writeReport(*place);
+}
+
+void PlanPage::send(const std::string& pdf, const ReportIdentity& identity)
+{
+  showMessage({});
+  const auto write = [pdf, identity](const std::filesystem::path& ct,
+                                     const std::filesystem::path& file) {
+    return writeDicom(pdf, identity, {file, ct});
+  };
+  (new SendDialog({{tr("Report of the plan (PDF)"), write}},
+                  ctPlaces_ ? ctPlaces_(identity.seriesKey) : std::nullopt, this))
+      ->open();
 }
 
 void PlanPage::writeReport(const ReportPlace& place)

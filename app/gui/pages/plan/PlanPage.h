@@ -4,8 +4,10 @@
 // The page Plan: electrode arrays compared in one patient's cochlea before surgery.
 
 #include <QElapsedTimer>
+#include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "gui/pages/Page.h"
 #include "gui/pages/plan/PlanReportWork.h"
@@ -54,6 +56,10 @@ public:
     scenario_ = std::move(scenario);
     resolution_.reset();  // its own
   }
+  /// Where the CT of a series is, as far as it is open.
+  using CtPlaces =
+      std::function<std::optional<std::filesystem::path>(const std::string& seriesKey)>;
+  void setCtPlaces(CtPlaces places) { ctPlaces_ = std::move(places); }
   PlanList& list() { return *list_; }
   PlanView& view() { return *view_; }
 
@@ -64,6 +70,7 @@ private:
   void openArrays();
   void insertArray();
   void askReport();
+  void send(const std::string& pdf, const ReportIdentity& identity);
   bool leaveArrays();
   void showVerbs();
   void connectPanel();
@@ -90,6 +97,7 @@ private:
   QElapsedTimer sinceFirst_;   ///< Begins with the first progress of a computation.
   std::size_t firstDone_ = 0;  ///< Insertions that were done then.
   QString progress_;           ///< What is said of the computation; empty without one.
+  CtPlaces ctPlaces_;
   std::optional<planning::Resolution> resolution_ = planning::Resolution{};
   PlanPanel* panel_;
   QStackedWidget* stages_;
@@ -97,7 +105,7 @@ private:
   PlanHeader* head_;
   PlanList* list_;
   PlanView* view_;
-  QPushButton *open_, *insert_, *report_, *back_;
+  QPushButton *open_, *insert_, *report_, *send_, *back_;
   PlanNotes* notes_;
   StatusLine* status_;
 };

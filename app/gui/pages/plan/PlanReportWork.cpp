@@ -2,6 +2,7 @@
 #include "gui/pages/plan/PlanReportWork.h"
 
 #include <stop_token>
+#include <utility>
 
 #include "gui/report/PlanReportPdf.h"
 #include "gui/text/DataText.h"
@@ -15,8 +16,8 @@ PlanReportWork::PlanReportWork(QObject* parent) : QObject(parent), background_(t
   connect(&saving_, &ReportSaving::failed, this, &PlanReportWork::failed);
 }
 
-void PlanReportWork::write(const PlanWork::SharedPlan& plan, const std::filesystem::path& folder,
-                           const ReportPlace& place)
+void PlanReportWork::build(const PlanWork::SharedPlan& plan, const std::filesystem::path& folder,
+                           std::function<void(const PlanReportContent&)> then)
 {
   background_.run(
       "The report",
@@ -29,12 +30,32 @@ void PlanReportWork::write(const PlanWork::SharedPlan& plan, const std::filesyst
         if (!stored) return stored.error();
         return planReportContent(*std::move(stored));
       },
-      [this, place](const Result<PlanReportContent>& content) {
+      [this, then = std::move(then)](const Result<PlanReportContent>& content) {
         if (!content) return failed(dataText(content.error().message));
-        saving_.save(
-            [&content](const std::filesystem::path& pdf) { return writePlanReport(*content, pdf); },
-            content->identity(), place);
+        then(*content);
       });
+}
+
+void PlanReportWork::write(const PlanWork::SharedPlan& plan, const std::filesystem::path& folder,
+                           const ReportPlace& place)
+{
+  build(plan, folder, [this, place](const PlanReportContent& content) {
+    saving_.save(
+        [&content](const std::filesystem::path& pdf) { return writePlanReport(content, pdf); },
+        content.identity(), place);
+  });
+}
+
+void PlanReportWork::prepare(const PlanWork::SharedPlan& plan, const std::filesystem::path& folder)
+{
+  build(plan, folder, [this](const PlanReportContent& content) {
+    if (const auto known = checkFiled(content.identity()); !known)
+      return failed(dataText(known.error().message));
+    const auto pdf = pdfBytes(
+        [&content](const std::filesystem::path& place) { return writePlanReport(content, place); });
+    if (!pdf) return failed(dataText(pdf.error().message));
+    Q_EMIT prepared(*pdf, content.identity());
+  });
 }
 
 }  // namespace perilymph::gui

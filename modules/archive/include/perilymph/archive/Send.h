@@ -16,7 +16,7 @@ struct SentObject {
   Sentence warning;          ///< What the server changed or left out; empty if nothing.
 };
 
-/// Stores an object that this program wrote (an Encapsulated PDF) in the study whose data it was made
+/// Stores an object that this program wrote (a report, a segmentation or a key image) in the study whose data it was made
 /// of (C-STORE).
 ///
 /// The server must have the study that the file states, under the patient number and birth date that

@@ -47,6 +47,9 @@ Result<std::vector<Server>> readServers(const std::filesystem::path& file = serv
 Result<Server> readServer(const std::string& name,
                           const std::filesystem::path& file = serversFile());
 
+/// Refuses a server whose values may not be in the file. The error says which one, and what is allowed.
+Result<Done> checkServer(const Server& server);
+
 /// Writes the servers atomically for the owner only (mode 0600), and makes the file's folder (0700)
 /// where it is absent. Refuses a server that readServers() would refuse, and nothing is written then.
 Result<Done> writeServers(const std::vector<Server>& servers,

@@ -20,6 +20,7 @@
 #include "gui/pages/ct/MarkGuide.h"
 #include "gui/pages/ct/VersionQuestion.h"
 #include "gui/text/DataText.h"
+#include "gui/text/LandmarkText.h"
 #include "gui/widgets/CheckBoxes.h"
 #include "gui/widgets/PanelParts.h"
 #include "gui/widgets/Selector.h"

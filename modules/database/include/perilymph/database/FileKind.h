@@ -24,6 +24,8 @@ struct FileKind {
   std::vector<std::string> tables;  ///< `CREATE TABLE` statements, the same in every version.
   /// `CREATE VIEW` statements for other programs; earlier versions may lack them.
   std::vector<std::string> views = {};
+  /// Those of earlier versions, which their files keep.
+  std::vector<std::string> formerViews = {};
 };
 
 /// SQL statements that mark an empty file as the newest version of its kind, begin a transaction

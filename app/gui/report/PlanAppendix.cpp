@@ -20,9 +20,12 @@ QString tr(const char* text) { return QCoreApplication::translate("perilymph::gu
 
 QString heading(const QString& text) { return QStringLiteral("<h2>%1</h2>").arg(text); }
 
-QString table(const QString& rows)
+/// @param header  Its first row, repeated on every page.
+QString table(const QString& rows, const QString& header = {})
 {
-  return QStringLiteral("<table cellspacing=\"0\" width=\"100%\">%1</table>").arg(rows);
+  const QString head =
+      header.isEmpty() ? QString() : QStringLiteral("<thead>%1</thead>").arg(header);
+  return QStringLiteral("<table cellspacing=\"0\" width=\"100%\">%1%2</table>").arg(head, rows);
 }
 
 /// A row of a contact, in columns of fixed width: text would break within its brackets.
@@ -47,9 +50,12 @@ QString mismatchText(const planning::ContactBand& contact)
 /// The contacts of one array, from the tip; those that are inserted in no simulation in one row.
 QString contactsOf(const planning::ArrayPlan& array, std::size_t place)
 {
-  QString rows = contactRow({QStringLiteral("#"), tr("Angle, °"), tr("Modiolus, mm"), tr("GW"),
-                             tr("SG"), tr("st"), tr("in")},
-                            "quiet tiny");
+  const QString name = QStringLiteral("<tr><td colspan=\"7\" class=\"tight\"><b>%1</b></td></tr>")
+                           .arg(numberedName(array, place).toHtmlEscaped());
+  const QString header = name + contactRow({QStringLiteral("#"), tr("Angle, °"), tr("Modiolus, mm"),
+                                            tr("GW"), tr("SG"), tr("st"), tr("in")},
+                                           "quiet tight");
+  QString rows;
   QStringList absent;
   for (const planning::ContactBand& each : array.contacts) {
     const QString number = QString::number(each.number);
@@ -59,12 +65,11 @@ QString contactsOf(const planning::ArrayPlan& array, std::size_t place)
       rows += contactRow({number, medianText(each.angle_deg, 0), medianText(each.toModiolus_mm, 2),
                           numberText(each.greenwood_Hz, 0), numberText(each.spiralGanglion_Hz, 0),
                           mismatchText(each), QString::number(each.draws)},
-                         "tiny");
+                         "tight");
   }
-  QString text =
-      QStringLiteral("<b>%1</b>").arg(numberedName(array, place).toHtmlEscaped()) + table(rows);
+  QString text = table(rows, header);
   if (!absent.isEmpty())
-    text += QStringLiteral("<span class=\"quiet tiny\">%1</span>")
+    text += QStringLiteral("<span class=\"quiet\">%1</span>")
                 .arg(tr("Not inserted: %1").arg(absent.join(QStringLiteral(", "))));
   return text;
 }
@@ -92,10 +97,11 @@ QString resistances(const PlanReportContent& content, References& references)
   const auto& arrays = content.plan().arrays;
   const bool isCounted = arrays.front().draws < analysis::fewestForPercent;
   const QString reaches = isCounted ? tr("≥ %1 mN") : tr("≥ %1 mN, %");
-  QString rows = resistanceRow(
+  const QString header = resistanceRow(
       {tr("Array"), tr("First resistance, mm"), isCounted ? tr("felt") : tr("felt, %"),
        reaches.arg(weakest), reaches.arg(strongest)},
-      "quiet tiny");
+      "quiet tight");
+  QString rows;
   for (std::size_t i = 0; i < arrays.size(); ++i)
     rows += resistanceRow({numberedName(arrays[i], i).toHtmlEscaped(),
                            arrays[i].felt.value > 0.0 ? medianText(arrays[i].firstResistance_mm, 1)
@@ -103,9 +109,10 @@ QString resistances(const PlanReportContent& content, References& references)
                            chanceText(arrays[i].felt, arrays[i].draws),
                            chanceText(arrays[i].reachesWeakest, arrays[i].draws),
                            chanceText(arrays[i].reachesStrongest, arrays[i].draws)},
-                          "tiny");
-  return heading(tr("First resistance and force on the partition: median (band)")) + table(rows) +
-         QStringLiteral("<p class=\"quiet tiny\">%1</p>")
+                          "tight");
+  return heading(tr("First resistance and force on the partition: median (band)")) +
+         table(rows, header) +
+         QStringLiteral("<p class=\"quiet\">%1</p>")
              .arg(tr("First resistance: depth of the tip past the opening where the insertion "
                      "force first reaches %1 mN, the median force that surgeons detect %4, over "
                      "the draws in which it does; felt: that it does. ≥ %2 and ≥ %3 mN: that the "
@@ -117,9 +124,10 @@ QString resistances(const PlanReportContent& content, References& references)
 /// Forces on the hand at the end of the push and at rest.
 QString endForces(const PlanReportContent& content)
 {
-  QString rows = resistanceRow(
+  const QString header = resistanceRow(
       {tr("Array"), tr("End force, mN"), tr("after 1 s, mN"), tr("after 10 s, mN"), QString()},
-      "quiet tiny");
+      "quiet tight");
+  QString rows;
   const auto& arrays = content.plan().arrays;
   bool isOfRest = true;  // of a version that read the end force after 2 s of rest
   for (std::size_t i = 0; i < arrays.size(); ++i) {
@@ -129,23 +137,24 @@ QString endForces(const PlanReportContent& content)
       cells << (isKnown ? medianText(band, 1) : QStringLiteral("–"));
       isOfRest = isOfRest && !isKnown;
     }
-    rows += resistanceRow(cells << QString(), "tiny");
+    rows += resistanceRow(cells << QString(), "tight");
   }
   const QString method =
       isOfRest ? tr("End force: mean of the last half second of 2 s of rest, as the program that "
                     "made this plan read it.")
                : tr("End force: mean of the last half second before the hand stops; then means of "
                     "the half second before 1 s and before 10 s of rest.");
-  return heading(tr("Force at the end and at rest: median (band)")) + table(rows) +
-         QStringLiteral("<p class=\"quiet tiny\">%1</p>").arg(method);
+  return heading(tr("Force at the end and at rest: median (band)")) + table(rows, header) +
+         QStringLiteral("<p class=\"quiet\">%1</p>").arg(method);
 }
 
 /// Angle and forces at the median of the drawn friction; nothing where it states no spread.
 QString atMedianFriction(const PlanReportContent& content)
 {
-  QString rows = resistanceRow({tr("Array"), tr("Angular depth, °"), tr("Depth, mm"),
-                                tr("Peak force, mN"), tr("End force, mN")},
-                               "quiet tiny");
+  const QString header = resistanceRow({tr("Array"), tr("Angular depth, °"), tr("Depth, mm"),
+                                        tr("Peak force, mN"), tr("End force, mN")},
+                                       "quiet tight");
+  QString rows;
   const auto& arrays = content.plan().arrays;
   bool isKnown = false;
   for (std::size_t i = 0; i < arrays.size(); ++i) {
@@ -155,13 +164,13 @@ QString atMedianFriction(const PlanReportContent& content)
     rows += resistanceRow({numberedName(arrays[i], i).toHtmlEscaped(),
                            medianText(found->angle_deg, 0), medianText(found->depth_mm, 1),
                            medianText(found->peak_mN, 1), medianText(found->end_mN, 1)},
-                          "tiny");
+                          "tight");
   }
   if (!isKnown) return {};
   return heading(tr("At friction %1 only: median (band)")
                      .arg(numberText(content.plan().friction.low, 3))) +
-         table(rows) +
-         QStringLiteral("<p class=\"quiet tiny\">%1</p>")
+         table(rows, header) +
+         QStringLiteral("<p class=\"quiet\">%1</p>")
              .arg(tr("From the same simulations, less what follows the logarithm of their "
                      "friction (least squares). All else is still drawn."));
 }
@@ -171,9 +180,10 @@ QString differences(const PlanReportContent& content)
 {
   const planning::Plan& plan = content.plan();
   if (plan.differences.empty()) return {};
-  QString rows = resistanceRow({tr("First against second"), tr("Angular depth, °"), tr("deeper"),
-                                tr("Peak force, mN"), tr("higher")},
-                               "quiet tiny");
+  const QString header = resistanceRow({tr("First against second"), tr("Angular depth, °"),
+                                        tr("deeper"), tr("Peak force, mN"), tr("higher")},
+                                       "quiet tight");
+  QString rows;
   for (const planning::ArrayDifference& each : plan.differences)
     rows += resistanceRow({tr("%1 against %2")
                                .arg(QString::fromStdString(plan.arrays[each.first].name),
@@ -181,9 +191,10 @@ QString differences(const PlanReportContent& content)
                                .toHtmlEscaped(),
                            differenceText(each.angle_deg), chanceText(each.deeper, each.draws),
                            differenceText(each.peak_mN), chanceText(each.harder, each.draws)},
-                          "tiny");
-  return heading(tr("Differences between arrays in the same ear: median (band)")) + table(rows) +
-         QStringLiteral("<p class=\"quiet tiny\">%1</p>")
+                          "tight");
+  return heading(tr("Differences between arrays in the same ear: median (band)")) +
+         table(rows, header) +
+         QStringLiteral("<p class=\"quiet\">%1</p>")
              .arg(tr("First minus second, simulation by simulation: cochlea, hand and friction are "
                      "the same for both, so their spread is not in these bands."));
 }
@@ -200,7 +211,7 @@ QString contacts(const PlanReportContent& content)
     rows += QStringLiteral("<tr>%1</tr>").arg(row);
   }
   return heading(tr("Contacts, numbered from the tip: median (band)")) + table(rows) +
-         QStringLiteral("<p class=\"quiet tiny\">%1</p>")
+         QStringLiteral("<p class=\"quiet\">%1</p>")
              .arg(
                  tr("Angle from the center of the round window. Modiolus: distance from the center "
                     "line of the array to the inner wall. GW: frequency by Greenwood's map, Hz, "
@@ -214,7 +225,7 @@ QString contacts(const PlanReportContent& content)
 QString row(const QString& name, const QString& text)
 {
   return QStringLiteral(
-             "<tr><td width=\"18%\" class=\"quiet tiny\">%1</td><td class=\"tiny\">%2</td></tr>")
+             "<tr><td width=\"18%\" class=\"quiet tight\">%1</td><td class=\"tight\">%2</td></tr>")
       .arg(name, text);
 }
 
@@ -262,8 +273,8 @@ QString sources(const PlanReportContent& content, References& references)
     rows += QStringLiteral("<tr>");
     for (std::size_t k = i; k < std::min(all.size(), i + inARow); ++k)
       rows += QStringLiteral(
-                  "<td width=\"20%\" class=\"quiet tiny\">%1</td><td width=\"12%\" "
-                  "class=\"tiny\">%2</td><td width=\"18%\" class=\"quiet tiny\">%3</td>")
+                  "<td width=\"24%\" class=\"quiet tight\">%1</td><td width=\"10%\" "
+                  "class=\"tight\">%2</td><td width=\"16%\" class=\"quiet tight\">%3</td>")
                   .arg(inputName(all[k].table).toHtmlEscaped(), references.label(all[k].source),
                        confidenceText(all[k].confidence));
     rows += QStringLiteral("</tr>");

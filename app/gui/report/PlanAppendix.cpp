@@ -2,6 +2,7 @@
 #include "gui/report/PlanAppendix.h"
 
 #include <QCoreApplication>
+#include <algorithm>
 
 #include "gui/report/CtPicture.h"
 #include "gui/setup/PlannedFriction.h"
@@ -28,16 +29,24 @@ QString table(const QString& rows, const QString& header = {})
   return QStringLiteral("<table cellspacing=\"0\" width=\"100%\">%1%2</table>").arg(head, rows);
 }
 
-/// A row of a contact, in columns of fixed width: text would break within its brackets.
-QString contactRow(const QStringList& texts, const char* kind)
+constexpr int contactColumns = 7;
+
+/// The cells of a contact, in columns of fixed width: text would break within its brackets.
+QString contactCells(const QStringList& texts, const char* kind)
 {
-  static constexpr int percents[] = {6, 27, 30, 13, 12, 6, 6};
-  QString row;
+  static constexpr int percents[contactColumns] = {3, 13, 15, 7, 6, 3, 3};
+  QString cells;
   for (int i = 0; i < texts.size(); ++i)
-    row += QStringLiteral("<td width=\"%1%\" class=\"%2\">%3</td>")
-               .arg(percents[i])
-               .arg(QLatin1String(kind), texts[i]);
-  return QStringLiteral("<tr>%1</tr>").arg(row);
+    cells += QStringLiteral("<td width=\"%1%\" class=\"%2\">%3</td>")
+                 .arg(percents[i])
+                 .arg(QLatin1String(kind), texts[i]);
+  return cells;
+}
+
+/// A cell as wide as those of a contact.
+QString wideCell(const QString& text)
+{
+  return QStringLiteral("<td colspan=\"%1\" class=\"tight\">%2</td>").arg(contactColumns).arg(text);
 }
 
 /// Median mismatch in semitones; "–" without a default filter.
@@ -47,31 +56,53 @@ QString mismatchText(const planning::ContactBand& contact)
                                  : QStringLiteral("–");
 }
 
-/// The contacts of one array, from the tip; those that are inserted in no simulation in one row.
-QString contactsOf(const planning::ArrayPlan& array, std::size_t place)
+/// The cells of the contacts of one array, from the tip; those that are inserted in no simulation in one.
+QStringList contactsOf(const planning::ArrayPlan& array)
 {
-  const QString name = QStringLiteral("<tr><td colspan=\"7\" class=\"tight\"><b>%1</b></td></tr>")
-                           .arg(numberedName(array, place).toHtmlEscaped());
-  const QString header = name + contactRow({QStringLiteral("#"), tr("Angle, °"), tr("Modiolus, mm"),
-                                            tr("GW"), tr("SG"), tr("st"), tr("in")},
-                                           "quiet tight");
-  QString rows;
-  QStringList absent;
+  QStringList rows, absent;
   for (const planning::ContactBand& each : array.contacts) {
     const QString number = QString::number(each.number);
     if (each.draws == 0)
       absent << number;
     else
-      rows += contactRow({number, medianText(each.angle_deg, 0), medianText(each.toModiolus_mm, 2),
-                          numberText(each.greenwood_Hz, 0), numberText(each.spiralGanglion_Hz, 0),
-                          mismatchText(each), QString::number(each.draws)},
-                         "tight");
+      rows << contactCells(
+          {number, medianText(each.angle_deg, 0), medianText(each.toModiolus_mm, 2),
+           numberText(each.greenwood_Hz, 0), numberText(each.spiralGanglion_Hz, 0),
+           mismatchText(each), QString::number(each.draws)},
+          "tight");
   }
-  QString text = table(rows, header);
   if (!absent.isEmpty())
-    text += QStringLiteral("<span class=\"quiet\">%1</span>")
-                .arg(tr("Not inserted: %1").arg(absent.join(QStringLiteral(", "))));
-  return text;
+    rows << wideCell(QStringLiteral("<span class=\"quiet\">%1</span>")
+                         .arg(tr("Not inserted: %1").arg(absent.join(QStringLiteral(", ")))));
+  return rows;
+}
+
+/// The contacts of arrays side by side. Not a table within a table: Qt repeats the header of each such
+/// table in one place.
+QString contactTable(const std::vector<planning::ArrayPlan>& arrays, std::size_t first)
+{
+  const QString titles = contactCells({QStringLiteral("#"), tr("Angle, °"), tr("Modiolus, mm"),
+                                       tr("GW"), tr("SG"), tr("st"), tr("in")},
+                                      "quiet tight");
+  QString names, columns;
+  std::vector<QStringList> cells;
+  int count = 0;
+  for (std::size_t k = first; k < first + blocksPerRow; ++k) {
+    const bool isThere = k < arrays.size();
+    names += wideCell(
+        isThere ? QStringLiteral("<b>%1</b>").arg(numberedName(arrays[k], k).toHtmlEscaped())
+                : QString());
+    columns += isThere ? titles : wideCell({});
+    cells.push_back(isThere ? contactsOf(arrays[k]) : QStringList());
+    count = std::max(count, int(cells.back().size()));
+  }
+  QString rows;
+  for (int i = 0; i < count; ++i) {
+    rows += QStringLiteral("<tr>");
+    for (const QStringList& own : cells) rows += i < own.size() ? own[i] : wideCell({});
+    rows += QStringLiteral("</tr>");
+  }
+  return table(rows, QStringLiteral("<tr>%1</tr><tr>%2</tr>").arg(names, columns));
 }
 
 /// A row of the table of resistances, in columns of fixed width.
@@ -202,15 +233,9 @@ QString differences(const PlanReportContent& content)
 QString contacts(const PlanReportContent& content)
 {
   const auto& arrays = content.plan().arrays;
-  QString rows;
-  for (std::size_t i = 0; i < arrays.size(); i += blocksPerRow) {
-    QString row;
-    for (std::size_t k = i; k < std::min(arrays.size(), i + blocksPerRow); ++k)
-      row +=
-          QStringLiteral("<td width=\"50%\" class=\"block\">%1</td>").arg(contactsOf(arrays[k], k));
-    rows += QStringLiteral("<tr>%1</tr>").arg(row);
-  }
-  return heading(tr("Contacts, numbered from the tip: median (band)")) + table(rows) +
+  QString tables;
+  for (std::size_t i = 0; i < arrays.size(); i += blocksPerRow) tables += contactTable(arrays, i);
+  return heading(tr("Contacts, numbered from the tip: median (band)")) + tables +
          QStringLiteral("<p class=\"quiet\">%1</p>")
              .arg(
                  tr("Angle from the center of the round window. Modiolus: distance from the center "

@@ -41,7 +41,7 @@ QString styleSheet()
              "h1 { font-size: %1px; font-weight: 600; margin-top: 0; } "
              "h2 { font-size: %2px; font-weight: 600; margin-top: 10px; margin-bottom: 3px; } "
              "td { padding: 1px 10px 1px 0; } .quiet { color: %3; } "
-             "td.tight, td.block { padding: 0 3px 0 0; }")
+             "td.tight { padding: 0 3px 0 0; }")
       .arg(dots(13.0))
       .arg(dots(10.0))
       .arg(colorOf(figures::ink::quiet).name());

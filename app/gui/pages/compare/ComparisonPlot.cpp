@@ -305,6 +305,11 @@ void ComparisonPlot::paintValues(QPainter& painter) const
   for (int i = 0; i < rows; ++i) {
     const QRectF row(box.left() + gap_px, box.top() + 0.5 * gap_px + i * row_px,
                      box.width() - 2.0 * gap_px, row_px);
+    if (i == rows - 1 && rows < int(values.size())) {  // a low plot; the table has all
+      painter.setPen(shownTheme().quietText);
+      painter.drawText(row, Qt::AlignRight | Qt::AlignVCenter, QStringLiteral("…"));
+      break;
+    }
     painter.setPen(content_.curves[std::size_t(i)].pen);
     painter.drawLine(QPointF(row.left(), row.center().y()),
                      QPointF(row.left() + line_px, row.center().y()));

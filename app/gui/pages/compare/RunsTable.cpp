@@ -36,6 +36,7 @@ enum Column {
 };
 
 constexpr int runRow_px = 44;  // two lines
+constexpr int cursorWidth_px = 84;
 constexpr int swatchWidth_px = 36;
 
 /// "left", "right", or a dash for a recording that does not say.
@@ -124,12 +125,14 @@ RunsTable::RunsTable(QWidget* parent) : QTableWidget(0, columns, parent)
       tr("Peak force with no marker rib at the opening: that of the array in the cochlea."));
   horizontalHeaderItem(speed)->setToolTip(
       tr("Inward motion up to the maximum depth by its time, pauses included."));
-  const int widths_px[] = {200, 84, 140, 76, 88, 100, 96, 72, 60, 104, 100, 88};
   for (int column = 0; column < columns; ++column) {
-    horizontalHeader()->resizeSection(column, widths_px[column]);
+    horizontalHeader()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
     horizontalHeaderItem(column)->setTextAlignment(
         int(column == run ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
   }
+  // its texts change with the cursor
+  horizontalHeader()->setSectionResizeMode(atCursor, QHeaderView::Fixed);
+  horizontalHeader()->resizeSection(atCursor, sized(cursorWidth_px));
   horizontalHeader()->setSectionResizeMode(run, QHeaderView::Stretch);
 }
 

@@ -80,6 +80,7 @@ void fill(QTableWidget& table, const QStringList& heads, const std::vector<QStri
   const int shown = std::min(int(rows.size()), maxRows);
   // in a narrow window the columns are scrolled
   const bool isWide = table.horizontalHeader()->length() > table.width() - 2 * table.frameWidth();
+  if (isWide) table.horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
   const int bar = isWide ? table.horizontalScrollBar()->sizeHint().height() : 0;
   table.setFixedHeight(table.horizontalHeader()->sizeHint().height() + shown * sized(row_px) + bar +
                        2 * table.frameWidth() + 2);

@@ -14,13 +14,14 @@ namespace {
 
 void printSummary(const std::vector<analysis::ComparedInsertion>& insertions)
 {
-  print("{:24} {:>8} {:>8} {:>9} {:>9} {:>7}\n", "recording", "peak, mN", "at, mm", "work, mJ",
-        "reversals", "time, s");
+  print("{:24} {:>8} {:>8} {:>8} {:>11} {:>9} {:>7}\n", "recording", "peak, mN", "at, mm",
+        "work, mJ", "speed, mm/s", "reversals", "time, s");
   for (const analysis::ComparedInsertion& each : insertions)
-    print("{:24} {:>8} {:>8} {:>9} {:>9} {:>7}\n", labelOf(each),
+    print("{:24} {:>8} {:>8} {:>8} {:>11} {:>9} {:>7}\n", labelOf(each),
           fixed(inMillinewtons(newtons(each.profile.peak.force)), 1),
           fixed(inMillimeters(meters(each.profile.peak.travel)), 1),
-          fixed(each.profile.work * 1e3, 4), each.reversals, fixed(each.profile.duration, 2));
+          fixed(each.profile.work * 1e3, 2), fixed(each.motion.meanSpeed() * 1e3, 2),
+          each.reversals, fixed(each.profile.duration, 2));
 }
 
 void printDifferences(const std::vector<analysis::ComparedInsertion>& insertions,
@@ -35,7 +36,7 @@ void printDifferences(const std::vector<analysis::ComparedInsertion>& insertions
                                                    valuesOf(insertions, groups[i], quantity));
       if (!welch) continue;
       const auto number = [&](double value) {
-        return fixed(quantity.factor * value, quantity.decimals + 1);
+        return fixed(quantity.factor * value, std::min(quantity.decimals + 1, 2));
       };
       print("{:36} {:>9} ({} to {}) {}\n", quantity.name.english(), number(welch->difference.value),
             number(welch->difference.low), number(welch->difference.high), quantity.unit);

@@ -170,45 +170,42 @@ Result<Done> mergeStudy(const StudyOptions& options)
 namespace {
 
 /// Tables of the groups of a setting, with the angle over the size of the cochlea as their trend.
-Result<std::vector<std::pair<std::string, std::string>>> groupTables(const StudyOptions& options)
+Result<std::vector<std::pair<std::string, std::string>>> groupTables(
+    const study::StudyColumns& columns, const std::string& group)
 {
-  const auto columns =
-      study::StudyColumns::read(std::filesystem::path(options.folder) / study::mergedFile, {});
-  if (!columns) return columns.error();
   std::string known;
-  for (const study::StudyFactor& factor : columns->factors()) {
+  for (const study::StudyFactor& factor : columns.factors()) {
     known += (known.empty() ? "" : ", ") + factor.key;
-    if (factor.key != options.group) continue;
-    const auto rows = columns->rows({});
-    const auto summary = study::summaryOf(*columns, rows, {"A_mm", "angle_deg", options.group});
+    if (factor.key != group) continue;
+    const auto rows = columns.rows({});
+    const auto summary = study::summaryOf(columns, rows, {"A_mm", "angle_deg", group});
     std::vector<std::pair<std::string, std::string>> tables;
-    for (auto& [name, text] : study::tablesOf(*columns, rows, summary))
+    for (auto& [name, text] : study::tablesOf(columns, rows, summary))
       tables.emplace_back(name, std::move(text));
     return tables;
   }
   return Error{"--group %1 is no setting of this study with 2 to 12 values. Give one of: %2.",
-               options.group, known.empty() ? std::string("none") : known};
+               group, known.empty() ? std::string("none") : known};
 }
 
 }  // namespace
 
 Result<Done> reportStudy(const StudyOptions& options, const CommandFiles& files)
 {
-  const auto file =
-      study::StudyFile::open(std::filesystem::path(options.folder) / study::mergedFile);
-  if (!file) return file.error();
-  const auto report = study::reportOf(*file);
-  if (!report) return report.error();
-  if (const std::string note = noteOn(file->facts().seal); !note.empty()) print("{}\n", note);
-  printNotesOn(file->facts().notes);
+  const auto columns = study::StudyColumns::read(
+      std::filesystem::path(options.folder) / study::mergedFile, {}, study::maxCases);
+  if (!columns) return columns.error();
+  const study::StudyReport report = study::reportOf(*columns);
+  if (const std::string note = noteOn(columns->facts().seal); !note.empty()) print("{}\n", note);
+  printNotesOn(columns->facts().notes);
   FolderContent content;
-  content.texts = {{"report.md", report->text}};
+  content.texts = {{"report.md", report.text}};
   if (!options.group.empty()) {
-    auto tables = groupTables(options);
+    auto tables = groupTables(*columns, options.group);
     if (!tables) return tables.error();
     for (auto& table : *tables) content.texts.push_back(std::move(table));
   }
-  for (const auto& [name, figure] : report->figures)
+  for (const auto& [name, figure] : report.figures)
     content.figures.emplace_back(name, figures::draw(figure));
   return writeFolder(files, options.folder, content);
 }

@@ -64,7 +64,7 @@ py::dict columnsOf(const StudyColumns& study)
     if (study.quantity(key) != nullptr) continue;
     std::vector<std::string> texts;
     for (std::size_t row = 0; row < study.size(); ++row)
-      texts.push_back(study::StudyEvaluation::settingOf(study.result(row), key));
+      texts.push_back(study::settingOf(study.result(row), key));
     columns[textOf(key)] = settingColumn(texts);
   }
   return columns;

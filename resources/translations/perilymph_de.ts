@@ -1300,10 +1300,6 @@
         <translation>%1 % der Insertion bei 0,1–2,0 mm/s</translation>
     </message>
     <message>
-        <source>full score if the whole insertion is within 0.1–2.0 mm/s, none at 0 %</source>
-        <translation>volle Punktzahl, wenn die ganze Insertion bei 0,1–2,0 mm/s liegt, keine bei 0 %</translation>
-    </message>
-    <message>
         <source>robotic insertion 0.1–1.0 mm/s (iotaSOFT); manual insertion in cadaver heads 0.66 ± 0.31 mm/s; phantom study 0.1–2.0 mm/s (Froehlich et al. 2024)</source>
         <translation>robotische Insertion 0,1–1,0 mm/s (iotaSOFT); manuelle Insertion an Leichenköpfen 0,66 ± 0,31 mm/s; Phantomstudie 0,1–2,0 mm/s (Froehlich et al. 2024)</translation>
     </message>
@@ -1318,10 +1314,6 @@
     <message>
         <source>Kesler et al. 2017: manual insertions at a target of 15 mm/min paused 15.7 % of the time</source>
         <translation>Kesler et al. 2017: manuelle Insertionen mit Zielgeschwindigkeit 15 mm/min pausierten 15,7 % der Zeit</translation>
-    </message>
-    <message>
-        <source>The reference &apos;in-vivo&apos; has no range of the quantity &apos;peak&apos;, so no insertion can be scored. Put the shipped file back.</source>
-        <translation>Die Referenz &apos;in-vivo&apos; hat keinen Bereich der Größe &apos;peak&apos;, so dass keine Insertion bewertet werden kann. Legen Sie die mitgelieferte Datei zurück.</translation>
     </message>
     <message>
         <source>The insertion was stopped before its end. Run it again.</source>
@@ -2980,10 +2972,6 @@
         <translation>%1 kann nicht geschrieben werden: %2.</translation>
     </message>
     <message>
-        <source>The study has no insertion. Run and merge it first.</source>
-        <translation>Die Studie hat keine Insertion. Rechnen und vereinigen Sie sie zuerst.</translation>
-    </message>
-    <message>
         <source>%1 cannot be created: %2. Give another folder.</source>
         <translation>%1 kann nicht angelegt werden: %2. Geben Sie einen anderen Ordner an.</translation>
     </message>
@@ -3656,10 +3644,6 @@
         <translation>%1 von %2 mm</translation>
     </message>
     <message>
-        <source>the mean of the others counts by this fraction</source>
-        <translation>der Mittelwert der übrigen zählt zu diesem Anteil</translation>
-    </message>
-    <message>
         <source>travel that the scenario sets</source>
         <translation>Vorschub, den das Szenario vorgibt</translation>
     </message>
@@ -4106,6 +4090,22 @@
     <message>
         <source>The lumen cannot be written as a segmentation of %1: %2.</source>
         <translation>Das Lumen kann nicht als Segmentation von %1 geschrieben werden: %2.</translation>
+    </message>
+    <message>
+        <source>mean speed</source>
+        <translation>mittlere Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>The reference &apos;in-vivo&apos; has no [[range]] of the quantity &apos;peak&apos;.</source>
+        <translation>Die Referenz „in-vivo“ hat keine [[range]] der Größe „peak“.</translation>
+    </message>
+    <message>
+        <source>the score counts by this fraction</source>
+        <translation>die Bewertung zählt mit diesem Anteil</translation>
+    </message>
+    <message>
+        <source>full score within 0.1–2.0 mm/s, half at twice or half of these, in proportion beyond</source>
+        <translation>volle Punkte bei 0,1–2,0 mm/s, die Hälfte beim Doppelten oder der Hälfte davon, außerhalb im Verhältnis</translation>
     </message>
 </context>
 <context>
@@ -4734,6 +4734,14 @@
     <message>
         <source>reason</source>
         <translation>Grund</translation>
+    </message>
+    <message>
+        <source>all that ran</source>
+        <translation>alle ausgeführten</translation>
+    </message>
+    <message>
+        <source>complete only</source>
+        <translation>nur vollständige</translation>
     </message>
 </context>
 <context>
@@ -6110,26 +6118,6 @@
         <translation>Plan</translation>
     </message>
     <message>
-        <source>Angular depth</source>
-        <translation>Winkel</translation>
-    </message>
-    <message>
-        <source>°</source>
-        <translation>°</translation>
-    </message>
-    <message>
-        <source>Coverage</source>
-        <translation>Abdeckung</translation>
-    </message>
-    <message>
-        <source>%</source>
-        <translation>%</translation>
-    </message>
-    <message>
-        <source>mN</source>
-        <translation>mN</translation>
-    </message>
-    <message>
         <source>Resistance</source>
         <translation>Widerstand</translation>
     </message>
@@ -6762,10 +6750,6 @@
         <translation>früh beendet</translation>
     </message>
     <message>
-        <source>%1 of 100: the mean of the first four criteria, by the fraction of the insertion that was done. Rates technique only; it does not assess trauma.</source>
-        <translation>%1 von 100: Mittelwert der ersten vier Kriterien, mal dem Anteil der Insertion, der ausgeführt wurde. Bewertet nur die Technik, nicht das Trauma.</translation>
-    </message>
-    <message>
         <source>rib %1</source>
         <translation>Rippe %1</translation>
     </message>
@@ -6882,10 +6866,6 @@
         <translation>Eingangsgrößen, die stärkste zuerst, höchstens %1 je Elektrodenträger; Anteile unter %2 % sind nicht gezeichnet. Blau: Insertionswinkel; orange: Maximalkraft.</translation>
     </message>
     <message>
-        <source>Partition force</source>
-        <translation>Trennwandkraft</translation>
-    </message>
-    <message>
         <source>Method and limits; all limits in the appendix</source>
         <translation>Methode und Grenzen; alle Grenzen im Anhang</translation>
     </message>
@@ -6976,10 +6956,6 @@
     <message>
         <source>%1 (95 % %2–%3)</source>
         <translation>%1 (95 % %2–%3)</translation>
-    </message>
-    <message>
-        <source>M</source>
-        <translation>M</translation>
     </message>
     <message>
         <source>%1; %2 %3</source>
@@ -7124,6 +7100,42 @@
     <message>
         <source>%1 about %2 s left</source>
         <translation>%1 noch etwa %2 s</translation>
+    </message>
+    <message>
+        <source>Angular</source>
+        <translation>Winkel-</translation>
+    </message>
+    <message>
+        <source>depth, °</source>
+        <translation>tiefe, °</translation>
+    </message>
+    <message>
+        <source>Coverage, %</source>
+        <translation>Abdeckung, %</translation>
+    </message>
+    <message>
+        <source>Peak</source>
+        <translation>Maximale</translation>
+    </message>
+    <message>
+        <source>Partition</source>
+        <translation>Trennwand</translation>
+    </message>
+    <message>
+        <source>Mean speed</source>
+        <translation>Mittlere Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>%1 mm/s</source>
+        <translation>%1 mm/s</translation>
+    </message>
+    <message>
+        <source>inward motion up to the maximum depth by its time, pauses included</source>
+        <translation>Bewegung einwärts bis zur maximalen Tiefe durch ihre Zeit, Pausen eingeschlossen</translation>
+    </message>
+    <message>
+        <source>%1 of 100: the fractions of insertion and peak force, times the geometric mean of the fractions of speed, reversals and smoothness; none can be made good by the others. Rates technique only; it does not assess trauma.</source>
+        <translation>%1 von 100: die Anteile für Insertion und Maximalkraft, mal das geometrische Mittel der Anteile für Geschwindigkeit, Rückzüge und Gleichmäßigkeit; keiner gleicht einen anderen aus. Bewertet nur die Technik, nicht das Trauma.</translation>
     </message>
 </context>
 <context>
@@ -7595,10 +7607,6 @@
         <translation>Auf der Seite Aufzeichnungen zwei oder mehr wählen und „Vergleichen“ drücken.</translation>
     </message>
     <message>
-        <source>Score of %1. Rates technique only; it does not assess trauma.</source>
-        <translation>Bewertung von %1. Bewertet nur die Technik, nicht das Trauma.</translation>
-    </message>
-    <message>
         <source>%1: %2 % (%3). Criterion: %4. Source: %5.</source>
         <translation>%1: %2 % (%3). Kriterium: %4. Quelle: %5.</translation>
     </message>
@@ -7674,6 +7682,10 @@
         <source>%1 files saved to %2.</source>
         <translation>%1 Dateien in %2 gespeichert.</translation>
     </message>
+    <message>
+        <source>Score of %1: insertion × peak force × geometric mean of speed, reversals and smoothness. Rates technique only; it does not assess trauma.</source>
+        <translation>Bewertung von %1: Insertion × Maximalkraft × geometrisches Mittel von Geschwindigkeit, Rückzügen und Gleichmäßigkeit. Bewertet nur die Technik, nicht das Trauma.</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::ComparisonPlot</name>
@@ -7704,6 +7716,14 @@
     <message>
         <source>tip angle, °</source>
         <translation>Winkel der Spitze, °</translation>
+    </message>
+    <message>
+        <source>%1 ± %2 mN</source>
+        <translation>%1 ± %2 mN</translation>
+    </message>
+    <message>
+        <source>%1 mN</source>
+        <translation>%1 mN</translation>
     </message>
 </context>
 <context>
@@ -10385,6 +10405,18 @@ Die ersten Bänder kommen nach 8 Simulationen jedes Trägers.</translation>
         <source>At %1</source>
         <translation>Bei %1</translation>
     </message>
+    <message>
+        <source>Mean speed</source>
+        <translation>Mittl. Geschw.</translation>
+    </message>
+    <message>
+        <source>Inward motion up to the maximum depth by its time, pauses included.</source>
+        <translation>Bewegung einwärts bis zur maximalen Tiefe durch ihre Zeit, Pausen eingeschlossen.</translation>
+    </message>
+    <message>
+        <source>%1 mm/s</source>
+        <translation>%1 mm/s</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::SavedPatientRow</name>
@@ -11409,6 +11441,14 @@ Die ersten Bänder kommen nach 8 Simulationen jedes Trägers.</translation>
         <source>New study…</source>
         <translation>Neue Studie …</translation>
     </message>
+    <message>
+        <source>Statistics of</source>
+        <translation>Statistik über</translation>
+    </message>
+    <message>
+        <source>STATISTICS OF</source>
+        <translation>STATISTIK ÜBER</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::StudyPlot</name>
@@ -11470,14 +11510,6 @@ Die ersten Bänder kommen nach 8 Simulationen jedes Trägers.</translation>
         <translation>%1 (%2 bis %3)</translation>
     </message>
     <message>
-        <source>%1 (%2–%3)</source>
-        <translation>%1 (%2–%3)</translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%1 von %2</translation>
-    </message>
-    <message>
         <source>%1 % (%2–%3)</source>
         <translation>%1 % (%2–%3)</translation>
     </message>
@@ -11492,10 +11524,6 @@ Die ersten Bänder kommen nach 8 Simulationen jedes Trägers.</translation>
     <message>
         <source>Differences of groups</source>
         <translation>Differenzen der Gruppen</translation>
-    </message>
-    <message>
-        <source>Medians (quartiles) of all insertions that ran, the stopped ones with what they reached. Intervals of 95 %: Wilson for complete insertions, Student for means over cochleae of pairs that share the draw, Welch for groups without pairs; not corrected for several comparisons. Lines: least squares, with the 95 % band of the mean.</source>
-        <translation>Mediane (Quartile) aller gerechneten Insertionen, gestoppte mit dem Erreichten. 95-%-Intervalle: Wilson für vollständige Insertionen, Student für Mittelwerte über Cochleae aus Paaren mit gleichen gezogenen Werten, Welch für Gruppen ohne Paare; nicht für mehrere Vergleiche korrigiert. Geraden: kleinste Quadrate mit dem 95-%-Band des Mittelwerts.</translation>
     </message>
     <message>
         <source>Slope</source>
@@ -11546,12 +11574,36 @@ Die ersten Bänder kommen nach 8 Simulationen jedes Trägers.</translation>
         <translation>Welch, %1 und %2</translation>
     </message>
     <message>
-        <source>Difference (95 %)</source>
-        <translation>Differenz (95 %)</translation>
-    </message>
-    <message>
         <source>Of</source>
         <translation>Aus</translation>
+    </message>
+    <message>
+        <source>%1 (%2–%3); %4</source>
+        <translation>%1 (%2–%3); %4</translation>
+    </message>
+    <message>
+        <source>%1 of %2 (%3–%4 %)</source>
+        <translation>%1 von %2 (%3–%4 %)</translation>
+    </message>
+    <message>
+        <source>%1, %2 not prepared</source>
+        <translation>%1, %2 nicht vorbereitet</translation>
+    </message>
+    <message>
+        <source>Median (quartiles); mean. They, differences and lines are of all insertions that ran, the stopped ones with what they reached.</source>
+        <translation>Median (Quartile); Mittelwert. Sie, Differenzen und Geraden gelten für alle ausgeführten Insertionen, die gestoppten mit dem, was sie erreichten.</translation>
+    </message>
+    <message>
+        <source>Median (quartiles); mean. They, differences and lines are of complete insertions only: without the stopped ones they look deeper and gentler.</source>
+        <translation>Median (Quartile); Mittelwert. Sie, Differenzen und Geraden gelten nur für vollständige Insertionen: ohne die gestoppten erscheinen sie tiefer und sanfter.</translation>
+    </message>
+    <message>
+        <source>Intervals of 95 %: Wilson for complete insertions; of differences of means, Student over cochleae of pairs that share the draw, Welch for groups without pairs; not corrected for several comparisons. Lines: least squares, with the 95 % band of the mean.</source>
+        <translation>95-%-Intervalle: Wilson für vollständige Insertionen; für Differenzen von Mittelwerten Student über Cochleae aus Paaren mit gleichen Zufallswerten, Welch für Gruppen ohne Paare; nicht für mehrere Vergleiche korrigiert. Geraden: kleinste Quadrate, mit dem 95-%-Band des Mittelwerts.</translation>
+    </message>
+    <message>
+        <source>Difference of means (95 %)</source>
+        <translation>Differenz der Mittelwerte (95 %)</translation>
     </message>
 </context>
 <context>

@@ -52,7 +52,7 @@ KioskWindow::KioskWindow(session::Scenario scenario, std::filesystem::path board
     : control_(std::move(scenario), std::nullopt, std::move(cochleae)),
       clock_(std::move(clock)),
       board_(std::move(board)),
-      inVivo_(analysis::shippedReference("in-vivo")),
+      peaks_(analysis::peaksInPatients()),
       screen_(new KioskScreen(this))
 {
   control_.disableRecording();
@@ -67,7 +67,7 @@ KioskWindow::KioskWindow(session::Scenario scenario, std::filesystem::path board
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(screen_);
-  screen_->board().setSource(peakSource(inVivo_));
+  screen_->board().setSource(peakSource(peaks_));
   connect(screen_, &KioskScreen::startOverRequested, this, [this] { beginTurn(control_.hand()); });
   connect(screen_, &KioskScreen::handleRequested, this, &KioskWindow::chooseHandle);
   connect(screen_, &KioskScreen::leaveRequested, this, &KioskWindow::beginAttract);
@@ -175,7 +175,7 @@ void KioskWindow::showBoard(std::optional<int> chosen)
   const std::vector<KioskEntry>& entries = board_.entriesOf(clock_.today().date());
   QStringList text;
   for (const KioskEntry& entry : entries)
-    text << peakText(millinewtons(entry.peak_mN).si(), inVivo_);
+    text << peakText(millinewtons(entry.peak_mN).si(), peaks_);
   screen_->board().show(entries, text, chosen);
 }
 
@@ -290,7 +290,7 @@ void KioskWindow::endTurn()
   const std::optional<int> place = board_.enter(today.date(), entry);
   const QString peak = numberText(entry.peak_mN, 0);
   const QString duration = numberText(entry.duration_s, 1),
-                meaning = peakText(turn_.peakForce(), inVivo_);
+                meaning = peakText(turn_.peakForce(), peaks_);
   screen_->showMessage(
       place ? tr("Full depth · peak force %1 mN · place %2 today").arg(peak).arg(*place)
             : tr("Full depth · peak force %1 mN").arg(peak),

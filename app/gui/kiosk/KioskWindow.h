@@ -81,7 +81,7 @@ private:
   InsertionControl control_;
   KioskClock clock_;
   Leaderboard board_;
-  Result<analysis::Reference> inVivo_;
+  Result<analysis::PrintedRange> peaks_;
   VisitorSession turn_;
   KioskStage stage_ = KioskStage::attract;
 

@@ -36,29 +36,27 @@ void VisitorSession::follow(const haptics::Snapshot& snapshot)
   }
 }
 
-QString peakText(double peak_N, const Result<analysis::Reference>& inVivo)
+QString peakText(double peak_N, const Result<analysis::PrintedRange>& peaks)
 {
-  const analysis::PrintedRange* range = inVivo ? inVivo->findRange("peak") : nullptr;
-  if (range == nullptr) return {};
-  if (peak_N < range->low)
+  if (!peaks) return {};
+  if (peak_N < peaks->low)
     return translated(
         QT_TRANSLATE_NOOP("VisitorSession", "Below the forces measured in patients."));
-  if (peak_N > range->high)
+  if (peak_N > peaks->high)
     return translated(
         QT_TRANSLATE_NOOP("VisitorSession", "Above the forces measured in patients."));
   return translated(
       QT_TRANSLATE_NOOP("VisitorSession", "Within the range of forces measured in patients."));
 }
 
-QString peakSource(const Result<analysis::Reference>& inVivo)
+QString peakSource(const Result<analysis::PrintedRange>& peaks)
 {
-  const analysis::PrintedRange* range = inVivo ? inVivo->findRange("peak") : nullptr;
-  if (range == nullptr) return {};
+  if (!peaks) return {};
   return translated(QT_TRANSLATE_NOOP("VisitorSession",
                                       "Peak forces measured in patients: %1–%2 mN (Rau et al. "
                                       "2024). This comparison is not a safety assessment."))
-      .arg(numberText(inMillinewtons(newtons(range->low)), 0),
-           numberText(inMillinewtons(newtons(range->high)), 0));
+      .arg(numberText(inMillinewtons(newtons(peaks->low)), 0),
+           numberText(inMillinewtons(newtons(peaks->high)), 0));
 }
 
 }  // namespace perilymph::gui

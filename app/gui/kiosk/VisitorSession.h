@@ -34,9 +34,9 @@ private:
 
 /// Compares the peak with the range of peaks measured in patients: "below the peaks measured in
 /// patients". A comparison, not a statement on safety.
-QString peakText(double peak_N, const Result<analysis::Reference>& inVivo);
+QString peakText(double peak_N, const Result<analysis::PrintedRange>& peaks);
 
 /// That range and its source; empty if it could not be read.
-QString peakSource(const Result<analysis::Reference>& inVivo);
+QString peakSource(const Result<analysis::PrintedRange>& peaks);
 
 }  // namespace perilymph::gui

@@ -27,9 +27,8 @@ Thresholds thresholds()
 {
   Thresholds known;
   if (const auto felt = analysis::forceFeltBySurgeons()) known.felt_mN = inMillinewtons(*felt);
-  if (const auto inVivo = analysis::shippedReference("in-vivo"))
-    if (const auto* peaks = inVivo->findRange("peak"))
-      known.peaks_mN = {1e3 * peaks->low, 1e3 * peaks->high};
+  if (const auto peaks = analysis::peaksInPatients())
+    known.peaks_mN = {1e3 * peaks->low, 1e3 * peaks->high};
   return known;
 }
 

@@ -2,6 +2,7 @@
 #include "gui/report/PlanAppendix.h"
 
 #include <QCoreApplication>
+#include <algorithm>
 
 #include "gui/report/CtPicture.h"
 #include "gui/setup/PlannedFriction.h"
@@ -20,21 +21,32 @@ QString tr(const char* text) { return QCoreApplication::translate("perilymph::gu
 
 QString heading(const QString& text) { return QStringLiteral("<h2>%1</h2>").arg(text); }
 
-QString table(const QString& rows)
+/// @param header  Its first row, repeated on every page.
+QString table(const QString& rows, const QString& header = {})
 {
-  return QStringLiteral("<table cellspacing=\"0\" width=\"100%\">%1</table>").arg(rows);
+  const QString head =
+      header.isEmpty() ? QString() : QStringLiteral("<thead>%1</thead>").arg(header);
+  return QStringLiteral("<table cellspacing=\"0\" width=\"100%\">%1%2</table>").arg(head, rows);
 }
 
-/// A row of a contact, in columns of fixed width: text would break within its brackets.
-QString contactRow(const QStringList& texts, const char* kind)
+constexpr int contactColumns = 7;
+
+/// The cells of a contact, in columns of fixed width: text would break within its brackets.
+QString contactCells(const QStringList& texts, const char* kind)
 {
-  static constexpr int percents[] = {6, 27, 30, 13, 12, 6, 6};
-  QString row;
+  static constexpr int percents[contactColumns] = {3, 13, 15, 7, 6, 3, 3};
+  QString cells;
   for (int i = 0; i < texts.size(); ++i)
-    row += QStringLiteral("<td width=\"%1%\" class=\"%2\">%3</td>")
-               .arg(percents[i])
-               .arg(QLatin1String(kind), texts[i]);
-  return QStringLiteral("<tr>%1</tr>").arg(row);
+    cells += QStringLiteral("<td width=\"%1%\" class=\"%2\">%3</td>")
+                 .arg(percents[i])
+                 .arg(QLatin1String(kind), texts[i]);
+  return cells;
+}
+
+/// A cell as wide as those of a contact.
+QString wideCell(const QString& text)
+{
+  return QStringLiteral("<td colspan=\"%1\" class=\"tight\">%2</td>").arg(contactColumns).arg(text);
 }
 
 /// Median mismatch in semitones; "–" without a default filter.
@@ -44,29 +56,53 @@ QString mismatchText(const planning::ContactBand& contact)
                                  : QStringLiteral("–");
 }
 
-/// The contacts of one array, from the tip; those that are inserted in no simulation in one row.
-QString contactsOf(const planning::ArrayPlan& array, std::size_t place)
+/// The cells of the contacts of one array, from the tip; those that are inserted in no simulation in one.
+QStringList contactsOf(const planning::ArrayPlan& array)
 {
-  QString rows = contactRow({QStringLiteral("#"), tr("Angle, °"), tr("Modiolus, mm"), tr("GW"),
-                             tr("SG"), tr("st"), tr("in")},
-                            "quiet tiny");
-  QStringList absent;
+  QStringList rows, absent;
   for (const planning::ContactBand& each : array.contacts) {
     const QString number = QString::number(each.number);
     if (each.draws == 0)
       absent << number;
     else
-      rows += contactRow({number, medianText(each.angle_deg, 0), medianText(each.toModiolus_mm, 2),
-                          kilohertzText(each.greenwood_Hz), kilohertzText(each.spiralGanglion_Hz),
-                          mismatchText(each), QString::number(each.draws)},
-                         "tiny");
+      rows << contactCells(
+          {number, medianText(each.angle_deg, 0), medianText(each.toModiolus_mm, 2),
+           kilohertzText(each.greenwood_Hz), kilohertzText(each.spiralGanglion_Hz),
+           mismatchText(each), QString::number(each.draws)},
+          "tight");
   }
-  QString text =
-      QStringLiteral("<b>%1</b>").arg(numberedName(array, place).toHtmlEscaped()) + table(rows);
   if (!absent.isEmpty())
-    text += QStringLiteral("<span class=\"quiet tiny\">%1</span>")
-                .arg(tr("Not inserted: %1").arg(absent.join(QStringLiteral(", "))));
-  return text;
+    rows << wideCell(QStringLiteral("<span class=\"quiet\">%1</span>")
+                         .arg(tr("Not inserted: %1").arg(absent.join(QStringLiteral(", ")))));
+  return rows;
+}
+
+/// The contacts of arrays side by side. Not a table within a table: Qt repeats the header of each such
+/// table in one place.
+QString contactTable(const std::vector<planning::ArrayPlan>& arrays, std::size_t first)
+{
+  const QString titles = contactCells({QStringLiteral("#"), tr("Angle, °"), tr("Modiolus, mm"),
+                                       tr("GW"), tr("SG"), tr("st"), tr("in")},
+                                      "quiet tight");
+  QString names, columns;
+  std::vector<QStringList> cells;
+  int count = 0;
+  for (std::size_t k = first; k < first + blocksPerRow; ++k) {
+    const bool isThere = k < arrays.size();
+    names += wideCell(
+        isThere ? QStringLiteral("<b>%1</b>").arg(numberedName(arrays[k], k).toHtmlEscaped())
+                : QString());
+    columns += isThere ? titles : wideCell({});
+    cells.push_back(isThere ? contactsOf(arrays[k]) : QStringList());
+    count = std::max(count, int(cells.back().size()));
+  }
+  QString rows;
+  for (int i = 0; i < count; ++i) {
+    rows += QStringLiteral("<tr>");
+    for (const QStringList& own : cells) rows += i < own.size() ? own[i] : wideCell({});
+    rows += QStringLiteral("</tr>");
+  }
+  return table(rows, QStringLiteral("<tr>%1</tr><tr>%2</tr>").arg(names, columns));
 }
 
 /// A row of the table of resistances, in columns of fixed width.
@@ -92,10 +128,11 @@ QString resistances(const PlanReportContent& content, References& references)
   const auto& arrays = content.plan().arrays;
   const bool isCounted = arrays.front().draws < analysis::fewestForPercent;
   const QString reaches = isCounted ? tr("≥ %1 mN") : tr("≥ %1 mN, %");
-  QString rows = resistanceRow(
+  const QString header = resistanceRow(
       {tr("Array"), tr("First resistance, mm"), isCounted ? tr("felt") : tr("felt, %"),
        reaches.arg(weakest), reaches.arg(strongest)},
-      "quiet tiny");
+      "quiet tight");
+  QString rows;
   for (std::size_t i = 0; i < arrays.size(); ++i)
     rows += resistanceRow({numberedName(arrays[i], i).toHtmlEscaped(),
                            arrays[i].felt.value > 0.0 ? medianText(arrays[i].firstResistance_mm, 1)
@@ -103,9 +140,10 @@ QString resistances(const PlanReportContent& content, References& references)
                            chanceText(arrays[i].felt, arrays[i].draws),
                            chanceText(arrays[i].reachesWeakest, arrays[i].draws),
                            chanceText(arrays[i].reachesStrongest, arrays[i].draws)},
-                          "tiny");
-  return heading(tr("First resistance and force on the partition: median (band)")) + table(rows) +
-         QStringLiteral("<p class=\"quiet tiny\">%1</p>")
+                          "tight");
+  return heading(tr("First resistance and force on the partition: median (band)")) +
+         table(rows, header) +
+         QStringLiteral("<p class=\"quiet\">%1</p>")
              .arg(tr("First resistance: depth of the tip past the opening where the insertion "
                      "force first reaches %1 mN, the median force that surgeons detect %4, over "
                      "the simulations in which it does; felt: that it does. ≥ %2 and ≥ %3 mN: that "
@@ -118,9 +156,10 @@ QString resistances(const PlanReportContent& content, References& references)
 /// Forces on the hand at the end of the push and at rest.
 QString endForces(const PlanReportContent& content)
 {
-  QString rows = resistanceRow(
+  const QString header = resistanceRow(
       {tr("Array"), tr("End force, mN"), tr("after 1 s, mN"), tr("after 10 s, mN"), QString()},
-      "quiet tiny");
+      "quiet tight");
+  QString rows;
   const auto& arrays = content.plan().arrays;
   bool isOfRest = true;  // of a version that read the end force after 2 s of rest
   for (std::size_t i = 0; i < arrays.size(); ++i) {
@@ -130,23 +169,24 @@ QString endForces(const PlanReportContent& content)
       cells << (isKnown ? medianText(band, 1) : QStringLiteral("–"));
       isOfRest = isOfRest && !isKnown;
     }
-    rows += resistanceRow(cells << QString(), "tiny");
+    rows += resistanceRow(cells << QString(), "tight");
   }
   const QString method =
       isOfRest ? tr("End force: mean of the last half second of 2 s of rest, as the program that "
                     "made this plan read it.")
                : tr("End force: at the stop, by the line through the last half second of motion; "
                     "then means of the half second before 1 s and before 10 s of rest.");
-  return heading(tr("Force at the end and at rest: median (band)")) + table(rows) +
-         QStringLiteral("<p class=\"quiet tiny\">%1</p>").arg(method);
+  return heading(tr("Force at the end and at rest: median (band)")) + table(rows, header) +
+         QStringLiteral("<p class=\"quiet\">%1</p>").arg(method);
 }
 
 /// Angle and forces at the median of the drawn friction; nothing where it states no spread.
 QString atMedianFriction(const PlanReportContent& content)
 {
-  QString rows = resistanceRow({tr("Array"), tr("Angular depth, °"), tr("Depth, mm"),
-                                tr("Peak force, mN"), tr("End force, mN")},
-                               "quiet tiny");
+  const QString header = resistanceRow({tr("Array"), tr("Angular depth, °"), tr("Depth, mm"),
+                                        tr("Peak force, mN"), tr("End force, mN")},
+                                       "quiet tight");
+  QString rows;
   const auto& arrays = content.plan().arrays;
   bool isKnown = false;
   for (std::size_t i = 0; i < arrays.size(); ++i) {
@@ -156,13 +196,13 @@ QString atMedianFriction(const PlanReportContent& content)
     rows += resistanceRow({numberedName(arrays[i], i).toHtmlEscaped(),
                            medianText(found->angle_deg, 0), medianText(found->depth_mm, 1),
                            medianText(found->peak_mN, 1), medianText(found->end_mN, 1)},
-                          "tiny");
+                          "tight");
   }
   if (!isKnown) return {};
   return heading(tr("At friction %1 only: median (band)")
                      .arg(numberText(content.plan().friction.low, 3))) +
-         table(rows) +
-         QStringLiteral("<p class=\"quiet tiny\">%1</p>")
+         table(rows, header) +
+         QStringLiteral("<p class=\"quiet\">%1</p>")
              .arg(tr("From the same simulations, less what follows the logarithm of their "
                      "friction (least squares). All else is still drawn."));
 }
@@ -172,9 +212,10 @@ QString differences(const PlanReportContent& content)
 {
   const planning::Plan& plan = content.plan();
   if (plan.differences.empty()) return {};
-  QString rows = resistanceRow({tr("First against second"), tr("Angular depth, °"), tr("deeper"),
-                                tr("Peak force, mN"), tr("higher")},
-                               "quiet tiny");
+  const QString header = resistanceRow({tr("First against second"), tr("Angular depth, °"),
+                                        tr("deeper"), tr("Peak force, mN"), tr("higher")},
+                                       "quiet tight");
+  QString rows;
   for (const planning::ArrayDifference& each : plan.differences)
     rows += resistanceRow({tr("%1 against %2")
                                .arg(QString::fromStdString(plan.arrays[each.first].name),
@@ -182,9 +223,10 @@ QString differences(const PlanReportContent& content)
                                .toHtmlEscaped(),
                            differenceText(each.angle_deg), chanceText(each.deeper, each.draws),
                            differenceText(each.peak_mN), chanceText(each.harder, each.draws)},
-                          "tiny");
-  return heading(tr("Differences between arrays in the same ear: median (band)")) + table(rows) +
-         QStringLiteral("<p class=\"quiet tiny\">%1</p>")
+                          "tight");
+  return heading(tr("Differences between arrays in the same ear: median (band)")) +
+         table(rows, header) +
+         QStringLiteral("<p class=\"quiet\">%1</p>")
              .arg(tr("First minus second, simulation by simulation: cochlea, hand and friction are "
                      "the same for both, so their spread is not in these bands."));
 }
@@ -192,16 +234,10 @@ QString differences(const PlanReportContent& content)
 QString contacts(const PlanReportContent& content)
 {
   const auto& arrays = content.plan().arrays;
-  QString rows;
-  for (std::size_t i = 0; i < arrays.size(); i += blocksPerRow) {
-    QString row;
-    for (std::size_t k = i; k < std::min(arrays.size(), i + blocksPerRow); ++k)
-      row +=
-          QStringLiteral("<td width=\"50%\" class=\"block\">%1</td>").arg(contactsOf(arrays[k], k));
-    rows += QStringLiteral("<tr>%1</tr>").arg(row);
-  }
-  return heading(tr("Contacts, numbered from the tip: median (band)")) + table(rows) +
-         QStringLiteral("<p class=\"quiet tiny\">%1</p>")
+  QString tables;
+  for (std::size_t i = 0; i < arrays.size(); i += blocksPerRow) tables += contactTable(arrays, i);
+  return heading(tr("Contacts, numbered from the tip: median (band)")) + tables +
+         QStringLiteral("<p class=\"quiet\">%1</p>")
              .arg(tr(
                  "Angle from the center of the round window. Modiolus: distance from the center "
                  "line of the array to the inner wall. GW: frequency by Greenwood's map, kHz, "
@@ -215,7 +251,7 @@ QString contacts(const PlanReportContent& content)
 QString row(const QString& name, const QString& text)
 {
   return QStringLiteral(
-             "<tr><td width=\"18%\" class=\"quiet tiny\">%1</td><td class=\"tiny\">%2</td></tr>")
+             "<tr><td width=\"18%\" class=\"quiet tight\">%1</td><td class=\"tight\">%2</td></tr>")
       .arg(name, text);
 }
 
@@ -263,8 +299,8 @@ QString sources(const PlanReportContent& content, References& references)
     rows += QStringLiteral("<tr>");
     for (std::size_t k = i; k < std::min(all.size(), i + inARow); ++k)
       rows += QStringLiteral(
-                  "<td width=\"20%\" class=\"quiet tiny\">%1</td><td width=\"12%\" "
-                  "class=\"tiny\">%2</td><td width=\"18%\" class=\"quiet tiny\">%3</td>")
+                  "<td width=\"24%\" class=\"quiet tight\">%1</td><td width=\"10%\" "
+                  "class=\"tight\">%2</td><td width=\"16%\" class=\"quiet tight\">%3</td>")
                   .arg(inputName(all[k].table).toHtmlEscaped(), references.label(all[k].source),
                        confidenceText(all[k].confidence));
     rows += QStringLiteral("</tr>");

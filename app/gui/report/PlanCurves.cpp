@@ -14,9 +14,10 @@ namespace perilymph::gui {
 namespace {
 
 constexpr double axis_mm = ReportChart::axis_mm, label_mm = ReportChart::label_mm;
-constexpr double minHeight_mm = 16.0;  // of a chart
-constexpr double head_mm = 12.0;       // heading and a line of text above the charts
-constexpr double broad_mm = 110.0;     // has room for three charts side by side
+constexpr double minHeight_mm = 16.0;   // of a chart
+constexpr double minCounted_mm = 14.0;  // of a plot; in a lower one the counts cover the curve
+constexpr double head_mm = 12.0;        // heading and a line of text above the charts
+constexpr double broad_mm = 110.0;      // has room for three charts side by side
 
 // lupdate assigns texts of free functions to their namespace.
 QString tr(const char* text) { return QCoreApplication::translate("perilymph::gui", text); }
@@ -84,7 +85,7 @@ public:
     for (const planning::ForceCourse::Mark& each : course.ends)
       painter.drawEllipse(chart_.at(each.depth_mm, each.force_mN), radius, radius);
     painter.restore();
-    paintCounts(array, course);
+    if (plot_mm_.height() >= minCounted_mm) paintCounts(array, course);
   }
 
 private:

@@ -64,7 +64,7 @@ double paintIdentification(ReportSheet& sheet, const PlanReportContent& content,
 }
 
 struct Column {
-  QString title, unit;
+  QString upper, lower;  ///< Its title.
   double width_mm;
 };
 
@@ -119,40 +119,43 @@ double paintArrays(ReportSheet& sheet, const PlanReportContent& content, Referen
                    double y_mm, double width_mm)
 {
   const QString hold = bandsHold(content.plan());
+  const auto& arrays = content.plan().arrays;
   y_mm = sheet.heading(0.0, y_mm, width_mm, tr("Arrays in this cochlea: median (%1)").arg(hold));
   constexpr double chance_mm = 15.4;  // of "100 (68–100)"
   constexpr double force_mm = 18.2;   // of "100 (100–140)"
-  const Column columns[] = {{tr("Array"), {}, 33.0},
-                            {tr("Angular depth"), tr("°"), force_mm},
-                            {tr("Coverage"), tr("%"), 15.4},
-                            {tr("Peak force"), tr("mN"), force_mm},
-                            {tr("Partition force"), tr("mN"), force_mm},
-                            {tr("All inside"), {}, chance_mm},
-                            {tr("Resistance"), {}, chance_mm},
-                            {tr("Buckled"), {}, chance_mm},
-                            {tr("Tip fold"), {}, chance_mm},
-                            {tr("Rupture"), {}, chance_mm}};
-  const auto& arrays = content.plan().arrays;
+  constexpr double between_mm = 2.0;  // columns
+  const bool isCounted = arrays.front().draws < analysis::fewestForPercent;
+  // in two rows
+  const Column columns[] = {{{}, tr("Array"), 29.0},
+                            {tr("Angular"), tr("depth, °"), force_mm},
+                            {{}, tr("Coverage, %"), 17.4},
+                            {tr("Peak"), tr("force, mN"), force_mm},
+                            {tr("Partition"), tr("force, mN"), force_mm},
+                            {{}, tr("All inside"), chance_mm},
+                            {{}, tr("Resistance"), 17.4},
+                            {{}, tr("Buckled"), chance_mm},
+                            {{}, tr("Tip fold"), chance_mm},
+                            {{}, tr("Rupture"), chance_mm}};
   double high_mm = row_mm;
   const auto paintRow = [&](const QStringList& cells, ReportFace face = ReportFace::label) {
     double x_mm = 0.0;
     for (int i = 0; i < cells.size(); ++i) {
-      sheet.line({x_mm, y_mm, columns[i].width_mm - 1.0, high_mm}, cells[i], face,
+      const double before_mm = i == 0 ? 0.0 : between_mm;
+      sheet.line({x_mm + before_mm, y_mm, columns[i].width_mm - before_mm, high_mm}, cells[i], face,
                  i == 0 ? Qt::AlignLeft : Qt::AlignRight);
       x_mm += columns[i].width_mm;
     }
     y_mm += high_mm;
   };
-  QStringList titles, units;
-  for (const Column& column : columns) titles << column.title, units << column.unit;
-  paintRow(titles);
-  y_mm -= 0.9;
-  constexpr double chances_mm = 5 * chance_mm;
-  const bool isCounted = arrays.front().draws < analysis::fewestForPercent;
+  QStringList upper, lower;
+  for (const Column& column : columns) upper << column.upper, lower << column.lower;
+  constexpr double chances_mm = 4 * chance_mm + 17.4;
   sheet.line({width_mm - chances_mm, y_mm, chances_mm, high_mm},
              isCounted ? tr("number of simulations") : tr("share of simulations, %"),
-             ReportFace::label, Qt::AlignHCenter);
-  paintRow(units);
+             ReportFace::label, Qt::AlignRight);
+  paintRow(upper);
+  y_mm -= 0.9;
+  paintRow(lower);
   sheet.rule(0.0, y_mm, width_mm);
   const bool areMany = arrays.size() > manyArrays;
   if (areMany) high_mm = lowRow_mm;

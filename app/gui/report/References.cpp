@@ -119,8 +119,7 @@ QString References::list() const
     rows += QStringLiteral("<tr><td class=\"quiet\">[%1]</td><td>%2</td></tr>")
                 .arg(i + 1)
                 .arg(QString::fromUtf8(cited_[i]->citation).toHtmlEscaped());
-  return QStringLiteral(
-             "<h2>%1</h2><table cellspacing=\"0\">%2</table><p class=\"quiet small\">%3</p>")
+  return QStringLiteral("<h2>%1</h2><table cellspacing=\"0\">%2</table><p class=\"quiet\">%3</p>")
       .arg(headingText(), rows, noteText());
 }
 

@@ -25,6 +25,7 @@ constexpr double margin_mm = 15.0;
 constexpr double head_mm = 9.0;  // the line on top of every page
 constexpr double foot_mm = 7.0;
 constexpr double row_mm = 4.7;
+constexpr double appendixText_pt = 8.0;                     // smaller, print is not read
 constexpr double logoHeight_mm = 8.5, logoWidth_mm = 45.0;  // at most
 
 // lupdate assigns texts of free functions to their namespace.
@@ -39,13 +40,10 @@ QString styleSheet()
   return QStringLiteral(
              "h1 { font-size: %1px; font-weight: 600; margin-top: 0; } "
              "h2 { font-size: %2px; font-weight: 600; margin-top: 10px; margin-bottom: 3px; } "
-             "td { padding: 1px 10px 1px 0; } .quiet { color: %5; } "
-             ".small { font-size: %3px; } .tiny { font-size: %4px; } "
-             "td.tiny, td.block { padding: 0 3px 0 0; }")
+             "td { padding: 1px 10px 1px 0; } .quiet { color: %3; } "
+             "td.tight { padding: 0 3px 0 0; }")
       .arg(dots(13.0))
       .arg(dots(10.0))
-      .arg(dots(7.0))
-      .arg(dots(5.9))
       .arg(colorOf(figures::ink::quiet).name());
 }
 
@@ -71,7 +69,8 @@ public:
     sheet.rule(0.0, 5.8, width_mm_);
     const QRectF foot(0.0, height_mm_ - 4.0, width_mm_, 4.0);
     sheet.line(foot, purposeText(), ReportFace::quiet);
-    sheet.line(foot, report_.time, ReportFace::quiet, Qt::AlignHCenter);
+    sheet.line({0.5 * width_mm_, foot.top(), 0.36 * width_mm_, foot.height()}, report_.time,
+               ReportFace::quiet, Qt::AlignHCenter);
     sheet.line(foot, pageText(page, pages), ReportFace::quiet, Qt::AlignRight);
   }
 
@@ -131,7 +130,7 @@ Result<Done> writeReportPages(const ReportPages& report, const std::filesystem::
 {
   QTextDocument appendix;
   appendix.setDocumentMargin(0.0);
-  appendix.setDefaultFont(reportFont(8.0 * dotsPerInch / 72.0));
+  appendix.setDefaultFont(reportFont(appendixText_pt * dotsPerInch / 72.0));
   appendix.setDefaultStyleSheet(styleSheet());
   for (const auto& [name, image] : report.images)
     appendix.addResource(QTextDocument::ImageResource, QUrl(name), image);

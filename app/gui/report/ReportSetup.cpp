@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "gui/setup/Catalog.h"
+#include "gui/text/LandmarkText.h"
 #include "gui/text/Numbers.h"
 #include "perilymph/foundation/Normal.h"
 
@@ -45,17 +46,9 @@ QString coefficientText(const session::Scenario& scenario)
 /// Names of landmarks as in the window, of those in a patient's file.
 QString clinicalNames(const std::string& names)
 {
-  static constexpr const char* clinical[][2] = {{"OW", QT_TRANSLATE_NOOP("perilymph::gui", "LW")},
-                                                {"H", QT_TRANSLATE_NOOP("perilymph::gui", "base")},
-                                                {"A", QT_TRANSLATE_NOOP("perilymph::gui", "apex")},
-                                                {"C", QT_TRANSLATE_NOOP("perilymph::gui", "M")}};
   QStringList shown = QString::fromStdString(names).split(QStringLiteral(", "));
   for (QString& name : shown)
-    for (const auto& [inFile, inWindow] : clinical)
-      if (name == QLatin1String(inFile)) {
-        name = tr(inWindow);
-        break;
-      }
+    if (const auto mark = ct::markNamed(name.toStdString())) name = markLabel(*mark);
   return shown.join(QStringLiteral(", "));
 }
 

@@ -33,7 +33,7 @@ QString cell(const QString& caption, const char* kind = "")
 QString row(const QString& name, const QString& value, const QString& origin = {})
 {
   return QStringLiteral("<tr>%1%2%3</tr>")
-      .arg(cell(name, "quiet"), cell(value), cell(origin, "quiet small"));
+      .arg(cell(name, "quiet"), cell(value), cell(origin, "quiet"));
 }
 
 /// A value that takes the column of the origin, too.
@@ -104,7 +104,7 @@ QString numbers(const ReportContent& content)
           std::isnan(profile.partitionForceMax) ? tr("not recorded")
                                                 : mN(profile.partitionForceMax),
           ofTicks),
-      row(tr("Insertion work"), tr("%1 mJ").arg(numberText(profile.work * 1e3, 3)),
+      row(tr("Insertion work"), tr("%1 mJ").arg(numberText(profile.work * 1e3, 2)),
           tr("integral of force over displacement (trapezoidal rule)")),
       row(tr("Maximum insertion depth"), mm(profile.deepest),
           tr("length of array past the opening")),
@@ -114,6 +114,9 @@ QString numbers(const ReportContent& content)
           tr("insertion depth; tip angle")),
       row(tr("Insertion time"), tr("%1 s").arg(numberText(profile.duration, 1)),
           tr("first to last motion, pauses included")),
+      row(tr("Mean speed"),
+          tr("%1 mm/s").arg(numberText(1e3 * content.insertion.motion.meanSpeed(), 2)),
+          tr("inward motion up to the maximum depth by its time, pauses included")),
       row(tr("Reversals"), QString::number(content.insertion.reversals),
           tr("withdrawal of 0.1 mm or more"))};
   if (profile.basalTurnPeak)
@@ -140,9 +143,10 @@ QString howItWasDone(const ReportContent& content, References& references)
         tr("%1 %2").arg(dataText(each.band).toHtmlEscaped(), references.label(each.source)));
   return heading(QT_TRANSLATE_NOOP("perilymph::gui", "Technique score")) +
          QStringLiteral("<p>%1</p>")
-             .arg(tr("%1 of 100: the mean of the first four criteria, by the fraction of the "
-                     "insertion that "
-                     "was done. Rates technique only; it does not assess trauma.")
+             .arg(tr("%1 of 100: the fractions of insertion and peak force, times the geometric "
+                     "mean "
+                     "of the fractions of speed, reversals and smoothness; none can be made good "
+                     "by the others. Rates technique only; it does not assess trauma.")
                       .arg(numberText(content.score->total, 0))) +
          table(rows);
 }

@@ -30,7 +30,7 @@ ForceThresholds ForceThresholds::shipped()
 {
   ForceThresholds known;
   if (const auto felt = analysis::forceFeltBySurgeons()) known.felt = *felt;
-  known.peaks = rangeOf("in-vivo", "peak");
+  if (const auto peaks = analysis::peaksInPatients()) known.peaks = *peaks;
   known.rupture = rangeOf("in-vitro", "rupture of the partition");
   return known;
 }

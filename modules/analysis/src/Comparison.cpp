@@ -135,7 +135,7 @@ std::string comparisonCsv(const std::vector<ComparedInsertion>& insertions)
       "name,scenario,peak_N,peak_travel_mm,peak_depth_mm,work_mJ,reversals,duration_s,"
       "final_depth_mm,final_angle_deg,rupture_angle_deg,rupture_N,above_mm,array,technique,patient,"
       "side,array_peak_N,array_peak_depth_mm,rib_peak_N,rib_peak_depth_mm,end_N,deepest_angle_deg,"
-      "score\n";
+      "score,score_definition,mean_speed_mm_s\n";
   for (const ComparedInsertion& each : insertions) {
     const ForceProfile& profile = each.profile;
     csv += csvField(labelOf(each)) + "," + csvField(each.scenario);
@@ -158,7 +158,8 @@ std::string comparisonCsv(const std::vector<ComparedInsertion>& insertions)
                : ",,";
     csv += nextField(profile.endForce) + nextField(asDegrees(profile.deepestAngle));
     const auto score = scoreOf(each);
-    csv += (score ? nextField(score->total) : ",") + "\n";
+    csv += (score ? nextField(score->total) : ",") + "," + std::to_string(scoreDefinition) +
+           nextField(asMillimeters(each.motion.meanSpeed())) + "\n";
   }
   return csv;
 }

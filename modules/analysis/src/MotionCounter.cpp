@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "perilymph/analysis/MotionCounter.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace perilymph::analysis {
@@ -82,7 +83,11 @@ void MotionCounter::endStretch(const haptics::TickOutput& now)
   if (isStill) sofar_.timeStill += time;
   if (way > 0.0) {
     sofar_.wayIn += way;
-    if (!isStill && speed <= fastestSpeed.si() * (1.0 + slack)) sofar_.wayInBand += way;
+    const double size = std::fabs(speed);
+    const bool isInBand = !isStill && size <= fastestSpeed.si() * (1.0 + slack);
+    if (isInBand) sofar_.wayInBand += way;
+    const double part = isStill ? size / slowestSpeed.si() : fastestSpeed.si() / size;
+    sofar_.wayBySpeed += way * (isInBand ? 1.0 : std::min(part, 1.0));
   }
   sofar_.reversals = reversals_.reversals();
   if (!(now.travel > deepest_)) return;

@@ -149,4 +149,14 @@ Result<Force> forceFeltBySurgeons()
   return newtons(felt->value);
 }
 
+Result<PrintedRange> peaksInPatients()
+{
+  const auto inVivo = shippedReference("in-vivo");
+  if (!inVivo) return inVivo.error();
+  const PrintedRange* const peak = inVivo->findRange("peak");
+  if (peak == nullptr)
+    return Error{"The reference 'in-vivo' has no [[range]] of the quantity 'peak'."};
+  return *peak;
+}
+
 }  // namespace perilymph::analysis

@@ -38,8 +38,8 @@ ScoreCriterion insertionDone(const ComparedInsertion& insertion)
           stop <= 0.0 ? Sentence{"not known, because the scenario can no longer be read"}
                       : Sentence{"%1 of %2 mm", fixed(inMillimeters(meters(done)), 1),
                                  fixed(inMillimeters(meters(stop)), 1)},
-          Sentence{"the mean of the others counts by this fraction"},
-          Sentence{"travel that the scenario sets"}, fraction};
+          Sentence{"the score counts by this fraction"}, Sentence{"travel that the scenario sets"},
+          fraction};
 }
 
 }  // namespace
@@ -56,6 +56,7 @@ InsertionScore scoreOf(const ComparedInsertion& insertion, const PrintedRange& p
 {
   const Motion& motion = insertion.motion;
   const double inBand = motion.wayIn > 0.0 ? motion.wayInBand / motion.wayIn : 0.0;
+  const double bySpeed = motion.wayIn > 0.0 ? motion.wayBySpeed / motion.wayIn : 0.0;
   const double still = motion.time > 0.0 ? motion.timeStill / motion.time : 0.0;
   const double peak = insertion.arrayPeak.force;
   const double middle = 0.5 * (peakBand.low + peakBand.high);
@@ -64,10 +65,11 @@ InsertionScore scoreOf(const ComparedInsertion& insertion, const PrintedRange& p
   score.criteria = {
       {Sentence{"speed"},
        Sentence{"%1 % of the insertion at 0.1–2.0 mm/s", fixed(100.0 * inBand, 0)},
-       Sentence{"full score if the whole insertion is within 0.1–2.0 mm/s, none at 0 %"},
+       Sentence{
+           "full score within 0.1–2.0 mm/s, half at twice or half of these, in proportion beyond"},
        Sentence{"robotic insertion 0.1–1.0 mm/s (iotaSOFT); manual insertion in cadaver heads "
                 "0.66 ± 0.31 mm/s; phantom study 0.1–2.0 mm/s (Froehlich et al. 2024)"},
-       inBand},
+       bySpeed},
       {Sentence{"reversals"}, Sentence{"%1 before maximum insertion depth", motion.reversals},
        Sentence{"full score at 0, half at 18.6"},
        Sentence{"Kesler et al. 2017: 18.6 reversals in manual insertions at a target of 15 "
@@ -84,24 +86,18 @@ InsertionScore scoreOf(const ComparedInsertion& insertion, const PrintedRange& p
        Sentence{"Kesler et al. 2017: manual insertions at a target of 15 mm/min paused 15.7 % of "
                 "the time"},
        fallingOff(still, restFractionOfTooSlowHands)}};
-  double sum = 0.0;
-  for (const ScoreCriterion& criterion : score.criteria) sum += criterion.fraction;
-  const ScoreCriterion done = insertionDone(insertion);
-  score.total = 100.0 * done.fraction * sum / static_cast<double>(score.criteria.size());
-  score.criteria.push_back(done);
+  const auto fraction = [&score](std::size_t index) { return score.criteria[index].fraction; };
+  const double motionMean = std::cbrt(fraction(0) * fraction(1) * fraction(3));
+  score.criteria.push_back(insertionDone(insertion));
+  score.total = 100.0 * fraction(4) * fraction(2) * motionMean;
   return score;
 }
 
 Result<InsertionScore> scoreOf(const ComparedInsertion& insertion)
 {
-  const auto inVivo = shippedReference("in-vivo");
-  if (!inVivo) return inVivo.error();
-  const PrintedRange* peak = inVivo->findRange("peak");
-  if (peak == nullptr)
-    return Error{
-        "The reference 'in-vivo' has no range of the quantity 'peak', so no insertion can "
-        "be scored. Put the shipped file back."};
-  return scoreOf(insertion, *peak);
+  const auto peaks = peaksInPatients();
+  if (!peaks) return peaks.error();
+  return scoreOf(insertion, *peaks);
 }
 
 }  // namespace perilymph::analysis

@@ -131,10 +131,10 @@ Result<Done> Database::Content::check(const FileKind& kind)
     };
     // SQLite's automatic index of a primary key has no statement.
     if (text(0) == "index" && sqlite3_column_type(prepared, 1) == SQLITE_NULL) continue;
-    const auto isOneOf = [&](const std::vector<std::string>& views) {
+    const auto isAmong = [&text](const std::vector<std::string>& views) {
       return std::find(views.begin(), views.end(), text(1)) != views.end();
     };
-    if (text(0) == "view" && (isOneOf(kind.views) || isOneOf(kind.formerViews))) continue;
+    if (text(0) == "view" && (isAmong(kind.views) || isAmong(kind.formerViews))) continue;
     const auto found = std::find(missing.begin(), missing.end(), text(1));
     if (text(0) != "table" || found == missing.end())
       return error(Sentence{"it has content that %1 does not have", kind.name});

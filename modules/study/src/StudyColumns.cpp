@@ -9,8 +9,6 @@
 #include <stop_token>
 #include <utility>
 
-#include "perilymph/study/StudyReport.h"
-
 namespace perilymph::study {
 
 namespace {
@@ -89,43 +87,60 @@ std::optional<StudyQuantity> quantityOf(const std::string& key,
 
 }  // namespace
 
+std::string settingOf(const StudyResult& result, const std::string& key)
+{
+  for (const auto& [name, value] : result.settings)
+    if (name == key) return value;
+  return {};
+}
+
 Result<StudyColumns> StudyColumns::read(const std::filesystem::path& file,
-                                        const std::stop_token& stop)
+                                        const std::stop_token& stop, std::size_t max)
 {
   const auto opened = StudyFile::open(file);
   if (!opened) return opened.error();
-  StudyColumns columns;
-  columns.facts_ = opened->facts();
-  if (columns.facts_.end - columns.facts_.first > maxInsertions)
+  const StudyFileFacts& facts = opened->facts();
+  if (facts.end - facts.first > max)
     return Error{
         "%1 has %2 insertions; at most %3 can be shown. Open one of its shards, or query it with "
         "SQL.",
-        file, columns.facts_.end - columns.facts_.first, maxInsertions};
-  const auto read = opened->read([&](const StudyResult& result) -> Result<Done> {
+        file, facts.end - facts.first, max};
+  std::vector<StudyResult> results;
+  const auto read = opened->read([&](StudyResult result) -> Result<Done> {
     if (stop.stop_requested()) return Error{"Canceled."};
-    columns.results_.push_back(result);
-    columns.results_.back().insertion.contacts = {};
-    columns.results_.back().insertion.profile = {};
+    result.insertion.contacts = {};
+    result.insertion.profile = {};
+    results.push_back(std::move(result));
     return Done{};
   });
   if (!read) return read.error();
-  if (columns.results_.empty())
+  if (results.empty())
     return Error{
         "%1 has no insertions yet. Run 'perilymph-cli study run' or merge its shards first.", file};
+  return StudyColumns(facts, std::move(results));
+}
+
+StudyColumns::StudyColumns(StudyFileFacts facts, std::vector<StudyResult> results)
+    : facts_(std::move(facts)), results_(std::move(results))
+{
+  addQuantities();
+  addSettings();
+}
+
+void StudyColumns::addQuantities()
+{
   for (std::size_t i = 0; i < std::size(ownQuantities); ++i) {
     const auto& [key, number] = ownQuantities[i];
     StudyQuantity quantity{key, {}};
-    quantity.values.reserve(columns.size());
-    for (const StudyResult& result : columns.results_) {
+    quantity.values.reserve(size());
+    for (const StudyResult& result : results_) {
       const bool isMissing =
           i >= firstOfInsertion && result.insertion.end == analysis::InsertionEnd::refused;
       quantity.values.push_back(isMissing ? std::numeric_limits<double>::quiet_NaN()
                                           : number(result));
     }
-    columns.quantities_.push_back(std::move(quantity));
+    quantities_.push_back(std::move(quantity));
   }
-  columns.addSettings();
-  return columns;
 }
 
 void StudyColumns::addSettings()
@@ -137,8 +152,7 @@ void StudyColumns::addSettings()
   for (const StudyResult& result : results_)
     for (const auto& [key, value] : result.settings) keys.insert(key);
   for (const std::string& key : keys) {
-    for (std::size_t i = 0; i < size(); ++i)
-      texts[i] = StudyEvaluation::settingOf(results_[i], key);
+    for (std::size_t i = 0; i < size(); ++i) texts[i] = settingOf(results_[i], key);
     if (auto factor = factorOf(key, texts)) factors_.push_back(*std::move(factor));
     if (auto quantity = quantityOf(key, texts)) quantities_.push_back(*std::move(quantity));
   }
@@ -156,6 +170,14 @@ const StudyFactor* StudyColumns::factor(const std::string& key) const
   const auto found = std::find_if(factors_.begin(), factors_.end(),
                                   [&key](const StudyFactor& each) { return each.key == key; });
   return found == factors_.end() ? nullptr : &*found;
+}
+
+std::vector<std::string> StudyColumns::ranges() const
+{
+  std::vector<std::string> keys;
+  for (std::size_t i = std::size(ownQuantities); i < quantities_.size(); ++i)
+    if (factor(quantities_[i].key) == nullptr) keys.push_back(quantities_[i].key);
+  return keys;
 }
 
 std::vector<std::uint32_t> StudyColumns::rows(const StudyFilter& filter) const

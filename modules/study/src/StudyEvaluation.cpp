@@ -3,152 +3,109 @@
 // Effects of factors, and slopes, from the results of a study.
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <set>
+#include <map>
 
-#include "OutcomeValue.h"
 #include "perilymph/study/StudyReport.h"
 
 namespace perilymph::study {
 
 namespace {
 
-/// A setting with more values than this was drawn from a range (choice, high: lists of people are
-/// shorter).
-constexpr std::size_t maxLevels = 12;
 constexpr std::size_t fewestCochleae = 3;
+constexpr const char* ending = "ending";
 
-double meanOf(const std::vector<double>& values)
-{
-  double sum = 0.0;
-  for (const double value : values) sum += value;
-  return sum / static_cast<double>(values.size());
-}
+/// A level of a factor, as an index into its list.
+struct Level {
+  const StudyFactor* factor;
+  std::size_t index;
 
-Estimate estimateOf(const std::vector<double>& values)
-{
-  const analysis::SampleStatistics statistics = analysis::statisticsOf(values);
-  return {statistics.mean, statistics.low95(), statistics.high95()};
-}
+  bool isOf(std::uint32_t row) const { return factor->level[row] == index; }
+  std::string name() const { return factor->key + " = " + factor->levels[index]; }
+};
 
-/// Mean outcome of the insertions that a condition selects.
+/// Mean of the values in the rows that a condition selects; 0 without any.
 template <class Condition>
-double meanWhere(const std::vector<const StudyResult*>& cochlea, Outcome outcome,
+double meanWhere(const std::vector<std::uint32_t>& rows, const std::vector<double>& values,
                  const Condition& condition)
 {
-  std::vector<double> values;
-  for (const StudyResult* each : cochlea)
-    if (condition(*each)) values.push_back(valueOf(*each, outcome));
-  return values.empty() ? 0.0 : meanOf(values);
+  double sum = 0.0, count = 0.0;
+  for (const std::uint32_t row : rows)
+    if (condition(row)) sum += values[row], count += 1.0;
+  return count > 0.0 ? sum / count : 0.0;
 }
 
-double numberIn(const std::string& text)
+constexpr auto everyRow = [](std::uint32_t) { return true; };
+
+std::vector<Level> levelsOf(const StudyFactor& factor)
 {
-  double value = 0.0;
-  std::from_chars(text.data(), text.data() + text.size(), value);
-  return value;
+  std::vector<Level> levels;
+  for (std::size_t i = 0; i < factor.levels.size(); ++i) levels.push_back({&factor, i});
+  return levels;
 }
 
 }  // namespace
 
-double valueOf(const StudyResult& result, Outcome outcome)
+StudyEvaluation::StudyEvaluation(const StudyColumns& columns)
+    : columns_(&columns), ranges_(columns.ranges())
 {
-  switch (outcome) {
-    case Outcome::angle:
-      return inDegrees(result.insertion.apical);
-    case Outcome::coverage:
-      return 100.0 * result.insertion.coverage;
-    case Outcome::peakForce:
-      return inMillinewtons(result.insertion.peak.force);
-    case Outcome::partitionForce:
-      break;
-  }
-  return inMillinewtons(result.insertion.partition);
+  for (const StudyFactor& factor : columns.factors())
+    if (factor.key != ending) factors_.push_back(&factor);
 }
 
-StudyEvaluation::StudyEvaluation(std::vector<StudyResult> results) : results_(std::move(results))
+/// The rows by cochlea, of those of which every insertion is selected.
+std::vector<StudyEvaluation::Rows> StudyEvaluation::wholeCochleae(StudySelection selection) const
 {
-  std::map<std::string, std::set<std::string>> values;
-  for (const StudyResult& each : results_)
-    for (const auto& [key, value] : each.settings) values[key].insert(value);
-  for (const auto& [key, found] : values) {
-    if (found.size() > maxLevels) ranges_.push_back(key);
-    if (found.size() > 1 && found.size() <= maxLevels) factors_[key] = {found.begin(), found.end()};
-  }
-}
-
-std::string StudyEvaluation::settingOf(const StudyResult& result, const std::string& key)
-{
-  for (const auto& [name, value] : result.settings)
-    if (name == key) return value;
-  return {};
-}
-
-std::string StudyEvaluation::combinationOf(const StudyResult& result) const
-{
-  std::string text;
-  for (const auto& [key, levels] : factors_) text += settingOf(result, key) + '\n';
-  return text;
-}
-
-/// The results by cochlea, of those in which every insertion finished.
-std::vector<std::vector<const StudyResult*>> StudyEvaluation::wholeCochleae() const
-{
-  std::map<std::string, std::vector<const StudyResult*>> byCochlea;
-  for (const StudyResult& each : results_) byCochlea[each.cochlea].push_back(&each);
-  std::vector<std::vector<const StudyResult*>> whole;
-  for (auto& [name, all] : byCochlea)
-    if (std::all_of(all.begin(), all.end(), [](const StudyResult* each) {
-          return each->insertion.end == analysis::InsertionEnd::finished;
-        }))
-      whole.push_back(std::move(all));
+  std::map<std::string, Rows> byCochlea;
+  for (std::uint32_t row = 0; row < columns_->size(); ++row)
+    byCochlea[columns_->result(row).cochlea].push_back(row);
+  std::vector<Rows> whole;
+  for (auto& [name, rows] : byCochlea)
+    if (std::ranges::all_of(
+            rows, [&](std::uint32_t row) { return isIn(selection, columns_->result(row)); }))
+      whole.push_back(std::move(rows));
   return whole;
 }
 
-std::vector<Effect> StudyEvaluation::mainEffects(Outcome outcome) const
+std::vector<Effect> StudyEvaluation::mainEffects(const std::string& quantity,
+                                                 StudySelection selection) const
 {
-  const auto cochleae = wholeCochleae();
+  const auto cochleae = wholeCochleae(selection);
+  const auto& values = columns_->quantity(quantity)->values;
   std::vector<Effect> effects;
   if (cochleae.size() < fewestCochleae) return effects;
-  for (const auto& [key, levels] : factors_)
-    for (const std::string& level : levels) {
+  for (const StudyFactor* factor : factors_)
+    for (const Level& level : levelsOf(*factor)) {
       std::vector<double> differences;
-      for (const auto& cochlea : cochleae)
-        differences.push_back(meanWhere(cochlea, outcome,
-                                        [&, &factor = key](const StudyResult& each) {
-                                          return settingOf(each, factor) == level;
-                                        }) -
-                              meanWhere(cochlea, outcome, [](const StudyResult&) { return true; }));
-      effects.push_back({key + " = " + level, estimateOf(differences)});
+      for (const Rows& rows : cochleae)
+        differences.push_back(
+            meanWhere(rows, values, [&](std::uint32_t row) { return level.isOf(row); }) -
+            meanWhere(rows, values, everyRow));
+      effects.push_back({level.name(), *analysis::meanWithInterval(differences)});
     }
   return effects;
 }
 
-std::vector<Effect> StudyEvaluation::interactions(Outcome outcome) const
+std::vector<Effect> StudyEvaluation::interactions(const std::string& quantity,
+                                                  StudySelection selection) const
 {
-  const auto cochleae = wholeCochleae();
+  const auto cochleae = wholeCochleae(selection);
+  const auto& values = columns_->quantity(quantity)->values;
   std::vector<Effect> effects;
   if (cochleae.size() < fewestCochleae) return effects;
   for (auto one = factors_.begin(); one != factors_.end(); ++one)
     for (auto other = std::next(one); other != factors_.end(); ++other)
-      for (const std::string& a : one->second)
-        for (const std::string& b : other->second) {
-          const auto isA = [&](const StudyResult& each) {
-            return settingOf(each, one->first) == a;
-          };
-          const auto isB = [&](const StudyResult& each) {
-            return settingOf(each, other->first) == b;
-          };
+      for (const Level& a : levelsOf(**one))
+        for (const Level& b : levelsOf(**other)) {
           std::vector<double> excess;
-          for (const auto& cochlea : cochleae)
+          for (const Rows& rows : cochleae)
             excess.push_back(
-                meanWhere(cochlea, outcome,
-                          [&](const StudyResult& each) { return isA(each) && isB(each); }) -
-                meanWhere(cochlea, outcome, isA) - meanWhere(cochlea, outcome, isB) +
-                meanWhere(cochlea, outcome, [](const StudyResult&) { return true; }));
-          effects.push_back(
-              {one->first + " = " + a + ", " + other->first + " = " + b, estimateOf(excess)});
+                meanWhere(rows, values,
+                          [&](std::uint32_t row) { return a.isOf(row) && b.isOf(row); }) -
+                meanWhere(rows, values, [&](std::uint32_t row) { return a.isOf(row); }) -
+                meanWhere(rows, values, [&](std::uint32_t row) { return b.isOf(row); }) +
+                meanWhere(rows, values, everyRow));
+          effects.push_back({a.name() + ", " + b.name(), *analysis::meanWithInterval(excess)});
         }
   std::stable_sort(effects.begin(), effects.end(), [](const Effect& a, const Effect& b) {
     return std::fabs(a.size.value) > std::fabs(b.size.value);
@@ -156,36 +113,41 @@ std::vector<Effect> StudyEvaluation::interactions(Outcome outcome) const
   return effects;
 }
 
-std::vector<Slope> StudyEvaluation::slopes(Outcome outcome) const
+std::vector<Slope> StudyEvaluation::slopes(const std::string& quantity,
+                                           StudySelection selection) const
 {
   std::vector<std::string> names = {"A_mm"};
   names.insert(names.end(), ranges_.begin(), ranges_.end());
+  const auto& y = columns_->quantity(quantity)->values;
   std::vector<Slope> slopes;
   for (const std::string& name : names) {
+    const auto& x = columns_->quantity(name)->values;
     // Both variables less the mean of their combination.
-    std::map<std::string, std::vector<std::pair<double, double>>> points;
-    for (const StudyResult& each : results_)
-      if (each.insertion.end == analysis::InsertionEnd::finished)
-        points[combinationOf(each)].emplace_back(
-            name == "A_mm" ? each.a_mm : numberIn(settingOf(each, name)), valueOf(each, outcome));
+    std::map<std::vector<std::uint16_t>, std::vector<std::pair<double, double>>> points;
+    for (std::uint32_t row = 0; row < columns_->size(); ++row) {
+      if (!isIn(selection, columns_->result(row)) || !std::isfinite(x[row])) continue;
+      std::vector<std::uint16_t> combination;
+      for (const StudyFactor* factor : factors_) combination.push_back(factor->level[row]);
+      points[combination].emplace_back(x[row], y[row]);
+    }
     double xx = 0.0, xy = 0.0, yy = 0.0;
     double freedom = -1.0;
     for (const auto& [combination, own] : points) {
-      double x = 0.0, y = 0.0;
-      for (const auto& [a, b] : own) x += a, y += b;
-      x /= static_cast<double>(own.size());
-      y /= static_cast<double>(own.size());
+      double meanX = 0.0, meanY = 0.0;
+      for (const auto& [a, b] : own) meanX += a, meanY += b;
+      meanX /= static_cast<double>(own.size());
+      meanY /= static_cast<double>(own.size());
       for (const auto& [a, b] : own) {
-        xx += (a - x) * (a - x);
-        xy += (a - x) * (b - y);
-        yy += (b - y) * (b - y);
+        xx += (a - meanX) * (a - meanX);
+        xy += (a - meanX) * (b - meanY);
+        yy += (b - meanY) * (b - meanY);
       }
       freedom += static_cast<double>(own.size()) - 1.0;
     }
     if (!(xx > 0.0) || freedom < 1.0) continue;
     const double slope = xy / xx;
     const double error = std::sqrt(std::max(yy - slope * xy, 0.0) / freedom / xx);
-    const double half = halfWidth95 * error;
+    const double half = analysis::studentHalfWidth95(freedom) * error;
     slopes.push_back({name, {slope, slope - half, slope + half}});
   }
   return slopes;

@@ -205,7 +205,7 @@ const session::InsertionTableKind& studyKind()
        Sentence{"Choose a .sqlite file that 'perilymph-cli study' wrote."},
        Sentence{"Delete it and run its shard again."},
        0x50655374,  // "PeSt"
-       3,           // 1 had no views, 2 no seal
+       4,           // 1 had no views, 2 no seal, 3 former views
        {"CREATE TABLE meta(key TEXT PRIMARY KEY, value TEXT NOT NULL)",
         "CREATE TABLE insertion(number INTEGER PRIMARY KEY, cochlea TEXT NOT NULL, settings TEXT "
         "NOT "

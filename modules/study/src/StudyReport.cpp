@@ -4,10 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
-#include "OutcomeValue.h"
 #include "perilymph/figures/Strings.h"
-#include "perilymph/foundation/Quantile.h"
 
 namespace perilymph::study {
 
@@ -16,15 +15,10 @@ namespace {
 using figures::fixed;
 namespace ink = figures::ink;
 
-constexpr std::array outcomes = {Outcome::angle, Outcome::coverage, Outcome::peakForce,
-                                 Outcome::partitionForce};
 /// Interactions listed for each quantity.
 constexpr std::size_t maxInteractions = 3;
 /// Points of a series in a figure; more would cover each other.
 constexpr std::size_t maxPoints = 400;
-
-/// Decimals of a quantity in tables.
-int decimalsOf(Outcome outcome) { return outcome == Outcome::partitionForce ? 2 : 1; }
 
 std::string interval(const Estimate& estimate, int decimals)
 {
@@ -32,68 +26,146 @@ std::string interval(const Estimate& estimate, int decimals)
          fixed(estimate.high, decimals) + ")";
 }
 
-/// The finished insertions' median and quartiles: "412 (401 to 425)"; a dash without any.
-std::string quartiles(const std::vector<const StudyResult*>& results, Outcome outcome)
+/// "97.5 (91.3 to 99.3)"; of few insertions "4 of 5 (38 to 96)".
+std::string rateText(const StudyGroup& group)
 {
-  std::vector<double> values;
-  for (const StudyResult* each : results)
-    if (each->insertion.end == analysis::InsertionEnd::finished)
-      values.push_back(valueOf(*each, outcome));
-  if (values.empty()) return "-";
-  return interval({quantile(values, 0.5), quantile(values, 0.25), quantile(values, 0.75)},
-                  decimalsOf(outcome));
+  const Estimate percent{100.0 * group.rate.value, 100.0 * group.rate.low, 100.0 * group.rate.high};
+  const auto count = analysis::countedOf(group.rate, group.rows.size());
+  if (!count) return interval(percent, 1);
+  return std::to_string(*count) + " of " + std::to_string(group.rows.size()) + " (" +
+         fixed(percent.low, 0) + " to " + fixed(percent.high, 0) + ")";
 }
 
-std::string rowOf(const std::string& name, const std::vector<const StudyResult*>& results)
+/// "412 (401 to 425); 413": median, quartiles and mean; a dash without any.
+std::string sampleText(const StudySample& sample, std::size_t quantity)
 {
-  const auto finished = static_cast<std::size_t>(
-      std::count_if(results.begin(), results.end(), [](const StudyResult* each) {
-        return each->insertion.end == analysis::InsertionEnd::finished;
-      }));
-  const Estimate rate = analysis::proportionOf(finished, results.size());
-  std::string row = "| " + name + " | " + std::to_string(results.size()) + " | " +
-                    (analysis::countedOf(rate, results.size())
-                         ? analysis::shareText(rate, results.size())
-                         : interval({100.0 * rate.value, 100.0 * rate.low, 100.0 * rate.high}, 1));
-  for (const Outcome outcome : outcomes) row += " | " + quartiles(results, outcome);
-  return row + " |\n";
+  const auto& quartiles = sample.quartiles[quantity];
+  const int decimals = summarizedQuantities[quantity].decimals;
+  return quartiles
+             ? interval(*quartiles, decimals) + "; " + fixed(sample.means[quantity]->mean, decimals)
+             : "-";
 }
 
-std::string tableHead(const std::string& what)
+/// The first rows of a table: its columns and a line.
+std::string tableHead(const std::vector<std::string>& columns)
 {
-  std::string head = "| " + what + " | insertions | full insertions, % (95 % interval)";
-  std::string line = "|---|---|---";
-  for (const Outcome outcome : outcomes) {
-    head += " | " + titleOf(outcome);
-    line += "|---";
+  std::string head = "|", line = "|";
+  for (const std::string& column : columns) {
+    head += " " + column + " |";
+    line += "---|";
   }
-  return head + " |\n" + line + "|\n";
+  return head + "\n" + line + "\n";
 }
 
-/// A table of every level of every factor, then of thirds by the size of the cochlea.
-std::string distributions(const StudyEvaluation& study)
+/// A table's columns, followed by those of the quantities.
+std::string tableOfQuantities(std::vector<std::string> columns)
 {
-  std::string text = "## Distributions\n\nMedian (quartiles) of the insertions that finished.\n\n" +
-                     tableHead("insertions with");
-  std::vector<const StudyResult*> all;
-  for (const StudyResult& each : study.results()) all.push_back(&each);
-  text += rowOf("all", all);
-  for (const auto& [key, levels] : study.factors())
-    for (const std::string& level : levels) {
-      std::vector<const StudyResult*> own;
-      for (const StudyResult* each : all)
-        if (StudyEvaluation::settingOf(*each, key) == level) own.push_back(each);
-      text += rowOf(key + " = " + level, own);
-    }
-  std::stable_sort(all.begin(), all.end(),
-                   [](const StudyResult* a, const StudyResult* b) { return a->a_mm < b->a_mm; });
-  if (all.size() < 3 || all.front()->a_mm == all.back()->a_mm) return text + "\n";
+  for (const SummarizedQuantity& each : summarizedQuantities) columns.emplace_back(each.title);
+  return tableHead(columns);
+}
+
+/// The study as the page Studies and the tables of `--group` summarize it, of one factor or of all.
+StudySummary summaryBy(const StudyColumns& columns, const std::string& factor)
+{
+  return summaryOf(columns, columns.rows({}), {"A_mm", "angle_deg", factor});
+}
+
+/// Groups of the report, with their names.
+using NamedGroups = std::vector<std::pair<std::string, StudyGroup>>;
+
+/// All insertions, those of each value of each factor, and thirds by the size of the cochlea.
+NamedGroups groupsOf(const StudyColumns& columns, const std::vector<StudySummary>& byFactor)
+{
+  NamedGroups groups;
+  for (const StudyGroup& group : summaryBy(columns, "").groups) groups.emplace_back("all", group);
+  for (const StudySummary& summary : byFactor)
+    for (const StudyGroup& group : summary.groups)
+      groups.emplace_back(summary.axes.group + " = " + group.level, group);
+  std::vector<std::uint32_t> rows = columns.rows({});
+  const auto size = [&columns](std::uint32_t row) { return columns.result(row).a_mm; };
+  std::ranges::stable_sort(rows, {}, size);
+  if (rows.size() < 3 || size(rows.front()) == size(rows.back())) return groups;
   for (std::size_t third = 0; third < 3; ++third) {
-    const std::vector<const StudyResult*> own(
-        all.begin() + static_cast<std::ptrdiff_t>(all.size() * third / 3),
-        all.begin() + static_cast<std::ptrdiff_t>(all.size() * (third + 1) / 3));
-    text += rowOf("A " + fixed(own.front()->a_mm, 2) + " to " + fixed(own.back()->a_mm, 2) + " mm",
-                  own);
+    const std::vector<std::uint32_t> own(
+        rows.begin() + static_cast<std::ptrdiff_t>(rows.size() * third / 3),
+        rows.begin() + static_cast<std::ptrdiff_t>(rows.size() * (third + 1) / 3));
+    for (const StudyGroup& group : summaryOf(columns, own, {"A_mm", "angle_deg", ""}).groups)
+      groups.emplace_back(
+          "A " + fixed(size(own.front()), 2) + " to " + fixed(size(own.back()), 2) + " mm", group);
+  }
+  return groups;
+}
+
+std::string endingsTable(const NamedGroups& groups)
+{
+  std::string text =
+      "## Complete and stopped insertions\n\n" +
+      tableHead({"insertions with", "n", "complete, % (95 % interval)", "stopped", "not prepared"});
+  for (const auto& [name, group] : groups)
+    text += "| " + name + " | " + std::to_string(group.rows.size()) + " | " + rateText(group) +
+            " | " + std::to_string(group.stopped()) + " | " + std::to_string(group.notPrepared()) +
+            " |\n";
+  return text + "\n";
+}
+
+std::string distributionTables(const NamedGroups& groups)
+{
+  std::string text = "## Distributions: median (quartiles); mean\n\n";
+  for (const StudySelection selection : studySelections) {
+    text += std::string("### Of ") + nameOf(selection) + "\n\n" +
+            tableOfQuantities({"insertions with", "n"});
+    for (const auto& [name, group] : groups) {
+      const StudySample& sample = group.samples[selection];
+      text += "| " + name + " | " + std::to_string(sample.count) + " |";
+      for (std::size_t i = 0; i < summarizedQuantities.size(); ++i)
+        text += " " + sampleText(sample, i) + " |";
+      text += "\n";
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+std::string differenceTables(const std::vector<StudySummary>& byFactor)
+{
+  std::string text =
+      "## Differences of means (95 % interval)\n\nOf pairs that share the cochlea and every other "
+      "setting, over cochleae, with Student's interval; without pairs Welch's.\n\n";
+  for (const StudySelection selection : studySelections) {
+    text += std::string("### Of ") + nameOf(selection) + "\n\n" +
+            tableOfQuantities({"difference", "of"});
+    for (const StudySummary& summary : byFactor)
+      for (const StudyDifference& each : summary.differences) {
+        if (each.selection != selection) continue;
+        text += "| " + summary.axes.group + ": " + summary.groups[each.group].level + " - " +
+                summary.groups[each.other].level + " | " + std::to_string(each.count) +
+                (each.isPaired ? " pairs, " + std::to_string(each.cochleae) + " cochleae"
+                               : " and " + std::to_string(each.otherCount)) +
+                " |";
+        for (std::size_t i = 0; i < each.means.size(); ++i)
+          text += " " +
+                  (each.means[i] ? interval(*each.means[i], summarizedQuantities[i].decimals)
+                                 : std::string("-")) +
+                  " |";
+        text += "\n";
+      }
+    text += "\n";
+  }
+  return text;
+}
+
+std::string trendTable(const NamedGroups& groups)
+{
+  std::string text =
+      "## Angular insertion depth over A: slope, deg/mm (95 % interval)\n\n" +
+      tableHead({"insertions with", nameOf(StudySelection::ran), nameOf(StudySelection::complete)});
+  for (const auto& [name, group] : groups) {
+    text += "| " + name + " |";
+    for (const StudySelection selection : studySelections) {
+      const auto& trend = group.samples[selection].trend;
+      text += " " + (trend ? interval(trend->slope(), 1) : std::string("-")) + " |";
+    }
+    text += "\n";
   }
   return text + "\n";
 }
@@ -101,10 +173,11 @@ std::string distributions(const StudyEvaluation& study)
 using Endings = std::map<std::string, std::size_t>;
 
 /// How many insertions ended in which way.
-Endings endingsOf(const StudyEvaluation& study)
+Endings endingsOf(const StudyColumns& columns)
 {
   Endings counts;
-  for (const StudyResult& each : study.results()) ++counts[haptics::nameOf(each.insertion.end)];
+  for (std::size_t row = 0; row < columns.size(); ++row)
+    ++counts[haptics::nameOf(columns.result(row).insertion.end)];
   return counts;
 }
 
@@ -117,18 +190,19 @@ std::string textOf(const Endings& endings)
   return text;
 }
 
-std::string effectsOf(const StudyEvaluation& study, Outcome outcome)
+std::string effectsOf(const StudyEvaluation& study, const SummarizedQuantity& quantity,
+                      StudySelection selection)
 {
-  const int decimals = decimalsOf(outcome) + 1;
-  std::string text = "### " + titleOf(outcome) + "\n\n";
-  const std::vector<Effect> effects = study.mainEffects(outcome);
-  const std::vector<Slope> slopes = study.slopes(outcome);
+  const int decimals = quantity.decimals + 1;
+  std::string text = "### " + std::string(quantity.title) + ", of " + nameOf(selection) + "\n\n";
+  const std::vector<Effect> effects = study.mainEffects(quantity.key, selection);
+  const std::vector<Slope> slopes = study.slopes(quantity.key, selection);
   if (effects.empty() && slopes.empty())
-    return text + "Too few cochleae in which every insertion finished.\n\n";
-  text += "| change | effect (95 % interval) |\n|---|---|\n";
+    return text + "Too few cochleae of which every insertion is in this selection.\n\n";
+  text += tableHead({"change", "effect (95 % interval)"});
   for (const Effect& each : effects)
     text += "| " + each.name + " | " + interval(each.size, decimals) + " |\n";
-  std::vector<Effect> together = study.interactions(outcome);
+  std::vector<Effect> together = study.interactions(quantity.key, selection);
   together.resize(std::min(together.size(), maxInteractions));
   for (const Effect& each : together)
     text += "| together, beyond their sum: " + each.name + " | " + interval(each.size, decimals) +
@@ -138,118 +212,125 @@ std::string effectsOf(const StudyEvaluation& study, Outcome outcome)
   return text + "\n";
 }
 
-/// The quantity over the diameter A of the basal turn, a series for each level of a factor.
-figures::Figure overSize(const StudyEvaluation& study, Outcome outcome, const std::string& title)
+/// The factor with the largest difference between its levels: what a reader looks for first.
+const StudyFactor* mainFactor(const StudyColumns& columns, const StudyEvaluation& study,
+                              const std::string& quantity)
+{
+  std::string name;
+  double largest = -1.0;
+  for (const Effect& each : study.mainEffects(quantity, StudySelection::ran))
+    if (std::fabs(each.size.value) > largest) {
+      largest = std::fabs(each.size.value);
+      name = each.name.substr(0, each.name.find(" = "));
+    }
+  if (!name.empty()) return columns.factor(name);
+  if (const StudyFactor* array = columns.factor("array")) return array;
+  return study.factors().empty() ? nullptr : study.factors().front();
+}
+
+/// The quantity over the diameter A of the basal turn, two series for each level of a factor: the
+/// complete insertions, and as rings the stopped ones.
+figures::Figure overSize(const StudyColumns& columns, const StudyEvaluation& study,
+                         const SummarizedQuantity& quantity, const std::string& title)
 {
   constexpr std::array inks = {ink::blue, ink::vermilion, ink::green, ink::purple};
   constexpr std::array shapes = {figures::MarkerShape::disk, figures::MarkerShape::square,
-                                 figures::MarkerShape::diamond, figures::MarkerShape::ring};
+                                 figures::MarkerShape::diamond, figures::MarkerShape::disk};
   figures::Figure figure;
   figure.title = title;
-  // The factor with the largest difference between its levels: what a reader looks for first.
-  std::string factor;
-  double largest = -1.0;
-  for (const Effect& each : study.mainEffects(outcome))
-    if (std::fabs(each.size.value) > largest) {
-      largest = std::fabs(each.size.value);
-      factor = each.name.substr(0, each.name.find(" = "));
-    }
-  if (factor.empty() && !study.factors().empty())
-    factor = study.factors().count("array") != 0 ? "array" : study.factors().begin()->first;
+  const StudyFactor* factor = mainFactor(columns, study, quantity.key);
+  const auto& values = columns.quantity(quantity.key)->values;
   std::vector<std::string> levels = {""};
-  if (!factor.empty()) levels = study.factors().at(factor);
+  if (factor != nullptr) levels = factor->levels;
   if (levels.size() > inks.size()) {
     figure.notes.push_back("The first " + std::to_string(inks.size()) + " of " +
-                           std::to_string(levels.size()) + " values of " + factor + ".");
+                           std::to_string(levels.size()) + " values of " + factor->key + ".");
     levels.resize(inks.size());
   }
   double low = INFINITY, high = -INFINITY, top = 0.0;
   bool isShortened = false;
-  for (std::size_t i = 0; i < levels.size(); ++i) {
-    figures::FigureValues series;
-    series.label = factor.empty() ? "" : factor + " = " + levels[i];
-    series.ink = inks[i];
-    series.shape = shapes[i];
-    for (const StudyResult& each : study.results()) {
-      if (each.insertion.end != analysis::InsertionEnd::finished) continue;
-      if (!factor.empty() && StudyEvaluation::settingOf(each, factor) != levels[i]) continue;
-      if (series.x.size() == maxPoints) {
-        isShortened = true;
-        break;
+  for (std::size_t i = 0; i < levels.size(); ++i)
+    for (const bool isComplete : {true, false}) {
+      figures::FigureValues series;
+      series.label = (factor == nullptr ? std::string() : factor->key + " = " + levels[i]) +
+                     (isComplete          ? ""
+                      : factor == nullptr ? "stopped"
+                                          : ", stopped");
+      series.ink = inks[i];
+      series.shape = isComplete ? shapes[i] : figures::MarkerShape::ring;
+      for (std::uint32_t row = 0; row < columns.size(); ++row) {
+        const StudyResult& each = columns.result(row);
+        if (!isIn(StudySelection::ran, each) ||
+            isIn(StudySelection::complete, each) != isComplete ||
+            (factor != nullptr && factor->level[row] != i))
+          continue;
+        if (series.x.size() == maxPoints) {
+          isShortened = true;
+          break;
+        }
+        series.x.push_back(each.a_mm);
+        for (auto* list : {&series.y, &series.low, &series.high}) list->push_back(values[row]);
+        low = std::min(low, each.a_mm);
+        high = std::max(high, each.a_mm);
+        top = std::max(top, values[row]);
       }
-      const double value = valueOf(each, outcome);
-      series.x.push_back(each.a_mm);
-      for (auto* list : {&series.y, &series.low, &series.high}) list->push_back(value);
-      low = std::min(low, each.a_mm);
-      high = std::max(high, each.a_mm);
-      top = std::max(top, value);
+      if (series.x.empty() && !isComplete) continue;
+      if (series.x.empty()) series.label = series.label + " (none complete)";
+      figure.values.push_back(std::move(series));
     }
-    if (series.x.empty()) series.label = series.label + " (none finished)";
-    figure.values.push_back(std::move(series));
-  }
   if (!(low <= high)) low = 8.0, high = 10.0;
   figure.x = {"diameter A of the basal turn, mm", std::floor(2.0 * low) / 2.0,
               std::ceil(2.0 * high + 0.01) / 2.0, 0.5, 1};
-  figure.y = figures::axisOver(titleOf(outcome), 0.0, top);
+  figure.y = figures::axisOver(std::string(quantity.title), 0.0, top);
   if (isShortened)
     figure.notes.push_back("The first " + std::to_string(maxPoints) + " insertions of each.");
-  Endings notDrawn = endingsOf(study);
-  notDrawn.erase(haptics::nameOf(analysis::InsertionEnd::finished));
-  if (!notDrawn.empty())
-    figure.notes.push_back("Insertions that did not finish are not drawn: " + textOf(notDrawn) +
-                           ".");
   return figure;
+}
+
+const SummarizedQuantity& quantityOf(const char* key)
+{
+  return *std::ranges::find(summarizedQuantities, std::string(key),
+                            [](const SummarizedQuantity& each) { return std::string(each.key); });
 }
 
 }  // namespace
 
-std::string titleOf(Outcome outcome)
+StudyReport reportOf(const StudyColumns& columns)
 {
-  switch (outcome) {
-    case Outcome::angle:
-      return "angular insertion depth, deg";
-    case Outcome::coverage:
-      return "cochlear coverage, %";
-    case Outcome::peakForce:
-      return "peak insertion force, mN";
-    case Outcome::partitionForce:
-      break;
-  }
-  return "peak force on the cochlear partition, mN";
-}
-
-Result<StudyReport> reportOf(const StudyFile& file)
-{
-  std::vector<StudyResult> results;
-  const auto done = file.read([&results](StudyResult result) -> Result<Done> {
-    result.insertion.profile.clear();  // not in the report
-    result.insertion.contacts.clear();
-    results.push_back(std::move(result));
-    return Done{};
-  });
-  if (!done) return done.error();
-  if (results.empty()) return Error{"The study has no insertion. Run and merge it first."};
-  const StudyEvaluation study(std::move(results));
-
-  const std::string number = file.facts().fingerprint.substr(0, 16);
+  const StudyEvaluation study(columns);
+  const StudyFileFacts& facts = columns.facts();
+  std::vector<StudySummary> byFactor;
+  for (const StudyFactor* factor : study.factors())
+    byFactor.push_back(summaryBy(columns, factor->key));
+  const NamedGroups groups = groupsOf(columns, byFactor);
+  const std::string number = facts.fingerprint.substr(0, 16);
   std::string notes;
-  if (const std::string note = noteOn(file.facts().seal); !note.empty()) notes += note + "\n\n";
-  for (const std::string& note : file.facts().notes) notes += note + "\n\n";
+  if (const std::string note = noteOn(facts.seal); !note.empty()) notes += note + "\n\n";
+  for (const std::string& note : facts.notes) notes += note + "\n\n";
   StudyReport report;
   report.text =
-      "# " + file.facts().title + "\n\n" + std::to_string(study.results().size()) +
-      " insertions: " + textOf(endingsOf(study)) + ". Perilymph " + file.facts().program +
+      "# " + facts.title + "\n\n" + std::to_string(columns.size()) +
+      " insertions: " + textOf(endingsOf(columns)) + ". Perilymph " + facts.program +
       (number.empty() ? std::string() : ", study " + number) + ".\n\n" + notes +
       "For research and training; not a medical device. Depths, forces and rates are those "
-      "of the model; an insertion\nthat did not finish counts in the rate of full "
-      "insertions and in nothing else.\n\n" +
-      distributions(study) +
-      "## Effects\n\nDifferences from the mean of a cochlea, in cochleae in which every "
-      "insertion finished; slopes within\nequal settings, by least squares.\n\n";
-  for (const Outcome outcome : outcomes) report.text += effectsOf(study, outcome);
-  report.figures = {
-      {"angle", overSize(study, Outcome::angle, file.facts().title + ": insertion angle")},
-      {"peak-force", overSize(study, Outcome::peakForce, file.facts().title + ": peak force")}};
+      "of the model.\n\n"
+      "Two selections are reported. *All that ran*: every insertion that was prepared, a stopped "
+      "one with what it reached.\n*Complete*: those that reached their full depth; without the "
+      "stopped ones they look deeper and gentler\nthan the array is. Every insertion counts in "
+      "the rate of complete ones.\n\n" +
+      endingsTable(groups) + distributionTables(groups);
+  if (!byFactor.empty()) report.text += differenceTables(byFactor);
+  report.text += trendTable(groups) +
+                 "## Effects\n\nDifferences from the mean of a cochlea, in cochleae of which every "
+                 "insertion is in the selection; slopes within\nequal settings, by least squares. "
+                 "Student's intervals.\n\n";
+  for (const SummarizedQuantity& quantity : summarizedQuantities)
+    for (const StudySelection selection : studySelections)
+      report.text += effectsOf(study, quantity, selection);
+  report.figures = {{"angle", overSize(columns, study, quantityOf("angle_deg"),
+                                       facts.title + ": insertion angle")},
+                    {"peak-force", overSize(columns, study, quantityOf("peak_mN"),
+                                            facts.title + ": peak force")}};
   return report;
 }
 

@@ -21,11 +21,6 @@ using analysis::Estimate;
 
 constexpr const char* endings = "ending";
 
-bool isFinished(const StudyResult& result)
-{
-  return result.insertion.end == analysis::InsertionEnd::finished;
-}
-
 /// The finite values of some rows.
 std::vector<double> finiteOf(const std::vector<double>& values,
                              const std::vector<std::uint32_t>& rows)
@@ -62,29 +57,50 @@ std::optional<analysis::LinearTrend> trendOf(const StudyColumns& columns,
   return analysis::linearTrend(xs, ys);
 }
 
+std::vector<std::uint32_t> selectedOf(const StudyColumns& columns,
+                                      const std::vector<std::uint32_t>& rows,
+                                      StudySelection selection)
+{
+  std::vector<std::uint32_t> selected;
+  selected.reserve(rows.size());
+  for (const std::uint32_t row : rows)
+    if (isIn(selection, columns.result(row))) selected.push_back(row);
+  return selected;
+}
+
+StudySample sampleOf(const StudyColumns& columns, const std::vector<std::uint32_t>& rows,
+                     const SummaryAxes& axes)
+{
+  StudySample sample;
+  sample.count = rows.size();
+  for (std::size_t i = 0; i < summarizedQuantities.size(); ++i) {
+    const auto values = finiteOf(columns.quantity(summarizedQuantities[i].key)->values, rows);
+    if (!values.empty()) sample.means[i] = analysis::statisticsOf(values);
+    sample.quartiles[i] = quartilesOf(values);
+  }
+  sample.trend = trendOf(columns, rows, axes);
+  return sample;
+}
+
 StudyGroup groupOf(const StudyColumns& columns, StudyGroup group, const SummaryAxes& axes)
 {
-  for (const std::uint32_t row : group.rows)
-    if (isFinished(columns.result(row))) ++group.finished;
-  group.rate = analysis::proportionOf(group.finished, group.rows.size());
-  for (std::size_t i = 0; i < summarizedQuantities.size(); ++i)
-    group.quartiles[i] =
-        quartilesOf(finiteOf(columns.quantity(summarizedQuantities[i].key)->values, group.rows));
-  group.trend = trendOf(columns, group.rows, axes);
+  for (const StudySelection selection : studySelections)
+    group.samples[selection] = sampleOf(columns, selectedOf(columns, group.rows, selection), axes);
+  group.rate = analysis::proportionOf(group.complete(), group.rows.size());
   return group;
 }
 
 using Draws = std::map<std::string, std::uint32_t>;
 using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
-/// The rows of a group by what its partners in other groups share with them: the cochlea and every
-/// setting but that of the groups.
-Draws byDraw(const StudyColumns& columns, const StudyGroup& group, const std::string& key)
+/// Rows by what their partners in other groups share with them: the cochlea and every setting but that
+/// of the groups.
+Draws byDraw(const StudyColumns& columns, const std::vector<std::uint32_t>& selected,
+             const std::string& key)
 {
   Draws rows;
-  for (const std::uint32_t row : group.rows) {
+  for (const std::uint32_t row : selected) {
     const StudyResult& result = columns.result(row);
-    if (result.insertion.end == analysis::InsertionEnd::refused) continue;
     std::string draw = result.cochlea;
     for (const auto& [name, value] : result.settings)
       if (name != key) draw += '\n' + name + '=' + value;
@@ -124,29 +140,27 @@ std::size_t cochleaeOf(const StudyColumns& columns, const Pairs& pairs)
   return names.size();
 }
 
-StudyDifference differenceOf(const StudyColumns& columns, const std::vector<StudyGroup>& groups,
-                             std::size_t group, std::size_t other, const std::vector<Draws>& draws)
+/// The selected rows of a group, also by their draw.
+struct SelectedGroup {
+  std::vector<std::uint32_t> rows;
+  Draws draws;
+};
+
+StudyDifference differenceOf(const StudyColumns& columns, const SelectedGroup& one,
+                             const SelectedGroup& other)
 {
   StudyDifference found;
-  found.group = group;
-  found.other = other;
-  const Pairs pairs = pairsOf(draws[group], draws[other]);
+  const Pairs pairs = pairsOf(one.draws, other.draws);
   found.isPaired = pairs.size() >= 2;
   if (found.isPaired) found.cochleae = cochleaeOf(columns, pairs);
-  const auto ran = [&](std::size_t index) {
-    return found.isPaired
-               ? pairs.size()
-               : finiteOf(columns.quantity(summarizedQuantities[0].key)->values, groups[index].rows)
-                     .size();
-  };
-  found.count = ran(group);
-  found.otherCount = ran(other);
+  found.count = found.isPaired ? pairs.size() : one.rows.size();
+  found.otherCount = found.isPaired ? pairs.size() : other.rows.size();
   for (std::size_t i = 0; i < summarizedQuantities.size(); ++i) {
     const auto& values = columns.quantity(summarizedQuantities[i].key)->values;
     if (found.isPaired)
       found.means[i] = analysis::meanWithInterval(differencesOf(columns, pairs, values));
-    else if (const auto welch = analysis::welchDifference(finiteOf(values, groups[group].rows),
-                                                          finiteOf(values, groups[other].rows)))
+    else if (const auto welch = analysis::welchDifference(finiteOf(values, one.rows),
+                                                          finiteOf(values, other.rows)))
       found.means[i] = welch->difference;
   }
   return found;
@@ -161,40 +175,52 @@ std::string fields(const std::optional<Estimate>& estimate)
   return "," + number(estimate->value) + "," + number(estimate->low) + "," + number(estimate->high);
 }
 
-std::string columnsOf(const char* value, const char* low, const char* high)
+std::string columnsOf(const std::vector<const char*>& names)
 {
   std::string header;
   for (const SummarizedQuantity& each : summarizedQuantities)
-    for (const char* what : {value, low, high})
-      header += std::string(",") + each.column + "_" + what + "_" + each.unit;
+    for (const char* name : names)
+      header += std::string(",") + each.column + "_" + name + "_" + each.unit;
   return header;
 }
 
 std::string groupsTable(const StudySummary& summary)
 {
   std::string csv =
-      "group,n,complete,stopped,complete_percent,complete_low95_percent,"
-      "complete_high95_percent" +
-      columnsOf("median", "quartile25", "quartile75") + "\n";
-  for (const StudyGroup& group : summary.groups) {
-    csv +=
-        csvField(group.level) + "," + std::to_string(group.rows.size()) + "," +
-        std::to_string(group.finished) + "," + std::to_string(group.stopped()) +
-        fields(Estimate{100.0 * group.rate.value, 100.0 * group.rate.low, 100.0 * group.rate.high});
-    for (const auto& each : group.quartiles) csv += fields(each);
-    csv += "\n";
-  }
+      "group,selection,n,complete,stopped,not_prepared,complete_percent,complete_low95_percent,"
+      "complete_high95_percent,n_selected" +
+      columnsOf({"median", "quartile25", "quartile75", "mean", "sd"}) + "\n";
+  for (const StudyGroup& group : summary.groups)
+    for (const StudySelection selection : studySelections) {
+      const StudySample& sample = group.samples[selection];
+      csv += csvField(group.level) + "," + nameOf(selection);
+      for (const std::size_t count :
+           {group.rows.size(), group.complete(), group.stopped(), group.notPrepared()})
+        csv += "," + std::to_string(count);
+      csv += fields(Estimate{100.0 * group.rate.value, 100.0 * group.rate.low,
+                             100.0 * group.rate.high}) +
+             "," + std::to_string(sample.count);
+      for (std::size_t i = 0; i < summarizedQuantities.size(); ++i) {
+        csv += fields(sample.quartiles[i]);
+        csv += sample.means[i] ? "," + number(sample.means[i]->mean) : std::string(",");
+        csv += sample.means[i] && sample.count > 1
+                   ? "," + number(sample.means[i]->standardDeviation)
+                   : std::string(",");
+      }
+      csv += "\n";
+    }
   return csv;
 }
 
 std::string differencesTable(const StudySummary& summary)
 {
-  std::string csv =
-      "group,other,method,n,n_other,cochleae" + columnsOf("difference", "low95", "high95") + "\n";
+  std::string csv = "group,other,selection,method,n,n_other,cochleae" +
+                    columnsOf({"mean_difference", "low95", "high95"}) + "\n";
   for (const StudyDifference& each : summary.differences) {
     csv += csvField(summary.groups[each.group].level) + "," +
-           csvField(summary.groups[each.other].level) + (each.isPaired ? ",paired," : ",Welch,") +
-           std::to_string(each.count) + "," + std::to_string(each.otherCount) + "," +
+           csvField(summary.groups[each.other].level) + "," + nameOf(each.selection) +
+           (each.isPaired ? ",paired," : ",Welch,") + std::to_string(each.count) + "," +
+           std::to_string(each.otherCount) + "," +
            (each.isPaired ? std::to_string(each.cochleae) : std::string());
     for (const auto& mean : each.means) csv += fields(mean);
     csv += "\n";
@@ -205,17 +231,32 @@ std::string differencesTable(const StudySummary& summary)
 /// The slope is in units of y per unit of x, which their keys name.
 std::string trendsTable(const StudySummary& summary)
 {
-  std::string csv = "group,x,y,n,slope,slope_low95,slope_high95,intercept,residual_sd\n";
-  for (const StudyGroup& group : summary.groups) {
-    if (!group.trend) continue;
-    csv += csvField(group.level) + "," + csvField(summary.axes.x) + "," + csvField(summary.axes.y) +
-           "," + std::to_string(group.trend->count()) + fields(group.trend->slope()) + "," +
-           number(group.trend->intercept()) + "," + number(group.trend->residualDeviation()) + "\n";
-  }
+  std::string csv = "group,selection,x,y,n,slope,slope_low95,slope_high95,intercept,residual_sd\n";
+  for (const StudyGroup& group : summary.groups)
+    for (const StudySelection selection : studySelections) {
+      const auto& trend = group.samples[selection].trend;
+      if (!trend) continue;
+      csv += csvField(group.level) + "," + nameOf(selection) + "," + csvField(summary.axes.x) +
+             "," + csvField(summary.axes.y) + "," + std::to_string(trend->count()) +
+             fields(trend->slope()) + "," + number(trend->intercept()) + "," +
+             number(trend->residualDeviation()) + "\n";
+    }
   return csv;
 }
 
 }  // namespace
+
+const char* nameOf(StudySelection selection)
+{
+  return selection == StudySelection::ran ? "all that ran" : "complete";
+}
+
+bool isIn(StudySelection selection, const StudyResult& result)
+{
+  const analysis::InsertionEnd end = result.insertion.end;
+  return selection == StudySelection::ran ? end != analysis::InsertionEnd::refused
+                                          : end == analysis::InsertionEnd::finished;
+}
 
 StudySummary summaryOf(const StudyColumns& columns, const std::vector<std::uint32_t>& rows,
                        const SummaryAxes& axes, const std::stop_token& stop)
@@ -232,14 +273,23 @@ StudySummary summaryOf(const StudyColumns& columns, const std::vector<std::uint3
     if (!group.rows.empty()) summary.groups.push_back(groupOf(columns, std::move(group), axes));
   }
   if (!isGrouped || axes.group == endings) return summary;
-  std::vector<Draws> draws;
-  for (const StudyGroup& group : summary.groups) {
-    if (stop.stop_requested()) return summary;
-    draws.push_back(byDraw(columns, group, axes.group));
+  for (const StudySelection selection : studySelections) {
+    std::vector<SelectedGroup> selected;
+    for (const StudyGroup& group : summary.groups) {
+      if (stop.stop_requested()) return summary;
+      auto& added = selected.emplace_back();
+      added.rows = selectedOf(columns, group.rows, selection);
+      added.draws = byDraw(columns, added.rows, axes.group);
+    }
+    for (std::size_t i = 0; i < selected.size(); ++i)
+      for (std::size_t k = i + 1; k < selected.size() && !stop.stop_requested(); ++k) {
+        auto& added =
+            summary.differences.emplace_back(differenceOf(columns, selected[i], selected[k]));
+        added.group = i;
+        added.other = k;
+        added.selection = selection;
+      }
   }
-  for (std::size_t i = 0; i < summary.groups.size(); ++i)
-    for (std::size_t k = i + 1; k < summary.groups.size() && !stop.stop_requested(); ++k)
-      summary.differences.push_back(differenceOf(columns, summary.groups, i, k, draws));
   return summary;
 }
 

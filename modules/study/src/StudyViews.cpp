@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "StudyViews.h"
 
+#include <cstdint>
+#include <utility>
+
+#include "perilymph/haptics/InsertionEnd.h"
+#include "perilymph/study/StudySummary.h"
+
 namespace perilymph::study {
 
 namespace {
@@ -37,7 +43,8 @@ constexpr ColumnMeaning columnMeanings[] = {
      "Part of the organ of Corti basal to the most apical contact"},
     {"insertion", "peak_mN", "mN", "Peak insertion force: largest axial force on the hand"},
     {"insertion", "peak_depth_mm", "mm", "Insertion depth at the peak insertion force"},
-    {"insertion", "end_mN", "mN", "Mean axial force of the last half second before the hand stops"},
+    {"insertion", "end_mN", "mN",
+     "Axial force where the hand stops: end of the line through the last half second of motion"},
     {"insertion", "partition_mN", "mN",
      "Largest force on the cochlear partition within one contact"},
     {"insertion", "ticks", "", "Time steps"},
@@ -75,6 +82,48 @@ std::string dictionaryView()
   return "CREATE VIEW dictionary(table_name, column_name, unit, meaning) AS VALUES " + rows;
 }
 
+/// No view has a row for each value of a range that was drawn.
+constexpr const char* ofFewValues =
+    "key IN (SELECT key FROM setting GROUP BY key HAVING count(DISTINCT value) <= 12)";
+
+/// "sum(ending = 'finished') AS finished, ": a column for each haptics::InsertionEnd, none to refused.
+std::string endingCounts()
+{
+  std::string columns;
+  for (auto end = std::uint32_t{0}; end <= std::uint32_t(haptics::InsertionEnd::refused); ++end) {
+    const std::string name = haptics::nameOf(static_cast<haptics::InsertionEnd>(end));
+    columns += "sum(ending = '" + name + "') AS " + name + ", ";
+  }
+  return columns;
+}
+
+/// A row for each selection, setting, value and quantity of the summary. The quantile p of n sorted values
+/// x_i is the sum of x_i max(0, 1 - |i - p (n - 1)|), linear between two of them as in the summary.
+std::string distributionView()
+{
+  std::string keys, values;
+  for (const SummarizedQuantity& each : summarizedQuantities) {
+    keys += std::string(keys.empty() ? "\"" : ", \"") + each.key + "\"";
+    values += std::string(" WHEN '") + each.key + "' THEN " + each.key;
+  }
+  const std::string ran = nameOf(StudySelection::ran), complete = nameOf(StudySelection::complete);
+  const auto quantileAt = [](const char* fraction, const char* name) {
+    return std::string("sum(x * max(0.0, 1.0 - abs(i - ") + fraction + " * (n - 1)))) AS " + name;
+  };
+  return "CREATE VIEW distribution_by_setting AS WITH chosen AS (SELECT s.value AS selection, "
+         "setting.key AS key, setting.value AS value, q.value AS quantity, CASE q.value" +
+         values + " END AS x FROM insertion JOIN setting USING (number), json_each('[" + keys +
+         "]') AS q, json_each('[\"" + ran + "\", \"" + complete + "\"]') AS s WHERE setting." +
+         ofFewValues + " AND (ending = 'finished' OR (s.value = '" + ran +
+         "' AND ending <> 'refused'))), ranked AS (SELECT *, "
+         "row_number() OVER (PARTITION BY selection, key, value, quantity ORDER BY x) - 1 AS i, "
+         "count(*) OVER (PARTITION BY selection, key, value, quantity) AS n FROM chosen) "
+         "SELECT selection, key, value, quantity, n, avg(x) AS mean, " +
+         quantileAt("0.5", "median") + ", " + quantileAt("0.25", "quartile25") + ", " +
+         quantileAt("0.75", "quartile75") +
+         " FROM ranked GROUP BY selection, key, value, quantity, n";
+}
+
 /// Columns of the insertions that stopped before their stop travel.
 std::string ofStopped()
 {
@@ -94,13 +143,14 @@ std::vector<std::string> studyViews()
       "CASE WHEN json_valid(json_each.value) THEN CASE WHEN json_type(json_each.value) IN "
       "('integer', 'real') THEN json_extract(json_each.value, '$') ELSE json_each.value END "
       "ELSE json_each.value END AS value FROM insertion, json_each(insertion.settings)",
-      // How do insertions end, by value of each setting?
-      "CREATE VIEW ending_by_setting AS SELECT key, value, count(*) AS insertions, "
-      "sum(ending = 'finished') AS finished, sum(ending = 'out_of_opening') AS out_of_opening, "
-      "sum(ending = 'buckled') AS buckled, sum(ending = 'fault') AS fault, "
-      "sum(ending = 'refused') AS refused, "
-      "100.0 * sum(ending = 'finished') / count(*) AS finished_percent "
-      "FROM setting JOIN insertion USING (number) GROUP BY key, value",
+      // How do insertions end, by value of each setting that has few?
+      "CREATE VIEW ending_by_setting AS SELECT key, value, count(*) AS insertions, " +
+          endingCounts() +
+          "100.0 * sum(ending = 'finished') / count(*) AS finished_percent "
+          "FROM setting JOIN insertion USING (number) WHERE " +
+          ofFewValues + " GROUP BY key, value",
+      // Which angles, depths and forces do insertions reach, by value of each setting that has few?
+      distributionView(),
       // How deep do insertions go, and with which forces, by value of each setting that has few?
       // Means without another word are of finished ones; a stopped one ended before its stop travel.
       "CREATE VIEW outcome_by_setting AS SELECT key, value, sum(ending = 'finished') AS finished, "
@@ -113,9 +163,8 @@ std::vector<std::string> studyViews()
       "avg(CASE WHEN ending = 'finished' THEN partition_mN END) AS mean_partition_mN, "
       "max(CASE WHEN ending = 'finished' THEN partition_mN END) AS max_partition_mN, "
       "count(*) AS insertions, " +
-          ofStopped() +
-          " FROM setting JOIN insertion USING (number) WHERE key IN (SELECT key FROM setting "
-          "GROUP BY key HAVING count(DISTINCT value) <= 12) GROUP BY key, value",
+          ofStopped() + " FROM setting JOIN insertion USING (number) WHERE " + ofFewValues +
+          " GROUP BY key, value",
       // How do depth and force depend on the size of the cochlea? Classes of 0.5 mm of A.
       "CREATE VIEW outcome_by_size AS SELECT 0.5 * CAST(A_mm / 0.5 AS INTEGER) AS A_from_mm, "
       "count(*) AS insertions, sum(ending = 'finished') AS finished, "

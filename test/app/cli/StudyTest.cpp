@@ -111,7 +111,7 @@ TEST_F(Studies, AreReportedWithFigures)
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const std::string text = contentOf(fs::path(out("whole")) / "report.md");
   EXPECT_THAT(text, testing::HasSubstr("# Short\n\n4 insertions: 4 finished."));
-  EXPECT_THAT(text, testing::HasSubstr("| speed_mm_s = 4 | 2 | 2 of 2 |"));
+  EXPECT_THAT(text, testing::HasSubstr("| speed_mm_s = 4 | 2 | 2 of 2 (34 to 100) | 0 | 0 |"));
   for (const char* name : {"angle.svg", "peak-force.svg"})
     EXPECT_THAT(contentOf(fs::path(out("whole")) / name), testing::HasSubstr("<svg"));
   expectRefusal(cli({"study", "report", out("none")}), "study.sqlite");

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The statistics of two techniques, compared with an independent calculation from the exported table: means
 and deviations of the module statistics, Student's quantile by integration of the density in another
-variable and, where it is installed, by SciPy."""
+variable and, where they are installed, by SciPy and pandas."""
 
 import csv
 import math
@@ -17,7 +17,8 @@ import numpy as np
 
 CLI = Path(sys.argv.pop(1)) / "perilymph-cli" if len(sys.argv) > 1 else None
 SPEEDS = (0.8, 1.0, 1.3, 1.7, 2.0)  # mm/s
-QUANTITIES = ("peak_N", "array_peak_N", "end_N", "work_mJ", "duration_s", "deepest_angle_deg", "score")
+QUANTITIES = ("peak_N", "array_peak_N", "end_N", "work_mJ", "mean_speed_mm_s", "duration_s",
+              "deepest_angle_deg", "score")
 
 
 def table(path):
@@ -114,6 +115,35 @@ class TwoTechniques(unittest.TestCase):
             # the interval holds 0 exactly if Welch's test has a p of 0.05 or more
             p = stats.ttest_ind(one, other, equal_var=False).pvalue
             self.assertEqual(float(row["low95"]) <= 0.0 <= float(row["high95"]), p >= 0.05, quantity)
+
+    def test_tables_of_pandas(self):
+        try:
+            import pandas
+        except ImportError:
+            self.skipTest("pandas is not installed.")
+        insertions = pandas.read_csv(self.out / "comparison.csv")
+        quantities = list(QUANTITIES)
+        own = insertions.groupby("technique")[quantities].agg(["count", "mean", "std", "sem"]).stack(0)
+        groups = pandas.read_csv(self.out / "groups.csv").set_index(["group", "quantity"]).loc[own.index]
+        pandas.testing.assert_series_equal(groups["n"], own["count"], check_names=False, check_dtype=False)
+        for column, expected in (("mean", "mean"), ("sd", "std")):
+            pandas.testing.assert_series_equal(groups[column], own[expected], check_names=False, rtol=1e-9)
+        # half of the interval by the standard error: t(4) = 2.776445 (table of Student's distribution)
+        ratio = 0.5 * (groups["high95"] - groups["low95"]) / own["sem"]
+        np.testing.assert_allclose(ratio, 2.7764451, rtol=1e-6)
+        differences = pandas.read_csv(self.out / "differences.csv").set_index("quantity").loc[quantities]
+        means = own["mean"].unstack(0)
+        pandas.testing.assert_series_equal(
+            differences["difference"], (means["aos"] - means["standard"]).loc[quantities],
+            check_names=False, rtol=1e-9)
+        # the score of every row is of one definition, between 0 and 100
+        self.assertEqual(set(insertions["score_definition"]), {3})
+        self.assertTrue(insertions["score"].between(0, 100).all())
+
+    def test_mean_speed_is_that_of_the_scenario(self):
+        for technique in ("standard", "aos"):
+            for found, speed in zip(sorted(self.values(technique, "mean_speed_mm_s")), SPEEDS):
+                self.assertAlmostEqual(found, speed, delta=0.02 * speed)
 
     def test_other_tables(self):
         curves = table(self.out / "curves.csv")

@@ -111,7 +111,11 @@ TEST_F(Clinician, SeesTheForceOfEachRunAtTheCursor)
         plot().cursorPlace() * 1e-3);
     ASSERT_TRUE(force);
     EXPECT_NEAR(cell(row, "At ").section(QLatin1Char(' '), 0, 0).toDouble(), *force * 1e3, 0.051);
+    EXPECT_EQ(plot().valuesAtCursor()[row].toStdString(),
+              QStringLiteral("%1 mN").arg(gui::numberText(*force * 1e3, 1)).toStdString());
   }
+  plot().setCursorPlace(16.0);  // the insertions end at 2 mm
+  EXPECT_EQ(plot().valuesAtCursor(), QStringList({"–", "–"}));
 }
 
 TEST_F(Clinician, SeesThatARecordingWasChangedByHand)
@@ -145,6 +149,7 @@ TEST_F(Clinician, ReadsPeakWorkAndReasonsInNumbersWithUnits)
     EXPECT_TRUE(cell(row, "Peak force").endsWith(" mN"));
     EXPECT_TRUE(cell(row, "at depth").endsWith(" mm"));
     EXPECT_TRUE(cell(row, "Insertion work").endsWith(" mJ"));
+    EXPECT_EQ(cell(row, "Mean speed"), "2.00 mm/s");
     EXPECT_TRUE(cell(row, "Time").endsWith(" s"));
     EXPECT_EQ(cell(row, "Reversals"), "0");
     EXPECT_TRUE(cell(row, "Score").endsWith("of 100"));
@@ -228,11 +233,15 @@ TEST_F(Clinician, ComparesTwoTechniquesOfFiveRecordingsEach)
 {
   const TemporaryFolder folder;
   std::vector<fs::path> files;
+  const std::pair<const char*, const char*> settings[] = {
+      {"11.0", "0.8"}, {"11.3", "1.0"}, {"11.6", "1.3"}, {"11.9", "1.7"}, {"12.2", "2.0"}};
   for (const char* technique : {"standard", "aos"})
-    for (const char* stop_mm : {"11.0", "11.3", "11.6", "11.9", "12.2"}) {
+    for (const auto& [stop_mm, speed] : settings) {
       files.push_back(folder / (std::string(technique) + stop_mm + ".insertion"));
-      record(files.back(),
-             {{"technique", technique}, {"stop_travel_mm", stop_mm}, {"nodes", "30"}});
+      record(files.back(), {{"technique", technique},
+                            {"stop_travel_mm", stop_mm},
+                            {"speed_mm_s", speed},
+                            {"nodes", "30"}});
     }
   page().compare(files);
   ASSERT_TRUE(WindowRig::waitUntil([&] { return page().runs().size() == 10; }));
@@ -256,6 +265,11 @@ TEST_F(Clinician, ComparesTwoTechniquesOfFiveRecordingsEach)
             .arg(gui::numberText(mean[group], 0), gui::numberText(std::sqrt(variance[group]), 0))
             .toStdString());
   EXPECT_TRUE(groups.item(1, 3)->text().startsWith(gui::numberText(mean[0] - mean[1], 0) + " ("));
+  plot().setCursorPlace(
+      100.0);  // the mean curve with its deviation, as in the first row of the table
+  for (int group = 0; group < 2; ++group)
+    EXPECT_EQ(plot().valuesAtCursor()[group].toStdString(),
+              groups.item(0, 1 + group)->text().toStdString());
   int turns = 0;  // of the event loop: the table has its height
   ASSERT_TRUE(WindowRig::waitUntil([&] { return ++turns > 20; }));
   EXPECT_EQ(groups.verticalScrollBar()->maximum(), 0);  // every row is seen

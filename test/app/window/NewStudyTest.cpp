@@ -111,12 +111,14 @@ TEST_F(ANewStudy, OfSixtyInsertionsIsRunFilteredAndExported)
   auto& groups = *page.findChild<QTableWidget*>("studyGroups");
   ASSERT_EQ(groups.rowCount(), 2);
   EXPECT_EQ(groups.item(0, 0)->text(), "FLEX24");
-  EXPECT_EQ(groups.item(0, 2)->text(), "0 of 30");  // stopped
+  EXPECT_EQ(groups.item(0, 2)->text(), "0");                     // stopped
+  EXPECT_TRUE(groups.item(0, 1)->text().startsWith("100 % ("));  // complete
   auto& differences = *page.findChild<QTableWidget*>("studyDifferences");
   ASSERT_EQ(differences.rowCount(), 1);
   EXPECT_EQ(differences.item(0, 1)->text(), "30 pairs, 30 cochleae");
-  ASSERT_TRUE(page.summary()->groups[0].trend);
-  EXPECT_LT(page.summary()->groups[0].trend->slope().high, 0.0);  // larger cochleae, less angle
+  ASSERT_TRUE(page.summary()->groups[0].samples.ran.trend);
+  EXPECT_LT(page.summary()->groups[0].samples.ran.trend->slope().high,
+            0.0);  // larger cochleae, less angle
 
   // the filter, and the export of what is shown
   rig.click("study-array-flex28");
@@ -126,11 +128,11 @@ TEST_F(ANewStudy, OfSixtyInsertionsIsRunFilteredAndExported)
   const std::string points = contentOf(exported / "points.csv");
   EXPECT_EQ(std::count(points.begin(), points.end(), '\n'), 31);
   const study::StudyGroup& group = page.summary()->groups[0];
-  const std::string row =
-      "\nflex24,30," + std::to_string(group.finished) + "," + std::to_string(group.stopped()) + ",";
+  const std::string row = "\nflex24,all that ran,30," + std::to_string(group.complete()) + "," +
+                          std::to_string(group.stopped()) + ",0,";
   EXPECT_NE(contentOf(exported / "groups.csv").find(row), std::string::npos);
   EXPECT_TRUE(groups.item(0, 3)->text().startsWith(
-      QString::number(group.quartiles[0]->value, 'f', 0) + " ("));
+      QString::number(group.samples.ran.quartiles[0]->value, 'f', 0) + " ("));
 
   // what was run can be repeated: the settings are beside the results, as the command line reads them
   const fs::path folder = page.folder();

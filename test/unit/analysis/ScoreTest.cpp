@@ -187,7 +187,7 @@ TEST(AScore, GivesHalfThePointsInTheMiddleOfThePeaksInPatients)
   const double middle = 0.5 * (0.0448 + 0.1024);
   const InsertionScore score = scoreOf(insertion(steady, middle), patients());
   EXPECT_NEAR(score.criteria[2].fraction, 0.5, 1e-12);
-  EXPECT_NEAR(score.total, 100.0 * 3.5 / 4.0, 1e-9);
+  EXPECT_NEAR(score.total, 50.0, 1e-9);
   EXPECT_NEAR(scoreOf(insertion(steady, 2.0 * middle), patients()).criteria[2].fraction, 1.0 / 3.0,
               1e-12);
 }
@@ -199,6 +199,53 @@ TEST(AScore, IsHigherForTheGentlerOfTwoInsertionsBeyondThePeaksInPatients)
             scoreOf(insertion(steady, 0.200), patients()).total + 0.5);
   EXPECT_GT(scoreOf(insertion(steady, 0.010), patients()).total,
             scoreOf(insertion(steady, 0.030), patients()).total + 0.5);
+}
+
+TEST(AScore, IsLowBeyondTheStrengthOfTheMembraneHoweverSteadyTheHand)
+{
+  // 424 mN: 5.76 times the middle of the peaks in patients, so 1 / (1 + 5.76) of the points
+  const Motion steady = Course().go(1.0, 16.0).motion();
+  EXPECT_NEAR(scoreOf(insertion(steady, 0.424), patients()).total, 100.0 / 6.7609, 1e-3);
+}
+
+TEST(AScore, IsOfAPoorMotionLowThoughTheForceIsNone)
+{
+  Motion motion = Course().go(1.0, 16.0).motion();
+  motion.reversals = 186;          // 1/11 of the points
+  motion.timeStill = motion.time;  // 0.157 / 1.157 of them
+  EXPECT_NEAR(scoreOf(insertion(motion, 0.0), patients()).total,
+              100.0 * std::cbrt(0.157 / (11.0 * 1.157)), 1e-9);
+}
+
+TEST(AScore, OfPublishedHandsAndPeaksInPatientsIs31)
+{
+  Motion motion = Course().go(1.0, 16.0).motion();
+  motion.wayBySpeed = motion.wayIn;
+  motion.timeStill = 0.157 * motion.time;
+  ComparedInsertion made = insertion(motion, 0.0736);
+  EXPECT_NEAR(scoreOf(made, patients()).criteria[3].fraction, 0.5, 1e-12);
+  made.motion.reversals = 19;
+  EXPECT_NEAR(scoreOf(made, patients()).total, 50.0 * std::cbrt(0.5 * 18.6 / 37.6), 1e-9);
+  EXPECT_NEAR(scoreOf(made, patients()).total, 31.0, 0.5);
+}
+
+TEST(AScore, FallsWithEverySpeedAboveTheRange)
+{
+  const auto totalAt = [](double speed_mm_s) {
+    const Motion motion = Course().go(speed_mm_s, 16.0 / speed_mm_s).motion();
+    return scoreOf(insertion(motion, 0.0), patients()).total;
+  };
+  EXPECT_NEAR(totalAt(4.0), 100.0 * std::cbrt(0.5), 1.0);
+  EXPECT_NEAR(totalAt(8.0), 100.0 * std::cbrt(0.25), 1.0);
+  EXPECT_GT(totalAt(8.0), totalAt(12.0) + 1.0);
+}
+
+TEST(TheMotionOfAnInsertion, HasAMeanSpeedWithItsPauses)
+{
+  // 6 mm in 3 s, a pause of 1 s, 2 mm in 2 s
+  const Motion motion = Course().go(2.0, 3.0).go(0.0, 1.0).go(1.0, 2.0).motion();
+  EXPECT_NEAR(motion.meanSpeed(), 8e-3 / 6.0, 0.02 * 8e-3 / 6.0);
+  EXPECT_EQ(Motion{}.meanSpeed(), 0.0);
 }
 
 TEST(AScore, GivesHalfThePointsAt18Point6Reversals)

@@ -9,8 +9,6 @@
 
 #include <cmath>
 
-#include "perilymph/test/TemporaryFolder.h"
-
 namespace perilymph::study {
 namespace {
 
@@ -43,24 +41,14 @@ std::vector<StudyResult> tenResults()
 
 class ASummary : public testing::Test {
 protected:
-  StudyColumns columnsOf(const std::vector<StudyResult>& results)
+  static StudyColumns columnsOf(const std::vector<StudyResult>& results)
   {
-    const auto file = folder_ / ("study-" + std::to_string(++files_) + ".sqlite");
-    StudyFileFacts facts{"Ten", "title = 'Ten'", "f00d", "test", results.size(), 0, results.size()};
-    auto created = StudyFile::openToContinue(file, facts);
-    EXPECT_TRUE(created && created->append(results) && created->close());
-    auto read = StudyColumns::read(file, {});
-    if (!read) throw std::runtime_error(read.error().message);
-    return *std::move(read);
+    return {{"Ten", "title = 'Ten'", "f00d", "test", results.size(), 0, results.size()}, results};
   }
   static StudySummary summaryOfAll(const StudyColumns& columns, const std::string& group)
   {
     return summaryOf(columns, columns.rows({}), {"A_mm", "angle_deg", group});
   }
-
-private:
-  test::TemporaryFolder folder_;
-  int files_ = 0;
 };
 
 TEST_F(ASummary, CountsCompleteAndStoppedInsertionsOfEachGroup)
@@ -71,22 +59,27 @@ TEST_F(ASummary, CountsCompleteAndStoppedInsertionsOfEachGroup)
   const StudyGroup& second = summary.groups[1];
   EXPECT_EQ(second.level, "flex28");
   EXPECT_EQ(second.rows.size(), 5u);
-  EXPECT_EQ(second.finished, 4u);
+  EXPECT_EQ(second.complete(), 4u);
   EXPECT_EQ(second.stopped(), 1u);
   EXPECT_EQ(analysis::shareText(second.rate, second.rows.size()), "4 of 5");
   // the stopped one among them
-  ASSERT_TRUE(second.quartiles[0]);
-  EXPECT_NEAR(second.quartiles[0]->value, 554.0, nearby);
-  EXPECT_NEAR(second.quartiles[0]->low, 542.0, nearby);
-  EXPECT_NEAR(second.quartiles[0]->high, 566.0, nearby);
-  EXPECT_NEAR(summary.groups[0].quartiles[2]->value, 14.0, nearby);
+  ASSERT_TRUE(second.samples.ran.quartiles[0]);
+  EXPECT_NEAR(second.samples.ran.quartiles[0]->value, 554.0, nearby);
+  EXPECT_NEAR(second.samples.ran.quartiles[0]->low, 542.0, nearby);
+  EXPECT_NEAR(second.samples.ran.quartiles[0]->high, 566.0, nearby);
+  EXPECT_NEAR(summary.groups[0].samples.ran.quartiles[2]->value, 14.0, nearby);
+  EXPECT_NEAR(second.samples.ran.means[0]->mean, 554.0, nearby);
+  // without it: 530, 554, 566, 578
+  EXPECT_EQ(second.samples.complete.count, 4u);
+  EXPECT_NEAR(second.samples.complete.quartiles[0]->value, 560.0, nearby);
+  EXPECT_NEAR(second.samples.complete.means[0]->mean, 557.0, nearby);
 }
 
 TEST_F(ASummary, PairsInsertionsOfOneDraw)
 {
   const StudyColumns columns = columnsOf(tenResults());
   const StudySummary summary = summaryOfAll(columns, "array");
-  ASSERT_EQ(summary.differences.size(), 1u);
+  ASSERT_EQ(summary.differences.size(), 2u);  // of both selections
   const StudyDifference& found = summary.differences[0];
   EXPECT_TRUE(found.isPaired);
   EXPECT_EQ(found.count, 5u);
@@ -96,6 +89,11 @@ TEST_F(ASummary, PairsInsertionsOfOneDraw)
   EXPECT_NEAR(found.means[0]->high, -34.0 + 2.7764451052 * std::sqrt(10.0 / 5.0), 1e-6);
   EXPECT_NEAR(found.means[2]->value, -1.0, nearby);  // the same in each pair
   EXPECT_NEAR(found.means[2]->low, -1.0, nearby);
+  // complete only: the pair of the buckled one is left out, -30, -34, -36, -38
+  const StudyDifference& complete = summary.differences[1];
+  EXPECT_EQ(complete.selection, StudySelection::complete);
+  EXPECT_EQ(complete.count, 4u);
+  EXPECT_NEAR(complete.means[0]->value, -34.5, nearby);
 }
 
 TEST_F(ASummary, TakesThePairsOfOneCochleaTogether)
@@ -127,7 +125,7 @@ TEST_F(ASummary, TakesGroupsWithoutCommonDrawsAsIndependent)
   for (std::size_t i = 1; i < results.size(); i += 2) results[i].cochlea += " of another series";
   const StudyColumns columns = columnsOf(results);
   const StudySummary summary = summaryOfAll(columns, "array");
-  ASSERT_EQ(summary.differences.size(), 1u);
+  ASSERT_EQ(summary.differences.size(), 2u);  // of both selections
   EXPECT_FALSE(summary.differences[0].isPaired);
   EXPECT_EQ(summary.differences[0].otherCount, 5u);
   // variances 250 and 360, equal n: f = 4 (250 + 360)^2 / (250^2 + 360^2) = 7.748178
@@ -142,10 +140,12 @@ TEST_F(ASummary, HasATrendOfEachGroup)
 {
   const StudyColumns columns = columnsOf(tenResults());
   const StudySummary summary = summaryOfAll(columns, "array");
-  ASSERT_TRUE(summary.groups[0].trend && summary.groups[1].trend);
-  EXPECT_NEAR(summary.groups[0].trend->slope().value, 20.0, nearby);  // 10 degrees for 0.5 mm
-  EXPECT_NEAR(summary.groups[1].trend->slope().value, 24.0, nearby);
-  EXPECT_FALSE(summaryOf(columns, columns.rows({}), {"array", "angle_deg", ""}).groups[0].trend);
+  ASSERT_TRUE(summary.groups[0].samples.ran.trend && summary.groups[1].samples.ran.trend);
+  EXPECT_NEAR(summary.groups[0].samples.ran.trend->slope().value, 20.0,
+              nearby);  // 10 degrees for 0.5 mm
+  EXPECT_NEAR(summary.groups[1].samples.ran.trend->slope().value, 24.0, nearby);
+  EXPECT_FALSE(
+      summaryOf(columns, columns.rows({}), {"array", "angle_deg", ""}).groups[0].samples.ran.trend);
 }
 
 TEST_F(ASummary, LeavesOutOfMeansWhatCouldNotBePrepared)
@@ -158,10 +158,13 @@ TEST_F(ASummary, LeavesOutOfMeansWhatCouldNotBePrepared)
   EXPECT_EQ(columns.quantity("A_mm")->values[0], 8.0);
   const StudySummary summary = summaryOfAll(columns, "array");
   EXPECT_EQ(summary.groups[0].rows.size(), 5u);  // it counts in the rate
-  EXPECT_EQ(summary.groups[0].finished, 4u);
-  EXPECT_NEAR(summary.groups[0].quartiles[0]->value, 525.0, nearby);  // of 510, 520, 530, 540
+  EXPECT_EQ(summary.groups[0].complete(), 4u);
+  EXPECT_EQ(summary.groups[0].stopped(), 0u);
+  EXPECT_EQ(summary.groups[0].notPrepared(), 1u);
+  EXPECT_NEAR(summary.groups[0].samples.ran.quartiles[0]->value, 525.0,
+              nearby);  // of 510, 520, 530, 540
   EXPECT_EQ(summary.differences[0].count, 4u);
-  EXPECT_EQ(summary.groups[0].trend->count(), 4u);
+  EXPECT_EQ(summary.groups[0].samples.ran.trend->count(), 4u);
 }
 
 TEST_F(ASummary, OfEndingsHasNoDifferences)
@@ -179,7 +182,7 @@ TEST_F(ASummary, HasOnlyGroupsThatAFilterLeaves)
   const StudySummary summary = summaryOf(columns, {1, 3}, {"A_mm", "angle_deg", "array"});
   ASSERT_EQ(summary.groups.size(), 1u);
   EXPECT_EQ(summary.groups[0].level, "flex28");
-  EXPECT_FALSE(summary.groups[0].trend);  // of two points
+  EXPECT_FALSE(summary.groups[0].samples.ran.trend);  // of two points
   EXPECT_TRUE(summary.differences.empty());
 }
 
@@ -191,9 +194,10 @@ TEST_F(ASummary, IsWrittenWithUnitsInTheHeaders)
   ASSERT_EQ(tables.size(), summaryTables.size());
   EXPECT_THAT(tables[0].second, StartsWith("number,cochlea,A_mm,B_mm,st_length_mm,array,"));
   EXPECT_THAT(tables[1].second, HasSubstr(",angle_median_deg,angle_quartile25_deg,"));
-  EXPECT_THAT(tables[1].second, HasSubstr("\nflex28,5,4,1,80,"));
-  EXPECT_THAT(tables[2].second, HasSubstr("\nflex24,flex28,paired,5,5,5,"));
-  EXPECT_THAT(tables[3].second, HasSubstr("\nflex24,A_mm,angle_deg,5,"));
+  EXPECT_THAT(tables[1].second, HasSubstr("\nflex28,all that ran,5,4,1,0,80,"));
+  EXPECT_THAT(tables[1].second, HasSubstr("\nflex28,complete,5,4,1,0,80,"));
+  EXPECT_THAT(tables[2].second, HasSubstr("\nflex24,flex28,all that ran,paired,5,5,5,"));
+  EXPECT_THAT(tables[3].second, HasSubstr("\nflex24,all that ran,A_mm,angle_deg,5,"));
 }
 
 }  // namespace

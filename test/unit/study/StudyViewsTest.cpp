@@ -6,9 +6,11 @@
 #include <gtest/gtest.h>
 #include <sqlite3.h>
 
+#include <cstdio>
 #include <memory>
 
 #include "perilymph/study/StudyFile.h"
+#include "perilymph/study/StudySummary.h"
 #include "perilymph/test/TemporaryFolder.h"
 
 namespace perilymph::study {
@@ -88,6 +90,91 @@ TEST_F(ViewsOfAStudy, CountEndingsBySetting)
               ElementsAre("flex24|2|2|0|100.0", "flex28|2|1|1|50.0"));
 }
 
+TEST_F(ViewsOfAStudy, CountEveryWayInWhichAnInsertionEnds)
+{
+  std::vector<StudyResult> results;
+  std::string sum = "0";
+  using analysis::InsertionEnd;
+  for (const InsertionEnd end :
+       {InsertionEnd::none, InsertionEnd::finished, InsertionEnd::stoppedByResistance,
+        InsertionEnd::buckled, InsertionEnd::outOfOpening, InsertionEnd::foldedTip,
+        InsertionEnd::jammed, InsertionEnd::fault, InsertionEnd::refused}) {
+    StudyResult& result = results.emplace_back();
+    result.number = results.size() - 1;
+    result.settings = {{"array", "flex24"}};
+    result.a_mm = 9.0;
+    result.b_mm = 6.8;
+    result.insertion.end = end;
+    sum += std::string(" + ") + haptics::nameOf(end);
+  }
+  // a further end would be the one after the last
+  const auto after = static_cast<InsertionEnd>(std::uint32_t(InsertionEnd::refused) + 1);
+  EXPECT_STREQ(haptics::nameOf(after), haptics::nameOf(InsertionEnd::none));
+  const test::TemporaryFolder folder;
+  const fs::path file = folder / "study.sqlite";
+  {
+    auto created = StudyFile::openToContinue(
+        file, {"Nine", "", "f00d", "test", results.size(), 0, results.size()});
+    ASSERT_TRUE(created && created->append(results) && created->close());
+  }
+  EXPECT_THAT(rowsOf(file, ("SELECT insertions, " + sum +
+                            ", stopped_by_resistance, folded_tip, "
+                            "jammed FROM ending_by_setting")
+                               .c_str()),
+              ElementsAre("9|9|1|1|1"));
+}
+
+TEST_F(ViewsOfAStudy, HaveTheQuartilesAndMeansOfTheSummary)
+{
+  const auto columns = StudyColumns::read(file_, {});
+  ASSERT_TRUE(columns);
+  const auto summary = summaryOf(*columns, columns->rows({}), {"A_mm", "angle_deg", "array"});
+  int compared = 0;
+  for (const StudyGroup& group : summary.groups)
+    for (const StudySelection selection : studySelections)
+      for (std::size_t i = 0; i < summarizedQuantities.size(); ++i) {
+        const StudySample& sample = group.samples[selection];
+        const auto found = rowsOf(
+            file_, ("SELECT n, round(mean, 6), round(median, 6), round(quartile25, 6), "
+                    "round(quartile75, 6) FROM distribution_by_setting WHERE key = 'array' AND "
+                    "value = '" +
+                    group.level + "' AND selection = '" + nameOf(selection) + "' AND quantity = '" +
+                    summarizedQuantities[i].key + "'")
+                       .c_str());
+        ASSERT_EQ(found.size(), 1u);
+        double n = 0, mean = 0, median = 0, low = 0, high = 0;
+        ASSERT_EQ(
+            std::sscanf(found[0].c_str(), "%lf|%lf|%lf|%lf|%lf", &n, &mean, &median, &low, &high),
+            5);
+        EXPECT_EQ(n, static_cast<double>(sample.count));
+        EXPECT_NEAR(mean, sample.means[i]->mean, 1e-6);
+        EXPECT_NEAR(median, sample.quartiles[i]->value, 1e-6);
+        EXPECT_NEAR(low, sample.quartiles[i]->low, 1e-6);
+        EXPECT_NEAR(high, sample.quartiles[i]->high, 1e-6);
+        ++compared;
+      }
+  EXPECT_EQ(compared, 20);
+}
+
+TEST_F(ViewsOfAStudy, OfTheVersionBeforeAreRead)
+{
+  ASSERT_TRUE(run(file_,
+                  "DROP VIEW ending_by_setting; DROP VIEW distribution_by_setting; PRAGMA "
+                  "user_version = 3"));
+  // as version 3 wrote it
+  ASSERT_TRUE(
+      run(file_,
+          "CREATE VIEW ending_by_setting AS SELECT key, value, count(*) AS insertions, "
+          "sum(ending = 'finished') AS finished, sum(ending = 'out_of_opening') AS out_of_opening, "
+          "sum(ending = 'buckled') AS buckled, sum(ending = 'fault') AS fault, "
+          "sum(ending = 'refused') AS refused, "
+          "100.0 * sum(ending = 'finished') / count(*) AS finished_percent "
+          "FROM setting JOIN insertion USING (number) GROUP BY key, value"));
+  const auto opened = StudyFile::open(file_);
+  ASSERT_TRUE(opened) << opened.error().message;
+  EXPECT_EQ(opened->size(), 4u);
+}
+
 TEST_F(ViewsOfAStudy, GiveOutcomesOfFinishedInsertions)
 {
   EXPECT_THAT(rowsOf(file_,
@@ -112,8 +199,8 @@ TEST_F(ViewsOfAStudy, NameTheExtremeInsertions)
 
 TEST_F(ViewsOfAStudy, MayBeMissingInAFileOfAnEarlierVersion)
 {
-  for (const char* view :
-       {"extreme", "outcome_by_size", "outcome_by_setting", "ending_by_setting", "setting"})
+  for (const char* view : {"extreme", "outcome_by_size", "outcome_by_setting",
+                           "distribution_by_setting", "ending_by_setting", "setting"})
     ASSERT_TRUE(run(file_, (std::string("DROP VIEW ") + view).c_str()));
   ASSERT_TRUE(run(file_, "PRAGMA user_version = 1"));
   const auto opened = StudyFile::open(file_);

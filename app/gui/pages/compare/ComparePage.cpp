@@ -264,7 +264,8 @@ void ComparePage::showScore()
   const auto& scored = scores_[std::size_t(row)];
   if (!scored) return score_->setText(dataText(scored.error().message));
   QStringList lines;
-  lines << tr("Score of %1. Rates technique only; it does not assess trauma.")
+  lines << tr("Score of %1: insertion × peak force × geometric mean of speed, reversals and "
+              "smoothness. Rates technique only; it does not assess trauma.")
                .arg(QString::fromStdString(runs_[std::size_t(row)].name));
   for (const analysis::ScoreCriterion& each : scored->criteria)
     lines << tr("%1: %2 % (%3). Criterion: %4. Source: %5.")

@@ -21,6 +21,7 @@ constexpr double left_px = 56.0, right_px = 20.0, top_px = 36.0, bottom_px = 44.
 // Below the resolution of the plot: the vibration of an array at rest does not move the axis.
 constexpr double negligible_N = 0.01;
 constexpr int bigSteps = 10;
+constexpr int valueDecimals = 1;  // of a force at the cursor, as in the tables
 
 }  // namespace
 
@@ -136,6 +137,7 @@ void ComparisonPlot::paintEvent(QPaintEvent*)
   paintCurves(painter);
   paintNotes(painter);
   painter.restore();
+  paintValues(painter);
   if (hasFocus()) paintFocusRing(painter, rect());
 }
 
@@ -253,6 +255,67 @@ void ComparisonPlot::paintCursor(QPainter& painter) const
   painter.drawText(QRectF(isRight ? x - 76 : x + 6, inside.top() - 22, 70, 20),
                    int(isRight ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter,
                    placeText(content_.axis, cursor_));
+}
+
+QStringList ComparisonPlot::valuesAtCursor() const
+{
+  const double here = placeAt(content_.axis, cursor_);
+  const auto milli = [](double force_N) {
+    return numberText(inMillinewtons(newtons(force_N)), valueDecimals);
+  };
+  QStringList values;
+  for (const PlottedCurve& curve : content_.curves) {
+    const auto force = analysis::forceAt(curve.points, here);
+    if (!force) {
+      values << QStringLiteral("–");
+      continue;
+    }
+    std::vector<analysis::AxisPoint> spread;
+    for (std::size_t i = 0; i < curve.sd.size(); ++i)
+      spread.push_back({curve.points[i].place, curve.sd[i]});
+    const auto sd = analysis::forceAt(spread, here);
+    values << (sd ? tr("%1 ± %2 mN").arg(milli(*force), milli(*sd))
+                  : tr("%1 mN").arg(milli(*force)));
+  }
+  return values;
+}
+
+void ComparisonPlot::paintValues(QPainter& painter) const
+{
+  constexpr double row_px = 15.0, line_px = 24.0, gap_px = 6.0, fromCursor_px = 10.0;
+  if (content_.curves.empty()) return;
+  const QStringList values = valuesAtCursor();
+  painter.setFont(typeface(11));
+  const QFontMetricsF metrics(painter.font());
+  double text_px = 0.0;
+  for (const QString& value : values) text_px = std::max(text_px, metrics.horizontalAdvance(value));
+  const QRectF inside = place();
+  const int rows = std::min(int(values.size()), int((inside.height() - 2.0 * gap_px) / row_px));
+  const double width_px = line_px + text_px + 3.0 * gap_px, x = at(cursor_, 0.0).x();
+  // at the left, where forces are low; at the right while the cursor is there
+  const bool isRight = x < inside.left() + width_px + 2.0 * fromCursor_px;
+  const QRectF box(
+      isRight ? inside.right() - fromCursor_px - width_px : inside.left() + fromCursor_px,
+      inside.top() + 2.0, width_px, rows * row_px + gap_px);
+  QColor ground = shownTheme().ground;
+  ground.setAlphaF(0.88);  // curves behind it remain visible
+  painter.setPen(QPen(shownTheme().line, 1.0));
+  painter.setBrush(ground);
+  painter.drawRoundedRect(box, 3.0, 3.0);
+  for (int i = 0; i < rows; ++i) {
+    const QRectF row(box.left() + gap_px, box.top() + 0.5 * gap_px + i * row_px,
+                     box.width() - 2.0 * gap_px, row_px);
+    if (i == rows - 1 && rows < int(values.size())) {  // a low plot; the table has all
+      painter.setPen(shownTheme().quietText);
+      painter.drawText(row, Qt::AlignRight | Qt::AlignVCenter, QStringLiteral("…"));
+      break;
+    }
+    painter.setPen(content_.curves[std::size_t(i)].pen);
+    painter.drawLine(QPointF(row.left(), row.center().y()),
+                     QPointF(row.left() + line_px, row.center().y()));
+    painter.setPen(shownTheme().text);
+    painter.drawText(row, Qt::AlignRight | Qt::AlignVCenter, values[i]);
+  }
 }
 
 void ComparisonPlot::mousePressEvent(QMouseEvent* event) { mouseMoveEvent(event); }

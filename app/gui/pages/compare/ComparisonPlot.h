@@ -4,6 +4,7 @@
 // Curves of several insertions over one axis, with a common cursor.
 
 #include <QPen>
+#include <QStringList>
 #include <QWidget>
 #include <optional>
 #include <vector>
@@ -52,6 +53,9 @@ public:
 
   void setContent(PlottedContent content);
   const PlottedContent& content() const { return content_; }
+  /// "71.8 mN" of each curve at the cursor, with its standard deviation in a group; a dash where a curve
+  /// has none.
+  QStringList valuesAtCursor() const;
   /// In mm or degrees.
   void setCursorPlace(double place);
   double cursorPlace() const { return cursor_; }
@@ -76,6 +80,8 @@ private:
   void paintCurves(QPainter& painter) const;
   void paintNotes(QPainter& painter) const;
   void paintCursor(QPainter& painter) const;
+  /// What the curves have at the cursor, in a corner: a line of each and its value.
+  void paintValues(QPainter& painter) const;
   void fitAxes();
 
   PlottedContent content_;

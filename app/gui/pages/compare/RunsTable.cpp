@@ -26,6 +26,7 @@ enum Column {
   peakDepth,
   arrayPeak,
   work,
+  speed,
   reversals,
   duration,
   angle,
@@ -35,6 +36,7 @@ enum Column {
 };
 
 constexpr int runRow_px = 44;  // two lines
+constexpr int cursorWidth_px = 84;
 constexpr int swatchWidth_px = 36;
 
 /// "left", "right", or a dash for a recording that does not say.
@@ -116,16 +118,21 @@ RunsTable::RunsTable(QWidget* parent) : QTableWidget(0, columns, parent)
   horizontalHeader()->setFont(typeface(11));
   horizontalHeader()->setHighlightSections(false);
   setHorizontalHeaderLabels({tr("Insertion"), tr("At cursor"), tr("Peak force"), tr("at depth"),
-                             tr("Without ribs"), tr("Insertion work"), tr("Reversals"), tr("Time"),
-                             tr("Tip angle"), tr("Translocation"), tr("Score")});
+                             tr("Without ribs"), tr("Insertion work"), tr("Mean speed"),
+                             tr("Reversals"), tr("Time"), tr("Tip angle"), tr("Translocation"),
+                             tr("Score")});
   horizontalHeaderItem(arrayPeak)->setToolTip(
       tr("Peak force with no marker rib at the opening: that of the array in the cochlea."));
-  const int widths_px[] = {200, 88, 116, 84, 92, 104, 76, 64, 80, 100, 96};
+  horizontalHeaderItem(speed)->setToolTip(
+      tr("Inward motion up to the maximum depth by its time, pauses included."));
   for (int column = 0; column < columns; ++column) {
-    horizontalHeader()->resizeSection(column, widths_px[column]);
+    horizontalHeader()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
     horizontalHeaderItem(column)->setTextAlignment(
         int(column == run ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
   }
+  // its texts change with the cursor
+  horizontalHeader()->setSectionResizeMode(atCursor, QHeaderView::Fixed);
+  horizontalHeader()->resizeSection(atCursor, sized(cursorWidth_px));
   horizontalHeader()->setSectionResizeMode(run, QHeaderView::Stretch);
 }
 
@@ -142,7 +149,9 @@ void RunsTable::show(const std::vector<analysis::ComparedInsertion>& runs,
         {peak, peakText(each)},
         {peakDepth, tr("%1 mm").arg(numberText(inMillimeters(meters(profile.peakDepth)), 1))},
         {arrayPeak, forceText(each.arrayPeak.force)},
-        {work, tr("%1 mJ").arg(numberText(profile.work * 1e3, 3))},
+        {work, tr("%1 mJ").arg(numberText(profile.work * 1e3, 2))},
+        {speed, tr("%1 mm/s").arg(numberText(
+                    inMillimetersPerSecond(metersPerSecond(each.motion.meanSpeed())), 2))},
         {reversals, QString::number(each.reversals)},
         {duration, tr("%1 s").arg(numberText(profile.duration, 1))},
         {angle, tr("%1°").arg(numberText(inDegrees(radians(profile.deepestAngle)), 0))},

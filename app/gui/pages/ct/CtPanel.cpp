@@ -21,6 +21,7 @@
 #include "gui/pages/ct/VersionQuestion.h"
 #include "gui/setup/MeasureVersions.h"
 #include "gui/text/DataText.h"
+#include "gui/text/LandmarkText.h"
 #include "gui/widgets/CheckBoxes.h"
 #include "gui/widgets/PanelParts.h"
 #include "gui/widgets/Selector.h"

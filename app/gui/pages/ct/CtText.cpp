@@ -48,27 +48,6 @@ QString markName(ct::Mark mark)
   return {};
 }
 
-QString markLabel(ct::Mark mark)
-{
-  switch (mark) {
-    case ct::Mark::roundWindow:
-      return tr("RW");
-    case ct::Mark::farWall:
-      return tr("LW");
-    case ct::Mark::nearB:
-      return QStringLiteral("B1");
-    case ct::Mark::farB:
-      return QStringLiteral("B2");
-    case ct::Mark::floor:
-      return tr("base");
-    case ct::Mark::apex:
-      return tr("apex");
-    case ct::Mark::modiolus:
-      return QStringLiteral("M");
-  }
-  return {};
-}
-
 QString markGuide(ct::Mark mark)
 {
   switch (mark) {

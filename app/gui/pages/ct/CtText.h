@@ -15,8 +15,6 @@ namespace perilymph::gui {
 QString planeName(PlaneFrame frame, std::size_t plane);
 /// "Round window"
 QString markName(ct::Mark mark);
-/// "RW", "LW", "base": the clinical short name, as in the pictures. Files have ct::nameOf().
-QString markLabel(ct::Mark mark);
 /// How a landmark is found in the pictures.
 QString markGuide(ct::Mark mark);
 /// "9.12 ± 0.21 mm": value and 95 % interval.

@@ -11,6 +11,7 @@
 
 #include "gui/pages/ct/CtText.h"
 #include "gui/pages/ct/LabelPlaces.h"
+#include "gui/text/LandmarkText.h"
 #include "gui/text/Numbers.h"
 #include "gui/widgets/Theme.h"
 #include "perilymph/figures/FixedInks.h"

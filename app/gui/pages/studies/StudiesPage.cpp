@@ -89,6 +89,7 @@ StudiesPage::StudiesPage(QWidget* parent)
     summarize();
   });
   connect(panel_, &StudyPanel::filterChanged, this, &StudiesPage::showRows);
+  connect(panel_, &StudyPanel::selectionChanged, this, &StudiesPage::showSummary);
   connect(plot_, &StudyPlot::chosen, this, &StudiesPage::choose);
   connect(plot_, &StudyPlot::opened, this, [this](std::uint32_t chosen) {
     choose(chosen);
@@ -326,9 +327,15 @@ void StudiesPage::summarize()
         if (!summary) return showMessage(dataText(summary.error().message), true);
         summary_ = *summary;
         export_->setEnabled(true);
-        tables_->show(*summary_);
-        plot_->showTrends(*summary_);
+        showSummary();
       });
+}
+
+void StudiesPage::showSummary()
+{
+  if (!summary_) return;
+  tables_->show(*summary_, panel_->selection());
+  plot_->showTrends(*summary_, panel_->selection());
 }
 
 void StudiesPage::choose(std::uint32_t row)

@@ -69,6 +69,7 @@ private:
   void showStudy(const StudyWork::Columns& columns, const std::filesystem::path& file);
   void showRows();
   void summarize();
+  void showSummary();
   void choose(std::uint32_t row);
   void runAgain();
   void save();

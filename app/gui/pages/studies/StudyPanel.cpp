@@ -38,7 +38,8 @@ StudyPanel::StudyPanel(QWidget* parent)
     : QWidget(parent),
       x_(new Selector("studyX", tr("Horizontal axis"), this)),
       y_(new Selector("studyY", tr("Vertical axis"), this)),
-      group_(new Selector("studyGroup", tr("Color by"), this))
+      group_(new Selector("studyGroup", tr("Color by"), this)),
+      selection_(new Selector("studySelection", tr("Statistics of"), this))
 {
   setFixedWidth(sized(panelWidth_px));
   auto* content = new QWidget(this);
@@ -73,6 +74,17 @@ void StudyPanel::addAxes(QVBoxLayout& column)
     column.addWidget(list);
     connect(list, &Selector::chosen, this, &StudyPanel::axesChanged);
   }
+  column.addWidget(panelHeading(tr("STATISTICS OF"), this));
+  column.addWidget(selection_);
+  for (const study::StudySelection each : study::studySelections)
+    selection_->addChoice(inTheList(selectionText(each)), QLatin1String(study::nameOf(each)));
+  connect(selection_, &Selector::chosen, this, &StudyPanel::selectionChanged);
+}
+
+study::StudySelection StudyPanel::selection() const
+{
+  return selection_->currentIndex() == 0 ? study::studySelections.front()
+                                         : study::studySelections.back();
 }
 
 QLineEdit* StudyPanel::addLimit(const char* name, const QString& title)

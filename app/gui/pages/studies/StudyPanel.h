@@ -27,6 +27,8 @@ public:
   void offer(const study::StudyColumns& columns);
   StudyPlot::Axes axes() const;
   study::StudyFilter filter() const;
+  /// Which of the shown insertions tables and lines are of.
+  study::StudySelection selection() const;
   /// Selects all insertions.
   void reset();
 
@@ -35,6 +37,7 @@ Q_SIGNALS:
   void openRequested();
   void axesChanged();
   void filterChanged();
+  void selectionChanged();
 
 private:
   void addAxes(QVBoxLayout& column);
@@ -45,6 +48,7 @@ private:
   Selector* x_;
   Selector* y_;
   Selector* group_;
+  Selector* selection_;
   QLineEdit* minA_ = nullptr;
   QLineEdit* maxA_ = nullptr;
   QVBoxLayout* filters_;

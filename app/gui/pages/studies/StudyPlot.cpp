@@ -42,18 +42,22 @@ std::pair<double, double> limitsOf(const std::vector<double>& values)
   return low <= high ? std::pair{low, high} : std::pair{0.0, 1.0};
 }
 
-/// The line of a group between its first and its last point.
-std::vector<charts::TrendPoint> trendOf(const study::StudyGroup& group,
+/// The line of the selected insertions of a group, between the first and the last of them.
+std::vector<charts::TrendPoint> trendOf(const study::StudyColumns& columns,
+                                        const study::StudyGroup& group,
+                                        study::StudySelection selection,
                                         const std::vector<double>& x, const std::vector<double>& y)
 {
   std::vector<double> places;
   for (const std::uint32_t row : group.rows)
-    if (std::isfinite(x[row]) && std::isfinite(y[row])) places.push_back(x[row]);
+    if (study::isIn(selection, columns.result(row)) && std::isfinite(x[row]) &&
+        std::isfinite(y[row]))
+      places.push_back(x[row]);
   const auto [low, high] = limitsOf(places);
   std::vector<charts::TrendPoint> points;
   for (int i = 0; i <= trendSteps; ++i) {
     const double place = low + (high - low) * i / trendSteps;
-    const analysis::Estimate there = group.trend->at(place);
+    const analysis::Estimate there = group.samples[selection].trend->at(place);
     points.push_back({place, there.value, there.low, there.high});
   }
   return points;
@@ -94,12 +98,15 @@ void StudyPlot::show(const StudyWork::Columns& columns, const Axes& axes)
 void StudyPlot::showRows(std::vector<std::uint32_t> rows)
 {
   rows_ = std::move(rows);
-  if (columns_) showGroups(nullptr);
+  if (columns_) showGroups(nullptr, study::StudySelection::ran);
 }
 
-void StudyPlot::showTrends(const study::StudySummary& summary) { showGroups(&summary); }
+void StudyPlot::showTrends(const study::StudySummary& summary, study::StudySelection selection)
+{
+  showGroups(&summary, selection);
+}
 
-void StudyPlot::showGroups(const study::StudySummary* summary)
+void StudyPlot::showGroups(const study::StudySummary* summary, study::StudySelection selection)
 {
   const study::StudyFactor* factor = columns_->factor(axes_.group);
   const bool isGrouped = factor != nullptr;
@@ -118,9 +125,9 @@ void StudyPlot::showGroups(const study::StudySummary* summary)
   }
   for (std::size_t i = 0; summary != nullptr && i < summary->groups.size(); ++i) {
     const study::StudyGroup& found = summary->groups[i];
-    if (!found.trend) continue;
+    if (!found.samples[selection].trend) continue;
     const std::size_t index = isGrouped ? factor->level[found.rows.front()] : 0;
-    groups[index].trend = trendOf(found, x, y);
+    groups[index].trend = trendOf(*columns_, found, selection, x, y);
   }
   chart_.setGroups(std::move(groups));
   later();

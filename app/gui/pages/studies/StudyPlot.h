@@ -29,7 +29,7 @@ public:
   /// Shows some rows; the axes keep the ranges of all.
   void showRows(std::vector<std::uint32_t> rows);
   /// Draws the lines of a summary of the shown rows, until other rows or axes are shown.
-  void showTrends(const study::StudySummary& summary);
+  void showTrends(const study::StudySummary& summary, study::StudySelection selection);
   void select(std::optional<std::uint32_t> row);
   std::optional<std::uint32_t> selected() const { return selected_; }
   const std::vector<std::uint32_t>& rows() const { return rows_; }
@@ -49,7 +49,7 @@ protected:
   void focusOutEvent(QFocusEvent* event) override;
 
 private:
-  void showGroups(const study::StudySummary* summary);
+  void showGroups(const study::StudySummary* summary, study::StudySelection selection);
   std::optional<std::uint32_t> rowAt(const QPointF& place) const;
   void step(bool isAlongX, int by);
   void showFocus(bool isFocused);

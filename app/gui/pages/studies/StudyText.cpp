@@ -124,6 +124,13 @@ QString levelText(const std::string& level)
   return level.empty() ? QStringLiteral("–") : QString::fromStdString(level);
 }
 
+QString selectionText(study::StudySelection selection)
+{
+  return selection == study::StudySelection::ran
+             ? QCoreApplication::translate("Study", "all that ran")
+             : QCoreApplication::translate("Study", "complete only");
+}
+
 QString unitOf(const std::string& key)
 {
   const QString title = quantityTitle(key);

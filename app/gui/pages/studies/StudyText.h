@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "perilymph/study/StudyFile.h"
+#include "perilymph/study/StudySummary.h"
 
 namespace perilymph::gui {
 
@@ -19,6 +19,8 @@ QString settingTitle(const std::string& key);
 /// "advance off-stylet" for "aos", "folded tip" for "folded_tip". Unknown values, such as names
 /// of arrays, are returned unchanged.
 QString levelText(const std::string& level);
+/// "all that ran", "complete only".
+QString selectionText(study::StudySelection selection);
 
 /// "mN" for "peak_mN"; empty of a quantity without a unit.
 QString unitOf(const std::string& key);

@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 #include <QVariant>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "gui/pages/studies/StudyText.h"
@@ -23,8 +24,17 @@ namespace {
 constexpr int row_px = 22;
 constexpr int narrowest_px = 64;
 constexpr int maxRows = 4;  // more are scrolled: the plot needs the space
-/// Decimals of study::summarizedQuantities.
-constexpr study::OfEachQuantity<int> decimals{0, 1, 1};
+/// Decimals of the first of study::summarizedQuantities: angle, depth and peak force, which has those of
+/// every force. The export has all.
+using Decimals = std::array<int, 3>;
+Decimals decimalsOf(const study::StudySummary& summary, study::StudySelection selection)
+{
+  double largest_mN = 0.0;
+  for (const study::StudyGroup& group : summary.groups)
+    if (const auto& peak = group.samples[selection].quartiles[2])
+      largest_mN = std::max(largest_mN, peak->high);
+  return {0, 1, forceDecimals(largest_mN)};
+}
 
 const QString none = QStringLiteral("–");
 
@@ -70,6 +80,7 @@ void fill(QTableWidget& table, const QStringList& heads, const std::vector<QStri
   const int shown = std::min(int(rows.size()), maxRows);
   // in a narrow window the columns are scrolled
   const bool isWide = table.horizontalHeader()->length() > table.width() - 2 * table.frameWidth();
+  if (isWide) table.horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
   const int bar = isWide ? table.horizontalScrollBar()->sizeHint().height() : 0;
   table.setFixedHeight(table.horizontalHeader()->sizeHint().height() + shown * sized(row_px) + bar +
                        2 * table.frameWidth() + 2);
@@ -84,13 +95,15 @@ QString rangeText(const std::optional<analysis::Estimate>& found, int places)
            numberText(found->high, places));
 }
 
-/// "554 (542–566)", for values that are not negative.
-QString quartilesText(const std::optional<analysis::Estimate>& found, int places)
+/// "554 (542–566); 553": median, quartiles and mean of values that are not negative.
+QString sampleText(const study::StudySample& sample, std::size_t quantity, int decimals)
 {
+  const auto& found = sample.quartiles[quantity];
   if (!found) return none;
-  return SummaryTables::tr("%1 (%2–%3)")
-      .arg(numberText(found->value, places), numberText(found->low, places),
-           numberText(found->high, places));
+  const auto number = [&](double value) { return numberText(value, decimals); };
+  return SummaryTables::tr("%1 (%2–%3); %4")
+      .arg(number(found->value), number(found->low), number(found->high),
+           number(sample.means[quantity]->mean));
 }
 
 /// Decimals that give a value two digits or more.
@@ -102,13 +115,25 @@ int placesOf(double value)
 
 QString percent(double value) { return numberText(100.0 * value, 0); }
 
-/// "19 % (11–30)"; of few insertions "3 of 16".
+/// "19 % (11–30)"; of few insertions "3 of 16 (7–43 %)".
 QString completeText(const study::StudyGroup& group)
 {
   if (const auto count = analysis::countedOf(group.rate, group.rows.size()))
-    return SummaryTables::tr("%1 of %2").arg(*count).arg(group.rows.size());
+    return SummaryTables::tr("%1 of %2 (%3–%4 %)")
+        .arg(*count)
+        .arg(group.rows.size())
+        .arg(percent(group.rate.low), percent(group.rate.high));
   return SummaryTables::tr("%1 % (%2–%3)")
       .arg(percent(group.rate.value), percent(group.rate.low), percent(group.rate.high));
+}
+
+/// "1"; "1, 2 not prepared".
+QString stoppedText(const study::StudyGroup& group)
+{
+  const QString stopped = QString::number(group.stopped());
+  return group.notPrepared() == 0
+             ? stopped
+             : SummaryTables::tr("%1, %2 not prepared").arg(stopped).arg(group.notPrepared());
 }
 
 QString nameOf(const study::StudyGroup& group)
@@ -123,12 +148,7 @@ SummaryTables::SummaryTables(QWidget* parent)
     : QWidget(parent),
       groups_(tableOf("studyGroups", tr("Groups of insertions"), this)),
       differences_(tableOf("studyDifferences", tr("Differences of groups"), this)),
-      method_(new WrappedLabel(
-          tr("Medians (quartiles) of all insertions that ran, the stopped ones with what they "
-             "reached. Intervals of 95 %: Wilson for complete insertions, Student for means over "
-             "cochleae of pairs that share the draw, Welch for groups without pairs; not corrected "
-             "for several comparisons. Lines: least squares, with the 95 % band of the mean."),
-          this))
+      method_(new WrappedLabel({}, this))
 {
   method_->setFont(typeface(11));
   method_->setProperty("quiet", true);
@@ -141,22 +161,34 @@ SummaryTables::SummaryTables(QWidget* parent)
   column->addWidget(method_);
 }
 
-void SummaryTables::show(const study::StudySummary& summary)
+void SummaryTables::show(const study::StudySummary& summary, study::StudySelection selection)
 {
-  showGroups(summary);
-  showDifferences(summary);
+  showGroups(summary, selection);
+  showDifferences(summary, selection);
+  const QString of =
+      selection == study::StudySelection::ran
+          ? tr("Median (quartiles); mean. They, differences and lines are of all "
+               "insertions that ran, the stopped ones with what they reached.")
+          : tr("Median (quartiles); mean. They, differences and lines are of complete "
+               "insertions only: without the stopped ones they look deeper and "
+               "gentler.");
+  method_->setText(
+      of + QLatin1Char(' ') +
+      tr("Intervals of 95 %: Wilson for complete insertions; of differences of means, Student over "
+         "cochleae of pairs that share the draw, Welch for groups without pairs; not corrected for "
+         "several comparisons. Lines: least squares, with the 95 % band of the mean."));
 }
 
-void SummaryTables::showGroups(const study::StudySummary& summary)
+void SummaryTables::showGroups(const study::StudySummary& summary, study::StudySelection selection)
 {
+  const Decimals decimals = decimalsOf(summary, selection);
   std::vector<QStringList> rows;
   for (const study::StudyGroup& group : summary.groups) {
-    QStringList row{nameOf(group), completeText(group),
-                    tr("%1 of %2").arg(group.stopped()).arg(group.rows.size())};
-    for (std::size_t i = 0; i < group.quartiles.size(); ++i)
-      row << quartilesText(group.quartiles[i], decimals[i]);
-    row << (group.trend ? rangeText(group.trend->slope(), placesOf(group.trend->slope().value))
-                        : none);
+    QStringList row{nameOf(group), completeText(group), stoppedText(group)};
+    const study::StudySample& sample = group.samples[selection];
+    for (std::size_t i = 0; i < decimals.size(); ++i) row << sampleText(sample, i, decimals[i]);
+    row << (sample.trend ? rangeText(sample.trend->slope(), placesOf(sample.trend->slope().value))
+                         : none);
     rows.push_back(row);
   }
   const QString x = unitOf(summary.axes.x), y = unitOf(summary.axes.y);
@@ -169,27 +201,30 @@ void SummaryTables::showGroups(const study::StudySummary& summary)
     const study::StudyGroup& group = summary.groups[std::size_t(row)];
     groups_->item(row, 1)->setToolTip(
         tr("%1 of %2 complete: %3 % (%4–%5)")
-            .arg(group.finished)
+            .arg(group.complete())
             .arg(group.rows.size())
             .arg(percent(group.rate.value), percent(group.rate.low), percent(group.rate.high)));
   }
 }
 
-void SummaryTables::showDifferences(const study::StudySummary& summary)
+void SummaryTables::showDifferences(const study::StudySummary& summary,
+                                    study::StudySelection selection)
 {
+  const Decimals decimals = decimalsOf(summary, selection);
   std::vector<QStringList> rows;
   for (const study::StudyDifference& each : summary.differences) {
+    if (each.selection != selection) continue;
     QStringList row{
         tr("%1 − %2").arg(nameOf(summary.groups[each.group]), nameOf(summary.groups[each.other])),
         each.isPaired ? tr("%1 pairs, %2 cochleae").arg(each.count).arg(each.cochleae)
                       : tr("Welch, %1 and %2").arg(each.count).arg(each.otherCount)};
-    for (std::size_t i = 0; i < each.means.size(); ++i)
-      row << rangeText(each.means[i], decimals[i]);
+    for (std::size_t i = 0; i < decimals.size(); ++i) row << rangeText(each.means[i], decimals[i]);
     rows.push_back(row);
   }
   differences_->setVisible(!rows.empty());
   fill(*differences_,
-       {tr("Difference (95 %)"), tr("Of"), tr("Angle, °"), tr("Depth, mm"), tr("Peak force, mN")},
+       {tr("Difference of means (95 %)"), tr("Of"), tr("Angle, °"), tr("Depth, mm"),
+        tr("Peak force, mN")},
        rows);
 }
 

@@ -18,11 +18,12 @@ class SummaryTables : public QWidget {
 public:
   explicit SummaryTables(QWidget* parent);
 
-  void show(const study::StudySummary& summary);
+  /// @param selection  Which insertions medians, means, differences and slopes are of.
+  void show(const study::StudySummary& summary, study::StudySelection selection);
 
 private:
-  void showGroups(const study::StudySummary& summary);
-  void showDifferences(const study::StudySummary& summary);
+  void showGroups(const study::StudySummary& summary, study::StudySelection selection);
+  void showDifferences(const study::StudySummary& summary, study::StudySelection selection);
 
   QTableWidget* groups_;
   QTableWidget* differences_;

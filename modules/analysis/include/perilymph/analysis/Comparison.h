@@ -75,7 +75,7 @@ std::vector<AxisPoint> curveOver(const ComparedInsertion& insertion, CurveAxis a
 /// `name, scenario, peak_N, peak_travel_mm, peak_depth_mm, work_mJ, reversals, duration_s,
 /// final_depth_mm, final_angle_deg, rupture_angle_deg, rupture_N, above_mm, array, technique, patient,
 /// side, array_peak_N, array_peak_depth_mm, rib_peak_N, rib_peak_depth_mm, end_N, deepest_angle_deg,
-/// score`, one row per recording. Those of a rupture are empty if the partition held, those of a rib if
+/// score, score_definition, mean_speed_mm_s`, one row per recording. Those of a rupture are empty if the partition held, those of a rib if
 /// none came to the opening.
 std::string comparisonCsv(const std::vector<ComparedInsertion>& insertions);
 

@@ -22,9 +22,14 @@ inline constexpr Speed fastestSpeed = millimetersPerSecond(2.0);
 struct Motion {
   double wayIn = 0.0;      ///< Sum of all inward motion [m].
   double wayInBand = 0.0;  ///< Inward motion within the speed range [m].
+  /// Inward motion, outside the range by its speed over slowestSpeed or by fastestSpeed over its speed [m].
+  double wayBySpeed = 0.0;
   double time = 0.0;       ///< [s]
   double timeStill = 0.0;  ///< Slower than the range, in either direction [s].
   int reversals = 0;
+
+  /// Inward motion by its time, pauses included [m/s]; 0 without motion.
+  double meanSpeed() const { return time > 0.0 ? wayIn / time : 0.0; }
 };
 
 /// Counts reversals of a motion. A return of less than 0.1 mm is tremor, not a reversal.

@@ -87,4 +87,8 @@ Result<Reference> shippedReference(const std::string& name);
 /// and differences of forces are compared with. Reads the file.
 Result<Force> forceFeltBySurgeons();
 
+/// Range of the peak insertion forces that were measured in patients (`resources/reference/in-vivo.toml`).
+/// Reads the file.
+Result<PrintedRange> peaksInPatients();
+
 }  // namespace perilymph::analysis

@@ -22,9 +22,11 @@ struct ScoreCriterion {
   double fraction = 0.0;  ///< Fraction of the maximum points: 0 to 1.
 };
 
-/// Four criteria of technique have equal weight; their mean counts by the fraction of the insertion that was
-/// done, which is the fifth. So an insertion that failed early scores little however gentle it was. The total
-/// is never shown without them.
+/// The total is 100 times the product of three factors: the fraction of the insertion that was done, the
+/// fraction for the peak force, and the geometric mean of those for speed, reversals and smoothness (a choice,
+/// low). So a high force, an early end or a poor motion is not made good by the others. With the reversals and
+/// the rest of published hands and the middle of the peaks in patients it is 31. It is never shown
+/// without its criteria.
 struct InsertionScore {
   std::vector<ScoreCriterion> criteria;
   double total = 0.0;  ///< 0 to 100.
@@ -33,12 +35,16 @@ struct InsertionScore {
   std::string sentence() const;
 };
 
+/// Definition of the total, for tables that hold scores: 1 summed points that ended at a threshold, 2 took
+/// the mean of the criteria of technique, 3 is the product.
+inline constexpr int scoreDefinition = 3;
+
 /// Rates speed, reversals, peak force and stops of an insertion up to the maximum depth, and how much of the
-/// travel that its scenario sets was done. Points of
-/// reversals, force and stops are h / (h + x) with the value x and its half h, so that a better value
-/// gives more points wherever it lies. The force is that with no marker rib at the opening.
+/// travel that its scenario sets was done. Reversals, force and stops count by h / (h + x) with the value x
+/// and its half h, speed by Motion::wayBySpeed, so that no criterion saturates at a poor value. The force is
+/// that with no marker rib at the opening.
 ///
-/// @param peakBand  Peak forces measured in patients: half of the points at their middle.
+/// @param peakBand  Peak forces measured in patients: half at their middle.
 InsertionScore scoreOf(const ComparedInsertion& insertion, const PrintedRange& peakBand);
 
 /// The same with the shipped range of peak forces in patients.

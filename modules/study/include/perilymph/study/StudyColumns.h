@@ -34,6 +34,9 @@ struct StudyFilter {
   double minA_mm = 0.0, maxA_mm = 1e9;  ///< Size of the cochlea: diameter A of the basal turn.
 };
 
+/// An insertion's value of a setting; empty if it has none.
+std::string settingOf(const StudyResult& result, const std::string& key);
+
 /// The numbers of many insertions. Immutable.
 class StudyColumns {
 public:
@@ -43,7 +46,12 @@ public:
   static constexpr std::size_t maxInsertions = 1'000'000;
 
   /// Reads a merged file or a shard. The error says what to do.
-  static Result<StudyColumns> read(const std::filesystem::path& file, const std::stop_token& stop);
+  ///
+  /// @param max  More insertions are refused.
+  static Result<StudyColumns> read(const std::filesystem::path& file, const std::stop_token& stop,
+                                   std::size_t max = maxInsertions);
+  /// @param results  At least one.
+  StudyColumns(StudyFileFacts facts, std::vector<StudyResult> results);
 
   const StudyFileFacts& facts() const noexcept { return facts_; }
   std::size_t size() const noexcept { return results_.size(); }
@@ -56,10 +64,14 @@ public:
   /// The factor with a key; null if there is none.
   const StudyFactor* factor(const std::string& key) const;
 
+  /// Settings that are quantities but no factors: drawn from a range, or with too many values.
+  std::vector<std::string> ranges() const;
+
   /// The rows that a filter selects, in order.
   std::vector<std::uint32_t> rows(const StudyFilter& filter) const;
 
 private:
+  void addQuantities();
   void addSettings();
 
   StudyFileFacts facts_;

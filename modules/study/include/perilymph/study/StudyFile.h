@@ -10,8 +10,8 @@
 //   insertion(number, ...)  one row per insertion; `settings` is JSON, scenario key: value
 //   profile(number, depth_mm, force_mN)          if the study keeps force profiles
 //   contact(number, contact, angle_deg, depth_mm, to_modiolus_mm, frequency_Hz)   if it keeps them
-// Views, one per question (StudyViews.cpp): setting, ending_by_setting, outcome_by_setting,
-// outcome_by_size, extreme.
+// Views, one per question (StudyViews.cpp): setting, ending_by_setting, distribution_by_setting,
+// outcome_by_setting, outcome_by_size, extreme.
 
 #include <cstddef>
 #include <filesystem>

@@ -1,26 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// What a merged study says: distributions, effects and figures.
+// What a merged study says: groups, differences, effects and figures.
 
-#include <map>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "perilymph/analysis/SampleStatistics.h"
 #include "perilymph/figures/Figure.h"
 #include "perilymph/foundation/Result.h"
-#include "perilymph/study/StudyFile.h"
+#include "perilymph/study/StudySummary.h"
 
 namespace perilymph::study {
 
 using analysis::Estimate;
-
-/// A quantity that the report is about.
-enum class Outcome { angle, coverage, peakForce, partitionForce };
-/// "angular insertion depth, deg".
-std::string titleOf(Outcome outcome);
 
 /// What changing a factor to a level does, or what two levels do together beyond their sum.
 struct Effect {
@@ -34,35 +27,34 @@ struct Slope {
   Estimate perUnit;
 };
 
-/// Results of a study, evaluated. A setting with 2 to 12 values is a factor; one with more is a
-/// range.
+/// Effects of the factors of a study (StudyColumns::factors(), without the ending) and slopes over its
+/// ranges, the settings that are quantities but no factors.
 class StudyEvaluation {
 public:
-  explicit StudyEvaluation(std::vector<StudyResult> results);
+  /// @param columns  Outlive the evaluation.
+  explicit StudyEvaluation(const StudyColumns& columns);
 
-  /// The factors and their levels.
-  const std::map<std::string, std::vector<std::string>>& factors() const { return factors_; }
+  const std::vector<const StudyFactor*>& factors() const { return factors_; }
   const std::vector<std::string>& ranges() const { return ranges_; }
 
-  /// Effect of every level of every factor, within cochleae in which every insertion finished: the
-  /// mean over cochleae of the level's mean minus that of the cochlea. The interval is that of this
-  /// mean; empty for fewer than 3 such cochleae.
-  std::vector<Effect> mainEffects(Outcome outcome) const;
+  /// Effect of every level of every factor on a quantity, within cochleae of which every insertion is
+  /// selected: the mean over cochleae of the level's mean minus that of the cochlea, with Student's
+  /// interval; empty for fewer than 3 such cochleae.
+  ///
+  /// @param quantity  A key of StudyColumns.
+  std::vector<Effect> mainEffects(const std::string& quantity, StudySelection selection) const;
   /// The same for pairs of levels of two factors, beyond the sum of their effects; the largest first.
-  std::vector<Effect> interactions(Outcome outcome) const;
-  /// Slope of the finished insertions within their combination of levels, by least squares.
-  std::vector<Slope> slopes(Outcome outcome) const;
-
-  const std::vector<StudyResult>& results() const { return results_; }
-  /// The result's value of a setting; empty if it has none.
-  static std::string settingOf(const StudyResult& result, const std::string& key);
+  std::vector<Effect> interactions(const std::string& quantity, StudySelection selection) const;
+  /// Slope of the selected insertions within their combination of levels, by least squares, with
+  /// Student's interval.
+  std::vector<Slope> slopes(const std::string& quantity, StudySelection selection) const;
 
 private:
-  std::vector<std::vector<const StudyResult*>> wholeCochleae() const;
-  std::string combinationOf(const StudyResult& result) const;
+  using Rows = std::vector<std::uint32_t>;
+  std::vector<Rows> wholeCochleae(StudySelection selection) const;
 
-  std::vector<StudyResult> results_;
-  std::map<std::string, std::vector<std::string>> factors_;
+  const StudyColumns* columns_;
+  std::vector<const StudyFactor*> factors_;
   std::vector<std::string> ranges_;
 };
 
@@ -72,7 +64,7 @@ struct StudyReport {
   std::vector<std::pair<std::string, figures::Figure>> figures;
 };
 
-/// The report of a merged study.
-Result<StudyReport> reportOf(const StudyFile& file);
+/// The report of a merged study, of each selection.
+StudyReport reportOf(const StudyColumns& columns);
 
 }  // namespace perilymph::study

@@ -7031,7 +7031,7 @@
     </message>
     <message>
         <source>at the stop: line through the last 0.5 s of motion</source>
-        <translation>beim Halt: Gerade durch die letzten 0,5 s der Bewegung</translation>
+        <translation>beim Halt: Gerade der letzten 0,5 s Bewegung</translation>
     </message>
     <message>
         <source>first to last motion, pauses included; reversals: %1</source>

@@ -302,8 +302,10 @@ TEST_F(TheCtPage, AsksBeforeOtherMeasuresAreSavedUnderACodeAndComparesBoth)
   rig_.click("newVersionButton");
   EXPECT_EQ(rig_.window().page(), "plan");
   const auto after = session::loadPatientRecord(file);
-  ASSERT_EQ(after->versions.size(), 2U);
+  ASSERT_EQ(before->versions.size(), 2U);  // the automatic fit, and what replaced it
+  ASSERT_EQ(after->versions.size(), 3U);
   EXPECT_EQ(after->versions[0], before->versions[0]);
+  EXPECT_EQ(after->versions[1], before->versions[1]);
   EXPECT_NEAR(inMillimeters(anatomy::loadPatient(file)->basalTurn->a), 8.70, 1e-9);
 }
 

@@ -189,6 +189,7 @@ session::SessionSummary threeMillimeters(const std::filesystem::path& file,
   summary.file = file;
   summary.highlights.ticks = 1500;
   summary.highlights.deepest = 3e-3;
+  summary.highlights.duration = 1.4;
   return summary;
 }
 

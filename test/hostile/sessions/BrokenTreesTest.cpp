@@ -87,6 +87,8 @@ void multiply(const fs::path& file, const std::string& table)
 fs::path record(const fs::path& file)
 {
   auto records = test::quietRecords(0, 3);
+  for (haptics::TickRecord& each : records)  // an insertion, not a recording without one
+    each.output.workflow = haptics::Workflow::inserting;
   records[1].commands.count = 1;
   records[1].commands.items[0].kind = haptics::Command::Kind::arm;
   auto recording = Recording::create(file, test::someFacts());

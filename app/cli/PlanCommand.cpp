@@ -162,8 +162,9 @@ Result<Done> plan(const PlanOptions& options, const CommandFiles& files)
     content.figures.emplace_back(name, figures::draw(figure));
   if (const auto done = writeFolder(files, options.out, content); !done) return done.error();
   print(
-      "Median ({}) of what measures, hand, friction, approach and stiffness leave open; shares as "
-      "n of N, "
+      "Median ({}) of what measures, shape, hand, friction, approach, stiffness and wires leave "
+      "open; "
+      "shares as n of N, "
       "from {} simulations on in percent with 95 % intervals.\n"
       "For research and training; not a medical device.\n",
       planning::bandsHold(*plan), analysis::fewestForPercent);

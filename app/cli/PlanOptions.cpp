@@ -50,8 +50,9 @@ void addPlan(CLI::App& app, FileOptions& files, PlanOptions& options)
       "resources/friction");
   command
       .add_option("--samples", options.samples,
-                  "Simulations of each array at most, 16 to 4096: draws of measures, hand, "
-                  "approach and stiffness; fewer if the bands stand after 64, 128, ...")
+                  "Simulations of each array at most, 16 to 4096: draws of measures, shape, "
+                  "hand, friction, approach, stiffness and wires; fewer if the bands stand after "
+                  "64, 128, ...")
       ->capture_default_str();
   command.add_flag("--all-samples", options.runsAll, "Run all simulations");
   command.add_option("--seed", options.seed, "Random seed of the draws")

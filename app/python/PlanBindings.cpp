@@ -301,11 +301,11 @@ void definePlan(py::module_& module)
         return textOf("<perilymph.PlannedArray '" + one.name + "'>");
       });
 
-  py::class_<StoredPlan>(
-      module, "Plan",
-      "Arrays in one patient's cochlea, with bands for what measures, hand, "
-      "approach and stiffness leave open. Values are those of the model, none is "
-      "a recommendation.")
+  py::class_<StoredPlan>(module, "Plan",
+                         "Arrays in one patient's cochlea, with bands for what measures, shape, "
+                         "hand, friction, approach, stiffness and wires leave open. Values are "
+                         "those of the model, none is "
+                         "a recommendation.")
       .def_property_readonly(
           "patient", [](const StoredPlan& one) { return one.plan.request.patient; }, "The patient.")
       .def_property_readonly(

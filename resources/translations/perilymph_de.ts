@@ -6590,8 +6590,8 @@
         <translation>Tiefe, die der Operateur beabsichtigt</translation>
     </message>
     <message>
-        <source>Method: each array is inserted by a simulated hand %1 times (%2). Every time A, B and H within their errors, speed, tremor, grip, force limit, intended depth, friction, approach and stiffness are drawn again; see the appendix.</source>
-        <translation>Methode: Jeder Elektrodenträger wird %1-mal von einer simulierten Hand inseriert (%2). Jedes Mal werden A, B und H innerhalb ihrer Fehler, Geschwindigkeit, Tremor, Griff, Kraftgrenze, beabsichtigte Tiefe, Reibung, Zugang und Steifigkeit neu gezogen; siehe Anhang.</translation>
+        <source>Method: each array is inserted by a simulated hand %1 times (%2). Every time A, B and H within their errors, the shape of the cochlea, speed, tremor, grip, force limit, intended depth, friction, approach, and stiffness and packing of the array&apos;s wires are drawn again; see the appendix.</source>
+        <translation>Methode: Jeder Elektrodenträger wird %1-mal von einer simulierten Hand inseriert (%2). Jedes Mal werden A, B und H innerhalb ihrer Fehler, die Form der Cochlea, Geschwindigkeit, Tremor, Griff, Kraftgrenze, beabsichtigte Tiefe, Reibung, Zugang sowie Steifigkeit und Packung der Drähte des Trägers neu gezogen; siehe Anhang.</translation>
     </message>
     <message>
         <source>plan of %1</source>

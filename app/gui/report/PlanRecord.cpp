@@ -216,9 +216,10 @@ QStringList linesOf(const ReportSheet& sheet, const PlanReportContent& content, 
 {
   QStringList lines = {
       tr("Method: each array is inserted by a simulated hand %1 times (%2). Every time A, B and H "
-         "within their errors, speed, tremor, grip, force limit, intended depth, friction, "
-         "approach and stiffness "
-         "are drawn again; see the appendix.")
+         "within their errors, the shape of the cochlea, speed, tremor, grip, force limit, "
+         "intended "
+         "depth, friction, approach, and stiffness and packing of the array's wires are drawn "
+         "again; see the appendix.")
           .arg(content.plan().arrays.front().draws)
           .arg(plannedFriction(content.plan()))};
   const auto& limits = content.stored.limits;

@@ -27,6 +27,9 @@ void checkArray(const planning::ArrayPlan& array)
   for (const auto& each : planning::planQuantities()) checkBand(array.*each.band);
   for (const auto& each : planning::planProbabilities()) {
     const analysis::Estimate& estimate = array.*each.estimate;
+    const bool isStated =
+        !std::isnan(estimate.value) || !std::isnan(estimate.low) || !std::isnan(estimate.high);
+    if (!each.isInFirstVersions && !isStated) continue;  // in former versions' files
     promise(estimate.low >= 0.0 && estimate.low <= estimate.value &&
                 estimate.value <= estimate.high && estimate.high <= 1.0,
             "a probability within its interval");

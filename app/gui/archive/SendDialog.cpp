@@ -5,7 +5,6 @@
 #include <QHBoxLayout>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QStyle>
 #include <QTimer>
 #include <QVBoxLayout>
 #include <QVariant>
@@ -221,12 +220,8 @@ void SendDialog::fit()
 
 void SendDialog::showMessage(const QString& sentence, bool isError)
 {
-  status_->setText(sentence);
+  showSentence(*status_, sentence, isError);
   status_->setVisible(!sentence.isEmpty());
-  status_->setProperty("error", isError);
-  status_->setProperty("quiet", !isError);
-  status_->style()->unpolish(status_);
-  status_->style()->polish(status_);
   fit();
 }
 

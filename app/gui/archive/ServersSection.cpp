@@ -6,7 +6,6 @@
 #include <QHBoxLayout>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QStyle>
 #include <QVBoxLayout>
 #include <QVariant>
 #include <utility>
@@ -16,6 +15,7 @@
 #include "gui/widgets/PanelParts.h"
 #include "gui/widgets/Placeholder.h"
 #include "gui/widgets/Selector.h"
+#include "gui/widgets/StatusLine.h"
 #include "gui/widgets/Theme.h"
 #include "gui/widgets/WrappedLabel.h"
 #include "perilymph/archive/OwnAddresses.h"
@@ -314,12 +314,8 @@ void ServersSection::showKinds()
 
 void ServersSection::showMessage(const QString& sentence, bool isError)
 {
-  status_->setText(sentence);
+  showSentence(*status_, sentence, isError);
   status_->setVisible(!sentence.isEmpty());
-  status_->setProperty("error", isError);
-  status_->setProperty("quiet", !isError);
-  status_->style()->unpolish(status_);
-  status_->style()->polish(status_);
 }
 
 }  // namespace perilymph::gui

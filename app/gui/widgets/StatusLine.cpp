@@ -36,13 +36,18 @@ StatusLine::StatusLine(const char* name, QWidget* parent)
   showMessage({});
 }
 
+void showSentence(QLabel& label, const QString& sentence, bool isError)
+{
+  label.setText(sentence);
+  label.setProperty("error", isError);
+  label.setProperty("quiet", !isError);
+  label.style()->unpolish(&label);
+  label.style()->polish(&label);
+}
+
 void StatusLine::showMessage(const QString& sentence, bool isError)
 {
-  label_->setText(sentence);
-  label_->setProperty("error", isError);
-  label_->setProperty("quiet", !isError);
-  label_->style()->unpolish(label_);
-  label_->style()->polish(label_);
+  showSentence(*label_, sentence, isError);
   open_->hide();
 }
 

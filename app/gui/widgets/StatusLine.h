@@ -11,6 +11,9 @@ class QPushButton;
 
 namespace perilymph::gui {
 
+/// Shows a sentence in a label, in the color of an error or quietly.
+void showSentence(QLabel& label, const QString& sentence, bool isError);
+
 /// A sentence, and after an export the button Open folder.
 class StatusLine : public QWidget {
   Q_OBJECT

@@ -117,7 +117,7 @@ std::string anatomyJson(const anatomy::Cochlea& cochlea,
 
 }  // namespace
 
-Result<Done> describeAnatomy(const AnatomyOptions& options)
+Result<void> describeAnatomy(const AnatomyOptions& options)
 {
   if (!options.import.empty()) return describeImport(options);
   const auto cochlea = chooseCochlea(options);
@@ -169,7 +169,7 @@ Result<Done> describeAnatomy(const AnatomyOptions& options)
           haptic->triangles, haptic->visualTriangles,
           fixed(inMillimeters(haptic->surfaceDistance.mean), 3),
           fixed(inMillimeters(haptic->surfaceDistance.greatest), 3));
-  return Done{};
+  return {};
 }
 
 }  // namespace perilymph::cli

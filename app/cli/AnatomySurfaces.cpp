@@ -24,7 +24,7 @@ anatomy::Surface partOf(const anatomy::ScalaTympani& scala, const std::string& p
 
 }  // namespace
 
-Result<Done> writeEar(anatomy::Surface surface, const std::string& what, const std::string& label,
+Result<void> writeEar(anatomy::Surface surface, const std::string& what, const std::string& label,
                       anatomy::Side side, const std::string& file)
 {
   const bool isLeft = side == anatomy::Side::left;
@@ -36,7 +36,7 @@ Result<Done> writeEar(anatomy::Surface surface, const std::string& what, const s
   return anatomy::writeSurface(surface, title, file);
 }
 
-Result<Done> writePart(const anatomy::ScalaTympani& scala, const std::string& label,
+Result<void> writePart(const anatomy::ScalaTympani& scala, const std::string& label,
                        anatomy::Side side, const AnatomyOptions& options)
 {
   return writeEar(partOf(scala, options.part), options.part, label, side, options.surface);

@@ -19,11 +19,11 @@ struct HapticSurfaceNumbers {
 };
 
 /// Writes a surface in W with a title; mirrored for a left ear.
-Result<Done> writeEar(anatomy::Surface surface, const std::string& what, const std::string& label,
+Result<void> writeEar(anatomy::Surface surface, const std::string& what, const std::string& label,
                       anatomy::Side side, const std::string& file);
 
 /// Writes the surface of --surface with --part.
-Result<Done> writePart(const anatomy::ScalaTympani& scala, const std::string& label,
+Result<void> writePart(const anatomy::ScalaTympani& scala, const std::string& label,
                        anatomy::Side side, const AnatomyOptions& options);
 
 /// Writes the surface of --haptic-surface.

@@ -37,9 +37,9 @@ Json newResult(const std::string& server)
   return json;
 }
 
-Result<Done> writeJson(const ArchiveOptions& options, const Json& json)
+Result<void> writeJson(const ArchiveOptions& options, const Json& json)
 {
-  if (options.json.empty()) return Done{};
+  if (options.json.empty()) return {};
   return writeWhole(options.json, jsonText(json), {Links::followed, Audience::owner});
 }
 
@@ -119,7 +119,7 @@ void printCount(std::size_t count, bool isCut, const char* what)
     print("{} {}\n", count, what);
 }
 
-Result<Done> findSeriesOf(const Server& server, const ArchiveOptions& options)
+Result<void> findSeriesOf(const Server& server, const ArchiveOptions& options)
 {
   const auto found = archive::findSeries(server, options.study, interruptible());
   if (!found) return found.error();
@@ -144,7 +144,7 @@ Result<Done> findSeriesOf(const Server& server, const ArchiveOptions& options)
   return writeJson(options, json);
 }
 
-Result<Done> findStudiesOf(const Server& server, const ArchiveOptions& options)
+Result<void> findStudiesOf(const Server& server, const ArchiveOptions& options)
 {
   const archive::StudyQuery query{options.patientId, options.patientName, options.birthDate,
                                   options.from,      options.until,       options.modality};
@@ -177,7 +177,7 @@ Result<Done> findStudiesOf(const Server& server, const ArchiveOptions& options)
 
 }  // namespace
 
-Result<Done> archiveServers(const ArchiveOptions& options)
+Result<void> archiveServers(const ArchiveOptions& options)
 {
   auto servers = archive::readServers();
   if (!servers) return servers.error();
@@ -202,7 +202,7 @@ Result<Done> archiveServers(const ArchiveOptions& options)
   return writeJson(options, json);
 }
 
-Result<Done> archiveEcho(const ArchiveOptions& options)
+Result<void> archiveEcho(const ArchiveOptions& options)
 {
   const auto server = archive::readServer(options.server);
   if (!server) return server.error();
@@ -213,14 +213,14 @@ Result<Done> archiveEcho(const ArchiveOptions& options)
   return writeJson(options, json);
 }
 
-Result<Done> archiveFind(const ArchiveOptions& options)
+Result<void> archiveFind(const ArchiveOptions& options)
 {
   const auto server = archive::readServer(options.server);
   if (!server) return server.error();
   return options.study.empty() ? findStudiesOf(*server, options) : findSeriesOf(*server, options);
 }
 
-Result<Done> archiveFetch(const ArchiveOptions& options)
+Result<void> archiveFetch(const ArchiveOptions& options)
 {
   const auto server = archive::readServer(options.server);
   if (!server) return server.error();
@@ -252,7 +252,7 @@ Result<Done> archiveFetch(const ArchiveOptions& options)
   return writeJson(options, json);
 }
 
-Result<Done> archiveSend(const ArchiveOptions& options)
+Result<void> archiveSend(const ArchiveOptions& options)
 {
   const auto server = archive::readServer(options.server);
   if (!server) return server.error();
@@ -280,11 +280,11 @@ Error withoutToolkit()
 
 }  // namespace
 
-Result<Done> archiveServers(const ArchiveOptions&) { return withoutToolkit(); }
-Result<Done> archiveEcho(const ArchiveOptions&) { return withoutToolkit(); }
-Result<Done> archiveFind(const ArchiveOptions&) { return withoutToolkit(); }
-Result<Done> archiveFetch(const ArchiveOptions&) { return withoutToolkit(); }
-Result<Done> archiveSend(const ArchiveOptions&) { return withoutToolkit(); }
+Result<void> archiveServers(const ArchiveOptions&) { return withoutToolkit(); }
+Result<void> archiveEcho(const ArchiveOptions&) { return withoutToolkit(); }
+Result<void> archiveFind(const ArchiveOptions&) { return withoutToolkit(); }
+Result<void> archiveFetch(const ArchiveOptions&) { return withoutToolkit(); }
+Result<void> archiveSend(const ArchiveOptions&) { return withoutToolkit(); }
 
 #endif
 

@@ -140,7 +140,7 @@ void addArchive(CLI::App& app, FileOptions& files, ArchiveOptions& options)
   addSend(archive, files, options);
 }
 
-Result<Done> runArchive(const CLI::App& archive, const ArchiveOptions& options)
+Result<void> runArchive(const CLI::App& archive, const ArchiveOptions& options)
 {
   if (archive.got_subcommand("servers")) return archiveServers(options);
   if (archive.got_subcommand("echo")) return archiveEcho(options);

@@ -14,6 +14,6 @@ namespace perilymph::cli {
 class FileOptions;
 
 void addArchive(CLI::App& app, FileOptions& files, ArchiveOptions& options);
-Result<Done> runArchive(const CLI::App& archive, const ArchiveOptions& options);
+Result<void> runArchive(const CLI::App& archive, const ArchiveOptions& options);
 
 }  // namespace perilymph::cli

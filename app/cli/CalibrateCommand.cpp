@@ -63,7 +63,7 @@ void printSummary(const validation::CalibrationResult& result,
 
 }  // namespace
 
-Result<Done> calibrate(const CalibrateOptions& options, const CommandFiles& files)
+Result<void> calibrate(const CalibrateOptions& options, const CommandFiles& files)
 {
   const auto file = findByName("variability", "resources/validation", options.variability);
   if (!file) return file.error();
@@ -105,7 +105,7 @@ Result<Done> calibrate(const CalibrateOptions& options, const CommandFiles& file
   content.figures = {{"calibration", draw(validation::calibrationFigure(*result, *experiment))}};
   if (const auto done = writeFolder(files, options.out, content); !done) return done.error();
   printSummary(*result, *experiment);
-  return Done{};
+  return {};
 }
 
 }  // namespace perilymph::cli

@@ -72,7 +72,7 @@ void CommandFiles::addOutputFolder(const std::string& option, const fs::path& fo
     outputs_.push_back({option, folder / name, identityOf(folder / name), Kind::inFolder});
 }
 
-Result<Done> CommandFiles::checkOutput(const NamedFile& output) const
+Result<void> CommandFiles::checkOutput(const NamedFile& output) const
 {
   for (const NamedFile& input : inputs_)
     if (isSameFile(output.identity, input.identity))
@@ -80,17 +80,17 @@ Result<Done> CommandFiles::checkOutput(const NamedFile& output) const
   for (const Folder& folder : inputFolders_)
     if (isExistingBelow(output.file, folder.place))
       return isInput(output.option, output.file, folder.option);
-  if (output.kind == Kind::recording) return Done{};
+  if (output.kind == Kind::recording) return {};
   if (session::isRecording(output.file))
     return Error{output.option + " would replace " + output.file.string() +
                  ", which is or belongs to a recording. Give " + output.option + " another name."};
   std::error_code ignored;
   if (output.kind != Kind::inFolder) return checkWritable(output.file);
   const bool isThere = fs::exists(fs::symlink_status(output.file, ignored));
-  return isThere ? checkWritable(output.file, Links::refused) : Result<Done>(Done{});
+  return isThere ? checkWritable(output.file, Links::refused) : Result<void>();
 }
 
-Result<Done> CommandFiles::check() const
+Result<void> CommandFiles::check() const
 {
   // What killed calls left where this one writes.
   std::set<fs::path> written;
@@ -108,10 +108,10 @@ Result<Done> CommandFiles::check() const
                      output.file.string() + ". Give each a file of its own."};
     if (const auto done = checkOutput(output); !done) return done.error();
   }
-  return Done{};
+  return {};
 }
 
-Result<Done> CommandFiles::checkScenarioFiles(const std::vector<fs::path>& files) const
+Result<void> CommandFiles::checkScenarioFiles(const std::vector<fs::path>& files) const
 {
   for (const fs::path& file : files) {
     const FileIdentity identity = identityOf(file);
@@ -119,7 +119,7 @@ Result<Done> CommandFiles::checkScenarioFiles(const std::vector<fs::path>& files
       if (isSameFile(output.identity, identity))
         return isInput(output.option, output.file, "the scenario");
   }
-  return Done{};
+  return {};
 }
 
 bool CommandFiles::isOutput(const fs::path& file) const

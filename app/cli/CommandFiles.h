@@ -30,10 +30,10 @@ public:
 
   /// Checks, before any work, that every output is writable and that none is an input, a recording,
   /// a read-only file or another output.
-  Result<Done> check() const;
+  Result<void> check() const;
 
   /// Checks that no output is one of the files that a scenario was read from.
-  Result<Done> checkScenarioFiles(const std::vector<std::filesystem::path>& files) const;
+  Result<void> checkScenarioFiles(const std::vector<std::filesystem::path>& files) const;
 
   /// True for a file added as an output.
   bool isOutput(const std::filesystem::path& file) const;
@@ -55,7 +55,7 @@ private:
     std::filesystem::path place;
   };
 
-  Result<Done> checkOutput(const NamedFile& output) const;
+  Result<void> checkOutput(const NamedFile& output) const;
 
   std::vector<NamedFile> inputs_, outputs_;
   std::vector<Folder> folders_, inputFolders_;

@@ -349,7 +349,7 @@ void addCommands(CLI::App& app, FileOptions& files, CommandOptions& options)
   refuseEmptyValues(app);
 }
 
-Result<Done> runCommand(const CLI::App& app, const CommandFiles& files,
+Result<void> runCommand(const CLI::App& app, const CommandFiles& files,
                         const CommandOptions& options)
 {
   // What these write describes a patient: it is for the owner only.

@@ -17,7 +17,7 @@ namespace perilymph::cli {
 void addCommands(CLI::App& app, FileOptions& files, CommandOptions& options);
 
 /// Runs the parsed command.
-Result<Done> runCommand(const CLI::App& app, const CommandFiles& files,
+Result<void> runCommand(const CLI::App& app, const CommandFiles& files,
                         const CommandOptions& options);
 
 }  // namespace perilymph::cli

@@ -25,7 +25,7 @@ struct SimulateOptions {
   double every_ms = 0.0;          ///< Interval of CSV rows; 0: every tick.
   std::string igtl;               ///< "[ADDRESS:]PORT" to broadcast at; empty: none.
 };
-Result<Done> simulate(const SimulateOptions& options, const CommandFiles& files);
+Result<void> simulate(const SimulateOptions& options, const CommandFiles& files);
 
 struct AnatomyOptions {
   std::string preset, patient, import;
@@ -35,9 +35,9 @@ struct AnatomyOptions {
   std::string json, sections, surface, hapticSurface;
   std::string part = "scala";
 };
-Result<Done> describeAnatomy(const AnatomyOptions& options);
+Result<void> describeAnatomy(const AnatomyOptions& options);
 /// The same for a segmented surface, --import.
-Result<Done> describeImport(const AnatomyOptions& options);
+Result<void> describeImport(const AnatomyOptions& options);
 
 struct ReplayOptions {
   std::string file;
@@ -45,7 +45,7 @@ struct ReplayOptions {
   std::string csv;
   std::string contacts;
 };
-Result<Done> replay(const ReplayOptions& options);
+Result<void> replay(const ReplayOptions& options);
 
 struct ValidateOptions {
   std::string variability = "published-experiment";
@@ -59,7 +59,7 @@ struct ValidateOptions {
   int draws = 400;                 ///< Number of repetitions.
   std::string out;
 };
-Result<Done> validate(const ValidateOptions& options, const CommandFiles& files);
+Result<void> validate(const ValidateOptions& options, const CommandFiles& files);
 
 struct CalibrateOptions {
   std::string variability = "published-experiment";
@@ -69,7 +69,7 @@ struct CalibrateOptions {
   unsigned jobs = 0;
   std::string out;
 };
-Result<Done> calibrate(const CalibrateOptions& options, const CommandFiles& files);
+Result<void> calibrate(const CalibrateOptions& options, const CommandFiles& files);
 
 struct PredictOptions {
   std::vector<std::string> arrays;
@@ -80,7 +80,7 @@ struct PredictOptions {
   unsigned jobs = 0;
   std::string out;
 };
-Result<Done> predict(const PredictOptions& options, const CommandFiles& files);
+Result<void> predict(const PredictOptions& options, const CommandFiles& files);
 
 struct PlanOptions {
   std::string patient;
@@ -92,7 +92,7 @@ struct PlanOptions {
   bool runsAll = false;  ///< All samples, though the bands may stand earlier.
   std::string out;
 };
-Result<Done> plan(const PlanOptions& options, const CommandFiles& files);
+Result<void> plan(const PlanOptions& options, const CommandFiles& files);
 
 struct CompareOptions {
   std::vector<std::string> files;
@@ -100,7 +100,7 @@ struct CompareOptions {
   std::vector<std::string> groups;  ///< "array", "technique", "patient".
   std::string out;
 };
-Result<Done> compare(const CompareOptions& options, const CommandFiles& files);
+Result<void> compare(const CompareOptions& options, const CommandFiles& files);
 
 struct RenderOptions {
   std::string scenario;
@@ -109,7 +109,7 @@ struct RenderOptions {
   std::string view = "surgeon";
   std::string out;
 };
-Result<Done> render(const RenderOptions& options, const CommandFiles& files);
+Result<void> render(const RenderOptions& options, const CommandFiles& files);
 
 struct DevicesOptions {
   std::string json;
@@ -119,13 +119,13 @@ struct DevicesOptions {
   std::string profile;      ///< The only device profile to use; empty: all.
   std::string replay;       ///< Tape to be read instead of a device.
 };
-Result<Done> devices(const DevicesOptions& options);
+Result<void> devices(const DevicesOptions& options);
 
 struct CtInfoOptions {
   std::string path;
   std::string json;
 };
-Result<Done> ctInfo(const CtInfoOptions& options);
+Result<void> ctInfo(const CtInfoOptions& options);
 
 struct CtMeasureOptions {
   std::string path, series;
@@ -134,12 +134,12 @@ struct CtMeasureOptions {
   std::string side;                            ///< "left", "right" or empty.
   std::string json, patient, surface, picture, structuredReport, segmentation, keyImage;
 };
-Result<Done> ctMeasure(const CtMeasureOptions& options);
+Result<void> ctMeasure(const CtMeasureOptions& options);
 
 struct CtExportOptions {
   std::string path, series, out;
 };
-Result<Done> ctExport(const CtExportOptions& options);
+Result<void> ctExport(const CtExportOptions& options);
 
 /// Options of all `archive` commands; each uses some.
 struct ArchiveOptions {
@@ -158,11 +158,11 @@ struct ArchiveOptions {
   // send
   std::string file;
 };
-Result<Done> archiveServers(const ArchiveOptions& options);
-Result<Done> archiveEcho(const ArchiveOptions& options);
-Result<Done> archiveFind(const ArchiveOptions& options);
-Result<Done> archiveFetch(const ArchiveOptions& options);
-Result<Done> archiveSend(const ArchiveOptions& options);
+Result<void> archiveServers(const ArchiveOptions& options);
+Result<void> archiveEcho(const ArchiveOptions& options);
+Result<void> archiveFind(const ArchiveOptions& options);
+Result<void> archiveFetch(const ArchiveOptions& options);
+Result<void> archiveSend(const ArchiveOptions& options);
 
 /// Options of all `study` commands; each uses some.
 struct StudyOptions {
@@ -174,13 +174,13 @@ struct StudyOptions {
   std::string group;  ///< Setting whose groups are tabulated; none if empty.
   bool isDryRun = false;
 };
-Result<Done> checkStudy(const StudyOptions& options);
-Result<Done> runWholeStudy(const StudyOptions& options);
-Result<Done> runStudyShard(const StudyOptions& options);
-Result<Done> mergeStudy(const StudyOptions& options);
-Result<Done> reportStudy(const StudyOptions& options, const CommandFiles& files);
-Result<Done> showStudyStatus(const StudyOptions& options);
-Result<Done> submitStudy(const StudyOptions& options);
+Result<void> checkStudy(const StudyOptions& options);
+Result<void> runWholeStudy(const StudyOptions& options);
+Result<void> runStudyShard(const StudyOptions& options);
+Result<void> mergeStudy(const StudyOptions& options);
+Result<void> reportStudy(const StudyOptions& options, const CommandFiles& files);
+Result<void> showStudyStatus(const StudyOptions& options);
+Result<void> submitStudy(const StudyOptions& options);
 
 /// The options of all commands; filled while the command line is parsed.
 struct CommandOptions {

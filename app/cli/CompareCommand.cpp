@@ -65,7 +65,7 @@ std::vector<analysis::GroupKey> keysOf(const std::vector<std::string>& names)
 
 }  // namespace
 
-Result<Done> compare(const CompareOptions& options, const CommandFiles& files)
+Result<void> compare(const CompareOptions& options, const CommandFiles& files)
 {
   std::vector<analysis::ComparedInsertion> insertions;
   for (const std::string& file : options.files) {
@@ -91,7 +91,7 @@ Result<Done> compare(const CompareOptions& options, const CommandFiles& files)
   if (const auto done = writeFolder(files, options.out, content); !done) return done.error();
   printSummary(insertions);
   if (!groups.empty()) printDifferences(insertions, groups);
-  return Done{};
+  return {};
 }
 
 }  // namespace perilymph::cli

@@ -10,7 +10,7 @@ namespace perilymph::cli {
 
 #if PERILYMPH_HAS_TOOLKIT
 
-Result<Done> ctExport(const CtExportOptions& options)
+Result<void> ctExport(const CtExportOptions& options)
 {
   const auto loaded = imaging::readCt(options.path, options.series);
   if (!loaded) return loaded.error();
@@ -24,12 +24,12 @@ Result<Done> ctExport(const CtExportOptions& options)
     print("{} voxels that were not measured are written as air ({} HU)\n", count,
           ct::asAir(ct::unmeasured));
   for (const std::string& warning : loaded->series.warnings) print("{}\n", warning);
-  return Done{};
+  return {};
 }
 
 #else
 
-Result<Done> ctExport(const CtExportOptions&)
+Result<void> ctExport(const CtExportOptions&)
 {
   return Error{"This build has no VTK, so it cannot read a CT; use a build of the preset release."};
 }

@@ -62,13 +62,13 @@ void printSeries(const CtSeries& series)
 
 }  // namespace
 
-Result<Done> ctInfo(const CtInfoOptions& options)
+Result<void> ctInfo(const CtInfoOptions& options)
 {
   const auto list = imaging::findSeries(options.path);
   if (!list) return list.error();
   print("{} series, best suited first; {} other files\n", list->series.size(), list->otherFiles);
   for (const CtSeries& series : list->series) printSeries(series);
-  if (options.json.empty()) return Done{};
+  if (options.json.empty()) return {};
   Json json;
   json["version"] = version();
   json["series"] = Json::array();
@@ -79,7 +79,7 @@ Result<Done> ctInfo(const CtInfoOptions& options)
 
 #else
 
-Result<Done> ctInfo(const CtInfoOptions&)
+Result<void> ctInfo(const CtInfoOptions&)
 {
   return Error{"This build has no VTK, so it cannot read a CT; use a build of the preset release."};
 }

@@ -87,7 +87,7 @@ void printWarnings(const imaging::CtSeries& series)
   for (const std::string& warning : series.warnings) print("{}\n", warning);
 }
 
-Result<Done> writeFiles(const CtMeasureOptions& options, const ct::CochleaMeasures& measures,
+Result<void> writeFiles(const CtMeasureOptions& options, const ct::CochleaMeasures& measures,
                         const imaging::LoadedCt& loaded, double seconds)
 {
   if (!options.json.empty())
@@ -132,7 +132,7 @@ Result<Done> writeFiles(const CtMeasureOptions& options, const ct::CochleaMeasur
         !done)
       return done.error();
   }
-  if (options.surface.empty()) return Done{};
+  if (options.surface.empty()) return {};
   return anatomy::writeSurface(imaging::measuredSurface(measures), imaging::measuredSurfaceTitle,
                                options.surface);
 }
@@ -143,7 +143,7 @@ double elapsed_s(std::chrono::steady_clock::time_point start)
 }
 
 /// Both ears of a volume: a point, landmarks and files of one ear are refused.
-Result<Done> measureBoth(const CtMeasureOptions& options)
+Result<void> measureBoth(const CtMeasureOptions& options)
 {
   if (options.at_mm || !options.landmarks.empty())
     return Error{
@@ -168,12 +168,12 @@ Result<Done> measureBoth(const CtMeasureOptions& options)
       return done.error();
   for (const ct::CochleaMeasures& ear : *ears) printMeasures(ear);
   printWarnings(loaded->series);
-  return Done{};
+  return {};
 }
 
 }  // namespace
 
-Result<Done> ctMeasure(const CtMeasureOptions& options)
+Result<void> ctMeasure(const CtMeasureOptions& options)
 {
   if (options.side == "both") return measureBoth(options);
   const auto start = std::chrono::steady_clock::now();
@@ -187,12 +187,12 @@ Result<Done> ctMeasure(const CtMeasureOptions& options)
     return done.error();
   printMeasures(*measures);
   printWarnings(loaded->series);
-  return Done{};
+  return {};
 }
 
 #else
 
-Result<Done> ctMeasure(const CtMeasureOptions&)
+Result<void> ctMeasure(const CtMeasureOptions&)
 {
   return Error{"This build has no VTK, so it cannot read a CT; use a build of the preset release."};
 }

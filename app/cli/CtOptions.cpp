@@ -109,7 +109,7 @@ void addCt(CLI::App& app, FileOptions& files, CommandOptions& options)
   addExport(ct, files, options.ctExport);
 }
 
-Result<Done> runCt(const CLI::App& ct, const CommandOptions& options)
+Result<void> runCt(const CLI::App& ct, const CommandOptions& options)
 {
   if (ct.got_subcommand("info")) return ctInfo(options.ctInfo);
   if (ct.got_subcommand("export")) return ctExport(options.ctExport);

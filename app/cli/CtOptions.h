@@ -15,6 +15,6 @@ struct CommandOptions;
 /// Declares `ct info`, `ct measure` and `ct export`.
 void addCt(CLI::App& app, FileOptions& files, CommandOptions& options);
 /// Runs the one that was given.
-Result<Done> runCt(const CLI::App& ct, const CommandOptions& options);
+Result<void> runCt(const CLI::App& ct, const CommandOptions& options);
 
 }  // namespace perilymph::cli

@@ -79,12 +79,12 @@ void printTape(const device::TapeReading& told)
 
 }  // namespace
 
-Result<Done> replayDevice(const std::string& file, const std::string& json)
+Result<void> replayDevice(const std::string& file, const std::string& json)
 {
   const auto told = device::readTape(file);
   if (!told) return told.error();
   printTape(*told);
-  if (json.empty()) return Done{};
+  if (json.empty()) return {};
   return writeWhole(json, jsonText(described(*told)));
 }
 

@@ -10,6 +10,6 @@
 namespace perilymph::cli {
 
 /// Prints the tape's device and statistics of its reports; writes JSON if a file is named.
-Result<Done> replayDevice(const std::string& tape, const std::string& json);
+Result<void> replayDevice(const std::string& tape, const std::string& json);
 
 }  // namespace perilymph::cli

@@ -25,10 +25,10 @@ constexpr double minForce = 1e-3;  // [N]
 /// Ticks at 1 kHz, triggered by the device's reports if possible.
 class TickClock {
 public:
-  explicit TickClock(device::HapticDevice& hand)
-      : hand_(hand),
+  explicit TickClock(device::HapticDevice& device)
+      : device_(device),
         pacer_(Duration::fromSi(timeStep)),
-        follows_(haptics::followsReports(hand.traits(), timeStep))
+        follows_(haptics::followsReports(device.traits(), timeStep))
   {
     pacer_.start(realtime::monotonicNanoseconds());
   }
@@ -36,7 +36,7 @@ public:
   void wait()
   {
     const auto awaited =
-        follows_ ? hand_.await(Duration::fromSi(timeStep)) : device::Awaited::cannot;
+        follows_ ? device_.await(Duration::fromSi(timeStep)) : device::Awaited::cannot;
     if (awaited == device::Awaited::cannot)
       pacer_.wait();
     else
@@ -44,32 +44,32 @@ public:
   }
 
 private:
-  device::HapticDevice& hand_;
+  device::HapticDevice& device_;
   realtime::Pacer pacer_;
   bool follows_;
 };
 
 int ticks(double time) { return static_cast<int>(std::lround(time / timeStep)); }
 
-void listen(device::HapticDevice& hand, TickClock& beat, TrialOutcome& outcome)
+void listen(device::HapticDevice& device, TickClock& clock, TrialOutcome& outcome)
 {
   print("Listening for {} s. Move the device.\n", fixed(listeningTime, 0));
   flushOutput();
   std::uint64_t last = 0;
   for (int i = 0; i < ticks(listeningTime) && !isInterrupted(); ++i) {
-    beat.wait();
-    const device::DeviceSample sample = hand.read();
+    clock.wait();
+    const device::DeviceSample sample = device.read();
     ++outcome.samples;
     if (sample.isValid != 0 && sample.sequence != last) ++outcome.fresh;
     last = sample.sequence;
-    hand.write({});
+    device.write({});
   }
 }
 
 /// Why the trial ended before its last axis.
-std::string whyUntested(device::HapticDevice& hand, const TrialOutcome& outcome, int axis)
+std::string whyUntested(device::HapticDevice& device, const TrialOutcome& outcome, int axis)
 {
-  const auto health = hand.health();
+  const auto health = device.health();
   if (health && !health->isConnected) return "the device was disconnected";
   if (health ? health->reading.fresh == 0 : outcome.fresh == 0) return "no report came";
   constexpr double stalled = 0.1;  // [s]
@@ -79,9 +79,9 @@ std::string whyUntested(device::HapticDevice& hand, const TrialOutcome& outcome,
                    : "the button was not held";
 }
 
-void showForces(device::HapticDevice& hand, TickClock& beat, TrialOutcome& outcome)
+void showForces(device::HapticDevice& device, TickClock& clock, TrialOutcome& outcome)
 {
-  haptics::ForceTrial trial(hand.traits(), timeStep);
+  haptics::ForceTrial trial(device.traits(), timeStep);
   outcome.greatest = trial.greatest();
   if (trial.isOver()) return;
   print(
@@ -90,34 +90,34 @@ void showForces(device::HapticDevice& hand, TickClock& beat, TrialOutcome& outco
       fixed(trial.greatest(), 2));
   flushOutput();
   while (!trial.isOver() && !isInterrupted()) {
-    beat.wait();
-    hand.write(trial.step(hand.read()));
+    clock.wait();
+    device.write(trial.step(device.read()));
   }
-  hand.write({});
+  device.write({});
   outcome.forces = trial.results();
-  if (!trial.isDone()) outcome.untested = whyUntested(hand, outcome, trial.axis());
+  if (!trial.isDone()) outcome.untested = whyUntested(device, outcome, trial.axis());
 }
 
-Result<TrialOutcome> tryOpened(device::HapticDevice& hand)
+Result<TrialOutcome> tryOpened(device::HapticDevice& device)
 {
-  if (const auto opened = hand.open(); !opened) return opened.error();
+  if (const auto opened = device.open(); !opened) return opened.error();
   watchForInterruption();
   // Without the priority the figures are worse, but valid.
   realtime::requestRealTimePriority();
 
   TrialOutcome outcome;
-  outcome.traits = hand.traits();
+  outcome.traits = device.traits();
   outcome.axes = outcome.traits.rendersForce ? outcome.traits.actuatedTranslations : 0;
   if (outcome.axes > 0) {
     outcome.stiffness = haptics::couplingLimit(outcome.traits, timeStep).stiffness;
     outcome.passiveHandleDamping = haptics::passiveHandleDamping(
         outcome.stiffness, shippedDamping, haptics::delayOf(outcome.traits, timeStep), timeStep);
   }
-  TickClock beat(hand);
-  listen(hand, beat, outcome);
-  if (outcome.axes > 0) showForces(hand, beat, outcome);
-  outcome.health = hand.health();
-  hand.close();
+  TickClock clock(device);
+  listen(device, clock, outcome);
+  if (outcome.axes > 0) showForces(device, clock, outcome);
+  outcome.health = device.health();
+  device.close();
   if (isInterrupted()) return Error{"Interrupted; the force is off."};
   return outcome;
 }

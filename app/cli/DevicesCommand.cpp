@@ -255,19 +255,19 @@ Result<FoundDevice> deviceOfNumber(const device::DeviceSurvey& survey, int numbe
 }
 
 /// Tests a plug-in, independently of HID devices.
-Result<Done> tryOut(const std::string& plugin, const std::string& file)
+Result<void> tryOut(const std::string& plugin, const std::string& file)
 {
   const auto trial = tryPlugin(plugin);
   if (!trial) return trial.error();
   printTrial(*trial);
-  if (file.empty()) return Done{};
+  if (file.empty()) return {};
   const Json json = {{"version", version()}, {"plugin", plugin}, {"test", described(*trial)}};
   return writeWhole(file, jsonText(json));
 }
 
 }  // namespace
 
-Result<Done> devices(const DevicesOptions& options)
+Result<void> devices(const DevicesOptions& options)
 {
   if (!options.replay.empty()) return replayDevice(options.replay, options.json);
   if (!options.plugin.empty()) return tryOut(options.plugin, options.json);
@@ -283,7 +283,7 @@ Result<Done> devices(const DevicesOptions& options)
   json["devices"] = Json::array();
   for (const FoundDevice& found : survey.devices) json["devices"].push_back(described(found));
   json["profile_errors"] = survey.errors;
-  Result<Done> outcome = Done{};
+  Result<void> outcome;
   for (const std::string& error : survey.errors) printError("{}\n", error);
 
   if (options.test) {

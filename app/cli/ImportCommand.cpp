@@ -75,7 +75,7 @@ std::string importJson(const std::string& label, const anatomy::ImportedScala& s
 
 }  // namespace
 
-Result<Done> describeImport(const AnatomyOptions& options)
+Result<void> describeImport(const AnatomyOptions& options)
 {
   if (!options.sections.empty() || !options.hapticSurface.empty() || options.part != "scala")
     return Error{
@@ -99,12 +99,12 @@ Result<Done> describeImport(const AnatomyOptions& options)
   for (const analysis::Measure& measure : measuresOf(*scala))
     print("{:26} {}\n", measure.key, fixed(measure.value, 2));
   for (const std::string& warning : warningsOf(*scala)) print("{}\n", warning);
-  return Done{};
+  return {};
 }
 
 #else
 
-Result<Done> describeImport(const AnatomyOptions&)
+Result<void> describeImport(const AnatomyOptions&)
 {
   return Error{
       "This build has no VTK, so it cannot read a surface; use --preset, --patient or measures, or "

@@ -24,14 +24,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
-Result<Done> writePicture(const fs::path& file, const figures::Drawing& drawing)
+Result<void> writePicture(const fs::path& file, const figures::Drawing& drawing)
 {
 #if PERILYMPH_HAS_TOOLKIT
   return charts::writePicture(drawing, file, {Links::refused});
 #else
   static_cast<void>(file);
   static_cast<void>(drawing);
-  return Done{};
+  return {};
 #endif
 }
 
@@ -44,7 +44,7 @@ void expectOutput(const CommandFiles& files, const fs::path& file)
 
 }  // namespace
 
-Result<Done> checkFolder(const std::string& folder)
+Result<void> checkFolder(const std::string& folder)
 {
   std::error_code ignored;
   const fs::path place = fs::absolute(folder, ignored).lexically_normal();
@@ -66,23 +66,23 @@ Result<Done> checkFolder(const std::string& folder)
   if (!canMake || ::faccessat(AT_FDCWD, there.c_str(), W_OK, AT_EACCESS) != 0)
     return Error{"Cannot write into " + folder + ": nothing may be written into " + there.string() +
                  ". Choose another folder."};
-  return Done{};
+  return {};
 }
 
-Result<Done> checkReplaced(const fs::path& folder, const std::vector<std::string>& names,
+Result<void> checkReplaced(const fs::path& folder, const std::vector<std::string>& names,
                            bool isOwn)
 {
   std::error_code ignored;
-  if (isOwn) return Done{};
+  if (isOwn) return {};
   for (const std::string& name : names)
     if (fs::exists(fs::symlink_status(folder / name, ignored)))
       return Error{folder.string() + " has a file " + name +
                    " that this command did not write; it is not replaced. Give --out another "
                    "folder, or move the file away."};
-  return Done{};
+  return {};
 }
 
-Result<Done> writeFolder(const CommandFiles& files, const std::string& folder,
+Result<void> writeFolder(const CommandFiles& files, const std::string& folder,
                          const FolderContent& content)
 {
   const fs::path place(folder);
@@ -114,7 +114,7 @@ Result<Done> writeFolder(const CommandFiles& files, const std::string& folder,
   print("\n");
   if (!PERILYMPH_HAS_TOOLKIT && !content.figures.empty())
     print("This build has no VTK: figures are SVG only.\n");
-  return Done{};
+  return {};
 }
 
 void showProgress(const char* what, std::size_t done, std::size_t all)

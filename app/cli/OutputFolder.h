@@ -16,13 +16,13 @@
 namespace perilymph::cli {
 
 /// Checks, before the work, that a folder can be created and filled.
-Result<Done> checkFolder(const std::string& folder);
+Result<void> checkFolder(const std::string& folder);
 
 /// Checks, before the work, that a folder has no files of other origin that would be replaced.
 ///
 /// @param names   Files that the command replaces.
 /// @param isOwn   Whether the folder is one that the command made, which it continues or fills again.
-Result<Done> checkReplaced(const std::filesystem::path& folder,
+Result<void> checkReplaced(const std::filesystem::path& folder,
                            const std::vector<std::string>& names, bool isOwn);
 
 /// The files of the folder.
@@ -35,7 +35,7 @@ struct FolderContent {
 /// this build supports it. Prints the written files.
 ///
 /// @throws std::logic_error for a file that is not a declared output of the call.
-Result<Done> writeFolder(const CommandFiles& files, const std::string& folder,
+Result<void> writeFolder(const CommandFiles& files, const std::string& folder,
                          const FolderContent& content);
 
 /// Shows progress if standard error is a terminal, and looks for a request to end.

@@ -125,7 +125,7 @@ void printArray(const planning::ArrayPlan& array)
 
 }  // namespace
 
-Result<Done> plan(const PlanOptions& options, const CommandFiles& files)
+Result<void> plan(const PlanOptions& options, const CommandFiles& files)
 {
   const auto request = requestOf(options);
   if (!request) return request.error();
@@ -175,7 +175,7 @@ Result<Done> plan(const PlanOptions& options, const CommandFiles& files)
     print("  {} - {}: angle {} deg, peak {} mN; deeper in {}\n", plan->arrays[each.first].name,
           plan->arrays[each.second].name, bandText(each.angle_deg, 0), bandText(each.peak_mN, 1),
           analysis::shareText(each.deeper, each.draws));
-  return Done{};
+  return {};
 }
 
 }  // namespace perilymph::cli

@@ -115,7 +115,7 @@ void printRows(const std::vector<validation::ClinicalRow>& rows, bool isClinical
   print("{} of {} judged rows met.\n", hits, judged);
 }
 
-Result<Done> predictAll(const PredictOptions& options, const CommandFiles& files)
+Result<void> predictAll(const PredictOptions& options, const CommandFiles& files)
 {
   validation::ClinicalRequest request;
   request.seeds = options.seeds;
@@ -144,12 +144,12 @@ Result<Done> predictAll(const PredictOptions& options, const CommandFiles& files
           fixed(result->perfect.expected, 1), result->perfect.rows, fixed(result->perfect.all, 2));
   print("Experiment with a phantom:\n");
   printRows(result->rows, false);
-  return Done{};
+  return {};
 }
 
 }  // namespace
 
-Result<Done> predict(const PredictOptions& options, const CommandFiles& files)
+Result<void> predict(const PredictOptions& options, const CommandFiles& files)
 {
   if (options.isAll) return predictAll(options, files);
   const auto inVivo = analysis::shippedReference("in-vivo");
@@ -178,7 +178,7 @@ Result<Done> predict(const PredictOptions& options, const CommandFiles& files)
   for (const validation::ArraySummary& array : result->arrays) printArray(array, *inVivo);
   for (const validation::PredictedInsertion& each : result->insertions)
     if (!each.error.empty()) print("{} in {}: {}\n", each.array, each.patient, each.error);
-  return Done{};
+  return {};
 }
 
 }  // namespace perilymph::cli

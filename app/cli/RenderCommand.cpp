@@ -39,7 +39,7 @@ Result<CameraPreset> presetOf(const std::string& view)
 }
 
 /// The unrolled scala, which needs no display.
-Result<Done> drawUnrolled(const visualization::PictureRequest& request)
+Result<void> drawUnrolled(const visualization::PictureRequest& request)
 {
   constexpr double width = 480.0, height = 320.0;  // at three pixels a point 1440 x 960
   if (request.file.extension() != ".png")
@@ -50,7 +50,7 @@ Result<Done> drawUnrolled(const visualization::PictureRequest& request)
                               request.file);
 }
 
-Result<Done> draw(const RenderOptions& options, const visualization::PictureRequest& request)
+Result<void> draw(const RenderOptions& options, const visualization::PictureRequest& request)
 {
   const auto done =
       options.view == unrolledView ? drawUnrolled(request) : visualization::renderPicture(request);
@@ -59,7 +59,7 @@ Result<Done> draw(const RenderOptions& options, const visualization::PictureRequ
 }
 
 /// The cochlea without an array.
-Result<Done> drawAnatomy(const RenderOptions& options, visualization::PictureRequest request)
+Result<void> drawAnatomy(const RenderOptions& options, visualization::PictureRequest request)
 {
   anatomy::Cochlea cochlea;
   if (const auto preset = anatomy::anatomySourceNamed(options.preset)) {
@@ -80,7 +80,7 @@ Result<Done> drawAnatomy(const RenderOptions& options, visualization::PictureReq
 }
 
 /// The array in its cochlea, inserted to a travel in virtual time.
-Result<Done> drawInsertion(const RenderOptions& options, const CommandFiles& files,
+Result<void> drawInsertion(const RenderOptions& options, const CommandFiles& files,
                            visualization::PictureRequest request)
 {
   session::Overrides overrides;
@@ -96,9 +96,9 @@ Result<Done> drawInsertion(const RenderOptions& options, const CommandFiles& fil
                  fixed(inMillimeters(scenario->stopTravel()), 2) +
                  ", the scenario's stop_travel_mm."};
 
-  auto hand =
+  auto device =
       std::make_unique<device::ScriptedDevice>(scenario->speed().si(), scenario->timeStep().si());
-  auto insertion = session::Insertion::prepare(*scenario, std::move(hand), std::nullopt);
+  auto insertion = session::Insertion::prepare(*scenario, std::move(device), std::nullopt);
   if (!insertion) return insertion.error();
   // an array that yielded leaves the cochlea bent
   const bool toItsEnd = scenario->withdraws() && !options.at_mm;
@@ -116,7 +116,7 @@ Result<Done> drawInsertion(const RenderOptions& options, const CommandFiles& fil
 
 }  // namespace
 
-Result<Done> render(const RenderOptions& options, const CommandFiles& files)
+Result<void> render(const RenderOptions& options, const CommandFiles& files)
 {
   const auto view = presetOf(options.view);
   if (!view) return view.error();
@@ -133,7 +133,7 @@ Result<Done> render(const RenderOptions& options, const CommandFiles& files)
 
 namespace perilymph::cli {
 
-Result<Done> render(const RenderOptions&, const CommandFiles&)
+Result<void> render(const RenderOptions&, const CommandFiles&)
 {
   return Error{"This build has no VTK, so it cannot draw; use a build of the preset release."};
 }

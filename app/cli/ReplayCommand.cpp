@@ -18,7 +18,7 @@ namespace perilymph::cli {
 
 namespace {
 
-Result<Done> writeRows(const session::RecordedInsertion& recorded, const std::string& csv)
+Result<void> writeRows(const session::RecordedInsertion& recorded, const std::string& csv)
 {
   std::optional<Error> failed;
   const auto written = writeWhole(csv, [&](const std::filesystem::path& place) {
@@ -36,7 +36,7 @@ Result<Done> writeRows(const session::RecordedInsertion& recorded, const std::st
   return written;
 }
 
-Result<Done> printContent(const session::RecordedInsertion& recorded)
+Result<void> printContent(const session::RecordedInsertion& recorded)
 {
   analysis::ForceProfiler profiler;
   const auto read = recorded.forEach([&](const haptics::TickRecord& record) {
@@ -55,10 +55,10 @@ Result<Done> printContent(const session::RecordedInsertion& recorded)
   print("{:18} travel {} mm, insertion depth {} mm\n", "at the end",
         fixed(inMillimeters(meters(profile.finalTravel)), 2),
         fixed(inMillimeters(meters(profile.finalDepth)), 2));
-  return Done{};
+  return {};
 }
 
-Result<Done> verifyBits(const std::string& file)
+Result<void> verifyBits(const std::string& file)
 {
   const auto verification = session::verify(file);
   if (!verification) return verification.error();
@@ -68,7 +68,7 @@ Result<Done> verifyBits(const std::string& file)
                  ". Use another copy of the recording."};
   if (verification->isIdentical) {
     print("Replay verified: {} samples identical.\n", verification->ticksCompared);
-    return Done{};
+    return {};
   }
   if (!verification->difference && verification->missingTicks > 0)
     return Error{file + " is verified in part: " + std::to_string(verification->ticksCompared) +
@@ -95,7 +95,7 @@ Result<Done> verifyBits(const std::string& file)
 }
 
 /// Recomputes the insertion up to its maximum depth, and writes its contacts there.
-Result<Done> writeContacts(const session::RecordedInsertion& recorded, const std::string& file,
+Result<void> writeContacts(const session::RecordedInsertion& recorded, const std::string& file,
                            const std::string& csv)
 {
   std::uint64_t place = 0, deepest = 0;
@@ -123,7 +123,7 @@ Result<Done> writeContacts(const session::RecordedInsertion& recorded, const std
 
 }  // namespace
 
-Result<Done> replay(const ReplayOptions& options)
+Result<void> replay(const ReplayOptions& options)
 {
   const auto recorded = session::RecordedInsertion::open(options.file);
   if (!recorded) return recorded.error();

@@ -128,7 +128,7 @@ void printSummary(const session::Scenario& scenario, const Outcome& outcome)
 
 }  // namespace
 
-Result<Done> simulate(const SimulateOptions& options, const CommandFiles& files)
+Result<void> simulate(const SimulateOptions& options, const CommandFiles& files)
 {
   const auto scenario = session::loadScenario(options.scenario, options.overrides);
   if (!scenario) return scenario.error();
@@ -137,10 +137,10 @@ Result<Done> simulate(const SimulateOptions& options, const CommandFiles& files)
 
   std::optional<std::filesystem::path> record;
   if (!options.record.empty()) record = options.record;
-  auto hand =
+  auto device =
       std::make_unique<device::ScriptedDevice>(scenario->speed().si(), scenario->timeStep().si());
   watchForInterruption();
-  auto insertion = session::Insertion::prepare(*scenario, std::move(hand), record);
+  auto insertion = session::Insertion::prepare(*scenario, std::move(device), record);
   if (!insertion) return insertion.error();
 
   std::unique_ptr<LiveBroadcast> live;
@@ -162,7 +162,7 @@ Result<Done> simulate(const SimulateOptions& options, const CommandFiles& files)
 
   // The run succeeded, but an error of its recording must still be reported.
   if (const auto done = (*insertion)->closeRecording(); !done) return done.error();
-  return Done{};
+  return {};
 }
 
 }  // namespace perilymph::cli

@@ -93,7 +93,7 @@ Result<std::vector<std::string>> mergeParts(const StudyOptions& options)
 }
 
 /// Runs a shard with progress. An interruption is an error that says what was kept.
-Result<Done> runPart(const study::Study& study, const study::Shard& shard,
+Result<void> runPart(const study::Study& study, const study::Shard& shard,
                      const StudyOptions& options)
 {
   if (const auto checked = checkStudyFolder(options.folder); !checked) return checked;
@@ -101,7 +101,7 @@ Result<Done> runPart(const study::Study& study, const study::Shard& shard,
   const auto done =
       study::runShard(study, shard, options.folder, options.jobs, progressShown(), stop);
   if (!done) return done.error();
-  if (*done) return Done{};
+  if (*done) return {};
   return Error{"Interrupted; what was done is kept. The same command continues."};
 }
 
@@ -114,13 +114,13 @@ Result<study::Study> readStudy(const StudyOptions& options)
   return study;
 }
 
-Result<Done> checkStudyFolder(const std::string& folder)
+Result<void> checkStudyFolder(const std::string& folder)
 {
   const auto states = study::shardsIn(folder);  // none where there is no folder yet
   return checkReplaced(folder, {study::mergedFile, study::mergedTable}, states && !states->empty());
 }
 
-Result<Done> checkStudy(const StudyOptions& options)
+Result<void> checkStudy(const StudyOptions& options)
 {
   const auto study = readStudy(options);
   if (!study) return study.error();
@@ -132,20 +132,20 @@ Result<Done> checkStudy(const StudyOptions& options)
   const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
   print("about {} on {} cores of this machine, {} on disk\n",
         durationText(cost->processorTime_s / cores), cores, sizeText(cost->bytes));
-  return Done{};
+  return {};
 }
 
-Result<Done> runWholeStudy(const StudyOptions& options)
+Result<void> runWholeStudy(const StudyOptions& options)
 {
   const auto study = readStudy(options);
   if (!study) return study.error();
   const auto done = runPart(*study, study::shardOf(study->size(), 1, 1), options);
   if (!done) return done;
   const auto merged = mergeParts(options);
-  return merged ? Result<Done>(Done{}) : merged.error();
+  return merged ? Result<void>() : merged.error();
 }
 
-Result<Done> runStudyShard(const StudyOptions& options)
+Result<void> runStudyShard(const StudyOptions& options)
 {
   const auto study = readStudy(options);
   if (!study) return study.error();
@@ -156,15 +156,15 @@ Result<Done> runStudyShard(const StudyOptions& options)
   print("{}: insertions {} to {}\n",
         (std::filesystem::path(options.folder) / fileNameOf(*shard)).string(), shard->first,
         shard->end == shard->first ? shard->first : shard->end - 1);
-  return Done{};
+  return {};
 }
 
-Result<Done> mergeStudy(const StudyOptions& options)
+Result<void> mergeStudy(const StudyOptions& options)
 {
   const auto notes = mergeParts(options);
   if (!notes) return notes.error();
   printNotesOn(*notes);
-  return Done{};
+  return {};
 }
 
 namespace {
@@ -190,7 +190,7 @@ Result<std::vector<std::pair<std::string, std::string>>> groupTables(
 
 }  // namespace
 
-Result<Done> reportStudy(const StudyOptions& options, const CommandFiles& files)
+Result<void> reportStudy(const StudyOptions& options, const CommandFiles& files)
 {
   const auto columns = study::StudyColumns::read(
       std::filesystem::path(options.folder) / study::mergedFile, {}, study::maxCases);
@@ -210,7 +210,7 @@ Result<Done> reportStudy(const StudyOptions& options, const CommandFiles& files)
   return writeFolder(files, options.folder, content);
 }
 
-Result<Done> showStudyStatus(const StudyOptions& options)
+Result<void> showStudyStatus(const StudyOptions& options)
 {
   const auto states = study::shardsIn(options.folder);
   if (!states) return states.error();
@@ -240,7 +240,7 @@ Result<Done> showStudyStatus(const StudyOptions& options)
   }
   print("{} {}, {} of {} insertions of the study\n", parts, parts == 1 ? "part" : "parts", done,
         first == nullptr ? 0 : first->cases);
-  return Done{};
+  return {};
 }
 
 }  // namespace perilymph::cli

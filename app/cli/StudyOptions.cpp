@@ -98,7 +98,7 @@ void addStudy(CLI::App& app, FileOptions& files, StudyOptions& options)
   addSubmit(study, files, options);
 }
 
-Result<Done> runStudy(const CLI::App& study, const CommandFiles& files, const StudyOptions& options)
+Result<void> runStudy(const CLI::App& study, const CommandFiles& files, const StudyOptions& options)
 {
   if (study.got_subcommand("check")) return checkStudy(options);
   if (study.got_subcommand("run")) return runWholeStudy(options);

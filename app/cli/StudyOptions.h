@@ -17,7 +17,7 @@ struct StudyOptions;
 /// Declares `study check`, `run`, `shard`, `merge`, `status`, `report` and `submit`.
 void addStudy(CLI::App& app, FileOptions& files, StudyOptions& options);
 /// Runs the one that was given.
-Result<Done> runStudy(const CLI::App& study, const CommandFiles& files,
+Result<void> runStudy(const CLI::App& study, const CommandFiles& files,
                       const StudyOptions& options);
 
 /// Reads the study of a call, and says on standard error which of its patients' measures were changed
@@ -26,6 +26,6 @@ Result<study::Study> readStudy(const StudyOptions& options);
 
 /// Checks, before the work, that a study's folder has no files of other origin that a merge would
 /// replace.
-Result<Done> checkStudyFolder(const std::string& folder);
+Result<void> checkStudyFolder(const std::string& folder);
 
 }  // namespace perilymph::cli

@@ -67,7 +67,7 @@ Error after(const std::vector<std::string>& jobs, const Error& error)
 
 }  // namespace
 
-Result<Done> submitStudy(const StudyOptions& options)
+Result<void> submitStudy(const StudyOptions& options)
 {
   const auto study = readStudy(options);
   if (!study) return study.error();
@@ -90,7 +90,7 @@ Result<Done> submitStudy(const StudyOptions& options)
   if (options.isDryRun) {
     for (const study::SlurmScript& script : jobs->arrays) printText(script.text + "\n");
     printText(jobs->merge.text);
-    return Done{};
+    return {};
   }
 
   if (const auto done = checkStudyFolder(request.folder.string()); !done) return done;
@@ -128,7 +128,7 @@ Result<Done> submitStudy(const StudyOptions& options)
           submitted.front(), submitted.back(), options.shards, study->size(), submitted.size(),
           limits->maxArraySize);
   print("job {}: merge, after {}\n", *merge, submitted.size() == 1 ? "it" : "them");
-  return Done{};
+  return {};
 }
 
 }  // namespace perilymph::cli

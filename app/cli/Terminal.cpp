@@ -74,10 +74,10 @@ void flushOutput()
   if (std::fflush(stdout) != 0 && outputError == 0) outputError = errno;
 }
 
-Result<Done> finishOutput()
+Result<void> finishOutput()
 {
   flushOutput();
-  if (outputError == 0 && std::ferror(stdout) == 0) return Done{};
+  if (outputError == 0 && std::ferror(stdout) == 0) return {};
   const int number = outputError != 0 ? outputError : EIO;
   return Error{"Standard output did not take all that was printed: " +
                std::generic_category().message(number) +

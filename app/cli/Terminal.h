@@ -73,7 +73,7 @@ void flushOutput();
 
 /// Flushes standard output at the end of the program. An error if it was not written completely, as
 /// on a full disk.
-Result<Done> finishOutput();
+Result<void> finishOutput();
 
 /// Opens closed standard streams, so that no file of the program gets the descriptor of one and
 /// receives printed text.

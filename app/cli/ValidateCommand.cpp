@@ -68,7 +68,7 @@ void printBench(const validation::BenchResult& result)
         fixed(result.growth, 0));
 }
 
-Result<Done> inferFromBench(const ValidateOptions& options, const CommandFiles& files)
+Result<void> inferFromBench(const ValidateOptions& options, const CommandFiles& files)
 {
   std::filesystem::path folder = resource("resources/bench") / options.bench;
   std::error_code ignored;
@@ -83,7 +83,7 @@ Result<Done> inferFromBench(const ValidateOptions& options, const CommandFiles& 
   content.figures = {{"friction", draw(validation::benchFrictionFigure(result))}};
   if (const auto done = writeFolder(files, options.out, content); !done) return done.error();
   printBench(result);
-  return Done{};
+  return {};
 }
 
 void printPrior(const validation::PriorSummary& summary)
@@ -120,7 +120,7 @@ void printPrior(const validation::PriorSummary& summary)
         fixed(joint.counted, 3));
 }
 
-Result<Done> repeatWithDrawnInputs(const ValidateOptions& options, const CommandFiles& files)
+Result<void> repeatWithDrawnInputs(const ValidateOptions& options, const CommandFiles& files)
 {
   auto request = validation::shippedPrior();
   if (!request) return request.error();
@@ -141,12 +141,12 @@ Result<Done> repeatWithDrawnInputs(const ValidateOptions& options, const Command
                    {"prior-predictive.json", validation::priorJson(*request, *summary)}};
   if (const auto done = writeFolder(files, options.out, content); !done) return done.error();
   printPrior(*summary);
-  return Done{};
+  return {};
 }
 
 }  // namespace
 
-Result<Done> validate(const ValidateOptions& options, const CommandFiles& files)
+Result<void> validate(const ValidateOptions& options, const CommandFiles& files)
 {
   if (!options.bench.empty()) return inferFromBench(options, files);
   if (options.isPriorPredictive) return repeatWithDrawnInputs(options, files);
@@ -184,7 +184,7 @@ Result<Done> validate(const ValidateOptions& options, const CommandFiles& files)
   const FolderContent content{std::move(texts), std::move(figures)};
   if (const auto done = writeFolder(files, options.out, content); !done) return done.error();
   printSummary(request, *result);
-  return Done{};
+  return {};
 }
 
 }  // namespace perilymph::cli

@@ -38,7 +38,7 @@ std::string label(const CLI::ParseError& error, const CLI::App& app, int argc, c
   return "There is no command '" + std::string(argv[1]) + "'; the commands are " + names;
 }
 
-int report(const Result<Done>& result)
+int report(const Result<void>& result)
 {
   if (result) return done;
   printError("{}\n", result.error().message);

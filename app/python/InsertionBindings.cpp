@@ -52,10 +52,10 @@ public:
   explicit SteppedInsertion(const session::Scenario& scenario)
       : scenario_(std::make_shared<const session::Scenario>(scenario))
   {
-    auto hand = std::make_shared<device::ScriptedDevice>(scenario_->speed().si(),
-                                                         scenario_->timeStep().si());
+    auto device = std::make_shared<device::ScriptedDevice>(scenario_->speed().si(),
+                                                           scenario_->timeStep().si());
     const auto prepared = valueOf(withoutLock(
-        [&] { return session::Insertion::prepare(*scenario_, std::move(hand), std::nullopt); }));
+        [&] { return session::Insertion::prepare(*scenario_, std::move(device), std::nullopt); }));
     scala_ = prepared->sharedAnatomy();
     Content content{prepared->loop().engine(), {}, {}, {}, {}};
     content.sample.isValid = 1;

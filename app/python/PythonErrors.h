@@ -9,6 +9,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 #include "perilymph/foundation/Result.h"
@@ -35,7 +36,7 @@ template <class Value>
 Value valueOf(Result<Value> result)
 {
   if (!result) throw EngineError(result.error().message);
-  return *std::move(result);
+  if constexpr (!std::is_void_v<Value>) return *std::move(result);
 }
 
 /// Text for Python. Bytes that are not UTF-8, possible in names of files, are shown as escapes.

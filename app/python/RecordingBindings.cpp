@@ -65,7 +65,7 @@ Recording readRecording(const py::object& given, double every_ms, bool check)
   Recording recording;
   session::Highlights highlights;
   session::RecordingFacts facts;
-  const auto read = withoutLock([&]() -> Result<Done> {
+  const auto read = withoutLock([&]() -> Result<void> {
     const auto recorded = RecordedInsertion::open(file);
     if (!recorded) return recorded.error();
     if (check) {
@@ -88,7 +88,7 @@ Recording readRecording(const py::object& given, double every_ms, bool check)
     recording.note = recorded->note();
     recording.lostTicks = recorded->lostRecords();
     recording.wasClosed = recorded->wasClosed();
-    return Done{};
+    return {};
   });
   pending.raise();
   valueOf(read);

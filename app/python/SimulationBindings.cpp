@@ -100,9 +100,9 @@ Simulation simulate(const py::object& given, const py::object& overrides, const 
   if (!record.is_none()) file = nameOrFileOf(record, "record");
 
   std::unique_ptr<Insertion> insertion = valueOf(withoutLock([&] {
-    auto hand =
+    auto device =
         std::make_unique<device::ScriptedDevice>(scenario.speed().si(), scenario.timeStep().si());
-    return Insertion::prepare(scenario, std::move(hand), file);
+    return Insertion::prepare(scenario, std::move(device), file);
   }));
   RecordColumns columns(every_ms / 1e3);
   PendingException pending;

@@ -1820,7 +1820,7 @@
         <translation>%1 Wenn dieses Programm abstürzt, nimmt nur die eigene Überwachung des Geräts die Kraft weg.</translation>
     </message>
     <message>
-        <source>%1 cannot be the hand. %2</source>
+        <source>%1 cannot be the input. %2</source>
         <translation>%1 kann nicht das Eingabegerät sein. %2</translation>
     </message>
     <message>

@@ -20,7 +20,7 @@ public:
   bool isHome() const noexcept { return place_ == 0; }
 
   device::DeviceTraits traits() const override;
-  Result<Done> open() override { return Done{}; }
+  Result<void> open() override { return {}; }
   void close() noexcept override {}
   device::DeviceSample read() noexcept override;
   void write(const device::Wrench&) noexcept override {}

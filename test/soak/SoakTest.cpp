@@ -83,7 +83,7 @@ protected:
   /// In to the stop, out, home; false where something went wrong.
   bool runCycle(Insertion& insertion, Cycle& cycle)
   {
-    auto& hand = dynamic_cast<PacedDevice&>(insertion.hand());
+    auto& hand = dynamic_cast<PacedDevice&>(insertion.device());
     std::uint64_t ticks = 0;
     const auto count = [&ticks](const haptics::TickRecord&) { return ++ticks > 0; };
     for (int i = 0; i < restTicks; ++i)

@@ -103,7 +103,7 @@ Result<archive::StudyQuery> ArchiveQuery::query() const
   return query;
 }
 
-void ArchiveQuery::forget()
+void ArchiveQuery::clear()
 {
   for (QLineEdit* field : {number_, name_, birth_, from_, until_}) field->clear();
 }

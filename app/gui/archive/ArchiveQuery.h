@@ -26,7 +26,7 @@ public:
   /// What is typed. Refuses a date that is none, and fields that are all empty.
   Result<archive::StudyQuery> query() const;
   /// Empties all fields.
-  void forget();
+  void clear();
   void focusFirst();
 
 Q_SIGNALS:

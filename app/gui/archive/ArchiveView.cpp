@@ -147,7 +147,7 @@ void ArchiveView::leave()
 {
   pause_.stop();
   cancel();
-  query_->forget();
+  query_->clear();
   studies_->show({});
   series_->show({});
   end({});

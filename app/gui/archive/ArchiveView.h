@@ -24,7 +24,7 @@ class StatusLine;
 class StudyRows;
 
 /// Asks an archive only when Find or Retrieve is pressed, or a study is chosen. Patients are shown
-/// here alone; leave() forgets them.
+/// here alone; leave() clears them.
 class ArchiveView : public QWidget {
   Q_OBJECT
 public:

@@ -40,14 +40,14 @@ void ArchiveWork::start(Request request, Answer answer)
         timer_.stop();
         progress_.reset();
         if (!result) return failed(dataText(result.error().message));
-        answer(*result);
+        answer(result);
       });
 }
 
 void ArchiveWork::echo(const archive::Server& server)
 {
   start([server](const archive::Exchange& exchange) { return archive::echo(server, exchange); },
-        [this](const Done&) { answered(); });
+        [this](const Result<void>&) { answered(); });
 }
 
 void ArchiveWork::findStudies(const archive::Server& server, const archive::StudyQuery& query)
@@ -56,7 +56,7 @@ void ArchiveWork::findStudies(const archive::Server& server, const archive::Stud
       [server, query](const archive::Exchange& exchange) {
         return archive::findStudies(server, query, exchange);
       },
-      [this](const archive::Found<archive::FoundStudy>& found) { studiesFound(found); });
+      [this](const auto& found) { studiesFound(*found); });
 }
 
 void ArchiveWork::findSeries(const archive::Server& server, const std::string& studyUid)
@@ -65,7 +65,7 @@ void ArchiveWork::findSeries(const archive::Server& server, const std::string& s
       [server, studyUid](const archive::Exchange& exchange) {
         return archive::findSeries(server, studyUid, exchange);
       },
-      [this](const archive::Found<archive::FoundSeries>& found) { seriesFound(found); });
+      [this](const auto& found) { seriesFound(*found); });
 }
 
 void ArchiveWork::fetch(const archive::Server& server, const archive::SeriesAddress& series,
@@ -75,20 +75,20 @@ void ArchiveWork::fetch(const archive::Server& server, const archive::SeriesAddr
       [server, series, folder](const archive::Exchange& exchange) {
         return archive::fetchSeries(server, series, folder, exchange);
       },
-      [this, folder](const archive::FetchedSeries&) { fetched(folder); });
+      [this, folder](const auto&) { fetched(folder); });
 }
 
 void ArchiveWork::run(std::function<Result<Sentence>(const archive::Exchange&)> request)
 {
   start([request =
              std::move(request)](const archive::Exchange& exchange) { return request(exchange); },
-        [this](const Sentence& sentence) { done(dataText(sentence)); });
+        [this](const auto& sentence) { done(dataText(*sentence)); });
 }
 
 void ArchiveWork::cancel()
 {
   if (!isBusy()) return;
-  background_.forget();
+  background_.cancel();
   timer_.stop();
   progress_.reset();
   Q_EMIT failed({});

@@ -48,14 +48,14 @@ Result<Sentence> sendAll(const archive::Server& server, const std::vector<SentPa
   std::string numbers;
   std::size_t stored = 0;
   Sentence warning;
-  const auto sendOne = [&](const SentPart& part) -> Result<Done> {
+  const auto sendOne = [&](const SentPart& part) -> Result<void> {
     const std::filesystem::path file = folder->path() / (std::to_string(stored) + ".dcm");
     if (const auto written = part.write(ct, file); !written) return written;
     const auto sent = archive::sendObject(server, file, exchange);
     if (!sent) return sent.error();
     numbers += (numbers.empty() ? "" : ", ") + sent->seriesNumber;
     if (!sent->warning.empty()) warning = sent->warning;
-    return Done{};
+    return {};
   };
   for (const SentPart& part : parts) {
     if (exchange.stop.stop_requested()) return Error{"The sending was canceled."};

@@ -24,7 +24,7 @@ class Selector;
 /// in another thread, and refuses a CT whose series it was not made of.
 struct SentPart {
   QString name;
-  std::function<Result<Done>(const std::filesystem::path& ct, const std::filesystem::path& file)>
+  std::function<Result<void>(const std::filesystem::path& ct, const std::filesystem::path& file)>
       write;
 };
 

@@ -68,7 +68,7 @@ KioskWindow::KioskWindow(session::Scenario scenario, std::filesystem::path board
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(screen_);
   screen_->board().setSource(peakSource(peaks_));
-  connect(screen_, &KioskScreen::startOverRequested, this, [this] { beginTurn(control_.hand()); });
+  connect(screen_, &KioskScreen::startOverRequested, this, [this] { beginTurn(control_.input()); });
   connect(screen_, &KioskScreen::handleRequested, this, &KioskWindow::chooseHandle);
   connect(screen_, &KioskScreen::leaveRequested, this, &KioskWindow::beginAttract);
   connect(screen_, &KioskScreen::stopRequested, this, &KioskWindow::letGo);
@@ -125,7 +125,8 @@ bool KioskWindow::takeKey(QKeyEvent* event)
   } else if (event->key() == Qt::Key_Escape) {
     beginAttract();
   } else if (stage_ == KioskStage::result) {
-    if (event->key() == Qt::Key_Space || event->key() == Qt::Key_Return) beginTurn(control_.hand());
+    if (event->key() == Qt::Key_Space || event->key() == Qt::Key_Return)
+      beginTurn(control_.input());
   } else if (event->key() == Qt::Key_Space || event->key() == Qt::Key_Down) {
     pushedByKey_ = 1;
   } else if (event->key() == Qt::Key_Up) {
@@ -145,9 +146,9 @@ void KioskWindow::closeEvent(QCloseEvent* event)
   event->ignore();
 }
 
-Result<Done> KioskWindow::open()
+Result<void> KioskWindow::open()
 {
-  const Result<Done> prepared = control_.prepare(InputSource::scripted);
+  const Result<void> prepared = control_.prepare(InputSource::scripted);
   if (!prepared) return prepared;
   const session::Scenario& scenario = control_.scenario();
   screen_->view().setScene(std::make_unique<visualization::InsertionScene>(
@@ -158,7 +159,7 @@ Result<Done> KioskWindow::open()
   sinceSlow_.start();
   timer_.start();
   beginAttract();
-  return Done{};
+  return {};
 }
 
 void KioskWindow::setStage(KioskStage stage)
@@ -179,12 +180,12 @@ void KioskWindow::showBoard(std::optional<int> chosen)
   screen_->board().show(entries, text, chosen);
 }
 
-bool KioskWindow::prepare(InputSource hand)
+bool KioskWindow::prepare(InputSource input)
 {
   letGo();
   turn_ = {};
-  const Result<Done> prepared = control_.prepare(hand);
-  const Result<Done> begun = prepared ? control_.begin() : prepared;
+  const Result<void> prepared = control_.prepare(input);
+  const Result<void> begun = prepared ? control_.begin() : prepared;
   screen_->view().setBanner(begun ? QString() : dataText(begun.error().message));
   if (prepared) screen_->view().showArray(control_.now());
   return static_cast<bool>(begun);
@@ -218,10 +219,10 @@ void KioskWindow::stepAttract()
 
 void KioskWindow::chooseHandle()
 {
-  if (control_.hand() == InputSource::device) return beginTurn(InputSource::pointer);
+  if (control_.input() == InputSource::device) return beginTurn(InputSource::pointer);
   const device::DeviceSurvey survey = device::surveyDevices(device::systemRoots());
   const auto found = std::find_if(survey.devices.begin(), survey.devices.end(),
-                                  [](const device::FoundDevice& hand) { return hand.isUsable(); });
+                                  [](const device::FoundDevice& each) { return each.isUsable(); });
   if (found == survey.devices.end()) return beginTurn(InputSource::pointer);
   control_.choose(*found);
   beginTurn(InputSource::device);
@@ -233,20 +234,20 @@ void KioskWindow::useDevice(InsertionControl::DeviceFactory device)
   beginTurn(InputSource::device);
 }
 
-void KioskWindow::beginTurn(InputSource hand)
+void KioskWindow::beginTurn(InputSource input)
 {
   const device::DeviceSurvey survey = device::surveyDevices(device::systemRoots());
   screen_->offerHandle(
       std::any_of(survey.devices.begin(), survey.devices.end(),
-                  [](const device::FoundDevice& found) { return found.isUsable(); }));
-  if (hand == InputSource::scripted) hand = InputSource::pointer;
+                  [](const device::FoundDevice& each) { return each.isUsable(); }));
+  if (input == InputSource::scripted) input = InputSource::pointer;
   setStage(KioskStage::turn);
-  if (!prepare(hand)) {
-    if (hand == InputSource::device) return beginTurn(InputSource::pointer);
+  if (!prepare(input)) {
+    if (input == InputSource::device) return beginTurn(InputSource::pointer);
     screen_->showMessage(tr("Not available now"), tr("Please ask the booth staff."));
     return setStage(KioskStage::result);
   }
-  const bool isHandle = hand == InputSource::device;
+  const bool isHandle = input == InputSource::device;
   screen_->useHandle(isHandle);
   screen_->view().glideTo(CameraPreset::surgeon);
   inviteToTurn();
@@ -255,7 +256,7 @@ void KioskWindow::beginTurn(InputSource hand)
 
 void KioskWindow::inviteToTurn()
 {
-  const bool isHandle = control_.hand() == InputSource::device;
+  const bool isHandle = control_.input() == InputSource::device;
   screen_->showMessage(
       tr("Your turn"),
       isHandle
@@ -329,9 +330,9 @@ bool KioskWindow::isTouched() const { return screen_->isPressed() || pushedByKey
 void KioskWindow::stepTurn(double elapsed_s)
 {
   const bool isHeld = isTouched();
-  if (isHeld || (control_.hand() == InputSource::device && control_.isMoving()))
+  if (isHeld || (control_.input() == InputSource::device && control_.isMoving()))
     touchedAt_s_ = now_s();
-  if (control_.hand() == InputSource::pointer) {
+  if (control_.input() == InputSource::pointer) {
     if (isHeld != control_.isHeld()) control_.hold(isHeld);
     const double speed = screen_->isPressed() ? screen_->speed().si() : pushedByKey_ * byKey.si();
     if (isHeld && control_.now().output.workflow == Workflow::inserting)

@@ -32,7 +32,7 @@ public:
   ~KioskWindow() override;
 
   /// Builds the cochlea and starts the demonstration.
-  Result<Done> open();
+  Result<void> open();
 
   /// Begins a visitor's turn with a device.
   void useDevice(InsertionControl::DeviceFactory device);
@@ -59,10 +59,10 @@ protected:
 private:
   bool takeKey(QKeyEvent* event);
   void beginAttract();
-  void beginTurn(InputSource hand);
+  void beginTurn(InputSource input);
   bool hasEndedEarly() const;
   void endTurn();
-  bool prepare(InputSource hand);
+  bool prepare(InputSource input);
   void chooseHandle();
   void setStage(KioskStage stage);
   void showBoard(std::optional<int> chosen);

@@ -93,7 +93,7 @@ void Leaderboard::save()
   for (const KioskEntry& entry : entries_) text += lineOf(entry);
   std::error_code ignored;  // an error is reported when the file is written
   std::filesystem::create_directories(file_.parent_path(), ignored);
-  const Result<Done> written = writeWhole(file_, text.toStdString());
+  const Result<void> written = writeWhole(file_, text.toStdString());
   error_ = written ? Sentence() : written.error().message;
 }
 

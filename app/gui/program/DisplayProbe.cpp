@@ -24,7 +24,7 @@ std::string environment(const char* name)
 
 }  // namespace
 
-Result<Done> probeDisplay()
+Result<void> probeDisplay()
 {
   const std::string platform = environment("QT_QPA_PLATFORM");
   if (!platform.empty() && platform != "xcb" && platform != "offscreen")
@@ -54,10 +54,10 @@ Result<Done> probeDisplay()
         "The display %1 offers no OpenGL (its GLX extension is missing). Start perilymph on "
         "another display, or under xvfb-run; perilymph-cli simulates without a window.",
         display};
-  return Done{};
+  return {};
 }
 
-Result<Done> probeOpenGl()
+Result<void> probeOpenGl()
 {
   const QSurfaceFormat wanted = QSurfaceFormat::defaultFormat();
   const std::string advice =
@@ -79,7 +79,7 @@ Result<Done> probeOpenGl()
   if (got.version() < qMakePair(3, 2))
     return Error{"This display offers OpenGL %1.%2.%3", got.majorVersion(), got.minorVersion(),
                  advice};
-  return Done{};
+  return {};
 }
 
 std::string openGlRenderer()

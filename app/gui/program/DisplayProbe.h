@@ -11,11 +11,11 @@
 namespace perilymph::gui {
 
 /// Whether the X display can be reached. Call before QApplication, which aborts without one.
-Result<Done> probeDisplay();
+Result<void> probeDisplay();
 
 /// Whether OpenGL 3.2 is available. Call after QApplication and before the first VTK widget, which
 /// aborts without it.
-Result<Done> probeOpenGl();
+Result<void> probeOpenGl();
 
 /// Name of the OpenGL renderer; empty if unavailable. Call after QApplication.
 std::string openGlRenderer();

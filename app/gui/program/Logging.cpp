@@ -38,7 +38,7 @@ void log(QtMsgType type, const QMessageLogContext& context, const QString& messa
 
 }  // namespace
 
-Result<Done> startLog(const std::filesystem::path& folder)
+Result<void> startLog(const std::filesystem::path& folder)
 {
   std::error_code ignored;  // an error is reported when the file is opened
   std::filesystem::create_directories(folder, ignored);
@@ -58,7 +58,7 @@ Result<Done> startLog(const std::filesystem::path& folder)
         thrown.what()};
   }
   if (handlerOfQt == nullptr) handlerOfQt = qInstallMessageHandler(log);
-  return Done{};
+  return {};
 }
 
 }  // namespace perilymph::gui

@@ -11,6 +11,6 @@ namespace perilymph::gui {
 
 /// Writes messages of the program and of Qt to perilymph.log in a folder, rotated at 1 MiB with
 /// three older files. Qt's warnings are also written to standard error.
-Result<Done> startLog(const std::filesystem::path& folder);
+Result<void> startLog(const std::filesystem::path& folder);
 
 }  // namespace perilymph::gui

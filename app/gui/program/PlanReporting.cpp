@@ -50,7 +50,7 @@ Result<PlanReportContent> reportedPlan(const CommandLine& options)
   return content;
 }
 
-Result<Done> writeReport(const PlanReportContent& content, const CommandLine& options)
+Result<void> writeReport(const PlanReportContent& content, const CommandLine& options)
 {
   const ReportPlace place = placeOf(options);
   if (!place.isDicom()) return writePlanReport(content, place.file);

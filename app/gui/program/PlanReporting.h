@@ -14,7 +14,7 @@ namespace perilymph::gui {
 Result<PlanReportContent> reportedPlan(const CommandLine& options);
 
 /// Writes the report as PDF, or as a DICOM object that holds it. Call after QApplication.
-Result<Done> writeReport(const PlanReportContent& content, const CommandLine& options);
+Result<void> writeReport(const PlanReportContent& content, const CommandLine& options);
 
 /// Makes Qt draw without a display. Call before QApplication.
 void drawWithoutDisplay();

@@ -28,7 +28,7 @@ void fail(const std::string& sentence)
 void takeScreenshot(QWidget& window, const std::filesystem::path& file)
 {
   const QPixmap picture = window.grab();
-  const Result<Done> written = writeWhole(file, [&](const std::filesystem::path& place) {
+  const Result<void> written = writeWhole(file, [&](const std::filesystem::path& place) {
     return picture.save(QString::fromStdString(place.string()), "PNG");
   });
   if (!written) return fail(written.error().message);

@@ -12,7 +12,7 @@
 
 namespace perilymph::gui {
 
-Result<Done> writeContactTable(const std::filesystem::path& file, const std::string& csv)
+Result<void> writeContactTable(const std::filesystem::path& file, const std::string& csv)
 {
   if (const auto written = writeWhole(file, csv, {Links::refused}); !written) return written;
   const std::filesystem::path dictionary =

@@ -15,7 +15,7 @@ class QWidget;
 namespace perilymph::gui {
 
 /// Writes a table and, beside it, "<name>-dictionary.csv", which states what its columns are.
-Result<Done> writeContactTable(const std::filesystem::path& file, const std::string& csv);
+Result<void> writeContactTable(const std::filesystem::path& file, const std::string& csv);
 
 /// Whose contacts a table has.
 struct ContactSubject {

@@ -24,7 +24,7 @@ std::optional<ReportPlace> askReportPlace(const std::filesystem::path& recording
                         QString::fromStdString(recording.stem().string()), parent);
 }
 
-Result<Done> writeReport(const ReportContent& content, const std::filesystem::path& file)
+Result<void> writeReport(const ReportContent& content, const std::filesystem::path& file)
 {
   ReportPages pages;
   pages.title = tr("Insertion report");

@@ -18,6 +18,6 @@ namespace perilymph::gui {
 std::optional<ReportPlace> askReportPlace(const std::filesystem::path& recording, QWidget* parent);
 
 /// Writes the report in A4, atomically. UI thread.
-Result<Done> writeReport(const ReportContent& content, const std::filesystem::path& file);
+Result<void> writeReport(const ReportContent& content, const std::filesystem::path& file);
 
 }  // namespace perilymph::gui

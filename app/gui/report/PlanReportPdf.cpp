@@ -19,7 +19,7 @@ QString tr(const char* text) { return QCoreApplication::translate("perilymph::gu
 
 }  // namespace
 
-Result<Done> writePlanReport(const PlanReportContent& content, const std::filesystem::path& file)
+Result<void> writePlanReport(const PlanReportContent& content, const std::filesystem::path& file)
 {
   ReportPages pages;
   pages.title = tr("Insertion plan");

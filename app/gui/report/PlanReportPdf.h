@@ -11,6 +11,6 @@
 namespace perilymph::gui {
 
 /// Writes the report in A4, atomically. It states the numbers of plan.json. UI thread.
-Result<Done> writePlanReport(const PlanReportContent& content, const std::filesystem::path& file);
+Result<void> writePlanReport(const PlanReportContent& content, const std::filesystem::path& file);
 
 }  // namespace perilymph::gui

@@ -27,7 +27,7 @@ QString sha256Of(const std::filesystem::path& path)
 }
 
 /// The first snapshot at maximum depth.
-Result<Done> findDeepest(session::Playback& playback, haptics::Snapshot& deepest)
+Result<void> findDeepest(session::Playback& playback, haptics::Snapshot& deepest)
 {
   const auto& samples = playback.samples();
   const auto found = std::max_element(
@@ -42,7 +42,7 @@ Result<Done> findDeepest(session::Playback& playback, haptics::Snapshot& deepest
     if (next.output.depth <= deepest.output.depth) break;
     deepest = next;
   }
-  return Done{};
+  return {};
 }
 
 /// The saved patient of a recording, if it still has the measures of the insertion.

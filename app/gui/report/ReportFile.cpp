@@ -24,24 +24,24 @@ std::string codeOf(const anatomy::Patient& patient)
   return anatomy::checkPatientCode(patient.label) ? patient.label : std::string();
 }
 
-Result<Done> checkPlace(const ReportPlace& place)
+Result<void> checkPlace(const ReportPlace& place)
 {
   if (place.ct &&
       isExistingBelow(place.file,
                       place.ct->filename() == "DICOMDIR" ? place.ct->parent_path() : *place.ct))
     return Error{"The report would replace %1, a file of the CT. Give the report another name.",
                  place.file.string()};
-  return Done{};
+  return {};
 }
 
-Result<Done> checkFiled(const ReportIdentity& identity)
+Result<void> checkFiled(const ReportIdentity& identity)
 {
   if (identity.seriesKey.empty())
     return Error{
         "The report states no CT series for which a seal vouches, so it cannot be filed in the "
         "study "
         "of a CT. Save it without a CT."};
-  return Done{};
+  return {};
 }
 
 Result<std::string> pdfBytes(const PdfWriting& writing)
@@ -56,7 +56,7 @@ Result<std::string> pdfBytes(const PdfWriting& writing)
   return readWhole(pdf, maxPdfBytes);
 }
 
-Result<Done> writeDicom(std::string pdf, const ReportIdentity& identity, const ReportPlace& place)
+Result<void> writeDicom(std::string pdf, const ReportIdentity& identity, const ReportPlace& place)
 {
   if (const auto checked = checkPlace(place); !checked) return checked;
   return imaging::writeEncapsulatedPdf(

@@ -32,21 +32,21 @@ struct ReportIdentity {
 };
 
 /// Writes a PDF file.
-using PdfWriting = std::function<Result<Done>(const std::filesystem::path&)>;
+using PdfWriting = std::function<Result<void>(const std::filesystem::path&)>;
 
 /// A patient's label as the code of an identity.
 std::string codeOf(const anatomy::Patient& patient);
 
 /// Refuses a place whose file would replace one of the CT.
-Result<Done> checkPlace(const ReportPlace& place);
+Result<void> checkPlace(const ReportPlace& place);
 
 /// Refuses to file a report in the study of a CT if it states no series to compare with.
-Result<Done> checkFiled(const ReportIdentity& identity);
+Result<void> checkFiled(const ReportIdentity& identity);
 
 /// The bytes of a PDF, written to a temporary folder. UI thread.
 Result<std::string> pdfBytes(const PdfWriting& writing);
 
 /// Writes the DICOM object that holds a PDF, atomically. Any thread.
-Result<Done> writeDicom(std::string pdf, const ReportIdentity& identity, const ReportPlace& place);
+Result<void> writeDicom(std::string pdf, const ReportIdentity& identity, const ReportPlace& place);
 
 }  // namespace perilymph::gui

@@ -126,7 +126,7 @@ void paintPages(QPdfWriter& writer, QTextDocument& appendix, const ReportPages& 
 
 }  // namespace
 
-Result<Done> writeReportPages(const ReportPages& report, const std::filesystem::path& file)
+Result<void> writeReportPages(const ReportPages& report, const std::filesystem::path& file)
 {
   QTextDocument appendix;
   appendix.setDocumentMargin(0.0);

@@ -40,7 +40,7 @@ struct ReportPages {
 };
 
 /// Writes a report in A4, atomically, with institution and logo of the settings. UI thread.
-Result<Done> writeReportPages(const ReportPages& pages, const std::filesystem::path& file);
+Result<void> writeReportPages(const ReportPages& pages, const std::filesystem::path& file);
 
 /// Paints the title of a report with what it must not be used for.
 ///

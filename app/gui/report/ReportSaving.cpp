@@ -75,7 +75,7 @@ void ReportSaving::save(const PdfWriting& writing, const ReportIdentity& identit
       [bytes = *std::move(pdf), identity, place](const std::stop_token&) {
         return writeDicom(bytes, identity, place);
       },
-      [this, place](const Result<Done>& written) {
+      [this, place](const Result<void>& written) {
         if (!written) return failed(dataText(written.error().message));
         saved(place.file, savedText(place));
       });

@@ -94,7 +94,7 @@ Background::Background(QObject* parent)
 
 Background::~Background()
 {
-  forget();
+  cancel();
   {
     const std::lock_guard lock(mailbox_->mutex);
     mailbox_->owner = nullptr;
@@ -107,7 +107,7 @@ Background::~Background()
 void Background::start(std::function<void(const std::stop_token&)> work,
                        std::function<void()> answer)
 {
-  forget();
+  cancel();
   stop_ = std::stop_source();
   auto task = std::make_unique<Task>(mailbox_, ++runs_, stop_.get_token(), std::move(work),
                                      std::move(answer));
@@ -132,7 +132,7 @@ void Background::finish()
   QCoreApplication::sendPostedEvents(this, AnswerEvent::kind());
 }
 
-void Background::forget()
+void Background::cancel()
 {
   stop_.request_stop();
   mailbox_->await(0);

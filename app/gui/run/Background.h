@@ -54,7 +54,7 @@ public:
   /// Asks the work to end early; it still answers.
   void requestStop() { stop_.request_stop(); }
   /// The same, without an answer.
-  void forget();
+  void cancel();
   bool isBusy() const { return isBusy_; }
 
   /// Whether a thread was abandoned. The program must then end without its static destructors,

@@ -38,7 +38,7 @@ InsertionBroadcast::InsertionBroadcast(Source source, QObject* parent)
 
 InsertionBroadcast::~InsertionBroadcast() = default;
 
-Result<Done> InsertionBroadcast::listen(const broadcast::Endpoint& endpoint)
+Result<void> InsertionBroadcast::listen(const broadcast::Endpoint& endpoint)
 {
   end();
   auto server = broadcast::Broadcast::start(endpoint, [this](const std::string& sentence) {
@@ -53,7 +53,7 @@ Result<Done> InsertionBroadcast::listen(const broadcast::Endpoint& endpoint)
   endpoint_->port = server_->port();
   timer_.start();
   Q_EMIT changed();
-  return Done{};
+  return {};
 }
 
 void InsertionBroadcast::close()
@@ -70,14 +70,14 @@ void InsertionBroadcast::end()
   endpoint_.reset();
   sent_.reset();
   sentCt_.reset();
-  packing_.forget();
+  packing_.cancel();
   clients_ = 0;
 }
 
 void InsertionBroadcast::sendCt(const std::optional<broadcast::PlacedCt>& ct)
 {
   sentCt_ = ct;
-  packing_.forget();
+  packing_.cancel();
   server_->show(broadcast::PackedImage());
   if (!ct) return;
   // The only error is memory that is short; then no image answers the request.

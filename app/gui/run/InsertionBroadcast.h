@@ -38,7 +38,7 @@ public:
 
   /// Listens at an endpoint instead of the previous one. The error is one sentence; then it does
   /// not listen. Emits changed().
-  Result<Done> listen(const broadcast::Endpoint& endpoint);
+  Result<void> listen(const broadcast::Endpoint& endpoint);
   /// Disconnects all clients and listens no longer.
   void close();
 

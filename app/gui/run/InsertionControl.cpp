@@ -45,7 +45,7 @@ void InsertionControl::use(session::Scenario scenario, const std::optional<Parts
   model_ = parts->model;
 }
 
-Result<Done> InsertionControl::prepare(InputSource hand)
+Result<void> InsertionControl::prepare(InputSource input)
 {
   // A requested file name is kept for the first insertion that runs.
   const bool waits = record_ && insertion_ && prepared_ == 1 && !isRunning_;
@@ -54,18 +54,18 @@ Result<Done> InsertionControl::prepare(InputSource hand)
   std::error_code ignored;  // an error is reported when the file is opened
   if (waiting && std::filesystem::remove(*waiting, ignored)) --prepared_;
   ++prepared_;
-  if (keepsNothing_) return build(hand, std::nullopt);
+  if (keepsNothing_) return build(input, std::nullopt);
   const std::filesystem::path file = nextRecording();
   if (!record_) std::filesystem::create_directories(file.parent_path(), ignored);
-  const Result<Done> recorded = build(hand, file);
+  const Result<void> recorded = build(input, file);
   const bool isRequested = record_ && prepared_ == 1;  // then it is mandatory
   if (recorded || isRequested) return recorded;
 
   // Any other insertion runs without a recording, with a message, if it cannot be created.
-  const Result<Done> unrecorded = build(hand, std::nullopt);
+  const Result<void> unrecorded = build(input, std::nullopt);
   if (!unrecorded) return unrecorded;
   recordingError_ = recorded.error().message;
-  return Done{};
+  return {};
 }
 
 void InsertionControl::discard()
@@ -94,14 +94,14 @@ void InsertionControl::choose(const std::filesystem::path& plugin)
   chosen_ = [plugin] { return device::loadPluginDevice(plugin); };
 }
 
-Result<Done> InsertionControl::build(InputSource hand, std::optional<std::filesystem::path> file)
+Result<void> InsertionControl::build(InputSource input, std::optional<std::filesystem::path> file)
 {
   std::shared_ptr<device::HapticDevice> device;
   std::shared_ptr<device::PointerDevice> pointer;
   const double timeStep = scenario_.timeStep().si();
-  if (hand == InputSource::scripted) {
+  if (input == InputSource::scripted) {
     device = std::make_shared<device::ScriptedDevice>(scenario_.speed().si(), timeStep);
-  } else if (hand == InputSource::device) {
+  } else if (input == InputSource::device) {
     if (!chosen_) return Error{"No device was chosen. Press H and choose one."};
     auto made = chosen_();
     if (!made) return made.error();
@@ -123,7 +123,7 @@ Result<Done> InsertionControl::build(InputSource hand, std::optional<std::filesy
   anatomy_ = insertion_->sharedAnatomy();
   model_ = insertion_->sharedModel();
   pointer_ = std::move(pointer);
-  hand_ = hand;
+  input_ = input;
   wish_ = PendingRequest::rest;
   isHeld_ = false;
   isStopAwaited_ = false;
@@ -135,27 +135,27 @@ Result<Done> InsertionControl::build(InputSource hand, std::optional<std::filesy
   now_ = haptics::Snapshot{};
   insertion_->loop().engine().fill(now_);  // no thread runs yet
   if (now_.output.depth > 0.0) now_.output.angularDepth = angleOfTip(*anatomy_, now_);
-  return Done{};
+  return {};
 }
 
-Result<Done> InsertionControl::begin()
+Result<void> InsertionControl::begin()
 {
   if (!insertion_) return Error{"No insertion is prepared. Press Reset."};
   if (!isRunning_) {
-    const Result<Done> started = insertion_->start();
+    const Result<void> started = insertion_->start();
     if (!started) return started;
     isRunning_ = true;
   }
   wish_ = PendingRequest::insert;
   continueDevice();
-  isResuming_ = hand_ == InputSource::device;
+  isResuming_ = input_ == InputSource::device;
   applyPendingRequest();
-  return Done{};
+  return {};
 }
 
 void InsertionControl::pause()
 {
-  if (hand_ == InputSource::device && isRunning_) {
+  if (input_ == InputSource::device && isRunning_) {
     insertion_->requestStop();
     isStopAwaited_ = true;
     isResuming_ = false;
@@ -165,25 +165,25 @@ void InsertionControl::pause()
   }
   wish_ = PendingRequest::rest;
   hold(false);
-  moveHand(Motion::hold);
+  moveScripted(Motion::hold);
 }
 
 void InsertionControl::stopDeviceAfter(Duration time)
 {
-  if (hand_ != InputSource::device || !isRunning_) return;
+  if (input_ != InputSource::device || !isRunning_) return;
   insertion_->requestStopAt(realtime::monotonicNanoseconds() + std::llround(time.si() * 1e9));
 }
 
 void InsertionControl::continueDevice()
 {
-  if (hand_ == InputSource::device && isRunning_) insertion_->cancelStopAt();
+  if (input_ == InputSource::device && isRunning_) insertion_->cancelStopAt();
 }
 
 void InsertionControl::withdraw()
 {
   if (!isRunning_) return;
   wish_ = PendingRequest::withdraw;
-  isResuming_ = hand_ == InputSource::device;
+  isResuming_ = input_ == InputSource::device;
   applyPendingRequest();
 }
 
@@ -251,7 +251,7 @@ void InsertionControl::applyPendingRequest()
 {
   const haptics::Workflow workflow = now_.output.workflow;
   if (workflow == haptics::Workflow::fault) {
-    moveHand(Motion::hold);
+    moveScripted(Motion::hold);
     wish_ = PendingRequest::rest;
     return;
   }
@@ -266,7 +266,7 @@ void InsertionControl::applyPendingRequest()
 
   if (wish_ == PendingRequest::insert) {
     const bool isDone = workflow == haptics::Workflow::finished || isAtDepth();
-    moveHand(isDone ? Motion::hold : Motion::insert);
+    moveScripted(isDone ? Motion::hold : Motion::insert);
     if (isDone) wish_ = PendingRequest::rest;
   } else if (wish_ == PendingRequest::withdraw) {
     pursueWithdrawal();
@@ -291,7 +291,7 @@ void InsertionControl::pursueWithdrawal()
     return;
   }
   const bool isOut = now.travel <= 0.0 || now.workflow == haptics::Workflow::finished;
-  moveHand(isOut ? Motion::hold : Motion::withdraw);
+  moveScripted(isOut ? Motion::hold : Motion::withdraw);
   if (isOut) wish_ = PendingRequest::rest;
 }
 
@@ -315,42 +315,42 @@ haptics::InsertionEnd InsertionControl::earlyEnd() const noexcept
   return endOf(now);
 }
 
-void InsertionControl::moveHand(Motion motion)
+void InsertionControl::moveScripted(Motion motion)
 {
-  if (insertion_) insertion_->hand().move(motion);
+  if (insertion_) insertion_->device().move(motion);
 }
 
 bool InsertionControl::isMoving() const noexcept
 {
-  if (hand_ == InputSource::device) return now_.output.workflow == haptics::Workflow::inserting;
-  return hand_ == InputSource::pointer ? isHeld_ : wish_ != PendingRequest::rest;
+  if (input_ == InputSource::device) return now_.output.workflow == haptics::Workflow::inserting;
+  return input_ == InputSource::pointer ? isHeld_ : wish_ != PendingRequest::rest;
 }
 
 bool InsertionControl::isDeviceActive() const noexcept
 {
-  return hand_ == InputSource::device && isRunning_ && !isStopped() &&
+  return input_ == InputSource::device && isRunning_ && !isStopped() &&
          now_.output.workflow != haptics::Workflow::fault;
 }
 
 bool InsertionControl::isStopped() const noexcept
 {
   const bool isStopShown = (now_.output.status & haptics::stopped) != 0;
-  return hand_ == InputSource::device && isRunning_ && (isStopAwaited_ || isStopShown);
+  return input_ == InputSource::device && isRunning_ && (isStopAwaited_ || isStopShown);
 }
 
 bool InsertionControl::rendersForce() const
 {
-  return hand_ == InputSource::device && insertion_ && insertion_->hand().traits().rendersForce;
+  return input_ == InputSource::device && insertion_ && insertion_->device().traits().rendersForce;
 }
 
 std::string InsertionControl::inputName() const
 {
-  return insertion_ ? insertion_->hand().traits().name : std::string();
+  return insertion_ ? insertion_->device().traits().name : std::string();
 }
 
 std::optional<device::DeviceHealth> InsertionControl::deviceHealth()
 {
-  return insertion_ ? insertion_->hand().health() : std::nullopt;
+  return insertion_ ? insertion_->device().health() : std::nullopt;
 }
 
 haptics::LoopStatistics InsertionControl::halt()

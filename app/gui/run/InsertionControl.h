@@ -56,7 +56,7 @@ public:
   /// Prepares a new insertion with the array at its start and a new recording. The previous one is
   /// stopped and its recording closed, or removed if it never ran. If its recording cannot be
   /// created, an insertion runs without one, except the first with a requested file name.
-  Result<Done> prepare(InputSource hand);
+  Result<void> prepare(InputSource input);
 
   /// Disables recording from the next prepare() on.
   void disableRecording() { keepsNothing_ = true; }
@@ -73,7 +73,7 @@ public:
 
   /// Starts the loop; a scripted device inserts, for the pointer the array is armed. A stopped
   /// device continues, and its force fades in.
-  Result<Done> begin();
+  Result<void> begin();
   /// Releases the array, which keeps its position. A device is stopped: the haptic loop removes its
   /// force within the safety chain's off time, even if this thread is blocked afterwards, and it
   /// moves the array again only after begin() or withdraw().
@@ -106,7 +106,7 @@ public:
   const anatomy::ScalaTympani& anatomy() const noexcept { return insertion_->anatomy(); }
   std::shared_ptr<const anatomy::ScalaTympani> sharedAnatomy() const noexcept { return anatomy_; }
   const std::shared_ptr<CochleaStore>& cochleae() const noexcept { return cochleae_; }
-  InputSource hand() const noexcept { return hand_; }
+  InputSource input() const noexcept { return input_; }
   bool isRunning() const noexcept { return isRunning_; }
   /// The array is at or beyond the stop travel.
   bool isAtDepth() const noexcept;
@@ -143,11 +143,11 @@ private:
 
   std::filesystem::path nextRecording();
   void discard();
-  Result<Done> build(InputSource hand, std::optional<std::filesystem::path> file);
+  Result<void> build(InputSource input, std::optional<std::filesystem::path> file);
   void applyPendingRequest();
   void pursueWithdrawal();
   void pursueResumption();
-  void moveHand(device::ScriptedMotion motion);
+  void moveScripted(device::ScriptedMotion motion);
 
   session::Scenario scenario_;
   std::shared_ptr<CochleaStore> cochleae_;
@@ -160,7 +160,7 @@ private:
   std::unique_ptr<session::Insertion> insertion_;
   std::shared_ptr<device::PointerDevice> pointer_;  ///< The insertion's device, if it is one.
   DeviceFactory chosen_;
-  InputSource hand_ = InputSource::scripted;
+  InputSource input_ = InputSource::scripted;
   PendingRequest wish_ = PendingRequest::rest;
   bool isRunning_ = false;
   bool isHeld_ = false;

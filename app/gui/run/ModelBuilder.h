@@ -34,7 +34,7 @@ public:
   /// Waits for what is being built and calls its answer.
   void finish() { background_.finish(); }
   /// Cancels all requests.
-  void forget() { background_.forget(); }
+  void cancel() { background_.cancel(); }
   bool isBusy() const { return background_.isBusy(); }
   /// Time since the current request [ms]; 0 without one.
   qint64 busyFor_ms() const { return isBusy() ? since_.elapsed() : 0; }

@@ -12,7 +12,7 @@ bool SafetyStop::stopDevice()
 
 void SafetyStop::loseKeyboard()
 {
-  if (control_.hand() == InputSource::pointer) control_.hold(false);
+  if (control_.input() == InputSource::pointer) control_.hold(false);
   control_.stopDeviceAfter(focusPatience);
 }
 

@@ -9,7 +9,7 @@ InsertionState stateOf(const InsertionControl& control)
 {
   const haptics::TickOutput& now = control.now().output;
   return {now.workflow,
-          control.hand(),
+          control.input(),
           control.isRunning(),
           control.isMoving(),
           control.isAtDepth(),

@@ -96,7 +96,7 @@ void DerivedMeasures::show(const anatomy::Cochlea& cochlea, const electrode::Arr
 void DerivedMeasures::showNone(const QString& sentence)
 {
   delay_.stop();
-  background_.forget();
+  background_.cancel();
   shown_.clear();
   for (const auto& [name, value] : rows_) value->setText(tr("–"));
   showMessage(sentence);

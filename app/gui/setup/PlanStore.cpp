@@ -58,7 +58,7 @@ fs::path folderOfPlan(const planning::PlanRequest& request)
          (fileNameOf(request.patient.label) + ear + hash.hex().substr(0, keyLength));
 }
 
-Result<Done> savePlan(const StoredPlan& plan)
+Result<void> savePlan(const StoredPlan& plan)
 {
   std::error_code failure;
   fs::create_directories(plan.folder, failure);
@@ -117,7 +117,7 @@ QString notesOf(const fs::path& folder)
   return notes ? QString::fromStdString(*notes) : QString();
 }
 
-Result<Done> saveNotes(const fs::path& folder, const QString& notes)
+Result<void> saveNotes(const fs::path& folder, const QString& notes)
 {
   return writeWhole(folder / notesFile, notes.toStdString());
 }

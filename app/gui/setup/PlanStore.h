@@ -36,7 +36,7 @@ std::filesystem::path plansFolder();
 std::filesystem::path folderOfPlan(const planning::PlanRequest& request);
 
 /// Writes patient and request into the plan's folder, which is created.
-Result<Done> savePlan(const StoredPlan& plan);
+Result<void> savePlan(const StoredPlan& plan);
 
 /// Reads them from a plan's folder.
 Result<StoredPlan> readStoredPlan(const std::filesystem::path& folder);
@@ -46,6 +46,6 @@ std::vector<StoredPlan> storedPlans();
 
 /// The user's notes on a plan; empty if there are none.
 QString notesOf(const std::filesystem::path& folder);
-Result<Done> saveNotes(const std::filesystem::path& folder, const QString& notes);
+Result<void> saveNotes(const std::filesystem::path& folder, const QString& notes);
 
 }  // namespace perilymph::gui

@@ -238,7 +238,7 @@ void PopulationField::showPlace()
 
 bool PopulationField::eventFilter(QObject* watched, QEvent* event)
 {
-  // nested layouts forget how high a wrapped text is
+  // nested layouts lose the height of a wrapped text
   if (watched == title_ && event->type() == QEvent::Resize)
     title_->setMinimumHeight(title_->heightForWidth(title_->width()));
   if (event->type() == QEvent::FocusIn) Q_EMIT focused(true);

@@ -91,7 +91,7 @@ std::string millimetersText(Length length)
   return text.toStdString();
 }
 
-Result<Done> followArray(Values& values, const Setup& now, const SetupOrigin& origin)
+Result<void> followArray(Values& values, const Setup& now, const SetupOrigin& origin)
 {
   const session::Scenario& first = origin.setup.scenario;
   drop(values, [](const std::string& key) { return key == "array_fingerprint"; });
@@ -126,10 +126,10 @@ Result<Done> followArray(Values& values, const Setup& now, const SetupOrigin& or
              [](const std::string& key) { return key == "stop_travel_mm"; });
   else
     set(values, "stop_travel_mm", millimetersText(stop));
-  return Done{};
+  return {};
 }
 
-Result<Done> follow(Values& values, const Setup& now, const SetupOrigin& origin, SetupField field)
+Result<void> follow(Values& values, const Setup& now, const SetupOrigin& origin, SetupField field)
 {
   const Values& first = origin.setup.scenario.values();
   switch (field) {
@@ -157,7 +157,7 @@ Result<Done> follow(Values& values, const Setup& now, const SetupOrigin& origin,
     default:
       break;
   }
-  return Done{};
+  return {};
 }
 
 /// Modified numbers lose the patient's name; the origin's numbers have the origin's name.

@@ -28,7 +28,7 @@ void EndConfirmation::askBefore(const QString& action, const std::function<void(
   });
 }
 
-void EndConfirmation::forgetIfDone()
+void EndConfirmation::clearIfDone()
 {
   if (page_ == nullptr || page_->unfinished()) return;
   notice_.dropQuestion(asked_);

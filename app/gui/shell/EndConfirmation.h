@@ -23,7 +23,7 @@ public:
   /// @param action  Text of the button: "End it and close".
   void askBefore(const QString& action, const std::function<void()>& act);
   /// Takes the question back once its work is finished.
-  void forgetIfDone();
+  void clearIfDone();
 
 private:
   Page* unfinishedPage() const;

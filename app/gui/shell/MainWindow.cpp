@@ -90,7 +90,7 @@ void MainWindow::connectInsertion()
   connect(insert_, &InsertPage::stateShown, this, [this] {
     top_->showInsertion(*insertion_);
     if (control().isMoving()) notice_->dropOffer();
-    ending_.forgetIfDone();
+    ending_.clearIfDone();
     sheets_->showState();
   });
   new StopTriggers(*insertion_, this);

@@ -33,7 +33,7 @@ public:
   ~MainWindow() override;
 
   /// Builds the cochlea and prepares the insertion; then frames begin.
-  Result<Done> open() { return insertion_->open(); }
+  Result<void> open() { return insertion_->open(); }
 
   /// Shows another setup on the insertion page; asks first if that would end an insertion.
   void load(const InsertionRequest& request);

@@ -44,7 +44,7 @@ std::optional<InsertionBroadcast::Shown> Navigation::shown() const
 
 bool Navigation::listen(const broadcast::Endpoint& endpoint)
 {
-  const Result<Done> listening = broadcast_.listen(endpoint);
+  const Result<void> listening = broadcast_.listen(endpoint);
   error_ = listening ? QString() : dataText(listening.error().message);
   follow();
   return isOn();

@@ -95,8 +95,8 @@ void OverlayStack::showState()
   settings_->setChangeable(isChangeable);
   devices_->setChangeable(isChangeable);
   if (!devices_->isVisible()) return;
-  devices_->showHand(QString::fromStdString(control.inputName()), control.deviceHealth(),
-                     control.now(), QString::fromStdString(control.couplingText()));
+  devices_->showInUse(QString::fromStdString(control.inputName()), control.deviceHealth(),
+                      control.now(), QString::fromStdString(control.couplingText()));
 }
 
 void OverlayStack::place()

@@ -23,7 +23,7 @@ QString keepPicture(QWidget& window)
   for (int number = 2; QFile::exists(file); ++number)
     file = QStringLiteral("%1/perilymph-%2-%3.png").arg(pictures, name).arg(number);
   const QPixmap picture = window.grab();
-  const Result<Done> written =
+  const Result<void> written =
       writeWhole(file.toStdString(), [&picture](const std::filesystem::path& place) {
         return picture.save(QString::fromStdString(place.string()), "PNG");
       });

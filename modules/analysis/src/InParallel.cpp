@@ -30,9 +30,9 @@ struct Board {
 
 }  // namespace
 
-Result<Done> doInParallel(
+Result<void> doInParallel(
     std::size_t count, unsigned jobs,
-    const std::function<Result<Done>(std::size_t, const std::stop_token& stop)>& work,
+    const std::function<Result<void>(std::size_t, const std::stop_token& stop)>& work,
     const PieceProgress& progress, const std::stop_token& stop)
 {
   if (jobs == 0) jobs = std::max(1u, std::thread::hardware_concurrency());
@@ -46,7 +46,7 @@ Result<Done> doInParallel(
     const std::stop_token ending = board.ending.get_token();
     for (std::size_t piece = board.next++; piece < count && !ending.stop_requested();
          piece = board.next++) {
-      const Result<Done> result =
+      const Result<void> result =
           callNoThrow("The calculation", [&] { return work(piece, ending); });
       const std::lock_guard guard(board.lock);
       ++board.done;
@@ -79,7 +79,7 @@ Result<Done> doInParallel(
   if (stop.stop_requested()) return Error{"Stopped; nothing was kept."};
   for (const auto& error : board.errors)
     if (error) return *error;
-  return Done{};
+  return {};
 }
 
 }  // namespace perilymph::analysis

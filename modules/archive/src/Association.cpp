@@ -26,7 +26,7 @@ bool isOf(const OFCondition& why, unsigned short code)
 
 }  // namespace
 
-Result<Done> prepareDcmtk()
+Result<void> prepareDcmtk()
 {
   static std::once_flag isDone;
   std::call_once(isDone, [] {
@@ -35,7 +35,7 @@ Result<Done> prepareDcmtk()
     dcmSocketReceiveTimeout.set(socketSeconds);
     dcmSocketSendTimeout.set(socketSeconds);
   });
-  if (dcmDataDict.isDictionaryLoaded()) return Done{};
+  if (dcmDataDict.isDictionaryLoaded()) return {};
   return Error{
       "The DICOM dictionary of DCMTK is not there, so no server can be asked. Install the package "
       "of "

@@ -37,7 +37,7 @@ void copyText(const std::string& text, char (&field)[size])
 
 /// Turns off the log of DCMTK for the whole program, because it would hold names. The error says that
 /// its dictionary is not installed.
-Result<Done> prepareDcmtk();
+Result<void> prepareDcmtk();
 
 class Association {
 public:

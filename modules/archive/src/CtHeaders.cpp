@@ -52,13 +52,13 @@ Result<Headers> readHeaders(const fs::path& given, const std::string& seriesKey)
   return headers;
 }
 
-Result<Done> checkSoftware(const std::string& software)
+Result<void> checkSoftware(const std::string& software)
 {
   const bool isText = software.size() <= maxLetters &&
                       std::all_of(software.begin(), software.end(),
                                   [](char c) { return c >= ' ' && c <= '~' && c != '\\'; });
   if (!isText) return Error{"The version of a report has at most 64 ASCII letters."};
-  return Done{};
+  return {};
 }
 
 }  // namespace perilymph::archive

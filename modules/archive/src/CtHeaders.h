@@ -26,6 +26,6 @@ using Headers = std::vector<std::unique_ptr<DcmFileFormat>>;
 Result<Headers> readHeaders(const std::filesystem::path& ct, const std::string& seriesKey);
 
 /// Refuses a version of the program that no element of 64 ASCII letters holds.
-Result<Done> checkSoftware(const std::string& software);
+Result<void> checkSoftware(const std::string& software);
 
 }  // namespace perilymph::archive

@@ -8,7 +8,7 @@
 
 namespace perilymph::archive {
 
-Result<Done> echo(const Server& server, const Exchange& exchange)
+Result<void> echo(const Server& server, const Exchange& exchange)
 {
   auto opened = Association::open(server, {{UID_VerificationSOPClass, plainSyntaxes()}}, exchange);
   if (!opened) return opened.error();
@@ -22,7 +22,7 @@ Result<Done> echo(const Server& server, const Exchange& exchange)
   if (answered.bad()) return association.failure(answered);
   if (status != STATUS_Success) return association.refusal(status, DU_cechoStatusString(status));
   association.release();
-  return Done{};
+  return {};
 }
 
 }  // namespace perilymph::archive

@@ -156,12 +156,12 @@ public:
   }
 
 private:
-  Result<Done> send(T_ASC_PresentationContextID context, T_DIMSE_Message& message, DcmDataset& keys)
+  Result<void> send(T_ASC_PresentationContextID context, T_DIMSE_Message& message, DcmDataset& keys)
   {
     const OFCondition sent = DIMSE_sendMessageUsingMemoryData(association_.get(), context, &message,
                                                               nullptr, &keys, nullptr, nullptr);
     if (sent.bad()) return association_.failure(sent);
-    return Done{};
+    return {};
   }
 
   OFCondition receive(T_ASC_PresentationContextID& context, T_DIMSE_Message& message)
@@ -246,7 +246,7 @@ std::vector<Context> contextsOf(const Server& server)
 }
 
 /// Retrieves all that is missing.
-Result<Done> retrieve(const Server& server, const SeriesAddress& series, ReceivedSeries& received,
+Result<void> retrieve(const Server& server, const SeriesAddress& series, ReceivedSeries& received,
                       const Exchange& exchange, const FetchLimits& limits)
 {
   const bool isMove = server.retrieval == Retrieval::move;
@@ -277,13 +277,13 @@ Result<Done> retrieve(const Server& server, const SeriesAddress& series, Receive
           "cannot be read here; ask its administrator.",
           server.name, received.missing().size()};
   }
-  return Done{};
+  return {};
 }
 
 /// The private folder of a series that is not complete.
-Result<Done> makePrivate(const fs::path& folder)
+Result<void> makePrivate(const fs::path& folder)
 {
-  if (::mkdir(folder.c_str(), S_IRWXU) == 0) return Done{};
+  if (::mkdir(folder.c_str(), S_IRWXU) == 0) return {};
   if (errno != EEXIST)
     return Error{"The folder %1 cannot be made: %2.", folder,
                  std::generic_category().message(errno)};
@@ -293,7 +293,7 @@ Result<Done> makePrivate(const fs::path& folder)
   fs::permissions(folder, fs::perms::owner_all, failed);
   if (failed) return Error{"%1 belongs to somebody else. Choose another place.", folder};
   removeLeftovers(folder);
-  return Done{};
+  return {};
 }
 
 }  // namespace

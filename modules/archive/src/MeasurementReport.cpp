@@ -88,7 +88,7 @@ std::string trackingUid(const MeasurementReport& report)
   return "2.25." + decimal(bytes);
 }
 
-Result<Done> check(const MeasurementReport& report)
+Result<void> check(const MeasurementReport& report)
 {
   if (report.measures.empty()) return Error{"A report without measures is not written."};
   return checkSoftware(report.software);
@@ -202,7 +202,7 @@ OFCondition setHeader(DSRDocument& document, const MeasurementReport& report,
 
 }  // namespace
 
-Result<Done> writeMeasurementReport(const MeasurementReport& report, const fs::path& ct,
+Result<void> writeMeasurementReport(const MeasurementReport& report, const fs::path& ct,
                                     const fs::path& file)
 {
   if (const auto ready = prepareDcmtk(); !ready) return ready;

@@ -61,12 +61,12 @@ bool isDate(const std::string& text)
       .ok();
 }
 
-Result<Done> checkText(const std::string& text, const Sentence& what)
+Result<void> checkText(const std::string& text, const Sentence& what)
 {
   const bool isPlain = std::none_of(text.begin(), text.end(), [](char letter) {
     return static_cast<unsigned char>(letter) < ' ' || letter == '\x7f' || letter == '\\';
   });
-  if (isPlain && text.size() <= maxText && text == validUtf8(text)) return Done{};
+  if (isPlain && text.size() <= maxText && text == validUtf8(text)) return {};
   // the text itself may name a patient
   return Error{
       "The %1 of a query has at most 64 bytes of UTF-8 without \\ and control characters. "
@@ -74,7 +74,7 @@ Result<Done> checkText(const std::string& text, const Sentence& what)
       what};
 }
 
-Result<Done> check(const StudyQuery& query)
+Result<void> check(const StudyQuery& query)
 {
   for (const auto& [text, what] : {std::pair{&query.patientId, Sentence{"patient number"}},
                                    {&query.patientName, Sentence{"patient name"}}})
@@ -91,7 +91,7 @@ Result<Done> check(const StudyQuery& query)
     return Error{"'%1' is no modality. Write its code, as in CT.", query.modality};
   for (const std::string* text : {&query.patientId, &query.patientName, &query.birthDate,
                                   &query.from, &query.until, &query.modality})
-    if (!text->empty()) return Done{};
+    if (!text->empty()) return {};
   return Error{
       "The query has no condition and would list the whole archive. Give a patient number, "
       "a name, a date or a modality."};
@@ -120,11 +120,11 @@ std::string textIn(DcmItem& item, const DcmTagKey& tag)
   return validUtf8(text);
 }
 
-Result<Done> checkUid(const std::string& uid, const Sentence& what)
+Result<void> checkUid(const std::string& uid, const Sentence& what)
 {
   const bool isUid =
       !uid.empty() && uid.size() <= 64 && uid.find_first_not_of("0123456789.") == std::string::npos;
-  if (isUid) return Done{};
+  if (isUid) return {};
   return Error{
       "'%1' is no UID of a %2: digits and dots, at most 64. Take it from 'perilymph-cli "
       "archive find'.",

@@ -24,7 +24,7 @@ Result<bool> queryRows(const Server& server, DcmDataset& keys, std::size_t maxRo
 std::string textIn(DcmItem& item, const DcmTagKey& tag);
 
 /// Success for a UID of PS3.5: digits and dots, at most 64. The error calls it `what`.
-Result<Done> checkUid(const std::string& uid, const Sentence& what);
+Result<void> checkUid(const std::string& uid, const Sentence& what);
 
 /// A query of a level below the study: "SERIES" or "IMAGE".
 void setLevel(DcmDataset& keys, const char* level, const std::string& studyUid);

@@ -27,7 +27,7 @@ const DcmTagKey ofPatientAndStudy[] = {
     DCM_StudyDate,   DCM_StudyTime,       DCM_AccessionNumber,  DCM_ReferringPhysicianName,
     DCM_StudyID,     DCM_StudyInstanceUID};
 
-Result<Done> check(const SecondaryCapture& image)
+Result<void> check(const SecondaryCapture& image)
 {
   const bool isSize = image.width > 0 && image.height > 0 && image.width <= maxEdge_px &&
                       image.height <= maxEdge_px &&
@@ -70,7 +70,7 @@ OFCondition addSources(DcmDataset& data, const Headers& headers)
 
 }  // namespace
 
-Result<Done> writeSecondaryCapture(const SecondaryCapture& image, const fs::path& ct,
+Result<void> writeSecondaryCapture(const SecondaryCapture& image, const fs::path& ct,
                                    const fs::path& file)
 {
   if (const auto ready = prepareDcmtk(); !ready) return ready;

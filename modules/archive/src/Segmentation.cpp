@@ -124,7 +124,7 @@ Result<std::vector<Slice>> slicesOf(const Headers& headers, const fs::path& ct)
   return slices;
 }
 
-Result<Done> check(const Lumen& lumen)
+Result<void> check(const Lumen& lumen)
 {
   const std::size_t n = lumen.pointsPerRing;
   if (n < 3 || lumen.points_mm.size() < 2 * n || lumen.points_mm.size() % n != 0)
@@ -241,7 +241,7 @@ OFCondition setHeader(DcmSegmentation& document, const std::vector<Slice>& slice
 
 }  // namespace
 
-Result<Done> writeSegmentation(const Lumen& lumen, const fs::path& ct, const fs::path& file)
+Result<void> writeSegmentation(const Lumen& lumen, const fs::path& ct, const fs::path& file)
 {
   if (const auto ready = prepareDcmtk(); !ready) return ready;
   if (const auto checked = check(lumen); !checked) return checked;

@@ -21,7 +21,7 @@ namespace {
 constexpr std::uintmax_t maxObjectBytes = std::uintmax_t{128} << 20;
 constexpr const char* manufacturer = "Perilymph";  // of all that this program writes
 
-Result<Done> load(DcmFileFormat& file, const fs::path& place)
+Result<void> load(DcmFileFormat& file, const fs::path& place)
 {
   std::error_code failed;
   if (!fs::is_regular_file(place, failed) || fs::file_size(place, failed) > maxObjectBytes)
@@ -44,11 +44,11 @@ Result<Done> load(DcmFileFormat& file, const fs::path& place)
                                   {DCM_SOPInstanceUID, Sentence{"object"}}})
     if (const auto checked = checkUid(textIn(data, tag), what); !checked)
       return Error{"%1: %2", place, checked.error().message};
-  return Done{};
+  return {};
 }
 
 /// Whether the server has the study, of the same patient. No error says who that is.
-Result<Done> checkStudy(const Server& server, DcmDataset& data, const fs::path& place,
+Result<void> checkStudy(const Server& server, DcmDataset& data, const fs::path& place,
                         const Exchange& exchange)
 {
   const std::string study = textIn(data, DCM_StudyInstanceUID);
@@ -77,7 +77,7 @@ Result<Done> checkStudy(const Server& server, DcmDataset& data, const fs::path& 
         "%1 has the study %2 under another patient number or birth date than %3 states: "
         "nothing was sent. Compare both before you send it again.",
         server.name, study, place};
-  return Done{};
+  return {};
 }
 
 /// The first number that no series of the study has.

@@ -161,7 +161,7 @@ std::optional<Fault> wholeFault(const Server& server)
   return fault;
 }
 
-Result<Done> check(const std::vector<Server>& servers, const fs::path& file)
+Result<void> check(const std::vector<Server>& servers, const fs::path& file)
 {
   std::set<std::string> names;
   for (const Server& server : servers) {
@@ -172,7 +172,7 @@ Result<Done> check(const std::vector<Server>& servers, const fs::path& file)
           "%1 is not changed: two servers would be called '%2'. Give each a name of its own.", file,
           server.name};
   }
-  return Done{};
+  return {};
 }
 
 }  // namespace
@@ -222,13 +222,13 @@ Result<Server> readServer(const std::string& name, const fs::path& file)
   return Error{"There is no server '%1' in %2. There are: %3.", name, file, known};
 }
 
-Result<Done> checkServer(const Server& server)
+Result<void> checkServer(const Server& server)
 {
   if (const auto fault = wholeFault(server)) return Error{fault->sentence};
-  return Done{};
+  return {};
 }
 
-Result<Done> writeServers(const std::vector<Server>& servers, const fs::path& file)
+Result<void> writeServers(const std::vector<Server>& servers, const fs::path& file)
 {
   if (const auto checked = check(servers, file); !checked) return checked;
   std::error_code failed;

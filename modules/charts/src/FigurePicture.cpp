@@ -171,7 +171,7 @@ private:
 
 }  // namespace
 
-Result<Done> writePicture(const figures::Drawing& drawing, const std::filesystem::path& file,
+Result<void> writePicture(const figures::Drawing& drawing, const std::filesystem::path& file,
                           const Writing& how)
 {
   const int width = static_cast<int>(std::lround(drawing.width * pixelsPerPoint));

@@ -30,9 +30,9 @@ Error refusal(const CtVolume& volume, const FitResult& fit, Sentence otherwise)
 
 }  // namespace
 
-Result<Done> checkMisfit(const CtVolume& volume, const FitResult& fit)
+Result<void> checkMisfit(const CtVolume& volume, const FitResult& fit)
 {
-  if (fit.misfit <= refusedMisfit) return Done{};
+  if (fit.misfit <= refusedMisfit) return {};
   return refusal(
       volume, fit,
       Sentence{"No cochlea of usual shape was found: the best fit leaves %1 % of the voxels "
@@ -41,9 +41,9 @@ Result<Done> checkMisfit(const CtVolume& volume, const FitResult& fit)
                percent(fit.misfit), percent(refusedMisfit)});
 }
 
-Result<Done> checkClimb(const CtVolume& volume, const LumenShape& family, const FitResult& fit)
+Result<void> checkClimb(const CtVolume& volume, const LumenShape& family, const FitResult& fit)
 {
-  if (climbs(family, fit.state.shape)) return Done{};
+  if (climbs(family, fit.state.shape)) return {};
   return refusal(
       volume, fit,
       Sentence{"No cochlea of usual shape was found: the best fit falls from the base to "
@@ -51,13 +51,13 @@ Result<Done> checkClimb(const CtVolume& volume, const LumenShape& family, const 
                "malformed or ossified one A, B and H do not apply."});
 }
 
-Result<Done> checkDiameters(const CtVolume& volume, const FitResult& fit, double a_mm, double b_mm)
+Result<void> checkDiameters(const CtVolume& volume, const FitResult& fit, double a_mm, double b_mm)
 {
   const anatomy::Spread a = anatomy::spreadOfA(), b = anatomy::spreadOfB();
   const auto isBeyond = [](double value_mm, const anatomy::Spread& spread) {
     return value_mm < inMillimeters(spread.low) || value_mm > inMillimeters(spread.high);
   };
-  if (!isBeyond(a_mm, a) && !isBeyond(b_mm, b)) return Done{};
+  if (!isBeyond(a_mm, a) && !isBeyond(b_mm, b)) return {};
   return refusal(
       volume, fit,
       Sentence{"The best fit has A %1 mm and B %2 mm; of 138 cochleae A was %3 mm to %4 mm and B "

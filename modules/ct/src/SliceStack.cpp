@@ -50,7 +50,7 @@ Axes atRightAngles(const Axes& axes)
 // Farther away no scanner measures, and squares of lengths stay finite.
 constexpr double farthest_mm = 1e6;
 
-Result<Done> checkPoses(const std::vector<SlicePose>& slices)
+Result<void> checkPoses(const std::vector<SlicePose>& slices)
 {
   std::size_t without = 0, far = 0, odd = 0;
   for (const SlicePose& slice : slices) {
@@ -89,7 +89,7 @@ Result<Done> checkPoses(const std::vector<SlicePose>& slices)
         "series "
         "of its own.",
         other, count};
-  return Done{};
+  return {};
 }
 
 struct Placed {
@@ -118,7 +118,7 @@ std::vector<std::vector<std::size_t>> placesOf(const std::vector<SlicePose>& sli
 }
 
 /// Refuses gaps of a whole number of steps.
-Result<Done> checkGaps(const std::vector<double>& along_mm)
+Result<void> checkGaps(const std::vector<double>& along_mm)
 {
   std::vector<double> gaps;
   for (std::size_t i = 1; i < along_mm.size(); ++i) gaps.push_back(along_mm[i] - along_mm[i - 1]);
@@ -134,7 +134,7 @@ Result<Done> checkGaps(const std::vector<double>& along_mm)
     if (missing == 0) first = i;
     missing += std::lround(steps) - 1;
   }
-  if (missing == 0) return Done{};
+  if (missing == 0) return {};
   const Sentence before = nameOf(first, along_mm.size(), along_mm[first]);
   const std::string gap = inMm(gaps[first], 2), step = inMm(step_mm, 2);
   if (missing == 1)

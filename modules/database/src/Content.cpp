@@ -80,7 +80,7 @@ Error Database::Content::error(const Sentence& reason) const
   return Error{"%1 is damaged (%2). %3", file, reason, remedy};
 }
 
-Result<Done> Database::Content::open(const fs::path& place, Access access)
+Result<void> Database::Content::open(const fs::path& place, Access access)
 {
   const char* vfs = ownFilesOnly();
   if (vfs == nullptr) return Error{"SQLite cannot be set up"};
@@ -97,10 +97,10 @@ Result<Done> Database::Content::open(const fs::path& place, Access access)
   sqlite3_busy_timeout(opened, 2000);
   sqlite3_progress_handler(opened, instructionsBetween, progressed, watch.get());
   distrust(opened);
-  return Done{};
+  return {};
 }
 
-Result<Done> Database::Content::check(const FileKind& kind)
+Result<void> Database::Content::check(const FileKind& kind)
 {
   const std::int64_t application = pragma(database.get(), "PRAGMA application_id");
   const int code = sqlite3_errcode(database.get());
@@ -142,7 +142,7 @@ Result<Done> Database::Content::check(const FileKind& kind)
   }
   if (step != SQLITE_DONE) return error(std::string(sqlite3_errmsg(database.get())));
   if (!missing.empty()) return error(Sentence{"a table is missing"});
-  return Done{};
+  return {};
 }
 
 }  // namespace perilymph::database

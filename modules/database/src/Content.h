@@ -39,9 +39,9 @@ struct Database::Content {
     readWrite,  ///< Recovers the content of a `-wal` file after a crash.
     immutable,  ///< Reads the file alone, without locks or other files.
   };
-  Result<Done> open(const std::filesystem::path& place, Access access);
+  Result<void> open(const std::filesystem::path& place, Access access);
   /// Refuses a schema that differs from the kind's.
-  Result<Done> check(const FileKind& kind);
+  Result<void> check(const FileKind& kind);
   Error error(const Sentence& reason) const;
 };
 

@@ -94,12 +94,12 @@ const std::string& Database::note() const noexcept { return content_->note; }
 
 std::int64_t Database::version() const noexcept { return content_->version; }
 
-Result<Done> Database::run(const std::string& sql)
+Result<void> Database::run(const std::string& sql)
 {
   content_->watch->instructions = 0;
   if (sqlite3_exec(content_->database.get(), sql.c_str(), nullptr, nullptr, nullptr) != SQLITE_OK)
     return Error{lastError()};
-  return Done{};
+  return {};
 }
 
 Result<Statement> Database::prepare(const std::string& sql) const
@@ -114,13 +114,13 @@ Result<Statement> Database::prepare(const std::string& sql) const
   return statement;
 }
 
-Result<Done> Database::checkPages() const
+Result<void> Database::checkPages() const
 {
   auto rows = prepare("PRAGMA integrity_check(1)");
   if (!rows) return readingError(rows.error().message);
   if (rows->step() != Statement::Step::row) return readingError(lastError());
   if (rows->text(0) != "ok") return readingError("its pages contradict one another");
-  return Done{};
+  return {};
 }
 
 void Database::abandon()

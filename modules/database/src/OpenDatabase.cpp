@@ -167,7 +167,7 @@ Result<Database> Database::open(const fs::path& file, const FileKind& kind, std:
     content->note = name +
                     " was not closed and lies where nothing may be written, so the ticks in its "
                     "-wal file are not read. Copy both files to a folder you may write to.";
-  const auto read = [&, &target = place](Content::Access access) -> Result<Done> {
+  const auto read = [&, &target = place](Content::Access access) -> Result<void> {
     content->watch->instructions = 0;
     if (const auto done = content->open(target, access); !done)
       return content->error(done.error().message);

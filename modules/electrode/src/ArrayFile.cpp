@@ -303,7 +303,7 @@ Result<ArrayDesign> arrayIn(Result<TomlReader> reader)
 {
   if (!reader) return reader.error();
   ArrayDesign design = ArrayReader(*reader).read();
-  if (const Result<Done> done = reader->finish(); !done) return done.error();
+  if (const Result<void> done = reader->finish(); !done) return done.error();
   return design;
 }
 

@@ -142,12 +142,12 @@ private:
   bool isKept_ = false;
 };
 
-Result<Done> writeStream(const fs::path& file, std::string_view content)
+Result<void> writeStream(const fs::path& file, std::string_view content)
 {
   Descriptor stream(::open(file.c_str(), O_WRONLY | O_CLOEXEC));
   if (!stream || !writeAll(stream.number(), content) || !stream.close())
     return cannotWrite(file, reason(errno) + ".");
-  return Done{};
+  return {};
 }
 
 /// Runs a library's writer; an exception counts as failure and supplies the message.
@@ -165,19 +165,19 @@ std::optional<std::string> failureOf(const std::function<bool(const fs::path&)>&
 
 }  // namespace
 
-Result<Done> checkWritable(const fs::path& file, Links links)
+Result<void> checkWritable(const fs::path& file, Links links)
 {
   const fs::path place = placeOf(file, links);
-  if (!isLink(place) && isStream(place)) return Done{};
+  if (!isLink(place) && isStream(place)) return {};
   if (const auto error = obstacle(file, place)) return *error;
   const fs::path folder = place.has_parent_path() ? place.parent_path() : fs::path(".");
   if (::faccessat(AT_FDCWD, folder.c_str(), W_OK, AT_EACCESS) != 0)
     return cannotWrite(
         file, "nothing may be written into " + folder.string() + ". Choose another folder.");
-  return Done{};
+  return {};
 }
 
-Result<Done> writeWhole(const fs::path& file, std::string_view content, const Writing& how)
+Result<void> writeWhole(const fs::path& file, std::string_view content, const Writing& how)
 {
   const fs::path place = placeOf(file, how.links);
   if (!isLink(place) && isStream(place)) return writeStream(place, content);
@@ -192,16 +192,16 @@ Result<Done> writeWhole(const fs::path& file, std::string_view content, const Wr
     return cannotWrite(file, reason(errno) + ".");
   if (const int failure = neighbor.moveTo(place, how))
     return cannotWrite(file, reason(failure) + ".");
-  return Done{};
+  return {};
 }
 
-Result<Done> writeWhole(const fs::path& file, const std::function<bool(const fs::path&)>& write,
+Result<void> writeWhole(const fs::path& file, const std::function<bool(const fs::path&)>& write,
                         const Writing& how)
 {
   const fs::path place = placeOf(file, how.links);
   if (!isLink(place) && isStream(place)) {
     if (const auto failure = failureOf(write, place)) return cannotWrite(file, *failure);
-    return Done{};
+    return {};
   }
   if (const auto error = obstacle(file, place)) return *error;
 
@@ -216,7 +216,7 @@ Result<Done> writeWhole(const fs::path& file, const std::function<bool(const fs:
   if (!written || ::fsync(written.number()) != 0) return cannotWrite(file, reason(errno) + ".");
   if (const int failure = neighbor.moveTo(place, how))
     return cannotWrite(file, reason(failure) + ".");
-  return Done{};
+  return {};
 }
 
 void removeUnfinishedFiles() noexcept { UnfinishedName::removeAll(); }

@@ -61,7 +61,7 @@ std::optional<std::string> scalarText(const toml::node& node)
 
 /// Renames the keys of a table and its inner tables to their current names and lists the old ones.
 /// A key given under both names is an error.
-Result<Done> renameKeys(toml::table& table, const std::string& name, const std::string& path,
+Result<void> renameKeys(toml::table& table, const std::string& name, const std::string& path,
                         std::vector<RenamedKeyUse>& renamed)
 {
   std::vector<std::string> old;
@@ -90,7 +90,7 @@ Result<Done> renameKeys(toml::table& table, const std::string& name, const std::
         if (const auto done = renameKeys(*one, name, numbered, renamed); !done) return done;
       }
   }
-  return Done{};
+  return {};
 }
 
 }  // namespace
@@ -374,11 +374,11 @@ void TomlReader::set(const std::string& given, const std::string& value)
     table->insert_or_assign(last, value);
 }
 
-Result<Done> TomlReader::finish()
+Result<void> TomlReader::finish()
 {
   const std::string sentence = content_->firstError();
   if (!sentence.empty()) return Error{sentence};
-  return Done{};
+  return {};
 }
 
 const std::string& TomlReader::name() const { return content_->name; }

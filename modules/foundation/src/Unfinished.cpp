@@ -122,7 +122,7 @@ UnfinishedFolder::~UnfinishedFolder()
   if (!path_.empty()) fs::remove_all(path_, ignored);
 }
 
-Result<Done> UnfinishedFolder::finish()
+Result<void> UnfinishedFolder::finish()
 {
   int outcome = ::renameat2(AT_FDCWD, path_.c_str(), AT_FDCWD, target_.c_str(), RENAME_NOREPLACE);
   std::error_code ignored;
@@ -132,7 +132,7 @@ Result<Done> UnfinishedFolder::finish()
   if (outcome != 0)
     return Error{"%1 cannot be created: %2. Choose another place.", target_, reason(errno)};
   path_.clear();
-  return Done{};
+  return {};
 }
 
 }  // namespace perilymph

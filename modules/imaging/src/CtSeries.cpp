@@ -41,10 +41,10 @@ ReadingHooks part(const ReadingHooks& hooks, double from, double to)
   return mapped;
 }
 
-Result<Done> checkExists(const fs::path& path)
+Result<void> checkExists(const fs::path& path)
 {
   std::error_code failed;
-  if (fs::is_directory(path, failed) || fs::is_regular_file(path, failed)) return Done{};
+  if (fs::is_directory(path, failed) || fs::is_regular_file(path, failed)) return {};
   if (!fs::exists(path, failed)) return Error{"%1 does not exist. Check the path.", path};
   return Error{
       "%1 is neither a file nor a folder. Give a folder of DICOM files, a DICOMDIR, a DICOM, NIfTI "

@@ -108,7 +108,7 @@ Result<std::string> measuredPatientText(const ct::CochleaMeasures& measures,
   return text + anatomy::patientText(patient);
 }
 
-Result<Done> writeMeasuredPatient(const ct::CochleaMeasures& measures, const std::string& label,
+Result<void> writeMeasuredPatient(const ct::CochleaMeasures& measures, const std::string& label,
                                   const std::filesystem::path& file)
 {
   const auto text = measuredPatientText(measures, label);

@@ -140,7 +140,7 @@ RgbPicture measuredPicture(std::shared_ptr<const ct::CtVolume> volume,
   return drawn(std::move(volume), measures).picture();
 }
 
-Result<Done> writeMeasuredPicture(std::shared_ptr<const ct::CtVolume> volume,
+Result<void> writeMeasuredPicture(std::shared_ptr<const ct::CtVolume> volume,
                                   const ct::CochleaMeasures& measures,
                                   const std::filesystem::path& file)
 {

@@ -101,7 +101,7 @@ std::string planText(const PlanMarkups& plan)
   return Json{{"@schema", schema}, {"markups", markups}}.dump(2) + "\n";
 }
 
-Result<Done> writeGltf(const anatomy::Surface& surface, const std::string& title,
+Result<void> writeGltf(const anatomy::Surface& surface, const std::string& title,
                        const std::filesystem::path& file)
 {
   constexpr double mm = 1e3;

@@ -181,7 +181,7 @@ std::optional<PlyHeader> plyHeader(const std::string& content)
   return std::nullopt;
 }
 
-Result<Done> checkPly(const PlyHeader& header, const std::string& content)
+Result<void> checkPly(const PlyHeader& header, const std::string& content)
 {
   for (const PlyElement& element : header.elements)
     if (element.count > maxPlyElements)
@@ -203,7 +203,7 @@ Result<Done> checkPly(const PlyHeader& header, const std::string& content)
     return Error{
         "has no faces with a list of their corners. Export it again from the segmentation "
         "program."};
-  if (!header.isText) return Done{};
+  if (!header.isText) return {};
   std::size_t at = header.end;
   const Error notThem{
       "is not a whole .ply file: it does not hold the points and faces that its header states, "
@@ -214,7 +214,7 @@ Result<Done> checkPly(const PlyHeader& header, const std::string& content)
     }
   while (at < content.size())
     if (!firstWord(nextLine(content, at)).empty()) return notThem;
-  return Done{};
+  return {};
 }
 
 std::optional<std::size_t> plyDataBytes(const PlyHeader& header, std::size_t corners)

@@ -50,7 +50,7 @@ inline constexpr std::size_t maxPlyElements = 5'000'000;
 
 /// Refuses headers without points (x, y, z) or faces of corners, with more than maxPlyElements of an
 /// element, and text that is not one line of numbers per element. Without a subject.
-Result<Done> checkPly(const PlyHeader& header, const std::string& content);
+Result<void> checkPly(const PlyHeader& header, const std::string& content);
 
 /// Bytes behind the header of a binary file by its counts, if it has so many corners of faces in all;
 /// empty where lists other than the faces' corners vary.

@@ -170,7 +170,7 @@ void InsertionState::reset(const InsertionModel& model) noexcept
   rod.inertia.timeStep = 0.0;
   rod.section.styletWithdrawal = std::numeric_limits<double>::quiet_NaN();
   for (OpenNode& node : rod.contacts.open) node = OpenNode{};
-  rod.system.factors.forget();
+  rod.system.factors.invalidate();
   if (model.points) resetPoints(model, *this, workspace->points);
   readings = Readings{};
   readings.depth = model.parts.startInside.si() > 0.0 ? model.parts.startInside.si() : 0.0;

@@ -149,12 +149,12 @@ Result<Plan> makePlan(const PlanRequest& request, const std::filesystem::path& d
     while (done < look) {
       const std::size_t count = std::min(blockSize, look - done);
       std::vector<std::vector<PlannedInsertion>> block(count);
-      const auto work = [&](std::size_t piece, const std::stop_token& ending) -> Result<Done> {
+      const auto work = [&](std::size_t piece, const std::stop_token& ending) -> Result<void> {
         auto run = runDraw(request, *setup, done + piece + 1, ending);
         if (!run) return run.error();
         // an insertion that was interrupted has ended nowhere
         if (!ending.stop_requested()) block[piece] = *std::move(run);
-        return Done{};
+        return {};
       };
       const auto ran = analysis::doInParallel(
           count, request.jobs, work,

@@ -220,7 +220,7 @@ Result<std::vector<PlannedInsertion>> insertionsIn(const session::InsertionTable
 {
   std::vector<PlannedInsertion> all;
   std::size_t arrays = 0;  // of the first draw
-  const auto done = table.read([&](const session::InsertionRows& one) -> Result<Done> {
+  const auto done = table.read([&](const session::InsertionRows& one) -> Result<void> {
     const auto draw = std::get<std::int64_t>(one.row[0]),
                array = std::get<std::int64_t>(one.row[1]);
     auto planned = insertionIn(std::get<std::string>(one.row[2]));
@@ -234,7 +234,7 @@ Result<std::vector<PlannedInsertion>> insertionsIn(const session::InsertionTable
         planned->array != all.size() % arrays)
       return table.damaged(Sentence{"its draws are not consecutive"});
     all.push_back(*std::move(planned));
-    return Done{};
+    return {};
   });
   if (!done) return done.error();
   if (arrays > 0 && all.size() % arrays != 0)

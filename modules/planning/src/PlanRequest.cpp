@@ -30,9 +30,9 @@ Result<session::Scenario> scenarioOf(const PlanRequest& request, const std::stri
   return session::loadScenario(request.scenario, changes);
 }
 
-Result<Done> checkDraws(std::size_t draws)
+Result<void> checkDraws(std::size_t draws)
 {
-  if (draws >= (takesFew() ? std::size_t{1} : fewestDraws) && draws <= maxDraws) return Done{};
+  if (draws >= (takesFew() ? std::size_t{1} : fewestDraws) && draws <= maxDraws) return {};
   if (draws > maxDraws)
     return Error{"A plan of %1 simulations is too long. Choose %2 to %3.", draws, fewestDraws,
                  maxDraws};

@@ -20,7 +20,7 @@ namespace perilymph::planning {
 
 namespace {
 
-Result<Done> addArray(PlanSetup& setup, const PlanRequest& request, const std::string& array,
+Result<void> addArray(PlanSetup& setup, const PlanRequest& request, const std::string& array,
                       const std::vector<FrequencyAllocation>& allocations)
 {
   const auto scenario = scenarioOf(request, array, session::anyStopTravel);
@@ -36,7 +36,7 @@ Result<Done> addArray(PlanSetup& setup, const PlanRequest& request, const std::s
   parameters.engine.stopTravel = parameters.stopTravel.si();
   setup.arrays.push_back({design.name, filtersOf(design, allocations)});
   setup.nominal.push_back(std::move(nominal));
-  return Done{};
+  return {};
 }
 
 /// SHA-256 of the files from which the draws come.
@@ -53,7 +53,7 @@ Result<std::string> distributionsHash()
   return hash.hex();
 }
 
-Result<Done> checkRequest(const PlanRequest& request)
+Result<void> checkRequest(const PlanRequest& request)
 {
   if (!request.patient.basalTurn)
     return Error{
@@ -65,7 +65,7 @@ Result<Done> checkRequest(const PlanRequest& request)
       return Error{"The array %1 is named twice. Name it once.", *each};
   if (request.draws < 1 || request.draws > maxDraws)
     return Error{"A plan of %1 draws is not possible; 1 to %2 are.", request.draws, maxDraws};
-  return Done{};
+  return {};
 }
 
 PlannedInsertion plannedOf(const PlanDraw& draw, double stiffness, std::size_t number,

@@ -72,7 +72,7 @@ struct Insertion::Content {
   InsertionParameters parameters;
   std::shared_ptr<const anatomy::ScalaTympani> anatomy;
   std::shared_ptr<const mechanics::InsertionModel> model;
-  std::shared_ptr<device::HapticDevice> hand;
+  std::shared_ptr<device::HapticDevice> device;
   std::optional<std::filesystem::path> file;
   std::string couplingText;
   std::unique_ptr<haptics::HapticLoop> loop;
@@ -88,31 +88,31 @@ Insertion::~Insertion()
   // zero.
   content_->recorder.reset();
   content_->loop.reset();
-  if (content_->hand) content_->hand->close();
+  if (content_->device) content_->device->close();
 }
 
 Result<std::unique_ptr<Insertion>> Insertion::prepare(
-    const Scenario& scenario, std::shared_ptr<device::HapticDevice> hand,
+    const Scenario& scenario, std::shared_ptr<device::HapticDevice> device,
     std::optional<std::filesystem::path> record,
     std::shared_ptr<const anatomy::ScalaTympani> anatomy,
     std::shared_ptr<const mechanics::InsertionModel> model)
 {
-  return prepare(scenario.parameters(), scenario.text(), std::move(hand), std::move(record),
+  return prepare(scenario.parameters(), scenario.text(), std::move(device), std::move(record),
                  std::move(anatomy), std::move(model));
 }
 
 Result<std::unique_ptr<Insertion>> Insertion::prepare(
-    const InsertionParameters& parameters, std::shared_ptr<device::HapticDevice> hand,
+    const InsertionParameters& parameters, std::shared_ptr<device::HapticDevice> device,
     std::shared_ptr<const anatomy::ScalaTympani> anatomy,
     std::shared_ptr<const mechanics::InsertionModel> model)
 {
-  return prepare(parameters, {}, std::move(hand), std::nullopt, std::move(anatomy),
+  return prepare(parameters, {}, std::move(device), std::nullopt, std::move(anatomy),
                  std::move(model));
 }
 
 Result<std::unique_ptr<Insertion>> Insertion::prepare(
     const InsertionParameters& parameters, const std::string& text,
-    std::shared_ptr<device::HapticDevice> hand, std::optional<std::filesystem::path> record,
+    std::shared_ptr<device::HapticDevice> device, std::optional<std::filesystem::path> record,
     std::shared_ptr<const anatomy::ScalaTympani> anatomy,
     std::shared_ptr<const mechanics::InsertionModel> model)
 {
@@ -126,17 +126,17 @@ Result<std::unique_ptr<Insertion>> Insertion::prepare(
     if (!built) return built.error();
     model = *built;
   }
-  if (const auto done = hand->open(); !done) return done.error();
+  if (const auto done = device->open(); !done) return done.error();
 
   std::unique_ptr<Insertion> insertion(new Insertion);
   Content& content = *insertion->content_;
   content.parameters = parameters;
   content.anatomy = std::move(anatomy);
   content.model = std::move(model);
-  content.hand = std::move(hand);
+  content.device = std::move(device);
   content.file = std::move(record);
 
-  const device::DeviceTraits traits = content.hand->traits();
+  const device::DeviceTraits traits = content.device->traits();
   if (traits.rendersForce && content.model->timeStep > maxStepWithForce)
     return tooSlow(traits, content.model->timeStep);
   const RunParameters run =
@@ -156,13 +156,13 @@ Result<std::unique_ptr<Insertion>> Insertion::prepare(
     if (!created) return created.error();
     recording = std::move(*created);
   }
-  content.loop = std::make_unique<haptics::HapticLoop>(*content.hand, std::move(*engine));
+  content.loop = std::make_unique<haptics::HapticLoop>(*content.device, std::move(*engine));
   content.recorder =
       std::make_unique<Recorder>(*content.loop, std::move(recording), content.model->timeStep);
   return insertion;
 }
 
-Result<Done> Insertion::runToEnd(const std::function<bool(const haptics::TickRecord&)>& each,
+Result<void> Insertion::runToEnd(const std::function<bool(const haptics::TickRecord&)>& each,
                                  std::uint64_t maxTicks)
 {
   Content& content = *content_;
@@ -174,7 +174,7 @@ Result<Done> Insertion::runToEnd(const std::function<bool(const haptics::TickRec
   if (content.loop->engine().workflow() == haptics::Workflow::idle &&
       !send(haptics::Command::Kind::arm))
     return Error{"The loop takes no requests: eight are waiting. Run a tick first."};
-  content.hand->move(device::ScriptedMotion::insert);
+  content.device->move(device::ScriptedMotion::insert);
 
   bool isWithdrawing = false;
   for (std::uint64_t i = 0; i < maxTicks; ++i) {
@@ -193,10 +193,10 @@ Result<Done> Insertion::runToEnd(const std::function<bool(const haptics::TickRec
     const bool hasArrived = haptics::endOf(record.output) == haptics::InsertionEnd::finished;
     if (!content.parameters.withdraws || isWithdrawing || !hasArrived) break;
     isWithdrawing = send(haptics::Command::Kind::withdraw);
-    content.hand->move(device::ScriptedMotion::withdraw);
+    content.device->move(device::ScriptedMotion::withdraw);
   }
   content.recorder->flush();
-  return Done{};
+  return {};
 }
 
 std::uint64_t maxTicks(const InsertionParameters& parameters,
@@ -207,19 +207,19 @@ std::uint64_t maxTicks(const InsertionParameters& parameters,
   return static_cast<std::uint64_t>(std::ceil(time / model.timeStep));
 }
 
-Result<Done> Insertion::start()
+Result<void> Insertion::start()
 {
   // Start the recorder first: its thread must run before the channel fills.
   content_->recorder->start();
   content_->loop->start();
-  return Done{};
+  return {};
 }
 
 void Insertion::stop() noexcept
 {
   if (content_->loop) content_->loop->stop();
   if (content_->recorder && content_->loop) {
-    const auto health = content_->hand->health();
+    const auto health = content_->device->health();
     if (health)
       content_->recorder->describeDevice(deviceReport(*health, content_->loop->statistics()));
   }
@@ -247,12 +247,12 @@ void Insertion::concludeRecording() noexcept { content_->recorder->conclude(late
 
 bool Insertion::isRecordingConcluded() const noexcept { return content_->recorder->isConcluded(); }
 
-Result<Done> Insertion::closeRecording()
+Result<void> Insertion::closeRecording()
 {
   content_->recorder->close();
   const Sentence error = recordingError();
   if (!error.empty()) return Error{error};
-  return Done{};
+  return {};
 }
 
 const InsertionParameters& Insertion::parameters() const noexcept { return content_->parameters; }
@@ -273,7 +273,7 @@ std::shared_ptr<const mechanics::InsertionModel> Insertion::sharedModel() const 
   return content_->model;
 }
 
-device::HapticDevice& Insertion::hand() noexcept { return *content_->hand; }
+device::HapticDevice& Insertion::device() noexcept { return *content_->device; }
 
 const haptics::HapticLoop& Insertion::loop() const noexcept { return *content_->loop; }
 

@@ -31,7 +31,7 @@ struct Playback::Content {
   {
   }
 
-  Result<Done> survey();
+  Result<void> survey();
   void keep(const InsertionEngine& engine, std::uint64_t computed);
   std::shared_ptr<const InsertionEngine> stateBefore(std::uint64_t computed,
                                                      std::uint64_t& place) const;
@@ -55,7 +55,7 @@ struct Playback::Content {
   std::uint64_t shownTicks = 0;  ///< Ticks computed by it.
 };
 
-Result<Done> Playback::Content::survey()
+Result<void> Playback::Content::survey()
 {
   const std::uint64_t rows = recorded.ticks();
   const std::uint64_t step = std::max<std::uint64_t>(1, rows / maxSamples);
@@ -78,7 +78,7 @@ Result<Done> Playback::Content::survey()
     return Error{"%1 contains no samples and cannot be replayed: the insertion was never started.",
                  file};
   between = std::max(fewestBetween, ticks / maxStates);
-  return Done{};
+  return {};
 }
 
 void Playback::Content::keep(const InsertionEngine& engine, std::uint64_t done)
@@ -177,7 +177,7 @@ std::uint64_t Playback::computedTicks() const noexcept
   return content_->computed;
 }
 
-Result<Done> Playback::show(std::uint64_t place, haptics::Snapshot& picture)
+Result<void> Playback::show(std::uint64_t place, haptics::Snapshot& picture)
 {
   Content& content = *content_;
   const std::uint64_t wanted = std::min(place, content.ticks - 1) + 1;  // number of ticks to
@@ -206,7 +206,7 @@ Result<Done> Playback::show(std::uint64_t place, haptics::Snapshot& picture)
     picture.tick = newest->tick;
     picture.output = newest->output;
   }
-  return Done{};
+  return {};
 }
 
 }  // namespace perilymph::session

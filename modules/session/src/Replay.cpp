@@ -117,7 +117,7 @@ Result<Verification> beginVerification(const RecordedInsertion& recorded)
   return verification;
 }
 
-Result<Done> replayThrough(const RecordedInsertion& recorded, haptics::InsertionEngine& engine,
+Result<void> replayThrough(const RecordedInsertion& recorded, haptics::InsertionEngine& engine,
                            Verification& verification, const std::function<bool()>& after)
 {
   Comparison comparison;
@@ -141,7 +141,7 @@ Result<Done> replayThrough(const RecordedInsertion& recorded, haptics::Insertion
   verification.isIdentical = verification.damage.empty() && !verification.difference &&
                              verification.ticks > 0 &&
                              verification.ticksCompared == verification.ticks;
-  return Done{};
+  return {};
 }
 
 Result<Verification> verify(const std::filesystem::path& file, const VerifyProgress& progress,

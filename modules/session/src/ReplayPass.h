@@ -24,7 +24,7 @@ Result<Verification> beginVerification(const RecordedInsertion& recorded);
 /// Feeds recorded samples and commands through a new engine and compares every output field bit by
 /// bit up to the first difference. Ends at lost ticks, at the end of the recording, or when
 /// `after`, called after every tick, returns false.
-Result<Done> replayThrough(const RecordedInsertion& recorded, haptics::InsertionEngine& engine,
+Result<void> replayThrough(const RecordedInsertion& recorded, haptics::InsertionEngine& engine,
                            Verification& verification, const std::function<bool()>& after);
 
 }  // namespace perilymph::session

@@ -62,7 +62,7 @@ std::string arrayScript(const SlurmRequest& request, std::size_t before, std::si
          shellQuoted(request.folder.string()) + "\n";
 }
 
-Result<Done> checkRequest(const SlurmRequest& request)
+Result<void> checkRequest(const SlurmRequest& request)
 {
   std::vector<std::pair<std::string, std::string>> texts = {
       {"The path of the program", request.program.string()},
@@ -96,10 +96,10 @@ Result<Done> checkRequest(const SlurmRequest& request)
       return Error{
           "--sbatch-option is \"%1\"; it begins with a hyphen, such as --sbatch-option=--mem=2G.",
           option};
-  return Done{};
+  return {};
 }
 
-Result<Done> checkLimits(const SlurmRequest& request, const SlurmLimits& limits)
+Result<void> checkLimits(const SlurmRequest& request, const SlurmLimits& limits)
 {
   if (limits.maxArraySize < 2)
     return Error{
@@ -111,7 +111,7 @@ Result<Done> checkLimits(const SlurmRequest& request, const SlurmLimits& limits)
         "--shards is %1, which with the merge are more jobs than this Slurm keeps at a time "
         "(MaxJobCount=%2). Give fewer parts.",
         request.shards, limits.maxJobCount};
-  return Done{};
+  return {};
 }
 
 }  // namespace

@@ -74,10 +74,10 @@ public:
   Result<Study> read();
 
 private:
-  Result<Done> readCochleae();
-  Result<Done> readFactors();
-  Result<Done> readSamples();
-  Result<Done> checkCombinations();
+  Result<void> readCochleae();
+  Result<void> readFactors();
+  Result<void> readSamples();
+  Result<void> checkCombinations();
   Error error(const std::string& sentence) const { return Error{"%1: %2", file_, sentence}; }
 
   TomlReader reader_;
@@ -114,14 +114,14 @@ Result<Study> StudyReader::read()
   return std::move(study_);
 }
 
-Result<Done> StudyReader::readCochleae()
+Result<void> StudyReader::readCochleae()
 {
   TomlReader table = reader_.table("cochleae");
   if (table.flag("mean", false)) study_.cochleae_.push_back({"mean", "", 0});
   const long drawn = table.integer("virtual", 0, 1'000'000, 0);
   for (long i = 1; i <= drawn; ++i)
     study_.cochleae_.push_back({"virtual " + std::to_string(i), "", static_cast<std::uint64_t>(i)});
-  if (!table.has("patients")) return Done{};
+  if (!table.has("patients")) return {};
   std::vector<std::string> unsealed;
   for (const std::string& name : table.values("patients")) {
     const fs::path place = file_.parent_path() / name;
@@ -140,10 +140,10 @@ Result<Done> StudyReader::readCochleae()
       (patient->seal == Seal::changed ? study_.notes_ : unsealed).push_back(note);
   }
   study_.notes_.insert(study_.notes_.end(), unsealed.begin(), unsealed.end());
-  return Done{};
+  return {};
 }
 
-Result<Done> StudyReader::readFactors()
+Result<void> StudyReader::readFactors()
 {
   // Before the first of them is made.
   TomlReader vary = reader_.table("vary");
@@ -172,7 +172,7 @@ Result<Done> StudyReader::readFactors()
     cross(study_.combinations_, key, vary.values(key));
   }
   // Cases written out: each is combined with the lists above.
-  if (cases.empty()) return Done{};
+  if (cases.empty()) return {};
   std::vector<session::Overrides> combined;
   for (const session::Overrides& before : study_.combinations_)
     for (TomlReader& one : cases) {
@@ -180,10 +180,10 @@ Result<Done> StudyReader::readFactors()
       for (const std::string& key : one.keys()) combined.back().emplace_back(key, one.value(key));
     }
   study_.combinations_ = std::move(combined);
-  return Done{};
+  return {};
 }
 
-Result<Done> StudyReader::readSamples()
+Result<void> StudyReader::readSamples()
 {
   TomlReader table = reader_.table("ranges");
   study_.samples_ = static_cast<std::size_t>(reader_.integer("samples", 1, 1'000'000, 1));
@@ -196,11 +196,11 @@ Result<Done> StudyReader::readSamples()
   }
   if (study_.ranges_.empty() && study_.samples_ > 1)
     reader_.refuse("samples", "'samples' needs a range: without one every sample is the same.");
-  return Done{};
+  return {};
 }
 
 /// Reads every combination as a scenario, at both ends of every range.
-Result<Done> StudyReader::checkCombinations()
+Result<void> StudyReader::checkCombinations()
 {
   for (const session::Overrides& overrides : study_.combinations_) {
     // shipped scenarios by name, others beside the study
@@ -240,10 +240,10 @@ Result<Done> StudyReader::checkCombinations()
     if (const auto found = study_.parametersOf(study_.caseAt(i * study_.casesPerCochlea())); !found)
       return error("[cochleae] " + study_.cochleae_[i].name + ": " + found.error().message);
   }
-  return Done{};
+  return {};
 }
 
-Result<Done> Study::checkFiles() const
+Result<void> Study::checkFiles() const
 {
   for (const auto& [named, hash] : files_) {
     const auto content = readWhole(named);
@@ -254,7 +254,7 @@ Result<Done> Study::checkFiles() const
           "continue, or run the study into another folder.",
           named};
   }
-  return Done{};
+  return {};
 }
 
 Result<Study> loadStudy(const fs::path& file)

@@ -41,9 +41,9 @@ Result<StudyResult> recordCase(const Study& study, std::size_t number,
   std::optional<Result<analysis::InsertionRun>> ran;
   const auto done = analysis::doInParallel(
       1, 1,
-      [&](std::size_t, const std::stop_token& ending) -> Result<Done> {
+      [&](std::size_t, const std::stop_token& ending) -> Result<void> {
         ran = analysis::runInsertion(*scenario, *anatomy, recording, ending);
-        return *ran ? Result<Done>(Done{}) : Result<Done>(ran->error());
+        return *ran ? Result<void>() : Result<void>(ran->error());
       },
       {}, stop);
   if (!done) return done.error();

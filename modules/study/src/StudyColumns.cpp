@@ -106,12 +106,12 @@ Result<StudyColumns> StudyColumns::read(const std::filesystem::path& file,
         "SQL.",
         file, facts.end - facts.first, max};
   std::vector<StudyResult> results;
-  const auto read = opened->read([&](StudyResult result) -> Result<Done> {
+  const auto read = opened->read([&](StudyResult result) -> Result<void> {
     if (stop.stop_requested()) return Error{"Canceled."};
     result.insertion.contacts = {};
     result.insertion.profile = {};
     results.push_back(std::move(result));
-    return Done{};
+    return {};
   });
   if (!read) return read.error();
   if (results.empty())

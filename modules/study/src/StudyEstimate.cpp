@@ -36,7 +36,7 @@ Result<StudyEstimate> estimate(const Study& study, const std::stop_token& stop)
   const std::size_t measured = std::min(study.casesPerCochlea(), maxMeasured);
   double buildTime = 0.0, insertionTime = 0.0, bytes = 0.0;
   // one after the other, in a thread that may run insertions
-  const auto measure = [&](std::size_t, const std::stop_token& ending) -> Result<Done> {
+  const auto measure = [&](std::size_t, const std::stop_token& ending) -> Result<void> {
     std::shared_ptr<const anatomy::ScalaTympani> anatomy;
     for (std::size_t i = 0; i < measured && !ending.stop_requested(); ++i) {
       const auto parameters =
@@ -55,7 +55,7 @@ Result<StudyEstimate> estimate(const Study& study, const std::stop_token& stop)
       insertionTime += secondsSince(begin) / static_cast<double>(measured);
       bytes += bytesOf(study, found) / static_cast<double>(measured);
     }
-    return Done{};
+    return {};
   };
   if (const auto done = analysis::doInParallel(1, 1, measure, {}, stop); !done) return done.error();
   const auto cases = static_cast<double>(study.size());

@@ -249,8 +249,7 @@ Result<StudyFile> StudyFile::openToContinue(const fs::path& file, const StudyFil
   auto table = session::InsertionTable::openToContinue(file, studyKind(), sealedOf(facts));
   if (!table) return table.error();
   StudyFile opened(*std::move(table), facts);
-  if (const auto done = opened.read([](const StudyResult&) -> Result<Done> { return Done{}; });
-      !done)
+  if (const auto done = opened.read([](const StudyResult&) -> Result<void> { return {}; }); !done)
     return done.error();
   return opened;
 }
@@ -277,7 +276,7 @@ Result<std::pair<StudyFileFacts, std::size_t>> StudyFile::outlineOf(const fs::pa
   return std::pair{*std::move(facts), outline->count};
 }
 
-Result<Done> StudyFile::append(const std::vector<StudyResult>& results)
+Result<void> StudyFile::append(const std::vector<StudyResult>& results)
 {
   std::vector<InsertionRows> rows;
   rows.reserve(results.size());
@@ -285,10 +284,10 @@ Result<Done> StudyFile::append(const std::vector<StudyResult>& results)
   return table_.append(rows);
 }
 
-Result<Done> StudyFile::read(const std::function<Result<Done>(const StudyResult&)>& each) const
+Result<void> StudyFile::read(const std::function<Result<void>(const StudyResult&)>& each) const
 {
   std::size_t next = facts_.first;
-  return table_.read([&](const InsertionRows& rows) -> Result<Done> {
+  return table_.read([&](const InsertionRows& rows) -> Result<void> {
     const auto result = resultIn(rows);
     if (!result)
       return table_.damaged(Sentence{"insertion %1 is not readable: %2",

@@ -76,12 +76,12 @@ Result<std::vector<StudyFile>> wholeStudy(const fs::path& folder)
 }
 
 /// Calls `each` with every insertion of all shards.
-Result<Done> readAll(const std::vector<StudyFile>& files,
-                     const std::function<Result<Done>(const StudyResult&)>& each)
+Result<void> readAll(const std::vector<StudyFile>& files,
+                     const std::function<Result<void>(const StudyResult&)>& each)
 {
   for (const StudyFile& file : files)
     if (const auto done = file.read(each); !done) return done;
-  return Done{};
+  return {};
 }
 
 /// Facts of the file that these together give.
@@ -94,19 +94,19 @@ StudyFileFacts factsOfAll(const std::vector<StudyFile>& files)
 }
 
 /// Writes the merged file under a name that does not exist.
-Result<Done> writeMerged(const std::vector<StudyFile>& files, const fs::path& file)
+Result<void> writeMerged(const std::vector<StudyFile>& files, const fs::path& file)
 {
   auto merged = StudyFile::openToContinue(file, factsOfAll(files));
   if (!merged) return merged.error();
   std::vector<StudyResult> rows;
-  const auto flush = [&]() -> Result<Done> {
+  const auto flush = [&]() -> Result<void> {
     const auto done = merged->append(rows);
     rows.clear();
     return done;
   };
-  const auto copied = readAll(files, [&](const StudyResult& result) -> Result<Done> {
+  const auto copied = readAll(files, [&](const StudyResult& result) -> Result<void> {
     rows.push_back(result);
-    return rows.size() < rowsAtOnce ? Result<Done>(Done{}) : flush();
+    return rows.size() < rowsAtOnce ? Result<void>() : flush();
   });
   if (!copied) return copied;
   if (const auto done = flush(); !done) return done;
@@ -157,21 +157,21 @@ Result<StudyFileFacts> mergeShards(const fs::path& folder)
   const auto files = wholeStudy(folder);
   if (!files) return files.error();
   std::set<std::string> settings;
-  const auto listed = readAll(*files, [&](const StudyResult& result) -> Result<Done> {
+  const auto listed = readAll(*files, [&](const StudyResult& result) -> Result<void> {
     for (const auto& [key, value] : result.settings) settings.insert(key);
-    return Done{};
+    return {};
   });
   if (!listed) return listed.error();
 
-  std::optional<Result<Done>> copied;
+  std::optional<Result<void>> copied;
   const auto table =
       writeWhole(folder / mergedTable,
                  [&](const fs::path& place) {
                    std::ofstream stream(place, std::ios::binary);
                    stream << insertionsHeader(settings);
-                   copied = readAll(*files, [&](const StudyResult& result) -> Result<Done> {
+                   copied = readAll(*files, [&](const StudyResult& result) -> Result<void> {
                      stream << insertionsRow(result, settings);
-                     return Done{};
+                     return {};
                    });
                    stream.close();
                    return stream.good() && static_cast<bool>(*copied);

@@ -154,7 +154,7 @@ Result<bool> runShard(const Study& study, const Shard& shard, const fs::path& fo
       shared = buildCochlea(study, cochlea);
     std::vector<StudyResult> results(end - first);
     std::atomic<std::size_t> finished{0};
-    const auto work = [&](std::size_t number, const std::stop_token& ending) -> Result<Done> {
+    const auto work = [&](std::size_t number, const std::stop_token& ending) -> Result<void> {
       const Piece& piece = pieces[number];
       const BuiltCochlea own =
           isShared ? shared : buildCochlea(study, piece.first / study.casesPerCochlea());
@@ -162,7 +162,7 @@ Result<bool> runShard(const Study& study, const Shard& shard, const fs::path& fo
         results[i - first] = resultOf(study, i, own, ending);
         ++finished;
       }
-      return Done{};
+      return {};
     };
     const auto ran = analysis::doInParallel(
         pieces.size(), jobs, work,

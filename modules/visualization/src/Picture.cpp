@@ -15,7 +15,7 @@ namespace {
 constexpr int minPixels = 64;
 constexpr int maxPixels = 8192;
 
-Result<Done> check(const PictureRequest& request)
+Result<void> check(const PictureRequest& request)
 {
   if (request.scala == nullptr)
     return Error{"There is no scala tympani to draw. Name a scenario, a patient or a preset."};
@@ -25,10 +25,10 @@ Result<Done> check(const PictureRequest& request)
                    request.width, request.height};
   if (request.file.extension() != ".png")
     return Error{"The picture %1 must end in .png.", request.file};
-  return Done{};
+  return {};
 }
 
-Result<Done> draw(const PictureRequest& request)
+Result<void> draw(const PictureRequest& request)
 {
   InsertionScene scene(*request.scala, request.array.value_or(electrode::ArrayDesign{}),
                        request.side, Quality::software, request.style);
@@ -57,16 +57,16 @@ Result<Done> draw(const PictureRequest& request)
 
 }  // namespace
 
-Result<Done> canRender() { return probeDisplay(); }
+Result<void> canRender() { return probeDisplay(); }
 
-Result<Done> renderPicture(const PictureRequest& request)
+Result<void> renderPicture(const PictureRequest& request)
 {
-  if (const Result<Done> checked = check(request); !checked) return checked;
+  if (const Result<void> checked = check(request); !checked) return checked;
   if (probeDisplay()) return draw(request);
 
   Result<PrivateDisplay> display = PrivateDisplay::start();
   if (!display) return display.error();
-  if (const Result<Done> probed = probeDisplay(); !probed) return probed;
+  if (const Result<void> probed = probeDisplay(); !probed) return probed;
   return draw(request);
 }
 

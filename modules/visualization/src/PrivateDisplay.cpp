@@ -167,7 +167,7 @@ PrivateDisplay::~PrivateDisplay()
   }
 }
 
-Result<Done> probeDisplay()
+Result<void> probeDisplay()
 {
   const char* name = std::getenv("DISPLAY");
   if (name == nullptr || *name == '\0')
@@ -183,7 +183,7 @@ Result<Done> probeDisplay()
         "The display %1 offers no OpenGL 3.2. Install Mesa's drivers (libgl1-mesa-dri) or use "
         "another.",
         std::string(name)};
-  return Done{};
+  return {};
 }
 
 }  // namespace perilymph::visualization

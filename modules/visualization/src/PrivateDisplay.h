@@ -39,6 +39,6 @@ private:
 
 /// Whether the display named by DISPLAY responds and supports OpenGL 3.2. Queries libX11 and libGL
 /// directly, because VTK would terminate the program on failure.
-Result<Done> probeDisplay();
+Result<void> probeDisplay();
 
 }  // namespace perilymph::visualization

@@ -106,11 +106,11 @@ TEST(Background, DoesNotAnswerForgottenWork)
         begun.set_value();
         EXPECT_TRUE(test::waitUntil([&] { return stop.stop_requested(); }));
         ended.set_value();
-        return Result<Done>(Done{});
+        return Result<void>();
       },
-      [&](const Result<Done>&) { isAnswered = true; });
+      [&](const Result<void>&) { isAnswered = true; });
   ASSERT_TRUE(isSetSoon(begun));
-  background.forget();
+  background.cancel();
   EXPECT_FALSE(background.isBusy());
   ASSERT_TRUE(isSetSoon(ended));
   QCoreApplication::processEvents();
@@ -128,9 +128,9 @@ TEST(Background, EndsEvenIfItsWorkDoesNot)
       [&begun, opened](const std::stop_token&) {
         begun.set_value();
         opened.wait();
-        return Result<Done>(Done{});
+        return Result<void>();
       },
-      [&](const Result<Done>&) { isAnswered = true; });
+      [&](const Result<void>&) { isAnswered = true; });
   ASSERT_TRUE(isSetSoon(begun));
   background.reset();
   EXPECT_TRUE(Background::isAnyThreadLeft());

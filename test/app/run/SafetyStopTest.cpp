@@ -46,7 +46,7 @@ public:
     traits.maxForce = 3.3;
     return traits;
   }
-  Result<Done> open() override { return script_.open(); }
+  Result<void> open() override { return script_.open(); }
   void close() noexcept override { script_.close(); }
   device::DeviceSample read() noexcept override { return script_.read(); }
   void write(const device::Wrench& wrench_D) noexcept override

@@ -120,7 +120,7 @@ TEST_F(DevicesOfTheWindow, OfAFileThatIsNoPlugInLeaveTheScriptAndSayWhy)
 {
   open();
   rig_->window().insertion().useDevice(tree_.root() / "none.so");
-  EXPECT_EQ(rig_->window().control().hand(), gui::InputSource::scripted);
+  EXPECT_EQ(rig_->window().control().input(), gui::InputSource::scripted);
   EXPECT_TRUE(rig_->label("bannerText").contains(QLatin1String("none.so")));
 }
 

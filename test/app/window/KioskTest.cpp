@@ -87,7 +87,7 @@ TEST_F(Booth, ShowsAnInsertionUntilSomebodyTouches)
   EXPECT_TRUE(WindowRig::waitUntil([&] { return travel_mm() > 0.5; }));
   click("inviteButton");
   EXPECT_EQ(window_->stage(), KioskStage::turn);
-  EXPECT_EQ(window_->control().hand(), gui::InputSource::pointer);
+  EXPECT_EQ(window_->control().input(), gui::InputSource::pointer);
   EXPECT_EQ(travel_mm(), 0.0);
 }
 

@@ -55,7 +55,7 @@ public:
   explicit PushedDevice(std::shared_ptr<ForceLog> log) : log_(std::move(log)) {}
 
   device::DeviceTraits traits() const override;
-  Result<Done> open() override { return Done{}; }
+  Result<void> open() override { return {}; }
   void close() noexcept override {}
   device::DeviceSample read() noexcept override;
   void write(const device::Wrench& wrench_D) noexcept override;

@@ -423,7 +423,7 @@ TEST_F(AReplay, RunsNoHapticLoop)
   openReplay();
   ASSERT_TRUE(WindowRig::waitUntil([&] { return rig_->readOut("travelReadOut") == "1.0"; }));
   EXPECT_FALSE(rig_->window().control().isRunning());
-  EXPECT_EQ(rig_->window().control().hand(), gui::InputSource::scripted);
+  EXPECT_EQ(rig_->window().control().input(), gui::InputSource::scripted);
   EXPECT_EQ(rig_->now().tick, 0u);
 }
 

@@ -48,7 +48,7 @@ TEST(Shell, AWindowMadeAgainKeepsReferenceInputUndoAndFocus)
   gui::resume(window, memory);
   window.show();
   ASSERT_TRUE(window.open());
-  EXPECT_EQ(window.control().hand(), gui::InputSource::pointer);
+  EXPECT_EQ(window.control().input(), gui::InputSource::pointer);
   EXPECT_TRUE(window.setup().stack().canUndo());
   EXPECT_EQ(window.setup().stack().undoText(), "speed 1.5 mm/s");
   ASSERT_TRUE(window.views().charts()->ghost());

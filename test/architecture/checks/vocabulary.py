@@ -13,8 +13,9 @@ FOLDERS = ("modules", "app", "plugins", "test")
 RETIRED = {
     "AboutSheet": "AboutOverlay", "Beat": "TickClock", "BoardView": "LeaderboardView", "CallFiles": "CommandFiles",
     "CallMark": "CallGuard", "CallWatch": "CallTimeout", "CompanionCall": "ChildCommand",
-    "Complaints": "ErrorCollector", "CtOnward": "CtNextSteps", "EndingQuestion": "EndConfirmation",
-    "Farewell": "ShutdownReports", "FirstImpression": "OpeningMeasurement", "FullInsertion": "InsertionRun",
+    "Complaints": "ErrorCollector", "CtOnward": "CtNextSteps", "Done": "Result<void>",
+    "EndingQuestion": "EndConfirmation",
+    "Farewell": "ShutdownReports", "forget": "cancel, clear or invalidate", "FirstImpression": "OpeningMeasurement", "FullInsertion": "InsertionRun",
     "GivenNumbers": "NumberArray", "GivenPoints": "PointArray", "GuideSheet": "GuideOverlay",
     "HandSection": "InputSection", "HeldArray": "GraspControl", "HistoryOfAPatient": "PatientHistoryPage",
     "Impossible": "InvalidRow", "Intactness": "IntactFraction", "Kept": "RunResult", "KioskBoard": "Leaderboard",
@@ -33,7 +34,7 @@ RETIRED = {
 }
 # Retired in some folders only, because elsewhere the word means what it says.
 RETIRED_IN = {
-    "app/gui": {"say": "showMessage", "hear": "setTone", "Hand": "InputSource"},
+    "app/gui": {"moveHand": "moveScripted", "setHand": "setInput", "showHand": "showInUse", "say": "showMessage", "hear": "setTone", "Hand": "InputSource"},
     "test": {"comes": "waitUntil"},
     "modules/mechanics": {"press": "normalContact", "rub": "friction", "settle": "solveNewton"},
 }

@@ -22,9 +22,9 @@ void use(const study::StudyFile& file)
   promise((facts.seal == Seal::changed) == facts.fingerprint.empty() || facts.fingerprint.empty(),
           "a changed file has no number");
   std::size_t next = facts.first;
-  const auto read = file.read([&](const study::StudyResult& result) -> Result<Done> {
+  const auto read = file.read([&](const study::StudyResult& result) -> Result<void> {
     promise(result.number == next++ && result.number < facts.end, "insertions are consecutive");
-    return Done{};
+    return {};
   });
   if (!read) promise(!read.error().message.empty(), "a refusal has a sentence");
 }

@@ -22,7 +22,7 @@ UhidDevice::UhidDevice() : buffers_(std::make_unique<Buffers>()) {}
 
 UhidDevice::~UhidDevice() { unplug(); }
 
-Result<Done> UhidDevice::plug(const std::string& name, std::uint16_t vendor, std::uint16_t product,
+Result<void> UhidDevice::plug(const std::string& name, std::uint16_t vendor, std::uint16_t product,
                               std::span<const std::uint8_t> descriptor)
 {
   unplug();
@@ -48,7 +48,7 @@ Result<Done> UhidDevice::plug(const std::string& name, std::uint16_t vendor, std
     unplug();
     return error;
   }
-  return Done{};
+  return {};
 }
 
 void UhidDevice::unplug() noexcept

@@ -31,7 +31,7 @@ public:
   UhidDevice& operator=(const UhidDevice&) = delete;
 
   /// Connects under this name.
-  Result<Done> plug(const std::string& name, std::uint16_t vendor, std::uint16_t product,
+  Result<void> plug(const std::string& name, std::uint16_t vendor, std::uint16_t product,
                     std::span<const std::uint8_t> descriptor);
   /// Disconnects the device, even if it is open.
   void unplug() noexcept;

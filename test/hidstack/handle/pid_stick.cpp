@@ -43,7 +43,7 @@ class Stick {
 public:
   explicit Stick(bool answers) : answers_(answers) { firmware_.actuatorsOn = false; }
 
-  Result<Done> plug()
+  Result<void> plug()
   {
     return cable_.plug("Perilymph PID stick", vendor, product, device::test::pidDescriptor());
   }

@@ -63,10 +63,10 @@ private:
 };
 
 /// Connects or disconnects according to the script.
-Result<Done> follow(Wire wire, UhidDevice& device)
+Result<void> follow(Wire wire, UhidDevice& device)
 {
   if (wire == Wire::unplugged) device.unplug();
-  if (wire == Wire::unplugged || device.isPlugged()) return Done{};
+  if (wire == Wire::unplugged || device.isPlugged()) return {};
   return device.plug("Perilymph virtual handle", vendor, product, reportDescriptor());
 }
 
@@ -84,7 +84,7 @@ void listen(UhidDevice& device, VirtualHandle& handle)
   }
 }
 
-Result<Done> play(VirtualHandle& handle, TickClock& beat)
+Result<void> play(VirtualHandle& handle, TickClock& beat)
 {
   UhidDevice device;
   while (true) {
@@ -92,7 +92,7 @@ Result<Done> play(VirtualHandle& handle, TickClock& beat)
     if (::poll(waits, device.isPlugged() ? 2 : 1, -1) < 0) continue;
     if (device.isPlugged() && (waits[1].revents & POLLIN) != 0) listen(device, handle);
     if ((waits[0].revents & POLLIN) == 0) continue;
-    if (!handle.tick(beat.take())) return Done{};
+    if (!handle.tick(beat.take())) return {};
     if (const auto followed = follow(handle.wire(), device); !followed) return followed;
     for (int i = 0; i < handle.reportsDue(); ++i)
       if (device.send(handle.report())) handle.noteSent(realtime::monotonicNanoseconds());

@@ -21,7 +21,7 @@ public:
   TimedDevice(device::HapticDevice& hand, std::size_t capacity);
 
   device::DeviceTraits traits() const override { return hand_.traits(); }
-  Result<Done> open() override { return hand_.open(); }
+  Result<void> open() override { return hand_.open(); }
   void close() noexcept override { hand_.close(); }
   device::DeviceSample read() noexcept override;
   void write(const device::Wrench& wrench_D) noexcept override;

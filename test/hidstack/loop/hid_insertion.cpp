@@ -27,7 +27,7 @@ using namespace perilymph::hidstack;
 constexpr double patience = 5.0;  // until the device is connected [s]
 
 /// Reads every report through transport and codec, one by one.
-Result<Done> takeStream(const std::string& profile, const std::string& log, std::size_t wanted)
+Result<void> takeStream(const std::string& profile, const std::string& log, std::size_t wanted)
 {
   const auto found = findVirtualDevice(profile, patience);
   if (!found) return found.error();
@@ -66,7 +66,7 @@ void print(const std::string& scene, const device::DeviceHealth& health)
   measure("blocked_writes", health.blockedWrites);
 }
 
-Result<Done> insert(const std::string& profile, const std::filesystem::path& log, int unplugs)
+Result<void> insert(const std::string& profile, const std::filesystem::path& log, int unplugs)
 {
   const auto hand = openVirtualDevice(profile, patience);
   if (!hand) return hand.error();
@@ -78,7 +78,7 @@ Result<Done> insert(const std::string& profile, const std::filesystem::path& log
 }
 
 /// Like `insert`, until this process is killed.
-Result<Done> die(const std::string& profile, int ticks)
+Result<void> die(const std::string& profile, int ticks)
 {
   const auto hand = openVirtualDevice(profile, patience);
   if (!hand) return hand.error();
@@ -87,7 +87,7 @@ Result<Done> die(const std::string& profile, int ticks)
 }
 
 /// Without an engine: what a codec sends to a device, from opening to closing.
-Result<Done> push(const std::string& profile, const std::filesystem::path& log, int ticks)
+Result<void> push(const std::string& profile, const std::filesystem::path& log, int ticks)
 {
   const auto hand = openVirtualDevice(profile, patience);
   if (!hand) return hand.error();
@@ -100,10 +100,10 @@ Result<Done> push(const std::string& profile, const std::filesystem::path& log, 
   }
   if (const auto health = (*hand)->health()) print(log.stem(), *health);
   (*hand)->close();
-  return Done{};
+  return {};
 }
 
-Result<Done> beRefused(const std::string& profile, const std::filesystem::path& log)
+Result<void> beRefused(const std::string& profile, const std::filesystem::path& log)
 {
   const auto hand = openVirtualDevice(profile, patience);
   if (!hand) return hand.error();
@@ -112,10 +112,10 @@ Result<Done> beRefused(const std::string& profile, const std::filesystem::path& 
   const std::int64_t took = realtime::monotonicNanoseconds() - began;
   std::cout << "measure " << log.stem().string() << ".opening_s "
             << static_cast<double>(took) * 1e-9 << '\n';
-  return Done{};
+  return {};
 }
 
-Result<Done> run(const std::string& what, const std::string& profile, const std::string& log,
+Result<void> run(const std::string& what, const std::string& profile, const std::string& log,
                  int number)
 {
   if (what == "stream" && number > 0)

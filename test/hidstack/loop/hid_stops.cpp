@@ -57,7 +57,7 @@ bool waitUntil(gui::InsertionControl& control, const std::function<bool()>& clai
   return false;
 }
 
-Result<Done> pushSteadily(gui::InsertionControl& control)
+Result<void> pushSteadily(gui::InsertionControl& control)
 {
   if (const auto prepared = control.prepare(gui::InputSource::device); !prepared) return prepared;
   if (const auto begun = control.begin(); !begun) return begun;
@@ -67,12 +67,12 @@ Result<Done> pushSteadily(gui::InsertionControl& control)
     steady = force_D[2] > 0.95 * strongPush ? steady + 1 : 0;
     return steady >= steadyGlances;
   });
-  if (isPushing) return Done{};
+  if (isPushing) return {};
   return Error{"The handle was not pushed with " + std::to_string(strongPush) + " N."};
 }
 
 /// Stops once and notes when. The window's thread is blocked afterwards.
-Result<Done> stop(std::size_t way, gui::InsertionControl& control, std::vector<ReportRow>& log)
+Result<void> stop(std::size_t way, gui::InsertionControl& control, std::vector<ReportRow>& log)
 {
   gui::SafetyStop safety(control);
   if (const auto pushed = pushSteadily(control); !pushed) return pushed;
@@ -87,11 +87,11 @@ Result<Done> stop(std::size_t way, gui::InsertionControl& control, std::vector<R
   std::cout << "measure stops." << stopWays[way] << "_paused " << (isPaused ? 1 : 0) << '\n';
   // The device is closed before the handle is unplugged.
   if (const auto closed = control.prepare(gui::InputSource::scripted); !closed) return closed;
-  if (waitUntil(control, [] { return device::findHidNodes().empty(); })) return Done{};
+  if (waitUntil(control, [] { return device::findHidNodes().empty(); })) return {};
   return Error{"The handle was not unplugged."};
 }
 
-Result<Done> stopInEveryWay(const std::string& profile, const std::string& log)
+Result<void> stopInEveryWay(const std::string& profile, const std::string& log)
 {
   auto scenario = session::loadScenario(
       "contour-published",

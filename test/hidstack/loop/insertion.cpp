@@ -103,7 +103,7 @@ Result<std::vector<LoopTick>> insertUntilUnplugged(device::HapticDevice& hand, i
   return timed.ticks();
 }
 
-Result<Done> insertUntilKilled(device::HapticDevice& hand, std::size_t ticks)
+Result<void> insertUntilKilled(device::HapticDevice& hand, std::size_t ticks)
 {
   Operator user(hand);
   haptics::TickRecord record;
@@ -112,7 +112,7 @@ Result<Done> insertUntilKilled(device::HapticDevice& hand, std::size_t ticks)
     for (; user.loop().take(record); ++done) user.watch(record);
   }
   std::raise(SIGKILL);
-  return Done{};
+  return {};
 }
 
 }  // namespace perilymph::hidstack

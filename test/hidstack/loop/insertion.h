@@ -18,6 +18,6 @@ namespace perilymph::hidstack {
 Result<std::vector<LoopTick>> insertUntilUnplugged(device::HapticDevice& hand, int unplugs);
 
 /// Runs it for a number of ticks, then kills this process while it runs.
-Result<Done> insertUntilKilled(device::HapticDevice& hand, std::size_t ticks);
+Result<void> insertUntilKilled(device::HapticDevice& hand, std::size_t ticks);
 
 }  // namespace perilymph::hidstack

@@ -39,14 +39,14 @@ std::istream& operator>>(std::istream& in, ReportRow& row)
 }
 
 template <class Row>
-Result<Done> writeRows(const std::filesystem::path& file, const std::vector<Row>& rows)
+Result<void> writeRows(const std::filesystem::path& file, const std::vector<Row>& rows)
 {
   std::ofstream out(file);
   out.precision(12);
   for (const Row& row : rows) out << row << '\n';
   out.flush();
   if (!out) return Error{file.string() + " could not be written: is the disk full?"};
-  return Done{};
+  return {};
 }
 
 template <class Row>
@@ -68,15 +68,15 @@ Result<std::vector<Row>> readRows(const std::filesystem::path& file)
 
 }  // namespace
 
-Result<Done> write(const std::filesystem::path& file, const std::vector<HandleTick>& ticks)
+Result<void> write(const std::filesystem::path& file, const std::vector<HandleTick>& ticks)
 {
   return writeRows(file, ticks);
 }
-Result<Done> write(const std::filesystem::path& file, const std::vector<LoopTick>& ticks)
+Result<void> write(const std::filesystem::path& file, const std::vector<LoopTick>& ticks)
 {
   return writeRows(file, ticks);
 }
-Result<Done> write(const std::filesystem::path& file, const std::vector<ReportRow>& rows)
+Result<void> write(const std::filesystem::path& file, const std::vector<ReportRow>& rows)
 {
   return writeRows(file, rows);
 }

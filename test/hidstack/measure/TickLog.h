@@ -39,9 +39,9 @@ struct ReportRow {
   std::int64_t sequence = 0;  ///< The device's counter.
 };
 
-Result<Done> write(const std::filesystem::path& file, const std::vector<HandleTick>& ticks);
-Result<Done> write(const std::filesystem::path& file, const std::vector<LoopTick>& ticks);
-Result<Done> write(const std::filesystem::path& file, const std::vector<ReportRow>& rows);
+Result<void> write(const std::filesystem::path& file, const std::vector<HandleTick>& ticks);
+Result<void> write(const std::filesystem::path& file, const std::vector<LoopTick>& ticks);
+Result<void> write(const std::filesystem::path& file, const std::vector<ReportRow>& rows);
 
 Result<std::vector<HandleTick>> readHandleLog(const std::filesystem::path& file);
 Result<std::vector<LoopTick>> readLoopLog(const std::filesystem::path& file);

@@ -31,7 +31,7 @@ void printSpread(const std::string& scene, const std::string& name, const Spread
   print(scene, name + "_max_us", spread.maximum * 1e6);
 }
 
-Result<Done> measureStream(const std::string& scene, const std::string& log)
+Result<void> measureStream(const std::string& scene, const std::string& log)
 {
   const auto rows = readReportLog(log);
   if (!rows) return rows.error();
@@ -40,7 +40,7 @@ Result<Done> measureStream(const std::string& scene, const std::string& log)
   print(scene, "lost", static_cast<double>(stream.lost));
   print(scene, "repeated", static_cast<double>(stream.repeated));
   print(scene, "rate_Hz", stream.rate);
-  return Done{};
+  return {};
 }
 
 void printRest(const std::string& scene, const std::string& passage,
@@ -61,7 +61,7 @@ void printSilence(const std::string& scene, const std::string& passage,
   if (silence.heard) print(scene, passage + "_zero_heard_ms", *silence.heard * 1e3);
 }
 
-Result<Done> measureInsertion(const std::string& scene, const std::string& handleLog,
+Result<void> measureInsertion(const std::string& scene, const std::string& handleLog,
                               const std::string& loopLog)
 {
   const auto handle = readHandleLog(handleLog);
@@ -80,11 +80,11 @@ Result<Done> measureInsertion(const std::string& scene, const std::string& handl
   printRest(scene, "rest_again", *handle);
   for (const char* passage : {"silence", "unplugged", "pause"})
     if (restIn(*handle, passage)) printSilence(scene, passage, *handle, *loop);
-  return Done{};
+  return {};
 }
 
 /// Time from the last force of a killed host to the first zero force.
-Result<Done> measureDeath(const std::string& scene, const std::string& handleLog)
+Result<void> measureDeath(const std::string& scene, const std::string& handleLog)
 {
   const auto handle = readHandleLog(handleLog);
   if (!handle) return handle.error();
@@ -102,11 +102,11 @@ Result<Done> measureDeath(const std::string& scene, const std::string& handleLog
   }
   print(scene, "force_before_N", force);
   if (zero != 0) print(scene, "zero_heard_ms", static_cast<double>(zero - lastForce) * 1e-6);
-  return Done{};
+  return {};
 }
 
 /// The force around each stop.
-Result<Done> measureStops(const std::string& scene, const std::string& handleLog,
+Result<void> measureStops(const std::string& scene, const std::string& handleLog,
                           const std::string& stopLog)
 {
   const auto handle = readHandleLog(handleLog);
@@ -132,7 +132,7 @@ Result<Done> measureStops(const std::string& scene, const std::string& handleLog
     if (zero != 0)
       print(scene, way + "_zero_heard_ms", static_cast<double>(zero - stop.read) * 1e-6);
   }
-  return Done{};
+  return {};
 }
 
 }  // namespace

@@ -44,7 +44,7 @@ void runByTheClock(const fs::path& file, const std::function<void(double)>& mean
   haptics::Command arm;
   arm.kind = haptics::Command::Kind::arm;
   ASSERT_TRUE((*insertion)->send(arm));
-  (*insertion)->hand().move(device::ScriptedMotion::insert);
+  (*insertion)->device().move(device::ScriptedMotion::insert);
   ASSERT_TRUE(test::waitUntil([&] {
     (*insertion)->refresh();
     meanwhile((*insertion)->latest().output.travel);

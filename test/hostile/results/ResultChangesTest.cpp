@@ -66,7 +66,7 @@ Content studyIn(const fs::path& file)
                      std::to_string(facts.cases) + ' ' + std::to_string(facts.first) + ' ' +
                      std::to_string(facts.end) + '\n';
   for (const std::string& note : facts.notes) text += note + '\n';
-  const auto read = opened->read([&](const study::StudyResult& one) -> Result<Done> {
+  const auto read = opened->read([&](const study::StudyResult& one) -> Result<void> {
     const auto& found = one.insertion;
     text += std::to_string(one.number) + one.cochlea + haptics::nameOf(found.end) + found.reason;
     for (const auto& [key, value] : one.settings) text += key + '=' + value + ' ';
@@ -82,7 +82,7 @@ Content studyIn(const fs::path& file)
       text += std::to_string(each.number) + (each.isInserted ? "+" : "-") +
               digits(each.angle.si()) + digits(each.depth.si()) + digits(each.toModiolus.si()) +
               digits(each.frequency_Hz);
-    return Done{};
+    return {};
   });
   return read ? Content(text) : std::nullopt;
 }

@@ -50,7 +50,7 @@ public:
     traits.nominalPeriod = timeStep_;
     return traits;
   }
-  Result<Done> open() override { return Done{}; }
+  Result<void> open() override { return {}; }
   void close() noexcept override {}
   device::DeviceSample read() noexcept override
   {

@@ -36,9 +36,9 @@ TEST_F(HapticTick, AllocatesNothingFromTheVeryFirstTickThroughTheWholeWorkflow)
   const test::AllocationGuard guard;
   rig.start();
   for (int i = 0; i < 500; ++i) rig.tick();
-  rig.hand().move(ScriptedDevice::Motion::hold);
+  rig.device().move(ScriptedDevice::Motion::hold);
   for (int i = 0; i < 50; ++i) rig.tick();
-  rig.hand().move(ScriptedDevice::Motion::withdraw);
+  rig.device().move(ScriptedDevice::Motion::withdraw);
   rig.send(Kind::pullStylet, 1e-3);
   rig.send(Kind::withdraw);
   for (int i = 0; i < 600; ++i) rig.tick();

@@ -57,7 +57,7 @@ TEST(RunningLoop, ReplaysItsRecordInVirtualTimeBitForBit)
   Command pull;
   pull.kind = Kind::withdraw;
   ASSERT_TRUE(test::waitUntil([&] { return loop.send(pull); }));
-  rig.hand().move(ScriptedDevice::Motion::withdraw);
+  rig.device().move(ScriptedDevice::Motion::withdraw);
   waitFor(loop, [](const Snapshot& now) { return now.output.travel < 3e-3; });
   loop.stop();
 

@@ -194,7 +194,7 @@ TEST(ForceDepthChart, SaysWhetherThePictureChanged)
   EXPECT_FALSE(screen.chart.update());
 }
 
-TEST(ForceDepthChart, ForgetsTheInsertionButNotTheGhost)
+TEST(ForceDepthChart, ClearsTheInsertionButNotTheGhost)
 {
   ChartOnScreen screen;
   std::vector<std::pair<Length, Force>> ghost;

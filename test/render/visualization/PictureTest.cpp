@@ -39,7 +39,7 @@ private:
 TEST(Picture, HasTheSizeAskedFor)
 {
   const test::TemporaryFolder folder;
-  const Result<Done> done = renderPicture(request(folder / "scala.png"));
+  const Result<void> done = renderPicture(request(folder / "scala.png"));
   ASSERT_TRUE(done) << done.error().message;
   const test::DrawnPicture picture = test::load(folder / "scala.png");
   EXPECT_EQ(picture.width, 320);
@@ -64,7 +64,7 @@ TEST(Picture, StartsADisplayOfItsOwnWhereThereIsNone)
   const test::TemporaryFolder folder;
   const WithoutDisplay none;
   EXPECT_FALSE(canRender());
-  const Result<Done> done = renderPicture(request(folder / "scala.png"));
+  const Result<void> done = renderPicture(request(folder / "scala.png"));
   ASSERT_TRUE(done) << done.error().message;
   EXPECT_TRUE(std::filesystem::exists(folder / "scala.png"));
   EXPECT_EQ(std::getenv("DISPLAY"), nullptr);
@@ -75,7 +75,7 @@ TEST(Picture, ReplacesADisplayThatDoesNotAnswerAndKeepsItsName)
   const test::TemporaryFolder folder;
   const WithoutDisplay none;
   setenv("DISPLAY", ":9999", 1);
-  const Result<Done> done = renderPicture(request(folder / "scala.png"));
+  const Result<void> done = renderPicture(request(folder / "scala.png"));
   ASSERT_TRUE(done) << done.error().message;
   EXPECT_STREQ(std::getenv("DISPLAY"), ":9999");
 }
@@ -84,7 +84,7 @@ TEST(Picture, SaysThatADisplayDoesNotAnswer)
 {
   const WithoutDisplay none;
   setenv("DISPLAY", ":9999", 1);
-  const Result<Done> can = canRender();
+  const Result<void> can = canRender();
   ASSERT_FALSE(can);
   EXPECT_THAT(can.error().message, testing::HasSubstr(":9999"));
 }
@@ -92,7 +92,7 @@ TEST(Picture, SaysThatADisplayDoesNotAnswer)
 TEST(Picture, RefusesAnotherFormat)
 {
   const test::TemporaryFolder folder;
-  const Result<Done> done = renderPicture(request(folder / "scala.jpg"));
+  const Result<void> done = renderPicture(request(folder / "scala.jpg"));
   ASSERT_FALSE(done);
   EXPECT_THAT(done.error().message, testing::HasSubstr(".png"));
 }
@@ -102,7 +102,7 @@ TEST(Picture, RefusesASizeThatNoScreenHas)
   const test::TemporaryFolder folder;
   PictureRequest asked = request(folder / "scala.png");
   asked.width = 100000;
-  const Result<Done> done = renderPicture(asked);
+  const Result<void> done = renderPicture(asked);
   ASSERT_FALSE(done);
   EXPECT_THAT(done.error().message, testing::HasSubstr("8192"));
 }

@@ -90,7 +90,7 @@ Killed killInsertion(const std::filesystem::path& file, std::uint64_t atTick)
     haptics::Command arm;
     arm.kind = haptics::Command::Kind::arm;
     insertion->send(arm);
-    insertion->hand().move(device::ScriptedMotion::insert);
+    insertion->device().move(device::ScriptedMotion::insert);
     while (true)
       if (insertion->refresh()) *ticks = insertion->latest().tick;
   }

@@ -141,7 +141,7 @@ TEST(Replay, FollowsCommandsGivenByTheClock)
         return insertion->send(command);
       }));
     }
-    insertion->hand().move(device::ScriptedMotion::insert);
+    insertion->device().move(device::ScriptedMotion::insert);
     ASSERT_TRUE(test::waitUntil([&] {
       insertion->refresh();
       return insertion->latest().output.travel >= 0.5e-3;

@@ -282,14 +282,14 @@ void FakeCodec::encode(const device::Wrench& wrench_D, device::ReportList& repor
   report.size = outputSize;
 }
 
-Result<Done> FakeCodec::begin(device::Transport& transport)
+Result<void> FakeCodec::begin(device::Transport& transport)
 {
   RawReport on;
   on.bytes[1] = 1;
   on.size = 2;
   if (transport.setFeature(on) != Transfer::done)
     return Error{"The fake device does not turn its actuators on."};
-  return Done{};
+  return {};
 }
 
 void FakeCodec::end(device::Transport& transport) noexcept

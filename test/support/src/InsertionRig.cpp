@@ -10,11 +10,11 @@ namespace perilymph::test {
 
 InsertionRig::InsertionRig(std::shared_ptr<const mechanics::InsertionModel> model,
                            haptics::EngineSettings settings, Speed speed)
-    : hand_(std::make_unique<device::ScriptedDevice>(speed.si(), model->timeStep))
+    : device_(std::make_unique<device::ScriptedDevice>(speed.si(), model->timeStep))
 {
   settings.samplePeriod = model->timeStep;
   loop_ = std::make_unique<haptics::HapticLoop>(
-      *hand_, std::make_unique<haptics::InsertionEngine>(std::move(model), settings));
+      *device_, std::make_unique<haptics::InsertionEngine>(std::move(model), settings));
 }
 
 InsertionRig InsertionRig::fullyInserted()
@@ -37,7 +37,7 @@ void InsertionRig::send(haptics::Command::Kind kind, double value)
 void InsertionRig::start()
 {
   send(haptics::Command::Kind::arm);
-  hand_->move(device::ScriptedDevice::Motion::insert);
+  device_->move(device::ScriptedDevice::Motion::insert);
 }
 
 const haptics::TickRecord& InsertionRig::tick()

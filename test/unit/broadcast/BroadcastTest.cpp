@@ -343,7 +343,7 @@ TEST_F(OpenIgtLink, DoesNotWaitForAClientThatTakesNothing)
   expectAlive();
 }
 
-TEST_F(OpenIgtLink, ForgetsAClientThatLeaves)
+TEST_F(OpenIgtLink, RemovesAClientThatLeaves)
 {
   {
     const auto socket = client();

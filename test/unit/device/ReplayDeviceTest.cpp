@@ -44,7 +44,7 @@ TEST(ReplayDevice, GivesNothingFreshOnceItIsOver)
 TEST(ReplayDevice, SaysThatThereIsNothingToPlay)
 {
   ReplayDevice hand({}, 1e-3);
-  const Result<Done> opened = hand.open();
+  const Result<void> opened = hand.open();
   ASSERT_FALSE(opened);
   EXPECT_NE(opened.error().message.find("no samples"), std::string::npos);
   EXPECT_EQ(hand.read().isValid, 0u);

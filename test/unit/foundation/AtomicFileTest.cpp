@@ -34,7 +34,7 @@ std::size_t filesIn(const fs::path& folder)
       std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
 }
 
-std::string messageOf(const Result<Done>& result)
+std::string messageOf(const Result<void>& result)
 {
   return result ? "no error" : result.error().message;
 }

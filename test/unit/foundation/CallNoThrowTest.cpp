@@ -33,23 +33,23 @@ TEST(CallNoThrow, ReportsOutOfMemoryWithTheSubject)
 TEST(CallNoThrow, KeepsTheReasonOfAnException)
 {
   const auto result = callNoThrow(
-      "The report", []() -> Result<Done> { throw std::runtime_error("the disk is full"); });
+      "The report", []() -> Result<void> { throw std::runtime_error("the disk is full"); });
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().message, "The report failed: the disk is full.");
 }
 
 TEST(CallNoThrow, NamesTheSubjectOfAnythingElseThatIsThrown)
 {
-  const auto result = callNoThrow("The report", []() -> Result<Done> { throw 7; });
+  const auto result = callNoThrow("The report", []() -> Result<void> { throw 7; });
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().message, "The report failed for an unknown reason.");
 }
 
 TEST(CallNoThrow, KeepsAThreadFromEndingTheProgram)
 {
-  Result<Done> result = Done{};
+  Result<void> result;
   std::thread([&result] {
-    result = callNoThrow("The work", []() -> Result<Done> { throw std::bad_alloc(); });
+    result = callNoThrow("The work", []() -> Result<void> { throw std::bad_alloc(); });
   }).join();
   EXPECT_FALSE(result);
 }

@@ -33,7 +33,7 @@ std::string errorIn(const std::string& text, const std::function<void(TomlReader
   Result<TomlReader> reader = TomlReader::parse(text, "my.toml");
   if (!reader) return reader.error().message;
   reading(*reader);
-  const Result<Done> done = reader->finish();
+  const Result<void> done = reader->finish();
   return done ? "fine" : done.error().message;
 }
 

@@ -21,7 +21,7 @@ TomlReader withSet(const std::string& text, const std::string& key, const std::s
 
 std::string errorOf(TomlReader& reader)
 {
-  const Result<Done> done = reader.finish();
+  const Result<void> done = reader.finish();
   return done ? "fine" : done.error().message;
 }
 

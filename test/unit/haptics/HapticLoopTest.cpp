@@ -20,7 +20,7 @@ public:
     traits.maxForce = 0.5;
     return traits;
   }
-  Result<Done> open() override { return Done{}; }
+  Result<void> open() override { return {}; }
   void close() noexcept override {}
   device::DeviceSample read() noexcept override
   {

@@ -170,7 +170,7 @@ TEST(InsertionEngine, KeepsTheForceAfterAStopByResistanceAndMayWithdraw)
   EXPECT_GT(rig.output().wrench_D.force_D[2], 0.5 * settings.stopForce);
 
   rig.send(Command::Kind::withdraw);
-  rig.hand().move(device::ScriptedDevice::Motion::withdraw);
+  rig.device().move(device::ScriptedDevice::Motion::withdraw);
   rig.tick();
   EXPECT_EQ(rig.output().workflow, Workflow::inserting);
   ASSERT_TRUE(rig.runUntil(Workflow::finished, 10'000));

@@ -53,7 +53,7 @@ TEST(InsertionEngine, ShowsNoForceToAHandThatDoesNotHold)
   test::InsertionRig rig(test::insertionInRing());
   rig.start();
   ASSERT_TRUE(rig.runUntilTravel(millimeters(8), 10'000));
-  rig.hand().move(ScriptedDevice::Motion::hold);
+  rig.device().move(ScriptedDevice::Motion::hold);
   // 0.1 N a tick: at most 4 ticks for forces below 0.4 N
   for (int i = 0; i < 4; ++i) rig.tick();
   EXPECT_EQ(length(rig.output().wrench_D.force_D), 0.0);
@@ -67,7 +67,7 @@ TEST(InsertionEngine, SettlesAtTheHandLessForceOverStiffnessInSpringCoupling)
   test::InsertionRig rig(test::insertionInRing(), settings);
   rig.start();
   ASSERT_TRUE(rig.runUntilTravel(millimeters(8), 10'000));
-  rig.hand().setSpeed(0.0);
+  rig.device().setSpeed(0.0);
   for (int i = 0; i < 3000; ++i) rig.tick();
   const TickOutput& now = rig.output();
   for (std::size_t k = 0; k < 3; ++k)
@@ -82,14 +82,14 @@ TEST(InsertionEngine, TakesHoldOfASpringWithoutMovingTheArray)
   test::InsertionRig rig(test::insertionInRing(), settings);
   rig.start();
   ASSERT_TRUE(rig.runUntilTravel(millimeters(8), 10'000));
-  rig.hand().move(ScriptedDevice::Motion::hold);
+  rig.device().move(ScriptedDevice::Motion::hold);
   for (int i = 0; i < 500; ++i) rig.tick();
   const auto paused_W = rig.output().proxy_W;
   const double force = rig.output().axialForce;
   ASSERT_GT(force, 1e-3);
 
-  rig.hand().setSpeed(0.0);
-  rig.hand().move(ScriptedDevice::Motion::insert);
+  rig.device().setSpeed(0.0);
+  rig.device().move(ScriptedDevice::Motion::insert);
   for (int i = 0; i < 200; ++i) rig.tick();
   // with an initially relaxed spring the array would move back by F / K
   const double sinking = force / settings.couplingStiffness;
@@ -114,7 +114,7 @@ TEST(InsertionEngine, GivesTheSameBitsForTheSameSamplesAndCommands)
   rig.start();
   for (int i = 0; i < 3000; ++i) {
     if (i == 1500) rig.send(Kind::withdraw);
-    if (i == 1500) rig.hand().move(ScriptedDevice::Motion::withdraw);
+    if (i == 1500) rig.device().move(ScriptedDevice::Motion::withdraw);
     const TickRecord& record = rig.tick();
     const TickOutput output = again.tick(record.sample, record.commands);
     ASSERT_EQ(output.force_W, record.output.force_W) << i;
@@ -142,7 +142,7 @@ TEST(InsertionEngine, ShowsThePeakOfEveryTickNotOfThosePictured)
   std::uint64_t ofPicture = 0, peakTick = 0;
   Snapshot snapshot;
   for (std::uint64_t i = 0; i < 6000; ++i) {
-    if (i == 4000) rig.hand().move(ScriptedDevice::Motion::withdraw);  // the peak is behind
+    if (i == 4000) rig.device().move(ScriptedDevice::Motion::withdraw);  // the peak is behind
     const TickOutput& now = rig.tick().output;
     if (now.axialForce > force) {
       force = now.axialForce;

@@ -57,7 +57,7 @@ TEST_P(Stop, HoldsAgainstAHandThatPullsUntilItIsAskedToWithdraw)
   test::InsertionRig rig(test::insertionInTube(), stoppingAt(1e-3, GetParam()));
   rig.start();
   ASSERT_TRUE(rig.runUntil(Workflow::finished, 10'000));
-  rig.hand().move(ScriptedDevice::Motion::withdraw);
+  rig.device().move(ScriptedDevice::Motion::withdraw);
   for (int i = 0; i < 100; ++i) rig.tick();
   EXPECT_NEAR(rig.output().travel, 1e-3, nearness(GetParam()));
 
@@ -72,7 +72,7 @@ TEST_P(Stop, IsFinishedAgainWhenTheTipIsBackAtItsStart)
   test::InsertionRig rig(test::insertionInTube(), stoppingAt(1e-3, GetParam()));
   rig.start();
   ASSERT_TRUE(rig.runUntil(Workflow::finished, 10'000));
-  rig.hand().move(ScriptedDevice::Motion::withdraw);
+  rig.device().move(ScriptedDevice::Motion::withdraw);
   rig.send(Kind::withdraw);
   ASSERT_EQ(rig.tick().output.workflow, Workflow::inserting);
   ASSERT_TRUE(rig.runUntil(Workflow::finished, 10'000));
@@ -95,7 +95,7 @@ TEST(Withdraw, TurnsAroundInTheMiddleOfAnInsertionToo)
   test::InsertionRig rig(test::insertionInTube());
   rig.start();
   ASSERT_TRUE(rig.runUntilTravel(millimeters(1), 10'000));
-  rig.hand().move(ScriptedDevice::Motion::withdraw);
+  rig.device().move(ScriptedDevice::Motion::withdraw);
   rig.send(Kind::withdraw);
   EXPECT_EQ(rig.tick().output.workflow, Workflow::inserting);
   EXPECT_TRUE(rig.runUntil(Workflow::finished, 10'000));
@@ -107,13 +107,13 @@ TEST(Withdraw, EndsWhereItBeganAndStaysThere)
   test::InsertionRig rig(test::insertionInTube(), stoppingAt(1e-3, mechanics::Coupling::rigid));
   rig.start();
   ASSERT_TRUE(rig.runUntil(Workflow::finished, 10'000));
-  rig.hand().move(ScriptedDevice::Motion::withdraw);
+  rig.device().move(ScriptedDevice::Motion::withdraw);
   rig.send(Kind::withdraw);
   rig.tick();
   ASSERT_TRUE(rig.runUntil(Workflow::finished, 10'000));
   const double travel = rig.output().travel;
   EXPECT_NEAR(travel, 0.0, nanometer);
-  rig.hand().move(ScriptedDevice::Motion::insert);
+  rig.device().move(ScriptedDevice::Motion::insert);
   rig.send(Kind::withdraw);
   for (int i = 0; i < 100; ++i) rig.tick();
   EXPECT_EQ(rig.output().workflow, Workflow::finished);

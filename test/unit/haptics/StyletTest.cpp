@@ -61,7 +61,7 @@ TEST(AdvanceOffStylet, NeverPushesTheStyletBackIn)
   ASSERT_TRUE(rig.runUntilTravel(millimeters(10)));
   const double out = rig.output().styletWithdrawal;
   rig.send(Command::Kind::withdraw);
-  rig.hand().move(device::ScriptedDevice::Motion::withdraw);
+  rig.device().move(device::ScriptedDevice::Motion::withdraw);
   for (int i = 0; i < 1000; ++i) rig.tick();
   EXPECT_LT(rig.output().travel, 9e-3);
   EXPECT_GE(rig.output().styletWithdrawal, out);

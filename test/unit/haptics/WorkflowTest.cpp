@@ -28,7 +28,7 @@ test::InsertionRig rigInserting(int ticks = 100)
 TEST(InsertionWorkflow, DoesNothingBeforeItIsArmed)
 {
   test::InsertionRig rig(test::insertionInTube());
-  rig.hand().move(ScriptedDevice::Motion::insert);
+  rig.device().move(ScriptedDevice::Motion::insert);
   const std::uint64_t before = rig.engine().state().fingerprint();
   for (int i = 0; i < 50; ++i) rig.tick();
   EXPECT_EQ(rig.output().workflow, Workflow::idle);
@@ -45,7 +45,7 @@ TEST(InsertionWorkflow, WaitsForTheGraspOnceArmed)
   EXPECT_EQ(rig.output().time, 0.0);
   EXPECT_EQ(rig.engine().state().tick, 50u);  // time runs for the rod
 
-  rig.hand().move(ScriptedDevice::Motion::insert);
+  rig.device().move(ScriptedDevice::Motion::insert);
   EXPECT_EQ(rig.tick().output.workflow, Workflow::inserting);
 }
 
@@ -62,7 +62,7 @@ TEST(InsertionWorkflow, HoldsTheBaseFromTheTickTheHandLetsGo)
 {
   test::InsertionRig rig = rigInserting();
   const auto before = rig.output().proxy_W;
-  rig.hand().move(ScriptedDevice::Motion::hold);
+  rig.device().move(ScriptedDevice::Motion::hold);
   for (int i = 0; i < 20; ++i) {
     rig.tick();
     EXPECT_EQ(rig.output().workflow, Workflow::paused);
@@ -73,7 +73,7 @@ TEST(InsertionWorkflow, HoldsTheBaseFromTheTickTheHandLetsGo)
 TEST(InsertionWorkflow, CountsPausesInItsTime)
 {
   test::InsertionRig rig = rigInserting(101);
-  rig.hand().move(ScriptedDevice::Motion::hold);
+  rig.device().move(ScriptedDevice::Motion::hold);
   for (int i = 0; i < 100; ++i) rig.tick();
   EXPECT_NEAR(rig.output().time, 0.2, 1e-12);
 }
@@ -82,9 +82,9 @@ TEST(InsertionWorkflow, ContinuesWhereItPaused)
 {
   test::InsertionRig rig = rigInserting(101);
   const double travel = rig.output().travel;
-  rig.hand().move(ScriptedDevice::Motion::hold);
+  rig.device().move(ScriptedDevice::Motion::hold);
   for (int i = 0; i < 10; ++i) rig.tick();
-  rig.hand().move(ScriptedDevice::Motion::insert);
+  rig.device().move(ScriptedDevice::Motion::insert);
   for (int i = 0; i < 101; ++i) rig.tick();
   EXPECT_EQ(rig.output().workflow, Workflow::inserting);
   EXPECT_NEAR(rig.output().travel - travel, 2e-3 * 0.1, 1e-9);
@@ -129,9 +129,9 @@ TEST(Stop, LastsUntilItIsTakenBackAndThenTheForceFadesIn)
     ASSERT_EQ(rig.output().workflow, Workflow::paused) << i;
   }
   // Releasing the button and pressing it again does not continue either.
-  rig.hand().move(ScriptedDevice::Motion::hold);
+  rig.device().move(ScriptedDevice::Motion::hold);
   for (int i = 0; i < 10; ++i) rig.tick();
-  rig.hand().move(ScriptedDevice::Motion::insert);
+  rig.device().move(ScriptedDevice::Motion::insert);
   for (int i = 0; i < 10; ++i) rig.tick();
   EXPECT_EQ(rig.output().workflow, Workflow::paused);
 
@@ -167,7 +167,7 @@ TEST(Stop, KeepsAnArmedLoopFromBeingGrasped)
   rig.send(Kind::arm);
   rig.tick();
   rig.loop().requestStop();
-  rig.hand().move(ScriptedDevice::Motion::insert);
+  rig.device().move(ScriptedDevice::Motion::insert);
   for (int i = 0; i < 20; ++i) EXPECT_EQ(rig.tick().output.workflow, Workflow::armed);
   rig.send(Kind::resume);
   EXPECT_EQ(rig.tick().output.workflow, Workflow::inserting);

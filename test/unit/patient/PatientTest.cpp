@@ -282,7 +282,7 @@ TEST(Patient, OutOfTheLimitsIsNamedWithValueAndRange)
 {
   Patient patient;
   patient.scalaTympaniLength = millimeters(46.5);
-  const Result<Done> done = checkPatient(patient);
+  const Result<void> done = checkPatient(patient);
   ASSERT_FALSE(done);
   EXPECT_EQ(
       done.error().message,

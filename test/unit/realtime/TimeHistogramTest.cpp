@@ -59,7 +59,7 @@ TEST(TimeHistogram, TakesDurationsBeyondItsBins)
   EXPECT_EQ(histogram.quantile(0.5), 0.0);
 }
 
-TEST(TimeHistogram, ForgetsWhenCleared)
+TEST(TimeHistogram, IsEmptyWhenCleared)
 {
   TimeHistogram histogram;
   histogram.add(1000);

@@ -126,7 +126,7 @@ TEST(PreparingAnInsertion, RefusesLongTimeStepsWithADeviceThatRendersForce)
       traits.maxForce = 3.3;
       return traits;
     }
-    Result<Done> open() override { return Done{}; }
+    Result<void> open() override { return {}; }
     void close() noexcept override {}
     device::DeviceSample read() noexcept override { return {}; }
     void write(const device::Wrench&) noexcept override {}
@@ -143,7 +143,7 @@ TEST(InsertionByTheClock, RunsRecordsAndStops)
   std::uint64_t ticks = 0;
   {
     const auto insertion = prepared(test::shortScenario(), folder / "clock.insertion");
-    device::HapticDevice& hand = insertion->hand();
+    device::HapticDevice& hand = insertion->device();
     ASSERT_TRUE(insertion->start());
     haptics::Command arm;
     arm.kind = haptics::Command::Kind::arm;
@@ -191,9 +191,9 @@ TEST(InsertionByTheClock, IsARecordingOnceItHasEndedAndAWithdrawalIsAddedToIt)
     return recorded->ticks();
   };
   ASSERT_TRUE(send(haptics::Command::Kind::arm));
-  insertion->hand().move(device::ScriptedDevice::Motion::insert);
+  insertion->device().move(device::ScriptedDevice::Motion::insert);
   ASSERT_TRUE(test::waitUntil(hasFinished));
-  insertion->hand().move(device::ScriptedDevice::Motion::hold);
+  insertion->device().move(device::ScriptedDevice::Motion::hold);
   ASSERT_TRUE(test::waitUntil(isResting));
   EXPECT_FALSE(insertion->isRecordingConcluded());
   insertion->concludeRecording();
@@ -202,7 +202,7 @@ TEST(InsertionByTheClock, IsARecordingOnceItHasEndedAndAWithdrawalIsAddedToIt)
   EXPECT_GT(inserted, 0u);
 
   ASSERT_TRUE(send(haptics::Command::Kind::withdraw));
-  insertion->hand().move(device::ScriptedDevice::Motion::withdraw);
+  insertion->device().move(device::ScriptedDevice::Motion::withdraw);
   ASSERT_TRUE(test::waitUntil([&] { return !insertion->isRecordingConcluded(); }));
   ASSERT_TRUE(test::waitUntil(hasFinished));
   insertion->stop();

@@ -306,7 +306,7 @@ protected:
     EXPECT_TRUE(recording->append(test::quietRecords(0, 20)));
   }
 
-  void expectGone(const Result<Done>& done) const
+  void expectGone(const Result<void>& done) const
   {
     ASSERT_FALSE(done);
     EXPECT_THAT(done.error().message,

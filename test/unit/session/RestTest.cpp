@@ -37,7 +37,7 @@ public:
     if (rendersForce_) traits.maxForce = 3.3;
     return traits;
   }
-  Result<Done> open() override { return script_.open(); }
+  Result<void> open() override { return script_.open(); }
   void close() noexcept override { script_.close(); }
   device::DeviceSample read() noexcept override { return trembling(script_.read()); }
   void write(const device::Wrench& wrench_D) noexcept override
@@ -109,16 +109,16 @@ protected:
   /// In to the stop; then the hand releases.
   void insert()
   {
-    hand().moveBy(ScriptedDevice::Motion::insert);
+    device().moveBy(ScriptedDevice::Motion::insert);
     ASSERT_TRUE(insertion_->runToEnd([this](const haptics::TickRecord& record) {
       arrival_ = record.output.time;
       return true;
     }));
     ASSERT_EQ(insertion_->loop().engine().workflow(), Workflow::finished);
-    hand().moveBy(ScriptedDevice::Motion::hold);
+    device().moveBy(ScriptedDevice::Motion::hold);
     ticksRun_ = insertion_->loop().statistics().ticks;
   }
-  Hand& hand() { return dynamic_cast<Hand&>(insertion_->hand()); }
+  Hand& device() { return dynamic_cast<Hand&>(insertion_->device()); }
   std::uintmax_t closedSize()
   {
     EXPECT_TRUE(insertion_->closeRecording());
@@ -175,16 +175,16 @@ TEST_F(AWaitingInsertion, HeldAtFullDepthIsNoLargerThanOneOfThreeSeconds)
 {
   begin("held-three");
   insert();
-  hand().holdOn();
+  device().holdOn();
   run(recordedWait);
   const std::uintmax_t three = closedSize();
 
   begin("held-sixty");
   insert();
-  hand().holdOn();
+  device().holdOn();
   run(60.0);
   EXPECT_EQ(last_.workflow, Workflow::finished);
-  EXPECT_GT(hand().force(), 0.0);         // the hand feels the array all the time
+  EXPECT_GT(device().force(), 0.0);         // the hand feels the array all the time
   EXPECT_LE(closedSize(), three + 8192);  // two pages of SQLite
   EXPECT_NEAR(static_cast<double>(recordedTicks()), 1e3 * (arrival_ + recordedWait), 30.0);
   expectSameBits();
@@ -194,21 +194,21 @@ TEST_F(AWaitingInsertion, HeldAtFullDepthContinuesWhenTheHandReleasesMovesOrWith
 {
   begin("held-on");
   insert();
-  hand().holdOn();
+  device().holdOn();
   run(10.0);
   const std::uint64_t rested = recordedTicks();
-  hand().shift(5e-3);
+  device().shift(5e-3);
   run(1.0);
   EXPECT_NEAR(static_cast<double>(recordedTicks() - rested), 1e3, 2.0);
   run(10.0);
   const std::uint64_t restedAgain = recordedTicks();
-  hand().letGo();
+  device().letGo();
   run(1.0);
-  EXPECT_EQ(hand().force(), 0.0);
+  EXPECT_EQ(device().force(), 0.0);
   EXPECT_NEAR(static_cast<double>(recordedTicks() - restedAgain), 1e3, 2.0);
-  hand().holdOn();
+  device().holdOn();
   run(10.0);
-  hand().moveBy(ScriptedDevice::Motion::withdraw);
+  device().moveBy(ScriptedDevice::Motion::withdraw);
   haptics::Command command;
   command.kind = haptics::Command::Kind::withdraw;
   ASSERT_TRUE(insertion_->send(command));
@@ -221,10 +221,10 @@ TEST_F(AWaitingInsertion, HeldAtFullDepthContinuesWhenTheHandReleasesMovesOrWith
 TEST_F(AWaitingInsertion, HeldStillInTheMiddleIsRecordedForThreeSecondsOnly)
 {
   begin("middle", true, "2.0");
-  hand().moveBy(ScriptedDevice::Motion::insert);
+  device().moveBy(ScriptedDevice::Motion::insert);
   run(0.5);
-  hand().moveBy(ScriptedDevice::Motion::hold);
-  hand().holdOn();
+  device().moveBy(ScriptedDevice::Motion::hold);
+  device().holdOn();
   run(60.0);
   ASSERT_EQ(last_.workflow, Workflow::inserting);
   EXPECT_GT(last_.travel, 0.0);
@@ -237,19 +237,19 @@ TEST_F(AWaitingInsertion, HeldStillInTheMiddleIsRecordedForThreeSecondsOnly)
 TEST_F(AWaitingInsertion, HeldStillInTheMiddleContinuesWithTheHand)
 {
   begin("middle-on", true, "2.0");
-  hand().moveBy(ScriptedDevice::Motion::insert);
+  device().moveBy(ScriptedDevice::Motion::insert);
   run(0.5);
-  hand().moveBy(ScriptedDevice::Motion::hold);
-  hand().holdOn();
+  device().moveBy(ScriptedDevice::Motion::hold);
+  device().holdOn();
   run(20.0);
   const double travel = last_.travel;
   const std::uint64_t rested = recordedTicks();
-  hand().moveBy(ScriptedDevice::Motion::insert);
+  device().moveBy(ScriptedDevice::Motion::insert);
   run(0.3);
   EXPECT_GT(recordedTicks(), rested + 200);
   EXPECT_GT(last_.travel, travel + 0.1 * speed_);
-  hand().letGo();
-  hand().moveBy(ScriptedDevice::Motion::hold);
+  device().letGo();
+  device().moveBy(ScriptedDevice::Motion::hold);
   run(0.1);
   EXPECT_EQ(last_.workflow, Workflow::paused);
   closedSize();
@@ -259,10 +259,10 @@ TEST_F(AWaitingInsertion, HeldStillInTheMiddleContinuesWithTheHand)
 TEST_F(AWaitingInsertion, InTheMiddleOfAScriptIsRecordedAsItIs)
 {
   begin("waiting-script", false, "2.0");
-  hand().moveBy(ScriptedDevice::Motion::insert);
+  device().moveBy(ScriptedDevice::Motion::insert);
   run(0.5);
-  hand().moveBy(ScriptedDevice::Motion::hold);
-  hand().holdOn();  // a robot waits: its script says how long
+  device().moveBy(ScriptedDevice::Motion::hold);
+  device().holdOn();  // a robot waits: its script says how long
   run(10.0);
   EXPECT_EQ(last_.workflow, Workflow::inserting);
   closedSize();
@@ -274,12 +274,12 @@ TEST_F(AWaitingInsertion, OfADeviceThatFallsSilentWhileHeldHasNoForce)
 {
   begin("silent");
   insert();
-  hand().holdOn();
+  device().holdOn();
   run(10.0);
-  ASSERT_GT(hand().force(), 0.0);
-  hand().fallSilent();
+  ASSERT_GT(device().force(), 0.0);
+  device().fallSilent();
   run(0.02);
-  EXPECT_EQ(hand().force(), 0.0);
+  EXPECT_EQ(device().force(), 0.0);
   closedSize();
   expectSameBits();
 }
@@ -290,7 +290,7 @@ TEST_F(AWaitingInsertion, RecordsTheWithdrawalThatFollows)
   insert();
   run(60.0);
   const std::uint64_t before = recordedTicks();
-  hand().moveBy(ScriptedDevice::Motion::withdraw);
+  device().moveBy(ScriptedDevice::Motion::withdraw);
   haptics::Command command;
   command.kind = haptics::Command::Kind::withdraw;
   ASSERT_TRUE(insertion_->send(command));
@@ -305,9 +305,9 @@ TEST_F(AWaitingInsertion, RecordsTheWithdrawalThatFollows)
 TEST_F(AWaitingInsertion, ContinuesAfterALongPauseAsAfterAShortOne)
 {
   begin("paused");
-  hand().moveBy(ScriptedDevice::Motion::insert);
+  device().moveBy(ScriptedDevice::Motion::insert);
   run(0.05);
-  hand().moveBy(ScriptedDevice::Motion::hold);
+  device().moveBy(ScriptedDevice::Motion::hold);
   run(20.0);
   EXPECT_EQ(last_.workflow, Workflow::paused);
   EXPECT_NEAR(last_.time, 0.05 + recordedWait, 0.01);

@@ -58,9 +58,9 @@ speed_mm_s = [3.0, 5.0]
     std::vector<StudyResult> all;
     const auto opened = StudyFile::open(file());
     EXPECT_TRUE(opened);
-    EXPECT_TRUE(opened->read([&all](const StudyResult& result) -> Result<Done> {
+    EXPECT_TRUE(opened->read([&all](const StudyResult& result) -> Result<void> {
       all.push_back(result);
-      return Done{};
+      return {};
     }));
     return all;
   }

@@ -43,9 +43,9 @@ StudyResult resultOf(std::size_t number)
 std::vector<StudyResult> allIn(const StudyFile& file)
 {
   std::vector<StudyResult> found;
-  const auto done = file.read([&](const StudyResult& result) -> Result<Done> {
+  const auto done = file.read([&](const StudyResult& result) -> Result<void> {
     found.push_back(result);
-    return Done{};
+    return {};
   });
   EXPECT_TRUE(done);
   return found;
@@ -153,7 +153,7 @@ TEST_F(StudyFiles, AreRefusedWithAGapADamageOrAsSomethingElse)
     ASSERT_TRUE(file->close());
   }
   const auto gap =
-      StudyFile::open(file_)->read([](const StudyResult&) -> Result<Done> { return Done{}; });
+      StudyFile::open(file_)->read([](const StudyResult&) -> Result<void> { return {}; });
   ASSERT_FALSE(gap);
   EXPECT_THAT(gap.error().message, HasSubstr("not consecutive"));
 
@@ -231,13 +231,13 @@ TEST_F(StudyFiles, WithImpossibleValuesAreRefusedByTheirNames)
     }
     runSql(file_, std::string("UPDATE insertion SET ") + change);
     const auto read =
-        StudyFile::open(file_)->read([](const StudyResult&) -> Result<Done> { return Done{}; });
+        StudyFile::open(file_)->read([](const StudyResult&) -> Result<void> { return {}; });
     ASSERT_FALSE(read) << change;
     EXPECT_THAT(read.error().message, HasSubstr(reason));
   }
   runSql(file_, "UPDATE insertion SET settings = '{}'; UPDATE contact SET is_inserted = 2");
   const auto read =
-      StudyFile::open(file_)->read([](const StudyResult&) -> Result<Done> { return Done{}; });
+      StudyFile::open(file_)->read([](const StudyResult&) -> Result<void> { return {}; });
   EXPECT_THAT(read.error().message, HasSubstr("is_inserted is 2; it must be 0 or 1"));
 }
 

@@ -147,7 +147,7 @@ TEST_F(StudyRuns, HoldWhatEachInsertionWas)
   const auto file = StudyFile::open(folder("out") / mergedFile);
   ASSERT_TRUE(file) << file.error().message;
   std::size_t next = 0;
-  const auto done = file->read([&](const StudyResult& result) -> Result<Done> {
+  const auto done = file->read([&](const StudyResult& result) -> Result<void> {
     EXPECT_EQ(result.number, next++);
     const analysis::InsertionRun& found = result.insertion;
     EXPECT_EQ(found.end, analysis::InsertionEnd::finished) << found.reason;
@@ -164,7 +164,7 @@ TEST_F(StudyRuns, HoldWhatEachInsertionWas)
     const auto passed = static_cast<std::size_t>(inMillimeters(found.depth) / 0.5);
     EXPECT_EQ(found.profile.size(), passed - 4);
     EXPECT_NEAR(inMillimeters(found.profile.front().depth), 2.5, 1e-9);
-    return Done{};
+    return {};
   });
   EXPECT_TRUE(done);
   EXPECT_EQ(next, 12u);

@@ -171,7 +171,7 @@ void ComparePage::compare(const std::vector<std::filesystem::path>& files)
 bool ComparePage::cancel()
 {
   if (!isBusy()) return false;
-  reading_.forget();
+  reading_.cancel();
   empty_->offer(tr("Choose recordings"));
   empty_->showMessage(tr("Canceled"),
                       tr("Select two or more recordings on the Sessions page and press Compare."));
@@ -274,7 +274,7 @@ void ComparePage::showScore()
   score_->setText(lines.join(QLatin1Char('\n')));
 }
 
-Result<Done> ComparePage::writeInto(const std::filesystem::path& folder) const
+Result<void> ComparePage::writeInto(const std::filesystem::path& folder) const
 {
   const figures::Drawing figure =
       figures::draw(analysis::comparisonFigure(runs_, comparedWith(), axis(), groups_));

@@ -38,7 +38,7 @@ public:
   const std::vector<analysis::ComparedInsertion>& runs() const { return runs_; }
 
   /// Writes tables, curves and events as CSV, the figure as SVG and PNG, into a folder.
-  Result<Done> writeInto(const std::filesystem::path& folder) const;
+  Result<void> writeInto(const std::filesystem::path& folder) const;
 
 private:
   QWidget* addRuns();

@@ -392,7 +392,7 @@ void CtPage::maximize(QWidget* chosen)
   for (QWidget* view : all) view->setVisible(isAlone || view == chosen);
 }
 
-void CtPage::showDone(const Result<Done>& done, const QString& file)
+void CtPage::showDone(const Result<void>& done, const QString& file)
 {
   if (done)
     panel_->showIdle(tr("Saved to %1.").arg(file));

@@ -103,7 +103,7 @@ private:
   void send();
   void saveMarks();
   void loadMarks();
-  void showDone(const Result<Done>& done, const QString& file);
+  void showDone(const Result<void>& done, const QString& file);
 
   const InsertionControl& control_;
   CtStudy study_;

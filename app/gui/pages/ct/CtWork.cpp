@@ -119,7 +119,7 @@ void CtWork::measure(std::shared_ptr<const ct::CtVolume> volume, ct::MeasureRequ
 void CtWork::cancel()
 {
   if (!isBusy()) return;
-  background_.forget();
+  background_.cancel();
   isCanceled_ = true;
   end();
   fail({});

@@ -37,7 +37,7 @@ session::VersionFacts factsOf(const ct::CochleaMeasures& measures, const std::st
 }
 
 /// Saves measures as a version of the ear with this code.
-Result<Done> saveMeasures(const ct::CochleaMeasures& measures, const std::string& code,
+Result<void> saveMeasures(const ct::CochleaMeasures& measures, const std::string& code,
                           const std::filesystem::path& file)
 {
   const auto text = imaging::measuredPatientText(measures, code);

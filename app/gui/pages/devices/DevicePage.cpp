@@ -35,7 +35,7 @@ QString abilityText(const device::FoundDevice& found)
 }  // namespace
 
 DevicePage::DevicePage(QWidget* parent)
-    : QFrame(parent), hand_(new QLabel(this)), live_(new QLabel(this))
+    : QFrame(parent), inUse_(new QLabel(this)), live_(new QLabel(this))
 {
   setObjectName(QStringLiteral("devices"));
   setFixedWidth(sized(pageWidth_px));
@@ -65,13 +65,13 @@ DevicePage::DevicePage(QWidget* parent)
   column_->setContentsMargins(3 * spacing, 2 * spacing, 3 * spacing, 2 * spacing);
   column_->setSpacing(spacing);
   column_->addLayout(head);
-  hand_->setFont(typeface(13, QFont::Medium));
-  hand_->setObjectName(QStringLiteral("deviceInUse"));
+  inUse_->setFont(typeface(13, QFont::Medium));
+  inUse_->setObjectName(QStringLiteral("deviceInUse"));
   live_->setFont(typeface(13));
   live_->setProperty("quiet", true);
   live_->setWordWrap(true);
   live_->setObjectName(QStringLiteral("deviceFigures"));
-  column_->addWidget(hand_);
+  column_->addWidget(inUse_);
   column_->addWidget(live_);
   hide();
 }
@@ -161,10 +161,10 @@ void DevicePage::setChangeable(bool isChangeable)
     if (button->property("chooses").toBool()) button->setEnabled(isChangeable);
 }
 
-void DevicePage::showHand(const QString& name, const std::optional<device::DeviceHealth>& health,
-                          const haptics::Snapshot& now, const QString& coupling)
+void DevicePage::showInUse(const QString& name, const std::optional<device::DeviceHealth>& health,
+                           const haptics::Snapshot& now, const QString& coupling)
 {
-  hand_->setText(tr("Input: %1").arg(dataText(name.toStdString())));
+  inUse_->setText(tr("Input: %1").arg(dataText(name.toStdString())));
   QStringList lines;
   if (now.measuredRate > 0.0)
     lines << tr("Loop: %1 samples/s, %2 late, %3 overruns, 99 % below %4 ms.")

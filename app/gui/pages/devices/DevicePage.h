@@ -29,8 +29,8 @@ public:
   /// Shows the device in use.
   ///
   /// @param coupling  A message if the device cannot render the requested coupling; else empty.
-  void showHand(const QString& name, const std::optional<device::DeviceHealth>& health,
-                const haptics::Snapshot& now, const QString& coupling);
+  void showInUse(const QString& name, const std::optional<device::DeviceHealth>& health,
+                 const haptics::Snapshot& now, const QString& coupling);
 
 Q_SIGNALS:
   void deviceChosen(const perilymph::device::FoundDevice& found);
@@ -41,7 +41,7 @@ private:
   void addDevice(const device::FoundDevice& found);
   QLabel* addText(QVBoxLayout& column, const QString& text, bool isQuiet);
 
-  QLabel* hand_;
+  QLabel* inUse_;
   QLabel* live_;
   QWidget* list_ = nullptr;
   QVBoxLayout* column_;

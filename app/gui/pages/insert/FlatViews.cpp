@@ -86,7 +86,7 @@ void FlatViews::setScene(const anatomy::ScalaTympani& scala, const electrode::Ar
   isShown_ = false;
 }
 
-void FlatViews::forgetScene() { scene_.reset(); }
+void FlatViews::releaseScene() { scene_.reset(); }
 
 void FlatViews::show(const haptics::Snapshot& now)
 {

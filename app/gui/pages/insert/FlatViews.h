@@ -31,7 +31,7 @@ public:
 
   /// Sets another cochlea or array. The cochlea must outlive the views or the next call.
   void setScene(const anatomy::ScalaTympani& scala, const electrode::ArrayDesign& array);
-  void forgetScene();
+  void releaseScene();
   /// Updates the position of the array.
   void show(const haptics::Snapshot& now);
 

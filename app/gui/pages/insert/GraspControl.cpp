@@ -17,7 +17,7 @@ QStringList holdText() { return {QStringLiteral("press"), QStringLiteral("toggle
 
 void GraspControl::hold(bool isHeld)
 {
-  if (control_.hand() != InputSource::pointer) return;
+  if (control_.input() != InputSource::pointer) return;
   const bool isToggled =
       UserSettings().word(QStringLiteral("hold"), holdText()) == QLatin1String("toggle");
   if (!isToggled)

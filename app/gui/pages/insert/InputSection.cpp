@@ -98,13 +98,13 @@ QString InputSection::commit()
   return tr("Force feedback gain %1. Enter a valid value or press Esc.").arg(force_->error());
 }
 
-void InputSection::setHand(InputSource hand, const QString& name)
+void InputSection::setInput(InputSource input, const QString& name)
 {
-  scripted_->setChecked(hand == InputSource::scripted);
-  pointer_->setChecked(hand == InputSource::pointer);
-  device_->setChecked(hand == InputSource::device);
-  device_->setText(hand == InputSource::device ? name : tr("Haptic device…"));
-  hold_->setVisible(hand == InputSource::pointer);
+  scripted_->setChecked(input == InputSource::scripted);
+  pointer_->setChecked(input == InputSource::pointer);
+  device_->setChecked(input == InputSource::device);
+  device_->setText(input == InputSource::device ? name : tr("Haptic device…"));
+  hold_->setVisible(input == InputSource::pointer);
 }
 
 void InputSection::setChangeable(bool isChangeable)

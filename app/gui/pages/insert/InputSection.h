@@ -27,7 +27,7 @@ public:
   QString commit();
 
   /// @param name  Name of the device.
-  void setHand(InputSource hand, const QString& name);
+  void setInput(InputSource input, const QString& name);
   void setChangeable(bool isChangeable);
   void setHeld(bool isHeld);
   void setHoldEnabled(bool isEnabled);
@@ -35,7 +35,7 @@ public:
 
 Q_SIGNALS:
   void changeRequested(const perilymph::gui::SetupChange& change);
-  void inputChosen(perilymph::gui::InputSource hand);
+  void inputChosen(perilymph::gui::InputSource input);
   void devicesRequested();
   void holdChanged(bool isHeld);
   void styletRequested();

@@ -109,7 +109,7 @@ void InsertPage::connectInsertion()
     presenter_.showPrepared();
     updateReadouts();
   });
-  connect(&insertion_, &Insertion::cochleaEnding, views_, &InsertionViews::forgetScene);
+  connect(&insertion_, &Insertion::cochleaEnding, views_, &InsertionViews::releaseScene);
   connect(&insertion_, &Insertion::cochleaChanged, this, [this] { presenter_.showCochlea(); });
   connect(&insertion_, &Insertion::setupChanged, this,
           [this] { side_->showSetup(insertion_.history()); });
@@ -184,7 +184,7 @@ void InsertPage::connectResult()
 
 void InsertPage::showResult()
 {
-  if (!insertion_.result()) return result_->forget();
+  if (!insertion_.result()) return result_->clear();
   const InsertionControl& control = insertion_.control();
   const bool isInside = control.isAtDepth() || control.earlyEnd() != haptics::InsertionEnd::none;
   if (isInside) views_->charts()->showRecorded(insertion_.result()->insertion.profile);

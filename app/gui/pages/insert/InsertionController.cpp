@@ -49,21 +49,21 @@ void InsertionController::connectSetup()
   });
 }
 
-Result<Done> InsertionController::open()
+Result<void> InsertionController::open()
 {
   control_.use(control_.scenario(), setup_->takeFirst());
-  const Result<Done> ready = control_.prepare(InputSource::scripted);
+  const Result<void> ready = control_.prepare(InputSource::scripted);
   if (!ready) return ready;
   Q_EMIT cochleaChanged();
   Q_EMIT prepared();
   if (inputBefore_ != InputSource::scripted) prepare(inputBefore_);
   Q_EMIT opened();
-  return Done{};
+  return {};
 }
 
 InsertionController::Memory InsertionController::memory() const
 {
-  return {history().memory(), reference_, replay_->isOpen() ? inputBefore_ : control_.hand(),
+  return {history().memory(), reference_, replay_->isOpen() ? inputBefore_ : control_.input(),
           control_.chosen(), plan_};
 }
 
@@ -128,7 +128,7 @@ void InsertionController::use(const session::Scenario& scenario,
   if (!looksTheSame) Q_EMIT cochleaEnding();
   control_.use(scenario, parts);
   Q_EMIT subjectChanged();
-  prepare(control_.hand());
+  prepare(control_.input());
   if (!looksTheSame) Q_EMIT cochleaChanged();
   if (setup_->isStartRequested()) start();
 }
@@ -167,7 +167,7 @@ void InsertionController::start()
   rememberArray(history().now().scenario);
   setup_->startWhenBuilt(setup_->isBuilding());
   if (setup_->isBuilding()) return stateChanged();
-  const Result<Done> begun = control_.begin();
+  const Result<void> begun = control_.begin();
   if (!begun) showError(dataText(begun.error().message));
   Q_EMIT stateChanged();
 }
@@ -193,18 +193,18 @@ void InsertionController::withdraw()
   Q_EMIT stateChanged();
 }
 
-void InsertionController::reset() { prepare(control_.hand()); }
+void InsertionController::reset() { prepare(control_.input()); }
 
 void InsertionController::again()
 {
   reset();
-  if (control_.hand() == InputSource::scripted) start();
+  if (control_.input() == InputSource::scripted) start();
 }
 
 void InsertionController::followEnd()
 {
   const auto workflow = control_.now().output.workflow;
-  if (isResultRequested_ && !isOver(workflow)) return forgetResult();  // it is withdrawn
+  if (isResultRequested_ && !isOver(workflow)) return discardResult();  // it is withdrawn
   // a rest that was recorded further is read again
   const double time = control_.now().output.time;
   if (control_.progress() != Progress::concluded || (isResultRequested_ && time == readUpTo_))
@@ -226,17 +226,17 @@ void InsertionController::followEnd()
       });
 }
 
-void InsertionController::forgetResult()
+void InsertionController::discardResult()
 {
   isResultRequested_ = false;
-  reading_.forget();
+  reading_.cancel();
   result_.reset();
   Q_EMIT resultChanged();
 }
 
 void InsertionController::pressSpace()
 {
-  if (control_.hand() == InputSource::pointer) {
+  if (control_.input() == InputSource::pointer) {
     if (!control_.isRunning()) start();
     held_.hold(true);
   } else if (control_.isMoving() || control_.isDeviceActive()) {
@@ -261,7 +261,7 @@ void InsertionController::loseKeyboard()
 
 void InsertionController::chooseInput(InputSource input)
 {
-  if (input != control_.hand()) prepare(input);
+  if (input != control_.input()) prepare(input);
 }
 
 void InsertionController::prepare(InputSource input)
@@ -269,8 +269,8 @@ void InsertionController::prepare(InputSource input)
   error_.clear();
   held_.letGo();
   if (control_.isRunning()) before_ = control_.recording();
-  forgetResult();
-  const Result<Done> ready = control_.prepare(input);
+  discardResult();
+  const Result<void> ready = control_.prepare(input);
   if (!ready && input == InputSource::device) {
     // If a device cannot be opened, the script remains the input device.
     prepare(InputSource::scripted);
@@ -289,8 +289,8 @@ void InsertionController::openReplay(const std::filesystem::path& file)
 void InsertionController::beginReplay()
 {
   // Only the display may move: the insertion ends, and no device remains open.
-  setup_->forget();
-  inputBefore_ = control_.hand();
+  setup_->abandon();
+  inputBefore_ = control_.input();
   prepare(InputSource::scripted);
   Q_EMIT replayOpened();
   Q_EMIT subjectChanged();

@@ -43,7 +43,7 @@ public:
   const ReplayPlayer& replay() const { return *replay_; }
 
   /// Builds the cochlea and prepares the insertion.
-  Result<Done> open();
+  Result<void> open();
   /// Loads another setup, whose cochlea is built meanwhile.
   void load(const InsertionRequest& request);
   /// The same with a patient's cochlea, where a change is possible: all else as it is for the patient
@@ -160,7 +160,7 @@ private:
   void use(const session::Scenario& scenario, const std::optional<InsertionControl::Parts>& parts);
   void beginReplay();
   void setLoading(const std::optional<session::Scenario>& scenario);
-  void forgetResult();
+  void discardResult();
 
   InsertionControl control_;
   SafetyStop safety_;

@@ -68,7 +68,7 @@ void InsertionPresenter::showPrepared()
 
 void InsertionPresenter::showInput()
 {
-  zones_.side->setHand(control_.hand(), QString::fromStdString(control_.inputName()));
+  zones_.side->setInput(control_.input(), QString::fromStdString(control_.inputName()));
 }
 
 bool InsertionPresenter::isNew(const haptics::Snapshot& now)

@@ -142,8 +142,8 @@ QString hintText(const InsertionControl& control)
                : tr("Back at the start, tip %1 mm inside. Press Reset for a new insertion.")
                      .arg(numberText(inMillimeters(inside), 1));
   }
-  if (control.hand() == InputSource::scripted) return {};
-  if (control.hand() == InputSource::device) return deviceHint(control);
+  if (control.input() == InputSource::scripted) return {};
+  if (control.input() == InputSource::device) return deviceHint(control);
   if (!control.isRunning())
     return tr("Press Start, then hold Space and scroll down or press ↓ to advance.");
   if (!control.isHeld()) return tr("Hold Space, then scroll down or press ↓ to advance.");

@@ -197,11 +197,11 @@ void InsertionViews::setScene(const anatomy::ScalaTympani& scala, const session:
   if (twin_) openTwin();
 }
 
-void InsertionViews::forgetScene()
+void InsertionViews::releaseScene()
 {
   scala_ = nullptr;
   shown_ = {};
-  flat_->forgetScene();
+  flat_->releaseScene();
 }
 
 void InsertionViews::showSlowly(const haptics::Snapshot& now)

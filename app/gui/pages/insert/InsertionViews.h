@@ -31,10 +31,10 @@ public:
   OperationView* operation() const { return operation_; }
   ForceCharts* charts() const { return charts_; }
 
-  /// Sets cochlea and array. The cochlea must outlive the views, the next call, or forgetScene().
+  /// Sets cochlea and array. The cochlea must outlive the views, the next call, or releaseScene().
   void setScene(const anatomy::ScalaTympani& scala, const session::Scenario& scenario);
   /// The cochlea will be destroyed.
-  void forgetScene();
+  void releaseScene();
   /// Updates the views that follow the array fifteen times a second.
   void showSlowly(const haptics::Snapshot& now);
 

@@ -52,8 +52,8 @@ void ReplayPlayer::open(const std::filesystem::path& file)
 
 void ReplayPlayer::close()
 {
-  opening_.forget();
-  checking_.forget();
+  opening_.cancel();
+  checking_.cancel();
   playback_.reset();
   isPlaying_ = false;
   verdict_.clear();

@@ -151,7 +151,7 @@ void ResultCard::show(const ReportContent& content, const QString& title)
   place();
 }
 
-void ResultCard::forget()
+void ResultCard::clear()
 {
   isClosed_ = false;
   hide();

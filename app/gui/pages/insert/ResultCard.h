@@ -26,7 +26,7 @@ public:
   /// @param title  How the insertion ended: "Full depth".
   void show(const ReportContent& content, const QString& title);
   /// Hides it until the next insertion has ended.
-  void forget();
+  void clear();
 
 Q_SIGNALS:
   void reportRequested();

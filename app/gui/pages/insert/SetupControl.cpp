@@ -40,11 +40,11 @@ void SetupControl::follow()
   const session::Scenario& wanted = history_->now().scenario;
   const session::Scenario& shown = control_.scenario();
   if (wanted.text() == shown.text()) {
-    builder_.forget();
+    builder_.cancel();
     return followed();
   }
   if (haveSameModel(wanted, shown)) {
-    builder_.forget();
+    builder_.cancel();
     return ready(wanted, std::nullopt);
   }
   build(wanted, [this, wanted](const InsertionControl::Parts& parts) { ready(wanted, parts); });
@@ -72,14 +72,14 @@ bool SetupControl::cancel()
 
 void SetupControl::giveUp()
 {
-  forget();
+  abandon();
   history_->goTo(control_.scenario().text());  // the panel shows the actual setup
   Q_EMIT followed();
 }
 
-void SetupControl::forget()
+void SetupControl::abandon()
 {
-  builder_.forget();
+  builder_.cancel();
   isStartRequested_ = false;
 }
 

@@ -37,7 +37,7 @@ public:
   /// Restores the displayed setup and cancels building. False if nothing was being built.
   bool cancel();
   /// Cancels building; the setup is kept.
-  void forget();
+  void abandon();
 
   bool isBuilding() const { return builder_.isBusy(); }
   qint64 buildingFor_ms() const { return builder_.busyFor_ms(); }

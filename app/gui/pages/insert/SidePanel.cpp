@@ -38,7 +38,7 @@ SidePanel::SidePanel(std::shared_ptr<CochleaStore> cochleae, QWidget* parent)
   head_ = new ScenarioHeader(content);
   patient_ = new PatientSection(std::move(cochleae), content);
   array_ = new ArraySection(content);
-  hand_ = new InputSection(content);
+  input_ = new InputSection(content);
   auto* rows = new QVBoxLayout(content);
   rows->setContentsMargins(2 * spacing, spacing, 2 * spacing - scrollBar_px, spacing);
   rows->setSpacing(spacing);
@@ -46,7 +46,7 @@ SidePanel::SidePanel(std::shared_ptr<CochleaStore> cochleae, QWidget* parent)
   rows->addWidget(patient_);
   rows->addWidget(array_);
   rows->addWidget(array_->expert());
-  rows->addWidget(hand_);
+  rows->addWidget(input_);
   rows->addWidget(showSection(content));
   rows->addStretch();
 
@@ -87,11 +87,11 @@ void SidePanel::connectSections()
   connect(patient_, &PatientSection::allPatientsRequested, this, &SidePanel::allPatientsRequested);
   connect(patient_, &PatientSection::newPatientRequested, this, &SidePanel::newPatientRequested);
   connect(array_, &ArraySection::changeRequested, this, &SidePanel::changeRequested);
-  connect(hand_, &InputSection::changeRequested, this, &SidePanel::changeRequested);
-  connect(hand_, &InputSection::inputChosen, this, &SidePanel::inputChosen);
-  connect(hand_, &InputSection::devicesRequested, this, &SidePanel::devicesRequested);
-  connect(hand_, &InputSection::holdChanged, this, &SidePanel::holdChanged);
-  connect(hand_, &InputSection::styletRequested, this, &SidePanel::styletRequested);
+  connect(input_, &InputSection::changeRequested, this, &SidePanel::changeRequested);
+  connect(input_, &InputSection::inputChosen, this, &SidePanel::inputChosen);
+  connect(input_, &InputSection::devicesRequested, this, &SidePanel::devicesRequested);
+  connect(input_, &InputSection::holdChanged, this, &SidePanel::holdChanged);
+  connect(input_, &InputSection::styletRequested, this, &SidePanel::styletRequested);
   // scroll to a field that gets the focus by Tab
   connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) {
     if (now != nullptr && scroll_->widget()->isAncestorOf(now))
@@ -153,7 +153,7 @@ void SidePanel::showSetup(const SetupHistory& history)
   head_->show(history);
   patient_->show(history.now());
   array_->show(history.now());
-  hand_->show(history.now());
+  input_->show(history.now());
   const session::Scenario& scenario = history.now().scenario;
   reference_->showCurrent(session::subjectOf(scenario.text(), scenario.name()));
 }
@@ -167,7 +167,7 @@ QString SidePanel::commit()
 {
   QString error = patient_->commit();
   if (error.isEmpty()) error = array_->commit();
-  if (error.isEmpty()) error = hand_->commit();
+  if (error.isEmpty()) error = input_->commit();
   return error;
 }
 
@@ -181,20 +181,20 @@ void SidePanel::setChangeable(bool isChangeable)
   head_->setChangeable(isChangeable);
   patient_->body()->setEnabled(isChangeable);
   array_->setChangeable(isChangeable);
-  hand_->setChangeable(isChangeable);
+  input_->setChangeable(isChangeable);
 }
 
-void SidePanel::setHand(InputSource hand, const QString& name) { hand_->setHand(hand, name); }
+void SidePanel::setInput(InputSource input, const QString& name) { input_->setInput(input, name); }
 
 void SidePanel::setHeld(bool isHeld)
 {
   isHeld_ = isHeld;
-  hand_->setHeld(isHeld);
+  input_->setHeld(isHeld);
 }
 
-void SidePanel::setHoldEnabled(bool isEnabled) { hand_->setHoldEnabled(isEnabled); }
+void SidePanel::setHoldEnabled(bool isEnabled) { input_->setHoldEnabled(isEnabled); }
 
-void SidePanel::setStylet(const QString& text, bool canPull) { hand_->setStylet(text, canPull); }
+void SidePanel::setStylet(const QString& text, bool canPull) { input_->setStylet(text, canPull); }
 
 void SidePanel::setCollapsed(bool isCollapsed)
 {

@@ -42,7 +42,7 @@ public:
   void setChangeable(bool isChangeable);
 
   /// @param name  Name of the device.
-  void setHand(InputSource hand, const QString& name);
+  void setInput(InputSource input, const QString& name);
   void setHeld(bool isHeld);
   void setHoldEnabled(bool isEnabled);
   void setStylet(const QString& text, bool canPull);
@@ -67,7 +67,7 @@ Q_SIGNALS:
   void undoRequested();
   void redoRequested();
   void restoreRequested();
-  void inputChosen(perilymph::gui::InputSource hand);
+  void inputChosen(perilymph::gui::InputSource input);
   void devicesRequested();
   void holdChanged(bool isHeld);
   void styletRequested();
@@ -88,7 +88,7 @@ private:
   PatientSection* patient_;
   ArraySection* array_;
   ReferenceRow* reference_ = nullptr;
-  InputSection* hand_;
+  InputSection* input_;
   std::vector<std::pair<visualization::Part, CheckBox*>> parts_;
   CheckBox* experiment_ = nullptr;
   bool isChangeable_ = true;

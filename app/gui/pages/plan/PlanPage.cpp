@@ -69,7 +69,7 @@ PlanPage::PlanPage(QWidget* parent)
   connectPanel();
   connectWork();
   showEmpty();
-  forgetPlan();
+  discardPlan();
 }
 
 void PlanPage::showEmpty()
@@ -240,7 +240,7 @@ void PlanPage::connectPanel()
   connect(empty_, &EmptyPage::actionRequested, panel_, &PlanPanel::compute);
   connect(panel_, &PlanPanel::readyChanged, this,
           [this](bool isReady) { empty_->offer(isReady ? tr("Compute") : QString()); });
-  connect(panel_, &PlanPanel::patientChosen, this, &PlanPage::forgetPlan);
+  connect(panel_, &PlanPanel::patientChosen, this, &PlanPage::discardPlan);
   connect(panel_, &PlanPanel::computeRequested, this, &PlanPage::compute);
   connect(panel_, &PlanPanel::cancelRequested, this, &PlanPage::stop);
   connect(notes_, &PlanNotes::failed, this,
@@ -270,7 +270,7 @@ void PlanPage::openStored(const StoredPlan& stored)
 {
   panel_->showPlan(stored);
   if (stored.shownDraws == 0) {
-    forgetPlan();
+    discardPlan();
     return showMessage(
         stored.folder == folderOfPlan(stored.request)
             ? tr("This plan was interrupted before its first bands; Compute continues it.")
@@ -309,7 +309,7 @@ void PlanPage::compute()
   if (plan_ &&
       (plan_->request.arrays != request.arrays || plan_->request.friction != request.friction ||
        anatomy::patientText(plan_->request.patient) != anatomy::patientText(request.patient)))
-    forgetPlan();
+    discardPlan();
   if (const auto done = planning::checkDraws(request.draws); !done)
     return showMessage(dataText(done.error().message), true);
   progress_ = tr("Preparing…");
@@ -337,7 +337,7 @@ void PlanPage::planFor(const anatomy::Patient& patient)
   stop();
   panel_->refresh();
   panel_->setPatient(patient);
-  forgetPlan();
+  discardPlan();
   Q_EMIT pageRequested(id());
 }
 
@@ -399,7 +399,7 @@ void PlanPage::endProgress()
   panel_->showProgress(std::nullopt);
 }
 
-void PlanPage::forgetPlan()
+void PlanPage::discardPlan()
 {
   leaveArrays();
   plan_.reset();

@@ -85,7 +85,7 @@ private:
   void endProgress();
   /// What the page says before the first bands.
   void showEmpty();
-  void forgetPlan();
+  void discardPlan();
   void showMessage(const QString& sentence, bool isError = false);
 
   PlanWork work_;

@@ -28,7 +28,7 @@ PlanScene::PlanScene(QWidget* parent) : PlainVtkWidget(parent)
 
 PlanScene::~PlanScene() = default;
 
-void PlanScene::forget()
+void PlanScene::clear()
 {
   if (scene_) renderWindow()->RemoveRenderer(&scene_->renderer());
   scene_.reset();
@@ -38,7 +38,7 @@ void PlanScene::forget()
 
 void PlanScene::show(const PlanShapeWork::Shape& shape)
 {
-  forget();
+  clear();
   shape_ = shape;
   scene_ = std::make_unique<visualization::InsertionScene>(
       *shape->anatomy, shape->parameters.array, shape->parameters.cochlea.patient.side,

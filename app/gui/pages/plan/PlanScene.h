@@ -19,7 +19,7 @@ public:
   ~PlanScene() override;
 
   void show(const PlanShapeWork::Shape& shape);
-  void forget();
+  void clear();
   /// Arrows and colors of the forces with their scales.
   void showForces(bool areShown);
   bool isShown() const { return scene_ != nullptr; }

@@ -25,9 +25,9 @@ void PlanShapeWork::runNext(std::size_t place)
       "The view of the array",
       [plan = plan_, array = arrays_[place]](const std::stop_token& stop) -> Result<Shape> {
         std::optional<Result<planning::PlannedShape>> shape;
-        const auto work = [&](std::size_t, const std::stop_token& ending) -> Result<Done> {
+        const auto work = [&](std::size_t, const std::stop_token& ending) -> Result<void> {
           shape = planning::shapeOf(*plan, array, planning::medianDraw(*plan, array), ending);
-          return Done{};
+          return {};
         };
         // insertions run in threads of their own
         const auto ran = analysis::doInParallel(1, 1, work, {}, stop);

@@ -23,7 +23,7 @@ public:
 
   /// @param arrays  Indices into the plan's arrays.
   void run(const PlanWork::SharedPlan& plan, std::vector<std::size_t> arrays);
-  void cancel() { background_.forget(); }
+  void cancel() { background_.cancel(); }
   bool isBusy() const { return background_.isBusy(); }
 
 Q_SIGNALS:

@@ -167,7 +167,7 @@ void PlanView::arrange(std::size_t count)
   for (std::size_t i = 0; i < panes_.size(); ++i) {
     grid_->removeWidget(panes_[i].frame);
     panes_[i].frame->setVisible(i < count);
-    panes_[i].scene->forget();
+    panes_[i].scene->clear();
     if (i < count) grid_->addWidget(panes_[i].frame, int(i / columns), int(i % columns));
   }
   const bool isOne = count == 1;

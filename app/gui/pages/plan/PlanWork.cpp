@@ -41,7 +41,7 @@ void PlanWork::compute(const planning::PlanRequest& request)
       [shared = shared_, stored](const std::stop_token& stop) {
         return make(*shared, stored, stop);
       },
-      [this](const Result<Done>& done) {
+      [this](const Result<void>& done) {
         timer_.stop();
         report();
         Q_EMIT ended(done ? QString() : dataText(done.error().message));
@@ -49,7 +49,7 @@ void PlanWork::compute(const planning::PlanRequest& request)
   timer_.start();
 }
 
-Result<Done> PlanWork::make(Shared& shared, StoredPlan stored, const std::stop_token& stop)
+Result<void> PlanWork::make(Shared& shared, StoredPlan stored, const std::stop_token& stop)
 {
   if (const auto saved = savePlan(stored); !saved) return saved;
   const planning::PlanRequest& all = stored.request;
@@ -86,7 +86,7 @@ Result<Done> PlanWork::make(Shared& shared, StoredPlan stored, const std::stop_t
   stored.isComplete = true;
   const auto last = show(all);
   if (!last) return last.error();
-  return Done{};
+  return {};
 }
 
 void PlanWork::open(const StoredPlan& stored)
@@ -111,7 +111,7 @@ void PlanWork::open(const StoredPlan& stored)
 
 void PlanWork::cancel()
 {
-  background_.forget();
+  background_.cancel();
   timer_.stop();
   if (shared_) report();
 }

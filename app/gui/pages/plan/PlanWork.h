@@ -50,7 +50,7 @@ private:
     StoredPlan stored;
   };
 
-  static Result<Done> make(Shared& shared, StoredPlan stored, const std::stop_token& stop);
+  static Result<void> make(Shared& shared, StoredPlan stored, const std::stop_token& stop);
   void report();
 
   std::shared_ptr<Shared> shared_;

@@ -81,7 +81,7 @@ void LibraryWork::report()
     return progressed(done, all, fresh);
   // A file blocks its reader: do not wait for it.
   timer_.stop();
-  background_.forget();
+  background_.cancel();
   listed(sofar_, all);
 }
 

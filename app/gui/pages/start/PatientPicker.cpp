@@ -259,7 +259,7 @@ void PatientPicker::showSelected()
   details_->show(patient ? std::optional(*patient) : std::nullopt);
 }
 
-void PatientPicker::show(const Result<Done>& done, const QString& sentence)
+void PatientPicker::show(const Result<void>& done, const QString& sentence)
 {
   status_->setText(done ? sentence : dataText(done.error().message));
 }
@@ -287,7 +287,7 @@ void PatientPicker::changeArchived()
     patients_[shown_[std::size_t(list_->currentRow())]].record = *saved;
     showMatches();
   }
-  show(saved ? Result<Done>(Done{}) : Result<Done>(saved.error()),
+  show(saved ? Result<void>() : Result<void>(saved.error()),
        record.isArchived ? tr("%1 is archived; nothing is deleted.").arg(name)
                          : tr("%1 is in the list again.").arg(name));
 }

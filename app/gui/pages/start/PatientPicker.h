@@ -28,7 +28,7 @@ class PatientPicker : public QWidget {
 public:
   explicit PatientPicker(QWidget* parent);
 
-  /// Reads patients, plans and recordings again, and forgets the search.
+  /// Reads patients, plans and recordings again, and clears the search.
   ///
   /// @param beingRecorded  A recording that is not finished; it may be empty.
   void refresh(const std::filesystem::path& beingRecorded);
@@ -56,7 +56,7 @@ private:
   void changeArchived();
   void exportSelected();
   void importPatient();
-  void show(const Result<Done>& done, const QString& sentence);
+  void show(const Result<void>& done, const QString& sentence);
   void startTransfer(PatientTransfer::Copy copy);
   void showTransfer(const QString& sentence);
 

@@ -341,7 +341,7 @@ std::optional<StudyDraft> NewStudy::draft() const
 void NewStudy::edited()
 {
   if (note_ == nullptr || seed_ == nullptr || limits_.empty()) return;  // still being made
-  estimate_.forget();
+  estimate_.cancel();
   showMessage(tr("Estimating the time…"), false);
   waiting_.start();
 }

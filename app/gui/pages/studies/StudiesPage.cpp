@@ -353,13 +353,13 @@ void StudiesPage::runAgain()
   showBusy();
 }
 
-Result<Done> StudiesPage::writeInto(const std::filesystem::path& folder) const
+Result<void> StudiesPage::writeInto(const std::filesystem::path& folder) const
 {
-  if (!summary_) return Done{};
+  if (!summary_) return {};
   for (const auto& [name, content] : study::tablesOf(*columns_, plot_->rows(), *summary_))
     if (const auto written = writeWhole(folder / name, content, {Links::refused}); !written)
       return written;
-  return Done{};
+  return {};
 }
 
 void StudiesPage::save()

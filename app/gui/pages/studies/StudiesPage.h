@@ -51,7 +51,7 @@ public:
   const std::filesystem::path& folder() const { return folder_; }
 
   /// Writes the tables of the shown insertions as CSV into a folder.
-  Result<Done> writeInto(const std::filesystem::path& folder) const;
+  Result<void> writeInto(const std::filesystem::path& folder) const;
 
 private:
   QWidget* addPlot();

@@ -62,7 +62,7 @@ public:
   explicit StudyEstimateWork(QObject* parent) : QObject(parent), background_(this) {}
 
   void check(const StudyDraft& draft);
-  void forget() { background_.forget(); }
+  void cancel() { background_.cancel(); }
 
 Q_SIGNALS:
   void estimated(const perilymph::study::StudyEstimate& cost, std::size_t insertions);

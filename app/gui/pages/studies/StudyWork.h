@@ -26,7 +26,7 @@ public:
   /// sessions. One that is there from before is used.
   void runAgain(const Columns& columns, const std::filesystem::path& file, std::size_t row);
   /// Ends the work without an answer.
-  void cancel() { background_.forget(); }
+  void cancel() { background_.cancel(); }
   bool isBusy() const { return background_.isBusy(); }
 
 Q_SIGNALS:

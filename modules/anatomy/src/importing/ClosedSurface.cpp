@@ -104,7 +104,7 @@ double volumeOf(const Surface& surface)
   return sum;
 }
 
-Result<Done> checkPoints(const Surface& soup)
+Result<void> checkPoints(const Surface& soup)
 {
   if (soup.triangles.size() < static_cast<std::size_t>(minTriangles))
     return Error{
@@ -134,7 +134,7 @@ Result<Done> checkPoints(const Surface& soup)
         "The surface is %1 mm long; a scala tympani is between %2 and %3 mm. Surfaces are read in "
         "millimeters; export it so.",
         inText(1e3 * side, "%.4g"), inText(1e3 * minSide, "%.0f"), inText(1e3 * maxSide, "%.0f")};
-  return Done{};
+  return {};
 }
 
 }  // namespace

@@ -89,12 +89,12 @@ RoundWindow roundWindowAtEnd(const AxisFrame& frame, const AxialSection& first)
 
 /// Refuses an opening that is not at the basal end of the duct: a hole in its wall, which a closed
 /// surface would be measured from.
-Result<Done> checkAtBase(const SurfaceOpening& opening, const RoundWindow& window,
+Result<void> checkAtBase(const SurfaceOpening& opening, const RoundWindow& window,
                          const AxisFrame& frame, const AxialSection& first)
 {
   const Eigen::Vector3d base = roundWindowAtEnd(frame, first).center;
   const double off = std::min((opening.center - base).norm(), (window.center - base).norm());
-  if (off <= maxOffBase) return Done{};
+  if (off <= maxOffBase) return {};
   const Eigen::Vector3d place = 1e3 * opening.center;
   return Error{
       "The surface has a hole at (%1, %2, %3) mm, %4 mm from the basal end of its duct, where only "

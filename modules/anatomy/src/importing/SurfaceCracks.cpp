@@ -124,7 +124,7 @@ Kind kindOf(const Tip& tip, std::size_t unsure)
 
 }  // namespace
 
-Result<Done> closeCracks(Surface& surface)
+Result<void> closeCracks(Surface& surface)
 {
   for (bool isChanged = true; isChanged;) {
     isChanged = false;
@@ -148,7 +148,7 @@ Result<Done> closeCracks(Surface& surface)
           isChanged = true;
         }
   }
-  return Done{};
+  return {};
 }
 
 }  // namespace perilymph::anatomy

@@ -20,6 +20,6 @@ namespace perilymph::anatomy {
 ///   with two counterparts. A tooth on a straight rim is left as it is.
 ///
 /// Corners are shared by triangles. A surface without such corners is left as it is.
-Result<Done> closeCracks(Surface& surface);
+Result<void> closeCracks(Surface& surface);
 
 }  // namespace perilymph::anatomy

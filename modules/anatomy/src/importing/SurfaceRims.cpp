@@ -164,7 +164,7 @@ std::vector<SurfaceRim> rimsOf(const Surface& surface)
   return rims;
 }
 
-Result<Done> checkRims(const Surface& surface, const std::vector<SurfaceRim>& rims)
+Result<void> checkRims(const Surface& surface, const std::vector<SurfaceRim>& rims)
 {
   const Fans fans = fansOf(surface, rims);
   for (const SurfaceRim& rim : rims)
@@ -176,7 +176,7 @@ Result<Done> checkRims(const Surface& surface, const std::vector<SurfaceRim>& ri
         "round window may be open; close the other.",
         inText(1e3 * rims[0].length, "%.2f"), placeOf(surface, rims[0].corners[0]),
         inText(1e3 * rims[1].length, "%.2f"), placeOf(surface, rims[1].corners[0])};
-  if (rims.empty() || !(rims[0].length > openingRim)) return Done{};
+  if (rims.empty() || !(rims[0].length > openingRim)) return {};
   const double circularity =
       4.0 * pi * areaOf(surface, rims[0]).norm() / (rims[0].length * rims[0].length);
   const double flat = inPlane(surface, rims[0], fans);
@@ -191,7 +191,7 @@ Result<Done> checkRims(const Surface& surface, const std::vector<SurfaceRim>& ri
         "The surface has a hole at %1 with a rim of %2 mm in the side of its wall, not across the "
         "duct as the opening at the round window. Close it in the segmentation program.",
         placeOf(surface, rims[0].corners[0]), inText(1e3 * rims[0].length, "%.2f")};
-  return Done{};
+  return {};
 }
 
 }  // namespace perilymph::anatomy

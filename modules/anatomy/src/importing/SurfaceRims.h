@@ -36,6 +36,6 @@ std::vector<SurfaceRim> rimsOf(const Surface& surface);
 /// - a second rim longer than `openingRim`;
 /// - an opening that is none: a slit, or a hole in the side of the duct, whose rim lies in the wall
 ///   that surrounds it rather than across it.
-Result<Done> checkRims(const Surface& surface, const std::vector<SurfaceRim>& rims);
+Result<void> checkRims(const Surface& surface, const std::vector<SurfaceRim>& rims);
 
 }  // namespace perilymph::anatomy

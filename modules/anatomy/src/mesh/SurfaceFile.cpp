@@ -139,7 +139,7 @@ std::string vtp(const Surface& surface, const std::string& title)
 
 }  // namespace
 
-Result<Done> writeSurface(const Surface& surface, const std::string& title,
+Result<void> writeSurface(const Surface& surface, const std::string& title,
                           const std::filesystem::path& file)
 {
   const std::string line = onOneLine(title);

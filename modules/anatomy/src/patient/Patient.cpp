@@ -113,7 +113,7 @@ Sentence complaint(const Sentence& name, Length value, const Spread& spread)
                   place(value, spread), rounded(spread.low), rounded(spread.high)};
 }
 
-Result<Done> checkBasalTurn(const BasalTurn& turn)
+Result<void> checkBasalTurn(const BasalTurn& turn)
 {
   for (const Sentence& sentence : {complaint(Sentence{"A (a_mm)"}, turn.a, spreadOfA()),
                                    complaint(Sentence{"B (b_mm)"}, turn.b, spreadOfB())})
@@ -123,7 +123,7 @@ Result<Done> checkBasalTurn(const BasalTurn& turn)
         complaint(Sentence{"The height H"}, "h_mm", *turn.h, rangeOf(limitsOfH()));
     if (!sentence.empty()) return Error{sentence};
   }
-  return Done{};
+  return {};
 }
 
 /// Keys of the correlations of errors in a patient file.
@@ -138,7 +138,7 @@ constexpr CorrelationKey correlationKeys[] = {{"ab_correlation", &BasalTurnError
 // Larger errors would leave no measurement: A and B are 5 to 11 mm.
 constexpr Range error_mm{0.0, 2.0};
 
-Result<Done> checkErrors(const BasalTurnErrors& errors)
+Result<void> checkErrors(const BasalTurnErrors& errors)
 {
   for (const Sentence& sentence :
        {complaint(Sentence{"The standard deviation of A"}, "a_sd_mm", errors.a, error_mm),
@@ -157,7 +157,7 @@ Result<Done> checkErrors(const BasalTurnErrors& errors)
     return Error{
         "The correlations of the errors of A, B and H (ab_correlation, ah_correlation, "
         "bh_correlation) contradict each other: no three errors have them. Check them."};
-  return Done{};
+  return {};
 }
 
 /// Keys of the origin of measures in a patient file.
@@ -275,9 +275,9 @@ Result<Patient> readPatient(Result<TomlReader> reader, const std::string& label)
   }
 
   const std::string seal = reader->text(sealKey, "");
-  if (const Result<Done> done = reader->finish(); !done) return done.error();
+  if (const Result<void> done = reader->finish(); !done) return done.error();
   patient.seal = sealIn(patient, seal);
-  if (const Result<Done> done = checkPatient(patient); !done)
+  if (const Result<void> done = checkPatient(patient); !done)
     return Error{"%1: %2", reader->name(), done.error().message};
   return patient;
 }
@@ -313,12 +313,12 @@ bool isFromCt(const Patient& patient)
          !(patient.origin.seriesKey.empty() && patient.origin.software.empty());
 }
 
-Result<Done> savePatient(const Patient& patient, const std::filesystem::path& file)
+Result<void> savePatient(const Patient& patient, const std::filesystem::path& file)
 {
   return writeWhole(file, patientText(patient), {Links::followed, Audience::owner});
 }
 
-Result<Done> checkPatient(const Patient& patient)
+Result<void> checkPatient(const Patient& patient)
 {
   if (patient.basalTurn && patient.errors)
     if (const auto done = checkErrors(*patient.errors); !done) return done;
@@ -331,13 +331,13 @@ Result<Done> checkPatient(const Patient& patient)
         complaint(Sentence{"The height of its section at the round window"}, "rw_height_mm",
                   patient.roundWindowHeight, height_mm)})
     if (!sentence.empty()) return Error{sentence};
-  return Done{};
+  return {};
 }
 
-Result<Done> checkPatientCode(const std::string& code)
+Result<void> checkPatientCode(const std::string& code)
 {
   const bool isPlain = std::all_of(code.begin(), code.end(), isCodeCharacter);
-  if (isPlain && !code.empty() && code.size() <= maxCodeLength) return Done{};
+  if (isPlain && !code.empty() && code.size() <= maxCodeLength) return {};
   return Error{
       "'%1' cannot be a patient code; use 1 to %2 letters A to Z, digits and hyphens, such as "
       "P-017, and no name.",

@@ -127,7 +127,7 @@ void AxesReader::drift(std::uint8_t report) noexcept
 }
 
 std::optional<std::uint64_t> AxesReader::decode(const RawReport& report,
-                                                DeviceSample& hand) noexcept
+                                                DeviceSample& sample) noexcept
 {
   if (report.size == 0) return std::nullopt;
   const std::uint8_t number = report.bytes[0];
@@ -148,9 +148,9 @@ std::optional<std::uint64_t> AxesReader::decode(const RawReport& report,
   }
   if (hasAxes && layout_.motion == AxesLayout::Motion::place) place();
   if (hasAxes && layout_.motion == AxesLayout::Motion::rate) drift(number);
-  hand.position_D = position_D_;
-  hand.rotation_D = rotation_D_;
-  hand.buttons = pressed_;
+  sample.position_D = position_D_;
+  sample.rotation_D = rotation_D_;
+  sample.buttons = pressed_;
   return 0u;
 }
 

@@ -14,7 +14,7 @@ public:
   static Result<AxesReader> make(const DeviceProfile& profile, const ReportDescriptor& descriptor);
 
   /// See DeviceCodec::decode(). Real-time safe.
-  std::optional<std::uint64_t> decode(const RawReport& report, DeviceSample& hand) noexcept;
+  std::optional<std::uint64_t> decode(const RawReport& report, DeviceSample& sample) noexcept;
 
   int buttons() const noexcept { return buttons_; }
   /// Counts from the center of an axis to its end; 0 for an undriven axis.
@@ -60,12 +60,13 @@ public:
   {
   }
 
-  std::optional<std::uint64_t> decode(const RawReport& report, DeviceSample& hand) noexcept override
+  std::optional<std::uint64_t> decode(const RawReport& report,
+                                      DeviceSample& sample) noexcept override
   {
-    return reader_.decode(report, hand);
+    return reader_.decode(report, sample);
   }
   void encode(const Wrench&, ReportList& reports) noexcept override { reports.count = 0; }
-  Result<Done> begin(Transport& transport) override
+  Result<void> begin(Transport& transport) override
   {
     return sendAll(transport, profile_.onOpen, profile_.name);
   }

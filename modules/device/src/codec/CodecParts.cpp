@@ -20,12 +20,12 @@ Transfer send(Transport& transport, ReportKind kind, const RawReport& report) no
 
 }  // namespace
 
-Result<Done> sendOne(Transport& transport, ReportKind kind, const RawReport& report,
+Result<void> sendOne(Transport& transport, ReportKind kind, const RawReport& report,
                      const std::string& device, const std::string& what)
 {
   switch (send(transport, kind, report)) {
     case Transfer::done:
-      return Done{};
+      return {};
     case Transfer::gone:
       return Error{"The %1 went away while it was told %2. Check its cable and open it again.",
                    device, what};
@@ -37,14 +37,14 @@ Result<Done> sendOne(Transport& transport, ReportKind kind, const RawReport& rep
   }
 }
 
-Result<Done> sendAll(Transport& transport, std::span<const FixedReport> reports,
+Result<void> sendAll(Transport& transport, std::span<const FixedReport> reports,
                      const std::string& device)
 {
   for (const FixedReport& fixed : reports) {
     auto sent = sendOne(transport, fixed.kind, raw(fixed), device, "a report of its profile");
     if (!sent) return sent;
   }
-  return Done{};
+  return {};
 }
 
 void sendQuietly(Transport& transport, std::span<const FixedReport> reports) noexcept

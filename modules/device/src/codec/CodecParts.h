@@ -83,10 +83,10 @@ inline FixedReport fixed(const RawReport& report)
 }
 
 /// Sends several output or feature reports; the error names the one that was refused.
-Result<Done> sendAll(Transport& transport, std::span<const FixedReport> reports,
+Result<void> sendAll(Transport& transport, std::span<const FixedReport> reports,
                      const std::string& device);
 /// Sends one report. @param what  For messages: "the device gain".
-Result<Done> sendOne(Transport& transport, ReportKind kind, const RawReport& report,
+Result<void> sendOne(Transport& transport, ReportKind kind, const RawReport& report,
                      const std::string& device, const std::string& what);
 /// The same without error reporting.
 void sendQuietly(Transport& transport, std::span<const FixedReport> reports) noexcept;

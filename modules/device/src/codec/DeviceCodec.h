@@ -41,14 +41,14 @@ public:
   /// @return the device's own report counter if it has one, else 0; empty for a report of another
   ///         collection or a malformed one: `hand` is then unchanged. Real-time safe.
   virtual std::optional<std::uint64_t> decode(const RawReport& report,
-                                              DeviceSample& hand) noexcept = 0;
+                                              DeviceSample& sample) noexcept = 0;
 
   /// The output reports that render this wrench. Real-time safe.
   virtual void encode(const Wrench& wrench_D, ReportList& reports) noexcept = 0;
 
   /// Prepares the device to render forces, with zero force: enables actuators, creates effects.
   /// Blocks. The error names the step that the device refused.
-  virtual Result<Done> begin(Transport& transport) = 0;
+  virtual Result<void> begin(Transport& transport) = 0;
   /// Stops every effect and disables the actuators, as far as the device still responds. Blocks.
   virtual void end(Transport& transport) noexcept = 0;
   /// The reports of end(), to be sent by another process; valid after begin(). Empty for a device

@@ -181,7 +181,7 @@ Result<DeviceProfile> finished(Result<TomlReader> reader)
 {
   if (!reader) return reader.error();
   DeviceProfile profile = read(*reader);
-  if (const Result<Done> done = reader->finish(); !done) return done.error();
+  if (const Result<void> done = reader->finish(); !done) return done.error();
   return profile;
 }
 
@@ -193,7 +193,7 @@ void addTo(ProfileCatalog& catalog, const std::filesystem::path& file)
     return;
   }
   DeviceProfile profile = read(*reader);
-  if (const Result<Done> done = reader->finish(); !done)
+  if (const Result<void> done = reader->finish(); !done)
     catalog.broken.push_back({done.error().message, std::move(profile.matches)});
   else
     catalog.profiles.push_back(std::move(profile));

@@ -59,13 +59,13 @@ void PidCodec::encodeDirection(const Vector3& magnitude, ReportList& reports) co
   reports.count = 2;
 }
 
-Result<Done> PidCodec::tell(Transport& transport, std::optional<RawReport> report, const char* what)
+Result<void> PidCodec::tell(Transport& transport, std::optional<RawReport> report, const char* what)
 {
-  if (!report) return Done{};  // not listed by the device: nothing to send
+  if (!report) return {};  // not listed by the device: nothing to send
   return sendOne(transport, ReportKind::output, *report, profile_.name, what);
 }
 
-Result<Done> PidCodec::addEffect(Transport& transport, std::size_t axis)
+Result<void> PidCodec::addEffect(Transport& transport, std::size_t axis)
 {
   auto sent = sendOne(transport, ReportKind::feature, reports_.createEffect(), profile_.name,
                       "to make a constant force");
@@ -106,7 +106,7 @@ Result<Done> PidCodec::addEffect(Transport& transport, std::size_t axis)
   return tell(transport, reports_.start(block), "to start an effect");
 }
 
-Result<Done> PidCodec::create(Transport& transport)
+Result<void> PidCodec::create(Transport& transport)
 {
   auto sent = sendAll(transport, profile_.onOpen, profile_.name);
   if (sent) sent = tell(transport, reports_.control(Control::stopAll), "to stop all effects");
@@ -124,7 +124,7 @@ Result<Done> PidCodec::create(Transport& transport)
   return sent;
 }
 
-Result<Done> PidCodec::begin(Transport& transport)
+Result<void> PidCodec::begin(Transport& transport)
 {
   effectCount_ = 0;
   auto sent = create(transport);

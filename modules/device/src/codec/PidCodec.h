@@ -16,15 +16,16 @@ public:
   {
   }
 
-  std::optional<std::uint64_t> decode(const RawReport& report, DeviceSample& hand) noexcept override
+  std::optional<std::uint64_t> decode(const RawReport& report,
+                                      DeviceSample& sample) noexcept override
   {
-    return reader_.decode(report, hand);
+    return reader_.decode(report, sample);
   }
   /// Returns no reports before begin() created the effects, or after end() released them.
   void encode(const Wrench& wrench_D, ReportList& reports) noexcept override;
   /// Stops effects of other programs, resets, creates the effects with zero force and starts them;
   /// the actuators are enabled last.
-  Result<Done> begin(Transport& transport) override;
+  Result<void> begin(Transport& transport) override;
   void end(Transport& transport) noexcept override;
   ShutdownReports shutdownReports() const override;
 
@@ -34,9 +35,9 @@ private:
     std::size_t axis = 0;  ///< Axis of D before the mount; unused for variable directions.
   };
 
-  Result<Done> create(Transport& transport);
-  Result<Done> addEffect(Transport& transport, std::size_t axis);
-  Result<Done> tell(Transport& transport, std::optional<RawReport> report, const char* what);
+  Result<void> create(Transport& transport);
+  Result<void> addEffect(Transport& transport, std::size_t axis);
+  Result<void> tell(Transport& transport, std::optional<RawReport> report, const char* what);
   bool isMoved(std::size_t axis) const noexcept;
   void encodeDirection(const Vector3& magnitude, ReportList& reports) const noexcept;
 

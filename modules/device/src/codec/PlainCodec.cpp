@@ -38,7 +38,7 @@ Vector3 PlainCodec::position_B(const Vector3& counts) noexcept
 }
 
 std::optional<std::uint64_t> PlainCodec::decode(const RawReport& report,
-                                                DeviceSample& hand) noexcept
+                                                DeviceSample& sample) noexcept
 {
   const PlainLayout& plain = profile_.plain;
   const auto bytes = body(report);
@@ -52,10 +52,10 @@ std::optional<std::uint64_t> PlainCodec::decode(const RawReport& report,
   for (const double coordinate : position_D)
     if (!std::isfinite(coordinate)) return std::nullopt;
 
-  hand.position_D = position_D;
+  sample.position_D = position_D;
   if (plain.buttons)
-    hand.buttons = buttonBits(static_cast<std::uint32_t>(numberAt(bytes, *plain.buttons)),
-                              profile_.graspButton);
+    sample.buttons = buttonBits(static_cast<std::uint32_t>(numberAt(bytes, *plain.buttons)),
+                                profile_.graspButton);
   if (plain.calibration && numberAt(bytes, *plain.calibration) != 0) asksForCounts_ = true;
   return plain.counter ? static_cast<std::uint64_t>(numberAt(bytes, *plain.counter)) : 0u;
 }
@@ -94,7 +94,7 @@ void PlainCodec::encode(const Wrench& wrench_D, ReportList& reports) noexcept
   reports.count = 1;
 }
 
-Result<Done> PlainCodec::begin(Transport& transport)
+Result<void> PlainCodec::begin(Transport& transport)
 {
   auto sent = sendAll(transport, profile_.onOpen, profile_.name);
   if (!sent || !profile_.traits.rendersForce) return sent;

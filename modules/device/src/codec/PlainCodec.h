@@ -15,9 +15,9 @@ public:
   explicit PlainCodec(const DeviceProfile& profile) : profile_(profile) {}
 
   std::optional<std::uint64_t> decode(const RawReport& report,
-                                      DeviceSample& hand) noexcept override;
+                                      DeviceSample& sample) noexcept override;
   void encode(const Wrench& wrench_D, ReportList& reports) noexcept override;
-  Result<Done> begin(Transport& transport) override;
+  Result<void> begin(Transport& transport) override;
   void end(Transport& transport) noexcept override;
   ShutdownReports shutdownReports() const override;
 

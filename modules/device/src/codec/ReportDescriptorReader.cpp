@@ -131,7 +131,7 @@ std::string ReportDescriptorReader::readMain(const Item& item)
     default:
       break;  // reserved: to be ignored
   }
-  forgetLocals();
+  clearLocals();
   return error;
 }
 
@@ -300,7 +300,7 @@ void ReportDescriptorReader::addUsage(LocalUsage first, LocalUsage last)
   usages_.push_back({first, last});
 }
 
-void ReportDescriptorReader::forgetLocals()
+void ReportDescriptorReader::clearLocals()
 {
   usages_.clear();
   usageLow_.reset();

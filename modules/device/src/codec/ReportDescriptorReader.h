@@ -56,7 +56,7 @@ private:
   std::string openCollection(const Item& item);
   std::string addField(ReportKind kind, const Item& item);
   void addUsage(LocalUsage first, LocalUsage last);
-  void forgetLocals();
+  void clearLocals();
   std::uint32_t& bitsOf(ReportKind kind, std::uint8_t report);
 
   static constexpr std::size_t deepest = 32;

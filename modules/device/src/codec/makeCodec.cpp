@@ -11,13 +11,13 @@ namespace {
 using CodecResult = Result<std::unique_ptr<DeviceCodec>>;
 
 /// Whether reports with fixed positions have the length declared by the device.
-Result<Done> checkLengths(const DeviceProfile& profile, const ReportDescriptor& descriptor)
+Result<void> checkLengths(const DeviceProfile& profile, const ReportDescriptor& descriptor)
 {
-  if (descriptor.fields().empty()) return Done{};
+  if (descriptor.fields().empty()) return {};
   const auto check = [&](ReportKind kind, const VectorLayout& layout, const char* what) {
     const std::size_t real = descriptor.reportBytes(kind, layout.report);
-    if (layout.bytes == 0 || real >= layout.bytes) return Result<Done>(Done{});
-    return Result<Done>(
+    if (layout.bytes == 0 || real >= layout.bytes) return Result<void>();
+    return Result<void>(
         Error{"The profile %1 does not fit the device: its %2 report %3 should have %4 bytes and "
               "has %5. Put right 'report' and 'bytes' in the profile, or take another one.",
               profile.file, what, layout.report, layout.bytes, real});

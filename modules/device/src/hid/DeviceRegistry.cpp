@@ -172,20 +172,20 @@ Result<FoundDevice> findDevice(const DeviceSurvey& survey, const std::string& na
   for (const FoundDevice& found : survey.devices) {
     if (isCalled(found, nameOrNode)) {
       if (found.isUsable()) return found;
-      return Error{"%1 cannot be the hand. %2", found.name(), found.obstacle};
+      return Error{"%1 cannot be the input. %2", found.name(), found.obstacle};
     }
     if (found.isUsable()) usable += (usable.empty() ? "" : ", ") + found.name();
   }
-  return Error{"There is no device '%1'. %2", nameOrNode,
-               (usable.empty() ? "No device that could be a hand is plugged in."
-                               : "There are: " + usable + ".")};
+  return Error{
+      "There is no device '%1'. %2", nameOrNode,
+      (usable.empty() ? "No usable haptic device is plugged in." : "There are: " + usable + ".")};
 }
 
 Result<std::unique_ptr<HapticDevice>> makeHidDevice(const FoundDevice& found,
                                                     const SystemRoots& roots,
                                                     const std::filesystem::path& tape)
 {
-  if (!found.isUsable()) return Error{"%1 cannot be the hand. %2", found.name(), found.obstacle};
+  if (!found.isUsable()) return Error{"%1 cannot be the input. %2", found.name(), found.obstacle};
   auto codec = makeCodec(*found.profile, descriptorOf(found.node));
   if (!codec) return codec.error();
   auto port = hidPort(found.node, roots);

@@ -50,7 +50,7 @@ struct HidDevice::Content {
     return traits.rendersForce || traits.reporting == Reporting::onWrite ||
            traits.reporting == Reporting::polled;
   }
-  Result<Done> openHandles(Handles& handles);
+  Result<void> openHandles(Handles& handles);
   void listen(const Handles& handles);
   void lend(Handles handles);
   void supervise();
@@ -103,43 +103,44 @@ HidDevice::~HidDevice() { close(); }
 
 DeviceTraits HidDevice::traits() const { return content_->traits; }
 
-Result<Done> HidDevice::open()
+Result<void> HidDevice::open()
 {
   close();
-  Content& hand = *content_;
-  hand.traits = hand.profile;
-  hand.channels = std::make_unique<DeviceChannels>();
-  hand.reader = ReportReader(*hand.codec, hand.profile.nominalPeriod, hand.clock);
-  hand.writer = std::make_unique<ForceWriter>(*hand.channels, *hand.codec, hand.traits, hand.clock);
-  hand.setError({});
-  hand.reconnections = 0;
+  Content& content = *content_;
+  content.traits = content.profile;
+  content.channels = std::make_unique<DeviceChannels>();
+  content.reader = ReportReader(*content.codec, content.profile.nominalPeriod, content.clock);
+  content.writer = std::make_unique<ForceWriter>(*content.channels, *content.codec, content.traits,
+                                                 content.clock);
+  content.setError({});
+  content.reconnections = 0;
   Handles handles;
-  if (const auto done = hand.openHandles(handles); !done) return done;
-  hand.listen(handles);
-  hand.lend(std::move(handles));
+  if (const auto done = content.openHandles(handles); !done) return done;
+  content.listen(handles);
+  content.lend(std::move(handles));
 
-  hand.staleTime = nanoseconds(std::clamp(3.0 * hand.traits.nominalPeriod, 3e-3, 30e-3));
-  hand.blockedAfter = std::max(hand.staleTime, nanoseconds(blockedTime));
-  hand.isOpen = true;
-  if (hand.needsWriter())
-    hand.writerThread = std::thread([&hand] {
+  content.staleTime = nanoseconds(std::clamp(3.0 * content.traits.nominalPeriod, 3e-3, 30e-3));
+  content.blockedAfter = std::max(content.staleTime, nanoseconds(blockedTime));
+  content.isOpen = true;
+  if (content.needsWriter())
+    content.writerThread = std::thread([&content] {
       declareThread(ThreadRole::deviceWriter);
-      hand.writer->run();
+      content.writer->run();
     });
-  hand.supervisorThread = std::thread([&hand] {
+  content.supervisorThread = std::thread([&content] {
     declareThread(ThreadRole::deviceSupervisor);
-    hand.supervise();
+    content.supervise();
   });
-  return Done{};
+  return {};
 }
 
 /// Opens and prepares the device, while no other thread uses the codec's writing side.
-Result<Done> HidDevice::Content::openHandles(Handles& handles)
+Result<void> HidDevice::Content::openHandles(Handles& handles)
 {
   auto forReading = port->open();
   if (!forReading) return forReading.error();
   handles.reading = *std::move(forReading);
-  if (!needsWriter()) return Done{};
+  if (!needsWriter()) return {};
 
   auto forWriting = port->open();
   if (!forWriting) return forWriting.error();
@@ -155,7 +156,7 @@ Result<Done> HidDevice::Content::openHandles(Handles& handles)
   isGuarded = watched.obstacle.empty();
   const std::lock_guard lock(errorMutex);
   guardObstacle = std::move(watched.obstacle);
-  return Done{};
+  return {};
 }
 
 void HidDevice::Content::listen(const Handles& handles)
@@ -186,72 +187,72 @@ void HidDevice::Content::lend(Handles handles)
 
 void HidDevice::close() noexcept
 {
-  Content& hand = *content_;
-  if (!hand.isOpen) return;
-  hand.isOpen = false;
-  hand.channels->isStopping = true;
-  hand.channels->writerBell.ring();
-  hand.channels->supervisorBell.ring();
-  if (hand.supervisorThread.joinable()) hand.supervisorThread.join();
-  if (hand.writerThread.joinable()) hand.writerThread.join();
-  delete std::exchange(hand.reading, nullptr);
-  hand.writer.reset();
-  hand.channels.reset();
-  hand.traits = hand.profile;
+  Content& content = *content_;
+  if (!content.isOpen) return;
+  content.isOpen = false;
+  content.channels->isStopping = true;
+  content.channels->writerBell.ring();
+  content.channels->supervisorBell.ring();
+  if (content.supervisorThread.joinable()) content.supervisorThread.join();
+  if (content.writerThread.joinable()) content.writerThread.join();
+  delete std::exchange(content.reading, nullptr);
+  content.writer.reset();
+  content.channels.reset();
+  content.traits = content.profile;
 }
 
 DeviceSample HidDevice::read() noexcept
 {
-  Content& hand = *content_;
-  DeviceSample sample = hand.reader.newest();
+  Content& content = *content_;
+  DeviceSample sample = content.reader.newest();
   sample.isValid = 0;
-  if (!hand.isOpen) return sample;
+  if (!content.isOpen) return sample;
 
-  DeviceChannels& channels = *hand.channels;
-  if (channels.isGone && hand.reading != nullptr) {
-    channels.reading.giveBack(std::exchange(hand.reading, nullptr));
+  DeviceChannels& channels = *content.channels;
+  if (channels.isGone && content.reading != nullptr) {
+    channels.reading.giveBack(std::exchange(content.reading, nullptr));
     channels.supervisorBell.ring();
   }
-  if (hand.reading == nullptr) {
-    hand.reading = channels.reading.take();
-    hand.reader.reset();
-    hand.listeningSince = hand.clock();
+  if (content.reading == nullptr) {
+    content.reading = channels.reading.take();
+    content.reader.reset();
+    content.listeningSince = content.clock();
   }
-  if (hand.reading == nullptr) return sample;
+  if (content.reading == nullptr) return sample;
 
-  const std::int64_t now = hand.clock();
-  const bool isPolled = hand.traits.reporting == Reporting::polled;
-  if (isPolled && channels.polled.refresh()) hand.reader.accept(channels.polled.latest());
-  if (hand.reader.drain(*hand.reading) == Transfer::gone) hand.lose();
-  hand.watchWriter(now);
-  hand.showFigures(now);
+  const std::int64_t now = content.clock();
+  const bool isPolled = content.traits.reporting == Reporting::polled;
+  if (isPolled && channels.polled.refresh()) content.reader.accept(channels.polled.latest());
+  if (content.reader.drain(*content.reading) == Transfer::gone) content.lose();
+  content.watchWriter(now);
+  content.showFigures(now);
 
-  if (hand.traits.reporting == Reporting::onChange) hand.reader.repeat();
-  sample = hand.reader.newest();
+  if (content.traits.reporting == Reporting::onChange) content.reader.repeat();
+  sample = content.reader.newest();
   sample.isValid = channels.isGone || channels.isBlocked ? 0 : 1;
   return sample;
 }
 
 void HidDevice::write(const Wrench& wrench_D) noexcept
 {
-  Content& hand = *content_;
-  if (!hand.isOpen || !hand.needsWriter()) return;
-  DeviceChannels& channels = *hand.channels;
-  const std::int64_t heard = hand.reader.lastFresh();
-  const bool isStale = heard == 0 || hand.clock() - heard >= hand.staleTime;
-  const bool isOff = isStale || channels.isGone || channels.isBlocked || hand.reading == nullptr;
-  channels.wrenches.publish(isOff || !hand.traits.rendersForce ? Wrench{} : wrench_D);
+  Content& content = *content_;
+  if (!content.isOpen || !content.needsWriter()) return;
+  DeviceChannels& channels = *content.channels;
+  const std::int64_t heard = content.reader.lastFresh();
+  const bool isStale = heard == 0 || content.clock() - heard >= content.staleTime;
+  const bool isOff = isStale || channels.isGone || channels.isBlocked || content.reading == nullptr;
+  channels.wrenches.publish(isOff || !content.traits.rendersForce ? Wrench{} : wrench_D);
   channels.writerBell.ring();
 }
 
 Awaited HidDevice::await(Duration timeout) noexcept
 {
-  Content& hand = *content_;
-  const bool isPeriodic = hand.traits.reporting == Reporting::periodic;
-  if (!hand.isOpen || !isPeriodic || hand.reading == nullptr || hand.channels->isGone)
+  Content& content = *content_;
+  const bool isPeriodic = content.traits.reporting == Reporting::periodic;
+  if (!content.isOpen || !isPeriodic || content.reading == nullptr || content.channels->isGone)
     return Awaited::cannot;
-  const Transfer transfer = hand.reader.await(*hand.reading, timeout);
-  if (transfer == Transfer::gone) hand.lose();
+  const Transfer transfer = content.reader.await(*content.reading, timeout);
+  if (transfer == Transfer::gone) content.lose();
   if (transfer == Transfer::gone || transfer == Transfer::failed) return Awaited::cannot;
   return transfer == Transfer::done ? Awaited::fresh : Awaited::nothing;
 }
@@ -320,34 +321,34 @@ void HidDevice::Content::setError(std::string sentence)
 
 std::optional<DeviceHealth> HidDevice::health()
 {
-  Content& hand = *content_;
-  if (!hand.isOpen) return std::nullopt;
+  Content& content = *content_;
+  if (!content.isOpen) return std::nullopt;
   DeviceHealth health;
-  health.isConnected = !hand.channels->isGone;
-  health.isBlocked = hand.channels->isBlocked;
-  hand.figures.refresh();
-  health.reading = hand.figures.latest();
-  health.writing = hand.writer->latestFigures();
-  health.period = hand.traits.nominalPeriod;
-  health.isPeriodMeasured = hand.isPeriodMeasured;
-  health.delay = hand.traits.transportDelay;
-  health.roundTrip = hand.roundTrip;
-  health.isRoundTripMeasured = hand.isRoundTripMeasured;
-  health.reconnections = hand.reconnections;
-  health.blockedWrites = hand.channels->blockedWrites;
-  health.isGuarded = hand.isGuarded;
-  const std::lock_guard lock(hand.errorMutex);
-  health.guardObstacle = hand.guardObstacle;
-  health.error = hand.error;
+  health.isConnected = !content.channels->isGone;
+  health.isBlocked = content.channels->isBlocked;
+  content.figures.refresh();
+  health.reading = content.figures.latest();
+  health.writing = content.writer->latestFigures();
+  health.period = content.traits.nominalPeriod;
+  health.isPeriodMeasured = content.isPeriodMeasured;
+  health.delay = content.traits.transportDelay;
+  health.roundTrip = content.roundTrip;
+  health.isRoundTripMeasured = content.isRoundTripMeasured;
+  health.reconnections = content.reconnections;
+  health.blockedWrites = content.channels->blockedWrites;
+  health.isGuarded = content.isGuarded;
+  const std::lock_guard lock(content.errorMutex);
+  health.guardObstacle = content.guardObstacle;
+  health.error = content.error;
   if (health.isConnected && health.reading.silence > 0.1)
-    health.error = hand.profile.name +
+    health.error = content.profile.name +
                    (health.reading.fresh == 0 ? " has sent no report since it was opened, "
                                               : " has sent nothing for ") +
                    std::to_string(health.reading.silence).substr(0, 4) + " s" +
                    (health.reading.fresh == 0 ? " ago" : "") +
                    ". The force is off. Move it, then check its cable.";
   if (health.isBlocked)
-    health.error = hand.profile.name + " takes no force. The force is off. Check its cable.";
+    health.error = content.profile.name + " takes no force. The force is off. Check its cable.";
   return health;
 }
 

@@ -35,7 +35,7 @@ public:
   /// Once open, with the measured period and delay.
   DeviceTraits traits() const override;
   /// Opens and prepares the device and listens to it for at most 0.1 s.
-  Result<Done> open() override;
+  Result<void> open() override;
   /// Sets the force to zero and switches the actuators off, as far as the device still responds. A
   /// write blocked in the system delays this by at most 5 s.
   void close() noexcept override;

@@ -87,7 +87,7 @@ public:
   PluginDevice& operator=(const PluginDevice&) = delete;
 
   DeviceTraits traits() const override { return traits_; }
-  Result<Done> open() override;
+  Result<void> open() override;
   void close() noexcept override;
   DeviceSample read() noexcept override;
   void write(const Wrench& wrench_D) noexcept override;
@@ -118,9 +118,9 @@ private:
   realtime::TripleBuffer<ReadingFigures> figures_;
 };
 
-Result<Done> PluginDevice::open()
+Result<void> PluginDevice::open()
 {
-  if (isOpen_ && !isLost_) return Done{};
+  if (isOpen_ && !isLost_) return {};
   close();
   if (process_->hasEnded()) {
     auto started = PluginProcess::start(library_);
@@ -141,7 +141,7 @@ Result<Done> PluginDevice::open()
   isLost_ = false;
   isOpen_ = true;
   measureDelay();
-  return Done{};
+  return {};
 }
 
 /// Measures the time from a force to the answer of the host, which includes the plug-in's write.

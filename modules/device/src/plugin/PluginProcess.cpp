@@ -107,13 +107,13 @@ Result<Reply> PluginProcess::await(int patience_ms)
   return Error{obituary()};
 }
 
-Result<Done> PluginProcess::open()
+Result<void> PluginProcess::open()
 {
   if (!say(requests_, plugin::open)) return Error{obituary()};
   const auto reply = await(patienceForOpen_ms);
   if (!reply) return reply.error();
   if (reply->isDone == 0) return Error{sentenceOf(*reply)};
-  return Done{};
+  return {};
 }
 
 void PluginProcess::close() noexcept

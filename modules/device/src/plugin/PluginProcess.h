@@ -30,7 +30,7 @@ public:
   const PerilymphDeviceTraitsV1& traits() const noexcept { return traits_; }
 
   /// Opens the device; waits 30 s at most. Then the exchange runs until close().
-  Result<Done> open();
+  Result<void> open();
   /// Sets the force to zero and closes the device; kills a host that does not answer within 2 s.
   void close() noexcept;
 

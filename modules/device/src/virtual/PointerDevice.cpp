@@ -89,7 +89,7 @@ DeviceTraits PointerDevice::traits() const
   return traits;
 }
 
-Result<Done> PointerDevice::open() { return Done{}; }
+Result<void> PointerDevice::open() { return {}; }
 
 void PointerDevice::close() noexcept { isHeld_ = false; }
 

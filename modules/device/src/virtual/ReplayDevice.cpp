@@ -20,13 +20,13 @@ DeviceTraits ReplayDevice::traits() const
   return traits;
 }
 
-Result<Done> ReplayDevice::open()
+Result<void> ReplayDevice::open()
 {
   if (samples_.empty())
     return Error{
         "The recorded hand has no samples; play a recording that holds at least one tick."};
   next_ = 0;
-  return Done{};
+  return {};
 }
 
 DeviceSample ReplayDevice::read() noexcept

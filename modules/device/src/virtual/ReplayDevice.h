@@ -22,7 +22,7 @@ public:
 
   DeviceTraits traits() const override;
   /// Starts from the first sample. Fails if there are no samples.
-  Result<Done> open() override;
+  Result<void> open() override;
   void close() noexcept override {}
   DeviceSample read() noexcept override;
   void write(const Wrench& wrench_D) noexcept override;

@@ -34,7 +34,7 @@ DeviceTraits ScriptedDevice::traits() const
   return traits;
 }
 
-Result<Done> ScriptedDevice::open() { return Done{}; }
+Result<void> ScriptedDevice::open() { return {}; }
 
 void ScriptedDevice::close() noexcept { motion_ = Motion::hold; }
 

@@ -101,7 +101,7 @@ Error differing(std::size_t place, std::size_t count, std::size_t images)
       images, place + 1, count};
 }
 
-Result<Done> checkSpan(const std::vector<std::int16_t>& voxels)
+Result<void> checkSpan(const std::vector<std::int16_t>& voxels)
 {
   int minimum = std::numeric_limits<std::int16_t>::max(), maximum = ct::unmeasured;
   for (const std::int16_t voxel : voxels) {
@@ -109,7 +109,7 @@ Result<Done> checkSpan(const std::vector<std::int16_t>& voxels)
     minimum = std::min<int>(minimum, voxel);
     maximum = std::max<int>(maximum, voxel);
   }
-  if (maximum - minimum >= minSpan_HU) return Done{};
+  if (maximum - minimum >= minSpan_HU) return {};
   return Error{
       "Its intensities span less than 100, so they are no Hounsfield units: a mask, a label or a "
       "normalized volume. Export the CT itself."};

@@ -143,7 +143,7 @@ void setDocument(Attributes& attributes, const PdfDocument& document)
   attributes.setEmptySequence(0x0040, 0xA043);  // no code of a concept name
 }
 
-Result<Done> check(const PdfDocument& document)
+Result<void> check(const PdfDocument& document)
 {
   const auto isText = [](const std::string& text) {
     return text.size() <= maxText &&
@@ -154,21 +154,21 @@ Result<Done> check(const PdfDocument& document)
   for (const std::string* text : {&document.title, &document.patientCode, &document.software})
     if (!isText(*text))
       return Error{"Title, code and version of a DICOM document have at most 64 ASCII letters."};
-  return Done{};
+  return {};
 }
 
 /// Whether a document belongs into a study: it must have the series from which the numbers come.
-Result<Done> checkSeries(const PdfDocument& document, const StudyIdentity& study,
+Result<void> checkSeries(const PdfDocument& document, const StudyIdentity& study,
                          const std::filesystem::path& ct)
 {
   constexpr std::size_t shown = 16;  // digits
-  if (!document.seriesKey.empty() && study.seriesKeys.contains(document.seriesKey)) return Done{};
+  if (!document.seriesKey.empty() && study.seriesKeys.contains(document.seriesKey)) return {};
   if (!document.seriesKey.empty())
     return Error{
         "%1 is not the CT in which this was measured: none of its series has the SHA-256 %2... "
         "that the document states. Give the folder of that CT, or leave it out.",
         ct, document.seriesKey.substr(0, shown)};
-  if (document.isFiledWithoutSeries) return Done{};
+  if (document.isFiledWithoutSeries) return {};
   return Error{
       "The document states no CT series, so it cannot be compared with %1. Leave the CT out; or, "
       "if you know that it is the patient's, add --ct-not-compared.",
@@ -177,7 +177,7 @@ Result<Done> checkSeries(const PdfDocument& document, const StudyIdentity& study
 
 }  // namespace
 
-Result<Done> writeEncapsulatedPdf(const PdfDocument& document,
+Result<void> writeEncapsulatedPdf(const PdfDocument& document,
                                   const std::optional<std::filesystem::path>& ct,
                                   const std::filesystem::path& file)
 {

@@ -97,7 +97,7 @@ Result<std::size_t> ByteSource::read(char* to, std::size_t count)
   return static_cast<std::size_t>(stream_->bytes.gcount());
 }
 
-Result<Done> ByteSource::skip(std::size_t count)
+Result<void> ByteSource::skip(std::size_t count)
 {
   std::array<char, 1u << 12> unused{};
   while (count > 0) {
@@ -106,7 +106,7 @@ Result<Done> ByteSource::skip(std::size_t count)
     if (*done == 0) return cutOffFile(stream_->file);
     count -= *done;
   }
-  return Done{};
+  return {};
 }
 
 bool ByteSource::isPacked() const noexcept { return stream_->isPacked; }

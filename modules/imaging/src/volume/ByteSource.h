@@ -31,7 +31,7 @@ public:
   Result<std::size_t> read(char* to, std::size_t count);
 
   /// Skips bytes; refuses an end before.
-  Result<Done> skip(std::size_t count);
+  Result<void> skip(std::size_t count);
 
   bool isPacked() const noexcept;
 

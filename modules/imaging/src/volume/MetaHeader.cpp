@@ -71,11 +71,11 @@ Error refuseMeta(const std::filesystem::path& file, const Sentence& why)
 }
 
 /// Where each axis points to, by the letters of where it comes from: R is from right to left.
-Result<Done> checkLetters(const HeaderFields& fields, const std::string& name,
+Result<void> checkLetters(const HeaderFields& fields, const std::string& name,
                           const Eigen::Matrix3d& axes)
 {
   const std::string letters = fields.text("anatomicalorientation");
-  if (letters.empty() || letters.find('?') != std::string::npos) return Done{};
+  if (letters.empty() || letters.find('?') != std::string::npos) return {};
   // a letter holds for directions up to about 55 degrees from it
   constexpr double minCosine = 0.3;
   constexpr const char* froms = "RAILPS";
@@ -94,11 +94,11 @@ Result<Done> checkLetters(const HeaderFields& fields, const std::string& name,
     const std::ptrdiff_t at = letter - froms;
     agrees = (at < 3 ? 1.0 : -1.0) * axes(at % 3, axis) > minCosine;
   }
-  if (agrees) return Done{};
+  if (agrees) return {};
   return Error{*disagreement(name, meta::orientation, Sentence{"%1 (near)", found}, letters)};
 }
 
-Result<Done> metaMatrix(const HeaderFields& fields, const std::filesystem::path& file,
+Result<void> metaMatrix(const HeaderFields& fields, const std::filesystem::path& file,
                         VolumeFile& volume)
 {
   const std::string name = file.string();
@@ -145,7 +145,7 @@ Result<Done> metaMatrix(const HeaderFields& fields, const std::filesystem::path&
   return checkLetters(fields, name, axes);
 }
 
-Result<Done> metaSize(const HeaderFields& fields, const std::filesystem::path& file,
+Result<void> metaSize(const HeaderFields& fields, const std::filesystem::path& file,
                       VolumeFile& volume)
 {
   const std::vector<double> sizes = fields.numbers("dimsize");
@@ -160,7 +160,7 @@ Result<Done> metaSize(const HeaderFields& fields, const std::filesystem::path& f
   if (!modality.empty() && modality != "MET_MOD_CT" && modality != "MET_MOD_OTHER" &&
       modality != "MET_MOD_UNKNOWN")
     return refuseMeta(file, Sentence{"is of the modality %1, not CT.", modality});
-  return Done{};
+  return {};
 }
 
 /// True or false as programs write it; none for other words.
@@ -171,7 +171,7 @@ std::optional<bool> truthOf(const std::string& word)
   return std::nullopt;
 }
 
-Result<Done> metaCoding(const HeaderFields& fields, const std::filesystem::path& file,
+Result<void> metaCoding(const HeaderFields& fields, const std::filesystem::path& file,
                         VolumeFile& volume)
 {
   const auto type = metaType(fields.word("elementtype"));
@@ -196,10 +196,10 @@ Result<Done> metaCoding(const HeaderFields& fields, const std::filesystem::path&
   }
   const auto minimum = fields.numbers("elementmin"), maximum = fields.numbers("elementmax");
   if (minimum.size() == 1 && maximum.size() == 1) volume.grayRange = {minimum[0], maximum[0]};
-  return Done{};
+  return {};
 }
 
-Result<Done> metaVoxelPlace(const HeaderFields& fields, const std::filesystem::path& file,
+Result<void> metaVoxelPlace(const HeaderFields& fields, const std::filesystem::path& file,
                             VolumeFile& volume)
 {
   volume.voxelFile = file;
@@ -222,14 +222,14 @@ Result<Done> metaVoxelPlace(const HeaderFields& fields, const std::filesystem::p
       return refuseMeta(file, Sentence{"skips a part of its voxels."});
     volume.from += static_cast<std::size_t>(skipped[0]);
   }
-  if (volume.packing == Packing::none || !fields.has("compresseddatasize")) return Done{};
+  if (volume.packing == Packing::none || !fields.has("compresseddatasize")) return {};
   const auto source = ByteSource::open(volume.voxelFile, volume.from, Packing::none);
   if (!source) return source.error();
   if (const auto differs = disagreement(file.string(), meta::packedBytes,
                                         std::to_string(source->fileBytes()) + " bytes",
                                         fields.text("compresseddatasize") + " bytes"))
     return Error{*differs};
-  return Done{};
+  return {};
 }
 
 }  // namespace

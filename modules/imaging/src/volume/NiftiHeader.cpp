@@ -217,15 +217,15 @@ Result<Place> placeOf(const Header& header, const std::string& name, const std::
 }
 
 /// Slope and intercept: a slope of 0 means that there are none.
-Result<Done> readScaling(const Header& header, const std::string& name, VolumeFile& volume)
+Result<void> readScaling(const Header& header, const std::string& name, VolumeFile& volume)
 {
   const double slope = header.number(112), intercept = header.number(116);
-  if (slope == 0.0 && intercept == 0.0) return Done{};
+  if (slope == 0.0 && intercept == 0.0) return {};
   if (slope == 0.0) {
     volume.warnings.push_back(*disagreement(Sentence{"The file"}, nifti::grayValues,
                                             Sentence{"0 (none)"},
                                             std::to_string(std::lround(intercept))));
-    return Done{};
+    return {};
   }
   if (!(slope > 0.0) || !std::isfinite(slope) || !std::isfinite(intercept))
     return Error{
@@ -234,10 +234,10 @@ Result<Done> readScaling(const Header& header, const std::string& name, VolumeFi
         name};
   volume.coding.slope = slope;
   volume.coding.intercept = intercept;
-  return Done{};
+  return {};
 }
 
-Result<Done> niftiType(const Header& header, const std::string& name, VolumeFile& volume)
+Result<void> niftiType(const Header& header, const std::string& name, VolumeFile& volume)
 {
   static const std::map<int, VoxelType> types = {
       {2, VoxelType::uint8},    {4, VoxelType::int16},    {8, VoxelType::int32},
@@ -258,10 +258,10 @@ Result<Done> niftiType(const Header& header, const std::string& name, VolumeFile
           disagreement(name, nifti::voxelBits, 8.0 * static_cast<double>(bytesOf(type->second)),
                        header.word(72)))
     return Error{*differs};
-  return Done{};
+  return {};
 }
 
-Result<Done> niftiSize(const Header& header, const std::filesystem::path& file, VolumeFile& volume)
+Result<void> niftiSize(const Header& header, const std::filesystem::path& file, VolumeFile& volume)
 {
   const int dimensions = header.word(40);
   if (dimensions < 3 || dimensions > 7)
@@ -274,7 +274,7 @@ Result<Done> niftiSize(const Header& header, const std::filesystem::path& file, 
                                    1.0 * header.word(46)};
   if (const auto done = checkVolumeSize(file, size); !done) return done;
   for (std::size_t axis = 0; axis < 3; ++axis) volume.size[axis] = static_cast<int>(size[axis]);
-  return Done{};
+  return {};
 }
 
 Result<std::string> headerOf(const std::filesystem::path& file)

@@ -175,7 +175,7 @@ Result<Units> unitsOf(const HeaderFields& fields, const std::string& name)
 }
 
 /// Refuses numbers per axis that state another voxel size than the directions; a NaN states none.
-Result<Done> checkSpacings(const HeaderFields& fields, const std::string& name,
+Result<void> checkSpacings(const HeaderFields& fields, const std::string& name,
                            const Eigen::Vector3d& lengths, VolumeFile& volume,
                            const Eigen::Vector3d& unit_mm)
 {
@@ -209,10 +209,10 @@ Result<Done> checkSpacings(const HeaderFields& fields, const std::string& name,
     if (node && disagreement(name, nrrd::extent, lengths[a], extent / volume.size[axis]))
       return Error{*node};
   }
-  return Done{};
+  return {};
 }
 
-Result<Done> nrrdMatrix(const HeaderFields& fields, const std::filesystem::path& file,
+Result<void> nrrdMatrix(const HeaderFields& fields, const std::filesystem::path& file,
                         VolumeFile& volume)
 {
   const NrrdRefusal refuse(file);
@@ -241,7 +241,7 @@ Result<Done> nrrdMatrix(const HeaderFields& fields, const std::filesystem::path&
   return checkSpacings(fields, name, lengths, volume, units->millimeters);
 }
 
-Result<Done> nrrdSize(const HeaderFields& fields, const std::filesystem::path& file,
+Result<void> nrrdSize(const HeaderFields& fields, const std::filesystem::path& file,
                       VolumeFile& volume)
 {
   const NrrdRefusal refuse(file);
@@ -263,11 +263,11 @@ Result<Done> nrrdSize(const HeaderFields& fields, const std::filesystem::path& f
   for (const std::string& kind : wordsOf(fields.word("kinds")))
     if (kind != "domain" && kind != "space" && kind != "none" && kind != "???")
       return refuse(Sentence{"has an axis of the kind '%1', which is none in space.", kind});
-  return Done{};
+  return {};
 }
 
 /// Where the voxels are: behind the header, or in the file that it names.
-Result<Done> nrrdVoxelPlace(const HeaderFields& fields, const std::filesystem::path& file,
+Result<void> nrrdVoxelPlace(const HeaderFields& fields, const std::filesystem::path& file,
                             VolumeFile& volume)
 {
   const NrrdRefusal refuse(file);
@@ -298,7 +298,7 @@ Result<Done> nrrdVoxelPlace(const HeaderFields& fields, const std::filesystem::p
   if (isWrong("lineskip", lines, 0.0) || isWrong("byteskip", bytes, 1e9))
     return refuse(Sentence{"skips a part of its voxels."});
   if (!bytes.empty()) volume.skipped = static_cast<std::size_t>(bytes[0]);
-  return Done{};
+  return {};
 }
 
 }  // namespace

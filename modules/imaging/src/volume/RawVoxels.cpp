@@ -93,7 +93,7 @@ void VoxelConverter::add(const char* bytes, std::size_t count, std::int16_t* to)
 
 bool VoxelConverter::spansEnough() const noexcept { return largest_ - smallest_ >= minSpan; }
 
-Result<Done> VoxelConverter::check() const
+Result<void> VoxelConverter::check() const
 {
   if (!isFinite_)
     return Error{
@@ -108,7 +108,7 @@ Result<Done> VoxelConverter::check() const
     return Error{
         "Its intensities span less than 100, so they are no Hounsfield units: a mask, a label or a "
         "normalized volume. Export the CT itself."};
-  return Done{};
+  return {};
 }
 
 }  // namespace perilymph::imaging

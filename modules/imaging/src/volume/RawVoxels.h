@@ -32,7 +32,7 @@ public:
 
   /// Refuses values that are not finite, more than a thousandth beyond 16 bits, and intensities
   /// that span less than 100, which cannot be Hounsfield units. Without a subject.
-  Result<Done> check() const;
+  Result<void> check() const;
 
   bool isFinite() const noexcept { return isFinite_; }
   bool spansEnough() const noexcept;

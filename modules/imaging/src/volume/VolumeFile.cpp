@@ -68,7 +68,7 @@ std::optional<Result<VolumeFile>> volumeOfFolder(const std::filesystem::path& fo
 }
 
 /// Fills up to `count` bytes; refuses less.
-Result<Done> readAll(ByteSource& source, char* to, std::size_t before, std::size_t count,
+Result<void> readAll(ByteSource& source, char* to, std::size_t before, std::size_t count,
                      const std::filesystem::path& file, const VolumeFile& volume)
 {
   std::size_t done = 0;
@@ -79,11 +79,11 @@ Result<Done> readAll(ByteSource& source, char* to, std::size_t before, std::size
       return wrongLength(file, volume, voxelBytesOf(volume), Sentence{"%1 bytes", before + done});
     done += *got;
   }
-  return Done{};
+  return {};
 }
 
 /// Refuses a large volume without contrast before there is memory for its voxels.
-Result<Done> checkSpan(const std::filesystem::path& file, const VolumeFile& volume,
+Result<void> checkSpan(const std::filesystem::path& file, const VolumeFile& volume,
                        const ReadingHooks& hooks)
 {
   const std::size_t size = bytesOf(volume.coding.type);
@@ -103,16 +103,16 @@ Result<Done> checkSpan(const std::filesystem::path& file, const VolumeFile& volu
   const auto checked = seen.check();
   if (!checked && (!seen.isFinite() || !seen.spansEnough()))
     return Error{"%1: %2", file, checked.error().message};
-  return Done{};
+  return {};
 }
 
 /// Refuses bytes behind the voxels.
-Result<Done> checkEnd(ByteSource& source, std::string& chunk, std::size_t stated,
+Result<void> checkEnd(ByteSource& source, std::string& chunk, std::size_t stated,
                       const std::filesystem::path& file, const VolumeFile& volume)
 {
   const auto more = source.read(chunk.data(), chunkBytes);
   if (!more) return more.error();
-  if (*more == 0) return Done{};
+  if (*more == 0) return {};
   return wrongLength(file, volume, stated,
                      *more == chunkBytes ? Sentence{"more than %1 bytes", stated + *more}
                                          : Sentence{"%1 bytes", stated + *more});
@@ -138,17 +138,17 @@ std::size_t voxelBytesOf(const VolumeFile& volume)
   return bytes;
 }
 
-Result<Done> checkDataLength(const std::filesystem::path& file, const VolumeFile& volume)
+Result<void> checkDataLength(const std::filesystem::path& file, const VolumeFile& volume)
 {
   const auto source = ByteSource::open(volume.voxelFile, volume.from, volume.packing);
   if (!source) return source.error();
   const std::uintmax_t stated = voxelBytesOf(volume), there = source->fileBytes();
   if (source->isPacked()) {
-    if (stated + volume.skipped <= maxInflation * there) return Done{};
+    if (stated + volume.skipped <= maxInflation * there) return {};
     return wrongLength(file, volume, stated, Sentence{"at most %1 bytes", maxInflation * there});
   }
   const std::uintmax_t found = there - std::min<std::uintmax_t>(there, volume.skipped);
-  if (found == stated) return Done{};
+  if (found == stated) return {};
   return wrongLength(file, volume, stated, Sentence{"%1 bytes", found});
 }
 

@@ -69,6 +69,6 @@ Result<LoadedCt> readVolumeFile(const std::filesystem::path& file, const VolumeF
 std::size_t voxelBytesOf(const VolumeFile& volume);
 
 /// Refuses data that cannot have that length, without reading them.
-Result<Done> checkDataLength(const std::filesystem::path& file, const VolumeFile& volume);
+Result<void> checkDataLength(const std::filesystem::path& file, const VolumeFile& volume);
 
 }  // namespace perilymph::imaging

@@ -28,7 +28,7 @@ std::string fourDigits(double value)
 
 Sentence alongAxis(Eigen::Index axis) { return Sentence{" along %1", "ijk"[axis]}; }
 
-Result<Done> checkVoxels(const std::filesystem::path& file, const Eigen::Matrix4d& lps_PI,
+Result<void> checkVoxels(const std::filesystem::path& file, const Eigen::Matrix4d& lps_PI,
                          const Sentence& unit)
 {
   if (!lps_PI.allFinite())
@@ -61,10 +61,10 @@ Result<Done> checkVoxels(const std::filesystem::path& file, const Eigen::Matrix4
         "%1 lies more than 1 km from the origin of the patient's coordinates, where no scanner "
         "measures. Export it again with its orientation.",
         file};
-  return Done{};
+  return {};
 }
 
-Result<Done> checkVolumeSize(const std::filesystem::path& file, const std::array<double, 3>& size)
+Result<void> checkVolumeSize(const std::filesystem::path& file, const std::array<double, 3>& size)
 {
   double voxels = 1.0;
   for (const double along : size) {
@@ -78,7 +78,7 @@ Result<Done> checkVolumeSize(const std::filesystem::path& file, const std::array
         "%1 has %2 million voxels; at most %3 million are read. Export the region of the temporal "
         "bone.",
         file, std::lround(voxels / 1e6), maxCtVoxels / 1'000'000};
-  return Done{};
+  return {};
 }
 
 }  // namespace perilymph::imaging

@@ -19,10 +19,10 @@ Sentence alongAxis(Eigen::Index axis);
 /// right angles within a thousandth of a radian: a sheared volume would be measured wrong.
 ///
 /// @param unit  The file's unit of length and where it is stated, for the sentence.
-Result<Done> checkVoxels(const std::filesystem::path& file, const Eigen::Matrix4d& lps_PI,
+Result<void> checkVoxels(const std::filesystem::path& file, const Eigen::Matrix4d& lps_PI,
                          const Sentence& unit);
 
 /// Refuses sizes that are no volume or beyond maxCtVoxels.
-Result<Done> checkVolumeSize(const std::filesystem::path& file, const std::array<double, 3>& size);
+Result<void> checkVolumeSize(const std::filesystem::path& file, const std::array<double, 3>& size);
 
 }  // namespace perilymph::imaging

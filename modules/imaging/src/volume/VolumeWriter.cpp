@@ -101,7 +101,7 @@ bool writeNifti(const ct::CtVolume& volume, const fs::path& file)
 
 }  // namespace
 
-Result<Done> writeVolume(const ct::CtVolume& volume, const fs::path& file)
+Result<void> writeVolume(const ct::CtVolume& volume, const fs::path& file)
 {
   const std::string name = file.filename().string();
   if (name.ends_with(".nrrd"))

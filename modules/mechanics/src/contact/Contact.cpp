@@ -179,7 +179,7 @@ SymmetricBlock<double> stiffnessOf(const TouchingNode& touching, const ContactSe
 }
 
 /// No node touches the wall. Forces and friction springs are those of the touching nodes alone.
-void forgetContacts(bool isOval, ContactSet& contacts, InsertionState& state,
+void removeContacts(bool isOval, ContactSet& contacts, InsertionState& state,
                     FrictionHistory& history) noexcept
 {
   for (std::size_t k = 0; k < contacts.touches; ++k) {
@@ -244,7 +244,7 @@ void addWallForces(const InsertionModel& model, InsertionState& state, const Ste
   findWall(model, start, state, contacts);
 
   const bool isOpen = state.partition.isRuptured();
-  forgetContacts(model.isOval, contacts, state, history);
+  removeContacts(model.isOval, contacts, state, history);
   for (std::size_t i = 0; i < n; ++i) {
     const bool isNear = contacts.isNear[i] != 0;
     const bool hasFriction = history.pressedBefore[i] > 0.0;

@@ -27,7 +27,7 @@ public:
   bool factorize(const BandMatrix& matrix) noexcept;
 
   bool exist() const noexcept { return exist_; }
-  void forget() noexcept { exist_ = false; }
+  void invalidate() noexcept { exist_ = false; }
   /// Whether the first unknown was held in the factorized matrix.
   bool firstIsHeld() const noexcept { return firstIsHeld_; }
 

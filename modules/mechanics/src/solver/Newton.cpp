@@ -84,7 +84,7 @@ SolveResult iterate(const InsertionModel& model, InsertionState& state, const Ba
   // Factors of an earlier step are reused while they give good steps: the rod hardly changes from
   // one tick to the next. Where a contact toggles, the matrix is factorized again.
   BandFactors& factors = work.system.factors;
-  if (factors.firstIsHeld() != base.isHeld) factors.forget();
+  if (factors.firstIsHeld() != base.isHeld) factors.invalidate();
   bool areOwn = false;  // factorized in this time step
   const double advance = (state.position_W[0] - work.start.position_W[0]).norm();
   const double shortest = std::max(law.motionTolerance, law.motionFraction * advance);
@@ -98,7 +98,7 @@ SolveResult iterate(const InsertionModel& model, InsertionState& state, const Ba
     }
     const double longest = solveLinearSystem(work.system);
     if (!areOwn && longest > law.farStep) {
-      factors.forget();
+      factors.invalidate();
       continue;
     }
     if (model.isOval && longest > law.nearStep && iterations == 0)
@@ -114,7 +114,7 @@ SolveResult iterate(const InsertionModel& model, InsertionState& state, const Ba
     const double alpha =
         lineSearch(model, state, base, slope, std::min(1.0, law.longestStep / longest), now, work);
     const bool isGood = wasGood(law, before, now);
-    if (!isGood) factors.forget();
+    if (!isGood) factors.invalidate();
     if (isGood && isBalanced(law, now) && alpha * longest < law.goodReduction * shortest) {
       ++iterations;
       break;

@@ -109,7 +109,7 @@ public:
   }
 
   /// Copies a file to a name that does not exist, for its owner only.
-  Result<Done> copy(const fs::path& from, const fs::path& to)
+  Result<void> copy(const fs::path& from, const fs::path& to)
   {
     const auto written =
         writeWhole(to, [&](const fs::path& place) { return copyContent(from, place); },
@@ -162,7 +162,7 @@ Result<std::vector<fs::path>> insertionsIn(const fs::path& folder)
 }
 
 /// Checks what format 2 has beyond format 1.
-Result<Done> checkLists(const PatientRecord& record)
+Result<void> checkLists(const PatientRecord& record)
 {
   if (record.versions.size() > maxVersions ||
       std::max({record.plans.size(), record.insertions.size(), record.outcomes.size()}) >
@@ -183,12 +183,12 @@ Result<Done> checkLists(const PatientRecord& record)
   for (const PatientOutcome& each : record.outcomes)
     if (!isSeries(each.series) || !isDate(each.utc))
       return Error{"An outcome of the series \"%1\" has no hash or no date.", each.series};
-  return Done{};
+  return {};
 }
 
 }  // namespace
 
-Result<Done> checkRecord(const PatientRecord& record)
+Result<void> checkRecord(const PatientRecord& record)
 {
   if (record.notes.size() > maxNotes)
     return Error{"Notes have %1 characters; at most 4000 are kept. Shorten them.",
@@ -215,7 +215,7 @@ Result<Done> checkRecord(const PatientRecord& record)
           tag};
     if (!seen.insert(tag).second) return Error{"The tag \"%1\" stands twice. Remove one.", tag};
   }
-  return Done{};
+  return {};
 }
 
 fs::path recordFileOf(const fs::path& patient)
@@ -258,7 +258,7 @@ Result<PatientRecord> changePatientRecord(const fs::path& patient,
   return replaceRecord(record, *before, patient);
 }
 
-Result<Done> savePatientVersion(const anatomy::Patient& patient, const fs::path& file,
+Result<void> savePatientVersion(const anatomy::Patient& patient, const fs::path& file,
                                 const VersionFacts& facts, bool isNew)
 {
   const auto lock = lockPatient(file);
@@ -294,7 +294,7 @@ Result<Done> savePatientVersion(const anatomy::Patient& patient, const fs::path&
                     {Links::followed, Audience::owner});
 }
 
-Result<Done> exportPatient(const fs::path& patient, const std::vector<fs::path>& insertions,
+Result<void> exportPatient(const fs::path& patient, const std::vector<fs::path>& insertions,
                            const fs::path& folder, const CopyProgress& progress,
                            const std::stop_token& stop)
 {
@@ -352,7 +352,7 @@ Result<fs::path> importPatient(const fs::path& folder, const fs::path& library,
                    (recordings / each.filename()).string()};
 
   std::vector<fs::path> made;
-  const auto written = [&]() -> Result<Done> {
+  const auto written = [&]() -> Result<void> {
     fs::create_directories(library, failure);
     fs::create_directories(recordings, failure);
     Copying copying(*insertions, progress, stop);

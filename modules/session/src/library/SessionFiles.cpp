@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* ending = ".insertion";
 
-Result<Done> moveTo(const fs::path& from, const fs::path& to)
+Result<void> moveTo(const fs::path& from, const fs::path& to)
 {
   std::error_code failure;
   if (fs::exists(to, failure))
@@ -29,7 +29,7 @@ Result<Done> moveTo(const fs::path& from, const fs::path& to)
       return Error{"%1 cannot be moved to %2: %3. Check that you may write into both folders.",
                    from, to, failure.message()};
   }
-  return Done{};
+  return {};
 }
 
 /// "20260131T154502Z-P-017": a time of this form, then the scenario's name.
@@ -98,7 +98,7 @@ Result<fs::path> trashSession(const fs::path& file)
   return place;
 }
 
-Result<Done> restoreSession(const fs::path& trashed, const fs::path& place)
+Result<void> restoreSession(const fs::path& trashed, const fs::path& place)
 {
   return moveTo(trashed, place);
 }

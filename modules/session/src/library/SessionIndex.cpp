@@ -97,7 +97,7 @@ void SessionIndex::keep(const SessionSummary& summary)
   hasChanged_ = true;
 }
 
-void SessionIndex::forget(const std::set<std::string>& present)
+void SessionIndex::removeAbsent(const std::set<std::string>& present)
 {
   if (std::erase_if(known_,
                     [&present](const auto& each) { return present.count(each.first) == 0; }) > 0)

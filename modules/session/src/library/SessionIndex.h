@@ -25,7 +25,7 @@ public:
                                      std::int64_t modified_ns) const;
   void keep(const SessionSummary& summary);
   /// Removes the files that no longer exist.
-  void forget(const std::set<std::string>& present);
+  void removeAbsent(const std::set<std::string>& present);
   /// Writes the index if it has changed.
   void close();
 

@@ -212,7 +212,7 @@ Result<std::vector<SessionSummary>> listSessions(const fs::path& folder,
     if (listed) listed(summary);
     sessions.push_back(std::move(summary));
   }
-  index.forget(names);
+  index.removeAbsent(names);
   index.close();
   std::stable_sort(sessions.begin(), sessions.end(),
                    [](const SessionSummary& one, const SessionSummary& other) {

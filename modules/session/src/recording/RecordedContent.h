@@ -29,11 +29,11 @@ struct RecordedInsertion::Content {
 
   Error damaged(const Sentence& reason) const { return database.readingError(reason); }
 
-  Result<Done> readMeta();
-  Result<Done> readFacts();
+  Result<void> readMeta();
+  Result<void> readFacts();
   /// Calls `each` for the rows of a query whose first column is an increasing key, until it returns
   /// false. A damaged tree could return the same rows forever.
-  Result<Done> forEachRising(
+  Result<void> forEachRising(
       const std::string& sql, std::int64_t firstKey,
       const std::function<Result<bool>(const database::Statement&)>& each) const;
 };

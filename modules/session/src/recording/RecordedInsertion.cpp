@@ -22,7 +22,7 @@ constexpr std::size_t maxMetaBytes = std::size_t{4} << 20;
 
 }  // namespace
 
-Result<Done> RecordedInsertion::Content::forEachRising(
+Result<void> RecordedInsertion::Content::forEachRising(
     const std::string& sql, std::int64_t firstKey,
     const std::function<Result<bool>(const Statement&)>& each) const
 {
@@ -38,13 +38,13 @@ Result<Done> RecordedInsertion::Content::forEachRising(
     last = key;
     const auto goesOn = each(*rows);
     if (!goesOn) return goesOn.error();
-    if (!*goesOn) return Done{};
+    if (!*goesOn) return {};
   }
   if (step == Statement::Step::failed) return damaged(database.lastError());
-  return Done{};
+  return {};
 }
 
-Result<Done> RecordedInsertion::Content::readMeta()
+Result<void> RecordedInsertion::Content::readMeta()
 {
   std::size_t bytes = 0;
   return forEachRising(
@@ -66,7 +66,7 @@ Result<Done> RecordedInsertion::Content::readMeta()
       });
 }
 
-Result<Done> RecordedInsertion::Content::readFacts()
+Result<void> RecordedInsertion::Content::readFacts()
 {
   if (const auto done = readMeta(); !done) return done.error();
   const auto read = factsIn(meta);
@@ -94,7 +94,7 @@ Result<Done> RecordedInsertion::Content::readFacts()
                     });
   if (!done) return done.error();
   lostRecords = std::max(lostRecords, missing);
-  return Done{};
+  return {};
 }
 
 RecordedInsertion::RecordedInsertion() = default;
@@ -144,7 +144,7 @@ Result<Highlights> RecordedInsertion::highlights() const
   return found;
 }
 
-Result<Done> RecordedInsertion::forEach(const std::function<bool(const haptics::TickRecord&)>& each,
+Result<void> RecordedInsertion::forEach(const std::function<bool(const haptics::TickRecord&)>& each,
                                         std::uint64_t firstTick) const
 {
   const auto first = static_cast<std::int64_t>(

@@ -116,12 +116,12 @@ struct Recording::Content {
   bool keepHighlights();
   bool keepEnding(std::uint64_t lostRecords, const std::string& deviceReport);
   /// Runs `write` in one transaction, rolled back on failure.
-  Result<Done> transact(const std::function<bool()>& write);
-  Result<Done> prepare();
-  Result<Done> write(const fs::path& unfinished, const RecordingFacts& facts);
-  Result<Done> begin();
-  Result<Done> goOn();
-  Result<Done> end(std::uint64_t lostRecords, const std::string& deviceReport);
+  Result<void> transact(const std::function<bool()>& write);
+  Result<void> prepare();
+  Result<void> write(const fs::path& unfinished, const RecordingFacts& facts);
+  Result<void> begin();
+  Result<void> goOn();
+  Result<void> end(std::uint64_t lostRecords, const std::string& deviceReport);
   void letGo();
   Result<bool> mergeLog();
 };
@@ -170,7 +170,7 @@ bool Recording::Content::keepEnding(std::uint64_t lostRecords, const std::string
          keep(MetaKey::closed, "1") && keepHash();
 }
 
-Result<Done> Recording::Content::transact(const std::function<bool()>& write)
+Result<void> Recording::Content::transact(const std::function<bool()>& write)
 {
   if (const auto done = database->run("BEGIN"); !done) return done.error();
   const bool isWritten = write();
@@ -178,7 +178,7 @@ Result<Done> Recording::Content::transact(const std::function<bool()>& write)
   for (auto* statement : {&insertTick, &insertEvent, &setMeta}) (*statement)->reset();
   if (isWritten) {
     const auto done = database->run("COMMIT");
-    if (done) return Done{};
+    if (done) return {};
     reason = done.error().message;
   }
   static_cast<void>(database->run("ROLLBACK"));
@@ -186,7 +186,7 @@ Result<Done> Recording::Content::transact(const std::function<bool()>& write)
 }
 
 /// Prepares what every drain runs.
-Result<Done> Recording::Content::prepare()
+Result<void> Recording::Content::prepare()
 {
   const std::pair<std::optional<Statement>&, std::string> statements[] = {
       {insertTick, session::insertTick()},
@@ -197,11 +197,11 @@ Result<Done> Recording::Content::prepare()
     if (!prepared) return prepared.error();
     statement = std::move(*prepared);
   }
-  return Done{};
+  return {};
 }
 
 /// Writes tables and metadata.
-Result<Done> Recording::Content::write(const fs::path& unfinished, const RecordingFacts& facts)
+Result<void> Recording::Content::write(const fs::path& unfinished, const RecordingFacts& facts)
 {
   auto opened = Database::openNew(unfinished);
   if (!opened) return opened.error();
@@ -218,12 +218,12 @@ Result<Done> Recording::Content::write(const fs::path& unfinished, const Recordi
   if (const auto done = database->run("COMMIT"); !done) return done.error();
   for (auto* statement : {&insertTick, &insertEvent, &setMeta}) statement->reset();
   database.reset();
-  return Done{};
+  return {};
 }
 
 /// Begins the log of a file with tables and metadata: a copy of the file without its `-wal` is a
 /// valid recording.
-Result<Done> Recording::Content::begin()
+Result<void> Recording::Content::begin()
 {
   auto opened = Database::openNew(file);
   if (!opened) return opened.error();
@@ -235,7 +235,7 @@ Result<Done> Recording::Content::begin()
 }
 
 /// Opens a closed recording again.
-Result<Done> Recording::Content::goOn()
+Result<void> Recording::Content::goOn()
 {
   if (isCut) return cannotRecord("it is closed");
   if (!isAtItsPlace()) return isGone();
@@ -243,7 +243,7 @@ Result<Done> Recording::Content::goOn()
   if (done) done = transact([this] { return keep(MetaKey::closed, "0") && keepHash(); });
   isClosed = !done;
   if (!done) return cannotRecord(done.error().message);
-  return Done{};
+  return {};
 }
 
 Recording::Recording() : content_(std::make_unique<Content>()) {}
@@ -285,9 +285,9 @@ Result<std::unique_ptr<Recording>> Recording::create(const fs::path& file,
   return Error{"%1 cannot be begun: %2. Is there space on the disk?", file, begun.error().message};
 }
 
-Result<Done> Recording::append(std::span<const haptics::TickRecord> records)
+Result<void> Recording::append(std::span<const haptics::TickRecord> records)
 {
-  if (records.empty()) return Done{};
+  if (records.empty()) return {};
   Content& content = *content_;
   if (content.isClosed)
     if (auto again = content.goOn(); !again) return again;
@@ -303,14 +303,14 @@ Result<Done> Recording::append(std::span<const haptics::TickRecord> records)
   if (!done && !isGone) return content.cannotRecord(done.error().message);
   if (isGone) return content.isGone();
   for (const haptics::TickRecord& record : records) content.highlights.add(record);
-  return Done{};
+  return {};
 }
 
 /// Marks the recording as closed. One that is incomplete never is, even if there is space to do so.
-Result<Done> Recording::Content::end(std::uint64_t lostRecords, const std::string& deviceReport)
+Result<void> Recording::Content::end(std::uint64_t lostRecords, const std::string& deviceReport)
 {
   const bool isInPlace = isAtItsPlace();
-  Result<Done> done = Done{};
+  Result<void> done;
   if (!isCut && isInPlace) done = transact([&] { return keepEnding(lostRecords, deviceReport); });
   isEnded = isInPlace && done;
   isClosed = !isEnded;
@@ -320,7 +320,7 @@ Result<Done> Recording::Content::end(std::uint64_t lostRecords, const std::strin
     return isGone();
   }
   if (!done) return cannotRecord(done.error().message);
-  return Done{};
+  return {};
 }
 
 /// Closes the file.
@@ -353,20 +353,20 @@ Result<bool> Recording::conclude(std::uint64_t lostRecords)
   return content.mergeLog();
 }
 
-Result<Done> Recording::close(std::uint64_t lostRecords, const std::string& deviceReport)
+Result<void> Recording::close(std::uint64_t lostRecords, const std::string& deviceReport)
 {
   Content& content = *content_;
   // what a device did is known only when the loop has ended
   const bool isNews = content.isClosed && !content.isCut && !deviceReport.empty();
   if (isNews)
     if (auto again = content.goOn(); !again) return again;
-  if (content.isClosed) return Done{};
+  if (content.isClosed) return {};
   if (auto ended = content.end(lostRecords, deviceReport); !ended) return ended;
   constexpr int attempts = 100;
   for (int i = 0; i < attempts; ++i) {
     const auto merged = content.mergeLog();
     if (!merged) return merged.error();
-    if (*merged) return Done{};
+    if (*merged) return {};
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
   content.letGo();

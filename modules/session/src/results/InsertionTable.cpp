@@ -29,7 +29,7 @@ bool isDone(Statement& statement)
 }
 
 /// Writes the facts of a new file, with the seal of no row.
-Result<Done> keepFacts(Database& database, const SealedFacts& facts)
+Result<void> keepFacts(Database& database, const SealedFacts& facts)
 {
   auto insert = database.prepare("INSERT INTO meta VALUES(?,?)");
   if (!insert) return insert.error();
@@ -40,12 +40,12 @@ Result<Done> keepFacts(Database& database, const SealedFacts& facts)
     insert->bind(1, value);
     if (!isDone(*insert)) return Error{database.lastError()};
   }
-  return Done{};
+  return {};
 }
 
 /// Creates an empty file: a file with the final name is whole or does not exist. One that another
 /// program made meanwhile is left as it is.
-Result<Done> create(const fs::path& file, const InsertionTableKind& kind, const SealedFacts& facts)
+Result<void> create(const fs::path& file, const InsertionTableKind& kind, const SealedFacts& facts)
 {
   const auto failed = [&file](const std::string& reason) {
     return Error{
@@ -58,7 +58,7 @@ Result<Done> create(const fs::path& file, const InsertionTableKind& kind, const 
              kind.audience == Audience::owner ? 0600 : 0666);
   if (descriptor < 0) return failed("its folder takes no file");
   ::close(descriptor);
-  const auto written = [&]() -> Result<Done> {
+  const auto written = [&]() -> Result<void> {
     auto opened = Database::openNew(unfinished);
     if (!opened) return opened.error();
     if (const auto done = opened->run(database::creationOf(kind.file)); !done) return done;
@@ -69,7 +69,7 @@ Result<Done> create(const fs::path& file, const InsertionTableKind& kind, const 
   std::error_code ignored;
   fs::remove(unfinished, ignored);
   if (!written) return failed(written.error().message);
-  if (problem == 0 || problem == EEXIST) return Done{};
+  if (problem == 0 || problem == EEXIST) return {};
   if (problem == EPERM || problem == EOPNOTSUPP)
     return Error{
         "%1 cannot be created: its file system has no hard links. Give a folder on another disk.",
@@ -142,7 +142,7 @@ public:
   /// The row at which the reader stands; null behind the last.
   const Row* row() const { return row_ ? &*row_ : nullptr; }
 
-  Result<Done> next()
+  Result<void> next()
   {
     const Statement::Step step = rows_.step();
     if (step == Statement::Step::failed) return database_->readingError(database_->lastError());
@@ -156,7 +156,7 @@ public:
         return database_->readingError(Sentence{"the rows of %1 are not in order", table_->name});
     }
     row_ = std::move(found);
-    return Done{};
+    return {};
   }
 
 private:
@@ -229,7 +229,7 @@ Result<InsertionTable::Outline> InsertionTable::outlineOf(const fs::path& file,
   return outline;
 }
 
-Result<Done> InsertionTable::readFacts()
+Result<void> InsertionTable::readFacts()
 {
   auto rows = database_.prepare("SELECT key, value FROM meta ORDER BY key");
   if (!rows) return damaged(rows.error().message);
@@ -239,25 +239,25 @@ Result<Done> InsertionTable::readFacts()
         !facts_.emplace(rows->text(0), rows->text(1)).second)
       return damaged(Sentence{"a fact about it is not readable"});
   if (step == Statement::Step::failed) return damaged(database_.lastError());
-  return Done{};
+  return {};
 }
 
-Result<Done> InsertionTable::checkRows()
+Result<void> InsertionTable::checkRows()
 {
-  const auto done = read([this](const InsertionRows& one) -> Result<Done> {
+  const auto done = read([this](const InsertionRows& one) -> Result<void> {
     addTo(rows_, one);
     ++count_;
-    return Done{};
+    return {};
   });
   if (!done) return done;
   const auto program = facts_.find(programFact);
   seal_ = sealIn(facts_, rows_, database_.version() >= kind_->sealedFrom,
                  program == facts_.end() ? std::string_view() : program->second);
   facts_.erase(sealKey);
-  return Done{};
+  return {};
 }
 
-Result<Done> InsertionTable::expect(const SealedFacts& facts) const
+Result<void> InsertionTable::expect(const SealedFacts& facts) const
 {
   const auto fact = [](const SealedFacts& all, const char* key) {
     const auto found = all.find(key);
@@ -281,11 +281,11 @@ Result<Done> InsertionTable::expect(const SealedFacts& facts) const
         file_, fact(facts_, programFact), fact(facts, programFact)};
   if (facts_ != facts)
     return Error{"%1 is for other insertions. Delete it or give another folder.", file_};
-  return Done{};
+  return {};
 }
 
-Result<Done> InsertionTable::read(
-    const std::function<Result<Done>(const InsertionRows&)>& each) const
+Result<void> InsertionTable::read(
+    const std::function<Result<void>(const InsertionRows&)>& each) const
 {
   std::vector<Reader> readers;
   for (const Table& table : kind_->tables) {
@@ -309,14 +309,14 @@ Result<Done> InsertionTable::read(
   for (std::size_t i = 1; i < readers.size(); ++i)
     if (readers[i].row())
       return damaged(Sentence{"rows of %1 belong to no insertion", kind_->tables[i].name});
-  return Done{};
+  return {};
 }
 
-Result<Done> InsertionTable::append(const std::vector<InsertionRows>& block)
+Result<void> InsertionTable::append(const std::vector<InsertionRows>& block)
 {
   Sha256 rows = rows_;
   for (const InsertionRows& one : block) addTo(rows, one);
-  const auto written = [&]() -> Result<Done> {
+  const auto written = [&]() -> Result<void> {
     if (const auto done = database_.run("BEGIN"); !done) return done;
     for (std::size_t i = 0; i < kind_->tables.size(); ++i) {
       std::string values(2 * kind_->tables[i].columns.size() - 1, ',');
@@ -349,11 +349,11 @@ Result<Done> InsertionTable::append(const std::vector<InsertionRows>& block)
                file_, kind_->results, reason};
 }
 
-Result<Done> InsertionTable::close()
+Result<void> InsertionTable::close()
 {
   if (const auto done = database_.run("PRAGMA journal_mode=DELETE"); !done)
     return Error{"%1 cannot be closed: %2.", file_, done.error().message};
-  return Done{};
+  return {};
 }
 
 }  // namespace perilymph::session

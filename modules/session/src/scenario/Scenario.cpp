@@ -46,7 +46,7 @@ const std::string* overrideOf(const Overrides& overrides, const char* key)
 }
 
 /// An array chosen again does not take over the calibration and the yield that a file gives for its own.
-void forgetFitOfOtherArray(TomlReader& reader, const Overrides& overrides)
+void dropFitOfOtherArray(TomlReader& reader, const Overrides& overrides)
 {
   const std::string* array = overrideOf(overrides, "array");
   if (array == nullptr || *array == reader.text("array", "contour")) return;
@@ -57,7 +57,7 @@ void forgetFitOfOtherArray(TomlReader& reader, const Overrides& overrides)
 }
 
 /// A model chosen again does not take over the number of nodes that a file gives for its own.
-void forgetNodesOfOtherModel(TomlReader& reader, const Overrides& overrides)
+void dropNodesOfOtherModel(TomlReader& reader, const Overrides& overrides)
 {
   const std::string* model = overrideOf(overrides, "model");
   if (model == nullptr || overrideOf(overrides, "nodes") != nullptr || !reader.has("nodes")) return;
@@ -133,7 +133,7 @@ void readCoupling(ScenarioKeys& keys, InsertionParameters& parameters)
   engine.samplePeriod = parameters.timeStep.si();
 }
 
-Result<Done> readArray(const std::string& name, ScenarioContent& scenario)
+Result<void> readArray(const std::string& name, ScenarioContent& scenario)
 {
   const auto file = findByName("array", "plugins/electrodes", name);
   if (!file) return file.error();
@@ -146,17 +146,17 @@ Result<Done> readArray(const std::string& name, ScenarioContent& scenario)
   Hash hash;
   hash.addBytes(content->data(), content->size());
   scenario.arrayFingerprint = hexadecimal(hash.value());
-  return Done{};
+  return {};
 }
 
 Result<ScenarioContent> readScenario(TomlReader& reader, const std::string& name,
                                      const fs::path& folder, const Overrides& overrides)
 {
-  forgetNodesOfOtherModel(reader, overrides);
-  forgetFitOfOtherArray(reader, overrides);
+  dropNodesOfOtherModel(reader, overrides);
+  dropFitOfOtherArray(reader, overrides);
   const auto overrideNamed = [&](const char* key) { return overrideOf(overrides, key); };
-  forgetWallOfOtherCochlea(reader, overrideNamed);
-  forgetPassageOfOtherOpening(reader, overrideNamed);
+  dropWallOfOtherCochlea(reader, overrideNamed);
+  dropPassageOfOtherOpening(reader, overrideNamed);
   bool namesPatient = false;
   for (const auto& [key, value] : overrides) {
     namesPatient = namesPatient || key == "patient";
@@ -250,9 +250,9 @@ Result<ScenarioContent> readScenario(TomlReader& reader, const std::string& name
 /// The point set is a published model, which was validated as it was printed: an array that enters
 /// straight, the printed wall and friction, and a device with the printed spring. A recording of
 /// other numbers is read and replayed all the same.
-Result<Done> checkPublishedPoints(const InsertionParameters& parameters, const std::string& name)
+Result<void> checkPublishedPoints(const InsertionParameters& parameters, const std::string& name)
 {
-  if (parameters.model != mechanics::ModelKind::points) return Done{};
+  if (parameters.model != mechanics::ModelKind::points) return {};
   const mechanics::WallLaw wall;
   const mechanics::FrictionLaw friction;
   const haptics::EngineSettings& engine = parameters.engine;
@@ -286,7 +286,7 @@ Result<Done> checkPublishedPoints(const InsertionParameters& parameters, const s
           shortestDecimal(each.is),
           shortestDecimal(each.printed),
           shortestDecimal(each.printed)};
-  return Done{};
+  return {};
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ Result<AskedCalibration> readCalibration(TomlReader& reader, ScenarioKeys& keys,
   return asked;
 }
 
-Result<Done> applyCalibration(const AskedCalibration& asked, ScenarioContent& scenario)
+Result<void> applyCalibration(const AskedCalibration& asked, ScenarioContent& scenario)
 {
   if (!asked.array.empty() && asked.array != scenario.parameters.array.name)
     return Error{
@@ -43,7 +43,7 @@ Result<Done> applyCalibration(const AskedCalibration& asked, ScenarioContent& sc
       asked.residualCurvature.value_or(scenario.parameters.array.stylet.residualCurvature);
   scenario.parameters.array =
       calibrated(std::move(scenario.parameters.array), asked.stiffnessScale, residual);
-  return Done{};
+  return {};
 }
 
 }  // namespace perilymph::session

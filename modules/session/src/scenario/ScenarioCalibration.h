@@ -24,6 +24,6 @@ Result<AskedCalibration> readCalibration(TomlReader& reader, ScenarioKeys& keys,
                                          ScenarioContent& scenario);
 
 /// Applies stiffness scale and curvature to the array. Refuses a calibration of another array.
-Result<Done> applyCalibration(const AskedCalibration& asked, ScenarioContent& scenario);
+Result<void> applyCalibration(const AskedCalibration& asked, ScenarioContent& scenario);
 
 }  // namespace perilymph::session

@@ -90,7 +90,7 @@ void readAnatomy(TomlReader& reader, ScenarioKeys& keys, const anatomy::Patient&
 
 }  // namespace
 
-Result<Done> readCochlea(TomlReader& reader, ScenarioKeys& keys, const std::string& patient,
+Result<void> readCochlea(TomlReader& reader, ScenarioKeys& keys, const std::string& patient,
                          const fs::path& folder, bool isOverridden, anatomy::Cochlea& cochlea)
 {
   auto read = readPatient(reader, patient, folder, isOverridden);
@@ -101,7 +101,7 @@ Result<Done> readCochlea(TomlReader& reader, ScenarioKeys& keys, const std::stri
   cochlea.patient = *std::move(read);
   const bool hasPatient = !patient.empty() || reader.table("patient_numbers").has("st_length_mm");
   readAnatomy(reader, keys, cochlea.patient, hasPatient, cochlea.source);
-  return Done{};
+  return {};
 }
 
 }  // namespace perilymph::session

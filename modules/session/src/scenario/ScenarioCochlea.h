@@ -20,7 +20,7 @@ namespace perilymph::session {
 /// @param isOverridden   The patient came as an override, so numbers in the text no longer hold.
 /// @return               What is wrong with the patient's file; what is wrong with the keys, the
 ///                       reader keeps.
-Result<Done> readCochlea(TomlReader& reader, ScenarioKeys& keys, const std::string& patient,
+Result<void> readCochlea(TomlReader& reader, ScenarioKeys& keys, const std::string& patient,
                          const std::filesystem::path& folder, bool isOverridden,
                          anatomy::Cochlea& cochlea);
 

@@ -14,8 +14,8 @@ std::string shortLength_mm(Length length)
   return digits;
 }
 
-void forgetPassageOfOtherOpening(TomlReader& reader,
-                                 const std::function<const std::string*(const char*)>& overrideOf)
+void dropPassageOfOtherOpening(TomlReader& reader,
+                               const std::function<const std::string*(const char*)>& overrideOf)
 {
   const std::string* opening = overrideOf("opening");
   if (opening == nullptr || *opening == reader.text("opening", "")) return;
@@ -54,9 +54,9 @@ void readOpening(ScenarioKeys& keys, TomlReader& reader, InsertionParameters& pa
   parameters.opening->ribExitLoss = loss;
 }
 
-Result<Done> checkPassage(const std::string& file, const InsertionParameters& parameters)
+Result<void> checkPassage(const std::string& file, const InsertionParameters& parameters)
 {
-  if (!parameters.opening || !(parameters.opening->passage.si() > 0.0)) return Done{};
+  if (!parameters.opening || !(parameters.opening->passage.si() > 0.0)) return {};
   const std::string length = shortLength_mm(parameters.opening->passage);
   if (parameters.openingKind != OpeningKind::cochleostomy)
     return Error{
@@ -69,7 +69,7 @@ Result<Done> checkPassage(const std::string& file, const InsertionParameters& pa
         "%1: passage_mm is %2; the passage lies in the straight stretch before the spiral, whose "
         "lead_in_mm is %3. Lower passage_mm or raise lead_in_mm.",
         file, length, shortLength_mm(parameters.cochlea.leadIn)};
-  return Done{};
+  return {};
 }
 
 std::optional<std::string> seatNote(const InsertionParameters& parameters, Length deepest)

@@ -18,8 +18,8 @@ std::string shortLength_mm(Length length);
 
 /// Removes the passage of the text where an override names another opening than it. `overrideOf`
 /// gives the override of a key, null without one.
-void forgetPassageOfOtherOpening(TomlReader& reader,
-                                 const std::function<const std::string*(const char*)>& overrideOf);
+void dropPassageOfOtherOpening(TomlReader& reader,
+                               const std::function<const std::string*(const char*)>& overrideOf);
 
 /// Reads the opening, where it lies, and its passage.
 void readOpening(ScenarioKeys& keys, TomlReader& reader, InsertionParameters& parameters);
@@ -27,7 +27,7 @@ void readOpening(ScenarioKeys& keys, TomlReader& reader, InsertionParameters& pa
 /// Refuses a passage that is not drilled or is longer than the straight stretch it lies in.
 ///
 /// @param file  Name of the scenario's file, for the sentence.
-Result<Done> checkPassage(const std::string& file, const InsertionParameters& parameters);
+Result<void> checkPassage(const std::string& file, const InsertionParameters& parameters);
 
 /// A sentence if the array is to go deeper than it fits through the opening.
 std::optional<std::string> seatNote(const InsertionParameters& parameters, Length deepest);

@@ -11,8 +11,8 @@ constexpr const char* wallKeys[] = {stiffnessKey, "wall_lining_mm", "rim_stiffne
 
 }  // namespace
 
-void forgetWallOfOtherCochlea(TomlReader& reader,
-                              const std::function<const std::string*(const char*)>& overrideOf)
+void dropWallOfOtherCochlea(TomlReader& reader,
+                            const std::function<const std::string*(const char*)>& overrideOf)
 {
   const auto isOther = [&](const char* key, const char* usual) {
     const std::string* name = overrideOf(key);

@@ -14,8 +14,8 @@ namespace perilymph::session {
 
 /// Removes the wall of the text where an override names another cochlea or model than it: the wall
 /// belongs to these. `overrideOf` gives the override of a key, null without one.
-void forgetWallOfOtherCochlea(TomlReader& reader,
-                              const std::function<const std::string*(const char*)>& overrideOf);
+void dropWallOfOtherCochlea(TomlReader& reader,
+                            const std::function<const std::string*(const char*)>& overrideOf);
 
 /// Reads the wall. Without keys, a published cochlea without a patient, and the published point
 /// set, have the published wall; every other cochlea has bone under a thin soft lining.

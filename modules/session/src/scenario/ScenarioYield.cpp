@@ -14,7 +14,7 @@ constexpr const char* styletKey = "stylet_yield_MPa";
 constexpr Range yield_MPa{20.0, 3000.0};
 
 /// Takes a value within the range that the array's file states, if it states one.
-Result<Done> take(const char* key, Modulus value, const std::string& file,
+Result<void> take(const char* key, Modulus value, const std::string& file,
                   const electrode::ArrayDesign& array, electrode::YieldStress& stress)
 {
   const bool isOutside =
@@ -28,7 +28,7 @@ Result<Done> take(const char* key, Modulus value, const std::string& file,
                  shortestDecimal(inMegapascals(stress.minimum)),
                  shortestDecimal(inMegapascals(stress.maximum))};
   stress.value = value;
-  return Done{};
+  return {};
 }
 
 }  // namespace
@@ -48,7 +48,7 @@ AskedYield readYield(TomlReader& reader, ScenarioKeys& keys, mechanics::ModelKin
   return asked;
 }
 
-Result<Done> applyYield(const AskedYield& asked, const std::string& file, ScenarioContent& scenario)
+Result<void> applyYield(const AskedYield& asked, const std::string& file, ScenarioContent& scenario)
 {
   electrode::ArrayDesign& array = scenario.parameters.array;
   if (asked.wires) {
@@ -76,7 +76,7 @@ Result<Done> applyYield(const AskedYield& asked, const std::string& file, Scenar
         "they count one softness twice. Set calibration to \"\", and stiffness_scale to a value "
         "fitted with the yield.",
         file, array.name, scenario.calibrationName};
-  return Done{};
+  return {};
 }
 
 }  // namespace perilymph::session

@@ -24,7 +24,7 @@ AskedYield readYield(TomlReader& reader, ScenarioKeys& keys, mechanics::ModelKin
 
 /// Lets the scenario's array, before its calibration, yield at them; refuses what its file excludes, and
 /// a calibration by name, which was fitted to forces of the array as elastic.
-Result<Done> applyYield(const AskedYield& asked, const std::string& file,
+Result<void> applyYield(const AskedYield& asked, const std::string& file,
                         ScenarioContent& scenario);
 
 }  // namespace perilymph::session

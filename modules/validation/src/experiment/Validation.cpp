@@ -82,7 +82,7 @@ void keepRawPeak(const MeasuredInsertion& measured, RunResult& kept)
       kept.rawPeak = std::max(kept.rawPeak.value_or(measured.force[i]), measured.force[i]);
 }
 
-Result<Done> runOne(const ValidationRequest& request, SpreadSources sources, std::uint64_t number,
+Result<void> runOne(const ValidationRequest& request, SpreadSources sources, std::uint64_t number,
                     const std::shared_ptr<const anatomy::ScalaTympani>& anatomy,
                     const std::stop_token& stop, RunResult& kept)
 {
@@ -94,7 +94,7 @@ Result<Done> runOne(const ValidationRequest& request, SpreadSources sources, std
   kept.ticks = measured->ticks;
   kept.ticksNotConverged = measured->ticksNotConverged;
   kept.incomplete = measured->incomplete;
-  if (kept.incomplete) return Done{};
+  if (kept.incomplete) return {};
   if (isPublishedModel(drawn.parameters))
     for (std::size_t i = 0; i < measured->travel.size(); ++i)
       measured->travel[i] = measured->depth[i] - publishedShift.si();
@@ -107,7 +107,7 @@ Result<Done> runOne(const ValidationRequest& request, SpreadSources sources, std
   kept.curve = std::move(*curve);
   keepRawPeak(*measured, kept);
   if (const auto rib = firstRib(drawn.parameters)) keepRib(*measured, *rib, kept);
-  return Done{};
+  return {};
 }
 
 /// The curves of the complete ones among some insertions.

@@ -65,12 +65,12 @@ Result<ClinicalResult> predictClinic(const ClinicalRequest& request,
   ClinicalResult result;
   result.insertions.resize(cochleae * arrays);
   std::vector<ClinicalRow> phantom;
-  const auto work = [&](std::size_t piece, const std::stop_token& ending) -> Result<Done> {
+  const auto work = [&](std::size_t piece, const std::stop_token& ending) -> Result<void> {
     if (piece == cochleae) {
       auto rows = phantomRows(ending);
       if (!rows) return rows.error();
       phantom = *std::move(rows);
-      return Done{};
+      return {};
     }
     const std::uint64_t seed = request.seeds[piece / patients];
     const std::uint64_t patient = piece % patients + 1;
@@ -95,7 +95,7 @@ Result<ClinicalResult> predictClinic(const ClinicalRequest& request,
       place.seed = seed;
       place.patient = patient;
     }
-    return Done{};
+    return {};
   };
   const std::size_t all = insertionsOf(request);
   const auto done = analysis::doInParallel(

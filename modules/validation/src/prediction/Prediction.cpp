@@ -127,7 +127,7 @@ Result<PredictionResult> predict(const PredictionRequest& request,
   const std::size_t arrays = nominal.size();
   const std::size_t cochleae = static_cast<std::size_t>(request.patients) + 1;
   std::vector<PredictedInsertion> insertions(arrays * cochleae);
-  const auto work = [&](std::size_t number, const std::stop_token& ending) -> Result<Done> {
+  const auto work = [&](std::size_t number, const std::stop_token& ending) -> Result<void> {
     std::shared_ptr<const anatomy::ScalaTympani> anatomy;
     for (std::size_t i = 0; i < arrays && !ending.stop_requested(); ++i) {
       const auto parameters = withCochlea(nominal[i], request.seed, number);
@@ -142,7 +142,7 @@ Result<PredictionResult> predict(const PredictionRequest& request,
       place.array = request.arrays[i];
       place.patient = number == 0 ? "mean" : "sample " + std::to_string(number);
     }
-    return Done{};
+    return {};
   };
   const auto done = analysis::doInParallel(
       cochleae, request.jobs, work,

@@ -52,12 +52,12 @@ public:
   {
   }
 
-  Result<Done> build()
+  Result<void> build()
   {
     auto built = session::buildAnatomy(nominal_);
     if (!built) return built.error();
     anatomy_ = *built;
-    return Done{};
+    return {};
   }
 
   const electrode::ArrayDesign& array() const { return nominal_.array; }
@@ -205,11 +205,11 @@ Result<std::vector<RepeatedExperiment>> repeatExperiments(const PriorRequest& re
     const std::size_t first = all.size();
     const std::size_t more = std::min(wanted - counted, drawsPerRepetition * wanted - first);
     all.resize(first + more);
-    const auto work = [&](std::size_t piece, const std::stop_token& ending) -> Result<Done> {
+    const auto work = [&](std::size_t piece, const std::stop_token& ending) -> Result<void> {
       auto one = repeatExperiment(request, first + piece + 1, ending);
       if (!one) return one.error();
       all[first + piece] = *std::move(one);
-      return Done{};
+      return {};
     };
     const auto done = analysis::doInParallel(
         more, request.jobs, work,

@@ -27,7 +27,7 @@ public:
   ExperimentDevice(const TremblingPush& push, Duration timeStep);
 
   device::DeviceTraits traits() const override;
-  Result<Done> open() override { return Done{}; }
+  Result<void> open() override { return {}; }
   void close() noexcept override {}
   device::DeviceSample read() noexcept override;
   void write(const device::Wrench&) noexcept override {}

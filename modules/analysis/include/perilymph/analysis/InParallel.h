@@ -22,9 +22,9 @@ using RunProgress = std::function<void(std::size_t done, std::size_t all)>;
 /// @param jobs  Threads; 0: one per processor.
 /// @param work  Called in any thread; should end early when its token asks for it: after `stop`, or
 ///              because another piece failed.
-Result<Done> doInParallel(
+Result<void> doInParallel(
     std::size_t count, unsigned jobs,
-    const std::function<Result<Done>(std::size_t, const std::stop_token& stop)>& work,
+    const std::function<Result<void>(std::size_t, const std::stop_token& stop)>& work,
     const PieceProgress& progress = {}, const std::stop_token& stop = {});
 
 }  // namespace perilymph::analysis

@@ -96,14 +96,14 @@ Result<Patient> patientIn(const std::string& text, const std::string& name);
 std::string patientText(const Patient& patient);
 
 /// Writes a patient to a file for loadPatient(), rounded to a picometer.
-Result<Done> savePatient(const Patient& patient, const std::filesystem::path& file);
+Result<void> savePatient(const Patient& patient, const std::filesystem::path& file);
 
 /// Checks values that did not come from a file (command line, window).
-Result<Done> checkPatient(const Patient& patient);
+Result<void> checkPatient(const Patient& patient);
 
 /// Checks a code that stands for a patient in files and reports: 1 to 24 letters, digits and
 /// hyphens, so that neither needs another spelling of it.
-Result<Done> checkPatientCode(const std::string& code);
+Result<void> checkPatientCode(const std::string& code);
 
 /// A virtual patient with A and B drawn from the population: the same for the same seed on every
 /// machine.

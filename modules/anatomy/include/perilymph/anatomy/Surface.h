@@ -31,7 +31,7 @@ Surface membraneSurface(const ScalaTympani& scala, int maxTriangles);
 
 /// Writes a surface in millimeters, in the format of the file extension: stl (binary), ply, obj,
 /// wrl (VRML 2.0) or vtp. The file is written atomically.
-Result<Done> writeSurface(const Surface& surface, const std::string& title,
+Result<void> writeSurface(const Surface& surface, const std::string& title,
                           const std::filesystem::path& file);
 
 }  // namespace perilymph::anatomy

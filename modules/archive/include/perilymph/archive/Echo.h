@@ -8,6 +8,6 @@ namespace perilymph::archive {
 
 /// Tests whether a server answers (C-ECHO). The error states what failed: name resolution, the
 /// connection, TLS, an AE title that is not known, a refusal, or the time.
-Result<Done> echo(const Server& server, const Exchange& exchange = {});
+Result<void> echo(const Server& server, const Exchange& exchange = {});
 
 }  // namespace perilymph::archive

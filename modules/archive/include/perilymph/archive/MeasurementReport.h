@@ -35,7 +35,7 @@ struct MeasurementReport {
 ///
 /// @param ct  The folder of the CT.
 /// @return    Refuses a report without measures, and a folder without that series.
-Result<Done> writeMeasurementReport(const MeasurementReport& report,
+Result<void> writeMeasurementReport(const MeasurementReport& report,
                                     const std::filesystem::path& ct,
                                     const std::filesystem::path& file);
 

@@ -28,7 +28,7 @@ struct SecondaryCapture {
 ///
 /// @param ct  The folder of the CT.
 /// @return    Refuses a picture whose bytes do not match its size, and a folder without that series.
-Result<Done> writeSecondaryCapture(const SecondaryCapture& image, const std::filesystem::path& ct,
+Result<void> writeSecondaryCapture(const SecondaryCapture& image, const std::filesystem::path& ct,
                                    const std::filesystem::path& file);
 
 }  // namespace perilymph::archive

@@ -31,7 +31,7 @@ struct Lumen {
 /// @param ct  The folder of the CT.
 /// @return    Refuses a tube of fewer than two rings, a folder without that series, a series of
 ///            multi-frame files or without a frame of reference, and a lumen outside of all slices.
-Result<Done> writeSegmentation(const Lumen& lumen, const std::filesystem::path& ct,
+Result<void> writeSegmentation(const Lumen& lumen, const std::filesystem::path& ct,
                                const std::filesystem::path& file);
 
 }  // namespace perilymph::archive

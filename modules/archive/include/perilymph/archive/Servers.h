@@ -48,11 +48,11 @@ Result<Server> readServer(const std::string& name,
                           const std::filesystem::path& file = serversFile());
 
 /// Refuses a server whose values may not be in the file. The error says which one, and what is allowed.
-Result<Done> checkServer(const Server& server);
+Result<void> checkServer(const Server& server);
 
 /// Writes the servers atomically for the owner only (mode 0600), and makes the file's folder (0700)
 /// where it is absent. Refuses a server that readServers() would refuse, and nothing is written then.
-Result<Done> writeServers(const std::vector<Server>& servers,
+Result<void> writeServers(const std::vector<Server>& servers,
                           const std::filesystem::path& file = serversFile());
 
 }  // namespace perilymph::archive

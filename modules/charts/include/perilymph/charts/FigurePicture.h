@@ -12,7 +12,7 @@
 namespace perilymph::charts {
 
 /// Writes a drawing as PNG with 216 pixels per inch, atomically.
-Result<Done> writePicture(const figures::Drawing& drawing, const std::filesystem::path& file,
+Result<void> writePicture(const figures::Drawing& drawing, const std::filesystem::path& file,
                           const Writing& how = {});
 
 }  // namespace perilymph::charts

@@ -79,11 +79,11 @@ public:
   std::int64_t version() const noexcept;
 
   /// Runs statements that return no rows.
-  Result<Done> run(const std::string& sql);
+  Result<void> run(const std::string& sql);
   Result<Statement> prepare(const std::string& sql) const;
 
   /// Checks every page, row and index of the file; an error if they are inconsistent.
-  Result<Done> checkPages() const;
+  Result<void> checkPages() const;
 
   /// Closes a file that was moved or replaced: checkpoints its log and accesses no file by name,
   /// since the name may belong to another file by now.

@@ -90,7 +90,7 @@ public:
   /// Capabilities of the hardware. Known before open().
   virtual DeviceTraits traits() const = 0;
 
-  virtual Result<Done> open() = 0;
+  virtual Result<void> open() = 0;
   virtual void close() noexcept = 0;
 
   /// The newest sample; `isValid` is 0 after the device stopped responding. Real-time safe.

@@ -38,7 +38,7 @@ public:
   void grasp(bool held) noexcept;
 
   DeviceTraits traits() const override;
-  Result<Done> open() override;
+  Result<void> open() override;
   void close() noexcept override;
   DeviceSample read() noexcept override;
   void write(const Wrench& wrench_D) noexcept override;

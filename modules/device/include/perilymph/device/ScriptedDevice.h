@@ -26,7 +26,7 @@ public:
   double speed() const noexcept { return speed_; }
 
   DeviceTraits traits() const override;
-  Result<Done> open() override;
+  Result<void> open() override;
   void close() noexcept override;
   DeviceSample read() noexcept override;
   void write(const Wrench& wrench_D) noexcept override;

@@ -37,17 +37,17 @@ struct Writing {
 
 /// Checks, before any work is done, that a file can be written: its folder exists and is writable,
 /// and the file is neither a folder nor read-only nor a link that is refused.
-Result<Done> checkWritable(const std::filesystem::path& file, Links links = Links::followed);
+Result<void> checkWritable(const std::filesystem::path& file, Links links = Links::followed);
 
 /// Writes a file atomically: first into a temporary file in the same folder (unfinishedPath()), which
 /// is then renamed. On failure nothing is left behind and an existing file is unchanged; a read-only
 /// file is never replaced.
-Result<Done> writeWhole(const std::filesystem::path& file, std::string_view content,
+Result<void> writeWhole(const std::filesystem::path& file, std::string_view content,
                         const Writing& how = {});
 
 /// The same for content that a library writes (pictures, surfaces): `write` receives the path of
 /// the temporary file, which has the same extension, and returns true on success.
-Result<Done> writeWhole(const std::filesystem::path& file,
+Result<void> writeWhole(const std::filesystem::path& file,
                         const std::function<bool(const std::filesystem::path&)>& write,
                         const Writing& how = {});
 

@@ -5,6 +5,7 @@
 
 #include <concepts>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -36,9 +37,6 @@ struct Error {
   Sentence message;
 };
 
-/// The value of an operation that only succeeds or fails.
-struct Done {};
-
 /// A value or an Error.
 template <class Value>
 class [[nodiscard]] Result {
@@ -58,6 +56,21 @@ public:
 
 private:
   std::variant<Value, Error> content_;
+};
+
+/// The result of an operation without a value: success, `{}`, or an Error.
+template <>
+class [[nodiscard]] Result<void> {
+public:
+  Result() = default;
+  Result(Error error) : error_(std::move(error)) {}
+
+  explicit operator bool() const noexcept { return !error_; }
+
+  const Error& error() const { return *error_; }
+
+private:
+  std::optional<Error> error_;
 };
 
 }  // namespace perilymph

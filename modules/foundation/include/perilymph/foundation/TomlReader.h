@@ -96,7 +96,7 @@ public:
   void remove(std::string_view key);
 
   /// Success, or the first error in this table and its child tables; unknown keys are errors.
-  Result<Done> finish();
+  Result<void> finish();
 
   /// The file, or the name given to parse().
   const std::string& name() const;

@@ -37,7 +37,7 @@ public:
 
   const std::filesystem::path& path() const noexcept { return path_; }
   /// Gives it the name of its target. Refuses one that exists.
-  Result<Done> finish();
+  Result<void> finish();
 
 private:
   UnfinishedFolder(std::filesystem::path path, std::filesystem::path target)

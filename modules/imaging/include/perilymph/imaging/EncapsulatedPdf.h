@@ -33,7 +33,7 @@ struct PdfDocument {
 /// @param file  The DICOM file to write.
 /// @return      Refuses a CT without the series of the document, whose files belong to several studies
 ///              or state none, a content that is no PDF, and texts that are too long or not ASCII.
-Result<Done> writeEncapsulatedPdf(const PdfDocument& document,
+Result<void> writeEncapsulatedPdf(const PdfDocument& document,
                                   const std::optional<std::filesystem::path>& ct,
                                   const std::filesystem::path& file);
 

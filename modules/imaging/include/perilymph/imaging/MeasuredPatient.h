@@ -29,7 +29,7 @@ Result<std::string> measuredPatientText(const ct::CochleaMeasures& measures,
                                         const std::string& label);
 
 /// Writes it to a file.
-Result<Done> writeMeasuredPatient(const ct::CochleaMeasures& measures, const std::string& label,
+Result<void> writeMeasuredPatient(const ct::CochleaMeasures& measures, const std::string& label,
                                   const std::filesystem::path& file);
 
 }  // namespace perilymph::imaging

@@ -27,7 +27,7 @@ RgbPicture measuredPicture(std::shared_ptr<const ct::CtVolume> volume,
                            const ct::CochleaMeasures& measures);
 
 /// Writes it as a PNG. Refuses another ending than .png.
-Result<Done> writeMeasuredPicture(std::shared_ptr<const ct::CtVolume> volume,
+Result<void> writeMeasuredPicture(std::shared_ptr<const ct::CtVolume> volume,
                                   const ct::CochleaMeasures& measures,
                                   const std::filesystem::path& file);
 

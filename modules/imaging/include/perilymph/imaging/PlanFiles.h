@@ -33,7 +33,7 @@ struct PlanMarkups {
 std::string planText(const PlanMarkups& plan);
 
 /// Writes a surface as glTF 2.0 (.gltf, buffers embedded) in millimeters.
-Result<Done> writeGltf(const anatomy::Surface& surface, const std::string& title,
+Result<void> writeGltf(const anatomy::Surface& surface, const std::string& title,
                        const std::filesystem::path& file);
 
 }  // namespace perilymph::imaging

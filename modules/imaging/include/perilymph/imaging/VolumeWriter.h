@@ -14,6 +14,6 @@ namespace perilymph::imaging {
 /// rounded to single precision). What the voxels show of a face is not removed.
 ///
 /// Refuses other extensions and files that cannot be written.
-Result<Done> writeVolume(const ct::CtVolume& volume, const std::filesystem::path& file);
+Result<void> writeVolume(const ct::CtVolume& volume, const std::filesystem::path& file);
 
 }  // namespace perilymph::imaging

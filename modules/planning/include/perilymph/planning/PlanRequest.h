@@ -54,5 +54,5 @@ inline constexpr std::size_t fewestDraws = 16, maxDraws = 4096;
 /// Refuses numbers of draws that no user is offered. makePlan() itself takes one draw: a window shows
 /// first bands of few, and tests are cheap. Programs take few if PERILYMPH_FEW_DRAWS is set, which
 /// their results name (Version.h).
-Result<Done> checkDraws(std::size_t draws);
+Result<void> checkDraws(std::size_t draws);
 }  // namespace perilymph::planning

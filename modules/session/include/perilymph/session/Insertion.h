@@ -29,13 +29,13 @@ public:
   /// @param anatomy The scenario's cochlea if already built, to share it between insertions.
   /// @param model   The scenario's model in that cochlea, likewise.
   static Result<std::unique_ptr<Insertion>> prepare(
-      const Scenario& scenario, std::shared_ptr<device::HapticDevice> hand,
+      const Scenario& scenario, std::shared_ptr<device::HapticDevice> device,
       std::optional<std::filesystem::path> record,
       std::shared_ptr<const anatomy::ScalaTympani> anatomy = nullptr,
       std::shared_ptr<const mechanics::InsertionModel> model = nullptr);
   /// Prepares an insertion that is not recorded, with parameters that come from no text.
   static Result<std::unique_ptr<Insertion>> prepare(
-      const InsertionParameters& parameters, std::shared_ptr<device::HapticDevice> hand,
+      const InsertionParameters& parameters, std::shared_ptr<device::HapticDevice> device,
       std::shared_ptr<const anatomy::ScalaTympani> anatomy = nullptr,
       std::shared_ptr<const mechanics::InsertionModel> model = nullptr);
   ~Insertion();  ///< Stops, closes the recording, closes the device.
@@ -44,11 +44,11 @@ public:
   /// Arms, then runs until the insertion has ended (and is withdrawn, if the scenario says so and
   /// the stop travel was reached), has faulted, or `maxTicks` ticks have passed. `each` receives every record and returns false to
   /// stop.
-  Result<Done> runToEnd(const std::function<bool(const haptics::TickRecord&)>& each,
+  Result<void> runToEnd(const std::function<bool(const haptics::TickRecord&)>& each,
                         std::uint64_t maxTicks = 10'000'000);
 
   // --- by the clock: a haptic thread and a recorder thread ---
-  Result<Done> start();
+  Result<void> start();
   void stop() noexcept;
   bool send(const haptics::Command& command) noexcept;
   /// HapticLoop::requestStop(), requestStopAt() and cancelStopAt().
@@ -66,7 +66,7 @@ public:
   bool isRecordingConcluded() const noexcept;
   /// Ends the recording and merges its log into one file, while nothing runs. Returns the error of
   /// recordingError() if it failed. Otherwise the destructor closes it silently.
-  Result<Done> closeRecording();
+  Result<void> closeRecording();
 
   /// A message if the device cannot render the requested coupling: what it renders, and why.
   const std::string& couplingText() const noexcept;
@@ -76,7 +76,7 @@ public:
   std::shared_ptr<const anatomy::ScalaTympani> sharedAnatomy() const noexcept;
   const mechanics::InsertionModel& model() const noexcept;
   std::shared_ptr<const mechanics::InsertionModel> sharedModel() const noexcept;
-  device::HapticDevice& hand() noexcept;
+  device::HapticDevice& device() noexcept;
   const haptics::HapticLoop& loop() const noexcept;
   const std::optional<std::filesystem::path>& recording() const noexcept;
 
@@ -85,7 +85,7 @@ private:
   /// @param text  Text of the scenario, for the recording.
   static Result<std::unique_ptr<Insertion>> prepare(
       const InsertionParameters& parameters, const std::string& text,
-      std::shared_ptr<device::HapticDevice> hand, std::optional<std::filesystem::path> record,
+      std::shared_ptr<device::HapticDevice> device, std::optional<std::filesystem::path> record,
       std::shared_ptr<const anatomy::ScalaTympani> anatomy,
       std::shared_ptr<const mechanics::InsertionModel> model);
   struct Content;

@@ -75,13 +75,13 @@ public:
 
   /// Calls `each` with every insertion, in the order of the keys. Refuses keys that do not increase,
   /// values of another type, and rows that belong to no insertion.
-  Result<Done> read(const std::function<Result<Done>(const InsertionRows&)>& each) const;
+  Result<void> read(const std::function<Result<void>(const InsertionRows&)>& each) const;
 
   /// Adds a block in one transaction: all of it is in the file afterwards, or nothing. A commit
   /// survives the end of the process and of the machine.
-  Result<Done> append(const std::vector<InsertionRows>& block);
+  Result<void> append(const std::vector<InsertionRows>& block);
   /// Ends writing: the file is then one file, without companions.
-  Result<Done> close();
+  Result<void> close();
 
   /// "FILE is damaged (REASON). ..."
   Error damaged(const Sentence& reason) const { return database_.readingError(reason); }
@@ -92,9 +92,9 @@ private:
       : database_(std::move(database)), file_(std::move(file)), kind_(&kind)
   {
   }
-  Result<Done> readFacts();
-  Result<Done> checkRows();
-  Result<Done> expect(const SealedFacts& facts) const;
+  Result<void> readFacts();
+  Result<void> checkRows();
+  Result<void> expect(const SealedFacts& facts) const;
 
   database::Database database_;
   std::filesystem::path file_;

@@ -94,7 +94,7 @@ struct PatientRecord {
 };
 
 /// Checks lengths and characters; tags have no commas and no line breaks, series are hashes.
-Result<Done> checkRecord(const PatientRecord& record);
+Result<void> checkRecord(const PatientRecord& record);
 
 /// The record's file: "P-017-left.json" beside "P-017-left.toml".
 std::filesystem::path recordFileOf(const std::filesystem::path& patient);
@@ -129,7 +129,7 @@ struct VersionFacts {
 /// @param isNew  Whether there may be no such file yet.
 /// @return       Refuses to replace a file that is new for the caller, or that cannot be read; says
 ///               so if another program works on the patient.
-Result<Done> savePatientVersion(const anatomy::Patient& patient, const std::filesystem::path& file,
+Result<void> savePatientVersion(const anatomy::Patient& patient, const std::filesystem::path& file,
                                 const VersionFacts& facts, bool isNew);
 
 /// Receives the bytes of insertions that are copied, and all of them.
@@ -140,7 +140,7 @@ using CopyProgress = std::function<void(std::uintmax_t done, std::uintmax_t all)
 ///
 /// @param insertions  Recordings of the patient.
 /// @return            Refuses a folder that exists.
-Result<Done> exportPatient(const std::filesystem::path& patient,
+Result<void> exportPatient(const std::filesystem::path& patient,
                            const std::vector<std::filesystem::path>& insertions,
                            const std::filesystem::path& folder, const CopyProgress& progress = {},
                            const std::stop_token& stop = {});

@@ -55,7 +55,7 @@ public:
   std::uint64_t computedTicks() const noexcept;
 
   /// The snapshot of a tick; of the last one if the index is too large.
-  Result<Done> show(std::uint64_t place, haptics::Snapshot& picture);
+  Result<void> show(std::uint64_t place, haptics::Snapshot& picture);
 
 private:
   Playback();

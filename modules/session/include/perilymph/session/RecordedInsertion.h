@@ -60,7 +60,7 @@ public:
   Result<RecordingCheck> check() const;
 
   /// Calls `each` for every tick in order, from a given one on; `each` returns false to stop.
-  Result<Done> forEach(const std::function<bool(const haptics::TickRecord&)>& each,
+  Result<void> forEach(const std::function<bool(const haptics::TickRecord&)>& each,
                        std::uint64_t firstTick = 0) const;
 
 private:

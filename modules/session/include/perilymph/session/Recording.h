@@ -52,7 +52,7 @@ public:
   /// Adds ticks in one transaction: after return they survive the end of the process. On failure
   /// none of them is stored. A closed recording is opened again and goes on, as when an array is
   /// withdrawn after its insertion.
-  Result<Done> append(std::span<const haptics::TickRecord> records);
+  Result<void> append(std::span<const haptics::TickRecord> records);
 
   /// Marks the recording as closed and merges its log into one file, which others may then read,
   /// compare and report.
@@ -61,7 +61,7 @@ public:
   ///                      the tick numbers, and the larger count is stored.
   /// @param deviceReport  Performance of the device, as JSON (`device_report` in meta); not stored
   ///                      if empty.
-  Result<Done> close(std::uint64_t lostRecords = 0, const std::string& deviceReport = {});
+  Result<void> close(std::uint64_t lostRecords = 0, const std::string& deviceReport = {});
 
   /// Closes a recording that may go on, without waiting for those who read it.
   ///

@@ -91,7 +91,7 @@ Result<std::filesystem::path> renameSession(const std::filesystem::path& file,
 /// @return Its new path.
 Result<std::filesystem::path> trashSession(const std::filesystem::path& file);
 /// Moves a recording from the trash to its previous path.
-Result<Done> restoreSession(const std::filesystem::path& trashed,
+Result<void> restoreSession(const std::filesystem::path& trashed,
                             const std::filesystem::path& place);
 
 }  // namespace perilymph::session

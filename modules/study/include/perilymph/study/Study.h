@@ -62,7 +62,7 @@ public:
   bool keepsContacts() const noexcept { return keepsContacts_; }
 
   /// Refuses if a file that the study names, such as a patient's, is not as it was read.
-  Result<Done> checkFiles() const;
+  Result<void> checkFiles() const;
 
   std::size_t casesPerCochlea() const noexcept { return combinations_.size() * samples_; }
   /// Number of insertions.

@@ -69,12 +69,12 @@ public:
   std::size_t size() const noexcept { return table_.size(); }
 
   /// Adds results in one transaction: all are in the file afterwards, or none.
-  Result<Done> append(const std::vector<StudyResult>& results);
+  Result<void> append(const std::vector<StudyResult>& results);
   /// Ends writing: the file is then one file, without companions.
-  Result<Done> close() { return table_.close(); }
+  Result<void> close() { return table_.close(); }
 
   /// Calls `each` with every insertion, in order.
-  Result<Done> read(const std::function<Result<Done>(const StudyResult&)>& each) const;
+  Result<void> read(const std::function<Result<void>(const StudyResult&)>& each) const;
 
 private:
   StudyFile(session::InsertionTable table, StudyFileFacts facts)

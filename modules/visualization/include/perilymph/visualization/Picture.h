@@ -28,9 +28,9 @@ struct PictureRequest {
 
 /// Renders a picture into its file, atomically. Without a display it starts a private X server
 /// (Xvfb) for the duration of the call; an error if that is not installed.
-Result<Done> renderPicture(const PictureRequest& request);
+Result<void> renderPicture(const PictureRequest& request);
 
 /// Whether pictures can be rendered: a display responds and supports OpenGL 3.2.
-Result<Done> canRender();
+Result<void> canRender();
 
 }  // namespace perilymph::visualization

@@ -71,7 +71,7 @@ public:
   std::optional<std::uint64_t> decode(const device::RawReport& report,
                                       device::DeviceSample& hand) noexcept override;
   void encode(const device::Wrench& wrench_D, device::ReportList& reports) noexcept override;
-  Result<Done> begin(device::Transport& transport) override;
+  Result<void> begin(device::Transport& transport) override;
   void end(device::Transport& transport) noexcept override;
 };
 

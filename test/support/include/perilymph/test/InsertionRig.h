@@ -38,12 +38,12 @@ public:
   /// Runs until the workflow state is reached, at most `maxTicks` ticks. False if it was not.
   bool runUntil(haptics::Workflow workflow, int maxTicks = 1'000'000);
 
-  device::ScriptedDevice& hand() noexcept { return *hand_; }
+  device::ScriptedDevice& device() noexcept { return *device_; }
   haptics::HapticLoop& loop() noexcept { return *loop_; }
   const haptics::InsertionEngine& engine() const noexcept { return loop_->engine(); }
 
 private:
-  std::unique_ptr<device::ScriptedDevice> hand_;
+  std::unique_ptr<device::ScriptedDevice> device_;
   std::unique_ptr<haptics::HapticLoop> loop_;
   haptics::TickRecord record_;
 };

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include "FileOptions.h"
+#include "NumberOptions.h"
 
 namespace perilymph::cli {
 
@@ -32,7 +33,7 @@ void addServers(CLI::App& archive, FileOptions& files, ArchiveOptions& options)
   add->needs(title)->needs(host);
   title->needs(add);
   host->needs(add);
-  const CLI::Range ports(1, 65535);
+  const CLI::Validator ports = wholeNumber(1, 65535);
   command.add_option("--port", options.port, "Port of the server")
       ->capture_default_str()
       ->check(ports)

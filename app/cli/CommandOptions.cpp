@@ -12,6 +12,7 @@
 #include "CtOptions.h"
 #include "EmptyValues.h"
 #include "FileOptions.h"
+#include "NumberOptions.h"
 #include "PlanOptions.h"
 #include "PredictOptions.h"
 #include "StudyOptions.h"
@@ -188,13 +189,9 @@ void addValidate(CLI::App& app, FileOptions& files, ValidateOptions& options)
   files.readsBelow(bench);
   command.add_option("--runs", options.runs, "Number of simulated insertions")
       ->capture_default_str()
-      ->check(CLI::Range(2, 100'000));
-  command.add_option("--seed", options.seed, "Random seed")
-      ->capture_default_str()
-      ->check(CLI::NonNegativeNumber);
-  command.add_option("--jobs", options.jobs, "Parallel runs")
-      ->default_str("number of cores")
-      ->check(CLI::Range(1u, 256u));
+      ->check(wholeNumber(2, 100'000));
+  addSeed(command, options.seed, "Random seed");
+  addJobs(command, options.jobs);
   overrideOption(command, "--model", "model", options.overrides,
                  "Array model: rod (elastic rod) or points (published point set); default: as in "
                  "the scenario");
@@ -209,7 +206,7 @@ void addValidate(CLI::App& app, FileOptions& files, ValidateOptions& options)
                                         "declared ranges, each fitted anew");
   command.add_option("--draws", options.draws, "Repetitions that are fitted")
       ->capture_default_str()
-      ->check(CLI::Range(20, 10'000))
+      ->check(wholeNumber(20, 10'000))
       ->needs(prior);
   for (CLI::Option* other : command.get_options()) {
     if (other != bench && other != command.get_help_ptr()) other->excludes(bench);
@@ -231,13 +228,9 @@ void addCalibrate(CLI::App& app, FileOptions& files, CalibrateOptions& options)
       "calibrate", "Calibrate the stiffness of the array against one published force");
   command.add_option("--runs", options.runs, "Number of simulated insertions per trial")
       ->capture_default_str()
-      ->check(CLI::Range(2, 10'000));
-  command.add_option("--seed", options.seed, "Random seed")
-      ->capture_default_str()
-      ->check(CLI::NonNegativeNumber);
-  command.add_option("--jobs", options.jobs, "Parallel runs")
-      ->default_str("number of cores")
-      ->check(CLI::Range(1u, 256u));
+      ->check(wholeNumber(2, 10'000));
+  addSeed(command, options.seed, "Random seed");
+  addJobs(command, options.jobs);
   setOption(command, files, options.overrides);
   files.reads(command
                   .add_option("--variability", options.variability,
@@ -306,7 +299,7 @@ void addDevices(CLI::App& app, FileOptions& files, DevicesOptions& options)
                           .add_option("--test", options.test,
                                       "Test a device: measure its reports, then render small "
                                       "forces (number of the node: 3 for hidraw3)")
-                          ->check(CLI::Range(0, 4095));
+                          ->check(wholeNumber(0, 4095));
   files.writes(
       command
           .add_option("--capture", options.capture, "Record every report of the test with its time")

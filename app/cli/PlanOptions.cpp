@@ -5,6 +5,7 @@
 
 #include "Commands.h"
 #include "FileOptions.h"
+#include "NumberOptions.h"
 #include "perilymph/planning/PlanRequest.h"
 
 namespace perilymph::cli {
@@ -53,14 +54,11 @@ void addPlan(CLI::App& app, FileOptions& files, PlanOptions& options)
                   "Simulations of each array at most, 16 to 4096: draws of measures, shape, "
                   "hand, friction, approach, stiffness and wires; fewer if the bands stand after "
                   "64, 128, ...")
-      ->capture_default_str();
-  command.add_flag("--all-samples", options.runsAll, "Run all simulations");
-  command.add_option("--seed", options.seed, "Random seed of the draws")
       ->capture_default_str()
-      ->check(CLI::NonNegativeNumber);
-  command.add_option("--jobs", options.jobs, "Parallel runs")
-      ->default_str("number of cores")
-      ->check(CLI::Range(1u, 256u));
+      ->check(wholeNumber(1, 1'000'000));
+  command.add_flag("--all-samples", options.runsAll, "Run all simulations");
+  addSeed(command, options.seed, "Random seed of the draws");
+  addJobs(command, options.jobs);
   files.writesInto(command
                        .add_option("--out", options.out,
                                    "Output folder; the same command continues what is there")

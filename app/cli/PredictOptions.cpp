@@ -5,6 +5,7 @@
 
 #include "Commands.h"
 #include "FileOptions.h"
+#include "NumberOptions.h"
 
 namespace perilymph::cli {
 
@@ -30,15 +31,9 @@ void addPredict(CLI::App& app, FileOptions& files, PredictOptions& options)
                   "Number of virtual patients in addition to the average cochlea; with --all for "
                   "each seed")
       ->default_str("50, with --all 12")
-      ->check(CLI::Range(0, 10'000));
-  command
-      .add_option("--seed", options.seeds,
-                  "Random seed of the virtual patients; with --all one or more")
-      ->capture_default_str()
-      ->check(CLI::NonNegativeNumber);
-  command.add_option("--jobs", options.jobs, "Parallel runs")
-      ->default_str("number of cores")
-      ->check(CLI::Range(1u, 256u));
+      ->check(wholeNumber(0, 10'000));
+  addSeeds(command, options.seeds, "Random seed of the virtual patients; with --all one or more");
+  addJobs(command, options.jobs);
   files.writesInto(command.add_option("--out", options.out, "Output folder for tables")->required(),
                    {"prediction.csv", "prediction.json", "clinical-table.csv",
                     "clinical-insertions.csv", "clinical-table.json"});

@@ -5,6 +5,7 @@
 
 #include "Commands.h"
 #include "FileOptions.h"
+#include "NumberOptions.h"
 #include "perilymph/study/StudyRun.h"
 #include "perilymph/study/StudySummary.h"
 
@@ -28,25 +29,18 @@ void addFolder(CLI::App& command, FileOptions& files, StudyOptions& options,
       names);
 }
 
-void addJobs(CLI::App& command, StudyOptions& options)
-{
-  command.add_option("--jobs", options.jobs, "Parallel runs")
-      ->default_str("number of cores")
-      ->check(CLI::Range(1u, 256u));
-}
-
 void addShard(CLI::App& study, FileOptions& files, StudyOptions& options)
 {
   CLI::App& command = *study.add_subcommand("shard", "Run one part of a study");
   addFile(command, files, options);
   command.add_option("--index", options.index, "Number of the part, from 1")
       ->required()
-      ->check(CLI::Range(std::size_t{1}, maxShards));
+      ->check(wholeNumber(1, maxShards));
   command.add_option("--of", options.shards, "Number of parts")
       ->required()
-      ->check(CLI::Range(std::size_t{1}, maxShards));
+      ->check(wholeNumber(1, maxShards));
   addFolder(command, files, options, {});
-  addJobs(command, options);
+  addJobs(command, options.jobs);
 }
 
 void addSubmit(CLI::App& study, FileOptions& files, StudyOptions& options)
@@ -57,7 +51,7 @@ void addSubmit(CLI::App& study, FileOptions& files, StudyOptions& options)
   addFolder(command, files, options, {"shards.sh", "merge.sh"});
   command.add_option("--shards", options.shards, "Number of parts, one task each")
       ->required()
-      ->check(CLI::Range(std::size_t{1}, maxShards));
+      ->check(wholeNumber(1, maxShards));
   command.add_option("--partition", options.partition, "Slurm partition (default: Slurm's)");
   command.add_option("--time", options.time, "Time limit of a task, such as 02:00:00");
   command
@@ -79,7 +73,7 @@ void addStudy(CLI::App& app, FileOptions& files, StudyOptions& options)
   CLI::App& run = *study.add_subcommand("run", "Run a study and write its results");
   addFile(run, files, options);
   addFolder(run, files, options, {study::mergedFile, study::mergedTable});
-  addJobs(run, options);
+  addJobs(run, options.jobs);
   addShard(study, files, options);
   CLI::App& merge = *study.add_subcommand("merge", "Merge the parts of a study in a folder");
   files.writesInto(merge.add_option("folder", options.folder, "Folder of the parts")->required(),

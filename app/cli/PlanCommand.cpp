@@ -74,14 +74,16 @@ Result<std::string> shapesCsv(const planning::Plan& plan)
   return csv;
 }
 
-/// "clinics report 408 (373 to 449) deg, n = 48 (O'Connell 2017)" below a simulated value.
+/// "clinics report 408 (quartiles 373 to 449) deg, n = 48 of FLEX24 + FLEX28 + Standard
+/// (O'Connell 2017)" below a simulated value.
 void printReported(const std::string& array, analysis::ReportedQuantity quantity, const char* unit)
 {
   const auto& evidence = analysis::ClinicalEvidence::shipped();
   const analysis::ClinicalReport* report = evidence ? evidence->find(array, quantity) : nullptr;
   if (report == nullptr) return;
-  const std::string ears =
-      report->n > 0 && !report->count ? ", n = " + std::to_string(report->n) : "";
+  std::string ears = report->n > 0 && !report->count ? ", n = " + std::to_string(report->n) : "";
+  if (const std::string& of = report->valueOf.empty() ? report->nOf : report->valueOf; !of.empty())
+    ears += (ears.empty() ? ", of " : " of ") + of;
   print("    clinics report         {}{}{} ({})\n", numbersOf(*report),
         report->count ? "" : std::string(" ") + unit, ears, report->reference);
 }
@@ -94,7 +96,9 @@ void printArray(const planning::ArrayPlan& array)
   print("{}, {} {}\n", array.name, array.draws, array.draws == 1 ? "simulation" : "simulations");
   using analysis::ReportedQuantity;
   const auto& evidence = analysis::ClinicalEvidence::shipped();
-  if (evidence && evidence->verdictOf(array.array) == analysis::ArrayVerdict::miss)
+  if (evidence && evidence->verdictOf(array.array) == analysis::ArrayVerdict::notTested)
+    print("  not tested: the clinical table has no row of it\n");
+  if (evidence)
     for (const std::string& row : evidence->missedRows(array.array))
       print("  not validated: the clinical table misses {}\n", row);
   print("  angular insertion depth  {} deg\n", bandText(array.angle_deg, 0));

@@ -314,9 +314,8 @@ void definePlan(py::module_& module)
       .def_property_readonly(
           "bands_hold", [](const StoredPlan& one) { return textOf(planning::bandsHold(one.plan)); },
           "What its bands hold from 5 to 95 %: '90 % over friction 0.08 to 0.33'; of a friction "
-          "without a stated spread, '90 % at friction 0.12'; of fewer than 64 simulations, '16 "
-          "simulations at friction "
-          "0.12'.")
+          "without a stated spread, '90 % at friction 0.12'; of fewer than 64 simulations, "
+          "'lowest to highest of 16 simulations at friction 0.12'.")
       .def_property_readonly(
           "seed", [](const StoredPlan& one) { return one.plan.request.seed; }, "Of the draws.")
       .def_property_readonly(

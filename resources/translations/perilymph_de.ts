@@ -3476,10 +3476,6 @@
         <translation>1 Simulation</translation>
     </message>
     <message>
-        <source>%1 simulations</source>
-        <translation>%1 Simulationen</translation>
-    </message>
-    <message>
         <source>%1 at one friction</source>
         <translation>%1 bei einer Reibung</translation>
     </message>
@@ -4106,6 +4102,22 @@
     <message>
         <source>full score within 0.1–2.0 mm/s, half at twice or half of these, in proportion beyond</source>
         <translation>volle Punkte bei 0,1–2,0 mm/s, die Hälfte beim Doppelten oder der Hälfte davon, außerhalb im Verhältnis</translation>
+    </message>
+    <message>
+        <source>B (b_mm) is %1 mm and A (a_mm) %2 mm; A is the longer of the two. Exchange them or measure again.</source>
+        <translation>B (b_mm) ist %1 mm und A (a_mm) %2 mm; A ist das längere von beiden. Vertauschen Sie sie oder messen Sie erneut.</translation>
+    </message>
+    <message>
+        <source>lowest to highest of %1 simulations</source>
+        <translation>kleinster bis größter Wert von %1 Simulationen</translation>
+    </message>
+    <message>
+        <source>5 to 95 % of %1 simulations</source>
+        <translation>5 bis 95 % von %1 Simulationen</translation>
+    </message>
+    <message>
+        <source>There are no bench curves in &apos;%1&apos;. Give slim-straight, or a folder with a TOML file for each specimen.</source>
+        <translation>In „%1“ sind keine Prüfstandkurven. Geben Sie slim-straight an, oder einen Ordner mit einer TOML-Datei je Präparat.</translation>
     </message>
 </context>
 <context>
@@ -6654,10 +6666,6 @@
         <translation>Verjüngung des Trägers</translation>
     </message>
     <message>
-        <source>not validated; clinics</source>
-        <translation>nicht validiert; Kliniken</translation>
-    </message>
-    <message>
         <source>clinics report</source>
         <translation>Kliniken berichten</translation>
     </message>
@@ -6684,18 +6692,6 @@
     <message>
         <source>mean</source>
         <translation>Mittelwert</translation>
-    </message>
-    <message>
-        <source>quartiles</source>
-        <translation>Quartile</translation>
-    </message>
-    <message>
-        <source>range</source>
-        <translation>Spanne</translation>
-    </message>
-    <message>
-        <source>± SD</source>
-        <translation>± SD</translation>
     </message>
     <message>
         <source>n = %1</source>
@@ -6902,10 +6898,6 @@
         <translation>Trennwand: Das Modell ergibt weniger Translokationen, als Kliniken berichten.</translation>
     </message>
     <message>
-        <source>%1: %2.</source>
-        <translation>%1: %2.</translation>
-    </message>
-    <message>
         <source>outside: %1</source>
         <translation>außerhalb: %1</translation>
     </message>
@@ -7012,10 +7004,6 @@
     <message>
         <source>All inside</source>
         <translation>Alle innen</translation>
-    </message>
-    <message>
-        <source>Angle and coverage of the most apical contact. Shares, from %1 simulations on with 95 % intervals: all contacts inside, stop by resistance, buckling in front of the opening, tip fold-over, a force that reaches the strength of the cochlear partition. Clinics: medians or means of patients, angular depth, complete insertions, tip fold-over and translocation %2. Strength of the partition: assumed; original not available; the model gives fewer translocations than clinics report. Not validated, or *: the program’s clinical table misses a row of this array.</source>
-        <translation>Winkel und Abdeckung des apikalsten Kontakts. Anteile, ab %1 Simulationen mit 95-%-Intervallen: alle Kontakte innen, Halt durch Widerstand, Knicken vor der Öffnung, Umschlagen der Spitze, eine Kraft, die die Festigkeit der cochleären Trennwand erreicht. Kliniken: Mediane oder Mittelwerte von Patienten, Insertionswinkel, vollständige Insertionen, Umschlagen der Spitze und Translokation %2. Festigkeit der Trennwand: angenommen; Original nicht verfügbar; das Modell ergibt weniger Translokationen, als Kliniken berichten. Nicht validiert, oder *: die klinische Tabelle des Programms verfehlt eine Zeile dieses Elektrodenträgers.</translation>
     </message>
     <message>
         <source>Its interval holds what the formula of A alone gives: %1 mm (Alexiades et al. 2015).</source>
@@ -7136,6 +7124,58 @@
     <message>
         <source>%1 of 100: the fractions of insertion and peak force, times the geometric mean of the fractions of speed, reversals and smoothness; none can be made good by the others. Rates technique only; it does not assess trauma.</source>
         <translation>%1 von 100: die Anteile für Insertion und Maximalkraft, mal das geometrische Mittel der Anteile für Geschwindigkeit, Rückzüge und Gleichmäßigkeit; keiner gleicht einen anderen aus. Bewertet nur die Technik, nicht das Trauma.</translation>
+    </message>
+    <message>
+        <source> †</source>
+        <translation> †</translation>
+    </message>
+    <message>
+        <source>%1; clinics</source>
+        <translation>%1; Kliniken</translation>
+    </message>
+    <message>
+        <source>Angle and coverage of the most apical contact. Shares, from %1 simulations on with 95 % intervals: all contacts inside, stop by resistance, buckling in front of the opening, tip fold-over, a force that reaches the strength of the cochlear partition. Clinics: medians or means of patients, angular depth, complete insertions, tip fold-over and translocation %2. Strength of the partition: assumed; original not available; the model gives fewer translocations than clinics report. †: of a group of arrays or of one that is not named, not of this one. Not validated, not tested, or *: the program’s clinical table misses a row of this array, or has none.</source>
+        <translation>Winkel und Abdeckung des apikalsten Kontakts. Anteile, ab %1 Simulationen mit 95-%-Intervallen: alle Kontakte innen, Halt durch Widerstand, Knicken vor der Öffnung, Umschlagen der Spitze, eine Kraft, die die Festigkeit der cochleären Trennwand erreicht. Kliniken: Mediane oder Mittelwerte von Patienten, Insertionswinkel, vollständige Insertionen, Umschlagen der Spitze und Translokation %2. Festigkeit der Trennwand: angenommen; Original nicht verfügbar; das Modell ergibt weniger Translokationen, als Kliniken berichten. †: einer Gruppe von Elektrodenträgern oder eines ungenannten, nicht dieses Trägers. Nicht validiert, nicht geprüft oder *: Die klinische Tabelle des Programms verfehlt eine Zeile dieses Elektrodenträgers oder hat keine.</translation>
+    </message>
+    <message>
+        <source>%1, number %2: %3.</source>
+        <translation>%1, Nummer %2: %3.</translation>
+    </message>
+    <message>
+        <source>quartiles %1</source>
+        <translation>Quartile %1</translation>
+    </message>
+    <message>
+        <source>range %1</source>
+        <translation>Spanne %1</translation>
+    </message>
+    <message>
+        <source>SD %1</source>
+        <translation>SD %1</translation>
+    </message>
+    <message>
+        <source> of %1</source>
+        <translation> von %1</translation>
+    </message>
+    <message>
+        <source>not validated</source>
+        <translation>nicht validiert</translation>
+    </message>
+    <message>
+        <source>not tested</source>
+        <translation>nicht geprüft</translation>
+    </message>
+    <message>
+        <source>Not tested: the program’s clinical table has no row of this array.</source>
+        <translation>Nicht geprüft: Die klinische Tabelle des Programms hat keine Zeile dieses Elektrodenträgers.</translation>
+    </message>
+    <message>
+        <source>%1 to %2 mN</source>
+        <translation>%1 bis %2 mN</translation>
+    </message>
+    <message>
+        <source>Values of the model, not clinical risks: no friction in a living ear is known; the one that is taken is estimated from pig tissue, and bands hold its uncertainty. Many arrays stop earlier here than clinics report, perimodiolar ones far earlier, and peaks are bounded by the force at which the simulated hand stops (%1): do not choose a maker by this table. Translocation is rarer than clinics report.</source>
+        <translation>Werte des Modells, keine klinischen Risiken: Eine Reibung im lebenden Ohr ist nicht bekannt; die verwendete ist aus Schweinegewebe geschätzt, und die Bandbreiten enthalten ihre Unsicherheit. Viele Träger halten hier früher an, als Kliniken berichten, perimodioläre weit früher, und Maximalkräfte sind durch die Kraft begrenzt, bei der die simulierte Hand anhält (%1): Wählen Sie keinen Hersteller nach dieser Tabelle. Translokationen sind seltener, als Kliniken berichten.</translation>
     </message>
 </context>
 <context>
@@ -9596,10 +9636,6 @@
         <translation>klin. %1</translation>
     </message>
     <message>
-        <source>not validated</source>
-        <translation>nicht validiert</translation>
-    </message>
-    <message>
         <source>transl. %1</source>
         <translation>Transl. %1</translation>
     </message>
@@ -9734,10 +9770,6 @@
     <message>
         <source>Compute</source>
         <translation>Berechnen</translation>
-    </message>
-    <message>
-        <source>Values of the model, not clinical risks: no friction in a living ear is known; the one that is taken is estimated from pig tissue, and bands hold its uncertainty. Many arrays stop earlier here than clinics report, perimodiolar ones far earlier, and peaks are bounded by the force at which the simulated hand stops (45 to 102 mN): do not choose a maker by this table. Translocation is rarer than clinics report.</source>
-        <translation>Werte des Modells, keine klinischen Risiken: Eine Reibung im lebenden Ohr ist nicht bekannt; die verwendete ist aus Schweinegewebe geschätzt, und die Bandbreiten enthalten ihre Unsicherheit. Viele Träger halten hier früher an, als Kliniken berichten, perimodioläre weit früher, und Maximalkräfte sind durch die Kraft begrenzt, bei der die simulierte Hand anhält (45 bis 102 mN): Wählen Sie keinen Hersteller nach dieser Tabelle. Translokationen sind seltener, als Kliniken berichten.</translation>
     </message>
     <message>
         <source>%1 simulations, %2 insertions</source>

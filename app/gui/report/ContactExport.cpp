@@ -25,7 +25,8 @@ std::string contactFileStem(const ContactSubject& subject)
   const auto utc = QDateTime::fromString(QString::fromStdString(subject.utc), Qt::ISODate);
   const std::string date = utc.toLocalTime().toString(QStringLiteral("yyyy-MM-dd")).toStdString();
   return fileStemOf(subject.patient.label) + "-" + anatomy::nameOf(subject.patient.side) + "-" +
-         std::filesystem::path(subject.array).stem().string() + "-contacts" +
+         std::filesystem::path(subject.array).stem().string() +
+         (subject.isPlanned ? "-planned" : "-inserted") + "-contacts" +
          (date.empty() ? "" : "-" + date);
 }
 

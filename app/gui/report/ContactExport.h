@@ -19,12 +19,13 @@ Result<void> writeContactTable(const std::filesystem::path& file, const std::str
 
 /// Whose contacts a table has.
 struct ContactSubject {
+  bool isPlanned = false;  ///< From the simulations of a plan, else from one insertion.
   anatomy::Patient patient;
   std::string array;
   std::string utc;  ///< When the plan was made, or the insertion began: "2026-11-20T09:30:00Z".
 };
 
-/// "P-017-left-flex28-contacts-2026-11-20", with the local date.
+/// "P-017-left-flex28-planned-contacts-2026-11-20", with the local date; of an insertion "inserted".
 std::string contactFileStem(const ContactSubject& subject);
 
 /// Lets the user choose a file in the folder of documents. Empty if the user cancels.

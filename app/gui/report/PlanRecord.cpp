@@ -8,6 +8,7 @@
 #include "gui/report/MeasureTable.h"
 #include "gui/report/PlanCurves.h"
 #include "gui/report/PlanPicture.h"
+#include "gui/report/ReportSetup.h"
 #include "gui/setup/PlannedFriction.h"
 #include "gui/text/ClinicalText.h"
 #include "gui/text/DataText.h"
@@ -50,6 +51,7 @@ double paintIdentification(ReportSheet& sheet, const PlanReportContent& content,
                     {tr("Measured with"), isChanged          ? tr("changed by hand")
                                           : software.empty() ? QStringLiteral("–")
                                                              : QString::fromStdString(software)},
+                    {tr("Landmarks"), landmarksText(plan.request.patient)},
                     {tr("Simulations"), tr("%1 of each array").arg(plan.arrays.front().draws)}},
                    0.0, y_mm, left_mm);
   const double right = paintEntries(
@@ -88,9 +90,11 @@ QStringList clinicsOf(const planning::ArrayPlan& array)
 {
   using analysis::ReportedQuantity;
   const auto reported = [&array](ReportedQuantity quantity) {
-    return clinicsReportShort(array.array, quantity);
+    const QString text = clinicsReportShort(array.array, quantity);
+    return text.isEmpty() || isOfArrayAlone(array.array, quantity) ? text : text + tr(" †");
   };
-  return {isNotValidated(array.array) ? tr("not validated; clinics") : tr("clinics report"),
+  const QString mark = verdictMark(array.array);
+  return {mark.isEmpty() ? tr("clinics report") : tr("%1; clinics").arg(mark),
           reported(ReportedQuantity::angle),
           {},
           reported(ReportedQuantity::peakForce),
@@ -161,11 +165,11 @@ double paintArrays(ReportSheet& sheet, const PlanReportContent& content, Referen
   if (areMany) high_mm = lowRow_mm;
   for (std::size_t i = 0; i < arrays.size(); ++i) {
     QStringList cells = cellsOf(arrays[i], i);
-    if (areMany && isNotValidated(arrays[i].array)) cells[0] += QStringLiteral(" *");
+    if (areMany && !verdictMark(arrays[i].array).isEmpty()) cells[0] += QStringLiteral(" *");
     paintRow(cells);
     const QStringList clinics = clinicsOf(arrays[i]);
     // what clinics report of many would leave no room for the signature
-    if (areMany || clinics.mid(1).join(QString()).isEmpty()) continue;
+    if (areMany) continue;
     y_mm -= 0.6;
     paintRow(clinics, ReportFace::quiet);
   }
@@ -179,8 +183,9 @@ double paintArrays(ReportSheet& sheet, const PlanReportContent& content, Referen
                 "the cochlear partition. Clinics: medians or means of patients, angular "
                 "depth, complete insertions, tip fold-over and translocation %2. Strength "
                 "of the partition: assumed; original not available; the model gives fewer "
-                "translocations than clinics report. Not validated, or *: the "
-                "program’s clinical table misses a row of this array.")
+                "translocations than clinics report. †: of a group of arrays or of one that is not "
+                "named, not of this one. Not validated, not tested, or *: the program’s clinical "
+                "table misses a row of this array, or has none.")
                  .arg(analysis::fewestForPercent)
                  .arg(clinicsLabel(arrays, references)),
              ReportFace::quiet);
@@ -222,11 +227,12 @@ QStringList linesOf(const ReportSheet& sheet, const PlanReportContent& content, 
          "again; see the appendix.")
           .arg(content.plan().arrays.front().draws)
           .arg(plannedFriction(content.plan()))};
+  lines.prepend(planLimitsText());
   const auto& limits = content.stored.limits;
   for (auto limit = limits.rbegin(); limit != limits.rend(); ++limit) {
-    lines.insert(1, dataText(*limit));
+    lines.insert(2, dataText(*limit));
     if (limit == limits.rbegin() || heightOf(sheet, lines, width_mm) <= room_mm) continue;
-    lines.removeAt(1);
+    lines.removeAt(2);
     break;
   }
   return lines;

@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 #include <QStringList>
 #include <algorithm>
+#include <regex>
 
 namespace perilymph::gui {
 
@@ -11,6 +12,24 @@ namespace {
 
 // lupdate assigns texts of free functions to their namespace.
 QString tr(const char* text) { return QCoreApplication::translate("perilymph::gui", text); }
+
+/// Whether a source names a publication: its first author, and the year of its citation as the next year of the text.
+/// The other authors of a source ("Rau TS, ...") are no publications of their own.
+bool isNamedIn(const std::string& source, const Publication& publication)
+{
+  static const std::regex aYear("\\b(19|20)[0-9][0-9]\\b");
+  static const std::regex coauthor(", $"), initials("^ [A-Z]{1,3}[,( ]");
+  const std::string name = publication.name, citation = publication.citation;
+  std::smatch year;
+  const bool hasYear = std::regex_search(citation, year, aYear);
+  for (auto at = source.find(name); at != std::string::npos; at = source.find(name, at + 1)) {
+    const std::string before = source.substr(0, at), after = source.substr(at + name.size());
+    if (std::regex_search(before, coauthor) && std::regex_search(after, initials)) continue;
+    std::smatch next;
+    if (!hasYear || !std::regex_search(after, next, aYear) || next.str() == year.str()) return true;
+  }
+  return false;
+}
 
 /// Whether a text rests on literature that it does not name.
 bool isGeneral(const std::string& source)
@@ -35,6 +54,7 @@ constexpr Publication known[] = {
     {"Gabrielpillai", "Gabrielpillai et al. 2018. Fold-over of the tip in 1722 ears."},
     {"Jwair", "Jwair et al. 2021, Laryngoscope 131:1358. Translocation in 33 studies."},
     {"Kesler", "Kesler et al. 2017. Speed, rests and reversals of insertions by hand."},
+    {"Knörle", "Knörle 2025. Fold-over of the tip in 129 Slim Modiolar arrays (abstract)."},
     {"Kratchman",
      "Kratchman et al. 2016, Audiol Neurotol 21:244. Force that ten otologic surgeons detect."},
     {"Kuopio", "Kuopio et al. 2024. 25 SlimJ arrays."},
@@ -46,6 +66,7 @@ constexpr Publication known[] = {
      "Mirsalehi et al. 2017, Eur Arch Otorhinolaryngol. Forces of insertions into ten temporal "
      "bones."},
     {"Muerbe", "Muerbe et al. 2001. Tremor in ear surgery."},
+    {"O'Connell", "O'Connell et al. 2016. Scalar position of CI422 and CI512 arrays (abstract)."},
     {"O'Connell", "O'Connell et al. 2017, PMC5825186. Angles and scalar position of 48 arrays."},
     {"Pietsch",
      "Pietsch et al. 2017, Scientific Reports. Shape of 138 human cochleae: 108 casts and 30 in "
@@ -92,7 +113,7 @@ QString References::label(const std::string& source)
 {
   std::vector<std::size_t> numbers;
   for (const Publication& each : known) {
-    if (!each.wasRead || source.find(each.name) == std::string::npos) continue;
+    if (!each.wasRead || !isNamedIn(source, each)) continue;
     const auto found = std::find(cited_.begin(), cited_.end(), &each);
     numbers.push_back(std::size_t(found - cited_.begin()) + 1);
     if (found == cited_.end()) cited_.push_back(&each);

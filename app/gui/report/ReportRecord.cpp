@@ -94,8 +94,9 @@ QString resultsNote(const ReportContent& content)
   const QString partition =
       tr("Partition: the model gives fewer translocations than clinics report.");
   if (!content.plan) return clinics + QLatin1Char(' ') + partition;
-  return tr("%1: %2.").arg(content.plan->name, content.plan->hold) + QLatin1Char(' ') + clinics +
-         QLatin1Char(' ') + partition;
+  return tr("%1, number %2: %3.")
+             .arg(content.plan->name, content.plan->number, content.plan->hold) +
+         QLatin1Char(' ') + clinics + QLatin1Char(' ') + partition;
 }
 
 double paintResults(ReportSheet& sheet, const ReportContent& content, References& references,

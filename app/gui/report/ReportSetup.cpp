@@ -65,14 +65,18 @@ QString frictionText(const session::Scenario& scenario, References& references)
            references.label(isShipped ? found->source.toStdString() : std::string()));
 }
 
+QString landmarksText(const anatomy::Patient& measured)
+{
+  if (!anatomy::isFromCt(measured)) return tr("none; entered by hand");
+  const std::string& moved = measured.origin.landmarksByHand;
+  return moved.empty() ? tr("automatic") : tr("moved by hand: %1").arg(clinicalNames(moved));
+}
+
 QString landmarksText(const ReportContent& content)
 {
   if (!content.hasPatient() || !content.scenario.patient().basalTurn) return QStringLiteral("–");
   if (!content.measured) return tr("not known");
-  if (!anatomy::isFromCt(*content.measured)) return tr("none; entered by hand");
-  const anatomy::MeasurementOrigin& origin = content.measured->origin;
-  if (origin.landmarksByHand.empty()) return tr("automatic");
-  return tr("moved by hand: %1").arg(clinicalNames(origin.landmarksByHand));
+  return landmarksText(*content.measured);
 }
 
 }  // namespace perilymph::gui

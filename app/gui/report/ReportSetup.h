@@ -14,8 +14,10 @@ namespace perilymph::gui {
 /// file states a spread, and origin.
 QString frictionText(const session::Scenario& scenario, References& references);
 
-/// "automatic", "moved by hand: RW; else automatic"; "entered" for measures without a CT, "not known"
-/// where no saved patient has these measures.
+/// "automatic", "moved by hand: RW"; "none; entered by hand" for measures without a CT.
+QString landmarksText(const anatomy::Patient& measured);
+
+/// The same of an insertion's patient; "not known" where no saved patient has its measures.
 QString landmarksText(const ReportContent& content);
 
 }  // namespace perilymph::gui

@@ -20,7 +20,8 @@ struct PlannedForce {
   struct Point {
     double depth_mm = 0.0, low_mN = 0.0, median_mN = 0.0, high_mN = 0.0;
   };
-  QString name;  ///< "plan of 2026-11-27", the day on which it was made.
+  QString name;    ///< "plan of 2026-11-27", the day on which it was made.
+  QString number;  ///< First 16 digits of its fingerprint, as in the report of the plan.
   QString label;
   QString
       hold;  ///< What the bands hold and what they hold fixed: "90 % over friction 0.08 to 0.33".

@@ -18,6 +18,7 @@ PlannedForce plannedForce(const planning::Plan& plan, std::size_t array, const s
   force.name = made.isValid() ? QCoreApplication::translate("perilymph::gui", "plan of %1")
                                     .arg(made.toLocalTime().toString(QStringLiteral("yyyy-MM-dd")))
                               : QCoreApplication::translate("perilymph::gui", "plan");
+  force.number = QString::fromStdString(plan.fingerprint.substr(0, 16));
   force.hold = bandsHold(plan);
   force.peak_mN = planned.peak_mN;
   force.end_mN = planned.end_mN;

@@ -6,6 +6,7 @@
 
 #include "gui/text/DataText.h"
 #include "gui/text/Numbers.h"
+#include "perilymph/analysis/Surgeon.h"
 
 namespace perilymph::gui {
 
@@ -39,6 +40,15 @@ QString withUnit(const QString& numbers, ReportedQuantity quantity)
   }
 }
 
+/// "quartiles ", "SD ", "range ": what the bounds of a report are.
+QString spreadText(const ClinicalReport& report)
+{
+  if (report.spread == ReportedSpread::quartiles) return tr("quartiles %1");
+  if (report.spread == ReportedSpread::range) return tr("range %1");
+  if (report.spread == ReportedSpread::sd) return tr("SD %1");
+  return QStringLiteral("%1");
+}
+
 QString numbersText(const ClinicalReport& report)
 {
   if (report.count) return tr("%1 of %2").arg(*report.count).arg(report.n);
@@ -48,19 +58,13 @@ QString numbersText(const ClinicalReport& report)
   if (!report.value) return withUnit(bounds, report.quantity);
   const QString value = numberText(*report.value, decimals);
   if (report.spread == ReportedSpread::none) return withUnit(value, report.quantity);
-  return withUnit(tr("%1 (%2)").arg(value, bounds), report.quantity);
+  return withUnit(tr("%1 (%2)").arg(value, spreadText(report).arg(bounds)), report.quantity);
 }
 
-/// "median, quartiles", "mean ± SD", "range".
-QString kindText(const ClinicalReport& report)
+analysis::ArrayVerdict verdictOf(const std::string& array)
 {
-  QStringList parts;
-  if (report.statistic == "median") parts << tr("median");
-  if (report.statistic == "mean") parts << tr("mean");
-  if (report.spread == ReportedSpread::quartiles) parts << tr("quartiles");
-  if (report.spread == ReportedSpread::range) parts << tr("range");
-  if (report.spread == ReportedSpread::sd) parts << tr("± SD");
-  return parts.join(QStringLiteral(", "));
+  const auto& evidence = analysis::ClinicalEvidence::shipped();
+  return evidence ? evidence->verdictOf(array) : analysis::ArrayVerdict::notTested;
 }
 
 }  // namespace
@@ -91,8 +95,11 @@ QString clinicsReportDetails(const std::string& array, ReportedQuantity quantity
   QStringList lines;
   for (const ClinicalReport* each : evidence->findAll(array, quantity)) {
     QStringList parts{numbersText(*each)};
-    if (const QString kind = kindText(*each); !kind.isEmpty()) parts << kind;
+    if (each->statistic == "median") parts << tr("median");
+    if (each->statistic == "mean") parts << tr("mean");
     if (each->n > 0 && !each->count) parts << tr("n = %1").arg(each->n);
+    const std::string& of = each->valueOf.empty() ? each->nOf : each->valueOf;
+    if (!of.empty()) parts.back() += tr(" of %1").arg(QString::fromStdString(of));
     lines << tr("Clinics report %1: %2. %3")
                  .arg(parts.join(QStringLiteral(", ")), QString::fromStdString(each->definition),
                       QString::fromStdString(each->source));
@@ -106,20 +113,53 @@ std::string clinicsSource(const std::string& array, ReportedQuantity quantity)
   return report == nullptr ? std::string() : report->source;
 }
 
-bool isNotValidated(const std::string& array)
+bool isOfArrayAlone(const std::string& array, ReportedQuantity quantity)
 {
-  const auto& evidence = analysis::ClinicalEvidence::shipped();
-  return evidence && evidence->verdictOf(array) == analysis::ArrayVerdict::miss;
+  const ClinicalReport* report = find(array, quantity);
+  return report != nullptr && report->valueOf.empty();
 }
 
-QString notValidatedNote(const std::string& array)
+QString verdictMark(const std::string& array)
 {
-  if (!isNotValidated(array)) return {};
+  switch (verdictOf(array)) {
+    case analysis::ArrayVerdict::miss:
+      return tr("not validated");
+    case analysis::ArrayVerdict::notTested:
+      return tr("not tested");
+    case analysis::ArrayVerdict::hit:
+      break;
+  }
+  return {};
+}
+
+QString verdictNote(const std::string& array)
+{
+  const analysis::ArrayVerdict verdict = verdictOf(array);
+  if (verdict == analysis::ArrayVerdict::hit) return {};
+  if (verdict == analysis::ArrayVerdict::notTested)
+    return tr("Not tested: the program’s clinical table has no row of this array.");
   QStringList rows;
   for (const std::string& row : analysis::ClinicalEvidence::shipped()->missedRows(array))
     rows << QString::fromStdString(row);
   return tr("Not validated: the program’s clinical table misses %1.")
       .arg(rows.join(QStringLiteral(", ")));
+}
+
+QString planLimitsText()
+{
+  const auto hand = analysis::shippedHand();
+  const QString stops = hand ? tr("%1 to %2 mN")
+                                   .arg(numberText(inMillinewtons(hand->stopLow), 0),
+                                        numberText(inMillinewtons(hand->stopHigh), 0))
+                             : dataText(hand.error().message);
+  return tr("Values of the model, not clinical risks: no friction in a living ear is known; the "
+            "one "
+            "that is taken is estimated from pig tissue, and bands hold its uncertainty. Many "
+            "arrays "
+            "stop earlier here than clinics report, perimodiolar ones far earlier, and peaks are "
+            "bounded by the force at which the simulated hand stops (%1): do not choose a maker by "
+            "this table. Translocation is rarer than clinics report.")
+      .arg(stops);
 }
 
 }  // namespace perilymph::gui

@@ -87,6 +87,8 @@ ClinicalReport readReport(TomlReader& table)
     if (!report.value && report.spread == ReportedSpread::none)
       table.refuse("value", "a report needs a value, a count, or low and high with their spread");
   }
+  if (table.has("n_of")) report.nOf = table.text("n_of");
+  if (table.has("value_of")) report.valueOf = table.text("value_of");
   report.definition = table.text("definition");
   report.reference = table.text("reference");
   report.source = table.text("source");
@@ -189,7 +191,11 @@ std::string numbersOf(const ClinicalReport& report)
   const std::string bounds = shortNumber(report.low) + " to " + shortNumber(report.high);
   if (!report.value) return bounds;
   if (report.spread == ReportedSpread::none) return shortNumber(*report.value);
-  return shortNumber(*report.value) + " (" + bounds + ")";
+  const char* kind = "";
+  if (report.spread == ReportedSpread::quartiles) kind = "quartiles ";
+  if (report.spread == ReportedSpread::range) kind = "range ";
+  if (report.spread == ReportedSpread::sd) kind = "SD ";
+  return shortNumber(*report.value) + " (" + kind + bounds + ")";
 }
 
 }  // namespace perilymph::analysis

@@ -34,7 +34,7 @@ void ReversalCounter::add(double travel)
   } else if (std::fabs(way) >= trembling) {
     direction_ = -direction_;
     extreme_ = travel;
-    ++reversals_;
+    if (direction_ < 0) ++reversals_;
   }
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "perilymph/analysis/StopForce.h"
 
+#include <algorithm>
+
 #include "perilymph/analysis/RunningMean.h"
 
 namespace perilymph::analysis {
@@ -23,7 +25,10 @@ double StopForce::value() const
   if (last_.empty()) return 0.0;
   const auto count = static_cast<double>(last_.size());
   double time = 0.0, force = 0.0;
+  double lowest = last_.front().force, highest = lowest;
   for (const Point& each : last_) {
+    lowest = std::min(lowest, each.force);
+    highest = std::max(highest, each.force);
     time += each.time / count;
     force += each.force / count;
   }
@@ -33,7 +38,8 @@ double StopForce::value() const
     ofBoth += (each.time - time) * (each.force - force);
   }
   const double slope = ofTime > 0.0 ? ofBoth / ofTime : 0.0;
-  return force + slope * (last_.back().time - time);
+  // no more than a force that was there: an end force above the peak would be none
+  return std::clamp(force + slope * (last_.back().time - time), lowest, highest);
 }
 
 }  // namespace perilymph::analysis

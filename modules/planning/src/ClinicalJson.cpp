@@ -28,6 +28,8 @@ nlohmann::ordered_json clinicalJson(const std::string& array)
     }
     if (each.count) report["count"] = *each.count;
     if (each.n > 0) report["n"] = each.n;
+    if (!each.nOf.empty()) report["n_of"] = each.nOf;
+    if (!each.valueOf.empty()) report["value_of"] = each.valueOf;
     report["definition"] = each.definition;
     report["source"] = each.source;
     report["read"] = each.read;

@@ -32,13 +32,13 @@ constexpr ContactColumn contactColumns[] = {
     {"contact", "", "number of the contact; 1 is the most apical one. Makers number otherwise", ""},
     {"draws", "", "simulations in which the contact is inserted; 1 or 0 of one insertion", ""},
     {"angle_deg", "degrees", "from the center of the round window, median", anglesFrom},
-    {"angle_p5_deg", "degrees", "5 % of those simulations are below; empty of one insertion",
-     anglesFrom},
-    {"angle_p95_deg", "degrees", "95 % are below", anglesFrom},
+    {"angle_p5_deg", "degrees",
+     "5 % quantile of those simulations, the lowest of fewer than 19; empty of one", anglesFrom},
+    {"angle_p95_deg", "degrees", "95 % quantile, the highest of fewer than 19", anglesFrom},
     {"to_modiolus_mm", "mm", "from the center line of the array to the inner wall, median",
      "simulation"},
-    {"to_modiolus_p5_mm", "mm", "5 % are below", "simulation"},
-    {"to_modiolus_p95_mm", "mm", "95 % are below", "simulation"},
+    {"to_modiolus_p5_mm", "mm", "5 % quantile", "simulation"},
+    {"to_modiolus_p95_mm", "mm", "95 % quantile", "simulation"},
     {"greenwood_Hz", "Hz", "frequency of the place along the organ of Corti, at its median",
      fromGreenwood},
     {"spiral_ganglion_Hz", "Hz", "frequency of the spiral ganglion at the median angle",
@@ -49,11 +49,11 @@ constexpr ContactColumn contactColumns[] = {
      "spiral-ganglion frequency above the default filter, median; positive: a lower frequency is "
      "heard than the place has; 0 without a filter",
      "difference of the two columns"},
-    {"mismatch_p5_semitones", "semitones", "5 % are below", "difference of the two columns"},
-    {"mismatch_p95_semitones", "semitones", "95 % are below", "difference of the two columns"},
-    {"greenwood_p5_Hz", "Hz", "5 % are below; the variation between listeners is not in it",
+    {"mismatch_p5_semitones", "semitones", "5 % quantile", "difference of the two columns"},
+    {"mismatch_p95_semitones", "semitones", "95 % quantile", "difference of the two columns"},
+    {"greenwood_p5_Hz", "Hz", "5 % quantile; the variation between listeners is not in it",
      fromGreenwood},
-    {"greenwood_p95_Hz", "Hz", "95 % are below", fromGreenwood},
+    {"greenwood_p95_Hz", "Hz", "95 % quantile", fromGreenwood},
     {"spiral_ganglion_p5_Hz", "Hz", "at the 95 % bound of the angle", fromStakhovskaya},
     {"spiral_ganglion_p95_Hz", "Hz", "at the 5 % bound of the angle", fromStakhovskaya}};
 
@@ -99,16 +99,26 @@ std::string contactsCsv(const Plan& plan, const std::vector<std::size_t>& arrays
         return analysis::spiralGanglionFrequency(degrees(angle_deg));
       };
       const bool hasInterval = isInside && each.greenwoodHigh_Hz > 0.0;
-      csv += contactRow(
-          plan.arrays[index].array, each.number, each.draws,
-          std::array<Value, 16>{each.angle_deg.median, each.angle_deg.low, each.angle_deg.high,
-                                each.toModiolus_mm.median, each.toModiolus_mm.low,
-                                each.toModiolus_mm.high, each.greenwood_Hz, each.spiralGanglion_Hz,
-                                each.filter_Hz, each.mismatch_semitones.median,
-                                each.mismatch_semitones.low, each.mismatch_semitones.high,
-                                hasInterval ? Value(each.greenwoodLow_Hz) : Value(),
-                                hasInterval ? Value(each.greenwoodHigh_Hz) : Value(),
-                                ganglion(each.angle_deg.high), ganglion(each.angle_deg.low)});
+      std::array<Value, 16> values = {each.angle_deg.median,
+                                      each.angle_deg.low,
+                                      each.angle_deg.high,
+                                      each.toModiolus_mm.median,
+                                      each.toModiolus_mm.low,
+                                      each.toModiolus_mm.high,
+                                      each.greenwood_Hz,
+                                      each.spiralGanglion_Hz,
+                                      each.filter_Hz,
+                                      each.mismatch_semitones.median,
+                                      each.mismatch_semitones.low,
+                                      each.mismatch_semitones.high,
+                                      hasInterval ? Value(each.greenwoodLow_Hz) : Value(),
+                                      hasInterval ? Value(each.greenwoodHigh_Hz) : Value(),
+                                      ganglion(each.angle_deg.high),
+                                      ganglion(each.angle_deg.low)};
+      if (each.draws == 1)  // one simulation has no quantiles
+        for (const std::size_t bound : {1u, 2u, 4u, 5u, 10u, 11u, 12u, 13u, 14u, 15u})
+          values[bound].reset();
+      csv += contactRow(plan.arrays[index].array, each.number, each.draws, values);
     }
   return csv;
 }

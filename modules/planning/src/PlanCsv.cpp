@@ -53,7 +53,7 @@ std::string headOfReports()
 {
   std::string head;
   for (const analysis::ReportedQuantity quantity : besideArrays)
-    for (const char* part : {"", "_low", "_high", "_n"})
+    for (const char* part : {"", "_low", "_high", "_spread", "_n", "_of"})
       head += std::string(",reported_") + analysis::nameOf(quantity) + part;
   return head + ",clinical_table";
 }
@@ -66,13 +66,15 @@ std::string cellsOfReports(const std::string& array)
   for (const analysis::ReportedQuantity quantity : besideArrays) {
     const analysis::ClinicalReport* report = evidence ? evidence->find(array, quantity) : nullptr;
     if (report == nullptr) {
-      cells += ",,,,";
+      cells += ",,,,,,";
       continue;
     }
     const bool hasBounds = report->spread != analysis::ReportedSpread::none;
     cells += "," + (report->value ? number(*report->value) : std::string());
     cells += hasBounds ? "," + number(report->low) + "," + number(report->high) : ",,";
+    cells += "," + (hasBounds ? std::string(analysis::nameOf(report->spread)) : std::string());
     cells += "," + (report->n > 0 ? std::to_string(report->n) : std::string());
+    cells += "," + analysis::csvField(report->valueOf.empty() ? report->nOf : report->valueOf);
   }
   return cells + "," + (evidence ? analysis::nameOf(evidence->verdictOf(array)) : "");
 }

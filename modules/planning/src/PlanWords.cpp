@@ -12,12 +12,21 @@
 
 namespace perilymph::planning {
 
+namespace {
+
+/// From this number of simulations on, 5 and 95 % lie within them (bandOf()).
+constexpr std::size_t fewestInside = 19;
+
+}  // namespace
+
 Sentence bandsShare(const Plan& plan)
 {
   std::size_t fewest = maxDraws;
   for (const ArrayPlan& each : plan.arrays) fewest = std::min(fewest, each.draws);
   if (fewest >= fewestForBand) return Sentence{"90 %"};
-  return fewest == 1 ? Sentence{"1 simulation"} : Sentence{"%1 simulations", fewest};
+  if (fewest == 1) return Sentence{"1 simulation"};
+  return fewest < fewestInside ? Sentence{"lowest to highest of %1 simulations", fewest}
+                               : Sentence{"5 to 95 % of %1 simulations", fewest};
 }
 
 Sentence bandsHold(const Plan& plan)

@@ -137,7 +137,7 @@ class TwoTechniques(unittest.TestCase):
             differences["difference"], (means["aos"] - means["standard"]).loc[quantities],
             check_names=False, rtol=1e-9)
         # the score of every row is of one definition, between 0 and 100
-        self.assertEqual(set(insertions["score_definition"]), {3})
+        self.assertEqual(set(insertions["score_definition"]), {4})
         self.assertTrue(insertions["score"].between(0, 100).all())
 
     def test_mean_speed_is_that_of_the_scenario(self):

@@ -48,7 +48,7 @@ def test_a_plan_is_that_of_the_command_line(made, folder):
     assert made.limits == read.limits and made.sources == read.sources and made.program == read.program
     assert made.patient.a_sd_mm == read.patient.a_sd_mm == 0.15
     # (n - 1) / (n + 1) of what is to come lies between the extremes of n; 95 % of the plans' frictions are stated
-    assert made.bands_hold == read.bands_hold == "3 simulations over friction 0.08 to 0.33"
+    assert made.bands_hold == read.bands_hold == "lowest to highest of 3 simulations over friction 0.08 to 0.33"
 
 
 def test_a_plan_that_was_changed_by_hand_has_no_number(folder, tmp_path):

@@ -136,7 +136,8 @@ TEST_F(PlanReportPdf, StatesTheNumbersOfThePlanFileWithoutADisplay)
         QStringLiteral("9.20 ± 0.20 mm"), QStringLiteral("6.80 ± 0.39 mm"),
         QStringLiteral("4.00 ± 0.59 mm"), QStringLiteral("Signature"), QStringLiteral("P-17"),
         QStringLiteral("right ear"), QStringLiteral("Page 1 of 3"),
-        QStringLiteral("Arrays in this cochlea: median (59 simulations at friction 0.12)"),
+        QStringLiteral(
+            "Arrays in this cochlea: median (5 to 95 % of 59 simulations at friction 0.12)"),
         QStringLiteral("numbered from the tip: median (band)"),
         QStringLiteral("share of simulations, %"), QStringLiteral("10 of 59")})
     EXPECT_THAT(text, HasSubstr(words.toStdString()));
@@ -147,7 +148,7 @@ TEST_F(PlanReportPdf, StatesForcesAtTheEndAndAtRestAndSharesOfFewSimulationsAsCo
   store(syntheticPlan(16));
   ASSERT_EQ(report(folder_.path(), pdf()).status, 0);
   const std::string text = textOf(pdf());
-  EXPECT_THAT(text, HasSubstr("median (16 simulations at friction 0.12)"));
+  EXPECT_THAT(text, HasSubstr("median (lowest to highest of 16 simulations at friction 0.12)"));
   EXPECT_THAT(text, HasSubstr("number of simulations"));
   // all contacts inside in every second, stopped at every fourth, buckled, folded, ruptured at every tenth
   EXPECT_TRUE(

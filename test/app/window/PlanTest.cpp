@@ -130,7 +130,8 @@ protected:
     ASSERT_TRUE(charts.plan());
     EXPECT_TRUE(charts.showPlanIn(scenario));
     EXPECT_FALSE(charts.plan()->points.empty());
-    EXPECT_TRUE(charts.plan()->label.contains("16 simulations over friction 0.08 to 0.33"))
+    EXPECT_TRUE(charts.plan()->label.contains(
+        "lowest to highest of 16 simulations over friction 0.08 to 0.33"))
         << charts.plan()->label.toStdString();
     settle();
     keepPicture(rig.window(), "plan-inserted");
@@ -286,7 +287,9 @@ TEST_F(APlan, IsMadeSeenInsertedAndOpenedAgainInSteps)
     keepPicture(rig.window(), "plan-table");
     walk.step(2, rig.window());
     expectUnits(*page.list().model());
-    EXPECT_TRUE(rig.label("planNote").contains("bands: 16 simulations over friction 0.08 to 0.33"))
+    EXPECT_TRUE(
+        rig.label("planNote")
+            .contains("bands: lowest to highest of 16 simulations over friction 0.08 to 0.33"))
         << rig.label("planNote").toStdString();
     expectSorting(page.list());
     const planning::ArrayPlan& first = page.plan()->arrays[0];

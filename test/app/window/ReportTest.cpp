@@ -27,6 +27,7 @@
 #include "gui/run/UserSettings.h"
 #include "gui/setup/PlanStore.h"
 #include "gui/shell/SettingsOverlay.h"
+#include "perilymph/analysis/ClinicalReports.h"
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/foundation/Version.h"
 #include "perilymph/planning/PlanReport.h"
@@ -237,6 +238,27 @@ TEST(ReferencesOfReports, AreNumberedAsTheyAreCitedAndNeverUnread)
   EXPECT_THAT(list, HasSubstr("Front Neurol 15:1400455"));
   EXPECT_LT(list.find("Rau"), list.find("Avci"));
   EXPECT_THAT(list, Not(HasSubstr("Schuster")));
+}
+
+TEST(ReferencesOfReports, AreByAuthorAndYear)
+{
+  gui::References references;
+  // all that clinics report: "O'Connell 2016" is another publication than "O'Connell 2017"
+  const auto& evidence = analysis::ClinicalEvidence::shipped();
+  ASSERT_TRUE(evidence);
+  for (const analysis::ClinicalReport& each : evidence->reports()) {
+    gui::References alone;
+    EXPECT_TRUE(alone.label(each.source).startsWith('[')) << each.source;
+    const std::string list = alone.list().toStdString();
+    const auto space = each.reference.rfind(' ');
+    EXPECT_THAT(list, HasSubstr(each.reference.substr(0, space)));
+    EXPECT_THAT(list, HasSubstr(each.reference.substr(space + 1)));
+  }
+  // a further author is no publication: Rau 2024 is another one
+  EXPECT_EQ(references.label("Salcher R, Lenarz T, Rau TS (2019), ARO, vol. 42:36 (poster)"),
+            "[1]");
+  EXPECT_EQ(references.label("Froehlich M, Schurzig D, Rau TS, Lenarz T (2024), PLOS ONE"), "[2]");
+  EXPECT_THAT(references.list().toStdString(), Not(HasSubstr("five patients")));
 }
 
 TEST(ReferencesOfReports, HaveTheirUnreadOnesInTheGuide)

@@ -38,7 +38,16 @@ TEST(ShippedReports, HoldWhatTheAbstractsPrint)
   // O'Connell 2017: FLEX24, median 408 degrees, quartiles 373 and 449
   const ClinicalReport* flex24 = shipped().find("flex24", ReportedQuantity::angle);
   ASSERT_NE(flex24, nullptr);
-  EXPECT_EQ(numbersOf(*flex24), "408 (373 to 449)");
+  EXPECT_EQ(numbersOf(*flex24), "408 (quartiles 373 to 449)");
+  EXPECT_EQ(flex24->n, 48);
+  EXPECT_EQ(flex24->nOf, "FLEX24 + FLEX28 + Standard");
+  EXPECT_EQ(flex24->valueOf, "");
+  EXPECT_EQ(shipped().find("flex24", ReportedQuantity::peakForce)->valueOf,
+            "an array that is not named");
+  EXPECT_EQ(numbersOf(*shipped().find("flexsoft", ReportedQuantity::angle)),
+            "641 (range 533 to 751)");
+  EXPECT_EQ(numbersOf(*shipped().find("hifocus-slimj", ReportedQuantity::angle)),
+            "401 (SD 360 to 442)");
   // Canfarotta 2021: 49 of 51; Newcombe's intervals are by Wilson, as here
   const ClinicalReport* complete = shipped().find("flexsoft", ReportedQuantity::complete);
   ASSERT_NE(complete, nullptr);

@@ -17,8 +17,9 @@ int reversalsOf(const std::vector<double>& travels_mm)
 TEST(Reversals, CountChangesOfDirection)
 {
   EXPECT_EQ(reversalsOf({0, 1, 2, 3}), 0);
-  EXPECT_EQ(reversalsOf({0, 2, 1, 3}), 2);
-  EXPECT_EQ(reversalsOf({0, -1, 0}), 1);
+  EXPECT_EQ(reversalsOf({0, 2, 1, 3}), 1);  // one withdrawal, from 2 to 1 mm
+  EXPECT_EQ(reversalsOf({0, 2, 1, 3, 2, 4, 1}), 3);
+  EXPECT_EQ(reversalsOf({0, -1, 0}), 0);  // nothing had been inserted
 }
 
 TEST(Reversals, DoNotCountTremor)

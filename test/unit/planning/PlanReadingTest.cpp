@@ -79,7 +79,8 @@ TEST(StoredPlan, KeepsWhatItsBandsHoldFixed)
   ASSERT_TRUE(json) << json.error().message;
   const auto stored = planning::planIn(*json, "plan.json");
   ASSERT_TRUE(stored) << stored.error().message;
-  EXPECT_EQ(planning::bandsHold(stored->plan), "20 simulations at friction 0.24 to 0.59");
+  EXPECT_EQ(planning::bandsHold(stored->plan),
+            "5 to 95 % of 20 simulations at friction 0.24 to 0.59");
   EXPECT_FALSE(planning::planIn(with(*json, "0.59\n", "59\n"), "plan.json"));
   EXPECT_FALSE(planning::planIn(with(*json, "0.59\n", "\"0.59\"\n"), "plan.json"));
 }
@@ -93,7 +94,8 @@ TEST(StoredPlan, KeepsTheSpreadOfItsFriction)
   ASSERT_TRUE(json) << json.error().message;
   const auto stored = planning::planIn(*json, "plan.json");
   ASSERT_TRUE(stored) << stored.error().message;
-  EXPECT_EQ(planning::bandsHold(stored->plan), "20 simulations over friction 0.08 to 0.33");
+  EXPECT_EQ(planning::bandsHold(stored->plan),
+            "5 to 95 % of 20 simulations over friction 0.08 to 0.33");
   EXPECT_FALSE(planning::planIn(with(*json, "0.3465", "34.65"), "plan.json"));
 }
 
@@ -110,7 +112,7 @@ TEST(StoredPlan, OfAFormerVersionKeepsItsFrictionAndItsSentence)
   const Sentence& now = planning::limitsOfPlans()[3];
   const auto stored = planning::planIn(with(*json, now, former), "plan.json");
   ASSERT_TRUE(stored) << stored.error().message;
-  EXPECT_EQ(planning::bandsHold(stored->plan), "20 simulations at friction 0.12");
+  EXPECT_EQ(planning::bandsHold(stored->plan), "5 to 95 % of 20 simulations at friction 0.12");
   EXPECT_EQ(stored->limits[3], former);
   EXPECT_EQ(stored->limits[3].values().size(), 5u);  // recognized, so that it can be translated
 }
@@ -125,7 +127,7 @@ TEST(StoredPlan, OfAVersionWithoutForcesAtRestIsReadWithoutThem)
   ASSERT_TRUE(stored) << stored.error().message;
   EXPECT_EQ(stored->plan.arrays[0].after1s_mN.high, 0.0);
   EXPECT_GT(stored->plan.arrays[0].end_mN.high, 0.0);
-  EXPECT_EQ(planning::bandsHold(stored->plan), "20 simulations at one friction");
+  EXPECT_EQ(planning::bandsHold(stored->plan), "5 to 95 % of 20 simulations at one friction");
 }
 
 TEST(StoredPlan, IsFoundInItsFolderAndBesideItsDraws)

@@ -57,7 +57,7 @@ TEST(PlanReport, SaysTheSameInJsonAndTables)
 TEST(PlanReport, CallsQuantilesOfFewSimulationsNoBand)
 {
   planning::Plan plan = syntheticPlan(63);
-  EXPECT_EQ(planning::bandsHold(plan), "63 simulations at friction 0.12");
+  EXPECT_EQ(planning::bandsHold(plan), "5 to 95 % of 63 simulations at friction 0.12");
   plan = syntheticPlan(64);
   EXPECT_EQ(planning::bandsHold(plan), "90 % at friction 0.12");
   plan.friction = {0.24, 0.59};

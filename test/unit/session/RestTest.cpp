@@ -184,7 +184,7 @@ TEST_F(AWaitingInsertion, HeldAtFullDepthIsNoLargerThanOneOfThreeSeconds)
   device().holdOn();
   run(60.0);
   EXPECT_EQ(last_.workflow, Workflow::finished);
-  EXPECT_GT(device().force(), 0.0);         // the hand feels the array all the time
+  EXPECT_GT(device().force(), 0.0);       // the hand feels the array all the time
   EXPECT_LE(closedSize(), three + 8192);  // two pages of SQLite
   EXPECT_NEAR(static_cast<double>(recordedTicks()), 1e3 * (arrival_ + recordedWait), 30.0);
   expectSameBits();

@@ -108,7 +108,7 @@ void ResultCard::saveContacts()
 
 void ResultCard::show(const ReportContent& content, const QString& title)
 {
-  contactsOf_ = {content.scenario.patient(), content.scenario.arrayName(),
+  contactsOf_ = {false, content.scenario.patient(), content.scenario.arrayName(),
                  content.facts.startedUtc};
   contacts_ =
       planning::insertionContactsCsv(contactsOf_.array, content.scenario.array(), content.contacts);
@@ -130,7 +130,7 @@ void ResultCard::show(const ReportContent& content, const QString& title)
     const QString plan =
         content.plan ? tr("%1, %2").arg(content.plan->name, content.plan->hold) : QString();
     addRow(row, {}, {}, plan, false, hasClinics ? tr("clinics report") : QString(),
-           notValidatedNote(content.scenario.arrayName()));
+           verdictNote(content.scenario.arrayName()));
     ++row;
   }
   for (const InsertionResult& result : results) {

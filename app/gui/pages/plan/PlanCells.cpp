@@ -126,7 +126,8 @@ void PlanCells::paint(QPainter* painter, const QStyleOptionViewItem& option,
   const QRectF inside = QRectF(option.rect).adjusted(margin_px, 4, -margin_px, -5);
   const PlanCellKind kind = kindOf(column);
   painter->setFont(kind == PlanCellKind::name ? typeface(12, QFont::Medium) : typeface(12));
-  const bool isDoubtful = isNotValidated(array.array);
+  const QString mark = verdictMark(array.array);
+  const bool isDoubtful = !mark.isEmpty();
   painter->setPen(isDoubtful ? shownTheme().quietText : shownTheme().text);
   if (kind == PlanCellKind::name) {
     const double mark_px = isDoubtful ? sized(15) : 0.0;
@@ -134,7 +135,7 @@ void PlanCells::paint(QPainter* painter, const QStyleOptionViewItem& option,
     if (isDoubtful) {
       painter->setFont(typeface(11));
       painter->setPen(shownTheme().warning);
-      painter->drawText(inside, Qt::AlignBottom | Qt::AlignLeft, tr("not validated"));
+      painter->drawText(inside, Qt::AlignBottom | Qt::AlignLeft, mark);
     }
   } else if (kind == PlanCellKind::curve) {
     paintCurve(*painter, inside, array);

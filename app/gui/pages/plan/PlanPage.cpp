@@ -18,6 +18,7 @@
 #include "gui/setup/Catalog.h"
 #include "gui/setup/PlannedForces.h"
 #include "gui/setup/PlannedFriction.h"
+#include "gui/text/ClinicalText.h"
 #include "gui/text/DataText.h"
 #include "gui/widgets/EmptyPage.h"
 #include "gui/widgets/PanelParts.h"
@@ -92,15 +93,7 @@ void PlanPage::showEmpty()
 QWidget* PlanPage::addPlan()
 {
   auto* page = new QWidget(this);
-  auto* limits = new WrappedLabel(
-      tr("Values of the model, not clinical risks: "
-         "no friction in a living ear is known; the one that is taken is estimated "
-         "from pig tissue, and bands hold its uncertainty. Many arrays stop earlier here than "
-         "clinics report, perimodiolar ones far earlier, and peaks are bounded by the force at "
-         "which the "
-         "simulated hand stops (45 to 102 mN): do not choose a maker by this table. "
-         "Translocation is rarer than clinics report."),
-      page);
+  auto* limits = new WrappedLabel(planLimitsText(), page);
   limits->setObjectName(QStringLiteral("planLimits"));
   limits->setFont(typeface(11));
   limits->setProperty("quiet", true);

@@ -83,7 +83,7 @@ QString PlanTable::toolTip(const planning::ArrayPlan& array, PlanColumn column) 
   if (const auto reported = reportedOf(column))
     if (const QString details = clinicsReportDetails(array.array, *reported); !details.isEmpty())
       lines << details;
-  if (const QString note = notValidatedNote(array.array); !note.isEmpty()) lines << note;
+  if (const QString note = verdictNote(array.array); !note.isEmpty()) lines << note;
   return lines.join(QLatin1Char('\n'));
 }
 

@@ -137,7 +137,7 @@ void PlanView::saveContacts()
 {
   if (!plan_ || arrays_.size() != 1) return;
   const auto file = chooseContactFile(
-      this, {plan_->request.patient, plan_->arrays[arrays_.front()].array, madeUtc_});
+      this, {true, plan_->request.patient, plan_->arrays[arrays_.front()].array, madeUtc_});
   if (!file) return;
   if (const auto written = writeContactTable(*file, planning::contactsCsv(*plan_, arrays_));
       !written)

@@ -119,9 +119,10 @@ Result<void> checkBasalTurn(const BasalTurn& turn)
                                    complaint(Sentence{"B (b_mm)"}, turn.b, spreadOfB())})
     if (!sentence.empty()) return Error{sentence};
   if (turn.b > turn.a)
-    return Error{"B (b_mm) is %1 mm and A (a_mm) %2 mm; A is the longer of the two. Exchange them "
-                 "or measure again.",
-                 plain(inMillimeters(turn.b)), plain(inMillimeters(turn.a))};
+    return Error{
+        "B (b_mm) is %1 mm and A (a_mm) %2 mm; A is the longer of the two. Exchange them "
+        "or measure again.",
+        plain(inMillimeters(turn.b)), plain(inMillimeters(turn.a))};
   if (turn.h) {
     const Sentence sentence =
         complaint(Sentence{"The height H"}, "h_mm", *turn.h, rangeOf(limitsOfH()));

@@ -70,9 +70,10 @@ Result<std::vector<BenchSpecimen>> loadBench(const std::filesystem::path& folder
 {
   const std::vector<std::filesystem::path> files = tomlFilesIn(folder);
   if (files.empty())
-    return Error{"There are no bench curves in '%1'. Give slim-straight, or a folder with a TOML "
-                 "file for each specimen.",
-                 folder.string()};
+    return Error{
+        "There are no bench curves in '%1'. Give slim-straight, or a folder with a TOML "
+        "file for each specimen.",
+        folder.string()};
   std::vector<BenchSpecimen> specimens;
   for (const std::filesystem::path& file : files) {
     auto specimen = loadSpecimen(file);

@@ -50,6 +50,8 @@ struct ClinicalReport {
   double low = 0.0, high = 0.0;  ///< Bounds in that unit, unless there are none.
   std::optional<long> count;     ///< A proportion that is given as a count, out of n.
   long n = 0;                    ///< 0: not known from what was read.
+  std::string nOf;      ///< "FLEX24 + FLEX28 + Standard": whose n it is; empty: the array's.
+  std::string valueOf;  ///< "all arrays of all makers": whose value it is; empty: the array's.
   std::string definition, reference, source;
   std::string read;        ///< What of the source was read: "table", "abstract" or "quoted".
   std::string confidence;  ///< "high", "medium" or "low".
@@ -96,7 +98,8 @@ private:
   std::string verdictSource_;
 };
 
-/// "408 (373 to 449)", "49 of 51", "44.8 to 102.4": the numbers of a report, without unit.
+/// "408 (quartiles 373 to 449)", "401 (SD 360 to 442)", "49 of 51", "44.8 to 102.4": the numbers of a
+/// report with what the bounds are, without unit.
 std::string numbersOf(const ClinicalReport& report);
 
 }  // namespace perilymph::analysis

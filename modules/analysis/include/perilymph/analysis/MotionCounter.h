@@ -26,13 +26,13 @@ struct Motion {
   double wayBySpeed = 0.0;
   double time = 0.0;       ///< [s]
   double timeStill = 0.0;  ///< Slower than the range, in either direction [s].
-  int reversals = 0;
+  int reversals = 0;       ///< Withdrawals of 0.1 mm or more.
 
   /// Inward motion by its time, pauses included [m/s]; 0 without motion.
   double meanSpeed() const { return time > 0.0 ? wayIn / time : 0.0; }
 };
 
-/// Counts reversals of a motion. A return of less than 0.1 mm is tremor, not a reversal.
+/// Counts reversals of a motion: withdrawals of 0.1 mm or more after an advance. Less is tremor; to go on inward is none.
 class ReversalCounter {
 public:
   /// @param travel  [m]

@@ -36,8 +36,8 @@ struct InsertionScore {
 };
 
 /// Definition of the total, for tables that hold scores: 1 summed points that ended at a threshold, 2 took
-/// the mean of the criteria of technique, 3 is the product.
-inline constexpr int scoreDefinition = 3;
+/// the mean of the criteria of technique, 3 is the product, 4 counts a withdrawal as one reversal.
+inline constexpr int scoreDefinition = 4;
 
 /// Rates speed, reversals, peak force and stops of an insertion up to the maximum depth, and how much of the
 /// travel that its scenario sets was done. Reversals, force and stops count by h / (h + x) with the value x

@@ -24,7 +24,7 @@ CLI::Validator wholeNumber(std::uint64_t low, std::uint64_t high)
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
     const bool isWhole = error == std::errc{} && end == text.data() + text.size();
     if (isWhole && number >= low && number <= high) return {};
-    return "'" + text + "' is not a whole number from " + range + ".";
+    return "'" + text + "' is not a whole number from " + range;
   };
   return {problem, range};
 }

@@ -55,7 +55,7 @@ void addPlan(CLI::App& app, FileOptions& files, PlanOptions& options)
                   "hand, friction, approach, stiffness and wires; fewer if the bands stand after "
                   "64, 128, ...")
       ->capture_default_str()
-      ->check(wholeNumber(1, 1'000'000));
+      ->check(wholeNumber(0, 1'000'000));
   command.add_flag("--all-samples", options.runsAll, "Run all simulations");
   addSeed(command, options.seed, "Random seed of the draws");
   addJobs(command, options.jobs);

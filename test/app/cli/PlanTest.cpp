@@ -94,6 +94,23 @@ TEST_F(Plans, OfFewerThanSixteenSimulationsAreRefusedInOneSentence)
   }
 }
 
+TEST_F(Plans, AreRefusedWhereAWholeNumberIsNone)
+{
+  const std::string past = "18446744073709551617";  // 2^64 + 1
+  const std::vector<std::pair<std::string, std::string>> cases = {
+      {"--samples", "-5"}, {"--samples", "1e3"}, {"--samples", "16.0"},
+      {"--samples", past}, {"--seed", "-1"},     {"--seed", past},
+      {"--seed", "0x10"},  {"--jobs", "0"},      {"--jobs", "257"}};
+  for (const auto& [option, value] : cases) {
+    const auto outcome = cli({"plan", "--patient", "measured", "--arrays", "flex24", option, value,
+                              "--out", folder_ / "out"});
+    EXPECT_EQ(outcome.status, 2) << option << value;
+    EXPECT_THAT(outcome.err,
+                testing::StartsWith(option + ": '" + value + "' is not a whole number from "));
+  }
+  EXPECT_FALSE(fs::exists(folder_ / "out"));
+}
+
 TEST_F(Plans, NeedAPatientWithAAndB)
 {
   const auto outcome = plan("average", {"--arrays", "flex24"});

@@ -65,7 +65,7 @@ TEST(Validate, SaysWhatIsWrongWithTheCall)
     expectUsageError(
         cli({"validate", "--bench", "slim-straight", other, "2", "--out", folder / "a"}), other);
   expectRefusal(cli({"validate", "--bench", folder / "none", "--out", folder / "a"}),
-                "0 specimens with a curve in soap");
+                "There are no bench curves in");
   expectRefusal(cli(shortValidation(folder / "a", {"--variability", "nowhere"})),
                 "published-experiment");
   expectRefusal(cli(shortValidation(folder / "a", {"--set", "nodes=3"})), "between 8 and 1024");

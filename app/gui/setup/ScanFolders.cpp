@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "gui/run/StateFolder.h"
 #include "perilymph/foundation/AtomicFile.h"
+#include "perilymph/foundation/StateFolder.h"
 
 namespace perilymph::gui {
 

@@ -13,7 +13,6 @@
 
 #include "gui/pages/insert/GraspControl.h"
 #include "gui/report/ReportIssuer.h"
-#include "gui/run/StateFolder.h"
 #include "gui/run/UserSettings.h"
 #include "gui/text/DataText.h"
 #include "gui/widgets/CheckBoxes.h"
@@ -21,6 +20,7 @@
 #include "gui/widgets/SheetScroll.h"
 #include "gui/widgets/Theme.h"
 #include "gui/widgets/WrappedLabel.h"
+#include "perilymph/foundation/StateFolder.h"
 
 namespace perilymph::gui {
 

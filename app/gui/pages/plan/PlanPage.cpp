@@ -260,7 +260,7 @@ void PlanPage::open(const std::filesystem::path& folder)
 {
   stop();
   const auto stored =
-      readStoredPlan(folder.filename() == "plan.json" ? folder.parent_path() : folder);
+      planning::readPlanFolder(folder.filename() == "plan.json" ? folder.parent_path() : folder);
   if (!stored) return showMessage(dataText(stored.error().message), true);
   panel_->refresh();
   openStored(*stored);

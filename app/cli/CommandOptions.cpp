@@ -290,6 +290,16 @@ void addRender(CLI::App& app, FileOptions& files, RenderOptions& options)
   });
 }
 
+void addPatients(CLI::App& app, FileOptions& files, PatientsOptions& options)
+{
+  CLI::App& command = *app.add_subcommand("patients", "List the saved patients, or write a table");
+  files.writes(command.add_option(
+      "--registry", options.registry,
+      "Write a row per ear: measures with intervals, newest plan, newest insertion (CSV)"));
+  files.writes(command.add_option("--dictionary", options.dictionary,
+                                  "Write what the columns of that table are (CSV)"));
+}
+
 void addDevices(CLI::App& app, FileOptions& files, DevicesOptions& options)
 {
   CLI::App& command = *app.add_subcommand("devices", "List HID devices, or test one");
@@ -335,6 +345,7 @@ void addCommands(CLI::App& app, FileOptions& files, CommandOptions& options)
   addPredict(app, files, options.predict);
   addPlan(app, files, options.plan);
   addCompare(app, files, options.compare);
+  addPatients(app, files, options.patients);
   addDevices(app, files, options.devices);
   addCt(app, files, options);
   addArchive(app, files, options.archive);
@@ -346,7 +357,7 @@ Result<void> runCommand(const CLI::App& app, const CommandFiles& files,
                         const CommandOptions& options)
 {
   // What these write describes a patient: it is for the owner only.
-  for (const char* command : {"plan", "ct", "archive"})
+  for (const char* command : {"plan", "ct", "archive", "patients"})
     if (app.got_subcommand(command)) ::umask(S_IRWXG | S_IRWXO);
   if (app.got_subcommand("simulate")) return simulate(options.simulate, files);
   if (app.got_subcommand("anatomy")) return describeAnatomy(options.anatomy);
@@ -356,6 +367,7 @@ Result<void> runCommand(const CLI::App& app, const CommandFiles& files,
   if (app.got_subcommand("predict")) return predict(options.predict, files);
   if (app.got_subcommand("plan")) return plan(options.plan, files);
   if (app.got_subcommand("compare")) return compare(options.compare, files);
+  if (app.got_subcommand("patients")) return patients(options.patients);
   if (app.got_subcommand("devices")) return devices(options.devices);
   if (app.got_subcommand("study"))
     return runStudy(*app.get_subcommand("study"), files, options.study);

@@ -111,6 +111,11 @@ struct RenderOptions {
 };
 Result<void> render(const RenderOptions& options, const CommandFiles& files);
 
+struct PatientsOptions {
+  std::string registry, dictionary;  ///< Files; both empty: the patients are listed.
+};
+Result<void> patients(const PatientsOptions& options);
+
 struct DevicesOptions {
   std::string json;
   std::optional<int> test;  ///< Number of the node to test, as in /dev/hidraw3.
@@ -193,6 +198,7 @@ struct CommandOptions {
   PredictOptions predict;
   PlanOptions plan;
   CompareOptions compare;
+  PatientsOptions patients;
   DevicesOptions devices;
   CtInfoOptions ctInfo;
   CtMeasureOptions ctMeasure;

@@ -15,6 +15,7 @@
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/planning/ContactsCsv.h"
 #include "perilymph/planning/Plan.h"
+#include "perilymph/planning/PlanFolder.h"
 #include "perilymph/planning/PlanReport.h"
 #include "perilymph/planning/PlanWords.h"
 #include "perilymph/planning/PlannedDraw.h"
@@ -22,9 +23,6 @@
 namespace perilymph::cli {
 
 namespace {
-
-/// File of the draws in a plan's folder, from which an interrupted plan continues.
-constexpr const char* drawsFile = "draws.sqlite";
 
 Result<planning::PlanRequest> requestOf(const PlanOptions& options)
 {
@@ -135,8 +133,8 @@ Result<void> plan(const PlanOptions& options, const CommandFiles& files)
   if (!request) return request.error();
   if (const auto done = checkFolder(options.out); !done) return done.error();
   std::error_code failure;
-  const bool isOwn = std::filesystem::exists(
-      std::filesystem::symlink_status(std::filesystem::path(options.out) / drawsFile, failure));
+  const bool isOwn = std::filesystem::exists(std::filesystem::symlink_status(
+      std::filesystem::path(options.out) / planning::planDrawsFile, failure));
   if (const auto done = checkReplaced(options.out, planFiles(), isOwn); !done) return done.error();
   std::filesystem::create_directories(options.out, failure);
   if (failure)
@@ -144,7 +142,7 @@ Result<void> plan(const PlanOptions& options, const CommandFiles& files)
                  ". Give another folder."};
   const std::stop_token stop = watchForInterruption();
   const auto plan = planning::makePlan(
-      *request, std::filesystem::path(options.out) / drawsFile,
+      *request, std::filesystem::path(options.out) / planning::planDrawsFile,
       [](std::size_t done, std::size_t all) { showProgress("insertion", done, all); }, stop);
   if (isInterrupted())
     return Error{"Interrupted; what was done is kept. The same command continues."};

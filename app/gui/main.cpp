@@ -28,7 +28,6 @@
 #include "gui/program/TerminationSignals.h"
 #include "gui/run/Background.h"
 #include "gui/run/InsertionBroadcast.h"
-#include "gui/run/StateFolder.h"
 #include "gui/run/UserSettings.h"
 #include "gui/setup/SetupHistory.h"
 #include "gui/shell/MainWindow.h"
@@ -39,6 +38,7 @@
 #include "gui/widgets/Theme.h"
 #include "perilymph/foundation/RealTime.h"
 #include "perilymph/foundation/RenamedKeys.h"
+#include "perilymph/foundation/StateFolder.h"
 #include "perilymph/foundation/Version.h"
 
 namespace {
@@ -117,7 +117,7 @@ WindowEnd runWindow(gui::Application& application, const gui::TerminationSignals
 {
   const gui::CommandLine& options = beginning.options;
   QGuiApplication::setQuitOnLastWindowClosed(true);
-  gui::CrashMarker mark(gui::stateFolder());
+  gui::CrashMarker mark(stateFolder());
   gui::MainWindow window(beginning.scenario, options.record, beginning.cochleae);
   application.onException([&window](const QString& sentence) { window.showError(sentence); });
   window.showPage(beginning.page);
@@ -219,7 +219,7 @@ int run(int argc, char** argv, const gui::CommandLine& options)
   gui::Application application(argc, argv);
   const gui::TerminationSignals signals(nullptr);
   if (const auto openGl = gui::probeOpenGl(); !openGl) return refuse(openGl.error().message);
-  if (const auto log = gui::startLog(gui::stateFolder()); !log)
+  if (const auto log = gui::startLog(stateFolder()); !log)
     std::cerr << log.error().message << '\n';  // the window works without it
   gui::prepareOwnFolders();
   spdlog::info("perilymph {} begins.", buildId());
@@ -232,7 +232,7 @@ int run(int argc, char** argv, const gui::CommandLine& options)
   WindowEnd end =
       runWindow(application, signals,
                 {*std::move(scenario), isTold ? QStringLiteral("insert") : QStringLiteral("start"),
-                 options, gui::CrashMarker::takeCrashed(gui::stateFolder()), std::nullopt});
+                 options, gui::CrashMarker::takeCrashed(stateFolder()), std::nullopt});
   while (end.next) {
     applyChoices(application, end.next->options);
     end = runWindow(application, signals, Beginning(*std::move(end.next)));

@@ -33,7 +33,10 @@ public:
              const std::filesystem::path& folder);
   /// Runs a request of several steps, which answers with a sentence.
   void run(std::function<Result<Sentence>(const archive::Exchange&)> request);
+  /// Ends the request without an answer; failed() is emitted at once, with an empty sentence.
   void cancel();
+  /// Asks the request to end; what it came to is still answered.
+  void requestStop() { background_.requestStop(); }
   bool isBusy() const { return background_.isBusy(); }
 
 Q_SIGNALS:

@@ -3,8 +3,8 @@
 
 #include <system_error>
 
-#include "gui/run/StateFolder.h"
 #include "perilymph/foundation/Sha256.h"
+#include "perilymph/foundation/StateFolder.h"
 
 namespace perilymph::gui {
 

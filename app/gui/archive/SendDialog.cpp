@@ -5,6 +5,7 @@
 #include <QHBoxLayout>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QSignalBlocker>
 #include <QTimer>
 #include <QVBoxLayout>
 #include <QVariant>
@@ -37,8 +38,10 @@ WrappedLabel* quietText(const QString& text, QWidget* parent)
 }
 
 /// Writes and sends one part after the other. What was stored before an error is said with it.
+///
+/// @return  After a cancellation before anything was given to the archive, an error without a sentence.
 Result<Sentence> sendAll(const archive::Server& server, const std::vector<SentPart>& parts,
-                         const std::filesystem::path& ct, const archive::Exchange& exchange)
+                         const std::filesystem::path& ct, archive::Exchange exchange)
 {
   std::error_code failure;
   const auto folder =
@@ -46,11 +49,13 @@ Result<Sentence> sendAll(const archive::Server& server, const std::vector<SentPa
   if (failure || !folder)
     return Error{"No temporary folder can be made for what is sent. Check the space on the disk."};
   std::string numbers;
-  std::size_t stored = 0;
+  std::size_t stored = 0, given = 0;
   Sentence warning;
+  exchange.onStore = [&given] { ++given; };
   const auto sendOne = [&](const SentPart& part) -> Result<void> {
     const std::filesystem::path file = folder->path() / (std::to_string(stored) + ".dcm");
     if (const auto written = part.write(ct, file); !written) return written;
+    if (exchange.stop.stop_requested()) return Error{"The sending was canceled."};
     const auto sent = archive::sendObject(server, file, exchange);
     if (!sent) return sent.error();
     numbers += (numbers.empty() ? "" : ", ") + sent->seriesNumber;
@@ -58,8 +63,11 @@ Result<Sentence> sendAll(const archive::Server& server, const std::vector<SentPa
     return {};
   };
   for (const SentPart& part : parts) {
-    if (exchange.stop.stop_requested()) return Error{"The sending was canceled."};
-    if (const auto done = sendOne(part); !done) {
+    const auto done = exchange.stop.stop_requested()
+                          ? Result<void>(Error{"The sending was canceled."})
+                          : sendOne(part);
+    if (!done) {
+      if (exchange.stop.stop_requested() && given == 0) return Error{std::string()};
       if (stored == 0) return done.error();
       return Error{"%1 of %2 objects were stored, as series %3. Then: %4", stored, parts.size(),
                    numbers, done.error().message};
@@ -107,7 +115,7 @@ SendDialog::SendDialog(std::vector<SentPart> parts, std::optional<std::filesyste
     if (!folder.isEmpty()) setCt(folder.toStdString());
   });
   connect(send_, &QPushButton::clicked, this, &SendDialog::send);
-  connect(close_, &QPushButton::clicked, this, &QDialog::reject);
+  connect(close_, &QPushButton::clicked, this, &SendDialog::reject);
   connect(&work_, &ArchiveWork::progressed, this,
           [this](double fraction) { progress_->setValue(int(1000.0 * fraction)); });
   connect(&work_, &ArchiveWork::done, this, [this](const QString& sentence) {
@@ -116,7 +124,8 @@ SendDialog::SendDialog(std::vector<SentPart> parts, std::optional<std::filesyste
     send_->setEnabled(false);  // once; the box of another part allows it again
   });
   connect(&work_, &ArchiveWork::failed, this, [this](const QString& sentence) {
-    if (!sentence.isEmpty()) showMessage(sentence, true);
+    if (sentence.isEmpty()) return done(Rejected);  // canceled, and the archive has nothing
+    showMessage(sentence, true);
     showState();
   });
   if (!read)
@@ -172,8 +181,17 @@ void SendDialog::setCt(const std::filesystem::path& ct)
   showState();
 }
 
+void SendDialog::reject()
+{
+  if (!work_.isBusy() || isCanceling_) return QDialog::reject();
+  isCanceling_ = true;
+  showMessage(tr("Canceling…"));
+  work_.requestStop();
+}
+
 void SendDialog::done(int result)
 {
+  const QSignalBlocker quiet(work_);
   work_.cancel();
   QDialog::done(result);
 }
@@ -185,6 +203,7 @@ void SendDialog::send()
   std::vector<SentPart> chosen;
   for (std::size_t i = 0; i < parts_.size(); ++i)
     if (boxes_[i]->isChecked()) chosen.push_back(parts_[i]);
+  isCanceling_ = false;
   showMessage(tr("Sending…"));
   progress_->setValue(0);
   work_.run([server = servers_[std::size_t(index)], chosen,

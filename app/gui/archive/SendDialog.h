@@ -29,7 +29,10 @@ struct SentPart {
 };
 
 /// Asks for the archive, the CT unless it is known, and what is to be sent. Each object is written
-/// into a temporary folder, sent into the study of the CT, and removed. Closing cancels.
+/// into a temporary folder, sent into the study of the CT, and removed.
+///
+/// Cancel and Esc end the sending. The dialog closes when it has ended; where the archive has a part, or
+/// may have it, it says so and stays. A second time they close it at once.
 class SendDialog : public QDialog {
   Q_OBJECT
 public:
@@ -38,6 +41,7 @@ public:
 
   /// The folder of the CT, from which the objects take patient and study.
   void setCt(const std::filesystem::path& ct);
+  void reject() override;
   void done(int result) override;
 
 private:
@@ -51,7 +55,8 @@ private:
   ArchiveWork work_;
   std::vector<SentPart> parts_;
   std::optional<std::filesystem::path> ct_;
-  bool isOpen_;  ///< The CT was known when the dialog opened.
+  bool isOpen_;               ///< The CT was known when the dialog opened.
+  bool isCanceling_ = false;  ///< The sending was asked to end.
   std::vector<archive::Server> servers_;
   Selector* server_;
   std::vector<CheckBox*> boxes_;

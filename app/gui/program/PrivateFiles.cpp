@@ -5,9 +5,8 @@
 
 #include <filesystem>
 
-#include "gui/run/StateFolder.h"
-#include "gui/setup/PlanStore.h"
 #include "perilymph/foundation/Resources.h"
+#include "perilymph/foundation/StateFolder.h"
 #include "perilymph/foundation/Unfinished.h"
 
 namespace perilymph::gui {

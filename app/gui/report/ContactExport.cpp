@@ -6,18 +6,15 @@
 #include <QFileDialog>
 
 #include "gui/setup/Setup.h"
+#include "gui/setup/TableFiles.h"
 #include "gui/widgets/StatusLine.h"
-#include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/planning/ContactsCsv.h"
 
 namespace perilymph::gui {
 
 Result<void> writeContactTable(const std::filesystem::path& file, const std::string& csv)
 {
-  if (const auto written = writeWhole(file, csv, {Links::refused}); !written) return written;
-  const std::filesystem::path dictionary =
-      file.parent_path() / (file.stem().string() + "-dictionary.csv");
-  return writeWhole(dictionary, planning::contactsDictionaryCsv(), {Links::refused});
+  return writeTable(file, csv, planning::contactsDictionaryCsv());
 }
 
 std::string contactFileStem(const ContactSubject& subject)

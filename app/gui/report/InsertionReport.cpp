@@ -24,6 +24,8 @@ std::optional<ReportPlace> askReportPlace(const std::filesystem::path& recording
                         QString::fromStdString(recording.stem().string()), parent);
 }
 
+QString insertionReportName() { return tr("Report of the insertion (PDF)"); }
+
 Result<void> writeReport(const ReportContent& content, const std::filesystem::path& file)
 {
   ReportPages pages;

@@ -17,6 +17,9 @@ namespace perilymph::gui {
 /// Asks where to save a recording's report; empty if the user cancels.
 std::optional<ReportPlace> askReportPlace(const std::filesystem::path& recording, QWidget* parent);
 
+/// "Report of the insertion (PDF)", where it is sent.
+QString insertionReportName();
+
 /// Writes the report in A4, atomically. UI thread.
 Result<void> writeReport(const ReportContent& content, const std::filesystem::path& file);
 

@@ -3,15 +3,14 @@
 
 #include <QCryptographicHash>
 #include <QFile>
-#include <algorithm>
-#include <iterator>
 #include <stop_token>
+#include <utility>
 
 #include "gui/setup/KeyImage.h"
 #include "gui/setup/PatientLibrary.h"
 #include "gui/setup/PlannedForces.h"
 #include "perilymph/analysis/ErrorBand.h"
-#include "perilymph/session/Playback.h"
+#include "perilymph/analysis/RecordedResults.h"
 #include "perilymph/session/RecordedInsertion.h"
 
 namespace perilymph::gui {
@@ -24,25 +23,6 @@ QString sha256Of(const std::filesystem::path& path)
   QCryptographicHash hash(QCryptographicHash::Sha256);
   if (!file.open(QIODevice::ReadOnly) || !hash.addData(&file)) return {};
   return QString::fromLatin1(hash.result().toHex());
-}
-
-/// The first snapshot at maximum depth.
-Result<void> findDeepest(session::Playback& playback, haptics::Snapshot& deepest)
-{
-  const auto& samples = playback.samples();
-  const auto found = std::max_element(
-      samples.begin(), samples.end(),
-      [](const auto& one, const auto& other) { return one.output.depth < other.output.depth; });
-  // between this sample and the next one it may be deeper
-  const std::uint64_t end = found + 1 == samples.end() ? playback.ticks() : std::next(found)->place;
-  if (const auto done = playback.show(found->place, deepest); !done) return done.error();
-  haptics::Snapshot next{};
-  for (std::uint64_t place = found->place + 1; place < end; ++place) {
-    if (const auto done = playback.show(place, next); !done) return done.error();
-    if (next.output.depth <= deepest.output.depth) break;
-    deepest = next;
-  }
-  return {};
 }
 
 /// The saved patient of a recording, if it still has the measures of the insertion.
@@ -73,31 +53,21 @@ Result<ReportContent> gatherReport(const std::filesystem::path& file, const std:
   std::error_code ignored;
   content.bytes = std::filesystem::file_size(file, ignored);
   content.sha256 = sha256Of(file);
-  auto insertion = analysis::readCompared(file, stop);
-  if (!insertion) return insertion.error();
-  content.insertion = *std::move(insertion);
+  auto results = analysis::recordedResults(file, stop);
+  if (!results) return results.error();
+  content.insertion = std::move(results->insertion);
+  content.scenario = std::move(results->scenario);
+  content.verification = std::move(results->verification);
+  content.anatomy = std::move(results->anatomy);
+  content.deepest = results->deepest;
+  content.last = results->last;
+  content.contacts = std::move(results->contacts);
   if (const auto score = analysis::scoreOf(content.insertion)) content.score = *score;
   if (const auto inVitro = analysis::shippedReference("in-vitro"))
     if (const auto* rupture = inVitro->findRange("rupture of the partition"))
       content.rupture = *rupture;
-
-  const auto playback = session::Playback::open(file);
-  if (!playback) return playback.error();
-  content.scenario = (*playback)->scenario();
   if (content.hasPatient()) content.measured = savedPatientOf(content.scenario.patient());
   content.plan = newestPlannedForce(content.scenario);
-  const auto verification = (*playback)->compute(stop);
-  if (!verification) return verification.error();
-  content.verification = *verification;
-  if (const auto done = findDeepest(**playback, content.deepest); !done) return done.error();
-  haptics::Snapshot last{};
-  if (const auto done = (*playback)->show((*playback)->ticks() - 1, last); !done)
-    return done.error();
-  content.last = last.output;
-
-  content.anatomy = (*playback)->anatomy();
-  content.contacts =
-      analysis::contactPositions(*content.anatomy, content.scenario.array(), content.deepest);
   content.measures = analysis::measure(*content.anatomy);
   const auto bands = analysis::errorBands(content.scenario.parameters().cochlea, content.measures);
   if (bands) content.bands = *bands;

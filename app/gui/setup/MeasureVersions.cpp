@@ -45,15 +45,6 @@ bool haveSameNumbers(const anatomy::Patient& one, const anatomy::Patient& other)
 
 }  // namespace
 
-bool haveSameMeasures(const anatomy::Patient& one, const anatomy::Patient& other)
-{
-  const auto textOf = [](anatomy::Patient patient) {
-    patient.origin.software.clear();
-    return anatomy::patientText(patient);
-  };
-  return textOf(one) == textOf(other);
-}
-
 std::vector<MeasureVersion> versionsOf(const SavedPatient& patient)
 {
   const std::string used = anatomy::patientText(patient.patient);

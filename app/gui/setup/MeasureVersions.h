@@ -13,8 +13,7 @@
 
 namespace perilymph::gui {
 
-/// Whether two patients have the same measures, errors, scan and landmarks.
-bool haveSameMeasures(const anatomy::Patient& one, const anatomy::Patient& other);
+using session::haveSameMeasures;
 
 /// Measures as they were saved once.
 struct MeasureVersion {

@@ -125,11 +125,11 @@ std::vector<HistoryEntry> historyOf(const SavedPatient& patient, const PatientWo
   return entries;
 }
 
-QString dateText(const HistoryEntry& entry)
+QString localTimeText(const std::string& utc)
 {
-  const auto utc = QDateTime::fromString(QString::fromStdString(entry.utc), Qt::ISODate);
-  return utc.isValid() ? utc.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm"))
-                       : QStringLiteral("–");
+  const auto time = QDateTime::fromString(QString::fromStdString(utc), Qt::ISODate);
+  return time.isValid() ? time.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm"))
+                        : QStringLiteral("–");
 }
 
 }  // namespace perilymph::gui

@@ -42,7 +42,7 @@ struct HistoryEntry {
 /// The history of a patient's ear, newest first; what has no date comes last.
 std::vector<HistoryEntry> historyOf(const SavedPatient& patient, const PatientWork& work);
 
-/// Date and time of an entry in the local zone; "–" if unknown.
-QString dateText(const HistoryEntry& entry);
+/// Date and time of an ISO 8601 text in the local zone; "–" if unknown.
+QString localTimeText(const std::string& utc);
 
 }  // namespace perilymph::gui

@@ -4,7 +4,6 @@
 #include <QCoreApplication>
 #include <QDateTime>
 #include <QStringList>
-#include <algorithm>
 #include <system_error>
 #include <utility>
 
@@ -37,24 +36,7 @@ std::string nowUtc() { return QDateTime::currentDateTimeUtc().toString(Qt::ISODa
 
 std::vector<SavedPatient> savedPatients()
 {
-  std::vector<std::pair<fs::file_time_type, SavedPatient>> found;
-  std::error_code failure;
-  fs::directory_iterator entries(patientFolder(), failure);
-  if (failure) return {};  // no patient was saved yet
-  for (const fs::directory_entry& entry : entries) {
-    if (entry.path().extension() != ".toml") continue;
-    const auto patient = anatomy::loadPatient(entry.path());
-    const auto time = entry.last_write_time(failure);
-    const auto record = session::loadPatientRecord(entry.path());
-    if (patient && !failure)
-      found.push_back(
-          {time, {*patient, entry.path(), record ? *record : session::PatientRecord()}});
-  }
-  std::stable_sort(found.begin(), found.end(),
-                   [](const auto& one, const auto& other) { return one.first > other.first; });
-  std::vector<SavedPatient> patients;
-  for (auto& [time, patient] : found) patients.push_back(std::move(patient));
-  return patients;
+  return session::readPatients(patientFolder()).patients;
 }
 
 std::optional<SavedPatient> findSavedPatient(const std::string& code, anatomy::Side side)

@@ -10,15 +10,11 @@
 
 #include "perilymph/anatomy/Patient.h"
 #include "perilymph/foundation/Result.h"
-#include "perilymph/session/PatientRecord.h"
+#include "perilymph/session/SavedPatients.h"
 
 namespace perilymph::gui {
 
-struct SavedPatient {
-  anatomy::Patient patient;
-  std::filesystem::path file;
-  session::PatientRecord record = {};  ///< Empty if it cannot be read.
-};
+using session::SavedPatient;
 
 /// "2026-11-20T09:30:00Z"
 std::string nowUtc();

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/setup/PlanStore.h"
 
-#include <algorithm>
 #include <system_error>
 
-#include "gui/run/StateFolder.h"
 #include "gui/setup/Setup.h"
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/foundation/Sha256.h"
-#include "perilymph/foundation/TomlReader.h"
+#include "perilymph/foundation/StateFolder.h"
 #include "perilymph/foundation/Version.h"
 
 namespace perilymph::gui {
@@ -17,8 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* patientFile = "patient.toml";
-constexpr const char* requestFile = "plan.toml";
 constexpr const char* notesFile = "notes.txt";
 constexpr std::size_t keyLength = 8;  // hexadecimal digits
 
@@ -40,8 +36,6 @@ std::string requestText(const StoredPlan& plan)
 }
 
 }  // namespace
-
-fs::path plansFolder() { return stateFolder() / "plans"; }
 
 fs::path folderOfPlan(const planning::PlanRequest& request)
 {
@@ -66,50 +60,14 @@ Result<void> savePlan(const StoredPlan& plan)
     return Error{
         "%1 cannot be created: %2. Check the permissions of its folder and the space on the disk.",
         plan.folder, failure.message()};
-  if (const auto saved = anatomy::savePatient(plan.request.patient, plan.folder / patientFile);
+  if (const auto saved =
+          anatomy::savePatient(plan.request.patient, plan.folder / planning::planPatientFile);
       !saved)
     return saved;
-  return writeWhole(plan.folder / requestFile, requestText(plan));
+  return writeWhole(plan.folder / planning::planRequestFile, requestText(plan));
 }
 
-Result<StoredPlan> readStoredPlan(const fs::path& folder)
-{
-  auto reader = TomlReader::open(folder / requestFile);
-  if (!reader) return reader.error();
-  constexpr long maxSeed = 1000000000;
-  StoredPlan plan;
-  plan.folder = folder;
-  plan.madeUtc = reader->text("made");
-  plan.request.arrays = reader->values("arrays");
-  plan.request.scenario = reader->text("scenario");
-  if (std::string friction = reader->text("friction", ""); !friction.empty())
-    plan.request.friction = std::move(friction);
-  const long draws = reader->integer("draws", 1, long(planning::maxDraws), 64);
-  plan.request.draws = static_cast<std::size_t>(draws);
-  plan.request.seed = static_cast<std::uint64_t>(reader->integer("seed", 0, maxSeed, 1));
-  if (!reader->flag("is_coarse", true)) plan.request.resolution.reset();
-  plan.shownDraws = static_cast<std::size_t>(reader->integer("shown_draws", 0, draws, 0));
-  plan.isComplete = reader->flag("is_complete", false);
-  if (const auto done = reader->finish(); !done) return done.error();
-  const auto patient = anatomy::loadPatient(folder / patientFile);
-  if (!patient) return patient.error();
-  plan.request.patient = *patient;
-  return plan;
-}
-
-std::vector<StoredPlan> storedPlans()
-{
-  std::vector<StoredPlan> plans;
-  std::error_code failure;
-  fs::directory_iterator entries(plansFolder(), failure);
-  if (failure) return plans;  // none was made yet
-  for (const fs::directory_entry& entry : entries)
-    if (auto plan = readStoredPlan(entry.path())) plans.push_back(*std::move(plan));
-  std::sort(plans.begin(), plans.end(), [](const StoredPlan& one, const StoredPlan& other) {
-    return std::tie(one.madeUtc, one.folder) > std::tie(other.madeUtc, other.folder);
-  });
-  return plans;
-}
+std::vector<StoredPlan> storedPlans() { return planning::planFoldersIn(plansFolder()); }
 
 QString notesOf(const fs::path& folder)
 {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/setup/ScanFolders.h"
 
+#include <algorithm>
 #include <sstream>
 #include <system_error>
-#include <utility>
-#include <vector>
 
-#include "gui/run/StateFolder.h"
+#include "gui/setup/PatientLibrary.h"
 #include "perilymph/foundation/AtomicFile.h"
+#include "perilymph/foundation/StateFolder.h"
 
 namespace perilymph::gui {
 
@@ -16,36 +16,72 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t maxScans = 1000;
+constexpr std::size_t maxRecent = 8;  // what a menu holds without being searched
 constexpr std::size_t maxBytes = std::size_t{1} << 22;
 
 fs::path scansFile() { return stateFolder() / "ct-folders"; }
 
-/// A series and its place, the oldest first: a line each, with a space between both.
-std::vector<std::pair<std::string, std::string>> knownScans()
+/// A line: series, date, code (a dot if unknown) and place; of earlier versions, series and place.
+ReadScan scanIn(const std::string& line)
 {
-  std::vector<std::pair<std::string, std::string>> known;
+  std::istringstream words(line);
+  ReadScan scan;
+  words >> scan.series >> std::ws;
+  if (words.peek() != '/') {
+    words >> scan.utc >> scan.code >> std::ws;
+    if (scan.code == ".") scan.code.clear();
+  }
+  std::string place;
+  std::getline(words, place);
+  scan.place = place;
+  return scan;
+}
+
+std::string lineOf(const ReadScan& scan)
+{
+  const std::string code = scan.code.empty() ? "." : scan.code;
+  return scan.series + ' ' + (scan.utc.empty() ? "" : scan.utc + ' ' + code + ' ') +
+         scan.place.string() + '\n';
+}
+
+/// What was read, the oldest first.
+std::vector<ReadScan> knownScans()
+{
+  std::vector<ReadScan> known;
   const auto text = readWhole(scansFile(), maxBytes);
   if (!text) return known;  // none was remembered yet
   std::istringstream lines(*text);
   for (std::string line; std::getline(lines, line);)
-    if (const std::size_t space = line.find(' '); space != std::string::npos)
-      known.emplace_back(line.substr(0, space), line.substr(space + 1));
+    if (ReadScan scan = scanIn(line); scan.place.is_absolute()) known.push_back(std::move(scan));
   return known;
+}
+
+bool isFetched(const fs::path& place)
+{
+  const fs::path below = place.lexically_relative(stateFolder() / "archive");
+  return !below.empty() && *below.begin() != "..";
 }
 
 }  // namespace
 
-void rememberScan(const std::string& series, const fs::path& place)
+void rememberScan(const std::string& series, const fs::path& place, const std::string& code)
 {
   std::error_code failure;
-  const std::string whole = fs::absolute(place, failure).string();
-  if (failure || series.empty() || whole.find('\n') != std::string::npos) return;
+  const fs::path whole = fs::absolute(place, failure);
+  if (failure || series.empty() || whole.string().find('\n') != std::string::npos) return;
   auto known = knownScans();
-  std::erase_if(known, [&series](const auto& each) { return each.first == series; });
-  known.emplace_back(series, whole);
+  const auto before = std::find_if(known.begin(), known.end(),
+                                   [&](const ReadScan& each) { return each.series == series; });
+  // what is no code may be a name
+  ReadScan scan{series, whole, nowUtc(), anatomy::checkPatientCode(code) ? code : std::string()};
+  if (before != known.end()) {
+    if (scan.code.empty()) scan.code = before->code;
+    known.erase(before);
+  }
+  known.push_back(std::move(scan));
   if (known.size() > maxScans) known.erase(known.begin());
   std::string text;
-  for (const auto& [key, path] : known) text += key + ' ' + path + '\n';
+  for (const ReadScan& each : known) text += lineOf(each);
   fs::create_directories(stateFolder(), failure);
   // without it the user opens the folder again
   static_cast<void>(writeWhole(scansFile(), text, {Links::refused, Audience::owner}));
@@ -53,9 +89,26 @@ void rememberScan(const std::string& series, const fs::path& place)
 
 fs::path placeOfScan(const std::string& series)
 {
-  for (const auto& [key, path] : knownScans())
-    if (key == series) return path;
+  for (const ReadScan& each : knownScans())
+    if (each.series == series) return each.place;
   return {};
+}
+
+std::vector<ReadScan> recentScans()
+{
+  auto known = knownScans();
+  std::erase_if(known,
+                [](const ReadScan& each) { return each.utc.empty() || isFetched(each.place); });
+  std::reverse(known.begin(), known.end());
+  if (known.size() > maxRecent) known.resize(maxRecent);
+  return known;
+}
+
+bool clearScans()
+{
+  std::error_code failure;
+  fs::remove(scansFile(), failure);
+  return !failure;
 }
 
 }  // namespace perilymph::gui

@@ -5,9 +5,9 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "gui/run/StateFolder.h"
 #include "gui/widgets/Theme.h"
 #include "gui/widgets/WrappedLabel.h"
+#include "perilymph/foundation/StateFolder.h"
 #include "perilymph/foundation/Version.h"
 
 namespace perilymph::gui {

@@ -44,10 +44,14 @@ void linkPages(MainWindow& window)
     QObject::connect(ct, &CtPage::serversRequested, &window.sheets(), &OverlayStack::showServers);
     QObject::connect(&window.sheets(), &OverlayStack::serversChanged, ct, &CtPage::showServers);
   }
-  if (ct != nullptr && plan != nullptr) {
-    QObject::connect(ct, &CtPage::planRequested, plan, &PlanPage::planFor);
-    plan->setCtPlaces([ct](const std::string& seriesKey) { return ct->placeOf(seriesKey); });
+  if (ct != nullptr) {
+    const CtPlaces places = [ct](const std::string& seriesKey) { return ct->placeOf(seriesKey); };
+    if (plan != nullptr) plan->setCtPlaces(places);
+    if (insert != nullptr) insert->setCtPlaces(places);
+    if (sessions != nullptr) sessions->setCtPlaces(places);
   }
+  if (ct != nullptr && plan != nullptr)
+    QObject::connect(ct, &CtPage::planRequested, plan, &PlanPage::planFor);
   if (ct != nullptr && start != nullptr)
     QObject::connect(start, &StartPage::ctRequested, ct,
                      qOverload<const CtRequest&>(&CtPage::begin));

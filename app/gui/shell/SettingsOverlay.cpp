@@ -13,14 +13,15 @@
 
 #include "gui/pages/insert/GraspControl.h"
 #include "gui/report/ReportIssuer.h"
-#include "gui/run/StateFolder.h"
 #include "gui/run/UserSettings.h"
+#include "gui/setup/ScanFolders.h"
 #include "gui/text/DataText.h"
 #include "gui/widgets/CheckBoxes.h"
 #include "gui/widgets/Selector.h"
 #include "gui/widgets/SheetScroll.h"
 #include "gui/widgets/Theme.h"
 #include "gui/widgets/WrappedLabel.h"
+#include "perilymph/foundation/StateFolder.h"
 
 namespace perilymph::gui {
 
@@ -89,6 +90,7 @@ SettingsOverlay::SettingsOverlay(QWidget* parent) : QFrame(parent), note_(label(
   addLine(*column, tr("Institution, for reports (optional)"), QStringLiteral("report/institution"));
   addLine(*column, tr("Operator, for reports (optional)"), QStringLiteral("report/operator"));
   addLogo(*column);
+  addScans(*column);
   column->addWidget(label(
       tr("Log file: %1").arg(QString::fromStdString((stateFolder() / "perilymph.log").string())),
       12, true, this));
@@ -212,6 +214,33 @@ void SettingsOverlay::addLogo(QVBoxLayout& column)
   row->addWidget(choose);
   column.addLayout(row);
   column.addWidget(error);
+}
+
+void SettingsOverlay::addScans(QVBoxLayout& column)
+{
+  auto* row = new QHBoxLayout;
+  row->setSpacing(spacing);
+  auto* clear = new QPushButton(tr("Clear"), this);
+  clear->setObjectName(QStringLiteral("clearScansButton"));
+  clear->setFont(typeface(13));
+  clear->setFixedHeight(sized(26));
+  clear->setFocusPolicy(Qt::TabFocus);
+  clear->setToolTip(tr(
+      "Removes the list of where CTs were opened, which the history of patients uses, too. No CT "
+      "and no measure is deleted."));
+  auto* answer = label({}, 12, true, this);
+  answer->setObjectName(QStringLiteral("clearScansStatus"));
+  answer->hide();
+  connect(clear, &QPushButton::clicked, this, [answer] {
+    answer->setText(clearScans() ? tr("It is no longer known where CTs were opened.")
+                                 : tr("The list cannot be removed. Check the permissions of the "
+                                      "folder of the log file."));
+    answer->show();
+  });
+  row->addWidget(label(tr("Recent CTs"), 13, false, this), 1);
+  row->addWidget(clear);
+  column.addLayout(row);
+  column.addWidget(answer);
 }
 
 void SettingsOverlay::append(QWidget* section)

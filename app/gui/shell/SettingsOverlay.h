@@ -41,6 +41,8 @@ private:
   void set(const QString& key, const QString& word, Effect effect);
   void addLine(QVBoxLayout& column, const QString& title, const QString& key);
   void addLogo(QVBoxLayout& column);
+  /// Where CTs were opened.
+  void addScans(QVBoxLayout& column);
 
   QLabel* note_;
   QVBoxLayout* column_ = nullptr;

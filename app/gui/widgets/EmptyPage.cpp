@@ -2,6 +2,7 @@
 #include "gui/widgets/EmptyPage.h"
 
 #include <QLabel>
+#include <QMenu>
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <QVariant>
@@ -70,6 +71,17 @@ void EmptyPage::offerAlso(const QString& action)
 {
   other_->setText(action);
   other_->setVisible(!action.isEmpty());
+}
+
+void EmptyPage::offerMenu(const QString& title, QMenu* menu)
+{
+  auto* button = new QPushButton(title, this);
+  button->setObjectName(QStringLiteral("emptyPageMenuButton"));
+  button->setFont(typeface(13, QFont::Medium));
+  button->setFixedHeight(sized(32));
+  button->setMenu(menu);
+  auto* column = static_cast<QVBoxLayout*>(layout());
+  column->insertWidget(column->indexOf(other_) + 1, button, 0, Qt::AlignHCenter);
 }
 
 }  // namespace perilymph::gui

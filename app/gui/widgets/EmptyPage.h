@@ -6,6 +6,7 @@
 #include <QWidget>
 
 class QLabel;
+class QMenu;
 class QPushButton;
 
 namespace perilymph::gui {
@@ -21,6 +22,8 @@ public:
   void offer(const QString& action);
   /// Shows a second, plain button under the first.
   void offerAlso(const QString& action);
+  /// Shows a button with a menu below them.
+  void offerMenu(const QString& title, QMenu* menu);
 
 Q_SIGNALS:
   void actionRequested();

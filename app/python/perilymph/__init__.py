@@ -7,7 +7,7 @@ An operation that fails raises perilymph.Error, a ValueError, whose text says wh
 For research and training; not a medical device.
 """
 
-from perilymph import ct
+from perilymph import archive, ct
 from perilymph._ct import CtMeasures, read_both_measures, read_measures
 from perilymph._engine import (
     Array,
@@ -59,6 +59,7 @@ __all__ = [
     "Study",
     "__version__",
     "anatomies",
+    "archive",
     "arrays",
     "build_id",
     "ct",

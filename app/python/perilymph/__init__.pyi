@@ -6,6 +6,7 @@ from typing import Any, Optional, Union
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from perilymph import archive as archive
 from perilymph import ct as ct
 from perilymph._ct import CtMeasures as CtMeasures
 from perilymph._ct import read_both_measures as read_both_measures

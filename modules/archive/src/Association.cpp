@@ -24,6 +24,20 @@ bool isOf(const OFCondition& why, unsigned short code)
   return why.module() == OFM_dcmnet && why.code() == code;
 }
 
+/// Parameters of an association that is opened within a time. DCMTK 3.6.8 and later take the time as an
+/// argument, earlier ones as a setting of the process.
+void createParameters(auto** parameters, int seconds)
+{
+  if constexpr (requires {
+                  ASC_createAssociationParameters(parameters, ASC_DEFAULTMAXPDU, seconds);
+                }) {
+    ASC_createAssociationParameters(parameters, ASC_DEFAULTMAXPDU, seconds);
+  } else {
+    dcmConnectionTimeout.set(seconds);
+    ASC_createAssociationParameters(parameters, ASC_DEFAULTMAXPDU);
+  }
+}
+
 }  // namespace
 
 Result<void> prepareDcmtk()
@@ -88,7 +102,6 @@ Result<std::unique_ptr<Association>> Association::open(const Server& server,
                                                        const Exchange& exchange, int listensAt)
 {
   if (const auto ready = prepareDcmtk(); !ready) return ready.error();
-  dcmConnectionTimeout.set(static_cast<Sint32>(exchange.limits.connection.count()));
   std::unique_ptr<Association> made(new Association(server, exchange));
   if (made->watch_.isOver()) return made->failure(EC_Normal);
   auto layer = watchedLayer(server, made->watch_);
@@ -106,7 +119,7 @@ Result<std::unique_ptr<Association>> Association::open(const Server& server,
   ASC_setTransportLayer(made->network_, made->layer_.get(), 0);
 
   T_ASC_Parameters* parameters = nullptr;
-  ASC_createAssociationParameters(&parameters, ASC_DEFAULTMAXPDU);
+  createParameters(&parameters, made->connection_);
   ASC_setAPTitles(parameters, server.ownAeTitle.c_str(), server.aeTitle.c_str(), nullptr);
   const std::string called = server.host + ":" + std::to_string(server.port);
   ASC_setPresentationAddresses(parameters, "localhost", called.c_str());

@@ -98,7 +98,8 @@ Result<void> check(const MeasurementReport& report)
 OFCondition fill(TID1500_MeasurementReport& tree, const MeasurementReport& report,
                  const Headers& headers)
 {
-  OFCondition done = tree.setLanguage(CID5000_Languages::English);
+  // by code: DCMTK 3.6.8 renamed the classes of the context groups
+  OFCondition done = tree.setLanguage(DSRCodedEntryValue("eng", "RFC5646", "English"));
   const auto then = [&done](const auto& step) {
     if (done.good()) done = step();
   };
@@ -108,10 +109,7 @@ OFCondition fill(TID1500_MeasurementReport& tree, const MeasurementReport& repor
     return tree.getObservationContext().addDeviceObserver(uid, "Perilymph", "Perilymph",
                                                           report.software.c_str());
   });
-  then([&] {
-    return tree.addProcedureReported(
-        CID100_QuantitativeDiagnosticImagingProcedures::CTUnspecifiedBodyRegion);
-  });
+  then([&] { return tree.addProcedureReported(CMR_CID100::CTUnspecifiedBodyRegion); });
   TID1600_ImageLibrary& library = tree.getImageLibrary();
   then([&] { return library.createNewImageLibrary(); });
   then([&] { return library.addImageGroup(); });
@@ -210,7 +208,7 @@ Result<void> writeMeasurementReport(const MeasurementReport& report, const fs::p
   const auto headers = readHeaders(ct, report.seriesKey);
   if (!headers) return headers.error();
   DSRDocument document;
-  TID1500_MeasurementReport tree(CID7021_MeasurementReportDocumentTitles::ImagingMeasurementReport);
+  TID1500_MeasurementReport tree(CMR_CID7021::ImagingMeasurementReport);
   OFCondition done = setHeader(document, report, *headers);
   if (done.good()) done = fill(tree, report, *headers);
   if (done.good()) done = document.setTreeFromRootTemplate(tree);

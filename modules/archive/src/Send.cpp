@@ -125,10 +125,16 @@ Result<SentObject> sendObject(const Server& server, const fs::path& place, const
   request.DataSetType = DIMSE_DATASET_PRESENT;
   T_DIMSE_C_StoreRSP response{};
   DcmDataset* detail = nullptr;
+  if (exchange.onStore) exchange.onStore();
   const OFCondition stored =
       DIMSE_storeUser(association.get(), *context, &request, nullptr, &data, nullptr, nullptr,
                       DIMSE_NONBLOCKING, association.answerSeconds(), &response, &detail);
   delete detail;
+  if (stored.bad() && exchange.stop.stop_requested())
+    return Error{
+        "The sending to %1 was canceled while an object was under way: it may have stored it. Look "
+        "there before you send it again.",
+        server.name};
   if (stored.bad()) return association.failure(stored);
   const DIC_US status = response.DimseStatus;
   if (status != STATUS_Success && !DICOM_WARNING_STATUS(status))

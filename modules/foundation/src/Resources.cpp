@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "OwnResources.h"
+#include "perilymph/foundation/StateFolder.h"
 
 namespace perilymph {
 namespace {
@@ -20,6 +21,19 @@ std::string environment(const char* name)
 {
   const char* value = std::getenv(name);
   return value == nullptr ? std::string() : std::string(value);
+}
+
+/// A folder of the XDG Base Directory Specification, which ignores relative paths.
+fs::path ownFolder(const char* variable, const char* belowHome)
+{
+  const fs::path given = environment(variable);
+  if (given.is_absolute()) return given;
+  fs::path home = environment("HOME");
+  if (!home.is_absolute()) {
+    const passwd* account = ::getpwuid(::getuid());
+    home = account != nullptr ? account->pw_dir : "/";
+  }
+  return home / belowHome;
 }
 
 std::string joined(const std::vector<std::string>& text)
@@ -107,19 +121,15 @@ Result<fs::path> findByName(std::string_view kind, std::string_view folder,
 
 fs::path sessionFolder()
 {
-  // XDG Base Directory Specification: relative paths are ignored.
-  const fs::path data = environment("XDG_DATA_HOME");
-  if (data.is_absolute()) return data / "perilymph" / "sessions";
-  fs::path home = environment("HOME");
-  if (!home.is_absolute()) {
-    const passwd* account = ::getpwuid(::getuid());
-    home = account != nullptr ? account->pw_dir : "/";
-  }
-  return home / ".local" / "share" / "perilymph" / "sessions";
+  return ownFolder("XDG_DATA_HOME", ".local/share") / "perilymph" / "sessions";
 }
 
 fs::path deviceProfileFolder() { return sessionFolder().parent_path() / "devices"; }
 
 fs::path patientFolder() { return sessionFolder().parent_path() / "patients"; }
+
+fs::path stateFolder() { return ownFolder("XDG_STATE_HOME", ".local/state") / "perilymph"; }
+
+fs::path plansFolder() { return stateFolder() / "plans"; }
 
 }  // namespace perilymph

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <optional>
 
+#include "DictionaryCsv.h"
 #include "FrequencyAllocation.h"
 #include "PlanNumbers.h"
 #include "perilymph/analysis/CsvField.h"
@@ -15,11 +16,6 @@ namespace perilymph::planning {
 
 namespace {
 
-/// One column of the table, and what it means.
-struct ContactColumn {
-  const char *key, *unit, *meaning, *source;
-};
-
 constexpr const char* anglesFrom =
     "simulation; consensus panel, Verbist et al. 2010, for the angle";
 constexpr const char* fromGreenwood =
@@ -27,7 +23,7 @@ constexpr const char* fromGreenwood =
 constexpr const char* fromStakhovskaya = "Stakhovskaya et al. 2007, by the angle";
 constexpr const char* fromFilters = "resources/planning/frequency-allocation.toml";
 
-constexpr ContactColumn contactColumns[] = {
+constexpr DictionaryRow contactColumns[] = {
     {"array", "", "file name of the array", ""},
     {"contact", "", "number of the contact; 1 is the most apical one. Makers number otherwise", ""},
     {"draws", "", "simulations in which the contact is inserted; 1 or 0 of one insertion", ""},
@@ -57,14 +53,6 @@ constexpr ContactColumn contactColumns[] = {
     {"spiral_ganglion_p5_Hz", "Hz", "at the 95 % bound of the angle", fromStakhovskaya},
     {"spiral_ganglion_p95_Hz", "Hz", "at the 5 % bound of the angle", fromStakhovskaya}};
 
-std::string contactHead()
-{
-  std::string head;
-  for (const ContactColumn& each : contactColumns)
-    head += (head.empty() ? "" : ",") + std::string(each.key);
-  return head + "\n";
-}
-
 /// A row; an empty value is an empty field.
 template <std::size_t count>
 std::string contactRow(const std::string& array, int number, std::size_t draws,
@@ -90,7 +78,7 @@ std::string contactsCsv(const Plan& plan)
 std::string contactsCsv(const Plan& plan, const std::vector<std::size_t>& arrays)
 {
   using Value = std::optional<double>;
-  std::string csv = contactHead();
+  std::string csv = headCsv(contactColumns);
   for (const std::size_t index : arrays)
     for (const ContactBand& each : plan.arrays[index].contacts) {
       const bool isInside = each.draws > 0;
@@ -131,7 +119,7 @@ Result<std::string> insertionContactsCsv(const std::string& name,
   const auto allocations = shippedAllocations();
   if (!allocations) return allocations.error();
   const std::vector<double> filter_Hz = filtersOf(array, *allocations);
-  std::string csv = contactHead();
+  std::string csv = headCsv(contactColumns);
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const analysis::ContactPosition& contact = contacts[i];
     const double filter = i < filter_Hz.size() ? filter_Hz[i] : 0.0;
@@ -150,13 +138,6 @@ Result<std::string> insertionContactsCsv(const std::string& name,
   return csv;
 }
 
-std::string contactsDictionaryCsv()
-{
-  std::string csv = "column,unit,meaning,source\n";
-  for (const ContactColumn& each : contactColumns)
-    csv += std::string(each.key) + "," + each.unit + "," + analysis::csvField(each.meaning) + "," +
-           analysis::csvField(each.source) + "\n";
-  return csv;
-}
+std::string contactsDictionaryCsv() { return dictionaryCsv(contactColumns); }
 
 }  // namespace perilymph::planning

@@ -153,6 +153,47 @@ TEST_P(ArchiveWalk, GoesFromTheCtToTheReportBesideIt)
   expectNoPatient(contentOf(folder_ / "config" / "perilymph" / "servers.toml"));
 }
 
+#ifdef PERILYMPH_PYTHON
+TEST_P(ArchiveWalk, GoesTheSameWayInPython)
+{
+  const CtPhantom phantom = makeCtPhantom(3, clinicalScan());
+  writeDicomFiles(dicomSlices(phantom.volume, "1.2.3.33"), folder_ / "sent");
+  const DicomServer server(GetParam().kind);
+  ASSERT_EQ(server.store(folder_ / "sent"), "");
+  const std::string name = server.entry().name;
+  add(server.entry(), GetParam().retrieve);
+  const ProgramCall program = call({});
+  const std::string path =
+      std::string("/usr/bin:/bin:") + fs::path(program.program).parent_path().string();
+  const auto python = [&](std::vector<std::string> arguments) {
+    ProgramCall made{PERILYMPH_PYTHON, std::move(arguments), {}, {}};
+    made.environment = program.environment;
+    made.environment.emplace_back("PYTHONPATH", PERILYMPH_PYTHON_PACKAGE);
+    made.environment.emplace_back("PYTHONDONTWRITEBYTECODE", "1");
+    made.environment.emplace_back("PATH", path);
+    return run(made);
+  };
+  const auto walked = python({std::string(PERILYMPH_SOURCES) + "/test/app/archive/archive_walk.py",
+                              name, folder_ / "ct", std::to_string(phantom.volume.size()[2])});
+  EXPECT_EQ(walked.status, 0) << walked.out << walked.err;
+  expectNoPatient(walked.out + walked.err);
+
+  // the example of the package: the cochlea in the CT, and its measures beside it
+  if (GetParam().kind != Kind::orthanc) return;  // once: it takes seconds
+  const auto shown =
+      python({std::string(PERILYMPH_SOURCES) + "/resources/examples/python/from_the_archive.py",
+              name, "SECRETID", folder_ / "picture.png"});
+  ASSERT_EQ(shown.status, 0) << shown.out << shown.err;
+  EXPECT_THAT(shown.out, HasSubstr("1 studies, 1 series of CT"));
+  EXPECT_THAT(shown.out, testing::ContainsRegex("\nA +[0-9.]+ \\([0-9.]+ to [0-9.]+\\) mm"));
+  EXPECT_THAT(shown.out, HasSubstr("stored beside the CT as series"));
+  EXPECT_TRUE(fs::exists(folder_ / "picture.png"));
+  expectNoPatient(shown.out + shown.err);
+  EXPECT_EQ(archive({"find", name, "--study", "1.2.3", "--json", jsonFile()}).status, 0);
+  EXPECT_EQ(json()["series"].size(), 2u);
+}
+#endif
+
 // each a suite of its own for ctest
 INSTANTIATE_TEST_SUITE_P(Orthanc, ArchiveWalk, testing::Values(Walk{Kind::orthanc, "get"}));
 INSTANTIATE_TEST_SUITE_P(Dcmqrscp, ArchiveWalk, testing::Values(Walk{Kind::dcmqrscp, "move"}));

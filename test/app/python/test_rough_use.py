@@ -96,6 +96,10 @@ CALLS = {
     "plan": lambda o, x: perilymph.plan(x, ["flex28"], samples=16),
     "samples": lambda o, x: perilymph.plan("average", [], samples=x),
     "equal": lambda o, x: (o["array"] == x, o["mean"] != x) if not isinstance(x, np.ndarray) else None,
+    "server": lambda o, x: perilymph.archive.find(x, patient_id="1"),
+    "patient": lambda o, x: perilymph.archive.find("absent", patient_id=x),
+    "series": lambda o, x: perilymph.archive.retrieve("absent", x, "nowhere"),
+    "report": lambda o, x: perilymph.archive.send("absent", x),
     "program": lambda o, x: perilymph.ct.measure("nowhere", program=x),
 }
 # What wrong arguments may raise in Python; an exception of the argument's own methods is passed on.

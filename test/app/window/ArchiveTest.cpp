@@ -20,8 +20,8 @@
 #include "gui/archive/ArchiveQuery.h"
 #include "gui/pages/ct/CtPage.h"
 #include "gui/pages/plan/PlanPage.h"
-#include "gui/run/StateFolder.h"
 #include "perilymph/archive/Servers.h"
+#include "perilymph/foundation/StateFolder.h"
 #include "perilymph/test/DicomServers.h"
 #include "perilymph/test/InetSockets.h"
 
@@ -181,7 +181,7 @@ TEST_F(ArchiveInTheWindow, RemovesWhatAKilledProgramHadRetrieved)
   ASSERT_EQ(::gethostname(machine, sizeof machine), 0);
   // as unfinishedPath() names it, of a process that has ended: the highest number that Linux gives
   const fs::path left =
-      gui::stateFolder() / "archive" / (".series." + std::string(machine) + "-4194303.1.part");
+      stateFolder() / "archive" / (".series." + std::string(machine) + "-4194303.1.part");
   fs::create_directories(left / "0123.partial");
   std::ofstream(left / "0123.partial" / "slice.dcm") << "Secretname";
   open();
@@ -237,7 +237,7 @@ TEST_P(ACtFromTheArchive, IsMeasuredAtOnceAndNothingOfThePatientIsKept)
   rig_->click("archiveFetchButton");
   ASSERT_TRUE(waits([this] { return page().study().hasCt(); })) << said("archiveStatus");
   EXPECT_TRUE(page().isBusy());  // it is measured
-  const fs::path kept = gui::stateFolder() / "archive";
+  const fs::path kept = stateFolder() / "archive";
   EXPECT_EQ(filesBelow(kept).size(), std::size_t(onDisk().phantom.volume.size()[2]));
   page().cancel();
   // tables and fields are empty again
@@ -246,7 +246,7 @@ TEST_P(ACtFromTheArchive, IsMeasuredAtOnceAndNothingOfThePatientIsKept)
   EXPECT_TRUE(inetSocketsOf(::getpid()).empty());
   rig_.reset();
   EXPECT_TRUE(filesBelow(kept).empty());  // the images went with the window
-  for (const fs::path& root : {gui::stateFolder(), archive::serversFile().parent_path()})
+  for (const fs::path& root : {stateFolder(), archive::serversFile().parent_path()})
     for (const fs::path& file : filesBelow(root)) {
       std::ifstream stream(file, std::ios::binary);
       const std::string text{std::istreambuf_iterator<char>(stream), {}};

@@ -4,10 +4,13 @@
 
 #include <gmock/gmock.h>
 
+#include <QAction>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QMenu>
 #include <QMouseEvent>
+#include <QPushButton>
 #include <QTest>
 #include <algorithm>
 
@@ -19,18 +22,23 @@
 #include "gui/pages/ct/MeasuredSetup.h"
 #include "gui/pages/ct/PlaneView.h"
 #include "gui/report/CtPicture.h"
+#include "gui/run/UserSettings.h"
 #include "gui/setup/MeasureVersions.h"
 #include "gui/setup/PatientLibrary.h"
 #include "gui/setup/PatientSetup.h"
 #include "gui/setup/ScanFolders.h"
 #include "perilymph/anatomy/DuctLength.h"
+#include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/foundation/Resources.h"
+#include "perilymph/foundation/StateFolder.h"
 #include "perilymph/test/CtPhantom.h"
 #include "perilymph/test/DicomWriter.h"
 #include "perilymph/test/TemporaryFolder.h"
 
 namespace perilymph::test {
 namespace {
+
+namespace fs = std::filesystem;
 
 TEST_F(TheCtPage, GoesFromAFolderToAnInsertionInThatCochlea)
 {
@@ -328,6 +336,93 @@ TEST_F(TheCtPage, OpensTheScanOfAPatientAgainWhereItWasRead)
   // nothing is known of it
   again.begin(gui::CtRequest{"P-80", "4567"});
   EXPECT_TRUE(other.label("ctStatus").contains("P-80"));
+}
+
+/// The menu of recent CTs, as it opens.
+QMenu& recentMenu(WindowRig& rig)
+{
+  QMenu* menu = rig.window().findChild<QPushButton*>("recentCtButton")->menu();
+  Q_EMIT menu->aboutToShow();
+  return *menu;
+}
+
+QStringList recentEntries(WindowRig& rig)
+{
+  QStringList entries;
+  for (const QAction* each : recentMenu(rig).actions()) entries << each->text();
+  return entries;
+}
+
+TEST_F(TheCtPage, OpensRecentCtsAgainByCodeAndDateAloneUntilTheListIsCleared)
+{
+  const StateFolder state;
+  EXPECT_EQ(recentEntries(rig_).size(), 1);
+  EXPECT_TRUE(recentEntries(rig_).front().contains("No CT was opened yet"));
+  const TemporaryFolder disk;
+  const fs::path place = disk / "Doe Jane";  // as people call such folders
+  fs::copy(onDisk().folder / "ct", place);
+  page().open(place);
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return gui::recentScans().size() == 1; }));
+  page().cancel();
+  const std::string series = study().series().key;
+  EXPECT_EQ(gui::recentScans().front().place, place);
+  EXPECT_EQ(gui::recentScans().front().series, series);
+  EXPECT_TRUE(recentEntries(rig_).front().startsWith("without a code · opened 20"))
+      << recentEntries(rig_).front().toStdString();
+
+  // with the code under which its measures were saved
+  const ct::CochleaMeasures measures = [this] {
+    measure();
+    return *study().measures();
+  }();
+  rig_.type("ctPatientCode", "P-81");
+  rig_.click("planCtButton");
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig_.window().page() == "plan"; }));
+  EXPECT_TRUE(recentEntries(rig_).front().startsWith("P-81 · opened 20"));
+  EXPECT_FALSE(recentEntries(rig_).join('\n').contains("Jane"));
+  const std::string settings = gui::UserSettings().fileName().toStdString();
+  if (const auto text = readWhole(settings)) {
+    EXPECT_EQ(text->find("Jane"), std::string::npos);
+  }
+  EXPECT_EQ(fs::status(stateFolder() / "ct-folders").permissions(),
+            fs::perms::owner_read | fs::perms::owner_write);
+
+  // one from an archive is removed when the program ends, and is no place to return to
+  gui::rememberScan("feed", stateFolder() / "archive" / "x");
+  EXPECT_EQ(gui::recentScans().size(), 1u);
+
+  // another window opens it
+  {
+    WindowRig other;
+    auto& again = *other.window().pages().find<gui::CtPage>();
+    again.setMeasurement([&measures](const ct::CtVolume&, const ct::MeasureRequest&) {
+      return Result<ct::CochleaMeasures>(measures);
+    });
+    other.click("ctPageButton");
+    other.window().resize(1280, 760);
+    keepPicture(other.window(), "ct-empty-recent");
+    recentMenu(other).actions().front()->trigger();
+    ASSERT_TRUE(WindowRig::waitUntil([&] { return again.study().hasCt(); }));
+    EXPECT_EQ(again.study().series().key, series);
+    EXPECT_EQ(other.window().findChild<QLineEdit*>("ctPatientCode")->text(), "P-81");
+    ASSERT_TRUE(WindowRig::waitUntil([&] { return !again.isBusy(); }));
+    keepPicture(other.window(), "ct-recent");
+  }
+  // the folder is gone: a sentence with the code and without the place
+  fs::rename(place, disk / "elsewhere");
+  WindowRig third;
+  third.click("ctPageButton");
+  recentMenu(third).actions().front()->trigger();
+  EXPECT_TRUE(third.label("ctStatus").contains("P-81 was measured is no longer where it was read"));
+  EXPECT_FALSE(third.label("ctStatus").contains("Jane"));
+
+  third.pressKey(Qt::Key_Comma, Qt::ControlModifier);
+  third.click("clearScansButton");
+  EXPECT_TRUE(third.label("clearScansStatus").contains("no longer known where CTs were opened"));
+  keepPicture(third.window(), "settings-recent");
+  EXPECT_TRUE(gui::recentScans().empty());
+  EXPECT_FALSE(fs::exists(stateFolder() / "ct-folders"));
+  EXPECT_TRUE(recentEntries(third).front().contains("No CT was opened yet"));
 }
 
 TEST_F(TheCtPage, LetsEveryCorrectedLandmarkSteerTheFitAndKeepsItInItsPlace)

@@ -13,17 +13,24 @@
 #include <QTest>
 #include <fstream>
 #include <regex>
+#include <sstream>
 
 #include "KeptPicture.h"
 #include "OwnFolders.h"
+#include "SaveDialog.h"
 #include "WindowRig.h"
 #include "gui/pages/insert/ReplayBar.h"
 #include "gui/pages/plan/PlanPage.h"
+#include "gui/report/InsertionResults.h"
+#include "gui/report/MeasureTable.h"
+#include "gui/report/ReportContent.h"
 #include "gui/setup/PatientLibrary.h"
 #include "gui/setup/PlanStore.h"
+#include "gui/text/Numbers.h"
 #include "perilymph/device/ScriptedDevice.h"
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/foundation/Resources.h"
+#include "perilymph/planning/PatientRegistry.h"
 #include "perilymph/planning/Plan.h"
 #include "perilymph/session/Insertion.h"
 #include "perilymph/test/TemporaryFolder.h"
@@ -371,6 +378,71 @@ TEST_F(PatientHistoryPage, HasEveryVersionOfTheMeasuresBesideTheOneInUse)
   EXPECT_TRUE(versions.item(1, 2)->toolTip().contains("+0.60 ± "));
   EXPECT_TRUE(versions.item(1, 2)->toolTip().contains("Beyond"));
   EXPECT_TRUE(versions.item(1, 3)->toolTip().contains("Within"));
+}
+
+TEST_F(PatientHistoryPage, IsSavedAsATableOfAllPatientsWithTheNumbersOfTheirReports)
+{
+  insert();
+  open("P-018");
+  const fs::path file = saveBy(*rig_, "exportTableButton", {folder_.path()});
+  EXPECT_TRUE(std::regex_match(file.filename().string(),
+                               std::regex("patients-[0-9]{4}-[0-9]{2}-[0-9]{2}\\.csv")))
+      << file;
+  ASSERT_TRUE(WindowRig::waitUntil([&] {
+    return rig_->label("patientStatus").contains("The table is in");
+  })) << rig_->label("patientStatus").toStdString();
+  keepPicture(rig_->window(), "patients-table");
+  EXPECT_TRUE(rig_->button("exportTableButton").isEnabled());
+  // the same as by the command line
+  const auto registry = planning::patientRegistry(planning::ownRegistryFolders());
+  ASSERT_TRUE(registry) << registry.error().message;
+  EXPECT_EQ(*readWhole(file), registry->csv);
+  EXPECT_EQ(*readWhole(file.parent_path() / (file.stem().string() + "-dictionary.csv")),
+            planning::registryDictionaryCsv());
+
+  // a field of the row of P-018, which is the first; no field of these tables is quoted
+  const auto split = [](const std::string& line) {
+    return QString::fromStdString(line).split(QLatin1Char(','));
+  };
+  std::istringstream lines(registry->csv);
+  std::string head, row;
+  std::getline(lines, head);
+  std::getline(lines, row);
+  ASSERT_EQ(split(head).size(), split(row).size());
+  const auto field = [&](const char* column) {
+    return split(row)[split(head).indexOf(QLatin1String(column))];
+  };
+  EXPECT_EQ(field("code"), "P-018");
+  const auto report = gui::gatherReport(sessionFolder() / "P-018-left.insertion", {});
+  ASSERT_TRUE(report) << report.error().message;
+  const auto results = gui::insertionResults(*report);
+  const auto stated = [&results](const char* name) {
+    const auto found = std::find_if(results.begin(), results.end(), [&](const auto& each) {
+      return each.name == QLatin1String(name);
+    });
+    return found == results.end() ? QString() : found->value;
+  };
+  EXPECT_EQ(gui::forceNumber(field("insertion_peak_mN").toDouble()) + " mN",
+            stated("Peak insertion force"));
+  EXPECT_EQ(gui::forceNumber(field("insertion_end_mN").toDouble()) + " mN", stated("End force"));
+  EXPECT_EQ(gui::numberText(field("insertion_depth_mm").toDouble(), 1) + " mm",
+            stated("Insertion depth"));
+  EXPECT_EQ(field("insertion_contacts_inside") + " of " + field("insertion_contacts"),
+            stated("Contacts inside"));
+  if (field("insertion_contacts_inside") != "0") {
+    EXPECT_EQ(gui::numberText(field("insertion_angle_deg").toDouble(), 0) + QString::fromUtf8("°"),
+              stated("Angular insertion depth"));
+  }
+  const auto rows =
+      gui::basalTurnRows(gui::findSavedPatient("P-018", anatomy::Side::left)->patient);
+  const double a = field("A_mm").toDouble();
+  EXPECT_EQ(rows[0].value, gui::numberText(a, 2) + QString::fromUtf8(" ± ") +
+                               gui::numberText(field("A_high_mm").toDouble() - a, 2) + " mm");
+  EXPECT_EQ(
+      gui::measureText(report->measures, report->bands, "cdl_oc_mm"),
+      gui::numberText(field("cdl_oc_mm").toDouble(), 1) + QString::fromUtf8(" ± ") +
+          gui::numberText(field("cdl_oc_high_mm").toDouble() - field("cdl_oc_mm").toDouble(), 1) +
+          " mm");
 }
 
 TEST_F(PatientHistoryPage, IsThatOfTheSelectedEar)

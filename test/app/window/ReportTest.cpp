@@ -29,6 +29,7 @@
 #include "gui/shell/SettingsOverlay.h"
 #include "perilymph/analysis/ClinicalReports.h"
 #include "perilymph/foundation/AtomicFile.h"
+#include "perilymph/foundation/StateFolder.h"
 #include "perilymph/foundation/Version.h"
 #include "perilymph/planning/PlanReport.h"
 #include "perilymph/test/ContourFromBelow.h"
@@ -108,7 +109,7 @@ void storePlan(const std::string& name, const std::string& madeUtc, std::size_t 
 {
   planning::Plan plan = syntheticPlan(draws);
   gui::StoredPlan stored;
-  stored.folder = gui::plansFolder() / name;
+  stored.folder = plansFolder() / name;
   stored.request = plan.request = request;
   stored.shownDraws = draws;
   stored.madeUtc = madeUtc;
@@ -131,7 +132,7 @@ TEST_F(PdfReport, StatesTheNewestStoredPlanOfItsArrayInItsCochleaByDate)
   storePlan("d", "2026-03-09T12:00:00Z", 16, otherEar);
   storePlan("e", "2026-03-09T12:00:00Z", 16, otherArrays);
   storePlan("f", "2026-03-08T12:00:00Z", 16, own);
-  fs::remove(gui::plansFolder() / "f" / gui::planJsonFile);
+  fs::remove(plansFolder() / "f" / gui::planJsonFile);
 
   const fs::path patient = state.path() / "patient.toml";
   ASSERT_TRUE(anatomy::savePatient(own.patient, patient));

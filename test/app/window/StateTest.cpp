@@ -22,12 +22,12 @@
 #include "gui/program/CrashMarker.h"
 #include "gui/program/CrashRecovery.h"
 #include "gui/program/Logging.h"
-#include "gui/run/StateFolder.h"
 #include "gui/run/UserSettings.h"
 #include "gui/text/Numbers.h"
 #include "gui/widgets/Notice.h"
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/foundation/Resources.h"
+#include "perilymph/foundation/StateFolder.h"
 #include "perilymph/test/Places.h"
 #include "perilymph/test/TemporaryFolder.h"
 
@@ -82,7 +82,7 @@ TEST_F(KeptSettings, ThatAreDamagedAreForgotten)
 
 TEST(Log, IsInTheStateFolder)
 {
-  EXPECT_EQ(gui::stateFolder(),
+  EXPECT_EQ(stateFolder(),
             std::filesystem::path(qgetenv("XDG_STATE_HOME").toStdString()) / "perilymph");
 }
 

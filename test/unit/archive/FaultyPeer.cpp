@@ -31,6 +31,17 @@ std::string textOf(DcmDataset& data, const DcmTagKey& tag)
   return {found.c_str(), found.size()};
 }
 
+/// DCMTK 3.6.8 and later want the time in which the connection must be opened.
+void createParameters(auto** parameters)
+{
+  if constexpr (requires {
+                  ASC_createAssociationParameters(parameters, ASC_DEFAULTMAXPDU, seconds);
+                })
+    ASC_createAssociationParameters(parameters, ASC_DEFAULTMAXPDU, seconds);
+  else
+    ASC_createAssociationParameters(parameters, ASC_DEFAULTMAXPDU);
+}
+
 /// Between two looks of a peer, and between two bytes of a slow one.
 void pause()
 {
@@ -110,9 +121,32 @@ void FaultyPeer::serve(T_ASC_Association* association)
       answerGet(association, context, message.msg.CGetRQ);
     else if (message.CommandField == DIMSE_C_MOVE_RQ)
       answerMove(association, context, message.msg.CMoveRQ);
+    else if (message.CommandField == DIMSE_C_STORE_RQ)
+      answerStore(association, context, message.msg.CStoreRQ);
     else if (message.CommandField != DIMSE_C_CANCEL_RQ)
       return;
   }
+}
+
+void FaultyPeer::answerStore(T_ASC_Association* association, T_ASC_PresentationContextID context,
+                             T_DIMSE_C_StoreRQ& request)
+{
+  if (faults_.offered) faults_.offered();
+  DcmDataset* object = nullptr;
+  T_ASC_PresentationContextID from = context;
+  const OFCondition received = DIMSE_receiveDataSetInMemory(association, DIMSE_NONBLOCKING, seconds,
+                                                            &from, &object, nullptr, nullptr);
+  delete object;
+  if (received.bad()) return;
+  ++stored_;
+  T_DIMSE_C_StoreRSP answer{};
+  answer.MessageIDBeingRespondedTo = request.MessageID;
+  copyTo(answer.AffectedSOPClassUID, request.AffectedSOPClassUID);
+  copyTo(answer.AffectedSOPInstanceUID, request.AffectedSOPInstanceUID);
+  answer.opts = O_STORE_AFFECTEDSOPCLASSUID | O_STORE_AFFECTEDSOPINSTANCEUID;
+  answer.DimseStatus = STATUS_Success;
+  answer.DataSetType = DIMSE_DATASET_NULL;
+  DIMSE_sendStoreResponse(association, context, &request, &answer, nullptr);
 }
 
 void FaultyPeer::answerFind(T_ASC_Association* association, T_ASC_PresentationContextID context,
@@ -235,7 +269,7 @@ void FaultyPeer::answerMove(T_ASC_Association* association, T_ASC_PresentationCo
                                nullptr);
   delete keys;
   T_ASC_Parameters* parameters = nullptr;
-  ASC_createAssociationParameters(&parameters, ASC_DEFAULTMAXPDU);
+  createParameters(&parameters);
   ASC_setAPTitles(parameters, faults_.movesAs.empty() ? "FAULTY" : faults_.movesAs.c_str(),
                   request.MoveDestination, nullptr);
   const std::string place = "127.0.0.1:" + std::to_string(entry_.ownPort);

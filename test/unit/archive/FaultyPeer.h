@@ -7,6 +7,7 @@
 #include <dcmtk/dcmnet/assoc.h>
 #include <dcmtk/dcmnet/dimse.h>
 
+#include <atomic>
 #include <functional>
 #include <memory>
 #include <stop_token>
@@ -28,6 +29,8 @@ struct Faults {
   /// Objects of every retrieval.
   int objects = 0;
   std::function<void(DcmDataset& object, int i)> object = {};
+  /// Called when an object is offered, before its data set is read.
+  std::function<void()> offered = {};
   std::string raw = {};  ///< Bytes that are sent in place of the second object's data set.
   DIC_US finalStatus = STATUS_Success;
   std::string movesAs = {};  ///< AE title under which it sends during a move; empty: its own.
@@ -44,10 +47,14 @@ public:
   FaultyPeer& operator=(const FaultyPeer&) = delete;
 
   const Server& entry() const { return entry_; }
+  /// Number of objects that arrived whole.
+  int stored() const { return stored_; }
 
 private:
   void run(const std::stop_token& stop);
   void serve(T_ASC_Association* association);
+  void answerStore(T_ASC_Association* association, T_ASC_PresentationContextID context,
+                   T_DIMSE_C_StoreRQ& request);
   void answerFind(T_ASC_Association* association, T_ASC_PresentationContextID context,
                   T_DIMSE_C_FindRQ& request);
   void answerGet(T_ASC_Association* association, T_ASC_PresentationContextID context,
@@ -62,6 +69,7 @@ private:
 
   Faults faults_;
   Server entry_;
+  std::atomic<int> stored_ = 0;
   T_ASC_Network* network_ = nullptr;
   std::jthread thread_;
 };

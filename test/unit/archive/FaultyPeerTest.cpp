@@ -7,14 +7,21 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <filesystem>
+#include <stop_token>
 
 #include "FaultyPeer.h"
 #include "SmallStudy.h"
 #include "perilymph/archive/Echo.h"
 #include "perilymph/archive/Fetch.h"
 #include "perilymph/archive/Query.h"
+#include "perilymph/archive/Send.h"
+#include "perilymph/imaging/CtSeries.h"
+#include "perilymph/imaging/EncapsulatedPdf.h"
 #include "perilymph/test/DicomServers.h"
+#include "perilymph/test/TemporaryFolder.h"
+#include "perilymph/test/waitUntil.h"
 
 namespace perilymph::archive {
 namespace {
@@ -282,6 +289,49 @@ TEST_F(FaultyServer, IsGivenUpIfItIsTooSlow)
   const auto asked = echo(peer.entry(), exchange);
   ASSERT_FALSE(asked);
   EXPECT_THAT(asked.error().message, HasSubstr("sent less than 64 KiB in 1 s"));
+}
+
+TEST_F(FaultyServer, MayHaveWhatWasOnItsWayAtACancellation)
+{
+  const test::TemporaryFolder folder;
+  test::writeDicomFiles(smallStudy(), folder / "ct");
+  const auto list = imaging::findSeries(folder / "ct");
+  ASSERT_TRUE(list) << list.error().message;
+  ASSERT_TRUE(imaging::writeEncapsulatedPdf(
+      {"%PDF-1.4 a report", "Insertion plan", "P-17", "test", list->series.at(0).key},
+      folder / "ct", folder / "report.dcm"));
+  std::stop_source source;
+  Faults canceled;
+  canceled.rows = 1;
+  canceled.row = [](DcmDataset& row, int) {
+    row.putAndInsertString(DCM_StudyInstanceUID, ctStudy);
+    row.putAndInsertString(DCM_SeriesInstanceUID, ctSeries);
+    row.putAndInsertString(DCM_PatientID, "MRN-4711");
+    row.putAndInsertString(DCM_PatientBirthDate, "19700102");
+    row.putAndInsertString(DCM_SeriesNumber, "3");
+  };
+  std::atomic<bool> goesOn = false;
+  canceled.offered = [&] {
+    source.request_stop();
+    EXPECT_TRUE(test::waitUntil([&goesOn] { return goesOn.load(); }));
+  };
+  const FaultyPeer peer(canceled);
+  Exchange exchange;
+  exchange.stop = source.get_token();
+  int given = 0;
+  exchange.onStore = [&given] { ++given; };
+  const auto sent = sendObject(peer.entry(), folder / "report.dcm", exchange);
+  goesOn = true;
+  ASSERT_FALSE(sent);
+  EXPECT_THAT(sent.error().message, HasSubstr("it may have stored it"));
+  EXPECT_EQ(given, 1);
+
+  // before anything is given to it, it has nothing
+  given = 0;
+  const auto before = sendObject(peer.entry(), folder / "report.dcm", exchange);
+  ASSERT_FALSE(before);
+  EXPECT_THAT(before.error().message, HasSubstr("was canceled"));
+  EXPECT_EQ(given, 0);
 }
 
 TEST_F(FaultyServer, IsLeftAtACancellationInTheMiddleOfAnAnswer)

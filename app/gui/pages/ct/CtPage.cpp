@@ -16,6 +16,7 @@
 #include "gui/pages/ct/InsertedArray.h"
 #include "gui/pages/ct/MeasuredSetup.h"
 #include "gui/pages/ct/PlaneView.h"
+#include "gui/pages/ct/RecentScans.h"
 #include "gui/pages/ct/SurfaceView.h"
 #include "gui/pages/ct/VersionQuestion.h"
 #include "gui/setup/KeyImage.h"
@@ -44,6 +45,8 @@ constexpr int emptyStage = 0, pictureStage = 1;
 
 QString notThere(const CtRequest& request)
 {
+  if (request.code.isEmpty())
+    return CtPage::tr("The CT is no longer where it was read. Open its folder here.");
   return CtPage::tr(
              "The CT in which %1 was measured is no longer where it was read, or was never read "
              "on this computer. Open its folder here.")
@@ -86,6 +89,9 @@ CtPage::CtPage(const InsertionControl& control, QWidget* parent)
                              this);
   page->offer(tr("Open folder…"));
   page->offerAlso(tr("From the archive…"));
+  auto* recent = new RecentScans(page);
+  page->offerMenu(tr("Recent CTs"), recent);
+  connect(recent, &RecentScans::chosen, this, &CtPage::begin);
   connect(page, &EmptyPage::actionRequested, panel_, &CtPanel::folderRequested);
   connect(page, &EmptyPage::otherRequested, panel_, &CtPanel::archiveRequested);
   for (QWidget* stage : {static_cast<QWidget*>(page), pictures_, static_cast<QWidget*>(archive_)})
@@ -155,6 +161,7 @@ void CtPage::showCt(imaging::LoadedCt&& loaded)
   for (const Sentence& warning : loaded.series.warnings) notes << dataText(warning);
   notes_ = notes.join(QLatin1Char('\n'));
   study_.setCt(std::move(loaded));
+  rememberScan(study_.series().key, list_.path);
   panel_->showIdle(notes_);
   views_[0]->setFocus();
   ct::Marks marks;
@@ -192,6 +199,7 @@ void CtPage::connectPanel()
     if (!file.isEmpty()) open(file.toStdString());
   });
   connect(panel_, &CtPanel::archiveRequested, this, [this] { showArchive(true); });
+  connect(panel_, &CtPanel::recentRequested, this, &CtPage::begin);
   connect(panel_, &CtPanel::seriesChosen, this, [this](const std::string& uid) {
     if (study_.hasCt() && study_.series().uid == uid) return;
     then_ = {};
@@ -357,7 +365,7 @@ void CtPage::plan(const QString& code)
 
 void CtPage::keepKeyImage()
 {
-  rememberScan(study_.series().key, list_.path);
+  rememberScan(study_.series().key, list_.path, patient_->label);
   const std::filesystem::path file = keyImageFile(*patient_);
   std::error_code failure;
   std::filesystem::create_directories(file.parent_path(), failure);

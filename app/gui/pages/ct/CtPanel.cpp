@@ -18,6 +18,7 @@
 #include "gui/pages/ct/CtSeriesList.h"
 #include "gui/pages/ct/CtText.h"
 #include "gui/pages/ct/MarkGuide.h"
+#include "gui/pages/ct/RecentScans.h"
 #include "gui/pages/ct/VersionQuestion.h"
 #include "gui/setup/MeasureVersions.h"
 #include "gui/text/DataText.h"
@@ -121,8 +122,18 @@ void CtPanel::addSource(QVBoxLayout& column)
   column.addLayout(row);
   auto* archive = rowButton(tr("From the archive…"), "openArchiveButton", this);
   archive->setToolTip(tr("Find the CT in a DICOM archive (PACS) and retrieve it"));
-  archive->setProperty("small", true);
-  column.addWidget(archive);
+  auto* recent = rowButton(tr("Recent CTs"), "recentCtButton", this);
+  recent->setToolTip(tr("CTs that were opened last, by the patient’s code and the date"));
+  auto* menu = new RecentScans(recent);
+  recent->setMenu(menu);
+  connect(menu, &RecentScans::chosen, this, &CtPanel::recentRequested);
+  auto* others = new QHBoxLayout;
+  others->setSpacing(4);
+  for (QPushButton* button : {archive, recent}) {
+    button->setProperty("small", true);
+    others->addWidget(button);
+  }
+  column.addLayout(others);
   connect(archive, &QPushButton::clicked, this, &CtPanel::archiveRequested);
   series_ = new CtSeriesList(this);
   column.addWidget(series_);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "gui/pages/ct/CtStudy.h"
+#include "gui/setup/CtRequest.h"
 
 class QBoxLayout;
 class QComboBox;
@@ -51,6 +52,8 @@ Q_SIGNALS:
   void folderRequested();
   void fileRequested();
   void archiveRequested();
+  /// One of the CTs that were opened last.
+  void recentRequested(const perilymph::gui::CtRequest& request);
   void seriesChosen(const std::string& uid);
   /// @param isAtCrosshair  From the crosshair; else the volume is searched.
   void measureRequested(bool isAtCrosshair);

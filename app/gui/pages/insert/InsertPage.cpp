@@ -170,6 +170,7 @@ void InsertPage::connectResult()
 {
   connect(&insertion_, &InsertionController::resultChanged, this, &InsertPage::showResult);
   connect(result_, &ResultCard::reportRequested, this, &InsertPage::saveReport);
+  connect(result_, &ResultCard::sendRequested, this, &InsertPage::sendResult);
   connect(saving_, &ReportSaving::saved, this,
           [this](const std::filesystem::path&, const QString& sentence) { noted(sentence); });
   connect(saving_, &ReportSaving::failed, this, &InsertPage::noted);
@@ -198,6 +199,16 @@ void InsertPage::saveReport()
     saving_->save(
         [content](const std::filesystem::path& pdf) { return writeReport(*content, pdf); },
         content->identity(), *place);
+}
+
+void InsertPage::sendResult()
+{
+  const std::shared_ptr<const ReportContent> content = insertion_.result();
+  const auto pdf = pdfToSend(
+      [&content](const std::filesystem::path& place) { return writeReport(*content, place); },
+      content->identity());
+  if (!pdf) return noted(dataText(pdf.error().message));
+  sendReport(insertionReportName(), *pdf, content->identity(), ctPlaces_, this);
 }
 
 Page::Acceptance InsertPage::accepts(const std::filesystem::path& file) const

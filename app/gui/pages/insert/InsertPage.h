@@ -3,8 +3,11 @@
 
 // The insertion page: panel, 3D view, charts, and bars.
 
+#include <utility>
+
 #include "gui/pages/Page.h"
 #include "gui/pages/insert/InsertionPresenter.h"
+#include "gui/report/ReportSending.h"
 
 class QStackedWidget;
 
@@ -47,6 +50,9 @@ public:
   /// Updates the display of the input device.
   void showInput() { presenter_.showInput(); }
 
+  /// Where the CT of a series is, as far as it is open.
+  void setCtPlaces(CtPlaces places) { ctPlaces_ = std::move(places); }
+
   /// This page is visible.
   bool isShown() const { return isVisibleTo(window()); }
   InsertionViews& views() { return *views_; }
@@ -72,6 +78,7 @@ private:
   void connectResult();
   void showResult();
   void saveReport();
+  void sendResult();
   void showReplay();
   void showInsertion();
   void step(double elapsed_s);
@@ -90,6 +97,7 @@ private:
   QStackedWidget* bars_;
   FrameLoop* frames_;
   InsertionPresenter presenter_;
+  CtPlaces ctPlaces_;
 };
 
 }  // namespace perilymph::gui

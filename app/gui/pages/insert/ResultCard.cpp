@@ -57,6 +57,9 @@ ResultCard::ResultCard(QWidget* page)
 
   report_ = panelButton(tr("Report…"), "resultReportButton", this);
   report_->setToolTip(tr("Save a report of this insertion as PDF"));
+  auto* send = panelButton(tr("Send…"), "resultSendButton", this);
+  send->setToolTip(
+      tr("Report of this insertion into the study of the patient’s CT, as DICOM to an archive"));
   auto* compare = panelButton(tr("Compare"), "resultCompareButton", this);
   compare->setToolTip(tr("Compare with the insertion before"));
   auto* contacts = panelButton(tr("Contacts…"), "resultContactsButton", this);
@@ -67,11 +70,12 @@ ResultCard::ResultCard(QWidget* page)
   auto* again = panelButton(tr("Again"), "resultAgainButton", this);
   again->setToolTip(tr("Insert once more, with a new recording"));
   connect(report_, &QPushButton::clicked, this, &ResultCard::reportRequested);
+  connect(send, &QPushButton::clicked, this, &ResultCard::sendRequested);
   connect(compare, &QPushButton::clicked, this, &ResultCard::compareRequested);
   connect(again, &QPushButton::clicked, this, &ResultCard::againRequested);
   auto* verbs = new QHBoxLayout;
   verbs->setSpacing(spacing);
-  for (QPushButton* verb : {report_, compare, contacts, again}) verbs->addWidget(verb);
+  for (QPushButton* verb : {report_, send, compare, contacts, again}) verbs->addWidget(verb);
   verbs->addStretch();
 
   auto* column = new QVBoxLayout(this);

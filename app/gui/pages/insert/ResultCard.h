@@ -30,6 +30,8 @@ public:
 
 Q_SIGNALS:
   void reportRequested();
+  /// The report is to be sent to an archive.
+  void sendRequested();
   void compareRequested();
   void againRequested();
 

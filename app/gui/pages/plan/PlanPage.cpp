@@ -8,7 +8,6 @@
 #include <QVariant>
 #include <algorithm>
 
-#include "gui/archive/SendDialog.h"
 #include "gui/pages/plan/PlanHeader.h"
 #include "gui/pages/plan/PlanList.h"
 #include "gui/pages/plan/PlanNotes.h"
@@ -202,13 +201,7 @@ void PlanPage::askReport()
 void PlanPage::send(const std::string& pdf, const ReportIdentity& identity)
 {
   showMessage({});
-  const auto write = [pdf, identity](const std::filesystem::path& ct,
-                                     const std::filesystem::path& file) {
-    return writeDicom(pdf, identity, {file, ct});
-  };
-  (new SendDialog({{tr("Report of the plan (PDF)"), write}},
-                  ctPlaces_ ? ctPlaces_(identity.seriesKey) : std::nullopt, this))
-      ->open();
+  sendReport(tr("Report of the plan (PDF)"), pdf, identity, ctPlaces_, this);
 }
 
 void PlanPage::writeReport(const ReportPlace& place)
@@ -253,7 +246,7 @@ void PlanPage::open(const std::filesystem::path& folder)
 {
   stop();
   const auto stored =
-      readStoredPlan(folder.filename() == "plan.json" ? folder.parent_path() : folder);
+      planning::readPlanFolder(folder.filename() == "plan.json" ? folder.parent_path() : folder);
   if (!stored) return showMessage(dataText(stored.error().message), true);
   panel_->refresh();
   openStored(*stored);

@@ -12,6 +12,7 @@
 #include "gui/pages/Page.h"
 #include "gui/pages/plan/PlanReportWork.h"
 #include "gui/pages/plan/PlanWork.h"
+#include "gui/report/ReportSending.h"
 
 class QHBoxLayout;
 class QPushButton;
@@ -57,8 +58,6 @@ public:
     resolution_.reset();  // its own
   }
   /// Where the CT of a series is, as far as it is open.
-  using CtPlaces =
-      std::function<std::optional<std::filesystem::path>(const std::string& seriesKey)>;
   void setCtPlaces(CtPlaces places) { ctPlaces_ = std::move(places); }
   PlanList& list() { return *list_; }
   PlanView& view() { return *view_; }

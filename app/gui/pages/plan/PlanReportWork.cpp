@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "gui/report/PlanReportPdf.h"
+#include "gui/report/ReportSending.h"
 #include "gui/text/DataText.h"
 #include "perilymph/planning/PlanReport.h"
 
@@ -49,10 +50,9 @@ void PlanReportWork::write(const PlanWork::SharedPlan& plan, const std::filesyst
 void PlanReportWork::prepare(const PlanWork::SharedPlan& plan, const std::filesystem::path& folder)
 {
   build(plan, folder, [this](const PlanReportContent& content) {
-    if (const auto known = checkFiled(content.identity()); !known)
-      return failed(dataText(known.error().message));
-    const auto pdf = pdfBytes(
-        [&content](const std::filesystem::path& place) { return writePlanReport(content, place); });
+    const auto pdf = pdfToSend(
+        [&content](const std::filesystem::path& place) { return writePlanReport(content, place); },
+        content.identity());
     if (!pdf) return failed(dataText(pdf.error().message));
     Q_EMIT prepared(*pdf, content.identity());
   });

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "gui/report/InsertionReport.h"
+#include "gui/report/ReportSending.h"
 #include "gui/text/DataText.h"
 #include "perilymph/analysis/Comparison.h"
 
@@ -49,18 +50,37 @@ void SessionTasks::readReference(const std::filesystem::path& file)
       });
 }
 
-void SessionTasks::writeReportOf(const std::filesystem::path& file, const ReportPlace& place)
+void SessionTasks::gather(const std::filesystem::path& file,
+                          std::function<void(const ReportContent&)> then)
 {
   said(tr("Replaying %1 for the report…").arg(QString::fromStdString(session::displayNameOf(file))),
        false);
   reading_.run(
       "The report", [file](const std::stop_token& stop) { return gatherReport(file, stop); },
-      [this, place](const Result<ReportContent>& content) {
+      [this, then = std::move(then)](const Result<ReportContent>& content) {
         if (!content) return said(dataText(content.error().message), true);
-        saving_.save(
-            [&content](const std::filesystem::path& pdf) { return writeReport(*content, pdf); },
-            content->identity(), place);
+        then(*content);
       });
+}
+
+void SessionTasks::writeReportOf(const std::filesystem::path& file, const ReportPlace& place)
+{
+  gather(file, [this, place](const ReportContent& content) {
+    saving_.save([&content](const std::filesystem::path& pdf) { return writeReport(content, pdf); },
+                 content.identity(), place);
+  });
+}
+
+void SessionTasks::prepareReportOf(const std::filesystem::path& file)
+{
+  gather(file, [this](const ReportContent& content) {
+    const auto pdf = pdfToSend(
+        [&content](const std::filesystem::path& place) { return writeReport(content, place); },
+        content.identity());
+    if (!pdf) return said(dataText(pdf.error().message), true);
+    said({}, false);
+    Q_EMIT reportPrepared(*pdf, content.identity());
+  });
 }
 
 }  // namespace perilymph::gui

@@ -5,7 +5,10 @@
 
 #include <QObject>
 #include <filesystem>
+#include <functional>
+#include <string>
 
+#include "gui/report/ReportContent.h"
 #include "gui/report/ReportSaving.h"
 #include "gui/run/Background.h"
 #include "gui/run/ReferenceInsertion.h"
@@ -22,13 +25,19 @@ public:
   void readReference(const std::filesystem::path& file);
   /// Writes the report of a recording.
   void writeReportOf(const std::filesystem::path& file, const ReportPlace& place);
+  /// Makes the PDF of a recording's report for an archive; reportPrepared() has it.
+  void prepareReportOf(const std::filesystem::path& file);
 
 Q_SIGNALS:
   void said(const QString& sentence, bool isError);
   void referenceRead(const perilymph::gui::ReferenceInsertion& reference);
   void reportWritten(const std::filesystem::path& report, const QString& sentence);
+  void reportPrepared(const std::string& pdf, const perilymph::gui::ReportIdentity& identity);
 
 private:
+  /// Replays a recording, and gives what its report states to `then` in the window's thread.
+  void gather(const std::filesystem::path& file, std::function<void(const ReportContent&)> then);
+
   Background reading_;
   ReportSaving saving_;
 };

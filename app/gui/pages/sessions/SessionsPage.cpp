@@ -144,6 +144,9 @@ QWidget* SessionsPage::addVerbs()
   ghost_ = addVerb(tr("Use as reference"), "ghostButton",
                    tr("Show its force as reference trace in the next insertions"));
   report_ = addVerb(tr("Report…"), "reportButton", tr("Save a report as PDF or DICOM"));
+  send_ = addVerb(
+      tr("Send…"), "sendReportButton",
+      tr("Report of the insertion into the study of the patient’s CT, as DICOM to an archive"));
   rename_ = addVerb(tr("Rename"), "renameButton", tr("Rename the recording (F2)"));
   delete_ = addVerb(tr("Delete"), "deleteButton", tr("Move to the trash (Delete)"));
   undo_ = addVerb(tr("Undo"), "undoDeleteButton", tr("Restore from the trash (Ctrl+Z)"));
@@ -152,13 +155,20 @@ QWidget* SessionsPage::addVerbs()
   auto* row = new QHBoxLayout(verbs);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(spacing);
-  for (QPushButton* button : {replay_, compare_, ghost_, report_, rename_, delete_, undo_})
+  for (QPushButton* button : {replay_, compare_, ghost_, report_, send_, rename_, delete_, undo_})
     row->addWidget(button);
   row->addSpacing(spacing);
   row->addWidget(status_, 1);
 
   connect(replay_, &QPushButton::clicked, this, &SessionsPage::replayChosen);
   connect(report_, &QPushButton::clicked, this, &SessionsPage::reportChosen);
+  connect(send_, &QPushButton::clicked, this, [this] {
+    if (const auto file = oneChosen()) tasks_->prepareReportOf(*file);
+  });
+  connect(tasks_, &SessionTasks::reportPrepared, this,
+          [this](const std::string& pdf, const ReportIdentity& identity) {
+            sendReport(insertionReportName(), pdf, identity, ctPlaces_, this);
+          });
   connect(ghost_, &QPushButton::clicked, this, [this] {
     if (const auto file = oneChosen()) tasks_->readReference(*file);
   });
@@ -293,7 +303,8 @@ void SessionsPage::showChoice()
   const bool isReadable =
       !rows.empty() && std::all_of(rows.begin(), rows.end(), session::isInsertion);
   const bool isOne = rows.size() == 1;
-  for (QPushButton* button : {replay_, ghost_, report_}) button->setEnabled(isOne && isReadable);
+  for (QPushButton* button : {replay_, ghost_, report_, send_})
+    button->setEnabled(isOne && isReadable);
   const bool canCompare = rows.size() >= 2 && isReadable;
   compare_->setEnabled(canCompare);
   setPrimary(*compare_, canCompare);

@@ -10,6 +10,7 @@
 
 #include "gui/pages/Page.h"
 #include "gui/pages/sessions/LibraryWork.h"
+#include "gui/report/ReportSending.h"
 #include "gui/run/InsertionControl.h"
 #include "gui/run/ReferenceInsertion.h"
 
@@ -53,6 +54,8 @@ public:
 
   /// Writes the report of a recording in the background; the page shows the result.
   void saveReport(const std::filesystem::path& file, const ReportPlace& place);
+  /// Where the CT of a series is, as far as it is open.
+  void setCtPlaces(CtPlaces places) { ctPlaces_ = std::move(places); }
 
 Q_SIGNALS:
   void compareRequested(const std::vector<std::filesystem::path>& files);
@@ -81,6 +84,7 @@ private:
   void reread();
 
   const InsertionControl& control_;
+  CtPlaces ctPlaces_;
   LibraryWork work_;
   SessionTasks* tasks_;
   SessionTable* table_;
@@ -97,7 +101,8 @@ private:
   QLabel* count_ = nullptr;
   StatusLine* status_ = nullptr;
   QPushButton *replay_ = nullptr, *compare_ = nullptr, *ghost_ = nullptr, *report_ = nullptr,
-              *rename_ = nullptr, *delete_ = nullptr, *undo_ = nullptr, *end_ = nullptr;
+              *send_ = nullptr, *rename_ = nullptr, *delete_ = nullptr, *undo_ = nullptr,
+              *end_ = nullptr;
 };
 
 }  // namespace perilymph::gui

@@ -42,7 +42,7 @@ void PatientHistoryList::show(std::vector<HistoryEntry> entries)
   setRowCount(int(entries_.size()));
   for (int row = 0; row < rowCount(); ++row) {
     const HistoryEntry& each = entries_[std::size_t(row)];
-    const QString texts[columns] = {dateText(each), each.what, each.values};
+    const QString texts[columns] = {localTimeText(each.utc), each.what, each.values};
     for (int column = 0; column < columns; ++column) {
       auto* item = new QTableWidgetItem(texts[column]);
       item->setToolTip(QStringLiteral("%1\n%2")

@@ -2,6 +2,7 @@
 #include "gui/pages/start/PatientPicker.h"
 
 #include <QCoreApplication>
+#include <QDate>
 #include <QFileDialog>
 #include <QHBoxLayout>
 #include <QKeyEvent>
@@ -13,15 +14,19 @@
 #include <QVBoxLayout>
 #include <QVariant>
 #include <algorithm>
+#include <memory>
 #include <stop_token>
 
 #include "gui/pages/start/PatientDetails.h"
+#include "gui/setup/TableFiles.h"
 #include "gui/text/DataText.h"
 #include "gui/widgets/CheckBoxes.h"
 #include "gui/widgets/Placeholder.h"
+#include "gui/widgets/StatusLine.h"
 #include "gui/widgets/Theme.h"
 #include "gui/widgets/WrappedLabel.h"
 #include "perilymph/foundation/Resources.h"
+#include "perilymph/planning/PatientRegistry.h"
 #include "perilymph/session/SessionLibrary.h"
 
 namespace perilymph::gui {
@@ -60,6 +65,7 @@ PatientPicker::PatientPicker(QWidget* parent)
       status_(new WrappedLabel(QString(), this)),
       archived_(new CheckBox(tr("Show archived"), this)),
       import_(addButton(tr("Import…"), "importPatientButton")),
+      table_(addButton(tr("Table…"), "exportTableButton")),
       open_(addButton(tr("Open"), "openPatientButton")),
       edit_(addButton(tr("Edit…"), "editPatientButton")),
       archive_(addButton(QString(), "archivePatientButton")),
@@ -108,17 +114,15 @@ PatientPicker::PatientPicker(QWidget* parent)
   connect(archive_, &QPushButton::clicked, this, &PatientPicker::changeArchived);
   connect(export_, &QPushButton::clicked, this, &PatientPicker::exportSelected);
   connect(import_, &QPushButton::clicked, this, &PatientPicker::importPatient);
+  table_->setToolTip(tr(
+      "Save all patients as CSV, a row per ear: measures, newest plan and newest insertion, with a "
+      "dictionary of the columns. It names nobody."));
+  connect(table_, &QPushButton::clicked, this, &PatientPicker::exportTable);
   connect(cancel_, &QPushButton::clicked, transfer_, &PatientTransfer::cancel);
-  connect(transfer_, &PatientTransfer::progressed, this, [this](int percent) {
-    status_->setText(transferred_.isEmpty()
-                         ? tr("Importing: %1 %").arg(percent)
-                         : tr("Exporting %1: %2 %").arg(transferred_).arg(percent));
-  });
-  connect(transfer_, &PatientTransfer::copied, this, [this](const QString& place) {
-    if (transferred_.isEmpty()) refresh(beingRecorded_);
-    showTransfer(transferred_.isEmpty() ? tr("The patient is imported.")
-                                        : tr("%1 is exported to %2.").arg(transferred_, place));
-  });
+  connect(transfer_, &PatientTransfer::progressed, this,
+          [this](int percent) { status_->setText(task_.arg(percent)); });
+  connect(transfer_, &PatientTransfer::copied, this,
+          [this](const QString& place) { showTransfer(transferDone_(place)); });
   connect(transfer_, &PatientTransfer::failed, this, &PatientPicker::showTransfer);
   setTabOrders();
   setFocusProxy(search_);
@@ -155,6 +159,7 @@ QLayout* PatientPicker::addList()
   verbs->addWidget(back_);
   verbs->addWidget(archived_);
   verbs->addStretch();
+  verbs->addWidget(table_);
   verbs->addWidget(import_);
   auto* column = new QVBoxLayout;
   column->setSpacing(spacing);
@@ -185,11 +190,12 @@ void PatientPicker::setTabOrders()
 {
   const auto fields = details_->fields();
   QWidget* before = search_;
-  for (QWidget* each : {static_cast<QWidget*>(list_), fields[0], fields[1], fields[2],
-                        static_cast<QWidget*>(open_), static_cast<QWidget*>(edit_),
-                        static_cast<QWidget*>(export_), static_cast<QWidget*>(archive_),
-                        static_cast<QWidget*>(archived_), static_cast<QWidget*>(import_),
-                        static_cast<QWidget*>(cancel_), static_cast<QWidget*>(back_)}) {
+  for (QWidget* each :
+       {static_cast<QWidget*>(list_), fields[0], fields[1], fields[2], static_cast<QWidget*>(open_),
+        static_cast<QWidget*>(edit_), static_cast<QWidget*>(export_),
+        static_cast<QWidget*>(archive_), static_cast<QWidget*>(archived_),
+        static_cast<QWidget*>(table_), static_cast<QWidget*>(import_),
+        static_cast<QWidget*>(cancel_), static_cast<QWidget*>(back_)}) {
     setTabOrder(before, each);
     before = each;
   }
@@ -301,20 +307,56 @@ void PatientPicker::exportSelected()
   if (place.isEmpty()) return;
   const std::filesystem::path folder =
       std::filesystem::path(place.toStdString()) / patient->file.stem();
-  transferred_ = nameOfPatient(patient->patient);
-  startTransfer([folder, file = patient->file, about = patient->patient](
-                    const session::CopyProgress& progress,
-                    const std::stop_token& stop) -> Result<std::filesystem::path> {
-    const auto done = session::exportPatient(file, insertionsOf(about), folder, progress, stop);
-    if (!done) return done.error();
-    return folder;
-  });
+  const QString name = nameOfPatient(patient->patient);
+  startTransfer(
+      [folder, file = patient->file, about = patient->patient](
+          const session::CopyProgress& progress,
+          const std::stop_token& stop) -> Result<std::filesystem::path> {
+        const auto done = session::exportPatient(file, insertionsOf(about), folder, progress, stop);
+        if (!done) return done.error();
+        return folder;
+      },
+      tr("Exporting %1: %2 %").arg(name),
+      [name](const QString& copied) { return tr("%1 is exported to %2.").arg(name, copied); });
 }
 
-void PatientPicker::startTransfer(PatientTransfer::Copy copy)
+void PatientPicker::exportTable()
 {
+  details_->keep();
+  const QString proposed = documentsFolder() + QStringLiteral("/patients-") +
+                           QDate::currentDate().toString(Qt::ISODate) + QStringLiteral(".csv");
+  const QString chosen = QFileDialog::getSaveFileName(this, tr("Table of all patients"), proposed,
+                                                      tr("Tables (*.csv)"));
+  if (chosen.isEmpty()) return;
+  planning::RegistryFolders folders = planning::ownRegistryFolders();
+  folders.beingRecorded = beingRecorded_;
+  const auto notes = std::make_shared<QStringList>();
+  startTransfer(
+      [folders, notes, file = std::filesystem::path(chosen.toStdString())](
+          const session::CopyProgress& progress,
+          const std::stop_token& stop) -> Result<std::filesystem::path> {
+        const auto registry = planning::patientRegistry(folders, progress, stop);
+        if (!registry) return registry.error();
+        const auto written = writeTable(file, registry->csv, planning::registryDictionaryCsv());
+        if (!written) return written.error();
+        for (const Sentence& note : registry->notes) *notes << dataText(note);
+        return file;
+      },
+      tr("Reading plans and replaying insertions: %1 %"),
+      [notes](const QString& file) {
+        return tr("The table is in %1.").arg(file) + QLatin1Char(' ') +
+               notes->join(QLatin1Char(' '));
+      });
+}
+
+void PatientPicker::startTransfer(PatientTransfer::Copy copy, const QString& task,
+                                  std::function<QString(const QString& place)> done)
+{
+  task_ = task;
+  transferDone_ = std::move(done);
   cancel_->show();
   import_->setEnabled(false);
+  table_->setEnabled(false);
   transfer_->start(std::move(copy));
   showSelected();
 }
@@ -324,6 +366,7 @@ void PatientPicker::showTransfer(const QString& sentence)
 {
   cancel_->hide();
   import_->setEnabled(true);
+  table_->setEnabled(true);
   showSelected();
   status_->setText(sentence);
 }
@@ -333,11 +376,16 @@ void PatientPicker::importPatient()
   const QString place =
       QFileDialog::getExistingDirectory(this, tr("Folder of an exported patient"));
   if (place.isEmpty()) return;
-  transferred_.clear();
-  startTransfer([place = place.toStdString()](const session::CopyProgress& progress,
-                                              const std::stop_token& stop) {
-    return session::importPatient(place, patientFolder(), sessionFolder(), progress, stop);
-  });
+  startTransfer(
+      [place = place.toStdString()](const session::CopyProgress& progress,
+                                    const std::stop_token& stop) {
+        return session::importPatient(place, patientFolder(), sessionFolder(), progress, stop);
+      },
+      tr("Importing: %1 %"),
+      [this](const QString&) {
+        refresh(beingRecorded_);
+        return tr("The patient is imported.");
+      });
 }
 
 bool PatientPicker::eventFilter(QObject* watched, QEvent* event)

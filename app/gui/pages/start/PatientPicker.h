@@ -5,6 +5,7 @@
 
 #include <QWidget>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -55,9 +56,13 @@ private:
   void takeRecord(const SavedPatient& patient);
   void changeArchived();
   void exportSelected();
+  void exportTable();
   void importPatient();
   void show(const Result<void>& done, const QString& sentence);
-  void startTransfer(PatientTransfer::Copy copy);
+  /// @param task  "Importing: %1 %"
+  /// @param done  The sentence about what was copied to a place.
+  void startTransfer(PatientTransfer::Copy copy, const QString& task,
+                     std::function<QString(const QString& place)> done);
   void showTransfer(const QString& sentence);
 
   std::vector<SavedPatient> patients_;
@@ -68,9 +73,10 @@ private:
   PatientDetails* details_;
   QLabel* status_;
   CheckBox* archived_;
-  QPushButton *import_, *open_, *edit_, *archive_, *export_, *back_, *cancel_;
+  QPushButton *import_, *table_, *open_, *edit_, *archive_, *export_, *back_, *cancel_;
   PatientTransfer* transfer_;
-  QString transferred_;  ///< Who is exported; empty if one is imported.
+  QString task_;  ///< What is copied, with a place for its percentage.
+  std::function<QString(const QString&)> transferDone_;
 };
 
 }  // namespace perilymph::gui

@@ -10,6 +10,7 @@
 
 #include "gui/pages/Page.h"
 #include "gui/setup/CtRequest.h"
+#include "gui/setup/PatientLibrary.h"
 #include "perilymph/anatomy/Patient.h"
 
 class QLabel;
@@ -22,7 +23,6 @@ class PatientForm;
 class PatientPicker;
 class RecentWork;
 struct HistoryEntry;
-struct SavedPatient;
 class SetupHistory;
 
 /// A large button with a picture, a title and a description.

@@ -22,6 +22,8 @@ struct Exchange {
   std::stop_token stop = {};  ///< Ends the request with an error within a tenth of a second.
   /// Called about twenty times a second while the server is waited for.
   std::function<void()> onWait = {};
+  /// Called before an object is given to the server: from then on, it may have it.
+  std::function<void()> onStore = {};
   TimeLimits limits = {};
 };
 

@@ -22,7 +22,8 @@ struct SentObject {
 /// The server must have the study that the file states, under the patient number and birth date that
 /// the file states; any other study is refused. The file is not changed.
 ///
-/// @return  Refuses a file that is no DICOM object of this program.
+/// @return  Refuses a file that is no DICOM object of this program. The error of a cancellation while the
+///          object is under way says that the server may have it.
 Result<SentObject> sendObject(const Server& server, const std::filesystem::path& file,
                               const Exchange& exchange = {});
 

@@ -1,0 +1,20 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Calls of perilymph-cli for what the package does not compute itself."""
+
+import os
+import shutil
+import subprocess
+
+from perilymph._engine import Error
+
+
+def run_program(program, words):
+    """Runs perilymph-cli with words; raises Error with its sentence if it fails."""
+    found = shutil.which(os.fspath(program))
+    if found is None:
+        raise Error(f"The program {program} was not found. Install perilymph, or give its path as 'program'.")
+    if any("\0" in os.fsdecode(word) for word in words):
+        raise Error("A text for perilymph-cli has a zero character. Leave it out.")
+    done = subprocess.run([found, *words], capture_output=True, text=True, errors="replace", check=False)
+    if done.returncode != 0:
+        raise Error(done.stderr.strip() or f"{found} ended with {done.returncode}.")

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "perilymph/planning/PlanFolder.h"
+
+#include <algorithm>
+#include <system_error>
+#include <tuple>
+#include <utility>
+
+#include "perilymph/anatomy/Patient.h"
+#include "perilymph/foundation/TomlReader.h"
+#include "perilymph/planning/Plan.h"
+
+namespace perilymph::planning {
+
+namespace fs = std::filesystem;
+
+Result<PlanFolder> readPlanFolder(const fs::path& folder)
+{
+  auto reader = TomlReader::open(folder / planRequestFile);
+  if (!reader) return reader.error();
+  constexpr long maxSeed = 1000000000;
+  PlanFolder plan;
+  plan.folder = folder;
+  plan.madeUtc = reader->text("made");
+  plan.request.arrays = reader->values("arrays");
+  plan.request.scenario = reader->text("scenario");
+  if (std::string friction = reader->text("friction", ""); !friction.empty())
+    plan.request.friction = std::move(friction);
+  const long draws = reader->integer("draws", 1, long(maxDraws), 64);
+  plan.request.draws = static_cast<std::size_t>(draws);
+  plan.request.seed = static_cast<std::uint64_t>(reader->integer("seed", 0, maxSeed, 1));
+  if (!reader->flag("is_coarse", true)) plan.request.resolution.reset();
+  plan.shownDraws = static_cast<std::size_t>(reader->integer("shown_draws", 0, draws, 0));
+  plan.isComplete = reader->flag("is_complete", false);
+  if (const auto done = reader->finish(); !done) return done.error();
+  const auto patient = anatomy::loadPatient(folder / planPatientFile);
+  if (!patient) return patient.error();
+  plan.request.patient = *patient;
+  return plan;
+}
+
+std::vector<PlanFolder> planFoldersIn(const fs::path& plans)
+{
+  std::vector<PlanFolder> found;
+  std::error_code failure;
+  fs::directory_iterator entries(plans, failure);
+  if (failure) return found;  // none was made yet
+  for (const fs::directory_entry& entry : entries)
+    if (auto plan = readPlanFolder(entry.path())) found.push_back(*std::move(plan));
+  std::sort(found.begin(), found.end(), [](const PlanFolder& one, const PlanFolder& other) {
+    return std::tie(one.madeUtc, one.folder) > std::tie(other.madeUtc, other.folder);
+  });
+  return found;
+}
+
+}  // namespace perilymph::planning

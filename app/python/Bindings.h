@@ -69,6 +69,10 @@ anatomy::Patient patientOf(const py::object& given);
 /// Makes a table of columns: a pandas DataFrame.
 py::object dataFrameOf(const py::dict& columns);
 
+/// An empty dictionary in which keys that were renamed are found by their former name, too, with a
+/// warning, until version 1.0.
+py::dict dictOfRenamed();
+
 /// Gives the functions and classes of a module signatures that help() and inspect show.
 void giveSignatures(const py::module_& module);
 

@@ -242,7 +242,7 @@ py::dict columnsOf(const Reading& one)
   haptics::TickRecord record;
   record.output = one.output;
   const auto values = session::columnValues(record);
-  py::dict found;
+  py::dict found = dictOfRenamed();
   for (std::size_t i = 0; i < values.size(); ++i) found[session::columnNames[i]] = values[i];
   return found;
 }

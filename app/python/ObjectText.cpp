@@ -18,6 +18,8 @@ py::str htmlTable(const std::string& title,
   return textOf(html + "</table>");
 }
 
+py::dict dictOfRenamed() { return py::module_::import("perilymph._tables").attr("Renamed")(); }
+
 py::object dataFrameOf(const py::dict& columns)
 {
   return py::module_::import("perilymph._tables").attr("data_frame")(columns);

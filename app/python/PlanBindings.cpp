@@ -62,7 +62,7 @@ py::dict bands(const ArrayPlan& plan)
 
 py::dict probabilities(const ArrayPlan& plan)
 {
-  py::dict found;
+  py::dict found = dictOfRenamed();
   for (const planning::PlanProbability& each : planning::planProbabilities()) {
     const analysis::Estimate& estimate = plan.*each.estimate;
     found[each.key] = arrayOf(std::vector<double>{estimate.value, estimate.low, estimate.high});
@@ -282,7 +282,7 @@ void definePlan(py::module_& module)
            "the hand stops. What a band holds: Plan.bands_hold.")
       .def("probabilities", &probabilities,
            "Probabilities by name, each (value, low, high) with its 95 % interval: "
-           "'full_insertion', 'stopped_by_resistance', 'buckled', ...")
+           "'intended_depth_reached', 'stopped_by_resistance', 'buckled', ...")
       .def("at_median_friction", &atMedianFriction,
            "Bands 'angle_deg', 'depth_mm', 'peak_mN' and 'end_mN', each of shape (5,), at the "
            "median of the drawn friction: from the same insertions, less the slope of the value "

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RecordColumns.h"
 
+#include "Bindings.h"
 #include "NumberArrays.h"
 
 namespace perilymph::python {
@@ -14,7 +15,7 @@ void RecordColumns::add(const haptics::TickRecord& tick)
 
 py::dict RecordColumns::result()
 {
-  py::dict found;
+  py::dict found = dictOfRenamed();
   for (std::size_t i = 0; i < columns_.size(); ++i)
     found[session::columnNames[i]] = arrayOf(std::move(columns_[i]));
   return found;

@@ -2684,7 +2684,7 @@
         <translation>%1 ist kein Ordner der Bibliothek, sondern ein Verweis oder eine Datei. Nichts wurde gelöscht; verschieben Sie ihn zuerst.</translation>
     </message>
     <message>
-        <source>The folder of sessions %1 cannot be read: %2. Check its permissions.</source>
+        <source>The folder of recordings %1 cannot be read: %2. Check its permissions.</source>
         <translation>Der Ordner der Aufzeichnungen %1 kann nicht gelesen werden: %2. Prüfen Sie die Rechte.</translation>
     </message>
     <message>
@@ -7627,7 +7627,7 @@
         <translation>Insertionen vergleichen</translation>
     </message>
     <message>
-        <source>Select two or more recordings on the Sessions page and press Compare to plot their insertion forces on common axes, with the published measurements.</source>
+        <source>Select two or more recordings on the Recordings page and press Compare to plot their insertion forces on common axes, with the published measurements.</source>
         <translation>Auf der Seite Aufzeichnungen zwei oder mehr wählen und „Vergleichen“ drücken: Ihre Insertionskräfte erscheinen auf gemeinsamen Achsen, mit den veröffentlichten Messungen.</translation>
     </message>
     <message>
@@ -7643,7 +7643,7 @@
         <translation>Abgebrochen</translation>
     </message>
     <message>
-        <source>Select two or more recordings on the Sessions page and press Compare.</source>
+        <source>Select two or more recordings on the Recordings page and press Compare.</source>
         <translation>Auf der Seite Aufzeichnungen zwei oder mehr wählen und „Vergleichen“ drücken.</translation>
     </message>
     <message>
@@ -8798,7 +8798,7 @@
 <context>
     <name>perilymph::gui::MainWindow</name>
     <message>
-        <source>Show sessions</source>
+        <source>Show recordings</source>
         <translation>Aufzeichnungen zeigen</translation>
     </message>
     <message>
@@ -11021,7 +11021,7 @@ Die ersten Bänder kommen nach 8 Simulationen jedes Trägers.</translation>
         <translation>Mehrere mit Strg oder Umschalt auswählen, um sie zu vergleichen.</translation>
     </message>
     <message>
-        <source>Sessions</source>
+        <source>Recordings</source>
         <translation>Aufzeichnungen</translation>
     </message>
     <message>

@@ -260,6 +260,12 @@ class Vocabulary(CheckCase):
         self.assert_found(vocabulary.check, "'mostForce'", {"modules/top/src/t.cpp": "double mostForce = 1.0;\n"})
         self.assert_found(vocabulary.check, "'FullInsertion'", {"modules/top/src/t.cpp": "FullInsertion fit;\n"})
 
+    def test_a_retired_text_is_found_where_users_read_it(self):
+        self.assert_found(vocabulary.check, "t.cpp:2: 'Sessions' is a retired word", {
+            "modules/top/src/t.cpp": '\nauto page = tr("Sessions");  // Sessions\n'})
+        self.assert_found(vocabulary.check, "surgeon.md:1: 'Sessions' is a retired word", {
+            "resources/guide/surgeon.md": "Open **Sessions**.\n"})
+
     def test_a_signal_that_asks_is_found(self):
         self.assert_found(vocabulary.check, "call it closeRequested", {"modules/top/src/t.cpp": "void closeAsked();\n"})
 

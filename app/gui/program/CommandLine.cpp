@@ -95,7 +95,8 @@ std::variant<CommandLine, Exit> parseCommandLine(int argc, const char* const* ar
                          ->check(checkFile);
   auto* demoOption = app.add_flag("--demo", options.isDemo, "Start the insertion automatically");
   auto* recordOption =
-      app.add_option("--record", record, "File of the recording (default: in the session folder)")
+      app.add_option("--record", record,
+                     "File of the recording (default: in the folder of recordings)")
           ->type_name("FILE");
   auto* pluginOption =
       app.add_option("--device-plugin", plugin,

@@ -41,7 +41,7 @@ void offer(MainWindow& window, const session::SessionSummary& left)
       MainWindow::tr(
           "The program closed unexpectedly. Your last insertion (depth %1 mm) was recovered: %2.")
           .arg(depth, QString::fromStdString(left.file.stem().string()));
-  window.notice().offer(sentence, MainWindow::tr("Show sessions"),
+  window.notice().offer(sentence, MainWindow::tr("Show recordings"),
                         [&window] { window.showPage(QStringLiteral("sessions")); });
 }
 

@@ -37,7 +37,7 @@ enum class Progress {
 class InsertionControl {
 public:
   /// @param record  File of the first insertion; the next ones are stored beside it. If empty, in
-  ///                the session folder, named by the time of day.
+  ///                the folder of recordings, named by the time of day.
   /// @param cochleae  Where cochleae are built and kept; shared by the windows of a program.
   InsertionControl(session::Scenario scenario, std::optional<std::filesystem::path> record,
                    std::shared_ptr<CochleaStore> cochleae = std::make_shared<CochleaStore>());

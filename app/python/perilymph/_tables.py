@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Columns of arrays as a tidy table."""
 
+import warnings
+
 import numpy as np
 
 # What a column of several numbers a row holds, by their count.
@@ -25,3 +27,18 @@ def data_frame(columns):
     import pandas
 
     return pandas.DataFrame(flat(columns))
+
+
+# Keys that were renamed, and what they are called now.
+_RENAMED = {"angular_depth_deg": "tip_angle_deg", "full_insertion": "intended_depth_reached"}
+
+
+class Renamed(dict):
+    """A dict in which renamed keys are found by their former name, too, with a warning, until version 1.0."""
+
+    def __missing__(self, key):
+        now = _RENAMED.get(key)
+        if now not in self:
+            raise KeyError(key)
+        warnings.warn(f"the key '{key}' is now called '{now}'; the old name is read until version 1.0.", FutureWarning, stacklevel=2)
+        return self[now]

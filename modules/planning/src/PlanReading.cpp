@@ -138,10 +138,12 @@ ArrayPlan arrayIn(const Json& value)
       plan.*each.band = bandAt(value, each.key, each.range);
   const Json& chances = at(value, "probability");
   constexpr double notStated = std::numeric_limits<double>::quiet_NaN();
-  for (const PlanProbability& each : planProbabilities())
+  for (const PlanProbability& each : planProbabilities()) {
+    const bool isFormer = each.formerKey != nullptr && !chances.contains(each.key);
     plan.*each.estimate = each.isInFirstVersions || chances.contains(each.key)
-                              ? probabilityAt(chances, each.key)
+                              ? probabilityAt(chances, isFormer ? each.formerKey : each.key)
                               : analysis::Estimate{notStated, notStated, notStated};
+  }
   if (value.contains("at_median_friction"))
     for (const FrictionQuantity& each : frictionQuantities)
       plan.atMedianFriction.emplace(plan.atMedianFriction.value_or(AtMedianFriction{})).*each.band =
@@ -286,7 +288,7 @@ Result<StoredPlan> planIn(const std::string& text, const std::string& name)
     if (format > planFormat)
       return Error{"%1 is of a newer program (format %2). Open it with that one.", name, format};
     StoredPlan stored = storedIn(json);
-    stored.plan.seal = sealIn(text, format >= planFormat, stored.program);
+    stored.plan.seal = sealIn(text, format >= firstSealedPlanFormat, stored.program);
     if (stored.plan.seal == Seal::changed) stored.plan.fingerprint.clear();
     if (stored.plan.seal == Seal::absent)
       stored.limits.push_back(Sentence{

@@ -42,7 +42,7 @@ constexpr PlanQuantity quantities[] = {
     {"force_after_10s_mN", &ArrayPlan::after10s_mN, physical::signedForce_mN, false}};
 
 constexpr PlanProbability probabilities[] = {
-    {"full_insertion", &ArrayPlan::full},
+    {"intended_depth_reached", &ArrayPlan::full, true, "full_insertion"},
     {"stopped_by_resistance", &ArrayPlan::resisted},
     {"buckled", &ArrayPlan::buckled},
     {"folded_tip", &ArrayPlan::foldedTip},

@@ -25,7 +25,7 @@ def main(file="plan-bands.png", samples="32"):
         axes.fill_between(force["depth_mm"], quarter, three_quarters, color="tab:blue", alpha=0.35, lw=0, label="25 to 75 %")
         axes.plot(force["depth_mm"], median, color="tab:blue", label="median")
         angle = array.bands()["angle_deg"]
-        full = array.probabilities()["full_insertion"][0] * array.draws
+        full = array.probabilities()["intended_depth_reached"][0] * array.draws
         axes.set(xlabel="insertion depth, mm", xlim=(0, None), ylim=(0, None))
         axes.set_title(f"{array.name}, {array.draws} draws\nangle {angle[2]:.0f} ({angle[0]:.0f} to {angle[4]:.0f}) deg", fontsize=10)
         axes.spines[["top", "right"]].set_visible(False)

@@ -71,6 +71,8 @@ def test_bands_are_those_of_the_file(folder):
         assert list(band) == [of_file[name][key] for key in ("p5", "p25", "median", "p75", "p95")], name
     for name, (value, low, high) in array.probabilities().items():
         assert [value, [low, high]] == [of_file["probability"][name]["value"], of_file["probability"][name]["ci95"]], name
+    with pytest.warns(FutureWarning, match="'full_insertion' is now called 'intended_depth_reached'"):
+        assert (array.probabilities()["full_insertion"] == array.probabilities()["intended_depth_reached"]).all()
     assert list(array.force()["depth_mm"]) == [each["depth_mm"] for each in of_file["force"]]
     assert array.force()["force_mN"].shape == (len(of_file["force"]), 5)
     assert array.contacts()["angle_deg"].shape == (len(of_file["contacts"]), 5)

@@ -46,6 +46,17 @@ def test_stored_recordings_are_read_as_the_command_line_reads_them(cli, tmp_path
     assert np.isin(fewer["time_s"], recording["time_s"]).all()
 
 
+def test_a_renamed_column_is_read_by_its_former_name_with_a_warning(recorded):
+    file, simulation = recorded
+    for columns in (simulation, perilymph.read_recording(file)):
+        assert "angular_depth_deg" not in list(columns)
+        with pytest.warns(FutureWarning, match="'angular_depth_deg' is now called 'tip_angle_deg'"):
+            former = columns["angular_depth_deg"]
+        assert same_bits(former, columns["tip_angle_deg"])
+    with pytest.raises(KeyError, match="angular_deg"):
+        simulation["angular_deg"]
+
+
 def test_a_recording_s_scenario_runs_to_the_same_bits_again(recorded, tmp_path):
     file, _ = recorded
     recording = perilymph.read_recording(file)

@@ -71,7 +71,7 @@ TEST_F(PlanReportPdf, BecomesPartOfTheStudyInWhichItsPatientWasMeasuredAndOfNoOt
   // As of an earlier version: nobody vouches for the series that it states.
   fs::remove(file);
   std::string text = *readWhole(folder_ / "plan.json");
-  const auto format = text.find("\"format\": 2");
+  const auto format = text.find("\"format\": 3");
   const auto seal = text.find(",\n  \"content_sha256\"");
   ASSERT_TRUE(format != std::string::npos && seal != std::string::npos);
   text.erase(seal, text.find('\n', seal + 2) - seal);

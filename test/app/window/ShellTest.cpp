@@ -169,7 +169,7 @@ TEST(Shell, TheMenuShowsVersionAndLicense)
 TEST(Shell, ANoticeCoversNothing)
 {
   WindowRig rig;
-  rig.window().notice().offer("A recording was recovered.", "Show sessions", [] {});
+  rig.window().notice().offer("A recording was recovered.", "Show recordings", [] {});
   ASSERT_TRUE(WindowRig::waitUntil([&] { return rig.window().notice().height() > 20; }));
   EXPECT_FALSE(
       rig.window().notice().geometry().intersects(rig.window().insertPage().geometry().translated(

@@ -38,6 +38,13 @@ RETIRED_IN = {
     "test": {"comes": "waitUntil"},
     "modules/mechanics": {"press": "normalContact", "rub": "friction", "settle": "solveNewton"},
 }
+# Retired words of what users read: in texts of the program, in the guide and the manual pages.
+RETIRED_TEXTS = {
+    re.compile(r"\bSessions\b|\bSitzung(?:en)?\b"): "Recordings (Aufzeichnungen)",
+    re.compile(r"\b(?:session folder|folder of sessions|[Ss]how sessions|[Aa]ll sessions)\b"): "recordings",
+}
+PAGES = ("resources/guide", "packaging/man", "packaging/completions")
+LITERAL = re.compile(r'"(?:\\.|[^"\\\n])*"')
 # Signals and requests: closeRequested, not closeAsked.
 ASKED = re.compile(r"[a-z]\w*Asked")
 # Names of the standard library.
@@ -78,6 +85,21 @@ def check_words(root, file, errors):
                      f"does not begin with 'Of'.")
 
 
+def check_texts(root, place, texts, errors):
+    """Texts are pairs of a position in the file and what users read there."""
+    file = sources.read(root / place)
+    for start, text in texts:
+        for pattern, better in RETIRED_TEXTS.items():
+            for match in pattern.finditer(text):
+                number = file.count("\n", 0, start + match.start()) + 1
+                errors.append(f"{place}:{number}: '{match.group(0)}' is a retired word of what users read; write {better}.")
+
+
+def literals(file):
+    text = sources.without_comments(sources.read(file), keep_texts=True)
+    return [(match.start(), match.group(0)) for match in LITERAL.finditer(text) if not match.group(0).endswith('.h"')]
+
+
 def check_headers(root, files, errors):
     places = defaultdict(list)
     for file in files:
@@ -93,5 +115,8 @@ def check(root):
     files = sources.files(root, *FOLDERS, suffixes=sources.CODE)
     for file in files:
         check_words(root, file, errors)
+        check_texts(root, file.relative_to(root).as_posix(), literals(file), errors)
+    for file in sources.files(root, *PAGES, suffixes={".md", ".1", ""}):
+        check_texts(root, file.relative_to(root).as_posix(), [(0, sources.read(file))], errors)
     check_headers(root, files, errors)
     return errors

@@ -117,6 +117,23 @@ TEST(StoredPlan, OfAFormerVersionKeepsItsFrictionAndItsSentence)
   EXPECT_EQ(stored->limits[3].values().size(), 5u);  // recognized, so that it can be translated
 }
 
+TEST(StoredPlan, OfFormat2IsReadByTheFormerNameOfAProbability)
+{
+  std::string former = with(writtenPlan(), "\"format\": 3", "\"format\": 2");
+  const std::string now = "\"intended_depth_reached\"";
+  for (auto at = former.find(now); at != std::string::npos; at = former.find(now))
+    former.replace(at, now.size(), "\"full_insertion\"");
+  const auto stored = planning::planIn(former, "plan.json");
+  ASSERT_TRUE(stored) << stored.error().message;
+  const auto current = planning::planIn(writtenPlan(), "plan.json");
+  ASSERT_TRUE(current) << current.error().message;
+  EXPECT_GT(current->plan.arrays[0].full.high, 0.0);
+  EXPECT_EQ(stored->plan.arrays[0].full.value, current->plan.arrays[0].full.value);
+  EXPECT_EQ(stored->plan.arrays[0].full.high, current->plan.arrays[0].full.high);
+  // its own seal does not hold for the text that was changed here
+  EXPECT_EQ(stored->plan.seal, Seal::changed);
+}
+
 TEST(StoredPlan, OfAVersionWithoutForcesAtRestIsReadWithoutThem)
 {
   std::string former = writtenPlan();
@@ -158,7 +175,7 @@ TEST(StoredPlan, RefusesTextsThatAreNoPlanInOneSentence)
       {with(good, "\"A_mm\": 9.2", "\"A_mm\": 92"), "A_mm is 92; 5 to 13 is possible"},
       {with(good, "\"A_mm\": 9.2", "\"A_mm\": 12.9"), "not possible"},
       {with(good, "\"A_mm\": 9.2", "\"A_mm\": 1e300"), "A_mm is 1e+300"},
-      {with(good, "\"format\": 2", "\"format\": 3"), "newer program"},
+      {with(good, "\"format\": 3", "\"format\": 4"), "newer program"},
       {with(good, "\"p5\": 3", "\"p5\": 9"), "quantiles that decrease"},
       {with(good, "\"value\": 0", "\"value\": 7"), "0 to 1 is possible"},
       {with(good, "\"value\": 0.", "\"value\": 0.0"), "not a probability"},
@@ -199,7 +216,7 @@ TEST(StoredPlan, ThatWasChangedHasNoNumber)
                                     {"\"side\": \"right\"", "\"side\": \"left\""},
                                     {"\"plan\": \"0123\"", "\"plan\": \"0124\""},
                                     {"\"content_sha256\"", "\"content_sha257\""},
-                                    {"\"format\": 2", "\"format\": 1"},
+                                    {"\"format\": 3", "\"format\": 1"},
                                     {"\"format\"", "\"formas\""},
                                     {"\n", "\n "}}) {
     const auto stored = planning::planIn(with(good, part, other), "plan.json");
@@ -213,7 +230,7 @@ TEST(StoredPlan, ThatWasChangedHasNoNumber)
 /// A plan without its seal and the line of its format.
 std::string unsealedPlan()
 {
-  std::string former = with(writtenPlan(), "  \"format\": 2,\n", "");
+  std::string former = with(writtenPlan(), "  \"format\": 3,\n", "");
   const auto seal = former.find(",\n  \"content_sha256\"");
   return former.replace(seal, former.size() - seal, "\n}\n");
 }

@@ -43,9 +43,10 @@ TEST(PlanReport, SaysTheSameInJsonAndTables)
   };
   EXPECT_EQ(valueOf("angle_deg_median"), json["arrays"][0]["angle_deg"]["median"].get<double>());
   EXPECT_EQ(valueOf("peak_mN_p95"), json["arrays"][0]["peak_mN"]["p95"].get<double>());
-  EXPECT_NEAR(valueOf("full_insertion_percent"),
-              100.0 * json["arrays"][0]["probability"]["full_insertion"]["value"].get<double>(),
-              1e-3);
+  EXPECT_NEAR(
+      valueOf("intended_depth_reached_percent"),
+      100.0 * json["arrays"][0]["probability"]["intended_depth_reached"]["value"].get<double>(),
+      1e-3);
   EXPECT_EQ(json["arrays"][0]["contacts"].size(), 2u);
   EXPECT_EQ(json["patient"]["B_sd_mm"], 0.2);
   EXPECT_EQ(json["bands_hold"], "90 % at friction 0.12");

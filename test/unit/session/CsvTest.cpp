@@ -22,7 +22,7 @@ std::vector<std::string> split(const std::string& row)
 TEST(CsvHeader, IsTheContract)
 {
   EXPECT_EQ(csvHeader(),
-            "time_s,travel_mm,depth_mm,speed_mm_s,angular_depth_deg,force_axial_N,force_x_N,"
+            "time_s,travel_mm,depth_mm,speed_mm_s,tip_angle_deg,force_axial_N,force_x_N,"
             "force_y_N,force_z_N,tip_x_mm,tip_y_mm,tip_z_mm,device_x_mm,device_y_mm,device_z_mm,"
             "proxy_x_mm,proxy_y_mm,proxy_z_mm,contacts,wall_force_max_N,membrane_force_N,"
             "partition_force_N,plastic_work_uJ\n");

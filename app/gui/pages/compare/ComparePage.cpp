@@ -71,7 +71,7 @@ ComparePage::ComparePage(QWidget* parent)
       stack_(new QStackedWidget(this)),
       empty_(new EmptyPage(
           tr("Compare insertions"),
-          tr("Select two or more recordings on the Sessions page and press Compare to "
+          tr("Select two or more recordings on the Recordings page and press Compare to "
              "plot their insertion forces on common axes, with the published "
              "measurements."),
           this)),
@@ -173,8 +173,9 @@ bool ComparePage::cancel()
   if (!isBusy()) return false;
   reading_.cancel();
   empty_->offer(tr("Choose recordings"));
-  empty_->showMessage(tr("Canceled"),
-                      tr("Select two or more recordings on the Sessions page and press Compare."));
+  empty_->showMessage(
+      tr("Canceled"),
+      tr("Select two or more recordings on the Recordings page and press Compare."));
   return true;
 }
 

@@ -44,7 +44,7 @@ QLabel* text(const QString& caption, int size_px, QWidget* parent, bool isQuiet 
 
 SessionsPage::SessionsPage(const InsertionControl& control, QWidget* parent,
                            LibraryWork::Lister lister)
-    : Page("sessions", tr("Sessions"), Icon::sessions, parent),
+    : Page("sessions", tr("Recordings"), Icon::sessions, parent),
       control_(control),
       work_(this, std::move(lister)),
       tasks_(new SessionTasks(this)),

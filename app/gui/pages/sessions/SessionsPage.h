@@ -29,7 +29,7 @@ class SessionTable;
 class SessionTasks;
 class StatusLine;
 
-/// The recordings in the session folder.
+/// The recordings in the folder of recordings.
 class SessionsPage : public Page {
   Q_OBJECT
 public:

@@ -35,7 +35,7 @@ namespace {
 
 constexpr int maxWidth_px = 1080;
 
-/// Recordings in the session folder of a patient's ear.
+/// Recordings in the folder of recordings of a patient's ear.
 std::vector<std::filesystem::path> insertionsOf(const anatomy::Patient& patient)
 {
   std::vector<std::filesystem::path> files;

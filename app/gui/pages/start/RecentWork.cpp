@@ -118,7 +118,7 @@ void RecentWork::refresh(const QString& current, const std::optional<fs::path>& 
         return session::listSessions(sessionFolder(), file, {}, {}, stop);
       },
       [this](Result<std::vector<session::SessionSummary>> sessions) {
-        if (!sessions) return;  // the page Sessions says why
+        if (!sessions) return;  // the page Recordings says why
         std::erase_if(*sessions, std::not_fn(session::isInsertion));
         insertions_ = *std::move(sessions);
         showInsertions();

@@ -48,7 +48,7 @@ struct StoredStudy {
 /// Name of the settings in a study's folder.
 inline constexpr const char* studySettingsFile = "study.toml";
 
-/// Folder of all studies: `studies` beside the session folder.
+/// Folder of all studies: `studies` beside the folder of recordings.
 std::filesystem::path studiesFolder();
 
 /// Writes the settings and copies of the patients into a folder that depends on all of them, so that

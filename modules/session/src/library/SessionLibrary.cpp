@@ -180,7 +180,7 @@ Result<std::vector<SessionSummary>> listSessions(const fs::path& folder,
   if (!fs::exists(folder, failure)) return sessions;  // nothing was recorded yet
   fs::directory_iterator entries(folder, failure);
   if (failure)
-    return Error{"The folder of sessions %1 cannot be read: %2. Check its permissions.", folder,
+    return Error{"The folder of recordings %1 cannot be read: %2. Check its permissions.", folder,
                  failure.message()};
   std::vector<fs::path> files;
   for (const fs::directory_entry& entry : entries)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "perilymph/session/Csv.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -9,11 +10,18 @@
 namespace perilymph::session {
 
 const std::array<const char*, columnCount> columnNames = {
-    "time_s",           "travel_mm",         "depth_mm",       "speed_mm_s",  "angular_depth_deg",
+    "time_s",           "travel_mm",         "depth_mm",       "speed_mm_s",  "tip_angle_deg",
     "force_axial_N",    "force_x_N",         "force_y_N",      "force_z_N",   "tip_x_mm",
     "tip_y_mm",         "tip_z_mm",          "device_x_mm",    "device_y_mm", "device_z_mm",
     "proxy_x_mm",       "proxy_y_mm",        "proxy_z_mm",     "contacts",    "wall_force_max_N",
     "membrane_force_N", "partition_force_N", "plastic_work_uJ"};
+
+const std::array<const char*, recordedColumnCount> recordedNames = [] {
+  std::array<const char*, recordedColumnCount> names{};
+  std::copy_n(columnNames.begin(), names.size(), names.begin());
+  names[4] = "angular_depth_deg";
+  return names;
+}();
 
 std::array<double, columnCount> columnValues(const haptics::TickRecord& record)
 {

@@ -70,8 +70,7 @@ struct TickSurvey {
 std::string selectTicks()
 {
   std::string columns = "tick, record";
-  for (const char* name : std::span(columnNames).first(recordedColumnCount))
-    columns += std::string(", ") + name;
+  for (const char* name : recordedNames) columns += std::string(", ") + name;
   return "SELECT " + columns + " FROM tick WHERE tick >= ? ORDER BY tick";
 }
 
@@ -103,7 +102,7 @@ Result<RecordingCheck> RecordedInsertion::check() const
     const auto values = columnValues(*record);
     for (int i = 0; i < recordedColumnCount && survey.damage.empty(); ++i)
       if (!holds(row, 2 + i, values[static_cast<std::size_t>(i)]))
-        survey.damage = std::string(columnNames[static_cast<std::size_t>(i)]) + " of tick " +
+        survey.damage = std::string(recordedNames[static_cast<std::size_t>(i)]) + " of tick " +
                         std::to_string(record->tick) + " is not that of its record";
     return true;
   };

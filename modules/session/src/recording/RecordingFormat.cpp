@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "recording/RecordingFormat.h"
 
-#include <span>
-
 #include "perilymph/session/Csv.h"
 #include "perilymph/session/Recording.h"
 
@@ -12,8 +10,7 @@ const database::FileKind& recordingKind()
 {
   static const database::FileKind kind = [] {
     std::string columns;
-    for (const char* name : std::span(columnNames).first(recordedColumnCount))
-      columns += std::string(", ") + name + " REAL";
+    for (const char* name : recordedNames) columns += std::string(", ") + name + " REAL";
     return database::FileKind{
         Sentence{"a recording of Perilymph"},
         Sentence{"Choose an .insertion file."},

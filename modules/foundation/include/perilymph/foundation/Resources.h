@@ -30,13 +30,13 @@ std::vector<std::string> shippedNames(std::string_view folder);
 /// The TOML files in a folder and its direct subfolders, sorted by path.
 std::vector<std::filesystem::path> tomlFilesIn(const std::filesystem::path& folder);
 
-/// Folder of the user's own device profiles: `devices` beside the session folder.
+/// Folder of the user's own device profiles: `devices` beside the folder of recordings.
 std::filesystem::path deviceProfileFolder();
 
 /// Folder of recorded sessions: $XDG_DATA_HOME/perilymph/sessions, by default in ~/.local/share.
 std::filesystem::path sessionFolder();
 
-/// Folder of the patients entered by the user: `patients` beside the session folder.
+/// Folder of the patients entered by the user: `patients` beside the folder of recordings.
 std::filesystem::path patientFolder();
 
 }  // namespace perilymph

@@ -31,6 +31,7 @@ struct PlanProbability {
   const char* key;  ///< Its name in files.
   analysis::Estimate ArrayPlan::*estimate;
   bool isInFirstVersions = true;
+  const char* formerKey = nullptr;  ///< Its name in files before format 3, read until version 1.0.
 };
 /// All of them, in the order of the files.
 std::span<const PlanProbability> planProbabilities();
@@ -72,8 +73,9 @@ inline constexpr DifferenceProbability differenceProbabilities[] = {
     {"first_is_deeper", &ArrayDifference::deeper},
     {"first_has_higher_peak", &ArrayDifference::harder}};
 
-/// Version of the text of planJson(); 1, without the number, had no seal.
-inline constexpr std::uint64_t planFormat = 2;
+/// Version of the text of planJson(); 1, without the number, had no seal; 2 called the probability
+/// `intended_depth_reached` `full_insertion`.
+inline constexpr std::uint64_t planFormat = 3, firstSealedPlanFormat = 2;
 
 /// The whole plan with its seal: patient, arrays with bands and probabilities, what was drawn and from where, what
 /// was not, versions. An error if a shipped source cannot be read, and for a plan that was read

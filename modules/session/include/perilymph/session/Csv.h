@@ -16,6 +16,9 @@ inline constexpr int recordedColumnCount = 21;
 
 /// Column names with units, in order.
 extern const std::array<const char*, columnCount> columnNames;
+/// The same in the table of a recording, which keeps the names of its first version: the tip angle is
+/// `angular_depth_deg` there.
+extern const std::array<const char*, recordedColumnCount> recordedNames;
 
 /// The values of one tick in the units of columnNames. x, y, z are in W (right ear); the axial
 /// force is that on the hand, positive while pushing in. The force on the partition is NaN where a

@@ -3560,10 +3560,6 @@
         <translation>Winkel der Spitze</translation>
     </message>
     <message>
-        <source>duration</source>
-        <translation>Dauer</translation>
-    </message>
-    <message>
         <source>score</source>
         <translation>Bewertung</translation>
     </message>
@@ -4106,6 +4102,38 @@
     <message>
         <source>full score within 0.1–2.0 mm/s, half at twice or half of these, in proportion beyond</source>
         <translation>volle Punkte bei 0,1–2,0 mm/s, die Hälfte beim Doppelten oder der Hälfte davon, außerhalb im Verhältnis</translation>
+    </message>
+    <message>
+        <source>set speed</source>
+        <translation>eingestellte Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>approach</source>
+        <translation>Zugang</translation>
+    </message>
+    <message>
+        <source>stop</source>
+        <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>cochlea</source>
+        <translation>Cochlea</translation>
+    </message>
+    <message>
+        <source>ending</source>
+        <translation>Ende</translation>
+    </message>
+    <message>
+        <source>insertion time</source>
+        <translation>Insertionsdauer</translation>
+    </message>
+    <message>
+        <source>B (b_mm) is %1 mm and A (a_mm) %2 mm; A is the longer of the two. Exchange them or measure again.</source>
+        <translation>B (b_mm) ist %1 mm und A (a_mm) %2 mm; A ist das längere von beiden. Tauschen oder erneut messen.</translation>
+    </message>
+    <message>
+        <source>There are no bench curves in &apos;%1&apos;. Give slim-straight, or a folder with a TOML file for each specimen.</source>
+        <translation>In „%1“ sind keine Laborkurven. slim-straight oder einen Ordner mit einer TOML-Datei je Präparat angeben.</translation>
     </message>
 </context>
 <context>
@@ -4692,10 +4720,6 @@
         <translation>verklemmt</translation>
     </message>
     <message>
-        <source>force limit, N</source>
-        <translation>Kraftgrenze, N</translation>
-    </message>
-    <message>
         <source>outcome</source>
         <translation>Ausgang</translation>
     </message>
@@ -4742,6 +4766,14 @@
     <message>
         <source>complete only</source>
         <translation>nur vollständige</translation>
+    </message>
+    <message>
+        <source>scala tympani length, mm</source>
+        <translation>Länge der Scala tympani, mm</translation>
+    </message>
+    <message>
+        <source>force limit, mN</source>
+        <translation>Kraftgrenze, mN</translation>
     </message>
 </context>
 <context>
@@ -6954,10 +6986,6 @@
         <translation>%1 bis %2 je nach Geschwindigkeit</translation>
     </message>
     <message>
-        <source>%1 (95 % %2–%3)</source>
-        <translation>%1 (95 % %2–%3)</translation>
-    </message>
-    <message>
         <source>%1; %2 %3</source>
         <translation>%1; %2 %3</translation>
     </message>
@@ -7136,6 +7164,38 @@
     <message>
         <source>%1 of 100: the fractions of insertion and peak force, times the geometric mean of the fractions of speed, reversals and smoothness; none can be made good by the others. Rates technique only; it does not assess trauma.</source>
         <translation>%1 von 100: die Anteile für Insertion und Maximalkraft, mal das geometrische Mittel der Anteile für Geschwindigkeit, Rückzüge und Gleichmäßigkeit; keiner gleicht einen anderen aus. Bewertet nur die Technik, nicht das Trauma.</translation>
+    </message>
+    <message>
+        <source>A hand that stops at %1 mN</source>
+        <translation>Eine Hand, die bei %1 mN stoppt,</translation>
+    </message>
+    <message>
+        <source>would have ended at %1, %2°, %3 of %4 contacts inside</source>
+        <translation>hätte bei %1, %2°, mit %3 von %4 Kontakten innen aufgehört</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1 %2.</source>
+        <translation>%1 %2.</translation>
+    </message>
+    <message>
+        <source>%1 in this insertion; in ears %2 to %3 (95 %)</source>
+        <translation>%1 in dieser Insertion; in Ohren %2 bis %3 (95 %)</translation>
+    </message>
+    <message>
+        <source>not validated</source>
+        <translation>nicht validiert</translation>
+    </message>
+    <message>
+        <source>not tested</source>
+        <translation>nicht geprüft</translation>
+    </message>
+    <message>
+        <source>Not tested: the program’s clinical table has no row of this array.</source>
+        <translation>Nicht geprüft: Die klinische Tabelle des Programms hat keine Zeile für diesen Träger.</translation>
     </message>
 </context>
 <context>
@@ -7685,6 +7745,22 @@
     <message>
         <source>Score of %1: insertion × peak force × geometric mean of speed, reversals and smoothness. Rates technique only; it does not assess trauma.</source>
         <translation>Bewertung von %1: Insertion × Maximalkraft × geometrisches Mittel von Geschwindigkeit, Rückzügen und Gleichmäßigkeit. Bewertet nur die Technik, nicht das Trauma.</translation>
+    </message>
+    <message>
+        <source>by friction</source>
+        <translation>nach Reibung</translation>
+    </message>
+    <message>
+        <source>by set speed</source>
+        <translation>nach eingestellter Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Differences of means with their 95 % intervals (Welch). %1 quantities are compared; the intervals are not corrected for their number.</source>
+        <translation>Differenzen der Mittelwerte mit 95-%-Intervallen (Welch). %1 Größen werden verglichen; die Intervalle sind dafür nicht korrigiert.</translation>
+    </message>
+    <message>
+        <source>%1 mixes insertions that differ in %2.</source>
+        <translation>%1 mischt verschiedene Insertionen; es unterscheiden sich: %2.</translation>
     </message>
 </context>
 <context>
@@ -8346,10 +8422,6 @@
         <translation>%1, n = %2</translation>
     </message>
     <message>
-        <source>%1 − %2</source>
-        <translation>%1 − %2</translation>
-    </message>
-    <message>
         <source>Difference of the means with its 95 % interval (Welch). Without an interval where a group has fewer than two insertions, or where none of them differ.</source>
         <translation>Differenz der Mittelwerte mit 95-%-Intervall (Welch). Ohne Intervall, wo eine Gruppe weniger als zwei Insertionen hat oder keine sich unterscheiden.</translation>
     </message>
@@ -8360,6 +8432,26 @@
     <message>
         <source>mN</source>
         <translation>mN</translation>
+    </message>
+    <message>
+        <source>%1 mm/s</source>
+        <translation>%1 mm/s</translation>
+    </message>
+    <message>
+        <source>by hand</source>
+        <translation>von Hand</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1 (own value)</source>
+        <translation>%1 (eigener Wert)</translation>
+    </message>
+    <message>
+        <source>%1 − %2, 95 %</source>
+        <translation>%1 − %2, 95 %</translation>
     </message>
 </context>
 <context>
@@ -9044,6 +9136,10 @@
     <message>
         <source>A study is running.</source>
         <translation>Eine Studie läuft.</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
     </message>
 </context>
 <context>
@@ -10280,6 +10376,10 @@ Die ersten Bänder kommen nach 8 Simulationen jedes Trägers.</translation>
         <source>clinics report</source>
         <translation>Kliniken berichten</translation>
     </message>
+    <message>
+        <source>The greatest force at which the hands of plans stop. This insertion went on above it, so its depth, angle and contacts are not those that a plan or a clinic reports.</source>
+        <translation>Die größte Kraft, bei der die Hände der Pläne stoppen. Diese Insertion ging darüber hinaus; Tiefe, Winkel und Kontakte sind daher nicht die, die ein Plan oder eine Klinik nennt.</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::RunsTable</name>
@@ -10362,10 +10462,6 @@ Die ersten Bänder kommen nach 8 Simulationen jedes Trägers.</translation>
         <translation>Rückzüge</translation>
     </message>
     <message>
-        <source>Time</source>
-        <translation>Zeit</translation>
-    </message>
-    <message>
         <source>Tip angle</source>
         <translation>Winkel der Spitze</translation>
     </message>
@@ -10416,6 +10512,14 @@ Die ersten Bänder kommen nach 8 Simulationen jedes Trägers.</translation>
     <message>
         <source>%1 mm/s</source>
         <translation>%1 mm/s</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>Insertion time</source>
+        <translation>Insertionsdauer</translation>
     </message>
 </context>
 <context>
@@ -11449,6 +11553,14 @@ Die ersten Bänder kommen nach 8 Simulationen jedes Trägers.</translation>
         <source>STATISTICS OF</source>
         <translation>STATISTIK ÜBER</translation>
     </message>
+    <message>
+        <source>Cochlear size, %1: “%2” is no number and limits nothing. Enter millimeters, or empty the field.</source>
+        <translation>Größe der Cochlea, %1: „%2“ ist keine Zahl und begrenzt nichts. Millimeter eingeben oder das Feld leeren.</translation>
+    </message>
+    <message>
+        <source>Cochlear size: from %1 to %2 holds no insertion. Exchange the limits.</source>
+        <translation>Größe der Cochlea: Von %1 bis %2 liegt keine Insertion. Die Grenzen tauschen.</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::StudyPlot</name>
@@ -11598,12 +11710,12 @@ Die ersten Bänder kommen nach 8 Simulationen jedes Trägers.</translation>
         <translation>Median (Quartile); Mittelwert. Sie, Differenzen und Geraden gelten nur für vollständige Insertionen: ohne die gestoppten erscheinen sie tiefer und sanfter.</translation>
     </message>
     <message>
-        <source>Intervals of 95 %: Wilson for complete insertions; of differences of means, Student over cochleae of pairs that share the draw, Welch for groups without pairs; not corrected for several comparisons. Lines: least squares, with the 95 % band of the mean.</source>
-        <translation>95-%-Intervalle: Wilson für vollständige Insertionen; für Differenzen von Mittelwerten Student über Cochleae aus Paaren mit gleichen Zufallswerten, Welch für Gruppen ohne Paare; nicht für mehrere Vergleiche korrigiert. Geraden: kleinste Quadrate, mit dem 95-%-Band des Mittelwerts.</translation>
-    </message>
-    <message>
         <source>Difference of means (95 %)</source>
         <translation>Differenz der Mittelwerte (95 %)</translation>
+    </message>
+    <message>
+        <source>Intervals of 95 %: Wilson for complete insertions; in it and in those of the lines insertions that share a cochlea count as independent; of differences of means, Student over cochleae of pairs that share the draw, Welch for groups without pairs; not corrected for several comparisons. Lines: least squares, with the 95 % band of the mean.</source>
+        <translation>95-%-Intervalle: Wilson für vollständige Insertionen; darin und in denen der Geraden gelten Insertionen in derselben Cochlea als unabhängig; für Differenzen der Mittelwerte Student über Cochleae aus Paaren mit gleichen Zufallswerten, Welch für Gruppen ohne Paare; nicht für mehrere Vergleiche korrigiert. Geraden: kleinste Quadrate, mit dem 95-%-Band des Mittelwerts.</translation>
     </message>
 </context>
 <context>

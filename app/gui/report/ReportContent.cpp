@@ -45,6 +45,30 @@ Result<void> findDeepest(session::Playback& playback, haptics::Snapshot& deepest
   return {};
 }
 
+/// Where a hand of the plans would have stopped, if the insertion went on.
+Result<std::optional<analysis::PassedStop>> findPassedStop(
+    const session::RecordedInsertion& recorded, session::Playback& playback)
+{
+  using Found = std::optional<analysis::PassedStop>;
+  const auto hand = analysis::shippedHand();
+  if (!hand) return hand.error();
+  const session::Scenario& scenario = playback.scenario();
+  const auto stop = analysis::stopToPass(scenario.parameters(), *hand);
+  if (!stop) return Found();
+  std::uint64_t place = 0;
+  bool isPassed = false;
+  const auto read = recorded.forEach([&](const haptics::TickRecord& record) {
+    isPassed = haptics::raisesPeak(record.output, stop->si());
+    if (!isPassed) ++place;
+    return !isPassed;
+  });
+  if (!read) return read.error();
+  if (!isPassed || place >= playback.ticks()) return Found();
+  haptics::Snapshot at{};
+  if (const auto done = playback.show(place, at); !done) return done.error();
+  return Found(analysis::passedStop(*playback.anatomy(), scenario.array(), *stop, at));
+}
+
 /// The saved patient of a recording, if it still has the measures of the insertion.
 std::optional<anatomy::Patient> savedPatientOf(const anatomy::Patient& patient)
 {
@@ -90,6 +114,9 @@ Result<ReportContent> gatherReport(const std::filesystem::path& file, const std:
   if (!verification) return verification.error();
   content.verification = *verification;
   if (const auto done = findDeepest(**playback, content.deepest); !done) return done.error();
+  auto passed = findPassedStop(*recorded, **playback);
+  if (!passed) return passed.error();
+  content.passedStop = *std::move(passed);
   haptics::Snapshot last{};
   if (const auto done = (*playback)->show((*playback)->ticks() - 1, last); !done)
     return done.error();

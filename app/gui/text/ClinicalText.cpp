@@ -122,4 +122,27 @@ QString notValidatedNote(const std::string& array)
       .arg(rows.join(QStringLiteral(", ")));
 }
 
+QString verdictMark(const std::string& array)
+{
+  const auto& evidence = analysis::ClinicalEvidence::shipped();
+  if (!evidence) return {};
+  switch (evidence->verdictOf(array)) {
+    case analysis::ArrayVerdict::miss:
+      return tr("not validated");
+    case analysis::ArrayVerdict::notTested:
+      return tr("not tested");
+    case analysis::ArrayVerdict::hit:
+      break;
+  }
+  return {};
+}
+
+QString verdictNote(const std::string& array)
+{
+  if (const QString note = notValidatedNote(array); !note.isEmpty()) return note;
+  const auto& evidence = analysis::ClinicalEvidence::shipped();
+  if (!evidence || evidence->verdictOf(array) == analysis::ArrayVerdict::hit) return {};
+  return tr("Not tested: the program’s clinical table has no row of this array.");
+}
+
 }  // namespace perilymph::gui

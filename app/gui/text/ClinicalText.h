@@ -28,4 +28,10 @@ bool isNotValidated(const std::string& array);
 /// "Not validated: the clinical table misses angular depth of flex24."; empty for other arrays.
 QString notValidatedNote(const std::string& array);
 
+/// "not validated" of an array of which the clinical table misses a row, "not tested" of one without a row;
+/// else empty.
+QString verdictMark(const std::string& array);
+/// A sentence on the mark; empty without one.
+QString verdictNote(const std::string& array);
+
 }  // namespace perilymph::gui

@@ -60,9 +60,9 @@ void setOption(CLI::App& command, FileOptions& files, session::Overrides& overri
                                          settingValue("--set", setting, equals));
                 }
               },
-              "Override a scenario key, e.g. --set speed_mm_s=1.0; repeatable")
-          ->take_all()
-          ->allow_extra_args(false);
+              "Override scenario keys, e.g. --set speed_mm_s=1.0 nodes=40; repeatable")
+          ->type_name("KEY=VALUE")
+          ->take_all();
   files.readsSettings(set);
 }
 
@@ -248,15 +248,17 @@ void addCompare(CLI::App& app, FileOptions& files, CompareOptions& options)
   files.reads(command.add_option("files", options.files, "Recordings (.insertion)")->required());
   files.writesInto(
       command.add_option("--out", options.out, "Output folder for tables and curves")->required(),
-      withFigures({"comparison.csv", "curves.csv", "differences.csv", "events.csv", "groups.csv"},
+      withFigures({"comparison.csv", "comparison-dictionary.csv", "curves.csv", "differences.csv",
+                   "events.csv", "groups.csv"},
                   {"curves"}));
   command.add_option("--over", options.over, "Axis of the curves: travel, depth or angle")
       ->check(CLI::IsMember({"travel", "depth", "angle"}));
   command
-      .add_option("--group", options.groups,
-                  "Groups insertions by array, technique, patient or several of them: means, "
-                  "standard deviations and differences")
-      ->check(CLI::IsMember({"array", "technique", "patient"}));
+      .add_option(
+          "--group", options.groups,
+          "Groups insertions by array, technique, patient, friction, speed (as set) or several "
+          "of them: means, standard deviations and differences")
+      ->check(CLI::IsMember({"array", "technique", "patient", "friction", "speed"}));
 }
 
 void addRender(CLI::App& app, FileOptions& files, RenderOptions& options)

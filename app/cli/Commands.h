@@ -97,7 +97,7 @@ Result<void> plan(const PlanOptions& options, const CommandFiles& files);
 struct CompareOptions {
   std::vector<std::string> files;
   std::string over = "travel";
-  std::vector<std::string> groups;  ///< "array", "technique", "patient".
+  std::vector<std::string> groups;  ///< "array", "technique", "patient", "friction", "speed".
   std::string out;
 };
 Result<void> compare(const CompareOptions& options, const CommandFiles& files);

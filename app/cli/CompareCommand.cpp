@@ -14,10 +14,10 @@ namespace {
 
 void printSummary(const std::vector<analysis::ComparedInsertion>& insertions)
 {
-  print("{:24} {:>8} {:>8} {:>8} {:>11} {:>9} {:>7}\n", "recording", "peak, mN", "at, mm",
-        "work, mJ", "speed, mm/s", "reversals", "time, s");
+  print("{:24} {:>8} {:>8} {:>8} {:>11} {:>9} {:>17}\n", "recording", "peak, mN", "at, mm",
+        "work, mJ", "speed, mm/s", "reversals", "insertion time, s");
   for (const analysis::ComparedInsertion& each : insertions)
-    print("{:24} {:>8} {:>8} {:>8} {:>11} {:>9} {:>7}\n", labelOf(each),
+    print("{:24} {:>8} {:>8} {:>8} {:>11} {:>9} {:>17}\n", labelOf(each),
           fixed(inMillinewtons(newtons(each.profile.peak.force)), 1),
           fixed(inMillimeters(meters(each.profile.peak.travel)), 1),
           fixed(each.profile.work * 1e3, 2), fixed(each.motion.meanSpeed() * 1e3, 2),
@@ -27,10 +27,17 @@ void printSummary(const std::vector<analysis::ComparedInsertion>& insertions)
 void printDifferences(const std::vector<analysis::ComparedInsertion>& insertions,
                       const std::vector<analysis::InsertionGroup>& groups)
 {
-  for (const analysis::InsertionGroup& group : groups)
-    print("{}: n = {}\n", group.name(), group.members.size());
+  for (const analysis::InsertionGroup& group : groups) {
+    print("{}: n = {}\n", group.title(), group.members.size());
+    std::string differing;
+    for (const Phrase& each : analysis::differingIn(insertions, group))
+      differing += (differing.empty() ? "" : ", ") + std::string(each.english());
+    if (!differing.empty())
+      print("  mixes insertions that differ in {}; its mean is of no one of them\n", differing);
+  }
   for (std::size_t i = 1; i < groups.size(); ++i) {
-    print("\n{} - {}, 95 % interval:\n", groups[0].name(), groups[i].name());
+    print("\n{} - {}, 95 % interval of each of {} quantities, not corrected for their number:\n",
+          groups[0].title(), groups[i].title(), analysis::comparedQuantities().size());
     for (const analysis::ComparedQuantity& quantity : analysis::comparedQuantities()) {
       const auto welch = analysis::welchDifference(valuesOf(insertions, groups[0], quantity),
                                                    valuesOf(insertions, groups[i], quantity));
@@ -50,13 +57,15 @@ analysis::CurveAxis axisOf(const std::string& name)
   return name == "angle" ? analysis::CurveAxis::angle : analysis::CurveAxis::travel;
 }
 
-/// In the order array, technique, patient, each once.
+/// In the order array, technique, patient, friction, speed, each once.
 std::vector<analysis::GroupKey> keysOf(const std::vector<std::string>& names)
 {
   using analysis::GroupKey;
   constexpr std::pair<const char*, GroupKey> all[] = {{"array", GroupKey::array},
                                                       {"technique", GroupKey::technique},
-                                                      {"patient", GroupKey::patient}};
+                                                      {"patient", GroupKey::patient},
+                                                      {"friction", GroupKey::friction},
+                                                      {"speed", GroupKey::speed}};
   std::vector<GroupKey> keys;
   for (const auto& [name, key] : all)
     if (std::ranges::find(names, name) != names.end()) keys.push_back(key);
@@ -80,6 +89,7 @@ Result<void> compare(const CompareOptions& options, const CommandFiles& files)
   const auto groups = analysis::groupsOf(insertions, keysOf(options.groups));
   FolderContent content;
   content.texts = {{"comparison.csv", analysis::comparisonCsv(insertions)},
+                   {"comparison-dictionary.csv", analysis::comparisonDictionaryCsv()},
                    {"curves.csv", analysis::curvesCsv(insertions, axis)},
                    {"events.csv", analysis::eventsCsv(insertions)}};
   if (!groups.empty()) {

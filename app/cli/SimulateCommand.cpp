@@ -8,6 +8,7 @@
 #include "LiveBroadcast.h"
 #include "PatientOption.h"
 #include "Terminal.h"
+#include "perilymph/analysis/PublishedConditions.h"
 #include "perilymph/analysis/SimulatedInsertion.h"
 #include "perilymph/device/ScriptedDevice.h"
 #include "perilymph/foundation/AtomicFile.h"
@@ -111,8 +112,17 @@ void printSummary(const session::Scenario& scenario, const Outcome& outcome)
           analysis::placeOf(outcome.last), adviceFor(end));
   printPartition(outcome.last);
   printPoint("peak force", profile.peak);
-  printPoint("basal-turn peak", profile.basalTurnPeak);
-  printPoint("following dip", profile.basalTurnDip);
+  if (const auto& passed = outcome.passedStop)
+    print(
+        "{:18} a hand that stops at {} mN would have ended at {} mm, {} deg, {} of {} contacts "
+        "inside\n",
+        "force passed", fixed(inMillinewtons(passed->stop), 0),
+        fixed(inMillimeters(passed->depth), 1), fixed(inDegrees(passed->apical), 0), passed->inside,
+        passed->contacts);
+  if (analysis::hasPublishedBasalTurn(scenario)) {
+    printPoint("basal-turn peak", profile.basalTurnPeak);
+    printPoint("following dip", profile.basalTurnDip);
+  }
   print(
       "{:18} travel {} mm, insertion depth {} mm, angular insertion depth {} deg, tip angle {} "
       "deg\n",

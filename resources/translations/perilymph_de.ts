@@ -3556,10 +3556,6 @@
         <translation>Winkel der Spitze</translation>
     </message>
     <message>
-        <source>duration</source>
-        <translation>Dauer</translation>
-    </message>
-    <message>
         <source>score</source>
         <translation>Bewertung</translation>
     </message>
@@ -4118,6 +4114,46 @@
     <message>
         <source>There are no bench curves in &apos;%1&apos;. Give slim-straight, or a folder with a TOML file for each specimen.</source>
         <translation>In „%1“ sind keine Prüfstandkurven. Geben Sie slim-straight an, oder einen Ordner mit einer TOML-Datei je Präparat.</translation>
+    </message>
+    <message>
+        <source>set speed</source>
+        <translation>eingestellte Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>approach</source>
+        <translation>Zugang</translation>
+    </message>
+    <message>
+        <source>stop</source>
+        <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>cochlea</source>
+        <translation>Cochlea</translation>
+    </message>
+    <message>
+        <source>ending</source>
+        <translation>Ende</translation>
+    </message>
+    <message>
+        <source>insertion time</source>
+        <translation>Insertionsdauer</translation>
+    </message>
+    <message>
+        <source>The sending to %1 was canceled while an object was under way: it may have stored it. Look there before you send it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The registry was canceled.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is left out: its label is no code of letters, digits and hyphens, and may be a name. Give the patient a code.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2 ear: %3</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4704,10 +4740,6 @@
         <translation>verklemmt</translation>
     </message>
     <message>
-        <source>force limit, N</source>
-        <translation>Kraftgrenze, N</translation>
-    </message>
-    <message>
         <source>outcome</source>
         <translation>Ausgang</translation>
     </message>
@@ -4754,6 +4786,14 @@
     <message>
         <source>complete only</source>
         <translation>nur vollständige</translation>
+    </message>
+    <message>
+        <source>scala tympani length, mm</source>
+        <translation>Länge der Scala tympani, mm</translation>
+    </message>
+    <message>
+        <source>force limit, mN</source>
+        <translation>Kraftgrenze, mN</translation>
     </message>
 </context>
 <context>
@@ -6946,10 +6986,6 @@
         <translation>%1 bis %2 je nach Geschwindigkeit</translation>
     </message>
     <message>
-        <source>%1 (95 % %2–%3)</source>
-        <translation>%1 (95 % %2–%3)</translation>
-    </message>
-    <message>
         <source>%1; %2 %3</source>
         <translation>%1; %2 %3</translation>
     </message>
@@ -7176,6 +7212,30 @@
     <message>
         <source>Values of the model, not clinical risks: no friction in a living ear is known; the one that is taken is estimated from pig tissue, and bands hold its uncertainty. Many arrays stop earlier here than clinics report, perimodiolar ones far earlier, and peaks are bounded by the force at which the simulated hand stops (%1): do not choose a maker by this table. Translocation is rarer than clinics report.</source>
         <translation>Werte des Modells, keine klinischen Risiken: Eine Reibung im lebenden Ohr ist nicht bekannt; die verwendete ist aus Schweinegewebe geschätzt, und die Bandbreiten enthalten ihre Unsicherheit. Viele Träger halten hier früher an, als Kliniken berichten, perimodioläre weit früher, und Maximalkräfte sind durch die Kraft begrenzt, bei der die simulierte Hand anhält (%1): Wählen Sie keinen Hersteller nach dieser Tabelle. Translokationen sind seltener, als Kliniken berichten.</translation>
+    </message>
+    <message>
+        <source>A hand that stops at %1 mN</source>
+        <translation>Eine Hand, die bei %1 mN stoppt,</translation>
+    </message>
+    <message>
+        <source>would have ended at %1, %2°, %3 of %4 contacts inside</source>
+        <translation>hätte bei %1, %2°, mit %3 von %4 Kontakten innen aufgehört</translation>
+    </message>
+    <message>
+        <source>Report of the insertion (PDF)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1 %2.</source>
+        <translation>%1 %2.</translation>
+    </message>
+    <message>
+        <source>%1 in this insertion; in ears %2 to %3 (95 %)</source>
+        <translation>%1 in dieser Insertion; in Ohren %2 bis %3 (95 %)</translation>
     </message>
 </context>
 <context>
@@ -7726,6 +7786,22 @@
         <source>Score of %1: insertion × peak force × geometric mean of speed, reversals and smoothness. Rates technique only; it does not assess trauma.</source>
         <translation>Bewertung von %1: Insertion × Maximalkraft × geometrisches Mittel von Geschwindigkeit, Rückzügen und Gleichmäßigkeit. Bewertet nur die Technik, nicht das Trauma.</translation>
     </message>
+    <message>
+        <source>by friction</source>
+        <translation>nach Reibung</translation>
+    </message>
+    <message>
+        <source>by set speed</source>
+        <translation>nach eingestellter Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Differences of means with their 95 % intervals (Welch). %1 quantities are compared; the intervals are not corrected for their number.</source>
+        <translation>Differenzen der Mittelwerte mit 95-%-Intervallen (Welch). %1 Größen werden verglichen; die Intervalle sind dafür nicht korrigiert.</translation>
+    </message>
+    <message>
+        <source>%1 mixes insertions that differ in %2.</source>
+        <translation>%1 mischt verschiedene Insertionen; es unterscheiden sich: %2.</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::ComparisonPlot</name>
@@ -7962,6 +8038,14 @@
         <source>From the archive…</source>
         <translation>Aus dem Archiv …</translation>
     </message>
+    <message>
+        <source>The CT is no longer where it was read. Open its folder here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recent CTs</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::CtPanel</name>
@@ -8144,6 +8228,14 @@
     <message>
         <source>Find the CT in a DICOM archive (PACS) and retrieve it</source>
         <translation>Das CT in einem DICOM-Archiv (PACS) suchen und abrufen</translation>
+    </message>
+    <message>
+        <source>Recent CTs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CTs that were opened last, by the patient’s code and the date</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -8386,10 +8478,6 @@
         <translation>%1, n = %2</translation>
     </message>
     <message>
-        <source>%1 − %2</source>
-        <translation>%1 − %2</translation>
-    </message>
-    <message>
         <source>Difference of the means with its 95 % interval (Welch). Without an interval where a group has fewer than two insertions, or where none of them differ.</source>
         <translation>Differenz der Mittelwerte mit 95-%-Intervall (Welch). Ohne Intervall, wo eine Gruppe weniger als zwei Insertionen hat oder keine sich unterscheiden.</translation>
     </message>
@@ -8400,6 +8488,26 @@
     <message>
         <source>mN</source>
         <translation>mN</translation>
+    </message>
+    <message>
+        <source>%1 mm/s</source>
+        <translation>%1 mm/s</translation>
+    </message>
+    <message>
+        <source>by hand</source>
+        <translation>von Hand</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1 (own value)</source>
+        <translation>%1 (eigener Wert)</translation>
+    </message>
+    <message>
+        <source>%1 − %2, 95 %</source>
+        <translation>%1 − %2, 95 %</translation>
     </message>
 </context>
 <context>
@@ -9085,6 +9193,10 @@
         <source>A study is running.</source>
         <translation>Eine Studie läuft.</translation>
     </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::Notice</name>
@@ -9457,6 +9569,30 @@
     <message>
         <source>Find by code, ear, tag or note</source>
         <translation>Code, Ohr, Schlagwort oder Notiz suchen</translation>
+    </message>
+    <message>
+        <source>Table…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save all patients as CSV, a row per ear: measures, newest plan and newest insertion, with a dictionary of the columns. It names nobody.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Table of all patients</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tabellen (*.csv)</translation>
+    </message>
+    <message>
+        <source>Reading plans and replaying insertions: %1 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The table is in %1.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -10080,6 +10216,21 @@ Die ersten Bänder kommen nach 8 Simulationen jedes Trägers.</translation>
     </message>
 </context>
 <context>
+    <name>perilymph::gui::RecentScans</name>
+    <message>
+        <source>without a code</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 · opened %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No CT was opened yet, or the list was cleared.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>perilymph::gui::RecentWork</name>
     <message>
         <source>RECENT PATIENTS</source>
@@ -10312,6 +10463,18 @@ Die ersten Bänder kommen nach 8 Simulationen jedes Trägers.</translation>
         <source>clinics report</source>
         <translation>Kliniken berichten</translation>
     </message>
+    <message>
+        <source>Send…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Report of this insertion into the study of the patient’s CT, as DICOM to an archive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The greatest force at which the hands of plans stop. This insertion went on above it, so its depth, angle and contacts are not those that a plan or a clinic reports.</source>
+        <translation>Die größte Kraft, bei der die Hände der Pläne stoppen. Diese Insertion ging darüber hinaus; Tiefe, Winkel und Kontakte sind daher nicht die, die ein Plan oder eine Klinik nennt.</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::RunsTable</name>
@@ -10394,10 +10557,6 @@ Die ersten Bänder kommen nach 8 Simulationen jedes Trägers.</translation>
         <translation>Rückzüge</translation>
     </message>
     <message>
-        <source>Time</source>
-        <translation>Zeit</translation>
-    </message>
-    <message>
         <source>Tip angle</source>
         <translation>Winkel der Spitze</translation>
     </message>
@@ -10448,6 +10607,14 @@ Die ersten Bänder kommen nach 8 Simulationen jedes Trägers.</translation>
     <message>
         <source>%1 mm/s</source>
         <translation>%1 mm/s</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>Insertion time</source>
+        <translation>Insertionsdauer</translation>
     </message>
 </context>
 <context>
@@ -10635,6 +10802,10 @@ Die ersten Bänder kommen nach 8 Simulationen jedes Trägers.</translation>
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Canceling…</source>
+        <translation>Wird abgebrochen …</translation>
     </message>
 </context>
 <context>
@@ -11036,6 +11207,14 @@ Die ersten Bänder kommen nach 8 Simulationen jedes Trägers.</translation>
         <source>Only insertions can be compared; the selection has a recording that is none.</source>
         <translation>Nur Insertionen können verglichen werden; in der Auswahl ist eine Aufzeichnung, die keine ist.</translation>
     </message>
+    <message>
+        <source>Send…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Report of the insertion into the study of the patient’s CT, as DICOM to an archive</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::SettingsOverlay</name>
@@ -11138,6 +11317,26 @@ Die ersten Bänder kommen nach 8 Simulationen jedes Trägers.</translation>
     <message>
         <source>Settings are locked during an insertion. Press Reset first.</source>
         <translation>Während der Insertion gesperrt. Zuerst „Zurücksetzen“ drücken.</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Removes the list of where CTs were opened, which the history of patients uses, too. No CT and no measure is deleted.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is no longer known where CTs were opened.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The list cannot be removed. Check the permissions of the folder of the log file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recent CTs</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -11481,6 +11680,14 @@ Die ersten Bänder kommen nach 8 Simulationen jedes Trägers.</translation>
         <source>STATISTICS OF</source>
         <translation>STATISTIK ÜBER</translation>
     </message>
+    <message>
+        <source>Cochlear size, %1: “%2” is no number and limits nothing. Enter millimeters, or empty the field.</source>
+        <translation>Größe der Cochlea, %1: „%2“ ist keine Zahl und begrenzt nichts. Millimeter eingeben oder das Feld leeren.</translation>
+    </message>
+    <message>
+        <source>Cochlear size: from %1 to %2 holds no insertion. Exchange the limits.</source>
+        <translation>Größe der Cochlea: Von %1 bis %2 liegt keine Insertion. Die Grenzen tauschen.</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::StudyPlot</name>
@@ -11630,12 +11837,12 @@ Die ersten Bänder kommen nach 8 Simulationen jedes Trägers.</translation>
         <translation>Median (Quartile); Mittelwert. Sie, Differenzen und Geraden gelten nur für vollständige Insertionen: ohne die gestoppten erscheinen sie tiefer und sanfter.</translation>
     </message>
     <message>
-        <source>Intervals of 95 %: Wilson for complete insertions; of differences of means, Student over cochleae of pairs that share the draw, Welch for groups without pairs; not corrected for several comparisons. Lines: least squares, with the 95 % band of the mean.</source>
-        <translation>95-%-Intervalle: Wilson für vollständige Insertionen; für Differenzen von Mittelwerten Student über Cochleae aus Paaren mit gleichen Zufallswerten, Welch für Gruppen ohne Paare; nicht für mehrere Vergleiche korrigiert. Geraden: kleinste Quadrate, mit dem 95-%-Band des Mittelwerts.</translation>
-    </message>
-    <message>
         <source>Difference of means (95 %)</source>
         <translation>Differenz der Mittelwerte (95 %)</translation>
+    </message>
+    <message>
+        <source>Intervals of 95 %: Wilson for complete insertions; in it and in those of the lines insertions that share a cochlea count as independent; of differences of means, Student over cochleae of pairs that share the draw, Welch for groups without pairs; not corrected for several comparisons. Lines: least squares, with the 95 % band of the mean.</source>
+        <translation>95-%-Intervalle: Wilson für vollständige Insertionen; darin und in denen der Geraden gelten Insertionen in derselben Cochlea als unabhängig; für Differenzen der Mittelwerte Student über Cochleae aus Paaren mit gleichen Zufallswerten, Welch für Gruppen ohne Paare; nicht für mehrere Vergleiche korrigiert. Geraden: kleinste Quadrate, mit dem 95-%-Band des Mittelwerts.</translation>
     </message>
 </context>
 <context>

@@ -79,6 +79,19 @@ QStringList deepestNotes(const ReportContent& content)
               .arg(mm(profile.finalDepth), numberText(inDegrees(radians(profile.finalAngle)), 0))};
 }
 
+QString passedStopName(const analysis::PassedStop& passed)
+{
+  return tr("A hand that stops at %1 mN").arg(numberText(inMillinewtons(passed.stop), 0));
+}
+
+QString passedStopText(const analysis::PassedStop& passed)
+{
+  return tr("would have ended at %1, %2°, %3 of %4 contacts inside")
+      .arg(mm(passed.depth.si()), numberText(inDegrees(passed.apical), 0))
+      .arg(passed.inside)
+      .arg(passed.contacts);
+}
+
 InsertionResult outcomeOf(const ReportContent& content)
 {
   const haptics::InsertionEnd end = haptics::endOf(content.last);

@@ -23,6 +23,11 @@ QString outcomeWord(haptics::InsertionEnd end);
 /// millimeter; else empty.
 QStringList deepestNotes(const ReportContent& content);
 
+/// "A hand that stops at 100 mN".
+QString passedStopName(const analysis::PassedStop& passed);
+/// "would have ended at 14.2 mm, 410°, 7 of 12 contacts inside".
+QString passedStopText(const analysis::PassedStop& passed);
+
 /// The outcome as a result, with what makes the others doubtful.
 InsertionResult outcomeOf(const ReportContent& content);
 

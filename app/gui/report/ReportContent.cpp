@@ -62,6 +62,7 @@ Result<ReportContent> gatherReport(const std::filesystem::path& file, const std:
   content.deepest = results->deepest;
   content.last = results->last;
   content.contacts = std::move(results->contacts);
+  content.passedStop = results->passedStop;
   if (const auto score = analysis::scoreOf(content.insertion)) content.score = *score;
   if (const auto inVitro = analysis::shippedReference("in-vitro"))
     if (const auto* rupture = inVitro->findRange("rupture of the partition"))

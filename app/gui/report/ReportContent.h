@@ -14,6 +14,7 @@
 #include "gui/run/PlannedForce.h"
 #include "perilymph/analysis/AnatomyMeasures.h"
 #include "perilymph/analysis/ContactPositions.h"
+#include "perilymph/analysis/PassedStop.h"
 #include "perilymph/analysis/Score.h"
 #include "perilymph/session/Recording.h"
 #include "perilymph/session/Replay.h"
@@ -34,8 +35,9 @@ struct ReportContent {
   analysis::ComparedInsertion insertion;
   std::optional<analysis::InsertionScore> score;
   session::Verification verification;
-  std::optional<PlannedForce> plan;               ///< What a plan expects of this insertion.
-  std::optional<analysis::PrintedRange> rupture;  ///< Rupture forces of the cochlear partition.
+  std::optional<analysis::PassedStop> passedStop;  ///< See analysis::stopToPass().
+  std::optional<PlannedForce> plan;                ///< What a plan expects of this insertion.
+  std::optional<analysis::PrintedRange> rupture;   ///< Rupture forces of the cochlear partition.
 
   std::shared_ptr<const anatomy::ScalaTympani> anatomy;
   std::vector<analysis::Measure> measures;          ///< Measures of the cochlea.

@@ -9,11 +9,13 @@
 
 #include "gui/report/CtPicture.h"
 #include "gui/report/InsertionCurve.h"
+#include "gui/report/InsertionOutcome.h"
 #include "gui/report/InsertionResults.h"
 #include "gui/report/ReportAnatomy.h"
 #include "gui/report/ReportHeader.h"
 #include "gui/report/ReportPicture.h"
 #include "gui/report/ReportSetup.h"
+#include "gui/text/ClinicalText.h"
 #include "gui/text/Numbers.h"
 
 namespace perilymph::gui {
@@ -43,6 +45,14 @@ QString techniqueText(const ReportContent& content)
   return tr("%1; %2").arg(technique, input);
 }
 
+/// "FLEX28, not validated"
+QString arrayText(const session::Scenario& scenario)
+{
+  const QString name = QString::fromStdString(scenario.array().name);
+  const QString mark = verdictMark(scenario.arrayName());
+  return mark.isEmpty() ? name : tr("%1, %2").arg(name, mark);
+}
+
 double paintIdentification(ReportSheet& sheet, const ReportContent& content,
                            const ReportIssuer& issuer, References& references, double y_mm,
                            double width_mm)
@@ -56,7 +66,7 @@ double paintIdentification(ReportSheet& sheet, const ReportContent& content,
                                                  : QStringLiteral("–")},
        {tr("Ear"), isLeft ? tr("left ear") : tr("right ear")},
        {tr("Landmarks"), landmarksText(content)},
-       {tr("Electrode array"), QString::fromStdString(scenario.array().name)},
+       {tr("Electrode array"), arrayText(scenario)},
        {tr("Manufacturer"), QString::fromStdString(scenario.array().maker)}},
       0.0, y_mm, left_mm);
   const double right = paintEntries(sheet,
@@ -93,10 +103,13 @@ QString resultsNote(const ReportContent& content)
   const QString clinics = tr("Clinics: median or mean (quartiles, range or ± SD) of patients.");
   const QString partition =
       tr("Partition: the model gives fewer translocations than clinics report.");
-  if (!content.plan) return clinics + QLatin1Char(' ') + partition;
-  return tr("%1, number %2: %3.")
-             .arg(content.plan->name, content.plan->number, content.plan->hold) +
-         QLatin1Char(' ') + clinics + QLatin1Char(' ') + partition;
+  QStringList sentences;
+  if (content.plan) sentences << tr("%1, number %2: %3.")
+                     .arg(content.plan->name, content.plan->number, content.plan->hold);
+  sentences << clinics << partition;
+  if (const QString verdict = verdictNote(content.scenario.arrayName()); !verdict.isEmpty())
+    sentences << verdict;
+  return sentences.join(QLatin1Char(' '));
 }
 
 double paintResults(ReportSheet& sheet, const ReportContent& content, References& references,
@@ -112,6 +125,11 @@ double paintResults(ReportSheet& sheet, const ReportContent& content, References
       sheet.line({0.0, y_mm, width_mm, resultRow_mm}, each, ReportFace::quiet);
       y_mm += resultRow_mm;
     }
+  }
+  if (const auto& passed = content.passedStop) {
+    const QString sentence = tr("%1 %2.").arg(passedStopName(*passed), passedStopText(*passed));
+    sheet.line({0.0, y_mm, width_mm, resultRow_mm}, sentence, ReportFace::bold);
+    y_mm += resultRow_mm;
   }
   paintResultRow(sheet, {{}, {}, {}, content.plan ? tr("plan") : QString(), tr("clinics report")},
                  y_mm, ReportFace::quiet, ReportFace::quiet, ReportFace::quiet);

@@ -26,7 +26,7 @@ QString valueOf(const session::Scenario& scenario, const std::string& key)
   return {};
 }
 
-/// "0.165 (95 % 0.08–0.33)", or what it is between speeds.
+/// "0.165 in this insertion; in ears 0.08 to 0.33 (95 %)", or what it is between speeds.
 QString coefficientText(const session::Scenario& scenario)
 {
   const mechanics::FrictionLaw& law = scenario.friction();
@@ -38,7 +38,7 @@ QString coefficientText(const session::Scenario& scenario)
   const double spread = std::hypot(known.shared, known.ear);
   if (!known.isKnown()) return coefficient;
   const double factor = std::exp(halfWidth95 * spread);
-  return tr("%1 (95 % %2–%3)")
+  return tr("%1 in this insertion; in ears %2 to %3 (95 %)")
       .arg(coefficient, numberText(law.staticCoefficient / factor, 2),
            numberText(law.staticCoefficient * factor, 2));
 }

@@ -11,6 +11,7 @@
 #include "gui/report/ReportParameters.h"
 #include "gui/text/DataText.h"
 #include "gui/text/Numbers.h"
+#include "perilymph/analysis/PublishedConditions.h"
 #include "perilymph/foundation/Version.h"
 
 namespace perilymph::gui {
@@ -119,7 +120,7 @@ QString numbers(const ReportContent& content)
           tr("inward motion up to the maximum depth by its time, pauses included")),
       row(tr("Reversals"), QString::number(content.insertion.reversals),
           tr("withdrawal of 0.1 mm or more"))};
-  if (profile.basalTurnPeak)
+  if (profile.basalTurnPeak && analysis::hasPublishedBasalTurn(content.scenario))
     rows.insert(1,
                 row(tr("Basal-turn peak"),
                     tr("%1 at %2 travel")

@@ -89,7 +89,7 @@ QPushButton#holdButton:pressed, QPushButton#holdButton[held="true"] {
   background: %accent%; color: %onAccent%; border-color: %accent%;
 }
 QPushButton[primary="true"] {
-  background: %accent%; color: %onAccent%; border-color: %accent%; padding: 0 16px;
+  background: %accent%; color: %onAccent%; border-color: %accent%;
 }
 QPushButton[primary="true"]:hover { background: %accentHover%; }
 QPushButton[primary="true"]:disabled { color: %quietText%; background: %panel%; border-color: %line%; }

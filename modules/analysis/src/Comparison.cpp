@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 #include <stop_token>
 
 #include "ComparisonColumns.h"
@@ -45,6 +46,85 @@ double inFile(CurveAxis axis, double place)
                                   : roundedMillimeters(place);
 }
 
+/// What a script, and no hand, moved; the name of device::ScriptedDevice.
+constexpr const char* scriptedDevice = "Scripted insertion";
+
+std::string coefficientOf(const mechanics::FrictionLaw& law)
+{
+  if (law.bySpeed.isEmpty()) return session::shortestDecimal(law.staticCoefficient);
+  return session::shortestDecimal(law.bySpeed.minimum()) + " to " +
+         session::shortestDecimal(law.bySpeed.maximum());
+}
+
+InsertionSettings settingsOf(const session::Scenario& scenario,
+                             const session::RecordingFacts& facts)
+{
+  const auto textOf = [&](const std::string& key) {
+    for (const auto& [name, value] : scenario.values())
+      if (name == key && value.size() > 2) return value.substr(1, value.size() - 2);
+    return std::string();
+  };
+  const session::InsertionParameters& parameters = scenario.parameters();
+  InsertionSettings settings;
+  settings.friction = textOf("friction");
+  if (settings.friction.empty()) settings.friction = "own";
+  settings.coefficient = coefficientOf(scenario.friction());
+  if (facts.device == scriptedDevice) settings.speed = scenario.speed().si();
+  settings.opening = textOf("opening");
+  settings.approachTilt = parameters.approachTilt.si();
+  settings.approachTurn = parameters.approachTurn.si();
+  settings.stopForce = parameters.engine.stopForce;
+  settings.seed = facts.seed;
+  return settings;
+}
+
+/// A value that was set, without the rounding errors of its conversion to SI and back.
+std::string settingField(double value) { return nextField(std::round(value * 1e9) / 1e9); }
+
+/// One column of the table, its unit and what it means.
+struct ComparedColumn {
+  const char *key, *unit, *meaning;
+};
+constexpr ComparedColumn comparedColumns[] = {
+    {"name", "", "name of the recording as shown, with a number if two were equal"},
+    {"scenario", "", "name of the scenario"},
+    {"peak_N", "N", "peak insertion force: largest axial force on the hand"},
+    {"peak_travel_mm", "mm", "travel at the peak"},
+    {"peak_depth_mm", "mm", "insertion depth at the peak"},
+    {"work_mJ", "mJ", "work of the hand on the array"},
+    {"reversals", "", "withdrawals of 0.1 mm or more"},
+    {"duration_s", "s", "insertion time: from the first to the last motion, pauses included"},
+    {"final_depth_mm", "mm", "length of the array past the opening at the end"},
+    {"final_angle_deg", "degrees", "tip angle at the end"},
+    {"rupture_angle_deg", "degrees", "where the partition ruptured; empty if it held"},
+    {"rupture_N", "N", "force on the partition at its rupture"},
+    {"above_mm", "mm", "largest length of the array in the scala vestibuli"},
+    {"array", "", "name of the array"},
+    {"technique", "", "'standard' or 'aos', advance off-stylet"},
+    {"patient", "", "code of the patient, or the anatomy"},
+    {"side", "", "'left' or 'right' ear"},
+    {"array_peak_N", "N", "peak with no marker rib at the opening"},
+    {"array_peak_depth_mm", "mm", "insertion depth at that peak"},
+    {"rib_peak_N", "N", "peak with a marker rib at the opening; empty if none came there"},
+    {"rib_peak_depth_mm", "mm", "insertion depth at that peak"},
+    {"end_N", "N", "force where the insertion ends: line through the last 0.5 s of motion"},
+    {"deepest_angle_deg", "degrees", "largest tip angle"},
+    {"score", "", "technique score of 100; empty if it cannot be computed"},
+    {"score_definition", "", "version of the definition of the score"},
+    {"mean_speed_mm_s", "mm/s",
+     "inward motion up to the maximum depth by its time, pauses included"},
+    {"recording", "", "file of the recording"},
+    {"friction", "", "name of the friction; 'own' if its values are in no file"},
+    {"friction_coefficient", "", "static coefficient, or the range over speeds"},
+    {"speed_set_mm_s", "mm/s", "speed of the script; empty of an insertion by hand"},
+    {"opening", "", "'none' (wide), 'round-window' or 'cochleostomy'"},
+    {"approach_tilt_deg", "degrees", "approach from the axis of the opening, tilt"},
+    {"approach_turn_deg", "degrees", "approach from the axis of the opening, rotation"},
+    {"seed", "", "random seed of the scenario"},
+    {"stop_travel_mm", "mm", "travel at which the insertion stops; 0 if not known"},
+    {"stop_force_N", "N", "force at which the hand stops; 0 without a limit"},
+    {"end", "", "how the insertion ended: 'finished', 'stopped_by_resistance', 'buckled', ..."}};
+
 }  // namespace
 
 double shownPlace(CurveAxis axis, double place)
@@ -67,6 +147,7 @@ Result<ComparedInsertion> readCompared(const std::filesystem::path& file,
   ComparedInsertion compared;
   compared.check = *check;
   compared.name = session::displayNameOf(file);
+  compared.recording = file.filename().string();
   compared.scenario = recorded->facts().scenarioName;
   compared.subject = session::subjectOf(recorded->facts().scenarioText, file.string());
   electrode::ArrayDesign array;  // without ribs if the scenario can no longer be read
@@ -75,6 +156,7 @@ Result<ComparedInsertion> readCompared(const std::filesystem::path& file,
     compared.hasPublishedConditions = hasPublishedConditions(*scenario);
     array = scenario->array();
     compared.stopTravel = scenario->stopTravel().si();
+    compared.settings = settingsOf(*scenario, recorded->facts());
     if (const auto& opening = scenario->parameters().opening) passage = opening->passage;
   }
   const auto felt = forceFeltBySurgeons();
@@ -94,6 +176,7 @@ Result<ComparedInsertion> readCompared(const std::filesystem::path& file,
     peak.follow(record.output);
     events.add(record.tick, record.output, peak);
     curves.add(record.output, compared);
+    compared.end = haptics::endOf(record.output);
     if ((record.output.status & haptics::partitionRuptured) != 0 &&
         (!compared.translocation ||
          compared.translocation->lengthAbove < record.output.translocation.lengthAbove))
@@ -131,11 +214,10 @@ std::vector<AxisPoint> curveOver(const ComparedInsertion& insertion, CurveAxis a
 
 std::string comparisonCsv(const std::vector<ComparedInsertion>& insertions)
 {
-  std::string csv =
-      "name,scenario,peak_N,peak_travel_mm,peak_depth_mm,work_mJ,reversals,duration_s,"
-      "final_depth_mm,final_angle_deg,rupture_angle_deg,rupture_N,above_mm,array,technique,patient,"
-      "side,array_peak_N,array_peak_depth_mm,rib_peak_N,rib_peak_depth_mm,end_N,deepest_angle_deg,"
-      "score,score_definition,mean_speed_mm_s\n";
+  std::string csv;
+  for (const ComparedColumn& column : comparedColumns)
+    csv += (csv.empty() ? "" : ",") + std::string(column.key);
+  csv += "\n";
   for (const ComparedInsertion& each : insertions) {
     const ForceProfile& profile = each.profile;
     csv += csvField(labelOf(each)) + "," + csvField(each.scenario);
@@ -159,8 +241,24 @@ std::string comparisonCsv(const std::vector<ComparedInsertion>& insertions)
     csv += nextField(profile.endForce) + nextField(asDegrees(profile.deepestAngle));
     const auto score = scoreOf(each);
     csv += (score ? nextField(score->total) : ",") + "," + std::to_string(scoreDefinition) +
-           nextField(asMillimeters(each.motion.meanSpeed())) + "\n";
+           nextField(asMillimeters(each.motion.meanSpeed()));
+    const InsertionSettings& set = each.settings;
+    for (const std::string* text : {&each.recording, &set.friction, &set.coefficient})
+      csv += "," + csvField(*text);
+    csv += (set.speed ? settingField(asMillimeters(*set.speed)) : ",") + "," +
+           csvField(set.opening) + settingField(asDegrees(set.approachTilt)) +
+           settingField(asDegrees(set.approachTurn)) + "," + std::to_string(set.seed) +
+           settingField(asMillimeters(each.stopTravel)) + nextField(set.stopForce) + "," +
+           haptics::nameOf(each.end) + "\n";
   }
+  return csv;
+}
+
+std::string comparisonDictionaryCsv()
+{
+  std::string csv = "column,unit,meaning\n";
+  for (const ComparedColumn& column : comparedColumns)
+    csv += std::string(column.key) + "," + column.unit + "," + csvField(column.meaning) + "\n";
   return csv;
 }
 
@@ -225,10 +323,12 @@ std::optional<double> forceAt(const std::vector<AxisPoint>& curve, double place)
 
 void tellApart(std::vector<ComparedInsertion>& insertions)
 {
-  for (std::size_t i = 0; i < insertions.size(); ++i)
-    for (std::size_t j = i + 1; j < insertions.size(); ++j)
-      if (insertions[i].name == insertions[j].name)
-        insertions[j].name += " (" + std::to_string(j + 1) + ")";
+  std::set<std::string> taken;
+  for (std::size_t i = 0; i < insertions.size(); ++i) {
+    const std::string own = insertions[i].name;
+    for (std::size_t number = i + 1; !taken.insert(labelOf(insertions[i])).second; ++number)
+      insertions[i].name = own + " (" + std::to_string(number) + ")";
+  }
 }
 
 }  // namespace perilymph::analysis

@@ -47,7 +47,7 @@ void addGroup(Figure& figure, const MeanCurve& mean, const InsertionGroup& group
               std::size_t number)
 {
   FigureCurve curve =
-      emptyCurve(Sentence{"%1, mean ± SD, n = %2", group.name(), group.members.size()}, number);
+      emptyCurve(Sentence{"%1, mean ± SD, n = %2", group.title(), group.members.size()}, number);
   FigureBand band;
   band.ink = ink::tint(curve.ink, 0.15);
   for (std::size_t i = 0; i < mean.place.size(); ++i) {

@@ -4,26 +4,51 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "ComparisonColumns.h"
 #include "perilymph/analysis/CsvField.h"
 #include "perilymph/analysis/Score.h"
+#include "perilymph/session/ScenarioChoices.h"
 
 namespace perilymph::analysis {
 
 namespace {
 
-const std::string& valueOf(const session::ScenarioSubject& subject, GroupKey key)
+std::string frictionOf(const ComparedInsertion& each)
+{
+  return each.settings.coefficient + " (" + each.settings.friction + ")";
+}
+
+std::string speedOf(const ComparedInsertion& each)
+{
+  const auto& speed = each.settings.speed;
+  return speed ? session::shortestDecimal(std::round(asMillimeters(*speed) * 1e9) / 1e9) + " mm/s"
+               : "by hand";
+}
+
+std::string valueOf(const ComparedInsertion& each, GroupKey key)
 {
   switch (key) {
     case GroupKey::array:
-      return subject.array;
+      return each.subject.array;
     case GroupKey::technique:
-      return subject.technique;
+      return each.subject.technique;
+    case GroupKey::friction:
+      return frictionOf(each);
+    case GroupKey::speed:
+      return speedOf(each);
     case GroupKey::patient:
       break;
   }
-  return subject.patient;
+  return each.subject.patient;
+}
+
+std::string joined(const std::vector<std::string>& values)
+{
+  std::string text;
+  for (const std::string& value : values) text += (text.empty() ? "" : " · ") + value;
+  return text;
 }
 
 std::optional<double> scoreTotal(const ComparedInsertion& each)
@@ -34,11 +59,47 @@ std::optional<double> scoreTotal(const ComparedInsertion& each)
 
 }  // namespace
 
-std::string InsertionGroup::name() const
+std::string InsertionGroup::name() const { return joined(values); }
+
+std::string InsertionGroup::title() const
 {
-  std::string joined;
-  for (const std::string& value : values) joined += (joined.empty() ? "" : " · ") + value;
-  return joined;
+  std::vector<std::string> shown = values;
+  for (std::string& value : shown)
+    if (value == session::nameOf(session::Technique::advanceOffStylet))
+      value = "advance off-stylet";
+  return joined(shown);
+}
+
+std::vector<Phrase> differingIn(const std::vector<ComparedInsertion>& insertions,
+                                const InsertionGroup& group)
+{
+  using Insertion = ComparedInsertion;
+  using session::shortestDecimal;
+  using Text = std::string (*)(const Insertion&);
+  const std::pair<Phrase, Text> all[] = {
+      {Phrase{"friction"}, frictionOf},
+      {Phrase{"set speed"}, speedOf},
+      {Phrase{"approach"},
+       [](const Insertion& each) {
+         return each.settings.opening + shortestDecimal(each.settings.approachTilt) + " " +
+                shortestDecimal(each.settings.approachTurn);
+       }},
+      {Phrase{"stop"},
+       [](const Insertion& each) {
+         return shortestDecimal(each.stopTravel) + " " + shortestDecimal(each.settings.stopForce);
+       }},
+      {Phrase{"cochlea"}, [](const Insertion& each) { return each.subject.cochlea; }},
+      {Phrase{"array"}, [](const Insertion& each) { return each.subject.array; }},
+      {Phrase{"technique"}, [](const Insertion& each) { return each.subject.technique; }},
+      {Phrase{"ending"},
+       [](const Insertion& each) { return std::string(haptics::nameOf(each.end)); }}};
+  std::vector<Phrase> differing;
+  for (const auto& [name, textOf] : all) {
+    std::set<std::string> texts;
+    for (const std::size_t member : group.members) texts.insert(textOf(insertions[member]));
+    if (texts.size() > 1) differing.push_back(name);
+  }
+  return differing;
 }
 
 std::vector<InsertionGroup> groupsOf(const std::vector<ComparedInsertion>& insertions,
@@ -48,7 +109,7 @@ std::vector<InsertionGroup> groupsOf(const std::vector<ComparedInsertion>& inser
   std::map<std::vector<std::string>, std::vector<std::size_t>> found;
   for (std::size_t i = 0; i < insertions.size(); ++i) {
     std::vector<std::string> values;
-    for (const GroupKey key : keys) values.push_back(valueOf(insertions[i].subject, key));
+    for (const GroupKey key : keys) values.push_back(valueOf(insertions[i], key));
     found[values].push_back(i);
   }
   std::vector<InsertionGroup> groups;
@@ -75,7 +136,7 @@ const std::vector<ComparedQuantity>& comparedQuantities()
        [](const Insertion& each) -> Value { return asDegrees(each.profile.deepestAngle); }},
       {"mean_speed_mm_s", Phrase{"mean speed"}, "mm/s", 1.0, 2,
        [](const Insertion& each) -> Value { return asMillimeters(each.motion.meanSpeed()); }},
-      {"duration_s", Phrase{"duration"}, "s", 1.0, 1,
+      {"duration_s", Phrase{"insertion time"}, "s", 1.0, 1,
        [](const Insertion& each) -> Value { return each.profile.duration; }},
       {"reversals", Phrase{"reversals"}, "", 1.0, 1,
        [](const Insertion& each) -> Value { return each.reversals; }},

@@ -30,14 +30,24 @@ bool hasSameFriction(const session::Scenario& one, const session::Scenario& othe
          mine.bySpeed.isEmpty() == theirs.bySpeed.isEmpty();
 }
 
+const Result<session::Scenario>& published()
+{
+  static const Result<session::Scenario> scenario = session::loadScenario("contour-published");
+  return scenario;
+}
+
 }  // namespace
+
+bool hasPublishedBasalTurn(const session::Scenario& insertion)
+{
+  return published() && hasSameArray(insertion, *published()) &&
+         hasSameCochlea(insertion, *published());
+}
 
 bool hasPublishedConditions(const session::Scenario& insertion)
 {
-  static const Result<session::Scenario> published = session::loadScenario("contour-published");
-  return published && hasSameArray(insertion, *published) &&
-         hasSameCochlea(insertion, *published) && hasSameFriction(insertion, *published) &&
-         insertion.speed() == published->speed();
+  return hasPublishedBasalTurn(insertion) && hasSameFriction(insertion, *published()) &&
+         insertion.speed() == published()->speed();
 }
 
 }  // namespace perilymph::analysis

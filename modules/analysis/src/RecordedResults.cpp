@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <iterator>
 
+#include "perilymph/haptics/TickOutput.h"
 #include "perilymph/session/Playback.h"
+#include "perilymph/session/RecordedInsertion.h"
 
 namespace perilymph::analysis {
 
@@ -29,6 +31,30 @@ Result<void> findDeepest(session::Playback& playback, haptics::Snapshot& deepest
   return {};
 }
 
+/// Where a hand of the plans would have stopped, if the insertion went on.
+Result<std::optional<PassedStop>> findPassedStop(
+    const session::RecordedInsertion& recorded, session::Playback& playback)
+{
+  using Found = std::optional<PassedStop>;
+  const auto hand = shippedHand();
+  if (!hand) return hand.error();
+  const session::Scenario& scenario = playback.scenario();
+  const auto stop = stopToPass(scenario.parameters(), *hand);
+  if (!stop) return Found();
+  std::uint64_t place = 0;
+  bool isPassed = false;
+  const auto read = recorded.forEach([&](const haptics::TickRecord& record) {
+    isPassed = haptics::raisesPeak(record.output, stop->si());
+    if (!isPassed) ++place;
+    return !isPassed;
+  });
+  if (!read) return read.error();
+  if (!isPassed || place >= playback.ticks()) return Found();
+  haptics::Snapshot at{};
+  if (const auto done = playback.show(place, at); !done) return done.error();
+  return Found(passedStop(*playback.anatomy(), scenario.array(), *stop, at));
+}
+
 }  // namespace
 
 Result<RecordedResults> recordedResults(const std::filesystem::path& file,
@@ -45,6 +71,11 @@ Result<RecordedResults> recordedResults(const std::filesystem::path& file,
   if (!verification) return verification.error();
   results.verification = *verification;
   if (const auto done = findDeepest(**playback, results.deepest); !done) return done.error();
+  const auto recorded = session::RecordedInsertion::open(file);
+  if (!recorded) return recorded.error();
+  const auto passed = findPassedStop(*recorded, **playback);
+  if (!passed) return passed.error();
+  results.passedStop = *passed;
   haptics::Snapshot last{};
   if (const auto done = (*playback)->show((*playback)->ticks() - 1, last); !done)
     return done.error();

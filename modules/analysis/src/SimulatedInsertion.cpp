@@ -6,6 +6,7 @@
 
 #include "perilymph/analysis/ContactPositions.h"
 #include "perilymph/analysis/Phase.h"
+#include "perilymph/analysis/PublishedConditions.h"
 #include "perilymph/figures/Strings.h"
 #include "perilymph/foundation/Version.h"
 #include "perilymph/haptics/InsertionEnd.h"
@@ -44,6 +45,16 @@ Json pointJson(const std::optional<CurvePoint>& point)
           {"travel_mm", std::round(asMillimeters(point->travel) * 1e6) / 1e6}};
 }
 
+Json passedStopJson(const std::optional<PassedStop>& passed)
+{
+  if (!passed) return nullptr;
+  return {{"stop_force_N", passed->stop.si()},
+          {"depth_mm", inMillimeters(passed->depth)},
+          {"angular_insertion_depth_deg", inDegrees(passed->apical)},
+          {"contacts_inside", passed->inside},
+          {"contacts", passed->contacts}};
+}
+
 /// The rupture of the partition; null if it held.
 Json translocationJson(const haptics::TickOutput& last)
 {
@@ -68,6 +79,9 @@ std::string placeOf(const haptics::TickOutput& now)
 Result<SimulatedInsertion> simulate(session::Insertion& insertion,
                                     const std::function<bool(const haptics::TickRecord&)>& each)
 {
+  const auto hand = shippedHand();
+  if (!hand) return hand.error();
+  const std::optional<Force> stop = stopToPass(insertion.parameters(), *hand);
   SimulatedInsertion simulated;
   ForceProfiler profiler;
   bool isStopped = false;
@@ -75,6 +89,11 @@ Result<SimulatedInsertion> simulate(session::Insertion& insertion,
       [&](const haptics::TickRecord& record) {
         profiler.add(record);
         simulated.last = record.output;
+        if (stop && !simulated.passedStop && haptics::raisesPeak(record.output, stop->si())) {
+          insertion.refresh();
+          simulated.passedStop = passedStop(insertion.anatomy(), insertion.parameters().array,
+                                            *stop, insertion.latest());
+        }
         isStopped = !each(record);
         return !isStopped;
       },
@@ -106,8 +125,10 @@ std::string simulationJson(const session::Scenario& scenario, const SimulatedIns
   json["peak_force_N"] = profile.peak.force;
   json["peak_travel_mm"] = asMillimeters(profile.peak.travel);
   json["peak_depth_mm"] = asMillimeters(profile.peakDepth);
-  json["basal_turn_peak"] = pointJson(profile.basalTurnPeak);
-  json["basal_turn_dip"] = pointJson(profile.basalTurnDip);
+  const bool hasBasalTurn = hasPublishedBasalTurn(scenario);
+  json["basal_turn_peak"] = hasBasalTurn ? pointJson(profile.basalTurnPeak) : Json(nullptr);
+  json["basal_turn_dip"] = hasBasalTurn ? pointJson(profile.basalTurnDip) : Json(nullptr);
+  json["passed_stop"] = passedStopJson(simulated.passedStop);
   json["work_J"] = profile.work;
   json["final_travel_mm"] = asMillimeters(profile.finalTravel);
   json["final_depth_mm"] = asMillimeters(profile.finalDepth);

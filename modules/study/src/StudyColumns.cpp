@@ -16,12 +16,13 @@ namespace {
 using Number = double (*)(const StudyResult&);
 
 /// The first of ownQuantities that an insertion has only if it ran.
-constexpr std::size_t firstOfInsertion = 3;
+constexpr std::size_t firstOfInsertion = 4;
 
 /// The numbers that every study has, in the order in which people ask for them.
 constexpr std::pair<const char*, Number> ownQuantities[] = {
     {"A_mm", [](const StudyResult& one) { return one.a_mm; }},
     {"B_mm", [](const StudyResult& one) { return one.b_mm; }},
+    {"cdl_oc_mm", [](const StudyResult& one) { return one.ductLength_mm(); }},
     {"st_length_mm", [](const StudyResult& one) { return one.scalaLength_mm; }},
     {"angle_deg", [](const StudyResult& one) { return inDegrees(one.insertion.apical); }},
     {"coverage_percent", [](const StudyResult& one) { return 100.0 * one.insertion.coverage; }},
@@ -66,6 +67,13 @@ std::optional<StudyFactor> factorOf(const std::string& key, const std::vector<st
   return factor;
 }
 
+/// A setting whose numbers are shown in another unit: forces in mN, as those of the insertion.
+struct SettingInUnit {
+  const char *setting, *quantity;
+  double factor;
+};
+constexpr SettingInUnit settingsInUnits[] = {{"stop_force_N", "stop_force_mN", 1e3}};
+
 /// The numbers of a setting; nothing if a value is no number or all are the same.
 std::optional<StudyQuantity> quantityOf(const std::string& key,
                                         const std::vector<std::string>& texts)
@@ -82,6 +90,11 @@ std::optional<StudyQuantity> quantityOf(const std::string& key,
     high = std::max(high, *value);
   }
   if (!(high > low)) return std::nullopt;
+  for (const SettingInUnit& each : settingsInUnits) {
+    if (key != each.setting) continue;
+    quantity.key = each.quantity;
+    for (double& value : quantity.values) value *= each.factor;
+  }
   return quantity;
 }
 
@@ -174,9 +187,15 @@ const StudyFactor* StudyColumns::factor(const std::string& key) const
 
 std::vector<std::string> StudyColumns::ranges() const
 {
+  const auto settingOfQuantity = [](const std::string& key) {
+    for (const SettingInUnit& each : settingsInUnits)
+      if (key == each.quantity) return std::string(each.setting);
+    return key;
+  };
   std::vector<std::string> keys;
   for (std::size_t i = std::size(ownQuantities); i < quantities_.size(); ++i)
-    if (factor(quantities_[i].key) == nullptr) keys.push_back(quantities_[i].key);
+    if (factor(settingOfQuantity(quantities_[i].key)) == nullptr)
+      keys.push_back(quantities_[i].key);
   return keys;
 }
 

@@ -8,6 +8,7 @@
 
 #include "StudyViews.h"
 #include "perilymph/analysis/PhysicalRanges.h"
+#include "perilymph/anatomy/DuctLength.h"
 #include "perilymph/foundation/Choice.h"
 #include "perilymph/foundation/Utf8.h"
 #include "perilymph/foundation/Version.h"
@@ -296,6 +297,12 @@ Result<void> StudyFile::read(const std::function<Result<void>(const StudyResult&
       return table_.damaged(Sentence{"its insertions are not consecutive"});
     return each(*result);
   });
+}
+
+double StudyResult::ductLength_mm() const
+{
+  if (!(a_mm > 0.0 && b_mm > 0.0)) return 0.0;
+  return inMillimeters(anatomy::ellipticCircularDuctLength(millimeters(a_mm), millimeters(b_mm)));
 }
 
 }  // namespace perilymph::study

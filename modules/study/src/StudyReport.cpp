@@ -99,7 +99,8 @@ NamedGroups groupsOf(const StudyColumns& columns, const std::vector<StudySummary
 std::string endingsTable(const NamedGroups& groups)
 {
   std::string text =
-      "## Complete and stopped insertions\n\n" +
+      "## Complete and stopped insertions\n\nWilson's interval, in which insertions that share a "
+      "cochlea count as independent: with few cochleae it is too narrow.\n\n" +
       tableHead({"insertions with", "n", "complete, % (95 % interval)", "stopped", "not prepared"});
   for (const auto& [name, group] : groups)
     text += "| " + name + " | " + std::to_string(group.rows.size()) + " | " + rateText(group) +
@@ -157,7 +158,10 @@ std::string differenceTables(const std::vector<StudySummary>& byFactor)
 std::string trendTable(const NamedGroups& groups)
 {
   std::string text =
-      "## Angular insertion depth over A: slope, deg/mm (95 % interval)\n\n" +
+      "## Angular insertion depth over A: slope, deg/mm (95 % interval)\n\nOne line through all "
+      "insertions of a row, whatever their settings: the interval holds the differences of the "
+      "settings, which\nthat of the slopes under Effects does not. Insertions that share a cochlea "
+      "count as independent.\n\n" +
       tableHead({"insertions with", nameOf(StudySelection::ran), nameOf(StudySelection::complete)});
   for (const auto& [name, group] : groups) {
     text += "| " + name + " |";
@@ -322,8 +326,9 @@ StudyReport reportOf(const StudyColumns& columns)
   if (!byFactor.empty()) report.text += differenceTables(byFactor);
   report.text += trendTable(groups) +
                  "## Effects\n\nDifferences from the mean of a cochlea, in cochleae of which every "
-                 "insertion is in the selection; slopes within\nequal settings, by least squares. "
-                 "Student's intervals.\n\n";
+                 "insertion is in the selection; slopes within\nequal settings, by least squares: "
+                 "differences of the settings are not in their intervals; insertions that share a "
+                 "cochlea count\nas independent. Student's intervals.\n\n";
   for (const SummarizedQuantity& quantity : summarizedQuantities)
     for (const StudySelection selection : studySelections)
       report.text += effectsOf(study, quantity, selection);

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <memory>
 #include <stop_token>
+#include <thread>
 #include <tuple>
 
 #include "perilymph/analysis/AnatomyMeasures.h"
@@ -19,8 +20,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Insertions of a block: some seconds of work, which an interruption loses at most.
-constexpr std::size_t blockSize = 64;
+/// Insertions of a block, which an interruption loses at most: a twentieth of the shard, as many as there
+/// are threads, which take about the time of one, and 64 at most, which take some seconds.
+std::size_t blockSizeOf(std::size_t cases, unsigned jobs)
+{
+  constexpr std::size_t parts = 20, most = 64;
+  const std::size_t threads = jobs > 0 ? jobs : std::max(1u, std::thread::hardware_concurrency());
+  return std::min(std::max({std::size_t{1}, cases / parts, threads}), most);
+}
 
 /// A cochlea as built, with its measures; or a message.
 struct BuiltCochlea {
@@ -111,7 +118,8 @@ std::vector<Piece> piecesOf(const Study& study, std::size_t first, std::size_t e
 }
 
 /// End of the block that begins at a case: whole cochleae, or part of one that has many cases.
-std::size_t endOfBlock(const Study& study, std::size_t first, std::size_t end)
+std::size_t endOfBlock(const Study& study, std::size_t first, std::size_t end,
+                       std::size_t blockSize)
 {
   const std::size_t perCochlea = study.casesPerCochlea();
   const std::size_t nextCochlea = (first / perCochlea + 1) * perCochlea;
@@ -144,9 +152,10 @@ Result<bool> runShard(const Study& study, const Shard& shard, const fs::path& fo
 
   std::size_t first = shard.first + file->size();
   const std::size_t all = shard.end - shard.first;
+  const std::size_t blockSize = blockSizeOf(all, jobs);
   BuiltCochlea shared;  // of a block within one cochlea, and of the next such block
   while (first < shard.end) {
-    const std::size_t end = endOfBlock(study, first, shard.end);
+    const std::size_t end = endOfBlock(study, first, shard.end, blockSize);
     const std::vector<Piece> pieces = piecesOf(study, first, end);
     const std::size_t cochlea = first / study.casesPerCochlea();
     const bool isShared = isOneCochlea(study, first, end);

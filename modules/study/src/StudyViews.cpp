@@ -2,6 +2,8 @@
 #include "StudyViews.h"
 
 #include <cstdint>
+#include <span>
+#include <string_view>
 #include <utility>
 
 #include "perilymph/haptics/InsertionEnd.h"
@@ -26,7 +28,7 @@ constexpr ColumnMeaning columnMeanings[] = {
      "JSON object of the values that replace those of the scenario, each as text"},
     {"insertion", "ending", "",
      "How it ended: 'finished', 'stopped_by_resistance', 'buckled', 'out_of_opening', "
-     "'folded_tip', 'jammed', 'fault' or 'refused'"},
+     "'folded_tip', 'jammed', 'fault', 'refused', or 'none': not ended within twice its time"},
     {"insertion", "reason", "", "Why it is 'fault' or 'refused'; else empty"},
     {"insertion", "A_mm", "mm",
      "Diameter A of the basal turn of the cochlea as built; 0 if it was not"},
@@ -65,10 +67,82 @@ constexpr ColumnMeaning columnMeanings[] = {
      "'title', 'study' (its file), 'fingerprint', 'program', 'cases', 'first', 'end', 'notes', "
      "'content_sha256' (the seal)"},
     {"meta", "value", "", "Text of the fact"},
+    // the views
+    {"setting", "number", "", "Number of the insertion"},
+    {"setting", "key", "", "Key of the scenario: 'array'"},
+    {"setting", "value", "", "Its value in this insertion; a number where it is one"},
+    {"ending_by_setting", "key", "", "Key of the scenario with 12 values or fewer"},
+    {"ending_by_setting", "value", "", "Its value"},
+    {"ending_by_setting", "insertions", "", "Insertions with it"},
+    {"ending_by_setting", "none", "", "Of them not ended within twice their time"},
+    {"ending_by_setting", "finished", "", "Of them complete: to their stop travel"},
+    {"ending_by_setting", "stopped_by_resistance", "", "Of them stopped by the force limit"},
+    {"ending_by_setting", "buckled", "", "Of them buckled in front of the opening"},
+    {"ending_by_setting", "out_of_opening", "", "Of them slipped out of the opening"},
+    {"ending_by_setting", "folded_tip", "", "Of them with a tip that folded over"},
+    {"ending_by_setting", "jammed", "", "Of them jammed"},
+    {"ending_by_setting", "fault", "", "Of them ended by a fault of the calculation"},
+    {"ending_by_setting", "refused", "", "Of them not prepared: they did not run"},
+    {"ending_by_setting", "finished_percent", "%", "Complete ones of all of them"},
+    {"distribution_by_setting", "selection", "",
+     "'all that ran', or 'complete': those to their stop travel"},
+    {"distribution_by_setting", "key", "", "Key of the scenario with 12 values or fewer"},
+    {"distribution_by_setting", "value", "", "Its value"},
+    {"distribution_by_setting", "quantity", "", "Column of the insertions, with its unit"},
+    {"distribution_by_setting", "n", "", "Insertions of the selection with the value"},
+    {"distribution_by_setting", "mean", "", "Mean, in the unit of the quantity"},
+    {"distribution_by_setting", "median", "", "Median, in the unit of the quantity"},
+    {"distribution_by_setting", "quartile25", "", "Lower quartile, in the unit of the quantity"},
+    {"distribution_by_setting", "quartile75", "", "Upper quartile, in the unit of the quantity"},
+    {"outcome_by_setting", "key", "", "Key of the scenario with 12 values or fewer"},
+    {"outcome_by_setting", "value", "", "Its value"},
+    {"outcome_by_setting", "finished", "", "Complete insertions with it"},
+    {"outcome_by_setting", "mean_angle_deg", "deg", "Mean angular insertion depth, complete"},
+    {"outcome_by_setting", "min_angle_deg", "deg", "Smallest angular insertion depth, complete"},
+    {"outcome_by_setting", "max_angle_deg", "deg", "Largest angular insertion depth, complete"},
+    {"outcome_by_setting", "mean_coverage_percent", "%", "Mean cochlear coverage, complete"},
+    {"outcome_by_setting", "mean_peak_mN", "mN", "Mean peak insertion force, complete"},
+    {"outcome_by_setting", "max_peak_mN", "mN", "Largest peak insertion force, complete"},
+    {"outcome_by_setting", "mean_partition_mN", "mN", "Mean partition force, complete"},
+    {"outcome_by_setting", "max_partition_mN", "mN", "Largest partition force, complete"},
+    {"outcome_by_setting", "insertions", "", "All insertions with the value"},
+    {"outcome_by_setting", "stopped", "", "Of them stopped before their stop travel"},
+    {"outcome_by_setting", "mean_stopped_angle_deg", "deg",
+     "Mean angular insertion depth of the stopped ones"},
+    {"outcome_by_setting", "mean_stopped_peak_mN", "mN",
+     "Mean peak insertion force of the stopped ones"},
+    {"outcome_by_size", "A_from_mm", "mm", "Lower bound of A; the class is 0.5 mm wide"},
+    {"outcome_by_size", "insertions", "", "Insertions in such cochleae"},
+    {"outcome_by_size", "finished", "", "Of them complete"},
+    {"outcome_by_size", "mean_angle_deg", "deg", "Mean angular insertion depth, complete"},
+    {"outcome_by_size", "mean_coverage_percent", "%", "Mean cochlear coverage, complete"},
+    {"outcome_by_size", "mean_peak_mN", "mN", "Mean peak insertion force, complete"},
+    {"outcome_by_size", "stopped", "", "Of them stopped before their stop travel"},
+    {"outcome_by_size", "mean_stopped_angle_deg", "deg",
+     "Mean angular insertion depth of the stopped ones"},
+    {"outcome_by_size", "mean_stopped_peak_mN", "mN",
+     "Mean peak insertion force of the stopped ones"},
+    {"extreme", "number", "", "Number of the insertion"},
+    {"extreme", "ending", "", "How it ended"},
+    {"extreme", "peak_mN", "mN", "Its peak insertion force"},
+    {"extreme", "partition_mN", "mN", "Its largest force on the cochlear partition"},
+    {"extreme", "angle_deg", "deg", "Its angular insertion depth"},
+    {"extreme", "has_max_peak", "", "1 if no peak insertion force is larger, else 0"},
+    {"extreme", "has_max_partition", "", "1 if no partition force is larger, else 0"},
+    {"extreme", "has_max_angle", "", "1 if none is deeper, else 0"},
+    {"extreme", "has_min_finished_angle", "", "1 if no complete one is less deep, else 0"},
+    {"dictionary", "table_name", "", "Table or view"},
+    {"dictionary", "column_name", "", "Its column"},
+    {"dictionary", "unit", "", "Unit of the column; empty without one"},
+    {"dictionary", "meaning", "", "What it is"},
 };
+/// How many of them are of the tables, which alone the first version of the dictionary had.
+constexpr std::size_t tableColumns = 30;
+static_assert(std::string_view(columnMeanings[tableColumns - 1].table) == "meta" &&
+              std::string_view(columnMeanings[tableColumns].table) == "setting");
 
-/// The view `dictionary`: one row per column of the tables.
-std::string dictionaryView()
+/// The view `dictionary`: one row per column.
+std::string dictionaryView(std::span<const ColumnMeaning> meanings)
 {
   const auto quoted = [](const std::string& text) {
     std::string result = "'";
@@ -76,10 +150,20 @@ std::string dictionaryView()
     return result + "'";
   };
   std::string rows;
-  for (const ColumnMeaning& each : columnMeanings)
+  for (const ColumnMeaning& each : meanings)
     rows += (rows.empty() ? "(" : ", (") + quoted(each.table) + ", " + quoted(each.column) + ", " +
             quoted(each.unit) + ", " + quoted(each.meaning) + ")";
   return "CREATE VIEW dictionary(table_name, column_name, unit, meaning) AS VALUES " + rows;
+}
+
+/// The dictionary before it had views, and the ending 'none'.
+std::string formerDictionaryView()
+{
+  std::string view = dictionaryView(std::span(columnMeanings).first(tableColumns));
+  const std::string now = "''fault'', ''refused'', or ''none'': not ended within twice its time",
+                    then = "''fault'' or ''refused''";
+  view.replace(view.find(now), now.size(), then);
+  return view;
 }
 
 /// No view has a row for each value of a range that was drawn.
@@ -180,8 +264,8 @@ std::vector<std::string> studyViews()
       "ending = 'finished' AND angle_deg = (SELECT min(angle_deg) FROM insertion "
       "WHERE ending = 'finished') AS has_min_finished_angle FROM insertion "
       "WHERE has_max_peak OR has_max_partition OR has_max_angle OR has_min_finished_angle",
-      // What is in each column of the tables, and in which unit?
-      dictionaryView(),
+      // What is in each column of tables and views, and in which unit?
+      dictionaryView(columnMeanings),
   };
 }
 
@@ -209,6 +293,7 @@ std::vector<std::string> formerStudyViews()
       "avg(CASE WHEN ending = 'finished' THEN coverage_percent END) AS mean_coverage_percent, "
       "avg(CASE WHEN ending = 'finished' THEN peak_mN END) AS mean_peak_mN "
       "FROM insertion GROUP BY A_from_mm",
+      formerDictionaryView(),
   };
 }
 

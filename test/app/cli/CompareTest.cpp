@@ -38,6 +38,32 @@ TEST(Compare, SetsRecordingsSideBySide)
   EXPECT_TRUE(std::filesystem::exists(folder / "out" / "curves.svg"));
 }
 
+TEST(Compare, GroupsByFrictionAndSpeedAndWarnsOfOneThatMixesThem)
+{
+  const TemporaryFolder folder;
+  std::vector<std::string> call = {"compare"};
+  int number = 0;
+  for (const char* speed : {"speed_mm_s=1.0", "speed_mm_s=2.0"}) {
+    const std::string file = folder / (std::to_string(++number) + ".insertion");
+    ASSERT_EQ(cli(shortSimulation({"--set", speed, "friction=tissue", "--record", file})).status,
+              0);
+    call.push_back(file);
+  }
+  const auto grouped = [&](std::vector<std::string> more) {
+    auto arguments = call;
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return cli(arguments);
+  };
+  const auto mixed = grouped({"--group", "friction", "--out", folder / "mixed"});
+  ASSERT_EQ(mixed.status, 0) << mixed.err;
+  EXPECT_THAT(mixed.out, testing::HasSubstr("mixes insertions that differ in set speed"));
+  const auto divided = grouped({"--group", "friction", "speed", "--out", folder / "divided"});
+  ASSERT_EQ(divided.status, 0) << divided.err;
+  EXPECT_THAT(divided.out, testing::Not(testing::HasSubstr("mixes")));
+  EXPECT_THAT(divided.out, testing::HasSubstr("(tissue) · 1 mm/s: n = 1"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "divided" / "comparison-dictionary.csv"));
+}
+
 TEST(Compare, SaysWhatCannotBeRead)
 {
   const TemporaryFolder folder;

@@ -153,7 +153,8 @@ class TwoTechniques(unittest.TestCase):
         peaks = {row["name"]: float(row["force_N"]) for row in events if row["event"] == "peak"}
         for row in self.insertions:
             self.assertAlmostEqual(peaks[row["name"]], float(row["peak_N"]), delta=1e-12)
-        self.assertIn("aos - standard, 95 % interval:", self.printed)
+        self.assertIn("advance off-stylet - standard, 95 % interval of each of 10 quantities", self.printed)
+        self.assertIn("mixes insertions that differ in set speed, stop", self.printed)
 
 
 if __name__ == "__main__":

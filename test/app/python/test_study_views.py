@@ -131,8 +131,8 @@ def test_the_extreme_insertions_are_those_of_the_rows(database, rows):
             assert row[name] == which[rows["number"] == number][0], name
 
 
-def test_the_dictionary_explains_every_column_of_every_table(database):
-    tables = [name for name, in query(database, "SELECT name FROM sqlite_master WHERE type = 'table'")]
+def test_the_dictionary_explains_every_column_of_every_table_and_view(database):
+    tables = [name for name, in query(database, "SELECT name FROM sqlite_master WHERE type IN ('table', 'view')")]
     columns = {(table, each[1]) for table in tables for each in query(database, f"PRAGMA table_info({table})")}
     dictionary = query(database, "SELECT table_name, column_name, unit, meaning FROM dictionary")
     assert {row[:2] for row in dictionary} == columns and len(dictionary) == len(columns)

@@ -10,6 +10,7 @@
 #include <QFileDialog>
 #include <QImage>
 #include <QLabel>
+#include <QPushButton>
 #include <QScrollBar>
 #include <QTableView>
 #include <QTableWidget>
@@ -118,6 +119,21 @@ TEST_F(Clinician, SeesTheForceOfEachRunAtTheCursor)
   EXPECT_EQ(plot().valuesAtCursor(), QStringList({"–", "–"}));
 }
 
+TEST_F(Clinician, ReadsTheWholeVerbThatTheChosenRecordingsMakePrimary)
+{
+  insertOnce();
+  insertOnce();
+  openLibrary(2);
+  list().selectAll();
+  const auto& verb = rig_->button("compareButton");
+  ASSERT_TRUE(verb.property("primary").toBool());
+  QPushButton same(verb.text());
+  same.setFont(verb.font());
+  same.setProperty("primary", true);
+  same.ensurePolished();
+  EXPECT_GE(verb.width(), same.sizeHint().width());
+}
+
 TEST_F(Clinician, SeesThatARecordingWasChangedByHand)
 {
   insertOnce();
@@ -150,7 +166,7 @@ TEST_F(Clinician, ReadsPeakWorkAndReasonsInNumbersWithUnits)
     EXPECT_TRUE(cell(row, "at depth").endsWith(" mm"));
     EXPECT_TRUE(cell(row, "Insertion work").endsWith(" mJ"));
     EXPECT_EQ(cell(row, "Mean speed"), "2.00 mm/s");
-    EXPECT_TRUE(cell(row, "Time").endsWith(" s"));
+    EXPECT_TRUE(cell(row, "Insertion time").endsWith(" s"));
     EXPECT_EQ(cell(row, "Reversals"), "0");
     EXPECT_TRUE(cell(row, "Score").endsWith("of 100"));
   }
@@ -257,6 +273,11 @@ TEST_F(Clinician, ComparesTwoTechniquesOfFiveRecordingsEach)
     const double off = page().runs()[i].profile.peak.force * 1e3 - mean[i < 5 ? 1 : 0];
     variance[i < 5 ? 1 : 0] += off * off / 4.0;
   }
+  EXPECT_EQ(groups.horizontalHeaderItem(3)->text(), "advance off-stylet − standard, 95 %");
+  EXPECT_TRUE(rig_->label("mixedGroups")
+                  .contains("standard mixes insertions that differ in set "
+                            "speed, stop"))
+      << rig_->label("mixedGroups").toStdString();
   ASSERT_EQ(groups.item(1, 0)->text(), "peak insertion force");
   for (int group = 0; group < 2; ++group)
     EXPECT_EQ(

@@ -93,6 +93,26 @@ protected:
   DataFolder data_;
 };
 
+TEST_F(ANewStudy, IsProposedWithATitleThatNoOtherHas)
+{
+  WindowRig rig;
+  rig.window().showPage("studies");
+  emptyButton(rig).click();
+  auto& title = *pageOf(rig).findChild<QLineEdit*>("newStudyTitle");
+  const QString first = title.text();
+  EXPECT_TRUE(first.startsWith("Study of "));
+  gui::StudyDraft draft;
+  draft.title = first.toStdString();
+  ASSERT_TRUE(gui::saveStudy(draft));
+  rig.click("leaveNewStudyButton");
+  emptyButton(rig).click();
+  EXPECT_EQ(title.text(), first + " (2)");
+  rig.type("newStudyTitle", "Mine");
+  rig.click("leaveNewStudyButton");
+  emptyButton(rig).click();
+  EXPECT_EQ(title.text(), "Mine");
+}
+
 TEST_F(ANewStudy, OfSixtyInsertionsIsRunFilteredAndExported)
 {
   WindowRig rig;

@@ -35,7 +35,8 @@ TEST(PlanText, StatesWhatTheShownArraysDifferBy)
             "FLEX24 against FLEX28: -168 (-197 to -138)°, deeper in 0 %; peak force 0 (0 to 0) mN, "
             "higher in 0 %.");
   EXPECT_TRUE(gui::differencesOf(plan, {0}).isEmpty());
-  EXPECT_TRUE(gui::differencesOf(syntheticPlan(16), {0, 1}).contains("(lowest to highest of 16 simulations)"));
+  EXPECT_TRUE(gui::differencesOf(syntheticPlan(16), {0, 1})
+                  .contains("(lowest to highest of 16 simulations)"));
 }
 
 TEST(PlanTable, StatesWhatClinicsReportBesideItsValues)

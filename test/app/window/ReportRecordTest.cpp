@@ -103,10 +103,35 @@ TEST_F(RecordOfAnInsertion, StatesFrictionWithItsIntervalAndOrigin)
   ASSERT_TRUE(plans);
   // 0.165 times and by exp(1.96 * 0.346), the spread of 0.20, 0.20 and 0.20
   EXPECT_EQ(gui::frictionText(*plans, references).toStdString(),
-            "0.165 (95 % 0.08–0.33); Estimate from pig tissue [1]");
+            "0.165 in this insertion; in ears 0.08 to 0.33 (95 %); Estimate from pig tissue [1]");
   const auto soap = session::loadScenario("mean-flex28", {{"friction_static", "0.09"}});
   ASSERT_TRUE(soap);
   EXPECT_EQ(gui::frictionText(*soap, references).left(5), "0.090");
+}
+
+TEST_F(RecordOfAnInsertion, SaysWhereAHandThatStopsWouldHaveEndedAndThatItsArrayIsNotValidated)
+{
+  const session::Overrides coarse = {
+      {"nodes", "30"}, {"dt_ms", "10.0"}, {"stop_travel_mm", "26.0"}, {"speed_mm_s", "2.0"}};
+  session::Overrides limited = coarse;
+  limited.emplace_back("stop_force_N", "0.1");
+  auto whole = gui::gatherReport(recordingOf("surgery-flex28", coarse), {});
+  ASSERT_TRUE(whole) << whole.error().message;
+  const auto stopped = gui::gatherReport(recordingOf("surgery-flex28", limited), {});
+  ASSERT_TRUE(stopped) << stopped.error().message;
+  EXPECT_FALSE(stopped->passedStop);  // it has the limit
+  ASSERT_TRUE(whole->passedStop);
+  EXPECT_EQ(whole->passedStop->depth.si(), stopped->insertion.profile.finalDepth);
+
+  for (const char* language : {"de", "en"}) {
+    gui::useLanguage(*QCoreApplication::instance(), QString::fromLatin1(language));
+    ASSERT_TRUE(gui::writeReport(*whole, pdf()));
+    EXPECT_THAT(text(1, 1), Not(HasSubstr("…"))) << text(1, 1);
+  }
+  EXPECT_THAT(text(1, 1), HasSubstr("A hand that stops at 100 mN would have ended at "));
+  EXPECT_THAT(text(1, 1), HasSubstr("FLEX28, not validated"));
+  ASSERT_TRUE(gui::writeReport(*stopped, pdf()));
+  EXPECT_THAT(text(1, 1), Not(HasSubstr("would have ended")));
 }
 
 TEST_F(RecordOfAnInsertion, HasTheBandOfItsPlanInTheCurve)

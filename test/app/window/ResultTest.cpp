@@ -151,6 +151,15 @@ TEST_F(ShownResult, StatesWhatClinicsReportOfItsArray)
   insert();
   EXPECT_TRUE(texts().contains("clinics report"));
   EXPECT_TRUE(texts().contains("575 (465–584)°")) << texts().join('|').toStdString();
+  EXPECT_TRUE(texts().contains("FLEX28, not validated")) << texts().join('|').toStdString();
+  EXPECT_FALSE(texts().join('|').contains("A hand that stops"));  // nor would it have stopped
+
+  // of one that a hand would have ended
+  gui::ReportContent content = *insertion().result();
+  content.passedStop = {millinewtons(100), millimeters(14.2), degrees(410), 7, 12};
+  card().show(content, QStringLiteral("Full depth"));
+  EXPECT_TRUE(texts().contains("A hand that stops at 100 mN"));
+  EXPECT_TRUE(texts().contains("would have ended at 14.2 mm, 410°, 7 of 12 contacts inside"));
   keepPicture(rig_.window(), "result-clinics");
 }
 

@@ -6,6 +6,8 @@
 
 #include <QAbstractButton>
 #include <QLabel>
+#include <QLineEdit>
+#include <QLocale>
 #include <QTest>
 #include <algorithm>
 #include <filesystem>
@@ -21,8 +23,11 @@
 #include "gui/pages/studies/StudyPanel.h"
 #include "gui/pages/studies/StudyPlot.h"
 #include "gui/pages/studies/StudyText.h"
+#include "gui/program/Languages.h"
 #include "gui/scene/PlainVtkWidget.h"
 #include "gui/setup/SetupTitle.h"
+#include "gui/text/Numbers.h"
+#include "perilymph/anatomy/DuctLength.h"
 #include "perilymph/foundation/Version.h"
 #include "perilymph/study/StudyFile.h"
 #include "perilymph/study/StudyRun.h"
@@ -192,6 +197,24 @@ TEST_F(AStudy, IsFilteredByArrayAndBySizeOfTheCochlea)
   EXPECT_EQ(rig.label("studyCount"), "32 of 32 insertions");
 }
 
+TEST_F(AStudy, SaysWhichLimitIsNoNumberAndIsOpenedWithoutThoseOfTheStudyBefore)
+{
+  WindowRig rig;
+  ASSERT_TRUE(open(rig));
+  rig.type("studyMinA", "abc");
+  EXPECT_TRUE(rig.label("studyStatus").contains("“abc” is no number"))
+      << rig.label("studyStatus").toStdString();
+  EXPECT_EQ(rig.label("studyCount"), "32 of 32 insertions");
+  rig.type("studyMinA", "99");
+  EXPECT_EQ(rig.label("studyStatus"), "");
+  rig.type("studyMaxA", "9");
+  EXPECT_TRUE(rig.label("studyStatus").contains("Exchange the limits"));
+  const auto columns = pageOf(rig).columns();
+  pageOf(rig).open(file());
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return pageOf(rig).columns() != columns; }));
+  EXPECT_EQ(rig.label("studyCount"), "32 of 32 insertions");
+}
+
 TEST_F(AStudy, ShowsTheInsertionOfAPointThatIsClicked)
 {
   WindowRig rig;
@@ -216,7 +239,9 @@ TEST_F(AStudy, NamesSettingsAndCochleaeInWords)
 {
   EXPECT_EQ(gui::inTheList(gui::settingTitle("ending")), "Outcome");
   EXPECT_EQ(gui::inTheList(gui::settingTitle("coupling")), "Input coupling");
-  EXPECT_EQ(gui::inTheList(gui::settingTitle("stop_force_N")), "Force limit, N");
+  EXPECT_EQ(gui::inTheList(gui::settingTitle("stop_force_N")), "Force limit, mN");
+  EXPECT_EQ(gui::valueText("stop_force_N", "0.1"), "100");
+  EXPECT_EQ(gui::valueText("speed_mm_s", "0.35"), "0.35");
   EXPECT_EQ(gui::unitOf("peak_mN"), "mN");
   EXPECT_EQ(gui::levelText("medel-standard"), "MED-EL Standard");
   EXPECT_EQ(gui::levelText("soap-10"), "Soap 10 %: speed-independent");
@@ -227,6 +252,40 @@ TEST_F(AStudy, NamesSettingsAndCochleaeInWords)
   EXPECT_TRUE(std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
     return label->text().startsWith("Simulated cochlea ");
   }));
+  // each length under its name: the duct's by the formula of the other pages, from A and B
+  const study::StudyResult& result = pageOf(rig).columns()->result(*pageOf(rig).plot().selected());
+  const auto values = gui::valuesOf(result);
+  const auto valueOf = [&](const char* name) {
+    const auto found = std::ranges::find_if(
+        values, [&](const auto& each) { return each.first == QLatin1String(name); });
+    return found == values.end() ? QString() : found->second;
+  };
+  EXPECT_EQ(valueOf("Cochlear duct length, mm"),
+            gui::numberText(inMillimeters(anatomy::ellipticCircularDuctLength(
+                                millimeters(result.a_mm), millimeters(result.b_mm))),
+                            1));
+  EXPECT_EQ(valueOf("Scala tympani length, mm"), gui::numberText(result.scalaLength_mm, 1));
+}
+
+TEST_F(AStudy, NamesFrictionsAndWritesNumbersInTheLanguageOfTheWindow)
+{
+  EXPECT_EQ(gui::levelText("soap-10"), "Soap 10 %: speed-independent");
+  gui::useLanguage(*QCoreApplication::instance(), QStringLiteral("de"));
+  const QString friction = gui::levelText("soap-10"), speed = gui::valueText("speed_mm_s", "0.35");
+  QString field, box;
+  {
+    WindowRig rig;
+    rig.window().showPage("studies");
+    pageOf(rig).findChild<QAbstractButton*>("emptyPageButton")->click();
+    field = pageOf(rig).findChild<QLineEdit*>("newStudy-speed_mm_s-low")->text();
+    box = rig.button("newStudy-friction-soap-10").text();
+  }
+  gui::useLanguage(*QCoreApplication::instance(), QStringLiteral("en"));
+  QLocale::setDefault(QLocale::c());
+  EXPECT_EQ(friction, "Seife 10 %: geschwindigkeitsunabhängig");
+  EXPECT_EQ(box, "Seife 10 %: geschwindigkeitsunabhängig");
+  EXPECT_EQ(speed, "0,35");
+  EXPECT_EQ(field, "0,35");
 }
 
 TEST_F(AStudy, IsWalkedThroughWithTheKeyboard)

@@ -258,7 +258,7 @@ public:
     for (const auto& [quantity, inSessions, inComparison] :
          {std::tuple{"tip angle", "Tip", "Tip"},
           std::tuple{"peak force of an insertion", "Peak", "Peak"},
-          std::tuple{"duration", "Insertion time", "Time"}}) {
+          std::tuple{"duration", "Insertion time", "Insertion time"}}) {
       readings_.addText(quantity, "sessions", cellOf(sessions, inSessions), "^");
       readings_.addText(quantity, "comparison", cellOf(compared, inComparison), "^");
     }

@@ -4,6 +4,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <set>
+#include <sstream>
+
 namespace perilymph::analysis {
 namespace {
 
@@ -78,6 +82,39 @@ TEST(InsertionsOfOneName, GetDistinctLabels)
   EXPECT_EQ(insertions[2].name, "a (3)");
 }
 
+TEST(InsertionsOfOneName, GetNoLabelThatAnotherHas)
+{
+  std::vector<ComparedInsertion> insertions(4);
+  insertions[0].name = "a (3)";
+  insertions[1].name = insertions[2].name = insertions[3].name = "a";
+  tellApart(insertions);
+  std::set<std::string> labels;
+  for (const ComparedInsertion& each : insertions) labels.insert(labelOf(each));
+  EXPECT_EQ(labels.size(), 4u);
+}
+
+TEST(ColumnsOfAComparison, AreExplainedAndFilled)
+{
+  auto one = insertion("a", {});
+  one.recording = "2026-11-28-a.insertion";
+  one.settings = {"soap-50",         "0.12 to 0.3", 0.66e-3, "round-window",
+                  degrees(3.0).si(), 0.0,           0.1,     7};
+  one.stopTravel = 24e-3;
+  one.end = haptics::InsertionEnd::stoppedByResistance;
+  std::istringstream table(comparisonCsv({one})), dictionary(comparisonDictionaryCsv());
+  std::string header, row, line;
+  std::getline(std::getline(table, header), row);
+  EXPECT_THAT(row, testing::EndsWith(
+                       ",2026-11-28-a.insertion,soap-50,0.12 to 0.3,0.66,round-window,3,0,7,24,0.1,"
+                       "stopped_by_resistance"));
+  EXPECT_EQ(std::ranges::count(row, ','), std::ranges::count(header, ','));
+  std::getline(dictionary, line);
+  std::string columns;
+  while (std::getline(dictionary, line))
+    columns += (columns.empty() ? "" : ",") + line.substr(0, line.find(','));
+  EXPECT_EQ(columns, header);
+}
+
 TEST(PublishedPoints, StandBehindInsertionsOfTheirArrayOnly)
 {
   std::vector<ComparedInsertion> insertions(2);
@@ -113,6 +150,54 @@ TEST(Groups, HoldInsertionsWithEqualValuesInOrderOfTheirNames)
   EXPECT_EQ(groups[0].name(), "Contour · aos");
   EXPECT_THAT(groups[0].members, testing::ElementsAre(2u));
   EXPECT_THAT(groups[1].members, testing::ElementsAre(0u, 1u));
+}
+
+std::vector<std::string> differing(const std::vector<ComparedInsertion>& insertions,
+                                   const InsertionGroup& group)
+{
+  std::vector<std::string> names;
+  for (const Phrase& each : differingIn(insertions, group)) names.emplace_back(each.english());
+  return names;
+}
+
+TEST(Groups, AreOfOneFrictionAndOneSetSpeedAndSaySoWhereTheyMix)
+{
+  using testing::ElementsAre;
+  auto insertions = twoTechniques({0.1, 0.2, 0.3}, {});
+  for (auto& each : insertions) {
+    each.settings.friction = "tissue";
+    each.settings.coefficient = "0.165";
+    each.settings.speed = 2e-3;
+  }
+  EXPECT_THAT(differing(insertions, groupsOf(insertions, {GroupKey::array})[0]), ElementsAre());
+  insertions[1].settings.coefficient = "0.3";
+  insertions[2].settings.speed = {};  // by hand
+  const auto byArray = groupsOf(insertions, {GroupKey::array});
+  ASSERT_EQ(byArray.size(), 1u);
+  EXPECT_THAT(differing(insertions, byArray[0]), ElementsAre("friction", "set speed"));
+  const auto divided = groupsOf(insertions, {GroupKey::friction, GroupKey::speed});
+  ASSERT_EQ(divided.size(), 3u);
+  EXPECT_EQ(divided[0].name(), "0.165 (tissue) · 2 mm/s");
+  EXPECT_EQ(divided[1].name(), "0.165 (tissue) · by hand");
+  EXPECT_EQ(divided[2].name(), "0.3 (tissue) · 2 mm/s");
+  for (const InsertionGroup& group : divided)
+    EXPECT_THAT(differing(insertions, group), ElementsAre());
+  insertions[1].settings.approachTilt = insertions[1].stopTravel = 0.01;
+  insertions[1].subject.cochlea = "another";
+  insertions[1].subject.array = "FLEX28";
+  insertions[1].subject.technique = "aos";
+  insertions[1].end = haptics::InsertionEnd::buckled;
+  EXPECT_THAT(
+      differing(insertions, {{"all"}, {0, 1}}),
+      ElementsAre("friction", "approach", "stop", "cochlea", "array", "technique", "ending"));
+}
+
+TEST(Groups, NameTechniquesInWordsWhereTheyAreShown)
+{
+  const auto insertions = twoTechniques({0.1}, {0.2});
+  const auto groups = groupsOf(insertions, {GroupKey::array, GroupKey::technique});
+  EXPECT_EQ(groups[0].title(), "Contour · advance off-stylet");
+  EXPECT_EQ(groups[1].title(), "Contour · standard");
 }
 
 TEST(Groups, HaveMeanDeviationAndDifferenceOfATextbook)

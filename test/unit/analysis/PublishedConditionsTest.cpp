@@ -35,5 +35,18 @@ TEST(PublishedConditions, AreNotThoseOfAnotherArrayCochleaFrictionOrSpeed)
   EXPECT_FALSE(isComparable({}, "mean-contour"));
 }
 
+TEST(TheBasalTurnOfTheExperiment, IsThatOfItsArrayTechniqueAndCochlea)
+{
+  const auto has = [](const session::Overrides& changes, const char* scenario) {
+    const auto loaded = session::loadScenario(scenario, changes);
+    EXPECT_TRUE(loaded) << loaded.error().message;
+    return loaded && hasPublishedBasalTurn(*loaded);
+  };
+  EXPECT_TRUE(has({{"friction", "\"tissue\""}, {"speed_mm_s", "1.0"}}, "contour-published"));
+  EXPECT_FALSE(has({}, "surgery-flex28"));
+  EXPECT_FALSE(has({{"technique", "\"aos\""}}, "contour-published"));
+  EXPECT_FALSE(has({{"anatomy", "\"mean\""}}, "contour-published"));
+}
+
 }  // namespace
 }  // namespace perilymph::analysis

@@ -172,7 +172,6 @@ TEST_F(StudyRuns, HoldWhatEachInsertionWas)
 
 TEST_F(StudyRuns, GoOnAfterTheyWereStopped)
 {
-  // More than a block, so that something is kept.
   const Study longer = [] {
     auto made = parseStudy(R"(
 title = "Long"
@@ -193,19 +192,21 @@ approach_turn_deg = [0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6]
   }();
   ASSERT_EQ(longer.size(), 70u);
   const Shard whole = shardOf(longer.size(), 1, 1);
+  // what is lost is a twentieth at most, in a small study as in a large one
   std::stop_source stop;
   const auto stopped = runShard(
       longer, whole, folder("stopped"), 1,
       [&stop](std::size_t done, std::size_t) {
-        if (done >= 66) stop.request_stop();
+        if (done >= 40) stop.request_stop();
       },
       stop.get_token());
   ASSERT_TRUE(stopped) << stopped.error().message;
   EXPECT_FALSE(*stopped);
-  EXPECT_THAT(mergeErrorOf(folder("stopped")), HasSubstr("is not complete (64 of 70"));
+  EXPECT_THAT(mergeErrorOf(folder("stopped")), HasSubstr("is not complete ("));
   const auto states = shardsIn(folder("stopped"));
   ASSERT_TRUE(states);
-  EXPECT_EQ(states->front().done, 64u);
+  EXPECT_GE(states->front().done, 40u - longer.size() / 20 - 1);
+  EXPECT_LE(states->front().done, 40u);
 
   ASSERT_TRUE(run(longer, folder("stopped"), 1, 1));
   ASSERT_TRUE(run(longer, folder("whole"), 1, 1));

@@ -6,9 +6,12 @@
 #include <gtest/gtest.h>
 #include <sqlite3.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 
+#include "StudyViews.h"
+#include "perilymph/foundation/Sha256.h"
 #include "perilymph/study/StudyFile.h"
 #include "perilymph/study/StudySummary.h"
 #include "perilymph/test/TemporaryFolder.h"
@@ -173,6 +176,32 @@ TEST_F(ViewsOfAStudy, OfTheVersionBeforeAreRead)
   const auto opened = StudyFile::open(file_);
   ASSERT_TRUE(opened) << opened.error().message;
   EXPECT_EQ(opened->size(), 4u);
+}
+
+TEST_F(ViewsOfAStudy, OfTheFirstDictionaryAreRead)
+{
+  // of which the dictionary explained the tables alone; the hash is of its text as that version wrote it
+  const auto is = [](const std::string& view) {
+    Sha256 hash;
+    hash.add(view);
+    return hash.hex() == "99fca30e6285e8dc5fb4fedfcca26acddd613bdac1fa21eabb348a6a9632eba8";
+  };
+  const auto former = formerStudyViews();
+  const auto found = std::ranges::find_if(former, is);
+  ASSERT_NE(found, former.end());
+  ASSERT_TRUE(run(file_, ("DROP VIEW dictionary; " + *found).c_str()));
+  const auto opened = StudyFile::open(file_);
+  ASSERT_TRUE(opened) << opened.error().message;
+}
+
+TEST_F(ViewsOfAStudy, AreExplainedColumnByColumn)
+{
+  EXPECT_THAT(rowsOf(file_,
+                     "SELECT m.name || '.' || p.name FROM sqlite_master AS m, "
+                     "pragma_table_info(m.name) AS p WHERE m.type IN ('table', 'view') "
+                     "ORDER BY 1"),
+              testing::ElementsAreArray(rowsOf(
+                  file_, "SELECT table_name || '.' || column_name FROM dictionary ORDER BY 1")));
 }
 
 TEST_F(ViewsOfAStudy, GiveOutcomesOfFinishedInsertions)

@@ -59,6 +59,8 @@ const std::vector<std::vector<GroupKey>>& groupings()
                                                          {GroupKey::array},
                                                          {GroupKey::technique},
                                                          {GroupKey::patient},
+                                                         {GroupKey::friction},
+                                                         {GroupKey::speed},
                                                          {GroupKey::array, GroupKey::technique}};
   return all;
 }
@@ -105,10 +107,11 @@ QWidget* ComparePage::addRuns()
   axis_ = choice(tr("over"), "comparisonAxis",
                  {tr("travel"), tr("insertion depth"), tr("tip angle")}, top, page);
   top->addSpacing(spacing);
-  grouping_ = choice(tr("groups"), "comparisonGroups",
-                     {tr("none: each insertion"), tr("by array"), tr("by technique"),
-                      tr("by patient"), tr("by array and technique")},
-                     top, page);
+  grouping_ =
+      choice(tr("groups"), "comparisonGroups",
+             {tr("none: each insertion"), tr("by array"), tr("by technique"), tr("by patient"),
+              tr("by friction"), tr("by set speed"), tr("by array and technique")},
+             top, page);
   for (QComboBox* box : {axis_, grouping_})
     connect(box, QOverload<int>::of(&QComboBox::activated), this, &ComparePage::showContent);
   connect(axis_, QOverload<int>::of(&QComboBox::activated), this, &ComparePage::placeCursor);
@@ -121,6 +124,15 @@ QWidget* ComparePage::addRuns()
   runsTable_ = new RunsTable(page);
   connect(runsTable_, &QTableWidget::itemSelectionChanged, this, &ComparePage::showScore);
   groupsTable_ = new GroupsTable(page);
+  mixed_ = text({}, 13, page);
+  mixed_->setObjectName(QStringLiteral("mixedGroups"));
+  mixed_->setProperty("error", true);
+  mixed_->setWordWrap(true);
+  method_ = text(tr("Differences of means with their 95 % intervals (Welch). %1 quantities are "
+                    "compared; the intervals are not corrected for their number.")
+                     .arg(analysis::comparedQuantities().size()),
+                 11, page, true);
+  method_->setWordWrap(true);
 
   score_ = text({}, 11, page, true);
   score_->setObjectName(QStringLiteral("scoreReasons"));
@@ -136,7 +148,9 @@ QWidget* ComparePage::addRuns()
   column->addWidget(plot_, 1);
   column->addWidget(legend_);
   column->addWidget(runsTable_);
+  column->addWidget(mixed_);
   column->addWidget(groupsTable_);
+  column->addWidget(method_);
   column->addWidget(score_);
   column->addWidget(status_);
   return page;
@@ -240,8 +254,25 @@ void ComparePage::showContent()
   runsTable_->setVisible(groups_.empty());
   score_->setVisible(groups_.empty());
   groupsTable_->setVisible(!groups_.empty());
+  method_->setVisible(groups_.size() > 1);
+  showMixed();
   if (!groups_.empty()) groupsTable_->show(runs_, groups_, keys());
   showCursor();
+}
+
+void ComparePage::showMixed()
+{
+  QStringList lines;
+  for (const analysis::InsertionGroup& group : groups_) {
+    QStringList differing;
+    for (const Phrase& each : analysis::differingIn(runs_, group))
+      differing << dataText(Sentence(each));
+    if (!differing.isEmpty())
+      lines << tr("%1 mixes insertions that differ in %2.")
+                   .arg(groupText(group, keys()), differing.join(QStringLiteral(", ")));
+  }
+  mixed_->setText(lines.join(QLatin1Char('\n')));
+  mixed_->setVisible(!lines.isEmpty());
 }
 
 const analysis::Reference* ComparePage::comparedWith() const
@@ -281,6 +312,7 @@ Result<void> ComparePage::writeInto(const std::filesystem::path& folder) const
       figures::draw(analysis::comparisonFigure(runs_, comparedWith(), axis(), groups_));
   std::vector<std::pair<const char*, std::string>> files = {
       {"comparison.csv", analysis::comparisonCsv(runs_)},
+      {"comparison-dictionary.csv", analysis::comparisonDictionaryCsv()},
       {"curves.csv", analysis::curvesCsv(runs_, axis())},
       {"events.csv", analysis::eventsCsv(runs_)},
       {"curves.svg", figures::svg(figure)}};
@@ -301,7 +333,7 @@ void ComparePage::save()
   if (chosen.isEmpty()) return;
   const auto written = writeInto(chosen.toStdString());
   if (!written) return status_->showMessage(dataText(written.error().message), true);
-  status_->sayWritten(tr("%1 files saved to %2.").arg(groups_.empty() ? 5 : 7).arg(chosen),
+  status_->sayWritten(tr("%1 files saved to %2.").arg(groups_.empty() ? 6 : 8).arg(chosen),
                       chosen.toStdString());
 }
 

@@ -51,6 +51,8 @@ private:
   void showContent();
   /// Sets the cursor to the peak of the first insertion, without ribs.
   void placeCursor();
+  /// Warns of groups whose insertions differ in more than chance.
+  void showMixed();
   void showCursor();
   void showScore();
   void save();
@@ -65,7 +67,7 @@ private:
   RunsTable* runsTable_ = nullptr;
   GroupsTable* groupsTable_ = nullptr;
   QComboBox *axis_ = nullptr, *grouping_ = nullptr;
-  QLabel *legend_ = nullptr, *score_ = nullptr;
+  QLabel *legend_ = nullptr, *score_ = nullptr, *mixed_ = nullptr, *method_ = nullptr;
   StatusLine* status_ = nullptr;
   QPushButton* save_ = nullptr;
   Background reading_;

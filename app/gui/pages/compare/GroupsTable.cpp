@@ -2,10 +2,12 @@
 #include "gui/pages/compare/GroupsTable.h"
 
 #include <QHeaderView>
+#include <QLocale>
 #include <QPixmap>
 
 #include "gui/pages/compare/ComparisonPlot.h"
 #include "gui/pages/compare/RunsTable.h"
+#include "gui/setup/Catalog.h"
 #include "gui/text/DataText.h"
 #include "gui/text/Numbers.h"
 #include "gui/widgets/TableRows.h"
@@ -17,13 +19,27 @@ namespace {
 
 constexpr int groupRow_px = 22;
 
-QString nameOf(const analysis::InsertionGroup& group, const std::vector<analysis::GroupKey>& keys)
+/// A value of a key in the language of the window: techniques and frictions by their titles there.
+QString valueText(const std::string& value, analysis::GroupKey key)
 {
-  QStringList parts;
-  for (std::size_t i = 0; i < keys.size(); ++i)
-    parts << (keys[i] == analysis::GroupKey::technique ? techniqueText(group.values[i])
-                                                       : QString::fromStdString(group.values[i]));
-  return parts.join(QStringLiteral(" · "));
+  const QString text = QString::fromStdString(value);
+  if (key == analysis::GroupKey::technique) return techniqueText(value);
+  if (key == analysis::GroupKey::speed) {
+    const QString number = text.section(QLatin1Char(' '), 0, 0);
+    bool isNumber = false;
+    const double speed = number.toDouble(&isNumber);
+    return isNumber ? GroupsTable::tr("%1 mm/s").arg(numberText(speed, 2))
+                    : GroupsTable::tr("by hand");
+  }
+  if (key == analysis::GroupKey::friction) {
+    QString coefficient = text.section(QStringLiteral(" ("), 0, 0);
+    coefficient.replace(QLatin1Char('.'), QLocale().decimalPoint());
+    for (const CatalogFriction& friction : catalogFrictions())
+      if (text.endsWith(QStringLiteral("(%1)").arg(friction.name)))
+        return GroupsTable::tr("%1 (%2)").arg(coefficient, friction.title);
+    return GroupsTable::tr("%1 (own value)").arg(coefficient);
+  }
+  return text;
 }
 
 QString withUnit(const QString& text, const QString& unit)
@@ -63,6 +79,14 @@ QString differenceText(const std::vector<double>& one, const std::vector<double>
 
 }  // namespace
 
+QString groupText(const analysis::InsertionGroup& group,
+                  const std::vector<analysis::GroupKey>& keys)
+{
+  QStringList parts;
+  for (std::size_t i = 0; i < keys.size(); ++i) parts << valueText(group.values[i], keys[i]);
+  return parts.join(QStringLiteral(" · "));
+}
+
 GroupsTable::GroupsTable(QWidget* parent) : QTableWidget(0, 0, parent)
 {
   setObjectName(QStringLiteral("groupsTable"));
@@ -94,11 +118,11 @@ void GroupsTable::show(const std::vector<analysis::ComparedInsertion>& runs,
   setHeader(0, tr("Mean ± SD"));
   for (int i = 0; i < count; ++i) {
     const auto& group = groups[std::size_t(i)];
-    setHeader(1 + i, tr("%1, n = %2").arg(nameOf(group, keys)).arg(group.members.size()));
+    setHeader(1 + i, tr("%1, n = %2").arg(groupText(group, keys)).arg(group.members.size()));
     horizontalHeaderItem(1 + i)->setIcon(QIcon(swatchOf(std::size_t(i))));
     if (i > 0)
       setHeader(
-          count + i, tr("%1 − %2").arg(nameOf(groups[0], keys), nameOf(group, keys)),
+          count + i, tr("%1 − %2, 95 %").arg(groupText(groups[0], keys), groupText(group, keys)),
           tr("Difference of the means with its 95 % interval (Welch). Without an interval where "
              "a group has fewer than two insertions, or where none of them differ."));
   }

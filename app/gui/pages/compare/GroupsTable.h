@@ -10,6 +10,10 @@
 
 namespace perilymph::gui {
 
+/// The values of a group in the language of the window.
+QString groupText(const analysis::InsertionGroup& group,
+                  const std::vector<analysis::GroupKey>& keys);
+
 /// Mean ± SD of each quantity, and differences with their 95 % intervals. The first row is the force at
 /// the cursor.
 class GroupsTable : public QTableWidget {

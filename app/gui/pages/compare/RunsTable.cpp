@@ -58,7 +58,21 @@ QString titleOf(const analysis::ComparedInsertion& insertion)
   return RunsTable::tr("%1 · %2\n%3 · %4 ear · %5")
       .arg(QString::fromStdString(subject.array), technique,
            QString::fromStdString(subject.patient), sideText(subject.side),
-           utc.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm")));
+           utc.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm:ss")));
+}
+
+/// The titles; those that are equal with the name of their recording, which no other has.
+QStringList titlesOf(const std::vector<analysis::ComparedInsertion>& runs)
+{
+  QStringList titles;
+  for (const analysis::ComparedInsertion& each : runs) titles << titleOf(each);
+  QStringList distinct;
+  for (int i = 0; i < titles.size(); ++i)
+    distinct << (titles.count(titles[i]) == 1
+                     ? titles[i]
+                     : RunsTable::tr("%1 · %2").arg(
+                           titles[i], QString::fromStdString(runs[std::size_t(i)].name)));
+  return distinct;
 }
 
 /// "3.2 mm" of the array in the scala vestibuli, "rupture at 210°" without it; a dash if the partition
@@ -119,8 +133,8 @@ RunsTable::RunsTable(QWidget* parent) : QTableWidget(0, columns, parent)
   horizontalHeader()->setHighlightSections(false);
   setHorizontalHeaderLabels({tr("Insertion"), tr("At cursor"), tr("Peak force"), tr("at depth"),
                              tr("Without ribs"), tr("Insertion work"), tr("Mean speed"),
-                             tr("Reversals"), tr("Time"), tr("Tip angle"), tr("Translocation"),
-                             tr("Score")});
+                             tr("Reversals"), tr("Insertion time"), tr("Tip angle"),
+                             tr("Translocation"), tr("Score")});
   horizontalHeaderItem(arrayPeak)->setToolTip(
       tr("Peak force with no marker rib at the opening: that of the array in the cochlea."));
   horizontalHeaderItem(speed)->setToolTip(
@@ -140,12 +154,13 @@ void RunsTable::show(const std::vector<analysis::ComparedInsertion>& runs,
                      const std::vector<Result<analysis::InsertionScore>>& scores)
 {
   setRowCount(int(runs.size()));
+  const QStringList titles = titlesOf(runs);
   for (int row = 0; row < int(runs.size()); ++row) {
     const analysis::ComparedInsertion& each = runs[std::size_t(row)];
     const analysis::ForceProfile& profile = each.profile;
     const auto& scored = scores[std::size_t(row)];
     const std::pair<int, QString> cells[] = {
-        {run, titleOf(each)},
+        {run, titles[row]},
         {peak, peakText(each)},
         {peakDepth, tr("%1 mm").arg(numberText(inMillimeters(meters(profile.peakDepth)), 1))},
         {arrayPeak, forceText(each.arrayPeak.force)},

@@ -117,9 +117,12 @@ void ResultCard::show(const ReportContent& content, const QString& title)
   contacts_ =
       planning::insertionContactsCsv(contactsOf_.array, content.scenario.array(), content.contacts);
   title_->setText(title);
-  const QString array = QString::fromStdString(content.scenario.array().name);
+  const QString mark = verdictMark(content.scenario.arrayName());
+  QString array = QString::fromStdString(content.scenario.array().name);
+  if (!mark.isEmpty()) array = tr("%1, %2").arg(array, mark);
   const QString doubts = deepestNotes(content).join(QStringLiteral("; "));
   subject_->setText(doubts.isEmpty() ? array : tr("%1: %2").arg(array, doubts));
+  subject_->setToolTip(verdictNote(content.scenario.arrayName()));
   delete rows_;
   rows_ = new QWidget(this);
   auto* grid = new QGridLayout(rows_);
@@ -144,6 +147,16 @@ void ResultCard::show(const ReportContent& content, const QString& title)
            result.clinicsDetail);
     for (const int column : {0, 1})
       grid->itemAtPosition(row, column)->widget()->setToolTip(result.detail);
+    ++row;
+  }
+  if (const auto& passed = content.passedStop) {
+    grid->addWidget(cell(passedStopName(*passed), "quiet", rows_), row, 0);
+    auto* place = cell(passedStopText(*passed), "value", rows_);
+    place->setToolTip(
+        tr("The greatest force at which the hands of plans stop. This insertion "
+           "went on above it, so its depth, angle and contacts are not those that "
+           "a plan or a clinic reports."));
+    grid->addWidget(place, row, 1, 1, 3);
     ++row;
   }
   if (content.insertion.translocation)

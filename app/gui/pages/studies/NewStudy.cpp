@@ -128,7 +128,8 @@ CheckBox* NewStudy::box(std::vector<Listed>& list, const QString& text, const st
 
 QLineEdit* NewStudy::field(const char* name, const QString& title, const char* value)
 {
-  auto* field = new QLineEdit(QLatin1String(value), this);
+  auto* field = new QLineEdit(this);
+  field->setText(QString(QLatin1String(value)).replace(QLatin1Char('.'), QLocale().decimalPoint()));
   field->setObjectName(QLatin1String(name));
   field->setAccessibleName(title);
   field->setFont(typeface(13));
@@ -221,9 +222,8 @@ void NewStudy::addHand(QVBoxLayout& column)
 void NewStudy::addRun(QVBoxLayout& column)
 {
   title_ = field("newStudyTitle", tr("Title"), "");
-  title_->setText(
-      tr("Study of %1").arg(QLocale().toString(QDate::currentDate(), QLocale::ShortFormat)));
   title_->setMaxLength(80);
+  connect(title_, &QLineEdit::textEdited, this, [this] { hasOwnTitle_ = true; });
   column.addWidget(title_);
   seed_ = field("newStudySeed", tr("Seed"), "1");
   seed_->setFixedWidth(sized(fieldWidth_px));
@@ -255,7 +255,10 @@ void NewStudy::addRun(QVBoxLayout& column)
   start_ = panelButton(tr("Start"), "startStudyButton", this);
   start_->setProperty("primary", true);
   connect(start_, &QPushButton::clicked, this, [this] {
-    if (const auto asked = draft()) Q_EMIT startRequested(*asked);
+    const auto asked = draft();
+    if (!asked) return;
+    hasOwnTitle_ = false;  // the next study has another
+    Q_EMIT startRequested(*asked);
   });
   auto* back = panelButton(tr("Back"), "leaveNewStudyButton", this);
   back->setToolTip(tr("Esc"));
@@ -268,8 +271,20 @@ void NewStudy::addRun(QVBoxLayout& column)
   connect(stored_, &StoredStudies::asked, this, &NewStudy::storedRequested);
 }
 
+void NewStudy::proposeTitle()
+{
+  const QString usual =
+      tr("Study of %1").arg(QLocale().toString(QDate::currentDate(), QLocale::ShortFormat));
+  const QStringList taken = storedTitles();
+  QString title = usual;
+  for (int number = 2; taken.contains(title); ++number)
+    title = tr("%1 (%2)").arg(usual).arg(number);
+  title_->setText(title);
+}
+
 void NewStudy::refresh()
 {
+  if (!hasOwnTitle_ || title_->text().trimmed().isEmpty()) proposeTitle();
   listPatients();
   stored_->refresh();
   edited();

@@ -63,6 +63,8 @@ private:
   QLineEdit* field(const char* name, const QString& title, const char* value);
   CheckBox* box(std::vector<Listed>& list, const QString& text, const std::string& name,
                 const QString& object, bool isChecked);
+  /// "Study of 28.11.26", with a number if a study has that title.
+  void proposeTitle();
   void listPatients();
   void edited();
   void check();
@@ -82,6 +84,7 @@ private:
   QLabel* note_ = nullptr;
   QPushButton* start_ = nullptr;
   bool isBusy_ = false, canStart_ = false;
+  bool hasOwnTitle_ = false;  ///< Typed for the study that is being made.
 };
 
 }  // namespace perilymph::gui

@@ -88,7 +88,10 @@ StudiesPage::StudiesPage(QWidget* parent)
     plot_->show(columns_, panel_->axes());
     summarize();
   });
-  connect(panel_, &StudyPanel::filterChanged, this, &StudiesPage::showRows);
+  connect(panel_, &StudyPanel::filterChanged, this, [this] {
+    showMessage(panel_->problem(), true);
+    showRows();
+  });
   connect(panel_, &StudyPanel::selectionChanged, this, &StudiesPage::showSummary);
   connect(plot_, &StudyPlot::chosen, this, &StudiesPage::choose);
   connect(plot_, &StudyPlot::opened, this, [this](std::uint32_t chosen) {

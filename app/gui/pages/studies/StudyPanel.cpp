@@ -124,6 +124,11 @@ void StudyPanel::offer(const study::StudyColumns& columns)
   select(*x_, QString::fromStdString(before.x), QStringLiteral("A_mm"));
   select(*y_, QString::fromStdString(before.y), QStringLiteral("angle_deg"));
   select(*group_, QString::fromStdString(before.group), QStringLiteral("array"));
+  {
+    const QSignalBlocker quiet(this);  // the caller shows the study's rows
+    minA_->clear();
+    maxA_->clear();
+  }
   offerFilters(columns);
 }
 
@@ -140,7 +145,7 @@ void StudyPanel::offerFilters(const study::StudyColumns& columns)
     column->addWidget(panelHeading(settingTitle(factor.key).toUpper(), boxesOfStudy_));
     boxes_.emplace_back();
     for (std::size_t i = 0; i < factor.levels.size(); ++i) {
-      auto* box = new CheckBox(inTheList(levelText(factor.levels[i])), boxesOfStudy_);
+      auto* box = new CheckBox(inTheList(valueText(factor.key, factor.levels[i])), boxesOfStudy_);
       box->setObjectName(
           QStringLiteral("study-%1-%2")
               .arg(QString::fromStdString(factor.key), QString::fromStdString(factor.levels[i])));
@@ -168,6 +173,20 @@ study::StudyFilter StudyPanel::filter() const
   filter.minA_mm = typedNumber(minA_->text()).value_or(filter.minA_mm);
   filter.maxA_mm = typedNumber(maxA_->text()).value_or(filter.maxA_mm);
   return filter;
+}
+
+QString StudyPanel::problem() const
+{
+  for (const QLineEdit* each : {minA_, maxA_})
+    if (!each->text().trimmed().isEmpty() && !typedNumber(each->text()))
+      return tr("Cochlear size, %1: “%2” is no number and limits nothing. Enter millimeters, or "
+                "empty the field.")
+          .arg(each->accessibleName(), each->text());
+  const study::StudyFilter limits = filter();
+  if (limits.minA_mm > limits.maxA_mm)
+    return tr("Cochlear size: from %1 to %2 holds no insertion. Exchange the limits.")
+        .arg(minA_->text(), maxA_->text());
+  return {};
 }
 
 void StudyPanel::reset()

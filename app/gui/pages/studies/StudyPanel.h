@@ -23,10 +23,12 @@ class StudyPanel : public QWidget {
 public:
   explicit StudyPanel(QWidget* parent);
 
-  /// Offers what a study has. The axes stay where it has them, too.
+  /// Offers what a study has, without filters. The axes stay where it has them, too.
   void offer(const study::StudyColumns& columns);
   StudyPlot::Axes axes() const;
   study::StudyFilter filter() const;
+  /// What is wrong with the limits as typed, which filter() leaves out; empty if nothing.
+  QString problem() const;
   /// Which of the shown insertions tables and lines are of.
   study::StudySelection selection() const;
   /// Selects all insertions.

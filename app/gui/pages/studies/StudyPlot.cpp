@@ -112,7 +112,7 @@ void StudyPlot::showGroups(const study::StudySummary* summary, study::StudySelec
   const bool isGrouped = factor != nullptr;
   std::vector<charts::ScatterGroup> groups(isGrouped ? factor->levels.size() : 1);
   for (std::size_t i = 0; isGrouped && i < groups.size(); ++i)
-    groups[i].label = inTheList(levelText(factor->levels[i])).toStdString();
+    groups[i].label = inTheList(valueText(factor->key, factor->levels[i])).toStdString();
   const std::vector<double>& x = columnOf(*columns_, axes_.x);
   const std::vector<double>& y = columnOf(*columns_, axes_.y);
   for (const std::uint32_t row : rows_) {

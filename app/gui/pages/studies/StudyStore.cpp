@@ -72,6 +72,14 @@ std::vector<std::string> namesOf(const std::vector<fs::path>& patients)
   return names;
 }
 
+/// The title in a study's settings; else the name of its folder.
+QString titleOf(const fs::path& folder)
+{
+  const std::string name = folder.filename().string();
+  auto reader = TomlReader::open(folder / studySettingsFile);
+  return QString::fromStdString(reader ? reader->text("title", name) : name);
+}
+
 }  // namespace
 
 std::string studyText(const StudyDraft& draft)
@@ -118,9 +126,7 @@ StoredStudy readStoredStudy(const fs::path& folder)
 {
   StoredStudy stored;
   stored.folder = folder;
-  stored.title = QString::fromStdString(folder.filename().string());
-  if (auto reader = TomlReader::open(folder / studySettingsFile))
-    stored.title = QString::fromStdString(reader->text("title", folder.filename().string()));
+  stored.title = titleOf(folder);
   std::error_code ignored;
   stored.isComplete = fs::exists(folder / study::mergedFile, ignored);
   if (const auto states = study::shardsIn(folder))
@@ -129,6 +135,17 @@ StoredStudy readStoredStudy(const fs::path& folder)
       stored.cases = std::max(stored.cases, state.cases);
     }
   return stored;
+}
+
+QStringList storedTitles()
+{
+  QStringList titles;
+  std::error_code failure;
+  for (fs::directory_iterator entries(studiesFolder(), failure), end; !failure && entries != end;
+       entries.increment(failure))
+    if (fs::exists(entries->path() / studySettingsFile, failure))
+      titles << titleOf(entries->path());
+  return titles;
 }
 
 std::vector<StoredStudy> storedStudies()

@@ -4,6 +4,7 @@
 // Studies that are made in the window: their settings, and their folders on the disk.
 
 #include <QString>
+#include <QStringList>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -57,6 +58,9 @@ Result<std::filesystem::path> saveStudy(const StudyDraft& draft);
 
 /// How far a study's folder is.
 StoredStudy readStoredStudy(const std::filesystem::path& folder);
+
+/// The titles of all studies of studiesFolder().
+QStringList storedTitles();
 
 /// All studies of studiesFolder(), the last changed first.
 std::vector<StoredStudy> storedStudies();

@@ -2,10 +2,12 @@
 #include "gui/pages/studies/StudyText.h"
 
 #include <QCoreApplication>
+#include <QLocale>
 #include <map>
 
 #include "gui/setup/Catalog.h"
 #include "gui/text/Numbers.h"
+#include "perilymph/session/Csv.h"
 
 namespace perilymph::gui {
 
@@ -22,7 +24,8 @@ struct Name {
 constexpr Name quantities[] = {
     {"A_mm", QT_TRANSLATE_NOOP("Study", "A: basal-turn diameter, mm")},
     {"B_mm", QT_TRANSLATE_NOOP("Study", "B: basal-turn width, mm")},
-    {"st_length_mm", QT_TRANSLATE_NOOP("Study", "cochlear duct length, mm")},
+    {"cdl_oc_mm", QT_TRANSLATE_NOOP("Study", "cochlear duct length, mm")},
+    {"st_length_mm", QT_TRANSLATE_NOOP("Study", "scala tympani length, mm")},
     {"angle_deg", QT_TRANSLATE_NOOP("Study", "angular insertion depth, °")},
     {"coverage_percent", QT_TRANSLATE_NOOP("Study", "cochlear coverage, %")},
     {"depth_mm", QT_TRANSLATE_NOOP("Study", "insertion depth, mm")},
@@ -32,7 +35,8 @@ constexpr Name quantities[] = {
     {"end_mN", QT_TRANSLATE_NOOP("Study", "final insertion force, mN")},
     {"partition_mN", QT_TRANSLATE_NOOP("Study", "maximum partition force, mN")},
     {"speed_mm_s", QT_TRANSLATE_NOOP("Study", "speed, mm/s")},
-    {"stop_force_N", QT_TRANSLATE_NOOP("Study", "force limit, N")},
+    {"stop_force_mN", QT_TRANSLATE_NOOP("Study", "force limit, mN")},
+    {"stop_force_N", QT_TRANSLATE_NOOP("Study", "force limit, mN")},
     {"start_inside_mm", QT_TRANSLATE_NOOP("Study", "depth at the start, mm")},
     {"stop_travel_mm", QT_TRANSLATE_NOOP("Study", "stop travel, mm")},
     {"approach_tilt_deg", QT_TRANSLATE_NOOP("Study", "approach angle, tilt, °")},
@@ -97,6 +101,12 @@ std::map<QString, QString> catalogTitles()
 
 QString number(double value, int decimals) { return numberText(value, decimals); }
 
+/// A number in a text of a file, with the window's decimal sign.
+QString localNumber(const std::string& text)
+{
+  return QString::fromStdString(text).replace(QLatin1Char('.'), QLocale().decimalPoint());
+}
+
 }  // namespace
 
 QString quantityTitle(const std::string& key)
@@ -116,12 +126,24 @@ QString levelText(const std::string& level)
   const char* text = textOf(levels, level);
   if (text != nullptr) return tr(text);
   const QString name = QString::fromStdString(level);
-  static const std::map<QString, QString> titles = catalogTitles();
-  if (const auto found = titles.find(name); found != titles.end()) return found->second;
+  static std::map<QString, std::map<QString, QString>> byLanguage;
+  const auto [titles, isNew] = byLanguage.try_emplace(settingTitle("friction"));
+  if (isNew) titles->second = catalogTitles();
+  if (const auto found = titles->second.find(name); found != titles->second.end())
+    return found->second;
   bool isNumber = false;
   const double value = name.toDouble(&isNumber);
   if (isNumber && name.size() > maxDigits) return number(value, 3);  // drawn from a range
+  if (isNumber) return localNumber(level);
   return level.empty() ? QStringLiteral("–") : QString::fromStdString(level);
+}
+
+QString valueText(const std::string& key, const std::string& value)
+{
+  if (key != "stop_force_N") return levelText(value);
+  bool isNumber = false;
+  const double force_N = QString::fromStdString(value).toDouble(&isNumber);
+  return isNumber ? localNumber(session::shortestDecimal(force_N * 1e3)) : levelText(value);
 }
 
 QString selectionText(study::StudySelection selection)
@@ -169,12 +191,13 @@ std::vector<std::pair<QString, QString>> valuesOf(const study::StudyResult& resu
     values.emplace_back(QCoreApplication::translate("Study", "reason"),
                         QString::fromStdString(found.reason));
   for (const auto& [key, value] : result.settings)
-    values.emplace_back(settingTitle(key), levelText(value));
+    values.emplace_back(settingTitle(key), valueText(key, value));
   const auto add = [&values](const char* key, double value, int decimals) {
     values.emplace_back(quantityTitle(key), number(value, decimals));
   };
   add("A_mm", result.a_mm, 2);
   add("B_mm", result.b_mm, 2);
+  add("cdl_oc_mm", result.ductLength_mm(), 1);
   add("st_length_mm", result.scalaLength_mm, 1);
   add("depth_mm", inMillimeters(found.depth), 2);
   add("max_depth_mm", inMillimeters(found.maxDepth), 2);

@@ -19,6 +19,8 @@ QString settingTitle(const std::string& key);
 /// "advance off-stylet" for "aos", "folded tip" for "folded_tip". Unknown values, such as names
 /// of arrays, are returned unchanged.
 QString levelText(const std::string& level);
+/// The value of a setting in the unit of its title: "100" for "0.1" of "stop_force_N"; else levelText().
+QString valueText(const std::string& key, const std::string& value);
 /// "all that ran", "complete only".
 QString selectionText(study::StudySelection selection);
 

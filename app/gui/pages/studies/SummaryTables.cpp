@@ -76,11 +76,10 @@ void fill(QTableWidget& table, const QStringList& heads, const std::vector<QStri
       table.setItem(int(row), column, item);
     }
   table.horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  table.horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
   const int shown = std::min(int(rows.size()), maxRows);
-  // in a narrow window the columns are scrolled
+  // no name is cut: what is wider than the table is scrolled
   const bool isWide = table.horizontalHeader()->length() > table.width() - 2 * table.frameWidth();
-  if (isWide) table.horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
+  if (!isWide) table.horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
   const int bar = isWide ? table.horizontalScrollBar()->sizeHint().height() : 0;
   table.setFixedHeight(table.horizontalHeader()->sizeHint().height() + shown * sized(row_px) + bar +
                        2 * table.frameWidth() + 2);
@@ -136,10 +135,10 @@ QString stoppedText(const study::StudyGroup& group)
              : SummaryTables::tr("%1, %2 not prepared").arg(stopped).arg(group.notPrepared());
 }
 
-QString nameOf(const study::StudyGroup& group)
+QString nameOf(const study::StudySummary& summary, const study::StudyGroup& group)
 {
   return group.level.empty() ? SummaryTables::tr("All insertions")
-                             : inTheList(levelText(group.level));
+                             : inTheList(valueText(summary.axes.group, group.level));
 }
 
 }  // namespace
@@ -174,7 +173,9 @@ void SummaryTables::show(const study::StudySummary& summary, study::StudySelecti
                "gentler.");
   method_->setText(
       of + QLatin1Char(' ') +
-      tr("Intervals of 95 %: Wilson for complete insertions; of differences of means, Student over "
+      tr("Intervals of 95 %: Wilson for complete insertions; in it and in those of the lines "
+         "insertions that share a cochlea count as independent; of differences of means, Student "
+         "over "
          "cochleae of pairs that share the draw, Welch for groups without pairs; not corrected for "
          "several comparisons. Lines: least squares, with the 95 % band of the mean."));
 }
@@ -184,7 +185,7 @@ void SummaryTables::showGroups(const study::StudySummary& summary, study::StudyS
   const Decimals decimals = decimalsOf(summary, selection);
   std::vector<QStringList> rows;
   for (const study::StudyGroup& group : summary.groups) {
-    QStringList row{nameOf(group), completeText(group), stoppedText(group)};
+    QStringList row{nameOf(summary, group), completeText(group), stoppedText(group)};
     const study::StudySample& sample = group.samples[selection];
     for (std::size_t i = 0; i < decimals.size(); ++i) row << sampleText(sample, i, decimals[i]);
     row << (sample.trend ? rangeText(sample.trend->slope(), placesOf(sample.trend->slope().value))
@@ -214,10 +215,10 @@ void SummaryTables::showDifferences(const study::StudySummary& summary,
   std::vector<QStringList> rows;
   for (const study::StudyDifference& each : summary.differences) {
     if (each.selection != selection) continue;
-    QStringList row{
-        tr("%1 − %2").arg(nameOf(summary.groups[each.group]), nameOf(summary.groups[each.other])),
-        each.isPaired ? tr("%1 pairs, %2 cochleae").arg(each.count).arg(each.cochleae)
-                      : tr("Welch, %1 and %2").arg(each.count).arg(each.otherCount)};
+    QStringList row{tr("%1 − %2").arg(nameOf(summary, summary.groups[each.group]),
+                                      nameOf(summary, summary.groups[each.other])),
+                    each.isPaired ? tr("%1 pairs, %2 cochleae").arg(each.count).arg(each.cochleae)
+                                  : tr("Welch, %1 and %2").arg(each.count).arg(each.otherCount)};
     for (std::size_t i = 0; i < decimals.size(); ++i) row << rangeText(each.means[i], decimals[i]);
     rows.push_back(row);
   }

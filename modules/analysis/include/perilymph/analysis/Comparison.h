@@ -14,6 +14,7 @@
 #include "perilymph/analysis/InsertionEvents.h"
 #include "perilymph/analysis/MotionCounter.h"
 #include "perilymph/foundation/Result.h"
+#include "perilymph/haptics/InsertionEnd.h"
 #include "perilymph/session/RecordedInsertion.h"
 #include "perilymph/session/SessionLibrary.h"
 
@@ -38,11 +39,26 @@ double stepOf(CurveAxis axis);
 /// A place on an axis as it is shown: mm or degrees.
 double shownPlace(CurveAxis axis, double place);
 
+/// What was set for an insertion beside array, technique and patient. Empty or 0 where the scenario can no
+/// longer be read.
+struct InsertionSettings {
+  std::string friction;         ///< Its name: "estimate-from-pig-tissue"; "own" if in no file.
+  std::string coefficient;      ///< Static: "0.165"; by speed "0.12 to 0.3".
+  std::optional<double> speed;  ///< Set for the script [m/s]; empty of an insertion by hand.
+  std::string opening;          ///< "round-window".
+  double approachTilt = 0.0, approachTurn = 0.0;  ///< [rad]
+  double stopForce = 0.0;                         ///< [N]; 0 without.
+  std::uint64_t seed = 0;
+};
+
 /// Data of one recording.
 struct ComparedInsertion {
-  std::string name;  ///< Name for display, see session::displayNameOf().
+  std::string name;       ///< Name for display, see session::displayNameOf().
+  std::string recording;  ///< Name of the file.
   std::string scenario;
   session::ScenarioSubject subject;
+  InsertionSettings settings;
+  haptics::InsertionEnd end = haptics::InsertionEnd::none;
   std::string startedUtc;  ///< "2010-05-17T09:30:00Z".
   ForceProfile profile;
   /// The force at each multiple of stepOf() that depth and angle first pass.
@@ -75,9 +91,13 @@ std::vector<AxisPoint> curveOver(const ComparedInsertion& insertion, CurveAxis a
 /// `name, scenario, peak_N, peak_travel_mm, peak_depth_mm, work_mJ, reversals, duration_s,
 /// final_depth_mm, final_angle_deg, rupture_angle_deg, rupture_N, above_mm, array, technique, patient,
 /// side, array_peak_N, array_peak_depth_mm, rib_peak_N, rib_peak_depth_mm, end_N, deepest_angle_deg,
-/// score, score_definition, mean_speed_mm_s`, one row per recording. Those of a rupture are empty if the partition held, those of a rib if
-/// none came to the opening.
+/// score, score_definition, mean_speed_mm_s, recording, friction, friction_coefficient, speed_set_mm_s,
+/// opening, approach_tilt_deg, approach_turn_deg, seed, stop_travel_mm, stop_force_N, end`, one row per
+/// recording. Those of a rupture are empty if the partition held, those of a rib if none came to the opening.
 std::string comparisonCsv(const std::vector<ComparedInsertion>& insertions);
+
+/// `column, unit, meaning`, one row per column of comparisonCsv().
+std::string comparisonDictionaryCsv();
 
 /// `travel_mm`, `depth_mm` or `angle_deg` and a column `<name>_N` per recording, every stepOf(); empty
 /// where it has no point.
@@ -94,7 +114,7 @@ bool areComparableWithPublished(const std::vector<ComparedInsertion>& insertions
 /// The force of a curve at a place [m or rad], linearly interpolated; empty outside its range.
 std::optional<double> forceAt(const std::vector<AxisPoint>& curve, double place);
 
-/// Appends a number to insertions with equal names, which would share a column.
+/// Appends a number to insertions with equal labels, which would share a column, until none are equal.
 void tellApart(std::vector<ComparedInsertion>& insertions);
 
 }  // namespace perilymph::analysis

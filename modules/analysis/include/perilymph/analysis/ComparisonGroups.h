@@ -17,16 +17,24 @@
 namespace perilymph::analysis {
 
 /// What insertions of one group have in common.
-enum class GroupKey : std::uint8_t { array, technique, patient };
+enum class GroupKey : std::uint8_t { array, technique, patient, friction, speed };
 
 /// Insertions with equal values of some keys.
 struct InsertionGroup {
-  std::vector<std::string> values;   ///< One for each key, as in the subjects.
+  /// One for each key, as in the subjects; "0.165 (soap-50)" of a friction, "2 mm/s" or "by hand" of a speed.
+  std::vector<std::string> values;
   std::vector<std::size_t> members;  ///< Indices of the insertions, ascending.
 
   /// The values, joined by " · ".
   std::string name() const;
+  /// The same with techniques in words, for display: "FLEX28 · advance off-stylet".
+  std::string title() const;
 };
+
+/// What differs within a group and is none of its keys: friction, set speed, approach, stop, cochlea, array,
+/// technique, ending. Its insertions are then not repetitions of one.
+std::vector<Phrase> differingIn(const std::vector<ComparedInsertion>& insertions,
+                                const InsertionGroup& group);
 
 /// The groups in the order of their names. Without keys there are none.
 std::vector<InsertionGroup> groupsOf(const std::vector<ComparedInsertion>& insertions,

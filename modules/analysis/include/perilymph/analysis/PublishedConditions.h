@@ -12,4 +12,8 @@ namespace perilymph::analysis {
 /// device do not matter. False if the scenario is missing.
 bool hasPublishedConditions(const session::Scenario& insertion);
 
+/// Whether it has the array, technique and cochlea of that experiment, in which BasalTurnWindow is the travel
+/// of the basal turn. Of others findBasalTurn() finds any dip of the curve there.
+bool hasPublishedBasalTurn(const session::Scenario& insertion);
+
 }  // namespace perilymph::analysis

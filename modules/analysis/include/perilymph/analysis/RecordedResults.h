@@ -5,11 +5,13 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <stop_token>
 #include <vector>
 
 #include "perilymph/analysis/Comparison.h"
 #include "perilymph/analysis/ContactPositions.h"
+#include "perilymph/analysis/PassedStop.h"
 #include "perilymph/anatomy/ScalaTympani.h"
 #include "perilymph/foundation/Result.h"
 #include "perilymph/haptics/Snapshot.h"
@@ -26,6 +28,7 @@ struct RecordedResults {
   haptics::Snapshot deepest{};            ///< At maximum depth; the shape is recomputed.
   haptics::TickOutput last{};             ///< At the end of the recording.
   std::vector<ContactPosition> contacts;  ///< At maximum depth, from the tip.
+  std::optional<PassedStop> passedStop;   ///< Where a hand of the plans would have stopped before.
 };
 
 /// Reads a recording and replays it, in about a tenth of its duration. `stop` ends it early, with an

@@ -4,9 +4,11 @@
 // One insertion by a script as the command `simulate` runs it, and what it says of it.
 
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "perilymph/analysis/ForceProfile.h"
+#include "perilymph/analysis/PassedStop.h"
 #include "perilymph/foundation/Result.h"
 #include "perilymph/haptics/HapticLoop.h"
 #include "perilymph/session/Insertion.h"
@@ -18,7 +20,8 @@ namespace perilymph::analysis {
 struct SimulatedInsertion {
   ForceProfile profile;
   haptics::TickOutput last;
-  Angle angularInsertionDepth;  ///< At the end; 0 if no contact is inserted.
+  Angle angularInsertionDepth;           ///< At the end; 0 if no contact is inserted.
+  std::optional<PassedStop> passedStop;  ///< Empty if the force stayed below, see stopToPass().
 };
 
 /// Runs a prepared insertion to its end in virtual time.

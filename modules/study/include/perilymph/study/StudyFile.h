@@ -35,6 +35,9 @@ struct StudyResult {
   double a_mm = 0.0, b_mm = 0.0;     ///< Diameters of the basal turn of the cochlea as built.
   double scalaLength_mm = 0.0;       ///< Length of its scala tympani along the organ of Corti.
   analysis::InsertionRun insertion;  ///< Contacts and profile empty unless they are kept.
+
+  /// Cochlear duct length from A and B, as on every page (anatomy's DuctLength.h); 0 without them.
+  double ductLength_mm() const;
 };
 
 /// Identity of a file.

@@ -9,6 +9,7 @@
 
 #include "ComparisonColumns.h"
 #include "ProfilePoints.h"
+#include "TableColumns.h"
 #include "perilymph/analysis/CsvField.h"
 #include "perilymph/analysis/PublishedConditions.h"
 #include "perilymph/analysis/Reference.h"
@@ -131,11 +132,7 @@ std::vector<AxisPoint> curveOver(const ComparedInsertion& insertion, CurveAxis a
 
 std::string comparisonCsv(const std::vector<ComparedInsertion>& insertions)
 {
-  std::string csv =
-      "name,scenario,peak_N,peak_travel_mm,peak_depth_mm,work_mJ,reversals,duration_s,"
-      "final_depth_mm,final_angle_deg,rupture_angle_deg,rupture_N,above_mm,array,technique,patient,"
-      "side,array_peak_N,array_peak_depth_mm,rib_peak_N,rib_peak_depth_mm,end_N,deepest_angle_deg,"
-      "score,score_definition,mean_speed_mm_s\n";
+  std::string csv = headerOf(comparisonColumns()) + "\n";
   for (const ComparedInsertion& each : insertions) {
     const ForceProfile& profile = each.profile;
     csv += csvField(labelOf(each)) + "," + csvField(each.scenario);
@@ -192,7 +189,7 @@ std::string curvesCsv(const std::vector<ComparedInsertion>& insertions, CurveAxi
 
 std::string eventsCsv(const std::vector<ComparedInsertion>& insertions)
 {
-  std::string csv = "name,event,rib,time_s,travel_mm,depth_mm,angle_deg,force_N\n";
+  std::string csv = headerOf(eventColumns()) + "\n";
   for (const ComparedInsertion& each : insertions)
     for (const InsertionEvent& event : each.events)
       csv += csvField(labelOf(each)) + "," + nameOf(event.kind) + "," +

@@ -54,7 +54,7 @@ foreach(document IN LISTS documents)
   install(FILES "${document}" DESTINATION "${share}/doc/perilymph/${place}" COMPONENT program)
 endforeach()
 install(DIRECTORY resources/pictures resources/guide resources/schemas DESTINATION "${share}/doc/perilymph/resources" COMPONENT program
-  PATTERN make-pictures EXCLUDE PATTERN make-film EXCLUDE PATTERN make-start EXCLUDE)
+  PATTERN make-pictures EXCLUDE PATTERN make-reference EXCLUDE PATTERN make-film EXCLUDE PATTERN make-start EXCLUDE)
 
 # The development files of device plug-ins.
 set(sdk "${CMAKE_INSTALL_DATADIR}/cmake/Perilymph")

@@ -55,7 +55,7 @@ std::string bandText(const planning::Band& band, int decimals)
 /// base to the tip, in the cochlear frame.
 Result<std::string> shapesCsv(const planning::Plan& plan)
 {
-  std::string csv = "array,draw,node,x_mm,y_mm,z_mm\n";
+  std::string csv = headerOf(planning::shapeColumns()) + "\n";
   for (std::size_t i = 0; i < plan.arrays.size(); ++i) {
     const std::size_t draw = planning::medianDraw(plan, i);
     if (draw == 0) continue;  // no draw could be run

@@ -10,6 +10,7 @@
 
 #include "ComparisonColumns.h"
 #include "ProfilePoints.h"
+#include "TableColumns.h"
 #include "perilymph/analysis/CsvField.h"
 #include "perilymph/analysis/PublishedConditions.h"
 #include "perilymph/analysis/Reference.h"
@@ -80,50 +81,6 @@ InsertionSettings settingsOf(const session::Scenario& scenario,
 
 /// A value that was set, without the rounding errors of its conversion to SI and back.
 std::string settingField(double value) { return nextField(std::round(value * 1e9) / 1e9); }
-
-/// One column of the table, its unit and what it means.
-struct ComparedColumn {
-  const char *key, *unit, *meaning;
-};
-constexpr ComparedColumn comparedColumns[] = {
-    {"name", "", "name of the recording as shown, with a number if two were equal"},
-    {"scenario", "", "name of the scenario"},
-    {"peak_N", "N", "peak insertion force: largest axial force on the hand"},
-    {"peak_travel_mm", "mm", "travel at the peak"},
-    {"peak_depth_mm", "mm", "insertion depth at the peak"},
-    {"work_mJ", "mJ", "work of the hand on the array"},
-    {"reversals", "", "withdrawals of 0.1 mm or more"},
-    {"duration_s", "s", "insertion time: from the first to the last motion, pauses included"},
-    {"final_depth_mm", "mm", "length of the array past the opening at the end"},
-    {"final_angle_deg", "degrees", "tip angle at the end"},
-    {"rupture_angle_deg", "degrees", "where the partition ruptured; empty if it held"},
-    {"rupture_N", "N", "force on the partition at its rupture"},
-    {"above_mm", "mm", "largest length of the array in the scala vestibuli"},
-    {"array", "", "name of the array"},
-    {"technique", "", "'standard' or 'aos', advance off-stylet"},
-    {"patient", "", "code of the patient, or the anatomy"},
-    {"side", "", "'left' or 'right' ear"},
-    {"array_peak_N", "N", "peak with no marker rib at the opening"},
-    {"array_peak_depth_mm", "mm", "insertion depth at that peak"},
-    {"rib_peak_N", "N", "peak with a marker rib at the opening; empty if none came there"},
-    {"rib_peak_depth_mm", "mm", "insertion depth at that peak"},
-    {"end_N", "N", "force where the insertion ends: line through the last 0.5 s of motion"},
-    {"deepest_angle_deg", "degrees", "largest tip angle"},
-    {"score", "", "technique score of 100; empty if it cannot be computed"},
-    {"score_definition", "", "version of the definition of the score"},
-    {"mean_speed_mm_s", "mm/s",
-     "inward motion up to the maximum depth by its time, pauses included"},
-    {"recording", "", "file of the recording"},
-    {"friction", "", "name of the friction; 'own' if its values are in no file"},
-    {"friction_coefficient", "", "static coefficient, or the range over speeds"},
-    {"speed_set_mm_s", "mm/s", "speed of the script; empty of an insertion by hand"},
-    {"opening", "", "'none' (wide), 'round-window' or 'cochleostomy'"},
-    {"approach_tilt_deg", "degrees", "approach from the axis of the opening, tilt"},
-    {"approach_turn_deg", "degrees", "approach from the axis of the opening, rotation"},
-    {"seed", "", "random seed of the scenario"},
-    {"stop_travel_mm", "mm", "travel at which the insertion stops; 0 if not known"},
-    {"stop_force_N", "N", "force at which the hand stops; 0 without a limit"},
-    {"end", "", "how the insertion ended: 'finished', 'stopped_by_resistance', 'buckled', ..."}};
 
 }  // namespace
 
@@ -214,10 +171,7 @@ std::vector<AxisPoint> curveOver(const ComparedInsertion& insertion, CurveAxis a
 
 std::string comparisonCsv(const std::vector<ComparedInsertion>& insertions)
 {
-  std::string csv;
-  for (const ComparedColumn& column : comparedColumns)
-    csv += (csv.empty() ? "" : ",") + std::string(column.key);
-  csv += "\n";
+  std::string csv = headerOf(comparisonColumns()) + "\n";
   for (const ComparedInsertion& each : insertions) {
     const ForceProfile& profile = each.profile;
     csv += csvField(labelOf(each)) + "," + csvField(each.scenario);
@@ -257,8 +211,8 @@ std::string comparisonCsv(const std::vector<ComparedInsertion>& insertions)
 std::string comparisonDictionaryCsv()
 {
   std::string csv = "column,unit,meaning\n";
-  for (const ComparedColumn& column : comparedColumns)
-    csv += std::string(column.key) + "," + column.unit + "," + csvField(column.meaning) + "\n";
+  for (const FieldMeaning& column : comparisonColumns())
+    csv += column.name + "," + column.unit + "," + csvField(column.meaning) + "\n";
   return csv;
 }
 
@@ -290,7 +244,7 @@ std::string curvesCsv(const std::vector<ComparedInsertion>& insertions, CurveAxi
 
 std::string eventsCsv(const std::vector<ComparedInsertion>& insertions)
 {
-  std::string csv = "name,event,rib,time_s,travel_mm,depth_mm,angle_deg,force_N\n";
+  std::string csv = headerOf(eventColumns()) + "\n";
   for (const ComparedInsertion& each : insertions)
     for (const InsertionEvent& event : each.events)
       csv += csvField(labelOf(each)) + "," + nameOf(event.kind) + "," +

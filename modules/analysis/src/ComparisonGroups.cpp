@@ -7,6 +7,7 @@
 #include <set>
 
 #include "ComparisonColumns.h"
+#include "TableColumns.h"
 #include "perilymph/analysis/CsvField.h"
 #include "perilymph/analysis/Score.h"
 #include "perilymph/session/ScenarioChoices.h"
@@ -156,7 +157,7 @@ std::vector<double> valuesOf(const std::vector<ComparedInsertion>& insertions,
 std::string groupsCsv(const std::vector<ComparedInsertion>& insertions,
                       const std::vector<InsertionGroup>& groups)
 {
-  std::string csv = "group,quantity,n,mean,sd,low95,high95\n";
+  std::string csv = headerOf(groupColumns()) + "\n";
   for (const InsertionGroup& group : groups)
     for (const ComparedQuantity& quantity : comparedQuantities()) {
       const std::vector<double> values = valuesOf(insertions, group, quantity);
@@ -175,7 +176,7 @@ std::string groupsCsv(const std::vector<ComparedInsertion>& insertions,
 std::string differencesCsv(const std::vector<ComparedInsertion>& insertions,
                            const std::vector<InsertionGroup>& groups)
 {
-  std::string csv = "group,other,quantity,n,n_other,difference,low95,high95,degrees_of_freedom\n";
+  std::string csv = headerOf(differenceColumns()) + "\n";
   for (std::size_t i = 0; i < groups.size(); ++i)
     for (std::size_t j = i + 1; j < groups.size(); ++j)
       for (const ComparedQuantity& quantity : comparedQuantities()) {

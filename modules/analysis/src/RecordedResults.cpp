@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "perilymph/haptics/TickOutput.h"
+#include "perilymph/haptics/Snapshot.h"
 #include "perilymph/session/Playback.h"
 #include "perilymph/session/RecordedInsertion.h"
 

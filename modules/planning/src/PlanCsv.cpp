@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <string>
 
+#include "PlanColumns.h"
 #include "PlanNumbers.h"
 #include "perilymph/analysis/ClinicalReports.h"
 #include "perilymph/analysis/CsvField.h"
@@ -14,14 +15,6 @@ namespace {
 
 std::string number(double value) { return session::shortestDecimal(rounded(value)); }
 
-std::string headOf(const std::string& key)
-{
-  std::string head;
-  for (const char* quantile : {"p5", "p25", "median", "p75", "p95"})
-    head += "," + key + "_" + quantile;
-  return head;
-}
-
 std::string cellsOf(const Band& band)
 {
   std::string cells;
@@ -31,31 +24,12 @@ std::string cellsOf(const Band& band)
   return cells;
 }
 
-std::string headOfShare(const std::string& key)
-{
-  return "," + key + "_percent," + key + "_low," + key + "_high";
-}
-
 std::string cellsOf(const analysis::Estimate& estimate)
 {
   std::string cells;
   for (const double value : {estimate.value, estimate.low, estimate.high})
     cells += "," + number(100.0 * value);
   return cells;
-}
-
-constexpr analysis::ReportedQuantity besideArrays[] = {
-    analysis::ReportedQuantity::angle,         analysis::ReportedQuantity::complete,
-    analysis::ReportedQuantity::translocation, analysis::ReportedQuantity::foldOver,
-    analysis::ReportedQuantity::peakForce,     analysis::ReportedQuantity::endForce};
-
-std::string headOfReports()
-{
-  std::string head;
-  for (const analysis::ReportedQuantity quantity : besideArrays)
-    for (const char* part : {"", "_low", "_high", "_spread", "_n", "_of"})
-      head += std::string(",reported_") + analysis::nameOf(quantity) + part;
-  return head + ",clinical_table";
 }
 
 /// The first report of each quantity; empty fields where there is none.
@@ -83,13 +57,7 @@ std::string cellsOfReports(const std::string& array)
 
 std::string arraysCsv(const Plan& plan)
 {
-  std::string csv = "array,name,draws";
-  for (const PlanQuantity& each : planQuantities()) csv += headOf(each.key);
-  for (const PlanProbability& each : planProbabilities()) csv += headOfShare(each.key);
-  csv += ",bands_hold";
-  for (const FrictionQuantity& each : frictionQuantities)
-    csv += headOf(std::string("at_median_friction_") + each.key);
-  csv += headOfReports() + "\n";
+  std::string csv = headerOf(planArrayColumns()) + "\n";
   for (const ArrayPlan& each : plan.arrays) {
     csv += analysis::csvField(each.array) + "," + analysis::csvField(each.name) + "," +
            std::to_string(each.draws);
@@ -105,10 +73,7 @@ std::string arraysCsv(const Plan& plan)
 
 std::string differencesCsv(const Plan& plan)
 {
-  std::string csv = "first,second,draws";
-  for (const DifferenceQuantity& each : differenceQuantities) csv += headOf(each.key);
-  for (const DifferenceProbability& each : differenceProbabilities) csv += headOfShare(each.key);
-  csv += '\n';
+  std::string csv = headerOf(planDifferenceColumns()) + "\n";
   for (const ArrayDifference& each : plan.differences) {
     csv += analysis::csvField(plan.arrays[each.first].array) + "," +
            analysis::csvField(plan.arrays[each.second].array) + "," + std::to_string(each.draws);

@@ -8,6 +8,7 @@
 #include <stop_token>
 
 #include "InsertionsTable.h"
+#include "SummaryColumns.h"
 #include "perilymph/analysis/CsvField.h"
 #include "perilymph/foundation/Quantile.h"
 #include "perilymph/session/Csv.h"
@@ -175,21 +176,9 @@ std::string fields(const std::optional<Estimate>& estimate)
   return "," + number(estimate->value) + "," + number(estimate->low) + "," + number(estimate->high);
 }
 
-std::string columnsOf(const std::vector<const char*>& names)
-{
-  std::string header;
-  for (const SummarizedQuantity& each : summarizedQuantities)
-    for (const char* name : names)
-      header += std::string(",") + each.column + "_" + name + "_" + each.unit;
-  return header;
-}
-
 std::string groupsTable(const StudySummary& summary)
 {
-  std::string csv =
-      "group,selection,n,complete,stopped,not_prepared,complete_percent,complete_low95_percent,"
-      "complete_high95_percent,n_selected" +
-      columnsOf({"median", "quartile25", "quartile75", "mean", "sd"}) + "\n";
+  std::string csv = headerOf(summaryGroupColumns()) + "\n";
   for (const StudyGroup& group : summary.groups)
     for (const StudySelection selection : studySelections) {
       const StudySample& sample = group.samples[selection];
@@ -214,8 +203,7 @@ std::string groupsTable(const StudySummary& summary)
 
 std::string differencesTable(const StudySummary& summary)
 {
-  std::string csv = "group,other,selection,method,n,n_other,cochleae" +
-                    columnsOf({"mean_difference", "low95", "high95"}) + "\n";
+  std::string csv = headerOf(summaryDifferenceColumns()) + "\n";
   for (const StudyDifference& each : summary.differences) {
     csv += csvField(summary.groups[each.group].level) + "," +
            csvField(summary.groups[each.other].level) + "," + nameOf(each.selection) +
@@ -231,7 +219,7 @@ std::string differencesTable(const StudySummary& summary)
 /// The slope is in units of y per unit of x, which their keys name.
 std::string trendsTable(const StudySummary& summary)
 {
-  std::string csv = "group,selection,x,y,n,slope,slope_low95,slope_high95,intercept,residual_sd\n";
+  std::string csv = headerOf(summaryTrendColumns()) + "\n";
   for (const StudyGroup& group : summary.groups)
     for (const StudySelection selection : studySelections) {
       const auto& trend = group.samples[selection].trend;

@@ -13,13 +13,6 @@ namespace perilymph::study {
 
 namespace {
 
-/// What a column of a table is.
-struct ColumnMeaning {
-  const char* table;
-  const char* column;
-  const char* unit;  ///< Empty without one.
-  const char* meaning;
-};
 constexpr ColumnMeaning columnMeanings[] = {
     {"insertion", "number", "",
      "Number of the insertion, from 0; the study, its seed and this number give it again"},
@@ -218,6 +211,8 @@ std::string ofStopped()
 }
 
 }  // namespace
+
+std::span<const ColumnMeaning> studyColumnMeanings() { return columnMeanings; }
 
 std::vector<std::string> studyViews()
 {

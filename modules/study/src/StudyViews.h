@@ -1,10 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
 namespace perilymph::study {
+
+/// What a column of a table is.
+struct ColumnMeaning {
+  const char* table;
+  const char* column;
+  const char* unit;  ///< Empty without one.
+  const char* meaning;
+};
+/// Every column of every table, in their order.
+std::span<const ColumnMeaning> studyColumnMeanings();
 
 /// The views of a study's file: `CREATE VIEW` statements, one per question.
 std::vector<std::string> studyViews();

@@ -23,6 +23,37 @@ const std::array<const char*, recordedColumnCount> recordedNames = [] {
   return names;
 }();
 
+const FieldMeanings& tickColumns()
+{
+  static const FieldMeanings columns = {
+      {columnNames[0], "s", "Time since the first motion, pauses included."},
+      {columnNames[1], "mm", "Travel: insertion depth less that at the start."},
+      {columnNames[2], "mm", "Insertion depth: length of the array past the opening."},
+      {columnNames[3], "mm/s", "Speed of the base along the axis of the opening."},
+      {columnNames[4], "deg", "Tip angle: angle of the tip from the round window; 0 before it."},
+      {columnNames[5], "N", "Insertion force: axial force on the hand, positive while pushing in."},
+      {columnNames[6], "N", "Force of the array on the hand, x in the world frame."},
+      {columnNames[7], "N", "The same, y."},
+      {columnNames[8], "N", "The same, z."},
+      {columnNames[9], "mm", "Position of the tip, x in the world frame."},
+      {columnNames[10], "mm", "The same, y."},
+      {columnNames[11], "mm", "The same, z."},
+      {columnNames[12], "mm", "Position of the base that the hand commands, x in the world frame."},
+      {columnNames[13], "mm", "The same, y."},
+      {columnNames[14], "mm", "The same, z."},
+      {columnNames[15], "mm", "Position of the base, x in the world frame."},
+      {columnNames[16], "mm", "The same, y."},
+      {columnNames[17], "mm", "The same, z."},
+      {columnNames[18], "", "Number of nodes that touch the wall."},
+      {columnNames[19], "N", "Largest normal force of the wall on one node."},
+      {columnNames[20], "N", "Sum of the normal forces on the basilar membrane."},
+      {columnNames[21], "N",
+       "Largest force on the cochlear partition within one contact; empty in older recordings."},
+      {columnNames[22], "uJ",
+       "Work that wires and stylet took by yielding, since the start; 0 of elastic arrays."}};
+  return columns;
+}
+
 std::array<double, columnCount> columnValues(const haptics::TickRecord& record)
 {
   const haptics::TickOutput& now = record.output;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "ValidationColumns.h"
 #include "perilymph/analysis/CsvField.h"
 #include "perilymph/figures/Strings.h"
 #include "perilymph/foundation/Math.h"
@@ -43,7 +44,7 @@ Sentence titleOf(BenchMedium medium)
 
 std::string benchFrictionCsv(const BenchResult& result)
 {
-  std::string csv = "specimen,medium,friction,low95,high95\n";
+  std::string csv = headerOf(benchFrictionColumns()) + "\n";
   for (const auto* list : {&result.media, &result.pairs})
     for (const MediumFriction& each : *list)
       csv += row(each.specimen, nameIn(benchMedia, each.medium), each.friction);
@@ -56,7 +57,7 @@ std::string benchFrictionCsv(const BenchResult& result)
 
 std::string benchPredictedCsv(const BenchResult& result)
 {
-  std::string csv = "specimen,medium,depth_mm,measured_mN,predicted_mN,low90_mN,high90_mN,inside\n";
+  std::string csv = headerOf(benchPredictedColumns()) + "\n";
   for (const PredictedForce& each : result.predicted) {
     csv += analysis::csvField(each.specimen) + "," + nameIn(benchMedia, each.medium) + "," +
            fixed(inMillimeters(meters(each.depth)), 2);
@@ -69,7 +70,7 @@ std::string benchPredictedCsv(const BenchResult& result)
 
 std::string benchScoresCsv(const BenchResult& result)
 {
-  std::string csv = "specimen,forces,capstan,constant_ratio\n";
+  std::string csv = headerOf(benchScoreColumns()) + "\n";
   for (const ModelScore& each : result.scores)
     csv += analysis::csvField(each.specimen) + "," + std::to_string(each.forces) + "," +
            fixed(each.capstan, 2) + "," + fixed(each.constantRatio, 2) + "\n";

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "ValidationColumns.h"
 #include "perilymph/analysis/PhysicalRanges.h"
 #include "perilymph/analysis/RoundedTravel.h"
 #include "perilymph/figures/Strings.h"
@@ -106,8 +107,6 @@ void addRow(std::string& csv, double travel, const analysis::SampleStatistics& f
   csv += "\n";
 }
 
-constexpr const char* header = "travel_mm,mean_N,sd_N,sem_N,ci95_low_N,ci95_high_N\n";
-
 Json json(const std::optional<analysis::CurvePoint>& point)
 {
   if (!point) return nullptr;
@@ -191,14 +190,14 @@ std::vector<Verdict> verdictsOf(const ValidationResult& result,
 
 std::string profileCsv(const ValidationResult& result)
 {
-  std::string csv = header;
+  std::string csv = headerOf(forceColumns()) + "\n";
   for (const ProfilePoint& point : result.profile) addRow(csv, point.travel, point.force);
   return csv;
 }
 
 std::string differenceCsv(const ValidationResult& result)
 {
-  std::string csv = header;
+  std::string csv = headerOf(forceColumns()) + "\n";
   for (const AnchorComparison& anchor : result.anchors)
     addRow(csv, anchor.experiment.travel, anchor.difference);
   return csv;

@@ -4,6 +4,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "ValidationColumns.h"
 #include "perilymph/analysis/CsvField.h"
 #include "perilymph/analysis/Surgeon.h"
 #include "perilymph/foundation/Version.h"
@@ -79,12 +80,7 @@ std::string cell(double value)
 
 std::string clinicalRowsCsv(const std::vector<ClinicalRow>& rows)
 {
-  std::string csv =
-      "quantity,unit,published_low,published_high,median,lower_quartile,upper_quartile,"
-      "inside_fraction,runs,verdict,is_clinical,confidence,source,note,published_median,patients,"
-      "tolerance,power,verdict_at_median_friction,spread_factor,spread_tolerance,spread_verdict,"
-      "contacts_inside,published_contacts_inside,angle_at_length,angle_at_length_runs,"
-      "published_angle_at_length,depth_mm\n";
+  std::string csv = headerOf(clinicalRowColumns()) + "\n";
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   const ClinicalCompanion nothing{none, none, 0, true};
   for (const ClinicalRow& row : rows) {
@@ -109,9 +105,7 @@ std::string clinicalRowsCsv(const std::vector<ClinicalRow>& rows)
 
 std::string clinicalInsertionsCsv(const std::vector<analysis::ClinicalInsertion>& insertions)
 {
-  std::string csv =
-      "seed,patient,array,end,apical_deg,depth_mm,end_N,peak_N,partition_N,is_ruptured,reason,"
-      "after_1s_N,after_10s_N,shared_ln_friction,contacts_inside,contacts,is_translocated\n";
+  std::string csv = headerOf(clinicalInsertionColumns()) + "\n";
   for (const analysis::ClinicalInsertion& each : insertions) {
     csv += std::to_string(each.seed) + "," + std::to_string(each.patient) + "," +
            analysis::csvField(each.array) + "," + haptics::nameOf(each.end);

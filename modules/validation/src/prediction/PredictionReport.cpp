@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <nlohmann/json.hpp>
 
+#include "ValidationColumns.h"
 #include "perilymph/analysis/CsvField.h"
 #include "perilymph/foundation/Version.h"
 #include "perilymph/session/Csv.h"
@@ -57,7 +58,7 @@ Json json(const ArraySummary& array, const analysis::PrintedRange* end,
 
 std::string predictionCsv(const PredictionResult& result)
 {
-  std::string csv = "array,patient,apical_deg,depth_mm,end_N,peak_N,error\n";
+  std::string csv = headerOf(predictionColumns()) + "\n";
   for (const PredictedInsertion& each : result.insertions) {
     csv += analysis::csvField(each.array) + "," + analysis::csvField(each.patient);
     for (const double value :

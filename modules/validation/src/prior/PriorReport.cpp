@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "ValidationColumns.h"
 #include "perilymph/foundation/Version.h"
 #include "perilymph/session/Csv.h"
 #include "perilymph/validation/PriorPredictive.h"
@@ -16,24 +17,11 @@ using session::shortestDecimal;
 
 double inMilli(double force) { return 1e3 * force; }
 
-std::string travelText(std::size_t k) { return shortestDecimal(comparedTravels_mm[k]); }
-
-std::string priorHeader()
-{
-  std::string header = "draw,reason";
-  for (const char* name : inputNames) header += std::string(",") + name;
-  header += ",scale";
-  for (std::size_t k = 0; k < comparedTravels_mm.size(); ++k)
-    header += ",force_" + travelText(k) + "_mN";
-  for (std::size_t k = 1; k < comparedTravels_mm.size(); ++k) header += ",slope_" + travelText(k);
-  return header;
-}
-
 }  // namespace
 
 std::string priorCsv(const std::vector<RepeatedExperiment>& repetitions)
 {
-  std::string csv = priorHeader() + "\n";
+  std::string csv = headerOf(priorColumns()) + "\n";
   for (const RepeatedExperiment& each : repetitions) {
     csv += std::to_string(each.number) + "," + each.reason;
     for (const double value : each.inputs) csv += "," + shortestDecimal(value);
@@ -47,11 +35,7 @@ std::string priorCsv(const std::vector<RepeatedExperiment>& repetitions)
 
 std::string priorSummaryCsv(const PriorSummary& summary)
 {
-  std::string csv =
-      "travel_mm,experiment_low_mN,experiment_high_mN,experiment_sem_mN,mean_mN,sd_mN,low90_mN,"
-      "high90_mN,low90_with_error_mN,high90_with_error_mN,rank,rank_with_error,is_inside";
-  for (const char* name : inputNames) csv += std::string(",rank_correlation_") + name;
-  csv += "\n";
+  std::string csv = headerOf(priorSummaryColumns()) + "\n";
   for (const PredictedAnchor& anchor : summary.anchors) {
     csv += shortestDecimal(anchor.travel_mm);
     for (const double force :

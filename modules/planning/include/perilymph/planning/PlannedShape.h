@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "perilymph/anatomy/ScalaTympani.h"
+#include "perilymph/foundation/FieldMeaning.h"
 #include "perilymph/foundation/Result.h"
 #include "perilymph/haptics/Snapshot.h"
 #include "perilymph/planning/PlanResult.h"
@@ -23,5 +24,8 @@ struct PlannedShape {
   haptics::Snapshot end;                                 ///< The array at the end.
   PlannedInsertion insertion;  ///< The plan's; the profile at `traceSpacing`.
 };
+
+/// Columns of a table of planned shapes, a row per node from the base to the tip.
+const FieldMeanings& shapeColumns();
 
 }  // namespace perilymph::planning

@@ -6,6 +6,7 @@
 #include <array>
 #include <string>
 
+#include "perilymph/foundation/FieldMeaning.h"
 #include "perilymph/haptics/Snapshot.h"
 
 namespace perilymph::session {
@@ -19,6 +20,9 @@ extern const std::array<const char*, columnCount> columnNames;
 /// The same in the table of a recording, which keeps the names of its first version: the tip angle is
 /// `angular_depth_deg` there.
 extern const std::array<const char*, recordedColumnCount> recordedNames;
+
+/// What they mean, in the same order.
+const FieldMeanings& tickColumns();
 
 /// The values of one tick in the units of columnNames. x, y, z are in W (right ear); the axial
 /// force is that on the hand, positive while pushing in. The force on the partition is NaN where a

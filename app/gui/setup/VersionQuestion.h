@@ -3,26 +3,33 @@
 
 // The question before a patient that exists gets other measures.
 
+#include <QStringList>
 #include <QWidget>
 #include <array>
 #include <functional>
+#include <optional>
 
 #include "gui/setup/PatientLibrary.h"
 #include "perilymph/anatomy/Patient.h"
 
 class QLabel;
+class QPushButton;
 
 namespace perilymph::gui {
 
-/// Compares the saved measures of an ear with new ones, each difference with its 95 % interval, and asks:
-/// a new version, or another code. Hidden while nothing is asked.
+/// Says what speaks against a code, compares the saved measures of the ear with new ones, each difference
+/// with its 95 % interval, and asks: save under this code, or another code. Hidden while nothing is asked.
 class VersionQuestion : public QWidget {
   Q_OBJECT
 public:
-  explicit VersionQuestion(QWidget* parent);
+  /// @param place  Begin of the object names of its parts.
+  explicit VersionQuestion(QWidget* parent, const QString& place = {});
 
-  /// @param then  Called if a new version is wanted.
-  void ask(const SavedPatient& saved, const anatomy::Patient& measured, std::function<void()> then);
+  /// @param saved   The ear with other measures, if there is one.
+  /// @param doubts  What else speaks against the code, a sentence each.
+  /// @param then    Called if the code is wanted.
+  void ask(const std::optional<SavedPatient>& saved, const anatomy::Patient& measured,
+           const QStringList& doubts, std::function<void()> then);
   /// Takes the question back.
   void drop();
 
@@ -31,7 +38,11 @@ Q_SIGNALS:
   void otherCodeWanted();
 
 private:
-  QLabel* title_;
+  void compare(const SavedPatient& saved, const anatomy::Patient& measured);
+
+  QLabel *title_, *doubts_;
+  QWidget* table_;
+  QPushButton* accept_;
   std::array<std::array<QLabel*, 3>, 4> cells_{};  ///< Saved, new, difference of A, B, H, CDL.
   std::function<void()> then_;
 };

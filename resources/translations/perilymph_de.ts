@@ -7102,10 +7102,6 @@
         <translation>%1 %2 → %3 mm</translation>
     </message>
     <message>
-        <source>Measures before (%1): %2</source>
-        <translation>Messwerte davor (%1): %2</translation>
-    </message>
-    <message>
         <source>Opens the CT series with the SHA-256 %1 where it was read. The CT itself is not kept.</source>
         <translation>Öffnet die CT-Serie mit dem SHA-256 %1, wo sie gelesen wurde. Das CT selbst wird nicht aufbewahrt.</translation>
     </message>
@@ -7236,6 +7232,38 @@
     <message>
         <source>%1 in this insertion; in ears %2 to %3 (95 %)</source>
         <translation>%1 in dieser Insertion; in Ohren %2 bis %3 (95 %)</translation>
+    </message>
+    <message>
+        <source>Cochlea, CT measurements, %1 entered, ± 95 % interval</source>
+        <translation>Cochlea, CT-Messwerte, %1 eingegeben, ± 95-%-Intervall</translation>
+    </message>
+    <message>
+        <source>%1; %2 entered</source>
+        <translation>%1; %2 eingegeben</translation>
+    </message>
+    <message>
+        <source>This series is already %1, %2.</source>
+        <translation>Diese Serie ist bereits %1, %2.</translation>
+    </message>
+    <message>
+        <source>%1, %2, was measured in series %3; this is series %4. Check that both are of one person.</source>
+        <translation>%1, %2, wurde in der Serie %3 vermessen; dies ist die Serie %4. Prüfen Sie, ob beide von einer Person sind.</translation>
+    </message>
+    <message>
+        <source>This plan is of %1 mm; the measures in use are %2 mm.</source>
+        <translation>Dieser Plan gilt für %1 mm; die verwendeten Messwerte sind %2 mm.</translation>
+    </message>
+    <message>
+        <source>Measured again (%1; before: %2): %3</source>
+        <translation>Erneut vermessen (%1; davor: %2): %3</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
     </message>
 </context>
 <context>
@@ -8046,6 +8074,10 @@
         <source>Recent CTs</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1 The CT shown is the one that was open before.</source>
+        <translation>%1 Das gezeigte CT ist das zuvor geöffnete.</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::CtPanel</name>
@@ -8212,14 +8244,6 @@
     <message>
         <source>from landmarks</source>
         <translation>aus Landmarken</translation>
-    </message>
-    <message>
-        <source>Measured again: %1</source>
-        <translation>Erneut vermessen: %1</translation>
-    </message>
-    <message>
-        <source>Measured again after landmarks were moved: %1</source>
-        <translation>Erneut vermessen, nachdem Landmarken verschoben wurden: %1</translation>
     </message>
     <message>
         <source>From the archive…</source>
@@ -9806,6 +9830,10 @@
         <source>A: basal-turn diameter; B: basal-turn width, perpendicular to A; H: height. Every simulation takes other values within these errors.</source>
         <translation>A: Durchmesser der basalen Windung; B: Breite der basalen Windung, senkrecht zu A; H: Höhe. Jede Simulation nimmt andere Werte innerhalb dieser Fehler.</translation>
     </message>
+    <message>
+        <source>95 % intervals, errors as measured, that of %1 (entered) assumed: SD %2 mm</source>
+        <translation>95-%-Intervalle, Fehler wie gemessen, der von %1 (eingegeben) angenommen: SD %2 mm</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::PlanList</name>
@@ -9970,6 +9998,10 @@ Die ersten Bänder kommen nach 8 Simulationen jedes Trägers.</translation>
     <message>
         <source>Report of the plan (PDF)</source>
         <translation>Bericht des Plans (PDF)</translation>
+    </message>
+    <message>
+        <source>%1 The insertion is into the cochlea of the plan.</source>
+        <translation>%1 Inseriert wird in die Cochlea des Plans.</translation>
     </message>
 </context>
 <context>
@@ -10648,16 +10680,20 @@ Die ersten Bänder kommen nach 8 Simulationen jedes Trägers.</translation>
         <translation>Patient speichern</translation>
     </message>
     <message>
-        <source>Replaces the saved numbers of %1.</source>
-        <translation>Ersetzt die gespeicherten Werte von %1.</translation>
-    </message>
-    <message>
         <source>Keeps these numbers under the patient code.</source>
         <translation>Speichert diese Werte unter dem Patientencode.</translation>
     </message>
     <message>
         <source>Saved as %1.</source>
         <translation>Gespeichert als %1.</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>Gespeichert: %1</translation>
+    </message>
+    <message>
+        <source>Saves these numbers as a new version of %1.</source>
+        <translation>Speichert diese Werte als neue Version von %1.</translation>
     </message>
 </context>
 <context>
@@ -12043,18 +12079,6 @@ Die ersten Bänder kommen nach 8 Simulationen jedes Trägers.</translation>
 <context>
     <name>perilymph::gui::VersionQuestion</name>
     <message>
-        <source>saved</source>
-        <translation>gespeichert</translation>
-    </message>
-    <message>
-        <source>new</source>
-        <translation>neu</translation>
-    </message>
-    <message>
-        <source>difference</source>
-        <translation>Differenz</translation>
-    </message>
-    <message>
         <source>New version</source>
         <translation>Neue Version</translation>
     </message>
@@ -12077,6 +12101,26 @@ Die ersten Bänder kommen nach 8 Simulationen jedes Trägers.</translation>
     <message>
         <source>%1 %2 exists, saved %3.</source>
         <translation>%1 %2 gibt es schon, gespeichert am %3.</translation>
+    </message>
+    <message>
+        <source>saved, mm</source>
+        <translation>gespeichert, mm</translation>
+    </message>
+    <message>
+        <source>new, mm</source>
+        <translation>neu, mm</translation>
+    </message>
+    <message>
+        <source>difference, mm</source>
+        <translation>Differenz, mm</translation>
+    </message>
+    <message>
+        <source>± 95 %</source>
+        <translation>± 95 %</translation>
+    </message>
+    <message>
+        <source>Use this code</source>
+        <translation>Diesen Code verwenden</translation>
     </message>
 </context>
 <context>

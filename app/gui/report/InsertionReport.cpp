@@ -8,6 +8,7 @@
 #include "gui/report/ReportPages.h"
 #include "gui/report/ReportRecord.h"
 #include "gui/report/ReportText.h"
+#include "perilymph/session/SessionLibrary.h"
 
 namespace perilymph::gui {
 
@@ -20,8 +21,10 @@ QString tr(const char* text) { return QCoreApplication::translate("perilymph::gu
 
 std::optional<ReportPlace> askReportPlace(const std::filesystem::path& recording, QWidget* parent)
 {
-  return askReportPlace(tr("Report of the insertion"),
-                        QString::fromStdString(recording.stem().string()), parent);
+  const std::string ear = session::summarize(recording).side;
+  return askReportPlace(
+      tr("Report of the insertion"),
+      QString::fromStdString(recording.stem().string() + (ear.empty() ? "" : "-" + ear)), parent);
 }
 
 QString insertionReportName() { return tr("Report of the insertion (PDF)"); }

@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 #include <cmath>
 
+#include "gui/setup/EnteredMeasures.h"
 #include "gui/text/Numbers.h"
 #include "perilymph/analysis/ErrorBand.h"
 #include "perilymph/foundation/Normal.h"
@@ -61,6 +62,11 @@ std::vector<MeasureRow> basalTurnRows(const anatomy::Patient& patient)
 QString measuresTitle(const anatomy::Patient& patient)
 {
   if (patient.seal == Seal::changed) return tr("Cochlea, measures changed by hand");
+  QStringList entered;
+  for (const std::string& each : enteredMeasures(patient)) entered << QString::fromStdString(each);
+  if (!entered.isEmpty())
+    return tr("Cochlea, CT measurements, %1 entered, ± 95 % interval")
+        .arg(entered.join(QStringLiteral(", ")));
   // a recording keeps the measures, not where they are from
   return anatomy::isFromCt(patient) ? tr("Cochlea, CT measurements ± 95 % interval")
                                     : tr("Cochlea, measures ± 95 % interval");

@@ -9,6 +9,7 @@
 #include "gui/report/PlanCurves.h"
 #include "gui/report/PlanPicture.h"
 #include "gui/report/ReportSetup.h"
+#include "gui/setup/MeasureVersions.h"
 #include "gui/setup/PlannedFriction.h"
 #include "gui/text/ClinicalText.h"
 #include "gui/text/DataText.h"
@@ -198,6 +199,8 @@ QStringList doubtsOf(const PlanReportContent& content)
   if (const Sentence note = noteOn(content.plan().seal); !note.empty()) doubts << dataText(note);
   if (const Sentence note = noteOn(content.plan().request.patient); !note.empty())
     doubts << dataText(note);
+  if (const QString note = supersededText(content.plan().request.patient); !note.isEmpty())
+    doubts << note;
   if (content.isStudyNotCompared)
     doubts << tr(
         "The plan states no CT series, or carries no seal, so it was not compared with the study "

@@ -4,6 +4,7 @@
 // The measures of a patient's ear as they were saved one after the other, and how they differ.
 
 #include <QString>
+#include <QStringList>
 #include <array>
 #include <optional>
 #include <string>
@@ -44,7 +45,7 @@ QString comparedText(const std::optional<ComparedMeasure>& measure, std::size_t 
 
 /// What a measure changed by.
 struct MeasureDifference {
-  QString text;           ///< "+0.07 ± 0.40"; a dash unless both are measured.
+  QString text;  ///< "+0.07 ± 0.40", between the values as shown; a dash unless both are measured.
   bool isBeyond = false;  ///< Beyond its 95 % interval.
   QString detail;         ///< Says so.
 };
@@ -54,7 +55,18 @@ MeasureDifference differenceOf(const std::optional<ComparedMeasure>& before,
 /// "A 9.45 → 9.52 mm, B 6.80 → 6.81 mm, H 3.90 → 3.88 mm, CDL 34.1 → 34.4 mm"
 QString changeText(const anatomy::Patient& before, const anatomy::Patient& after);
 
-/// "Measured again on 2026-11-27: A 9.45 → 9.52 mm, ..."; empty without measures before these.
+/// What speaks against saving an ear that was measured in a CT series under its code, a sentence each: the
+/// series is saved under another code, or this code was measured in other series. None if the ear was
+/// saved from this series before.
+QStringList seriesDoubts(const anatomy::Patient& measured);
+
+/// "This plan is of A 8.85 mm; the measures in use are A 9.30 mm.", with the measures that differ from
+/// the saved ones of this code and ear; empty if none does, or none are saved.
+QString supersededText(const anatomy::Patient& planned);
+
+/// "Measured again (by hand: RW; before: automatic): A 9.45 → 9.52 mm, ..."
+QString remeasuredText(const anatomy::Patient& before, const anatomy::Patient& after);
+/// The same from the measures that a saved patient had before these; empty if they are the first ones.
 QString remeasuredText(const anatomy::Patient& patient);
 
 }  // namespace perilymph::gui

@@ -29,9 +29,12 @@ bool isOf(const anatomy::Patient& patient, const std::string& code, anatomy::Sid
 CtRequest requestOf(const SavedPatient& patient, const std::string& series)
 {
   CtRequest request{QString::fromStdString(patient.patient.label), series};
+  request.side = patient.patient.side;
   for (const session::PatientVersion& each : patient.record.versions) {
     const auto measured = anatomy::patientIn(each.patient, patient.file.string());
-    if (measured && statedSeries(*measured) == series) request.landmarks = each.landmarks;
+    // one with entered measures has none of its own
+    if (measured && statedSeries(*measured) == series && !each.landmarks.empty())
+      request.landmarks = each.landmarks;
   }
   return request;
 }

@@ -130,6 +130,10 @@ PatientSection::PatientSection(std::shared_ptr<CochleaStore> cochleae, QWidget* 
           &PatientSection::allPatientsRequested);
   connect(saved_, &SavedPatientRow::newPatientRequested, this,
           &PatientSection::newPatientRequested);
+  connect(saved_, &SavedPatientRow::otherCodeWanted, this, [this] {
+    label_->setFocus();
+    label_->selectAll();
+  });
 }
 
 void PatientSection::addWho()

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "gui/run/UserSettings.h"
+#include "gui/setup/EnteredMeasures.h"
 #include "perilymph/anatomy/AnatomySource.h"
 #include "perilymph/session/Csv.h"
 #include "perilymph/session/InsertionParameters.h"
@@ -18,11 +19,14 @@ namespace {
 std::map<SetupField, ValueSource> sourcesOf(const anatomy::Patient& patient)
 {
   const ValueSource source = isFromCt(patient) ? ValueSource::ct : ValueSource::typed;
+  const auto sourceOf = [&](const char* measure) {
+    return isEntered(patient, measure) ? ValueSource::typed : source;
+  };
   std::map<SetupField, ValueSource> sources;
   if (patient.basalTurn) {
-    sources[SetupField::lengthA] = source;
-    sources[SetupField::widthB] = source;
-    if (patient.basalTurn->h) sources[SetupField::heightH] = source;
+    sources[SetupField::lengthA] = sourceOf("A");
+    sources[SetupField::widthB] = sourceOf("B");
+    if (patient.basalTurn->h) sources[SetupField::heightH] = sourceOf("H");
     return sources;
   }
   for (const SetupField field :

@@ -9,6 +9,8 @@
 #include <QVariant>
 #include <algorithm>
 
+#include "gui/setup/EnteredMeasures.h"
+#include "gui/setup/VersionQuestion.h"
 #include "gui/text/DataText.h"
 #include "gui/widgets/Selector.h"
 #include "gui/widgets/Theme.h"
@@ -42,6 +44,7 @@ SavedPatientRow::SavedPatientRow(QWidget* parent)
     : QWidget(parent),
       list_(new Selector("savedPatients", tr("Saved patients"), this)),
       save_(new QPushButton(this)),
+      question_(new VersionQuestion(this, QStringLiteral("panel-"))),
       status_(new QLabel(this))
 {
   save_->setObjectName(QStringLiteral("savePatientButton"));
@@ -58,9 +61,11 @@ SavedPatientRow::SavedPatientRow(QWidget* parent)
   column->setSpacing(4);
   column->addWidget(list_);
   column->addWidget(save_);
+  column->addWidget(question_);
   column->addWidget(status_);
   connect(list_, &Selector::chosen, this, &SavedPatientRow::choose);
-  connect(save_, &QPushButton::clicked, this, &SavedPatientRow::save);
+  connect(save_, &QPushButton::clicked, this, &SavedPatientRow::askToSave);
+  connect(question_, &VersionQuestion::otherCodeWanted, this, &SavedPatientRow::otherCodeWanted);
 }
 
 void SavedPatientRow::show(const Setup& setup)
@@ -83,7 +88,10 @@ void SavedPatientRow::show(const Setup& setup)
   list_->addChoice(tr("New patient…"), QLatin1String(fresh));
   shown_ = saved_ ? QString::fromStdString(saved_->file.string()) : QString(QLatin1String(none));
   list_->show(shown_, nameOfPatient(patient_));
-  status_->clear();
+  question_->drop();
+  const bool isChanged = saved_ && !haveSameNumbers(saved_->patient, patient_);
+  status_->setProperty("error", isChanged);
+  status_->setText(isChanged ? tr("Saved: %1").arg(numbersOfPatient(saved_->patient)) : QString());
   showState();
 }
 
@@ -92,8 +100,9 @@ void SavedPatientRow::showState()
   const bool isChanged = saved_ && !haveSameNumbers(saved_->patient, patient_);
   save_->setVisible(isScaled_ && (!saved_ || isChanged));
   save_->setText(saved_ ? tr("Save changes") : tr("Save patient"));
-  save_->setToolTip(saved_ ? tr("Replaces the saved numbers of %1.").arg(nameOfPatient(patient_))
-                           : tr("Keeps these numbers under the patient code."));
+  save_->setToolTip(
+      saved_ ? tr("Saves these numbers as a new version of %1.").arg(nameOfPatient(patient_))
+             : tr("Keeps these numbers under the patient code."));
   status_->setVisible(!status_->text().isEmpty());
 }
 
@@ -114,13 +123,20 @@ void SavedPatientRow::choose(const QString& value)
   Q_EMIT patientChosen(*patient);
 }
 
-void SavedPatientRow::save()
+void SavedPatientRow::askToSave()
+{
+  if (!saved_) return save(patient_);
+  const anatomy::Patient merged = withMeasuresOf(saved_->patient, patient_);
+  question_->ask(saved_, merged, {}, [this, merged] { save(merged); });
+}
+
+void SavedPatientRow::save(const anatomy::Patient& patient)
 {
   const auto file =
-      savePatientInLibrary(patient_, saved_ ? std::optional(saved_->file) : std::nullopt);
+      savePatientInLibrary(patient, saved_ ? std::optional(saved_->file) : std::nullopt);
   const QString sentence =
       file ? tr("Saved as %1.").arg(nameOfPatient(patient_)) : dataText(file.error().message);
-  if (file) saved_ = SavedPatient{patient_, *file};
+  if (file) saved_ = findSavedPatient(patient.label, patient.side);
   status_->setProperty("error", !file);
   status_->style()->unpolish(status_);
   status_->style()->polish(status_);

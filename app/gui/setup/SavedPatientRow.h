@@ -15,6 +15,7 @@ class QPushButton;
 namespace perilymph::gui {
 
 class Selector;
+class VersionQuestion;
 
 /// Opens saved patients, and saves the numbers of the setup.
 class SavedPatientRow : public QWidget {
@@ -31,10 +32,14 @@ Q_SIGNALS:
   /// The user wants to search all saved patients, or to enter a new one.
   void allPatientsRequested();
   void newPatientRequested();
+  /// The numbers are to be saved under another code.
+  void otherCodeWanted();
 
 private:
   void choose(const QString& value);
-  void save();
+  /// Asks before other numbers become a new version of a saved patient.
+  void askToSave();
+  void save(const anatomy::Patient& patient);
   void showState();
 
   anatomy::Patient patient_;
@@ -43,6 +48,7 @@ private:
   QString shown_;  ///< The selected entry.
   Selector* list_;
   QPushButton* save_;
+  VersionQuestion* question_;
   QLabel* status_;
 };
 

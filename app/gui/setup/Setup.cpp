@@ -2,12 +2,15 @@
 #include "gui/setup/Setup.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdlib>
 #include <functional>
 #include <utility>
 
 #include "gui/run/ScenarioDifference.h"
 #include "gui/setup/StopTravel.h"
+#include "perilymph/analysis/ErrorBand.h"
 #include "perilymph/foundation/Resources.h"
 
 namespace perilymph::gui {
@@ -160,6 +163,44 @@ Result<void> follow(Values& values, const Setup& now, const SetupOrigin& origin,
   return {};
 }
 
+/// An entered measure has the assumed error and the others keep theirs; one that is the origin's again
+/// has that one's error and source. Errors that are all assumed are not stated.
+void followError(Values& values, const Setup& origin, SetupField field,
+                 std::map<SetupField, ValueSource>& sources)
+{
+  constexpr std::array<std::pair<SetupField, const char*>, 3> measures{
+      {{SetupField::lengthA, "a"}, {SetupField::widthB, "b"}, {SetupField::heightH, "h"}}};
+  const auto named =
+      std::ranges::find(measures, field, [](const auto& each) { return each.first; });
+  if (named == measures.end()) return;
+  const Values& first = origin.scenario.values();
+  const auto keyOf = [](const char* measure, const char* end) {
+    return std::string(numbers) + measure + end;
+  };
+  const auto lengthIn = [](const Values& among, const std::string& key) {
+    return std::strtod(valueOf(among, key).c_str(), nullptr);
+  };
+  const std::string value = keyOf(named->second, "_mm"), error = keyOf(named->second, "_sd_mm");
+  const bool isFirst = std::fabs(lengthIn(values, value) - lengthIn(first, value)) < 1e-9;
+  const bool isStated = isFirst && !valueOf(first, error).empty();
+  if (isFirst) sources[field] = origin.sourceOf(field);
+  if (!isStated && valueOf(values, keyOf("a", "_sd_mm")).empty()) return;
+  for (const char* each : {"a", "b"})
+    if (const std::string key = keyOf(each, "_sd_mm"); valueOf(values, key).empty())
+      set(values, key, millimetersText(analysis::measuringError));
+  if (isStated)
+    set(values, error, valueOf(first, error));
+  else if (field == SetupField::heightH)
+    drop(values, [&error](const std::string& key) { return key == error; });
+  else
+    set(values, error, millimetersText(analysis::measuringError));
+  const auto isAssumed = [&](const char* measure) {
+    const double stated = lengthIn(values, keyOf(measure, "_sd_mm"));
+    return stated == 0.0 || std::fabs(stated - inMillimeters(analysis::measuringError)) < 1e-9;
+  };
+  if (isAssumed("a") && isAssumed("b") && isAssumed("h")) drop(values, isMeasuringError);
+}
+
 /// Modified numbers lose the patient's name; the origin's numbers have the origin's name.
 void followPatient(Values& values, const SetupOrigin& origin, SetupField field)
 {
@@ -222,9 +263,8 @@ Result<Setup> changed(const Setup& now, const SetupOrigin& origin, const SetupCh
   }
   const bool isMeasure =
       change.field >= SetupField::scalaLength && change.field <= SetupField::heightH;
-  // the errors are those of the measures in the CT
-  if (isMeasure) drop(values, isMeasuringError);
   if (isMeasure) made.sources[change.field] = change.sources;
+  if (isMeasure) followError(values, origin.setup, change.field, made.sources);
   if (const auto done = follow(values, now, origin, change.field); !done) return done.error();
   followPatient(values, origin, change.field);
 

@@ -43,6 +43,16 @@ QString subjectText(const session::Scenario& scenario)
   return tr("Clark’s spiral · %1").arg(ear);
 }
 
+QString shortSubjectText(const session::Scenario& scenario)
+{
+  const anatomy::Patient& patient = scenario.patient();
+  const bool isPatient = isScaledBy(scenario.anatomy(), patient) && patient.label != "published" &&
+                         patient.label != "unnamed";
+  if (!isPatient) return subjectText(scenario);
+  return tr("%1 · %2").arg(QString::fromStdString(patient.label),
+                           patient.side == anatomy::Side::left ? tr("left") : tr("right"));
+}
+
 QString setupTitle(const InsertionControl& control, const SetupHistory& setup)
 {
   if (!setup.isModified()) return scenarioTitle(control.scenario());

@@ -14,6 +14,8 @@ class SetupHistory;
 
 /// The patient and the ear, or the anatomy where there is no patient: "Patient P-017 · left ear".
 QString subjectText(const session::Scenario& scenario);
+/// The same where there is little room: "S-011 · right".
+QString shortSubjectText(const session::Scenario& scenario);
 
 /// The title of an insertion's setup: "P-017: FLEX28", or what differs from the preset.
 QString setupTitle(const InsertionControl& control, const SetupHistory& setup);

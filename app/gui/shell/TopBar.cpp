@@ -33,10 +33,9 @@ constexpr int iconGap_px = 4, iconSpacing_px = 2;
 constexpr int deviceRoom_px = 110;
 
 /// Width of a page's button without icon; the style sheet, which defines the size hint, is applied later.
-int widthOfName(const QPushButton& button)
+int widthOf(const QString& name, const QPushButton& button)
 {
-  return std::max(44,
-                  QFontMetrics(button.font()).horizontalAdvance(button.text()) + 2 * spacing + 2);
+  return std::max(44, QFontMetrics(button.font()).horizontalAdvance(name) + 2 * spacing + 2);
 }
 
 QColor colorOf(DeviceState light)
@@ -229,7 +228,9 @@ void TopBar::setPages(const std::vector<Page*>& pages)
       addPage(*page);
       continue;
     }
+    start_ = page;
     home_ = pageButton(*page, tr("Perilymph"));
+    home_->setIconSize(QSize(sized(pageIcon_px), sized(pageIcon_px)));
     home_->setFont(typeface(15, QFont::DemiBold));
     home_->setToolTip(tr("%1 (Alt+Home)").arg(page->name()));
     left_->insertWidget(0, home_);
@@ -242,35 +243,66 @@ void TopBar::addPage(const Page& page)
   button->setProperty("page", true);
   button->setFont(typeface(13, QFont::Medium));
   button->setFixedHeight(sized(28));
-  button->setMinimumWidth(widthOfName(*button));
+  button->setMinimumWidth(widthOf(page.name(), *button));
   button->setIconSize(QSize(sized(pageIcon_px), sized(pageIcon_px)));
   button->setCheckable(true);
   tabs_->addWidget(button);
   pages_.emplace_back(&page, button);
 }
 
-void TopBar::resizeEvent(QResizeEvent*) { showIconsIfRoom(); }
+void TopBar::resizeEvent(QResizeEvent*) { fit(); }
 
-void TopBar::showIconsIfRoom()
+void TopBar::fit()
 {
   if (home_ == nullptr) return;
   // Icons help to find a page, but cut neither names nor patient: the Stop button is counted, too,
   // so that pages stay where they are when it appears.
-  int needed = home_->sizeHint().width() + stop_->width() + 3 * sized(32) + 21 * spacing +
-               sized(deviceRoom_px) +
-               QFontMetrics(patient_->font()).horizontalAdvance(patient_->text());
-  if (!modified_->isHidden()) needed += modified_->sizeHint().width() + spacing;
-  const int icon = sized(pageIcon_px) + iconGap_px;
-  for (const auto& [page, button] : pages_) needed += widthOfName(*button) + icon + iconSpacing_px;
-  const bool haveIcons = needed <= width();
-  if (haveIcons == haveIcons_) return;
-  haveIcons_ = haveIcons;
-  tabs_->setSpacing(haveIcons ? iconSpacing_px : spacing);
-  for (const auto& [page, button] : pages_) {
-    button->setIcon(haveIcons ? iconOf(page->icon(), sized(pageIcon_px), devicePixelRatioF())
-                              : QIcon());
-    button->setMinimumWidth(widthOfName(*button) + (haveIcons ? icon : 0));
+  const int spaces = 3 * sized(32) + 21 * spacing;
+  int names = 0;
+  for (const auto& [page, button] : pages_) names += widthOf(page->name(), *button);
+  const int icons = int(pages_.size()) * (sized(pageIcon_px) + iconGap_px + iconSpacing_px);
+  int subject = QFontMetrics(patient_->font()).horizontalAdvance(subject_);
+  if (!modified_->isHidden()) subject += modified_->sizeHint().width() + spacing;
+  const int home = widthOf(tr("Perilymph"), *home_);
+  const int named = home + names + int(pages_.size()) * spacing + subject +
+                    device_->sizeHint().width() + spaces + (stop_->isHidden() ? 0 : stop_->width());
+  const bool isRoomForIcons =
+      home + names + icons + subject + stop_->width() + spaces + sized(deviceRoom_px) <= width();
+  const PageFace face = isRoomForIcons     ? PageFace::iconAndName
+                        : named <= width() ? PageFace::name
+                                           : PageFace::icon;
+  if (face != face_) {
+    face_ = face;
+    showPages();
   }
+  showPatient();
+}
+
+void TopBar::showPages()
+{
+  const bool haveIcons = face_ != PageFace::name, haveNames = face_ != PageFace::icon;
+  const int icon = sized(pageIcon_px) + iconGap_px;
+  tabs_->setSpacing(haveIcons ? iconSpacing_px : spacing);
+  const auto show = [&](const Page& page, const QString& name, QPushButton& button, bool hasIcon) {
+    button.setIcon(hasIcon ? iconOf(page.icon(), sized(pageIcon_px), devicePixelRatioF())
+                           : QIcon());
+    button.setText(haveNames ? name : QString());
+    button.setAccessibleName(name);
+  };
+  for (const auto& [page, button] : pages_) {
+    show(*page, page->name(), *button, haveIcons);
+    button->setToolTip(haveNames ? QString() : page->name());
+    button->setMinimumWidth(haveNames ? widthOf(page->name(), *button) + (haveIcons ? icon : 0)
+                                      : sized(32));
+  }
+  show(*start_, tr("Perilymph"), *home_, !haveNames);
+}
+
+void TopBar::showPatient()
+{
+  const bool isShort = face_ == PageFace::icon;
+  patient_->setText(isShort ? shortSubject_ : subject_);
+  patient_->setToolTip(isShort ? subject_ : QString());
 }
 
 void TopBar::setPage(const Page& page)
@@ -280,19 +312,21 @@ void TopBar::setPage(const Page& page)
 
 void TopBar::showSubject(const session::Scenario& scenario, const QString& changed)
 {
-  patient_->setText(subjectText(scenario));
+  subject_ = subjectText(scenario);
+  shortSubject_ = shortSubjectText(scenario);
   middle_->setContentsMargins(3 * spacing, 0, 3 * spacing, 0);
   modified_->setVisible(!changed.isEmpty());
   modified_->setToolTip(tr("Differs from the preset: %1.").arg(changed));
-  showIconsIfRoom();
+  fit();
 }
 
 void TopBar::showNobody()
 {
-  patient_->clear();
+  subject_.clear();
+  shortSubject_.clear();
   middle_->setContentsMargins(spacing, 0, spacing, 0);  // the pages need the room
   modified_->hide();
-  showIconsIfRoom();
+  fit();
 }
 
 void TopBar::showInsertion(const InsertionController& insertion)
@@ -301,6 +335,7 @@ void TopBar::showInsertion(const InsertionController& insertion)
   const InsertionControl& control = insertion.control();
   const haptics::Snapshot& now = control.now();
   stop_->setVisible(control.rendersForce());
+  fit();
   const QString hand = QString::fromStdString(control.inputName());
   if (!control.isRunning()) return setDevice(DeviceState::off, progressText(Progress::ready), hand);
   if (now.output.workflow == haptics::Workflow::fault)

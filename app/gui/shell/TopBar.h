@@ -98,19 +98,25 @@ private:
   void addStop();
   QPushButton* pageButton(const Page& page, const QString& text);
   void addPage(const Page& page);
-  void showIconsIfRoom();
+  void fit();
+  void showPages();
+  void showPatient();
   void setDevice(DeviceState light, const QString& caption, const QString& tip);
 
   QHBoxLayout *left_, *tabs_;
   QHBoxLayout* middle_ = nullptr;  ///< Holds the patient.
   QPushButton* home_ = nullptr;
+  const Page* start_ = nullptr;                              ///< Its page.
   std::vector<std::pair<const Page*, QPushButton*>> pages_;  ///< After the first one.
   ElidedLabel* patient_;
   QLabel* modified_;
   StopButton* stop_;  ///< Visible while the input renders force.
   DeviceLight* device_;
   QPushButton* menu_;
-  bool haveIcons_ = false;  ///< The pages' buttons have icons.
+  /// What the pages' buttons show; icons alone leave the room that patient and ear need.
+  enum class PageFace { name, iconAndName, icon };
+  PageFace face_ = PageFace::name;
+  QString subject_, shortSubject_;  ///< Patient and ear.
 };
 
 }  // namespace perilymph::gui

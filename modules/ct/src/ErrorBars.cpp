@@ -94,18 +94,19 @@ void fillMeasures(const LumenShape& family, const FitResult& fit, const RoundWin
   measures.b = fill(1, best.b, turned.b, modelOfB);
   measures.h = fill(2, best.h, turned.h, modelOfH);
 
-  const double byA = (organOfCorti(best.a + step, best.b) - organOfCorti(best.a, best.b)) / step;
-  const double byB = (organOfCorti(best.a, best.b + step) - organOfCorti(best.a, best.b)) / step;
-  const auto sum = [&](double a, double b) {
-    return std::sqrt(byA * byA * a * a + byB * byB * b * b);
+  // as all pages and files compute it from the measures that are shown; the parts share it by squares
+  const Length a = diameter(measures.a.value), b = diameter(measures.b.value);
+  const auto errorBy = [&](double ofA, double ofB) {
+    return inMillimeters(anatomy::ductLengthError(a, b, {millimeters(ofA), millimeters(ofB)}));
   };
-  const double ofFormula =
-      inMillimeters(anatomy::ductLengthFormulaError(diameter(best.a), diameter(best.b)));
-  const double ofDefinition = sum(measures.a.definition, measures.b.definition);
-  measures.cdlOc = Measure{organOfCorti(measures.a.value, measures.b.value),
-                           sum(measures.a.statistical, measures.b.statistical),
-                           sum(measures.a.model, measures.b.model),
-                           std::sqrt(ofDefinition * ofDefinition + ofFormula * ofFormula)};
+  const Eigen::Vector3d parts(errorBy(measures.a.statistical, measures.b.statistical),
+                              errorBy(measures.a.model, measures.b.model),
+                              errorBy(measures.a.definition, measures.b.definition));
+  const double scale = errorBy(measures.a.sd(), measures.b.sd()) / parts.norm();
+  const double ofFormula = inMillimeters(anatomy::ductLengthFormulaError(a, b));
+  measures.cdlOc =
+      Measure{organOfCorti(measures.a.value, measures.b.value), scale * parts[0], scale * parts[1],
+              std::sqrt(scale * scale * parts[2] * parts[2] + ofFormula * ofFormula)};
 }
 
 }  // namespace perilymph::ct

@@ -13,6 +13,7 @@
 #include <QPushButton>
 #include <QTest>
 #include <algorithm>
+#include <set>
 
 #include "KeptPicture.h"
 #include "TheCtPage.h"
@@ -21,12 +22,17 @@
 #include "gui/pages/ct/CtPage.h"
 #include "gui/pages/ct/MeasuredSetup.h"
 #include "gui/pages/ct/PlaneView.h"
+#include "gui/pages/ct/SurfaceView.h"
 #include "gui/report/CtPicture.h"
 #include "gui/run/UserSettings.h"
+#include "gui/setup/EnteredMeasures.h"
 #include "gui/setup/MeasureVersions.h"
+#include "gui/setup/PatientHistory.h"
 #include "gui/setup/PatientLibrary.h"
 #include "gui/setup/PatientSetup.h"
 #include "gui/setup/ScanFolders.h"
+#include "gui/widgets/Theme.h"
+#include "perilymph/analysis/ErrorBand.h"
 #include "perilymph/anatomy/DuctLength.h"
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/foundation/Resources.h"
@@ -69,20 +75,118 @@ TEST_F(TheCtPage, GoesFromAFolderToAnInsertionInThatCochlea)
   EXPECT_EQ(saved->origin.landmarksByHand, "");
 }
 
-TEST(ATypedMeasure, HasNoLongerTheErrorOfTheOneFromTheCt)
+/// A patient as measured in a CT, with the landmark RW by hand.
+anatomy::Patient patientFromCt()
 {
   anatomy::Patient patient;
   patient.label = "P-9";
-  patient.basalTurn = anatomy::BasalTurn{millimeters(9.3), millimeters(6.8), millimeters(4)};
-  patient.errors = anatomy::BasalTurnErrors{millimeters(0.2), millimeters(0.1), millimeters(0.3)};
-  const auto setup = gui::setupOfPatient(patient);
+  patient.basalTurn = anatomy::BasalTurn{millimeters(8.85), millimeters(6.58), millimeters(3.85)};
+  patient.errors =
+      anatomy::BasalTurnErrors{millimeters(0.13), millimeters(0.09), millimeters(0.245)};
+  patient.errors->ab = 0.2;
+  patient.errors->bh = 0.3;
+  patient.origin = {"perilymph 0.3.0", std::string(64, 'a'), "RW", "OW, B1, B2, H, A, C"};
+  return patient;
+}
+
+TEST(ATypedMeasure, HasTheAssumedErrorAndTheOthersKeepTheirs)
+{
+  const auto setup = gui::setupOfPatient(patientFromCt());
   ASSERT_TRUE(setup) << setup.error().message;
-  EXPECT_EQ(setup->scenario.patient().errors->h, millimeters(0.3));
-  const auto typed = gui::changed(
-      *setup, {*setup, gui::SetupOrigin::Kind::own},
-      {gui::SetupField::lengthA, {{"patient_numbers.a_mm", "9.5"}}, QStringLiteral("A 9.5 mm")});
-  ASSERT_TRUE(typed) << typed.error().message;
-  EXPECT_FALSE(typed->scenario.patient().errors);
+  const auto type = [&](const gui::Setup& now, const char* a) {
+    const auto typed = gui::changed(
+        now, {*setup, gui::SetupOrigin::Kind::own},
+        {gui::SetupField::lengthA, {{"patient_numbers.a_mm", a}}, {}, gui::ValueSource::typed});
+    EXPECT_TRUE(typed) << typed.error().message;
+    return *typed;
+  };
+  const gui::Setup typed = type(*setup, "9.3");
+  const auto& errors = typed.scenario.patient().errors;
+  ASSERT_TRUE(errors);
+  EXPECT_EQ(errors->a, analysis::measuringError);
+  EXPECT_EQ(errors->b, millimeters(0.09));
+  EXPECT_EQ(errors->h, millimeters(0.245));
+  EXPECT_EQ(typed.sourceOf(gui::SetupField::lengthA), gui::ValueSource::typed);
+  EXPECT_EQ(typed.sourceOf(gui::SetupField::heightH), gui::ValueSource::ct);
+  // the measure of the CT again has its error
+  const gui::Setup back = type(typed, "8.85");
+  EXPECT_EQ(back.scenario.patient().errors->a, millimeters(0.13));
+  EXPECT_EQ(back.sourceOf(gui::SetupField::lengthA), gui::ValueSource::ct);
+}
+
+TEST(ATypedMeasure, IsSavedAsEnteredBesideThoseFromTheCt)
+{
+  const anatomy::Patient known = patientFromCt();
+  anatomy::Patient typed = known;
+  typed.errors.reset();
+  typed.origin = {};
+  typed.basalTurn->a = millimeters(9.3);
+  const anatomy::Patient saved = gui::withMeasuresOf(known, typed);
+  EXPECT_EQ(gui::enteredMeasures(saved), std::vector<std::string>{"A"});
+  EXPECT_EQ(saved.origin.software, "perilymph 0.3.0; entered: A");
+  EXPECT_EQ(saved.origin.seriesKey, known.origin.seriesKey);
+  EXPECT_EQ(saved.origin.landmarksByHand, "RW");
+  EXPECT_EQ(saved.errors->a, analysis::measuringError);
+  EXPECT_EQ(saved.errors->h, known.errors->h);
+  EXPECT_EQ(saved.errors->ab, 0.0);  // that of an entered A goes with no other
+  EXPECT_EQ(saved.errors->bh, 0.3);
+  // what was entered once stays entered
+  typed.basalTurn->h = millimeters(3.5);
+  const anatomy::Patient again = gui::withMeasuresOf(saved, typed);
+  EXPECT_EQ(again.origin.software, "perilymph 0.3.0; entered: A, H");
+  EXPECT_FALSE(again.errors->h);
+  EXPECT_EQ(again.errors->b, known.errors->b);
+  // nothing of the CT is left
+  typed.basalTurn->b = millimeters(6.9);
+  const anatomy::Patient all = gui::withMeasuresOf(again, typed);
+  EXPECT_FALSE(all.errors);
+  EXPECT_FALSE(anatomy::isFromCt(all));
+  // unchanged, all of it is
+  EXPECT_EQ(anatomy::patientText(gui::withMeasuresOf(known, known)), anatomy::patientText(known));
+}
+
+TEST(ATypedMeasure, BecomesAVersionOfTheEarAfterAComparison)
+{
+  const DataFolder data;
+  const auto file = gui::savePatientInLibrary(patientFromCt());
+  ASSERT_TRUE(file) << file.error().message;
+  WindowRig rig;
+  rig.choose("savedPatients", file->string().c_str());
+  ASSERT_TRUE(WindowRig::waitUntil([&] {
+    return rig.window().control().scenario().patient().label == "P-9" &&
+           rig.button("startButton").isEnabled();
+  }));
+  const QString errorOfH = rig.label("panelHPlace");
+  EXPECT_TRUE(errorOfH.contains("± 0.48")) << errorOfH.toStdString();
+  rig.type("panelA", "9.3");
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig.button("savePatientButton").isVisible(); }));
+  EXPECT_EQ(rig.label("panelHPlace"), errorOfH);
+  EXPECT_EQ(rig.label("savedPatientStatus"), "Saved: A 8.85, B 6.58, H 3.85 mm");
+  rig.click("savePatientButton");
+  EXPECT_EQ(anatomy::loadPatient(*file)->basalTurn->a, millimeters(8.85));
+  EXPECT_EQ(rig.label("panel-differenceA").section(' ', 0, 0), "+0.45");
+  EXPECT_EQ(rig.label("panel-differenceH").section(' ', 0, 0), "0.00");
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig.button("startButton").isEnabled(); }));
+  keepPicture(rig.window(), "typed-measure-compared");
+  rig.click("panel-newVersionButton");
+  const auto saved = gui::findSavedPatient("P-9", anatomy::Side::right);
+  ASSERT_TRUE(saved);
+  EXPECT_EQ(saved->patient.basalTurn->a, millimeters(9.3));
+  EXPECT_EQ(saved->patient.errors->h, millimeters(0.245));
+  EXPECT_EQ(saved->patient.origin.seriesKey, std::string(64, 'a'));
+  const auto versions = gui::versionsOf(*saved);
+  ASSERT_EQ(versions.size(), 2U);
+  EXPECT_EQ(versions[0].how, "by hand: RW; A entered");
+  EXPECT_EQ(versions[1].how, "by hand: RW");
+  EXPECT_EQ(versions[1].patient.basalTurn->a, millimeters(8.85));
+}
+
+TEST(MeasureDifferences, AreThoseOfTheValuesThatAreShown)
+{
+  const gui::ComparedMeasure before{32.051, 0.5}, after{32.049, 0.5};
+  EXPECT_EQ(gui::comparedText(before, 3).section(' ', 0, 0), "32.1");
+  EXPECT_EQ(gui::comparedText(after, 3).section(' ', 0, 0), "32.0");
+  EXPECT_EQ(gui::differenceOf(before, after, 3).text.section(' ', 0, 0), "-0.1");
 }
 
 TEST(MeasuredCochleae, OfBothEarsOfAPatientHaveAFileEach)
@@ -332,7 +436,9 @@ TEST_F(TheCtPage, OpensTheScanOfAPatientAgainWhereItWasRead)
   again.begin(gui::CtRequest{"P-79", "0123abcd"});
   ASSERT_TRUE(WindowRig::waitUntil([&] { return other.label("ctStatus").contains("P-79"); }));
   EXPECT_TRUE(other.label("ctStatus").contains("no longer where it was read"));
-  EXPECT_EQ(again.study().series().key, series);
+  // the list is of that folder, so nothing of the former scan stays beside it
+  EXPECT_FALSE(again.study().hasCt());
+  EXPECT_EQ(other.window().findChild<QLineEdit*>("ctPatientCode")->text(), "");
   // nothing is known of it
   again.begin(gui::CtRequest{"P-80", "4567"});
   EXPECT_TRUE(other.label("ctStatus").contains("P-80"));
@@ -425,6 +531,211 @@ TEST_F(TheCtPage, OpensRecentCtsAgainByCodeAndDateAloneUntilTheListIsCleared)
   EXPECT_TRUE(recentEntries(third).front().contains("No CT was opened yet"));
 }
 
+/// Landmarks by hand, their records, and the request that opens their scan again.
+gui::CtRequest scanRequestOf(const gui::SavedPatient& saved)
+{
+  for (const gui::HistoryEntry& each : gui::historyOf(saved, {}))
+    if (each.kind == gui::HistoryEntry::Kind::scan) return each.scan;
+  ADD_FAILURE() << "no scan";
+  return {};
+}
+
+TEST_F(TheCtPage, LooksForTheCochleaBeforeLandmarksOfThePatientCorrectIt)
+{
+  const StateFolder state;
+  measure();
+  const ct::CochleaMeasures automatic = *study().measures();
+  std::vector<ct::MeasureRequest> requests;
+  const gui::CtWork::Measurement measurement = [&](const ct::CtVolume&,
+                                                   const ct::MeasureRequest& request) {
+    requests.push_back(request);
+    ct::CochleaMeasures measures = automatic;
+    measures.marksByHand = request.marks;
+    return Result<ct::CochleaMeasures>(measures);
+  };
+  page().setMeasurement(measurement);
+  study().beginChange();
+  const Eigen::Vector3d moved = automatic.roundWindow_P + 0.2 * automatic.axes_PW.col(1);
+  study().placeMark(ct::Mark::roundWindow, moved);
+  rig_.type("ctPatientCode", "P-81");
+  rig_.click("planCtButton");
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig_.window().page() == "plan"; }));
+  ASSERT_EQ(requests.size(), 1U);
+  const auto saved = gui::findSavedPatient("P-81", automatic.side);
+  ASSERT_TRUE(saved);
+
+  WindowRig other;
+  auto& again = *other.window().pages().find<gui::CtPage>();
+  again.setMeasurement(measurement);
+  again.begin(scanRequestOf(*saved));
+  ASSERT_TRUE(WindowRig::waitUntil([&] {
+    return !again.isBusy() && requests.size() == 3 && again.study().measures() != nullptr;
+  }));
+  // one landmark says too little of where the cochlea lies: the search in this patient's ear says it
+  EXPECT_FALSE(requests[1].click_P);
+  EXPECT_TRUE(requests[1].marks.isEmpty());
+  EXPECT_EQ(requests[1].side, automatic.side);
+  // then the fit begins where it began when the landmark was placed
+  EXPECT_TRUE(requests[2].marks == requests[0].marks);
+  EXPECT_EQ(requests[2].click_P, requests[0].click_P);
+  EXPECT_FALSE(again.study().isStale());
+  EXPECT_EQ(again.study().marks()[ct::Mark::roundWindow], moved);
+}
+
+TEST_F(TheCtPage, OpensAScanAgainWithTheMeasuresOfItsLandmarksByHand)
+{
+  const StateFolder state;
+  measure();
+  const ct::CochleaMeasures before = *study().measures();
+  for (const auto& [mark, by_mm] :
+       {std::pair{ct::Mark::roundWindow, 0.25}, std::pair{ct::Mark::farWall, 0.15},
+        std::pair{ct::Mark::apex, -0.2}}) {
+    study().beginChange();
+    study().placeMark(mark, *study().marks()[mark] + by_mm * before.axes_PW.col(1));
+  }
+  rig_.type("ctPatientCode", "P-82");
+  rig_.click("planCtButton");
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return !page().isBusy(); }, 3 * WindowRig::patience_ms));
+  if (rig_.window().page() == "ct") rig_.click("planCtButton");  // a contradiction was shown first
+  ASSERT_EQ(rig_.window().page(), "plan");
+  const auto saved = gui::findSavedPatient("P-82", before.side);
+  ASSERT_TRUE(saved);
+  EXPECT_EQ(saved->patient.origin.landmarksByHand, "RW, OW, A");
+
+  WindowRig other;
+  auto& again = *other.window().pages().find<gui::CtPage>();
+  again.begin(scanRequestOf(*saved));
+  ASSERT_TRUE(WindowRig::waitUntil(
+      [&] { return !again.isBusy() && again.study().measures() && !again.study().isStale(); },
+      3 * WindowRig::patience_ms));
+  const ct::CochleaMeasures& after = *again.study().measures();
+  EXPECT_NEAR(after.a.value, inMillimeters(saved->patient.basalTurn->a), 0.011);
+  EXPECT_NEAR(after.b.value, inMillimeters(saved->patient.basalTurn->b), 0.011);
+  EXPECT_NEAR(after.h.value, inMillimeters(*saved->patient.basalTurn->h), 0.011);
+  EXPECT_TRUE(after.marksByHand == study().marksByHand());
+}
+
+TEST_F(TheCtPage, EmptiesTheCodeWithTheScanOfAnotherSeries)
+{
+  rig_.type("ctPatientCode", "P-83");
+  open(otherOnDisk());
+  EXPECT_EQ(code(), "");
+  // typed for this one; it is opened again
+  rig_.type("ctPatientCode", "P-84");
+  open(otherOnDisk());
+  EXPECT_EQ(code(), "P-84");
+  open(onDisk().folder / "ct");
+  EXPECT_EQ(code(), "");
+  // given for the next scan, whichever that is
+  page().begin(gui::CtRequest{"P-85"});
+  open(otherOnDisk());
+  EXPECT_EQ(code(), "P-85");
+}
+
+TEST_F(TheCtPage, AsksBeforeACodeGetsAnEarOfAnotherSeriesOrASeriesAnotherCode)
+{
+  measure();
+  const ct::CochleaMeasures first = *study().measures();
+  const auto isQuestionShown = [this] {
+    return page().findChild<QWidget*>("versionQuestion")->isVisible();
+  };
+  const auto go = [this](const char* name) {
+    rig_.type("ctPatientCode", name);
+    rig_.click("planCtButton");
+  };
+  go("P-86");
+  ASSERT_EQ(rig_.window().page(), "plan");
+  rig_.click("ctPageButton");
+  // the same series under another code
+  go("P-87");
+  ASSERT_EQ(rig_.window().page(), "ct");
+  ASSERT_TRUE(isQuestionShown());
+  const QString ear = first.side == anatomy::Side::left ? "left ear" : "right ear";
+  EXPECT_EQ(rig_.label("codeDoubts"), "This series is already P-86, " + ear + ".");
+  EXPECT_FALSE(gui::findSavedPatient("P-87", first.side));
+  keepPicture(rig_.window(), "series-has-another-code");
+  rig_.click("newVersionButton");
+  ASSERT_EQ(rig_.window().page(), "plan");
+  EXPECT_TRUE(gui::findSavedPatient("P-87", first.side));
+  rig_.click("ctPageButton");
+  rig_.click("planCtButton");
+  ASSERT_EQ(rig_.window().page(), "plan");  // answered
+  rig_.click("ctPageButton");
+  // the other ear in another series
+  ct::CochleaMeasures second = first;
+  second.side = first.side == anatomy::Side::left ? anatomy::Side::right : anatomy::Side::left;
+  second.provenance.seriesKey = std::string(64, 'e');
+  study().setMeasures(second);
+  go("P-86");
+  ASSERT_EQ(rig_.window().page(), "ct");
+  ASSERT_TRUE(isQuestionShown());
+  const QString doubt = rig_.label("codeDoubts");
+  EXPECT_TRUE(doubt.contains("P-86, " + ear + ", was measured in series ")) << doubt.toStdString();
+  EXPECT_TRUE(doubt.contains("this is series eeeeeeeeeeee"));
+  EXPECT_FALSE(gui::findSavedPatient("P-86", second.side));
+  keepPicture(rig_.window(), "code-has-another-series");
+  rig_.click("otherCodeButton");
+  EXPECT_FALSE(gui::findSavedPatient("P-86", second.side));
+}
+
+TEST_F(TheCtPage, ShowsNothingOfTheFormerScanBesideAnotherOne)
+{
+  measure();
+  auto* surface = page().findChild<gui::SurfaceView*>("surfaceView");
+  const auto colors = [surface] {
+    const QImage picture = surface->grabFramebuffer();
+    std::set<QRgb> seen;
+    for (int y = 0; y < picture.height(); y += 3)
+      for (int x = 0; x < picture.width(); x += 3) seen.insert(picture.pixel(x, y));
+    return seen.size();
+  };
+  ASSERT_GT(colors(), 20U);
+  open(otherOnDisk());
+  ASSERT_TRUE(study().hasCt());
+  EXPECT_TRUE(study().marks().isEmpty());
+  EXPECT_EQ(colors(), 1U);
+  keepPicture(rig_.window(), "another-scan-unmeasured");
+}
+
+TEST_F(TheCtPage, ShowsNoScanBesideTheListOfAFolderThatCannotBeRead)
+{
+  measure();
+  rig_.type("ctPatientCode", "P-88");
+  Eigen::Matrix4d lps = Eigen::Matrix4d::Identity();
+  lps.topLeftCorner<3, 3>() *= 0.3;
+  const auto volume = ct::CtVolume::make({4, 4, 2}, lps, std::vector<std::int16_t>(32, 7), {});
+  auto slices = dicomSlices(*volume, "1.2.3.10");
+  for (DicomData& slice : slices) slice.remove(0x7FE00010);  // the pixels
+  const TemporaryFolder bad;
+  writeDicomFiles(slices, bad / "ct");
+  page().open(bad / "ct");
+  ASSERT_TRUE(WindowRig::waitUntil([this] { return !page().isBusy(); }));
+  EXPECT_FALSE(rig_.label("ctStatus").isEmpty());
+  EXPECT_FALSE(study().hasCt());
+  EXPECT_EQ(code(), "");
+  EXPECT_FALSE(rig_.button("measureCtButton").isEnabled());
+  EXPECT_FALSE(rig_.button("planCtButton").isEnabled());
+  EXPECT_FALSE(rig_.button("markRW").isEnabled());
+  // back in the former folder, the code is that of its patient
+  open(onDisk().folder / "ct");
+  EXPECT_EQ(code(), "P-88");
+}
+
+TEST_F(TheCtPage, WarnsOfAFolderWithImagesOfTwoPatients)
+{
+  auto slices = dicomSlices(onDisk().phantom.volume, "1.2.3.11");
+  auto others = dicomSlices(onDisk().phantom.volume, "1.2.3.12");
+  for (DicomData& slice : others) slice.setText(0x00100020, "LO", "OTHERID");
+  others.resize(8);
+  const TemporaryFolder both;
+  writeDicomFiles(slices, both / "ct" / "one");
+  writeDicomFiles(others, both / "ct" / "other");
+  open(both / "ct");
+  const auto* status = page().findChild<QLabel*>("ctStatus");
+  EXPECT_TRUE(status->text().contains("images of 2 patients")) << status->text().toStdString();
+  EXPECT_TRUE(status->styleSheet().contains(gui::shownTheme().warning.name()));
+}
+
 TEST_F(TheCtPage, LetsEveryCorrectedLandmarkSteerTheFitAndKeepsItInItsPlace)
 {
   measure();
@@ -491,8 +802,9 @@ TEST_F(TheCtPage, SaysWhyAFolderCannotBeRead)
   const TemporaryFolder empty;
   page().open(empty.path());
   ASSERT_TRUE(WindowRig::waitUntil([this] { return !page().isBusy(); }));
-  EXPECT_FALSE(rig_.label("ctStatus").isEmpty());
-  EXPECT_TRUE(study().hasCt());  // the previous one stays
+  // nothing was listed: list and scan are of the folder before
+  EXPECT_TRUE(rig_.label("ctStatus").endsWith("The CT shown is the one that was open before."));
+  EXPECT_TRUE(study().hasCt());
 }
 
 TEST_F(TheCtPage, ShowsAPictureOfEachSeries)

@@ -15,10 +15,12 @@
 #include <iterator>
 #include <regex>
 
+#include "OwnFolders.h"
 #include "PlanReportRig.h"
 #include "gui/report/PlanReportPdf.h"
 #include "gui/report/ReportIssuer.h"
 #include "gui/run/UserSettings.h"
+#include "gui/setup/PatientLibrary.h"
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/foundation/Version.h"
 #include "perilymph/planning/PlanReport.h"
@@ -169,6 +171,22 @@ TEST_F(PlanReportPdf, StatesForcesAtTheEndAndAtRestAndSharesOfFewSimulationsAsCo
   store(syntheticPlan(2));
   ASSERT_EQ(report(folder_.path(), pdf()).status, 0);
   EXPECT_THAT(textOf(pdf()), HasSubstr("2 of 2"));
+}
+
+TEST_F(PlanReportPdf, WarnsThatOtherMeasuresAreInUseNow)
+{
+  const DataFolder data;
+  anatomy::Patient patient = measuredPatient();
+  ASSERT_TRUE(gui::savePatientInLibrary(patient));
+  store(syntheticPlan(40));
+  ASSERT_EQ(report(folder_.path(), pdf()).status, 0);
+  EXPECT_EQ(textOf(pdf()).find("in use"), std::string::npos);
+  patient.basalTurn->a = millimeters(9.3);
+  ASSERT_TRUE(gui::savePatientInLibrary(patient, gui::libraryFileOf(patient)));
+  ASSERT_EQ(report(folder_.path(), pdf()).status, 0);
+  EXPECT_NE(textOf(pdf()).find("This plan is of A 9.20 mm; the measures in use are A 9.30 mm."),
+            std::string::npos)
+      << textOf(pdf());
 }
 
 TEST_F(PlanReportPdf, NamesEverySourceAndHasNoFirstResistanceThatIsNotFelt)

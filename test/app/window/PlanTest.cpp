@@ -34,6 +34,7 @@
 #include "gui/pages/plan/PlanScene.h"
 #include "gui/pages/plan/PlanView.h"
 #include "gui/setup/PatientLibrary.h"
+#include "gui/widgets/Notice.h"
 #include "gui/widgets/Selector.h"
 #include "perilymph/planning/PlanReport.h"
 #include "perilymph/test/SyntheticPlan.h"
@@ -297,7 +298,8 @@ TEST_F(APlan, IsMadeSeenInsertedAndOpenedAgainInSteps)
     EXPECT_LT(first.angle_deg.low, first.angle_deg.high);
     made = jsonOf(page);
     const fs::path pdf = saveBy(rig, "planReportButton", {folder_.path()});
-    EXPECT_THAT(pdf.filename().string(), testing::MatchesRegex("[A-Za-z0-9-]+-plan\\.pdf"));
+    EXPECT_THAT(pdf.filename().string(),
+                testing::MatchesRegex("[A-Za-z0-9-]+-(right|left)-plan\\.pdf"));
     ASSERT_TRUE(
         WindowRig::waitUntil([&] { return rig.label("planStatus").contains("-plan.pdf"); }));
     EXPECT_GT(fs::file_size(pdf), 20'000u);
@@ -320,6 +322,25 @@ TEST_F(APlan, IsMadeSeenInsertedAndOpenedAgainInSteps)
   EXPECT_TRUE(page.findChild<QCheckBox*>("plan-array-flex24")->isChecked());
   EXPECT_FALSE(page.findChild<QCheckBox*>("plan-array-medel-standard")->isChecked());
   EXPECT_EQ(walk.left(), "");
+
+  // other measures of this ear are in use now
+  EXPECT_EQ(rig.label("planSuperseded"), "");
+  anatomy::Patient other = page.plan()->request.patient;
+  const QString old = QString::number(inMillimeters(other.basalTurn->a), 'f', 2);
+  other.basalTurn->a = other.basalTurn->a + millimeters(0.3);
+  const QString now = QString::number(inMillimeters(other.basalTurn->a), 'f', 2);
+  ASSERT_TRUE(gui::savePatientInLibrary(other));
+  rig.click("comparePageButton");
+  rig.click("planPageButton");
+  const QString sentence =
+      "This plan is of A " + old + " mm; the measures in use are A " + now + " mm.";
+  EXPECT_EQ(rig.label("planSuperseded"), sentence);
+  keepPicture(rig.window(), "plan-superseded");
+  page.list().selectRow(0);
+  rig.click("insertPlanArrayButton");
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig.window().page() == "insert"; }));
+  EXPECT_TRUE(rig.window().notice().sentence().startsWith(sentence))
+      << rig.window().notice().sentence().toStdString();
 }
 
 TEST_F(APlan, GoesOnBehindAnotherPageAndContinuesAfterItWasCanceled)

@@ -84,14 +84,14 @@ protected:
 TEST_F(SavedReport, IsAPdfByDefaultUnderTheNameOfTheRecording)
 {
   const fs::path file = save(0);
-  EXPECT_EQ(file.filename(), "20260101T000000Z.pdf");
+  EXPECT_EQ(file.filename(), "20260101T000000Z-right.pdf");
   EXPECT_EQ(readWhole(file)->substr(0, 5), "%PDF-");
 }
 
 TEST_F(SavedReport, IsADicomObjectWithTheCodeAlone)
 {
   const fs::path file = save(1);
-  EXPECT_EQ(file.filename(), "20260101T000000Z.dcm");
+  EXPECT_EQ(file.filename(), "20260101T000000Z-right.dcm");
   const auto bytes = readWhole(file);
   ASSERT_TRUE(bytes) << rig_->label("sessionStatus").toStdString();
   EXPECT_EQ(bytes->substr(128, 4), "DICM");
@@ -114,7 +114,7 @@ TEST_F(SavedReport, BecomesPartOfTheStudyOfItsCtAndOfNoOtherAndThenNamesThePatie
   EXPECT_TRUE(WindowRig::waitUntil(
       [&] { return rig_->label("sessionStatus").contains("names the patient, as the CT does"); }));
   EXPECT_NE(readWhole(file)->find("Doe^Jane"), std::string::npos);
-  EXPECT_EQ(file.filename(), "20260101T000000Z.dcm");
+  EXPECT_EQ(file.filename(), "20260101T000000Z-right.dcm");
   // no name in what the program keeps
   for (const fs::path& folder : {data_.path(), state_.path()})
     for (const auto& entry : fs::recursive_directory_iterator(folder)) {

@@ -289,6 +289,10 @@ TEST_F(FirstScreen, APatientIsEditedFoundAndReopenedWithMouseAndKeyboard)
   ASSERT_TRUE(WindowRig::waitUntil([&] { return rig_->button("savePatientButton").isVisible(); }));
   EXPECT_EQ(anatomy::loadPatient(other)->basalTurn->a, millimeters(9.1));
   rig_->click("savePatientButton");
+  EXPECT_EQ(anatomy::loadPatient(other)->basalTurn->a,
+            millimeters(9.1));  // both are compared first
+  EXPECT_EQ(rig_->label("panel-differenceA").section(' ', 0, 0), "+0.10");
+  rig_->click("panel-newVersionButton");
   EXPECT_EQ(anatomy::loadPatient(other)->basalTurn->a, millimeters(9.2));
   EXPECT_FALSE(rig_->button("savePatientButton").isVisible());
 }

@@ -5,8 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include <QLineEdit>
 #include <QMouseEvent>
 #include <QTest>
+#include <filesystem>
 #include <optional>
 
 #include "OwnFolders.h"
@@ -32,6 +34,17 @@ inline const CtOnDisk& onDisk()
   return made;
 }
 
+/// The same voxels as another series, as a folder of DICOM files, made once.
+inline const std::filesystem::path& otherOnDisk()
+{
+  static const TemporaryFolder folder;
+  static const std::filesystem::path place = [] {
+    writeDicomFiles(dicomSlices(onDisk().phantom.volume, "1.2.3.9"), folder / "other");
+    return folder / "other";
+  }();
+  return place;
+}
+
 class TheCtPage : public testing::Test {
 protected:
   TheCtPage()
@@ -44,6 +57,16 @@ protected:
     page().cancel();
     EXPECT_FALSE(page().isBusy());
   }
+
+  /// Opens another scan, and ends its measurement.
+  void open(const std::filesystem::path& folder)
+  {
+    page().open(folder);
+    EXPECT_TRUE(
+        WindowRig::waitUntil([this] { return rig_.label("ctStatus").startsWith("Looking"); }));
+    page().cancel();
+  }
+  QString code() { return rig_.window().findChild<QLineEdit*>("ctPatientCode")->text(); }
 
   gui::CtPage& page() { return *rig_.window().pages().find<gui::CtPage>(); }
   gui::CtStudy& study() { return page().study(); }

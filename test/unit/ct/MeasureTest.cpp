@@ -12,6 +12,7 @@
 #include <stop_token>
 
 #include "MeasuredPhantom.h"
+#include "perilymph/anatomy/DuctLength.h"
 #include "perilymph/foundation/Units.h"
 #include "perilymph/test/CtPhantom.h"
 
@@ -48,6 +49,18 @@ TEST(MeasureCochlea, FindsTheSideOfBothEars)
     EXPECT_EQ(found->side == anatomy::Side::right, ear.isRight) << seed;
     break;
   }
+}
+
+TEST(MeasureCochlea, GivesTheDuctLengthTheErrorThatPagesAndFilesComputeFromTheMeasures)
+{
+  const CochleaMeasures& found = measures();
+  const Length a = millimeters(found.a.value), b = millimeters(found.b.value);
+  const double byMeasures = inMillimeters(
+      anatomy::ductLengthError(a, b, {millimeters(found.a.sd()), millimeters(found.b.sd())}));
+  ASSERT_TRUE(found.cdlOc);
+  EXPECT_NEAR(found.cdlOc->value, inMillimeters(anatomy::ellipticCircularDuctLength(a, b)), 1e-12);
+  EXPECT_NEAR(found.cdlOc->sd(),
+              std::hypot(byMeasures, inMillimeters(anatomy::ductLengthFormulaError(a, b))), 1e-9);
 }
 
 TEST(MeasureCochlea, KeepsTheErrorsApartAndAddsTheirSquares)

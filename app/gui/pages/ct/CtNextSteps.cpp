@@ -75,6 +75,8 @@ bool CtNextSteps::hasCode() const
 
 void CtNextSteps::setCode(const QString& code) { code_->setText(code); }
 
+QString CtNextSteps::code() const { return code_->text(); }
+
 void CtNextSteps::editCode()
 {
   code_->setFocus();

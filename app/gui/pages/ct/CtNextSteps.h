@@ -27,6 +27,7 @@ public:
   bool hasCode() const;
   /// Fills the code in.
   void setCode(const QString& code);
+  QString code() const;
   /// Marks the code to be typed again.
   void editCode();
 

@@ -18,10 +18,10 @@
 #include "gui/pages/ct/PlaneView.h"
 #include "gui/pages/ct/RecentScans.h"
 #include "gui/pages/ct/SurfaceView.h"
-#include "gui/pages/ct/VersionQuestion.h"
 #include "gui/setup/KeyImage.h"
 #include "gui/setup/MeasureVersions.h"
 #include "gui/setup/ScanFolders.h"
+#include "gui/setup/VersionQuestion.h"
 #include "gui/text/DataText.h"
 #include "gui/text/TaskText.h"
 #include "gui/widgets/EmptyPage.h"
@@ -128,6 +128,7 @@ void CtPage::connectWork()
 {
   connect(&work_, &CtWork::progressed, this, [this](double fraction) { showProgress(fraction); });
   connect(&work_, &CtWork::listed, this, [this](const imaging::CtSeriesList& list) {
+    leaveScan();  // the list is of another folder
     list_ = list;
     panel_->series().show(list);
     thumbnails_.readThumbnails(list);
@@ -139,16 +140,36 @@ void CtPage::connectWork()
   connect(&thumbnails_, &CtWork::thumbnailsRead, &panel_->series(), &CtSeriesList::showThumbnails);
   connect(&work_, &CtWork::measured, this, [this](const ct::CochleaMeasures& measures) {
     study_.setMeasures(measures, atRequest_);
+    if (std::exchange(isReopening_, false)) return measure(true);
     const auto then = std::exchange(then_, {});
-    panel_->showIdle(notes_);
+    showNotes();
     if (then && !study_.isStale() && ct::landmarkContradictions(measures).empty()) then();
   });
   connect(&work_, &CtWork::failed, this, [this](const QString& sentence) {
     then_ = {};
     wanted_ = {};
+    const bool isKept = std::exchange(isOpening_, false) && study_.hasCt();
     // nothing failed if the user canceled
-    panel_->showIdle(sentence.isEmpty() ? notes_ : sentence, !sentence.isEmpty());
+    if (std::exchange(isReopening_, false) && !sentence.isEmpty()) return measure(true);
+    if (sentence.isEmpty()) return showNotes();
+    panel_->showIdle(
+        isKept ? tr("%1 The CT shown is the one that was open before.").arg(sentence) : sentence,
+        true);
   });
+}
+
+void CtPage::showNotes()
+{
+  panel_->showIdle(notes_, study_.hasCt() && study_.volume()->provenance().isInDoubt);
+}
+
+void CtPage::leaveScan()
+{
+  study_.clear();
+  notes_.clear();
+  if (codeOf_.empty() || panel_->code().isEmpty()) return;
+  leftCode_ = panel_->code();
+  panel_->setCode({});
 }
 
 void CtPage::showCt(imaging::LoadedCt&& loaded)
@@ -157,28 +178,45 @@ void CtPage::showCt(imaging::LoadedCt&& loaded)
   // of NIfTI and NRRD the key is known now only
   if (!wanted.series.empty() && loaded.series.key != wanted.series)
     return panel_->showIdle(notThere(wanted), true);
+  isOpening_ = false;
+  const CtRequest request =
+      sought_.series == loaded.series.key ? std::exchange(sought_, {}) : CtRequest();
   QStringList notes;
   for (const Sentence& warning : loaded.series.warnings) notes << dataText(warning);
   notes_ = notes.join(QLatin1Char('\n'));
   study_.setCt(std::move(loaded));
   rememberScan(study_.series().key, list_.path);
-  panel_->showIdle(notes_);
+  const std::string& key = study_.series().key;
+  if (!request.code.isEmpty())
+    panel_->setCode(request.code);
+  else if (codeOf_ == key && panel_->code().isEmpty())
+    panel_->setCode(leftCode_);
+  codeOf_ = key;
+  leftCode_.clear();
+  showNotes();
   views_[0]->setFocus();
   ct::Marks marks;
-  for (const session::PatientLandmark& each : wanted.landmarks)
+  for (const session::PatientLandmark& each : request.landmarks)
     if (const auto mark = ct::markNamed(each.name); mark && each.isByHand)
       marks[*mark] = Eigen::Vector3d(each.lps_mm[0], each.lps_mm[1], each.lps_mm[2]);
-  if (marks.isEmpty()) return measure(false);
-  study_.setMarks(marks);
-  measure(true);
+  side_ = request.side;
+  isReopening_ = !marks.isEmpty();
+  if (isReopening_) study_.setMarks(marks);
+  measure(false);
 }
 
 void CtPage::begin(const CtRequest& request)
 {
   Q_EMIT pageRequested(id());
-  if (!request.code.isEmpty()) panel_->setCode(request.code);
-  if (request.series.empty()) return;
-  if (study_.hasCt() && study_.series().key == request.series) return;
+  const bool isOfNext = request.series.empty();
+  const bool isShown = !isOfNext && study_.hasCt() && study_.series().key == request.series;
+  if (isOfNext || isShown) {
+    if (request.code.isEmpty()) return;
+    panel_->setCode(request.code);
+    codeOf_ = request.series;
+    return;
+  }
+  sought_ = request;
   const std::filesystem::path place = placeOfScan(request.series);
   std::error_code ignored;
   if (place.empty() || !std::filesystem::exists(place, ignored))
@@ -203,6 +241,7 @@ void CtPage::connectPanel()
   connect(panel_, &CtPanel::seriesChosen, this, [this](const std::string& uid) {
     if (study_.hasCt() && study_.series().uid == uid) return;
     then_ = {};
+    leaveScan();
     beginTask(tr("Reading the CT…"));
     work_.read(list_, uid);
   });
@@ -267,6 +306,8 @@ void CtPage::read(const std::filesystem::path& path, const std::string& series)
   showArchive(false);
   then_ = {};
   wanted_ = {};
+  isOpening_ = true;
+  isReopening_ = false;
   beginTask(tr("Reading the CT…"));
   work_.open(path, series);
 }
@@ -339,9 +380,11 @@ void CtPage::withFreeCode(const QString& code, std::function<void()> then)
 {
   anatomy::Patient measured = imaging::measuredPatient(*study_.measures());
   measured.label = code.toStdString();
-  const auto saved = findSavedPatient(measured.label, measured.side);
-  if (!saved || haveSameMeasures(saved->patient, measured)) return then();
-  panel_->question().ask(*saved, measured, std::move(then));
+  auto saved = findSavedPatient(measured.label, measured.side);
+  if (saved && haveSameMeasures(saved->patient, measured)) saved.reset();
+  const QStringList doubts = seriesDoubts(measured);
+  if (!saved && doubts.isEmpty()) return then();
+  panel_->question().ask(saved, measured, doubts, std::move(then));
 }
 
 void CtPage::insert(const QString& code)
@@ -376,9 +419,11 @@ void CtPage::keepKeyImage()
 void CtPage::measure(bool isAtCrosshair, std::function<void()> then)
 {
   if (!study_.hasCt()) return;
-  atRequest_ = study_.marksByHand();
+  // marks of a scan that is opened again stay: the second fit, which begins there, is theirs
+  atRequest_ = isReopening_ ? ct::Marks() : study_.marksByHand();
   then_ = std::move(then);
   ct::MeasureRequest request;
+  request.side = std::exchange(side_, {});
   if (isAtCrosshair && study_.isCorrected()) {
     // proposed landmarks of a wrong fit lie elsewhere, so those placed by hand come first
     request.marks = study_.marksByHand();

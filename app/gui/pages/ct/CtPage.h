@@ -83,6 +83,10 @@ private:
   /// The same, and the next CT is not looked for beside it.
   void read(const std::filesystem::path& path, const std::string& series);
   void showCt(imaging::LoadedCt&& loaded);
+  /// Shows no scan while another one is read, and no code: that was of the former one's patient.
+  void leaveScan();
+  /// Ends a task with what the reader of the CT remarked.
+  void showNotes();
   /// Shows the search in archives, or ends it.
   void showArchive(bool isShown);
   void showProgress(double fraction);
@@ -110,7 +114,13 @@ private:
   CtWork work_;
   CtWork thumbnails_;
   imaging::CtSeriesList list_;
-  CtRequest wanted_;                         ///< Series that is opened again; else empty.
+  CtRequest wanted_;        ///< Series that is opened again; else empty.
+  CtRequest sought_;        ///< The same until a scan was shown, whoever found its place.
+  std::string codeOf_;      ///< Series whose patient's code is typed; empty: that of the next one.
+  QString leftCode_;        ///< The code that leaveScan() removed.
+  bool isOpening_ = false;  ///< A folder or file is read.
+  bool isReopening_ = false;  ///< The cochlea is looked for before landmarks by hand correct it.
+  std::optional<anatomy::Side> side_;        ///< Ear that the next search looks for.
   ct::Marks atRequest_;                      ///< Landmarks by hand when the measurement began.
   std::function<void()> then_;               ///< What was asked for and waits for the measurement.
   std::optional<anatomy::Patient> patient_;  ///< Whose cochlea was offered for insertion or a plan.

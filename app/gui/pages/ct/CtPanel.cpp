@@ -19,8 +19,8 @@
 #include "gui/pages/ct/CtText.h"
 #include "gui/pages/ct/MarkGuide.h"
 #include "gui/pages/ct/RecentScans.h"
-#include "gui/pages/ct/VersionQuestion.h"
 #include "gui/setup/MeasureVersions.h"
+#include "gui/setup/VersionQuestion.h"
 #include "gui/text/DataText.h"
 #include "gui/text/LandmarkText.h"
 #include "gui/widgets/CheckBoxes.h"
@@ -315,6 +315,8 @@ void CtPanel::addOnward(QVBoxLayout& column)
 
 void CtPanel::setCode(const QString& code) { onward_->setCode(code); }
 
+QString CtPanel::code() const { return onward_->code(); }
+
 void CtPanel::showMark(const std::optional<ct::Mark>& mark) { guide_->showMark(mark); }
 
 void CtPanel::showTask(const QString& task, double fraction)
@@ -399,11 +401,8 @@ void CtPanel::showMeasures()
   const auto& former = study_.former();
   change_->setVisible(measures && former && !isStale);
   if (measures && former)
-    change_->setText((measures->marksByHand.isEmpty()
-                          ? tr("Measured again: %1")
-                          : tr("Measured again after landmarks were moved: %1"))
-                         .arg(changeText(imaging::measuredPatient(*former),
-                                         imaging::measuredPatient(*measures))));
+    change_->setText(
+        remeasuredText(imaging::measuredPatient(*former), imaging::measuredPatient(*measures)));
   side_->setVisible(measures != nullptr);
   duct_->setVisible(measures && measures->cdlOc);
   duct_->setEnabled(!isStale);

@@ -45,6 +45,7 @@ public:
   VersionQuestion& question() { return *question_; }
   /// Fills the patient's code in.
   void setCode(const QString& code);
+  QString code() const;
   /// Updates numbers and buttons.
   void refresh();
 

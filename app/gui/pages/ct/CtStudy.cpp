@@ -10,25 +10,40 @@ namespace perilymph::gui {
 namespace {
 
 constexpr double minPixel_mm = 0.005, maxPixel_mm = 2.0;
-constexpr double wholePicture_px = 400.0;   // of a typical view, so that a whole volume fits
-constexpr double cochleaPicture_mm = 16.0;  // the basal turn with its surroundings
+constexpr double largestPicture_px = 400.0;  // a larger view shows more around
+constexpr double cochleaPicture_mm = 16.0;   // the basal turn with its surroundings
 constexpr std::size_t maxUndo = 100;
 
 }  // namespace
 
-void CtStudy::setCt(imaging::LoadedCt ct)
+void CtStudy::removeAll()
 {
-  volume_ = std::make_shared<const ct::CtVolume>(std::move(ct.volume));
-  sampler_ = std::make_unique<imaging::PlaneSampler>(volume_);
-  series_ = std::move(ct.series);
   now_ = {};
   isChangeOpen_ = false;
   frame_ = PlaneFrame::patient;
   array_ = {};
   undoStack_.clear();
   redoStack_.clear();
-  crosshair_P_ = volume_->center_P();
   isCrosshairPlaced_ = false;
+}
+
+void CtStudy::clear()
+{
+  if (!hasCt()) return;
+  removeAll();
+  volume_.reset();
+  sampler_.reset();
+  series_ = {};
+  announceModel();
+}
+
+void CtStudy::setCt(imaging::LoadedCt ct)
+{
+  removeAll();
+  volume_ = std::make_shared<const ct::CtVolume>(std::move(ct.volume));
+  sampler_ = std::make_unique<imaging::PlaneSampler>(volume_);
+  series_ = std::move(ct.series);
+  crosshair_P_ = volume_->center_P();
   // cone-beam scanners have gray values of their own
   const imaging::GrayWindow whole = imaging::wholeWindow(*volume_);
   window_ = series_.modality == "CT" ? imaging::boneWindow : whole;
@@ -105,18 +120,24 @@ void CtStudy::zoom(double factor)
   Q_EMIT changed();
 }
 
+void CtStudy::setPicture_px(double edge_px)
+{
+  const double before = std::exchange(picture_px_, std::clamp(edge_px, 1.0, largestPicture_px));
+  if (before != picture_px_) zoom(picture_px_ / before);
+}
+
 void CtStudy::showWhole()
 {
   if (!hasCt()) return;
   if (frame_ == PlaneFrame::cochlea) {
     center_P_ = crosshair_P_;
-    pixel_mm_ = cochleaPicture_mm / wholePicture_px;
+    pixel_mm_ = cochleaPicture_mm / picture_px_;
   } else {
     center_P_ = volume_->center_P();
     const auto& size = volume_->size();
     const Eigen::Vector3d extent =
         volume_->spacing_mm().cwiseProduct(Eigen::Vector3d(size[0], size[1], size[2]));
-    pixel_mm_ = std::clamp(extent.maxCoeff() / wholePicture_px, minPixel_mm, maxPixel_mm);
+    pixel_mm_ = std::clamp(extent.maxCoeff() / picture_px_, minPixel_mm, maxPixel_mm);
   }
   Q_EMIT changed();
 }

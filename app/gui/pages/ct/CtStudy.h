@@ -31,6 +31,8 @@ public:
 
   /// Shows a volume; removes measures and landmarks of the previous one.
   void setCt(imaging::LoadedCt ct);
+  /// Shows no volume.
+  void clear();
   bool hasCt() const { return volume_ != nullptr; }
   const std::shared_ptr<const ct::CtVolume>& volume() const { return volume_; }
   const imaging::CtSeries& series() const { return series_; }
@@ -68,6 +70,8 @@ public:
   double pixel_mm() const { return pixel_mm_; }
   /// Values above 1 enlarge.
   void zoom(double factor);
+  /// Fits what is shown into pictures of this width and height, whichever is less [pixels].
+  void setPicture_px(double edge_px);
   /// Shows the whole volume in patient planes, the basal turn in those of the cochlea.
   void showWhole();
 
@@ -125,6 +129,7 @@ private:
     std::shared_ptr<const ct::CochleaMeasures> measures, former;
   };
 
+  void removeAll();
   void announceModel();
   void keepForUndo();
   void restore(std::vector<Placement>& from, std::vector<Placement>& to);
@@ -135,7 +140,8 @@ private:
   PlaneFrame frame_ = PlaneFrame::patient;
   Eigen::Vector3d crosshair_P_ = Eigen::Vector3d::Zero(), center_P_ = Eigen::Vector3d::Zero();
   bool isCrosshairPlaced_ = false;
-  double pixel_mm_ = 0.1;
+  double pixel_mm_ = 0.1,
+         picture_px_ = 400.0;  ///< Edge of a picture, until the views are laid out.
   imaging::GrayWindow window_ = imaging::boneWindow;
   double thickness_mm_ = 0.0;
   imaging::Projection projection_ = imaging::Projection::mean;

@@ -6,6 +6,7 @@
 #include <QLineF>
 #include <QPainter>
 #include <QVector>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -185,20 +186,33 @@ void paintMarks(QPainter& painter, const CtStudy& study, const Projector& projec
   paintLabels(painter, labels, points, pane, taken);
 }
 
-void paintLetters(QPainter& painter, const QSize& size, const ct::ViewPlane& plane)
+/// The letters of a picture's four directions and where they stand.
+struct Letters {
+  QString text;
+  Qt::Alignment at;
+  QRectF area;
+};
+
+std::array<Letters, 4> lettersOf(const QFontMetricsF& metrics, const QSize& size,
+                                 const ct::ViewPlane& plane)
 {
-  const auto letters = [](const Eigen::Vector3d& direction_P) {
-    return QString::fromStdString(ct::directionLetters(direction_P));
+  const auto standing = [&](const Eigen::Vector3d& direction_P, Qt::Alignment at) {
+    const QString text = QString::fromStdString(ct::directionLetters(direction_P));
+    const QSizeF whole(metrics.horizontalAdvance(text) + 2 * spacing,
+                       metrics.height() + 2 * spacing);
+    const double right = size.width() - whole.width(), low = size.height() - whole.height();
+    const double x = at.testFlag(Qt::AlignLeft)    ? 0.0
+                     : at.testFlag(Qt::AlignRight) ? right
+                                                   : 0.5 * right;
+    const double y = at.testFlag(Qt::AlignTop)      ? 0.0
+                     : at.testFlag(Qt::AlignBottom) ? low
+                                                    : 0.5 * low;
+    return Letters{text, at, {{x, y}, whole}};
   };
-  const QRectF area = QRectF(QPointF(0, 0), size).adjusted(spacing, spacing, -spacing, -spacing);
-  drawText(painter, area, Qt::AlignRight | Qt::AlignVCenter, letters(plane.right_P),
-           colorOf(onCt::mark));
-  drawText(painter, area, Qt::AlignLeft | Qt::AlignVCenter, letters(-plane.right_P),
-           colorOf(onCt::mark));
-  drawText(painter, area, Qt::AlignHCenter | Qt::AlignBottom, letters(plane.down_P),
-           colorOf(onCt::mark));
-  drawText(painter, area, Qt::AlignHCenter | Qt::AlignTop, letters(-plane.down_P),
-           colorOf(onCt::mark));
+  return {standing(plane.right_P, Qt::AlignRight | Qt::AlignVCenter),
+          standing(-plane.right_P, Qt::AlignLeft | Qt::AlignVCenter),
+          standing(plane.down_P, Qt::AlignHCenter | Qt::AlignBottom),
+          standing(-plane.down_P, Qt::AlignHCenter | Qt::AlignTop)};
 }
 
 void paintScaleBar(QPainter& painter, const QSize& size, double pixel_mm)
@@ -237,22 +251,16 @@ void paintOverlay(QPainter& painter, const QSize& size, const CtStudy& study, st
   const QString name = planeName(study.frame(), plane);
   const QFontMetricsF metrics(painter.font());
   const QRectF pane(QPointF(0, 0), size);
-  const QSizeF letter(2.0 * metrics.averageCharWidth() + spacing, metrics.height() + spacing);
   // name, letters of the four directions, scale bar
   std::vector<QRectF> taken{
       QRectF(0, 0, metrics.horizontalAdvance(name) + 2 * spacing, metrics.height() + 2 * spacing),
       QRectF(QPointF(size.width() - 110.0, size.height() - 36.0), pane.bottomRight())};
-  for (const QPointF& center :
-       {QPointF(0.5 * letter.width(), 0.5 * size.height()),
-        QPointF(size.width() - 0.5 * letter.width(), 0.5 * size.height()),
-        QPointF(0.5 * size.width(), 0.5 * letter.height()),
-        QPointF(0.5 * size.width(), size.height() - 0.5 * letter.height())}) {
-    QRectF area({0, 0}, letter);
-    area.moveCenter(center);
-    taken.push_back(area);
-  }
+  const auto letters = lettersOf(metrics, size, project.plane);
+  for (const Letters& each : letters) taken.push_back(each.area);
   paintMarks(painter, study, project, dragged, pane, taken);
-  paintLetters(painter, size, project.plane);
+  for (const Letters& each : letters)
+    drawText(painter, each.area.adjusted(spacing, spacing, -spacing, -spacing), each.at, each.text,
+             colorOf(onCt::mark));
   paintScaleBar(painter, size, study.pixel_mm());
   drawText(painter, QRectF(spacing, spacing, size.width(), 20), Qt::AlignLeft | Qt::AlignTop, name,
            colorOf(onCt::planes[plane]));

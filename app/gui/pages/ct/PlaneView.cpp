@@ -63,6 +63,12 @@ PlaneView::PlaneView(CtStudy& study, std::size_t plane, QWidget* parent)
   });
 }
 
+void PlaneView::resizeEvent(QResizeEvent* event)
+{
+  QWidget::resizeEvent(event);
+  study_.setPicture_px(std::min(width(), height()));
+}
+
 void PlaneView::setPlaced(std::optional<ct::Mark> mark) { placed_ = mark; }
 
 QPointF PlaneView::placeOf(const Eigen::Vector3d& point_P) const

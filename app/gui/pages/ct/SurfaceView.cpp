@@ -37,10 +37,11 @@ void SurfaceView::refresh()
 {
   const auto& measures = study_.measures();
   if (!measures) {
-    if (scene_) renderWindow()->RemoveRenderer(&scene_->renderer());
-    scene_.reset();
     shownWindow_P_.reset();
-    return update();
+    if (!scene_) return;
+    // a window without a renderer keeps its last picture
+    scene_->renderer().RemoveAllViewProps();
+    return render();
   }
   if (shownWindow_P_ != measures->roundWindow_P) {
     if (scene_) renderWindow()->RemoveRenderer(&scene_->renderer());

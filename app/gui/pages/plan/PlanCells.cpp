@@ -66,17 +66,11 @@ void paintTexts(QPainter& painter, const QRectF& place, const QString& value, co
 void paintClinics(QPainter& painter, const QRectF& place, const planning::ArrayPlan& array,
                   PlanColumn column)
 {
-  const auto reported = reportedOf(column);
-  const QString clinics = reported ? clinicsReportShort(array.array, *reported) : QString();
-  if (clinics.isEmpty()) return;
   painter.setFont(typeface(11));
   painter.setPen(shownTheme().text);
-  const QString shown = QFontMetricsF(painter.font())
-                            .elidedText((*reported == analysis::ReportedQuantity::translocation
-                                             ? PlanCells::tr("transl. %1")
-                                             : PlanCells::tr("clin. %1"))
-                                            .arg(clinics),
-                                        Qt::ElideRight, place.width());
+  const QString shown =
+      QFontMetricsF(painter.font())
+          .elidedText(PlanCells::clinicsText(array, column), Qt::ElideRight, place.width());
   painter.drawText(place.adjusted(0, sized(29), 0, 0), Qt::AlignTop | Qt::AlignLeft, shown);
 }
 
@@ -95,6 +89,22 @@ PlanCells::PlanCells(const PlanTable& table, const QSortFilterProxyModel& sorted
     : QStyledItemDelegate(parent), table_(table), sorted_(sorted)
 {
   if (const auto reference = coverageReference()) coverage_ = *reference;
+}
+
+QString PlanCells::clinicsText(const planning::ArrayPlan& array, PlanColumn column)
+{
+  const auto reported = reportedOf(column);
+  const QString clinics = reported ? clinicsReportShort(array.array, *reported) : QString();
+  if (clinics.isEmpty()) return {};
+  const bool isShare = *reported == analysis::ReportedQuantity::translocation;
+  return (isShare ? tr("transl. %1") : tr("clin. %1")).arg(clinics);
+}
+
+int PlanCells::clinicsWidth(const planning::ArrayPlan& array, PlanColumn column)
+{
+  const QString text = clinicsText(array, column);
+  if (text.isEmpty()) return 0;
+  return QFontMetrics(typeface(11)).horizontalAdvance(text) + 2 * margin_px + 2;
 }
 
 double PlanCells::limitOf(PlanColumn column) const

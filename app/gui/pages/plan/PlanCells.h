@@ -16,6 +16,11 @@ class PlanCells : public QStyledItemDelegate {
   Q_OBJECT
 public:
   /// @param table   Its rows; the view may show them in another order.
+  /// What clinics report of an array, in the column's cell: "clin. 45–102"; may be empty.
+  static QString clinicsText(const planning::ArrayPlan& array, PlanColumn column);
+  /// Width that this text and the cell's margins need [pixels].
+  static int clinicsWidth(const planning::ArrayPlan& array, PlanColumn column);
+
   PlanCells(const PlanTable& table, const QSortFilterProxyModel& sorted, QObject* parent);
 
   void paint(QPainter* painter, const QStyleOptionViewItem& option,

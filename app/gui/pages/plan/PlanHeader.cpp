@@ -6,6 +6,7 @@
 #include <QVariant>
 
 #include "gui/pages/plan/PlanText.h"
+#include "gui/setup/EnteredMeasures.h"
 #include "gui/setup/MeasureVersions.h"
 #include "gui/text/DataText.h"
 #include "gui/text/Numbers.h"
@@ -20,6 +21,7 @@ PlanHeader::PlanHeader(QWidget* parent)
     : QWidget(parent),
       name_(new ElidedLabel(this)),
       measures_(new WrappedLabel({}, this)),
+      superseded_(new WrappedLabel({}, this)),
       change_(new WrappedLabel({}, this)),
       note_(new WrappedLabel({}, this))
 {
@@ -27,6 +29,9 @@ PlanHeader::PlanHeader(QWidget* parent)
   name_->setFont(typeface(15, QFont::DemiBold));
   measures_->setObjectName(QStringLiteral("planMeasures"));
   measures_->setFont(typeface(13));
+  superseded_->setObjectName(QStringLiteral("planSuperseded"));
+  superseded_->setFont(typeface(13));
+  superseded_->setProperty("error", true);
   change_->setObjectName(QStringLiteral("planMeasureChange"));
   change_->setFont(typeface(12));
   note_->setObjectName(QStringLiteral("planNote"));
@@ -37,6 +42,7 @@ PlanHeader::PlanHeader(QWidget* parent)
   column->setSpacing(4);
   column->addWidget(name_);
   column->addWidget(measures_);
+  column->addWidget(superseded_);
   column->addWidget(change_);
   column->addWidget(note_);
 }
@@ -44,6 +50,8 @@ PlanHeader::PlanHeader(QWidget* parent)
 void PlanHeader::show(const anatomy::Patient& patient)
 {
   name_->setText(nameOfPatient(patient) + handChange(patient));
+  superseded_->setText(supersededText(patient));
+  superseded_->setVisible(!superseded_->text().isEmpty());
   change_->setText(remeasuredText(patient));
   change_->setVisible(!change_->text().isEmpty());
   if (!patient.basalTurn) return measures_->clear();
@@ -55,8 +63,13 @@ void PlanHeader::show(const anatomy::Patient& patient)
                 ? tr("H %1").arg(measureText(*turn.h, errors.h.value_or(analysis::measuringError)))
                 : tr("H not measured (population mean ± SD used)"));
   const QString assumed = numberText(inMillimeters(analysis::measuringError), 1);
-  parts << (patient.errors ? tr("95 % intervals, errors as measured")
-                           : tr("95 % intervals, errors assumed: SD %1 mm").arg(assumed));
+  QStringList entered;
+  for (const std::string& each : enteredMeasures(patient)) entered << QString::fromStdString(each);
+  parts << (!patient.errors ? tr("95 % intervals, errors assumed: SD %1 mm").arg(assumed)
+            : entered.isEmpty()
+                ? tr("95 % intervals, errors as measured")
+                : tr("95 % intervals, errors as measured, that of %1 (entered) assumed: SD %2 mm")
+                      .arg(entered.join(QStringLiteral(", ")), assumed));
   measures_->setText(parts.join(QStringLiteral("   ·   ")));
   QStringList unusual;
   for (const Sentence& sentence : anatomy::unusualMeasures(patient)) unusual << dataText(sentence);

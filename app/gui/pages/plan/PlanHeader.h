@@ -24,7 +24,8 @@ public:
 private:
   QLabel* name_;
   QLabel* measures_;
-  QLabel* change_;  ///< What the measures were before.
+  QLabel* superseded_;  ///< That other measures are in use now.
+  QLabel* change_;      ///< What the measures were before.
   QLabel* note_;
 };
 

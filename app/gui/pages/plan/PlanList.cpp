@@ -4,6 +4,7 @@
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 #include "gui/pages/plan/PlanCells.h"
@@ -14,7 +15,7 @@ namespace perilymph::gui {
 
 namespace {
 
-constexpr int rowHeight_px = 70, headerHeight_px = 66;
+constexpr int rowHeight_px = 70, headerHeight_px = 66, headMargin_px = 8;
 
 // In the order of PlanColumn; they fit beside the panel on a screen of 1280 pixels.
 constexpr int widths_px[] = {96, 84, 80, 82, 82, 86, 92, 66, 80, 68, 66, 78};
@@ -54,6 +55,7 @@ PlanList::PlanList(QWidget* parent) : QTableView(parent), table_(nullptr)
 void PlanList::show(const PlanWork::SharedPlan& plan)
 {
   table_.setPlan(plan);
+  fitColumns();
   if (plan && selected().empty() && !plan->arrays.empty()) selectRow(0);
 }
 
@@ -80,13 +82,28 @@ void PlanList::resizeEvent(QResizeEvent* event)
   fitColumns();
 }
 
+int PlanList::widthOf(int column) const
+{
+  int width = sized(widths_px[column]);
+  // words of a head are not broken
+  const QFontMetrics metrics(horizontalHeader()->font());
+  for (const QString& word : titleOf(PlanColumn(column)).split(QLatin1Char(' ')))
+    width = std::max(width, metrics.horizontalAdvance(word) + 2 * sized(headMargin_px));
+  for (int row = 0; row < table_.rowCount(); ++row)
+    width = std::max(width, PlanCells::clinicsWidth(table_.array(row), PlanColumn(column)));
+  return width;
+}
+
 /// Columns share additional width.
 void PlanList::fitColumns()
 {
-  const int whole = sized(std::accumulate(std::begin(widths_px), std::end(widths_px), 0));
+  std::array<int, std::size_t(planColumns)> widths{};
+  for (int column = 0; column < planColumns; ++column)
+    widths[std::size_t(column)] = widthOf(column);
+  const int whole = std::accumulate(widths.begin(), widths.end(), 0);
   const double factor = std::max(1.0, double(viewport()->width()) / whole);
   for (int column = 0; column < planColumns; ++column)
-    horizontalHeader()->resizeSection(column, int(factor * sized(widths_px[column])));
+    horizontalHeader()->resizeSection(column, int(factor * widths[std::size_t(column)]));
 }
 
 }  // namespace perilymph::gui

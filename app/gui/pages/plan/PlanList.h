@@ -31,6 +31,8 @@ protected:
   void resizeEvent(QResizeEvent* event) override;
 
 private:
+  /// Width that a column needs: its usual one, or that of a word of its head or of what clinics report.
+  int widthOf(int column) const;
   void fitColumns();
 
   PlanTable table_;

@@ -15,6 +15,7 @@
 #include "gui/pages/plan/PlanView.h"
 #include "gui/pages/plan/PlannedSetup.h"
 #include "gui/setup/Catalog.h"
+#include "gui/setup/MeasureVersions.h"
 #include "gui/setup/PlannedForces.h"
 #include "gui/setup/PlannedFriction.h"
 #include "gui/text/ClinicalText.h"
@@ -187,14 +188,19 @@ void PlanPage::insertArray()
   if (!setup) return showMessage(dataText(setup.error().message), true);
   Q_EMIT insertionRequested({*setup, SetupOrigin::Kind::own, AfterLoading::rest,
                              plannedForce(*plan_, rows.front(), madeUtc_)});
+  const QString superseded = supersededText(plan_->request.patient);
+  if (!superseded.isEmpty())
+    Q_EMIT noted(tr("%1 The insertion is into the cochlea of the plan.").arg(superseded));
 }
 
 void PlanPage::askReport()
 {
   if (!plan_) return;
-  const QString code = QString::fromStdString(fileStemOf(plan_->request.patient.label));
+  const anatomy::Patient& patient = plan_->request.patient;
+  const QString ear =
+      QString::fromStdString(fileStemOf(patient.label) + "-" + anatomy::nameOf(patient.side));
   if (const auto place =
-          askReportPlace(tr("Report of the plan"), QStringLiteral("%1-plan").arg(code), this))
+          askReportPlace(tr("Report of the plan"), QStringLiteral("%1-plan").arg(ear), this))
     writeReport(*place);
 }
 
@@ -330,7 +336,11 @@ void PlanPage::planFor(const anatomy::Patient& patient)
 void PlanPage::onShown()
 {
   if (!work_.isBusy()) panel_->refresh();
-  if (panel_->patient()) head_->show(*panel_->patient());
+  // other measures may be in use by now
+  if (plan_)
+    head_->show(plan_->request.patient);
+  else if (panel_->patient())
+    head_->show(*panel_->patient());
 }
 
 void PlanPage::showPlan(const PlanWork::SharedPlan& plan, const StoredPlan& stored)

@@ -12,6 +12,7 @@
 #include <algorithm>
 
 #include "gui/setup/DerivedMeasures.h"
+#include "gui/setup/EnteredMeasures.h"
 #include "gui/setup/LandmarkDrawing.h"
 #include "gui/setup/PopulationField.h"
 #include "gui/setup/Populations.h"
@@ -316,17 +317,6 @@ void PatientForm::setPatient(const anatomy::Patient& patient)
   }
 }
 
-bool PatientForm::isAsShown(const anatomy::BasalTurn& turn) const
-{
-  if (!shown_.basalTurn) return false;
-  const auto isSame = [](Length one, Length other) {  // fields show hundredths of a millimeter
-    return std::fabs(inMillimeters(one - other)) < 0.006;
-  };
-  const anatomy::BasalTurn& shown = *shown_.basalTurn;
-  return isSame(turn.a, shown.a) && isSame(turn.b, shown.b) &&
-         turn.h.has_value() == shown.h.has_value() && (!turn.h || isSame(*turn.h, *shown.h));
-}
-
 anatomy::Patient PatientForm::patient() const
 {
   anatomy::Patient patient;
@@ -335,16 +325,11 @@ anatomy::Patient PatientForm::patient() const
   if (byBasalTurn_->isChecked()) {
     patient.basalTurn = anatomy::BasalTurn{a_->value().value_or(Length{}),
                                            b_->value().value_or(Length{}), h_->value()};
-    if (isAsShown(*patient.basalTurn)) {
-      patient.errors = shown_.errors;
-      patient.origin = shown_.origin;
-      patient.seal = shown_.seal;
-    }
-  } else {
-    patient.scalaTympaniLength = length_->value().value_or(Length{});
-    patient.roundWindowWidth = width_->value().value_or(Length{});
-    patient.roundWindowHeight = height_->value().value_or(Length{});
+    return withMeasuresOf(shown_, patient);
   }
+  patient.scalaTympaniLength = length_->value().value_or(Length{});
+  patient.roundWindowWidth = width_->value().value_or(Length{});
+  patient.roundWindowHeight = height_->value().value_or(Length{});
   return patient;
 }
 

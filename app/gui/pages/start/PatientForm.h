@@ -62,8 +62,6 @@ private:
   /// The fields of the chosen measures.
   std::vector<PopulationField*> fields() const;
   bool isComplete() const;
-  /// Whether A, B and H are still those that were shown.
-  bool isAsShown(const anatomy::BasalTurn& turn) const;
 
   std::optional<std::filesystem::path> edited_;
   anatomy::Patient shown_;  ///< As setPatient() was given it, with the errors of its measures.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/pages/ct/VersionQuestion.h"
+#include "gui/setup/VersionQuestion.h"
 
 #include <QGridLayout>
 #include <QHBoxLayout>
@@ -16,17 +16,25 @@
 
 namespace perilymph::gui {
 
-VersionQuestion::VersionQuestion(QWidget* parent)
-    : QWidget(parent), title_(new WrappedLabel({}, this))
+VersionQuestion::VersionQuestion(QWidget* parent, const QString& place)
+    : QWidget(parent),
+      title_(new WrappedLabel({}, this)),
+      doubts_(new WrappedLabel({}, this)),
+      table_(new QWidget(this))
 {
-  setObjectName(QStringLiteral("versionQuestion"));
-  title_->setObjectName(QStringLiteral("versionTitle"));
+  setObjectName(place + QLatin1String("versionQuestion"));
+  title_->setObjectName(place + QLatin1String("versionTitle"));
   title_->setFont(typeface(13, QFont::DemiBold));
-  auto* table = new QGridLayout;
+  doubts_->setObjectName(place + QLatin1String("codeDoubts"));
+  doubts_->setFont(typeface(12));
+  doubts_->setProperty("error", true);
+  auto* table = new QGridLayout(table_);
+  table->setContentsMargins(0, 0, 0, 0);
   table->setVerticalSpacing(2);
-  const std::array heads{tr("saved"), tr("new"), tr("difference")};
+  const std::array heads{tr("saved, mm"), tr("new, mm"), tr("difference, mm")};
   const auto names = comparedNames();
   constexpr std::array keys{"A", "B", "H", "Cdl"};
+  table->addWidget(panelHeading(tr("± 95 %"), this), 0, 0);
   for (std::size_t k = 0; k < heads.size(); ++k)
     table->addWidget(panelHeading(heads[k], this), 0, int(k) + 1);
   for (std::size_t row = 0; row < cells_.size(); ++row) {
@@ -37,24 +45,27 @@ VersionQuestion::VersionQuestion(QWidget* parent)
     for (std::size_t k = 0; k < columns.size(); ++k) {
       auto* cell = new QLabel(this);
       cell->setFont(typeface(12));
-      cell->setObjectName(QLatin1String(columns[k]) + QLatin1String(keys[row]));
+      cell->setObjectName(place + QLatin1String(columns[k]) + QLatin1String(keys[row]));
       table->addWidget(cell, int(row) + 1, int(k) + 1);
       cells_[row][k] = cell;
     }
   }
-  auto* accept = rowButton(tr("New version"), "newVersionButton", this);
-  auto* refuse = rowButton(tr("Other code"), "otherCodeButton", this);
-  accept->setProperty("primary", true);
+  accept_ = rowButton({}, "", this);
+  accept_->setObjectName(place + QLatin1String("newVersionButton"));
+  auto* refuse = rowButton(tr("Other code"), "", this);
+  refuse->setObjectName(place + QLatin1String("otherCodeButton"));
+  accept_->setProperty("primary", true);
   auto* buttons = new QHBoxLayout;
-  buttons->addWidget(accept);
+  buttons->addWidget(accept_);
   buttons->addWidget(refuse);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(spacing);
   column->addWidget(title_);
-  column->addLayout(table);
+  column->addWidget(doubts_);
+  column->addWidget(table_);
   column->addLayout(buttons);
-  connect(accept, &QPushButton::clicked, this, [this] {
+  connect(accept_, &QPushButton::clicked, this, [this] {
     const auto then = std::exchange(then_, {});
     drop();
     if (then) then();
@@ -66,10 +77,22 @@ VersionQuestion::VersionQuestion(QWidget* parent)
   drop();
 }
 
-void VersionQuestion::ask(const SavedPatient& saved, const anatomy::Patient& measured,
+void VersionQuestion::ask(const std::optional<SavedPatient>& saved,
+                          const anatomy::Patient& measured, const QStringList& doubts,
                           std::function<void()> then)
 {
   then_ = std::move(then);
+  title_->setVisible(saved.has_value());
+  table_->setVisible(saved.has_value());
+  doubts_->setVisible(!doubts.isEmpty());
+  doubts_->setText(doubts.join(QLatin1Char('\n')));
+  accept_->setText(saved ? tr("New version") : tr("Use this code"));
+  if (saved) compare(*saved, measured);
+  show();
+}
+
+void VersionQuestion::compare(const SavedPatient& saved, const anatomy::Patient& measured)
+{
   const QString code = QString::fromStdString(saved.patient.label);
   const QString side = saved.patient.side == anatomy::Side::left ? tr("left") : tr("right");
   const auto& versions = saved.record.versions;
@@ -89,7 +112,6 @@ void VersionQuestion::ask(const SavedPatient& saved, const anatomy::Patient& mea
                             : QString());
     cells_[row][2]->setToolTip(difference.detail);
   }
-  show();
 }
 
 void VersionQuestion::drop()

@@ -7230,10 +7230,6 @@
         <translation>%1 %2.</translation>
     </message>
     <message>
-        <source>%1 in this insertion; in ears %2 to %3 (95 %)</source>
-        <translation>%1 in dieser Insertion; in Ohren %2 bis %3 (95 %)</translation>
-    </message>
-    <message>
         <source>Cochlea, CT measurements, %1 entered, ± 95 % interval</source>
         <translation>Cochlea, CT-Messwerte, %1 eingegeben, ± 95-%-Intervall</translation>
     </message>
@@ -7264,6 +7260,18 @@
     <message>
         <source>right</source>
         <translation>rechts</translation>
+    </message>
+    <message>
+        <source>mean of 0.5 to 1 s after the stop, without tremor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Friction in ears</source>
+        <translation>Reibung in Ohren</translation>
+    </message>
+    <message>
+        <source>%1 to %2 (95 %)</source>
+        <translation>%1 bis %2 (95 %)</translation>
     </message>
 </context>
 <context>

@@ -100,11 +100,14 @@ std::vector<InsertionResult> measuredResults(const ReportContent& content)
   const QString tip =
       tr("tip at %1").arg(degreesText(radians(content.deepest.output.angularDepth)));
 
+  // a script and a pointer hold without tremor, so the force stays where that of a plan's hand falls
+  const bool isHeldStill =
+      content.facts.device == "Scripted insertion" || content.facts.device == "Mouse and keyboard";
   std::optional<planning::Band> peak, end, after1s, angle;
   if (content.plan) {
     peak = content.plan->peak_mN;
     end = content.plan->end_mN;
-    after1s = content.plan->after1s_mN;
+    if (!isHeldStill) after1s = content.plan->after1s_mN;
     angle = content.plan->angle_deg;
   }
   std::optional<double> after1s_mN, angle_deg;
@@ -132,7 +135,8 @@ std::vector<InsertionResult> measuredResults(const ReportContent& content)
              end, profile.endForce * 1e3, force),
       beside({tr("Force after 1 s of rest"),
               profile.forceAfter1s ? mN(*profile.forceAfter1s) : tr("not reached"),
-              tr("mean of 0.5 to 1 s after the stop"),
+              isHeldStill ? tr("mean of 0.5 to 1 s after the stop, without tremor")
+                          : tr("mean of 0.5 to 1 s after the stop"),
               {},
               {},
               {},

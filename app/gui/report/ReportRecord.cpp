@@ -69,13 +69,15 @@ double paintIdentification(ReportSheet& sheet, const ReportContent& content,
        {tr("Electrode array"), arrayText(scenario)},
        {tr("Manufacturer"), QString::fromStdString(scenario.array().maker)}},
       0.0, y_mm, left_mm);
-  const double right = paintEntries(sheet,
-                                    {{tr("Institution"), issuer.institution},
-                                     {tr("Operator"), issuer.operatorName},
-                                     {tr("Date and time"), localTimeOf(content.facts.startedUtc)},
-                                     {tr("Technique"), techniqueText(content)},
-                                     {tr("Friction μ"), frictionText(scenario, references)}},
-                                    left_mm + gutter_mm, y_mm, width_mm - left_mm - gutter_mm);
+  std::vector<ReportEntry> entries = {{tr("Institution"), issuer.institution},
+                                      {tr("Operator"), issuer.operatorName},
+                                      {tr("Date and time"), localTimeOf(content.facts.startedUtc)},
+                                      {tr("Technique"), techniqueText(content)},
+                                      {tr("Friction μ"), frictionText(scenario, references)}};
+  if (const QString ears = frictionInEars(scenario); !ears.isEmpty())
+    entries.push_back({tr("Friction in ears"), ears});
+  const double right =
+      paintEntries(sheet, entries, left_mm + gutter_mm, y_mm, width_mm - left_mm - gutter_mm);
   return std::max(left, right);
 }
 

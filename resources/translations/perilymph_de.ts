@@ -4107,6 +4107,22 @@
         <source>full score within 0.1–2.0 mm/s, half at twice or half of these, in proportion beyond</source>
         <translation>volle Punkte bei 0,1–2,0 mm/s, die Hälfte beim Doppelten oder der Hälfte davon, außerhalb im Verhältnis</translation>
     </message>
+    <message>
+        <source>The sending to %1 was canceled while an object was under way: it may have stored it. Look there before you send it again.</source>
+        <translation>Das Senden an %1 wurde abgebrochen, während ein Objekt unterwegs war: es kann dort gespeichert sein. Sehen Sie dort nach, bevor Sie es noch einmal senden.</translation>
+    </message>
+    <message>
+        <source>The registry was canceled.</source>
+        <translation>Die Tabelle wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>%1 is left out: its label is no code of letters, digits and hyphens, and may be a name. Give the patient a code.</source>
+        <translation>%1 ist ausgelassen: die Bezeichnung ist kein Code aus Buchstaben, Ziffern und Bindestrichen und kann ein Name sein. Geben Sie dem Patienten einen Code.</translation>
+    </message>
+    <message>
+        <source>%1, %2 ear: %3</source>
+        <translation>%1, Ohr „%2“: %3</translation>
+    </message>
 </context>
 <context>
     <name>Display</name>
@@ -7137,6 +7153,10 @@
         <source>%1 of 100: the fractions of insertion and peak force, times the geometric mean of the fractions of speed, reversals and smoothness; none can be made good by the others. Rates technique only; it does not assess trauma.</source>
         <translation>%1 von 100: die Anteile für Insertion und Maximalkraft, mal das geometrische Mittel der Anteile für Geschwindigkeit, Rückzüge und Gleichmäßigkeit; keiner gleicht einen anderen aus. Bewertet nur die Technik, nicht das Trauma.</translation>
     </message>
+    <message>
+        <source>Report of the insertion (PDF)</source>
+        <translation>Bericht der Insertion (PDF)</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::AboutOverlay</name>
@@ -7922,6 +7942,14 @@
         <source>From the archive…</source>
         <translation>Aus dem Archiv …</translation>
     </message>
+    <message>
+        <source>The CT is no longer where it was read. Open its folder here.</source>
+        <translation>Das CT ist nicht mehr dort, wo es gelesen wurde. Öffnen Sie hier seinen Ordner.</translation>
+    </message>
+    <message>
+        <source>Recent CTs</source>
+        <translation>Letzte CTs</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::CtPanel</name>
@@ -8104,6 +8132,14 @@
     <message>
         <source>Find the CT in a DICOM archive (PACS) and retrieve it</source>
         <translation>Das CT in einem DICOM-Archiv (PACS) suchen und abrufen</translation>
+    </message>
+    <message>
+        <source>Recent CTs</source>
+        <translation>Letzte CTs</translation>
+    </message>
+    <message>
+        <source>CTs that were opened last, by the patient’s code and the date</source>
+        <translation>Zuletzt geöffnete CTs, mit Code des Patienten und Datum</translation>
     </message>
 </context>
 <context>
@@ -9418,6 +9454,30 @@
         <source>Find by code, ear, tag or note</source>
         <translation>Code, Ohr, Schlagwort oder Notiz suchen</translation>
     </message>
+    <message>
+        <source>Table…</source>
+        <translation>Tabelle …</translation>
+    </message>
+    <message>
+        <source>Save all patients as CSV, a row per ear: measures, newest plan and newest insertion, with a dictionary of the columns. It names nobody.</source>
+        <translation>Alle Patienten als CSV speichern, eine Zeile je Ohr: Messwerte, neuester Plan und neueste Insertion, mit einer Erklärung der Spalten. Niemand wird genannt.</translation>
+    </message>
+    <message>
+        <source>Table of all patients</source>
+        <translation>Tabelle aller Patienten</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tabellen (*.csv)</translation>
+    </message>
+    <message>
+        <source>Reading plans and replaying insertions: %1 %</source>
+        <translation>Pläne werden gelesen und Insertionen wiedergegeben: %1 %</translation>
+    </message>
+    <message>
+        <source>The table is in %1.</source>
+        <translation>Die Tabelle ist in %1.</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::PatientSection</name>
@@ -10048,6 +10108,21 @@ Die ersten Bänder kommen nach 8 Simulationen jedes Trägers.</translation>
     </message>
 </context>
 <context>
+    <name>perilymph::gui::RecentScans</name>
+    <message>
+        <source>without a code</source>
+        <translation>ohne Code</translation>
+    </message>
+    <message>
+        <source>%1 · opened %2</source>
+        <translation>%1 · geöffnet %2</translation>
+    </message>
+    <message>
+        <source>No CT was opened yet, or the list was cleared.</source>
+        <translation>Noch kein CT wurde geöffnet, oder die Liste wurde gelöscht.</translation>
+    </message>
+</context>
+<context>
     <name>perilymph::gui::RecentWork</name>
     <message>
         <source>RECENT PATIENTS</source>
@@ -10279,6 +10354,14 @@ Die ersten Bänder kommen nach 8 Simulationen jedes Trägers.</translation>
     <message>
         <source>clinics report</source>
         <translation>Kliniken berichten</translation>
+    </message>
+    <message>
+        <source>Send…</source>
+        <translation>Senden …</translation>
+    </message>
+    <message>
+        <source>Report of this insertion into the study of the patient’s CT, as DICOM to an archive</source>
+        <translation>Bericht dieser Insertion in die Studie des CTs des Patienten, als DICOM an ein Archiv</translation>
     </message>
 </context>
 <context>
@@ -10603,6 +10686,10 @@ Die ersten Bänder kommen nach 8 Simulationen jedes Trägers.</translation>
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Canceling…</source>
+        <translation>Wird abgebrochen …</translation>
     </message>
 </context>
 <context>
@@ -11004,6 +11091,14 @@ Die ersten Bänder kommen nach 8 Simulationen jedes Trägers.</translation>
         <source>Only insertions can be compared; the selection has a recording that is none.</source>
         <translation>Nur Insertionen können verglichen werden; in der Auswahl ist eine Aufzeichnung, die keine ist.</translation>
     </message>
+    <message>
+        <source>Send…</source>
+        <translation>Senden …</translation>
+    </message>
+    <message>
+        <source>Report of the insertion into the study of the patient’s CT, as DICOM to an archive</source>
+        <translation>Bericht der Insertion in die Studie des CTs des Patienten, als DICOM an ein Archiv</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::SettingsOverlay</name>
@@ -11106,6 +11201,26 @@ Die ersten Bänder kommen nach 8 Simulationen jedes Trägers.</translation>
     <message>
         <source>Settings are locked during an insertion. Press Reset first.</source>
         <translation>Während der Insertion gesperrt. Zuerst „Zurücksetzen“ drücken.</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Removes the list of where CTs were opened, which the history of patients uses, too. No CT and no measure is deleted.</source>
+        <translation>Entfernt die Liste, wo CTs geöffnet wurden; auch der Verlauf der Patienten nutzt sie. Kein CT und kein Messwert wird gelöscht.</translation>
+    </message>
+    <message>
+        <source>It is no longer known where CTs were opened.</source>
+        <translation>Wo CTs geöffnet wurden, ist nicht mehr bekannt.</translation>
+    </message>
+    <message>
+        <source>The list cannot be removed. Check the permissions of the folder of the log file.</source>
+        <translation>Die Liste lässt sich nicht entfernen. Prüfen Sie die Rechte des Ordners der Protokolldatei.</translation>
+    </message>
+    <message>
+        <source>Recent CTs</source>
+        <translation>Letzte CTs</translation>
     </message>
 </context>
 <context>

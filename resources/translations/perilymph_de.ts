@@ -4141,19 +4141,19 @@
     </message>
     <message>
         <source>The sending to %1 was canceled while an object was under way: it may have stored it. Look there before you send it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Senden an %1 wurde abgebrochen, während ein Objekt unterwegs war: es kann dort gespeichert sein. Sehen Sie dort nach, bevor Sie es noch einmal senden.</translation>
     </message>
     <message>
         <source>The registry was canceled.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Tabelle wurde abgebrochen.</translation>
     </message>
     <message>
         <source>%1 is left out: its label is no code of letters, digits and hyphens, and may be a name. Give the patient a code.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist ausgelassen: die Bezeichnung ist kein Code aus Buchstaben, Ziffern und Bindestrichen und kann ein Name sein. Geben Sie dem Patienten einen Code.</translation>
     </message>
     <message>
         <source>%1, %2 ear: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, Ohr „%2“: %3</translation>
     </message>
 </context>
 <context>
@@ -7219,7 +7219,7 @@
     </message>
     <message>
         <source>Report of the insertion (PDF)</source>
-        <translation type="unfinished"></translation>
+        <translation>Bericht der Insertion (PDF)</translation>
     </message>
     <message>
         <source>%1, %2</source>
@@ -8076,11 +8076,11 @@
     </message>
     <message>
         <source>The CT is no longer where it was read. Open its folder here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das CT ist nicht mehr dort, wo es gelesen wurde. Öffnen Sie hier seinen Ordner.</translation>
     </message>
     <message>
         <source>Recent CTs</source>
-        <translation type="unfinished"></translation>
+        <translation>Letzte CTs</translation>
     </message>
     <message>
         <source>%1 The CT shown is the one that was open before.</source>
@@ -8263,11 +8263,11 @@
     </message>
     <message>
         <source>Recent CTs</source>
-        <translation type="unfinished"></translation>
+        <translation>Letzte CTs</translation>
     </message>
     <message>
         <source>CTs that were opened last, by the patient’s code and the date</source>
-        <translation type="unfinished"></translation>
+        <translation>Zuletzt geöffnete CTs, mit Code des Patienten und Datum</translation>
     </message>
 </context>
 <context>
@@ -9604,15 +9604,15 @@
     </message>
     <message>
         <source>Table…</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabelle …</translation>
     </message>
     <message>
         <source>Save all patients as CSV, a row per ear: measures, newest plan and newest insertion, with a dictionary of the columns. It names nobody.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Patienten als CSV speichern, eine Zeile je Ohr: Messwerte, neuester Plan und neueste Insertion, mit einer Erklärung der Spalten. Niemand wird genannt.</translation>
     </message>
     <message>
         <source>Table of all patients</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabelle aller Patienten</translation>
     </message>
     <message>
         <source>Tables (*.csv)</source>
@@ -9620,11 +9620,11 @@
     </message>
     <message>
         <source>Reading plans and replaying insertions: %1 %</source>
-        <translation type="unfinished"></translation>
+        <translation>Pläne werden gelesen und Insertionen wiedergegeben: %1 %</translation>
     </message>
     <message>
         <source>The table is in %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Tabelle ist in %1.</translation>
     </message>
 </context>
 <context>
@@ -10259,15 +10259,15 @@ Die ersten Bänder kommen nach 8 Simulationen jedes Trägers.</translation>
     <name>perilymph::gui::RecentScans</name>
     <message>
         <source>without a code</source>
-        <translation type="unfinished"></translation>
+        <translation>ohne Code</translation>
     </message>
     <message>
         <source>%1 · opened %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 · geöffnet %2</translation>
     </message>
     <message>
         <source>No CT was opened yet, or the list was cleared.</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch kein CT wurde geöffnet, oder die Liste wurde gelöscht.</translation>
     </message>
 </context>
 <context>
@@ -10505,11 +10505,11 @@ Die ersten Bänder kommen nach 8 Simulationen jedes Trägers.</translation>
     </message>
     <message>
         <source>Send…</source>
-        <translation type="unfinished"></translation>
+        <translation>Senden …</translation>
     </message>
     <message>
         <source>Report of this insertion into the study of the patient’s CT, as DICOM to an archive</source>
-        <translation type="unfinished"></translation>
+        <translation>Bericht dieser Insertion in die Studie des CTs des Patienten, als DICOM an ein Archiv</translation>
     </message>
     <message>
         <source>The greatest force at which the hands of plans stop. This insertion went on above it, so its depth, angle and contacts are not those that a plan or a clinic reports.</source>
@@ -11253,11 +11253,11 @@ Die ersten Bänder kommen nach 8 Simulationen jedes Trägers.</translation>
     </message>
     <message>
         <source>Send…</source>
-        <translation type="unfinished"></translation>
+        <translation>Senden …</translation>
     </message>
     <message>
         <source>Report of the insertion into the study of the patient’s CT, as DICOM to an archive</source>
-        <translation type="unfinished"></translation>
+        <translation>Bericht der Insertion in die Studie des CTs des Patienten, als DICOM an ein Archiv</translation>
     </message>
 </context>
 <context>
@@ -11364,23 +11364,23 @@ Die ersten Bänder kommen nach 8 Simulationen jedes Trägers.</translation>
     </message>
     <message>
         <source>Clear</source>
-        <translation type="unfinished"></translation>
+        <translation>Löschen</translation>
     </message>
     <message>
         <source>Removes the list of where CTs were opened, which the history of patients uses, too. No CT and no measure is deleted.</source>
-        <translation type="unfinished"></translation>
+        <translation>Entfernt die Liste, wo CTs geöffnet wurden; auch der Verlauf der Patienten nutzt sie. Kein CT und kein Messwert wird gelöscht.</translation>
     </message>
     <message>
         <source>It is no longer known where CTs were opened.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo CTs geöffnet wurden, ist nicht mehr bekannt.</translation>
     </message>
     <message>
         <source>The list cannot be removed. Check the permissions of the folder of the log file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Liste lässt sich nicht entfernen. Prüfen Sie die Rechte des Ordners der Protokolldatei.</translation>
     </message>
     <message>
         <source>Recent CTs</source>
-        <translation type="unfinished"></translation>
+        <translation>Letzte CTs</translation>
     </message>
 </context>
 <context>

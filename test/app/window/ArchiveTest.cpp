@@ -13,9 +13,11 @@
 #include <fstream>
 #include <set>
 
+#include "../../unit/archive/SmallStudy.h"
 #include "KeptPicture.h"
 #include "OwnFolders.h"
 #include "TheCtPage.h"
+#include "Walk.h"
 #include "WindowRig.h"
 #include "gui/archive/ArchiveQuery.h"
 #include "gui/pages/ct/CtPage.h"
@@ -315,6 +317,40 @@ TEST_P(ACtFromTheArchive, IsMeasuredPlannedReportedAndFiledInTheArchive)
   keepPicture(rig_->window(), "archive-filed");
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
   std::printf("the walk took %.0f s\n", took.count());
+}
+
+TEST_F(ArchiveInTheWindow, ShowsAStudyWithTheSeriesToChooseFirstAsInTheGuide)
+{
+  const std::string missing = missingProgram(DicomServer::Kind::orthanc);
+  if (!missing.empty()) GTEST_SKIP() << missing << " is not installed.";
+  const DicomServer running(DicomServer::Kind::orthanc);
+  const TemporaryFolder folder;
+  auto images = archive::smallStudy();
+  for (auto& image : archive::smallStudy(3, "1.2.840.99.17.2")) {
+    image.setText(0x00080060, "CS", "MR");
+    image.setText(0x0008103E, "LO", "T2 axial");
+    image.setText(0x00200011, "IS", "5");
+    images.push_back(image);
+  }
+  writeDicomFiles(images, folder / "ct");
+  ASSERT_EQ(running.store(folder / "ct"), "");
+  archive::Server server = running.entry();
+  server.name = "Radiology";
+  ASSERT_TRUE(archive::writeServers({server}));
+  open();
+  rig_->window().resize(1280, 760);
+  rig_->click("openArchiveButton");
+  fill("archivePatientId", "MRN-4711");
+  rig_->click("archiveFindButton");
+  ASSERT_TRUE(waits([this] { return table("archiveSeries").rowCount() == 2; }));
+  ASSERT_TRUE(waits([this] { return !page().isBusy(); }));
+  EXPECT_EQ(cell("archiveStudies", 0, 1), "M\u00fcller, Jane");
+  EXPECT_EQ(cell("archiveSeries", 0, 1), "CT");
+  EXPECT_EQ(cell("archiveSeries", 0, 2), "12");
+  EXPECT_EQ(cell("archiveSeries", 1, 1), "MR");
+  table("archiveSeries").selectRow(0);
+  EXPECT_TRUE(rig_->button("archiveFetchButton").isEnabled());
+  keepForGuide(rig_->window(), "archive-search");
 }
 
 TEST_F(ArchiveInTheWindow, NeverBlocksTheWindowAndIsCanceledByEscAndByTheEnd)

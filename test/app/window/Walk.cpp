@@ -73,6 +73,14 @@ QImage pictureOf(QWidget& window)
   return smallened(window.grab().toImage());
 }
 
+void keepForGuide(QWidget& window, const std::string& name)
+{
+  const QString folder = qEnvironmentVariable("PERILYMPH_GUIDE_PICTURES");
+  if (folder.isEmpty()) return;
+  const QString place = folder + QLatin1Char('/') + QString::fromStdString(name) + ".png";
+  EXPECT_TRUE(pictureOf(window).save(place, "PNG", 0)) << place.toStdString();
+}
+
 Walk::Walk(const char* page) : page_(page)
 {
   QFile file(QString::fromStdString(resource("resources/guide/" + page_ + ".md").string()));
@@ -103,11 +111,7 @@ void Walk::step(int number, QWidget& window)
   }
   steps_.erase(number);
 
-  const QString folder = qEnvironmentVariable("PERILYMPH_GUIDE_PICTURES");
-  if (folder.isEmpty()) return;
-  const QString place =
-      QStringLiteral("%1/%2-%3.png").arg(folder, QString::fromStdString(page_)).arg(number);
-  EXPECT_TRUE(pictureOf(window).save(place, "PNG", 0)) << place.toStdString();
+  keepForGuide(window, page_ + "-" + std::to_string(number));
 }
 
 std::string Walk::left() const

@@ -16,6 +16,10 @@ namespace perilymph::test {
 /// rounded where the eye does not see it, which halves the size of a file.
 QImage pictureOf(QWidget& window);
 
+/// Saves such a picture as "<name>.png" in the folder that PERILYMPH_GUIDE_PICTURES names; does nothing
+/// without it.
+void keepForGuide(QWidget& window, const std::string& name);
+
 /// One page of the guide; its steps are the headings "## 1. ..." and so on.
 class Walk {
 public:

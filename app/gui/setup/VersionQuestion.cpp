@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/setup/VersionQuestion.h"
 
+#include <QBoxLayout>
 #include <QGridLayout>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -18,6 +18,7 @@ namespace perilymph::gui {
 
 VersionQuestion::VersionQuestion(QWidget* parent, const QString& place)
     : QWidget(parent),
+      isNarrow_(!place.isEmpty()),
       title_(new WrappedLabel({}, this)),
       doubts_(new WrappedLabel({}, this)),
       table_(new QWidget(this))
@@ -34,7 +35,10 @@ VersionQuestion::VersionQuestion(QWidget* parent, const QString& place)
   const std::array heads{tr("saved, mm"), tr("new, mm"), tr("difference, mm")};
   const auto names = comparedNames();
   constexpr std::array keys{"A", "B", "H", "Cdl"};
-  table->addWidget(panelHeading(tr("± 95 %"), this), 0, 0);
+  if (isNarrow_)
+    table->setHorizontalSpacing(4);
+  else
+    table->addWidget(panelHeading(tr("± 95 %"), this), 0, 0);
   for (std::size_t k = 0; k < heads.size(); ++k)
     table->addWidget(panelHeading(heads[k], this), 0, int(k) + 1);
   for (std::size_t row = 0; row < cells_.size(); ++row) {
@@ -55,7 +59,7 @@ VersionQuestion::VersionQuestion(QWidget* parent, const QString& place)
   auto* refuse = rowButton(tr("Other code"), "", this);
   refuse->setObjectName(place + QLatin1String("otherCodeButton"));
   accept_->setProperty("primary", true);
-  auto* buttons = new QHBoxLayout;
+  auto* buttons = new QBoxLayout(isNarrow_ ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
   buttons->addWidget(accept_);
   buttons->addWidget(refuse);
   auto* column = new QVBoxLayout(this);
@@ -103,8 +107,12 @@ void VersionQuestion::compare(const SavedPatient& saved, const anatomy::Patient&
                 .arg(code, side, QString::fromStdString(versions.back().savedUtc).left(10)));
   const ComparedMeasures before = comparedOf(saved.patient), after = comparedOf(measured);
   for (std::size_t row = 0; row < cells_.size(); ++row) {
-    cells_[row][0]->setText(comparedText(before[row], row));
-    cells_[row][1]->setText(comparedText(after[row], row));
+    const auto shown = [&](const std::optional<ComparedMeasure>& measure) {
+      const QString text = comparedText(measure, row);
+      return isNarrow_ ? text.section(QLatin1Char(' '), 0, 0) : text;
+    };
+    cells_[row][0]->setText(shown(before[row]));
+    cells_[row][1]->setText(shown(after[row]));
     const MeasureDifference difference = differenceOf(before[row], after[row], row);
     cells_[row][2]->setText(difference.text);
     cells_[row][2]->setStyleSheet(

@@ -22,7 +22,8 @@ namespace perilymph::gui {
 class VersionQuestion : public QWidget {
   Q_OBJECT
 public:
-  /// @param place  Begin of the object names of its parts.
+  /// @param place  Begin of the object names of its parts; with one it is narrow: saved and new measures
+  ///               stand without their intervals, and the buttons below each other.
   explicit VersionQuestion(QWidget* parent, const QString& place = {});
 
   /// @param saved   The ear with other measures, if there is one.
@@ -40,6 +41,7 @@ Q_SIGNALS:
 private:
   void compare(const SavedPatient& saved, const anatomy::Patient& measured);
 
+  bool isNarrow_;
   QLabel *title_, *doubts_;
   QWidget* table_;
   QPushButton* accept_;

@@ -260,6 +260,10 @@ class Vocabulary(CheckCase):
         self.assert_found(vocabulary.check, "'mostForce'", {"modules/top/src/t.cpp": "double mostForce = 1.0;\n"})
         self.assert_found(vocabulary.check, "'FullInsertion'", {"modules/top/src/t.cpp": "FullInsertion fit;\n"})
 
+    def test_a_retired_phrase_of_a_comment_is_found_in_a_header(self):
+        self.assert_found(vocabulary.check, "t.h:2: 'goes on' is a retired phrase", {
+            "modules/top/include/perilymph/top/t.h": "#pragma once\n/// The loop goes on.\nint t();\n"})
+
     def test_a_retired_text_is_found_where_users_read_it(self):
         self.assert_found(vocabulary.check, "t.cpp:2: 'Sessions' is a retired word", {
             "modules/top/src/t.cpp": '\nauto page = tr("Sessions");  // Sessions\n'})

@@ -23,7 +23,7 @@ class ArchiveQuery : public QWidget {
 public:
   explicit ArchiveQuery(QWidget* parent);
 
-  /// What is typed. Refuses a date that is none, and fields that are all empty.
+  /// The typed fields. An error for an invalid date, or if all fields are empty.
   Result<archive::StudyQuery> query() const;
   /// Empties all fields.
   void clear();
@@ -40,7 +40,7 @@ private:
   CheckBox* isCt_;
 };
 
-/// A typed date as YYYYMMDD: 1970-01-31, 31.1.1970 or 19700131. Empty if it is none.
+/// A typed date as YYYYMMDD: 1970-01-31, 31.1.1970 or 19700131. Empty if invalid.
 std::optional<std::string> dicomDate(const QString& typed);
 
 /// A date YYYYMMDD for users, 1970-01-31; a dash without one, another text as it is.

@@ -21,18 +21,18 @@ class CheckBox;
 class Selector;
 
 /// Something that can be sent: what the user calls it, and how it is written for a CT. It is written
-/// in another thread, and refuses a CT whose series it was not made of.
+/// in another thread, with an error for a CT of another series than that of the result.
 struct SentPart {
   QString name;
   std::function<Result<void>(const std::filesystem::path& ct, const std::filesystem::path& file)>
       write;
 };
 
-/// Asks for the archive, the CT unless it is known, and what is to be sent. Each object is written
+/// Form for the archive, the CT unless it is known, and what is to be sent. Each object is written
 /// into a temporary folder, sent into the study of the CT, and removed.
 ///
 /// Cancel and Esc end the sending. The dialog closes when it has ended; where the archive has a part, or
-/// may have it, it says so and stays. A second time they close it at once.
+/// may have it, the dialog states it and stays open. A second time they close it at once.
 class SendDialog : public QDialog {
   Q_OBJECT
 public:

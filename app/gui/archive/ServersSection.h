@@ -18,7 +18,7 @@ class CheckBox;
 class Choice;
 class Selector;
 
-/// A list of archives, and the fields of one. Save writes servers.toml; Test asks the archive as it
+/// A list of archives, and the fields of one. Save writes servers.toml; Test queries the archive as it
 /// is typed. Nothing is asked or listened to otherwise.
 class ServersSection : public QWidget {
   Q_OBJECT

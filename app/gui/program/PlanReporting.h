@@ -9,7 +9,7 @@
 
 namespace perilymph::gui {
 
-/// Content of the report that --plan and --report ask for. Needs no QApplication, so that Qt has
+/// Content of the report that --plan and --report request. Needs no QApplication, so that Qt has
 /// not written anything to standard error when the plan is refused.
 Result<PlanReportContent> reportedPlan(const CommandLine& options);
 

@@ -21,7 +21,7 @@ struct InsertionResult {
   std::string clinicsSource = {};  ///< For References::label().
 };
 
-/// In the order in which they are read. A value that was not recorded says so.
+/// In reading order. A value that was not recorded is marked as such.
 std::vector<InsertionResult> insertionResults(const ReportContent& content);
 
 /// "ruptured at 183° by 62 mN", with the length above the partition if it went through.

@@ -28,7 +28,7 @@ struct PlanReportContent {
   bool isStudyNotCompared = false;
 
   const planning::Plan& plan() const { return stored.plan; }
-  /// The patient's code; "–" if the label is none: it may be a name, which no report states.
+  /// The patient's code; "–" if the label is not a code: it may be a name, which no report states.
   QString code() const;
   QString ear() const;
   /// The plan's number; that it was changed by hand, which leaves it none.

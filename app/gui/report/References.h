@@ -24,7 +24,7 @@ std::span<const Publication> publications();
 /// The publications that one report cites, numbered in the order in which its pages cite them.
 class References {
 public:
-  /// What a page says of a text that names sources: "[2]", "[2, 5]", "[2–7]"; where it names none that
+  /// The citation on a page of a text that names sources: "[2]", "[2, 5]", "[2–7]"; where it names none that
   /// was read, "general literature" or "assumption".
   QString label(const std::string& source);
   /// The list of what was cited, as HTML with a heading; empty if nothing was.

@@ -27,7 +27,7 @@ struct ReportPlace {
 /// What a DICOM object states of a report. Texts are ASCII.
 struct ReportIdentity {
   std::string title;      ///< "Insertion plan"
-  std::string code;       ///< The patient's; empty if the label is none: it may be a name.
+  std::string code;       ///< The patient's; empty if the label is not a code: it may be a name.
   std::string seriesKey;  ///< The CT series of the measures; empty where nobody vouches for one.
 };
 

@@ -112,9 +112,9 @@ public:
   bool isAtDepth() const noexcept;
   /// The event that ended the insertion before its stop travel; none after the withdrawal.
   haptics::InsertionEnd earlyEnd() const noexcept;
-  /// An insertion ends at its stop travel, early, withdrawn or by a fault; only a withdrawal goes on.
+  /// An insertion ends at its stop travel, early, withdrawn or by a fault; only a withdrawal continues.
   Progress progress() const noexcept;
-  /// The device was told to move, or is grasped.
+  /// The device has a command to move, or is grasped.
   bool isMoving() const noexcept;
   /// The input is a device that moves the array or may do so as soon as its button is pressed.
   bool isDeviceActive() const noexcept;
@@ -165,7 +165,7 @@ private:
   bool isRunning_ = false;
   bool isHeld_ = false;
   bool isStopAwaited_ = false;          ///< Requested, not yet in a snapshot.
-  bool isResuming_ = false;             ///< The user wants a stopped device to continue.
+  bool isResuming_ = false;             ///< The user requested that a stopped device continues.
   std::optional<double> styletTarget_;  ///< [m]
   bool styletRequested_ = false;
   std::uint64_t askedAt_ = 0;  ///< Tick of the snapshot at the last request.

@@ -13,7 +13,7 @@ struct InsertionState {
   haptics::Workflow workflow = haptics::Workflow::idle;
   InputSource input = InputSource::scripted;
   bool isRunning = false;  ///< The loop runs.
-  bool isMoving = false;   ///< The device was told to move, or is grasped.
+  bool isMoving = false;   ///< The device has a command to move, or is grasped.
   bool isAtDepth = false;  ///< The stop travel is reached.
   double travel = 0.0;     ///< [m]
   bool hasStylet = false;

@@ -21,7 +21,7 @@ public:
   explicit LandmarkDrawing(QWidget* parent);
 
   void show(const anatomy::BasalTurn& turn, anatomy::Side side);
-  /// Emphasizes what the field with the focus asks for.
+  /// Emphasizes the measure of the field with the focus.
   void emphasize(Landmark landmark);
   /// Rings the point that is being placed. A narrow drawing shows the view that has it, alone.
   void showPoint(Point point);

@@ -15,7 +15,7 @@ inline constexpr const char* estimatedFriction = "estimate-from-pig-tissue";
 inline constexpr const char* endosteumFriction = "endosteum";
 inline constexpr const char* simulantFriction = "tissue";
 
-/// The friction that a request asks for: "friction estimated from pig tissue", "friction of a tissue
+/// The friction of a request: "friction estimated from pig tissue", "friction of a tissue
 /// simulant", "friction soap-50"; of another scenario, "friction of booth".
 QString plannedFriction(const planning::PlanRequest& request);
 /// The friction that a plan was made with, perhaps by a former version with another default.

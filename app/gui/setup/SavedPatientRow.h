@@ -29,7 +29,7 @@ public:
 Q_SIGNALS:
   /// The user selected a saved patient.
   void patientChosen(const perilymph::anatomy::Patient& patient);
-  /// The user wants to search all saved patients, or to enter a new one.
+  /// The user requests a search of all saved patients, or a new one.
   void allPatientsRequested();
   void newPatientRequested();
   /// The numbers are to be saved under another code.

@@ -9,7 +9,7 @@ namespace perilymph::gui {
 
 class PageStack;
 
-/// Passes one file to the page that opens it, and refuses all else while it is dragged.
+/// Passes one file to the page that opens it; anything else is rejected while it is dragged.
 class FileDrop : public QObject {
   Q_OBJECT
 public:

@@ -9,7 +9,7 @@ namespace perilymph::gui {
 
 class MainWindow;
 
-/// Actions of the program. Those that would end an insertion ask first.
+/// Actions of the program. Those that would end an insertion require a confirmation.
 class MainMenu : public QMenu {
   Q_OBJECT
 public:

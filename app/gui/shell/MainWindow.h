@@ -35,7 +35,7 @@ public:
   /// Builds the cochlea and prepares the insertion; then frames begin.
   Result<void> open() { return insertion_->open(); }
 
-  /// Shows another setup on the insertion page; asks first if that would end an insertion.
+  /// Shows another setup on the insertion page, after a confirmation if that would end an insertion.
   void load(const InsertionRequest& request);
 
   /// Shows another page. A moving insertion is paused, because it is not visible.
@@ -50,7 +50,7 @@ public:
   const QString& page() const { return pages_->current().id(); }
   PageStack& pages() { return *pages_; }
 
-  /// Replays a recording on the insertion page; asks first if that would end an insertion.
+  /// Replays a recording on the insertion page, after a confirmation if that would end an insertion.
   void replay(const std::filesystem::path& file);
 
   /// The message strip below the top bar.

@@ -34,7 +34,7 @@ public:
   /// Sends the CT of what is shown, too. None is sent before.
   void sendCtOf(CtSource source) { ct_ = std::move(source); }
 
-  /// Listens at an endpoint, for this session. False if it cannot: status() says why.
+  /// Listens at an endpoint until the program ends. False if it cannot: status() says why.
   bool listen(const broadcast::Endpoint& endpoint);
   /// Listens if the setting is on.
   void listenAsSet();

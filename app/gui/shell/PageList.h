@@ -13,7 +13,7 @@ namespace perilymph::gui {
 class InsertionController;
 class Page;
 
-/// Makes a page. The insertion goes on while any page is shown.
+/// Makes a page. The insertion continues while any page is shown.
 using PageMaker = std::function<Page*(InsertionController& insertion, QWidget* parent)>;
 
 /// In the order of their buttons; InsertPage is one of them. The first one is the start page (Alt+Home); the others have the keys

@@ -20,7 +20,7 @@ public:
   /// In the order of the list.
   const std::vector<Page*>& all() const { return all_; }
   Page& current() const;
-  /// Throws std::out_of_range if there is none with this id.
+  /// Throws std::out_of_range without a page of this id.
   Page& page(const QString& id) const;
   /// The page of a class; null if there is none.
   template <class Wanted>
@@ -33,7 +33,7 @@ public:
   /// else one that always does; null if none does.
   Page* pageFor(const std::filesystem::path& file) const;
 
-  /// Shows a page, which is told so, like the one before it.
+  /// Shows a page and notifies it and the one before it.
   void show(Page& page);
 
 private:

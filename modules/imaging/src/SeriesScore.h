@@ -16,7 +16,7 @@ bool isBoneKernel(const std::string& kernel);
 /// bone kernel, 15 for an extent of 25 mm or more, 5 for original images. 0 with an obstacle.
 double scoreOf(const CtSeries& series, bool isDerived);
 
-/// Sentences about voxels and extent that a measurement should know of.
+/// Sentences about voxels and extent that affect a measurement.
 void addSizeWarnings(CtSeries& series);
 
 }  // namespace perilymph::imaging

@@ -43,6 +43,17 @@ RETIRED_TEXTS = {
     re.compile(r"\bSessions\b|\bSitzung(?:en)?\b"): "Recordings (Aufzeichnungen)",
     re.compile(r"\b(?:session folder|folder of sessions|[Ss]how sessions|[Aa]ll sessions)\b"): "recordings",
 }
+# Retired sentences of comments in headers: objects do not say, want, or go on.
+RETIRED_SENTENCES = {
+    re.compile(r"\b[Rr]efuses,? with one sentence\b"): "returns an error for",
+    re.compile(r"\btold apart\b"): "distinguished",
+    re.compile(r"\b(?:goes|go) on\b"): "continues, resumes",
+    re.compile(r"\bsays? so\b"): "states it",
+    re.compile(r"\basks? first\b"): "after a confirmation",
+    re.compile(r"\buser wants\b"): "the user requests",
+    re.compile(r"\bwas told to\b"): "has a command to",
+}
+COMMENT = re.compile(r"//[^\n]*")
 PAGES = ("resources/guide", "packaging/man", "packaging/completions")
 LITERAL = re.compile(r'"(?:\\.|[^"\\\n])*"')
 # Signals and requests: closeRequested, not closeAsked.
@@ -95,6 +106,14 @@ def check_texts(root, place, texts, errors):
                 errors.append(f"{place}:{number}: '{match.group(0)}' is a retired word of what users read; write {better}.")
 
 
+def check_sentences(place, text, errors):
+    for number, line in enumerate(text.splitlines(), 1):
+        comment = COMMENT.search(line)
+        for pattern, better in RETIRED_SENTENCES.items():
+            for match in pattern.finditer(comment.group(0) if comment else ""):
+                errors.append(f"{place}:{number}: '{match.group(0)}' is a retired phrase of comments; write {better}.")
+
+
 def literals(file):
     text = sources.without_comments(sources.read(file), keep_texts=True)
     return [(match.start(), match.group(0)) for match in LITERAL.finditer(text) if not match.group(0).endswith('.h"')]
@@ -115,7 +134,10 @@ def check(root):
     files = sources.files(root, *FOLDERS, suffixes=sources.CODE)
     for file in files:
         check_words(root, file, errors)
-        check_texts(root, file.relative_to(root).as_posix(), literals(file), errors)
+        place = file.relative_to(root).as_posix()
+        check_texts(root, place, literals(file), errors)
+        if file.suffix == ".h" and not place.startswith("test/"):
+            check_sentences(place, sources.read(file), errors)
     for file in sources.files(root, *PAGES, suffixes={".md", ".1", ""}):
         check_texts(root, file.relative_to(root).as_posix(), [(0, sources.read(file))], errors)
     check_headers(root, files, errors)

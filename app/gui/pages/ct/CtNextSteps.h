@@ -43,7 +43,7 @@ private:
 
   bool isMeasured_ = false, isFree_ = false, isStale_ = false;
   QLineEdit* code_;
-  QLabel* refusal_;  ///< Why the code is none.
+  QLabel* refusal_;  ///< Why the code is invalid.
   QPushButton *insert_, *plan_, *saveSurface_, *send_;
 };
 

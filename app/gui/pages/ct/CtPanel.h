@@ -26,7 +26,7 @@ class CtSeriesList;
 class MarkGuide;
 class VersionQuestion;
 
-/// Shows a study's numbers and asks for what the buttons say.
+/// Shows a study's numbers and emits the requests of its buttons.
 class CtPanel : public QWidget {
   Q_OBJECT
 public:
@@ -35,7 +35,7 @@ public:
   CtSeriesList& series() { return *series_; }
   /// Shows a task with its progress, 0 to 1, and a button to cancel it.
   void showTask(const QString& task, double fraction);
-  /// Ends the display of a task; an empty sentence says nothing.
+  /// Ends the display of a task; an empty sentence shows nothing.
   void showIdle(const QString& sentence, bool isError = false);
   /// Guides to a landmark that is being placed; none ends it.
   void showMark(const std::optional<ct::Mark>& mark);

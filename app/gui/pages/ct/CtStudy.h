@@ -104,7 +104,7 @@ public:
   /// The landmarks that the user placed or moved; the others are proposed.
   ct::Marks marksByHand() const;
   bool isCorrected() const { return !marksByHand().isEmpty(); }
-  /// Begins a change of landmarks that undo() takes back as one; without a placement it is none.
+  /// Begins a change of landmarks that undo() takes back as one; without a placement it is not recorded.
   void beginChange() { isChangeOpen_ = false; }
   void placeMark(ct::Mark mark, const Eigen::Vector3d& point_P);
   /// Shows landmarks placed by a person, as from a file.

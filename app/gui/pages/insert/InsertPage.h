@@ -62,7 +62,7 @@ Q_SIGNALS:
   /// The display was updated; emitted fifteen times a second while the insertion runs.
   void stateShown();
   void devicesRequested();
-  /// The user wants to search all saved patients, or to enter a new one.
+  /// The user requests a search of all saved patients, or a new one.
   void allPatientsRequested();
   void newPatientRequested();
   void compareRequested(const std::vector<std::filesystem::path>& files);

@@ -24,7 +24,7 @@ namespace perilymph::gui {
 class ReplayPlayer;
 
 /// Requests the steps of an insertion and keeps what belongs together in step: setup and model, array
-/// and input device, insertion and replay. It goes on while other pages are shown. During a replay no
+/// and input device, insertion and replay. It continues while other pages are shown. During a replay no
 /// loop runs and no device is open.
 class InsertionController : public QObject {
   Q_OBJECT
@@ -54,7 +54,7 @@ public:
   /// the scenario before is to be shown as if it were this one.
   const session::Scenario* loading() const { return loading_ ? &*loading_ : nullptr; }
 
-  /// The scenario on the page if it is none of the insertion: that which is built, or that of a replay.
+  /// The scenario on the page if it is not the insertion's: the one being built, or that of a replay.
   const session::Scenario* shownInstead() const;
 
   /// What a new window with the same scenario continues.

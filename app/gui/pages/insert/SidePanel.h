@@ -59,7 +59,7 @@ public:
 
 Q_SIGNALS:
   void changeRequested(const perilymph::gui::SetupChange& change);
-  /// The user selected a saved patient, wants to search all of them, or to enter a new one.
+  /// The user selected a saved patient, or requests a search of all of them or a new one.
   void patientChosen(const perilymph::anatomy::Patient& patient);
   void allPatientsRequested();
   void newPatientRequested();

@@ -10,7 +10,7 @@
 
 namespace perilymph::gui {
 
-/// Medians and bands of arrays of a plan over the depth, told apart by color and dashes; at most four.
+/// Medians and bands of arrays of a plan over the depth, distinguished by color and dashes; at most four.
 figures::Figure forceBands(const planning::Plan& plan, const std::vector<std::size_t>& arrays);
 
 }  // namespace perilymph::gui

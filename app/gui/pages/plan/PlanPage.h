@@ -82,7 +82,7 @@ private:
   /// "about 4 min left at most", once there is enough to go by; else empty.
   QString timeLeft(std::size_t done, std::size_t all);
   void endProgress();
-  /// What the page says before the first bands.
+  /// Text of the page before the first bands.
   void showEmpty();
   void discardPlan();
   void showMessage(const QString& sentence, bool isError = false);

@@ -56,7 +56,7 @@ QString intervalText(const analysis::Estimate& estimate, std::size_t draws);
 /// partition, forces at rest.
 QString factsOf(const planning::ArrayPlan& array, const planning::Plan& plan);
 /// A line for every two of some arrays of a plan, with what they differ by in the same ear; empty
-/// where the plan knows no differences.
+/// where the plan has no differences.
 QString differencesOf(const planning::Plan& plan, const std::vector<std::size_t>& arrays);
 /// "FLEX28 · draw 13: 421°, peak 80 mN"
 QString shapeTitle(const planning::ArrayPlan& array, const planning::PlannedInsertion& insertion);

@@ -46,7 +46,7 @@ public:
 Q_SIGNALS:
   void patientGiven(const perilymph::anatomy::Patient& patient);
   void leaveRequested();
-  /// The user wants the measures from a CT, under the code that is typed.
+  /// The user requests the measures from a CT, under the typed code.
   void ctRequested(const QString& code);
 
 private:

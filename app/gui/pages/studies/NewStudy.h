@@ -21,7 +21,7 @@ class CheckBox;
 class Selector;
 class StoredStudies;
 
-/// Asks what a study is to be, checks it while it is edited, and says what it will cost; also offers
+/// Form of a new study: checks it while it is edited and shows what it will cost; also offers
 /// the studies that were made before. It runs none.
 class NewStudy : public QWidget {
   Q_OBJECT

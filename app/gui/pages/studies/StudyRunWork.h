@@ -39,7 +39,7 @@ Q_SIGNALS:
 
 private:
   using Clock = std::chrono::steady_clock;
-  /// What the working thread says.
+  /// Messages of the working thread.
   struct Shared {
     std::atomic<std::size_t> done{0}, all{0};
   };

@@ -25,7 +25,7 @@ struct Prediction {
   explicit Prediction(std::size_t nodes = 0) : position_W(nodes) {}
 
   std::vector<Eigen::Vector3d> position_W;  ///< Position of each node [m].
-  bool goesOn = false;                      ///< They were expected to go on as before.
+  bool goesOn = false;                      ///< They were expected to continue as before.
 };
 
 /// Stiffness of edges and joints of the length h, and rest curvature, for the position of the stylet

@@ -21,8 +21,8 @@ struct NodeInertia {
   {
   }
 
-  std::vector<double> hold;             ///< Stiffness of that spring along each axis [N/m].
-  std::vector<double> carried;          ///< Time for which its rest position goes on [s]; as often.
+  std::vector<double> hold;     ///< Stiffness of that spring along each axis [N/m].
+  std::vector<double> carried;  ///< Time for which its rest position continues [s]; as often.
   std::vector<Eigen::Vector3d> goal_W;  ///< That rest position [m].
   double timeStep = 0.0;  ///< Time step for which the first two were computed [s]; 0: not yet.
 };

@@ -7,7 +7,7 @@
 
 namespace perilymph::mechanics {
 
-/// A step whose forces are balanced, or that goes on in the next one.
+/// A step whose forces are balanced, or that is continued in the next one.
 struct Step {
   Base base;
   SolveResult result;

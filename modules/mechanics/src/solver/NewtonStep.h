@@ -8,7 +8,7 @@
 namespace perilymph::mechanics {
 
 /// Factorizes the stiffness at the last residual. Past its buckling load the exact matrix is
-/// indefinite; then it leaves compression out, which is always positive definite, and says so in
+/// indefinite; then it leaves compression out, which is always positive definite, and states it in
 /// `compression`. False only if that is impossible.
 bool factorize(const InsertionModel& model, const Base& base, Compression& compression,
                RodWorkspace& work) noexcept;

@@ -32,7 +32,7 @@ public:
   /// Ends the thread; remaining records are stored. The loop must have stopped.
   void stop() noexcept;
 
-  /// Closes the recording within a drain, while the loop goes on: it can then be read as a whole. A
+  /// Closes the recording within a drain, while the loop continues: it can then be read as a whole. A
   /// tick that follows opens it again. Any thread.
   ///
   /// @param lostRecords  Records that the loop has lost so far.

@@ -24,7 +24,7 @@ Variability withInputs(const Variability& variability, const InputValues& inputs
 /// A record up to a travel, and the samples of a rest there: the force relaxes from its value at the
 /// end, exponentially with the time constant relaxationTime.
 ///
-/// @param travel, force  Samples of the crosshead, which goes on; cut at `end`.
+/// @param travel, force  Samples of the crosshead, which continues; cut at `end`.
 struct StoppedRecord {
   std::vector<double> travel, force;
 };

@@ -32,7 +32,7 @@ public:
   device::DeviceSample read() noexcept override;
   void write(const device::Wrench&) noexcept override {}
 
-  /// Advances no further; the tremor goes on.
+  /// Advances no further; the tremor continues.
   void rest() noexcept { lastStep_ = std::min(lastStep_, steps_); }
 
 private:

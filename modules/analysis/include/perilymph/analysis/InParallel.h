@@ -20,7 +20,7 @@ using RunProgress = std::function<void(std::size_t done, std::size_t all)>;
 /// that the work was stopped.
 ///
 /// @param jobs  Threads; 0: one per processor.
-/// @param work  Called in any thread; should end early when its token asks for it: after `stop`, or
+/// @param work  Called in any thread; should end early when its token requests it: after `stop`, or
 ///              because another piece failed.
 Result<void> doInParallel(
     std::size_t count, unsigned jobs,

@@ -32,7 +32,7 @@ struct Motion {
   double meanSpeed() const { return time > 0.0 ? wayIn / time : 0.0; }
 };
 
-/// Counts reversals of a motion: withdrawals of 0.1 mm or more after an advance. Less is tremor; to go on inward is none.
+/// Counts reversals of a motion: withdrawals of 0.1 mm or more after an advance. Less is tremor; a further advance is none.
 class ReversalCounter {
 public:
   /// @param travel  [m]

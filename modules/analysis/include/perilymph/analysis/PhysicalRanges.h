@@ -43,7 +43,7 @@ std::string impossibility(const InsertionRun& insertion);
 std::string impossibility(const ClinicalInsertion& insertion);
 
 /// An insertion as it is kept: forces of one that jammed are 2 N at most, which it exceeds by
-/// definition; another one with an impossible value was not computed and says so.
+/// definition; another one with an impossible value was not computed, which is stated.
 InsertionRun asPossible(InsertionRun insertion);
 ClinicalInsertion asPossible(ClinicalInsertion insertion);
 

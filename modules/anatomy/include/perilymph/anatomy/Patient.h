@@ -38,7 +38,7 @@ struct BasalTurnErrors {
   double ab = 0.0, ah = 0.0, bh = 0.0;  ///< Correlations of the errors, above -1 and below 1.
 };
 
-/// How A, B and H were measured in a CT; empty where a patient file does not say.
+/// How A, B and H were measured in a CT; empty where a patient file does not state it.
 struct MeasurementOrigin {
   std::string software;           ///< Name and version.
   std::string seriesKey;          ///< SHA-256 of the series.

@@ -30,7 +30,7 @@ struct Server {
   std::string aeTitle;  ///< Its AE title; 1 to 16 ASCII characters.
   std::string host;     ///< Name or IPv4 address.
   int port = 104;
-  std::string ownAeTitle = "PERILYMPH";  ///< The AE title by which it knows this workstation.
+  std::string ownAeTitle = "PERILYMPH";  ///< The AE title that it has for this workstation.
   Retrieval retrieval = Retrieval::get;
   int ownPort = 11112;  ///< Where this workstation is listened for during a move.
   std::optional<TlsFiles> tls = std::nullopt;
@@ -47,7 +47,7 @@ Result<std::vector<Server>> readServers(const std::filesystem::path& file = serv
 Result<Server> readServer(const std::string& name,
                           const std::filesystem::path& file = serversFile());
 
-/// Refuses a server whose values may not be in the file. The error says which one, and what is allowed.
+/// Returns an error for a server whose values may not be in the file: which value, and what is allowed.
 Result<void> checkServer(const Server& server);
 
 /// Writes the servers atomically for the owner only (mode 0600), and makes the file's folder (0700)

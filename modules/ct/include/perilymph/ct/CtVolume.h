@@ -21,7 +21,7 @@ namespace perilymph::ct {
 /// neither air nor fluid, and no part of any fit.
 inline constexpr std::int16_t unmeasured = -32768;
 
-/// What an unmeasured voxel is for others, who know no such mark (pictures, files, messages,
+/// Value of an unmeasured voxel where no such mark exists (pictures, files, messages,
 /// resampling): air [HU]. Other voxels are themselves.
 constexpr std::int16_t asAir(std::int16_t voxel) noexcept
 {

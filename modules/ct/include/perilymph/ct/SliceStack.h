@@ -12,7 +12,7 @@
 
 namespace perilymph::ct {
 
-/// Where one slice lies in the patient, as its header says.
+/// Where one slice lies in the patient, as its header states.
 struct SlicePose {
   std::optional<Eigen::Vector3d> position_P;  ///< Center of the first voxel, LPS [mm].
   /// Direction in which the column index grows along a row, then the one in which the row index

@@ -55,11 +55,11 @@ public:
   /// Opens an empty file, created by the caller, for writing.
   static Result<Database> openNew(const std::filesystem::path& file);
 
-  /// Opens a file of a given kind for reading. Refuses, with one sentence each: anything but a
+  /// Opens a file of a given kind for reading. Returns an error for anything but a
   /// regular file; files of another kind or a newer version; truncated files; companion files that
   /// are links or name further files; tables that differ from those of the kind. A file that was
   /// not closed is recovered with its `-wal` file; if the file is not writable, only checkpointed
-  /// content is read, and note() says so. Any other file is opened without writing to it.
+  /// content is read, which note() states. Any other file is opened without writing to it.
   ///
   /// The work per query is bounded by the size of the file; `stop` ends it earlier.
   static Result<Database> open(const std::filesystem::path& file, const FileKind& kind,

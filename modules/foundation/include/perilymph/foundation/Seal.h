@@ -16,7 +16,7 @@
 
 namespace perilymph {
 
-/// What the seal says of a file's content.
+/// State of a file's content by its seal.
 enum class Seal {
   intact,   ///< It is as the program wrote it.
   absent,   ///< The file is of a version that wrote no seal.
@@ -43,7 +43,7 @@ struct Release {
 inline constexpr Release sealsRecordings{0, 2}, sealsResults{0, 3};
 
 /// Whether a file that names its program ("0.3.0-dev+1a2b", "Perilymph 0.2.0") must have a seal,
-/// whatever its format line says. False for programs of others.
+/// whatever its format line states. False for programs of others.
 bool hasToBeSealed(std::string_view program, Release since = sealsResults);
 
 /// Key of the seal in every kind of file.

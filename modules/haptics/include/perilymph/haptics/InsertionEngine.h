@@ -63,7 +63,7 @@ struct EngineSettings {
 /// the limit by about ten nanometers. After `withdraw` (from Finished, Inserting or Paused) the
 /// stop no longer applies, and the insertion is Finished again when the tip is back at its initial
 /// depth. The base never passes the bone around the opening. An event of InsertionEnd.h, such as
-/// buckling, ends the insertion early: it is Finished where it is, TickOutput::status says why, and
+/// buckling, ends the insertion early: it is Finished where it is, TickOutput::status states why, and
 /// except after a stop by resistance no force is rendered any more. After `stop` no hand grasps and no force is rendered, whatever the state, until `resume`.
 ///
 /// The insertion rests when nothing moves and no force is rendered for `restAfter`, and from the

@@ -83,7 +83,7 @@ struct LoadedCt {
 ///
 /// @param uid  The series' UID; empty for the one with the best score.
 ///
-/// Refuses with one sentence whatever has no trustworthy geometry (ct::stackSlices), is no CT, is
+/// Returns an error for a series that has no trustworthy geometry (ct::stackSlices), is no CT, is
 /// cut off, encrypted or too large, and a canceled reading. Takes seconds; not real-time safe.
 Result<LoadedCt> readCt(const std::filesystem::path& path, const std::string& uid = {},
                         const ReadingHooks& hooks = {});

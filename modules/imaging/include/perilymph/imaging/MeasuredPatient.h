@@ -17,7 +17,7 @@ namespace perilymph::imaging {
 /// The patient of a measured cochlea, without a label: A, B, H to a micrometer, their errors, the
 /// side, and the origin: software, series, landmarks by hand and proposed. An H outside the limits of
 /// patients (anatomy::limitsOfH()) is the nearer limit if that is within its 95 % interval, and missing
-/// beyond; heightNote() says so.
+/// beyond; heightNote() states it.
 anatomy::Patient measuredPatient(const ct::CochleaMeasures& measures);
 
 /// A sentence about an H that measuredPatient() changes or leaves out; none if it is used as measured.

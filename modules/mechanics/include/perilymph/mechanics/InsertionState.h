@@ -116,10 +116,10 @@ struct InsertionState {
   std::uint64_t fingerprint() const noexcept;
 
   std::uint64_t tick = 0;
-  bool isSettling = false;                  ///< The last step was not balanced: the next goes on.
-  Eigen::Vector3d base_W;                   ///< Position of the tweezers [m].
-  Eigen::Vector3d baseVelocity_W;           ///< [m/s]
-  double styletWithdrawal = 0.0;            ///< [m]
+  bool isSettling = false;         ///< The last step was not balanced: the next one continues it.
+  Eigen::Vector3d base_W;          ///< Position of the tweezers [m].
+  Eigen::Vector3d baseVelocity_W;  ///< [m/s]
+  double styletWithdrawal = 0.0;   ///< [m]
   std::vector<Eigen::Vector3d> position_W;  ///< Position of each node [m].
   std::vector<Eigen::Vector3d> velocity_W;  ///< Velocity of each node [m/s].
   /// Smoothed change of its velocity from step to step [m/s], by which a step predicts its end.

@@ -23,7 +23,7 @@ struct ForceCourse {
   /// behind it paler and dashed.
   std::size_t whole = 0;
   std::vector<Mark> ends;  ///< Where simulations ended.
-  /// Those ends behind which at most three quarters, half and a quarter of the simulations go on, and
+  /// Those ends behind which at most three quarters, half and a quarter of the simulations continue, and
   /// the deepest: where a chart writes "n of N".
   std::vector<Mark> counts;
 };

@@ -36,7 +36,7 @@ Result<Plan> makePlan(const PlanRequest& request, const std::filesystem::path& d
 /// @return         Refuses a file with fewer draws, and a changed plan without a plan.json.
 Result<Plan> viewPlan(const PlanRequest& request, const std::filesystem::path& draws);
 
-/// Plan::fingerprint of a request, before a plan is made. Refuses what makePlan() refuses.
+/// Plan::fingerprint of a request, before a plan is made. The errors are those of makePlan().
 Result<std::string> fingerprintOf(const PlanRequest& request);
 
 }  // namespace perilymph::planning

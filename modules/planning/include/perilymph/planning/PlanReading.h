@@ -33,7 +33,7 @@ inline constexpr std::size_t maxStoredArrays = 32, maxStoredRows = 1024;
 ///
 /// @param name  Name of the text in error messages.
 /// @return      Refuses a text that is no plan: bands whose quantiles decrease, probabilities beyond
-///              0 to 1, names that are none, missing and physically impossible values. One that was
+///              0 to 1, invalid names, missing and physically impossible values. One that was
 ///              changed after the program wrote it is read, without its number (Plan::seal).
 Result<StoredPlan> planIn(const std::string& json, const std::string& name);
 

@@ -68,7 +68,7 @@ struct ContactBand {
   double greenwood_Hz = 0.0;       ///< At the median of its place along the organ of Corti.
   double spiralGanglion_Hz = 0.0;  ///< At the median of its angle.
   double filter_Hz = 0.0;          ///< Center of its default filter; 0 if no allocation is known.
-  /// Frequency of its place on the spiral ganglion above its filter's center; positive: it hears
+  /// Frequency of its place on the spiral ganglion above its filter's center; positive: it receives
   /// a lower frequency than its place. Zeros without a filter.
   Band mismatch_semitones;
   /// From 5 to 95 % of greenwood_Hz; both 0 in plans of former versions.
@@ -144,7 +144,7 @@ struct ArrayPlan {
   std::vector<Influence> influences;  ///< The largest on the angle first.
 };
 
-/// What a summary knows of an array before it is inserted.
+/// Input of a summary about an array before it is inserted.
 struct PlannedArray {
   std::string name;               ///< "FLEX28".
   std::vector<double> filter_Hz;  ///< Centers of the default filters from the tip, if known.

@@ -41,7 +41,7 @@ public:
   ~Insertion();  ///< Stops, closes the recording, closes the device.
 
   // --- virtual time: the caller's thread is the loop ---
-  /// Arms, then runs until the insertion has ended (and is withdrawn, if the scenario says so and
+  /// Arms, then runs until the insertion has ended (and is withdrawn, if the scenario sets it and
   /// the stop travel was reached), has faulted, or `maxTicks` ticks have passed. `each` receives every record and returns false to
   /// stop.
   Result<void> runToEnd(const std::function<bool(const haptics::TickRecord&)>& each,
@@ -59,7 +59,7 @@ public:
   const haptics::Snapshot& latest() const noexcept;
   /// A message if the recording failed (disk full); empty if there is no error.
   Sentence recordingError() const;
-  /// Closes the recording within some milliseconds while the loop goes on, so that it can be read; the
+  /// Closes the recording within some milliseconds while the loop continues, so that it can be read; the
   /// ticks of a withdrawal that follows are added to it.
   void concludeRecording() noexcept;
   /// It is closed, and no tick has followed.

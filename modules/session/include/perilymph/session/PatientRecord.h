@@ -46,7 +46,7 @@ struct PatientVersion {
   std::string program;  ///< Build of the program that saved it.
   std::string patient;  ///< anatomy::patientText(): measures, errors, origin, to a picometer.
   std::vector<PatientLandmark> landmarks = {};
-  std::vector<Sentence> warnings = {};  ///< What the measurement says of itself, a sentence each.
+  std::vector<Sentence> warnings = {};  ///< Warnings of the measurement, a sentence each.
 
   friend bool operator==(const PatientVersion&, const PatientVersion&) = default;
 };
@@ -100,7 +100,7 @@ Result<void> checkRecord(const PatientRecord& record);
 std::filesystem::path recordFileOf(const std::filesystem::path& patient);
 
 /// The record beside a patient's file; an empty one if there is none. Formats 1 and 2 are read. One
-/// that was changed by hand is read and says so.
+/// that was changed by hand is read and marked as such.
 Result<PatientRecord> loadPatientRecord(const std::filesystem::path& patient);
 
 /// Writes a record beside a patient's file, whole or not at all. Refuses to replace a file that
@@ -115,7 +115,7 @@ Result<PatientRecord> savePatientRecord(const PatientRecord& record,
 Result<PatientRecord> changePatientRecord(const std::filesystem::path& patient,
                                           const std::function<void(PatientRecord&)>& change);
 
-/// What a version says besides the measures.
+/// Contents of a version besides the measures.
 struct VersionFacts {
   std::string utc;
   std::string text = {};  ///< Text of the patient's file, with comments; by default patientText().
@@ -124,11 +124,11 @@ struct VersionFacts {
 };
 
 /// Saves a patient's measures: the file, and a new version in the record if they are others than the
-/// last. The measures that the file had before become a version, too, if they are none.
+/// last. The measures that the file had before become a version, too, if they are not one yet.
 ///
 /// @param isNew  Whether there may be no such file yet.
-/// @return       Refuses to replace a file that is new for the caller, or that cannot be read; says
-///               so if another program works on the patient.
+/// @return       An error, and the file stays, if it is new for the caller, cannot be read, or another
+///               program works on the patient.
 Result<void> savePatientVersion(const anatomy::Patient& patient, const std::filesystem::path& file,
                                 const VersionFacts& facts, bool isNew);
 

@@ -36,7 +36,7 @@ std::string noteOn(const RecordingCheck& check, const std::filesystem::path& fil
 class RecordedInsertion {
 public:
   /// Opens a recording. One that was not closed is recovered with its `-wal` file; in a read-only
-  /// folder only checkpointed content can be read, and note() says so.
+  /// folder only checkpointed content can be read, which note() states.
   ///
   /// @param stop  Ends this and all later reads, with an error.
   static Result<RecordedInsertion> open(const std::filesystem::path& file,

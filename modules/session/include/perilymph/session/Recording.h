@@ -50,7 +50,7 @@ public:
   Recording& operator=(const Recording&) = delete;
 
   /// Adds ticks in one transaction: after return they survive the end of the process. On failure
-  /// none of them is stored. A closed recording is opened again and goes on, as when an array is
+  /// none of them is stored. A closed recording is opened again and continued, as when an array is
   /// withdrawn after its insertion.
   Result<void> append(std::span<const haptics::TickRecord> records);
 
@@ -63,9 +63,9 @@ public:
   ///                      if empty.
   Result<void> close(std::uint64_t lostRecords = 0, const std::string& deviceReport = {});
 
-  /// Closes a recording that may go on, without waiting for those who read it.
+  /// Closes a recording that may be continued, without waiting for those who read it.
   ///
-  /// @return  Whether the log is merged; while it has readers it is not: ask again later. Nothing is lost.
+  /// @return  Whether the log is merged; while it has readers it is not: call again later. Nothing is lost.
   Result<bool> conclude(std::uint64_t lostRecords);
 
   const std::filesystem::path& file() const noexcept;

@@ -44,7 +44,7 @@ struct SessionSummary {
 
 /// Whether a recording is one of an insertion, which can be replayed, compared and reported: its writing
 /// has ended, and the array moved in it. Others are left where the program ended before an insertion
-/// began, or cannot be read; `error` says which.
+/// began, or cannot be read; `error` states which.
 bool isInsertion(const SessionSummary& summary) noexcept;
 
 /// Summarizes one recording. Never fails: errors are reported in `error`.

@@ -15,8 +15,8 @@ namespace perilymph::study {
 /// file. An error if these differ from those of the study.
 Result<Study> studyIn(const StudyFileFacts& facts, const std::filesystem::path& file);
 
-/// Runs insertion `number` of a study again and records it. A recording that exists is replaced by
-/// none: the error says so.
+/// Runs insertion `number` of a study again and records it. A recording that exists is never
+/// replaced: the error states it.
 ///
 /// @return  What it gives now, to compare with the result in the file.
 Result<StudyResult> recordCase(const Study& study, std::size_t number,

@@ -45,7 +45,7 @@ public:
   /// Maximum number of insertions: about half a gigabyte while they are read (choice, high).
   static constexpr std::size_t maxInsertions = 1'000'000;
 
-  /// Reads a merged file or a shard. The error says what to do.
+  /// Reads a merged file or a shard. The error states what to do.
   ///
   /// @param max  More insertions are refused.
   static Result<StudyColumns> read(const std::filesystem::path& file, const std::stop_token& stop,

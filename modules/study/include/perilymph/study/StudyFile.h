@@ -56,7 +56,7 @@ StudyFileFacts factsOf(const Study& study, std::size_t first, std::size_t end);
 /// An open file.
 class StudyFile {
 public:
-  /// Opens a file to go on, or creates it: whole blocks that were written before are there. Refuses a
+  /// Opens a file to resume it, or creates it: whole blocks that were written before are there. Refuses a
   /// file with other facts, one that was changed, and one that another program works on.
   static Result<StudyFile> openToContinue(const std::filesystem::path& file,
                                           const StudyFileFacts& facts);

@@ -26,7 +26,7 @@ Shard shardOf(std::size_t cases, std::size_t index, std::size_t count);
 /// "shard-3-of-16.sqlite".
 std::string fileNameOf(const Shard& shard);
 
-/// Runs a shard into its file in the folder, or goes on where an earlier run ended. Results are
+/// Runs a shard into its file in the folder, or resumes an earlier run. Results are
 /// written in blocks by transactions: whatever ends the process, whole blocks remain. An insertion
 /// that cannot be prepared or that ends early is a result; those of a block in which a file of the
 /// study was changed are discarded.
@@ -53,7 +53,7 @@ Result<std::vector<ShardState>> shardsIn(const std::filesystem::path& folder);
 
 /// Merges the complete shards of a folder into `study.sqlite` and `insertions.csv` in it. The same
 /// study gives the same bytes, however it was divided. Refuses shards of different studies, and
-/// missing, incomplete, overlapping or damaged ones by name, and says which to run again.
+/// missing, incomplete, overlapping or damaged ones by name, and states which to run again.
 ///
 /// @return  What the merged file is of.
 Result<StudyFileFacts> mergeShards(const std::filesystem::path& folder);

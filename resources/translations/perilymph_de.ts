@@ -7263,7 +7263,7 @@
     </message>
     <message>
         <source>mean of 0.5 to 1 s after the stop, without tremor</source>
-        <translation type="unfinished"></translation>
+        <translation>Mittel von 0,5 bis 1 s nach dem Halt, ohne Tremor</translation>
     </message>
     <message>
         <source>Friction in ears</source>

@@ -106,7 +106,8 @@ QString resultsNote(const ReportContent& content)
   const QString partition =
       tr("Partition: the model gives fewer translocations than clinics report.");
   QStringList sentences;
-  if (content.plan) sentences << tr("%1, number %2: %3.")
+  if (content.plan)
+    sentences << tr("%1, number %2: %3.")
                      .arg(content.plan->name, content.plan->number, content.plan->hold);
   sentences << clinics << partition;
   if (const QString verdict = verdictNote(content.scenario.arrayName()); !verdict.isEmpty())

@@ -32,8 +32,8 @@ Result<void> findDeepest(session::Playback& playback, haptics::Snapshot& deepest
 }
 
 /// Where a hand of the plans would have stopped, if the insertion went on.
-Result<std::optional<PassedStop>> findPassedStop(
-    const session::RecordedInsertion& recorded, session::Playback& playback)
+Result<std::optional<PassedStop>> findPassedStop(const session::RecordedInsertion& recorded,
+                                                 session::Playback& playback)
 {
   using Found = std::optional<PassedStop>;
   const auto hand = shippedHand();

@@ -87,9 +87,11 @@ FieldMeanings arrayColumns()
     columns.push_back({name, unit, "what clinics report of this array; empty without a report"});
     columns.push_back({name + "_low", unit, "lower limit of its spread"});
     columns.push_back({name + "_high", unit, "upper limit"});
-    columns.push_back({name + "_spread", "", "what the limits are: quartiles, range, sd or interval95"});
+    columns.push_back(
+        {name + "_spread", "", "what the limits are: quartiles, range, sd or interval95"});
     columns.push_back({name + "_n", "", "number of ears of the report"});
-    columns.push_back({name + "_of", "", "whose value or number it is, where that is not the array's alone"});
+    columns.push_back(
+        {name + "_of", "", "whose value or number it is, where that is not the array's alone"});
   }
   columns.push_back(
       {"clinical_table", "", "whether the array is a hit or a miss in the clinical table"});

@@ -7182,10 +7182,6 @@
         <translation>%1 %2.</translation>
     </message>
     <message>
-        <source>%1 in this insertion; in ears %2 to %3 (95 %)</source>
-        <translation>%1 in dieser Insertion; in Ohren %2 bis %3 (95 %)</translation>
-    </message>
-    <message>
         <source>not validated</source>
         <translation>nicht validiert</translation>
     </message>
@@ -7196,6 +7192,14 @@
     <message>
         <source>Not tested: the program’s clinical table has no row of this array.</source>
         <translation>Nicht geprüft: Die klinische Tabelle des Programms hat keine Zeile für diesen Träger.</translation>
+    </message>
+    <message>
+        <source>%1 to %2 (95 %)</source>
+        <translation>%1 bis %2 (95 %)</translation>
+    </message>
+    <message>
+        <source>Friction in ears: %1.</source>
+        <translation>Reibung in Ohren: %1.</translation>
     </message>
 </context>
 <context>

@@ -69,13 +69,14 @@ double paintIdentification(ReportSheet& sheet, const ReportContent& content,
        {tr("Electrode array"), arrayText(scenario)},
        {tr("Manufacturer"), QString::fromStdString(scenario.array().maker)}},
       0.0, y_mm, left_mm);
-  const double right = paintEntries(sheet,
-                                    {{tr("Institution"), issuer.institution},
-                                     {tr("Operator"), issuer.operatorName},
-                                     {tr("Date and time"), localTimeOf(content.facts.startedUtc)},
-                                     {tr("Technique"), techniqueText(content)},
-                                     {tr("Friction μ"), frictionText(scenario, references)}},
-                                    left_mm + gutter_mm, y_mm, width_mm - left_mm - gutter_mm);
+  const std::vector<ReportEntry> entries = {
+      {tr("Institution"), issuer.institution},
+      {tr("Operator"), issuer.operatorName},
+      {tr("Date and time"), localTimeOf(content.facts.startedUtc)},
+      {tr("Technique"), techniqueText(content)},
+      {tr("Friction μ"), frictionText(scenario, references)}};
+  const double right =
+      paintEntries(sheet, entries, left_mm + gutter_mm, y_mm, width_mm - left_mm - gutter_mm);
   return std::max(left, right);
 }
 
@@ -106,8 +107,8 @@ QString resultsNote(const ReportContent& content)
   QStringList sentences;
   if (content.plan) sentences << tr("%1: %2.").arg(content.plan->name, content.plan->hold);
   sentences << clinics << partition;
-  if (const QString verdict = verdictNote(content.scenario.arrayName()); !verdict.isEmpty())
-    sentences << verdict;
+  if (const QString ears = frictionInEars(content.scenario); !ears.isEmpty())
+    sentences << tr("Friction in ears: %1.").arg(ears);
   return sentences.join(QLatin1Char(' '));
 }
 

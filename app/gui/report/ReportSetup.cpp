@@ -26,21 +26,14 @@ QString valueOf(const session::Scenario& scenario, const std::string& key)
   return {};
 }
 
-/// "0.165 in this insertion; in ears 0.08 to 0.33 (95 %)", or what it is between speeds.
+/// "0.165", or what it is between speeds.
 QString coefficientText(const session::Scenario& scenario)
 {
   const mechanics::FrictionLaw& law = scenario.friction();
   if (!law.bySpeed.isEmpty())
     return tr("%1 to %2 by speed")
         .arg(numberText(law.bySpeed.minimum(), 2), numberText(law.bySpeed.maximum(), 2));
-  const QString coefficient = numberText(law.staticCoefficient, 3);
-  const session::FrictionSpread& known = scenario.parameters().frictionSpread;
-  const double spread = std::hypot(known.shared, known.ear);
-  if (!known.isKnown()) return coefficient;
-  const double factor = std::exp(halfWidth95 * spread);
-  return tr("%1 in this insertion; in ears %2 to %3 (95 %)")
-      .arg(coefficient, numberText(law.staticCoefficient / factor, 2),
-           numberText(law.staticCoefficient * factor, 2));
+  return numberText(law.staticCoefficient, 3);
 }
 
 /// Names of landmarks as in the window, of those in a patient's file.
@@ -53,6 +46,16 @@ QString clinicalNames(const std::string& names)
 }
 
 }  // namespace
+
+QString frictionInEars(const session::Scenario& scenario)
+{
+  const double coefficient = scenario.friction().staticCoefficient;
+  const session::FrictionSpread& known = scenario.parameters().frictionSpread;
+  if (!known.isKnown() || !scenario.friction().bySpeed.isEmpty()) return {};
+  const double factor = std::exp(halfWidth95 * std::hypot(known.shared, known.ear));
+  return tr("%1 to %2 (95 %)")
+      .arg(numberText(coefficient / factor, 2), numberText(coefficient * factor, 2));
+}
 
 QString frictionText(const session::Scenario& scenario, References& references)
 {

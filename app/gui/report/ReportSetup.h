@@ -10,9 +10,12 @@
 
 namespace perilymph::gui {
 
-/// "0.165 (95 % 0.08–0.33); estimate from pig tissue [4]": coefficient, interval where the friction's
-/// file states a spread, and origin.
+/// "0.165; Estimate from pig tissue [4]": the coefficient of the insertion, and its origin.
 QString frictionText(const session::Scenario& scenario, References& references);
+
+/// "0.08 to 0.33 (95 %)": the coefficients of ears, of which the insertion has the median; empty where the
+/// friction's file states no spread.
+QString frictionInEars(const session::Scenario& scenario);
 
 /// "automatic", "moved by hand: RW; else automatic"; "entered" for measures without a CT, "not known"
 /// where no saved patient has these measures.

@@ -103,7 +103,8 @@ TEST_F(RecordOfAnInsertion, StatesFrictionWithItsIntervalAndOrigin)
   ASSERT_TRUE(plans);
   // 0.165 times and by exp(1.96 * 0.346), the spread of 0.20, 0.20 and 0.20
   EXPECT_EQ(gui::frictionText(*plans, references).toStdString(),
-            "0.165 in this insertion; in ears 0.08 to 0.33 (95 %); Estimate from pig tissue [1]");
+            "0.165; Estimate from pig tissue [1]");
+  EXPECT_EQ(gui::frictionInEars(*plans).toStdString(), "0.08 to 0.33 (95 %)");
   const auto soap = session::loadScenario("mean-flex28", {{"friction_static", "0.09"}});
   ASSERT_TRUE(soap);
   EXPECT_EQ(gui::frictionText(*soap, references).left(5), "0.090");
@@ -130,6 +131,7 @@ TEST_F(RecordOfAnInsertion, SaysWhereAHandThatStopsWouldHaveEndedAndThatItsArray
   }
   EXPECT_THAT(text(1, 1), HasSubstr("A hand that stops at 100 mN would have ended at "));
   EXPECT_THAT(text(1, 1), HasSubstr("FLEX28, not validated"));
+  EXPECT_THAT(text(1, 1), HasSubstr("0.08 to 0.33 (95 %)"));
   ASSERT_TRUE(gui::writeReport(*stopped, pdf()));
   EXPECT_THAT(text(1, 1), Not(HasSubstr("would have ended")));
 }

@@ -7266,12 +7266,12 @@
         <translation>Mittel von 0,5 bis 1 s nach dem Halt, ohne Tremor</translation>
     </message>
     <message>
-        <source>Friction in ears</source>
-        <translation>Reibung in Ohren</translation>
-    </message>
-    <message>
         <source>%1 to %2 (95 %)</source>
         <translation>%1 bis %2 (95 %)</translation>
+    </message>
+    <message>
+        <source>Friction in ears: %1.</source>
+        <translation>Reibung in Ohren: %1.</translation>
     </message>
 </context>
 <context>

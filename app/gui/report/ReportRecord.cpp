@@ -69,13 +69,12 @@ double paintIdentification(ReportSheet& sheet, const ReportContent& content,
        {tr("Electrode array"), arrayText(scenario)},
        {tr("Manufacturer"), QString::fromStdString(scenario.array().maker)}},
       0.0, y_mm, left_mm);
-  std::vector<ReportEntry> entries = {{tr("Institution"), issuer.institution},
-                                      {tr("Operator"), issuer.operatorName},
-                                      {tr("Date and time"), localTimeOf(content.facts.startedUtc)},
-                                      {tr("Technique"), techniqueText(content)},
-                                      {tr("Friction μ"), frictionText(scenario, references)}};
-  if (const QString ears = frictionInEars(scenario); !ears.isEmpty())
-    entries.push_back({tr("Friction in ears"), ears});
+  const std::vector<ReportEntry> entries = {
+      {tr("Institution"), issuer.institution},
+      {tr("Operator"), issuer.operatorName},
+      {tr("Date and time"), localTimeOf(content.facts.startedUtc)},
+      {tr("Technique"), techniqueText(content)},
+      {tr("Friction μ"), frictionText(scenario, references)}};
   const double right =
       paintEntries(sheet, entries, left_mm + gutter_mm, y_mm, width_mm - left_mm - gutter_mm);
   return std::max(left, right);
@@ -110,8 +109,8 @@ QString resultsNote(const ReportContent& content)
     sentences << tr("%1, number %2: %3.")
                      .arg(content.plan->name, content.plan->number, content.plan->hold);
   sentences << clinics << partition;
-  if (const QString verdict = verdictNote(content.scenario.arrayName()); !verdict.isEmpty())
-    sentences << verdict;
+  if (const QString ears = frictionInEars(content.scenario); !ears.isEmpty())
+    sentences << tr("Friction in ears: %1.").arg(ears);
   return sentences.join(QLatin1Char(' '));
 }
 

@@ -14,7 +14,7 @@ struct ReadScan {
   std::string series;           ///< SHA-256 of the series.
   std::filesystem::path place;  ///< Nothing may be there any more.
   std::string utc = {};         ///< When it was read last, ISO 8601; empty from earlier versions.
-  std::string code = {};  ///< The patient whose measures were taken in it; empty if unknown.
+  std::string code = {};        ///< The patient whose measures were taken in it; empty if unknown.
 };
 
 /// Remembers where a CT series was read, for the user of this computer alone: such folders often bear

@@ -6930,10 +6930,6 @@
         <translation>Reibung μ</translation>
     </message>
     <message>
-        <source>Clinics: median or mean (quartiles, range or ± SD) of patients.</source>
-        <translation>Kliniken: Median oder Mittelwert (Quartile, Spanne oder ± SD) von Patienten.</translation>
-    </message>
-    <message>
         <source>Partition: the model gives fewer translocations than clinics report.</source>
         <translation>Trennwand: Das Modell ergibt weniger Translokationen, als Kliniken berichten.</translation>
     </message>
@@ -7174,10 +7170,6 @@
         <translation>%1, Nummer %2: %3.</translation>
     </message>
     <message>
-        <source>quartiles %1</source>
-        <translation>Quartile %1</translation>
-    </message>
-    <message>
         <source>range %1</source>
         <translation>Spanne %1</translation>
     </message>
@@ -7272,6 +7264,14 @@
     <message>
         <source>Friction in ears: %1.</source>
         <translation>Reibung in Ohren: %1.</translation>
+    </message>
+    <message>
+        <source>Clinics: median or mean (IQR, range or ± SD) of patients.</source>
+        <translation>Kliniken: Median oder Mittelwert (IQR, Spanne oder ± SD) von Patienten.</translation>
+    </message>
+    <message>
+        <source>IQR %1</source>
+        <translation>IQR %1</translation>
     </message>
 </context>
 <context>
@@ -8262,12 +8262,12 @@
         <translation>Das CT in einem DICOM-Archiv (PACS) suchen und abrufen</translation>
     </message>
     <message>
-        <source>Recent CTs</source>
-        <translation>Letzte CTs</translation>
-    </message>
-    <message>
         <source>CTs that were opened last, by the patient’s code and the date</source>
         <translation>Zuletzt geöffnete CTs, mit Code des Patienten und Datum</translation>
+    </message>
+    <message>
+        <source>Recent</source>
+        <translation>Zuletzt</translation>
     </message>
 </context>
 <context>

@@ -81,7 +81,7 @@ double paintIdentification(ReportSheet& sheet, const ReportContent& content,
 }
 
 /// Columns of the results [mm]: name, value, definition, plan, clinics.
-constexpr double resultColumns_mm[] = {39.0, 20.0, 57.0, 38.0, 26.0};
+constexpr double resultColumns_mm[] = {37.0, 19.0, 57.0, 38.0, 29.0};
 
 void paintResultRow(ReportSheet& sheet, const QStringList& cells, double y_mm, ReportFace first,
                     ReportFace second, ReportFace plan)
@@ -101,7 +101,8 @@ void paintResultRow(ReportSheet& sheet, const QStringList& cells, double y_mm, R
 /// What the columns of plan and clinics hold.
 QString resultsNote(const ReportContent& content)
 {
-  const QString clinics = tr("Clinics: median or mean (quartiles, range or ± SD) of patients.");
+  const QString clinics =
+      tr("Clinics: median or mean (IQR, range or ± SD) of patients.");
   const QString partition =
       tr("Partition: the model gives fewer translocations than clinics report.");
   QStringList sentences;

@@ -282,7 +282,7 @@ void TopBar::showPages()
 {
   const bool haveIcons = face_ != PageFace::name, haveNames = face_ != PageFace::icon;
   const int icon = sized(pageIcon_px) + iconGap_px;
-  tabs_->setSpacing(haveIcons ? iconSpacing_px : spacing);
+  tabs_->setSpacing(face_ == PageFace::iconAndName ? iconSpacing_px : spacing);
   const auto show = [&](const Page& page, const QString& name, QPushButton& button, bool hasIcon) {
     button.setIcon(hasIcon ? iconOf(page.icon(), sized(pageIcon_px), devicePixelRatioF())
                            : QIcon());

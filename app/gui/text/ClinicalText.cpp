@@ -40,10 +40,10 @@ QString withUnit(const QString& numbers, ReportedQuantity quantity)
   }
 }
 
-/// "quartiles ", "SD ", "range ": what the bounds of a report are.
+/// "IQR ", "SD ", "range ": what the bounds of a report are; IQR: from the lower to the upper quartile.
 QString spreadText(const ClinicalReport& report)
 {
-  if (report.spread == ReportedSpread::quartiles) return tr("quartiles %1");
+  if (report.spread == ReportedSpread::quartiles) return tr("IQR %1");
   if (report.spread == ReportedSpread::range) return tr("range %1");
   if (report.spread == ReportedSpread::sd) return tr("SD %1");
   return QStringLiteral("%1");

@@ -10,7 +10,7 @@
 
 namespace perilymph::gui {
 
-/// "408 (quartiles 373–449)°", "49 of 51", "7 %"; empty where nothing is reported.
+/// "408 (IQR 373–449)°", "49 of 51", "7 %"; empty where nothing is reported.
 QString clinicsReport(const std::string& array, analysis::ReportedQuantity quantity);
 
 /// The same for narrow cells: "408°", "96 %", "45–102" for forces in mN.

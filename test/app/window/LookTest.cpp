@@ -109,20 +109,25 @@ TEST(WindowLook, KeepsThePartsOfTheBarApart)
   WindowRig rig(session::Overrides{{"side", "\"left\""}, {"speed_mm_s", "1.0"}});
   auto* patient = rig.window().findChild<gui::ElidedLabel*>("patientLabel");
   rig.window().findChild<QWidget*>("modifiedLabel")->show();
+  // parts that are nearer to their neighbor on the left than they may be, or beyond the edge
+  const auto crowded = [&] {
+    std::vector<const QWidget*> parts;
+    for (const QWidget* part : patient->parentWidget()->findChildren<QWidget*>())
+      if (part->isVisible()) parts.push_back(part);
+    std::ranges::sort(parts, {}, [](const QWidget* part) { return part->geometry().left(); });
+    std::string names;
+    QRect before;
+    for (const QWidget* part : parts) {
+      if (part->geometry().left() - before.right() < (part == patient ? 24 : 4))
+        names += part->objectName().toStdString() + " ";
+      before = part->geometry();
+    }
+    return before.right() > rig.window().width() ? names + "edge" : names;
+  };
   for (const int width : {1024, 1280, 1366}) {
     rig.window().resize(width, 700);
     ASSERT_TRUE(WindowRig::waitUntil([&] { return rig.window().width() == width; }));
-    QRect before;
-    std::vector<QRect> parts;
-    for (const QWidget* part : patient->parentWidget()->findChildren<QWidget*>())
-      if (part->isVisible()) parts.push_back(part->geometry());
-    std::sort(parts.begin(), parts.end(),
-              [](const QRect& one, const QRect& other) { return one.left() < other.left(); });
-    for (const QRect& part : parts) {
-      EXPECT_GE(part.left() - before.right(), part == patient->geometry() ? 24 : 4) << width;
-      before = part;
-    }
-    EXPECT_LE(before.right(), width);
+    EXPECT_TRUE(WindowRig::waitUntil([&] { return crowded().empty(); })) << crowded() << width;
     EXPECT_TRUE(patient->isWhole() || width < 1280) << width;
   }
 }

@@ -94,7 +94,7 @@ TEST_F(APageOfTheTestsOwn, HasAButtonThatShowsAndMarksIt)
   EXPECT_EQ(notes_->hidden, 1);
 }
 
-TEST_F(APageOfTheTestsOwn, HasItsIconOnlyWhereTheBarHasRoomForEveryName)
+TEST_F(APageOfTheTestsOwn, HasIconAndNameWhereThereIsRoomAndElseItsIcon)
 {
   const auto& button = rig_.button("notesPageButton");
   window().resize(2600, 900);
@@ -103,7 +103,11 @@ TEST_F(APageOfTheTestsOwn, HasItsIconOnlyWhereTheBarHasRoomForEveryName)
   EXPECT_TRUE(QTest::qWaitFor([&] { return button.width() >= button.sizeHint().width(); }))
       << button.width() << " of " << button.sizeHint().width();
   window().resize(window().minimumSize());
-  EXPECT_TRUE(QTest::qWaitFor([&] { return button.icon().isNull(); }));
+  // patient and ear need the room: the name is in the tool tip, and for screen readers
+  EXPECT_TRUE(QTest::qWaitFor([&] { return button.text().isEmpty(); }));
+  EXPECT_FALSE(button.icon().isNull());
+  EXPECT_EQ(button.toolTip(), "Surgeon's notes");
+  EXPECT_EQ(button.accessibleName(), "Surgeon's notes");
 }
 
 TEST_F(APageOfTheTestsOwn, HasTheNextKeyWhichTheListOfKeysNames)

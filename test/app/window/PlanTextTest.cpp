@@ -50,7 +50,7 @@ TEST(PlanTable, StatesWhatClinicsReportBesideItsValues)
     return table.index(row, int(gui::PlanColumn::angle)).data(role).toString();
   };
   // O'Connell et al. 2017
-  EXPECT_TRUE(angle(0, Qt::AccessibleTextRole).endsWith("clinics report 408 (quartiles 373–449)°"))
+  EXPECT_TRUE(angle(0, Qt::AccessibleTextRole).endsWith("clinics report 408 (IQR 373–449)°"))
       << angle(0, Qt::AccessibleTextRole).toStdString();
   EXPECT_TRUE(angle(0, Qt::ToolTipRole).contains("n = 48"));
   EXPECT_FALSE(angle(1, Qt::AccessibleTextRole).contains("clinics"));

@@ -141,13 +141,16 @@ TEST_F(RecordOfAnInsertion, HasTheBandOfItsPlanInTheCurve)
   gui::ReportContent content = contentOf(patientFromCt());
   content.plan.emplace();
   content.plan->name = "plan of 2026-11-27";
+  content.plan->number = "0123456789abcdef";
   content.plan->hold = "90 % over friction 0.08 to 0.33";
   for (const double depth_mm : {1.0, 8.0, 16.0})
     content.plan->points.push_back({depth_mm, depth_mm, 2.0 * depth_mm, 3.0 * depth_mm});
   ASSERT_TRUE(gui::writeReport(content, pdf()));
   const std::string record = text(1, 1);
   EXPECT_THAT(record, HasSubstr("gray: median and band of the plan"));
-  EXPECT_THAT(record, HasSubstr("plan of 2026-11-27: 90 % over friction 0.08 to 0.33"));
+  EXPECT_THAT(
+      record,
+      HasSubstr("plan of 2026-11-27, number 0123456789abcdef: 90 % over friction 0.08 to 0.33"));
   EXPECT_THAT(record, HasSubstr("peaks in patients 45–102 mN"));
   for (planning::Band* band : {&content.plan->peak_mN, &content.plan->end_mN}) {
     band->low = 119.0;

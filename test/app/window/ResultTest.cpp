@@ -150,7 +150,7 @@ TEST_F(ShownResult, StatesWhatClinicsReportOfItsArray)
   }));
   insert();
   EXPECT_TRUE(texts().contains("clinics report"));
-  EXPECT_TRUE(texts().contains("575 (465–584)°")) << texts().join('|').toStdString();
+  EXPECT_TRUE(texts().contains("575 (IQR 465–584)°")) << texts().join('|').toStdString();
   EXPECT_TRUE(texts().contains("FLEX28, not validated")) << texts().join('|').toStdString();
   EXPECT_FALSE(texts().join('|').contains("A hand that stops"));  // nor would it have stopped
 

@@ -106,7 +106,7 @@ TEST(DeviceChoice, SaysThatNothingIsPluggedIn)
 {
   const auto found = findDevice({}, "banana");
   ASSERT_FALSE(found);
-  EXPECT_THAT(found.error().message, HasSubstr("No device"));
+  EXPECT_THAT(found.error().message, HasSubstr("No usable haptic device"));
 }
 
 TEST(DeviceChoice, CannotOpenWhatIsNoHidNode)

@@ -7174,10 +7174,6 @@
         <translation>Spanne %1</translation>
     </message>
     <message>
-        <source>SD %1</source>
-        <translation>SD %1</translation>
-    </message>
-    <message>
         <source> of %1</source>
         <translation> von %1</translation>
     </message>
@@ -7272,6 +7268,10 @@
     <message>
         <source>IQR %1</source>
         <translation>IQR %1</translation>
+    </message>
+    <message>
+        <source>%1 (SD %2)</source>
+        <translation>%1 (SD %2)</translation>
     </message>
 </context>
 <context>

@@ -101,8 +101,7 @@ void paintResultRow(ReportSheet& sheet, const QStringList& cells, double y_mm, R
 /// What the columns of plan and clinics hold.
 QString resultsNote(const ReportContent& content)
 {
-  const QString clinics =
-      tr("Clinics: median or mean (IQR, range or ± SD) of patients.");
+  const QString clinics = tr("Clinics: median or mean (IQR, range or ± SD) of patients.");
   const QString partition =
       tr("Partition: the model gives fewer translocations than clinics report.");
   QStringList sentences;

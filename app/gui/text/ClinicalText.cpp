@@ -40,12 +40,11 @@ QString withUnit(const QString& numbers, ReportedQuantity quantity)
   }
 }
 
-/// "IQR ", "SD ", "range ": what the bounds of a report are; IQR: from the lower to the upper quartile.
+/// "IQR ", "range ": what the bounds of a report are; IQR: from the lower to the upper quartile.
 QString spreadText(const ClinicalReport& report)
 {
   if (report.spread == ReportedSpread::quartiles) return tr("IQR %1");
   if (report.spread == ReportedSpread::range) return tr("range %1");
-  if (report.spread == ReportedSpread::sd) return tr("SD %1");
   return QStringLiteral("%1");
 }
 
@@ -58,6 +57,10 @@ QString numbersText(const ClinicalReport& report)
   if (!report.value) return withUnit(bounds, report.quantity);
   const QString value = numberText(*report.value, decimals);
   if (report.spread == ReportedSpread::none) return withUnit(value, report.quantity);
+  if (report.spread == ReportedSpread::sd)
+    return withUnit(
+        tr("%1 (SD %2)").arg(value, numberText(0.5 * (report.high - report.low), decimals)),
+        report.quantity);
   return withUnit(tr("%1 (%2)").arg(value, spreadText(report).arg(bounds)), report.quantity);
 }
 

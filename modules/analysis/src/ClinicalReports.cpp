@@ -191,10 +191,12 @@ std::string numbersOf(const ClinicalReport& report)
   const std::string bounds = shortNumber(report.low) + " to " + shortNumber(report.high);
   if (!report.value) return bounds;
   if (report.spread == ReportedSpread::none) return shortNumber(*report.value);
+  if (report.spread == ReportedSpread::sd)
+    return shortNumber(*report.value) + " (SD " + shortNumber(0.5 * (report.high - report.low)) +
+           ")";
   const char* kind = "";
   if (report.spread == ReportedSpread::quartiles) kind = "quartiles ";
   if (report.spread == ReportedSpread::range) kind = "range ";
-  if (report.spread == ReportedSpread::sd) kind = "SD ";
   return shortNumber(*report.value) + " (" + kind + bounds + ")";
 }
 

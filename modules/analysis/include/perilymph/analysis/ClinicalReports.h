@@ -98,7 +98,7 @@ private:
   std::string verdictSource_;
 };
 
-/// "408 (quartiles 373 to 449)", "401 (SD 360 to 442)", "49 of 51", "44.8 to 102.4": the numbers of a
+/// "408 (quartiles 373 to 449)", "401 (SD 41)", "49 of 51", "44.8 to 102.4": the numbers of a
 /// report with what the bounds are, without unit.
 std::string numbersOf(const ClinicalReport& report);
 

@@ -8262,12 +8262,12 @@
         <translation>Das CT in einem DICOM-Archiv (PACS) suchen und abrufen</translation>
     </message>
     <message>
-        <source>CTs that were opened last, by the patient’s code and the date</source>
-        <translation>Zuletzt geöffnete CTs, mit Code des Patienten und Datum</translation>
+        <source>Recent CTs</source>
+        <translation>Letzte CTs</translation>
     </message>
     <message>
-        <source>Recent</source>
-        <translation>Zuletzt</translation>
+        <source>Recent CTs, by the patient’s code and the date</source>
+        <translation>Zuletzt geöffnete CTs, nach Patientencode und Datum</translation>
     </message>
 </context>
 <context>

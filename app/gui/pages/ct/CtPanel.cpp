@@ -122,8 +122,10 @@ void CtPanel::addSource(QVBoxLayout& column)
   column.addLayout(row);
   auto* archive = rowButton(tr("From the archive…"), "openArchiveButton", this);
   archive->setToolTip(tr("Find the CT in a DICOM archive (PACS) and retrieve it"));
-  auto* recent = rowButton(tr("Recent"), "recentCtButton", this);
-  recent->setToolTip(tr("CTs that were opened last, by the patient’s code and the date"));
+  auto* recent = rowButton({}, "recentCtButton", this);  // its arrow: a name has no room
+  recent->setAccessibleName(tr("Recent CTs"));
+  recent->setFixedWidth(sized(34));
+  recent->setToolTip(tr("Recent CTs, by the patient’s code and the date"));
   auto* menu = new RecentScans(recent);
   recent->setMenu(menu);
   connect(menu, &RecentScans::chosen, this, &CtPanel::recentRequested);
@@ -131,7 +133,7 @@ void CtPanel::addSource(QVBoxLayout& column)
   others->setSpacing(4);
   for (QPushButton* button : {archive, recent}) {
     button->setProperty("small", true);
-    others->addWidget(button, button == archive ? 2 : 1);  // as their words need
+    others->addWidget(button);
   }
   column.addLayout(others);
   connect(archive, &QPushButton::clicked, this, &CtPanel::archiveRequested);

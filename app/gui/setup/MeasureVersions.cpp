@@ -216,7 +216,8 @@ QString remeasuredText(const anatomy::Patient& patient)
 {
   const auto before = versionBefore(patient);
   if (!before || !before->patient.basalTurn || !patient.basalTurn) return {};
-  return remeasuredText(before->patient, patient);
+  // versionBefore() is of a saved patient with these measures; that of a scenario has no origin
+  return remeasuredText(before->patient, findSavedPatient(patient.label, patient.side)->patient);
 }
 
 }  // namespace perilymph::gui

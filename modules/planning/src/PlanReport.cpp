@@ -256,9 +256,9 @@ figures::Figure angleFigure(const Plan& plan)
            isBounded ? report->high : *report->value});
       top = std::max(top, clinics.high.back());
       note += "; clinics: " + report->statistic + " " + analysis::numbersOf(*report) + " deg" +
-              (isBounded ? std::string(", ") + analysis::nameOf(report->spread) : std::string()) +
-              (report->n > 0 ? ", n " + std::to_string(report->n) : std::string()) + ", " +
-              report->source + " (" + report->definition + ")";
+              (report->n > 0 ? ", n " + std::to_string(report->n) : std::string()) +
+              (report->nOf.empty() ? std::string() : " of " + report->nOf) + ", " + report->source +
+              " (" + report->definition + ")";
       if (evidence->verdictOf(plan.arrays[i].array) == analysis::ArrayVerdict::miss)
         note += "; simulated: not validated";
     }

@@ -379,6 +379,7 @@ TEST_F(TheCtPage, ShowsWhatItMeasuredBeforeHereAndOnThePagesThatFollow)
   EXPECT_TRUE(rig_.label("planMeasureChange").contains(change))
       << rig_.label("planMeasureChange").toStdString();
   EXPECT_TRUE(rig_.label("planMeasureChange").contains("automatic"));
+  const QString told = rig_.label("planMeasureChange");
   keepPicture(rig_.window(), "remeasured-plan");
   rig_.click("ctPageButton");
   EXPECT_TRUE(rig_.label("ctChange").contains(change)) << rig_.label("ctChange").toStdString();
@@ -400,6 +401,7 @@ TEST_F(TheCtPage, ShowsWhatItMeasuredBeforeHereAndOnThePagesThatFollow)
   }));
   EXPECT_TRUE(rig_.label("panelMeasureChange").contains(change))
       << rig_.label("panelMeasureChange").toStdString();
+  EXPECT_EQ(rig_.label("panelMeasureChange"), told);
   keepPicture(rig_.window(), "remeasured-insert");
 }
 

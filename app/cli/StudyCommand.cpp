@@ -6,13 +6,13 @@
 #include <cmath>
 #include <cstdio>
 #include <stop_token>
-#include <thread>
 
 #include "Commands.h"
 #include "Interruption.h"
 #include "OutputFolder.h"
 #include "StudyOptions.h"
 #include "Terminal.h"
+#include "perilymph/analysis/InParallel.h"
 #include "perilymph/study/StudyEstimate.h"
 #include "perilymph/study/StudyFile.h"
 #include "perilymph/study/StudyReport.h"
@@ -129,7 +129,7 @@ Result<void> checkStudy(const StudyOptions& options)
 
   const auto cost = study::estimate(*study);
   if (!cost) return cost.error();
-  const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
+  const unsigned cores = analysis::processors();
   print("about {} on {} cores of this machine, {} on disk\n",
         durationText(cost->processorTime_s / cores), cores, sizeText(cost->bytes));
   return {};

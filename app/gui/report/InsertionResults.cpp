@@ -101,8 +101,7 @@ std::vector<InsertionResult> measuredResults(const ReportContent& content)
       tr("tip at %1").arg(degreesText(radians(content.deepest.output.angularDepth)));
 
   // a script and a pointer hold without tremor, so the force stays where that of a plan's hand falls
-  const bool isHeldStill =
-      content.facts.device == "Scripted insertion" || content.facts.device == "Mouse and keyboard";
+  const bool isHeldStill = content.facts.isScripted() || content.facts.isByPointer();
   std::optional<planning::Band> peak, end, after1s, angle;
   if (content.plan) {
     peak = content.plan->peak_mN;

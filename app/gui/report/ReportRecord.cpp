@@ -36,12 +36,11 @@ QString techniqueText(const ReportContent& content)
   const QString technique = scenario.technique() == session::Technique::advanceOffStylet
                                 ? tr("Advance off-stylet")
                                 : tr("Standard");
-  const std::string& device = content.facts.device;
-  if (device == "Scripted insertion")
+  if (content.facts.isScripted())
     return tr("%1; scripted insertion, %2 mm/s")
         .arg(technique, numberText(inMillimetersPerSecond(scenario.speed()), 1));
-  const QString input =
-      device == "Mouse and keyboard" ? tr("mouse and keyboard") : QString::fromStdString(device);
+  const QString input = content.facts.isByPointer() ? tr("mouse and keyboard")
+                                                    : QString::fromStdString(content.facts.device);
   return tr("%1; %2").arg(technique, input);
 }
 

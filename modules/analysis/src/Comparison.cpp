@@ -47,9 +47,6 @@ double inFile(CurveAxis axis, double place)
                                   : roundedMillimeters(place);
 }
 
-/// What a script, and no hand, moved; the name of device::ScriptedDevice.
-constexpr const char* scriptedDevice = "Scripted insertion";
-
 std::string coefficientOf(const mechanics::FrictionLaw& law)
 {
   if (law.bySpeed.isEmpty()) return session::shortestDecimal(law.staticCoefficient);
@@ -70,7 +67,7 @@ InsertionSettings settingsOf(const session::Scenario& scenario,
   settings.friction = textOf("friction");
   if (settings.friction.empty()) settings.friction = "own";
   settings.coefficient = coefficientOf(scenario.friction());
-  if (facts.device == scriptedDevice) settings.speed = scenario.speed().si();
+  if (facts.isScripted()) settings.speed = scenario.speed().si();
   settings.opening = textOf("opening");
   settings.approachTilt = parameters.approachTilt.si();
   settings.approachTurn = parameters.approachTurn.si();

@@ -30,12 +30,14 @@ struct Board {
 
 }  // namespace
 
+unsigned processors() noexcept { return std::max(1u, std::thread::hardware_concurrency()); }
+
 Result<void> doInParallel(
     std::size_t count, unsigned jobs,
     const std::function<Result<void>(std::size_t, const std::stop_token& stop)>& work,
     const PieceProgress& progress, const std::stop_token& stop)
 {
-  if (jobs == 0) jobs = std::max(1u, std::thread::hardware_concurrency());
+  if (jobs == 0) jobs = processors();
   Board board;
   board.errors.resize(count);
   board.working = std::min<std::size_t>(jobs, count);

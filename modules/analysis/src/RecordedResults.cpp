@@ -32,7 +32,7 @@ Result<void> findDeepest(session::Playback& playback, haptics::Snapshot& deepest
 }
 
 /// Where a hand of the plans would have stopped, if the insertion went on.
-Result<std::optional<PassedStop>> findPassedStop(const session::RecordedInsertion& recorded,
+Result<std::optional<PassedStop>> findPassedStop(const std::filesystem::path& file,
                                                  session::Playback& playback)
 {
   using Found = std::optional<PassedStop>;
@@ -41,9 +41,11 @@ Result<std::optional<PassedStop>> findPassedStop(const session::RecordedInsertio
   const session::Scenario& scenario = playback.scenario();
   const auto stop = stopToPass(scenario.parameters(), *hand);
   if (!stop) return Found();
+  const auto recorded = session::RecordedInsertion::open(file);
+  if (!recorded) return recorded.error();
   std::uint64_t place = 0;
   bool isPassed = false;
-  const auto read = recorded.forEach([&](const haptics::TickRecord& record) {
+  const auto read = recorded->forEach([&](const haptics::TickRecord& record) {
     isPassed = haptics::raisesPeak(record.output, stop->si());
     if (!isPassed) ++place;
     return !isPassed;
@@ -71,9 +73,7 @@ Result<RecordedResults> recordedResults(const std::filesystem::path& file,
   if (!verification) return verification.error();
   results.verification = *verification;
   if (const auto done = findDeepest(**playback, results.deepest); !done) return done.error();
-  const auto recorded = session::RecordedInsertion::open(file);
-  if (!recorded) return recorded.error();
-  const auto passed = findPassedStop(*recorded, **playback);
+  const auto passed = findPassedStop(file, **playback);
   if (!passed) return passed.error();
   results.passedStop = *passed;
   haptics::Snapshot last{};

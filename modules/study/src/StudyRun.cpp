@@ -5,7 +5,6 @@
 #include <atomic>
 #include <memory>
 #include <stop_token>
-#include <thread>
 #include <tuple>
 
 #include "perilymph/analysis/AnatomyMeasures.h"
@@ -25,7 +24,7 @@ namespace fs = std::filesystem;
 std::size_t blockSizeOf(std::size_t cases, unsigned jobs)
 {
   constexpr std::size_t parts = 20, most = 64;
-  const std::size_t threads = jobs > 0 ? jobs : std::max(1u, std::thread::hardware_concurrency());
+  const std::size_t threads = jobs > 0 ? jobs : analysis::processors();
   return std::min(std::max({std::size_t{1}, cases / parts, threads}), most);
 }
 

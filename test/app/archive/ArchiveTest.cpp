@@ -87,16 +87,24 @@ protected:
     const std::string missing = missingProgram(GetParam().kind);
     if (!missing.empty()) GTEST_SKIP() << missing << " is not installed.";
   }
+
+  /// Makes the archive known to the program and stores a CT there, which it returns.
+  CtPhantom storeCt(const DicomServer& server)
+  {
+    CtPhantom phantom = makeCtPhantom(3, clinicalScan());
+    writeDicomFiles(dicomSlices(phantom.volume, "1.2.3.33"), folder_ / "sent");
+    [&] { ASSERT_EQ(server.store(folder_ / "sent"), ""); }();
+    add(server.entry(), GetParam().retrieve);
+    return phantom;
+  }
 };
 
 TEST_P(ArchiveWalk, GoesFromTheCtToTheReportBesideIt)
 {
-  const CtPhantom phantom = makeCtPhantom(3, clinicalScan());
-  writeDicomFiles(dicomSlices(phantom.volume, "1.2.3.33"), folder_ / "sent");
   const DicomServer server(GetParam().kind);
-  ASSERT_EQ(server.store(folder_ / "sent"), "");
+  const CtPhantom phantom = storeCt(server);
+  if (HasFatalFailure()) return;
   const std::string name = server.entry().name;
-  add(server.entry(), GetParam().retrieve);
   EXPECT_EQ(archive({"echo", name, "--json", jsonFile()}).out, name + " answers\n");
   EXPECT_EQ(json()["answers"], true);
 
@@ -156,12 +164,10 @@ TEST_P(ArchiveWalk, GoesFromTheCtToTheReportBesideIt)
 #ifdef PERILYMPH_PYTHON
 TEST_P(ArchiveWalk, GoesTheSameWayInPython)
 {
-  const CtPhantom phantom = makeCtPhantom(3, clinicalScan());
-  writeDicomFiles(dicomSlices(phantom.volume, "1.2.3.33"), folder_ / "sent");
   const DicomServer server(GetParam().kind);
-  ASSERT_EQ(server.store(folder_ / "sent"), "");
+  const CtPhantom phantom = storeCt(server);
+  if (HasFatalFailure()) return;
   const std::string name = server.entry().name;
-  add(server.entry(), GetParam().retrieve);
   const ProgramCall program = call({});
   const std::string path =
       std::string("/usr/bin:/bin:") + fs::path(program.program).parent_path().string();

@@ -11,6 +11,9 @@
 
 namespace perilymph::analysis {
 
+/// Processors of this machine, at least 1.
+unsigned processors() noexcept;
+
 /// Receives the number of done pieces, in the caller's thread, several times a second.
 using PieceProgress = std::function<void(std::size_t done)>;
 /// The same for insertions of a longer work: done, and all.

@@ -36,6 +36,11 @@ struct RecordingFacts {
   std::string version;  ///< Version of the program.
   std::string buildId;
   std::string startedUtc;  ///< "2010-05-17T09:30:00Z".
+
+  /// A script moved the array, not a hand; by the name of device::ScriptedDevice.
+  bool isScripted() const { return device == "Scripted insertion"; }
+  /// By the name of device::PointerDevice.
+  bool isByPointer() const { return device == "Mouse and keyboard"; }
 };
 
 /// Writer of a recording. One thread at a time.

@@ -96,7 +96,7 @@ def check_cmake(root, arrows, errors):
             errors.append(f"modules/{name}/CMakeLists.txt does not call perilymph_module({name} ...).")
             continue
         layer = re.search(r"\bLAYER\s+(\w+)", call.group(1))
-        expected = "engine" if arrows[name][0] <= 6 else "toolkit"
+        expected = "engine" if arrows[name][0] <= 7 else "toolkit"
         if not layer or layer.group(1) != expected:
             errors.append(f"modules/{name}/CMakeLists.txt: LAYER must be {expected}, "
                          f"as modules/README.md says.")

@@ -22,7 +22,7 @@ SAID = {"engine": "engine: C++ and Eigen, no VTK, no Qt", "toolkit": "toolkit: m
 
 
 def kind(layer):
-    return "engine" if layer <= 6 else "toolkit" if layer <= 7 else "app"
+    return "engine" if layer <= 7 else "toolkit" if layer <= 8 else "app"
 
 
 def between(layers, above, below):

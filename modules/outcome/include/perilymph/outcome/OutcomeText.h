@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// Outcomes as files: JSON for programs and for the patient's record, CSV for whoever programs the processor.
+
+#include <optional>
+#include <string>
+
+#include "perilymph/outcome/FoundArray.h"
+#include "perilymph/outcome/Surgery.h"
+
+namespace perilymph::outcome {
+
+/// A found array with what the surgeon knows and the plan it is compared with.
+struct OutcomeContent {
+  FoundArray found;
+  Surgery surgery;
+  std::string plan;    ///< The plan's number (fingerprint); empty: none.
+  std::string series;  ///< SHA-256 of the CT series after surgery; empty if unknown.
+};
+
+/// JSON text, `format` 1. Keys are those of the guide's reference; no name, no date.
+std::string outcomeJson(const OutcomeContent& content);
+/// Reads it again; refuses with a sentence what does not hold.
+Result<OutcomeContent> outcomeIn(const std::string& text, const std::string& name);
+
+/// One row a contact.
+std::string outcomeCsv(const FoundArray& found);
+/// `column, unit, meaning`: a row for each column, in their order.
+std::string outcomeDictionaryCsv();
+/// 3D Slicer's markups of the contacts, in LPS.
+std::string outcomeMarkups(const FoundArray& found);
+
+}  // namespace perilymph::outcome

@@ -11,11 +11,11 @@ namespace perilymph::outcome {
 namespace {
 
 // Weights of the chain's score, chosen on phantoms of the development seeds (module's README).
-constexpr double rewardOfContact = 3.0, rewardFrom = 0.35;
-constexpr double costOfMissing = 2.5;
+constexpr double rewardOfContact = 5.0, rewardFrom = 0.4;
+constexpr double costOfMissing = 3.5;
 constexpr int mostMissing = 2;  // one after the other
 constexpr double lengthSd = 0.10, lengthSdRelative = 0.05;
-constexpr double costOfGap = 2.0, wirePart = 0.03;
+constexpr double costOfGap = 1.0, wirePart = 0.03;
 constexpr double costOfTurnBack = 2.5;
 constexpr double bendSd = 0.6;  // [rad], beyond that of the cochlea
 constexpr double weakest = 0.12;
@@ -26,11 +26,18 @@ double distanceOf(const electrode::ArrayDesign& array, std::size_t from, std::si
   return inMillimeters(array.contactsFromTip[to]) - inMillimeters(array.contactsFromTip[from]);
 }
 
-/// Chord of an arc along a cochlear turn of a radius.
+/// Radius of the course at two contacts: that of the turn inside, none before the opening [mm].
+double radiusOf(const Candidate& a, const Candidate& b)
+{
+  constexpr double straight = 20.0, least = 0.5;
+  if (!a.place.isInside || !b.place.isInside || a.place.angle <= 0.0 || b.place.angle <= 0.0) return straight;
+  return std::max(least, 0.5 * (a.place.radius_mm + b.place.radius_mm));
+}
+
+/// Chord of an arc of a circle.
 double chordOf(double arc, double radius)
 {
-  const double x = arc / std::max(radius, 1.0);
-  return arc * (1.0 - std::min(0.3, x * x / 24.0));
+  return 2.0 * radius * sineCosine(std::min(0.5 * arc / radius, 1.3)).sine;
 }
 
 struct Step {
@@ -44,9 +51,10 @@ std::optional<double> costOfStep(const Candidate& a, const Candidate& b, const M
   const Eigen::Vector3d step = b.position_P - a.position_P;
   const double length = step.norm();
   if (length < 0.55 * arc || length > 1.1 * arc + 0.3) return std::nullopt;
-  constexpr double radius = 3.0;
-  const double sd = lengthSd + lengthSdRelative * arc;
-  const double off = (length - chordOf(arc, radius)) / sd;
+  const double chord = chordOf(arc, radiusOf(a, b));
+  // the array lies nearer to the wall or to the axis than the turn's center
+  const double sd = lengthSd + lengthSdRelative * arc + 0.5 * (arc - chord);
+  const double off = (length - chord) / sd;
   double cost = std::min(6.0, 0.5 * off * off);
   // metal all along
   double least = 1e9;
@@ -157,7 +165,7 @@ Chain bestChain(const std::vector<Candidate>& candidates, const MetalGrid& grid,
               if (former.score <= none || z == step.to) continue;
               const Eigen::Vector3d last = (candidates[a].position_P - candidates[z].position_P).normalized();
               const double bend = arcTangent(last.cross(next).norm(), last.dot(next));
-              const double usual = 0.5 * (distanceOf(array, from - gapBefore, from) + distanceOf(array, from, contact)) / 2.5;
+              const double usual = 0.5 * (distanceOf(array, from - gapBefore, from) / radiusOf(candidates[z], candidates[a]) + distanceOf(array, from, contact) / radiusOf(candidates[a], candidates[step.to]));
               const double off = std::max(0.0, bend - usual) / bendSd;
               const double score = former.score + *gainB - step.cost - missing(from, contact) - std::min(4.0, 0.5 * off * off);
               if (score > state.score) state = {score, static_cast<int>(z), static_cast<int>(gapBefore)};

@@ -70,6 +70,7 @@ EarPlace EarFrame::placeOf(const Eigen::Vector3d& point_P) const
     best.angle = angle;
   }
   best.across_mm = nearest;
+  best.radius_mm = r;
   best.isNearDuct = nearest < nearDuct_mm;
   best.depth_mm = depthAt(best.angle) + std::min(0.0, best.angle) * r;
   // in front of the opening

@@ -15,6 +15,7 @@ struct EarPlace {
   double angle = 0.0;   ///< From the round window [rad], full turns included; below 0 before it.
   double depth_mm = 0.0;  ///< Along the section centers from the opening; negative outside.
   double across_mm = 0.0;  ///< Distance from the center of both scalae in the half-plane, or from the opening's axis.
+  double radius_mm = 0.0;  ///< Distance from the modiolar axis.
   bool isInside = false;   ///< Past the opening.
   bool isNearDuct = false;  ///< In the duct or so near to it as blurred metal in it; before the opening near its axis.
 };

@@ -141,6 +141,17 @@ struct CtMeasureOptions {
 };
 Result<void> ctMeasure(const CtMeasureOptions& options);
 
+struct CtContactsOptions {
+  std::string path, series;
+  std::string array;                 ///< Shipped name or file.
+  std::string patient;               ///< Shipped name or file, to be compared with the ear.
+  std::string preop, preopSeries;    ///< CT before surgery.
+  std::optional<std::array<double, 3>> at_mm;  ///< A point in the cochlea of the CT that is measured, LPS.
+  std::string side;
+  std::string json, csv, markups, picture;
+};
+Result<void> ctContacts(const CtContactsOptions& options);
+
 struct CtExportOptions {
   std::string path, series, out;
 };
@@ -202,6 +213,7 @@ struct CommandOptions {
   DevicesOptions devices;
   CtInfoOptions ctInfo;
   CtMeasureOptions ctMeasure;
+  CtContactsOptions ctContacts;
   CtExportOptions ctExport;
   ArchiveOptions archive;
   StudyOptions study;

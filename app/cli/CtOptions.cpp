@@ -8,6 +8,7 @@
 #include "CommandOptions.h"
 #include "FileOptions.h"
 #include "perilymph/ct/Measures.h"
+#include "perilymph/outcome/FoundArray.h"
 
 namespace perilymph::cli {
 
@@ -32,11 +33,12 @@ std::array<double, 3> pointIn(const std::string& text)
   return point;
 }
 
-std::string flagsText()
+template <class Flag>
+std::string flagsText(const std::vector<Flag>& flags)
 {
   std::string text = "Flags:\n";
-  for (const ct::Flag flag : ct::allFlags())
-    text += std::string("  ") + ct::nameOf(flag) + "\n      " + ct::sentenceOf(flag) + "\n";
+  for (const Flag flag : flags)
+    text += std::string("  ") + nameOf(flag) + "\n      " + sentenceOf(flag) + "\n";
   return text;
 }
 
@@ -84,7 +86,44 @@ void addMeasure(CLI::App& ct, FileOptions& files, CtMeasureOptions& options)
   files.writes(command.add_option(
       "--key-image", options.keyImage,
       "Write the views of --picture as a DICOM secondary capture in the CT's study (.dcm)"));
-  command.footer(flagsText());
+  command.footer(flagsText(ct::allFlags()));
+}
+
+void addContacts(CLI::App& ct, FileOptions& files, CtContactsOptions& options)
+{
+  CLI::App& command = *ct.add_subcommand(
+      "contacts", "Find the contacts of an implanted array in a CT after surgery");
+  files.readsBelow(command.add_option("path", options.path, pathHelp)->required());
+  command.add_option("--series", options.series,
+                     "Series UID, as listed by 'ct info' (default: best suited series)");
+  files.reads(command
+                  .add_option("--array", options.array,
+                              "The array that was implanted: shipped name or TOML file")
+                  ->required());
+  files.reads(command.add_option(
+      "--patient", options.patient,
+      "Patient whose side, A and B are compared with those of this ear: shipped name or TOML file"));
+  files.readsBelow(command.add_option(
+      "--preop", options.preop,
+      "CT before surgery, in which the cochlea is measured without metal (default: in this CT)"));
+  command.add_option("--preop-series", options.preopSeries,
+                     "Series UID of the CT before surgery (default: best suited series)");
+  command.add_option_function<std::string>(
+      "--at", [&options](const std::string& text) { options.at_mm = pointIn(text); },
+      "X,Y,Z: any point in the cochlea, LPS in mm, of the CT in which it is measured (default: "
+      "automatic search)");
+  command.add_option("--side", options.side, "Ear: left or right (default: the best seen)")
+      ->check(CLI::IsMember({"left", "right"}));
+  files.writes(command.add_option("--json", options.json, "Write contacts and depth (JSON)"));
+  files.writes(command.add_option(
+      "--csv", options.csv,
+      "Write a row for each contact, and what its columns mean beside it (-dictionary.csv)"));
+  files.writes(command.add_option("--markups", options.markups,
+                                  "Write contacts and course for 3D Slicer, LPS (.mrk.json)"));
+  files.writes(command.add_option(
+      "--picture", options.picture,
+      "Write the cochlear and mid-modiolar views with wall and contacts (.png)"));
+  command.footer(flagsText(outcome::allFlags()));
 }
 
 void addExport(CLI::App& ct, FileOptions& files, CtExportOptions& options)
@@ -106,12 +145,14 @@ void addCt(CLI::App& app, FileOptions& files, CommandOptions& options)
   ct.require_subcommand(1);
   addInfo(ct, files, options.ctInfo);
   addMeasure(ct, files, options.ctMeasure);
+  addContacts(ct, files, options.ctContacts);
   addExport(ct, files, options.ctExport);
 }
 
 Result<void> runCt(const CLI::App& ct, const CommandOptions& options)
 {
   if (ct.got_subcommand("info")) return ctInfo(options.ctInfo);
+  if (ct.got_subcommand("contacts")) return ctContacts(options.ctContacts);
   if (ct.got_subcommand("export")) return ctExport(options.ctExport);
   return ctMeasure(options.ctMeasure);
 }

@@ -27,7 +27,7 @@ constexpr double pixel_mm = 1.0 / 32.0, bar_mm = 5.0;
 constexpr int barMargin_px = 16;
 
 using Color = std::array<double, 3>;
-constexpr Color wallColor{69, 196, 176}, markColor{255, 255, 255};
+constexpr Color wallColor{69, 196, 176}, markColor{255, 255, 255}, contactColor{230, 60, 40};
 
 /// RGB pixels of the views side by side, row by row from the top.
 class Canvas {
@@ -107,7 +107,28 @@ void drawMeasures(Canvas& canvas, int view, const ct::ViewPlane& plane, const ct
   }
 }
 
-Canvas drawn(std::shared_ptr<const ct::CtVolume> volume, const ct::CochleaMeasures& measures)
+/// Rings of 0.3 mm around contacts, the most apical with a cross.
+void drawContacts(Canvas& canvas, int view, const ct::ViewPlane& plane,
+                  const std::vector<Eigen::Vector3d>& contacts_P)
+{
+  constexpr double radius_mm = 0.3, near_mm = 0.6;
+  constexpr int parts = 24;
+  for (std::size_t i = 0; i < contacts_P.size(); ++i) {
+    if (view > 0 && std::fabs(plane.behind(contacts_P[i])) > near_mm) continue;
+    const Eigen::Vector2d center = plane.inPicture(contacts_P[i]);
+    const auto at = [&](int k) -> Eigen::Vector2d {
+      const double angle = 2.0 * 3.14159265358979 * k / parts;
+      return center + radius_mm * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+    };
+    for (int k = 0; k < parts; ++k) canvas.draw(view, {at(k), at(k + 1)}, contactColor);
+    if (i > 0) continue;
+    canvas.draw(view, {at(0), at(parts / 2)}, contactColor);
+    canvas.draw(view, {at(parts / 4), at(3 * parts / 4)}, contactColor);
+  }
+}
+
+Canvas drawn(std::shared_ptr<const ct::CtVolume> volume, const ct::CochleaMeasures& measures,
+             const std::vector<Eigen::Vector3d>& contacts_P)
 {
   PlaneSampler sampler(std::move(volume));
   const auto planes = ct::cochlearPlanes(measures, ct::basalTurnCenter_P(measures));
@@ -124,7 +145,10 @@ Canvas drawn(std::shared_ptr<const ct::CtVolume> volume, const ct::CochleaMeasur
     canvas.setGray(view, sampler.sample(picture));
     for (const ct::PictureLine& line : ct::wallOutline(measures, picture.plane))
       canvas.draw(view, line, wallColor);
-    drawMeasures(canvas, view, picture.plane, marks);
+    if (contacts_P.empty())
+      drawMeasures(canvas, view, picture.plane, marks);
+    else
+      drawContacts(canvas, view, picture.plane, contacts_P);
     const double right = 0.5 * edge_px * pixel_mm - barMargin_px * pixel_mm;
     canvas.draw(view, {Eigen::Vector2d(right - bar_mm, right), Eigen::Vector2d(right, right)},
                 markColor);
@@ -135,18 +159,20 @@ Canvas drawn(std::shared_ptr<const ct::CtVolume> volume, const ct::CochleaMeasur
 }  // namespace
 
 RgbPicture measuredPicture(std::shared_ptr<const ct::CtVolume> volume,
-                           const ct::CochleaMeasures& measures)
+                           const ct::CochleaMeasures& measures,
+                           const std::vector<Eigen::Vector3d>& contacts_P)
 {
-  return drawn(std::move(volume), measures).picture();
+  return drawn(std::move(volume), measures, contacts_P).picture();
 }
 
 Result<void> writeMeasuredPicture(std::shared_ptr<const ct::CtVolume> volume,
                                   const ct::CochleaMeasures& measures,
-                                  const std::filesystem::path& file)
+                                  const std::filesystem::path& file,
+                                  const std::vector<Eigen::Vector3d>& contacts_P)
 {
   if (file.extension() != ".png")
     return Error{"%1 does not end in .png, the only format of this picture.", file};
-  const Canvas canvas = drawn(std::move(volume), measures);
+  const Canvas canvas = drawn(std::move(volume), measures, contacts_P);
   return writeWhole(file, [&](const std::filesystem::path& place) { return canvas.write(place); });
 }
 

@@ -107,4 +107,24 @@ Result<Ear> measuredEar(const ct::CtVolume& postoperative, const ct::MeasureRequ
   return ear;
 }
 
+std::optional<Sentence> differenceFrom(const Ear& ear, const anatomy::Patient& patient)
+{
+  if (ear.measures.side != patient.side)
+    return Sentence{"This CT shows a %1 ear, and the patient's is the %2.", anatomy::nameOf(ear.measures.side), anatomy::nameOf(patient.side)};
+  if (std::find(ear.flags.begin(), ear.flags.end(), Flag::registrationPoor) != ear.flags.end())
+    return Sentence{"The CTs before and after surgery do not agree around the cochlea."};
+  if (!patient.basalTurn) return std::nullopt;
+  const auto differs = [](const ct::Measure& here, Length there, Length error) {
+    constexpr double beyond = 3.0;
+    return std::fabs(here.value - inMillimeters(there)) > beyond * std::hypot(here.sd(), inMillimeters(error));
+  };
+  constexpr Length usual = millimeters(0.1);
+  const anatomy::BasalTurnErrors errors = patient.errors.value_or(anatomy::BasalTurnErrors{usual, usual});
+  if (differs(ear.measures.a, patient.basalTurn->a, errors.a))
+    return Sentence{"A is %1 mm in this CT, and %2 mm for the patient.", ct::millimetersOf(ear.measures.a.value), ct::millimetersOf(inMillimeters(patient.basalTurn->a))};
+  if (differs(ear.measures.b, patient.basalTurn->b, errors.b))
+    return Sentence{"B is %1 mm in this CT, and %2 mm for the patient.", ct::millimetersOf(ear.measures.b.value), ct::millimetersOf(inMillimeters(patient.basalTurn->b))};
+  return std::nullopt;
+}
+
 }  // namespace perilymph::outcome

@@ -3,6 +3,7 @@
 
 // A picture of a measured cochlea in its CT, to check the measurement by eye.
 
+#include <Eigen/Core>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -23,12 +24,17 @@ struct RgbPicture {
 
 /// A picture of 1536 x 512 pixels, 32 pixels per millimeter: the cochlear view and the mid-modiolar
 /// planes along A and along B, with the fitted wall, the lines of A, B and H, and a bar of 5 mm.
+///
+/// @param contacts_P  Contacts of an array, the most apical first: rings, the first with a cross; in the
+///                    mid-modiolar planes those within 0.6 mm. With contacts A, B and H are not drawn.
 RgbPicture measuredPicture(std::shared_ptr<const ct::CtVolume> volume,
-                           const ct::CochleaMeasures& measures);
+                           const ct::CochleaMeasures& measures,
+                           const std::vector<Eigen::Vector3d>& contacts_P = {});
 
 /// Writes it as a PNG. Refuses another ending than .png.
 Result<void> writeMeasuredPicture(std::shared_ptr<const ct::CtVolume> volume,
                                   const ct::CochleaMeasures& measures,
-                                  const std::filesystem::path& file);
+                                  const std::filesystem::path& file,
+                                  const std::vector<Eigen::Vector3d>& contacts_P = {});
 
 }  // namespace perilymph::imaging

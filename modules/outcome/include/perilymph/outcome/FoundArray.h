@@ -93,6 +93,10 @@ Result<Ear> registeredEar(const ct::CtVolume& postoperative, const ct::CtVolume&
 /// @param request  As for measureCochlea().
 Result<Ear> measuredEar(const ct::CtVolume& postoperative, const ct::MeasureRequest& request);
 
+/// What speaks against the ear being that of a patient: the other side, A or B that differ by more than three
+/// standard deviations of both errors, CTs that do not agree. Nothing if nothing does.
+std::optional<Sentence> differenceFrom(const Ear& ear, const anatomy::Patient& patient);
+
 /// What is looked for.
 struct ContactsRequest {
   electrode::ArrayDesign array;

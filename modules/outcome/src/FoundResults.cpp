@@ -111,6 +111,8 @@ Result<FoundArray> resultsOf(const ct::CtVolume& volume, const Ear& ear, const E
   found.side = ear.measures.side;
   found.isRegistered = ear.isRegistered;
   found.residual_mm = ear.residual_mm;
+  constexpr double fwhmPerSd = 2.3548;
+  found.fwhm_mm = fwhmPerSd * std::cbrt(chain.blurInPlane_mm * chain.blurInPlane_mm * chain.blurAxial_mm);
   found.flags = ear.flags;
   const auto raise = [&](Flag flag, bool isRaised) {
     if (isRaised && !found.has(flag)) found.flags.push_back(flag);

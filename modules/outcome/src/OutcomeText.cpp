@@ -317,6 +317,7 @@ std::string outcomeJson(const OutcomeContent& content)
   json["fold"] = found.isFolded;
   json["translocation"] = {{"probability", found.translocationProbability}, {"angle_deg", found.translocationAngle_deg}};
   json["registration"] = {{"from", found.isRegistered ? "CT before surgery" : "this CT"}, {"residual_mm", found.residual_mm}};
+  json["blur_fwhm_mm"] = found.fwhm_mm;
   json["flags"] = Json::array();
   for (const Flag flag : found.flags) json["flags"].push_back(nameOf(flag));
   json["contacts"] = Json::array();
@@ -364,6 +365,7 @@ Result<OutcomeContent> outcomeIn(const std::string& text, const std::string& nam
   found.isRegistered = from == "CT before surgery";
   found.residual_mm = registration.number("residual_mm", 0.0, 100.0);
   reader.take(registration);
+  found.fwhm_mm = reader.number("blur_fwhm_mm", 0.0, 10.0);
   if (!json.contains("flags") || !json["flags"].is_array()) {
     reader.refuse("flags", "a list");
   } else {

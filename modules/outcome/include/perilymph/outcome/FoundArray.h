@@ -123,6 +123,7 @@ struct FoundArray {
   double translocationAngle_deg = 0.0;     ///< Where it first exceeds one half; 0 without.
   bool isRegistered = false;
   double residual_mm = 0.0;
+  double fwhm_mm = 0.0;  ///< Full width at half maximum of the image's blur, as fitted.
   std::vector<Flag> flags;
   double seconds = 0.0;
 

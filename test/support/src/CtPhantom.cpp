@@ -238,7 +238,7 @@ CtPhantom makeCtPhantom(std::uint64_t seed, const PhantomScan& scan,
       }
   auto volume = ct::CtVolume::make(coarse, lps, std::move(voxels), {"", "", "phantom"});
   if (!volume) throw std::runtime_error(volume.error().message);
-  CtPhantom phantom{std::move(*volume), 0.0, 0.0, 0.0, true, {}, {}, {}, {}};
+  CtPhantom phantom{std::move(*volume), 0.0, 0.0, 0.0, true, {}, {}, {}, {}, {}};
   phantom.isRight = isRight;
   measureTruth(anatomy, phantom);
   const auto toP = [&](const Eigen::Vector3d& point_W) -> Eigen::Vector3d {
@@ -246,6 +246,9 @@ CtPhantom makeCtPhantom(std::uint64_t seed, const PhantomScan& scan,
   };
   for (auto& point : phantom.marks.points_P)
     if (point) point = toP(*point);
+  phantom.pose_PW.setIdentity();
+  phantom.pose_PW.topLeftCorner<3, 3>() = axes;
+  phantom.pose_PW.topRightCorner<3, 1>() = origin_P;
   phantom.axis_P = axes * clinicalAxis_W;
   phantom.roundWindow_P = toP(anatomy.roundWindow_W());
   const KidneySection basal = anatomy.sectionAt(degrees(60).si());

@@ -227,6 +227,13 @@ Eigen::Vector3d PhantomAnatomy::roundWindow_W() const
           section.middleHeight - 0.5 * section.half + section.shear * u + section.bend * u * u};
 }
 
+double PhantomAnatomy::laminaAt(double angle) const
+{
+  // Room at the round window, where the kidneys are lower.
+  if (condition_.hasRoomForArrays) return 0.15 + 0.4 * std::clamp((0.4 - angle) / 0.6, 0.0, 1.0);
+  return -0.1;
+}
+
 double PhantomAnatomy::texture(const Eigen::Vector3d& p) const
 {
   double sum = 0.0;
@@ -294,7 +301,8 @@ double PhantomAnatomy::intensity(const Eigen::Vector3d& p, double lumen, double 
       const double u = r - section.middleRadius;
       if (u > -0.1 * section.inward || u < -section.inward) continue;
       const double plate =
-          0.11 - std::fabs(p.z() - section.middleHeight - section.shear * u + 0.1 * section.half);
+          laminaHalf_mm - std::fabs(p.z() - section.middleHeight - section.shear * u -
+                                    laminaAt(angle) * section.half);
       value += fraction(plate, cell) * (lamina - value);
     }
   }

@@ -51,6 +51,9 @@ public:
 
   KidneySection sectionAt(double angle) const;
   Eigen::Vector3d roundWindow_W() const;
+  /// Height of the spiral lamina above the midline of a section, over the section's half height.
+  double laminaAt(double angle) const;
+  static constexpr double laminaHalf_mm = 0.11;  ///< Half its thickness.
   double firstAngle() const { return first_; }
   double lastAngle() const { return last_; }
 

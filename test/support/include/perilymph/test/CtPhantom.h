@@ -38,6 +38,9 @@ struct CtPhantom {
   Eigen::Vector3d axis_P, roundWindow_P;
   ct::Marks marks;           ///< Where a perfect observer places the landmarks.
   Eigen::Vector3d inside_P;  ///< In the lumen of the basal turn: position of a click.
+  Eigen::Matrix4d pose_PW =
+      Eigen::Matrix4d::Identity();  ///< The phantom's own frame in P; mirrored
+                                    ///< for a left ear.
 };
 
 /// Malformation, disease and surgery of a phantom, and its place.
@@ -45,9 +48,11 @@ struct PhantomCondition {
   std::optional<double> turns = {};  ///< Turns of the lumen; empty: individual, 2.3 to 2.6.
   bool isCystic = false;             ///< A cavity beyond the last turn (incomplete partition II).
   std::array<double, 2> ossified = {};  ///< Filled with bone from an angle to another [deg].
-  bool hasImplant = false;           ///< A wire with contacts in the lower scala, to 400 degrees.
-  bool isExtended = false;           ///< Intensities above 3071 are kept, as in an extended scale.
-  std::optional<bool> isRight = {};  ///< The ear; empty: either.
+  bool hasImplant = false;        ///< A wire with contacts in the lower scala, to 400 degrees.
+  bool isExtended = false;        ///< Intensities above 3071 are kept, as in an extended scale.
+  bool hasRoomForArrays = false;  ///< The spiral lamina lies higher, so that the lower scala is as
+                                  ///< high as that of the mean cochlea.
+  std::optional<bool> isRight = {};              ///< The ear; empty: either.
   std::optional<Eigen::Vector3d> center_P = {};  ///< Center of a volume aligned with the patient.
 };
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Assignment.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "perilymph/foundation/Math.h"
@@ -10,14 +12,18 @@ namespace perilymph::outcome {
 
 namespace {
 
+using Eigen::Vector3d;
+
 // Weights of the chain's score, chosen on phantoms of the development seeds (module's README).
-constexpr double rewardOfContact = 5.0, rewardFrom = 0.4;
+constexpr double rewardOfContact = 5.0, rewardFrom = 0.3, fullFrom = 0.6;
 constexpr double costOfMissing = 3.5;
 constexpr int mostMissing = 2;  // one after the other
 constexpr double lengthSd = 0.10, lengthSdRelative = 0.05;
 constexpr double costOfGap = 1.0, wirePart = 0.03;
 constexpr double costOfTurnBack = 2.5;
 constexpr double bendSd = 0.6;  // [rad], beyond that of the cochlea
+constexpr double costOfMetalBeyond = 7.0, darkPart = 0.25, brightPart = 0.75;  // beyond the tip
+constexpr double mergedPart = 0.6;  // of the cost of a contact that was not seen, where there is metal
 constexpr double weakest = 0.12;
 constexpr std::size_t mostCandidates = 90;
 
@@ -45,13 +51,34 @@ struct Step {
   double cost;
 };
 
+/// Brightness of the metal beyond the first contact of a chain, relative to it: of an array none.
+double metalBeyond(const Candidate& first, const Candidate& second, const MetalGrid& grid, double distance)
+{
+  const Vector3d along = (first.position_P - second.position_P).normalized();
+  const Vector3d any = std::fabs(along.x()) < 0.7 ? Vector3d::UnitX() : Vector3d::UnitY();
+  const Vector3d side = along.cross(any).normalized(), other = along.cross(side);
+  double most = grid.sample(grid.value, first.position_P + distance * along);
+  constexpr int directions = 8;
+  constexpr double spread = 0.45;  // the course may turn
+  for (int i = 0; i < directions; ++i) {
+    const SineCosine turn = sineCosine(2.0 * pi * i / directions);
+    const Vector3d way = (along + spread * (turn.cosine * side + turn.sine * other)).normalized();
+    most = std::max(most, grid.sample(grid.value, first.position_P + distance * way));
+  }
+  return most / std::max(1.0, grid.sample(grid.value, first.position_P));
+}
+
 /// The cost of a step of so many contacts from one candidate to another; nothing if it is impossible.
-std::optional<double> costOfStep(const Candidate& a, const Candidate& b, const MetalGrid& grid, double arc)
+std::optional<double> costOfStep(const Candidate& a, const Candidate& b, const MetalGrid& grid, double arc, int missed)
 {
   const Eigen::Vector3d step = b.position_P - a.position_P;
   const double length = step.norm();
   if (length < 0.55 * arc || length > 1.1 * arc + 0.3) return std::nullopt;
-  const double chord = chordOf(arc, radiusOf(a, b));
+  // no array jumps to another turn
+  constexpr double turnedFreely = 1.0, turnedMost = 1.5;
+  const double radius = radiusOf(a, b);
+  if (a.place.isInside && b.place.isInside && std::fabs(a.place.angle - b.place.angle) > turnedFreely + turnedMost * arc / std::min(radius, 4.0)) return std::nullopt;
+  const double chord = chordOf(arc, radius);
   // the array lies nearer to the wall or to the axis than the turn's center
   const double sd = lengthSd + lengthSdRelative * arc + 0.5 * (arc - chord);
   const double off = (length - chord) / sd;
@@ -63,11 +90,10 @@ std::optional<double> costOfStep(const Candidate& a, const Candidate& b, const M
     least = std::min(least, grid.sample(grid.value, a.position_P + (static_cast<double>(i) / samples) * step));
   const double typical = wirePart * std::max(1.0, 0.5 * (grid.sample(grid.value, a.position_P) + grid.sample(grid.value, b.position_P)));
   if (least < typical) cost += costOfGap * (1.0 - least / typical);
+  // contacts between the two that merge with others are not missed as much as those without metal
+  if (missed > 0) cost -= costOfMissing * mergedPart * missed * std::min(1.0, least / (10.0 * typical));
   // from the tip toward the base the depth decreases
   if (b.place.depth_mm > a.place.depth_mm + 0.1) cost += costOfTurnBack;
-  // a jump to another turn
-  const double turned = std::fabs(a.place.angle - b.place.angle);
-  if (a.place.isInside && b.place.isInside && turned > 2.0 * arc / 1.2) cost += 8.0;
   return cost;
 }
 
@@ -95,7 +121,7 @@ std::vector<Candidate> candidatesOf(const std::vector<Blob>& blobs, const EarFra
 }
 
 Chain bestChain(const std::vector<Candidate>& candidates, const MetalGrid& grid, const electrode::ArrayDesign& array,
-                const std::map<int, int>& byHand, const std::optional<Eigen::Vector3d>& notFirst_P)
+                const std::map<int, int>& byHand, double fwhm_mm, const std::optional<Eigen::Vector3d>& notFirst_P)
 {
   const std::size_t count = array.contactsFromTip.size(), places = candidates.size();
   Chain best;
@@ -104,7 +130,7 @@ Chain bestChain(const std::vector<Candidate>& candidates, const MetalGrid& grid,
     if (const auto fixed = byHand.find(static_cast<int>(contact)); fixed != byHand.end() && fixed->second != static_cast<int>(place)) return std::nullopt;
     for (const auto& [other, its] : byHand)
       if (its == static_cast<int>(place) && other != static_cast<int>(contact)) return std::nullopt;
-    return rewardOfContact * (std::min(1.0, candidates[place].strength) - rewardFrom);
+    return rewardOfContact * (std::min(1.0, candidates[place].strength / fullFrom) - rewardFrom / fullFrom);
   };
   const auto missing = [&](std::size_t from, std::size_t to) {  // contacts between two, that a person did not place
     for (std::size_t i = from + 1; i < to; ++i)
@@ -130,7 +156,7 @@ Chain bestChain(const std::vector<Candidate>& candidates, const MetalGrid& grid,
       for (std::size_t a = 0; a < places; ++a)
         for (std::size_t b = 0; b < places; ++b)
           if (a != b)
-            if (const auto cost = costOfStep(candidates[a], candidates[b], grid, distanceOf(array, contact, contact + gap)))
+            if (const auto cost = costOfStep(candidates[a], candidates[b], grid, distanceOf(array, contact, contact + gap), static_cast<int>(gap) - 1))
               stepsOf(contact, gap, a).push_back({b, *cost});
 
   const auto isAllowedFirst = [&](std::size_t contact, std::size_t place) {
@@ -152,7 +178,10 @@ Chain bestChain(const std::vector<Candidate>& candidates, const MetalGrid& grid,
           State& state = states[gap - 1][contact][a * places + step.to];
           // it begins here, with some contacts before it that were not seen
           if (from <= mostMissing && isAllowedFirst(from, a)) {
-            const double start = *gainA + *gainB - step.cost - missing(from, contact) - costOfMissing * static_cast<double>(from);
+            const double beyond = metalBeyond(candidates[a], candidates[step.to], grid, std::max(distanceOf(array, 0, 1), fwhm_mm));
+            const double metal = std::clamp((beyond - darkPart) / (brightPart - darkPart), 0.0, 1.0);
+            const double before = from == 0 ? costOfMetalBeyond * metal : costOfMissing * static_cast<double>(from) * (1.0 - mergedPart * metal);
+            const double start = *gainA + *gainB - step.cost - missing(from, contact) - before;
             bool isFixedBefore = false;
             for (std::size_t i = 0; i < from; ++i) isFixedBefore = isFixedBefore || byHand.contains(static_cast<int>(i));
             if (!isFixedBefore && start > state.score) state = {start, -1, 0};

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "perilymph/anatomy/ScalaVestibuli.h"
 #include "perilymph/foundation/Math.h"
 
 namespace perilymph::outcome {
@@ -21,7 +22,7 @@ constexpr double beforeWindow = 25.0 * pi / 180.0;  // the first section also st
 }  // namespace
 
 EarFrame::EarFrame(const Ear& ear)
-    : axes_(ear.measures.anatomyAxes_PW), origin_(ear.measures.anatomyOrigin_P), entry_(ear.scala->entry()), lastAngle_(ear.scala->lastAngle().si()), step_(sectionStep), leadIn_mm_(inMillimeters(ear.scala->leadIn()))
+    : axes_(ear.measures.anatomyAxes_PW), origin_(ear.measures.anatomyOrigin_P), entry_(ear.scala->entry()), both_(anatomy::bothScalaeOf(*ear.scala)), lastAngle_(ear.scala->lastAngle().si()), step_(sectionStep), leadIn_mm_(inMillimeters(ear.scala->leadIn()))
 {
   double length = leadIn_mm_;
   Eigen::Vector3d former = Eigen::Vector3d::Zero();
@@ -41,6 +42,21 @@ double EarFrame::depthAt(double angle) const
   const double x = std::clamp(angle / step_, 0.0, static_cast<double>(depth_.size() - 2));
   const auto i = static_cast<std::size_t>(x);
   return depth_[i] + (x - static_cast<double>(i)) * (depth_[i + 1] - depth_[i]);
+}
+
+double EarFrame::bonePart(const Eigen::Vector3d& point_P, double blur_mm) const
+{
+  constexpr double farFrom_mm = 2.5, centerOf_mm = 0.5, edge = 1.6;
+  const EarPlace place = placeOf(point_P);
+  if (!place.isInside || place.angle < 0.0 || place.across_mm > farFrom_mm) return 1.0;
+  const Eigen::Vector3d point_W = toW(point_P);
+  const SineCosine direction = sineCosine(place.angle);
+  anatomy::LumenTrack track{false, place.angle, {direction.cosine, direction.sine}};
+  const double reach = 2e-3;
+  anatomy::WallPoint wall;
+  both_->nearestWall({&point_W, 1}, {&reach, 1}, {&track, 1}, {&wall, 1});
+  if (!wall.isNear) return place.across_mm < centerOf_mm ? 0.0 : 1.0;
+  return 0.5 - 0.5 * std::clamp(1e3 * wall.distance / (edge * blur_mm), -1.0, 1.0);
 }
 
 Eigen::Vector3d EarFrame::center_P(double angle) const

@@ -31,6 +31,9 @@ public:
 
   /// The place of a point in P, in the turn whose duct is nearest.
   EarPlace placeOf(const Eigen::Vector3d& point_P) const;
+  /// The part of bone at a point in P, 0 in both scalae, 1 in the bone, with an edge as wide as the blur; 1 far from
+  /// the duct.
+  double bonePart(const Eigen::Vector3d& point_P, double blur_mm) const;
   /// Center of both scalae at an angle [rad], P.
   Eigen::Vector3d center_P(double angle) const;
   /// Largest angle of the scala tympani [rad].
@@ -42,6 +45,7 @@ private:
   Eigen::Matrix3d axes_;
   Eigen::Vector3d origin_;
   anatomy::Entry entry_;
+  std::shared_ptr<const anatomy::ScalaTympani> both_;
   double lastAngle_ = 0.0, step_ = 0.0, leadIn_mm_ = 0.0;
   std::vector<double> radius_, height_, depth_;  ///< Of both scalae [mm], at multiples of the step.
 };

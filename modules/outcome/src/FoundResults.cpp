@@ -22,16 +22,17 @@ using Eigen::Vector3d;
 
 // Error of the model along each direction that the fit does not know [mm]: a constant and a part of a voxel.
 // Calibrated on phantoms of the development seeds (module's README).
-constexpr double modelConstant_mm = 0.03, modelPerVoxel = 0.12;
+constexpr double modelConstant_mm = 0.03, modelPerVoxel = 0.20;
 constexpr double handSd_mm = 0.2;          // of a contact that a person placed (choice)
 constexpr double definition_deg = 2.5;     // 0 degrees: as in ct's errors
 constexpr double definitionUnsure_deg = 15.0;
-constexpr double partitionSd_mm = 0.15;    // individual height of the membrane (choice, low confidence)
+constexpr double partitionSd_mm = 0.25;    // individual height of the membrane (choice, low confidence)
 constexpr double earSd_mm = 0.10, earSdFromThisCt_mm = 0.25;  // of the fitted ear's height
 constexpr double kinkPerMm = 1.6;          // curvature [1/mm]: a radius of 0.6 mm
 constexpr double foldBack_mm = 0.6;        // by which the depth decreases toward the tip
 constexpr double badLengths = 2.2;         // spacing errors in their standard deviations
-constexpr double translocated = 0.5;       // probability from which it is flagged
+constexpr double translocated = 0.8;       // probability from which a contact counts as above
+constexpr int fewestTranslocated = 2;      // contacts that count, for the flag
 
 /// Probability that a standard normal deviate is below x: by its distribution's error function.
 double below(double x) { return 0.5 * std::erfc(-x / std::sqrt(2.0)); }
@@ -256,7 +257,7 @@ Result<FoundArray> resultsOf(const ct::CtVolume& volume, const Ear& ear, const E
   raise(Flag::notSeenSingly, !evidence.isSeenSingly);
   raise(Flag::fold, found.isFolded);
   raise(Flag::kink, isKinked && !found.isFolded);
-  raise(Flag::possibleTranslocation, found.translocationProbability > translocated);
+  raise(Flag::possibleTranslocation, std::count_if(found.contacts.begin(), found.contacts.end(), [](const FoundContact& each) { return each.isInside && 1.0 - each.inScalaTympani > translocated; }) >= fewestTranslocated);
   raise(Flag::contactsOutside, found.contactsInside < static_cast<int>(count));
   raise(Flag::earFromThisCt, !ear.isRegistered);
   raise(Flag::clipped, isClipped);

@@ -14,7 +14,7 @@ struct FoundEvidence {
   bool isSeenSingly = true;
   std::vector<bool> isSeen;  ///< For each contact.
   int seen = 0, unexplained = 0;
-  double margin = 0.0;
+  double shiftMargin = 0.0;  ///< Cost of the best fit with other numbers of the contacts above the best.
   bool isSecondNear = false, areMissing = false, areManyMissing = false, isCoarse = false;
   double largestVoxel_mm = 0.0;
 };

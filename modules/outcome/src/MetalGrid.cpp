@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MetalGrid.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
@@ -68,7 +69,7 @@ double MetalGrid::sample(const std::vector<float>& values, const Eigen::Vector3d
   return sum;
 }
 
-MetalGrid metalAround(const ct::CtVolume& volume, const Ear& ear, double reach_mm)
+MetalGrid metalAround(const ct::CtVolume& volume, const Ear& ear, const EarFrame& frame, double reach_mm, double blur_mm)
 {
   MetalGrid grid;
   std::vector<double> bone = boneAround(volume, ear.measures);
@@ -87,11 +88,22 @@ MetalGrid metalAround(const ct::CtVolume& volume, const Ear& ear, double reach_m
   grid.first_P = ear.measures.center_P - grid.step_mm * Eigen::Vector3d::Constant(half);
   grid.value.resize(static_cast<std::size_t>(grid.size[0]) * static_cast<std::size_t>(grid.size[1]) *
                     static_cast<std::size_t>(grid.size[2]));
+  // bone and lumen as the scanner shows them
+  std::vector<float> bonePart(grid.value.size());
+  for (int k = 0; k < grid.size[2]; ++k)
+    for (int j = 0; j < grid.size[1]; ++j)
+      for (int i = 0; i < grid.size[0]; ++i)
+        bonePart[grid.index(i, j, k)] = static_cast<float>(frame.bonePart(grid.at_P(i, j, k), 0.5 * grid.step_mm));
+  bonePart = blurred(grid, bonePart, blur_mm);
+  constexpr double usualContent = 100.0;
   for (int k = 0; k < grid.size[2]; ++k)
     for (int j = 0; j < grid.size[1]; ++j)
       for (int i = 0; i < grid.size[0]; ++i) {
+        const std::size_t cell = grid.index(i, j, k);
+        const double part = std::min(1.0, static_cast<double>(bonePart[cell]));
+        const double floor = part * grid.floor + (1.0 - part) * (usualContent + aboveContent);
         const auto value = volume.sample(grid.at_P(i, j, k));
-        grid.value[grid.index(i, j, k)] = static_cast<float>(value ? std::max(0.0, *value - grid.floor) : 0.0);
+        grid.value[cell] = static_cast<float>(value ? std::max(0.0, *value - floor) : 0.0);
       }
   return grid;
 }
@@ -126,9 +138,23 @@ std::vector<float> blurred(const MetalGrid& grid, const std::vector<float>& valu
 
 std::vector<Blob> blobsOf(const MetalGrid& grid, double sigma_mm)
 {
-  std::vector<float> narrow = blurred(grid, grid.value, sigma_mm);
+  const std::vector<float> once = blurred(grid, grid.value, sigma_mm);
   const std::vector<float> wide = blurred(grid, grid.value, widerBy * sigma_mm);
+  std::vector<float> narrow = once;
   for (std::size_t i = 0; i < narrow.size(); ++i) narrow[i] -= wide[i];
+  const auto leastCurvature = [&](int i, int j, int k) {
+    const auto at = [&](int a, int b, int c) { return static_cast<double>(once[grid.index(i + a, j + b, k + c)]); };
+    const double here = at(0, 0, 0);
+    Eigen::Matrix3d bend;
+    bend(0, 0) = at(1, 0, 0) - 2.0 * here + at(-1, 0, 0);
+    bend(1, 1) = at(0, 1, 0) - 2.0 * here + at(0, -1, 0);
+    bend(2, 2) = at(0, 0, 1) - 2.0 * here + at(0, 0, -1);
+    bend(0, 1) = bend(1, 0) = 0.25 * (at(1, 1, 0) - at(1, -1, 0) - at(-1, 1, 0) + at(-1, -1, 0));
+    bend(0, 2) = bend(2, 0) = 0.25 * (at(1, 0, 1) - at(1, 0, -1) - at(-1, 0, 1) + at(-1, 0, -1));
+    bend(1, 2) = bend(2, 1) = 0.25 * (at(0, 1, 1) - at(0, 1, -1) - at(0, -1, 1) + at(0, -1, -1));
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(bend, Eigen::EigenvaluesOnly);
+    return std::max(0.0, -solver.eigenvalues()[2]);
+  };
   std::vector<Blob> blobs;
   for (int k = 1; k + 1 < grid.size[2]; ++k)
     for (int j = 1; j + 1 < grid.size[1]; ++j)
@@ -153,7 +179,7 @@ std::vector<Blob> blobsOf(const MetalGrid& grid, double sigma_mm)
           const double bend = up - 2.0 * static_cast<double>(here) + down;
           off[axis] = bend < 0.0 ? std::clamp(0.5 * (down - up) / bend, -0.5, 0.5) : 0.0;
         }
-        blobs.push_back({grid.at_P(i, j, k) + grid.step_mm * off, static_cast<double>(here)});
+        blobs.push_back({grid.at_P(i, j, k) + grid.step_mm * off, leastCurvature(i, j, k)});
       }
   std::stable_sort(blobs.begin(), blobs.end(), [](const Blob& a, const Blob& b) { return a.strength > b.strength; });
   return blobs;

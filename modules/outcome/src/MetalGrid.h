@@ -7,6 +7,7 @@
 #include <array>
 #include <vector>
 
+#include "EarFrame.h"
 #include "perilymph/ct/CtVolume.h"
 #include "perilymph/outcome/FoundArray.h"
 
@@ -17,10 +18,10 @@ struct MetalGrid {
   std::array<int, 3> size{};
   double step_mm = 0.2;
   Eigen::Vector3d first_P = Eigen::Vector3d::Zero();  ///< Center of the first cell.
-  std::vector<float> value;                           ///< Intensity above `floor`, at least 0.
+  std::vector<float> value;                           ///< Intensity above what bone and lumen can have there, at least 0.
   double bone = 0.0;         ///< Median intensity of the bone around the cochlea.
   double boneSpread = 0.0;   ///< Its standard deviation, by quartiles.
-  double floor = 0.0;        ///< Above this a voxel is not bone.
+  double floor = 0.0;        ///< Above this a voxel is not bone; in the lumen less counts as metal.
   double ceiling = 1e9;      ///< Intensity at which the scanner clips; 1e9: it does not.
 
   std::size_t index(int i, int j, int k) const
@@ -33,8 +34,11 @@ struct MetalGrid {
   double sample(const std::vector<float>& values, const Eigen::Vector3d& point_P) const;
 };
 
+/// What is subtracted in the lumen above its content [intensity].
+inline constexpr double aboveContent = 350.0;
+
 /// The metal within `reach_mm` of the cochlea along every axis.
-MetalGrid metalAround(const ct::CtVolume& volume, const Ear& ear, double reach_mm);
+MetalGrid metalAround(const ct::CtVolume& volume, const Ear& ear, const EarFrame& frame, double reach_mm, double blur_mm);
 
 /// Separable Gaussian of a standard deviation in mm.
 std::vector<float> blurred(const MetalGrid& grid, const std::vector<float>& values, double sigma_mm);
@@ -42,11 +46,12 @@ std::vector<float> blurred(const MetalGrid& grid, const std::vector<float>& valu
 /// A bright place: the center of a blob.
 struct Blob {
   Eigen::Vector3d position_P = Eigen::Vector3d::Zero();
-  double strength = 0.0;  ///< Difference of Gaussians there.
+  /// Least curvature of the blurred metal there, along whatever direction: of a contact much, along a wire none.
+  double strength = 0.0;
 };
 
-/// Local maxima of the difference of two Gaussians, of `sigma_mm` and 1.6 times it, to a fraction of a cell,
-/// the strongest first.
+/// Local maxima of the difference of two Gaussians, of `sigma_mm` and 1.6 times it, to a fraction of a cell, the
+/// strongest first.
 std::vector<Blob> blobsOf(const MetalGrid& grid, double sigma_mm);
 
 }  // namespace perilymph::outcome

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "perilymph/anatomy/ScalaVestibuli.h"
+#include "EarFrame.h"
 #include "perilymph/foundation/Math.h"
 
 namespace perilymph::outcome {
@@ -25,8 +25,8 @@ constexpr double studentDegrees = 4.0;
 constexpr double modelPart = 0.08;     // error of the model as a part of the metal's signal
 constexpr double leastNoise = 40.0;
 constexpr double blurSpread = 0.35;    // of the blur about its guess
-constexpr double amplitudeSpread = 0.3;  // among contacts that are not seen singly
-constexpr double leadLength_mm = 1.5;
+constexpr double amplitudeSpread = 0.4, mergedSpread = 0.25;  // among contacts, and among those not seen singly
+constexpr double leastLead_mm = 1.5, leadPerPitch = 1.3;
 constexpr double keptSd_mm = 0.002;    // what a person placed stays
 
 /// Normal density of one blur and what its derivatives need.
@@ -42,28 +42,6 @@ Spot spotOf(const Matrix3d& covariance)
   return {covariance.inverse(), 1.0 / (std::pow(2.0 * pi, 1.5) * std::sqrt(determinant))};
 }
 
-/// The part of bone at a voxel: 1 outside both scalae.
-double bonePart(const anatomy::ScalaTympani& both, const Ear& ear, const Vector3d& point_P, double blur_mm)
-{
-  const Vector3d point_W = 1e-3 * (ear.measures.anatomyAxes_PW.transpose() * (point_P - ear.measures.anatomyOrigin_P));
-  // the turn that is nearest
-  double angle = arcTangent(point_W.y(), point_W.x()), best = 1e9, at = 0.0;
-  for (; angle < both.lastAngle().si(); angle += 2.0 * pi) {
-    if (angle < 0.0) continue;
-    const Vector3d center = both.center_W(angle);
-    const double r = std::sqrt(center.x() * center.x() + center.y() * center.y());
-    const double across = std::hypot(point_W.head<2>().norm() - r, point_W.z() - center.z());
-    if (across < best) best = across, at = angle;
-  }
-  if (best > 2.5e-3) return 1.0;
-  anatomy::LumenTrack track{false, at, {std::cos(at), std::sin(at)}};
-  const double reach = 2e-3;
-  anatomy::WallPoint wall;
-  both.nearestWall({&point_W, 1}, {&reach, 1}, {&track, 1}, {&wall, 1});
-  if (!wall.isNear) return best < 0.5e-3 ? 0.0 : 1.0;
-  return 0.5 - 0.5 * std::clamp(1e3 * wall.distance / (1.6 * blur_mm), -1.0, 1.0);
-}
-
 struct Voxel {
   Vector3d point_P;
   double intensity, bone;
@@ -75,6 +53,7 @@ public:
       : array_(array), settings_(settings), ceiling_(grid.ceiling), count_(array.contactsFromTip.size()), chain_(start)
   {
     spacing_ = volume.spacing_mm();
+    lead_mm_ = std::max(leastLead_mm, leadPerPitch * inMillimeters(array.contactsFromTip[count_ - 1] - array.contactsFromTip[count_ - 2]));
     Eigen::Index slow = 2;
     for (Eigen::Index i = 0; i < 3; ++i)
       if (spacing_[i] > 1.05 * spacing_[slow]) slow = i;
@@ -142,30 +121,31 @@ private:
 
   void collect(const ct::CtVolume& volume, const Ear& ear)
   {
-    const auto both = anatomy::bothScalaeOf(*ear.scala);
+    const EarFrame frame(ear);
     const double longest = 0.7 * fitReach_mm;
     std::vector<std::size_t> marked;
     const auto& size = volume.size();
-    for (std::size_t i = 0; i < count_; ++i) {
+    const auto markAround = [&](const Vector3d& point_P) {
+      const Vector3d center = volume.toIndex(point_P);
+      std::array<int, 3> low{}, high{};
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto at = static_cast<Eigen::Index>(axis);
+        low[axis] = std::max(0, static_cast<int>(std::ceil(center[at] - fitReach_mm / spacing_[at])));
+        high[axis] = std::min(size[axis] - 1, static_cast<int>(std::floor(center[at] + fitReach_mm / spacing_[at])));
+      }
+      for (int k = low[2]; k <= high[2]; ++k)
+        for (int j = low[1]; j <= high[1]; ++j)
+          for (int i = low[0]; i <= high[0]; ++i)
+            if ((volume.toLps(Vector3d(i, j, k)) - point_P).norm() <= fitReach_mm)
+              marked.push_back((static_cast<std::size_t>(k) * static_cast<std::size_t>(size[1]) + static_cast<std::size_t>(j)) * static_cast<std::size_t>(size[0]) + static_cast<std::size_t>(i));
+    };
+    for (const Vector3d& point_P : settings_.around_P) markAround(point_P);
+    for (std::size_t i = 0; settings_.around_P.empty() && i < count_; ++i) {
       const Vector3d a = chain_.position_P[i];
       Vector3d b = chain_.position_P[i + 1];
       if (i + 1 == count_) b = a + std::min(leadPart_mm, (b - a).norm()) * (b - a).normalized();
       const int samples = std::max(1, static_cast<int>(std::ceil((b - a).norm() / longest)));
-      for (int s = 0; s <= samples; ++s) {
-        const Vector3d center = volume.toIndex(a + (static_cast<double>(s) / samples) * (b - a));
-        std::array<int, 3> low{}, high{};
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-          const auto at = static_cast<Eigen::Index>(axis);
-          low[axis] = std::max(0, static_cast<int>(std::ceil(center[at] - fitReach_mm / spacing_[at])));
-          high[axis] = std::min(size[axis] - 1, static_cast<int>(std::floor(center[at] + fitReach_mm / spacing_[at])));
-        }
-        for (int k = low[2]; k <= high[2]; ++k)
-          for (int j = low[1]; j <= high[1]; ++j)
-            for (int i2 = low[0]; i2 <= high[0]; ++i2) {
-              if ((volume.toLps(Vector3d(i2, j, k)) - volume.toLps(center)).norm() > fitReach_mm) continue;
-              marked.push_back((static_cast<std::size_t>(k) * static_cast<std::size_t>(size[1]) + static_cast<std::size_t>(j)) * static_cast<std::size_t>(size[0]) + static_cast<std::size_t>(i2));
-            }
-      }
+      for (int s = 0; s <= samples; ++s) markAround(a + (static_cast<double>(s) / samples) * (b - a));
     }
     std::sort(marked.begin(), marked.end());
     marked.erase(std::unique(marked.begin(), marked.end()), marked.end());
@@ -176,7 +156,7 @@ private:
       const auto j = static_cast<double>((cell / static_cast<std::size_t>(size[0])) % static_cast<std::size_t>(size[1]));
       const auto k = static_cast<double>(cell / (static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1])));
       const Vector3d point = volume.toLps({i, j, k});
-      voxels_.push_back({point, static_cast<double>(value), bonePart(*both, ear, point, guess_[0])});
+      voxels_.push_back({point, static_cast<double>(value), frame.bonePart(point, guess_[0])});
     }
   }
 
@@ -186,7 +166,7 @@ private:
     const double atCenter = spotOf(blur + plate_mm * plate_mm / 12.0 * Matrix3d::Identity()).factor;
     double sum = 0.0;
     for (std::size_t i = 0; i < count_; ++i) {
-      const double metal = std::max(300.0, grid.sample(grid.value, chain_.position_P[i]) + grid.floor - x_[levelAt()]);
+      const double metal = std::max(300.0, grid.sample(grid.value, chain_.position_P[i]) + aboveContent);
       x_[amplitudeAt() + static_cast<Eigen::Index>(i)] = 0.8 * metal / atCenter;
       sum += metal;
     }
@@ -214,7 +194,7 @@ private:
       bend = std::min(1.0, bend / std::max(1, known));
       // contacts on the inner side of a bent carrier are nearer to each other by its half thickness
       const double half = 0.5 * inMillimeters(array_.sectionAt(array_.contactsFromTip[i]).within);
-      chord_[i] = arc * (1.0 - std::min(0.3, bend * bend * arc * arc / 24.0)) * (1.0 - 0.5 * bend * half);
+      chord_[i] = arc * (1.0 - std::min(0.3, bend * bend * arc * arc / 24.0)) * (1.0 - contactOffset * bend * half);
       chordSd_[i] = 0.02 + 0.01 * arc + 0.4 * bend * half * arc;
     }
   }
@@ -379,7 +359,7 @@ private:
       const Vector3d step = nodeOf(x, i + 1) - nodeOf(x, i);
       const double length = std::max(1e-6, step.norm());
       const bool isLead = i + 1 == count_;
-      const double chord = isLead ? leadLength_mm : chord_[i];
+      const double chord = isLead ? lead_mm_ : chord_[i];
       const double sd = isLead ? 0.1 : chordSd_[i];
       slope.clear();
       for (Eigen::Index d = 0; d < 3; ++d) {
@@ -405,14 +385,14 @@ private:
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
       const auto n = static_cast<Eigen::Index>(count_);
       const double last = (nodeOf(x, count_ - 1) - nodeOf(x, count_ - 2)).norm();
-      const double ratio = leadLength_mm / std::max(0.2, last);
+      const double ratio = lead_mm_ / std::max(0.2, last);
       const Eigen::Index a = 3 * (n - 2) + axis, b = 3 * (n - 1) + axis, c = 3 * n + axis;
       slope = {{c, 1.0}, {b, -1.0 - ratio}, {a, ratio}};
       add(-(x[c] - (1.0 + ratio) * x[b] + ratio * x[a]), 1.0 / (0.6 * 0.6), slope);
     }
     double mean = 0.0;
     for (std::size_t i = 0; i < count_; ++i) mean += x[amplitudeAt() + static_cast<Eigen::Index>(i)] / static_cast<double>(count_);
-    const double spread = settings_.isSeenSingly ? 1.0 : amplitudeSpread;
+    const double spread = settings_.isSeenSingly ? amplitudeSpread : mergedSpread;
     for (std::size_t i = 0; i < count_; ++i)
       one(amplitudeAt() + static_cast<Eigen::Index>(i), x[amplitudeAt() + static_cast<Eigen::Index>(i)], mean, std::max(1.0, spread * mean));
     for (Eigen::Index i = 0; i < 2; ++i) one(blurAt() + i, x[blurAt() + i], guess_[i], blurSpread * guess_[i]);
@@ -477,7 +457,7 @@ private:
   double correlated() const
   {
     double voxels = 1.0;
-    for (Eigen::Index i = 0; i < 3; ++i) voxels *= std::max(1.0, 2.0 * std::sqrt(pi) * guess_[0] / spacing_[i]);
+    for (Eigen::Index i = 0; i < 3; ++i) voxels *= std::max(1.0, 2.0 * std::sqrt(pi) * 0.6 * guess_[0] / spacing_[i]);
     return voxels;
   }
 
@@ -504,12 +484,13 @@ private:
     fitted.blurInPlane_mm = x_[blurAt()];
     fitted.blurAxial_mm = x_[blurAt() + 1];
     fitted.residual = noise_;
+    fitted.cost = assembleCost(x_);
     return fitted;
   }
 
   const electrode::ArrayDesign& array_;
   const RefinementSettings& settings_;
-  double ceiling_;
+  double ceiling_, lead_mm_ = leastLead_mm;
   std::size_t count_;
   FittedChain chain_;
   Vector3d spacing_, normal_;

@@ -19,6 +19,10 @@
 
 namespace perilymph::outcome {
 
+/// Distance of the contacts from the array's center line, toward the inner side of its bend, as a part of its half
+/// thickness: they lie on the surface, bands reach around it (choice, low confidence).
+inline constexpr double contactOffset = 0.7;
+
 /// The chain before or after the fit.
 struct FittedChain {
   std::vector<Eigen::Vector3d> position_P;  ///< Of the contacts from the tip, then a point of the lead.
@@ -27,7 +31,7 @@ struct FittedChain {
   double blurInPlane_mm = 0.2, blurAxial_mm = 0.2;  ///< Standard deviations.
   double residual = 0.0;   ///< Robust standard deviation of what is left [intensity].
   double lengthMisfit = 0.0;  ///< Root mean square of spacing errors, in their standard deviations.
-  std::vector<double> along;  ///< Standard deviation of each contact along the array [mm].
+  double cost = 0.0;  ///< Minus twice the logarithm of the likelihood, with the priors, but for a constant of the voxels.
 };
 
 /// What the fit may change.
@@ -35,6 +39,9 @@ struct RefinementSettings {
   bool isSeenSingly = true;     ///< Else all contacts share an amplitude but for a tenth of its square.
   std::vector<bool> isFixed;    ///< Contacts that a person placed.
   int rounds = 12;
+  /// If not empty: the voxels of the fit are those near these points, so that costs of several chains compare; else
+  /// those near the chain.
+  std::vector<Eigen::Vector3d> around_P = {};
 };
 
 /// Fits the model. `start` gives the positions of all contacts, in P, and a point of the lead.

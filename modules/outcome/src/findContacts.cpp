@@ -5,6 +5,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
+#include <cstdlib>
 #include <cmath>
 
 #include "Assignment.h"
@@ -24,9 +26,10 @@ using Eigen::Vector3d;
 
 constexpr double fwhmOfSd = 2.3548;
 constexpr double reach_mm = 15.0;
-constexpr double singly = 1.15;    // pitch per FWHM from which contacts are looked for one by one
-constexpr double merged = 0.85;    // below, never
-constexpr double margin = 3.0;     // of the score to the second-best assignment, below which it is flagged
+constexpr double singly = 1.15;    // pitch per FWHM from which contacts are seen singly
+constexpr double chained = 1.0;    // from which the chain of blobs is tried, below 2.5 beside the ridge
+constexpr double ridged = 2.5;
+constexpr double margin = 25.0;    // of the cost to the second-best assignment, below which it is flagged
 constexpr double fewestSeen = 0.75;
 constexpr double coarsest_mm = 0.65;
 
@@ -59,11 +62,78 @@ std::vector<Vector3d> positionsOf(const Chain& chain, const std::vector<Candidat
   return positions;
 }
 
+/// The positions one contact further toward the tip (or the base): each takes the place of its neighbor, whose blob
+/// it then explains, and the last one the place where the course goes on.
+std::vector<Vector3d> shifted(const std::vector<Vector3d>& positions, const electrode::ArrayDesign& array, bool towardTip)
+{
+  const std::size_t last = positions.size() - 1;
+  const auto spacing = [&](std::size_t i) { return inMillimeters(array.contactsFromTip[i + 1] - array.contactsFromTip[i]); };
+  std::vector<Vector3d> moved(positions.size());
+  for (std::size_t i = 0; i < last; ++i) moved[towardTip ? i + 1 : i] = positions[towardTip ? i : i + 1];
+  if (towardTip)
+    moved[0] = positions[0] + spacing(0) * (positions[0] - positions[1]).normalized();
+  else
+    moved[last] = positions[last] + spacing(last - 1) * (positions[last] - positions[last - 1]).normalized();
+  return moved;
+}
+
 /// A point of the lead: where the array goes on beyond its most basal contact.
 Vector3d leadAfter(const std::vector<Vector3d>& positions)
 {
   const std::size_t last = positions.size() - 1;
   return positions[last] + 1.5 * (positions[last] - positions[last - 1]).normalized();
+}
+
+/// Points of a chain's course and of what lies a contact or two beyond both ends, half a millimeter apart.
+void addCourse(const std::vector<Vector3d>& positions, const electrode::ArrayDesign& array, std::vector<Vector3d>& points)
+{
+  const std::vector<Vector3d> most = shifted(shifted(positions, array, true), array, true), least = shifted(shifted(positions, array, false), array, false);
+  std::vector<Vector3d> all(most.begin(), most.begin() + 2);
+  all.insert(all.end(), positions.begin(), positions.end());
+  all.insert(all.end(), least.end() - 2, least.end());
+  for (std::size_t i = 0; i + 1 < all.size(); ++i) {
+    const int parts = std::max(1, static_cast<int>(std::ceil((all[i + 1] - all[i]).norm() / 0.5)));
+    for (int k = 0; k < parts; ++k) points.push_back(all[i] + (static_cast<double>(k) / parts) * (all[i + 1] - all[i]));
+  }
+}
+
+/// The fit from the best start, shifted by contacts toward the tip or the base if the model explains the image
+/// better so. The cost of the second-best above it is the evidence for the numbers of the contacts.
+FittedChain bestFit(const ct::CtVolume& volume, const MetalGrid& grid, const Ear& ear, const electrode::ArrayDesign& array, const FittedChain& begin,
+                    const std::vector<std::vector<Vector3d>>& starts, RefinementSettings settings, FoundEvidence& evidence)
+{
+  constexpr int mostShift = 3;
+  const bool isHeld = std::find(settings.isFixed.begin(), settings.isFixed.end(), true) != settings.isFixed.end();
+  const auto fitAt = [&](const std::vector<Vector3d>& positions) {
+    FittedChain start = begin;
+    start.position_P = positions;
+    start.position_P.push_back(leadAfter(positions));
+    return refined(volume, grid, ear, array, start, settings);
+  };
+  const auto contactsOf = [](const FittedChain& fit) { return std::vector<Vector3d>(fit.position_P.begin(), fit.position_P.end() - 1); };
+  // all are compared on the same voxels
+  for (const std::vector<Vector3d>& start : starts) addCourse(start, array, settings.around_P);
+  std::vector<FittedChain> fits;
+  for (const std::vector<Vector3d>& start : starts) {
+    fits.push_back(fitAt(start));
+    if (isHeld) continue;
+    const FittedChain first = fits.back();
+    for (const bool towardTip : {true, false}) {
+      FittedChain last = first;
+      for (int shift = 1; shift <= mostShift; ++shift) {
+        FittedChain next = fitAt(shifted(contactsOf(last), array, towardTip));
+        fits.push_back(next);
+        if (next.cost >= last.cost) break;
+        last = std::move(next);
+      }
+    }
+  }
+  const FittedChain best = *std::min_element(fits.begin(), fits.end(), [](const FittedChain& a, const FittedChain& b) { return a.cost < b.cost; });
+  evidence.shiftMargin = 1e9;
+  const double half = 0.25 * inMillimeters(array.contactsFromTip[2] - array.contactsFromTip[0]);
+  for (const FittedChain& fit : fits)
+    if ((fit.position_P[0] - best.position_P[0]).norm() > half) evidence.shiftMargin = std::min(evidence.shiftMargin, fit.cost - best.cost);
+  return best;
 }
 
 }  // namespace
@@ -84,7 +154,9 @@ Result<FoundArray> findContacts(const ct::CtVolume& postoperative, const Ear& ea
   const Error canceled{"The search for contacts was canceled."};
 
   const EarFrame frame(ear);
-  const MetalGrid grid = metalAround(postoperative, ear, reach_mm);
+  const Vector3d spacing = postoperative.spacing_mm();
+  const double blur = std::max(0.15, 0.6 * spacing.minCoeff()), blurAxial = std::max(0.15, 0.5 * spacing.maxCoeff());
+  const MetalGrid grid = metalAround(postoperative, ear, frame, reach_mm, blur);
   report(0.2);
   if (isStopped()) return canceled;
   double metal_mm3 = 0.0;
@@ -98,8 +170,6 @@ Result<FoundArray> findContacts(const ct::CtVolume& postoperative, const Ear& ea
     return Error{"There is no array in this ear: %1 cubic millimeters of metal lie in or near the cochlea, at least 1 is expected. Choose a CT after surgery, and check the side.",
                  std::to_string(metal_mm3).substr(0, 4)};
 
-  const Vector3d spacing = postoperative.spacing_mm();
-  const double blur = std::max(0.15, 0.6 * spacing.minCoeff()), blurAxial = std::max(0.15, 0.5 * spacing.maxCoeff());
   const double pitch = smallestPitch_mm(array);
   const double fwhm = fwhmOfSd * std::cbrt(blur * blur * blurAxial);
 
@@ -118,69 +188,83 @@ Result<FoundArray> findContacts(const ct::CtVolume& postoperative, const Ear& ea
   };
 
   FoundEvidence evidence;
-  std::vector<Vector3d> positions;
-  if (pitch > merged * fwhm) {
-    const double sigma = std::clamp(0.6 * blur * (grid.ceiling < 1e8 ? 1.4 : 1.0), 0.12, 0.35);
-    const std::vector<Candidate> candidates = withHands(candidatesOf(blobsOf(grid, sigma), frame, array.contactsFromTip.size()));
-    report(0.4);
+  evidence.isSeenSingly = pitch > singly * fwhm;
+  std::vector<std::vector<Vector3d>> starts;  // positions of all contacts
+  std::vector<Candidate> candidates;
+  Chain chain;
+  if (pitch > chained * fwhm) {
+    const double sigma = std::clamp(std::max(0.25 * pitch, 0.6 * blur), 0.12, 0.35);
+    candidates = withHands(candidatesOf(blobsOf(grid, sigma), frame, array.contactsFromTip.size()));
+    report(0.3);
     if (isStopped()) return canceled;
-    const Chain chain = bestChain(candidates, grid, array, byHand);
-    if (!chain.candidate.empty()) {
-      evidence.seen = static_cast<int>(std::count_if(chain.candidate.begin(), chain.candidate.end(), [](int each) { return each >= 0; }));
-      const double part = static_cast<double>(evidence.seen) / static_cast<double>(chain.candidate.size());
-      if (part >= (pitch > singly * fwhm ? 0.3 : 0.9)) {
-        positions = positionsOf(chain, candidates, array);
-        evidence.isSeenSingly = pitch > singly * fwhm || part >= 0.9;
-        for (const int each : chain.candidate) evidence.isSeen.push_back(each >= 0);
-        const int first = chain.candidate.front() >= 0 ? chain.candidate.front() : -1;
-        const Chain second = bestChain(candidates, grid, array, byHand, first >= 0 ? candidates[static_cast<std::size_t>(first)].position_P : positions.front());
-        evidence.margin = chain.score - second.score;
-        evidence.isSecondNear = evidence.margin < margin;
-        evidence.areMissing = part < 1.0;
-        evidence.areManyMissing = part < fewestSeen;
-        // bright places along the course that no contact explains
-        for (std::size_t i = 0; i < candidates.size(); ++i) {
-          if (std::find(chain.candidate.begin(), chain.candidate.end(), static_cast<int>(i)) != chain.candidate.end()) continue;
-          if (candidates[i].strength < 0.6) continue;
-          double nearest = 1e9;
-          for (const Vector3d& each : positions) nearest = std::min(nearest, (each - candidates[i].position_P).norm());
-          if (nearest > 0.6 * pitch) ++evidence.unexplained;
-        }
-      }
-    }
+    chain = bestChain(candidates, grid, array, byHand, fwhm);
+    evidence.seen = static_cast<int>(std::count_if(chain.candidate.begin(), chain.candidate.end(), [](int each) { return each >= 0; }));
+    if (3 * evidence.seen >= static_cast<int>(array.contactsFromTip.size())) starts.push_back(positionsOf(chain, candidates, array));
   }
-  if (positions.empty()) {
-    evidence = {};
-    evidence.isSeenSingly = false;
-    const std::vector<Vector3d> ridge = ridgeOf(grid, frame);
-    if (ridge.size() < 10)
-      return Error{"The contacts cannot be found: the metal in this ear forms no array's course. Place contacts by hand, or check side and array."};
-    const double start = startOfRow(grid, ridge) + 0.5 * inMillimeters(array.contactLength);
-    for (const Length place : array.contactsFromTip)
-      positions.push_back(alongPolyline(ridge, start + inMillimeters(place) - inMillimeters(array.contactsFromTip.front())));
-    evidence.isSeen.assign(positions.size(), false);
+  const bool isChained = !starts.empty();
+  const auto alongRidge = [&](const std::vector<Vector3d>& ridge, double at, double offset) {
+    std::vector<Vector3d> positions;
+    for (std::size_t i = 0; i < array.contactsFromTip.size(); ++i) {
+      positions.push_back(alongPolyline(ridge, at));
+      if (i + 1 == array.contactsFromTip.size()) break;
+      // on the inner side of the bend contacts are nearer to each other than along the array
+      const EarPlace place = frame.placeOf(positions.back());
+      const double half = 0.5 * inMillimeters(array.sectionAt(array.contactsFromTip[i]).within);
+      const double bend = place.isInside && place.angle > 0.0 ? 1.0 / std::max(1.0, place.radius_mm) : 0.0;
+      at += inMillimeters(array.contactsFromTip[i + 1] - array.contactsFromTip[i]) * (1.0 - offset * bend * half);
+    }
     for (const auto& [number, position_P] : request.byHand)
       if (number >= 1 && static_cast<std::size_t>(number) <= positions.size()) positions[static_cast<std::size_t>(number) - 1] = position_P;
+    return positions;
+  };
+  report(0.4);
+  if (isStopped()) return canceled;
+  if (!isChained || pitch < ridged * fwhm || evidence.seen < static_cast<int>(array.contactsFromTip.size())) {
+    const std::vector<Vector3d> ridge = ridgeOf(grid, frame);
+    if (ridge.size() >= 10) {
+      const double start = startOfRow(grid, ridge) + 0.5 * inMillimeters(array.contactLength);
+      // how far they lie from the center line, and so how near to each other, is not known
+      for (const double offset : {0.4 * contactOffset, contactOffset, 1.6 * contactOffset})
+        starts.push_back(alongRidge(ridge, start, offset));
+    }
   }
-  report(0.6);
+  if (starts.empty())
+    return Error{"The contacts cannot be found: the metal in this ear forms no array's course. Place contacts by hand, or check side and array."};
+  report(0.5);
   if (isStopped()) return canceled;
 
-  FittedChain chain;
-  chain.position_P = positions;
-  chain.position_P.push_back(leadAfter(positions));
-  chain.blurInPlane_mm = blur;
-  chain.blurAxial_mm = blurAxial;
+  FittedChain begin;
+  begin.blurInPlane_mm = blur;
+  begin.blurAxial_mm = blurAxial;
   RefinementSettings settings;
   settings.isSeenSingly = evidence.isSeenSingly;
-  settings.isFixed.assign(positions.size(), false);
+  settings.isFixed.assign(array.contactsFromTip.size(), false);
   for (const auto& [number, position_P] : request.byHand)
-    if (number >= 1 && static_cast<std::size_t>(number) <= positions.size()) settings.isFixed[static_cast<std::size_t>(number) - 1] = true;
-  chain = refined(postoperative, grid, ear, array, chain, settings);
+    if (number >= 1 && static_cast<std::size_t>(number) <= settings.isFixed.size()) settings.isFixed[static_cast<std::size_t>(number) - 1] = true;
+  const FittedChain fitted = bestFit(postoperative, grid, ear, array, begin, starts, settings, evidence);
   report(0.9);
   if (isStopped()) return canceled;
+
+  // which contacts have a blob of their own, and which blobs have no contact
+  for (std::size_t i = 0; i < array.contactsFromTip.size(); ++i) {
+    double nearest = 1e9;
+    for (const Candidate& each : candidates) nearest = std::min(nearest, (each.position_P - fitted.position_P[i]).norm());
+    evidence.isSeen.push_back(nearest < 0.35 * pitch);
+  }
+  const auto seen = static_cast<std::size_t>(std::count(evidence.isSeen.begin(), evidence.isSeen.end(), true));
+  evidence.areMissing = evidence.isSeenSingly && seen < evidence.isSeen.size();
+  evidence.areManyMissing = evidence.isSeenSingly && static_cast<double>(seen) < fewestSeen * static_cast<double>(evidence.isSeen.size());
+  for (const Candidate& each : candidates) {
+    if (each.strength < 0.6) continue;
+    double nearest = 1e9;
+    for (const Vector3d& position_P : fitted.position_P) nearest = std::min(nearest, (each.position_P - position_P).norm());
+    if (nearest > 0.6 * pitch) ++evidence.unexplained;
+  }
+  evidence.isSecondNear = evidence.shiftMargin < margin;
+  if (std::getenv("DBGSHIFT")) std::fprintf(stderr, "margin %.1f seen %d singly %d\n", evidence.shiftMargin, evidence.seen, evidence.isSeenSingly);
   evidence.largestVoxel_mm = spacing.maxCoeff();
   evidence.isCoarse = spacing.maxCoeff() > coarsest_mm;
-  auto found = resultsOf(postoperative, ear, frame, request, chain, settings.isFixed, evidence);
+  auto found = resultsOf(postoperative, ear, frame, request, fitted, settings.isFixed, evidence);
   if (!found) return found.error();
   found->seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
   report(1.0);

@@ -120,7 +120,7 @@ struct FoundArray {
   double insertedLength_mm = 0.0, insertedLengthSd_mm = 0.0;  ///< Of the tip past the opening, along the array.
   bool isFolded = false;
   double translocationProbability = 0.0;   ///< The largest over the contacts inside.
-  double translocationAngle_deg = 0.0;     ///< Where it first exceeds one half; 0 without.
+  double translocationAngle_deg = 0.0;     ///< Where it first exceeds 0.8; 0 without.
   bool isRegistered = false;
   double residual_mm = 0.0;
   double fwhm_mm = 0.0;  ///< Full width at half maximum of the image's blur, as fitted.

@@ -88,7 +88,7 @@ ct::CtVolume scanned(const ImplantScene& scene, const ImplantScan& scan, std::ui
         fine.values[fine.index(i, j, k)] = static_cast<float>(
             scene.anatomy->intensity((w_index * index).head<3>(), 60.0, cell.mean()));
       }
-  constexpr double metalHu = 200000.0;
+  constexpr double metalHu = 400000.0;
   for (const MetalPiece& piece : scene.metal) {
     const Eigen::Vector3d index = (index_W * piece.point_W.homogeneous()).head<3>();
     std::array<int, 3> at{};

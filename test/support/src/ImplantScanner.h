@@ -17,9 +17,9 @@ struct ImplantScene {
   const PhantomAnatomy* anatomy;
   const electrode::ArrayDesign* array;
   const Course* course;
-  std::vector<MetalPiece> metal;  ///< Of the array, and of whatever else is in view.
+  std::vector<MetalPiece> metal;  ///< All in view: the array, and an old lead.
   Eigen::Matrix4d pose_PW;
-  Eigen::Vector3d center_P;  ///< Of the volume.
+  Eigen::Vector3d center_P;  ///< The middle of the volume.
 };
 
 ct::CtVolume scanned(const ImplantScene& scene, const ImplantScan& scan, std::uint64_t seed);

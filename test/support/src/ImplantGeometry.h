@@ -39,7 +39,7 @@ Course insertedCourse(std::uint64_t seed, const PhantomAnatomy& anatomy,
 
 /// A small piece of metal.
 struct MetalPiece {
-  Eigen::Vector3d point_W;
+  Eigen::Vector3d point;
   double volume_mm3;
   bool isContact;  ///< Platinum; else platinum-iridium of the wires.
 };

@@ -11,6 +11,7 @@
 #include "CtPhantomAnatomy.h"
 #include "ImplantGeometry.h"
 #include "ImplantScanner.h"
+#include "ImplantSurroundings.h"
 #include "perilymph/foundation/Units.h"
 
 namespace perilymph::test {
@@ -55,7 +56,7 @@ ImplantTruth measured(const Course& course, const electrode::ArrayDesign& array,
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     double volume = 0.0;
     for (const MetalPiece& piece : platinumOf(array, course, i)) {
-      sum += piece.volume_mm3 * piece.point_W;
+      sum += piece.volume_mm3 * piece.point;
       volume += piece.volume_mm3;
     }
     contact.position_P = toP(sum / volume);
@@ -95,13 +96,50 @@ ImplantTruth measured(const Course& course, const electrode::ArrayDesign& array,
 
 }  // namespace
 
-ImplantScan fineImplantScan() { return {{0.125, 0.125, 0.125}, coneBeamScan(), 0.1, 0.12, 0.125}; }
-ImplantScan coneBeamImplantScan() { return {{0.2, 0.2, 0.2}, coneBeamScan(), 0.2, 0.15, 0.2}; }
+ImplantScan fineImplantScan()
+{
+  ImplantScan scan;
+  scan.spacing_mm.setConstant(0.125);
+  scan.preoperative = coneBeamScan();
+  scan.detector_mm = 0.1;
+  scan.focalSpot_mm = 0.12;
+  scan.sliceProfile_mm = 0.125;
+  scan.photons = 4.0e5;
+  return scan;
+}
+ImplantScan coneBeamImplantScan()
+{
+  ImplantScan scan;
+  scan.spacing_mm.setConstant(0.2);
+  scan.preoperative = coneBeamScan();
+  scan.detector_mm = 0.15;
+  scan.focalSpot_mm = 0.2;
+  scan.sliceProfile_mm = 0.2;
+  scan.photons = 3.0e5;
+  return scan;
+}
 ImplantScan highResolutionImplantScan()
 {
-  return {{0.3, 0.3, 0.3}, highResolutionScan(), 0.25, 0.25, 0.3};
+  ImplantScan scan;
+  scan.spacing_mm.setConstant(0.3);
+  scan.preoperative = highResolutionScan();
+  scan.detector_mm = 0.25;
+  scan.focalSpot_mm = 0.35;
+  scan.sliceProfile_mm = 0.3;
+  scan.photons = 3.0e5;
+  return scan;
 }
-ImplantScan clinicalImplantScan() { return {{0.4, 0.4, 0.6}, clinicalScan(), 0.35, 0.4, 0.6}; }
+ImplantScan clinicalImplantScan()
+{
+  ImplantScan scan;
+  scan.spacing_mm = {0.4, 0.4, 0.6};
+  scan.preoperative = clinicalScan();
+  scan.detector_mm = 0.35;
+  scan.focalSpot_mm = 0.5;
+  scan.sliceProfile_mm = 0.6;
+  scan.photons = 3.0e5;
+  return scan;
+}
 
 ImplantPhantom makeImplantPhantom(std::uint64_t seed, const ImplantScan& scan,
                                   const ImplantCondition& condition)
@@ -115,13 +153,18 @@ ImplantPhantom makeImplantPhantom(std::uint64_t seed, const ImplantScan& scan,
   const Course course = insertedCourse(seed, anatomy, array, condition);
   const Eigen::Matrix4d post_from_pre = drawnMove(seed, before.volume.center_P());
   ImplantTruth truth = measured(course, array, anatomy, before, post_from_pre);
-  ImplantScene scene{&anatomy,      &array,
-                     &course,       wiresOf(array, course),
-                     truth.pose_PW, moved(post_from_pre, before.volume.center_P())};
-  for (std::size_t i = 0; i < array.contactsFromTip.size(); ++i) {
-    const auto plate = platinumOf(array, course, i);
-    scene.metal.insert(scene.metal.end(), plate.begin(), plate.end());
-  }
+  const ImplantSurroundings surroundings(anatomy, array, course, condition.hasOldLead, seed);
+  for (const Eigen::Vector3d& point : surroundings.oldLead_W())
+    truth.oldLead_P.push_back(moved(truth.pose_PW, point));
+  const Eigen::Matrix4d w_fromP = truth.pose_PW.inverse();
+  ImplantScene scene;
+  scene.intensity = [&](const Eigen::Vector3d& point_P, double cell) {
+    return surroundings.intensity(moved(w_fromP, point_P), cell);
+  };
+  for (const MetalPiece& piece : surroundings.metal())
+    scene.metal.push_back({moved(truth.pose_PW, piece.point), piece.volume_mm3, piece.isContact});
+  scene.center_P = moved(post_from_pre, before.volume.center_P());
+  scene.isRight = before.isRight;
   ct::CtVolume after = scanned(scene, scan, seed);
   return {std::move(before), std::move(after), post_from_pre, std::move(truth), std::move(array)};
 }

@@ -75,7 +75,8 @@ struct ImplantTruth {
   double insertedLength_mm = 0.0;          ///< Of the array past the plane of the round window.
   int contactsInside = 0;
   bool isFolded = false;
-  double foldAngle_deg = 0.0;  ///< Angle of its turning point; 0 without.
+  double foldAngle_deg = 0.0;              ///< Angle of its turning point; 0 without.
+  std::vector<Eigen::Vector3d> oldLead_P;  ///< Course of an earlier implant's lead, 0.1 mm apart.
   std::optional<double>
       translocation_deg;  ///< Angle at which the center line passes the partition.
   // The cochlea, measured on its geometry.

@@ -11,7 +11,8 @@ namespace perilymph::test {
 /// platinum with 10 % iridium.
 struct XrayBeam {
   static constexpr std::size_t bins = 9;
-  std::array<float, bins> weight{};  ///< Of the detected signal without an object; their sum is 1.
+  std::array<float, bins>
+      weight{};  ///< Parts of the detected signal without an object; their sum is 1.
   std::array<float, bins> water{}, bone{}, platinum{}, wire{};
 
   /// Attenuation of water in a water-corrected image [1/mm].

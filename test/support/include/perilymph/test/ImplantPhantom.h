@@ -72,7 +72,7 @@ struct ImplantTruth {
   Eigen::Vector3d tip_P;
   double tipAngle_deg = 0.0;
   double angularInsertionDepth_deg = 0.0;  ///< Largest angle of a contact inside.
-  double insertedLength_mm = 0.0;          ///< Of the array past the plane of the round window.
+  double insertedLength_mm = 0.0;  ///< Length of the array past the plane of the round window.
   int contactsInside = 0;
   bool isFolded = false;
   double foldAngle_deg = 0.0;              ///< Angle of its turning point; 0 without.

@@ -145,6 +145,8 @@ public:
         dice_(seed ^ 0x5ca9U),
         beam_(tubeBeam()),
         correction_(beam_),
+        reference_(beam_.reference()),
+        meanHu_(softTissue + meanBone * (beam_.boneHu() - softTissue)),
         head_(scene.isRight),
         across_(static_cast<int>(fieldOfView_mm / scan.spacing_mm.x())),
         slices_(static_cast<int>(fieldOfView_mm / scan.spacing_mm.z())),
@@ -403,8 +405,7 @@ private:
   double huOf(float deviation) const
   {
     // The homogeneous bone that was subtracted.
-    const double mean = softTissue + meanBone * (beam_.boneHu() - softTissue);
-    return mean + 1000.0 * static_cast<double>(deviation) / beam_.reference();
+    return meanHu_ + 1000.0 * static_cast<double>(deviation) / reference_;
   }
 
   /// Replaces the traces of metal, found in the image, by straight lines along the detector; metal is put back.
@@ -477,6 +478,7 @@ private:
   Dice dice_;
   XrayBeam beam_;
   WaterCorrection correction_;
+  double reference_, meanHu_;
   Head head_;
   int across_, slices_;
   double pitch_;

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "perilymph/foundation/Units.h"
 
@@ -15,7 +16,7 @@ constexpr int boxes = 40;
 constexpr double box_mm = 1.0, halfWidth_mm = 0.5 * boxes * box_mm;
 const Eigen::Vector3d middle_W(1.2, -0.4, 0.6);
 
-constexpr double fluid = 60.0, air = -1000.0;
+constexpr double air = -1000.0;
 // Polydimethylsiloxane of 1.1 g/cm^3: 37.9 % of silicon, the rest attenuating as water, by NIST's tables at
 // 60 and 80 keV +280 and +170 HU. Confidence medium.
 constexpr double silicone = 230.0;
@@ -26,13 +27,12 @@ double part(double depth, double cell) { return std::clamp(0.5 + depth / cell, 0
 
 }  // namespace
 
-ImplantSurroundings::ImplantSurroundings(const PhantomAnatomy& anatomy,
-                                         const electrode::ArrayDesign& array, const Course& course,
-                                         bool hasOldLead, std::uint64_t seed)
-    : anatomy_(anatomy), near_(static_cast<std::size_t>(boxes * boxes * boxes))
+ImplantSurroundings::ImplantSurroundings(EarContent ear, const electrode::ArrayDesign& array,
+                                         const Course& course, bool hasOldLead, std::uint64_t seed)
+    : ear_(std::move(ear)), near_(static_cast<std::size_t>(boxes * boxes * boxes))
 {
   Dice dice(seed ^ 0xd1271U);
-  cavity_ = dice.uniform(0.0, 1.0) < 0.5 ? air : fluid;
+  cavity_ = dice.uniform(0.0, 1.0) < 0.5 ? air : fluidHu;
   for (double at = 0.0; at < course.length(); at += 0.1) {
     const electrode::Section section = array.sectionAt(millimeters(at));
     // The way to the opening widens like a cone; the window itself is closed with tissue.
@@ -86,7 +86,7 @@ void ImplantSurroundings::addOldLead(const Course& course, Dice& dice)
       old_.emplace_back(middle_W + 7.5 * out + at * along + 0.02 * at * at * out.cross(along));
     double nearest = 1e9;
     for (const Eigen::Vector3d& point : old_) {
-      nearest = std::min(nearest, -anatomy_.inside(point));
+      nearest = std::min(nearest, -ear_.inside(point));
       for (double at = 0.0; at < course.length(); at += 0.5)
         nearest = std::min(nearest, (course.at(at) - point).norm());
     }
@@ -124,7 +124,7 @@ void ImplantSurroundings::addBall(const Ball& ball)
 
 double ImplantSurroundings::intensity(const Eigen::Vector3d& p, double cell) const
 {
-  double value = anatomy_.intensity(p, fluid, cell);
+  double value = ear_.intensity(p, cell);
   if (((p - middle_W).cwiseAbs().array() > halfWidth_mm).any()) return value;
   double inDrilled = -1.0, inSilicone = -1.0;
   for (const int number : near_[boxOf(p)]) {
@@ -135,7 +135,7 @@ double ImplantSurroundings::intensity(const Eigen::Vector3d& p, double cell) con
   }
   // The labyrinth is not drilled.
   if (inDrilled > -cell) {
-    const double outside = part(-anatomy_.inside(p) - 0.3, cell);
+    const double outside = part(-ear_.inside(p) - 0.3, cell);
     value += part(inDrilled, cell) * outside * (cavity_ - value);
   }
   value += part(inSilicone, cell) * (silicone - value);

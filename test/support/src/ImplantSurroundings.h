@@ -4,16 +4,28 @@
 // What surrounds the array in an implanted ear: its silicone, its lead, the drilled way to it. Frame W, mm.
 
 #include <Eigen/Core>
+#include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "ImplantGeometry.h"
 
 namespace perilymph::test {
 
+/// Perilymph and soft tissue [HU].
+inline constexpr double fluidHu = 60.0;
+
+/// An ear without an implant.
+struct EarContent {
+  std::function<double(const Eigen::Vector3d& point_W, double cell)> intensity;  ///< [HU]
+  /// Depth in the labyrinth that is not drilled; negative outside.
+  std::function<double(const Eigen::Vector3d& point_W)> inside;
+};
+
 class ImplantSurroundings {
 public:
-  ImplantSurroundings(const PhantomAnatomy& anatomy, const electrode::ArrayDesign& array,
-                      const Course& course, bool hasOldLead, std::uint64_t seed);
+  ImplantSurroundings(EarContent ear, const electrode::ArrayDesign& array, const Course& course,
+                      bool hasOldLead, std::uint64_t seed);
 
   /// Intensity without metal, before any blur [HU].
   double intensity(const Eigen::Vector3d& point_W, double cell) const;
@@ -36,7 +48,7 @@ private:
   void addBall(const Ball& ball);
   std::size_t boxOf(const Eigen::Vector3d& point) const;
 
-  const PhantomAnatomy& anatomy_;
+  EarContent ear_;
   double cavity_;  // its content [HU]
   std::vector<Eigen::Vector3d> lead_, old_;
   std::vector<Ball> balls_;

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "perilymph/ct/CtVolume.h"
+#include "perilymph/ct/Measures.h"
 #include "perilymph/electrode/ArrayDesign.h"
 #include "perilymph/test/CtPhantom.h"
 
@@ -101,5 +102,22 @@ struct ImplantPhantom {
 /// @throws std::runtime_error if the array is unknown or its insertion fails.
 ImplantPhantom makeImplantPhantom(std::uint64_t seed, const ImplantScan& scan,
                                   const ImplantCondition& condition = {});
+
+/// A real ear with an array added to its CT in projections.
+struct ImplantedEar {
+  ct::CtVolume postoperative;
+  Eigen::Matrix4d post_from_pre;  ///< Rigid: a point of the CT before, in P after surgery.
+  ImplantTruth truth;             ///< Its pose, angles and cochlea are those of the measures.
+  electrode::ArrayDesign array;
+};
+
+/// Adds an array to an ear: the engine inserts it into the mean scala tympani with the ear's A, B and H, at its
+/// measured pose; the ear's CT is projected with the metal and reconstructed, in another pose of the head.
+///
+/// @param before  The ear's CT [HU]; bone and air cells are assumed beyond it.
+/// @throws std::runtime_error for folds and translocations, and as makeImplantPhantom() does.
+ImplantedEar implantInto(const ct::CtVolume& before, const ct::CochleaMeasures& ear,
+                         std::uint64_t seed, const ImplantScan& scan,
+                         const ImplantCondition& condition = {});
 
 }  // namespace perilymph::test

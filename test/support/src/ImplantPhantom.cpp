@@ -96,7 +96,7 @@ ImplantScan fineImplantScan()
   scan.spacing_mm.setConstant(0.125);
   scan.preoperative = coneBeamScan();
   scan.detector_mm = 0.1;
-  scan.focalSpot_mm = 0.12;
+  scan.focalSpot_mm = 0.2;
   scan.sliceProfile_mm = 0.125;
   scan.photons = 4.0e5;
   return scan;
@@ -107,7 +107,7 @@ ImplantScan coneBeamImplantScan()
   scan.spacing_mm.setConstant(0.2);
   scan.preoperative = coneBeamScan();
   scan.detector_mm = 0.15;
-  scan.focalSpot_mm = 0.2;
+  scan.focalSpot_mm = 0.35;
   scan.sliceProfile_mm = 0.2;
   scan.photons = 3.0e5;
   return scan;
@@ -118,7 +118,7 @@ ImplantScan highResolutionImplantScan()
   scan.spacing_mm.setConstant(0.3);
   scan.preoperative = highResolutionScan();
   scan.detector_mm = 0.25;
-  scan.focalSpot_mm = 0.35;
+  scan.focalSpot_mm = 0.45;
   scan.sliceProfile_mm = 0.3;
   scan.photons = 3.0e5;
   return scan;
@@ -129,7 +129,7 @@ ImplantScan clinicalImplantScan()
   scan.spacing_mm = {0.4, 0.4, 0.6};
   scan.preoperative = clinicalScan();
   scan.detector_mm = 0.35;
-  scan.focalSpot_mm = 0.5;
+  scan.focalSpot_mm = 0.6;
   scan.sliceProfile_mm = 0.6;
   scan.photons = 3.0e5;
   return scan;

@@ -25,7 +25,8 @@ struct ImplantScan {
   Eigen::Vector3d spacing_mm{0.2, 0.2, 0.2};
   PhantomScan preoperative;       ///< The scanner of the CT before surgery.
   double detector_mm = 0.2;       ///< Aperture of a detector element, at the ear.
-  double focalSpot_mm = 0.15;     ///< Width of the focal spot's image at the ear.
+  double focalSpot_mm = 0.15;     ///< Width of the focal spot's image at the ear, glare of the
+                                  ///< detector included.
   double sliceProfile_mm = 0.2;   ///< Width of the slice, a rectangle.
   double photons = 1.0e5;         ///< Incident on one detector element in one view.
   double electronicNoise = 10.0;  ///< Standard deviation, in detected photons.

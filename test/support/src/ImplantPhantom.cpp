@@ -98,7 +98,7 @@ ImplantScan fineImplantScan()
   scan.detector_mm = 0.1;
   scan.focalSpot_mm = 0.2;
   scan.sliceProfile_mm = 0.125;
-  scan.photons = 4.0e5;
+  scan.photons = 8.0e5;
   return scan;
 }
 ImplantScan coneBeamImplantScan()
@@ -109,7 +109,7 @@ ImplantScan coneBeamImplantScan()
   scan.detector_mm = 0.15;
   scan.focalSpot_mm = 0.35;
   scan.sliceProfile_mm = 0.2;
-  scan.photons = 3.0e5;
+  scan.photons = 6.0e5;
   return scan;
 }
 ImplantScan highResolutionImplantScan()
@@ -117,10 +117,10 @@ ImplantScan highResolutionImplantScan()
   ImplantScan scan;
   scan.spacing_mm.setConstant(0.3);
   scan.preoperative = highResolutionScan();
-  scan.detector_mm = 0.25;
-  scan.focalSpot_mm = 0.45;
+  scan.detector_mm = 0.2;
+  scan.focalSpot_mm = 0.3;
   scan.sliceProfile_mm = 0.3;
-  scan.photons = 3.0e5;
+  scan.photons = 6.0e5;
   return scan;
 }
 ImplantScan clinicalImplantScan()
@@ -128,10 +128,10 @@ ImplantScan clinicalImplantScan()
   ImplantScan scan;
   scan.spacing_mm = {0.4, 0.4, 0.6};
   scan.preoperative = clinicalScan();
-  scan.detector_mm = 0.35;
-  scan.focalSpot_mm = 0.6;
+  scan.detector_mm = 0.3;
+  scan.focalSpot_mm = 0.4;
   scan.sliceProfile_mm = 0.6;
-  scan.photons = 3.0e5;
+  scan.photons = 6.0e5;
   return scan;
 }
 

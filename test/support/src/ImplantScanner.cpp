@@ -106,8 +106,8 @@ std::vector<float> filterTaps(int count, double pitch, bool isBoneKernel)
     double sum = 0.0;
     for (int i = 0; i < pieces; ++i) {
       const double x = (i + 0.5) / pieces;
-      // Soft: Hann's window. Bone: middle frequencies are raised by up to a quarter.
-      const double window = isBoneKernel ? std::cos(0.5 * pi * x) * (1.0 + 3.0 * x * x)
+      // Soft: Hann's window. Bone: middle frequencies are raised, up to twofold.
+      const double window = isBoneKernel ? std::cos(0.5 * pi * x) * (1.0 + 7.0 * x * x)
                                          : std::pow(std::cos(0.5 * pi * x), 2);
       sum += x * window * std::cos(pi * n * x);
     }

@@ -10,6 +10,7 @@
 #include <mutex>
 #include <stdexcept>
 #include <tuple>
+#include <utility>
 
 #include "lumen/OutlineTables.h"
 #include "perilymph/analysis/ExperimentDevice.h"
@@ -108,8 +109,8 @@ double intendedDepth_mm(const electrode::ArrayDesign& array, const ImplantCondit
 }
 
 /// A surgeon who pushes to the intended depth, whatever is felt: the partition does not rupture.
-Inserted insert(const PhantomAnatomy& anatomy, const ImplantCondition& condition,
-                std::uint64_t seed)
+Inserted insert(std::shared_ptr<const anatomy::ScalaTympani> scala,
+                const ImplantCondition& condition, std::uint64_t seed)
 {
   session::Overrides changes{{"array", condition.array},
                              {"stop_travel_mm", session::anyStopTravel},
@@ -133,7 +134,7 @@ Inserted insert(const PhantomAnatomy& anatomy, const ImplantCondition& condition
   parameters.engine.samplePeriod = parameters.timeStep.si();
   const auto forceps = std::make_shared<analysis::ExperimentDevice>(
       analysis::TremblingPush{.speed = parameters.speed.si()}, parameters.timeStep);
-  auto insertion = session::Insertion::prepare(parameters, forceps, lowerScala(anatomy));
+  auto insertion = session::Insertion::prepare(parameters, forceps, std::move(scala));
   if (!insertion) throw std::runtime_error(insertion.error().message);
   const double step = parameters.timeStep.si();
   const auto push = [&](const haptics::TickRecord& record) {
@@ -182,6 +183,19 @@ void measureAngles(Course& course)
       course.opening = Course::step * static_cast<double>(i);
     }
   }
+}
+
+/// The course through the nodes of an inserted array.
+Course courseThrough(Inserted inserted, const electrode::ArrayDesign& array)
+{
+  Course course;
+  const double length = std::floor(inMillimeters(array.length) / Course::step + 0.5) * Course::step;
+  // From the base, so that what is rounded is at the tip.
+  std::reverse(inserted.nodes_W.begin(), inserted.nodes_W.end());
+  course.points_W = byLength(inserted.nodes_W, length);
+  std::reverse(course.points_W.begin(), course.points_W.end());
+  measureAngles(course);
+  return course;
 }
 
 /// The tip doubled back: a half circle of radius `bend` toward the side with more room, then along the course.
@@ -330,16 +344,11 @@ Course insertedCourse(std::uint64_t seed, const PhantomAnatomy& anatomy,
     const std::lock_guard lock(mutex);
     const Key key{seed, condition.array, condition.insertedFraction, condition.contactsOutside};
     auto found = kept.find(key);
-    if (found == kept.end()) found = kept.emplace(key, insert(anatomy, condition, seed)).first;
+    if (found == kept.end())
+      found = kept.emplace(key, insert(lowerScala(anatomy), condition, seed)).first;
     inserted = found->second;
   }
-  Course course;
-  const double length = std::floor(inMillimeters(array.length) / Course::step + 0.5) * Course::step;
-  // From the base, so that what is rounded is at the tip.
-  std::reverse(inserted.nodes_W.begin(), inserted.nodes_W.end());
-  course.points_W = byLength(inserted.nodes_W, length);
-  std::reverse(course.points_W.begin(), course.points_W.end());
-  measureAngles(course);
+  Course course = courseThrough(std::move(inserted), array);
   Dice dice(seed ^ 0xf01dU);
   if (condition.translocationAngle_deg) {
     translocate(course, anatomy, degrees(*condition.translocationAngle_deg).si(), dice);
@@ -350,6 +359,12 @@ Course insertedCourse(std::uint64_t seed, const PhantomAnatomy& anatomy,
     measureAngles(course);
   }
   return course;
+}
+
+Course insertedCourse(std::uint64_t seed, std::shared_ptr<const anatomy::ScalaTympani> scala,
+                      const electrode::ArrayDesign& array, const ImplantCondition& condition)
+{
+  return courseThrough(insert(std::move(scala), condition, seed), array);
 }
 
 std::vector<MetalPiece> platinumOf(const electrode::ArrayDesign& array, const Course& course,

@@ -37,9 +37,13 @@ struct Course {
 Course insertedCourse(std::uint64_t seed, const PhantomAnatomy& anatomy,
                       const electrode::ArrayDesign& array, const ImplantCondition& condition);
 
+/// The same in any scala tympani, as the engine gives it: neither folded nor translocated.
+Course insertedCourse(std::uint64_t seed, std::shared_ptr<const anatomy::ScalaTympani> scala,
+                      const electrode::ArrayDesign& array, const ImplantCondition& condition);
+
 /// A small piece of metal.
 struct MetalPiece {
-  Eigen::Vector3d point_W;
+  Eigen::Vector3d point;
   double volume_mm3;
   bool isContact;  ///< Platinum; else platinum-iridium of the wires.
 };

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "perilymph/ct/CtVolume.h"
+#include "perilymph/ct/Measures.h"
 #include "perilymph/electrode/ArrayDesign.h"
 #include "perilymph/test/CtPhantom.h"
 
@@ -24,7 +25,8 @@ struct ImplantScan {
   Eigen::Vector3d spacing_mm{0.2, 0.2, 0.2};
   PhantomScan preoperative;       ///< The scanner of the CT before surgery.
   double detector_mm = 0.2;       ///< Aperture of a detector element, at the ear.
-  double focalSpot_mm = 0.15;     ///< Width of the focal spot's image at the ear.
+  double focalSpot_mm = 0.15;     ///< Width of the focal spot's image at the ear, glare of the
+                                  ///< detector included.
   double sliceProfile_mm = 0.2;   ///< Width of the slice, a rectangle.
   double photons = 1.0e5;         ///< Incident on one detector element in one view.
   double electronicNoise = 10.0;  ///< Standard deviation, in detected photons.
@@ -72,10 +74,11 @@ struct ImplantTruth {
   Eigen::Vector3d tip_P;
   double tipAngle_deg = 0.0;
   double angularInsertionDepth_deg = 0.0;  ///< Largest angle of a contact inside.
-  double insertedLength_mm = 0.0;          ///< Of the array past the plane of the round window.
+  double insertedLength_mm = 0.0;  ///< Length of the array past the plane of the round window.
   int contactsInside = 0;
   bool isFolded = false;
-  double foldAngle_deg = 0.0;  ///< Angle of its turning point; 0 without.
+  double foldAngle_deg = 0.0;              ///< Angle of its turning point; 0 without.
+  std::vector<Eigen::Vector3d> oldLead_P;  ///< Course of an earlier implant's lead, 0.1 mm apart.
   std::optional<double>
       translocation_deg;  ///< Angle at which the center line passes the partition.
   // The cochlea, measured on its geometry.
@@ -100,5 +103,22 @@ struct ImplantPhantom {
 /// @throws std::runtime_error if the array is unknown or its insertion fails.
 ImplantPhantom makeImplantPhantom(std::uint64_t seed, const ImplantScan& scan,
                                   const ImplantCondition& condition = {});
+
+/// A real ear with an array added to its CT in projections.
+struct ImplantedEar {
+  ct::CtVolume postoperative;
+  Eigen::Matrix4d post_from_pre;  ///< Rigid: a point of the CT before, in P after surgery.
+  ImplantTruth truth;             ///< Its pose, angles and cochlea are those of the measures.
+  electrode::ArrayDesign array;
+};
+
+/// Adds an array to an ear: the engine inserts it into the mean scala tympani with the ear's A, B and H, at its
+/// measured pose; the ear's CT is projected with the metal and reconstructed, in another pose of the head.
+///
+/// @param before  The ear's CT [HU]; bone and air cells are assumed beyond it.
+/// @throws std::runtime_error for folds and translocations, and as makeImplantPhantom() does.
+ImplantedEar implantInto(const ct::CtVolume& before, const ct::CochleaMeasures& ear,
+                         std::uint64_t seed, const ImplantScan& scan,
+                         const ImplantCondition& condition = {});
 
 }  // namespace perilymph::test

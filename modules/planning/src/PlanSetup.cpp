@@ -234,4 +234,22 @@ Result<PlannedShape> runShape(const PlanRequest& request, const PlanSetup& setup
   return shape;
 }
 
+Result<UnstoppedDraw> runWithoutStop(const PlanRequest& request, const PlanSetup& setup,
+                                     std::size_t array, std::size_t number,
+                                     const std::stop_token& stop)
+{
+  const PlanDraw draw = drawOf(request, setup, number);
+  const Nominal& nominal = setup.nominal[array];
+  const auto parameters =
+      drawnParameters(nominal.parameters, draw, stiffnessFactor(draw, nominal.stiffnessDeviation),
+                      request.resolution);
+  // the cochlea is shared by all arrays of the plan: its lead-in is the first array's
+  const auto anatomy = buildCochlea(draw, setup.nominal.front().parameters.cochlea.leadIn);
+  if (!anatomy) return anatomy.error();
+  return UnstoppedDraw{
+      number, draw.surgeon.frictionFactor, draw.surgeon.stop,
+      analysis::intendedDepth(parameters, draw.surgeon),
+      analysis::pushWithoutStop(parameters, *anatomy, setup.hand, draw.surgeon, stop)};
+}
+
 }  // namespace perilymph::planning

@@ -12,6 +12,7 @@
 #include "perilymph/analysis/Surgeon.h"
 #include "perilymph/planning/PlanResult.h"
 #include "perilymph/planning/PlannedShape.h"
+#include "perilymph/planning/UnstoppedDraws.h"
 
 namespace perilymph::planning {
 
@@ -50,5 +51,10 @@ Result<std::vector<PlannedInsertion>> runDraw(const PlanRequest& request, const 
 /// One array in one draw.
 Result<PlannedShape> runShape(const PlanRequest& request, const PlanSetup& setup, std::size_t array,
                               std::size_t number, const std::stop_token& stop);
+
+/// One array in one draw, pushed without a stop.
+Result<UnstoppedDraw> runWithoutStop(const PlanRequest& request, const PlanSetup& setup,
+                                     std::size_t array, std::size_t number,
+                                     const std::stop_token& stop);
 
 }  // namespace perilymph::planning

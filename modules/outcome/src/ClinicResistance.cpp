@@ -24,9 +24,6 @@ double normalDensity(double deviate)
   return exponential(-0.5 * deviate * deviate) / std::sqrt(2.0 * std::numbers::pi);
 }
 
-/// Standard normal distribution function; 1 at infinity.
-double normalBelow(double deviate) { return 0.5 * std::erfc(-deviate / std::numbers::sqrt2); }
-
 /// Probability of an outcome under a distribution on the grid.
 double expected(const ResistanceCells& cells, const ResistanceCells& likelihood)
 {
@@ -68,7 +65,7 @@ ResistanceCells likelihoodOf(const InsertedLength& inserted, const planning::Sto
       const double beyond = (draws.draws[k].stop_mm[g] - inserted.length_mm) / s;
       one[k][g] = inserted.evidence == Evidence::resisted
                       ? (std::isfinite(beyond) ? normalDensity(beyond) / s : 0.0)
-                      : normalBelow(beyond);
+                      : planning::normalBelow(beyond);
     }
   for (std::size_t f = 0; f < frictionShifts; ++f) {
     const std::vector<double> weights = planning::frictionWeights(draws, f);

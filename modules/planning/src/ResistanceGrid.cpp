@@ -93,6 +93,8 @@ ResistanceCells cellsIn(const nlohmann::json& rows)
 double frictionShift(std::size_t place) { return shiftAt(place, frictionShifts, frictionShiftSd); }
 double stopShift(std::size_t place) { return shiftAt(place, stopShifts, stopShiftSd); }
 
+double normalBelow(double deviate) { return 0.5 * std::erfc(-deviate / std::numbers::sqrt2); }
+
 ResistanceCells resistancePrior()
 {
   ResistanceCells cells{};
@@ -172,7 +174,7 @@ double WeightedDepths::percentile(double depth_mm, double sd_mm) const
   for (const auto& [depth, weight] : depths_mm) {
     const double off = depth_mm - depth;
     const double isBelow = off > 0.0 ? 1.0 : off < 0.0 ? 0.0 : 0.5;
-    below += weight * (sd_mm > 0.0 ? 0.5 * std::erfc(-off / sd_mm / std::numbers::sqrt2) : isBelow);
+    below += weight * (sd_mm > 0.0 ? normalBelow(off / sd_mm) : isBelow);
   }
   return (effective * below + 0.5) / (effective + 1.0);
 }

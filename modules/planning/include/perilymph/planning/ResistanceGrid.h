@@ -29,6 +29,9 @@ inline constexpr double earFrictionSd = 0.20, kernelSd = 0.10;
 double frictionShift(std::size_t place);
 double stopShift(std::size_t place);
 
+/// Probability that a standard normal value lies below a deviate; 0 and 1 at infinity.
+double normalBelow(double deviate);
+
 /// Probabilities on the grid, by f, then by g: place f * stopShifts + g. Their sum is 1.
 using ResistanceCells = std::array<double, frictionShifts * stopShifts>;
 /// Both normal, independent.

@@ -58,7 +58,7 @@ struct ScoredOutcome {
   Evidence evidence = Evidence::none;
   Uncertain depth_mm;
   planning::Band plannedDepth_mm;
-  double percentile = 0.0;  ///< Of the depth in the plan, 0 to 1.
+  double percentile = 0.0;  ///< The depth among the plan's, 0 to 1.
   std::optional<Uncertain> angle_deg;
   planning::Band plannedAngle_deg;
   std::optional<double> anglePercentile;

@@ -115,33 +115,6 @@ std::string shareOf(std::size_t hits, std::size_t all)
          " %, 95 % interval " + percent(share.low) + " to " + percent(share.high) + ")";
 }
 
-/// One sentence on what the outcomes tell about resistance.
-Sentence resistanceSentence(const ClinicOutcomes& outcomes)
-{
-  const std::size_t all = outcomes.ears.size();
-  const std::size_t resisted = countOf(outcomes, Evidence::resisted),
-                    informative = resisted + countOf(outcomes, Evidence::censored);
-  if (informative == 0)
-    return Sentence{
-        "%1 of %2 outcomes are informative about resistance: the shipped resistance stays.", 0,
-        all};
-  if (outcomes.resistance.isOffered())
-    return Sentence{
-        "%1 of %2 outcomes are informative about resistance, %3 ended by it: the clinic's "
-        "resistance can be used, its gain in ln p is %4.",
-        informative, all, resisted,
-        session::shortestDecimal(std::round(100.0 * outcomes.resistance.logScore()) / 100.0)};
-  return Sentence{
-      "%1 of %2 outcomes are informative about resistance, %3 ended by it; the clinic's resistance "
-      "is not offered yet: that needs %4 that ended by it and a gain in ln p of %5, which is %6.",
-      informative,
-      all,
-      resisted,
-      fewestResisted,
-      session::shortestDecimal(minGain),
-      session::shortestDecimal(std::round(100.0 * outcomes.resistance.logScore()) / 100.0)};
-}
-
 struct Column {
   const char *name, *unit, *meaning;
 };
@@ -176,6 +149,32 @@ constexpr Column columns[] = {
     {"log_p_shipped", "", "ln p of the length with the shipped resistance"}};
 
 }  // namespace
+
+Sentence resistanceSentence(const ClinicOutcomes& outcomes)
+{
+  const std::size_t all = outcomes.ears.size();
+  const std::size_t resisted = countOf(outcomes, Evidence::resisted),
+                    informative = resisted + countOf(outcomes, Evidence::censored);
+  if (informative == 0)
+    return Sentence{
+        "%1 of %2 outcomes are informative about resistance: the shipped resistance stays.", 0,
+        all};
+  if (outcomes.resistance.isOffered())
+    return Sentence{
+        "%1 of %2 outcomes are informative about resistance, %3 ended by it: the clinic's "
+        "resistance can be used, its gain in ln p is %4.",
+        informative, all, resisted,
+        session::shortestDecimal(std::round(100.0 * outcomes.resistance.logScore()) / 100.0)};
+  return Sentence{
+      "%1 of %2 outcomes are informative about resistance, %3 ended by it; the clinic's resistance "
+      "is not offered yet: that needs %4 that ended by it and a gain in ln p of %5, which is %6.",
+      informative,
+      all,
+      resisted,
+      fewestResisted,
+      session::shortestDecimal(minGain),
+      session::shortestDecimal(std::round(100.0 * outcomes.resistance.logScore()) / 100.0)};
+}
 
 std::string outcomesJson(const ClinicOutcomes& outcomes)
 {
@@ -254,6 +253,7 @@ std::string outcomesText(const ClinicOutcomes& outcomes)
                      ", in the order of surgery; for each the plan as it was made before. " +
                      "For research and training; not a medical device.\n\n";
   for (const ArrayOutcomes& each : outcomes.arrays) {
+    if (each.depth.all == 0) continue;
     text += "## " + (each.array.empty() ? std::string("All arrays") : each.array) + "\n\n";
     text += "- depth inside the 50 % band: " + shareOf(each.depth.inHalf, each.depth.all) + "\n";
     text += "- depth inside the 90 % band: " + shareOf(each.depth.inNinety, each.depth.all) + "\n";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "perilymph/outcome/StopLengths.h"
+#include "StopLengths.h"
 
 #include <gtest/gtest.h>
 

@@ -103,7 +103,9 @@ std::string outcomesCsv(const ClinicOutcomes& outcomes);
 std::string outcomesDictionaryCsv();
 /// Columns of outcomesCsv().
 const FieldMeanings& outcomesColumns();
-/// The same in sentences, for reading: Markdown.
+/// What the outcomes tell about the clinic's resistance, and whether it is offered.
+Sentence resistanceSentence(const ClinicOutcomes& outcomes);
+/// The outcomes in sentences, for reading: Markdown.
 std::string outcomesText(const ClinicOutcomes& outcomes);
 /// Figures by name: "depths", predicted against measured; "percentiles", a histogram.
 std::vector<std::pair<std::string, figures::Figure>> outcomesFigures(

@@ -278,22 +278,26 @@ std::vector<std::pair<std::string, figures::Figure>> outcomesFigures(const Clini
   figures::FigureValues values;
   values.label = Sentence{"median, 5 to 95 % of the plan"};
   values.ink = ink::blue;
-  double high = 0.0;
+  double low = 20.0, high = 25.0;  // an axis without ears
   for (const ScoredOutcome& ear : outcomes.ears) {
     values.x.push_back(ear.depth_mm.value);
     values.y.push_back(ear.plannedDepth_mm.median);
     values.low.push_back(ear.plannedDepth_mm.low);
     values.high.push_back(ear.plannedDepth_mm.high);
+    low = std::min({low, ear.depth_mm.value, ear.plannedDepth_mm.low});
     high = std::max({high, ear.depth_mm.value, ear.plannedDepth_mm.high});
   }
-  depths.x = figures::axisOver(Sentence{"measured depth, mm"}, 0.0, std::max(high, 1.0));
-  depths.y = figures::axisOver(Sentence{"planned depth, mm"}, 0.0, std::max(high, 1.0));
+  constexpr double tick_mm = 5.0;
+  low = tick_mm * std::floor(low / tick_mm);
+  high = tick_mm * std::ceil(high / tick_mm);
+  depths.x = {Sentence{"measured depth, mm"}, low, high, tick_mm, 0};
+  depths.y = {Sentence{"planned depth, mm"}, low, high, tick_mm, 0};
   depths.values.push_back(std::move(values));
   figures::FigureCurve equal;
   equal.label = Sentence{"equal"};
   equal.ink = ink::gray;
   equal.dash = 3.0;
-  equal.x = equal.y = {0.0, std::max(high, 1.0)};
+  equal.x = equal.y = {low, high};
   depths.curves.push_back(std::move(equal));
   figures::Figure percentiles;
   percentiles.title = Sentence{"Percentiles of the measured depths in their plans"};
@@ -310,8 +314,10 @@ std::vector<std::pair<std::string, figures::Figure>> outcomesFigures(const Clini
                                  ink::tint(ink::blue, 0.8)});
   }
   percentiles.levels.push_back(
-      {Sentence{"if the bands hold"},
-       static_cast<double>(outcomes.ears.size()) / static_cast<double>(percentileBins), ink::gray});
+      {Sentence(), static_cast<double>(outcomes.ears.size()) / static_cast<double>(percentileBins),
+       ink::black});
+  percentiles.notes.push_back(
+      Sentence{"Dashed: as many in each tenth, to which the numbers tend if the bands hold."});
   percentiles.x = {Sentence{"percentile"}, 0.0, 100.0, 10.0, 0};
   percentiles.y = figures::axisOver(Sentence{"number of ears"}, 0.0, static_cast<double>(top));
   return {{"depths", std::move(depths)}, {"percentiles", std::move(percentiles)}};

@@ -87,7 +87,7 @@ struct PlanOptions {
   std::vector<std::string> arrays;      ///< Shipped names or files; "all": the shipped ones.
   std::optional<std::string> friction;  ///< Shipped name or file; without it, the scenario's.
   std::optional<std::string> clinicResistance;  ///< File; without it, the shipped distributions.
-  std::size_t samples = 64;
+  std::optional<std::size_t> samples;           ///< 64; with a clinic's resistance 512.
   std::uint64_t seed = 1;
   unsigned jobs = 0;
   bool runsAll = false;  ///< All samples, though the bands may stand earlier.

@@ -27,7 +27,9 @@ namespace {
 
 Result<planning::PlanRequest> requestOf(const PlanOptions& options)
 {
-  if (const auto done = planning::checkDraws(options.samples); !done) return done.error();
+  // weighted simulations count as fewer, and must count as fewestEffective
+  const std::size_t samples = options.samples.value_or(options.clinicResistance ? 512 : 64);
+  if (const auto done = planning::checkDraws(samples); !done) return done.error();
   const auto patient = readPatient(options.patient);
   if (!patient) return patient.error();
   planning::PlanRequest request;
@@ -40,7 +42,7 @@ Result<planning::PlanRequest> requestOf(const PlanOptions& options)
                  std::to_string(maxPlanArrays) + " at most. Name fewer."};
   request.friction = options.friction;
   request.clinicResistance = options.clinicResistance;
-  request.draws = options.samples;
+  request.draws = samples;
   request.stopsEarly = !options.runsAll;
   request.seed = options.seed;
   request.jobs = options.jobs;

@@ -49,12 +49,15 @@ void addPlan(CLI::App& app, FileOptions& files, PlanOptions& options)
                       "'endosteum' is recalled")
           ->default_str("estimate-from-pig-tissue"),
       "resources/friction");
+  files.reads(command.add_option("--clinic-resistance", options.clinicResistance,
+                                 "Also give depths with the resistance of a clinic, a file of "
+                                 "'outcomes --resistance' (JSON)"));
   command
       .add_option("--samples", options.samples,
                   "Simulations of each array at most, 16 to 4096: draws of measures, shape, "
                   "hand, friction, approach, stiffness and wires; fewer if the bands stand after "
                   "64, 128, ...")
-      ->capture_default_str()
+      ->default_str("64; with --clinic-resistance 512")
       ->check(wholeNumber(0, 1'000'000));
   command.add_flag("--all-samples", options.runsAll, "Run all simulations");
   addSeed(command, options.seed, "Random seed of the draws");

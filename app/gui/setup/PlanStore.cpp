@@ -29,6 +29,8 @@ std::string requestText(const StoredPlan& plan)
   return "made = " + quoted(plan.madeUtc) + "\narrays = [" + arrays +
          "]\nscenario = " + quoted(request.scenario) +
          (request.friction ? "\nfriction = " + quoted(*request.friction) : "") +
+         (request.clinicResistance ? "\nclinic_resistance = " + quoted(*request.clinicResistance)
+                                   : "") +
          "\ndraws = " + std::to_string(request.draws) + "\nseed = " + std::to_string(request.seed) +
          "\nis_coarse = " + (request.resolution ? "true" : "false") +
          "\nshown_draws = " + std::to_string(plan.shownDraws) +

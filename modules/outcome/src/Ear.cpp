@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "Registration.h"
+#include "RigidMotion.h"
 #include "perilymph/anatomy/AnatomySource.h"
 #include "perilymph/anatomy/Population.h"
 #include "perilymph/outcome/FoundArray.h"

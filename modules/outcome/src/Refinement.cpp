@@ -176,10 +176,15 @@ private:
     x_[wireAt() + 1] = 0.0;
   }
 
+  /// Distances that neighbors should have: the array's spacings on the bent course, with the distance of the contacts
+  /// from the center line, one for all, that fits best.
   void setChords()
   {
+    constexpr double offsetSd = 0.4;
     chord_.assign(count_, 0.0);
     chordSd_.assign(count_, 0.0);
+    std::vector<double> whole(count_, 0.0), nearer(count_, 0.0);
+    double top = contactOffset / (offsetSd * offsetSd), bottom = 1.0 / (offsetSd * offsetSd);
     for (std::size_t i = 0; i + 1 < count_; ++i) {
       const double arc = inMillimeters(array_.contactsFromTip[i + 1]) - inMillimeters(array_.contactsFromTip[i]);
       double bend = 0.0;
@@ -192,11 +197,17 @@ private:
         ++known;
       }
       bend = std::min(1.0, bend / std::max(1, known));
-      // contacts on the inner side of a bent carrier are nearer to each other by its half thickness
       const double half = 0.5 * inMillimeters(array_.sectionAt(array_.contactsFromTip[i]).within);
-      chord_[i] = arc * (1.0 - std::min(0.3, bend * bend * arc * arc / 24.0)) * (1.0 - contactOffset * bend * half);
-      chordSd_[i] = 0.02 + 0.01 * arc + 0.4 * bend * half * arc;
+      whole[i] = arc * (1.0 - std::min(0.3, bend * bend * arc * arc / 24.0));
+      nearer[i] = whole[i] * bend * half;
+      chordSd_[i] = 0.02 + 0.01 * arc + 0.15 * nearer[i];
+      const double weight = 1.0 / (chordSd_[i] * chordSd_[i]);
+      top += weight * nearer[i] * (whole[i] - (nodeOf(x_, i + 1) - nodeOf(x_, i)).norm());
+      bottom += weight * nearer[i] * nearer[i];
     }
+    offset_ = std::clamp(top / bottom, 0.0, 2.0 * contactOffset);
+    offsetCost_ = (offset_ - contactOffset) * (offset_ - contactOffset) / (offsetSd * offsetSd);
+    for (std::size_t i = 0; i + 1 < count_; ++i) chord_[i] = whole[i] - offset_ * nearer[i];
   }
 
   Eigen::VectorXd limited(const Eigen::VectorXd& step) const
@@ -484,7 +495,7 @@ private:
     fitted.blurInPlane_mm = x_[blurAt()];
     fitted.blurAxial_mm = x_[blurAt() + 1];
     fitted.residual = noise_;
-    fitted.cost = assembleCost(x_);
+    fitted.cost = assembleCost(x_) + offsetCost_;
     return fitted;
   }
 
@@ -499,7 +510,7 @@ private:
   Eigen::VectorXd x_;
   std::vector<Voxel> voxels_;
   std::vector<double> chord_, chordSd_;
-  double noise_ = 150.0, bone_ = 0.0;
+  double noise_ = 150.0, bone_ = 0.0, offset_ = contactOffset, offsetCost_ = 0.0;
 };
 
 }  // namespace

@@ -5,8 +5,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
-#include <cstdlib>
 #include <cmath>
 
 #include "Assignment.h"
@@ -261,7 +259,6 @@ Result<FoundArray> findContacts(const ct::CtVolume& postoperative, const Ear& ea
     if (nearest > 0.6 * pitch) ++evidence.unexplained;
   }
   evidence.isSecondNear = evidence.shiftMargin < margin;
-  if (std::getenv("DBGSHIFT")) std::fprintf(stderr, "margin %.1f seen %d singly %d\n", evidence.shiftMargin, evidence.seen, evidence.isSeenSingly);
   evidence.largestVoxel_mm = spacing.maxCoeff();
   evidence.isCoarse = spacing.maxCoeff() > coarsest_mm;
   auto found = resultsOf(postoperative, ear, frame, request, fitted, settings.isFixed, evidence);

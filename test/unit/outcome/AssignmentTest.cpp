@@ -24,10 +24,11 @@ protected:
     frame_.emplace(ear_);
     for (int i = 0; i < 8; ++i) array_.contactsFromTip.push_back(millimeters(1.0 + 1.5 * i));
     for (int i = 0; i < 8; ++i) contacts_.push_back(at(16.0 - 1.5 * i));
-    grid_.size = {161, 161, 161};
+    // metal all along, in a grid that holds the whole course
+    grid_.size = {201, 201, 201};
     grid_.step_mm = 0.15;
-    grid_.first_P = Eigen::Vector3d::Constant(-12.0);
-    grid_.value.assign(161 * 161 * 161, 0.0F);
+    grid_.first_P = Eigen::Vector3d::Constant(-15.0);
+    grid_.value.assign(201 * 201 * 201, 0.0F);
     for (double depth = -1.0; depth < 16.5; depth += 0.05) light(at(depth), 1000.0F);
     for (const Eigen::Vector3d& each : contacts_) light(each, 8000.0F);
   }
@@ -90,7 +91,7 @@ TEST_F(AChain, IsNotShiftedByAWeakBlobBeyondEitherEnd)
 
 TEST_F(AChain, LeavesOutAContactThatWasNotSeen)
 {
-  const Chain chain = bestChain(candidates({}, 3), grid_, array_, {});
+  const Chain chain = bestChain(candidates({}, 3), grid_, array_, {}, 0.3);
   ASSERT_EQ(chain.candidate.size(), 8u);
   EXPECT_EQ(chain.candidate[3], -1);
   EXPECT_EQ(chain.candidate[2], 2);

@@ -7,7 +7,7 @@
 #include <Eigen/Geometry>
 #include <random>
 
-#include "Registration.h"
+#include "RigidMotion.h"
 #include "perilymph/test/CtPhantom.h"
 
 namespace perilymph::outcome {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Registration.h"
+#include "RigidMotion.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>

@@ -7,6 +7,8 @@
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/foundation/TomlReader.h"
 
+#include "perilymph/planning/DefaultFilters.h"
+
 namespace perilymph::planning {
 
 Result<std::vector<FrequencyAllocation>> shippedAllocations()
@@ -41,6 +43,13 @@ std::vector<double> filtersOf(const electrode::ArrayDesign& array,
 double semitones(double from_Hz, double to_Hz)
 {
   return 12.0 * (logarithm(to_Hz) - logarithm(from_Hz)) / logarithm(2.0);
+}
+
+Result<std::vector<double>> defaultFiltersOf(const electrode::ArrayDesign& array)
+{
+  const auto allocations = shippedAllocations();
+  if (!allocations) return allocations.error();
+  return filtersOf(array, *allocations);
 }
 
 }  // namespace perilymph::planning

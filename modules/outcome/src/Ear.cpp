@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The cochlea in a CT after surgery: carried over from the CT before it, or measured without the metal.
+
+#include <algorithm>
+#include <cmath>
+
+#include "Registration.h"
+#include "perilymph/anatomy/AnatomySource.h"
+#include "perilymph/anatomy/Population.h"
+#include "perilymph/outcome/FoundArray.h"
+
+namespace perilymph::outcome {
+
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double leastCorrelation = 0.6, mostResidual_mm = 0.6;  // below and above, the CTs agree badly
+constexpr double aroundMetal_mm = 0.5;                           // without weight beside metal: blooming
+constexpr double boneFrom = 600.0;                               // intensities of bone and metal
+constexpr double boneQuantile = 0.9;
+
+/// The scala tympani of measured A, B and H, as for a patient of them.
+Result<std::shared_ptr<const anatomy::ScalaTympani>> scalaOf(const ct::CochleaMeasures& measures)
+{
+  anatomy::Cochlea cochlea;
+  cochlea.source = anatomy::sourceScaledBy(anatomy::PatientMeasures::basalTurn);
+  cochlea.patient.side = measures.side;
+  cochlea.patient.basalTurn = anatomy::BasalTurn{millimeters(measures.a.value), millimeters(measures.b.value), std::nullopt};
+  const anatomy::Spread limits = anatomy::limitsOfH();
+  const double h = std::clamp(measures.h.value, inMillimeters(limits.low), inMillimeters(limits.high));
+  if (std::fabs(h - measures.h.value) < 2.0 * measures.h.sd()) cochlea.patient.basalTurn->h = millimeters(h);
+  if (!anatomy::checkPatient(cochlea.patient)) cochlea.patient.basalTurn->h = std::nullopt;
+  return anatomy::buildAnatomy(cochlea, "the cochlea of this CT");
+}
+
+/// The measures in the frame of another CT.
+ct::CochleaMeasures moved(ct::CochleaMeasures measures, const RigidMotion& motion)
+{
+  for (Vector3d* point : {&measures.center_P, &measures.roundWindow_P, &measures.anatomyOrigin_P}) *point = motion.apply(*point);
+  measures.axis_P = motion.rotation * measures.axis_P;
+  measures.axes_PW = motion.rotation * measures.axes_PW;
+  measures.anatomyAxes_PW = motion.rotation * measures.anatomyAxes_PW;
+  for (Vector3d& point : measures.wall_P) point = motion.apply(point);
+  measures.otherCochlea_P.reset();
+  for (auto& mark : measures.marksByHand.points_P)
+    if (mark) mark = motion.apply(*mark);
+  return measures;
+}
+
+/// The volume with metal and what is beside it marked as not measured.
+Result<ct::CtVolume> withoutMetal(const ct::CtVolume& volume)
+{
+  std::vector<std::int16_t> bone;
+  for (std::size_t i = 0; i < volume.voxels().size(); i += 3)
+    if (volume.voxels()[i] > boneFrom) bone.push_back(volume.voxels()[i]);
+  if (bone.size() < 100) return Error{"The CT shows no bone. Choose a CT of the temporal bone."};
+  const auto at = static_cast<std::ptrdiff_t>(boneQuantile * static_cast<double>(bone.size() - 1));
+  std::nth_element(bone.begin(), bone.begin() + at, bone.end());
+  const double level = std::max(1.3 * bone[static_cast<std::size_t>(at)], bone[static_cast<std::size_t>(at)] + 500.0);
+  std::vector<std::int16_t> voxels(volume.voxels().begin(), volume.voxels().end());
+  const auto& size = volume.size();
+  const Vector3d spacing = volume.spacing_mm();
+  const std::array<int, 3> reach{static_cast<int>(aroundMetal_mm / spacing[0]), static_cast<int>(aroundMetal_mm / spacing[1]), static_cast<int>(aroundMetal_mm / spacing[2])};
+  for (int k = 0; k < size[2]; ++k)
+    for (int j = 0; j < size[1]; ++j)
+      for (int i = 0; i < size[0]; ++i) {
+        if (volume.voxel(i, j, k) <= level) continue;
+        for (int c = std::max(0, k - reach[2]); c <= std::min(size[2] - 1, k + reach[2]); ++c)
+          for (int b = std::max(0, j - reach[1]); b <= std::min(size[1] - 1, j + reach[1]); ++b)
+            for (int a = std::max(0, i - reach[0]); a <= std::min(size[0] - 1, i + reach[0]); ++a)
+              voxels[(static_cast<std::size_t>(c) * static_cast<std::size_t>(size[1]) + static_cast<std::size_t>(b)) * static_cast<std::size_t>(size[0]) + static_cast<std::size_t>(a)] = ct::unmeasured;
+      }
+  return ct::CtVolume::make(size, volume.lpsFromIndex(), std::move(voxels), volume.provenance());
+}
+
+}  // namespace
+
+Result<Ear> registeredEar(const ct::CtVolume& postoperative, const ct::CtVolume& preoperative, const ct::CochleaMeasures& measured, const std::stop_token& stop)
+{
+  const auto motion = registration(preoperative, measured.center_P, postoperative, stop);
+  if (!motion) return motion.error();
+  Ear ear;
+  ear.measures = moved(measured, *motion);
+  auto scala = scalaOf(measured);
+  if (!scala) return scala.error();
+  ear.scala = *std::move(scala);
+  ear.isRegistered = true;
+  ear.residual_mm = motion->residual_mm;
+  if (motion->correlation < leastCorrelation || motion->residual_mm > mostResidual_mm) ear.flags.push_back(Flag::registrationPoor);
+  return ear;
+}
+
+Result<Ear> measuredEar(const ct::CtVolume& postoperative, const ct::MeasureRequest& request)
+{
+  const auto masked = withoutMetal(postoperative);
+  if (!masked) return masked.error();
+  auto measures = ct::measureCochlea(*masked, request);
+  if (!measures) return measures.error();
+  Ear ear;
+  auto scala = scalaOf(*measures);
+  if (!scala) return scala.error();
+  ear.scala = *std::move(scala);
+  ear.measures = *std::move(measures);
+  ear.flags.push_back(Flag::earFromThisCt);
+  return ear;
+}
+
+}  // namespace perilymph::outcome

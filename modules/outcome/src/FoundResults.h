@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// From fitted positions to angles, distances, frequencies, probabilities and flags.
+
+#include "EarFrame.h"
+#include "Refinement.h"
+#include "perilymph/outcome/FoundArray.h"
+
+namespace perilymph::outcome {
+
+/// What the search noticed.
+struct FoundEvidence {
+  bool isSeenSingly = true;
+  std::vector<bool> isSeen;  ///< For each contact.
+  int seen = 0, unexplained = 0;
+  double margin = 0.0;
+  bool isSecondNear = false, areMissing = false, areManyMissing = false, isCoarse = false;
+  double largestVoxel_mm = 0.0;
+};
+
+Result<FoundArray> resultsOf(const ct::CtVolume& volume, const Ear& ear, const EarFrame& frame, const ContactsRequest& request,
+                             const FittedChain& chain, const std::vector<bool>& isFixed, const FoundEvidence& evidence);
+
+}  // namespace perilymph::outcome

@@ -1,0 +1,532 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Refinement.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "perilymph/anatomy/ScalaVestibuli.h"
+#include "perilymph/foundation/Math.h"
+
+namespace perilymph::outcome {
+
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+constexpr double fitReach_mm = 0.9;       // from the polyline: voxels of the fit
+constexpr double leadPart_mm = 0.5;    // of the lead that is fitted, too
+constexpr double plate_mm = 0.4;       // size of a contact across the array (low confidence: plates differ)
+constexpr double wireStep_mm = 0.2;
+constexpr double studentDegrees = 4.0;
+constexpr double modelPart = 0.08;     // error of the model as a part of the metal's signal
+constexpr double leastNoise = 40.0;
+constexpr double blurSpread = 0.35;    // of the blur about its guess
+constexpr double amplitudeSpread = 0.3;  // among contacts that are not seen singly
+constexpr double leadLength_mm = 1.5;
+constexpr double keptSd_mm = 0.002;    // what a person placed stays
+
+/// Normal density of one blur and what its derivatives need.
+struct Spot {
+  Matrix3d inverse;
+  double factor;
+  double value(const Vector3d& off) const { return factor * exponential(-0.5 * off.dot(inverse * off)); }
+};
+
+Spot spotOf(const Matrix3d& covariance)
+{
+  const double determinant = std::max(1e-9, covariance.determinant());
+  return {covariance.inverse(), 1.0 / (std::pow(2.0 * pi, 1.5) * std::sqrt(determinant))};
+}
+
+/// The part of bone at a voxel: 1 outside both scalae.
+double bonePart(const anatomy::ScalaTympani& both, const Ear& ear, const Vector3d& point_P, double blur_mm)
+{
+  const Vector3d point_W = 1e-3 * (ear.measures.anatomyAxes_PW.transpose() * (point_P - ear.measures.anatomyOrigin_P));
+  // the turn that is nearest
+  double angle = arcTangent(point_W.y(), point_W.x()), best = 1e9, at = 0.0;
+  for (; angle < both.lastAngle().si(); angle += 2.0 * pi) {
+    if (angle < 0.0) continue;
+    const Vector3d center = both.center_W(angle);
+    const double r = std::sqrt(center.x() * center.x() + center.y() * center.y());
+    const double across = std::hypot(point_W.head<2>().norm() - r, point_W.z() - center.z());
+    if (across < best) best = across, at = angle;
+  }
+  if (best > 2.5e-3) return 1.0;
+  anatomy::LumenTrack track{false, at, {std::cos(at), std::sin(at)}};
+  const double reach = 2e-3;
+  anatomy::WallPoint wall;
+  both.nearestWall({&point_W, 1}, {&reach, 1}, {&track, 1}, {&wall, 1});
+  if (!wall.isNear) return best < 0.5e-3 ? 0.0 : 1.0;
+  return 0.5 - 0.5 * std::clamp(1e3 * wall.distance / (1.6 * blur_mm), -1.0, 1.0);
+}
+
+struct Voxel {
+  Vector3d point_P;
+  double intensity, bone;
+};
+
+class Fit {
+public:
+  Fit(const ct::CtVolume& volume, const MetalGrid& grid, const Ear& ear, const electrode::ArrayDesign& array, const FittedChain& start, const RefinementSettings& settings)
+      : array_(array), settings_(settings), ceiling_(grid.ceiling), count_(array.contactsFromTip.size()), chain_(start)
+  {
+    spacing_ = volume.spacing_mm();
+    Eigen::Index slow = 2;
+    for (Eigen::Index i = 0; i < 3; ++i)
+      if (spacing_[i] > 1.05 * spacing_[slow]) slow = i;
+    normal_ = volume.lpsFromIndex().block<3, 1>(0, slow).normalized();
+    guess_ = {start.blurInPlane_mm, start.blurAxial_mm};
+    size_ = static_cast<Eigen::Index>(3 * (count_ + 1) + count_ + 6);
+    x_ = Eigen::VectorXd::Zero(size_);
+    for (std::size_t i = 0; i <= count_; ++i) x_.segment<3>(3 * static_cast<Eigen::Index>(i)) = start.position_P[i];
+    x_[blurAt()] = start.blurInPlane_mm;
+    x_[blurAt() + 1] = start.blurAxial_mm;
+    x_[levelAt()] = ear.measures.lumenLevel < 500.0 && ear.measures.lumenLevel > -300.0 ? ear.measures.lumenLevel : 50.0;
+    x_[levelAt() + 1] = grid.bone;
+    collect(volume, ear);
+    startAmplitudes(grid);
+  }
+
+  FittedChain run()
+  {
+    double damping = 1e-2;
+    noise_ = 150.0;
+    for (int round = 0; round < settings_.rounds; ++round) {
+      setChords();
+      const System system = assemble(x_, true);
+      if (round > 0 || true) noise_ = std::max(leastNoise, 0.5 * noise_ + 0.5 * system.spread);
+      const double before = assembleCost(x_);
+      bool isBetter = false;
+      for (int attempt = 0; attempt < 6 && !isBetter; ++attempt) {
+        Eigen::MatrixXd left = system.left;
+        left.diagonal() *= 1.0 + damping;
+        left.diagonal().array() += 1e-12;
+        const Eigen::VectorXd step = left.ldlt().solve(system.right);
+        if (!step.allFinite()) break;
+        const Eigen::VectorXd next = bounded(x_ + limited(step));
+        if (assembleCost(next) < before) {
+          x_ = next;
+          damping = std::max(1e-6, 0.3 * damping);
+          isBetter = true;
+        } else {
+          damping *= 6.0;
+        }
+      }
+      if (!isBetter) break;
+    }
+    return result();
+  }
+
+private:
+  struct System {
+    Eigen::MatrixXd left;
+    Eigen::VectorXd right;
+    double spread = 0.0;
+  };
+
+  Eigen::Index amplitudeAt() const { return static_cast<Eigen::Index>(3 * (count_ + 1)); }
+  Eigen::Index wireAt() const { return amplitudeAt() + static_cast<Eigen::Index>(count_); }
+  Eigen::Index levelAt() const { return wireAt() + 2; }
+  Eigen::Index blurAt() const { return levelAt() + 2; }
+  Vector3d nodeOf(const Eigen::VectorXd& x, std::size_t i) const { return x.segment<3>(3 * static_cast<Eigen::Index>(i)); }
+
+  Matrix3d blurOf(const Eigen::VectorXd& x) const
+  {
+    const Matrix3d across = normal_ * normal_.transpose();
+    return x[blurAt()] * x[blurAt()] * (Matrix3d::Identity() - across) + x[blurAt() + 1] * x[blurAt() + 1] * across;
+  }
+
+  void collect(const ct::CtVolume& volume, const Ear& ear)
+  {
+    const auto both = anatomy::bothScalaeOf(*ear.scala);
+    const double longest = 0.7 * fitReach_mm;
+    std::vector<std::size_t> marked;
+    const auto& size = volume.size();
+    for (std::size_t i = 0; i < count_; ++i) {
+      const Vector3d a = chain_.position_P[i];
+      Vector3d b = chain_.position_P[i + 1];
+      if (i + 1 == count_) b = a + std::min(leadPart_mm, (b - a).norm()) * (b - a).normalized();
+      const int samples = std::max(1, static_cast<int>(std::ceil((b - a).norm() / longest)));
+      for (int s = 0; s <= samples; ++s) {
+        const Vector3d center = volume.toIndex(a + (static_cast<double>(s) / samples) * (b - a));
+        std::array<int, 3> low{}, high{};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          const auto at = static_cast<Eigen::Index>(axis);
+          low[axis] = std::max(0, static_cast<int>(std::ceil(center[at] - fitReach_mm / spacing_[at])));
+          high[axis] = std::min(size[axis] - 1, static_cast<int>(std::floor(center[at] + fitReach_mm / spacing_[at])));
+        }
+        for (int k = low[2]; k <= high[2]; ++k)
+          for (int j = low[1]; j <= high[1]; ++j)
+            for (int i2 = low[0]; i2 <= high[0]; ++i2) {
+              if ((volume.toLps(Vector3d(i2, j, k)) - volume.toLps(center)).norm() > fitReach_mm) continue;
+              marked.push_back((static_cast<std::size_t>(k) * static_cast<std::size_t>(size[1]) + static_cast<std::size_t>(j)) * static_cast<std::size_t>(size[0]) + static_cast<std::size_t>(i2));
+            }
+      }
+    }
+    std::sort(marked.begin(), marked.end());
+    marked.erase(std::unique(marked.begin(), marked.end()), marked.end());
+    for (const std::size_t cell : marked) {
+      const std::int16_t value = volume.voxels()[cell];
+      if (value == ct::unmeasured) continue;
+      const auto i = static_cast<double>(cell % static_cast<std::size_t>(size[0]));
+      const auto j = static_cast<double>((cell / static_cast<std::size_t>(size[0])) % static_cast<std::size_t>(size[1]));
+      const auto k = static_cast<double>(cell / (static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1])));
+      const Vector3d point = volume.toLps({i, j, k});
+      voxels_.push_back({point, static_cast<double>(value), bonePart(*both, ear, point, guess_[0])});
+    }
+  }
+
+  void startAmplitudes(const MetalGrid& grid)
+  {
+    const Matrix3d blur = blurOf(x_);
+    const double atCenter = spotOf(blur + plate_mm * plate_mm / 12.0 * Matrix3d::Identity()).factor;
+    double sum = 0.0;
+    for (std::size_t i = 0; i < count_; ++i) {
+      const double metal = std::max(300.0, grid.sample(grid.value, chain_.position_P[i]) + grid.floor - x_[levelAt()]);
+      x_[amplitudeAt() + static_cast<Eigen::Index>(i)] = 0.8 * metal / atCenter;
+      sum += metal;
+    }
+    // wires begin with a tenth of the contacts' signal along a line
+    const double line = 1.0 / (2.0 * pi * std::sqrt(std::max(1e-9, blur(0, 0) * blur(1, 1))));
+    x_[wireAt()] = 0.1 * sum / static_cast<double>(count_) / line;
+    x_[wireAt() + 1] = 0.0;
+  }
+
+  void setChords()
+  {
+    chord_.assign(count_, 0.0);
+    chordSd_.assign(count_, 0.0);
+    for (std::size_t i = 0; i + 1 < count_; ++i) {
+      const double arc = inMillimeters(array_.contactsFromTip[i + 1]) - inMillimeters(array_.contactsFromTip[i]);
+      double bend = 0.0;
+      int known = 0;
+      for (const std::size_t at : {i, i + 1}) {
+        if (at == 0) continue;
+        const Vector3d a = nodeOf(x_, at) - nodeOf(x_, at - 1), b = nodeOf(x_, at + 1) - nodeOf(x_, at);
+        const double turn = arcTangent(a.cross(b).norm(), a.dot(b));
+        bend += 2.0 * turn / std::max(0.1, a.norm() + b.norm());
+        ++known;
+      }
+      bend = std::min(1.0, bend / std::max(1, known));
+      // contacts on the inner side of a bent carrier are nearer to each other by its half thickness
+      const double half = 0.5 * inMillimeters(array_.sectionAt(array_.contactsFromTip[i]).within);
+      chord_[i] = arc * (1.0 - std::min(0.3, bend * bend * arc * arc / 24.0)) * (1.0 - 0.5 * bend * half);
+      chordSd_[i] = 0.02 + 0.01 * arc + 0.4 * bend * half * arc;
+    }
+  }
+
+  Eigen::VectorXd limited(const Eigen::VectorXd& step) const
+  {
+    Eigen::VectorXd result = step;
+    for (std::size_t i = 0; i <= count_; ++i) {
+      const double length = step.segment<3>(3 * static_cast<Eigen::Index>(i)).norm();
+      if (length > 0.3) result.segment<3>(3 * static_cast<Eigen::Index>(i)) *= 0.3 / length;
+    }
+    return result;
+  }
+
+  Eigen::VectorXd bounded(Eigen::VectorXd x) const
+  {
+    for (std::size_t i = 0; i < count_; ++i) {
+      double& amplitude = x[amplitudeAt() + static_cast<Eigen::Index>(i)];
+      amplitude = std::max(0.0, amplitude);
+    }
+    x[wireAt()] = std::max(0.0, x[wireAt()]);
+    x[wireAt() + 1] = std::max(-x[wireAt()] / static_cast<double>(count_), x[wireAt() + 1]);
+    for (Eigen::Index i = 0; i < 2; ++i) x[blurAt() + i] = std::clamp(x[blurAt() + i], 0.4 * guess_[i], 2.5 * guess_[i]);
+    return x;
+  }
+
+  /// Model and derivatives at a voxel: indices and values of those that are not zero.
+  struct Local {
+    double model = 0.0, metal = 0.0;
+    std::vector<std::pair<Eigen::Index, double>> slope;
+  };
+
+  struct WireSpot {
+    Vector3d place;
+    std::size_t segment;
+    double part, weight;  // part of the way; length that it stands for
+  };
+
+  struct Prepared {
+    std::vector<Spot> contact;
+    Spot wire;
+    std::vector<WireSpot> wires;
+    double cut;  // squared distance beyond which nothing counts
+  };
+
+  Prepared prepare(const Eigen::VectorXd& x) const
+  {
+    Prepared p;
+    const Matrix3d blur = blurOf(x);
+    const double length = inMillimeters(array_.contactLength);
+    for (std::size_t i = 0; i < count_; ++i) {
+      const Vector3d along = (nodeOf(x, i + 1) - nodeOf(x, i > 0 ? i - 1 : 0)).normalized();
+      const Matrix3d t = along * along.transpose();
+      p.contact.push_back(spotOf(blur + length * length / 12.0 * t + plate_mm * plate_mm / 12.0 * (Matrix3d::Identity() - t)));
+    }
+    p.wire = spotOf(blur);
+    for (std::size_t i = 0; i < count_; ++i) {
+      const Vector3d a = nodeOf(x, i), b = nodeOf(x, i + 1);
+      const double whole = (b - a).norm();
+      const int samples = std::max(1, static_cast<int>(std::ceil(whole / wireStep_mm)));
+      for (int s = 0; s < samples; ++s) {
+        const double part = (s + 0.5) / samples;
+        p.wires.push_back({a + part * (b - a), i, part, whole / samples});
+      }
+    }
+    const double widest = std::max(x[blurAt()], x[blurAt() + 1]);
+    p.cut = std::pow(3.7 * widest + 0.4, 2);
+    return p;
+  }
+
+  void evaluate(const Eigen::VectorXd& x, const Prepared& p, const Voxel& voxel, bool withSlopes, Local& local) const
+  {
+    local.slope.clear();
+    local.metal = 0.0;
+    double byInPlane = 0.0, byAxial = 0.0;
+    const auto addBlur = [&](const Spot& spot, const Vector3d& y, double signal) {
+      // derivatives of the density by both widths: S' = 2 sigma M, with M the projection
+      const double yAxial = y.dot(normal_);
+      const double inPlane = y.squaredNorm() - yAxial * yAxial;
+      const double traceAxial = normal_.dot(spot.inverse * normal_);
+      const double trace = spot.inverse.trace() - traceAxial;
+      byInPlane += signal * x[blurAt()] * (inPlane - trace);
+      byAxial += signal * x[blurAt() + 1] * (yAxial * yAxial - traceAxial);
+    };
+    for (std::size_t i = 0; i < count_; ++i) {
+      const Vector3d off = voxel.point_P - nodeOf(x, i);
+      if (off.squaredNorm() > p.cut) continue;
+      const double density = p.contact[i].value(off);
+      const double amplitude = x[amplitudeAt() + static_cast<Eigen::Index>(i)];
+      local.metal += amplitude * density;
+      if (!withSlopes) continue;
+      const Vector3d y = p.contact[i].inverse * off;
+      for (Eigen::Index d = 0; d < 3; ++d) local.slope.emplace_back(3 * static_cast<Eigen::Index>(i) + d, amplitude * density * y[d]);
+      local.slope.emplace_back(amplitudeAt() + static_cast<Eigen::Index>(i), density);
+      addBlur(p.contact[i], y, amplitude * density);
+    }
+    double byWire = 0.0, byRise = 0.0;
+    Vector3d first = Vector3d::Zero(), second = Vector3d::Zero();
+    std::size_t segment = count_;
+    const auto flush = [&] {
+      if (segment == count_ || !withSlopes) return;
+      for (Eigen::Index d = 0; d < 3; ++d) {
+        local.slope.emplace_back(3 * static_cast<Eigen::Index>(segment) + d, first[d]);
+        local.slope.emplace_back(3 * static_cast<Eigen::Index>(segment + 1) + d, second[d]);
+      }
+      first.setZero();
+      second.setZero();
+    };
+    for (const WireSpot& wire : p.wires) {
+      const Vector3d off = voxel.point_P - wire.place;
+      if (off.squaredNorm() > p.cut) continue;
+      if (wire.segment != segment) {
+        flush();
+        segment = wire.segment;
+      }
+      const double at = static_cast<double>(wire.segment) + wire.part;
+      const double density = p.wire.value(off) * wire.weight;
+      const double signal = std::max(0.0, x[wireAt()] + x[wireAt() + 1] * at) * density;
+      local.metal += signal;
+      if (!withSlopes) continue;
+      byWire += density;
+      byRise += density * at;
+      const Vector3d y = p.wire.inverse * off;
+      first += (1.0 - wire.part) * signal * y;
+      second += wire.part * signal * y;
+      addBlur(p.wire, y, signal);
+    }
+    flush();
+    local.model = x[levelAt()] + (x[levelAt() + 1] - x[levelAt()]) * voxel.bone + local.metal;
+    if (!withSlopes) return;
+    local.slope.emplace_back(wireAt(), byWire);
+    local.slope.emplace_back(wireAt() + 1, byRise);
+    local.slope.emplace_back(levelAt(), 1.0 - voxel.bone);
+    local.slope.emplace_back(levelAt() + 1, voxel.bone);
+    local.slope.emplace_back(blurAt(), byInPlane);
+    local.slope.emplace_back(blurAt() + 1, byAxial);
+  }
+
+  /// Residual of a voxel with the scanner's limit; 0 where both are beyond it.
+  double residualOf(const Voxel& voxel, double model) const
+  {
+    if (voxel.intensity >= ceiling_) return std::max(0.0, ceiling_ - model);
+    return voxel.intensity - model;
+  }
+
+  double varianceOf(double metal) const
+  {
+    const double signal = std::min(metal, ceiling_);
+    return noise_ * noise_ + modelPart * modelPart * signal * signal;
+  }
+
+  /// Calls `add(residual, weight, slopes)` for every prior.
+  template <class Add>
+  void priors(const Eigen::VectorXd& x, Add add) const
+  {
+    std::vector<std::pair<Eigen::Index, double>> slope;
+    const auto one = [&](Eigen::Index at, double value, double mean, double sd) {
+      slope.assign(1, {at, 1.0});
+      add(mean - value, 1.0 / (sd * sd), slope);
+    };
+    for (std::size_t i = 0; i < count_; ++i) {
+      const Vector3d step = nodeOf(x, i + 1) - nodeOf(x, i);
+      const double length = std::max(1e-6, step.norm());
+      const bool isLead = i + 1 == count_;
+      const double chord = isLead ? leadLength_mm : chord_[i];
+      const double sd = isLead ? 0.1 : chordSd_[i];
+      slope.clear();
+      for (Eigen::Index d = 0; d < 3; ++d) {
+        slope.emplace_back(3 * static_cast<Eigen::Index>(i + 1) + d, step[d] / length);
+        slope.emplace_back(3 * static_cast<Eigen::Index>(i) + d, -step[d] / length);
+      }
+      add(chord - length, 1.0 / (sd * sd), slope);
+    }
+    // smoothness: the third difference of four consecutive nodes with equal spacing
+    for (std::size_t i = 0; i + 3 <= count_; ++i) {
+      const double d = (nodeOf(x, i + 1) - nodeOf(x, i)).norm();
+      const double e = (nodeOf(x, i + 3) - nodeOf(x, i + 2)).norm();
+      if (i + 3 == count_ || std::fabs(d - e) > 0.3 * d) continue;  // the lead has another spacing
+      constexpr double radius = 2.0;
+      const double sd = 0.03 + 0.6 * d * d * d / (radius * radius);
+      for (Eigen::Index axis = 0; axis < 3; ++axis) {
+        const auto at = [&](std::size_t n) { return 3 * static_cast<Eigen::Index>(i + n) + axis; };
+        slope = {{at(3), 1.0}, {at(2), -3.0}, {at(1), 3.0}, {at(0), -1.0}};
+        add(-(x[at(3)] - 3.0 * x[at(2)] + 3.0 * x[at(1)] - x[at(0)]), 1.0 / (sd * sd), slope);
+      }
+    }
+    // the lead goes on about straight
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+      const auto n = static_cast<Eigen::Index>(count_);
+      const double last = (nodeOf(x, count_ - 1) - nodeOf(x, count_ - 2)).norm();
+      const double ratio = leadLength_mm / std::max(0.2, last);
+      const Eigen::Index a = 3 * (n - 2) + axis, b = 3 * (n - 1) + axis, c = 3 * n + axis;
+      slope = {{c, 1.0}, {b, -1.0 - ratio}, {a, ratio}};
+      add(-(x[c] - (1.0 + ratio) * x[b] + ratio * x[a]), 1.0 / (0.6 * 0.6), slope);
+    }
+    double mean = 0.0;
+    for (std::size_t i = 0; i < count_; ++i) mean += x[amplitudeAt() + static_cast<Eigen::Index>(i)] / static_cast<double>(count_);
+    const double spread = settings_.isSeenSingly ? 1.0 : amplitudeSpread;
+    for (std::size_t i = 0; i < count_; ++i)
+      one(amplitudeAt() + static_cast<Eigen::Index>(i), x[amplitudeAt() + static_cast<Eigen::Index>(i)], mean, std::max(1.0, spread * mean));
+    for (Eigen::Index i = 0; i < 2; ++i) one(blurAt() + i, x[blurAt() + i], guess_[i], blurSpread * guess_[i]);
+    one(levelAt(), x[levelAt()], 50.0, 400.0);
+    one(levelAt() + 1, x[levelAt() + 1], boneGuess(), 300.0);
+    for (std::size_t i = 0; i < count_; ++i)
+      if (i < settings_.isFixed.size() && settings_.isFixed[i])
+        for (Eigen::Index d = 0; d < 3; ++d)
+          one(3 * static_cast<Eigen::Index>(i) + d, x[3 * static_cast<Eigen::Index>(i) + d], chain_.position_P[i][d], keptSd_mm);
+  }
+
+  double boneGuess() const { return bone_; }
+
+  System assemble(const Eigen::VectorXd& x, bool withSpread)
+  {
+    if (bone_ == 0.0) bone_ = x[levelAt() + 1];
+    System system{Eigen::MatrixXd::Zero(size_, size_), Eigen::VectorXd::Zero(size_), 0.0};
+    const auto add = [&](double residual, double weight, const std::vector<std::pair<Eigen::Index, double>>& slope) {
+      for (const auto& [i, a] : slope) {
+        system.right[i] += weight * residual * a;
+        for (const auto& [j, b] : slope) system.left(i, j) += weight * a * b;
+      }
+    };
+    const Prepared p = prepare(x);
+    const double independent = 1.0 / correlated();
+    Local local;
+    std::vector<double> left;
+    for (const Voxel& voxel : voxels_) {
+      evaluate(x, p, voxel, true, local);
+      const double residual = residualOf(voxel, local.model);
+      if (voxel.intensity >= ceiling_ && residual == 0.0) continue;
+      const double variance = varianceOf(local.metal);
+      const double weight = (studentDegrees + 1.0) / (studentDegrees + residual * residual / variance) / variance;
+      add(residual, weight * independent, local.slope);
+      if (withSpread && local.metal < 3.0 * noise_) left.push_back(std::fabs(residual));
+    }
+    if (!left.empty()) {
+      std::nth_element(left.begin(), left.begin() + static_cast<std::ptrdiff_t>(left.size() / 2), left.end());
+      system.spread = left[left.size() / 2] / 0.6745;
+    }
+    priors(x, add);
+    return system;
+  }
+
+  double assembleCost(const Eigen::VectorXd& x) const
+  {
+    const Prepared p = prepare(x);
+    const double independent = 1.0 / correlated();
+    Local local;
+    double cost = 0.0;
+    for (const Voxel& voxel : voxels_) {
+      evaluate(x, p, voxel, false, local);
+      const double residual = residualOf(voxel, local.model);
+      const double variance = varianceOf(local.metal);
+      cost += independent * ((studentDegrees + 1.0) * logarithm(1.0 + residual * residual / (studentDegrees * variance)) + logarithm(variance));
+    }
+    priors(x, [&](double residual, double weight, const auto&) { cost += weight * residual * residual; });
+    return cost;
+  }
+
+  /// Voxels that share one noise, because the blur correlates it.
+  double correlated() const
+  {
+    double voxels = 1.0;
+    for (Eigen::Index i = 0; i < 3; ++i) voxels *= std::max(1.0, 2.0 * std::sqrt(pi) * guess_[0] / spacing_[i]);
+    return voxels;
+  }
+
+  FittedChain result()
+  {
+    setChords();
+    const System system = assemble(x_, true);
+    const Eigen::MatrixXd covariance = system.left.ldlt().solve(Eigen::MatrixXd::Identity(size_, size_));
+    FittedChain fitted = chain_;
+    fitted.covariance_P.clear();
+    fitted.amplitude.clear();
+    for (std::size_t i = 0; i <= count_; ++i) fitted.position_P[i] = nodeOf(x_, i);
+    double sum = 0.0;
+    for (std::size_t i = 0; i < count_; ++i) {
+      const auto at = 3 * static_cast<Eigen::Index>(i);
+      fitted.covariance_P.push_back(covariance.block<3, 3>(at, at));
+      fitted.amplitude.push_back(x_[amplitudeAt() + static_cast<Eigen::Index>(i)]);
+      if (i + 1 < count_) {
+        const double off = ((fitted.position_P[i + 1] - fitted.position_P[i]).norm() - chord_[i]) / chordSd_[i];
+        sum += off * off / static_cast<double>(count_ - 1);
+      }
+    }
+    fitted.lengthMisfit = std::sqrt(sum);
+    fitted.blurInPlane_mm = x_[blurAt()];
+    fitted.blurAxial_mm = x_[blurAt() + 1];
+    fitted.residual = noise_;
+    return fitted;
+  }
+
+  const electrode::ArrayDesign& array_;
+  const RefinementSettings& settings_;
+  double ceiling_;
+  std::size_t count_;
+  FittedChain chain_;
+  Vector3d spacing_, normal_;
+  Eigen::Vector2d guess_;
+  Eigen::Index size_ = 0;
+  Eigen::VectorXd x_;
+  std::vector<Voxel> voxels_;
+  std::vector<double> chord_, chordSd_;
+  double noise_ = 150.0, bone_ = 0.0;
+};
+
+}  // namespace
+
+FittedChain refined(const ct::CtVolume& volume, const MetalGrid& grid, const Ear& ear, const electrode::ArrayDesign& array,
+                    FittedChain start, const RefinementSettings& settings)
+{
+  return Fit(volume, grid, ear, array, start, settings).run();
+}
+
+}  // namespace perilymph::outcome

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// A model of the image of the array, fitted to the voxels around it.
+//
+//     I(x) = min(c, f + (b - f) bone(x) + sum over contacts a_i G(x - p_i; S_i) + integral w(s) G(x - p(s); S) ds)
+//
+// with the scanner's limit c, levels b and f of bone and of the lumen's content, amplitudes a_i, positions p_i,
+// the wires' density w along the polyline through the contacts, and G the normal density of the scanner's blur S,
+// for S_i widened by the contact's size. Consecutive contacts keep the array's spacing.
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "MetalGrid.h"
+#include "perilymph/ct/CtVolume.h"
+#include "perilymph/electrode/ArrayDesign.h"
+#include "perilymph/outcome/FoundArray.h"
+
+namespace perilymph::outcome {
+
+/// The chain before or after the fit.
+struct FittedChain {
+  std::vector<Eigen::Vector3d> position_P;  ///< Of the contacts from the tip, then a point of the lead.
+  std::vector<Eigen::Matrix3d> covariance_P;  ///< Of the contacts [mm^2], statistical.
+  std::vector<double> amplitude;  ///< Of the contacts [intensity mm^3].
+  double blurInPlane_mm = 0.2, blurAxial_mm = 0.2;  ///< Standard deviations.
+  double residual = 0.0;   ///< Robust standard deviation of what is left [intensity].
+  double lengthMisfit = 0.0;  ///< Root mean square of spacing errors, in their standard deviations.
+  std::vector<double> along;  ///< Standard deviation of each contact along the array [mm].
+};
+
+/// What the fit may change.
+struct RefinementSettings {
+  bool isSeenSingly = true;     ///< Else all contacts share an amplitude but for a tenth of its square.
+  std::vector<bool> isFixed;    ///< Contacts that a person placed.
+  int rounds = 12;
+};
+
+/// Fits the model. `start` gives the positions of all contacts, in P, and a point of the lead.
+FittedChain refined(const ct::CtVolume& volume, const MetalGrid& grid, const Ear& ear, const electrode::ArrayDesign& array,
+                    FittedChain start, const RefinementSettings& settings);
+
+}  // namespace perilymph::outcome

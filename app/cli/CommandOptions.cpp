@@ -292,6 +292,16 @@ void addRender(CLI::App& app, FileOptions& files, RenderOptions& options)
   });
 }
 
+/// Names of the files that `outcomes` writes.
+std::vector<std::string> outcomesFiles()
+{
+  std::vector<std::string> names = {"outcomes.json", "outcomes.csv", "outcomes-dictionary.csv",
+                                    "outcomes.md"};
+  for (const char* figure : {"depths", "percentiles"})
+    for (const std::string& name : figureNames(figure)) names.push_back(name);
+  return names;
+}
+
 void addPatients(CLI::App& app, FileOptions& files, PatientsOptions& options)
 {
   CLI::App& command = *app.add_subcommand("patients", "List the saved patients, or write a table");
@@ -300,6 +310,19 @@ void addPatients(CLI::App& app, FileOptions& files, PatientsOptions& options)
       "Write a row per ear: measures with intervals, newest plan, newest insertion (CSV)"));
   files.writes(command.add_option("--dictionary", options.dictionary,
                                   "Write what the columns of that table are (CSV)"));
+}
+
+void addOutcomes(CLI::App& app, FileOptions& files, OutcomesOptions& options)
+{
+  CLI::App& command = *app.add_subcommand(
+      "outcomes", "Compare the implanted arrays of all patients with their plans");
+  command.add_option("--library", options.library,
+                     "Folder with the folders 'patients' and 'plans'; default: your own");
+  files.writesInto(command.add_option("--out", options.out, "Output folder")->required(),
+                   outcomesFiles());
+  files.writes(command.add_option(
+      "--resistance", options.resistance,
+      "Write the clinic's resistance, if it is offered, for 'plan --clinic-resistance' (JSON)"));
 }
 
 void addDevices(CLI::App& app, FileOptions& files, DevicesOptions& options)
@@ -348,6 +371,7 @@ void addCommands(CLI::App& app, FileOptions& files, CommandOptions& options)
   addPlan(app, files, options.plan);
   addCompare(app, files, options.compare);
   addPatients(app, files, options.patients);
+  addOutcomes(app, files, options.outcomes);
   addDevices(app, files, options.devices);
   addCt(app, files, options);
   addArchive(app, files, options.archive);
@@ -359,7 +383,7 @@ Result<void> runCommand(const CLI::App& app, const CommandFiles& files,
                         const CommandOptions& options)
 {
   // What these write describes a patient: it is for the owner only.
-  for (const char* command : {"plan", "ct", "archive", "patients"})
+  for (const char* command : {"plan", "ct", "archive", "patients", "outcomes"})
     if (app.got_subcommand(command)) ::umask(S_IRWXG | S_IRWXO);
   if (app.got_subcommand("simulate")) return simulate(options.simulate, files);
   if (app.got_subcommand("anatomy")) return describeAnatomy(options.anatomy);
@@ -370,6 +394,7 @@ Result<void> runCommand(const CLI::App& app, const CommandFiles& files,
   if (app.got_subcommand("plan")) return plan(options.plan, files);
   if (app.got_subcommand("compare")) return compare(options.compare, files);
   if (app.got_subcommand("patients")) return patients(options.patients);
+  if (app.got_subcommand("outcomes")) return outcomes(options.outcomes, files);
   if (app.got_subcommand("devices")) return devices(options.devices);
   if (app.got_subcommand("study"))
     return runStudy(*app.get_subcommand("study"), files, options.study);

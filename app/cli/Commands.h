@@ -86,6 +86,7 @@ struct PlanOptions {
   std::string patient;
   std::vector<std::string> arrays;      ///< Shipped names or files; "all": the shipped ones.
   std::optional<std::string> friction;  ///< Shipped name or file; without it, the scenario's.
+  std::optional<std::string> clinicResistance;  ///< File; without it, the shipped distributions.
   std::size_t samples = 64;
   std::uint64_t seed = 1;
   unsigned jobs = 0;
@@ -115,6 +116,13 @@ struct PatientsOptions {
   std::string registry, dictionary;  ///< Files; both empty: the patients are listed.
 };
 Result<void> patients(const PatientsOptions& options);
+
+struct OutcomesOptions {
+  std::string library;  ///< Folder with `patients` and `plans`; empty: the user's own.
+  std::string out;
+  std::string resistance;  ///< File for the clinic's resistance; empty: none.
+};
+Result<void> outcomes(const OutcomesOptions& options, const CommandFiles& files);
 
 struct DevicesOptions {
   std::string json;
@@ -199,6 +207,7 @@ struct CommandOptions {
   PlanOptions plan;
   CompareOptions compare;
   PatientsOptions patients;
+  OutcomesOptions outcomes;
   DevicesOptions devices;
   CtInfoOptions ctInfo;
   CtMeasureOptions ctMeasure;

@@ -19,6 +19,7 @@
 #include "perilymph/planning/PlanReport.h"
 #include "perilymph/planning/PlanWords.h"
 #include "perilymph/planning/PlannedDraw.h"
+#include "perilymph/planning/ResistanceGrid.h"
 
 namespace perilymph::cli {
 
@@ -38,6 +39,7 @@ Result<planning::PlanRequest> requestOf(const PlanOptions& options)
     return Error{std::to_string(request.arrays.size()) + " arrays are too many; a plan compares " +
                  std::to_string(maxPlanArrays) + " at most. Name fewer."};
   request.friction = options.friction;
+  request.clinicResistance = options.clinicResistance;
   request.draws = options.samples;
   request.stopsEarly = !options.runsAll;
   request.seed = options.seed;
@@ -103,6 +105,9 @@ void printArray(const planning::ArrayPlan& array)
   printReported(array.array, ReportedQuantity::angle, "deg");
   if (array.atMedianFriction)
     print("    at the median friction {} deg\n", bandText(array.atMedianFriction->angle_deg, 0));
+  if (array.inClinic)
+    print("  depth in this clinic     {} mm, {} effective simulations\n",
+          bandText(array.inClinic->depth_mm, 1), fixed(array.inClinic->effective, 0));
   print("  cochlear coverage        {} %\n", bandText(array.coverage_percent, 0));
   print("  peak insertion force     {} mN\n", bandText(array.peak_mN, 1));
   if (array.atMedianFriction)
@@ -170,7 +175,13 @@ Result<void> plan(const PlanOptions& options, const CommandFiles& files)
       "from {} simulations on in percent with 95 % intervals.\n"
       "For research and training; not a medical device.\n",
       planning::bandsHold(*plan), analysis::fewestForPercent);
-  for (const planning::ArrayPlan& array : plan->arrays) printArray(array);
+  if (plan->clinic) print("{}\n", planning::clinicSentence(*plan->clinic));
+  for (const planning::ArrayPlan& array : plan->arrays) {
+    printArray(array);
+    if (plan->clinic && !array.inClinic)
+      print("  depth in this clinic: fewer than {} effective simulations; raise --samples\n",
+            fixed(planning::fewestEffective, 0));
+  }
   if (!plan->differences.empty())
     print("Differences in the same ear, with the same hand and friction:\n");
   for (const planning::ArrayDifference& each : plan->differences)

@@ -49,6 +49,9 @@ void addPlan(CLI::App& app, FileOptions& files, PlanOptions& options)
                       "'endosteum' is recalled")
           ->default_str("estimate-from-pig-tissue"),
       "resources/friction");
+  files.reads(command.add_option("--clinic-resistance", options.clinicResistance,
+                                 "Also give depths with the resistance of a clinic, a file of "
+                                 "'outcomes --resistance' (JSON)"));
   command
       .add_option("--samples", options.samples,
                   "Simulations of each array at most, 16 to 4096: draws of measures, shape, "

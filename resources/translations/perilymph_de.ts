@@ -4155,6 +4155,150 @@
         <source>%1, %2 ear: %3</source>
         <translation>%1, Ohr „%2“: %3</translation>
     </message>
+    <message>
+        <source>%1: the plan&apos;s simulations cannot be run again as they were made, so that its length tells nothing about resistance.</source>
+        <translation>%1: Die Simulationen des Plans lassen sich nicht so wiederholen, wie sie gemacht wurden; seine Länge sagt deshalb nichts über den Widerstand.</translation>
+    </message>
+    <message>
+        <source>The outcomes were canceled.</source>
+        <translation>Die Ergebnisse wurden abgebrochen.</translation>
+    </message>
+    <message>
+        <source>%1 is left out: no plan of %2 was made for it before the surgery.</source>
+        <translation>%1 ist ausgelassen: Vor der Operation wurde dafür kein Plan mit %2 gemacht.</translation>
+    </message>
+    <message>
+        <source>%1 is left out: %2</source>
+        <translation>%1 ist ausgelassen: %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 is %3; %4 to %5 is allowed. Check the contacts found in the CT.</source>
+        <translation>%1 von %2 ist %3; erlaubt ist %4 bis %5. Prüfen Sie die im CT gefundenen Kontakte.</translation>
+    </message>
+    <message>
+        <source>The error of %1 of %2 is %3; it cannot be below 0. Check the contacts found.</source>
+        <translation>Der Fehler von %1 von %2 ist %3; er kann nicht unter 0 liegen. Prüfen Sie die gefundenen Kontakte.</translation>
+    </message>
+    <message>
+        <source>The plan of %1 has no simulation of %2. Plan that array.</source>
+        <translation>Der Plan von %1 hat keine Simulation von %2. Planen Sie diesen Träger.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 outcomes are informative about resistance: the shipped resistance stays.</source>
+        <translation>%1 von %2 Ergebnissen sagen etwas über den Widerstand: der mitgelieferte Widerstand bleibt.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 outcomes are informative about resistance, %3 ended by it: the clinic&apos;s resistance can be used, its gain in ln p is %4.</source>
+        <translation>%1 von %2 Ergebnissen sagen etwas über den Widerstand, %3 endeten durch ihn: der Widerstand der Klinik kann verwendet werden, sein Gewinn an ln p ist %4.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 outcomes are informative about resistance, %3 ended by it; the clinic&apos;s resistance is not offered yet: that needs %4 that ended by it and a gain in ln p of %5, which is %6.</source>
+        <translation>%1 von %2 Ergebnissen sagen etwas über den Widerstand, %3 endeten durch ihn; der Widerstand der Klinik wird noch nicht angeboten: dazu müssen %4 durch ihn geendet haben und der Gewinn an ln p mindestens %5 sein; er ist %6.</translation>
+    </message>
+    <message>
+        <source>Insertion depth: planned and measured</source>
+        <translation>Insertionstiefe: geplant und gemessen</translation>
+    </message>
+    <message>
+        <source>median, 5 to 95 % of the plan</source>
+        <translation>Median, 5 bis 95 % des Plans</translation>
+    </message>
+    <message>
+        <source>measured depth, mm</source>
+        <translation>gemessene Tiefe, mm</translation>
+    </message>
+    <message>
+        <source>planned depth, mm</source>
+        <translation>geplante Tiefe, mm</translation>
+    </message>
+    <message>
+        <source>equal</source>
+        <translation>gleich</translation>
+    </message>
+    <message>
+        <source>Percentiles of the measured depths in their plans</source>
+        <translation>Perzentile der gemessenen Tiefen in ihren Plänen</translation>
+    </message>
+    <message>
+        <source>ears</source>
+        <translation>Ohren</translation>
+    </message>
+    <message>
+        <source>Dashed: as many in each tenth, to which the numbers tend if the bands hold.</source>
+        <translation>Gestrichelt: gleich viele in jedem Zehntel, wohin die Anzahlen streben, wenn die Bänder gelten.</translation>
+    </message>
+    <message>
+        <source>percentile</source>
+        <translation>Perzentil</translation>
+    </message>
+    <message>
+        <source>number of ears</source>
+        <translation>Anzahl der Ohren</translation>
+    </message>
+    <message>
+        <source>the stop lengths of a plan of Perilymph</source>
+        <translation>die Stopplängen eines Plans von Perilymph</translation>
+    </message>
+    <message>
+        <source>Choose a stops file that &apos;perilymph-cli outcomes&apos; wrote.</source>
+        <translation>Wählen Sie eine Datei mit Stopplängen, die „perilymph-cli outcomes“ geschrieben hat.</translation>
+    </message>
+    <message>
+        <source>Delete it; it is computed again.</source>
+        <translation>Löschen Sie sie; sie wird neu berechnet.</translation>
+    </message>
+    <message>
+        <source>belongs to another plan, or its patient, array, scenario or distributions were changed since.</source>
+        <translation>gehört zu einem anderen Plan, oder dessen Patient, Träger, Szenario oder Verteilungen wurden seither geändert.</translation>
+    </message>
+    <message>
+        <source>stop lengths</source>
+        <translation>Stopplängen</translation>
+    </message>
+    <message>
+        <source>its curve has gaps</source>
+        <translation>ihre Kurve hat Lücken</translation>
+    </message>
+    <message>
+        <source>its values are not possible</source>
+        <translation>ihre Werte sind nicht möglich</translation>
+    </message>
+    <message>
+        <source>its simulations are not consecutive</source>
+        <translation>ihre Simulationen folgen nicht aufeinander</translation>
+    </message>
+    <message>
+        <source>simulation %1 is not readable: %2</source>
+        <translation>Simulation %1 ist nicht lesbar: %2</translation>
+    </message>
+    <message>
+        <source>The plan has no array %1; it has %2. Choose one of them.</source>
+        <translation>Der Plan hat keinen Träger %1; er hat %2. Wählen Sie einen davon.</translation>
+    </message>
+    <message>
+        <source>Depths in this clinic rest on its resistance, number %1: %2 outcomes that ended by resistance, %3 that ended before, %4 that tell nothing, %5 to %6. They move neither forces nor ruptures.</source>
+        <translation>Tiefen in dieser Klinik beruhen auf ihrem Widerstand, Nummer %1: %2 Ergebnisse, die durch Widerstand endeten, %3, die vorher endeten, %4, die nichts sagen, %5 bis %6. Kräfte und Rupturen ändern sie nicht.</translation>
+    </message>
+    <message>
+        <source>The friction of this plan states no spread, so that %1 cannot be used. Choose a friction with a spread, or plan without the clinic&apos;s resistance.</source>
+        <translation>Die Reibung dieses Plans nennt keine Streuung, so dass %1 nicht verwendet werden kann. Wählen Sie eine Reibung mit Streuung, oder planen Sie ohne den Widerstand der Klinik.</translation>
+    </message>
+    <message>
+        <source>%1 counts from the friction %2, and this plan has %3. Choose the friction that the clinic&apos;s plans had.</source>
+        <translation>%1 zählt von der Reibung %2 an, und dieser Plan hat %3. Wählen Sie die Reibung, die die Pläne der Klinik hatten.</translation>
+    </message>
+    <message>
+        <source>%1 is not the resistance of a clinic: %2. Give a file that &apos;perilymph-cli outcomes --resistance&apos; wrote.</source>
+        <translation>%1 ist nicht der Widerstand einer Klinik: %2. Geben Sie eine Datei an, die „perilymph-cli outcomes --resistance“ geschrieben hat.</translation>
+    </message>
+    <message>
+        <source>%1 is of a newer program (format %2). Use it with that one.</source>
+        <translation>%1 ist von einem neueren Programm (Format %2). Verwenden Sie sie mit jenem.</translation>
+    </message>
+    <message>
+        <source>%1 was changed after the program wrote it, so that it is not used. Write it again with &apos;perilymph-cli outcomes --resistance&apos;.</source>
+        <translation>%1 wurde geändert, nachdem das Programm sie geschrieben hatte, und wird nicht verwendet. Schreiben Sie sie mit „perilymph-cli outcomes --resistance“ neu.</translation>
+    </message>
 </context>
 <context>
     <name>Display</name>

@@ -10,7 +10,7 @@ namespace perilymph::outcome {
 
 namespace {
 
-constexpr double finest_mm = 0.15, coarsest_mm = 0.25;  // of the grid's step
+constexpr double finest_mm = 0.15, coarsestGrid_mm = 0.25;  // of the grid's step
 constexpr double boneFrom_mm = 0.6, boneTo_mm = 1.2;    // beyond the wall
 constexpr double quartileSd = 0.6745;                   // of a normal distribution
 constexpr double leastFloor = 250.0;                    // above the bone [intensity]
@@ -81,7 +81,7 @@ MetalGrid metalAround(const ct::CtVolume& volume, const Ear& ear, double reach_m
   if (static_cast<std::size_t>(std::count(volume.voxels().begin(), volume.voxels().end(), largest)) >= clippedVoxels)
     grid.ceiling = largest;
 
-  grid.step_mm = std::clamp(volume.spacing_mm().minCoeff(), finest_mm, coarsest_mm);
+  grid.step_mm = std::clamp(volume.spacing_mm().minCoeff(), finest_mm, coarsestGrid_mm);
   const int half = static_cast<int>(std::ceil(reach_mm / grid.step_mm));
   grid.size = {2 * half + 1, 2 * half + 1, 2 * half + 1};
   grid.first_P = ear.measures.center_P - grid.step_mm * Eigen::Vector3d::Constant(half);

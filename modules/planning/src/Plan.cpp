@@ -34,6 +34,13 @@ std::vector<PlannedInsertion> upTo(std::size_t draws, std::size_t arrays,
   return {insertions.begin(), insertions.begin() + static_cast<std::ptrdiff_t>(draws * arrays)};
 }
 
+/// Whether enough simulations count with the clinic's resistance, for every array.
+bool hasClinicDepths(const Plan& plan)
+{
+  return std::all_of(plan.arrays.begin(), plan.arrays.end(),
+                     [](const ArrayPlan& each) { return each.inClinic.has_value(); });
+}
+
 /// What a plan.json knows of its arrays before they were inserted.
 std::vector<PlannedArray> arraysOf(const Plan& stored)
 {
@@ -99,6 +106,7 @@ Result<Plan> viewPlan(const PlanRequest& request, const std::filesystem::path& d
     plan.friction = frictionOf(*setup);
     plan.frictionSpread = frictionSpreadOf(*setup);
     addSummary(plan, setup->arrays);
+    addClinic(plan, *setup);
     return plan;
   }
   const auto stored = readPlan(draws);
@@ -113,6 +121,9 @@ Result<Plan> viewPlan(const PlanRequest& request, const std::filesystem::path& d
   plan.friction = stored->plan.friction;
   plan.frictionSpread = stored->plan.frictionSpread;
   addSummary(plan, arraysOf(stored->plan));
+  plan.clinic = stored->plan.clinic;
+  for (std::size_t i = 0; i < plan.arrays.size() && i < stored->plan.arrays.size(); ++i)
+    plan.arrays[i].inClinic = stored->plan.arrays[i].inClinic;
   return plan;
 }
 
@@ -174,7 +185,9 @@ Result<Plan> makePlan(const PlanRequest& request, const std::filesystem::path& d
     }
     auto all = std::exchange(plan.insertions, upTo(look, arrays, plan.insertions));
     addSummary(plan, setup->arrays);
-    if (look == request.draws || (request.stopsEarly && hasConverged(plan))) break;
+    addClinic(plan, *setup);
+    const bool canEnd = hasConverged(plan) && (!setup->clinic || hasClinicDepths(plan));
+    if (look == request.draws || (request.stopsEarly && canEnd)) break;
     plan.insertions = std::move(all);
     look = nextLook(look, request.draws);
   }

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PlanFile.h"
 
+#include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "perilymph/analysis/PhysicalRanges.h"
 #include "perilymph/foundation/Version.h"
+#include "perilymph/planning/ResistanceGrid.h"
 
 namespace perilymph::planning {
 
@@ -85,6 +88,22 @@ constexpr Drawn drawn[] = {
     {"intended_mm", &PlannedInsertion::intended_mm, analysis::physical::depth_mm, false},
     {"free_mm", &PlannedInsertion::free_mm, analysis::physical::depth_mm, false}};
 
+/// The depths of a plan with a clinic's resistance.
+void addStops(PlannedInsertion& planned, const Row& row)
+{
+  planned.push_mm = row.at("push_mm").get<double>();
+  planned.isPushedFully = row.at("is_pushed_fully").get<bool>();
+  const Row& stops = listIn(row.at("stop_mm"), stopShifts);
+  if (stops.size() != stopShifts) throw InvalidRow{"its stops have gaps"};
+  for (const Row& stop : stops) {
+    planned.stop_mm.push_back(stop.is_null() ? std::numeric_limits<double>::infinity()
+                                             : stop.get<double>());
+    if (!stop.is_null() &&
+        !analysis::isWithin(planned.stop_mm.back(), analysis::physical::depth_mm))
+      throw InvalidRow{"a stop is at an impossible depth"};
+  }
+}
+
 /// A force at rest, which insertions of first versions lack.
 struct Rested {
   const char* key;
@@ -122,6 +141,14 @@ std::string contentOf(const PlannedInsertion& planned)
   for (const Drawn& each : drawn) row[each.key] = planned.*each.value;
   for (const Rested& each : rested)
     if (const auto& force = found.*each.force) row[each.key] = force->si();
+  if (!planned.stop_mm.empty()) {
+    row["push_mm"] = planned.push_mm;
+    row["is_pushed_fully"] = planned.isPushedFully;
+    Row stops = Row::array();  // null: the force stays below
+    for (const double stop : planned.stop_mm)
+      stops.push_back(std::isfinite(stop) ? Row(stop) : Row(nullptr));
+    row["stop_mm"] = stops;
+  }
   return row.dump();
 }
 
@@ -169,6 +196,7 @@ Result<PlannedInsertion> insertionIn(const std::string& content)
       found.profile.push_back({meters(depths[i].get<double>()), newtons(forces[i].get<double>())});
     if (auto reason = analysis::impossibility(found); !reason.empty())
       throw InvalidRow{std::move(reason)};
+    if (row.contains("stop_mm")) addStops(planned, row);
     return planned;
   } catch (const Row::exception&) {
     return Error{"a value is missing or has another type"};

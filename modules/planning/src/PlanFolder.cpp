@@ -26,6 +26,8 @@ Result<PlanFolder> readPlanFolder(const fs::path& folder)
   plan.request.scenario = reader->text("scenario");
   if (std::string friction = reader->text("friction", ""); !friction.empty())
     plan.request.friction = std::move(friction);
+  if (std::string clinic = reader->text("clinic_resistance", ""); !clinic.empty())
+    plan.request.clinicResistance = std::move(clinic);
   const long draws = reader->integer("draws", 1, long(maxDraws), 64);
   plan.request.draws = static_cast<std::size_t>(draws);
   plan.request.seed = static_cast<std::uint64_t>(reader->integer("seed", 0, maxSeed, 1));

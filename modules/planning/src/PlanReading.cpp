@@ -148,6 +148,12 @@ ArrayPlan arrayIn(const Json& value)
     for (const FrictionQuantity& each : frictionQuantities)
       plan.atMedianFriction.emplace(plan.atMedianFriction.value_or(AtMedianFriction{})).*each.band =
           bandAt(at(value, "at_median_friction"), each.key, each.range);
+  if (value.contains("in_clinic")) {
+    const Json& clinic = at(value, "in_clinic");
+    plan.inClinic =
+        InClinic{bandAt(clinic, "depth_mm", physical::depth_mm),
+                 numberAt(clinic, "effective_simulations", {0.0, static_cast<double>(maxDraws)})};
+  }
   for (const Json& each : listAt(value, "force", maxStoredRows))
     plan.force.push_back({numberAt(each, "depth_mm", physical::depth_mm), countAt(each, "draws"),
                           bandAt(each, "force_mN", physical::signedForce_mN)});
@@ -250,6 +256,16 @@ StoredPlan storedIn(const Json& value)
   }
   if (value.contains("friction_sd_log"))
     stored.plan.frictionSpread = numberAt(value, "friction_sd_log", {0.0, 2.0});
+  if (value.contains("clinic_resistance")) {
+    const Json& clinic = at(value, "clinic_resistance");
+    constexpr Range years{0.0, 9999.0};
+    stored.plan.clinic = ClinicSource{textAt(clinic, "number"),
+                                      countAt(clinic, "stopped_by_resistance"),
+                                      countAt(clinic, "censored"),
+                                      countAt(clinic, "not_informative"),
+                                      static_cast<int>(numberAt(clinic, "first_year", years)),
+                                      static_cast<int>(numberAt(clinic, "last_year", years))};
+  }
   for (const Json& each : listAt(value, "arrays", maxStoredArrays)) {
     stored.plan.arrays.push_back(arrayIn(each));
     request.arrays.push_back(stored.plan.arrays.back().array);
@@ -266,6 +282,7 @@ StoredPlan storedIn(const Json& value)
   std::vector<Phrase> limits;
   for (const auto* list : {&limitsOfPlans(), &formerLimitsOfPlans()})
     for (const Sentence& each : *list) limits.emplace_back(each.phrase());
+  limits.emplace_back(clinicSentence({}).phrase());
   for (const Json& each : listAt(value, "limits", maxStoredRows)) {
     if (!each.is_string()) throw Unreadable("limits holds something that is no sentence");
     stored.limits.push_back(recognized(each.get<std::string>(), limits));

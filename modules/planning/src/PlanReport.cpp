@@ -88,6 +88,9 @@ ordered_json arrayJson(const ArrayPlan& plan)
   if (plan.atMedianFriction)
     for (const FrictionQuantity& each : frictionQuantities)
       json["at_median_friction"][each.key] = bandJson(*plan.atMedianFriction.*each.band);
+  if (plan.inClinic)
+    json["in_clinic"] = {{"depth_mm", bandJson(plan.inClinic->depth_mm)},
+                         {"effective_simulations", rounded(plan.inClinic->effective)}};
   for (const PlanProbability& each : probabilities)
     json["probability"][each.key] = probabilityJson(plan.*each.estimate);
   json["force"] = ordered_json::array();
@@ -344,6 +347,20 @@ const std::vector<Sentence>& limitsOfPlans()
   return limits;
 }
 
+Sentence clinicSentence(const ClinicSource& clinic)
+{
+  return Sentence{
+      "Depths in this clinic rest on its resistance, number %1: %2 outcomes that ended by "
+      "resistance, %3 that ended before, %4 that tell nothing, %5 to %6. They move neither forces "
+      "nor ruptures.",
+      clinic.number.substr(0, 8),
+      clinic.resisted,
+      clinic.censored,
+      clinic.uninformative,
+      clinic.firstYear,
+      clinic.lastYear};
+}
+
 const std::vector<Sentence>& formerLimitsOfPlans()
 {
   static const std::vector<Sentence> limits = {
@@ -386,6 +403,11 @@ Result<std::string> planJson(const Plan& plan)
   if (std::isfinite(plan.friction.low) && std::isfinite(plan.friction.high))
     json["friction_range"] = {plan.friction.low, plan.friction.high};
   if (plan.frictionSpread > 0.0) json["friction_sd_log"] = rounded(plan.frictionSpread);
+  if (plan.clinic)
+    json["clinic_resistance"] = {
+        {"number", plan.clinic->number},        {"stopped_by_resistance", plan.clinic->resisted},
+        {"censored", plan.clinic->censored},    {"not_informative", plan.clinic->uninformative},
+        {"first_year", plan.clinic->firstYear}, {"last_year", plan.clinic->lastYear}};
   json["arrays"] = ordered_json::array();
   for (const ArrayPlan& each : plan.arrays) json["arrays"].push_back(arrayJson(each));
   json["differences"] = ordered_json::array();
@@ -410,6 +432,7 @@ Result<std::string> planJson(const Plan& plan)
                                {"source", each.source},
                                {"confidence", each.confidence}});
   json["limits"] = limitsOfPlans();
+  if (plan.clinic) json["limits"].push_back(clinicSentence(*plan.clinic));
   json[sealKey] = sealToBe();
   return sealed(json.dump(2) + "\n");
 }

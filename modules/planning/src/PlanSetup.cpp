@@ -13,6 +13,7 @@
 #include "perilymph/analysis/Reference.h"
 #include "perilymph/electrode/WirePacking.h"
 #include "perilymph/foundation/AtomicFile.h"
+#include "perilymph/foundation/Math.h"
 #include "perilymph/foundation/Sha256.h"
 #include "perilymph/session/Csv.h"
 
@@ -65,6 +66,30 @@ Result<void> checkRequest(const PlanRequest& request)
       return Error{"The array %1 is named twice. Name it once.", *each};
   if (request.draws < 1 || request.draws > maxDraws)
     return Error{"A plan of %1 draws is not possible; 1 to %2 are.", request.draws, maxDraws};
+  return {};
+}
+
+/// Reads the clinic's resistance that a request asks for.
+Result<void> readClinic(PlanSetup& setup, const PlanRequest& request)
+{
+  if (!request.clinicResistance) return {};
+  auto clinic = loadClinicResistance(*request.clinicResistance);
+  if (!clinic) return clinic.error();
+  const session::InsertionParameters& parameters = setup.nominal.front().parameters;
+  if (!parameters.frictionSpread.isKnown())
+    return Error{
+        "The friction of this plan states no spread, so that %1 cannot be used. Choose a friction "
+        "with a spread, or plan without the clinic's resistance.",
+        *request.clinicResistance};
+  constexpr double sixDigits = 1e-5;
+  const double friction = parameters.friction.staticCoefficient;
+  if (std::fabs(friction - clinic->friction) > sixDigits * friction)
+    return Error{
+        "%1 counts from the friction %2, and this plan has %3. Choose the friction that the "
+        "clinic's plans had.",
+        *request.clinicResistance, session::shortestDecimal(clinic->friction),
+        session::shortestDecimal(friction)};
+  setup.clinic = *std::move(clinic);
   return {};
 }
 
@@ -165,6 +190,7 @@ Result<PlanSetup> preparePlan(const PlanRequest& request)
   for (const std::string& array : request.arrays)
     if (const auto added = addArray(setup, request, array, *allocations); !added)
       return added.error();
+  if (const auto done = readClinic(setup, request); !done) return done.error();
   return setup;
 }
 
@@ -206,7 +232,30 @@ std::string fingerprintOf(const PlanRequest& request, const PlanSetup& setup)
     add(session::shortestDecimal(force.si()));
   for (const PlannedArray& each : setup.arrays)
     for (const double filter_Hz : each.filter_Hz) add(session::shortestDecimal(filter_Hz));
+  if (setup.clinic) add("clinic " + setup.clinic->number);
   return hash.hex();
+}
+
+void addClinic(Plan& plan, const PlanSetup& setup)
+{
+  if (!setup.clinic) return;
+  const ClinicResistance& clinic = *setup.clinic;
+  plan.clinic = ClinicSource{clinic.number,        clinic.resisted,  clinic.censored,
+                             clinic.uninformative, clinic.firstYear, clinic.lastYear};
+  for (std::size_t array = 0; array < plan.arrays.size(); ++array) {
+    StopDraws draws;
+    draws.logFrictionSd = frictionSpreadOf(setup);
+    for (const PlannedInsertion& each : plan.insertions) {
+      if (each.array != array || each.stop_mm.size() != stopShifts) continue;
+      StopDraw draw{logarithm(each.friction), each.intended_mm, each.push_mm, each.isPushedFully};
+      std::copy(each.stop_mm.begin(), each.stop_mm.end(), draw.stop_mm.begin());
+      draws.draws.push_back(draw);
+    }
+    if (draws.draws.empty()) continue;
+    const WeightedDepths depths = depthsIn(clinic.cells, draws);
+    if (depths.effective >= fewestEffective)
+      plan.arrays[array].inClinic = InClinic{depths.band(), depths.effective};
+  }
 }
 
 Result<std::vector<PlannedInsertion>> runDraw(const PlanRequest& request, const PlanSetup& setup,
@@ -218,6 +267,15 @@ Result<std::vector<PlannedInsertion>> runDraw(const PlanRequest& request, const 
   for (std::size_t i = 0; i < setup.nominal.size() && !stop.stop_requested(); ++i) {
     auto planned = insertArray(request, setup, draw, number, i, bandSpacing, shape, stop);
     if (!planned) return planned.error();
+    if (setup.clinic && !stop.stop_requested() &&
+        planned->insertion.end != haptics::InsertionEnd::refused) {
+      const auto unstopped = runWithoutStop(request, setup, i, number, stop);
+      if (!unstopped) return unstopped.error();
+      const StopDraw stops = stopDrawOf(*unstopped);
+      planned->push_mm = stops.end_mm;
+      planned->isPushedFully = stops.isFull;
+      planned->stop_mm.assign(stops.stop_mm.begin(), stops.stop_mm.end());
+    }
     insertions.push_back(*std::move(planned));
   }
   return insertions;
@@ -232,6 +290,24 @@ Result<PlannedShape> runShape(const PlanRequest& request, const PlanSetup& setup
   if (!planned) return planned.error();
   shape.insertion = *std::move(planned);
   return shape;
+}
+
+Result<UnstoppedDraw> runWithoutStop(const PlanRequest& request, const PlanSetup& setup,
+                                     std::size_t array, std::size_t number,
+                                     const std::stop_token& stop)
+{
+  const PlanDraw draw = drawOf(request, setup, number);
+  const Nominal& nominal = setup.nominal[array];
+  const auto parameters =
+      drawnParameters(nominal.parameters, draw, stiffnessFactor(draw, nominal.stiffnessDeviation),
+                      request.resolution);
+  // the cochlea is shared by all arrays of the plan: its lead-in is the first array's
+  const auto anatomy = buildCochlea(draw, setup.nominal.front().parameters.cochlea.leadIn);
+  if (!anatomy) return anatomy.error();
+  return UnstoppedDraw{
+      number, draw.surgeon.frictionFactor, draw.surgeon.stop,
+      analysis::intendedDepth(parameters, draw.surgeon),
+      analysis::pushWithoutStop(parameters, *anatomy, setup.hand, draw.surgeon, stop)};
 }
 
 }  // namespace perilymph::planning

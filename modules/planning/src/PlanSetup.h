@@ -12,6 +12,8 @@
 #include "perilymph/analysis/Surgeon.h"
 #include "perilymph/planning/PlanResult.h"
 #include "perilymph/planning/PlannedShape.h"
+#include "perilymph/planning/ResistanceGrid.h"
+#include "perilymph/planning/UnstoppedDraws.h"
 
 namespace perilymph::planning {
 
@@ -30,6 +32,7 @@ struct PlanSetup {
   std::string distributions;         ///< SHA-256 of the files of `uncertainty` and `hand`.
   std::vector<Nominal> nominal;      ///< By array.
   std::vector<PlannedArray> arrays;  ///< By array.
+  std::optional<ClinicResistance> clinic = {};
 };
 
 /// Reads arrays, scenario and distributions. Refuses a request that no plan can be made of.
@@ -43,6 +46,9 @@ Range frictionOf(const PlanSetup& setup);
 /// Plan::frictionSpread.
 double frictionSpreadOf(const PlanSetup& setup);
 
+/// Fills Plan::clinic and the arrays' InClinic from the insertions; nothing without a clinic's resistance.
+void addClinic(Plan& plan, const PlanSetup& setup);
+
 /// The insertions of all arrays in one draw, in one cochlea; fewer if asked to end.
 Result<std::vector<PlannedInsertion>> runDraw(const PlanRequest& request, const PlanSetup& setup,
                                               std::size_t number, const std::stop_token& stop);
@@ -50,5 +56,10 @@ Result<std::vector<PlannedInsertion>> runDraw(const PlanRequest& request, const 
 /// One array in one draw.
 Result<PlannedShape> runShape(const PlanRequest& request, const PlanSetup& setup, std::size_t array,
                               std::size_t number, const std::stop_token& stop);
+
+/// One array in one draw, pushed without a stop.
+Result<UnstoppedDraw> runWithoutStop(const PlanRequest& request, const PlanSetup& setup,
+                                     std::size_t array, std::size_t number,
+                                     const std::stop_token& stop);
 
 }  // namespace perilymph::planning

@@ -101,6 +101,12 @@ def test_plans_are_as_their_schema_says(cli, tmp_path):
     check("plan", json.loads((tmp_path / "plan/plan.json").read_text()))
 
 
+def test_outcomes_are_as_their_schema_says(cli, tmp_path):
+    (tmp_path / "library/patients").mkdir(parents=True)
+    cli("outcomes", "--library", tmp_path / "library", "--out", tmp_path / "outcomes")
+    check("outcomes", json.loads((tmp_path / "outcomes/outcomes.json").read_text()))
+
+
 PHANTOM = Path(os.environ["PERILYMPH_PROGRAMS"]) / "perilymph-ct-phantom"
 
 

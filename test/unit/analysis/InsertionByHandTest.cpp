@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "perilymph/analysis/SampleStatistics.h"
+#include "perilymph/analysis/StopCurve.h"
 #include "perilymph/session/Scenario.h"
 
 namespace perilymph::analysis {
@@ -105,6 +106,43 @@ TEST(InsertionByHand, StopsAtTheSurgeonsForceAndRests)
   EXPECT_LT(*done.forceAfter1s, done.endForce);
   EXPECT_LE(*done.forceAfter10s, *done.forceAfter1s);
   EXPECT_GT(*done.forceAfter10s, newtons(0));
+}
+
+TEST(StopCurve, HoldsTheDepthAtWhichTheSameSurgeonStopsAtAnyForce)
+{
+  ByHand test(newtons(0.02));
+  const StopCurve curve = pushWithoutStop(test.parameters, test.anatomy, hand(), test.surgeon, {});
+  // at rest the tip goes on: the depth of a stop is that before it
+  HandDistribution restless = hand();
+  restless.rest = milliseconds(5);
+  for (const double stop_mN : {5.0, 10.0, 20.0, 40.0}) {
+    test.surgeon.stop = millinewtons(stop_mN);
+    test.surgeon.intended = 1.0;
+    const ClinicalInsertion stopped =
+        insertByHand(test.parameters, test.anatomy, restless, test.surgeon, Length{}, {});
+    ASSERT_EQ(stopped.end, haptics::InsertionEnd::stoppedByResistance) << stop_mN;
+    // the same ticks: the points of the curve around the limit enclose the depth of the stop
+    const auto before = curve.lengthAt(test.surgeon.stop - stopResolution);
+    const auto after = curve.lengthAt(test.surgeon.stop);
+    ASSERT_TRUE(before && after) << stop_mN;
+    EXPECT_LE(*before, stopped.depth) << stop_mN;
+    // in the tick of rest the array follows the hand by what it moved in one tick, and tremor
+    EXPECT_GE(*after, stopped.depth - millimeters(0.01)) << stop_mN;
+    EXPECT_LT(inMillimeters(*after - *before), 1.0) << stop_mN;
+  }
+  EXPECT_FALSE(curve.lengthAt(newtons(2.0)));
+}
+
+TEST(StopCurve, RisesOnlyAndEndsByName)
+{
+  ByHand test(newtons(0.02));
+  const StopCurve curve = pushWithoutStop(test.parameters, test.anatomy, hand(), test.surgeon, {});
+  ASSERT_GE(curve.rises.size(), 100u);
+  for (std::size_t i = 1; i < curve.rises.size(); ++i)
+    EXPECT_GE(curve.rises[i].force, curve.rises[i - 1].force + stopResolution) << i;
+  EXPECT_NE(curve.end, haptics::InsertionEnd::refused);
+  EXPECT_NE(curve.end, haptics::InsertionEnd::none);
+  EXPECT_GT(curve.depth, curve.rises[curve.rises.size() / 2].depth);
 }
 
 TEST(InsertionByHand, EndsBetweenTheLastContactInsideAndTheGreatestDepth)

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -18,13 +19,16 @@
 #include <tuple>
 
 #include "PlanFile.h"
+#include "PlanSetup.h"
 #include "perilymph/analysis/ContactPositions.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/foundation/Version.h"
 #include "perilymph/planning/ContactsCsv.h"
+#include "perilymph/planning/PlanReading.h"
 #include "perilymph/planning/PlanReport.h"
 #include "perilymph/planning/PlanWords.h"
 #include "perilymph/planning/PlannedDraw.h"
+#include "perilymph/planning/ResistanceGrid.h"
 #include "perilymph/test/SyntheticPlan.h"
 #include "perilymph/test/TemporaryFolder.h"
 #include "perilymph/test/copyChanged.h"
@@ -338,6 +342,107 @@ TEST_F(SmallPlan, IsViewedButNotContinuedAfterADistributionOrAThresholdWasChange
     fs::remove(place / "plan.json");
     EXPECT_FALSE(planning::viewPlan(request_, draws));
   }
+}
+
+/// A clinic in which friction is somewhat higher than shipped: the prior without its lower half.
+std::string clinicText(double friction)
+{
+  planning::ClinicResistance clinic;
+  clinic.cells = planning::resistancePrior();
+  double sum = 0.0;
+  for (std::size_t i = 0; i < clinic.cells.size(); ++i) {
+    if (planning::frictionShift(i / planning::stopShifts) < 0.0) clinic.cells[i] = 0.0;
+    sum += clinic.cells[i];
+  }
+  for (double& cell : clinic.cells) cell /= sum;
+  clinic.friction = friction;
+  clinic.resisted = 9;
+  clinic.firstYear = clinic.lastYear = 2026;
+  return planning::clinicResistanceText(clinic);
+}
+
+TEST_F(SmallPlan, WithAClinicsResistanceHasTheSameInsertionsAndAnotherNumber)
+{
+  const fs::path file = folder_.path() / "clinic.json";
+  std::ofstream(file) << clinicText(0.165);
+  planning::PlanRequest request = smallRequest();
+  request.clinicResistance = file.string();
+  const auto plan = planning::makePlan(request, draws(), {});
+  ASSERT_TRUE(plan) << plan.error().message;
+  EXPECT_NE(plan->fingerprint, usual().fingerprint);
+  ASSERT_EQ(plan->insertions.size(), usual().insertions.size());
+  for (std::size_t i = 0; i < plan->insertions.size(); ++i) {
+    const auto &with = plan->insertions[i], &without = usual().insertions[i];
+    EXPECT_EQ(with.insertion.depth, without.insertion.depth);
+    EXPECT_EQ(with.insertion.peak, without.insertion.peak);
+    EXPECT_EQ(with.insertion.partition, without.insertion.partition);
+    EXPECT_EQ(with.stop_mm.size(), planning::stopShifts);
+    EXPECT_TRUE(without.stop_mm.empty());
+    // a higher limit stops no earlier
+    EXPECT_TRUE(std::is_sorted(with.stop_mm.begin(), with.stop_mm.end()));
+  }
+  // three simulations are not a hundred effective ones
+  ASSERT_TRUE(plan->clinic);
+  EXPECT_EQ(plan->clinic->resisted, 9u);
+  EXPECT_FALSE(plan->arrays[0].inClinic);
+  // file and text keep it
+  const auto viewed = planning::viewPlan(request, draws());
+  ASSERT_TRUE(viewed) << viewed.error().message;
+  EXPECT_TRUE(viewed->isCurrent);
+  EXPECT_EQ(viewed->insertions[0].stop_mm, plan->insertions[0].stop_mm);
+  const auto json = planning::planJson(*plan);
+  ASSERT_TRUE(json) << json.error().message;
+  const auto stored = planning::planIn(*json, "plan.json");
+  ASSERT_TRUE(stored) << stored.error().message;
+  ASSERT_TRUE(stored->plan.clinic);
+  EXPECT_EQ(stored->plan.clinic->number, plan->clinic->number);
+  EXPECT_EQ(stored->limits.back(), planning::clinicSentence(*plan->clinic));
+  EXPECT_NE(stored->limits.back().phrase(), nullptr);
+}
+
+TEST_F(SmallPlan, RefusesAClinicsResistanceOfAnotherFriction)
+{
+  const fs::path file = folder_.path() / "clinic.json";
+  std::ofstream(file) << clinicText(0.12);
+  planning::PlanRequest request = smallRequest();
+  request.clinicResistance = file.string();
+  const auto plan = planning::makePlan(request, {}, {});
+  ASSERT_FALSE(plan);
+  EXPECT_NE(plan.error().message.find("counts from the friction 0.12, and this plan has 0.165"),
+            std::string::npos);
+  std::ofstream(file) << "{}";
+  EXPECT_FALSE(planning::makePlan(request, {}, {}));
+}
+
+TEST(ClinicDepths, AreShallowerWhereFrictionIsHigherAndLeaveForcesAsTheyAre)
+{
+  // 200 simulations of a law: depth 20 mm - 10 mm u, whatever the limit
+  planning::PlanSetup setup;
+  planning::Nominal nominal;
+  nominal.parameters.frictionSpread = {0.283, 0.2};
+  setup.nominal.push_back(nominal);
+  const auto clinic = planning::clinicResistanceIn(clinicText(0.165), "clinic.json");
+  ASSERT_TRUE(clinic);
+  setup.clinic = *clinic;
+  planning::Plan plan;
+  plan.arrays.resize(1);
+  plan.arrays[0].peak_mN.median = 77.0;
+  for (int k = 0; k < 200; ++k) {
+    planning::PlannedInsertion one;
+    const double u = 0.7 * (k - 99.5) / 100.0;
+    one.friction = std::exp(u);
+    one.intended_mm = 40.0;
+    one.push_mm = 40.0;
+    one.stop_mm.assign(planning::stopShifts, 20.0 - 10.0 * u);
+    plan.insertions.push_back(one);
+  }
+  planning::addClinic(plan, setup);
+  ASSERT_TRUE(plan.arrays[0].inClinic);
+  EXPECT_GE(plan.arrays[0].inClinic->effective, planning::fewestEffective);
+  // the upper half of N(0, 0.28^2) has the mean 0.22: some 2 mm shallower
+  EXPECT_LT(plan.arrays[0].inClinic->depth_mm.median, 19.0);
+  EXPECT_GT(plan.arrays[0].inClinic->depth_mm.median, 16.0);
+  EXPECT_EQ(plan.arrays[0].peak_mN.median, 77.0);
 }
 
 }  // namespace

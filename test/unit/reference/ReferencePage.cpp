@@ -12,6 +12,7 @@
 #include "TableColumns.h"
 #include "ValidationColumns.h"
 #include "perilymph/foundation/AtomicFile.h"
+#include "perilymph/outcome/ClinicOutcomes.h"
 #include "perilymph/planning/ContactsCsv.h"
 #include "perilymph/planning/PlannedShape.h"
 #include "perilymph/session/Csv.h"
@@ -242,6 +243,7 @@ std::string referencePage()
   page += columns("*differences.csv* of `plan`", planning::planDifferenceColumns());
   page += columns("*contacts.csv* of `plan`, `replay --contacts`", contactColumns());
   page += columns("*shapes.csv* of `plan`", planning::shapeColumns());
+  page += columns("*outcomes.csv* of `outcomes`", outcome::outcomesColumns());
   page += columns("*insertions.csv* of `study`, *points.csv* of its groups", insertionColumns());
   page += columns("*groups.csv* of `study`", study::summaryGroupColumns());
   page += columns("*differences.csv* of `study`", study::summaryDifferenceColumns());
@@ -267,7 +269,7 @@ std::string referencePage()
       "## JSON\n\n`[]` follows the name of a list, *always* marks keys that are never absent, and "
       "a type in italics "
       "has a table of its own.\n\n";
-  for (const char* name : {"simulate", "anatomy", "plan", "ct-measure", "ct-info"})
+  for (const char* name : {"simulate", "anatomy", "plan", "outcomes", "ct-measure", "ct-info"})
     page += schemaKeys(name);
   page.pop_back();
   return page;

@@ -12,6 +12,7 @@
 #include "perilymph/analysis/ExperimentDevice.h"
 #include "perilymph/analysis/ForceProfile.h"
 #include "perilymph/analysis/RunningMean.h"
+#include "perilymph/analysis/StopCurve.h"
 #include "perilymph/analysis/StopForce.h"
 #include "perilymph/session/Highlights.h"
 #include "perilymph/session/Insertion.h"
@@ -51,6 +52,13 @@ TremblingPush pushOf(const HandDistribution& hand, const Surgeon& surgeon)
           .tremorAmplitude = surgeon.tremor.si() / std::sqrt(1.5),
           .tremorFrequency = hand.tremorFrequency,
           .tremorPhase = surgeon.tremorPhase};
+}
+
+/// Ticks of a push at most: twice the time for the travel, plus a second to start.
+std::uint64_t maxTicks(const session::InsertionParameters& parameters, const Surgeon& surgeon)
+{
+  return static_cast<std::uint64_t>((2.0 * parameters.stopTravel.si() / surgeon.speed.si() + 1.0) /
+                                    parameters.timeStep.si());
 }
 
 /// The longer rest after which the force is read.
@@ -144,9 +152,7 @@ ClinicalInsertion insertByHand(const session::InsertionParameters& nominal,
     if (record.output.workflow == haptics::Workflow::finished) end = endOf(record.output);
     return !end && !stop.stop_requested();
   };
-  // twice the time for the travel, plus a second to start
-  const auto ticks = (2.0 * parameters.stopTravel.si() / surgeon.speed.si() + 1.0) / step;
-  auto ran = (*insertion)->runToEnd(push, static_cast<std::uint64_t>(ticks));
+  auto ran = (*insertion)->runToEnd(push, maxTicks(parameters, surgeon));
   if (stop.stop_requested()) return result;
 
   result.endForce = newtons(force.value());
@@ -176,6 +182,50 @@ ClinicalInsertion insertByHand(const session::InsertionParameters& nominal,
   result.contacts = contactPositions(*anatomy, nominal.array, (*insertion)->latest());
   result.apical = angularInsertionDepth(result.contacts);
   return result;
+}
+
+std::optional<Length> StopCurve::lengthAt(Force limit) const
+{
+  const auto found = std::find_if(rises.begin(), rises.end(),
+                                  [limit](const DepthForce& rise) { return rise.force >= limit; });
+  if (found == rises.end()) return std::nullopt;
+  return found->depth;
+}
+
+StopCurve pushWithoutStop(const session::InsertionParameters& nominal,
+                          std::shared_ptr<const anatomy::ScalaTympani> anatomy,
+                          const HandDistribution& hand, const Surgeon& surgeon,
+                          const std::stop_token& stop)
+{
+  Surgeon unlimited = surgeon;
+  unlimited.stop = highestStop;
+  unlimited.intended = 1.0;
+  StopCurve curve;
+  const session::InsertionParameters parameters = withSurgeon(nominal, unlimited);
+  const auto forceps =
+      std::make_shared<ExperimentDevice>(pushOf(hand, unlimited), parameters.timeStep);
+  auto insertion = session::Insertion::prepare(parameters, forceps, anatomy);
+  if (!insertion) return curve;
+  Watch watch(nominal, hand, unlimited, anatomy->entry().out_W);
+  std::optional<InsertionEnd> end;
+  Force above = newtons(0.0);  // from here on a rise is a point
+  const auto push = [&](const haptics::TickRecord& record) {
+    const haptics::TickOutput& now = record.output;
+    curve.depth = meters(now.depth);
+    if (now.workflow == haptics::Workflow::inserting) {
+      const bool isBalanced = (now.status & haptics::notConverged) == 0;
+      if (isBalanced && now.axialForce >= above.si()) {
+        curve.rises.push_back({meters(now.depth), newtons(now.axialForce)});
+        above = newtons(now.axialForce) + stopResolution;
+      }
+      end = watch.take(now);
+    }
+    if (now.workflow == haptics::Workflow::finished) end = endOf(now);
+    return !end && !stop.stop_requested();
+  };
+  const auto ran = (*insertion)->runToEnd(push, maxTicks(parameters, surgeon));
+  curve.end = ran ? end.value_or(InsertionEnd::fault) : InsertionEnd::fault;
+  return curve;
 }
 
 }  // namespace perilymph::analysis

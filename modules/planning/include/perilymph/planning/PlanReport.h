@@ -97,6 +97,8 @@ std::vector<std::pair<std::string, figures::Figure>> planFigures(const Plan& pla
 
 /// What a plan leaves open besides what it draws, one sentence each.
 const std::vector<Sentence>& limitsOfPlans();
+/// What a plan that was asked to use a clinic's resistance adds to them.
+Sentence clinicSentence(const ClinicSource& clinic);
 /// Such sentences of former versions, by which their files are shown in another language.
 const std::vector<Sentence>& formerLimitsOfPlans();
 

@@ -33,7 +33,10 @@ struct PlanRequest {
   std::vector<std::string> arrays;  ///< Shipped names or files.
   std::string scenario = "surgery-flex28";  ///< Defines everything that is neither drawn nor named.
   std::optional<std::string> friction;      ///< Shipped name or file; without it, the scenario's.
-  std::size_t draws = 64;                   ///< At most.
+  /// File of a clinic's resistance (ResistanceGrid.h): the depth is also given by simulations weighted with
+  /// it. Everything else stays as without it.
+  std::optional<std::string> clinicResistance;
+  std::size_t draws = 64;  ///< At most.
   /// Whether fewer draws are run if the bands stand earlier (see hasConverged()).
   bool stopsEarly = true;
   std::uint64_t seed = 1;

@@ -46,6 +46,11 @@ struct PlannedInsertion {
   double intended_mm =
       0.0;               ///< Depth at which the surgeon means to stop; 0 in plans that drew none.
   double free_mm = 0.0;  ///< From the opening to the forceps; 0 in plans that did not keep it.
+  /// In a plan with a clinic's resistance: depth at which the push without a stop ended, whether the array
+  /// was in fully, and the depth at each shift of the surgeon's limit (StopDraw); infinite: not reached.
+  double push_mm = 0.0;
+  bool isPushedFully = true;
+  std::vector<double> stop_mm = {};
   analysis::ClinicalInsertion insertion;
 };
 
@@ -109,6 +114,19 @@ struct ArrayDifference {
   analysis::Estimate harder;          ///< Probability that the first has the larger peak force.
 };
 
+/// Depth with a clinic's resistance, which moves neither forces nor ruptures.
+struct InClinic {
+  Band depth_mm;           ///< Depth of the tip past the opening, before the hand rests.
+  double effective = 0.0;  ///< Effective number of simulations; a band needs fewestEffective.
+};
+
+/// The clinic's resistance that a plan was asked to use.
+struct ClinicSource {
+  std::string number;                                         ///< SHA-256 of its file.
+  std::size_t resisted = 0, censored = 0, uninformative = 0;  ///< Outcomes by what they told.
+  int firstYear = 0, lastYear = 0;
+};
+
 /// One array over all draws.
 struct ArrayPlan {
   std::string array;  ///< As in the request.
@@ -122,6 +140,8 @@ struct ArrayPlan {
   std::optional<AtMedianFriction> atMedianFriction;
   /// End force after 1 s and 10 s of rest; zeros if it was not computed.
   Band after1s_mN, after10s_mN;
+  /// Absent without a clinic's resistance, and with too few effective simulations.
+  std::optional<InClinic> inClinic;
   Band partition_mN;        ///< Maximum force on the cochlear partition.
   analysis::Estimate full;  ///< That the intended depth is reached, with its 95 % interval.
   /// That all contacts end inside: a complete insertion as clinics count it, whether or not the surgeon meant
@@ -166,6 +186,8 @@ struct Plan {
   /// Standard deviation of the logarithm of that factor, where the friction states one. Without, 0, the
   /// factor is that of resources/clinical/hand.toml, and bands are those at one friction.
   double frictionSpread = 0.0;
+  std::optional<ClinicSource>
+      clinic;  ///< Present if the plan was asked to use a clinic's resistance.
   /// Its number: SHA-256 of everything it depends on but `draws` and `jobs`. Empty for a plan that
   /// was changed after the program wrote it.
   std::string fingerprint;

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// The outcomes of the saved patients with the plans that were made before their surgery.
+
+#include <stop_token>
+#include <vector>
+
+#include "perilymph/analysis/InParallel.h"
+#include "perilymph/foundation/Result.h"
+#include "perilymph/outcome/ClinicOutcomes.h"
+#include "perilymph/planning/PatientRegistry.h"
+
+namespace perilymph::outcome {
+
+struct LibraryOutcomes {
+  std::vector<MeasuredOutcome> outcomes;
+  /// What was left out, and why, a sentence each. They name codes and are for the user alone.
+  std::vector<Sentence> notes;
+};
+
+/// Reads the newest outcome of every saved ear and the plan whose number it states, else the newest plan of
+/// that ear with the array. A plan that was made after the surgery is no prediction: the ear is left out. Stop
+/// lengths are computed where an outcome tells something about resistance, which takes as long as the plan
+/// once; of a plan that something was changed since, they cannot be.
+///
+/// @param folders  Folders of patients and plans.
+/// @param stop     Ends it early, with an error.
+Result<LibraryOutcomes> readOutcomes(const planning::RegistryFolders& folders,
+                                     const analysis::RunProgress& progress = {},
+                                     const std::stop_token& stop = {});
+
+/// The day of a surgery: a number of days before the day of a time, "2026-11-20T09:30:00Z". Empty if that is
+/// no time.
+std::string surgeryDay(const std::string& utc, int daysBefore);
+
+}  // namespace perilymph::outcome

@@ -21,7 +21,7 @@ QString angleText(const outcome::FoundContact& contact)
 {
   if (!contact.isInside) return tr("outside");
   const auto interval = contact.angle_deg.interval95();
-  return tr("%1° (%2–%3)")
+  return tr("%1 (%2–%3)°")
       .arg(numberText(contact.angle_deg.value, 0), numberText(interval[0], 0),
            numberText(interval[1], 0));
 }
@@ -40,7 +40,7 @@ QString placementText(const outcome::FoundContact& contact)
 QString frequencyText(const std::array<double, 3>& frequency_Hz)
 {
   if (frequency_Hz[0] <= 0.0) return tr("–");
-  return tr("%1 kHz (%2–%3)")
+  return tr("%1 (%2–%3) kHz")
       .arg(kilohertzText(frequency_Hz[0]), kilohertzText(frequency_Hz[1]),
            kilohertzText(frequency_Hz[2]));
 }
@@ -133,7 +133,7 @@ QString textOf(outcome::Tool tool)
 QString depthText(const outcome::FoundArray& found)
 {
   const auto interval = found.angularInsertionDepth_deg.interval95();
-  return tr("%1° (%2–%3)")
+  return tr("%1 (%2–%3)°")
       .arg(numberText(found.angularInsertionDepth_deg.value, 0), numberText(interval[0], 0),
            numberText(interval[1], 0));
 }
@@ -142,7 +142,7 @@ QString insertedText(const outcome::FoundArray& found)
 {
   const outcome::Uncertain length{found.insertedLength_mm, found.insertedLengthSd_mm};
   const auto interval = length.interval95();
-  return tr("%1 mm (%2–%3)")
+  return tr("%1 (%2–%3) mm")
       .arg(numberText(length.value, 1), numberText(interval[0], 1), numberText(interval[1], 1));
 }
 

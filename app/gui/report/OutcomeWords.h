@@ -14,13 +14,13 @@
 
 namespace perilymph::gui {
 
-/// "421° (409–433)": a value with its 95 % interval; a dash for a contact outside.
+/// "421 (409–433)°": a value with its 95 % interval; a dash for a contact outside.
 QString angleText(const outcome::FoundContact& contact);
 /// "98 %": the probability that a contact lies below the basilar membrane.
 QString scalaText(const outcome::FoundContact& contact);
 /// "singly", "by spacing", "by hand": how a contact was placed.
 QString placementText(const outcome::FoundContact& contact);
-/// "0.35 kHz (0.30–0.41)"; a dash where none is known.
+/// "0.35 (0.30–0.41) kHz"; a dash where none is known.
 QString frequencyText(const std::array<double, 3>& frequency_Hz);
 
 /// The share of a plan's simulations below a value, from the quantiles of its band: linear between
@@ -38,9 +38,9 @@ QString textOf(outcome::StopReason reason);
 QString textOf(outcome::Opening opening);
 QString textOf(outcome::Tool tool);
 
-/// "421° (409–433)" of the most apical contact inside.
+/// "421 (409–433)°" of the most apical contact inside.
 QString depthText(const outcome::FoundArray& found);
-/// "27.1 mm (26.5–27.7)" of the array past the opening.
+/// "27.1 (26.5–27.7) mm" of the array past the opening.
 QString insertedText(const outcome::FoundArray& found);
 /// "12 of 12"
 QString insideText(const outcome::FoundArray& found);

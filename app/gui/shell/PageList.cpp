@@ -6,6 +6,7 @@
 #include "gui/pages/insert/InsertPage.h"
 #include "gui/pages/insert/InsertionController.h"
 #include "gui/pages/outcome/OutcomePage.h"
+#include "gui/pages/outcomes/OutcomesPage.h"
 #include "gui/pages/plan/PlanPage.h"
 #include "gui/pages/sessions/SessionsPage.h"
 #include "gui/pages/start/StartPage.h"
@@ -28,6 +29,7 @@ PageList standardPages()
       [](Insertion, Parent parent) { return new ValidatePage(parent); },
       [](Insertion i, Parent parent) { return new SessionsPage(i.control(), parent); },
       [](Insertion, Parent parent) { return new StudiesPage(parent); },
+      [](Insertion, Parent parent) { return new OutcomesPage(parent); },
   };
 }
 

@@ -61,6 +61,15 @@ void paintInsert(QPainter& painter)
   painter.drawPath(spiral);
 }
 
+/// Values beside what was predicted: points about a diagonal.
+void paintOutcomes(QPainter& painter)
+{
+  painter.drawPolyline(QPolygonF({{1.8, 1.5}, {1.8, 14.2}, {14.5, 14.2}}));
+  painter.drawLine(QPointF(3.6, 12.4), QPointF(13.6, 2.4));
+  for (const QPointF& each : {QPointF(5.0, 9.0), QPointF(9.6, 8.4), QPointF(12.4, 5.6)})
+    painter.drawEllipse(each, 0.8, 0.8);
+}
+
 /// Contacts along a spiral, the last one found in a ring.
 void paintOutcome(QPainter& painter)
 {
@@ -147,6 +156,8 @@ void paint(Icon icon, QPainter& painter)
       return paintSessions(painter);
     case Icon::studies:
       return paintStudies(painter);
+    case Icon::outcomes:
+      return paintOutcomes(painter);
     case Icon::settings:
       return paintSettings(painter);
   }

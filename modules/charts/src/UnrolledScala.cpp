@@ -295,6 +295,11 @@ figures::Drawing UnrolledScala::drawFound(const std::vector<FoundPlace>& found,
     sheet.write({at.x, at.y - contact_px - 3.0}, std::to_string(each.number), ink.text,
                 Anchor::middle);
   }
+  if (sheet.bottom() - sheet.top() >= fewestForNames_px) {
+    const double x = sheet.left() + 6.0;
+    sheet.write({x, sheet.top() + 14.0}, style_.strings.outerWall, ink.quiet);
+    sheet.write({x, sheet.bottom() - 6.0}, style_.strings.modiolus, ink.quiet);
+  }
   return sheet.take();
 }
 

@@ -13,6 +13,7 @@
 #include <QTableWidget>
 #include <QTest>
 #include <QThread>
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -25,6 +26,7 @@
 #include "gui/pages/ct/PlaneView.h"
 #include "gui/pages/outcome/OutcomePage.h"
 #include "gui/pages/outcome/OutcomePanel.h"
+#include "gui/pages/outcomes/OutcomesPage.h"
 #include "gui/report/OutcomeWords.h"
 #include "gui/setup/PatientLibrary.h"
 #include "gui/setup/PlanStore.h"
@@ -33,6 +35,8 @@
 #include "perilymph/foundation/StateFolder.h"
 #include "perilymph/imaging/MeasuredPatient.h"
 #include "perilymph/outcome/OutcomeText.h"
+#include "perilymph/planning/Plan.h"
+#include "perilymph/planning/PlanFolder.h"
 #include "perilymph/planning/PlanReport.h"
 #include "perilymph/session/Scenario.h"
 #include "perilymph/test/SyntheticPlan.h"
@@ -200,7 +204,7 @@ TEST_F(AnOutcome, IsFoundAfterAPatientAndACtAreChosenAndStatesItsValues)
   WindowRig rig;
   const gui::OutcomePage& page = show(rig);
   ASSERT_TRUE(isFound(page));
-  EXPECT_THAT(rig.label("outcomeHead").toStdString(), testing::HasSubstr("420° (412–428)"));
+  EXPECT_THAT(rig.label("outcomeHead").toStdString(), testing::HasSubstr("420 (412–428)°"));
   EXPECT_THAT(rig.label("outcomeHead").toStdString(), testing::HasSubstr("11 of 12"));
   EXPECT_THAT(rig.label("outcomeHead").toStdString(),
               testing::HasSubstr("the ear is measured in this CT, with wider errors"));
@@ -451,6 +455,54 @@ TEST_F(AnOutcome, TheReportIsOnePageAndStatesEveryFlag)
       if (!std::isspace(static_cast<unsigned char>(c))) sentence += c;
     EXPECT_THAT(flat, testing::HasSubstr(sentence));
   }
+}
+
+TEST_F(AnOutcome, StandsBesideItsPlanOnThePageOutcomes)
+{
+  WindowRig rig;
+  const auto isRead = [&] {
+    return WindowRig::waitUntil(
+        [&] { return !rig.window().pages().find<gui::OutcomesPage>()->isBusy(); });
+  };
+  rig.click("outcomesPageButton");
+  ASSERT_TRUE(isRead());
+  EXPECT_FALSE(table(rig, "outcomesTable").isVisible());  // none is saved yet
+  // a plan of one simulation, whose depth is known
+  planning::PlanRequest request;
+  request.patient = patient_;
+  request.arrays = {plannedArray};
+  request.draws = 1;
+  const fs::path folder = plansFolder() / "P-53-plan";
+  fs::remove_all(folder);
+  ASSERT_TRUE(gui::savePlan({folder, request, 1, true, "2026-11-20T09:30:00Z"}));
+  const auto plan = planning::makePlan(request, folder / planning::planDrawsFile);
+  ASSERT_TRUE(plan) << plan.error().message;
+  std::ofstream(folder / "plan.json") << *planning::planJson(*plan);
+  gui::OutcomePage& page = show(rig);
+  ASSERT_TRUE(isFound(page));
+  rig.click("saveOutcomeButton");
+  rig.click("outcomesPageButton");
+  ASSERT_TRUE(isRead());
+  rig.window().resize(1366, 768);
+  settle();
+  keepPicture(rig.window(), "outcomes");
+  EXPECT_THAT(cutTextsOf(rig.window()), testing::IsEmpty());
+  QTableWidget& all = table(rig, "outcomesTable");
+  ASSERT_EQ(all.rowCount(), 1) << rig.label("outcomesStatus").toStdString();
+  EXPECT_TRUE(all.item(0, 0)->text().startsWith("P-53"));
+  EXPECT_EQ(all.item(0, 1)->text(), plannedArray);
+  const double simulated_mm = inMillimeters(plan->insertions.front().insertion.depth);
+  EXPECT_TRUE(all.item(0, 2)->text().startsWith(QString::number(simulated_mm, 'f', 1)));
+  EXPECT_EQ(all.item(0, 3)->text(), QString::fromUtf8("24.6 (24.0–25.2) mm"));
+  // (Phi((x - x_1) / sd) + 1/2) / 2 of the one simulation
+  const double below = 0.5 * std::erfc(-(24.6 - simulated_mm) / 0.3 / std::sqrt(2.0));
+  EXPECT_EQ(all.item(0, 4)->text(),
+            QString::number(100.0 * (below + 0.5) / 2.0, 'f', 0) + QString::fromUtf8(" %"));
+  // all together, and the array
+  const QTableWidget& coverage = table(rig, "outcomesCoverage");
+  ASSERT_EQ(coverage.rowCount(), 2);
+  EXPECT_EQ(coverage.item(1, 0)->text(), plannedArray);
+  EXPECT_TRUE(coverage.item(0, 2)->text().contains("of 1"));
 }
 
 TEST_F(AnOutcome, IsShownWithoutCutWordsOnASmallScreen)

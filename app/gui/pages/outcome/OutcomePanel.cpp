@@ -30,7 +30,7 @@ constexpr int outcomePanel_px = 300;
 
 QString keyOf(const SavedPatient& patient) { return QString::fromStdString(patient.file.string()); }
 
-/// "2026-11-28 09:30 · flex28 · 421° (409–433)"
+/// "2026-11-28 09:30 · flex28 · 421 (409–433)°"
 QString versionText(const session::PatientOutcome& saved)
 {
   const QString when = localTimeText(saved.utc);

@@ -89,7 +89,8 @@ std::optional<figures::Figure> forceBeside(const PlannedEar& ear, const outcome:
     figure = forceBands(ear.plan->plan, {ear.place});
   else
     figure.title = figureWords(QT_TRANSLATE_NOOP("perilymph::gui", "Insertion force over depth"));
-  double deepest_mm = std::max(ear.plan ? figure.x.high : 1.0, found.insertedLength_mm);
+  const double wide_mm = std::max(1.96 * found.insertedLengthSd_mm, 0.1);
+  double deepest_mm = std::max(ear.plan ? figure.x.high : 1.0, found.insertedLength_mm + wide_mm);
   double top_mN = ear.plan ? figure.y.high : 10.0;
   if (ear.insertion) {
     figures::FigureCurve curve;
@@ -108,7 +109,6 @@ std::optional<figures::Figure> forceBeside(const PlannedEar& ear, const outcome:
       figureWords(QT_TRANSLATE_NOOP("perilymph::gui", "insertion depth, mm")), 0.0, deepest_mm);
   figure.y = figures::axisOver(
       figureWords(QT_TRANSLATE_NOOP("perilymph::gui", "axial insertion force, mN")), 0.0, top_mN);
-  const double wide_mm = std::max(1.96 * found.insertedLengthSd_mm, 0.1);
   figure.bands.push_back(
       {figureWords(QT_TRANSLATE_NOOP("perilymph::gui", "inserted in the patient")),
        {found.insertedLength_mm - wide_mm, found.insertedLength_mm + wide_mm},

@@ -27,6 +27,7 @@
 #include "gui/pages/outcome/OutcomePage.h"
 #include "gui/pages/outcome/OutcomePanel.h"
 #include "gui/pages/outcomes/OutcomesPage.h"
+#include "gui/program/Languages.h"
 #include "gui/report/OutcomeWords.h"
 #include "gui/setup/PatientLibrary.h"
 #include "gui/setup/PlanStore.h"
@@ -518,6 +519,28 @@ TEST_F(AnOutcome, IsShownWithoutCutWordsOnASmallScreen)
   settle();
   EXPECT_THAT(cutTextsOf(rig.window()), testing::IsEmpty());
   keepPicture(rig.window(), "outcome-beside");
+}
+
+TEST_F(AnOutcome, IsShownInGermanWithoutCutWords)
+{
+  gui::useLanguage(*QCoreApplication::instance(), "de");
+  {
+    WindowRig rig;
+    const gui::OutcomePage& page = show(rig);
+    ASSERT_TRUE(isFound(page));
+    rig.window().resize(1366, 768);
+    settle();
+    EXPECT_THAT(rig.label("outcomeHead").toStdString(),
+                testing::HasSubstr("Kontakte innen 11 von 12"));
+    EXPECT_THAT(cutTextsOf(rig.window()), testing::IsEmpty());
+    keepPicture(rig.window(), "outcome-contacts-de");
+    rig.click("surgeryMore");
+    rig.click("outcomeBesideStage");
+    settle();
+    EXPECT_THAT(cutTextsOf(rig.window()), testing::IsEmpty());
+    keepPicture(rig.window(), "outcome-beside-de");
+  }
+  gui::useLanguage(*QCoreApplication::instance(), "en");
 }
 
 }  // namespace

@@ -8749,7 +8749,7 @@
     <name>perilymph::gui::CtSource</name>
     <message>
         <source>Open folder…</source>
-        <translation>Ordner öffnen …</translation>
+        <translation>Ordner …</translation>
     </message>
     <message>
         <source>Open file…</source>
@@ -9089,7 +9089,7 @@
     </message>
     <message>
         <source>Spiral ganglion</source>
-        <translation>Spiral-ganglion</translation>
+        <translation>Spiralganglion</translation>
     </message>
     <message>
         <source>Estimated frequency of the spiral ganglion at the angle (Stakhovskaya et al. 2007), with its 95 % interval</source>

@@ -4299,6 +4299,126 @@
         <source>%1 was changed after the program wrote it, so that it is not used. Write it again with &apos;perilymph-cli outcomes --resistance&apos;.</source>
         <translation>%1 wurde geändert, nachdem das Programm sie geschrieben hatte, und wird nicht verwendet. Schreiben Sie sie mit „perilymph-cli outcomes --resistance“ neu.</translation>
     </message>
+    <message>
+        <source>The CT before surgery is no longer in %1.</source>
+        <translation>Das CT vor der Operation ist nicht mehr in %1.</translation>
+    </message>
+    <message>
+        <source>The search was canceled.</source>
+        <translation>Die Suche wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>The CT shows no bone. Choose a CT of the temporal bone.</source>
+        <translation>Das CT zeigt keinen Knochen. Wählen Sie ein CT des Felsenbeins.</translation>
+    </message>
+    <message>
+        <source>Another assignment of the contacts explains the metal nearly as well: check the number of the most apical contact.</source>
+        <translation>Eine andere Zuordnung der Kontakte erklärt das Metall fast ebenso gut: Prüfen Sie die Nummer des apikalsten Kontakts.</translation>
+    </message>
+    <message>
+        <source>Some contacts were not seen and are placed by the array&apos;s spacings: check them in the images.</source>
+        <translation>Einige Kontakte waren nicht zu sehen und sind nach den Abständen des Trägers gesetzt: Prüfen Sie sie in den Bildern.</translation>
+    </message>
+    <message>
+        <source>There is more metal in the ear than this array explains, such as an old lead: check which is the array.</source>
+        <translation>Im Ohr ist mehr Metall, als dieser Träger erklärt, etwa ein altes Kabel: Prüfen Sie, was der Träger ist.</translation>
+    </message>
+    <message>
+        <source>Spacing or number of the contacts contradict the array named: check its name.</source>
+        <translation>Abstand oder Anzahl der Kontakte widersprechen dem genannten Träger: Prüfen Sie seinen Namen.</translation>
+    </message>
+    <message>
+        <source>The contacts merge in these voxels: they are placed by the array&apos;s spacings along its course.</source>
+        <translation>Die Kontakte verschmelzen in diesen Voxeln: Sie sind nach den Abständen des Trägers entlang seines Verlaufs gesetzt.</translation>
+    </message>
+    <message>
+        <source>The angle turns back toward the tip: possible fold of the tip.</source>
+        <translation>Der Winkel kehrt zur Spitze hin um: mögliche Umknickung der Spitze.</translation>
+    </message>
+    <message>
+        <source>The array bends more sharply than in any cochlea: possible kink, or a contact in the wrong place.</source>
+        <translation>Der Träger biegt sich stärker als in jeder Cochlea: möglicher Knick oder ein Kontakt am falschen Ort.</translation>
+    </message>
+    <message>
+        <source>Possible translocation: contacts lie above the place of the basilar membrane, which no CT shows.</source>
+        <translation>Mögliche Translokation: Kontakte liegen oberhalb der Lage der Basilarmembran, die kein CT zeigt.</translation>
+    </message>
+    <message>
+        <source>Contacts lie outside the cochlea.</source>
+        <translation>Kontakte liegen außerhalb der Cochlea.</translation>
+    </message>
+    <message>
+        <source>The CTs before and after surgery agree badly around the cochlea: check the outline of the cochlea in the images.</source>
+        <translation>Die CTs vor und nach der Operation stimmen um die Cochlea schlecht überein: Prüfen Sie den Umriss der Cochlea in den Bildern.</translation>
+    </message>
+    <message>
+        <source>The cochlea was measured in the CT after surgery, beside the metal: angles and depths have wider errors. Give the CT before surgery if there is one.</source>
+        <translation>Die Cochlea wurde im CT nach der Operation neben dem Metall gemessen: Winkel und Tiefen haben größere Fehler. Geben Sie das CT vor der Operation an, wenn es eines gibt.</translation>
+    </message>
+    <message>
+        <source>Side, A or B differ from the patient&apos;s by more than their errors: check that this CT is of the same patient and ear.</source>
+        <translation>Seite, A oder B weichen um mehr als ihre Fehler von denen des Patienten ab: Prüfen Sie, ob dieses CT von demselben Patienten und Ohr ist.</translation>
+    </message>
+    <message>
+        <source>A part of the array lies outside the CT.</source>
+        <translation>Ein Teil des Trägers liegt außerhalb des CTs.</translation>
+    </message>
+    <message>
+        <source>A voxel is longer than 0.65 mm, the coarsest that was tested: take a finer series if there is one.</source>
+        <translation>Ein Voxel ist länger als 0,65 mm, das gröbste geprüfte: Nehmen Sie eine feinere Serie, wenn es eine gibt.</translation>
+    </message>
+    <message>
+        <source>%1: %2 is %3; %4 is needed.</source>
+        <translation>%1: %2 ist %3; nötig ist %4.</translation>
+    </message>
+    <message>
+        <source>%1 is no outcome: it is not JSON. Make it by perilymph-cli ct contacts.</source>
+        <translation>%1 ist kein Ergebnis: Es ist kein JSON. Erzeugen Sie es mit perilymph-cli ct contacts.</translation>
+    </message>
+    <message>
+        <source>%1 has format %2; this program reads %3. Use a newer program.</source>
+        <translation>%1 hat das Format %2; dieses Programm liest %3. Verwenden Sie ein neueres Programm.</translation>
+    </message>
+    <message>
+        <source>The CT before surgery shows too little around the cochlea to be compared with that after it. Choose the series in which the cochlea was measured.</source>
+        <translation>Das CT vor der Operation zeigt zu wenig um die Cochlea, um mit dem danach verglichen zu werden. Wählen Sie die Serie, in der die Cochlea gemessen wurde.</translation>
+    </message>
+    <message>
+        <source>The registration was canceled.</source>
+        <translation>Die Registrierung wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>The two CTs show no common surroundings of the cochlea. Check that both are of the same patient and ear.</source>
+        <translation>Die beiden CTs zeigen keine gemeinsame Umgebung der Cochlea. Prüfen Sie, ob beide von demselben Patienten und Ohr sind.</translation>
+    </message>
+    <message>
+        <source>%1 is %2; %3 to %4 is allowed.</source>
+        <translation>%1 ist %2; erlaubt ist %3 bis %4.</translation>
+    </message>
+    <message>
+        <source>The lot is “%1”; up to 24 letters, digits and hyphens are allowed.</source>
+        <translation>Die Charge ist „%1“; erlaubt sind bis zu 24 Buchstaben, Ziffern und Bindestriche.</translation>
+    </message>
+    <message>
+        <source>The lubricant has %1 characters; up to 40 are allowed.</source>
+        <translation>Das Gleitmittel hat %1 Zeichen; erlaubt sind bis zu 40.</translation>
+    </message>
+    <message>
+        <source>The array %1 has %2 contacts; 4 or more are needed. Choose an array with contacts.</source>
+        <translation>Der Träger %1 hat %2 Kontakte; nötig sind 4 oder mehr. Wählen Sie einen Träger mit Kontakten.</translation>
+    </message>
+    <message>
+        <source>The search for contacts was canceled.</source>
+        <translation>Die Suche nach den Kontakten wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>There is no array in this ear: %1 cubic millimeters of metal lie in or near the cochlea, at least 1 is expected. Choose a CT after surgery, and check the side.</source>
+        <translation>In diesem Ohr ist kein Träger: In oder an der Cochlea liegen %1 Kubikmillimeter Metall, mindestens 1 wird erwartet. Wählen Sie ein CT nach der Operation und prüfen Sie die Seite.</translation>
+    </message>
+    <message>
+        <source>The contacts cannot be found: the metal in this ear forms no array&apos;s course. Place contacts by hand, or check side and array.</source>
+        <translation>Die Kontakte sind nicht zu finden: Das Metall in diesem Ohr bildet keinen Verlauf eines Trägers. Setzen Sie Kontakte von Hand oder prüfen Sie Seite und Träger.</translation>
+    </message>
 </context>
 <context>
     <name>Display</name>
@@ -7417,6 +7537,246 @@
         <source>%1 (SD %2)</source>
         <translation>%1 (SD %2)</translation>
     </message>
+    <message>
+        <source>inserted by hand</source>
+        <translation>von Hand inseriert</translation>
+    </message>
+    <message>
+        <source>inserted in the patient</source>
+        <translation>im Patienten inseriert</translation>
+    </message>
+    <message>
+        <source>stopped because of: %1</source>
+        <translation>beendet wegen: %1</translation>
+    </message>
+    <message>
+        <source>intended mark reached</source>
+        <translation>geplante Marke erreicht</translation>
+    </message>
+    <message>
+        <source>intended mark not reached</source>
+        <translation>geplante Marke nicht erreicht</translation>
+    </message>
+    <message>
+        <source>intended depth %1 mm</source>
+        <translation>geplante Tiefe %1 mm</translation>
+    </message>
+    <message>
+        <source>contacts outside, as seen: %1</source>
+        <translation>Kontakte außen, gesehen: %1</translation>
+    </message>
+    <message>
+        <source>length outside %1 mm</source>
+        <translation>Länge außen %1 mm</translation>
+    </message>
+    <message>
+        <source>lot %1</source>
+        <translation>Charge %1</translation>
+    </message>
+    <message>
+        <source>attempts: %1</source>
+        <translation>Versuche: %1</translation>
+    </message>
+    <message>
+        <source>pull-backs: %1</source>
+        <translation>Rückzüge: %1</translation>
+    </message>
+    <message>
+        <source>first resistance at contact %1</source>
+        <translation>erster Widerstand bei Kontakt %1</translation>
+    </message>
+    <message>
+        <source>CT %1 days after surgery</source>
+        <translation>CT %1 Tage nach der Operation</translation>
+    </message>
+    <message>
+        <source>CT after surgery</source>
+        <translation>CT nach Operation</translation>
+    </message>
+    <message>
+        <source>%1, of %2</source>
+        <translation>%1, vom %2</translation>
+    </message>
+    <message>
+        <source>no plan of this array</source>
+        <translation>kein Plan dieses Trägers</translation>
+    </message>
+    <message>
+        <source>What was found, beside the plan</source>
+        <translation>Gefunden, neben dem Plan</translation>
+    </message>
+    <message>
+        <source>found (95 %)</source>
+        <translation>gefunden (95 %)</translation>
+    </message>
+    <message>
+        <source>plan (5–95 %)</source>
+        <translation>Plan (5–95 %)</translation>
+    </message>
+    <message>
+        <source>percentile</source>
+        <translation>Perzentil</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Length past the opening</source>
+        <translation>Länge hinter der Öffnung</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Contacts; 1 at the tip</source>
+        <translation>Kontakte; 1 an der Spitze</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>Nr.</translation>
+    </message>
+    <message>
+        <source>angle (95 %)</source>
+        <translation>Winkel (95 %)</translation>
+    </message>
+    <message>
+        <source>in scala tymp.</source>
+        <translation>in Scala tymp.</translation>
+    </message>
+    <message>
+        <source>to modiolus</source>
+        <translation>zum Modiolus</translation>
+    </message>
+    <message>
+        <source>spiral ganglion</source>
+        <translation>Spiralganglion</translation>
+    </message>
+    <message>
+        <source>placed</source>
+        <translation>gesetzt</translation>
+    </message>
+    <message>
+        <source>Outcome of an implantation</source>
+        <translation>Ergebnis einer Implantation</translation>
+    </message>
+    <message>
+        <source>The surgeon states: %1.</source>
+        <translation>Angaben aus der Operation: %1.</translation>
+    </message>
+    <message>
+        <source>; </source>
+        <translation>; </translation>
+    </message>
+    <message>
+        <source>Positions are those of metal in the CT, with their errors; the basilar membrane is not visible, so the scala is a probability and no diagnosis. Place frequencies are estimated. Plan: median and band of simulated insertions; percentile: share of them below the value found. Angles are counted from the round window.</source>
+        <translation>Positionen sind die von Metall im CT, mit ihren Fehlern; die Basilarmembran ist nicht zu sehen, deshalb ist die Scala eine Wahrscheinlichkeit und keine Diagnose. Ortsfrequenzen sind geschätzt. Plan: Median und Band simulierter Insertionen; Perzentil: Anteil davon unter dem gefundenen Wert. Winkel zählen ab dem runden Fenster.</translation>
+    </message>
+    <message>
+        <source>Patient %1</source>
+        <translation>Patient %1</translation>
+    </message>
+    <message>
+        <source>outside</source>
+        <translation>außen</translation>
+    </message>
+    <message>
+        <source>–</source>
+        <translation>–</translation>
+    </message>
+    <message>
+        <source>by hand</source>
+        <translation>von Hand</translation>
+    </message>
+    <message>
+        <source>singly</source>
+        <translation>einzeln</translation>
+    </message>
+    <message>
+        <source>by spacing</source>
+        <translation>nach Abstand</translation>
+    </message>
+    <message>
+        <source>%1 (%2–%3) kHz</source>
+        <translation>%1 (%2–%3) kHz</translation>
+    </message>
+    <message>
+        <source>below 5 %</source>
+        <translation>unter 5 %</translation>
+    </message>
+    <message>
+        <source>above 95 %</source>
+        <translation>über 95 %</translation>
+    </message>
+    <message>
+        <source>%1 (%2–%3)%4</source>
+        <translation>%1 (%2–%3)%4</translation>
+    </message>
+    <message>
+        <source>mark reached</source>
+        <translation>Marke erreicht</translation>
+    </message>
+    <message>
+        <source>bowed outside</source>
+        <translation>außen gebogen</translation>
+    </message>
+    <message>
+        <source>hearing</source>
+        <translation>Gehör</translation>
+    </message>
+    <message>
+        <source>bleeding</source>
+        <translation>Blutung</translation>
+    </message>
+    <message>
+        <source>other</source>
+        <translation>anderes</translation>
+    </message>
+    <message>
+        <source>round window</source>
+        <translation>rundes Fenster</translation>
+    </message>
+    <message>
+        <source>extended RW</source>
+        <translation>erweitertes RF</translation>
+    </message>
+    <message>
+        <source>cochleostomy</source>
+        <translation>Cochleostomie</translation>
+    </message>
+    <message>
+        <source>forceps</source>
+        <translation>Pinzette</translation>
+    </message>
+    <message>
+        <source>sheath</source>
+        <translation>Hülse</translation>
+    </message>
+    <message>
+        <source>stylet</source>
+        <translation>Stilett</translation>
+    </message>
+    <message>
+        <source>off-stylet</source>
+        <translation>vom Stilett</translation>
+    </message>
+    <message>
+        <source>robot</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>%1 (%2–%3) mm</source>
+        <translation>%1 (%2–%3) mm</translation>
+    </message>
+    <message>
+        <source>ear carried over from the CT before surgery, residual %1 mm</source>
+        <translation>Ohr aus dem CT vor der Operation übertragen, Restfehler %1 mm</translation>
+    </message>
+    <message>
+        <source>the ear is measured in this CT, with wider errors</source>
+        <translation>das Ohr ist in diesem CT gemessen, mit größeren Fehlern</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::AboutOverlay</name>
@@ -8175,10 +8535,6 @@
         <translation>Ordner mit einem Felsenbein-CT öffnen oder hier ablegen. Die Cochlea wird gefunden und gemessen; danach kann darin inseriert werden.</translation>
     </message>
     <message>
-        <source>Folder with a temporal-bone CT</source>
-        <translation>Ordner mit einem Felsenbein-CT</translation>
-    </message>
-    <message>
         <source>CT</source>
         <translation>CT</translation>
     </message>
@@ -8233,22 +8589,6 @@
 </context>
 <context>
     <name>perilymph::gui::CtPanel</name>
-    <message>
-        <source>Open folder…</source>
-        <translation>Ordner …</translation>
-    </message>
-    <message>
-        <source>Open file…</source>
-        <translation>Datei …</translation>
-    </message>
-    <message>
-        <source>A folder with DICOM files, or the folder of a DICOMDIR</source>
-        <translation>Ordner mit DICOM-Dateien oder Ordner eines DICOMDIR</translation>
-    </message>
-    <message>
-        <source>DICOM (.zip), DICOMDIR, enhanced DICOM, NIfTI (.nii, .nii.gz), NRRD (.nrrd, .nhdr) or MetaImage (.mha, .mhd)</source>
-        <translation>DICOM (.zip), DICOMDIR, Enhanced DICOM, NIfTI (.nii, .nii.gz), NRRD (.nrrd, .nhdr) oder MetaImage (.mha, .mhd)</translation>
-    </message>
     <message>
         <source>VIEW</source>
         <translation>ANSICHT</translation>
@@ -8397,6 +8737,32 @@
         <source>from landmarks</source>
         <translation>aus Landmarken</translation>
     </message>
+</context>
+<context>
+    <name>perilymph::gui::CtSeriesList</name>
+    <message>
+        <source>Series</source>
+        <translation>Serien</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::CtSource</name>
+    <message>
+        <source>Open folder…</source>
+        <translation>Ordner …</translation>
+    </message>
+    <message>
+        <source>Open file…</source>
+        <translation>Datei …</translation>
+    </message>
+    <message>
+        <source>A folder with DICOM files, or the folder of a DICOMDIR</source>
+        <translation>Ordner mit DICOM-Dateien oder Ordner eines DICOMDIR</translation>
+    </message>
+    <message>
+        <source>DICOM (.zip), DICOMDIR, enhanced DICOM, NIfTI (.nii, .nii.gz), NRRD (.nrrd, .nhdr) or MetaImage (.mha, .mhd)</source>
+        <translation>DICOM (.zip), DICOMDIR, Enhanced DICOM, NIfTI (.nii, .nii.gz), NRRD (.nrrd, .nhdr) oder MetaImage (.mha, .mhd)</translation>
+    </message>
     <message>
         <source>From the archive…</source>
         <translation>Aus dem Archiv …</translation>
@@ -8413,12 +8779,13 @@
         <source>Recent CTs, by the patient’s code and the date</source>
         <translation>Zuletzt geöffnete CTs, nach Patientencode und Datum</translation>
     </message>
-</context>
-<context>
-    <name>perilymph::gui::CtSeriesList</name>
     <message>
-        <source>Series</source>
-        <translation>Serien</translation>
+        <source>Folder with a temporal-bone CT</source>
+        <translation>Ordner mit einem Felsenbein-CT</translation>
+    </message>
+    <message>
+        <source>CT</source>
+        <translation>CT</translation>
     </message>
 </context>
 <context>
@@ -8544,6 +8911,49 @@
     </message>
 </context>
 <context>
+    <name>perilymph::gui::EarQuestion</name>
+    <message>
+        <source>left</source>
+        <translation>linkes</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechtes</translation>
+    </message>
+    <message>
+        <source>The ear in this CT is a %1 one, that of %2 a %3 one.</source>
+        <translation>Das Ohr in diesem CT ist ein %1, das von %2 ein %3.</translation>
+    </message>
+    <message>
+        <source>%1 is %2 mm in this CT, %3 mm in the record (95 %).</source>
+        <translation>%1 ist %2 mm in diesem CT, %3 mm in der Akte (95 %).</translation>
+    </message>
+    <message>
+        <source>This CT series is in the record of %1.</source>
+        <translation>Diese CT-Serie steht in der Akte von %1.</translation>
+    </message>
+    <message>
+        <source>Is this CT of %1?</source>
+        <translation>Ist dieses CT von %1?</translation>
+    </message>
+    <message>
+        <source>This CT may be of another person than %1.</source>
+        <translation>Dieses CT ist vielleicht von einer anderen Person als %1.</translation>
+    </message>
+    <message>
+        <source>If it is joined, the outcome stands in the record of %1 and in the statistics.</source>
+        <translation>Wird es zugeordnet, steht das Ergebnis in der Akte von %1 und in der Statistik.</translation>
+    </message>
+    <message>
+        <source>No, leave it out</source>
+        <translation>Nein, nicht zuordnen</translation>
+    </message>
+    <message>
+        <source>It is %1: join it</source>
+        <translation>Es ist %1: zuordnen</translation>
+    </message>
+</context>
+<context>
     <name>perilymph::gui::FlatViews</name>
     <message>
         <source>Unrolled scala tympani</source>
@@ -8629,6 +9039,105 @@
     <message>
         <source>built without audio support</source>
         <translation>ohne Audiounterstützung gebaut</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::FoundContacts</name>
+    <message>
+        <source>Contacts found in the CT</source>
+        <translation>Im CT gefundene Kontakte</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>Nr.</translation>
+    </message>
+    <message>
+        <source>Number of the contact; 1 at the tip</source>
+        <translation>Nummer des Kontakts; 1 an der Spitze</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>From the round window, with its 95 % interval</source>
+        <translation>Ab dem runden Fenster, mit 95-%-Intervall</translation>
+    </message>
+    <message>
+        <source>To modiolus</source>
+        <translation>Zum Modiolus</translation>
+    </message>
+    <message>
+        <source>From the contact’s center to the inner wall, toward the modiolar axis</source>
+        <translation>Von der Mitte des Kontakts zur inneren Wand, zur Modiolusachse hin</translation>
+    </message>
+    <message>
+        <source>In scala tympani</source>
+        <translation>In Scala tympani</translation>
+    </message>
+    <message>
+        <source>Probability that the contact lies below the basilar membrane, with the errors of the CT and of the ear. The membrane is not visible in a CT: no diagnosis.</source>
+        <translation>Wahrscheinlichkeit, dass der Kontakt unter der Basilarmembran liegt, mit den Fehlern von CT und Ohr. Die Membran ist im CT nicht zu sehen: keine Diagnose.</translation>
+    </message>
+    <message>
+        <source>Greenwood</source>
+        <translation>Greenwood</translation>
+    </message>
+    <message>
+        <source>Estimated frequency of the place along the organ of Corti (Greenwood 1990), with its 95 % interval</source>
+        <translation>Geschätzte Frequenz des Orts am Corti-Organ (Greenwood 1990), mit 95-%-Intervall</translation>
+    </message>
+    <message>
+        <source>Spiral ganglion</source>
+        <translation>Spiralganglion</translation>
+    </message>
+    <message>
+        <source>Estimated frequency of the spiral ganglion at the angle (Stakhovskaya et al. 2007), with its 95 % interval</source>
+        <translation>Geschätzte Frequenz des Spiralganglions am Winkel (Stakhovskaya et al. 2007), mit 95-%-Intervall</translation>
+    </message>
+    <message>
+        <source>Default filter</source>
+        <translation>Standard-filter</translation>
+    </message>
+    <message>
+        <source>Center of the filter that the contact gets by default; – if no allocation is known</source>
+        <translation>Mitte des Filters, den der Kontakt standardmäßig erhält; – wenn keine Zuordnung bekannt ist</translation>
+    </message>
+    <message>
+        <source>Mismatch</source>
+        <translation>Abweichung</translation>
+    </message>
+    <message>
+        <source>Frequency of its place on the spiral ganglion above its default filter, in semitones; positive: it hears a lower frequency than its place</source>
+        <translation>Frequenz seines Ortes am Spiralganglion über seinem Standardfilter, in Halbtönen; positiv: Er hört eine tiefere Frequenz als sein Ort</translation>
+    </message>
+    <message>
+        <source>Placed</source>
+        <translation>Gesetzt</translation>
+    </message>
+    <message>
+        <source>singly: its own brightness was seen; by spacing: the contacts merge in this CT, and the array’s spacings place it; by hand: a person placed it</source>
+        <translation>einzeln: seine eigene Helligkeit war zu sehen; nach Abstand: die Kontakte verschmelzen in diesem CT, die Abstände des Trägers setzen ihn; von Hand: eine Person hat ihn gesetzt</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 kHz</source>
+        <translation>%1 kHz</translation>
+    </message>
+    <message>
+        <source>–</source>
+        <translation>–</translation>
+    </message>
+    <message>
+        <source>%1 st</source>
+        <translation>%1 HT</translation>
+    </message>
+    <message>
+        <source>Position known to %1 mm</source>
+        <translation>Position auf %1 mm bekannt</translation>
     </message>
 </context>
 <context>
@@ -9480,6 +9989,434 @@
     </message>
 </context>
 <context>
+    <name>perilymph::gui::OutcomePage</name>
+    <message>
+        <source>Outcome</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Plan and outcome</source>
+        <translation>Plan und Ergebnis</translation>
+    </message>
+    <message>
+        <source>Choose a patient and open the CT after surgery, or drop it here. The contacts of the array are found, measured and shown beside the plan.</source>
+        <translation>Wählen Sie einen Patienten und öffnen Sie das CT nach der Operation, oder legen Sie es hier ab. Die Kontakte des Trägers werden gefunden, gemessen und neben dem Plan gezeigt.</translation>
+    </message>
+    <message>
+        <source>Open folder…</source>
+        <translation>Ordner öffnen …</translation>
+    </message>
+    <message>
+        <source>From the archive…</source>
+        <translation>Aus dem Archiv …</translation>
+    </message>
+    <message>
+        <source>The outcome of %1 is not saved in the record.</source>
+        <translation>Das Ergebnis von %1 ist nicht in der Akte gespeichert.</translation>
+    </message>
+    <message>
+        <source>Keep it</source>
+        <translation>Behalten</translation>
+    </message>
+    <message>
+        <source>The CT of this outcome is no longer where it was read.</source>
+        <translation>Das CT dieses Ergebnisses ist nicht mehr, wo es gelesen wurde.</translation>
+    </message>
+    <message>
+        <source>Reading the CT…</source>
+        <translation>Das CT wird gelesen …</translation>
+    </message>
+    <message>
+        <source>Measuring the ear…</source>
+        <translation>Das Ohr wird gemessen …</translation>
+    </message>
+    <message>
+        <source>This CT was not joined to %1.</source>
+        <translation>Dieses CT wurde %1 nicht zugeordnet.</translation>
+    </message>
+    <message>
+        <source>Finding the contacts…</source>
+        <translation>Die Kontakte werden gesucht …</translation>
+    </message>
+    <message>
+        <source>Saved outcome. Its CT is no longer where it was read.</source>
+        <translation>Gespeichertes Ergebnis. Sein CT ist nicht mehr, wo es gelesen wurde.</translation>
+    </message>
+    <message>
+        <source>Saved in the record of %1, version %2.</source>
+        <translation>In der Akte von %1 gespeichert, Version %2.</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tabellen (*.csv)</translation>
+    </message>
+    <message>
+        <source>JSON (*.json)</source>
+        <translation>JSON (*.json)</translation>
+    </message>
+    <message>
+        <source>Markups (*.mrk.json)</source>
+        <translation>Markierungen (*.mrk.json)</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Bilder (*.png)</translation>
+    </message>
+    <message>
+        <source>Save the outcome</source>
+        <translation>Ergebnis speichern</translation>
+    </message>
+    <message>
+        <source>Saved to %1.</source>
+        <translation>Gespeichert in %1.</translation>
+    </message>
+    <message>
+        <source>Report of the outcome</source>
+        <translation>Bericht des Ergebnisses</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::OutcomePanel</name>
+    <message>
+        <source>%1 · cannot be read</source>
+        <translation>%1 · nicht lesbar</translation>
+    </message>
+    <message>
+        <source>%1 · %2 · %3</source>
+        <translation>%1 · %2 · %3</translation>
+    </message>
+    <message>
+        <source>Patient</source>
+        <translation>Patient</translation>
+    </message>
+    <message>
+        <source>Saved outcomes</source>
+        <translation>Gespeicherte Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Find the contacts</source>
+        <translation>Kontakte suchen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Save in the record</source>
+        <translation>In der Akte speichern</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Export …</translation>
+    </message>
+    <message>
+        <source>Report…</source>
+        <translation>Bericht …</translation>
+    </message>
+    <message>
+        <source>PATIENT</source>
+        <translation>PATIENT</translation>
+    </message>
+    <message>
+        <source>1  WHAT THE SURGEON KNOWS</source>
+        <translation>1  WAS AUS DER OPERATION BEKANNT IST</translation>
+    </message>
+    <message>
+        <source>2  CT AFTER SURGERY</source>
+        <translation>2  CT NACH DER OPERATION</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>The contact that was moved last (Ctrl+Z)</source>
+        <translation>Der zuletzt bewegte Kontakt (Strg+Z)</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+Z</source>
+        <translation>Strg+Umschalt+Z</translation>
+    </message>
+    <message>
+        <source>Every outcome that is saved stays in the patient’s record, with its date.</source>
+        <translation>Jedes gespeicherte Ergebnis bleibt mit seinem Datum in der Akte.</translation>
+    </message>
+    <message>
+        <source>One page as PDF or DICOM</source>
+        <translation>Eine Seite als PDF oder DICOM</translation>
+    </message>
+    <message>
+        <source>Table of the contacts (CSV)…</source>
+        <translation>Tabelle der Kontakte (CSV) …</translation>
+    </message>
+    <message>
+        <source>Everything (JSON)…</source>
+        <translation>Alles (JSON) …</translation>
+    </message>
+    <message>
+        <source>Markups for 3D Slicer…</source>
+        <translation>Markierungen für 3D Slicer …</translation>
+    </message>
+    <message>
+        <source>Picture of the cochlear view…</source>
+        <translation>Bild der Cochlea-Ansicht …</translation>
+    </message>
+    <message>
+        <source>Save a patient first</source>
+        <translation>Zuerst einen Patienten speichern</translation>
+    </message>
+    <message>
+        <source>Choose a patient</source>
+        <translation>Patient wählen</translation>
+    </message>
+    <message>
+        <source>no outcome saved yet</source>
+        <translation>noch kein Ergebnis</translation>
+    </message>
+    <message>
+        <source>1 saved outcome</source>
+        <translation>1 Ergebnis gespeichert</translation>
+    </message>
+    <message>
+        <source>%1 saved outcomes</source>
+        <translation>%1 Ergebnisse gespeichert</translation>
+    </message>
+    <message>
+        <source>Choose a patient with A and B first.</source>
+        <translation>Zuerst einen Patienten mit A und B wählen.</translation>
+    </message>
+    <message>
+        <source>Open the CT after surgery first.</source>
+        <translation>Zuerst das CT nach der Operation öffnen.</translation>
+    </message>
+    <message>
+        <source>Correct the form first.</source>
+        <translation>Zuerst das Formular berichtigen.</translation>
+    </message>
+    <message>
+        <source>Choose the implanted array first.</source>
+        <translation>Zuerst den implantierten Träger wählen.</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::OutcomeView</name>
+    <message>
+        <source>Contacts in the CT</source>
+        <translation>Kontakte im CT</translation>
+    </message>
+    <message>
+        <source>Plan beside outcome</source>
+        <translation>Plan neben Ergebnis</translation>
+    </message>
+    <message>
+        <source>Unrolled scala tympani with the contacts and the plan’s bands</source>
+        <translation>Abgerollte Scala tympani mit den Kontakten und den Bändern des Plans</translation>
+    </message>
+    <message>
+        <source>Contacts by number, with the intervals of their angles. Bars at the modiolus: the plan’s bands, 5 to 95 %; across the scala: that of the most apical contact.</source>
+        <translation>Kontakte nach Nummer, mit den Intervallen ihrer Winkel. Balken am Modiolus: Bänder des Plans, 5 bis 95 %; quer über die Scala: das des apikalsten Kontakts.</translation>
+    </message>
+    <message>
+        <source>Force over depth: insertion by hand, the plan’s band, the length inserted in the patient</source>
+        <translation>Kraft über der Tiefe: Insertion von Hand, Band des Plans, im Patienten inserierte Länge</translation>
+    </message>
+    <message>
+        <source>The CT after surgery</source>
+        <translation>Das CT nach der Operation</translation>
+    </message>
+    <message>
+        <source>%1: %2, contacts inside %3, inserted %4; %5.</source>
+        <translation>%1: %2, Kontakte innen %3, inseriert %4; %5.</translation>
+    </message>
+    <message>
+        <source>Plan of %1, %2 simulations</source>
+        <translation>Plan vom %1, %2 Simulationen</translation>
+    </message>
+    <message>
+        <source>There is no plan of this array for this patient. The page Plan makes one.</source>
+        <translation>Für diesen Patienten gibt es keinen Plan dieses Trägers. Die Seite Plan macht einen.</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::OutcomesPage</name>
+    <message>
+        <source>%1 (%2–%3)%4</source>
+        <translation>%1 (%2–%3)%4</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>–</source>
+        <translation>–</translation>
+    </message>
+    <message>
+        <source>%1 of %2: %3 % (%4–%5)</source>
+        <translation>%1 von %2: %3 % (%4–%5)</translation>
+    </message>
+    <message>
+        <source>Outcomes</source>
+        <translation>Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Outcomes of all patients</source>
+        <translation>Ergebnisse aller Patienten</translation>
+    </message>
+    <message>
+        <source>Outcomes that are saved on the page Outcome stand here beside their plans: how often the bands held, and where in them each ear came.</source>
+        <translation>Ergebnisse, die auf der Seite Ergebnis gespeichert sind, stehen hier neben ihren Plänen: wie oft die Bänder hielten, und wo in ihnen jedes Ohr lag.</translation>
+    </message>
+    <message>
+        <source>Outcomes, a row an ear</source>
+        <translation>Ergebnisse, eine Zeile je Ohr</translation>
+    </message>
+    <message>
+        <source>Median and band of the plan’s simulations, 5 to 95 %</source>
+        <translation>Median und Band der Simulationen des Plans, 5 bis 95 %</translation>
+    </message>
+    <message>
+        <source>Patient</source>
+        <translation>Patient</translation>
+    </message>
+    <message>
+        <source>Code and ear; the newest outcome of each</source>
+        <translation>Code und Ohr; jeweils das neueste Ergebnis</translation>
+    </message>
+    <message>
+        <source>Array</source>
+        <translation>Träger</translation>
+    </message>
+    <message>
+        <source>The implanted array</source>
+        <translation>Der implantierte Träger</translation>
+    </message>
+    <message>
+        <source>Depth, plan</source>
+        <translation>Tiefe, Plan</translation>
+    </message>
+    <message>
+        <source>Depth, found</source>
+        <translation>Tiefe, gefunden</translation>
+    </message>
+    <message>
+        <source>Length past the opening, with its 95 % interval</source>
+        <translation>Länge hinter der Öffnung, mit 95-%-Intervall</translation>
+    </message>
+    <message>
+        <source>Percentile</source>
+        <translation>Perzentil</translation>
+    </message>
+    <message>
+        <source>Share of the plan’s simulations below the depth found, with its error</source>
+        <translation>Anteil der Simulationen des Plans unter der gefundenen Tiefe, mit ihrem Fehler</translation>
+    </message>
+    <message>
+        <source>Angle, plan</source>
+        <translation>Winkel, Plan</translation>
+    </message>
+    <message>
+        <source>Angle, found</source>
+        <translation>Winkel, gefunden</translation>
+    </message>
+    <message>
+        <source>Of the most apical contact, with its 95 % interval</source>
+        <translation>Der des apikalsten Kontakts, mit 95-%-Intervall</translation>
+    </message>
+    <message>
+        <source>Share of the plan’s simulations below the angle found, with its error</source>
+        <translation>Anteil der Simulationen des Plans unter dem gefundenen Winkel, mit seinem Fehler</translation>
+    </message>
+    <message>
+        <source>Stopped because of</source>
+        <translation>Beendet wegen</translation>
+    </message>
+    <message>
+        <source>As the surgeon states it</source>
+        <translation>Nach Angabe aus der Operation</translation>
+    </message>
+    <message>
+        <source>How often the bands held, by array</source>
+        <translation>Wie oft die Bänder hielten, je Träger</translation>
+    </message>
+    <message>
+        <source>Ears inside the band, with the 95 % interval of Wilson</source>
+        <translation>Ohren im Band, mit dem 95-%-Intervall nach Wilson</translation>
+    </message>
+    <message>
+        <source>Depth in 50 %</source>
+        <translation>Tiefe in 50 %</translation>
+    </message>
+    <message>
+        <source>Depth in 90 %</source>
+        <translation>Tiefe in 90 %</translation>
+    </message>
+    <message>
+        <source>Angle in 50 %</source>
+        <translation>Winkel in 50 %</translation>
+    </message>
+    <message>
+        <source>Angle in 90 %</source>
+        <translation>Winkel in 90 %</translation>
+    </message>
+    <message>
+        <source>Predicted against measured depth</source>
+        <translation>Vorhergesagte gegen gemessene Tiefe</translation>
+    </message>
+    <message>
+        <source>Histogram of the percentiles</source>
+        <translation>Histogramm der Perzentile</translation>
+    </message>
+    <message>
+        <source>Each ear is compared with the plan as it was made before. Where the bands are right, half of the ears lie in that of 50 %, nine of ten in that of 90 %, and the percentiles are spread evenly.</source>
+        <translation>Jedes Ohr wird mit dem Plan verglichen, wie er vorher gemacht wurde. Stimmen die Bänder, so liegt die Hälfte der Ohren in dem von 50 %, neun von zehn in dem von 90 %, und die Perzentile sind gleichmäßig verteilt.</translation>
+    </message>
+    <message>
+        <source>Save table…</source>
+        <translation>Tabelle speichern…</translation>
+    </message>
+    <message>
+        <source>CSV with a dictionary of its columns; neither codes nor dates finer than a year</source>
+        <translation>CSV mit einem Verzeichnis seiner Spalten; weder Codes noch Daten genauer als ein Jahr</translation>
+    </message>
+    <message>
+        <source>Comparing outcomes with their plans…</source>
+        <translation>Ergebnisse werden mit ihren Plänen verglichen …</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>alle</translation>
+    </message>
+    <message>
+        <source>Save the outcomes</source>
+        <translation>Ergebnisse speichern</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tabellen (*.csv)</translation>
+    </message>
+    <message>
+        <source>Saved to %1.</source>
+        <translation>Gespeichert in %1.</translation>
+    </message>
+</context>
+<context>
     <name>perilymph::gui::PatientDetails</name>
     <message>
         <source>Another program changed the record of %1 meanwhile: its notes are kept before yours.</source>
@@ -9939,6 +10876,69 @@
     <message>
         <source>The array is fully inserted.</source>
         <translation>Der Träger ist vollständig inseriert.</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::PlanBeside</name>
+    <message>
+        <source>Plan beside outcome</source>
+        <translation>Plan neben Ergebnis</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>The depth of the array, and the angle of each contact; 1 at the tip</source>
+        <translation>Die Tiefe des Trägers und der Winkel jedes Kontakts; 1 an der Spitze</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>Median and band of the plan, from 5 to 95 % of its simulations</source>
+        <translation>Median und Band des Plans, von 5 bis 95 % seiner Simulationen</translation>
+    </message>
+    <message>
+        <source>Found</source>
+        <translation>Gefunden</translation>
+    </message>
+    <message>
+        <source>Measured in the CT after surgery, with its 95 % interval</source>
+        <translation>Gemessen im CT nach der Operation, mit 95-%-Intervall</translation>
+    </message>
+    <message>
+        <source>Percentile</source>
+        <translation>Perzentil</translation>
+    </message>
+    <message>
+        <source>Share of the plan’s simulations below the value found, from the quantiles of the band</source>
+        <translation>Anteil der Simulationen des Plans unter dem gefundenen Wert, aus den Quantilen des Bands</translation>
+    </message>
+    <message>
+        <source>–</source>
+        <translation>–</translation>
+    </message>
+    <message>
+        <source>Angular depth</source>
+        <translation>Winkeltiefe</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Inserted length</source>
+        <translation>Inserierte Länge</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Contact %1</source>
+        <translation>Kontakt %1</translation>
     </message>
 </context>
 <context>
@@ -12038,6 +13038,125 @@ Die ersten Bänder kommen nach 8 Simulationen jedes Trägers.</translation>
     <message>
         <source>Measured cochlea, 3D</source>
         <translation>Gemessene Cochlea, 3D</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::SurgeryForm</name>
+    <message>
+        <source>More that you know</source>
+        <translation>Was Sie noch wissen</translation>
+    </message>
+    <message>
+        <source>Implanted array</source>
+        <translation>Implantierter Träger</translation>
+    </message>
+    <message>
+        <source>Stopped because</source>
+        <translation>Beendet wegen</translation>
+    </message>
+    <message>
+        <source>Mark reached</source>
+        <translation>Marke erreicht</translation>
+    </message>
+    <message>
+        <source>Opening</source>
+        <translation>Öffnung</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Werkzeug</translation>
+    </message>
+    <message>
+        <source>Choose the array</source>
+        <translation>Träger wählen</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Why the array was not pushed further. A stop by resistance is what a plan predicts.</source>
+        <translation>Warum der Träger nicht weiter geschoben wurde. Ein Ende durch Widerstand ist das, was ein Plan vorhersagt.</translation>
+    </message>
+    <message>
+        <source>Stopped because of</source>
+        <translation>Beendet wegen</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>Intended mark reached</source>
+        <translation>Geplante Marke erreicht</translation>
+    </message>
+    <message>
+        <source>Intended depth</source>
+        <translation>Geplante Tiefe</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>Contacts outside</source>
+        <translation>Kontakte außen</translation>
+    </message>
+    <message>
+        <source>Days from surgery to CT</source>
+        <translation>Tage von der OP bis zum CT</translation>
+    </message>
+    <message>
+        <source>Lubricant</source>
+        <translation>Gleitmittel</translation>
+    </message>
+    <message>
+        <source>Lot of the array</source>
+        <translation>Charge des Trägers</translation>
+    </message>
+    <message>
+        <source>Contacts intended inside</source>
+        <translation>Geplante Kontakte innen</translation>
+    </message>
+    <message>
+        <source>Length outside</source>
+        <translation>Länge außen</translation>
+    </message>
+    <message>
+        <source>Contact at first resistance</source>
+        <translation>Kontakt beim ersten Widerstand</translation>
+    </message>
+    <message>
+        <source>Attempts</source>
+        <translation>Versuche</translation>
+    </message>
+    <message>
+        <source>Pull-backs</source>
+        <translation>Rückzüge</translation>
+    </message>
+    <message>
+        <source>Tilt of the approach</source>
+        <translation>Neigung des Zugangs</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Turn of the approach</source>
+        <translation>Drehung des Zugangs</translation>
+    </message>
+    <message>
+        <source>%1 is “%2”, which is not a number; leave it empty if it is not known.</source>
+        <translation>%1 ist „%2“, was keine Zahl ist; leer lassen, wenn es nicht bekannt ist.</translation>
+    </message>
+    <message>
+        <source>%1 is %2; a whole number is expected.</source>
+        <translation>%1 ist %2; erwartet wird eine ganze Zahl.</translation>
     </message>
 </context>
 <context>

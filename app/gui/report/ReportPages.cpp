@@ -105,16 +105,17 @@ void paintPages(QPdfWriter& writer, QTextDocument& appendix, const ReportPages& 
   ReportSheet sheet(painter, dotsPerInch);
   paintLogo(sheet, issuer.logo, width_mm);
   report.paintRecord(sheet, issuer, area);
-  appendix.setHtml(report.appendix());  // it lists what the record cites
+  if (report.appendix) appendix.setHtml(report.appendix());  // it lists what the record cites
   appendix.setPageSize({double(writer.width()), textHeight});
-  const int pages = painted + appendix.pageCount();
+  const int flowing = report.appendix ? appendix.pageCount() : 0;
+  const int pages = painted + flowing;
   frame.paint(sheet, 1, pages);
   for (int i = 1; i < painted; ++i) {
     writer.newPage();
     frame.paint(sheet, i + 1, pages);
     report.figures[std::size_t(i - 1)](sheet, area);
   }
-  for (int i = 0; i < appendix.pageCount(); ++i) {
+  for (int i = 0; i < flowing; ++i) {
     writer.newPage();
     frame.paint(sheet, painted + i + 1, pages);
     painter.save();

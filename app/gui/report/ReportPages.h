@@ -34,7 +34,7 @@ struct ReportPages {
   std::function<void(ReportSheet&, const ReportIssuer&, const ReportArea&)> paintRecord;
   /// Painted pages between the record and the appendix's text.
   std::vector<std::function<void(ReportSheet&, const ReportArea&)>> figures;
-  /// HTML with all names escaped; asked for after the record was painted.
+  /// HTML with all names escaped; asked for after the record was painted. Without one there is no appendix.
   std::function<QString()> appendix;
   std::vector<std::pair<QString, QImage>> images;  ///< Those of the appendix, by name.
 };

@@ -4,6 +4,7 @@
 #include "gui/pages/compare/ComparePage.h"
 #include "gui/pages/ct/CtPage.h"
 #include "gui/pages/insert/InsertPage.h"
+#include "gui/pages/outcome/OutcomePage.h"
 #include "gui/pages/plan/PlanPage.h"
 #include "gui/pages/sessions/SessionsPage.h"
 #include "gui/pages/start/StartPage.h"
@@ -44,6 +45,9 @@ void linkPages(MainWindow& window)
     QObject::connect(ct, &CtPage::serversRequested, &window.sheets(), &OverlayStack::showServers);
     QObject::connect(&window.sheets(), &OverlayStack::serversChanged, ct, &CtPage::showServers);
   }
+  if (const auto* outcome = pages.find<OutcomePage>())
+    QObject::connect(outcome, &OutcomePage::serversRequested, &window.sheets(),
+                     &OverlayStack::showServers);
   if (ct != nullptr) {
     const CtPlaces places = [ct](const std::string& seriesKey) { return ct->placeOf(seriesKey); };
     if (plan != nullptr) plan->setCtPlaces(places);

@@ -5,6 +5,8 @@
 #include "gui/pages/ct/CtPage.h"
 #include "gui/pages/insert/InsertPage.h"
 #include "gui/pages/insert/InsertionController.h"
+#include "gui/pages/outcome/OutcomePage.h"
+#include "gui/pages/outcomes/OutcomesPage.h"
 #include "gui/pages/plan/PlanPage.h"
 #include "gui/pages/sessions/SessionsPage.h"
 #include "gui/pages/start/StartPage.h"
@@ -22,10 +24,12 @@ PageList standardPages()
       [](Insertion i, Parent parent) { return new CtPage(i.control(), parent); },
       [](Insertion, Parent parent) { return new PlanPage(parent); },
       [](Insertion i, Parent parent) { return new InsertPage(i, parent); },
+      [](Insertion i, Parent parent) { return new OutcomePage(i.control(), parent); },
       [](Insertion, Parent parent) { return new ComparePage(parent); },
       [](Insertion, Parent parent) { return new ValidatePage(parent); },
       [](Insertion i, Parent parent) { return new SessionsPage(i.control(), parent); },
       [](Insertion, Parent parent) { return new StudiesPage(parent); },
+      [](Insertion, Parent parent) { return new OutcomesPage(parent); },
   };
 }
 

@@ -61,6 +61,27 @@ void paintInsert(QPainter& painter)
   painter.drawPath(spiral);
 }
 
+/// Values beside what was predicted: points about a diagonal.
+void paintOutcomes(QPainter& painter)
+{
+  painter.drawPolyline(QPolygonF({{1.8, 1.5}, {1.8, 14.2}, {14.5, 14.2}}));
+  painter.drawLine(QPointF(3.6, 12.4), QPointF(13.6, 2.4));
+  for (const QPointF& each : {QPointF(5.0, 9.0), QPointF(9.6, 8.4), QPointF(12.4, 5.6)})
+    painter.drawEllipse(each, 0.8, 0.8);
+}
+
+/// Contacts along a spiral, the last one found in a ring.
+void paintOutcome(QPainter& painter)
+{
+  QPainterPath course(QPointF(2.0, 13.6));
+  course.cubicTo(8.0, 14.8, 14.2, 12.0, 14.0, 7.6);
+  course.cubicTo(13.8, 3.4, 7.2, 2.4, 6.0, 6.4);
+  painter.drawPath(course);
+  painter.drawEllipse(QPointF(6.4, 8.2), 2.0, 2.0);
+  painter.drawEllipse(QPointF(13.6, 6.2), 0.9, 0.9);
+  painter.drawEllipse(QPointF(9.0, 13.8), 0.9, 0.9);
+}
+
 /// Two curves over one axis.
 void paintCompare(QPainter& painter)
 {
@@ -125,6 +146,8 @@ void paint(Icon icon, QPainter& painter)
       return paintPlan(painter);
     case Icon::insert:
       return paintInsert(painter);
+    case Icon::outcome:
+      return paintOutcome(painter);
     case Icon::compare:
       return paintCompare(painter);
     case Icon::validate:
@@ -133,6 +156,8 @@ void paint(Icon icon, QPainter& painter)
       return paintSessions(painter);
     case Icon::studies:
       return paintStudies(painter);
+    case Icon::outcomes:
+      return paintOutcomes(painter);
     case Icon::settings:
       return paintSettings(painter);
   }

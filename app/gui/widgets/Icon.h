@@ -7,7 +7,19 @@
 
 namespace perilymph::gui {
 
-enum class Icon { home, ct, plan, insert, compare, validate, sessions, studies, settings };
+enum class Icon {
+  home,
+  ct,
+  plan,
+  insert,
+  outcome,
+  compare,
+  validate,
+  sessions,
+  studies,
+  outcomes,
+  settings
+};
 
 /// The icon in the window's color scheme: in the color of quiet text, and of text where its button is
 /// checked.

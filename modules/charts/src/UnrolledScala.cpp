@@ -149,6 +149,25 @@ UnrolledScala::Width UnrolledScala::widthAt(double angle_deg) const
           a.outer_mm + fraction * (b.outer_mm - a.outer_mm)};
 }
 
+void UnrolledScala::drawLumen(PlotSheet& sheet, double last_deg) const
+{
+  const figures::Palette& ink = figures::paletteOf(style_.scheme);
+  // from the opening on
+  std::vector<PagePoint> outer{sheet.at(-leadIn_deg_, widths_.front().outer_mm)};
+  std::vector<PagePoint> inner{sheet.at(-leadIn_deg_, widths_.front().inner_mm)};
+  for (const Width& here : widths_) {
+    if (here.angle_deg > last_deg) break;
+    outer.push_back(sheet.at(here.angle_deg, here.outer_mm));
+    inner.push_back(sheet.at(here.angle_deg, here.inner_mm));
+  }
+  std::vector<PagePoint> lumen = outer;
+  lumen.insert(lumen.end(), inner.rbegin(), inner.rend());
+  sheet.add(Area{lumen, ink.lumen});
+  sheet.add(Stroke{outer, ink.bone, 1.5, 0.0});
+  sheet.add(Stroke{inner, ink.bone, 1.5, 0.0});
+  sheet.add(Stroke{{outer.front(), inner.front()}, figures::faded(ink.bone, 0.5), 1.0, 4.0});
+}
+
 figures::Drawing UnrolledScala::draw(const ArrayInScala& now, double width, double height) const
 {
   const figures::Palette& ink = figures::paletteOf(style_.scheme);
@@ -161,21 +180,7 @@ figures::Drawing UnrolledScala::draw(const ArrayInScala& now, double width, doub
   sheet.addXTicks(2, "°");
   sheet.addYTicks(0);
 
-  // the lumen, from the opening on
-  std::vector<PagePoint> outer{sheet.at(-leadIn_deg_, widths_.front().outer_mm)};
-  std::vector<PagePoint> inner{sheet.at(-leadIn_deg_, widths_.front().inner_mm)};
-  for (const Width& here : widths_) {
-    if (here.angle_deg > angle_deg.high) break;
-    outer.push_back(sheet.at(here.angle_deg, here.outer_mm));
-    inner.push_back(sheet.at(here.angle_deg, here.inner_mm));
-  }
-  std::vector<PagePoint> lumen = outer;
-  lumen.insert(lumen.end(), inner.rbegin(), inner.rend());
-  sheet.add(Area{lumen, ink.lumen});
-  sheet.add(Stroke{outer, ink.bone, 1.5, 0.0});
-  sheet.add(Stroke{inner, ink.bone, 1.5, 0.0});
-  sheet.add(Stroke{{outer.front(), inner.front()}, figures::faded(ink.bone, 0.5), 1.0, 4.0});
-
+  drawLumen(sheet, angle_deg.high);
   for (const auto& [from_deg, to_deg] : now.torn_deg()) {
     std::vector<PagePoint> torn, modiolar;
     double foot = sheet.top();
@@ -227,6 +232,74 @@ figures::Drawing UnrolledScala::draw(const ArrayInScala& now, double width, doub
                   {legend, foot - bar_px}},
                  ink.orange});
   sheet.write({legend + 11.0, foot - 4.0}, strings.wallForceScale, ink.quiet);
+  return sheet.take();
+}
+
+figures::Drawing UnrolledScala::drawFound(const std::vector<FoundPlace>& found,
+                                          const std::vector<PlannedPlace>& planned, double width,
+                                          double height) const
+{
+  const figures::Palette& ink = figures::paletteOf(style_.scheme);
+  AxisRange angle_deg{-outside_deg, usualEnd_deg, tick_deg};
+  for (const FoundPlace& each : found)
+    angle_deg = grown(angle_deg, 0.0, each.high_deg + ahead_deg, 99);
+  for (const PlannedPlace& each : planned)
+    angle_deg = grown(angle_deg, 0.0, each.high_deg + ahead_deg, 99);
+  angle_deg.high = std::min(angle_deg.high, lastAngle_deg_);
+  PlotSheet sheet(width, height, {40.0, 8.0, 4.0, 22.0}, angle_deg,
+                  {inner_mm_ - innerMargin_mm, outer_mm_ + outerMargin_mm, 1.0}, style_);
+  sheet.addXTicks(2, "°");
+  sheet.addYTicks(0);
+  drawLumen(sheet, angle_deg.high);
+
+  const auto inside = [&](double at_deg) {
+    return std::clamp(at_deg, angle_deg.low, angle_deg.high);
+  };
+  if (!planned.empty()) {
+    const PlannedPlace& tip = planned.front();
+    sheet.add(Area{{{sheet.x(inside(tip.low_deg)), sheet.top()},
+                    {sheet.x(inside(tip.high_deg)), sheet.top()},
+                    {sheet.x(inside(tip.high_deg)), sheet.bottom()},
+                    {sheet.x(inside(tip.low_deg)), sheet.bottom()}},
+                   figures::faded(ink.ghost, 0.25)});
+    sheet.add(Stroke{{{sheet.x(inside(tip.median_deg)), sheet.top()},
+                      {sheet.x(inside(tip.median_deg)), sheet.bottom()}},
+                     ink.ghost,
+                     1.5,
+                     4.0});
+  }
+  constexpr double bar_mm = 0.12;
+  for (const PlannedPlace& each : planned) {
+    const double wall_mm = widthAt(each.median_deg).inner_mm - 2.0 * bar_mm;
+    sheet.add(
+        Area{{sheet.at(inside(each.low_deg), wall_mm), sheet.at(inside(each.high_deg), wall_mm),
+              sheet.at(inside(each.high_deg), wall_mm - bar_mm),
+              sheet.at(inside(each.low_deg), wall_mm - bar_mm)},
+             figures::faded(ink.ghost, 0.5)});
+    sheet.add(Stroke{{sheet.at(inside(each.median_deg), wall_mm + bar_mm),
+                      sheet.at(inside(each.median_deg), wall_mm - 2.0 * bar_mm)},
+                     ink.ghost,
+                     1.5,
+                     0.0});
+  }
+  constexpr double contact_px = 3.5;
+  for (const FoundPlace& each : found) {
+    const double across_mm = widthAt(each.angle_deg).inner_mm + each.modiolus_mm;
+    const figures::PagePoint at = sheet.at(inside(each.angle_deg), across_mm);
+    sheet.add(Stroke{
+        {sheet.at(inside(each.low_deg), across_mm), sheet.at(inside(each.high_deg), across_mm)},
+        ink.text,
+        1.0,
+        0.0});
+    sheet.add(Disk{at, contact_px, each.isDoubtful ? ink.ground : ink.accent, ink.text});
+    sheet.write({at.x, at.y - contact_px - 3.0}, std::to_string(each.number), ink.text,
+                Anchor::middle);
+  }
+  if (sheet.bottom() - sheet.top() >= fewestForNames_px) {
+    const double x = sheet.left() + 6.0;
+    sheet.write({x, sheet.top() + 14.0}, style_.strings.outerWall, ink.quiet);
+    sheet.write({x, sheet.bottom() - 6.0}, style_.strings.modiolus, ink.quiet);
+  }
   return sheet.take();
 }
 

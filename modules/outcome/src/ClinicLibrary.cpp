@@ -138,7 +138,7 @@ std::string surgeryDay(const std::string& utc, int daysBefore)
 
 Result<LibraryOutcomes> readOutcomes(const planning::RegistryFolders& folders,
                                      const analysis::RunProgress& progress,
-                                     const std::stop_token& stop)
+                                     const std::stop_token& stop, StopLengths lengths)
 {
   auto read = session::readPatients(folders.patients);
   LibraryOutcomes library;
@@ -176,7 +176,8 @@ Result<LibraryOutcomes> readOutcomes(const planning::RegistryFolders& folders,
     outcome.depth_mm = {found.insertedLength_mm, found.insertedLengthSd_mm};
     if (found.contactsInside > 0) outcome.angle_deg = found.angularInsertionDepth_deg;
     outcome.isDisplaced = found.isFolded || found.translocationProbability > likely;
-    const bool isInformative = evidenceOf(outcome.surgery, outcome.isDisplaced) != Evidence::none;
+    const bool isInformative = lengths == StopLengths::computed &&
+                               evidenceOf(outcome.surgery, outcome.isDisplaced) != Evidence::none;
     auto planned = plannedOf(*plan, ear, isInformative, library.notes, progress, stop);
     if (stop.stop_requested()) return Error{"The outcomes were canceled."};
     if (!planned) {
@@ -185,6 +186,7 @@ Result<LibraryOutcomes> readOutcomes(const planning::RegistryFolders& folders,
     }
     outcome.plan = *std::move(planned);
     library.outcomes.push_back(std::move(outcome));
+    library.patients.push_back(ear.saved->patient);
   }
   return library;
 }

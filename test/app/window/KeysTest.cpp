@@ -169,7 +169,7 @@ TEST(WindowHabits, KeysAloneGoFromTheFirstScreenThroughAnInsertionAndBack)
   const double paused_mm = rig.travel_mm();
   press(Qt::Key_Backspace);
   ASSERT_TRUE(WindowRig::waitUntil([&] { return rig.travel_mm() < 0.5 * paused_mm; }));
-  press(Qt::Key_5, Qt::AltModifier);
+  press(Qt::Key_6, Qt::AltModifier);
   EXPECT_EQ(rig.window().page(), "validate");
   press(Qt::Key_Home, Qt::AltModifier);
   EXPECT_EQ(rig.window().page(), "start");

@@ -274,5 +274,35 @@ TEST(TipSection, SaysThatTheTipIsOutside)
   EXPECT_TRUE(all<Area>(drawing, silicone).empty());
 }
 
+TEST(UnrolledScala, HasFoundContactsAndPlannedBandsAtTheirAngles)
+{
+  const UnrolledScala view(*test::ringScala());
+  const std::vector<FoundPlace> found{{1, 200.0, 190.0, 215.0, 0.5, false},
+                                      {2, 150.0, 140.0, 160.0, 0.25, true}};
+  const Drawing drawing =
+      view.drawFound(found, {{180.0, 210.0, 240.0}, {130.0, 150.0, 170.0}}, 600.0, 260.0);
+  const Axes axes(drawing);
+  const double perDegree = (axes.x180 - axes.x0) / 180.0;
+  const auto degreesAt = [&](double x) { return (x - axes.x0) / perDegree; };
+  std::vector<figures::Disk> disks;
+  for (const figures::Mark& mark : drawing.marks)
+    if (const auto* disk = std::get_if<figures::Disk>(&mark)) disks.push_back(*disk);
+  ASSERT_EQ(disks.size(), 2u);
+  EXPECT_NEAR(degreesAt(disks[0].center.x), 200.0, 0.01);
+  EXPECT_NEAR(degreesAt(disks[1].center.x), 150.0, 0.01);
+  // half a millimeter from the inner wall against a quarter
+  const double perMillimeter = axes.y0 - axes.y1;
+  EXPECT_NEAR(disks[1].center.y - disks[0].center.y, 0.25 * perMillimeter, 0.01);
+  EXPECT_NE(disks[0].fill, disks[1].fill);
+  EXPECT_TRUE(label(drawing, "2"));
+  // the band of the most apical contact from the top to the bottom of the plot
+  const Ink band = figures::faded(figures::paletteOf(figures::ColorScheme::dark).ghost, 0.25);
+  const auto bands = all<Area>(drawing, band);
+  ASSERT_EQ(bands.size(), 1u);
+  const Box box = boxOf(bands.front().points);
+  EXPECT_NEAR(degreesAt(box.left), 180.0, 0.01);
+  EXPECT_NEAR(degreesAt(box.right), 240.0, 0.01);
+}
+
 }  // namespace
 }  // namespace perilymph::charts

@@ -13,6 +13,7 @@
 #include "gui/pages/ct/CtPanel.h"
 #include "gui/pages/ct/CtParts.h"
 #include "gui/pages/ct/CtSeriesList.h"
+#include "gui/pages/ct/CtSource.h"
 #include "gui/pages/ct/InsertedArray.h"
 #include "gui/pages/ct/MeasuredSetup.h"
 #include "gui/pages/ct/PlaneView.h"
@@ -92,8 +93,8 @@ CtPage::CtPage(const InsertionControl& control, QWidget* parent)
   auto* recent = new RecentScans(page);
   page->offerMenu(tr("Recent CTs"), recent);
   connect(recent, &RecentScans::chosen, this, &CtPage::begin);
-  connect(page, &EmptyPage::actionRequested, panel_, &CtPanel::folderRequested);
-  connect(page, &EmptyPage::otherRequested, panel_, &CtPanel::archiveRequested);
+  connect(page, &EmptyPage::actionRequested, &panel_->source(), &CtSource::askFolder);
+  connect(page, &EmptyPage::otherRequested, this, [this] { showArchive(true); });
   for (QWidget* stage : {static_cast<QWidget*>(page), pictures_, static_cast<QWidget*>(archive_)})
     stages_->addWidget(stage);
   auto* row = new QHBoxLayout(this);
@@ -130,14 +131,15 @@ void CtPage::connectWork()
   connect(&work_, &CtWork::listed, this, [this](const imaging::CtSeriesList& list) {
     leaveScan();  // the list is of another folder
     list_ = list;
-    panel_->series().show(list);
+    panel_->source().series().show(list);
     thumbnails_.readThumbnails(list);
   });
   connect(&work_, &CtWork::seriesMissed, this,
           [this] { panel_->showIdle(notThere(std::exchange(wanted_, {})), true); });
   connect(&work_, &CtWork::ctRead, this,
           [this](const std::shared_ptr<imaging::LoadedCt>& loaded) { showCt(std::move(*loaded)); });
-  connect(&thumbnails_, &CtWork::thumbnailsRead, &panel_->series(), &CtSeriesList::showThumbnails);
+  connect(&thumbnails_, &CtWork::thumbnailsRead, &panel_->source().series(),
+          &CtSeriesList::showThumbnails);
   connect(&work_, &CtWork::measured, this, [this](const ct::CochleaMeasures& measures) {
     study_.setMeasures(measures, atRequest_);
     if (std::exchange(isReopening_, false)) return measure(true);
@@ -227,18 +229,11 @@ void CtPage::begin(const CtRequest& request)
 
 void CtPage::connectPanel()
 {
-  connect(panel_, &CtPanel::folderRequested, this, [this] {
-    const QString folder =
-        QFileDialog::getExistingDirectory(this, tr("Folder with a temporal-bone CT"), folder_);
-    if (!folder.isEmpty()) open(folder.toStdString());
-  });
-  connect(panel_, &CtPanel::fileRequested, this, [this] {
-    const QString file = QFileDialog::getOpenFileName(this, tr("CT"), folder_);
-    if (!file.isEmpty()) open(file.toStdString());
-  });
-  connect(panel_, &CtPanel::archiveRequested, this, [this] { showArchive(true); });
-  connect(panel_, &CtPanel::recentRequested, this, &CtPage::begin);
-  connect(panel_, &CtPanel::seriesChosen, this, [this](const std::string& uid) {
+  const CtSource& source = panel_->source();
+  connect(&source, &CtSource::opened, this, &CtPage::open);
+  connect(&source, &CtSource::archiveRequested, this, [this] { showArchive(true); });
+  connect(&source, &CtSource::recentRequested, this, &CtPage::begin);
+  connect(&source, &CtSource::seriesChosen, this, [this](const std::string& uid) {
     if (study_.hasCt() && study_.series().uid == uid) return;
     then_ = {};
     leaveScan();
@@ -297,7 +292,7 @@ void CtPage::open(const std::filesystem::path& path)
 
 void CtPage::openSeries(const std::filesystem::path& path, const std::string& series)
 {
-  folder_ = QString::fromStdString(path.parent_path().string());
+  panel_->source().remember(path);
   read(path, series);
 }
 

@@ -127,9 +127,6 @@ private:
   QString task_;
   QElapsedTimer since_;  ///< Begin of the task.
   QString notes_;        ///< What the reader of the CT remarked.
-  /// Folder of the last CT, where the next one is looked for. It is not kept in the settings: such
-  /// folders often bear patients' names.
-  QString folder_;
   CtPanel* panel_;
   QStackedLayout* stages_;
   QWidget* pictures_;

@@ -15,10 +15,9 @@
 #include <QVariant>
 
 #include "gui/pages/ct/CtNextSteps.h"
-#include "gui/pages/ct/CtSeriesList.h"
+#include "gui/pages/ct/CtSource.h"
 #include "gui/pages/ct/CtText.h"
 #include "gui/pages/ct/MarkGuide.h"
-#include "gui/pages/ct/RecentScans.h"
 #include "gui/setup/MeasureVersions.h"
 #include "gui/setup/VersionQuestion.h"
 #include "gui/text/DataText.h"
@@ -105,45 +104,7 @@ void CtPanel::addStep(QVBoxLayout& column, const QString& title)
   column.addWidget(steps_.back());
 }
 
-void CtPanel::addSource(QVBoxLayout& column)
-{
-  auto* row = new QHBoxLayout;
-  auto* folder = rowButton(tr("Open folder…"), "openCtFolderButton", this);
-  auto* file = rowButton(tr("Open file…"), "openCtFileButton", this);
-  folder->setToolTip(tr("A folder with DICOM files, or the folder of a DICOMDIR"));
-  file->setToolTip(
-      tr("DICOM (.zip), DICOMDIR, enhanced DICOM, NIfTI (.nii, .nii.gz), NRRD (.nrrd, .nhdr) or "
-         "MetaImage (.mha, .mhd)"));
-  row->setSpacing(4);
-  for (QPushButton* button : {folder, file}) {
-    button->setProperty("small", true);
-    row->addWidget(button);
-  }
-  column.addLayout(row);
-  auto* archive = rowButton(tr("From the archive…"), "openArchiveButton", this);
-  archive->setToolTip(tr("Find the CT in a DICOM archive (PACS) and retrieve it"));
-  auto* recent = rowButton({}, "recentCtButton", this);  // its arrow: a name has no room
-  recent->setAccessibleName(tr("Recent CTs"));
-  recent->setFixedWidth(sized(34));
-  recent->setToolTip(tr("Recent CTs, by the patient’s code and the date"));
-  auto* menu = new RecentScans(recent);
-  recent->setMenu(menu);
-  connect(menu, &RecentScans::chosen, this, &CtPanel::recentRequested);
-  auto* others = new QHBoxLayout;
-  others->setSpacing(4);
-  for (QPushButton* button : {archive, recent}) {
-    button->setProperty("small", true);
-    others->addWidget(button);
-  }
-  column.addLayout(others);
-  connect(archive, &QPushButton::clicked, this, &CtPanel::archiveRequested);
-  series_ = new CtSeriesList(this);
-  column.addWidget(series_);
-  connect(folder, &QPushButton::clicked, this, &CtPanel::folderRequested);
-  connect(file, &QPushButton::clicked, this, &CtPanel::fileRequested);
-  connect(series_, &QListWidget::itemClicked, this,
-          [this](QListWidgetItem* item) { Q_EMIT seriesChosen(CtSeriesList::uidOf(*item)); });
-}
+void CtPanel::addSource(QVBoxLayout& column) { column.addWidget(source_ = new CtSource(this)); }
 
 void CtPanel::addView(QVBoxLayout& column)
 {

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "gui/pages/ct/CtStudy.h"
-#include "gui/setup/CtRequest.h"
 
 class QBoxLayout;
 class QComboBox;
@@ -22,7 +21,7 @@ namespace perilymph::gui {
 
 class Choice;
 class CtNextSteps;
-class CtSeriesList;
+class CtSource;
 class MarkGuide;
 class VersionQuestion;
 
@@ -32,7 +31,7 @@ class CtPanel : public QWidget {
 public:
   CtPanel(CtStudy& study, QWidget* parent);
 
-  CtSeriesList& series() { return *series_; }
+  CtSource& source() { return *source_; }
   /// Shows a task with its progress, 0 to 1, and a button to cancel it.
   void showTask(const QString& task, double fraction);
   /// Ends the display of a task; an empty sentence shows nothing.
@@ -50,12 +49,6 @@ public:
   void refresh();
 
 Q_SIGNALS:
-  void folderRequested();
-  void fileRequested();
-  void archiveRequested();
-  /// One of the CTs that were opened last.
-  void recentRequested(const perilymph::gui::CtRequest& request);
-  void seriesChosen(const std::string& uid);
   /// @param isAtCrosshair  From the crosshair; else the volume is searched.
   void measureRequested(bool isAtCrosshair);
   void cancelRequested();
@@ -82,7 +75,7 @@ private:
   CtStudy& study_;
   std::vector<QLabel*> steps_;  ///< Headings of the three steps.
   QBoxLayout* columns_;
-  CtSeriesList* series_;
+  CtSource* source_;
   Choice *patientPlanes_, *cochleaPlanes_;
   QComboBox *window_, *slab_;
   QPushButton *search_, *measureHere_, *cancel_;

@@ -22,6 +22,8 @@ void CtStudy::removeAll()
   isChangeOpen_ = false;
   frame_ = PlaneFrame::patient;
   array_ = {};
+  contacts_.clear();
+  chosenContact_ = 0;
   undoStack_.clear();
   redoStack_.clear();
   isCrosshairPlaced_ = false;
@@ -160,6 +162,41 @@ void CtStudy::setArray(InsertedArray array)
   if (array.nodes.empty() && array_.nodes.empty()) return;
   array_ = std::move(array);
   announceModel();
+}
+
+void CtStudy::showEar(ct::CochleaMeasures measures)
+{
+  now_ = {};
+  undoStack_.clear();
+  redoStack_.clear();
+  now_.measures = std::make_shared<const ct::CochleaMeasures>(std::move(measures));
+  array_ = {};
+  frame_ = PlaneFrame::cochlea;
+  crosshair_P_ = ct::basalTurnCenter_P(*now_.measures);
+  Q_EMIT modelChanged();
+  showWhole();
+}
+
+void CtStudy::setContacts(std::vector<Contact> contacts)
+{
+  contacts_ = std::move(contacts);
+  announceModel();
+}
+
+void CtStudy::moveContact(int number, const Eigen::Vector3d& point_P)
+{
+  if (!hasCt() || !volume_->contains(point_P)) return;
+  for (Contact& each : contacts_)
+    if (each.number == number) each.at_P = point_P;
+  announceModel();
+}
+
+void CtStudy::chooseContact(int number)
+{
+  chosenContact_ = number;
+  for (const Contact& each : contacts_)
+    if (each.number == number) return moveCrosshair(each.at_P);
+  Q_EMIT changed();
 }
 
 ct::MarkedMeasures CtStudy::marked() const

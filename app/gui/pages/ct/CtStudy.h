@@ -98,6 +98,23 @@ public:
   void setArray(InsertedArray array);
   const InsertedArray& array() const { return array_; }
 
+  /// A contact of an implanted array that was found in this CT.
+  struct Contact {
+    int number = 0;                                  ///< 1 at the tip.
+    Eigen::Vector3d at_P = Eigen::Vector3d::Zero();  ///< [mm]
+    bool isByHand = false;
+    bool isSeenSingly = true;
+  };
+  /// Shows the planes of a measured cochlea without landmarks, for its contacts.
+  void showEar(ct::CochleaMeasures measures);
+  /// Shows contacts; none if empty.
+  void setContacts(std::vector<Contact> contacts);
+  const std::vector<Contact>& contacts() const { return contacts_; }
+  void moveContact(int number, const Eigen::Vector3d& point_P);
+  /// The contact that keys move; 0 for none. The crosshair goes to it.
+  void chooseContact(int number);
+  int chosenContact() const { return chosenContact_; }
+
   const ct::Marks& marks() const { return now_.marks; }
   /// Measures between the landmarks [mm].
   ct::MarkedMeasures marked() const;
@@ -146,6 +163,8 @@ private:
   double thickness_mm_ = 0.0;
   imaging::Projection projection_ = imaging::Projection::mean;
   InsertedArray array_;
+  std::vector<Contact> contacts_;
+  int chosenContact_ = 0;
   Placement now_;
   std::vector<Placement> undoStack_, redoStack_;
   bool isChangeOpen_ = false;  ///< Whether further placements belong to the same step.

@@ -6,6 +6,7 @@
 #include <QLineF>
 #include <QPainter>
 #include <QVector>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -143,6 +144,37 @@ void paintLabels(QPainter& painter, const std::vector<Label>& labels,
   }
 }
 
+/// Contacts by number: a ring where a contact was seen, a dashed one where the spacings placed it, filled
+/// where a person did.
+void paintContacts(QPainter& painter, const CtStudy& study, std::size_t index,
+                   const Projector& project, const QRectF& pane, const std::vector<QRectF>& taken)
+{
+  std::vector<Label> labels;
+  std::vector<LabelledPoint> points;
+  const QFontMetricsF metrics(painter.font());
+  for (const CtStudy::Contact& each : study.contacts()) {
+    const double opacity = contactOpacity(study, index, each.at_P);
+    const QPointF at = project(each.at_P);
+    if (opacity == 0.0 || !pane.contains(at)) continue;
+    painter.setOpacity(opacity);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(colorOf(onCt::shadow), 4.0));
+    painter.drawEllipse(at, markRadius_px, markRadius_px);
+    const QColor color =
+        each.number == study.chosenContact() ? colorOf(onCt::outline) : colorOf(onCt::array);
+    if (each.isByHand) painter.setBrush(color);
+    painter.setPen(
+        QPen(color, 1.8, each.isSeenSingly || each.isByHand ? Qt::SolidLine : Qt::DotLine));
+    painter.drawEllipse(at, markRadius_px, markRadius_px);
+    painter.setOpacity(1.0);
+    const QString text = QString::number(each.number);
+    labels.push_back({text, opacity});
+    points.push_back({at, {metrics.horizontalAdvance(text) + 4.0, metrics.height()}});
+  }
+  painter.setBrush(Qt::NoBrush);
+  paintLabels(painter, labels, points, pane, taken);
+}
+
 void paintMarks(QPainter& painter, const CtStudy& study, const Projector& project,
                 const std::optional<ct::Mark>& dragged, const QRectF& pane,
                 const std::vector<QRectF>& taken)
@@ -238,6 +270,14 @@ void paintScaleBar(QPainter& painter, const QSize& size, double pixel_mm)
 
 QColor colorOfPlane(std::size_t plane) { return colorOf(onCt::planes[plane]); }
 
+double contactOpacity(const CtStudy& study, std::size_t plane, const Eigen::Vector3d& contact_P)
+{
+  constexpr double arrayReach_mm = 6.0;  // the height of a cochlea: the array is seen as a whole
+  const double behind_mm = study.planes()[plane].behind(contact_P);
+  if (study.frame() != PlaneFrame::cochlea || plane != 0) return opacityOf(behind_mm);
+  return std::fabs(behind_mm) > arrayReach_mm ? 0.0 : std::max(0.7, opacityOf(behind_mm));
+}
+
 void paintOverlay(QPainter& painter, const QSize& size, const CtStudy& study, std::size_t plane,
                   const std::optional<ct::Mark>& dragged)
 {
@@ -258,6 +298,7 @@ void paintOverlay(QPainter& painter, const QSize& size, const CtStudy& study, st
   const auto letters = lettersOf(metrics, size, project.plane);
   for (const Letters& each : letters) taken.push_back(each.area);
   paintMarks(painter, study, project, dragged, pane, taken);
+  paintContacts(painter, study, plane, project, pane, taken);
   for (const Letters& each : letters)
     drawText(painter, each.area.adjusted(spacing, spacing, -spacing, -spacing), each.at, each.text,
              colorOf(onCt::mark));

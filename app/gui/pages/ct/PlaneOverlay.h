@@ -20,7 +20,11 @@ inline constexpr double markReach_mm = 1.0;
 /// The color of a plane: of its name, and of its line in the other two pictures.
 QColor colorOfPlane(std::size_t plane);
 
-/// Draws crosshair, outline of the measured wall, lines of A, B and H, landmarks, letters of the
+/// How clearly a contact is drawn in a plane: in the cochlear view all of the array's, in other planes
+/// those near the plane; 0 if it is not drawn.
+double contactOpacity(const CtStudy& study, std::size_t plane, const Eigen::Vector3d& contact_P);
+
+/// Draws crosshair, outline of the measured wall, lines of A, B and H, landmarks, contacts, letters of the
 /// patient's directions, scale bar and name.
 ///
 /// @param size     Of the picture; its center is the plane's center.

@@ -10,6 +10,7 @@
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "gui/pages/ct/CtText.h"
 #include "gui/pages/ct/PlaneOverlay.h"
@@ -24,6 +25,7 @@ namespace {
 constexpr double reach_px = 12.0;  // of the mouse to a landmark
 constexpr int loupe_px = 132;
 constexpr double loupeTimes = 3.0;
+constexpr double nudge_mm = 0.1;  // of a key: half the smallest voxel of usual scanners
 
 /// Samples the picture of a plane at the screen's pixels.
 QImage pictureOf(CtStudy& study, const ct::ViewPlane& plane, const QSize& size, double ratio,
@@ -100,6 +102,29 @@ std::optional<ct::Mark> PlaneView::markAt(const QPointF& place) const
   return nearest;
 }
 
+int PlaneView::contactAt(const QPointF& place) const
+{
+  int nearest = 0;
+  double reach = reach_px;
+  for (const CtStudy::Contact& each : study_.contacts()) {
+    if (contactOpacity(study_, index_, each.at_P) == 0.0) continue;
+    const QPointF away = placeOf(each.at_P) - place;
+    const double distance = std::hypot(away.x(), away.y());
+    if (distance > reach) continue;
+    reach = distance;
+    nearest = each.number;
+  }
+  return nearest;
+}
+
+std::optional<Eigen::Vector3d> PlaneView::held_P() const
+{
+  if (dragged_) return study_.marks()[*dragged_];
+  for (const CtStudy::Contact& each : study_.contacts())
+    if (heldContact_ != 0 && each.number == heldContact_) return each.at_P;
+  return std::nullopt;
+}
+
 bool PlaneView::event(QEvent* event)
 {
   if (event->type() != QEvent::ToolTip) return QWidget::event(event);
@@ -124,17 +149,15 @@ void PlaneView::paintPlane(QPainter& painter)
   painter.drawImage(0, 0,
                     pictureOf(study_, plane(), size(), devicePixelRatioF(), study_.pixel_mm()));
   paintOverlay(painter, size(), study_, index_, dragged_);
-  if (dragged_) paintLoupe(painter);
+  if (const auto held = held_P()) paintLoupe(painter, *held);
 }
 
-void PlaneView::paintLoupe(QPainter& painter)
+void PlaneView::paintLoupe(QPainter& painter, const Eigen::Vector3d& about_P)
 {
-  const auto& point = study_.marks()[*dragged_];
-  if (!point) return;
   ct::ViewPlane about = plane();
-  about.center_P = *point;
+  about.center_P = about_P;
   // away from the mouse, so that neither covers the other
-  const bool isLeft = placeOf(*point).x() > 0.5 * width();
+  const bool isLeft = placeOf(about_P).x() > 0.5 * width();
   const QRect area(isLeft ? spacing : width() - loupe_px - spacing,
                    height() - loupe_px - 4 * spacing, loupe_px, loupe_px);
   painter.drawImage(area.topLeft(), pictureOf(study_, about, area.size(), devicePixelRatioF(),
@@ -162,6 +185,9 @@ void PlaneView::mousePressEvent(QMouseEvent* event)
     dragged_ = mark;
     study_.placeMark(mark, pointAt(mouse_));
     Q_EMIT markPlaced(mark);
+  } else if ((heldContact_ = contactAt(mouse_)) != 0) {
+    isContactMoved_ = false;
+    study_.chooseContact(heldContact_);
   } else if ((dragged_ = markAt(mouse_))) {
     study_.beginChange();
     update();
@@ -178,7 +204,7 @@ void PlaneView::mouseMoveEvent(QMouseEvent* event)
   const Qt::MouseButtons held = event->buttons();
   const bool isShift = (event->modifiers() & Qt::ShiftModifier) != 0;
   if (held == Qt::NoButton) {
-    setCursor(markAt(mouse_) ? Qt::PointingHandCursor : Qt::CrossCursor);
+    setCursor(markAt(mouse_) || contactAt(mouse_) != 0 ? Qt::PointingHandCursor : Qt::CrossCursor);
   } else if ((held & Qt::MiddleButton) != 0 || ((held & Qt::LeftButton) != 0 && isShift)) {
     const ct::ViewPlane own = plane();
     study_.pan(-study_.pixel_mm() * (moved.x() * own.right_P + moved.y() * own.down_P));
@@ -186,6 +212,12 @@ void PlaneView::mouseMoveEvent(QMouseEvent* event)
     const imaging::GrayWindow now = study_.window();
     study_.setWindow({now.center + moved.y() * now.width / height(),
                       now.width * std::exp(2.0 * moved.x() / width())});
+  } else if (heldContact_ != 0) {
+    const auto point_P = held_P();
+    if (!point_P) return;
+    isContactMoved_ = true;
+    // its distance from the plane is kept
+    study_.moveContact(heldContact_, pointAt(mouse_) + plane().behind(*point_P) * plane().away_P());
   } else if (dragged_) {
     const auto& point = study_.marks()[*dragged_];
     const double behind = point ? plane().behind(*point) : 0.0;
@@ -198,8 +230,12 @@ void PlaneView::mouseMoveEvent(QMouseEvent* event)
 
 void PlaneView::mouseReleaseEvent(QMouseEvent*)
 {
+  const auto moved_P = held_P();
+  const int contact = std::exchange(heldContact_, 0);
   dragged_.reset();
   update();
+  if (contact != 0 && moved_P && std::exchange(isContactMoved_, false))
+    Q_EMIT contactMoved(contact, *moved_P);
 }
 
 void PlaneView::mouseDoubleClickEvent(QMouseEvent* event)
@@ -227,8 +263,35 @@ void PlaneView::wheelEvent(QWheelEvent* event)
     stepLayers(notches);
 }
 
+void PlaneView::nudgeContact(const Eigen::Vector2d& by_mm)
+{
+  const int number = study_.chosenContact();
+  for (const CtStudy::Contact& each : study_.contacts()) {
+    if (each.number != number) continue;
+    const ct::ViewPlane own = plane();
+    const Eigen::Vector3d point_P = each.at_P + by_mm.x() * own.right_P + by_mm.y() * own.down_P;
+    study_.moveContact(number, point_P);
+    Q_EMIT contactMoved(number, point_P);
+    return;
+  }
+}
+
 void PlaneView::keyPressEvent(QKeyEvent* event)
 {
+  if ((event->modifiers() & Qt::ShiftModifier) != 0 && study_.chosenContact() != 0) {
+    switch (event->key()) {
+      case Qt::Key_Left:
+        return nudgeContact({-nudge_mm, 0.0});
+      case Qt::Key_Right:
+        return nudgeContact({nudge_mm, 0.0});
+      case Qt::Key_Up:
+        return nudgeContact({0.0, -nudge_mm});
+      case Qt::Key_Down:
+        return nudgeContact({0.0, nudge_mm});
+      default:
+        break;
+    }
+  }
   switch (event->key()) {
     case Qt::Key_Up:
       return stepLayers(1.0);

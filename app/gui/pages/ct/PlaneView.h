@@ -15,6 +15,7 @@ namespace perilymph::gui {
 /// Shows plane 0, 1 or 2 of a study and moves what is in it:
 /// - left button: crosshair, or the landmark under the mouse; a chosen landmark is placed;
 /// - right button: brightness and contrast; middle button, or left with Shift: the picture;
+/// - a contact of an implanted array is dragged, or moved by Shift and the arrow keys where it is chosen;
 /// - wheel: through the layers; with Ctrl: zoom. Up and Down, + and - do the same.
 class PlaneView : public QWidget {
   Q_OBJECT
@@ -30,12 +31,16 @@ public:
   Eigen::Vector3d pointAt(const QPointF& place) const;
   /// The landmark within reach of the mouse; empty without one.
   std::optional<ct::Mark> markAt(const QPointF& place) const;
+  /// The number of the contact within reach of the mouse; 0 without one.
+  int contactAt(const QPointF& place) const;
 
   QSize minimumSizeHint() const override { return {160, 140}; }
 
 Q_SIGNALS:
   /// The chosen landmark was placed.
   void markPlaced(perilymph::ct::Mark mark);
+  /// A contact was moved to a point of P [mm].
+  void contactMoved(int number, const Eigen::Vector3d& point_P);
   /// A double click.
   void maximizeRequested();
 
@@ -54,12 +59,17 @@ protected:
 private:
   ct::ViewPlane plane() const { return study_.planes()[index_]; }
   void paintPlane(class QPainter& painter);
-  void paintLoupe(QPainter& painter);
+  /// The landmark or contact that is moved now.
+  std::optional<Eigen::Vector3d> held_P() const;
+  void paintLoupe(QPainter& painter, const Eigen::Vector3d& about_P);
+  void nudgeContact(const Eigen::Vector2d& by_mm);
   void stepLayers(double layers);
 
   CtStudy& study_;
   std::size_t index_;
   std::optional<ct::Mark> placed_, dragged_;
+  int heldContact_ = 0;
+  bool isContactMoved_ = false;
   QPointF mouse_;
   double wheelRest_ = 0.0;
 };

@@ -5,6 +5,8 @@
 #include <QPolygonF>
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "gui/text/Numbers.h"
 #include "gui/widgets/Theme.h"
@@ -28,9 +30,11 @@ AngleRing::AngleRing(QWidget* parent) : QWidget(parent)
          "the band that the head names. The radius is not to scale."));
 }
 
-void AngleRing::show(const std::vector<planning::ContactBand>& contacts, anatomy::Side side)
+void AngleRing::show(const std::vector<planning::ContactBand>& contacts, anatomy::Side side,
+                     std::vector<FoundAngle> found)
 {
   contacts_ = contacts;
+  found_ = std::move(found);
   side_ = side;
   update();
 }
@@ -83,14 +87,26 @@ void AngleRing::paintEvent(QPaintEvent*)
   for (const planning::ContactBand& each : contacts_) {
     if (each.draws == 0) continue;
     painter.setPen(QPen(shownTheme().ground, 1.0));
-    painter.setBrush(shownTheme().text);
+    painter.setBrush(found_.empty() ? shownTheme().text : shownTheme().ghost);
     painter.drawEllipse(at(each.angle_deg.median, radiusAt(each.angle_deg.median)), dot_px, dot_px);
   }
-  if (contacts_.empty() || contacts_.front().draws == 0) return;
+  for (const FoundAngle& each : found_) {
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(shownTheme().text, 1.5, Qt::SolidLine, Qt::FlatCap));
+    painter.drawPolyline(arc(std::max(each.low_deg, 0.0), each.high_deg));
+    painter.setPen(QPen(shownTheme().text, 1.0));
+    painter.setBrush(shownTheme().accent);
+    painter.drawEllipse(at(each.angle_deg, radiusAt(each.angle_deg)), dot_px, dot_px);
+  }
+  std::optional<double> apical_deg;
+  if (!found_.empty())
+    apical_deg = found_.front().angle_deg;
+  else if (!contacts_.empty() && contacts_.front().draws > 0)
+    apical_deg = contacts_.front().angle_deg.median;
+  if (!apical_deg) return;
   painter.setPen(shownTheme().text);
   painter.setFont(typeface(13, QFont::DemiBold));
-  painter.drawText(rect(), Qt::AlignCenter,
-                   tr("%1°").arg(numberText(contacts_.front().angle_deg.median, 0)));
+  painter.drawText(rect(), Qt::AlignCenter, tr("%1°").arg(numberText(*apical_deg, 0)));
 }
 
 }  // namespace perilymph::gui

@@ -11,6 +11,21 @@
 
 namespace perilymph::charts {
 
+class PlotSheet;
+
+/// A contact that was found in a CT.
+struct FoundPlace {
+  int number = 0;  ///< 1 at the tip.
+  double angle_deg = 0.0, low_deg = 0.0,
+         high_deg = 0.0;     ///< From the round window, with its 95 % interval.
+  double modiolus_mm = 0.0;  ///< From the inner wall to the contact.
+  bool isDoubtful = false;   ///< Not seen singly, or perhaps above the partition.
+};
+/// What a plan expected of a contact: the band of its angle.
+struct PlannedPlace {
+  double low_deg = 0.0, median_deg = 0.0, high_deg = 0.0;
+};
+
 /// The scala seen along the modiolus and unrolled: angle from the round window [degrees] to the
 /// right, radial distance from the section's center [mm] upward, outer wall at the top. The scales
 /// differ. The lumen is drawn with its maximum width, so an array on the floor may touch where it
@@ -33,11 +48,21 @@ public:
   /// The same as a standalone picture, with a line that explains the axes.
   figures::Drawing drawPage(const ArrayInScala& now, double width, double height) const;
 
+  /// Draws contacts that were found in a CT, by number, with the intervals of their angles, over what a
+  /// plan expected: a bar for each contact at the modiolus, and the band of the most apical one across
+  /// the scala. An empty plan draws none.
+  ///
+  /// @param planned  Of the contacts, the most apical one first.
+  figures::Drawing drawFound(const std::vector<FoundPlace>& found,
+                             const std::vector<PlannedPlace>& planned, double width,
+                             double height) const;
+
 private:
   struct Width {
     double angle_deg, inner_mm, outer_mm;
   };
   Width widthAt(double angle_deg) const;
+  void drawLumen(PlotSheet& sheet, double last_deg) const;
 
   ChartStyle style_;
   double lastAngle_deg_, leadIn_deg_;

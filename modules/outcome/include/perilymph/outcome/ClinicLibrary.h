@@ -15,9 +15,13 @@ namespace perilymph::outcome {
 
 struct LibraryOutcomes {
   std::vector<MeasuredOutcome> outcomes;
+  std::vector<anatomy::Patient> patients;  ///< Whose each of them is, for the user alone.
   /// What was left out, and why, a sentence each. They name codes and are for the user alone.
   std::vector<Sentence> notes;
 };
+
+/// Whether stop lengths are computed, which a comparison of depths does not need.
+enum class StopLengths { computed, leftOut };
 
 /// Reads the newest outcome of every saved ear and the plan whose number it states, else the newest plan of
 /// that ear with the array. A plan that was made after the surgery is no prediction: the ear is left out. Stop
@@ -28,7 +32,8 @@ struct LibraryOutcomes {
 /// @param stop     Ends it early, with an error.
 Result<LibraryOutcomes> readOutcomes(const planning::RegistryFolders& folders,
                                      const analysis::RunProgress& progress = {},
-                                     const std::stop_token& stop = {});
+                                     const std::stop_token& stop = {},
+                                     StopLengths lengths = StopLengths::computed);
 
 /// The day of a surgery: a number of days before the day of a time, "2026-11-20T09:30:00Z". Empty if that is
 /// no time.

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/pages/outcome/FoundContacts.h"
+
+#include <QHeaderView>
+#include <algorithm>
+
+#include "gui/report/OutcomeWords.h"
+#include "gui/text/Numbers.h"
+#include "gui/widgets/TableRows.h"
+#include "gui/widgets/Theme.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+constexpr int foundRow_px = 22, foundHeader_px = 40;
+constexpr int foundWidths_px[] = {30, 104, 78, 84, 120, 126, 76, 92, 84};
+
+}  // namespace
+
+FoundContacts::FoundContacts(QWidget* parent)
+    : QTableWidget(0, int(std::size(foundWidths_px)), parent)
+{
+  setObjectName(QStringLiteral("outcomeContacts"));
+  setAccessibleName(tr("Contacts found in the CT"));
+  setFont(typeface(11));
+  showInRows(*this, sized(foundRow_px));
+  setSelectionMode(QAbstractItemView::SingleSelection);
+  setWordWrap(false);
+  setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+  horizontalHeader()->setFont(typeface(11));
+  horizontalHeader()->setFixedHeight(sized(foundHeader_px));
+  horizontalHeader()->setHighlightSections(false);
+  horizontalHeader()->setMinimumSectionSize(24);
+  horizontalHeader()->setDefaultAlignment(
+      Qt::Alignment(int(Qt::AlignLeft | Qt::AlignBottom) | int(Qt::TextWordWrap)));
+  const std::pair<QString, QString> columns[] = {
+      {tr("No."), tr("Number of the contact; 1 at the tip")},
+      {tr("Angle"), tr("From the round window, with its 95 % interval")},
+      {tr("To modiolus"),
+       tr("From the contact’s center to the inner wall, toward the modiolar axis")},
+      {tr("In scala tympani"), tr("Probability that the contact lies below the basilar membrane, "
+                                  "with the errors of the CT and of "
+                                  "the ear. The membrane is not visible in a CT: no diagnosis.")},
+      {tr("Greenwood"),
+       tr("Estimated frequency of the place along the organ of Corti (Greenwood 1990), with "
+          "its 95 % interval")},
+      {tr("Spiral ganglion"),
+       tr("Estimated frequency of the spiral ganglion at the angle (Stakhovskaya et "
+          "al. 2007), with its 95 % interval")},
+      {tr("Default filter"),
+       tr("Center of the filter that the contact gets by default; – if no allocation is known")},
+      {tr("Mismatch"),
+       tr("Frequency of its place on the spiral ganglion above its default filter, in "
+          "semitones; positive: it hears a lower frequency than its place")},
+      {tr("Placed"),
+       tr("singly: its own brightness was seen; by spacing: the contacts merge in this CT, and "
+          "the array’s spacings place it; by hand: a person placed it")}};
+  for (int column = 0; column < int(std::size(columns)); ++column) {
+    auto* head = new QTableWidgetItem(columns[column].first);
+    head->setToolTip(columns[column].second);
+    setHorizontalHeaderItem(column, head);
+  }
+  connect(this, &QTableWidget::itemSelectionChanged, this, [this] {
+    if (const auto* number = item(currentRow(), 0)) Q_EMIT contactChosen(number->text().toInt());
+  });
+  show({});
+}
+
+void FoundContacts::show(const std::vector<outcome::FoundContact>& contacts)
+{
+  const QSignalBlocker quiet(this);
+  const int chosen = currentRow();
+  setRowCount(int(contacts.size()));
+  for (int row = 0; row < int(contacts.size()); ++row) {
+    const outcome::FoundContact& each = contacts[std::size_t(row)];
+    QStringList texts{QString::number(each.number), angleText(each)};
+    if (each.isInside)
+      texts << tr("%1 mm").arg(numberText(each.modiolus_mm, 2)) << scalaText(each)
+            << frequencyText(each.greenwood_Hz) << frequencyText(each.spiralGanglion_Hz)
+            << (each.filter_Hz > 0.0 ? tr("%1 kHz").arg(kilohertzText(each.filter_Hz)) : tr("–"))
+            << (each.filter_Hz > 0.0 ? tr("%1 st").arg(numberText(each.mismatch_semitones, 0))
+                                     : tr("–"));
+    else
+      texts << tr("–") << tr("–") << tr("–") << tr("–") << tr("–") << tr("–");
+    texts << placementText(each);
+    for (int column = 0; column < texts.size(); ++column) {
+      auto* item = new QTableWidgetItem(texts[column]);
+      item->setToolTip(tr("Position known to %1 mm").arg(numberText(each.error_mm(), 2)));
+      setItem(row, column, item);
+    }
+  }
+  if (chosen >= 0 && chosen < rowCount()) selectRow(chosen);
+  for (int column = 0; column < columnCount(); ++column)
+    horizontalHeader()->resizeSection(
+        column, std::max(sized(foundWidths_px[column]), sizeHintForColumn(column)));
+}
+
+}  // namespace perilymph::gui

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// The page Outcome: the implanted array found in a CT after surgery, beside its plan.
+
+#include <QElapsedTimer>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "gui/pages/Page.h"
+#include "gui/pages/ct/CtStudy.h"
+#include "gui/pages/ct/CtWork.h"
+#include "gui/pages/outcome/FoundHistory.h"
+#include "gui/pages/outcome/OutcomeWork.h"
+#include "gui/pages/outcome/PlannedEar.h"
+#include "gui/report/ReportSaving.h"
+#include "gui/run/Background.h"
+#include "gui/run/InsertionControl.h"
+#include "perilymph/outcome/OutcomeText.h"
+
+class QStackedWidget;
+
+namespace perilymph::gui {
+
+class ArchiveView;
+class EmptyPage;
+class OutcomePanel;
+class OutcomeView;
+enum class OutcomeExport;
+
+/// Finds the contacts of a patient's array, shows them beside plan and insertion by hand, and keeps them in
+/// the patient's record.
+class OutcomePage : public Page {
+  Q_OBJECT
+public:
+  /// @param control  Whose recording is not read while it is written.
+  OutcomePage(const InsertionControl& control, QWidget* parent);
+
+  /// Opens a folder or a file with a CT after surgery.
+  void open(const std::filesystem::path& path) override;
+  Acceptance accepts(const std::filesystem::path& file) const override;
+  void onShown() override;
+  bool isBusy() const override;
+  bool cancel() override;
+  /// Undo and redo of moved contacts.
+  bool takeKey(const QKeyEvent& event) override;
+  /// An outcome that is not saved in the record.
+  std::optional<Unfinished> unfinished() const override;
+  void endUnfinished() override;
+
+  /// Replaces what the page computes with.
+  void setFinder(OutcomeFinder finder) { work_.setFinder(std::move(finder)); }
+  CtStudy& study() { return study_; }
+  /// What was found; null before.
+  const std::shared_ptr<const outcome::FoundArray>& found() const { return history_.now().found; }
+  /// Finds the ear, if it is not known, and the contacts.
+  void find();
+  /// Saves what was found as a new version in the patient's record.
+  void save();
+  void exportTo(OutcomeExport kind, const std::filesystem::path& file);
+  void writeReport(const ReportPlace& place);
+
+Q_SIGNALS:
+  /// The archives in the settings are to be shown.
+  void serversRequested();
+
+private:
+  void connectCt();
+  void connectPanel();
+  void connectWork();
+  void read(const std::filesystem::path& path, const std::string& series);
+  void showCt(imaging::LoadedCt&& loaded);
+  void showArchive(bool isShown);
+  void beginTask(const QString& task);
+  void showProgress(double fraction);
+  void choosePatient();
+  void openVersion(std::size_t place);
+  /// Reads plan and insertion of the patient and the array; proposes an array where none is chosen.
+  void readPlanned();
+  void acceptEar(const OutcomeWork::SharedEar& ear);
+  void findContacts();
+  void moveContact(int number, const Eigen::Vector3d& point_P);
+  void step(void (FoundHistory::*way)());
+  void leaveFound();
+  void showFound();
+  void askExport(OutcomeExport kind);
+  void askReport();
+  std::optional<EarlierCt> earlierCt() const;
+  outcome::OutcomeContent content() const;
+
+  const InsertionControl& control_;
+  CtStudy study_;
+  CtWork ct_, thumbnails_;
+  OutcomeWork work_;
+  Background planning_;
+  ReportSaving saving_;
+  imaging::CtSeriesList list_;
+  std::string wanted_;          ///< Series that a saved outcome was found in, while it is read.
+  std::string series_;          ///< Series of what was found.
+  OutcomeWork::SharedEar ear_;  ///< In the CT that is shown, joined to the patient; else null.
+  QString earNote_;             ///< Why the CT before surgery was not used.
+  FoundHistory history_;
+  PlannedEar planned_;
+  std::string planNumber_;  ///< That a saved outcome states; empty: the newest plan.
+  bool isSaved_ = true;
+  QString task_;
+  QElapsedTimer since_;
+  OutcomePanel* panel_;
+  QStackedWidget* stages_;
+  EmptyPage* empty_;
+  OutcomeView* view_;
+  ArchiveView* archive_;
+};
+
+}  // namespace perilymph::gui

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/pages/outcome/PlanBeside.h"
+
+#include <QCoreApplication>
+#include <QHeaderView>
+#include <algorithm>
+
+#include "gui/pages/plan/ForceBands.h"
+#include "gui/report/OutcomeWords.h"
+#include "gui/text/Numbers.h"
+#include "gui/widgets/TableRows.h"
+#include "gui/widgets/Theme.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+constexpr int besideRow_px = 22, besideHeader_px = 26;
+constexpr int besideWidths_px[] = {116, 126, 110, 84};
+
+std::string figureWords(const char* text)
+{
+  return QCoreApplication::translate("perilymph::gui", text).toStdString();
+}
+
+}  // namespace
+
+PlanBeside::PlanBeside(QWidget* parent) : QTableWidget(0, int(std::size(besideWidths_px)), parent)
+{
+  setObjectName(QStringLiteral("outcomeBesidePlan"));
+  setAccessibleName(tr("Plan beside outcome"));
+  setFont(typeface(11));
+  showInRows(*this, sized(besideRow_px));
+  setSelectionMode(QAbstractItemView::SingleSelection);
+  setWordWrap(false);
+  setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+  horizontalHeader()->setFont(typeface(11));
+  horizontalHeader()->setFixedHeight(sized(besideHeader_px));
+  horizontalHeader()->setHighlightSections(false);
+  horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  const std::pair<QString, QString> columns[] = {
+      {tr("Quantity"), tr("The depth of the array, and the angle of each contact; 1 at the tip")},
+      {tr("Plan"), tr("Median and band of the plan, from 5 to 95 % of its simulations")},
+      {tr("Found"), tr("Measured in the CT after surgery, with its 95 % interval")},
+      {tr("Percentile"), tr("Share of the plan’s simulations below the value found, from the "
+                            "quantiles of the band")}};
+  for (int column = 0; column < int(std::size(columns)); ++column) {
+    auto* head = new QTableWidgetItem(columns[column].first);
+    head->setToolTip(columns[column].second);
+    setHorizontalHeaderItem(column, head);
+  }
+}
+
+void PlanBeside::show(const planning::ArrayPlan* plan, const outcome::FoundArray& found)
+{
+  setRowCount(0);
+  const auto add = [this](const QStringList& texts) {
+    const int row = rowCount();
+    insertRow(row);
+    for (int column = 0; column < texts.size(); ++column)
+      setItem(row, column, new QTableWidgetItem(texts[column]));
+  };
+  const QString none = tr("–");
+  const double depth_deg = found.angularInsertionDepth_deg.value;
+  add({tr("Angular depth"), plan ? bandWords(plan->angle_deg, 0, tr("°")) : none, depthText(found),
+       plan ? percentileText(plan->angle_deg, depth_deg) : none});
+  add({tr("Inserted length"), plan ? bandWords(plan->depth_mm, 1, tr(" mm")) : none,
+       insertedText(found), plan ? percentileText(plan->depth_mm, found.insertedLength_mm) : none});
+  for (const outcome::FoundContact& each : found.contacts) {
+    const planning::ContactBand* planned = nullptr;
+    if (plan != nullptr)
+      for (const planning::ContactBand& band : plan->contacts)
+        if (band.number == each.number && band.draws > 0) planned = &band;
+    add({tr("Contact %1").arg(each.number),
+         planned ? bandWords(planned->angle_deg, 0, tr("°")) : none, angleText(each),
+         planned && each.isInside ? percentileText(planned->angle_deg, each.angle_deg.value)
+                                  : none});
+  }
+  for (int column = 0; column < columnCount(); ++column)
+    horizontalHeader()->resizeSection(
+        column, std::max(sized(besideWidths_px[column]), sizeHintForColumn(column)));
+}
+
+std::optional<figures::Figure> forceBeside(const PlannedEar& ear, const outcome::FoundArray& found)
+{
+  if (!ear.plan && !ear.insertion) return std::nullopt;
+  figures::Figure figure;
+  if (ear.plan)
+    figure = forceBands(ear.plan->plan, {ear.place});
+  else
+    figure.title = figureWords(QT_TRANSLATE_NOOP("perilymph::gui", "Insertion force over depth"));
+  const double wide_mm = std::max(1.96 * found.insertedLengthSd_mm, 0.1);
+  double deepest_mm = std::max(ear.plan ? figure.x.high : 1.0, found.insertedLength_mm + wide_mm);
+  double top_mN = ear.plan ? figure.y.high : 10.0;
+  if (ear.insertion) {
+    figures::FigureCurve curve;
+    curve.label = figureWords(QT_TRANSLATE_NOOP("perilymph::gui", "inserted by hand"));
+    curve.ink = figures::ink::vermilion;
+    curve.width = 2.0;
+    for (const analysis::AxisPoint& point : ear.insertion->overDepth) {
+      curve.x.push_back(1e3 * point.place);
+      curve.y.push_back(1e3 * point.force);
+      deepest_mm = std::max(deepest_mm, curve.x.back());
+      top_mN = std::max(top_mN, curve.y.back());
+    }
+    figure.curves.push_back(std::move(curve));
+  }
+  figure.x = figures::axisOver(
+      figureWords(QT_TRANSLATE_NOOP("perilymph::gui", "insertion depth, mm")), 0.0, deepest_mm);
+  figure.y = figures::axisOver(
+      figureWords(QT_TRANSLATE_NOOP("perilymph::gui", "axial insertion force, mN")), 0.0, top_mN);
+  figure.bands.push_back(
+      {figureWords(QT_TRANSLATE_NOOP("perilymph::gui", "inserted in the patient")),
+       {found.insertedLength_mm - wide_mm, found.insertedLength_mm + wide_mm},
+       {figure.y.low, figure.y.low},
+       {figure.y.high, figure.y.high},
+       figures::ink::tint(figures::ink::green, 0.35)});
+  return figure;
+}
+
+}  // namespace perilymph::gui

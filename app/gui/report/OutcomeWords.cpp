@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/report/OutcomeWords.h"
+
+#include <QCoreApplication>
+#include <array>
+#include <utility>
+
+#include "gui/text/DataText.h"
+#include "gui/text/Numbers.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+// lupdate assigns texts of free functions to their namespace.
+QString tr(const char* text) { return QCoreApplication::translate("perilymph::gui", text); }
+
+}  // namespace
+
+QString angleText(const outcome::FoundContact& contact)
+{
+  if (!contact.isInside) return tr("outside");
+  const auto interval = contact.angle_deg.interval95();
+  return tr("%1 (%2–%3)°")
+      .arg(numberText(contact.angle_deg.value, 0), numberText(interval[0], 0),
+           numberText(interval[1], 0));
+}
+
+QString scalaText(const outcome::FoundContact& contact)
+{
+  return contact.isInside ? tr("%1 %").arg(numberText(100.0 * contact.inScalaTympani, 0)) : tr("–");
+}
+
+QString placementText(const outcome::FoundContact& contact)
+{
+  if (contact.isByHand) return tr("by hand");
+  return contact.isSeenSingly ? tr("singly") : tr("by spacing");
+}
+
+QString frequencyText(const std::array<double, 3>& frequency_Hz)
+{
+  if (frequency_Hz[0] <= 0.0) return tr("–");
+  return tr("%1 (%2–%3) kHz")
+      .arg(kilohertzText(frequency_Hz[0]), kilohertzText(frequency_Hz[1]),
+           kilohertzText(frequency_Hz[2]));
+}
+
+std::optional<double> percentileIn(const planning::Band& band, double value)
+{
+  const std::array<std::pair<double, double>, 5> quantiles{{{5.0, band.low},
+                                                            {25.0, band.lowerQuartile},
+                                                            {50.0, band.median},
+                                                            {75.0, band.upperQuartile},
+                                                            {95.0, band.high}}};
+  for (std::size_t k = 0; k + 1 < quantiles.size(); ++k) {
+    const auto& [below, from] = quantiles[k];
+    const auto& [above, to] = quantiles[k + 1];
+    if (value < from || value > to) continue;
+    return to > from ? below + (above - below) * (value - from) / (to - from) : below;
+  }
+  return std::nullopt;
+}
+
+QString percentileText(const planning::Band& band, double value)
+{
+  const auto percentile = percentileIn(band, value);
+  if (percentile) return tr("%1 %").arg(numberText(*percentile, 0));
+  return value < band.low ? tr("below 5 %") : tr("above 95 %");
+}
+
+QString bandWords(const planning::Band& band, int decimals, const QString& unit)
+{
+  return tr("%1 (%2–%3)%4")
+      .arg(numberText(band.median, decimals), numberText(band.low, decimals),
+           numberText(band.high, decimals), unit);
+}
+
+QString textOf(outcome::StopReason reason)
+{
+  switch (reason) {
+    case outcome::StopReason::unknown:
+      return tr("not known");
+    case outcome::StopReason::mark:
+      return tr("mark reached");
+    case outcome::StopReason::resistance:
+      return tr("resistance");
+    case outcome::StopReason::buckling:
+      return tr("bowed outside");
+    case outcome::StopReason::hearing:
+      return tr("hearing");
+    case outcome::StopReason::bleeding:
+      return tr("bleeding");
+    case outcome::StopReason::other:
+      break;
+  }
+  return tr("other");
+}
+
+QString textOf(outcome::Opening opening)
+{
+  switch (opening) {
+    case outcome::Opening::unknown:
+      return tr("not known");
+    case outcome::Opening::roundWindow:
+      return tr("round window");
+    case outcome::Opening::extendedRoundWindow:
+      return tr("extended RW");
+    case outcome::Opening::cochleostomy:
+      break;
+  }
+  return tr("cochleostomy");
+}
+
+QString textOf(outcome::Tool tool)
+{
+  switch (tool) {
+    case outcome::Tool::unknown:
+      return tr("not known");
+    case outcome::Tool::forceps:
+      return tr("forceps");
+    case outcome::Tool::sheath:
+      return tr("sheath");
+    case outcome::Tool::stylet:
+      return tr("stylet");
+    case outcome::Tool::advanceOffStylet:
+      return tr("off-stylet");
+    case outcome::Tool::robot:
+      break;
+  }
+  return tr("robot");
+}
+
+QString depthText(const outcome::FoundArray& found)
+{
+  const auto interval = found.angularInsertionDepth_deg.interval95();
+  return tr("%1 (%2–%3)°")
+      .arg(numberText(found.angularInsertionDepth_deg.value, 0), numberText(interval[0], 0),
+           numberText(interval[1], 0));
+}
+
+QString insertedText(const outcome::FoundArray& found)
+{
+  const outcome::Uncertain length{found.insertedLength_mm, found.insertedLengthSd_mm};
+  const auto interval = length.interval95();
+  return tr("%1 (%2–%3) mm")
+      .arg(numberText(length.value, 1), numberText(interval[0], 1), numberText(interval[1], 1));
+}
+
+QString insideText(const outcome::FoundArray& found)
+{
+  return tr("%1 of %2").arg(found.contactsInside).arg(found.contacts.size());
+}
+
+QString earSourceText(const outcome::FoundArray& found)
+{
+  return found.isRegistered ? tr("ear carried over from the CT before surgery, residual %1 mm")
+                                  .arg(numberText(found.residual_mm, 2))
+                            : tr("the ear is measured in this CT, with wider errors");
+}
+
+QStringList flagTexts(const outcome::FoundArray& found)
+{
+  QStringList sentences;
+  for (const outcome::Flag flag : found.flags) sentences << dataText(outcome::sentenceOf(flag));
+  return sentences;
+}
+
+}  // namespace perilymph::gui

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// Words of an implanted array that was found in a CT, in window and report: the same in both.
+
+#include <QString>
+#include <QStringList>
+#include <array>
+#include <optional>
+
+#include "perilymph/outcome/FoundArray.h"
+#include "perilymph/outcome/Surgery.h"
+#include "perilymph/planning/PlanResult.h"
+
+namespace perilymph::gui {
+
+/// "421 (409–433)°": a value with its 95 % interval; a dash for a contact outside.
+QString angleText(const outcome::FoundContact& contact);
+/// "98 %": the probability that a contact lies below the basilar membrane.
+QString scalaText(const outcome::FoundContact& contact);
+/// "singly", "by spacing", "by hand": how a contact was placed.
+QString placementText(const outcome::FoundContact& contact);
+/// "0.35 (0.30–0.41) kHz"; a dash where none is known.
+QString frequencyText(const std::array<double, 3>& frequency_Hz);
+
+/// The share of a plan's simulations below a value, from the quantiles of its band: linear between
+/// them. None below the lowest or above the highest quantile that the band states.
+std::optional<double> percentileIn(const planning::Band& band, double value);
+
+/// "37 %": where a value is in a band; "below 5 %", "above 95 %" outside of it.
+QString percentileText(const planning::Band& band, double value);
+
+/// "421 (380–455)°": the median of a plan's band, and the band.
+QString bandWords(const planning::Band& band, int decimals, const QString& unit);
+
+/// "resistance was felt"
+QString textOf(outcome::StopReason reason);
+QString textOf(outcome::Opening opening);
+QString textOf(outcome::Tool tool);
+
+/// "421 (409–433)°" of the most apical contact inside.
+QString depthText(const outcome::FoundArray& found);
+/// "27.1 (26.5–27.7) mm" of the array past the opening.
+QString insertedText(const outcome::FoundArray& found);
+/// "12 of 12"
+QString insideText(const outcome::FoundArray& found);
+/// How the ear was found: "carried over from the CT before surgery, residual 0.12 mm".
+QString earSourceText(const outcome::FoundArray& found);
+/// What is doubtful, a sentence each.
+QStringList flagTexts(const outcome::FoundArray& found);
+
+}  // namespace perilymph::gui

@@ -1,0 +1,547 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The page Outcome, with a phantom as the CT after surgery and an array that a test places in it.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <QAbstractButton>
+#include <QDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMouseEvent>
+#include <QTableWidget>
+#include <QTest>
+#include <QThread>
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "CutTexts.h"
+#include "KeptPicture.h"
+#include "OwnFolders.h"
+#include "PlanReportRig.h"
+#include "TheCtPage.h"
+#include "WindowRig.h"
+#include "gui/pages/ct/PlaneView.h"
+#include "gui/pages/outcome/OutcomePage.h"
+#include "gui/pages/outcome/OutcomePanel.h"
+#include "gui/pages/outcomes/OutcomesPage.h"
+#include "gui/program/Languages.h"
+#include "gui/report/OutcomeWords.h"
+#include "gui/setup/PatientLibrary.h"
+#include "gui/setup/PlanStore.h"
+#include "gui/widgets/Selector.h"
+#include "perilymph/foundation/Resources.h"
+#include "perilymph/foundation/StateFolder.h"
+#include "perilymph/imaging/MeasuredPatient.h"
+#include "perilymph/outcome/OutcomeText.h"
+#include "perilymph/planning/Plan.h"
+#include "perilymph/planning/PlanFolder.h"
+#include "perilymph/planning/PlanReport.h"
+#include "perilymph/session/Scenario.h"
+#include "perilymph/test/SyntheticPlan.h"
+
+namespace perilymph::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* plannedArray = "flex28";
+constexpr int contactCount = 12;
+
+/// Lets layouts and pictures come to rest.
+void settle()
+{
+  for (int i = 0; i < 8; ++i) QCoreApplication::processEvents();
+}
+
+/// The phantom's cochlea as measured once.
+const ct::CochleaMeasures& measured()
+{
+  static const ct::CochleaMeasures measures = [] {
+    ct::MeasureRequest request;
+    request.click_P = onDisk().phantom.inside_P;
+    auto found = ct::measureCochlea(onDisk().phantom.volume, request);
+    if (!found) throw std::runtime_error(found.error().message);
+    return *found;
+  }();
+  return measures;
+}
+
+/// Contacts on the center line of the mean anatomy in the phantom: number 1 at 420 degrees, the others
+/// 30 degrees apart; the last one is outside.
+outcome::FoundArray placedArray(const outcome::ContactsRequest& request)
+{
+  static const auto scala = [] {
+    auto scenario = session::loadScenario("surgery-flex28");
+    anatomy::Cochlea cochlea = scenario->parameters().cochlea;
+    cochlea.source = anatomy::AnatomySource::mean;
+    cochlea.patient = imaging::measuredPatient(measured());
+    return *anatomy::buildAnatomy(cochlea, "P-53");
+  }();
+  outcome::FoundArray found;
+  found.array = request.arrayName;
+  found.side = measured().side;
+  for (int number = 1; number <= contactCount; ++number) {
+    outcome::FoundContact contact;
+    contact.number = number;
+    const double angle_deg = 420.0 - 30.0 * (number - 1);
+    contact.position_P = measured().fromAnatomy(scala->center_W(degrees(angle_deg).si()));
+    contact.covariance_P = 0.01 * Eigen::Matrix3d::Identity();
+    contact.isInside = number < contactCount;
+    contact.angle_deg = {angle_deg, 4.0};
+    contact.modiolus_mm = 0.55;
+    contact.inScalaTympani = number == 3 ? 0.42 : 0.97;
+    contact.isSeenSingly = number != 4;
+    contact.greenwood_Hz = {500.0 * number, 450.0 * number, 560.0 * number};
+    contact.spiralGanglion_Hz = {400.0 * number, 360.0 * number, 450.0 * number};
+    contact.filter_Hz = 200.0 * number;
+    contact.mismatch_semitones = 12.0;
+    if (const auto hand = request.byHand.find(number); hand != request.byHand.end()) {
+      contact.position_P = hand->second;
+      contact.isByHand = true;
+      contact.angle_deg.value += 7.0;  // so that a test sees that it was found again
+    }
+    found.contacts.push_back(contact);
+  }
+  found.angularInsertionDepth_deg = found.contacts.front().angle_deg;
+  found.tipAngle_deg = 428.0;
+  found.contactsInside = contactCount - 1;
+  found.insertedLength_mm = 24.6;
+  found.insertedLengthSd_mm = 0.3;
+  found.flags = {outcome::Flag::contactsOutside, outcome::Flag::earFromThisCt};
+  return found;
+}
+
+gui::OutcomeFinder finder(std::vector<outcome::Flag> earFlags = {})
+{
+  gui::OutcomeFinder made = gui::engineFinder();
+  made.measuredEar = [earFlags](const ct::CtVolume&,
+                                const ct::MeasureRequest&) -> Result<outcome::Ear> {
+    outcome::Ear ear;
+    ear.measures = measured();
+    ear.flags = earFlags;
+    return ear;
+  };
+  made.findContacts = [](const ct::CtVolume&, const outcome::Ear&,
+                         const outcome::ContactsRequest& request) -> Result<outcome::FoundArray> {
+    request.onProgress(0.5);
+    return placedArray(request);
+  };
+  return made;
+}
+
+class AnOutcome : public testing::Test {
+protected:
+  AnOutcome()
+  {
+    patient_ = imaging::measuredPatient(measured());
+    patient_.label = "P-53";
+    const auto saved = gui::savePatientInLibrary(patient_);
+    EXPECT_TRUE(saved) << saved.error().message;
+    file_ = *saved;
+    storePlan();
+  }
+
+  /// A plan of the patient, whose first array is the implanted one.
+  void storePlan()
+  {
+    planning::Plan plan = syntheticPlan(200);
+    plan.request.patient = patient_;
+    plan.request.draws = 200;
+    plan.request.arrays = {plannedArray, "flex24"};
+    plan.arrays[0].array = plannedArray;
+    plan.arrays[1].array = "flex24";
+    for (std::size_t k = 0; k < 2; ++k) plan.arrays[k].name = plan.request.arrays[k];
+    gui::StoredPlan stored{plansFolder() / "P-53-plan", plan.request, 200, true,
+                           "2026-11-20T09:30:00Z"};
+    ASSERT_TRUE(gui::savePlan(stored));
+    const auto json = planning::planJson(plan);
+    ASSERT_TRUE(json) << json.error().message;
+    std::ofstream(stored.folder / "plan.json") << *json;
+  }
+
+  /// The page with the patient chosen and the phantom opened.
+  gui::OutcomePage& show(WindowRig& rig, gui::OutcomeFinder with = finder())
+  {
+    auto& page = *rig.window().pages().find<gui::OutcomePage>();
+    page.setFinder(std::move(with));
+    rig.click("outcomePageButton");
+    rig.choose("outcomePatientSelector", file_.string().c_str());
+    EXPECT_TRUE(WindowRig::waitUntil([&] { return array(rig) == plannedArray; }))
+        << rig.label("outcomeStatus").toStdString();
+    page.open(onDisk().folder / "ct");
+    EXPECT_TRUE(WindowRig::waitUntil([&] { return page.study().hasCt(); }));
+    return page;
+  }
+  static bool isFound(const gui::OutcomePage& page)
+  {
+    return WindowRig::waitUntil([&] { return page.found() != nullptr && !page.isBusy(); });
+  }
+  static std::string array(WindowRig& rig)
+  {
+    return rig.window().findChild<gui::Selector*>("surgeryArray")->value().toStdString();
+  }
+  static QTableWidget& table(WindowRig& rig, const char* name = "outcomeContacts")
+  {
+    return *rig.window().findChild<QTableWidget*>(name);
+  }
+  session::PatientRecord record() const
+  {
+    const auto read = session::loadPatientRecord(file_);
+    EXPECT_TRUE(read) << read.error().message;
+    return *read;
+  }
+
+  DataFolder data_;
+  StateFolder state_;
+  anatomy::Patient patient_;
+  fs::path file_;
+};
+
+TEST_F(AnOutcome, IsFoundAfterAPatientAndACtAreChosenAndStatesItsValues)
+{
+  WindowRig rig;
+  const gui::OutcomePage& page = show(rig);
+  ASSERT_TRUE(isFound(page));
+  EXPECT_THAT(rig.label("outcomeHead").toStdString(), testing::HasSubstr("420 (412–428)°"));
+  EXPECT_THAT(rig.label("outcomeHead").toStdString(), testing::HasSubstr("11 of 12"));
+  EXPECT_THAT(rig.label("outcomeHead").toStdString(),
+              testing::HasSubstr("the ear is measured in this CT, with wider errors"));
+  QTableWidget& contacts = table(rig);
+  ASSERT_EQ(contacts.rowCount(), contactCount);
+  EXPECT_EQ(contacts.item(2, 3)->text(), "42 %");
+  EXPECT_EQ(contacts.item(3, 8)->text(), "by spacing");
+  EXPECT_EQ(contacts.item(contactCount - 1, 1)->text(), "outside");
+  // each flag by its sentence
+  for (const outcome::Flag flag : page.found()->flags)
+    EXPECT_THAT(rig.label("outcomeFlags").toStdString(),
+                testing::HasSubstr(std::string(outcome::sentenceOf(flag))));
+}
+
+TEST_F(AnOutcome, IsComparedWithTheBandsOfThePlan)
+{
+  WindowRig rig;
+  const gui::OutcomePage& page = show(rig);
+  ASSERT_TRUE(isFound(page));
+  rig.click("outcomeBesideStage");
+  QTableWidget& beside = table(rig, "outcomeBesidePlan");
+  ASSERT_EQ(beside.rowCount(), contactCount + 2);
+  // angles of the plan's array are 301 to 500: 420 lies at three fifths of them
+  EXPECT_EQ(beside.item(0, 3)->text(), "60 %");
+  // the plan's depth is 20 mm in all simulations
+  EXPECT_EQ(beside.item(1, 3)->text(), "above 95 %");
+  // the plan has two contacts
+  EXPECT_EQ(beside.item(2, 0)->text(), "Contact 1");
+  EXPECT_EQ(beside.item(2, 3)->text(), "60 %");
+  EXPECT_EQ(beside.item(5, 1)->text(), QString::fromUtf8("–"));
+}
+
+TEST_F(AnOutcome, PercentilesAreThoseOfTheQuantiles)
+{
+  const planning::Band band{100.0, 140.0, 200.0, 240.0, 300.0};
+  EXPECT_EQ(gui::percentileIn(band, 100.0), 5.0);
+  EXPECT_EQ(gui::percentileIn(band, 120.0), 15.0);
+  EXPECT_EQ(gui::percentileIn(band, 200.0), 50.0);
+  EXPECT_EQ(gui::percentileIn(band, 270.0), 85.0);
+  EXPECT_FALSE(gui::percentileIn(band, 99.0));
+  EXPECT_FALSE(gui::percentileIn(band, 301.0));
+}
+
+TEST_F(AnOutcome, AsksForNothingButTheArrayAndExplainsAnErrorWhileItIsTyped)
+{
+  WindowRig rig;
+  show(rig);
+  auto& depth = *rig.window().findChild<QLineEdit*>("surgeryIntendedDepth");
+  depth.setText("abc");
+  EXPECT_THAT(rig.label("surgeryError").toStdString(), testing::HasSubstr("is not a number"));
+  EXPECT_FALSE(rig.button("findContactsButton").isEnabled());
+  depth.setText("400");
+  EXPECT_THAT(rig.label("surgeryError").toStdString(), testing::HasSubstr("The intended depth"));
+  depth.setText("24,5");
+  EXPECT_TRUE(rig.label("surgeryError").isEmpty());
+  depth.clear();
+  EXPECT_TRUE(rig.label("surgeryError").isEmpty());
+}
+
+TEST_F(AnOutcome, FollowsAContactThatIsDraggedAndTakesItBack)
+{
+  WindowRig rig;
+  gui::OutcomePage& page = show(rig);
+  ASSERT_TRUE(isFound(page));
+  settle();
+  auto& view = *rig.window().findChild<gui::PlaneView*>("outcomePlane0");
+  const Eigen::Vector3d before_P = page.found()->contacts[4].position_P;
+  const QPoint start = view.placeOf(before_P).toPoint(), end = start + QPoint(18, -6);
+  ASSERT_EQ(view.contactAt(start), 5);
+  QTest::mousePress(&view, Qt::LeftButton, Qt::NoModifier, start);
+  QMouseEvent move(QEvent::MouseMove, QPointF(end), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+  QCoreApplication::sendEvent(&view, &move);
+  QTest::mouseRelease(&view, Qt::LeftButton, Qt::NoModifier, end);
+  ASSERT_TRUE(page.found()->contacts[4].isByHand);
+  const Eigen::Vector3d moved_P = page.found()->contacts[4].position_P;
+  EXPECT_GT((moved_P - before_P).norm(), 0.1);
+  // the others are found again around it
+  ASSERT_TRUE(WindowRig::waitUntil(
+      [&] { return !page.isBusy() && page.found()->contacts[4].angle_deg.value == 307.0; }));
+  EXPECT_EQ(table(rig).item(4, 8)->text(), "by hand");
+  EXPECT_EQ((page.found()->contacts[4].position_P - moved_P).norm(), 0.0);
+  rig.pressKey(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ((page.found()->contacts[4].position_P - before_P).norm(), 0.0);
+  EXPECT_FALSE(page.found()->contacts[4].isByHand);
+  rig.pressKey(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_TRUE(page.found()->contacts[4].isByHand);
+  EXPECT_EQ(table(rig).item(4, 8)->text(), "by hand");
+}
+
+TEST_F(AnOutcome, MovesAContactByKeys)
+{
+  WindowRig rig;
+  gui::OutcomePage& page = show(rig);
+  ASSERT_TRUE(isFound(page));
+  table(rig).selectRow(2);
+  EXPECT_EQ(page.study().chosenContact(), 3);
+  const Eigen::Vector3d before_P = page.found()->contacts[2].position_P;
+  auto& view = *rig.window().findChild<gui::PlaneView*>("outcomePlane0");
+  QTest::keyClick(&view, Qt::Key_Right, Qt::ShiftModifier);
+  const Eigen::Vector3d by_P = page.found()->contacts[2].position_P - before_P;
+  EXPECT_NEAR(by_P.norm(), 0.1, 1e-9);
+  EXPECT_NEAR(by_P.dot(page.study().planes()[0].right_P), 0.1, 1e-9);
+}
+
+TEST_F(AnOutcome, EverySaveIsAVersionInThePatientsRecord)
+{
+  WindowRig rig;
+  gui::OutcomePage& page = show(rig);
+  ASSERT_TRUE(isFound(page));
+  EXPECT_TRUE(page.unfinished());
+  rig.click("saveOutcomeButton");
+  EXPECT_FALSE(page.unfinished());
+  ASSERT_EQ(record().outcomes.size(), 1u);
+  rig.choose("surgeryStopReason", "resistance");
+  rig.click("saveOutcomeButton");
+  const session::PatientRecord now = record();
+  ASSERT_EQ(now.outcomes.size(), 2u);
+  EXPECT_EQ(now.outcomes[0].series, page.study().series().key);
+  const auto first = outcome::outcomeIn(now.outcomes[0].content, "first");
+  const auto second = outcome::outcomeIn(now.outcomes[1].content, "second");
+  ASSERT_TRUE(first && second);
+  EXPECT_EQ(first->surgery.stopReason, outcome::StopReason::unknown);
+  EXPECT_EQ(second->surgery.stopReason, outcome::StopReason::resistance);
+  // the first one can be opened again, in its CT
+  rig.choose("outcomeVersions", "0");
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return page.study().hasCt() && !page.isBusy(); }));
+  EXPECT_EQ(rig.window().findChild<gui::Selector*>("surgeryStopReason")->value(), "unknown");
+  EXPECT_EQ(page.study().contacts().size(), std::size_t(contactCount));
+  EXPECT_FALSE(page.unfinished());
+}
+
+TEST_F(AnOutcome, TheTableStatesTheValuesOfTheJson)
+{
+  WindowRig rig;
+  gui::OutcomePage& page = show(rig);
+  ASSERT_TRUE(isFound(page));
+  TemporaryFolder folder;
+  page.exportTo(gui::OutcomeExport::json, folder / "outcome.json");
+  page.exportTo(gui::OutcomeExport::table, folder / "outcome.csv");
+  page.exportTo(gui::OutcomeExport::markups, folder / "outcome.mrk.json");
+  page.exportTo(gui::OutcomeExport::picture, folder / "outcome.png");
+  for (const char* each :
+       {"outcome.csv", "outcome-dictionary.csv", "outcome.mrk.json", "outcome.png"})
+    EXPECT_GT(fs::file_size(folder / each), 0u) << each;
+  const auto json = nlohmann::json::parse(std::ifstream(folder / "outcome.json"));
+  ASSERT_EQ(json["contacts"].size(), std::size_t(contactCount));
+  for (int row = 0; row < contactCount - 1; ++row) {
+    const auto& contact = json["contacts"][std::size_t(row)];
+    EXPECT_EQ(table(rig).item(row, 0)->text().toInt(), contact["number"].get<int>());
+    EXPECT_EQ(table(rig).item(row, 2)->text().toStdString(),
+              QString::number(contact["modiolus_mm"].get<double>(), 'f', 2).toStdString() + " mm");
+  }
+}
+
+TEST_F(AnOutcome, ACtOfAnotherEarIsNotJoinedWithoutAQuestion)
+{
+  // a patient whose basal turn is another one
+  patient_.basalTurn->a = patient_.basalTurn->a + millimeters(1.5);
+  const auto other = gui::savePatientInLibrary(patient_, file_);
+  ASSERT_TRUE(other) << other.error().message;
+  WindowRig rig;
+  gui::OutcomePage& page = show(rig);
+  QDialog* question = nullptr;
+  const auto isShown = [&] {
+    question = page.findChild<QDialog*>("anotherEarQuestion");
+    return question != nullptr && question->isVisible();
+  };
+  ASSERT_TRUE(WindowRig::waitUntil(isShown));
+  const std::string doubts = question->findChild<QLabel*>("anotherEarDoubts")->text().toStdString();
+  EXPECT_THAT(doubts, testing::HasSubstr("A is"));
+  EXPECT_THAT(doubts, testing::HasSubstr("in the record"));
+  // the answer of Return is No
+  QTest::keyClick(question, Qt::Key_Return);
+  EXPECT_TRUE(
+      WindowRig::waitUntil([&] { return !page.findChild<QDialog*>("anotherEarQuestion"); }));
+  EXPECT_EQ(page.found(), nullptr);
+  EXPECT_FALSE(rig.button("saveOutcomeButton").isEnabled());
+  EXPECT_THAT(rig.label("outcomeStatus").toStdString(), testing::HasSubstr("was not joined"));
+  // asked again, and joined
+  rig.click("findContactsButton");
+  ASSERT_TRUE(WindowRig::waitUntil(isShown));
+  question->findChild<QAbstractButton*>("joinEarButton")->click();
+  EXPECT_TRUE(isFound(page));
+}
+
+TEST_F(AnOutcome, TheOtherSideIsADoubtEvenIfTheMeasuresAgree)
+{
+  patient_.side = patient_.side == anatomy::Side::left ? anatomy::Side::right : anatomy::Side::left;
+  const auto other = gui::savePatientInLibrary(patient_);
+  ASSERT_TRUE(other);
+  file_ = *other;
+  storePlan();
+  WindowRig rig;
+  gui::OutcomePage& page = show(rig);
+  ASSERT_TRUE(WindowRig::waitUntil(
+      [&] { return page.findChild<QDialog*>("anotherEarQuestion") != nullptr; }));
+  EXPECT_THAT(page.findChild<QLabel*>("anotherEarDoubts")->text().toStdString(),
+              testing::HasSubstr("The ear in this CT is a"));
+  page.findChild<QAbstractButton*>("leaveEarButton")->click();
+}
+
+TEST_F(AnOutcome, ASearchIsCanceledByEscape)
+{
+  gui::OutcomeFinder slow = finder();
+  slow.findContacts = [](const ct::CtVolume&, const outcome::Ear&,
+                         const outcome::ContactsRequest& request) -> Result<outcome::FoundArray> {
+    while (!request.stop.stop_requested()) QThread::msleep(5);
+    return Error{"The search was canceled."};
+  };
+  WindowRig rig;
+  gui::OutcomePage& page = show(rig, std::move(slow));
+  ASSERT_TRUE(WindowRig::waitUntil(
+      [&] { return rig.label("outcomeStatus").startsWith("Finding the contacts"); }));
+  rig.pressKey(Qt::Key_Escape);
+  EXPECT_FALSE(page.isBusy());
+  EXPECT_EQ(page.found(), nullptr);
+  EXPECT_TRUE(rig.button("findContactsButton").isEnabled());
+}
+
+TEST_F(AnOutcome, TheReportIsOnePageAndStatesEveryFlag)
+{
+  try {
+    run({"pdftotext", {"-v"}, {}, {}});
+  } catch (const std::system_error&) {
+    GTEST_SKIP() << "Install the package poppler-utils.";
+  }
+  WindowRig rig;
+  gui::OutcomePage& page = show(rig);
+  ASSERT_TRUE(isFound(page));
+  settle();
+  TemporaryFolder folder;
+  page.writeReport({folder / "outcome.pdf"});
+  ASSERT_TRUE(fs::exists(folder / "outcome.pdf")) << rig.label("outcomeStatus").toStdString();
+  if (const QString kept = qEnvironmentVariable("PERILYMPH_SCREEN_PICTURES"); !kept.isEmpty())
+    fs::copy_file(folder / "outcome.pdf", kept.toStdString() + "/outcome-report.pdf",
+                  fs::copy_options::overwrite_existing);
+  std::string text = textOf(folder / "outcome.pdf");
+  EXPECT_THAT(text, testing::HasSubstr("Page 1 of 1"));
+  EXPECT_THAT(text, testing::HasSubstr("P-53"));
+  EXPECT_THAT(text, testing::HasSubstr("420"));
+  // lines are broken anywhere
+  std::string flat;
+  for (const char c : text)
+    if (!std::isspace(static_cast<unsigned char>(c))) flat += c;
+  for (const outcome::Flag flag : page.found()->flags) {
+    std::string sentence;
+    for (const char c : std::string(outcome::sentenceOf(flag)))
+      if (!std::isspace(static_cast<unsigned char>(c))) sentence += c;
+    EXPECT_THAT(flat, testing::HasSubstr(sentence));
+  }
+}
+
+TEST_F(AnOutcome, StandsBesideItsPlanOnThePageOutcomes)
+{
+  WindowRig rig;
+  const auto isRead = [&] {
+    return WindowRig::waitUntil(
+        [&] { return !rig.window().pages().find<gui::OutcomesPage>()->isBusy(); });
+  };
+  rig.click("outcomesPageButton");
+  ASSERT_TRUE(isRead());
+  EXPECT_FALSE(table(rig, "outcomesTable").isVisible());  // none is saved yet
+  // a plan of one simulation, whose depth is known
+  planning::PlanRequest request;
+  request.patient = patient_;
+  request.arrays = {plannedArray};
+  request.draws = 1;
+  const fs::path folder = plansFolder() / "P-53-plan";
+  fs::remove_all(folder);
+  ASSERT_TRUE(gui::savePlan({folder, request, 1, true, "2026-11-20T09:30:00Z"}));
+  const auto plan = planning::makePlan(request, folder / planning::planDrawsFile);
+  ASSERT_TRUE(plan) << plan.error().message;
+  std::ofstream(folder / "plan.json") << *planning::planJson(*plan);
+  gui::OutcomePage& page = show(rig);
+  ASSERT_TRUE(isFound(page));
+  rig.click("saveOutcomeButton");
+  rig.click("outcomesPageButton");
+  ASSERT_TRUE(isRead());
+  rig.window().resize(1366, 768);
+  settle();
+  keepPicture(rig.window(), "outcomes");
+  EXPECT_THAT(cutTextsOf(rig.window()), testing::IsEmpty());
+  QTableWidget& all = table(rig, "outcomesTable");
+  ASSERT_EQ(all.rowCount(), 1) << rig.label("outcomesStatus").toStdString();
+  EXPECT_TRUE(all.item(0, 0)->text().startsWith("P-53"));
+  EXPECT_EQ(all.item(0, 1)->text(), plannedArray);
+  const double simulated_mm = inMillimeters(plan->insertions.front().insertion.depth);
+  EXPECT_TRUE(all.item(0, 2)->text().startsWith(QString::number(simulated_mm, 'f', 1)));
+  EXPECT_EQ(all.item(0, 3)->text(), QString::fromUtf8("24.6 (24.0–25.2) mm"));
+  // (Phi((x - x_1) / sd) + 1/2) / 2 of the one simulation
+  const double below = 0.5 * std::erfc(-(24.6 - simulated_mm) / 0.3 / std::sqrt(2.0));
+  EXPECT_EQ(all.item(0, 4)->text(),
+            QString::number(100.0 * (below + 0.5) / 2.0, 'f', 0) + QString::fromUtf8(" %"));
+  // all together, and the array
+  const QTableWidget& coverage = table(rig, "outcomesCoverage");
+  ASSERT_EQ(coverage.rowCount(), 2);
+  EXPECT_EQ(coverage.item(1, 0)->text(), plannedArray);
+  EXPECT_TRUE(coverage.item(0, 2)->text().contains("of 1"));
+}
+
+TEST_F(AnOutcome, IsShownWithoutCutWordsOnASmallScreen)
+{
+  WindowRig rig;
+  const gui::OutcomePage& page = show(rig);
+  ASSERT_TRUE(isFound(page));
+  rig.window().resize(1366, 768);
+  settle();
+  EXPECT_THAT(cutTextsOf(rig.window()), testing::IsEmpty());
+  keepPicture(rig.window(), "outcome-contacts");
+  rig.click("outcomeBesideStage");
+  settle();
+  EXPECT_THAT(cutTextsOf(rig.window()), testing::IsEmpty());
+  keepPicture(rig.window(), "outcome-beside");
+}
+
+TEST_F(AnOutcome, IsShownInGermanWithoutCutWords)
+{
+  gui::useLanguage(*QCoreApplication::instance(), "de");
+  {
+    WindowRig rig;
+    const gui::OutcomePage& page = show(rig);
+    ASSERT_TRUE(isFound(page));
+    rig.window().resize(1366, 768);
+    settle();
+    EXPECT_THAT(rig.label("outcomeHead").toStdString(),
+                testing::HasSubstr("Kontakte innen 11 von 12"));
+    EXPECT_THAT(cutTextsOf(rig.window()), testing::IsEmpty());
+    keepPicture(rig.window(), "outcome-contacts-de");
+    rig.click("surgeryMore");
+    rig.click("outcomeBesideStage");
+    settle();
+    EXPECT_THAT(cutTextsOf(rig.window()), testing::IsEmpty());
+    keepPicture(rig.window(), "outcome-beside-de");
+  }
+  gui::useLanguage(*QCoreApplication::instance(), "en");
+}
+
+}  // namespace
+}  // namespace perilymph::test

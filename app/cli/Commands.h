@@ -151,10 +151,11 @@ Result<void> ctMeasure(const CtMeasureOptions& options);
 
 struct CtContactsOptions {
   std::string path, series;
-  std::string array;                 ///< Shipped name or file.
-  std::string patient;               ///< Shipped name or file, to be compared with the ear.
-  std::string preop, preopSeries;    ///< CT before surgery.
-  std::optional<std::array<double, 3>> at_mm;  ///< A point in the cochlea of the CT that is measured, LPS.
+  std::string array;               ///< Shipped name or file.
+  std::string patient;             ///< Shipped name or file, to be compared with the ear.
+  std::string preop, preopSeries;  ///< CT before surgery.
+  std::optional<std::array<double, 3>>
+      at_mm;  ///< A point in the cochlea of the CT that is measured, LPS.
   std::string side;
   std::string json, csv, markups, picture;
 };

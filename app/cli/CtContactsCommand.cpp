@@ -50,7 +50,8 @@ void printFound(const outcome::FoundArray& found, const electrode::ArrayDesign& 
   const auto halfWidth = [](const outcome::Uncertain& value) { return fixed(1.96 * value.sd, 0); };
   print("{} in the {} ear\n", array.name, anatomy::nameOf(found.side));
   print("{:26} {} ± {} degrees (95 %)\n", "angular insertion depth",
-        fixed(found.angularInsertionDepth_deg.value, 0), halfWidth(found.angularInsertionDepth_deg));
+        fixed(found.angularInsertionDepth_deg.value, 0),
+        halfWidth(found.angularInsertionDepth_deg));
   print("{:26} {} mm\n", "inserted length", fixed(found.insertedLength_mm, 1));
   print("{:26} {} of {}\n", "contacts inside", found.contactsInside, found.contacts.size());
   print("{:>3} {:>9} {:>6} {:>9} {:>9} {:>10} {:>9}\n", "no.", "angle [°]", "± 95 %", "modiolus",
@@ -82,7 +83,8 @@ Result<void> writeFiles(const CtContactsOptions& options, const outcome::Outcome
       return done.error();
   }
   if (!options.markups.empty())
-    if (const auto done = writeWhole(options.markups, outcome::outcomeMarkups(content.found)); !done)
+    if (const auto done = writeWhole(options.markups, outcome::outcomeMarkups(content.found));
+        !done)
       return done.error();
   if (options.picture.empty()) return {};
   std::vector<Eigen::Vector3d> contacts_P;

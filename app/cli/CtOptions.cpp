@@ -100,9 +100,9 @@ void addContacts(CLI::App& ct, FileOptions& files, CtContactsOptions& options)
                   .add_option("--array", options.array,
                               "The array that was implanted: shipped name or TOML file")
                   ->required());
-  files.reads(command.add_option(
-      "--patient", options.patient,
-      "Patient whose side, A and B are compared with those of this ear: shipped name or TOML file"));
+  files.reads(command.add_option("--patient", options.patient,
+                                 "Patient whose side, A and B are compared with those of this ear: "
+                                 "shipped name or TOML file"));
   files.readsBelow(command.add_option(
       "--preop", options.preop,
       "CT before surgery, in which the cochlea is measured without metal (default: in this CT)"));

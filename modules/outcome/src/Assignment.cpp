@@ -17,15 +17,16 @@ using Eigen::Vector3d;
 // Weights of the chain's score, chosen on phantoms of the development seeds (module's README).
 constexpr double rewardOfContact = 5.0, rewardFrom = 0.3, fullFrom = 0.6;
 constexpr double costOfMissing = 3.5;
-constexpr int mostMissing = 2;  // one after the other
+constexpr int maxMissing = 2;  // one after the other
 constexpr double lengthSd = 0.10, lengthSdRelative = 0.05;
 constexpr double costOfGap = 1.0, wirePart = 0.03;
 constexpr double costOfTurnBack = 2.5;
 constexpr double bendSd = 0.6;  // [rad], beyond that of the cochlea
 constexpr double costOfMetalBeyond = 7.0, darkPart = 0.25, brightPart = 0.75;  // beyond the tip
-constexpr double mergedPart = 0.6;  // of the cost of a contact that was not seen, where there is metal
+constexpr double mergedPart =
+    0.6;  // of the cost of a contact that was not seen, where there is metal
 constexpr double weakest = 0.12;
-constexpr std::size_t mostCandidates = 90;
+constexpr std::size_t maxCandidates = 90;
 
 double distanceOf(const electrode::ArrayDesign& array, std::size_t from, std::size_t to)
 {
@@ -36,7 +37,8 @@ double distanceOf(const electrode::ArrayDesign& array, std::size_t from, std::si
 double radiusOf(const Candidate& a, const Candidate& b)
 {
   constexpr double straight = 20.0, least = 0.5;
-  if (!a.place.isInside || !b.place.isInside || a.place.angle <= 0.0 || b.place.angle <= 0.0) return straight;
+  if (!a.place.isInside || !b.place.isInside || a.place.angle <= 0.0 || b.place.angle <= 0.0)
+    return straight;
   return std::max(least, 0.5 * (a.place.radius_mm + b.place.radius_mm));
 }
 
@@ -52,7 +54,8 @@ struct Step {
 };
 
 /// Brightness of the metal beyond the first contact of a chain, relative to it: of an array none.
-double metalBeyond(const Candidate& first, const Candidate& second, const MetalGrid& grid, double distance)
+double metalBeyond(const Candidate& first, const Candidate& second, const MetalGrid& grid,
+                   double distance)
 {
   const Vector3d along = (first.position_P - second.position_P).normalized();
   const Vector3d any = std::fabs(along.x()) < 0.7 ? Vector3d::UnitX() : Vector3d::UnitY();
@@ -69,15 +72,19 @@ double metalBeyond(const Candidate& first, const Candidate& second, const MetalG
 }
 
 /// The cost of a step of so many contacts from one candidate to another; nothing if it is impossible.
-std::optional<double> costOfStep(const Candidate& a, const Candidate& b, const MetalGrid& grid, double arc, int missed)
+std::optional<double> costOfStep(const Candidate& a, const Candidate& b, const MetalGrid& grid,
+                                 double arc, int missed)
 {
   const Eigen::Vector3d step = b.position_P - a.position_P;
   const double length = step.norm();
   if (length < 0.55 * arc || length > 1.1 * arc + 0.3) return std::nullopt;
   // no array jumps to another turn
-  constexpr double turnedFreely = 1.0, turnedMost = 1.5;
+  constexpr double turnedFreely = 1.0, turnedPerArc = 1.5;
   const double radius = radiusOf(a, b);
-  if (a.place.isInside && b.place.isInside && std::fabs(a.place.angle - b.place.angle) > turnedFreely + turnedMost * arc / std::min(radius, 4.0)) return std::nullopt;
+  if (a.place.isInside && b.place.isInside &&
+      std::fabs(a.place.angle - b.place.angle) >
+          turnedFreely + turnedPerArc * arc / std::min(radius, 4.0))
+    return std::nullopt;
   const double chord = chordOf(arc, radius);
   // the array lies nearer to the wall or to the axis than the turn's center
   const double sd = lengthSd + lengthSdRelative * arc + 0.5 * (arc - chord);
@@ -87,11 +94,14 @@ std::optional<double> costOfStep(const Candidate& a, const Candidate& b, const M
   double least = 1e9;
   const int samples = std::max(2, static_cast<int>(std::ceil(length / 0.25)));
   for (int i = 1; i < samples; ++i)
-    least = std::min(least, grid.sample(grid.value, a.position_P + (static_cast<double>(i) / samples) * step));
-  const double typical = wirePart * std::max(1.0, 0.5 * (grid.sample(grid.value, a.position_P) + grid.sample(grid.value, b.position_P)));
+    least = std::min(
+        least, grid.sample(grid.value, a.position_P + (static_cast<double>(i) / samples) * step));
+  const double typical = wirePart * std::max(1.0, 0.5 * (grid.sample(grid.value, a.position_P) +
+                                                         grid.sample(grid.value, b.position_P)));
   if (least < typical) cost += costOfGap * (1.0 - least / typical);
   // contacts between the two that merge with others are not missed as much as those without metal
-  if (missed > 0) cost -= costOfMissing * mergedPart * missed * std::min(1.0, least / (10.0 * typical));
+  if (missed > 0)
+    cost -= costOfMissing * mergedPart * missed * std::min(1.0, least / (10.0 * typical));
   // from the tip toward the base the depth decreases
   if (b.place.depth_mm > a.place.depth_mm + 0.1) cost += costOfTurnBack;
   return cost;
@@ -99,13 +109,14 @@ std::optional<double> costOfStep(const Candidate& a, const Candidate& b, const M
 
 }  // namespace
 
-std::vector<Candidate> candidatesOf(const std::vector<Blob>& blobs, const EarFrame& frame, std::size_t contacts)
+std::vector<Candidate> candidatesOf(const std::vector<Blob>& blobs, const EarFrame& frame,
+                                    std::size_t contacts)
 {
   std::vector<Candidate> candidates;
   for (const Blob& blob : blobs) {
     const EarPlace place = frame.placeOf(blob.position_P);
     if (place.isNearDuct) candidates.push_back({blob.position_P, blob.strength, place});
-    if (candidates.size() >= 4 * mostCandidates) break;
+    if (candidates.size() >= 4 * maxCandidates) break;
   }
   std::vector<double> strongest;
   for (const Candidate& each : candidates)
@@ -115,24 +126,29 @@ std::vector<Candidate> candidatesOf(const std::vector<Blob>& blobs, const EarFra
   std::vector<Candidate> kept;
   for (Candidate& each : candidates) {
     each.strength /= typical;
-    if (each.strength >= weakest && kept.size() < mostCandidates) kept.push_back(each);
+    if (each.strength >= weakest && kept.size() < maxCandidates) kept.push_back(each);
   }
   return kept;
 }
 
-Chain bestChain(const std::vector<Candidate>& candidates, const MetalGrid& grid, const electrode::ArrayDesign& array,
-                const std::map<int, int>& byHand, double fwhm_mm, const std::optional<Eigen::Vector3d>& notFirst_P)
+Chain bestChain(const std::vector<Candidate>& candidates, const MetalGrid& grid,
+                const electrode::ArrayDesign& array, const std::map<int, int>& byHand,
+                double fwhm_mm, const std::optional<Eigen::Vector3d>& notFirst_P)
 {
   const std::size_t count = array.contactsFromTip.size(), places = candidates.size();
   Chain best;
   if (places < 2 || count < 2) return best;
   const auto gain = [&](std::size_t contact, std::size_t place) -> std::optional<double> {
-    if (const auto fixed = byHand.find(static_cast<int>(contact)); fixed != byHand.end() && fixed->second != static_cast<int>(place)) return std::nullopt;
+    if (const auto fixed = byHand.find(static_cast<int>(contact));
+        fixed != byHand.end() && fixed->second != static_cast<int>(place))
+      return std::nullopt;
     for (const auto& [other, its] : byHand)
       if (its == static_cast<int>(place) && other != static_cast<int>(contact)) return std::nullopt;
-    return rewardOfContact * (std::min(1.0, candidates[place].strength / fullFrom) - rewardFrom / fullFrom);
+    return rewardOfContact *
+           (std::min(1.0, candidates[place].strength / fullFrom) - rewardFrom / fullFrom);
   };
-  const auto missing = [&](std::size_t from, std::size_t to) {  // contacts between two, that a person did not place
+  const auto missing = [&](std::size_t from,
+                           std::size_t to) {  // contacts between two, that a person did not place
     for (std::size_t i = from + 1; i < to; ++i)
       if (byHand.contains(static_cast<int>(i))) return 1e6;
     return costOfMissing * static_cast<double>(to - from - 1);
@@ -140,23 +156,26 @@ Chain bestChain(const std::vector<Candidate>& candidates, const MetalGrid& grid,
   constexpr double none = -1e9;
   struct State {
     double score = none;
-    int before = -1;       // candidate before the pair's first
+    int before = -1;  // candidate before the pair's first
     int gapBefore = 0;
   };
   // state[gap - 1][contact][a * places + b]: contact at b, the one `gap` before it at a
-  std::array<std::vector<std::vector<State>>, mostMissing + 1> states;
+  std::array<std::vector<std::vector<State>>, maxMissing + 1> states;
   for (auto& each : states) each.assign(count, std::vector<State>(places * places));
   // steps between candidates by the arc between two contacts
-  std::vector<std::vector<Step>> steps(count * (mostMissing + 1) * places);
-  const auto stepsOf = [&](std::size_t contact, std::size_t gap, std::size_t from) -> std::vector<Step>& {
-    return steps[(contact * (mostMissing + 1) + gap - 1) * places + from];
+  std::vector<std::vector<Step>> steps(count * (maxMissing + 1) * places);
+  const auto stepsOf = [&](std::size_t contact, std::size_t gap,
+                           std::size_t from) -> std::vector<Step>& {
+    return steps[(contact * (maxMissing + 1) + gap - 1) * places + from];
   };
   for (std::size_t contact = 0; contact < count; ++contact)
-    for (std::size_t gap = 1; gap <= mostMissing + 1 && contact + gap < count; ++gap)
+    for (std::size_t gap = 1; gap <= maxMissing + 1 && contact + gap < count; ++gap)
       for (std::size_t a = 0; a < places; ++a)
         for (std::size_t b = 0; b < places; ++b)
           if (a != b)
-            if (const auto cost = costOfStep(candidates[a], candidates[b], grid, distanceOf(array, contact, contact + gap), static_cast<int>(gap) - 1))
+            if (const auto cost = costOfStep(candidates[a], candidates[b], grid,
+                                             distanceOf(array, contact, contact + gap),
+                                             static_cast<int>(gap) - 1))
               stepsOf(contact, gap, a).push_back({b, *cost});
 
   const auto isAllowedFirst = [&](std::size_t contact, std::size_t place) {
@@ -167,7 +186,7 @@ Chain bestChain(const std::vector<Candidate>& candidates, const MetalGrid& grid,
   double found = none;
   std::size_t lastContact = 0, lastA = 0, lastB = 0, lastGap = 0;
   for (std::size_t contact = 0; contact < count; ++contact) {
-    for (std::size_t gap = 1; gap <= mostMissing + 1 && gap <= contact; ++gap) {
+    for (std::size_t gap = 1; gap <= maxMissing + 1 && gap <= contact; ++gap) {
       const std::size_t from = contact - gap;
       for (std::size_t a = 0; a < places; ++a) {
         const auto gainA = gain(from, a);
@@ -177,31 +196,45 @@ Chain bestChain(const std::vector<Candidate>& candidates, const MetalGrid& grid,
           if (!gainB) continue;
           State& state = states[gap - 1][contact][a * places + step.to];
           // it begins here, with some contacts before it that were not seen
-          if (from <= mostMissing && isAllowedFirst(from, a)) {
-            const double beyond = metalBeyond(candidates[a], candidates[step.to], grid, std::max(distanceOf(array, 0, 1), fwhm_mm));
-            const double metal = std::clamp((beyond - darkPart) / (brightPart - darkPart), 0.0, 1.0);
-            const double before = from == 0 ? costOfMetalBeyond * metal : costOfMissing * static_cast<double>(from) * (1.0 - mergedPart * metal);
+          if (from <= maxMissing && isAllowedFirst(from, a)) {
+            const double beyond = metalBeyond(candidates[a], candidates[step.to], grid,
+                                              std::max(distanceOf(array, 0, 1), fwhm_mm));
+            const double metal =
+                std::clamp((beyond - darkPart) / (brightPart - darkPart), 0.0, 1.0);
+            const double before =
+                from == 0 ? costOfMetalBeyond * metal
+                          : costOfMissing * static_cast<double>(from) * (1.0 - mergedPart * metal);
             const double start = *gainA + *gainB - step.cost - missing(from, contact) - before;
             bool isFixedBefore = false;
-            for (std::size_t i = 0; i < from; ++i) isFixedBefore = isFixedBefore || byHand.contains(static_cast<int>(i));
+            for (std::size_t i = 0; i < from; ++i)
+              isFixedBefore = isFixedBefore || byHand.contains(static_cast<int>(i));
             if (!isFixedBefore && start > state.score) state = {start, -1, 0};
           }
           // or it follows another pair
-          const Eigen::Vector3d next = (candidates[step.to].position_P - candidates[a].position_P).normalized();
-          for (std::size_t gapBefore = 1; gapBefore <= mostMissing + 1 && gapBefore <= from; ++gapBefore)
+          const Eigen::Vector3d next =
+              (candidates[step.to].position_P - candidates[a].position_P).normalized();
+          for (std::size_t gapBefore = 1; gapBefore <= maxMissing + 1 && gapBefore <= from;
+               ++gapBefore)
             for (std::size_t z = 0; z < places; ++z) {
               const State& former = states[gapBefore - 1][from][z * places + a];
               if (former.score <= none || z == step.to) continue;
-              const Eigen::Vector3d last = (candidates[a].position_P - candidates[z].position_P).normalized();
+              const Eigen::Vector3d last =
+                  (candidates[a].position_P - candidates[z].position_P).normalized();
               const double bend = arcTangent(last.cross(next).norm(), last.dot(next));
-              const double usual = 0.5 * (distanceOf(array, from - gapBefore, from) / radiusOf(candidates[z], candidates[a]) + distanceOf(array, from, contact) / radiusOf(candidates[a], candidates[step.to]));
+              const double usual = 0.5 * (distanceOf(array, from - gapBefore, from) /
+                                              radiusOf(candidates[z], candidates[a]) +
+                                          distanceOf(array, from, contact) /
+                                              radiusOf(candidates[a], candidates[step.to]));
               const double off = std::max(0.0, bend - usual) / bendSd;
-              const double score = former.score + *gainB - step.cost - missing(from, contact) - std::min(4.0, 0.5 * off * off);
-              if (score > state.score) state = {score, static_cast<int>(z), static_cast<int>(gapBefore)};
+              const double score = former.score + *gainB - step.cost - missing(from, contact) -
+                                   std::min(4.0, 0.5 * off * off);
+              if (score > state.score)
+                state = {score, static_cast<int>(z), static_cast<int>(gapBefore)};
             }
           // it ends here, with some contacts after it that were not seen
           bool isFixedAfter = false;
-          for (std::size_t i = contact + 1; i < count; ++i) isFixedAfter = isFixedAfter || byHand.contains(static_cast<int>(i));
+          for (std::size_t i = contact + 1; i < count; ++i)
+            isFixedAfter = isFixedAfter || byHand.contains(static_cast<int>(i));
           const double end = state.score - costOfMissing * static_cast<double>(count - 1 - contact);
           if (!isFixedAfter && end > found) {
             found = end;

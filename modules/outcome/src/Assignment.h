@@ -29,7 +29,8 @@ struct Chain {
 
 /// Blobs near the duct or before the opening, with strengths relative to the median of the strongest as many as
 /// the array has contacts.
-std::vector<Candidate> candidatesOf(const std::vector<Blob>& blobs, const EarFrame& frame, std::size_t contacts);
+std::vector<Candidate> candidatesOf(const std::vector<Blob>& blobs, const EarFrame& frame,
+                                    std::size_t contacts);
 
 /// The best chain, by dynamic programming over pairs of candidates. A contact that was not seen, a step
 /// whose length differs from the spacing, metal missing between two contacts, a sharp bend and a turn back
@@ -38,7 +39,8 @@ std::vector<Candidate> candidatesOf(const std::vector<Blob>& blobs, const EarFra
 /// @param byHand       Candidate of contacts that a person placed, by index from 0.
 /// @param fwhm_mm      Full width at half maximum of the blur: metal ends no more sharply.
 /// @param notFirst_P   If set, the most apical contact must be at least half a spacing away from it.
-Chain bestChain(const std::vector<Candidate>& candidates, const MetalGrid& grid, const electrode::ArrayDesign& array,
-                const std::map<int, int>& byHand, double fwhm_mm, const std::optional<Eigen::Vector3d>& notFirst_P = {});
+Chain bestChain(const std::vector<Candidate>& candidates, const MetalGrid& grid,
+                const electrode::ArrayDesign& array, const std::map<int, int>& byHand,
+                double fwhm_mm, const std::optional<Eigen::Vector3d>& notFirst_P = {});
 
 }  // namespace perilymph::outcome

@@ -16,9 +16,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double leastCorrelation = 0.6, mostResidual_mm = 0.6;  // below and above, the CTs agree badly
-constexpr double aroundMetal_mm = 0.5;                           // without weight beside metal: blooming
-constexpr double boneFrom = 600.0;                               // intensities of bone and metal
+constexpr double minCorrelation = 0.6,
+                 maxResidual_mm = 0.6;  // below and above, the CTs agree badly
+constexpr double aroundMetal_mm = 0.5;  // without weight beside metal: blooming
+constexpr double boneFrom = 600.0;      // intensities of bone and metal
 constexpr double boneQuantile = 0.9;
 
 /// The scala tympani of measured A, B and H, as for a patient of them.
@@ -27,10 +28,13 @@ Result<std::shared_ptr<const anatomy::ScalaTympani>> scalaOf(const ct::CochleaMe
   anatomy::Cochlea cochlea;
   cochlea.source = anatomy::sourceScaledBy(anatomy::PatientMeasures::basalTurn);
   cochlea.patient.side = measures.side;
-  cochlea.patient.basalTurn = anatomy::BasalTurn{millimeters(measures.a.value), millimeters(measures.b.value), std::nullopt};
+  cochlea.patient.basalTurn = anatomy::BasalTurn{millimeters(measures.a.value),
+                                                 millimeters(measures.b.value), std::nullopt};
   const anatomy::Spread limits = anatomy::limitsOfH();
-  const double h = std::clamp(measures.h.value, inMillimeters(limits.low), inMillimeters(limits.high));
-  if (std::fabs(h - measures.h.value) < 2.0 * measures.h.sd()) cochlea.patient.basalTurn->h = millimeters(h);
+  const double h =
+      std::clamp(measures.h.value, inMillimeters(limits.low), inMillimeters(limits.high));
+  if (std::fabs(h - measures.h.value) < 2.0 * measures.h.sd())
+    cochlea.patient.basalTurn->h = millimeters(h);
   if (!anatomy::checkPatient(cochlea.patient)) cochlea.patient.basalTurn->h = std::nullopt;
   return anatomy::buildAnatomy(cochlea, "the cochlea of this CT");
 }
@@ -38,7 +42,8 @@ Result<std::shared_ptr<const anatomy::ScalaTympani>> scalaOf(const ct::CochleaMe
 /// The measures in the frame of another CT.
 ct::CochleaMeasures moved(ct::CochleaMeasures measures, const RigidMotion& motion)
 {
-  for (Vector3d* point : {&measures.center_P, &measures.roundWindow_P, &measures.anatomyOrigin_P}) *point = motion.apply(*point);
+  for (Vector3d* point : {&measures.center_P, &measures.roundWindow_P, &measures.anatomyOrigin_P})
+    *point = motion.apply(*point);
   measures.axis_P = motion.rotation * measures.axis_P;
   measures.axes_PW = motion.rotation * measures.axes_PW;
   measures.anatomyAxes_PW = motion.rotation * measures.anatomyAxes_PW;
@@ -58,11 +63,14 @@ Result<ct::CtVolume> withoutMetal(const ct::CtVolume& volume)
   if (bone.size() < 100) return Error{"The CT shows no bone. Choose a CT of the temporal bone."};
   const auto at = static_cast<std::ptrdiff_t>(boneQuantile * static_cast<double>(bone.size() - 1));
   std::nth_element(bone.begin(), bone.begin() + at, bone.end());
-  const double level = std::max(1.3 * bone[static_cast<std::size_t>(at)], bone[static_cast<std::size_t>(at)] + 500.0);
+  const double level = std::max(1.3 * bone[static_cast<std::size_t>(at)],
+                                bone[static_cast<std::size_t>(at)] + 500.0);
   std::vector<std::int16_t> voxels(volume.voxels().begin(), volume.voxels().end());
   const auto& size = volume.size();
   const Vector3d spacing = volume.spacing_mm();
-  const std::array<int, 3> reach{static_cast<int>(aroundMetal_mm / spacing[0]), static_cast<int>(aroundMetal_mm / spacing[1]), static_cast<int>(aroundMetal_mm / spacing[2])};
+  const std::array<int, 3> reach{static_cast<int>(aroundMetal_mm / spacing[0]),
+                                 static_cast<int>(aroundMetal_mm / spacing[1]),
+                                 static_cast<int>(aroundMetal_mm / spacing[2])};
   for (int k = 0; k < size[2]; ++k)
     for (int j = 0; j < size[1]; ++j)
       for (int i = 0; i < size[0]; ++i) {
@@ -70,14 +78,18 @@ Result<ct::CtVolume> withoutMetal(const ct::CtVolume& volume)
         for (int c = std::max(0, k - reach[2]); c <= std::min(size[2] - 1, k + reach[2]); ++c)
           for (int b = std::max(0, j - reach[1]); b <= std::min(size[1] - 1, j + reach[1]); ++b)
             for (int a = std::max(0, i - reach[0]); a <= std::min(size[0] - 1, i + reach[0]); ++a)
-              voxels[(static_cast<std::size_t>(c) * static_cast<std::size_t>(size[1]) + static_cast<std::size_t>(b)) * static_cast<std::size_t>(size[0]) + static_cast<std::size_t>(a)] = ct::unmeasured;
+              voxels[(static_cast<std::size_t>(c) * static_cast<std::size_t>(size[1]) +
+                      static_cast<std::size_t>(b)) *
+                         static_cast<std::size_t>(size[0]) +
+                     static_cast<std::size_t>(a)] = ct::unmeasured;
       }
   return ct::CtVolume::make(size, volume.lpsFromIndex(), std::move(voxels), volume.provenance());
 }
 
 }  // namespace
 
-Result<Ear> registeredEar(const ct::CtVolume& postoperative, const ct::CtVolume& preoperative, const ct::CochleaMeasures& measured, const std::stop_token& stop)
+Result<Ear> registeredEar(const ct::CtVolume& postoperative, const ct::CtVolume& preoperative,
+                          const ct::CochleaMeasures& measured, const std::stop_token& stop)
 {
   const auto motion = registration(preoperative, measured.center_P, postoperative, stop);
   if (!motion) return motion.error();
@@ -88,7 +100,8 @@ Result<Ear> registeredEar(const ct::CtVolume& postoperative, const ct::CtVolume&
   ear.scala = *std::move(scala);
   ear.isRegistered = true;
   ear.residual_mm = motion->residual_mm;
-  if (motion->correlation < leastCorrelation || motion->residual_mm > mostResidual_mm) ear.flags.push_back(Flag::registrationPoor);
+  if (motion->correlation < minCorrelation || motion->residual_mm > maxResidual_mm)
+    ear.flags.push_back(Flag::registrationPoor);
   return ear;
 }
 
@@ -110,20 +123,27 @@ Result<Ear> measuredEar(const ct::CtVolume& postoperative, const ct::MeasureRequ
 std::optional<Sentence> differenceFrom(const Ear& ear, const anatomy::Patient& patient)
 {
   if (ear.measures.side != patient.side)
-    return Sentence{"This CT shows a %1 ear, and the patient's is the %2.", anatomy::nameOf(ear.measures.side), anatomy::nameOf(patient.side)};
+    return Sentence{"This CT shows a %1 ear, and the patient's is the %2.",
+                    anatomy::nameOf(ear.measures.side), anatomy::nameOf(patient.side)};
   if (std::find(ear.flags.begin(), ear.flags.end(), Flag::registrationPoor) != ear.flags.end())
     return Sentence{"The CTs before and after surgery do not agree around the cochlea."};
   if (!patient.basalTurn) return std::nullopt;
   const auto differs = [](const ct::Measure& here, Length there, Length error) {
     constexpr double beyond = 3.0;
-    return std::fabs(here.value - inMillimeters(there)) > beyond * std::hypot(here.sd(), inMillimeters(error));
+    return std::fabs(here.value - inMillimeters(there)) >
+           beyond * std::hypot(here.sd(), inMillimeters(error));
   };
   constexpr Length usual = millimeters(0.1);
-  const anatomy::BasalTurnErrors errors = patient.errors.value_or(anatomy::BasalTurnErrors{usual, usual});
+  const anatomy::BasalTurnErrors errors =
+      patient.errors.value_or(anatomy::BasalTurnErrors{usual, usual});
   if (differs(ear.measures.a, patient.basalTurn->a, errors.a))
-    return Sentence{"A is %1 mm in this CT, and %2 mm for the patient.", ct::millimetersOf(ear.measures.a.value), ct::millimetersOf(inMillimeters(patient.basalTurn->a))};
+    return Sentence{"A is %1 mm in this CT, and %2 mm for the patient.",
+                    ct::millimetersOf(ear.measures.a.value),
+                    ct::millimetersOf(inMillimeters(patient.basalTurn->a))};
   if (differs(ear.measures.b, patient.basalTurn->b, errors.b))
-    return Sentence{"B is %1 mm in this CT, and %2 mm for the patient.", ct::millimetersOf(ear.measures.b.value), ct::millimetersOf(inMillimeters(patient.basalTurn->b))};
+    return Sentence{"B is %1 mm in this CT, and %2 mm for the patient.",
+                    ct::millimetersOf(ear.measures.b.value),
+                    ct::millimetersOf(inMillimeters(patient.basalTurn->b))};
   return std::nullopt;
 }
 

@@ -15,14 +15,21 @@ constexpr double sectionStep = 2.0 * pi / 180.0;
 /// Center of both scalae above that of the scala tympani, as a part of its height: both are about equally
 /// high (mirror image of the scala tympani, anatomy::vestibuliOf()).
 constexpr double upward = 0.5;
-constexpr double nearDuct_mm = 1.5;     // across the duct: half its width and the blur of metal in it
+constexpr double nearDuct_mm = 1.5;  // across the duct: half its width and the blur of metal in it
 constexpr double nearOpening_mm = 3.0;  // from the opening's axis
-constexpr double beforeWindow = 25.0 * pi / 180.0;  // the first section also stands for points before the window
+constexpr double beforeWindow =
+    25.0 * pi / 180.0;  // the first section also stands for points before the window
 
 }  // namespace
 
 EarFrame::EarFrame(const Ear& ear)
-    : axes_(ear.measures.anatomyAxes_PW), origin_(ear.measures.anatomyOrigin_P), entry_(ear.scala->entry()), both_(anatomy::bothScalaeOf(*ear.scala)), lastAngle_(ear.scala->lastAngle().si()), step_(sectionStep), leadIn_mm_(inMillimeters(ear.scala->leadIn()))
+    : axes_(ear.measures.anatomyAxes_PW),
+      origin_(ear.measures.anatomyOrigin_P),
+      entry_(ear.scala->entry()),
+      both_(anatomy::bothScalaeOf(*ear.scala)),
+      lastAngle_(ear.scala->lastAngle().si()),
+      step_(sectionStep),
+      leadIn_mm_(inMillimeters(ear.scala->leadIn()))
 {
   double length = leadIn_mm_;
   Eigen::Vector3d former = Eigen::Vector3d::Zero();
@@ -32,7 +39,8 @@ EarFrame::EarFrame(const Ear& ear)
     if (!depth_.empty()) length += (center - former).norm();
     former = center;
     radius_.push_back(1e3 * section.centerRadius);
-    height_.push_back(1e3 * (section.centerHeight + upward * 0.5 * (section.roofHeight - section.floorHeight)));
+    height_.push_back(
+        1e3 * (section.centerHeight + upward * 0.5 * (section.roofHeight - section.floorHeight)));
     depth_.push_back(length);
   }
 }
@@ -64,7 +72,8 @@ Eigen::Vector3d EarFrame::center_P(double angle) const
   const double x = std::clamp(angle / step_, 0.0, static_cast<double>(depth_.size() - 2));
   const auto i = static_cast<std::size_t>(x);
   const double f = x - static_cast<double>(i);
-  const double r = radius_[i] + f * (radius_[i + 1] - radius_[i]), z = height_[i] + f * (height_[i + 1] - height_[i]);
+  const double r = radius_[i] + f * (radius_[i + 1] - radius_[i]),
+               z = height_[i] + f * (height_[i + 1] - height_[i]);
   const SineCosine direction = sineCosine(angle);
   return toP(1e-3 * Eigen::Vector3d(r * direction.cosine, r * direction.sine, z));
 }
@@ -93,7 +102,8 @@ EarPlace EarFrame::placeOf(const Eigen::Vector3d& point_P) const
   const double behind_mm = 1e3 * (entry_.origin_W - point_W).dot(entry_.out_W);
   const Eigen::Vector3d off = point_W - entry_.origin_W;
   const double besideAxis_mm = 1e3 * (off - off.dot(entry_.out_W) * entry_.out_W).norm();
-  if (best.angle < 0.5 * pi && behind_mm <= leadIn_mm_ && (behind_mm <= 0.0 || besideAxis_mm < nearest)) {
+  if (best.angle < 0.5 * pi && behind_mm <= leadIn_mm_ &&
+      (behind_mm <= 0.0 || besideAxis_mm < nearest)) {
     best.depth_mm = behind_mm;
     best.isInside = behind_mm > 0.0;
     best.angle = std::min(best.angle, 0.0);

@@ -12,12 +12,14 @@ namespace perilymph::outcome {
 
 /// Place of a point relative to the scala tympani.
 struct EarPlace {
-  double angle = 0.0;   ///< From the round window [rad], full turns included; below 0 before it.
+  double angle = 0.0;     ///< From the round window [rad], full turns included; below 0 before it.
   double depth_mm = 0.0;  ///< Along the section centers from the opening; negative outside.
-  double across_mm = 0.0;  ///< Distance from the center of both scalae in the half-plane, or from the opening's axis.
+  double across_mm =
+      0.0;  ///< Distance from the center of both scalae in the half-plane, or from the opening's axis.
   double radius_mm = 0.0;  ///< Distance from the modiolar axis.
   bool isInside = false;   ///< Past the opening.
-  bool isNearDuct = false;  ///< In the duct or so near to it as blurred metal in it; before the opening near its axis.
+  bool isNearDuct =
+      false;  ///< In the duct or so near to it as blurred metal in it; before the opening near its axis.
 };
 
 /// The ear's frame W [m] in the CT, P [mm].
@@ -25,9 +27,18 @@ class EarFrame {
 public:
   explicit EarFrame(const Ear& ear);
 
-  Eigen::Vector3d toW(const Eigen::Vector3d& point_P) const { return 1e-3 * (axes_.transpose() * (point_P - origin_)); }
-  Eigen::Vector3d toP(const Eigen::Vector3d& point_W) const { return origin_ + 1e3 * (axes_ * point_W); }
-  Eigen::Vector3d directionToP(const Eigen::Vector3d& direction_W) const { return axes_ * direction_W; }
+  Eigen::Vector3d toW(const Eigen::Vector3d& point_P) const
+  {
+    return 1e-3 * (axes_.transpose() * (point_P - origin_));
+  }
+  Eigen::Vector3d toP(const Eigen::Vector3d& point_W) const
+  {
+    return origin_ + 1e3 * (axes_ * point_W);
+  }
+  Eigen::Vector3d directionToP(const Eigen::Vector3d& direction_W) const
+  {
+    return axes_ * direction_W;
+  }
 
   /// The place of a point in P, in the turn whose duct is nearest.
   EarPlace placeOf(const Eigen::Vector3d& point_P) const;
@@ -47,7 +58,8 @@ private:
   anatomy::Entry entry_;
   std::shared_ptr<const anatomy::ScalaTympani> both_;
   double lastAngle_ = 0.0, step_ = 0.0, leadIn_mm_ = 0.0;
-  std::vector<double> radius_, height_, depth_;  ///< Of both scalae [mm], at multiples of the step.
+  std::vector<double> radius_, height_,
+      depth_;  ///< Course of both scalae [mm], at multiples of the step.
 };
 
 }  // namespace perilymph::outcome

@@ -23,22 +23,24 @@ using Eigen::Vector3d;
 // Error of the model along each direction that the fit does not know [mm]: a constant and a part of a voxel.
 // Calibrated on phantoms of the development seeds (module's README).
 constexpr double modelConstant_mm = 0.03, modelPerVoxel = 0.20;
-constexpr double handSd_mm = 0.2;          // of a contact that a person placed (choice)
-constexpr double definition_deg = 2.5;     // 0 degrees: as in ct's errors
+constexpr double handSd_mm = 0.2;       // of a contact that a person placed (choice)
+constexpr double definition_deg = 2.5;  // 0 degrees: as in ct's errors
 constexpr double definitionUnsure_deg = 15.0;
-constexpr double partitionSd_mm = 0.25;    // individual height of the membrane (choice, low confidence)
+constexpr double partitionSd_mm =
+    0.25;  // individual height of the membrane (choice, low confidence)
 constexpr double earSd_mm = 0.10, earSdFromThisCt_mm = 0.25;  // of the fitted ear's height
-constexpr double kinkPerMm = 1.6;          // curvature [1/mm]: a radius of 0.6 mm
-constexpr double foldBack_mm = 0.6;        // by which the depth decreases toward the tip
-constexpr double badLengths = 2.2;         // spacing errors in their standard deviations
-constexpr double translocated = 0.8;       // probability from which a contact counts as above
-constexpr int fewestTranslocated = 2;      // contacts that count, for the flag
+constexpr double kinkPerMm = 1.6;      // curvature [1/mm]: a radius of 0.6 mm
+constexpr double foldBack_mm = 0.6;    // by which the depth decreases toward the tip
+constexpr double badLengths = 2.2;     // spacing errors in their standard deviations
+constexpr double translocated = 0.8;   // probability from which a contact counts as above
+constexpr int fewestTranslocated = 2;  // contacts that count, for the flag
 
 /// Probability that a standard normal deviate is below x: by its distribution's error function.
 double below(double x) { return 0.5 * std::erfc(-x / std::sqrt(2.0)); }
 
 /// Nodes of the array at equal distances from the lead to the tip, W [m], as mechanics takes a shape.
-std::vector<Vector3d> nodesOf(const EarFrame& frame, const electrode::ArrayDesign& array, const std::vector<Vector3d>& course_P)
+std::vector<Vector3d> nodesOf(const EarFrame& frame, const electrode::ArrayDesign& array,
+                              const std::vector<Vector3d>& course_P)
 {
   constexpr int count = 160;
   std::vector<Vector3d> nodes;
@@ -52,7 +54,8 @@ std::vector<Vector3d> nodesOf(const EarFrame& frame, const electrode::ArrayDesig
     for (std::size_t k = 1; k < course_P.size(); ++k) {
       const double step = (course_P[k] - course_P[k - 1]).norm();
       if (gone + step >= fromTip) {
-        point = course_P[k - 1] + ((fromTip - gone) / std::max(step, 1e-9)) * (course_P[k] - course_P[k - 1]);
+        point = course_P[k - 1] +
+                ((fromTip - gone) / std::max(step, 1e-9)) * (course_P[k] - course_P[k - 1]);
         isFound = true;
         break;
       }
@@ -60,7 +63,8 @@ std::vector<Vector3d> nodesOf(const EarFrame& frame, const electrode::ArrayDesig
     }
     if (!isFound) {
       const std::size_t last = course_P.size() - 1;
-      point = course_P[last] + (fromTip - gone) * (course_P[last] - course_P[last - 1]).normalized();
+      point =
+          course_P[last] + (fromTip - gone) * (course_P[last] - course_P[last - 1]).normalized();
     }
     nodes.push_back(frame.toW(point));
   }
@@ -74,14 +78,19 @@ std::vector<Vector3d> courseThrough(std::vector<Vector3d> knots, double tip_mm)
   std::vector<Vector3d> course;
   for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
     const Vector3d &b = knots[i], &c = knots[i + 1];
-    const Vector3d a = i > 0 ? knots[i - 1] : Vector3d(2.0 * b - c), d = i + 2 < knots.size() ? knots[i + 2] : Vector3d(2.0 * c - b);
-    const double t0 = 0.0, t1 = t0 + std::sqrt(std::max(1e-6, (b - a).norm())), t2 = t1 + std::sqrt(std::max(1e-6, (c - b).norm())), t3 = t2 + std::sqrt(std::max(1e-6, (d - c).norm()));
+    const Vector3d a = i > 0 ? knots[i - 1] : Vector3d(2.0 * b - c),
+                   d = i + 2 < knots.size() ? knots[i + 2] : Vector3d(2.0 * c - b);
+    const double t0 = 0.0, t1 = t0 + std::sqrt(std::max(1e-6, (b - a).norm())),
+                 t2 = t1 + std::sqrt(std::max(1e-6, (c - b).norm())),
+                 t3 = t2 + std::sqrt(std::max(1e-6, (d - c).norm()));
     const int parts = std::max(1, static_cast<int>(std::ceil((c - b).norm() / 0.25)));
     for (int s = 0; s < parts; ++s) {
       const double t = t1 + (t2 - t1) * s / parts;
-      const Vector3d p = (t1 - t) / (t1 - t0) * a + (t - t0) / (t1 - t0) * b, q = (t2 - t) / (t2 - t1) * b + (t - t1) / (t2 - t1) * c,
+      const Vector3d p = (t1 - t) / (t1 - t0) * a + (t - t0) / (t1 - t0) * b,
+                     q = (t2 - t) / (t2 - t1) * b + (t - t1) / (t2 - t1) * c,
                      r = (t3 - t) / (t3 - t2) * c + (t - t2) / (t3 - t2) * d;
-      const Vector3d u = (t2 - t) / (t2 - t0) * p + (t - t0) / (t2 - t0) * q, v = (t3 - t) / (t3 - t1) * q + (t - t1) / (t3 - t1) * r;
+      const Vector3d u = (t2 - t) / (t2 - t0) * p + (t - t0) / (t2 - t0) * q,
+                     v = (t3 - t) / (t3 - t1) * q + (t - t1) / (t3 - t1) * r;
       course.push_back((t2 - t) / (t2 - t1) * u + (t - t1) / (t2 - t1) * v);
     }
   }
@@ -102,8 +111,9 @@ double lengthTo(const std::vector<Vector3d>& course, const Vector3d& point)
 
 }  // namespace
 
-Result<FoundArray> resultsOf(const ct::CtVolume& volume, const Ear& ear, const EarFrame& frame, const ContactsRequest& request,
-                             const FittedChain& chain, const std::vector<bool>& isFixed, const FoundEvidence& evidence)
+Result<FoundArray> resultsOf(const ct::CtVolume& volume, const Ear& ear, const EarFrame& frame,
+                             const ContactsRequest& request, const FittedChain& chain,
+                             const std::vector<bool>& isFixed, const FoundEvidence& evidence)
 {
   const electrode::ArrayDesign& array = request.array;
   const std::size_t count = array.contactsFromTip.size();
@@ -113,7 +123,8 @@ Result<FoundArray> resultsOf(const ct::CtVolume& volume, const Ear& ear, const E
   found.isRegistered = ear.isRegistered;
   found.residual_mm = ear.residual_mm;
   constexpr double fwhmPerSd = 2.3548;
-  found.fwhm_mm = fwhmPerSd * std::cbrt(chain.blurInPlane_mm * chain.blurInPlane_mm * chain.blurAxial_mm);
+  found.fwhm_mm =
+      fwhmPerSd * std::cbrt(chain.blurInPlane_mm * chain.blurInPlane_mm * chain.blurAxial_mm);
   found.flags = ear.flags;
   const auto raise = [&](Flag flag, bool isRaised) {
     if (isRaised && !found.has(flag)) found.flags.push_back(flag);
@@ -128,8 +139,10 @@ Result<FoundArray> resultsOf(const ct::CtVolume& volume, const Ear& ear, const E
   const std::vector<double> partition = anatomy::partitionHeights(*ear.scala);
   const double step = ear.scala->tables().step;
 
-  const double earSd = ear.isRegistered ? std::hypot(earSd_mm, ear.residual_mm) : earSdFromThisCt_mm;
-  const double ofZero_deg = ear.measures.has(ct::Flag::roundWindowUnsure) ? definitionUnsure_deg : definition_deg;
+  const double earSd =
+      ear.isRegistered ? std::hypot(earSd_mm, ear.residual_mm) : earSdFromThisCt_mm;
+  const double ofZero_deg =
+      ear.measures.has(ct::Flag::roundWindowUnsure) ? definitionUnsure_deg : definition_deg;
 
   // turns: from the lead to the tip, so that the angle is unwrapped along the array
   std::vector<double> angle(count, 0.0);
@@ -139,7 +152,8 @@ Result<FoundArray> resultsOf(const ct::CtVolume& volume, const Ear& ear, const E
     for (std::size_t i = count; i-- > 0;) {
       const EarPlace place = frame.placeOf(chain.position_P[i]);
       const Vector3d at_W = frame.toW(chain.position_P[i]);
-      isInside[i] = place.isInside && (entry.origin_W - at_W).dot(entry.out_W) > (place.angle < 0.5 * pi ? 0.0 : -1.0);
+      isInside[i] = place.isInside && (entry.origin_W - at_W).dot(entry.out_W) >
+                                          (place.angle < 0.5 * pi ? 0.0 : -1.0);
       if (!isInside[i]) continue;
       double here = arcTangent(at_W.y(), at_W.x());
       // the turn nearest to that of the neighbor, or of the duct for the first
@@ -157,8 +171,11 @@ Result<FoundArray> resultsOf(const ct::CtVolume& volume, const Ear& ear, const E
     contact.number = static_cast<int>(i) + 1;
     contact.position_P = chain.position_P[i];
     contact.isByHand = i < isFixed.size() && isFixed[i];
-    contact.isSeenSingly = evidence.isSeenSingly && i < evidence.isSeen.size() && evidence.isSeen[i];
-    const double model = contact.isByHand ? handSd_mm : modelConstant_mm + modelPerVoxel * std::cbrt(volume.spacing_mm().prod());
+    contact.isSeenSingly =
+        evidence.isSeenSingly && i < evidence.isSeen.size() && evidence.isSeen[i];
+    const double model =
+        contact.isByHand ? handSd_mm
+                         : modelConstant_mm + modelPerVoxel * std::cbrt(volume.spacing_mm().prod());
     contact.covariance_P = chain.covariance_P[i] + model * model * Matrix3d::Identity();
     contact.isInside = isInside[i];
     if (contact.isInside) {
@@ -166,32 +183,47 @@ Result<FoundArray> resultsOf(const ct::CtVolume& volume, const Ear& ear, const E
       const double r_mm = 1e3 * at_W.head<2>().norm();
       const Vector3d around = frame.directionToP(Vector3d(-at_W.y(), at_W.x(), 0.0).normalized());
       const double along = std::sqrt(std::max(0.0, around.dot(contact.covariance_P * around)));
-      contact.angle_deg = {inDegrees(radians(angle[i])), std::hypot(std::hypot(inDegrees(radians(along / std::max(0.5, r_mm))), ofZero_deg), inDegrees(radians(0.5 * earSd / std::max(0.5, r_mm))))};
-      const anatomy::Section section = ear.scala->section(std::clamp(angle[i], 0.0, ear.scala->lastAngle().si()));
+      contact.angle_deg = {
+          inDegrees(radians(angle[i])),
+          std::hypot(std::hypot(inDegrees(radians(along / std::max(0.5, r_mm))), ofZero_deg),
+                     inDegrees(radians(0.5 * earSd / std::max(0.5, r_mm))))};
+      const anatomy::Section section =
+          ear.scala->section(std::clamp(angle[i], 0.0, ear.scala->lastAngle().si()));
       contact.modiolus_mm = r_mm - 1e3 * section.innerRadius;
       contact.outerWall_mm = 1e3 * section.outerRadius - r_mm;
       const double x = std::clamp(angle[i] / step, 0.0, static_cast<double>(partition.size() - 1));
       const auto k = std::min(static_cast<std::size_t>(x), partition.size() - 2);
-      const double height_mm = 1e3 * (partition[k] + (x - static_cast<double>(k)) * (partition[k + 1] - partition[k]));
+      const double height_mm =
+          1e3 * (partition[k] + (x - static_cast<double>(k)) * (partition[k + 1] - partition[k]));
       const Vector3d up = frame.directionToP(Vector3d::UnitZ());
-      const double sd = std::sqrt(std::max(0.0, up.dot(contact.covariance_P * up)) + earSd * earSd + partitionSd_mm * partitionSd_mm);
+      const double sd = std::sqrt(std::max(0.0, up.dot(contact.covariance_P * up)) + earSd * earSd +
+                                  partitionSd_mm * partitionSd_mm);
       contact.inScalaTympani = below((height_mm - 1e3 * at_W.z()) / sd);
-      const auto greenwood = [&](double deg) { return analysis::greenwoodFrequency(1.0 - organ.fractionAt(degrees(std::max(0.0, deg)))); };
-      const auto ganglion = [&](double deg) { return analysis::spiralGanglionFrequency(degrees(std::max(0.0, deg))); };
+      const auto greenwood = [&](double deg) {
+        return analysis::greenwoodFrequency(1.0 - organ.fractionAt(degrees(std::max(0.0, deg))));
+      };
+      const auto ganglion = [&](double deg) {
+        return analysis::spiralGanglionFrequency(degrees(std::max(0.0, deg)));
+      };
       const auto [low, high] = contact.angle_deg.interval95();
       contact.greenwood_Hz = {greenwood(contact.angle_deg.value), greenwood(high), greenwood(low)};
-      contact.spiralGanglion_Hz = {ganglion(contact.angle_deg.value), ganglion(high), ganglion(low)};
+      contact.spiralGanglion_Hz = {ganglion(contact.angle_deg.value), ganglion(high),
+                                   ganglion(low)};
       if (i < filters->size()) {
         contact.filter_Hz = (*filters)[i];
-        contact.mismatch_semitones = 12.0 * std::log2(contact.spiralGanglion_Hz[0] / contact.filter_Hz);
+        contact.mismatch_semitones =
+            12.0 * std::log2(contact.spiralGanglion_Hz[0] / contact.filter_Hz);
       }
     }
     found.contacts.push_back(contact);
   }
 
   // depth
-  const auto apical = std::find_if(found.contacts.begin(), found.contacts.end(), [](const FoundContact& each) { return each.isInside; });
-  found.contactsInside = static_cast<int>(std::count_if(found.contacts.begin(), found.contacts.end(), [](const FoundContact& each) { return each.isInside; }));
+  const auto apical = std::find_if(found.contacts.begin(), found.contacts.end(),
+                                   [](const FoundContact& each) { return each.isInside; });
+  found.contactsInside =
+      static_cast<int>(std::count_if(found.contacts.begin(), found.contacts.end(),
+                                     [](const FoundContact& each) { return each.isInside; }));
   if (apical != found.contacts.end()) {
     found.angularInsertionDepth_deg = apical->angle_deg;
     const Vector3d tip_W = frame.toW(found.course_P.front());
@@ -208,13 +240,17 @@ Result<FoundArray> resultsOf(const ct::CtVolume& volume, const Ear& ear, const E
     bool isOut = false;
     std::vector<Vector3d> course = found.course_P;
     const Vector3d lead = (course.back() - course[course.size() - 2]).normalized();
-    for (int i = 0; i < 80; ++i) course.push_back(course.back() + 0.25 * lead);  // beyond what was fitted, straight
+    for (int i = 0; i < 80; ++i)
+      course.push_back(course.back() + 0.25 * lead);  // beyond what was fitted, straight
     for (std::size_t i = 0; i < course.size() && !isOut; ++i) {
       const EarPlace place = frame.placeOf(course[i]);
       const double step_mm = i > 0 ? (course[i] - course[i - 1]).norm() : 0.0;
       if (!place.isInside && i > 0) {
         const EarPlace before = frame.placeOf(course[i - 1]);
-        const double part = before.depth_mm > place.depth_mm ? std::clamp(before.depth_mm / (before.depth_mm - place.depth_mm), 0.0, 1.0) : 0.0;
+        const double part =
+            before.depth_mm > place.depth_mm
+                ? std::clamp(before.depth_mm / (before.depth_mm - place.depth_mm), 0.0, 1.0)
+                : 0.0;
         inserted = gone + part * step_mm;
         isOut = true;
       }
@@ -240,12 +276,17 @@ Result<FoundArray> resultsOf(const ct::CtVolume& volume, const Ear& ear, const E
   }
   found.isFolded = shallowestAfter > foldBack_mm;
   for (const FoundContact& each : found.contacts)
-    if (each.isInside) found.translocationProbability = std::max(found.translocationProbability, 1.0 - each.inScalaTympani);
+    if (each.isInside)
+      found.translocationProbability =
+          std::max(found.translocationProbability, 1.0 - each.inScalaTympani);
   for (std::size_t i = count; i-- > 0;)
-    if (isInside[i] && 1.0 - found.contacts[i].inScalaTympani > translocated && found.translocationAngle_deg == 0.0) found.translocationAngle_deg = found.contacts[i].angle_deg.value;
+    if (isInside[i] && 1.0 - found.contacts[i].inScalaTympani > translocated &&
+        found.translocationAngle_deg == 0.0)
+      found.translocationAngle_deg = found.contacts[i].angle_deg.value;
   bool isKinked = false, isClipped = false;
   for (std::size_t i = 1; i + 1 < count; ++i) {
-    const Vector3d a = chain.position_P[i] - chain.position_P[i - 1], b = chain.position_P[i + 1] - chain.position_P[i];
+    const Vector3d a = chain.position_P[i] - chain.position_P[i - 1],
+                   b = chain.position_P[i + 1] - chain.position_P[i];
     const double turn = arcTangent(a.cross(b).norm(), a.dot(b));
     isKinked = isKinked || 2.0 * turn / (a.norm() + b.norm()) > kinkPerMm;
   }
@@ -253,11 +294,15 @@ Result<FoundArray> resultsOf(const ct::CtVolume& volume, const Ear& ear, const E
   raise(Flag::secondAssignment, evidence.isSecondNear);
   raise(Flag::missingContacts, evidence.areMissing);
   raise(Flag::extraMetal, evidence.unexplained > 1);
-  raise(Flag::arrayDoesNotFit, evidence.areManyMissing || chain.lengthMisfit > badLengths || evidence.unexplained > 3);
+  raise(Flag::arrayDoesNotFit,
+        evidence.areManyMissing || chain.lengthMisfit > badLengths || evidence.unexplained > 3);
   raise(Flag::notSeenSingly, !evidence.isSeenSingly);
   raise(Flag::fold, found.isFolded);
   raise(Flag::kink, isKinked && !found.isFolded);
-  raise(Flag::possibleTranslocation, std::count_if(found.contacts.begin(), found.contacts.end(), [](const FoundContact& each) { return each.isInside && 1.0 - each.inScalaTympani > translocated; }) >= fewestTranslocated);
+  raise(Flag::possibleTranslocation,
+        std::count_if(found.contacts.begin(), found.contacts.end(), [](const FoundContact& each) {
+          return each.isInside && 1.0 - each.inScalaTympani > translocated;
+        }) >= fewestTranslocated);
   raise(Flag::contactsOutside, found.contactsInside < static_cast<int>(count));
   raise(Flag::earFromThisCt, !ear.isRegistered);
   raise(Flag::clipped, isClipped);

@@ -14,12 +14,14 @@ struct FoundEvidence {
   bool isSeenSingly = true;
   std::vector<bool> isSeen;  ///< For each contact.
   int seen = 0, unexplained = 0;
-  double shiftMargin = 0.0;  ///< Cost of the best fit with other numbers of the contacts above the best.
+  double shiftMargin =
+      0.0;  ///< Cost of the best fit with other numbers of the contacts above the best.
   bool isSecondNear = false, areMissing = false, areManyMissing = false, isCoarse = false;
   double largestVoxel_mm = 0.0;
 };
 
-Result<FoundArray> resultsOf(const ct::CtVolume& volume, const Ear& ear, const EarFrame& frame, const ContactsRequest& request,
-                             const FittedChain& chain, const std::vector<bool>& isFixed, const FoundEvidence& evidence);
+Result<FoundArray> resultsOf(const ct::CtVolume& volume, const Ear& ear, const EarFrame& frame,
+                             const ContactsRequest& request, const FittedChain& chain,
+                             const std::vector<bool>& isFixed, const FoundEvidence& evidence);
 
 }  // namespace perilymph::outcome

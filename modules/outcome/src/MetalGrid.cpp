@@ -12,11 +12,11 @@ namespace perilymph::outcome {
 namespace {
 
 constexpr double finest_mm = 0.15, coarsestGrid_mm = 0.25;  // of the grid's step
-constexpr double boneFrom_mm = 0.6, boneTo_mm = 1.2;    // beyond the wall
-constexpr double quartileSd = 0.6745;                   // of a normal distribution
-constexpr double leastFloor = 250.0;                    // above the bone [intensity]
-constexpr std::size_t clippedVoxels = 12;               // of the largest value: it is a limit
-constexpr double widerBy = 1.6;                         // Marr and Hildreth 1980: nearest to the Laplacian
+constexpr double boneFrom_mm = 0.6, boneTo_mm = 1.2;        // beyond the wall
+constexpr double quartileSd = 0.6745;                       // of a normal distribution
+constexpr double minFloor = 250.0;                          // above the bone [intensity]
+constexpr std::size_t clippedVoxels = 12;                   // of the largest value: it is a limit
+constexpr double widerBy = 1.6;  // Marr and Hildreth 1980: nearest to the Laplacian
 
 double quantile(std::vector<double>& values, double fraction)
 {
@@ -34,14 +34,17 @@ std::vector<double> boneAround(const ct::CtVolume& volume, const ct::CochleaMeas
   if (ring == 0) return bone;
   for (std::size_t first = 0; first + ring <= measures.wall_P.size(); first += ring) {
     Eigen::Vector3d center = Eigen::Vector3d::Zero();
-    for (std::size_t i = 0; i < ring; ++i) center += measures.wall_P[first + i] / static_cast<double>(ring);
+    for (std::size_t i = 0; i < ring; ++i)
+      center += measures.wall_P[first + i] / static_cast<double>(ring);
     for (std::size_t i = 0; i < ring; i += 2) {
       const Eigen::Vector3d out = measures.wall_P[first + i] - center;
       const Eigen::Vector3d fromAxis = measures.wall_P[first + i] - measures.center_P;
       // toward the modiolus bone is porous, and other turns follow
-      if (out.dot(fromAxis - fromAxis.dot(measures.axis_P) * measures.axis_P) < 0.5 * out.norm()) continue;
+      if (out.dot(fromAxis - fromAxis.dot(measures.axis_P) * measures.axis_P) < 0.5 * out.norm())
+        continue;
       for (double d = boneFrom_mm; d <= boneTo_mm; d += 0.3)
-        if (const auto value = volume.sample(measures.wall_P[first + i] + d * out.normalized())) bone.push_back(*value);
+        if (const auto value = volume.sample(measures.wall_P[first + i] + d * out.normalized()))
+          bone.push_back(*value);
     }
   }
   return bone;
@@ -63,37 +66,43 @@ double MetalGrid::sample(const std::vector<float>& values, const Eigen::Vector3d
   double sum = 0.0;
   for (int corner = 0; corner < 8; ++corner) {
     const int a = corner & 1, b = (corner >> 1) & 1, c = corner >> 2;
-    const double weight = (a ? part[0] : 1.0 - part[0]) * (b ? part[1] : 1.0 - part[1]) * (c ? part[2] : 1.0 - part[2]);
+    const double weight = (a ? part[0] : 1.0 - part[0]) * (b ? part[1] : 1.0 - part[1]) *
+                          (c ? part[2] : 1.0 - part[2]);
     sum += weight * static_cast<double>(values[index(low[0] + a, low[1] + b, low[2] + c)]);
   }
   return sum;
 }
 
-MetalGrid metalAround(const ct::CtVolume& volume, const Ear& ear, const EarFrame& frame, double reach_mm, double blur_mm)
+MetalGrid metalAround(const ct::CtVolume& volume, const Ear& ear, const EarFrame& frame,
+                      double reach_mm, double blur_mm)
 {
   MetalGrid grid;
   std::vector<double> bone = boneAround(volume, ear.measures);
   grid.bone = bone.empty() ? ear.measures.boneLevel : quantile(bone, 0.5);
-  grid.boneSpread = bone.empty() ? 100.0 : std::max(50.0, (grid.bone - quantile(bone, 0.25)) / quartileSd);
-  grid.floor = grid.bone + std::max(leastFloor, 3.0 * grid.boneSpread);
+  grid.boneSpread =
+      bone.empty() ? 100.0 : std::max(50.0, (grid.bone - quantile(bone, 0.25)) / quartileSd);
+  grid.floor = grid.bone + std::max(minFloor, 3.0 * grid.boneSpread);
 
   std::int16_t largest = ct::unmeasured;
   for (const std::int16_t voxel : volume.voxels()) largest = std::max(largest, voxel);
-  if (static_cast<std::size_t>(std::count(volume.voxels().begin(), volume.voxels().end(), largest)) >= clippedVoxels)
+  if (static_cast<std::size_t>(
+          std::count(volume.voxels().begin(), volume.voxels().end(), largest)) >= clippedVoxels)
     grid.ceiling = largest;
 
   grid.step_mm = std::clamp(volume.spacing_mm().minCoeff(), finest_mm, coarsestGrid_mm);
   const int half = static_cast<int>(std::ceil(reach_mm / grid.step_mm));
   grid.size = {2 * half + 1, 2 * half + 1, 2 * half + 1};
   grid.first_P = ear.measures.center_P - grid.step_mm * Eigen::Vector3d::Constant(half);
-  grid.value.resize(static_cast<std::size_t>(grid.size[0]) * static_cast<std::size_t>(grid.size[1]) *
+  grid.value.resize(static_cast<std::size_t>(grid.size[0]) *
+                    static_cast<std::size_t>(grid.size[1]) *
                     static_cast<std::size_t>(grid.size[2]));
   // bone and lumen as the scanner shows them
   std::vector<float> bonePart(grid.value.size());
   for (int k = 0; k < grid.size[2]; ++k)
     for (int j = 0; j < grid.size[1]; ++j)
       for (int i = 0; i < grid.size[0]; ++i)
-        bonePart[grid.index(i, j, k)] = static_cast<float>(frame.bonePart(grid.at_P(i, j, k), 0.5 * grid.step_mm));
+        bonePart[grid.index(i, j, k)] =
+            static_cast<float>(frame.bonePart(grid.at_P(i, j, k), 0.5 * grid.step_mm));
   bonePart = blurred(grid, bonePart, blur_mm);
   constexpr double usualContent = 100.0;
   for (int k = 0; k < grid.size[2]; ++k)
@@ -119,8 +128,10 @@ std::vector<float> blurred(const MetalGrid& grid, const std::vector<float>& valu
     kernel.push_back(static_cast<float>(exponential(-0.5 * d * d / (sigma * sigma)) / sum));
   std::vector<float> from = values, to(values.size());
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const std::size_t stride = axis == 0 ? 1 : axis == 1 ? static_cast<std::size_t>(grid.size[0])
-                                                        : static_cast<std::size_t>(grid.size[0]) * static_cast<std::size_t>(grid.size[1]);
+    const std::size_t stride = axis == 0   ? 1
+                               : axis == 1 ? static_cast<std::size_t>(grid.size[0])
+                                           : static_cast<std::size_t>(grid.size[0]) *
+                                                 static_cast<std::size_t>(grid.size[1]);
     const int count = grid.size[axis];
     for (std::size_t cell = 0; cell < from.size(); ++cell) {
       const int here = static_cast<int>((cell / stride) % static_cast<std::size_t>(count));
@@ -128,7 +139,8 @@ std::vector<float> blurred(const MetalGrid& grid, const std::vector<float>& valu
       const int low = std::max(-reach, -here), high = std::min(reach, count - 1 - here);
       for (int d = low; d <= high; ++d)
         total += kernel[static_cast<std::size_t>(d + reach)] *
-                 from[cell + static_cast<std::size_t>(static_cast<std::ptrdiff_t>(d) * static_cast<std::ptrdiff_t>(stride))];
+                 from[cell + static_cast<std::size_t>(static_cast<std::ptrdiff_t>(d) *
+                                                      static_cast<std::ptrdiff_t>(stride))];
       to[cell] = total;
     }
     std::swap(from, to);
@@ -142,8 +154,10 @@ std::vector<Blob> blobsOf(const MetalGrid& grid, double sigma_mm)
   const std::vector<float> wide = blurred(grid, grid.value, widerBy * sigma_mm);
   std::vector<float> narrow = once;
   for (std::size_t i = 0; i < narrow.size(); ++i) narrow[i] -= wide[i];
-  const auto leastCurvature = [&](int i, int j, int k) {
-    const auto at = [&](int a, int b, int c) { return static_cast<double>(once[grid.index(i + a, j + b, k + c)]); };
+  const auto minCurvature = [&](int i, int j, int k) {
+    const auto at = [&](int a, int b, int c) {
+      return static_cast<double>(once[grid.index(i + a, j + b, k + c)]);
+    };
     const double here = at(0, 0, 0);
     Eigen::Matrix3d bend;
     bend(0, 0) = at(1, 0, 0) - 2.0 * here + at(-1, 0, 0);
@@ -168,7 +182,8 @@ std::vector<Blob> blobsOf(const MetalGrid& grid, double sigma_mm)
               if (a == 0 && b == 0 && c == 0) continue;
               const float there = narrow[grid.index(i + a, j + b, k + c)];
               // of equal ones the first counts
-              isPeak = there < here || (there == here && (c > 0 || (c == 0 && (b > 0 || (b == 0 && a > 0)))));
+              isPeak = there < here ||
+                       (there == here && (c > 0 || (c == 0 && (b > 0 || (b == 0 && a > 0)))));
             }
         if (!isPeak) continue;
         Eigen::Vector3d off;
@@ -179,9 +194,10 @@ std::vector<Blob> blobsOf(const MetalGrid& grid, double sigma_mm)
           const double bend = up - 2.0 * static_cast<double>(here) + down;
           off[axis] = bend < 0.0 ? std::clamp(0.5 * (down - up) / bend, -0.5, 0.5) : 0.0;
         }
-        blobs.push_back({grid.at_P(i, j, k) + grid.step_mm * off, leastCurvature(i, j, k)});
+        blobs.push_back({grid.at_P(i, j, k) + grid.step_mm * off, minCurvature(i, j, k)});
       }
-  std::stable_sort(blobs.begin(), blobs.end(), [](const Blob& a, const Blob& b) { return a.strength > b.strength; });
+  std::stable_sort(blobs.begin(), blobs.end(),
+                   [](const Blob& a, const Blob& b) { return a.strength > b.strength; });
   return blobs;
 }
 

@@ -18,7 +18,7 @@ struct MetalGrid {
   std::array<int, 3> size{};
   double step_mm = 0.2;
   Eigen::Vector3d first_P = Eigen::Vector3d::Zero();  ///< Center of the first cell.
-  std::vector<float> value;                           ///< Intensity above what bone and lumen can have there, at least 0.
+  std::vector<float> value;  ///< Intensity above what bone and lumen can have there, at least 0.
   double bone = 0.0;         ///< Median intensity of the bone around the cochlea.
   double boneSpread = 0.0;   ///< Its standard deviation, by quartiles.
   double floor = 0.0;        ///< Above this a voxel is not bone; in the lumen less counts as metal.
@@ -26,10 +26,15 @@ struct MetalGrid {
 
   std::size_t index(int i, int j, int k) const
   {
-    return (static_cast<std::size_t>(k) * static_cast<std::size_t>(size[1]) + static_cast<std::size_t>(j)) *
-               static_cast<std::size_t>(size[0]) + static_cast<std::size_t>(i);
+    return (static_cast<std::size_t>(k) * static_cast<std::size_t>(size[1]) +
+            static_cast<std::size_t>(j)) *
+               static_cast<std::size_t>(size[0]) +
+           static_cast<std::size_t>(i);
   }
-  Eigen::Vector3d at_P(int i, int j, int k) const { return first_P + step_mm * Eigen::Vector3d(i, j, k); }
+  Eigen::Vector3d at_P(int i, int j, int k) const
+  {
+    return first_P + step_mm * Eigen::Vector3d(i, j, k);
+  }
   /// Trilinear; 0 outside.
   double sample(const std::vector<float>& values, const Eigen::Vector3d& point_P) const;
 };
@@ -38,10 +43,12 @@ struct MetalGrid {
 inline constexpr double aboveContent = 350.0;
 
 /// The metal within `reach_mm` of the cochlea along every axis.
-MetalGrid metalAround(const ct::CtVolume& volume, const Ear& ear, const EarFrame& frame, double reach_mm, double blur_mm);
+MetalGrid metalAround(const ct::CtVolume& volume, const Ear& ear, const EarFrame& frame,
+                      double reach_mm, double blur_mm);
 
 /// Separable Gaussian of a standard deviation in mm.
-std::vector<float> blurred(const MetalGrid& grid, const std::vector<float>& values, double sigma_mm);
+std::vector<float> blurred(const MetalGrid& grid, const std::vector<float>& values,
+                           double sigma_mm);
 
 /// A bright place: the center of a blob.
 struct Blob {

@@ -17,7 +17,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int format = 1;
-constexpr std::size_t mostContacts = 64, mostCourse = 4000;
+constexpr std::size_t maxFoundContacts = 64, maxCourse = 4000;
 constexpr double farthest_mm = 10'000.0;
 
 // Writing.
@@ -36,12 +36,9 @@ Json described(const std::array<double, 3>& frequency)
 
 Json described(const FoundContact& contact)
 {
-  Json json{{"number", contact.number},
-            {"position_lps_mm", described(contact.position_P)},
-            {"error_mm", contact.error_mm()},
-            {"seen_singly", contact.isSeenSingly},
-            {"by_hand", contact.isByHand},
-            {"inside", contact.isInside}};
+  Json json{{"number", contact.number},       {"position_lps_mm", described(contact.position_P)},
+            {"error_mm", contact.error_mm()}, {"seen_singly", contact.isSeenSingly},
+            {"by_hand", contact.isByHand},    {"inside", contact.isInside}};
   if (!contact.isInside) return json;
   json["angle_deg"] = described(contact.angle_deg);
   json["modiolus_mm"] = contact.modiolus_mm;
@@ -94,9 +91,11 @@ public:
 
   double number(const char* key, double low, double high)
   {
-    if (!json_.is_object() || !json_.contains(key) || !json_[key].is_number()) return refuse(key, "a number");
+    if (!json_.is_object() || !json_.contains(key) || !json_[key].is_number())
+      return refuse(key, "a number");
     const double value = json_[key].get<double>();
-    if (!(value >= low && value <= high)) return refuse(key, "a number from " + shown(low) + " to " + shown(high));
+    if (!(value >= low && value <= high))
+      return refuse(key, "a number from " + shown(low) + " to " + shown(high));
     return value;
   }
   std::optional<double> maybe(const char* key, double low, double high)
@@ -117,7 +116,8 @@ public:
   }
   bool flag(const char* key)
   {
-    if (json_.is_object() && json_.contains(key) && json_[key].is_boolean()) return json_[key].get<bool>();
+    if (json_.is_object() && json_.contains(key) && json_[key].is_boolean())
+      return json_[key].get<bool>();
     refuse(key, "true or false");
     return false;
   }
@@ -183,7 +183,8 @@ public:
     }
     Reader inner(json_[key], name_ + "." + key);
     std::array<double, 3> result{inner.number("value", 0.0, 1e6), 0.0, 0.0};
-    const Json& range = json_[key].is_object() && json_[key].contains("ci95") ? json_[key]["ci95"] : Json();
+    const Json& range =
+        json_[key].is_object() && json_[key].contains("ci95") ? json_[key]["ci95"] : Json();
     if (!range.is_array() || range.size() != 2 || !range[0].is_number() || !range[1].is_number())
       refuse(key, "an object with value and ci95");
     else
@@ -222,8 +223,10 @@ private:
 FoundContact contactIn(const Json& json, Reader& reader)
 {
   FoundContact contact;
-  contact.number = reader.whole("number", 1, static_cast<int>(mostContacts));
-  contact.position_P = reader.point(json.is_object() && json.contains("position_lps_mm") ? json["position_lps_mm"] : Json(), "position_lps_mm");
+  contact.number = reader.whole("number", 1, static_cast<int>(maxFoundContacts));
+  contact.position_P = reader.point(
+      json.is_object() && json.contains("position_lps_mm") ? json["position_lps_mm"] : Json(),
+      "position_lps_mm");
   const double error = reader.number("error_mm", 0.0, 100.0);
   contact.covariance_P = error * error * Eigen::Matrix3d::Identity();
   contact.isSeenSingly = reader.flag("seen_singly");
@@ -251,10 +254,12 @@ Surgery surgeryIn(Reader& reader)
   surgery.lubricant = reader.text("lubricant", 40, false);
   surgery.tilt_deg = reader.maybe("tilt_deg", -90.0, 90.0);
   surgery.turn_deg = reader.maybe("turn_deg", -90.0, 90.0);
-  if (const auto depth = reader.maybe("intended_depth_mm", 0.0, 40.0)) surgery.intendedDepth = millimeters(*depth);
+  if (const auto depth = reader.maybe("intended_depth_mm", 0.0, 40.0))
+    surgery.intendedDepth = millimeters(*depth);
   surgery.intendedContacts = reader.maybeWhole("intended_contacts", 0, 64);
   surgery.isMarkReached = reader.maybeFlag("mark_reached");
-  if (const auto outside = reader.maybe("outside_mm", 0.0, 40.0)) surgery.outside = millimeters(*outside);
+  if (const auto outside = reader.maybe("outside_mm", 0.0, 40.0))
+    surgery.outside = millimeters(*outside);
   surgery.contactsOutside = reader.maybeWhole("contacts_outside", 0, 64);
   surgery.stopReason = reader.choice("stop_reason", stopReasons);
   surgery.contactAtResistance = reader.maybeWhole("contact_at_resistance", 1, 64);
@@ -273,22 +278,28 @@ const FieldMeanings& columns()
       {"y_lps_mm", "mm", "The same, toward the back."},
       {"z_lps_mm", "mm", "The same, toward the head."},
       {"error_mm", "mm", "Standard deviation of the position along each direction."},
-      {"seen_singly", "", "1: the contact was seen by itself; 0: it was placed by the array's spacings."},
+      {"seen_singly", "",
+       "1: the contact was seen by itself; 0: it was placed by the array's spacings."},
       {"by_hand", "", "1: a person placed it."},
-      {"inside", "", "1: past the opening of the cochlea. If 0, the columns that follow are empty."},
+      {"inside", "",
+       "1: past the opening of the cochlea. If 0, the columns that follow are empty."},
       {"angle_deg", "degrees", "Angle from the center of the round window, full turns included."},
       {"angle_low95_deg", "degrees", "Lower end of its 95 % interval."},
       {"angle_high95_deg", "degrees", "Upper end of its 95 % interval."},
       {"modiolus_mm", "mm", "Distance to the inner wall, toward the modiolar axis."},
       {"outer_wall_mm", "mm", "Distance to the outer wall."},
-      {"in_scala_tympani", "", "Probability that it lies below the basilar membrane, which no CT shows."},
-      {"greenwood_Hz", "Hz", "Estimated place frequency along the organ of Corti (Greenwood 1990)."},
+      {"in_scala_tympani", "",
+       "Probability that it lies below the basilar membrane, which no CT shows."},
+      {"greenwood_Hz", "Hz",
+       "Estimated place frequency along the organ of Corti (Greenwood 1990)."},
       {"greenwood_low95_Hz", "Hz", "At the upper end of the angle's interval."},
       {"greenwood_high95_Hz", "Hz", "At the lower end of the angle's interval."},
-      {"spiral_ganglion_Hz", "Hz", "Estimated place frequency on the spiral ganglion (Stakhovskaya et al. 2007)."},
+      {"spiral_ganglion_Hz", "Hz",
+       "Estimated place frequency on the spiral ganglion (Stakhovskaya et al. 2007)."},
       {"spiral_ganglion_low95_Hz", "Hz", "At the upper end of the angle's interval."},
       {"spiral_ganglion_high95_Hz", "Hz", "At the lower end of the angle's interval."},
-      {"filter_Hz", "Hz", "Center of the contact's default filter; empty if its maker states none."},
+      {"filter_Hz", "Hz",
+       "Center of the contact's default filter; empty if its maker states none."},
       {"mismatch_semitones", "semitones", "Spiral-ganglion frequency above the filter's center."}};
   return all;
 }
@@ -311,19 +322,23 @@ std::string outcomeJson(const OutcomeContent& content)
   json["side"] = anatomy::nameOf(found.side);
   json["angular_insertion_depth_deg"] = described(found.angularInsertionDepth_deg);
   json["tip_angle_deg"] = found.tipAngle_deg;
-  json["inserted_length_mm"] = described(Uncertain{found.insertedLength_mm, found.insertedLengthSd_mm});
+  json["inserted_length_mm"] =
+      described(Uncertain{found.insertedLength_mm, found.insertedLengthSd_mm});
   json["contacts_inside"] = found.contactsInside;
   json["outside_mm"] = found.outside_mm;
   json["fold"] = found.isFolded;
-  json["translocation"] = {{"probability", found.translocationProbability}, {"angle_deg", found.translocationAngle_deg}};
-  json["registration"] = {{"from", found.isRegistered ? "CT before surgery" : "this CT"}, {"residual_mm", found.residual_mm}};
+  json["translocation"] = {{"probability", found.translocationProbability},
+                           {"angle_deg", found.translocationAngle_deg}};
+  json["registration"] = {{"from", found.isRegistered ? "CT before surgery" : "this CT"},
+                          {"residual_mm", found.residual_mm}};
   json["blur_fwhm_mm"] = found.fwhm_mm;
   json["flags"] = Json::array();
   for (const Flag flag : found.flags) json["flags"].push_back(nameOf(flag));
   json["contacts"] = Json::array();
   for (const FoundContact& contact : found.contacts) json["contacts"].push_back(described(contact));
   json["course_lps_mm"] = Json::array();
-  for (const Eigen::Vector3d& point : found.course_P) json["course_lps_mm"].push_back(described(point));
+  for (const Eigen::Vector3d& point : found.course_P)
+    json["course_lps_mm"].push_back(described(point));
   json["surgery"] = described(content.surgery);
   if (!content.plan.empty()) json["plan"] = content.plan;
   if (!content.series.empty()) json["series_sha256"] = content.series;
@@ -339,7 +354,8 @@ Result<OutcomeContent> outcomeIn(const std::string& text, const std::string& nam
     return Error{"%1 is no outcome: it is not JSON. Make it by perilymph-cli ct contacts.", name};
   Reader reader(json, name);
   if (const int made = reader.whole("format", 0, 1000); !reader.error() && made != format)
-    return Error{"%1 has format %2; this program reads %3. Use a newer program.", name, std::to_string(made), std::to_string(format)};
+    return Error{"%1 has format %2; this program reads %3. Use a newer program.", name,
+                 std::to_string(made), std::to_string(format)};
   OutcomeContent content;
   FoundArray& found = content.found;
   found.array = reader.text("array", 60, true);
@@ -349,7 +365,7 @@ Result<OutcomeContent> outcomeIn(const std::string& text, const std::string& nam
   const Uncertain inserted = reader.uncertain("inserted_length_mm", 0.0, 60.0);
   found.insertedLength_mm = inserted.value;
   found.insertedLengthSd_mm = inserted.sd;
-  found.contactsInside = reader.whole("contacts_inside", 0, static_cast<int>(mostContacts));
+  found.contactsInside = reader.whole("contacts_inside", 0, static_cast<int>(maxFoundContacts));
   found.outside_mm = reader.number("outside_mm", 0.0, 60.0);
   found.isFolded = reader.flag("fold");
   const auto part = [&](const char* key) -> const Json& {
@@ -376,23 +392,29 @@ Result<OutcomeContent> outcomeIn(const std::string& text, const std::string& nam
       if (!isKnown) reader.refuse("flags", "a list of flags that the guide names");
     }
   }
-  if (!json.contains("contacts") || !json["contacts"].is_array() || json["contacts"].empty() || json["contacts"].size() > mostContacts) {
+  if (!json.contains("contacts") || !json["contacts"].is_array() || json["contacts"].empty() ||
+      json["contacts"].size() > maxFoundContacts) {
     reader.refuse("contacts", "a list of 1 to 64 contacts");
   } else {
     int last = 0;
     for (const Json& each : json["contacts"]) {
       Reader contact(each, name + ".contacts[" + std::to_string(found.contacts.size()) + "]");
       found.contacts.push_back(contactIn(each, contact));
-      if (!contact.error() && found.contacts.back().number <= last) contact.refuse("number", "a number above that of the contact before");
+      if (!contact.error() && found.contacts.back().number <= last)
+        contact.refuse("number", "a number above that of the contact before");
       last = found.contacts.back().number;
       reader.take(contact);
     }
-    const auto inside = std::count_if(found.contacts.begin(), found.contacts.end(), [](const FoundContact& each) { return each.isInside; });
+    const auto inside = std::count_if(found.contacts.begin(), found.contacts.end(),
+                                      [](const FoundContact& each) { return each.isInside; });
     if (!reader.error() && inside != found.contactsInside)
-      reader.refuse("contacts_inside", "the number of contacts that are inside, " + std::to_string(inside) + ",");
+      reader.refuse("contacts_inside",
+                    "the number of contacts that are inside, " + std::to_string(inside) + ",");
   }
-  if (json.contains("course_lps_mm") && json["course_lps_mm"].is_array() && json["course_lps_mm"].size() <= mostCourse)
-    for (const Json& each : json["course_lps_mm"]) found.course_P.push_back(reader.point(each, "course_lps_mm"));
+  if (json.contains("course_lps_mm") && json["course_lps_mm"].is_array() &&
+      json["course_lps_mm"].size() <= maxCourse)
+    for (const Json& each : json["course_lps_mm"])
+      found.course_P.push_back(reader.point(each, "course_lps_mm"));
   else
     reader.refuse("course_lps_mm", "a list of up to 4,000 points");
   Reader surgery(part("surgery"), name + ".surgery");
@@ -402,7 +424,8 @@ Result<OutcomeContent> outcomeIn(const std::string& text, const std::string& nam
   content.series = reader.text("series_sha256", 64, false);
   found.seconds = reader.maybe("seconds", 0.0, 1e6).value_or(0.0);
   if (reader.error()) return *reader.error();
-  if (const auto checked = checkSurgery(content.surgery); !checked) return Error{"%1: %2", name, checked.error().message};
+  if (const auto checked = checkSurgery(content.surgery); !checked)
+    return Error{"%1: %2", name, checked.error().message};
   return content;
 }
 
@@ -412,13 +435,17 @@ std::string outcomeCsv(const FoundArray& found)
   for (const FoundContact& c : found.contacts) {
     csv += std::to_string(c.number);
     for (Eigen::Index i = 0; i < 3; ++i) csv += "," + plain(c.position_P[i]);
-    csv += "," + plain(c.error_mm()) + (c.isSeenSingly ? ",1" : ",0") + (c.isByHand ? ",1" : ",0") + (c.isInside ? ",1" : ",0");
+    csv += "," + plain(c.error_mm()) + (c.isSeenSingly ? ",1" : ",0") + (c.isByHand ? ",1" : ",0") +
+           (c.isInside ? ",1" : ",0");
     if (c.isInside) {
       const auto [low, high] = c.angle_deg.interval95();
-      for (const double value : {c.angle_deg.value, low, high, c.modiolus_mm, c.outerWall_mm, c.inScalaTympani, c.greenwood_Hz[0], c.greenwood_Hz[1],
-                                 c.greenwood_Hz[2], c.spiralGanglion_Hz[0], c.spiralGanglion_Hz[1], c.spiralGanglion_Hz[2]})
+      for (const double value :
+           {c.angle_deg.value, low, high, c.modiolus_mm, c.outerWall_mm, c.inScalaTympani,
+            c.greenwood_Hz[0], c.greenwood_Hz[1], c.greenwood_Hz[2], c.spiralGanglion_Hz[0],
+            c.spiralGanglion_Hz[1], c.spiralGanglion_Hz[2]})
         csv += "," + plain(value);
-      csv += c.filter_Hz > 0.0 ? "," + plain(c.filter_Hz) + "," + plain(c.mismatch_semitones) : ",,";
+      csv +=
+          c.filter_Hz > 0.0 ? "," + plain(c.filter_Hz) + "," + plain(c.mismatch_semitones) : ",,";
     } else {
       csv += std::string(14, ',');
     }
@@ -439,14 +466,30 @@ std::string outcomeMarkups(const FoundArray& found)
 {
   Json points = Json::array();
   for (const FoundContact& contact : found.contacts)
-    points.push_back({{"id", std::to_string(contact.number)}, {"label", std::to_string(contact.number)}, {"position", described(contact.position_P)}, {"positionStatus", "defined"}});
+    points.push_back({{"id", std::to_string(contact.number)},
+                      {"label", std::to_string(contact.number)},
+                      {"position", described(contact.position_P)},
+                      {"positionStatus", "defined"}});
   Json course = Json::array();
   for (std::size_t i = 0; i < found.course_P.size(); ++i)
-    course.push_back({{"id", std::to_string(i + 1)}, {"label", ""}, {"position", described(found.course_P[i])}, {"positionStatus", "defined"}});
-  const Json json{
-      {"@schema", "https://raw.githubusercontent.com/slicer/slicer/master/Modules/Loadable/Markups/Resources/Schema/markups-schema-v1.0.3.json#"},
-      {"markups", {{{"type", "Fiducial"}, {"name", "contacts"}, {"coordinateSystem", "LPS"}, {"coordinateUnits", "mm"}, {"controlPoints", points}},
-                   {{"type", "Curve"}, {"name", "array"}, {"coordinateSystem", "LPS"}, {"coordinateUnits", "mm"}, {"controlPoints", course}}}}};
+    course.push_back({{"id", std::to_string(i + 1)},
+                      {"label", ""},
+                      {"position", described(found.course_P[i])},
+                      {"positionStatus", "defined"}});
+  const Json json{{"@schema",
+                   "https://raw.githubusercontent.com/slicer/slicer/master/Modules/Loadable/"
+                   "Markups/Resources/Schema/markups-schema-v1.0.3.json#"},
+                  {"markups",
+                   {{{"type", "Fiducial"},
+                     {"name", "contacts"},
+                     {"coordinateSystem", "LPS"},
+                     {"coordinateUnits", "mm"},
+                     {"controlPoints", points}},
+                    {{"type", "Curve"},
+                     {"name", "array"},
+                     {"coordinateSystem", "LPS"},
+                     {"coordinateUnits", "mm"},
+                     {"controlPoints", course}}}}};
   return json.dump(2) + "\n";
 }
 

@@ -17,23 +17,28 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double fitReach_mm = 0.9;       // from the polyline: voxels of the fit
-constexpr double leadPart_mm = 0.5;    // of the lead that is fitted, too
-constexpr double plate_mm = 0.4;       // size of a contact across the array (low confidence: plates differ)
+constexpr double fitReach_mm = 0.9;  // from the polyline: voxels of the fit
+constexpr double leadPart_mm = 0.5;  // of the lead that is fitted, too
+constexpr double plate_mm =
+    0.4;  // size of a contact across the array (low confidence: plates differ)
 constexpr double wireStep_mm = 0.2;
 constexpr double studentDegrees = 4.0;
-constexpr double modelPart = 0.08;     // error of the model as a part of the metal's signal
-constexpr double leastNoise = 40.0;
-constexpr double blurSpread = 0.35;    // of the blur about its guess
-constexpr double amplitudeSpread = 0.4, mergedSpread = 0.25;  // among contacts, and among those not seen singly
-constexpr double leastLead_mm = 1.5, leadPerPitch = 1.3;
-constexpr double keptSd_mm = 0.002;    // what a person placed stays
+constexpr double modelPart = 0.08;  // error of the model as a part of the metal's signal
+constexpr double minNoise = 40.0;
+constexpr double blurSpread = 0.35;  // of the blur about its guess
+constexpr double amplitudeSpread = 0.4,
+                 mergedSpread = 0.25;  // among contacts, and among those not seen singly
+constexpr double minLead_mm = 1.5, leadPerPitch = 1.3;
+constexpr double keptSd_mm = 0.002;  // what a person placed stays
 
 /// Normal density of one blur and what its derivatives need.
 struct Spot {
   Matrix3d inverse;
   double factor;
-  double value(const Vector3d& off) const { return factor * exponential(-0.5 * off.dot(inverse * off)); }
+  double value(const Vector3d& off) const
+  {
+    return factor * exponential(-0.5 * off.dot(inverse * off));
+  }
 };
 
 Spot spotOf(const Matrix3d& covariance)
@@ -49,11 +54,19 @@ struct Voxel {
 
 class Fit {
 public:
-  Fit(const ct::CtVolume& volume, const MetalGrid& grid, const Ear& ear, const electrode::ArrayDesign& array, const FittedChain& start, const RefinementSettings& settings)
-      : array_(array), settings_(settings), ceiling_(grid.ceiling), count_(array.contactsFromTip.size()), chain_(start)
+  Fit(const ct::CtVolume& volume, const MetalGrid& grid, const Ear& ear,
+      const electrode::ArrayDesign& array, const FittedChain& start,
+      const RefinementSettings& settings)
+      : array_(array),
+        settings_(settings),
+        ceiling_(grid.ceiling),
+        count_(array.contactsFromTip.size()),
+        chain_(start)
   {
     spacing_ = volume.spacing_mm();
-    lead_mm_ = std::max(leastLead_mm, leadPerPitch * inMillimeters(array.contactsFromTip[count_ - 1] - array.contactsFromTip[count_ - 2]));
+    lead_mm_ =
+        std::max(minLead_mm, leadPerPitch * inMillimeters(array.contactsFromTip[count_ - 1] -
+                                                          array.contactsFromTip[count_ - 2]));
     Eigen::Index slow = 2;
     for (Eigen::Index i = 0; i < 3; ++i)
       if (spacing_[i] > 1.05 * spacing_[slow]) slow = i;
@@ -61,10 +74,13 @@ public:
     guess_ = {start.blurInPlane_mm, start.blurAxial_mm};
     size_ = static_cast<Eigen::Index>(3 * (count_ + 1) + count_ + 6);
     x_ = Eigen::VectorXd::Zero(size_);
-    for (std::size_t i = 0; i <= count_; ++i) x_.segment<3>(3 * static_cast<Eigen::Index>(i)) = start.position_P[i];
+    for (std::size_t i = 0; i <= count_; ++i)
+      x_.segment<3>(3 * static_cast<Eigen::Index>(i)) = start.position_P[i];
     x_[blurAt()] = start.blurInPlane_mm;
     x_[blurAt() + 1] = start.blurAxial_mm;
-    x_[levelAt()] = ear.measures.lumenLevel < 500.0 && ear.measures.lumenLevel > -300.0 ? ear.measures.lumenLevel : 50.0;
+    x_[levelAt()] = ear.measures.lumenLevel < 500.0 && ear.measures.lumenLevel > -300.0
+                        ? ear.measures.lumenLevel
+                        : 50.0;
     x_[levelAt() + 1] = grid.bone;
     collect(volume, ear);
     startAmplitudes(grid);
@@ -77,7 +93,7 @@ public:
     for (int round = 0; round < settings_.rounds; ++round) {
       setChords();
       const System system = assemble(x_, true);
-      if (round > 0 || true) noise_ = std::max(leastNoise, 0.5 * noise_ + 0.5 * system.spread);
+      if (round > 0 || true) noise_ = std::max(minNoise, 0.5 * noise_ + 0.5 * system.spread);
       const double before = assembleCost(x_);
       bool isBetter = false;
       for (int attempt = 0; attempt < 6 && !isBetter; ++attempt) {
@@ -111,12 +127,16 @@ private:
   Eigen::Index wireAt() const { return amplitudeAt() + static_cast<Eigen::Index>(count_); }
   Eigen::Index levelAt() const { return wireAt() + 2; }
   Eigen::Index blurAt() const { return levelAt() + 2; }
-  Vector3d nodeOf(const Eigen::VectorXd& x, std::size_t i) const { return x.segment<3>(3 * static_cast<Eigen::Index>(i)); }
+  Vector3d nodeOf(const Eigen::VectorXd& x, std::size_t i) const
+  {
+    return x.segment<3>(3 * static_cast<Eigen::Index>(i));
+  }
 
   Matrix3d blurOf(const Eigen::VectorXd& x) const
   {
     const Matrix3d across = normal_ * normal_.transpose();
-    return x[blurAt()] * x[blurAt()] * (Matrix3d::Identity() - across) + x[blurAt() + 1] * x[blurAt() + 1] * across;
+    return x[blurAt()] * x[blurAt()] * (Matrix3d::Identity() - across) +
+           x[blurAt() + 1] * x[blurAt() + 1] * across;
   }
 
   void collect(const ct::CtVolume& volume, const Ear& ear)
@@ -130,14 +150,19 @@ private:
       std::array<int, 3> low{}, high{};
       for (std::size_t axis = 0; axis < 3; ++axis) {
         const auto at = static_cast<Eigen::Index>(axis);
-        low[axis] = std::max(0, static_cast<int>(std::ceil(center[at] - fitReach_mm / spacing_[at])));
-        high[axis] = std::min(size[axis] - 1, static_cast<int>(std::floor(center[at] + fitReach_mm / spacing_[at])));
+        low[axis] =
+            std::max(0, static_cast<int>(std::ceil(center[at] - fitReach_mm / spacing_[at])));
+        high[axis] = std::min(
+            size[axis] - 1, static_cast<int>(std::floor(center[at] + fitReach_mm / spacing_[at])));
       }
       for (int k = low[2]; k <= high[2]; ++k)
         for (int j = low[1]; j <= high[1]; ++j)
           for (int i = low[0]; i <= high[0]; ++i)
             if ((volume.toLps(Vector3d(i, j, k)) - point_P).norm() <= fitReach_mm)
-              marked.push_back((static_cast<std::size_t>(k) * static_cast<std::size_t>(size[1]) + static_cast<std::size_t>(j)) * static_cast<std::size_t>(size[0]) + static_cast<std::size_t>(i));
+              marked.push_back((static_cast<std::size_t>(k) * static_cast<std::size_t>(size[1]) +
+                                static_cast<std::size_t>(j)) *
+                                   static_cast<std::size_t>(size[0]) +
+                               static_cast<std::size_t>(i));
     };
     for (const Vector3d& point_P : settings_.around_P) markAround(point_P);
     for (std::size_t i = 0; settings_.around_P.empty() && i < count_; ++i) {
@@ -145,7 +170,8 @@ private:
       Vector3d b = chain_.position_P[i + 1];
       if (i + 1 == count_) b = a + std::min(leadPart_mm, (b - a).norm()) * (b - a).normalized();
       const int samples = std::max(1, static_cast<int>(std::ceil((b - a).norm() / longest)));
-      for (int s = 0; s <= samples; ++s) markAround(a + (static_cast<double>(s) / samples) * (b - a));
+      for (int s = 0; s <= samples; ++s)
+        markAround(a + (static_cast<double>(s) / samples) * (b - a));
     }
     std::sort(marked.begin(), marked.end());
     marked.erase(std::unique(marked.begin(), marked.end()), marked.end());
@@ -153,8 +179,10 @@ private:
       const std::int16_t value = volume.voxels()[cell];
       if (value == ct::unmeasured) continue;
       const auto i = static_cast<double>(cell % static_cast<std::size_t>(size[0]));
-      const auto j = static_cast<double>((cell / static_cast<std::size_t>(size[0])) % static_cast<std::size_t>(size[1]));
-      const auto k = static_cast<double>(cell / (static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1])));
+      const auto j = static_cast<double>((cell / static_cast<std::size_t>(size[0])) %
+                                         static_cast<std::size_t>(size[1]));
+      const auto k = static_cast<double>(
+          cell / (static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1])));
       const Vector3d point = volume.toLps({i, j, k});
       voxels_.push_back({point, static_cast<double>(value), frame.bonePart(point, guess_[0])});
     }
@@ -166,7 +194,8 @@ private:
     const double atCenter = spotOf(blur + plate_mm * plate_mm / 12.0 * Matrix3d::Identity()).factor;
     double sum = 0.0;
     for (std::size_t i = 0; i < count_; ++i) {
-      const double metal = std::max(300.0, grid.sample(grid.value, chain_.position_P[i]) + aboveContent);
+      const double metal =
+          std::max(300.0, grid.sample(grid.value, chain_.position_P[i]) + aboveContent);
       x_[amplitudeAt() + static_cast<Eigen::Index>(i)] = 0.8 * metal / atCenter;
       sum += metal;
     }
@@ -186,12 +215,14 @@ private:
     std::vector<double> whole(count_, 0.0), nearer(count_, 0.0);
     double top = contactOffset / (offsetSd * offsetSd), bottom = 1.0 / (offsetSd * offsetSd);
     for (std::size_t i = 0; i + 1 < count_; ++i) {
-      const double arc = inMillimeters(array_.contactsFromTip[i + 1]) - inMillimeters(array_.contactsFromTip[i]);
+      const double arc =
+          inMillimeters(array_.contactsFromTip[i + 1]) - inMillimeters(array_.contactsFromTip[i]);
       double bend = 0.0;
       int known = 0;
       for (const std::size_t at : {i, i + 1}) {
         if (at == 0) continue;
-        const Vector3d a = nodeOf(x_, at) - nodeOf(x_, at - 1), b = nodeOf(x_, at + 1) - nodeOf(x_, at);
+        const Vector3d a = nodeOf(x_, at) - nodeOf(x_, at - 1),
+                       b = nodeOf(x_, at + 1) - nodeOf(x_, at);
         const double turn = arcTangent(a.cross(b).norm(), a.dot(b));
         bend += 2.0 * turn / std::max(0.1, a.norm() + b.norm());
         ++known;
@@ -228,7 +259,8 @@ private:
     }
     x[wireAt()] = std::max(0.0, x[wireAt()]);
     x[wireAt() + 1] = std::max(-x[wireAt()] / static_cast<double>(count_), x[wireAt() + 1]);
-    for (Eigen::Index i = 0; i < 2; ++i) x[blurAt() + i] = std::clamp(x[blurAt() + i], 0.4 * guess_[i], 2.5 * guess_[i]);
+    for (Eigen::Index i = 0; i < 2; ++i)
+      x[blurAt() + i] = std::clamp(x[blurAt() + i], 0.4 * guess_[i], 2.5 * guess_[i]);
     return x;
   }
 
@@ -259,7 +291,8 @@ private:
     for (std::size_t i = 0; i < count_; ++i) {
       const Vector3d along = (nodeOf(x, i + 1) - nodeOf(x, i > 0 ? i - 1 : 0)).normalized();
       const Matrix3d t = along * along.transpose();
-      p.contact.push_back(spotOf(blur + length * length / 12.0 * t + plate_mm * plate_mm / 12.0 * (Matrix3d::Identity() - t)));
+      p.contact.push_back(spotOf(blur + length * length / 12.0 * t +
+                                 plate_mm * plate_mm / 12.0 * (Matrix3d::Identity() - t)));
     }
     p.wire = spotOf(blur);
     for (std::size_t i = 0; i < count_; ++i) {
@@ -276,7 +309,8 @@ private:
     return p;
   }
 
-  void evaluate(const Eigen::VectorXd& x, const Prepared& p, const Voxel& voxel, bool withSlopes, Local& local) const
+  void evaluate(const Eigen::VectorXd& x, const Prepared& p, const Voxel& voxel, bool withSlopes,
+                Local& local) const
   {
     local.slope.clear();
     local.metal = 0.0;
@@ -298,7 +332,8 @@ private:
       local.metal += amplitude * density;
       if (!withSlopes) continue;
       const Vector3d y = p.contact[i].inverse * off;
-      for (Eigen::Index d = 0; d < 3; ++d) local.slope.emplace_back(3 * static_cast<Eigen::Index>(i) + d, amplitude * density * y[d]);
+      for (Eigen::Index d = 0; d < 3; ++d)
+        local.slope.emplace_back(3 * static_cast<Eigen::Index>(i) + d, amplitude * density * y[d]);
       local.slope.emplace_back(amplitudeAt() + static_cast<Eigen::Index>(i), density);
       addBlur(p.contact[i], y, amplitude * density);
     }
@@ -402,17 +437,21 @@ private:
       add(-(x[c] - (1.0 + ratio) * x[b] + ratio * x[a]), 1.0 / (0.6 * 0.6), slope);
     }
     double mean = 0.0;
-    for (std::size_t i = 0; i < count_; ++i) mean += x[amplitudeAt() + static_cast<Eigen::Index>(i)] / static_cast<double>(count_);
+    for (std::size_t i = 0; i < count_; ++i)
+      mean += x[amplitudeAt() + static_cast<Eigen::Index>(i)] / static_cast<double>(count_);
     const double spread = settings_.isSeenSingly ? amplitudeSpread : mergedSpread;
     for (std::size_t i = 0; i < count_; ++i)
-      one(amplitudeAt() + static_cast<Eigen::Index>(i), x[amplitudeAt() + static_cast<Eigen::Index>(i)], mean, std::max(1.0, spread * mean));
-    for (Eigen::Index i = 0; i < 2; ++i) one(blurAt() + i, x[blurAt() + i], guess_[i], blurSpread * guess_[i]);
+      one(amplitudeAt() + static_cast<Eigen::Index>(i),
+          x[amplitudeAt() + static_cast<Eigen::Index>(i)], mean, std::max(1.0, spread * mean));
+    for (Eigen::Index i = 0; i < 2; ++i)
+      one(blurAt() + i, x[blurAt() + i], guess_[i], blurSpread * guess_[i]);
     one(levelAt(), x[levelAt()], 50.0, 400.0);
     one(levelAt() + 1, x[levelAt() + 1], boneGuess(), 300.0);
     for (std::size_t i = 0; i < count_; ++i)
       if (i < settings_.isFixed.size() && settings_.isFixed[i])
         for (Eigen::Index d = 0; d < 3; ++d)
-          one(3 * static_cast<Eigen::Index>(i) + d, x[3 * static_cast<Eigen::Index>(i) + d], chain_.position_P[i][d], keptSd_mm);
+          one(3 * static_cast<Eigen::Index>(i) + d, x[3 * static_cast<Eigen::Index>(i) + d],
+              chain_.position_P[i][d], keptSd_mm);
   }
 
   double boneGuess() const { return bone_; }
@@ -421,7 +460,8 @@ private:
   {
     if (bone_ == 0.0) bone_ = x[levelAt() + 1];
     System system{Eigen::MatrixXd::Zero(size_, size_), Eigen::VectorXd::Zero(size_), 0.0};
-    const auto add = [&](double residual, double weight, const std::vector<std::pair<Eigen::Index, double>>& slope) {
+    const auto add = [&](double residual, double weight,
+                         const std::vector<std::pair<Eigen::Index, double>>& slope) {
       for (const auto& [i, a] : slope) {
         system.right[i] += weight * residual * a;
         for (const auto& [j, b] : slope) system.left(i, j) += weight * a * b;
@@ -436,12 +476,14 @@ private:
       const double residual = residualOf(voxel, local.model);
       if (voxel.intensity >= ceiling_ && residual == 0.0) continue;
       const double variance = varianceOf(local.metal);
-      const double weight = (studentDegrees + 1.0) / (studentDegrees + residual * residual / variance) / variance;
+      const double weight =
+          (studentDegrees + 1.0) / (studentDegrees + residual * residual / variance) / variance;
       add(residual, weight * independent, local.slope);
       if (withSpread && local.metal < 3.0 * noise_) left.push_back(std::fabs(residual));
     }
     if (!left.empty()) {
-      std::nth_element(left.begin(), left.begin() + static_cast<std::ptrdiff_t>(left.size() / 2), left.end());
+      std::nth_element(left.begin(), left.begin() + static_cast<std::ptrdiff_t>(left.size() / 2),
+                       left.end());
       system.spread = left[left.size() / 2] / 0.6745;
     }
     priors(x, add);
@@ -458,9 +500,14 @@ private:
       evaluate(x, p, voxel, false, local);
       const double residual = residualOf(voxel, local.model);
       const double variance = varianceOf(local.metal);
-      cost += independent * ((studentDegrees + 1.0) * logarithm(1.0 + residual * residual / (studentDegrees * variance)) + logarithm(variance));
+      cost +=
+          independent * ((studentDegrees + 1.0) *
+                             logarithm(1.0 + residual * residual / (studentDegrees * variance)) +
+                         logarithm(variance));
     }
-    priors(x, [&](double residual, double weight, const auto&) { cost += weight * residual * residual; });
+    priors(x, [&](double residual, double weight, const auto&) {
+      cost += weight * residual * residual;
+    });
     return cost;
   }
 
@@ -468,7 +515,8 @@ private:
   double correlated() const
   {
     double voxels = 1.0;
-    for (Eigen::Index i = 0; i < 3; ++i) voxels *= std::max(1.0, 2.0 * std::sqrt(pi) * 0.6 * guess_[0] / spacing_[i]);
+    for (Eigen::Index i = 0; i < 3; ++i)
+      voxels *= std::max(1.0, 2.0 * std::sqrt(pi) * 0.6 * guess_[0] / spacing_[i]);
     return voxels;
   }
 
@@ -476,7 +524,8 @@ private:
   {
     setChords();
     const System system = assemble(x_, true);
-    const Eigen::MatrixXd covariance = system.left.ldlt().solve(Eigen::MatrixXd::Identity(size_, size_));
+    const Eigen::MatrixXd covariance =
+        system.left.ldlt().solve(Eigen::MatrixXd::Identity(size_, size_));
     FittedChain fitted = chain_;
     fitted.covariance_P.clear();
     fitted.amplitude.clear();
@@ -487,7 +536,8 @@ private:
       fitted.covariance_P.push_back(covariance.block<3, 3>(at, at));
       fitted.amplitude.push_back(x_[amplitudeAt() + static_cast<Eigen::Index>(i)]);
       if (i + 1 < count_) {
-        const double off = ((fitted.position_P[i + 1] - fitted.position_P[i]).norm() - chord_[i]) / chordSd_[i];
+        const double off =
+            ((fitted.position_P[i + 1] - fitted.position_P[i]).norm() - chord_[i]) / chordSd_[i];
         sum += off * off / static_cast<double>(count_ - 1);
       }
     }
@@ -501,7 +551,7 @@ private:
 
   const electrode::ArrayDesign& array_;
   const RefinementSettings& settings_;
-  double ceiling_, lead_mm_ = leastLead_mm;
+  double ceiling_, lead_mm_ = minLead_mm;
   std::size_t count_;
   FittedChain chain_;
   Vector3d spacing_, normal_;
@@ -515,8 +565,9 @@ private:
 
 }  // namespace
 
-FittedChain refined(const ct::CtVolume& volume, const MetalGrid& grid, const Ear& ear, const electrode::ArrayDesign& array,
-                    FittedChain start, const RefinementSettings& settings)
+FittedChain refined(const ct::CtVolume& volume, const MetalGrid& grid, const Ear& ear,
+                    const electrode::ArrayDesign& array, FittedChain start,
+                    const RefinementSettings& settings)
 {
   return Fit(volume, grid, ear, array, start, settings).run();
 }

@@ -25,19 +25,21 @@ inline constexpr double contactOffset = 0.7;
 
 /// The chain before or after the fit.
 struct FittedChain {
-  std::vector<Eigen::Vector3d> position_P;  ///< Of the contacts from the tip, then a point of the lead.
-  std::vector<Eigen::Matrix3d> covariance_P;  ///< Of the contacts [mm^2], statistical.
-  std::vector<double> amplitude;  ///< Of the contacts [intensity mm^3].
+  std::vector<Eigen::Vector3d> position_P;    ///< Contacts from the tip, then a point of the lead.
+  std::vector<Eigen::Matrix3d> covariance_P;  ///< Statistical covariance of each contact [mm^2].
+  std::vector<double> amplitude;              ///< Each contact's [intensity mm^3].
   double blurInPlane_mm = 0.2, blurAxial_mm = 0.2;  ///< Standard deviations.
-  double residual = 0.0;   ///< Robust standard deviation of what is left [intensity].
+  double residual = 0.0;      ///< Robust standard deviation of what is left [intensity].
   double lengthMisfit = 0.0;  ///< Root mean square of spacing errors, in their standard deviations.
-  double cost = 0.0;  ///< Minus twice the logarithm of the likelihood, with the priors, but for a constant of the voxels.
+  double cost =
+      0.0;  ///< Minus twice the logarithm of the likelihood, with the priors, but for a constant of the voxels.
 };
 
 /// What the fit may change.
 struct RefinementSettings {
-  bool isSeenSingly = true;     ///< Else all contacts share an amplitude but for a tenth of its square.
-  std::vector<bool> isFixed;    ///< Contacts that a person placed.
+  bool isSeenSingly =
+      true;  ///< Else all contacts share an amplitude but for a tenth of its square.
+  std::vector<bool> isFixed;  ///< Contacts that a person placed.
   int rounds = 12;
   /// If not empty: the voxels of the fit are those near these points, so that costs of several chains compare; else
   /// those near the chain.
@@ -45,7 +47,8 @@ struct RefinementSettings {
 };
 
 /// Fits the model. `start` gives the positions of all contacts, in P, and a point of the lead.
-FittedChain refined(const ct::CtVolume& volume, const MetalGrid& grid, const Ear& ear, const electrode::ArrayDesign& array,
-                    FittedChain start, const RefinementSettings& settings);
+FittedChain refined(const ct::CtVolume& volume, const MetalGrid& grid, const Ear& ear,
+                    const electrode::ArrayDesign& array, FittedChain start,
+                    const RefinementSettings& settings);
 
 }  // namespace perilymph::outcome

@@ -10,12 +10,13 @@ namespace perilymph::outcome {
 
 namespace {
 
-constexpr double brightPart = 0.10;   // of the typical brightness of the ridge: the array is there
-constexpr double endPart = 0.25;      // the apical end is at least so bright
-constexpr double sigma_mm = 0.2;      // of the picture in which the path is searched
+constexpr double brightPart = 0.10;  // of the typical brightness of the ridge: the array is there
+constexpr double endPart = 0.25;     // the apical end is at least so bright
+constexpr double sigma_mm = 0.2;     // of the picture in which the path is searched
 constexpr double spacing_mm = 0.1;
-constexpr double startBehind_mm = 2.5, startBefore_mm = -1.0;  // past the opening, where the path starts
-constexpr double mostTurned = 0.6;    // [rad] between neighboring cells
+constexpr double startBehind_mm = 2.5,
+                 startBefore_mm = -1.0;  // past the opening, where the path starts
+constexpr double maxTurned = 0.6;        // [rad] between neighboring cells
 constexpr double radiusOfCentering_mm = 0.5;
 
 /// Equal distances along a polyline.
@@ -56,7 +57,8 @@ void center(const MetalGrid& grid, std::vector<Eigen::Vector3d>& points)
 {
   const std::vector<Eigen::Vector3d> before = points;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const Eigen::Vector3d along = (before[std::min(i + 2, before.size() - 1)] - before[i >= 2 ? i - 2 : 0]).normalized();
+    const Eigen::Vector3d along =
+        (before[std::min(i + 2, before.size() - 1)] - before[i >= 2 ? i - 2 : 0]).normalized();
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     double weight = 0.0;
     const int reach = static_cast<int>(std::ceil(radiusOfCentering_mm / grid.step_mm));
@@ -64,7 +66,8 @@ void center(const MetalGrid& grid, std::vector<Eigen::Vector3d>& points)
       for (int b = -reach; b <= reach; ++b)
         for (int a = -reach; a <= reach; ++a) {
           Eigen::Vector3d off = grid.step_mm * Eigen::Vector3d(a, b, c);
-          if (off.norm() > radiusOfCentering_mm || std::fabs(off.dot(along)) > 0.75 * grid.step_mm) continue;
+          if (off.norm() > radiusOfCentering_mm || std::fabs(off.dot(along)) > 0.75 * grid.step_mm)
+            continue;
           off -= off.dot(along) * along;
           const double value = grid.sample(grid.value, before[i] + off);
           sum += value * off;
@@ -83,7 +86,8 @@ Eigen::Vector3d alongPolyline(const std::vector<Eigen::Vector3d>& points, double
   if (distance <= 0.0) return points.front() + distance * (points[1] - points[0]).normalized();
   for (std::size_t i = 1; i < points.size(); ++i) {
     const double length = (points[i] - points[i - 1]).norm();
-    if (distance <= length && length > 0.0) return points[i - 1] + (distance / length) * (points[i] - points[i - 1]);
+    if (distance <= length && length > 0.0)
+      return points[i - 1] + (distance / length) * (points[i] - points[i - 1]);
     distance -= length;
   }
   const std::size_t last = points.size() - 1;
@@ -108,7 +112,8 @@ std::vector<Eigen::Vector3d> ridgeOf(const MetalGrid& grid, const EarFrame& fram
       }
   if (bright.size() < 20) return {};
   const std::size_t typicalAt = bright.size() - 1 - std::min(bright.size() - 1, bright.size() / 20);
-  std::nth_element(bright.begin(), bright.begin() + static_cast<std::ptrdiff_t>(typicalAt), bright.end());
+  std::nth_element(bright.begin(), bright.begin() + static_cast<std::ptrdiff_t>(typicalAt),
+                   bright.end());
   const double typical = static_cast<double>(bright[typicalAt]);
 
   // minimal path from the opening
@@ -117,14 +122,17 @@ std::vector<Eigen::Vector3d> ridgeOf(const MetalGrid& grid, const EarFrame& fram
   using Entry = std::pair<double, std::size_t>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
   for (std::size_t cell = 0; cell < picture.size(); ++cell)
-    if (isNear[cell] && static_cast<double>(picture[cell]) > brightPart * typical && places[cell].depth_mm > startBefore_mm &&
-        places[cell].depth_mm < startBehind_mm && places[cell].angle < 0.6) {
+    if (isNear[cell] && static_cast<double>(picture[cell]) > brightPart * typical &&
+        places[cell].depth_mm > startBefore_mm && places[cell].depth_mm < startBehind_mm &&
+        places[cell].angle < 0.6) {
       cost[cell] = 0.0;
       from[cell] = cell;
       queue.push({0.0, cell});
     }
   const auto stride = [&](int a, int b, int c) {
-    return static_cast<std::ptrdiff_t>(a) + static_cast<std::ptrdiff_t>(grid.size[0]) * (static_cast<std::ptrdiff_t>(b) + static_cast<std::ptrdiff_t>(grid.size[1]) * c);
+    return static_cast<std::ptrdiff_t>(a) +
+           static_cast<std::ptrdiff_t>(grid.size[0]) *
+               (static_cast<std::ptrdiff_t>(b) + static_cast<std::ptrdiff_t>(grid.size[1]) * c);
   };
   std::size_t end = picture.size();
   double deepest = -1e9;
@@ -137,18 +145,24 @@ std::vector<Eigen::Vector3d> ridgeOf(const MetalGrid& grid, const EarFrame& fram
       end = cell;
     }
     const int i = static_cast<int>(cell % static_cast<std::size_t>(grid.size[0]));
-    const int j = static_cast<int>((cell / static_cast<std::size_t>(grid.size[0])) % static_cast<std::size_t>(grid.size[1]));
-    const int k = static_cast<int>(cell / (static_cast<std::size_t>(grid.size[0]) * static_cast<std::size_t>(grid.size[1])));
-    if (i < 1 || j < 1 || k < 1 || i + 1 >= grid.size[0] || j + 1 >= grid.size[1] || k + 1 >= grid.size[2]) continue;
+    const int j = static_cast<int>((cell / static_cast<std::size_t>(grid.size[0])) %
+                                   static_cast<std::size_t>(grid.size[1]));
+    const int k = static_cast<int>(
+        cell / (static_cast<std::size_t>(grid.size[0]) * static_cast<std::size_t>(grid.size[1])));
+    if (i < 1 || j < 1 || k < 1 || i + 1 >= grid.size[0] || j + 1 >= grid.size[1] ||
+        k + 1 >= grid.size[2])
+      continue;
     for (int c = -1; c <= 1; ++c)
       for (int b = -1; b <= 1; ++b)
         for (int a = -1; a <= 1; ++a) {
           if (a == 0 && b == 0 && c == 0) continue;
-          const auto next = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(cell) + stride(a, b, c));
+          const auto next =
+              static_cast<std::size_t>(static_cast<std::ptrdiff_t>(cell) + stride(a, b, c));
           if (!isNear[next] || static_cast<double>(picture[next]) < brightPart * typical) continue;
-          if (std::fabs(places[next].angle - places[cell].angle) > mostTurned) continue;
+          if (std::fabs(places[next].angle - places[cell].angle) > maxTurned) continue;
           const double part = std::min(1.0, static_cast<double>(picture[next]) / typical);
-          const double step = grid.step_mm * std::sqrt(static_cast<double>(a * a + b * b + c * c)) / (part * part);
+          const double step =
+              grid.step_mm * std::sqrt(static_cast<double>(a * a + b * b + c * c)) / (part * part);
           if (spent + step >= cost[next]) continue;
           cost[next] = spent + step;
           from[next] = cell;
@@ -159,8 +173,10 @@ std::vector<Eigen::Vector3d> ridgeOf(const MetalGrid& grid, const EarFrame& fram
   std::vector<Eigen::Vector3d> path;
   for (std::size_t cell = end;; cell = from[cell]) {
     const int i = static_cast<int>(cell % static_cast<std::size_t>(grid.size[0]));
-    const int j = static_cast<int>((cell / static_cast<std::size_t>(grid.size[0])) % static_cast<std::size_t>(grid.size[1]));
-    const int k = static_cast<int>(cell / (static_cast<std::size_t>(grid.size[0]) * static_cast<std::size_t>(grid.size[1])));
+    const int j = static_cast<int>((cell / static_cast<std::size_t>(grid.size[0])) %
+                                   static_cast<std::size_t>(grid.size[1]));
+    const int k = static_cast<int>(
+        cell / (static_cast<std::size_t>(grid.size[0]) * static_cast<std::size_t>(grid.size[1])));
     path.push_back(grid.at_P(i, j, k));
     if (from[cell] == cell) break;
   }
@@ -178,10 +194,12 @@ double startOfRow(const MetalGrid& grid, const std::vector<Eigen::Vector3d>& rid
   constexpr double before_mm = 1.5, typicalFrom_mm = 0.5, typicalTo_mm = 3.0;
   double typical = 0.0;
   int count = 0;
-  for (double d = typicalFrom_mm; d < typicalTo_mm; d += spacing_mm, ++count) typical += grid.sample(grid.value, alongPolyline(ridge_P, d));
+  for (double d = typicalFrom_mm; d < typicalTo_mm; d += spacing_mm, ++count)
+    typical += grid.sample(grid.value, alongPolyline(ridge_P, d));
   typical /= std::max(1, count);
   for (double d = typicalTo_mm; d > -before_mm; d -= 0.02)
-    if (grid.sample(grid.value, alongPolyline(ridge_P, d)) < 0.5 * typical && d < typicalFrom_mm) return d;
+    if (grid.sample(grid.value, alongPolyline(ridge_P, d)) < 0.5 * typical && d < typicalFrom_mm)
+      return d;
   return 0.0;
 }
 

@@ -17,11 +17,11 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double radius_mm = 12.0;         // of the surroundings
-constexpr double metalQuantile = 0.985;    // of the intensities: above, they are cut for the search
+constexpr double radius_mm = 12.0;       // of the surroundings
+constexpr double metalQuantile = 0.985;  // of the intensities: above, they are cut for the search
 constexpr double coarseStep_mm = 2.0, mediumStep_mm = 1.0, fineStep_mm = 0.6;
 constexpr double turnStep_deg = 12.0;
-constexpr int turns = 2;                   // to each side
+constexpr int turns = 2;  // to each side
 constexpr double student = 4.0;
 constexpr std::size_t kept = 8;
 
@@ -32,15 +32,22 @@ MetalGrid coarse(const ct::CtVolume& volume, double step, double level)
   grid.step_mm = step;
   Vector3d low = Vector3d::Constant(1e9), high = -low;
   for (int corner = 0; corner < 8; ++corner) {
-    const Vector3d at = volume.toLps({corner & 1 ? volume.size()[0] - 1.0 : 0.0, corner & 2 ? volume.size()[1] - 1.0 : 0.0, corner & 4 ? volume.size()[2] - 1.0 : 0.0});
+    const Vector3d at = volume.toLps({corner & 1 ? volume.size()[0] - 1.0 : 0.0,
+                                      corner & 2 ? volume.size()[1] - 1.0 : 0.0,
+                                      corner & 4 ? volume.size()[2] - 1.0 : 0.0});
     low = low.cwiseMin(at);
     high = high.cwiseMax(at);
   }
   grid.first_P = low;
   for (std::size_t axis = 0; axis < 3; ++axis)
-    grid.size[axis] = std::max(2, static_cast<int>((high - low)[static_cast<Eigen::Index>(axis)] / step) + 1);
-  grid.value.assign(static_cast<std::size_t>(grid.size[0]) * static_cast<std::size_t>(grid.size[1]) * static_cast<std::size_t>(grid.size[2]), -1e6F);
-  const int parts = std::max(1, static_cast<int>(std::lround(step / std::max(0.3, volume.spacing_mm().minCoeff()))));
+    grid.size[axis] =
+        std::max(2, static_cast<int>((high - low)[static_cast<Eigen::Index>(axis)] / step) + 1);
+  grid.value.assign(static_cast<std::size_t>(grid.size[0]) *
+                        static_cast<std::size_t>(grid.size[1]) *
+                        static_cast<std::size_t>(grid.size[2]),
+                    -1e6F);
+  const int parts = std::max(
+      1, static_cast<int>(std::lround(step / std::max(0.3, volume.spacing_mm().minCoeff()))));
   for (int k = 0; k < grid.size[2]; ++k)
     for (int j = 0; j < grid.size[1]; ++j)
       for (int i = 0; i < grid.size[0]; ++i) {
@@ -49,10 +56,13 @@ MetalGrid coarse(const ct::CtVolume& volume, double step, double level)
         for (int c = 0; c < parts; ++c)
           for (int b = 0; b < parts; ++b)
             for (int a = 0; a < parts; ++a) {
-              const Vector3d off = (step / parts) * (Vector3d(a, b, c) - Vector3d::Constant(0.5 * (parts - 1)));
-              if (const auto value = volume.sample(grid.at_P(i, j, k) + off)) sum += std::min(level, *value), ++count;
+              const Vector3d off =
+                  (step / parts) * (Vector3d(a, b, c) - Vector3d::Constant(0.5 * (parts - 1)));
+              if (const auto value = volume.sample(grid.at_P(i, j, k) + off))
+                sum += std::min(level, *value), ++count;
             }
-        if (2 * count >= parts * parts * parts) grid.value[grid.index(i, j, k)] = static_cast<float>(sum / count);
+        if (2 * count >= parts * parts * parts)
+          grid.value[grid.index(i, j, k)] = static_cast<float>(sum / count);
       }
   return grid;
 }
@@ -63,7 +73,8 @@ double levelOf(const ct::CtVolume& volume)
   for (std::size_t i = 0; i < volume.voxels().size(); i += 7)
     if (volume.voxels()[i] != ct::unmeasured) values.push_back(volume.voxels()[i]);
   if (values.empty()) return 1e9;
-  const auto at = static_cast<std::ptrdiff_t>(metalQuantile * static_cast<double>(values.size() - 1));
+  const auto at =
+      static_cast<std::ptrdiff_t>(metalQuantile * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), values.begin() + at, values.end());
   return static_cast<double>(values[static_cast<std::size_t>(at)]);
 }
@@ -81,7 +92,8 @@ std::vector<Sample> samplesOf(const MetalGrid& grid, const Vector3d& center)
     for (int j = 0; j < grid.size[1]; ++j)
       for (int i = 0; i < grid.size[0]; ++i) {
         const float value = grid.value[grid.index(i, j, k)];
-        if (value > -1e5F && (grid.at_P(i, j, k) - center).norm() < radius_mm) samples.push_back({grid.at_P(i, j, k), static_cast<double>(value)});
+        if (value > -1e5F && (grid.at_P(i, j, k) - center).norm() < radius_mm)
+          samples.push_back({grid.at_P(i, j, k), static_cast<double>(value)});
       }
   return samples;
 }
@@ -90,20 +102,25 @@ std::vector<Sample> samplesOf(const MetalGrid& grid, const Vector3d& center)
 inline float nearest(const MetalGrid& grid, const Vector3d& point)
 {
   const Vector3d x = (point - grid.first_P) / grid.step_mm;
-  const int i = static_cast<int>(std::floor(x[0] + 0.5)), j = static_cast<int>(std::floor(x[1] + 0.5)), k = static_cast<int>(std::floor(x[2] + 0.5));
-  if (i < 0 || j < 0 || k < 0 || i >= grid.size[0] || j >= grid.size[1] || k >= grid.size[2]) return -1e6F;
+  const int i = static_cast<int>(std::floor(x[0] + 0.5)),
+            j = static_cast<int>(std::floor(x[1] + 0.5)),
+            k = static_cast<int>(std::floor(x[2] + 0.5));
+  if (i < 0 || j < 0 || k < 0 || i >= grid.size[0] || j >= grid.size[1] || k >= grid.size[2])
+    return -1e6F;
   return grid.value[grid.index(i, j, k)];
 }
 
 /// Correlation of samples with a grid under a motion; -1 if less than two thirds of them lie in it.
-double correlationOf(const std::vector<Sample>& samples, const MetalGrid& grid, const RigidMotion& motion)
+double correlationOf(const std::vector<Sample>& samples, const MetalGrid& grid,
+                     const RigidMotion& motion)
 {
   double n = 0.0, x = 0.0, y = 0.0, xx = 0.0, yy = 0.0, xy = 0.0;
   for (const Sample& each : samples) {
     const float there = nearest(grid, motion.apply(each.point));
     if (there < -1e5F) continue;
     const auto v = static_cast<double>(there);
-    n += 1.0, x += each.value, y += v, xx += each.value * each.value, yy += v * v, xy += each.value * v;
+    n += 1.0, x += each.value, y += v, xx += each.value * each.value, yy += v * v,
+        xy += each.value * v;
   }
   if (3.0 * n < 2.0 * static_cast<double>(samples.size()) || n < 20.0) return -1.0;
   const double varX = xx - x * x / n, varY = yy - y * y / n;
@@ -113,11 +130,13 @@ double correlationOf(const std::vector<Sample>& samples, const MetalGrid& grid, 
 Matrix3d turned(const Vector3d& axisAngle)
 {
   const double angle = axisAngle.norm();
-  return angle > 0.0 ? Eigen::AngleAxisd(angle, axisAngle / angle).toRotationMatrix() : Matrix3d::Identity();
+  return angle > 0.0 ? Eigen::AngleAxisd(angle, axisAngle / angle).toRotationMatrix()
+                     : Matrix3d::Identity();
 }
 
 /// Gauss-Newton on the intensities, with Student-t weights, without points on metal.
-void refine(const ct::CtVolume& to, const std::vector<Sample>& samples, double metalLevel, int rounds, RigidMotion& motion)
+void refine(const ct::CtVolume& to, const std::vector<Sample>& samples, double metalLevel,
+            int rounds, RigidMotion& motion)
 {
   const double h = std::max(0.15, 0.5 * to.spacing_mm().mean());
   struct Row {
@@ -135,7 +154,8 @@ void refine(const ct::CtVolume& to, const std::vector<Sample>& samples, double m
       Vector3d gradient;
       bool isWhole = true;
       for (int axis = 0; axis < 3 && isWhole; ++axis) {
-        const auto up = to.sample(at + h * Vector3d::Unit(axis)), down = to.sample(at - h * Vector3d::Unit(axis));
+        const auto up = to.sample(at + h * Vector3d::Unit(axis)),
+                   down = to.sample(at - h * Vector3d::Unit(axis));
         isWhole = up && down && *up < metalLevel && *down < metalLevel;
         if (isWhole) gradient[axis] = (*up - *down) / (2.0 * h);
       }
@@ -149,7 +169,8 @@ void refine(const ct::CtVolume& to, const std::vector<Sample>& samples, double m
       for (const Row& row : rows) {
         const double r = row.there - a - b * row.from;
         const double w = scale > 0.0 ? 1.0 / (student + r * r / (scale * scale)) : 1.0;
-        n += w, x += w * row.from, y += w * row.there, xx += w * row.from * row.from, xy += w * row.from * row.there;
+        n += w, x += w * row.from, y += w * row.there, xx += w * row.from * row.from,
+            xy += w * row.from * row.there;
       }
       const double var = xx - x * x / n;
       if (var <= 0.0) return;
@@ -157,7 +178,8 @@ void refine(const ct::CtVolume& to, const std::vector<Sample>& samples, double m
       a = (y - b * x) / n;
       std::vector<double> left;
       for (const Row& row : rows) left.push_back(std::fabs(row.there - a - b * row.from));
-      std::nth_element(left.begin(), left.begin() + static_cast<std::ptrdiff_t>(left.size() / 2), left.end());
+      std::nth_element(left.begin(), left.begin() + static_cast<std::ptrdiff_t>(left.size() / 2),
+                       left.end());
       scale = std::max(20.0, left[left.size() / 2] / 0.6745);
     }
     Eigen::Matrix<double, 6, 6> normal = Eigen::Matrix<double, 6, 6>::Zero();
@@ -184,24 +206,34 @@ void refine(const ct::CtVolume& to, const std::vector<Sample>& samples, double m
     if (largest < 1e-3) break;
   }
   double n = 0.0, x = 0.0, y = 0.0, xx = 0.0, yy = 0.0, xy = 0.0;
-  for (const Row& row : rows) n += 1.0, x += row.from, y += row.there, xx += row.from * row.from, yy += row.there * row.there, xy += row.from * row.there;
-  motion.correlation = (xy - x * y / n) / std::sqrt(std::max(1e-9, (xx - x * x / n) * (yy - y * y / n)));
+  for (const Row& row : rows)
+    n += 1.0, x += row.from, y += row.there, xx += row.from * row.from, yy += row.there * row.there,
+        xy += row.from * row.there;
+  motion.correlation =
+      (xy - x * y / n) / std::sqrt(std::max(1e-9, (xx - x * x / n) * (yy - y * y / n)));
 }
 
 }  // namespace
 
-Result<RigidMotion> registration(const ct::CtVolume& from, const Vector3d& center_P, const ct::CtVolume& to, const std::stop_token& stop)
+Result<RigidMotion> registration(const ct::CtVolume& from, const Vector3d& center_P,
+                                 const ct::CtVolume& to, const std::stop_token& stop)
 {
   const double fromLevel = levelOf(from), toLevel = levelOf(to);
   const std::vector<Sample> few = samplesOf(coarse(from, coarseStep_mm, fromLevel), center_P);
   const std::vector<Sample> more = samplesOf(coarse(from, mediumStep_mm, fromLevel), center_P);
-  const MetalGrid coarseTo = coarse(to, coarseStep_mm, toLevel), mediumTo = coarse(to, mediumStep_mm, toLevel);
-  if (few.size() < 50) return Error{"The CT before surgery shows too little around the cochlea to be compared with that after it. Choose the series in which the cochlea was measured."};
+  const MetalGrid coarseTo = coarse(to, coarseStep_mm, toLevel),
+                  mediumTo = coarse(to, mediumStep_mm, toLevel);
+  if (few.size() < 50)
+    return Error{
+        "The CT before surgery shows too little around the cochlea to be compared with that after "
+        "it. Choose the series in which the cochlea was measured."};
 
   std::vector<RigidMotion> best;
   const auto keep = [&](const RigidMotion& motion) {
     best.push_back(motion);
-    std::stable_sort(best.begin(), best.end(), [](const RigidMotion& a, const RigidMotion& b) { return a.correlation > b.correlation; });
+    std::stable_sort(best.begin(), best.end(), [](const RigidMotion& a, const RigidMotion& b) {
+      return a.correlation > b.correlation;
+    });
     if (best.size() > kept) best.pop_back();
   };
   for (int x = -turns; x <= turns; ++x)
@@ -216,11 +248,15 @@ Result<RigidMotion> registration(const ct::CtVolume& from, const Vector3d& cente
             for (int i = 0; i < coarseTo.size[0]; ++i) {
               motion.shift = coarseTo.at_P(i, j, k) - center_P;
               motion.correlation = correlationOf(few, coarseTo, motion);
-              if (motion.correlation > 0.0 && (best.size() < kept || motion.correlation > best.back().correlation)) keep(motion);
+              if (motion.correlation > 0.0 &&
+                  (best.size() < kept || motion.correlation > best.back().correlation))
+                keep(motion);
             }
       }
   if (best.empty())
-    return Error{"The two CTs show no common surroundings of the cochlea. Check that both are of the same patient and ear."};
+    return Error{
+        "The two CTs show no common surroundings of the cochlea. Check that both are of the same "
+        "patient and ear."};
 
   // hill climbing on the finer grid
   std::vector<RigidMotion> starts;
@@ -236,7 +272,8 @@ Result<RigidMotion> registration(const ct::CtVolume& from, const Vector3d& cente
             if (axis < 3)
               next.shift[axis] += sign * size;
             else
-              next.rotation = turned(sign * size * degrees(5).si() * Vector3d::Unit(axis - 3)) * next.rotation;
+              next.rotation =
+                  turned(sign * size * degrees(5).si() * Vector3d::Unit(axis - 3)) * next.rotation;
             next.correlation = correlationOf(more, mediumTo, next);
             if (next.correlation > motion.correlation + 1e-6) motion = next, isBetter = true;
           }

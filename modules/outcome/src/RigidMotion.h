@@ -14,14 +14,18 @@ namespace perilymph::outcome {
 struct RigidMotion {
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
   Eigen::Vector3d center = Eigen::Vector3d::Zero(), shift = Eigen::Vector3d::Zero();
-  double correlation = 0.0;  ///< Of both CTs' intensities there, without metal.
+  double correlation = 0.0;  ///< Correlation of both CTs there, without metal.
   double residual_mm = 0.0;  ///< Root mean square difference over root mean square gradient.
 
-  Eigen::Vector3d apply(const Eigen::Vector3d& point) const { return rotation * (point - center) + center + shift; }
+  Eigen::Vector3d apply(const Eigen::Vector3d& point) const
+  {
+    return rotation * (point - center) + center + shift;
+  }
 };
 
 /// Finds the motion that takes the surroundings of a point of the first CT to the second, from starts over
 /// all its places and 20 degrees about each axis.
-Result<RigidMotion> registration(const ct::CtVolume& from, const Eigen::Vector3d& center_P, const ct::CtVolume& to, const std::stop_token& stop);
+Result<RigidMotion> registration(const ct::CtVolume& from, const Eigen::Vector3d& center_P,
+                                 const ct::CtVolume& to, const std::stop_token& stop);
 
 }  // namespace perilymph::outcome

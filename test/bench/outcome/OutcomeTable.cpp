@@ -40,8 +40,8 @@ struct Case {
 Case caseOf(std::uint64_t seed, const std::vector<std::string>& arrays)
 {
   Case each;
-  const std::array scans{test::fineImplantScan(), test::coneBeamImplantScan(), test::highResolutionImplantScan(),
-                         test::clinicalImplantScan()};
+  const std::array scans{test::fineImplantScan(), test::coneBeamImplantScan(),
+                         test::highResolutionImplantScan(), test::clinicalImplantScan()};
   constexpr std::array names{"0.125", "0.2", "0.3", "0.4x0.6"};
   each.scan = scans[seed % 4];
   each.scanner = names[seed % 4];
@@ -53,7 +53,8 @@ Case caseOf(std::uint64_t seed, const std::vector<std::string>& arrays)
   each.condition.array = each.array;
   each.condition.insertedFraction = 0.85 + 0.15 * static_cast<double>((seed * 7) % 10) / 9.0;
   if (seed % 8 == 6) each.condition.isFolded = true;
-  if (seed % 9 == 4 && !each.condition.isFolded) each.condition.translocationAngle_deg = 150.0 + static_cast<double>(seed % 5) * 20.0;
+  if (seed % 9 == 4 && !each.condition.isFolded)
+    each.condition.translocationAngle_deg = 150.0 + static_cast<double>(seed % 5) * 20.0;
   if (seed % 11 == 7) each.condition.contactsOutside = 1 + static_cast<int>(seed % 3);
   if (seed % 13 == 5) each.condition.hasOldLead = true;
   return each;
@@ -63,7 +64,8 @@ struct Row {
   bool isRight = true, isFlagged = false, isFound = true;
   std::vector<double> errors;
   double covered = 0.0, angleError_deg = 0.0, seconds = 0.0;
-  bool isAngleCovered = false, foldFound = false, hasFold = false, translocationFound = false, hasTranslocation = false;
+  bool isAngleCovered = false, foldFound = false, hasFold = false, translocationFound = false,
+       hasTranslocation = false;
 };
 
 /// All rows of one class.
@@ -73,7 +75,8 @@ public:
   void print(const std::string& name) const
   {
     std::vector<double> errors, angles, covered, seconds;
-    std::size_t found = 0, right = 0, silent = 0, angleIn = 0, folds = 0, foldsFound = 0, crossed = 0, crossedFound = 0, falseFolds = 0, falseCrossed = 0;
+    std::size_t found = 0, right = 0, silent = 0, angleIn = 0, folds = 0, foldsFound = 0,
+                crossed = 0, crossedFound = 0, falseFolds = 0, falseCrossed = 0;
     for (const Row& row : rows_) {
       if (!row.isFound) continue;
       ++found;
@@ -84,8 +87,10 @@ public:
       covered.push_back(row.covered);
       seconds.push_back(row.seconds);
       angleIn += row.isAngleCovered ? 1 : 0;
-      folds += row.hasFold ? 1 : 0, foldsFound += row.hasFold && row.foldFound ? 1 : 0, falseFolds += !row.hasFold && row.foldFound ? 1 : 0;
-      crossed += row.hasTranslocation ? 1 : 0, crossedFound += row.hasTranslocation && row.translocationFound ? 1 : 0,
+      folds += row.hasFold ? 1 : 0, foldsFound += row.hasFold && row.foldFound ? 1 : 0,
+          falseFolds += !row.hasFold && row.foldFound ? 1 : 0;
+      crossed += row.hasTranslocation ? 1 : 0,
+          crossedFound += row.hasTranslocation && row.translocationFound ? 1 : 0,
           falseCrossed += !row.hasTranslocation && row.translocationFound ? 1 : 0;
     }
     if (errors.empty()) {
@@ -99,12 +104,16 @@ public:
     double sum = 0.0, cover = 0.0;
     for (const double each : errors) sum += each;
     for (const double each : covered) cover += each;
-    std::printf("%s: %zu ears, %zu refused; mean %.3f mm, median %.3f, 95th %.3f; assigned %zu, wrong and not flagged %zu; "
-                "angle median %.1f deg, its 95 %% covers %zu; 95 %% regions cover %.0f %% of contacts in the mean ear; "
-                "fold %zu of %zu (false %zu), translocation %zu of %zu (false %zu); %.1f s\n",
-                name.c_str(), rows_.size(), rows_.size() - found, sum / static_cast<double>(errors.size()), quantile(errors, 0.5), quantile(errors, 0.95),
-                right, silent, quantile(angles, 0.5), angleIn, 100.0 * cover / static_cast<double>(covered.size()), foldsFound, folds, falseFolds,
-                crossedFound, crossed, falseCrossed, quantile(seconds, 0.5));
+    std::printf(
+        "%s: %zu ears, %zu refused; mean %.3f mm, median %.3f, 95th %.3f; assigned %zu, wrong and "
+        "not flagged %zu; "
+        "angle median %.1f deg, its 95 %% covers %zu; 95 %% regions cover %.0f %% of contacts in "
+        "the mean ear; "
+        "fold %zu of %zu (false %zu), translocation %zu of %zu (false %zu); %.1f s\n",
+        name.c_str(), rows_.size(), rows_.size() - found, sum / static_cast<double>(errors.size()),
+        quantile(errors, 0.5), quantile(errors, 0.95), right, silent, quantile(angles, 0.5),
+        angleIn, 100.0 * cover / static_cast<double>(covered.size()), foldsFound, folds, falseFolds,
+        crossedFound, crossed, falseCrossed, quantile(seconds, 0.5));
   }
 
 private:
@@ -126,19 +135,25 @@ Row judged(const outcome::FoundArray& found, const test::ImplantPhantom& phantom
   Row row;
   const double pitch = pitch_mm(phantom.array);
   for (const outcome::FoundContact& contact : found.contacts) {
-    const test::TrueContact& truth = phantom.truth.contacts[static_cast<std::size_t>(contact.number) - 1];
+    const test::TrueContact& truth =
+        phantom.truth.contacts[static_cast<std::size_t>(contact.number) - 1];
     const Eigen::Vector3d off = contact.position_P - truth.position_P;
     row.errors.push_back(off.norm());
     row.isRight = row.isRight && off.norm() < 0.5 * pitch;
-    if (off.dot(contact.covariance_P.inverse() * off) < chiSquare95) row.covered += 1.0 / static_cast<double>(found.contacts.size());
+    if (off.dot(contact.covariance_P.inverse() * off) < chiSquare95)
+      row.covered += 1.0 / static_cast<double>(found.contacts.size());
   }
   for (const outcome::Flag flag : found.flags)
-    row.isFlagged = row.isFlagged || flag == outcome::Flag::secondAssignment || flag == outcome::Flag::missingContacts ||
-                    flag == outcome::Flag::extraMetal || flag == outcome::Flag::arrayDoesNotFit || flag == outcome::Flag::fold ||
-                    flag == outcome::Flag::kink || flag == outcome::Flag::clipped || flag == outcome::Flag::registrationPoor;
-  row.angleError_deg = found.angularInsertionDepth_deg.value - phantom.truth.angularInsertionDepth_deg;
+    row.isFlagged = row.isFlagged || flag == outcome::Flag::secondAssignment ||
+                    flag == outcome::Flag::missingContacts || flag == outcome::Flag::extraMetal ||
+                    flag == outcome::Flag::arrayDoesNotFit || flag == outcome::Flag::fold ||
+                    flag == outcome::Flag::kink || flag == outcome::Flag::clipped ||
+                    flag == outcome::Flag::registrationPoor;
+  row.angleError_deg =
+      found.angularInsertionDepth_deg.value - phantom.truth.angularInsertionDepth_deg;
   const auto [low, high] = found.angularInsertionDepth_deg.interval95();
-  row.isAngleCovered = phantom.truth.angularInsertionDepth_deg >= low && phantom.truth.angularInsertionDepth_deg <= high;
+  row.isAngleCovered = phantom.truth.angularInsertionDepth_deg >= low &&
+                       phantom.truth.angularInsertionDepth_deg <= high;
   row.hasFold = phantom.truth.isFolded;
   row.foldFound = found.isFolded;
   row.hasTranslocation = phantom.truth.translocation_deg.has_value();
@@ -162,8 +177,10 @@ int table(std::uint64_t first, std::uint64_t last, std::uint64_t step, bool isOw
     const Case each = caseOf(seed, arrays);
     try {
       const auto begun = std::chrono::steady_clock::now();
-      const test::ImplantPhantom phantom = test::makeImplantPhantom(seed, each.scan, each.condition);
-      const double made = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+      const test::ImplantPhantom phantom =
+          test::makeImplantPhantom(seed, each.scan, each.condition);
+      const double made =
+          std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
       ct::MeasureRequest click;
       click.click_P = isOwn ? phantom.truth.inside_P : phantom.preoperative.inside_P;
       Result<outcome::Ear> ear = Error{"none"};
@@ -171,11 +188,14 @@ int table(std::uint64_t first, std::uint64_t last, std::uint64_t step, bool isOw
         ear = outcome::measuredEar(phantom.postoperative, click);
       } else {
         const auto measured = ct::measureCochlea(phantom.preoperative.volume, click);
-        ear = measured ? outcome::registeredEar(phantom.postoperative, phantom.preoperative.volume, *measured) : Result<outcome::Ear>(measured.error());
+        ear = measured ? outcome::registeredEar(phantom.postoperative, phantom.preoperative.volume,
+                                                *measured)
+                       : Result<outcome::Ear>(measured.error());
       }
       std::string name = each.scanner;
       if (!ear) {
-        std::printf("%llu %s %s: refused: %s\n", static_cast<unsigned long long>(seed), each.array.c_str(), name.c_str(), ear.error().message.c_str());
+        std::printf("%llu %s %s: refused: %s\n", static_cast<unsigned long long>(seed),
+                    each.array.c_str(), name.c_str(), ear.error().message.c_str());
         Row refused;
         refused.isFound = false;
         classes[name + " ear refused"].add(refused);
@@ -186,7 +206,8 @@ int table(std::uint64_t first, std::uint64_t last, std::uint64_t step, bool isOw
       request.arrayName = each.array;
       const auto found = outcome::findContacts(phantom.postoperative, *ear, request);
       if (!found) {
-        std::printf("%llu %s %s: refused: %s\n", static_cast<unsigned long long>(seed), each.array.c_str(), name.c_str(), found.error().message.c_str());
+        std::printf("%llu %s %s: refused: %s\n", static_cast<unsigned long long>(seed),
+                    each.array.c_str(), name.c_str(), found.error().message.c_str());
         Row refused;
         refused.isFound = false;
         classes[name + " refused"].add(refused);
@@ -197,17 +218,28 @@ int table(std::uint64_t first, std::uint64_t last, std::uint64_t step, bool isOw
       double sum = 0.0, largest = 0.0;
       for (const double error : row.errors) sum += error, largest = std::max(largest, error);
       std::string flags;
-      for (const outcome::Flag flag : found->flags) flags += std::string(" ") + outcome::nameOf(flag);
+      for (const outcome::Flag flag : found->flags)
+        flags += std::string(" ") + outcome::nameOf(flag);
       const Eigen::Vector3d window = ear->measures.roundWindow_P - phantom.truth.roundWindow_P;
-      std::printf("%llu %s %s clip %d%s%s%s out %d: mean %.3f max %.3f %s angle %.1f (%.1f) sd %.1f cover %.2f fwhm %.2f residual %.2f window %.2f made %.0f s%s\n",
-                  static_cast<unsigned long long>(seed), each.array.c_str(), name.c_str(), each.scan.isClipped ? 1 : 0, row.hasFold ? " FOLD" : "",
-                  row.hasTranslocation ? " TRANS" : "", each.condition.hasOldLead ? " LEAD" : "", static_cast<int>(phantom.truth.contacts.size()) - phantom.truth.contactsInside,
-                  sum / static_cast<double>(row.errors.size()), largest, row.isRight ? "right" : row.isFlagged ? "flagged" : "SILENT",
-                  found->angularInsertionDepth_deg.value, phantom.truth.angularInsertionDepth_deg, found->angularInsertionDepth_deg.sd, row.covered, found->fwhm_mm, found->residual_mm, window.norm(), made, flags.c_str());
+      std::printf(
+          "%llu %s %s clip %d%s%s%s out %d: mean %.3f max %.3f %s angle %.1f (%.1f) sd %.1f cover "
+          "%.2f fwhm %.2f residual %.2f window %.2f made %.0f s%s\n",
+          static_cast<unsigned long long>(seed), each.array.c_str(), name.c_str(),
+          each.scan.isClipped ? 1 : 0, row.hasFold ? " FOLD" : "",
+          row.hasTranslocation ? " TRANS" : "", each.condition.hasOldLead ? " LEAD" : "",
+          static_cast<int>(phantom.truth.contacts.size()) - phantom.truth.contactsInside,
+          sum / static_cast<double>(row.errors.size()), largest,
+          row.isRight     ? "right"
+          : row.isFlagged ? "flagged"
+                          : "SILENT",
+          found->angularInsertionDepth_deg.value, phantom.truth.angularInsertionDepth_deg,
+          found->angularInsertionDepth_deg.sd, row.covered, found->fwhm_mm, found->residual_mm,
+          window.norm(), made, flags.c_str());
       std::fflush(stdout);
       classes[name].add(row);
     } catch (const std::exception& problem) {
-      std::printf("%llu %s: not made: %s\n", static_cast<unsigned long long>(seed), each.array.c_str(), problem.what());
+      std::printf("%llu %s: not made: %s\n", static_cast<unsigned long long>(seed),
+                  each.array.c_str(), problem.what());
     }
   }
   for (const auto& [name, summary] : classes) summary.print(name);
@@ -224,5 +256,6 @@ int main(int count, char** arguments)
     return 2;
   }
   const auto number = [&](int at) { return std::strtoull(arguments[at], nullptr, 10); };
-  return perilymph::table(number(1), number(2), count > 3 ? std::max(1ULL, number(3)) : 1, count > 4 && std::string(arguments[4]) == "own");
+  return perilymph::table(number(1), number(2), count > 3 ? std::max(1ULL, number(3)) : 1,
+                          count > 4 && std::string(arguments[4]) == "own");
 }

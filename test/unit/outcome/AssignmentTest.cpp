@@ -18,7 +18,8 @@ class AChain : public testing::Test {
 protected:
   AChain()
   {
-    const auto scala = anatomy::buildMean("mean", {millimeters(9.2), millimeters(6.9), std::nullopt}, millimeters(1));
+    const auto scala = anatomy::buildMean(
+        "mean", {millimeters(9.2), millimeters(6.9), std::nullopt}, millimeters(1));
     if (!scala) throw std::runtime_error(scala.error().message);
     ear_.scala = *scala;
     frame_.emplace(ear_);
@@ -39,7 +40,8 @@ protected:
     const anatomy::Entry entry = ear_.scala->entry();
     if (depth_mm < 1.0) return frame_->toP(entry.origin_W - 1e-3 * depth_mm * entry.out_W);
     double low = 0.0, high = frame_->lastAngle();
-    for (int i = 0; i < 60; ++i) (frame_->depthAt(0.5 * (low + high)) < depth_mm ? low : high) = 0.5 * (low + high);
+    for (int i = 0; i < 60; ++i)
+      (frame_->depthAt(0.5 * (low + high)) < depth_mm ? low : high) = 0.5 * (low + high);
     return frame_->toP(ear_.scala->center_W(low));
   }
   void light(const Eigen::Vector3d& point_P, float value)
@@ -48,16 +50,22 @@ protected:
     for (int k = -1; k <= 1; ++k)
       for (int j = -1; j <= 1; ++j)
         for (int i = -1; i <= 1; ++i) {
-          float& cell = grid_.value[grid_.index(static_cast<int>(std::lround(x[0])) + i, static_cast<int>(std::lround(x[1])) + j, static_cast<int>(std::lround(x[2])) + k)];
+          float& cell = grid_.value[grid_.index(static_cast<int>(std::lround(x[0])) + i,
+                                                static_cast<int>(std::lround(x[1])) + j,
+                                                static_cast<int>(std::lround(x[2])) + k)];
           cell = std::max(cell, value);
         }
   }
-  std::vector<Candidate> candidates(const std::vector<std::pair<Eigen::Vector3d, double>>& others = {}, int without = -1) const
+  std::vector<Candidate> candidates(
+      const std::vector<std::pair<Eigen::Vector3d, double>>& others = {}, int without = -1) const
   {
     std::vector<Candidate> all;
     for (int i = 0; i < 8; ++i)
-      if (i != without) all.push_back({contacts_[static_cast<std::size_t>(i)], 1.0, frame_->placeOf(contacts_[static_cast<std::size_t>(i)])});
-    for (const auto& [point_P, strength] : others) all.push_back({point_P, strength, frame_->placeOf(point_P)});
+      if (i != without)
+        all.push_back({contacts_[static_cast<std::size_t>(i)], 1.0,
+                       frame_->placeOf(contacts_[static_cast<std::size_t>(i)])});
+    for (const auto& [point_P, strength] : others)
+      all.push_back({point_P, strength, frame_->placeOf(point_P)});
     return all;
   }
 
@@ -112,7 +120,8 @@ TEST_F(AChain, IsSecondBestByLittleWhereNothingTellsTheEnds)
   // a ninth blob as bright as a contact, where the next one would be
   const auto all = candidates({{at(17.5), 1.0}});
   const Chain chain = bestChain(all, grid_, array_, {}, 0.3);
-  const Chain second = bestChain(all, grid_, array_, {}, 0.3, all[static_cast<std::size_t>(chain.candidate[0])].position_P);
+  const Chain second = bestChain(all, grid_, array_, {}, 0.3,
+                                 all[static_cast<std::size_t>(chain.candidate[0])].position_P);
   EXPECT_LT(chain.score - second.score, 3.0);
 }
 

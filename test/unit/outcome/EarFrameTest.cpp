@@ -16,10 +16,12 @@ namespace {
 Ear earOf(bool isLeft)
 {
   Ear ear;
-  const auto scala = anatomy::buildMean("mean", {millimeters(9.2), millimeters(6.9), std::nullopt}, millimeters(1));
+  const auto scala = anatomy::buildMean("mean", {millimeters(9.2), millimeters(6.9), std::nullopt},
+                                        millimeters(1));
   if (!scala) throw std::runtime_error(scala.error().message);
   ear.scala = *scala;
-  ear.measures.anatomyAxes_PW = Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, -2, 3).normalized()).toRotationMatrix();
+  ear.measures.anatomyAxes_PW =
+      Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, -2, 3).normalized()).toRotationMatrix();
   if (isLeft) ear.measures.anatomyAxes_PW.col(1) *= -1.0;
   ear.measures.anatomyOrigin_P = {-40, 12, 80};
   return ear;

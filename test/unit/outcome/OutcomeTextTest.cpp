@@ -85,14 +85,17 @@ TEST(OutcomeText, IsReadAgainAsItWasWritten)
 TEST(OutcomeText, HasTheKeysThatOtherProgramsReadByName)
 {
   const Json json = Json::parse(outcomeJson(example()));
-  for (const char* key : {"format", "array", "side", "contacts", "angular_insertion_depth_deg", "tip_angle_deg", "contacts_inside", "fold",
-                          "translocation", "registration", "flags", "seconds"})
+  for (const char* key :
+       {"format", "array", "side", "contacts", "angular_insertion_depth_deg", "tip_angle_deg",
+        "contacts_inside", "fold", "translocation", "registration", "flags", "seconds"})
     EXPECT_TRUE(json.contains(key)) << key;
-  for (const char* key : {"number", "position_lps_mm", "error_mm", "angle_deg", "modiolus_mm", "outer_wall_mm", "in_scala_tympani", "seen_singly", "inside"})
+  for (const char* key : {"number", "position_lps_mm", "error_mm", "angle_deg", "modiolus_mm",
+                          "outer_wall_mm", "in_scala_tympani", "seen_singly", "inside"})
     EXPECT_TRUE(json["contacts"][0].contains(key)) << key;
   EXPECT_EQ(json["contacts"][0]["number"], 1);
   EXPECT_EQ(json["format"], 1);
-  EXPECT_NEAR(json["angular_insertion_depth_deg"]["ci95"][1].get<double>(), 310.0 + 1.96 * 3.0, 1e-9);
+  EXPECT_NEAR(json["angular_insertion_depth_deg"]["ci95"][1].get<double>(), 310.0 + 1.96 * 3.0,
+              1e-9);
   EXPECT_FALSE(json["contacts"][2].contains("angle_deg"));
 }
 
@@ -103,8 +106,11 @@ TEST(OutcomeText, IsRefusedInASentenceWhateverIsWrongWithAKey)
   const std::vector<std::string> optional{"/plan", "/series_sha256", "/seconds", "/version"};
   int refused = 0;
   for (const auto& [path, value] : whole.flatten().items()) {
-    if (std::find(optional.begin(), optional.end(), path) != optional.end() || path.starts_with("/surgery") || path.ends_with("/ci95/0") || path.ends_with("/ci95/1")) continue;
-    for (const Json& wrong : {Json("text"), Json(1e300), Json(nullptr), Json(Json::array()), Json(-1e9)}) {
+    if (std::find(optional.begin(), optional.end(), path) != optional.end() ||
+        path.starts_with("/surgery") || path.ends_with("/ci95/0") || path.ends_with("/ci95/1"))
+      continue;
+    for (const Json& wrong :
+         {Json("text"), Json(1e300), Json(nullptr), Json(Json::array()), Json(-1e9)}) {
       if (value.is_string() && wrong.is_string()) continue;
       Json changed = whole;
       changed[Json::json_pointer(path)] = wrong;
@@ -146,7 +152,9 @@ TEST(OutcomeText, OfANewerFormatOrNoJsonSaysSo)
 
 TEST(OutcomeText, TheTableHasAColumnForEveryRowOfItsDictionary)
 {
-  const auto fieldsIn = [](const std::string& line) { return std::count(line.begin(), line.end(), ',') + 1; };
+  const auto fieldsIn = [](const std::string& line) {
+    return std::count(line.begin(), line.end(), ',') + 1;
+  };
   std::istringstream csv(outcomeCsv(example().found));
   std::string head, line;
   std::getline(csv, head);

@@ -18,7 +18,8 @@ TEST(Registration, FindsTheMotionOfAHeadBesideMetal)
   const test::CtPhantom phantom = test::makeCtPhantom(31, test::highResolutionScan());
   const ct::CtVolume& before = phantom.volume;
   const Eigen::Vector3d center = before.center_P();
-  const Eigen::Matrix3d rotation = Eigen::AngleAxisd(0.25, Eigen::Vector3d(1, 2, -1).normalized()).toRotationMatrix();
+  const Eigen::Matrix3d rotation =
+      Eigen::AngleAxisd(0.25, Eigen::Vector3d(1, 2, -1).normalized()).toRotationMatrix();
   const Eigen::Vector3d shift(2.5, -1.5, 1.0);
   std::mt19937_64 engine(5);
   std::normal_distribution<double> noise(0.0, 100.0);
@@ -31,14 +32,16 @@ TEST(Registration, FindsTheMotionOfAHeadBesideMetal)
         const Eigen::Vector3d there = rotation.transpose() * (here - center - shift) + center;
         // another scale of gray values, and a rod of metal that only the second CT has
         double value = 0.8 * before.sample(there).value_or(-1000.0) + 150.0 + noise(engine);
-        if (std::hypot(there.x() - phantom.inside_P.x(), there.y() - phantom.inside_P.y()) < 0.5) value = 12'000.0;
+        if (std::hypot(there.x() - phantom.inside_P.x(), there.y() - phantom.inside_P.y()) < 0.5)
+          value = 12'000.0;
         voxels.push_back(static_cast<std::int16_t>(value));
       }
   const auto after = ct::CtVolume::make(size, before.lpsFromIndex(), std::move(voxels));
   ASSERT_TRUE(after);
   const auto found = registration(before, phantom.inside_P, *after, {});
   ASSERT_TRUE(found) << found.error().message;
-  for (const Eigen::Vector3d& off : {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(5, 0, 0), Eigen::Vector3d(0, -5, 0), Eigen::Vector3d(0, 0, 4)}) {
+  for (const Eigen::Vector3d& off : {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(5, 0, 0),
+                                     Eigen::Vector3d(0, -5, 0), Eigen::Vector3d(0, 0, 4)}) {
     const Eigen::Vector3d point = phantom.inside_P + off;
     EXPECT_LT((found->apply(point) - (rotation * (point - center) + center + shift)).norm(), 0.1);
   }
@@ -48,10 +51,12 @@ TEST(Registration, FindsTheMotionOfAHeadBesideMetal)
 
 TEST(Registration, OfTwoHeadsHasALargeResidualOrLittleCorrelation)
 {
-  const test::CtPhantom one = test::makeCtPhantom(32, test::highResolutionScan()), other = test::makeCtPhantom(33, test::highResolutionScan());
+  const test::CtPhantom one = test::makeCtPhantom(32, test::highResolutionScan()),
+                        other = test::makeCtPhantom(33, test::highResolutionScan());
   const auto found = registration(one.volume, one.inside_P, other.volume, {});
   if (!found) return;  // a refusal is right, too
-  EXPECT_TRUE(found->correlation < 0.6 || found->residual_mm > 0.6) << found->correlation << " " << found->residual_mm;
+  EXPECT_TRUE(found->correlation < 0.6 || found->residual_mm > 0.6)
+      << found->correlation << " " << found->residual_mm;
 }
 
 }  // namespace

@@ -24,21 +24,23 @@ TEST(Surgery, IsRefusedInASentenceThatNamesTheValueAndItsRange)
     std::function<void(Surgery&)> change;
     const char* part;
   };
-  for (const Wrong& each : {Wrong{[](Surgery& s) { s.lot = "lot 12"; }, "“lot 12”"},
-                            Wrong{[](Surgery& s) { s.intendedDepth = millimeters(41); }, "41"},
-                            Wrong{[](Surgery& s) { s.intendedDepth = millimeters(-1); }, "depth"},
-                            Wrong{[](Surgery& s) { s.outside = millimeters(std::nan("")); }, "outside"},
-                            Wrong{[](Surgery& s) { s.contactsOutside = 65; }, "65"},
-                            Wrong{[](Surgery& s) { s.contactAtResistance = 0; }, "1 to 64"},
-                            Wrong{[](Surgery& s) { s.attempts = 0; }, "attempts"},
-                            Wrong{[](Surgery& s) { s.pullBacks = -1; }, "pull-backs"},
-                            Wrong{[](Surgery& s) { s.daysToCt = 36'501; }, "36500"},
-                            Wrong{[](Surgery& s) { s.tilt_deg = 91.0; }, "tilt"}}) {
+  for (const Wrong& each :
+       {Wrong{[](Surgery& s) { s.lot = "lot 12"; }, "“lot 12”"},
+        Wrong{[](Surgery& s) { s.intendedDepth = millimeters(41); }, "41"},
+        Wrong{[](Surgery& s) { s.intendedDepth = millimeters(-1); }, "depth"},
+        Wrong{[](Surgery& s) { s.outside = millimeters(std::nan("")); }, "outside"},
+        Wrong{[](Surgery& s) { s.contactsOutside = 65; }, "65"},
+        Wrong{[](Surgery& s) { s.contactAtResistance = 0; }, "1 to 64"},
+        Wrong{[](Surgery& s) { s.attempts = 0; }, "attempts"},
+        Wrong{[](Surgery& s) { s.pullBacks = -1; }, "pull-backs"},
+        Wrong{[](Surgery& s) { s.daysToCt = 36'501; }, "36500"},
+        Wrong{[](Surgery& s) { s.tilt_deg = 91.0; }, "tilt"}}) {
     Surgery surgery;
     each.change(surgery);
     const auto checked = checkSurgery(surgery);
     ASSERT_FALSE(checked) << each.part;
-    EXPECT_NE(checked.error().message.find(each.part), std::string::npos) << checked.error().message;
+    EXPECT_NE(checked.error().message.find(each.part), std::string::npos)
+        << checked.error().message;
   }
 }
 

@@ -25,20 +25,20 @@ namespace perilymph::outcome {
 
 /// What is doubtful about a found array. Each has a name and a sentence.
 enum class Flag {
-  secondAssignment,    ///< Another assignment of the contacts explains the metal nearly as well.
-  missingContacts,     ///< Contacts of the array were not seen.
-  extraMetal,          ///< Metal beside the array: more contacts than the array has, or an old lead.
-  arrayDoesNotFit,     ///< Spacing or number of contacts contradict the array named.
-  notSeenSingly,       ///< The contacts merge at this resolution: placed by the array's spacings.
-  fold,                ///< The angle turns back: a tip fold-over.
-  kink,                ///< The curve bends more sharply than the array can without damage.
+  secondAssignment,  ///< Another assignment of the contacts explains the metal nearly as well.
+  missingContacts,   ///< Contacts of the array were not seen.
+  extraMetal,        ///< Metal beside the array: more contacts than the array has, or an old lead.
+  arrayDoesNotFit,   ///< Spacing or number of contacts contradict the array named.
+  notSeenSingly,     ///< The contacts merge at this resolution: placed by the array's spacings.
+  fold,              ///< The angle turns back: a tip fold-over.
+  kink,              ///< The curve bends more sharply than the array can without damage.
   possibleTranslocation,  ///< A part of the array lies above the basilar membrane, as far as both fits tell.
-  contactsOutside,     ///< Contacts lie outside the cochlea.
-  registrationPoor,    ///< Both CTs agree badly around the cochlea.
-  earFromThisCt,       ///< The ear was measured beside the metal, with wider errors.
-  anotherEar,          ///< A, B or the side differ from the patient's by more than their errors.
-  clipped,             ///< A part of the array is outside the volume.
-  coarseVoxels,        ///< Voxels beyond those that were tested.
+  contactsOutside,   ///< Contacts lie outside the cochlea.
+  registrationPoor,  ///< Both CTs agree badly around the cochlea.
+  earFromThisCt,     ///< The ear was measured beside the metal, with wider errors.
+  anotherEar,        ///< A, B or the side differ from the patient's by more than their errors.
+  clipped,           ///< A part of the array is outside the volume.
+  coarseVoxels,      ///< Voxels beyond those that were tested.
 };
 /// Name of a flag as in files: "second_assignment".
 const char* nameOf(Flag flag);
@@ -55,15 +55,16 @@ struct Uncertain {
 
 /// One contact. Lengths in mm, P is the patient's frame (LPS) of the CT after surgery.
 struct FoundContact {
-  int number = 0;              ///< 1 at the tip.
+  int number = 0;  ///< 1 at the tip.
   Eigen::Vector3d position_P = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d covariance_P = Eigen::Matrix3d::Zero();  ///< Of the position [mm^2].
-  bool isSeenSingly = true;    ///< Its own brightness was seen; else it was placed by the spacings.
-  bool isByHand = false;       ///< A person placed it.
-  bool isInside = false;       ///< Past the opening. If not, nothing below is set.
-  Uncertain angle_deg;         ///< From the round window, full turns included.
-  double modiolus_mm = 0.0;    ///< Distance to the inner wall, toward the modiolar axis; may be negative.
-  double outerWall_mm = 0.0;   ///< Distance to the outer wall, away from the axis; may be negative.
+  Eigen::Matrix3d covariance_P = Eigen::Matrix3d::Zero();  ///< Covariance of the position [mm^2].
+  bool isSeenSingly = true;  ///< Its own brightness was seen; else it was placed by the spacings.
+  bool isByHand = false;     ///< A person placed it.
+  bool isInside = false;     ///< Past the opening. If not, nothing below is set.
+  Uncertain angle_deg;       ///< From the round window, full turns included.
+  double modiolus_mm =
+      0.0;  ///< Distance to the inner wall, toward the modiolar axis; may be negative.
+  double outerWall_mm = 0.0;  ///< Distance to the outer wall, away from the axis; may be negative.
   /// Probability that it lies below the basilar membrane, errors of both fits included.
   double inScalaTympani = 1.0;
   std::array<double, 3> greenwood_Hz{};       ///< Estimated place frequency: value, 95 % low, high.
@@ -79,8 +80,8 @@ struct FoundContact {
 struct Ear {
   ct::CochleaMeasures measures;  ///< Its pose and wall in P of the CT after surgery.
   std::shared_ptr<const anatomy::ScalaTympani> scala;  ///< Its scala tympani, frame W [m].
-  bool isRegistered = false;     ///< Carried over from a CT before surgery; else measured in this one.
-  double residual_mm = 0.0;      ///< Of the registration; 0 without one.
+  bool isRegistered = false;  ///< Carried over from a CT before surgery; else measured in this one.
+  double residual_mm = 0.0;   ///< Residual of the registration; 0 without one.
   std::vector<Flag> flags;
 };
 
@@ -109,18 +110,21 @@ struct ContactsRequest {
 
 /// The array as found.
 struct FoundArray {
-  std::string array;      ///< Shipped name.
+  std::string array;  ///< Shipped name.
   anatomy::Side side = anatomy::Side::right;
   std::vector<FoundContact> contacts;  ///< The most apical first.
-  std::vector<Eigen::Vector3d> course_P;  ///< The array's course from the tip to where it leaves the volume, 0.25 mm apart.
+  std::vector<Eigen::Vector3d>
+      course_P;  ///< The array's course from the tip to where it leaves the volume, 0.25 mm apart.
   Uncertain angularInsertionDepth_deg;  ///< Angle of the most apical contact inside.
   double tipAngle_deg = 0.0;
   int contactsInside = 0;
-  double outside_mm = 0.0;     ///< Length of the array between the opening and its most basal contact; 0 if inside.
-  double insertedLength_mm = 0.0, insertedLengthSd_mm = 0.0;  ///< Of the tip past the opening, along the array.
+  double outside_mm =
+      0.0;  ///< Length of the array between the opening and its most basal contact; 0 if inside.
+  double insertedLength_mm = 0.0,
+         insertedLengthSd_mm = 0.0;  ///< Length of the tip past the opening, along the array.
   bool isFolded = false;
-  double translocationProbability = 0.0;   ///< The largest over the contacts inside.
-  double translocationAngle_deg = 0.0;     ///< Where it first exceeds 0.8; 0 without.
+  double translocationProbability = 0.0;  ///< The largest over the contacts inside.
+  double translocationAngle_deg = 0.0;    ///< Where it first exceeds 0.8; 0 without.
   bool isRegistered = false;
   double residual_mm = 0.0;
   double fwhm_mm = 0.0;  ///< Full width at half maximum of the image's blur, as fitted.

@@ -44,19 +44,21 @@ inline constexpr std::array tools{Choice<Tool>{Tool::unknown, "unknown"},
 /// One insertion as its surgeon describes it. What is not known is absent.
 struct Surgery {
   std::string array;  ///< Shipped name: "flex28".
-  std::string lot;    ///< Of the array; up to 24 letters, digits, hyphens; never a patient's number.
+  std::string
+      lot;  ///< The array's lot number; up to 24 letters, digits, hyphens; never a patient's number.
   Opening opening = Opening::unknown;
   Tool tool = Tool::unknown;
-  std::string lubricant;  ///< "saline", "hyaluronate"; up to 40 characters.
+  std::string lubricant;                     ///< "saline", "hyaluronate"; up to 40 characters.
   std::optional<double> tilt_deg, turn_deg;  ///< Approach, as in scenarios.
   /// Depth of the tip past the opening that was intended before the insertion.
   std::optional<Length> intendedDepth;
   std::optional<int> intendedContacts;  ///< Number of contacts that were to be inside.
   std::optional<bool> isMarkReached;
-  std::optional<Length> outside;       ///< Length of the array's insertable part that stayed outside.
+  std::optional<Length> outside;  ///< Length of the array's insertable part that stayed outside.
   std::optional<int> contactsOutside;  ///< Contacts seen outside the opening.
   StopReason stopReason = StopReason::unknown;
-  std::optional<int> contactAtResistance;  ///< Number of the contact (1 at the tip) at the opening at first resistance.
+  std::optional<int>
+      contactAtResistance;  ///< Number of the contact (1 at the tip) at the opening at first resistance.
   std::optional<int> attempts, pullBacks;
   std::optional<int> daysToCt;  ///< From surgery to the CT.
 

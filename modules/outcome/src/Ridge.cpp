@@ -191,15 +191,25 @@ std::vector<Eigen::Vector3d> ridgeOf(const MetalGrid& grid, const EarFrame& fram
 
 double startOfRow(const MetalGrid& grid, const std::vector<Eigen::Vector3d>& ridge_P)
 {
-  constexpr double before_mm = 1.5, typicalFrom_mm = 0.5, typicalTo_mm = 3.0;
-  double typical = 0.0;
-  int count = 0;
-  for (double d = typicalFrom_mm; d < typicalTo_mm; d += spacing_mm, ++count)
-    typical += grid.sample(grid.value, alongPolyline(ridge_P, d));
-  typical /= std::max(1, count);
-  for (double d = typicalTo_mm; d > -before_mm; d -= 0.02)
-    if (grid.sample(grid.value, alongPolyline(ridge_P, d)) < 0.5 * typical && d < typicalFrom_mm)
-      return d;
+  constexpr double fine_mm = 0.02, whole_mm = 12.0, stays_mm = 1.0, before_mm = 1.5;
+  constexpr double rise = 0.5;
+  const double end = std::min(whole_mm, spacing_mm * static_cast<double>(ridge_P.size()));
+  std::vector<double> metal;  // from before the apical end on
+  for (double d = -before_mm; d < end; d += fine_mm)
+    metal.push_back(grid.sample(grid.value, alongPolyline(ridge_P, d)));
+  std::vector<double> sorted(metal.begin() + static_cast<std::ptrdiff_t>(before_mm / fine_mm),
+                             metal.end());
+  if (sorted.empty()) return 0.0;
+  std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2),
+                   sorted.end());
+  const double level = rise * sorted[sorted.size() / 2];
+  const auto ahead = static_cast<std::size_t>(stays_mm / fine_mm);
+  for (std::size_t i = 0; i + ahead < metal.size(); ++i) {
+    if (metal[i] < level) continue;
+    double mean = 0.0;
+    for (std::size_t k = i; k < i + ahead; ++k) mean += metal[k] / static_cast<double>(ahead);
+    if (mean > 1.5 * level) return fine_mm * static_cast<double>(i) - before_mm;
+  }
   return 0.0;
 }
 

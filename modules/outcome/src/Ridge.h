@@ -15,8 +15,8 @@ namespace perilymph::outcome {
 /// empty if there is none near the duct. A minimal path through bright cells that stays in its turn.
 std::vector<Eigen::Vector3d> ridgeOf(const MetalGrid& grid, const EarFrame& frame);
 
-/// Distance along the ridge at which a row of contacts begins: where its brightness rises to half of what
-/// follows [mm].
+/// Distance along the ridge at which a row of contacts begins: where its brightness rises to half of the median of
+/// what follows, and stays there [mm].
 double startOfRow(const MetalGrid& grid, const std::vector<Eigen::Vector3d>& ridge_P);
 
 /// Point of a polyline at a distance from its start; continued straight beyond its ends.

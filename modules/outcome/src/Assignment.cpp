@@ -133,7 +133,7 @@ std::vector<Candidate> candidatesOf(const std::vector<Blob>& blobs, const EarFra
 
 Chain bestChain(const std::vector<Candidate>& candidates, const MetalGrid& grid,
                 const electrode::ArrayDesign& array, const std::map<int, int>& byHand,
-                double fwhm_mm, const std::optional<Eigen::Vector3d>& notFirst_P)
+                double fwhm_mm)
 {
   const std::size_t count = array.contactsFromTip.size(), places = candidates.size();
   Chain best;
@@ -178,11 +178,6 @@ Chain bestChain(const std::vector<Candidate>& candidates, const MetalGrid& grid,
                                              static_cast<int>(gap) - 1))
               stepsOf(contact, gap, a).push_back({b, *cost});
 
-  const auto isAllowedFirst = [&](std::size_t contact, std::size_t place) {
-    if (!notFirst_P) return true;
-    const double pitch = distanceOf(array, 0, 1);
-    return contact == 0 && (candidates[place].position_P - *notFirst_P).norm() > 0.5 * pitch;
-  };
   double found = none;
   std::size_t lastContact = 0, lastA = 0, lastB = 0, lastGap = 0;
   for (std::size_t contact = 0; contact < count; ++contact) {
@@ -196,7 +191,7 @@ Chain bestChain(const std::vector<Candidate>& candidates, const MetalGrid& grid,
           if (!gainB) continue;
           State& state = states[gap - 1][contact][a * places + step.to];
           // it begins here, with some contacts before it that were not seen
-          if (from <= maxMissing && isAllowedFirst(from, a)) {
+          if (from <= maxMissing) {
             const double beyond = metalBeyond(candidates[a], candidates[step.to], grid,
                                               std::max(distanceOf(array, 0, 1), fwhm_mm));
             const double metal =

@@ -38,9 +38,8 @@ std::vector<Candidate> candidatesOf(const std::vector<Blob>& blobs, const EarFra
 ///
 /// @param byHand       Candidate of contacts that a person placed, by index from 0.
 /// @param fwhm_mm      Full width at half maximum of the blur: metal ends no more sharply.
-/// @param notFirst_P   If set, the most apical contact must be at least half a spacing away from it.
 Chain bestChain(const std::vector<Candidate>& candidates, const MetalGrid& grid,
                 const electrode::ArrayDesign& array, const std::map<int, int>& byHand,
-                double fwhm_mm, const std::optional<Eigen::Vector3d>& notFirst_P = {});
+                double fwhm_mm);
 
 }  // namespace perilymph::outcome

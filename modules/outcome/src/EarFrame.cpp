@@ -102,12 +102,12 @@ EarPlace EarFrame::placeOf(const Eigen::Vector3d& point_P) const
   const double behind_mm = 1e3 * (entry_.origin_W - point_W).dot(entry_.out_W);
   const Eigen::Vector3d off = point_W - entry_.origin_W;
   const double besideAxis_mm = 1e3 * (off - off.dot(entry_.out_W) * entry_.out_W).norm();
-  if (best.angle < 0.5 * pi && behind_mm <= leadIn_mm_ &&
-      (behind_mm <= 0.0 || besideAxis_mm < nearest)) {
+  const bool isBesideOpening = besideAxis_mm < nearOpening_mm + std::max(0.0, -behind_mm);
+  if (behind_mm <= leadIn_mm_ && isBesideOpening && besideAxis_mm < nearest) {
     best.depth_mm = behind_mm;
     best.isInside = behind_mm > 0.0;
-    best.angle = std::min(best.angle, 0.0);
-    best.isNearDuct = besideAxis_mm < nearOpening_mm + std::max(0.0, -behind_mm);
+    best.angle = std::min(first, 0.0);
+    best.isNearDuct = true;
     best.across_mm = besideAxis_mm;
   } else {
     best.isInside = true;

@@ -31,7 +31,7 @@ constexpr double partitionSd_mm =
 constexpr double earSd_mm = 0.10, earSdFromThisCt_mm = 0.25;  // of the fitted ear's height
 constexpr double kinkPerMm = 1.6;      // curvature [1/mm]: a radius of 0.6 mm
 constexpr double foldBack_mm = 0.6;    // by which the depth decreases toward the tip
-constexpr double badLengths = 2.2;     // spacing errors in their standard deviations
+constexpr double badLengths = 1.8;     // spacing errors in their standard deviations
 constexpr double translocated = 0.8;   // probability from which a contact counts as above
 constexpr int fewestTranslocated = 2;  // contacts that count, for the flag
 

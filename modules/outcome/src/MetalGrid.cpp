@@ -104,6 +104,7 @@ MetalGrid metalAround(const ct::CtVolume& volume, const Ear& ear, const EarFrame
         bonePart[grid.index(i, j, k)] =
             static_cast<float>(frame.bonePart(grid.at_P(i, j, k), 0.5 * grid.step_mm));
   bonePart = blurred(grid, bonePart, blur_mm);
+  const double bright = std::min(300.0, 0.3 * (grid.ceiling - grid.floor));
   constexpr double usualContent = 100.0;
   for (int k = 0; k < grid.size[2]; ++k)
     for (int j = 0; j < grid.size[1]; ++j)
@@ -112,6 +113,8 @@ MetalGrid metalAround(const ct::CtVolume& volume, const Ear& ear, const EarFrame
         const double part = std::min(1.0, static_cast<double>(bonePart[cell]));
         const double floor = part * grid.floor + (1.0 - part) * (usualContent + aboveContent);
         const auto value = volume.sample(grid.at_P(i, j, k));
+        if (value && *value > grid.floor + bright && frame.placeOf(grid.at_P(i, j, k)).isNearDuct)
+          grid.aboveBone_mm3 += grid.step_mm * grid.step_mm * grid.step_mm;
         grid.value[cell] = static_cast<float>(value ? std::max(0.0, *value - floor) : 0.0);
       }
   return grid;

@@ -22,7 +22,8 @@ struct MetalGrid {
   double bone = 0.0;         ///< Median intensity of the bone around the cochlea.
   double boneSpread = 0.0;   ///< Its standard deviation, by quartiles.
   double floor = 0.0;        ///< Above this a voxel is not bone; in the lumen less counts as metal.
-  double ceiling = 1e9;      ///< Intensity at which the scanner clips; 1e9: it does not.
+  double aboveBone_mm3 = 0.0;  ///< Volume near the duct that is brighter than any bone.
+  double ceiling = 1e9;        ///< Intensity at which the scanner clips; 1e9: it does not.
 
   std::size_t index(int i, int j, int k) const
   {

@@ -231,12 +231,12 @@ private:
       const double half = 0.5 * inMillimeters(array_.sectionAt(array_.contactsFromTip[i]).within);
       whole[i] = arc * (1.0 - std::min(0.3, bend * bend * arc * arc / 24.0));
       nearer[i] = whole[i] * bend * half;
-      chordSd_[i] = 0.02 + 0.01 * arc + 0.15 * nearer[i];
+      chordSd_[i] = 0.02 + 0.01 * arc + 0.08 * nearer[i];
       const double weight = 1.0 / (chordSd_[i] * chordSd_[i]);
       top += weight * nearer[i] * (whole[i] - (nodeOf(x_, i + 1) - nodeOf(x_, i)).norm());
       bottom += weight * nearer[i] * nearer[i];
     }
-    offset_ = std::clamp(top / bottom, 0.0, 2.0 * contactOffset);
+    offset_ = std::clamp(top / bottom, 0.0, 1.0);  // within the carrier
     offsetCost_ = (offset_ - contactOffset) * (offset_ - contactOffset) / (offsetSd * offsetSd);
     for (std::size_t i = 0; i + 1 < count_; ++i) chord_[i] = whole[i] - offset_ * nearer[i];
   }

@@ -184,20 +184,12 @@ Result<FoundArray> findContacts(const ct::CtVolume& postoperative, const Ear& ea
   const MetalGrid grid = metalAround(postoperative, ear, frame, reach_mm, blur);
   report(0.2);
   if (isStopped()) return canceled;
-  double metal_mm3 = 0.0;
-  const auto bright = static_cast<float>(std::min(300.0, 0.3 * (grid.ceiling - grid.floor)));
-  for (int k = 0; k < grid.size[2]; k += 1)
-    for (int j = 0; j < grid.size[1]; ++j)
-      for (int i = 0; i < grid.size[0]; ++i)
-        if (grid.value[grid.index(i, j, k)] > bright &&
-            frame.placeOf(grid.at_P(i, j, k)).isNearDuct)
-          metal_mm3 += std::pow(grid.step_mm, 3);
-  constexpr double minMetal_mm3 = 1.0;
-  if (metal_mm3 < minMetal_mm3)
+  constexpr double minMetal_mm3 = 0.3;
+  if (grid.aboveBone_mm3 < minMetal_mm3)
     return Error{
         "There is no array in this ear: %1 cubic millimeters of metal lie in or near the cochlea, "
-        "at least 1 is expected. Choose a CT after surgery, and check the side.",
-        std::to_string(metal_mm3).substr(0, 4)};
+        "at least 0.3 are expected. Choose a CT after surgery, and check the side.",
+        std::to_string(grid.aboveBone_mm3).substr(0, 4)};
 
   const double pitch = smallestPitch_mm(array);
   const double fwhm = fwhmOfSd * std::cbrt(blur * blur * blurAxial);

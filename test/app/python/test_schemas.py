@@ -122,3 +122,32 @@ def test_measures_of_a_ct_are_as_their_schema_says(cli, tmp_path):
     for key in ("A_mm", "side", "provenance"):
         assert faults({each: value[each] for each in value if each != key}, schema, schema) != []
     assert faults({"ears": [value]}, schema, schema) != []
+
+
+@pytest.mark.skipif(not PHANTOM.exists(), reason="this build has no VTK and cannot read a CT")
+def test_contacts_in_a_ct_are_as_their_schema_says_and_where_the_phantom_has_them(cli, tmp_path):
+    subprocess.run([PHANTOM, "implanted", "203", "flex24", tmp_path / "ear", "clinical"], check=True, capture_output=True)
+    truth = json.loads((tmp_path / "ear/truth.json").read_text())
+    cli("ct", "contacts", tmp_path / "ear/after", "--preop", tmp_path / "ear/before", "--array", "flex24", "--json", tmp_path / "c.json",
+        "--csv", tmp_path / "c.csv", "--markups", tmp_path / "c.mrk.json", "--picture", tmp_path / "c.png")
+    found = json.loads((tmp_path / "c.json").read_text())
+    check("ct-contacts", found)
+    assert [each["number"] for each in found["contacts"]] == list(range(1, 13))
+    for here, there in zip(found["contacts"], truth["contacts"]):
+        off = sum((a - b)**2 for a, b in zip(here["position_lps_mm"], there["position_lps_mm"]))**0.5
+        assert off < 4 * here["error_mm"] < 1.0, here["number"]
+    low, high = found["angular_insertion_depth_deg"]["ci95"]
+    assert low < truth["angular_insertion_depth_deg"] < high
+    # The table and the markups say the same.
+    rows = [line.split(",") for line in (tmp_path / "c.csv").read_text().splitlines()]
+    names = [line.split(",")[0] for line in (tmp_path / "c-dictionary.csv").read_text().splitlines()[1:]]
+    assert rows[0] == names and len(rows) == 13
+    assert abs(float(rows[1][names.index("angle_deg")]) - found["contacts"][0]["angle_deg"]["value"]) < 1e-2
+    markups = json.loads((tmp_path / "c.mrk.json").read_text())["markups"]
+    assert markups[0]["coordinateSystem"] == "LPS" and markups[0]["controlPoints"][4]["position"] == found["contacts"][4]["position_lps_mm"]
+    # Another array's name is contradicted by the spacing, and a CT without an array is refused.
+    cli("ct", "contacts", tmp_path / "ear/after", "--preop", tmp_path / "ear/before", "--array", "flexsoft", "--json", tmp_path / "d.json")
+    assert json.loads((tmp_path / "d.json").read_text())["flags"]
+    with pytest.raises(subprocess.CalledProcessError):
+        cli("ct", "contacts", tmp_path / "ear/before", "--preop", tmp_path / "ear/before", "--array", "flex24", "--json", tmp_path / "e.json")
+    assert not (tmp_path / "e.json").exists()

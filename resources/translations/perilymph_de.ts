@@ -4412,12 +4412,28 @@
         <translation>Die Suche nach den Kontakten wurde abgebrochen.</translation>
     </message>
     <message>
-        <source>There is no array in this ear: %1 cubic millimeters of metal lie in or near the cochlea, at least 1 is expected. Choose a CT after surgery, and check the side.</source>
-        <translation>In diesem Ohr ist kein Träger: In oder an der Cochlea liegen %1 Kubikmillimeter Metall, mindestens 1 wird erwartet. Wählen Sie ein CT nach der Operation und prüfen Sie die Seite.</translation>
-    </message>
-    <message>
         <source>The contacts cannot be found: the metal in this ear forms no array&apos;s course. Place contacts by hand, or check side and array.</source>
         <translation>Die Kontakte sind nicht zu finden: Das Metall in diesem Ohr bildet keinen Verlauf eines Trägers. Setzen Sie Kontakte von Hand oder prüfen Sie Seite und Träger.</translation>
+    </message>
+    <message>
+        <source>This CT shows a %1 ear, and the patient&apos;s is the %2.</source>
+        <translation>Diese CT zeigt ein anderes Ohr (%1) als das des Patienten (%2).</translation>
+    </message>
+    <message>
+        <source>The CTs before and after surgery do not agree around the cochlea.</source>
+        <translation>Die CTs vor und nach der Operation stimmen um die Cochlea nicht überein.</translation>
+    </message>
+    <message>
+        <source>A is %1 mm in this CT, and %2 mm for the patient.</source>
+        <translation>A ist in dieser CT %1 mm und beim Patienten %2 mm.</translation>
+    </message>
+    <message>
+        <source>B is %1 mm in this CT, and %2 mm for the patient.</source>
+        <translation>B ist in dieser CT %1 mm und beim Patienten %2 mm.</translation>
+    </message>
+    <message>
+        <source>There is no array in this ear: %1 cubic millimeters of metal lie in or near the cochlea, at least 0.3 are expected. Choose a CT after surgery, and check the side.</source>
+        <translation>In diesem Ohr liegt kein Elektrodenträger: %1 Kubikmillimeter Metall liegen in oder an der Cochlea, erwartet sind mindestens 0,3. Wählen Sie eine CT nach der Operation und prüfen Sie die Seite.</translation>
     </message>
 </context>
 <context>

@@ -4,6 +4,7 @@
 #include <QHBoxLayout>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QScrollArea>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -26,7 +27,7 @@ constexpr int pause_ms = 300;
 
 }  // namespace
 
-ArchiveView::ArchiveView(QWidget* parent)
+ArchiveView::ArchiveView(QWidget* parent, const QString& place)
     : QWidget(parent),
       work_(this),
       server_(new Selector("archiveServer", tr("Archive"), this)),
@@ -100,6 +101,10 @@ ArchiveView::ArchiveView(QWidget* parent)
   connect(series_, &FoundTable::rowOpened, this, &ArchiveView::fetch);
   connectWork();
   showState();
+  if (place.isEmpty()) return;
+  setObjectName(place + objectName());
+  for (QWidget* each : findChildren<QWidget*>(QRegularExpression(QStringLiteral("^archive"))))
+    each->setObjectName(place + each->objectName());
 }
 
 void ArchiveView::connectWork()

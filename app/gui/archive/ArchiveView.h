@@ -4,6 +4,7 @@
 // A CT from an archive: server, query, studies, series, retrieval.
 
 #include <QElapsedTimer>
+#include <QString>
 #include <QTimer>
 #include <QWidget>
 #include <filesystem>
@@ -28,7 +29,8 @@ class StudyRows;
 class ArchiveView : public QWidget {
   Q_OBJECT
 public:
-  explicit ArchiveView(QWidget* parent);
+  /// @param place  Begins the names of its objects where a window has two of it.
+  explicit ArchiveView(QWidget* parent, const QString& place = {});
 
   /// Reads the list of servers and waits for a query.
   void enter();

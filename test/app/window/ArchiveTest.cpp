@@ -226,7 +226,7 @@ protected:
 
 TEST_P(ACtFromTheArchive, IsMeasuredAtOnceAndNothingOfThePatientIsKept)
 {
-  findAll();
+  ASSERT_NO_FATAL_FAILURE(findAll());
   EXPECT_EQ(cell("archiveStudies", 0, 1), "Secretname, Patient");
   EXPECT_EQ(cell("archiveStudies", 0, 3), "1901-02-03");
   const auto& fetch = rig_->button("archiveFetchButton");
@@ -262,7 +262,7 @@ TEST_P(ACtFromTheArchive, IsMeasuredAtOnceAndNothingOfThePatientIsKept)
 TEST_P(ACtFromTheArchive, IsMeasuredPlannedReportedAndFiledInTheArchive)
 {
   const auto began = std::chrono::steady_clock::now();
-  findAll();
+  ASSERT_NO_FATAL_FAILURE(findAll());
   rig_->click("archiveFetchButton");
   ASSERT_TRUE(waits([this] { return page().study().measures() != nullptr && !page().isBusy(); }))
       << said("archiveStatus") << said("ctStatus");

@@ -60,7 +60,7 @@ OutcomePage::OutcomePage(const InsertionControl& control, QWidget* parent)
              "array are found, measured and shown beside the plan."),
           this)),
       view_(new OutcomeView(study_, this)),
-      archive_(new ArchiveView(this))
+      archive_(new ArchiveView(this, QStringLiteral("outcome-")))
 {
   empty_->offer(tr("Open folder…"));
   empty_->offerAlso(tr("From the archive…"));

@@ -7,6 +7,7 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 #include <QVariant>
+#include <algorithm>
 #include <cmath>
 
 #include "gui/report/OutcomeWords.h"
@@ -76,9 +77,11 @@ QWidget* SurgeryForm::addRow(QVBoxLayout& column, const QString& name, QWidget* 
   auto* suffix = new QLabel(unit, line);
   suffix->setFont(typeface(11));
   suffix->setProperty("quiet", true);
-  suffix->setFixedWidth(sized(unit_px));
-  field->setFixedSize(sized(field_px), sized(row_px));
+  // all rows have the room that their longest short text needs, in every language
+  suffix->setFixedWidth(
+      std::max(sized(unit_px), suffix->fontMetrics().horizontalAdvance(tr("mm")) + 2));
   field->setFont(typeface(12));
+  field->setFixedSize(std::max(sized(field_px), markReached_->widest_px()), sized(row_px));
   row->addWidget(title, 1);
   row->addWidget(field);
   row->addWidget(suffix);
@@ -138,14 +141,15 @@ void SurgeryForm::addNumber(QVBoxLayout& column, const char* object, const QStri
 
 void SurgeryForm::addUsual(QVBoxLayout& column)
 {
+  markReached_->setFont(typeface(12));  // its width is that of all fields
+  markReached_->addChoice(tr("not known"), QString());
+  markReached_->addChoice(tr("yes"), QStringLiteral("yes"));
+  markReached_->addChoice(tr("no"), QStringLiteral("no"));
   for (const auto& each : outcome::stopReasons)
     stopReason_->addChoice(textOf(each.value), QLatin1String(each.name));
   stopReason_->setToolTip(
       tr("Why the array was not pushed further. A stop by resistance is what a plan predicts."));
   addRow(column, tr("Stopped because of"), stopReason_);
-  markReached_->addChoice(tr("not known"), QString());
-  markReached_->addChoice(tr("yes"), QStringLiteral("yes"));
-  markReached_->addChoice(tr("no"), QStringLiteral("no"));
   addRow(column, tr("Intended mark reached"), markReached_);
   addNumber(column, "surgeryIntendedDepth", tr("Intended depth"), tr("mm"),
             &outcome::Surgery::intendedDepth);

@@ -10431,6 +10431,10 @@
         <source>Saved to %1.</source>
         <translation>Gespeichert in %1.</translation>
     </message>
+    <message>
+        <source>Find an array in a CT</source>
+        <translation>Elektrodenträger in einer CT finden</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::PatientDetails</name>

@@ -45,9 +45,12 @@ void linkPages(MainWindow& window)
     QObject::connect(ct, &CtPage::serversRequested, &window.sheets(), &OverlayStack::showServers);
     QObject::connect(&window.sheets(), &OverlayStack::serversChanged, ct, &CtPage::showServers);
   }
-  if (const auto* outcome = pages.find<OutcomePage>())
+  if (auto* outcome = pages.find<OutcomePage>()) {
     QObject::connect(outcome, &OutcomePage::serversRequested, &window.sheets(),
                      &OverlayStack::showServers);
+    QObject::connect(&window.sheets(), &OverlayStack::serversChanged, outcome,
+                     &OutcomePage::showServers);
+  }
   if (ct != nullptr) {
     const CtPlaces places = [ct](const std::string& seriesKey) { return ct->placeOf(seriesKey); };
     if (plan != nullptr) plan->setCtPlaces(places);

@@ -72,10 +72,11 @@ TEST(TabKey, GoesThroughThePageThenTheBarWithTheLinksToPagesLast)
     rig.window().showPage(*page);
     QStringList stops;
     for (const QWidget* stop : walkTab(rig, {})) stops << stop->objectName();
-    const QStringList bar{"startPageButton",    "keysButton",        "settingsButton",
-                          "menuButton",         "ctPageButton",      "planPageButton",
-                          "insertPageButton",   "comparePageButton", "validatePageButton",
-                          "sessionsPageButton", "studiesPageButton"};
+    const QStringList bar{"startPageButton",    "keysButton",         "settingsButton",
+                          "menuButton",         "ctPageButton",       "planPageButton",
+                          "insertPageButton",   "outcomePageButton",  "comparePageButton",
+                          "validatePageButton", "sessionsPageButton", "studiesPageButton",
+                          "outcomesPageButton"};
     ASSERT_GT(stops.size(), bar.size()) << page->id().toStdString();
     EXPECT_EQ(stops.mid(stops.size() - bar.size()), bar) << stops.join(' ').toStdString();
   }

@@ -17,7 +17,8 @@ namespace perilymph::gui {
 CtSource::CtSource(QWidget* parent, const QString& place)
     : QWidget(parent), series_(new CtSeriesList(this))
 {
-  auto* row = new QHBoxLayout;
+  // a narrower panel has them one above the other
+  auto* row = new QBoxLayout(place.isEmpty() ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
   auto* folder = rowButton(tr("Open folder…"), "openCtFolderButton", this);
   auto* file = rowButton(tr("Open file…"), "openCtFileButton", this);
   folder->setToolTip(tr("A folder with DICOM files, or the folder of a DICOMDIR"));

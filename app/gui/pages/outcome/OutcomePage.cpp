@@ -89,6 +89,8 @@ void OutcomePage::onShown()
   if (panel_->patient() && planned_.array.empty()) readPlanned();
 }
 
+void OutcomePage::showServers() { archive_->showServers(); }
+
 bool OutcomePage::isBusy() const { return ct_.isBusy() || work_.isBusy() || archive_->isBusy(); }
 
 bool OutcomePage::cancel()

@@ -61,6 +61,8 @@ public:
   void save();
   void exportTo(OutcomeExport kind, const std::filesystem::path& file);
   void writeReport(const ReportPlace& place);
+  /// Reads the list of archives again.
+  void showServers();
 
 Q_SIGNALS:
   /// The archives in the settings are to be shown.

@@ -98,6 +98,9 @@ OutcomesPage::OutcomesPage(QWidget* parent)
       percentiles_(new DrawingView(this)),
       status_(new StatusLine("outcomesStatus", this))
 {
+  empty_->offer(tr("Find an array in a CT"));
+  connect(empty_, &EmptyPage::actionRequested, this,
+          [this] { Q_EMIT pageRequested(QStringLiteral("outcome")); });
   stages_->addWidget(empty_);
   stages_->addWidget(addContent());
   auto* column = new QVBoxLayout(this);

@@ -67,17 +67,6 @@ double EarFrame::bonePart(const Eigen::Vector3d& point_P, double blur_mm) const
   return 0.5 - 0.5 * std::clamp(1e3 * wall.distance / (edge * blur_mm), -1.0, 1.0);
 }
 
-Eigen::Vector3d EarFrame::center_P(double angle) const
-{
-  const double x = std::clamp(angle / step_, 0.0, static_cast<double>(depth_.size() - 2));
-  const auto i = static_cast<std::size_t>(x);
-  const double f = x - static_cast<double>(i);
-  const double r = radius_[i] + f * (radius_[i + 1] - radius_[i]),
-               z = height_[i] + f * (height_[i + 1] - height_[i]);
-  const SineCosine direction = sineCosine(angle);
-  return toP(1e-3 * Eigen::Vector3d(r * direction.cosine, r * direction.sine, z));
-}
-
 EarPlace EarFrame::placeOf(const Eigen::Vector3d& point_P) const
 {
   const Eigen::Vector3d point_W = toW(point_P);

@@ -45,8 +45,6 @@ public:
   /// The part of bone at a point in P, 0 in both scalae, 1 in the bone, with an edge as wide as the blur; 1 far from
   /// the duct.
   double bonePart(const Eigen::Vector3d& point_P, double blur_mm) const;
-  /// Center of both scalae at an angle [rad], P.
-  Eigen::Vector3d center_P(double angle) const;
   /// Largest angle of the scala tympani [rad].
   double lastAngle() const { return lastAngle_; }
   /// Arc length of the section centers from the opening to an angle [mm].

@@ -10,8 +10,8 @@
 #include "perilymph/anatomy/ScalaVestibuli.h"
 #include "perilymph/foundation/Math.h"
 #include "perilymph/foundation/Normal.h"
-#include "perilymph/mechanics/Outcome.h"
 #include "perilymph/planning/DefaultFilters.h"
+#include "perilymph/planning/ResistanceGrid.h"
 
 namespace perilymph::outcome {
 
@@ -34,42 +34,6 @@ constexpr double foldBack_mm = 0.6;    // by which the depth decreases toward th
 constexpr double badLengths = 1.8;     // spacing errors in their standard deviations
 constexpr double translocated = 0.8;   // probability from which a contact counts as above
 constexpr int fewestTranslocated = 2;  // contacts that count, for the flag
-
-/// Probability that a standard normal deviate is below x: by its distribution's error function.
-double below(double x) { return 0.5 * std::erfc(-x / std::sqrt(2.0)); }
-
-/// Nodes of the array at equal distances from the lead to the tip, W [m], as mechanics takes a shape.
-std::vector<Vector3d> nodesOf(const EarFrame& frame, const electrode::ArrayDesign& array,
-                              const std::vector<Vector3d>& course_P)
-{
-  constexpr int count = 160;
-  std::vector<Vector3d> nodes;
-  const double length = inMillimeters(array.length);
-  for (int i = 0; i < count; ++i) {
-    double fromTip = length * (1.0 - static_cast<double>(i) / (count - 1));
-    // polyline from the tip; 0.25 mm apart
-    Vector3d point = course_P.back();
-    double gone = 0.0;
-    bool isFound = false;
-    for (std::size_t k = 1; k < course_P.size(); ++k) {
-      const double step = (course_P[k] - course_P[k - 1]).norm();
-      if (gone + step >= fromTip) {
-        point = course_P[k - 1] +
-                ((fromTip - gone) / std::max(step, 1e-9)) * (course_P[k] - course_P[k - 1]);
-        isFound = true;
-        break;
-      }
-      gone += step;
-    }
-    if (!isFound) {
-      const std::size_t last = course_P.size() - 1;
-      point =
-          course_P[last] + (fromTip - gone) * (course_P[last] - course_P[last - 1]).normalized();
-    }
-    nodes.push_back(frame.toW(point));
-  }
-  return nodes;
-}
 
 /// A smooth course through the contacts, from the tip to the lead (centripetal Catmull-Rom), about 0.25 mm apart.
 std::vector<Vector3d> courseThrough(std::vector<Vector3d> knots, double tip_mm)
@@ -131,7 +95,6 @@ Result<FoundArray> resultsOf(const ct::CtVolume& volume, const Ear& ear, const E
   };
 
   found.course_P = courseThrough(chain.position_P, inMillimeters(array.contactsFromTip.front()));
-  const std::vector<Vector3d> nodes_W = nodesOf(frame, array, found.course_P);
   const auto filters = planning::defaultFiltersOf(array);
   if (!filters) return filters.error();
   const analysis::OrganOfCorti organ(*ear.scala);
@@ -198,7 +161,7 @@ Result<FoundArray> resultsOf(const ct::CtVolume& volume, const Ear& ear, const E
       const Vector3d up = frame.directionToP(Vector3d::UnitZ());
       const double sd = std::sqrt(std::max(0.0, up.dot(contact.covariance_P * up)) + earSd * earSd +
                                   partitionSd_mm * partitionSd_mm);
-      contact.inScalaTympani = below((height_mm - 1e3 * at_W.z()) / sd);
+      contact.inScalaTympani = planning::normalBelow((height_mm - 1e3 * at_W.z()) / sd);
       const auto greenwood = [&](double deg) {
         return analysis::greenwoodFrequency(1.0 - organ.fractionAt(degrees(std::max(0.0, deg))));
       };
@@ -304,7 +267,6 @@ Result<FoundArray> resultsOf(const ct::CtVolume& volume, const Ear& ear, const E
           return each.isInside && 1.0 - each.inScalaTympani > translocated;
         }) >= fewestTranslocated);
   raise(Flag::contactsOutside, found.contactsInside < static_cast<int>(count));
-  raise(Flag::earFromThisCt, !ear.isRegistered);
   raise(Flag::clipped, isClipped);
   raise(Flag::coarseVoxels, evidence.isCoarse);
   return found;

@@ -13,11 +13,10 @@ namespace perilymph::outcome {
 struct FoundEvidence {
   bool isSeenSingly = true;
   std::vector<bool> isSeen;  ///< For each contact.
-  int seen = 0, unexplained = 0;
+  int unexplained = 0;       ///< Bright places that no contact explains.
   double shiftMargin =
       0.0;  ///< Cost of the best fit with other numbers of the contacts above the best.
   bool isSecondNear = false, areMissing = false, areManyMissing = false, isCoarse = false;
-  double largestVoxel_mm = 0.0;
 };
 
 Result<FoundArray> resultsOf(const ct::CtVolume& volume, const Ear& ear, const EarFrame& frame,

@@ -17,8 +17,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double fitReach_mm = 0.9;  // from the polyline: voxels of the fit
-constexpr double leadPart_mm = 0.5;  // of the lead that is fitted, too
+constexpr double fitReach_mm = 0.9;  // from the points: voxels of the fit
 constexpr double plate_mm =
     0.4;  // size of a contact across the array (low confidence: plates differ)
 constexpr double wireStep_mm = 0.2;
@@ -47,17 +46,13 @@ Spot spotOf(const Matrix3d& covariance)
   return {covariance.inverse(), 1.0 / (std::pow(2.0 * pi, 1.5) * std::sqrt(determinant))};
 }
 
-struct Voxel {
-  Vector3d point_P;
-  double intensity, bone;
-};
-
 class Fit {
 public:
   Fit(const ct::CtVolume& volume, const MetalGrid& grid, const Ear& ear,
-      const electrode::ArrayDesign& array, const FittedChain& start,
-      const RefinementSettings& settings)
+      const std::vector<FitVoxel>& voxels, const electrode::ArrayDesign& array,
+      const FittedChain& start, const RefinementSettings& settings)
       : array_(array),
+        voxels_(voxels),
         settings_(settings),
         ceiling_(grid.ceiling),
         count_(array.contactsFromTip.size()),
@@ -82,7 +77,6 @@ public:
                         ? ear.measures.lumenLevel
                         : 50.0;
     x_[levelAt() + 1] = grid.bone;
-    collect(volume, ear);
     startAmplitudes(grid);
   }
 
@@ -93,7 +87,7 @@ public:
     for (int round = 0; round < settings_.rounds; ++round) {
       setChords();
       const System system = assemble(x_, true);
-      if (round > 0 || true) noise_ = std::max(minNoise, 0.5 * noise_ + 0.5 * system.spread);
+      noise_ = std::max(minNoise, 0.5 * noise_ + 0.5 * system.spread);
       const double before = assembleCost(x_);
       bool isBetter = false;
       for (int attempt = 0; attempt < 6 && !isBetter; ++attempt) {
@@ -137,55 +131,6 @@ private:
     const Matrix3d across = normal_ * normal_.transpose();
     return x[blurAt()] * x[blurAt()] * (Matrix3d::Identity() - across) +
            x[blurAt() + 1] * x[blurAt() + 1] * across;
-  }
-
-  void collect(const ct::CtVolume& volume, const Ear& ear)
-  {
-    const EarFrame frame(ear);
-    const double longest = 0.7 * fitReach_mm;
-    std::vector<std::size_t> marked;
-    const auto& size = volume.size();
-    const auto markAround = [&](const Vector3d& point_P) {
-      const Vector3d center = volume.toIndex(point_P);
-      std::array<int, 3> low{}, high{};
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        const auto at = static_cast<Eigen::Index>(axis);
-        low[axis] =
-            std::max(0, static_cast<int>(std::ceil(center[at] - fitReach_mm / spacing_[at])));
-        high[axis] = std::min(
-            size[axis] - 1, static_cast<int>(std::floor(center[at] + fitReach_mm / spacing_[at])));
-      }
-      for (int k = low[2]; k <= high[2]; ++k)
-        for (int j = low[1]; j <= high[1]; ++j)
-          for (int i = low[0]; i <= high[0]; ++i)
-            if ((volume.toLps(Vector3d(i, j, k)) - point_P).norm() <= fitReach_mm)
-              marked.push_back((static_cast<std::size_t>(k) * static_cast<std::size_t>(size[1]) +
-                                static_cast<std::size_t>(j)) *
-                                   static_cast<std::size_t>(size[0]) +
-                               static_cast<std::size_t>(i));
-    };
-    for (const Vector3d& point_P : settings_.around_P) markAround(point_P);
-    for (std::size_t i = 0; settings_.around_P.empty() && i < count_; ++i) {
-      const Vector3d a = chain_.position_P[i];
-      Vector3d b = chain_.position_P[i + 1];
-      if (i + 1 == count_) b = a + std::min(leadPart_mm, (b - a).norm()) * (b - a).normalized();
-      const int samples = std::max(1, static_cast<int>(std::ceil((b - a).norm() / longest)));
-      for (int s = 0; s <= samples; ++s)
-        markAround(a + (static_cast<double>(s) / samples) * (b - a));
-    }
-    std::sort(marked.begin(), marked.end());
-    marked.erase(std::unique(marked.begin(), marked.end()), marked.end());
-    for (const std::size_t cell : marked) {
-      const std::int16_t value = volume.voxels()[cell];
-      if (value == ct::unmeasured) continue;
-      const auto i = static_cast<double>(cell % static_cast<std::size_t>(size[0]));
-      const auto j = static_cast<double>((cell / static_cast<std::size_t>(size[0])) %
-                                         static_cast<std::size_t>(size[1]));
-      const auto k = static_cast<double>(
-          cell / (static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1])));
-      const Vector3d point = volume.toLps({i, j, k});
-      voxels_.push_back({point, static_cast<double>(value), frame.bonePart(point, guess_[0])});
-    }
   }
 
   void startAmplitudes(const MetalGrid& grid)
@@ -309,7 +254,7 @@ private:
     return p;
   }
 
-  void evaluate(const Eigen::VectorXd& x, const Prepared& p, const Voxel& voxel, bool withSlopes,
+  void evaluate(const Eigen::VectorXd& x, const Prepared& p, const FitVoxel& voxel, bool withSlopes,
                 Local& local) const
   {
     local.slope.clear();
@@ -380,7 +325,7 @@ private:
   }
 
   /// Residual of a voxel with the scanner's limit; 0 where both are beyond it.
-  double residualOf(const Voxel& voxel, double model) const
+  double residualOf(const FitVoxel& voxel, double model) const
   {
     if (voxel.intensity >= ceiling_) return std::max(0.0, ceiling_ - model);
     return voxel.intensity - model;
@@ -471,7 +416,7 @@ private:
     const double independent = 1.0 / correlated();
     Local local;
     std::vector<double> left;
-    for (const Voxel& voxel : voxels_) {
+    for (const FitVoxel& voxel : voxels_) {
       evaluate(x, p, voxel, true, local);
       const double residual = residualOf(voxel, local.model);
       if (voxel.intensity >= ceiling_ && residual == 0.0) continue;
@@ -496,7 +441,7 @@ private:
     const double independent = 1.0 / correlated();
     Local local;
     double cost = 0.0;
-    for (const Voxel& voxel : voxels_) {
+    for (const FitVoxel& voxel : voxels_) {
       evaluate(x, p, voxel, false, local);
       const double residual = residualOf(voxel, local.model);
       const double variance = varianceOf(local.metal);
@@ -550,6 +495,7 @@ private:
   }
 
   const electrode::ArrayDesign& array_;
+  const std::vector<FitVoxel>& voxels_;
   const RefinementSettings& settings_;
   double ceiling_, lead_mm_ = minLead_mm;
   std::size_t count_;
@@ -558,18 +504,55 @@ private:
   Eigen::Vector2d guess_;
   Eigen::Index size_ = 0;
   Eigen::VectorXd x_;
-  std::vector<Voxel> voxels_;
   std::vector<double> chord_, chordSd_;
   double noise_ = 150.0, bone_ = 0.0, offset_ = contactOffset, offsetCost_ = 0.0;
 };
 
 }  // namespace
 
-FittedChain refined(const ct::CtVolume& volume, const MetalGrid& grid, const Ear& ear,
-                    const electrode::ArrayDesign& array, FittedChain start,
-                    const RefinementSettings& settings)
+std::vector<FitVoxel> voxelsNear(const ct::CtVolume& volume, const EarFrame& frame,
+                                 const std::vector<Vector3d>& points_P, double blur_mm)
 {
-  return Fit(volume, grid, ear, array, start, settings).run();
+  const Vector3d spacing = volume.spacing_mm();
+  const auto& size = volume.size();
+  const auto width = static_cast<std::size_t>(size[0]), height = static_cast<std::size_t>(size[1]);
+  std::vector<std::size_t> marked;
+  for (const Vector3d& point_P : points_P) {
+    const Vector3d center = volume.toIndex(point_P);
+    std::array<int, 3> low{}, high{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto at = static_cast<Eigen::Index>(axis);
+      low[axis] = std::max(0, static_cast<int>(std::ceil(center[at] - fitReach_mm / spacing[at])));
+      high[axis] = std::min(size[axis] - 1,
+                            static_cast<int>(std::floor(center[at] + fitReach_mm / spacing[at])));
+    }
+    for (int k = low[2]; k <= high[2]; ++k)
+      for (int j = low[1]; j <= high[1]; ++j)
+        for (int i = low[0]; i <= high[0]; ++i)
+          if ((volume.toLps(Vector3d(i, j, k)) - point_P).norm() <= fitReach_mm)
+            marked.push_back((static_cast<std::size_t>(k) * height + static_cast<std::size_t>(j)) *
+                                 width +
+                             static_cast<std::size_t>(i));
+  }
+  std::sort(marked.begin(), marked.end());
+  marked.erase(std::unique(marked.begin(), marked.end()), marked.end());
+  std::vector<FitVoxel> voxels;
+  for (const std::size_t cell : marked) {
+    const std::int16_t value = volume.voxels()[cell];
+    if (value == ct::unmeasured) continue;
+    const Vector3d point = volume.toLps({static_cast<double>(cell % width),
+                                         static_cast<double>((cell / width) % height),
+                                         static_cast<double>(cell / (width * height))});
+    voxels.push_back({point, static_cast<double>(value), frame.bonePart(point, blur_mm)});
+  }
+  return voxels;
+}
+
+FittedChain refined(const ct::CtVolume& volume, const MetalGrid& grid, const Ear& ear,
+                    const std::vector<FitVoxel>& voxels, const electrode::ArrayDesign& array,
+                    const FittedChain& start, const RefinementSettings& settings)
+{
+  return Fit(volume, grid, ear, voxels, array, start, settings).run();
 }
 
 }  // namespace perilymph::outcome

@@ -41,14 +41,23 @@ struct RefinementSettings {
       true;  ///< Else all contacts share an amplitude but for a tenth of its square.
   std::vector<bool> isFixed;  ///< Contacts that a person placed.
   int rounds = 12;
-  /// If not empty: the voxels of the fit are those near these points, so that costs of several chains compare; else
-  /// those near the chain.
-  std::vector<Eigen::Vector3d> around_P = {};
 };
 
-/// Fits the model. `start` gives the positions of all contacts, in P, and a point of the lead.
+/// A voxel of a fit.
+struct FitVoxel {
+  Eigen::Vector3d point_P;
+  double intensity, bone;  ///< `bone`: its part of bone, see EarFrame::bonePart().
+};
+
+/// The voxels near points, for all fits that are to be compared by their costs.
+///
+/// @param blur_mm  Standard deviation of the blur in plane.
+std::vector<FitVoxel> voxelsNear(const ct::CtVolume& volume, const EarFrame& frame,
+                                 const std::vector<Eigen::Vector3d>& points_P, double blur_mm);
+
+/// Fits the model to voxels. `start` gives the positions of all contacts, in P, and a point of the lead.
 FittedChain refined(const ct::CtVolume& volume, const MetalGrid& grid, const Ear& ear,
-                    const electrode::ArrayDesign& array, FittedChain start,
-                    const RefinementSettings& settings);
+                    const std::vector<FitVoxel>& voxels, const electrode::ArrayDesign& array,
+                    const FittedChain& start, const RefinementSettings& settings);
 
 }  // namespace perilymph::outcome

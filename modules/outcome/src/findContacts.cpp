@@ -111,24 +111,26 @@ void addCourse(const std::vector<Vector3d>& positions, const electrode::ArrayDes
 /// The fit from the best start, shifted by contacts toward the tip or the base if the model explains the image
 /// better so. The cost of the second-best above it is the evidence for the numbers of the contacts.
 FittedChain bestFit(const ct::CtVolume& volume, const MetalGrid& grid, const Ear& ear,
-                    const electrode::ArrayDesign& array, const FittedChain& begin,
-                    const std::vector<std::vector<Vector3d>>& starts, RefinementSettings settings,
-                    FoundEvidence& evidence)
+                    const EarFrame& frame, const electrode::ArrayDesign& array,
+                    const FittedChain& begin, const std::vector<std::vector<Vector3d>>& starts,
+                    const RefinementSettings& settings, FoundEvidence& evidence)
 {
   constexpr int maxShift = 3;
   const bool isHeld =
       std::find(settings.isFixed.begin(), settings.isFixed.end(), true) != settings.isFixed.end();
+  // all are compared on the same voxels
+  std::vector<Vector3d> courses_P;
+  for (const std::vector<Vector3d>& start : starts) addCourse(start, array, courses_P);
+  const std::vector<FitVoxel> voxels = voxelsNear(volume, frame, courses_P, begin.blurInPlane_mm);
   const auto fitAt = [&](const std::vector<Vector3d>& positions) {
     FittedChain start = begin;
     start.position_P = positions;
     start.position_P.push_back(leadAfter(positions));
-    return refined(volume, grid, ear, array, start, settings);
+    return refined(volume, grid, ear, voxels, array, start, settings);
   };
   const auto contactsOf = [](const FittedChain& fit) {
     return std::vector<Vector3d>(fit.position_P.begin(), fit.position_P.end() - 1);
   };
-  // all are compared on the same voxels
-  for (const std::vector<Vector3d>& start : starts) addCourse(start, array, settings.around_P);
   std::vector<FittedChain> fits;
   for (const std::vector<Vector3d>& start : starts) {
     fits.push_back(fitAt(start));
@@ -211,6 +213,7 @@ Result<FoundArray> findContacts(const ct::CtVolume& postoperative, const Ear& ea
   };
 
   FoundEvidence evidence;
+  int inChain = 0;  // contacts that have a candidate
   evidence.isSeenSingly = pitch > singly * fwhm;
   std::vector<std::vector<Vector3d>> starts;  // positions of all contacts
   std::vector<Candidate> candidates;
@@ -221,9 +224,9 @@ Result<FoundArray> findContacts(const ct::CtVolume& postoperative, const Ear& ea
     report(0.3);
     if (isStopped()) return canceled;
     chain = bestChain(candidates, grid, array, byHand, fwhm);
-    evidence.seen = static_cast<int>(std::count_if(chain.candidate.begin(), chain.candidate.end(),
-                                                   [](int each) { return each >= 0; }));
-    if (3 * evidence.seen >= static_cast<int>(array.contactsFromTip.size()))
+    inChain = static_cast<int>(std::count_if(chain.candidate.begin(), chain.candidate.end(),
+                                             [](int each) { return each >= 0; }));
+    if (3 * inChain >= static_cast<int>(array.contactsFromTip.size()))
       starts.push_back(positionsOf(chain, candidates, array));
   }
   const bool isChained = !starts.empty();
@@ -248,7 +251,7 @@ Result<FoundArray> findContacts(const ct::CtVolume& postoperative, const Ear& ea
   report(0.4);
   if (isStopped()) return canceled;
   if (!isChained || pitch < ridged * fwhm ||
-      evidence.seen < static_cast<int>(array.contactsFromTip.size())) {
+      inChain < static_cast<int>(array.contactsFromTip.size())) {
     const std::vector<Vector3d> ridge = ridgeOf(grid, frame);
     if (ridge.size() >= 10) {
       const double start = startOfRow(grid, ridge) + 0.5 * inMillimeters(array.contactLength);
@@ -274,7 +277,7 @@ Result<FoundArray> findContacts(const ct::CtVolume& postoperative, const Ear& ea
     if (number >= 1 && static_cast<std::size_t>(number) <= settings.isFixed.size())
       settings.isFixed[static_cast<std::size_t>(number) - 1] = true;
   const FittedChain fitted =
-      bestFit(postoperative, grid, ear, array, begin, starts, settings, evidence);
+      bestFit(postoperative, grid, ear, frame, array, begin, starts, settings, evidence);
   report(0.9);
   if (isStopped()) return canceled;
 
@@ -299,7 +302,6 @@ Result<FoundArray> findContacts(const ct::CtVolume& postoperative, const Ear& ea
     if (nearest > 0.6 * pitch) ++evidence.unexplained;
   }
   evidence.isSecondNear = evidence.shiftMargin < margin;
-  evidence.largestVoxel_mm = spacing.maxCoeff();
   evidence.isCoarse = spacing.maxCoeff() > coarsest_mm;
   auto found = resultsOf(postoperative, ear, frame, request, fitted, settings.isFixed, evidence);
   if (!found) return found.error();

@@ -66,6 +66,11 @@ void CtStudy::setMeasures(ct::CochleaMeasures measures, const ct::Marks& atReque
     if (placed) now_.marks.points_P[k] = placed;
   }
   now_.former = std::move(now_.measures);
+  showMeasured(std::move(measures));
+}
+
+void CtStudy::showMeasured(ct::CochleaMeasures measures)
+{
   now_.measures = std::make_shared<const ct::CochleaMeasures>(std::move(measures));
   array_ = {};
   frame_ = PlaneFrame::cochlea;
@@ -169,12 +174,7 @@ void CtStudy::showEar(ct::CochleaMeasures measures)
   now_ = {};
   undoStack_.clear();
   redoStack_.clear();
-  now_.measures = std::make_shared<const ct::CochleaMeasures>(std::move(measures));
-  array_ = {};
-  frame_ = PlaneFrame::cochlea;
-  crosshair_P_ = ct::basalTurnCenter_P(*now_.measures);
-  Q_EMIT modelChanged();
-  showWhole();
+  showMeasured(std::move(measures));
 }
 
 void CtStudy::setContacts(std::vector<Contact> contacts)

@@ -139,6 +139,8 @@ Q_SIGNALS:
   void modelChanged();
 
 private:
+  /// Keeps measures, with the cochlear views on them.
+  void showMeasured(ct::CochleaMeasures measures);
   /// Landmarks, who placed them, and the fit: what undo() brings back.
   struct Placement {
     ct::Marks marks;

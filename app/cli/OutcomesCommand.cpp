@@ -45,7 +45,7 @@ Result<void> outcomes(const OutcomesOptions& options, const CommandFiles& files)
     return Error{"Interrupted; what was computed is kept. The same command continues."};
   if (!library) return library.error();
   for (const Sentence& note : library->notes) printError("{}\n", note);
-  const auto clinic = outcome::compareOutcomes(library->outcomes);
+  const auto clinic = outcome::compareOutcomes(library->outcomes, library->leftOut);
   if (!clinic) return clinic.error();
   if (!options.resistance.empty() && !(clinic->resistance.isOffered() && clinic->friction))
     return Error{"The clinic's resistance is not offered, and " + options.resistance +

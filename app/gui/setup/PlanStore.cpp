@@ -69,7 +69,7 @@ Result<void> savePlan(const StoredPlan& plan)
   return writeWhole(plan.folder / planning::planRequestFile, requestText(plan));
 }
 
-std::vector<StoredPlan> storedPlans() { return planning::planFoldersIn(plansFolder()); }
+std::vector<StoredPlan> storedPlans() { return planning::planFoldersIn(plansFolder()).plans; }
 
 QString notesOf(const fs::path& folder)
 {

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <set>
+#include <tuple>
 #include <utility>
 
 #include "StopLengths.h"
@@ -21,13 +23,18 @@ namespace {
 
 /// Probability of a translocation from which on an array counts as translocated.
 constexpr double likely = 0.5;
+/// Difference between two statements of one angle: files have six digits at least (choice, high).
+constexpr double sameAngle_deg = 0.05;
+/// Digits by which a hash is named in sentences.
+constexpr std::size_t shownDigits = 12;
 
 /// One ear with its newest outcome.
 struct Implanted {
   const session::SavedPatient* saved = nullptr;
   OutcomeContent content;
   std::string surgeryDay;
-  std::string name;  ///< "P-017, left ear", for notes.
+  std::string series;  ///< SHA-256 of the CT after surgery.
+  std::string name;    ///< "P-017, left ear", for notes.
 };
 
 /// The plans of a library, with their numbers.
@@ -36,10 +43,24 @@ struct NumberedPlan {
   std::string number;
 };
 
-std::vector<NumberedPlan> plansIn(const std::filesystem::path& folder)
+/// "2026-11-20"
+std::string textOf(std::chrono::sys_days day)
 {
+  const std::chrono::year_month_day date{day};
+  char text[32];
+  std::snprintf(text, sizeof text, "%04d-%02u-%02u", static_cast<int>(date.year()),
+                static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()));
+  return text;
+}
+
+std::vector<NumberedPlan> plansIn(const std::filesystem::path& folder, std::vector<Sentence>& notes)
+{
+  planning::PlanFolders read = planning::planFoldersIn(folder);
+  for (const Sentence& each : read.unreadable)
+    notes.push_back(
+        Sentence{"A plan cannot be read, and no outcome is compared with it. %1", each});
   std::vector<NumberedPlan> plans;
-  for (planning::PlanFolder& each : planning::planFoldersIn(folder)) {
+  for (planning::PlanFolder& each : read.plans) {
     if (each.shownDraws == 0) continue;  // it has no numbers yet
     const auto stored = planning::readPlan(each.folder);
     plans.push_back({std::move(each), stored ? stored->plan.fingerprint : std::string()});
@@ -59,16 +80,138 @@ bool isOf(const planning::PlanFolder& plan, const anatomy::Patient& patient)
 }
 
 /// The plan that an ear's outcome is compared with; the newest that is suitable.
-const NumberedPlan* planOf(const std::vector<NumberedPlan>& plans, const Implanted& ear)
+Result<const NumberedPlan*> planOf(const std::vector<NumberedPlan>& plans, const Implanted& ear)
 {
+  const OutcomeContent& content = ear.content;
   const auto found = std::find_if(plans.begin(), plans.end(), [&](const NumberedPlan& each) {
-    if (placeOf(each.folder, ear.content.found.array) == each.folder.request.arrays.size())
+    if (placeOf(each.folder, content.found.array) == each.folder.request.arrays.size())
       return false;
     if (!isOf(each.folder, ear.saved->patient)) return false;
-    if (!ear.content.plan.empty() && each.number != ear.content.plan) return false;
-    return each.folder.madeUtc.substr(0, ear.surgeryDay.size()) <= ear.surgeryDay;
+    if (!content.plan.empty() && each.number != content.plan) return false;
+    const std::string made = surgeryDay(each.folder.madeUtc, 0);
+    return !made.empty() && made <= ear.surgeryDay;
   });
-  return found == plans.end() ? nullptr : &*found;
+  if (found != plans.end()) return &*found;
+  if (!content.plan.empty())
+    return Error{
+        "%1 is left out: its plan %2 with %3 is not there as it was made before the surgery. "
+        "Restore "
+        "the plan's folder.",
+        ear.name, content.plan.substr(0, shownDigits), content.found.array};
+  return Error{"%1 is left out: no plan of %2 was made for it before the surgery.", ear.name,
+               content.found.array};
+}
+
+/// Refuses statements of one thing that differ: in the outcome, in the record and in the patient's file.
+Result<void> checkStatements(const Implanted& ear, const session::PatientOutcome& saved)
+{
+  const FoundArray& found = ear.content.found;
+  const Surgery& surgery = ear.content.surgery;
+  if (found.side != ear.saved->patient.side)
+    return Error{"its outcome is of the %1 ear. Find the contacts in the CT of this ear again.",
+                 std::string(anatomy::nameOf(found.side))};
+  if (!surgery.array.empty() && surgery.array != found.array)
+    return Error{
+        "%1 was found in the CT and %2 was implanted as the surgeon says. Find the contacts again "
+        "with the array that was implanted.",
+        found.array, surgery.array};
+  if (!ear.content.series.empty() && ear.content.series != saved.series)
+    return Error{
+        "the record and its outcome name different CT series, %1 and %2. Find the contacts again.",
+        saved.series.substr(0, shownDigits), ear.content.series.substr(0, shownDigits)};
+  const auto apical = std::find_if(found.contacts.begin(), found.contacts.end(),
+                                   [](const FoundContact& each) { return each.isInside; });
+  if (apical != found.contacts.end() &&
+      std::fabs(apical->angle_deg.value - found.angularInsertionDepth_deg.value) > sameAngle_deg)
+    return Error{
+        "its angular insertion depth is %1 degrees, and its most apical contact inside lies at %2. "
+        "Find the contacts again.",
+        std::to_string(found.angularInsertionDepth_deg.value),
+        std::to_string(apical->angle_deg.value)};
+  const std::string tomorrow =
+      textOf(std::chrono::floor<std::chrono::days>(std::chrono::system_clock::now()) +
+             std::chrono::days(1));
+  const std::string savedOn = surgeryDay(saved.utc, 0);
+  if (savedOn.empty())
+    return Error{"its outcome was saved on \"%1\", which is no day. Find the contacts again.",
+                 saved.utc};
+  if (savedOn > tomorrow)  // clocks differ by less than a day
+    return Error{
+        "its outcome was saved on %1, which is still to come. Set the clock, and find the contacts "
+        "again.",
+        savedOn};
+  return {};
+}
+
+/// Leaves out ears that stand in two files, but for one of them, and those that share a CT with another
+/// patient, of whom one is wrong.
+void leaveOutTwice(std::vector<Implanted>& ears, LibraryOutcomes& library)
+{
+  std::map<std::pair<std::string, anatomy::Side>, const Implanted*> first;
+  std::map<std::string, std::set<std::string>> patientsOf;
+  for (const Implanted& ear : ears) patientsOf[ear.series].insert(ear.saved->patient.label);
+  std::vector<Implanted> kept;
+  for (const Implanted& ear : ears) {
+    const anatomy::Patient& patient = ear.saved->patient;
+    const auto [same, isFirst] = first.try_emplace({patient.label, patient.side}, &ear);
+    const std::set<std::string>& patients = patientsOf[ear.series];
+    if (!isFirst) {
+      library.notes.push_back(
+          Sentence{"%1 of %2 is left out: the same ear is in %3. Give one of them another code.",
+                   ear.name, ear.saved->file, same->second->saved->file});
+    } else if (patients.size() > 1) {
+      const std::string& other =
+          *patients.begin() == patient.label ? *patients.rbegin() : *patients.begin();
+      library.notes.push_back(Sentence{
+          "%1 is left out: its CT after surgery (%2) is also that of %3. Remove the CT that is not "
+          "this patient's and find the contacts again.",
+          ear.name, ear.series.substr(0, shownDigits), other});
+    } else {
+      kept.push_back(ear);
+      continue;
+    }
+    ++library.leftOut.twice;
+  }
+  ears = std::move(kept);
+}
+
+/// The ears with an outcome that can be read, in the order of surgery, then of codes.
+std::vector<Implanted> implantedIn(const std::vector<session::SavedPatient>& patients,
+                                   LibraryOutcomes& library)
+{
+  std::vector<Implanted> ears;
+  for (const session::SavedPatient& each : patients) {
+    if (each.record.outcomes.empty()) continue;
+    const session::PatientOutcome& newest = each.record.outcomes.back();
+    Implanted ear;
+    ear.saved = &each;
+    ear.series = newest.series;
+    ear.name = each.patient.label + ", " + std::string(anatomy::nameOf(each.patient.side)) + " ear";
+    auto content = outcomeIn(newest.content, ear.name);
+    if (!content) {
+      ++library.leftOut.unreadable;
+      library.notes.push_back(Sentence{"%1 is left out: %2", ear.name, content.error().message});
+      continue;
+    }
+    ear.content = *std::move(content);
+    if (const auto done = checkStatements(ear, newest); !done) {
+      ++library.leftOut.impossible;
+      library.notes.push_back(Sentence{"%1 is left out: %2", ear.name, done.error().message});
+      continue;
+    }
+    if (each.record.isChangedByHand)
+      library.notes.push_back(
+          Sentence{"%1 was changed by hand; its outcome is compared as it stands there.",
+                   session::recordFileOf(each.file)});
+    ear.surgeryDay = surgeryDay(newest.utc, ear.content.surgery.daysToCt.value_or(0));
+    ears.push_back(std::move(ear));
+  }
+  std::sort(ears.begin(), ears.end(), [](const Implanted& one, const Implanted& other) {
+    return std::tie(one.surgeryDay, one.name, one.saved->file) <
+           std::tie(other.surgeryDay, other.name, other.saved->file);
+  });
+  leaveOutTwice(ears, library);
+  return ears;
 }
 
 /// Values of a plan's array as its simulations ended; notes what hinders stop lengths.
@@ -81,6 +224,12 @@ Result<PlannedOutcome> plannedOf(const NumberedPlan& numbered, const Implanted& 
   const std::size_t array = placeOf(numbered.folder, ear.content.found.array);
   const auto plan = planning::viewPlan(request, numbered.folder.folder / planning::planDrawsFile);
   if (!plan) return plan.error();
+  if (plan->seal == Seal::changed)
+    return Error{
+        "%1 or the plan.json beside it was changed after the program wrote it, and is no "
+        "prediction "
+        "any more. Restore the plan's folder.",
+        numbered.folder.folder / planning::planDrawsFile};
   PlannedOutcome planned;
   for (const planning::PlannedInsertion& each : plan->insertions) {
     if (each.array != array || each.insertion.end == haptics::InsertionEnd::refused) continue;
@@ -128,12 +277,7 @@ std::string surgeryDay(const std::string& utc, int daysBefore)
   const std::chrono::year_month_day date{std::chrono::year(year), std::chrono::month(month),
                                          std::chrono::day(day)};
   if (!date.ok()) return {};
-  const std::chrono::year_month_day before{std::chrono::sys_days(date) -
-                                           std::chrono::days(daysBefore)};
-  char text[32];
-  std::snprintf(text, sizeof text, "%04d-%02u-%02u", static_cast<int>(before.year()),
-                static_cast<unsigned>(before.month()), static_cast<unsigned>(before.day()));
-  return text;
+  return textOf(std::chrono::sys_days(date) - std::chrono::days(daysBefore));
 }
 
 Result<LibraryOutcomes> readOutcomes(const planning::RegistryFolders& folders,
@@ -142,31 +286,18 @@ Result<LibraryOutcomes> readOutcomes(const planning::RegistryFolders& folders,
 {
   auto read = session::readPatients(folders.patients);
   LibraryOutcomes library;
+  library.leftOut.unreadable = read.unreadable.size();
   library.notes = std::move(read.unreadable);
-  std::vector<Implanted> ears;
-  for (const session::SavedPatient& each : read.patients) {
-    if (each.record.outcomes.empty()) continue;
-    const session::PatientOutcome& newest = each.record.outcomes.back();
-    const std::string name =
-        each.patient.label + ", " + std::string(anatomy::nameOf(each.patient.side)) + " ear";
-    auto content = outcomeIn(newest.content, name);
-    if (!content) {
-      library.notes.push_back(content.error().message);
-      continue;
-    }
-    const int days = content->surgery.daysToCt.value_or(0);
-    ears.push_back({&each, *std::move(content), surgeryDay(newest.utc, days), name});
-  }
+  const std::vector<Implanted> ears = implantedIn(read.patients, library);
   const std::vector<NumberedPlan> plans =
-      ears.empty() ? std::vector<NumberedPlan>() : plansIn(folders.plans);
+      ears.empty() ? std::vector<NumberedPlan>() : plansIn(folders.plans, library.notes);
   for (const Implanted& ear : ears) {
     if (stop.stop_requested()) return Error{"The outcomes were canceled."};
     const FoundArray& found = ear.content.found;
-    const NumberedPlan* plan = planOf(plans, ear);
-    if (plan == nullptr) {
-      library.notes.push_back(
-          Sentence{"%1 is left out: no plan of %2 was made for it before the surgery.", ear.name,
-                   found.array});
+    const auto plan = planOf(plans, ear);
+    if (!plan) {
+      ++library.leftOut.withoutPlan;
+      library.notes.push_back(plan.error().message);
       continue;
     }
     MeasuredOutcome outcome;
@@ -178,13 +309,19 @@ Result<LibraryOutcomes> readOutcomes(const planning::RegistryFolders& folders,
     outcome.isDisplaced = found.isFolded || found.translocationProbability > likely;
     const bool isInformative = lengths == StopLengths::computed &&
                                evidenceOf(outcome.surgery, outcome.isDisplaced) != Evidence::none;
-    auto planned = plannedOf(*plan, ear, isInformative, library.notes, progress, stop);
+    auto planned = plannedOf(**plan, ear, isInformative, library.notes, progress, stop);
     if (stop.stop_requested()) return Error{"The outcomes were canceled."};
     if (!planned) {
+      ++library.leftOut.withoutPlan;
       library.notes.push_back(Sentence{"%1 is left out: %2", ear.name, planned.error().message});
       continue;
     }
     outcome.plan = *std::move(planned);
+    if (const auto done = checkOutcome(outcome, ear.name); !done) {
+      ++library.leftOut.impossible;
+      library.notes.push_back(Sentence{"%1 is left out: %2", ear.name, done.error().message});
+      continue;
+    }
     library.outcomes.push_back(std::move(outcome));
     library.patients.push_back(ear.saved->patient);
   }

@@ -31,27 +31,12 @@ Result<void> checkValue(const char* what, const Uncertain& measured, Range range
                  std::to_string(measured.value),
                  std::to_string(range.low),
                  std::to_string(range.high)};
-  if (!std::isfinite(measured.sd) || measured.sd < 0.0)
-    return Error{"The error of %1 of %2 is %3; it cannot be below 0. Check the contacts found.",
-                 what, place, std::to_string(measured.sd)};
-  return {};
-}
-
-Result<void> checkOutcome(const MeasuredOutcome& outcome, std::size_t number)
-{
-  const std::string place = "ear " + std::to_string(number);
-  if (const auto done = checkSurgery(outcome.surgery); !done) return done.error();
-  if (const auto done = checkValue("The inserted length [mm]", outcome.depth_mm,
-                                   analysis::physical::depth_mm, place);
-      !done)
-    return done.error();
-  if (outcome.angle_deg)
-    if (const auto done = checkValue("The angular insertion depth [degrees]", *outcome.angle_deg,
-                                     analysis::physical::angle_deg, place);
-        !done)
-      return done.error();
-  if (outcome.plan.depths_mm.empty())
-    return Error{"The plan of %1 has no simulation of %2. Plan that array.", place, outcome.array};
+  const double widest = range.high - range.low;
+  if (!std::isfinite(measured.sd) || measured.sd < 0.0 || measured.sd > widest)
+    return Error{
+        "%1 of %2 has the standard deviation %3; 0 to %4 is allowed. Check the contacts found in "
+        "the CT.",
+        what, place, std::to_string(measured.sd), std::to_string(widest)};
   return {};
 }
 
@@ -102,6 +87,24 @@ void learnAngle(AngleOffset& offset, const MeasuredOutcome& outcome)
 
 }  // namespace
 
+Result<void> checkOutcome(const MeasuredOutcome& outcome, const std::string& name)
+{
+  if (const auto done = checkSurgery(outcome.surgery); !done)
+    return Error{"%1: %2", name, done.error().message};
+  if (const auto done = checkValue("The inserted length [mm]", outcome.depth_mm,
+                                   analysis::physical::depth_mm, name);
+      !done)
+    return done.error();
+  if (outcome.angle_deg)
+    if (const auto done = checkValue("The angular insertion depth [degrees]", *outcome.angle_deg,
+                                     analysis::physical::angle_deg, name);
+        !done)
+      return done.error();
+  if (outcome.plan.depths_mm.empty())
+    return Error{"The plan of %1 has no simulation of %2. Plan that array.", name, outcome.array};
+  return {};
+}
+
 void BandHits::add(double percentile)
 {
   ++all;
@@ -122,16 +125,19 @@ double percentileAmong(const std::vector<double>& simulated, const Uncertain& me
   return (below + 0.5) / (static_cast<double>(simulated.size()) + 1.0);
 }
 
-Result<ClinicOutcomes> compareOutcomes(std::vector<MeasuredOutcome> outcomes)
+Result<ClinicOutcomes> compareOutcomes(std::vector<MeasuredOutcome> outcomes,
+                                       const LeftOut& leftOut)
 {
   std::stable_sort(outcomes.begin(), outcomes.end(), [](const auto& one, const auto& other) {
     return one.surgeryUtc < other.surgeryUtc;
   });
   ClinicOutcomes clinic;
+  clinic.leftOut = leftOut;
   std::map<std::string, ArrayOutcomes> arrays;
   ArrayOutcomes all;
   for (const MeasuredOutcome& each : outcomes) {
-    if (const auto done = checkOutcome(each, clinic.ears.size() + 1); !done) return done.error();
+    const std::string name = "ear " + std::to_string(clinic.ears.size() + 1);
+    if (const auto done = checkOutcome(each, name); !done) return done.error();
     ScoredOutcome ear;
     ear.year = yearOf(each.surgeryUtc);
     ear.array = each.array;

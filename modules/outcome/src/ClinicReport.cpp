@@ -182,6 +182,12 @@ std::string outcomesJson(const ClinicOutcomes& outcomes)
   json["ears"] = ordered_json::array();
   for (std::size_t i = 0; i < outcomes.ears.size(); ++i)
     json["ears"].push_back(earJson(outcomes.ears[i], i + 1));
+  const LeftOut& leftOut = outcomes.leftOut;
+  json["left_out"] = {{"ears", leftOut.all()},
+                      {"unreadable", leftOut.unreadable},
+                      {"impossible", leftOut.impossible},
+                      {"without_plan", leftOut.withoutPlan},
+                      {"twice", leftOut.twice}};
   json["arrays"] = ordered_json::array();
   for (const ArrayOutcomes& each : outcomes.arrays) json["arrays"].push_back(arrayJson(each));
   const std::size_t resisted = countOf(outcomes, Evidence::resisted),
@@ -252,6 +258,11 @@ std::string outcomesText(const ClinicOutcomes& outcomes)
                      (outcomes.ears.size() == 1 ? " ear" : " ears") +
                      ", in the order of surgery; for each the plan as it was made before. " +
                      "For research and training; not a medical device.\n\n";
+  if (const LeftOut& leftOut = outcomes.leftOut; leftOut.all() > 0)
+    text += std::to_string(leftOut.all()) + " left out: " + std::to_string(leftOut.unreadable) +
+            " not readable, " + std::to_string(leftOut.impossible) + " impossible, " +
+            std::to_string(leftOut.withoutPlan) + " without a plan made before, " +
+            std::to_string(leftOut.twice) + " twice.\n\n";
   for (const ArrayOutcomes& each : outcomes.arrays) {
     if (each.depth.all == 0) continue;
     text += "## " + (each.array.empty() ? std::string("All arrays") : each.array) + "\n\n";

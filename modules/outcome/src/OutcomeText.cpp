@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "perilymph/analysis/CsvField.h"
 #include "perilymph/foundation/FieldMeaning.h"
@@ -83,6 +84,33 @@ Json described(const Surgery& surgery)
 }
 
 // Reading.
+
+/// Objects in objects, of which an outcome has four.
+constexpr int deepest = 8;
+
+/// A JSON text, discarded where it is none.
+/// @param fault  Why it is no outcome although it is JSON: an object gives one name two values, of which a parser
+///               takes the last, or objects are in one another without an end.
+Json parsedJson(const std::string& text, Sentence& fault)
+{
+  std::vector<std::set<std::string>> keys;  // of the objects that are open
+  const Json::parser_callback_t check = [&](int depth, Json::parse_event_t event,
+                                            const Json& parsed) {
+    using Event = Json::parse_event_t;
+    if (event == Event::object_start) keys.emplace_back();
+    if (event == Event::object_start || event == Event::array_start) {
+      if (depth >= deepest && fault.empty())
+        fault = Sentence{"its values are nested more than %1 deep", deepest};
+      if (depth >= deepest) return false;
+    }
+    if (event == Event::object_end) keys.pop_back();
+    if (event == Event::key && !keys.back().insert(parsed.get<std::string>()).second &&
+        fault.empty())
+      fault = Sentence{"it states \"%1\" twice", parsed.get<std::string>().substr(0, 60)};
+    return true;
+  };
+  return Json::parse(text, check, false);
+}
 
 /// Reads values of one object; keeps the first that does not hold.
 class Reader {
@@ -349,11 +377,14 @@ std::string outcomeJson(const OutcomeContent& content)
 
 Result<OutcomeContent> outcomeIn(const std::string& text, const std::string& name)
 {
-  const Json json = Json::parse(text, nullptr, false);
+  Sentence fault;
+  const Json json = parsedJson(text, fault);
+  if (!fault.empty())
+    return Error{"%1 is no outcome: %2. Make it by perilymph-cli ct contacts.", name, fault};
   if (json.is_discarded() || !json.is_object())
     return Error{"%1 is no outcome: it is not JSON. Make it by perilymph-cli ct contacts.", name};
   Reader reader(json, name);
-  if (const int made = reader.whole("format", 0, 1000); !reader.error() && made != format)
+  if (const int made = reader.whole("format", 1, 1000); !reader.error() && made != format)
     return Error{"%1 has format %2; this program reads %3. Use a newer program.", name,
                  std::to_string(made), std::to_string(format)};
   OutcomeContent content;

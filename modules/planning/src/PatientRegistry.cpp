@@ -370,7 +370,7 @@ Result<PatientRegistry> patientRegistry(const RegistryFolders& folders,
     return std::pair(one.patient.label, std::string_view(anatomy::nameOf(one.patient.side))) <
            std::pair(other.patient.label, std::string_view(anatomy::nameOf(other.patient.side)));
   });
-  Work work{planFoldersIn(folders.plans), {}};
+  Work work{planFoldersIn(folders.plans).plans, {}};
   auto sessions = session::listSessions(folders.recordings, folders.beingRecorded, {}, {}, stop);
   if (sessions) work.sessions = *std::move(sessions);  // else none was recorded yet
 

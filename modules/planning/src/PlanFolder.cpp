@@ -41,17 +41,23 @@ Result<PlanFolder> readPlanFolder(const fs::path& folder)
   return plan;
 }
 
-std::vector<PlanFolder> planFoldersIn(const fs::path& plans)
+PlanFolders planFoldersIn(const fs::path& plans)
 {
-  std::vector<PlanFolder> found;
+  PlanFolders found;
   std::error_code failure;
   fs::directory_iterator entries(plans, failure);
   if (failure) return found;  // none was made yet
-  for (const fs::directory_entry& entry : entries)
-    if (auto plan = readPlanFolder(entry.path())) found.push_back(*std::move(plan));
-  std::sort(found.begin(), found.end(), [](const PlanFolder& one, const PlanFolder& other) {
+  for (const fs::directory_entry& entry : entries) {
+    auto plan = readPlanFolder(entry.path());
+    if (plan)
+      found.plans.push_back(*std::move(plan));
+    else if (fs::exists(entry.path() / planRequestFile, failure))
+      found.unreadable.push_back(plan.error().message);
+  }
+  const auto isNewer = [](const PlanFolder& one, const PlanFolder& other) {
     return std::tie(one.madeUtc, one.folder) > std::tie(other.madeUtc, other.folder);
-  });
+  };
+  std::sort(found.plans.begin(), found.plans.end(), isNewer);
   return found;
 }
 

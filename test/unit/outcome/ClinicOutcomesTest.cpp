@@ -152,7 +152,10 @@ TEST(ClinicOutcomes, RefuseValuesThatNoEarHasInOneSentence)
             std::string::npos);
   auto negative = outcomeAt(11.0, "2026");
   negative.depth_mm.sd = -0.1;
-  EXPECT_NE(refused(negative).find("cannot be below 0"), std::string::npos);
+  EXPECT_NE(refused(negative).find("standard deviation -0.1"), std::string::npos);
+  auto wide = outcomeAt(11.0, "2026");
+  wide.depth_mm.sd = 1e5;
+  EXPECT_NE(refused(wide).find("0 to 120"), std::string::npos);
   auto empty = outcomeAt(11.0, "2026");
   empty.plan.depths_mm.clear();
   EXPECT_NE(refused(empty).find("has no simulation of flex28"), std::string::npos);

@@ -15,6 +15,7 @@ Result<AllOutcomes> allOutcomes(const std::stop_token& stop)
   if (!library) return library.error();
   AllOutcomes all;
   all.notes = std::move(library->notes);
+  all.clinic.leftOut = library->leftOut;
   if (library->outcomes.empty()) return all;
   // the ears of a clinic are in the order of surgery
   std::vector<std::size_t> order(library->outcomes.size());
@@ -22,7 +23,7 @@ Result<AllOutcomes> allOutcomes(const std::stop_token& stop)
   std::ranges::stable_sort(order, {},
                            [&](std::size_t each) { return library->outcomes[each].surgeryUtc; });
   for (const std::size_t each : order) all.patients.push_back(library->patients[each]);
-  auto clinic = outcome::compareOutcomes(std::move(library->outcomes));
+  auto clinic = outcome::compareOutcomes(std::move(library->outcomes), library->leftOut);
   if (!clinic) return clinic.error();
   all.clinic = *std::move(clinic);
   return all;

@@ -16,7 +16,8 @@ namespace perilymph::outcome {
 struct LibraryOutcomes {
   std::vector<MeasuredOutcome> outcomes;
   std::vector<anatomy::Patient> patients;  ///< Whose each of them is, for the user alone.
-  /// What was left out, and why, a sentence each. They name codes and are for the user alone.
+  LeftOut leftOut;
+  /// What was left out or is doubtful, and why, a sentence each. They name codes and are for the user alone.
   std::vector<Sentence> notes;
 };
 
@@ -24,9 +25,13 @@ struct LibraryOutcomes {
 enum class StopLengths { computed, leftOut };
 
 /// Reads the newest outcome of every saved ear and the plan whose number it states, else the newest plan of
-/// that ear with the array. A plan that was made after the surgery is no prediction: the ear is left out. Stop
-/// lengths are computed where an outcome tells something about resistance, which takes as long as the plan
-/// once; of a plan that something was changed since, they cannot be.
+/// that ear with the array. Stop lengths are computed where an outcome tells something about resistance, which
+/// takes as long as the plan once; of a plan that something was changed since, they cannot be.
+///
+/// An ear is left out, with a sentence, and the others are read: a file or an outcome that cannot be read, a
+/// value that checkOutcome() refuses, two statements that contradict each other (array, side, depth, series),
+/// a CT of a day to come, no plan that was made before the surgery and not changed since, an ear in two files,
+/// and a CT that two patients have. compareOutcomes() takes all outcomes that are returned.
 ///
 /// @param folders  Folders of patients and plans.
 /// @param stop     Ends it early, with an error.

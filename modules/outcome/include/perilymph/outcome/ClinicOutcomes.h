@@ -73,8 +73,19 @@ struct ArrayOutcomes {
   std::vector<double> depthDifferences_mm;  ///< Measured minus the plan's median.
 };
 
+/// Number of ears that are not compared, by reason.
+struct LeftOut {
+  std::size_t unreadable = 0;   ///< The patient, the record or the outcome cannot be read.
+  std::size_t impossible = 0;   ///< A value that no ear has, or two that contradict each other.
+  std::size_t withoutPlan = 0;  ///< No plan was made before the surgery, or it cannot be read.
+  std::size_t twice = 0;        ///< The same ear or CT stands in two patients' files.
+
+  std::size_t all() const { return unreadable + impossible + withoutPlan + twice; }
+};
+
 /// The outcomes of a clinic.
 struct ClinicOutcomes {
+  LeftOut leftOut;
   std::vector<ScoredOutcome> ears;    ///< In the order of surgery.
   std::vector<ArrayOutcomes> arrays;  ///< All together first, then each array, by name.
   ResistancePosterior resistance;     ///< After all of them.
@@ -93,8 +104,14 @@ double percentileAmong(const std::vector<double>& simulated, const Uncertain& me
 /// Compares outcomes with their plans, in the order of surgery. Every ear is scored by what was known
 /// before its surgery: its plan, and the lengths of those before it.
 ///
-/// Refuses a depth that no array has, an error below 0, and a plan without simulations, with a sentence.
-Result<ClinicOutcomes> compareOutcomes(std::vector<MeasuredOutcome> outcomes);
+/// Refuses an outcome that checkOutcome() refuses.
+/// @param leftOut  What whoever read the outcomes left out.
+Result<ClinicOutcomes> compareOutcomes(std::vector<MeasuredOutcome> outcomes,
+                                       const LeftOut& leftOut = {});
+/// Refuses a depth or an angle that no array has, an error below 0 or wider than all arrays are long, and a
+/// plan without simulations, with a sentence.
+/// @param name  Of the ear, for the sentence.
+Result<void> checkOutcome(const MeasuredOutcome& outcome, const std::string& name);
 
 /// JSON text, `format` 1, sealed. Neither codes nor dates; years.
 std::string outcomesJson(const ClinicOutcomes& outcomes);

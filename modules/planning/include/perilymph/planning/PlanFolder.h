@@ -29,7 +29,12 @@ struct PlanFolder {
 /// Reads patient and request from a plan's folder.
 Result<PlanFolder> readPlanFolder(const std::filesystem::path& folder);
 
-/// The readable plans in a folder of plans, the newest first.
-std::vector<PlanFolder> planFoldersIn(const std::filesystem::path& plans);
+struct PlanFolders {
+  std::vector<PlanFolder> plans;     ///< The newest first.
+  std::vector<Sentence> unreadable;  ///< Why a plan that is there cannot be read, with its file.
+};
+
+/// The plans in a folder of plans; none of a folder that does not exist.
+PlanFolders planFoldersIn(const std::filesystem::path& plans);
 
 }  // namespace perilymph::planning

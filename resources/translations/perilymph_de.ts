@@ -4495,6 +4495,18 @@
         <source>%1 is no outcome: %2. Make it by perilymph-cli ct contacts.</source>
         <translation>%1 ist kein Ergebnis: %2. Erzeugen Sie es mit perilymph-cli ct contacts.</translation>
     </message>
+    <message>
+        <source>Stop lengths were computed again, for %1 plans: those that were there are of another build of the program or of another plan, or were changed or damaged.</source>
+        <translation>Die Stopplängen von %1 Plänen wurden neu berechnet: Die vorhandenen stammen von einer anderen Version des Programms oder einem anderen Plan, oder sie wurden geändert oder beschädigt.</translation>
+    </message>
+    <message>
+        <source>%1 is in use: another program works on it. Wait until that program has ended.</source>
+        <translation>%1 ist in Gebrauch: Ein anderes Programm arbeitet daran. Warten Sie, bis dieses beendet ist.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be removed: %2.</source>
+        <translation>%1 kann nicht entfernt werden: %2.</translation>
+    </message>
 </context>
 <context>
     <name>Display</name>

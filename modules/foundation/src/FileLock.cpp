@@ -16,7 +16,7 @@ namespace perilymph {
 
 namespace {
 
-constexpr std::chrono::milliseconds patience{2000}, pause{1};
+constexpr std::chrono::milliseconds patience{2000}, shortPause{1}, longPause{50};
 
 /// Whether a descriptor is of the file that has this name now: whoever held the lock before may have
 /// removed it.
@@ -33,6 +33,19 @@ bool isStillNamed(int descriptor, const std::filesystem::path& file)
 Result<FileLock> FileLock::take(const std::filesystem::path& file, const std::string& what)
 {
   const auto end = std::chrono::steady_clock::now() + patience;
+  return take(file, what, shortPause, [&] { return std::chrono::steady_clock::now() > end; });
+}
+
+Result<FileLock> FileLock::takeWhenFree(const std::filesystem::path& file, const std::string& what,
+                                        const std::stop_token& stop)
+{
+  return take(file, what, longPause, [&] { return stop.stop_requested(); });
+}
+
+Result<FileLock> FileLock::take(const std::filesystem::path& file, const std::string& what,
+                                std::chrono::milliseconds pause,
+                                const std::function<bool()>& isOver)
+{
   while (true) {
     const int descriptor =
         ::open(file.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC | O_NONBLOCK, 0600);
@@ -47,7 +60,7 @@ Result<FileLock> FileLock::take(const std::filesystem::path& file, const std::st
     if (!isHeld && failure != EWOULDBLOCK && failure != EINTR)
       return Error{"%1 cannot be locked: %2. Copy its folder to another disk.", what,
                    std::strerror(failure)};
-    if (std::chrono::steady_clock::now() > end)
+    if (isOver())
       return Error{"%1 is in use: another program works on it. Wait until it has ended.", what};
     std::this_thread::sleep_for(pause);
   }

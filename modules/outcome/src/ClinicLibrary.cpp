@@ -217,7 +217,8 @@ std::vector<Implanted> implantedIn(const std::vector<session::SavedPatient>& pat
 /// Values of a plan's array as its simulations ended; notes what hinders stop lengths.
 Result<PlannedOutcome> plannedOf(const NumberedPlan& numbered, const Implanted& ear,
                                  bool isInformative, std::vector<Sentence>& notes,
-                                 const analysis::RunProgress& progress, const std::stop_token& stop)
+                                 std::size_t& renewed, const analysis::RunProgress& progress,
+                                 const std::stop_token& stop)
 {
   planning::PlanRequest request = numbered.folder.request;
   request.draws = numbered.folder.shownDraws;
@@ -258,9 +259,10 @@ Result<PlannedOutcome> plannedOf(const NumberedPlan& numbered, const Implanted& 
     notes.push_back(Sentence{"%1: %2", ear.name, lengths.error().message});
     return planned;
   }
+  if (lengths->isRenewed) ++renewed;
   planning::StopDraws draws;
   draws.logFrictionSd = std::hypot(parameters.frictionSpread.shared, parameters.frictionSpread.ear);
-  for (const planning::UnstoppedDraw& each : *lengths)
+  for (const planning::UnstoppedDraw& each : lengths->draws)
     if (each.curve.end != haptics::InsertionEnd::refused)
       draws.draws.push_back(planning::stopDrawOf(each));
   planned.stops = std::move(draws);
@@ -291,6 +293,7 @@ Result<LibraryOutcomes> readOutcomes(const planning::RegistryFolders& folders,
   const std::vector<Implanted> ears = implantedIn(read.patients, library);
   const std::vector<NumberedPlan> plans =
       ears.empty() ? std::vector<NumberedPlan>() : plansIn(folders.plans, library.notes);
+  std::size_t renewed = 0;
   for (const Implanted& ear : ears) {
     if (stop.stop_requested()) return Error{"The outcomes were canceled."};
     const FoundArray& found = ear.content.found;
@@ -309,7 +312,7 @@ Result<LibraryOutcomes> readOutcomes(const planning::RegistryFolders& folders,
     outcome.isDisplaced = found.isFolded || found.translocationProbability > likely;
     const bool isInformative = lengths == StopLengths::computed &&
                                evidenceOf(outcome.surgery, outcome.isDisplaced) != Evidence::none;
-    auto planned = plannedOf(**plan, ear, isInformative, library.notes, progress, stop);
+    auto planned = plannedOf(**plan, ear, isInformative, library.notes, renewed, progress, stop);
     if (stop.stop_requested()) return Error{"The outcomes were canceled."};
     if (!planned) {
       ++library.leftOut.withoutPlan;
@@ -325,6 +328,12 @@ Result<LibraryOutcomes> readOutcomes(const planning::RegistryFolders& folders,
     library.outcomes.push_back(std::move(outcome));
     library.patients.push_back(ear.saved->patient);
   }
+  if (renewed > 0)
+    library.notes.push_back(
+        Sentence{"Stop lengths were computed again, for %1 plans: those that were there are of "
+                 "another build "
+                 "of the program or of another plan, or were changed or damaged.",
+                 renewed});
   return library;
 }
 

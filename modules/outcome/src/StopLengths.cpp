@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <utility>
 
 #include "perilymph/analysis/PhysicalRanges.h"
+#include "perilymph/foundation/FileLock.h"
 #include "perilymph/foundation/Sha256.h"
 #include "perilymph/foundation/Version.h"
 #include "perilymph/planning/Plan.h"
@@ -105,6 +107,35 @@ Result<std::vector<UnstoppedDraw>> drawsIn(const session::InsertionTable& table)
   return draws;
 }
 
+/// A file with the draws in it.
+struct OpenStops {
+  session::InsertionTable table;
+  std::vector<UnstoppedDraw> draws;
+};
+
+Result<OpenStops> opened(Result<session::InsertionTable> table)
+{
+  if (!table) return table.error();
+  auto draws = drawsIn(*table);
+  if (!draws) return draws.error();
+  return OpenStops{*std::move(table), *std::move(draws)};
+}
+
+/// The draws of a file that has all of them; read without a lock and where nothing may be written.
+std::optional<std::vector<UnstoppedDraw>> wholeIn(const std::filesystem::path& file,
+                                                  const SealedFacts& facts, std::size_t count)
+{
+  std::error_code ignored;
+  if (!std::filesystem::exists(file, ignored)) return std::nullopt;
+  const auto table = session::InsertionTable::open(file, stopsKind());
+  if (!table || table->seal() != Seal::intact || table->facts() != facts || table->size() < count)
+    return std::nullopt;
+  auto draws = drawsIn(*table);
+  if (!draws) return std::nullopt;
+  draws->resize(count);
+  return *std::move(draws);
+}
+
 }  // namespace
 
 std::string stopLengthsFile(std::size_t array)
@@ -112,11 +143,9 @@ std::string stopLengthsFile(std::size_t array)
   return "stops-" + std::to_string(array + 1) + ".sqlite";
 }
 
-Result<std::vector<UnstoppedDraw>> stopLengths(const planning::PlanRequest& request,
-                                               std::size_t array,
-                                               const std::filesystem::path& folder,
-                                               const analysis::RunProgress& progress,
-                                               const std::stop_token& stop)
+Result<KnownStops> stopLengths(const planning::PlanRequest& request, std::size_t array,
+                               const std::filesystem::path& folder,
+                               const analysis::RunProgress& progress, const std::stop_token& stop)
 {
   if (array >= request.arrays.size())
     return Error{"The plan has no array %1; it has %2. Choose one of them.", array + 1,
@@ -125,14 +154,29 @@ Result<std::vector<UnstoppedDraw>> stopLengths(const planning::PlanRequest& requ
   if (!plan) return plan.error();
   Sha256 hash;
   hash.add("stops 1:" + *plan + ":" + std::to_string(array));
-  auto table = session::InsertionTable::openToContinue(
-      folder / stopLengthsFile(array), stopsKind(),
-      {{session::fingerprintFact, hash.hex()}, {session::programFact, buildId()}});
-  if (!table) return table.error();
-  auto draws = drawsIn(*table);
-  if (!draws) return draws.error();
-  while (draws->size() < request.draws) {
-    const std::size_t done = draws->size(), count = std::min(blockSize, request.draws - done);
+  const SealedFacts facts{{session::fingerprintFact, hash.hex()},
+                          {session::programFact, buildId()}};
+  const std::filesystem::path file = folder / stopLengthsFile(array);
+  KnownStops known;
+  if (auto draws = wholeIn(file, facts, request.draws)) {
+    known.draws = *std::move(draws);
+    return known;
+  }
+  if (progress) progress(0, request.draws);
+  const auto lock =
+      FileLock::takeWhenFree(folder / ("." + file.stem().string() + ".lock"), file.string(), stop);
+  if (!lock) return lock.error();
+  std::error_code ignored;
+  const bool isThere = std::filesystem::exists(file, ignored);
+  auto stops = opened(session::InsertionTable::openToContinue(file, stopsKind(), facts));
+  if (!stops && isThere) {
+    known.isRenewed = true;
+    stops = opened(session::InsertionTable::beginAgain(file, stopsKind(), facts));
+  }
+  if (!stops) return stops.error();
+  auto& [table, draws] = *stops;
+  while (draws.size() < request.draws) {
+    const std::size_t done = draws.size(), count = std::min(blockSize, request.draws - done);
     auto added = planning::unstoppedDraws(
         request, array, done + 1, count,
         [&](std::size_t pieces, std::size_t) {
@@ -144,12 +188,13 @@ Result<std::vector<UnstoppedDraw>> stopLengths(const planning::PlanRequest& requ
     std::vector<session::InsertionRows> rows;
     for (const UnstoppedDraw& each : *added)
       rows.push_back({{static_cast<std::int64_t>(each.draw), contentOf(each)}});
-    if (const auto kept = table->append(rows); !kept) return kept.error();
-    std::move(added->begin(), added->end(), std::back_inserter(*draws));
+    if (const auto kept = table.append(rows); !kept) return kept.error();
+    std::move(added->begin(), added->end(), std::back_inserter(draws));
   }
-  if (const auto closed = table->close(); !closed) return closed.error();
-  draws->resize(request.draws);
-  return draws;
+  if (const auto closed = table.close(); !closed) return closed.error();
+  draws.resize(request.draws);
+  known.draws = std::move(draws);
+  return known;
 }
 
 }  // namespace perilymph::outcome

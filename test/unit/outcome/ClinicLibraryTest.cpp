@@ -27,6 +27,27 @@ namespace fs = std::filesystem;
 constexpr const char* surgeon = "P-017";
 constexpr const char* other = "P-018";
 
+/// A text with one part replaced.
+std::string replaced(std::string text, const std::string& part, const std::string& by)
+{
+  const std::size_t place = text.find(part);
+  EXPECT_NE(place, std::string::npos) << part;
+  return place == std::string::npos ? text : text.replace(place, part.size(), by);
+}
+
+std::string contentOf(const fs::path& file)
+{
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+void write(const fs::path& file, const std::string& text)
+{
+  std::ofstream(file, std::ios::binary | std::ios::trunc) << text;
+}
+
+void halve(const fs::path& file) { fs::resize_file(file, fs::file_size(file) / 2); }
+
 /// A library with two patients, P-017 and P-018, and a plan of one simulation of each.
 class Library : public testing::Test {
 protected:
@@ -160,6 +181,22 @@ TEST_F(Library, GivesAnOutcomeThePlanThatWasMadeBeforeItsSurgery)
   }
 }
 
+TEST_F(Library, ComputesStopLengthsAgainThatAreOfNoUseAndSaysSoOnce)
+{
+  implant(outcome::StopReason::resistance);
+  ASSERT_TRUE(outcome::readOutcomes(folders()));
+  write(planFolder() / outcome::stopLengthsFile(0), "no table");
+  const auto renewed = outcome::readOutcomes(folders());
+  ASSERT_TRUE(renewed);
+  ASSERT_EQ(renewed->outcomes.size(), 1u);
+  EXPECT_TRUE(renewed->outcomes.front().plan.stops);
+  ASSERT_EQ(renewed->notes.size(), 1u);
+  EXPECT_NE(renewed->notes[0].find("computed again, for 1 plans"), std::string::npos);
+  const auto again = outcome::readOutcomes(folders());
+  ASSERT_TRUE(again);
+  EXPECT_TRUE(again->notes.empty());
+}
+
 TEST_F(Library, ComputesNoStopLengthsForAnOutcomeThatTellsNothingAboutResistance)
 {
   implant(outcome::StopReason::unknown);
@@ -199,27 +236,6 @@ struct Fault {
   std::vector<std::string> named;
   std::size_t outcome::LeftOut::*count;
 };
-
-/// A text with one part replaced.
-std::string replaced(std::string text, const std::string& part, const std::string& by)
-{
-  const std::size_t place = text.find(part);
-  EXPECT_NE(place, std::string::npos) << part;
-  return place == std::string::npos ? text : text.replace(place, part.size(), by);
-}
-
-std::string contentOf(const fs::path& file)
-{
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-void write(const fs::path& file, const std::string& text)
-{
-  std::ofstream(file, std::ios::binary | std::ios::trunc) << text;
-}
-
-void halve(const fs::path& file) { fs::resize_file(file, fs::file_size(file) / 2); }
 
 /// Whatever is wrong with one ear, it alone is left out, with a sentence that names it, and counted.
 TEST_F(Library, ComparesTheOtherEarsWhateverIsWrongWithOne)

@@ -3,16 +3,31 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <atomic>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
+#include <functional>
+#include <optional>
+#include <thread>
+#include <utility>
+#include <vector>
 
+#include "perilymph/database/Database.h"
+#include "perilymph/foundation/FileLock.h"
+#include "perilymph/foundation/Seal.h"
+#include "perilymph/foundation/Sha256.h"
 #include "perilymph/planning/Plan.h"
 #include "perilymph/planning/ResistanceGrid.h"
+#include "perilymph/session/InsertionTable.h"
 #include "perilymph/test/SyntheticPlan.h"
 #include "perilymph/test/TemporaryFolder.h"
 
 namespace perilymph::test {
 namespace {
+
+namespace fs = std::filesystem;
 
 planning::PlanRequest smallRequest()
 {
@@ -34,9 +49,9 @@ TEST(StopLengths, AreThoseOfThePlansSimulationsAndKeptBesideIt)
   const auto count = [&](std::size_t, std::size_t) { ++computed; };
   const auto lengths = outcome::stopLengths(request, 0, folder.path(), count);
   ASSERT_TRUE(lengths) << lengths.error().message;
-  ASSERT_EQ(lengths->size(), 3u);
+  ASSERT_EQ(lengths->draws.size(), 3u);
   EXPECT_GT(computed, 0u);
-  for (const planning::UnstoppedDraw& each : *lengths) {
+  for (const planning::UnstoppedDraw& each : lengths->draws) {
     const auto& planned = plan->insertions[2 * (each.draw - 1)];
     ASSERT_EQ(planned.draw, each.draw);
     ASSERT_EQ(planned.array, 0u);
@@ -54,34 +69,165 @@ TEST(StopLengths, AreThoseOfThePlansSimulationsAndKeptBesideIt)
   const auto again = outcome::stopLengths(request, 0, folder.path(), count);
   ASSERT_TRUE(again) << again.error().message;
   EXPECT_EQ(computed, 0u);
-  for (std::size_t i = 0; i < lengths->size(); ++i) {
-    ASSERT_EQ((*again)[i].curve.rises.size(), (*lengths)[i].curve.rises.size());
-    EXPECT_EQ((*again)[i].curve.rises.back().force, (*lengths)[i].curve.rises.back().force);
-    EXPECT_EQ((*again)[i].curve.depth, (*lengths)[i].curve.depth);
-    EXPECT_EQ((*again)[i].curve.end, (*lengths)[i].curve.end);
+  for (std::size_t i = 0; i < lengths->draws.size(); ++i) {
+    ASSERT_EQ(again->draws[i].curve.rises.size(), (lengths->draws)[i].curve.rises.size());
+    EXPECT_EQ(again->draws[i].curve.rises.back().force,
+              (lengths->draws)[i].curve.rises.back().force);
+    EXPECT_EQ(again->draws[i].curve.depth, (lengths->draws)[i].curve.depth);
+    EXPECT_EQ(again->draws[i].curve.end, (lengths->draws)[i].curve.end);
   }
   // one more simulation is added to those that are there
   planning::PlanRequest longer = request;
   longer.draws = 4;
   const auto more = outcome::stopLengths(longer, 0, folder.path());
   ASSERT_TRUE(more) << more.error().message;
-  EXPECT_EQ(more->size(), 4u);
-  // the file is of this plan alone
-  planning::PlanRequest other = request;
-  other.seed = 2;
-  const auto refused = outcome::stopLengths(other, 0, folder.path());
-  ASSERT_FALSE(refused);
-  EXPECT_NE(refused.error().message.find("belongs to another plan"), std::string::npos);
+  EXPECT_EQ(more->draws.size(), 4u);
+  EXPECT_FALSE(more->isRenewed);
 }
 
-TEST(StopLengths, RefuseAnArrayThatThePlanHasNotAndAFileThatIsNone)
+/// Whatever is in the file, the stop lengths are those of this plan and build.
+TEST(StopLengths, AreComputedAgainIfTheirFileCannotBeContinued)
+{
+  const TemporaryFolder folder;
+  planning::PlanRequest request = smallRequest();
+  request.draws = 1;
+  const fs::path file = folder.path() / outcome::stopLengthsFile(0);
+  const auto first = outcome::stopLengths(request, 0, folder.path());
+  ASSERT_TRUE(first) << first.error().message;
+  const fs::path kept = folder.path() / "kept";
+  fs::copy(file, kept);
+  const auto inFile = [&](const std::string& sql) {
+    auto database = database::Database::openNew(file);
+    ASSERT_TRUE(database);
+    const auto done = database->run(sql);
+    ASSERT_TRUE(done) << done.error().message;
+  };
+  const std::vector<std::pair<const char*, std::function<void()>>> faults{
+      {"another build",
+       [&] {
+         auto database = database::Database::openNew(file);
+         ASSERT_TRUE(database);
+         auto plan = database->prepare("SELECT value FROM meta WHERE key = 'fingerprint'");
+         ASSERT_TRUE(plan);
+         ASSERT_EQ(plan->step(), database::Statement::Step::row);
+         const SealedFacts facts{{session::fingerprintFact, plan->text(0)},
+                                 {session::programFact, "0.1.0+another"}};
+         plan->reset();
+         const auto done = database->run(
+             "DELETE FROM insertion; UPDATE meta SET value = '0.1.0+another' WHERE key = "
+             "'program'; "
+             "UPDATE meta SET value = '" +
+             sealOver(facts, Sha256()) + "' WHERE key = '" + sealKey + "'");
+         ASSERT_TRUE(done) << done.error().message;
+       }},
+      {"another plan",
+       [&] {
+         planning::PlanRequest other = request;
+         other.seed = 2;
+         fs::remove(file);
+         ASSERT_TRUE(outcome::stopLengths(other, 0, folder.path()));
+       }},
+      {"changed", [&] { inFile("UPDATE insertion SET content = replace(content, '1', '2')"); }},
+      {"a missing table", [&] { inFile("DROP TABLE insertion"); }},
+      {"truncated", [&] { fs::resize_file(file, fs::file_size(file) / 2); }},
+      {"empty", [&] { fs::resize_file(file, 0); }},
+      {"no database", [&] { std::ofstream(file, std::ios::trunc) << "no table"; }},
+  };
+  for (const auto& [what, make] : faults) {
+    SCOPED_TRACE(what);
+    fs::copy_file(kept, file, fs::copy_options::overwrite_existing);
+    make();
+    const auto again = outcome::stopLengths(request, 0, folder.path());
+    ASSERT_TRUE(again) << again.error().message;
+    EXPECT_TRUE(again->isRenewed);
+    ASSERT_EQ(again->draws.size(), first->draws.size());
+    for (std::size_t i = 0; i < again->draws.size(); ++i) {
+      EXPECT_EQ(again->draws[i].curve.depth, first->draws[i].curve.depth);
+      EXPECT_EQ(again->draws[i].curve.rises.size(), first->draws[i].curve.rises.size());
+    }
+    std::size_t computed = 0;
+    const auto third = outcome::stopLengths(request, 0, folder.path(),
+                                            [&](std::size_t, std::size_t) { ++computed; });
+    ASSERT_TRUE(third) << third.error().message;
+    EXPECT_FALSE(third->isRenewed);
+    EXPECT_EQ(computed, 0u);
+  }
+  // nothing but the file is left
+  for (const fs::directory_entry& each : fs::directory_iterator(folder.path()))
+    EXPECT_TRUE(each.path() == file || each.path() == kept) << each.path();
+}
+
+TEST(StopLengths, AreComputedOnceByTwoAtOnce)
+{
+  const TemporaryFolder folder;
+  const planning::PlanRequest request = smallRequest();
+  std::array<std::atomic<bool>, 2> computes{};
+  std::array<std::optional<Result<outcome::KnownStops>>, 2> found;
+  {
+    std::array<std::jthread, 2> both;
+    for (std::size_t i = 0; i < both.size(); ++i)
+      both[i] = std::jthread([&, i] {
+        found[i] =
+            outcome::stopLengths(request, 0, folder.path(), [&](std::size_t done, std::size_t) {
+              if (done > 0) computes[i] = true;
+            });
+      });
+  }
+  for (const auto& each : found) {
+    ASSERT_TRUE(each && *each) << (*each).error().message;
+    EXPECT_FALSE((**each).isRenewed);
+    EXPECT_EQ((**each).draws.size(), request.draws);
+  }
+  EXPECT_EQ((**found[0]).draws[2].curve.depth, (**found[1]).draws[2].curve.depth);
+  EXPECT_NE(computes[0], computes[1]);
+}
+
+TEST(StopLengths, EndTheirWaitingForAnotherProgramWhenTheyAreStopped)
+{
+  const TemporaryFolder folder;
+  const auto held = FileLock::take(folder.path() / ".stops-1.lock", "it");
+  ASSERT_TRUE(held);
+  std::stop_source stop;
+  stop.request_stop();
+  const auto refused = outcome::stopLengths(smallRequest(), 0, folder.path(), {}, stop.get_token());
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.error().message.find("in use"), std::string::npos);
+}
+
+TEST(StopLengths, AreNotBegunAgainWhileAnOlderProgramWorksOnThem)
+{
+  const TemporaryFolder folder;
+  planning::PlanRequest request = smallRequest();
+  request.draws = 1;
+  ASSERT_TRUE(outcome::stopLengths(request, 0, folder.path()));
+  const fs::path file = folder.path() / outcome::stopLengthsFile(0);
+  auto held = database::Database::openNew(file);
+  ASSERT_TRUE(held);
+  ASSERT_TRUE(
+      held->run("UPDATE meta SET value = 'another' WHERE key = 'program'; BEGIN IMMEDIATE"));
+  const auto refused = outcome::stopLengths(request, 0, folder.path());
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.error().message.find("in use"), std::string::npos);
+  EXPECT_TRUE(fs::exists(file));
+}
+
+TEST(StopLengths, RefuseAnArrayThatThePlanHasNotALinkAndAFolder)
 {
   const TemporaryFolder folder;
   const auto none = outcome::stopLengths(smallRequest(), 2, folder.path());
   ASSERT_FALSE(none);
   EXPECT_EQ(none.error().message, "The plan has no array 3; it has 2. Choose one of them.");
-  std::ofstream(folder.path() / outcome::stopLengthsFile(0)) << "no table";
+  const fs::path file = folder.path() / outcome::stopLengthsFile(0),
+                 other = folder.path() / "other";
+  std::ofstream(other) << "kept";
+  fs::create_symlink(other, file);
   EXPECT_FALSE(outcome::stopLengths(smallRequest(), 0, folder.path()));
+  EXPECT_EQ(fs::file_size(other), 4u);
+  EXPECT_TRUE(fs::is_symlink(file));
+  fs::remove(file);
+  fs::create_directory(file);
+  EXPECT_FALSE(outcome::stopLengths(smallRequest(), 0, folder.path()));
+  EXPECT_TRUE(fs::is_directory(file));
 }
 
 TEST(StopDraw, HasTheDepthAtTheShiftedLimit)

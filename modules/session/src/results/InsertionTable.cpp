@@ -201,6 +201,26 @@ Result<InsertionTable> InsertionTable::openToContinue(const fs::path& file,
   return table;
 }
 
+Result<InsertionTable> InsertionTable::beginAgain(const fs::path& file,
+                                                  const InsertionTableKind& kind,
+                                                  const SealedFacts& facts)
+{
+  if (const auto refused = checkWritable(file, Links::refused); !refused) return refused.error();
+  auto former = Database::openNew(file);
+  if (former && !former->run("PRAGMA locking_mode=EXCLUSIVE; BEGIN IMMEDIATE; COMMIT") &&
+      former->isBusy())
+    return Error{"%1 is in use: another program works on it. Wait until that program has ended.",
+                 file};
+  // removed while it is locked
+  std::error_code failure;
+  for (const char* companion : {"", "-wal", "-shm", "-journal"}) {
+    fs::remove(file.string() + companion, failure);
+    if (failure) return Error{"%1 cannot be removed: %2.", file, failure.message()};
+  }
+  if (former) former->abandon();
+  return openToContinue(file, kind, facts);
+}
+
 Result<InsertionTable> InsertionTable::open(const fs::path& file, const InsertionTableKind& kind)
 {
   auto opened = Database::open(file, kind.file);

@@ -56,6 +56,11 @@ public:
   static Result<InsertionTable> openToContinue(const std::filesystem::path& file,
                                                const InsertionTableKind& kind,
                                                const SealedFacts& facts);
+  /// Begins a file again whose content is computed from other files: what it has is removed. Refuses links
+  /// and folders, a file that may not be written, and one that another program works on.
+  static Result<InsertionTable> beginAgain(const std::filesystem::path& file,
+                                           const InsertionTableKind& kind,
+                                           const SealedFacts& facts);
   /// Opens a file for reading, and checks every row: seal() then holds for what read() gives.
   static Result<InsertionTable> open(const std::filesystem::path& file,
                                      const InsertionTableKind& kind);

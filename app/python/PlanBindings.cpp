@@ -79,6 +79,15 @@ py::dict atMedianFriction(const ArrayPlan& plan)
   return found;
 }
 
+py::dict inClinic(const ArrayPlan& plan)
+{
+  py::dict found;
+  if (!plan.inClinic) return found;
+  found["depth_mm"] = bandOf(plan.inClinic->depth_mm);
+  found["effective_simulations"] = plan.inClinic->effective;
+  return found;
+}
+
 py::dict differences(const StoredPlan& stored)
 {
   using Row = planning::ArrayDifference;
@@ -193,7 +202,7 @@ py::dict insertions(const StoredPlan& stored)
 
 planning::PlanRequest requestOf(const py::object& patient, const py::object& arrays, long samples,
                                 bool allSamples, long seed, long jobs, const py::object& scenario,
-                                const py::object& friction)
+                                const py::object& friction, const py::object& clinicResistance)
 {
   planning::PlanRequest request;
   request.patient = patientOf(patient);
@@ -220,15 +229,18 @@ planning::PlanRequest requestOf(const py::object& patient, const py::object& arr
   request.jobs = static_cast<unsigned>(jobs);
   request.scenario = scenarioNameOf(scenario);
   if (!friction.is_none()) request.friction = frictionNameOf(friction);
+  if (!clinicResistance.is_none())
+    request.clinicResistance = nameOrFileOf(clinicResistance, "clinic_resistance");
   return request;
 }
 
 StoredPlan plan(const py::object& patient, const py::object& arrays, long samples, bool allSamples,
                 long seed, long jobs, const py::object& scenario, const py::object& friction,
-                const py::object& draws, const py::object& progress)
+                const py::object& clinicResistance, const py::object& draws,
+                const py::object& progress)
 {
-  const planning::PlanRequest request =
-      requestOf(patient, arrays, samples, allSamples, seed, jobs, scenario, friction);
+  const planning::PlanRequest request = requestOf(patient, arrays, samples, allSamples, seed, jobs,
+                                                  scenario, friction, clinicResistance);
   std::filesystem::path file;
   if (!draws.is_none()) file = nameOrFileOf(draws, "draws_file");
   PendingException pending;
@@ -287,6 +299,13 @@ void definePlan(py::module_& module)
            "Bands 'angle_deg', 'depth_mm', 'peak_mN' and 'end_mN', each of shape (5,), at the "
            "median of the drawn friction: from the same insertions, less the slope of the value "
            "on the logarithm of the friction. Empty where the friction states no spread.")
+      .def("in_clinic", &inClinic,
+           "The depth with the clinic's resistance: 'depth_mm' of shape (5,), before the hand "
+           "rests, "
+           "and 'effective_simulations', the number of draws that its weights amount to. Empty "
+           "without "
+           "clinic_resistance, and where these are fewer than 100. Forces and ruptures stay those "
+           "of the shipped resistance.")
       .def("force", &force, "Force over depth: 'depth_mm' (n,), 'draws' (n,), 'force_mN' (n, 5).")
       .def("contacts", &contacts,
            "The contacts from the tip: 'number' (n,), 'draws' (n,), 'angle_deg' (n, 5), "
@@ -326,6 +345,12 @@ void definePlan(py::module_& module)
           "SHA-256 of everything it depends on; empty for a plan that was changed after the "
           "program "
           "wrote it.")
+      .def_property_readonly(
+          "clinic_resistance",
+          [](const StoredPlan& one) {
+            return textOf(one.plan.clinic ? one.plan.clinic->number : std::string());
+          },
+          "SHA-256 of the file of the clinic's resistance; empty without one.")
       .def_property_readonly(
           "seal", [](const StoredPlan& one) { return nameOf(one.plan.seal); },
           "'intact', 'absent' (of a version without seals) or 'changed' (by hand, after the "
@@ -368,7 +393,8 @@ void definePlan(py::module_& module)
       "plan", &plan, py::arg("patient"), py::arg("arrays") = py::none(), py::kw_only(),
       py::arg("samples") = 64, py::arg("all_samples") = false, py::arg("seed") = 1,
       py::arg("jobs") = 0, py::arg("scenario") = "surgery-flex28", py::arg("friction") = py::none(),
-      py::arg("draws_file") = py::none(), py::arg("progress") = py::none(),
+      py::arg("clinic_resistance") = py::none(), py::arg("draws_file") = py::none(),
+      py::arg("progress") = py::none(),
       "Makes a plan, as 'perilymph-cli plan' does.\n\n"
       "patient: a Patient, a Cochlea of one, or the name or file of one, with A and B.\narrays: "
       "names, files or Array objects; "
@@ -377,7 +403,11 @@ void definePlan(py::module_& module)
       "all_samples.\nseed: of the draws. jobs: threads, 0: one per processor; does not affect "
       "the plan.\nscenario: what is neither drawn nor named: a Scenario, or the name or path of "
       "one.\nfriction: a Friction, or the name or file of one; None: the "
-      "scenario's, an estimate from pig tissue.\ndraws_file: keeps the draws "
+      "scenario's, an estimate from pig tissue.\nclinic_resistance: the file of a clinic's "
+      "resistance "
+      "that perilymph.outcome.outcomes wrote; PlannedArray.in_clinic() then has the depth with it. "
+      "It "
+      "weights the draws, so that 512 samples are advised.\ndraws_file: keeps the draws "
       "(.sqlite), so that an interrupted plan continues.\nprogress: called with the numbers "
       "of done and of all insertions; an exception in it ends the plan.\n\n"
       "The interpreter's lock is released while it computes; Ctrl+C ends it.");

@@ -7,7 +7,7 @@ An operation that fails raises perilymph.Error, a ValueError, whose text says wh
 For research and training; not a medical device.
 """
 
-from perilymph import archive, ct
+from perilymph import archive, ct, outcome
 from perilymph._ct import CtMeasures, read_both_measures, read_measures
 from perilymph._engine import (
     Array,
@@ -63,6 +63,7 @@ __all__ = [
     "arrays",
     "build_id",
     "ct",
+    "outcome",
     "patients",
     "plan",
     "read_array",

@@ -9,7 +9,7 @@ from perilymph._engine import Error
 
 
 def run_program(program, words):
-    """Runs perilymph-cli with words; raises Error with its sentence if it fails."""
+    """Runs perilymph-cli with words; returns what it wrote to standard error, and raises Error with its sentence if it fails."""
     found = shutil.which(os.fspath(program))
     if found is None:
         raise Error(f"The program {program} was not found. Install perilymph, or give its path as 'program'.")
@@ -18,3 +18,4 @@ def run_program(program, words):
     done = subprocess.run([found, *words], capture_output=True, text=True, errors="replace", check=False)
     if done.returncode != 0:
         raise Error(done.stderr.strip() or f"{found} ended with {done.returncode}.")
+    return done.stderr

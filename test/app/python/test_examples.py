@@ -26,10 +26,13 @@ def run(tmp_path, *words):
 
 # These need a server, which test/app/archive starts.
 WITH_SERVERS = {"from_the_archive"}
+# And these a CT, which test_outcome.py makes.
+WITH_CT = {"array_in_ct"}
 
 
 def test_every_example_is_run():
-    assert {file.stem for file in EXAMPLES.glob("*.py")} == set(FEWER) | WITH_SERVERS
+    assert {file.stem for file in EXAMPLES.glob("*.py")} == set(FEWER) | WITH_SERVERS | WITH_CT
+    assert all(f"{name}.py" in (ROOT / "test/app/python/test_outcome.py").read_text() for name in WITH_CT)
     assert all(f"{name}.py" in (ROOT / "test/app/archive/ArchiveTest.cpp").read_text() for name in WITH_SERVERS)
 
 

@@ -196,7 +196,7 @@ TEST_P(ArchiveWalk, GoesTheSameWayInPython)
   EXPECT_TRUE(fs::exists(folder_ / "picture.png"));
   expectNoPatient(shown.out + shown.err);
   EXPECT_EQ(archive({"find", name, "--study", "1.2.3", "--json", jsonFile()}).status, 0);
-  EXPECT_EQ(json()["series"].size(), 2u);
+  EXPECT_EQ(json()["series"].size(), 3u);
 }
 #endif
 

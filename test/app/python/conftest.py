@@ -2,6 +2,8 @@
 """What the tests of the Python package share: the command line to compare with, and a fast scenario."""
 
 import csv
+import hashlib
+import json
 import os
 import subprocess
 from pathlib import Path
@@ -47,3 +49,18 @@ def table(file):
 def same_bits(a, b):
     """Whether two columns of numbers agree in every bit, but for the sign of zero."""
     return a.shape == b.shape and a.dtype == b.dtype and np.array_equal(a, b, equal_nan=True)
+
+
+def clinic_page():
+    """A clinic's resistance that is certain of the shipped one, with the place of its seal."""
+    rows = [[float(f == 20 and g == 10) for g in range(21)] for f in range(41)]
+    return {"format": 1, "kind": "resistance in a clinic", "program": "Perilymph " + perilymph.__version__, "friction": 0.165,
+            "stopped_by_resistance": 9, "censored": 1, "not_informative": 0, "log_score": 3.5, "first_year": 2025, "last_year": 2026,
+            "probability": rows, "content_sha256": "0" * 64}
+
+
+def clinic_file(file):
+    """Its file, sealed as the program seals files: by the hash of the text with zeros for the hash."""
+    text = json.dumps(clinic_page(), indent=1) + "\n"
+    file.write_text(text.replace("0" * 64, hashlib.sha256(text.encode()).hexdigest()))
+    return file

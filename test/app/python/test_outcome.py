@@ -13,7 +13,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from conftest import ROOT
+from conftest import ROOT, clinic_file
 
 import perilymph
 from perilymph import outcome
@@ -194,17 +194,6 @@ def test_outcomes_are_a_value_and_name_no_patient(library, tmp_path):
         outcome.outcomes(library, resistance=tmp_path / "clinic.json", program=CLI)
     with pytest.raises(perilymph.Error, match="no folder 'patients'"):
         outcome.outcomes(tmp_path, program=CLI)
-
-
-def clinic_file(file, friction=0.165, shift=0):
-    """A clinic's resistance that is certain of one shift of friction, in steps of 0.042, sealed as the program seals files."""
-    rows = [[float(f == 20 + shift and g == 10) for g in range(21)] for f in range(41)]
-    page = {"format": 1, "kind": "resistance in a clinic", "program": "Perilymph " + perilymph.__version__, "friction": friction,
-            "stopped_by_resistance": 9, "censored": 1, "not_informative": 0, "log_score": 3.5, "first_year": 2025, "last_year": 2026,
-            "probability": rows, "content_sha256": "0" * 64}
-    text = json.dumps(page, indent=1) + "\n"
-    file.write_text(text.replace("0" * 64, hashlib.sha256(text.encode()).hexdigest()))
-    return file
 
 
 def test_a_plan_states_the_depth_with_a_clinic_s_resistance(cli, tmp_path):

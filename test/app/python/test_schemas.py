@@ -8,51 +8,17 @@ import subprocess
 from pathlib import Path
 
 import pytest
-from conftest import ROOT
-
-SCHEMAS = ROOT / "resources/schemas"
-TYPES = {"object": dict, "array": list, "string": str, "number": (int, float), "integer": int, "boolean": bool, "null": type(None)}
-# What the schemas use of JSON Schema 2020-12; any other word would not be checked.
-WORDS = {"$schema", "$defs", "$ref", "title", "description", "type", "properties", "required", "additionalProperties", "items", "minItems",
-         "maxItems", "enum", "anyOf"}
+from conftest import clinic_file, clinic_page
+from json_schema import SCHEMAS, WORDS, faults
 
 
-def is_of(value, name):
-    return isinstance(value, TYPES[name]) and (name == "boolean" or not isinstance(value, bool))
-
-
-def faults(value, schema, root, place="$"):
-    """What is wrong with a value, a line each."""
-    if "$ref" in schema:
-        return faults(value, root["$defs"][schema["$ref"].removeprefix("#/$defs/")], root, place)
-    if "anyOf" in schema:
-        found = [faults(value, each, root, place) for each in schema["anyOf"]]
-        return [] if [] in found else min(found, key=len)
-    types = schema.get("type", list(TYPES))
-    if not any(is_of(value, name) for name in ([types] if isinstance(types, str) else types)):
-        return [f"{place} is {value!r}, not {types}"]
-    wrong = [] if value in schema.get("enum", [value]) else [f"{place} is {value!r}, not one of {schema['enum']}"]
-    if isinstance(value, dict):
-        known, others = schema.get("properties", {}), schema.get("additionalProperties", True)
-        wrong += [f"{place} lacks {key}" for key in schema.get("required", []) if key not in value]
-        for key, each in value.items():
-            if key in known:
-                wrong += faults(each, known[key], root, f"{place}.{key}")
-            elif others is False:
-                wrong.append(f"{place}.{key} is not known")
-            elif isinstance(others, dict):
-                wrong += faults(each, others, root, f"{place}.{key}")
-    if isinstance(value, list):
-        if not schema.get("minItems", 0) <= len(value) <= schema.get("maxItems", len(value)):
-            wrong.append(f"{place} has {len(value)} items")
-        for number, each in enumerate(value):
-            wrong += faults(each, schema.get("items", {}), root, f"{place}[{number}]")
-    return wrong
-
-
-def check(name, value):
+def check(name, value, parts=()):
+    """Checks a value against a schema. parts: its definitions of which the value is one; a schema of several kinds of results has them."""
     schema = json.loads((SCHEMAS / f"{name}.schema.json").read_text())
     assert faults(value, schema, schema) == []
+    for part in parts:
+        schema = {**schema["$defs"][part], "$defs": schema["$defs"]}
+        assert faults(value, schema, schema) == []
     # Each key that is required is missed, and one that is unknown is found.
     for key in list(value):
         less = copy.deepcopy(value)
@@ -93,6 +59,56 @@ def test_measures_of_anatomies_are_as_their_schema_says(cli, tmp_path, words):
     value = json.loads((tmp_path / "a.json").read_text())
     schema = json.loads((SCHEMAS / "anatomy.schema.json").read_text())
     assert faults(value, schema, schema) == []
+
+
+def test_an_imported_surface_is_as_its_schema_says(cli, tmp_path):
+    cli("anatomy", "--preset", "mean", "--surface", tmp_path / "mean.stl")
+    cli("anatomy", "--import", tmp_path / "mean.stl", "--json", tmp_path / "a.json")
+    check("anatomy-import", json.loads((tmp_path / "a.json").read_text()))
+
+
+def test_devices_are_as_their_schema_says(cli, tmp_path):
+    cli("devices", "--json", tmp_path / "list.json")
+    check("devices", json.loads((tmp_path / "list.json").read_text()), parts=("list",))
+    plugin = Path(os.environ["PERILYMPH_PROGRAMS"]).parent / "plugins/devices/example/example.so"
+    if plugin.exists():
+        cli("devices", "--plugin", plugin, "--json", tmp_path / "plugin.json")
+        check("devices", json.loads((tmp_path / "plugin.json").read_text()), parts=("plugin",))
+
+
+def test_servers_of_archives_are_as_their_schema_says(cli, tmp_path, monkeypatch):
+    monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path / "config"))
+    cli("archive", "servers", "--add", "pacs", "--ae-title", "PACS", "--host", "pacs.invalid", "--port", 104, "--own-ae-title", "ME", "--json",
+        tmp_path / "a.json")
+    check("archive", json.loads((tmp_path / "a.json").read_text()), parts=("servers",))
+
+
+@pytest.mark.parametrize("patients", [0, 1])
+def test_predictions_are_as_their_schema_says(cli, tmp_path, patients):
+    cli("predict", "--array", "flex24", "--patients", patients, "--out", tmp_path / "p")
+    check("prediction", json.loads((tmp_path / "p/prediction.json").read_text()))
+
+
+def test_the_clinical_table_is_as_its_schema_says(cli, tmp_path):
+    cli("predict", "--all", "--patients", 0, "--out", tmp_path / "p")
+    check("clinical-table", json.loads((tmp_path / "p/clinical-table.json").read_text()))
+
+
+def test_validations_are_as_their_schemas_say(cli, tmp_path):
+    cli("validate", "--runs", 2, "--set", "nodes=30", "--out", tmp_path / "v")
+    check("validation", json.loads((tmp_path / "v/summary.json").read_text()))
+    cli("validate", "--prior-predictive", "--draws", 20, "--out", tmp_path / "p")
+    check("prior-predictive", json.loads((tmp_path / "p/prior-predictive.json").read_text()))
+
+
+def test_the_resistance_of_a_clinic_that_a_plan_reads_is_as_its_schema_says(cli, tmp_path):
+    page = clinic_page()
+    check("clinic-resistance", page)
+    cli("plan", "--patient", "measured", "--arrays", "flex24", "--samples", 2, "--all-samples", "--clinic-resistance",
+        clinic_file(tmp_path / "clinic.json"), "--out", tmp_path / "plan")
+    schema = json.loads((SCHEMAS / "clinic-resistance.schema.json").read_text())
+    for wrong in ({"kind": "another"}, {"probability": page["probability"][:40]}, {"probability": [row[:20] for row in page["probability"]]}):
+        assert faults({**page, **wrong}, schema, schema) != []
 
 
 def test_plans_are_as_their_schema_says(cli, tmp_path):

@@ -269,7 +269,10 @@ std::string referencePage()
       "## JSON\n\n`[]` follows the name of a list, *always* marks keys that are never absent, and "
       "a type in italics "
       "has a table of its own.\n\n";
-  for (const char* name : {"simulate", "anatomy", "plan", "outcomes", "ct-measure", "ct-info"})
+  for (const char* name :
+       {"simulate", "anatomy", "anatomy-import", "plan", "outcomes", "clinic-resistance",
+        "ct-measure", "ct-contacts", "ct-info", "prediction", "clinical-table", "validation",
+        "prior-predictive", "devices", "archive"})
     page += schemaKeys(name);
   page.pop_back();
   return page;

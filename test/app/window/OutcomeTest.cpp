@@ -504,6 +504,23 @@ TEST_F(AnOutcome, StandsBesideItsPlanOnThePageOutcomes)
   ASSERT_EQ(coverage.rowCount(), 2);
   EXPECT_EQ(coverage.item(1, 0)->text(), plannedArray);
   EXPECT_TRUE(coverage.item(0, 2)->text().contains("of 1"));
+  // an ear that cannot be compared is named, and the other one stays
+  anatomy::Patient other = patient_;
+  other.label = "P-54";
+  const auto saved = gui::savePatientInLibrary(other);
+  ASSERT_TRUE(saved) << saved.error().message;
+  const fs::path file = *saved;
+  ASSERT_TRUE(session::changePatientRecord(file, [](session::PatientRecord& record) {
+    record.outcomes.push_back({"2026-02-20T10:00:00Z", std::string(64, 'a'), "{"});
+  }));
+  rig.click("outcomePageButton");
+  rig.click("outcomesPageButton");
+  ASSERT_TRUE(isRead());
+  EXPECT_EQ(all.rowCount(), 1);
+  EXPECT_TRUE(all.isVisible());
+  EXPECT_THAT(rig.label("outcomesStatus").toStdString(), testing::HasSubstr("P-54"));
+  EXPECT_THAT(rig.label("outcomesStatus").toStdString(), testing::HasSubstr("is left out"));
+  for (const fs::path& each : {file, session::recordFileOf(file)}) fs::remove(each);
 }
 
 TEST_F(AnOutcome, IsShownWithoutCutWordsOnASmallScreen)

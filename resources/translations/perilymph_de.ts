@@ -4416,10 +4416,6 @@
         <translation>Die Kontakte sind nicht zu finden: Das Metall in diesem Ohr bildet keinen Verlauf eines Trägers. Setzen Sie Kontakte von Hand oder prüfen Sie Seite und Träger.</translation>
     </message>
     <message>
-        <source>This CT shows a %1 ear, and the patient&apos;s is the %2.</source>
-        <translation>Diese CT zeigt ein anderes Ohr (%1) als das des Patienten (%2).</translation>
-    </message>
-    <message>
         <source>The CTs before and after surgery do not agree around the cochlea.</source>
         <translation>Die CTs vor und nach der Operation stimmen um die Cochlea nicht überein.</translation>
     </message>
@@ -4434,6 +4430,66 @@
     <message>
         <source>There is no array in this ear: %1 cubic millimeters of metal lie in or near the cochlea, at least 0.3 are expected. Choose a CT after surgery, and check the side.</source>
         <translation>In diesem Ohr liegt kein Elektrodenträger: %1 Kubikmillimeter Metall liegen in oder an der Cochlea, erwartet sind mindestens 0,3. Wählen Sie eine CT nach der Operation und prüfen Sie die Seite.</translation>
+    </message>
+    <message>
+        <source>This CT shows the %1, and the patient&apos;s is the %2.</source>
+        <translation>Dieses CT zeigt: %1. Das Ohr des Patienten: %2.</translation>
+    </message>
+    <message>
+        <source>%1 is %2°; %3° to %4° is allowed.</source>
+        <translation>%1 ist %2°; erlaubt ist %3° bis %4°.</translation>
+    </message>
+    <message>
+        <source>%1 is %2 mm; 0 to %3 mm is allowed.</source>
+        <translation>%1 ist %2 mm; erlaubt ist 0 bis %3 mm.</translation>
+    </message>
+    <message>
+        <source>Tilt of the approach</source>
+        <translation>Neigung des Zugangs</translation>
+    </message>
+    <message>
+        <source>Turn of the approach</source>
+        <translation>Drehung des Zugangs</translation>
+    </message>
+    <message>
+        <source>Intended depth</source>
+        <translation>Geplante Tiefe</translation>
+    </message>
+    <message>
+        <source>Length outside</source>
+        <translation>Länge außen</translation>
+    </message>
+    <message>
+        <source>Contacts intended inside</source>
+        <translation>Geplante Kontakte innen</translation>
+    </message>
+    <message>
+        <source>Contacts outside</source>
+        <translation>Kontakte außen</translation>
+    </message>
+    <message>
+        <source>Contact at first resistance</source>
+        <translation>Kontakt beim ersten Widerstand</translation>
+    </message>
+    <message>
+        <source>Attempts</source>
+        <translation>Versuche</translation>
+    </message>
+    <message>
+        <source>Pull-backs</source>
+        <translation>Rückzüge</translation>
+    </message>
+    <message>
+        <source>Days from surgery to CT</source>
+        <translation>Tage von der OP bis zum CT</translation>
+    </message>
+    <message>
+        <source>%1 shows metal in the cochlea, so that it is no CT before surgery: the ear is measured in the CT after it.</source>
+        <translation>%1 zeigt Metall in der Cochlea und ist damit kein CT vor der Operation: Das Ohr wird im CT danach gemessen.</translation>
+    </message>
+    <message>
+        <source>Its slices are of two sides, %1 and %2 (Laterality). Check the side, and that all of them are of one patient.</source>
+        <translation>Ihre Schichten sind von zwei Seiten, %1 und %2 (Laterality). Prüfen Sie die Seite, und ob alle von einem Patienten sind.</translation>
     </message>
 </context>
 <context>
@@ -7793,6 +7849,19 @@
         <source>the ear is measured in this CT, with wider errors</source>
         <translation>das Ohr ist in diesem CT gemessen, mit größeren Fehlern</translation>
     </message>
+    <message>
+        <source>Opens the outcome on the page Outcome, in its CT where that is still there.</source>
+        <translation>Öffnet das Ergebnis auf der Seite Ergebnis, in seinem CT, wo es noch da ist.</translation>
+    </message>
+    <message>
+        <source>cannot be read</source>
+        <translation>nicht lesbar</translation>
+    </message>
+    <message>
+        <source>Outcome</source>
+        <comment>of an implanted ear</comment>
+        <translation>Ergebnis</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::AboutOverlay</name>
@@ -8968,6 +9037,14 @@
         <source>It is %1: join it</source>
         <translation>Es ist %1: zuordnen</translation>
     </message>
+    <message>
+        <source>The images state the side %1 (Laterality); the ear of %2 is a %3 one.</source>
+        <translation>Die Bilder nennen die Seite %1 (Laterality); das Ohr von %2 ist ein %3.</translation>
+    </message>
+    <message>
+        <source>The CT before surgery and this one do not agree around the cochlea.</source>
+        <translation>Das CT vor der Operation und dieses stimmen um die Cochlea nicht überein.</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::FlatViews</name>
@@ -10090,17 +10167,13 @@
         <source>Report of the outcome</source>
         <translation>Bericht des Ergebnisses</translation>
     </message>
+    <message>
+        <source>Choose the implanted array first.</source>
+        <translation>Zuerst den implantierten Träger wählen.</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::OutcomePanel</name>
-    <message>
-        <source>%1 · cannot be read</source>
-        <translation>%1 · nicht lesbar</translation>
-    </message>
-    <message>
-        <source>%1 · %2 · %3</source>
-        <translation>%1 · %2 · %3</translation>
-    </message>
     <message>
         <source>Patient</source>
         <translation>Patient</translation>
@@ -10220,6 +10293,10 @@
     <message>
         <source>Choose the implanted array first.</source>
         <translation>Zuerst den implantierten Träger wählen.</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
     </message>
 </context>
 <context>
@@ -10463,10 +10540,6 @@
         <translation>Schlagwörter, durch Kommas getrennt; keine Namen</translation>
     </message>
     <message>
-        <source>SCANS, PLANS, INSERTIONS</source>
-        <translation>CT, PLÄNE, INSERTIONEN</translation>
-    </message>
-    <message>
         <source>Notes have at most %1 characters; the end of what was typed or pasted is not taken.</source>
         <translation>Notizen haben höchstens %1 Zeichen; das Ende des Eingegebenen ist nicht übernommen.</translation>
     </message>
@@ -10483,16 +10556,20 @@
         <translation>Wird gelesen …</translation>
     </message>
     <message>
-        <source>None yet. Scans are measured on the page CT, plans made on the page Plan; insertions of this patient are recorded.</source>
-        <translation>Noch keine. CTs werden auf der Seite CT gemessen, Pläne auf der Seite Plan gemacht; Insertionen dieses Patienten werden aufgezeichnet.</translation>
-    </message>
-    <message>
         <source>Choose a patient.</source>
         <translation>Einen Patienten wählen.</translation>
     </message>
     <message>
         <source>MEASURES</source>
         <translation>MESSWERTE</translation>
+    </message>
+    <message>
+        <source>SCANS, PLANS, INSERTIONS, OUTCOMES</source>
+        <translation>CT, PLÄNE, INSERTIONEN, ERGEBNISSE</translation>
+    </message>
+    <message>
+        <source>None yet. Scans are measured on the page CT, plans made on the page Plan; insertions of this patient are recorded, and outcomes saved on the page Outcome.</source>
+        <translation>Noch keine. CTs werden auf der Seite CT gemessen, Pläne auf der Seite Plan gemacht; Insertionen dieses Patienten werden aufgezeichnet und Ergebnisse auf der Seite Ergebnis gespeichert.</translation>
     </message>
 </context>
 <context>
@@ -10601,8 +10678,8 @@
 <context>
     <name>perilymph::gui::PatientHistoryList</name>
     <message>
-        <source>Scans, plans and insertions</source>
-        <translation>CTs, Pläne und Insertionen</translation>
+        <source>Scans, plans, insertions and outcomes</source>
+        <translation>CTs, Pläne, Insertionen und Ergebnisse</translation>
     </message>
 </context>
 <context>

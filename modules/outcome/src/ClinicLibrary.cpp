@@ -27,7 +27,7 @@ struct Implanted {
   const session::SavedPatient* saved = nullptr;
   OutcomeContent content;
   std::string surgeryDay;
-  std::string name;  ///< "P-017, left ear", for notes.
+  Sentence name;  ///< "P-017, left ear", for notes.
 };
 
 /// The plans of a library, with their numbers.
@@ -147,8 +147,9 @@ Result<LibraryOutcomes> readOutcomes(const planning::RegistryFolders& folders,
   for (const session::SavedPatient& each : read.patients) {
     if (each.record.outcomes.empty()) continue;
     const session::PatientOutcome& newest = each.record.outcomes.back();
-    const std::string name =
-        each.patient.label + ", " + std::string(anatomy::nameOf(each.patient.side)) + " ear";
+    const Sentence name{
+        "%1, %2", each.patient.label,
+        each.patient.side == anatomy::Side::left ? Sentence{"left ear"} : Sentence{"right ear"}};
     auto content = outcomeIn(newest.content, name);
     if (!content) {
       library.notes.push_back(content.error().message);

@@ -258,7 +258,7 @@ TEST_F(AnOutcome, AsksForNothingButTheArrayAndExplainsAnErrorWhileItIsTyped)
   EXPECT_THAT(rig.label("surgeryError").toStdString(), testing::HasSubstr("is not a number"));
   EXPECT_FALSE(rig.button("findContactsButton").isEnabled());
   depth.setText("400");
-  EXPECT_THAT(rig.label("surgeryError").toStdString(), testing::HasSubstr("The intended depth"));
+  EXPECT_THAT(rig.label("surgeryError").toStdString(), testing::HasSubstr("Intended depth is 400 mm; 0 to 40"));
   depth.setText("24,5");
   EXPECT_TRUE(rig.label("surgeryError").isEmpty());
   depth.clear();

@@ -4,7 +4,7 @@
 #include <QHeaderView>
 #include <algorithm>
 
-#include "gui/report/OutcomeWords.h"
+#include "gui/setup/OutcomeWords.h"
 #include "gui/text/Numbers.h"
 #include "gui/widgets/TableRows.h"
 #include "gui/widgets/Theme.h"

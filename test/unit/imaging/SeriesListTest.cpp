@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <fstream>
-#include <functional>
 
 #include "SmallCt.h"
 #include "perilymph/foundation/Sha256.h"
@@ -148,38 +147,6 @@ TEST_F(SeriesList, KeepsFilesWithoutAUidApartByFolder)
   ASSERT_EQ(found->series.size(), 2u);
   EXPECT_EQ(found->series.front().uid, "without-uid-1");
   EXPECT_TRUE(readCt(two.path(), "without-uid-2"));
-}
-
-/// The only series of a folder with slices whose Laterality is changed.
-CtSeries withSides(const std::function<std::string(std::size_t)>& side)
-{
-  const test::TemporaryFolder folder;
-  auto slices = test::dicomSlices(smallCt(), "1.6");
-  for (std::size_t i = 0; i < slices.size(); ++i)
-    if (const std::string stated = side(i); !stated.empty())
-      slices[i].setText(0x00200060, "CS", stated);
-  test::writeDicomFiles(slices, folder / "ct");
-  const auto found = findSeries(folder.path());
-  EXPECT_TRUE(found) << found.error().message;
-  return found->series.front();
-}
-
-TEST(TheSideOfASeries, IsThatWhichItsImagesState)
-{
-  const auto doubts = [](const CtSeries& series) {
-    return std::count_if(series.warnings.begin(), series.warnings.end(), [](const Sentence& each) {
-      return each.find("of two sides") != std::string::npos;
-    });
-  };
-  EXPECT_EQ(withSides([](std::size_t) { return "L"; }).side, "L");
-  EXPECT_EQ(withSides([](std::size_t i) { return i < 3 ? "R" : ""; }).side, "R");
-  EXPECT_EQ(withSides([](std::size_t) { return "B"; }).side, "");  // both ears
-  const CtSeries none = withSides([](std::size_t) { return ""; });
-  EXPECT_EQ(none.side, "");
-  EXPECT_EQ(doubts(none), 0);
-  const CtSeries two = withSides([](std::size_t i) { return i < 4 ? "R" : "L"; });
-  EXPECT_EQ(two.side, "");
-  EXPECT_EQ(doubts(two), 1);
 }
 
 }  // namespace

@@ -133,19 +133,6 @@ void stackUp(DicomSeries& series)
   series.stack = std::move(*stack);
 }
 
-/// The side that all images state which state one; empty if they do not agree.
-std::string sideOf(const DicomSeries& series)
-{
-  std::string side;
-  for (const DicomHeader& header : series.headers)
-    for (const std::string& stated : {header.laterality, header.imageLaterality}) {
-      if (stated != "L" && stated != "R") continue;
-      if (!side.empty() && stated != side) return {};
-      side = stated;
-    }
-  return side;
-}
-
 void describe(DicomSeries& series)
 {
   setUp(series);
@@ -156,7 +143,6 @@ void describe(DicomSeries& series)
   summary.modality = statedModality(first);
   summary.scanner = first.scanner;
   summary.kernel = first.kernel;
-  summary.side = sideOf(series);
   summary.size = {first.columns, first.rows,
                   static_cast<int>(std::max(series.slices.size(), series.headers.size()))};
   if (!first.frames.empty() && first.frames.front().pixelSpacing_mm)

@@ -291,10 +291,6 @@ Doubt sideDoubt(const DicomSeries&, const std::vector<Placed>& slices)
       if (auto found = disagreement(Sentence(aSeries), dicomPairs::side, slice.header.laterality,
                                     slice.header.imageLaterality))
         return found;
-  const std::string& first = slices.front().header.laterality;
-  for (const Placed& slice : slices)
-    if (slice.header.laterality != first && !slice.header.laterality.empty() && !first.empty())
-      return Sentence(warnings::sides, {first, slice.header.laterality});
   return std::nullopt;
 }
 

@@ -47,9 +47,6 @@ inline constexpr Phrase overlap{
     "they overlap so much that one of both may be wrong. Check them before the measures are used."};
 inline constexpr Phrase settings{
     "Its slices differ in %1: %2 and %3. Check that they are of one reconstruction."};
-inline constexpr Phrase sides{
-    "Its slices are of two sides, %1 and %2 (Laterality). Check the side, and that all of them are "
-    "of one patient."};
 inline constexpr Phrase noModality{
     "It states no modality; by its class (SOPClassUID) it is of the modality %1."};
 inline constexpr Phrase grayValues{

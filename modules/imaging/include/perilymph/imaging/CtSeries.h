@@ -37,9 +37,7 @@ struct CtSeries {
   std::string key;
   std::string format;                     ///< "DICOM", "NIfTI" or "NRRD".
   std::string modality, scanner, kernel;  ///< Empty where unknown.
-  /// Side that its images state (Laterality, ImageLaterality): "R" or "L"; empty without one, or with both.
-  std::string side;
-  std::array<int, 3> size{};  ///< Voxels along a row, along a column, slices.
+  std::array<int, 3> size{};              ///< Voxels along a row, along a column, slices.
   /// Distance between columns, rows and slice planes [mm]; 0 where unknown.
   Eigen::Vector3d spacing_mm = Eigen::Vector3d::Zero();
   std::vector<Sentence> warnings;  ///< Sentences.

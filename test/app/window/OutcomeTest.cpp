@@ -223,6 +223,28 @@ TEST_F(AnOutcome, IsFoundAfterAPatientAndACtAreChosenAndStatesItsValues)
                 testing::HasSubstr(std::string(outcome::sentenceOf(flag))));
 }
 
+TEST_F(AnOutcome, ShowsTheWholeCtWhileTheEarIsLookedFor)
+{
+  gui::OutcomeFinder slow = finder();
+  slow.measuredEar = [](const ct::CtVolume&,
+                        const ct::MeasureRequest& request) -> Result<outcome::Ear> {
+    while (!request.stop.stop_requested()) QThread::msleep(5);
+    return Error{"The search was canceled."};
+  };
+  WindowRig rig;
+  gui::OutcomePage& page = show(rig, std::move(slow));
+  settle();  // the pictures have their size
+  const auto& volume = *page.study().volume();
+  const double longest_mm = volume.spacing_mm()[0] * volume.size()[0];
+  for (const char* name : {"outcomePlane0", "outcomePlane1", "outcomePlane2"}) {
+    const auto& view = *rig.window().findChild<gui::PlaneView*>(name);
+    const double shown_mm = page.study().pixel_mm() * std::min(view.width(), view.height());
+    EXPECT_GT(shown_mm, 0.4 * longest_mm) << name;
+    EXPECT_LT(shown_mm, 3.0 * longest_mm) << name;
+  }
+  page.cancel();
+}
+
 TEST_F(AnOutcome, IsComparedWithTheBandsOfThePlan)
 {
   WindowRig rig;
@@ -545,7 +567,7 @@ TEST_F(AnOutcome, OfImagesThatStateTheOtherSideIsAskedFor)
   ASSERT_TRUE(WindowRig::waitUntil(
       [&] { return (question = page.findChild<QDialog*>("anotherEarQuestion")) != nullptr; }));
   EXPECT_THAT(question->findChild<QLabel*>("anotherEarDoubts")->text().toStdString(),
-              testing::HasSubstr("The images state the side"));
+              testing::HasSubstr("The images state a "));
   EXPECT_EQ(page.found(), nullptr);
   page.findChild<QAbstractButton*>("leaveEarButton")->click();
   EXPECT_TRUE(record().outcomes.empty());

@@ -30,9 +30,9 @@ bool hasSeries(const session::PatientRecord& record, const std::string& series)
 }  // namespace
 
 QStringList earDoubts(const SavedPatient& patient, const outcome::Ear& ear,
-                      const imaging::CtSeries& ct)
+                      const ct::CtProvenance& ct)
 {
-  const std::string& series = ct.key;
+  const std::string& series = ct.seriesKey;
   QStringList doubts;
   const QString code = QString::fromStdString(patient.patient.label);
   const auto sideText = [](anatomy::Side side) {
@@ -42,10 +42,9 @@ QStringList earDoubts(const SavedPatient& patient, const outcome::Ear& ear,
   if (ear.measures.side != side)
     doubts << EarQuestion::tr("The ear in this CT is a %1 one, that of %2 a %3 one.")
                   .arg(sideText(ear.measures.side), code, sideText(side));
-  if (!ct.side.empty() && (ct.side == "L") != (side == anatomy::Side::left))
-    doubts << EarQuestion::tr(
-                  "The images state the side %1 (Laterality); the ear of %2 is a %3 one.")
-                  .arg(QString::fromStdString(ct.side), code, sideText(side));
+  if (ct.side && *ct.side != side)
+    doubts << EarQuestion::tr("The images state a %1 ear (Laterality); that of %2 is a %3 one.")
+                  .arg(sideText(*ct.side), code, sideText(side));
   const ComparedMeasures saved = comparedOf(patient.patient);
   const ComparedMeasures here = comparedOf(imaging::measuredPatient(ear.measures));
   constexpr std::size_t asked = 2;  // A and B

@@ -7,7 +7,7 @@
 #include <QStringList>
 
 #include "gui/setup/PatientLibrary.h"
-#include "perilymph/imaging/CtSeries.h"
+#include "perilymph/ct/CtVolume.h"
 #include "perilymph/outcome/FoundArray.h"
 
 namespace perilymph::gui {
@@ -15,9 +15,9 @@ namespace perilymph::gui {
 /// What speaks against a CT being of a patient, a sentence each: the side that it shows or states, A or B beyond
 /// their errors, a CT before surgery that does not agree, a series that is another patient's. None if nothing does.
 ///
-/// @param ct  The CT after surgery.
+/// @param ct  Of the CT after surgery.
 QStringList earDoubts(const SavedPatient& patient, const outcome::Ear& ear,
-                      const imaging::CtSeries& ct);
+                      const ct::CtProvenance& ct);
 
 /// States what differs. The answer is No unless the user presses the other button.
 class EarQuestion : public QDialog {

@@ -375,7 +375,7 @@ void OutcomePage::acceptEar(const OutcomeWork::SharedEar& ear)
     showEar();
     findContacts();
   };
-  const QStringList doubts = earDoubts(*panel_->patient(), *ear, study_.series());
+  const QStringList doubts = earDoubts(*panel_->patient(), *ear, study_.volume()->provenance());
   if (doubts.isEmpty()) return join();
   panel_->showIdle({});
   const QString name = nameOfPatient(panel_->patient()->patient);

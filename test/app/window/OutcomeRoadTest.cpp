@@ -198,6 +198,11 @@ protected:
     if (const QString kept = qEnvironmentVariable("PERILYMPH_SCREEN_PICTURES"); !kept.isEmpty())
       fs::copy_file(pdf, kept.toStdString() + "/outcome-road.pdf",
                     fs::copy_options::overwrite_existing);
+    // into the study of the CT after surgery
+    page().writeReport({dicom, implantOnDisk().folder / "after"});
+    ASSERT_TRUE(WindowRig::waitUntil([&] { return fs::exists(dicom); }))
+        << rig_.label("outcomeStatus").toStdString();
+    EXPECT_GT(fs::file_size(dicom), fs::file_size(pdf));  // it holds the page
     rig_.click("outcomeBesideStage");
     settle();
     EXPECT_THAT(cutTextsOf(rig_.window()), testing::IsEmpty());

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -24,8 +25,9 @@ namespace perilymph::cli {
 namespace {
 
 /// The ear in the CT after surgery, with the CT before it if one is given.
-Result<outcome::Ear> earOf(const CtContactsOptions& options, const ct::CtVolume& postoperative)
+Result<outcome::Ear> earOf(const CtContactsOptions& options, const imaging::LoadedCt& after)
 {
+  const ct::CtVolume& postoperative = after.volume;
   ct::MeasureRequest request;
   if (options.at_mm)
     request.click_P =
@@ -38,8 +40,18 @@ Result<outcome::Ear> earOf(const CtContactsOptions& options, const ct::CtVolume&
   }
   const auto preoperative = imaging::readCt(options.preop, options.preopSeries);
   if (!preoperative) return preoperative.error();
+  if (preoperative->series.key == after.series.key)
+    return Error{
+        "%1 and %2 are the same series; --preop is the CT before surgery. Give that one, or leave "
+        "--preop out.",
+        options.path, options.preop};
   const auto measured = ct::measureCochlea(preoperative->volume, request);
   if (!measured) return Error{options.preop + ": " + measured.error().message};
+  if (measured->has(ct::Flag::metal))
+    return Error{
+        "%1 shows metal in the cochlea, so that it is no CT before surgery. Give that one, or "
+        "leave --preop out.",
+        options.preop};
   auto ear = outcome::registeredEar(postoperative, preoperative->volume, *measured);
   if (!ear) return Error{options.path + ": " + ear.error().message};
   return ear;
@@ -110,7 +122,7 @@ Result<void> ctContacts(const CtContactsOptions& options)
   }
   const auto loaded = imaging::readCt(options.path, options.series);
   if (!loaded) return loaded.error();
-  auto ear = earOf(options, loaded->volume);
+  auto ear = earOf(options, *loaded);
   if (!ear) return ear.error();
   const auto difference = patient ? outcome::differenceFrom(*ear, *patient) : std::nullopt;
   if (difference) ear->flags.push_back(outcome::Flag::anotherEar);
@@ -118,7 +130,15 @@ Result<void> ctContacts(const CtContactsOptions& options)
   request.array = *array;
   request.arrayName = options.array;
   auto found = outcome::findContacts(loaded->volume, *ear, request);
-  if (!found) return Error{options.path + ": " + found.error().message};
+  if (!found) {
+    const bool isPoor =
+        std::ranges::find(ear->flags, outcome::Flag::registrationPoor) != ear->flags.end();
+    return Error{"%1: %2%3", options.path,
+                 isPoor ? "The CTs before and after surgery do not agree around the cochlea: check "
+                          "that both are of the same patient and ear. "
+                        : "",
+                 found.error().message};
+  }
   outcome::OutcomeContent content;
   content.found = *std::move(found);
   content.surgery.array = options.array;
@@ -126,6 +146,9 @@ Result<void> ctContacts(const CtContactsOptions& options)
   if (const auto done = writeFiles(options, content, *ear, *loaded); !done) return done.error();
   printFound(content.found, *array);
   if (difference) print("{}\n", *difference);
+  if (const auto stated = loaded->volume.provenance().side; stated && *stated != content.found.side)
+    print("The images state a {} ear (Laterality), and this is a {} one: check the side.\n",
+          anatomy::nameOf(*stated), anatomy::nameOf(content.found.side));
   for (const std::string& warning : loaded->series.warnings) print("{}\n", warning);
   return {};
 }

@@ -4176,6 +4176,10 @@
         <translation>%1 von %2 ist %3; erlaubt ist %4 bis %5. Prüfen Sie die im CT gefundenen Kontakte.</translation>
     </message>
     <message>
+        <source>The error of %1 of %2 is %3; it cannot be below 0. Check the contacts found.</source>
+        <translation>Der Fehler von %1 von %2 ist %3; er kann nicht unter 0 liegen. Prüfen Sie die gefundenen Kontakte.</translation>
+    </message>
+    <message>
         <source>The plan of %1 has no simulation of %2. Plan that array.</source>
         <translation>Der Plan von %1 hat keine Simulation von %2. Planen Sie diesen Träger.</translation>
     </message>
@@ -4412,10 +4416,6 @@
         <translation>Die Kontakte sind nicht zu finden: Das Metall in diesem Ohr bildet keinen Verlauf eines Trägers. Setzen Sie Kontakte von Hand oder prüfen Sie Seite und Träger.</translation>
     </message>
     <message>
-        <source>This CT shows a %1 ear, and the patient&apos;s is the %2.</source>
-        <translation>Diese CT zeigt ein anderes Ohr (%1) als das des Patienten (%2).</translation>
-    </message>
-    <message>
         <source>The CTs before and after surgery do not agree around the cochlea.</source>
         <translation>Die CTs vor und nach der Operation stimmen um die Cochlea nicht überein.</translation>
     </message>
@@ -4432,80 +4432,60 @@
         <translation>In diesem Ohr liegt kein Elektrodenträger: %1 Kubikmillimeter Metall liegen in oder an der Cochlea, erwartet sind mindestens 0,3. Wählen Sie eine CT nach der Operation und prüfen Sie die Seite.</translation>
     </message>
     <message>
-        <source>A plan cannot be read, and no outcome is compared with it. %1</source>
-        <translation>Ein Plan ist nicht lesbar; kein Ergebnis wird mit ihm verglichen. %1</translation>
+        <source>This CT shows the %1, and the patient&apos;s is the %2.</source>
+        <translation>Dieses CT zeigt: %1. Das Ohr des Patienten: %2.</translation>
     </message>
     <message>
-        <source>%1 is left out: its plan %2 with %3 is not there as it was made before the surgery. Restore the plan&apos;s folder.</source>
-        <translation>%1 ist ausgelassen: Der zugehörige Plan %2 mit %3 ist nicht so vorhanden, wie er vor der Operation erstellt wurde. Stellen Sie den Ordner des Plans wieder her.</translation>
+        <source>%1 is %2°; %3° to %4° is allowed.</source>
+        <translation>%1 ist %2°; erlaubt ist %3° bis %4°.</translation>
     </message>
     <message>
-        <source>its outcome is of the %1 ear. Find the contacts in the CT of this ear again.</source>
-        <translation>das Ergebnis gehört zum anderen Ohr (%1). Suchen Sie die Kontakte im CT dieses Ohrs erneut.</translation>
+        <source>%1 is %2 mm; 0 to %3 mm is allowed.</source>
+        <translation>%1 ist %2 mm; erlaubt ist 0 bis %3 mm.</translation>
     </message>
     <message>
-        <source>%1 was found in the CT and %2 was implanted as the surgeon says. Find the contacts again with the array that was implanted.</source>
-        <translation>%1 wurde im CT gefunden, und %2 wurde nach Angabe des Operateurs implantiert. Suchen Sie die Kontakte erneut mit dem implantierten Elektrodenträger.</translation>
+        <source>Tilt of the approach</source>
+        <translation>Neigung des Zugangs</translation>
     </message>
     <message>
-        <source>the record and its outcome name different CT series, %1 and %2. Find the contacts again.</source>
-        <translation>Akte und Ergebnis nennen verschiedene CT-Serien, %1 und %2. Suchen Sie die Kontakte erneut.</translation>
+        <source>Turn of the approach</source>
+        <translation>Drehung des Zugangs</translation>
     </message>
     <message>
-        <source>its angular insertion depth is %1 degrees, and its most apical contact inside lies at %2. Find the contacts again.</source>
-        <translation>die Winkel-Insertionstiefe ist %1 Grad, und der apikalste Kontakt in der Cochlea liegt bei %2. Suchen Sie die Kontakte erneut.</translation>
+        <source>Intended depth</source>
+        <translation>Geplante Tiefe</translation>
     </message>
     <message>
-        <source>its outcome was saved on &quot;%1&quot;, which is no day. Find the contacts again.</source>
-        <translation>das Ergebnis wurde am „%1“ gespeichert, was kein Tag ist. Suchen Sie die Kontakte erneut.</translation>
+        <source>Length outside</source>
+        <translation>Länge außen</translation>
     </message>
     <message>
-        <source>its outcome was saved on %1, which is still to come. Set the clock, and find the contacts again.</source>
-        <translation>das Ergebnis wurde am %1 gespeichert, der noch kommt. Stellen Sie die Uhr, und suchen Sie die Kontakte erneut.</translation>
+        <source>Contacts intended inside</source>
+        <translation>Geplante Kontakte innen</translation>
     </message>
     <message>
-        <source>%1 of %2 is left out: the same ear is in %3. Give one of them another code.</source>
-        <translation>%1 aus %2 ist ausgelassen: Dasselbe Ohr steht in %3. Geben Sie einem von beiden einen anderen Code.</translation>
+        <source>Contacts outside</source>
+        <translation>Kontakte außen</translation>
     </message>
     <message>
-        <source>%1 is left out: its CT after surgery (%2) is also that of %3. Remove the CT that is not this patient&apos;s and find the contacts again.</source>
-        <translation>%1 ist ausgelassen: Das CT nach der Operation (%2) ist auch das von %3. Entfernen Sie das CT, das nicht zu diesem Patienten gehört, und suchen Sie die Kontakte erneut.</translation>
+        <source>Contact at first resistance</source>
+        <translation>Kontakt beim ersten Widerstand</translation>
     </message>
     <message>
-        <source>%1 was changed by hand; its outcome is compared as it stands there.</source>
-        <translation>%1 wurde von Hand geändert; das Ergebnis wird so verglichen, wie es dort steht.</translation>
+        <source>Attempts</source>
+        <translation>Versuche</translation>
     </message>
     <message>
-        <source>%1 or the plan.json beside it was changed after the program wrote it, and is no prediction any more. Restore the plan&apos;s folder.</source>
-        <translation>%1 oder die plan.json daneben wurde geändert, nachdem das Programm sie schrieb, und ist keine Vorhersage mehr. Stellen Sie den Ordner des Plans wieder her.</translation>
+        <source>Pull-backs</source>
+        <translation>Rückzüge</translation>
     </message>
     <message>
-        <source>%1 of %2 has the standard deviation %3; 0 to %4 is allowed. Check the contacts found in the CT.</source>
-        <translation>%1 von %2 hat die Standardabweichung %3; erlaubt ist 0 bis %4. Prüfen Sie die im CT gefundenen Kontakte.</translation>
+        <source>Days from surgery to CT</source>
+        <translation>Tage von der OP bis zum CT</translation>
     </message>
     <message>
-        <source>its values are nested more than %1 deep</source>
-        <translation>seine Werte sind mehr als %1-fach verschachtelt</translation>
-    </message>
-    <message>
-        <source>it states &quot;%1&quot; twice</source>
-        <translation>es nennt „%1“ zweimal</translation>
-    </message>
-    <message>
-        <source>%1 is no outcome: %2. Make it by perilymph-cli ct contacts.</source>
-        <translation>%1 ist kein Ergebnis: %2. Erzeugen Sie es mit perilymph-cli ct contacts.</translation>
-    </message>
-    <message>
-        <source>Stop lengths were computed again, for %1 plans: those that were there are of another build of the program or of another plan, or were changed or damaged.</source>
-        <translation>Die Stopplängen von %1 Plänen wurden neu berechnet: Die vorhandenen stammen von einer anderen Version des Programms oder einem anderen Plan, oder sie wurden geändert oder beschädigt.</translation>
-    </message>
-    <message>
-        <source>%1 is in use: another program works on it. Wait until that program has ended.</source>
-        <translation>%1 ist in Gebrauch: Ein anderes Programm arbeitet daran. Warten Sie, bis dieses beendet ist.</translation>
-    </message>
-    <message>
-        <source>%1 cannot be removed: %2.</source>
-        <translation>%1 kann nicht entfernt werden: %2.</translation>
+        <source>%1 shows metal in the cochlea, so that it is no CT before surgery: the ear is measured in the CT after it.</source>
+        <translation>%1 zeigt Metall in der Cochlea und ist damit kein CT vor der Operation: Das Ohr wird im CT danach gemessen.</translation>
     </message>
 </context>
 <context>
@@ -7865,6 +7845,19 @@
         <source>the ear is measured in this CT, with wider errors</source>
         <translation>das Ohr ist in diesem CT gemessen, mit größeren Fehlern</translation>
     </message>
+    <message>
+        <source>Opens the outcome on the page Outcome, in its CT where that is still there.</source>
+        <translation>Öffnet das Ergebnis auf der Seite Ergebnis, in seinem CT, wo es noch da ist.</translation>
+    </message>
+    <message>
+        <source>cannot be read</source>
+        <translation>nicht lesbar</translation>
+    </message>
+    <message>
+        <source>Outcome</source>
+        <comment>of an implanted ear</comment>
+        <translation>Ergebnis</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::AboutOverlay</name>
@@ -9040,6 +9033,14 @@
         <source>It is %1: join it</source>
         <translation>Es ist %1: zuordnen</translation>
     </message>
+    <message>
+        <source>The images state a %1 ear (Laterality); that of %2 is a %3 one.</source>
+        <translation>Die Bilder nennen ein %1 Ohr (Laterality), das von %2 ist ein %3.</translation>
+    </message>
+    <message>
+        <source>The CT before surgery and this one do not agree around the cochlea.</source>
+        <translation>Das CT vor der Operation und dieses stimmen um die Cochlea nicht überein.</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::FlatViews</name>
@@ -10162,17 +10163,13 @@
         <source>Report of the outcome</source>
         <translation>Bericht des Ergebnisses</translation>
     </message>
+    <message>
+        <source>Choose the implanted array first.</source>
+        <translation>Zuerst den implantierten Träger wählen.</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::OutcomePanel</name>
-    <message>
-        <source>%1 · cannot be read</source>
-        <translation>%1 · nicht lesbar</translation>
-    </message>
-    <message>
-        <source>%1 · %2 · %3</source>
-        <translation>%1 · %2 · %3</translation>
-    </message>
     <message>
         <source>Patient</source>
         <translation>Patient</translation>
@@ -10292,6 +10289,10 @@
     <message>
         <source>Choose the implanted array first.</source>
         <translation>Zuerst den implantierten Träger wählen.</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
     </message>
 </context>
 <context>
@@ -10535,10 +10536,6 @@
         <translation>Schlagwörter, durch Kommas getrennt; keine Namen</translation>
     </message>
     <message>
-        <source>SCANS, PLANS, INSERTIONS</source>
-        <translation>CT, PLÄNE, INSERTIONEN</translation>
-    </message>
-    <message>
         <source>Notes have at most %1 characters; the end of what was typed or pasted is not taken.</source>
         <translation>Notizen haben höchstens %1 Zeichen; das Ende des Eingegebenen ist nicht übernommen.</translation>
     </message>
@@ -10555,16 +10552,20 @@
         <translation>Wird gelesen …</translation>
     </message>
     <message>
-        <source>None yet. Scans are measured on the page CT, plans made on the page Plan; insertions of this patient are recorded.</source>
-        <translation>Noch keine. CTs werden auf der Seite CT gemessen, Pläne auf der Seite Plan gemacht; Insertionen dieses Patienten werden aufgezeichnet.</translation>
-    </message>
-    <message>
         <source>Choose a patient.</source>
         <translation>Einen Patienten wählen.</translation>
     </message>
     <message>
         <source>MEASURES</source>
         <translation>MESSWERTE</translation>
+    </message>
+    <message>
+        <source>SCANS, PLANS, INSERTIONS, OUTCOMES</source>
+        <translation>CT, PLÄNE, INSERTIONEN, ERGEBNISSE</translation>
+    </message>
+    <message>
+        <source>None yet. Scans are measured on the page CT, plans made on the page Plan; insertions of this patient are recorded, and outcomes saved on the page Outcome.</source>
+        <translation>Noch keine. CTs werden auf der Seite CT gemessen, Pläne auf der Seite Plan gemacht; Insertionen dieses Patienten werden aufgezeichnet und Ergebnisse auf der Seite Ergebnis gespeichert.</translation>
     </message>
 </context>
 <context>
@@ -10673,8 +10674,8 @@
 <context>
     <name>perilymph::gui::PatientHistoryList</name>
     <message>
-        <source>Scans, plans and insertions</source>
-        <translation>CTs, Pläne und Insertionen</translation>
+        <source>Scans, plans, insertions and outcomes</source>
+        <translation>CTs, Pläne, Insertionen und Ergebnisse</translation>
     </message>
 </context>
 <context>

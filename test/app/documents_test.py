@@ -94,7 +94,7 @@ class PicturesOfTheGuide(unittest.TestCase):
             self.assertLessEqual((width, height), (1280, 800), file.name)
 
     def test_every_step_of_a_walk_has_its_picture(self):
-        for walk in ("surgeon", "clinician", "visitor", "studies"):
+        for walk in ("surgeon", "clinician", "visitor", "studies", "outcome"):
             text = (GUIDE / f"{walk}.md").read_text()
             steps = re.findall(r"^## (\d+)\. ", text, re.MULTILINE)
             self.assertEqual(steps, [str(i + 1) for i in range(len(steps))])

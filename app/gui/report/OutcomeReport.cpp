@@ -5,8 +5,8 @@
 #include <QDateTime>
 #include <algorithm>
 
-#include "gui/report/OutcomeWords.h"
 #include "gui/report/ReportPages.h"
+#include "gui/setup/OutcomeWords.h"
 #include "gui/setup/PatientHistory.h"
 #include "gui/setup/PatientLibrary.h"
 #include "gui/text/Numbers.h"

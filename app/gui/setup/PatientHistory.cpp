@@ -7,9 +7,11 @@
 #include <map>
 #include <stop_token>
 
+#include "gui/setup/OutcomeWords.h"
 #include "gui/text/Numbers.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/foundation/Units.h"
+#include "perilymph/outcome/OutcomeText.h"
 
 namespace perilymph::gui {
 
@@ -18,7 +20,10 @@ namespace {
 constexpr std::size_t shownDigits = 12;  // of a hash
 
 // lupdate assigns texts of free functions to their namespace.
-QString tr(const char* text) { return QCoreApplication::translate("perilymph::gui", text); }
+QString tr(const char* text, const char* of = nullptr)
+{
+  return QCoreApplication::translate("perilymph::gui", text, of);
+}
 
 bool isOf(const anatomy::Patient& patient, const std::string& code, anatomy::Side side)
 {
@@ -100,6 +105,19 @@ HistoryEntry insertionEntry(const session::SessionSummary& session)
           session.file};
 }
 
+HistoryEntry outcomeEntry(const SavedPatient& patient, std::size_t place)
+{
+  const session::PatientOutcome& saved = patient.record.outcomes[place];
+  return {HistoryEntry::Kind::outcome,
+          saved.utc,
+          tr("Outcome", "of an implanted ear"),
+          outcomeWords(saved),
+          tr("Opens the outcome on the page Outcome, in its CT where that is still there."),
+          patient.file,
+          {},
+          place};
+}
+
 }  // namespace
 
 PatientWork readPatientWork(const std::filesystem::path& beingRecorded, const std::stop_token& stop)
@@ -123,9 +141,19 @@ std::vector<HistoryEntry> historyOf(const SavedPatient& patient, const PatientWo
   for (const session::SessionSummary& each : work.sessions)
     if (each.patient == one.label && each.side == side && session::isInsertion(each))
       entries.push_back(insertionEntry(each));
+  for (std::size_t place = patient.record.outcomes.size(); place-- > 0;)  // the newest first
+    entries.push_back(outcomeEntry(patient, place));
   std::stable_sort(entries.begin(), entries.end(),
                    [](const HistoryEntry& a, const HistoryEntry& b) { return a.utc > b.utc; });
   return entries;
+}
+
+QString outcomeWords(const session::PatientOutcome& saved)
+{
+  const auto content = outcome::outcomeIn(saved.content, "record");
+  if (!content) return tr("cannot be read");
+  return QStringList{QString::fromStdString(content->found.array), depthText(content->found)}.join(
+      tr(" · "));
 }
 
 QString localTimeText(const std::string& utc)

@@ -50,6 +50,8 @@ void linkPages(MainWindow& window)
                      &OverlayStack::showServers);
     QObject::connect(&window.sheets(), &OverlayStack::serversChanged, outcome,
                      &OutcomePage::showServers);
+    if (start != nullptr)
+      QObject::connect(start, &StartPage::outcomeRequested, outcome, &OutcomePage::openSaved);
   }
   if (ct != nullptr) {
     const CtPlaces places = [ct](const std::string& seriesKey) { return ct->placeOf(seriesKey); };

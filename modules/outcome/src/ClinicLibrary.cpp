@@ -34,7 +34,7 @@ struct Implanted {
   OutcomeContent content;
   std::string surgeryDay;
   std::string series;  ///< SHA-256 of the CT after surgery.
-  std::string name;    ///< "P-017, left ear", for notes.
+  Sentence name;       ///< "P-017, left ear", for notes.
 };
 
 /// The plans of a library, with their numbers.
@@ -186,7 +186,9 @@ std::vector<Implanted> implantedIn(const std::vector<session::SavedPatient>& pat
     Implanted ear;
     ear.saved = &each;
     ear.series = newest.series;
-    ear.name = each.patient.label + ", " + std::string(anatomy::nameOf(each.patient.side)) + " ear";
+    ear.name = Sentence{
+        "%1, %2", each.patient.label,
+        each.patient.side == anatomy::Side::left ? Sentence{"left ear"} : Sentence{"right ear"}};
     auto content = outcomeIn(newest.content, ear.name);
     if (!content) {
       ++library.leftOut.unreadable;
@@ -207,8 +209,8 @@ std::vector<Implanted> implantedIn(const std::vector<session::SavedPatient>& pat
     ears.push_back(std::move(ear));
   }
   std::sort(ears.begin(), ears.end(), [](const Implanted& one, const Implanted& other) {
-    return std::tie(one.surgeryDay, one.name, one.saved->file) <
-           std::tie(other.surgeryDay, other.name, other.saved->file);
+    return std::tie(one.surgeryDay, one.saved->patient.label, one.saved->file) <
+           std::tie(other.surgeryDay, other.saved->patient.label, other.saved->file);
   });
   leaveOutTwice(ears, library);
   return ears;

@@ -39,6 +39,11 @@ Result<std::shared_ptr<const anatomy::ScalaTympani>> scalaOf(const ct::CochleaMe
   return anatomy::buildAnatomy(cochlea, "the cochlea of this CT");
 }
 
+Sentence earOf(anatomy::Side side)
+{
+  return side == anatomy::Side::left ? Sentence{"left ear"} : Sentence{"right ear"};
+}
+
 /// The measures in the frame of another CT.
 ct::CochleaMeasures moved(ct::CochleaMeasures measures, const RigidMotion& motion)
 {
@@ -110,6 +115,11 @@ Result<Ear> measuredEar(const ct::CtVolume& postoperative, const ct::MeasureRequ
   const auto masked = withoutMetal(postoperative);
   if (!masked) return masked.error();
   auto measures = ct::measureCochlea(*masked, request);
+  if (!measures && !request.stop.stop_requested()) {
+    // without an array the brightest bone was taken for metal: the ear is there, and the search says what is not
+    auto whole = ct::measureCochlea(postoperative, request);
+    if (whole && !whole->has(ct::Flag::metal)) measures = std::move(whole);
+  }
   if (!measures) return measures.error();
   Ear ear;
   auto scala = scalaOf(*measures);
@@ -123,8 +133,8 @@ Result<Ear> measuredEar(const ct::CtVolume& postoperative, const ct::MeasureRequ
 std::optional<Sentence> differenceFrom(const Ear& ear, const anatomy::Patient& patient)
 {
   if (ear.measures.side != patient.side)
-    return Sentence{"This CT shows a %1 ear, and the patient's is the %2.",
-                    anatomy::nameOf(ear.measures.side), anatomy::nameOf(patient.side)};
+    return Sentence{"This CT shows the %1, and the patient's is the %2.", earOf(ear.measures.side),
+                    earOf(patient.side)};
   if (std::find(ear.flags.begin(), ear.flags.end(), Flag::registrationPoor) != ear.flags.end())
     return Sentence{"The CTs before and after surgery do not agree around the cochlea."};
   if (!patient.basalTurn) return std::nullopt;

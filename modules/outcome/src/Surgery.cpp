@@ -4,26 +4,35 @@
 #include <algorithm>
 #include <cctype>
 
+#include "perilymph/session/Csv.h"
+
 namespace perilymph::outcome {
 
 namespace {
 
 constexpr std::size_t maxLot = 24, maxLubricant = 40;
 constexpr int maxContacts = 64, maxCount = 100, maxDays = 36'500;
-constexpr Length maxDepth = millimeters(40);
+constexpr int maxDepth_mm = 40;
 
-template <class Value>
-Result<void> within(const std::optional<Value>& value, Value low, Value high, const char* name)
+/// @param field  As the window names it, so that the sentence leads there.
+Result<void> within(Phrase field, const std::optional<int>& value, int low, int high)
 {
   if (!value || (*value >= low && *value <= high)) return {};
-  return Error{"%1 is %2; %3 to %4 is allowed.", name, std::to_string(*value), std::to_string(low),
-               std::to_string(high)};
+  return Error{"%1 is %2; %3 to %4 is allowed.", Sentence(field), *value, low, high};
 }
 
-Result<void> within(const std::optional<Length>& value, const char* name)
+Result<void> within(Phrase field, const std::optional<double>& value_deg, int low_deg, int high_deg)
 {
-  if (!value) return {};
-  return within<double>(inMillimeters(*value), 0.0, inMillimeters(maxDepth), name);
+  if (!value_deg || (*value_deg >= low_deg && *value_deg <= high_deg)) return {};
+  return Error{"%1 is %2°; %3° to %4° is allowed.", Sentence(field),
+               session::shortestDecimal(*value_deg), low_deg, high_deg};
+}
+
+Result<void> within(Phrase field, const std::optional<Length>& value)
+{
+  if (!value || (*value >= millimeters(0.0) && *value <= millimeters(maxDepth_mm))) return {};
+  return Error{"%1 is %2 mm; 0 to %3 mm is allowed.", Sentence(field),
+               session::shortestDecimal(inMillimeters(*value)), maxDepth_mm};
 }
 
 }  // namespace
@@ -37,16 +46,16 @@ Result<void> checkSurgery(const Surgery& surgery)
     return Error{"The lubricant has %1 characters; up to 40 are allowed.",
                  std::to_string(surgery.lubricant.size())};
   for (const auto& checked :
-       {within(surgery.tilt_deg, -90.0, 90.0, "The tilt of the approach [degrees]"),
-        within(surgery.turn_deg, -90.0, 90.0, "The turn of the approach [degrees]"),
-        within(surgery.intendedDepth, "The intended depth [mm]"),
-        within(surgery.outside, "The length outside [mm]"),
-        within(surgery.intendedContacts, 0, maxContacts, "The number of contacts intended inside"),
-        within(surgery.contactsOutside, 0, maxContacts, "The number of contacts outside"),
-        within(surgery.contactAtResistance, 1, maxContacts, "The contact at first resistance"),
-        within(surgery.attempts, 1, maxCount, "The number of attempts"),
-        within(surgery.pullBacks, 0, maxCount, "The number of pull-backs"),
-        within(surgery.daysToCt, 0, maxDays, "The days from surgery to CT")})
+       {within(Phrase{"Tilt of the approach"}, surgery.tilt_deg, -90, 90),
+        within(Phrase{"Turn of the approach"}, surgery.turn_deg, -90, 90),
+        within(Phrase{"Intended depth"}, surgery.intendedDepth),
+        within(Phrase{"Length outside"}, surgery.outside),
+        within(Phrase{"Contacts intended inside"}, surgery.intendedContacts, 0, maxContacts),
+        within(Phrase{"Contacts outside"}, surgery.contactsOutside, 0, maxContacts),
+        within(Phrase{"Contact at first resistance"}, surgery.contactAtResistance, 1, maxContacts),
+        within(Phrase{"Attempts"}, surgery.attempts, 1, maxCount),
+        within(Phrase{"Pull-backs"}, surgery.pullBacks, 0, maxCount),
+        within(Phrase{"Days from surgery to CT"}, surgery.daysToCt, 0, maxDays)})
     if (!checked) return checked.error();
   return {};
 }

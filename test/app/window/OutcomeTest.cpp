@@ -9,6 +9,7 @@
 #include <QDialog>
 #include <QLabel>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QMouseEvent>
 #include <QTableWidget>
 #include <QTest>
@@ -28,18 +29,20 @@
 #include "gui/pages/outcome/OutcomePanel.h"
 #include "gui/pages/outcomes/OutcomesPage.h"
 #include "gui/program/Languages.h"
-#include "gui/report/OutcomeWords.h"
+#include "gui/setup/OutcomeWords.h"
 #include "gui/setup/PatientLibrary.h"
 #include "gui/setup/PlanStore.h"
 #include "gui/widgets/Selector.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/foundation/StateFolder.h"
+#include "perilymph/imaging/CtSeries.h"
 #include "perilymph/imaging/MeasuredPatient.h"
 #include "perilymph/outcome/OutcomeText.h"
 #include "perilymph/planning/Plan.h"
 #include "perilymph/planning/PlanFolder.h"
 #include "perilymph/planning/PlanReport.h"
 #include "perilymph/session/Scenario.h"
+#include "perilymph/test/HostileSeries.h"
 #include "perilymph/test/SyntheticPlan.h"
 
 namespace perilymph::test {
@@ -220,6 +223,28 @@ TEST_F(AnOutcome, IsFoundAfterAPatientAndACtAreChosenAndStatesItsValues)
                 testing::HasSubstr(std::string(outcome::sentenceOf(flag))));
 }
 
+TEST_F(AnOutcome, ShowsTheWholeCtWhileTheEarIsLookedFor)
+{
+  gui::OutcomeFinder slow = finder();
+  slow.measuredEar = [](const ct::CtVolume&,
+                        const ct::MeasureRequest& request) -> Result<outcome::Ear> {
+    while (!request.stop.stop_requested()) QThread::msleep(5);
+    return Error{"The search was canceled."};
+  };
+  WindowRig rig;
+  gui::OutcomePage& page = show(rig, std::move(slow));
+  settle();  // the pictures have their size
+  const auto& volume = *page.study().volume();
+  const double longest_mm = volume.spacing_mm()[0] * volume.size()[0];
+  for (const char* name : {"outcomePlane0", "outcomePlane1", "outcomePlane2"}) {
+    const auto& view = *rig.window().findChild<gui::PlaneView*>(name);
+    const double shown_mm = page.study().pixel_mm() * std::min(view.width(), view.height());
+    EXPECT_GT(shown_mm, 0.4 * longest_mm) << name;
+    EXPECT_LT(shown_mm, 3.0 * longest_mm) << name;
+  }
+  page.cancel();
+}
+
 TEST_F(AnOutcome, IsComparedWithTheBandsOfThePlan)
 {
   WindowRig rig;
@@ -258,7 +283,8 @@ TEST_F(AnOutcome, AsksForNothingButTheArrayAndExplainsAnErrorWhileItIsTyped)
   EXPECT_THAT(rig.label("surgeryError").toStdString(), testing::HasSubstr("is not a number"));
   EXPECT_FALSE(rig.button("findContactsButton").isEnabled());
   depth.setText("400");
-  EXPECT_THAT(rig.label("surgeryError").toStdString(), testing::HasSubstr("The intended depth"));
+  EXPECT_THAT(rig.label("surgeryError").toStdString(),
+              testing::HasSubstr("Intended depth is 400 mm; 0 to 40"));
   depth.setText("24,5");
   EXPECT_TRUE(rig.label("surgeryError").isEmpty());
   depth.clear();
@@ -337,6 +363,43 @@ TEST_F(AnOutcome, EverySaveIsAVersionInThePatientsRecord)
   EXPECT_FALSE(page.unfinished());
 }
 
+TEST_F(AnOutcome, StandsInThePatientsHistoryAndIsOpenedFromThere)
+{
+  WindowRig rig;
+  gui::OutcomePage& page = show(rig);
+  ASSERT_TRUE(isFound(page));
+  rig.click("saveOutcomeButton");
+  rig.choose("surgeryStopReason", "resistance");
+  rig.click("saveOutcomeButton");
+  rig.window().showPage("start");
+  rig.click("allPatientsButton");
+  auto& patients = *rig.window().findChild<QListWidget*>("patientList");
+  patients.setCurrentRow(0);
+  QTableWidget& history = table(rig, "patientHistory");
+  const auto rowsOf = [&history](const char* what) {
+    std::vector<int> rows;
+    for (int row = 0; row < history.rowCount(); ++row)
+      if (history.item(row, 1)->text() == what) rows.push_back(row);
+    return rows;
+  };
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rowsOf("Outcome").size() == 2; }));
+  keepPicture(rig.window(), "outcome-history");
+  EXPECT_THAT(cutTextsOf(rig.window()), testing::IsEmpty());
+  const int oldest = rowsOf("Outcome").back();
+  EXPECT_EQ(history.item(oldest, 2)->text(), QString::fromUtf8("flex28 · 420 (412–428)°"));
+  EXPECT_EQ(rowsOf("Plan").size(), 1u);
+  const QRect place = history.visualItemRect(history.item(oldest, 2));
+  QTest::mouseClick(history.viewport(), Qt::LeftButton, Qt::NoModifier, place.center());
+  EXPECT_EQ(rig.window().page(), "outcome");
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return page.study().hasCt() && !page.isBusy(); }));
+  // the one before a reason was given, in its CT
+  EXPECT_EQ(rig.window().findChild<gui::Selector*>("surgeryStopReason")->value(), "unknown");
+  ASSERT_NE(page.found(), nullptr);
+  EXPECT_EQ(page.study().contacts().size(), std::size_t(contactCount));
+  EXPECT_FALSE(page.unfinished());
+  EXPECT_EQ(record().outcomes.size(), 2u);  // nothing was saved again
+}
+
 TEST_F(AnOutcome, TheTableStatesTheValuesOfTheJson)
 {
   WindowRig rig;
@@ -358,6 +421,208 @@ TEST_F(AnOutcome, TheTableStatesTheValuesOfTheJson)
     EXPECT_EQ(table(rig).item(row, 2)->text().toStdString(),
               QString::number(contact["modiolus_mm"].get<double>(), 'f', 2).toStdString() + " mm");
   }
+}
+
+TEST_F(AnOutcome, OfARecordIsFoundAgainAroundAContactThatIsMoved)
+{
+  WindowRig rig;
+  gui::OutcomePage& page = show(rig);
+  ASSERT_TRUE(isFound(page));
+  rig.click("saveOutcomeButton");
+  rig.choose("outcomeVersions", "0");
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return page.study().hasCt() && !page.isBusy(); }));
+  table(rig).selectRow(2);
+  auto& view = *rig.window().findChild<gui::PlaneView*>("outcomePlane0");
+  QTest::keyClick(&view, Qt::Key_Right, Qt::ShiftModifier);
+  // an angle of the former place is never saved with the new place
+  EXPECT_FALSE(rig.button("saveOutcomeButton").isEnabled());
+  EXPECT_FALSE(rig.button("outcomeReportButton").isEnabled());
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return !page.isBusy(); }));
+  EXPECT_EQ(page.found()->contacts[2].angle_deg.value, 367.0);
+  EXPECT_TRUE(rig.button("saveOutcomeButton").isEnabled());
+}
+
+TEST_F(AnOutcome, OfAMoveWhoseSearchIsCanceledIsNotSaved)
+{
+  gui::OutcomeFinder slow = finder();
+  slow.findContacts = [](const ct::CtVolume&, const outcome::Ear&,
+                         const outcome::ContactsRequest& request) -> Result<outcome::FoundArray> {
+    while (!request.byHand.empty() && !request.stop.stop_requested()) QThread::msleep(5);
+    return placedArray(request);
+  };
+  WindowRig rig;
+  gui::OutcomePage& page = show(rig, std::move(slow));
+  ASSERT_TRUE(isFound(page));
+  table(rig).selectRow(2);
+  auto& view = *rig.window().findChild<gui::PlaneView*>("outcomePlane0");
+  QTest::keyClick(&view, Qt::Key_Right, Qt::ShiftModifier);
+  ASSERT_TRUE(page.isBusy());
+  rig.pressKey(Qt::Key_Escape);
+  EXPECT_FALSE(page.isBusy());
+  EXPECT_FALSE(rig.button("saveOutcomeButton").isEnabled());
+  EXPECT_FALSE(rig.button("exportOutcomeButton").isEnabled());
+  rig.pressKey(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_TRUE(rig.button("saveOutcomeButton").isEnabled());
+  EXPECT_EQ(page.found()->contacts[2].angle_deg.value, 360.0);
+}
+
+TEST_F(AnOutcome, OfAnotherArrayThatIsChosenDuringASearchIsThatOfTheNewOne)
+{
+  gui::OutcomeFinder slow = finder();
+  slow.findContacts = [](const ct::CtVolume&, const outcome::Ear&,
+                         const outcome::ContactsRequest& request) -> Result<outcome::FoundArray> {
+    while (request.arrayName == plannedArray && !request.stop.stop_requested()) QThread::msleep(5);
+    if (request.stop.stop_requested()) return Error{"The search was canceled."};
+    return placedArray(request);
+  };
+  WindowRig rig;
+  gui::OutcomePage& page = show(rig, std::move(slow));
+  ASSERT_TRUE(WindowRig::waitUntil(
+      [&] { return rig.label("outcomeStatus").startsWith("Finding the contacts"); }));
+  rig.choose("surgeryArray", "flex24");
+  ASSERT_TRUE(isFound(page));
+  EXPECT_EQ(page.found()->array, "flex24");
+}
+
+TEST_F(AnOutcome, EndsWhereThePatientIsRemovedDuringASearch)
+{
+  gui::OutcomeFinder slow = finder();
+  slow.measuredEar = [](const ct::CtVolume&,
+                        const ct::MeasureRequest& request) -> Result<outcome::Ear> {
+    while (!request.stop.stop_requested()) QThread::msleep(5);
+    return outcome::Ear{measured(), nullptr, false, 0.0, {}};
+  };
+  WindowRig rig;
+  gui::OutcomePage& page = show(rig, std::move(slow));
+  ASSERT_TRUE(WindowRig::waitUntil(
+      [&] { return rig.label("outcomeStatus").startsWith("Measuring the ear"); }));
+  rig.window().showPage("start");
+  EXPECT_TRUE(page.isBusy());  // it goes on behind another page
+  fs::remove(file_);
+  rig.click("outcomePageButton");
+  settle();
+  EXPECT_FALSE(page.isBusy());
+  EXPECT_EQ(page.found(), nullptr);
+  EXPECT_FALSE(rig.button("findContactsButton").isEnabled());
+  EXPECT_TRUE(rig.label("surgeryError").isEmpty());
+}
+
+TEST_F(AnOutcome, AsksNothingOfAnEarlierCtWhenAnotherOneIsOpened)
+{
+  patient_.basalTurn->a = patient_.basalTurn->a + millimeters(1.5);
+  const auto other = gui::savePatientInLibrary(patient_, file_);
+  ASSERT_TRUE(other) << other.error().message;
+  WindowRig rig;
+  gui::OutcomePage& page = show(rig);
+  const auto questions = [&] {
+    std::size_t open = 0;
+    for (const QDialog* each : page.findChildren<QDialog*>("anotherEarQuestion"))
+      open += each->isVisible() ? 1 : 0;
+    return open;
+  };
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return questions() == 1; }));
+  page.open(otherOnDisk());  // as a call from outside the window does
+  EXPECT_EQ(questions(), 0u);
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return questions() == 1; }));
+  EXPECT_EQ(page.found(), nullptr);
+  page.cancel();
+}
+
+TEST_F(AnOutcome, OfASeriesThatIsNotToBeTrustedIsRefusedInASentenceAndNothingIsKept)
+{
+  WindowRig rig;
+  auto& page = *rig.window().pages().find<gui::OutcomePage>();
+  page.setFinder(finder());
+  rig.click("outcomePageButton");
+  rig.choose("outcomePatientSelector", file_.string().c_str());
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return array(rig) == plannedArray; }));
+  const session::PatientRecord before = record();
+  for (const HostileSeries& each : hostileSeries()) {
+    SCOPED_TRACE(each.name);
+    const TemporaryFolder folder;
+    each.write(dicomSlices(onDisk().phantom.volume), folder / "ct");
+    page.open(folder / "ct");
+    ASSERT_TRUE(WindowRig::waitUntil([&] { return !page.isBusy(); }));
+    EXPECT_THAT(rig.label("outcomeStatus").toStdString(), testing::HasSubstr(each.sentence));
+    EXPECT_FALSE(rig.label("outcomeStatus").contains("Secretname"));
+    EXPECT_FALSE(page.study().hasCt());
+    EXPECT_EQ(page.found(), nullptr);
+    EXPECT_FALSE(rig.button("findContactsButton").isEnabled());
+    EXPECT_TRUE(record() == before);
+  }
+}
+
+TEST_F(AnOutcome, OfImagesThatStateTheOtherSideIsAskedFor)
+{
+  auto slices = dicomSlices(onDisk().phantom.volume, "1.2.3.77");
+  for (DicomData& each : slices)
+    each.setText(0x00200060, "CS", patient_.side == anatomy::Side::left ? "R" : "L");
+  const TemporaryFolder folder;
+  writeDicomFiles(slices, folder / "ct");
+  WindowRig rig;
+  gui::OutcomePage& page = show(rig);
+  ASSERT_TRUE(isFound(page));
+  page.open(folder / "ct");
+  const QDialog* question = nullptr;
+  ASSERT_TRUE(WindowRig::waitUntil(
+      [&] { return (question = page.findChild<QDialog*>("anotherEarQuestion")) != nullptr; }));
+  EXPECT_THAT(question->findChild<QLabel*>("anotherEarDoubts")->text().toStdString(),
+              testing::HasSubstr("The images state a "));
+  EXPECT_EQ(page.found(), nullptr);
+  page.findChild<QAbstractButton*>("leaveEarButton")->click();
+  EXPECT_TRUE(record().outcomes.empty());
+}
+
+TEST_F(AnOutcome, OfASeriesOfAnotherPatientsRecordIsAskedFor)
+{
+  const auto list = imaging::findSeries(onDisk().folder / "ct");
+  ASSERT_TRUE(list) << list.error().message;
+  anatomy::Patient other = patient_;
+  other.label = "P-54";
+  other.origin.seriesKey = list->series.front().key;
+  ASSERT_TRUE(gui::savePatientInLibrary(other));
+  WindowRig rig;
+  gui::OutcomePage& page = show(rig);
+  const QDialog* question = nullptr;
+  ASSERT_TRUE(WindowRig::waitUntil(
+      [&] { return (question = page.findChild<QDialog*>("anotherEarQuestion")) != nullptr; }));
+  EXPECT_THAT(question->findChild<QLabel*>("anotherEarDoubts")->text().toStdString(),
+              testing::HasSubstr("in the record of P-54"));
+  page.findChild<QAbstractButton*>("leaveEarButton")->click();
+  EXPECT_EQ(page.found(), nullptr);
+  EXPECT_TRUE(record().outcomes.empty());
+}
+
+TEST_F(AnOutcome, OfCtsThatDoNotAgreeIsAskedFor)
+{
+  WindowRig rig;
+  gui::OutcomePage& page = show(rig, finder({outcome::Flag::registrationPoor}));
+  const QDialog* question = nullptr;
+  ASSERT_TRUE(WindowRig::waitUntil(
+      [&] { return (question = page.findChild<QDialog*>("anotherEarQuestion")) != nullptr; }));
+  EXPECT_THAT(question->findChild<QLabel*>("anotherEarDoubts")->text().toStdString(),
+              testing::HasSubstr("do not agree around the cochlea"));
+  page.findChild<QAbstractButton*>("leaveEarButton")->click();
+}
+
+TEST_F(AnOutcome, SeesAPlanThatWasMadeAfterThePageWasLeft)
+{
+  fs::remove_all(plansFolder() / "P-53-plan");
+  WindowRig rig;
+  auto& page = *rig.window().pages().find<gui::OutcomePage>();
+  page.setFinder(finder());
+  rig.click("outcomePageButton");
+  rig.choose("outcomePatientSelector", file_.string().c_str());
+  rig.choose("surgeryArray", plannedArray);
+  page.open(onDisk().folder / "ct");
+  ASSERT_TRUE(isFound(page));
+  rig.click("outcomeBesideStage");
+  EXPECT_TRUE(rig.label("outcomePlanNote").startsWith("There is no plan"));
+  rig.window().showPage("plan");
+  storePlan();
+  rig.click("outcomePageButton");
+  EXPECT_TRUE(
+      WindowRig::waitUntil([&] { return rig.label("outcomePlanNote").startsWith("Plan of "); }));
 }
 
 TEST_F(AnOutcome, ACtOfAnotherEarIsNotJoinedWithoutAQuestion)
@@ -536,6 +801,31 @@ TEST_F(AnOutcome, IsShownWithoutCutWordsOnASmallScreen)
   settle();
   EXPECT_THAT(cutTextsOf(rig.window()), testing::IsEmpty());
   keepPicture(rig.window(), "outcome-beside");
+}
+
+TEST_F(AnOutcome, NamesAFieldInAnErrorAsTheFormNamesItInGerman)
+{
+  gui::useLanguage(*QCoreApplication::instance(), "de");
+  {
+    WindowRig rig;
+    rig.click("outcomePageButton");
+    for (const char* name :
+         {"surgeryIntendedDepth", "surgeryContactsOutside", "surgeryDaysToCt",
+          "surgeryIntendedContacts", "surgeryOutside", "surgeryContactAtResistance",
+          "surgeryAttempts", "surgeryPullBacks", "surgeryTilt", "surgeryTurn"}) {
+      auto& field = *rig.window().findChild<QLineEdit*>(name);
+      const QString label = field.accessibleName().section(QLatin1Char(','), 0, 0);
+      for (const char* typed : {"99999", "-91", "abc"}) {
+        field.setText(typed);
+        const QString sentence = rig.label("surgeryError");
+        EXPECT_TRUE(sentence.startsWith(label + " ist ")) << sentence.toStdString();
+        EXPECT_FALSE(sentence.contains(".000")) << sentence.toStdString();
+      }
+      field.clear();
+      EXPECT_TRUE(rig.label("surgeryError").isEmpty()) << name;
+    }
+  }
+  gui::useLanguage(*QCoreApplication::instance(), "en");
 }
 
 TEST_F(AnOutcome, IsShownInGermanWithoutCutWords)

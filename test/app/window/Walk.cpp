@@ -16,6 +16,9 @@
 #include <QRegularExpression>
 #include <QTableView>
 #include <algorithm>
+#include <map>
+#include <unordered_map>
+#include <vector>
 
 #include "gui/pages/insert/Pane.h"
 #include "gui/widgets/ReadOut.h"
@@ -42,6 +45,45 @@ QStringList textOn(const QWidget& window)
         sentence << table->model()->headerData(column, Qt::Horizontal).toString();
   }
   return sentence;
+}
+
+/// The image with a palette: each next color is the one that most pixels miss most, as number times squared distance
+/// to the nearest color before it. Half the size of a file.
+QImage withPalette(const QImage& image)
+{
+  constexpr int size = 256;
+  struct Color {
+    QRgb color;
+    double count, missed;
+    int nearest;
+  };
+  std::map<QRgb, double> counts;
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x) ++counts[image.pixel(x, y)];
+  std::vector<Color> colors;
+  for (const auto& [color, count] : counts) colors.push_back({color, count, 1e9, 0});
+  const auto isLess = [](const Color& a, const Color& b) {
+    return a.count * a.missed < b.count * b.missed;
+  };
+  QImage indexed(image.size(), QImage::Format_Indexed8);
+  for (int i = 0; i < size; ++i) {
+    const auto worst = std::max_element(colors.begin(), colors.end(), isLess);
+    if (worst->missed == 0.0) break;
+    const QRgb added = worst->color;
+    indexed.setColorCount(i + 1);
+    indexed.setColor(i, added);
+    for (Color& each : colors) {
+      const double r = qRed(each.color) - qRed(added), g = qGreen(each.color) - qGreen(added),
+                   b = qBlue(each.color) - qBlue(added);
+      const double apart = r * r + g * g + b * b;
+      if (apart < each.missed) each.missed = apart, each.nearest = i;
+    }
+  }
+  std::unordered_map<QRgb, uchar> places;
+  for (const Color& each : colors) places[each.color] = uchar(each.nearest);
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x) indexed.scanLine(y)[x] = places[image.pixel(x, y)];
+  return indexed;
 }
 
 /// Rounds every channel: dark ones little, because the eye sees steps in the smooth shades of a dark
@@ -78,7 +120,7 @@ void keepForGuide(QWidget& window, const std::string& name)
   const QString folder = qEnvironmentVariable("PERILYMPH_GUIDE_PICTURES");
   if (folder.isEmpty()) return;
   const QString place = folder + QLatin1Char('/') + QString::fromStdString(name) + ".png";
-  EXPECT_TRUE(pictureOf(window).save(place, "PNG", 0)) << place.toStdString();
+  EXPECT_TRUE(withPalette(pictureOf(window)).save(place, "PNG", 0)) << place.toStdString();
 }
 
 Walk::Walk(const char* page) : page_(page)

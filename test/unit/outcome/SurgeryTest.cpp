@@ -27,14 +27,15 @@ TEST(Surgery, IsRefusedInASentenceThatNamesTheValueAndItsRange)
   for (const Wrong& each :
        {Wrong{[](Surgery& s) { s.lot = "lot 12"; }, "“lot 12”"},
         Wrong{[](Surgery& s) { s.intendedDepth = millimeters(41); }, "41"},
-        Wrong{[](Surgery& s) { s.intendedDepth = millimeters(-1); }, "depth"},
-        Wrong{[](Surgery& s) { s.outside = millimeters(std::nan("")); }, "outside"},
+        Wrong{[](Surgery& s) { s.intendedDepth = millimeters(-1); },
+              "Intended depth is -1 mm; 0 to 40 mm"},
+        Wrong{[](Surgery& s) { s.outside = millimeters(std::nan("")); }, "Length outside is"},
         Wrong{[](Surgery& s) { s.contactsOutside = 65; }, "65"},
         Wrong{[](Surgery& s) { s.contactAtResistance = 0; }, "1 to 64"},
-        Wrong{[](Surgery& s) { s.attempts = 0; }, "attempts"},
-        Wrong{[](Surgery& s) { s.pullBacks = -1; }, "pull-backs"},
+        Wrong{[](Surgery& s) { s.attempts = 0; }, "Attempts is 0; 1 to 100"},
+        Wrong{[](Surgery& s) { s.pullBacks = -1; }, "Pull-backs is -1"},
         Wrong{[](Surgery& s) { s.daysToCt = 36'501; }, "36500"},
-        Wrong{[](Surgery& s) { s.tilt_deg = 91.0; }, "tilt"}}) {
+        Wrong{[](Surgery& s) { s.tilt_deg = 91.0; }, "Tilt of the approach is 91°; -90° to 90°"}}) {
     Surgery surgery;
     each.change(surgery);
     const auto checked = checkSurgery(surgery);

@@ -11,6 +11,7 @@ namespace {
 
 constexpr double minPixel_mm = 0.005, maxPixel_mm = 2.0;
 constexpr double largestPicture_px = 400.0;  // a larger view shows more around
+constexpr double minPicture_px = 64.0;       // of a picture in which anything can be seen (choice)
 constexpr double cochleaPicture_mm = 16.0;   // the basal turn with its surroundings
 constexpr std::size_t maxUndo = 100;
 
@@ -129,7 +130,8 @@ void CtStudy::zoom(double factor)
 
 void CtStudy::setPicture_px(double edge_px)
 {
-  const double before = std::exchange(picture_px_, std::clamp(edge_px, 1.0, largestPicture_px));
+  if (edge_px < minPicture_px) return;  // not laid out yet: its scale would be cut at a limit
+  const double before = std::exchange(picture_px_, std::min(edge_px, largestPicture_px));
   if (before != picture_px_) zoom(picture_px_ / before);
 }
 

@@ -30,8 +30,9 @@ bool hasSeries(const session::PatientRecord& record, const std::string& series)
 }  // namespace
 
 QStringList earDoubts(const SavedPatient& patient, const outcome::Ear& ear,
-                      const std::string& series)
+                      const ct::CtProvenance& ct)
 {
+  const std::string& series = ct.seriesKey;
   QStringList doubts;
   const QString code = QString::fromStdString(patient.patient.label);
   const auto sideText = [](anatomy::Side side) {
@@ -41,6 +42,9 @@ QStringList earDoubts(const SavedPatient& patient, const outcome::Ear& ear,
   if (ear.measures.side != side)
     doubts << EarQuestion::tr("The ear in this CT is a %1 one, that of %2 a %3 one.")
                   .arg(sideText(ear.measures.side), code, sideText(side));
+  if (ct.side && *ct.side != side)
+    doubts << EarQuestion::tr("The images state a %1 ear (Laterality); that of %2 is a %3 one.")
+                  .arg(sideText(*ct.side), code, sideText(side));
   const ComparedMeasures saved = comparedOf(patient.patient);
   const ComparedMeasures here = comparedOf(imaging::measuredPatient(ear.measures));
   constexpr std::size_t asked = 2;  // A and B
@@ -48,6 +52,9 @@ QStringList earDoubts(const SavedPatient& patient, const outcome::Ear& ear,
     if (differenceOf(saved[k], here[k], k).isBeyond)
       doubts << EarQuestion::tr("%1 is %2 mm in this CT, %3 mm in the record (95 %).")
                     .arg(comparedNames()[k], comparedText(here[k], k), comparedText(saved[k], k));
+  if (std::ranges::find(ear.flags, outcome::Flag::registrationPoor) != ear.flags.end())
+    doubts << EarQuestion::tr(
+        "The CT before surgery and this one do not agree around the cochlea.");
   if (doubts.isEmpty() &&
       std::ranges::find(ear.flags, outcome::Flag::anotherEar) != ear.flags.end())
     doubts << dataText(outcome::sentenceOf(outcome::Flag::anotherEar));

@@ -5,19 +5,19 @@
 
 #include <QDialog>
 #include <QStringList>
-#include <string>
 
 #include "gui/setup/PatientLibrary.h"
+#include "perilymph/ct/CtVolume.h"
 #include "perilymph/outcome/FoundArray.h"
 
 namespace perilymph::gui {
 
-/// What speaks against a CT being of a patient, a sentence each: the side, A or B beyond their errors, a
-/// series that is another patient's. None if nothing does.
+/// What speaks against a CT being of a patient, a sentence each: the side that it shows or states, A or B beyond
+/// their errors, a CT before surgery that does not agree, a series that is another patient's. None if nothing does.
 ///
-/// @param series  SHA-256 of the CT series after surgery.
+/// @param ct  Of the CT after surgery.
 QStringList earDoubts(const SavedPatient& patient, const outcome::Ear& ear,
-                      const std::string& series);
+                      const ct::CtProvenance& ct);
 
 /// States what differs. The answer is No unless the user presses the other button.
 class EarQuestion : public QDialog {

@@ -4,7 +4,7 @@
 #include <QHeaderView>
 #include <algorithm>
 
-#include "gui/report/OutcomeWords.h"
+#include "gui/setup/OutcomeWords.h"
 #include "gui/text/Numbers.h"
 #include "gui/widgets/TableRows.h"
 #include "gui/widgets/Theme.h"
@@ -14,7 +14,7 @@ namespace perilymph::gui {
 namespace {
 
 constexpr int foundRow_px = 22, foundHeader_px = 40;
-constexpr int foundWidths_px[] = {30, 104, 78, 84, 120, 126, 76, 92, 84};
+constexpr int foundWidths_px[] = {36, 104, 78, 84, 120, 126, 76, 92, 84};
 
 }  // namespace
 

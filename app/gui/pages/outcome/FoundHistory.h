@@ -19,6 +19,7 @@ public:
   struct State {
     std::map<int, Eigen::Vector3d> byHand;  ///< Positions in P [mm].
     std::shared_ptr<const outcome::FoundArray> found;
+    bool isStale = false;  ///< A contact was moved since the others were found.
   };
 
   const State& now() const { return now_; }
@@ -36,7 +37,11 @@ public:
     after_.clear();
   }
   /// What was found from the contacts as they are now: no step of its own.
-  void setFound(std::shared_ptr<const outcome::FoundArray> found) { now_.found = std::move(found); }
+  void setFound(std::shared_ptr<const outcome::FoundArray> found)
+  {
+    now_.found = std::move(found);
+    now_.isStale = false;
+  }
   bool canUndo() const { return !before_.empty(); }
   bool canRedo() const { return !after_.empty(); }
   void undo() { move(before_, after_); }

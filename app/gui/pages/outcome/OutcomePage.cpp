@@ -31,6 +31,8 @@ namespace perilymph::gui {
 
 namespace {
 
+constexpr double outcomeZoom =
+    1.5;  // contacts apart enough to be dragged, the basal turn whole (choice)
 constexpr double outcomeSlab_mm = 2.0;  // a contact is seen in it where the plane passes beside it
 // Of the unrolled scala on paper [px].
 constexpr double paperWidth_px = 760.0, paperHeight_px = 170.0;
@@ -85,8 +87,11 @@ Page::Acceptance OutcomePage::accepts(const std::filesystem::path& /*file*/) con
 
 void OutcomePage::onShown()
 {
+  const bool hadPatient = panel_->patient().has_value();
   panel_->refresh();
-  if (panel_->patient() && planned_.array.empty()) readPlanned();
+  if (hadPatient && !panel_->patient()) return leavePatient();  // removed on another page
+  // plans and insertions are made on other pages
+  if (panel_->patient()) readPlanned(planned_.array.empty());
 }
 
 void OutcomePage::showServers() { archive_->showServers(); }
@@ -160,6 +165,7 @@ void OutcomePage::connectPanel()
           [this](const CtRequest& request) { read(placeOfScan(request.series), request.series); });
   connect(&source, &CtSource::seriesChosen, this, [this](const std::string& uid) {
     if (study_.hasCt() && study_.series().uid == uid) return;
+    endSearch();
     beginTask(tr("Reading the CT…"));
     ct_.read(list_, uid);
   });
@@ -175,8 +181,12 @@ void OutcomePage::connectPanel()
   connect(&panel_->form(), &SurgeryForm::changed, this, [this] {
     const std::string array = panel_->form().surgery().array;
     const bool isOther = !array.empty() && array != planned_.array;
-    if (isOther && found() && found()->array != array) leaveFound();
-    if (isOther && panel_->patient()) readPlanned();
+    if (!array.empty() && !searched_.empty() && searched_ != array) endSearch();
+    if (isOther && found() && found()->array != array) {
+      planNumber_.clear();
+      leaveFound();
+    }
+    if (isOther && panel_->patient()) readPlanned(true);
     isSaved_ = false;
     showFound();
   });
@@ -189,18 +199,25 @@ void OutcomePage::connectWork()
   connect(&work_, &OutcomeWork::earFound, this,
           [this](const OutcomeWork::SharedEar& ear, const QString& note) {
             earNote_ = note;
-            acceptEar(ear);
+            if (isReopened_)
+              showReopened(ear);
+            else
+              acceptEar(ear);
           });
   connect(&work_, &OutcomeWork::found, this,
           [this](const std::shared_ptr<const outcome::FoundArray>& found) {
+            searched_.clear();
             history_.setFound(found);
             series_ = study_.series().key;
             isSaved_ = false;
             panel_->showIdle(earNote_);
             showFound();
           });
-  connect(&work_, &OutcomeWork::failed, this,
-          [this](const QString& sentence) { panel_->showIdle(sentence, true); });
+  connect(&work_, &OutcomeWork::failed, this, [this](const QString& sentence) {
+    searched_.clear();
+    isReopened_ = false;
+    panel_->showIdle(sentence, true);
+  });
   connect(&saving_, &ReportSaving::saved, this,
           [this](const std::filesystem::path&, const QString& sentence) {
             panel_->showIdle(sentence);
@@ -228,9 +245,16 @@ void OutcomePage::open(const std::filesystem::path& path)
 
 void OutcomePage::read(const std::filesystem::path& path, const std::string& series)
 {
-  work_.cancel();
+  endSearch();
   beginTask(tr("Reading the CT…"));
   ct_.open(path, series);
+}
+
+void OutcomePage::endSearch()
+{
+  work_.cancel();
+  // it was asked of another CT or patient
+  if (question_) question_->reject();
 }
 
 void OutcomePage::showCt(imaging::LoadedCt&& loaded)
@@ -247,7 +271,10 @@ void OutcomePage::showCt(imaging::LoadedCt&& loaded)
   panel_->showIdle(notes.join(QLatin1Char('\n')));
   showArchive(false);
   showFound();
-  if (!isOfSaved) find();
+  if (!isOfSaved) return find();
+  if (!panel_->patient()) return;
+  isReopened_ = true;
+  findEar();
 }
 
 void OutcomePage::beginTask(const QString& task)
@@ -264,16 +291,23 @@ void OutcomePage::showProgress(double fraction)
 
 void OutcomePage::choosePatient()
 {
-  work_.cancel();
+  leavePatient();
+  readPlanned(true);
+}
+
+void OutcomePage::leavePatient()
+{
+  endSearch();
+  planning_.cancel();
   ear_.reset();
   planned_ = {};
   planNumber_.clear();
+  wanted_.clear();
   leaveFound();
   panel_->form().setSurgery({});
-  readPlanned();
 }
 
-void OutcomePage::readPlanned()
+void OutcomePage::readPlanned(bool isToFind)
 {
   const anatomy::Patient patient = panel_->patient()->patient;
   const std::string array = panel_->form().surgery().array;
@@ -284,12 +318,15 @@ void OutcomePage::readPlanned()
           const std::stop_token& stop) -> Result<PlannedEar> {
         return plannedEar(patient, array, number, recorded, stop);
       },
-      [this](const Result<PlannedEar>& planned) {
+      [this, isToFind](const Result<PlannedEar>& planned) {
         if (!planned) return panel_->showIdle(dataText(planned.error().message), true);
+        const std::string now = panel_->form().surgery().array;
+        if (!now.empty() && now != planned->array)
+          return readPlanned(isToFind);  // chosen meanwhile
         planned_ = *planned;
         if (!planned_.array.empty()) panel_->form().proposeArray(planned_.array);
         showFound();
-        if (!found() && !isBusy()) find();
+        if (isToFind && !found() && !isBusy()) find();
       });
 }
 
@@ -320,7 +357,13 @@ void OutcomePage::find()
   if (!study_.hasCt() || !panel_->patient() || form.surgery().array.empty() ||
       !form.error().isEmpty())
     return showFound();
+  isReopened_ = false;
   if (ear_) return findContacts();
+  findEar();
+}
+
+void OutcomePage::findEar()
+{
   beginTask(tr("Measuring the ear…"));
   work_.findEar(study_.volume(), earlierCt(), panel_->patient()->patient.side);
 }
@@ -329,25 +372,42 @@ void OutcomePage::acceptEar(const OutcomeWork::SharedEar& ear)
 {
   const auto join = [this, ear] {
     ear_ = ear;
-    study_.showEar(ear->measures);
+    showEar();
     findContacts();
   };
-  const QStringList doubts = earDoubts(*panel_->patient(), *ear, study_.series().key);
+  const QStringList doubts = earDoubts(*panel_->patient(), *ear, study_.volume()->provenance());
   if (doubts.isEmpty()) return join();
   panel_->showIdle({});
   const QString name = nameOfPatient(panel_->patient()->patient);
-  auto* question = new EarQuestion(name, doubts, this);
-  connect(question, &QDialog::accepted, this, join);
-  connect(question, &QDialog::rejected, this, [this, name] {
+  question_ = new EarQuestion(name, doubts, this);
+  connect(question_, &QDialog::accepted, this, join);
+  connect(question_, &QDialog::rejected, this, [this, name] {
     leaveFound();
     panel_->showIdle(tr("This CT was not joined to %1.").arg(name));
   });
-  question->open();
+  question_->open();
+}
+
+void OutcomePage::showEar()
+{
+  study_.showEar(ear_->measures);
+  study_.zoom(outcomeZoom);
+}
+
+void OutcomePage::showReopened(const OutcomeWork::SharedEar& ear)
+{
+  isReopened_ = false;
+  ear_ = ear;
+  showEar();
+  panel_->showIdle(earNote_);
+  showFound();
+  if (!found() || history_.now().isStale) findContacts();
 }
 
 void OutcomePage::findContacts()
 {
   const std::string name = panel_->form().surgery().array;
+  if (name.empty()) return panel_->showIdle(tr("Choose the implanted array first."), true);
   const auto array = arrayNamed(name);
   if (!array) return panel_->showIdle(dataText(array.error().message), true);
   beginTask(tr("Finding the contacts…"));
@@ -355,6 +415,7 @@ void OutcomePage::findContacts()
   request.array = *array;
   request.arrayName = name;
   request.byHand = history_.now().byHand;
+  searched_ = name;
   work_.findContacts(study_.volume(), ear_, std::move(request));
 }
 
@@ -370,18 +431,26 @@ void OutcomePage::moveContact(int number, const Eigen::Vector3d& point_P)
       each.isByHand = true;
     }
   next.found = moved;
+  next.isStale = true;
   history_.change(std::move(next));
   isSaved_ = false;
   showFound();
-  if (ear_) findContacts();
+  findAround();
+}
+
+void OutcomePage::findAround()
+{
+  // the ear of a saved outcome is on its way
+  if (history_.now().isStale && !isReopened_) find();
 }
 
 void OutcomePage::step(void (FoundHistory::*way)())
 {
-  work_.cancel();
+  if (!isReopened_) work_.cancel();
   (history_.*way)();
   isSaved_ = false;
   showFound();
+  findAround();
 }
 
 void OutcomePage::leaveFound()
@@ -395,9 +464,15 @@ void OutcomePage::leaveFound()
 void OutcomePage::showFound()
 {
   view_->show(found(), planned_);
-  panel_->showState(
-      {study_.hasCt(), found() != nullptr, history_.canUndo(), history_.canRedo(), isSaved_});
+  panel_->showState({study_.hasCt(), found() && !history_.now().isStale, history_.canUndo(),
+                     history_.canRedo(), isSaved_});
   if (stages_->currentWidget() != archive_) showArchive(false);
+}
+
+void OutcomePage::openSaved(const std::filesystem::path& patient, std::size_t place)
+{
+  Q_EMIT pageRequested(id());
+  if (panel_->choosePatient(patient)) openVersion(place);
 }
 
 void OutcomePage::openVersion(std::size_t place)
@@ -407,19 +482,19 @@ void OutcomePage::openVersion(std::size_t place)
   const session::PatientOutcome& version = saved.record.outcomes[place];
   auto content = outcome::outcomeIn(version.content, "record");
   if (!content) return panel_->showIdle(dataText(content.error().message), true);
-  work_.cancel();
+  endSearch();
   ear_.reset();
   study_.clear();
   planned_ = {};
-  planNumber_ = content->plan;
   std::map<int, Eigen::Vector3d> byHand;
   for (const outcome::FoundContact& each : content->found.contacts)
     if (each.isByHand) byHand[each.number] = each.position_P;
   panel_->form().setSurgery(content->surgery);
+  planNumber_ = content->plan;
   series_ = version.series;
   history_.begin({byHand, std::make_shared<const outcome::FoundArray>(std::move(content->found))});
   isSaved_ = true;
-  readPlanned();
+  readPlanned(true);
   showFound();
   std::error_code ignored;
   const std::filesystem::path scan =
@@ -432,8 +507,10 @@ void OutcomePage::openVersion(std::size_t place)
 
 outcome::OutcomeContent OutcomePage::content() const
 {
-  return {*found(), panel_->form().surgery(),
-          planned_.plan ? planned_.plan->plan.fingerprint : std::string(), series_};
+  outcome::Surgery surgery = panel_->form().surgery();
+  surgery.array = found()->array;
+  return {*found(), surgery, planned_.plan ? planned_.plan->plan.fingerprint : std::string(),
+          series_};
 }
 
 void OutcomePage::save()

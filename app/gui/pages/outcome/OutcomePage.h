@@ -4,6 +4,7 @@
 // The page Outcome: the implanted array found in a CT after surgery, beside its plan.
 
 #include <QElapsedTimer>
+#include <QPointer>
 #include <memory>
 #include <optional>
 #include <string>
@@ -25,6 +26,7 @@ class QStackedWidget;
 namespace perilymph::gui {
 
 class ArchiveView;
+class EarQuestion;
 class EmptyPage;
 class OutcomePanel;
 class OutcomeView;
@@ -61,6 +63,9 @@ public:
   void save();
   void exportTo(OutcomeExport kind, const std::filesystem::path& file);
   void writeReport(const ReportPlace& place);
+  /// Requests to be shown with an outcome that is saved in a patient's record.
+  /// @param place  Its place in the record.
+  void openSaved(const std::filesystem::path& patient, std::size_t place);
   /// Reads the list of archives again.
   void showServers();
 
@@ -78,11 +83,23 @@ private:
   void beginTask(const QString& task);
   void showProgress(double fraction);
   void choosePatient();
+  /// Forgets plan and outcome of a patient; the CT stays.
+  void leavePatient();
+  /// Ends a search, and a question that it led to.
+  void endSearch();
   void openVersion(std::size_t place);
   /// Reads plan and insertion of the patient and the array; proposes an array where none is chosen.
-  void readPlanned();
+  /// @param isToFind  Finds the contacts then, if there are none.
+  void readPlanned(bool isToFind);
+  void findEar();
   void acceptEar(const OutcomeWork::SharedEar& ear);
+  /// Shows the planes of the ear, so large that contacts are apart.
+  void showEar();
+  /// Shows the planes of the ear of a saved outcome, whose contacts stay as they were saved.
+  void showReopened(const OutcomeWork::SharedEar& ear);
   void findContacts();
+  /// Finds the others around contacts that were moved.
+  void findAround();
   void moveContact(int number, const Eigen::Vector3d& point_P);
   void step(void (FoundHistory::*way)());
   void leaveFound();
@@ -103,6 +120,9 @@ private:
   std::string series_;          ///< Series of what was found.
   OutcomeWork::SharedEar ear_;  ///< In the CT that is shown, joined to the patient; else null.
   QString earNote_;             ///< Why the CT before surgery was not used.
+  std::string searched_;        ///< Array that is looked for; empty if none is.
+  bool isReopened_ = false;     ///< The ear of a saved outcome is looked for, or its CT read.
+  QPointer<EarQuestion> question_;
   FoundHistory history_;
   PlannedEar planned_;
   std::string planNumber_;  ///< That a saved outcome states; empty: the newest plan.

@@ -13,14 +13,12 @@
 
 #include "gui/pages/ct/CtSource.h"
 #include "gui/pages/outcome/SurgeryForm.h"
-#include "gui/report/OutcomeWords.h"
 #include "gui/setup/PatientHistory.h"
 #include "gui/widgets/PanelParts.h"
 #include "gui/widgets/Selector.h"
 #include "gui/widgets/StatusLine.h"
 #include "gui/widgets/Theme.h"
 #include "gui/widgets/WrappedLabel.h"
-#include "perilymph/outcome/OutcomeText.h"
 
 namespace perilymph::gui {
 
@@ -33,11 +31,7 @@ QString keyOf(const SavedPatient& patient) { return QString::fromStdString(patie
 /// "2026-11-28 09:30 · flex28 · 421 (409–433)°"
 QString versionText(const session::PatientOutcome& saved)
 {
-  const QString when = localTimeText(saved.utc);
-  const auto content = outcome::outcomeIn(saved.content, "record");
-  if (!content) return OutcomePanel::tr("%1 · cannot be read").arg(when);
-  return OutcomePanel::tr("%1 · %2 · %3")
-      .arg(when, QString::fromStdString(content->found.array), depthText(content->found));
+  return OutcomePanel::tr("%1 · %2").arg(localTimeText(saved.utc), outcomeWords(saved));
 }
 
 }  // namespace
@@ -153,6 +147,16 @@ void OutcomePanel::refresh()
     patientList_->show({}, patients_.empty() ? tr("Save a patient first") : tr("Choose a patient"));
   listVersions();
   showButtons();
+}
+
+bool OutcomePanel::choosePatient(const std::filesystem::path& file)
+{
+  const QString key = QString::fromStdString(file.string());
+  if (!patient_ || keyOf(*patient_) != key) {
+    patientList_->show(key, {});
+    choose(key);
+  }
+  return patient_ && keyOf(*patient_) == key;
 }
 
 void OutcomePanel::choose(const QString& key)

@@ -34,6 +34,8 @@ public:
   void refresh();
   /// The chosen patient; empty before one is chosen.
   const std::optional<SavedPatient>& patient() const { return patient_; }
+  /// Chooses a saved patient by its file. False if there is none with A and B.
+  bool choosePatient(const std::filesystem::path& file);
   SurgeryForm& form() { return *form_; }
   CtSource& source() { return *source_; }
 

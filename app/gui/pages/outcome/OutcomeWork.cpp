@@ -62,6 +62,11 @@ Result<EarlierVolume> earlierVolume(const OutcomeFinder& finder, const EarlierCt
     measures = finder.measure(loaded->volume, request);
   }
   if (!measures) return measures.error();
+  if (measures->has(ct::Flag::metal))
+    return Error{
+        "%1 shows metal in the cochlea, so that it is no CT before surgery: the ear is measured in "
+        "the CT after it.",
+        before.place};
   return EarlierVolume{*std::move(loaded), *std::move(measures)};
 }
 

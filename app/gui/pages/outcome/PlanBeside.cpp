@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "gui/pages/plan/ForceBands.h"
-#include "gui/report/OutcomeWords.h"
+#include "gui/setup/OutcomeWords.h"
 #include "gui/text/Numbers.h"
 #include "gui/widgets/TableRows.h"
 #include "gui/widgets/Theme.h"

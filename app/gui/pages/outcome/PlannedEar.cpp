@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "gui/setup/Catalog.h"
 #include "gui/setup/PlanStore.h"
 #include "perilymph/analysis/Comparison.h"
 #include "perilymph/session/Scenario.h"
@@ -40,13 +41,27 @@ void addPlan(PlannedEar& ear, const std::vector<StoredPlan>& plans, const anatom
   }
 }
 
+/// The shipped name of a recording's array: its list has the title, or that name where its scenario cannot be read.
+/// Empty if it is in no catalog.
+std::string arrayOf(const session::SessionSummary& session,
+                    const std::vector<CatalogArray>& catalog)
+{
+  for (const CatalogArray& each : catalog)
+    if (each.title.toStdString() == session.array || each.name.toStdString() == session.array)
+      return each.name.toStdString();
+  return {};
+}
+
 /// The array that was inserted or planned last.
 std::string newestArray(const std::vector<session::SessionSummary>& sessions,
-                        const std::vector<StoredPlan>& plans, const anatomy::Patient& patient)
+                        const std::vector<StoredPlan>& plans, const anatomy::Patient& patient,
+                        const std::vector<CatalogArray>& catalog)
 {
   std::string array, utc;
   for (const session::SessionSummary& each : sessions)
-    if (isOf(each, patient) && each.startedUtc > utc) utc = each.startedUtc, array = each.array;
+    if (isOf(each, patient) && each.startedUtc > utc)
+      if (const std::string own = arrayOf(each, catalog); !own.empty())
+        utc = each.startedUtc, array = own;
   if (!array.empty()) return array;
   for (const StoredPlan& each : plans)
     if (each.request.patient.label == patient.label && each.request.patient.side == patient.side &&
@@ -62,12 +77,13 @@ Result<PlannedEar> plannedEar(const anatomy::Patient& patient, const std::string
                               const std::stop_token& stop)
 {
   const PatientWork work = readPatientWork(beingRecorded, stop);
+  const std::vector<CatalogArray> catalog = catalogArrays();
   PlannedEar ear;
-  ear.array = array.empty() ? newestArray(work.sessions, work.plans, patient) : array;
+  ear.array = array.empty() ? newestArray(work.sessions, work.plans, patient, catalog) : array;
   addPlan(ear, work.plans, patient, plan);
   const session::SessionSummary* newest = nullptr;
   for (const session::SessionSummary& each : work.sessions)
-    if (isOf(each, patient) && each.array == ear.array &&
+    if (isOf(each, patient) && arrayOf(each, catalog) == ear.array &&
         (newest == nullptr || each.startedUtc > newest->startedUtc))
       newest = &each;
   if (newest != nullptr)

@@ -10,8 +10,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gui/report/OutcomeWords.h"
 #include "gui/setup/Catalog.h"
+#include "gui/setup/OutcomeWords.h"
 #include "gui/setup/Section.h"
 #include "gui/text/DataText.h"
 #include "gui/text/Numbers.h"

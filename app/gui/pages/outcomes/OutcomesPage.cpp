@@ -8,7 +8,7 @@
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
-#include "gui/report/OutcomeWords.h"
+#include "gui/setup/OutcomeWords.h"
 #include "gui/setup/PatientLibrary.h"
 #include "gui/setup/TableFiles.h"
 #include "gui/text/DataText.h"

@@ -57,7 +57,7 @@ PatientDetails::PatientDetails(QWidget* parent)
   column->addWidget(notes_);
   column->addWidget(panelHeading(tr("MEASURES"), this));
   column->addWidget(versions_);
-  column->addWidget(panelHeading(tr("SCANS, PLANS, INSERTIONS"), this));
+  column->addWidget(panelHeading(tr("SCANS, PLANS, INSERTIONS, OUTCOMES"), this));
   column->addWidget(empty_, 1);  // in the place of the list
   column->addWidget(history_, 1);
   connect(tags_, &QLineEdit::editingFinished, this, &PatientDetails::keep);
@@ -181,7 +181,8 @@ void PatientDetails::showHistory()
   const bool isReading = patient_ && !work_;
   empty_->setText(isReading  ? tr("Reading…")
                   : patient_ ? tr("None yet. Scans are measured on the page CT, plans made on the "
-                                  "page Plan; insertions of this patient are recorded.")
+                                  "page Plan; insertions of this patient are recorded, and "
+                                  "outcomes saved on the page Outcome.")
                              : tr("Choose a patient."));
   empty_->setVisible(entries.empty());
   history_->setVisible(!entries.empty());

@@ -21,7 +21,7 @@ constexpr int dateWidth_px = 138, whatWidth_px = 84;
 PatientHistoryList::PatientHistoryList(QWidget* parent) : QTableWidget(0, columns, parent)
 {
   setObjectName(QStringLiteral("patientHistory"));
-  setAccessibleName(tr("Scans, plans and insertions"));
+  setAccessibleName(tr("Scans, plans, insertions and outcomes"));
   setFont(typeface(12));
   showInRows(*this, sized(row_px));
   setSelectionMode(QAbstractItemView::SingleSelection);

@@ -11,7 +11,7 @@
 
 namespace perilymph::gui {
 
-/// Scans, plans and insertions, newest first. A click or Enter opens one.
+/// Scans, plans, insertions and outcomes, newest first. A click or Enter opens one.
 class PatientHistoryList : public QTableWidget {
   Q_OBJECT
 public:

@@ -232,6 +232,8 @@ void StartPage::openEntry(const HistoryEntry& entry)
       return pageRequested(QStringLiteral("plan"), entry.place);
     case HistoryEntry::Kind::insertion:
       return replayRequested(entry.place);
+    case HistoryEntry::Kind::outcome:
+      return outcomeRequested(entry.place, entry.outcome);
   }
 }
 

@@ -72,6 +72,8 @@ public:
 
 Q_SIGNALS:
   void ctRequested(const perilymph::gui::CtRequest& request);
+  /// An outcome in the record of a patient's file is to be shown.
+  void outcomeRequested(const std::filesystem::path& patient, std::size_t place);
 
 protected:
   void resizeEvent(QResizeEvent* event) override;

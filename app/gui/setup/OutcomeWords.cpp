@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/report/OutcomeWords.h"
+#include "gui/setup/OutcomeWords.h"
 
 #include <QCoreApplication>
 #include <array>

@@ -60,6 +60,8 @@ curvature_per_mm = [0.4, 0.3, 0.0]
 [contacts]
 from_tip_mm = [1.0, 3.0, 5.0]
 contact_length_mm = 0.5
+plates = "pair"
+single_plates = 1
 {SOURCE}
 [ribs]
 from_tip_mm = [16.0, 17.0]

@@ -177,6 +177,9 @@ private:
     const std::vector<double> centers = places(table);
     const double contact = table.number("contact_length_mm", contactLength_mm);
     design.contactLength = millimeters(contact);
+    design.plates = table.choice("plates", platesTable, Plates::single);
+    design.singlePlates =
+        static_cast<int>(table.integer("single_plates", 0, static_cast<long>(centers.size()), 0));
     for (const double center : centers) design.contactsFromTip.push_back(millimeters(center));
 
     const auto refuse = [&](const std::string& what) {

@@ -74,6 +74,9 @@ public:
     table("contacts");
     numbers("from_tip_mm", array_.contactsFromTip, mm);
     number("contact_length_mm", mm(array_.contactLength));
+    if (array_.plates != Plates::single) text("plates", nameIn(platesTable, array_.plates));
+    if (array_.singlePlates > 0)
+      text_ += "single_plates = " + std::to_string(array_.singlePlates) + '\n';
     if (array_.taper) {
       table("taper");
       numbers("last_contact_mm", std::vector{array_.taper->thinnest, array_.taper->thickest}, mm);

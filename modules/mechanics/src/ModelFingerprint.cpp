@@ -65,10 +65,11 @@ void add(Hash& hash, const electrode::Wires& wires)
 
 void add(Hash& hash, const electrode::ArrayDesign& array)
 {
-  // a range of the taper states what is known of it and moves nothing
+  // a range of the taper states what is known of it and moves nothing, nor does the contacts' kind
   const auto& [name, maker, note, length, insertable, diameter, thickness, tip, taperRange, bending,
-               bendingAcross, twisting, restCurvature, contactsFromTip, contactLength, ribsFromTip,
-               ribHeight, ribLength, wires, hasStylet, stylet, provenance] = array;
+               bendingAcross, twisting, restCurvature, contactsFromTip, contactLength, plates,
+               singlePlates, ribsFromTip, ribHeight, ribLength, wires, hasStylet, stylet,
+               provenance] = array;
   for (const Length value : {length, insertable, contactLength, ribHeight, ribLength})
     add(hash, value);
   const auto& [tipRadius, taper] = tip;

@@ -179,6 +179,8 @@ KeyedFile arrayFile()
                      {"rest_curvature.curvature_per_mm", "[0.0, 0.0]"},
                      {"contacts.from_tip_mm", "[1.0, 20.0]"},
                      {"contacts.contact_length_mm", "0.5"},
+                     {"contacts.plates", "\"pair\""},
+                     {"contacts.single_plates", "1"},
                      {"taper.last_contact_mm", "[0.6, 0.9]"},
                      {"taper.carrier_MPa", "0.2"},
                      {"ribs.from_tip_mm", "[22.0]"},

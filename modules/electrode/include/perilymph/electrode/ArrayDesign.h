@@ -4,6 +4,7 @@
 // An electrode array as data: values published by its maker or measured, with source and
 // confidence.
 
+#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <optional>
@@ -11,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "perilymph/foundation/Choice.h"
 #include "perilymph/foundation/Result.h"
 #include "perilymph/foundation/Units.h"
 
@@ -114,6 +116,17 @@ struct Section {
   Length within;  ///< Within the plane of curl: toward the modiolus.
 };
 
+/// The platinum of a contact.
+enum class Plates {
+  single,  ///< One plate, on the side of the carrier that faces the modiolus.
+  pair,    ///< Two plates on opposite sides, across the plane of curl.
+  band     ///< A ring around the carrier.
+};
+/// Their names in files.
+inline constexpr std::array platesTable{Choice<Plates>{Plates::single, "single"},
+                                        Choice<Plates>{Plates::pair, "pair"},
+                                        Choice<Plates>{Plates::band, "band"}};
+
 /// An electrode array with all data that mechanics and visualization need.
 struct ArrayDesign {
   std::string name;  ///< "Nucleus 24 Contour"
@@ -138,10 +151,14 @@ struct ArrayDesign {
   std::vector<Length> contactsFromTip;  ///< Distance of the platinum contacts' centers from the
                                         ///< tip.
   Length contactLength;                 ///< Length of one contact along the array.
-  std::vector<Length> ribsFromTip;      ///< Distance of the marker ribs' centers from the tip.
-  Length ribHeight;                     ///< Above the carrier.
-  Length ribLength;                     ///< Along the array.
-  std::optional<Wires> wires;           ///< If they are stated.
+  /// What the contacts are, the most apical ones excepted that `singlePlates` counts.
+  Plates plates = Plates::single;
+  int singlePlates =
+      0;  ///< Contacts from the tip with a single plate, of an array with pairs or bands.
+  std::vector<Length> ribsFromTip;  ///< Distance of the marker ribs' centers from the tip.
+  Length ribHeight;                 ///< Above the carrier.
+  Length ribLength;                 ///< Along the array.
+  std::optional<Wires> wires;       ///< If they are stated.
   bool hasStylet = false;
   Stylet stylet;
 
@@ -150,6 +167,11 @@ struct ArrayDesign {
   bool yields() const { return wiresYield() || styletYields(); }
   std::vector<std::pair<std::string, TableSource>> provenance;  ///< For each table of the file.
 
+  /// The platinum of a contact, counted from 0 at the tip.
+  Plates platesOf(std::size_t contact) const
+  {
+    return contact < static_cast<std::size_t>(singlePlates) ? Plates::single : plates;
+  }
   /// Radius of the tip cap.
   Length tipRadius() const;
   /// The section at a distance from the tip, including the taper but not the ribs.

@@ -4176,10 +4176,6 @@
         <translation>%1 von %2 ist %3; erlaubt ist %4 bis %5. Prüfen Sie die im CT gefundenen Kontakte.</translation>
     </message>
     <message>
-        <source>The error of %1 of %2 is %3; it cannot be below 0. Check the contacts found.</source>
-        <translation>Der Fehler von %1 von %2 ist %3; er kann nicht unter 0 liegen. Prüfen Sie die gefundenen Kontakte.</translation>
-    </message>
-    <message>
         <source>The plan of %1 has no simulation of %2. Plan that array.</source>
         <translation>Der Plan von %1 hat keine Simulation von %2. Planen Sie diesen Träger.</translation>
     </message>
@@ -4486,6 +4482,82 @@
     <message>
         <source>%1 shows metal in the cochlea, so that it is no CT before surgery: the ear is measured in the CT after it.</source>
         <translation>%1 zeigt Metall in der Cochlea und ist damit kein CT vor der Operation: Das Ohr wird im CT danach gemessen.</translation>
+    </message>
+    <message>
+        <source>A plan cannot be read, and no outcome is compared with it. %1</source>
+        <translation>Ein Plan ist nicht lesbar; kein Ergebnis wird mit ihm verglichen. %1</translation>
+    </message>
+    <message>
+        <source>%1 is left out: its plan %2 with %3 is not there as it was made before the surgery. Restore the plan&apos;s folder.</source>
+        <translation>%1 ist ausgelassen: Der zugehörige Plan %2 mit %3 ist nicht so vorhanden, wie er vor der Operation erstellt wurde. Stellen Sie den Ordner des Plans wieder her.</translation>
+    </message>
+    <message>
+        <source>its outcome is of the %1 ear. Find the contacts in the CT of this ear again.</source>
+        <translation>das Ergebnis gehört zum anderen Ohr (%1). Suchen Sie die Kontakte im CT dieses Ohrs erneut.</translation>
+    </message>
+    <message>
+        <source>%1 was found in the CT and %2 was implanted as the surgeon says. Find the contacts again with the array that was implanted.</source>
+        <translation>%1 wurde im CT gefunden, und %2 wurde nach Angabe des Operateurs implantiert. Suchen Sie die Kontakte erneut mit dem implantierten Elektrodenträger.</translation>
+    </message>
+    <message>
+        <source>the record and its outcome name different CT series, %1 and %2. Find the contacts again.</source>
+        <translation>Akte und Ergebnis nennen verschiedene CT-Serien, %1 und %2. Suchen Sie die Kontakte erneut.</translation>
+    </message>
+    <message>
+        <source>its angular insertion depth is %1 degrees, and its most apical contact inside lies at %2. Find the contacts again.</source>
+        <translation>die Winkel-Insertionstiefe ist %1 Grad, und der apikalste Kontakt in der Cochlea liegt bei %2. Suchen Sie die Kontakte erneut.</translation>
+    </message>
+    <message>
+        <source>its outcome was saved on &quot;%1&quot;, which is no day. Find the contacts again.</source>
+        <translation>das Ergebnis wurde am „%1“ gespeichert, was kein Tag ist. Suchen Sie die Kontakte erneut.</translation>
+    </message>
+    <message>
+        <source>its outcome was saved on %1, which is still to come. Set the clock, and find the contacts again.</source>
+        <translation>das Ergebnis wurde am %1 gespeichert, der noch kommt. Stellen Sie die Uhr, und suchen Sie die Kontakte erneut.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 is left out: the same ear is in %3. Give one of them another code.</source>
+        <translation>%1 aus %2 ist ausgelassen: Dasselbe Ohr steht in %3. Geben Sie einem von beiden einen anderen Code.</translation>
+    </message>
+    <message>
+        <source>%1 is left out: its CT after surgery (%2) is also that of %3. Remove the CT that is not this patient&apos;s and find the contacts again.</source>
+        <translation>%1 ist ausgelassen: Das CT nach der Operation (%2) ist auch das von %3. Entfernen Sie das CT, das nicht zu diesem Patienten gehört, und suchen Sie die Kontakte erneut.</translation>
+    </message>
+    <message>
+        <source>%1 was changed by hand; its outcome is compared as it stands there.</source>
+        <translation>%1 wurde von Hand geändert; das Ergebnis wird so verglichen, wie es dort steht.</translation>
+    </message>
+    <message>
+        <source>%1 or the plan.json beside it was changed after the program wrote it, and is no prediction any more. Restore the plan&apos;s folder.</source>
+        <translation>%1 oder die plan.json daneben wurde geändert, nachdem das Programm sie schrieb, und ist keine Vorhersage mehr. Stellen Sie den Ordner des Plans wieder her.</translation>
+    </message>
+    <message>
+        <source>Stop lengths were computed again, for %1 plans: those that were there are of another build of the program or of another plan, or were changed or damaged.</source>
+        <translation>Die Stopplängen von %1 Plänen wurden neu berechnet: Die vorhandenen stammen von einer anderen Version des Programms oder einem anderen Plan, oder sie wurden geändert oder beschädigt.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 has the standard deviation %3; 0 to %4 is allowed. Check the contacts found in the CT.</source>
+        <translation>%1 von %2 hat die Standardabweichung %3; erlaubt ist 0 bis %4. Prüfen Sie die im CT gefundenen Kontakte.</translation>
+    </message>
+    <message>
+        <source>its values are nested more than %1 deep</source>
+        <translation>seine Werte sind mehr als %1-fach verschachtelt</translation>
+    </message>
+    <message>
+        <source>it states &quot;%1&quot; twice</source>
+        <translation>es nennt „%1“ zweimal</translation>
+    </message>
+    <message>
+        <source>%1 is no outcome: %2. Make it by perilymph-cli ct contacts.</source>
+        <translation>%1 ist kein Ergebnis: %2. Erzeugen Sie es mit perilymph-cli ct contacts.</translation>
+    </message>
+    <message>
+        <source>%1 is in use: another program works on it. Wait until that program has ended.</source>
+        <translation>%1 ist in Gebrauch: Ein anderes Programm arbeitet daran. Warten Sie, bis dieses beendet ist.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be removed: %2.</source>
+        <translation>%1 kann nicht entfernt werden: %2.</translation>
     </message>
 </context>
 <context>

@@ -253,7 +253,8 @@ Result<FoundArray> resultsOf(const ct::CtVolume& volume, const Ear& ear, const E
     const double turn = arcTangent(a.cross(b).norm(), a.dot(b));
     isKinked = isKinked || 2.0 * turn / (a.norm() + b.norm()) > kinkPerMm;
   }
-  for (const Vector3d& each : chain.position_P) isClipped = isClipped || !volume.contains(each);
+  for (std::size_t i = 0; i < count; ++i)
+    isClipped = isClipped || !volume.contains(chain.position_P[i]);
   raise(Flag::secondAssignment, evidence.isSecondNear);
   raise(Flag::missingContacts, evidence.areMissing);
   raise(Flag::extraMetal, evidence.unexplained > 1);

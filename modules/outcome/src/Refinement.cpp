@@ -19,15 +19,23 @@ using Eigen::Vector3d;
 
 constexpr double fitReach_mm = 0.9;  // from the points: voxels of the fit
 constexpr double plate_mm =
-    0.4;  // size of a contact across the array (low confidence: plates differ)
+    0.45;  // width of a plate around the carrier (low confidence: plates differ)
+constexpr double thin_mm2 =
+    0.005;  // square of the width that the bend of a plate gives it across its plane
+constexpr double onCarrier =
+    0.95;  // a plate's distance from the center line over the carrier's radius
 constexpr double wireStep_mm = 0.2;
 constexpr double studentDegrees = 4.0;
 constexpr double modelPart = 0.08;  // error of the model as a part of the metal's signal
-constexpr double minNoise = 40.0;
+constexpr double minNoise = 40.0, maxNoise = 250.0;
 constexpr double blurSpread = 0.35;  // of the blur about its guess
 constexpr double amplitudeSpread = 0.4,
-                 mergedSpread = 0.25;  // among contacts, and among those not seen singly
-constexpr double minLead_mm = 1.5, leadPerPitch = 1.3;
+                 mergedSpread = 0.25;           // among contacts, and among those not seen singly
+constexpr double leadBend_mm = 0.6;             // bending of the lead from point to point
+constexpr double minBlur = 0.3, maxBlur = 2.5;  // of the guess
+constexpr double keptOfThinned = 4.0;
+constexpr int minRounds = 6;
+constexpr double converged = 0.3;    // of the cost, in one round
 constexpr double keptSd_mm = 0.002;  // what a person placed stays
 
 /// Normal density of one blur and what its derivatives need.
@@ -46,30 +54,36 @@ Spot spotOf(const Matrix3d& covariance)
   return {covariance.inverse(), 1.0 / (std::pow(2.0 * pi, 1.5) * std::sqrt(determinant))};
 }
 
+/// Voxels much finer than the blur are redundant: of these every fourth is taken, on a face-centered grid.
+bool isThinned(const Vector3d& spacing)
+{
+  constexpr double fine_mm = 0.17;
+  return spacing.maxCoeff() < fine_mm;
+}
+
 class Fit {
 public:
-  Fit(const ct::CtVolume& volume, const MetalGrid& grid, const Ear& ear,
+  Fit(const EarFrame& frame, const ct::CtVolume& volume, const MetalGrid& grid, const Ear& ear,
       const std::vector<FitVoxel>& voxels, const electrode::ArrayDesign& array,
       const FittedChain& start, const RefinementSettings& settings)
-      : array_(array),
+      : frame_(frame),
+        array_(array),
         voxels_(voxels),
         settings_(settings),
         ceiling_(grid.ceiling),
         count_(array.contactsFromTip.size()),
+        nodes_(start.position_P.size()),
         chain_(start)
   {
     spacing_ = volume.spacing_mm();
-    lead_mm_ =
-        std::max(minLead_mm, leadPerPitch * inMillimeters(array.contactsFromTip[count_ - 1] -
-                                                          array.contactsFromTip[count_ - 2]));
     Eigen::Index slow = 2;
     for (Eigen::Index i = 0; i < 3; ++i)
       if (spacing_[i] > 1.05 * spacing_[slow]) slow = i;
     normal_ = volume.lpsFromIndex().block<3, 1>(0, slow).normalized();
     guess_ = {start.blurInPlane_mm, start.blurAxial_mm};
-    size_ = static_cast<Eigen::Index>(3 * (count_ + 1) + count_ + 6);
+    size_ = static_cast<Eigen::Index>(3 * nodes_ + count_ + 6);
     x_ = Eigen::VectorXd::Zero(size_);
-    for (std::size_t i = 0; i <= count_; ++i)
+    for (std::size_t i = 0; i < nodes_; ++i)
       x_.segment<3>(3 * static_cast<Eigen::Index>(i)) = start.position_P[i];
     x_[blurAt()] = start.blurInPlane_mm;
     x_[blurAt() + 1] = start.blurAxial_mm;
@@ -86,9 +100,11 @@ public:
     noise_ = 150.0;
     for (int round = 0; round < settings_.rounds; ++round) {
       setChords();
-      const System system = assemble(x_, true);
-      noise_ = std::max(minNoise, 0.5 * noise_ + 0.5 * system.spread);
+      System system = assemble(x_, true);
+      hold(system);
+      noise_ = std::clamp(0.5 * noise_ + 0.5 * system.spread, minNoise, maxNoise);
       const double before = assembleCost(x_);
+      double gained = 0.0;
       bool isBetter = false;
       for (int attempt = 0; attempt < 6 && !isBetter; ++attempt) {
         Eigen::MatrixXd left = system.left;
@@ -97,7 +113,8 @@ public:
         const Eigen::VectorXd step = left.ldlt().solve(system.right);
         if (!step.allFinite()) break;
         const Eigen::VectorXd next = bounded(x_ + limited(step));
-        if (assembleCost(next) < before) {
+        if (const double after = assembleCost(next); after < before) {
+          gained = before - after;
           x_ = next;
           damping = std::max(1e-6, 0.3 * damping);
           isBetter = true;
@@ -105,7 +122,7 @@ public:
           damping *= 6.0;
         }
       }
-      if (!isBetter) break;
+      if (!isBetter || (round >= minRounds && gained < converged)) break;
     }
     return result();
   }
@@ -117,7 +134,7 @@ private:
     double spread = 0.0;
   };
 
-  Eigen::Index amplitudeAt() const { return static_cast<Eigen::Index>(3 * (count_ + 1)); }
+  Eigen::Index amplitudeAt() const { return static_cast<Eigen::Index>(3 * nodes_); }
   Eigen::Index wireAt() const { return amplitudeAt() + static_cast<Eigen::Index>(count_); }
   Eigen::Index levelAt() const { return wireAt() + 2; }
   Eigen::Index blurAt() const { return levelAt() + 2; }
@@ -150,6 +167,12 @@ private:
     x_[wireAt() + 1] = 0.0;
   }
 
+  /// Pairs and bands have their middle on the center line, single plates beside it.
+  double besideCourse(std::size_t contact) const
+  {
+    return array_.platesOf(contact) == electrode::Plates::single ? 1.0 : 0.0;
+  }
+
   /// Distances that neighbors should have: the array's spacings on the bent course, with the distance of the contacts
   /// from the center line, one for all, that fits best.
   void setChords()
@@ -175,7 +198,7 @@ private:
       bend = std::min(1.0, bend / std::max(1, known));
       const double half = 0.5 * inMillimeters(array_.sectionAt(array_.contactsFromTip[i]).within);
       whole[i] = arc * (1.0 - std::min(0.3, bend * bend * arc * arc / 24.0));
-      nearer[i] = whole[i] * bend * half;
+      nearer[i] = whole[i] * bend * half * 0.5 * (besideCourse(i) + besideCourse(i + 1));
       chordSd_[i] = 0.02 + 0.01 * arc + 0.08 * nearer[i];
       const double weight = 1.0 / (chordSd_[i] * chordSd_[i]);
       top += weight * nearer[i] * (whole[i] - (nodeOf(x_, i + 1) - nodeOf(x_, i)).norm());
@@ -189,11 +212,35 @@ private:
   Eigen::VectorXd limited(const Eigen::VectorXd& step) const
   {
     Eigen::VectorXd result = step;
-    for (std::size_t i = 0; i <= count_; ++i) {
+    for (std::size_t i = 0; i < nodes_; ++i) {
       const double length = step.segment<3>(3 * static_cast<Eigen::Index>(i)).norm();
       if (length > 0.3) result.segment<3>(3 * static_cast<Eigen::Index>(i)) *= 0.3 / length;
     }
     return result;
+  }
+
+  /// Takes out what would leave its bounds, so that the step of the rest is the best one without it.
+  void hold(System& system) const
+  {
+    const auto one = [&](Eigen::Index at, bool isHeld) {
+      if (!isHeld) return;
+      system.left.row(at).setZero();
+      system.left.col(at).setZero();
+      system.left(at, at) = 1.0;
+      system.right[at] = 0.0;
+    };
+    for (std::size_t i = 0; i < count_; ++i) {
+      const Eigen::Index at = amplitudeAt() + static_cast<Eigen::Index>(i);
+      one(at, x_[at] <= 0.0 && system.right[at] < 0.0);
+    }
+    one(wireAt(), x_[wireAt()] <= 0.0 && system.right[wireAt()] < 0.0);
+    one(wireAt() + 1, x_[wireAt() + 1] <= -x_[wireAt()] / static_cast<double>(count_) &&
+                          system.right[wireAt() + 1] < 0.0);
+    for (Eigen::Index i = 0; i < 2; ++i) {
+      const Eigen::Index at = blurAt() + i;
+      one(at, (x_[at] <= minBlur * guess_[i] && system.right[at] < 0.0) ||
+                  (x_[at] >= maxBlur * guess_[i] && system.right[at] > 0.0));
+    }
   }
 
   Eigen::VectorXd bounded(Eigen::VectorXd x) const
@@ -205,7 +252,7 @@ private:
     x[wireAt()] = std::max(0.0, x[wireAt()]);
     x[wireAt() + 1] = std::max(-x[wireAt()] / static_cast<double>(count_), x[wireAt() + 1]);
     for (Eigen::Index i = 0; i < 2; ++i)
-      x[blurAt() + i] = std::clamp(x[blurAt() + i], 0.4 * guess_[i], 2.5 * guess_[i]);
+      x[blurAt() + i] = std::clamp(x[blurAt() + i], minBlur * guess_[i], maxBlur * guess_[i]);
     return x;
   }
 
@@ -221,8 +268,16 @@ private:
     double part, weight;  // part of the way; length that it stands for
   };
 
+  /// A plate of a contact: its center from the contact's, and its part of the contact's signal.
+  struct Plate {
+    std::size_t contact;
+    Vector3d off;
+    double part;
+    Spot spot;
+  };
+
   struct Prepared {
-    std::vector<Spot> contact;
+    std::vector<Plate> plates;
     Spot wire;
     std::vector<WireSpot> wires;
     double cut;  // squared distance beyond which nothing counts
@@ -233,14 +288,35 @@ private:
     Prepared p;
     const Matrix3d blur = blurOf(x);
     const double length = inMillimeters(array_.contactLength);
+    const auto square = [](const Vector3d& v) -> Matrix3d { return v * v.transpose(); };
     for (std::size_t i = 0; i < count_; ++i) {
       const Vector3d along = (nodeOf(x, i + 1) - nodeOf(x, i > 0 ? i - 1 : 0)).normalized();
-      const Matrix3d t = along * along.transpose();
-      p.contact.push_back(spotOf(blur + length * length / 12.0 * t +
-                                 plate_mm * plate_mm / 12.0 * (Matrix3d::Identity() - t)));
+      const Vector3d at_W = frame_.toW(nodeOf(x, i));
+      Vector3d inward = frame_.directionToP(Vector3d(-at_W.x(), -at_W.y(), 0.0).normalized());
+      inward = (inward - inward.dot(along) * along).normalized();
+      const Vector3d up = along.cross(inward);
+      const electrode::Section section = array_.sectionAt(array_.contactsFromTip[i]);
+      const double half = 0.25 * inMillimeters(section.within + section.across);
+      const Matrix3d ofLength = blur + length * length / 12.0 * square(along);
+      const double wide = plate_mm * plate_mm / 12.0;
+      switch (array_.platesOf(i)) {
+        case electrode::Plates::single:
+          p.plates.push_back({i, Vector3d::Zero(), 1.0,
+                              spotOf(ofLength + wide * square(up) + thin_mm2 * square(inward))});
+          break;
+        case electrode::Plates::pair:
+          for (const double sign : {-1.0, 1.0})
+            p.plates.push_back({i, sign * onCarrier * half * up, 0.5,
+                                spotOf(ofLength + wide * square(inward) + thin_mm2 * square(up))});
+          break;
+        case electrode::Plates::band:
+          p.plates.push_back(
+              {i, Vector3d::Zero(), 1.0,
+               spotOf(ofLength + 0.5 * half * half * (square(up) + square(inward)))});
+      }
     }
     p.wire = spotOf(blur);
-    for (std::size_t i = 0; i < count_; ++i) {
+    for (std::size_t i = 0; i + 1 < nodes_; ++i) {
       const Vector3d a = nodeOf(x, i), b = nodeOf(x, i + 1);
       const double whole = (b - a).norm();
       const int samples = std::max(1, static_cast<int>(std::ceil(whole / wireStep_mm)));
@@ -269,24 +345,25 @@ private:
       byInPlane += signal * x[blurAt()] * (inPlane - trace);
       byAxial += signal * x[blurAt() + 1] * (yAxial * yAxial - traceAxial);
     };
-    for (std::size_t i = 0; i < count_; ++i) {
-      const Vector3d off = voxel.point_P - nodeOf(x, i);
+    for (const Plate& plate : p.plates) {
+      const Vector3d off = voxel.point_P - nodeOf(x, plate.contact) - plate.off;
       if (off.squaredNorm() > p.cut) continue;
-      const double density = p.contact[i].value(off);
-      const double amplitude = x[amplitudeAt() + static_cast<Eigen::Index>(i)];
+      const auto i = static_cast<Eigen::Index>(plate.contact);
+      const double density = plate.part * plate.spot.value(off);
+      const double amplitude = x[amplitudeAt() + i];
       local.metal += amplitude * density;
       if (!withSlopes) continue;
-      const Vector3d y = p.contact[i].inverse * off;
+      const Vector3d y = plate.spot.inverse * off;
       for (Eigen::Index d = 0; d < 3; ++d)
-        local.slope.emplace_back(3 * static_cast<Eigen::Index>(i) + d, amplitude * density * y[d]);
-      local.slope.emplace_back(amplitudeAt() + static_cast<Eigen::Index>(i), density);
-      addBlur(p.contact[i], y, amplitude * density);
+        local.slope.emplace_back(3 * i + d, amplitude * density * y[d]);
+      local.slope.emplace_back(amplitudeAt() + i, density);
+      addBlur(plate.spot, y, amplitude * density);
     }
     double byWire = 0.0, byRise = 0.0;
     Vector3d first = Vector3d::Zero(), second = Vector3d::Zero();
-    std::size_t segment = count_;
+    std::size_t segment = nodes_;
     const auto flush = [&] {
-      if (segment == count_ || !withSlopes) return;
+      if (segment == nodes_ || !withSlopes) return;
       for (Eigen::Index d = 0; d < 3; ++d) {
         local.slope.emplace_back(3 * static_cast<Eigen::Index>(segment) + d, first[d]);
         local.slope.emplace_back(3 * static_cast<Eigen::Index>(segment + 1) + d, second[d]);
@@ -301,7 +378,9 @@ private:
         flush();
         segment = wire.segment;
       }
-      const double at = static_cast<double>(wire.segment) + wire.part;
+      // every contact has its wire; the lead has all of them
+      const double at =
+          std::min(static_cast<double>(wire.segment) + wire.part, static_cast<double>(count_));
       const double density = p.wire.value(off) * wire.weight;
       const double signal = std::max(0.0, x[wireAt()] + x[wireAt() + 1] * at) * density;
       local.metal += signal;
@@ -346,11 +425,11 @@ private:
       slope.assign(1, {at, 1.0});
       add(mean - value, 1.0 / (sd * sd), slope);
     };
-    for (std::size_t i = 0; i < count_; ++i) {
+    for (std::size_t i = 0; i + 1 < nodes_; ++i) {
       const Vector3d step = nodeOf(x, i + 1) - nodeOf(x, i);
       const double length = std::max(1e-6, step.norm());
-      const bool isLead = i + 1 == count_;
-      const double chord = isLead ? lead_mm_ : chord_[i];
+      const bool isLead = i + 1 >= count_;
+      const double chord = isLead ? leadStep_mm : chord_[i];
       const double sd = isLead ? 0.1 : chordSd_[i];
       slope.clear();
       for (Eigen::Index d = 0; d < 3; ++d) {
@@ -373,14 +452,16 @@ private:
       }
     }
     // the lead goes on about straight
-    for (Eigen::Index axis = 0; axis < 3; ++axis) {
-      const auto n = static_cast<Eigen::Index>(count_);
-      const double last = (nodeOf(x, count_ - 1) - nodeOf(x, count_ - 2)).norm();
-      const double ratio = lead_mm_ / std::max(0.2, last);
-      const Eigen::Index a = 3 * (n - 2) + axis, b = 3 * (n - 1) + axis, c = 3 * n + axis;
-      slope = {{c, 1.0}, {b, -1.0 - ratio}, {a, ratio}};
-      add(-(x[c] - (1.0 + ratio) * x[b] + ratio * x[a]), 1.0 / (0.6 * 0.6), slope);
-    }
+    for (std::size_t i = count_; i < nodes_; ++i)
+      for (Eigen::Index axis = 0; axis < 3; ++axis) {
+        const auto n = static_cast<Eigen::Index>(i);
+        const double last = (nodeOf(x, i - 1) - nodeOf(x, i - 2)).norm();
+        const double ratio = leadStep_mm / std::max(0.2, last);
+        const Eigen::Index a = 3 * (n - 2) + axis, b = 3 * (n - 1) + axis, c = 3 * n + axis;
+        slope = {{c, 1.0}, {b, -1.0 - ratio}, {a, ratio}};
+        add(-(x[c] - (1.0 + ratio) * x[b] + ratio * x[a]), 1.0 / (leadBend_mm * leadBend_mm),
+            slope);
+      }
     double mean = 0.0;
     for (std::size_t i = 0; i < count_; ++i)
       mean += x[amplitudeAt() + static_cast<Eigen::Index>(i)] / static_cast<double>(count_);
@@ -462,7 +543,7 @@ private:
     double voxels = 1.0;
     for (Eigen::Index i = 0; i < 3; ++i)
       voxels *= std::max(1.0, 2.0 * std::sqrt(pi) * 0.6 * guess_[0] / spacing_[i]);
-    return voxels;
+    return isThinned(spacing_) ? std::max(1.0, voxels / keptOfThinned) : voxels;
   }
 
   FittedChain result()
@@ -474,7 +555,7 @@ private:
     FittedChain fitted = chain_;
     fitted.covariance_P.clear();
     fitted.amplitude.clear();
-    for (std::size_t i = 0; i <= count_; ++i) fitted.position_P[i] = nodeOf(x_, i);
+    for (std::size_t i = 0; i < nodes_; ++i) fitted.position_P[i] = nodeOf(x_, i);
     double sum = 0.0;
     for (std::size_t i = 0; i < count_; ++i) {
       const auto at = 3 * static_cast<Eigen::Index>(i);
@@ -494,11 +575,12 @@ private:
     return fitted;
   }
 
+  const EarFrame& frame_;
   const electrode::ArrayDesign& array_;
   const std::vector<FitVoxel>& voxels_;
   const RefinementSettings& settings_;
-  double ceiling_, lead_mm_ = minLead_mm;
-  std::size_t count_;
+  double ceiling_;
+  std::size_t count_, nodes_;
   FittedChain chain_;
   Vector3d spacing_, normal_;
   Eigen::Vector2d guess_;
@@ -529,7 +611,8 @@ std::vector<FitVoxel> voxelsNear(const ct::CtVolume& volume, const EarFrame& fra
     for (int k = low[2]; k <= high[2]; ++k)
       for (int j = low[1]; j <= high[1]; ++j)
         for (int i = low[0]; i <= high[0]; ++i)
-          if ((volume.toLps(Vector3d(i, j, k)) - point_P).norm() <= fitReach_mm)
+          if ((!isThinned(spacing) || ((i + j) % 2 == 0 && (j + k) % 2 == 0)) &&
+              (volume.toLps(Vector3d(i, j, k)) - point_P).norm() <= fitReach_mm)
             marked.push_back((static_cast<std::size_t>(k) * height + static_cast<std::size_t>(j)) *
                                  width +
                              static_cast<std::size_t>(i));
@@ -548,11 +631,12 @@ std::vector<FitVoxel> voxelsNear(const ct::CtVolume& volume, const EarFrame& fra
   return voxels;
 }
 
-FittedChain refined(const ct::CtVolume& volume, const MetalGrid& grid, const Ear& ear,
-                    const std::vector<FitVoxel>& voxels, const electrode::ArrayDesign& array,
-                    const FittedChain& start, const RefinementSettings& settings)
+FittedChain refined(const EarFrame& frame, const ct::CtVolume& volume, const MetalGrid& grid,
+                    const Ear& ear, const std::vector<FitVoxel>& voxels,
+                    const electrode::ArrayDesign& array, const FittedChain& start,
+                    const RefinementSettings& settings)
 {
-  return Fit(volume, grid, ear, voxels, array, start, settings).run();
+  return Fit(frame, volume, grid, ear, voxels, array, start, settings).run();
 }
 
 }  // namespace perilymph::outcome

@@ -7,7 +7,8 @@
 //
 // with the scanner's limit c, levels b and f of bone and of the lumen's content, amplitudes a_i, positions p_i,
 // the wires' density w along the polyline through the contacts, and G the normal density of the scanner's blur S,
-// for S_i widened by the contact's size. Consecutive contacts keep the array's spacing.
+// for S_i widened by the contact's plates: a single one, a pair beside the center line or a band, as the array's file
+// says. Consecutive contacts keep the array's spacing.
 
 #include <Eigen/Core>
 #include <vector>
@@ -23,9 +24,12 @@ namespace perilymph::outcome {
 /// thickness: they lie on the surface, bands reach around it (choice, low confidence).
 inline constexpr double contactOffset = 0.7;
 
+/// Distance of neighboring points of the lead.
+inline constexpr double leadStep_mm = 1.5;
+
 /// The chain before or after the fit.
 struct FittedChain {
-  std::vector<Eigen::Vector3d> position_P;    ///< Contacts from the tip, then a point of the lead.
+  std::vector<Eigen::Vector3d> position_P;    ///< Contacts from the tip, then points of the lead.
   std::vector<Eigen::Matrix3d> covariance_P;  ///< Statistical covariance of each contact [mm^2].
   std::vector<double> amplitude;              ///< Each contact's [intensity mm^3].
   double blurInPlane_mm = 0.2, blurAxial_mm = 0.2;  ///< Standard deviations.
@@ -40,7 +44,7 @@ struct RefinementSettings {
   bool isSeenSingly =
       true;  ///< Else all contacts share an amplitude but for a tenth of its square.
   std::vector<bool> isFixed;  ///< Contacts that a person placed.
-  int rounds = 12;
+  int rounds = 50;
 };
 
 /// A voxel of a fit.
@@ -55,9 +59,11 @@ struct FitVoxel {
 std::vector<FitVoxel> voxelsNear(const ct::CtVolume& volume, const EarFrame& frame,
                                  const std::vector<Eigen::Vector3d>& points_P, double blur_mm);
 
-/// Fits the model to voxels. `start` gives the positions of all contacts, in P, and a point of the lead.
-FittedChain refined(const ct::CtVolume& volume, const MetalGrid& grid, const Ear& ear,
-                    const std::vector<FitVoxel>& voxels, const electrode::ArrayDesign& array,
-                    const FittedChain& start, const RefinementSettings& settings);
+/// Fits the model to voxels. `start` gives the positions of all contacts, in P, and points of the lead,
+/// leadStep_mm apart.
+FittedChain refined(const EarFrame& frame, const ct::CtVolume& volume, const MetalGrid& grid,
+                    const Ear& ear, const std::vector<FitVoxel>& voxels,
+                    const electrode::ArrayDesign& array, const FittedChain& start,
+                    const RefinementSettings& settings);
 
 }  // namespace perilymph::outcome

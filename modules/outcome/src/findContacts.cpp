@@ -32,6 +32,15 @@ constexpr double margin =
     25.0;  // of the cost to the second-best assignment, below which it is flagged
 constexpr double fewestSeen = 0.75;
 constexpr double coarsest_mm = 0.65;
+constexpr double darkAmplitude = 0.25,
+                 costOfDark = 60.0;        // part of the median; of a contact without metal
+constexpr double fullBrightness = 2500.0;  // above bone or content [intensity]
+constexpr double costOfBeyond = 120.0, darkBeyond = 0.35,
+                 brightBeyond = 0.75;  // parts of a contact's brightness
+constexpr int maxShift = 3;            // numberings that are tried on both sides of a start
+constexpr double besideTip = 0.3;      // [rad]: what lies that much less deep is not another turn
+constexpr double leadSeen_mm = 0.4;
+constexpr int beyondTip = 2;  // contacts: the fit sees what lies there
 
 double smallestPitch_mm(const electrode::ArrayDesign& array)
 {
@@ -65,47 +74,121 @@ std::vector<Vector3d> positionsOf(const Chain& chain, const std::vector<Candidat
   return positions;
 }
 
-/// The positions one contact further toward the tip (or the base): each takes the place of its neighbor, whose blob
-/// it then explains, and the last one the place where the course goes on.
-std::vector<Vector3d> shifted(const std::vector<Vector3d>& positions,
+/// The course through contacts with points of the lead beyond the most basal one, as far as shifted() needs it.
+std::vector<Vector3d> withLead(std::vector<Vector3d> positions, const electrode::ArrayDesign& array)
+{
+  const std::size_t count = positions.size();
+  const double last =
+      inMillimeters(array.contactsFromTip[count - 1] - array.contactsFromTip[count - 2]);
+  const Vector3d along = (positions[count - 1] - positions[count - 2]).normalized();
+  const int points = static_cast<int>(std::ceil((maxShift + 1) * last / leadStep_mm));
+  for (int i = 1; i <= points; ++i)
+    positions.push_back(positions[count - 1] + i * leadStep_mm * along);
+  return positions;
+}
+
+/// The course one contact further toward the tip (or the base): each contact takes the place of its neighbor, whose
+/// blob it then explains, and the last one the place where the course goes on.
+std::vector<Vector3d> shifted(const std::vector<Vector3d>& course,
                               const electrode::ArrayDesign& array, bool towardTip)
 {
-  const std::size_t last = positions.size() - 1;
+  const std::size_t count = array.contactsFromTip.size();
   const auto spacing = [&](std::size_t i) {
     return inMillimeters(array.contactsFromTip[i + 1] - array.contactsFromTip[i]);
   };
-  std::vector<Vector3d> moved(positions.size());
-  for (std::size_t i = 0; i < last; ++i)
-    moved[towardTip ? i + 1 : i] = positions[towardTip ? i : i + 1];
-  if (towardTip)
-    moved[0] = positions[0] + spacing(0) * (positions[0] - positions[1]).normalized();
-  else
-    moved[last] =
-        positions[last] + spacing(last - 1) * (positions[last] - positions[last - 1]).normalized();
+  const std::vector<Vector3d> basal(course.begin() + static_cast<std::ptrdiff_t>(count) - 2,
+                                    course.end());
+  const double last = spacing(count - 2), from = (basal[1] - basal[0]).norm();
+  std::vector<Vector3d> moved;
+  if (towardTip) moved.push_back(course[0] + spacing(0) * (course[0] - course[1]).normalized());
+  for (std::size_t i = towardTip ? 0 : 1; moved.size() < count - (towardTip ? 0 : 1); ++i)
+    moved.push_back(course[i]);
+  if (!towardTip) moved.push_back(alongPolyline(basal, from + last));
+  for (std::size_t i = 1; moved.size() < course.size(); ++i)
+    moved.push_back(alongPolyline(
+        basal, (towardTip ? 0.0 : from + last) + static_cast<double>(i) * leadStep_mm));
   return moved;
 }
 
-/// A point of the lead: where the array goes on beyond its most basal contact.
-Vector3d leadAfter(const std::vector<Vector3d>& positions)
+/// Points from two contacts beyond a course's tip to the first of its lead, half a millimeter apart. Beyond that the
+/// lead bends as it likes, which tells nothing about the numbers.
+std::vector<Vector3d> pointsOf(const std::vector<Vector3d>& course,
+                               const electrode::ArrayDesign& array)
 {
-  const std::size_t last = positions.size() - 1;
-  return positions[last] + 1.5 * (positions[last] - positions[last - 1]).normalized();
-}
-
-/// Points of a chain's course and of what lies a contact or two beyond both ends, half a millimeter apart.
-void addCourse(const std::vector<Vector3d>& positions, const electrode::ArrayDesign& array,
-               std::vector<Vector3d>& points)
-{
-  const std::vector<Vector3d> most = shifted(shifted(positions, array, true), array, true),
-                              least = shifted(shifted(positions, array, false), array, false);
-  std::vector<Vector3d> all(most.begin(), most.begin() + 2);
-  all.insert(all.end(), positions.begin(), positions.end());
-  all.insert(all.end(), least.end() - 2, least.end());
+  std::vector<Vector3d> before = course;
+  for (int i = 0; i < beyondTip; ++i) before = shifted(before, array, true);
+  std::vector<Vector3d> all(before.begin(), before.begin() + beyondTip);
+  all.insert(all.end(), course.begin(),
+             course.begin() + static_cast<std::ptrdiff_t>(array.contactsFromTip.size()) + 1);
+  std::vector<Vector3d> points;
   for (std::size_t i = 0; i + 1 < all.size(); ++i) {
     const int parts = std::max(1, static_cast<int>(std::ceil((all[i + 1] - all[i]).norm() / 0.5)));
     for (int k = 0; k < parts; ++k)
       points.push_back(all[i] + (static_cast<double>(k) / parts) * (all[i + 1] - all[i]));
   }
+  points.push_back(all.back());
+  return points;
+}
+
+/// The points of several courses as far as those reach toward the base that end near the first of them.
+std::vector<Vector3d> commonPoints(const std::vector<std::vector<Vector3d>>& courses,
+                                   const EarFrame& frame, const electrode::ArrayDesign& array)
+{
+  const std::size_t last = array.contactsFromTip.size() - 1;
+  const double first = frame.placeOf(courses.front()[last]).depth_mm;
+  const double pitch = inMillimeters(array.contactsFromTip[last] - array.contactsFromTip[last - 1]);
+  double least = first;
+  for (const std::vector<Vector3d>& course : courses)
+    if (const double depth = frame.placeOf(course[last]).depth_mm; depth > first - 1.5 * pitch)
+      least = std::min(least, depth);
+  least -= leadSeen_mm;
+  std::vector<Vector3d> points;
+  for (const std::vector<Vector3d>& course : courses)
+    for (const Vector3d& point : pointsOf(course, array))
+      if (frame.placeOf(point).depth_mm > least) points.push_back(point);
+  return points;
+}
+
+/// What speaks against the numbers of a fit's contacts beside its cost: contacts without metal, and metal that goes on
+/// beyond the apical contact, where an array ends. In units of the cost.
+double costOfEnds(const FittedChain& fit, const MetalGrid& grid, const EarFrame& frame,
+                  const electrode::ArrayDesign& array)
+{
+  std::vector<double> sorted = fit.amplitude;
+  std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2),
+                   sorted.end());
+  const double dark = darkAmplitude * sorted[sorted.size() / 2];
+  double cost = 0.0;
+  for (const double each : fit.amplitude)
+    if (each < dark) cost += costOfDark * (1.0 - each / dark);
+  // brightness that one contact after the other has, on a scale that ends where scanners may clip
+  const auto brightness = [&](const Vector3d& point_P) {
+    return std::min(grid.sample(grid.value, point_P), fullBrightness);
+  };
+  std::vector<double> seen;
+  for (std::size_t i = 0; i < fit.amplitude.size(); ++i)
+    seen.push_back(brightness(fit.position_P[i]));
+  std::nth_element(seen.begin(), seen.begin() + static_cast<std::ptrdiff_t>(seen.size() / 2),
+                   seen.end());
+  const double typical = std::max(1.0, seen[seen.size() / 2]);
+  const double pitch = inMillimeters(array.contactsFromTip[1] - array.contactsFromTip[0]);
+  const Vector3d along = (fit.position_P[0] - fit.position_P[1]).normalized(),
+                 side = along.unitOrthogonal(), other = along.cross(side);
+  const double here = frame.placeOf(fit.position_P[0]).angle;
+  double beyond = 0.0;
+  for (const double part : {0.85, 1.0, 1.15})
+    for (const double spread : {0.0, 0.25, 0.5})
+      for (int i = 0; i < (spread > 0.0 ? 8 : 1); ++i) {
+        const SineCosine turn = sineCosine(2.0 * pi * i / 8);
+        const Vector3d point =
+            fit.position_P[0] +
+            part * pitch * (along + spread * (turn.cosine * side + turn.sine * other)).normalized();
+        if (frame.placeOf(point).angle > here - besideTip)
+          beyond = std::max(beyond, brightness(point));
+      }
+  return cost +
+         costOfBeyond *
+             std::clamp((beyond / typical - darkBeyond) / (brightBeyond - darkBeyond), 0.0, 1.0);
 }
 
 /// The fit from the best start, shifted by contacts toward the tip or the base if the model explains the image
@@ -115,31 +198,29 @@ FittedChain bestFit(const ct::CtVolume& volume, const MetalGrid& grid, const Ear
                     const FittedChain& begin, const std::vector<std::vector<Vector3d>>& starts,
                     const RefinementSettings& settings, FoundEvidence& evidence)
 {
-  constexpr int maxShift = 3;
   const bool isHeld =
       std::find(settings.isFixed.begin(), settings.isFixed.end(), true) != settings.isFixed.end();
   // all are compared on the same voxels
-  std::vector<Vector3d> courses_P;
-  for (const std::vector<Vector3d>& start : starts) addCourse(start, array, courses_P);
-  const std::vector<FitVoxel> voxels = voxelsNear(volume, frame, courses_P, begin.blurInPlane_mm);
-  const auto fitAt = [&](const std::vector<Vector3d>& positions) {
+  std::vector<std::vector<Vector3d>> courses;
+  for (const std::vector<Vector3d>& start : starts) courses.push_back(withLead(start, array));
+  const std::vector<FitVoxel> voxels =
+      voxelsNear(volume, frame, commonPoints(courses, frame, array), begin.blurInPlane_mm);
+  const auto fitAt = [&](const std::vector<Vector3d>& course) {
     FittedChain start = begin;
-    start.position_P = positions;
-    start.position_P.push_back(leadAfter(positions));
-    return refined(volume, grid, ear, voxels, array, start, settings);
-  };
-  const auto contactsOf = [](const FittedChain& fit) {
-    return std::vector<Vector3d>(fit.position_P.begin(), fit.position_P.end() - 1);
+    start.position_P = course;
+    FittedChain fit = refined(frame, volume, grid, ear, voxels, array, start, settings);
+    fit.cost += costOfEnds(fit, grid, frame, array);
+    return fit;
   };
   std::vector<FittedChain> fits;
-  for (const std::vector<Vector3d>& start : starts) {
-    fits.push_back(fitAt(start));
+  for (const std::vector<Vector3d>& course : courses) {
+    fits.push_back(fitAt(course));
     if (isHeld) continue;
     const FittedChain first = fits.back();
     for (const bool towardTip : {true, false}) {
       FittedChain last = first;
       for (int shift = 1; shift <= maxShift; ++shift) {
-        FittedChain next = fitAt(shifted(contactsOf(last), array, towardTip));
+        FittedChain next = fitAt(shifted(last.position_P, array, towardTip));
         fits.push_back(next);
         if (next.cost >= last.cost) break;
         last = std::move(next);
@@ -154,7 +235,12 @@ FittedChain bestFit(const ct::CtVolume& volume, const MetalGrid& grid, const Ear
   for (const FittedChain& fit : fits)
     if ((fit.position_P[0] - best.position_P[0]).norm() > half)
       evidence.shiftMargin = std::min(evidence.shiftMargin, fit.cost - best.cost);
-  return best;
+  // what was left out because not all numberings reach it
+  FittedChain whole = begin;
+  whole.position_P = best.position_P;
+  return refined(frame, volume, grid, ear,
+                 voxelsNear(volume, frame, pointsOf(best.position_P, array), begin.blurInPlane_mm),
+                 array, whole, settings);
 }
 
 }  // namespace

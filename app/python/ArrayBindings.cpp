@@ -221,6 +221,8 @@ NamedArray replaced(const NamedArray& one, const py::object& name, const py::obj
   }
   if (!contacts.is_none()) {
     array.contactsFromTip = lengthsOf(contacts, "contacts_from_tip_mm");
+    array.singlePlates =
+        std::min(array.singlePlates, static_cast<int>(array.contactsFromTip.size()));
     changed.insert("contacts");
   }
   if (!ribs.is_none()) {

@@ -164,6 +164,6 @@ def test_contacts_in_a_ct_are_as_their_schema_says_and_where_the_phantom_has_the
     # Another array's name is contradicted by the spacing, and a CT without an array is refused.
     cli("ct", "contacts", tmp_path / "ear/after", "--preop", tmp_path / "ear/before", "--array", "flexsoft", "--json", tmp_path / "d.json")
     assert json.loads((tmp_path / "d.json").read_text())["flags"]
-    with pytest.raises(AssertionError, match="no array in this ear"):
+    with pytest.raises(AssertionError, match="are the same series"):
         cli("ct", "contacts", tmp_path / "ear/before", "--preop", tmp_path / "ear/before", "--array", "flex24", "--json", tmp_path / "e.json")
     assert not (tmp_path / "e.json").exists()

@@ -248,12 +248,12 @@ TEST(WindowHabits, TheGuideOpensFromTheSheetAndItsPagesFollowTheirLinks)
   auto& page = *rig.window().findChild<QTextBrowser*>("guidePage");
   ASSERT_TRUE(sheet.isVisible());
   EXPECT_TRUE(rig.window().rect().contains(sheet.geometry()));
-  EXPECT_TRUE(page.toPlainText().contains("Four tutorials"));
+  EXPECT_TRUE(page.toPlainText().contains("Five tutorials"));
   page.setSource(page.source().resolved(QUrl("surgeon.md")));
   EXPECT_TRUE(page.toPlainText().contains("Enter the measurements"));
   EXPECT_LE(page.document()->size().width(), page.viewport()->width());
   rig.click("guideBackButton");
-  EXPECT_TRUE(page.toPlainText().contains("Four tutorials"));
+  EXPECT_TRUE(page.toPlainText().contains("Five tutorials"));
   rig.pressKey(Qt::Key_Escape);
   EXPECT_FALSE(sheet.isVisible());
   rig.pressKey(Qt::Key_F1, Qt::ShiftModifier);

@@ -107,6 +107,14 @@ Result<FoundArray> resultsOf(const ct::CtVolume& volume, const Ear& ear, const E
   const double ofZero_deg =
       ear.measures.has(ct::Flag::roundWindowUnsure) ? definitionUnsure_deg : definition_deg;
 
+  // beside the opening the plane of the round window decides, in all other turns the duct
+  const auto pastWindow_mm = [&](const Vector3d& at_W) {
+    return 1e3 * (entry.origin_W - at_W).dot(entry.out_W);
+  };
+  const auto isPast = [&](const EarPlace& place, const Vector3d& at_W) {
+    return place.isInside && (place.angle >= 0.5 * pi || pastWindow_mm(at_W) > 0.0);
+  };
+
   // turns: from the lead to the tip, so that the angle is unwrapped along the array
   std::vector<double> angle(count, 0.0);
   std::vector<bool> isInside(count, false);
@@ -115,8 +123,7 @@ Result<FoundArray> resultsOf(const ct::CtVolume& volume, const Ear& ear, const E
     for (std::size_t i = count; i-- > 0;) {
       const EarPlace place = frame.placeOf(chain.position_P[i]);
       const Vector3d at_W = frame.toW(chain.position_P[i]);
-      isInside[i] = place.isInside && (entry.origin_W - at_W).dot(entry.out_W) >
-                                          (place.angle < 0.5 * pi ? 0.0 : -1.0);
+      isInside[i] = isPast(place, at_W);
       if (!isInside[i]) continue;
       double here = arcTangent(at_W.y(), at_W.x());
       // the turn nearest to that of the neighbor, or of the duct for the first
@@ -206,15 +213,11 @@ Result<FoundArray> resultsOf(const ct::CtVolume& volume, const Ear& ear, const E
     for (int i = 0; i < 80; ++i)
       course.push_back(course.back() + 0.25 * lead);  // beyond what was fitted, straight
     for (std::size_t i = 0; i < course.size() && !isOut; ++i) {
-      const EarPlace place = frame.placeOf(course[i]);
+      const Vector3d at_W = frame.toW(course[i]);
       const double step_mm = i > 0 ? (course[i] - course[i - 1]).norm() : 0.0;
-      if (!place.isInside && i > 0) {
-        const EarPlace before = frame.placeOf(course[i - 1]);
-        const double part =
-            before.depth_mm > place.depth_mm
-                ? std::clamp(before.depth_mm / (before.depth_mm - place.depth_mm), 0.0, 1.0)
-                : 0.0;
-        inserted = gone + part * step_mm;
+      if (i > 0 && !isPast(frame.placeOf(course[i]), at_W)) {
+        const double here = pastWindow_mm(at_W), before = pastWindow_mm(frame.toW(course[i - 1]));
+        inserted = gone + (before > 0.0 && here < 0.0 ? before / (before - here) : 0.0) * step_mm;
         isOut = true;
       }
       gone += step_mm;

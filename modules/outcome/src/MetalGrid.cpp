@@ -81,13 +81,14 @@ MetalGrid metalAround(const ct::CtVolume& volume, const Ear& ear, const EarFrame
   grid.bone = bone.empty() ? ear.measures.boneLevel : quantile(bone, 0.5);
   grid.boneSpread =
       bone.empty() ? 100.0 : std::max(50.0, (grid.bone - quantile(bone, 0.25)) / quartileSd);
-  grid.floor = grid.bone + std::max(minFloor, 3.0 * grid.boneSpread);
-
   std::int16_t largest = ct::unmeasured;
   for (const std::int16_t voxel : volume.voxels()) largest = std::max(largest, voxel);
   if (static_cast<std::size_t>(
           std::count(volume.voxels().begin(), volume.voxels().end(), largest)) >= clippedVoxels)
     grid.ceiling = largest;
+  // metal beside the ring makes the bone look uneven; where the scanner clips, half of what is left above it is metal's
+  grid.floor = grid.bone + std::max(minFloor, std::min(3.0 * grid.boneSpread,
+                                                       0.5 * (grid.ceiling - grid.bone)));
 
   grid.step_mm = std::clamp(volume.spacing_mm().minCoeff(), finest_mm, coarsestGrid_mm);
   const int half = static_cast<int>(std::ceil(reach_mm / grid.step_mm));

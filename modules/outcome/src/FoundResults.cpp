@@ -224,10 +224,12 @@ Result<FoundArray> resultsOf(const ct::CtVolume& volume, const Ear& ear, const E
     }
     if (!isOut) inserted = gone;
   }
-  // measured along the course, the array's own length counts
+  // up to the last contact the array's own length counts: the contacts' course is shorter, on the inner side of the bend
   const double last_mm = inMillimeters(array.contactsFromTip.back());
   const double courseToLast = lengthTo(found.course_P, chain.position_P[count - 1]);
-  found.insertedLength_mm = inserted * (courseToLast > 0.0 ? last_mm / courseToLast : 1.0);
+  found.insertedLength_mm = inserted > courseToLast || courseToLast <= 0.0
+                                ? last_mm + inserted - courseToLast
+                                : inserted * last_mm / courseToLast;
   found.outside_mm = std::max(0.0, last_mm - found.insertedLength_mm);
   const FoundContact& basal = found.contacts.back();
   found.insertedLengthSd_mm = std::hypot(basal.error_mm(), std::hypot(earSd, 0.3));

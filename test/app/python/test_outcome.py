@@ -86,8 +86,8 @@ def test_a_found_array_is_a_value(ear, found, tmp_path):
 
 
 @needs_phantom
-def test_an_ear_without_an_array_is_refused_with_the_command_s_sentence(ear):
-    with pytest.raises(perilymph.Error, match="no array in this ear"):
+def test_one_series_given_twice_is_refused_with_the_command_s_sentence(ear):
+    with pytest.raises(perilymph.Error, match="are the same series"):
         outcome.find(ear / "before", "flex24", preop=ear / "before", program=CLI)
     with pytest.raises(perilymph.Error, match="no-such-array"):
         outcome.find(ear / "after", "no-such-array", program=CLI)

@@ -1,16 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The result of 'perilymph-cli ct measure --json'."""
 
-import json
-import math
-import os
-
 import numpy as np
 
 from perilymph._engine import Error, Patient
+from perilymph._json import number_of, read_json, text_of
 
 _MEASURES = ("A_mm", "B_mm", "H_mm", "cdl_oc_mm")
-_LARGEST = 1 << 20  # bytes: a hundred times what the command writes
 
 
 class CtMeasures:
@@ -21,16 +17,16 @@ class CtMeasures:
 
     def __init__(self, page, name):
         try:
-            self.duct_length_reason = _text(page["cdl_oc_reason"]) if page["cdl_oc_mm"] is None else None
+            self.duct_length_reason = text_of(page["cdl_oc_reason"]) if page["cdl_oc_mm"] is None else None
             given = [key for key in _MEASURES if key != "cdl_oc_mm" or self.duct_length_reason is None]
             absent = dict.fromkeys(_MEASURES)
-            self.values_mm = absent | {key: _number(page[key]["value"]) for key in given}
-            self.sds_mm = absent | {key: _number(page[key]["sd"]) for key in given}
-            self.intervals95_mm = absent | {key: (_number(page[key]["ci95"][0]), _number(page[key]["ci95"][1]))
+            self.values_mm = absent | {key: number_of(page[key]["value"]) for key in given}
+            self.sds_mm = absent | {key: number_of(page[key]["sd"]) for key in given}
+            self.intervals95_mm = absent | {key: (number_of(page[key]["ci95"][0]), number_of(page[key]["ci95"][1]))
                                             for key in given}
-            self.side = _text(page["side"])
-            self.flags = [_text(each) for each in page["flags"]]
-            self.warnings = [_text(each) for each in page["warnings"]]
+            self.side = text_of(page["side"])
+            self.flags = [text_of(each) for each in page["flags"]]
+            self.warnings = [text_of(each) for each in page["warnings"]]
             self.round_window_lps_mm = _vector(page["round_window_lps_mm"])
             self.center_lps_mm = _vector(page["center_lps_mm"])
             self.axis_lps = _vector(page["axis_lps"])
@@ -52,22 +48,10 @@ class CtMeasures:
                        side=self.side, label=label)
 
 
-def _number(value):
-    if isinstance(value, bool) or not isinstance(value, (int, float)) or not math.isfinite(value):
-        raise ValueError(f"{value!r} is no finite number")
-    return float(value)
-
-
-def _text(value):
-    if not isinstance(value, str):
-        raise ValueError(f"{value!r} is no text")
-    return value
-
-
 def _vector(values):
     if len(values) != 3:
         raise ValueError(f"{values!r} is no point")
-    return np.array([_number(value) for value in values])
+    return np.array([number_of(value) for value in values])
 
 
 def read_measures(file):
@@ -88,16 +72,4 @@ def read_both_measures(file):
 
 
 def _page(file):
-    name = os.fspath(file)
-    try:
-        with open(name, "rb") as stream:
-            text = stream.read(_LARGEST + 1)
-    except OSError as error:
-        raise Error(f"{name} cannot be read: {error.strerror}. Give the file of 'ct measure --json'.") from None
-    if len(text) > _LARGEST:
-        raise Error(f"{name} is larger than 1 MB. Give the file of 'ct measure --json'.")
-    try:
-        page = json.loads(text)
-    except (ValueError, RecursionError):
-        raise Error(f"{name} is no JSON. Give the file of 'ct measure --json'.") from None
-    return page, name
+    return read_json(file, 1, "Give the file of 'ct measure --json'.")

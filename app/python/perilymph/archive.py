@@ -11,6 +11,7 @@ import tempfile
 from typing import NamedTuple, Optional
 
 from perilymph._engine import Error
+from perilymph._json import text_of
 from perilymph._programs import run_program
 
 __all__ = ["Retrieved", "Sent", "Series", "Study", "find", "find_series", "retrieve", "send", "servers", "test"]
@@ -62,7 +63,7 @@ class Sent(NamedTuple):
 
 def servers(*, program="perilymph-cli"):
     """The names of the servers in servers.toml."""
-    return _read(program, ["servers"], [], lambda page: [_text(each["name"]) for each in page["servers"]])
+    return _read(program, ["servers"], [], lambda page: [text_of(each["name"]) for each in page["servers"]])
 
 
 def test(server, *, program="perilymph-cli"):
@@ -91,7 +92,7 @@ def find_series(server, study, *, program="perilymph-cli"):
     """The series of a study, a Study or its UID: a list of Series."""
     uid = _word("study", study.uid if isinstance(study, Study) else study)
     return _read(program, ["find", f"--study={uid}"], [_word("server", server)],
-                 lambda page: [Series(uid, _text(each["series_uid"]), _text(each["number"]), _text(each["modality"]), _text(each["description"]),
+                 lambda page: [Series(uid, text_of(each["series_uid"]), text_of(each["number"]), text_of(each["modality"]), text_of(each["description"]),
                                       None if each["images"] is None else int(each["images"])) for each in page["series"]])
 
 
@@ -105,20 +106,20 @@ def retrieve(server, series, folder, *, program="perilymph-cli"):
     place = os.fspath(folder)
     words = ["fetch", f"--study={_word('study', series.study_uid)}", f"--series={_word('series', series.uid)}", f"--out={_word('folder', place)}"]
     return _read(program, words, [_word("server", server)],
-                 lambda page: Retrieved(place, int(page["images"]), int(page["resumed"]), _text(page["obstacle"])))
+                 lambda page: Retrieved(place, int(page["images"]), int(page["resumed"]), text_of(page["obstacle"])))
 
 
 def send(server, file, *, program="perilymph-cli"):
     """Sends a DICOM file that this program wrote into the study of the CT that it was made from, and into no other: a report,
     measures, a segmentation or a key image. The archive must have the study under the same patient number and birth date."""
     return _read(program, ["send"], [_word("server", server), _word("file", os.fspath(file))],
-                 lambda page: Sent(_text(page["study_uid"]), _text(page["series_uid"]), _text(page["instance_uid"]),
-                                   _text(page["series_number"]), _text(page["warning"])))
+                 lambda page: Sent(text_of(page["study_uid"]), text_of(page["series_uid"]), text_of(page["instance_uid"]),
+                                   text_of(page["series_number"]), text_of(page["warning"])))
 
 
 def _study(row, shows_patients):
-    shown = [_text(row[key]) for key in ("patient_id", "patient_name", "birth_date")] if shows_patients else []
-    return Study(_text(row["study_uid"]), _text(row["date"]), _text(row["modalities"]), _text(row["description"]), *shown)
+    shown = [text_of(row[key]) for key in ("patient_id", "patient_name", "birth_date")] if shows_patients else []
+    return Study(text_of(row["study_uid"]), text_of(row["date"]), text_of(row["modalities"]), text_of(row["description"]), *shown)
 
 
 def _word(name, value):
@@ -126,12 +127,6 @@ def _word(name, value):
         raise TypeError(f"{name} must be text")
     if not value:
         raise Error(f"{name} is empty. Give a text, or leave it out.")
-    return value
-
-
-def _text(value):
-    if not isinstance(value, str):
-        raise ValueError(f"{value!r} is no text")
     return value
 
 

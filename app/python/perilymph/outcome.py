@@ -15,12 +15,11 @@ from typing import NamedTuple, Optional
 import numpy as np
 
 from perilymph._engine import Error
+from perilymph._json import number_of, read_json, text_of
 from perilymph._programs import run_program
 from perilymph._tables import data_frame
 
 __all__ = ["ArrayOutcomes", "Estimate", "FoundArray", "Hits", "Outcomes", "Resistance", "find", "outcomes", "read", "read_outcomes"]
-
-_LARGEST = 4 << 20  # bytes: a hundred times what the commands write
 
 
 class Estimate(NamedTuple):
@@ -120,25 +119,25 @@ class FoundArray(_Page):
     def _read(self, page):
         if _whole(page["format"]) != 1:
             raise ValueError(f"its format is {page['format']!r}, not 1")
-        self.array = _text(page["array"])
-        self.side = _text(page["side"])
+        self.array = text_of(page["array"])
+        self.side = text_of(page["side"])
         self.angular_insertion_depth_deg = _estimate(page["angular_insertion_depth_deg"])
         self.inserted_length_mm = _estimate(page["inserted_length_mm"])
-        self.tip_angle_deg = _number(page["tip_angle_deg"])
+        self.tip_angle_deg = number_of(page["tip_angle_deg"])
         self.contacts_inside = _whole(page["contacts_inside"])
-        self.outside_mm = _number(page["outside_mm"])
-        self.blur_fwhm_mm = _number(page["blur_fwhm_mm"])
+        self.outside_mm = number_of(page["outside_mm"])
+        self.blur_fwhm_mm = number_of(page["blur_fwhm_mm"])
         self.has_fold = _flag(page["fold"])
-        self.translocation_probability = _number(page["translocation"]["probability"])
-        angle = _number(page["translocation"]["angle_deg"])
+        self.translocation_probability = number_of(page["translocation"]["probability"])
+        angle = number_of(page["translocation"]["angle_deg"])
         self.translocation_angle_deg = angle if angle != 0.0 else None
-        self.is_registered = _text(page["registration"]["from"]) == "CT before surgery"
-        self.registration_residual = _number(page["registration"]["residual_mm"]) if self.is_registered else None
-        self.flags = tuple(_text(each) for each in page["flags"])
-        self.course_lps_mm = _frozen([[_number(value) for value in point] for point in page["course_lps_mm"]]).reshape(-1, 3)
+        self.is_registered = text_of(page["registration"]["from"]) == "CT before surgery"
+        self.registration_residual = number_of(page["registration"]["residual_mm"]) if self.is_registered else None
+        self.flags = tuple(text_of(each) for each in page["flags"])
+        self.course_lps_mm = _frozen([[number_of(value) for value in point] for point in page["course_lps_mm"]]).reshape(-1, 3)
         self.course_lps_mm.setflags(write=False)
         self.surgery = dict(page["surgery"])
-        self.seconds = _number(page["seconds"])
+        self.seconds = number_of(page["seconds"])
         self._columns = _contact_columns(page["contacts"])
 
     def columns(self):
@@ -186,10 +185,10 @@ class Outcomes(_Page):
         self.arrays = tuple(_array_outcomes(each) for each in page["arrays"])
         self.left_out = {key: _whole(value) for key, value in page["left_out"].items()}
         found = page["resistance"]
-        self.resistance = Resistance(_text(found["summary"]), _whole(found["resisted"]), _whole(found["censored"]),
-                                     _whole(found["not_informative"]), _number(found["gain"]), _flag(found["is_offered"]),
-                                     _number(found["log_friction_shift"]), _number(found["log_stop_force_shift"]), self._file)
-        self.angle_offset_deg = (_number(page["angle_offset_deg"]["mean"]), _number(page["angle_offset_deg"]["sd"]))
+        self.resistance = Resistance(text_of(found["summary"]), _whole(found["resisted"]), _whole(found["censored"]),
+                                     _whole(found["not_informative"]), number_of(found["gain"]), _flag(found["is_offered"]),
+                                     number_of(found["log_friction_shift"]), number_of(found["log_stop_force_shift"]), self._file)
+        self.angle_offset_deg = (number_of(page["angle_offset_deg"]["mean"]), number_of(page["angle_offset_deg"]["sd"]))
         self._columns = _ear_columns(page["ears"])
 
     def columns(self):
@@ -264,24 +263,7 @@ def _word(name, value):
 
 
 def _content(file):
-    name = os.fspath(file)
-    try:
-        with open(name, "rb") as stream:
-            text = stream.read(_LARGEST + 1)
-    except OSError as error:
-        raise Error(f"{name} cannot be read: {error.strerror}. Give a file that perilymph-cli wrote.") from None
-    if len(text) > _LARGEST:
-        raise Error(f"{name} is larger than 4 MB. Give a file that perilymph-cli wrote.")
-    try:
-        return json.loads(text), name
-    except (ValueError, RecursionError):
-        raise Error(f"{name} is no JSON. Give a file that perilymph-cli wrote.") from None
-
-
-def _number(value):
-    if isinstance(value, bool) or not isinstance(value, (int, float)) or not math.isfinite(value):
-        raise ValueError(f"{value!r} is no finite number")
-    return float(value)
+    return read_json(file, 4, "Give a file that perilymph-cli wrote.")
 
 
 def _whole(value):
@@ -296,15 +278,9 @@ def _flag(value):
     return value
 
 
-def _text(value):
-    if not isinstance(value, str):
-        raise ValueError(f"{value!r} is no text")
-    return value
-
-
 def _estimate(value):
     low, high = value["ci95"]
-    return Estimate(_number(value["value"]), _number(value["sd"]), _number(low), _number(high))
+    return Estimate(number_of(value["value"]), number_of(value["sd"]), number_of(low), number_of(high))
 
 
 def _frozen(values):
@@ -321,12 +297,12 @@ def _contact_columns(contacts):
         return _frozen([value_of(each) for each in contacts])
 
     def inside(value_of):
-        return column(lambda each: _number(value_of(each)) if each["inside"] else absent)
+        return column(lambda each: number_of(value_of(each)) if each["inside"] else absent)
 
     found = {"contact": column(lambda each: _whole(each["number"]))}
     for place, name in enumerate(("x_lps_mm", "y_lps_mm", "z_lps_mm")):
-        found[name] = column(lambda each, place=place: _number(each["position_lps_mm"][place]))
-    found["error_mm"] = column(lambda each: _number(each["error_mm"]))
+        found[name] = column(lambda each, place=place: number_of(each["position_lps_mm"][place]))
+    found["error_mm"] = column(lambda each: number_of(each["error_mm"]))
     for name in ("seen_singly", "by_hand", "inside"):
         found[name] = column(lambda each, name=name: _flag(each[name]))
 
@@ -342,7 +318,7 @@ def _contact_columns(contacts):
     estimated("greenwood_Hz")
     estimated("spiral_ganglion_Hz")
     for name in ("filter_Hz", "mismatch_semitones"):
-        found[name] = column(lambda each, name=name: _number(each[name]) if name in each else absent)
+        found[name] = column(lambda each, name=name: number_of(each[name]) if name in each else absent)
     return found
 
 
@@ -354,25 +330,25 @@ def _ear_columns(ears):
     for name in ("number", "year"):
         found[name] = _frozen(np.array([_whole(each[name]) for each in ears], dtype=int))
     for name in ("array", "stop_reason", "evidence"):
-        found[name] = _frozen(np.array([_text(each[name]) for each in ears], dtype=str))
+        found[name] = _frozen(np.array([text_of(each[name]) for each in ears], dtype=str))
     for name in ("depth_mm", "depth_sd_mm", "planned_depth_mm", "depth_percentile", "angle_deg", "angle_sd_deg", "planned_angle_deg",
                  "angle_percentile", "clinic_depth_percentile", "log_p_clinic", "log_p_shipped"):
         if name.startswith("planned_"):
-            rows = [[_number(each[name][part]) for part in _BAND] if name in each else [math.nan] * 5 for each in ears]
+            rows = [[number_of(each[name][part]) for part in _BAND] if name in each else [math.nan] * 5 for each in ears]
             found[name] = _frozen(np.array(rows, dtype=float).reshape(-1, 5))
         else:
-            found[name] = _frozen(np.array([_number(each[name]) if name in each else math.nan for each in ears], dtype=float))
+            found[name] = _frozen(np.array([number_of(each[name]) if name in each else math.nan for each in ears], dtype=float))
     return found
 
 
 def _hits(found, band):
     low, high = found[band]["ci95"]
-    return Hits(_whole(found[band]["inside"]), _whole(found["ears"]), _number(found[band]["value"]), _number(low), _number(high))
+    return Hits(_whole(found[band]["inside"]), _whole(found["ears"]), number_of(found[band]["value"]), number_of(low), number_of(high))
 
 
 def _array_outcomes(page):
     difference = page.get("depth_difference_mm")
-    return ArrayOutcomes(_text(page["array"]), _hits(page["depth"], "band50"), _hits(page["depth"], "band90"), _hits(page["angle"], "band50"),
+    return ArrayOutcomes(text_of(page["array"]), _hits(page["depth"], "band50"), _hits(page["depth"], "band90"), _hits(page["angle"], "band50"),
                          _hits(page["angle"], "band90"), tuple(_whole(each) for each in page["depth_percentiles"]),
                          tuple(_whole(each) for each in page["angle_percentiles"]),
-                         None if difference is None else (_number(difference["mean"]), *(_number(each) for each in difference["ci95"])))
+                         None if difference is None else (number_of(difference["mean"]), *(number_of(each) for each in difference["ci95"])))

@@ -596,6 +596,7 @@ std::vector<FitVoxel> voxelsNear(const ct::CtVolume& volume, const EarFrame& fra
                                  const std::vector<Vector3d>& points_P, double blur_mm)
 {
   const Vector3d spacing = volume.spacing_mm();
+  const bool isThin = isThinned(spacing);
   const auto& size = volume.size();
   const auto width = static_cast<std::size_t>(size[0]), height = static_cast<std::size_t>(size[1]);
   std::vector<std::size_t> marked;
@@ -611,7 +612,7 @@ std::vector<FitVoxel> voxelsNear(const ct::CtVolume& volume, const EarFrame& fra
     for (int k = low[2]; k <= high[2]; ++k)
       for (int j = low[1]; j <= high[1]; ++j)
         for (int i = low[0]; i <= high[0]; ++i)
-          if ((!isThinned(spacing) || ((i + j) % 2 == 0 && (j + k) % 2 == 0)) &&
+          if ((!isThin || ((i + j) % 2 == 0 && (j + k) % 2 == 0)) &&
               (volume.toLps(Vector3d(i, j, k)) - point_P).norm() <= fitReach_mm)
             marked.push_back((static_cast<std::size_t>(k) * height + static_cast<std::size_t>(j)) *
                                  width +

@@ -42,15 +42,21 @@ constexpr double besideTip = 0.3;      // [rad]: what lies that much less deep i
 constexpr double leadSeen_mm = 0.4;
 constexpr int beyondTip = 2;  // contacts: the fit sees what lies there
 
-double smallestPitch_mm(const electrode::ArrayDesign& array)
+/// The upper one of an even number's two.
+double medianOf(std::vector<double> values)
+{
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+double medianPitch_mm(const electrode::ArrayDesign& array)
 {
   std::vector<double> pitch;
   for (std::size_t i = 0; i + 1 < array.contactsFromTip.size(); ++i)
     pitch.push_back(inMillimeters(array.contactsFromTip[i + 1]) -
                     inMillimeters(array.contactsFromTip[i]));
-  std::nth_element(pitch.begin(), pitch.begin() + static_cast<std::ptrdiff_t>(pitch.size() / 2),
-                   pitch.end());
-  return pitch[pitch.size() / 2];
+  return medianOf(std::move(pitch));
 }
 
 /// Positions of all contacts of a chain: those that were not seen lie between or beyond the others.
@@ -154,10 +160,7 @@ std::vector<Vector3d> commonPoints(const std::vector<std::vector<Vector3d>>& cou
 double costOfEnds(const FittedChain& fit, const MetalGrid& grid, const EarFrame& frame,
                   const electrode::ArrayDesign& array)
 {
-  std::vector<double> sorted = fit.amplitude;
-  std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2),
-                   sorted.end());
-  const double dark = darkAmplitude * sorted[sorted.size() / 2];
+  const double dark = darkAmplitude * medianOf(fit.amplitude);
   double cost = 0.0;
   for (const double each : fit.amplitude)
     if (each < dark) cost += costOfDark * (1.0 - each / dark);
@@ -168,9 +171,7 @@ double costOfEnds(const FittedChain& fit, const MetalGrid& grid, const EarFrame&
   std::vector<double> seen;
   for (std::size_t i = 0; i < fit.amplitude.size(); ++i)
     seen.push_back(brightness(fit.position_P[i]));
-  std::nth_element(seen.begin(), seen.begin() + static_cast<std::ptrdiff_t>(seen.size() / 2),
-                   seen.end());
-  const double typical = std::max(1.0, seen[seen.size() / 2]);
+  const double typical = std::max(1.0, medianOf(std::move(seen)));
   const double pitch = inMillimeters(array.contactsFromTip[1] - array.contactsFromTip[0]);
   const Vector3d along = (fit.position_P[0] - fit.position_P[1]).normalized(),
                  side = along.unitOrthogonal(), other = along.cross(side);
@@ -279,7 +280,7 @@ Result<FoundArray> findContacts(const ct::CtVolume& postoperative, const Ear& ea
         "at least 0.3 are expected. Choose a CT after surgery, and check the side.",
         std::to_string(grid.aboveBone_mm3).substr(0, 4)};
 
-  const double pitch = smallestPitch_mm(array);
+  const double pitch = medianPitch_mm(array);
   const double fwhm = fwhmOfSd * std::cbrt(blur * blur * blurAxial);
 
   // contacts placed by hand are candidates of their own

@@ -264,22 +264,6 @@ void translocate(Course& course, const PhantomAnatomy& anatomy, double from, Dic
   course.points_W = std::move(even);
 }
 
-/// How the platinum of a contact lies around the carrier.
-enum class Plates { halfBand, ring, pair };
-
-/// By the comments of the arrays' files: full bands, pairs, single ones at the tip of the FLEX arrays.
-Plates platesOf(const electrode::ArrayDesign& array, std::size_t contact)
-{
-  if (array.maker == "MED-EL") {
-    const bool isFlex = array.name.find("FLEX") != std::string::npos;
-    return isFlex && contact < 5 ? Plates::halfBand : Plates::pair;
-  }
-  return array.name.find("Straight") != std::string::npos &&
-                 array.name.find("Slim") == std::string::npos
-             ? Plates::ring
-             : Plates::halfBand;
-}
-
 }  // namespace
 
 std::shared_ptr<const anatomy::ScalaTympani> lowerScala(const PhantomAnatomy& anatomy)
@@ -374,7 +358,7 @@ std::vector<MetalPiece> platinumOf(const electrode::ArrayDesign& array, const Co
   constexpr double plateWidth_mm = 0.5, thickness_mm = 0.035, cell_mm = 0.02;
   const double middle = inMillimeters(array.contactsFromTip[contact]);
   const double length = inMillimeters(array.contactLength);
-  const Plates plates = platesOf(array, contact);
+  const electrode::Plates plates = array.platesOf(contact);
   std::vector<MetalPiece> pieces;
   const int along = std::max(1, static_cast<int>(std::lround(length / cell_mm)));
   for (int i = 0; i < along; ++i) {
@@ -396,11 +380,11 @@ std::vector<MetalPiece> platinumOf(const electrode::ArrayDesign& array, const Co
       }
     };
     const double half = std::min(0.5 * plateWidth_mm / radius, 0.45 * pi);
-    if (plates == Plates::ring)
+    if (plates == electrode::Plates::band)
       addPlate(0.0, pi);
     else
-      addPlate(plates == Plates::pair ? 0.5 * pi : 0.0, half);
-    if (plates == Plates::pair) addPlate(-0.5 * pi, half);
+      addPlate(plates == electrode::Plates::pair ? 0.5 * pi : 0.0, half);
+    if (plates == electrode::Plates::pair) addPlate(-0.5 * pi, half);
   }
   return pieces;
 }

@@ -8,8 +8,9 @@
 root="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd -P)"
 readonly root
 readonly script="${0##*/}"
-# With it ccache reads a precompiled header of 200 MB once, and not for every file that is compiled with it.
-export CCACHE_INODECACHE=1
+# With it ccache reads a precompiled header of 200 MB once, and not for every file that is compiled with it. It locks a
+# file for that: one of this folder, because a lock that a stopped machine left would make every later build wait.
+export CCACHE_INODECACHE=1 CCACHE_TEMPDIR=$root/build/ccache
 
 # Prints an error message with the remedy and ends the script.
 fail()

@@ -102,9 +102,13 @@ std::optional<double> costOfStep(const Candidate& a, const Candidate& b, const M
   // contacts between the two that merge with others are not missed as much as those without metal
   if (missed > 0)
     cost -= costOfMissing * mergedPart * missed * std::min(1.0, least / (10.0 * typical));
-  // from the tip toward the base the depth decreases
-  if (b.place.depth_mm > a.place.depth_mm + 0.1) cost += costOfTurnBack;
   return cost;
+}
+
+/// From the tip toward the base the depth decreases, but for a folded tip.
+bool isBack(const Candidate& a, const Candidate& b)
+{
+  return b.place.depth_mm > a.place.depth_mm + 0.1;
 }
 
 }  // namespace
@@ -199,7 +203,9 @@ Chain bestChain(const std::vector<Candidate>& candidates, const MetalGrid& grid,
             const double before =
                 from == 0 ? costOfMetalBeyond * metal
                           : costOfMissing * static_cast<double>(from) * (1.0 - mergedPart * metal);
-            const double start = *gainA + *gainB - step.cost - missing(from, contact) - before;
+            const double start =
+                *gainA + *gainB - step.cost - missing(from, contact) - before -
+                (isBack(candidates[a], candidates[step.to]) ? costOfTurnBack : 0.0);
             bool isFixedBefore = false;
             for (std::size_t i = 0; i < from; ++i)
               isFixedBefore = isFixedBefore || byHand.contains(static_cast<int>(i));
@@ -222,7 +228,11 @@ Chain bestChain(const std::vector<Candidate>& candidates, const MetalGrid& grid,
                                               radiusOf(candidates[a], candidates[step.to]));
               const double off = std::max(0.0, bend - usual) / bendSd;
               const double score = former.score + *gainB - step.cost - missing(from, contact) -
-                                   std::min(4.0, 0.5 * off * off);
+                                   std::min(4.0, 0.5 * off * off) -
+                                   (isBack(candidates[z], candidates[a]) !=
+                                            isBack(candidates[a], candidates[step.to])
+                                        ? costOfTurnBack
+                                        : 0.0);
               if (score > state.score)
                 state = {score, static_cast<int>(z), static_cast<int>(gapBefore)};
             }

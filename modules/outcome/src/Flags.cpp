@@ -25,7 +25,9 @@ constexpr std::array<Entry, 14> entries{
       Phrase{"There is more metal in the ear than this array explains, such as an old lead: check "
              "which is the array."}},
      {Flag::arrayDoesNotFit, "array_does_not_fit",
-      Phrase{"Spacing or number of the contacts contradict the array named: check its name."}},
+      Phrase{
+          "Spacing, number or place of the contacts contradict the array named or this ear: check "
+          "the contacts in the images, and the array's name."}},
      {Flag::notSeenSingly, "not_seen_singly",
       Phrase{"The contacts merge in these voxels: they are placed by the array's spacings along "
              "its course."}},

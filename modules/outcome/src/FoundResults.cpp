@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "perilymph/analysis/AnatomyMeasures.h"
 #include "perilymph/analysis/Tonotopy.h"
@@ -29,11 +30,12 @@ constexpr double definitionUnsure_deg = 15.0;
 constexpr double partitionSd_mm =
     0.25;  // individual height of the membrane (choice, low confidence)
 constexpr double earSd_mm = 0.10, earSdFromThisCt_mm = 0.25;  // of the fitted ear's height
-constexpr double kinkPerMm = 1.6;      // curvature [1/mm]: a radius of 0.6 mm
-constexpr double foldBack_mm = 0.6;    // by which the depth decreases toward the tip
-constexpr double badLengths = 1.8;     // spacing errors in their standard deviations
-constexpr double translocated = 0.8;   // probability from which a contact counts as above
-constexpr int fewestTranslocated = 2;  // contacts that count, for the flag
+constexpr double kinkPerMm = 1.6;              // curvature [1/mm]: a radius of 0.6 mm
+constexpr double foldBack_mm = 0.6;            // by which the depth decreases toward the tip
+constexpr double badLengths = 1.8;             // spacing errors in their standard deviations
+constexpr double beyondWall_mm = 0.4;          // of a contact in the cochlea
+constexpr double translocated = 0.8;           // probability from which a contact counts as above
+constexpr std::size_t fewestTranslocated = 2;  // contacts that count, for the flag
 
 /// A smooth course through the contacts, from the tip to the lead (centripetal Catmull-Rom), about 0.25 mm apart.
 std::vector<Vector3d> courseThrough(std::vector<Vector3d> knots, double tip_mm)
@@ -243,10 +245,13 @@ Result<FoundArray> resultsOf(const ct::CtVolume& volume, const Ear& ear, const E
     shallowestAfter = std::max(shallowestAfter, deepest - depth);
   }
   found.isFolded = shallowestAfter > foldBack_mm;
+  // what the flag asks for: one contact alone may be in the wrong place
+  std::vector<double> above;
   for (const FoundContact& each : found.contacts)
-    if (each.isInside)
-      found.translocationProbability =
-          std::max(found.translocationProbability, 1.0 - each.inScalaTympani);
+    if (each.isInside) above.push_back(1.0 - each.inScalaTympani);
+  std::sort(above.begin(), above.end(), std::greater<>());
+  if (above.size() >= fewestTranslocated)
+    found.translocationProbability = above[fewestTranslocated - 1];
   for (std::size_t i = count; i-- > 0;)
     if (isInside[i] && 1.0 - found.contacts[i].inScalaTympani > translocated &&
         found.translocationAngle_deg == 0.0)
@@ -260,18 +265,19 @@ Result<FoundArray> resultsOf(const ct::CtVolume& volume, const Ear& ear, const E
   }
   for (std::size_t i = 0; i < count; ++i)
     isClipped = isClipped || !volume.contains(chain.position_P[i]);
+  const bool isBeyondWall =
+      std::any_of(found.contacts.begin(), found.contacts.end(), [](const FoundContact& each) {
+        return each.isInside && std::min(each.modiolus_mm, each.outerWall_mm) < -beyondWall_mm;
+      });
   raise(Flag::secondAssignment, evidence.isSecondNear);
   raise(Flag::missingContacts, evidence.areMissing);
   raise(Flag::extraMetal, evidence.unexplained > 1);
-  raise(Flag::arrayDoesNotFit,
-        evidence.areManyMissing || chain.lengthMisfit > badLengths || evidence.unexplained > 3);
+  raise(Flag::arrayDoesNotFit, evidence.areManyMissing || chain.lengthMisfit > badLengths ||
+                                   evidence.unexplained > 3 || isBeyondWall);
   raise(Flag::notSeenSingly, !evidence.isSeenSingly);
   raise(Flag::fold, found.isFolded);
   raise(Flag::kink, isKinked && !found.isFolded);
-  raise(Flag::possibleTranslocation,
-        std::count_if(found.contacts.begin(), found.contacts.end(), [](const FoundContact& each) {
-          return each.isInside && 1.0 - each.inScalaTympani > translocated;
-        }) >= fewestTranslocated);
+  raise(Flag::possibleTranslocation, found.translocationProbability > translocated);
   raise(Flag::contactsOutside, found.contactsInside < static_cast<int>(count));
   raise(Flag::clipped, isClipped);
   raise(Flag::coarseVoxels, evidence.isCoarse);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "perilymph/foundation/Math.h"
+#include "perilymph/foundation/Quantile.h"
 
 namespace perilymph::outcome {
 
@@ -17,14 +18,6 @@ constexpr double quartileSd = 0.6745;                       // of a normal distr
 constexpr double minFloor = 250.0;                          // above the bone [intensity]
 constexpr std::size_t clippedVoxels = 12;                   // of the largest value: it is a limit
 constexpr double widerBy = 1.6;  // Marr and Hildreth 1980: nearest to the Laplacian
-
-double quantile(std::vector<double>& values, double fraction)
-{
-  if (values.empty()) return 0.0;
-  const auto at = static_cast<std::ptrdiff_t>(fraction * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), values.begin() + at, values.end());
-  return values[static_cast<std::size_t>(at)];
-}
 
 /// Intensities of the bone around the lumen.
 std::vector<double> boneAround(const ct::CtVolume& volume, const ct::CochleaMeasures& measures)
@@ -152,12 +145,18 @@ std::vector<float> blurred(const MetalGrid& grid, const std::vector<float>& valu
   return from;
 }
 
+std::vector<float> contrastOf(const MetalGrid& grid, double sigma_mm)
+{
+  std::vector<float> contrast = blurred(grid, grid.value, sigma_mm);
+  const std::vector<float> wide = blurred(grid, grid.value, widerBy * sigma_mm);
+  for (std::size_t i = 0; i < contrast.size(); ++i) contrast[i] -= wide[i];
+  return contrast;
+}
+
 std::vector<Blob> blobsOf(const MetalGrid& grid, double sigma_mm)
 {
   const std::vector<float> once = blurred(grid, grid.value, sigma_mm);
-  const std::vector<float> wide = blurred(grid, grid.value, widerBy * sigma_mm);
-  std::vector<float> narrow = once;
-  for (std::size_t i = 0; i < narrow.size(); ++i) narrow[i] -= wide[i];
+  const std::vector<float> narrow = contrastOf(grid, sigma_mm);
   const auto minCurvature = [&](int i, int j, int k) {
     const auto at = [&](int a, int b, int c) {
       return static_cast<double>(once[grid.index(i + a, j + b, k + c)]);

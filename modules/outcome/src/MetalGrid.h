@@ -51,6 +51,9 @@ MetalGrid metalAround(const ct::CtVolume& volume, const Ear& ear, const EarFrame
 std::vector<float> blurred(const MetalGrid& grid, const std::vector<float>& values,
                            double sigma_mm);
 
+/// Difference of two Gaussians of the metal, of `sigma_mm` and 1.6 times it: large at spots of that size.
+std::vector<float> contrastOf(const MetalGrid& grid, double sigma_mm);
+
 /// A bright place: the center of a blob.
 struct Blob {
   Eigen::Vector3d position_P = Eigen::Vector3d::Zero();
@@ -58,8 +61,7 @@ struct Blob {
   double strength = 0.0;
 };
 
-/// Local maxima of the difference of two Gaussians, of `sigma_mm` and 1.6 times it, to a fraction of a cell, the
-/// strongest first.
+/// Local maxima of contrastOf(), to a fraction of a cell, the strongest first.
 std::vector<Blob> blobsOf(const MetalGrid& grid, double sigma_mm);
 
 }  // namespace perilymph::outcome

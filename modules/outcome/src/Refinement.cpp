@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "EarFrame.h"
@@ -24,7 +25,11 @@ constexpr double thin_mm2 =
     0.005;  // square of the width that the bend of a plate gives it across its plane
 constexpr double onCarrier =
     0.95;  // a plate's distance from the center line over the carrier's radius
-constexpr double wireStep_mm = 0.2;
+constexpr double wireStep_mm = 0.2,
+                 bundle_mm = 0.06;  // radius of the wires' bundle (choice, low confidence)
+constexpr double wire_mm = 0.025,
+                 plateThickness_mm = 0.035;  // diameter of a wire (arrays' files; low confidence)
+constexpr double minWire = 0.3;              // of the signal that a wire should have
 constexpr double studentDegrees = 4.0;
 constexpr double modelPart = 0.08;  // error of the model as a part of the metal's signal
 constexpr double minNoise = 40.0, maxNoise = 250.0;
@@ -32,7 +37,7 @@ constexpr double blurSpread = 0.35;  // of the blur about its guess
 constexpr double amplitudeSpread = 0.4,
                  mergedSpread = 0.25;           // among contacts, and among those not seen singly
 constexpr double leadBend_mm = 0.6;             // bending of the lead from point to point
-constexpr double minBlur = 0.3, maxBlur = 2.5;  // of the guess
+constexpr double minBlur = 0.3, maxBlur = 1.5;  // of the guess
 constexpr double keptOfThinned = 4.0;
 constexpr int minRounds = 6;
 constexpr double converged = 0.3;    // of the cost, in one round
@@ -81,7 +86,7 @@ public:
       if (spacing_[i] > 1.05 * spacing_[slow]) slow = i;
     normal_ = volume.lpsFromIndex().block<3, 1>(0, slow).normalized();
     guess_ = {start.blurInPlane_mm, start.blurAxial_mm};
-    size_ = static_cast<Eigen::Index>(3 * nodes_ + count_ + 6);
+    size_ = static_cast<Eigen::Index>(3 * nodes_ + count_ + 5);
     x_ = Eigen::VectorXd::Zero(size_);
     for (std::size_t i = 0; i < nodes_; ++i)
       x_.segment<3>(3 * static_cast<Eigen::Index>(i)) = start.position_P[i];
@@ -91,7 +96,10 @@ public:
                         ? ear.measures.lumenLevel
                         : 50.0;
     x_[levelAt() + 1] = grid.bone;
+    for (std::size_t i = 0; i < count_; ++i)
+      wirePart_ += wirePartOf(i) / static_cast<double>(count_);
     startAmplitudes(grid);
+    setWires();
   }
 
   FittedChain run()
@@ -136,7 +144,7 @@ private:
 
   Eigen::Index amplitudeAt() const { return static_cast<Eigen::Index>(3 * nodes_); }
   Eigen::Index wireAt() const { return amplitudeAt() + static_cast<Eigen::Index>(count_); }
-  Eigen::Index levelAt() const { return wireAt() + 2; }
+  Eigen::Index levelAt() const { return wireAt() + 1; }
   Eigen::Index blurAt() const { return levelAt() + 2; }
   Vector3d nodeOf(const Eigen::VectorXd& x, std::size_t i) const
   {
@@ -154,17 +162,30 @@ private:
   {
     const Matrix3d blur = blurOf(x_);
     const double atCenter = spotOf(blur + plate_mm * plate_mm / 12.0 * Matrix3d::Identity()).factor;
-    double sum = 0.0;
     for (std::size_t i = 0; i < count_; ++i) {
       const double metal =
           std::max(300.0, grid.sample(grid.value, chain_.position_P[i]) + aboveContent);
       x_[amplitudeAt() + static_cast<Eigen::Index>(i)] = 0.8 * metal / atCenter;
-      sum += metal;
     }
-    // wires begin with a tenth of the contacts' signal along a line
-    const double line = 1.0 / (2.0 * pi * std::sqrt(std::max(1e-9, blur(0, 0) * blur(1, 1))));
-    x_[wireAt()] = 0.1 * sum / static_cast<double>(count_) / line;
-    x_[wireAt() + 1] = 0.0;
+    x_[wireAt()] = wirePart_ * meanAmplitude(x_);
+  }
+
+  double meanAmplitude(const Eigen::VectorXd& x) const
+  {
+    return x.segment(amplitudeAt(), static_cast<Eigen::Index>(count_)).mean();
+  }
+
+  /// Signal of a millimeter of one wire over that of a contact: area over volume of platinum, nearly of one density.
+  double wirePartOf(std::size_t contact) const
+  {
+    const electrode::Section section = array_.sectionAt(array_.contactsFromTip[contact]);
+    const double around = 0.5 * pi * inMillimeters(section.within + section.across);
+    const electrode::Plates plates = array_.platesOf(contact);
+    const double width = plates == electrode::Plates::band   ? around
+                         : plates == electrode::Plates::pair ? std::min(2.0 * plate_mm, around)
+                                                             : std::min(plate_mm, 0.5 * around);
+    return 0.25 * pi * wire_mm * wire_mm /
+           (inMillimeters(array_.contactLength) * width * plateThickness_mm);
   }
 
   /// Pairs and bands have their middle on the center line, single plates beside it.
@@ -233,9 +254,8 @@ private:
       const Eigen::Index at = amplitudeAt() + static_cast<Eigen::Index>(i);
       one(at, x_[at] <= 0.0 && system.right[at] < 0.0);
     }
-    one(wireAt(), x_[wireAt()] <= 0.0 && system.right[wireAt()] < 0.0);
-    one(wireAt() + 1, x_[wireAt() + 1] <= -x_[wireAt()] / static_cast<double>(count_) &&
-                          system.right[wireAt() + 1] < 0.0);
+    one(wireAt(),
+        x_[wireAt()] <= minWire * wirePart_ * meanAmplitude(x_) && system.right[wireAt()] < 0.0);
     for (Eigen::Index i = 0; i < 2; ++i) {
       const Eigen::Index at = blurAt() + i;
       one(at, (x_[at] <= minBlur * guess_[i] && system.right[at] < 0.0) ||
@@ -249,8 +269,7 @@ private:
       double& amplitude = x[amplitudeAt() + static_cast<Eigen::Index>(i)];
       amplitude = std::max(0.0, amplitude);
     }
-    x[wireAt()] = std::max(0.0, x[wireAt()]);
-    x[wireAt() + 1] = std::max(-x[wireAt()] / static_cast<double>(count_), x[wireAt() + 1]);
+    x[wireAt()] = std::max(minWire * wirePart_ * meanAmplitude(x), x[wireAt()]);
     for (Eigen::Index i = 0; i < 2; ++i)
       x[blurAt() + i] = std::clamp(x[blurAt() + i], minBlur * guess_[i], maxBlur * guess_[i]);
     return x;
@@ -258,14 +277,44 @@ private:
 
   /// Model and derivatives at a voxel: indices and values of those that are not zero.
   struct Local {
+    explicit Local(Eigen::Index size)
+        : values(Eigen::VectorXd::Zero(size)), isKnown(static_cast<std::size_t>(size), 0)
+    {
+    }
     double model = 0.0, metal = 0.0;
     std::vector<std::pair<Eigen::Index, double>> slope;
+
+    void add(Eigen::Index at, double value)
+    {
+      if (!isKnown[static_cast<std::size_t>(at)]) known.push_back(at);
+      isKnown[static_cast<std::size_t>(at)] = 1;
+      values[at] += value;
+    }
+    /// Moves what was added into `slope`, in the order of the indices.
+    void collect()
+    {
+      slope.clear();
+      std::sort(known.begin(), known.end());
+      for (const Eigen::Index at : known) {
+        slope.emplace_back(at, values[at]);
+        values[at] = 0.0;
+        isKnown[static_cast<std::size_t>(at)] = 0;
+      }
+      known.clear();
+    }
+
+  private:
+    Eigen::VectorXd values;
+    std::vector<char> isKnown;
+    std::vector<Eigen::Index> known;
   };
 
+  /// A place of the wires on the smooth course through the nodes, which is linear in four of them.
   struct WireSpot {
-    Vector3d place;
     std::size_t segment;
-    double part, weight;  // part of the way; length that it stands for
+    std::array<double, 4> of;  // the nodes from segment - 1 on; 0 where there is none
+    double number, length;     // of wires; that it stands for
+    Vector3d place = Vector3d::Zero();
   };
 
   /// A plate of a contact: its center from the contact's, and its part of the contact's signal.
@@ -283,12 +332,54 @@ private:
     double cut;  // squared distance beyond which nothing counts
   };
 
+  /// The course is a cubic between neighboring nodes, with the tangent of the parabola through three of them.
+  void setWires()
+  {
+    const auto knot = [&](std::size_t i) {
+      return inMillimeters(array_.contactsFromTip[std::min(i, count_ - 1)]) +
+             (i < count_ ? 0.0 : leadStep_mm * static_cast<double>(i - count_ + 1));
+    };
+    for (std::size_t i = 0; i + 1 < nodes_; ++i) {
+      const double h = knot(i + 1) - knot(i);
+      const int samples = std::max(1, static_cast<int>(std::ceil(h / wireStep_mm)));
+      for (int s = 0; s < samples; ++s) {
+        const double t = (s + 0.5) / samples;
+        WireSpot spot{
+            i, {0.0, 0.0, 0.0, 0.0}, static_cast<double>(std::min(i + 1, count_)), h / samples};
+        const double ofFirst = t * (1.0 - t) * (1.0 - t), ofSecond = t * t * (t - 1.0);
+        spot.of[1] = (1.0 + 2.0 * t) * (1.0 - t) * (1.0 - t);
+        spot.of[2] = t * t * (3.0 - 2.0 * t);
+        // tangents times h
+        if (i == 0) {
+          spot.of[1] -= ofFirst;
+          spot.of[2] += ofFirst;
+        } else {
+          const double g = knot(i) - knot(i - 1), sum = g + h;
+          spot.of[0] -= ofFirst * h * h / (g * sum);
+          spot.of[1] += ofFirst * (h * h / (g * sum) - g / sum);
+          spot.of[2] += ofFirst * g / sum;
+        }
+        if (i + 2 == nodes_) {
+          spot.of[1] -= ofSecond;
+          spot.of[2] += ofSecond;
+        } else {
+          const double k = knot(i + 2) - knot(i + 1), sum = h + k;
+          spot.of[1] -= ofSecond * k / sum;
+          spot.of[2] += ofSecond * (k / sum - h * h / (k * sum));
+          spot.of[3] += ofSecond * h * h / (k * sum);
+        }
+        wires_.push_back(spot);
+      }
+    }
+  }
+
   Prepared prepare(const Eigen::VectorXd& x) const
   {
     Prepared p;
     const Matrix3d blur = blurOf(x);
     const double length = inMillimeters(array_.contactLength);
     const auto square = [](const Vector3d& v) -> Matrix3d { return v * v.transpose(); };
+    std::vector<Vector3d> toCenter(nodes_, Vector3d::Zero());  // from a node to the wires
     for (std::size_t i = 0; i < count_; ++i) {
       const Vector3d along = (nodeOf(x, i + 1) - nodeOf(x, i > 0 ? i - 1 : 0)).normalized();
       const Vector3d at_W = frame_.toW(nodeOf(x, i));
@@ -299,6 +390,7 @@ private:
       const double half = 0.25 * inMillimeters(section.within + section.across);
       const Matrix3d ofLength = blur + length * length / 12.0 * square(along);
       const double wide = plate_mm * plate_mm / 12.0;
+      toCenter[i] = -besideCourse(i) * onCarrier * half * inward;
       switch (array_.platesOf(i)) {
         case electrode::Plates::single:
           p.plates.push_back({i, Vector3d::Zero(), 1.0,
@@ -315,16 +407,13 @@ private:
                spotOf(ofLength + 0.5 * half * half * (square(up) + square(inward)))});
       }
     }
-    p.wire = spotOf(blur);
-    for (std::size_t i = 0; i + 1 < nodes_; ++i) {
-      const Vector3d a = nodeOf(x, i), b = nodeOf(x, i + 1);
-      const double whole = (b - a).norm();
-      const int samples = std::max(1, static_cast<int>(std::ceil(whole / wireStep_mm)));
-      for (int s = 0; s < samples; ++s) {
-        const double part = (s + 0.5) / samples;
-        p.wires.push_back({a + part * (b - a), i, part, whole / samples});
-      }
-    }
+    p.wire = spotOf(blur + bundle_mm * bundle_mm * Matrix3d::Identity());
+    p.wires = wires_;
+    for (WireSpot& wire : p.wires)
+      for (std::size_t k = 0; k < 4; ++k)
+        if (wire.of[k] != 0.0)
+          wire.place +=
+              wire.of[k] * (nodeOf(x, wire.segment + k - 1) + toCenter[wire.segment + k - 1]);
     const double widest = std::max(x[blurAt()], x[blurAt() + 1]);
     p.cut = std::pow(3.7 * widest + 0.4, 2);
     return p;
@@ -333,7 +422,6 @@ private:
   void evaluate(const Eigen::VectorXd& x, const Prepared& p, const FitVoxel& voxel, bool withSlopes,
                 Local& local) const
   {
-    local.slope.clear();
     local.metal = 0.0;
     double byInPlane = 0.0, byAxial = 0.0;
     const auto addBlur = [&](const Spot& spot, const Vector3d& y, double signal) {
@@ -354,53 +442,35 @@ private:
       local.metal += amplitude * density;
       if (!withSlopes) continue;
       const Vector3d y = plate.spot.inverse * off;
-      for (Eigen::Index d = 0; d < 3; ++d)
-        local.slope.emplace_back(3 * i + d, amplitude * density * y[d]);
-      local.slope.emplace_back(amplitudeAt() + i, density);
+      for (Eigen::Index d = 0; d < 3; ++d) local.add(3 * i + d, amplitude * density * y[d]);
+      local.add(amplitudeAt() + i, density);
       addBlur(plate.spot, y, amplitude * density);
     }
-    double byWire = 0.0, byRise = 0.0;
-    Vector3d first = Vector3d::Zero(), second = Vector3d::Zero();
-    std::size_t segment = nodes_;
-    const auto flush = [&] {
-      if (segment == nodes_ || !withSlopes) return;
-      for (Eigen::Index d = 0; d < 3; ++d) {
-        local.slope.emplace_back(3 * static_cast<Eigen::Index>(segment) + d, first[d]);
-        local.slope.emplace_back(3 * static_cast<Eigen::Index>(segment + 1) + d, second[d]);
-      }
-      first.setZero();
-      second.setZero();
-    };
+    double byWire = 0.0;
     for (const WireSpot& wire : p.wires) {
       const Vector3d off = voxel.point_P - wire.place;
       if (off.squaredNorm() > p.cut) continue;
-      if (wire.segment != segment) {
-        flush();
-        segment = wire.segment;
-      }
-      // every contact has its wire; the lead has all of them
-      const double at =
-          std::min(static_cast<double>(wire.segment) + wire.part, static_cast<double>(count_));
-      const double density = p.wire.value(off) * wire.weight;
-      const double signal = std::max(0.0, x[wireAt()] + x[wireAt() + 1] * at) * density;
+      const double density = p.wire.value(off) * wire.length;
+      const double signal = x[wireAt()] * wire.number * density;
       local.metal += signal;
       if (!withSlopes) continue;
-      byWire += density;
-      byRise += density * at;
+      byWire += density * wire.number;
       const Vector3d y = p.wire.inverse * off;
-      first += (1.0 - wire.part) * signal * y;
-      second += wire.part * signal * y;
+      for (std::size_t k = 0; k < 4; ++k)
+        if (wire.of[k] != 0.0)
+          for (Eigen::Index d = 0; d < 3; ++d)
+            local.add(3 * static_cast<Eigen::Index>(wire.segment + k - 1) + d,
+                      wire.of[k] * signal * y[d]);
       addBlur(p.wire, y, signal);
     }
-    flush();
     local.model = x[levelAt()] + (x[levelAt() + 1] - x[levelAt()]) * voxel.bone + local.metal;
     if (!withSlopes) return;
-    local.slope.emplace_back(wireAt(), byWire);
-    local.slope.emplace_back(wireAt() + 1, byRise);
-    local.slope.emplace_back(levelAt(), 1.0 - voxel.bone);
-    local.slope.emplace_back(levelAt() + 1, voxel.bone);
-    local.slope.emplace_back(blurAt(), byInPlane);
-    local.slope.emplace_back(blurAt() + 1, byAxial);
+    local.add(wireAt(), byWire);
+    local.add(levelAt(), 1.0 - voxel.bone);
+    local.add(levelAt() + 1, voxel.bone);
+    local.add(blurAt(), byInPlane);
+    local.add(blurAt() + 1, byAxial);
+    local.collect();
   }
 
   /// Residual of a voxel with the scanner's limit; 0 where both are beyond it.
@@ -490,12 +560,13 @@ private:
                          const std::vector<std::pair<Eigen::Index, double>>& slope) {
       for (const auto& [i, a] : slope) {
         system.right[i] += weight * residual * a;
-        for (const auto& [j, b] : slope) system.left(i, j) += weight * a * b;
+        for (const auto& [j, b] : slope)
+          if (j <= i) system.left(i, j) += weight * a * b;  // of a symmetric matrix
       }
     };
     const Prepared p = prepare(x);
     const double independent = 1.0 / correlated();
-    Local local;
+    Local local(size_);
     std::vector<double> left;
     for (const FitVoxel& voxel : voxels_) {
       evaluate(x, p, voxel, true, local);
@@ -520,7 +591,7 @@ private:
   {
     const Prepared p = prepare(x);
     const double independent = 1.0 / correlated();
-    Local local;
+    Local local(size_);
     double cost = 0.0;
     for (const FitVoxel& voxel : voxels_) {
       evaluate(x, p, voxel, false, local);
@@ -555,6 +626,7 @@ private:
     FittedChain fitted = chain_;
     fitted.covariance_P.clear();
     fitted.amplitude.clear();
+    fitted.excess_mm.clear();
     for (std::size_t i = 0; i < nodes_; ++i) fitted.position_P[i] = nodeOf(x_, i);
     double sum = 0.0;
     for (std::size_t i = 0; i < count_; ++i) {
@@ -562,8 +634,9 @@ private:
       fitted.covariance_P.push_back(covariance.block<3, 3>(at, at));
       fitted.amplitude.push_back(x_[amplitudeAt() + static_cast<Eigen::Index>(i)]);
       if (i + 1 < count_) {
-        const double off =
-            ((fitted.position_P[i + 1] - fitted.position_P[i]).norm() - chord_[i]) / chordSd_[i];
+        const double excess = (fitted.position_P[i + 1] - fitted.position_P[i]).norm() - chord_[i];
+        fitted.excess_mm.push_back(excess);
+        const double off = excess / chordSd_[i];
         sum += off * off / static_cast<double>(count_ - 1);
       }
     }
@@ -586,7 +659,9 @@ private:
   Eigen::Vector2d guess_;
   Eigen::Index size_ = 0;
   Eigen::VectorXd x_;
+  std::vector<WireSpot> wires_;
   std::vector<double> chord_, chordSd_;
+  double wirePart_ = 0.0;  // of a contact's signal, in a millimeter of one wire
   double noise_ = 150.0, bone_ = 0.0, offset_ = contactOffset, offsetCost_ = 0.0;
 };
 

@@ -3,10 +3,10 @@
 
 // A model of the image of the array, fitted to the voxels around it.
 //
-//     I(x) = min(c, f + (b - f) bone(x) + sum over contacts a_i G(x - p_i; S_i) + integral w(s) G(x - p(s); S) ds)
+//     I(x) = min(c, f + (b - f) bone(x) + sum over contacts a_i G(x - p_i; S_i) + integral n(s) w G(x - p(s); S) ds)
 //
 // with the scanner's limit c, levels b and f of bone and of the lumen's content, amplitudes a_i, positions p_i,
-// the wires' density w along the polyline through the contacts, and G the normal density of the scanner's blur S,
+// the density w of each of n(s) wires, one for each contact nearer to the tip, along a smooth curve in the carrier's center, and G the normal density of the scanner's blur S,
 // for S_i widened by the contact's plates: a single one, a pair beside the center line or a band, as the array's file
 // says. Consecutive contacts keep the array's spacing.
 
@@ -35,6 +35,7 @@ struct FittedChain {
   double blurInPlane_mm = 0.2, blurAxial_mm = 0.2;  ///< Standard deviations.
   double residual = 0.0;      ///< Robust standard deviation of what is left [intensity].
   double lengthMisfit = 0.0;  ///< Root mean square of spacing errors, in their standard deviations.
+  std::vector<double> excess_mm;  ///< Distance of contacts i and i + 1 less what it should be.
   double cost =
       0.0;  ///< Minus twice the logarithm of the likelihood, with the priors, but for a constant of the voxels.
 };

@@ -6,6 +6,10 @@
 #include <functional>
 #include <queue>
 
+#include <Eigen/Geometry>
+
+#include "perilymph/foundation/Math.h"
+
 namespace perilymph::outcome {
 
 namespace {
@@ -189,28 +193,37 @@ std::vector<Eigen::Vector3d> ridgeOf(const MetalGrid& grid, const EarFrame& fram
   return path;
 }
 
-double startOfRow(const MetalGrid& grid, const std::vector<Eigen::Vector3d>& ridge_P)
+std::vector<Eigen::Vector3d> followed(const MetalGrid& grid, const Eigen::Vector3d& from_P,
+                                      const Eigen::Vector3d& direction_P, double distance_mm,
+                                      int count)
 {
-  constexpr double fine_mm = 0.02, whole_mm = 12.0, stays_mm = 1.0, before_mm = 1.5;
-  constexpr double rise = 0.5;
-  const double end = std::min(whole_mm, spacing_mm * static_cast<double>(ridge_P.size()));
-  std::vector<double> metal;  // from before the apical end on
-  for (double d = -before_mm; d < end; d += fine_mm)
-    metal.push_back(grid.sample(grid.value, alongPolyline(ridge_P, d)));
-  std::vector<double> sorted(metal.begin() + static_cast<std::ptrdiff_t>(before_mm / fine_mm),
-                             metal.end());
-  if (sorted.empty()) return 0.0;
-  std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2),
-                   sorted.end());
-  const double level = rise * sorted[sorted.size() / 2];
-  const auto ahead = static_cast<std::size_t>(stays_mm / fine_mm);
-  for (std::size_t i = 0; i + ahead < metal.size(); ++i) {
-    if (metal[i] < level) continue;
-    double mean = 0.0;
-    for (std::size_t k = i; k < i + ahead; ++k) mean += metal[k] / static_cast<double>(ahead);
-    if (mean > 1.5 * level) return fine_mm * static_cast<double>(i) - before_mm;
+  constexpr int samples = 6, directions = 12;
+  constexpr double fullBrightness =
+      2500.0;  // above bone or content: brighter metal attracts no more [intensity]
+  constexpr double halved = 1.4;  // [rad]: a bend by which metal attracts half as much
+  std::vector<Eigen::Vector3d> points;
+  Eigen::Vector3d from = from_P, along = direction_P.normalized();
+  for (int i = 0; i < count; ++i) {
+    const Eigen::Vector3d side = along.unitOrthogonal(), other = along.cross(side);
+    Eigen::Vector3d best = along;
+    double most = -1.0;
+    for (const double bend : {0.0, 0.25, 0.5, 0.75, 1.0})
+      for (int k = 0; k < (bend > 0.0 ? directions : 1); ++k) {
+        const SineCosine turn = sineCosine(2.0 * pi * k / directions), lean = sineCosine(bend);
+        const Eigen::Vector3d way =
+            lean.cosine * along + lean.sine * (turn.cosine * side + turn.sine * other);
+        double metal = 0.0;
+        for (int n = 1; n <= samples; ++n)
+          metal += std::min(grid.sample(grid.value, from + (n * distance_mm / samples) * way),
+                            fullBrightness);
+        metal *= 1.0 - bend * bend / (2.0 * halved * halved);
+        if (metal > most) most = metal, best = way;
+      }
+    from += distance_mm * best;
+    along = best;
+    points.push_back(from);
   }
-  return 0.0;
+  return points;
 }
 
 }  // namespace perilymph::outcome

@@ -15,9 +15,11 @@ namespace perilymph::outcome {
 /// empty if there is none near the duct. A minimal path through bright cells that stays in its turn.
 std::vector<Eigen::Vector3d> ridgeOf(const MetalGrid& grid, const EarFrame& frame);
 
-/// Distance along the ridge at which a row of contacts begins: where its brightness rises to half of the median of
-/// what follows, and stays there [mm].
-double startOfRow(const MetalGrid& grid, const std::vector<Eigen::Vector3d>& ridge_P);
+/// Points that follow the metal from a point on, the first in about a direction and none in more than 60 degrees to the
+/// one before, at equal distances.
+std::vector<Eigen::Vector3d> followed(const MetalGrid& grid, const Eigen::Vector3d& from_P,
+                                      const Eigen::Vector3d& direction_P, double distance_mm,
+                                      int count);
 
 /// Point of a polyline at a distance from its start; continued straight beyond its ends.
 Eigen::Vector3d alongPolyline(const std::vector<Eigen::Vector3d>& points, double distance);

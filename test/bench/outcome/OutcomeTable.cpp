@@ -3,10 +3,14 @@
 // A table of the errors of found contacts: implanted phantoms with many seeds. Not a test: it prints a row for each
 // ear and a summary of each class, without limits.
 //
-//     perilymph-outcome-table FIRST LAST [STEP [own]]
+//     perilymph-outcome-table FIRST LAST [STEP [own|real]]
 //                              every STEP-th seed from FIRST to LAST - 1: arrays, scanners, ears, folds and
 //                              translocations follow from the seed; with `own` the ear is measured in the CT after
-//                              surgery itself
+//                              surgery itself; with `real` the array is added to the CT of a real ear, of the folder
+//                              that PERILYMPH_EARS names, without folds and translocations
+//
+// Lengths count from the opening. A class is the scanner and whether its contacts are seen singly: the array's median
+// pitch is at least 1.3 times the blur's width (singly), below 0.8 times (array), or between.
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -20,10 +24,13 @@
 #include <string>
 #include <vector>
 
-#include "perilymph/analysis/SampleStatistics.h"
+#include "perilymph/anatomy/AnatomySource.h"
+#include "perilymph/foundation/Quantile.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/outcome/FoundArray.h"
 #include "perilymph/test/ImplantPhantom.h"
+#include "perilymph/test/RealEarTruth.h"
+#include "perilymph/test/RealEars.h"
 
 namespace perilymph {
 namespace {
@@ -63,7 +70,7 @@ Case caseOf(std::uint64_t seed, const std::vector<std::string>& arrays)
 struct Row {
   bool isRight = true, isFlagged = false, isFound = true;
   std::vector<double> errors;
-  double covered = 0.0, angleError_deg = 0.0, seconds = 0.0;
+  double covered = 0.0, angleError_deg = 0.0, lengthError_mm = 0.0, seconds = 0.0;
   bool isAngleCovered = false, foldFound = false, hasFold = false, translocationFound = false,
        hasTranslocation = false;
 };
@@ -74,46 +81,54 @@ public:
   void add(Row row) { rows_.push_back(std::move(row)); }
   void print(const std::string& name) const
   {
-    std::vector<double> errors, angles, covered, seconds;
-    std::size_t found = 0, right = 0, silent = 0, angleIn = 0, folds = 0, foldsFound = 0,
-                crossed = 0, crossedFound = 0, falseFolds = 0, falseCrossed = 0;
+    std::vector<double> errors, ofEar, angles, lengths, covered, seconds;
+    std::size_t found = 0, right = 0, silent = 0, rightFlagged = 0, regions = 0, angleIn = 0,
+                folds = 0, foldsFound = 0, crossed = 0, crossedFound = 0, falseFolds = 0,
+                falseCrossed = 0;
     for (const Row& row : rows_) {
       if (!row.isFound) continue;
       ++found;
-      if (row.isRight) ++right;
-      if (!row.isRight && !row.isFlagged) ++silent;
-      errors.insert(errors.end(), row.errors.begin(), row.errors.end());
-      angles.push_back(std::fabs(row.angleError_deg));
-      covered.push_back(row.covered);
       seconds.push_back(row.seconds);
-      angleIn += row.isAngleCovered ? 1 : 0;
+      if (!row.isRight && !row.isFlagged) ++silent;
+      if (row.isRight) {
+        // errors of ears with right numbers: of the others they are those of the numbers
+        ++right;
+        if (row.isFlagged) ++rightFlagged;
+        errors.insert(errors.end(), row.errors.begin(), row.errors.end());
+        ofEar.push_back(*std::max_element(row.errors.begin(), row.errors.end()));
+        angles.push_back(std::fabs(row.angleError_deg));
+        lengths.push_back(std::fabs(row.lengthError_mm));
+        covered.push_back(row.covered);
+        regions += row.covered >= 0.9 ? 1 : 0;
+        angleIn += row.isAngleCovered ? 1 : 0;
+      }
       folds += row.hasFold ? 1 : 0, foldsFound += row.hasFold && row.foldFound ? 1 : 0,
           falseFolds += !row.hasFold && row.foldFound ? 1 : 0;
       crossed += row.hasTranslocation ? 1 : 0,
           crossedFound += row.hasTranslocation && row.translocationFound ? 1 : 0,
           falseCrossed += !row.hasTranslocation && row.translocationFound ? 1 : 0;
     }
-    if (errors.empty()) {
-      std::printf("%s: %zu ears, none found\n", name.c_str(), rows_.size());
+    std::printf(
+        "%s: %zu ears, %zu refused, %zu right (%zu of them flagged), wrong and not flagged %zu; "
+        "fold %zu of %zu "
+        "(false %zu), translocation %zu of %zu (false %zu)",
+        name.c_str(), rows_.size(), rows_.size() - found, right, rightFlagged, silent, foldsFound,
+        folds, falseFolds, crossedFound, crossed, falseCrossed);
+    if (right == 0) {
+      std::printf("\n");
       return;
     }
-    const auto quantile = [](std::vector<double> values, double part) {
-      std::sort(values.begin(), values.end());
-      return values[static_cast<std::size_t>(part * static_cast<double>(values.size() - 1))];
-    };
-    double sum = 0.0, cover = 0.0;
+    double sum = 0.0;
     for (const double each : errors) sum += each;
-    for (const double each : covered) cover += each;
     std::printf(
-        "%s: %zu ears, %zu refused; mean %.3f mm, median %.3f, 95th %.3f; assigned %zu, wrong and "
-        "not flagged %zu; "
-        "angle median %.1f deg, its 95 %% covers %zu; 95 %% regions cover %.0f %% of contacts in "
-        "the mean ear; "
-        "fold %zu of %zu (false %zu), translocation %zu of %zu (false %zu); %.1f s\n",
-        name.c_str(), rows_.size(), rows_.size() - found, sum / static_cast<double>(errors.size()),
-        quantile(errors, 0.5), quantile(errors, 0.95), right, silent, quantile(angles, 0.5),
-        angleIn, 100.0 * cover / static_cast<double>(covered.size()), foldsFound, folds, falseFolds,
-        crossedFound, crossed, falseCrossed, quantile(seconds, 0.5));
+        "; where right: contact mean %.3f mm, 95th %.3f, largest of an ear median %.2f; angle "
+        "median %.1f deg, its "
+        "95 %% covers %zu; length median %.2f mm, largest %.2f; 95 %% regions cover 0.9 of the "
+        "contacts in %zu; "
+        "%.1f s median, %.1f s largest\n",
+        sum / static_cast<double>(errors.size()), quantile(errors, 0.95), quantile(ofEar, 0.5),
+        quantile(angles, 0.5), angleIn, quantile(lengths, 0.5), quantile(lengths, 1.0), regions,
+        quantile(seconds, 0.5), quantile(seconds, 1.0));
   }
 
 private:
@@ -130,13 +145,14 @@ double pitch_mm(const electrode::ArrayDesign& array)
   return pitch[pitch.size() / 2];
 }
 
-Row judged(const outcome::FoundArray& found, const test::ImplantPhantom& phantom)
+Row judged(const outcome::FoundArray& found, const test::ImplantTruth& trueArray,
+           const electrode::ArrayDesign& array)
 {
   Row row;
-  const double pitch = pitch_mm(phantom.array);
+  const double pitch = pitch_mm(array);
   for (const outcome::FoundContact& contact : found.contacts) {
     const test::TrueContact& truth =
-        phantom.truth.contacts[static_cast<std::size_t>(contact.number) - 1];
+        trueArray.contacts[static_cast<std::size_t>(contact.number) - 1];
     const Eigen::Vector3d off = contact.position_P - truth.position_P;
     row.errors.push_back(off.norm());
     row.isRight = row.isRight && off.norm() < 0.5 * pitch;
@@ -149,92 +165,124 @@ Row judged(const outcome::FoundArray& found, const test::ImplantPhantom& phantom
                     flag == outcome::Flag::arrayDoesNotFit || flag == outcome::Flag::fold ||
                     flag == outcome::Flag::kink || flag == outcome::Flag::clipped ||
                     flag == outcome::Flag::registrationPoor;
-  row.angleError_deg =
-      found.angularInsertionDepth_deg.value - phantom.truth.angularInsertionDepth_deg;
+  row.angleError_deg = found.angularInsertionDepth_deg.value - trueArray.angularInsertionDepth_deg;
+  row.lengthError_mm = found.insertedLength_mm - trueArray.insertedLength_mm -
+                       inMillimeters(anatomy::Cochlea{}.leadIn);
   const auto [low, high] = found.angularInsertionDepth_deg.interval95();
-  row.isAngleCovered = phantom.truth.angularInsertionDepth_deg >= low &&
-                       phantom.truth.angularInsertionDepth_deg <= high;
-  row.hasFold = phantom.truth.isFolded;
+  row.isAngleCovered =
+      trueArray.angularInsertionDepth_deg >= low && trueArray.angularInsertionDepth_deg <= high;
+  row.hasFold = trueArray.isFolded;
   row.foldFound = found.isFolded;
-  row.hasTranslocation = phantom.truth.translocation_deg.has_value();
+  row.hasTranslocation = trueArray.translocation_deg.has_value();
   row.translocationFound = found.has(outcome::Flag::possibleTranslocation);
   row.seconds = found.seconds;
   return row;
 }
 
-std::string classOf(const test::ImplantPhantom& phantom, double fwhm)
+std::string classOf(const electrode::ArrayDesign& array, double fwhm)
 {
-  const double ratio = pitch_mm(phantom.array) / fwhm;
+  const double ratio = pitch_mm(array) / fwhm;
   return ratio >= 1.3 ? "singly" : ratio >= 0.8 ? "between" : "array";
 }
 
-int table(std::uint64_t first, std::uint64_t last, std::uint64_t step, bool isOwn)
+enum class Source { phantom, own, real };
+
+/// A CT after surgery with its truth, and the ear in it.
+struct Implanted {
+  ct::CtVolume postoperative;
+  test::ImplantTruth truth;
+  electrode::ArrayDesign array;
+  Result<outcome::Ear> ear;
+};
+
+Implanted implanted(std::uint64_t seed, Case& each, Source source)
+{
+  ct::MeasureRequest click;
+  if (source == Source::real) {
+    const auto folder = test::realEarFolder();
+    if (!folder)
+      throw std::runtime_error("PERILYMPH_EARS names no folder with ears: set it, and try again.");
+    const std::vector<std::string> names = test::realEarNames(*folder);
+    const test::RealEar real = test::loadRealEar(*folder, names.at(seed % names.size()));
+    each.condition.isFolded = each.condition.hasOldLead = false;
+    each.condition.translocationAngle_deg.reset();
+    click.click_P = test::clickOf(real);
+    const auto measured = ct::measureCochlea(real.ct, click);
+    if (!measured) throw std::runtime_error(measured.error().message);
+    test::ImplantedEar made =
+        test::implantInto(real.ct, *measured, seed, each.scan, each.condition);
+    auto ear = outcome::registeredEar(made.postoperative, real.ct, *measured);
+    return {std::move(made.postoperative), made.truth, made.array, std::move(ear)};
+  }
+  test::ImplantPhantom made = test::makeImplantPhantom(seed, each.scan, each.condition);
+  click.click_P = source == Source::own ? made.truth.inside_P : made.preoperative.inside_P;
+  Result<outcome::Ear> ear = Error{"none"};
+  if (source == Source::own) {
+    ear = outcome::measuredEar(made.postoperative, click);
+  } else {
+    const auto measured = ct::measureCochlea(made.preoperative.volume, click);
+    ear = measured ? outcome::registeredEar(made.postoperative, made.preoperative.volume, *measured)
+                   : Result<outcome::Ear>(measured.error());
+  }
+  return {std::move(made.postoperative), made.truth, made.array, std::move(ear)};
+}
+
+int table(std::uint64_t first, std::uint64_t last, std::uint64_t step, Source source)
 {
   std::vector<std::string> arrays = shippedNames("plugins/electrodes");
   std::sort(arrays.begin(), arrays.end());
   std::map<std::string, Summary> classes;
   for (std::uint64_t seed = first; seed < last; seed += step) {
-    const Case each = caseOf(seed, arrays);
+    Case each = caseOf(seed, arrays);
     try {
       const auto begun = std::chrono::steady_clock::now();
-      const test::ImplantPhantom phantom =
-          test::makeImplantPhantom(seed, each.scan, each.condition);
+      const Implanted one = implanted(seed, each, source);
       const double made =
           std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
-      ct::MeasureRequest click;
-      click.click_P = isOwn ? phantom.truth.inside_P : phantom.preoperative.inside_P;
-      Result<outcome::Ear> ear = Error{"none"};
-      if (isOwn) {
-        ear = outcome::measuredEar(phantom.postoperative, click);
-      } else {
-        const auto measured = ct::measureCochlea(phantom.preoperative.volume, click);
-        ear = measured ? outcome::registeredEar(phantom.postoperative, phantom.preoperative.volume,
-                                                *measured)
-                       : Result<outcome::Ear>(measured.error());
-      }
       std::string name = each.scanner;
-      if (!ear) {
+      const auto refuse = [&](const std::string& what, const std::string& why) {
         std::printf("%llu %s %s: refused: %s\n", static_cast<unsigned long long>(seed),
-                    each.array.c_str(), name.c_str(), ear.error().message.c_str());
+                    each.array.c_str(), name.c_str(), why.c_str());
         Row refused;
         refused.isFound = false;
-        classes[name + " ear refused"].add(refused);
+        classes[name + what].add(refused);
+      };
+      if (!one.ear) {
+        refuse(" ear refused", one.ear.error().message);
         continue;
       }
       outcome::ContactsRequest request;
-      request.array = phantom.array;
+      request.array = one.array;
       request.arrayName = each.array;
-      const auto found = outcome::findContacts(phantom.postoperative, *ear, request);
+      const auto found = outcome::findContacts(one.postoperative, *one.ear, request);
       if (!found) {
-        std::printf("%llu %s %s: refused: %s\n", static_cast<unsigned long long>(seed),
-                    each.array.c_str(), name.c_str(), found.error().message.c_str());
-        Row refused;
-        refused.isFound = false;
-        classes[name + " refused"].add(refused);
+        refuse(" refused", found.error().message);
         continue;
       }
-      const Row row = judged(*found, phantom);
-      name += " " + classOf(phantom, found->fwhm_mm);
+      const Row row = judged(*found, one.truth, one.array);
+      name += " " + classOf(one.array, found->fwhm_mm) + (row.hasFold ? " folded" : "");
       double sum = 0.0, largest = 0.0;
       for (const double error : row.errors) sum += error, largest = std::max(largest, error);
       std::string flags;
       for (const outcome::Flag flag : found->flags)
         flags += std::string(" ") + outcome::nameOf(flag);
-      const Eigen::Vector3d window = ear->measures.roundWindow_P - phantom.truth.roundWindow_P;
+      const Eigen::Vector3d window = one.ear->measures.roundWindow_P - one.truth.roundWindow_P;
       std::printf(
-          "%llu %s %s clip %d%s%s%s out %d: mean %.3f max %.3f %s angle %.1f (%.1f) sd %.1f cover "
-          "%.2f fwhm %.2f residual %.2f window %.2f made %.0f s%s\n",
+          "%llu %s %s clip %d%s%s%s out %d: mean %.3f max %.3f %s angle %.1f (%.1f) sd %.1f length "
+          "%.1f (%+.1f) cover "
+          "%.2f fwhm %.2f residual %.2f window %.2f made %.0f s found %.1f s%s\n",
           static_cast<unsigned long long>(seed), each.array.c_str(), name.c_str(),
           each.scan.isClipped ? 1 : 0, row.hasFold ? " FOLD" : "",
           row.hasTranslocation ? " TRANS" : "", each.condition.hasOldLead ? " LEAD" : "",
-          static_cast<int>(phantom.truth.contacts.size()) - phantom.truth.contactsInside,
+          static_cast<int>(one.truth.contacts.size()) - one.truth.contactsInside,
           sum / static_cast<double>(row.errors.size()), largest,
           row.isRight     ? "right"
           : row.isFlagged ? "flagged"
                           : "SILENT",
-          found->angularInsertionDepth_deg.value, phantom.truth.angularInsertionDepth_deg,
-          found->angularInsertionDepth_deg.sd, row.covered, found->fwhm_mm, found->residual_mm,
-          window.norm(), made, flags.c_str());
+          found->angularInsertionDepth_deg.value, one.truth.angularInsertionDepth_deg,
+          found->angularInsertionDepth_deg.sd, found->insertedLength_mm, row.lengthError_mm,
+          row.covered, found->fwhm_mm, found->residual_mm, window.norm(), made, row.seconds,
+          flags.c_str());
       std::fflush(stdout);
       classes[name].add(row);
     } catch (const std::exception& problem) {
@@ -252,10 +300,17 @@ int table(std::uint64_t first, std::uint64_t last, std::uint64_t step, bool isOw
 int main(int count, char** arguments)
 {
   if (count < 3) {
-    std::fprintf(stderr, "perilymph-outcome-table FIRST LAST [STEP [own]]\n");
+    std::fprintf(stderr, "perilymph-outcome-table FIRST LAST [STEP [own|real]]\n");
     return 2;
   }
   const auto number = [&](int at) { return std::strtoull(arguments[at], nullptr, 10); };
+  const std::string word = count > 4 ? arguments[4] : "";
+  if (!word.empty() && word != "own" && word != "real") {
+    std::fprintf(stderr, "'%s' is neither own nor real.\n", word.c_str());
+    return 2;
+  }
   return perilymph::table(number(1), number(2), count > 3 ? std::max(1ULL, number(3)) : 1,
-                          count > 4 && std::string(arguments[4]) == "own");
+                          word == "own"    ? perilymph::Source::own
+                          : word == "real" ? perilymph::Source::real
+                                           : perilymph::Source::phantom);
 }

@@ -28,10 +28,10 @@ enum class Flag {
   secondAssignment,  ///< Another assignment of the contacts explains the metal nearly as well.
   missingContacts,   ///< Contacts of the array were not seen.
   extraMetal,        ///< Metal beside the array: more contacts than the array has, or an old lead.
-  arrayDoesNotFit,   ///< Spacing or number of contacts contradict the array named.
-  notSeenSingly,     ///< The contacts merge at this resolution: placed by the array's spacings.
-  fold,              ///< The angle turns back: a tip fold-over.
-  kink,              ///< The curve bends more sharply than the array can without damage.
+  arrayDoesNotFit,  ///< Spacing, number or place of contacts contradict the array named or the ear.
+  notSeenSingly,    ///< The contacts merge at this resolution: placed by the array's spacings.
+  fold,             ///< The angle turns back: a tip fold-over.
+  kink,             ///< The curve bends more sharply than the array can without damage.
   possibleTranslocation,  ///< A part of the array lies above the basilar membrane, as far as both fits tell.
   contactsOutside,   ///< Contacts lie outside the cochlea.
   registrationPoor,  ///< Both CTs agree badly around the cochlea.
@@ -123,8 +123,9 @@ struct FoundArray {
   double insertedLength_mm = 0.0,
          insertedLengthSd_mm = 0.0;  ///< Length of the tip past the opening, along the array.
   bool isFolded = false;
-  double translocationProbability = 0.0;  ///< The largest over the contacts inside.
-  double translocationAngle_deg = 0.0;    ///< Where it first exceeds 0.8; 0 without.
+  double translocationProbability =
+      0.0;  ///< The second largest over the contacts inside, as one may be in the wrong place.
+  double translocationAngle_deg = 0.0;  ///< Where it first exceeds 0.8; 0 without.
   bool isRegistered = false;
   double residual_mm = 0.0;
   double fwhm_mm = 0.0;  ///< Full width at half maximum of the image's blur, as fitted.

@@ -17,11 +17,8 @@ import perilymph
 
 
 def main(ct, file="ct-measures.png"):
-    try:
-        ears = perilymph.ct.measure_both(ct)
-    except perilymph.Error as error:
-        print(f"One ear is measured: {error}")
-        ears = [perilymph.ct.measure(ct)]
+    ear = perilymph.ct.measure(ct)
+    ears = [ear] if ear.second_cochlea_lps_mm is None else perilymph.ct.measure_both(ct)
     figure, axes = plt.subplots(figsize=(6.4, 4.0), layout="constrained")
     for ear in ears:
         for name, value in ear.values_mm.items():

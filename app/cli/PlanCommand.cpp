@@ -27,8 +27,8 @@ namespace {
 
 Result<planning::PlanRequest> requestOf(const PlanOptions& options)
 {
-  // weighted simulations count as fewer, and must count as fewestEffective
-  const std::size_t samples = options.samples.value_or(options.clinicResistance ? 512 : 64);
+  const std::size_t samples =
+      options.samples.value_or(planning::usualDraws(options.clinicResistance.has_value()));
   if (const auto done = planning::checkDraws(samples); !done) return done.error();
   const auto patient = readPatient(options.patient);
   if (!patient) return patient.error();

@@ -57,7 +57,8 @@ void addPlan(CLI::App& app, FileOptions& files, PlanOptions& options)
                   "Simulations of each array at most, 16 to 4096: draws of measures, shape, "
                   "hand, friction, approach, stiffness and wires; fewer if the bands stand after "
                   "64, 128, ...")
-      ->default_str("64; with --clinic-resistance 512")
+      ->default_str(std::to_string(planning::usualDraws(false)) + "; with --clinic-resistance " +
+                    std::to_string(planning::usualDraws(true)))
       ->check(wholeNumber(0, 1'000'000));
   command.add_flag("--all-samples", options.runsAll, "Run all simulations");
   addSeed(command, options.seed, "Random seed of the draws");

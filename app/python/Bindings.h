@@ -12,16 +12,24 @@
 #include <vector>
 
 #include "PythonErrors.h"
+#include "perilymph/analysis/AnatomyMeasures.h"
 #include "perilymph/anatomy/AnatomySource.h"
 #include "perilymph/electrode/ArrayDesign.h"
 #include "perilymph/session/Scenario.h"
 
 namespace perilymph::python {
 
+/// Measures of a cochlea, once they are asked for.
+struct KeptMeasures {
+  std::vector<analysis::Measure> measures;
+  std::optional<std::vector<double>> errors;
+};
+
 /// A cochlea and its scala tympani, built.
 struct BuiltCochlea {
   anatomy::Cochlea cochlea;
   std::shared_ptr<const anatomy::ScalaTympani> scala;
+  std::shared_ptr<KeptMeasures> kept = std::make_shared<KeptMeasures>();
 };
 
 /// An electrode array, and where it was read from.

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pybind11/stl.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
 #include "Bindings.h"
 #include "NumberArrays.h"
 #include "ObjectText.h"
-#include "perilymph/analysis/AnatomyMeasures.h"
 #include "perilymph/analysis/ErrorBand.h"
+#include "perilymph/anatomy/ImportedScala.h"
 #include "perilymph/anatomy/Surface.h"
 #include "perilymph/figures/Strings.h"
+#include "perilymph/session/Csv.h"
 
 namespace perilymph::python {
 
@@ -188,24 +191,73 @@ py::dict distance(const BuiltCochlea& one, const py::object& points_mm)
   return found;
 }
 
+/// Measures, taken once. They are kept with the lock.
+const std::vector<analysis::Measure>& measuresOf(const BuiltCochlea& one)
+{
+  if (one.kept->measures.empty()) {
+    auto all = withoutLock([&] { return analysis::measure(*one.scala); });
+    if (one.kept->measures.empty()) one.kept->measures = std::move(all);
+  }
+  return one.kept->measures;
+}
+
 py::dict measures(const BuiltCochlea& one)
 {
-  const auto all = withoutLock([&] { return analysis::measure(*one.scala); });
   py::dict found;
-  for (const analysis::Measure& each : all) found[each.key.c_str()] = each.value;
+  for (const analysis::Measure& each : measuresOf(one)) found[each.key.c_str()] = each.value;
   return found;
 }
 
 py::dict measureErrors(const BuiltCochlea& one)
 {
-  std::vector<analysis::Measure> all;
-  const auto bands = valueOf(withoutLock([&] {
-    all = analysis::measure(*one.scala);
-    return analysis::errorBands(one.cochlea, all);
-  }));
+  const std::vector<analysis::Measure>& all = measuresOf(one);
+  if (!one.kept->errors)
+    one.kept->errors = valueOf(withoutLock([&] { return analysis::errorBands(one.cochlea, all); }));
   py::dict found;
-  for (std::size_t i = 0; i < bands.size(); ++i) found[all[i].key.c_str()] = bands[i];
+  const std::vector<double>& errors = *one.kept->errors;
+  for (std::size_t i = 0; i < errors.size(); ++i) found[all[i].key.c_str()] = errors[i];
   return found;
+}
+
+/// Points [mm] and triangles of a surface as given.
+anatomy::Surface surfaceOf(const py::object& vertices_mm, const py::object& faces)
+{
+  anatomy::Surface surface;
+  for (const Eigen::Vector3d& point : pointsOf(vertices_mm, "vertices_mm").points)
+    surface.points.push_back({point.x(), point.y(), point.z()});
+  const NumberArray corners =
+      numbersOf(faces, "faces", "(indices of vertices)", 0.0,
+                static_cast<double>(std::max<std::size_t>(surface.points.size(), 1)) - 1.0);
+  if (corners.shape.size() != 2 || corners.shape[1] != 3)
+    throw EngineError("faces has no shape (m, 3). Give three indices of vertices for each.");
+  for (std::size_t i = 0; i < corners.values.size(); i += 3) {
+    std::array<int, 3> triangle{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      triangle[k] = static_cast<int>(corners.values[i + k]);
+      if (triangle[k] != corners.values[i + k])
+        throw EngineError("faces holds " + session::shortestDecimal(corners.values[i + k]) +
+                          ", which is no index. Give whole numbers.");
+    }
+    surface.triangles.push_back(triangle);
+  }
+  return surface;
+}
+
+BuiltCochlea fromSurface(const py::object& vertices_mm, const py::object& faces,
+                         const std::string& label)
+{
+  const anatomy::Surface surface = surfaceOf(vertices_mm, faces);
+  const anatomy::ImportedScala scala =
+      valueOf(withoutLock([&] { return anatomy::importScala(surface); }));
+  for (const anatomy::ImportDoubt& doubt : scala.doubts)
+    if (PyErr_WarnEx(PyExc_UserWarning, std::string(textOf(doubt.sentence)).c_str(), 1) != 0)
+      throw py::error_already_set();
+  anatomy::Patient patient;
+  patient.label = label;
+  patient.side = scala.side;
+  patient.basalTurn = anatomy::BasalTurn{scala.a, scala.b, scala.h};
+  valueOf(anatomy::checkPatient(patient));
+  return fromPatient(patient);
 }
 
 py::dict surface(const BuiltCochlea& one, int triangles)
@@ -248,6 +300,17 @@ void defineCochlea(py::module_& module)
                   "Builds an anatomy by its name (see anatomies()).")
       .def_static("of_scenario", &fromScenario, py::arg("scenario"),
                   "Builds the cochlea of a scenario.")
+      .def_static(
+          "from_surface", &fromSurface, py::arg("vertices_mm"), py::arg("faces"), py::kw_only(),
+          py::arg("label") = "imported",
+          "Builds the cochlea of a segmented scala tympani: its wall as vertices (n, 3) [mm] and "
+          "faces (m, 3), indices of their corners, in any frame; corners may repeat, as in STL. "
+          "The axis, the round window, the side, A, B and H are found in it, and the mean anatomy "
+          "is scaled by these, as 'perilymph-cli anatomy --import' measures them; the surface's "
+          "own sections are not kept. H comes out 0.2 mm too low where the apex reaches the axis, "
+          "as in "
+          "the mean anatomy. A surface that raises doubts warns; one that cannot be a "
+          "scala tympani is refused. Takes about a second.")
       .def_property_readonly(
           "anatomy", [](const BuiltCochlea& one) { return nameOf(one.cochlea.source); },
           "Name of the anatomy that was scaled.")
@@ -329,7 +392,7 @@ void defineCochlea(py::module_& module)
           [](const BuiltCochlea& one) {
             std::vector<std::pair<std::string, std::string>> rows{
                 {"anatomy", nameOf(one.cochlea.source)}};
-            for (const analysis::Measure& each : analysis::measure(*one.scala))
+            for (const analysis::Measure& each : measuresOf(one))
               rows.emplace_back(each.key, figures::fixed(each.value, 2));
             return htmlTable(one.cochlea.patient.label, rows);
           },

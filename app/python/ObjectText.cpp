@@ -20,6 +20,16 @@ py::str htmlTable(const std::string& title,
 
 py::dict dictOfRenamed() { return py::module_::import("perilymph._tables").attr("Renamed")(); }
 
+py::bytes bytesOf(const py::object& values)
+{
+  return py::module_::import("perilymph._tables").attr("bytes_of")(values);
+}
+
+py::dict copied(const py::dict& columns)
+{
+  return py::module_::import("copy").attr("deepcopy")(columns);
+}
+
 py::object dataFrameOf(const py::dict& columns)
 {
   return py::module_::import("perilymph._tables").attr("data_frame")(columns);

@@ -34,4 +34,50 @@ void defineIdentity(py::class_<Class, Options...>& kind, const Identity& identit
           "Equal objects have the same.");
 }
 
+/// What the values of an object say, as bytes: of a tuple, dict, array, text or number, the same for equal
+/// ones only.
+py::bytes bytesOf(const py::object& values);
+
+/// Columns that are the caller's own: with copies of the arrays.
+py::dict copied(const py::dict& columns);
+
+/// Defines what a mapping has: items by name, in order.
+///
+/// @param dictOf  The items of an object as a dict.
+template <class Class, class... Options, class DictOf>
+void defineMapping(py::class_<Class, Options...>& kind, const DictOf& dictOf)
+{
+  kind.def(
+          "__getitem__",
+          [dictOf](const Class& one, const std::string& name) -> py::object {
+            return dictOf(one).attr("__getitem__")(name);
+          },
+          py::arg("name"), "A column by its name.")
+      .def(
+          "keys", [dictOf](const Class& one) { return py::list(dictOf(one)); },
+          "Names of the columns.")
+      .def(
+          "values", [dictOf](const Class& one) { return py::list(dictOf(one).attr("values")()); },
+          "The columns.")
+      .def(
+          "items", [dictOf](const Class& one) { return py::list(dictOf(one).attr("items")()); },
+          "(name, column) of each column.")
+      .def(
+          "get",
+          [dictOf](const Class& one, const py::object& name, const py::object& missing) {
+            return py::object(dictOf(one).attr("get")(name, missing));
+          },
+          py::arg("name"), py::arg("default") = py::none(),
+          "A column by its name, or `default` where there is none.")
+      .def(
+          "__len__", [dictOf](const Class& one) { return dictOf(one).size(); },
+          "Number of columns.")
+      .def("__iter__", [dictOf](const Class& one) { return py::iter(dictOf(one)); })
+      .def(
+          "__contains__",
+          [dictOf](const Class& one, const py::object& name) { return dictOf(one).contains(name); },
+          py::arg("name"));
+  py::module_::import("collections.abc").attr("Mapping").attr("register")(kind);
+}
+
 }  // namespace perilymph::python

@@ -7,11 +7,14 @@
 
 #include "Bindings.h"
 #include "NumberArrays.h"
+#include "ObjectText.h"
+#include "perilymph/figures/Strings.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/planning/Plan.h"
 #include "perilymph/planning/PlanReading.h"
 #include "perilymph/planning/PlanReport.h"
 #include "perilymph/planning/PlanWords.h"
+#include "perilymph/planning/ResistanceGrid.h"
 
 namespace perilymph::python {
 
@@ -20,6 +23,21 @@ namespace {
 using planning::ArrayPlan;
 using planning::Band;
 using planning::StoredPlan;
+
+/// A plan as Python sees it. Its plan.json and its insertions are what it is compared and pickled by.
+struct Plan {
+  StoredPlan stored;
+  py::dict insertions;
+  anatomy::Patient patient;  ///< To all digits, where it is known.
+};
+
+/// One array of a plan.
+struct PlannedArray {
+  std::shared_ptr<Plan> plan;
+  std::size_t index = 0;
+
+  const ArrayPlan& operator*() const { return plan->stored.plan.arrays[index]; }
+};
 
 constexpr unsigned maxJobs = 256;
 
@@ -79,12 +97,18 @@ py::dict atMedianFriction(const ArrayPlan& plan)
   return found;
 }
 
-py::dict inClinic(const ArrayPlan& plan)
+py::dict inClinic(const Plan& plan, const ArrayPlan& array)
 {
   py::dict found;
-  if (!plan.inClinic) return found;
-  found["depth_mm"] = bandOf(plan.inClinic->depth_mm);
-  found["effective_simulations"] = plan.inClinic->effective;
+  if (!plan.stored.plan.clinic) return found;
+  if (!array.inClinic)
+    throw EngineError("With the clinic's resistance the " + std::to_string(array.draws) +
+                      " simulations of " + array.name + " amount to fewer than " +
+                      figures::fixed(planning::fewestEffective, 0) +
+                      ", and no depth is given. Plan with more 'samples', " +
+                      std::to_string(planning::maxDraws) + " at most.");
+  found["depth_mm"] = bandOf(array.inClinic->depth_mm);
+  found["effective_simulations"] = array.inClinic->effective;
   return found;
 }
 
@@ -158,15 +182,15 @@ py::dict influence(const ArrayPlan& plan)
   return found;
 }
 
-py::dict insertions(const StoredPlan& stored)
+py::dict insertions(const planning::Plan& plan)
 {
   using Row = planning::PlannedInsertion;
-  const std::vector<Row>& rows = stored.plan.insertions;
+  const std::vector<Row>& rows = plan.insertions;
   py::dict found;
   if (rows.empty()) return found;
   std::vector<std::string> arrays, ends;
   for (const Row& row : rows) {
-    arrays.push_back(stored.plan.request.arrays[row.array]);
+    arrays.push_back(plan.request.arrays[row.array]);
     ends.push_back(haptics::nameOf(row.insertion.end));
   }
   const auto add = [&](const char* name, const auto& value) {
@@ -200,9 +224,10 @@ py::dict insertions(const StoredPlan& stored)
   return found;
 }
 
-planning::PlanRequest requestOf(const py::object& patient, const py::object& arrays, long samples,
-                                bool allSamples, long seed, long jobs, const py::object& scenario,
-                                const py::object& friction, const py::object& clinicResistance)
+planning::PlanRequest requestOf(const py::object& patient, const py::object& arrays,
+                                const std::optional<long>& samples, bool allSamples, long seed,
+                                long jobs, const py::object& scenario, const py::object& friction,
+                                const py::object& clinicResistance)
 {
   planning::PlanRequest request;
   request.patient = patientOf(patient);
@@ -220,24 +245,26 @@ planning::PlanRequest requestOf(const py::object& patient, const py::object& arr
   const auto whole = [](long value, const char* name, double high) {
     return numberOf(static_cast<double>(value), name, "(whole numbers)", 0.0, high);
   };
-  valueOf(planning::checkDraws(static_cast<std::size_t>(std::max(samples, 0L))));
+  if (!clinicResistance.is_none())
+    request.clinicResistance = nameOrFileOf(clinicResistance, "clinic_resistance");
+  request.draws = samples ? static_cast<std::size_t>(std::max(*samples, 0L))
+                          : planning::usualDraws(request.clinicResistance.has_value());
+  valueOf(planning::checkDraws(request.draws));
   whole(jobs, "jobs", maxJobs);
   whole(seed, "seed", 9e15);
-  request.draws = static_cast<std::size_t>(samples);
   request.stopsEarly = !allSamples;
   request.seed = static_cast<std::uint64_t>(seed);
   request.jobs = static_cast<unsigned>(jobs);
   request.scenario = scenarioNameOf(scenario);
   if (!friction.is_none()) request.friction = frictionNameOf(friction);
-  if (!clinicResistance.is_none())
-    request.clinicResistance = nameOrFileOf(clinicResistance, "clinic_resistance");
   return request;
 }
 
-StoredPlan plan(const py::object& patient, const py::object& arrays, long samples, bool allSamples,
-                long seed, long jobs, const py::object& scenario, const py::object& friction,
-                const py::object& clinicResistance, const py::object& draws,
-                const py::object& progress)
+std::shared_ptr<Plan> plan(const py::object& patient, const py::object& arrays,
+                           const std::optional<long>& samples, bool allSamples, long seed,
+                           long jobs, const py::object& scenario, const py::object& friction,
+                           const py::object& clinicResistance, const py::object& draws,
+                           const py::object& progress)
 {
   const planning::PlanRequest request = requestOf(patient, arrays, samples, allSamples, seed, jobs,
                                                   scenario, friction, clinicResistance);
@@ -261,153 +288,238 @@ StoredPlan plan(const py::object& patient, const py::object& arrays, long sample
     if (!json) return json.error();
     return planning::planIn(*json, "plan");
   }));
-  stored.plan.request = whole.request;
-  stored.plan.fingerprint = whole.fingerprint;
-  stored.plan.insertions = std::move(whole.insertions);
-  return stored;
+  return std::make_shared<Plan>(Plan{std::move(stored), insertions(whole), whole.request.patient});
 }
 
-StoredPlan readPlan(const py::object& given)
+std::shared_ptr<Plan> readPlan(const py::object& given)
 {
   const std::string place = nameOrFileOf(given, "path");
-  return valueOf(withoutLock([&] { return planning::readPlan(place); }));
+  StoredPlan stored = valueOf(withoutLock([&] { return planning::readPlan(place); }));
+  anatomy::Patient patient = stored.plan.request.patient;
+  return std::make_shared<Plan>(Plan{std::move(stored), {}, std::move(patient)});
+}
+
+py::tuple planState(const Plan& one)
+{
+  return py::make_tuple(py::bytes(one.stored.text), one.insertions, one.patient);
+}
+
+std::string identityOf(const Plan& one) { return std::string(bytesOf(planState(one))); }
+
+/// "angular insertion depth 512 deg (404 to 583)" and more of an array.
+std::vector<std::pair<std::string, std::string>> figuresOf(const ArrayPlan& array)
+{
+  const auto text = [](const Band& band, int digits, const char* unit) {
+    return figures::fixed(band.median, digits) + unit + " (" + figures::fixed(band.low, digits) +
+           " to " + figures::fixed(band.high, digits) + ")";
+  };
+  return {{"angular insertion depth", text(array.angle_deg, 0, " deg")},
+          {"depth", text(array.depth_mm, 1, " mm")},
+          {"peak insertion force", text(array.peak_mN, 0, " mN")}};
+}
+
+py::str htmlOf(const Plan& one)
+{
+  std::vector<std::pair<std::string, std::string>> rows{
+      {"bands", planning::bandsHold(one.stored.plan)}};
+  for (const ArrayPlan& array : one.stored.plan.arrays)
+    for (const auto& [name, value] : figuresOf(array))
+      rows.emplace_back(array.name + ", " + name, value);
+  return htmlTable("Plan for '" + one.stored.plan.request.patient.label + "'", rows);
 }
 
 }  // namespace
 
 void definePlan(py::module_& module)
 {
-  py::class_<ArrayPlan>(module, "PlannedArray",
-                        "One array over all draws of a plan. A band is the quantiles 5, 25, 50, 75 "
-                        "and 95 %, shape (5,); of n rows, shape (n, 5).")
+  py::class_<PlannedArray> planned(
+      module, "PlannedArray",
+      "One array over all draws of a plan. A band is the quantiles 5, 25, 50, 75 "
+      "and 95 %, shape (5,); of n rows, shape (n, 5).");
+  planned
       .def_property_readonly(
-          "array", [](const ArrayPlan& one) { return textOf(one.array); }, "As it was asked for.")
+          "array", [](const PlannedArray& one) { return textOf((*one).array); },
+          "As it was asked for.")
       .def_property_readonly(
-          "name", [](const ArrayPlan& one) { return textOf(one.name); }, "\"FLEX28\".")
-      .def_readonly("draws", &ArrayPlan::draws, "Number of draws.")
-      .def("bands", &bands,
-           "Bands by name: 'angle_deg', 'coverage_percent', 'depth_mm', 'peak_mN', 'end_mN', "
-           "'partition_mN', 'first_resistance_mm', 'force_after_1s_mN', 'force_after_10s_mN' (of "
-           "rest; "
-           "zeros if not computed); each of shape (5,). 'end_mN' is the mean of the last half "
-           "second before "
-           "the hand stops. What a band holds: Plan.bands_hold.")
-      .def("probabilities", &probabilities,
-           "Probabilities by name, each (value, low, high) with its 95 % interval: "
-           "'intended_depth_reached', 'stopped_by_resistance', 'buckled', ...")
-      .def("at_median_friction", &atMedianFriction,
-           "Bands 'angle_deg', 'depth_mm', 'peak_mN' and 'end_mN', each of shape (5,), at the "
-           "median of the drawn friction: from the same insertions, less the slope of the value "
-           "on the logarithm of the friction. Empty where the friction states no spread.")
-      .def("in_clinic", &inClinic,
-           "The depth with the clinic's resistance: 'depth_mm' of shape (5,), before the hand "
-           "rests, "
-           "and 'effective_simulations', the number of draws that its weights amount to. Empty "
-           "without "
-           "clinic_resistance, and where these are fewer than 100. Forces and ruptures stay those "
-           "of the shipped resistance.")
-      .def("force", &force, "Force over depth: 'depth_mm' (n,), 'draws' (n,), 'force_mN' (n, 5).")
-      .def("contacts", &contacts,
-           "The contacts from the tip: 'number' (n,), 'draws' (n,), 'angle_deg' (n, 5), "
-           "'to_modiolus_mm' (n, 5), frequencies (n,) [Hz], 'mismatch_semitones' (n, 5).")
+          "name", [](const PlannedArray& one) { return textOf((*one).name); }, "\"FLEX28\".")
+      .def_property_readonly(
+          "draws", [](const PlannedArray& one) { return (*one).draws; }, "Number of draws.")
       .def(
-          "contacts_to_pandas", [](const ArrayPlan& one) { return dataFrameOf(contacts(one)); },
+          "bands", [](const PlannedArray& one) { return bands(*one); },
+          "Bands by name: 'angle_deg', 'coverage_percent', 'depth_mm', 'peak_mN', 'end_mN', "
+          "'partition_mN', 'first_resistance_mm', 'force_after_1s_mN', 'force_after_10s_mN' (of "
+          "rest; "
+          "zeros if not computed); each of shape (5,). 'end_mN' is the mean of the last half "
+          "second before "
+          "the hand stops. What a band holds: Plan.bands_hold.")
+      .def(
+          "probabilities", [](const PlannedArray& one) { return probabilities(*one); },
+          "Probabilities by name, each (value, low, high) with its 95 % interval: "
+          "'intended_depth_reached', 'stopped_by_resistance', 'buckled', ...")
+      .def(
+          "at_median_friction", [](const PlannedArray& one) { return atMedianFriction(*one); },
+          "Bands 'angle_deg', 'depth_mm', 'peak_mN' and 'end_mN', each of shape (5,), at the "
+          "median of the drawn friction: from the same insertions, less the slope of the value "
+          "on the logarithm of the friction. Empty where the friction states no spread.")
+      .def(
+          "in_clinic", [](const PlannedArray& one) { return inClinic(*one.plan, *one); },
+          "The depth with the clinic's resistance: 'depth_mm' of shape (5,), before the hand "
+          "rests, "
+          "and 'effective_simulations', the number of draws that its weights amount to. Empty "
+          "without "
+          "clinic_resistance; Error where these are fewer than 100. Forces and ruptures stay those "
+          "of the shipped resistance.")
+      .def(
+          "force", [](const PlannedArray& one) { return force(*one); },
+          "Force over depth: 'depth_mm' (n,), 'draws' (n,), 'force_mN' (n, 5).")
+      .def(
+          "contacts", [](const PlannedArray& one) { return contacts(*one); },
+          "The contacts from the tip: 'number' (n,), 'draws' (n,), 'angle_deg' (n, 5), "
+          "'to_modiolus_mm' (n, 5), frequencies (n,) [Hz], 'mismatch_semitones' (n, 5).")
+      .def(
+          "contacts_to_pandas", [](const PlannedArray& one) { return dataFrameOf(contacts(*one)); },
           "contacts() as a pandas DataFrame, a row each, with columns such as 'angle_deg_p50'.")
-      .def("influence", &influence,
-           "How much of the variance of angle and peak force each input explains, 0 to 1, and the "
-           "widths of their bands if it were known: columns of shape (inputs,).")
-      .def("__repr__", [](const ArrayPlan& one) {
-        return textOf("<perilymph.PlannedArray '" + one.name + "'>");
-      });
+      .def(
+          "influence", [](const PlannedArray& one) { return influence(*one); },
+          "How much of the variance of angle and peak force each input explains, 0 to 1, and the "
+          "widths of their bands if it were known: columns of shape (inputs,).")
+      .def(py::pickle(
+          [](const PlannedArray& one) { return py::make_tuple(one.plan, one.index); },
+          [](const py::tuple& state) {
+            PlannedArray one{state[0].cast<std::shared_ptr<Plan>>(), state[1].cast<std::size_t>()};
+            if (one.index >= one.plan->stored.plan.arrays.size())
+              throw EngineError("The pickled array is of another version. Make the plan again.");
+            return one;
+          }))
+      .def("__repr__",
+           [](const PlannedArray& one) {
+             std::string text = "<perilymph.PlannedArray '" + (*one).name + "'";
+             for (const auto& [name, value] : figuresOf(*one)) text += ", " + name + ' ' + value;
+             return textOf(text + '>');
+           })
+      .def(
+          "_repr_html_",
+          [](const PlannedArray& one) { return htmlTable((*one).name, figuresOf(*one)); },
+          "A table of its key figures for notebooks.");
+  defineIdentity(planned, [](const PlannedArray& one) {
+    return identityOf(*one.plan) + std::to_string(one.index);
+  });
 
-  py::class_<StoredPlan>(module, "Plan",
-                         "Arrays in one patient's cochlea, with bands for what measures, shape, "
-                         "hand, friction, approach, stiffness and wires leave open. Values are "
-                         "those of the model, none is "
-                         "a recommendation.")
+  py::class_<Plan, std::shared_ptr<Plan>> kind(
+      module, "Plan",
+      "Arrays in one patient's cochlea, with bands for what measures, shape, "
+      "hand, friction, approach, stiffness and wires leave open. Values are "
+      "those of the model, none is "
+      "a recommendation.");
+  kind.def_property_readonly(
+          "patient", [](const Plan& one) { return one.patient; }, "The patient.")
       .def_property_readonly(
-          "patient", [](const StoredPlan& one) { return one.plan.request.patient; }, "The patient.")
-      .def_property_readonly(
-          "arrays", [](const StoredPlan& one) { return one.plan.arrays; },
+          "arrays",
+          [](const std::shared_ptr<Plan>& one) {
+            std::vector<PlannedArray> arrays;
+            for (std::size_t i = 0; i < one->stored.plan.arrays.size(); ++i)
+              arrays.push_back({one, i});
+            return arrays;
+          },
           "The arrays, in the order of the request.")
       .def_property_readonly(
-          "bands_hold", [](const StoredPlan& one) { return textOf(planning::bandsHold(one.plan)); },
+          "bands_hold",
+          [](const Plan& one) { return textOf(planning::bandsHold(one.stored.plan)); },
           "What its bands hold from 5 to 95 %: '90 % over friction 0.08 to 0.33'; of a friction "
           "without a stated spread, '90 % at friction 0.12'; of fewer than 64 simulations, "
           "'lowest to highest of 16 simulations at friction 0.12'.")
       .def_property_readonly(
-          "seed", [](const StoredPlan& one) { return one.plan.request.seed; }, "Of the draws.")
+          "seed", [](const Plan& one) { return one.stored.plan.request.seed; }, "Of the draws.")
       .def_property_readonly(
-          "program", [](const StoredPlan& one) { return textOf(one.program); },
+          "program", [](const Plan& one) { return textOf(one.stored.program); },
           "Version of the program that made it.")
       .def_property_readonly(
-          "number", [](const StoredPlan& one) { return textOf(one.plan.fingerprint); },
+          "number", [](const Plan& one) { return textOf(one.stored.plan.fingerprint); },
           "SHA-256 of everything it depends on; empty for a plan that was changed after the "
           "program "
           "wrote it.")
       .def_property_readonly(
           "clinic_resistance",
-          [](const StoredPlan& one) {
-            return textOf(one.plan.clinic ? one.plan.clinic->number : std::string());
+          [](const Plan& one) {
+            return textOf(one.stored.plan.clinic ? one.stored.plan.clinic->number : std::string());
           },
           "SHA-256 of the file of the clinic's resistance; empty without one.")
       .def_property_readonly(
-          "seal", [](const StoredPlan& one) { return nameOf(one.plan.seal); },
+          "seal", [](const Plan& one) { return nameOf(one.stored.plan.seal); },
           "'intact', 'absent' (of a version without seals) or 'changed' (by hand, after the "
           "program "
           "wrote it).")
       .def_property_readonly(
           "limits",
-          [](const StoredPlan& one) {
-            return std::vector<std::string>(one.limits.begin(), one.limits.end());
+          [](const Plan& one) {
+            return std::vector<std::string>(one.stored.limits.begin(), one.stored.limits.end());
           },
           "What it leaves open, a sentence each.")
       .def_property_readonly(
           "sources",
-          [](const StoredPlan& one) {
+          [](const Plan& one) {
             py::list rows;
-            for (const planning::PlanSource& each : one.sources)
+            for (const planning::PlanSource& each : one.stored.sources)
               rows.append(
                   py::make_tuple(textOf(each.table), textOf(each.source), textOf(each.confidence)));
             return rows;
           },
           "(table, source, confidence) of what was drawn.")
-      .def("differences", &differences,
-           "Every two arrays in the same ears, with the same hands and frictions, first minus "
-           "second: columns 'first', 'second', 'draws', 'angle_deg', 'depth_mm', 'peak_mN' (n, 5) "
-           "and 'first_is_deeper', 'first_has_higher_peak' (n, 3), probabilities with their 95 % "
-           "intervals.")
-      .def("insertions", &insertions,
-           "Every insertion of a plan that plan() made, as columns: 'draw', 'array', 'A_mm', ..., "
-           "'intended_mm' (depth at which the surgeon means to stop), "
-           "'angle_deg', 'peak_mN', 'partition_mN', 'end_mN', 'force_after_1s_mN', "
-           "'force_after_10s_mN' (NaN if not computed). Empty for one that was read.")
       .def(
-          "to_pandas", [](const StoredPlan& one) { return dataFrameOf(insertions(one)); },
+          "differences", [](const Plan& one) { return differences(one.stored); },
+          "Every two arrays in the same ears, with the same hands and frictions, first minus "
+          "second: columns 'first', 'second', 'draws', 'angle_deg', 'depth_mm', 'peak_mN' (n, 5) "
+          "and 'first_is_deeper', 'first_has_higher_peak' (n, 3), probabilities with their 95 % "
+          "intervals.")
+      .def(
+          "insertions", [](const Plan& one) { return copied(one.insertions); },
+          "Every insertion of a plan that plan() made, as columns: 'draw', 'array', 'A_mm', ..., "
+          "'intended_mm' (depth at which the surgeon means to stop), "
+          "'angle_deg', 'peak_mN', 'partition_mN', 'end_mN', 'force_after_1s_mN', "
+          "'force_after_10s_mN' (NaN if not computed). Empty for one that was read.")
+      .def(
+          "to_pandas", [](const Plan& one) { return dataFrameOf(one.insertions); },
           "insertions() as a pandas DataFrame.")
-      .def("__repr__", [](const StoredPlan& one) {
-        return textOf("<perilymph.Plan for '" + one.plan.request.patient.label + "'>");
-      });
+      .def(py::pickle([](const Plan& one) { return planState(one); },
+                      [](const py::tuple& state) {
+                        const auto text = state[0].cast<std::string>();
+                        return std::make_shared<Plan>(Plan{
+                            valueOf(withoutLock([&] { return planning::planIn(text, "plan"); })),
+                            state[1].cast<py::dict>(), state[2].cast<anatomy::Patient>()});
+                      }))
+      .def("__repr__",
+           [](const Plan& one) {
+             std::string text =
+                 "<perilymph.Plan for '" + one.stored.plan.request.patient.label + "'";
+             for (const ArrayPlan& array : one.stored.plan.arrays)
+               text += ", " + array.name + ' ' + figuresOf(array).front().second;
+             return textOf(text + '>');
+           })
+      .def(
+          "_repr_html_", [](const Plan& one) { return htmlOf(one); },
+          "A table of its bands for notebooks.");
+  defineIdentity(kind, [](const Plan& one) { return identityOf(one); });
 
   module.def(
       "plan", &plan, py::arg("patient"), py::arg("arrays") = py::none(), py::kw_only(),
-      py::arg("samples") = 64, py::arg("all_samples") = false, py::arg("seed") = 1,
+      py::arg("samples") = py::none(), py::arg("all_samples") = false, py::arg("seed") = 1,
       py::arg("jobs") = 0, py::arg("scenario") = "surgery-flex28", py::arg("friction") = py::none(),
       py::arg("clinic_resistance") = py::none(), py::arg("draws_file") = py::none(),
       py::arg("progress") = py::none(),
       "Makes a plan, as 'perilymph-cli plan' does.\n\n"
       "patient: a Patient, a Cochlea of one, or the name or file of one, with A and B.\narrays: "
       "names, files or Array objects; "
-      "all shipped ones if None.\nsamples: simulations of each array at most, 16 to 4096; fewer if "
-      "the bands stand, unless "
-      "all_samples.\nseed: of the draws. jobs: threads, 0: one per processor; does not affect "
+      "all shipped ones if None.\nsamples: simulations of each array at most, 16 to 4096; 64 if "
+      "None, with "
+      "clinic_resistance 512; fewer if the bands stand, unless all_samples.\nseed: of the draws. "
+      "jobs: threads, 0: one per processor; does not affect "
       "the plan.\nscenario: what is neither drawn nor named: a Scenario, or the name or path of "
       "one.\nfriction: a Friction, or the name or file of one; None: the "
       "scenario's, an estimate from pig tissue.\nclinic_resistance: the file of a clinic's "
       "resistance "
       "that perilymph.outcome.outcomes wrote; PlannedArray.in_clinic() then has the depth with it. "
       "It "
-      "weights the draws, so that 512 samples are advised.\ndraws_file: keeps the draws "
+      "weights the draws, so that more are needed.\ndraws_file: keeps the draws "
       "(.sqlite), so that an interrupted plan continues.\nprogress: called with the numbers "
       "of done and of all insertions; an exception in it ends the plan.\n\n"
       "The interpreter's lock is released while it computes; Ctrl+C ends it.");

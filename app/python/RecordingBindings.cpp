@@ -5,7 +5,9 @@
 
 #include "Bindings.h"
 #include "NumberArrays.h"
+#include "ObjectText.h"
 #include "RecordColumns.h"
+#include "perilymph/figures/Strings.h"
 #include "perilymph/haptics/InsertionEnd.h"
 #include "perilymph/session/RecordedInsertion.h"
 
@@ -99,6 +101,23 @@ Recording readRecording(const py::object& given, double every_ms, bool check)
   return recording;
 }
 
+py::tuple recordingState(const Recording& one)
+{
+  return py::make_tuple(one.columns, one.facts, one.highlights, one.end, py::bytes(one.note),
+                        one.lostTicks, one.wasClosed);
+}
+
+/// Key figures with their units.
+std::vector<std::pair<std::string, std::string>> figuresOf(const Recording& one)
+{
+  const auto figure = [&](const char* key, double factor, int digits, const char* unit) {
+    return figures::fixed(one.highlights[key].cast<double>() * factor, digits) + unit;
+  };
+  return {{"deepest", figure("deepest_mm", 1.0, 2, " mm")},
+          {"angular insertion depth", figure("deepest_angle_deg", 1.0, 0, " deg")},
+          {"peak insertion force", figure("peak_force_N", 1e3, 1, " mN")}};
+}
+
 }  // namespace
 
 std::string fingerprintText(std::uint64_t fingerprint)
@@ -110,25 +129,9 @@ std::string fingerprintText(std::uint64_t fingerprint)
 
 void defineRecording(py::module_& module)
 {
-  py::class_<Recording>(module, "Recording", "A recorded insertion (.insertion).")
-      .def_readonly("columns", &Recording::columns,
+  py::class_<Recording> kind(module, "Recording", "A recorded insertion (.insertion).");
+  kind.def_readonly("columns", &Recording::columns,
                     "Columns of shape (n,) by name with unit, as Simulation.columns.")
-      .def(
-          "__getitem__",
-          [](const Recording& one, const std::string& name) -> py::object {
-            return one.columns.attr("__getitem__")(name);
-          },
-          py::arg("name"), "A column by its name.")
-      .def(
-          "keys", [](const Recording& one) { return py::list(one.columns); },
-          "Names of the columns.")
-      .def(
-          "__len__", [](const Recording& one) { return one.columns.size(); }, "Number of columns.")
-      .def("__iter__", [](const Recording& one) { return py::iter(one.columns); })
-      .def(
-          "__contains__",
-          [](const Recording& one, const py::object& name) { return one.columns.contains(name); },
-          py::arg("name"))
       .def(
           "to_pandas", [](const Recording& one) { return dataFrameOf(one.columns); },
           "The columns as a pandas DataFrame.")
@@ -145,7 +148,39 @@ void defineRecording(py::module_& module)
                     "False after a crash, or while it is recorded.")
       .def_property_readonly(
           "note", [](const Recording& one) { return textOf(one.note); },
-          "A sentence about content that could not be read, or empty.");
+          "A sentence about content that could not be read, or empty.")
+      .def(py::pickle([](const Recording& one) { return recordingState(one); },
+                      [](const py::tuple& state) {
+                        Recording one;
+                        one.columns = state[0].cast<py::dict>();
+                        one.facts = state[1].cast<py::dict>();
+                        one.highlights = state[2].cast<py::dict>();
+                        one.end = state[3].cast<std::string>();
+                        one.note = std::string(state[4].cast<py::bytes>());
+                        one.lostTicks = state[5].cast<std::uint64_t>();
+                        one.wasClosed = state[6].cast<bool>();
+                        return one;
+                      }))
+      .def("__repr__",
+           [](const Recording& one) {
+             std::string text = "<perilymph.Recording of '" +
+                                one.facts["scenario_name"].cast<std::string>() + "': " + one.end;
+             for (const auto& [name, value] : figuresOf(one)) text += ", " + name + ' ' + value;
+             return textOf(text + '>');
+           })
+      .def(
+          "_repr_html_",
+          [](const Recording& one) {
+            auto rows = figuresOf(one);
+            rows.emplace(rows.begin(), "end", one.end);
+            rows.emplace_back("started (UTC)", one.facts["started_utc"].cast<std::string>());
+            return htmlTable(one.facts["scenario_name"].cast<std::string>(), rows);
+          },
+          "A table of its key figures for notebooks.");
+  defineMapping(kind, [](const Recording& one) { return one.columns; });
+  defineIdentity(kind,
+                 [](const Recording& one) { return std::string(bytesOf(recordingState(one))); });
+
   module.def("read_recording", &readRecording, py::arg("file"), py::kw_only(),
              py::arg("every_ms") = 0.0, py::arg("check") = false,
              "Reads a recording.\n\nevery_ms: interval between rows of the columns [ms]; 0: every "

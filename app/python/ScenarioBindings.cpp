@@ -261,8 +261,22 @@ void defineScenario(py::module_& module)
       .def_property_readonly(
           "patient", [](const Scenario& one) { return one.patient(); }, "The patient.")
       .def("keys", &keysOf, "All keys, in order.")
-      .def("values", &valuesOf,
-           "Every key as run with its value; the patient's are 'patient_numbers.a_mm' and so on.")
+      .def(
+          "values",
+          [](const Scenario& one) {
+            return py::module_::import("perilymph._tables").attr("Values")(valuesOf(one));
+          },
+          "The values as run, in the order of keys(): a list. dict(scenario) has both.")
+      .def(
+          "items", [](const Scenario& one) { return py::list(valuesOf(one).attr("items")()); },
+          "(key, value) of each key as run; the patient's are 'patient_numbers.a_mm' and so on.")
+      .def(
+          "get",
+          [](const Scenario& one, const py::object& key, const py::object& missing) {
+            return py::object(valuesOf(one).attr("get")(key, missing));
+          },
+          py::arg("key"), py::arg("default") = py::none(),
+          "The value of a key, or `default` where there is none.")
       .def(
           "__getitem__",
           [](const Scenario& one, const std::string& key) -> py::object {
@@ -307,11 +321,15 @@ void defineScenario(py::module_& module)
             return htmlTable(one.name(), rows);
           },
           "A table of its values for notebooks.");
+  py::module_::import("collections.abc").attr("Mapping").attr("register")(kind);
   defineIdentity(kind, [](const Scenario& one) { return one.name() + '\n' + one.text(); });
 
   module.def(
       "scenarios", [] { return shippedNames("resources/scenarios"); },
       "Names of the shipped scenarios.");
+  module.def(
+      "frictions", [] { return shippedNames("resources/friction"); },
+      "Names of the shipped frictions, for the key 'friction' of a scenario.");
   module.def(
       "read_scenario", &scenarioOf, py::arg("name_or_file"), py::arg("overrides") = py::none(),
       "Reads a scenario: a shipped name or a TOML file; with values that replace its own, by "

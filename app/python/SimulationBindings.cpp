@@ -135,6 +135,12 @@ Simulation simulate(const py::object& given, const py::object& overrides, const 
   return simulation;
 }
 
+py::tuple simulationState(const Simulation& one)
+{
+  return py::make_tuple(one.columns, one.summary, one.contacts, one.end, one.endClause,
+                        one.nodes_mm, one.shapes_mm, one.shapeDepths_mm, one.scenario);
+}
+
 /// Key figures with their units.
 std::vector<std::pair<std::string, std::string>> figuresOf(const Simulation& one)
 {
@@ -161,52 +167,34 @@ py::str htmlOf(const Simulation& one)
 
 void defineSimulation(py::module_& module)
 {
-  py::class_<Simulation>(module, "Simulation",
-                         "A simulated insertion: columns, key figures and shapes of the array.")
-      .def_readonly("columns", &Simulation::columns,
+  py::class_<Simulation> kind(
+      module, "Simulation", "A simulated insertion: columns, key figures and shapes of the array.");
+  kind.def_readonly("columns", &Simulation::columns,
                     "Columns of shape (n,) by name with unit, those of 'perilymph-cli simulate "
                     "--csv': 'time_s', 'depth_mm', 'force_axial_N', ...")
-      .def(
-          "__getitem__",
-          [](const Simulation& one, const std::string& name) -> py::object {
-            return one.columns.attr("__getitem__")(name);
-          },
-          py::arg("name"), "A column by its name.")
-      .def(
-          "keys", [](const Simulation& one) { return py::list(one.columns); },
-          "Names of the columns.")
-      .def(
-          "__len__", [](const Simulation& one) { return one.columns.size(); }, "Number of columns.")
-      .def("__iter__", [](const Simulation& one) { return py::iter(one.columns); })
-      .def(
-          "__contains__",
-          [](const Simulation& one, const py::object& name) { return one.columns.contains(name); },
-          py::arg("name"))
       .def(
           "to_pandas", [](const Simulation& one) { return dataFrameOf(one.columns); },
           "The columns as a pandas DataFrame.")
       .def(
           "contacts_to_pandas", [](const Simulation& one) { return dataFrameOf(one.contacts); },
           "The contacts as a pandas DataFrame, a row each.")
-      .def(py::pickle(
-          [](const Simulation& one) {
-            return py::make_tuple(one.columns, one.summary, one.contacts, one.end, one.endClause,
-                                  one.nodes_mm, one.shapes_mm, one.shapeDepths_mm, one.scenario);
-          },
-          [](const py::tuple& state) {
-            Simulation one;
-            one.columns = state[0].cast<py::dict>();
-            one.summary = state[1].cast<py::dict>();
-            one.contacts = state[2].cast<py::dict>();
-            one.end = state[3].cast<std::string>();
-            one.endClause = state[4].cast<std::string>();
-            one.nodes_mm = state[5].cast<py::array>();
-            one.shapes_mm = state[6].cast<py::array>();
-            one.shapeDepths_mm = state[7].cast<py::array>();
-            one.scenario = state[8].cast<session::Scenario>();
-            return one;
-          }))
-      .def("_repr_html_", &htmlOf, "A table of its key figures for notebooks.")
+      .def(py::pickle([](const Simulation& one) { return simulationState(one); },
+                      [](const py::tuple& state) {
+                        Simulation one;
+                        one.columns = state[0].cast<py::dict>();
+                        one.summary = state[1].cast<py::dict>();
+                        one.contacts = state[2].cast<py::dict>();
+                        one.end = state[3].cast<std::string>();
+                        one.endClause = state[4].cast<std::string>();
+                        one.nodes_mm = state[5].cast<py::array>();
+                        one.shapes_mm = state[6].cast<py::array>();
+                        one.shapeDepths_mm = state[7].cast<py::array>();
+                        one.scenario = state[8].cast<session::Scenario>();
+                        return one;
+                      }))
+      .def(
+          "_repr_html_", [](const Simulation& one) { return htmlOf(one); },
+          "A table of its key figures for notebooks.")
       .def_readonly("end", &Simulation::end,
                     "How it ended: 'finished', 'stopped_by_resistance', 'buckled', "
                     "'out_of_opening', 'folded_tip', 'jammed' or 'none'.")
@@ -232,6 +220,9 @@ void defineSimulation(py::module_& module)
         for (const auto& [name, value] : figuresOf(one)) text += ", " + name + ' ' + value;
         return textOf(text + '>');
       });
+  defineMapping(kind, [](const Simulation& one) { return one.columns; });
+  defineIdentity(kind,
+                 [](const Simulation& one) { return std::string(bytesOf(simulationState(one))); });
 
   module.def("simulate", &simulate, py::arg("scenario"), py::arg("overrides") = py::none(),
              py::kw_only(), py::arg("record") = py::none(), py::arg("every_ms") = 0.0,

@@ -7,6 +7,7 @@
 
 #include "Bindings.h"
 #include "NumberArrays.h"
+#include "ObjectText.h"
 #include "perilymph/haptics/InsertionEnd.h"
 #include "perilymph/study/StudyColumns.h"
 #include "perilymph/study/StudyReport.h"
@@ -18,15 +19,12 @@ namespace {
 
 using study::StudyColumns;
 
-std::shared_ptr<StudyColumns> readStudy(const py::object& given)
-{
-  std::filesystem::path place = nameOrFileOf(given, "path");
-  return std::make_shared<StudyColumns>(valueOf(withoutLock([&] {
-    std::error_code ignored;
-    if (std::filesystem::is_directory(place, ignored)) place /= study::mergedFile;
-    return StudyColumns::read(place, {});
-  })));
-}
+/// A study as Python sees it.
+struct Study {
+  std::string title, text, fingerprint, seal, program;
+  std::vector<std::string> notes;
+  py::dict columns;
+};
 
 /// Values of a setting: numbers if all of them are.
 py::array settingColumn(const std::vector<std::string>& texts)
@@ -70,9 +68,66 @@ py::dict columnsOf(const StudyColumns& study)
   return columns;
 }
 
+Study readStudy(const py::object& given)
+{
+  std::filesystem::path place = nameOrFileOf(given, "path");
+  const StudyColumns read = valueOf(withoutLock([&] {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(place, ignored)) place /= study::mergedFile;
+    return StudyColumns::read(place, {});
+  }));
+  Study study;
+  const auto& facts = read.facts();
+  study.title = facts.title;
+  study.text = facts.text;
+  study.fingerprint = facts.fingerprint;
+  study.seal = nameOf(facts.seal);
+  study.program = facts.program;
+  study.notes = facts.notes;
+  study.columns = py::module_::import("perilymph._study").attr("with_names")(columnsOf(read));
+  return study;
+}
+
+py::tuple studyState(const Study& one)
+{
+  py::list notes;
+  for (const std::string& note : one.notes) notes.append(py::bytes(note));
+  return py::make_tuple(py::bytes(one.title), py::bytes(one.text), one.fingerprint, one.seal,
+                        py::bytes(one.program), notes, one.columns);
+}
+
+Study studyOf(const py::tuple& state)
+{
+  Study one;
+  one.title = state[0].cast<std::string>();
+  one.text = state[1].cast<std::string>();
+  one.fingerprint = state[2].cast<std::string>();
+  one.seal = state[3].cast<std::string>();
+  one.program = state[4].cast<std::string>();
+  for (const py::handle note : state[5]) one.notes.push_back(note.cast<std::string>());
+  one.columns = state[6].cast<py::dict>();
+  return one;
+}
+
+/// Number of insertions.
+std::size_t sizeOf(const Study& one) { return py::len(one.columns["number"]); }
+
+/// Numbers of insertions by their ending, the most frequent first.
+std::vector<std::pair<std::string, std::string>> endingsOf(const Study& one)
+{
+  const py::object counts =
+      py::module_::import("collections").attr("Counter")(one.columns["ending"].attr("tolist")());
+  std::vector<std::pair<std::string, std::string>> rows;
+  for (const py::handle each : counts.attr("most_common")()) {
+    const auto row = each.cast<std::pair<std::string, std::size_t>>();
+    rows.emplace_back(row.first, std::to_string(row.second));
+  }
+  return rows;
+}
+
 /// Runs a study's file to its end in the folder, or goes on, and reads its results.
-std::shared_ptr<StudyColumns> runStudy(const py::object& file, const py::object& folder, long jobs,
-                                       const py::object& progress)
+Study runStudy(const py::object& file, const py::object& folder, long jobs,
+               const py::object& progress)
 {
   constexpr double maxJobs = 256;
   const std::filesystem::path place = nameOrFileOf(file, "study"),
@@ -112,47 +167,53 @@ std::shared_ptr<StudyColumns> runStudy(const py::object& file, const py::object&
 
 void defineStudy(py::module_& module)
 {
-  py::class_<StudyColumns, std::shared_ptr<StudyColumns>>(
-      module, "Study", "The results of a study of many insertions.")
+  py::class_<Study> kind(module, "Study", "The results of a study of many insertions.");
+  kind.def_property_readonly(
+          "title", [](const Study& one) { return textOf(one.title); }, "Title of the study.")
       .def_property_readonly(
-          "title", [](const StudyColumns& one) { return textOf(one.facts().title); },
-          "Title of the study.")
-      .def_property_readonly(
-          "text", [](const StudyColumns& one) { return textOf(one.facts().text); },
-          "The study's file (TOML).")
-      .def_property_readonly(
-          "fingerprint", [](const StudyColumns& one) { return textOf(one.facts().fingerprint); },
+          "text", [](const Study& one) { return textOf(one.text); }, "The study's file (TOML).")
+      .def_readonly(
+          "fingerprint", &Study::fingerprint,
           "SHA-256 of the study and of all files it names; empty if its results were changed after "
           "the program wrote them.")
-      .def_property_readonly(
-          "seal", [](const StudyColumns& one) { return nameOf(one.facts().seal); },
-          "'intact', 'absent' (of a version without seals) or 'changed' (by hand, after the "
-          "program "
-          "wrote it).")
+      .def_readonly("seal", &Study::seal,
+                    "'intact', 'absent' (of a version without seals) or 'changed' (by hand, after "
+                    "the program wrote it).")
       .def_property_readonly(
           "notes",
-          [](const StudyColumns& one) {
+          [](const Study& one) {
             std::vector<py::str> notes;
-            for (const std::string& note : one.facts().notes) notes.push_back(textOf(note));
+            for (const std::string& note : one.notes) notes.push_back(textOf(note));
             return notes;
           },
           "A sentence for each patient whose measures were changed by hand or carry no seal.")
       .def_property_readonly(
-          "program", [](const StudyColumns& one) { return textOf(one.facts().program); },
+          "program", [](const Study& one) { return textOf(one.program); },
           "Version of the program that ran it.")
       .def(
-          "columns", &columnsOf,
+          "columns", [](const Study& one) { return copied(one.columns); },
           "A row per insertion, shape (n,): 'number', 'cochlea', 'ending', 'A_mm', 'B_mm', "
           "'st_length_mm', 'angle_deg', 'coverage_percent', 'depth_mm', 'max_depth_mm', 'peak_mN', "
-          "'peak_depth_mm', 'end_mN', 'partition_mN', and every setting of the study by its key.")
+          "'peak_depth_mm', 'end_mN', 'partition_mN', every setting of the study by its key; of "
+          "the files that settings name 'array_name', 'friction_static' and 'friction_dynamic'.")
       .def(
-          "to_pandas", [](const StudyColumns& one) { return dataFrameOf(columnsOf(one)); },
+          "to_pandas", [](const Study& one) { return dataFrameOf(one.columns); },
           "columns() as a pandas DataFrame.")
-      .def("__len__", &StudyColumns::size)
-      .def("__repr__", [](const StudyColumns& one) {
-        return textOf("<perilymph.Study '" + one.facts().title +
-                      "': " + std::to_string(one.size()) + " insertions>");
-      });
+      .def(
+          "__len__", [](const Study& one) { return sizeOf(one); }, "Number of insertions.")
+      .def(py::pickle([](const Study& one) { return studyState(one); },
+                      [](const py::tuple& state) { return studyOf(state); }))
+      .def("__repr__",
+           [](const Study& one) {
+             std::string text = "<perilymph.Study '" + one.title +
+                                "': " + std::to_string(sizeOf(one)) + " insertions";
+             for (const auto& [ending, count] : endingsOf(one)) text += ", " + count + ' ' + ending;
+             return textOf(text + '>');
+           })
+      .def(
+          "_repr_html_", [](const Study& one) { return htmlTable(one.title, endingsOf(one)); },
+          "A table of its endings for notebooks.");
+  defineIdentity(kind, [](const Study& one) { return std::string(bytesOf(studyState(one))); });
   // for perilymph/_study.py
   module.def("_run_study", &runStudy, py::arg("file"), py::arg("folder"), py::arg("jobs"),
              py::arg("progress"), "Runs a study's file and reads its results.");

@@ -27,6 +27,7 @@ from perilymph._engine import (
     anatomies,
     arrays,
     build_id,
+    frictions,
     patients,
     plan,
     read_array,
@@ -40,6 +41,7 @@ from perilymph._engine import (
 )
 from perilymph._friction import Friction
 from perilymph._study import study
+from perilymph._values import ScenarioValues
 
 __all__ = [
     "Array",
@@ -55,6 +57,7 @@ __all__ = [
     "Reading",
     "Recording",
     "Scenario",
+    "ScenarioValues",
     "Simulation",
     "Study",
     "__version__",
@@ -63,6 +66,7 @@ __all__ = [
     "arrays",
     "build_id",
     "ct",
+    "frictions",
     "outcome",
     "patients",
     "plan",

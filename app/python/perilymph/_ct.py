@@ -4,38 +4,40 @@
 import numpy as np
 
 from perilymph._engine import Error, Patient
-from perilymph._json import number_of, read_json, text_of
+from perilymph._json import Page, number_of, read_json, text_of
 
 _MEASURES = ("A_mm", "B_mm", "H_mm", "cdl_oc_mm")
 
 
-class CtMeasures:
+class CtMeasures(Page):
     """A cochlea measured in a CT: 'A_mm', 'B_mm', 'H_mm' and 'cdl_oc_mm', the cochlear duct length along the organ of
     Corti, with their errors. Where the turns that the length's formula assumes were not seen, its value, error and
     interval are None and 'duct_length_reason' says why. Points are in the patient's frame (LPS);
     'second_cochlea_lps_mm' is None unless the volume shows another one."""
 
-    def __init__(self, page, name):
-        try:
-            self.duct_length_reason = text_of(page["cdl_oc_reason"]) if page["cdl_oc_mm"] is None else None
-            given = [key for key in _MEASURES if key != "cdl_oc_mm" or self.duct_length_reason is None]
-            absent = dict.fromkeys(_MEASURES)
-            self.values_mm = absent | {key: number_of(page[key]["value"]) for key in given}
-            self.sds_mm = absent | {key: number_of(page[key]["sd"]) for key in given}
-            self.intervals95_mm = absent | {key: (number_of(page[key]["ci95"][0]), number_of(page[key]["ci95"][1]))
-                                            for key in given}
-            self.side = text_of(page["side"])
-            self.flags = [text_of(each) for each in page["flags"]]
-            self.warnings = [text_of(each) for each in page["warnings"]]
-            self.round_window_lps_mm = _vector(page["round_window_lps_mm"])
-            self.center_lps_mm = _vector(page["center_lps_mm"])
-            self.axis_lps = _vector(page["axis_lps"])
-            second = page.get("second_cochlea_lps_mm")
-            self.second_cochlea_lps_mm = None if second is None else _vector(second)
-            self.provenance = dict(page["provenance"])
-        except (KeyError, IndexError, TypeError, ValueError) as error:
-            raise Error(f"{name} is not what 'perilymph-cli ct measure --json' writes ({type(error).__name__}: {error}). "
-                        "Measure again.") from None
+    _COMMAND = "perilymph-cli ct measure --json"
+
+    def _read(self, page):
+        self.duct_length_reason = text_of(page["cdl_oc_reason"]) if page["cdl_oc_mm"] is None else None
+        given = [key for key in _MEASURES if key != "cdl_oc_mm" or self.duct_length_reason is None]
+        absent = dict.fromkeys(_MEASURES)
+        self.values_mm = absent | {key: number_of(page[key]["value"]) for key in given}
+        self.sds_mm = absent | {key: number_of(page[key]["sd"]) for key in given}
+        self.intervals95_mm = absent | {key: (number_of(page[key]["ci95"][0]), number_of(page[key]["ci95"][1]))
+                                        for key in given}
+        self.side = text_of(page["side"])
+        self.flags = [text_of(each) for each in page["flags"]]
+        self.warnings = [text_of(each) for each in page["warnings"]]
+        self.round_window_lps_mm = _vector(page["round_window_lps_mm"])
+        self.center_lps_mm = _vector(page["center_lps_mm"])
+        self.axis_lps = _vector(page["axis_lps"])
+        second = page.get("second_cochlea_lps_mm")
+        self.second_cochlea_lps_mm = None if second is None else _vector(second)
+        self.provenance = dict(page["provenance"])
+
+    def __repr__(self):
+        shown = [f"{key[:-3]} {self.values_mm[key]:.2f} mm (SD {self.sds_mm[key]:.2f})" for key in ("A_mm", "B_mm", "H_mm")]
+        return f"<perilymph.CtMeasures, {self.side} ear, {', '.join([*shown, *self.flags])}>"
 
     def patient(self, label="measured"):
         """The patient with these measures and their standard deviations. Refused where the turns that the scala tympani is

@@ -6,8 +6,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from perilymph import Patient
+from perilymph._json import Page
 
-class CtMeasures:
+class CtMeasures(Page):
     duct_length_reason: Optional[str]
     values_mm: dict[str, Optional[float]]
     sds_mm: dict[str, Optional[float]]
@@ -20,7 +21,6 @@ class CtMeasures:
     axis_lps: NDArray[np.float64]
     second_cochlea_lps_mm: Optional[NDArray[np.float64]]
     provenance: dict[str, Any]
-    def __init__(self, page: Any, name: str) -> None: ...
     def patient(self, label: str = "measured") -> Patient: ...
 
 def read_measures(file: Union[str, PathLike[str]]) -> CtMeasures: ...

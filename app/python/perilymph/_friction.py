@@ -28,6 +28,8 @@ class Friction:
         def keep(name: str, value: object) -> None:
             object.__setattr__(self, name, value)
 
+        if isinstance(self.static, str):
+            raise TypeError("static must be a number; a friction of a file is named as a text: {'friction': 'tissue'}")
         keep("speed_mm_s", tuple(map(float, self.speed_mm_s)))
         keep("coefficient", tuple(map(float, self.coefficient)))
         keep("static", float(self.static))

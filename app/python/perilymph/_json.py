@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Results of perilymph-cli: JSON files, and values of which a result may rely on the type."""
 
+import copy
 import json
 import math
 import os
@@ -37,3 +38,30 @@ def text_of(value):
     if not isinstance(value, str):
         raise ValueError(f"{value!r} is no text")
     return value
+
+
+class Page:
+    """A result that is what a file of JSON states. It is not changed, and equals another one with the same content, whenever
+    and by whichever build both were computed."""
+
+    _RUN = ("seconds", "version", "program", "content_sha256")
+
+    def __init__(self, page, name):
+        try:
+            self._read(page)
+            self._page = copy.deepcopy(page)
+        except (AttributeError, KeyError, IndexError, TypeError, ValueError, OverflowError) as error:
+            raise Error(f"{name} is not what '{self._COMMAND}' writes ({type(error).__name__}: {error}). Make it again.") from None
+
+    def page(self):
+        """The content of the file: a dict of what JSON has, the caller's own."""
+        return copy.deepcopy(self._page)
+
+    def _key(self):
+        return json.dumps({key: value for key, value in self._page.items() if key not in self._RUN}, sort_keys=True)
+
+    def __eq__(self, other):
+        return self._key() == other._key() if type(other) is type(self) else NotImplemented
+
+    def __hash__(self):
+        return hash(self._key())

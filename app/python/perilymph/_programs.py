@@ -19,3 +19,13 @@ def run_program(program, words):
     if done.returncode != 0:
         raise Error(done.stderr.strip() or f"{found} ended with {done.returncode}.")
     return done.stderr
+
+
+def word(name, value):
+    """A text or path of an argument for perilymph-cli. Raises TypeError for anything else, and Error if it is empty."""
+    text = os.fspath(value) if isinstance(value, os.PathLike) else value
+    if not isinstance(text, str):
+        raise TypeError(f"{name} must be text or a path")
+    if not text:
+        raise Error(f"{name} is empty. Give a text, or leave it out.")
+    return text

@@ -2,8 +2,11 @@
 """A study from Python objects, run in this process."""
 
 import json
+import math
 import numbers
 import os
+
+import numpy as np
 
 from perilymph._engine import (
     Array,
@@ -14,7 +17,9 @@ from perilymph._engine import (
     _friction_name,
     _run_study,
     _scenario_name,
+    read_array,
     read_patient,
+    read_scenario,
 )
 from perilymph._friction import Friction
 
@@ -88,6 +93,26 @@ def study(scenario, folder, *, vary=None, ranges=None, cochleae=0, mean=False, p
     except OSError as error:
         raise Error(f"{error.filename} cannot be written: {error.strerror}. Name a folder that is writable.") from None
     return _run_study(file, place, jobs, progress)
+
+
+def with_names(columns):
+    """The columns of a study and what the files that its settings name say, so that figures and tables need not show paths: 'array_name',
+    and 'friction_static' and 'friction_dynamic' unless they are settings. A file that cannot be read gives its own name, or NaN."""
+    def add(name, key, of_file, otherwise):
+        if key not in columns or name in columns:
+            return
+        found = {}
+        for value in np.unique(columns[key]):
+            try:
+                found[value] = of_file(str(value))
+            except Error:
+                found[value] = otherwise(str(value))
+        columns[name] = np.array([found[value] for value in columns[key]])
+
+    add("array_name", "array", lambda value: read_array(value).name, lambda value: os.path.splitext(os.path.basename(value))[0])
+    for name in ("friction_static", "friction_dynamic"):
+        add(name, "friction", lambda value, name=name: float(read_scenario("surgery-flex28", {"friction": value})[name]), lambda value: math.nan)
+    return columns
 
 
 def _write(file, text):

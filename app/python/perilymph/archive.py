@@ -12,7 +12,7 @@ from typing import NamedTuple, Optional
 
 from perilymph._engine import Error
 from perilymph._json import text_of
-from perilymph._programs import run_program
+from perilymph._programs import run_program, word
 
 __all__ = ["Retrieved", "Sent", "Series", "Study", "find", "find_series", "retrieve", "send", "servers", "test"]
 
@@ -68,7 +68,7 @@ def servers(*, program="perilymph-cli"):
 
 def test(server, *, program="perilymph-cli"):
     """Tests whether a server answers (C-ECHO). The error states what failed: host, connection, TLS, AE title or time."""
-    _read(program, ["echo"], [_word("server", server)], lambda page: page["answers"])
+    _read(program, ["echo"], [word("server", server)], lambda page: page["answers"])
 
 
 def find(server, *, patient_id=None, patient_name=None, birth_date=None, since=None, until=None, modality=None, show_patients=False,
@@ -83,15 +83,15 @@ def find(server, *, patient_id=None, patient_name=None, birth_date=None, since=N
                                 ("--birth-date", "birth_date", birth_date), ("--from", "since", since), ("--until", "until", until),
                                 ("--modality", "modality", modality)):
         if value is not None:
-            words.append(f"{option}={_word(name, value)}")
+            words.append(f"{option}={word(name, value)}")
     words += ["--show-patients"] if show_patients else []
-    return _read(program, words, [_word("server", server)], lambda page: [_study(each, show_patients) for each in page["studies"]])
+    return _read(program, words, [word("server", server)], lambda page: [_study(each, show_patients) for each in page["studies"]])
 
 
 def find_series(server, study, *, program="perilymph-cli"):
     """The series of a study, a Study or its UID: a list of Series."""
-    uid = _word("study", study.uid if isinstance(study, Study) else study)
-    return _read(program, ["find", f"--study={uid}"], [_word("server", server)],
+    uid = word("study", study.uid if isinstance(study, Study) else study)
+    return _read(program, ["find", f"--study={uid}"], [word("server", server)],
                  lambda page: [Series(uid, text_of(each["series_uid"]), text_of(each["number"]), text_of(each["modality"]), text_of(each["description"]),
                                       None if each["images"] is None else int(each["images"])) for each in page["series"]])
 
@@ -103,16 +103,16 @@ def retrieve(server, series, folder, *, program="perilymph-cli"):
     the scanner wrote, the patient's name too: remove the folder when it is no longer needed."""
     if not isinstance(series, Series):
         raise TypeError("series must be a Series, as find_series returns it")
-    place = os.fspath(folder)
-    words = ["fetch", f"--study={_word('study', series.study_uid)}", f"--series={_word('series', series.uid)}", f"--out={_word('folder', place)}"]
-    return _read(program, words, [_word("server", server)],
+    place = word("folder", folder)
+    words = ["fetch", f"--study={word('study', series.study_uid)}", f"--series={word('series', series.uid)}", f"--out={place}"]
+    return _read(program, words, [word("server", server)],
                  lambda page: Retrieved(place, int(page["images"]), int(page["resumed"]), text_of(page["obstacle"])))
 
 
 def send(server, file, *, program="perilymph-cli"):
     """Sends a DICOM file that this program wrote into the study of the CT that it was made from, and into no other: a report,
     measures, a segmentation or a key image. The archive must have the study under the same patient number and birth date."""
-    return _read(program, ["send"], [_word("server", server), _word("file", os.fspath(file))],
+    return _read(program, ["send"], [word("server", server), word("file", file)],
                  lambda page: Sent(text_of(page["study_uid"]), text_of(page["series_uid"]), text_of(page["instance_uid"]),
                                    text_of(page["series_number"]), text_of(page["warning"])))
 
@@ -120,14 +120,6 @@ def send(server, file, *, program="perilymph-cli"):
 def _study(row, shows_patients):
     shown = [text_of(row[key]) for key in ("patient_id", "patient_name", "birth_date")] if shows_patients else []
     return Study(text_of(row["study_uid"]), text_of(row["date"]), text_of(row["modalities"]), text_of(row["description"]), *shown)
-
-
-def _word(name, value):
-    if not isinstance(value, str):
-        raise TypeError(f"{name} must be text")
-    if not value:
-        raise Error(f"{name} is empty. Give a text, or leave it out.")
-    return value
 
 
 def _read(program, words, places, value_of):

@@ -5,8 +5,6 @@ Points are in the patient's frame of the CT after surgery (LPS) [mm], angles in 
 show the basilar membrane: what is said of the scala is a probability, never a diagnosis. An operation that fails raises
 perilymph.Error with the program's sentence."""
 
-import copy
-import json
 import math
 import os
 import tempfile
@@ -14,9 +12,9 @@ from typing import NamedTuple, Optional
 
 import numpy as np
 
-from perilymph._engine import Error
-from perilymph._json import number_of, read_json, text_of
-from perilymph._programs import run_program
+from perilymph._engine import Patient, _array_name
+from perilymph._json import Page, number_of, read_json, text_of
+from perilymph._programs import run_program, word
 from perilymph._tables import data_frame
 
 __all__ = ["ArrayOutcomes", "Estimate", "FoundArray", "Hits", "Outcomes", "Resistance", "find", "outcomes", "read", "read_outcomes"]
@@ -72,38 +70,15 @@ class Resistance(NamedTuple):
     file: Optional[str]
 
 
-class _Page:
-    """A result that is what a file of JSON states. It is not changed, and equals another one with the same content, whenever
-    and by whichever build both were computed."""
-
-    _RUN = ("seconds", "version", "program", "content_sha256")
-
-    def __init__(self, page, name):
-        try:
-            self._read(page)
-            self._page = copy.deepcopy(page)
-        except (AttributeError, KeyError, IndexError, TypeError, ValueError, OverflowError) as error:
-            raise Error(f"{name} is not what '{self._COMMAND}' writes ({type(error).__name__}: {error}). Make it again.") from None
-
-    def page(self):
-        """The content of the file: a dict of what JSON has, the caller's own."""
-        return copy.deepcopy(self._page)
+class _Table(Page):
+    """A result with columns."""
 
     def to_pandas(self):
         """columns() as a pandas DataFrame, a row each."""
         return data_frame(self.columns())
 
-    def _key(self):
-        return json.dumps({key: value for key, value in self._page.items() if key not in self._RUN}, sort_keys=True)
 
-    def __eq__(self, other):
-        return self._key() == other._key() if type(other) is type(self) else NotImplemented
-
-    def __hash__(self):
-        return hash(self._key())
-
-
-class FoundArray(_Page):
+class FoundArray(_Table):
     """The implanted array as it was found in a CT after surgery.
 
     array: shipped name or file. side: 'right' or 'left'. angular_insertion_depth_deg: Estimate of the angle of the most apical contact
@@ -165,7 +140,7 @@ class FoundArray(_Page):
                 f"{''.join(', ' + flag for flag in self.flags)}>")
 
 
-class Outcomes(_Page):
+class Outcomes(_Table):
     """The outcomes of a clinic beside the plans as they were made before surgery. It names neither patients nor days.
 
     arrays: ArrayOutcomes of all ears, then by array. left_out: number of ears that are not compared by reason, 'ears' their sum.
@@ -210,21 +185,27 @@ class Outcomes(_Page):
 def find(series, array, *, side=None, preop=None, patient=None, at_mm=None, csv=None, markups=None, picture=None, program="perilymph-cli"):
     """Finds the contacts of an implanted array in a CT after surgery: a FoundArray. Takes seconds.
 
-    series: folder of slices or a file that 'perilymph-cli ct contacts' reads. array: shipped name or file of the array. side: 'right' or
+    series: folder of slices or a file that 'perilymph-cli ct contacts' reads. array: an Array, or the shipped name or file of one. side: 'right' or
     'left'; None for the ear that is seen best. preop: the CT before surgery, in which the cochlea is measured without metal; None:
-    in this CT, with wider errors. patient: name or file of a patient whose side, A and B are compared with this ear's. at_mm: any
+    in this CT, with wider errors. patient: a Patient, or the name or file of one, whose side, A and B are compared with this ear's. at_mm: any
     point in the cochlea (x, y, z), LPS, of the CT in which it is measured. csv, markups, picture: files to be written.
     Raises perilymph.Error where no array is found; what is doubtful is in 'flags'."""
-    options = []
-    for option, name, value in (("--array", "array", array), ("--side", "side", side), ("--preop", "preop", preop), ("--patient", "patient", patient),
-                                ("--csv", "csv", csv), ("--markups", "markups", markups), ("--picture", "picture", picture)):
-        if value is not None:
-            options.append(f"{option}={_word(name, value)}")
-    if at_mm is not None:
-        options.append("--at=" + ",".join(repr(float(value)) for value in at_mm))
     with tempfile.TemporaryDirectory(prefix="perilymph-") as folder:
         file = os.path.join(folder, "contacts.json")
-        run_program(program, ["ct", "contacts", "--json", file, *options, "--", _word("series", series)])
+        if isinstance(patient, Patient):
+            own = os.path.join(folder, "patient.toml")
+            with open(own, "w", encoding="utf-8") as stream:
+                stream.write(patient.text())
+            patient = own
+        options = []
+        for option, name, value in (("--array", "array", _array_name(array)), ("--side", "side", side), ("--preop", "preop", preop),
+                                    ("--patient", "patient", patient), ("--csv", "csv", csv), ("--markups", "markups", markups),
+                                    ("--picture", "picture", picture)):
+            if value is not None:
+                options.append(f"{option}={word(name, value)}")
+        if at_mm is not None:
+            options.append("--at=" + ",".join(repr(float(value)) for value in at_mm))
+        run_program(program, ["ct", "contacts", "--json", file, *options, "--", word("series", series)])
         return read(file)
 
 
@@ -239,10 +220,10 @@ def outcomes(library=None, *, folder=None, resistance=None, program="perilymph-c
     library: folder with 'patients' and 'plans'; None for the user's own. folder: keeps the files that 'perilymph-cli outcomes' writes
     there: JSON, table with its dictionary, sentences, figures. resistance: file for the clinic's resistance; refused with a sentence
     where it is not offered. The first call takes as long as the plans, where outcomes tell something about resistance."""
-    words = [] if library is None else [f"--library={_word('library', library)}"]
-    words += [] if resistance is None else [f"--resistance={_word('resistance', resistance)}"]
+    words = [] if library is None else [f"--library={word('library', library)}"]
+    words += [] if resistance is None else [f"--resistance={word('resistance', resistance)}"]
     with tempfile.TemporaryDirectory(prefix="perilymph-") as own:
-        place = os.path.join(own, "outcomes") if folder is None else _word("folder", folder)
+        place = os.path.join(own, "outcomes") if folder is None else word("folder", folder)
         said = run_program(program, ["outcomes", *words, f"--out={place}"])
         page, name = _content(os.path.join(place, "outcomes.json"))
     return Outcomes(page, name, [line for line in said.splitlines() if line], None if resistance is None else os.fspath(resistance))
@@ -251,15 +232,6 @@ def outcomes(library=None, *, folder=None, resistance=None, program="perilymph-c
 def read_outcomes(file):
     """Reads the outcomes.json of 'perilymph-cli outcomes': Outcomes."""
     return Outcomes(*_content(file))
-
-
-def _word(name, value):
-    place = os.fspath(value)
-    if not isinstance(place, str):
-        raise TypeError(f"{name} must be text or a path")
-    if not place:
-        raise Error(f"{name} is empty. Give a text, or leave it out.")
-    return place
 
 
 def _content(file):

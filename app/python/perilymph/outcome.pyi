@@ -6,6 +6,9 @@ from typing import Any, NamedTuple, Optional, Union
 import numpy as np
 from numpy.typing import NDArray
 
+from perilymph import Array, Patient
+from perilymph._json import Page
+
 __all__ = ["ArrayOutcomes", "Estimate", "FoundArray", "Hits", "Outcomes", "Resistance", "find", "outcomes", "read", "read_outcomes"]
 
 _Place = Union[str, PathLike[str]]
@@ -44,14 +47,10 @@ class Resistance(NamedTuple):
     log_stop_force_shift: float
     file: Optional[str]
 
-class _Page:
-    def __init__(self, page: Any, name: str) -> None: ...
-    def page(self) -> dict[str, Any]: ...
+class _Table(Page):
     def to_pandas(self) -> Any: ...
-    def __eq__(self, other: object) -> bool: ...
-    def __hash__(self) -> int: ...
 
-class FoundArray(_Page):
+class FoundArray(_Table):
     array: str
     side: str
     angular_insertion_depth_deg: Estimate
@@ -74,7 +73,7 @@ class FoundArray(_Page):
     def positions_lps_mm(self) -> NDArray[np.float64]: ...
     def __len__(self) -> int: ...
 
-class Outcomes(_Page):
+class Outcomes(_Table):
     arrays: tuple[ArrayOutcomes, ...]
     left_out: dict[str, int]
     resistance: Resistance
@@ -86,11 +85,11 @@ class Outcomes(_Page):
 
 def find(
     series: _Place,
-    array: _Place,
+    array: Union[Array, _Place],
     *,
     side: Optional[str] = None,
     preop: Optional[_Place] = None,
-    patient: Optional[_Place] = None,
+    patient: Optional[Union[Patient, _Place]] = None,
     at_mm: Optional[Sequence[float]] = None,
     csv: Optional[_Place] = None,
     markups: Optional[_Place] = None,

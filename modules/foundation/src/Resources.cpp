@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "perilymph/foundation/Resources.h"
 
+#include <dlfcn.h>
 #include <pwd.h>
 #include <unistd.h>
 
@@ -51,8 +52,31 @@ fs::path resourceRoot()
   return chosen.empty() ? ownResourceRoot() : fs::path(chosen);
 }
 
+namespace {
+
+/// The data beside the shared library that this code is in, as the Python package has it: in its own folder,
+/// or where `cmake --install` puts both; empty for a program.
+fs::path dataOfLibrary()
+{
+  Dl_info own{};
+  if (dladdr(reinterpret_cast<const void*>(&ownResourceRoot), &own) == 0 ||
+      own.dli_fname == nullptr)
+    return {};
+  const fs::path library = own.dli_fname;
+  if (!library.is_absolute() || library.extension() != ".so") return {};
+  std::error_code failure;
+  for (const char* place : {"data", "../../../../share/perilymph"}) {
+    const fs::path found = (library.parent_path() / place).lexically_normal();
+    if (fs::is_directory(found / "resources", failure)) return found;
+  }
+  return {};
+}
+
+}  // namespace
+
 fs::path ownResourceRoot()
 {
+  if (fs::path found = dataOfLibrary(); !found.empty()) return found;
   // Beside the program, wherever it was installed or unpacked.
   std::error_code failure;
   const fs::path program = fs::read_symlink("/proc/self/exe", failure);

@@ -305,6 +305,7 @@ Result<StoredPlan> planIn(const std::string& text, const std::string& name)
     if (format > planFormat)
       return Error{"%1 is of a newer program (format %2). Open it with that one.", name, format};
     StoredPlan stored = storedIn(json);
+    stored.text = text;
     stored.plan.seal = sealIn(text, format >= firstSealedPlanFormat, stored.program);
     if (stored.plan.seal == Seal::changed) stored.plan.fingerprint.clear();
     if (stored.plan.seal == Seal::absent)

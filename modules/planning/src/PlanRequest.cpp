@@ -42,4 +42,6 @@ Result<void> checkDraws(std::size_t draws)
       draws, fewestDraws, maxDraws};
 }
 
+std::size_t usualDraws(bool hasClinicResistance) { return hasClinicResistance ? 512 : 64; }
+
 }  // namespace perilymph::planning

@@ -9,6 +9,9 @@
 #include <stop_token>
 #include <utility>
 
+#include "perilymph/electrode/ArrayDesign.h"
+#include "perilymph/foundation/Resources.h"
+
 namespace perilymph::study {
 
 namespace {
@@ -47,10 +50,31 @@ std::optional<double> decimalIn(const std::string& text)
                                                                   : std::nullopt;
 }
 
+/// The name of an array, or of a file without its folder; any other value as it is.
+std::string nameIn(const std::string& key, const std::string& value)
+{
+  if (key == "array")
+    if (const auto file = findByName("electrode array", "plugins/electrodes", value))
+      if (const auto array = electrode::loadArray(*file)) return array->name;
+  const std::filesystem::path file = value;
+  return file.extension() == ".toml" ? file.stem().string() : value;
+}
+
+/// StudyFactor::shown.
+std::vector<std::string> shownLevels(const StudyFactor& factor)
+{
+  std::vector<std::string> names;
+  for (const std::string& level : factor.levels) names.push_back(nameIn(factor.key, level));
+  std::vector<std::string> shown;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    shown.push_back(std::ranges::count(names, names[i]) == 1 ? names[i] : factor.levels[i]);
+  return shown;
+}
+
 /// The level of each text; nothing if there are fewer than two or too many.
 std::optional<StudyFactor> factorOf(const std::string& key, const std::vector<std::string>& texts)
 {
-  StudyFactor factor{key, {}, {}};
+  StudyFactor factor{key, {}, {}, {}};
   factor.level.reserve(texts.size());
   for (const std::string& text : texts) {
     const auto found = std::find(factor.levels.begin(), factor.levels.end(), text);
@@ -64,6 +88,7 @@ std::optional<StudyFactor> factorOf(const std::string& key, const std::vector<st
         return level.size() > maxListedDigits && decimalIn(level);
       }))
     return std::nullopt;
+  factor.shown = shownLevels(factor);
   return factor;
 }
 
@@ -99,6 +124,12 @@ std::optional<StudyQuantity> quantityOf(const std::string& key,
 }
 
 }  // namespace
+
+std::string StudyFactor::shownOf(const std::string& value) const
+{
+  const auto found = std::ranges::find(levels, value);
+  return found == levels.end() ? value : shown[static_cast<std::size_t>(found - levels.begin())];
+}
 
 std::string settingOf(const StudyResult& result, const std::string& key)
 {

@@ -21,7 +21,7 @@ struct Level {
   std::size_t index;
 
   bool isOf(std::uint32_t row) const { return factor->level[row] == index; }
-  std::string name() const { return factor->key + " = " + factor->levels[index]; }
+  std::string name() const { return factor->key + " = " + factor->shown[index]; }
 };
 
 /// Mean of the values in the rows that a condition selects; 0 without any.

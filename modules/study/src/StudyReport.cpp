@@ -70,6 +70,14 @@ StudySummary summaryBy(const StudyColumns& columns, const std::string& factor)
   return summaryOf(columns, columns.rows({}), {"A_mm", "angle_deg", factor});
 }
 
+/// The value of a group's setting, as it is shown.
+std::string shownLevel(const StudyColumns& columns, const StudySummary& summary,
+                       const StudyGroup& group)
+{
+  const StudyFactor* factor = columns.factor(summary.axes.group);
+  return factor == nullptr ? group.level : factor->shownOf(group.level);
+}
+
 /// Groups of the report, with their names.
 using NamedGroups = std::vector<std::pair<std::string, StudyGroup>>;
 
@@ -80,7 +88,7 @@ NamedGroups groupsOf(const StudyColumns& columns, const std::vector<StudySummary
   for (const StudyGroup& group : summaryBy(columns, "").groups) groups.emplace_back("all", group);
   for (const StudySummary& summary : byFactor)
     for (const StudyGroup& group : summary.groups)
-      groups.emplace_back(summary.axes.group + " = " + group.level, group);
+      groups.emplace_back(summary.axes.group + " = " + shownLevel(columns, summary, group), group);
   std::vector<std::uint32_t> rows = columns.rows({});
   const auto size = [&columns](std::uint32_t row) { return columns.result(row).a_mm; };
   std::ranges::stable_sort(rows, {}, size);
@@ -127,7 +135,7 @@ std::string distributionTables(const NamedGroups& groups)
   return text;
 }
 
-std::string differenceTables(const std::vector<StudySummary>& byFactor)
+std::string differenceTables(const StudyColumns& columns, const std::vector<StudySummary>& byFactor)
 {
   std::string text =
       "## Differences of means (95 % interval)\n\nOf pairs that share the cochlea and every other "
@@ -138,8 +146,10 @@ std::string differenceTables(const std::vector<StudySummary>& byFactor)
     for (const StudySummary& summary : byFactor)
       for (const StudyDifference& each : summary.differences) {
         if (each.selection != selection) continue;
-        text += "| " + summary.axes.group + ": " + summary.groups[each.group].level + " - " +
-                summary.groups[each.other].level + " | " + std::to_string(each.count) +
+        text += "| " + summary.axes.group + ": " +
+                shownLevel(columns, summary, summary.groups[each.group]) + " - " +
+                shownLevel(columns, summary, summary.groups[each.other]) + " | " +
+                std::to_string(each.count) +
                 (each.isPaired ? " pairs, " + std::to_string(each.cochleae) + " cochleae"
                                : " and " + std::to_string(each.otherCount)) +
                 " |";
@@ -256,7 +266,7 @@ figures::Figure overSize(const StudyColumns& columns, const StudyEvaluation& stu
   for (std::size_t i = 0; i < levels.size(); ++i)
     for (const bool isComplete : {true, false}) {
       figures::FigureValues series;
-      series.label = (factor == nullptr ? std::string() : factor->key + " = " + levels[i]) +
+      series.label = (factor == nullptr ? std::string() : factor->key + " = " + factor->shown[i]) +
                      (isComplete          ? ""
                       : factor == nullptr ? "stopped"
                                           : ", stopped");
@@ -323,7 +333,7 @@ StudyReport reportOf(const StudyColumns& columns)
       "stopped ones they look deeper and gentler\nthan the array is. Every insertion counts in "
       "the rate of complete ones.\n\n" +
       endingsTable(groups) + distributionTables(groups);
-  if (!byFactor.empty()) report.text += differenceTables(byFactor);
+  if (!byFactor.empty()) report.text += differenceTables(columns, byFactor);
   report.text += trendTable(groups) +
                  "## Effects\n\nDifferences from the mean of a cochlea, in cochleae of which every "
                  "insertion is in the selection; slopes within\nequal settings, by least squares: "

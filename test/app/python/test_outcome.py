@@ -202,7 +202,19 @@ def test_a_plan_states_the_depth_with_a_clinic_s_resistance(cli, tmp_path):
     plan = perilymph.plan(patient, ["flex24"], samples=2, all_samples=True, clinic_resistance=file)
     assert plan.clinic_resistance == hashlib.sha256(file.read_bytes()).hexdigest()
     # Two simulations amount to fewer than 100: no depth is stated.
-    assert plan.arrays[0].in_clinic() == {}
+    with pytest.raises(perilymph.Error, match="the 2 simulations of FLEX24 amount to fewer than 100.*Plan with more 'samples', 4096 at most"):
+        plan.arrays[0].in_clinic()
+    # Where no number is named, as many are run as weights need, and 64 without.
+    asked = []
+
+    def stop_at_once(done, of):
+        asked.append(of)
+        raise RuntimeError("enough")
+
+    for resistance, usual in ((file, 512), (None, 64)):
+        with pytest.raises(RuntimeError, match="enough"):
+            perilymph.plan(patient, ["flex24"], clinic_resistance=resistance, progress=stop_at_once)
+        assert asked[-1] == usual
     shipped = perilymph.plan(patient, ["flex24"], samples=2, all_samples=True)
     assert shipped.clinic_resistance == "" and shipped.arrays[0].in_clinic() == {}
     assert np.array_equal(shipped.arrays[0].bands()["peak_mN"], plan.arrays[0].bands()["peak_mN"])

@@ -3,8 +3,11 @@
 
 import json
 import os
+import pickle
+import re
 import shutil
 import subprocess
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -192,6 +195,9 @@ def test_both_ears_are_read_by_a_function_of_their_own(tmp_path):
     with pytest.raises(perilymph.Error, match="both ears"):
         perilymph.read_measures(tmp_path / "both.json")
     (tmp_path / "m.json").write_text(json.dumps(MEASURED))
+    one = perilymph.read_measures(tmp_path / "m.json")
+    assert pickle.loads(pickle.dumps(one)) == one == ears[1] != ears[0] and len({one, *ears}) == 2
+    assert f"A {MEASURED['A_mm']['value']:.2f} mm" in repr(one) and one.page() == MEASURED
     with pytest.raises(perilymph.Error, match="read_measures"):
         perilymph.read_both_measures(tmp_path / "m.json")
 
@@ -209,6 +215,9 @@ def test_the_command_s_measures_of_a_scan_are_read(cli, tmp_path):
     assert list(measures.round_window_lps_mm) == said["round_window_lps_mm"]
     assert (measures.warnings, measures.flags) == (said["warnings"], said["flags"])
     assert measures.patient().a_mm == pytest.approx(said["A_mm"]["value"])
+    done = subprocess.run([sys.executable, ROOT / "resources/examples/python/ct_measures.py", tmp_path / "ct", tmp_path / "a.png"], check=True,
+                          env={**os.environ, "PATH": os.environ["PERILYMPH_PROGRAMS"]}, capture_output=True, text=True)
+    assert re.search(rf"right A_mm +{said['A_mm']['value']:.2f} ", done.stdout) and (tmp_path / "a.png").exists()
 
 
 @pytest.mark.parametrize("change", [{"A_mm": None}, {"A_mm": {"value": "9"}}, {"side": 3}, {"axis_lps": [1.0]}, {"flags": 5},

@@ -4,11 +4,12 @@
 import copy
 import json
 import os
+import re
 import subprocess
 from pathlib import Path
 
 import pytest
-from conftest import clinic_file, clinic_page
+from conftest import ROOT, clinic_file, clinic_page
 from json_schema import SCHEMAS, WORDS, faults
 
 
@@ -41,6 +42,22 @@ def test_schemas_use_what_is_checked_and_name_the_command(file):
             look(each)
 
     look(schema)
+
+
+def test_every_command_that_writes_json_has_a_schema_in_the_guide():
+    manual = (ROOT / "packaging/man/perilymph-cli.1").read_text().replace("\\-", "-")
+    titles = " ".join(json.loads(file.read_text())["title"] for file in SCHEMAS.glob("*.json"))
+    sections = re.split(r'^\.SS "(perilymph-cli [^"]+)"\n', manual.partition("\n.SH EXAMPLES")[0], flags=re.MULTILINE)[1:]
+    writing = [name for name, text in zip(sections[::2], sections[1::2]) if re.search(r"--json|JSON|(?<!mrk)\.json", text)]
+    assert len(writing) >= 12
+    for name in writing:
+        command = "perilymph-cli archive" if name.startswith("perilymph-cli archive") else name
+        assert command in titles, name
+    # Each file of JSON that an output folder has is named in a title, too.
+    for file in set(re.findall(r"[\w-]+\.json", manual)) - {"measures.json", "mrk.json"}:
+        assert file in titles, file
+    page = (ROOT / "resources/guide/python.md").read_text()
+    assert all(f"schemas/{file.name}" in page for file in SCHEMAS.glob("*.json"))
 
 
 @pytest.mark.parametrize("words", [

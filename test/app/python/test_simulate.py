@@ -88,12 +88,12 @@ def test_a_scenario_states_its_values_and_takes_others(tmp_path):
     assert scenario["speed_mm_s"] == 0.66
     assert scenario["withdraw"] is False
     assert scenario["array"] == "flex28"
-    assert scenario.keys() == list(scenario.values())
+    assert scenario.keys() == list(dict(scenario))
     other = scenario.with_values({"array": "flex24", "stop_travel_mm": 10, "withdraw": True, "speed_mm_s": 1.5})
     assert (other["array"], other["stop_travel_mm"], other["withdraw"], other["speed_mm_s"]) == ("flex24", 10.0, True, 1.5)
     assert scenario["array"] == "flex28"
     (tmp_path / "own.toml").write_text(other.text)
-    assert perilymph.read_scenario(tmp_path / "own.toml").values() == other.values()
+    assert dict(perilymph.read_scenario(tmp_path / "own.toml")) == dict(other)
 
 
 def test_a_scenario_is_run_as_it_stands(short):

@@ -13,6 +13,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from conftest import ROOT
 
 import perilymph
 
@@ -110,16 +111,28 @@ def test_mypy_accepts_the_stub_and_a_program_that_uses_it(tmp_path):
             [sys.executable, "-m", "mypy", "--strict", "--cache-dir", str(tmp_path / "cache"), *map(str, files)],
             env={"MYPYPATH": str(PACKAGE.parent), "PATH": "/usr/bin:/bin"}, capture_output=True, text=True, check=False)
 
+    (tmp_path / "typed.py").write_text(
+        "import perilymph\n\n"
+        "values: perilymph.ScenarioValues = {'array': perilymph.read_array('flex28'), 'nodes': 30, 'opening': 'round-window'}\n"
+        "perilymph.simulate('surgery-flex28', values)\n"
+        "insertion = perilymph.Insertion('surgery-flex28', {'speed_mm_s': 1.0})\n")
+    (tmp_path / "mistyped.py").write_text(
+        "import perilymph\n\none: perilymph.ScenarioValues = {'node': 30}\n"
+        "two: perilymph.ScenarioValues = {'opening': 'window'}\nthree: perilymph.ScenarioValues = {'dt_ms': '5'}\n")
+    accepted = mypy(tmp_path / "typed.py")
+    assert accepted.returncode == 0, accepted.stdout + accepted.stderr
+    refused = mypy(tmp_path / "mistyped.py")
+    assert refused.returncode == 1 and re.findall(r"mistyped.py:(\d+): error", refused.stdout) == ["3", "4", "5"], refused.stdout
     accepted = mypy(PACKAGE / "__init__.pyi", tmp_path / "use.py")
     assert accepted.returncode == 0, accepted.stdout + accepted.stderr
     refused = mypy(tmp_path / "misuse.py")
     assert refused.returncode == 1 and refused.stdout.count("error:") >= 2, refused.stdout + refused.stderr
 
 
-# Classes of the engine have pybind11's own metaclass, and those that functions make have no constructor.
+# Classes of the engine have pybind11's own metaclass, as a TypedDict has its own, and those that functions make have no constructor.
 ALLOWED = r"""
-perilymph\.[A-Z]\w+
-perilymph\.[A-Z]\w+\.__init__
+perilymph\.(_values\.)?[A-Z]\w+
+perilymph\.(_values\.)?[A-Z]\w+\.__init__
 """
 
 
@@ -148,6 +161,12 @@ def test_the_stub_has_the_texts_of_the_module_for_editors():
     methods = stubbed(stubbed(STUB.body)["Patient"].body)
     assert ast.get_docstring(methods["from_lengths"]) == inspect.getdoc(perilymph.Patient.from_lengths)
     assert ast.get_docstring(methods["a_mm"]) == "Diameter A of the basal turn [mm], or None."
+
+
+def test_the_types_of_values_have_the_keys_of_the_reference():
+    rows = (ROOT / "resources/guide/reference.md").read_text().partition("## Keys of a scenario\n")[2].partition("\n## ")[0]
+    keys = set(re.findall(r"^\| `(\w+)` \|", rows, re.MULTILINE))
+    assert set(perilymph.ScenarioValues.__annotations__) == keys - {"patient_numbers"} | {"cochlea"} and len(keys) > 50
 
 
 def test_help_shows_signatures_and_texts():

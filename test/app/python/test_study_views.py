@@ -142,6 +142,98 @@ def test_the_dictionary_explains_every_column_of_every_table_and_view(database):
         assert meaning
 
 
+KEYS = ["array", "stop_force_N", "speed_mm_s"]
+FEW = ["array", "stop_force_N"]  # but not each of the drawn speeds
+QUANTITIES = ["angle_deg", "coverage_percent", "depth_mm", "peak_mN", "partition_mN"]
+
+
+def by_setting(frame):
+    """The insertions once for each setting of few values: with its key and value."""
+    import pandas
+
+    return pandas.concat([frame.assign(key=key, value=frame[key].astype(object)) for key in FEW])
+
+
+def of_outcomes(groups, quantities):
+    """The columns of a view of outcomes, from groups of insertions."""
+    import pandas
+
+    def summary(group):
+        finished, stopped = group[group.ending == "finished"], group[group.ending.isin(STOPPED)]
+        row = {"insertions": len(group), "finished": len(finished), "stopped": len(stopped)}
+        row |= {f"{name}_{quantity}": getattr(finished[quantity], name)() for name, quantity in quantities}
+        return pandas.Series(row | {f"mean_stopped_{each}": stopped[each].mean() for each in ("angle_deg", "peak_mN")})
+
+    return groups.apply(summary).reset_index()
+
+
+def expected_distribution(frame):
+    import pandas
+
+    ran = frame[frame.ending != "refused"]
+    rows = pandas.concat([ran.assign(selection="all that ran"), frame[frame.ending == "finished"].assign(selection="complete")])
+    rows = by_setting(rows).melt(["selection", "key", "value"], QUANTITIES, "quantity", "x")
+    groups = rows.groupby(["selection", "key", "value", "quantity"]).x
+    return groups.agg(n="size", mean="mean", median="median", quartile25=lambda x: x.quantile(0.25),
+                      quartile75=lambda x: x.quantile(0.75)).reset_index()
+
+
+def expected_endings(frame):
+    import pandas
+
+    rows = by_setting(frame)
+    counts = pandas.crosstab([rows.key, rows.value], rows.ending)
+    total = counts.sum(axis=1)
+    return counts.assign(insertions=total, finished_percent=100.0 * counts.get("finished", 0) / total).reset_index()
+
+
+def expected_extremes(frame):
+    finished = frame.ending == "finished"
+    flags = {"has_max_peak": frame.peak_mN == frame.peak_mN.max(), "has_max_partition": frame.partition_mN == frame.partition_mN.max(),
+             "has_max_angle": frame.angle_deg == frame.angle_deg.max(),
+             "has_min_finished_angle": finished & (frame.angle_deg == frame.angle_deg[finished].min())}
+    rows = frame[["number", "ending", "peak_mN", "partition_mN", "angle_deg"]].assign(**{name: which.astype(int) for name, which in flags.items()})
+    return rows[sum(flags.values()) > 0]
+
+
+OUTCOMES = [(name, quantity) for quantity in ("angle_deg", "peak_mN", "partition_mN") for name in ("mean", "max")]
+# What pandas makes of the insertions for each view, and the columns that name a row.
+VIEWS = {
+    "setting": (lambda frame: frame.assign(**{key: frame[key].astype(object) for key in KEYS}).melt("number", KEYS, "key", "value"), ["number", "key"]),
+    "ending_by_setting": (expected_endings, ["key", "value"]),
+    "distribution_by_setting": (expected_distribution, ["selection", "key", "value", "quantity"]),
+    "outcome_by_setting": (lambda frame: of_outcomes(by_setting(frame).groupby(["key", "value"]),
+                                                     [*OUTCOMES, ("min", "angle_deg"), ("mean", "coverage_percent")]), ["key", "value"]),
+    "outcome_by_size": (lambda frame: of_outcomes(frame.assign(A_from_mm=frame.A_mm // 0.5 * 0.5).groupby("A_from_mm"),
+                                                  [("mean", each) for each in ("angle_deg", "coverage_percent", "peak_mN")]), ["A_from_mm"]),
+    "extreme": (expected_extremes, ["number"]),
+}
+
+
+def test_every_view_has_a_counterpart_in_pandas(database):
+    views = {name for name, in query(database, "SELECT name FROM sqlite_master WHERE type = 'view'")}
+    assert views == set(VIEWS) | {"dictionary"}  # which explains the others
+
+
+@pytest.mark.parametrize("view", VIEWS)
+def test_a_view_is_what_pandas_makes_of_the_insertions(folder, view):
+    pandas = pytest.importorskip("pandas")
+    with sqlite3.connect(folder / "study.sqlite") as database:
+        frame = pandas.read_sql("SELECT * FROM insertion", database)
+        found = pandas.read_sql(f"SELECT * FROM {view}", database)
+    settings = pandas.DataFrame(list(frame.settings.map(json.loads)))
+    for key in ("stop_force_N", "speed_mm_s"):
+        settings[key] = settings[key].astype(float)
+    make, names = VIEWS[view]
+    expected = make(frame.join(settings))
+    for table in (found, expected):  # numbers and texts stand in one column
+        table.sort_values(names, key=lambda column: column.map(str), inplace=True, ignore_index=True)
+    assert set(expected) <= set(found)
+    # Endings that no insertion has are columns of zeros.
+    assert all((found[name] == 0).all() for name in set(found) - set(expected))
+    pandas.testing.assert_frame_equal(found[list(expected)], expected, check_dtype=False, check_names=False, rtol=1e-9)
+
+
 def test_the_columns_of_python_are_those_of_the_rows(folder, rows):
     columns = perilymph.read_study(folder).columns()
     assert columns["stop_force_N"].dtype == columns["speed_mm_s"].dtype == float

@@ -12,6 +12,7 @@ namespace perilymph::study {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 /// Results with known effects: angle = 400 + 30 (A - 9) + 50 for the long array - 20 for tissue - 8
 /// for both, plus a part of the cochlea that no factor explains.
@@ -182,6 +183,29 @@ TEST(StudyReport, GivesTheIntervalOfARateOfFewInsertions)
   // Wilson of 5 of 6: 0.4365 to 0.9699 (R: binom.confint(5, 6, methods = "wilson"))
   EXPECT_THAT(reportOf(columns).text,
               HasSubstr("| array = long | 6 | 5 of 6 (44 to 97) | 1 | 0 |"));
+}
+
+TEST(StudyReport, ShowsArraysByTheirNamesAndOtherFilesWithoutFolders)
+{
+  auto results = knownResults(20);
+  for (StudyResult& each : results) {
+    each.settings[0].second = each.settings[0].second == "long" ? "flex28" : "flex24";
+    each.settings[1].second = "/home/somebody/frictions/" + each.settings[1].second + ".toml";
+  }
+  const StudyColumns columns = columnsOf(results);
+  const StudyReport report = reportOf(columns);
+  for (const char* part : {"| array = FLEX28 | 40 |", "| array: FLEX24 - FLEX28 | 40 pairs",
+                           "| friction = tissue | 40 |", "beyond their sum: array = FLEX"})
+    EXPECT_THAT(report.text, HasSubstr(part));
+  EXPECT_THAT(report.text, Not(HasSubstr("/home/")));
+  EXPECT_EQ(report.figures[0].second.values[1].label, "array = FLEX28");
+  // two that would look the same stay as they are
+  for (StudyResult& each : results)
+    each.settings[1].second = each.settings[1].second == "/home/somebody/frictions/soap.toml"
+                                  ? "other/tissue.toml"
+                                  : "one/tissue.toml";
+  const StudyColumns alike = columnsOf(results);
+  EXPECT_EQ(alike.factor("friction")->shown, alike.factor("friction")->levels);
 }
 
 TEST(StudyReport, DrawsStoppedInsertionsAsRings)

@@ -24,6 +24,7 @@ struct StoredPlan {
   Plan plan;
   std::vector<PlanSource> sources;  ///< Where the distributions come from.
   std::vector<Sentence> limits;     ///< One sentence each.
+  std::string text;                 ///< The plan.json.
 };
 
 /// Largest number of arrays and of contacts or depths of an array that are read.

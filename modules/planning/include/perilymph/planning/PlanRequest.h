@@ -58,4 +58,7 @@ inline constexpr std::size_t fewestDraws = 16, maxDraws = 4096;
 /// first bands of few, and tests are cheap. Programs take few if PERILYMPH_FEW_DRAWS is set, which
 /// their results name (Version.h).
 Result<void> checkDraws(std::size_t draws);
+/// Number of draws where a user names none. A clinic's resistance weights them, so that they must amount to
+/// fewestEffective (ResistanceGrid.h).
+std::size_t usualDraws(bool hasClinicResistance);
 }  // namespace perilymph::planning

@@ -25,6 +25,12 @@ struct StudyFactor {
   std::string key;                   ///< "array", or "ending".
   std::vector<std::string> levels;   ///< Values, in the order of their first insertion.
   std::vector<std::uint16_t> level;  ///< One per insertion: index into `levels`.
+  /// The values as figures and reports show them: arrays by their names, other files without their folders; as
+  /// they are, where two would look the same.
+  std::vector<std::string> shown;
+
+  /// A value as it is shown.
+  std::string shownOf(const std::string& value) const;
 };
 
 /// Which insertions are selected.

@@ -190,7 +190,7 @@ py::dict distance(const BuiltCochlea& one, const py::object& points_mm)
 
 py::dict measures(const BuiltCochlea& one)
 {
-  const auto all = withoutLock([&] { return analysis::measure(*one.scala); });
+  const auto all = withoutLock([&] { return analysis::measure(*one.scala, one.cochlea); });
   py::dict found;
   for (const analysis::Measure& each : all) found[each.key.c_str()] = each.value;
   return found;
@@ -200,7 +200,7 @@ py::dict measureErrors(const BuiltCochlea& one)
 {
   std::vector<analysis::Measure> all;
   const auto bands = valueOf(withoutLock([&] {
-    all = analysis::measure(*one.scala);
+    all = analysis::measure(*one.scala, one.cochlea);
     return analysis::errorBands(one.cochlea, all);
   }));
   py::dict found;
@@ -329,7 +329,7 @@ void defineCochlea(py::module_& module)
           [](const BuiltCochlea& one) {
             std::vector<std::pair<std::string, std::string>> rows{
                 {"anatomy", nameOf(one.cochlea.source)}};
-            for (const analysis::Measure& each : analysis::measure(*one.scala))
+            for (const analysis::Measure& each : analysis::measure(*one.scala, one.cochlea))
               rows.emplace_back(each.key, figures::fixed(each.value, 2));
             return htmlTable(one.cochlea.patient.label, rows);
           },

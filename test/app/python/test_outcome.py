@@ -46,6 +46,9 @@ def test_contacts_are_where_the_phantom_has_them(ear, found):
     assert np.all(off < 4 * columns["error_mm"]) and np.all(columns["error_mm"] < 0.25)
     depth = found.angular_insertion_depth_deg
     assert depth.low95 < truth["angular_insertion_depth_deg"] < depth.high95
+    length = found.inserted_length_mm
+    assert length.low95 < truth["inserted_length_from_opening_mm"] < length.high95
+    assert truth["inserted_length_from_opening_mm"] == truth["inserted_length_mm"] + 1.0
     assert (found.array, found.is_registered, found.has_fold) == ("flex24", True, False)
     assert found.side == truth.get("side", found.side) and found.registration_residual > 0
     # The course begins at the tip, beyond the most apical contact, and passes the contacts.

@@ -2,13 +2,12 @@
 #include "gui/pages/outcome/PlanBeside.h"
 
 #include <QCoreApplication>
-#include <QHeaderView>
 #include <algorithm>
 
 #include "gui/pages/plan/ForceBands.h"
 #include "gui/setup/OutcomeWords.h"
 #include "gui/text/Numbers.h"
-#include "gui/widgets/TableRows.h"
+#include "gui/widgets/TableHeads.h"
 #include "gui/widgets/Theme.h"
 
 namespace perilymph::gui {
@@ -29,26 +28,13 @@ PlanBeside::PlanBeside(QWidget* parent) : QTableWidget(0, int(std::size(besideWi
 {
   setObjectName(QStringLiteral("outcomeBesidePlan"));
   setAccessibleName(tr("Plan beside outcome"));
-  setFont(typeface(11));
-  showInRows(*this, sized(besideRow_px));
-  setSelectionMode(QAbstractItemView::SingleSelection);
-  setWordWrap(false);
-  setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
-  horizontalHeader()->setFont(typeface(11));
-  horizontalHeader()->setFixedHeight(sized(besideHeader_px));
-  horizontalHeader()->setHighlightSections(false);
-  horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   const std::pair<QString, QString> columns[] = {
       {tr("Quantity"), tr("The depth of the array, and the angle of each contact; 1 at the tip")},
       {tr("Plan"), tr("Median and band of the plan, from 5 to 95 % of its simulations")},
       {tr("Found"), tr("Measured in the CT after surgery, with its 95 % interval")},
       {tr("Percentile"), tr("Share of the plan’s simulations below the value found, from the "
                             "quantiles of the band")}};
-  for (int column = 0; column < int(std::size(columns)); ++column) {
-    auto* head = new QTableWidgetItem(columns[column].first);
-    head->setToolTip(columns[column].second);
-    setHorizontalHeaderItem(column, head);
-  }
+  showValues(*this, columns, sized(besideRow_px), sized(besideHeader_px));
 }
 
 void PlanBeside::show(const planning::ArrayPlan* plan, const outcome::FoundArray& found)
@@ -76,9 +62,7 @@ void PlanBeside::show(const planning::ArrayPlan* plan, const outcome::FoundArray
          planned && each.isInside ? percentileText(planned->angle_deg, each.angle_deg.value)
                                   : none});
   }
-  for (int column = 0; column < columnCount(); ++column)
-    horizontalHeader()->resizeSection(
-        column, std::max(sized(besideWidths_px[column]), sizeHintForColumn(column)));
+  fitColumns(*this, besideWidths_px);
 }
 
 std::optional<figures::Figure> forceBeside(const PlannedEar& ear, const outcome::FoundArray& found)

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "perilymph/analysis/ColumnDictionary.h"
 #include "perilymph/analysis/CsvField.h"
 #include "perilymph/foundation/Seal.h"
 #include "perilymph/foundation/Version.h"
@@ -217,13 +218,7 @@ const FieldMeanings& outcomesColumns()
   return meanings;
 }
 
-std::string outcomesDictionaryCsv()
-{
-  std::string csv = "column,unit,meaning\n";
-  for (const Column& each : columns)
-    csv += std::string(each.name) + "," + each.unit + "," + analysis::csvField(each.meaning) + "\n";
-  return csv;
-}
+std::string outcomesDictionaryCsv() { return analysis::dictionaryCsv(outcomesColumns()); }
 
 std::string outcomesCsv(const ClinicOutcomes& outcomes)
 {

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "perilymph/analysis/CsvField.h"
+#include "perilymph/analysis/ColumnDictionary.h"
 #include "perilymph/foundation/FieldMeaning.h"
 #include "perilymph/foundation/Version.h"
 
@@ -485,13 +485,7 @@ std::string outcomeCsv(const FoundArray& found)
   return csv;
 }
 
-std::string outcomeDictionaryCsv()
-{
-  std::string csv = "column,unit,meaning\n";
-  for (const FieldMeaning& each : columns())
-    csv += each.name + "," + each.unit + "," + analysis::csvField(each.meaning) + "\n";
-  return csv;
-}
+std::string outcomeDictionaryCsv() { return analysis::dictionaryCsv(columns()); }
 
 std::string outcomeMarkups(const FoundArray& found)
 {

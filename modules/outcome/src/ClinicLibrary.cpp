@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "StopLengths.h"
+#include "perilymph/anatomy/EarWords.h"
 #include "perilymph/outcome/OutcomeText.h"
 #include "perilymph/planning/Plan.h"
 #include "perilymph/planning/PlanFolder.h"
@@ -108,8 +109,8 @@ Result<void> checkStatements(const Implanted& ear, const session::PatientOutcome
   const FoundArray& found = ear.content.found;
   const Surgery& surgery = ear.content.surgery;
   if (found.side != ear.saved->patient.side)
-    return Error{"its outcome is of the %1 ear. Find the contacts in the CT of this ear again.",
-                 std::string(anatomy::nameOf(found.side))};
+    return Error{"its outcome is of the %1. Find the contacts in the CT of this ear again.",
+                 anatomy::earOf(found.side)};
   if (!surgery.array.empty() && surgery.array != found.array)
     return Error{
         "%1 was found in the CT and %2 was implanted as the surgeon says. Find the contacts again "
@@ -186,9 +187,7 @@ std::vector<Implanted> implantedIn(const std::vector<session::SavedPatient>& pat
     Implanted ear;
     ear.saved = &each;
     ear.series = newest.series;
-    ear.name = Sentence{
-        "%1, %2", each.patient.label,
-        each.patient.side == anatomy::Side::left ? Sentence{"left ear"} : Sentence{"right ear"}};
+    ear.name = Sentence{"%1, %2", each.patient.label, anatomy::earOf(each.patient.side)};
     auto content = outcomeIn(newest.content, ear.name);
     if (!content) {
       ++library.leftOut.unreadable;

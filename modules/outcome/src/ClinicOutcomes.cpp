@@ -21,12 +21,11 @@ int yearOf(const std::string& utc)
   return year;
 }
 
-Result<void> checkValue(const char* what, const Uncertain& measured, Range range,
-                        const std::string& place)
+Result<void> checkValue(Phrase what, const Uncertain& measured, Range range, const Sentence& place)
 {
   if (!std::isfinite(measured.value) || measured.value < range.low || measured.value > range.high)
     return Error{"%1 of %2 is %3; %4 to %5 is allowed. Check the contacts found in the CT.",
-                 what,
+                 Sentence(what),
                  place,
                  std::to_string(measured.value),
                  std::to_string(range.low),
@@ -36,7 +35,7 @@ Result<void> checkValue(const char* what, const Uncertain& measured, Range range
     return Error{
         "%1 of %2 has the standard deviation %3; 0 to %4 is allowed. Check the contacts found in "
         "the CT.",
-        what, place, std::to_string(measured.sd), std::to_string(widest)};
+        Sentence(what), place, std::to_string(measured.sd), std::to_string(widest)};
   return {};
 }
 
@@ -87,17 +86,17 @@ void learnAngle(AngleOffset& offset, const MeasuredOutcome& outcome)
 
 }  // namespace
 
-Result<void> checkOutcome(const MeasuredOutcome& outcome, const std::string& name)
+Result<void> checkOutcome(const MeasuredOutcome& outcome, const Sentence& name)
 {
   if (const auto done = checkSurgery(outcome.surgery); !done)
     return Error{"%1: %2", name, done.error().message};
-  if (const auto done = checkValue("The inserted length [mm]", outcome.depth_mm,
+  if (const auto done = checkValue(Phrase{"The inserted length [mm]"}, outcome.depth_mm,
                                    analysis::physical::depth_mm, name);
       !done)
     return done.error();
   if (outcome.angle_deg)
-    if (const auto done = checkValue("The angular insertion depth [degrees]", *outcome.angle_deg,
-                                     analysis::physical::angle_deg, name);
+    if (const auto done = checkValue(Phrase{"The angular insertion depth [degrees]"},
+                                     *outcome.angle_deg, analysis::physical::angle_deg, name);
         !done)
       return done.error();
   if (outcome.plan.depths_mm.empty())
@@ -136,7 +135,7 @@ Result<ClinicOutcomes> compareOutcomes(std::vector<MeasuredOutcome> outcomes,
   std::map<std::string, ArrayOutcomes> arrays;
   ArrayOutcomes all;
   for (const MeasuredOutcome& each : outcomes) {
-    const std::string name = "ear " + std::to_string(clinic.ears.size() + 1);
+    const Sentence name{"ear %1", clinic.ears.size() + 1};
     if (const auto done = checkOutcome(each, name); !done) return done.error();
     ScoredOutcome ear;
     ear.year = yearOf(each.surgeryUtc);

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <functional>
 #include <iterator>
+#include <set>
 
 #include "StopLengths.h"
 #include "perilymph/database/Database.h"
@@ -44,6 +45,15 @@ std::string contentOf(const fs::path& file)
 void write(const fs::path& file, const std::string& text)
 {
   std::ofstream(file, std::ios::binary | std::ios::trunc) << text;
+}
+
+/// Notes which of some words stand in a sentence as a phrase of their own, and which as plain text.
+void collect(const Sentence& sentence, const std::set<std::string>& words,
+             std::set<std::string>& asPhrase, std::set<std::string>& asText)
+{
+  if (words.count(sentence) > 0)
+    (sentence.phrase() != nullptr ? asPhrase : asText).insert(sentence);
+  for (const Sentence& value : sentence.values()) collect(value, words, asPhrase, asText);
 }
 
 void halve(const fs::path& file) { fs::resize_file(file, fs::file_size(file) / 2); }
@@ -389,6 +399,10 @@ TEST_F(Library, ComparesTheOtherEarsWhateverIsWrongWithOne)
        {"P-017, right ear of ", "copy.toml", "P-017-right.toml"},
        &LeftOut::twice},
   };
+  // what is no name, number or path is shown in the user's language
+  const std::set<std::string> words{"left ear", "right ear", "The inserted length [mm]",
+                                    "The angular insertion depth [degrees]"};
+  std::set<std::string> asPhrase, asText;
   for (const Fault& fault : faults) {
     SCOPED_TRACE(fault.what);
     restore();
@@ -401,7 +415,10 @@ TEST_F(Library, ComparesTheOtherEarsWhateverIsWrongWithOne)
     EXPECT_EQ(library->leftOut.all(), 1u);
     EXPECT_EQ(library->leftOut.*fault.count, 1u);
     std::string notes;
-    for (const Sentence& each : library->notes) notes += each + "\n";
+    for (const Sentence& each : library->notes) {
+      notes += each + "\n";
+      collect(each, words, asPhrase, asText);
+    }
     for (const std::string& each : fault.named)
       EXPECT_NE(notes.find(each), std::string::npos) << each << "\n" << notes;
     const auto clinic = outcome::compareOutcomes(library->outcomes, library->leftOut);
@@ -409,6 +426,8 @@ TEST_F(Library, ComparesTheOtherEarsWhateverIsWrongWithOne)
     EXPECT_NE(outcome::outcomesJson(*clinic).find("\"left_out\": {\n    \"ears\": 1"),
               std::string::npos);
   }
+  EXPECT_EQ(asPhrase, words);
+  EXPECT_TRUE(asText.empty()) << *asText.begin();
 }
 
 TEST_F(Library, LeavesOutBothPatientsThatHaveOneCt)

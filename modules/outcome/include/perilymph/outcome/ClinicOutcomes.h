@@ -111,7 +111,7 @@ Result<ClinicOutcomes> compareOutcomes(std::vector<MeasuredOutcome> outcomes,
 /// Refuses a depth or an angle that no array has, an error below 0 or wider than all arrays are long, and a
 /// plan without simulations, with a sentence.
 /// @param name  Of the ear, for the sentence.
-Result<void> checkOutcome(const MeasuredOutcome& outcome, const std::string& name);
+Result<void> checkOutcome(const MeasuredOutcome& outcome, const Sentence& name);
 
 /// JSON text, `format` 1, sealed. Neither codes nor dates; years.
 std::string outcomesJson(const ClinicOutcomes& outcomes);

@@ -22,7 +22,8 @@ struct OutcomeContent {
 /// JSON text, `format` 1. Keys are those of the guide's reference; no name, no date.
 std::string outcomeJson(const OutcomeContent& content);
 /// Reads it again; refuses with a sentence what does not hold.
-Result<OutcomeContent> outcomeIn(const std::string& text, const std::string& name);
+/// @param name  Of the outcome, for sentences.
+Result<OutcomeContent> outcomeIn(const std::string& text, const Sentence& name);
 
 /// One row a contact.
 std::string outcomeCsv(const FoundArray& found);

@@ -90,9 +90,11 @@ Result<ct::CtVolume> withoutMetal(const ct::CtVolume& volume)
 }  // namespace
 
 Result<Ear> registeredEar(const ct::CtVolume& postoperative, const ct::CtVolume& preoperative,
-                          const ct::CochleaMeasures& measured, const std::stop_token& stop)
+                          const ct::CochleaMeasures& measured, const std::stop_token& stop,
+                          const std::function<void(double)>& onProgress)
 {
-  const auto motion = registration(preoperative, measured.center_P, postoperative, stop);
+  const auto motion =
+      registration(preoperative, measured.center_P, postoperative, stop, onProgress);
   if (!motion) return motion.error();
   Ear ear;
   ear.measures = moved(measured, *motion);

@@ -11,6 +11,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMouseEvent>
+#include <QProgressBar>
 #include <QTableWidget>
 #include <QTest>
 #include <QThread>
@@ -32,6 +33,8 @@
 #include "gui/setup/OutcomeWords.h"
 #include "gui/setup/PatientLibrary.h"
 #include "gui/setup/PlanStore.h"
+#include "gui/setup/ScanFolders.h"
+#include "gui/widgets/Notice.h"
 #include "gui/widgets/Selector.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/foundation/StateFolder.h"
@@ -687,6 +690,52 @@ TEST_F(AnOutcome, ASearchIsCanceledByEscape)
   rig.pressKey(Qt::Key_Escape);
   EXPECT_FALSE(page.isBusy());
   EXPECT_EQ(page.found(), nullptr);
+  EXPECT_TRUE(rig.button("findContactsButton").isEnabled());
+}
+
+TEST_F(AnOutcome, SaysWhichStepRunsAndCancelsTheCarryingOverOfTheEar)
+{
+  const auto before = imaging::findSeries(onDisk().folder / "ct");
+  ASSERT_TRUE(before) << before.error().message;
+  patient_.origin.seriesKey = before->series.front().key;
+  const auto saved = gui::savePatientInLibrary(patient_, file_);
+  ASSERT_TRUE(saved) << saved.error().message;
+  gui::rememberScan(patient_.origin.seriesKey, onDisk().folder / "ct");
+  gui::OutcomeFinder slow = finder();
+  slow.measure = [](const ct::CtVolume&,
+                    const ct::MeasureRequest& request) -> Result<ct::CochleaMeasures> {
+    request.onProgress(0.5);
+    QThread::msleep(400);
+    return measured();
+  };
+  slow.registeredEar = [](const ct::CtVolume&, const ct::CtVolume&, const ct::CochleaMeasures&,
+                          const std::stop_token& stop,
+                          const std::function<void(double)>& onProgress) -> Result<outcome::Ear> {
+    onProgress(0.5);
+    while (!stop.stop_requested()) QThread::msleep(5);
+    return Error{"The registration was canceled."};
+  };
+  WindowRig rig;
+  auto& page = *rig.window().pages().find<gui::OutcomePage>();
+  page.setFinder(std::move(slow));
+  rig.click("outcomePageButton");
+  rig.choose("outcomePatientSelector", file_.string().c_str());
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return array(rig) == plannedArray; }));
+  page.open(otherOnDisk());
+  const auto& bar = *rig.window().findChild<gui::OutcomePanel*>()->findChild<QProgressBar*>();
+  ASSERT_TRUE(WindowRig::waitUntil([&] {
+    return rig.label("outcomeStatus").startsWith("Measuring the ear in the CT before surgery");
+  })) << rig.label("outcomeStatus").toStdString();
+  const int measuring = bar.value();
+  ASSERT_TRUE(WindowRig::waitUntil([&] {
+    return rig.label("outcomeStatus").startsWith("Carrying the ear over");
+  })) << rig.label("outcomeStatus").toStdString();
+  EXPECT_GT(bar.value(), measuring);
+  rig.pressKey(Qt::Key_Escape);
+  EXPECT_FALSE(page.isBusy());
+  settle();
+  EXPECT_EQ(page.found(), nullptr);
+  EXPECT_TRUE(rig.label("outcomeStatus").isEmpty());
   EXPECT_TRUE(rig.button("findContactsButton").isEnabled());
 }
 

@@ -37,6 +37,23 @@ constexpr double outcomeSlab_mm = 2.0;  // a contact is seen in it where the pla
 // Of the unrolled scala on paper [px].
 constexpr double paperWidth_px = 760.0, paperHeight_px = 170.0;
 
+QString stepText(OutcomeStep step)
+{
+  switch (step) {
+    case OutcomeStep::readBefore:
+      return OutcomePage::tr("Reading the CT before surgery…");
+    case OutcomeStep::measureBefore:
+      return OutcomePage::tr("Measuring the ear in the CT before surgery…");
+    case OutcomeStep::carryOver:
+      return OutcomePage::tr("Carrying the ear over from the CT before surgery…");
+    case OutcomeStep::measureHere:
+      return OutcomePage::tr("Measuring the ear in this CT…");
+    case OutcomeStep::findContacts:
+      break;
+  }
+  return OutcomePage::tr("Finding the contacts…");
+}
+
 Result<electrode::ArrayDesign> arrayNamed(const std::string& name)
 {
   const auto file = findByName("array", "plugins/electrodes", name);
@@ -195,7 +212,7 @@ void OutcomePage::connectPanel()
 
 void OutcomePage::connectWork()
 {
-  connect(&work_, &OutcomeWork::progressed, this, &OutcomePage::showProgress);
+  connect(&work_, &OutcomeWork::progressed, this, &OutcomePage::showStep);
   connect(&work_, &OutcomeWork::earFound, this,
           [this](const OutcomeWork::SharedEar& ear, const QString& note) {
             earNote_ = note;
@@ -281,12 +298,21 @@ void OutcomePage::beginTask(const QString& task)
 {
   task_ = task;
   since_.start();
+  shownFraction_ = 0.0;
   panel_->showTask(task_, 0.0);
 }
 
 void OutcomePage::showProgress(double fraction)
 {
   panel_->showTask(taskText(task_, fraction, 1e-3 * double(since_.elapsed())), fraction);
+}
+
+void OutcomePage::showStep(OutcomeStep step, double fraction)
+{
+  task_ = stepText(step);
+  if (fraction < shownFraction_) since_.start();  // the ear could not be carried over
+  shownFraction_ = fraction;
+  showProgress(fraction);
 }
 
 void OutcomePage::choosePatient()
@@ -364,8 +390,9 @@ void OutcomePage::find()
 
 void OutcomePage::findEar()
 {
-  beginTask(tr("Measuring the ear…"));
-  work_.findEar(study_.volume(), earlierCt(), panel_->patient()->patient.side);
+  const auto before = earlierCt();
+  beginTask(stepText(before ? OutcomeStep::readBefore : OutcomeStep::measureHere));
+  work_.findEar(study_.volume(), before, panel_->patient()->patient.side);
 }
 
 void OutcomePage::acceptEar(const OutcomeWork::SharedEar& ear)
@@ -410,7 +437,7 @@ void OutcomePage::findContacts()
   if (name.empty()) return panel_->showIdle(tr("Choose the implanted array first."), true);
   const auto array = arrayNamed(name);
   if (!array) return panel_->showIdle(dataText(array.error().message), true);
-  beginTask(tr("Finding the contacts…"));
+  beginTask(stepText(OutcomeStep::findContacts));
   outcome::ContactsRequest request;
   request.array = *array;
   request.arrayName = name;

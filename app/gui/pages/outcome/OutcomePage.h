@@ -82,6 +82,7 @@ private:
   void showArchive(bool isShown);
   void beginTask(const QString& task);
   void showProgress(double fraction);
+  void showStep(OutcomeStep step, double fraction);
   void choosePatient();
   /// Forgets plan and outcome of a patient; the CT stays.
   void leavePatient();
@@ -129,6 +130,7 @@ private:
   bool isSaved_ = true;
   QString task_;
   QElapsedTimer since_;
+  double shownFraction_ = 0.0;
   OutcomePanel* panel_;
   QStackedWidget* stages_;
   EmptyPage* empty_;

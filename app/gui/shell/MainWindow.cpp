@@ -107,10 +107,13 @@ void MainWindow::connectInsertion()
 
 void MainWindow::load(const InsertionRequest& request)
 {
-  ending_.askBefore(tr("End it and continue"), [this, request] {
-    insertion_->load(request);
-    showPage(*insert_);
-  });
+  ending_.askBefore(
+      tr("End it and continue"),
+      [this, request] {
+        insertion_->load(request);
+        showPage(*insert_);
+      },
+      insert_);
 }
 
 void MainWindow::showPage(const QString& id)
@@ -178,7 +181,13 @@ void MainWindow::keyReleaseEvent(QKeyEvent* event)
 
 void MainWindow::replay(const std::filesystem::path& file)
 {
-  ending_.askBefore(tr("End it and replay"), [this, file] { insertion_->openReplay(file); });
+  ending_.askBefore(
+      tr("End it and replay"), [this, file] { insertion_->openReplay(file); }, insert_);
+}
+
+void MainWindow::endWork(Page& page, const QString& action, const std::function<void()>& act)
+{
+  ending_.askBefore(action, act, &page);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event)
@@ -187,7 +196,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
   // The end of a desktop session does not wait for an answer.
   if (!qApp->isSavingSession() && ending_.isNeeded()) {
     event->ignore();
-    return ending_.askBefore(tr("End it and close"), [this] { close(); });
+    return ending_.askBefore(tr("Close anyway"), [this] { close(); });
   }
   insertion_->safety().end();
   QWidget::closeEvent(event);

@@ -17,6 +17,7 @@
 #include <QThread>
 #include <cmath>
 #include <fstream>
+#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "CutTexts.h"
@@ -364,6 +365,122 @@ TEST_F(AnOutcome, EverySaveIsAVersionInThePatientsRecord)
   EXPECT_EQ(rig.window().findChild<gui::Selector*>("surgeryStopReason")->value(), "unknown");
   EXPECT_EQ(page.study().contacts().size(), std::size_t(contactCount));
   EXPECT_FALSE(page.unfinished());
+}
+
+TEST_F(AnOutcome, IsOfThePlanMadeBeforeSurgeryAsTheCtStatesItsDay)
+{
+  storePlan("P-53-before", "2025-01-10T09:30:00Z");  // the other one was made after surgery
+  auto slices = dicomSlices(onDisk().phantom.volume, "1.2.3.78");
+  for (DicomData& each : slices) each.setText(0x00080022, "DA", "20250203");
+  const TemporaryFolder folder;
+  writeDicomFiles(slices, folder / "ct");
+  WindowRig rig;
+  gui::OutcomePage& page = show(rig);
+  ASSERT_TRUE(isFound(page));
+  // that CT states no day
+  rig.click("outcomeBesideStage");
+  EXPECT_THAT(rig.label("outcomePlanNote").toStdString(), testing::HasSubstr("2026-11-20"));
+  EXPECT_THAT(rig.label("outcomePlanDoubt").toStdString(), testing::HasSubstr("states no day"));
+  page.open(folder / "ct");
+  rig.click("noticeButton");
+  ASSERT_TRUE(WindowRig::waitUntil([&] {
+    return typed(rig, "surgeryCtDay") == "2025-02-03" && page.found() && !page.isBusy();
+  }));
+  rig.click("outcomeBesideStage");
+  EXPECT_THAT(rig.label("outcomePlanDoubt").toStdString(),
+              testing::HasSubstr("Type Days from surgery to CT"));
+  rig.type("surgeryDaysToCt", "20");
+  ASSERT_TRUE(
+      WindowRig::waitUntil([&] { return rig.label("outcomePlanNote").contains("2025-01-10"); }));
+  EXPECT_TRUE(rig.label("outcomePlanDoubt").isEmpty());
+  rig.click("saveOutcomeButton");
+  EXPECT_THAT(rig.label("outcomeStatus").toStdString(), testing::EndsWith("version 1."));
+  ASSERT_EQ(record().outcomes.size(), 1u);
+  const session::PatientOutcome kept = record().outcomes[0];
+  const auto content = outcome::outcomeIn(kept.content, "kept");
+  ASSERT_TRUE(content) << content.error().message;
+  EXPECT_EQ(outcome::ctDayOf(*content, kept.utc), "2025-02-03");
+  // with more days, both plans were made after surgery
+  rig.type("surgeryDaysToCt", "30");
+  ASSERT_TRUE(
+      WindowRig::waitUntil([&] { return rig.label("outcomePlanNote").contains("2026-11-20"); }));
+  EXPECT_THAT(rig.label("outcomePlanDoubt").toStdString(),
+              testing::HasSubstr("made after surgery"));
+  rig.click("saveOutcomeButton");
+  EXPECT_THAT(rig.label("outcomeStatus").toStdString(), testing::HasSubstr("made after surgery"));
+  // the CT's day is that of the record when it is opened again
+  rig.type("surgeryCtDay", "1.1.2025");
+  rig.choose("outcomeVersions", "0");
+  rig.click("noticeButton");
+  EXPECT_EQ(typed(rig, "surgeryCtDay"), "2025-02-03");
+  rig.type("surgeryCtDay", "1.1.2999");
+  EXPECT_THAT(rig.label("surgeryError").toStdString(), testing::HasSubstr("1.1.2999"));
+  EXPECT_FALSE(rig.button("saveOutcomeButton").isEnabled());
+  page.cancel();
+}
+
+TEST_F(AnOutcome, ThatIsNotSavedIsAskedAboutBeforeAnotherTakesItsPlace)
+{
+  anatomy::Patient patient = patient_;
+  patient.label = "P-54";
+  const auto other = gui::savePatientInLibrary(patient);
+  ASSERT_TRUE(other) << other.error().message;
+  WindowRig rig;
+  gui::OutcomePage& page = show(rig);
+  ASSERT_TRUE(isFound(page));
+  rig.click("saveOutcomeButton");
+  table(rig).selectRow(2);
+  QTest::keyClick(rig.window().findChild<gui::PlaneView*>("outcomePlane0"), Qt::Key_Right,
+                  Qt::ShiftModifier);
+  ASSERT_TRUE(isFound(page));
+  const auto moved = page.found();
+  ASSERT_TRUE(moved->contacts[2].isByHand);
+  const std::string own = file_.string(), others = other->string();
+  const auto chosen = [&](const char* list) {
+    return rig.window().findChild<gui::Selector*>(list)->value().toStdString();
+  };
+  const std::pair<const char*, std::function<void()>> ways[] = {
+      {"another patient", [&] { rig.choose("outcomePatientSelector", others.c_str()); }},
+      {"another CT", [&] { page.open(otherOnDisk()); }},
+      {"another version", [&] { rig.choose("outcomeVersions", "0"); }},
+      {"the patient's history", [&] { page.openSaved(file_, 0); }},
+      {"the window's end", [&] { rig.window().close(); }}};
+  for (const auto& [what, act] : ways) {
+    SCOPED_TRACE(what);
+    act();
+    ASSERT_TRUE(rig.button("noticeDismissButton").isVisible());
+    EXPECT_THAT(rig.window().notice().sentence().toStdString(),
+                testing::AllOf(testing::HasSubstr("P-53"), testing::HasSubstr("not saved")));
+    rig.click("noticeDismissButton");
+    settle();
+    EXPECT_TRUE(rig.window().isVisible());
+    EXPECT_EQ(page.found(), moved);
+    EXPECT_FALSE(page.isBusy());
+    EXPECT_EQ(chosen("outcomePatientSelector"), own);
+    EXPECT_EQ(chosen("outcomeVersions"), "");
+  }
+  // an insertion ends no outcome
+  auto scenario = session::loadScenario("mean-contour");
+  ASSERT_TRUE(scenario);
+  Q_EMIT page.insertionRequested({{*scenario, {}}});
+  EXPECT_EQ(rig.window().page(), "insert");
+  EXPECT_EQ(page.found(), moved);
+  rig.click("outcomePageButton");
+  // saving answers the question
+  rig.choose("outcomePatientSelector", others.c_str());
+  ASSERT_TRUE(rig.button("noticeDismissButton").isVisible());
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig.button("saveOutcomeButton").isEnabled(); }));
+  rig.click("saveOutcomeButton");
+  EXPECT_FALSE(rig.window().notice().isVisible());
+  EXPECT_EQ(record().outcomes.size(), 2u);
+  // answers alone are asked about, too, and the other patient has none of them
+  rig.type("surgeryIntendedDepth", "20");
+  rig.choose("outcomePatientSelector", others.c_str());
+  rig.click("noticeButton");
+  EXPECT_EQ(chosen("outcomePatientSelector"), others);
+  EXPECT_EQ(typed(rig, "surgeryIntendedDepth"), "");
+  EXPECT_EQ(record().outcomes.size(), 2u);
+  page.cancel();
 }
 
 TEST_F(AnOutcome, StandsInThePatientsHistoryAndIsOpenedFromThere)

@@ -137,13 +137,27 @@ bool OutcomePage::takeKey(const QKeyEvent& event)
 
 std::optional<Page::Unfinished> OutcomePage::unfinished() const
 {
-  if (isSaved_ || !history_.now().found || !panel_->patient()) return std::nullopt;
-  return Unfinished{tr("The outcome of %1 is not saved in the record.")
-                        .arg(nameOfPatient(panel_->patient()->patient)),
+  if (isSaved_ || !panel_->patient() || !(found() || panel_->form().hasAnswers()))
+    return std::nullopt;
+  const QString name = nameOfPatient(panel_->patient()->patient);
+  return Unfinished{found()
+                        ? tr("The outcome of %1 is not saved in the record.").arg(name)
+                        : tr("What the surgeon knows of %1 is not saved in the record.").arg(name),
                     tr("Keep it")};
 }
 
-void OutcomePage::endUnfinished() { leaveFound(); }
+void OutcomePage::endUnfinished()
+{
+  leaveFound();
+  isSaved_ = true;
+}
+
+void OutcomePage::leaveCt(const std::function<void()>& act)
+{
+  // answers stay with the patient
+  if (!found()) return act();
+  Q_EMIT endingRequested(tr("Open without saving"), act);
+}
 
 void OutcomePage::connectCt()
 {
@@ -167,8 +181,9 @@ void OutcomePage::connectCt()
   });
   connect(archive_, &ArchiveView::leaveRequested, this, [this] { showArchive(false); });
   connect(archive_, &ArchiveView::serversRequested, this, &OutcomePage::serversRequested);
-  connect(archive_, &ArchiveView::fetched, this,
-          [this](const std::filesystem::path& folder) { read(folder, {}); });
+  connect(archive_, &ArchiveView::fetched, this, [this](const std::filesystem::path& folder) {
+    leaveCt([this, folder] { read(folder, {}); });
+  });
 }
 
 void OutcomePage::connectPanel()
@@ -178,16 +193,25 @@ void OutcomePage::connectPanel()
   connect(empty_, &EmptyPage::otherRequested, this, [this] { showArchive(true); });
   connect(&source, &CtSource::opened, this, &OutcomePage::open);
   connect(&source, &CtSource::archiveRequested, this, [this] { showArchive(true); });
-  connect(&source, &CtSource::recentRequested, this,
-          [this](const CtRequest& request) { read(placeOfScan(request.series), request.series); });
+  connect(&source, &CtSource::recentRequested, this, [this](const CtRequest& request) {
+    leaveCt([this, request] { read(placeOfScan(request.series), request.series); });
+  });
   connect(&source, &CtSource::seriesChosen, this, [this](const std::string& uid) {
     if (study_.hasCt() && study_.series().uid == uid) return;
-    endSearch();
-    beginTask(tr("Reading the CT…"));
-    ct_.read(list_, uid);
+    leaveCt([this, uid] {
+      endSearch();
+      beginTask(tr("Reading the CT…"));
+      ct_.read(list_, uid);
+    });
+  });
+  connect(panel_, &OutcomePanel::patientWanted, this, [this](const std::filesystem::path& patient) {
+    Q_EMIT endingRequested(tr("Change without saving"),
+                           [this, patient] { panel_->choosePatient(patient); });
   });
   connect(panel_, &OutcomePanel::patientChosen, this, &OutcomePage::choosePatient);
-  connect(panel_, &OutcomePanel::versionChosen, this, &OutcomePage::openVersion);
+  connect(panel_, &OutcomePanel::versionWanted, this, [this](std::size_t place) {
+    Q_EMIT endingRequested(tr("Open without saving"), [this, place] { openVersion(place); });
+  });
   connect(panel_, &OutcomePanel::findRequested, this, &OutcomePage::find);
   connect(panel_, &OutcomePanel::cancelRequested, this, &OutcomePage::cancel);
   connect(panel_, &OutcomePanel::undoRequested, this, [this] { step(&FoundHistory::undo); });
@@ -256,8 +280,10 @@ void OutcomePage::showArchive(bool isShown)
 void OutcomePage::open(const std::filesystem::path& path)
 {
   Q_EMIT pageRequested(id());  // it may have been dropped on another page
-  panel_->source().remember(path);
-  read(path, {});
+  leaveCt([this, path] {
+    panel_->source().remember(path);
+    read(path, {});
+  });
 }
 
 void OutcomePage::read(const std::filesystem::path& path, const std::string& series)
@@ -484,7 +510,7 @@ void OutcomePage::leaveFound()
 {
   history_.begin({});
   series_.clear();
-  isSaved_ = true;
+  if (!panel_->form().hasAnswers()) isSaved_ = true;
   showFound();
 }
 
@@ -499,7 +525,9 @@ void OutcomePage::showFound()
 void OutcomePage::openSaved(const std::filesystem::path& patient, std::size_t place)
 {
   Q_EMIT pageRequested(id());
-  if (panel_->choosePatient(patient)) openVersion(place);
+  Q_EMIT endingRequested(tr("Open without saving"), [this, patient, place] {
+    if (panel_->choosePatient(patient)) openVersion(place);
+  });
 }
 
 void OutcomePage::openVersion(std::size_t place)
@@ -521,6 +549,7 @@ void OutcomePage::openVersion(std::size_t place)
   series_ = version.series;
   history_.begin({byHand, std::make_shared<const outcome::FoundArray>(std::move(content->found))});
   isSaved_ = true;
+  panel_->showVersion(place);
   readPlanned(true);
   showFound();
   std::error_code ignored;
@@ -553,9 +582,12 @@ void OutcomePage::save()
   rememberScan(series_, placeOfScan(series_), panel_->patient()->patient.label);
   panel_->refresh();
   showFound();
-  panel_->showIdle(tr("Saved in the record of %1, version %2.")
-                       .arg(nameOfPatient(panel_->patient()->patient))
-                       .arg(saved->outcomes.size()));
+  Q_EMIT kept();
+  QStringList sentences{tr("Saved in the record of %1, version %2.")
+                            .arg(nameOfPatient(panel_->patient()->patient))
+                            .arg(saved->outcomes.size())};
+  if (const QString doubt = planDoubt(); !doubt.isEmpty()) sentences << doubt;
+  panel_->showIdle(sentences.join(QLatin1Char(' ')));
 }
 
 void OutcomePage::askExport(OutcomeExport kind)

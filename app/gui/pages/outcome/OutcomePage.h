@@ -5,6 +5,7 @@
 
 #include <QElapsedTimer>
 #include <QPointer>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -48,7 +49,7 @@ public:
   bool cancel() override;
   /// Undo and redo of moved contacts.
   bool takeKey(const QKeyEvent& event) override;
-  /// An outcome that is not saved in the record.
+  /// An outcome that is not saved in the record, or answers of the surgeon.
   std::optional<Unfinished> unfinished() const override;
   void endUnfinished() override;
 
@@ -72,12 +73,18 @@ public:
 Q_SIGNALS:
   /// The archives in the settings are to be shown.
   void serversRequested();
+  /// Something is to be done that ends the outcome shown: a question comes first if it is not saved.
+  void endingRequested(const QString& action, const std::function<void()>& act);
+  /// What was not saved is.
+  void kept();
 
 private:
   void connectCt();
   void connectPanel();
   void connectWork();
   void read(const std::filesystem::path& path, const std::string& series);
+  /// Does something that takes another CT in place of the one shown.
+  void leaveCt(const std::function<void()>& act);
   void showCt(imaging::LoadedCt&& loaded);
   void showArchive(bool isShown);
   void beginTask(const QString& task);

@@ -75,9 +75,13 @@ OutcomePanel::OutcomePanel(QWidget* parent)
   whole->setSpacing(0);
   whole->addWidget(verticalScroll(content, this), 1);
   whole->addLayout(foot);
-  connect(patientList_, &Selector::chosen, this, &OutcomePanel::choose);
+  connect(patientList_, &Selector::chosen, this, [this](const QString& key) {
+    showPatient();
+    if (!patient_ || keyOf(*patient_) != key) Q_EMIT patientWanted(key.toStdString());
+  });
   connect(versions_, &Selector::chosen, this, [this](const QString& place) {
-    if (!place.isEmpty()) Q_EMIT versionChosen(place.toULong());
+    versions_->show(version_, {});
+    if (!place.isEmpty()) Q_EMIT versionWanted(place.toULong());
   });
   connect(form_, &SurgeryForm::changed, this, &OutcomePanel::showButtons);
   refresh();
@@ -141,12 +145,23 @@ void OutcomePanel::refresh()
   patient_.reset();
   for (const SavedPatient& each : patients_)
     if (keyOf(each) == before) patient_ = each;
-  if (patient_)
-    patientList_->show(before, {});
-  else
-    patientList_->show({}, patients_.empty() ? tr("Save a patient first") : tr("Choose a patient"));
+  showPatient();
   listVersions();
   showButtons();
+}
+
+void OutcomePanel::showPatient()
+{
+  if (patient_)
+    patientList_->show(keyOf(*patient_), {});
+  else
+    patientList_->show({}, patients_.empty() ? tr("Save a patient first") : tr("Choose a patient"));
+}
+
+void OutcomePanel::showVersion(std::size_t place)
+{
+  version_ = QString::number(place);
+  versions_->show(version_, {});
 }
 
 bool OutcomePanel::choosePatient(const std::filesystem::path& file)
@@ -180,6 +195,7 @@ void OutcomePanel::listVersions()
                        QString());
   for (std::size_t place = count; place-- > 0;)
     versions_->addChoice(versionText(patient_->record.outcomes[place]), QString::number(place));
+  version_.clear();
   versions_->show({}, {});
 }
 

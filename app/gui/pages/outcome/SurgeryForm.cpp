@@ -223,6 +223,25 @@ void SurgeryForm::setSurgery(const outcome::Surgery& surgery)
   Q_EMIT changed();
 }
 
+bool SurgeryForm::hasAnswers() const
+{
+  outcome::Surgery answered = surgery();
+  answered.array.clear();
+  return answered != outcome::Surgery{};
+}
+
+std::string SurgeryForm::ctDay() const
+{
+  return dayIn(ctDay_->text().trimmed()).toString(Qt::ISODate).toStdString();
+}
+
+void SurgeryForm::setCtDay(const std::string& day)
+{
+  isShowing_ = true;
+  ctDay_->setText(QString::fromStdString(day));
+  isShowing_ = false;
+}
+
 void SurgeryForm::proposeArray(const std::string& array)
 {
   const QString name = QString::fromStdString(array);

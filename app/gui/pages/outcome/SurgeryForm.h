@@ -28,6 +28,12 @@ public:
   /// The answers; a field that cannot be read counts as empty.
   outcome::Surgery surgery() const;
   void setSurgery(const outcome::Surgery& surgery);
+  /// Whether something is answered besides the array.
+  bool hasAnswers() const;
+  /// The day of the CT: "2026-11-20"; empty where it is not known or cannot be read.
+  std::string ctDay() const;
+  /// Shows the day that the CT or a saved outcome states; empty for none.
+  void setCtDay(const std::string& day);
   /// Proposes an array where the user has chosen none.
   void proposeArray(const std::string& array);
   /// Why an answer cannot be kept, one sentence; empty if all can.

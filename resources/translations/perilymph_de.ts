@@ -4492,10 +4492,6 @@
         <translation>%1 ist ausgelassen: Der zugehörige Plan %2 mit %3 ist nicht so vorhanden, wie er vor der Operation erstellt wurde. Stellen Sie den Ordner des Plans wieder her.</translation>
     </message>
     <message>
-        <source>its outcome is of the %1 ear. Find the contacts in the CT of this ear again.</source>
-        <translation>das Ergebnis gehört zum anderen Ohr (%1). Suchen Sie die Kontakte im CT dieses Ohrs erneut.</translation>
-    </message>
-    <message>
         <source>%1 was found in the CT and %2 was implanted as the surgeon says. Find the contacts again with the array that was implanted.</source>
         <translation>%1 wurde im CT gefunden, und %2 wurde nach Angabe des Operateurs implantiert. Suchen Sie die Kontakte erneut mit dem implantierten Elektrodenträger.</translation>
     </message>
@@ -4558,6 +4554,102 @@
     <message>
         <source>%1 cannot be removed: %2.</source>
         <translation>%1 kann nicht entfernt werden: %2.</translation>
+    </message>
+    <message>
+        <source>its outcome is of the %1. Find the contacts in the CT of this ear again.</source>
+        <translation>das Ergebnis gehört zum anderen Ohr (%1). Suchen Sie die Kontakte im CT dieses Ohrs erneut.</translation>
+    </message>
+    <message>
+        <source>%1 is left out: the day of its CT is not known, so that no plan is known to be made before surgery. Open the outcome on the page Outcome, state Day of the CT, and save it again.</source>
+        <translation>%1 ist ausgelassen: Der Tag des CT ist nicht bekannt, sodass von keinem Plan bekannt ist, dass er vor der Operation erstellt wurde. Öffnen Sie das Ergebnis auf der Seite Ergebnis, geben Sie den Tag des CT an und speichern Sie es erneut.</translation>
+    </message>
+    <message>
+        <source>%1 is left out: the days from surgery to its CT are not known, so that no plan is known to be made before surgery. Open the outcome on the page Outcome, state them, and save it again.</source>
+        <translation>%1 ist ausgelassen: Die Tage von der OP bis zum CT sind nicht bekannt, sodass von keinem Plan bekannt ist, dass er vor der Operation erstellt wurde. Öffnen Sie das Ergebnis auf der Seite Ergebnis, geben Sie sie an und speichern Sie es erneut.</translation>
+    </message>
+    <message>
+        <source>The inserted length [mm]</source>
+        <translation>Die inserierte Länge [mm]</translation>
+    </message>
+    <message>
+        <source>The angular insertion depth [degrees]</source>
+        <translation>Die Winkel-Insertionstiefe [Grad]</translation>
+    </message>
+    <message>
+        <source>ear %1</source>
+        <translation>Ohr %1</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>a number from %1 to %2</source>
+        <translation>eine Zahl von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>eine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true oder false</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>ein Text</translation>
+    </message>
+    <message>
+        <source>a text of up to %1 characters</source>
+        <translation>ein Text von bis zu %1 Zeichen</translation>
+    </message>
+    <message>
+        <source>one of %1</source>
+        <translation>eines von %1</translation>
+    </message>
+    <message>
+        <source>three numbers</source>
+        <translation>drei Zahlen</translation>
+    </message>
+    <message>
+        <source>three numbers up to 10,000 mm</source>
+        <translation>drei Zahlen bis 10.000 mm</translation>
+    </message>
+    <message>
+        <source>an object with value and sd</source>
+        <translation>ein Objekt mit value und sd</translation>
+    </message>
+    <message>
+        <source>an object with value and ci95</source>
+        <translation>ein Objekt mit value und ci95</translation>
+    </message>
+    <message>
+        <source>%1: %2 is missing; %3 is needed.</source>
+        <translation>%1: %2 fehlt; nötig ist %3.</translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation>eine Liste</translation>
+    </message>
+    <message>
+        <source>a list of flags that the guide names</source>
+        <translation>eine Liste von Hinweisen, die der Leitfaden nennt</translation>
+    </message>
+    <message>
+        <source>a list of 1 to 64 contacts</source>
+        <translation>eine Liste von 1 bis 64 Kontakten</translation>
+    </message>
+    <message>
+        <source>a number above that of the contact before</source>
+        <translation>eine Nummer über der des vorigen Kontakts</translation>
+    </message>
+    <message>
+        <source>%1, the number of contacts that are inside,</source>
+        <translation>%1, die Zahl der Kontakte innen,</translation>
+    </message>
+    <message>
+        <source>a list of up to 4,000 points</source>
+        <translation>eine Liste von bis zu 4.000 Punkten</translation>
     </message>
 </context>
 <context>
@@ -7930,6 +8022,18 @@
         <comment>of an implanted ear</comment>
         <translation>Ergebnis</translation>
     </message>
+    <message>
+        <source>Whether the plan was made before surgery is not known: the CT states no day. Type Day of the CT, else it is not counted among the outcomes.</source>
+        <translation>Ob der Plan vor der Operation erstellt wurde, ist nicht bekannt: Das CT gibt keinen Tag an. Tragen Sie den Tag des CT ein, sonst zählt er nicht unter den Ergebnissen.</translation>
+    </message>
+    <message>
+        <source>Whether the plan was made before surgery is not known. Type Days from surgery to CT, else it is not counted among the outcomes.</source>
+        <translation>Ob der Plan vor der Operation erstellt wurde, ist nicht bekannt. Tragen Sie die Tage von der OP bis zum CT ein, sonst zählt er nicht unter den Ergebnissen.</translation>
+    </message>
+    <message>
+        <source>The plan was made after surgery: it is no prediction, and is not counted among the outcomes.</source>
+        <translation>Der Plan wurde nach der Operation erstellt: Er ist keine Vorhersage und zählt nicht unter den Ergebnissen.</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::AboutOverlay</name>
@@ -9768,8 +9872,8 @@
         <translation>Beenden und wiedergeben</translation>
     </message>
     <message>
-        <source>End it and close</source>
-        <translation>Beenden und schließen</translation>
+        <source>Close anyway</source>
+        <translation>Trotzdem schließen</translation>
     </message>
 </context>
 <context>
@@ -10188,10 +10292,6 @@
         <translation>Das CT wird gelesen …</translation>
     </message>
     <message>
-        <source>Measuring the ear…</source>
-        <translation>Das Ohr wird gemessen …</translation>
-    </message>
-    <message>
         <source>This CT was not joined to %1.</source>
         <translation>Dieses CT wurde %1 nicht zugeordnet.</translation>
     </message>
@@ -10238,6 +10338,34 @@
     <message>
         <source>Choose the implanted array first.</source>
         <translation>Zuerst den implantierten Träger wählen.</translation>
+    </message>
+    <message>
+        <source>Reading the CT before surgery…</source>
+        <translation>Das CT vor der Operation wird gelesen …</translation>
+    </message>
+    <message>
+        <source>Measuring the ear in the CT before surgery…</source>
+        <translation>Das Ohr wird im CT vor der Operation gemessen …</translation>
+    </message>
+    <message>
+        <source>Carrying the ear over from the CT before surgery…</source>
+        <translation>Das Ohr wird aus dem CT vor der Operation übertragen …</translation>
+    </message>
+    <message>
+        <source>Measuring the ear in this CT…</source>
+        <translation>Das Ohr wird in diesem CT gemessen …</translation>
+    </message>
+    <message>
+        <source>What the surgeon knows of %1 is not saved in the record.</source>
+        <translation>Was aus der Operation von %1 bekannt ist, ist nicht in der Akte gespeichert.</translation>
+    </message>
+    <message>
+        <source>Open without saving</source>
+        <translation>Ohne Speichern öffnen</translation>
+    </message>
+    <message>
+        <source>Change without saving</source>
+        <translation>Ohne Speichern wechseln</translation>
     </message>
 </context>
 <context>
@@ -13322,6 +13450,18 @@ Die ersten Bänder kommen nach 8 Simulationen jedes Trägers.</translation>
     <message>
         <source>%1 is %2; a whole number is expected.</source>
         <translation>%1 ist %2; erwartet wird eine ganze Zahl.</translation>
+    </message>
+    <message>
+        <source>Day of the CT</source>
+        <translation>Tag des CT</translation>
+    </message>
+    <message>
+        <source>As the images state it; type it where they state none. With the days from surgery it tells which plans were made before surgery.</source>
+        <translation>Wie die Bilder ihn angeben; tragen Sie ihn ein, wo sie keinen angeben. Mit den Tagen seit der Operation sagt er, welche Pläne vor der Operation erstellt wurden.</translation>
+    </message>
+    <message>
+        <source>Day of the CT is “%1”; a day up to today is expected, such as 2026-11-20.</source>
+        <translation>Tag des CT ist „%1“; erwartet wird ein Tag bis heute, etwa 2026-11-20.</translation>
     </message>
 </context>
 <context>

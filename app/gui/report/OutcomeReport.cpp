@@ -195,7 +195,9 @@ void paintOutcome(ReportSheet& sheet, const OutcomeReportContent& report,
   if (!surgery.isEmpty()) lines << tr("The surgeon states: %1.").arg(surgery.join(tr("; ")));
   for (const QString& line : lines)
     y_mm += sheet.paragraph(0.0, y_mm, width_mm, line, ReportFace::text) + 0.6;
-  for (const QString& flag : flagTexts(report.content.found))
+  QStringList doubts = flagTexts(report.content.found);
+  if (!report.planDoubt.isEmpty()) doubts.prepend(report.planDoubt);
+  for (const QString& flag : doubts)
     y_mm += sheet.paragraph(0.0, y_mm, width_mm, flag, ReportFace::bold) + 0.6;
   y_mm = paintContacts(sheet, report, y_mm + between_mm, width_mm) + between_mm;
 

@@ -22,7 +22,8 @@ struct OutcomeReportContent {
   std::shared_ptr<const planning::StoredPlan> plan;  ///< Null without one.
   std::size_t place = 0;                             ///< Place of the array in the plan.
   std::string planMadeUtc;
-  QImage view;  ///< The cochlear view with the contacts; null where the CT is not there.
+  QString planDoubt;  ///< Why the plan is no prediction, a sentence; empty if it is one.
+  QImage view;        ///< The cochlear view with the contacts; null where the CT is not there.
   figures::Drawing unrolled;  ///< The unrolled scala; it may be empty.
 
   const planning::ArrayPlan* arrayPlan() const

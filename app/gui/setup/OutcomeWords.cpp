@@ -7,6 +7,7 @@
 
 #include "gui/text/DataText.h"
 #include "gui/text/Numbers.h"
+#include "perilymph/outcome/ClinicLibrary.h"
 
 namespace perilymph::gui {
 
@@ -156,6 +157,25 @@ QString earSourceText(const outcome::FoundArray& found)
   return found.isRegistered ? tr("ear carried over from the CT before surgery, residual %1 mm")
                                   .arg(numberText(found.residual_mm, 2))
                             : tr("the ear is measured in this CT, with wider errors");
+}
+
+QString predictionDoubt(const std::string& planMadeUtc, const std::string& ctDay,
+                        const outcome::Surgery& surgery)
+{
+  const std::string surgeryDay = outcome::surgeryDay(ctDay, surgery);
+  if (ctDay.empty())
+    return tr(
+        "Whether the plan was made before surgery is not known: the CT states no day. Type Day of "
+        "the CT, else it is not counted among the outcomes.");
+  if (surgeryDay.empty())
+    return tr(
+        "Whether the plan was made before surgery is not known. Type Days from surgery to CT, else "
+        "it is not counted among the outcomes.");
+  if (!outcome::isPrediction(planMadeUtc, surgeryDay))
+    return tr(
+        "The plan was made after surgery: it is no prediction, and is not counted among the "
+        "outcomes.");
+  return {};
 }
 
 QStringList flagTexts(const outcome::FoundArray& found)

@@ -7,6 +7,7 @@
 #include <QStringList>
 #include <array>
 #include <optional>
+#include <string>
 
 #include "perilymph/outcome/FoundArray.h"
 #include "perilymph/outcome/Surgery.h"
@@ -46,6 +47,10 @@ QString insertedText(const outcome::FoundArray& found);
 QString insideText(const outcome::FoundArray& found);
 /// How the ear was found: "carried over from the CT before surgery, residual 0.12 mm".
 QString earSourceText(const outcome::FoundArray& found);
+/// Why a plan is no prediction of an outcome, a sentence; empty if it was made before surgery.
+/// @param ctDay  Day of the CT after surgery: "2026-11-20"; empty where it is not known.
+QString predictionDoubt(const std::string& planMadeUtc, const std::string& ctDay,
+                        const outcome::Surgery& surgery);
 /// What is doubtful, a sentence each.
 QStringList flagTexts(const outcome::FoundArray& found);
 

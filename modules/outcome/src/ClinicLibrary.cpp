@@ -89,8 +89,7 @@ Result<const NumberedPlan*> planOf(const std::vector<NumberedPlan>& plans, const
       return false;
     if (!isOf(each.folder, ear.saved->patient)) return false;
     if (!content.plan.empty() && each.number != content.plan) return false;
-    const std::string made = surgeryDay(each.folder.madeUtc, 0);
-    return !made.empty() && made <= ear.surgeryDay;
+    return isPrediction(each.folder.madeUtc, ear.surgeryDay);
   });
   if (found != plans.end()) return &*found;
   if (!content.plan.empty())
@@ -132,7 +131,7 @@ Result<void> checkStatements(const Implanted& ear, const session::PatientOutcome
   const std::string tomorrow =
       textOf(std::chrono::floor<std::chrono::days>(std::chrono::system_clock::now()) +
              std::chrono::days(1));
-  const std::string savedOn = surgeryDay(saved.utc, 0);
+  const std::string savedOn = dayBefore(saved.utc, 0);
   if (savedOn.empty())
     return Error{"its outcome was saved on \"%1\", which is no day. Find the contacts again.",
                  saved.utc};
@@ -204,7 +203,22 @@ std::vector<Implanted> implantedIn(const std::vector<session::SavedPatient>& pat
       library.notes.push_back(
           Sentence{"%1 was changed by hand; its outcome is compared as it stands there.",
                    session::recordFileOf(each.file)});
-    ear.surgeryDay = surgeryDay(newest.utc, ear.content.surgery.daysToCt.value_or(0));
+    const std::string ctDay = ctDayOf(ear.content, newest.utc);
+    ear.surgeryDay = surgeryDay(ctDay, ear.content.surgery);
+    if (ear.surgeryDay.empty()) {
+      ++library.leftOut.withoutDay;
+      library.notes.push_back(
+          ctDay.empty()
+              ? Sentence{"%1 is left out: the day of its CT is not known, so that no plan is known "
+                         "to be made before surgery. Open the outcome on the page Outcome, state "
+                         "Day of the CT, and save it again.",
+                         ear.name}
+              : Sentence{"%1 is left out: the days from surgery to its CT are not known, so that "
+                         "no plan is known to be made before surgery. Open the outcome on the page "
+                         "Outcome, state them, and save it again.",
+                         ear.name});
+      continue;
+    }
     ears.push_back(std::move(ear));
   }
   std::sort(ears.begin(), ears.end(), [](const Implanted& one, const Implanted& other) {
@@ -272,7 +286,7 @@ Result<PlannedOutcome> plannedOf(const NumberedPlan& numbered, const Implanted& 
 
 }  // namespace
 
-std::string surgeryDay(const std::string& utc, int daysBefore)
+std::string dayBefore(const std::string& utc, int days)
 {
   int year = 0;
   unsigned month = 0, day = 0;
@@ -280,7 +294,23 @@ std::string surgeryDay(const std::string& utc, int daysBefore)
   const std::chrono::year_month_day date{std::chrono::year(year), std::chrono::month(month),
                                          std::chrono::day(day)};
   if (!date.ok()) return {};
-  return textOf(std::chrono::sys_days(date) - std::chrono::days(daysBefore));
+  return textOf(std::chrono::sys_days(date) - std::chrono::days(days));
+}
+
+std::string ctDayOf(const OutcomeContent& content, const std::string& savedUtc)
+{
+  return content.ctAge_days ? dayBefore(savedUtc, *content.ctAge_days) : std::string();
+}
+
+std::string surgeryDay(const std::string& ctDay, const Surgery& surgery)
+{
+  return surgery.daysToCt ? dayBefore(ctDay, *surgery.daysToCt) : std::string();
+}
+
+bool isPrediction(const std::string& planMadeUtc, const std::string& surgeryDay)
+{
+  const std::string made = dayBefore(planMadeUtc, 0);
+  return !made.empty() && made <= surgeryDay;
 }
 
 Result<LibraryOutcomes> readOutcomes(const planning::RegistryFolders& folders,

@@ -188,7 +188,8 @@ std::string outcomesJson(const ClinicOutcomes& outcomes)
                       {"unreadable", leftOut.unreadable},
                       {"impossible", leftOut.impossible},
                       {"without_plan", leftOut.withoutPlan},
-                      {"twice", leftOut.twice}};
+                      {"twice", leftOut.twice},
+                      {"without_day", leftOut.withoutDay}};
   json["arrays"] = ordered_json::array();
   for (const ArrayOutcomes& each : outcomes.arrays) json["arrays"].push_back(arrayJson(each));
   const std::size_t resisted = countOf(outcomes, Evidence::resisted),
@@ -257,7 +258,8 @@ std::string outcomesText(const ClinicOutcomes& outcomes)
     text += std::to_string(leftOut.all()) + " left out: " + std::to_string(leftOut.unreadable) +
             " not readable, " + std::to_string(leftOut.impossible) + " impossible, " +
             std::to_string(leftOut.withoutPlan) + " without a plan made before, " +
-            std::to_string(leftOut.twice) + " twice.\n\n";
+            std::to_string(leftOut.twice) + " twice, " + std::to_string(leftOut.withoutDay) +
+            " without a known day of surgery.\n\n";
   for (const ArrayOutcomes& each : outcomes.arrays) {
     if (each.depth.all == 0) continue;
     text += "## " + (each.array.empty() ? std::string("All arrays") : each.array) + "\n\n";

@@ -379,6 +379,7 @@ std::string outcomeJson(const OutcomeContent& content)
   json["surgery"] = described(content.surgery);
   if (!content.plan.empty()) json["plan"] = content.plan;
   if (!content.series.empty()) json["series_sha256"] = content.series;
+  if (content.ctAge_days) json["ct_age_days"] = *content.ctAge_days;
   json["seconds"] = found.seconds;
   json["version"] = buildId();
   return json.dump(2) + "\n";
@@ -462,6 +463,7 @@ Result<OutcomeContent> outcomeIn(const std::string& text, const Sentence& name)
   reader.take(surgery);
   content.plan = reader.text("plan", 64, false);
   content.series = reader.text("series_sha256", 64, false);
+  content.ctAge_days = reader.maybeWhole("ct_age_days", -1, 36'500);
   found.seconds = reader.maybe("seconds", 0.0, 1e6).value_or(0.0);
   if (reader.error()) return *reader.error();
   if (const auto checked = checkSurgery(content.surgery); !checked)

@@ -41,6 +41,7 @@
 #include "perilymph/foundation/StateFolder.h"
 #include "perilymph/imaging/CtSeries.h"
 #include "perilymph/imaging/MeasuredPatient.h"
+#include "perilymph/outcome/ClinicLibrary.h"
 #include "perilymph/outcome/OutcomeText.h"
 #include "perilymph/planning/Plan.h"
 #include "perilymph/planning/PlanFolder.h"
@@ -152,7 +153,7 @@ protected:
   }
 
   /// A plan of the patient, whose first array is the implanted one.
-  void storePlan()
+  void storePlan(const char* name = "P-53-plan", const char* madeUtc = "2026-11-20T09:30:00Z")
   {
     planning::Plan plan = syntheticPlan(200);
     plan.request.patient = patient_;
@@ -161,8 +162,7 @@ protected:
     plan.arrays[0].array = plannedArray;
     plan.arrays[1].array = "flex24";
     for (std::size_t k = 0; k < 2; ++k) plan.arrays[k].name = plan.request.arrays[k];
-    gui::StoredPlan stored{plansFolder() / "P-53-plan", plan.request, 200, true,
-                           "2026-11-20T09:30:00Z"};
+    gui::StoredPlan stored{plansFolder() / name, plan.request, 200, true, madeUtc};
     ASSERT_TRUE(gui::savePlan(stored));
     const auto json = planning::planJson(plan);
     ASSERT_TRUE(json) << json.error().message;
@@ -189,6 +189,10 @@ protected:
   static std::string array(WindowRig& rig)
   {
     return rig.window().findChild<gui::Selector*>("surgeryArray")->value().toStdString();
+  }
+  static QString typed(WindowRig& rig, const char* field)
+  {
+    return rig.window().findChild<QLineEdit*>(field)->text();
   }
   static QTableWidget& table(WindowRig& rig, const char* name = "outcomeContacts")
   {
@@ -683,6 +687,7 @@ TEST_F(AnOutcome, OfImagesThatStateTheOtherSideIsAskedFor)
   gui::OutcomePage& page = show(rig);
   ASSERT_TRUE(isFound(page));
   page.open(folder / "ct");
+  rig.click("noticeButton");
   const QDialog* question = nullptr;
   ASSERT_TRUE(WindowRig::waitUntil(
       [&] { return (question = page.findChild<QDialog*>("anotherEarQuestion")) != nullptr; }));
@@ -906,12 +911,21 @@ TEST_F(AnOutcome, StandsBesideItsPlanOnThePageOutcomes)
   request.draws = 1;
   const fs::path folder = plansFolder() / "P-53-plan";
   fs::remove_all(folder);
-  ASSERT_TRUE(gui::savePlan({folder, request, 1, true, "2026-11-20T09:30:00Z"}));
+  ASSERT_TRUE(gui::savePlan({folder, request, 1, true, "2025-01-10T09:30:00Z"}));
   const auto plan = planning::makePlan(request, folder / planning::planDrawsFile);
   ASSERT_TRUE(plan) << plan.error().message;
   std::ofstream(folder / "plan.json") << *planning::planJson(*plan);
   gui::OutcomePage& page = show(rig);
   ASSERT_TRUE(isFound(page));
+  // the plan counts once it is known to be made before surgery
+  rig.click("saveOutcomeButton");
+  rig.click("outcomesPageButton");
+  ASSERT_TRUE(isRead());
+  EXPECT_THAT(rig.label("outcomesStatus").toStdString(),
+              testing::HasSubstr("the day of its CT is not known"));
+  rig.click("outcomePageButton");
+  rig.type("surgeryCtDay", "3.2.2025");
+  rig.type("surgeryDaysToCt", "20");
   rig.click("saveOutcomeButton");
   rig.click("outcomesPageButton");
   ASSERT_TRUE(isRead());

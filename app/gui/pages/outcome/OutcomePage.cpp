@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/pages/outcome/OutcomePage.h"
 
+#include <QDate>
 #include <QFileDialog>
 #include <QHBoxLayout>
 #include <QKeyEvent>
@@ -16,6 +17,7 @@
 #include "gui/pages/outcome/OutcomeView.h"
 #include "gui/pages/outcome/SurgeryForm.h"
 #include "gui/report/OutcomeReport.h"
+#include "gui/setup/OutcomeWords.h"
 #include "gui/setup/ScanFolders.h"
 #include "gui/setup/Setup.h"
 #include "gui/setup/TableFiles.h"
@@ -26,6 +28,8 @@
 #include "gui/widgets/Theme.h"
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/foundation/Resources.h"
+#include "perilymph/imaging/AcquisitionDay.h"
+#include "perilymph/outcome/ClinicLibrary.h"
 
 namespace perilymph::gui {
 
@@ -227,7 +231,9 @@ void OutcomePage::connectPanel()
       planNumber_.clear();
       leaveFound();
     }
-    if (isOther && panel_->patient()) readPlanned(true);
+    const bool isOtherDay = surgeryDay() != plannedFor_;
+    if (isOtherDay) planNumber_.clear();
+    if ((isOther || isOtherDay) && panel_->patient()) readPlanned(isOther || planning_.isBusy());
     isSaved_ = false;
     showFound();
   });
@@ -305,6 +311,13 @@ void OutcomePage::showCt(imaging::LoadedCt&& loaded)
   const bool isOfSaved = !wanted_.empty() && loaded.series.key == wanted_;
   wanted_.clear();
   if (!isOfSaved) leaveFound();
+  acquired_ = imaging::acquisitionDay(list_, loaded.series.uid);
+  SurgeryForm& form = panel_->form();
+  if (!isOfSaved || form.ctDay().empty()) {
+    form.setCtDay(acquired_);
+    if (isOfSaved && !form.ctDay().empty()) isSaved_ = false;  // it was saved without the day
+    if (panel_->patient() && surgeryDay() != plannedFor_) readPlanned(true);
+  }
   ear_.reset();
   QStringList notes;
   for (const Sentence& warning : loaded.series.warnings) notes << dataText(warning);
@@ -356,6 +369,7 @@ void OutcomePage::leavePatient()
   planNumber_.clear();
   wanted_.clear();
   leaveFound();
+  panel_->form().setCtDay(study_.hasCt() ? acquired_ : std::string());
   panel_->form().setSurgery({});
 }
 
@@ -363,12 +377,13 @@ void OutcomePage::readPlanned(bool isToFind)
 {
   const anatomy::Patient patient = panel_->patient()->patient;
   const std::string array = panel_->form().surgery().array;
+  plannedFor_ = surgeryDay();
   planning_.run(
       "The plan",
-      [patient, array, number = planNumber_,
+      [patient, array, number = planNumber_, day = plannedFor_,
        recorded = control_.openRecording().value_or(std::filesystem::path())](
           const std::stop_token& stop) -> Result<PlannedEar> {
-        return plannedEar(patient, array, number, recorded, stop);
+        return plannedEar(patient, array, number, day, recorded, stop);
       },
       [this, isToFind](const Result<PlannedEar>& planned) {
         if (!planned) return panel_->showIdle(dataText(planned.error().message), true);
@@ -516,7 +531,7 @@ void OutcomePage::leaveFound()
 
 void OutcomePage::showFound()
 {
-  view_->show(found(), planned_);
+  view_->show(found(), planned_, planDoubt());
   panel_->showState({study_.hasCt(), found() && !history_.now().isStale, history_.canUndo(),
                      history_.canRedo(), isSaved_});
   if (stages_->currentWidget() != archive_) showArchive(false);
@@ -544,6 +559,7 @@ void OutcomePage::openVersion(std::size_t place)
   std::map<int, Eigen::Vector3d> byHand;
   for (const outcome::FoundContact& each : content->found.contacts)
     if (each.isByHand) byHand[each.number] = each.position_P;
+  panel_->form().setCtDay(outcome::ctDayOf(*content, version.utc));
   panel_->form().setSurgery(content->surgery);
   planNumber_ = content->plan;
   series_ = version.series;
@@ -565,17 +581,34 @@ outcome::OutcomeContent OutcomePage::content() const
 {
   outcome::Surgery surgery = panel_->form().surgery();
   surgery.array = found()->array;
-  return {*found(), surgery, planned_.plan ? planned_.plan->plan.fingerprint : std::string(),
-          series_};
+  const bool isChosen =
+      planned_.plan && !planning_.isBusy();  // else that which the outcomes choose
+  return {*found(), surgery, isChosen ? planned_.plan->plan.fingerprint : std::string(), series_};
+}
+
+std::string OutcomePage::surgeryDay() const
+{
+  return outcome::surgeryDay(panel_->form().ctDay(), panel_->form().surgery());
+}
+
+QString OutcomePage::planDoubt() const
+{
+  if (!planned_.plan) return {};
+  return predictionDoubt(planned_.planMadeUtc, panel_->form().ctDay(), panel_->form().surgery());
 }
 
 void OutcomePage::save()
 {
   if (!found() || !panel_->patient()) return;
-  const std::string json = outcome::outcomeJson(content());
+  const std::string utc = nowUtc();
+  outcome::OutcomeContent saving = content();
+  const QDate ctDay =
+      QDate::fromString(QString::fromStdString(panel_->form().ctDay()), Qt::ISODate);
+  const QDate today = QDate::fromString(QString::fromStdString(utc).left(10), Qt::ISODate);
+  if (ctDay.isValid()) saving.ctAge_days = int(ctDay.daysTo(today));
   const auto saved =
       session::changePatientRecord(panel_->patient()->file, [&](session::PatientRecord& record) {
-        record.outcomes.push_back({nowUtc(), series_, json});
+        record.outcomes.push_back({utc, series_, outcome::outcomeJson(saving)});
       });
   if (!saved) return panel_->showIdle(dataText(saved.error().message), true);
   isSaved_ = true;
@@ -652,6 +685,7 @@ void OutcomePage::writeReport(const ReportPlace& place)
                               planned_.plan,
                               planned_.place,
                               planned_.planMadeUtc,
+                              planDoubt(),
                               study_.hasCt() ? view_->picture() : QImage(),
                               view_->unrolledOnPaper(paperWidth_px, paperHeight_px)};
   saving_.save(

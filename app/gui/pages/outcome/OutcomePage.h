@@ -116,6 +116,10 @@ private:
   void askReport();
   std::optional<EarlierCt> earlierCt() const;
   outcome::OutcomeContent content() const;
+  /// Why the plan is no prediction, a sentence; empty if it is one, or if there is none.
+  QString planDoubt() const;
+  /// The day of surgery as far as it is known: "2026-11-20"; else empty.
+  std::string surgeryDay() const;
 
   const InsertionControl& control_;
   CtStudy study_;
@@ -126,6 +130,7 @@ private:
   imaging::CtSeriesList list_;
   std::string wanted_;          ///< Series that a saved outcome was found in, while it is read.
   std::string series_;          ///< Series of what was found.
+  std::string acquired_;        ///< Day of the CT that is shown, as it states it; else empty.
   OutcomeWork::SharedEar ear_;  ///< In the CT that is shown, joined to the patient; else null.
   QString earNote_;             ///< Why the CT before surgery was not used.
   std::string searched_;        ///< Array that is looked for; empty if none is.
@@ -133,7 +138,8 @@ private:
   QPointer<EarQuestion> question_;
   FoundHistory history_;
   PlannedEar planned_;
-  std::string planNumber_;  ///< That a saved outcome states; empty: the newest plan.
+  std::string planNumber_;  ///< That a saved outcome states; empty: the newest plan before surgery.
+  std::string plannedFor_;  ///< Day of surgery for which the plan was chosen.
   bool isSaved_ = true;
   QString task_;
   QElapsedTimer since_;

@@ -51,6 +51,7 @@ OutcomeView::OutcomeView(CtStudy& study, QWidget* parent)
       head_(new WrappedLabel({}, this)),
       flags_(new WrappedLabel({}, this)),
       besideNote_(new WrappedLabel({}, this)),
+      besideDoubt_(new WrappedLabel({}, this)),
       unrolled_(new PlotView(
           [this](double width, double height) {
             return unrolled(shownColorScheme(), width, height);
@@ -90,7 +91,7 @@ OutcomeView::OutcomeView(CtStudy& study, QWidget* parent)
   column->addWidget(flags_);
   column->addLayout(choices);
   column->addWidget(stages_, 1);
-  show(nullptr, {});
+  show(nullptr, {}, {});
 }
 
 OutcomeView::~OutcomeView() = default;
@@ -135,6 +136,9 @@ QWidget* OutcomeView::addBeside()
   besideNote_->setObjectName(QStringLiteral("outcomePlanNote"));
   besideNote_->setFont(typeface(12));
   besideNote_->setProperty("quiet", true);
+  besideDoubt_->setObjectName(QStringLiteral("outcomePlanDoubt"));
+  besideDoubt_->setFont(typeface(12));
+  besideDoubt_->setProperty("error", true);
   forces_->setObjectName(QStringLiteral("outcomeForces"));
   forces_->setAccessibleName(tr(
       "Force over depth: insertion by hand, the plan’s band, the length inserted in the patient"));
@@ -142,6 +146,7 @@ QWidget* OutcomeView::addBeside()
   auto* left = new QVBoxLayout;
   left->setSpacing(spacing);
   left->addWidget(besideNote_);
+  left->addWidget(besideDoubt_);
   left->addWidget(beside_, 1);
   auto* right = new QVBoxLayout;
   right->setSpacing(spacing);
@@ -162,7 +167,7 @@ void OutcomeView::showPlanBeside(bool isShown)
 }
 
 void OutcomeView::show(const std::shared_ptr<const outcome::FoundArray>& found,
-                       const PlannedEar& planned)
+                       const PlannedEar& planned, const QString& planDoubt)
 {
   found_ = found;
   planned_ = planned;
@@ -192,6 +197,8 @@ void OutcomeView::show(const std::shared_ptr<const outcome::FoundArray>& found,
                  .arg(localTimeText(planned.planMadeUtc))
                  .arg(plan->draws)
            : tr("There is no plan of this array for this patient. The page Plan makes one."));
+  besideDoubt_->setText(plan ? planDoubt : QString());
+  besideDoubt_->setVisible(!besideDoubt_->text().isEmpty());
   std::vector<FoundAngle> angles;
   for (const outcome::FoundContact& each : found->contacts) {
     const auto interval = each.angle_deg.interval95();

@@ -33,10 +33,12 @@ struct PlannedEar {
 /// Reads plan and insertion, and builds the cochlea; a second. Any thread.
 ///
 /// @param array          Empty for that of the newest insertion, or of the newest plan.
-/// @param plan           Number of the plan; empty for the newest one.
+/// @param plan           Number of the plan; empty for the newest that was made before surgery, else the newest.
+/// @param surgeryDay     "2026-11-20"; empty where it is not known.
 /// @param beingRecorded  A recording that is not finished; it may be empty.
 Result<PlannedEar> plannedEar(const anatomy::Patient& patient, const std::string& array,
-                              const std::string& plan, const std::filesystem::path& beingRecorded,
+                              const std::string& plan, const std::string& surgeryDay,
+                              const std::filesystem::path& beingRecorded,
                               const std::stop_token& stop);
 
 }  // namespace perilymph::gui

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/pages/outcome/SurgeryForm.h"
 
+#include <QDate>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -24,6 +25,14 @@ namespace perilymph::gui {
 namespace {
 
 constexpr int field_px = 118, row_px = 26, unit_px = 24;
+
+/// "2026-11-20" or "20.11.2026"; invalid for another text and for a day to come.
+QDate dayIn(const QString& text)
+{
+  QDate day = QDate::fromString(text, Qt::ISODate);
+  if (!day.isValid()) day = QDate::fromString(text, QStringLiteral("d.M.yyyy"));
+  return day <= QDate::currentDate() ? day : QDate();
+}
 
 }  // namespace
 
@@ -155,6 +164,10 @@ void SurgeryForm::addUsual(QVBoxLayout& column)
             &outcome::Surgery::intendedDepth);
   addNumber(column, "surgeryContactsOutside", tr("Contacts outside"),
             &outcome::Surgery::contactsOutside);
+  ctDay_ = addEdit(column, "surgeryCtDay", tr("Day of the CT"), {});
+  ctDay_->setToolTip(tr(
+      "As the images state it; type it where they state none. With the days from surgery it tells "
+      "which plans were made before surgery."));
   addNumber(column, "surgeryDaysToCt", tr("Days from surgery to CT"), &outcome::Surgery::daysToCt);
 }
 
@@ -262,6 +275,8 @@ QString SurgeryForm::error() const
     if (each.isWhole && *typed != std::floor(*typed))
       return tr("%1 is %2; a whole number is expected.").arg(each.name, text);
   }
+  if (const QString day = ctDay_->text().trimmed(); !day.isEmpty() && !dayIn(day).isValid())
+    return tr("Day of the CT is “%1”; a day up to today is expected, such as 2026-11-20.").arg(day);
   const auto checked = outcome::checkSurgery(surgery());
   return checked ? QString() : dataText(checked.error().message);
 }

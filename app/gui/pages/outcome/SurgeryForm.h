@@ -6,6 +6,7 @@
 #include <QWidget>
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "perilymph/outcome/Surgery.h"
@@ -68,7 +69,7 @@ private:
 
   Section* more_;
   Selector *array_, *stopReason_, *markReached_, *opening_, *tool_;
-  QLineEdit *lubricant_ = nullptr, *lot_ = nullptr;
+  QLineEdit *ctDay_ = nullptr, *lubricant_ = nullptr, *lot_ = nullptr;
   std::vector<Field> numbers_;
   QLabel* error_;
   bool isArrayChosen_ = false, isShowing_ = false;

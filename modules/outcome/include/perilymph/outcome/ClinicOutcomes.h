@@ -79,8 +79,9 @@ struct LeftOut {
   std::size_t impossible = 0;   ///< A value that no ear has, or two that contradict each other.
   std::size_t withoutPlan = 0;  ///< No plan was made before the surgery, or it cannot be read.
   std::size_t twice = 0;        ///< The same ear or CT stands in two patients' files.
+  std::size_t withoutDay = 0;   ///< The day of surgery is not known.
 
-  std::size_t all() const { return unreadable + impossible + withoutPlan + twice; }
+  std::size_t all() const { return unreadable + impossible + withoutPlan + twice + withoutDay; }
 };
 
 /// The outcomes of a clinic.

@@ -89,7 +89,10 @@ def test_a_found_array_is_a_value(ear, found, tmp_path):
 
 
 @needs_phantom
-def test_one_series_given_twice_is_refused_with_the_command_s_sentence(ear):
+def test_another_ear_and_one_series_given_twice_are_refused_with_the_command_s_sentence(ear):
+    other = {"right": "left", "left": "right"}[json.loads((ear / "truth.json").read_text())["side"]]
+    with pytest.raises(perilymph.Error, match=f"and --side is {other}"):
+        outcome.find(ear / "after", "flex24", preop=ear / "before", side=other, program=CLI)
     with pytest.raises(perilymph.Error, match="are the same series"):
         outcome.find(ear / "before", "flex24", preop=ear / "before", program=CLI)
     with pytest.raises(perilymph.Error, match="no-such-array"):

@@ -5,6 +5,7 @@
 #include <QFrame>
 #include <QKeyEvent>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <utility>
 
 #include "gui/pages/insert/FrameLoop.h"
@@ -102,7 +103,15 @@ void MainWindow::connectInsertion()
   connect(top_, &TopBar::keysRequested, &sheets_->help(), &Help::toggleKeys);
   connect(top_, &TopBar::settingsRequested, sheets_, &OverlayStack::toggleSettings);
   top_->setMenu(new MainMenu(*this, top_));
-  connect(sheets_, &OverlayStack::settingChosen, this, &MainWindow::reopenRequested);
+  connect(sheets_, &OverlayStack::settingChosen, this, [this] {
+    // of an insertion the recording stays
+    const auto& all = pages_->all();
+    const auto lost = std::ranges::find_if(all, [this](const Page* page) {
+      return page != insert_ && page->unfinished().has_value();
+    });
+    if (lost == all.end()) return Q_EMIT reopenRequested();
+    endWork(**lost, tr("Change it anyway"), [this] { Q_EMIT reopenRequested(); });
+  });
 }
 
 void MainWindow::load(const InsertionRequest& request)

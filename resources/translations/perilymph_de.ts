@@ -289,7 +289,7 @@
     </message>
     <message>
         <source>There is metal in or beside the cochlea (an implant?): it hides the wall, so take a CT from before the implantation.</source>
-        <translation>In oder neben der Cochlea ist Metall (ein Implantat?): Es verdeckt die Wand; eine CT von vor der Implantation verwenden.</translation>
+        <translation>In oder neben der Cochlea ist Metall (ein Implantat?): Es verdeckt die Wand; ein CT von vor der Implantation verwenden.</translation>
     </message>
     <message>
         <source>B does not fit A, or H is beyond that of known cochleae: check the outline in the images; a malformed cochlea has no A, B and H.</source>
@@ -305,7 +305,7 @@
     </message>
     <message>
         <source>There is metal in or beside the cochlea (an implant?): %1 cubic millimeters are brighter than %2 HU and hide its wall. Take a CT from before the implantation.</source>
-        <translation>In oder neben der Cochlea ist Metall (ein Implantat?): %1 Kubikmillimeter sind heller als %2 HU und verdecken ihre Wand. Verwenden Sie eine CT von vor der Implantation.</translation>
+        <translation>In oder neben der Cochlea ist Metall (ein Implantat?): %1 Kubikmillimeter sind heller als %2 HU und verdecken ihre Wand. Verwenden Sie ein CT von vor der Implantation.</translation>
     </message>
     <message>
         <source>%1 scout images were left out.</source>
@@ -4425,7 +4425,7 @@
     </message>
     <message>
         <source>There is no array in this ear: %1 cubic millimeters of metal lie in or near the cochlea, at least 0.3 are expected. Choose a CT after surgery, and check the side.</source>
-        <translation>In diesem Ohr liegt kein Elektrodenträger: %1 Kubikmillimeter Metall liegen in oder an der Cochlea, erwartet sind mindestens 0,3. Wählen Sie eine CT nach der Operation und prüfen Sie die Seite.</translation>
+        <translation>In diesem Ohr liegt kein Elektrodenträger: %1 Kubikmillimeter Metall liegen in oder an der Cochlea, erwartet sind mindestens 0,3. Wählen Sie ein CT nach der Operation und prüfen Sie, ob es dieses Ohr zeigt.</translation>
     </message>
     <message>
         <source>This CT shows the %1, and the patient&apos;s is the %2.</source>
@@ -4449,7 +4449,7 @@
     </message>
     <message>
         <source>Intended depth</source>
-        <translation>Geplante Tiefe</translation>
+        <translation>Vorgesehene Tiefe</translation>
     </message>
     <message>
         <source>Length outside</source>
@@ -4457,7 +4457,7 @@
     </message>
     <message>
         <source>Contacts intended inside</source>
-        <translation>Geplante Kontakte innen</translation>
+        <translation>Vorgesehene Kontakte innen</translation>
     </message>
     <message>
         <source>Contacts outside</source>
@@ -4573,7 +4573,7 @@
     </message>
     <message>
         <source>The angular insertion depth [degrees]</source>
-        <translation>Die Winkel-Insertionstiefe [Grad]</translation>
+        <translation>Der Insertionswinkel [Grad]</translation>
     </message>
     <message>
         <source>ear %1</source>
@@ -4650,6 +4650,22 @@
     <message>
         <source>a list of up to 4,000 points</source>
         <translation>eine Liste von bis zu 4.000 Punkten</translation>
+    </message>
+    <message>
+        <source>this ear</source>
+        <translation>diesem Ohr</translation>
+    </message>
+    <message>
+        <source>The inserted length of %1 is %2 mm, and %3 is %4 mm long. Check that the CT is of this ear, and the contacts found in it.</source>
+        <translation>Die inserierte Länge von %1 ist %2 mm, und %3 ist %4 mm lang. Prüfen Sie, ob das CT dieses Ohr zeigt, und die darin gefundenen Kontakte.</translation>
+    </message>
+    <message>
+        <source>%1 is %2, and %3 has %4 contacts. Correct the answer or choose the array.</source>
+        <translation>%1 ist %2, und %3 hat %4 Kontakte. Berichtigen Sie die Angabe oder wählen Sie den Elektrodenträger.</translation>
+    </message>
+    <message>
+        <source>%1 is %2 mm, and %3 goes %4 mm deep. Correct the answer or choose the array.</source>
+        <translation>%1 ist %2 mm, und %3 reicht %4 mm tief. Berichtigen Sie die Angabe oder wählen Sie den Elektrodenträger.</translation>
     </message>
 </context>
 <context>
@@ -7842,20 +7858,12 @@
         <translation>gefunden (95 %)</translation>
     </message>
     <message>
-        <source>plan (5–95 %)</source>
-        <translation>Plan (5–95 %)</translation>
-    </message>
-    <message>
         <source>percentile</source>
         <translation>Perzentil</translation>
     </message>
     <message>
         <source>°</source>
         <translation>°</translation>
-    </message>
-    <message>
-        <source>Length past the opening</source>
-        <translation>Länge hinter der Öffnung</translation>
     </message>
     <message>
         <source> mm</source>
@@ -7900,10 +7908,6 @@
     <message>
         <source>; </source>
         <translation>; </translation>
-    </message>
-    <message>
-        <source>Positions are those of metal in the CT, with their errors; the basilar membrane is not visible, so the scala is a probability and no diagnosis. Place frequencies are estimated. Plan: median and band of simulated insertions; percentile: share of them below the value found. Angles are counted from the round window.</source>
-        <translation>Positionen sind die von Metall im CT, mit ihren Fehlern; die Basilarmembran ist nicht zu sehen, deshalb ist die Scala eine Wahrscheinlichkeit und keine Diagnose. Ortsfrequenzen sind geschätzt. Plan: Median und Band simulierter Insertionen; Perzentil: Anteil davon unter dem gefundenen Wert. Winkel zählen ab dem runden Fenster.</translation>
     </message>
     <message>
         <source>Patient %1</source>
@@ -8033,6 +8037,34 @@
     <message>
         <source>The plan was made after surgery: it is no prediction, and is not counted among the outcomes.</source>
         <translation>Der Plan wurde nach der Operation erstellt: Er ist keine Vorhersage und zählt nicht unter den Ergebnissen.</translation>
+    </message>
+    <message>
+        <source>plan (band)</source>
+        <translation>Plan (Band)</translation>
+    </message>
+    <message>
+        <source>Inserted length</source>
+        <translation>Inserierte Länge</translation>
+    </message>
+    <message>
+        <source>Positions are those of metal in the CT, with their errors; the basilar membrane is not visible, so the scala is a probability and no diagnosis. Place frequencies are estimated; their intervals are those of the angle, and listeners vary beyond them. Plan: median and band of simulated insertions, of a contact those in which it is inside; percentile: share of them below the value found. Angles are counted from the round window.</source>
+        <translation>Positionen sind die von Metall im CT, mit ihren Fehlern; die Basilarmembran ist nicht zu sehen, deshalb ist die Scala eine Wahrscheinlichkeit und keine Diagnose. Ortsfrequenzen sind geschätzt; ihre Intervalle sind die des Winkels, und Hörende streuen darüber hinaus. Plan: Median und Band simulierter Insertionen, bei einem Kontakt derer, in denen er innen liegt; Perzentil: Anteil davon unter dem gefundenen Wert. Winkel zählen ab dem runden Fenster.</translation>
+    </message>
+    <message>
+        <source>Bands: %1.</source>
+        <translation>Bänder: %1.</translation>
+    </message>
+    <message>
+        <source>%1 (%2 to %3)°</source>
+        <translation>%1 (%2 bis %3)°</translation>
+    </message>
+    <message>
+        <source>Contacts outside: %1 as the surgeon states, %2 in the CT.</source>
+        <translation>Kontakte außen: %1 nach Angabe des Operateurs, %2 im CT.</translation>
+    </message>
+    <message>
+        <source>The mark at %1 mm was reached as the surgeon states, and %2 mm are inserted in the CT.</source>
+        <translation>Die Marke bei %1 mm wurde nach Angabe des Operateurs erreicht, und %2 mm sind im CT inseriert.</translation>
     </message>
 </context>
 <context>
@@ -9875,6 +9907,10 @@
         <source>Close anyway</source>
         <translation>Trotzdem schließen</translation>
     </message>
+    <message>
+        <source>Change it anyway</source>
+        <translation>Trotzdem ändern</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::MeasureVersionList</name>
@@ -10494,6 +10530,10 @@
         <source>%1 · %2</source>
         <translation>%1 · %2</translation>
     </message>
+    <message>
+        <source>Saves this earlier version as the newest, which counts among the outcomes.</source>
+        <translation>Speichert diese frühere Fassung als neueste, die unter den Ergebnissen zählt.</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::OutcomeView</name>
@@ -10510,10 +10550,6 @@
         <translation>Abgerollte Scala tympani mit den Kontakten und den Bändern des Plans</translation>
     </message>
     <message>
-        <source>Contacts by number, with the intervals of their angles. Bars at the modiolus: the plan’s bands, 5 to 95 %; across the scala: that of the most apical contact.</source>
-        <translation>Kontakte nach Nummer, mit den Intervallen ihrer Winkel. Balken am Modiolus: Bänder des Plans, 5 bis 95 %; quer über die Scala: das des apikalsten Kontakts.</translation>
-    </message>
-    <message>
         <source>Force over depth: insertion by hand, the plan’s band, the length inserted in the patient</source>
         <translation>Kraft über der Tiefe: Insertion von Hand, Band des Plans, im Patienten inserierte Länge</translation>
     </message>
@@ -10526,12 +10562,16 @@
         <translation>%1: %2, Kontakte innen %3, inseriert %4; %5.</translation>
     </message>
     <message>
-        <source>Plan of %1, %2 simulations</source>
-        <translation>Plan vom %1, %2 Simulationen</translation>
-    </message>
-    <message>
         <source>There is no plan of this array for this patient. The page Plan makes one.</source>
         <translation>Für diesen Patienten gibt es keinen Plan dieses Trägers. Die Seite Plan macht einen.</translation>
+    </message>
+    <message>
+        <source>Contacts by number, with the intervals of their angles; hollow: placed by spacing, or more likely above the basilar membrane. Bars at the modiolus: the plan’s bands; across the scala: that of the most apical contact.</source>
+        <translation>Kontakte nach Nummer, mit den Intervallen ihrer Winkel; hohl: nach Abstand gesetzt, oder eher über der Basilarmembran. Balken am Modiolus: die Bänder des Plans; quer über die Scala: das des apikalsten Kontakts.</translation>
+    </message>
+    <message>
+        <source>Plan of %1, %2 simulations; bands: %3</source>
+        <translation>Plan vom %1, %2 Simulationen; Bänder: %3</translation>
     </message>
 </context>
 <context>
@@ -10569,10 +10609,6 @@
         <translation>Ergebnisse, eine Zeile je Ohr</translation>
     </message>
     <message>
-        <source>Median and band of the plan’s simulations, 5 to 95 %</source>
-        <translation>Median und Band der Simulationen des Plans, 5 bis 95 %</translation>
-    </message>
-    <message>
         <source>Patient</source>
         <translation>Patient</translation>
     </message>
@@ -10595,10 +10631,6 @@
     <message>
         <source>Depth, found</source>
         <translation>Tiefe, gefunden</translation>
-    </message>
-    <message>
-        <source>Length past the opening, with its 95 % interval</source>
-        <translation>Länge hinter der Öffnung, mit 95-%-Intervall</translation>
     </message>
     <message>
         <source>Percentile</source>
@@ -10707,6 +10739,14 @@
     <message>
         <source>Find an array in a CT</source>
         <translation>Elektrodenträger in einer CT finden</translation>
+    </message>
+    <message>
+        <source>Median and band of the plan’s simulations, 5 to 95 %; of fewer than 19 the lowest and the highest</source>
+        <translation>Median und Band der Simulationen des Plans, 5 bis 95 %; bei weniger als 19 die niedrigste und die höchste</translation>
+    </message>
+    <message>
+        <source>Inserted length past the opening, with its 95 % interval</source>
+        <translation>Inserierte Länge hinter der Öffnung, mit 95-%-Intervall</translation>
     </message>
 </context>
 <context>
@@ -11190,10 +11230,6 @@
         <translation>Plan</translation>
     </message>
     <message>
-        <source>Median and band of the plan, from 5 to 95 % of its simulations</source>
-        <translation>Median und Band des Plans, von 5 bis 95 % seiner Simulationen</translation>
-    </message>
-    <message>
         <source>Found</source>
         <translation>Gefunden</translation>
     </message>
@@ -11206,16 +11242,8 @@
         <translation>Perzentil</translation>
     </message>
     <message>
-        <source>Share of the plan’s simulations below the value found, from the quantiles of the band</source>
-        <translation>Anteil der Simulationen des Plans unter dem gefundenen Wert, aus den Quantilen des Bands</translation>
-    </message>
-    <message>
         <source>–</source>
         <translation>–</translation>
-    </message>
-    <message>
-        <source>Angular depth</source>
-        <translation>Winkeltiefe</translation>
     </message>
     <message>
         <source>°</source>
@@ -11232,6 +11260,18 @@
     <message>
         <source>Contact %1</source>
         <translation>Kontakt %1</translation>
+    </message>
+    <message>
+        <source>Median and band of the plan; above stands what it holds. Of a contact, of the simulations in which it is inside.</source>
+        <translation>Median und Band des Plans; darüber steht, was es enthält. Bei einem Kontakt aus den Simulationen, in denen er innen liegt.</translation>
+    </message>
+    <message>
+        <source>Share of the plan’s simulations below the value found, with its error; of a contact from the quantiles of the band</source>
+        <translation>Anteil der Simulationen des Plans unter dem gefundenen Wert, mit dessen Fehler; bei einem Kontakt aus den Quantilen des Bands</translation>
+    </message>
+    <message>
+        <source>Angular insertion depth</source>
+        <translation>Insertionswinkel</translation>
     </message>
 </context>
 <context>
@@ -13385,11 +13425,11 @@ Die ersten Bänder kommen nach 8 Simulationen jedes Trägers.</translation>
     </message>
     <message>
         <source>Intended mark reached</source>
-        <translation>Geplante Marke erreicht</translation>
+        <translation>Vorgesehene Marke erreicht</translation>
     </message>
     <message>
         <source>Intended depth</source>
-        <translation>Geplante Tiefe</translation>
+        <translation>Vorgesehene Tiefe</translation>
     </message>
     <message>
         <source>mm</source>
@@ -13413,7 +13453,7 @@ Die ersten Bänder kommen nach 8 Simulationen jedes Trägers.</translation>
     </message>
     <message>
         <source>Contacts intended inside</source>
-        <translation>Geplante Kontakte innen</translation>
+        <translation>Vorgesehene Kontakte innen</translation>
     </message>
     <message>
         <source>Length outside</source>

@@ -246,12 +246,7 @@ Result<PlannedOutcome> plannedOf(const NumberedPlan& numbered, const Implanted& 
         "prediction "
         "any more. Restore the plan's folder.",
         numbered.folder.folder / planning::planDrawsFile};
-  PlannedOutcome planned;
-  for (const planning::PlannedInsertion& each : plan->insertions) {
-    if (each.array != array || each.insertion.end == haptics::InsertionEnd::refused) continue;
-    planned.depths_mm.push_back(inMillimeters(each.insertion.depth));
-    planned.angles_deg.push_back(inDegrees(each.insertion.apical));
-  }
+  PlannedOutcome planned = endsOf(*plan, array);
   const auto scenario =
       planning::scenarioOf(request, request.arrays[array], session::anyStopTravel);
   if (!scenario) return scenario.error();
@@ -285,6 +280,17 @@ Result<PlannedOutcome> plannedOf(const NumberedPlan& numbered, const Implanted& 
 }
 
 }  // namespace
+
+PlannedOutcome endsOf(const planning::Plan& plan, std::size_t array)
+{
+  PlannedOutcome ends;
+  for (const planning::PlannedInsertion& each : plan.insertions) {
+    if (each.array != array || each.insertion.end == haptics::InsertionEnd::refused) continue;
+    ends.depths_mm.push_back(inMillimeters(each.insertion.depth));
+    ends.angles_deg.push_back(inDegrees(each.insertion.apical));
+  }
+  return ends;
+}
 
 std::string dayBefore(const std::string& utc, int days)
 {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "perilymph/analysis/PhysicalRanges.h"
+#include "perilymph/figures/Strings.h"
 #include "perilymph/planning/PlanSummary.h"
 
 namespace perilymph::outcome {
@@ -21,21 +22,29 @@ int yearOf(const std::string& utc)
   return year;
 }
 
+/// To a tenth: "53.6", "28".
+std::string shown(double value)
+{
+  std::string text = figures::fixed(value, 1);
+  if (text.ends_with(".0")) text.erase(text.size() - 2);
+  return text;
+}
+
 Result<void> checkValue(Phrase what, const Uncertain& measured, Range range, const Sentence& place)
 {
   if (!std::isfinite(measured.value) || measured.value < range.low || measured.value > range.high)
     return Error{"%1 of %2 is %3; %4 to %5 is allowed. Check the contacts found in the CT.",
                  Sentence(what),
                  place,
-                 std::to_string(measured.value),
-                 std::to_string(range.low),
-                 std::to_string(range.high)};
+                 shown(measured.value),
+                 shown(range.low),
+                 shown(range.high)};
   const double widest = range.high - range.low;
   if (!std::isfinite(measured.sd) || measured.sd < 0.0 || measured.sd > widest)
     return Error{
         "%1 of %2 has the standard deviation %3; 0 to %4 is allowed. Check the contacts found in "
         "the CT.",
-        Sentence(what), place, std::to_string(measured.sd), std::to_string(widest)};
+        Sentence(what), place, shown(measured.sd), shown(widest)};
   return {};
 }
 
@@ -99,6 +108,15 @@ Result<void> checkOutcome(const MeasuredOutcome& outcome, const Sentence& name)
                                      *outcome.angle_deg, analysis::physical::angle_deg, name);
         !done)
       return done.error();
+  // beyond its own length within three errors no array lies in a cochlea
+  constexpr double errors = 3.0;
+  const double longest_mm = outcome.plan.insertable_mm + errors * outcome.depth_mm.sd;
+  if (outcome.plan.insertable_mm > 0.0 && outcome.depth_mm.value > longest_mm)
+    return Error{
+        "The inserted length of %1 is %2 mm, and %3 is %4 mm long. Check that the CT is of this "
+        "ear, "
+        "and the contacts found in it.",
+        name, shown(outcome.depth_mm.value), outcome.array, shown(outcome.plan.insertable_mm)};
   if (outcome.plan.depths_mm.empty())
     return Error{"The plan of %1 has no simulation of %2. Plan that array.", name, outcome.array};
   return {};

@@ -487,6 +487,92 @@ TEST_F(AnOutcome, ThatIsNotSavedIsAskedAboutBeforeAnotherTakesItsPlace)
   page.cancel();
 }
 
+TEST_F(AnOutcome, OfNoEarIsNotSaved)
+{
+  gui::OutcomeFinder wrong = finder();
+  wrong.findContacts = [](const ct::CtVolume&, const outcome::Ear&,
+                          const outcome::ContactsRequest& request) -> Result<outcome::FoundArray> {
+    outcome::FoundArray found = placedArray(request);
+    found.insertedLength_mm = 53.6;
+    return found;
+  };
+  WindowRig rig;
+  gui::OutcomePage& page = show(rig, std::move(wrong));
+  ASSERT_TRUE(isFound(page));
+  EXPECT_FALSE(rig.button("saveOutcomeButton").isEnabled());
+  for (const std::string& shown : {rig.label("outcomeFlags").toStdString(),
+                                   rig.button("saveOutcomeButton").toolTip().toStdString()}) {
+    EXPECT_THAT(shown, testing::HasSubstr("53.6 mm"));
+    EXPECT_THAT(shown, testing::HasSubstr("28 mm long"));
+  }
+  page.save();
+  EXPECT_TRUE(record().outcomes.empty());
+}
+
+TEST_F(AnOutcome, StaysSavedWhileOtherPagesAreVisitedAndAnEarlierVersionCountsAgain)
+{
+  WindowRig rig;
+  gui::OutcomePage& page = show(rig);
+  ASSERT_TRUE(isFound(page));
+  rig.click("saveOutcomeButton");
+  rig.click("outcomeBesideStage");
+  rig.window().showPage("plan");
+  fs::remove_all(plansFolder() / "P-53-plan");
+  rig.click("outcomePageButton");
+  // what was planned is read again
+  ASSERT_TRUE(WindowRig::waitUntil(
+      [&] { return rig.label("outcomePlanNote").startsWith("There is no plan"); }));
+  EXPECT_FALSE(rig.button("saveOutcomeButton").isEnabled());
+  EXPECT_FALSE(page.unfinished());
+  rig.choose("surgeryStopReason", "resistance");
+  rig.click("saveOutcomeButton");
+  ASSERT_EQ(record().outcomes.size(), 2u);
+  // the first one takes the place of the second
+  rig.choose("outcomeVersions", "0");
+  EXPECT_TRUE(rig.button("exportOutcomeButton").isEnabled());  // while its CT is read
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return page.study().hasCt() && !page.isBusy(); }));
+  EXPECT_FALSE(page.unfinished());
+  ASSERT_TRUE(rig.button("saveOutcomeButton").isEnabled());
+  rig.click("saveOutcomeButton");
+  const session::PatientRecord now = record();
+  ASSERT_EQ(now.outcomes.size(), 3u);
+  const auto newest = outcome::outcomeIn(now.outcomes[2].content, "newest");
+  ASSERT_TRUE(newest) << newest.error().message;
+  EXPECT_EQ(newest->surgery.stopReason, outcome::StopReason::unknown);
+  EXPECT_FALSE(rig.button("saveOutcomeButton").isEnabled());
+}
+
+TEST_F(AnOutcome, SaysWhereTheAnswersContradictTheArrayOrTheCt)
+{
+  WindowRig rig;
+  rig.click("outcomePageButton");
+  rig.type("surgeryIntendedDepth", "26");  // before a patient is chosen
+  gui::OutcomePage& page = show(rig);
+  ASSERT_TRUE(isFound(page));
+  EXPECT_EQ(typed(rig, "surgeryIntendedDepth"), "26.0");
+  const auto error = [&rig] { return rig.label("surgeryError").toStdString(); };
+  const auto flags = [&rig] { return rig.label("outcomeFlags").toStdString(); };
+  rig.type("surgeryIntendedDepth", "35");
+  EXPECT_THAT(error(), testing::HasSubstr("Intended depth is 35 mm, and FLEX28 goes 28 mm deep"));
+  EXPECT_FALSE(rig.button("saveOutcomeButton").isEnabled());
+  rig.type("surgeryIntendedDepth", "28");
+  EXPECT_EQ(error(), "");
+  EXPECT_THAT(flags(), testing::Not(testing::HasSubstr("The mark at")));
+  rig.choose("surgeryMarkReached", "yes");  // 24.6 mm are inserted
+  EXPECT_THAT(flags(), testing::HasSubstr("The mark at 28.0 mm was reached"));
+  rig.type("surgeryIntendedDepth", "25");
+  EXPECT_THAT(flags(), testing::Not(testing::HasSubstr("The mark at")));
+  rig.type("surgeryContactsOutside", "13");
+  EXPECT_THAT(error(), testing::HasSubstr("Contacts outside is 13, and FLEX28 has 12 contacts"));
+  rig.type("surgeryContactsOutside", "3");
+  EXPECT_EQ(error(), "");
+  EXPECT_THAT(flags(),
+              testing::HasSubstr("Contacts outside: 3 as the surgeon states, 1 in the CT"));
+  rig.type("surgeryContactsOutside", "1");
+  EXPECT_THAT(flags(), testing::Not(testing::HasSubstr("as the surgeon states")));
+  EXPECT_TRUE(rig.button("saveOutcomeButton").isEnabled());
+}
+
 TEST_F(AnOutcome, StandsInThePatientsHistoryAndIsOpenedFromThere)
 {
   WindowRig rig;
@@ -510,7 +596,7 @@ TEST_F(AnOutcome, StandsInThePatientsHistoryAndIsOpenedFromThere)
   keepPicture(rig.window(), "outcome-history");
   EXPECT_THAT(cutTextsOf(rig.window()), testing::IsEmpty());
   const int oldest = rowsOf("Outcome").back();
-  EXPECT_EQ(history.item(oldest, 2)->text(), QString::fromUtf8("flex28 · 420 (412–428)°"));
+  EXPECT_EQ(history.item(oldest, 2)->text(), QString::fromUtf8("FLEX28 · 420 (412–428)°"));
   EXPECT_EQ(rowsOf("Plan").size(), 1u);
   const QRect place = history.visualItemRect(history.item(oldest, 2));
   QTest::mouseClick(history.viewport(), Qt::LeftButton, Qt::NoModifier, place.center());
@@ -926,9 +1012,16 @@ TEST_F(AnOutcome, StandsBesideItsPlanOnThePageOutcomes)
   rig.click("outcomePageButton");
   rig.type("surgeryCtDay", "3.2.2025");
   rig.type("surgeryDaysToCt", "20");
+  // its place in the plan is the same on both pages
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig.label("outcomePlanDoubt").isEmpty(); }));
+  const QString place = table(rig, "outcomeBesidePlan").item(1, 3)->text();
+  const QString anglePlace = table(rig, "outcomeBesidePlan").item(0, 3)->text();
+  EXPECT_EQ(table(rig, "outcomeBesidePlan").item(2, 3)->text(), anglePlace);  // contact 1
   rig.click("saveOutcomeButton");
   rig.click("outcomesPageButton");
   ASSERT_TRUE(isRead());
+  EXPECT_EQ(table(rig, "outcomesTable").item(0, 4)->text(), place);
+  EXPECT_EQ(table(rig, "outcomesTable").item(0, 7)->text(), anglePlace);
   rig.window().resize(1366, 768);
   settle();
   keepPicture(rig.window(), "outcomes");
@@ -936,7 +1029,7 @@ TEST_F(AnOutcome, StandsBesideItsPlanOnThePageOutcomes)
   QTableWidget& all = table(rig, "outcomesTable");
   ASSERT_EQ(all.rowCount(), 1) << rig.label("outcomesStatus").toStdString();
   EXPECT_TRUE(all.item(0, 0)->text().startsWith("P-53"));
-  EXPECT_EQ(all.item(0, 1)->text(), plannedArray);
+  EXPECT_EQ(all.item(0, 1)->text(), "FLEX28");
   const double simulated_mm = inMillimeters(plan->insertions.front().insertion.depth);
   EXPECT_TRUE(all.item(0, 2)->text().startsWith(QString::number(simulated_mm, 'f', 1)));
   EXPECT_EQ(all.item(0, 3)->text(), QString::fromUtf8("24.6 (24.0–25.2) mm"));
@@ -947,7 +1040,7 @@ TEST_F(AnOutcome, StandsBesideItsPlanOnThePageOutcomes)
   // all together, and the array
   const QTableWidget& coverage = table(rig, "outcomesCoverage");
   ASSERT_EQ(coverage.rowCount(), 2);
-  EXPECT_EQ(coverage.item(1, 0)->text(), plannedArray);
+  EXPECT_EQ(coverage.item(1, 0)->text(), "FLEX28");
   EXPECT_TRUE(coverage.item(0, 2)->text().contains("of 1"));
   // an ear that cannot be compared is named, and the other one stays
   anatomy::Patient other = patient_;

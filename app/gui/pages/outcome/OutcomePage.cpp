@@ -234,7 +234,12 @@ void OutcomePage::connectPanel()
     const bool isOtherDay = surgeryDay() != plannedFor_;
     if (isOtherDay) planNumber_.clear();
     if ((isOther || isOtherDay) && panel_->patient()) readPlanned(isOther || planning_.isBusy());
-    isSaved_ = false;
+    // a form that is shown again with what it had is no change
+    const outcome::Surgery answered = panel_->form().surgery();
+    const std::string day = panel_->form().ctDay();
+    if (answered_ != answered || answeredDay_ != day) isSaved_ = false;
+    answered_ = answered;
+    answeredDay_ = day;
     showFound();
   });
   connect(view_, &OutcomeView::contactMoved, this, &OutcomePage::moveContact);
@@ -356,7 +361,11 @@ void OutcomePage::showStep(OutcomeStep step, double fraction)
 
 void OutcomePage::choosePatient()
 {
+  // answers that were typed before are of the first patient who is chosen
+  const outcome::Surgery typed = hadPatient_ ? outcome::Surgery{} : panel_->form().surgery();
   leavePatient();
+  if (typed != outcome::Surgery{}) panel_->form().setSurgery(typed);
+  hadPatient_ = true;
   readPlanned(true);
 }
 
@@ -531,9 +540,14 @@ void OutcomePage::leaveFound()
 
 void OutcomePage::showFound()
 {
-  view_->show(found(), planned_, planDoubt());
+  QStringList doubts;
+  const QString impossible = obstacle();
+  if (!impossible.isEmpty()) doubts << impossible;
+  if (found()) doubts << contradictionTexts(panel_->form().surgery(), *found());
+  view_->show(found(), planned_, planDoubt(), doubts);
+  view_->setStale(history_.now().isStale);
   panel_->showState({study_.hasCt(), found() && !history_.now().isStale, history_.canUndo(),
-                     history_.canRedo(), isSaved_});
+                     history_.canRedo(), isSaved_, impossible});
   if (stages_->currentWidget() != archive_) showArchive(false);
 }
 
@@ -597,9 +611,23 @@ QString OutcomePage::planDoubt() const
   return predictionDoubt(planned_.planMadeUtc, panel_->form().ctDay(), panel_->form().surgery());
 }
 
+QString OutcomePage::obstacle() const
+{
+  if (!found()) return {};
+  outcome::MeasuredOutcome measured;
+  measured.array = found()->array;
+  measured.depth_mm = {found()->insertedLength_mm, found()->insertedLengthSd_mm};
+  if (found()->contactsInside > 0) measured.angle_deg = found()->angularInsertionDepth_deg;
+  measured.plan.depths_mm = {found()->insertedLength_mm};
+  if (const auto array = arrayNamed(found()->array))
+    measured.plan.insertable_mm = inMillimeters(array->insertable);
+  const auto checked = outcome::checkOutcome(measured, Sentence{"this ear"});
+  return checked ? QString() : dataText(checked.error().message);
+}
+
 void OutcomePage::save()
 {
-  if (!found() || !panel_->patient()) return;
+  if (!found() || !panel_->patient() || !obstacle().isEmpty()) return;
   const std::string utc = nowUtc();
   outcome::OutcomeContent saving = content();
   const QDate ctDay =
@@ -685,6 +713,7 @@ void OutcomePage::writeReport(const ReportPlace& place)
                               planned_.plan,
                               planned_.place,
                               planned_.planMadeUtc,
+                              planned_.ends,
                               planDoubt(),
                               study_.hasCt() ? view_->picture() : QImage(),
                               view_->unrolledOnPaper(paperWidth_px, paperHeight_px)};

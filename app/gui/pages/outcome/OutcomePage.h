@@ -120,6 +120,8 @@ private:
   QString planDoubt() const;
   /// The day of surgery as far as it is known: "2026-11-20"; else empty.
   std::string surgeryDay() const;
+  /// Why what was found can be of no ear, a sentence; empty if it can.
+  QString obstacle() const;
 
   const InsertionControl& control_;
   CtStudy study_;
@@ -141,6 +143,9 @@ private:
   std::string planNumber_;  ///< That a saved outcome states; empty: the newest plan before surgery.
   std::string plannedFor_;  ///< Day of surgery for which the plan was chosen.
   bool isSaved_ = true;
+  bool hadPatient_ = false;    ///< Answers of the form are of a patient.
+  outcome::Surgery answered_;  ///< What the form had when it changed last.
+  std::string answeredDay_;
   QString task_;
   QElapsedTimer since_;
   double shownFraction_ = 0.0;

@@ -98,8 +98,6 @@ void OutcomePanel::addFoot(QVBoxLayout& column)
   cancel_->setToolTip(tr("Esc"));
   undo_->setToolTip(tr("The contact that was moved last (Ctrl+Z)"));
   redo_->setToolTip(tr("Ctrl+Shift+Z"));
-  save_->setToolTip(
-      tr("Every outcome that is saved stays in the patient’s record, with its date."));
   report_->setToolTip(tr("One page as PDF or DICOM"));
   column.addWidget(status_);
   column.addWidget(progress_);
@@ -162,6 +160,7 @@ void OutcomePanel::showVersion(std::size_t place)
 {
   version_ = QString::number(place);
   versions_->show(version_, {});
+  showButtons();
 }
 
 bool OutcomePanel::choosePatient(const std::filesystem::path& file)
@@ -237,11 +236,21 @@ void OutcomePanel::showButtons()
   undo_->setEnabled(state_.canUndo);
   redo_->setEnabled(state_.canRedo);
   const bool isFound = state_.hasFound && !isBusy_;
-  save_->setEnabled(isFound && patient_ && isValid && !state_.isSaved);
-  export_->setEnabled(isFound);
-  report_->setEnabled(isFound && patient_);
+  // an earlier version counts again when it is saved as the newest
+  const bool isNewest =
+      version_.isEmpty() || !patient_ || version_.toULong() + 1 == patient_->record.outcomes.size();
+  const bool canSave =
+      isFound && patient_ && isValid && state_.obstacle.isEmpty() && !(state_.isSaved && isNewest);
+  save_->setEnabled(canSave);
+  save_->setToolTip(
+      !state_.obstacle.isEmpty() ? state_.obstacle
+      : isNewest
+          ? tr("Every outcome that is saved stays in the patient’s record, with its date.")
+          : tr("Saves this earlier version as the newest, which counts among the outcomes."));
+  export_->setEnabled(state_.hasFound);
+  report_->setEnabled(state_.hasFound && patient_);
   setPrimary(*find_, !state_.hasFound);
-  setPrimary(*save_, isFound && !state_.isSaved);
+  setPrimary(*save_, canSave && !state_.isSaved);
   versions_->setEnabled(patient_ && !patient_->record.outcomes.empty() && !isBusy_);
   patientList_->setEnabled(!isBusy_ && !patients_.empty());
 }

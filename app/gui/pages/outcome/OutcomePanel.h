@@ -47,7 +47,9 @@ public:
   void showIdle(const QString& sentence, bool isError = false);
   /// Shows what has room in one sentence after an export.
   struct State {
-    bool hasCt = false, hasFound = false, canUndo = false, canRedo = false, isSaved = false;
+    bool hasCt = false, hasFound = false, canUndo = false, canRedo = false;
+    bool isSaved = false;   ///< As it is shown.
+    QString obstacle = {};  ///< Why it cannot be saved, a sentence; else empty.
   };
   void showState(const State& state);
 

@@ -3,6 +3,7 @@
 
 // What was found, in two views: the contacts in the CT, and the plan beside the outcome.
 
+#include <QStringList>
 #include <QWidget>
 #include <array>
 #include <memory>
@@ -34,8 +35,11 @@ public:
 
   /// Shows what was found beside a plan; nothing yet if it is null.
   /// @param planDoubt  Why the plan is no prediction, a sentence; empty if it is one.
+  /// @param doubts     What else is doubtful about the outcome, a sentence each.
   void show(const std::shared_ptr<const outcome::FoundArray>& found, const PlannedEar& planned,
-            const QString& planDoubt);
+            const QString& planDoubt, const QStringList& doubts);
+  /// Grays values that are found again at the moment.
+  void setStale(bool isStale);
   /// The cochlear view with its contacts as a picture.
   QImage picture() const;
   /// The unrolled scala as a drawing on paper.

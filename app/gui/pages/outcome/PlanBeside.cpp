@@ -30,14 +30,17 @@ PlanBeside::PlanBeside(QWidget* parent) : QTableWidget(0, int(std::size(besideWi
   setAccessibleName(tr("Plan beside outcome"));
   const std::pair<QString, QString> columns[] = {
       {tr("Quantity"), tr("The depth of the array, and the angle of each contact; 1 at the tip")},
-      {tr("Plan"), tr("Median and band of the plan, from 5 to 95 % of its simulations")},
+      {tr("Plan"),
+       tr("Median and band of the plan; above stands what it holds. Of a contact, of the "
+          "simulations in which it is inside.")},
       {tr("Found"), tr("Measured in the CT after surgery, with its 95 % interval")},
-      {tr("Percentile"), tr("Share of the plan’s simulations below the value found, from the "
-                            "quantiles of the band")}};
+      {tr("Percentile"), tr("Share of the plan’s simulations below the value found, with its "
+                            "error; of a contact from the quantiles of the band")}};
   showValues(*this, columns, sized(besideRow_px), sized(besideHeader_px));
 }
 
-void PlanBeside::show(const planning::ArrayPlan* plan, const outcome::FoundArray& found)
+void PlanBeside::show(const planning::ArrayPlan* plan, const outcome::PlannedOutcome& ends,
+                      const outcome::FoundArray& found)
 {
   setRowCount(0);
   const auto add = [this](const QStringList& texts) {
@@ -47,11 +50,15 @@ void PlanBeside::show(const planning::ArrayPlan* plan, const outcome::FoundArray
       setItem(row, column, new QTableWidgetItem(texts[column]));
   };
   const QString none = tr("–");
-  const double depth_deg = found.angularInsertionDepth_deg.value;
-  add({tr("Angular depth"), plan ? bandWords(plan->angle_deg, 0, tr("°")) : none, depthText(found),
-       plan ? percentileText(plan->angle_deg, depth_deg) : none});
+  const outcome::Uncertain& depth = found.angularInsertionDepth_deg;
+  const outcome::Uncertain inserted{found.insertedLength_mm, found.insertedLengthSd_mm};
+  const QString depthPlace = plan ? percentileText(ends.angles_deg, plan->angle_deg, depth) : none;
+  add({tr("Angular insertion depth"), plan ? bandWords(plan->angle_deg, 0, tr("°")) : none,
+       depthText(found), depthPlace});
   add({tr("Inserted length"), plan ? bandWords(plan->depth_mm, 1, tr(" mm")) : none,
-       insertedText(found), plan ? percentileText(plan->depth_mm, found.insertedLength_mm) : none});
+       insertedText(found),
+       plan ? percentileText(ends.depths_mm, plan->depth_mm, inserted) : none});
+  bool isApical = true;  // the depth is the angle of the first one inside
   for (const outcome::FoundContact& each : found.contacts) {
     const planning::ContactBand* planned = nullptr;
     if (plan != nullptr)
@@ -59,8 +66,10 @@ void PlanBeside::show(const planning::ArrayPlan* plan, const outcome::FoundArray
         if (band.number == each.number && band.draws > 0) planned = &band;
     add({tr("Contact %1").arg(each.number),
          planned ? bandWords(planned->angle_deg, 0, tr("°")) : none, angleText(each),
-         planned && each.isInside ? percentileText(planned->angle_deg, each.angle_deg.value)
-                                  : none});
+         !planned || !each.isInside ? none
+         : isApical                 ? depthPlace
+                                    : percentileText(planned->angle_deg, each.angle_deg.value)});
+    if (each.isInside) isApical = false;
   }
   fitColumns(*this, besideWidths_px);
 }

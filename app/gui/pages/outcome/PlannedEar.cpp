@@ -8,6 +8,8 @@
 #include "gui/setup/PlanStore.h"
 #include "perilymph/analysis/Comparison.h"
 #include "perilymph/outcome/ClinicLibrary.h"
+#include "perilymph/planning/Plan.h"
+#include "perilymph/planning/PlanFolder.h"
 #include "perilymph/session/Scenario.h"
 
 namespace perilymph::gui {
@@ -38,6 +40,11 @@ void addPlan(PlannedEar& ear, const std::vector<StoredPlan>& plans, const anatom
     ear.place = std::size_t(place - read->plan.arrays.begin());
     ear.planMadeUtc = each.madeUtc;
     read->plan.request = each.request;
+    planning::PlanRequest request = each.request;
+    request.draws = each.shownDraws;
+    const auto inRequest = std::size_t(std::ranges::find(arrays, ear.array) - arrays.begin());
+    if (const auto viewed = planning::viewPlan(request, each.folder / planning::planDrawsFile))
+      ear.ends = outcome::endsOf(*viewed, inRequest);
     ear.plan = std::make_shared<const planning::StoredPlan>(*std::move(read));
     return;
   }

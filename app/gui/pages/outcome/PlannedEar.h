@@ -10,6 +10,7 @@
 
 #include "gui/setup/PatientHistory.h"
 #include "perilymph/analysis/Comparison.h"
+#include "perilymph/outcome/ClinicOutcomes.h"
 #include "perilymph/planning/PlanReading.h"
 
 namespace perilymph::gui {
@@ -20,6 +21,7 @@ struct PlannedEar {
   std::shared_ptr<const planning::StoredPlan> plan;  ///< Null without one of this array.
   std::size_t place = 0;                             ///< Place of the array in the plan.
   std::string planMadeUtc;
+  outcome::PlannedOutcome ends;  ///< Its simulations as they ended; empty where they are not there.
   /// The patient's newest insertion of this array.
   std::optional<analysis::ComparedInsertion> insertion;
   std::shared_ptr<const anatomy::ScalaTympani> scala;  ///< From the patient's measures.

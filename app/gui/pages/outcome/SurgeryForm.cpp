@@ -19,6 +19,7 @@
 #include "gui/widgets/Selector.h"
 #include "gui/widgets/Theme.h"
 #include "gui/widgets/WrappedLabel.h"
+#include "perilymph/foundation/Resources.h"
 
 namespace perilymph::gui {
 
@@ -67,6 +68,8 @@ SurgeryForm::SurgeryForm(QWidget* parent)
   column->addWidget(error_);
   connect(array_, &Selector::chosen, this, [this] {
     isArrayChosen_ = true;
+    readDesign();
+    showError();
     Q_EMIT changed();
   });
   for (Selector* each : {stopReason_, markReached_, opening_, tool_})
@@ -90,7 +93,9 @@ QWidget* SurgeryForm::addRow(QVBoxLayout& column, const QString& name, QWidget* 
   suffix->setFixedWidth(
       std::max(sized(unit_px), suffix->fontMetrics().horizontalAdvance(tr("mm")) + 2));
   field->setFont(typeface(12));
-  field->setFixedSize(std::max(sized(field_px), markReached_->widest_px()), sized(row_px));
+  field->setFixedSize(
+      std::max({sized(field_px), markReached_->widest_px(), stopReason_->widest_px()}),
+      sized(row_px));
   row->addWidget(title, 1);
   row->addWidget(field);
   row->addWidget(suffix);
@@ -156,6 +161,7 @@ void SurgeryForm::addUsual(QVBoxLayout& column)
   markReached_->addChoice(tr("no"), QStringLiteral("no"));
   for (const auto& each : outcome::stopReasons)
     stopReason_->addChoice(textOf(each.value), QLatin1String(each.name));
+  stopReason_->setFont(typeface(12));
   stopReason_->setToolTip(
       tr("Why the array was not pushed further. A stop by resistance is what a plan predicts."));
   addRow(column, tr("Stopped because of"), stopReason_);
@@ -232,6 +238,7 @@ void SurgeryForm::setSurgery(const outcome::Surgery& surgery)
   lot_->setText(QString::fromStdString(surgery.lot));
   for (const Field& each : numbers_) each.edit->setText(each.text(surgery));
   isShowing_ = false;
+  readDesign();
   showError();
   Q_EMIT changed();
 }
@@ -260,6 +267,8 @@ void SurgeryForm::proposeArray(const std::string& array)
   const QString name = QString::fromStdString(array);
   if (isArrayChosen_ || array_->findData(name) < 0) return;
   array_->show(name, {});
+  readDesign();
+  showError();
   Q_EMIT changed();
 }
 
@@ -277,8 +286,22 @@ QString SurgeryForm::error() const
   }
   if (const QString day = ctDay_->text().trimmed(); !day.isEmpty() && !dayIn(day).isValid())
     return tr("Day of the CT is “%1”; a day up to today is expected, such as 2026-11-20.").arg(day);
-  const auto checked = outcome::checkSurgery(surgery());
+  const outcome::Surgery answered = surgery();
+  const auto checked = design_ && designOf_ == answered.array
+                           ? outcome::checkSurgery(answered, *design_)
+                           : outcome::checkSurgery(answered);
   return checked ? QString() : dataText(checked.error().message);
+}
+
+void SurgeryForm::readDesign()
+{
+  const std::string name = array_->value().toStdString();
+  if (name == designOf_) return;
+  designOf_ = name;
+  design_.reset();
+  if (name.empty()) return;
+  if (const auto file = findByName("array", "plugins/electrodes", name))
+    if (auto read = electrode::loadArray(*file)) design_ = *std::move(read);
 }
 
 void SurgeryForm::showError()

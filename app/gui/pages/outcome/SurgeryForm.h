@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "perilymph/electrode/ArrayDesign.h"
 #include "perilymph/outcome/Surgery.h"
 
 class QLabel;
@@ -65,12 +66,16 @@ private:
                      const QString& unit);
   void addUsual(QVBoxLayout& column);
   void addOthers();
+  /// Reads the array that is chosen, for the checks of answers.
+  void readDesign();
   void showError();
 
   Section* more_;
   Selector *array_, *stopReason_, *markReached_, *opening_, *tool_;
   QLineEdit *ctDay_ = nullptr, *lubricant_ = nullptr, *lot_ = nullptr;
   std::vector<Field> numbers_;
+  std::optional<electrode::ArrayDesign> design_;
+  std::string designOf_;  ///< Name of the array that was read.
   QLabel* error_;
   bool isArrayChosen_ = false, isShowing_ = false;
 };

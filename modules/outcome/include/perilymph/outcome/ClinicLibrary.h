@@ -41,6 +41,10 @@ Result<LibraryOutcomes> readOutcomes(const planning::RegistryFolders& folders,
                                      const std::stop_token& stop = {},
                                      StopLengths lengths = StopLengths::computed);
 
+/// Depths and angles of a plan's array as its simulations ended, without those that could not be run.
+/// @param array  Its place in the plan's request.
+PlannedOutcome endsOf(const planning::Plan& plan, std::size_t array);
+
 /// A number of days before the day of a time, "2026-11-20T09:30:00Z", or before a day: "2026-11-18". Empty if that
 /// is neither.
 std::string dayBefore(const std::string& utc, int days);

@@ -24,7 +24,7 @@ struct PlannedOutcome {
   std::vector<double> depths_mm, angles_deg;  ///< A value each simulation that could be run.
   std::optional<planning::StopDraws> stops;   ///< Absent if they cannot be computed.
   double friction = 0.0;       ///< Coefficient, static, that the plan's factors multiply.
-  double insertable_mm = 0.0;  ///< Greatest depth of the array.
+  double insertable_mm = 0.0;  ///< Greatest depth of the array; 0 if unknown.
 };
 
 /// One implanted ear.
@@ -109,7 +109,7 @@ double percentileAmong(const std::vector<double>& simulated, const Uncertain& me
 /// @param leftOut  What whoever read the outcomes left out.
 Result<ClinicOutcomes> compareOutcomes(std::vector<MeasuredOutcome> outcomes,
                                        const LeftOut& leftOut = {});
-/// Refuses a depth or an angle that no array has, an error below 0 or wider than all arrays are long, and a
+/// Refuses a depth or an angle that no array has, an inserted length beyond the array's own by three errors, an error below 0 or wider than all arrays are long, and a
 /// plan without simulations, with a sentence.
 /// @param name  Of the ear, for the sentence.
 Result<void> checkOutcome(const MeasuredOutcome& outcome, const Sentence& name);

@@ -12,6 +12,7 @@
 #include <QListWidget>
 #include <QMouseEvent>
 #include <QProgressBar>
+#include <QSignalSpy>
 #include <QTableWidget>
 #include <QTest>
 #include <QThread>
@@ -35,6 +36,7 @@
 #include "gui/setup/PatientLibrary.h"
 #include "gui/setup/PlanStore.h"
 #include "gui/setup/ScanFolders.h"
+#include "gui/shell/OverlayStack.h"
 #include "gui/widgets/Notice.h"
 #include "gui/widgets/Selector.h"
 #include "perilymph/foundation/Resources.h"
@@ -485,6 +487,22 @@ TEST_F(AnOutcome, ThatIsNotSavedIsAskedAboutBeforeAnotherTakesItsPlace)
   EXPECT_EQ(typed(rig, "surgeryIntendedDepth"), "");
   EXPECT_EQ(record().outcomes.size(), 2u);
   page.cancel();
+}
+
+TEST_F(AnOutcome, ThatIsNotSavedIsAskedAboutBeforeAnotherLanguageOpensTheWindowAnew)
+{
+  WindowRig rig;
+  const gui::OutcomePage& page = show(rig);
+  ASSERT_TRUE(isFound(page));
+  const QSignalSpy reopened(&rig.window(), &gui::MainWindow::reopenRequested);
+  Q_EMIT rig.window().sheets().settingChosen();
+  EXPECT_EQ(reopened.count(), 0);
+  EXPECT_THAT(rig.window().notice().sentence().toStdString(), testing::HasSubstr("P-53"));
+  EXPECT_NE(page.found(), nullptr);
+  rig.click("noticeButton");
+  EXPECT_EQ(reopened.count(), 1);
+  Q_EMIT rig.window().sheets().settingChosen();  // nothing is lost any more
+  EXPECT_EQ(reopened.count(), 2);
 }
 
 TEST_F(AnOutcome, OfNoEarIsNotSaved)

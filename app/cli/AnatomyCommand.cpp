@@ -125,7 +125,7 @@ Result<void> describeAnatomy(const AnatomyOptions& options)
   const anatomy::Patient& patient = cochlea->patient;
   const auto scala = anatomy::buildAnatomy(*cochlea, patient.label);
   if (!scala) return scala.error();
-  const auto measures = analysis::measure(**scala);
+  const auto measures = analysis::measure(**scala, *cochlea);
   const auto bands = analysis::errorBands(*cochlea, measures);
   if (!bands) return bands.error();
 

@@ -124,6 +124,11 @@ Result<void> ctContacts(const CtContactsOptions& options)
   if (!loaded) return loaded.error();
   auto ear = earOf(options, *loaded);
   if (!ear) return ear.error();
+  if (const auto side = valueIn(anatomy::sides, options.side); side && *side != ear->measures.side)
+    return Error{
+        "%1 shows a %2 ear, and --side is %3. Leave --side out, or give the CT of that ear.",
+        options.preop.empty() ? options.path : options.preop, anatomy::nameOf(ear->measures.side),
+        options.side};
   const auto difference = patient ? outcome::differenceFrom(*ear, *patient) : std::nullopt;
   if (difference) ear->flags.push_back(outcome::Flag::anotherEar);
   outcome::ContactsRequest request;

@@ -33,6 +33,16 @@ std::array<double, 3> pointIn(const std::string& text)
   return point;
 }
 
+/// Adds the option --at.
+/// @param which  Of which CT, for its help.
+CLI::Option* addPoint(CLI::App& command, std::optional<std::array<double, 3>>& at_mm,
+                      const std::string& which)
+{
+  return command.add_option_function<std::string>(
+      "--at", [&at_mm](const std::string& text) { at_mm = pointIn(text); },
+      "X,Y,Z: any point in the cochlea, LPS in mm" + which + " (default: automatic search)");
+}
+
 template <class Flag>
 std::string flagsText(const std::vector<Flag>& flags)
 {
@@ -56,9 +66,7 @@ void addMeasure(CLI::App& ct, FileOptions& files, CtMeasureOptions& options)
   files.readsBelow(command.add_option("path", options.path, pathHelp)->required());
   command.add_option("--series", options.series,
                      "Series UID, as listed by 'ct info' (default: best suited series)");
-  CLI::Option* at = command.add_option_function<std::string>(
-      "--at", [&options](const std::string& text) { options.at_mm = pointIn(text); },
-      "X,Y,Z: any point in the cochlea, LPS in mm (default: automatic search)");
+  CLI::Option* at = addPoint(command, options.at_mm, "");
   files.reads(
       command
           .add_option("--landmarks", options.landmarks,
@@ -108,10 +116,7 @@ void addContacts(CLI::App& ct, FileOptions& files, CtContactsOptions& options)
       "CT before surgery, in which the cochlea is measured without metal (default: in this CT)"));
   command.add_option("--preop-series", options.preopSeries,
                      "Series UID of the CT before surgery (default: best suited series)");
-  command.add_option_function<std::string>(
-      "--at", [&options](const std::string& text) { options.at_mm = pointIn(text); },
-      "X,Y,Z: any point in the cochlea, LPS in mm, of the CT in which it is measured (default: "
-      "automatic search)");
+  addPoint(command, options.at_mm, ", of the CT in which it is measured");
   command.add_option("--side", options.side, "Ear: left or right (default: the best seen)")
       ->check(CLI::IsMember({"left", "right"}));
   files.writes(command.add_option("--json", options.json, "Write contacts and depth (JSON)"));

@@ -36,6 +36,12 @@ Result<void> outcomes(const OutcomesOptions& options, const CommandFiles& files)
   if (!options.library.empty() && !std::filesystem::is_directory(folders.patients))
     return Error{options.library +
                  " has no folder 'patients'. Give --library the folder that has it."};
+  if (!options.library.empty() && !std::filesystem::is_directory(folders.plans))
+    printError(
+        "{} has no folder 'plans', so that no outcome has a prediction there. The user's own plans "
+        "are "
+        "in {}.\n",
+        options.library, planning::ownRegistryFolders().plans.string());
   if (const auto done = checkFolder(options.out); !done) return done.error();
   const std::stop_token stop = watchForInterruption();
   const auto library = outcome::readOutcomes(

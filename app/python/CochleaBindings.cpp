@@ -195,7 +195,7 @@ py::dict distance(const BuiltCochlea& one, const py::object& points_mm)
 const std::vector<analysis::Measure>& measuresOf(const BuiltCochlea& one)
 {
   if (one.kept->measures.empty()) {
-    auto all = withoutLock([&] { return analysis::measure(*one.scala); });
+    auto all = withoutLock([&] { return analysis::measure(*one.scala, one.cochlea); });
     if (one.kept->measures.empty()) one.kept->measures = std::move(all);
   }
   return one.kept->measures;

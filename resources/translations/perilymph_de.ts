@@ -289,7 +289,7 @@
     </message>
     <message>
         <source>There is metal in or beside the cochlea (an implant?): it hides the wall, so take a CT from before the implantation.</source>
-        <translation>In oder neben der Cochlea ist Metall (ein Implantat?): Es verdeckt die Wand; eine CT von vor der Implantation verwenden.</translation>
+        <translation>In oder neben der Cochlea ist Metall (ein Implantat?): Es verdeckt die Wand; ein CT von vor der Implantation verwenden.</translation>
     </message>
     <message>
         <source>B does not fit A, or H is beyond that of known cochleae: check the outline in the images; a malformed cochlea has no A, B and H.</source>
@@ -305,7 +305,7 @@
     </message>
     <message>
         <source>There is metal in or beside the cochlea (an implant?): %1 cubic millimeters are brighter than %2 HU and hide its wall. Take a CT from before the implantation.</source>
-        <translation>In oder neben der Cochlea ist Metall (ein Implantat?): %1 Kubikmillimeter sind heller als %2 HU und verdecken ihre Wand. Verwenden Sie eine CT von vor der Implantation.</translation>
+        <translation>In oder neben der Cochlea ist Metall (ein Implantat?): %1 Kubikmillimeter sind heller als %2 HU und verdecken ihre Wand. Verwenden Sie ein CT von vor der Implantation.</translation>
     </message>
     <message>
         <source>%1 scout images were left out.</source>
@@ -4425,7 +4425,7 @@
     </message>
     <message>
         <source>There is no array in this ear: %1 cubic millimeters of metal lie in or near the cochlea, at least 0.3 are expected. Choose a CT after surgery, and check the side.</source>
-        <translation>In diesem Ohr liegt kein Elektrodenträger: %1 Kubikmillimeter Metall liegen in oder an der Cochlea, erwartet sind mindestens 0,3. Wählen Sie eine CT nach der Operation und prüfen Sie die Seite.</translation>
+        <translation>In diesem Ohr liegt kein Elektrodenträger: %1 Kubikmillimeter Metall liegen in oder an der Cochlea, erwartet sind mindestens 0,3. Wählen Sie ein CT nach der Operation und prüfen Sie, ob es dieses Ohr zeigt.</translation>
     </message>
     <message>
         <source>This CT shows the %1, and the patient&apos;s is the %2.</source>
@@ -4449,7 +4449,7 @@
     </message>
     <message>
         <source>Intended depth</source>
-        <translation>Geplante Tiefe</translation>
+        <translation>Vorgesehene Tiefe</translation>
     </message>
     <message>
         <source>Length outside</source>
@@ -4457,7 +4457,7 @@
     </message>
     <message>
         <source>Contacts intended inside</source>
-        <translation>Geplante Kontakte innen</translation>
+        <translation>Vorgesehene Kontakte innen</translation>
     </message>
     <message>
         <source>Contacts outside</source>
@@ -4490,10 +4490,6 @@
     <message>
         <source>%1 is left out: its plan %2 with %3 is not there as it was made before the surgery. Restore the plan&apos;s folder.</source>
         <translation>%1 ist ausgelassen: Der zugehörige Plan %2 mit %3 ist nicht so vorhanden, wie er vor der Operation erstellt wurde. Stellen Sie den Ordner des Plans wieder her.</translation>
-    </message>
-    <message>
-        <source>its outcome is of the %1 ear. Find the contacts in the CT of this ear again.</source>
-        <translation>das Ergebnis gehört zum anderen Ohr (%1). Suchen Sie die Kontakte im CT dieses Ohrs erneut.</translation>
     </message>
     <message>
         <source>%1 was found in the CT and %2 was implanted as the surgeon says. Find the contacts again with the array that was implanted.</source>
@@ -4558,6 +4554,118 @@
     <message>
         <source>%1 cannot be removed: %2.</source>
         <translation>%1 kann nicht entfernt werden: %2.</translation>
+    </message>
+    <message>
+        <source>its outcome is of the %1. Find the contacts in the CT of this ear again.</source>
+        <translation>das Ergebnis gehört zum anderen Ohr (%1). Suchen Sie die Kontakte im CT dieses Ohrs erneut.</translation>
+    </message>
+    <message>
+        <source>%1 is left out: the day of its CT is not known, so that no plan is known to be made before surgery. Open the outcome on the page Outcome, state Day of the CT, and save it again.</source>
+        <translation>%1 ist ausgelassen: Der Tag des CT ist nicht bekannt, sodass von keinem Plan bekannt ist, dass er vor der Operation erstellt wurde. Öffnen Sie das Ergebnis auf der Seite Ergebnis, geben Sie den Tag des CT an und speichern Sie es erneut.</translation>
+    </message>
+    <message>
+        <source>%1 is left out: the days from surgery to its CT are not known, so that no plan is known to be made before surgery. Open the outcome on the page Outcome, state them, and save it again.</source>
+        <translation>%1 ist ausgelassen: Die Tage von der OP bis zum CT sind nicht bekannt, sodass von keinem Plan bekannt ist, dass er vor der Operation erstellt wurde. Öffnen Sie das Ergebnis auf der Seite Ergebnis, geben Sie sie an und speichern Sie es erneut.</translation>
+    </message>
+    <message>
+        <source>The inserted length [mm]</source>
+        <translation>Die inserierte Länge [mm]</translation>
+    </message>
+    <message>
+        <source>The angular insertion depth [degrees]</source>
+        <translation>Der Insertionswinkel [Grad]</translation>
+    </message>
+    <message>
+        <source>ear %1</source>
+        <translation>Ohr %1</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>a number from %1 to %2</source>
+        <translation>eine Zahl von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>eine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true oder false</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>ein Text</translation>
+    </message>
+    <message>
+        <source>a text of up to %1 characters</source>
+        <translation>ein Text von bis zu %1 Zeichen</translation>
+    </message>
+    <message>
+        <source>one of %1</source>
+        <translation>eines von %1</translation>
+    </message>
+    <message>
+        <source>three numbers</source>
+        <translation>drei Zahlen</translation>
+    </message>
+    <message>
+        <source>three numbers up to 10,000 mm</source>
+        <translation>drei Zahlen bis 10.000 mm</translation>
+    </message>
+    <message>
+        <source>an object with value and sd</source>
+        <translation>ein Objekt mit value und sd</translation>
+    </message>
+    <message>
+        <source>an object with value and ci95</source>
+        <translation>ein Objekt mit value und ci95</translation>
+    </message>
+    <message>
+        <source>%1: %2 is missing; %3 is needed.</source>
+        <translation>%1: %2 fehlt; nötig ist %3.</translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation>eine Liste</translation>
+    </message>
+    <message>
+        <source>a list of flags that the guide names</source>
+        <translation>eine Liste von Hinweisen, die der Leitfaden nennt</translation>
+    </message>
+    <message>
+        <source>a list of 1 to 64 contacts</source>
+        <translation>eine Liste von 1 bis 64 Kontakten</translation>
+    </message>
+    <message>
+        <source>a number above that of the contact before</source>
+        <translation>eine Nummer über der des vorigen Kontakts</translation>
+    </message>
+    <message>
+        <source>%1, the number of contacts that are inside,</source>
+        <translation>%1, die Zahl der Kontakte innen,</translation>
+    </message>
+    <message>
+        <source>a list of up to 4,000 points</source>
+        <translation>eine Liste von bis zu 4.000 Punkten</translation>
+    </message>
+    <message>
+        <source>this ear</source>
+        <translation>diesem Ohr</translation>
+    </message>
+    <message>
+        <source>The inserted length of %1 is %2 mm, and %3 is %4 mm long. Check that the CT is of this ear, and the contacts found in it.</source>
+        <translation>Die inserierte Länge von %1 ist %2 mm, und %3 ist %4 mm lang. Prüfen Sie, ob das CT dieses Ohr zeigt, und die darin gefundenen Kontakte.</translation>
+    </message>
+    <message>
+        <source>%1 is %2, and %3 has %4 contacts. Correct the answer or choose the array.</source>
+        <translation>%1 ist %2, und %3 hat %4 Kontakte. Berichtigen Sie die Angabe oder wählen Sie den Elektrodenträger.</translation>
+    </message>
+    <message>
+        <source>%1 is %2 mm, and %3 goes %4 mm deep. Correct the answer or choose the array.</source>
+        <translation>%1 ist %2 mm, und %3 reicht %4 mm tief. Berichtigen Sie die Angabe oder wählen Sie den Elektrodenträger.</translation>
     </message>
 </context>
 <context>
@@ -7750,20 +7858,12 @@
         <translation>gefunden (95 %)</translation>
     </message>
     <message>
-        <source>plan (5–95 %)</source>
-        <translation>Plan (5–95 %)</translation>
-    </message>
-    <message>
         <source>percentile</source>
         <translation>Perzentil</translation>
     </message>
     <message>
         <source>°</source>
         <translation>°</translation>
-    </message>
-    <message>
-        <source>Length past the opening</source>
-        <translation>Länge hinter der Öffnung</translation>
     </message>
     <message>
         <source> mm</source>
@@ -7808,10 +7908,6 @@
     <message>
         <source>; </source>
         <translation>; </translation>
-    </message>
-    <message>
-        <source>Positions are those of metal in the CT, with their errors; the basilar membrane is not visible, so the scala is a probability and no diagnosis. Place frequencies are estimated. Plan: median and band of simulated insertions; percentile: share of them below the value found. Angles are counted from the round window.</source>
-        <translation>Positionen sind die von Metall im CT, mit ihren Fehlern; die Basilarmembran ist nicht zu sehen, deshalb ist die Scala eine Wahrscheinlichkeit und keine Diagnose. Ortsfrequenzen sind geschätzt. Plan: Median und Band simulierter Insertionen; Perzentil: Anteil davon unter dem gefundenen Wert. Winkel zählen ab dem runden Fenster.</translation>
     </message>
     <message>
         <source>Patient %1</source>
@@ -7929,6 +8025,46 @@
         <source>Outcome</source>
         <comment>of an implanted ear</comment>
         <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Whether the plan was made before surgery is not known: the CT states no day. Type Day of the CT, else it is not counted among the outcomes.</source>
+        <translation>Ob der Plan vor der Operation erstellt wurde, ist nicht bekannt: Das CT gibt keinen Tag an. Tragen Sie den Tag des CT ein, sonst zählt er nicht unter den Ergebnissen.</translation>
+    </message>
+    <message>
+        <source>Whether the plan was made before surgery is not known. Type Days from surgery to CT, else it is not counted among the outcomes.</source>
+        <translation>Ob der Plan vor der Operation erstellt wurde, ist nicht bekannt. Tragen Sie die Tage von der OP bis zum CT ein, sonst zählt er nicht unter den Ergebnissen.</translation>
+    </message>
+    <message>
+        <source>The plan was made after surgery: it is no prediction, and is not counted among the outcomes.</source>
+        <translation>Der Plan wurde nach der Operation erstellt: Er ist keine Vorhersage und zählt nicht unter den Ergebnissen.</translation>
+    </message>
+    <message>
+        <source>plan (band)</source>
+        <translation>Plan (Band)</translation>
+    </message>
+    <message>
+        <source>Inserted length</source>
+        <translation>Inserierte Länge</translation>
+    </message>
+    <message>
+        <source>Positions are those of metal in the CT, with their errors; the basilar membrane is not visible, so the scala is a probability and no diagnosis. Place frequencies are estimated; their intervals are those of the angle, and listeners vary beyond them. Plan: median and band of simulated insertions, of a contact those in which it is inside; percentile: share of them below the value found. Angles are counted from the round window.</source>
+        <translation>Positionen sind die von Metall im CT, mit ihren Fehlern; die Basilarmembran ist nicht zu sehen, deshalb ist die Scala eine Wahrscheinlichkeit und keine Diagnose. Ortsfrequenzen sind geschätzt; ihre Intervalle sind die des Winkels, und Hörende streuen darüber hinaus. Plan: Median und Band simulierter Insertionen, bei einem Kontakt derer, in denen er innen liegt; Perzentil: Anteil davon unter dem gefundenen Wert. Winkel zählen ab dem runden Fenster.</translation>
+    </message>
+    <message>
+        <source>Bands: %1.</source>
+        <translation>Bänder: %1.</translation>
+    </message>
+    <message>
+        <source>%1 (%2 to %3)°</source>
+        <translation>%1 (%2 bis %3)°</translation>
+    </message>
+    <message>
+        <source>Contacts outside: %1 as the surgeon states, %2 in the CT.</source>
+        <translation>Kontakte außen: %1 nach Angabe des Operateurs, %2 im CT.</translation>
+    </message>
+    <message>
+        <source>The mark at %1 mm was reached as the surgeon states, and %2 mm are inserted in the CT.</source>
+        <translation>Die Marke bei %1 mm wurde nach Angabe des Operateurs erreicht, und %2 mm sind im CT inseriert.</translation>
     </message>
 </context>
 <context>
@@ -9768,8 +9904,12 @@
         <translation>Beenden und wiedergeben</translation>
     </message>
     <message>
-        <source>End it and close</source>
-        <translation>Beenden und schließen</translation>
+        <source>Close anyway</source>
+        <translation>Trotzdem schließen</translation>
+    </message>
+    <message>
+        <source>Change it anyway</source>
+        <translation>Trotzdem ändern</translation>
     </message>
 </context>
 <context>
@@ -10188,10 +10328,6 @@
         <translation>Das CT wird gelesen …</translation>
     </message>
     <message>
-        <source>Measuring the ear…</source>
-        <translation>Das Ohr wird gemessen …</translation>
-    </message>
-    <message>
         <source>This CT was not joined to %1.</source>
         <translation>Dieses CT wurde %1 nicht zugeordnet.</translation>
     </message>
@@ -10238,6 +10374,34 @@
     <message>
         <source>Choose the implanted array first.</source>
         <translation>Zuerst den implantierten Träger wählen.</translation>
+    </message>
+    <message>
+        <source>Reading the CT before surgery…</source>
+        <translation>Das CT vor der Operation wird gelesen …</translation>
+    </message>
+    <message>
+        <source>Measuring the ear in the CT before surgery…</source>
+        <translation>Das Ohr wird im CT vor der Operation gemessen …</translation>
+    </message>
+    <message>
+        <source>Carrying the ear over from the CT before surgery…</source>
+        <translation>Das Ohr wird aus dem CT vor der Operation übertragen …</translation>
+    </message>
+    <message>
+        <source>Measuring the ear in this CT…</source>
+        <translation>Das Ohr wird in diesem CT gemessen …</translation>
+    </message>
+    <message>
+        <source>What the surgeon knows of %1 is not saved in the record.</source>
+        <translation>Was aus der Operation von %1 bekannt ist, ist nicht in der Akte gespeichert.</translation>
+    </message>
+    <message>
+        <source>Open without saving</source>
+        <translation>Ohne Speichern öffnen</translation>
+    </message>
+    <message>
+        <source>Change without saving</source>
+        <translation>Ohne Speichern wechseln</translation>
     </message>
 </context>
 <context>
@@ -10366,6 +10530,10 @@
         <source>%1 · %2</source>
         <translation>%1 · %2</translation>
     </message>
+    <message>
+        <source>Saves this earlier version as the newest, which counts among the outcomes.</source>
+        <translation>Speichert diese frühere Fassung als neueste, die unter den Ergebnissen zählt.</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::OutcomeView</name>
@@ -10382,10 +10550,6 @@
         <translation>Abgerollte Scala tympani mit den Kontakten und den Bändern des Plans</translation>
     </message>
     <message>
-        <source>Contacts by number, with the intervals of their angles. Bars at the modiolus: the plan’s bands, 5 to 95 %; across the scala: that of the most apical contact.</source>
-        <translation>Kontakte nach Nummer, mit den Intervallen ihrer Winkel. Balken am Modiolus: Bänder des Plans, 5 bis 95 %; quer über die Scala: das des apikalsten Kontakts.</translation>
-    </message>
-    <message>
         <source>Force over depth: insertion by hand, the plan’s band, the length inserted in the patient</source>
         <translation>Kraft über der Tiefe: Insertion von Hand, Band des Plans, im Patienten inserierte Länge</translation>
     </message>
@@ -10398,12 +10562,16 @@
         <translation>%1: %2, Kontakte innen %3, inseriert %4; %5.</translation>
     </message>
     <message>
-        <source>Plan of %1, %2 simulations</source>
-        <translation>Plan vom %1, %2 Simulationen</translation>
-    </message>
-    <message>
         <source>There is no plan of this array for this patient. The page Plan makes one.</source>
         <translation>Für diesen Patienten gibt es keinen Plan dieses Trägers. Die Seite Plan macht einen.</translation>
+    </message>
+    <message>
+        <source>Contacts by number, with the intervals of their angles; hollow: placed by spacing, or more likely above the basilar membrane. Bars at the modiolus: the plan’s bands; across the scala: that of the most apical contact.</source>
+        <translation>Kontakte nach Nummer, mit den Intervallen ihrer Winkel; hohl: nach Abstand gesetzt, oder eher über der Basilarmembran. Balken am Modiolus: die Bänder des Plans; quer über die Scala: das des apikalsten Kontakts.</translation>
+    </message>
+    <message>
+        <source>Plan of %1, %2 simulations; bands: %3</source>
+        <translation>Plan vom %1, %2 Simulationen; Bänder: %3</translation>
     </message>
 </context>
 <context>
@@ -10441,10 +10609,6 @@
         <translation>Ergebnisse, eine Zeile je Ohr</translation>
     </message>
     <message>
-        <source>Median and band of the plan’s simulations, 5 to 95 %</source>
-        <translation>Median und Band der Simulationen des Plans, 5 bis 95 %</translation>
-    </message>
-    <message>
         <source>Patient</source>
         <translation>Patient</translation>
     </message>
@@ -10467,10 +10631,6 @@
     <message>
         <source>Depth, found</source>
         <translation>Tiefe, gefunden</translation>
-    </message>
-    <message>
-        <source>Length past the opening, with its 95 % interval</source>
-        <translation>Länge hinter der Öffnung, mit 95-%-Intervall</translation>
     </message>
     <message>
         <source>Percentile</source>
@@ -10579,6 +10739,14 @@
     <message>
         <source>Find an array in a CT</source>
         <translation>Elektrodenträger in einer CT finden</translation>
+    </message>
+    <message>
+        <source>Median and band of the plan’s simulations, 5 to 95 %; of fewer than 19 the lowest and the highest</source>
+        <translation>Median und Band der Simulationen des Plans, 5 bis 95 %; bei weniger als 19 die niedrigste und die höchste</translation>
+    </message>
+    <message>
+        <source>Inserted length past the opening, with its 95 % interval</source>
+        <translation>Inserierte Länge hinter der Öffnung, mit 95-%-Intervall</translation>
     </message>
 </context>
 <context>
@@ -11062,10 +11230,6 @@
         <translation>Plan</translation>
     </message>
     <message>
-        <source>Median and band of the plan, from 5 to 95 % of its simulations</source>
-        <translation>Median und Band des Plans, von 5 bis 95 % seiner Simulationen</translation>
-    </message>
-    <message>
         <source>Found</source>
         <translation>Gefunden</translation>
     </message>
@@ -11078,16 +11242,8 @@
         <translation>Perzentil</translation>
     </message>
     <message>
-        <source>Share of the plan’s simulations below the value found, from the quantiles of the band</source>
-        <translation>Anteil der Simulationen des Plans unter dem gefundenen Wert, aus den Quantilen des Bands</translation>
-    </message>
-    <message>
         <source>–</source>
         <translation>–</translation>
-    </message>
-    <message>
-        <source>Angular depth</source>
-        <translation>Winkeltiefe</translation>
     </message>
     <message>
         <source>°</source>
@@ -11104,6 +11260,18 @@
     <message>
         <source>Contact %1</source>
         <translation>Kontakt %1</translation>
+    </message>
+    <message>
+        <source>Median and band of the plan; above stands what it holds. Of a contact, of the simulations in which it is inside.</source>
+        <translation>Median und Band des Plans; darüber steht, was es enthält. Bei einem Kontakt aus den Simulationen, in denen er innen liegt.</translation>
+    </message>
+    <message>
+        <source>Share of the plan’s simulations below the value found, with its error; of a contact from the quantiles of the band</source>
+        <translation>Anteil der Simulationen des Plans unter dem gefundenen Wert, mit dessen Fehler; bei einem Kontakt aus den Quantilen des Bands</translation>
+    </message>
+    <message>
+        <source>Angular insertion depth</source>
+        <translation>Insertionswinkel</translation>
     </message>
 </context>
 <context>
@@ -13257,11 +13425,11 @@ Die ersten Bänder kommen nach 8 Simulationen jedes Trägers.</translation>
     </message>
     <message>
         <source>Intended mark reached</source>
-        <translation>Geplante Marke erreicht</translation>
+        <translation>Vorgesehene Marke erreicht</translation>
     </message>
     <message>
         <source>Intended depth</source>
-        <translation>Geplante Tiefe</translation>
+        <translation>Vorgesehene Tiefe</translation>
     </message>
     <message>
         <source>mm</source>
@@ -13285,7 +13453,7 @@ Die ersten Bänder kommen nach 8 Simulationen jedes Trägers.</translation>
     </message>
     <message>
         <source>Contacts intended inside</source>
-        <translation>Geplante Kontakte innen</translation>
+        <translation>Vorgesehene Kontakte innen</translation>
     </message>
     <message>
         <source>Length outside</source>
@@ -13322,6 +13490,18 @@ Die ersten Bänder kommen nach 8 Simulationen jedes Trägers.</translation>
     <message>
         <source>%1 is %2; a whole number is expected.</source>
         <translation>%1 ist %2; erwartet wird eine ganze Zahl.</translation>
+    </message>
+    <message>
+        <source>Day of the CT</source>
+        <translation>Tag des CT</translation>
+    </message>
+    <message>
+        <source>As the images state it; type it where they state none. With the days from surgery it tells which plans were made before surgery.</source>
+        <translation>Wie die Bilder ihn angeben; tragen Sie ihn ein, wo sie keinen angeben. Mit den Tagen seit der Operation sagt er, welche Pläne vor der Operation erstellt wurden.</translation>
+    </message>
+    <message>
+        <source>Day of the CT is “%1”; a day up to today is expected, such as 2026-11-20.</source>
+        <translation>Tag des CT ist „%1“; erwartet wird ein Tag bis heute, etwa 2026-11-20.</translation>
     </message>
 </context>
 <context>

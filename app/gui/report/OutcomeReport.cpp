@@ -9,6 +9,7 @@
 #include "gui/setup/OutcomeWords.h"
 #include "gui/setup/PatientHistory.h"
 #include "gui/setup/PatientLibrary.h"
+#include "gui/setup/PlannedFriction.h"
 #include "gui/text/Numbers.h"
 #include "gui/widgets/DrawingPainter.h"
 
@@ -66,7 +67,7 @@ double paintIdentification(ReportSheet& sheet, const OutcomeReportContent& repor
       sheet,
       {{tr("Patient code"), code.empty() ? QStringLiteral("–") : QString::fromStdString(code)},
        {tr("Ear"), report.patient.side == anatomy::Side::left ? tr("left ear") : tr("right ear")},
-       {tr("Array"), QString::fromStdString(found.array)},
+       {tr("Array"), arrayTitle(found.array)},
        {tr("CT after surgery"),
         tr("series %1").arg(QString::fromStdString(report.content.series.substr(0, 12)))}},
       0.0, y_mm, left_mm);
@@ -100,14 +101,18 @@ double paintResults(ReportSheet& sheet, const OutcomeReportContent& report, doub
     y_mm += contactRow_mm + 0.2;
   };
   const QString none = QStringLiteral("–");
-  row({QString(), tr("found (95 %)"), tr("plan (5–95 %)"), tr("percentile")}, ReportFace::quiet);
+  row({QString(), tr("found (95 %)"), tr("plan (band)"), tr("percentile")}, ReportFace::quiet);
   row({tr("Angular insertion depth"), depthText(found),
        plan ? bandWords(plan->angle_deg, 0, tr("°")) : none,
-       plan ? percentileText(plan->angle_deg, found.angularInsertionDepth_deg.value) : none},
+       plan ? percentileText(report.ends.angles_deg, plan->angle_deg,
+                             found.angularInsertionDepth_deg)
+            : none},
       ReportFace::text);
-  row({tr("Length past the opening"), insertedText(found),
+  row({tr("Inserted length"), insertedText(found),
        plan ? bandWords(plan->depth_mm, 1, tr(" mm")) : none,
-       plan ? percentileText(plan->depth_mm, found.insertedLength_mm) : none},
+       plan ? percentileText(report.ends.depths_mm, plan->depth_mm,
+                             {found.insertedLength_mm, found.insertedLengthSd_mm})
+            : none},
       ReportFace::text);
   row({tr("Contacts inside"), insideText(found), none, none}, ReportFace::text);
   return y_mm;
@@ -129,7 +134,7 @@ double paintContacts(ReportSheet& sheet, const OutcomeReportContent& report, dou
     }
     y_mm += high_mm;
   };
-  row({tr("No."), tr("angle (95 %)"), tr("plan (5–95 %)"), tr("percentile"), tr("in scala tymp."),
+  row({tr("No."), tr("angle (95 %)"), tr("plan (band)"), tr("percentile"), tr("in scala tymp."),
        tr("to modiolus"), tr("spiral ganglion"), tr("placed")},
       ReportFace::quiet);
   sheet.rule(0.0, y_mm, width_mm);
@@ -195,15 +200,20 @@ void paintOutcome(ReportSheet& sheet, const OutcomeReportContent& report,
   if (!surgery.isEmpty()) lines << tr("The surgeon states: %1.").arg(surgery.join(tr("; ")));
   for (const QString& line : lines)
     y_mm += sheet.paragraph(0.0, y_mm, width_mm, line, ReportFace::text) + 0.6;
-  for (const QString& flag : flagTexts(report.content.found))
+  QStringList doubts = contradictionTexts(report.content.surgery, report.content.found) +
+                       flagTexts(report.content.found);
+  if (!report.planDoubt.isEmpty()) doubts.prepend(report.planDoubt);
+  for (const QString& flag : doubts)
     y_mm += sheet.paragraph(0.0, y_mm, width_mm, flag, ReportFace::bold) + 0.6;
   y_mm = paintContacts(sheet, report, y_mm + between_mm, width_mm) + between_mm;
 
-  const QString method = tr(
+  QString method = tr(
       "Positions are those of metal in the CT, with their errors; the basilar membrane is not "
-      "visible, so the scala is a probability and no diagnosis. Place frequencies are estimated. "
-      "Plan: median and band of simulated insertions; percentile: share of them below the value "
-      "found. Angles are counted from the round window.");
+      "visible, so the scala is a probability and no diagnosis. Place frequencies are estimated; "
+      "their intervals are those of the angle, and listeners vary beyond them. Plan: median and "
+      "band of simulated insertions, of a contact those in which it is inside; percentile: share "
+      "of them below the value found. Angles are counted from the round window.");
+  if (report.plan) method += QLatin1Char(' ') + tr("Bands: %1.").arg(bandsHold(report.plan->plan));
   const double method_mm = sheet.heightOf(width_mm, method, ReportFace::quiet);
   const double room_mm = area.bottom_mm - signature_mm - method_mm - 2.0 * between_mm - y_mm;
   if (room_mm > unrolled_mm)

@@ -11,6 +11,7 @@
 #include "gui/report/ReportFile.h"
 #include "perilymph/figures/Drawing.h"
 #include "perilymph/foundation/Result.h"
+#include "perilymph/outcome/ClinicOutcomes.h"
 #include "perilymph/outcome/OutcomeText.h"
 #include "perilymph/planning/PlanReading.h"
 
@@ -22,6 +23,8 @@ struct OutcomeReportContent {
   std::shared_ptr<const planning::StoredPlan> plan;  ///< Null without one.
   std::size_t place = 0;                             ///< Place of the array in the plan.
   std::string planMadeUtc;
+  outcome::PlannedOutcome ends;  ///< The plan's simulations as they ended; it may be empty.
+  QString planDoubt;             ///< Why the plan is no prediction, a sentence; empty if it is one.
   QImage view;  ///< The cochlear view with the contacts; null where the CT is not there.
   figures::Drawing unrolled;  ///< The unrolled scala; it may be empty.
 

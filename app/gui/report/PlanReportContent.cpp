@@ -88,7 +88,7 @@ Result<PlanReportContent> planReportContent(planning::StoredPlan stored)
   const auto built = anatomy::buildAnatomy(cochlea, content.code().toStdString());
   if (!built) return built.error();
   content.anatomy = *built;
-  content.measures = analysis::measure(*content.anatomy);
+  content.measures = analysis::measure(*content.anatomy, cochlea);
   const auto bands = analysis::errorBands(cochlea, content.measures);
   if (bands) content.bands = *bands;
   return content;

@@ -69,8 +69,9 @@ Result<ReportContent> gatherReport(const std::filesystem::path& file, const std:
       content.rupture = *rupture;
   if (content.hasPatient()) content.measured = savedPatientOf(content.scenario.patient());
   content.plan = newestPlannedForce(content.scenario);
-  content.measures = analysis::measure(*content.anatomy);
-  const auto bands = analysis::errorBands(content.scenario.parameters().cochlea, content.measures);
+  const anatomy::Cochlea& cochlea = content.scenario.parameters().cochlea;
+  content.measures = analysis::measure(*content.anatomy, cochlea);
+  const auto bands = analysis::errorBands(cochlea, content.measures);
   if (bands) content.bands = *bands;
   return content;
 }

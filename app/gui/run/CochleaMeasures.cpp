@@ -11,12 +11,11 @@ namespace {
 
 using analysis::Measure;
 
-/// A and B are those of the built model.
-std::vector<Measure> summaryOf(const anatomy::ScalaTympani& scala, anatomy::AnatomySource source,
+std::vector<Measure> summaryOf(const anatomy::ScalaTympani& scala, const anatomy::Cochlea& cochlea,
                                const electrode::ArrayDesign& array)
 {
-  const auto [a, b] = analysis::basalDiameters(scala);
-  const bool isByLength = source == anatomy::AnatomySource::published;
+  const auto [a, b] = analysis::basalDiameters(scala, cochlea);
+  const bool isByLength = cochlea.source == anatomy::AnatomySource::published;
   const Measure duct =
       isByLength
           ? Measure{CochleaMeasures::ductLength, inMillimeters(analysis::organOfCortiLength(scala)),
@@ -32,13 +31,13 @@ std::vector<Measure> summaryOf(const anatomy::ScalaTympani& scala, anatomy::Anat
 Result<CochleaMeasures> computed(const anatomy::Cochlea& cochlea,
                                  const electrode::ArrayDesign& array)
 {
-  const auto measuring = [&](const anatomy::ScalaTympani& scala) {
-    return summaryOf(scala, cochlea.source, array);
+  const auto measuring = [&](const anatomy::ScalaTympani& scala, const anatomy::Cochlea& built) {
+    return summaryOf(scala, built, array);
   };
   const auto scala = anatomy::buildAnatomy(cochlea, cochlea.patient.label);
   if (!scala) return scala.error();
   CochleaMeasures content;
-  content.measures = measuring(**scala);
+  content.measures = measuring(**scala, cochlea);
   auto bands = analysis::errorBands(cochlea, content.measures, analysis::measuringError, measuring);
   if (!bands) return bands.error();
   content.bands = *std::move(bands);

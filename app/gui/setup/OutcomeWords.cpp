@@ -3,10 +3,14 @@
 
 #include <QCoreApplication>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "gui/text/DataText.h"
 #include "gui/text/Numbers.h"
+#include "perilymph/electrode/ArrayDesign.h"
+#include "perilymph/foundation/Resources.h"
+#include "perilymph/outcome/ClinicLibrary.h"
 
 namespace perilymph::gui {
 
@@ -21,9 +25,10 @@ QString angleText(const outcome::FoundContact& contact)
 {
   if (!contact.isInside) return tr("outside");
   const auto interval = contact.angle_deg.interval95();
-  return tr("%1 (%2–%3)°")
-      .arg(numberText(contact.angle_deg.value, 0), numberText(interval[0], 0),
-           numberText(interval[1], 0));
+  // a minus beside a dash is misread
+  const QString form = interval[0] < 0.0 ? tr("%1 (%2 to %3)°") : tr("%1 (%2–%3)°");
+  return form.arg(numberText(contact.angle_deg.value, 0), numberText(interval[0], 0),
+                  numberText(interval[1], 0));
 }
 
 QString scalaText(const outcome::FoundContact& contact)
@@ -68,11 +73,25 @@ QString percentileText(const planning::Band& band, double value)
   return value < band.low ? tr("below 5 %") : tr("above 95 %");
 }
 
+QString percentileText(const std::vector<double>& simulated, const planning::Band& band,
+                       const outcome::Uncertain& found)
+{
+  if (simulated.empty()) return percentileText(band, found.value);
+  return tr("%1 %").arg(numberText(100.0 * outcome::percentileAmong(simulated, found), 0));
+}
+
 QString bandWords(const planning::Band& band, int decimals, const QString& unit)
 {
   return tr("%1 (%2–%3)%4")
       .arg(numberText(band.median, decimals), numberText(band.low, decimals),
            numberText(band.high, decimals), unit);
+}
+
+QString arrayTitle(const std::string& name)
+{
+  if (const auto file = findByName("array", "plugins/electrodes", name))
+    if (const auto array = electrode::loadArray(*file)) return QString::fromStdString(array->name);
+  return QString::fromStdString(name);
 }
 
 QString textOf(outcome::StopReason reason)
@@ -158,10 +177,50 @@ QString earSourceText(const outcome::FoundArray& found)
                             : tr("the ear is measured in this CT, with wider errors");
 }
 
+QString predictionDoubt(const std::string& planMadeUtc, const std::string& ctDay,
+                        const outcome::Surgery& surgery)
+{
+  const std::string surgeryDay = outcome::surgeryDay(ctDay, surgery);
+  if (ctDay.empty())
+    return tr(
+        "Whether the plan was made before surgery is not known: the CT states no day. Type Day of "
+        "the CT, else it is not counted among the outcomes.");
+  if (surgeryDay.empty())
+    return tr(
+        "Whether the plan was made before surgery is not known. Type Days from surgery to CT, else "
+        "it is not counted among the outcomes.");
+  if (!outcome::isPrediction(planMadeUtc, surgeryDay))
+    return tr(
+        "The plan was made after surgery: it is no prediction, and is not counted among the "
+        "outcomes.");
+  return {};
+}
+
 QStringList flagTexts(const outcome::FoundArray& found)
 {
   QStringList sentences;
   for (const outcome::Flag flag : found.flags) sentences << dataText(outcome::sentenceOf(flag));
+  return sentences;
+}
+
+QStringList contradictionTexts(const outcome::Surgery& surgery, const outcome::FoundArray& found)
+{
+  QStringList sentences;
+  const int outside = int(found.contacts.size()) - found.contactsInside;
+  if (surgery.contactsOutside && *surgery.contactsOutside != outside)
+    sentences << tr("Contacts outside: %1 as the surgeon states, %2 in the CT.")
+                     .arg(*surgery.contactsOutside)
+                     .arg(outside);
+  if (surgery.isMarkReached == true && surgery.intendedDepth) {
+    constexpr double mark_mm = 1.0;  // a mark is read, and the array slips back, within it (choice)
+    const double intended_mm = inMillimeters(*surgery.intendedDepth);
+    if (std::fabs(intended_mm - found.insertedLength_mm) >
+        mark_mm + 1.96 * found.insertedLengthSd_mm)
+      sentences << tr("The mark at %1 mm was reached as the surgeon states, and %2 mm are inserted "
+                      "in the "
+                      "CT.")
+                       .arg(numberText(intended_mm, 1), numberText(found.insertedLength_mm, 1));
+  }
   return sentences;
 }
 

@@ -7,6 +7,8 @@
 #include <QStringList>
 #include <array>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "perilymph/outcome/FoundArray.h"
 #include "perilymph/outcome/Surgery.h"
@@ -30,8 +32,16 @@ std::optional<double> percentileIn(const planning::Band& band, double value);
 /// "37 %": where a value is in a band; "below 5 %", "above 95 %" outside of it.
 QString percentileText(const planning::Band& band, double value);
 
+/// "37 %": the place of a value with its error among a plan's simulations, as the page Outcomes states it; from the
+/// quantiles of the band where the simulations are not there.
+QString percentileText(const std::vector<double>& simulated, const planning::Band& band,
+                       const outcome::Uncertain& found);
+
 /// "421 (380–455)°": the median of a plan's band, and the band.
 QString bandWords(const planning::Band& band, int decimals, const QString& unit);
+
+/// "FLEX28": the title of an array by its shipped name; that name where it is no shipped one.
+QString arrayTitle(const std::string& name);
 
 /// "resistance was felt"
 QString textOf(outcome::StopReason reason);
@@ -46,7 +56,13 @@ QString insertedText(const outcome::FoundArray& found);
 QString insideText(const outcome::FoundArray& found);
 /// How the ear was found: "carried over from the CT before surgery, residual 0.12 mm".
 QString earSourceText(const outcome::FoundArray& found);
+/// Why a plan is no prediction of an outcome, a sentence; empty if it was made before surgery.
+/// @param ctDay  Day of the CT after surgery: "2026-11-20"; empty where it is not known.
+QString predictionDoubt(const std::string& planMadeUtc, const std::string& ctDay,
+                        const outcome::Surgery& surgery);
 /// What is doubtful, a sentence each.
 QStringList flagTexts(const outcome::FoundArray& found);
+/// Where the surgeon's answers and the CT contradict each other, a sentence each.
+QStringList contradictionTexts(const outcome::Surgery& surgery, const outcome::FoundArray& found);
 
 }  // namespace perilymph::gui

@@ -152,8 +152,7 @@ QString outcomeWords(const session::PatientOutcome& saved)
 {
   const auto content = outcome::outcomeIn(saved.content, "record");
   if (!content) return tr("cannot be read");
-  return QStringList{QString::fromStdString(content->found.array), depthText(content->found)}.join(
-      tr(" · "));
+  return QStringList{arrayTitle(content->found.array), depthText(content->found)}.join(tr(" · "));
 }
 
 QString localTimeText(const std::string& utc)

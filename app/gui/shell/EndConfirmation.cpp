@@ -15,16 +15,16 @@ Page* EndConfirmation::unfinishedPage() const
   return found == pages_.all().end() ? nullptr : *found;
 }
 
-void EndConfirmation::askBefore(const QString& action, const std::function<void()>& act)
+void EndConfirmation::askBefore(const QString& action, const std::function<void()>& act, Page* only)
 {
-  Page* page = unfinishedPage();
+  Page* page = only != nullptr ? only : unfinishedPage();
   const auto unfinished = page == nullptr ? std::nullopt : page->unfinished();
   if (!unfinished) return act();
   asked_ = unfinished->sentence;
   page_ = page;
-  notice_.ask(asked_, action, unfinished->keepText, [this, page, action, act] {
+  notice_.ask(asked_, action, unfinished->keepText, [this, page, action, act, only] {
     page->endUnfinished();
-    askBefore(action, act);  // another page may have unfinished work, too
+    askBefore(action, act, only);  // another page may have unfinished work, too
   });
 }
 

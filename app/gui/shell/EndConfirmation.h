@@ -21,7 +21,8 @@ public:
   bool isNeeded() const { return unfinishedPage() != nullptr; }
   /// Does something at once, or after the work was ended by the user's answer.
   /// @param action  Text of the button: "End it and close".
-  void askBefore(const QString& action, const std::function<void()>& act);
+  /// @param page    Whose work it ends; null: that of all pages.
+  void askBefore(const QString& action, const std::function<void()>& act, Page* page = nullptr);
   /// Takes the question back once its work is finished.
   void clearIfDone();
 

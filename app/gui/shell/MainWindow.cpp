@@ -5,6 +5,7 @@
 #include <QFrame>
 #include <QKeyEvent>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <utility>
 
 #include "gui/pages/insert/FrameLoop.h"
@@ -102,15 +103,26 @@ void MainWindow::connectInsertion()
   connect(top_, &TopBar::keysRequested, &sheets_->help(), &Help::toggleKeys);
   connect(top_, &TopBar::settingsRequested, sheets_, &OverlayStack::toggleSettings);
   top_->setMenu(new MainMenu(*this, top_));
-  connect(sheets_, &OverlayStack::settingChosen, this, &MainWindow::reopenRequested);
+  connect(sheets_, &OverlayStack::settingChosen, this, [this] {
+    // of an insertion the recording stays
+    const auto& all = pages_->all();
+    const auto lost = std::ranges::find_if(all, [this](const Page* page) {
+      return page != insert_ && page->unfinished().has_value();
+    });
+    if (lost == all.end()) return Q_EMIT reopenRequested();
+    endWork(**lost, tr("Change it anyway"), [this] { Q_EMIT reopenRequested(); });
+  });
 }
 
 void MainWindow::load(const InsertionRequest& request)
 {
-  ending_.askBefore(tr("End it and continue"), [this, request] {
-    insertion_->load(request);
-    showPage(*insert_);
-  });
+  ending_.askBefore(
+      tr("End it and continue"),
+      [this, request] {
+        insertion_->load(request);
+        showPage(*insert_);
+      },
+      insert_);
 }
 
 void MainWindow::showPage(const QString& id)
@@ -178,7 +190,13 @@ void MainWindow::keyReleaseEvent(QKeyEvent* event)
 
 void MainWindow::replay(const std::filesystem::path& file)
 {
-  ending_.askBefore(tr("End it and replay"), [this, file] { insertion_->openReplay(file); });
+  ending_.askBefore(
+      tr("End it and replay"), [this, file] { insertion_->openReplay(file); }, insert_);
+}
+
+void MainWindow::endWork(Page& page, const QString& action, const std::function<void()>& act)
+{
+  ending_.askBefore(action, act, &page);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event)
@@ -187,7 +205,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
   // The end of a desktop session does not wait for an answer.
   if (!qApp->isSavingSession() && ending_.isNeeded()) {
     event->ignore();
-    return ending_.askBefore(tr("End it and close"), [this] { close(); });
+    return ending_.askBefore(tr("Close anyway"), [this] { close(); });
   }
   insertion_->safety().end();
   QWidget::closeEvent(event);

@@ -50,6 +50,11 @@ public:
   const QString& page() const { return pages_->current().id(); }
   PageStack& pages() { return *pages_; }
 
+  /// Does something that ends a page's work, after a question if that would be lost.
+  /// @param action  Text of the button that does it.
+  void endWork(Page& page, const QString& action, const std::function<void()>& act);
+  /// Takes a question about work back that would not be lost any more.
+  void takeQuestionBack() { ending_.clearIfDone(); }
   /// Replays a recording on the insertion page, after a confirmation if that would end an insertion.
   void replay(const std::filesystem::path& file);
 

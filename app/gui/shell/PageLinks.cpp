@@ -50,6 +50,11 @@ void linkPages(MainWindow& window)
                      &OverlayStack::showServers);
     QObject::connect(&window.sheets(), &OverlayStack::serversChanged, outcome,
                      &OutcomePage::showServers);
+    QObject::connect(outcome, &OutcomePage::endingRequested, &window,
+                     [outcome, &window](const QString& action, const std::function<void()>& act) {
+                       window.endWork(*outcome, action, act);
+                     });
+    QObject::connect(outcome, &OutcomePage::kept, &window, &MainWindow::takeQuestionBack);
     if (start != nullptr)
       QObject::connect(start, &StartPage::outcomeRequested, outcome, &OutcomePage::openSaved);
   }

@@ -11,6 +11,7 @@
 #include "ComparisonColumns.h"
 #include "ProfilePoints.h"
 #include "TableColumns.h"
+#include "perilymph/analysis/ColumnDictionary.h"
 #include "perilymph/analysis/CsvField.h"
 #include "perilymph/analysis/PublishedConditions.h"
 #include "perilymph/analysis/Reference.h"
@@ -205,13 +206,7 @@ std::string comparisonCsv(const std::vector<ComparedInsertion>& insertions)
   return csv;
 }
 
-std::string comparisonDictionaryCsv()
-{
-  std::string csv = "column,unit,meaning\n";
-  for (const FieldMeaning& column : comparisonColumns())
-    csv += column.name + "," + column.unit + "," + csvField(column.meaning) + "\n";
-  return csv;
-}
+std::string comparisonDictionaryCsv() { return dictionaryCsv(comparisonColumns()); }
 
 std::string curvesCsv(const std::vector<ComparedInsertion>& insertions, CurveAxis axis)
 {

@@ -150,6 +150,18 @@ Result<CtSeriesList> findSeries(const fs::path& path, const ReadingHooks& hooks)
   }
 }
 
+std::string acquisitionDay(const CtSeriesList& list, const std::string& uid)
+{
+  std::string first;
+  if (list.files == nullptr) return first;
+  for (const DicomSeries& series : list.files->series)
+    for (const DicomHeader& header : series.headers)
+      if (series.summary.uid == uid && !header.acquired.empty() &&
+          (first.empty() || header.acquired < first))
+        first = header.acquired;
+  return first;
+}
+
 std::vector<CtThumbnail> readThumbnails(const CtSeriesList& list, int edge,
                                         const ReadingHooks& hooks)
 {

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "StopLengths.h"
+#include "perilymph/anatomy/EarWords.h"
 #include "perilymph/outcome/OutcomeText.h"
 #include "perilymph/planning/Plan.h"
 #include "perilymph/planning/PlanFolder.h"
@@ -88,8 +89,7 @@ Result<const NumberedPlan*> planOf(const std::vector<NumberedPlan>& plans, const
       return false;
     if (!isOf(each.folder, ear.saved->patient)) return false;
     if (!content.plan.empty() && each.number != content.plan) return false;
-    const std::string made = surgeryDay(each.folder.madeUtc, 0);
-    return !made.empty() && made <= ear.surgeryDay;
+    return isPrediction(each.folder.madeUtc, ear.surgeryDay);
   });
   if (found != plans.end()) return &*found;
   if (!content.plan.empty())
@@ -108,8 +108,8 @@ Result<void> checkStatements(const Implanted& ear, const session::PatientOutcome
   const FoundArray& found = ear.content.found;
   const Surgery& surgery = ear.content.surgery;
   if (found.side != ear.saved->patient.side)
-    return Error{"its outcome is of the %1 ear. Find the contacts in the CT of this ear again.",
-                 std::string(anatomy::nameOf(found.side))};
+    return Error{"its outcome is of the %1. Find the contacts in the CT of this ear again.",
+                 anatomy::earOf(found.side)};
   if (!surgery.array.empty() && surgery.array != found.array)
     return Error{
         "%1 was found in the CT and %2 was implanted as the surgeon says. Find the contacts again "
@@ -131,7 +131,7 @@ Result<void> checkStatements(const Implanted& ear, const session::PatientOutcome
   const std::string tomorrow =
       textOf(std::chrono::floor<std::chrono::days>(std::chrono::system_clock::now()) +
              std::chrono::days(1));
-  const std::string savedOn = surgeryDay(saved.utc, 0);
+  const std::string savedOn = dayBefore(saved.utc, 0);
   if (savedOn.empty())
     return Error{"its outcome was saved on \"%1\", which is no day. Find the contacts again.",
                  saved.utc};
@@ -186,9 +186,7 @@ std::vector<Implanted> implantedIn(const std::vector<session::SavedPatient>& pat
     Implanted ear;
     ear.saved = &each;
     ear.series = newest.series;
-    ear.name = Sentence{
-        "%1, %2", each.patient.label,
-        each.patient.side == anatomy::Side::left ? Sentence{"left ear"} : Sentence{"right ear"}};
+    ear.name = Sentence{"%1, %2", each.patient.label, anatomy::earOf(each.patient.side)};
     auto content = outcomeIn(newest.content, ear.name);
     if (!content) {
       ++library.leftOut.unreadable;
@@ -205,7 +203,22 @@ std::vector<Implanted> implantedIn(const std::vector<session::SavedPatient>& pat
       library.notes.push_back(
           Sentence{"%1 was changed by hand; its outcome is compared as it stands there.",
                    session::recordFileOf(each.file)});
-    ear.surgeryDay = surgeryDay(newest.utc, ear.content.surgery.daysToCt.value_or(0));
+    const std::string ctDay = ctDayOf(ear.content, newest.utc);
+    ear.surgeryDay = surgeryDay(ctDay, ear.content.surgery);
+    if (ear.surgeryDay.empty()) {
+      ++library.leftOut.withoutDay;
+      library.notes.push_back(
+          ctDay.empty()
+              ? Sentence{"%1 is left out: the day of its CT is not known, so that no plan is known "
+                         "to be made before surgery. Open the outcome on the page Outcome, state "
+                         "Day of the CT, and save it again.",
+                         ear.name}
+              : Sentence{"%1 is left out: the days from surgery to its CT are not known, so that "
+                         "no plan is known to be made before surgery. Open the outcome on the page "
+                         "Outcome, state them, and save it again.",
+                         ear.name});
+      continue;
+    }
     ears.push_back(std::move(ear));
   }
   std::sort(ears.begin(), ears.end(), [](const Implanted& one, const Implanted& other) {
@@ -233,12 +246,7 @@ Result<PlannedOutcome> plannedOf(const NumberedPlan& numbered, const Implanted& 
         "prediction "
         "any more. Restore the plan's folder.",
         numbered.folder.folder / planning::planDrawsFile};
-  PlannedOutcome planned;
-  for (const planning::PlannedInsertion& each : plan->insertions) {
-    if (each.array != array || each.insertion.end == haptics::InsertionEnd::refused) continue;
-    planned.depths_mm.push_back(inMillimeters(each.insertion.depth));
-    planned.angles_deg.push_back(inDegrees(each.insertion.apical));
-  }
+  PlannedOutcome planned = endsOf(*plan, array);
   const auto scenario =
       planning::scenarioOf(request, request.arrays[array], session::anyStopTravel);
   if (!scenario) return scenario.error();
@@ -273,7 +281,18 @@ Result<PlannedOutcome> plannedOf(const NumberedPlan& numbered, const Implanted& 
 
 }  // namespace
 
-std::string surgeryDay(const std::string& utc, int daysBefore)
+PlannedOutcome endsOf(const planning::Plan& plan, std::size_t array)
+{
+  PlannedOutcome ends;
+  for (const planning::PlannedInsertion& each : plan.insertions) {
+    if (each.array != array || each.insertion.end == haptics::InsertionEnd::refused) continue;
+    ends.depths_mm.push_back(inMillimeters(each.insertion.depth));
+    ends.angles_deg.push_back(inDegrees(each.insertion.apical));
+  }
+  return ends;
+}
+
+std::string dayBefore(const std::string& utc, int days)
 {
   int year = 0;
   unsigned month = 0, day = 0;
@@ -281,7 +300,23 @@ std::string surgeryDay(const std::string& utc, int daysBefore)
   const std::chrono::year_month_day date{std::chrono::year(year), std::chrono::month(month),
                                          std::chrono::day(day)};
   if (!date.ok()) return {};
-  return textOf(std::chrono::sys_days(date) - std::chrono::days(daysBefore));
+  return textOf(std::chrono::sys_days(date) - std::chrono::days(days));
+}
+
+std::string ctDayOf(const OutcomeContent& content, const std::string& savedUtc)
+{
+  return content.ctAge_days ? dayBefore(savedUtc, *content.ctAge_days) : std::string();
+}
+
+std::string surgeryDay(const std::string& ctDay, const Surgery& surgery)
+{
+  return surgery.daysToCt ? dayBefore(ctDay, *surgery.daysToCt) : std::string();
+}
+
+bool isPrediction(const std::string& planMadeUtc, const std::string& surgeryDay)
+{
+  const std::string made = dayBefore(planMadeUtc, 0);
+  return !made.empty() && made <= surgeryDay;
 }
 
 Result<LibraryOutcomes> readOutcomes(const planning::RegistryFolders& folders,

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "perilymph/analysis/PhysicalRanges.h"
+#include "perilymph/figures/Strings.h"
 #include "perilymph/planning/PlanSummary.h"
 
 namespace perilymph::outcome {
@@ -21,22 +22,29 @@ int yearOf(const std::string& utc)
   return year;
 }
 
-Result<void> checkValue(const char* what, const Uncertain& measured, Range range,
-                        const std::string& place)
+/// To a tenth: "53.6", "28".
+std::string shown(double value)
+{
+  std::string text = figures::fixed(value, 1);
+  if (text.ends_with(".0")) text.erase(text.size() - 2);
+  return text;
+}
+
+Result<void> checkValue(Phrase what, const Uncertain& measured, Range range, const Sentence& place)
 {
   if (!std::isfinite(measured.value) || measured.value < range.low || measured.value > range.high)
     return Error{"%1 of %2 is %3; %4 to %5 is allowed. Check the contacts found in the CT.",
-                 what,
+                 Sentence(what),
                  place,
-                 std::to_string(measured.value),
-                 std::to_string(range.low),
-                 std::to_string(range.high)};
+                 shown(measured.value),
+                 shown(range.low),
+                 shown(range.high)};
   const double widest = range.high - range.low;
   if (!std::isfinite(measured.sd) || measured.sd < 0.0 || measured.sd > widest)
     return Error{
         "%1 of %2 has the standard deviation %3; 0 to %4 is allowed. Check the contacts found in "
         "the CT.",
-        what, place, std::to_string(measured.sd), std::to_string(widest)};
+        Sentence(what), place, shown(measured.sd), shown(widest)};
   return {};
 }
 
@@ -87,19 +95,28 @@ void learnAngle(AngleOffset& offset, const MeasuredOutcome& outcome)
 
 }  // namespace
 
-Result<void> checkOutcome(const MeasuredOutcome& outcome, const std::string& name)
+Result<void> checkOutcome(const MeasuredOutcome& outcome, const Sentence& name)
 {
   if (const auto done = checkSurgery(outcome.surgery); !done)
     return Error{"%1: %2", name, done.error().message};
-  if (const auto done = checkValue("The inserted length [mm]", outcome.depth_mm,
+  if (const auto done = checkValue(Phrase{"The inserted length [mm]"}, outcome.depth_mm,
                                    analysis::physical::depth_mm, name);
       !done)
     return done.error();
   if (outcome.angle_deg)
-    if (const auto done = checkValue("The angular insertion depth [degrees]", *outcome.angle_deg,
-                                     analysis::physical::angle_deg, name);
+    if (const auto done = checkValue(Phrase{"The angular insertion depth [degrees]"},
+                                     *outcome.angle_deg, analysis::physical::angle_deg, name);
         !done)
       return done.error();
+  // beyond its own length within three errors no array lies in a cochlea
+  constexpr double errors = 3.0;
+  const double longest_mm = outcome.plan.insertable_mm + errors * outcome.depth_mm.sd;
+  if (outcome.plan.insertable_mm > 0.0 && outcome.depth_mm.value > longest_mm)
+    return Error{
+        "The inserted length of %1 is %2 mm, and %3 is %4 mm long. Check that the CT is of this "
+        "ear, "
+        "and the contacts found in it.",
+        name, shown(outcome.depth_mm.value), outcome.array, shown(outcome.plan.insertable_mm)};
   if (outcome.plan.depths_mm.empty())
     return Error{"The plan of %1 has no simulation of %2. Plan that array.", name, outcome.array};
   return {};
@@ -136,7 +153,7 @@ Result<ClinicOutcomes> compareOutcomes(std::vector<MeasuredOutcome> outcomes,
   std::map<std::string, ArrayOutcomes> arrays;
   ArrayOutcomes all;
   for (const MeasuredOutcome& each : outcomes) {
-    const std::string name = "ear " + std::to_string(clinic.ears.size() + 1);
+    const Sentence name{"ear %1", clinic.ears.size() + 1};
     if (const auto done = checkOutcome(each, name); !done) return done.error();
     ScoredOutcome ear;
     ear.year = yearOf(each.surgeryUtc);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "perilymph/analysis/ColumnDictionary.h"
 #include "perilymph/analysis/CsvField.h"
 #include "perilymph/foundation/Seal.h"
 #include "perilymph/foundation/Version.h"
@@ -187,7 +188,8 @@ std::string outcomesJson(const ClinicOutcomes& outcomes)
                       {"unreadable", leftOut.unreadable},
                       {"impossible", leftOut.impossible},
                       {"without_plan", leftOut.withoutPlan},
-                      {"twice", leftOut.twice}};
+                      {"twice", leftOut.twice},
+                      {"without_day", leftOut.withoutDay}};
   json["arrays"] = ordered_json::array();
   for (const ArrayOutcomes& each : outcomes.arrays) json["arrays"].push_back(arrayJson(each));
   const std::size_t resisted = countOf(outcomes, Evidence::resisted),
@@ -217,13 +219,7 @@ const FieldMeanings& outcomesColumns()
   return meanings;
 }
 
-std::string outcomesDictionaryCsv()
-{
-  std::string csv = "column,unit,meaning\n";
-  for (const Column& each : columns)
-    csv += std::string(each.name) + "," + each.unit + "," + analysis::csvField(each.meaning) + "\n";
-  return csv;
-}
+std::string outcomesDictionaryCsv() { return analysis::dictionaryCsv(outcomesColumns()); }
 
 std::string outcomesCsv(const ClinicOutcomes& outcomes)
 {
@@ -262,7 +258,8 @@ std::string outcomesText(const ClinicOutcomes& outcomes)
     text += std::to_string(leftOut.all()) + " left out: " + std::to_string(leftOut.unreadable) +
             " not readable, " + std::to_string(leftOut.impossible) + " impossible, " +
             std::to_string(leftOut.withoutPlan) + " without a plan made before, " +
-            std::to_string(leftOut.twice) + " twice.\n\n";
+            std::to_string(leftOut.twice) + " twice, " + std::to_string(leftOut.withoutDay) +
+            " without a known day of surgery.\n\n";
   for (const ArrayOutcomes& each : outcomes.arrays) {
     if (each.depth.all == 0) continue;
     text += "## " + (each.array.empty() ? std::string("All arrays") : each.array) + "\n\n";

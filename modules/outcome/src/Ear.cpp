@@ -7,6 +7,7 @@
 
 #include "RigidMotion.h"
 #include "perilymph/anatomy/AnatomySource.h"
+#include "perilymph/anatomy/EarWords.h"
 #include "perilymph/anatomy/Population.h"
 #include "perilymph/outcome/FoundArray.h"
 
@@ -37,11 +38,6 @@ Result<std::shared_ptr<const anatomy::ScalaTympani>> scalaOf(const ct::CochleaMe
     cochlea.patient.basalTurn->h = millimeters(h);
   if (!anatomy::checkPatient(cochlea.patient)) cochlea.patient.basalTurn->h = std::nullopt;
   return anatomy::buildAnatomy(cochlea, "the cochlea of this CT");
-}
-
-Sentence earOf(anatomy::Side side)
-{
-  return side == anatomy::Side::left ? Sentence{"left ear"} : Sentence{"right ear"};
 }
 
 /// The measures in the frame of another CT.
@@ -94,9 +90,11 @@ Result<ct::CtVolume> withoutMetal(const ct::CtVolume& volume)
 }  // namespace
 
 Result<Ear> registeredEar(const ct::CtVolume& postoperative, const ct::CtVolume& preoperative,
-                          const ct::CochleaMeasures& measured, const std::stop_token& stop)
+                          const ct::CochleaMeasures& measured, const std::stop_token& stop,
+                          const std::function<void(double)>& onProgress)
 {
-  const auto motion = registration(preoperative, measured.center_P, postoperative, stop);
+  const auto motion =
+      registration(preoperative, measured.center_P, postoperative, stop, onProgress);
   if (!motion) return motion.error();
   Ear ear;
   ear.measures = moved(measured, *motion);
@@ -133,8 +131,8 @@ Result<Ear> measuredEar(const ct::CtVolume& postoperative, const ct::MeasureRequ
 std::optional<Sentence> differenceFrom(const Ear& ear, const anatomy::Patient& patient)
 {
   if (ear.measures.side != patient.side)
-    return Sentence{"This CT shows the %1, and the patient's is the %2.", earOf(ear.measures.side),
-                    earOf(patient.side)};
+    return Sentence{"This CT shows the %1, and the patient's is the %2.",
+                    anatomy::earOf(ear.measures.side), anatomy::earOf(patient.side)};
   if (std::find(ear.flags.begin(), ear.flags.end(), Flag::registrationPoor) != ear.flags.end())
     return Sentence{"The CTs before and after surgery do not agree around the cochlea."};
   if (!patient.basalTurn) return std::nullopt;

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "perilymph/analysis/CsvField.h"
+#include "perilymph/analysis/ColumnDictionary.h"
 #include "perilymph/foundation/FieldMeaning.h"
 #include "perilymph/foundation/Version.h"
 
@@ -115,15 +115,20 @@ Json parsedJson(const std::string& text, Sentence& fault)
 /// Reads values of one object; keeps the first that does not hold.
 class Reader {
 public:
-  Reader(const Json& json, std::string name) : json_(json), name_(std::move(name)) {}
+  /// @param name   Of the outcome, for sentences.
+  /// @param place  Of the object in it: "contacts[3]."; empty for the whole.
+  Reader(const Json& json, const Sentence& name, std::string place = {})
+      : json_(json), name_(name), place_(std::move(place))
+  {
+  }
 
   double number(const char* key, double low, double high)
   {
     if (!json_.is_object() || !json_.contains(key) || !json_[key].is_number())
-      return refuse(key, "a number");
+      return refuse(key, Sentence{"a number"});
     const double value = json_[key].get<double>();
     if (!(value >= low && value <= high))
-      return refuse(key, "a number from " + shown(low) + " to " + shown(high));
+      return refuse(key, Sentence{"a number from %1 to %2", shown(low), shown(high)});
     return value;
   }
   std::optional<double> maybe(const char* key, double low, double high)
@@ -139,14 +144,14 @@ public:
   int whole(const char* key, int low, int high)
   {
     const double value = number(key, low, high);
-    if (value != std::floor(value)) refuse(key, "a whole number");
+    if (value != std::floor(value)) refuse(key, Sentence{"a whole number"});
     return static_cast<int>(value);
   }
   bool flag(const char* key)
   {
     if (json_.is_object() && json_.contains(key) && json_[key].is_boolean())
       return json_[key].get<bool>();
-    refuse(key, "true or false");
+    refuse(key, Sentence{"true or false"});
     return false;
   }
   std::optional<bool> maybeFlag(const char* key)
@@ -157,11 +162,11 @@ public:
   std::string text(const char* key, std::size_t longest, bool isNeeded)
   {
     if (!json_.is_object() || !json_.contains(key)) {
-      if (isNeeded) refuse(key, "a text");
+      if (isNeeded) refuse(key, Sentence{"a text"});
       return {};
     }
     if (!json_[key].is_string() || json_[key].get<std::string>().size() > longest) {
-      refuse(key, "a text of up to " + std::to_string(longest) + " characters");
+      refuse(key, Sentence{"a text of up to %1 characters", longest});
       return {};
     }
     return json_[key].get<std::string>();
@@ -173,19 +178,19 @@ public:
     if (const auto value = valueIn(table, name)) return *value;
     std::string names;
     for (const auto& row : table) names += (names.empty() ? "" : ", ") + std::string(row.name);
-    refuse(key, "one of " + names);
+    refuse(key, Sentence{"one of %1", names});
     return table.front().value;
   }
   Eigen::Vector3d point(const Json& json, const char* key)
   {
     Eigen::Vector3d point = Eigen::Vector3d::Zero();
     if (!json.is_array() || json.size() != 3) {
-      refuse(key, "three numbers");
+      refuse(key, Sentence{"three numbers"});
       return point;
     }
     for (std::size_t i = 0; i < 3; ++i) {
       if (!json[i].is_number() || !(std::fabs(json[i].get<double>()) <= farthest_mm)) {
-        refuse(key, "three numbers up to 10,000 mm");
+        refuse(key, Sentence{"three numbers up to 10,000 mm"});
         return point;
       }
       point[static_cast<Eigen::Index>(i)] = json[i].get<double>();
@@ -195,10 +200,10 @@ public:
   Uncertain uncertain(const char* key, double low, double high)
   {
     if (!json_.is_object() || !json_.contains(key)) {
-      refuse(key, "an object with value and sd");
+      refuse(key, Sentence{"an object with value and sd"});
       return {};
     }
-    Reader inner(json_[key], name_ + "." + key);
+    Reader inner(json_[key], name_, place_ + key + ".");
     const Uncertain value{inner.number("value", low, high), inner.number("sd", 0.0, 1e6)};
     take(inner);
     return value;
@@ -206,15 +211,15 @@ public:
   std::array<double, 3> frequency(const char* key)
   {
     if (!json_.is_object() || !json_.contains(key)) {
-      refuse(key, "an object with value and ci95");
+      refuse(key, Sentence{"an object with value and ci95"});
       return {};
     }
-    Reader inner(json_[key], name_ + "." + key);
+    Reader inner(json_[key], name_, place_ + key + ".");
     std::array<double, 3> result{inner.number("value", 0.0, 1e6), 0.0, 0.0};
     const Json& range =
         json_[key].is_object() && json_[key].contains("ci95") ? json_[key]["ci95"] : Json();
     if (!range.is_array() || range.size() != 2 || !range[0].is_number() || !range[1].is_number())
-      refuse(key, "an object with value and ci95");
+      refuse(key, Sentence{"an object with value and ci95"});
     else
       result[1] = range[0].get<double>(), result[2] = range[1].get<double>();
     take(inner);
@@ -224,13 +229,16 @@ public:
   {
     if (!error_) error_ = other.error_;
   }
-  double refuse(const char* key, const std::string& allowed)
+  double refuse(const char* key, const Sentence& allowed)
   {
-    if (!error_) {
-      std::string value = json_.is_object() && json_.contains(key) ? json_[key].dump() : "missing";
-      if (value.size() > 60) value = value.substr(0, 60) + "...";
-      error_ = Error{"%1: %2 is %3; %4 is needed.", name_, key, value, allowed};
+    if (error_) return 0.0;
+    if (!json_.is_object() || !json_.contains(key)) {
+      error_ = Error{"%1: %2 is missing; %3 is needed.", name_, place_ + key, allowed};
+      return 0.0;
     }
+    std::string value = json_[key].dump();
+    if (value.size() > 60) value = value.substr(0, 60) + "...";
+    error_ = Error{"%1: %2 is %3; %4 is needed.", name_, place_ + key, value, allowed};
     return 0.0;
   }
   const std::optional<Error>& error() const { return error_; }
@@ -244,7 +252,8 @@ private:
     return text;
   }
   const Json& json_;
-  std::string name_;
+  Sentence name_;
+  std::string place_;
   std::optional<Error> error_;
 };
 
@@ -301,7 +310,8 @@ Surgery surgeryIn(Reader& reader)
 const FieldMeanings& columns()
 {
   static const FieldMeanings all{
-      {"contact", "", "Number of the contact; 1 is the most apical."},
+      {"contact", "",
+       "Number of the contact; 1 is the most apical. Some makers number from the base."},
       {"x_lps_mm", "mm", "Position in the CT after surgery, LPS: toward the patient's left."},
       {"y_lps_mm", "mm", "The same, toward the back."},
       {"z_lps_mm", "mm", "The same, toward the head."},
@@ -314,18 +324,23 @@ const FieldMeanings& columns()
       {"angle_deg", "degrees", "Angle from the center of the round window, full turns included."},
       {"angle_low95_deg", "degrees", "Lower end of its 95 % interval."},
       {"angle_high95_deg", "degrees", "Upper end of its 95 % interval."},
-      {"modiolus_mm", "mm", "Distance to the inner wall, toward the modiolar axis."},
-      {"outer_wall_mm", "mm", "Distance to the outer wall."},
+      {"modiolus_mm", "mm",
+       "Distance to the inner wall, toward the modiolar axis; negative beyond it."},
+      {"outer_wall_mm", "mm", "Distance to the outer wall; negative beyond it."},
       {"in_scala_tympani", "",
        "Probability that it lies below the basilar membrane, which no CT shows."},
       {"greenwood_Hz", "Hz",
        "Estimated place frequency along the organ of Corti (Greenwood 1990)."},
-      {"greenwood_low95_Hz", "Hz", "At the upper end of the angle's interval."},
-      {"greenwood_high95_Hz", "Hz", "At the lower end of the angle's interval."},
+      {"greenwood_low95_Hz", "Hz",
+       "At the upper end of the angle's interval; listeners vary beyond it."},
+      {"greenwood_high95_Hz", "Hz",
+       "At the lower end of the angle's interval; listeners vary beyond it."},
       {"spiral_ganglion_Hz", "Hz",
        "Estimated place frequency on the spiral ganglion (Stakhovskaya et al. 2007)."},
-      {"spiral_ganglion_low95_Hz", "Hz", "At the upper end of the angle's interval."},
-      {"spiral_ganglion_high95_Hz", "Hz", "At the lower end of the angle's interval."},
+      {"spiral_ganglion_low95_Hz", "Hz",
+       "At the upper end of the angle's interval; listeners vary beyond it."},
+      {"spiral_ganglion_high95_Hz", "Hz",
+       "At the lower end of the angle's interval; listeners vary beyond it."},
       {"filter_Hz", "Hz",
        "Center of the contact's default filter; empty if its maker states none."},
       {"mismatch_semitones", "semitones", "Spiral-ganglion frequency above the filter's center."}};
@@ -370,12 +385,13 @@ std::string outcomeJson(const OutcomeContent& content)
   json["surgery"] = described(content.surgery);
   if (!content.plan.empty()) json["plan"] = content.plan;
   if (!content.series.empty()) json["series_sha256"] = content.series;
+  if (content.ctAge_days) json["ct_age_days"] = *content.ctAge_days;
   json["seconds"] = found.seconds;
   json["version"] = buildId();
   return json.dump(2) + "\n";
 }
 
-Result<OutcomeContent> outcomeIn(const std::string& text, const std::string& name)
+Result<OutcomeContent> outcomeIn(const std::string& text, const Sentence& name)
 {
   Sentence fault;
   const Json json = parsedJson(text, fault);
@@ -403,36 +419,36 @@ Result<OutcomeContent> outcomeIn(const std::string& text, const std::string& nam
     static const Json none = Json::object();
     return json.contains(key) && json[key].is_object() ? json[key] : none;
   };
-  Reader translocation(part("translocation"), name + ".translocation");
+  Reader translocation(part("translocation"), name, "translocation.");
   found.translocationProbability = translocation.number("probability", 0.0, 1.0);
   found.translocationAngle_deg = translocation.number("angle_deg", -90.0, 1800.0);
   reader.take(translocation);
-  Reader registration(part("registration"), name + ".registration");
+  Reader registration(part("registration"), name, "registration.");
   const std::string from = registration.text("from", 40, true);
   found.isRegistered = from == "CT before surgery";
   found.residual_mm = registration.number("residual_mm", 0.0, 100.0);
   reader.take(registration);
   found.fwhm_mm = reader.number("blur_fwhm_mm", 0.0, 10.0);
   if (!json.contains("flags") || !json["flags"].is_array()) {
-    reader.refuse("flags", "a list");
+    reader.refuse("flags", Sentence{"a list"});
   } else {
     for (const Json& each : json["flags"]) {
       bool isKnown = false;
       for (const Flag flag : allFlags())
         if (each == nameOf(flag)) found.flags.push_back(flag), isKnown = true;
-      if (!isKnown) reader.refuse("flags", "a list of flags that the guide names");
+      if (!isKnown) reader.refuse("flags", Sentence{"a list of flags that the guide names"});
     }
   }
   if (!json.contains("contacts") || !json["contacts"].is_array() || json["contacts"].empty() ||
       json["contacts"].size() > maxFoundContacts) {
-    reader.refuse("contacts", "a list of 1 to 64 contacts");
+    reader.refuse("contacts", Sentence{"a list of 1 to 64 contacts"});
   } else {
     int last = 0;
     for (const Json& each : json["contacts"]) {
-      Reader contact(each, name + ".contacts[" + std::to_string(found.contacts.size()) + "]");
+      Reader contact(each, name, "contacts[" + std::to_string(found.contacts.size()) + "].");
       found.contacts.push_back(contactIn(each, contact));
       if (!contact.error() && found.contacts.back().number <= last)
-        contact.refuse("number", "a number above that of the contact before");
+        contact.refuse("number", Sentence{"a number above that of the contact before"});
       last = found.contacts.back().number;
       reader.take(contact);
     }
@@ -440,19 +456,20 @@ Result<OutcomeContent> outcomeIn(const std::string& text, const std::string& nam
                                       [](const FoundContact& each) { return each.isInside; });
     if (!reader.error() && inside != found.contactsInside)
       reader.refuse("contacts_inside",
-                    "the number of contacts that are inside, " + std::to_string(inside) + ",");
+                    Sentence{"%1, the number of contacts that are inside,", inside});
   }
   if (json.contains("course_lps_mm") && json["course_lps_mm"].is_array() &&
       json["course_lps_mm"].size() <= maxCourse)
     for (const Json& each : json["course_lps_mm"])
       found.course_P.push_back(reader.point(each, "course_lps_mm"));
   else
-    reader.refuse("course_lps_mm", "a list of up to 4,000 points");
-  Reader surgery(part("surgery"), name + ".surgery");
+    reader.refuse("course_lps_mm", Sentence{"a list of up to 4,000 points"});
+  Reader surgery(part("surgery"), name, "surgery.");
   content.surgery = surgeryIn(surgery);
   reader.take(surgery);
   content.plan = reader.text("plan", 64, false);
   content.series = reader.text("series_sha256", 64, false);
+  content.ctAge_days = reader.maybeWhole("ct_age_days", -1, 36'500);
   found.seconds = reader.maybe("seconds", 0.0, 1e6).value_or(0.0);
   if (reader.error()) return *reader.error();
   if (const auto checked = checkSurgery(content.surgery); !checked)
@@ -485,13 +502,7 @@ std::string outcomeCsv(const FoundArray& found)
   return csv;
 }
 
-std::string outcomeDictionaryCsv()
-{
-  std::string csv = "column,unit,meaning\n";
-  for (const FieldMeaning& each : columns())
-    csv += each.name + "," + each.unit + "," + analysis::csvField(each.meaning) + "\n";
-  return csv;
-}
+std::string outcomeDictionaryCsv() { return analysis::dictionaryCsv(columns()); }
 
 std::string outcomeMarkups(const FoundArray& found)
 {

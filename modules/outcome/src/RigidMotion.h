@@ -4,6 +4,7 @@
 // Rigid registration of two CTs around a cochlea: bone against bone, without metal.
 
 #include <Eigen/Core>
+#include <functional>
 #include <stop_token>
 
 #include "perilymph/ct/CtVolume.h"
@@ -24,8 +25,10 @@ struct RigidMotion {
 };
 
 /// Finds the motion that takes the surroundings of a point of the first CT to the second, from starts over
-/// all its places and 20 degrees about each axis.
+/// all its places and 24 degrees about each axis.
+/// @param onProgress  Completed fraction, 0 to 1, on the calling thread.
 Result<RigidMotion> registration(const ct::CtVolume& from, const Eigen::Vector3d& center_P,
-                                 const ct::CtVolume& to, const std::stop_token& stop);
+                                 const ct::CtVolume& to, const std::stop_token& stop,
+                                 const std::function<void(double)>& onProgress = {});
 
 }  // namespace perilymph::outcome

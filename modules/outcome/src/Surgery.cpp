@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <utility>
 
 #include "perilymph/session/Csv.h"
 
@@ -57,6 +58,28 @@ Result<void> checkSurgery(const Surgery& surgery)
         within(Phrase{"Pull-backs"}, surgery.pullBacks, 0, maxCount),
         within(Phrase{"Days from surgery to CT"}, surgery.daysToCt, 0, maxDays)})
     if (!checked) return checked.error();
+  return {};
+}
+
+Result<void> checkSurgery(const Surgery& surgery, const electrode::ArrayDesign& array)
+{
+  if (const auto done = checkSurgery(surgery); !done) return done;
+  const auto count = static_cast<int>(array.contactsFromTip.size());
+  for (const auto& [field, value] :
+       {std::pair{Phrase{"Contacts intended inside"}, surgery.intendedContacts},
+        std::pair{Phrase{"Contacts outside"}, surgery.contactsOutside},
+        std::pair{Phrase{"Contact at first resistance"}, surgery.contactAtResistance}})
+    if (value && *value > count)
+      return Error{"%1 is %2, and %3 has %4 contacts. Correct the answer or choose the array.",
+                   Sentence(field), *value, array.name, count};
+  // a mark is read to half a millimeter (choice)
+  const Length longest = array.insertable + millimeters(0.5);
+  for (const auto& [field, value] : {std::pair{Phrase{"Intended depth"}, surgery.intendedDepth},
+                                     std::pair{Phrase{"Length outside"}, surgery.outside}})
+    if (value && *value > longest)
+      return Error{"%1 is %2 mm, and %3 goes %4 mm deep. Correct the answer or choose the array.",
+                   Sentence(field), session::shortestDecimal(inMillimeters(*value)), array.name,
+                   session::shortestDecimal(inMillimeters(array.insertable))};
   return {};
 }
 

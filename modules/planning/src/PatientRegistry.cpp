@@ -201,7 +201,7 @@ Result<void> setDuctLength(RegistryRow& row, const anatomy::Patient& patient)
   const anatomy::Cochlea cochlea{sourceScaledBy(measuresOf(patient)), patient};
   const auto scala = buildAnatomy(cochlea, patient.label);
   if (!scala) return scala.error();
-  const auto measures = analysis::measure(**scala);
+  const auto measures = analysis::measure(**scala, cochlea);
   const auto bands = analysis::errorBands(cochlea, measures);
   if (!bands) return bands.error();
   for (std::size_t i = 0; i < measures.size(); ++i)

@@ -46,6 +46,9 @@ def test_contacts_are_where_the_phantom_has_them(ear, found):
     assert np.all(off < 4 * columns["error_mm"]) and np.all(columns["error_mm"] < 0.25)
     depth = found.angular_insertion_depth_deg
     assert depth.low95 < truth["angular_insertion_depth_deg"] < depth.high95
+    length = found.inserted_length_mm
+    assert length.low95 < truth["inserted_length_from_opening_mm"] < length.high95
+    assert truth["inserted_length_from_opening_mm"] == truth["inserted_length_mm"] + 1.0
     assert (found.array, found.is_registered, found.has_fold) == ("flex24", True, False)
     assert found.side == truth.get("side", found.side) and found.registration_residual > 0
     # The course begins at the tip, beyond the most apical contact, and passes the contacts.
@@ -86,7 +89,10 @@ def test_a_found_array_is_a_value(ear, found, tmp_path):
 
 
 @needs_phantom
-def test_one_series_given_twice_is_refused_with_the_command_s_sentence(ear):
+def test_another_ear_and_one_series_given_twice_are_refused_with_the_command_s_sentence(ear):
+    other = {"right": "left", "left": "right"}[json.loads((ear / "truth.json").read_text())["side"]]
+    with pytest.raises(perilymph.Error, match=f"and --side is {other}"):
+        outcome.find(ear / "after", "flex24", preop=ear / "before", side=other, program=CLI)
     with pytest.raises(perilymph.Error, match="are the same series"):
         outcome.find(ear / "before", "flex24", preop=ear / "before", program=CLI)
     with pytest.raises(perilymph.Error, match="no-such-array"):
@@ -125,7 +131,7 @@ def content(**changes):
             "fold": False, "translocation": {"probability": 0.1, "angle_deg": 0.0}, "registration": {"from": "this CT", "residual_mm": 0.0},
             "blur_fwhm_mm": 0.4, "flags": ["contacts_outside"], "contacts": [contact(1, ANGLE), contact(2, ANGLE - 40)],
             "course_lps_mm": [[0.0, 0.0, 0.0]], "surgery": {"array": "flex24", "opening": "round-window", "tool": "forceps", "stop_reason": "unknown"},
-            "seconds": 1.0, "version": "0"}
+            "ct_age_days": 12, "seconds": 1.0, "version": "0"}
     return json.dumps({**page, **changes})
 
 
@@ -140,7 +146,7 @@ def choices():
 def library(tmp_path_factory, choices):
     place = tmp_path_factory.mktemp("clinic") / "library"
     (place / "patients").mkdir(parents=True)
-    surgery = {"array": "flex24", **choices, "stop_reason": "unknown"}
+    surgery = {"array": "flex24", **choices, "stop_reason": "unknown", "days_to_ct": 3}
     for code, outcomes in (("P-1", [content(surgery=surgery)]), ("P-2", [content(surgery=surgery, side="left")]), ("P-3", [content(surgery=surgery)])):
         patient = perilymph.Patient(a_mm=9.2, b_mm=6.8, h_mm=4.0, a_sd_mm=0.1, b_sd_mm=0.2, h_sd_mm=0.3, label=code)
         (place / f"patients/{code}-right.toml").write_text(patient.text())
@@ -161,7 +167,7 @@ def library(tmp_path_factory, choices):
 
 def test_outcomes_are_what_was_measured_beside_what_was_planned(library, tmp_path):
     clinic = outcome.outcomes(library, folder=tmp_path / "out", program=CLI)
-    assert len(clinic) == 1 and clinic.left_out == {"ears": 2, "unreadable": 0, "impossible": 1, "without_plan": 1, "twice": 0}
+    assert len(clinic) == 1 and clinic.left_out == {"ears": 2, "unreadable": 0, "impossible": 1, "without_plan": 1, "twice": 0, "without_day": 0}
     assert any("P-2" in note and "left" in note for note in clinic.notes) and any("P-3" in note and "no plan" in note for note in clinic.notes)
     columns = clinic.columns()
     assert (columns["depth_mm"][0], columns["angle_deg"][0], columns["year"][0]) == (DEPTH, ANGLE, 2026)

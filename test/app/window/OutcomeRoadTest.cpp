@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <QAbstractButton>
+#include <QDateTime>
 #include <QDialog>
 #include <QLabel>
 #include <QLineEdit>
@@ -140,6 +141,9 @@ protected:
         [&] { return rig_.label("outcomeStatus").startsWith("Measuring the ear"); }));
     EXPECT_TRUE(rig_.button("cancelContactsButton").isVisible());
     keepPicture(rig_.window(), "outcome-road-measuring");
+    // these images state none; the plan's day is that of Greenwich
+    const auto today = QDateTime::currentDateTimeUtc().date().toString(Qt::ISODate).toLatin1();
+    rig_.type("surgeryCtDay", today.constData());
     ASSERT_TRUE(WindowRig::waitUntil([&] { return page().found() != nullptr && !page().isBusy(); },
                                      road_ms))
         << rig_.label("outcomeStatus").toStdString();

@@ -11,11 +11,14 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMouseEvent>
+#include <QProgressBar>
+#include <QSignalSpy>
 #include <QTableWidget>
 #include <QTest>
 #include <QThread>
 #include <cmath>
 #include <fstream>
+#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "CutTexts.h"
@@ -32,11 +35,15 @@
 #include "gui/setup/OutcomeWords.h"
 #include "gui/setup/PatientLibrary.h"
 #include "gui/setup/PlanStore.h"
+#include "gui/setup/ScanFolders.h"
+#include "gui/shell/OverlayStack.h"
+#include "gui/widgets/Notice.h"
 #include "gui/widgets/Selector.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/foundation/StateFolder.h"
 #include "perilymph/imaging/CtSeries.h"
 #include "perilymph/imaging/MeasuredPatient.h"
+#include "perilymph/outcome/ClinicLibrary.h"
 #include "perilymph/outcome/OutcomeText.h"
 #include "perilymph/planning/Plan.h"
 #include "perilymph/planning/PlanFolder.h"
@@ -148,7 +155,7 @@ protected:
   }
 
   /// A plan of the patient, whose first array is the implanted one.
-  void storePlan()
+  void storePlan(const char* name = "P-53-plan", const char* madeUtc = "2026-11-20T09:30:00Z")
   {
     planning::Plan plan = syntheticPlan(200);
     plan.request.patient = patient_;
@@ -157,8 +164,7 @@ protected:
     plan.arrays[0].array = plannedArray;
     plan.arrays[1].array = "flex24";
     for (std::size_t k = 0; k < 2; ++k) plan.arrays[k].name = plan.request.arrays[k];
-    gui::StoredPlan stored{plansFolder() / "P-53-plan", plan.request, 200, true,
-                           "2026-11-20T09:30:00Z"};
+    gui::StoredPlan stored{plansFolder() / name, plan.request, 200, true, madeUtc};
     ASSERT_TRUE(gui::savePlan(stored));
     const auto json = planning::planJson(plan);
     ASSERT_TRUE(json) << json.error().message;
@@ -185,6 +191,10 @@ protected:
   static std::string array(WindowRig& rig)
   {
     return rig.window().findChild<gui::Selector*>("surgeryArray")->value().toStdString();
+  }
+  static QString typed(WindowRig& rig, const char* field)
+  {
+    return rig.window().findChild<QLineEdit*>(field)->text();
   }
   static QTableWidget& table(WindowRig& rig, const char* name = "outcomeContacts")
   {
@@ -363,6 +373,224 @@ TEST_F(AnOutcome, EverySaveIsAVersionInThePatientsRecord)
   EXPECT_FALSE(page.unfinished());
 }
 
+TEST_F(AnOutcome, IsOfThePlanMadeBeforeSurgeryAsTheCtStatesItsDay)
+{
+  storePlan("P-53-before", "2025-01-10T09:30:00Z");  // the other one was made after surgery
+  auto slices = dicomSlices(onDisk().phantom.volume, "1.2.3.78");
+  for (DicomData& each : slices) each.setText(0x00080022, "DA", "20250203");
+  const TemporaryFolder folder;
+  writeDicomFiles(slices, folder / "ct");
+  WindowRig rig;
+  gui::OutcomePage& page = show(rig);
+  ASSERT_TRUE(isFound(page));
+  // that CT states no day
+  rig.click("outcomeBesideStage");
+  EXPECT_THAT(rig.label("outcomePlanNote").toStdString(), testing::HasSubstr("2026-11-20"));
+  EXPECT_THAT(rig.label("outcomePlanDoubt").toStdString(), testing::HasSubstr("states no day"));
+  page.open(folder / "ct");
+  rig.click("noticeButton");
+  ASSERT_TRUE(WindowRig::waitUntil([&] {
+    return typed(rig, "surgeryCtDay") == "2025-02-03" && page.found() && !page.isBusy();
+  }));
+  rig.click("outcomeBesideStage");
+  EXPECT_THAT(rig.label("outcomePlanDoubt").toStdString(),
+              testing::HasSubstr("Type Days from surgery to CT"));
+  rig.type("surgeryDaysToCt", "20");
+  ASSERT_TRUE(
+      WindowRig::waitUntil([&] { return rig.label("outcomePlanNote").contains("2025-01-10"); }));
+  EXPECT_TRUE(rig.label("outcomePlanDoubt").isEmpty());
+  rig.click("saveOutcomeButton");
+  EXPECT_THAT(rig.label("outcomeStatus").toStdString(), testing::EndsWith("version 1."));
+  ASSERT_EQ(record().outcomes.size(), 1u);
+  const session::PatientOutcome kept = record().outcomes[0];
+  const auto content = outcome::outcomeIn(kept.content, "kept");
+  ASSERT_TRUE(content) << content.error().message;
+  EXPECT_EQ(outcome::ctDayOf(*content, kept.utc), "2025-02-03");
+  // with more days, both plans were made after surgery
+  rig.type("surgeryDaysToCt", "30");
+  ASSERT_TRUE(
+      WindowRig::waitUntil([&] { return rig.label("outcomePlanNote").contains("2026-11-20"); }));
+  EXPECT_THAT(rig.label("outcomePlanDoubt").toStdString(),
+              testing::HasSubstr("made after surgery"));
+  rig.click("saveOutcomeButton");
+  EXPECT_THAT(rig.label("outcomeStatus").toStdString(), testing::HasSubstr("made after surgery"));
+  // the CT's day is that of the record when it is opened again
+  rig.type("surgeryCtDay", "1.1.2025");
+  rig.choose("outcomeVersions", "0");
+  rig.click("noticeButton");
+  EXPECT_EQ(typed(rig, "surgeryCtDay"), "2025-02-03");
+  rig.type("surgeryCtDay", "1.1.2999");
+  EXPECT_THAT(rig.label("surgeryError").toStdString(), testing::HasSubstr("1.1.2999"));
+  EXPECT_FALSE(rig.button("saveOutcomeButton").isEnabled());
+  page.cancel();
+}
+
+TEST_F(AnOutcome, ThatIsNotSavedIsAskedAboutBeforeAnotherTakesItsPlace)
+{
+  anatomy::Patient patient = patient_;
+  patient.label = "P-54";
+  const auto other = gui::savePatientInLibrary(patient);
+  ASSERT_TRUE(other) << other.error().message;
+  WindowRig rig;
+  gui::OutcomePage& page = show(rig);
+  ASSERT_TRUE(isFound(page));
+  rig.click("saveOutcomeButton");
+  table(rig).selectRow(2);
+  QTest::keyClick(rig.window().findChild<gui::PlaneView*>("outcomePlane0"), Qt::Key_Right,
+                  Qt::ShiftModifier);
+  ASSERT_TRUE(isFound(page));
+  const auto moved = page.found();
+  ASSERT_TRUE(moved->contacts[2].isByHand);
+  const std::string own = file_.string(), others = other->string();
+  const auto chosen = [&](const char* list) {
+    return rig.window().findChild<gui::Selector*>(list)->value().toStdString();
+  };
+  const std::pair<const char*, std::function<void()>> ways[] = {
+      {"another patient", [&] { rig.choose("outcomePatientSelector", others.c_str()); }},
+      {"another CT", [&] { page.open(otherOnDisk()); }},
+      {"another version", [&] { rig.choose("outcomeVersions", "0"); }},
+      {"the patient's history", [&] { page.openSaved(file_, 0); }},
+      {"the window's end", [&] { rig.window().close(); }}};
+  for (const auto& [what, act] : ways) {
+    SCOPED_TRACE(what);
+    act();
+    ASSERT_TRUE(rig.button("noticeDismissButton").isVisible());
+    EXPECT_THAT(rig.window().notice().sentence().toStdString(),
+                testing::AllOf(testing::HasSubstr("P-53"), testing::HasSubstr("not saved")));
+    rig.click("noticeDismissButton");
+    settle();
+    EXPECT_TRUE(rig.window().isVisible());
+    EXPECT_EQ(page.found(), moved);
+    EXPECT_FALSE(page.isBusy());
+    EXPECT_EQ(chosen("outcomePatientSelector"), own);
+    EXPECT_EQ(chosen("outcomeVersions"), "");
+  }
+  // an insertion ends no outcome
+  auto scenario = session::loadScenario("mean-contour");
+  ASSERT_TRUE(scenario);
+  Q_EMIT page.insertionRequested({{*scenario, {}}});
+  EXPECT_EQ(rig.window().page(), "insert");
+  EXPECT_EQ(page.found(), moved);
+  rig.click("outcomePageButton");
+  // saving answers the question
+  rig.choose("outcomePatientSelector", others.c_str());
+  ASSERT_TRUE(rig.button("noticeDismissButton").isVisible());
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig.button("saveOutcomeButton").isEnabled(); }));
+  rig.click("saveOutcomeButton");
+  EXPECT_FALSE(rig.window().notice().isVisible());
+  EXPECT_EQ(record().outcomes.size(), 2u);
+  // answers alone are asked about, too, and the other patient has none of them
+  rig.type("surgeryIntendedDepth", "20");
+  rig.choose("outcomePatientSelector", others.c_str());
+  rig.click("noticeButton");
+  EXPECT_EQ(chosen("outcomePatientSelector"), others);
+  EXPECT_EQ(typed(rig, "surgeryIntendedDepth"), "");
+  EXPECT_EQ(record().outcomes.size(), 2u);
+  page.cancel();
+}
+
+TEST_F(AnOutcome, ThatIsNotSavedIsAskedAboutBeforeAnotherLanguageOpensTheWindowAnew)
+{
+  WindowRig rig;
+  const gui::OutcomePage& page = show(rig);
+  ASSERT_TRUE(isFound(page));
+  const QSignalSpy reopened(&rig.window(), &gui::MainWindow::reopenRequested);
+  Q_EMIT rig.window().sheets().settingChosen();
+  EXPECT_EQ(reopened.count(), 0);
+  EXPECT_THAT(rig.window().notice().sentence().toStdString(), testing::HasSubstr("P-53"));
+  EXPECT_NE(page.found(), nullptr);
+  rig.click("noticeButton");
+  EXPECT_EQ(reopened.count(), 1);
+  Q_EMIT rig.window().sheets().settingChosen();  // nothing is lost any more
+  EXPECT_EQ(reopened.count(), 2);
+}
+
+TEST_F(AnOutcome, OfNoEarIsNotSaved)
+{
+  gui::OutcomeFinder wrong = finder();
+  wrong.findContacts = [](const ct::CtVolume&, const outcome::Ear&,
+                          const outcome::ContactsRequest& request) -> Result<outcome::FoundArray> {
+    outcome::FoundArray found = placedArray(request);
+    found.insertedLength_mm = 53.6;
+    return found;
+  };
+  WindowRig rig;
+  gui::OutcomePage& page = show(rig, std::move(wrong));
+  ASSERT_TRUE(isFound(page));
+  EXPECT_FALSE(rig.button("saveOutcomeButton").isEnabled());
+  for (const std::string& shown : {rig.label("outcomeFlags").toStdString(),
+                                   rig.button("saveOutcomeButton").toolTip().toStdString()}) {
+    EXPECT_THAT(shown, testing::HasSubstr("53.6 mm"));
+    EXPECT_THAT(shown, testing::HasSubstr("28 mm long"));
+  }
+  page.save();
+  EXPECT_TRUE(record().outcomes.empty());
+}
+
+TEST_F(AnOutcome, StaysSavedWhileOtherPagesAreVisitedAndAnEarlierVersionCountsAgain)
+{
+  WindowRig rig;
+  gui::OutcomePage& page = show(rig);
+  ASSERT_TRUE(isFound(page));
+  rig.click("saveOutcomeButton");
+  rig.click("outcomeBesideStage");
+  rig.window().showPage("plan");
+  fs::remove_all(plansFolder() / "P-53-plan");
+  rig.click("outcomePageButton");
+  // what was planned is read again
+  ASSERT_TRUE(WindowRig::waitUntil(
+      [&] { return rig.label("outcomePlanNote").startsWith("There is no plan"); }));
+  EXPECT_FALSE(rig.button("saveOutcomeButton").isEnabled());
+  EXPECT_FALSE(page.unfinished());
+  rig.choose("surgeryStopReason", "resistance");
+  rig.click("saveOutcomeButton");
+  ASSERT_EQ(record().outcomes.size(), 2u);
+  // the first one takes the place of the second
+  rig.choose("outcomeVersions", "0");
+  EXPECT_TRUE(rig.button("exportOutcomeButton").isEnabled());  // while its CT is read
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return page.study().hasCt() && !page.isBusy(); }));
+  EXPECT_FALSE(page.unfinished());
+  ASSERT_TRUE(rig.button("saveOutcomeButton").isEnabled());
+  rig.click("saveOutcomeButton");
+  const session::PatientRecord now = record();
+  ASSERT_EQ(now.outcomes.size(), 3u);
+  const auto newest = outcome::outcomeIn(now.outcomes[2].content, "newest");
+  ASSERT_TRUE(newest) << newest.error().message;
+  EXPECT_EQ(newest->surgery.stopReason, outcome::StopReason::unknown);
+  EXPECT_FALSE(rig.button("saveOutcomeButton").isEnabled());
+}
+
+TEST_F(AnOutcome, SaysWhereTheAnswersContradictTheArrayOrTheCt)
+{
+  WindowRig rig;
+  rig.click("outcomePageButton");
+  rig.type("surgeryIntendedDepth", "26");  // before a patient is chosen
+  gui::OutcomePage& page = show(rig);
+  ASSERT_TRUE(isFound(page));
+  EXPECT_EQ(typed(rig, "surgeryIntendedDepth"), "26.0");
+  const auto error = [&rig] { return rig.label("surgeryError").toStdString(); };
+  const auto flags = [&rig] { return rig.label("outcomeFlags").toStdString(); };
+  rig.type("surgeryIntendedDepth", "35");
+  EXPECT_THAT(error(), testing::HasSubstr("Intended depth is 35 mm, and FLEX28 goes 28 mm deep"));
+  EXPECT_FALSE(rig.button("saveOutcomeButton").isEnabled());
+  rig.type("surgeryIntendedDepth", "28");
+  EXPECT_EQ(error(), "");
+  EXPECT_THAT(flags(), testing::Not(testing::HasSubstr("The mark at")));
+  rig.choose("surgeryMarkReached", "yes");  // 24.6 mm are inserted
+  EXPECT_THAT(flags(), testing::HasSubstr("The mark at 28.0 mm was reached"));
+  rig.type("surgeryIntendedDepth", "25");
+  EXPECT_THAT(flags(), testing::Not(testing::HasSubstr("The mark at")));
+  rig.type("surgeryContactsOutside", "13");
+  EXPECT_THAT(error(), testing::HasSubstr("Contacts outside is 13, and FLEX28 has 12 contacts"));
+  rig.type("surgeryContactsOutside", "3");
+  EXPECT_EQ(error(), "");
+  EXPECT_THAT(flags(),
+              testing::HasSubstr("Contacts outside: 3 as the surgeon states, 1 in the CT"));
+  rig.type("surgeryContactsOutside", "1");
+  EXPECT_THAT(flags(), testing::Not(testing::HasSubstr("as the surgeon states")));
+  EXPECT_TRUE(rig.button("saveOutcomeButton").isEnabled());
+}
+
 TEST_F(AnOutcome, StandsInThePatientsHistoryAndIsOpenedFromThere)
 {
   WindowRig rig;
@@ -386,7 +614,7 @@ TEST_F(AnOutcome, StandsInThePatientsHistoryAndIsOpenedFromThere)
   keepPicture(rig.window(), "outcome-history");
   EXPECT_THAT(cutTextsOf(rig.window()), testing::IsEmpty());
   const int oldest = rowsOf("Outcome").back();
-  EXPECT_EQ(history.item(oldest, 2)->text(), QString::fromUtf8("flex28 · 420 (412–428)°"));
+  EXPECT_EQ(history.item(oldest, 2)->text(), QString::fromUtf8("FLEX28 · 420 (412–428)°"));
   EXPECT_EQ(rowsOf("Plan").size(), 1u);
   const QRect place = history.visualItemRect(history.item(oldest, 2));
   QTest::mouseClick(history.viewport(), Qt::LeftButton, Qt::NoModifier, place.center());
@@ -563,6 +791,7 @@ TEST_F(AnOutcome, OfImagesThatStateTheOtherSideIsAskedFor)
   gui::OutcomePage& page = show(rig);
   ASSERT_TRUE(isFound(page));
   page.open(folder / "ct");
+  rig.click("noticeButton");
   const QDialog* question = nullptr;
   ASSERT_TRUE(WindowRig::waitUntil(
       [&] { return (question = page.findChild<QDialog*>("anotherEarQuestion")) != nullptr; }));
@@ -690,6 +919,52 @@ TEST_F(AnOutcome, ASearchIsCanceledByEscape)
   EXPECT_TRUE(rig.button("findContactsButton").isEnabled());
 }
 
+TEST_F(AnOutcome, SaysWhichStepRunsAndCancelsTheCarryingOverOfTheEar)
+{
+  const auto before = imaging::findSeries(onDisk().folder / "ct");
+  ASSERT_TRUE(before) << before.error().message;
+  patient_.origin.seriesKey = before->series.front().key;
+  const auto saved = gui::savePatientInLibrary(patient_, file_);
+  ASSERT_TRUE(saved) << saved.error().message;
+  gui::rememberScan(patient_.origin.seriesKey, onDisk().folder / "ct");
+  gui::OutcomeFinder slow = finder();
+  slow.measure = [](const ct::CtVolume&,
+                    const ct::MeasureRequest& request) -> Result<ct::CochleaMeasures> {
+    request.onProgress(0.5);
+    QThread::msleep(400);
+    return measured();
+  };
+  slow.registeredEar = [](const ct::CtVolume&, const ct::CtVolume&, const ct::CochleaMeasures&,
+                          const std::stop_token& stop,
+                          const std::function<void(double)>& onProgress) -> Result<outcome::Ear> {
+    onProgress(0.5);
+    while (!stop.stop_requested()) QThread::msleep(5);
+    return Error{"The registration was canceled."};
+  };
+  WindowRig rig;
+  auto& page = *rig.window().pages().find<gui::OutcomePage>();
+  page.setFinder(std::move(slow));
+  rig.click("outcomePageButton");
+  rig.choose("outcomePatientSelector", file_.string().c_str());
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return array(rig) == plannedArray; }));
+  page.open(otherOnDisk());
+  const auto& bar = *rig.window().findChild<gui::OutcomePanel*>()->findChild<QProgressBar*>();
+  ASSERT_TRUE(WindowRig::waitUntil([&] {
+    return rig.label("outcomeStatus").startsWith("Measuring the ear in the CT before surgery");
+  })) << rig.label("outcomeStatus").toStdString();
+  const int measuring = bar.value();
+  ASSERT_TRUE(WindowRig::waitUntil([&] {
+    return rig.label("outcomeStatus").startsWith("Carrying the ear over");
+  })) << rig.label("outcomeStatus").toStdString();
+  EXPECT_GT(bar.value(), measuring);
+  rig.pressKey(Qt::Key_Escape);
+  EXPECT_FALSE(page.isBusy());
+  settle();
+  EXPECT_EQ(page.found(), nullptr);
+  EXPECT_TRUE(rig.label("outcomeStatus").isEmpty());
+  EXPECT_TRUE(rig.button("findContactsButton").isEnabled());
+}
+
 TEST_F(AnOutcome, TheReportIsOnePageAndStatesEveryFlag)
 {
   try {
@@ -740,15 +1015,31 @@ TEST_F(AnOutcome, StandsBesideItsPlanOnThePageOutcomes)
   request.draws = 1;
   const fs::path folder = plansFolder() / "P-53-plan";
   fs::remove_all(folder);
-  ASSERT_TRUE(gui::savePlan({folder, request, 1, true, "2026-11-20T09:30:00Z"}));
+  ASSERT_TRUE(gui::savePlan({folder, request, 1, true, "2025-01-10T09:30:00Z"}));
   const auto plan = planning::makePlan(request, folder / planning::planDrawsFile);
   ASSERT_TRUE(plan) << plan.error().message;
   std::ofstream(folder / "plan.json") << *planning::planJson(*plan);
   gui::OutcomePage& page = show(rig);
   ASSERT_TRUE(isFound(page));
+  // the plan counts once it is known to be made before surgery
   rig.click("saveOutcomeButton");
   rig.click("outcomesPageButton");
   ASSERT_TRUE(isRead());
+  EXPECT_THAT(rig.label("outcomesStatus").toStdString(),
+              testing::HasSubstr("the day of its CT is not known"));
+  rig.click("outcomePageButton");
+  rig.type("surgeryCtDay", "3.2.2025");
+  rig.type("surgeryDaysToCt", "20");
+  // its place in the plan is the same on both pages
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return rig.label("outcomePlanDoubt").isEmpty(); }));
+  const QString place = table(rig, "outcomeBesidePlan").item(1, 3)->text();
+  const QString anglePlace = table(rig, "outcomeBesidePlan").item(0, 3)->text();
+  EXPECT_EQ(table(rig, "outcomeBesidePlan").item(2, 3)->text(), anglePlace);  // contact 1
+  rig.click("saveOutcomeButton");
+  rig.click("outcomesPageButton");
+  ASSERT_TRUE(isRead());
+  EXPECT_EQ(table(rig, "outcomesTable").item(0, 4)->text(), place);
+  EXPECT_EQ(table(rig, "outcomesTable").item(0, 7)->text(), anglePlace);
   rig.window().resize(1366, 768);
   settle();
   keepPicture(rig.window(), "outcomes");
@@ -756,7 +1047,7 @@ TEST_F(AnOutcome, StandsBesideItsPlanOnThePageOutcomes)
   QTableWidget& all = table(rig, "outcomesTable");
   ASSERT_EQ(all.rowCount(), 1) << rig.label("outcomesStatus").toStdString();
   EXPECT_TRUE(all.item(0, 0)->text().startsWith("P-53"));
-  EXPECT_EQ(all.item(0, 1)->text(), plannedArray);
+  EXPECT_EQ(all.item(0, 1)->text(), "FLEX28");
   const double simulated_mm = inMillimeters(plan->insertions.front().insertion.depth);
   EXPECT_TRUE(all.item(0, 2)->text().startsWith(QString::number(simulated_mm, 'f', 1)));
   EXPECT_EQ(all.item(0, 3)->text(), QString::fromUtf8("24.6 (24.0–25.2) mm"));
@@ -767,7 +1058,7 @@ TEST_F(AnOutcome, StandsBesideItsPlanOnThePageOutcomes)
   // all together, and the array
   const QTableWidget& coverage = table(rig, "outcomesCoverage");
   ASSERT_EQ(coverage.rowCount(), 2);
-  EXPECT_EQ(coverage.item(1, 0)->text(), plannedArray);
+  EXPECT_EQ(coverage.item(1, 0)->text(), "FLEX28");
   EXPECT_TRUE(coverage.item(0, 2)->text().contains("of 1"));
   // an ear that cannot be compared is named, and the other one stays
   anatomy::Patient other = patient_;

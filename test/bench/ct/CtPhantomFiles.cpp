@@ -6,7 +6,8 @@
 //     perilymph-ct-phantom implanted SEED ARRAY FOLDER [fine | cone-beam | high-resolution | clinical]
 //
 // Prints its true A, B, H, side and axis. An implanted one has a CT before surgery (FOLDER/before) and after it
-// (FOLDER/after), and the truth in P of the latter (FOLDER/truth.json).
+// (FOLDER/after), and the truth in P of the latter (FOLDER/truth.json). There `inserted_length_mm` counts from the
+// plane of the round window, and `inserted_length_from_opening_mm` from the opening before it, as `ct contacts` does.
 
 #include <charconv>
 #include <cstdio>
@@ -20,6 +21,8 @@
 #include <string_view>
 #include <system_error>
 
+#include "perilymph/anatomy/AnatomySource.h"
+#include "perilymph/foundation/Units.h"
 #include "perilymph/test/CtPhantom.h"
 #include "perilymph/test/DicomWriter.h"
 #include "perilymph/test/ImplantPhantom.h"
@@ -103,6 +106,8 @@ nlohmann::json truthJson(const ImplantPhantom& phantom, const std::string& array
   json["tip_angle_deg"] = truth.tipAngle_deg;
   json["tip_lps_mm"] = jsonOf(truth.tip_P);
   json["inserted_length_mm"] = truth.insertedLength_mm;
+  json["inserted_length_from_opening_mm"] =
+      truth.insertedLength_mm + inMillimeters(anatomy::Cochlea{}.leadIn);
   json["contacts_inside"] = truth.contactsInside;
   for (int row = 0; row < 4; ++row)
     json["after_from_before"].push_back(

@@ -17,7 +17,7 @@ namespace {
 
 std::map<std::string, double> bandsOf(const anatomy::Cochlea& cochlea)
 {
-  const auto measures = measure(**buildAnatomy(cochlea, "the test"));
+  const auto measures = measure(**buildAnatomy(cochlea, "the test"), cochlea);
   const auto bands = errorBands(cochlea, measures);
   EXPECT_TRUE(bands);
   std::map<std::string, double> named;
@@ -46,6 +46,26 @@ TEST(ErrorBands, OfDiametersFollowTheClinicsFormulas)
   // By hand: the elliptic-circular length is 33.40 mm and changes by 1.408 a millimeter of A, 3.737 of B; 4.16 A -
   // 4 is 0.87 mm more.
   EXPECT_NEAR(bands["cdl_oc_mm"], 1.170, test::tolerance(0.08, "measured back"));
+}
+
+/// The model's own A and B, between the knots of its splines, are some ten-thousandths smaller.
+TEST(ErrorBands, AndTheDuctLengthOfAPatientAreThoseOfTheStatedAAndB)
+{
+  anatomy::Cochlea cochlea;
+  cochlea.source = anatomy::AnatomySource::mean;
+  const Length a = millimeters(9.2), b = millimeters(6.8);
+  cochlea.patient.basalTurn = {a, b, std::nullopt};
+  anatomy::BasalTurnErrors errors{millimeters(0.12), millimeters(0.21), std::nullopt};
+  errors.ab = 0.4;
+  cochlea.patient.errors = errors;
+  // by hand: L = 1.18 x 8.2 + 2.69 x 5.8 - sqrt(0.72 x 8.2 x 5.8) = 19.42623, 1.71 L + 0.18
+  for (const Measure& each : measure(**buildAnatomy(cochlea, "the test"), cochlea))
+    if (each.key == "cdl_oc_mm") {
+      EXPECT_NEAR(each.value, 33.39886, test::tolerance(1e-5, "digits of the calculation by hand"));
+    }
+  const double page = 1.96 * std::hypot(inMillimeters(anatomy::ductLengthError(a, b, errors)),
+                                        inMillimeters(anatomy::ductLengthFormulaError(a, b)));
+  EXPECT_NEAR(bandsOf(cochlea)["cdl_oc_mm"], page, test::tolerance(1e-9, "rounding"));
 }
 
 TEST(ErrorBands, UseTheErrorsThatTheMeasurementStates)

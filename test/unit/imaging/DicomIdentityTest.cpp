@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 
 #include "StatedSeries.h"
+#include "perilymph/imaging/AcquisitionDay.h"
 
 namespace perilymph::imaging {
 namespace {
@@ -193,6 +194,41 @@ TEST_F(DicomIdentity, NamesASliceOfAnotherScannerSideOrUnit)
     EXPECT_THAT(loaded->series.warnings,
                 Contains(HasSubstr(std::string("Its slices differ in ") + setting.name)));
   }
+}
+
+TEST_F(DicomIdentity, StatesTheDayOfTheAcquisitionBeforeThatOfTheStudy)
+{
+  const auto dayOf = [this](const Files& files) -> std::string {
+    const auto list = findSeries(write(files));
+    if (!list) return list.error().message;
+    EXPECT_EQ(list->series.size(), 1u);
+    EXPECT_EQ(acquisitionDay(*list, "another"), "");
+    return acquisitionDay(*list, list->series.front().uid);
+  };
+  const struct {
+    const char *date, *dateTime, *series, *study, *day;
+  } cases[] = {{"20260103", "20260104101500.5", "20260105", "20260106", "2026-01-03"},
+               {"", "20260104101500.5", "20260105", "20260106", "2026-01-04"},
+               {"20260230", "", "20260105", "20260106", "2026-01-05"},
+               {"", "", "", "20260106", "2026-01-06"},
+               {"3 Jan", "2026", "000000", "ANONYMOU", ""},
+               {"", "", "", "", ""}};
+  for (const auto& each : cases) {
+    Files files = statedSlices();
+    for (DicomData& slice : files) {
+      slice.setText(tags::acquisitionDate, "DA", each.date);
+      slice.setText(tags::acquisitionDateTime, "DT", each.dateTime);
+      slice.setText(tags::seriesDate, "DA", each.series);
+      slice.setText(tags::studyDate, "DA", each.study);
+    }
+    EXPECT_EQ(dayOf(files), each.day) << each.date << each.study;
+  }
+  // over midnight: the earlier one
+  Files files = statedSlices();
+  for (std::size_t k = 0; k < files.size(); ++k)
+    files[k].setText(tags::acquisitionDate, "DA", k < 4 ? "20260104" : "20260103");
+  EXPECT_EQ(dayOf(files), "2026-01-03");
+  EXPECT_EQ(acquisitionDay(CtSeriesList(), "1.2.3.4"), "");
 }
 
 TEST_F(DicomIdentity, OfASliceWithoutAUnitIsThatOfHounsfieldUnits)

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <functional>
 #include <iterator>
+#include <set>
 
 #include "StopLengths.h"
 #include "perilymph/database/Database.h"
@@ -44,6 +45,15 @@ std::string contentOf(const fs::path& file)
 void write(const fs::path& file, const std::string& text)
 {
   std::ofstream(file, std::ios::binary | std::ios::trunc) << text;
+}
+
+/// Notes which of some words stand in a sentence as a phrase of their own, and which as plain text.
+void collect(const Sentence& sentence, const std::set<std::string>& words,
+             std::set<std::string>& asPhrase, std::set<std::string>& asText)
+{
+  if (words.count(sentence) > 0)
+    (sentence.phrase() != nullptr ? asPhrase : asText).insert(sentence);
+  for (const Sentence& value : sentence.values()) collect(value, words, asPhrase, asText);
 }
 
 void halve(const fs::path& file) { fs::resize_file(file, fs::file_size(file) / 2); }
@@ -123,6 +133,7 @@ protected:
     content.surgery.array = "flex28";
     content.surgery.stopReason = reason;
     content.surgery.daysToCt = 30;
+    content.ctAge_days = 0;
     return content;
   }
   /// Adds an outcome to a patient's record.
@@ -178,6 +189,50 @@ TEST_F(Library, GivesAnOutcomeThePlanThatWasMadeBeforeItsSurgery)
   for (const std::string& text : {outcome::outcomesJson(*clinic), outcome::outcomesCsv(*clinic)}) {
     EXPECT_EQ(text.find("P-017"), std::string::npos);
     EXPECT_EQ(text.find("2026-"), std::string::npos);
+  }
+}
+
+/// The plan was made on 3 January 2026.
+TEST_F(Library, CountsTheDayOfSurgeryFromTheCtAndNotFromWhenTheOutcomeWasSaved)
+{
+  struct Case {
+    const char* saved;
+    std::optional<int> ctAge_days, daysToCt;
+    bool isPredicted;
+    const char* said;
+  };
+  const Case cases[] = {
+      // CT on 6 January, surgery on the 2nd, the 3rd, the 4th; saved soon and months later
+      {"2026-01-10T10:00:00Z", 4, 4, false, "no plan of flex28 was made for it before"},
+      {"2026-01-10T10:00:00Z", 4, 3, true, ""},
+      {"2026-01-10T10:00:00Z", 4, 2, true, ""},
+      {"2026-07-10T10:00:00Z", 185, 4, false, "no plan of flex28 was made for it before"},
+      {"2026-07-10T10:00:00Z", 185, 3, true, ""},
+      // the clinic's day is ahead of Greenwich's
+      {"2026-01-05T23:00:00Z", -1, 3, true, ""},
+      {"2026-07-10T10:00:00Z", {}, 4, false, "the day of its CT is not known"},
+      {"2026-07-10T10:00:00Z", 4, {}, false, "the days from surgery to its CT are not known"},
+  };
+  for (const Case& each : cases) {
+    SCOPED_TRACE(each.saved + std::to_string(each.daysToCt.value_or(-1)));
+    restore();
+    outcome::OutcomeContent content = found();
+    content.surgery.daysToCt = each.daysToCt;
+    content.ctAge_days = each.ctAge_days;
+    const auto changed = session::changePatientRecord(patientFile(), [&](session::PatientRecord&
+                                                                             record) {
+      record.outcomes.push_back({each.saved, std::string(64, 'a'), outcome::outcomeJson(content)});
+    });
+    ASSERT_TRUE(changed) << changed.error().message;
+    const auto library = outcome::readOutcomes(folders());
+    ASSERT_TRUE(library) << library.error().message;
+    EXPECT_EQ(library->outcomes.size(), each.isPredicted ? 1u : 0u);
+    EXPECT_EQ(library->leftOut.withoutDay, each.ctAge_days && each.daysToCt ? 0u : 1u);
+    ASSERT_EQ(library->notes.size(), each.isPredicted ? 0u : 1u);
+    if (!each.isPredicted) {
+      EXPECT_NE(library->notes.front().find(each.said), std::string::npos)
+          << library->notes.front();
+    }
   }
 }
 
@@ -389,6 +444,10 @@ TEST_F(Library, ComparesTheOtherEarsWhateverIsWrongWithOne)
        {"P-017, right ear of ", "copy.toml", "P-017-right.toml"},
        &LeftOut::twice},
   };
+  // what is no name, number or path is shown in the user's language
+  const std::set<std::string> words{"left ear", "right ear", "The inserted length [mm]",
+                                    "The angular insertion depth [degrees]"};
+  std::set<std::string> asPhrase, asText;
   for (const Fault& fault : faults) {
     SCOPED_TRACE(fault.what);
     restore();
@@ -401,7 +460,10 @@ TEST_F(Library, ComparesTheOtherEarsWhateverIsWrongWithOne)
     EXPECT_EQ(library->leftOut.all(), 1u);
     EXPECT_EQ(library->leftOut.*fault.count, 1u);
     std::string notes;
-    for (const Sentence& each : library->notes) notes += each + "\n";
+    for (const Sentence& each : library->notes) {
+      notes += each + "\n";
+      collect(each, words, asPhrase, asText);
+    }
     for (const std::string& each : fault.named)
       EXPECT_NE(notes.find(each), std::string::npos) << each << "\n" << notes;
     const auto clinic = outcome::compareOutcomes(library->outcomes, library->leftOut);
@@ -409,6 +471,8 @@ TEST_F(Library, ComparesTheOtherEarsWhateverIsWrongWithOne)
     EXPECT_NE(outcome::outcomesJson(*clinic).find("\"left_out\": {\n    \"ears\": 1"),
               std::string::npos);
   }
+  EXPECT_EQ(asPhrase, words);
+  EXPECT_TRUE(asText.empty()) << *asText.begin();
 }
 
 TEST_F(Library, LeavesOutBothPatientsThatHaveOneCt)
@@ -447,12 +511,12 @@ TEST_F(Library, ComparesAnOutcomeOfARecordThatWasChangedByHandAndSaysSo)
   EXPECT_NE(library->notes[0].find("changed by hand"), std::string::npos);
 }
 
-TEST(SurgeryDay, IsSomeDaysBefore)
+TEST(DayBefore, CountsByTheCalendar)
 {
-  EXPECT_EQ(outcome::surgeryDay("2026-03-01T09:30:00Z", 1), "2026-02-28");
-  EXPECT_EQ(outcome::surgeryDay("2024-03-01T09:30:00Z", 1), "2024-02-29");
-  EXPECT_EQ(outcome::surgeryDay("2026-01-01", 0), "2026-01-01");
-  EXPECT_EQ(outcome::surgeryDay("yesterday", 0), "");
+  EXPECT_EQ(outcome::dayBefore("2026-03-01T09:30:00Z", 1), "2026-02-28");
+  EXPECT_EQ(outcome::dayBefore("2024-03-01T09:30:00Z", 1), "2024-02-29");
+  EXPECT_EQ(outcome::dayBefore("2026-01-01", 0), "2026-01-01");
+  EXPECT_EQ(outcome::dayBefore("yesterday", 0), "");
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ MeasuredOutcome outcomeAt(double depth_mm, const std::string& utc,
     outcome.plan.depths_mm.push_back(i / 3.0);
     outcome.plan.angles_deg.push_back(10.0 * i);
   }
-  outcome.plan.insertable_mm = 28.0;
+  outcome.plan.insertable_mm = 34.0;  // beyond all depths of these tests
   outcome.plan.friction = 0.165;
   return outcome;
 }
@@ -65,6 +65,23 @@ TEST(ClinicOutcomes, CountCoverageWithWilsonIntervalsByArray)
   EXPECT_EQ(all.depthPercentiles[9], 1u);
   // no reason for the stop was given
   EXPECT_NE(outcomesText(*clinic).find("0 of 5 outcomes are informative"), std::string::npos);
+}
+
+TEST(ClinicOutcomes, AreRefusedBeyondTheLengthOfTheirArray)
+{
+  MeasuredOutcome outcome = outcomeAt(28.8, "2026-01-01");
+  outcome.plan.insertable_mm = 28.0;
+  outcome.depth_mm.sd = 0.3;
+  EXPECT_TRUE(checkOutcome(outcome, "ear"));  // within three errors
+  outcome.depth_mm.value = 53.6;
+  const auto checked = checkOutcome(outcome, "ear");
+  ASSERT_FALSE(checked);
+  EXPECT_EQ(checked.error().message.find(
+                "The inserted length of ear is 53.6 mm, and flex28 is 28 mm long."),
+            0u)
+      << checked.error().message;
+  outcome.plan.insertable_mm = 0.0;  // not known
+  EXPECT_TRUE(checkOutcome(outcome, "ear"));
 }
 
 TEST(ClinicOutcomes, AreScoredInTheOrderOfSurgery)

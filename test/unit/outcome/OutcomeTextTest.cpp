@@ -62,6 +62,7 @@ OutcomeContent example()
   content.surgery.isMarkReached = false;
   content.plan = std::string(64, 'a');
   content.series = std::string(64, 'b');
+  content.ctAge_days = 12;
   return content;
 }
 
@@ -71,6 +72,7 @@ TEST(OutcomeText, IsReadAgainAsItWasWritten)
   const auto read = outcomeIn(outcomeJson(written), "outcome");
   ASSERT_TRUE(read) << read.error().message;
   EXPECT_EQ(read->surgery, written.surgery);
+  EXPECT_EQ(read->ctAge_days, 12);
   EXPECT_EQ(read->plan, written.plan);
   EXPECT_EQ(read->series, written.series);
   EXPECT_EQ(read->found.flags, written.found.flags);
@@ -116,7 +118,8 @@ TEST(OutcomeText, IsRefusedInASentenceWhateverIsWrongWithAKey)
       Json changed = whole;
       changed[Json::json_pointer(path)] = wrong;
       const auto read = outcomeIn(changed.dump(), "outcome");
-      if (path.ends_with("filter_Hz") || path.ends_with("mismatch_semitones"))
+      if (path.ends_with("filter_Hz") || path.ends_with("mismatch_semitones") ||
+          path.ends_with("ct_age_days"))
         if (wrong.is_null()) continue;  // may be missing
       EXPECT_FALSE(read) << path << " = " << wrong;
       if (!read) {
@@ -126,6 +129,22 @@ TEST(OutcomeText, IsRefusedInASentenceWhateverIsWrongWithAKey)
     }
   }
   EXPECT_GT(refused, 200);
+}
+
+TEST(OutcomeText, OfAnEarlierProgramStatesNoAgeOfItsCt)
+{
+  Json json = Json::parse(outcomeJson(example()));
+  json.erase("ct_age_days");
+  const auto earlier = outcomeIn(json.dump(), "outcome");
+  ASSERT_TRUE(earlier) << earlier.error().message;
+  EXPECT_FALSE(earlier->ctAge_days);
+  for (const int bad : {-2, 36'501}) {
+    json["ct_age_days"] = bad;
+    const auto read = outcomeIn(json.dump(), "outcome");
+    ASSERT_FALSE(read) << bad;
+    EXPECT_NE(read.error().message.find("ct_age_days is " + std::to_string(bad)), std::string::npos)
+        << read.error().message;
+  }
 }
 
 TEST(OutcomeText, IsRefusedIfContactsContradictTheirCount)

@@ -5,7 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <random>
+#include <stop_token>
+#include <vector>
 
 #include "RigidMotion.h"
 #include "perilymph/test/CtPhantom.h"
@@ -47,6 +50,31 @@ TEST(Registration, FindsTheMotionOfAHeadBesideMetal)
   }
   EXPECT_LT(found->residual_mm, 0.3);
   EXPECT_GT(found->correlation, 0.9);
+}
+
+TEST(Registration, TellsItsProgressAndIsCanceledInAnyOfItsParts)
+{
+  const test::CtPhantom phantom = test::makeCtPhantom(31, test::highResolutionScan());
+  std::vector<double> told;
+  const auto found = registration(phantom.volume, phantom.inside_P, phantom.volume, {},
+                                  [&told](double done) { told.push_back(done); });
+  ASSERT_TRUE(found) << found.error().message;
+  ASSERT_GT(told.size(), 100u);
+  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+  EXPECT_GE(told.front(), 0.0);
+  EXPECT_GT(told.back(), 0.7);
+  EXPECT_LT(told.back(), 1.0);
+  for (const double until : {0.1, 0.55, 0.75}) {
+    std::stop_source source;
+    std::size_t after = 0;
+    const auto canceled = registration(phantom.volume, phantom.inside_P, phantom.volume,
+                                       source.get_token(), [&](double done) {
+                                         after += source.stop_requested() ? 1 : 0;
+                                         if (done >= until) source.request_stop();
+                                       });
+    EXPECT_FALSE(canceled) << until;
+    EXPECT_LE(after, 1u) << until;
+  }
 }
 
 TEST(Registration, OfTwoHeadsHasALargeResidualOrLittleCorrelation)

@@ -45,5 +45,38 @@ TEST(Surgery, IsRefusedInASentenceThatNamesTheValueAndItsRange)
   }
 }
 
+TEST(Surgery, WithAnArrayHasNoMoreContactsAndNoMoreLengthThanIt)
+{
+  electrode::ArrayDesign array;
+  array.name = "Twelve";
+  array.insertable = millimeters(28);
+  array.contactsFromTip.assign(12, millimeters(1));
+  Surgery most;
+  most.contactsOutside = most.intendedContacts = most.contactAtResistance = 12;
+  most.intendedDepth = millimeters(28.4);  // a mark is read to half a millimeter
+  EXPECT_TRUE(checkSurgery(most, array));
+  struct Wrong {
+    std::function<void(Surgery&)> change;
+    const char* sentence;
+  };
+  for (const Wrong& each : {Wrong{[](Surgery& s) { s.contactsOutside = 13; },
+                                  "Contacts outside is 13, and Twelve has 12 contacts."},
+                            Wrong{[](Surgery& s) { s.intendedContacts = 16; },
+                                  "Contacts intended inside is 16, and Twelve has 12 contacts."},
+                            Wrong{[](Surgery& s) { s.contactAtResistance = 13; },
+                                  "Contact at first resistance is 13, and Twelve has 12 contacts."},
+                            Wrong{[](Surgery& s) { s.intendedDepth = millimeters(35); },
+                                  "Intended depth is 35 mm, and Twelve goes 28 mm deep."},
+                            Wrong{[](Surgery& s) { s.outside = millimeters(29); },
+                                  "Length outside is 29 mm, and Twelve goes 28 mm deep."},
+                            Wrong{[](Surgery& s) { s.attempts = 0; }, "Attempts is 0; 1 to 100"}}) {
+    Surgery surgery = most;
+    each.change(surgery);
+    const auto checked = checkSurgery(surgery, array);
+    ASSERT_FALSE(checked) << each.sentence;
+    EXPECT_EQ(checked.error().message.find(each.sentence), 0u) << checked.error().message;
+  }
+}
+
 }  // namespace
 }  // namespace perilymph::outcome

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/pages/outcome/FoundContacts.h"
 
-#include <QHeaderView>
-#include <algorithm>
+#include <iterator>
+#include <utility>
 
 #include "gui/setup/OutcomeWords.h"
 #include "gui/text/Numbers.h"
-#include "gui/widgets/TableRows.h"
+#include "gui/widgets/TableHeads.h"
 #include "gui/widgets/Theme.h"
 
 namespace perilymph::gui {
@@ -23,17 +23,6 @@ FoundContacts::FoundContacts(QWidget* parent)
 {
   setObjectName(QStringLiteral("outcomeContacts"));
   setAccessibleName(tr("Contacts found in the CT"));
-  setFont(typeface(11));
-  showInRows(*this, sized(foundRow_px));
-  setSelectionMode(QAbstractItemView::SingleSelection);
-  setWordWrap(false);
-  setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
-  horizontalHeader()->setFont(typeface(11));
-  horizontalHeader()->setFixedHeight(sized(foundHeader_px));
-  horizontalHeader()->setHighlightSections(false);
-  horizontalHeader()->setMinimumSectionSize(24);
-  horizontalHeader()->setDefaultAlignment(
-      Qt::Alignment(int(Qt::AlignLeft | Qt::AlignBottom) | int(Qt::TextWordWrap)));
   const std::pair<QString, QString> columns[] = {
       {tr("No."), tr("Number of the contact; 1 at the tip")},
       {tr("Angle"), tr("From the round window, with its 95 % interval")},
@@ -56,11 +45,7 @@ FoundContacts::FoundContacts(QWidget* parent)
       {tr("Placed"),
        tr("singly: its own brightness was seen; by spacing: the contacts merge in this CT, and "
           "the array’s spacings place it; by hand: a person placed it")}};
-  for (int column = 0; column < int(std::size(columns)); ++column) {
-    auto* head = new QTableWidgetItem(columns[column].first);
-    head->setToolTip(columns[column].second);
-    setHorizontalHeaderItem(column, head);
-  }
+  showValues(*this, columns, sized(foundRow_px), sized(foundHeader_px));
   connect(this, &QTableWidget::itemSelectionChanged, this, [this] {
     if (const auto* number = item(currentRow(), 0)) Q_EMIT contactChosen(number->text().toInt());
   });
@@ -91,9 +76,7 @@ void FoundContacts::show(const std::vector<outcome::FoundContact>& contacts)
     }
   }
   if (chosen >= 0 && chosen < rowCount()) selectRow(chosen);
-  for (int column = 0; column < columnCount(); ++column)
-    horizontalHeader()->resizeSection(
-        column, std::max(sized(foundWidths_px[column]), sizeHintForColumn(column)));
+  fitColumns(*this, foundWidths_px);
 }
 
 }  // namespace perilymph::gui

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/pages/outcome/OutcomePage.h"
 
+#include <QDate>
 #include <QFileDialog>
 #include <QHBoxLayout>
 #include <QKeyEvent>
@@ -16,6 +17,7 @@
 #include "gui/pages/outcome/OutcomeView.h"
 #include "gui/pages/outcome/SurgeryForm.h"
 #include "gui/report/OutcomeReport.h"
+#include "gui/setup/OutcomeWords.h"
 #include "gui/setup/ScanFolders.h"
 #include "gui/setup/Setup.h"
 #include "gui/setup/TableFiles.h"
@@ -26,6 +28,8 @@
 #include "gui/widgets/Theme.h"
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/foundation/Resources.h"
+#include "perilymph/imaging/AcquisitionDay.h"
+#include "perilymph/outcome/ClinicLibrary.h"
 
 namespace perilymph::gui {
 
@@ -36,6 +40,23 @@ constexpr double outcomeZoom =
 constexpr double outcomeSlab_mm = 2.0;  // a contact is seen in it where the plane passes beside it
 // Of the unrolled scala on paper [px].
 constexpr double paperWidth_px = 760.0, paperHeight_px = 170.0;
+
+QString stepText(OutcomeStep step)
+{
+  switch (step) {
+    case OutcomeStep::readBefore:
+      return OutcomePage::tr("Reading the CT before surgery…");
+    case OutcomeStep::measureBefore:
+      return OutcomePage::tr("Measuring the ear in the CT before surgery…");
+    case OutcomeStep::carryOver:
+      return OutcomePage::tr("Carrying the ear over from the CT before surgery…");
+    case OutcomeStep::measureHere:
+      return OutcomePage::tr("Measuring the ear in this CT…");
+    case OutcomeStep::findContacts:
+      break;
+  }
+  return OutcomePage::tr("Finding the contacts…");
+}
 
 Result<electrode::ArrayDesign> arrayNamed(const std::string& name)
 {
@@ -120,13 +141,27 @@ bool OutcomePage::takeKey(const QKeyEvent& event)
 
 std::optional<Page::Unfinished> OutcomePage::unfinished() const
 {
-  if (isSaved_ || !history_.now().found || !panel_->patient()) return std::nullopt;
-  return Unfinished{tr("The outcome of %1 is not saved in the record.")
-                        .arg(nameOfPatient(panel_->patient()->patient)),
+  if (isSaved_ || !panel_->patient() || !(found() || panel_->form().hasAnswers()))
+    return std::nullopt;
+  const QString name = nameOfPatient(panel_->patient()->patient);
+  return Unfinished{found()
+                        ? tr("The outcome of %1 is not saved in the record.").arg(name)
+                        : tr("What the surgeon knows of %1 is not saved in the record.").arg(name),
                     tr("Keep it")};
 }
 
-void OutcomePage::endUnfinished() { leaveFound(); }
+void OutcomePage::endUnfinished()
+{
+  leaveFound();
+  isSaved_ = true;
+}
+
+void OutcomePage::leaveCt(const std::function<void()>& act)
+{
+  // answers stay with the patient
+  if (!found()) return act();
+  Q_EMIT endingRequested(tr("Open without saving"), act);
+}
 
 void OutcomePage::connectCt()
 {
@@ -150,8 +185,9 @@ void OutcomePage::connectCt()
   });
   connect(archive_, &ArchiveView::leaveRequested, this, [this] { showArchive(false); });
   connect(archive_, &ArchiveView::serversRequested, this, &OutcomePage::serversRequested);
-  connect(archive_, &ArchiveView::fetched, this,
-          [this](const std::filesystem::path& folder) { read(folder, {}); });
+  connect(archive_, &ArchiveView::fetched, this, [this](const std::filesystem::path& folder) {
+    leaveCt([this, folder] { read(folder, {}); });
+  });
 }
 
 void OutcomePage::connectPanel()
@@ -161,16 +197,25 @@ void OutcomePage::connectPanel()
   connect(empty_, &EmptyPage::otherRequested, this, [this] { showArchive(true); });
   connect(&source, &CtSource::opened, this, &OutcomePage::open);
   connect(&source, &CtSource::archiveRequested, this, [this] { showArchive(true); });
-  connect(&source, &CtSource::recentRequested, this,
-          [this](const CtRequest& request) { read(placeOfScan(request.series), request.series); });
+  connect(&source, &CtSource::recentRequested, this, [this](const CtRequest& request) {
+    leaveCt([this, request] { read(placeOfScan(request.series), request.series); });
+  });
   connect(&source, &CtSource::seriesChosen, this, [this](const std::string& uid) {
     if (study_.hasCt() && study_.series().uid == uid) return;
-    endSearch();
-    beginTask(tr("Reading the CT…"));
-    ct_.read(list_, uid);
+    leaveCt([this, uid] {
+      endSearch();
+      beginTask(tr("Reading the CT…"));
+      ct_.read(list_, uid);
+    });
+  });
+  connect(panel_, &OutcomePanel::patientWanted, this, [this](const std::filesystem::path& patient) {
+    Q_EMIT endingRequested(tr("Change without saving"),
+                           [this, patient] { panel_->choosePatient(patient); });
   });
   connect(panel_, &OutcomePanel::patientChosen, this, &OutcomePage::choosePatient);
-  connect(panel_, &OutcomePanel::versionChosen, this, &OutcomePage::openVersion);
+  connect(panel_, &OutcomePanel::versionWanted, this, [this](std::size_t place) {
+    Q_EMIT endingRequested(tr("Open without saving"), [this, place] { openVersion(place); });
+  });
   connect(panel_, &OutcomePanel::findRequested, this, &OutcomePage::find);
   connect(panel_, &OutcomePanel::cancelRequested, this, &OutcomePage::cancel);
   connect(panel_, &OutcomePanel::undoRequested, this, [this] { step(&FoundHistory::undo); });
@@ -186,8 +231,15 @@ void OutcomePage::connectPanel()
       planNumber_.clear();
       leaveFound();
     }
-    if (isOther && panel_->patient()) readPlanned(true);
-    isSaved_ = false;
+    const bool isOtherDay = surgeryDay() != plannedFor_;
+    if (isOtherDay) planNumber_.clear();
+    if ((isOther || isOtherDay) && panel_->patient()) readPlanned(isOther || planning_.isBusy());
+    // a form that is shown again with what it had is no change
+    const outcome::Surgery answered = panel_->form().surgery();
+    const std::string day = panel_->form().ctDay();
+    if (answered_ != answered || answeredDay_ != day) isSaved_ = false;
+    answered_ = answered;
+    answeredDay_ = day;
     showFound();
   });
   connect(view_, &OutcomeView::contactMoved, this, &OutcomePage::moveContact);
@@ -195,7 +247,7 @@ void OutcomePage::connectPanel()
 
 void OutcomePage::connectWork()
 {
-  connect(&work_, &OutcomeWork::progressed, this, &OutcomePage::showProgress);
+  connect(&work_, &OutcomeWork::progressed, this, &OutcomePage::showStep);
   connect(&work_, &OutcomeWork::earFound, this,
           [this](const OutcomeWork::SharedEar& ear, const QString& note) {
             earNote_ = note;
@@ -239,8 +291,10 @@ void OutcomePage::showArchive(bool isShown)
 void OutcomePage::open(const std::filesystem::path& path)
 {
   Q_EMIT pageRequested(id());  // it may have been dropped on another page
-  panel_->source().remember(path);
-  read(path, {});
+  leaveCt([this, path] {
+    panel_->source().remember(path);
+    read(path, {});
+  });
 }
 
 void OutcomePage::read(const std::filesystem::path& path, const std::string& series)
@@ -262,6 +316,13 @@ void OutcomePage::showCt(imaging::LoadedCt&& loaded)
   const bool isOfSaved = !wanted_.empty() && loaded.series.key == wanted_;
   wanted_.clear();
   if (!isOfSaved) leaveFound();
+  acquired_ = imaging::acquisitionDay(list_, loaded.series.uid);
+  SurgeryForm& form = panel_->form();
+  if (!isOfSaved || form.ctDay().empty()) {
+    form.setCtDay(acquired_);
+    if (isOfSaved && !form.ctDay().empty()) isSaved_ = false;  // it was saved without the day
+    if (panel_->patient() && surgeryDay() != plannedFor_) readPlanned(true);
+  }
   ear_.reset();
   QStringList notes;
   for (const Sentence& warning : loaded.series.warnings) notes << dataText(warning);
@@ -281,6 +342,7 @@ void OutcomePage::beginTask(const QString& task)
 {
   task_ = task;
   since_.start();
+  shownFraction_ = 0.0;
   panel_->showTask(task_, 0.0);
 }
 
@@ -289,9 +351,21 @@ void OutcomePage::showProgress(double fraction)
   panel_->showTask(taskText(task_, fraction, 1e-3 * double(since_.elapsed())), fraction);
 }
 
+void OutcomePage::showStep(OutcomeStep step, double fraction)
+{
+  task_ = stepText(step);
+  if (fraction < shownFraction_) since_.start();  // the ear could not be carried over
+  shownFraction_ = fraction;
+  showProgress(fraction);
+}
+
 void OutcomePage::choosePatient()
 {
+  // answers that were typed before are of the first patient who is chosen
+  const outcome::Surgery typed = hadPatient_ ? outcome::Surgery{} : panel_->form().surgery();
   leavePatient();
+  if (typed != outcome::Surgery{}) panel_->form().setSurgery(typed);
+  hadPatient_ = true;
   readPlanned(true);
 }
 
@@ -304,6 +378,7 @@ void OutcomePage::leavePatient()
   planNumber_.clear();
   wanted_.clear();
   leaveFound();
+  panel_->form().setCtDay(study_.hasCt() ? acquired_ : std::string());
   panel_->form().setSurgery({});
 }
 
@@ -311,12 +386,13 @@ void OutcomePage::readPlanned(bool isToFind)
 {
   const anatomy::Patient patient = panel_->patient()->patient;
   const std::string array = panel_->form().surgery().array;
+  plannedFor_ = surgeryDay();
   planning_.run(
       "The plan",
-      [patient, array, number = planNumber_,
+      [patient, array, number = planNumber_, day = plannedFor_,
        recorded = control_.openRecording().value_or(std::filesystem::path())](
           const std::stop_token& stop) -> Result<PlannedEar> {
-        return plannedEar(patient, array, number, recorded, stop);
+        return plannedEar(patient, array, number, day, recorded, stop);
       },
       [this, isToFind](const Result<PlannedEar>& planned) {
         if (!planned) return panel_->showIdle(dataText(planned.error().message), true);
@@ -364,8 +440,9 @@ void OutcomePage::find()
 
 void OutcomePage::findEar()
 {
-  beginTask(tr("Measuring the ear…"));
-  work_.findEar(study_.volume(), earlierCt(), panel_->patient()->patient.side);
+  const auto before = earlierCt();
+  beginTask(stepText(before ? OutcomeStep::readBefore : OutcomeStep::measureHere));
+  work_.findEar(study_.volume(), before, panel_->patient()->patient.side);
 }
 
 void OutcomePage::acceptEar(const OutcomeWork::SharedEar& ear)
@@ -410,7 +487,7 @@ void OutcomePage::findContacts()
   if (name.empty()) return panel_->showIdle(tr("Choose the implanted array first."), true);
   const auto array = arrayNamed(name);
   if (!array) return panel_->showIdle(dataText(array.error().message), true);
-  beginTask(tr("Finding the contacts…"));
+  beginTask(stepText(OutcomeStep::findContacts));
   outcome::ContactsRequest request;
   request.array = *array;
   request.arrayName = name;
@@ -457,22 +534,29 @@ void OutcomePage::leaveFound()
 {
   history_.begin({});
   series_.clear();
-  isSaved_ = true;
+  if (!panel_->form().hasAnswers()) isSaved_ = true;
   showFound();
 }
 
 void OutcomePage::showFound()
 {
-  view_->show(found(), planned_);
+  QStringList doubts;
+  const QString impossible = obstacle();
+  if (!impossible.isEmpty()) doubts << impossible;
+  if (found()) doubts << contradictionTexts(panel_->form().surgery(), *found());
+  view_->show(found(), planned_, planDoubt(), doubts);
+  view_->setStale(history_.now().isStale);
   panel_->showState({study_.hasCt(), found() && !history_.now().isStale, history_.canUndo(),
-                     history_.canRedo(), isSaved_});
+                     history_.canRedo(), isSaved_, impossible});
   if (stages_->currentWidget() != archive_) showArchive(false);
 }
 
 void OutcomePage::openSaved(const std::filesystem::path& patient, std::size_t place)
 {
   Q_EMIT pageRequested(id());
-  if (panel_->choosePatient(patient)) openVersion(place);
+  Q_EMIT endingRequested(tr("Open without saving"), [this, patient, place] {
+    if (panel_->choosePatient(patient)) openVersion(place);
+  });
 }
 
 void OutcomePage::openVersion(std::size_t place)
@@ -489,11 +573,13 @@ void OutcomePage::openVersion(std::size_t place)
   std::map<int, Eigen::Vector3d> byHand;
   for (const outcome::FoundContact& each : content->found.contacts)
     if (each.isByHand) byHand[each.number] = each.position_P;
+  panel_->form().setCtDay(outcome::ctDayOf(*content, version.utc));
   panel_->form().setSurgery(content->surgery);
   planNumber_ = content->plan;
   series_ = version.series;
   history_.begin({byHand, std::make_shared<const outcome::FoundArray>(std::move(content->found))});
   isSaved_ = true;
+  panel_->showVersion(place);
   readPlanned(true);
   showFound();
   std::error_code ignored;
@@ -509,26 +595,60 @@ outcome::OutcomeContent OutcomePage::content() const
 {
   outcome::Surgery surgery = panel_->form().surgery();
   surgery.array = found()->array;
-  return {*found(), surgery, planned_.plan ? planned_.plan->plan.fingerprint : std::string(),
-          series_};
+  const bool isChosen =
+      planned_.plan && !planning_.isBusy();  // else that which the outcomes choose
+  return {*found(), surgery, isChosen ? planned_.plan->plan.fingerprint : std::string(), series_};
+}
+
+std::string OutcomePage::surgeryDay() const
+{
+  return outcome::surgeryDay(panel_->form().ctDay(), panel_->form().surgery());
+}
+
+QString OutcomePage::planDoubt() const
+{
+  if (!planned_.plan) return {};
+  return predictionDoubt(planned_.planMadeUtc, panel_->form().ctDay(), panel_->form().surgery());
+}
+
+QString OutcomePage::obstacle() const
+{
+  if (!found()) return {};
+  outcome::MeasuredOutcome measured;
+  measured.array = found()->array;
+  measured.depth_mm = {found()->insertedLength_mm, found()->insertedLengthSd_mm};
+  if (found()->contactsInside > 0) measured.angle_deg = found()->angularInsertionDepth_deg;
+  measured.plan.depths_mm = {found()->insertedLength_mm};
+  if (const auto array = arrayNamed(found()->array))
+    measured.plan.insertable_mm = inMillimeters(array->insertable);
+  const auto checked = outcome::checkOutcome(measured, Sentence{"this ear"});
+  return checked ? QString() : dataText(checked.error().message);
 }
 
 void OutcomePage::save()
 {
-  if (!found() || !panel_->patient()) return;
-  const std::string json = outcome::outcomeJson(content());
+  if (!found() || !panel_->patient() || !obstacle().isEmpty()) return;
+  const std::string utc = nowUtc();
+  outcome::OutcomeContent saving = content();
+  const QDate ctDay =
+      QDate::fromString(QString::fromStdString(panel_->form().ctDay()), Qt::ISODate);
+  const QDate today = QDate::fromString(QString::fromStdString(utc).left(10), Qt::ISODate);
+  if (ctDay.isValid()) saving.ctAge_days = int(ctDay.daysTo(today));
   const auto saved =
       session::changePatientRecord(panel_->patient()->file, [&](session::PatientRecord& record) {
-        record.outcomes.push_back({nowUtc(), series_, json});
+        record.outcomes.push_back({utc, series_, outcome::outcomeJson(saving)});
       });
   if (!saved) return panel_->showIdle(dataText(saved.error().message), true);
   isSaved_ = true;
   rememberScan(series_, placeOfScan(series_), panel_->patient()->patient.label);
   panel_->refresh();
   showFound();
-  panel_->showIdle(tr("Saved in the record of %1, version %2.")
-                       .arg(nameOfPatient(panel_->patient()->patient))
-                       .arg(saved->outcomes.size()));
+  Q_EMIT kept();
+  QStringList sentences{tr("Saved in the record of %1, version %2.")
+                            .arg(nameOfPatient(panel_->patient()->patient))
+                            .arg(saved->outcomes.size())};
+  if (const QString doubt = planDoubt(); !doubt.isEmpty()) sentences << doubt;
+  panel_->showIdle(sentences.join(QLatin1Char(' ')));
 }
 
 void OutcomePage::askExport(OutcomeExport kind)
@@ -593,6 +713,8 @@ void OutcomePage::writeReport(const ReportPlace& place)
                               planned_.plan,
                               planned_.place,
                               planned_.planMadeUtc,
+                              planned_.ends,
+                              planDoubt(),
                               study_.hasCt() ? view_->picture() : QImage(),
                               view_->unrolledOnPaper(paperWidth_px, paperHeight_px)};
   saving_.save(

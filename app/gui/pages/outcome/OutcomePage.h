@@ -5,6 +5,7 @@
 
 #include <QElapsedTimer>
 #include <QPointer>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -48,7 +49,7 @@ public:
   bool cancel() override;
   /// Undo and redo of moved contacts.
   bool takeKey(const QKeyEvent& event) override;
-  /// An outcome that is not saved in the record.
+  /// An outcome that is not saved in the record, or answers of the surgeon.
   std::optional<Unfinished> unfinished() const override;
   void endUnfinished() override;
 
@@ -72,16 +73,23 @@ public:
 Q_SIGNALS:
   /// The archives in the settings are to be shown.
   void serversRequested();
+  /// Something is to be done that ends the outcome shown: a question comes first if it is not saved.
+  void endingRequested(const QString& action, const std::function<void()>& act);
+  /// What was not saved is.
+  void kept();
 
 private:
   void connectCt();
   void connectPanel();
   void connectWork();
   void read(const std::filesystem::path& path, const std::string& series);
+  /// Does something that takes another CT in place of the one shown.
+  void leaveCt(const std::function<void()>& act);
   void showCt(imaging::LoadedCt&& loaded);
   void showArchive(bool isShown);
   void beginTask(const QString& task);
   void showProgress(double fraction);
+  void showStep(OutcomeStep step, double fraction);
   void choosePatient();
   /// Forgets plan and outcome of a patient; the CT stays.
   void leavePatient();
@@ -108,6 +116,12 @@ private:
   void askReport();
   std::optional<EarlierCt> earlierCt() const;
   outcome::OutcomeContent content() const;
+  /// Why the plan is no prediction, a sentence; empty if it is one, or if there is none.
+  QString planDoubt() const;
+  /// The day of surgery as far as it is known: "2026-11-20"; else empty.
+  std::string surgeryDay() const;
+  /// Why what was found can be of no ear, a sentence; empty if it can.
+  QString obstacle() const;
 
   const InsertionControl& control_;
   CtStudy study_;
@@ -118,6 +132,7 @@ private:
   imaging::CtSeriesList list_;
   std::string wanted_;          ///< Series that a saved outcome was found in, while it is read.
   std::string series_;          ///< Series of what was found.
+  std::string acquired_;        ///< Day of the CT that is shown, as it states it; else empty.
   OutcomeWork::SharedEar ear_;  ///< In the CT that is shown, joined to the patient; else null.
   QString earNote_;             ///< Why the CT before surgery was not used.
   std::string searched_;        ///< Array that is looked for; empty if none is.
@@ -125,10 +140,15 @@ private:
   QPointer<EarQuestion> question_;
   FoundHistory history_;
   PlannedEar planned_;
-  std::string planNumber_;  ///< That a saved outcome states; empty: the newest plan.
+  std::string planNumber_;  ///< That a saved outcome states; empty: the newest plan before surgery.
+  std::string plannedFor_;  ///< Day of surgery for which the plan was chosen.
   bool isSaved_ = true;
+  bool hadPatient_ = false;    ///< Answers of the form are of a patient.
+  outcome::Surgery answered_;  ///< What the form had when it changed last.
+  std::string answeredDay_;
   QString task_;
   QElapsedTimer since_;
+  double shownFraction_ = 0.0;
   OutcomePanel* panel_;
   QStackedWidget* stages_;
   EmptyPage* empty_;

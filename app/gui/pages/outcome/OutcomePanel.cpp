@@ -75,9 +75,13 @@ OutcomePanel::OutcomePanel(QWidget* parent)
   whole->setSpacing(0);
   whole->addWidget(verticalScroll(content, this), 1);
   whole->addLayout(foot);
-  connect(patientList_, &Selector::chosen, this, &OutcomePanel::choose);
+  connect(patientList_, &Selector::chosen, this, [this](const QString& key) {
+    showPatient();
+    if (!patient_ || keyOf(*patient_) != key) Q_EMIT patientWanted(key.toStdString());
+  });
   connect(versions_, &Selector::chosen, this, [this](const QString& place) {
-    if (!place.isEmpty()) Q_EMIT versionChosen(place.toULong());
+    versions_->show(version_, {});
+    if (!place.isEmpty()) Q_EMIT versionWanted(place.toULong());
   });
   connect(form_, &SurgeryForm::changed, this, &OutcomePanel::showButtons);
   refresh();
@@ -94,8 +98,6 @@ void OutcomePanel::addFoot(QVBoxLayout& column)
   cancel_->setToolTip(tr("Esc"));
   undo_->setToolTip(tr("The contact that was moved last (Ctrl+Z)"));
   redo_->setToolTip(tr("Ctrl+Shift+Z"));
-  save_->setToolTip(
-      tr("Every outcome that is saved stays in the patient’s record, with its date."));
   report_->setToolTip(tr("One page as PDF or DICOM"));
   column.addWidget(status_);
   column.addWidget(progress_);
@@ -141,11 +143,23 @@ void OutcomePanel::refresh()
   patient_.reset();
   for (const SavedPatient& each : patients_)
     if (keyOf(each) == before) patient_ = each;
+  showPatient();
+  listVersions();
+  showButtons();
+}
+
+void OutcomePanel::showPatient()
+{
   if (patient_)
-    patientList_->show(before, {});
+    patientList_->show(keyOf(*patient_), {});
   else
     patientList_->show({}, patients_.empty() ? tr("Save a patient first") : tr("Choose a patient"));
-  listVersions();
+}
+
+void OutcomePanel::showVersion(std::size_t place)
+{
+  version_ = QString::number(place);
+  versions_->show(version_, {});
   showButtons();
 }
 
@@ -180,6 +194,7 @@ void OutcomePanel::listVersions()
                        QString());
   for (std::size_t place = count; place-- > 0;)
     versions_->addChoice(versionText(patient_->record.outcomes[place]), QString::number(place));
+  version_.clear();
   versions_->show({}, {});
 }
 
@@ -221,11 +236,21 @@ void OutcomePanel::showButtons()
   undo_->setEnabled(state_.canUndo);
   redo_->setEnabled(state_.canRedo);
   const bool isFound = state_.hasFound && !isBusy_;
-  save_->setEnabled(isFound && patient_ && isValid && !state_.isSaved);
-  export_->setEnabled(isFound);
-  report_->setEnabled(isFound && patient_);
+  // an earlier version counts again when it is saved as the newest
+  const bool isNewest =
+      version_.isEmpty() || !patient_ || version_.toULong() + 1 == patient_->record.outcomes.size();
+  const bool canSave =
+      isFound && patient_ && isValid && state_.obstacle.isEmpty() && !(state_.isSaved && isNewest);
+  save_->setEnabled(canSave);
+  save_->setToolTip(
+      !state_.obstacle.isEmpty() ? state_.obstacle
+      : isNewest
+          ? tr("Every outcome that is saved stays in the patient’s record, with its date.")
+          : tr("Saves this earlier version as the newest, which counts among the outcomes."));
+  export_->setEnabled(state_.hasFound);
+  report_->setEnabled(state_.hasFound && patient_);
   setPrimary(*find_, !state_.hasFound);
-  setPrimary(*save_, isFound && !state_.isSaved);
+  setPrimary(*save_, canSave && !state_.isSaved);
   versions_->setEnabled(patient_ && !patient_->record.outcomes.empty() && !isBusy_);
   patientList_->setEnabled(!isBusy_ && !patients_.empty());
 }

@@ -36,6 +36,8 @@ public:
   const std::optional<SavedPatient>& patient() const { return patient_; }
   /// Chooses a saved patient by its file. False if there is none with A and B.
   bool choosePatient(const std::filesystem::path& file);
+  /// Shows which of the saved outcomes is open.
+  void showVersion(std::size_t place);
   SurgeryForm& form() { return *form_; }
   CtSource& source() { return *source_; }
 
@@ -45,14 +47,18 @@ public:
   void showIdle(const QString& sentence, bool isError = false);
   /// Shows what has room in one sentence after an export.
   struct State {
-    bool hasCt = false, hasFound = false, canUndo = false, canRedo = false, isSaved = false;
+    bool hasCt = false, hasFound = false, canUndo = false, canRedo = false;
+    bool isSaved = false;   ///< As it is shown.
+    QString obstacle = {};  ///< Why it cannot be saved, a sentence; else empty.
   };
   void showState(const State& state);
 
 Q_SIGNALS:
+  /// Another patient is wanted; the chosen one stays until choosePatient().
+  void patientWanted(const std::filesystem::path& file);
   void patientChosen();
-  /// A saved outcome, by its place in the patient's record.
-  void versionChosen(std::size_t place);
+  /// A saved outcome is wanted, by its place in the patient's record.
+  void versionWanted(std::size_t place);
   void findRequested();
   void cancelRequested();
   void undoRequested();
@@ -64,12 +70,14 @@ Q_SIGNALS:
 private:
   void choose(const QString& key);
   void listVersions();
+  void showPatient();
   void addFoot(QVBoxLayout& column);
   void showButtons();
 
   std::vector<SavedPatient> patients_;
   std::optional<SavedPatient> patient_;
   State state_;
+  QString version_;  ///< Place of the saved outcome that is open; empty if none is.
   bool isBusy_ = false;
   Selector *patientList_, *versions_;
   SurgeryForm* form_;

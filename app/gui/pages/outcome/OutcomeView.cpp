@@ -13,9 +13,9 @@
 #include "gui/pages/outcome/FoundContacts.h"
 #include "gui/pages/outcome/PlanBeside.h"
 #include "gui/pages/plan/AngleRing.h"
-#include "gui/setup/Catalog.h"
 #include "gui/setup/OutcomeWords.h"
 #include "gui/setup/PatientHistory.h"
+#include "gui/setup/PlannedFriction.h"
 #include "gui/text/ChartLabels.h"
 #include "gui/widgets/DrawingView.h"
 #include "gui/widgets/PanelParts.h"
@@ -28,17 +28,8 @@ namespace perilymph::gui {
 namespace {
 
 constexpr int unrolledHeight_px = 132, tableHeight_px = 176, besideWidth_px = 470,
-              besideRing_px = 230;
+              besideRing_px = 230, besideForces_px = 220;
 constexpr int contactsPlace = 0, besidePlace = 1;
-
-/// "FLEX28"
-QString titleOf(const std::string& array)
-{
-  const QString name = QString::fromStdString(array);
-  for (const CatalogArray& each : catalogArrays())
-    if (each.name == name) return each.title;
-  return name;
-}
 
 }  // namespace
 
@@ -51,6 +42,7 @@ OutcomeView::OutcomeView(CtStudy& study, QWidget* parent)
       head_(new WrappedLabel({}, this)),
       flags_(new WrappedLabel({}, this)),
       besideNote_(new WrappedLabel({}, this)),
+      besideDoubt_(new WrappedLabel({}, this)),
       unrolled_(new PlotView(
           [this](double width, double height) {
             return unrolled(shownColorScheme(), width, height);
@@ -90,7 +82,7 @@ OutcomeView::OutcomeView(CtStudy& study, QWidget* parent)
   column->addWidget(flags_);
   column->addLayout(choices);
   column->addWidget(stages_, 1);
-  show(nullptr, {});
+  show(nullptr, {}, {}, {});
 }
 
 OutcomeView::~OutcomeView() = default;
@@ -113,9 +105,10 @@ QWidget* OutcomeView::addContacts()
   pictures->addLayout(sections, 2);
   unrolled_->setObjectName(QStringLiteral("outcomeUnrolled"));
   unrolled_->setAccessibleName(tr("Unrolled scala tympani with the contacts and the plan’s bands"));
-  unrolled_->setToolTip(
-      tr("Contacts by number, with the intervals of their angles. Bars at the modiolus: the plan’s "
-         "bands, 5 to 95 %; across the scala: that of the most apical contact."));
+  unrolled_->setToolTip(tr(
+      "Contacts by number, with the intervals of their angles; hollow: placed by spacing, or more "
+      "likely above the basilar membrane. Bars at the modiolus: the plan’s bands; across the "
+      "scala: that of the most apical contact."));
   unrolled_->setFixedHeight(sized(unrolledHeight_px));
   table_->setFixedHeight(sized(tableHeight_px));
   connect(table_, &FoundContacts::contactChosen, &study_, &CtStudy::chooseContact);
@@ -135,13 +128,18 @@ QWidget* OutcomeView::addBeside()
   besideNote_->setObjectName(QStringLiteral("outcomePlanNote"));
   besideNote_->setFont(typeface(12));
   besideNote_->setProperty("quiet", true);
+  besideDoubt_->setObjectName(QStringLiteral("outcomePlanDoubt"));
+  besideDoubt_->setFont(typeface(12));
+  besideDoubt_->setProperty("error", true);
   forces_->setObjectName(QStringLiteral("outcomeForces"));
   forces_->setAccessibleName(tr(
       "Force over depth: insertion by hand, the plan’s band, the length inserted in the patient"));
   ring_->setFixedHeight(sized(besideRing_px));
+  forces_->setMinimumHeight(sized(besideForces_px));
   auto* left = new QVBoxLayout;
   left->setSpacing(spacing);
   left->addWidget(besideNote_);
+  left->addWidget(besideDoubt_);
   left->addWidget(beside_, 1);
   auto* right = new QVBoxLayout;
   right->setSpacing(spacing);
@@ -152,7 +150,7 @@ QWidget* OutcomeView::addBeside()
   row->setSpacing(spacing);
   row->addLayout(left, 1);
   row->addLayout(right, 1);
-  return page;
+  return verticalScroll(page, this);  // low screens
 }
 
 void OutcomeView::showPlanBeside(bool isShown)
@@ -162,12 +160,15 @@ void OutcomeView::showPlanBeside(bool isShown)
 }
 
 void OutcomeView::show(const std::shared_ptr<const outcome::FoundArray>& found,
-                       const PlannedEar& planned)
+                       const PlannedEar& planned, const QString& planDoubt,
+                       const QStringList& doubts)
 {
   found_ = found;
   planned_ = planned;
-  flags_->setVisible(found && !found->flags.empty());
   besideStage_->setEnabled(found != nullptr);
+  const QStringList sentences = found ? doubts + flagTexts(*found) : QStringList();
+  flags_->setText(sentences.join(QLatin1Char('\n')));
+  flags_->setVisible(!sentences.isEmpty());
   unrolled_->refresh();
   if (!found) {
     head_->setText(tr("The CT after surgery"));
@@ -177,21 +178,23 @@ void OutcomeView::show(const std::shared_ptr<const outcome::FoundArray>& found,
     return;
   }
   head_->setText(tr("%1: %2, contacts inside %3, inserted %4; %5.")
-                     .arg(titleOf(found->array), depthText(*found), insideText(*found),
+                     .arg(arrayTitle(found->array), depthText(*found), insideText(*found),
                           insertedText(*found), earSourceText(*found)));
-  flags_->setText(flagTexts(*found).join(QLatin1Char('\n')));
   table_->show(found->contacts);
   std::vector<CtStudy::Contact> contacts;
   for (const outcome::FoundContact& each : found->contacts)
     contacts.push_back({each.number, each.position_P, each.isByHand, each.isSeenSingly});
   study_.setContacts(std::move(contacts));
   const planning::ArrayPlan* plan = planned.arrayPlan();
-  beside_->show(plan, *found);
+  beside_->show(plan, planned.ends, *found);
   besideNote_->setText(
-      plan ? tr("Plan of %1, %2 simulations")
+      plan ? tr("Plan of %1, %2 simulations; bands: %3")
                  .arg(localTimeText(planned.planMadeUtc))
                  .arg(plan->draws)
+                 .arg(bandsHold(planned.plan->plan))
            : tr("There is no plan of this array for this patient. The page Plan makes one."));
+  besideDoubt_->setText(plan ? planDoubt : QString());
+  besideDoubt_->setVisible(!besideDoubt_->text().isEmpty());
   std::vector<FoundAngle> angles;
   for (const outcome::FoundContact& each : found->contacts) {
     const auto interval = each.angle_deg.interval95();
@@ -202,6 +205,13 @@ void OutcomeView::show(const std::shared_ptr<const outcome::FoundArray>& found,
   const auto figure = forceBeside(planned, *found);
   forces_->setVisible(figure.has_value());
   if (figure) forces_->show(figures::draw(*figure));
+}
+
+void OutcomeView::setStale(bool isStale)
+{
+  for (QWidget* each : {static_cast<QWidget*>(head_), static_cast<QWidget*>(table_),
+                        static_cast<QWidget*>(beside_)})
+    each->setEnabled(!isStale);
 }
 
 figures::Drawing OutcomeView::unrolled(figures::ColorScheme scheme, double width,

@@ -3,6 +3,7 @@
 
 // What was found, in two views: the contacts in the CT, and the plan beside the outcome.
 
+#include <QStringList>
 #include <QWidget>
 #include <array>
 #include <memory>
@@ -33,7 +34,12 @@ public:
   ~OutcomeView() override;
 
   /// Shows what was found beside a plan; nothing yet if it is null.
-  void show(const std::shared_ptr<const outcome::FoundArray>& found, const PlannedEar& planned);
+  /// @param planDoubt  Why the plan is no prediction, a sentence; empty if it is one.
+  /// @param doubts     What else is doubtful about the outcome, a sentence each.
+  void show(const std::shared_ptr<const outcome::FoundArray>& found, const PlannedEar& planned,
+            const QString& planDoubt, const QStringList& doubts);
+  /// Grays values that are found again at the moment.
+  void setStale(bool isStale);
   /// The cochlear view with its contacts as a picture.
   QImage picture() const;
   /// The unrolled scala as a drawing on paper.
@@ -55,7 +61,7 @@ private:
   std::array<PlaneView*, 3> planes_{};
   QStackedWidget* stages_;
   QPushButton *contactsStage_, *besideStage_;
-  QLabel *head_, *flags_, *besideNote_;
+  QLabel *head_, *flags_, *besideNote_, *besideDoubt_;
   PlotView* unrolled_;
   FoundContacts* table_;
   PlanBeside* beside_;

@@ -13,8 +13,10 @@ namespace perilymph::gui {
 namespace {
 
 constexpr int report_ms = 100;
-// parts of the time until the ear is carried over (choice; the registration reports none)
-constexpr double readPart = 0.3, measurePart = 0.5;
+// where reading and measuring end in the time until the ear is carried over (choice, low)
+constexpr double readUntil = 0.2, measureUntil = 0.7;
+
+using Report = std::function<void(OutcomeStep, double)>;
 
 /// What an ear is found from, and why not from the CT before surgery.
 struct FoundEar {
@@ -29,10 +31,10 @@ struct EarlierVolume {
 
 /// Reads and measures the CT before surgery: from its landmarks by hand, if it has them.
 Result<EarlierVolume> earlierVolume(const OutcomeFinder& finder, const EarlierCt& before,
-                                    std::optional<anatomy::Side> side,
-                                    const std::function<void(double)>& onProgress,
+                                    std::optional<anatomy::Side> side, const Report& report,
                                     const std::stop_token& stop)
 {
+  report(OutcomeStep::readBefore, 0.0);
   const auto list = imaging::findSeries(before.place, {{}, stop});
   if (!list) return list.error();
   const auto chosen = std::ranges::find_if(list->series, [&](const imaging::CtSeries& each) {
@@ -41,15 +43,16 @@ Result<EarlierVolume> earlierVolume(const OutcomeFinder& finder, const EarlierCt
   if (chosen == list->series.end())
     return Error{"The CT before surgery is no longer in %1.", before.place};
   auto loaded = imaging::readCt(
-      *list, chosen->uid, {[&onProgress](double done) { onProgress(readPart * done); }, stop});
+      *list, chosen->uid,
+      {[&report](double done) { report(OutcomeStep::readBefore, readUntil * done); }, stop});
   if (!loaded) return loaded.error();
   if (loaded->series.key != before.series)
     return Error{"The CT before surgery is no longer in %1.", before.place};
   ct::MeasureRequest request;
   request.side = side;
   request.stop = stop;
-  request.onProgress = [&onProgress](double done) {
-    onProgress(readPart + (measurePart - readPart) * done);
+  request.onProgress = [&report](double done) {
+    report(OutcomeStep::measureBefore, readUntil + (measureUntil - readUntil) * done);
   };
   auto measures = finder.measure(loaded->volume, request);
   if (measures && !before.marks.isEmpty()) {
@@ -72,22 +75,27 @@ Result<EarlierVolume> earlierVolume(const OutcomeFinder& finder, const EarlierCt
 
 Result<FoundEar> earOf(const OutcomeFinder& finder, const ct::CtVolume& after,
                        const std::optional<EarlierCt>& before, std::optional<anatomy::Side> side,
-                       const std::function<void(double)>& onProgress, const std::stop_token& stop)
+                       const Report& report, const std::stop_token& stop)
 {
   Sentence note;
   if (before) {
-    const auto earlier = earlierVolume(finder, *before, side, onProgress, stop);
+    const auto earlier = earlierVolume(finder, *before, side, report, stop);
     if (stop.stop_requested()) return Error{"The search was canceled."};
-    Result<outcome::Ear> ear =
-        earlier ? finder.registeredEar(after, earlier->ct.volume, earlier->measures, stop)
-                : Result<outcome::Ear>(earlier.error());
+    const auto onProgress = [&report](double done) {
+      report(OutcomeStep::carryOver, measureUntil + (1.0 - measureUntil) * done);
+    };
+    Result<outcome::Ear> ear = earlier ? finder.registeredEar(after, earlier->ct.volume,
+                                                              earlier->measures, stop, onProgress)
+                                       : Result<outcome::Ear>(earlier.error());
     if (ear) return FoundEar{std::make_shared<const outcome::Ear>(*std::move(ear)), {}};
+    if (stop.stop_requested()) return ear.error();
     note = ear.error().message;
   }
   ct::MeasureRequest request;
   request.side = side;
   request.stop = stop;
-  request.onProgress = onProgress;
+  report(OutcomeStep::measureHere, 0.0);
+  request.onProgress = [&report](double done) { report(OutcomeStep::measureHere, done); };
   auto ear = finder.measuredEar(after, request);
   if (!ear) return ear.error();
   return FoundEar{std::make_shared<const outcome::Ear>(*std::move(ear)), note};
@@ -105,13 +113,14 @@ OutcomeWork::OutcomeWork(QObject* parent)
 {
   timer_.setInterval(report_ms);
   connect(&timer_, &QTimer::timeout, this, [this] {
-    if (progress_) Q_EMIT progressed(progress_->load());
+    if (progress_) Q_EMIT progressed(progress_->step.load(), progress_->fraction.load());
   });
 }
 
-OutcomeWork::Progress OutcomeWork::begin()
+OutcomeWork::Progress OutcomeWork::begin(OutcomeStep step)
 {
-  progress_ = std::make_shared<std::atomic<double>>(0.0);
+  progress_ = std::make_shared<State>();
+  progress_->step = step;
   timer_.start();
   return progress_;
 }
@@ -125,12 +134,15 @@ void OutcomeWork::end()
 void OutcomeWork::findEar(const Volume& after, const std::optional<EarlierCt>& before,
                           std::optional<anatomy::Side> side)
 {
-  const Progress progress = begin();
+  const Progress progress = begin(before ? OutcomeStep::readBefore : OutcomeStep::measureHere);
   background_.run(
       "The measurement",
       [after, before, side, progress, finder = finder_](const std::stop_token& stop) {
-        return earOf(
-            finder, *after, before, side, [progress](double done) { progress->store(done); }, stop);
+        const Report report = [progress](OutcomeStep step, double done) {
+          progress->step = step;
+          progress->fraction = done;
+        };
+        return earOf(finder, *after, before, side, report, stop);
       },
       [this](const Result<FoundEar>& ear) {
         end();
@@ -142,13 +154,13 @@ void OutcomeWork::findEar(const Volume& after, const std::optional<EarlierCt>& b
 void OutcomeWork::findContacts(const Volume& after, const SharedEar& ear,
                                outcome::ContactsRequest request)
 {
-  const Progress progress = begin();
+  const Progress progress = begin(OutcomeStep::findContacts);
   background_.run(
       "The search for the contacts",
       [after, ear, request = std::move(request), progress,
        find = finder_.findContacts](const std::stop_token& stop) mutable
       -> Result<std::shared_ptr<const outcome::FoundArray>> {
-        request.onProgress = [progress](double done) { progress->store(done); };
+        request.onProgress = [progress](double done) { progress->fraction = done; };
         request.stop = stop;
         auto array = find(*after, *ear, request);
         if (!array) return array.error();

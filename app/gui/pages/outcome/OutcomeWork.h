@@ -23,7 +23,8 @@ struct OutcomeFinder {
   std::function<Result<ct::CochleaMeasures>(const ct::CtVolume&, const ct::MeasureRequest&)>
       measure;
   std::function<Result<outcome::Ear>(const ct::CtVolume&, const ct::CtVolume&,
-                                     const ct::CochleaMeasures&, const std::stop_token&)>
+                                     const ct::CochleaMeasures&, const std::stop_token&,
+                                     const std::function<void(double)>&)>
       registeredEar;
   std::function<Result<outcome::Ear>(const ct::CtVolume&, const ct::MeasureRequest&)> measuredEar;
   std::function<Result<outcome::FoundArray>(const ct::CtVolume&, const outcome::Ear&,
@@ -32,6 +33,9 @@ struct OutcomeFinder {
 };
 /// That of the engine.
 OutcomeFinder engineFinder();
+
+/// What is done until the contacts are found.
+enum class OutcomeStep { readBefore, measureBefore, carryOver, measureHere, findContacts };
 
 /// The patient's CT before surgery.
 struct EarlierCt {
@@ -60,7 +64,8 @@ public:
   bool isBusy() const { return background_.isBusy(); }
 
 Q_SIGNALS:
-  void progressed(double fraction);
+  /// The fraction is that of the ear, from any of its steps, or of the contacts.
+  void progressed(perilymph::gui::OutcomeStep step, double fraction);
   /// @param note  Why the CT before surgery was not used; else empty.
   void earFound(std::shared_ptr<const perilymph::outcome::Ear> ear, const QString& note);
   void found(std::shared_ptr<const perilymph::outcome::FoundArray> array);
@@ -68,9 +73,14 @@ Q_SIGNALS:
   void failed(const QString& sentence);
 
 private:
-  using Progress = std::shared_ptr<std::atomic<double>>;
+  /// How far a task is, shared with its thread.
+  struct State {
+    std::atomic<OutcomeStep> step{};
+    std::atomic<double> fraction{0.0};
+  };
+  using Progress = std::shared_ptr<State>;
 
-  Progress begin();
+  Progress begin(OutcomeStep step);
   void end();
 
   OutcomeFinder finder_;

@@ -2,13 +2,12 @@
 #include "gui/pages/outcome/PlanBeside.h"
 
 #include <QCoreApplication>
-#include <QHeaderView>
 #include <algorithm>
 
 #include "gui/pages/plan/ForceBands.h"
 #include "gui/setup/OutcomeWords.h"
 #include "gui/text/Numbers.h"
-#include "gui/widgets/TableRows.h"
+#include "gui/widgets/TableHeads.h"
 #include "gui/widgets/Theme.h"
 
 namespace perilymph::gui {
@@ -29,29 +28,19 @@ PlanBeside::PlanBeside(QWidget* parent) : QTableWidget(0, int(std::size(besideWi
 {
   setObjectName(QStringLiteral("outcomeBesidePlan"));
   setAccessibleName(tr("Plan beside outcome"));
-  setFont(typeface(11));
-  showInRows(*this, sized(besideRow_px));
-  setSelectionMode(QAbstractItemView::SingleSelection);
-  setWordWrap(false);
-  setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
-  horizontalHeader()->setFont(typeface(11));
-  horizontalHeader()->setFixedHeight(sized(besideHeader_px));
-  horizontalHeader()->setHighlightSections(false);
-  horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   const std::pair<QString, QString> columns[] = {
       {tr("Quantity"), tr("The depth of the array, and the angle of each contact; 1 at the tip")},
-      {tr("Plan"), tr("Median and band of the plan, from 5 to 95 % of its simulations")},
+      {tr("Plan"),
+       tr("Median and band of the plan; above stands what it holds. Of a contact, of the "
+          "simulations in which it is inside.")},
       {tr("Found"), tr("Measured in the CT after surgery, with its 95 % interval")},
-      {tr("Percentile"), tr("Share of the plan’s simulations below the value found, from the "
-                            "quantiles of the band")}};
-  for (int column = 0; column < int(std::size(columns)); ++column) {
-    auto* head = new QTableWidgetItem(columns[column].first);
-    head->setToolTip(columns[column].second);
-    setHorizontalHeaderItem(column, head);
-  }
+      {tr("Percentile"), tr("Share of the plan’s simulations below the value found, with its "
+                            "error; of a contact from the quantiles of the band")}};
+  showValues(*this, columns, sized(besideRow_px), sized(besideHeader_px));
 }
 
-void PlanBeside::show(const planning::ArrayPlan* plan, const outcome::FoundArray& found)
+void PlanBeside::show(const planning::ArrayPlan* plan, const outcome::PlannedOutcome& ends,
+                      const outcome::FoundArray& found)
 {
   setRowCount(0);
   const auto add = [this](const QStringList& texts) {
@@ -61,11 +50,15 @@ void PlanBeside::show(const planning::ArrayPlan* plan, const outcome::FoundArray
       setItem(row, column, new QTableWidgetItem(texts[column]));
   };
   const QString none = tr("–");
-  const double depth_deg = found.angularInsertionDepth_deg.value;
-  add({tr("Angular depth"), plan ? bandWords(plan->angle_deg, 0, tr("°")) : none, depthText(found),
-       plan ? percentileText(plan->angle_deg, depth_deg) : none});
+  const outcome::Uncertain& depth = found.angularInsertionDepth_deg;
+  const outcome::Uncertain inserted{found.insertedLength_mm, found.insertedLengthSd_mm};
+  const QString depthPlace = plan ? percentileText(ends.angles_deg, plan->angle_deg, depth) : none;
+  add({tr("Angular insertion depth"), plan ? bandWords(plan->angle_deg, 0, tr("°")) : none,
+       depthText(found), depthPlace});
   add({tr("Inserted length"), plan ? bandWords(plan->depth_mm, 1, tr(" mm")) : none,
-       insertedText(found), plan ? percentileText(plan->depth_mm, found.insertedLength_mm) : none});
+       insertedText(found),
+       plan ? percentileText(ends.depths_mm, plan->depth_mm, inserted) : none});
+  bool isApical = true;  // the depth is the angle of the first one inside
   for (const outcome::FoundContact& each : found.contacts) {
     const planning::ContactBand* planned = nullptr;
     if (plan != nullptr)
@@ -73,12 +66,12 @@ void PlanBeside::show(const planning::ArrayPlan* plan, const outcome::FoundArray
         if (band.number == each.number && band.draws > 0) planned = &band;
     add({tr("Contact %1").arg(each.number),
          planned ? bandWords(planned->angle_deg, 0, tr("°")) : none, angleText(each),
-         planned && each.isInside ? percentileText(planned->angle_deg, each.angle_deg.value)
-                                  : none});
+         !planned || !each.isInside ? none
+         : isApical                 ? depthPlace
+                                    : percentileText(planned->angle_deg, each.angle_deg.value)});
+    if (each.isInside) isApical = false;
   }
-  for (int column = 0; column < columnCount(); ++column)
-    horizontalHeader()->resizeSection(
-        column, std::max(sized(besideWidths_px[column]), sizeHintForColumn(column)));
+  fitColumns(*this, besideWidths_px);
 }
 
 std::optional<figures::Figure> forceBeside(const PlannedEar& ear, const outcome::FoundArray& found)

@@ -18,7 +18,9 @@ class PlanBeside : public QTableWidget {
 public:
   explicit PlanBeside(QWidget* parent);
 
-  void show(const planning::ArrayPlan* plan, const outcome::FoundArray& found);
+  /// @param ends  The plan's simulations as they ended; empty where they are not there.
+  void show(const planning::ArrayPlan* plan, const outcome::PlannedOutcome& ends,
+            const outcome::FoundArray& found);
 };
 
 /// Force over depth of the patient's insertion by hand, the plan's band, and a band at the length that was

@@ -7,6 +7,9 @@
 #include "gui/setup/Catalog.h"
 #include "gui/setup/PlanStore.h"
 #include "perilymph/analysis/Comparison.h"
+#include "perilymph/outcome/ClinicLibrary.h"
+#include "perilymph/planning/Plan.h"
+#include "perilymph/planning/PlanFolder.h"
 #include "perilymph/session/Scenario.h"
 
 namespace perilymph::gui {
@@ -19,15 +22,16 @@ bool isOf(const session::SessionSummary& session, const anatomy::Patient& patien
          session::isInsertion(session);
 }
 
-/// The newest plan of an array that has its number, or any.
+/// The newest plan of an array that has its number, or any; of those made before surgery if a day is given.
 void addPlan(PlannedEar& ear, const std::vector<StoredPlan>& plans, const anatomy::Patient& patient,
-             const std::string& number)
+             const std::string& number, const std::string& surgeryDay)
 {
   for (const StoredPlan& each : plans) {
     const auto& arrays = each.request.arrays;
     if (each.shownDraws == 0 || each.request.patient.label != patient.label ||
         each.request.patient.side != patient.side ||
-        std::ranges::find(arrays, ear.array) == arrays.end())
+        std::ranges::find(arrays, ear.array) == arrays.end() ||
+        !(surgeryDay.empty() || outcome::isPrediction(each.madeUtc, surgeryDay)))
       continue;
     auto read = planning::readPlan(each.folder / planJsonFile);
     if (!read || (!number.empty() && read->plan.fingerprint != number)) continue;
@@ -36,6 +40,11 @@ void addPlan(PlannedEar& ear, const std::vector<StoredPlan>& plans, const anatom
     ear.place = std::size_t(place - read->plan.arrays.begin());
     ear.planMadeUtc = each.madeUtc;
     read->plan.request = each.request;
+    planning::PlanRequest request = each.request;
+    request.draws = each.shownDraws;
+    const auto inRequest = std::size_t(std::ranges::find(arrays, ear.array) - arrays.begin());
+    if (const auto viewed = planning::viewPlan(request, each.folder / planning::planDrawsFile))
+      ear.ends = outcome::endsOf(*viewed, inRequest);
     ear.plan = std::make_shared<const planning::StoredPlan>(*std::move(read));
     return;
   }
@@ -73,14 +82,16 @@ std::string newestArray(const std::vector<session::SessionSummary>& sessions,
 }  // namespace
 
 Result<PlannedEar> plannedEar(const anatomy::Patient& patient, const std::string& array,
-                              const std::string& plan, const std::filesystem::path& beingRecorded,
+                              const std::string& plan, const std::string& surgeryDay,
+                              const std::filesystem::path& beingRecorded,
                               const std::stop_token& stop)
 {
   const PatientWork work = readPatientWork(beingRecorded, stop);
   const std::vector<CatalogArray> catalog = catalogArrays();
   PlannedEar ear;
   ear.array = array.empty() ? newestArray(work.sessions, work.plans, patient, catalog) : array;
-  addPlan(ear, work.plans, patient, plan);
+  addPlan(ear, work.plans, patient, plan, surgeryDay);
+  if (!ear.plan && !surgeryDay.empty()) addPlan(ear, work.plans, patient, plan, {});
   const session::SessionSummary* newest = nullptr;
   for (const session::SessionSummary& each : work.sessions)
     if (isOf(each, patient) && arrayOf(each, catalog) == ear.array &&

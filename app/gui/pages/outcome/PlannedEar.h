@@ -10,6 +10,7 @@
 
 #include "gui/setup/PatientHistory.h"
 #include "perilymph/analysis/Comparison.h"
+#include "perilymph/outcome/ClinicOutcomes.h"
 #include "perilymph/planning/PlanReading.h"
 
 namespace perilymph::gui {
@@ -20,6 +21,7 @@ struct PlannedEar {
   std::shared_ptr<const planning::StoredPlan> plan;  ///< Null without one of this array.
   std::size_t place = 0;                             ///< Place of the array in the plan.
   std::string planMadeUtc;
+  outcome::PlannedOutcome ends;  ///< Its simulations as they ended; empty where they are not there.
   /// The patient's newest insertion of this array.
   std::optional<analysis::ComparedInsertion> insertion;
   std::shared_ptr<const anatomy::ScalaTympani> scala;  ///< From the patient's measures.
@@ -33,10 +35,12 @@ struct PlannedEar {
 /// Reads plan and insertion, and builds the cochlea; a second. Any thread.
 ///
 /// @param array          Empty for that of the newest insertion, or of the newest plan.
-/// @param plan           Number of the plan; empty for the newest one.
+/// @param plan           Number of the plan; empty for the newest that was made before surgery, else the newest.
+/// @param surgeryDay     "2026-11-20"; empty where it is not known.
 /// @param beingRecorded  A recording that is not finished; it may be empty.
 Result<PlannedEar> plannedEar(const anatomy::Patient& patient, const std::string& array,
-                              const std::string& plan, const std::filesystem::path& beingRecorded,
+                              const std::string& plan, const std::string& surgeryDay,
+                              const std::filesystem::path& beingRecorded,
                               const std::stop_token& stop);
 
 }  // namespace perilymph::gui

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/pages/outcome/SurgeryForm.h"
 
+#include <QDate>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -18,12 +19,21 @@
 #include "gui/widgets/Selector.h"
 #include "gui/widgets/Theme.h"
 #include "gui/widgets/WrappedLabel.h"
+#include "perilymph/foundation/Resources.h"
 
 namespace perilymph::gui {
 
 namespace {
 
 constexpr int field_px = 118, row_px = 26, unit_px = 24;
+
+/// "2026-11-20" or "20.11.2026"; invalid for another text and for a day to come.
+QDate dayIn(const QString& text)
+{
+  QDate day = QDate::fromString(text, Qt::ISODate);
+  if (!day.isValid()) day = QDate::fromString(text, QStringLiteral("d.M.yyyy"));
+  return day <= QDate::currentDate() ? day : QDate();
+}
 
 }  // namespace
 
@@ -58,6 +68,8 @@ SurgeryForm::SurgeryForm(QWidget* parent)
   column->addWidget(error_);
   connect(array_, &Selector::chosen, this, [this] {
     isArrayChosen_ = true;
+    readDesign();
+    showError();
     Q_EMIT changed();
   });
   for (Selector* each : {stopReason_, markReached_, opening_, tool_})
@@ -81,7 +93,9 @@ QWidget* SurgeryForm::addRow(QVBoxLayout& column, const QString& name, QWidget* 
   suffix->setFixedWidth(
       std::max(sized(unit_px), suffix->fontMetrics().horizontalAdvance(tr("mm")) + 2));
   field->setFont(typeface(12));
-  field->setFixedSize(std::max(sized(field_px), markReached_->widest_px()), sized(row_px));
+  field->setFixedSize(
+      std::max({sized(field_px), markReached_->widest_px(), stopReason_->widest_px()}),
+      sized(row_px));
   row->addWidget(title, 1);
   row->addWidget(field);
   row->addWidget(suffix);
@@ -147,6 +161,7 @@ void SurgeryForm::addUsual(QVBoxLayout& column)
   markReached_->addChoice(tr("no"), QStringLiteral("no"));
   for (const auto& each : outcome::stopReasons)
     stopReason_->addChoice(textOf(each.value), QLatin1String(each.name));
+  stopReason_->setFont(typeface(12));
   stopReason_->setToolTip(
       tr("Why the array was not pushed further. A stop by resistance is what a plan predicts."));
   addRow(column, tr("Stopped because of"), stopReason_);
@@ -155,6 +170,10 @@ void SurgeryForm::addUsual(QVBoxLayout& column)
             &outcome::Surgery::intendedDepth);
   addNumber(column, "surgeryContactsOutside", tr("Contacts outside"),
             &outcome::Surgery::contactsOutside);
+  ctDay_ = addEdit(column, "surgeryCtDay", tr("Day of the CT"), {});
+  ctDay_->setToolTip(tr(
+      "As the images state it; type it where they state none. With the days from surgery it tells "
+      "which plans were made before surgery."));
   addNumber(column, "surgeryDaysToCt", tr("Days from surgery to CT"), &outcome::Surgery::daysToCt);
 }
 
@@ -219,8 +238,28 @@ void SurgeryForm::setSurgery(const outcome::Surgery& surgery)
   lot_->setText(QString::fromStdString(surgery.lot));
   for (const Field& each : numbers_) each.edit->setText(each.text(surgery));
   isShowing_ = false;
+  readDesign();
   showError();
   Q_EMIT changed();
+}
+
+bool SurgeryForm::hasAnswers() const
+{
+  outcome::Surgery answered = surgery();
+  answered.array.clear();
+  return answered != outcome::Surgery{};
+}
+
+std::string SurgeryForm::ctDay() const
+{
+  return dayIn(ctDay_->text().trimmed()).toString(Qt::ISODate).toStdString();
+}
+
+void SurgeryForm::setCtDay(const std::string& day)
+{
+  isShowing_ = true;
+  ctDay_->setText(QString::fromStdString(day));
+  isShowing_ = false;
 }
 
 void SurgeryForm::proposeArray(const std::string& array)
@@ -228,6 +267,8 @@ void SurgeryForm::proposeArray(const std::string& array)
   const QString name = QString::fromStdString(array);
   if (isArrayChosen_ || array_->findData(name) < 0) return;
   array_->show(name, {});
+  readDesign();
+  showError();
   Q_EMIT changed();
 }
 
@@ -243,8 +284,24 @@ QString SurgeryForm::error() const
     if (each.isWhole && *typed != std::floor(*typed))
       return tr("%1 is %2; a whole number is expected.").arg(each.name, text);
   }
-  const auto checked = outcome::checkSurgery(surgery());
+  if (const QString day = ctDay_->text().trimmed(); !day.isEmpty() && !dayIn(day).isValid())
+    return tr("Day of the CT is “%1”; a day up to today is expected, such as 2026-11-20.").arg(day);
+  const outcome::Surgery answered = surgery();
+  const auto checked = design_ && designOf_ == answered.array
+                           ? outcome::checkSurgery(answered, *design_)
+                           : outcome::checkSurgery(answered);
   return checked ? QString() : dataText(checked.error().message);
+}
+
+void SurgeryForm::readDesign()
+{
+  const std::string name = array_->value().toStdString();
+  if (name == designOf_) return;
+  designOf_ = name;
+  design_.reset();
+  if (name.empty()) return;
+  if (const auto file = findByName("array", "plugins/electrodes", name))
+    if (auto read = electrode::loadArray(*file)) design_ = *std::move(read);
 }
 
 void SurgeryForm::showError()

@@ -6,8 +6,10 @@
 #include <QWidget>
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
+#include "perilymph/electrode/ArrayDesign.h"
 #include "perilymph/outcome/Surgery.h"
 
 class QLabel;
@@ -28,6 +30,12 @@ public:
   /// The answers; a field that cannot be read counts as empty.
   outcome::Surgery surgery() const;
   void setSurgery(const outcome::Surgery& surgery);
+  /// Whether something is answered besides the array.
+  bool hasAnswers() const;
+  /// The day of the CT: "2026-11-20"; empty where it is not known or cannot be read.
+  std::string ctDay() const;
+  /// Shows the day that the CT or a saved outcome states; empty for none.
+  void setCtDay(const std::string& day);
   /// Proposes an array where the user has chosen none.
   void proposeArray(const std::string& array);
   /// Why an answer cannot be kept, one sentence; empty if all can.
@@ -58,12 +66,16 @@ private:
                      const QString& unit);
   void addUsual(QVBoxLayout& column);
   void addOthers();
+  /// Reads the array that is chosen, for the checks of answers.
+  void readDesign();
   void showError();
 
   Section* more_;
   Selector *array_, *stopReason_, *markReached_, *opening_, *tool_;
-  QLineEdit *lubricant_ = nullptr, *lot_ = nullptr;
+  QLineEdit *ctDay_ = nullptr, *lubricant_ = nullptr, *lot_ = nullptr;
   std::vector<Field> numbers_;
+  std::optional<electrode::ArrayDesign> design_;
+  std::string designOf_;  ///< Name of the array that was read.
   QLabel* error_;
   bool isArrayChosen_ = false, isShowing_ = false;
 };

@@ -115,12 +115,14 @@ QWidget* OutcomesPage::addContent()
   auto* page = new QWidget(this);
   rows_->setObjectName(QStringLiteral("outcomesTable"));
   rows_->setAccessibleName(tr("Outcomes, a row an ear"));
-  const QString bandTip = tr("Median and band of the plan’s simulations, 5 to 95 %");
+  const QString bandTip = tr(
+      "Median and band of the plan’s simulations, 5 to 95 %; of fewer than 19 the lowest and the "
+      "highest");
   addColumns(*rows_,
              {{tr("Patient"), tr("Code and ear; the newest outcome of each")},
               {tr("Array"), tr("The implanted array")},
               {tr("Depth, plan"), bandTip},
-              {tr("Depth, found"), tr("Length past the opening, with its 95 % interval")},
+              {tr("Depth, found"), tr("Inserted length past the opening, with its 95 % interval")},
               {tr("Percentile"),
                tr("Share of the plan’s simulations below the depth found, with its error")},
               {tr("Angle, plan"), bandTip},
@@ -210,7 +212,7 @@ void OutcomesPage::showRows(const AllOutcomes& all)
     const outcome::ScoredOutcome& ear = all.clinic.ears[k];
     const QString none = tr("–");
     addRow(*rows_,
-           {nameOfPatient(all.patients[k]), QString::fromStdString(ear.array),
+           {nameOfPatient(all.patients[k]), arrayTitle(ear.array),
             bandWords(ear.plannedDepth_mm, 1, tr(" mm")), intervalWords(ear.depth_mm, 1, tr(" mm")),
             shareWords(ear.percentile),
             ear.angle_deg ? bandWords(ear.plannedAngle_deg, 0, tr("°")) : none,
@@ -223,7 +225,7 @@ void OutcomesPage::showCoverage(const outcome::ClinicOutcomes& clinic)
 {
   coverage_->setRowCount(0);
   for (const outcome::ArrayOutcomes& each : clinic.arrays)
-    addRow(*coverage_, {each.array.empty() ? tr("all") : QString::fromStdString(each.array),
+    addRow(*coverage_, {each.array.empty() ? tr("all") : arrayTitle(each.array),
                         hitsWords(each.depth.inHalf, each.depth.all, each.depth.half()),
                         hitsWords(each.depth.inNinety, each.depth.all, each.depth.ninety()),
                         hitsWords(each.angle.inHalf, each.angle.all, each.angle.half()),

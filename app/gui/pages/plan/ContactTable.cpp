@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/pages/plan/ContactTable.h"
 
-#include <QHeaderView>
-#include <algorithm>
+#include <iterator>
+#include <utility>
 
 #include "gui/text/Numbers.h"
-#include "gui/widgets/TableRows.h"
+#include "gui/widgets/TableHeads.h"
 #include "gui/widgets/Theme.h"
 
 namespace perilymph::gui {
@@ -29,17 +29,6 @@ ContactTable::ContactTable(QWidget* parent)
 {
   setObjectName(QStringLiteral("planContacts"));
   setAccessibleName(tr("Contacts"));
-  setFont(typeface(11));
-  showInRows(*this, sized(contactRow_px));
-  setSelectionMode(QAbstractItemView::SingleSelection);
-  setWordWrap(false);
-  setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
-  horizontalHeader()->setFont(typeface(11));
-  horizontalHeader()->setFixedHeight(sized(contactHeader_px));
-  horizontalHeader()->setHighlightSections(false);
-  horizontalHeader()->setMinimumSectionSize(24);
-  horizontalHeader()->setDefaultAlignment(
-      Qt::Alignment(int(Qt::AlignLeft | Qt::AlignBottom) | int(Qt::TextWordWrap)));
   const std::pair<QString, QString> columns[] = {
       {tr("No."), tr("Number of the contact; 1 at the tip")},
       {tr("Inside"),
@@ -54,11 +43,7 @@ ContactTable::ContactTable(QWidget* parent)
                                 "allocation is known")},
       {tr("Mismatch"), tr("Frequency of its place on the spiral ganglion above its default filter, "
                           "in semitones; positive: it hears a lower frequency than its place")}};
-  for (int column = 0; column < int(std::size(columns)); ++column) {
-    auto* head = new QTableWidgetItem(columns[column].first);
-    head->setToolTip(columns[column].second);
-    setHorizontalHeaderItem(column, head);
-  }
+  showValues(*this, columns, sized(contactRow_px), sized(contactHeader_px));
   show({}, 0);
 }
 
@@ -84,9 +69,7 @@ void ContactTable::show(const std::vector<planning::ContactBand>& contacts, std:
     for (int column = 0; column < texts.size(); ++column)
       setItem(row, column, new QTableWidgetItem(texts[column]));
   }
-  for (int column = 0; column < columnCount(); ++column)
-    horizontalHeader()->resizeSection(
-        column, std::max(sized(contactWidths_px[column]), sizeHintForColumn(column)));
+  fitColumns(*this, contactWidths_px);
 }
 
 }  // namespace perilymph::gui

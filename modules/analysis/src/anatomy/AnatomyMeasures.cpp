@@ -151,6 +151,13 @@ BasalDiameters basalDiameters(const anatomy::ScalaTympani& scala)
   return {outer(0) + outer(180), outer(90) + outer(270)};
 }
 
+BasalDiameters basalDiameters(const anatomy::ScalaTympani& scala, const anatomy::Cochlea& cochlea)
+{
+  const auto& turn = cochlea.patient.basalTurn;
+  if (turn && isScaledBy(cochlea.source, cochlea.patient)) return {turn->a, turn->b};
+  return basalDiameters(scala);
+}
+
 Length organOfCortiLength(const anatomy::ScalaTympani& scala)
 {
   const double last = scala.lastAngle().si();
@@ -182,11 +189,11 @@ double OrganOfCorti::fractionAt(Angle angle) const noexcept
   return (length_[i] + part * (length_[i + 1] - length_[i])) / length_.back();
 }
 
-std::vector<Measure> measure(const anatomy::ScalaTympani& scala)
+std::vector<Measure> measure(const anatomy::ScalaTympani& scala, const anatomy::Cochlea& cochlea)
 {
   const double last = scala.lastAngle().si();
   const auto mm = [](double length) { return inMillimeters(meters(length)); };
-  const BasalDiameters basal = basalDiameters(scala);
+  const BasalDiameters basal = basalDiameters(scala), stated = basalDiameters(scala, cochlea);
   const double a_mm = inMillimeters(basal.a), b_mm = inMillimeters(basal.b);
 
   const anatomy::Section first = scala.section(0.0);
@@ -214,7 +221,7 @@ std::vector<Measure> measure(const anatomy::ScalaTympani& scala)
       {"st_length_mm", inMillimeters(organOfCortiLength(scala)),
        "length of the organ-of-Corti path in the plan, round window to apex",
        own + "; definition of Todd and Naghdy, section II.B"},
-      ductLength("cdl_oc_mm", basal.a, basal.b),
+      ductLength("cdl_oc_mm", stated.a, stated.b),
       {"outer_wall_length_360_mm", outerLength_mm(turn),
        "length through the outermost points of sections 22.5 deg apart, 0 to 360 deg", own},
       {"outer_wall_length_mm", outerLength_mm(measured),
@@ -236,7 +243,7 @@ std::vector<Measure> measure(const anatomy::ScalaTympani& scala)
     measures.push_back({"volume_to_apex_mm3", volume(scala, last) * 1e9,
                         "as volume_mm3, 0 deg to the last section", own});
   }
-  for (Measure& estimate : clinicalEstimates(basal.a, basal.b))
+  for (Measure& estimate : clinicalEstimates(stated.a, stated.b))
     measures.push_back(std::move(estimate));
   return measures;
 }

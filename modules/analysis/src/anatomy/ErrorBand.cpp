@@ -73,17 +73,18 @@ anatomy::BasalTurnErrors errorsOf(const anatomy::Patient& patient, Length assume
 
 Result<std::vector<double>> errorBands(
     const anatomy::Cochlea& cochlea, const std::vector<Measure>& measures, Length error,
-    const std::function<std::vector<Measure>(const anatomy::ScalaTympani&)>& measuring)
+    const std::function<std::vector<Measure>(const anatomy::ScalaTympani&,
+                                             const anatomy::Cochlea&)>& measuring)
 {
   if (!isScaledBy(cochlea.source, cochlea.patient)) return std::vector<double>{};
 
   std::vector<Eigen::Vector3d> changes(measures.size(), Eigen::Vector3d::Zero());
   Eigen::Index length = 0;
   for (const auto& [patient, sign] : movedByOne(cochlea.patient, error)) {
-    const auto scala =
-        anatomy::buildAnatomy({cochlea.source, patient, cochlea.leadIn}, patient.label);
+    const anatomy::Cochlea other{cochlea.source, patient, cochlea.leadIn};
+    const auto scala = anatomy::buildAnatomy(other, patient.label);
     if (!scala) return scala.error();
-    const std::vector<Measure> moved = measuring(**scala);
+    const std::vector<Measure> moved = measuring(**scala, other);
     for (std::size_t i = 0; i < changes.size() && i < moved.size(); ++i)
       changes[i][length] = sign * (moved[i].value - measures[i].value);
     ++length;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "perilymph/anatomy/EarWords.h"
 #include "perilymph/anatomy/Patient.h"
 
 namespace perilymph::anatomy {
@@ -18,6 +19,11 @@ Sentence noteOn(const Patient& patient)
   if (patient.seal == Seal::changed) return Sentence(changedMeasures, {patient.label});
   if (patient.seal == Seal::intact || patient.origin.software.empty()) return {};
   return Sentence(unsealedMeasures, {patient.label});
+}
+
+Sentence earOf(Side side)
+{
+  return side == Side::left ? Sentence{"left ear"} : Sentence{"right ear"};
 }
 
 Sentence storedNote(const std::string& text)

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <fstream>
 #include <string_view>
 
@@ -42,6 +43,9 @@ const vtkDICOMTag queried[] = {DC::MediaStorageSOPClassUID,
                                DC::SpecificCharacterSet,
                                DC::StudyInstanceUID,
                                DC::StudyDate,
+                               DC::SeriesDate,
+                               DC::AcquisitionDate,
+                               DC::AcquisitionDateTime,
                                DC::SeriesInstanceUID,
                                DC::FrameOfReferenceUID,
                                DC::PatientName,
@@ -164,6 +168,31 @@ std::vector<std::pair<std::string, std::string>> settingsOf(vtkDICOMMetaData& va
   return settings;
 }
 
+/// The day of a DICOM date or time (DICOM PS3.5, 6.2: "20261120", "20261120093000.5"); empty if it is none.
+std::string dayIn(const std::string& text)
+{
+  constexpr std::size_t digits = 8;
+  if (text.size() < digits || !std::all_of(text.begin(), text.begin() + digits,
+                                           [](char c) { return c >= '0' && c <= '9'; }))
+    return {};
+  const auto number = [&text](std::size_t at, std::size_t count) {
+    return std::stoi(text.substr(at, count));
+  };
+  const std::chrono::year_month_day day{std::chrono::year(number(0, 4)),
+                                        std::chrono::month(static_cast<unsigned>(number(4, 2))),
+                                        std::chrono::day(static_cast<unsigned>(number(6, 2)))};
+  if (!day.ok()) return {};
+  return text.substr(0, 4) + "-" + text.substr(4, 2) + "-" + text.substr(6, 2);
+}
+
+std::string acquiredIn(vtkDICOMMetaData& values)
+{
+  for (const auto tag :
+       {DC::AcquisitionDate, DC::AcquisitionDateTime, DC::SeriesDate, DC::StudyDate})
+    if (std::string day = dayIn(textIn(values.Get(tag))); !day.empty()) return day;
+  return {};
+}
+
 /// The scale to Hounsfield units in a sequence that may hold others.
 std::optional<std::array<double, 2>> realWorldScaleIn(const vtkDICOMValue& mappings)
 {
@@ -273,6 +302,7 @@ std::optional<DicomHeader> readDicomHeader(const std::filesystem::path& file)
   header.photometric = textIn(values.Get(DC::PhotometricInterpretation));
   header.kernel = textIn(values.Get(DC::ConvolutionKernel));
   header.rescaleType = textIn(values.Get(DC::RescaleType));
+  header.acquired = acquiredIn(values);
   header.scanner = textIn(values.Get(DC::Manufacturer));
   if (const std::string model = textIn(values.Get(DC::ManufacturerModelName)); !model.empty())
     header.scanner += (header.scanner.empty() ? "" : " ") + model;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// What one DICOM file says of its image. The patient's name, number and dates are kept as digests only.
+// What one DICOM file says of its image. The patient's name, number and date of birth are kept as digests only.
 
 #include <Eigen/Core>
 #include <array>
@@ -44,6 +44,8 @@ struct DicomHeader {
   std::string seriesUid, sopClass, transferSyntax, modality, photometric, scanner, kernel;
   std::string mediaClass;   ///< MediaStorageSOPClassUID: the class again, before the header.
   std::string rescaleType;  ///< "HU" or another unit; empty where absent.
+  /// Day of the acquisition, else of series or study: "2026-11-20"; empty where none is stated.
+  std::string acquired;
   PixelCoding coding = PixelCoding::plain;
   bool isLossy = false;
   int rows = 0, columns = 0, samples = 1;

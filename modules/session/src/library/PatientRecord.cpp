@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "library/PatientRecordText.h"
+#include "perilymph/anatomy/EarWords.h"
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/foundation/FileLock.h"
 #include "perilymph/foundation/Unfinished.h"
@@ -338,9 +339,8 @@ Result<fs::path> importPatient(const fs::path& folder, const fs::path& library,
   const auto lock = lockPatient(file);
   if (!lock) return lock.error();
   if (fs::exists(file, failure))
-    return Error{
-        "The library has %1, %2, already. Rename or remove that patient first.", patient->label,
-        patient->side == anatomy::Side::left ? Sentence{"left ear"} : Sentence{"right ear"}};
+    return Error{"The library has %1, %2, already. Rename or remove that patient first.",
+                 patient->label, anatomy::earOf(patient->side)};
   if (fs::exists(recordFileOf(file), failure))
     return Error{
         "%1 holds notes on a patient of this code and ear whose file is missing; an import does "

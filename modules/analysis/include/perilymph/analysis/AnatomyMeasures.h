@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "perilymph/anatomy/AnatomySource.h"
 #include "perilymph/anatomy/ScalaTympani.h"
 #include "perilymph/foundation/Units.h"
 
@@ -28,7 +29,12 @@ struct Measure {
 /// The outer wall's length is measured through the outermost points of sections 22.5 degrees apart,
 /// radius and height linear in the angle between them. It and the volume end at the last measured
 /// section; if a model extrapolates, those to the apex are listed separately.
-std::vector<Measure> measure(const anatomy::ScalaTympani& scala);
+///
+/// @param cochlea  What it was built from. The lengths that formulas give from A and B are those of the patient's
+///                 A and B, as on all pages, if the model is scaled to them; else of those measured on the model,
+///                 whose splines make them some ten-thousandths of a millimeter smaller than the patient's.
+std::vector<Measure> measure(const anatomy::ScalaTympani& scala,
+                             const anatomy::Cochlea& cochlea = {});
 
 /// A and B of a lumen as built: diameters of the basal turn through the modiolar axis, to the outer
 /// wall at 0 and 180 degrees, and at 90 and 270.
@@ -36,6 +42,8 @@ struct BasalDiameters {
   Length a, b;
 };
 BasalDiameters basalDiameters(const anatomy::ScalaTympani& scala);
+/// Those of the patient that it is scaled to, if it is; else those of the lumen.
+BasalDiameters basalDiameters(const anatomy::ScalaTympani& scala, const anatomy::Cochlea& cochlea);
 
 /// Length of the organ of Corti in the plan view, from the round window to the apex: `st_length_mm`.
 Length organOfCortiLength(const anatomy::ScalaTympani& scala);

@@ -30,10 +30,11 @@ anatomy::BasalTurnErrors errorsOf(const anatomy::Patient& patient, Length assume
 ///
 /// @param error      Error of lengths whose measurement states none.
 /// @param measures   Measures of the built cochlea, from `measuring`.
-/// @param measuring  Measures a cochlea: measure(), or fewer or other measures.
+/// @param measuring  Measures what a cochlea was built to: measure(), or fewer or other measures.
 Result<std::vector<double>> errorBands(
     const anatomy::Cochlea& cochlea, const std::vector<Measure>& measures,
     Length error = measuringError,
-    const std::function<std::vector<Measure>(const anatomy::ScalaTympani&)>& measuring = measure);
+    const std::function<std::vector<Measure>(const anatomy::ScalaTympani&,
+                                             const anatomy::Cochlea&)>& measuring = measure);
 
 }  // namespace perilymph::analysis

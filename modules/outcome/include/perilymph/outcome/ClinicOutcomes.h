@@ -24,7 +24,7 @@ struct PlannedOutcome {
   std::vector<double> depths_mm, angles_deg;  ///< A value each simulation that could be run.
   std::optional<planning::StopDraws> stops;   ///< Absent if they cannot be computed.
   double friction = 0.0;       ///< Coefficient, static, that the plan's factors multiply.
-  double insertable_mm = 0.0;  ///< Greatest depth of the array.
+  double insertable_mm = 0.0;  ///< Greatest depth of the array; 0 if unknown.
 };
 
 /// One implanted ear.
@@ -79,8 +79,9 @@ struct LeftOut {
   std::size_t impossible = 0;   ///< A value that no ear has, or two that contradict each other.
   std::size_t withoutPlan = 0;  ///< No plan was made before the surgery, or it cannot be read.
   std::size_t twice = 0;        ///< The same ear or CT stands in two patients' files.
+  std::size_t withoutDay = 0;   ///< The day of surgery is not known.
 
-  std::size_t all() const { return unreadable + impossible + withoutPlan + twice; }
+  std::size_t all() const { return unreadable + impossible + withoutPlan + twice + withoutDay; }
 };
 
 /// The outcomes of a clinic.
@@ -108,10 +109,10 @@ double percentileAmong(const std::vector<double>& simulated, const Uncertain& me
 /// @param leftOut  What whoever read the outcomes left out.
 Result<ClinicOutcomes> compareOutcomes(std::vector<MeasuredOutcome> outcomes,
                                        const LeftOut& leftOut = {});
-/// Refuses a depth or an angle that no array has, an error below 0 or wider than all arrays are long, and a
+/// Refuses a depth or an angle that no array has, an inserted length beyond the array's own by three errors, an error below 0 or wider than all arrays are long, and a
 /// plan without simulations, with a sentence.
 /// @param name  Of the ear, for the sentence.
-Result<void> checkOutcome(const MeasuredOutcome& outcome, const std::string& name);
+Result<void> checkOutcome(const MeasuredOutcome& outcome, const Sentence& name);
 
 /// JSON text, `format` 1, sealed. Neither codes nor dates; years.
 std::string outcomesJson(const ClinicOutcomes& outcomes);

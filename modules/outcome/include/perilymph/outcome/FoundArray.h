@@ -86,9 +86,12 @@ struct Ear {
 };
 
 /// Carries the cochlea measured in a CT before surgery over: rigid registration of both volumes around it,
-/// bone against bone, without metal.
+/// bone against bone, without metal. Takes seconds, longer for large volumes.
+/// @param stop        Ends it early, with an error.
+/// @param onProgress  Completed fraction, 0 to 1, on the calling thread.
 Result<Ear> registeredEar(const ct::CtVolume& postoperative, const ct::CtVolume& preoperative,
-                          const ct::CochleaMeasures& measured, const std::stop_token& stop = {});
+                          const ct::CochleaMeasures& measured, const std::stop_token& stop = {},
+                          const std::function<void(double)>& onProgress = {});
 
 /// Measures the cochlea in the CT after surgery itself, without the voxels of the metal.
 /// @param request  As for measureCochlea().

@@ -17,12 +17,16 @@ struct OutcomeContent {
   Surgery surgery;
   std::string plan;    ///< The plan's number (fingerprint); empty: none.
   std::string series;  ///< SHA-256 of the CT series after surgery; empty if unknown.
+  /// Days from the CT to the day, in Greenwich, on which the outcome was saved in the patient's record, -1 to
+  /// 36,500: the clinic's day may be ahead. Absent where nobody stated the CT's day, and in other files.
+  std::optional<int> ctAge_days = {};
 };
 
 /// JSON text, `format` 1. Keys are those of the guide's reference; no name, no date.
 std::string outcomeJson(const OutcomeContent& content);
 /// Reads it again; refuses with a sentence what does not hold.
-Result<OutcomeContent> outcomeIn(const std::string& text, const std::string& name);
+/// @param name  Of the outcome, for sentences.
+Result<OutcomeContent> outcomeIn(const std::string& text, const Sentence& name);
 
 /// One row a contact.
 std::string outcomeCsv(const FoundArray& found);

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "perilymph/electrode/ArrayDesign.h"
 #include "perilymph/foundation/Choice.h"
 #include "perilymph/foundation/Result.h"
 #include "perilymph/foundation/Units.h"
@@ -67,5 +68,7 @@ struct Surgery {
 
 /// Refuses values that no surgery has, with a sentence.
 Result<void> checkSurgery(const Surgery& surgery);
+/// Refuses those that no surgery with an array has: more contacts than it has, a depth beyond its length.
+Result<void> checkSurgery(const Surgery& surgery, const electrode::ArrayDesign& array);
 
 }  // namespace perilymph::outcome

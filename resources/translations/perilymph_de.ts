@@ -4320,10 +4320,6 @@
         <translation>Im Ohr ist mehr Metall, als dieser Träger erklärt, etwa ein altes Kabel: Prüfen Sie, was der Träger ist.</translation>
     </message>
     <message>
-        <source>Spacing or number of the contacts contradict the array named: check its name.</source>
-        <translation>Abstand oder Anzahl der Kontakte widersprechen dem genannten Träger: Prüfen Sie seinen Namen.</translation>
-    </message>
-    <message>
         <source>The contacts merge in these voxels: they are placed by the array&apos;s spacings along its course.</source>
         <translation>Die Kontakte verschmelzen in diesen Voxeln: Sie sind nach den Abständen des Trägers entlang seines Verlaufs gesetzt.</translation>
     </message>
@@ -4666,6 +4662,10 @@
     <message>
         <source>%1 is %2 mm, and %3 goes %4 mm deep. Correct the answer or choose the array.</source>
         <translation>%1 ist %2 mm, und %3 reicht %4 mm tief. Berichtigen Sie die Angabe oder wählen Sie den Elektrodenträger.</translation>
+    </message>
+    <message>
+        <source>Spacing, number or place of the contacts contradict the array named or this ear: check the contacts in the images, and the array&apos;s name.</source>
+        <translation>Abstände, Anzahl oder Lage der Kontakte widersprechen dem genannten Träger oder diesem Ohr: Prüfen Sie die Kontakte in den Bildern und den Namen des Trägers.</translation>
     </message>
 </context>
 <context>

@@ -25,7 +25,7 @@ namespace perilymph::gui {
 
 namespace {
 
-constexpr int field_px = 118, row_px = 26, unit_px = 24;
+constexpr int field_px = 118, widestField_px = 150, row_px = 26, unit_px = 24;
 
 /// "2026-11-20" or "20.11.2026"; invalid for another text and for a day to come.
 QDate dayIn(const QString& text)
@@ -93,9 +93,9 @@ QWidget* SurgeryForm::addRow(QVBoxLayout& column, const QString& name, QWidget* 
   suffix->setFixedWidth(
       std::max(sized(unit_px), suffix->fontMetrics().horizontalAdvance(tr("mm")) + 2));
   field->setFont(typeface(12));
-  field->setFixedSize(
-      std::max({sized(field_px), markReached_->widest_px(), stopReason_->widest_px()}),
-      sized(row_px));
+  field->setFixedSize(std::clamp(std::max(markReached_->widest_px(), stopReason_->widest_px()),
+                                 sized(field_px), sized(widestField_px)),
+                      sized(row_px));
   row->addWidget(title, 1);
   row->addWidget(field);
   row->addWidget(suffix);

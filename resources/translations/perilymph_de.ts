@@ -3136,8 +3136,8 @@
         <translation>Schätzung: eine Krümmung, die den Träger in der Mitte der Skala hält, weiter als bei einem perimodiolaren Träger: Radius 3,3 mm hinten, 1,8 mm nahe der Spitze; Spitze und Bereich hinter dem aktiven Teil gerade (Wahl).</translation>
     </message>
     <message>
-        <source>16 contacts over 15 mm (3 to 18 mm of depth), pitch about 1.0 mm, as listed in public research code. The first contact&apos;s place and the contact&apos;s length are choices.</source>
-        <translation>16 Kontakte auf 15 mm (3 bis 18 mm Tiefe), Abstand etwa 1,0 mm, laut öffentlichem Forschungscode. Lage des ersten Kontakts und Kontaktlänge sind Wahl.</translation>
+        <source>16 contacts over 15 mm (3 to 18 mm of depth), pitch about 1.0 mm, as listed in public research code. The first contact&apos;s place and the contact&apos;s length are choices. The numbers that the fitting software gives them, 1 at the tip: general literature, medium confidence.</source>
+        <translation>16 Kontakte auf 15 mm (3 bis 18 mm Tiefe), Abstand etwa 1,0 mm, laut öffentlichem Forschungscode. Lage des ersten Kontakts und Kontaktlänge sind Wahl. Die Nummern, die ihnen die Anpasssoftware gibt, 1 an der Spitze: allgemeine Literatur, mittlere Sicherheit.</translation>
     </message>
     <message>
         <source>EI = E pi d^4 / 64 of a platinum wire, E = 168 GPa, d = 0.11 mm, as estimated for the Contour. Where it ends and the hold depth, about the straight stretch from the round window to the outer wall of the basal turn, are choices.</source>
@@ -3152,8 +3152,8 @@
         <translation>Spitze 0,25 mm, Basis 0,7 mm: allgemeine Literatur, nicht gemessen. Dazwischen eine Gerade (Wahl).</translation>
     </message>
     <message>
-        <source>16 contacts, pitch 1.3 mm, 20 mm over all: general literature; public research code has 18 mm from the first to the last (4 to 22 mm of depth). The first contact&apos;s place and the contact&apos;s length are choices.</source>
-        <translation>16 Kontakte, Abstand 1,3 mm, insgesamt 20 mm: allgemeine Literatur; öffentlicher Forschungscode hat 18 mm vom ersten bis zum letzten (4 bis 22 mm Tiefe). Lage des ersten Kontakts und Kontaktlänge sind Wahl.</translation>
+        <source>16 contacts, pitch 1.3 mm, 20 mm over all: general literature; public research code has 18 mm from the first to the last (4 to 22 mm of depth). The first contact&apos;s place and the contact&apos;s length are choices. The numbers that the fitting software gives them, 1 at the tip: general literature, medium confidence.</source>
+        <translation>16 Kontakte, Abstand 1,3 mm, insgesamt 20 mm: allgemeine Literatur; öffentlicher Forschungscode hat 18 mm vom ersten bis zum letzten (4 bis 22 mm Tiefe). Lage des ersten Kontakts und Kontaktlänge sind Wahl. Die Nummern, die ihnen die Anpasssoftware gibt, 1 an der Spitze: allgemeine Literatur, mittlere Sicherheit.</translation>
     </message>
     <message>
         <source>Array of 18 to 19 mm, as listed in public research code; its most apical contact lies 18 mm deep there, 1 mm behind the tip.</source>
@@ -3168,8 +3168,8 @@
         <translation>Schätzung: das 1,1-Fache der Krümmung implantierter Träger aus den mittleren Winkeln zwischen benachbarten Kontakten (Landsberger et al. 2015, Tabelle in öffentlichem Forschungscode) und dem Abstand unten: Ein Träger, der am Modiolus anliegt, krümmt sich frei mindestens so eng. Spitze und Bereich hinter dem aktiven Teil gerade (Wahl).</translation>
     </message>
     <message>
-        <source>22 contacts over 15 mm (3 to 18 mm of depth), as listed in public research code. The law of the pitch is the Contour&apos;s, a choice.</source>
-        <translation>22 Kontakte auf 15 mm (3 bis 18 mm Tiefe) laut öffentlichem Forschungscode. Der Verlauf der Abstände ist der des Contour (Wahl).</translation>
+        <source>22 contacts over 15 mm (3 to 18 mm of depth), as listed in public research code. The law of the pitch is the Contour&apos;s, a choice. The numbers that the fitting software gives them, 22 at the tip: general literature, medium confidence.</source>
+        <translation>22 Kontakte auf 15 mm (3 bis 18 mm Tiefe) laut öffentlichem Forschungscode. Der Verlauf der Abstände ist der des Contour (Wahl). Die Nummern, die ihnen die Anpasssoftware gibt, 22 an der Spitze: allgemeine Literatur, mittlere Sicherheit.</translation>
     </message>
     <message>
         <source>Three marker ribs at the end of the array: general literature; that the last is at the opening at full depth, their distance of 1 mm, height and length are choices.</source>
@@ -3196,8 +3196,8 @@
         <translation>Schätzung: eine perimodiolare Krümmung mit Radius 2,5 mm, die sich nahe der Spitze auf 1,5 mm schließt; die Spitze selbst und der Bereich hinter dem aktiven Teil sind gerade.</translation>
     </message>
     <message>
-        <source>22 half-band contacts over an active length of 15 mm, pitch 0.4 to 0.8 mm growing from the tip: general literature, not measured. The first contact&apos;s place, the law of the pitch and the contact&apos;s length are choices.</source>
-        <translation>22 Halbbandkontakte auf einer aktiven Länge von 15 mm, Abstand von der Spitze an von 0,4 auf 0,8 mm wachsend: allgemeine Literatur, nicht gemessen. Lage des ersten Kontakts, Verlauf der Abstände und Kontaktlänge sind Wahl.</translation>
+        <source>22 half-band contacts over an active length of 15 mm, pitch 0.4 to 0.8 mm growing from the tip: general literature, not measured. The first contact&apos;s place, the law of the pitch and the contact&apos;s length are choices. The numbers that the fitting software gives them, 22 at the tip: general literature, medium confidence.</source>
+        <translation>22 Halbbandkontakte auf einer aktiven Länge von 15 mm, Abstand von der Spitze an von 0,4 auf 0,8 mm wachsend: allgemeine Literatur, nicht gemessen. Lage des ersten Kontakts, Verlauf der Abstände und Kontaktlänge sind Wahl. Die Nummern, die ihnen die Anpasssoftware gibt, 22 an der Spitze: allgemeine Literatur, mittlere Sicherheit.</translation>
     </message>
     <message>
         <source>Todd and Naghdy: the second rib is at the opening at full insertion, 16.5 mm of travel after a start 1 to 3 mm inside, so it touches 17.5 to 19.5 mm from the tip; with the latest start of the validation, 2.3 mm, at 18.8 mm, its middle 0.2 mm behind. The first rib touches where the forces rise between 12.6 and 14.6 mm of travel: 16.4 to 17.5 mm from the tip. Height above the carrier: chosen such that entering a passage 1 mm wide takes the 81 mN by which the raw record rises at the first rib; length along it: a choice. Low confidence.</source>
@@ -3216,8 +3216,8 @@
         <translation>Spitze 0,25 × 0,35 mm, Basis 0,40 × 0,55 mm: allgemeine Literatur, nicht gemessen. Dass das kleinere Maß in der Krümmungsebene liegt und die Gerade dazwischen sind Wahl.</translation>
     </message>
     <message>
-        <source>22 contacts over 14.5 mm, as listed in public research code. The first contact&apos;s place and the contact&apos;s length are choices.</source>
-        <translation>22 Kontakte auf 14,5 mm laut öffentlichem Forschungscode. Lage des ersten Kontakts und Kontaktlänge sind Wahl.</translation>
+        <source>22 contacts over 14.5 mm, as listed in public research code. The first contact&apos;s place and the contact&apos;s length are choices. The numbers that the fitting software gives them, 22 at the tip: general literature, medium confidence.</source>
+        <translation>22 Kontakte auf 14,5 mm laut öffentlichem Forschungscode. Lage des ersten Kontakts und Kontaktlänge sind Wahl. Die Nummern, die ihnen die Anpasssoftware gibt, 22 an der Spitze: allgemeine Literatur, mittlere Sicherheit.</translation>
     </message>
     <message>
         <source>25 mm, as listed in public research code.</source>
@@ -3228,8 +3228,8 @@
         <translation>Spitze 0,4 mm, Basis 0,6 mm: allgemeine Literatur, nicht gemessen. Dazwischen eine Gerade über die Kontakte (Wahl).</translation>
     </message>
     <message>
-        <source>22 full bands, 0.3 mm wide, pitch 0.75 mm, as listed in public research code. The first contact&apos;s place is a choice.</source>
-        <translation>22 Vollbänder, 0,3 mm breit, Abstand 0,75 mm, laut öffentlichem Forschungscode. Die Lage des ersten Kontakts ist Wahl.</translation>
+        <source>22 full bands, 0.3 mm wide, pitch 0.75 mm, as listed in public research code. The first contact&apos;s place is a choice. The numbers that the fitting software gives them, 22 at the tip: general literature, medium confidence.</source>
+        <translation>22 Vollbänder, 0,3 mm breit, Abstand 0,75 mm, laut öffentlichem Forschungscode. Die Lage des ersten Kontakts ist Wahl. Die Nummern, die ihnen die Anpasssoftware gibt, 22 an der Spitze: allgemeine Literatur, mittlere Sicherheit.</translation>
     </message>
     <message>
         <source>17 to 18 mm: general literature; its most apical contact lies 17 mm deep as listed in public research code, 1 mm behind the tip.</source>
@@ -3244,8 +3244,8 @@
         <translation>Schätzung: eine perimodiolare Krümmung mit Radius 3,0 mm hinten, die sich nahe der Spitze auf 1,1 mm schließt, mindestens so eng wie implantierte perimodiolare Träger (Kontaktwinkel in Landsberger et al. 2015); Spitze und Bereich hinter dem aktiven Teil gerade (Wahl).</translation>
     </message>
     <message>
-        <source>22 contacts over 14 mm (3 to 17 mm of depth), pitch about 0.67 mm, as listed in public research code. The contact&apos;s length is a choice.</source>
-        <translation>22 Kontakte auf 14 mm (3 bis 17 mm Tiefe), Abstand etwa 0,67 mm, laut öffentlichem Forschungscode. Die Kontaktlänge ist Wahl.</translation>
+        <source>22 contacts over 14 mm (3 to 17 mm of depth), pitch about 0.67 mm, as listed in public research code. The contact&apos;s length is a choice. The numbers that the fitting software gives them, 22 at the tip: general literature, medium confidence.</source>
+        <translation>22 Kontakte auf 14 mm (3 bis 17 mm Tiefe), Abstand etwa 0,67 mm, laut öffentlichem Forschungscode. Die Kontaktlänge ist Wahl. Die Nummern, die ihnen die Anpasssoftware gibt, 22 an der Spitze: allgemeine Literatur, mittlere Sicherheit.</translation>
     </message>
     <message>
         <source>EI = E pi (D^4 - d^4) / 64 of a polyimide tube, E = 2.5 GPa, 0.72 mm outside and 0.60 mm inside: an estimate. It reaches 5 mm past the opening, where the basal turn begins, and is held there: a choice.</source>
@@ -3260,8 +3260,8 @@
         <translation>Spitze 0,3 mm, Basis 0,6 mm: berichtet in klinischen Studien zum CI422. Dazwischen eine Gerade über 20 mm (Wahl).</translation>
     </message>
     <message>
-        <source>22 half-band contacts over 19.1 mm, pitch about 0.9 mm, as listed in public research code. The first contact&apos;s place and the contact&apos;s length are choices.</source>
-        <translation>22 Halbbandkontakte auf 19,1 mm, Abstand etwa 0,9 mm, laut öffentlichem Forschungscode. Lage des ersten Kontakts und Kontaktlänge sind Wahl.</translation>
+        <source>22 half-band contacts over 19.1 mm, pitch about 0.9 mm, as listed in public research code. The first contact&apos;s place and the contact&apos;s length are choices. The numbers that the fitting software gives them, 22 at the tip: general literature, medium confidence.</source>
+        <translation>22 Halbbandkontakte auf 19,1 mm, Abstand etwa 0,9 mm, laut öffentlichem Forschungscode. Lage des ersten Kontakts und Kontaktlänge sind Wahl. Die Nummern, die ihnen die Anpasssoftware gibt, 22 an der Spitze: allgemeine Literatur, mittlere Sicherheit.</translation>
     </message>
     <message>
         <source>20 mm: reported in clinical studies of the device.</source>
@@ -3276,16 +3276,16 @@
         <translation>Schätzung nach dem Modell in plugins/README.md: Silikon mit 2 MPa und N(s) Platin-Iridium-Drähte von 25 µm, einer je Kontakt näher an der Spitze, EI = E_s I + E_w I_w (N + c N^2) mit c = 0,06, wo die anderen 1,2 haben: Ein gewellter Draht dehnt sich, indem er sich streckt. Unter den veröffentlichten Moduln eines geraden Trägers (Kha et al. 2004), dessen Drähte gerade sind.</translation>
     </message>
     <message>
-        <source>12 channels with a pitch of 1.4 mm, 15.4 mm from the first to the last: general literature and clinical studies of the device. The first contact&apos;s place and the contact&apos;s length are choices.</source>
-        <translation>12 Kanäle im Abstand von 1,4 mm, 15,4 mm vom ersten bis zum letzten: allgemeine Literatur und klinische Studien zum Gerät. Lage des ersten Kontakts und Kontaktlänge sind Wahl.</translation>
+        <source>12 channels with a pitch of 1.4 mm, 15.4 mm from the first to the last: general literature and clinical studies of the device. The first contact&apos;s place and the contact&apos;s length are choices. The numbers that the fitting software gives them, 1 at the tip: general literature, medium confidence.</source>
+        <translation>12 Kanäle im Abstand von 1,4 mm, 15,4 mm vom ersten bis zum letzten: allgemeine Literatur und klinische Studien zum Gerät. Lage des ersten Kontakts und Kontaktlänge sind Wahl. Die Nummern, die ihnen die Anpasssoftware gibt, 1 an der Spitze: allgemeine Literatur, mittlere Sicherheit.</translation>
     </message>
     <message>
         <source>24 mm: reported in clinical studies of the device.</source>
         <translation>24 mm: berichtet in klinischen Studien zum Gerät.</translation>
     </message>
     <message>
-        <source>12 channels with a pitch of 1.9 mm, 20.9 mm from the first to the last: general literature and clinical studies of the device. The first contact&apos;s place and the contact&apos;s length are choices.</source>
-        <translation>12 Kanäle im Abstand von 1,9 mm, 20,9 mm vom ersten bis zum letzten: allgemeine Literatur und klinische Studien zum Gerät. Lage des ersten Kontakts und Kontaktlänge sind Wahl.</translation>
+        <source>12 channels with a pitch of 1.9 mm, 20.9 mm from the first to the last: general literature and clinical studies of the device. The first contact&apos;s place and the contact&apos;s length are choices. The numbers that the fitting software gives them, 1 at the tip: general literature, medium confidence.</source>
+        <translation>12 Kanäle im Abstand von 1,9 mm, 20,9 mm vom ersten bis zum letzten: allgemeine Literatur und klinische Studien zum Gerät. Lage des ersten Kontakts und Kontaktlänge sind Wahl. Die Nummern, die ihnen die Anpasssoftware gibt, 1 an der Spitze: allgemeine Literatur, mittlere Sicherheit.</translation>
     </message>
     <message>
         <source>26 mm: reported in clinical studies of the device.</source>
@@ -3300,8 +3300,8 @@
         <translation>Spitze 0,5 × 0,4 mm, Basis 0,8 mm: allgemeine Literatur, nicht gemessen. Dass das kleinere Maß in der Krümmungsebene liegt und die Gerade zu einer runden Basis sind Wahl.</translation>
     </message>
     <message>
-        <source>12 channels with a pitch of 2.1 mm, 23.1 mm from the first to the last: general literature and clinical studies of the device. The first contact&apos;s place and the contact&apos;s length are choices.</source>
-        <translation>12 Kanäle im Abstand von 2,1 mm, 23,1 mm vom ersten bis zum letzten: allgemeine Literatur und klinische Studien zum Gerät. Lage des ersten Kontakts und Kontaktlänge sind Wahl.</translation>
+        <source>12 channels with a pitch of 2.1 mm, 23.1 mm from the first to the last: general literature and clinical studies of the device. The first contact&apos;s place and the contact&apos;s length are choices. The numbers that the fitting software gives them, 1 at the tip: general literature, medium confidence.</source>
+        <translation>12 Kanäle im Abstand von 2,1 mm, 23,1 mm vom ersten bis zum letzten: allgemeine Literatur und klinische Studien zum Gerät. Lage des ersten Kontakts und Kontaktlänge sind Wahl. Die Nummern, die ihnen die Anpasssoftware gibt, 1 an der Spitze: allgemeine Literatur, mittlere Sicherheit.</translation>
     </message>
     <message>
         <source>31.5 mm: reported in clinical studies of the device.</source>
@@ -3312,16 +3312,16 @@
         <translation>Spitze 0,5 × 0,4 mm, Basis 1,3 mm: allgemeine Literatur, nicht gemessen. Dass das kleinere Maß in der Krümmungsebene liegt und die Gerade zu einer runden Basis sind Wahl.</translation>
     </message>
     <message>
-        <source>12 channels with a pitch of 2.4 mm, 26.4 mm from the first to the last: general literature and clinical studies of the device. The first contact&apos;s place and the contact&apos;s length are choices.</source>
-        <translation>12 Kanäle im Abstand von 2,4 mm, 26,4 mm vom ersten bis zum letzten: allgemeine Literatur und klinische Studien zum Gerät. Lage des ersten Kontakts und Kontaktlänge sind Wahl.</translation>
+        <source>12 channels with a pitch of 2.4 mm, 26.4 mm from the first to the last: general literature and clinical studies of the device. The first contact&apos;s place and the contact&apos;s length are choices. The numbers that the fitting software gives them, 1 at the tip: general literature, medium confidence.</source>
+        <translation>12 Kanäle im Abstand von 2,4 mm, 26,4 mm vom ersten bis zum letzten: allgemeine Literatur und klinische Studien zum Gerät. Lage des ersten Kontakts und Kontaktlänge sind Wahl. Die Nummern, die ihnen die Anpasssoftware gibt, 1 an der Spitze: allgemeine Literatur, mittlere Sicherheit.</translation>
     </message>
     <message>
         <source>15 mm: reported in clinical studies of the device.</source>
         <translation>15 mm: berichtet in klinischen Studien zum Gerät.</translation>
     </message>
     <message>
-        <source>12 channels with a pitch of 1.1 mm, 12.1 mm from the first to the last: general literature and clinical studies of the device. The first contact&apos;s place and the contact&apos;s length are choices.</source>
-        <translation>12 Kanäle im Abstand von 1,1 mm, 12,1 mm vom ersten bis zum letzten: allgemeine Literatur und klinische Studien zum Gerät. Lage des ersten Kontakts und Kontaktlänge sind Wahl.</translation>
+        <source>12 channels with a pitch of 1.1 mm, 12.1 mm from the first to the last: general literature and clinical studies of the device. The first contact&apos;s place and the contact&apos;s length are choices. The numbers that the fitting software gives them, 1 at the tip: general literature, medium confidence.</source>
+        <translation>12 Kanäle im Abstand von 1,1 mm, 12,1 mm vom ersten bis zum letzten: allgemeine Literatur und klinische Studien zum Gerät. Lage des ersten Kontakts und Kontaktlänge sind Wahl. Die Nummern, die ihnen die Anpasssoftware gibt, 1 an der Spitze: allgemeine Literatur, mittlere Sicherheit.</translation>
     </message>
     <message>
         <source>24 mm: general literature, not measured.</source>
@@ -4320,8 +4320,8 @@
         <translation>Im Ohr ist mehr Metall, als dieser Träger erklärt, etwa ein altes Kabel: Prüfen Sie, was der Träger ist.</translation>
     </message>
     <message>
-        <source>Spacing or number of the contacts contradict the array named: check its name.</source>
-        <translation>Abstand oder Anzahl der Kontakte widersprechen dem genannten Träger: Prüfen Sie seinen Namen.</translation>
+        <source>Spacing, number or place of the contacts contradict the array named or this ear: check the contacts in the images, and the array&apos;s name.</source>
+        <translation>Abstand, Anzahl oder Lage der Kontakte widersprechen dem genannten Träger oder diesem Ohr: Prüfen Sie die Kontakte in den Bildern und den Namen des Trägers.</translation>
     </message>
     <message>
         <source>The contacts merge in these voxels: they are placed by the array&apos;s spacings along its course.</source>

@@ -127,7 +127,7 @@ double paintContacts(ReportSheet& sheet, const OutcomeReportContent& report, dou
       0.0, y_mm, width_mm,
       tr("Contacts, 1 at the tip; E: the electrode’s number in its maker’s fitting software"));
   const double high_mm = found.contacts.size() > manyContacts ? lowContactRow_mm : contactRow_mm;
-  const double shares[] = {0.07, 0.12, 0.13, 0.09, 0.07, 0.08, 0.07, 0.13, 0.07, 0.08, 0.09};
+  const double shares[] = {0.065, 0.125, 0.125, 0.095, 0.05, 0.075, 0.075, 0.14, 0.08, 0.09, 0.08};
   const auto row = [&](const QStringList& cells, ReportFace face) {
     double x_mm = 0.0;
     for (int k = 0; k < cells.size(); ++k) {

@@ -66,11 +66,12 @@ void printFound(const outcome::FoundArray& found, const electrode::ArrayDesign& 
         halfWidth(found.angularInsertionDepth_deg));
   print("{:26} {} mm\n", "inserted length", fixed(found.insertedLength_mm, 1));
   print("{:26} {} of {}\n", "contacts inside", found.contactsInside, found.contacts.size());
-  print("{:>3} {:>9} {:>6} {:>9} {:>9} {:>10} {:>9}\n", "no.", "angle [°]", "± 95 %", "modiolus",
-        "error", "ganglion", "in ST");
+  print("{:>3} {:>5} {:>9} {:>6} {:>9} {:>9} {:>10} {:>9}\n", "no.", "maker", "angle [°]", "± 95 %",
+        "modiolus", "error", "ganglion", "in ST");
   for (const outcome::FoundContact& each : found.contacts)
     if (each.isInside)
-      print("{:>3} {:>9} {:>6} {:>6} mm {:>6} mm {:>7} Hz {:>9}\n", each.number,
+      print("{:>3} {:>5} {:>9} {:>6} {:>6} mm {:>6} mm {:>7} Hz {:>9}\n", each.number,
+            each.makerElectrode ? "E" + std::to_string(*each.makerElectrode) : "",
             fixed(each.angle_deg.value, 0), halfWidth(each.angle_deg), fixed(each.modiolus_mm, 2),
             fixed(each.error_mm(), 2), fixed(each.spiralGanglion_Hz[0], 0),
             fixed(each.inScalaTympani, 2));

@@ -3136,10 +3136,6 @@
         <translation>Schätzung: eine Krümmung, die den Träger in der Mitte der Skala hält, weiter als bei einem perimodiolaren Träger: Radius 3,3 mm hinten, 1,8 mm nahe der Spitze; Spitze und Bereich hinter dem aktiven Teil gerade (Wahl).</translation>
     </message>
     <message>
-        <source>16 contacts over 15 mm (3 to 18 mm of depth), pitch about 1.0 mm, as listed in public research code. The first contact&apos;s place and the contact&apos;s length are choices.</source>
-        <translation>16 Kontakte auf 15 mm (3 bis 18 mm Tiefe), Abstand etwa 1,0 mm, laut öffentlichem Forschungscode. Lage des ersten Kontakts und Kontaktlänge sind Wahl.</translation>
-    </message>
-    <message>
         <source>EI = E pi d^4 / 64 of a platinum wire, E = 168 GPa, d = 0.11 mm, as estimated for the Contour. Where it ends and the hold depth, about the straight stretch from the round window to the outer wall of the basal turn, are choices.</source>
         <translation>EI = E pi d^4 / 64 eines Platindrahts, E = 168 GPa, d = 0,11 mm, wie für den Contour geschätzt. Sein Ende und die Haltetiefe, etwa die gerade Strecke vom runden Fenster zur Außenwand der basalen Windung, sind Wahl.</translation>
     </message>
@@ -3152,10 +3148,6 @@
         <translation>Spitze 0,25 mm, Basis 0,7 mm: allgemeine Literatur, nicht gemessen. Dazwischen eine Gerade (Wahl).</translation>
     </message>
     <message>
-        <source>16 contacts, pitch 1.3 mm, 20 mm over all: general literature; public research code has 18 mm from the first to the last (4 to 22 mm of depth). The first contact&apos;s place and the contact&apos;s length are choices.</source>
-        <translation>16 Kontakte, Abstand 1,3 mm, insgesamt 20 mm: allgemeine Literatur; öffentlicher Forschungscode hat 18 mm vom ersten bis zum letzten (4 bis 22 mm Tiefe). Lage des ersten Kontakts und Kontaktlänge sind Wahl.</translation>
-    </message>
-    <message>
         <source>Array of 18 to 19 mm, as listed in public research code; its most apical contact lies 18 mm deep there, 1 mm behind the tip.</source>
         <translation>Träger von 18 bis 19 mm laut öffentlichem Forschungscode; der apikalste Kontakt liegt dort 18 mm tief, 1 mm hinter der Spitze.</translation>
     </message>
@@ -3166,10 +3158,6 @@
     <message>
         <source>Estimate: 1.1 times the curvature of implanted arrays, from the mean angles between neighboring contacts (Landsberger et al. 2015, as tabulated in public research code) and the pitch below: a carrier that hugs the modiolus curls at least as tightly when free. The tip and what lies behind the active part are straight: choices.</source>
         <translation>Schätzung: das 1,1-Fache der Krümmung implantierter Träger aus den mittleren Winkeln zwischen benachbarten Kontakten (Landsberger et al. 2015, Tabelle in öffentlichem Forschungscode) und dem Abstand unten: Ein Träger, der am Modiolus anliegt, krümmt sich frei mindestens so eng. Spitze und Bereich hinter dem aktiven Teil gerade (Wahl).</translation>
-    </message>
-    <message>
-        <source>22 contacts over 15 mm (3 to 18 mm of depth), as listed in public research code. The law of the pitch is the Contour&apos;s, a choice.</source>
-        <translation>22 Kontakte auf 15 mm (3 bis 18 mm Tiefe) laut öffentlichem Forschungscode. Der Verlauf der Abstände ist der des Contour (Wahl).</translation>
     </message>
     <message>
         <source>Three marker ribs at the end of the array: general literature; that the last is at the opening at full depth, their distance of 1 mm, height and length are choices.</source>
@@ -3196,10 +3184,6 @@
         <translation>Schätzung: eine perimodiolare Krümmung mit Radius 2,5 mm, die sich nahe der Spitze auf 1,5 mm schließt; die Spitze selbst und der Bereich hinter dem aktiven Teil sind gerade.</translation>
     </message>
     <message>
-        <source>22 half-band contacts over an active length of 15 mm, pitch 0.4 to 0.8 mm growing from the tip: general literature, not measured. The first contact&apos;s place, the law of the pitch and the contact&apos;s length are choices.</source>
-        <translation>22 Halbbandkontakte auf einer aktiven Länge von 15 mm, Abstand von der Spitze an von 0,4 auf 0,8 mm wachsend: allgemeine Literatur, nicht gemessen. Lage des ersten Kontakts, Verlauf der Abstände und Kontaktlänge sind Wahl.</translation>
-    </message>
-    <message>
         <source>Todd and Naghdy: the second rib is at the opening at full insertion, 16.5 mm of travel after a start 1 to 3 mm inside, so it touches 17.5 to 19.5 mm from the tip; with the latest start of the validation, 2.3 mm, at 18.8 mm, its middle 0.2 mm behind. The first rib touches where the forces rise between 12.6 and 14.6 mm of travel: 16.4 to 17.5 mm from the tip. Height above the carrier: chosen such that entering a passage 1 mm wide takes the 81 mN by which the raw record rises at the first rib; length along it: a choice. Low confidence.</source>
         <translation>Todd und Naghdy: Die zweite Rippe liegt bei voller Insertion an der Öffnung, 16,5 mm Vorschub nach einem Beginn 1 bis 3 mm innen; sie berührt also 17,5 bis 19,5 mm hinter der Spitze; beim spätesten Beginn der Validierung, 2,3 mm, bei 18,8 mm, ihre Mitte 0,2 mm dahinter. Die erste Rippe berührt, wo die Kräfte zwischen 12,6 und 14,6 mm Vorschub steigen: 16,4 bis 17,5 mm hinter der Spitze. Höhe über dem Träger: so gewählt, dass der Eintritt in einen 1 mm weiten Kanal die 81 mN braucht, um die die Rohaufzeichnung an der ersten Rippe steigt; Länge: Wahl. Geringe Konfidenz.</translation>
     </message>
@@ -3216,20 +3200,12 @@
         <translation>Spitze 0,25 × 0,35 mm, Basis 0,40 × 0,55 mm: allgemeine Literatur, nicht gemessen. Dass das kleinere Maß in der Krümmungsebene liegt und die Gerade dazwischen sind Wahl.</translation>
     </message>
     <message>
-        <source>22 contacts over 14.5 mm, as listed in public research code. The first contact&apos;s place and the contact&apos;s length are choices.</source>
-        <translation>22 Kontakte auf 14,5 mm laut öffentlichem Forschungscode. Lage des ersten Kontakts und Kontaktlänge sind Wahl.</translation>
-    </message>
-    <message>
         <source>25 mm, as listed in public research code.</source>
         <translation>25 mm laut öffentlichem Forschungscode.</translation>
     </message>
     <message>
         <source>Tip 0.4 mm, base 0.6 mm: general literature, not measured. Between them a straight line over the contacts, a choice.</source>
         <translation>Spitze 0,4 mm, Basis 0,6 mm: allgemeine Literatur, nicht gemessen. Dazwischen eine Gerade über die Kontakte (Wahl).</translation>
-    </message>
-    <message>
-        <source>22 full bands, 0.3 mm wide, pitch 0.75 mm, as listed in public research code. The first contact&apos;s place is a choice.</source>
-        <translation>22 Vollbänder, 0,3 mm breit, Abstand 0,75 mm, laut öffentlichem Forschungscode. Die Lage des ersten Kontakts ist Wahl.</translation>
     </message>
     <message>
         <source>17 to 18 mm: general literature; its most apical contact lies 17 mm deep as listed in public research code, 1 mm behind the tip.</source>
@@ -3244,10 +3220,6 @@
         <translation>Schätzung: eine perimodiolare Krümmung mit Radius 3,0 mm hinten, die sich nahe der Spitze auf 1,1 mm schließt, mindestens so eng wie implantierte perimodiolare Träger (Kontaktwinkel in Landsberger et al. 2015); Spitze und Bereich hinter dem aktiven Teil gerade (Wahl).</translation>
     </message>
     <message>
-        <source>22 contacts over 14 mm (3 to 17 mm of depth), pitch about 0.67 mm, as listed in public research code. The contact&apos;s length is a choice.</source>
-        <translation>22 Kontakte auf 14 mm (3 bis 17 mm Tiefe), Abstand etwa 0,67 mm, laut öffentlichem Forschungscode. Die Kontaktlänge ist Wahl.</translation>
-    </message>
-    <message>
         <source>EI = E pi (D^4 - d^4) / 64 of a polyimide tube, E = 2.5 GPa, 0.72 mm outside and 0.60 mm inside: an estimate. It reaches 5 mm past the opening, where the basal turn begins, and is held there: a choice.</source>
         <translation>EI = E pi (D^4 - d^4) / 64 eines Polyimidrohrs, E = 2,5 GPa, außen 0,72 mm, innen 0,60 mm (Schätzung). Es reicht 5 mm hinter die Öffnung, wo die basale Windung beginnt, und wird dort gehalten (Wahl).</translation>
     </message>
@@ -3258,10 +3230,6 @@
     <message>
         <source>Tip 0.3 mm, base 0.6 mm: reported in clinical studies of the CI422. Between them a straight line over 20 mm, a choice.</source>
         <translation>Spitze 0,3 mm, Basis 0,6 mm: berichtet in klinischen Studien zum CI422. Dazwischen eine Gerade über 20 mm (Wahl).</translation>
-    </message>
-    <message>
-        <source>22 half-band contacts over 19.1 mm, pitch about 0.9 mm, as listed in public research code. The first contact&apos;s place and the contact&apos;s length are choices.</source>
-        <translation>22 Halbbandkontakte auf 19,1 mm, Abstand etwa 0,9 mm, laut öffentlichem Forschungscode. Lage des ersten Kontakts und Kontaktlänge sind Wahl.</translation>
     </message>
     <message>
         <source>20 mm: reported in clinical studies of the device.</source>
@@ -3276,16 +3244,8 @@
         <translation>Schätzung nach dem Modell in plugins/README.md: Silikon mit 2 MPa und N(s) Platin-Iridium-Drähte von 25 µm, einer je Kontakt näher an der Spitze, EI = E_s I + E_w I_w (N + c N^2) mit c = 0,06, wo die anderen 1,2 haben: Ein gewellter Draht dehnt sich, indem er sich streckt. Unter den veröffentlichten Moduln eines geraden Trägers (Kha et al. 2004), dessen Drähte gerade sind.</translation>
     </message>
     <message>
-        <source>12 channels with a pitch of 1.4 mm, 15.4 mm from the first to the last: general literature and clinical studies of the device. The first contact&apos;s place and the contact&apos;s length are choices.</source>
-        <translation>12 Kanäle im Abstand von 1,4 mm, 15,4 mm vom ersten bis zum letzten: allgemeine Literatur und klinische Studien zum Gerät. Lage des ersten Kontakts und Kontaktlänge sind Wahl.</translation>
-    </message>
-    <message>
         <source>24 mm: reported in clinical studies of the device.</source>
         <translation>24 mm: berichtet in klinischen Studien zum Gerät.</translation>
-    </message>
-    <message>
-        <source>12 channels with a pitch of 1.9 mm, 20.9 mm from the first to the last: general literature and clinical studies of the device. The first contact&apos;s place and the contact&apos;s length are choices.</source>
-        <translation>12 Kanäle im Abstand von 1,9 mm, 20,9 mm vom ersten bis zum letzten: allgemeine Literatur und klinische Studien zum Gerät. Lage des ersten Kontakts und Kontaktlänge sind Wahl.</translation>
     </message>
     <message>
         <source>26 mm: reported in clinical studies of the device.</source>
@@ -3300,10 +3260,6 @@
         <translation>Spitze 0,5 × 0,4 mm, Basis 0,8 mm: allgemeine Literatur, nicht gemessen. Dass das kleinere Maß in der Krümmungsebene liegt und die Gerade zu einer runden Basis sind Wahl.</translation>
     </message>
     <message>
-        <source>12 channels with a pitch of 2.1 mm, 23.1 mm from the first to the last: general literature and clinical studies of the device. The first contact&apos;s place and the contact&apos;s length are choices.</source>
-        <translation>12 Kanäle im Abstand von 2,1 mm, 23,1 mm vom ersten bis zum letzten: allgemeine Literatur und klinische Studien zum Gerät. Lage des ersten Kontakts und Kontaktlänge sind Wahl.</translation>
-    </message>
-    <message>
         <source>31.5 mm: reported in clinical studies of the device.</source>
         <translation>31,5 mm: berichtet in klinischen Studien zum Gerät.</translation>
     </message>
@@ -3312,16 +3268,8 @@
         <translation>Spitze 0,5 × 0,4 mm, Basis 1,3 mm: allgemeine Literatur, nicht gemessen. Dass das kleinere Maß in der Krümmungsebene liegt und die Gerade zu einer runden Basis sind Wahl.</translation>
     </message>
     <message>
-        <source>12 channels with a pitch of 2.4 mm, 26.4 mm from the first to the last: general literature and clinical studies of the device. The first contact&apos;s place and the contact&apos;s length are choices.</source>
-        <translation>12 Kanäle im Abstand von 2,4 mm, 26,4 mm vom ersten bis zum letzten: allgemeine Literatur und klinische Studien zum Gerät. Lage des ersten Kontakts und Kontaktlänge sind Wahl.</translation>
-    </message>
-    <message>
         <source>15 mm: reported in clinical studies of the device.</source>
         <translation>15 mm: berichtet in klinischen Studien zum Gerät.</translation>
-    </message>
-    <message>
-        <source>12 channels with a pitch of 1.1 mm, 12.1 mm from the first to the last: general literature and clinical studies of the device. The first contact&apos;s place and the contact&apos;s length are choices.</source>
-        <translation>12 Kanäle im Abstand von 1,1 mm, 12,1 mm vom ersten bis zum letzten: allgemeine Literatur und klinische Studien zum Gerät. Lage des ersten Kontakts und Kontaktlänge sind Wahl.</translation>
     </message>
     <message>
         <source>24 mm: general literature, not measured.</source>
@@ -4221,7 +4169,7 @@
     </message>
     <message>
         <source>Dashed: as many in each tenth, to which the numbers tend if the bands hold.</source>
-        <translation>Gestrichelt: gleich viele in jedem Zehntel, wohin die Anzahlen streben, wenn die Bänder gelten.</translation>
+        <translation>Gestrichelt: gleich viele je Zehntel, wohin es strebt, wenn die Bänder gelten.</translation>
     </message>
     <message>
         <source>percentile</source>
@@ -4665,7 +4613,59 @@
     </message>
     <message>
         <source>Spacing, number or place of the contacts contradict the array named or this ear: check the contacts in the images, and the array&apos;s name.</source>
-        <translation>Abstände, Anzahl oder Lage der Kontakte widersprechen dem genannten Träger oder diesem Ohr: Prüfen Sie die Kontakte in den Bildern und den Namen des Trägers.</translation>
+        <translation>Abstand, Anzahl oder Lage der Kontakte widersprechen dem genannten Träger oder diesem Ohr: Prüfen Sie die Kontakte in den Bildern und den Namen des Trägers.</translation>
+    </message>
+    <message>
+        <source>16 contacts over 15 mm (3 to 18 mm of depth), pitch about 1.0 mm, as listed in public research code. The first contact&apos;s place and the contact&apos;s length are choices. The numbers that the fitting software gives them, 1 at the tip: general literature, medium confidence.</source>
+        <translation>16 Kontakte auf 15 mm (3 bis 18 mm Tiefe), Abstand etwa 1,0 mm, laut öffentlichem Forschungscode. Lage des ersten Kontakts und Kontaktlänge sind Wahl. Die Nummern, die ihnen die Anpasssoftware gibt, 1 an der Spitze: allgemeine Literatur, mittlere Sicherheit.</translation>
+    </message>
+    <message>
+        <source>16 contacts, pitch 1.3 mm, 20 mm over all: general literature; public research code has 18 mm from the first to the last (4 to 22 mm of depth). The first contact&apos;s place and the contact&apos;s length are choices. The numbers that the fitting software gives them, 1 at the tip: general literature, medium confidence.</source>
+        <translation>16 Kontakte, Abstand 1,3 mm, insgesamt 20 mm: allgemeine Literatur; öffentlicher Forschungscode hat 18 mm vom ersten bis zum letzten (4 bis 22 mm Tiefe). Lage des ersten Kontakts und Kontaktlänge sind Wahl. Die Nummern, die ihnen die Anpasssoftware gibt, 1 an der Spitze: allgemeine Literatur, mittlere Sicherheit.</translation>
+    </message>
+    <message>
+        <source>22 contacts over 15 mm (3 to 18 mm of depth), as listed in public research code. The law of the pitch is the Contour&apos;s, a choice. The numbers that the fitting software gives them, 22 at the tip: general literature, medium confidence.</source>
+        <translation>22 Kontakte auf 15 mm (3 bis 18 mm Tiefe) laut öffentlichem Forschungscode. Der Verlauf der Abstände ist der des Contour (Wahl). Die Nummern, die ihnen die Anpasssoftware gibt, 22 an der Spitze: allgemeine Literatur, mittlere Sicherheit.</translation>
+    </message>
+    <message>
+        <source>22 half-band contacts over an active length of 15 mm, pitch 0.4 to 0.8 mm growing from the tip: general literature, not measured. The first contact&apos;s place, the law of the pitch and the contact&apos;s length are choices. The numbers that the fitting software gives them, 22 at the tip: general literature, medium confidence.</source>
+        <translation>22 Halbbandkontakte auf einer aktiven Länge von 15 mm, Abstand von der Spitze an von 0,4 auf 0,8 mm wachsend: allgemeine Literatur, nicht gemessen. Lage des ersten Kontakts, Verlauf der Abstände und Kontaktlänge sind Wahl. Die Nummern, die ihnen die Anpasssoftware gibt, 22 an der Spitze: allgemeine Literatur, mittlere Sicherheit.</translation>
+    </message>
+    <message>
+        <source>22 contacts over 14.5 mm, as listed in public research code. The first contact&apos;s place and the contact&apos;s length are choices. The numbers that the fitting software gives them, 22 at the tip: general literature, medium confidence.</source>
+        <translation>22 Kontakte auf 14,5 mm laut öffentlichem Forschungscode. Lage des ersten Kontakts und Kontaktlänge sind Wahl. Die Nummern, die ihnen die Anpasssoftware gibt, 22 an der Spitze: allgemeine Literatur, mittlere Sicherheit.</translation>
+    </message>
+    <message>
+        <source>22 full bands, 0.3 mm wide, pitch 0.75 mm, as listed in public research code. The first contact&apos;s place is a choice. The numbers that the fitting software gives them, 22 at the tip: general literature, medium confidence.</source>
+        <translation>22 Vollbänder, 0,3 mm breit, Abstand 0,75 mm, laut öffentlichem Forschungscode. Die Lage des ersten Kontakts ist Wahl. Die Nummern, die ihnen die Anpasssoftware gibt, 22 an der Spitze: allgemeine Literatur, mittlere Sicherheit.</translation>
+    </message>
+    <message>
+        <source>22 contacts over 14 mm (3 to 17 mm of depth), pitch about 0.67 mm, as listed in public research code. The contact&apos;s length is a choice. The numbers that the fitting software gives them, 22 at the tip: general literature, medium confidence.</source>
+        <translation>22 Kontakte auf 14 mm (3 bis 17 mm Tiefe), Abstand etwa 0,67 mm, laut öffentlichem Forschungscode. Die Kontaktlänge ist Wahl. Die Nummern, die ihnen die Anpasssoftware gibt, 22 an der Spitze: allgemeine Literatur, mittlere Sicherheit.</translation>
+    </message>
+    <message>
+        <source>22 half-band contacts over 19.1 mm, pitch about 0.9 mm, as listed in public research code. The first contact&apos;s place and the contact&apos;s length are choices. The numbers that the fitting software gives them, 22 at the tip: general literature, medium confidence.</source>
+        <translation>22 Halbbandkontakte auf 19,1 mm, Abstand etwa 0,9 mm, laut öffentlichem Forschungscode. Lage des ersten Kontakts und Kontaktlänge sind Wahl. Die Nummern, die ihnen die Anpasssoftware gibt, 22 an der Spitze: allgemeine Literatur, mittlere Sicherheit.</translation>
+    </message>
+    <message>
+        <source>12 channels with a pitch of 1.4 mm, 15.4 mm from the first to the last: general literature and clinical studies of the device. The first contact&apos;s place and the contact&apos;s length are choices. The numbers that the fitting software gives them, 1 at the tip: general literature, medium confidence.</source>
+        <translation>12 Kanäle im Abstand von 1,4 mm, 15,4 mm vom ersten bis zum letzten: allgemeine Literatur und klinische Studien zum Gerät. Lage des ersten Kontakts und Kontaktlänge sind Wahl. Die Nummern, die ihnen die Anpasssoftware gibt, 1 an der Spitze: allgemeine Literatur, mittlere Sicherheit.</translation>
+    </message>
+    <message>
+        <source>12 channels with a pitch of 1.9 mm, 20.9 mm from the first to the last: general literature and clinical studies of the device. The first contact&apos;s place and the contact&apos;s length are choices. The numbers that the fitting software gives them, 1 at the tip: general literature, medium confidence.</source>
+        <translation>12 Kanäle im Abstand von 1,9 mm, 20,9 mm vom ersten bis zum letzten: allgemeine Literatur und klinische Studien zum Gerät. Lage des ersten Kontakts und Kontaktlänge sind Wahl. Die Nummern, die ihnen die Anpasssoftware gibt, 1 an der Spitze: allgemeine Literatur, mittlere Sicherheit.</translation>
+    </message>
+    <message>
+        <source>12 channels with a pitch of 2.1 mm, 23.1 mm from the first to the last: general literature and clinical studies of the device. The first contact&apos;s place and the contact&apos;s length are choices. The numbers that the fitting software gives them, 1 at the tip: general literature, medium confidence.</source>
+        <translation>12 Kanäle im Abstand von 2,1 mm, 23,1 mm vom ersten bis zum letzten: allgemeine Literatur und klinische Studien zum Gerät. Lage des ersten Kontakts und Kontaktlänge sind Wahl. Die Nummern, die ihnen die Anpasssoftware gibt, 1 an der Spitze: allgemeine Literatur, mittlere Sicherheit.</translation>
+    </message>
+    <message>
+        <source>12 channels with a pitch of 2.4 mm, 26.4 mm from the first to the last: general literature and clinical studies of the device. The first contact&apos;s place and the contact&apos;s length are choices. The numbers that the fitting software gives them, 1 at the tip: general literature, medium confidence.</source>
+        <translation>12 Kanäle im Abstand von 2,4 mm, 26,4 mm vom ersten bis zum letzten: allgemeine Literatur und klinische Studien zum Gerät. Lage des ersten Kontakts und Kontaktlänge sind Wahl. Die Nummern, die ihnen die Anpasssoftware gibt, 1 an der Spitze: allgemeine Literatur, mittlere Sicherheit.</translation>
+    </message>
+    <message>
+        <source>12 channels with a pitch of 1.1 mm, 12.1 mm from the first to the last: general literature and clinical studies of the device. The first contact&apos;s place and the contact&apos;s length are choices. The numbers that the fitting software gives them, 1 at the tip: general literature, medium confidence.</source>
+        <translation>12 Kanäle im Abstand von 1,1 mm, 12,1 mm vom ersten bis zum letzten: allgemeine Literatur und klinische Studien zum Gerät. Lage des ersten Kontakts und Kontaktlänge sind Wahl. Die Nummern, die ihnen die Anpasssoftware gibt, 1 an der Spitze: allgemeine Literatur, mittlere Sicherheit.</translation>
     </message>
 </context>
 <context>
@@ -7870,28 +7870,12 @@
         <translation> mm</translation>
     </message>
     <message>
-        <source>Contacts; 1 at the tip</source>
-        <translation>Kontakte; 1 an der Spitze</translation>
-    </message>
-    <message>
         <source>No.</source>
         <translation>Nr.</translation>
     </message>
     <message>
         <source>angle (95 %)</source>
         <translation>Winkel (95 %)</translation>
-    </message>
-    <message>
-        <source>in scala tymp.</source>
-        <translation>in Scala tymp.</translation>
-    </message>
-    <message>
-        <source>to modiolus</source>
-        <translation>zum Modiolus</translation>
-    </message>
-    <message>
-        <source>spiral ganglion</source>
-        <translation>Spiralganglion</translation>
     </message>
     <message>
         <source>placed</source>
@@ -8047,10 +8031,6 @@
         <translation>Inserierte Länge</translation>
     </message>
     <message>
-        <source>Positions are those of metal in the CT, with their errors; the basilar membrane is not visible, so the scala is a probability and no diagnosis. Place frequencies are estimated; their intervals are those of the angle, and listeners vary beyond them. Plan: median and band of simulated insertions, of a contact those in which it is inside; percentile: share of them below the value found. Angles are counted from the round window.</source>
-        <translation>Positionen sind die von Metall im CT, mit ihren Fehlern; die Basilarmembran ist nicht zu sehen, deshalb ist die Scala eine Wahrscheinlichkeit und keine Diagnose. Ortsfrequenzen sind geschätzt; ihre Intervalle sind die des Winkels, und Hörende streuen darüber hinaus. Plan: Median und Band simulierter Insertionen, bei einem Kontakt derer, in denen er innen liegt; Perzentil: Anteil davon unter dem gefundenen Wert. Winkel zählen ab dem runden Fenster.</translation>
-    </message>
-    <message>
         <source>Bands: %1.</source>
         <translation>Bänder: %1.</translation>
     </message>
@@ -8065,6 +8045,46 @@
     <message>
         <source>The mark at %1 mm was reached as the surgeon states, and %2 mm are inserted in the CT.</source>
         <translation>Die Marke bei %1 mm wurde nach Angabe des Operateurs erreicht, und %2 mm sind im CT inseriert.</translation>
+    </message>
+    <message>
+        <source>Contacts, 1 at the tip; E: the electrode’s number in its maker’s fitting software</source>
+        <translation>Kontakte, 1 an der Spitze; E: Nummer der Elektrode in der Anpasssoftware des Herstellers</translation>
+    </message>
+    <message>
+        <source>in ST</source>
+        <translation>in ST</translation>
+    </message>
+    <message>
+        <source>mod., mm</source>
+        <translation>Mod., mm</translation>
+    </message>
+    <message>
+        <source>GW, kHz</source>
+        <translation>GW, kHz</translation>
+    </message>
+    <message>
+        <source>SG, kHz (95 %)</source>
+        <translation>SG, kHz (95 %)</translation>
+    </message>
+    <message>
+        <source>filter, kHz</source>
+        <translation>Filter, kHz</translation>
+    </message>
+    <message>
+        <source>mismatch, st</source>
+        <translation>Abw., HT</translation>
+    </message>
+    <message>
+        <source>%1 (%2–%3)</source>
+        <translation>%1 (%2–%3)</translation>
+    </message>
+    <message>
+        <source>Positions are those of metal in the CT, with their errors; the basilar membrane is not visible, so that in scala tympani (ST) is a probability and no diagnosis. mod.: distance to the inner wall. Place frequencies are estimated, GW by Greenwood’s map, SG on the spiral ganglion; their intervals are those of the angle, and listeners vary beyond them. filter: center of the default filter; mismatch: SG above it, in semitones. Plan: median and band of simulated insertions, of a contact those in which it is inside; percentile: share of them below the value found. Angles are counted from the round window.</source>
+        <translation>Positionen sind die von Metall im CT, mit ihren Fehlern; die Basilarmembran ist nicht zu sehen, deshalb ist „in der Scala tympani“ (ST) eine Wahrscheinlichkeit und keine Diagnose. Mod.: Abstand zur inneren Wand. Ortsfrequenzen sind geschätzt, GW nach Greenwoods Karte, SG am Spiralganglion; ihre Intervalle sind die des Winkels, und Hörende streuen darüber hinaus. Filter: Mitte des Standardfilters; Abw.: SG darüber, in Halbtönen (HT). Plan: Median und Band simulierter Insertionen, bei einem Kontakt derer, in denen er innen liegt; Perzentil: Anteil davon unter dem gefundenen Wert. Winkel zählen ab dem runden Fenster.</translation>
+    </message>
+    <message>
+        <source>%1 (E%2)</source>
+        <translation>%1 (E%2)</translation>
     </message>
 </context>
 <context>
@@ -9249,6 +9269,14 @@
         <source>The CT before surgery and this one do not agree around the cochlea.</source>
         <translation>Das CT vor der Operation und dieses stimmen um die Cochlea nicht überein.</translation>
     </message>
+    <message>
+        <source>This CT shows a left ear; the record is that of a right ear.</source>
+        <translation>Dieses CT zeigt ein linkes Ohr; die Akte ist die eines rechten.</translation>
+    </message>
+    <message>
+        <source>This CT shows a right ear; the record is that of a left ear.</source>
+        <translation>Dieses CT zeigt ein rechtes Ohr; die Akte ist die eines linken.</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::FlatViews</name>
@@ -9349,10 +9377,6 @@
         <translation>Nr.</translation>
     </message>
     <message>
-        <source>Number of the contact; 1 at the tip</source>
-        <translation>Nummer des Kontakts; 1 an der Spitze</translation>
-    </message>
-    <message>
         <source>Angle</source>
         <translation>Winkel</translation>
     </message>
@@ -9435,6 +9459,10 @@
     <message>
         <source>Position known to %1 mm</source>
         <translation>Position auf %1 mm bekannt</translation>
+    </message>
+    <message>
+        <source>Number of the contact, 1 at the tip; in brackets that in its maker’s fitting software</source>
+        <translation>Nummer des Kontakts, 1 an der Spitze; in Klammern die in der Anpasssoftware des Herstellers</translation>
     </message>
 </context>
 <context>

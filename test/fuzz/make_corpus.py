@@ -62,6 +62,7 @@ from_tip_mm = [1.0, 3.0, 5.0]
 contact_length_mm = 0.5
 plates = "pair"
 single_plates = 1
+maker_numbering = "from_base"
 {SOURCE}
 [ribs]
 from_tip_mm = [16.0, 17.0]

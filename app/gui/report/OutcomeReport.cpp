@@ -123,9 +123,11 @@ double paintContacts(ReportSheet& sheet, const OutcomeReportContent& report, dou
 {
   const outcome::FoundArray& found = report.content.found;
   const planning::ArrayPlan* plan = report.arrayPlan();
-  y_mm = sheet.heading(0.0, y_mm, width_mm, tr("Contacts; 1 at the tip"));
+  y_mm = sheet.heading(
+      0.0, y_mm, width_mm,
+      tr("Contacts, 1 at the tip; E: the electrode’s number in its maker’s fitting software"));
   const double high_mm = found.contacts.size() > manyContacts ? lowContactRow_mm : contactRow_mm;
-  const double shares[] = {0.05, 0.14, 0.17, 0.10, 0.11, 0.14, 0.17, 0.12};
+  const double shares[] = {0.065, 0.125, 0.125, 0.095, 0.05, 0.075, 0.075, 0.14, 0.08, 0.09, 0.08};
   const auto row = [&](const QStringList& cells, ReportFace face) {
     double x_mm = 0.0;
     for (int k = 0; k < cells.size(); ++k) {
@@ -134,8 +136,9 @@ double paintContacts(ReportSheet& sheet, const OutcomeReportContent& report, dou
     }
     y_mm += high_mm;
   };
-  row({tr("No."), tr("angle (95 %)"), tr("plan (band)"), tr("percentile"), tr("in scala tymp."),
-       tr("to modiolus"), tr("spiral ganglion"), tr("placed")},
+  row({tr("No."), tr("angle (95 %)"), tr("plan (band)"), tr("percentile"), tr("in ST"),
+       tr("mod., mm"), tr("GW, kHz"), tr("SG, kHz (95 %)"), tr("filter, kHz"), tr("mismatch, st"),
+       tr("placed")},
       ReportFace::quiet);
   sheet.rule(0.0, y_mm, width_mm);
   for (const outcome::FoundContact& each : found.contacts) {
@@ -144,11 +147,18 @@ double paintContacts(ReportSheet& sheet, const OutcomeReportContent& report, dou
       for (const planning::ContactBand& band : plan->contacts)
         if (band.number == each.number && band.draws > 0) planned = &band;
     const QString none = QStringLiteral("–");
-    row({QString::number(each.number), angleText(each),
+    row({contactText(each), angleText(each),
          planned ? bandWords(planned->angle_deg, 0, tr("°")) : none,
          planned && each.isInside ? percentileText(planned->angle_deg, each.angle_deg.value) : none,
-         scalaText(each), each.isInside ? tr("%1 mm").arg(numberText(each.modiolus_mm, 2)) : none,
-         each.isInside ? frequencyText(each.spiralGanglion_Hz) : none, placementText(each)},
+         scalaText(each), each.isInside ? numberText(each.modiolus_mm, 2) : none,
+         each.isInside ? kilohertzText(each.greenwood_Hz[0]) : none,
+         each.isInside ? tr("%1 (%2–%3)")
+                             .arg(kilohertzText(each.spiralGanglion_Hz[0]),
+                                  kilohertzText(each.spiralGanglion_Hz[1]),
+                                  kilohertzText(each.spiralGanglion_Hz[2]))
+                       : none,
+         each.filter_Hz > 0.0 ? kilohertzText(each.filter_Hz) : none,
+         each.filter_Hz > 0.0 ? numberText(each.mismatch_semitones, 0) : none, placementText(each)},
         ReportFace::label);
   }
   return y_mm;
@@ -209,8 +219,10 @@ void paintOutcome(ReportSheet& sheet, const OutcomeReportContent& report,
 
   QString method = tr(
       "Positions are those of metal in the CT, with their errors; the basilar membrane is not "
-      "visible, so the scala is a probability and no diagnosis. Place frequencies are estimated; "
-      "their intervals are those of the angle, and listeners vary beyond them. Plan: median and "
+      "visible, so that in scala tympani (ST) is a probability and no diagnosis. mod.: distance to "
+      "the inner wall. Place frequencies are estimated, GW by Greenwood’s map, SG on the spiral "
+      "ganglion; their intervals are those of the angle, and listeners vary beyond them. filter: "
+      "center of the default filter; mismatch: SG above it, in semitones. Plan: median and "
       "band of simulated insertions, of a contact those in which it is inside; percentile: share "
       "of them below the value found. Angles are counted from the round window.");
   if (report.plan) method += QLatin1Char(' ') + tr("Bands: %1.").arg(bandsHold(report.plan->plan));

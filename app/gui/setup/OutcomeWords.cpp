@@ -21,6 +21,12 @@ QString tr(const char* text) { return QCoreApplication::translate("perilymph::gu
 
 }  // namespace
 
+QString contactText(const outcome::FoundContact& contact)
+{
+  const QString number = QString::number(contact.number);
+  return contact.makerElectrode ? tr("%1 (E%2)").arg(number).arg(*contact.makerElectrode) : number;
+}
+
 QString angleText(const outcome::FoundContact& contact)
 {
   if (!contact.isInside) return tr("outside");

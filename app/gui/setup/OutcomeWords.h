@@ -16,6 +16,8 @@
 
 namespace perilymph::gui {
 
+/// "1 (E22)": its number from the tip and that of its maker's fitting software, if that is known.
+QString contactText(const outcome::FoundContact& contact);
 /// "421 (409–433)°": a value with its 95 % interval; a dash for a contact outside.
 QString angleText(const outcome::FoundContact& contact);
 /// "98 %": the probability that a contact lies below the basilar membrane.

@@ -48,6 +48,7 @@ struct MarkPainter {
   QPainter& painter;
   Lettering lettering;
   Sheet sheet;
+  double pageWidth = 0.0;
   double textFactor = 1.0;
 
   QColor colorOf(const figures::Ink& ink) const
@@ -95,7 +96,15 @@ struct MarkPainter {
     if (fine != 1.0) painter.scale(1.0 / fine, 1.0 / fine);
     painter.setFont(font);
     painter.setPen(colorOf(label.ink));
-    const double width = QFontMetricsF(font).horizontalAdvance(text);
+    double width = QFontMetricsF(font).horizontalAdvance(text);
+    // a line that larger text would take beyond the sheet is as large as there is room
+    const double room = fine * (pageWidth - label.at.x);
+    if (textFactor > 1.0 && width > room && label.anchor == figures::Anchor::start &&
+        label.direction == figures::Direction::across) {
+      font.setPixelSize(int(fine * label.size * std::max(1.0, textFactor * room / width)));
+      painter.setFont(font);
+      width = QFontMetricsF(font).horizontalAdvance(text);
+    }
     const double left = label.anchor == figures::Anchor::start    ? 0.0
                         : label.anchor == figures::Anchor::middle ? -0.5 * width
                                                                   : -width;
@@ -110,7 +119,7 @@ void paintMarks(QPainter& painter, const figures::Drawing& drawing, Lettering le
                 Sheet sheet, double textFactor)
 {
   for (const figures::Mark& mark : drawing.marks)
-    std::visit(MarkPainter{painter, lettering, sheet, textFactor}, mark);
+    std::visit(MarkPainter{painter, lettering, sheet, drawing.width, textFactor}, mark);
 }
 
 }  // namespace perilymph::gui

@@ -113,15 +113,16 @@ class FoundArray(_Table):
         self.course_lps_mm.setflags(write=False)
         self.surgery = dict(page["surgery"])
         self.seconds = number_of(page["seconds"])
-        self._columns = _contact_columns(page["contacts"])
+        self._columns = _contact_columns(page)
 
     def columns(self):
         """The contacts, the most apical first: a dict of arrays of shape (n,), as in the CSV file of the command. 'contact' is the
-        number, 1 at the tip; 'x_lps_mm', 'y_lps_mm', 'z_lps_mm' the position, 'error_mm' its standard deviation along each direction;
-        'seen_singly', 'by_hand' and 'inside' are bool. For a contact outside the following are NaN: 'angle_deg', 'modiolus_mm' and
-        'outer_wall_mm' (distances, negative beyond the wall), 'in_scala_tympani' (probability, 0 to 1), 'greenwood_Hz' and
-        'spiral_ganglion_Hz' (estimated place frequencies), 'filter_Hz' (center of its default filter; NaN without one) and
-        'mismatch_semitones'. '_low95' and '_high95' are the ends of 95 % intervals."""
+        number, 1 at the tip; 'maker_electrode' that in the maker's fitting software, NaN if not known. For a contact outside these are
+        NaN: 'angle_deg', 'greenwood_Hz' and 'spiral_ganglion_Hz' (estimated place frequencies), 'filter_Hz' (center of its default
+        filter; NaN without one), 'mismatch_semitones', 'in_scala_tympani' (probability, 0 to 1), 'modiolus_mm' and 'outer_wall_mm'
+        (distances, negative beyond the wall). 'error_mm' is the standard deviation of the position along each direction;
+        'seen_singly', 'by_hand' and 'inside' are bool; 'x_lps_mm', 'y_lps_mm', 'z_lps_mm' the position. 'array', 'side' and 'flags'
+        (joined by spaces) are the same in each row. '_low95' and '_high95' are the ends of 95 % intervals."""
         return {name: values.copy() for name, values in self._columns.items()}
 
     @property
@@ -261,9 +262,10 @@ def _frozen(values):
     return values
 
 
-def _contact_columns(contacts):
+def _contact_columns(page):
     """The columns of the command's CSV, from its JSON."""
     absent = math.nan
+    contacts = page["contacts"]
 
     def column(value_of):
         return _frozen([value_of(each) for each in contacts])
@@ -271,12 +273,10 @@ def _contact_columns(contacts):
     def inside(value_of):
         return column(lambda each: number_of(value_of(each)) if each["inside"] else absent)
 
-    found = {"contact": column(lambda each: _whole(each["number"]))}
-    for place, name in enumerate(("x_lps_mm", "y_lps_mm", "z_lps_mm")):
-        found[name] = column(lambda each, place=place: number_of(each["position_lps_mm"][place]))
-    found["error_mm"] = column(lambda each: number_of(each["error_mm"]))
-    for name in ("seen_singly", "by_hand", "inside"):
-        found[name] = column(lambda each, name=name: _flag(each[name]))
+    def maybe(name):
+        return column(lambda each: number_of(each[name]) if name in each else absent)
+
+    found = {"contact": column(lambda each: _whole(each["number"])), "maker_electrode": maybe("maker_electrode")}
 
     def estimated(key):
         stem, unit = key.rsplit("_", 1)
@@ -284,13 +284,20 @@ def _contact_columns(contacts):
         for place, ending in enumerate(("low95", "high95")):
             found[f"{stem}_{ending}_{unit}"] = inside(lambda each, place=place: each[key]["ci95"][place])
 
-    estimated("angle_deg")
-    for name in ("modiolus_mm", "outer_wall_mm", "in_scala_tympani"):
-        found[name] = inside(lambda each, name=name: each[name])
-    estimated("greenwood_Hz")
-    estimated("spiral_ganglion_Hz")
+    for key in ("angle_deg", "greenwood_Hz", "spiral_ganglion_Hz"):
+        estimated(key)
     for name in ("filter_Hz", "mismatch_semitones"):
-        found[name] = column(lambda each, name=name: number_of(each[name]) if name in each else absent)
+        found[name] = maybe(name)
+    found["in_scala_tympani"] = inside(lambda each: each["in_scala_tympani"])
+    found["error_mm"] = column(lambda each: number_of(each["error_mm"]))
+    for name in ("modiolus_mm", "outer_wall_mm"):
+        found[name] = inside(lambda each, name=name: each[name])
+    for name in ("seen_singly", "by_hand", "inside"):
+        found[name] = column(lambda each, name=name: _flag(each[name]))
+    for place, name in enumerate(("x_lps_mm", "y_lps_mm", "z_lps_mm")):
+        found[name] = column(lambda each, place=place: number_of(each["position_lps_mm"][place]))
+    for name, text in (("array", page["array"]), ("side", page["side"]), ("flags", " ".join(page["flags"]))):
+        found[name] = column(lambda each, text=text: text_of(text))
     return found
 
 

@@ -180,6 +180,8 @@ private:
     design.plates = table.choice("plates", platesTable, Plates::single);
     design.singlePlates =
         static_cast<int>(table.integer("single_plates", 0, static_cast<long>(centers.size()), 0));
+    if (table.has("maker_numbering"))
+      design.makerNumbering = table.choice("maker_numbering", makerNumberings);
     for (const double center : centers) design.contactsFromTip.push_back(millimeters(center));
 
     const auto refuse = [&](const std::string& what) {

@@ -31,6 +31,9 @@ const FieldMeanings& arrayKeyTable()
       {"contacts.plates", "", "Platinum of a contact: single, pair or band; by default single."},
       {"contacts.single_plates", "",
        "Number of contacts from the tip with a single plate, in an array of pairs or bands."},
+      {"contacts.maker_numbering", "",
+       "End from which the maker's fitting software numbers the electrodes: from_tip or from_base; "
+       "absent if not known."},
       {"taper.last_contact_mm", "mm",
        "Smallest and largest width that is possible at the most basal contact."},
       {"taper.carrier_MPa", "MPa",

@@ -77,6 +77,8 @@ public:
     if (array_.plates != Plates::single) text("plates", nameIn(platesTable, array_.plates));
     if (array_.singlePlates > 0)
       text_ += "single_plates = " + std::to_string(array_.singlePlates) + '\n';
+    if (array_.makerNumbering)
+      text("maker_numbering", nameIn(makerNumberings, *array_.makerNumbering));
     if (array_.taper) {
       table("taper");
       numbers("last_contact_mm", std::vector{array_.taper->thinnest, array_.taper->thickest}, mm);

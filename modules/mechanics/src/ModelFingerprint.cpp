@@ -65,11 +65,11 @@ void add(Hash& hash, const electrode::Wires& wires)
 
 void add(Hash& hash, const electrode::ArrayDesign& array)
 {
-  // a range of the taper states what is known of it and moves nothing, nor does the contacts' kind
+  // a range of the taper states what is known of it and moves nothing, nor do the contacts' kind and numbers
   const auto& [name, maker, note, length, insertable, diameter, thickness, tip, taperRange, bending,
                bendingAcross, twisting, restCurvature, contactsFromTip, contactLength, plates,
-               singlePlates, ribsFromTip, ribHeight, ribLength, wires, hasStylet, stylet,
-               provenance] = array;
+               singlePlates, makerNumbering, ribsFromTip, ribHeight, ribLength, wires, hasStylet,
+               stylet, provenance] = array;
   for (const Length value : {length, insertable, contactLength, ribHeight, ribLength})
     add(hash, value);
   const auto& [tipRadius, taper] = tip;

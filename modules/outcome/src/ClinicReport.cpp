@@ -328,6 +328,10 @@ std::vector<std::pair<std::string, figures::Figure>> outcomesFigures(const Clini
       Sentence{"Dashed: as many in each tenth, to which the numbers tend if the bands hold."});
   percentiles.x = {Sentence{"percentile"}, 0.0, 100.0, 10.0, 0};
   percentiles.y = figures::axisOver(Sentence{"number of ears"}, 0.0, static_cast<double>(top));
+  if (percentiles.y.tick < 1.0) {  // few ears, of which there are no parts
+    percentiles.y.tick = 1.0;
+    percentiles.y.decimals = 0;
+  }
   return {{"depths", std::move(depths)}, {"percentiles", std::move(percentiles)}};
 }
 

@@ -141,6 +141,7 @@ Result<FoundArray> resultsOf(const ct::CtVolume& volume, const Ear& ear, const E
   for (std::size_t i = 0; i < count; ++i) {
     FoundContact contact;
     contact.number = static_cast<int>(i) + 1;
+    contact.makerElectrode = array.makerElectrode(contact.number);
     contact.position_P = chain.position_P[i];
     contact.isByHand = i < isFixed.size() && isFixed[i];
     contact.isSeenSingly =

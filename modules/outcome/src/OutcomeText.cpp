@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "perilymph/analysis/ColumnDictionary.h"
+#include "perilymph/analysis/CsvField.h"
 #include "perilymph/foundation/FieldMeaning.h"
 #include "perilymph/foundation/Version.h"
 
@@ -35,11 +37,18 @@ Json described(const std::array<double, 3>& frequency)
   return {{"value", frequency[0]}, {"ci95", {frequency[1], frequency[2]}}};
 }
 
+template <class Value>
+void put(Json& json, const char* key, const std::optional<Value>& value)
+{
+  if (value) json[key] = *value;
+}
+
 Json described(const FoundContact& contact)
 {
   Json json{{"number", contact.number},       {"position_lps_mm", described(contact.position_P)},
             {"error_mm", contact.error_mm()}, {"seen_singly", contact.isSeenSingly},
             {"by_hand", contact.isByHand},    {"inside", contact.isInside}};
+  put(json, "maker_electrode", contact.makerElectrode);
   if (!contact.isInside) return json;
   json["angle_deg"] = described(contact.angle_deg);
   json["modiolus_mm"] = contact.modiolus_mm;
@@ -52,12 +61,6 @@ Json described(const FoundContact& contact)
     json["mismatch_semitones"] = contact.mismatch_semitones;
   }
   return json;
-}
-
-template <class Value>
-void put(Json& json, const char* key, const std::optional<Value>& value)
-{
-  if (value) json[key] = *value;
 }
 
 Json described(const Surgery& surgery)
@@ -266,6 +269,8 @@ FoundContact contactIn(const Json& json, Reader& reader)
       "position_lps_mm");
   const double error = reader.number("error_mm", 0.0, 100.0);
   contact.covariance_P = error * error * Eigen::Matrix3d::Identity();
+  contact.makerElectrode =
+      reader.maybeWhole("maker_electrode", 1, static_cast<int>(maxFoundContacts));
   contact.isSeenSingly = reader.flag("seen_singly");
   contact.isByHand = reader.flag("by_hand");
   contact.isInside = reader.flag("inside");
@@ -310,25 +315,12 @@ Surgery surgeryIn(Reader& reader)
 const FieldMeanings& columns()
 {
   static const FieldMeanings all{
-      {"contact", "",
-       "Number of the contact; 1 is the most apical. Some makers number from the base."},
-      {"x_lps_mm", "mm", "Position in the CT after surgery, LPS: toward the patient's left."},
-      {"y_lps_mm", "mm", "The same, toward the back."},
-      {"z_lps_mm", "mm", "The same, toward the head."},
-      {"error_mm", "mm", "Standard deviation of the position along each direction."},
-      {"seen_singly", "",
-       "1: the contact was seen by itself; 0: it was placed by the array's spacings."},
-      {"by_hand", "", "1: a person placed it."},
-      {"inside", "",
-       "1: past the opening of the cochlea. If 0, the columns that follow are empty."},
+      {"contact", "", "Number of the contact; 1 is the most apical."},
+      {"maker_electrode", "",
+       "The electrode's number in its maker's fitting software; empty if that is not known."},
       {"angle_deg", "degrees", "Angle from the center of the round window, full turns included."},
       {"angle_low95_deg", "degrees", "Lower end of its 95 % interval."},
       {"angle_high95_deg", "degrees", "Upper end of its 95 % interval."},
-      {"modiolus_mm", "mm",
-       "Distance to the inner wall, toward the modiolar axis; negative beyond it."},
-      {"outer_wall_mm", "mm", "Distance to the outer wall; negative beyond it."},
-      {"in_scala_tympani", "",
-       "Probability that it lies below the basilar membrane, which no CT shows."},
       {"greenwood_Hz", "Hz",
        "Estimated place frequency along the organ of Corti (Greenwood 1990)."},
       {"greenwood_low95_Hz", "Hz",
@@ -343,7 +335,27 @@ const FieldMeanings& columns()
        "At the lower end of the angle's interval; listeners vary beyond it."},
       {"filter_Hz", "Hz",
        "Center of the contact's default filter; empty if its maker states none."},
-      {"mismatch_semitones", "semitones", "Spiral-ganglion frequency above the filter's center."}};
+      {"mismatch_semitones", "semitones", "Spiral-ganglion frequency above the filter's center."},
+      {"in_scala_tympani", "",
+       "Probability that it lies below the basilar membrane, which no CT shows."},
+      {"error_mm", "mm", "Standard deviation of the position along each direction."},
+      {"modiolus_mm", "mm",
+       "Distance to the inner wall, toward the modiolar axis; negative beyond it."},
+      {"outer_wall_mm", "mm", "Distance to the outer wall; negative beyond it."},
+      {"seen_singly", "",
+       "1: the contact was seen by itself; 0: it was placed by the array's spacings."},
+      {"by_hand", "", "1: a person placed it."},
+      {"inside", "",
+       "1: past the opening of the cochlea. If 0, angles, frequencies, filter, mismatch, distances "
+       "and the probability are empty."},
+      {"x_lps_mm", "mm", "Position in the CT after surgery, LPS: toward the patient's left."},
+      {"y_lps_mm", "mm", "The same, toward the back."},
+      {"z_lps_mm", "mm", "The same, toward the head."},
+      {"array", "", "Name or file of the implanted array, the same in each row."},
+      {"side", "", "right or left, the same in each row."},
+      {"flags", "",
+       "Names of what is doubtful, joined by spaces, the same in each row; empty if nothing is. "
+       "The guide explains them."}};
   return all;
 }
 
@@ -352,6 +364,14 @@ std::string plain(double value)
   char text[40];
   std::snprintf(text, sizeof text, "%.6g", value);
   return text;
+}
+
+/// A frequency to three significant digits, as the report shows it: its interval is wider by far.
+std::string significant(double frequency_Hz)
+{
+  char text[40];
+  std::snprintf(text, sizeof text, "%.2e", frequency_Hz);
+  return plain(std::strtod(text, nullptr));
 }
 
 }  // namespace
@@ -479,25 +499,31 @@ Result<OutcomeContent> outcomeIn(const std::string& text, const Sentence& name)
 
 std::string outcomeCsv(const FoundArray& found)
 {
+  std::string flags;
+  for (const Flag flag : found.flags)
+    flags += (flags.empty() ? "" : " ") + std::string(nameOf(flag));
+  const std::string whole = "," + analysis::csvField(found.array) + "," +
+                            std::string(anatomy::nameOf(found.side)) + "," + flags;
   std::string csv = headerOf(columns()) + "\n";
   for (const FoundContact& c : found.contacts) {
-    csv += std::to_string(c.number);
-    for (Eigen::Index i = 0; i < 3; ++i) csv += "," + plain(c.position_P[i]);
-    csv += "," + plain(c.error_mm()) + (c.isSeenSingly ? ",1" : ",0") + (c.isByHand ? ",1" : ",0") +
-           (c.isInside ? ",1" : ",0");
+    csv += std::to_string(c.number) + ",";
+    if (c.makerElectrode) csv += std::to_string(*c.makerElectrode);
     if (c.isInside) {
       const auto [low, high] = c.angle_deg.interval95();
-      for (const double value :
-           {c.angle_deg.value, low, high, c.modiolus_mm, c.outerWall_mm, c.inScalaTympani,
-            c.greenwood_Hz[0], c.greenwood_Hz[1], c.greenwood_Hz[2], c.spiralGanglion_Hz[0],
-            c.spiralGanglion_Hz[1], c.spiralGanglion_Hz[2]})
-        csv += "," + plain(value);
-      csv +=
-          c.filter_Hz > 0.0 ? "," + plain(c.filter_Hz) + "," + plain(c.mismatch_semitones) : ",,";
+      for (const double value : {c.angle_deg.value, low, high}) csv += "," + plain(value);
+      for (const auto& frequency : {c.greenwood_Hz, c.spiralGanglion_Hz})
+        for (const double value : frequency) csv += "," + significant(value);
+      csv += c.filter_Hz > 0.0 ? "," + significant(c.filter_Hz) + "," + plain(c.mismatch_semitones)
+                               : ",,";
+      csv += "," + plain(c.inScalaTympani) + "," + plain(c.error_mm()) + "," +
+             plain(c.modiolus_mm) + "," + plain(c.outerWall_mm);
     } else {
-      csv += std::string(14, ',');
+      csv += std::string(13, ',') + plain(c.error_mm()) + ",,";
     }
-    csv += "\n";
+    csv += std::string(c.isSeenSingly ? ",1" : ",0") + (c.isByHand ? ",1" : ",0") +
+           (c.isInside ? ",1" : ",0");
+    for (const double value : c.position_P) csv += "," + plain(value);
+    csv += whole + "\n";
   }
   return csv;
 }

@@ -96,6 +96,7 @@ outcome::FoundArray placedArray(const outcome::ContactsRequest& request)
   for (int number = 1; number <= contactCount; ++number) {
     outcome::FoundContact contact;
     contact.number = number;
+    contact.makerElectrode = request.array.makerElectrode(number);
     const double angle_deg = 420.0 - 30.0 * (number - 1);
     contact.position_P = measured().fromAnatomy(scala->center_W(degrees(angle_deg).si()));
     contact.covariance_P = 0.01 * Eigen::Matrix3d::Identity();
@@ -224,6 +225,7 @@ TEST_F(AnOutcome, IsFoundAfterAPatientAndACtAreChosenAndStatesItsValues)
               testing::HasSubstr("the ear is measured in this CT, with wider errors"));
   QTableWidget& contacts = table(rig);
   ASSERT_EQ(contacts.rowCount(), contactCount);
+  EXPECT_EQ(contacts.item(0, 0)->text(), "1 (E1)");
   EXPECT_EQ(contacts.item(2, 3)->text(), "42 %");
   EXPECT_EQ(contacts.item(3, 8)->text(), "by spacing");
   EXPECT_EQ(contacts.item(contactCount - 1, 1)->text(), "outside");
@@ -898,6 +900,10 @@ TEST_F(AnOutcome, TheOtherSideIsADoubtEvenIfTheMeasuresAgree)
       [&] { return page.findChild<QDialog*>("anotherEarQuestion") != nullptr; }));
   EXPECT_THAT(page.findChild<QLabel*>("anotherEarDoubts")->text().toStdString(),
               testing::HasSubstr("The ear in this CT is a"));
+  const bool isLeft = patient_.side == anatomy::Side::left;
+  EXPECT_EQ(page.findChild<QLabel*>("anotherEarTitle")->text(),
+            isLeft ? "This CT shows a right ear; the record is that of a left ear."
+                   : "This CT shows a left ear; the record is that of a right ear.");
   page.findChild<QAbstractButton*>("leaveEarButton")->click();
 }
 
@@ -986,10 +992,15 @@ TEST_F(AnOutcome, TheReportIsOnePageAndStatesEveryFlag)
   EXPECT_THAT(text, testing::HasSubstr("Page 1 of 1"));
   EXPECT_THAT(text, testing::HasSubstr("P-53"));
   EXPECT_THAT(text, testing::HasSubstr("420"));
+  for (const char* head : {"GW, kHz", "SG, kHz (95 %)", "filter, kHz", "mismatch, st"})
+    EXPECT_THAT(text, testing::HasSubstr(head));
   // lines are broken anywhere
   std::string flat;
   for (const char c : text)
     if (!std::isspace(static_cast<unsigned char>(c))) flat += c;
+  // contact 1: the maker's number; modiolus, Greenwood, spiral ganglion, default filter, mismatch
+  EXPECT_THAT(flat, testing::HasSubstr("1(E1)420(412–428)°"));
+  EXPECT_THAT(flat, testing::HasSubstr("97%0.550.500.40(0.36–0.45)0.2012singly"));
   for (const outcome::Flag flag : page.found()->flags) {
     std::string sentence;
     for (const char c : std::string(outcome::sentenceOf(flag)))

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "perilymph/electrode/ArrayDesign.h"
+#include "perilymph/electrode/ArrayText.h"
 #include "perilymph/foundation/Resources.h"
 
 // Every shipped array against published data that its file does not contain.
@@ -190,6 +191,26 @@ INSTANTIATE_TEST_SUITE_P(, KnownArray, testing::ValuesIn([] {
                            std::replace(name.begin(), name.end(), '-', '_');
                            return name;
                          });
+
+TEST(ElectrodesOfTheMaker, CountFromTheBaseAtCochlearAndFromTheTipAtMedEl)
+{
+  // 22 is at the tip of an array of Cochlear's, and so is 1 at that of one of MED-EL's: as their fitting software says
+  const ArrayDesign straight = shipped("slim-straight"), flex = shipped("flex28");
+  EXPECT_EQ(straight.makerElectrode(1), 22);
+  EXPECT_EQ(straight.makerElectrode(22), 1);
+  EXPECT_EQ(flex.makerElectrode(1), 1);
+  EXPECT_EQ(flex.makerElectrode(12), 12);
+  EXPECT_EQ(shipped("evo").makerElectrode(1), std::nullopt);  // no source is known
+}
+
+TEST(ElectrodesOfTheMaker, AreWrittenAndReadAgain)
+{
+  for (const char* name : {"slim-straight", "flex28", "evo"}) {
+    const auto read = parseArray(arrayText(shipped(name)), name);
+    ASSERT_TRUE(read) << read.error().message;
+    EXPECT_EQ(read->makerNumbering, shipped(name).makerNumbering) << name;
+  }
+}
 
 TEST(StiffnessOfShippedArrays, FollowsSiliconeAndWiresWhereTheFileSaysSo)
 {

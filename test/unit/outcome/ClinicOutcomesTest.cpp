@@ -154,7 +154,12 @@ TEST(ClinicOutcomes, AreWrittenWithoutADateAndWithAMeaningForEveryColumn)
   };
   const std::size_t end = csv.find('\n');
   EXPECT_EQ(commasIn(csv.substr(0, end)), commasIn(csv.substr(end + 1)));
-  EXPECT_EQ(outcomesFigures(*clinic).size(), 2u);
+  const auto figures = outcomesFigures(*clinic);
+  ASSERT_EQ(figures.size(), 2u);
+  const figures::FigureAxis& ears = figures[1].second.y;  // there is no half ear
+  EXPECT_EQ(ears.tick, std::floor(ears.tick));
+  EXPECT_GE(ears.tick, 1.0);
+  EXPECT_EQ(ears.decimals, 0);
 }
 
 TEST(ClinicOutcomes, RefuseValuesThatNoEarHasInOneSentence)

@@ -2,6 +2,7 @@
 
 // Outcomes as files: what is written is read again, and what does not hold is refused.
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,6 +27,7 @@ OutcomeContent example()
     contact.number = number;
     contact.position_P = {10.25 * number, -3.5, 0.125};
     contact.covariance_P = 0.01 * Eigen::Matrix3d::Identity();
+    contact.makerElectrode = 23 - number;
     contact.isInside = number < 3;
     contact.isByHand = number == 2;
     contact.isSeenSingly = number != 2;
@@ -119,7 +121,7 @@ TEST(OutcomeText, IsRefusedInASentenceWhateverIsWrongWithAKey)
       changed[Json::json_pointer(path)] = wrong;
       const auto read = outcomeIn(changed.dump(), "outcome");
       if (path.ends_with("filter_Hz") || path.ends_with("mismatch_semitones") ||
-          path.ends_with("ct_age_days"))
+          path.ends_with("maker_electrode") || path.ends_with("ct_age_days"))
         if (wrong.is_null()) continue;  // may be missing
       EXPECT_FALSE(read) << path << " = " << wrong;
       if (!read) {
@@ -184,8 +186,40 @@ TEST(OutcomeText, TheTableHasAColumnForEveryRowOfItsDictionary)
     ++rows;
   }
   EXPECT_EQ(rows, 3);
+  EXPECT_THAT(head, testing::StartsWith("contact,maker_electrode,angle_deg,"));
   const std::string dictionary = outcomeDictionaryCsv();
   EXPECT_EQ(std::count(dictionary.begin(), dictionary.end(), '\n') - 1, fieldsIn(head));
+}
+
+TEST(OutcomeText, EachRowOfTheTableStatesWhatIsDoubtfulAndFrequenciesToThreeDigits)
+{
+  FoundArray found = example().found;
+  found.contacts[0].greenwood_Hz = {802.46, 700.0, 12'345.6};
+  found.contacts[2].makerElectrode.reset();
+  std::istringstream csv(outcomeCsv(found));
+  std::string head, first, second, third;
+  for (std::string* line : {&head, &first, &second, &third}) std::getline(csv, *line);
+  EXPECT_THAT(first, testing::StartsWith("1,22,310,"));
+  EXPECT_THAT(first, testing::HasSubstr(",802,700,12300,600,500,720,240,15.9,0.875,0.1,"));
+  EXPECT_THAT(second, testing::StartsWith("2,21,"));
+  EXPECT_THAT(third, testing::StartsWith("3,,,"));
+  for (const std::string& line : {first, second, third})
+    EXPECT_THAT(line, testing::EndsWith(",flex28,left,missing_contacts contacts_outside")) << line;
+}
+
+TEST(OutcomeText, TheMakersNumbersAreReadAgainAndStayUnknownWhereNoneIsStated)
+{
+  OutcomeContent content = example();
+  content.found.contacts[1].makerElectrode.reset();
+  const auto read = outcomeIn(outcomeJson(content), "outcome");
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_EQ(read->found.contacts[0].makerElectrode, 22);
+  EXPECT_EQ(read->found.contacts[1].makerElectrode, std::nullopt);
+  Json json = Json::parse(outcomeJson(content));
+  json["contacts"][0]["maker_electrode"] = 65;
+  const auto refused = outcomeIn(json.dump(), "outcome");
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().message, testing::HasSubstr("maker_electrode"));
 }
 
 }  // namespace

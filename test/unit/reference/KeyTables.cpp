@@ -181,6 +181,7 @@ KeyedFile arrayFile()
                      {"contacts.contact_length_mm", "0.5"},
                      {"contacts.plates", "\"pair\""},
                      {"contacts.single_plates", "1"},
+                     {"contacts.maker_numbering", "\"from_tip\""},
                      {"taper.last_contact_mm", "[0.6, 0.9]"},
                      {"taper.carrier_MPa", "0.2"},
                      {"ribs.from_tip_mm", "[22.0]"},

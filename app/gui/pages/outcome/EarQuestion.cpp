@@ -66,14 +66,19 @@ QStringList earDoubts(const SavedPatient& patient, const outcome::Ear& ear,
   return doubts;
 }
 
-EarQuestion::EarQuestion(const QString& patient, const QStringList& doubts, QWidget* parent)
+EarQuestion::EarQuestion(const QString& patient, const QStringList& doubts,
+                         std::optional<anatomy::Side> otherSide, QWidget* parent)
     : QDialog(parent)
 {
   setObjectName(QStringLiteral("anotherEarQuestion"));
   setAttribute(Qt::WA_DeleteOnClose);
   setWindowTitle(tr("Is this CT of %1?").arg(patient));
-  auto* title =
-      new WrappedLabel(tr("This CT may be of another person than %1.").arg(patient), this);
+  const QString which = !otherSide ? tr("This CT may be of another person than %1.").arg(patient)
+                        : *otherSide == anatomy::Side::left
+                            ? tr("This CT shows a left ear; the record is that of a right ear.")
+                            : tr("This CT shows a right ear; the record is that of a left ear.");
+  auto* title = new WrappedLabel(which, this);
+  title->setObjectName(QStringLiteral("anotherEarTitle"));
   title->setFont(typeface(13, QFont::DemiBold));
   auto* differences = new WrappedLabel(doubts.join(QLatin1Char('\n')), this);
   differences->setObjectName(QStringLiteral("anotherEarDoubts"));

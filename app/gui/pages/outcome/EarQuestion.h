@@ -5,6 +5,7 @@
 
 #include <QDialog>
 #include <QStringList>
+#include <optional>
 
 #include "gui/setup/PatientLibrary.h"
 #include "perilymph/ct/CtVolume.h"
@@ -23,7 +24,9 @@ QStringList earDoubts(const SavedPatient& patient, const outcome::Ear& ear,
 class EarQuestion : public QDialog {
   Q_OBJECT
 public:
-  EarQuestion(const QString& patient, const QStringList& doubts, QWidget* parent);
+  /// @param otherSide  Side of the ear in the CT where it is not the patient's.
+  EarQuestion(const QString& patient, const QStringList& doubts,
+              std::optional<anatomy::Side> otherSide, QWidget* parent);
 };
 
 }  // namespace perilymph::gui

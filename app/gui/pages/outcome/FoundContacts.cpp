@@ -14,7 +14,7 @@ namespace perilymph::gui {
 namespace {
 
 constexpr int foundRow_px = 22, foundHeader_px = 40;
-constexpr int foundWidths_px[] = {36, 104, 78, 84, 120, 126, 76, 92, 84};
+constexpr int foundWidths_px[] = {68, 104, 78, 84, 120, 126, 76, 92, 84};
 
 }  // namespace
 
@@ -24,7 +24,8 @@ FoundContacts::FoundContacts(QWidget* parent)
   setObjectName(QStringLiteral("outcomeContacts"));
   setAccessibleName(tr("Contacts found in the CT"));
   const std::pair<QString, QString> columns[] = {
-      {tr("No."), tr("Number of the contact; 1 at the tip")},
+      {tr("No."),
+       tr("Number of the contact, 1 at the tip; in brackets that in its maker’s fitting software")},
       {tr("Angle"), tr("From the round window, with its 95 % interval")},
       {tr("To modiolus"),
        tr("From the contact’s center to the inner wall, toward the modiolar axis")},
@@ -47,7 +48,8 @@ FoundContacts::FoundContacts(QWidget* parent)
           "the array’s spacings place it; by hand: a person placed it")}};
   showValues(*this, columns, sized(foundRow_px), sized(foundHeader_px));
   connect(this, &QTableWidget::itemSelectionChanged, this, [this] {
-    if (const auto* number = item(currentRow(), 0)) Q_EMIT contactChosen(number->text().toInt());
+    if (const auto* number = item(currentRow(), 0))
+      Q_EMIT contactChosen(number->data(Qt::UserRole).toInt());
   });
   show({});
 }
@@ -59,7 +61,7 @@ void FoundContacts::show(const std::vector<outcome::FoundContact>& contacts)
   setRowCount(int(contacts.size()));
   for (int row = 0; row < int(contacts.size()); ++row) {
     const outcome::FoundContact& each = contacts[std::size_t(row)];
-    QStringList texts{QString::number(each.number), angleText(each)};
+    QStringList texts{contactText(each), angleText(each)};
     if (each.isInside)
       texts << tr("%1 mm").arg(numberText(each.modiolus_mm, 2)) << scalaText(each)
             << frequencyText(each.greenwood_Hz) << frequencyText(each.spiralGanglion_Hz)
@@ -72,6 +74,7 @@ void FoundContacts::show(const std::vector<outcome::FoundContact>& contacts)
     for (int column = 0; column < texts.size(); ++column) {
       auto* item = new QTableWidgetItem(texts[column]);
       item->setToolTip(tr("Position known to %1 mm").arg(numberText(each.error_mm(), 2)));
+      item->setData(Qt::UserRole, each.number);
       setItem(row, column, item);
     }
   }

@@ -456,7 +456,10 @@ void OutcomePage::acceptEar(const OutcomeWork::SharedEar& ear)
   if (doubts.isEmpty()) return join();
   panel_->showIdle({});
   const QString name = nameOfPatient(panel_->patient()->patient);
-  question_ = new EarQuestion(name, doubts, this);
+  const anatomy::Side side = ear->measures.side;
+  question_ = new EarQuestion(
+      name, doubts, side != panel_->patient()->patient.side ? std::optional(side) : std::nullopt,
+      this);
   connect(question_, &QDialog::accepted, this, join);
   connect(question_, &QDialog::rejected, this, [this, name] {
     leaveFound();

@@ -127,6 +127,13 @@ inline constexpr std::array platesTable{Choice<Plates>{Plates::single, "single"}
                                         Choice<Plates>{Plates::pair, "pair"},
                                         Choice<Plates>{Plates::band, "band"}};
 
+/// The end of the array from which its maker's fitting software numbers the electrodes, from 1.
+enum class MakerNumbering { fromTip, fromBase };
+/// Their names in files.
+inline constexpr std::array makerNumberings{
+    Choice<MakerNumbering>{MakerNumbering::fromTip, "from_tip"},
+    Choice<MakerNumbering>{MakerNumbering::fromBase, "from_base"}};
+
 /// An electrode array with all data that mechanics and visualization need.
 struct ArrayDesign {
   std::string name;  ///< "Nucleus 24 Contour"
@@ -155,6 +162,7 @@ struct ArrayDesign {
   Plates plates = Plates::single;
   int singlePlates =
       0;  ///< Contacts from the tip with a single plate, of an array with pairs or bands.
+  std::optional<MakerNumbering> makerNumbering;  ///< Absent: not known.
   std::vector<Length> ribsFromTip;  ///< Distance of the marker ribs' centers from the tip.
   Length ribHeight;                 ///< Above the carrier.
   Length ribLength;                 ///< Along the array.
@@ -171,6 +179,14 @@ struct ArrayDesign {
   Plates platesOf(std::size_t contact) const
   {
     return contact < static_cast<std::size_t>(singlePlates) ? Plates::single : plates;
+  }
+  /// The maker's number of a contact that is counted from 1 at the tip, if the numbering is known.
+  std::optional<int> makerElectrode(int contact) const
+  {
+    if (!makerNumbering) return std::nullopt;
+    return *makerNumbering == MakerNumbering::fromTip
+               ? contact
+               : static_cast<int>(contactsFromTip.size()) + 1 - contact;
   }
   /// Radius of the tip cap.
   Length tipRadius() const;

@@ -59,9 +59,10 @@ struct FoundContact {
   Eigen::Vector3d position_P = Eigen::Vector3d::Zero();
   Eigen::Matrix3d covariance_P = Eigen::Matrix3d::Zero();  ///< Covariance of the position [mm^2].
   bool isSeenSingly = true;  ///< Its own brightness was seen; else it was placed by the spacings.
-  bool isByHand = false;     ///< A person placed it.
-  bool isInside = false;     ///< Past the opening. If not, nothing below is set.
-  Uncertain angle_deg;       ///< From the round window, full turns included.
+  std::optional<int> makerElectrode;  ///< Its number in the maker's fitting software, if known.
+  bool isByHand = false;              ///< A person placed it.
+  bool isInside = false;              ///< Past the opening. If not, nothing below is set.
+  Uncertain angle_deg;                ///< From the round window, full turns included.
   double modiolus_mm =
       0.0;  ///< Distance to the inner wall, toward the modiolar axis; may be negative.
   double outerWall_mm = 0.0;  ///< Distance to the outer wall, away from the axis; may be negative.

@@ -70,7 +70,8 @@ class DebianPackages(unittest.TestCase):
         self.assertEqual(said.stdout.split(), ["FLEX28", str(self.unpacked / "usr/lib/python3/dist-packages/perilymph/__init__.py")])
         examples = self.unpacked / "usr/share/doc/python3-perilymph/examples"
         self.assertEqual(sorted(file.name for file in examples.iterdir()),
-                         sorted(file.name for file in (ROOT / "resources/examples/python").glob("*.py")))
+                         sorted(file.name for file in (ROOT / "resources/examples/python").iterdir()
+                                if file.suffix in (".py", ".ipynb")))
 
     def test_the_desktop_entry_and_its_description_are_accepted(self):
         share = self.unpacked / "usr/share"

@@ -647,7 +647,9 @@ TEST_F(AnOutcome, TheTableStatesTheValuesOfTheJson)
   ASSERT_EQ(json["contacts"].size(), std::size_t(contactCount));
   for (int row = 0; row < contactCount - 1; ++row) {
     const auto& contact = json["contacts"][std::size_t(row)];
-    EXPECT_EQ(table(rig).item(row, 0)->text().toInt(), contact["number"].get<int>());
+    EXPECT_EQ(table(rig).item(row, 0)->text().toStdString(),
+              std::to_string(contact["number"].get<int>()) + " (E" +
+                  std::to_string(contact["maker_electrode"].get<int>()) + ")");
     EXPECT_EQ(table(rig).item(row, 2)->text().toStdString(),
               QString::number(contact["modiolus_mm"].get<double>(), 'f', 2).toStdString() + " mm");
   }

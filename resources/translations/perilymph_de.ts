@@ -4628,10 +4628,6 @@
         <translation>22 Kontakte auf 15 mm (3 bis 18 mm Tiefe) laut öffentlichem Forschungscode. Der Verlauf der Abstände ist der des Contour (Wahl). Die Nummern, die ihnen die Anpasssoftware gibt, 22 an der Spitze: allgemeine Literatur, mittlere Sicherheit.</translation>
     </message>
     <message>
-        <source>22 half-band contacts over an active length of 15 mm, pitch 0.4 to 0.8 mm growing from the tip: general literature, not measured. The first contact&apos;s place, the law of the pitch and the contact&apos;s length are choices. The numbers that the fitting software gives them, 22 at the tip: general literature, medium confidence.</source>
-        <translation>22 Halbbandkontakte auf einer aktiven Länge von 15 mm, Abstand von der Spitze an von 0,4 auf 0,8 mm wachsend: allgemeine Literatur, nicht gemessen. Lage des ersten Kontakts, Verlauf der Abstände und Kontaktlänge sind Wahl. Die Nummern, die ihnen die Anpasssoftware gibt, 22 an der Spitze: allgemeine Literatur, mittlere Sicherheit.</translation>
-    </message>
-    <message>
         <source>22 contacts over 14.5 mm, as listed in public research code. The first contact&apos;s place and the contact&apos;s length are choices. The numbers that the fitting software gives them, 22 at the tip: general literature, medium confidence.</source>
         <translation>22 Kontakte auf 14,5 mm laut öffentlichem Forschungscode. Lage des ersten Kontakts und Kontaktlänge sind Wahl. Die Nummern, die ihnen die Anpasssoftware gibt, 22 an der Spitze: allgemeine Literatur, mittlere Sicherheit.</translation>
     </message>
@@ -4666,6 +4662,10 @@
     <message>
         <source>12 channels with a pitch of 1.1 mm, 12.1 mm from the first to the last: general literature and clinical studies of the device. The first contact&apos;s place and the contact&apos;s length are choices. The numbers that the fitting software gives them, 1 at the tip: general literature, medium confidence.</source>
         <translation>12 Kanäle im Abstand von 1,1 mm, 12,1 mm vom ersten bis zum letzten: allgemeine Literatur und klinische Studien zum Gerät. Lage des ersten Kontakts und Kontaktlänge sind Wahl. Die Nummern, die ihnen die Anpasssoftware gibt, 1 an der Spitze: allgemeine Literatur, mittlere Sicherheit.</translation>
+    </message>
+    <message>
+        <source>22 half-band contacts over an active length of 15 mm, pitch 0.4 to 0.8 mm growing from the tip: general literature, not measured. The first contact&apos;s place, the law of the pitch and the contact&apos;s length are choices.</source>
+        <translation>22 Halbbandkontakte auf einer aktiven Länge von 15 mm, Abstand von der Spitze an von 0,4 auf 0,8 mm wachsend: allgemeine Literatur, nicht gemessen. Lage des ersten Kontakts, Verlauf der Abstände und Kontaktlänge sind Wahl.</translation>
     </message>
 </context>
 <context>

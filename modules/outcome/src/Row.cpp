@@ -24,7 +24,7 @@ constexpr double costOfDarkPlace = 3.0;
 constexpr double rowsApart = 0.4;  // of the first spacing
 constexpr double noRow = -1e9;
 
-/// The course of a row: places rowStep_mm rowsApart, what is seen there, and how much nearer to each other the contacts on
+/// The course of a row: places at equal distances, what is seen there, and how much nearer to each other the contacts on
 /// the inner side of the bend are, as a part of their distance for each millimeter from the center line.
 struct Course {
   std::vector<Vector3d> point_P;

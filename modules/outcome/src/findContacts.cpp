@@ -238,8 +238,8 @@ std::vector<Vector3d> commonPoints(const std::vector<std::vector<Vector3d>>& cou
   return points;
 }
 
-/// What speaks against the numbers of a fit's contacts beside its cost: contacts without metal, and metal that goes on
-/// beyond the apical contact, where an array ends. In units of the cost.
+/// What speaks against the numbers of a fit's contacts beside its cost: contacts without metal, contacts in the bone,
+/// and metal that goes on beyond the apical contact, where an array ends. In units of the cost.
 double costOfEnds(const FittedChain& fit, const MetalGrid& grid, const EarFrame& frame,
                   const electrode::ArrayDesign& array)
 {
@@ -426,11 +426,9 @@ Result<FoundArray> findContacts(const ct::CtVolume& postoperative, const Ear& ea
   };
 
   FoundEvidence evidence;
-  int inChain = 0;  // contacts that have a candidate
   evidence.isSeenSingly = pitch > singly * fwhm;
   std::vector<std::vector<Vector3d>> starts;  // positions of all contacts
   std::vector<Candidate> candidates;
-  Chain chain;
   // of a pair's plates one blob
   const bool isPair = array.platesOf(array.contactsFromTip.size() - 1) == electrode::Plates::pair;
   const double sigma = std::clamp(std::max(0.25 * pitch, 0.6 * blur), 0.12, isPair ? 0.5 : 0.35);
@@ -438,10 +436,10 @@ Result<FoundArray> findContacts(const ct::CtVolume& postoperative, const Ear& ea
     candidates = withHands(candidatesOf(blobsOf(grid, sigma), frame, array.contactsFromTip.size()));
     report(0.3);
     if (isStopped()) return canceled;
-    chain = bestChain(candidates, grid, array, byHand, fwhm);
-    inChain = static_cast<int>(std::count_if(chain.candidate.begin(), chain.candidate.end(),
-                                             [](int each) { return each >= 0; }));
-    if (3 * inChain >= static_cast<int>(array.contactsFromTip.size()))
+    const Chain chain = bestChain(candidates, grid, array, byHand, fwhm);
+    const auto seen = std::count_if(chain.candidate.begin(), chain.candidate.end(),
+                                    [](int each) { return each >= 0; });
+    if (3 * seen >= static_cast<std::ptrdiff_t>(array.contactsFromTip.size()))
       starts.push_back(positionsOf(chain, candidates, array));
   }
   report(0.4);

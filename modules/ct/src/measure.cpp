@@ -51,7 +51,7 @@ Result<CochleaMeasures> Pipeline::run()
 {
   auto chosen = choose(std::nullopt);
   if (!chosen) return chosen.error();
-  if (!request_.click_P) considerOther(*chosen);
+  if (!request_.click_P && request_.starts.empty()) considerOther(*chosen);
   auto free = refined(std::move(chosen->best));
   if (!free) return free.error();
   const FitResult best = request_.marks.isEmpty() ? *std::move(free) : corrected(*std::move(free));

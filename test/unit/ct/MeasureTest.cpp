@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <cmath>
 #include <cstring>
@@ -30,6 +31,28 @@ TEST(MeasureCochlea, FindsThePhantomsAxisAndRoundWindow)
 {
   EXPECT_GT(measures().axis_P.dot(phantom().axis_P), std::cos(degrees(4.0).si()));
   EXPECT_LT((measures().roundWindow_P - phantom().roundWindow_P).norm(), 0.6);
+}
+
+TEST(MeasureCochlea, FromGivenStartsFindsTheSameCochleaWithoutAClick)
+{
+  const auto startAt = [](const Eigen::Vector3d& shift, double turn_deg) {
+    const Eigen::Matrix3d turned =
+        Eigen::AngleAxisd(degrees(turn_deg).si(), Eigen::Vector3d(2.0, -1.0, 1.0).normalized())
+            .toRotationMatrix();
+    const auto moved = [&](const Eigen::Vector3d& at_P) {
+      return Eigen::Vector3d(measures().center_P + shift + turned * (at_P - measures().center_P));
+    };
+    return CochleaStart{moved(measures().roundWindow_P), moved(measures().center_P),
+                        moved(measures().center_P + 4.0 * measures().axis_P), measures().side};
+  };
+  MeasureRequest request;
+  request.starts = {startAt({5.0, 4.0, -3.0}, 100.0), startAt({0.6, -0.5, 0.6}, 15.0)};
+  const auto found = measureCochlea(phantom().volume, request);
+  ASSERT_TRUE(found) << found.error().message;
+  // both fits end at the smallest misfit; what differs is far below the stated error
+  EXPECT_NEAR(found->a.value, measures().a.value, 0.3 * measures().a.sd());
+  EXPECT_NEAR(found->b.value, measures().b.value, 0.3 * measures().b.sd());
+  EXPECT_LT((found->roundWindow_P - measures().roundWindow_P).norm(), 0.2);
 }
 
 TEST(MeasureCochlea, HasAnAxisNearThatOfTheSpiralMotionOfItsWall)

@@ -48,6 +48,8 @@ private:
                 std::vector<Start>& found) const;
   /// Starts where round window, modiolus and apex were placed, at the levels of the best starts.
   void addMarkedStarts(std::vector<Start>& found) const;
+  /// The starts that the request gives.
+  void addGivenStarts(std::vector<Start>& found) const;
   /// A short fit from every start; keeps the best, and the best of the other handedness.
   Result<Choice> chooseStart(const std::vector<Start>& from) const;
   struct Scored {

@@ -41,7 +41,9 @@ Result<std::vector<Pipeline::Start>> Pipeline::starts(
     const std::optional<Eigen::Vector3d>& elsewhere_P) const
 {
   std::vector<Start> found;
-  if (request_.click_P) {
+  if (!request_.starts.empty()) {
+    addGivenStarts(found);
+  } else if (request_.click_P) {
     if (!volume_.contains(*request_.click_P))
       return Error{
           "The point given lies outside the volume. Click into the cochlea, or give none and let "
@@ -64,7 +66,7 @@ Result<std::vector<Pipeline::Start>> Pipeline::starts(
     return Error{
         "No bone with a hollow was found there: the volume is empty or shows no temporal bone. "
         "Choose another series, or click into the cochlea."};
-  if (!request_.click_P && found.size() > 2 * startsPerLevel)
+  if (!request_.click_P && request_.starts.empty() && found.size() > 2 * startsPerLevel)
     found.resize(2 * startsPerLevel, found.front());
   return found;
 }
@@ -88,6 +90,22 @@ void Pipeline::addMarkedStarts(std::vector<Start>& found) const
       for (std::size_t i = 0; i < searched.size(); i += startsPerLevel)
         found.push_back(
             {{*pose, searched[i].candidate.score}, searched[i].bone, searched[i].lumen});
+}
+
+void Pipeline::addGivenStarts(std::vector<Start>& found) const
+{
+  for (const CochleaStart& each : request_.starts) {
+    Marks marks;
+    marks[Mark::roundWindow] = each.roundWindow_P;
+    marks[Mark::modiolus] = each.center_P;
+    marks[Mark::apex] = each.apex_P;
+    const auto pose = poseOf(marks, family_, axis_W_, each.side == anatomy::Side::right);
+    if (!pose || !volume_.contains(each.center_P)) continue;
+    const Region region(volume_, each.center_P, regionRadius_mm);
+    const Levels levels = findLevels(region, each.center_P, levelRadius_mm);
+    for (const double lumen : levels.candidates)
+      found.push_back({{*pose, 0.0}, levels.bone, lumen});
+  }
 }
 
 Result<Pipeline::Choice> Pipeline::chooseStart(const std::vector<Start>& from) const

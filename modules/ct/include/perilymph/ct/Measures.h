@@ -119,12 +119,21 @@ struct CochleaMeasures {
   }
 };
 
+/// Where a cochlea may lie, for a fit to start from; an error of a millimeter or 20 degrees does not matter.
+struct CochleaStart {
+  Eigen::Vector3d roundWindow_P, center_P;  ///< The center is on the axis, at the window's height.
+  Eigen::Vector3d apex_P;                   ///< On the axis.
+  anatomy::Side side = anatomy::Side::right;
+};
+
 struct MeasureRequest {
   std::optional<Eigen::Vector3d> click_P;  ///< Any point in the cochlea; empty: search the volume.
   /// Landmarks that a person placed or corrected: soft constraints, never ground truth. Standard
   /// deviations are 0.5 mm for round window, modiolus and the apex' place across the axis, 0.3 mm
   /// for points of the wall (src/MarkConstraint.cpp).
   Marks marks;
+  /// If there are any, the fit starts from these places and nothing is searched.
+  std::vector<CochleaStart> starts;
   /// Side of the ear: a search takes the cochlea that winds so; otherwise for comparison.
   std::optional<anatomy::Side> side;
   /// Receives the completed fraction, 0 to 1, on the calling thread.

@@ -35,7 +35,10 @@ Result<outcome::Ear> earOf(const CtContactsOptions& options, const imaging::Load
   request.side = valueIn(anatomy::sides, options.side);
   if (options.preop.empty()) {
     auto ear = outcome::measuredEar(postoperative, request);
-    if (!ear) return Error{options.path + ": " + ear.error().message};
+    if (!ear)
+      return Error{"%1: %2 Give the CT before surgery with --preop%3.", options.path,
+                   ear.error().message,
+                   options.at_mm ? "" : ", or a point inside the cochlea with --at X,Y,Z"};
     return ear;
   }
   const auto preoperative = imaging::readCt(options.preop, options.preopSeries);

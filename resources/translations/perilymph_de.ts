@@ -8071,10 +8071,6 @@
         <translation>Filter, kHz</translation>
     </message>
     <message>
-        <source>mismatch, st</source>
-        <translation>Abw., HT</translation>
-    </message>
-    <message>
         <source>%1 (%2–%3)</source>
         <translation>%1 (%2–%3)</translation>
     </message>
@@ -8085,6 +8081,14 @@
     <message>
         <source>%1 (E%2)</source>
         <translation>%1 (E%2)</translation>
+    </message>
+    <message>
+        <source>inserted at %1 mm/s</source>
+        <translation>inseriert mit %1 mm/s</translation>
+    </message>
+    <message>
+        <source>mismatch, st (95 %)</source>
+        <translation>Abw., HT (95 %)</translation>
     </message>
 </context>
 <context>
@@ -8727,7 +8731,7 @@
     </message>
     <message>
         <source>Spiral ganglion</source>
-        <translation>Spiral-ganglion</translation>
+        <translation>Spiralganglion</translation>
     </message>
     <message>
         <source>Frequency of the spiral ganglion at the angle (Stakhovskaya et al. 2007)</source>
@@ -8735,7 +8739,7 @@
     </message>
     <message>
         <source>Default filter</source>
-        <translation>Standard-filter</translation>
+        <translation>Standard-Filter</translation>
     </message>
     <message>
         <source>Center of the filter that the contact gets by default; – if no allocation is known</source>
@@ -8873,7 +8877,7 @@
     </message>
     <message>
         <source>Open folder…</source>
-        <translation>Ordner öffnen…</translation>
+        <translation>Ordner öffnen …</translation>
     </message>
     <message>
         <source>The CT in which %1 was measured is no longer where it was read, or was never read on this computer. Open its folder here.</source>
@@ -9418,7 +9422,7 @@
     </message>
     <message>
         <source>Default filter</source>
-        <translation>Standard-filter</translation>
+        <translation>Standard-Filter</translation>
     </message>
     <message>
         <source>Center of the filter that the contact gets by default; – if no allocation is known</source>
@@ -9427,10 +9431,6 @@
     <message>
         <source>Mismatch</source>
         <translation>Abweichung</translation>
-    </message>
-    <message>
-        <source>Frequency of its place on the spiral ganglion above its default filter, in semitones; positive: it hears a lower frequency than its place</source>
-        <translation>Frequenz seines Ortes am Spiralganglion über seinem Standardfilter, in Halbtönen; positiv: Er hört eine tiefere Frequenz als sein Ort</translation>
     </message>
     <message>
         <source>Placed</source>
@@ -9463,6 +9463,10 @@
     <message>
         <source>Number of the contact, 1 at the tip; in brackets that in its maker’s fitting software</source>
         <translation>Nummer des Kontakts, 1 an der Spitze; in Klammern die in der Anpasssoftware des Herstellers</translation>
+    </message>
+    <message>
+        <source>Frequency of its place on the spiral ganglion above its default filter, in semitones, with its 95 % interval; positive: it hears a lower frequency than its place</source>
+        <translation>Frequenz seines Orts auf dem Spiralganglion über seinem Standardfilter, in Halbtönen, mit 95-%-Intervall; positiv: Er hört eine tiefere Frequenz als sein Ort</translation>
     </message>
 </context>
 <context>
@@ -10594,12 +10598,12 @@
         <translation>Für diesen Patienten gibt es keinen Plan dieses Trägers. Die Seite Plan macht einen.</translation>
     </message>
     <message>
-        <source>Contacts by number, with the intervals of their angles; hollow: placed by spacing, or more likely above the basilar membrane. Bars at the modiolus: the plan’s bands; across the scala: that of the most apical contact.</source>
-        <translation>Kontakte nach Nummer, mit den Intervallen ihrer Winkel; hohl: nach Abstand gesetzt, oder eher über der Basilarmembran. Balken am Modiolus: die Bänder des Plans; quer über die Scala: das des apikalsten Kontakts.</translation>
-    </message>
-    <message>
         <source>Plan of %1, %2 simulations; bands: %3</source>
         <translation>Plan vom %1, %2 Simulationen; Bänder: %3</translation>
+    </message>
+    <message>
+        <source>Contacts by number, with the intervals of their angles; hollow: placed by spacing; diamond: more likely above the basilar membrane. Bars at the modiolus: the plan’s bands; across the scala: that of the most apical contact.</source>
+        <translation>Kontakte mit Nummer und dem Intervall ihres Winkels; hohl: nach Abstand gesetzt; Raute: eher über der Basilarmembran. Balken am Modiolus: die Bänder des Plans; quer über die Scala: das des apikalsten Kontakts.</translation>
     </message>
 </context>
 <context>
@@ -10730,7 +10734,7 @@
     </message>
     <message>
         <source>Save table…</source>
-        <translation>Tabelle speichern…</translation>
+        <translation>Tabelle speichern …</translation>
     </message>
     <message>
         <source>CSV with a dictionary of its columns; neither codes nor dates finer than a year</source>
@@ -10936,7 +10940,7 @@
     </message>
     <message>
         <source>Measure a CT…</source>
-        <translation>CT vermessen…</translation>
+        <translation>CT vermessen …</translation>
     </message>
 </context>
 <context>
@@ -11002,11 +11006,11 @@
     </message>
     <message>
         <source>Export…</source>
-        <translation>Exportieren…</translation>
+        <translation>Exportieren …</translation>
     </message>
     <message>
         <source>Import…</source>
-        <translation>Importieren…</translation>
+        <translation>Importieren …</translation>
     </message>
     <message>
         <source>Restore</source>
@@ -11678,7 +11682,7 @@ Die ersten Bänder kommen nach 8 Simulationen jedes Trägers.</translation>
     </message>
     <message>
         <source>Save table…</source>
-        <translation>Tabelle speichern…</translation>
+        <translation>Tabelle speichern …</translation>
     </message>
     <message>
         <source>Save the contacts for whoever programs the processor, as CSV with a dictionary of its columns</source>
@@ -11994,7 +11998,7 @@ Die ersten Bänder kommen nach 8 Simulationen jedes Trägers.</translation>
     </message>
     <message>
         <source>Contacts…</source>
-        <translation>Kontakte…</translation>
+        <translation>Kontakte …</translation>
     </message>
     <message>
         <source>Save the contacts for whoever programs the processor, as CSV with a dictionary of its columns</source>
@@ -12841,7 +12845,7 @@ Die ersten Bänder kommen nach 8 Simulationen jedes Trägers.</translation>
     </message>
     <message>
         <source>Choose…</source>
-        <translation>Wählen…</translation>
+        <translation>Wählen …</translation>
     </message>
     <message>
         <source>Remove</source>

@@ -102,7 +102,8 @@ class PicturesOfTheGuide(unittest.TestCase):
                 self.assertIn(f"(pictures/{walk}-{step}.png)", text)
 
     def test_the_german_guide_has_the_pages_steps_tables_and_commands_of_the_english_one(self):
-        for name in ("README", "surgeon", "ct", "clinician", "visitor", "booth", "questions", "glossary"):
+        for name in ("README", "surgeon", "ct", "clinician", "outcome", "visitor", "booth", "questions",
+                     "glossary"):
             english, german = ((folder / f"{name}.md").read_text() for folder in (GUIDE, GUIDE / "de"))
             for pattern in (r"^## \d+\.", r"^\|", r"!\[[^]]*\]\((?:\.\./)?(pictures/[^)]*)\)", r"^\*\*\d+\."):
                 with self.subTest(page=name, pattern=pattern):

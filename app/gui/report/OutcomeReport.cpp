@@ -137,8 +137,8 @@ double paintContacts(ReportSheet& sheet, const OutcomeReportContent& report, dou
     y_mm += high_mm;
   };
   row({tr("No."), tr("angle (95 %)"), tr("plan (band)"), tr("percentile"), tr("in ST"),
-       tr("mod., mm"), tr("GW, kHz"), tr("SG, kHz (95 %)"), tr("filter, kHz"), tr("mismatch, st"),
-       tr("placed")},
+       tr("mod., mm"), tr("GW, kHz"), tr("SG, kHz (95 %)"), tr("filter, kHz"),
+       tr("mismatch, st (95 %)"), tr("placed")},
       ReportFace::quiet);
   sheet.rule(0.0, y_mm, width_mm);
   for (const outcome::FoundContact& each : found.contacts) {
@@ -157,8 +157,8 @@ double paintContacts(ReportSheet& sheet, const OutcomeReportContent& report, dou
                                   kilohertzText(each.spiralGanglion_Hz[1]),
                                   kilohertzText(each.spiralGanglion_Hz[2]))
                        : none,
-         each.filter_Hz > 0.0 ? kilohertzText(each.filter_Hz) : none,
-         each.filter_Hz > 0.0 ? numberText(each.mismatch_semitones, 0) : none, placementText(each)},
+         each.filter_Hz > 0.0 ? kilohertzText(each.filter_Hz) : none, mismatchText(each),
+         placementText(each)},
         ReportFace::label);
   }
   return y_mm;

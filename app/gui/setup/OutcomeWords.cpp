@@ -56,6 +56,15 @@ QString frequencyText(const std::array<double, 3>& frequency_Hz)
            kilohertzText(frequency_Hz[2]));
 }
 
+QString mismatchText(const outcome::FoundContact& contact)
+{
+  if (contact.filter_Hz <= 0.0) return tr("–");
+  const auto [low, high] = contact.mismatch95_semitones();
+  const QString form = low < 0.0 ? tr("%1 (%2 to %3)") : tr("%1 (%2–%3)");
+  return form.arg(numberText(contact.mismatch_semitones, 0), numberText(low, 0),
+                  numberText(high, 0));
+}
+
 std::optional<double> percentileIn(const planning::Band& band, double value)
 {
   const std::array<std::pair<double, double>, 5> quantiles{{{5.0, band.low},

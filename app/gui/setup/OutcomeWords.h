@@ -27,6 +27,10 @@ QString placementText(const outcome::FoundContact& contact);
 /// "0.35 (0.30–0.41) kHz"; a dash where none is known.
 QString frequencyText(const std::array<double, 3>& frequency_Hz);
 
+/// "5 (3–7)" semitones: the place's frequency on the spiral ganglion above the contact's default filter, with the interval of
+/// that frequency; a dash without a filter.
+QString mismatchText(const outcome::FoundContact& contact);
+
 /// The share of a plan's simulations below a value, from the quantiles of its band: linear between
 /// them. None below the lowest or above the highest quantile that the band states.
 std::optional<double> percentileIn(const planning::Band& band, double value);

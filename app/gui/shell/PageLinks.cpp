@@ -54,6 +54,10 @@ void linkPages(MainWindow& window)
                      [outcome, &window](const QString& action, const std::function<void()>& act) {
                        window.endWork(*outcome, action, act);
                      });
+    if (plan != nullptr)
+      outcome->setPlannedPatient([plan] {
+        return plan->plan() ? std::optional(plan->plan()->request.patient) : std::nullopt;
+      });
     QObject::connect(outcome, &OutcomePage::kept, &window, &MainWindow::takeQuestionBack);
     if (start != nullptr)
       QObject::connect(start, &StartPage::outcomeRequested, outcome, &OutcomePage::openSaved);

@@ -51,6 +51,15 @@ std::vector<Stretch> stretches(const ArrayInScala& now)
   return all;
 }
 
+std::vector<PagePoint> diamondAt(PagePoint at, double radius_px)
+{
+  return {{at.x, at.y - radius_px},
+          {at.x + radius_px, at.y},
+          {at.x, at.y + radius_px},
+          {at.x - radius_px, at.y},
+          {at.x, at.y - radius_px}};
+}
+
 void drawContacts(PlotSheet& sheet, const ArrayInScala& now, const figures::Palette& ink)
 {
   const electrode::ArrayDesign& array = now.array();
@@ -282,7 +291,7 @@ figures::Drawing UnrolledScala::drawFound(const std::vector<FoundPlace>& found,
                      1.5,
                      0.0});
   }
-  constexpr double contact_px = 3.5;
+  constexpr double contact_px = 3.5, diamond_px = 5.0;
   for (const FoundPlace& each : found) {
     const double across_mm = widthAt(each.angle_deg).inner_mm + each.modiolus_mm;
     const figures::PagePoint at = sheet.at(inside(each.angle_deg), across_mm);
@@ -291,7 +300,14 @@ figures::Drawing UnrolledScala::drawFound(const std::vector<FoundPlace>& found,
         ink.text,
         1.0,
         0.0});
-    sheet.add(Disk{at, contact_px, each.isDoubtful ? ink.ground : ink.accent, ink.text});
+    const figures::Ink fill = each.isPlaced ? ink.accent : ink.ground;
+    if (each.isAbove) {
+      const auto diamond = diamondAt(at, diamond_px);
+      sheet.add(Area{diamond, fill});
+      sheet.add(Stroke{diamond, ink.text, 1.0, 0.0});
+    } else {
+      sheet.add(Disk{at, contact_px, fill, ink.text});
+    }
     sheet.write({at.x, at.y - contact_px - 3.0}, std::to_string(each.number), ink.text,
                 Anchor::middle);
   }

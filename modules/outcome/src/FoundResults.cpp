@@ -16,6 +16,13 @@
 
 namespace perilymph::outcome {
 
+std::array<double, 2> FoundContact::mismatch95_semitones() const
+{
+  if (filter_Hz <= 0.0) return {};
+  return {analysis::semitones(filter_Hz, spiralGanglion_Hz[1]),
+          analysis::semitones(filter_Hz, spiralGanglion_Hz[2])};
+}
+
 namespace {
 
 using Eigen::Matrix3d;
@@ -185,7 +192,7 @@ Result<FoundArray> resultsOf(const ct::CtVolume& volume, const Ear& ear, const E
       if (i < filters->size()) {
         contact.filter_Hz = (*filters)[i];
         contact.mismatch_semitones =
-            12.0 * std::log2(contact.spiralGanglion_Hz[0] / contact.filter_Hz);
+            analysis::semitones(contact.filter_Hz, contact.spiralGanglion_Hz[0]);
       }
     }
     found.contacts.push_back(contact);
@@ -207,6 +214,7 @@ Result<FoundArray> resultsOf(const ct::CtVolume& volume, const Ear& ear, const E
     found.tipAngle_deg = inDegrees(radians(tip));
   }
   // where the course passes the opening
+  const double courseToLast = lengthTo(found.course_P, chain.position_P[count - 1]);
   double inserted = 0.0;
   {
     double gone = 0.0;
@@ -225,11 +233,12 @@ Result<FoundArray> resultsOf(const ct::CtVolume& volume, const Ear& ear, const E
       }
       gone += step_mm;
     }
-    if (!isOut) inserted = gone;
+    // what seems to be the lead stays in the ear: the duct's own length to the opening counts
+    if (!isOut)
+      inserted = courseToLast + std::max(0.0, frame.placeOf(chain.position_P[count - 1]).depth_mm);
   }
   // up to the last contact the array's own length counts: the contacts' course is shorter, on the inner side of the bend
   const double last_mm = inMillimeters(array.contactsFromTip.back());
-  const double courseToLast = lengthTo(found.course_P, chain.position_P[count - 1]);
   found.insertedLength_mm = inserted > courseToLast || courseToLast <= 0.0
                                 ? last_mm + inserted - courseToLast
                                 : inserted * last_mm / courseToLast;

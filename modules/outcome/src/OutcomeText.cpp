@@ -336,6 +336,8 @@ const FieldMeanings& columns()
       {"filter_Hz", "Hz",
        "Center of the contact's default filter; empty if its maker states none."},
       {"mismatch_semitones", "semitones", "Spiral-ganglion frequency above the filter's center."},
+      {"mismatch_low95_semitones", "semitones", "Of spiral_ganglion_low95_Hz."},
+      {"mismatch_high95_semitones", "semitones", "Of spiral_ganglion_high95_Hz."},
       {"in_scala_tympani", "",
        "Probability that it lies below the basilar membrane, which no CT shows."},
       {"error_mm", "mm", "Standard deviation of the position along each direction."},
@@ -513,12 +515,18 @@ std::string outcomeCsv(const FoundArray& found)
       for (const double value : {c.angle_deg.value, low, high}) csv += "," + plain(value);
       for (const auto& frequency : {c.greenwood_Hz, c.spiralGanglion_Hz})
         for (const double value : frequency) csv += "," + significant(value);
-      csv += c.filter_Hz > 0.0 ? "," + significant(c.filter_Hz) + "," + plain(c.mismatch_semitones)
-                               : ",,";
+      if (c.filter_Hz > 0.0) {
+        const auto [mismatchLow, mismatchHigh] = c.mismatch95_semitones();
+        csv += "," + significant(c.filter_Hz);
+        for (const double value : {c.mismatch_semitones, mismatchLow, mismatchHigh})
+          csv += "," + plain(value);
+      } else {
+        csv += ",,,,";
+      }
       csv += "," + plain(c.inScalaTympani) + "," + plain(c.error_mm()) + "," +
              plain(c.modiolus_mm) + "," + plain(c.outerWall_mm);
     } else {
-      csv += std::string(13, ',') + plain(c.error_mm()) + ",,";
+      csv += std::string(15, ',') + plain(c.error_mm()) + ",,";
     }
     csv += std::string(c.isSeenSingly ? ",1" : ",0") + (c.isByHand ? ",1" : ",0") +
            (c.isInside ? ",1" : ",0");

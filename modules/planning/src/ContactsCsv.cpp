@@ -131,7 +131,7 @@ Result<std::string> insertionContactsCsv(const std::string& name,
       if (contact.toModiolus.si() >= 0.0) values[3] = inMillimeters(contact.toModiolus);
       values[6] = contact.frequency_Hz;
       values[7] = ganglion;
-      values[9] = filter > 0.0 ? semitones(filter, ganglion) : 0.0;
+      values[9] = filter > 0.0 ? analysis::semitones(filter, ganglion) : 0.0;
     }
     csv += contactRow(name, contact.number, contact.isInserted ? 1 : 0, values);
   }

@@ -40,11 +40,6 @@ std::vector<double> filtersOf(const electrode::ArrayDesign& array,
   return found == allocations.end() ? std::vector<double>{} : found->center_Hz;
 }
 
-double semitones(double from_Hz, double to_Hz)
-{
-  return 12.0 * (logarithm(to_Hz) - logarithm(from_Hz)) / logarithm(2.0);
-}
-
 Result<std::vector<double>> defaultFiltersOf(const electrode::ArrayDesign& array)
 {
   const auto allocations = shippedAllocations();

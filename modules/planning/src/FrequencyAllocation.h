@@ -26,7 +26,4 @@ Result<std::vector<FrequencyAllocation>> shippedAllocations();
 std::vector<double> filtersOf(const electrode::ArrayDesign& array,
                               const std::vector<FrequencyAllocation>& allocations);
 
-/// Semitones from one frequency up to another.
-double semitones(double from_Hz, double to_Hz);
-
 }  // namespace perilymph::planning

@@ -112,7 +112,8 @@ std::vector<ContactBand> contactBands(const Insertions& all, const std::vector<d
       if (contact.toModiolus.si() >= 0.0) distances.push_back(inMillimeters(contact.toModiolus));
       places.push_back(contact.coverage);
       if (filter > 0.0)
-        mismatches.push_back(semitones(filter, analysis::spiralGanglionFrequency(contact.angle)));
+        mismatches.push_back(
+            analysis::semitones(filter, analysis::spiralGanglionFrequency(contact.angle)));
     }
     ContactBand band;
     band.number = static_cast<int>(i) + 1;

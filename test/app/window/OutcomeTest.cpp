@@ -31,9 +31,11 @@
 #include "gui/pages/outcome/OutcomePage.h"
 #include "gui/pages/outcome/OutcomePanel.h"
 #include "gui/pages/outcomes/OutcomesPage.h"
+#include "gui/pages/plan/PlanPage.h"
 #include "gui/program/Languages.h"
 #include "gui/setup/OutcomeWords.h"
 #include "gui/setup/PatientLibrary.h"
+#include "gui/setup/PatientSetup.h"
 #include "gui/setup/PlanStore.h"
 #include "gui/setup/ScanFolders.h"
 #include "gui/shell/OverlayStack.h"
@@ -838,6 +840,44 @@ TEST_F(AnOutcome, OfCtsThatDoNotAgreeIsAskedFor)
   page.findChild<QAbstractButton*>("leaveEarButton")->click();
 }
 
+TEST_F(AnOutcome, IsOfThePatientWhosePlanIsShownOrWhoIsInserted)
+{
+  const auto showPlan = [this](WindowRig& rig) {
+    rig.window().pages().find<gui::OutcomePage>()->setPlannedPatient([this] { return patient_; });
+    rig.window().showPage("plan");
+  };
+  const auto patientShown = [](WindowRig& rig) {
+    rig.click("outcomePageButton");
+    return rig.window().findChild<gui::Selector*>("outcomePatientSelector")->value().toStdString();
+  };
+  {
+    WindowRig rig;
+    EXPECT_EQ(patientShown(rig), "");  // the published cochlea is no saved patient
+    showPlan(rig);
+    EXPECT_EQ(patientShown(rig), file_.string());
+  }
+  anatomy::Patient other = patient_;
+  other.label = "P-54";
+  const auto saved = gui::savePatientInLibrary(other);
+  ASSERT_TRUE(saved) << saved.error().message;
+  const auto setup = gui::setupOfPatient(other);
+  ASSERT_TRUE(setup) << setup.error().message;
+  const auto insert = [&setup](WindowRig& rig) {
+    rig.window().load({*setup});
+    EXPECT_TRUE(WindowRig::waitUntil(
+        [&] { return rig.window().control().scenario().patient().label == "P-54"; }));
+  };
+  {
+    WindowRig rig;
+    insert(rig);
+    showPlan(rig);
+    EXPECT_EQ(patientShown(rig), "");  // two ears: which one is meant is not known
+  }
+  WindowRig rig;
+  insert(rig);
+  EXPECT_EQ(patientShown(rig), saved->string());
+}
+
 TEST_F(AnOutcome, SeesAPlanThatWasMadeAfterThePageWasLeft)
 {
   fs::remove_all(plansFolder() / "P-53-plan");
@@ -1002,7 +1042,7 @@ TEST_F(AnOutcome, TheReportIsOnePageAndStatesEveryFlag)
     if (!std::isspace(static_cast<unsigned char>(c))) flat += c;
   // contact 1: the maker's number; modiolus, Greenwood, spiral ganglion, default filter, mismatch
   EXPECT_THAT(flat, testing::HasSubstr("1(E1)420(412–428)°"));
-  EXPECT_THAT(flat, testing::HasSubstr("97%0.550.500.40(0.36–0.45)0.2012singly"));
+  EXPECT_THAT(flat, testing::HasSubstr("97%0.550.500.40(0.36–0.45)0.2012(10–14)singly"));
   for (const outcome::Flag flag : page.found()->flags) {
     std::string sentence;
     for (const char c : std::string(outcome::sentenceOf(flag)))

@@ -54,5 +54,11 @@ TEST(SpiralGanglionFrequency, StaysAtItsEnds)
   EXPECT_EQ(spiralGanglionFrequency(degrees(900)), spiralGanglionFrequency(degrees(720)));
 }
 
+TEST(Semitones, AreTwelveInAnOctave)
+{
+  EXPECT_NEAR(semitones(100.0, 200.0), 12.0, 1e-12);
+  EXPECT_NEAR(semitones(440.0, 220.0), -12.0, 1e-12);
+}
+
 }  // namespace
 }  // namespace perilymph::analysis

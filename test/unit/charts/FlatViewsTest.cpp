@@ -277,8 +277,9 @@ TEST(TipSection, SaysThatTheTipIsOutside)
 TEST(UnrolledScala, HasFoundContactsAndPlannedBandsAtTheirAngles)
 {
   const UnrolledScala view(*test::ringScala());
-  const std::vector<FoundPlace> found{{1, 200.0, 190.0, 215.0, 0.5, false},
-                                      {2, 150.0, 140.0, 160.0, 0.25, true}};
+  const std::vector<FoundPlace> found{{1, 200.0, 190.0, 215.0, 0.5, true, false},
+                                      {2, 150.0, 140.0, 160.0, 0.25, false, false},
+                                      {3, 120.0, 110.0, 130.0, 0.5, true, true}};
   const Drawing drawing =
       view.drawFound(found, {{180.0, 210.0, 240.0}, {130.0, 150.0, 170.0}}, 600.0, 260.0);
   const Axes axes(drawing);
@@ -294,6 +295,11 @@ TEST(UnrolledScala, HasFoundContactsAndPlannedBandsAtTheirAngles)
   const double perMillimeter = axes.y0 - axes.y1;
   EXPECT_NEAR(disks[1].center.y - disks[0].center.y, 0.25 * perMillimeter, 0.01);
   EXPECT_NE(disks[0].fill, disks[1].fill);
+  // the one above the membrane: a diamond of the same fill as one that was seen, on its angle
+  const auto diamonds = all<Area>(drawing, disks[0].fill);
+  ASSERT_EQ(diamonds.size(), 1u);
+  const Box diamond = boxOf(diamonds.front().points);
+  EXPECT_NEAR(degreesAt(0.5 * (diamond.left + diamond.right)), 120.0, 0.01);
   EXPECT_TRUE(label(drawing, "2"));
   // the band of the most apical contact from the top to the bottom of the plot
   const Ink band = figures::faded(figures::paletteOf(figures::ColorScheme::dark).ghost, 0.25);

@@ -200,7 +200,8 @@ TEST(OutcomeText, EachRowOfTheTableStatesWhatIsDoubtfulAndFrequenciesToThreeDigi
   std::string head, first, second, third;
   for (std::string* line : {&head, &first, &second, &third}) std::getline(csv, *line);
   EXPECT_THAT(first, testing::StartsWith("1,22,310,"));
-  EXPECT_THAT(first, testing::HasSubstr(",802,700,12300,600,500,720,240,15.9,0.875,0.1,"));
+  EXPECT_THAT(first,
+              testing::HasSubstr(",802,700,12300,600,500,720,240,15.9,12.7067,19.0196,0.875,0.1,"));
   EXPECT_THAT(second, testing::StartsWith("2,21,"));
   EXPECT_THAT(third, testing::StartsWith("3,,,"));
   for (const std::string& line : {first, second, third})

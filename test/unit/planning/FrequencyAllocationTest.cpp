@@ -50,11 +50,5 @@ TEST(FrequencyAllocation, ServesEveryShippedArrayOfItsMakers)
   }
 }
 
-TEST(Semitones, AreTwelveInAnOctave)
-{
-  EXPECT_NEAR(planning::semitones(100.0, 200.0), 12.0, 1e-12);
-  EXPECT_NEAR(planning::semitones(440.0, 220.0), -12.0, 1e-12);
-}
-
 }  // namespace
 }  // namespace perilymph::test

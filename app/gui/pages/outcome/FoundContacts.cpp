@@ -42,7 +42,8 @@ FoundContacts::FoundContacts(QWidget* parent)
        tr("Center of the filter that the contact gets by default; – if no allocation is known")},
       {tr("Mismatch"),
        tr("Frequency of its place on the spiral ganglion above its default filter, in "
-          "semitones; positive: it hears a lower frequency than its place")},
+          "semitones, with its 95 % interval; positive: it hears a lower frequency than its "
+          "place")},
       {tr("Placed"),
        tr("singly: its own brightness was seen; by spacing: the contacts merge in this CT, and "
           "the array’s spacings place it; by hand: a person placed it")}};
@@ -66,8 +67,7 @@ void FoundContacts::show(const std::vector<outcome::FoundContact>& contacts)
       texts << tr("%1 mm").arg(numberText(each.modiolus_mm, 2)) << scalaText(each)
             << frequencyText(each.greenwood_Hz) << frequencyText(each.spiralGanglion_Hz)
             << (each.filter_Hz > 0.0 ? tr("%1 kHz").arg(kilohertzText(each.filter_Hz)) : tr("–"))
-            << (each.filter_Hz > 0.0 ? tr("%1 st").arg(numberText(each.mismatch_semitones, 0))
-                                     : tr("–"));
+            << (each.filter_Hz > 0.0 ? tr("%1 st").arg(mismatchText(each)) : mismatchText(each));
     else
       texts << tr("–") << tr("–") << tr("–") << tr("–") << tr("–") << tr("–");
     texts << placementText(each);

@@ -111,8 +111,24 @@ void OutcomePage::onShown()
   const bool hadPatient = panel_->patient().has_value();
   panel_->refresh();
   if (hadPatient && !panel_->patient()) return leavePatient();  // removed on another page
+  if (!panel_->patient()) takePatientOver();
   // plans and insertions are made on other pages
   if (panel_->patient()) readPlanned(planned_.array.empty());
+}
+
+void OutcomePage::takePatientOver()
+{
+  const auto savedFile = [](const std::optional<anatomy::Patient>& patient) {
+    const auto saved = patient ? findSavedPatient(patient->label, patient->side) : std::nullopt;
+    return saved ? saved->file : std::filesystem::path();
+  };
+  const std::filesystem::path inserted = savedFile(control_.scenario().patient()),
+                              planned =
+                                  savedFile(plannedPatient_ ? plannedPatient_() : std::nullopt);
+  // two patients: which one is meant is not known
+  if (!inserted.empty() && !planned.empty() && inserted != planned) return;
+  const std::filesystem::path& file = inserted.empty() ? planned : inserted;
+  if (!file.empty()) panel_->choosePatient(file);
 }
 
 void OutcomePage::showServers() { archive_->showServers(); }

@@ -55,6 +55,11 @@ public:
 
   /// Replaces what the page computes with.
   void setFinder(OutcomeFinder finder) { work_.setFinder(std::move(finder)); }
+  /// Where the patient of the plan that is shown is asked for.
+  void setPlannedPatient(std::function<std::optional<anatomy::Patient>()> planned)
+  {
+    plannedPatient_ = std::move(planned);
+  }
   CtStudy& study() { return study_; }
   /// What was found; null before.
   const std::shared_ptr<const outcome::FoundArray>& found() const { return history_.now().found; }
@@ -91,6 +96,8 @@ private:
   void showProgress(double fraction);
   void showStep(OutcomeStep step, double fraction);
   void choosePatient();
+  /// Chooses the saved patient of the insertion or of the plan that is shown; none where both are of different ears.
+  void takePatientOver();
   /// Forgets plan and outcome of a patient; the CT stays.
   void leavePatient();
   /// Ends a search, and a question that it led to.
@@ -124,6 +131,7 @@ private:
   QString obstacle() const;
 
   const InsertionControl& control_;
+  std::function<std::optional<anatomy::Patient>()> plannedPatient_;
   CtStudy study_;
   CtWork ct_, thumbnails_;
   OutcomeWork work_;

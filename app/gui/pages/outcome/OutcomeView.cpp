@@ -106,8 +106,8 @@ QWidget* OutcomeView::addContacts()
   unrolled_->setObjectName(QStringLiteral("outcomeUnrolled"));
   unrolled_->setAccessibleName(tr("Unrolled scala tympani with the contacts and the plan’s bands"));
   unrolled_->setToolTip(tr(
-      "Contacts by number, with the intervals of their angles; hollow: placed by spacing, or more "
-      "likely above the basilar membrane. Bars at the modiolus: the plan’s bands; across the "
+      "Contacts by number, with the intervals of their angles; hollow: placed by spacing; diamond: "
+      "more likely above the basilar membrane. Bars at the modiolus: the plan’s bands; across the "
       "scala: that of the most apical contact."));
   unrolled_->setFixedHeight(sized(unrolledHeight_px));
   table_->setFixedHeight(sized(tableHeight_px));
@@ -225,8 +225,8 @@ figures::Drawing OutcomeView::unrolled(figures::ColorScheme scheme, double width
       const auto interval = each.angle_deg.interval95();
       if (each.isInside)
         places.push_back({each.number, each.angle_deg.value, interval[0], interval[1],
-                          each.modiolus_mm,
-                          each.inScalaTympani < 0.5 || !(each.isSeenSingly || each.isByHand)});
+                          each.modiolus_mm, each.isSeenSingly || each.isByHand,
+                          each.inScalaTympani < 0.5});
     }
   if (const planning::ArrayPlan* plan = planned_.arrayPlan())
     for (const planning::ContactBand& each : plan->contacts)

@@ -22,6 +22,15 @@ std::string figureWords(const char* text)
   return QCoreApplication::translate("perilymph::gui", text).toStdString();
 }
 
+/// How the array was moved: a scripted speed, or a hand.
+std::string insertedWords(const std::optional<double>& speed)
+{
+  if (!speed) return figureWords(QT_TRANSLATE_NOOP("perilymph::gui", "inserted by hand"));
+  return QCoreApplication::translate("perilymph::gui", "inserted at %1 mm/s")
+      .arg(numberText(1e3 * *speed, 2))
+      .toStdString();
+}
+
 }  // namespace
 
 PlanBeside::PlanBeside(QWidget* parent) : QTableWidget(0, int(std::size(besideWidths_px)), parent)
@@ -87,7 +96,7 @@ std::optional<figures::Figure> forceBeside(const PlannedEar& ear, const outcome:
   double top_mN = ear.plan ? figure.y.high : 10.0;
   if (ear.insertion) {
     figures::FigureCurve curve;
-    curve.label = figureWords(QT_TRANSLATE_NOOP("perilymph::gui", "inserted by hand"));
+    curve.label = insertedWords(ear.insertion->settings.speed);
     curve.ink = figures::ink::vermilion;
     curve.width = 2.0;
     for (const analysis::AxisPoint& point : ear.insertion->overDepth) {

@@ -65,4 +65,9 @@ double spiralGanglionFrequency(Angle angle)
                      y[i + 1] * x * x * (3.0 - 2.0 * x) - slopes[i + 1] * x * x * rest);
 }
 
+double semitones(double from_Hz, double to_Hz)
+{
+  return 12.0 * (logarithm(to_Hz) - logarithm(from_Hz)) / logarithm(2.0);
+}
+
 }  // namespace perilymph::analysis

@@ -20,4 +20,7 @@ double greenwoodFrequency(double fromApex);
 /// the logarithm of the frequency; the angle is clamped.
 double spiralGanglionFrequency(Angle angle);
 
+/// Semitones from one frequency [Hz] up to another; 12 are an octave.
+double semitones(double from_Hz, double to_Hz);
+
 }  // namespace perilymph::analysis

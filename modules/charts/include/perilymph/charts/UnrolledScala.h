@@ -19,7 +19,8 @@ struct FoundPlace {
   double angle_deg = 0.0, low_deg = 0.0,
          high_deg = 0.0;     ///< From the round window, with its 95 % interval.
   double modiolus_mm = 0.0;  ///< From the inner wall to the contact.
-  bool isDoubtful = false;   ///< Not seen singly, or perhaps above the partition.
+  bool isPlaced = true;      ///< By its own brightness or by hand; else by the array's spacings.
+  bool isAbove = false;      ///< More likely above the basilar membrane than below.
 };
 /// What a plan expected of a contact: the band of its angle.
 struct PlannedPlace {
@@ -50,7 +51,8 @@ public:
 
   /// Draws contacts that were found in a CT, by number, with the intervals of their angles, over what a
   /// plan expected: a bar for each contact at the modiolus, and the band of the most apical one across
-  /// the scala. An empty plan draws none.
+  /// the scala. An empty plan draws none. A contact that the spacings place is hollow; one more likely above
+  /// the basilar membrane is a diamond.
   ///
   /// @param planned  Of the contacts, the most apical one first.
   figures::Drawing drawFound(const std::vector<FoundPlace>& found,

@@ -75,6 +75,8 @@ struct FoundContact {
 
   /// Radius of a sphere with the position's mean square error: sqrt(trace(covariance) / 3).
   double error_mm() const { return std::sqrt(covariance_P.trace() / 3.0); }
+  /// The 95 % interval of mismatch_semitones, of that of the frequency on the spiral ganglion; 0 without a filter.
+  std::array<double, 2> mismatch95_semitones() const;
 };
 
 /// The patient's cochlea in the CT after surgery.

@@ -196,6 +196,7 @@ Result<Ear> registeredEar(const ct::CtVolume& postoperative, const ct::CtVolume&
   ear.residual_mm = motion->residual_mm;
   if (motion->correlation < minCorrelation || motion->residual_mm > maxResidual_mm)
     ear.flags.push_back(Flag::registrationPoor);
+  if (measured.has(ct::Flag::poorFit)) ear.flags.push_back(Flag::earFitPoor);
   return ear;
 }
 
@@ -226,6 +227,7 @@ Result<Ear> measuredEar(const ct::CtVolume& postoperative, const ct::MeasureRequ
   ear.scala = *std::move(scala);
   ear.measures = *std::move(measures);
   ear.flags.push_back(Flag::earFromThisCt);
+  if (ear.measures.has(ct::Flag::poorFit)) ear.flags.push_back(Flag::earFitPoor);
   return ear;
 }
 

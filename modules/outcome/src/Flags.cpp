@@ -14,7 +14,7 @@ struct Entry {
   Phrase sentence;
 };
 
-constexpr std::array<Entry, 14> entries{
+constexpr std::array<Entry, 15> entries{
     {{Flag::secondAssignment, "second_assignment",
       Phrase{"Another assignment of the contacts explains the metal nearly as well: check the "
              "number of the most apical contact."}},
@@ -42,6 +42,9 @@ constexpr std::array<Entry, 14> entries{
      {Flag::registrationPoor, "registration_poor",
       Phrase{"The CTs before and after surgery agree badly around the cochlea: check the outline "
              "of the cochlea in the images."}},
+     {Flag::earFitPoor, "ear_fit_poor",
+      Phrase{"The cochlea was fitted badly to its images: angles may be wrong by more than their "
+             "intervals. Check the outline of the cochlea, or give another CT before surgery."}},
      {Flag::earFromThisCt, "ear_from_this_ct",
       Phrase{"The cochlea was measured in the CT after surgery, beside the metal: angles and "
              "depths have wider errors. Give the CT before surgery if there is one."}},

@@ -164,7 +164,7 @@ Row judged(const outcome::FoundArray& found, const test::ImplantTruth& trueArray
                     flag == outcome::Flag::missingContacts || flag == outcome::Flag::extraMetal ||
                     flag == outcome::Flag::arrayDoesNotFit || flag == outcome::Flag::fold ||
                     flag == outcome::Flag::kink || flag == outcome::Flag::clipped ||
-                    flag == outcome::Flag::registrationPoor;
+                    flag == outcome::Flag::registrationPoor || flag == outcome::Flag::earFitPoor;
   row.angleError_deg = found.angularInsertionDepth_deg.value - trueArray.angularInsertionDepth_deg;
   row.lengthError_mm = found.insertedLength_mm - trueArray.insertedLength_mm -
                        inMillimeters(anatomy::Cochlea{}.leadIn);

@@ -35,6 +35,7 @@ enum class Flag {
   possibleTranslocation,  ///< A part of the array lies above the basilar membrane, as far as both fits tell.
   contactsOutside,   ///< Contacts lie outside the cochlea.
   registrationPoor,  ///< Both CTs agree badly around the cochlea.
+  earFitPoor,        ///< The cochlea itself was fitted badly, as beside metal.
   earFromThisCt,     ///< The ear was measured beside the metal, with wider errors.
   anotherEar,        ///< A, B or the side differ from the patient's by more than their errors.
   clipped,           ///< A part of the array is outside the volume.

@@ -76,6 +76,7 @@ struct InsertionScene::Content {
   unsigned long prepareObserver = 0;
 
   std::array<bool, partCount> isVisible;
+  bool hasForceScale;
   double pixelRatio = 1.0;
   ViewFrame preparedView{.pixel_mm = 0.0};
   Eigen::Vector3d preparedFocus = Eigen::Vector3d::Zero();
@@ -95,7 +96,8 @@ InsertionScene::Content::Content(const anatomy::ScalaTympani& scala,
       field(arrayParts.design().length),
       marks(sceneColorsOf(style.scheme)),
       ghost(sceneColorsOf(style.scheme)),
-      backdrop(sceneColorsOf(style.scheme))
+      backdrop(sceneColorsOf(style.scheme)),
+      hasForceScale(style.hasForceScale)
 {
   const anatomy::Entry entry = scala.entry();
   subject = {scalaParts.low(),
@@ -149,7 +151,7 @@ void InsertionScene::Content::applyVisibility()
   scalaParts.setVisible(shows(Part::scala), shows(Part::membrane));
   arrayParts.setVisible(!path.isEmpty(), shows(Part::styletAndTweezers));
   marks.setVisible(shows(Part::wallForce), shows(Part::contactArrows));
-  bars->showsForce = shows(Part::wallForce) && !path.isEmpty();
+  bars->showsForce = hasForceScale && shows(Part::wallForce) && !path.isEmpty();
   bars->showsArrows = shows(Part::contactArrows) && !path.isEmpty();
   bars->Modified();
 }

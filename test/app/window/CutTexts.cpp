@@ -56,8 +56,8 @@ bool isWhole(const QAbstractButton& button)
       qobject_cast<const QPushButton*>(&button) != nullptr
           ? button.style()->subElementRect(QStyle::SE_PushButtonContents, &option, &button)
           : button.rect();
-  return inside.width() >= widthOf(button, button.text()) &&
-         button.height() >= QFontMetrics(button.font()).height();
+  const QSize lines = QFontMetrics(button.font()).size(0, button.text());
+  return inside.width() >= lines.width() && button.height() >= lines.height();
 }
 
 bool isWhole(const QComboBox& box)

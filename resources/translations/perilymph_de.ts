@@ -9803,8 +9803,8 @@ haptic device</source>
 verwenden</translation>
     </message>
     <message>
-        <source>Scan this with a phone to take your force curve along</source>
-        <translation>Mit dem Telefon scannen und die Kraftkurve mitnehmen</translation>
+        <source>Scan to keep your force curve</source>
+        <translation>Scannen: Ihre Kraftkurve</translation>
     </message>
 </context>
 <context>

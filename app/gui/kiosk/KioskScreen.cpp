@@ -180,7 +180,7 @@ void KioskScreen::retranslate()
   handle_->setText(isHandle_ ? tr("Use the\nscreen") : tr("Use the\nhaptic device"));
   done_->setText(tr("Done"));
   again_->setText(tr("Try again"));
-  scan_->setText(tr("Scan this with a phone to take your force curve along"));
+  scan_->setText(tr("Scan to keep your force curve"));
   smallPrint_->setText(tr("Simulation for research and training. Not a medical device.") +
                        QLatin1Char(' ') + source_);
   day_->retranslate();

@@ -137,6 +137,22 @@ int OperationView::footMargin() const
   return (isLow ? lowFootHeight_px : footHeight_px) + qRound((hintLift_ + more) / textScale());
 }
 
+/// The scene between the read-outs above and the texts below.
+void OperationView::fitScene()
+{
+  if (!scene_) return;
+  scene_->setScaleBarMargin(footMargin());
+  const double across = std::max(1, width()), down = std::max(1, height());
+  const int above = travel_->isHidden() ? spacing : travel_->geometry().bottom() + spacing;
+  const double below = footMargin() * textScale() *
+                       (visitorLetter_px_ > 0 ? visitorLetter_px_ / usualLetter_px : 1.0);
+  // a view that is lower than its texts is free as a whole
+  const bool isRoomy = above + below < 0.6 * down;
+  scene_->setFreeArea({spacing / across, isRoomy ? below / down : 0.0, 1.0 - spacing / across,
+                       isRoomy ? 1.0 - above / down : 1.0});
+  isDirty_ = true;
+}
+
 ReadOutTips OperationView::tips() const
 {
   return {travel_, angle_, force_, forceLabel_, speed_, magnification_, viewName_, phase_};
@@ -165,8 +181,8 @@ void OperationView::take(std::unique_ptr<visualization::InsertionScene> scene)
   if (scene_) renderWindow()->RemoveRenderer(&scene_->renderer());
   scene_ = std::move(scene);
   scene_->setScale(devicePixelRatioF() * textScale());
-  scene_->setScaleBarMargin(footMargin());
   scene_->attachTo(*renderWindow());
+  fitScene();
   scene_->setStereo(hasOwnWindow(stereo_) ? visualization::Stereo::off : stereo_);
   isDirty_ = true;
 }
@@ -327,7 +343,7 @@ void OperationView::fitReadOuts()
 void OperationView::placeHint()
 {
   if (visitorLetter_px_ > 0) {
-    if (scene_) scene_->setScaleBarMargin(footMargin());
+    fitScene();
     return;
   }
   const bool isSeen = !hint_->text().isEmpty();
@@ -361,10 +377,8 @@ void OperationView::placeHint()
     hint_->setGeometry((width() - widest) / 2, beside.top() - height - spacing, widest, height);
     lift = height + spacing;
   }
-  if (!scene_) return;
   hintLift_ = lift;
-  scene_->setScaleBarMargin(footMargin());
-  isDirty_ = true;
+  fitScene();
 }
 
 bool OperationView::isResting() const { return sinceMotion_.elapsed() > restTime_ms; }

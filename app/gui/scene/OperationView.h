@@ -108,6 +108,7 @@ private:
   void fitReadOuts();
   void captionShortly();
   int footMargin() const;
+  void fitScene();
   ReadOutTips tips() const;
   double pictureHeight_mm() const;
 

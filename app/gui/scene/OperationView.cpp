@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
 
 #include "gui/scene/Banner.h"
 #include "gui/scene/ForceLabel.h"
@@ -143,10 +144,12 @@ void OperationView::fitScene()
   if (!scene_) return;
   scene_->setScaleBarMargin(footMargin());
   const double across = std::max(1, width()), down = std::max(1, height());
-  const int above = travel_->isHidden() ? spacing : travel_->geometry().bottom() + spacing;
+  int above = spacing;
+  for (const QWidget* part : std::initializer_list<const QWidget*>{travel_, forceLabel_, speed_})
+    if (!part->isHidden()) above = std::max(above, part->geometry().bottom() + spacing);
   const double below = footMargin() * textScale() *
                        (visitorLetter_px_ > 0 ? visitorLetter_px_ / usualLetter_px : 1.0);
-  // a view that is lower than its texts is free as a whole
+  // a view that is hardly higher than its texts is free as a whole
   const bool isRoomy = above + below < 0.6 * down;
   scene_->setFreeArea({spacing / across, isRoomy ? below / down : 0.0, 1.0 - spacing / across,
                        isRoomy ? 1.0 - above / down : 1.0});
@@ -387,7 +390,9 @@ bool OperationView::renderIfDirty()
 {
   if (!isDirty_ || !scene_ || !isValid()) return false;
   isDirty_ = false;
+  const double before = scene_->magnification();
   renderWindow()->Render();
+  if (scene_->magnification() != before) describeView();  // it framed the ear in another window
   if (twin_ != nullptr) twin_->renderAs(*scene_);
   return true;
 }

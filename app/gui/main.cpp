@@ -82,6 +82,8 @@ int runKiosk(gui::Application& application, const gui::TerminationSignals& signa
   application.onException([](const QString&) {});  // not shown to visitors, but on standard error
   QObject::connect(&window, &gui::KioskWindow::ended, &application,
                    [] { QCoreApplication::quit(); });
+  QObject::connect(&window, &gui::KioskWindow::languageRequested, &application,
+                   [&application](const QString& word) { gui::useLanguage(application, word); });
   QObject::connect(&signals, &gui::TerminationSignals::received, &window,
                    [](int signal) { QCoreApplication::exit(statusOf(signal)); });
   const gui::ScreenLock screen(nullptr);

@@ -2,6 +2,17 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE" sourcelanguage="en_US">
 <context>
+    <name>ArrayTour</name>
+    <message>
+        <source>This array is pre-curved: it curls around the core of the snail, close to the hearing nerve.</source>
+        <translation>Dieser Träger ist vorgekrümmt: Er legt sich um den Kern der Schnecke, nahe an den Hörnerv.</translation>
+    </message>
+    <message>
+        <source>This array is straight: it bends along the outer wall of the snail and slides on.</source>
+        <translation>Dieser Träger ist gerade: Er biegt sich entlang der Außenwand der Schnecke und gleitet weiter.</translation>
+    </message>
+</context>
+<context>
     <name>Data</name>
     <message>
         <source>1.71 L + 0.18, L = 1.18 (A - 1) + 2.69 (B - 1) - sqrt(0.72 (A - 1) (B - 1))</source>
@@ -4676,6 +4687,37 @@
     </message>
 </context>
 <context>
+    <name>ForceLevel</name>
+    <message>
+        <source>gentle</source>
+        <translation>sanft</translation>
+    </message>
+    <message>
+        <source>firm</source>
+        <translation>fest</translation>
+    </message>
+    <message>
+        <source>too much</source>
+        <translation>zu viel</translation>
+    </message>
+    <message>
+        <source>Gentle: below the forces measured in patients.</source>
+        <translation>Sanft: unter den an Patienten gemessenen Kräften.</translation>
+    </message>
+    <message>
+        <source>Firm: like the forces measured in patients.</source>
+        <translation>Fest: wie an Patienten gemessene Kräfte.</translation>
+    </message>
+    <message>
+        <source>Too much: above the forces measured in patients.</source>
+        <translation>Zu viel: über den an Patienten gemessenen Kräften.</translation>
+    </message>
+    <message>
+        <source>Peak forces measured in patients: %1–%2 mN (Rau et al. 2024). This comparison is not a safety assessment.</source>
+        <translation>An Patienten gemessene Maximalkräfte: %1–%2 mN (Rau et al. 2024). Der Vergleich ist keine Bewertung der Sicherheit.</translation>
+    </message>
+</context>
+<context>
     <name>QShortcut</name>
     <message>
         <source>Ctrl</source>
@@ -5309,22 +5351,34 @@
     </message>
 </context>
 <context>
-    <name>VisitorSession</name>
+    <name>TakeAway</name>
     <message>
-        <source>Below the forces measured in patients.</source>
-        <translation>Unter den an Patienten gemessenen Kräften.</translation>
+        <source>Cochlear implant insertion, simulated</source>
+        <translation>Insertion eines Cochlea-Implantats, simuliert</translation>
     </message>
     <message>
-        <source>Above the forces measured in patients.</source>
-        <translation>Über den an Patienten gemessenen Kräften.</translation>
+        <source>Array: %1</source>
+        <translation>Elektrode: %1</translation>
     </message>
     <message>
-        <source>Within the range of forces measured in patients.</source>
-        <translation>Im Bereich der an Patienten gemessenen Kräfte.</translation>
+        <source>Depth: %1 mm</source>
+        <translation>Tiefe: %1 mm</translation>
     </message>
     <message>
-        <source>Peak forces measured in patients: %1–%2 mN (Rau et al. 2024). This comparison is not a safety assessment.</source>
-        <translation>An Patienten gemessene Maximalkräfte: %1–%2 mN (Rau et al. 2024). Der Vergleich ist keine Bewertung der Sicherheit.</translation>
+        <source>Peak force: %1 mN (%2)</source>
+        <translation>Maximalkraft: %1 mN (%2)</translation>
+    </message>
+    <message>
+        <source>Peak force: %1 mN</source>
+        <translation>Maximalkraft: %1 mN</translation>
+    </message>
+    <message>
+        <source>Rank today: %1 of %2</source>
+        <translation>Rang heute: %1 von %2</translation>
+    </message>
+    <message>
+        <source>Depth in mm: force in mN</source>
+        <translation>Tiefe in mm: Kraft in mN</translation>
     </message>
 </context>
 <context>
@@ -9102,6 +9156,41 @@
     </message>
 </context>
 <context>
+    <name>perilymph::gui::DayView</name>
+    <message>
+        <source>%1 mN</source>
+        <translation>%1 mN</translation>
+    </message>
+    <message>
+        <source>Today</source>
+        <translation>Heute</translation>
+    </message>
+    <message>
+        <source>Visitors</source>
+        <translation>Besucher</translation>
+    </message>
+    <message>
+        <source>Best</source>
+        <translation>Bester</translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation>Median</translation>
+    </message>
+    <message>
+        <source>Gentlest</source>
+        <translation>Am sanftesten</translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <translation>%1.</translation>
+    </message>
+    <message>
+        <source>you</source>
+        <translation>Sie</translation>
+    </message>
+</context>
+<context>
     <name>perilymph::gui::DerivedMeasures</name>
     <message>
         <source>Cochlear duct length</source>
@@ -9674,10 +9763,6 @@
         <translation>Berühren und selbst versuchen</translation>
     </message>
     <message>
-        <source>Start over</source>
-        <translation>Von vorn</translation>
-    </message>
-    <message>
         <source>Done</source>
         <translation>Fertig</translation>
     </message>
@@ -9686,20 +9771,8 @@
         <translation>Noch einmal</translation>
     </message>
     <message>
-        <source>Use the screen</source>
-        <translation>Bildschirm verwenden</translation>
-    </message>
-    <message>
         <source>Simulation for research and training. Not a medical device.</source>
         <translation>Simulation für Forschung und Training. Kein Medizinprodukt.</translation>
-    </message>
-    <message>
-        <source>Hold to withdraw</source>
-        <translation>Halten zum Zurückziehen</translation>
-    </message>
-    <message>
-        <source>Use the haptic device</source>
-        <translation>Haptisches Gerät verwenden</translation>
     </message>
     <message>
         <source>STOP</source>
@@ -9709,40 +9782,44 @@
         <source>Stop: remove the force of the device</source>
         <translation>Stopp: Kraft des Geräts abschalten</translation>
     </message>
+    <message>
+        <source>Hold to
+withdraw</source>
+        <translation>Halten:
+zurück</translation>
+    </message>
+    <message>
+        <source>Start
+over</source>
+        <translation>Von
+vorn</translation>
+    </message>
+    <message>
+        <source>Use the
+screen</source>
+        <translation>Bildschirm
+verwenden</translation>
+    </message>
+    <message>
+        <source>Use the
+haptic device</source>
+        <translation>Haptisches Gerät
+verwenden</translation>
+    </message>
+    <message>
+        <source>Scan to keep your force curve</source>
+        <translation>Scannen: Ihre Kraftkurve</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::KioskWindow</name>
-    <message>
-        <source>Inserting a cochlear implant</source>
-        <translation>Insertion eines Cochlea-Implantats</translation>
-    </message>
     <message>
         <source>Your turn</source>
         <translation>Sie sind dran</translation>
     </message>
     <message>
-        <source>Full depth · peak force %1 mN · place %2 today</source>
-        <translation>Volle Tiefe · Maximalkraft %1 mN · heute Platz %2</translation>
-    </message>
-    <message>
-        <source>Full depth · peak force %1 mN</source>
-        <translation>Volle Tiefe · Maximalkraft %1 mN</translation>
-    </message>
-    <message>
         <source>Perilymph</source>
         <translation>Perilymph</translation>
-    </message>
-    <message>
-        <source>A cochlear implant restores hearing with electrodes in the inner ear. A surgeon inserts the electrode array by hand, through an opening of one to two millimeters.</source>
-        <translation>Ein Cochlea-Implantat stellt das Hören mit Elektroden im Innenohr wieder her. Die Chirurgin oder der Chirurg führt den Elektrodenträger von Hand ein, durch eine Öffnung von ein bis zwei Millimetern.</translation>
-    </message>
-    <message>
-        <source>The cochlea is coiled like a snail shell. The array must follow it without damaging the delicate basilar membrane.</source>
-        <translation>Die Cochlea ist gewunden wie ein Schneckenhaus. Der Träger muss ihr folgen, ohne die zarte Basilarmembran zu verletzen.</translation>
-    </message>
-    <message>
-        <source>The forces are a few hundredths of a newton. Here they are computed a thousand times per second, so that the insertion can be practiced.</source>
-        <translation>Die Kräfte betragen wenige hundertstel Newton. Hier werden sie tausendmal pro Sekunde berechnet, damit sich die Insertion üben lässt.</translation>
     </message>
     <message>
         <source>Not available now</source>
@@ -9753,28 +9830,12 @@
         <translation>Bitte fragen Sie das Standpersonal.</translation>
     </message>
     <message>
-        <source>Hold the device button and advance gently. Keep the force low until full depth.</source>
-        <translation>Gerätetaste halten und sanft vorschieben. Die Kraft bis zur vollen Tiefe niedrig halten.</translation>
-    </message>
-    <message>
-        <source>Hold the bar to insert; further right is faster. Keep the force low until full depth.</source>
-        <translation>Leiste halten zum Einführen; weiter rechts ist schneller. Die Kraft bis zur vollen Tiefe niedrig halten.</translation>
-    </message>
-    <message>
         <source>The insertion was stopped</source>
         <translation>Die Insertion wurde angehalten</translation>
     </message>
     <message>
         <source>The simulation became unstable and was stopped. The force is off. Try again.</source>
         <translation>Die Simulation wurde instabil und wurde angehalten. Die Kraft ist aus. Bitte erneut versuchen.</translation>
-    </message>
-    <message>
-        <source>%1 s, no reversals. %2</source>
-        <translation>%1 s, keine Rückzüge. %2</translation>
-    </message>
-    <message>
-        <source>%1 s, reversals: %3. %2</source>
-        <translation>%1 s, Rückzüge: %3. %2</translation>
     </message>
     <message>
         <source>Stopped</source>
@@ -9789,8 +9850,52 @@
         <translation>Der Träger steckt fest</translation>
     </message>
     <message>
-        <source>It bent or jammed before full depth. The force is off. Try again, slower.</source>
-        <translation>Er hat sich vor der vollen Tiefe verbogen oder verklemmt. Die Kraft ist aus. Bitte langsamer noch einmal versuchen.</translation>
+        <source>A cochlear implant lets deaf people hear. A surgeon slides its array of electrodes into the inner ear by hand.</source>
+        <translation>Ein Cochlea-Implantat lässt Gehörlose hören. Sein Elektrodenträger wird von Hand ins Innenohr geschoben.</translation>
+    </message>
+    <message>
+        <source>The wall glows where the array presses on it. A gentle hand protects the hearing that is left.</source>
+        <translation>Die Wand leuchtet, wo der Träger auf sie drückt. Eine sanfte Hand schont das Gehör, das noch da ist.</translation>
+    </message>
+    <message>
+        <source>The inner ear is as small as a pea, and its opening measures one to two millimeters.</source>
+        <translation>Die Hörschnecke ist so klein wie eine Erbse, ihre Öffnung misst ein bis zwei Millimeter.</translation>
+    </message>
+    <message>
+        <source>Hold the device button and advance. Stay gentle until the goal.</source>
+        <translation>Gerätetaste halten und vorschieben. Bis zum Ziel sanft bleiben.</translation>
+    </message>
+    <message>
+        <source>Hold the bar to insert; further right is faster. Stay gentle until the goal.</source>
+        <translation>Leiste halten zum Einführen; weiter rechts ist schneller. Bis zum Ziel sanft bleiben.</translation>
+    </message>
+    <message>
+        <source>It bent or jammed before the goal. The force is off. Try again, slower.</source>
+        <translation>Er hat sich vor dem Ziel verbogen oder verklemmt. Die Kraft ist aus. Bitte langsamer noch einmal.</translation>
+    </message>
+    <message>
+        <source>Cochlear implant: %1</source>
+        <translation>Cochlea-Implantat: %1</translation>
+    </message>
+    <message>
+        <source>Full depth reached</source>
+        <translation>Volle Tiefe erreicht</translation>
+    </message>
+    <message>
+        <source>Goal reached</source>
+        <translation>Ziel erreicht</translation>
+    </message>
+    <message>
+        <source>rank %1 of %2 today</source>
+        <translation>heute Rang %1 von %2</translation>
+    </message>
+    <message>
+        <source>Peak force %1 mN in %2 s, no reversals.</source>
+        <translation>Maximalkraft %1 mN in %2 s, keine Rückzüge.</translation>
+    </message>
+    <message>
+        <source>Peak force %1 mN in %2 s, reversals: %3.</source>
+        <translation>Maximalkraft %1 mN in %2 s, Rückzüge: %3.</translation>
     </message>
 </context>
 <context>
@@ -9817,26 +9922,14 @@
     </message>
 </context>
 <context>
-    <name>perilymph::gui::LeaderboardView</name>
+    <name>perilymph::gui::LevelGauge</name>
     <message>
-        <source>Lowest peak forces today</source>
-        <translation>Niedrigste Maximalkräfte heute</translation>
+        <source>now %1 mN</source>
+        <translation>jetzt %1 mN</translation>
     </message>
     <message>
-        <source>peak insertion force at full depth</source>
-        <translation>Maximalkraft bei voller Tiefe</translation>
-    </message>
-    <message>
-        <source>No insertion has reached full depth yet. Be the first.</source>
-        <translation>Noch keine Insertion hat die volle Tiefe erreicht.</translation>
-    </message>
-    <message>
-        <source>%1 mN</source>
-        <translation>%1 mN</translation>
-    </message>
-    <message>
-        <source>you</source>
-        <translation>Sie</translation>
+        <source>peak %1 mN</source>
+        <translation>Max. %1 mN</translation>
     </message>
 </context>
 <context>
@@ -11241,6 +11334,10 @@
     <message>
         <source>The array is fully inserted.</source>
         <translation>Der Träger ist vollständig inseriert.</translation>
+    </message>
+    <message>
+        <source>Goal</source>
+        <translation>Ziel</translation>
     </message>
 </context>
 <context>

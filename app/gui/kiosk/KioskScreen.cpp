@@ -3,37 +3,37 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLocale>
 #include <QPushButton>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 #include <QVariant>
+#include <algorithm>
 
-#include "gui/kiosk/LeaderboardView.h"
+#include "gui/kiosk/DayView.h"
+#include "gui/kiosk/Legibility.h"
+#include "gui/kiosk/LevelGauge.h"
+#include "gui/kiosk/QrView.h"
 #include "gui/kiosk/SpeedPad.h"
-#include "gui/scene/ForceLabel.h"
 #include "gui/scene/OperationView.h"
-#include "gui/scene/PhaseLine.h"
-#include "gui/widgets/ReadOut.h"
 #include "gui/widgets/Theme.h"
 
 namespace perilymph::gui {
 
 namespace {
 
-constexpr int buttonHeight_px = 96;  // twice the size of a touch target
-constexpr int headHeight_px = 124;
+// Lengths in sizes of the type (choices).
+constexpr double titleSize = preferredLetter_arcmin / minLetter_arcmin;
+constexpr double smallPrintSize = 0.45;  // a footnote
+constexpr double lineHeight = 1.25;
+constexpr double buttonHeight = 2.8;  // two lines
+constexpr double languageHeight = 1.8, languageWidth = 5.0;
+constexpr double panelWidth = 10.0, gaugeWidth = 9.0;
+constexpr double padWidth = 10.0;
+// A window has room for so many letters of the size.
+constexpr double lettersAcross = 36.0, lettersDown = 21.0;
+constexpr int smallest_px = 9;
 constexpr Speed back = millimetersPerSecond(3);
-
-/// Captions on the picture that are read from a distance, without what visitors do not know.
-void captionForVisitors(const OperationView& view)
-{
-  for (ReadOut* number : view.findChildren<ReadOut*>())
-    number->setCaptionSize(KioskScreen::label_px);
-  view.findChild<PhaseLine*>()->setNameSize(KioskScreen::label_px);
-  view.findChild<ForceLabel*>()->setForVisitors(KioskScreen::label_px);
-  view.findChild<QLabel*>(QStringLiteral("viewLabel"))->setFont(typeface(KioskScreen::label_px));
-  view.findChild<QLabel*>(QStringLiteral("magnificationLabel"))->hide();
-}
 
 }  // namespace
 
@@ -42,55 +42,78 @@ KioskScreen::KioskScreen(QWidget* window)
       title_(new QLabel(this)),
       sentence_(new QLabel(this)),
       view_(new OperationView(this)),
-      board_(new LeaderboardView(this)),
-      foot_(new QStackedWidget(this))
+      day_(new DayView(this)),
+      gauge_(new LevelGauge(this)),
+      foot_(new QStackedWidget(this)),
+      smallPrint_(new QLabel(this))
 {
-  captionForVisitors(*view_);
-  title_->setObjectName(QStringLiteral("kioskTitle"));
-  title_->setFont(typeface(34, QFont::Light));
-  sentence_->setObjectName(QStringLiteral("kioskSentence"));
-  sentence_->setFont(typeface(20));
-  sentence_->setProperty("quiet", true);
-  sentence_->setWordWrap(true);
-  auto* head = new QWidget(this);
-  head->setFixedHeight(headHeight_px);
-  auto* label = new QVBoxLayout(head);
-  label->setContentsMargins(4 * spacing, 2 * spacing, 4 * spacing, spacing);
-  label->setSpacing(4);
-  label->addWidget(title_);
-  label->addWidget(sentence_);
-  label->addStretch();
-
   auto* middle = new QHBoxLayout;
-  middle->setSpacing(0);
+  middle->setContentsMargins(0, 0, 2 * spacing, 0);
+  middle->setSpacing(2 * spacing);
   middle->addWidget(view_, 1);
-  middle->addWidget(board_);
+  middle->addWidget(day_);
+  middle->addWidget(gauge_);
+  middle->addWidget(addCode());
 
   foot_->addWidget(addInvitation());
   foot_->addWidget(addTurnFoot());
   foot_->addWidget(addResultFoot());
   foot_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
-  auto* quiet = new QLabel(tr("Simulation for research and training. Not a medical device."), this);
-  quiet->setFont(typeface(13));
-  quiet->setProperty("quiet", true);
-  quiet->setAlignment(Qt::AlignCenter);
+  smallPrint_->setProperty("quiet", true);
+  smallPrint_->setAlignment(Qt::AlignCenter);
+  smallPrint_->setWordWrap(true);
 
   auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, spacing);
+  column->setContentsMargins(0, 0, 0, spacing / 2);
   column->setSpacing(0);
-  column->addWidget(head);
+  column->addWidget(addHead());
   column->addLayout(middle, 1);
   column->addWidget(foot_);
-  column->addWidget(quiet);
+  column->addWidget(smallPrint_);
+  fit();
+  retranslate();
+  showStage(KioskStage::attract);
 }
 
-QPushButton* KioskScreen::addButton(const QString& text, const char* name, QWidget* parent)
+QWidget* KioskScreen::addHead()
 {
-  auto* button = new QPushButton(text, parent);
+  auto* head = new QWidget(this);
+  title_->setObjectName(QStringLiteral("kioskTitle"));
+  sentence_->setObjectName(QStringLiteral("kioskSentence"));
+  sentence_->setProperty("quiet", true);
+  sentence_->setWordWrap(true);
+  sentence_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  language_ = addButton("languageButton", head);
+  connect(language_, &QPushButton::clicked, this, &KioskScreen::otherLanguageRequested);
+  auto* row = new QHBoxLayout;
+  row->addWidget(title_, 1);
+  row->addWidget(language_);
+  auto* column = new QVBoxLayout(head);
+  column->setContentsMargins(2 * spacing, spacing, 2 * spacing, spacing / 2);
+  column->setSpacing(spacing / 2);
+  column->addLayout(row);
+  column->addWidget(sentence_);
+  return head;
+}
+
+QWidget* KioskScreen::addCode()
+{
+  code_ = new QWidget(this);
+  qr_ = new QrView(code_);
+  scan_ = new QLabel(code_);
+  scan_->setWordWrap(true);
+  scan_->setAlignment(Qt::AlignCenter);
+  auto* column = new QVBoxLayout(code_);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(qr_, 1);
+  column->addWidget(scan_);
+  return code_;
+}
+
+QPushButton* KioskScreen::addButton(const char* name, QWidget* parent)
+{
+  auto* button = new QPushButton(parent);
   button->setObjectName(QLatin1String(name));
-  button->setFont(typeface(22, QFont::Medium));
-  button->setFixedHeight(buttonHeight_px);
-  button->setMinimumWidth(2 * buttonHeight_px);
   button->setFocusPolicy(Qt::NoFocus);
   return button;
 }
@@ -99,10 +122,9 @@ QWidget* KioskScreen::addInvitation()
 {
   auto* page = new QWidget(foot_);
   auto* row = new QHBoxLayout(page);
-  auto* invite = addButton(tr("Touch anywhere to try it yourself"), "inviteButton", page);
-  invite->setProperty("primary", true);
-  invite->setFont(typeface(28, QFont::DemiBold));
-  row->addWidget(invite, 1);
+  invite_ = addButton("inviteButton", page);
+  invite_->setProperty("primary", true);
+  row->addWidget(invite_, 1);
   return page;
 }
 
@@ -110,23 +132,21 @@ QWidget* KioskScreen::addTurnFoot()
 {
   auto* page = new QWidget(foot_);
   auto* row = new QHBoxLayout(page);
-  row->setSpacing(2 * spacing);
-  pull_ = addButton(tr("Hold to withdraw"), "pullButton", page);
+  row->setSpacing(spacing);
+  pull_ = addButton("pullButton", page);
   pad_ = new SpeedPad(page);
-  handle_ = addButton(tr("Use the haptic device"), "handleButton", page);
-  stop_ = addButton(tr("STOP"), "stopButton", page);
-  stop_->setFont(typeface(34, QFont::Bold));
-  stop_->setAccessibleName(tr("Stop: remove the force of the device"));
-  auto* again = addButton(tr("Start over"), "startOverButton", page);
+  handle_ = addButton("handleButton", page);
+  stop_ = addButton("stopButton", page);
+  startOver_ = addButton("startOverButton", page);
   row->addWidget(pull_);
   row->addWidget(pad_, 1);
   row->addWidget(stop_, 1);
   row->addWidget(handle_);
-  row->addWidget(again);
+  row->addWidget(startOver_);
   handle_->hide();
   stop_->hide();
   connect(stop_, &QPushButton::pressed, this, &KioskScreen::stopRequested);
-  connect(again, &QPushButton::clicked, this, &KioskScreen::startOverRequested);
+  connect(startOver_, &QPushButton::clicked, this, &KioskScreen::startOverRequested);
   connect(handle_, &QPushButton::clicked, this, &KioskScreen::handleRequested);
   return page;
 }
@@ -136,14 +156,81 @@ QWidget* KioskScreen::addResultFoot()
   auto* page = new QWidget(foot_);
   auto* row = new QHBoxLayout(page);
   row->setSpacing(2 * spacing);
-  auto* leave = addButton(tr("Done"), "doneButton", page);
-  auto* again = addButton(tr("Try again"), "againButton", page);
-  again->setProperty("primary", true);
-  row->addWidget(leave);
-  row->addWidget(again, 1);
-  connect(again, &QPushButton::clicked, this, &KioskScreen::startOverRequested);
-  connect(leave, &QPushButton::clicked, this, &KioskScreen::leaveRequested);
+  done_ = addButton("doneButton", page);
+  again_ = addButton("againButton", page);
+  again_->setProperty("primary", true);
+  row->addWidget(done_);
+  row->addWidget(again_, 1);
+  connect(again_, &QPushButton::clicked, this, &KioskScreen::startOverRequested);
+  connect(done_, &QPushButton::clicked, this, &KioskScreen::leaveRequested);
   return page;
+}
+
+void KioskScreen::retranslate()
+{
+  // each language in its own name
+  language_->setText(QLocale().language() == QLocale::German ? QStringLiteral("English")
+                                                             : QStringLiteral("Deutsch"));
+  invite_->setText(tr("Touch anywhere to try it yourself"));
+  pull_->setText(tr("Hold to\nwithdraw"));
+  pad_->retranslate();
+  stop_->setText(tr("STOP"));
+  stop_->setAccessibleName(tr("Stop: remove the force of the device"));
+  startOver_->setText(tr("Start\nover"));
+  handle_->setText(isHandle_ ? tr("Use the\nscreen") : tr("Use the\nhaptic device"));
+  done_->setText(tr("Done"));
+  again_->setText(tr("Try again"));
+  scan_->setText(tr("Scan to keep your force curve"));
+  smallPrint_->setText(tr("Simulation for research and training. Not a medical device.") +
+                       QLatin1Char(' ') + source_);
+  day_->retranslate();
+  gauge_->update();
+  view_->retranslate();
+}
+
+int KioskScreen::lengthOf(double letters) const { return sized(qRound(letters * letter_px_)); }
+
+void KioskScreen::resizeEvent(QResizeEvent* event)
+{
+  QWidget::resizeEvent(event);
+  fit();
+}
+
+void KioskScreen::fit()
+{
+  // type that the user made smaller is legible all the same
+  const double wanted =
+      letterSize_px(minLetter_arcmin, pixelPitch_mm(screen())) / std::min(1.0, textScale());
+  const double room = std::min(width() / lettersAcross, height() / lettersDown) / textScale();
+  const int letter_px = std::max(smallest_px, static_cast<int>(std::min(wanted, room)));
+  if (letter_px == letter_px_) return;
+  letter_px_ = letter_px;
+
+  title_->setFont(typeface(qRound(titleSize * letter_px_), QFont::Light));
+  sentence_->setFont(typeface(letter_px_));
+  sentence_->setFixedHeight(2 * lengthOf(lineHeight));
+  smallPrint_->setFont(typeface(std::max(smallest_px, qRound(smallPrintSize * letter_px_))));
+  scan_->setFont(typeface(letter_px_));
+  for (QPushButton* button : {invite_, pull_, handle_, stop_, startOver_, done_, again_}) {
+    button->setFont(typeface(letter_px_, QFont::Medium));
+    button->setFixedHeight(lengthOf(buttonHeight));
+  }
+  for (QPushButton* button : {invite_, stop_})
+    button->setFont(typeface(qRound(titleSize * letter_px_), QFont::DemiBold));
+  language_->setFont(typeface(letter_px_, QFont::Medium));
+  language_->setFixedHeight(lengthOf(languageHeight));
+  language_->setMinimumWidth(lengthOf(languageWidth));
+  done_->setMinimumWidth(lengthOf(panelWidth));
+  pad_->setLetterSize(letter_px_);
+  pad_->setFixedHeight(lengthOf(buttonHeight));
+  pad_->setMinimumWidth(lengthOf(padWidth));
+  day_->setFixedWidth(lengthOf(panelWidth));
+  day_->setLetterSize(letter_px_);
+  gauge_->setFixedWidth(lengthOf(gaugeWidth));
+  gauge_->setLetterSize(letter_px_);
+  code_->setFixedWidth(lengthOf(panelWidth));
+  view_->setForVisitors(letter_px_);
+  Q_EMIT letterSizeChanged();
 }
 
 void KioskScreen::showMessage(const QString& title, const QString& sentence)
@@ -152,19 +239,41 @@ void KioskScreen::showMessage(const QString& title, const QString& sentence)
   sentence_->setText(sentence);
 }
 
-void KioskScreen::showFooter(KioskStage stage) { foot_->setCurrentIndex(static_cast<int>(stage)); }
+void KioskScreen::showStage(KioskStage stage)
+{
+  stage_ = stage;
+  foot_->setCurrentIndex(static_cast<int>(stage));
+  day_->setVisible(stage != KioskStage::turn);
+  gauge_->setVisible(stage == KioskStage::turn);
+  code_->setVisible(stage == KioskStage::result && !qr_->text().isEmpty());
+}
+
+void KioskScreen::showCode(const QString& text)
+{
+  qr_->setText(text);
+  code_->setVisible(stage_ == KioskStage::result && !text.isEmpty());
+}
+
+void KioskScreen::setSource(const QString& source)
+{
+  source_ = source;
+  retranslate();
+}
 
 void KioskScreen::offerHandle(bool isThere) { handle_->setVisible(isThere); }
 
 void KioskScreen::useHandle(bool isHandle)
 {
-  handle_->setText(isHandle ? tr("Use the screen") : tr("Use the haptic device"));
+  isHandle_ = isHandle;
   pad_->setVisible(!isHandle);
   pull_->setVisible(!isHandle);
   stop_->setVisible(isHandle);
+  retranslate();
 }
 
 bool KioskScreen::isStop(const QObject* target) const { return target == stop_; }
+
+bool KioskScreen::isLanguage(const QObject* target) const { return target == language_; }
 
 bool KioskScreen::isPressed() const { return pad_->isHeld() || pull_->isDown(); }
 

@@ -9,10 +9,13 @@
 #include <QWidget>
 #include <filesystem>
 #include <optional>
+#include <vector>
 
+#include "gui/kiosk/ForceLevel.h"
 #include "gui/kiosk/KioskClock.h"
 #include "gui/kiosk/KioskScreen.h"
 #include "gui/kiosk/Leaderboard.h"
+#include "gui/kiosk/TakeAway.h"
 #include "gui/kiosk/VisitorSession.h"
 #include "gui/run/InsertionControl.h"
 #include "perilymph/session/Scenario.h"
@@ -42,6 +45,8 @@ public:
   KioskStage stage() const { return stage_; }
   const InsertionControl& control() const { return control_; }
   const VisitorSession& turn() const { return turn_; }
+  /// Text of the QR code beside the result; empty without one.
+  QString takeAway() const;
   /// Number of timer events so far.
   std::uint64_t frames() const { return frames_; }
 
@@ -50,40 +55,69 @@ Q_SIGNALS:
   void firstFrameShown();
   /// The keys that end the booth were pressed.
   void ended();
+  /// A visitor chose the other language, or left and the operator's is to return: "de", or a locale's
+  /// name. Nothing else ends or changes by it.
+  void languageRequested(const QString& word);
 
 protected:
   bool eventFilter(QObject* target, QEvent* event) override;
   void keyReleaseEvent(QKeyEvent* event) override;
+  void changeEvent(QEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
 
 private:
+  /// What the title says.
+  enum class Message { attract, invite, stopped, unavailable, unstable, stuck, reached };
+  /// A completed insertion.
+  struct Reached {
+    KioskEntry entry;
+    TakeAway taken;
+  };
+
   bool takeKey(QKeyEvent* event);
+  void requestOtherLanguage();
+  void retranslate();
+  void use(std::size_t demonstration);
+  void showScene();
   void beginAttract();
   void beginTurn(InputSource input);
   bool hasEndedEarly() const;
   void endTurn();
+  void leaveResult();
+  Reached reachedGoal();
   bool prepare(InputSource input);
   void chooseHandle();
   void setStage(KioskStage stage);
-  void showBoard(std::optional<int> chosen);
+  void showDay();
+  void showMessage(Message message);
+  void showReached();
+  void showDemonstration();
 
   void onFrame();
   void onPresented();
   void stepAttract();
-  void stepTurn(double elapsed_s);
+  void stepTurn();
   void showPicture();
   void letGo();
   void continueTurn();
-  void inviteToTurn();
   bool isTouched() const;
   double now_s() const { return clock_.seconds(); }
 
   InsertionControl control_;
   KioskClock clock_;
   Leaderboard board_;
-  Result<analysis::PrintedRange> peaks_;
+  std::optional<analysis::PrintedRange> peaks_;  ///< Range of the levels of force.
   VisitorSession turn_;
   KioskStage stage_ = KioskStage::attract;
+  Message message_ = Message::attract;
+  std::optional<Reached> reached_;  ///< In the stage `result`.
+  QString language_;                ///< The operator's: name of the locale.
+  bool isCounted_ = false;          ///< The visitor.
+
+  std::vector<session::Scenario> tour_;  ///< The demonstration's; the visitors' is the first.
+  std::vector<InsertionControl::Parts> parts_;  ///< For each of them.
+  std::size_t shown_ = 0;                       ///< Index of the insertion in it.
+  std::size_t drawn_ = 0;                       ///< Index of the array in the scene.
 
   KioskScreen* screen_;
   QTimer timer_;
@@ -94,7 +128,7 @@ private:
   std::optional<double> restingAt_s_;  ///< Demonstration: time of the end of the insertion.
   int station_ = -1;                   ///< Index of the camera view of the demonstration.
   int pushedByKey_ = 0;                ///< 1 in, -1 out, 0 none.
-  std::pair<double, double> drawn_{};  ///< Travel and force of the last drawn snapshot.
+  std::pair<double, double> seen_{};   ///< Travel and force of the last drawn snapshot.
   std::uint64_t frames_ = 0;
   bool isFirstFrame_ = true;
 };

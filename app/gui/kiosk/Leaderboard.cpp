@@ -16,6 +16,8 @@ constexpr auto heading = "perilymph booth 1";
 constexpr double maxPeak_mN = 1e5;
 constexpr double maxDuration_s = 86'400.0;
 constexpr int maxReversals = 100'000;
+constexpr int maxVisitors = 1'000'000;
+constexpr auto visitorsKey = "visitors ";
 
 bool isGentler(const KioskEntry& a, const KioskEntry& b)
 {
@@ -41,6 +43,20 @@ std::optional<KioskEntry> entryOf(const QString& line)
   return entry;
 }
 
+/// "visitors 17"
+std::optional<int> visitorsOf(const QString& line)
+{
+  const QLatin1String key(visitorsKey);
+  if (!line.startsWith(key)) return std::nullopt;
+  bool isCount = false;
+  const int count = line.mid(key.size()).toInt(&isCount);
+  if (!isCount || count < 0 || count > maxVisitors) return std::nullopt;
+  return count;
+}
+
+/// As it is stored: in hundredths of a millinewton.
+double rounded(double peak_mN) { return std::round(100.0 * peak_mN) / 100.0; }
+
 QString lineOf(const KioskEntry& entry)
 {
   return QStringLiteral("%1 %2 %3 %4\n")
@@ -57,13 +73,16 @@ void Leaderboard::load(const QDate& day)
   if (day == day_) return;
   day_ = day;
   entries_.clear();
+  visitors_ = 0;
   const Result<std::string> text = readWhole(file_);
   if (!text) return;  // no list has been saved yet
   const QStringList lines = QString::fromStdString(*text).split(QLatin1Char('\n'));
   if (lines.size() < 2 || lines[0] != QLatin1String(heading)) return;
   if (lines[1] != day.toString(Qt::ISODate)) return;
-  for (int i = 2; i < lines.size(); ++i)
+  for (int i = 2; i < lines.size(); ++i) {
     if (const auto entry = entryOf(lines[i])) entries_.push_back(*entry);
+    if (const auto count = visitorsOf(lines[i])) visitors_ = *count;
+  }
   std::sort(entries_.begin(), entries_.end(), isGentler);
   if (entries_.size() > capacity) entries_.resize(capacity);
 }
@@ -74,22 +93,46 @@ const std::vector<KioskEntry>& Leaderboard::entriesOf(const QDate& day)
   return entries_;
 }
 
+DayStatistics Leaderboard::statisticsOf(const QDate& day)
+{
+  load(day);
+  DayStatistics statistics;
+  statistics.insertions = static_cast<int>(entries_.size());
+  statistics.visitors = visitors_;
+  if (entries_.empty()) return statistics;
+  const std::size_t count = entries_.size();
+  statistics.best_mN = entries_.front().peak_mN;
+  statistics.median_mN = 0.5 * (entries_[(count - 1) / 2].peak_mN + entries_[count / 2].peak_mN);
+  return statistics;
+}
+
 std::optional<int> Leaderboard::enter(const QDate& day, const KioskEntry& entry)
 {
   load(day);
-  const auto place = std::upper_bound(entries_.begin(), entries_.end(), entry, isGentler);
+  if (!std::isfinite(entry.peak_mN)) return std::nullopt;
+  KioskEntry stored = entry;
+  stored.peak_mN = rounded(entry.peak_mN);
+  const auto place = std::upper_bound(entries_.begin(), entries_.end(), stored, isGentler);
   const auto rank = static_cast<std::size_t>(place - entries_.begin());
-  if (rank >= capacity || !std::isfinite(entry.peak_mN)) return std::nullopt;
-  entries_.insert(place, entry);
+  if (rank >= capacity) return std::nullopt;
+  entries_.insert(place, stored);
   if (entries_.size() > capacity) entries_.resize(capacity);
   save();
   return static_cast<int>(rank) + 1;
 }
 
+void Leaderboard::addVisitor(const QDate& day)
+{
+  load(day);
+  visitors_ = std::min(visitors_ + 1, maxVisitors);
+  save();
+}
+
 void Leaderboard::save()
 {
-  QString text =
-      QLatin1String(heading) + QLatin1Char('\n') + day_.toString(Qt::ISODate) + QLatin1Char('\n');
+  QString text = QLatin1String(heading) + QLatin1Char('\n') + day_.toString(Qt::ISODate) +
+                 QLatin1Char('\n') + QLatin1String(visitorsKey) + QString::number(visitors_) +
+                 QLatin1Char('\n');
   for (const KioskEntry& entry : entries_) text += lineOf(entry);
   std::error_code ignored;  // an error is reported when the file is written
   std::filesystem::create_directories(file_.parent_path(), ignored);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// The anonymous list of the day's best insertions.
+// The anonymous insertions of a day at the booth.
 
 #include <QDate>
 #include <QTime>
@@ -14,7 +14,7 @@
 
 namespace perilymph::gui {
 
-/// A completed insertion to full depth.
+/// An insertion that reached its goal.
 struct KioskEntry {
   QTime at;
   double peak_mN = 0.0;
@@ -22,20 +22,32 @@ struct KioskEntry {
   int reversals = 0;
 };
 
-/// Stores the gentlest insertions of one day in a small text file. The list is empty on a new day;
-/// damaged lines are ignored.
+/// A day at the booth.
+struct DayStatistics {
+  int visitors = 0;    ///< Who moved the array, from a touch of the demonstration to the next one.
+  int insertions = 0;  ///< Insertions that reached the goal; one visitor may have several.
+  std::optional<double> best_mN;    ///< Lowest peak force.
+  std::optional<double> median_mN;  ///< Median of all peak forces.
+};
+
+/// Stores the insertions of one day in a small text file, which a restart reads again. The list is
+/// empty on a new day; damaged lines are ignored.
 class Leaderboard {
 public:
-  static constexpr std::size_t capacity = 8;
+  /// More than one insertion every six seconds, eight hours long. Beyond, the largest peak is dropped.
+  static constexpr std::size_t capacity = 5000;
 
   explicit Leaderboard(std::filesystem::path file) : file_(std::move(file)) {}
 
   /// The entries of a day, sorted by peak; equal peaks by time.
   const std::vector<KioskEntry>& entriesOf(const QDate& day);
-  /// Adds an insertion if it is among the best.
+  DayStatistics statisticsOf(const QDate& day);
+  /// Adds an insertion, its peak rounded as it is stored.
   ///
-  /// @return Its rank, from 1; empty if it is not among them.
+  /// @return Its rank, from 1; empty if the list is full of lower peaks.
   std::optional<int> enter(const QDate& day, const KioskEntry& entry);
+  /// Counts a visitor.
+  void addVisitor(const QDate& day);
   /// Why the list could not be saved; empty if there is no error.
   const std::string& error() const { return error_; }
 
@@ -46,6 +58,7 @@ private:
   std::filesystem::path file_;
   QDate day_;
   std::vector<KioskEntry> entries_;
+  int visitors_ = 0;
   std::string error_;
 };
 

@@ -13,19 +13,30 @@ namespace perilymph::gui {
 
 namespace {
 
-constexpr int height_px = 96;
-constexpr int side_px = 24;
+constexpr double sideOverLetter = 0.7;  // margin at which the speeds begin and end
 
 }  // namespace
 
 SpeedPad::SpeedPad(QWidget* parent) : QWidget(parent)
 {
   setObjectName(QStringLiteral("pushPad"));
-  setAccessibleName(tr("Hold here to insert"));
-  setFixedHeight(height_px);
-  setMinimumWidth(4 * height_px);
   setCursor(Qt::PointingHandCursor);
+  retranslate();
 }
+
+void SpeedPad::retranslate()
+{
+  setAccessibleName(tr("Hold here to insert"));
+  update();
+}
+
+void SpeedPad::setLetterSize(int size_px)
+{
+  letter_px_ = size_px;
+  update();
+}
+
+int SpeedPad::side() const { return qRound(sideOverLetter * sized(letter_px_)); }
 
 Speed SpeedPad::speed() const
 {
@@ -36,7 +47,7 @@ Speed SpeedPad::speed() const
 void SpeedPad::hold(int x)
 {
   const bool wasHeld = isHeld();
-  place_ = std::clamp(double(x - side_px) / std::max(1, width() - 2 * side_px), 0.0, 1.0);
+  place_ = std::clamp(double(x - side()) / std::max(1, width() - 2 * side()), 0.0, 1.0);
   update();
   if (!wasHeld) Q_EMIT heldChanged(true);
 }
@@ -82,7 +93,7 @@ void SpeedPad::paintEvent(QPaintEvent*)
     painter.setClipPath(plate);
     QColor filled = shownTheme().accent;
     filled.setAlpha(90);
-    const double end = side_px + *place_ * (width() - 2 * side_px);
+    const double end = side() + *place_ * (width() - 2 * side());
     painter.fillRect(QRectF(0, 0, end, height()), filled);
     painter.restore();
   }
@@ -91,14 +102,13 @@ void SpeedPad::paintEvent(QPaintEvent*)
 
   const QColor ink = isEnabled() ? shownTheme().text : shownTheme().quietText;
   painter.setPen(ink);
-  painter.setFont(typeface(26, QFont::DemiBold));
-  const QRect text = rect().adjusted(side_px, 8, -side_px, -36);
-  painter.drawText(text, Qt::AlignCenter,
+  painter.setFont(typeface(letter_px_, QFont::DemiBold));
+  const QRect inside = rect().adjusted(side(), 4, -side(), -4);
+  painter.drawText(inside, Qt::AlignHCenter | Qt::AlignTop,
                    isHeld() ? tr("Release to pause") : tr("Hold here to insert"));
-  painter.setFont(typeface(16));
-  const QRect foot = rect().adjusted(side_px, 54, -side_px, -8);
-  painter.drawText(foot, Qt::AlignLeft | Qt::AlignVCenter, tr("slow"));
-  painter.drawText(foot, Qt::AlignRight | Qt::AlignVCenter, tr("fast"));
+  painter.setFont(typeface(letter_px_));
+  painter.drawText(inside, Qt::AlignLeft | Qt::AlignBottom, tr("slow"));
+  painter.drawText(inside, Qt::AlignRight | Qt::AlignBottom, tr("fast"));
 }
 
 }  // namespace perilymph::gui

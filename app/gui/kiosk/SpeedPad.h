@@ -24,6 +24,9 @@ public:
   Speed speed() const;
   /// Releases the plate, even if it is still touched.
   void release();
+  /// Size of its caption [px, before textScale()].
+  void setLetterSize(int size_px);
+  void retranslate();
 
 Q_SIGNALS:
   void heldChanged(bool isHeld);
@@ -38,7 +41,9 @@ protected:
 
 private:
   void hold(int x);
+  int side() const;
 
+  int letter_px_ = 26;
   std::optional<double> place_;  ///< 0 at the left edge, 1 at the right one.
 };
 

@@ -61,22 +61,14 @@ void ForceLabel::show(const haptics::TickOutput& now)
   update();
 }
 
-void ForceLabel::setForVisitors(int size_px)
-{
-  setFont(typeface(size_px));
-  hasPartition_ = false;
-  updateGeometry();
-  update();
-}
-
 int ForceLabel::lineHeight() const { return font().pixelSize() * 3 / 2; }
 
 QSize ForceLabel::sizeHint() const
 {
   const QFontMetrics metrics(font());
-  int widest = metrics.horizontalAdvance(marked(hand_));
-  if (hasPartition_) widest = std::max(widest, metrics.horizontalAdvance(marked(partition_)));
-  return {widest + 2 * plate_px + 2, (hasPartition_ ? 2 : 1) * lineHeight() + plate_px};
+  const int widest = std::max(metrics.horizontalAdvance(marked(hand_)),
+                              metrics.horizontalAdvance(marked(partition_)));
+  return {widest + 2 * plate_px + 2, 2 * lineHeight() + plate_px};
 }
 
 void ForceLabel::paintEvent(QPaintEvent*)
@@ -86,7 +78,6 @@ void ForceLabel::paintEvent(QPaintEvent*)
   painter.setFont(font());
   QRect line(plate_px, plate_px / 2, width() - 2 * plate_px, lineHeight());
   for (const ForceMeaning* meaning : {&hand_, &partition_}) {
-    if (meaning == &partition_ && !hasPartition_) break;
     painter.setPen(meaning->isBeyond ? shownTheme().warning : shownTheme().quietText);
     painter.drawText(
         line, Qt::AlignRight | Qt::AlignVCenter,

@@ -18,8 +18,6 @@ public:
 
   /// Shows the forces of a tick, or instead of that on the partition how it ruptured.
   void show(const haptics::TickOutput& now);
-  /// Leaves out the line on the partition, in type of another size [px, before textScale()].
-  void setForVisitors(int size_px);
   const QString& handText() const { return hand_.text; }
   const QString& partitionText() const { return partition_.text; }
   QSize sizeHint() const override;
@@ -31,7 +29,6 @@ private:
   int lineHeight() const;
 
   ForceThresholds known_;
-  bool hasPartition_ = true;
   QString sources_;  ///< Sources of the thresholds.
   ForceMeaning hand_, partition_;
 };

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
 
 #include "gui/scene/Banner.h"
 #include "gui/scene/ForceLabel.h"
@@ -37,19 +38,12 @@ using visualization::CameraPreset;
 constexpr double turnPerHeight_deg = 180.0;
 // Height of the view's own text below the scale bars: two labels and the phase line.
 constexpr int footHeight_px = 100;
-constexpr int lowFootHeight_px = 56;  // without the phase line
-constexpr int lowView_px = 380;       // below it, read-outs are smaller or hidden
+constexpr int lowFootHeight_px = 56;     // without the phase line
+constexpr double usualLetter_px = 12.0;  // of a scene's own texts
+constexpr int lowView_px = 380;          // below it, read-outs are smaller or hidden
 constexpr int number_px = 46;  // of the three read-outs above, and what yields to a narrow view
 constexpr std::array numbers_px{number_px, 34, 28, 24, 20, 17};
 constexpr qint64 restTime_ms = 1000;
-/// Height of what lies below the scale bars of a view, at a text of 100 %: the scene scales it.
-int footMargin(const QSize& view, int hintLift)
-{
-  const bool isLow = view.height() < sized(lowView_px);
-  // gaps and the line of phases do not shrink with the text
-  const int more = isLow ? 0 : std::max(0, 60 - sized(60));
-  return (isLow ? lowFootHeight_px : footHeight_px) + qRound((hintLift + more) / textScale());
-}
 
 }  // namespace
 
@@ -130,6 +124,38 @@ void OperationView::captionShortly()
   force_->setCaption(tr("force"));
 }
 
+/// Height of what lies below the scale bars, at a text of 100 %: the scene scales it.
+int OperationView::footMargin() const
+{
+  if (visitorLetter_px_ > 0) {
+    // its scene scales it with its own type, too
+    const int foot = phase_->sizeHint().height() + 3 * spacing;
+    return qRound(foot * usualLetter_px / visitorLetter_px_ / textScale());
+  }
+  const bool isLow = height() < sized(lowView_px);
+  // gaps and the line of phases do not shrink with the text
+  const int more = isLow ? 0 : std::max(0, 60 - sized(60));
+  return (isLow ? lowFootHeight_px : footHeight_px) + qRound((hintLift_ + more) / textScale());
+}
+
+/// The scene between the read-outs above and the texts below.
+void OperationView::fitScene()
+{
+  if (!scene_) return;
+  scene_->setScaleBarMargin(footMargin());
+  const double across = std::max(1, width()), down = std::max(1, height());
+  int above = spacing;
+  for (const QWidget* part : std::initializer_list<const QWidget*>{travel_, forceLabel_, speed_})
+    if (!part->isHidden()) above = std::max(above, part->geometry().bottom() + spacing);
+  const double below = footMargin() * textScale() *
+                       (visitorLetter_px_ > 0 ? visitorLetter_px_ / usualLetter_px : 1.0);
+  // a view that is hardly higher than its texts is free as a whole
+  const bool isRoomy = above + below < 0.6 * down;
+  scene_->setFreeArea({spacing / across, isRoomy ? below / down : 0.0, 1.0 - spacing / across,
+                       isRoomy ? 1.0 - above / down : 1.0});
+  isDirty_ = true;
+}
+
 ReadOutTips OperationView::tips() const
 {
   return {travel_, angle_, force_, forceLabel_, speed_, magnification_, viewName_, phase_};
@@ -158,8 +184,8 @@ void OperationView::take(std::unique_ptr<visualization::InsertionScene> scene)
   if (scene_) renderWindow()->RemoveRenderer(&scene_->renderer());
   scene_ = std::move(scene);
   scene_->setScale(devicePixelRatioF() * textScale());
-  scene_->setScaleBarMargin(footMargin(size(), hintLift_));
   scene_->attachTo(*renderWindow());
+  fitScene();
   scene_->setStereo(hasOwnWindow(stereo_) ? visualization::Stereo::off : stereo_);
   isDirty_ = true;
 }
@@ -194,6 +220,8 @@ void OperationView::showGhost(const electrode::ArrayDesign& array,
 void OperationView::showNumbers(const haptics::TickOutput& now, Angle angularDepth,
                                 Length stopTravel)
 {
+  phase_->setPhase(analysis::phaseOf(now, stopTravel));
+  if (visitorLetter_px_ > 0) return;
   travel_->setNumber(numberText(inMillimeters(Length::fromSi(now.travel)), 1));
   depth_mm_ = numberText(inMillimeters(Length::fromSi(now.depth)), 1);
   tip_deg_ = numberText(inDegrees(Angle::fromSi(now.angularDepth)), 0);
@@ -202,7 +230,23 @@ void OperationView::showNumbers(const haptics::TickOutput& now, Angle angularDep
   force_->setNumber(numberText(inMillinewtons(Force::fromSi(now.axialForce)), 0));
   forceLabel_->show(now);
   speed_->setNumber(numberText(inMillimetersPerSecond(Speed::fromSi(now.speed)), 1));
-  phase_->setPhase(analysis::phaseOf(now, stopTravel));
+}
+
+void OperationView::setForVisitors(int size_px)
+{
+  visitorLetter_px_ = size_px;
+  for (QWidget* part : std::initializer_list<QWidget*>{travel_, angle_, force_, forceLabel_, speed_,
+                                                       magnification_, viewName_})
+    part->hide();
+  phase_->setForVisitors(size_px);
+  fitReadOuts();
+  placeHint();
+}
+
+void OperationView::retranslate()
+{
+  if (scene_) describeView();
+  phase_->update();
 }
 
 void OperationView::setPartial(bool isPartial) { phase_->setPartial(isPartial); }
@@ -283,6 +327,10 @@ void OperationView::setHint(const QString& hint)
 
 void OperationView::fitReadOuts()
 {
+  if (visitorLetter_px_ > 0) {
+    layout()->activate();
+    return;
+  }
   const bool isLow = height() < sized(lowView_px);
   captionShortly();
   for (ReadOut* readOut : {travel_, angle_, force_}) readOut->setCompact(isLow);
@@ -297,6 +345,10 @@ void OperationView::fitReadOuts()
 
 void OperationView::placeHint()
 {
+  if (visitorLetter_px_ > 0) {
+    fitScene();
+    return;
+  }
   const bool isSeen = !hint_->text().isEmpty();
   constexpr int padding = 2 * 6;  // of the style sheet
   const int caption = QFontMetrics(hint_->font()).horizontalAdvance(hint_->text()) + padding + 1;
@@ -328,10 +380,8 @@ void OperationView::placeHint()
     hint_->setGeometry((width() - widest) / 2, beside.top() - height - spacing, widest, height);
     lift = height + spacing;
   }
-  if (!scene_) return;
   hintLift_ = lift;
-  scene_->setScaleBarMargin(footMargin(size(), hintLift_));
-  isDirty_ = true;
+  fitScene();
 }
 
 bool OperationView::isResting() const { return sinceMotion_.elapsed() > restTime_ms; }
@@ -340,7 +390,9 @@ bool OperationView::renderIfDirty()
 {
   if (!isDirty_ || !scene_ || !isValid()) return false;
   isDirty_ = false;
+  const double before = scene_->magnification();
   renderWindow()->Render();
+  if (scene_->magnification() != before) describeView();  // it framed the ear in another window
   if (twin_ != nullptr) twin_->renderAs(*scene_);
   return true;
 }

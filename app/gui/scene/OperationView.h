@@ -45,6 +45,11 @@ public:
   /// @param angularDepth  Angular insertion depth, of the most apical contact; the tick has the tip's.
   /// @param stopTravel    Travel at full depth.
   void showNumbers(const haptics::TickOutput& now, Angle angularDepth, Length stopTravel);
+  /// Leaves only the picture and the phases, for visitors of a booth, who have
+  /// a display of their own beside it. Type has a size [px, before textScale()].
+  void setForVisitors(int size_px);
+  /// Shows the texts for visitors in the present language.
+  void retranslate();
   /// The stop travel leaves some of the array outside.
   void setPartial(bool isPartial);
   void setPartVisible(visualization::Part part, bool isVisible);
@@ -102,6 +107,8 @@ private:
   void placeHint();
   void fitReadOuts();
   void captionShortly();
+  int footMargin() const;
+  void fitScene();
   ReadOutTips tips() const;
   double pictureHeight_mm() const;
 
@@ -109,7 +116,8 @@ private:
   visualization::Stereo stereo_ = visualization::Stereo::off;
   StereoWindow* twin_ = nullptr;
   bool isDirty_ = true;
-  int hintLift_ = 0;  ///< Offset of the scale bars above a hint below them.
+  int visitorLetter_px_ = 0;  ///< Size of the type for visitors; 0: for users of the workstation.
+  int hintLift_ = 0;          ///< Offset of the scale bars above a hint below them.
   QElapsedTimer sinceMotion_;
   QPoint mouse_;
   ReadOut* travel_;

@@ -15,9 +15,9 @@ namespace {
 using analysis::Phase;
 
 constexpr int name_px = 12;
-constexpr int height_px = 44;
 constexpr int sideMargin_px = 36;  // half a name beyond the outer stations, at the usual size
 constexpr double stationY_px = 14.0;
+constexpr double nameY_px = stationY_px + 10.0;
 
 constexpr std::array stations{Phase::opening, Phase::outerWall, Phase::basalTurn, Phase::full};
 
@@ -44,7 +44,8 @@ QString PhaseLine::nameOf(Phase phase) const
     case Phase::basalTurn:
       return tr("Basal turn");
     case Phase::full:
-      return isPartial_ ? tr("Stop") : tr("Full depth");
+      if (!isPartial_) return tr("Full depth");
+      return isForVisitors_ ? tr("Goal") : tr("Stop");
     case Phase::outside:
       break;
   }
@@ -75,11 +76,15 @@ void PhaseLine::setPartial(bool isPartial)
   update();
 }
 
-void PhaseLine::setNameSize(int size_px)
+void PhaseLine::setForVisitors(int size_px)
 {
+  isForVisitors_ = true;
   name_px_ = size_px;
   updateGeometry();
+  update();
 }
+
+int PhaseLine::nameHeight() const { return sized(4 * name_px_ / 3 + 4); }
 
 int PhaseLine::lengthOf(int usual_px) const { return sized(usual_px * name_px_ / name_px); }
 
@@ -110,7 +115,16 @@ QString PhaseLine::tipAt(const QPoint& place) const
 QSize PhaseLine::sizeHint() const
 {
   constexpr int smallest_px = 38;  // its points do not shrink as its texts do
-  return {480, std::max(lengthOf(height_px), smallest_px)};
+  return {480, std::max(int(nameY_px) + nameHeight(), smallest_px)};
+}
+
+/// Every name fits into its place in the size chosen: visitors cannot read smaller ones.
+bool PhaseLine::areNamesWhole(int available_px) const
+{
+  const QFontMetrics metrics(typeface(name_px_, QFont::DemiBold));
+  return std::all_of(stations.begin(), stations.end(), [&](Phase station) {
+    return metrics.horizontalAdvance(nameOf(station)) <= available_px;
+  });
 }
 
 void PhaseLine::paintEvent(QPaintEvent*)
@@ -122,6 +136,7 @@ void PhaseLine::paintEvent(QPaintEvent*)
   const double step = double(width() - 2 * margin) / double(stations.size() - 1);
   const QColor ahead = shownTheme().ahead;
   const int available = std::max(1, int(step) - 4);
+  const bool namesOnlyPresent = isForVisitors_ && !areNamesWhole(available);
   for (std::size_t i = 0; i < stations.size(); ++i) {
     const QPointF place(margin + double(i) * step, stationY_px);
     const bool isReached = phase_ >= stations[i];
@@ -133,16 +148,22 @@ void PhaseLine::paintEvent(QPaintEvent*)
     }
     painter.setPen(QPen(isReached ? shownTheme().accent : ahead, 2.0));
     painter.setBrush(isReached ? QBrush(shownTheme().accent) : QBrush(Qt::NoBrush));
-    const double radius = isHere ? 6.5 : 4.5;
+    const double radius = (isHere ? 6.5 : 4.5) * (isForVisitors_ ? 1.5 : 1.0);
     painter.drawEllipse(place, radius, radius);
 
+    if (!isHere && namesOnlyPresent) continue;
+    const int room = namesOnlyPresent ? width() : available;
     const QString caption = nameOf(stations[i]);
-    painter.setFont(
-        fitting(caption, isHere ? QFont::DemiBold : QFont::Normal, available, name_px_));
+    painter.setFont(fitting(caption, isHere ? QFont::DemiBold : QFont::Normal, room, name_px_));
     painter.setPen(isHere ? shownTheme().text : shownTheme().quietText);
-    const QRectF name(place.x() - margin, stationY_px + 10, 2 * margin, lengthOf(20));
+    const int width = QFontMetrics(painter.font()).horizontalAdvance(caption);
+    QRectF name(place.x() - margin, nameY_px, 2 * margin, nameHeight());
+    if (namesOnlyPresent)  // as near to its station as the edges permit
+      name.moveLeft(
+          std::clamp(name.left(), 0.5 * width - margin,
+                     std::max(0.5 * width - margin, this->width() - 0.5 * width - margin)));
     painter.drawText(name, Qt::AlignCenter | Qt::TextDontClip,
-                     QFontMetrics(painter.font()).elidedText(caption, Qt::ElideRight, available));
+                     QFontMetrics(painter.font()).elidedText(caption, Qt::ElideRight, room));
   }
 }
 

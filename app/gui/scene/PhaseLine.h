@@ -20,8 +20,9 @@ public:
   analysis::Phase phase() const { return phase_; }
   /// Names the last station: full depth, or the stop of a partial insertion.
   void setPartial(bool isPartial);
-  /// Size of the names, where there is room [px, before textScale()].
-  void setNameSize(int size_px);
+  /// Names for visitors of a booth, where there is room in a size [px, before textScale()]: the last
+  /// station of a partial insertion is their goal.
+  void setForVisitors(int size_px);
   /// Explanation of the station at a place of this widget; empty between them.
   QString tipAt(const QPoint& place) const;
   QSize sizeHint() const override;
@@ -33,9 +34,12 @@ private:
   QString nameOf(analysis::Phase phase) const;
   /// A length at the usual size of the names, at the chosen one [px].
   int lengthOf(int usual_px) const;
+  int nameHeight() const;
+  bool areNamesWhole(int available_px) const;
 
   analysis::Phase phase_ = analysis::Phase::outside;
   bool isPartial_ = false;
+  bool isForVisitors_ = false;
   int name_px_;
 };
 

@@ -53,12 +53,6 @@ void ReadOut::setNumberSize(int size_px)
   fit();
 }
 
-void ReadOut::setCaptionSize(int size_px)
-{
-  captionFont_ = typeface(size_px);
-  fit();
-}
-
 void ReadOut::fit()
 {
   setSize(isCompact_ ? std::min(compactSize_px, form_.size_px) : form_.size_px);

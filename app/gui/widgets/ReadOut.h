@@ -28,8 +28,6 @@ public:
   void setCompact(bool isCompact);
   /// Size of the number [px, before textScale()].
   void setNumberSize(int size_px);
-  /// The same of the caption.
-  void setCaptionSize(int size_px);
   void setNumber(const QString& number);
   void setCaption(const QString& caption);
   const QString& number() const { return number_; }

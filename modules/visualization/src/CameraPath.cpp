@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "perilymph/foundation/Units.h"
 
@@ -96,6 +97,37 @@ CameraPose presetPose(CameraPreset preset, const CameraSubject& subject, const E
   return pose;
 }
 
+bool showsAll(CameraPreset preset)
+{
+  return preset == CameraPreset::surgeon || preset == CameraPreset::overview ||
+         preset == CameraPreset::section;
+}
+
+CameraPose framed(const CameraPose& pose, const std::vector<Eigen::Vector3d>& points, double aspect,
+                  const FreeArea& area, double share)
+{
+  const Eigen::Matrix3d axes = pose.axes.toRotationMatrix();
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Eigen::Array2d low(infinity, infinity), high(-infinity, -infinity);
+  for (const Eigen::Vector3d& point : points) {
+    const Eigen::Array2d place = (axes.leftCols<2>().transpose() * point).array();
+    low = low.min(place);
+    high = high.max(place);
+  }
+  // the picture's height at which the larger extent fills its share
+  const Eigen::Array2d free(aspect * (area.right - area.left), area.top - area.bottom);
+  const double height_mm = ((high - low) / (share * free)).maxCoeff();
+  CameraPose result = pose;
+  result.magnification = std::clamp(fieldHeight_mm / height_mm, minMagnification, maxMagnification);
+
+  const double shown_mm = fieldHeight_mm / result.magnification;
+  const Eigen::Array2d middle(aspect * (0.5 * (area.left + area.right) - 0.5),
+                              0.5 * (area.bottom + area.top) - 0.5);
+  const Eigen::Vector2d focus = (0.5 * (low + high) - shown_mm * middle).matrix();
+  result.focus = axes.leftCols<2>() * focus + axes.col(2) * axes.col(2).dot(pose.focus);
+  return result;
+}
+
 void CameraPath::jump(const CameraPose& pose)
 {
   from_ = to_ = now_ = pose;
@@ -107,6 +139,14 @@ void CameraPath::glide(const CameraPose& pose)
   from_ = now_;
   to_ = pose;
   progress_ = 0.0;
+}
+
+void CameraPath::aim(const CameraPose& pose)
+{
+  if (isGliding())
+    to_ = pose;
+  else
+    jump(pose);
 }
 
 CameraPose& CameraPath::take()

@@ -4,6 +4,7 @@
 // Camera pose and its motion between poses.
 
 #include <Eigen/Geometry>
+#include <vector>
 
 #include "PictureSpace.h"
 #include "perilymph/visualization/InsertionScene.h"
@@ -34,6 +35,16 @@ inline constexpr double maxMagnification = 32.0;
 CameraPose presetPose(CameraPreset preset, const CameraSubject& subject,
                       const Eigen::Vector3d& tip);
 
+/// Whether a preset shows the whole cochlea.
+bool showsAll(CameraPreset preset);
+
+/// The pose with another magnification and focus, so that points lie within an area of the picture and
+/// extend over a share of its width or height; within the limits of the magnification.
+///
+/// @param aspect  Width of the picture over its height.
+CameraPose framed(const CameraPose& pose, const std::vector<Eigen::Vector3d>& points, double aspect,
+                  const FreeArea& area, double share);
+
 /// A moving camera.
 class CameraPath {
 public:
@@ -41,6 +52,8 @@ public:
 
   void jump(const CameraPose& pose);
   void glide(const CameraPose& pose);
+  /// Changes where a motion ends, or the pose itself at rest.
+  void aim(const CameraPose& pose);
   /// @return Whether the camera moved and may move again.
   bool step(double seconds);
 

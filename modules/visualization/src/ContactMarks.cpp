@@ -16,7 +16,8 @@ constexpr double glowRadius_mm = 0.24;
 constexpr double minShown_mN = 2.0;  ///< Smaller arrows would be specks.
 constexpr double minFriction_mN = 0.4;
 constexpr double longestArrow_mm = 2.0;
-constexpr double arrowLift_mm = 2.5;  ///< Above array and outline.
+constexpr double arrowLift_mm =
+    0.0;  ///< In depth where they are: the array covers them, not they its contacts.
 
 }  // namespace
 

@@ -14,6 +14,7 @@
 #include <vtkRenderWindow.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "ArrayParts.h"
 #include "ArrayPath.h"
@@ -55,6 +56,9 @@ struct InsertionScene::Content {
   void placeCamera();
   void prepare();  ///< Before each picture: updates what depends on the view.
   Eigen::Vector3d tip() const;
+  double aspect() const;       ///< Width of the picture over its height; 0 without a window.
+  CameraPose presetPoseNow();  ///< Pose of the present preset, framed if it is to be.
+  void frameAnew();            ///< After a change of the window or the area.
 
   PictureSpace space;
   ScalaParts scalaParts;
@@ -67,6 +71,10 @@ struct InsertionScene::Content {
   CameraSubject subject;
   CameraPath camera;
   CameraPreset preset = CameraPreset::surgeon;
+  std::optional<FreeArea> area;
+  bool isFramed = false;  ///< The pose is the preset's, framed for the two below.
+  FreeArea framedArea;
+  double framedAspect = 0.0;
 
   vtkNew<vtkOpenGLRenderer> renderer;
   vtkNew<vtkContextActor> overlay;
@@ -76,6 +84,7 @@ struct InsertionScene::Content {
   unsigned long prepareObserver = 0;
 
   std::array<bool, partCount> isVisible;
+  bool hasForceScale;
   double pixelRatio = 1.0;
   ViewFrame preparedView{.pixel_mm = 0.0};
   Eigen::Vector3d preparedFocus = Eigen::Vector3d::Zero();
@@ -95,7 +104,8 @@ InsertionScene::Content::Content(const anatomy::ScalaTympani& scala,
       field(arrayParts.design().length),
       marks(sceneColorsOf(style.scheme)),
       ghost(sceneColorsOf(style.scheme)),
-      backdrop(sceneColorsOf(style.scheme))
+      backdrop(sceneColorsOf(style.scheme)),
+      hasForceScale(style.hasForceScale)
 {
   const anatomy::Entry entry = scala.entry();
   subject = {scalaParts.low(),
@@ -149,7 +159,7 @@ void InsertionScene::Content::applyVisibility()
   scalaParts.setVisible(shows(Part::scala), shows(Part::membrane));
   arrayParts.setVisible(!path.isEmpty(), shows(Part::styletAndTweezers));
   marks.setVisible(shows(Part::wallForce), shows(Part::contactArrows));
-  bars->showsForce = shows(Part::wallForce) && !path.isEmpty();
+  bars->showsForce = hasForceScale && shows(Part::wallForce) && !path.isEmpty();
   bars->showsArrows = shows(Part::contactArrows) && !path.isEmpty();
   bars->Modified();
 }
@@ -157,6 +167,29 @@ void InsertionScene::Content::applyVisibility()
 Eigen::Vector3d InsertionScene::Content::tip() const
 {
   return path.isEmpty() ? subject.opening : path.at(0.0).place;
+}
+
+double InsertionScene::Content::aspect() const
+{
+  const int* const size = window == nullptr ? nullptr : renderer->GetSize();
+  return size == nullptr || size[0] < 1 || size[1] < 1 ? 0.0 : double(size[0]) / size[1];
+}
+
+CameraPose InsertionScene::Content::presetPoseNow()
+{
+  const CameraPose pose = presetPose(preset, subject, tip());
+  isFramed = area && showsAll(preset);
+  framedAspect = aspect();
+  if (!isFramed || framedAspect <= 0.0) return pose;
+  framedArea = *area;
+  return framed(pose, scalaParts.places(), framedAspect, framedArea, framedShare);
+}
+
+void InsertionScene::Content::frameAnew()
+{
+  if (!isFramed || (aspect() == framedAspect && *area == framedArea)) return;
+  camera.aim(presetPoseNow());
+  placeCamera();
 }
 
 void InsertionScene::Content::placeCamera()
@@ -182,6 +215,7 @@ void InsertionScene::Content::prepare()
     eyes.Modified();
   }
 
+  frameAnew();
   const int height = std::max(1, renderer->GetSize()[1]);
   const Eigen::Matrix3d axes = camera.pose().axes.toRotationMatrix();
   const double pixel_mm = fieldHeight_mm / camera.pose().magnification / height;
@@ -317,30 +351,35 @@ void InsertionScene::setScaleBarMargin(int pixels)
   content_->bars->Modified();
 }
 
+void InsertionScene::setFreeArea(const FreeArea& area) { content_->area = area; }
+
 void InsertionScene::lookFrom(CameraPreset preset)
 {
   content_->preset = preset;
-  content_->camera.jump(presetPose(preset, content_->subject, content_->tip()));
+  content_->camera.jump(content_->presetPoseNow());
   content_->placeCamera();
 }
 
 void InsertionScene::lookAs(const InsertionScene& other)
 {
   content_->preset = other.content_->preset;
+  content_->isFramed = false;
   content_->camera.jump(other.content_->camera.pose());
   content_->placeCamera();
 }
 
 void InsertionScene::keepViewOf(const InsertionScene& other)
 {
+  if (other.content_->area) content_->area = other.content_->area;
   lookFrom(other.preset());
+  if (other.content_->isFramed) return;
   setMagnification(other.content_->camera.target().magnification);
 }
 
 void InsertionScene::glideTo(CameraPreset preset)
 {
   content_->preset = preset;
-  content_->camera.glide(presetPose(preset, content_->subject, content_->tip()));
+  content_->camera.glide(content_->presetPoseNow());
 }
 
 bool InsertionScene::stepCamera(double seconds)
@@ -360,6 +399,7 @@ CameraPreset InsertionScene::preset() const noexcept { return content_->preset; 
 
 void InsertionScene::setMagnification(double times)
 {
+  content_->isFramed = false;
   content_->camera.take().magnification = std::clamp(times, minMagnification, maxMagnification);
   content_->placeCamera();
 }
@@ -372,6 +412,7 @@ double InsertionScene::magnification() const noexcept
 void InsertionScene::rotateModel(double azimuth_deg, double elevation_deg, double roll_deg)
 {
   using Turn = Eigen::AngleAxisd;
+  content_->isFramed = false;
   CameraPose& pose = content_->camera.take();
   // Rotating the model one way is rotating the camera the other way.
   pose.axes = pose.axes * Turn(-degrees(azimuth_deg).si(), Eigen::Vector3d::UnitY()) *
@@ -383,6 +424,7 @@ void InsertionScene::rotateModel(double azimuth_deg, double elevation_deg, doubl
 
 void InsertionScene::moveModel(double right_mm, double up_mm)
 {
+  content_->isFramed = false;
   CameraPose& pose = content_->camera.take();
   pose.focus -= pose.axes * Eigen::Vector3d(right_mm, up_mm, 0.0);
   content_->placeCamera();

@@ -20,6 +20,8 @@ constexpr double edgeOpacity = 0.9;
 // A thin shell is most transparent where it faces the viewer and least where it turns away.
 constexpr double facingOpacity = 0.07, turnedOpacity = 0.46;
 constexpr double ambient = 0.42, diffuse = 0.58;
+// The wall shines where it mirrors the light, as moist bone does: shape is seen where it faces the viewer, too.
+constexpr double shine = 0.35, shineOpacity = 0.18, shininess = 12.0;
 constexpr double keyLight[] = {-0.5, 0.75};  ///< To the right and up, for a light toward the
                                              ///< viewer.
 constexpr double membraneOpacity = 0.42, tornOpacity = 0.85;
@@ -175,15 +177,19 @@ void ScalaParts::light(const ViewFrame& view)
 {
   const Eigen::Vector3d key =
       (view.back + keyLight[0] * view.right + keyLight[1] * view.up).normalized();
+  const Eigen::Vector3d halfway = (key + view.back).normalized();
   for (std::size_t i = 0; i < places_.size(); ++i) {
     // the visible side, inner or outer
     const double facing = normals_[i].dot(view.back);
     const double lit = facing < 0.0 ? -normals_[i].dot(key) : normals_[i].dot(key);
     const double light = ambient + diffuse * std::max(0.0, lit);
+    const double mirrored = std::pow(std::abs(normals_[i].dot(halfway)), shininess);
     const double turn = 1.0 - std::abs(facing);
     Rgba color = withOpacity(palette_.bone,
-                             facingOpacity + (turnedOpacity - facingOpacity) * turn * turn * turn);
-    for (std::size_t k = 0; k < 3; ++k) color[k] = static_cast<unsigned char>(light * color[k]);
+                             facingOpacity + (turnedOpacity - facingOpacity) * turn * turn * turn +
+                                 shineOpacity * mirrored);
+    for (std::size_t k = 0; k < 3; ++k)
+      color[k] = static_cast<unsigned char>(std::min(255.0, (light + shine * mirrored) * color[k]));
     shell_[i] = color;
     wall_.setColor(static_cast<int>(i), color);
   }

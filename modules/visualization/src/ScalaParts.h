@@ -44,6 +44,8 @@ public:
   /// Corners of the wall's bounding box [mm].
   Eigen::Vector3d low() const { return low_; }
   Eigen::Vector3d high() const { return high_; }
+  /// The points of the wall [mm].
+  const std::vector<Eigen::Vector3d>& places() const { return places_; }
 
 private:
   void plan(const anatomy::ScalaTympani& scala, const PictureSpace& space);

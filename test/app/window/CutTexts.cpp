@@ -56,8 +56,13 @@ bool isWhole(const QAbstractButton& button)
       qobject_cast<const QPushButton*>(&button) != nullptr
           ? button.style()->subElementRect(QStyle::SE_PushButtonContents, &option, &button)
           : button.rect();
-  return inside.width() >= widthOf(button, button.text()) &&
-         button.height() >= QFontMetrics(button.font()).height();
+  const QFontMetrics metrics(button.font());
+  const QStringList lines = button.text().split(QLatin1Char('\n'));
+  const bool isWide = std::all_of(lines.begin(), lines.end(), [&](const QString& line) {
+    return inside.width() >= widthOf(button, line);
+  });
+  return isWide &&
+         button.height() >= metrics.height() + (int(lines.size()) - 1) * metrics.lineSpacing();
 }
 
 bool isWhole(const QComboBox& box)

@@ -5,80 +5,16 @@
 
 #include <gtest/gtest.h>
 
-#include <QAbstractButton>
 #include <QFontDatabase>
-#include <QLabel>
-#include <QTest>
 #include <fstream>
 
-#include "KeptPicture.h"
-#include "WindowRig.h"
-#include "gui/kiosk/KioskWindow.h"
-#include "gui/kiosk/SpeedPad.h"
-#include "gui/scene/ForceLabel.h"
-#include "perilymph/test/TemporaryFolder.h"
+#include "BoothFixture.h"
 #include "perilymph/test/TestPicture.h"
 
 namespace perilymph::test {
 namespace {
 
 using gui::KioskStage;
-
-const QDate aDay(2026, 11, 20);
-
-/// A booth with a clock that the test controls.
-class Booth : public testing::Test {
-protected:
-  void open(const session::Overrides& overrides = {})
-  {
-    auto scenario = session::loadScenario("contour-published", overrides);
-    ASSERT_TRUE(scenario) << scenario.error().message;
-    gui::KioskClock clock;
-    clock.seconds = [this] { return seconds_; };
-    clock.today = [] { return QDateTime(aDay, QTime(14, 3, 21)); };
-    window_ = std::make_unique<gui::KioskWindow>(*scenario, boardFile(), clock,
-                                                 WindowRig::sharedCochleae());
-    window_->show();
-    const auto opened = window_->open();
-    ASSERT_TRUE(opened) << opened.error().message;
-    ASSERT_TRUE(WindowRig::waitUntil([&] { return travel_mm() > 0.0; }));
-  }
-
-  std::filesystem::path boardFile() const { return folder_.path() / "booth" / "board.txt"; }
-  double travel_mm() const
-  {
-    return inMillimeters(Length::fromSi(window_->control().now().output.travel));
-  }
-  /// Processes events at the current time of the clock.
-  bool framesPass()
-  {
-    const std::uint64_t end = window_->frames() + 3;
-    return WindowRig::waitUntil([&] { return window_->frames() >= end; });
-  }
-  bool waitUntil(KioskStage stage)
-  {
-    return WindowRig::waitUntil([&] { return window_->stage() == stage; });
-  }
-  gui::SpeedPad& pad() { return *window_->findChild<gui::SpeedPad*>(); }
-  QString label(const char* name)
-  {
-    return window_->findChild<QLabel*>(QLatin1String(name))->text();
-  }
-  void click(const char* name)
-  {
-    QTest::mouseClick(window_->findChild<QAbstractButton*>(QLatin1String(name)), Qt::LeftButton);
-  }
-  /// Puts a finger on the pad, near its fast end.
-  void pressPad()
-  {
-    QTest::mousePress(&pad(), Qt::LeftButton, {}, QPoint(pad().width() - 40, pad().height() / 2));
-  }
-  void releasePad() { QTest::mouseRelease(&pad(), Qt::LeftButton); }
-
-  TemporaryFolder folder_;
-  double seconds_ = 1000.0;
-  std::unique_ptr<gui::KioskWindow> window_;
-};
 
 TEST_F(Booth, ShowsAnInsertionUntilSomebodyTouches)
 {
@@ -109,8 +45,8 @@ TEST_F(Booth, AVisitorInsertsByHoldingAFingerAndSeesTheirPlace)
   ASSERT_TRUE(waitUntil(KioskStage::turn));
   pressPad();
   ASSERT_TRUE(waitUntil(KioskStage::result));
-  EXPECT_TRUE(label("kioskTitle").contains("place 1")) << label("kioskTitle").toStdString();
-  EXPECT_TRUE(label("kioskTitle").contains("mN"));
+  EXPECT_TRUE(label("kioskTitle").contains("rank 1 of 1")) << label("kioskTitle").toStdString();
+  EXPECT_TRUE(label("kioskSentence").contains("mN"));
   gui::Leaderboard kept(boardFile());
   ASSERT_EQ(kept.entriesOf(aDay).size(), 1u);
   EXPECT_NEAR(kept.entriesOf(aDay)[0].peak_mN, 1e3 * window_->turn().peakForce(), 0.01);
@@ -256,12 +192,40 @@ TEST(Leaderboard, RanksTheLowestPeakFirstAndTheEarlierOfEquals)
 TEST(Leaderboard, IsBounded)
 {
   const TemporaryFolder folder;
-  gui::Leaderboard board(folder.path() / "board");
-  for (int i = 0; i < 30; ++i) board.enter(aDay, entry(i, 50.0 + i));
-  EXPECT_EQ(board.entriesOf(aDay).size(), gui::Leaderboard::capacity);
+  const auto file = folder.path() / "board";
+  {
+    std::ofstream full(file);
+    full << "perilymph booth 1\n2026-11-20\n";
+    for (std::size_t i = 0; i < gui::Leaderboard::capacity; ++i)
+      full << "14:00:00 " << 50 + i % 10 << ".00 9.0 0\n";
+  }
+  gui::Leaderboard board(file);
   EXPECT_FALSE(board.enter(aDay, entry(50, 200.0)));
-  gui::Leaderboard again(folder.path() / "board");
+  EXPECT_EQ(board.enter(aDay, entry(50, 40.0)), 1);
+  gui::Leaderboard again(file);
   EXPECT_EQ(again.entriesOf(aDay).size(), gui::Leaderboard::capacity);
+}
+
+TEST(Leaderboard, KeepsVisitorsBestAndMedianOverARestartOfTheSameDay)
+{
+  const TemporaryFolder folder;
+  {
+    gui::Leaderboard board(folder.path() / "board");
+    for (int i = 0; i < 3; ++i) board.addVisitor(aDay);
+    board.enter(aDay, entry(1, 80.0));
+    board.enter(aDay, entry(2, 30.0));
+    EXPECT_EQ(board.statisticsOf(aDay).median_mN, 55.0);  // of an even number
+    board.enter(aDay, entry(3, 31.0));
+  }
+  gui::Leaderboard board(folder.path() / "board");
+  const gui::DayStatistics day = board.statisticsOf(aDay);
+  EXPECT_EQ(day.visitors, 3);
+  EXPECT_EQ(day.insertions, 3);
+  EXPECT_EQ(day.best_mN, 30.0);
+  EXPECT_EQ(day.median_mN, 31.0);
+  const gui::DayStatistics next = board.statisticsOf(aDay.addDays(1));
+  EXPECT_EQ(next.visitors, 0);
+  EXPECT_FALSE(next.median_mN);
 }
 
 TEST(Leaderboard, RestartsEveryDay)
@@ -308,26 +272,6 @@ TEST(VisitorSession, CountsTurningBackButNotTrembling)
     turn.follow(moment(travel_mm, 10.0));
   EXPECT_EQ(turn.reversals(), 2);  // at 3 mm and at 4 mm
   EXPECT_NEAR(turn.deepestTravel(), 4e-3, 1e-12);
-}
-
-TEST(VisitorSession, ComparesThePeakWithWhatWasMeasuredInPatients)
-{
-  const auto peaks = analysis::peaksInPatients();
-  ASSERT_TRUE(peaks);
-  // peaks of 44.8 to 102.4 mN: Rau et al. 2024
-  EXPECT_TRUE(gui::peakText(0.0447, peaks).startsWith("Below"));
-  EXPECT_TRUE(gui::peakText(0.0449, peaks).startsWith("Within"));
-  EXPECT_TRUE(gui::peakText(0.1025, peaks).startsWith("Above"));
-}
-
-TEST_F(Booth, IsReadFromOneAndAHalfMeters)
-{
-  open();
-  EXPECT_GE(window_->findChild<gui::ForceLabel*>()->font().pixelSize(), 20);
-  EXPECT_EQ(window_->findChild<gui::ForceLabel*>()->height(), 36);  // one line
-  EXPECT_FALSE(window_->findChild<QLabel*>("magnificationLabel")->isVisible());
-  EXPECT_GE(window_->findChild<QLabel*>("viewLabel")->font().pixelSize(), 20);
-  keepPicture(*window_, "booth");
 }
 
 }  // namespace

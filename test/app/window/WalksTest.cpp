@@ -161,7 +161,7 @@ TEST_F(AWalk, OfAClinicianSetsTwoTechniquesSideBySide)
 TEST_F(AWalk, OfAVisitorEndsOnTheBoardOfTheDay)
 {
   Walk walk("visitor");
-  auto scenario = session::loadScenario("contour-published");
+  auto scenario = session::loadScenario("booth");
   ASSERT_TRUE(scenario) << scenario.error().message;
   gui::KioskWindow window(*scenario, data_.path() / "board.txt");
   window.show();
@@ -169,13 +169,13 @@ TEST_F(AWalk, OfAVisitorEndsOnTheBoardOfTheDay)
   const auto travel_mm = [&window] {
     return inMillimeters(Length::fromSi(window.control().now().output.travel));
   };
-  ASSERT_TRUE(WindowRig::waitUntil([&] { return travel_mm() > 12.0; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return travel_mm() > 10.0; }));
   walk.step(1, window);
 
   QTest::mouseClick(window.findChild<QAbstractButton*>("inviteButton"), Qt::LeftButton);
   ASSERT_TRUE(WindowRig::waitUntil([&] { return window.stage() == gui::KioskStage::turn; }));
   auto& pad = *window.findChild<gui::SpeedPad*>();
-  QTest::mousePress(&pad, Qt::LeftButton, {}, QPoint(pad.width() * 3 / 4, pad.height() / 2));
+  QTest::mousePress(&pad, Qt::LeftButton, {}, QPoint(pad.width() / 12, pad.height() / 2));
   ASSERT_TRUE(WindowRig::waitUntil([&] { return travel_mm() > 11.0; }));
   walk.step(2, window);
 

@@ -2,11 +2,13 @@
 #include "perilymph/charts/ForceDepthChart.h"
 
 #include <gtest/gtest.h>
+
 #include <vtkAxis.h>
 #include <vtkChartXY.h>
 #include <vtkPlot.h>
 #include <vtkTable.h>
 #include <vtkVersionMacros.h>
+#include <algorithm>
 
 #include <cmath>
 #include <limits>
@@ -98,6 +100,26 @@ TEST(ForceDepthChart, KeepsItsRangesWhileTheCurveFits)
   screen.picture();
   EXPECT_DOUBLE_EQ(screen.axis(vtkAxis::BOTTOM).GetMaximum(), 17.0);
   EXPECT_DOUBLE_EQ(screen.axis(vtkAxis::LEFT).GetMaximum(), 200.0);
+}
+
+TEST(ForceDepthChart, FitsASmallForceAndOnlyGrowsByAFewSteps)
+{
+  ChartOnScreen screen;
+  std::vector<double> tops;
+  for (int i = 0; i <= 1500; ++i) {
+    // 10 mN for two thirds of the way, then up to 180 mN and down again
+    const double force_mN = i < 1000 ? 0.01 * i : i < 1250 ? 10.0 + 0.68 * (i - 1000) : 20.0;
+    screen.chart.append(millimeters(0.01 * i), millinewtons(force_mN));
+    if (i % 50 != 0) continue;
+    screen.chart.update();
+    const double top = screen.axis(vtkAxis::LEFT).GetMaximum();
+    if (i < 1000) {
+      EXPECT_LE(top, 5.0 * 10.0) << i;  // a fifth of the chart or more
+    }
+    if (tops.empty() || top != tops.back()) tops.push_back(top);
+  }
+  EXPECT_LE(tops.size(), 3u);
+  EXPECT_TRUE(std::is_sorted(tops.begin(), tops.end()));  // it never shrinks
 }
 
 TEST(ForceDepthChart, GrowsByWholeTicksWhenForceOrTravelLeavesIt)

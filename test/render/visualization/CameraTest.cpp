@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 #include <vtkCamera.h>
+#include <vtkRenderer.h>
+
+#include <utility>
 
 #include "SceneOnScreen.h"
+#include "perilymph/anatomy/Surface.h"
 
 namespace perilymph::visualization {
 namespace {
@@ -91,6 +95,80 @@ TEST(Camera, ASceneThatReplacesOneInMotionHasTheMagnificationOfItsEnd)
   moving.scene.setMagnification(12.5);
   next.scene.keepViewOf(moving.scene);
   EXPECT_DOUBLE_EQ(next.scene.magnification(), 12.5);
+}
+
+/// The ear lies within an area of the picture, and fills a share of its width or height.
+testing::AssertionResult isFramed(SceneOnScreen& screen, const FreeArea& area)
+{
+  constexpr double fewestShare = 0.85, edge_px = 1.0;
+  const int* size = screen.window->GetSize();
+  static const anatomy::Surface wall = anatomy::wallSurface(*test::publishedScala(), 2000);
+  Eigen::Array2d low(1e9, 1e9), high(-1e9, -1e9);
+  screen.window->Render();
+  vtkRenderer& renderer = screen.scene.renderer();
+  for (const auto& [x, y, z] : wall.points) {
+    renderer.SetWorldPoint(1e3 * x, 1e3 * y, 1e3 * z, 1.0);
+    renderer.WorldToDisplay();
+    const Eigen::Array2d place(renderer.GetDisplayPoint()[0], renderer.GetDisplayPoint()[1]);
+    low = low.min(place);
+    high = high.max(place);
+  }
+  const Eigen::Array2d least(area.left * size[0], area.bottom * size[1]);
+  const Eigen::Array2d most(area.right * size[0], area.top * size[1]);
+  const double share = ((high - low) / (most - least)).maxCoeff();
+  const bool isLargest = screen.scene.magnification() > 31.99;  // no larger one is allowed
+  if ((low > least - edge_px).all() && (high < most + edge_px).all() &&
+      (share > fewestShare || isLargest))
+    return testing::AssertionSuccess();
+  return testing::AssertionFailure()
+         << "from " << low.transpose() << " to " << high.transpose() << " in " << least.transpose()
+         << " to " << most.transpose() << ": " << share;
+}
+
+TEST(Camera, FramesTheEarAfterEveryChange)
+{
+  SceneOnScreen screen;
+  constexpr FreeArea areas[] = {{}, {0.05, 0.25, 0.95, 1.0}, {0.0, 0.1, 0.7, 0.8}};
+  for (const FreeArea& area : areas) {
+    screen.scene.setFreeArea(area);
+    for (const auto& [width, height] : {std::pair{640, 400}, {400, 640}, {988, 456}, {300, 200}}) {
+      screen.window->SetSize(width, height);
+      for (const auto preset :
+           {CameraPreset::surgeon, CameraPreset::overview, CameraPreset::section}) {
+        screen.scene.lookFrom(CameraPreset::followTip);
+        screen.scene.zoom(3.0);
+        screen.scene.glideTo(preset);  // a key
+        screen.scene.stepCamera(0.1);
+        screen.window->SetSize(height, width);  // meanwhile
+        screen.window->Render();
+        screen.window->SetSize(width, height);
+        while (screen.scene.stepCamera(0.1)) screen.window->Render();
+        EXPECT_TRUE(isFramed(screen, area))
+            << width << " x " << height << ", glided to " << int(preset);
+        SceneOnScreen next;  // another patient or array
+        next.window->SetSize(width, height);
+        next.scene.keepViewOf(screen.scene);
+        EXPECT_TRUE(isFramed(next, area)) << width << " x " << height << ", new " << int(preset);
+        screen.window->SetSize(width + 100, height);
+        EXPECT_TRUE(isFramed(screen, area))
+            << width << " x " << height << ", wider " << int(preset);
+        screen.window->SetSize(width, height);
+      }
+    }
+  }
+}
+
+TEST(Camera, AViewChosenByTheUserIsNotFramedAgain)
+{
+  SceneOnScreen screen;
+  screen.scene.setFreeArea({});
+  screen.scene.lookFrom(CameraPreset::surgeon);
+  screen.scene.setMagnification(31.0);
+  screen.window->SetSize(500, 400);
+  screen.window->Render();
+  EXPECT_DOUBLE_EQ(screen.scene.magnification(), 31.0);
+  screen.scene.lookFrom(CameraPreset::surgeon);
+  EXPECT_LT(screen.scene.magnification(), 30.0);
 }
 
 TEST(Camera, MagnificationTenShowsSeventeenMillimeters)

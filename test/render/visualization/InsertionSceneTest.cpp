@@ -221,6 +221,48 @@ TEST(InsertionScene, AnArrowPointsIntoTheLumenWhereTheWallPresses)
   EXPECT_GT(arrow.normalized().dot((modiolus - node).normalized()), 0.9);
 }
 
+TEST(InsertionScene, NoArrowCoversAContact)
+{
+  SceneOnScreen screen, bare;
+  electrode::ArrayDesign array = test::plainArray();
+  array.contactsFromTip.clear();
+  InsertionScene without(*test::publishedScala(), array, anatomy::Side::right, Quality::software);
+  bare.window->RemoveRenderer(&bare.scene.renderer());
+  without.attachTo(*bare.window);
+  haptics::Snapshot now = test::insertedTo(degrees(250));
+  for (int node = 20; node < test::arrayNodes; node += 4) test::press(now, node, millinewtons(30));
+  for (InsertionScene* scene : {&screen.scene, &without}) {
+    scene->setVisible(Part::wallForce, false);
+    scene->setVisible(Part::contactArrows, false);
+    scene->show(now);
+  }
+  for (const CameraPreset preset :
+       {CameraPreset::surgeon, CameraPreset::overview, CameraPreset::followTip}) {
+    screen.scene.lookFrom(preset);
+    without.lookFrom(preset);
+    screen.scene.setMagnification(20);
+    without.setMagnification(20);
+    const test::DrawnPicture plain = bare.picture(), contacts = screen.picture();
+    screen.scene.setVisible(Part::contactArrows, true);
+    const test::DrawnPicture arrows = screen.picture();
+    screen.scene.setVisible(Part::contactArrows, false);
+    int contactPixels = 0, arrowPixels = 0, covered = 0;
+    test::countPixels(contacts, [&](const test::Pixel& p, int x, int y) {
+      constexpr int legend_px = 110;  // the arrows' legend comes and goes with them
+      if (y < legend_px) return false;
+      const bool isContact = test::difference(plain.at(x, y), p) > 25;
+      const bool isArrow = test::difference(arrows.at(x, y), p) > 40;
+      contactPixels += isContact;
+      arrowPixels += isArrow;
+      covered += isContact && isArrow;
+      return false;
+    });
+    EXPECT_GT(contactPixels, 50) << int(preset);
+    EXPECT_GT(arrowPixels, 50) << int(preset);
+    EXPECT_LE(covered, contactPixels / 50) << int(preset);  // edges that are smoothed
+  }
+}
+
 TEST(InsertionScene, StyletComesOutBehindAsItIsPulled)
 {
   SceneOnScreen screen;

@@ -4,10 +4,12 @@
 #include <gmock/gmock.h>
 
 #include <Eigen/Geometry>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <map>
 
+#include "perilymph/anatomy/MeanScala.h"
 #include "perilymph/anatomy/Patient.h"
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/test/TemporaryFolder.h"
@@ -78,6 +80,29 @@ TEST(WriteSurface, WritesBinaryStlInMillimeters)
   float x = 0;
   std::memcpy(&x, content->data() + 84 + 12, 4);
   EXPECT_NEAR(x, 1e3 * point(surface, surface.triangles[0][0]).x(), 1e-5);
+}
+
+TEST(MembraneSurface, LiesBetweenTheWallsUpToTheApex)
+{
+  constexpr double rounding =
+      2e-6;  // [m], of a section's bounds, which are taken at some directions
+  const auto mean = buildMean(millimeters(1));
+  ASSERT_TRUE(mean);
+  for (const auto& scala : {published(), *mean}) {
+    constexpr int rings = 101;
+    const Surface ribbon = membraneSurface(*scala, 2 * (rings - 1));
+    ASSERT_EQ(ribbon.points.size(), 2u * rings);
+    for (std::size_t i = 0; i < ribbon.points.size(); ++i) {
+      const double angle = scala->lastAngle().si() * double(i / 2) / (rings - 1);
+      const Section bounds = scala->section(angle);
+      const auto& [x, y, z] = ribbon.points[i];
+      const double radius = x * std::cos(angle) + y * std::sin(angle);
+      EXPECT_GE(radius, bounds.innerRadius - rounding) << angle;
+      EXPECT_LE(radius, bounds.outerRadius + rounding) << angle;
+      EXPECT_LE(z, bounds.roofHeight + rounding) << angle;
+      EXPECT_GE(z, bounds.floorHeight - rounding) << angle;
+    }
+  }
 }
 
 TEST(WriteSurface, NamesTheEndingsItKnows)

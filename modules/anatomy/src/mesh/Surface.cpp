@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "perilymph/foundation/Math.h"
+
 namespace perilymph::anatomy {
 namespace {
 
@@ -68,6 +70,18 @@ Surface tube(const ScalaTympani& scala, const std::vector<double>& angles, int a
   return surface;
 }
 
+/// A point of the basilar membrane; toward the apex, where the ribbon of the tables is wider than the
+/// lumen, its edge is the wall.
+Eigen::Vector3d membraneInside(const ScalaTympani& scala, double angle, double across)
+{
+  const Eigen::Vector3d center = scala.center_W(angle);
+  const Eigen::Vector3d out = scala.membrane_W(angle, across) - center;
+  const SineCosine turn = sineCosine(angle);
+  const double radial = out.dot(Eigen::Vector3d(turn.cosine, turn.sine, 0.0));
+  const Eigen::Vector3d toWall = scala.wall_W(angle, arcTangent(out.z(), radial)) - center;
+  return center + std::min(1.0, toWall.norm() / out.norm()) * out;
+}
+
 }  // namespace
 
 Surface wallSurface(const ScalaTympani& scala, int maxTriangles)
@@ -97,8 +111,8 @@ Surface membraneSurface(const ScalaTympani& scala, int maxTriangles)
   Surface surface;
   for (int i = 0; i < rings; ++i) {
     const double angle = scala.lastAngle().si() * i / (rings - 1);
-    surface.points.push_back(corner(scala.membrane_W(angle, 0.0)));
-    surface.points.push_back(corner(scala.membrane_W(angle, 1.0)));
+    surface.points.push_back(corner(membraneInside(scala, angle, 0.0)));
+    surface.points.push_back(corner(membraneInside(scala, angle, 1.0)));
   }
   for (int i = 0; i + 1 < rings; ++i) {
     surface.triangles.push_back({2 * i, 2 * i + 1, 2 * i + 2});

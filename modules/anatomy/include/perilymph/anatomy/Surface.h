@@ -26,7 +26,7 @@ Surface wallSurface(const ScalaTympani& scala, int maxTriangles);
 /// The triangles of wallSurface() up to an angle: open at both ends.
 Surface wallSurfaceBefore(const ScalaTympani& scala, int maxTriangles, Angle end);
 
-/// The basilar membrane as a ribbon.
+/// The basilar membrane as a ribbon inside the wall.
 Surface membraneSurface(const ScalaTympani& scala, int maxTriangles);
 
 /// Writes a surface in millimeters, in the format of the file extension: stl (binary), ply, obj,

@@ -40,6 +40,13 @@ enum class Stereo {
   quadBuffered  ///< Two frame buffers; only if the window supports them.
 };
 
+/// The part of the picture that nothing covers, in fractions of its width and height from the lower left.
+struct FreeArea {
+  double left = 0.0, bottom = 0.0, right = 1.0, top = 1.0;
+
+  friend bool operator==(const FreeArea&, const FreeArea&) = default;
+};
+
 /// Stereo angle: 24 mm between the light paths of an operating microscope at a working distance of
 /// 250 mm.
 inline constexpr double eyeAngle_deg = 5.5;
@@ -84,9 +91,17 @@ public:
   /// for windows with text below them.
   void setScaleBarMargin(int pixels);
 
+  /// From now on the presets that show the whole cochlea (surgeon, overview, section) frame it: they center
+  /// it in the area and magnify it until it fills framedShare of its width or height, also when area or
+  /// window change, until the user rotates, moves or zooms. Without an area they have a magnification of
+  /// their own.
+  void setFreeArea(const FreeArea& area);
+  static constexpr double framedShare = 0.92;
+
   /// Switches to a preset at once; resets rotation, translation and zoom.
   void lookFrom(CameraPreset preset);
-  /// Looks from the preset of another scene, with the magnification that its motion ends at.
+  /// Looks from the preset of another scene, framed as there, or with the magnification that its motion ends
+  /// at.
   void keepViewOf(const InsertionScene& other);
   /// Moves to a preset within 250 ms, while stepCamera() is called.
   void glideTo(CameraPreset preset);

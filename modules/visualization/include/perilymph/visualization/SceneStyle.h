@@ -22,6 +22,7 @@ struct SceneStyle {
   SceneStrings strings;
   double textScale =
       1.0;  ///< Size of the scales and their texts, 12 pixels at 1 and InsertionScene::setScale(1).
+  bool hasForceScale = true;  ///< The scale of the wall's force, in millinewtons per millimeter.
 };
 
 }  // namespace perilymph::visualization
